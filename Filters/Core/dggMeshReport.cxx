@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggMeshReport.h"
+
+#include "dggUnfolding.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+namespace dgg
+{
+namespace
+{
+/// An edge is counted once: at its half-edge of smallest id. Returns the number of its faces there,
+/// else 0.
+int FacesOfEdge(const SurfaceMesh& mesh, Id h)
+{
+  int faces = 1;
+  for (Id g = mesh.Twin(h); g != NoId && g != h; g = mesh.Twin(g))
+  {
+    if (g < h)
+    {
+      return 0;
+    }
+    ++faces;
+  }
+  return faces;
+}
+
+void CountEdges(const SurfaceMesh& mesh, MeshReport& report, Offset& edges)
+{
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      continue;
+    }
+    const int faces = FacesOfEdge(mesh, h);
+    edges += faces > 0 ? 1 : 0;
+    report.BoundaryEdges += faces == 1 ? 1 : 0;
+    report.NonManifoldEdges += faces > 2 ? 1 : 0;
+    if (faces == 2 && mesh.Origin(mesh.Twin(h)) == mesh.Origin(h) &&
+      mesh.Origin(h) != mesh.Destination(h))
+    {
+      ++report.InconsistentEdges;
+    }
+  }
+}
+
+/// Fans around each vertex, as classes of outgoing half-edges joined across manifold edges,
+/// whichever way the two half-edges run.
+class FanCounter
+{
+public:
+  explicit FanCounter(const SurfaceMesh& mesh)
+    : Mesh(mesh)
+    , Parent(mesh.GetNumberOfHalfEdges())
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+    for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      const Id t = mesh.Twin(h);
+      if (t != NoId && mesh.Twin(t) == h)
+      {
+        const bool opposed = mesh.Origin(t) == mesh.Destination(h);
+        this->Join(h, opposed ? SurfaceMesh::Next(t) : t);
+        this->Join(SurfaceMesh::Next(h), opposed ? t : SurfaceMesh::Next(t));
+      }
+    }
+  }
+
+  /// The corner that stands for the fan of corner h (a corner is named by its outgoing half-edge).
+  Id Fan(Id h)
+  {
+    while (this->Parent[h] != h)
+    {
+      this->Parent[h] = this->Parent[this->Parent[h]];
+      h = this->Parent[h];
+    }
+    return h;
+  }
+
+  Offset CountAt(Id v)
+  {
+    Offset fans = 0;
+    for (const Id* h = this->Mesh.FanBegin(v); h != this->Mesh.FanEnd(v); ++h)
+    {
+      fans += this->Fan(*h) == *h ? 1 : 0;
+    }
+    return fans;
+  }
+
+private:
+  void Join(Id g, Id h)
+  {
+    g = this->Fan(g);
+    h = this->Fan(h);
+    this->Parent[std::max(g, h)] = std::min(g, h);
+  }
+
+  const SurfaceMesh& Mesh;
+  std::vector<Id> Parent;
+};
+
+bool TouchesNonManifoldEdge(const SurfaceMesh& mesh, Id v)
+{
+  auto isNonManifold = [&](Id h) {
+    const Id t = mesh.Twin(h);
+    return t != NoId && mesh.Twin(t) != h;
+  };
+  return std::any_of(mesh.FanBegin(v), mesh.FanEnd(v),
+    [&](Id h) { return isNonManifold(h) || isNonManifold(SurfaceMesh::Previous(h)); });
+}
+
+/// Boundary half-edges form loops when each is joined to the one that meets it at the other side of
+/// the fan.
+Offset CountBoundaryLoops(const SurfaceMesh& mesh, FanCounter& fans)
+{
+  // Each open fan has two boundary edges, its ends; they belong to the same loop.
+  std::vector<Id> parent(mesh.GetNumberOfHalfEdges());
+  std::iota(parent.begin(), parent.end(), 0);
+  auto find = [&](Id h) {
+    while (parent[h] != h)
+    {
+      parent[h] = parent[parent[h]];
+      h = parent[h];
+    }
+    return h;
+  };
+  std::vector<Id> endOfFan(mesh.GetNumberOfHalfEdges(), NoId);
+  auto visit = [&](Id corner, Id edge) {
+    Id& other = endOfFan[fans.Fan(corner)];
+    if (other == NoId)
+    {
+      other = edge;
+    }
+    else
+    {
+      parent[std::max(find(other), find(edge))] = std::min(find(other), find(edge));
+    }
+  };
+  std::vector<Id> boundary;
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (!mesh.IsDropped(SurfaceMesh::Face(h)) && mesh.Twin(h) == NoId)
+    {
+      boundary.push_back(h);
+      visit(h, h);
+      visit(SurfaceMesh::Next(h), h);
+    }
+  }
+  return std::count_if(boundary.begin(), boundary.end(), [&](Id h) { return find(h) == h; });
+}
+
+Offset CountDuplicateFaces(const SurfaceMesh& mesh)
+{
+  std::vector<std::array<Id, 3>> faces;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    if (!mesh.IsDropped(f))
+    {
+      auto t = mesh.GetTriangle(f);
+      std::sort(t.begin(), t.end());
+      faces.push_back(t);
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  const auto unique = std::unique(faces.begin(), faces.end());
+  return std::distance(unique, faces.end());
+}
+
+Offset CountCoincidentPoints(const double* points, Offset n)
+{
+  std::vector<std::array<double, 3>> sorted;
+  sorted.reserve(n);
+  for (Offset i = 0; i < n; ++i)
+  {
+    // Adding zero turns -0 into +0.
+    const std::array<double, 3> p{ { points[3 * i] + 0.0, points[3 * i + 1] + 0.0,
+      points[3 * i + 2] + 0.0 } };
+    if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
+    {
+      sorted.push_back(p);
+    }
+  }
+  std::sort(sorted.begin(), sorted.end());
+  const auto unique = std::unique(sorted.begin(), sorted.end());
+  return std::distance(unique, sorted.end());
+}
+
+void MeasureAnisotropy(const SurfaceMesh& mesh, MeshReport& report)
+{
+  std::vector<double> taus;
+  double sum = 0.0;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    if (mesh.IsDropped(f))
+    {
+      continue;
+    }
+    const double a = mesh.Length(3 * f);
+    const double b = mesh.Length(3 * f + 1);
+    const double c = mesh.Length(3 * f + 2);
+    const double tau =
+      std::max({ a, b, c }) * (a + b + c) / (4.0 * std::sqrt(3.0) * TriangleArea(a, b, c));
+    taus.push_back(tau);
+    sum += tau;
+  }
+  if (!taus.empty())
+  {
+    const auto middle = taus.begin() + static_cast<std::ptrdiff_t>(taus.size() / 2);
+    std::nth_element(taus.begin(), middle, taus.end());
+    report.MedianAnisotropy = *middle;
+    report.MeanAnisotropy = sum / static_cast<double>(taus.size());
+  }
+}
+}
+
+bool MeshReport::HasDefects() const
+{
+  return this->IsolatedVertices > 0 || this->NonManifoldEdges > 0 ||
+    this->NonManifoldVertices > 0 || this->RepeatedVertexFaces > 0 || this->DegenerateFaces > 0 ||
+    this->DuplicateFaces > 0 || this->CoincidentPoints > 0 || !this->Orientable;
+}
+
+MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
+{
+  MeshReport report;
+  report.Vertices = mesh.GetNumberOfVertices();
+  report.Faces = mesh.GetNumberOfFaces();
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    report.RepeatedVertexFaces += mesh.IsDropped(f) ? 1 : 0;
+    report.ReorientedFaces += mesh.IsFlipped(f) ? 1 : 0;
+  }
+  Offset edges = 0;
+  CountEdges(mesh, report, edges);
+
+  FanCounter fanCounter(mesh);
+  Offset fans = 0;
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const Offset here = fanCounter.CountAt(v);
+    fans += here;
+    report.IsolatedVertices += here == 0 ? 1 : 0;
+    report.NonManifoldVertices += here > 1 && !TouchesNonManifoldEdge(mesh, v) ? 1 : 0;
+  }
+  report.BoundaryLoops = CountBoundaryLoops(mesh, fanCounter);
+  report.DegenerateFaces = mesh.GetNumberOfDegenerateFaces();
+  report.DuplicateFaces = CountDuplicateFaces(mesh);
+  report.CoincidentPoints = points ? CountCoincidentPoints(points, report.Vertices) : 0;
+  report.Mollification = mesh.GetMollification();
+  MeasureAnisotropy(mesh, report);
+
+  Id components = 0;
+  mesh.ComputeComponents(components);
+  report.Components = components - report.IsolatedVertices;
+  report.Orientable = report.InconsistentEdges == 0;
+
+  // With every fan a vertex of its own the surface is a manifold: chi = V - E + F = 2 C - 2 g - b.
+  // Its components are those of faces joined by edges.
+  if (report.NonManifoldEdges > 0 || !report.Orientable)
+  {
+    report.Genus = -1;
+    return report;
+  }
+  std::vector<std::uint8_t> seen(mesh.GetNumberOfFaces(), 0);
+  std::vector<Id> stack;
+  Offset sheets = 0;
+  for (Id seed = 0; seed < mesh.GetNumberOfFaces(); ++seed)
+  {
+    if (seen[seed] || mesh.IsDropped(seed))
+    {
+      continue;
+    }
+    ++sheets;
+    seen[seed] = 1;
+    stack.assign(1, seed);
+    while (!stack.empty())
+    {
+      const Id f = stack.back();
+      stack.pop_back();
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const Id t = mesh.Twin(h);
+        if (t != NoId && !seen[SurfaceMesh::Face(t)])
+        {
+          seen[SurfaceMesh::Face(t)] = 1;
+          stack.push_back(SurfaceMesh::Face(t));
+        }
+      }
+    }
+  }
+  const Offset faces = report.Faces - report.RepeatedVertexFaces;
+  const Offset characteristic = fans - edges + faces;
+  report.Genus = (2 * sheets - report.BoundaryLoops - characteristic) / 2;
+  return report;
+}
+}

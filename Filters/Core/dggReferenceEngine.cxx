@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggReferenceEngine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+/// Two rays to an apex that cross the half-edge this close together coincide, relative to its
+/// length.
+constexpr double CoincidenceTolerance = 1e-9;
+constexpr std::size_t ProgressInterval = 4096;
+}
+
+void ReferenceEngine::Reset()
+{
+  this->Windows = {};
+  this->Vertices = {};
+  this->Winners.assign(this->Mesh.GetNumberOfHalfEdges(), Winner());
+  this->Emitted.assign(this->Mesh.GetNumberOfVertices(), Infinity);
+}
+
+void ReferenceEngine::LabelDropped(Id v)
+{
+  this->Vertices.push({ this->Label(v), v });
+}
+
+/// FILTER: the way through an end of the half-edge and along it is at least as short at every point
+/// of the interval, or nothing behind it can be within the radius.
+bool ReferenceEngine::IsUseless(Id h, const Window& w) const
+{
+  const double length = this->Mesh.Length(h);
+  return w.End - w.Begin < IntervalTolerance * length || w.Image.Y > -EdgeOnTolerance * length ||
+    this->Label(this->Mesh.Origin(h)) + w.End <= w.DistanceAtEnd * (1.0 - LengthTolerance) ||
+    this->Label(this->Mesh.Destination(h)) + (length - w.Begin) <=
+    w.DistanceAtBegin * (1.0 - LengthTolerance) ||
+    w.MinimumDistance() > this->GetRadius();
+}
+
+void ReferenceEngine::Receive(Id h, const Window& window)
+{
+  if (!this->IsUseless(h, window))
+  {
+    this->Windows.push({ window.MinimumDistance(), h, window });
+  }
+}
+
+bool ReferenceEngine::Propagate()
+{
+  const Id n = this->Mesh.GetNumberOfVertices();
+  std::size_t steps = 0;
+  while (!this->Windows.empty() || !this->Vertices.empty())
+  {
+    if (++steps % ProgressInterval == 0)
+    {
+      this->UpdateRadius();
+      if (this->Options->Progress)
+      {
+        // Windows come in order of distance, so the vertices that have had their turn are the
+        // finished ones.
+        const auto done = std::count_if(this->Emitted.begin(), this->Emitted.end(),
+          [](double label) { return label < Infinity; });
+        if (!this->Options->Progress(static_cast<double>(done) / n))
+        {
+          return false;
+        }
+      }
+    }
+    if (!this->Vertices.empty() &&
+      (this->Windows.empty() || this->Vertices.top().Key <= this->Windows.top().Key))
+    {
+      const QueuedVertex queued = this->Vertices.top();
+      this->Vertices.pop();
+      this->ProcessVertex(queued);
+    }
+    else
+    {
+      const QueuedWindow queued = this->Windows.top();
+      this->Windows.pop();
+      if (!this->IsStale(queued.Light) && !this->IsUseless(queued.HalfEdge, queued.Light))
+      {
+        ++this->Result->NumberOfWindows;
+        this->ProcessWindow(queued.HalfEdge, queued.Light);
+      }
+    }
+    this->Result->PeakMemory = std::max(this->Result->PeakMemory,
+      this->Windows.size() * sizeof(QueuedWindow) + this->Vertices.size() * sizeof(QueuedVertex) +
+        this->Winners.size() * sizeof(Winner) + this->Emitted.size() * sizeof(double));
+  }
+  return true;
+}
+
+void ReferenceEngine::ProcessVertex(const QueuedVertex& queued)
+{
+  const Id v = queued.Vertex;
+  const double label = this->Label(v);
+  // Emit once for each label, up to rounding.
+  if (queued.Key != label || this->Emitted[v] <= label * (1.0 + 0.1 * LengthTolerance) ||
+    label > this->GetRadius())
+  {
+    return;
+  }
+  this->Emitted[v] = label;
+  this->RelaxNeighbours(v);
+  if (this->IsSource(v) || this->Mesh.IsPassThrough(v))
+  {
+    this->EmitEverywhere(v);
+  }
+}
+
+void ReferenceEngine::ProcessWindow(Id h, const Window& w)
+{
+  if (this->HasTargets(SurfaceMesh::Face(h)))
+  {
+    this->OfferTargets(h, w);
+  }
+  const FaceUnfolding face = this->Unfold(h);
+  const double crossing = Crossing(w.Image, face.GetApex());
+  bool left = crossing > w.Begin;
+  bool right = crossing < w.End;
+  const bool lit = left && right;
+  if (lit)
+  {
+    this->DecideChildren(h, w, crossing, left, right);
+  }
+  Window child = w;
+  if (left)
+  {
+    child.Image = face.ImageInLeft(w.Image);
+    const double depth = -child.Image.Y;
+    child.SetInterval(face.OnLeft(w.Image, depth, w.Begin),
+      lit ? face.GetLeft() : face.OnLeft(w.Image, depth, w.End));
+    this->Cross(SurfaceMesh::Previous(h), child);
+  }
+  if (right)
+  {
+    child.Image = face.ImageInRight(w.Image);
+    const double depth = -child.Image.Y;
+    child.SetInterval(
+      lit ? 0.0 : face.OnRight(w.Image, depth, w.Begin), face.OnRight(w.Image, depth, w.End));
+    this->Cross(SurfaceMesh::Next(h), child);
+  }
+}
+
+/// The Chen-Han rule: of all windows that light an apex through a half-edge only the one that is
+/// shortest there needs both children; a loser keeps the one on its own side of the winner's ray.
+/// Not applied
+/// - when the rays coincide: the winner may be a pseudo-source on the loser's very ray;
+/// - when the winner is rooted inside a face or an edge: that root can lie inside the loser's cone;
+/// - on non-manifold edges, where the windows come through different faces.
+void ReferenceEngine::DecideChildren(
+  Id h, const Window& w, double crossing, bool& left, bool& right)
+{
+  const Point2 apex{ this->Mesh.ApexX(h), this->Mesh.ApexY(h) };
+  const double distance = w.DistanceTo(apex);
+  this->Lower(
+    this->Mesh.Apex(h), distance, { h, w.Root, w.Image.X, w.Image.Y }, this->SourceOf(w.Root));
+  const Id twin = this->Mesh.Twin(h);
+  if (twin == NoId || this->Mesh.Twin(twin) != h)
+  {
+    return;
+  }
+  Winner& winner = this->Winners[h];
+  if (distance < winner.Distance)
+  {
+    winner = { distance, crossing, w.Root >= 0 };
+  }
+  else if (distance > winner.Distance * (1.0 + LengthTolerance) && winner.AtVertex &&
+    std::abs(crossing - winner.Crossing) > CoincidenceTolerance * this->Mesh.Length(h))
+  {
+    left = crossing < winner.Crossing;
+    right = !left;
+  }
+}
+}

@@ -1,0 +1,559 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSurfaceMeshBuilder.h"
+
+#include "dggUnfolding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace dgg
+{
+namespace
+{
+/// Total angles this close to 2 pi are flat, radians.
+constexpr double FlatTolerance = 1e-9 * 2.0 * Pi;
+/// Slack of the triangle inequality below which a face is degenerate, relative to its edges.
+constexpr double DegeneracySlack = 1e-13;
+/// Both halves of an edge must agree on its length to this.
+constexpr double LengthAgreement = 1e-9;
+/// Squares and products of four lengths must stay within the range of double.
+constexpr double SmallestExtent = 1e-70;
+constexpr double LargestExtent = 1e70;
+
+/// Id of a half-edge after its face was turned over (corners 1 and 2 swapped).
+Id Turned(Id h)
+{
+  const Id k = h % 3;
+  return h - k + (2 - k);
+}
+}
+
+Status SurfaceMeshBuilder::TakeTriangles(
+  Offset numberOfVertices, const Id* triangles, Offset numberOfTriangles)
+{
+  constexpr Offset limit = std::numeric_limits<Id>::max();
+  if (numberOfVertices < 0 || numberOfTriangles < 0 || numberOfVertices > limit ||
+    3 * numberOfTriangles > limit)
+  {
+    std::ostringstream message;
+    message << "a mesh of " << numberOfVertices << " points and " << numberOfTriangles
+            << " triangles is too large: at most " << limit << " points and " << limit / 3
+            << " triangles are supported";
+    return Status::Invalid(message.str());
+  }
+  for (Offset i = 0; i < 3 * numberOfTriangles; ++i)
+  {
+    if (triangles[i] < 0 || triangles[i] >= numberOfVertices)
+    {
+      std::ostringstream message;
+      message << "triangle " << i / 3 << " names point " << triangles[i]
+              << ", which does not exist: ids must be in [0, " << numberOfVertices - 1 << "]";
+      return Status::Invalid(message.str());
+    }
+  }
+  const auto n = static_cast<std::size_t>(numberOfVertices);
+  const auto m = static_cast<std::size_t>(numberOfTriangles);
+  this->Mesh = SurfaceMesh();
+  this->Mesh.Origins.assign(triangles, triangles + 3 * m);
+  this->Mesh.Twins.assign(3 * m, NoId);
+  this->Mesh.Lengths.assign(3 * m, 0.0);
+  this->Mesh.Dropped.assign(m, 0);
+  this->Mesh.Flipped.assign(m, 0);
+  this->Mesh.Kinds.assign(n, VertexKind::Isolated);
+  this->Mesh.TotalAngles.assign(n, 0.0);
+  this->IsMollified.assign(m, 0);
+  return Status::Success();
+}
+
+void SurfaceMeshBuilder::DropRepeatedVertexFaces()
+{
+  for (Id f = 0; f < this->Mesh.GetNumberOfFaces(); ++f)
+  {
+    const auto t = this->Mesh.GetTriangle(f);
+    this->Mesh.Dropped[f] = t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ? 1 : 0;
+  }
+}
+
+void SurfaceMeshBuilder::GlueByVertices()
+{
+  const SurfaceMesh& mesh = this->Mesh;
+  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
+  const Id halfEdges = mesh.GetNumberOfHalfEdges();
+  // Bucket the half-edges by their smaller vertex, sort each short bucket by the larger one.
+  std::vector<Id> first(n + 1, 0);
+  auto smaller = [&](Id h) { return std::min(mesh.Origin(h), mesh.Destination(h)); };
+  auto larger = [&](Id h) { return std::max(mesh.Origin(h), mesh.Destination(h)); };
+  for (Id h = 0; h < halfEdges; ++h)
+  {
+    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      ++first[smaller(h) + 1];
+    }
+  }
+  for (std::size_t v = 0; v < n; ++v)
+  {
+    first[v + 1] += first[v];
+  }
+  std::vector<Id> bucket(first[n]);
+  std::vector<Id> fill(first.begin(), first.end() - 1);
+  for (Id h = 0; h < halfEdges; ++h)
+  {
+    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      bucket[fill[smaller(h)]++] = h;
+    }
+  }
+  for (std::size_t v = 0; v < n; ++v)
+  {
+    const auto begin = bucket.begin() + first[v];
+    const auto end = bucket.begin() + first[v + 1];
+    std::sort(begin, end,
+      [&](Id g, Id h) { return larger(g) != larger(h) ? larger(g) < larger(h) : g < h; });
+    for (auto run = begin; run != end;)
+    {
+      auto stop = run + 1;
+      while (stop != end && larger(*stop) == larger(*run))
+      {
+        ++stop;
+      }
+      if (stop - run > 1)
+      {
+        for (auto it = run; it != stop; ++it)
+        {
+          this->Mesh.Twins[*it] = it + 1 == stop ? *run : *(it + 1);
+        }
+      }
+      run = stop;
+    }
+  }
+}
+
+Status SurfaceMeshBuilder::GlueByTwins(const Id* twins)
+{
+  const SurfaceMesh& mesh = this->Mesh;
+  const Id halfEdges = mesh.GetNumberOfHalfEdges();
+  std::vector<Id> entries(halfEdges, 0);
+  for (Id h = 0; h < halfEdges; ++h)
+  {
+    const Id t = twins[h];
+    if (t == NoId)
+    {
+      continue;
+    }
+    const bool inRange = t >= 0 && t < halfEdges && t != h;
+    const bool joins = inRange &&
+      ((mesh.Origin(t) == mesh.Destination(h) && mesh.Destination(t) == mesh.Origin(h)) ||
+        (mesh.Origin(t) == mesh.Origin(h) && mesh.Destination(t) == mesh.Destination(h)));
+    if (!joins || ++entries[t] > 1)
+    {
+      std::ostringstream message;
+      message << "half-edge " << h << " cannot be glued to half-edge " << t
+              << ": twins must be other half-edges between the same vertices, in closed lists";
+      return Status::Invalid(message.str());
+    }
+  }
+  for (Id h = 0; h < halfEdges; ++h)
+  {
+    if ((twins[h] == NoId) != (entries[h] == 0))
+    {
+      std::ostringstream message;
+      message << "half-edge " << h << " is glued in one direction only";
+      return Status::Invalid(message.str());
+    }
+  }
+  this->Mesh.Twins.assign(twins, twins + halfEdges);
+  return Status::Success();
+}
+
+Status SurfaceMeshBuilder::CheckExtent(double extent, const char* what) const
+{
+  if (extent >= SmallestExtent && extent <= LargestExtent)
+  {
+    return Status::Success();
+  }
+  std::ostringstream message;
+  message << what << " is " << extent << ", outside [" << SmallestExtent << ", " << LargestExtent
+          << "]: ";
+  if (extent == 0.0)
+  {
+    message << "all triangles are single points";
+  }
+  else
+  {
+    message << "scale the mesh first";
+  }
+  return Status::Invalid(message.str());
+}
+
+Status SurfaceMeshBuilder::MeasureLengths(const double* points)
+{
+  double low[3] = { Infinity, Infinity, Infinity };
+  double high[3] = { -Infinity, -Infinity, -Infinity };
+  for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (this->Mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      continue;
+    }
+    const Offset v = this->Mesh.Origin(h);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double x = points[3 * v + axis];
+      if (!std::isfinite(x))
+      {
+        std::ostringstream message;
+        message << "point " << v << ", used by triangle " << SurfaceMesh::Face(h)
+                << ", has a coordinate that is not finite: remove the triangle or repair the point";
+        return Status::Invalid(message.str());
+      }
+      low[axis] = std::min(low[axis], x);
+      high[axis] = std::max(high[axis], x);
+    }
+  }
+  if (high[0] < low[0])
+  {
+    return Status::Success(); // no face takes part
+  }
+  const double extent = std::max({ high[0] - low[0], high[1] - low[1], high[2] - low[2] });
+  Status status = this->CheckExtent(extent, "the largest extent of the mesh");
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    // From the smaller id to the larger one, so that both halves get the same bits.
+    const Offset a = std::min(this->Mesh.Origin(h), this->Mesh.Destination(h));
+    const Offset b = std::max(this->Mesh.Origin(h), this->Mesh.Destination(h));
+    const double dx = points[3 * b] - points[3 * a];
+    const double dy = points[3 * b + 1] - points[3 * a + 1];
+    const double dz = points[3 * b + 2] - points[3 * a + 2];
+    this->Mesh.Lengths[h] = std::sqrt(dx * dx + dy * dy + dz * dz);
+  }
+  return Status::Success();
+}
+
+Status SurfaceMeshBuilder::TakeLengths(const double* lengths)
+{
+  SurfaceMesh& mesh = this->Mesh;
+  double longest = 0.0;
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      continue;
+    }
+    double length = lengths[h];
+    double shortest = lengths[h];
+    for (Id g = mesh.Twin(h); g != NoId && g != h; g = mesh.Twin(g))
+    {
+      length = std::max(length, lengths[g]);
+      shortest = std::min(shortest, lengths[g]);
+    }
+    if (!std::isfinite(lengths[h]) || lengths[h] < 0.0 ||
+      length - shortest > LengthAgreement * length)
+    {
+      std::ostringstream message;
+      message << "half-edge " << h << " has length " << lengths[h]
+              << ": lengths must be finite, not negative, and equal on all halves of an edge";
+      return Status::Invalid(message.str());
+    }
+    mesh.Lengths[h] = length;
+    longest = std::max(longest, length);
+  }
+  return mesh.GetNumberOfHalfEdges() == 0 ? Status::Success()
+                                          : this->CheckExtent(longest, "the longest edge");
+}
+
+void SurfaceMeshBuilder::Orient()
+{
+  SurfaceMesh& mesh = this->Mesh;
+  const Id faces = mesh.GetNumberOfFaces();
+  std::vector<std::uint8_t> seen(faces, 0);
+  std::vector<std::uint8_t> turn(faces, 0);
+  std::vector<Id> component;
+  for (Id seed = 0; seed < faces; ++seed)
+  {
+    if (seen[seed] || mesh.IsDropped(seed))
+    {
+      continue;
+    }
+    component.assign(1, seed);
+    seen[seed] = 1;
+    std::size_t turned = 0;
+    for (std::size_t i = 0; i < component.size(); ++i)
+    {
+      const Id f = component[i];
+      turned += turn[f];
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const Id t = mesh.Twin(h);
+        if (t == NoId || mesh.Twin(t) != h)
+        {
+          continue; // only manifold edges hand the orientation on
+        }
+        const Id g = SurfaceMesh::Face(t);
+        if (!seen[g])
+        {
+          const bool opposed = mesh.Origin(t) == mesh.Destination(h);
+          seen[g] = 1;
+          turn[g] = opposed ? turn[f] : 1 - turn[f];
+          component.push_back(g);
+        }
+      }
+    }
+    if (2 * turned > component.size())
+    {
+      for (const Id f : component)
+      {
+        turn[f] = 1 - turn[f];
+      }
+    }
+  }
+
+  auto renamed = [&](Id h) { return h != NoId && turn[SurfaceMesh::Face(h)] ? Turned(h) : h; };
+  std::vector<Id> twins(mesh.Twins.size());
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    twins[renamed(h)] = renamed(mesh.Twins[h]);
+  }
+  mesh.Twins.swap(twins);
+  for (Id f = 0; f < faces; ++f)
+  {
+    if (turn[f])
+    {
+      std::swap(mesh.Origins[3 * f + 1], mesh.Origins[3 * f + 2]);
+      std::swap(mesh.Lengths[3 * f], mesh.Lengths[3 * f + 2]);
+      mesh.Flipped[f] = 1;
+    }
+  }
+}
+
+void SurfaceMeshBuilder::Mollify()
+{
+  SurfaceMesh& mesh = this->Mesh;
+  double sum = 0.0;
+  Offset edges = 0;
+  mesh.MaximumEdgeLength = 0.0;
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      mesh.MaximumEdgeLength = std::max(mesh.MaximumEdgeLength, mesh.Lengths[h]);
+      // An edge counts once: at its half-edge of smallest id.
+      bool counts = true;
+      for (Id g = mesh.Twin(h); g != NoId && g != h; g = mesh.Twin(g))
+      {
+        counts = counts && h < g;
+      }
+      sum += counts ? mesh.Lengths[h] : 0.0;
+      edges += counts ? 1 : 0;
+    }
+  }
+  mesh.MeanEdgeLength = edges > 0 ? sum / static_cast<double>(edges) : 0.0;
+
+  // What is missing in a face to its triangle inequalities, worst corner; <= 0 when nothing is.
+  auto missing = [&](Id f) {
+    const double a = mesh.Lengths[3 * f];
+    const double b = mesh.Lengths[3 * f + 1];
+    const double c = mesh.Lengths[3 * f + 2];
+    const double longest = std::max({ a, b, c });
+    const double tau = DegeneracySlack * std::max(mesh.MeanEdgeLength, longest);
+    // The two shorter edges against the longest, subtracting first what is close to it.
+    const double middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
+    const double shortest = std::min({ a, b, c });
+    return tau - (shortest - (longest - middle));
+  };
+  double delta = 0.0;
+  std::vector<Id> concerned;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    if (!mesh.IsDropped(f))
+    {
+      const double lack = missing(f);
+      if (lack > 0.0)
+      {
+        delta = std::max(delta, lack);
+        this->IsMollified[f] = 1;
+        concerned.push_back(f);
+      }
+    }
+  }
+  mesh.NumberOfDegenerateFaces = static_cast<Id>(concerned.size());
+  mesh.Mollification = delta;
+  // Lengthen the edges of the faces concerned. A neighbour that a longer edge makes degenerate
+  // joins them.
+  std::vector<std::uint8_t> lengthened(mesh.Lengths.size(), 0);
+  for (std::size_t i = 0; i < concerned.size(); ++i)
+  {
+    for (Id h = 3 * concerned[i]; h < 3 * concerned[i] + 3; ++h)
+    {
+      if (lengthened[h])
+      {
+        continue;
+      }
+      Id g = h;
+      do
+      {
+        lengthened[g] = 1;
+        mesh.Lengths[g] += delta;
+        g = mesh.Twin(g);
+      } while (g != NoId && g != h);
+      for (g = mesh.Twin(h); g != NoId && g != h; g = mesh.Twin(g))
+      {
+        const Id f = SurfaceMesh::Face(g);
+        if (!this->IsMollified[f] && missing(f) > 0.0)
+        {
+          this->IsMollified[f] = 1;
+          concerned.push_back(f);
+        }
+      }
+    }
+  }
+  mesh.NumberOfMollifiedFaces = static_cast<Id>(concerned.size());
+}
+
+void SurfaceMeshBuilder::Finish()
+{
+  this->LayOutFaces();
+  this->GatherHalfEdgesByOrigin();
+  this->OrderFans();
+}
+
+void SurfaceMeshBuilder::LayOutFaces()
+{
+  SurfaceMesh& mesh = this->Mesh;
+  mesh.ApexXs.assign(mesh.Lengths.size(), 0.0);
+  mesh.ApexYs.assign(mesh.Lengths.size(), 0.0);
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      const Point2 apex = LayOut(mesh.Lengths[h], mesh.Lengths[SurfaceMesh::Previous(h)],
+        mesh.Lengths[SurfaceMesh::Next(h)]);
+      mesh.ApexXs[h] = apex.X;
+      mesh.ApexYs[h] = apex.Y;
+    }
+  }
+}
+
+void SurfaceMeshBuilder::GatherHalfEdgesByOrigin()
+{
+  SurfaceMesh& mesh = this->Mesh;
+  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
+  mesh.FanOffsets.assign(n + 1, 0);
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      ++mesh.FanOffsets[mesh.Origin(h) + 1];
+    }
+  }
+  for (std::size_t v = 0; v < n; ++v)
+  {
+    mesh.FanOffsets[v + 1] += mesh.FanOffsets[v];
+  }
+  mesh.Fans.assign(mesh.FanOffsets[n], NoId);
+  std::vector<Offset> fill(mesh.FanOffsets.begin(), mesh.FanOffsets.end() - 1);
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      mesh.Fans[fill[mesh.Origin(h)]++] = h;
+    }
+  }
+}
+
+/// Whether the edge of h is a manifold interior edge whose two half-edges run in opposite
+/// directions.
+bool SurfaceMeshBuilder::IsLinkedConsistently(Id h) const
+{
+  const Id t = this->Mesh.Twin(h);
+  return t != NoId && this->Mesh.Twin(t) == h && this->Mesh.Origin(t) == this->Mesh.Destination(h);
+}
+
+void SurfaceMeshBuilder::OrderFans()
+{
+  SurfaceMesh& mesh = this->Mesh;
+  mesh.PolarAngles.assign(mesh.Lengths.size(), 0.0);
+  std::vector<std::uint8_t> placed(mesh.Lengths.size(), 0);
+  std::vector<Id> outgoing;
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const auto begin = mesh.Fans.begin() + mesh.FanOffsets[v];
+    const auto end = mesh.Fans.begin() + mesh.FanOffsets[v + 1];
+    outgoing.assign(begin, end); // by id
+    auto out = begin;
+    double angle = 0.0;
+    Id fans = 0;
+    bool open = false;
+    auto walk = [&](Id start) {
+      ++fans;
+      Id h = start;
+      do
+      {
+        placed[h] = 1;
+        *out++ = h;
+        mesh.PolarAngles[h] = angle;
+        angle += mesh.CornerAngle(h);
+        const Id incoming = SurfaceMesh::Previous(h);
+        h = this->IsLinkedConsistently(incoming) ? mesh.Twin(incoming) : NoId;
+      } while (h != NoId && !placed[h]);
+    };
+    for (const Id h : outgoing)
+    {
+      if (!placed[h] && !this->IsLinkedConsistently(h))
+      {
+        open = true;
+        walk(h); // clockwise-most: nothing on its right side
+      }
+    }
+    for (const Id h : outgoing)
+    {
+      if (!placed[h])
+      {
+        walk(h);
+      }
+    }
+    mesh.TotalAngles[v] = angle;
+    this->Classify(v, fans, open);
+  }
+}
+
+void SurfaceMeshBuilder::Classify(Id v, Id numberOfFans, bool open)
+{
+  SurfaceMesh& mesh = this->Mesh;
+  if (numberOfFans == 0)
+  {
+    mesh.Kinds[v] = VertexKind::Isolated;
+    return;
+  }
+  bool regular = numberOfFans == 1;
+  for (const Id* h = mesh.FanBegin(v); h != mesh.FanEnd(v); ++h)
+  {
+    const Id incoming = SurfaceMesh::Previous(*h);
+    regular = regular && !this->IsMollified[SurfaceMesh::Face(*h)] &&
+      (mesh.Twin(*h) == NoId || this->IsLinkedConsistently(*h)) &&
+      (mesh.Twin(incoming) == NoId || this->IsLinkedConsistently(incoming));
+  }
+  const double excess = mesh.TotalAngles[v] - 2.0 * Pi;
+  if (!regular)
+  {
+    mesh.Kinds[v] = VertexKind::Irregular;
+  }
+  else if (open)
+  {
+    mesh.Kinds[v] = VertexKind::Boundary;
+  }
+  else if (std::abs(excess) <= FlatTolerance)
+  {
+    mesh.Kinds[v] = VertexKind::Flat;
+  }
+  else
+  {
+    mesh.Kinds[v] = excess < 0.0 ? VertexKind::Convex : VertexKind::Saddle;
+  }
+}
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The steps that turn triangles and lengths into a SurfaceMesh. Internal to the kernel.
+#ifndef dggSurfaceMeshBuilder_h
+#define dggSurfaceMeshBuilder_h
+
+#include "dggSurfaceMesh.h" // for SurfaceMesh
+
+#include <vector> // for std::vector
+
+namespace dgg
+{
+class SurfaceMeshBuilder
+{
+public:
+  explicit SurfaceMeshBuilder(SurfaceMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  Status TakeTriangles(Offset numberOfVertices, const Id* triangles, Offset numberOfTriangles);
+  /// Faces that name a vertex twice take no part.
+  void DropRepeatedVertexFaces();
+  /// Link the half-edges on equal vertex pairs.
+  void GlueByVertices();
+  Status GlueByTwins(const Id* twins);
+  Status MeasureLengths(const double* points);
+  Status TakeLengths(const double* lengths);
+  /// Turn faces over, component by component, where that makes the orientation consistent.
+  void Orient();
+  /// Lengthen the edges of degenerate faces.
+  void Mollify();
+  /// Everything that follows from connectivity and lengths.
+  void Finish();
+
+private:
+  bool IsLinkedConsistently(Id h) const;
+  void LayOutFaces();
+  void GatherHalfEdgesByOrigin();
+  void OrderFans();
+  void Classify(Id v, Id numberOfFans, bool open);
+  Status CheckExtent(double extent, const char* what) const;
+
+  SurfaceMesh& Mesh;
+  std::vector<std::uint8_t> IsMollified; // per face
+};
+}
+
+#endif

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSurfacePoint.h"
+
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// Barycentric coordinates this close to 0 or 1 are snapped.
+constexpr double SnapTolerance = 1e-9;
+/// How far a sum of coordinates may be from 1, and a coordinate below 0.
+constexpr double CoordinateTolerance = 1e-6;
+
+bool AreCoordinates(const std::array<double, 3>& b)
+{
+  const double sum = b[0] + b[1] + b[2];
+  const bool positive =
+    b[0] >= -CoordinateTolerance && b[1] >= -CoordinateTolerance && b[2] >= -CoordinateTolerance;
+  return positive && std::abs(sum - 1.0) <= CoordinateTolerance; // false for NaN
+}
+
+/// Coordinates with respect to the corners as the mesh stores them, snapped.
+SurfacePoint Snap(const SurfaceMesh& mesh, Id face, std::array<double, 3> b)
+{
+  SurfacePoint point;
+  point.On = SurfacePoint::Support::Face;
+  point.Face = face;
+  point.Barycentric = b;
+  if (face < 0 || face >= mesh.GetNumberOfFaces() || !AreCoordinates(b))
+  {
+    return point; // Check() will say so
+  }
+  int zeros = 0;
+  double sum = 0.0;
+  for (double& x : b)
+  {
+    x = x < SnapTolerance ? 0.0 : x;
+    zeros += x == 0.0 ? 1 : 0;
+    sum += x;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    b[k] /= sum;
+    if (zeros >= 2 ? b[k] > 0.0 : b[k] >= 1.0 - SnapTolerance)
+    {
+      point = SurfacePoint::AtVertex(mesh.Origin(3 * face + k));
+      point.Face = face;
+      point.Barycentric = { { 0.0, 0.0, 0.0 } };
+      point.Barycentric[k] = 1.0;
+      return point;
+    }
+  }
+  point.Barycentric = b;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (b[k] == 0.0)
+    {
+      point.On = SurfacePoint::Support::Edge;
+      point.HalfEdge = 3 * face + (k + 1) % 3; // the edge opposite corner k
+    }
+  }
+  return point;
+}
+}
+
+SurfacePoint SurfacePoint::AtVertex(Id vertex)
+{
+  SurfacePoint point;
+  point.Vertex = vertex;
+  return point;
+}
+
+SurfacePoint SurfacePoint::InFace(
+  const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric)
+{
+  std::array<double, 3> b = barycentric;
+  if (face >= 0 && face < mesh.GetNumberOfFaces() && mesh.IsFlipped(face))
+  {
+    std::swap(b[1], b[2]);
+  }
+  return Snap(mesh, face, b);
+}
+
+SurfacePoint SurfacePoint::OnEdge(const SurfaceMesh& mesh, Id halfEdge, double t)
+{
+  std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
+  if (halfEdge >= 0)
+  {
+    b[halfEdge % 3] = 1.0 - t;
+    b[(halfEdge + 1) % 3] = t;
+  }
+  return Snap(mesh, halfEdge < 0 ? NoId : SurfaceMesh::Face(halfEdge), b);
+}
+
+Status SurfacePoint::Check(const SurfaceMesh& mesh) const
+{
+  std::ostringstream message;
+  if (this->On == Support::Vertex)
+  {
+    if (this->Vertex >= 0 && this->Vertex < mesh.GetNumberOfVertices())
+    {
+      return Status::Success();
+    }
+    message << "vertex " << this->Vertex << " does not exist: ids must be in [0, "
+            << mesh.GetNumberOfVertices() - 1 << "]";
+    return Status::Invalid(message.str());
+  }
+  if (this->Face < 0 || this->Face >= mesh.GetNumberOfFaces() || mesh.IsDropped(this->Face))
+  {
+    message << "face " << this->Face << " does not exist or has no area";
+    return Status::Invalid(message.str());
+  }
+  if (!AreCoordinates(this->Barycentric))
+  {
+    message << "the barycentric coordinates (" << this->Barycentric[0] << ", "
+            << this->Barycentric[1] << ", " << this->Barycentric[2] << ") in face " << this->Face
+            << " are not within the face: they must not be negative and add up to 1";
+    return Status::Invalid(message.str());
+  }
+  return Status::Success();
+}
+
+Point2 PlaceInFrame(const SurfaceMesh& mesh, Id h, const std::array<double, 3>& b)
+{
+  const double end = b[(h + 1) % 3];
+  const double apex = b[(h + 2) % 3];
+  return { end * mesh.Length(h) + apex * mesh.ApexX(h), apex * mesh.ApexY(h) };
+}
+
+double DistanceToCorner(
+  const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric, int k)
+{
+  std::array<double, 3> corner{ { 0.0, 0.0, 0.0 } };
+  corner[k] = 1.0;
+  return DistanceInFace(mesh, face, barycentric, corner);
+}
+
+double DistanceInFace(
+  const SurfaceMesh& mesh, Id face, const std::array<double, 3>& p, const std::array<double, 3>& q)
+{
+  // The displacement in barycentric coordinates first: accurate for points close together.
+  const Point2 d = PlaceInFrame(mesh, 3 * face, { { q[0] - p[0], q[1] - p[1], q[2] - p[2] } });
+  return Norm(d.X, d.Y);
+}
+}

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A point anywhere on a mesh: at a vertex, on an edge or inside a face.
+#ifndef dggSurfacePoint_h
+#define dggSurfacePoint_h
+
+#include "dggSurfaceMesh.h" // for SurfaceMesh
+#include "dggUnfolding.h"   // for Point2
+
+#include <array> // for Barycentric
+
+namespace dgg
+{
+/// A point of the surface. What it lies on is decided once, by Snap(): barycentric coordinates
+/// within 1e-9 of a vertex or an edge are on it, which keeps needle triangles away at a metric
+/// perturbation of at most 1e-9 edge lengths.
+struct SurfacePoint
+{
+  enum class Support : std::uint8_t
+  {
+    Vertex, ///< Vertex is set; Face may be NoId
+    Edge,   ///< HalfEdge is set, and Barycentric in its face
+    Face    ///< Face and Barycentric are set
+  };
+
+  Support On = Support::Vertex;
+  Id Vertex = NoId;
+  Id HalfEdge = NoId;
+  Id Face = NoId;
+  /// Coordinates with respect to the corners of SurfaceMesh::GetTriangle(Face); non-negative,
+  /// sum 1.
+  std::array<double, 3> Barycentric{ { 1.0, 0.0, 0.0 } };
+
+  static SurfacePoint AtVertex(Id vertex);
+  /// Point at the given coordinates of a face, snapped. The coordinates refer to the corners of the
+  /// face *in the order of the input*, so that callers need not know of re-oriented faces.
+  static SurfacePoint InFace(
+    const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric);
+  /// Point at parameter t in [0, 1] from Origin(h) to Destination(h), snapped.
+  static SurfacePoint OnEdge(const SurfaceMesh& mesh, Id halfEdge, double t);
+
+  /// Fails with a message when the point does not exist on the mesh.
+  Status Check(const SurfaceMesh& mesh) const;
+};
+
+/// Position of the point with the given barycentric coordinates (in its face) in the frame of
+/// half-edge h.
+Point2 PlaceInFrame(const SurfaceMesh& mesh, Id h, const std::array<double, 3>& barycentric);
+/// Distance inside one face between a point given by barycentric coordinates and corner k.
+double DistanceToCorner(
+  const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric, int k);
+/// Straight distance inside one face between two points given by barycentric coordinates.
+double DistanceInFace(
+  const SurfaceMesh& mesh, Id face, const std::array<double, 3>& p, const std::array<double, 3>& q);
+}
+
+#endif

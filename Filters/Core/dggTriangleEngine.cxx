@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggTriangleEngine.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace dgg
+{
+namespace
+{
+constexpr std::size_t ProgressInterval = 1024;
+}
+
+void TriangleEngine::Reset()
+{
+  const auto n = static_cast<std::size_t>(this->Mesh.GetNumberOfVertices());
+  const auto halfEdges = static_cast<std::size_t>(this->Mesh.GetNumberOfHalfEdges());
+  this->Heap.clear();
+  this->IsOpen.assign(halfEdges / 3, 0);
+  this->IsQueued.assign(halfEdges, 0);
+  this->IsVisited.assign(n, 0);
+  this->Emitted.assign(n, Infinity);
+  this->Queue.clear();
+  this->QueueHead = 0;
+  this->ListOf.assign(halfEdges, NoId);
+  this->Pool.clear();
+  this->FreeLists.clear();
+  this->NumberOfVisited = 0;
+}
+
+void TriangleEngine::LabelDropped(Id v)
+{
+  this->Heap.emplace_back(this->Label(v), v);
+  std::push_heap(this->Heap.begin(), this->Heap.end(), std::greater<std::pair<double, Id>>());
+}
+
+void TriangleEngine::Receive(Id h, const Window& window)
+{
+  Window w = window;
+  this->Scratch.clear();
+  this->RightChildren.clear();
+  this->AddChild(w, this->Mesh.Length(h), this->Label(this->Mesh.Origin(h)),
+    this->Label(this->Mesh.Destination(h)), this->RightChildren);
+  if (!this->RightChildren.empty())
+  {
+    this->Join(h, this->RightChildren);
+  }
+}
+
+bool TriangleEngine::Propagate()
+{
+  std::size_t steps = 0;
+  while (!this->IsFinished())
+  {
+    const std::pair<double, Id> top = this->Heap.front();
+    std::pop_heap(this->Heap.begin(), this->Heap.end(), std::greater<std::pair<double, Id>>());
+    this->Heap.pop_back();
+    if (top.first > this->Label(top.second))
+    {
+      continue; // a smaller label came later
+    }
+    this->ProcessVertex(top.second);
+    if (++steps % ProgressInterval == 0 && !this->ReportProgress())
+    {
+      return false;
+    }
+  }
+  this->MeasureMemory();
+  return true;
+}
+
+/// Nothing left within the radius. A window may be nearer than both ends of its edge, so the labels
+/// alone do not tell.
+bool TriangleEngine::IsFinished() const
+{
+  return this->Heap.empty() ||
+    (this->Heap.front().first > this->GetRadius() && this->FreeLists.size() == this->Pool.size());
+}
+
+bool TriangleEngine::ReportProgress()
+{
+  this->UpdateRadius();
+  this->MeasureMemory();
+  return !this->Options->Progress ||
+    this->Options->Progress(
+      static_cast<double>(this->NumberOfVisited) / this->Mesh.GetNumberOfVertices());
+}
+
+void TriangleEngine::ProcessVertex(Id v)
+{
+  this->NumberOfVisited += this->IsVisited[v] ? 0 : 1;
+  this->RelaxNeighbours(v);
+  // Emit once for each label, up to rounding.
+  if ((this->IsSource(v) || this->Mesh.IsPassThrough(v)) &&
+    this->Label(v) * (1.0 + 0.1 * LengthTolerance) < this->Emitted[v] &&
+    this->Label(v) <= this->GetRadius())
+  {
+    this->Emitted[v] = this->Label(v);
+    this->EmitIntoShadow(v);
+  }
+  if (!this->IsVisited[v])
+  {
+    this->IsVisited[v] = 1;
+    this->OpenFacesAround(v);
+  }
+  while (this->QueueHead < this->Queue.size())
+  {
+    const Id h = this->Queue[this->QueueHead++];
+    this->IsQueued[h] = 0;
+    this->PropagateList(h);
+  }
+  this->Queue.clear();
+  this->QueueHead = 0;
+}
+
+void TriangleEngine::OpenFacesAround(Id v)
+{
+  for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+  {
+    const Id f = SurfaceMesh::Face(*g);
+    if (!this->IsOpen[f])
+    {
+      this->IsOpen[f] = 1;
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        if (this->ListOf[h] != NoId)
+        {
+          this->Enqueue(h);
+        }
+      }
+    }
+  }
+}
+
+void TriangleEngine::Enqueue(Id h)
+{
+  if (!this->IsQueued[h])
+  {
+    this->IsQueued[h] = 1;
+    this->Queue.push_back(h);
+  }
+}
+
+void TriangleEngine::PropagateList(Id h)
+{
+  const Id slot = this->ListOf[h];
+  this->ListOf[h] = NoId;
+  this->FreeLists.push_back(slot);
+  this->Light.swap(this->Pool[slot]);
+  this->Pool[slot].clear();
+
+  const FaceUnfolding face = this->Unfold(h);
+  const auto stale = std::remove_if(
+    this->Light.begin(), this->Light.end(), [&](const Window& w) { return this->IsStale(w); });
+  this->Light.erase(stale, this->Light.end());
+  this->Result->NumberOfWindows += this->Light.size();
+  if (this->HasTargets(SurfaceMesh::Face(h)))
+  {
+    for (const Window& w : this->Light)
+    {
+      this->OfferTargets(h, w);
+    }
+  }
+  this->LightApex(h, face);
+  this->MakeChildren(h, face);
+  this->Light.swap(this->Pool[slot]); // give the storage back
+  this->Pool[slot].clear();
+  this->Deliver(SurfaceMesh::Previous(h), this->LeftChildren);
+  this->Deliver(SurfaceMesh::Next(h), this->RightChildren);
+}
+
+/// The label of the apex first: it trims the children.
+void TriangleEngine::LightApex(Id h, const FaceUnfolding& face)
+{
+  const double tolerance = LightTolerance * face.GetBase();
+  const Id apex = this->Mesh.Apex(h);
+  for (const Window& w : this->Light)
+  {
+    const double crossing = Crossing(w.Image, face.GetApex());
+    if (crossing >= w.Begin - tolerance && crossing <= w.End + tolerance)
+    {
+      this->Lower(apex, w.DistanceTo(face.GetApex()), { h, w.Root, w.Image.X, w.Image.Y },
+        this->SourceOf(w.Root));
+    }
+  }
+}
+
+void TriangleEngine::MakeChildren(Id h, const FaceUnfolding& face)
+{
+  this->LeftChildren.clear();
+  this->RightChildren.clear();
+  const bool hasLeft = this->Mesh.Twin(SurfaceMesh::Previous(h)) != NoId;
+  const bool hasRight = this->Mesh.Twin(SurfaceMesh::Next(h)) != NoId;
+  const double atOrigin = this->Label(this->Mesh.Origin(h));
+  const double atEnd = this->Label(this->Mesh.Destination(h));
+  const double atApex = this->Label(this->Mesh.Apex(h));
+  Window child;
+  for (const Window& w : this->Light)
+  {
+    const double crossing = Crossing(w.Image, face.GetApex());
+    const bool left = crossing > w.Begin;
+    const bool right = crossing < w.End;
+    if (left && hasLeft)
+    {
+      child = w;
+      child.Image = face.ImageInLeft(w.Image);
+      const double depth = -child.Image.Y;
+      child.SetInterval(face.OnLeft(w.Image, depth, w.Begin),
+        right ? face.GetLeft() : face.OnLeft(w.Image, depth, w.End));
+      this->AddChild(child, face.GetLeft(), atOrigin, atApex, this->LeftChildren);
+    }
+    if (right && hasRight)
+    {
+      child = w;
+      child.Image = face.ImageInRight(w.Image);
+      const double depth = -child.Image.Y;
+      child.SetInterval(
+        left ? 0.0 : face.OnRight(w.Image, depth, w.Begin), face.OnRight(w.Image, depth, w.End));
+      this->AddChild(child, face.GetRight(), atApex, atEnd, this->RightChildren);
+    }
+  }
+}
+
+void TriangleEngine::AddChild(
+  Window& child, double length, double atOrigin, double atEnd, WindowList& list)
+{
+  if (child.Image.Y > -EdgeOnTolerance * length ||
+    child.End - child.Begin < IntervalTolerance * length ||
+    !TrimByEnds(child, length, atOrigin, atEnd) || child.MinimumDistance() > this->GetRadius())
+  {
+    return;
+  }
+  InsertIntoEnvelope(list, child, length, this->Scratch);
+}
+
+void TriangleEngine::Deliver(Id exit, WindowList& list)
+{
+  if (list.empty())
+  {
+    return;
+  }
+  for (Id e = this->Mesh.Twin(exit); e != NoId && e != exit; e = this->Mesh.Twin(e))
+  {
+    if (this->RunsAgainst(e, exit) && this->Mesh.Twin(e) == exit)
+    {
+      this->Join(e, list);
+      return; // a manifold edge: nobody else needs the list
+    }
+    WindowList copy = list;
+    if (!this->RunsAgainst(e, exit))
+    {
+      std::reverse(copy.begin(), copy.end());
+      for (Window& w : copy)
+      {
+        w = Mirrored(w, this->Mesh.Length(e));
+      }
+    }
+    this->Join(e, copy);
+  }
+}
+
+/// Merge a list into the one that waits on h. May take its storage.
+void TriangleEngine::Join(Id h, WindowList& list)
+{
+  Id& slot = this->ListOf[h];
+  if (slot == NoId)
+  {
+    if (this->FreeLists.empty())
+    {
+      this->FreeLists.push_back(static_cast<Id>(this->Pool.size()));
+      this->Pool.emplace_back();
+    }
+    slot = this->FreeLists.back();
+    this->FreeLists.pop_back();
+    this->Pool[slot].swap(list);
+  }
+  else
+  {
+    MergeEnvelopes(this->Pool[slot], list, this->Mesh.Length(h), this->Merged);
+    this->Pool[slot].swap(this->Merged);
+  }
+  if (this->IsOpen[SurfaceMesh::Face(h)])
+  {
+    this->Enqueue(h);
+  }
+}
+
+void TriangleEngine::MeasureMemory()
+{
+  std::size_t bytes = this->Heap.capacity() * sizeof(this->Heap[0]) + this->IsOpen.capacity() +
+    this->IsQueued.capacity() + this->IsVisited.capacity() +
+    this->Emitted.capacity() * sizeof(double) + this->Queue.capacity() * sizeof(Id) +
+    (this->ListOf.capacity() + this->FreeLists.capacity()) * sizeof(Id) +
+    this->Pool.capacity() * sizeof(WindowList);
+  for (const WindowList& list : this->Pool)
+  {
+    bytes += list.capacity() * sizeof(Window);
+  }
+  this->Result->PeakMemory = std::max(this->Result->PeakMemory, bytes);
+}
+}

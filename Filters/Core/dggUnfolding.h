@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The plane geometry of unfolding, shared by all window code: where the apex of a triangle lies,
+/// how an image and an interval move on to the next edge, where two windows tie.
+///
+/// The frame of a half-edge h: Origin(h) is (0,0), Destination(h) is (Length(h),0), the face of h
+/// lies in y > 0 and the image of the source in y < 0.
+#ifndef dggUnfolding_h
+#define dggUnfolding_h
+
+#include <algorithm> // for std::max
+#include <cmath>     // for std::sqrt
+#include <utility>   // for std::swap
+
+namespace dgg
+{
+struct Point2
+{
+  double X = 0.0;
+  double Y = 0.0;
+};
+
+inline double Norm(double x, double y)
+{
+  return std::sqrt(x * x + y * y);
+}
+
+/// Area of a triangle from its edge lengths, accurate for slivers (Kahan, "Miscalculating area and
+/// angles of a needle-like triangle", 2014).
+inline double TriangleArea(double a, double b, double c)
+{
+  if (a < b)
+  {
+    std::swap(a, b);
+  }
+  if (b < c)
+  {
+    std::swap(b, c);
+  }
+  if (a < b)
+  {
+    std::swap(a, b);
+  }
+  const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+  return 0.25 * std::sqrt(std::max(0.0, product));
+}
+
+/// Abscissa of a point at distance `fromOrigin` and `fromEnd` of the ends of a segment on the x
+/// axis.
+inline double FootOnEdge(double length, double fromOrigin, double fromEnd)
+{
+  return 0.5 * (length + (fromOrigin - fromEnd) * (fromOrigin + fromEnd) / length);
+}
+
+/// Corner of a triangle laid out above the x axis: `fromOrigin` and `fromEnd` are its distances
+/// from the ends of the segment.
+inline Point2 LayOut(double length, double fromOrigin, double fromEnd)
+{
+  return { FootOnEdge(length, fromOrigin, fromEnd),
+    2.0 * TriangleArea(length, fromOrigin, fromEnd) / length };
+}
+
+/// Distance from an image to the point x on the axis.
+inline double DistanceToAxis(const Point2& image, double x)
+{
+  return Norm(x - image.X, image.Y);
+}
+
+/// Where the segment from the image (below the axis) to `target` (above it) crosses the axis.
+inline double Crossing(const Point2& image, const Point2& target)
+{
+  return image.X + (target.X - image.X) * (-image.Y) / (target.Y - image.Y);
+}
+
+/// A triangle laid out above the x axis, entered through the edge on the axis. Light goes on
+/// through its left edge, from the origin to the apex, or its right edge, from the apex to the end
+/// of the axis; these are the directions of the half-edges that are entered next on a consistently
+/// oriented mesh.
+class FaceUnfolding
+{
+public:
+  FaceUnfolding(double base, const Point2& apex, double left, double right)
+    : Base(base)
+    , Left(left)
+    , Right(right)
+    , Apex(apex)
+    , LeftCosine(apex.X / left)
+    , LeftSine(apex.Y / left)
+    , RightCosine((base - apex.X) / right)
+    , RightSine(apex.Y / right)
+  {
+  }
+
+  double GetBase() const { return this->Base; }
+  double GetLeft() const { return this->Left; }
+  double GetRight() const { return this->Right; }
+  const Point2& GetApex() const { return this->Apex; }
+
+  /// The image in the frame of the left edge.
+  Point2 ImageInLeft(const Point2& image) const
+  {
+    return { this->LeftCosine * image.X + this->LeftSine * image.Y,
+      this->LeftCosine * image.Y - this->LeftSine * image.X };
+  }
+
+  /// The image in the frame of the right edge.
+  Point2 ImageInRight(const Point2& image) const
+  {
+    const double x = this->Base - image.X; // mirrored: the edge leaves the axis at its end
+    return { this->Right - (this->RightCosine * x + this->RightSine * image.Y),
+      this->RightCosine * image.Y - this->RightSine * x };
+  }
+
+  /// Where the ray from the image through x on the axis meets the left edge, measured from the
+  /// origin. `depth` is the distance of the image below the left edge, minus the Y of
+  /// ImageInLeft().
+  double OnLeft(const Point2& image, double depth, double x) const
+  {
+    return Meet(x, -image.Y, depth, this->LeftSine, this->Left);
+  }
+
+  /// Where the ray from the image through x on the axis meets the right edge, measured from the
+  /// apex.
+  double OnRight(const Point2& image, double depth, double x) const
+  {
+    return this->Right - Meet(this->Base - x, -image.Y, depth, this->RightSine, this->Right);
+  }
+
+private:
+  /// Similar triangles: distance from the corner on the axis at which the ray through the point at
+  /// `x` from that corner meets the edge. The apex when it misses the edge.
+  static double Meet(double x, double height, double depth, double sine, double length)
+  {
+    const double denominator = depth - sine * x;
+    const double numerator = x * height;
+    return numerator < length * denominator ? std::max(0.0, numerator / denominator) : length;
+  }
+
+  double Base;
+  double Left;
+  double Right;
+  Point2 Apex;
+  double LeftCosine;
+  double LeftSine;
+  double RightCosine;
+  double RightSine;
+};
+}
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A window: an interval of an edge lit by one source in one unfolding.
+#ifndef dggWindow_h
+#define dggWindow_h
+
+#include "dggTypes.h"     // for Id
+#include "dggUnfolding.h" // for Point2
+
+namespace dgg
+{
+/// Light on its way into the face of a half-edge, in the frame of that half-edge (dggUnfolding.h).
+/// The image of the pseudo-source is kept rather than two end distances: it is accurate when the
+/// image is nearly in line with the edge. The distances at the ends are a cache.
+struct Window
+{
+  double Begin = 0.0; ///< lit interval, 0 <= Begin < End <= length of the half-edge
+  double End = 0.0;
+  Point2 Image;       ///< of the pseudo-source, Y < 0
+  double Sigma = 0.0; ///< distance at the pseudo-source, initial distance included
+  double DistanceAtBegin = 0.0;
+  double DistanceAtEnd = 0.0;
+  Id Root = NoId; ///< the pseudo-source: a vertex, or ~k for source k inside a face or an edge
+
+  /// Distance at a point of the axis.
+  double DistanceAt(double x) const { return this->Sigma + DistanceToAxis(this->Image, x); }
+
+  /// Distance at a point above the axis, along a straight line.
+  double DistanceTo(const Point2& p) const
+  {
+    return this->Sigma + Norm(p.X - this->Image.X, p.Y - this->Image.Y);
+  }
+
+  /// Smallest distance on the interval.
+  double MinimumDistance() const
+  {
+    if (this->Image.X <= this->Begin)
+    {
+      return this->DistanceAtBegin;
+    }
+    return this->Image.X >= this->End ? this->DistanceAtEnd : this->Sigma - this->Image.Y;
+  }
+
+  void SetInterval(double begin, double end)
+  {
+    this->Begin = begin;
+    this->End = end;
+    this->DistanceAtBegin = this->DistanceAt(begin);
+    this->DistanceAtEnd = this->DistanceAt(end);
+  }
+
+  bool HasSameOrigin(const Window& other) const
+  {
+    return this->Root == other.Root && this->Sigma == other.Sigma &&
+      this->Image.X == other.Image.X && this->Image.Y == other.Image.Y;
+  }
+};
+
+/// Two path lengths this close, relatively, count as equal.
+constexpr double LengthTolerance = 1e-12;
+/// Intervals narrower than this, relative to their edge, are dropped.
+constexpr double IntervalTolerance = 1e-10;
+/// An image closer to the axis than this, relative to its edge, sees the edge edge-on and lights
+/// nothing.
+constexpr double EdgeOnTolerance = 1e-14;
+/// A point this close to the edge of a window counts as lit, relative to the edge of the mesh. A
+/// straight line past the border of its strip by that much differs from a path in the strip by the
+/// square, and no point on the seam between two windows stays dark.
+constexpr double LightTolerance = 1e-9;
+}
+
+#endif

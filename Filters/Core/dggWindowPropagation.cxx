@@ -1,0 +1,471 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggWindowPropagation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace dgg
+{
+namespace
+{
+/// Directions this close to the edge of a shadow are taken to be in it, radians: more than rounding
+/// can do to an angle, and less than what makes a window of its own (PieceTolerance of the
+/// envelopes). With 1e-6 half of all windows were overlaps of this kind.
+constexpr double ShadowSlack = 1e-8;
+
+Status CheckSources(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources)
+{
+  if (sources.empty())
+  {
+    return Status::Invalid("there is no source: give at least one");
+  }
+  for (std::size_t k = 0; k < sources.size(); ++k)
+  {
+    const Status status = sources[k].Point.Check(mesh);
+    std::ostringstream message;
+    if (!status.IsOk())
+    {
+      message << "source " << k << ": " << status.GetMessage();
+      return Status::Invalid(message.str());
+    }
+    if (!std::isfinite(sources[k].InitialDistance))
+    {
+      message << "source " << k << ": the initial distance " << sources[k].InitialDistance
+              << " is not finite";
+      return Status::Invalid(message.str());
+    }
+  }
+  return Status::Success();
+}
+
+Status CheckOptions(const SurfaceMesh& mesh, const ExactOptions& options)
+{
+  if (std::isnan(options.MaximumDistance))
+  {
+    return Status::Invalid("the maximum distance is not a number");
+  }
+  for (std::size_t t = 0; t < options.Targets.size(); ++t)
+  {
+    const Status status = options.Targets[t].Check(mesh);
+    if (!status.IsOk())
+    {
+      std::ostringstream message;
+      message << "target " << t << ": " << status.GetMessage();
+      return Status::Invalid(message.str());
+    }
+  }
+  return Status::Success();
+}
+
+/// Call `visit(face, barycentric)` for the face of a point, or for all faces around the edge that
+/// it lies on.
+template <typename Visitor>
+void ForEachFaceAround(const SurfaceMesh& mesh, const SurfacePoint& point, Visitor&& visit)
+{
+  visit(point.Face, point.Barycentric);
+  if (point.On != SurfacePoint::Support::Edge)
+  {
+    return;
+  }
+  const Id h = point.HalfEdge;
+  const double t = point.Barycentric[(h + 1) % 3]; // from origin to destination
+  for (Id e = mesh.Twin(h); e != NoId && e != h; e = mesh.Twin(e))
+  {
+    const double s = mesh.Origin(e) == mesh.Destination(h) ? 1.0 - t : t;
+    std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
+    b[e % 3] = 1.0 - s;
+    b[(e + 1) % 3] = s;
+    visit(SurfaceMesh::Face(e), b);
+  }
+}
+}
+
+Status WindowPropagation::Run(
+  const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result)
+{
+  result = ExactResult();
+  Status status = CheckSources(this->Mesh, sources);
+  if (status.IsOk())
+  {
+    status = CheckOptions(this->Mesh, options);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+
+  // Labels must not be negative (tolerances are relative), so negative initial distances shift the
+  // origin.
+  double shift = 0.0;
+  for (const GeodesicSource& source : sources)
+  {
+    shift = std::min(shift, source.InitialDistance);
+  }
+  std::vector<GeodesicSource> shifted = sources;
+  for (GeodesicSource& source : shifted)
+  {
+    source.InitialDistance -= shift;
+  }
+
+  const auto n = static_cast<std::size_t>(this->Mesh.GetNumberOfVertices());
+  result.Distances.assign(n, Infinity);
+  result.NearestSource.assign(n, NoId);
+  result.Predecessors.assign(n, Predecessor());
+  result.TargetDistances.assign(options.Targets.size(), Infinity);
+  result.TargetNearestSource.assign(options.Targets.size(), NoId);
+  this->Options = &options;
+  this->Result = &result;
+  this->Sources = &shifted;
+  this->Labels = &result.Distances;
+  this->Nearest = &result.NearestSource;
+  this->Predecessors = &result.Predecessors;
+  this->Radius = options.MaximumDistance - shift;
+
+  this->Reset();
+  this->RegisterTargets();
+  this->Start(shifted);
+  const bool finished = this->Propagate();
+  if (finished)
+  {
+    this->FinishTargets();
+    this->ForgetBeyondRadius();
+    for (double& d : result.Distances)
+    {
+      d += shift;
+    }
+    for (double& d : result.TargetDistances)
+    {
+      d += shift;
+    }
+  }
+  this->Sources = nullptr;
+  this->Result = nullptr;
+  this->Options = nullptr;
+  if (!finished)
+  {
+    result = ExactResult();
+    return Status::Abort();
+  }
+  return Status::Success();
+}
+
+bool WindowPropagation::Lower(Id v, double distance, const Predecessor& predecessor, Id source)
+{
+  double& label = (*this->Labels)[v];
+  if (!(distance < label))
+  {
+    return false;
+  }
+  label = distance;
+  (*this->Predecessors)[v] = predecessor;
+  (*this->Nearest)[v] = source;
+  this->LabelDropped(v);
+  return true;
+}
+
+void WindowPropagation::RelaxNeighbours(Id v)
+{
+  const double label = this->Label(v);
+  const Id source = (*this->Nearest)[v];
+  const Predecessor along{ NoId, v, 0.0, 0.0 };
+  for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+  {
+    this->Lower(this->Mesh.Destination(*g), label + this->Mesh.Length(*g), along, source);
+    const Id incoming = SurfaceMesh::Previous(*g);
+    this->Lower(this->Mesh.Origin(incoming), label + this->Mesh.Length(incoming), along, source);
+  }
+}
+
+void WindowPropagation::EmitEverywhere(Id v)
+{
+  const double sigma = this->Label(v);
+  for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+  {
+    this->EmitInto(*g, sigma, 0.0, 2.0 * Pi);
+  }
+}
+
+void WindowPropagation::EmitIntoShadow(Id v)
+{
+  double incoming = 0.0;
+  if (this->IsSource(v) || this->Mesh.Kind(v) == VertexKind::Irregular ||
+    !this->FindIncomingAngle(v, incoming))
+  {
+    this->EmitEverywhere(v);
+    return;
+  }
+  const double sigma = this->Label(v);
+  const double total = this->Mesh.TotalAngle(v);
+  const bool boundary = this->Mesh.Kind(v) == VertexKind::Boundary;
+  // The shadow is the range of directions [begin, begin + width], angles measured from `origin`.
+  const double begin = incoming + Pi - ShadowSlack;
+  const double width = total - 2.0 * Pi + 2.0 * ShadowSlack;
+  for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+  {
+    const double angle = this->Mesh.PolarAngle(*g);
+    const double corner = this->Mesh.CornerAngle(*g);
+    if (boundary)
+    {
+      // No way around through the outside: both ends of the range of directions are open.
+      this->EmitInto(*g, sigma, begin - angle, corner);
+      this->EmitInto(*g, sigma, 0.0, incoming - Pi + ShadowSlack - angle);
+      continue;
+    }
+    // The shadow may begin before this corner or, a turn further, after it has begun.
+    double before = std::fmod(begin - angle, total);
+    before -= before > 0.0 ? total : 0.0; // in (-total, 0]
+    this->EmitInto(*g, sigma, before, before + width);
+    this->EmitInto(*g, sigma, before + total, before + total + width);
+  }
+}
+
+bool WindowPropagation::FindIncomingAngle(Id v, double& angle) const
+{
+  const Predecessor& p = (*this->Predecessors)[v];
+  if (p.HalfEdge != NoId)
+  {
+    // From the direction of the origin of the half-edge counter-clockwise to that of the image.
+    const Point2 c{ this->Mesh.ApexX(p.HalfEdge), this->Mesh.ApexY(p.HalfEdge) };
+    const Point2 i{ p.ImageX - c.X, p.ImageY - c.Y };
+    angle = this->Mesh.PolarAngle(SurfaceMesh::Previous(p.HalfEdge)) +
+      std::atan2(-c.X * i.Y + c.Y * i.X, -c.X * i.X - c.Y * i.Y);
+    return true;
+  }
+  if (p.Root < 0)
+  {
+    return false;
+  }
+  // Along a mesh edge.
+  int matches = 0;
+  for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+  {
+    const Id incoming = SurfaceMesh::Previous(*g);
+    if (this->Mesh.Destination(*g) == p.Root)
+    {
+      angle = this->Mesh.PolarAngle(*g);
+      ++matches;
+    }
+    else if (this->Mesh.Twin(incoming) == NoId && this->Mesh.Origin(incoming) == p.Root)
+    {
+      angle = this->Mesh.TotalAngle(v);
+      ++matches;
+    }
+  }
+  return matches == 1;
+}
+
+void WindowPropagation::EmitInto(Id g, double sigma, double from, double to)
+{
+  const double corner = this->Mesh.CornerAngle(g);
+  if (to <= 0.0 || from >= corner || from >= to)
+  {
+    return;
+  }
+  const Id exit = SurfaceMesh::Next(g);
+  const double length = this->Mesh.Length(exit);
+  // Where the direction `angle` meets the edge, as a fraction from its origin; in the frame of g.
+  const double reach = this->Mesh.Length(g);
+  auto meet = [&](double angle) {
+    const double bx = this->Mesh.ApexX(g);
+    const double by = this->Mesh.ApexY(g);
+    const double sine = std::sin(angle);
+    return sine * reach / (std::cos(angle) * by - sine * (bx - reach));
+  };
+  const double first = from <= 0.0 ? 0.0 : std::min(1.0, std::max(0.0, meet(from)));
+  const double last = to >= corner ? 1.0 : std::min(1.0, std::max(0.0, meet(to)));
+  if (last - first < IntervalTolerance)
+  {
+    return;
+  }
+  Window window;
+  window.Image = { length - this->Mesh.ApexX(exit), -this->Mesh.ApexY(exit) };
+  window.Sigma = sigma;
+  window.Root = this->Mesh.Origin(g);
+  window.SetInterval(length * (1.0 - last), length * (1.0 - first));
+  this->Cross(exit, window);
+}
+
+Window WindowPropagation::Mirrored(const Window& window, double length)
+{
+  Window mirrored = window;
+  mirrored.Begin = length - window.End;
+  mirrored.End = length - window.Begin;
+  mirrored.Image.X = length - window.Image.X;
+  std::swap(mirrored.DistanceAtBegin, mirrored.DistanceAtEnd);
+  return mirrored;
+}
+
+void WindowPropagation::Start(const std::vector<GeodesicSource>& sources)
+{
+  for (std::size_t k = 0; k < sources.size(); ++k)
+  {
+    const SurfacePoint& point = sources[k].Point;
+    const double offset = sources[k].InitialDistance;
+    const Id source = static_cast<Id>(k);
+    if (point.On == SurfacePoint::Support::Vertex)
+    {
+      this->Lower(point.Vertex, offset, { NoId, point.Vertex, 0.0, 0.0 }, source);
+      continue;
+    }
+    ForEachFaceAround(this->Mesh, point,
+      [&](Id f, const std::array<double, 3>& b) { this->StartInFace(f, b, offset, source); });
+  }
+}
+
+void WindowPropagation::StartInFace(Id f, const std::array<double, 3>& b, double offset, Id source)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const Id h = 3 * f + k;
+    this->Lower(this->Mesh.Origin(h), offset + DistanceToCorner(this->Mesh, f, b, k),
+      { NoId, ~source, 0.0, 0.0 }, source);
+    const Point2 position = PlaceInFrame(this->Mesh, h, b);
+    if (b[(k + 2) % 3] == 0.0)
+    {
+      continue; // the source lies on this edge
+    }
+    const double length = this->Mesh.Length(h);
+    Window window;
+    window.Image = { length - position.X, -position.Y };
+    window.Sigma = offset;
+    window.Root = ~source;
+    window.SetInterval(0.0, length);
+    this->Cross(h, window);
+  }
+  // Targets in the same face are seen directly.
+  if (this->HasTargets(f))
+  {
+    for (const Target& target : this->Targets)
+    {
+      if (target.Face == f)
+      {
+        this->ReachTarget(
+          target.Index, offset + DistanceInFace(this->Mesh, f, b, target.Barycentric), source);
+      }
+    }
+  }
+}
+
+void WindowPropagation::RegisterTargets()
+{
+  this->Targets.clear();
+  this->TargetFlags.clear();
+  const std::vector<SurfacePoint>& points = this->Options->Targets;
+  for (std::size_t t = 0; t < points.size(); ++t)
+  {
+    if (points[t].On != SurfacePoint::Support::Vertex)
+    {
+      this->TargetFlags.resize(this->Mesh.GetNumberOfFaces(), 0);
+      ForEachFaceAround(this->Mesh, points[t], [&](Id f, const std::array<double, 3>& b) {
+        this->Targets.push_back({ f, t, b });
+        this->TargetFlags[f] = 1;
+      });
+    }
+  }
+  std::sort(this->Targets.begin(), this->Targets.end(), [](const Target& a, const Target& b) {
+    return a.Face != b.Face ? a.Face < b.Face : a.Index < b.Index;
+  });
+}
+
+void WindowPropagation::ReachTarget(std::size_t index, double distance, Id source)
+{
+  if (distance < this->Result->TargetDistances[index])
+  {
+    this->Result->TargetDistances[index] = distance;
+    this->Result->TargetNearestSource[index] = source;
+  }
+}
+
+void WindowPropagation::OfferTargets(Id h, const Window& window)
+{
+  const Id f = SurfaceMesh::Face(h);
+  const double tolerance = LightTolerance * this->Mesh.Length(h);
+  auto target = std::lower_bound(this->Targets.begin(), this->Targets.end(), f,
+    [](const Target& t, Id face) { return t.Face < face; });
+  for (; target != this->Targets.end() && target->Face == f; ++target)
+  {
+    const Point2 p = PlaceInFrame(this->Mesh, h, target->Barycentric);
+    const double x = Crossing(window.Image, p);
+    if (x >= window.Begin - tolerance && x <= window.End + tolerance)
+    {
+      this->ReachTarget(target->Index, window.DistanceTo(p), this->SourceOf(window.Root));
+    }
+  }
+}
+
+void WindowPropagation::UpdateRadius()
+{
+  if (!this->Options->StopAtTargets)
+  {
+    return;
+  }
+  // Nothing beyond the farthest target matters. Upper bounds will do: they only get smaller.
+  double farthest = 0.0;
+  for (std::size_t t = 0; t < this->Options->Targets.size(); ++t)
+  {
+    const SurfacePoint& point = this->Options->Targets[t];
+    double bound = this->Result->TargetDistances[t];
+    if (point.On == SurfacePoint::Support::Vertex)
+    {
+      bound = this->Label(point.Vertex);
+    }
+    else
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        bound = std::min(bound,
+          this->Label(this->Mesh.Origin(3 * point.Face + k)) +
+            DistanceToCorner(this->Mesh, point.Face, point.Barycentric, k));
+      }
+    }
+    farthest = std::max(farthest, bound * (1.0 + LengthTolerance));
+  }
+  this->Radius = std::min(this->Radius, farthest);
+}
+
+void WindowPropagation::FinishTargets()
+{
+  const std::vector<SurfacePoint>& points = this->Options->Targets;
+  for (std::size_t t = 0; t < points.size(); ++t)
+  {
+    if (points[t].On == SurfacePoint::Support::Vertex)
+    {
+      this->ReachTarget(t, this->Label(points[t].Vertex), (*this->Nearest)[points[t].Vertex]);
+      continue;
+    }
+    ForEachFaceAround(this->Mesh, points[t], [&](Id f, const std::array<double, 3>& b) {
+      for (int k = 0; k < 3; ++k)
+      {
+        const Id corner = this->Mesh.Origin(3 * f + k);
+        this->ReachTarget(
+          t, this->Label(corner) + DistanceToCorner(this->Mesh, f, b, k), (*this->Nearest)[corner]);
+      }
+    });
+  }
+}
+
+void WindowPropagation::ForgetBeyondRadius()
+{
+  this->UpdateRadius();
+  const double limit = this->Radius;
+  for (std::size_t v = 0; v < this->Labels->size(); ++v)
+  {
+    if ((*this->Labels)[v] > limit)
+    {
+      (*this->Labels)[v] = Infinity;
+      (*this->Nearest)[v] = NoId;
+      (*this->Predecessors)[v] = Predecessor();
+    }
+  }
+  for (std::size_t t = 0; t < this->Result->TargetDistances.size(); ++t)
+  {
+    if (this->Result->TargetDistances[t] > limit)
+    {
+      this->Result->TargetDistances[t] = Infinity;
+      this->Result->TargetNearestSource[t] = NoId;
+    }
+  }
+}
+}

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What all exact engines share: labels, sources, emission of windows by vertices, targets.
+/// Internal.
+#ifndef dggWindowPropagation_h
+#define dggWindowPropagation_h
+
+#include "dggExactGeodesics.h" // for sources, options, results
+#include "dggWindow.h"         // for Window
+
+#include <array>  // for barycentric coordinates
+#include <vector> // for std::vector
+
+namespace dgg
+{
+/// The state of one run and the steps that do not depend on the order of propagation. An engine
+/// derives from it, says what happens to a new window and a lower label, and runs its own loop.
+class WindowPropagation
+{
+public:
+  explicit WindowPropagation(const SurfaceMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
+  virtual ~WindowPropagation() = default;
+  WindowPropagation(const WindowPropagation&) = delete;
+  WindowPropagation& operator=(const WindowPropagation&) = delete;
+
+  Status Run(
+    const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result);
+
+protected:
+  /// A window is about to enter the face of half-edge h, in its frame.
+  virtual void Receive(Id h, const Window& window) = 0;
+  /// The label of v has become smaller.
+  virtual void LabelDropped(Id v) = 0;
+  /// Propagate until nothing is left within the radius; false when aborted.
+  virtual bool Propagate() = 0;
+  virtual void Reset() = 0;
+
+  double Label(Id v) const { return (*this->Labels)[v]; }
+  Id SourceOf(Id root) const { return root >= 0 ? (*this->Nearest)[root] : ~root; }
+  bool IsSource(Id v) const { return (*this->Predecessors)[v].Root == v; }
+
+  /// Lower the label of v if `distance` is smaller. Every label is the length of a real path.
+  bool Lower(Id v, double distance, const Predecessor& predecessor, Id source);
+  /// Offer to the neighbours of v the way along their mesh edge: the safety net for windows too
+  /// narrow to be kept (and a real path).
+  void RelaxNeighbours(Id v);
+
+  /// Windows of the pseudo-source v into all its faces.
+  void EmitEverywhere(Id v);
+  /// Windows of the pseudo-source v into the directions that a shortest path may take: those that
+  /// make an angle of at least pi with the incoming one on both sides.
+  void EmitIntoShadow(Id v);
+
+  /// Hand a window that leaves through half-edge `exit` on to all faces behind that edge. The frame
+  /// of the window is that of a half-edge running against `exit`.
+  void Cross(Id exit, const Window& window)
+  {
+    for (Id e = this->Mesh.Twin(exit); e != NoId && e != exit; e = this->Mesh.Twin(e))
+    {
+      if (this->RunsAgainst(e, exit))
+      {
+        this->Receive(e, window);
+      }
+      else
+      {
+        this->Receive(e, Mirrored(window, this->Mesh.Length(e)));
+      }
+    }
+  }
+
+  bool RunsAgainst(Id e, Id h) const { return this->Mesh.Origin(e) == this->Mesh.Destination(h); }
+  static Window Mirrored(const Window& window, double length);
+
+  FaceUnfolding Unfold(Id h) const
+  {
+    return { this->Mesh.Length(h), { this->Mesh.ApexX(h), this->Mesh.ApexY(h) },
+      this->Mesh.Length(SurfaceMesh::Previous(h)), this->Mesh.Length(SurfaceMesh::Next(h)) };
+  }
+
+  /// A window whose root has been reached on a shorter way is of no use any more.
+  bool IsStale(const Window& window) const
+  {
+    return window.Root >= 0 && window.Sigma > this->Label(window.Root) * (1.0 + LengthTolerance);
+  }
+
+  bool HasTargets(Id f) const { return !this->TargetFlags.empty() && this->TargetFlags[f] != 0; }
+  /// Let a window that enters the face of h reach the targets inside it.
+  void OfferTargets(Id h, const Window& window);
+  /// Windows and labels beyond this are of no interest. Shrinks as targets are reached.
+  double GetRadius() const { return this->Radius; }
+  void UpdateRadius();
+
+  const SurfaceMesh& Mesh;
+  const ExactOptions* Options = nullptr;
+  ExactResult* Result = nullptr;
+
+private:
+  struct Target
+  {
+    Id Face;
+    std::size_t Index;
+    std::array<double, 3> Barycentric;
+  };
+
+  void Start(const std::vector<GeodesicSource>& sources);
+  void StartInFace(Id f, const std::array<double, 3>& barycentric, double offset, Id source);
+  void RegisterTargets();
+  void FinishTargets();
+  void ForgetBeyondRadius();
+  /// Window of pseudo-source v onto the edge opposite to it in the face of its outgoing half-edge
+  /// g, between the directions `from` and `to`, angles measured from g.
+  void EmitInto(Id g, double sigma, double from, double to);
+  bool FindIncomingAngle(Id v, double& angle) const;
+  void ReachTarget(std::size_t index, double distance, Id source);
+
+  const std::vector<GeodesicSource>* Sources = nullptr;
+  std::vector<double>* Labels = nullptr;
+  std::vector<Id>* Nearest = nullptr;
+  std::vector<Predecessor>* Predecessors = nullptr;
+  double Radius = Infinity;
+  std::vector<Target> Targets;           // sorted by face; those at vertices are not in it
+  std::vector<std::uint8_t> TargetFlags; // per face
+};
+}
+
+#endif
