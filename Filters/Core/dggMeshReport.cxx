@@ -197,7 +197,7 @@ void MeasureAnisotropy(const SurfaceMesh& mesh, MeshReport& report)
   double sum = 0.0;
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
-    if (mesh.IsDropped(f))
+    if (mesh.IsDropped(f) || mesh.IsDegenerate(f))
     {
       continue;
     }

@@ -30,6 +30,7 @@ struct MeshReport
   /// Total genus over all components, fans of non-manifold vertices apart; -1 when there is a
   /// non-manifold edge or no orientation.
   Offset Genus = 0;
+  /// Over the faces that are not degenerate.
   double MeanAnisotropy = 0.0; ///< mean of l_max (l1+l2+l3) / (4 sqrt(3) area); 1 when equilateral
   double MedianAnisotropy = 0.0;
   double Mollification = 0.0; ///< length added to the edges of degenerate faces

@@ -147,6 +147,6 @@ std::size_t SurfaceMesh::GetMemorySize() const
       this->TotalAngles.size()) *
     sizeof(double) +
     this->FanOffsets.size() * sizeof(Offset) + this->Fans.size() * sizeof(Id) + this->Kinds.size() +
-    this->Dropped.size() + this->Flipped.size();
+    this->FaceFlags.size();
 }
 }

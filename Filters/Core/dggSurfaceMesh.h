@@ -84,9 +84,11 @@ public:
     return { this->Origins[3 * f], this->Origins[3 * f + 1], this->Origins[3 * f + 2] };
   }
   /// Whether the face was dropped because it repeats a vertex.
-  bool IsDropped(Id f) const { return this->Dropped[f] != 0; }
+  bool IsDropped(Id f) const { return (this->FaceFlags[f] & DroppedFlag) != 0; }
   /// Whether corners 1 and 2 were swapped with respect to the input.
-  bool IsFlipped(Id f) const { return this->Flipped[f] != 0; }
+  bool IsFlipped(Id f) const { return (this->FaceFlags[f] & FlippedFlag) != 0; }
+  /// Whether the face had no area, up to rounding, before its edges were lengthened.
+  bool IsDegenerate(Id f) const { return (this->FaceFlags[f] & DegenerateFlag) != 0; }
 
   /// Position of the apex in the frame of the half-edge: origin at Origin(h), x axis towards
   /// Destination(h), y > 0.
@@ -129,18 +131,21 @@ public:
 private:
   friend class SurfaceMeshBuilder;
 
-  std::vector<Id> Origins;           // 3m
-  std::vector<Id> Twins;             // 3m
-  std::vector<double> Lengths;       // 3m
-  std::vector<double> ApexXs;        // 3m
-  std::vector<double> ApexYs;        // 3m
-  std::vector<double> PolarAngles;   // 3m
-  std::vector<Offset> FanOffsets;    // n+1
-  std::vector<Id> Fans;              // 3m, without dropped faces
-  std::vector<double> TotalAngles;   // n
-  std::vector<VertexKind> Kinds;     // n
-  std::vector<std::uint8_t> Dropped; // m
-  std::vector<std::uint8_t> Flipped; // m
+  static constexpr std::uint8_t DroppedFlag = 1;
+  static constexpr std::uint8_t FlippedFlag = 2;
+  static constexpr std::uint8_t DegenerateFlag = 4;
+
+  std::vector<Id> Origins;             // 3m
+  std::vector<Id> Twins;               // 3m
+  std::vector<double> Lengths;         // 3m
+  std::vector<double> ApexXs;          // 3m
+  std::vector<double> ApexYs;          // 3m
+  std::vector<double> PolarAngles;     // 3m
+  std::vector<Offset> FanOffsets;      // n+1
+  std::vector<Id> Fans;                // 3m, without dropped faces
+  std::vector<double> TotalAngles;     // n
+  std::vector<VertexKind> Kinds;       // n
+  std::vector<std::uint8_t> FaceFlags; // m
   double MeanEdgeLength = 0.0;
   double MaximumEdgeLength = 0.0;
   double Mollification = 0.0;

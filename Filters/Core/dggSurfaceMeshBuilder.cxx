@@ -59,8 +59,7 @@ Status SurfaceMeshBuilder::TakeTriangles(
   this->Mesh.Origins.assign(triangles, triangles + 3 * m);
   this->Mesh.Twins.assign(3 * m, NoId);
   this->Mesh.Lengths.assign(3 * m, 0.0);
-  this->Mesh.Dropped.assign(m, 0);
-  this->Mesh.Flipped.assign(m, 0);
+  this->Mesh.FaceFlags.assign(m, 0);
   this->Mesh.Kinds.assign(n, VertexKind::Isolated);
   this->Mesh.TotalAngles.assign(n, 0.0);
   this->IsMollified.assign(m, 0);
@@ -72,7 +71,10 @@ void SurfaceMeshBuilder::DropRepeatedVertexFaces()
   for (Id f = 0; f < this->Mesh.GetNumberOfFaces(); ++f)
   {
     const auto t = this->Mesh.GetTriangle(f);
-    this->Mesh.Dropped[f] = t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ? 1 : 0;
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+    {
+      this->Mesh.FaceFlags[f] |= SurfaceMesh::DroppedFlag;
+    }
   }
 }
 
@@ -263,8 +265,9 @@ Status SurfaceMeshBuilder::TakeLengths(const double* lengths)
     mesh.Lengths[h] = length;
     longest = std::max(longest, length);
   }
-  return mesh.GetNumberOfHalfEdges() == 0 ? Status::Success()
-                                          : this->CheckExtent(longest, "the longest edge");
+  const bool isEmpty = std::all_of(mesh.FaceFlags.begin(), mesh.FaceFlags.end(),
+    [](std::uint8_t flags) { return (flags & SurfaceMesh::DroppedFlag) != 0; });
+  return isEmpty ? Status::Success() : this->CheckExtent(longest, "the longest edge");
 }
 
 void SurfaceMeshBuilder::Orient()
@@ -324,9 +327,10 @@ void SurfaceMeshBuilder::Orient()
   {
     if (turn[f])
     {
-      std::swap(mesh.Origins[3 * f + 1], mesh.Origins[3 * f + 2]);
-      std::swap(mesh.Lengths[3 * f], mesh.Lengths[3 * f + 2]);
-      mesh.Flipped[f] = 1;
+      const Id h = 3 * f;
+      std::swap(mesh.Origins[h + 1], mesh.Origins[h + 2]);
+      std::swap(mesh.Lengths[h], mesh.Lengths[h + 2]);
+      mesh.FaceFlags[f] |= SurfaceMesh::FlippedFlag;
     }
   }
 }
@@ -356,9 +360,10 @@ void SurfaceMeshBuilder::Mollify()
 
   // What is missing in a face to its triangle inequalities, worst corner; <= 0 when nothing is.
   auto missing = [&](Id f) {
-    const double a = mesh.Lengths[3 * f];
-    const double b = mesh.Lengths[3 * f + 1];
-    const double c = mesh.Lengths[3 * f + 2];
+    const Id h = 3 * f;
+    const double a = mesh.Lengths[h];
+    const double b = mesh.Lengths[h + 1];
+    const double c = mesh.Lengths[h + 2];
     const double longest = std::max({ a, b, c });
     const double tau = DegeneracySlack * std::max(mesh.MeanEdgeLength, longest);
     // The two shorter edges against the longest, subtracting first what is close to it.
@@ -377,6 +382,7 @@ void SurfaceMeshBuilder::Mollify()
       {
         delta = std::max(delta, lack);
         this->IsMollified[f] = 1;
+        mesh.FaceFlags[f] |= SurfaceMesh::DegenerateFlag;
         concerned.push_back(f);
       }
     }

@@ -397,7 +397,7 @@ void WindowPropagation::OfferTargets(Id h, const Window& window)
 
 void WindowPropagation::UpdateRadius()
 {
-  if (!this->Options->StopAtTargets)
+  if (!this->Options->StopAtTargets || this->Options->Targets.empty())
   {
     return;
   }
