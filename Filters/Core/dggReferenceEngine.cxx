@@ -19,6 +19,7 @@ void ReferenceEngine::Reset()
 {
   this->Windows = {};
   this->Vertices = {};
+  this->Memory.Clear();
   this->Winners.assign(this->Mesh.GetNumberOfHalfEdges(), Winner());
   this->Emitted.assign(this->Mesh.GetNumberOfVertices(), Infinity);
 }
@@ -80,7 +81,8 @@ bool ReferenceEngine::Propagate()
     {
       const QueuedWindow queued = this->Windows.top();
       this->Windows.pop();
-      if (!this->IsStale(queued.Light) && !this->IsUseless(queued.HalfEdge, queued.Light))
+      if (!this->IsStale(queued.Light) && !this->IsUseless(queued.HalfEdge, queued.Light) &&
+        !this->HasPassed(queued.HalfEdge, queued.Light))
       {
         ++this->Result->NumberOfWindows;
         this->ProcessWindow(queued.HalfEdge, queued.Light);
@@ -91,6 +93,18 @@ bool ReferenceEngine::Propagate()
         this->Winners.size() * sizeof(Winner) + this->Emitted.size() * sizeof(double));
   }
   return true;
+}
+
+/// Whether windows that came to h before make this one useless, where that has to be remembered.
+bool ReferenceEngine::HasPassed(Id h, const Window& w)
+{
+  if (!WindowMemory::IsNeeded(this->Mesh, h))
+  {
+    return false;
+  }
+  WindowList list(1, w);
+  this->Memory.KeepNews(h, this->Mesh.Length(h), list);
+  return list.empty();
 }
 
 void ReferenceEngine::ProcessVertex(const QueuedVertex& queued)

@@ -5,6 +5,7 @@
 #ifndef dggReferenceEngine_h
 #define dggReferenceEngine_h
 
+#include "dggWindowMemory.h"      // for WindowMemory
 #include "dggWindowPropagation.h" // for WindowPropagation
 
 #include <queue>  // for the window queue
@@ -49,6 +50,7 @@ private:
   };
 
   bool IsUseless(Id h, const Window& window) const;
+  bool HasPassed(Id h, const Window& window);
   void ProcessVertex(const QueuedVertex& queued);
   void ProcessWindow(Id h, const Window& window);
   void DecideChildren(Id h, const Window& window, double crossing, bool& left, bool& right);
@@ -56,6 +58,7 @@ private:
   std::priority_queue<QueuedWindow> Windows;
   std::priority_queue<QueuedVertex> Vertices;
   std::vector<Winner> Winners; // per half-edge
+  WindowMemory Memory;
   std::vector<double> Emitted; // per vertex, the label at its last emission
 };
 }

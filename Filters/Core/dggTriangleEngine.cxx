@@ -26,6 +26,7 @@ void TriangleEngine::Reset()
   this->ListOf.assign(halfEdges, NoId);
   this->Pool.clear();
   this->FreeLists.clear();
+  this->Memory.Clear();
   this->NumberOfVisited = 0;
 }
 
@@ -263,6 +264,14 @@ void TriangleEngine::Deliver(Id exit, WindowList& list)
 /// Merge a list into the one that waits on h. May take its storage.
 void TriangleEngine::Join(Id h, WindowList& list)
 {
+  if (WindowMemory::IsNeeded(this->Mesh, h))
+  {
+    this->Memory.KeepNews(h, this->Mesh.Length(h), list);
+    if (list.empty())
+    {
+      return;
+    }
+  }
   Id& slot = this->ListOf[h];
   if (slot == NoId)
   {
@@ -288,8 +297,8 @@ void TriangleEngine::Join(Id h, WindowList& list)
 
 void TriangleEngine::MeasureMemory()
 {
-  std::size_t bytes = this->Heap.capacity() * sizeof(this->Heap[0]) + this->IsOpen.capacity() +
-    this->IsQueued.capacity() + this->IsVisited.capacity() +
+  std::size_t bytes = this->Memory.GetMemorySize() + this->Heap.capacity() * sizeof(this->Heap[0]) +
+    this->IsOpen.capacity() + this->IsQueued.capacity() + this->IsVisited.capacity() +
     this->Emitted.capacity() * sizeof(double) + this->Queue.capacity() * sizeof(Id) +
     (this->ListOf.capacity() + this->FreeLists.capacity()) * sizeof(Id) +
     this->Pool.capacity() * sizeof(WindowList);

@@ -6,6 +6,7 @@
 #define dggTriangleEngine_h
 
 #include "dggWindowEnvelope.h"    // for WindowList
+#include "dggWindowMemory.h"      // for WindowMemory
 #include "dggWindowPropagation.h" // for WindowPropagation
 
 #include <utility> // for the vertex heap
@@ -54,6 +55,8 @@ private:
   std::vector<Id> ListOf; // per half-edge
   std::vector<WindowList> Pool;
   std::vector<Id> FreeLists;
+
+  WindowMemory Memory;
 
   WindowList Light; // the list on its way through a face
   WindowList LeftChildren;
