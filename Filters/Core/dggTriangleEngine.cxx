@@ -9,7 +9,8 @@ namespace dgg
 {
 namespace
 {
-constexpr std::size_t ProgressInterval = 1024;
+/// Windows and vertices between two reports: some milliseconds.
+constexpr std::size_t ProgressInterval = 20000;
 }
 
 void TriangleEngine::Reset()
@@ -28,6 +29,7 @@ void TriangleEngine::Reset()
   this->FreeLists.clear();
   this->Memory.Clear();
   this->NumberOfVisited = 0;
+  this->WorkSinceReport = 0;
 }
 
 void TriangleEngine::LabelDropped(Id v)
@@ -51,24 +53,19 @@ void TriangleEngine::Receive(Id h, const Window& window)
 
 bool TriangleEngine::Propagate()
 {
-  std::size_t steps = 0;
-  while (!this->IsFinished())
+  bool goesOn = true;
+  while (goesOn && !this->IsFinished())
   {
     const std::pair<double, Id> top = this->Heap.front();
     std::pop_heap(this->Heap.begin(), this->Heap.end(), std::greater<std::pair<double, Id>>());
     this->Heap.pop_back();
-    if (top.first > this->Label(top.second))
+    if (top.first <= this->Label(top.second)) // else a smaller label came later
     {
-      continue; // a smaller label came later
-    }
-    this->ProcessVertex(top.second);
-    if (++steps % ProgressInterval == 0 && !this->ReportProgress())
-    {
-      return false;
+      goesOn = this->ProcessVertex(top.second);
     }
   }
   this->MeasureMemory();
-  return true;
+  return goesOn;
 }
 
 /// Nothing left within the radius. A window may be nearer than both ends of its edge, so the labels
@@ -79,8 +76,15 @@ bool TriangleEngine::IsFinished() const
     (this->Heap.front().first > this->GetRadius() && this->FreeLists.size() == this->Pool.size());
 }
 
-bool TriangleEngine::ReportProgress()
+/// Count work that was done, and report now and then. False when aborted.
+bool TriangleEngine::Report(std::size_t work)
 {
+  this->WorkSinceReport += work;
+  if (this->WorkSinceReport < ProgressInterval)
+  {
+    return true;
+  }
+  this->WorkSinceReport = 0;
   this->UpdateRadius();
   this->MeasureMemory();
   return !this->Options->Progress ||
@@ -88,7 +92,7 @@ bool TriangleEngine::ReportProgress()
       static_cast<double>(this->NumberOfVisited) / this->Mesh.GetNumberOfVertices());
 }
 
-void TriangleEngine::ProcessVertex(Id v)
+bool TriangleEngine::ProcessVertex(Id v)
 {
   this->NumberOfVisited += this->IsVisited[v] ? 0 : 1;
   this->RelaxNeighbours(v);
@@ -105,14 +109,18 @@ void TriangleEngine::ProcessVertex(Id v)
     this->IsVisited[v] = 1;
     this->OpenFacesAround(v);
   }
-  while (this->QueueHead < this->Queue.size())
+  for (; this->QueueHead < this->Queue.size(); ++this->QueueHead)
   {
-    const Id h = this->Queue[this->QueueHead++];
+    const Id h = this->Queue[this->QueueHead];
     this->IsQueued[h] = 0;
-    this->PropagateList(h);
+    if (!this->Report(this->PropagateList(h)))
+    {
+      return false;
+    }
   }
   this->Queue.clear();
   this->QueueHead = 0;
+  return this->Report(1);
 }
 
 void TriangleEngine::OpenFacesAround(Id v)
@@ -143,7 +151,8 @@ void TriangleEngine::Enqueue(Id h)
   }
 }
 
-void TriangleEngine::PropagateList(Id h)
+/// Returns the number of windows.
+std::size_t TriangleEngine::PropagateList(Id h)
 {
   const Id slot = this->ListOf[h];
   this->ListOf[h] = NoId;
@@ -155,7 +164,8 @@ void TriangleEngine::PropagateList(Id h)
   const auto stale = std::remove_if(
     this->Light.begin(), this->Light.end(), [&](const Window& w) { return this->IsStale(w); });
   this->Light.erase(stale, this->Light.end());
-  this->Result->NumberOfWindows += this->Light.size();
+  const std::size_t windows = this->Light.size();
+  this->Result->NumberOfWindows += windows;
   if (this->HasTargets(SurfaceMesh::Face(h)))
   {
     for (const Window& w : this->Light)
@@ -169,6 +179,7 @@ void TriangleEngine::PropagateList(Id h)
   this->Pool[slot].clear();
   this->Deliver(SurfaceMesh::Previous(h), this->LeftChildren);
   this->Deliver(SurfaceMesh::Next(h), this->RightChildren);
+  return windows;
 }
 
 /// The label of the apex first: it trims the children.

@@ -9,6 +9,7 @@
 #include "dggWindowMemory.h"      // for WindowMemory
 #include "dggWindowPropagation.h" // for WindowPropagation
 
+#include <cstddef> // for std::size_t
 #include <utility> // for the vertex heap
 #include <vector>  // for std::vector
 
@@ -31,11 +32,11 @@ protected:
 
 private:
   bool IsFinished() const;
-  bool ReportProgress();
-  void ProcessVertex(Id v);
+  bool Report(std::size_t work);
+  bool ProcessVertex(Id v);
   void OpenFacesAround(Id v);
   void Enqueue(Id h);
-  void PropagateList(Id h);
+  std::size_t PropagateList(Id h);
   void LightApex(Id h, const FaceUnfolding& face);
   void MakeChildren(Id h, const FaceUnfolding& face);
   void AddChild(Window& child, double length, double atOrigin, double atEnd, WindowList& list);
@@ -64,6 +65,7 @@ private:
   WindowList Merged;
   WindowList Scratch;
   Id NumberOfVisited = 0;
+  std::size_t WorkSinceReport = 0;
 };
 }
 
