@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bounds that any geodesic distance must respect, from methods that share no code with ours."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
+
+# Rounding of sums of many lengths, relative.
+TOLERANCE = 1e-9
+
+
+def upper_bound(mesh, location, corners):
+    """Shortest way along mesh edges (VTK's Dijkstra); infinite where there is none.
+
+    From a source inside a triangle the way starts straight to one of the corners.
+    """
+    bound = np.full(mesh.GetNumberOfPoints(), np.inf)
+    for corner in corners:
+        dijkstra = vtkDijkstraGraphGeodesicPath()
+        dijkstra.SetInputData(mesh)
+        dijkstra.SetStartVertex(corner)
+        dijkstra.SetEndVertex(corner)
+        dijkstra.StopWhenEndReachedOff()
+        dijkstra.Update()
+        weights = vtkDoubleArray()
+        dijkstra.GetCumulativeWeights(weights)
+        along_edges = vtk_to_numpy(weights)
+        to_corner = np.linalg.norm(np.array(mesh.GetPoint(corner)) - location)
+        bound = np.minimum(bound, np.where(along_edges < 0, np.inf, to_corner + along_edges))
+    return bound
+
+
+def lower_bound(mesh, location):
+    """Straight distance through space."""
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    return np.linalg.norm(points - location, axis=1)
+
+
+def compare(distances, upper, lower):
+    """Points compared, violations and mean ratio for both bounds, over the reached points."""
+    slack = TOLERANCE * np.nanmax(np.append(distances, 0.0))
+    reached = np.isfinite(distances)
+    result = {}
+    for name, bound, broken in (
+        ("upper", upper, distances > upper * (1 + TOLERANCE) + slack),
+        ("lower", lower, distances < lower * (1 - TOLERANCE) - slack),
+    ):
+        known = reached & np.isfinite(bound)
+        counted = known & (bound > 0)
+        ratio = distances[counted] / bound[counted]
+        result[name] = {
+            "points": int(known.sum()),
+            "violations": int((known & broken).sum()),
+            "ratio": float(ratio.mean()) if ratio.size else 1.0,
+        }
+    # A point that edges reach must have a distance.
+    result["upper"]["violations"] += int((~reached & np.isfinite(upper)).sum())
+    return result

@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Read a surface from a file of any format that the examples know."""
+
+import os
+
+import vtkdgg
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+READERS = {
+    ".obj": vtkOBJReader,
+    ".off": vtkdgg.vtkDGGOFFReader,
+    ".ply": vtkPLYReader,
+    ".stl": vtkSTLReader,
+    ".vtk": vtkPolyDataReader,
+    ".vtp": vtkXMLPolyDataReader,
+}
+
+
+class MeshFileError(Exception):
+    """The file cannot be read as a surface; the text says why."""
+
+
+def make_reader(path):
+    """Reader for the file, chosen by its extension."""
+    extension = os.path.splitext(path)[1].lower()
+    if extension not in READERS:
+        known = " ".join(sorted(READERS))
+        raise MeshFileError(f"{path}: unknown extension '{extension}'; known are {known}")
+    if not os.path.isfile(path):
+        raise MeshFileError(f"{path}: no such file")
+    reader = READERS[extension]()
+    reader.SetFileName(path)
+    return reader
+
+
+def read_triangles(path):
+    """The triangles of the file; polygons and strips are triangulated, lines and verts left out."""
+    reader = make_reader(path)
+    triangulate = vtkTriangleFilter()
+    triangulate.PassLinesOff()
+    triangulate.PassVertsOff()
+    triangulate.SetInputConnection(reader.GetOutputPort())
+    try:
+        mesh = vtkdgg.check(triangulate)
+    except vtkdgg.VTKError as error:
+        reason = " ".join(str(error).split())
+        raise MeshFileError(f"{path}: cannot be read ({reason})") from None
+    if mesh.GetNumberOfPolys() == 0:
+        raise MeshFileError(f"{path}: holds no surface")
+    return mesh

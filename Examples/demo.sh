@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Exact geodesic distance on a mesh: builds what is needed, prints a table, and writes distance.vtp
+# and distance.png. Missing Debian packages are installed first.
+#
+# Usage: Examples/demo.sh [MESH] [--source ID | --source X,Y,Z] [--merge] [--out DIR]
+#   MESH      .ply .obj .stl .vtp .vtk .off (default: the bunny of Debian's glmark2-data)
+#   --source  where distances start: a point id, or coordinates on the surface
+#             (default: the point farthest from the centre of the mesh)
+#   --merge   treat points with equal coordinates as one (texture seams)
+#   --out     folder of the results (default: ./out)
+
+set -euo pipefail
+
+for argument in "$@"; do
+  if [ "$argument" = -h ] || [ "$argument" = --help ]; then
+    sed -n '/^# Exact geodesic/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+    exit 0
+  fi
+done
+
+source "$(dirname "${BASH_SOURCE[0]}")/../Testing/setup.sh"
+
+dgg_install "${DGG_PACKAGES[@]}" glmark2-data
+
+build="$DGG_ROOT/build/demo"
+dgg_build "$build" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF
+dgg_with_display "$build/bin/vtkdgg-python" "$DGG_ROOT/Examples/Python/demo.py" "$@"

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a distance filter computes from, and where it puts the answer. Internal.
+#ifndef vtkDGGDistanceTask_h
+#define vtkDGGDistanceTask_h
+
+#include "dggExactGeodesics.h" // for GeodesicSource
+#include "dggSurfaceMesh.h"    // for SurfaceMesh
+
+#include <vector> // for the results
+
+class vtkPolyData;
+
+/// One call of vtkGeodesicDistanceAlgorithm::ComputeDistances(). Everything in it has been checked.
+struct vtkDGGDistanceTask
+{
+  const dgg::SurfaceMesh& Mesh;
+  const std::vector<dgg::GeodesicSource>& Sources; ///< at least one
+  vtkPolyData* Input;                              ///< not to be changed
+  /// Vertices farther than this may be left unreached; dgg::Infinity when there is no limit.
+  double MaximumDistance;
+  bool WantNearestSource;         ///< whether NearestSource has to be filled
+  dgg::ProgressCallback Progress; ///< never empty; false means stop
+
+  std::vector<double> Distances;      ///< per vertex of the mesh; dgg::Infinity where unreached
+  std::vector<dgg::Id> NearestSource; ///< per vertex, index into Sources; dgg::NoId if unreached
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGDistanceTask.h

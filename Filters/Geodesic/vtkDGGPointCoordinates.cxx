@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDGGPointCoordinates.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkPoints.h"
+
+//------------------------------------------------------------------------------
+vtkDGGPointCoordinates::vtkDGGPointCoordinates(vtkPoints* points)
+{
+  if (!points || points->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  if (auto* doubles = vtkDoubleArray::FastDownCast(points->GetData()))
+  {
+    this->Data = doubles->GetPointer(0);
+    return;
+  }
+  this->Copy.resize(3 * static_cast<std::size_t>(points->GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    points->GetPoint(i, this->Copy.data() + 3 * i);
+  }
+  this->Data = this->Copy.data();
+}

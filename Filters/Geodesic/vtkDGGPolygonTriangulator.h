@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Cuts a polygon into triangles. Internal.
+#ifndef vtkDGGPolygonTriangulator_h
+#define vtkDGGPolygonTriangulator_h
+
+#include "dggTypes.h" // for Id
+
+#include "vtkIdList.h"  // for the triangles
+#include "vtkNew.h"     // for vtkNew
+#include "vtkPolygon.h" // for the ear cutting
+
+#include <vector> // for std::vector
+
+/// Triangulates polygons one after the other. A triangle stays as it is. A quad is cut along the
+/// shorter of the diagonals that lie inside it. A larger polygon loses its ears one by one. A
+/// polygon that has no triangulation (it crosses itself) becomes a fan around its first point.
+class vtkDGGPolygonTriangulator
+{
+public:
+  /// Append the triangles of the polygon `corners` (point ids) to `triangles`, three ids each.
+  /// Returns how many; none when fewer than three points are distinct. `points` are x y z per
+  /// point.
+  dgg::Id Triangulate(
+    const double* points, const std::vector<dgg::Id>& corners, std::vector<dgg::Id>& triangles);
+
+private:
+  void CutQuad(const double* points, std::vector<dgg::Id>& triangles);
+  void CutEars(const double* points, std::vector<dgg::Id>& triangles);
+
+  std::vector<dgg::Id> Corners; // without repetitions of the one before
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Ears;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGPolygonTriangulator.h

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The point of a surface that is closest to a point in space. Internal.
+#ifndef vtkDGGSurfaceLocator_h
+#define vtkDGGSurfaceLocator_h
+
+#include "dggSurfaceMesh.h"  // for SurfaceMesh
+#include "dggSurfacePoint.h" // for SurfacePoint
+
+#include "vtkGenericCell.h"       // for the locator's workspace
+#include "vtkNew.h"               // for vtkNew
+#include "vtkPolyData.h"          // for the located cells
+#include "vtkStaticCellLocator.h" // for the search
+
+#include <array>  // for the coordinates
+#include <vector> // for the map
+
+class vtkPoints;
+
+/// Finds closest points on a mesh of the kernel whose vertices have the given coordinates. The
+/// coordinates are scaled by a power of two for the search, so that any scale gives the same
+/// answer, bit by bit.
+class vtkDGGSurfaceLocator
+{
+public:
+  /// `mesh` must outlive the locator and have a face.
+  vtkDGGSurfaceLocator(const dgg::SurfaceMesh& mesh, vtkPoints* points);
+
+  /// The closest surface point, and its distance in the units of the points. False when there is
+  /// none. It does not depend on the order in which cells are visited, except for ties between
+  /// different places.
+  bool FindClosestPoint(const double position[3], dgg::SurfacePoint& closest, double& distance);
+
+  /// Diagonal of the bounding box of the faces.
+  double GetDiagonal() const { return this->Diagonal; }
+
+private:
+  using Vector = std::array<double, 3>;
+
+  void MeasureExtent(vtkPoints* points);
+  void AddCells();
+  /// Barycentric coordinates, in the order of the input, of the point of a face that is closest.
+  std::array<double, 3> Project(const Vector& p, dgg::Id face, double& squaredDistance) const;
+  std::array<dgg::Id, 3> GetInputTriangle(dgg::Id face) const;
+  Vector GetPosition(dgg::Id vertex) const;
+
+  const dgg::SurfaceMesh& Mesh;
+  double Diagonal = 0.0;
+  double Scale = 1.0; // power of two
+  vtkNew<vtkPolyData> Surface;
+  std::vector<dgg::Id> Faces; // of the mesh, per cell of Surface
+  vtkNew<vtkStaticCellLocator> Locator;
+  vtkNew<vtkGenericCell> Cell;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGSurfaceLocator.h

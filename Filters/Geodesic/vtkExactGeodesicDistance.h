@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkExactGeodesicDistance
+ * @brief   exact distances along a triangulated surface
+ *
+ * Computes, for every point, the length of the shortest path on the surface to the nearest source.
+ * The surface is the polyhedron that the triangles make, not a smooth surface that they may
+ * approximate; on it the distances are exact up to rounding (relative errors around 1e-12).
+ * Windows of straight paths are propagated over the triangles; time grows a little faster than
+ * linearly with the number of points.
+ *
+ * Inputs, sources, results and errors are those of vtkGeodesicDistanceAlgorithm.
+ *
+ * Window propagation goes back to J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The
+ * discrete geodesic problem", SIAM J. Comput. 16, 1987, and J. Chen, Y. Han, "Shortest paths on a
+ * polyhedron", SoCG 1990; the default order of propagation to Y. Qin et al., "Fast and exact
+ * discrete geodesic computation based on triangle-oriented wavefront propagation", ACM Trans.
+ * Graph. 35(4), 2016.
+ *
+ * @sa vtkGeodesicDistanceAlgorithm
+ */
+
+#ifndef vtkExactGeodesicDistance_h
+#define vtkExactGeodesicDistance_h
+
+#include "vtkDGGFiltersGeodesicModule.h" // For export macro
+#include "vtkGeodesicDistanceAlgorithm.h"
+
+class VTKDGGFILTERSGEODESIC_EXPORT vtkExactGeodesicDistance : public vtkGeodesicDistanceAlgorithm
+{
+public:
+  static vtkExactGeodesicDistance* New();
+  vtkTypeMacro(vtkExactGeodesicDistance, vtkGeodesicDistanceAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Ways to propagate. Both give the same distances.
+   */
+  enum EngineType
+  {
+    Reference = 0, ///< one window at a time: slow, simple
+    Triangle = 1   ///< triangle by triangle: fast
+  };
+
+  ///@{
+  /**
+   * How to propagate. Default Triangle; Reference is there to verify it.
+   */
+  vtkSetClampMacro(Engine, int, Reference, Triangle);
+  vtkGetMacro(Engine, int);
+  void SetEngineToReference() { this->SetEngine(Reference); }
+  void SetEngineToTriangle() { this->SetEngine(Triangle); }
+  ///@}
+
+protected:
+  vtkExactGeodesicDistance();
+  ~vtkExactGeodesicDistance() override;
+
+  dgg::Status ComputeDistances(vtkDGGDistanceTask& task) override;
+
+private:
+  vtkExactGeodesicDistance(const vtkExactGeodesicDistance&) = delete;
+  void operator=(const vtkExactGeodesicDistance&) = delete;
+
+  int Engine;
+};
+
+#endif

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDGGOFFReader.h"
+
+#include "vtkDGGOFFBinaryParser.h"
+#include "vtkDGGOFFContents.h"
+#include "vtkDGGOFFTextParser.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace
+{
+/// Enough of a file to find its keyword behind comments.
+constexpr std::size_t KeywordRange = 4096;
+
+/// The first bytes of a file, at most `limit`.
+bool LoadFile(const char* name, std::size_t limit, std::vector<char>& bytes, vtkDGGOFFError& error)
+{
+  namespace fs = std::filesystem;
+  std::error_code code;
+  const fs::file_status status = fs::status(name, code);
+  if (!fs::exists(status))
+  {
+    error = { vtkErrorCode::FileNotFoundError, "the file does not exist" };
+    return false;
+  }
+  if (fs::is_directory(status))
+  {
+    error = { vtkErrorCode::CannotOpenFileError, "it is a folder" };
+    return false;
+  }
+  if (!fs::is_regular_file(status))
+  {
+    error = { vtkErrorCode::CannotOpenFileError, "it is not an ordinary file" };
+    return false;
+  }
+  std::ifstream file(name, std::ios::binary);
+  if (!file)
+  {
+    error = { vtkErrorCode::CannotOpenFileError, "the file cannot be opened" };
+    return false;
+  }
+  const std::uintmax_t size = fs::file_size(name, code);
+  if (code)
+  {
+    error = { vtkErrorCode::CannotOpenFileError, "the size of the file is not known" };
+    return false;
+  }
+  bytes.resize(static_cast<std::size_t>(std::min<std::uintmax_t>(size, limit)));
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (static_cast<std::size_t>(file.gcount()) != bytes.size())
+  {
+    error = { vtkErrorCode::PrematureEndOfFileError, "the file cannot be read to its end" };
+    return false;
+  }
+  return true;
+}
+
+/// False on error, and when stopped by the callback (without an error).
+bool ParseFile(const std::vector<char>& bytes, const vtkDGGOFFProgress& progress,
+  vtkDGGOFFContents& contents, vtkDGGOFFError& error)
+{
+  const char* const begin = bytes.data();
+  const char* const end = begin + bytes.size();
+  if (bytes.empty())
+  {
+    error = { vtkErrorCode::PrematureEndOfFileError, "line 1: the file is empty" };
+    return false;
+  }
+  const char* binary = nullptr;
+  vtkDGGOFFTextParser text(begin, end, progress, contents);
+  if (!text.ReadKeyword(binary))
+  {
+    error = text.GetError();
+    return false;
+  }
+  if (!binary)
+  {
+    const bool parsed = text.Parse();
+    error = text.GetError();
+    return parsed;
+  }
+  vtkDGGOFFBinaryParser data(begin, end, binary, progress, contents);
+  const bool parsed = data.Parse();
+  error = data.GetError();
+  return parsed;
+}
+
+/// Colours of the records in the given order.
+vtkNew<vtkUnsignedCharArray> MakeColors(
+  const vtkDGGOFFColors& colors, const std::vector<vtkIdType>& order)
+{
+  const int components = colors.GetNumberOfComponents();
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(components == 4 ? "RGBA" : "RGB");
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(order.size()));
+  unsigned char* out = array->GetPointer(0);
+  for (const vtkIdType record : order)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      *out++ = colors.Get(static_cast<std::size_t>(record), c);
+    }
+  }
+  return array;
+}
+
+vtkNew<vtkFloatArray> MakeFloats(const char* name, int components, const std::vector<float>& values)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+void MakePoints(const vtkDGGOFFContents& contents, vtkPolyData* output)
+{
+  const auto count = static_cast<vtkIdType>(contents.Points.size() / 3);
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(count);
+  std::copy(contents.Points.begin(), contents.Points.end(), coordinates->GetPointer(0));
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  output->SetPoints(points);
+
+  vtkPointData* data = output->GetPointData();
+  if (contents.Header.HasNormals)
+  {
+    data->SetNormals(MakeFloats("Normals", 3, contents.Normals));
+  }
+  if (contents.Header.HasTCoords)
+  {
+    data->SetTCoords(MakeFloats("TCoords", 2, contents.TCoords));
+  }
+  if (contents.Header.HasColors)
+  {
+    std::vector<vtkIdType> order(static_cast<std::size_t>(count));
+    for (vtkIdType v = 0; v < count; ++v)
+    {
+      order[static_cast<std::size_t>(v)] = v;
+    }
+    data->SetScalars(MakeColors(contents.PointColors, order));
+  }
+}
+
+void MakeCells(const vtkDGGOFFContents& contents, vtkPolyData* output)
+{
+  // One kind of cells after the other, as vtkPolyData numbers them.
+  vtkNew<vtkCellArray> verts;
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> polys;
+  polys->AllocateExact(static_cast<vtkIdType>(contents.FaceOffsets.size()) - 1,
+    static_cast<vtkIdType>(contents.Connectivity.size()));
+  std::vector<vtkIdType> order;
+  order.reserve(contents.FaceOffsets.size() - 1);
+  auto takeFaces = [&](vtkCellArray* cells, vtkIdType least, vtkIdType most) {
+    for (std::size_t f = 0; f + 1 < contents.FaceOffsets.size(); ++f)
+    {
+      const vtkIdType corners = contents.FaceOffsets[f + 1] - contents.FaceOffsets[f];
+      if (corners >= least && corners <= most)
+      {
+        cells->InsertNextCell(corners, contents.Connectivity.data() + contents.FaceOffsets[f]);
+        order.push_back(static_cast<vtkIdType>(f));
+      }
+    }
+  };
+  takeFaces(verts, 1, 1);
+  takeFaces(lines, 2, 2);
+  takeFaces(polys, 3, VTK_ID_MAX);
+  if (verts->GetNumberOfCells() > 0)
+  {
+    output->SetVerts(verts);
+  }
+  if (lines->GetNumberOfCells() > 0)
+  {
+    output->SetLines(lines);
+  }
+  output->SetPolys(polys);
+  if (contents.FaceColors.IsUsed())
+  {
+    output->GetCellData()->SetScalars(MakeColors(contents.FaceColors, order));
+  }
+}
+}
+
+vtkStandardNewMacro(vtkDGGOFFReader);
+
+vtkDGGOFFReader::vtkDGGOFFReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkDGGOFFReader::~vtkDGGOFFReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkDGGOFFReader::CanReadFile(const char* fileName)
+{
+  std::vector<char> bytes;
+  vtkDGGOFFError error;
+  if (!fileName || !LoadFile(fileName, KeywordRange, bytes, error) || bytes.empty())
+  {
+    return 0;
+  }
+  vtkDGGOFFContents contents;
+  const vtkDGGOFFProgress noProgress;
+  const char* binary = nullptr;
+  vtkDGGOFFTextParser text(bytes.data(), bytes.data() + bytes.size(), noProgress, contents);
+  return text.ReadKeyword(binary) ? 1 : 0;
+}
+
+int vtkDGGOFFReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (!this->FileName || !this->FileName[0])
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("There is no file name: call SetFileName() first.");
+    return 0;
+  }
+  vtkDGGOFFError error;
+  try
+  {
+    std::vector<char> bytes;
+    vtkDGGOFFContents contents;
+    const vtkDGGOFFProgress progress = [this](double done) {
+      this->UpdateProgress(0.9 * done);
+      return this->GetAbortExecute() == 0;
+    };
+    if (LoadFile(this->FileName, SIZE_MAX, bytes, error) &&
+      ParseFile(bytes, progress, contents, error))
+    {
+      std::vector<char>().swap(bytes);
+      MakePoints(contents, output);
+      MakeCells(contents, output);
+      this->UpdateProgress(1.0);
+      return 1;
+    }
+  }
+  catch (const std::exception& exception) // out of memory
+  {
+    error = { vtkErrorCode::UnknownError, exception.what() };
+  }
+  output->Initialize();
+  if (error.Code == vtkErrorCode::NoError)
+  {
+    return 1; // aborted: nothing to complain about
+  }
+  this->SetErrorCode(error.Code);
+  vtkErrorMacro("Cannot read " << this->FileName << ": " << error.Message);
+  return 0;
+}
+
+void vtkDGGOFFReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}

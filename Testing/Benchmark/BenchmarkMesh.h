@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A mesh under measurement, in the form that each peer wants, with the exact answers.
+#ifndef BenchmarkMesh_h
+#define BenchmarkMesh_h
+
+#include "MeshArrays.h" // for MeshArrays
+#include "PeerVTK.h"    // for PeerVTK
+#ifdef DGG_WITH_CGAL
+#include "PeerCGAL.h" // for PeerCGAL
+#endif
+
+#include "dggSurfaceMesh.h" // for SurfaceMesh
+
+#include <vtkSmartPointer.h> // for the poly data
+
+#include <map>    // for the exact answers
+#include <memory> // for the peers
+#include <string> // for names
+#include <vector> // for distances
+
+class vtkPolyData;
+
+/// How to get a mesh: from a file or a generator, and then coarser or finer.
+struct MeshRecipe
+{
+  std::string Name;
+  std::string File;     ///< empty: a generated surface
+  int Level = 0;        ///< refinement of the generated surface
+  int Vertices = 0;     ///< when positive: decimate to about this many
+  int Subdivisions = 0; ///< steps of Loop subdivision, each with four times the vertices
+
+  vtkSmartPointer<vtkPolyData> Make() const;
+};
+
+class BenchmarkMesh
+{
+public:
+  static constexpr int NumberOfSources = 5;
+
+  explicit BenchmarkMesh(const MeshRecipe& recipe);
+
+  /// Why the mesh cannot be used; empty when it can.
+  const std::string& GetError() const { return this->Error; }
+  const MeshArrays& GetArrays() const { return this->Arrays; }
+  const dgg::SurfaceMesh& GetSurface() const { return this->Surface; }
+  double GetNumberOfVertices() const
+  {
+    return static_cast<double>(this->Arrays.GetNumberOfVertices());
+  }
+  /// The k-th of the fixed sources: vertex n k / 5, or the next one that has a face.
+  dgg::Id GetSource(int k) const;
+  /// Our exact distances from a vertex, computed once.
+  const std::vector<double>& GetExactDistances(dgg::Id source);
+  /// Give them when they are known, to save that run.
+  void SetExactDistances(dgg::Id source, std::vector<double> distances);
+
+  PeerVTK& GetPeerVTK();
+#ifdef DGG_WITH_CGAL
+  PeerCGAL& GetPeerCGAL();
+#endif
+
+private:
+  std::string Error;
+  vtkSmartPointer<vtkPolyData> PolyData;
+  MeshArrays Arrays;
+  dgg::SurfaceMesh Surface;
+  std::map<dgg::Id, std::vector<double>> ExactDistances;
+  std::unique_ptr<PeerVTK> VTK;
+#ifdef DGG_WITH_CGAL
+  std::unique_ptr<PeerCGAL> CGAL;
+#endif
+};
+
+/// The mesh of a recipe. Only the last one is kept: the large ones do not fit together.
+BenchmarkMesh& GetBenchmarkMesh(const MeshRecipe& recipe);
+
+#endif

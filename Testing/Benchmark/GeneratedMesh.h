@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Meshes for machines that have no scans: irregular, with convex and saddle vertices.
+#ifndef GeneratedMesh_h
+#define GeneratedMesh_h
+
+#include "MeshArrays.h" // for MeshArrays
+
+/// Sphere of radius 1 from an icosahedron split `level` times (10 * 4^level + 2 vertices), with
+/// waves of relative height `amplitude` and vertices shifted at random by up to 0.2 edge lengths.
+MeshArrays BumpySphere(int level, double amplitude = 0.1);
+
+/// Torus of radii 1 and 0.4 with `rings` x `sides` vertices, shifted at random along the surface by
+/// up to 0.2 steps.
+MeshArrays Torus(int rings, int sides);
+
+/// Hilly square [0,1]^2 of `side` x `side` vertices with a square hole in it: two boundary loops.
+MeshArrays HillWithHole(int side);
+
+/// Cuboid of the given extents, every face a grid of about `steps` squares along the longest side,
+/// split along one diagonal; interior grid points shifted by `jitter` steps within their face.
+MeshArrays Cuboid(double x, double y, double z, int steps, double jitter);
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A triangle mesh as flat arrays: what the kernel and the peers are given, bit for bit the same.
+#ifndef MeshArrays_h
+#define MeshArrays_h
+
+#include "dggTypes.h" // for Id
+
+#include <cstddef> // for std::size_t
+#include <vector>  // for the arrays
+
+struct MeshArrays
+{
+  std::vector<double> Points;     ///< x y z per vertex
+  std::vector<dgg::Id> Triangles; ///< three vertex ids per face
+
+  std::size_t GetNumberOfVertices() const { return this->Points.size() / 3; }
+  std::size_t GetNumberOfFaces() const { return this->Triangles.size() / 3; }
+};
+
+#endif

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CurvedMeshes.h"
+
+#include "FlatMeshes.h"
+
+#include <cmath>
+#include <map>
+
+namespace dggtest
+{
+TestMesh Icosphere(int level)
+{
+  TestMesh mesh = Icosahedron();
+  for (int i = 0; i < level; ++i)
+  {
+    mesh = Subdivided(mesh, 2);
+  }
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    double* p = mesh.Points.data() + 3 * v;
+    const double norm = std::hypot(p[0], p[1], p[2]);
+    for (int i = 0; i < 3; ++i)
+    {
+      p[i] /= norm;
+    }
+  }
+  return mesh;
+}
+
+TestMesh NoisySphere(int level, double noise, std::uint64_t seed)
+{
+  const TestMesh sphere = Icosphere(level);
+  return WithNoise(sphere, noise * MeanEdge(sphere), seed);
+}
+
+TestMesh Ellipsoid(int level, double ratio)
+{
+  TestMesh mesh = Icosphere(level);
+  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
+  {
+    mesh.Points[i] *= ratio;
+  }
+  return mesh;
+}
+
+TestMesh Terrain(Id n, double roughness, std::uint64_t seed)
+{
+  TestMesh mesh = Plane(n, n, 0.25, seed);
+  Random random(seed + 1);
+  for (std::size_t i = 2; i < mesh.Points.size(); i += 3)
+  {
+    mesh.Points[i] = random.Uniform(-roughness, roughness);
+  }
+  return mesh;
+}
+
+TestMesh Torus(Id nu, Id nv)
+{
+  TestMesh mesh;
+  for (Id j = 0; j < nv; ++j)
+  {
+    for (Id i = 0; i < nu; ++i)
+    {
+      const double u = 2.0 * dgg::Pi * i / nu;
+      const double v = 2.0 * dgg::Pi * j / nv;
+      const double r = 1.0 + 0.4 * std::cos(v);
+      mesh.AddPoint(r * std::cos(u), r * std::sin(u), 0.4 * std::sin(v));
+    }
+  }
+  for (Id j = 0; j < nv; ++j)
+  {
+    for (Id i = 0; i < nu; ++i)
+    {
+      const Id right = (i + 1) % nu;
+      const Id up = (j + 1) % nv;
+      mesh.AddQuad(j * nu + i, j * nu + right, up * nu + right, up * nu + i);
+    }
+  }
+  return mesh;
+}
+
+TestMesh VoxelSurface(Id nx, Id ny, Id nz, const std::function<bool(Id, Id, Id)>& filled)
+{
+  const std::array<Id, 3> n{ { nx, ny, nz } };
+  auto isFilled = [&](const std::array<Id, 3>& c) {
+    for (int i = 0; i < 3; ++i)
+    {
+      if (c[i] < 0 || c[i] >= n[i])
+      {
+        return false;
+      }
+    }
+    return filled(c[0], c[1], c[2]);
+  };
+  TestMesh mesh;
+  std::map<std::array<Id, 3>, Id> ids;
+  auto vertex = [&](const std::array<Id, 3>& at) {
+    const auto found = ids.emplace(at, dgg::NoId);
+    if (found.second)
+    {
+      found.first->second = mesh.AddPoint(at[0], at[1], at[2]);
+    }
+    return found.first->second;
+  };
+  for (Id i = 0; i < nx; ++i)
+  {
+    for (Id j = 0; j < ny; ++j)
+    {
+      for (Id k = 0; k < nz; ++k)
+      {
+        const std::array<Id, 3> cell{ { i, j, k } };
+        for (int axis = 0; axis < 3 && isFilled(cell); ++axis)
+        {
+          for (int side = 0; side < 2; ++side)
+          {
+            std::array<Id, 3> neighbour = cell;
+            neighbour[axis] += side == 0 ? -1 : 1;
+            if (isFilled(neighbour))
+            {
+              continue;
+            }
+            auto corner = [&](Id du, Id dv) {
+              std::array<Id, 3> at = cell;
+              at[axis] += side;
+              at[(axis + 1) % 3] += du;
+              at[(axis + 2) % 3] += dv;
+              return vertex(at);
+            };
+            if (side == 1)
+            {
+              mesh.AddQuad(corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1));
+            }
+            else
+            {
+              mesh.AddQuad(corner(0, 0), corner(0, 1), corner(1, 1), corner(1, 0));
+            }
+          }
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+TestMesh TwoHoledBlock()
+{
+  return VoxelSurface(
+    5, 3, 1, [](Id i, Id j, Id) { return !(j == 1 && (i == 1 || i == 3)); });
+}
+
+TestMesh SeveralComponents()
+{
+  TestMesh mesh = Icosphere(1);
+  Append(mesh, Translated(Torus(9, 6), 5.0, 0.0, 0.0));
+  Append(mesh, Translated(Plane(4, 3, 0.2, 5), 0.0, 5.0, 0.0));
+  return mesh;
+}
+
+std::vector<NamedMesh> SoundMeshes()
+{
+  std::vector<NamedMesh> meshes;
+  meshes.push_back({ "SphereNoise0", NoisySphere(2, 0.0, 1) });
+  meshes.push_back({ "SphereNoise10", NoisySphere(2, 0.1, 2) });
+  meshes.push_back({ "SphereNoise25", NoisySphere(2, 0.25, 3) });
+  meshes.push_back({ "SphereNoise50", NoisySphere(2, 0.5, 4) });
+  meshes.push_back({ "SphereNoise50Fine", NoisySphere(3, 0.5, 5) });
+  meshes.push_back({ "Ellipsoid20", Ellipsoid(2, 20.0) });
+  meshes.push_back({ "Ellipsoid20Noisy", WithNoise(Ellipsoid(2, 20.0), 0.1, 6) });
+  meshes.push_back({ "TerrainGentle", Terrain(14, 0.5, 7) });
+  meshes.push_back({ "TerrainRough", Terrain(14, 3.0, 8) });
+  meshes.push_back({ "Torus", Torus(16, 10) });
+  meshes.push_back({ "TorusNoisy", WithNoise(Torus(16, 10), 0.08, 9) });
+  meshes.push_back({ "TwoHoles", Subdivided(TwoHoledBlock(), 2) });
+  meshes.push_back({ "TwoHolesNoisy", WithNoise(Subdivided(TwoHoledBlock(), 2), 0.15, 10) });
+  meshes.push_back({ "SeveralComponents", SeveralComponents() });
+  meshes.push_back({ "CubeRegular", Cube(5) });
+  meshes.push_back({ "CubeJittered", Cube(5, 0.25, 11) });
+  meshes.push_back({ "Grid", Plane(10, 8) });
+  meshes.push_back({ "GridWithHole",
+    Plate(
+      10, 8, [](Id i, Id j) { return !(i >= 3 && i < 7 && j >= 2 && j < 5); }, 0.2, 12) });
+  return meshes;
+}
+}

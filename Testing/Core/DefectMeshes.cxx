@@ -1,0 +1,412 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DefectMeshes.h"
+
+#include "CurvedMeshes.h"
+#include "FlatMeshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace dggtest
+{
+namespace
+{
+/// Unite vertex `from` into vertex `to`: `from` stays without faces and is then removed.
+void Unite(TestMesh& mesh, Id from, Id to)
+{
+  for (Id& v : mesh.Triangles)
+  {
+    v = v == from ? to : v;
+    v -= v > from ? 1 : 0;
+  }
+  mesh.Points.erase(mesh.Points.begin() + 3 * from, mesh.Points.begin() + 3 * from + 3);
+}
+
+/// Lattice strip: faces of `rows` x `columns` squares cut in two; `id` names vertices, which may
+/// wrap. All lengths are those of the unit square.
+TestMesh LatticeByLengths(
+  Id columns, Id rows, Id vertices, const std::function<Id(Id, Id)>& id)
+{
+  TestMesh mesh;
+  mesh.AbstractVertices = vertices;
+  const double diagonal = std::sqrt(2.0);
+  for (Id j = 0; j < rows; ++j)
+  {
+    for (Id i = 0; i < columns; ++i)
+    {
+      mesh.AddQuad(id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1));
+      mesh.Lengths.insert(mesh.Lengths.end(), { 1.0, 1.0, diagonal, diagonal, 1.0, 1.0 });
+    }
+  }
+  return mesh;
+}
+}
+
+TestMesh PinchedPlates(Id links)
+{
+  TestMesh mesh = Plane(3, 3, 0.2, 1);
+  for (Id link = 1; link < links; ++link)
+  {
+    const Id last = mesh.GetNumberOfVertices() - 1; // upper right corner
+    Append(mesh, Translated(Plane(3, 3, 0.2, 1 + link), 3.0 * link, 3.0 * link, 0.0));
+    Unite(mesh, last + 1, last);
+  }
+  return mesh;
+}
+
+TestMesh TouchingSpheres(int level)
+{
+  TestMesh mesh = Icosphere(level);
+  const double* p = mesh.Point(0);
+  const double x = p[0];
+  const double y = p[1];
+  const double z = p[2];
+  // The other sphere is turned through the common point, so that its vertex there is its own 0.
+  TestMesh other = Scaled(mesh, -1.0);
+  other = Translated(other, 2.0 * x, 2.0 * y, 2.0 * z);
+  const Id first = mesh.GetNumberOfVertices();
+  Append(mesh, other);
+  Unite(mesh, first, 0);
+  return mesh;
+}
+
+TestMesh Book(
+  Id sheets, Id n, std::vector<Id>& sheetOf, double jitter, std::uint64_t seed)
+{
+  TestMesh mesh;
+  sheetOf.clear();
+  for (Id j = 0; j <= n; ++j)
+  {
+    mesh.AddPoint(0.0, j, 0.0);
+    sheetOf.push_back(dgg::NoId);
+  }
+  for (Id s = 0; s < sheets; ++s)
+  {
+    const TestMesh sheet = Plane(n, n, jitter, seed + s);
+    const double angle = 2.0 * dgg::Pi * s / sheets;
+    std::vector<Id> ids;
+    for (Id v = 0; v < sheet.GetNumberOfVertices(); ++v)
+    {
+      const double* p = sheet.Point(v);
+      if (p[0] == 0.0)
+      {
+        ids.push_back(v / (n + 1));
+        continue;
+      }
+      ids.push_back(mesh.AddPoint(p[0] * std::cos(angle), p[1], p[0] * std::sin(angle)));
+      sheetOf.push_back(s);
+    }
+    for (const Id v : sheet.Triangles)
+    {
+      mesh.Triangles.push_back(ids[v]);
+    }
+  }
+  return mesh;
+}
+
+TestMesh PlaneWithFin(Id n, Id& verticesOfPlane, double jitter, std::uint64_t seed)
+{
+  TestMesh mesh = Plane(2 * n, n, jitter, seed);
+  // Straighten the cut.
+  for (Id j = 0; j <= n; ++j)
+  {
+    mesh.Points[3 * (j * (2 * n + 1) + n)] = n;
+  }
+  verticesOfPlane = mesh.GetNumberOfVertices();
+  const TestMesh fin = Plane(n, n, jitter, seed + 1);
+  std::vector<Id> ids;
+  for (Id v = 0; v < fin.GetNumberOfVertices(); ++v)
+  {
+    const double* p = fin.Point(v);
+    ids.push_back(
+      p[0] == 0.0 ? (v / (n + 1)) * (2 * n + 1) + n : mesh.AddPoint(n, p[1], p[0]));
+  }
+  // The cut's own heights, jittered in the plane, are used by the fin as well: it stays flat.
+  for (const Id v : fin.Triangles)
+  {
+    mesh.Triangles.push_back(ids[v]);
+  }
+  return mesh;
+}
+
+TestMesh MoebiusStrip(Id columns, Id rows)
+{
+  return LatticeByLengths(columns, rows, columns * (rows + 1),
+    [=](Id i, Id j) { return i < columns ? j * columns + i : (rows - j) * columns; });
+}
+
+double MoebiusDistance(Id columns, double x1, double y1, double x2, double y2)
+{
+  double best = dgg::Infinity;
+  for (int k = -4; k <= 4; ++k)
+  {
+    const double y = k % 2 == 0 ? y2 : -y2;
+    best = std::min(best, std::hypot(x2 + k * columns - x1, y - y1));
+  }
+  return best;
+}
+
+TestMesh KleinBottle(Id columns, Id rows)
+{
+  return LatticeByLengths(columns, rows, columns * rows, [=](Id i, Id j) {
+    const Id row = i < columns ? j : rows - j;
+    return (row % rows) * columns + i % columns;
+  });
+}
+
+double KleinBottleDistance(Id columns, Id rows, double x1, double y1, double x2, double y2)
+{
+  double best = dgg::Infinity;
+  for (int k = -4; k <= 4; ++k)
+  {
+    for (int l = -4; l <= 4; ++l)
+    {
+      const double y = (k % 2 == 0 ? y2 : -y2) + l * rows;
+      best = std::min(best, std::hypot(x2 + k * columns - x1, y - y1));
+    }
+  }
+  return best;
+}
+
+TestMesh SliverPlane(Id n, double height)
+{
+  TestMesh mesh;
+  const Id middle = n / 2;
+  for (Id j = 0; j <= n + 1; ++j)
+  {
+    for (Id i = 0; i <= n; ++i)
+    {
+      mesh.AddPoint(i, j <= middle ? j : (j == middle + 1 ? middle + height : j - 1.0), 0.0);
+    }
+  }
+  for (Id j = 0; j <= n; ++j)
+  {
+    for (Id i = 0; i < n; ++i)
+    {
+      const Id v = j * (n + 1) + i;
+      mesh.AddQuad(v, v + 1, v + n + 2, v + n + 1);
+    }
+  }
+  return mesh;
+}
+
+TestMesh NeedlePlane(Id n, double width)
+{
+  TestMesh mesh;
+  for (Id j = 0; j <= n; ++j)
+  {
+    for (Id i = 0; i <= n; ++i)
+    {
+      mesh.AddPoint(i, j, 0.0);
+      mesh.AddPoint(i + width, j, 0.0);
+    }
+  }
+  const Id stride = 2 * (n + 1);
+  for (Id j = 0; j < n; ++j)
+  {
+    for (Id i = 0; i + 1 < stride; ++i)
+    {
+      const Id v = j * stride + i;
+      mesh.AddQuad(v, v + 1, v + stride + 1, v + stride);
+    }
+  }
+  return mesh;
+}
+
+TestMesh CapPlane(Id n, double height)
+{
+  TestMesh mesh = Plane(n, n);
+  const Id faces = mesh.GetNumberOfFaces();
+  for (Id f = 0; f < faces; f += 3)
+  {
+    // Height of the face over its first edge is 1.
+    SplitFace(mesh, f, { { 0.5 - 0.5 * height, 0.5 - 0.5 * height, height } });
+  }
+  return mesh;
+}
+
+TestMesh SeamPlane(Id n)
+{
+  TestMesh mesh = Plane(n / 2, n, 0.2, 3);
+  Append(mesh, Translated(Plane(n - n / 2, n, 0.2, 4), n / 2, 0.0, 0.0));
+  return mesh;
+}
+
+TestMesh ZippedPlane(Id n)
+{
+  TestMesh mesh = SeamPlane(n);
+  const Id left = n / 2;
+  const Id firstRight = (left + 1) * (n + 1);
+  const Id right = n - left;
+  for (Id j = 0; j < n; ++j)
+  {
+    const Id a = j * (left + 1) + left;
+    const Id b = firstRight + j * (right + 1);
+    mesh.AddQuad(a, b, b + right + 1, a + left + 1);
+  }
+  return mesh;
+}
+
+TestMesh CollinearPlane(Id n)
+{
+  TestMesh mesh = Plane(n, n);
+  const Id faces = mesh.GetNumberOfFaces();
+  for (Id f = 0; f < faces; f += 5)
+  {
+    // Split the first edge for this face only, and close the gap with a face of zero area.
+    const Id a = mesh.Triangles[3 * f];
+    const Id b = mesh.Triangles[3 * f + 1];
+    const Id c = mesh.Triangles[3 * f + 2];
+    const double* p = mesh.Point(a);
+    const double* q = mesh.Point(b);
+    const Id v = mesh.AddPoint(0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.0);
+    mesh.Triangles[3 * f + 1] = v;
+    mesh.AddTriangle(v, b, c);
+    mesh.AddTriangle(a, b, v);
+  }
+  return mesh;
+}
+
+TestMesh RepeatedVertexPlane(Id n)
+{
+  TestMesh mesh = Plane(n, n, 0.2, 5);
+  mesh.AddTriangle(0, 0, 1);
+  mesh.AddTriangle(2, 3, 2);
+  mesh.AddTriangle(4, 4, 4);
+  return mesh;
+}
+
+TestMesh DuplicateFaceCube(Id k)
+{
+  TestMesh mesh = Cube(k, 0.2, 6);
+  const Id faces = mesh.GetNumberOfFaces();
+  for (Id f = 0; f < faces; f += 3)
+  {
+    mesh.AddTriangle(mesh.Triangles[3 * f + 1], mesh.Triangles[3 * f + 2], mesh.Triangles[3 * f]);
+  }
+  return mesh;
+}
+
+TestMesh SphereWithIsolatedPoints(int level)
+{
+  TestMesh mesh;
+  mesh.AddPoint(3.0, 0.0, 0.0);
+  TestMesh half = NoisySphere(level, 0.1, 7);
+  mesh.AddPoint(3.0, 1.0, 0.0);
+  Append(mesh, half);
+  mesh.AddPoint(3.0, 2.0, 0.0);
+  return mesh;
+}
+
+TestMesh MisorientedSphere(int level, std::uint64_t seed)
+{
+  Random random(seed);
+  TestMesh mesh = NoisySphere(level, 0.2, seed);
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    if (random.Uniform() < 0.5)
+    {
+      std::swap(mesh.Triangles[3 * f], mesh.Triangles[3 * f + 2]);
+    }
+  }
+  return mesh;
+}
+
+TestMesh CollapsedSphere(int level, Id count, std::uint64_t seed)
+{
+  Random random(seed);
+  TestMesh mesh = NoisySphere(level, 0.2, seed);
+  for (Id i = 0; i < count; ++i)
+  {
+    const Id h = random.Index(3 * mesh.GetNumberOfFaces());
+    const Id from = mesh.Triangles[h];
+    const Id to = mesh.Triangles[h % 3 == 2 ? h - 2 : h + 1];
+    std::copy_n(mesh.Points.begin() + 3 * to, 3, mesh.Points.begin() + 3 * from);
+  }
+  return mesh;
+}
+
+std::vector<NamedMesh> DefectMeshes()
+{
+  std::vector<Id> sheetOf;
+  Id unused = 0;
+  std::vector<NamedMesh> meshes;
+  meshes.push_back({ "PinchedPlates", PinchedPlates(3) });
+  meshes.push_back({ "TouchingSpheres", TouchingSpheres(1) });
+  meshes.push_back({ "ThreeSheets", Book(3, 4, sheetOf, 0.2, 2) });
+  meshes.push_back({ "FiveSheets", Book(5, 3, sheetOf, 0.2, 3) });
+  meshes.push_back({ "PlaneWithFin", PlaneWithFin(4, unused, 0.2, 4) });
+  // Two cubes that touch along an edge, two that touch at a corner.
+  meshes.push_back({ "CubesOnEdge",
+    VoxelSurface(2, 2, 1, [](Id i, Id j, Id) { return i == j; }) });
+  meshes.push_back({ "CubesAtCorner",
+    VoxelSurface(2, 2, 2, [](Id i, Id j, Id k) { return i == j && j == k; }) });
+  meshes.push_back({ "Slivers1e-3", SliverPlane(6, 1e-3) });
+  meshes.push_back({ "Slivers1e-6", SliverPlane(6, 1e-6) });
+  meshes.push_back({ "Slivers1e-9", SliverPlane(6, 1e-9) });
+  meshes.push_back({ "Needles1e-6", NeedlePlane(4, 1e-6) });
+  meshes.push_back({ "Needles1e-9", NeedlePlane(4, 1e-9) });
+  meshes.push_back(
+    { "NeedlesTurned1e-9", MovedRigidly(NeedlePlane(4, 1e-9), 0.7, { { 0.1, 0.2, 0.3 } }) });
+  meshes.push_back({ "Caps1e-3", CapPlane(6, 1e-3) });
+  meshes.push_back({ "Caps1e-6", CapPlane(6, 1e-6) });
+  meshes.push_back({ "Caps1e-9", CapPlane(6, 1e-9) });
+  meshes.push_back({ "Seam", SeamPlane(6) });
+  meshes.push_back({ "Zipped", ZippedPlane(6) });
+  meshes.push_back({ "Collinear", CollinearPlane(6) });
+  meshes.push_back({ "RepeatedVertices", RepeatedVertexPlane(5) });
+  meshes.push_back({ "DuplicateFaces", DuplicateFaceCube(3) });
+  meshes.push_back({ "IsolatedPoints", SphereWithIsolatedPoints(1) });
+  meshes.push_back({ "Misoriented", MisorientedSphere(2, 8) });
+  meshes.push_back({ "Collapsed", CollapsedSphere(2, 12, 9) });
+  meshes.push_back({ "Moebius", MoebiusStrip(9, 4) });
+  meshes.push_back({ "KleinBottle", KleinBottle(7, 5) });
+  return meshes;
+}
+
+TestMesh RandomSoup(Id vertices, Id faces, std::uint64_t seed)
+{
+  Random random(seed);
+  TestMesh mesh;
+  for (Id v = 0; v < vertices; ++v)
+  {
+    const double kind = random.Uniform();
+    if (v > 1 && kind < 0.1) // on an earlier point
+    {
+      const Id u = random.Index(v);
+      mesh.AddPoint(mesh.Points[3 * u], mesh.Points[3 * u + 1], mesh.Points[3 * u + 2]);
+    }
+    else if (v > 1 && kind < 0.25) // midway between two earlier points
+    {
+      const Id a = random.Index(v);
+      const Id b = random.Index(v);
+      mesh.AddPoint(0.5 * (mesh.Points[3 * a] + mesh.Points[3 * b]),
+        0.5 * (mesh.Points[3 * a + 1] + mesh.Points[3 * b + 1]),
+        0.5 * (mesh.Points[3 * a + 2] + mesh.Points[3 * b + 2]));
+    }
+    else if (kind < 0.6) // on a small lattice
+    {
+      mesh.AddPoint(random.Index(3), random.Index(3), random.Index(2));
+    }
+    else
+    {
+      const double x = random.Uniform(0.0, 2.0);
+      const double y = random.Uniform(0.0, 2.0);
+      mesh.AddPoint(x, y, random.Uniform(0.0, 2.0));
+    }
+  }
+  for (Id f = 0; f < faces; ++f)
+  {
+    const Id a = random.Index(vertices);
+    // Near ids make shared edges likely.
+    const Id b = random.Uniform() < 0.6 ? (a + 1 + random.Index(3)) % vertices
+                                        : random.Index(vertices);
+    const Id c = random.Uniform() < 0.6 ? (a + 1 + random.Index(5)) % vertices
+                                        : random.Index(vertices);
+    mesh.AddTriangle(a, b, c);
+  }
+  return mesh;
+}
+}

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of the exact engines share.
+#ifndef GeodesicChecks_h
+#define GeodesicChecks_h
+
+#include "TestMeshes.h"
+
+#include "dggExactGeodesics.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+/// A test of this kind runs once with each engine.
+class EngineTest : public testing::TestWithParam<dgg::ExactEngine>
+{
+protected:
+  dgg::ExactEngine Engine() const { return this->GetParam(); }
+};
+
+std::string EngineName(const testing::TestParamInfo<dgg::ExactEngine>& info);
+
+/// Instantiate an EngineTest.
+#define DGG_WITH_BOTH_ENGINES(Suite)                                                              \
+  INSTANTIATE_TEST_SUITE_P(Engines, Suite,                                                        \
+    testing::Values(dgg::ExactEngine::Reference, dgg::ExactEngine::Triangle),                     \
+    dggtest::EngineName)
+
+/// One run; a failure fails the test. `change` may adjust the options.
+dgg::ExactResult Solve(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
+  const std::vector<dgg::GeodesicSource>& sources,
+  const std::function<void(dgg::ExactOptions&)>& change = nullptr);
+/// Distances of all vertices from one vertex.
+std::vector<double> DistancesFrom(
+  const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine, Id source);
+/// Distances from one vertex to points anywhere.
+std::vector<double> DistancesTo(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
+  const dgg::SurfacePoint& source, const std::vector<dgg::SurfacePoint>& targets);
+
+/// Largest difference of two fields, unreached vertices being equal only to each other; `where` is
+/// set to its index.
+double LargestDifference(
+  const std::vector<double>& a, const std::vector<double>& b, std::size_t& where);
+/// Expect two fields to agree to an absolute tolerance.
+void ExpectSameField(const std::vector<double>& expected, const std::vector<double>& actual,
+  double tolerance, const std::string& what);
+/// Expect every pair of vertices to be at the distance that `truth` says, relative tolerance.
+void ExpectAllPairs(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
+  const std::function<double(Id, Id)>& truth, double tolerance = 1e-12);
+/// Relative comparison with a message.
+void ExpectClose(double expected, double actual, double tolerance, const std::string& what);
+
+/// Largest finite value, 0 when there is none.
+double LargestFinite(const std::vector<double>& values);
+/// A few vertices of a mesh, the first and the last among them.
+std::vector<Id> SomeVertices(const dgg::SurfaceMesh& mesh, Id count, std::uint64_t seed);
+/// Random points inside faces and on edges.
+std::vector<dgg::SurfacePoint> RandomSurfacePoints(
+  const dgg::SurfaceMesh& mesh, Id count, std::uint64_t seed);
+dgg::GeodesicSource VertexSource(Id vertex, double initialDistance = 0.0);
+}
+
+#endif

@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What holds on every mesh: bounds, symmetry, and changes of the mesh that change no distance.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include "dggEdgeGraph.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dggtest
+{
+class ExactInvariance : public EngineTest
+{
+protected:
+  /// Run `check(name, input, mesh, sources)` on sound meshes, on those with defects also if wanted.
+  void ForEachMesh(bool withDefects,
+    const std::function<void(const TestMesh&, const dgg::SurfaceMesh&)>& check)
+  {
+    std::vector<NamedMesh> meshes = SoundMeshes();
+    if (withDefects)
+    {
+      for (NamedMesh& mesh : DefectMeshes())
+      {
+        meshes.push_back(std::move(mesh));
+      }
+    }
+    for (const NamedMesh& named : meshes)
+    {
+      SCOPED_TRACE(named.Name);
+      check(named.Mesh, Build(named.Mesh));
+    }
+  }
+};
+DGG_WITH_BOTH_ENGINES(ExactInvariance);
+
+TEST_P(ExactInvariance, LiesBetweenEuclidAndTheEdgeGraph)
+{
+  this->ForEachMesh(true, [&](const TestMesh& input, const dgg::SurfaceMesh& mesh) {
+    for (const Id source : SomeVertices(mesh, 4, 3))
+    {
+      const auto distances = DistancesFrom(mesh, this->Engine(), source);
+      const auto bound = dgg::EdgeGraphDistances(mesh, { VertexSource(source) });
+      const double diameter = LargestFinite(bound);
+      for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        ASSERT_EQ(distances[v] < dgg::Infinity, bound[v] < dgg::Infinity) << v;
+        ASSERT_LE(distances[v], bound[v] * (1.0 + 1e-14)) << v;
+        if (!input.Points.empty() && distances[v] < dgg::Infinity)
+        {
+          ASSERT_GE(distances[v], EuclideanDistance(input, source, v) - 1e-9 * diameter) << v;
+        }
+      }
+    }
+  });
+}
+
+TEST_P(ExactInvariance, IsOneLipschitzAlongEdges)
+{
+  this->ForEachMesh(true, [&](const TestMesh&, const dgg::SurfaceMesh& mesh) {
+    for (const Id source : SomeVertices(mesh, 4, 5))
+    {
+      const auto distances = DistancesFrom(mesh, this->Engine(), source);
+      const double tolerance = 1e-13 * LargestFinite(distances);
+      for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+      {
+        const double a = distances[mesh.Origin(h)];
+        const double b = distances[mesh.Destination(h)];
+        if (!mesh.IsDropped(h / 3) && a < dgg::Infinity)
+        {
+          ASSERT_LE(std::abs(a - b), mesh.Length(h) + tolerance) << h;
+        }
+      }
+    }
+  });
+}
+
+TEST_P(ExactInvariance, IsSymmetric)
+{
+  this->ForEachMesh(true, [&](const TestMesh&, const dgg::SurfaceMesh& mesh) {
+    const auto vertices = SomeVertices(mesh, 10, 7);
+    std::vector<std::vector<double>> fields;
+    for (const Id v : vertices)
+    {
+      fields.push_back(DistancesFrom(mesh, this->Engine(), v));
+    }
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        const double there = fields[i][vertices[j]];
+        const double back = fields[j][vertices[i]];
+        if (there != back) // both may be infinite
+        {
+          ASSERT_NEAR(there, back, 1e-10 * LargestFinite(fields[i]))
+            << vertices[i] << " " << vertices[j];
+        }
+      }
+    }
+  });
+}
+
+TEST_P(ExactInvariance, IsSymmetricBetweenPointsAnywhere)
+{
+  this->ForEachMesh(true, [&](const TestMesh&, const dgg::SurfaceMesh& mesh) {
+    const auto points = RandomSurfacePoints(mesh, 8, 9);
+    std::vector<std::vector<double>> table;
+    for (const dgg::SurfacePoint& point : points)
+    {
+      table.push_back(DistancesTo(mesh, this->Engine(), point, points));
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      ASSERT_NEAR(table[i][i], 0.0, 1e-13 * mesh.GetMaximumEdgeLength());
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        if (table[i][j] != table[j][i])
+        {
+          ASSERT_NEAR(table[i][j], table[j][i], 1e-10 * LargestFinite(table[i])) << i << " " << j;
+        }
+      }
+    }
+  });
+}
+
+TEST_P(ExactInvariance, ObeysTheTriangleInequality)
+{
+  this->ForEachMesh(true, [&](const TestMesh&, const dgg::SurfaceMesh& mesh) {
+    const auto vertices = SomeVertices(mesh, 4, 11);
+    std::vector<std::vector<double>> fields;
+    for (const Id v : vertices)
+    {
+      fields.push_back(DistancesFrom(mesh, this->Engine(), v));
+    }
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      for (std::size_t j = 0; j < vertices.size(); ++j)
+      {
+        const double between = fields[i][vertices[j]];
+        for (Id v = 0; v < mesh.GetNumberOfVertices() && between < dgg::Infinity; ++v)
+        {
+          if (fields[i][v] < dgg::Infinity)
+          {
+            ASSERT_LE(fields[i][v], between + fields[j][v] + 1e-10 * LargestFinite(fields[i]));
+          }
+        }
+      }
+    }
+  });
+}
+
+TEST_P(ExactInvariance, InsertedVerticesChangeNothing)
+{
+  this->ForEachMesh(false, [&](const TestMesh& input, const dgg::SurfaceMesh& mesh) {
+    const double area = 1e-4 * mesh.GetMeanEdgeLength() * mesh.GetMeanEdgeLength();
+    const dgg::SurfaceMesh refined = Build(RandomlyRefined(input, 60, 13, area));
+    for (const Id source : SomeVertices(mesh, 4, 13))
+    {
+      const auto expected = DistancesFrom(mesh, this->Engine(), source);
+      auto distances = DistancesFrom(refined, this->Engine(), source);
+      distances.resize(expected.size());
+      for (std::size_t v = 0; v < expected.size(); ++v)
+      {
+        if (expected[v] != distances[v])
+        {
+          ASSERT_NEAR(expected[v], distances[v], 1e-9 * expected[v]) << source << " " << v;
+        }
+      }
+    }
+  });
+}
+
+TEST_P(ExactInvariance, SubdivisionChangesNothing)
+{
+  this->ForEachMesh(false, [&](const TestMesh& input, const dgg::SurfaceMesh& mesh) {
+    const dgg::SurfaceMesh refined = Build(Subdivided(input, 3));
+    for (const Id source : SomeVertices(mesh, 3, 15))
+    {
+      const auto expected = DistancesFrom(mesh, this->Engine(), source);
+      auto distances = DistancesFrom(refined, this->Engine(), source);
+      distances.resize(expected.size());
+      ExpectSameField(expected, distances, 1e-9 * LargestFinite(expected), "subdivided");
+    }
+  });
+}
+
+TEST_P(ExactInvariance, InsertedVerticesChangeNothingAtSpines)
+{
+  std::vector<Id> sheetOf;
+  Id unused = 0;
+  for (const TestMesh& input : { WithNoise(Book(3, 4, sheetOf, 0.2, 2), 0.15, 3),
+         WithNoise(PlaneWithFin(4, unused, 0.2, 4), 0.15, 5),
+         VoxelSurface(2, 2, 1, [](Id i, Id j, Id) { return i == j; }), PinchedPlates(3) })
+  {
+    const dgg::SurfaceMesh mesh = Build(input);
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    {
+      const dgg::SurfaceMesh refined = Build(RandomlyRefined(input, 60, seed, 1e-4));
+      for (const Id source : SomeVertices(mesh, 5, seed))
+      {
+        const auto expected = DistancesFrom(mesh, this->Engine(), source);
+        auto distances = DistancesFrom(refined, this->Engine(), source);
+        distances.resize(expected.size());
+        ExpectSameField(expected, distances, 1e-9 * LargestFinite(expected), "refined");
+      }
+    }
+  }
+}
+
+TEST_P(ExactInvariance, ScalesWithTheMesh)
+{
+  this->ForEachMesh(true, [&](const TestMesh& input, const dgg::SurfaceMesh& mesh) {
+    const auto expected = DistancesFrom(mesh, this->Engine(), 0);
+    for (const double factor : { 1e6, 1e-6, 1024.0 })
+    {
+      auto distances = DistancesFrom(Build(Scaled(input, factor)), this->Engine(), 0);
+      for (double& d : distances)
+      {
+        d /= factor;
+      }
+      // Faces that are degenerate up to rounding are lengthened by what rounding left of them.
+      const double tolerance = mesh.GetNumberOfDegenerateFaces() > 0 ? 1e-6 : 1e-9;
+      ExpectSameField(expected, distances, tolerance * LargestFinite(expected), "scaled");
+    }
+  });
+}
+
+TEST_P(ExactInvariance, DoesNotDependOnNumbering)
+{
+  this->ForEachMesh(true, [&](const TestMesh& input, const dgg::SurfaceMesh& mesh) {
+    const auto newIds = RandomPermutation(mesh.GetNumberOfVertices(), 19);
+    const dgg::SurfaceMesh renumbered = Build(Renumbered(input, newIds, 20));
+    for (const Id source : SomeVertices(mesh, 3, 21))
+    {
+      const auto expected = DistancesFrom(mesh, this->Engine(), source);
+      const auto there = DistancesFrom(renumbered, this->Engine(), newIds[source]);
+      std::vector<double> distances;
+      for (const Id v : newIds)
+      {
+        distances.push_back(there[v]);
+      }
+      ExpectSameField(expected, distances, 1e-9 * LargestFinite(expected), "renumbered");
+    }
+  });
+}
+
+TEST_P(ExactInvariance, DoesNotDependOnOrientation)
+{
+  this->ForEachMesh(true, [&](const TestMesh& input, const dgg::SurfaceMesh& mesh) {
+    if (input.Points.empty())
+    {
+      return;
+    }
+    TestMesh turned = input;
+    Random random(23);
+    for (Id f = 0; f < turned.GetNumberOfFaces(); ++f)
+    {
+      if (random.Uniform() < 0.5)
+      {
+        std::swap(turned.Triangles[3 * f + 1], turned.Triangles[3 * f + 2]);
+      }
+    }
+    const auto expected = DistancesFrom(mesh, this->Engine(), 1);
+    ExpectSameField(expected, DistancesFrom(Build(turned), this->Engine(), 1),
+      1e-9 * LargestFinite(expected), "turned");
+  });
+}
+
+TEST_P(ExactInvariance, DoesNotDependOnThePlaceInSpace)
+{
+  this->ForEachMesh(false, [&](const TestMesh& input, const dgg::SurfaceMesh& mesh) {
+    const auto expected = DistancesFrom(mesh, this->Engine(), 0);
+    for (const double angle : { 0.3, 2.0 })
+    {
+      const TestMesh moved = MovedRigidly(input, angle, { { 3.0, -7.0, 11.0 } });
+      ExpectSameField(expected, DistancesFrom(Build(moved), this->Engine(), 0),
+        1e-9 * LargestFinite(expected), "moved");
+    }
+  });
+}
+
+TEST_P(ExactInvariance, SeamsAndUnusedPointsChangeNothing)
+{
+  // Isolated points, and faces that take no part, beside the mesh.
+  const TestMesh sphere = NoisySphere(2, 0.2, 3);
+  TestMesh crowded = sphere;
+  crowded.AddPoint(9.0, 9.0, 9.0);
+  crowded.AddTriangle(0, 0, 5);
+  crowded.AddTriangle(3, 4, 3);
+  const auto expected = DistancesFrom(Build(sphere), this->Engine(), 0);
+  auto distances = DistancesFrom(Build(crowded), this->Engine(), 0);
+  EXPECT_EQ(distances.back(), dgg::Infinity);
+  distances.pop_back();
+  EXPECT_EQ(distances, expected);
+}
+
+TEST_P(ExactInvariance, ZippedSeamsConduct)
+{
+  // Faces of zero area across a seam make the plane whole again, up to the mollification.
+  const TestMesh input = ZippedPlane(6);
+  const dgg::SurfaceMesh mesh = Build(input);
+  for (Id a = 0; a < mesh.GetNumberOfVertices(); ++a)
+  {
+    const auto distances = DistancesFrom(mesh, this->Engine(), a);
+    for (Id b = 0; b < mesh.GetNumberOfVertices(); ++b)
+    {
+      EXPECT_NEAR(distances[b], EuclideanDistance(input, a, b), 1e-11);
+    }
+  }
+}
+}

@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact distances in the plane: convex domains, and domains with obstacles.
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dggtest
+{
+namespace
+{
+/// Distances in a union of unit cells, from the visibility of its corners: a shortest path bends
+/// only where the domain has an inner angle above pi.
+class VisibilityGraph
+{
+public:
+  VisibilityGraph(Id nx, Id ny, std::function<bool(Id, Id)> keep)
+    : Nx(nx)
+    , Ny(ny)
+    , Keep(std::move(keep))
+  {
+    for (Id j = 0; j <= ny; ++j)
+    {
+      for (Id i = 0; i <= nx; ++i)
+      {
+        const int cells = this->Has(i - 1, j - 1) + this->Has(i, j - 1) + this->Has(i - 1, j) +
+          this->Has(i, j);
+        const bool touching = cells == 2 && this->Has(i, j) == this->Has(i - 1, j - 1);
+        if (cells == 3 || touching)
+        {
+          this->Corners.push_back({ { static_cast<double>(i), static_cast<double>(j) } });
+        }
+      }
+    }
+    const std::size_t n = this->Corners.size();
+    this->Between.assign(n * n, dgg::Infinity);
+    for (std::size_t a = 0; a < n; ++a)
+    {
+      for (std::size_t b = 0; b < n; ++b)
+      {
+        this->Between[a * n + b] = this->Straight(this->Corners[a], this->Corners[b]);
+      }
+    }
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      for (std::size_t a = 0; a < n; ++a)
+      {
+        for (std::size_t b = 0; b < n; ++b)
+        {
+          this->Between[a * n + b] = std::min(
+            this->Between[a * n + b], this->Between[a * n + k] + this->Between[k * n + b]);
+        }
+      }
+    }
+  }
+
+  using Point = std::array<double, 2>;
+  double Distance(const Point& p, const Point& q) const
+  {
+    double best = this->Straight(p, q);
+    const std::size_t n = this->Corners.size();
+    for (std::size_t a = 0; a < n; ++a)
+    {
+      const double first = this->Straight(p, this->Corners[a]);
+      for (std::size_t b = 0; b < n && first < best; ++b)
+      {
+        best = std::min(
+          best, first + this->Between[a * n + b] + this->Straight(this->Corners[b], q));
+      }
+    }
+    return best;
+  }
+
+private:
+  bool Has(Id i, Id j) const
+  {
+    return i >= 0 && j >= 0 && i < this->Nx && j < this->Ny && this->Keep(i, j);
+  }
+  /// Whether the point lies in a kept cell or on the rim of one.
+  bool IsInside(double x, double y) const
+  {
+    constexpr double tolerance = 1e-11;
+    for (Id j = static_cast<Id>(y - 1.5); j <= static_cast<Id>(y) + 1; ++j)
+    {
+      for (Id i = static_cast<Id>(x - 1.5); i <= static_cast<Id>(x) + 1; ++i)
+      {
+        if (this->Has(i, j) && x >= i - tolerance && x <= i + 1 + tolerance &&
+          y >= j - tolerance && y <= j + 1 + tolerance)
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+  /// Euclid when the segment stays inside, else infinity. Between two crossings of grid lines it
+  /// stays in one cell, so its middle tells.
+  double Straight(const Point& p, const Point& q) const
+  {
+    std::vector<double> cuts{ 0.0, 1.0 };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double low = std::min(p[axis], q[axis]);
+      const double high = std::max(p[axis], q[axis]);
+      for (double line = std::ceil(low); line <= high; line += 1.0)
+      {
+        if (high > low)
+        {
+          cuts.push_back((line - p[axis]) / (q[axis] - p[axis]));
+        }
+      }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+    {
+      const double t = 0.5 * (cuts[i] + cuts[i + 1]);
+      if (cuts[i + 1] - cuts[i] > 1e-12 &&
+        !this->IsInside(p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])))
+      {
+        return dgg::Infinity;
+      }
+    }
+    return std::hypot(p[0] - q[0], p[1] - q[1]);
+  }
+
+  Id Nx;
+  Id Ny;
+  std::function<bool(Id, Id)> Keep;
+  std::vector<Point> Corners;
+  std::vector<double> Between;
+};
+
+void ExpectEuclid(const TestMesh& input, dgg::ExactEngine engine, double tolerance = 1e-12)
+{
+  ExpectAllPairs(
+    Build(input), engine, [&](Id a, Id b) { return EuclideanDistance(input, a, b); }, tolerance);
+}
+
+void ExpectVisibility(Id nx, Id ny, const std::function<bool(Id, Id)>& keep,
+  dgg::ExactEngine engine)
+{
+  const VisibilityGraph graph(nx, ny, keep);
+  for (const double jitter : { 0.0, 0.25 })
+  {
+    SCOPED_TRACE(jitter);
+    const TestMesh input = Plate(nx, ny, keep, jitter, 5);
+    ExpectAllPairs(Build(input), engine, [&](Id a, Id b) {
+      const double* p = input.Point(a);
+      const double* q = input.Point(b);
+      return graph.Distance({ { p[0], p[1] } }, { { q[0], q[1] } });
+    });
+  }
+}
+}
+
+class ExactPlane : public EngineTest
+{
+};
+DGG_WITH_BOTH_ENGINES(ExactPlane);
+
+TEST_P(ExactPlane, RegularGrid)
+{
+  ExpectEuclid(Plane(12, 9), this->Engine());
+}
+
+TEST_P(ExactPlane, JitteredGrid)
+{
+  ExpectEuclid(Plane(12, 9, 0.29, 3), this->Engine());
+}
+
+TEST_P(ExactPlane, RefinedAtRandom)
+{
+  // Splits upon splits leave slivers, and vertices at a distance of a thousandth of an edge: there
+  // rounding counts against the size of the faces.
+  const TestMesh input = RandomlyRefined(Plane(4, 4, 0.2, 3), 120, 4);
+  const dgg::SurfaceMesh mesh = Build(input);
+  for (Id source = 0; source < mesh.GetNumberOfVertices(); ++source)
+  {
+    const auto distances = DistancesFrom(mesh, this->Engine(), source);
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const double truth = EuclideanDistance(input, source, v);
+      EXPECT_NEAR(distances[v], truth, 1e-12 * std::max(truth, 0.1));
+    }
+  }
+}
+
+TEST_P(ExactPlane, Slivers)
+{
+  for (const double height : { 1e-3, 1e-6, 1e-9 })
+  {
+    SCOPED_TRACE(height);
+    ExpectEuclid(SliverPlane(6, height), this->Engine());
+    ExpectEuclid(NeedlePlane(5, height), this->Engine());
+  }
+}
+
+TEST_P(ExactPlane, NeedlesInGeneralPosition)
+{
+  // Lengths that differ in the last digit make angles of needles differ by 1e-7.
+  for (const double width : { 1e-6, 1e-9, 1e-11 })
+  {
+    SCOPED_TRACE(width);
+    const TestMesh input = MovedRigidly(NeedlePlane(4, width), 0.7, { { 0.1, 0.2, 0.3 } });
+    const dgg::SurfaceMesh mesh = Build(input);
+    for (Id source = 0; source < mesh.GetNumberOfVertices(); ++source)
+    {
+      const auto distances = DistancesFrom(mesh, this->Engine(), source);
+      for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        EXPECT_NEAR(distances[v], EuclideanDistance(input, source, v), 1e-8);
+      }
+    }
+  }
+}
+
+TEST_P(ExactPlane, Caps)
+{
+  // The height of a cap is known to about eps / height from its lengths.
+  ExpectEuclid(CapPlane(6, 1e-2), this->Engine(), 1e-12);
+  ExpectEuclid(CapPlane(6, 1e-4), this->Engine(), 1e-10);
+}
+
+TEST_P(ExactPlane, LShape)
+{
+  ExpectVisibility(
+    8, 8, [](Id i, Id j) { return i < 3 || j < 3; }, this->Engine());
+}
+
+TEST_P(ExactPlane, Slot)
+{
+  ExpectVisibility(
+    9, 7, [](Id i, Id j) { return i != 4 || j == 0; }, this->Engine());
+}
+
+TEST_P(ExactPlane, Annulus)
+{
+  ExpectVisibility(
+    9, 9, [](Id i, Id j) { return i < 3 || i > 5 || j < 3 || j > 5; }, this->Engine());
+}
+
+TEST_P(ExactPlane, Maze)
+{
+  ExpectVisibility(
+    11, 9, [](Id i, Id j) { return i % 4 != 2 || (i % 8 == 2 ? j == 0 : j == 8); },
+    this->Engine());
+}
+
+TEST_P(ExactPlane, ManyHoles)
+{
+  ExpectVisibility(
+    9, 9, [](Id i, Id j) { return i % 3 != 1 || j % 3 != 1; }, this->Engine());
+}
+
+TEST_P(ExactPlane, CellsTouchingAtCorners)
+{
+  // A chain of squares: paths go through the contact points.
+  ExpectVisibility(
+    8, 8, [](Id i, Id j) { return i / 2 == j / 2; }, this->Engine());
+}
+
+TEST_P(ExactPlane, Slit)
+{
+  for (const double jitter : { 0.0, 0.25 })
+  {
+    std::vector<bool> isLower;
+    const TestMesh input = SlitPlane(5, isLower, jitter, 2);
+    ExpectAllPairs(Build(input), this->Engine(), [&](Id a, Id b) {
+      const double* p = input.Point(a);
+      const double* q = input.Point(b);
+      const double direct = EuclideanDistance(input, a, b);
+      if (isLower[a] == isLower[b])
+      {
+        return direct;
+      }
+      // Points of the slit count as above or below it; so does the line to its left, harmlessly.
+      const double x =
+        p[1] == q[1] ? std::max(p[0], q[0]) : p[0] + (q[0] - p[0]) * p[1] / (p[1] - q[1]);
+      return x <= 0.0 ? direct : std::hypot(p[0], p[1]) + std::hypot(q[0], q[1]);
+    });
+  }
+}
+
+TEST_P(ExactPlane, PointsAnywhere)
+{
+  const TestMesh input = Plane(7, 6, 0.25, 9);
+  const dgg::SurfaceMesh mesh = Build(input);
+  const auto points = RandomSurfacePoints(mesh, 40, 3);
+  std::vector<std::array<double, 2>> places;
+  for (const dgg::SurfacePoint& point : points)
+  {
+    std::array<double, 2> place{};
+    for (int k = 0; k < 3; ++k)
+    {
+      const double* corner = input.Point(mesh.GetTriangle(point.Face)[k]);
+      place[0] += point.Barycentric[k] * corner[0];
+      place[1] += point.Barycentric[k] * corner[1];
+    }
+    places.push_back(place);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const dgg::ExactResult result = Solve(mesh, this->Engine(), { { points[i], 0.0 } },
+      [&](dgg::ExactOptions& options) { options.Targets = points; });
+    for (std::size_t j = 0; j < points.size(); ++j)
+    {
+      const double truth =
+        std::hypot(places[i][0] - places[j][0], places[i][1] - places[j][1]);
+      EXPECT_NEAR(result.TargetDistances[j], truth, 1e-12 * (truth + 1e-3)) << i << " " << j;
+    }
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const double truth =
+        std::hypot(places[i][0] - input.Point(v)[0], places[i][1] - input.Point(v)[1]);
+      EXPECT_NEAR(result.Distances[v], truth, 1e-12 * truth) << i << " " << v;
+    }
+  }
+}
+
+TEST_P(ExactPlane, OneTriangle)
+{
+  const TestMesh input = SingleTriangle();
+  ExpectEuclid(input, this->Engine());
+  const dgg::SurfaceMesh mesh = Build(input);
+  // From the vertex (1,3), the edge point (2,0), the inner point (2.25, 0.75) to all of them.
+  const std::vector<dgg::SurfacePoint> points{ dgg::SurfacePoint::AtVertex(2),
+    dgg::SurfacePoint::OnEdge(mesh, 0, 0.5),
+    dgg::SurfacePoint::InFace(mesh, 0, { { 0.25, 0.5, 0.25 } }) };
+  const double xs[3] = { 1.0, 2.0, 2.25 };
+  const double ys[3] = { 3.0, 0.0, 0.75 };
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto distances = DistancesTo(mesh, this->Engine(), points[i], points);
+    for (int j = 0; j < 3; ++j)
+    {
+      EXPECT_NEAR(distances[j], std::hypot(xs[i] - xs[j], ys[i] - ys[j]), 1e-15);
+    }
+  }
+}
+
+TEST_P(ExactPlane, TwoTriangles)
+{
+  // Folding changes nothing; the lines between the far corners and between inner points cross the
+  // fold.
+  for (const double fold : { 0.0, 0.5, 3.0 })
+  {
+    const dgg::SurfaceMesh mesh = Build(TwoTriangles(fold));
+    EXPECT_NEAR(DistancesFrom(mesh, this->Engine(), 2)[3], std::hypot(3.5, 0.75), 1e-14);
+    const auto left = dgg::SurfacePoint::InFace(mesh, 0, { { 0.25, 0.25, 0.5 } });
+    const auto right = dgg::SurfacePoint::InFace(mesh, 1, { { 0.25, 0.25, 0.5 } });
+    const auto fromLeft = DistancesTo(mesh, this->Engine(), left, { right });
+    EXPECT_NEAR(fromLeft[0], std::hypot(1.75, 0.375), 1e-14);
+    const auto middle = dgg::SurfacePoint::OnEdge(mesh, 0, 0.25); // (0, 0.5)
+    EXPECT_NEAR(DistancesTo(mesh, this->Engine(), middle, { right })[0],
+      std::hypot(1.0, 0.625), 1e-14);
+    EXPECT_NEAR(DistancesTo(mesh, this->Engine(), right, { middle })[0],
+      std::hypot(1.0, 0.625), 1e-14);
+  }
+}
+}

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact distances on boxes, regular polyhedra and doubly covered polygons.
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dggtest
+{
+namespace
+{
+/// Distance of two points of a polygon and its copy, glued along the rim: reflect the second point
+/// in each side; where the line misses the side, go through the nearer end of it.
+double ThroughTheRim(Id sides, const double* p, const double* q)
+{
+  double best = dgg::Infinity;
+  for (Id i = 0; i < sides; ++i)
+  {
+    const double a0 = 2.0 * dgg::Pi * i / sides;
+    const double a1 = 2.0 * dgg::Pi * (i + 1) / sides;
+    const double ax = std::cos(a0);
+    const double ay = std::sin(a0);
+    const double ux = std::cos(a1) - ax;
+    const double uy = std::sin(a1) - ay;
+    const double length = std::hypot(ux, uy);
+    auto along = [&](const double* r) { return ((r[0] - ax) * ux + (r[1] - ay) * uy) / length; };
+    auto away = [&](const double* r) {
+      return std::abs((r[0] - ax) * uy - (r[1] - ay) * ux) / length;
+    };
+    const double hp = away(p);
+    const double hq = away(q);
+    double x = hp + hq > 0.0 ? (along(p) * hq + along(q) * hp) / (hp + hq) : along(p);
+    x = std::min(length, std::max(0.0, x));
+    best = std::min(best, std::hypot(along(p) - x, hp) + std::hypot(along(q) - x, hq));
+  }
+  return best;
+}
+}
+
+class ExactPolyhedra : public EngineTest
+{
+protected:
+  double Between(const TestMesh& input, Id a, Id b)
+  {
+    return DistancesFrom(Build(input), this->Engine(), a)[b];
+  }
+  double Between(const TestMesh& input, const std::array<double, 3>& p,
+    const std::array<double, 3>& q)
+  {
+    return this->Between(
+      input, VertexAt(input, p[0], p[1], p[2]), VertexAt(input, q[0], q[1], q[2]));
+  }
+};
+DGG_WITH_BOTH_ENGINES(ExactPolyhedra);
+
+TEST_P(ExactPolyhedra, UnitCube)
+{
+  for (const double jitter : { 0.0, 0.25 })
+  {
+    for (const Id k : { 2, 4, 6 })
+    {
+      // The centres must be vertices: only the others are moved.
+      TestMesh cube = Cube(k, jitter, 5);
+      if (jitter > 0.0)
+      {
+        const TestMesh regular = Cube(k);
+        for (Id v = 0; v < cube.GetNumberOfVertices(); ++v)
+        {
+          const double* p = regular.Point(v);
+          if ((p[0] == 0.5) + (p[1] == 0.5) + (p[2] == 0.5) == 2)
+          {
+            std::copy_n(p, 3, cube.Points.begin() + 3 * v);
+          }
+        }
+      }
+      SCOPED_TRACE(k);
+      auto expect = [&](double truth, const std::array<double, 3>& p,
+                      const std::array<double, 3>& q) {
+        ExpectClose(truth, this->Between(cube, p, q), 1e-12, "there");
+        ExpectClose(truth, this->Between(cube, q, p), 1e-12, "back");
+      };
+      expect(std::sqrt(5.0), { { 0, 0, 0 } }, { { 1, 1, 1 } });
+      expect(2.0, { { 0.5, 0.5, 0 } }, { { 0.5, 0.5, 1 } });
+      expect(std::sqrt(2.5), { { 0.5, 0.5, 0 } }, { { 0, 0, 1 } });
+      expect(std::sqrt(2.5), { { 0.5, 0.5, 0 } }, { { 1, 0, 1 } });
+      expect(0.5 * std::sqrt(13.0), { { 0, 0, 0 } }, { { 1, 1, 0.5 } });
+      expect(std::sqrt(2.0), { { 0, 0, 0 } }, { { 1, 1, 0 } });
+    }
+  }
+}
+
+TEST_P(ExactPolyhedra, CubeOfTwelveFaces)
+{
+  const TestMesh cube = Cube(1);
+  ExpectClose(std::sqrt(5.0), this->Between(cube, { { 0, 0, 0 } }, { { 1, 1, 1 } }), 1e-12, "far");
+  // Between points inside faces: the centres of opposite faces.
+  const dgg::SurfaceMesh mesh = Build(cube);
+  auto centre = [&](double x, double y, double z) {
+    for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      const double* p = cube.Point(mesh.Origin(h));
+      const double* q = cube.Point(mesh.Destination(h));
+      if (std::hypot(p[0] + q[0] - 2 * x, p[1] + q[1] - 2 * y, p[2] + q[2] - 2 * z) < 1e-12)
+      {
+        return dgg::SurfacePoint::OnEdge(mesh, h, 0.5);
+      }
+    }
+    return dgg::SurfacePoint();
+  };
+  const auto distances = DistancesTo(mesh, this->Engine(), centre(0.5, 0.5, 0.0),
+    { centre(0.5, 0.5, 1.0), centre(0.0, 0.5, 0.5), centre(1.0, 0.5, 0.5) });
+  ExpectClose(2.0, distances[0], 1e-12, "opposite centres");
+  ExpectClose(1.0, distances[1], 1e-12, "neighbouring centres");
+  ExpectClose(1.0, distances[2], 1e-12, "neighbouring centres");
+}
+
+TEST_P(ExactPolyhedra, LongBoxHasItsFarthestPointInAFace)
+{
+  // From the corner (0,0,0) of the box 1 x 1 x 2: not the opposite corner is farthest, but the
+  // point a quarter of the way along the diagonal of the far square.
+  const TestMesh box = Box(4, 4, 8, 0.25, 0.25, 0.25);
+  const dgg::SurfaceMesh mesh = Build(box);
+  const auto distances = DistancesFrom(mesh, this->Engine(), VertexAt(box, 0.0, 0.0, 0.0));
+  const Id opposite = VertexAt(box, 1.0, 1.0, 2.0);
+  const Id farthest = VertexAt(box, 0.75, 0.75, 2.0);
+  ExpectClose(std::sqrt(8.0), distances[opposite], 1e-12, "opposite corner");
+  ExpectClose(std::sqrt(130.0) / 4.0, distances[farthest], 1e-12, "farthest point");
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    EXPECT_LE(distances[v], distances[farthest]) << v;
+  }
+  // The same from the twelve faces, as a target.
+  const TestMesh coarse = Box(1, 1, 1, 1.0, 1.0, 2.0);
+  const dgg::SurfaceMesh plain = Build(coarse);
+  dgg::SurfacePoint target;
+  for (Id f = 0; f < plain.GetNumberOfFaces(); ++f)
+  {
+    // The far square is cut from (0,0) to (1,1) or across; take the face with both ends.
+    const auto t = plain.GetTriangle(f);
+    std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
+    int found = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double* p = coarse.Point(t[k]);
+      const bool isFar = p[2] == 2.0;
+      b[k] = isFar && p[0] == p[1] ? (p[0] == 1.0 ? 0.75 : 0.25) : 0.0;
+      found += b[k] > 0.0 ? 1 : 0;
+      found -= isFar ? 0 : 1;
+    }
+    if (found == 2)
+    {
+      target = dgg::SurfacePoint::InFace(plain, f, b);
+    }
+  }
+  const auto found = DistancesTo(plain, this->Engine(),
+    dgg::SurfacePoint::AtVertex(VertexAt(coarse, 0.0, 0.0, 0.0)), { target });
+  ExpectClose(std::sqrt(130.0) / 4.0, found[0], 1e-12, "as a target");
+}
+
+TEST_P(ExactPolyhedra, Tetrahedron)
+{
+  // It unfolds to the triangular lattice: vertex to the middle of the opposite face by one edge,
+  // to the middle of a far edge by the height of a face; between the middles of opposite edges 1.
+  const TestMesh input = Subdivided(Tetrahedron(), 6);
+  auto mix = [&](double a, double b, double c, double d) {
+    std::array<double, 3> p{};
+    for (int i = 0; i < 3; ++i)
+    {
+      p[i] = a * input.Point(0)[i] + b * input.Point(1)[i] + c * input.Point(2)[i] +
+        d * input.Point(3)[i];
+    }
+    return p;
+  };
+  ExpectClose(1.0, this->Between(input, 0, 3), 1e-12, "edge");
+  ExpectClose(0.5 * std::sqrt(3.0), this->Between(input, mix(1, 0, 0, 0), mix(0, 0.5, 0.5, 0)),
+    1e-12, "vertex to far edge");
+  ExpectClose(
+    1.0, this->Between(input, mix(0.5, 0.5, 0, 0), mix(0, 0, 0.5, 0.5)), 1e-12, "opposite edges");
+  ExpectClose(2.0 / std::sqrt(3.0),
+    this->Between(input, mix(1, 0, 0, 0), mix(0, 1.0 / 3, 1.0 / 3, 1.0 / 3)), 1e-12,
+    "vertex to far face");
+  ExpectClose(0.5, this->Between(input, mix(0.5, 0.5, 0, 0), mix(0.5, 0, 0.5, 0)), 1e-12,
+    "neighbouring edges");
+}
+
+TEST_P(ExactPolyhedra, Octahedron)
+{
+  const TestMesh input = Subdivided(Octahedron(), 6);
+  ExpectClose(std::sqrt(3.0), this->Between(input, 0, 1), 1e-12, "opposite vertices");
+  // Middles of opposite faces: across two faces of the belt. In the strip of three triangles from
+  // face to face the centres are sqrt(7/3) ... the truth is the shortest of the straight unfoldings.
+  auto centre = [&](Id a, Id b, Id c) {
+    std::array<double, 3> p{};
+    for (int i = 0; i < 3; ++i)
+    {
+      p[i] = (input.Point(a)[i] + input.Point(b)[i] + input.Point(c)[i]) / 3.0;
+    }
+    return p;
+  };
+  ExpectClose(std::sqrt(7.0 / 3.0), this->Between(input, centre(0, 2, 4), centre(1, 3, 5)), 1e-12,
+    "opposite faces");
+  ExpectClose(
+    1.0 / std::sqrt(3.0), this->Between(input, centre(0, 2, 4), centre(2, 1, 4)), 1e-12, "faces");
+}
+
+TEST_P(ExactPolyhedra, Icosahedron)
+{
+  // Opposite vertices: in the strip of two triangles between the caps, the vector
+  // (1/2, 3 sqrt(3)/2) leads from one to the other: sqrt(7).
+  for (const Id k : { 1, 3, 4 })
+  {
+    const TestMesh input = Subdivided(Icosahedron(), k);
+    const dgg::SurfaceMesh mesh = Build(input);
+    for (const Id a : { 0, 5, 11 })
+    {
+      const auto distances = DistancesFrom(mesh, this->Engine(), a);
+      for (Id b = 0; b < 12; ++b)
+      {
+        const double chord = EuclideanDistance(input, a, b);
+        const double truth =
+          a == b ? 0.0 : (chord < 1.1 ? 1.0 : (chord < 1.8 ? std::sqrt(3.0) : std::sqrt(7.0)));
+        ExpectClose(truth, distances[b], 1e-12, std::to_string(a) + " to " + std::to_string(b));
+      }
+    }
+  }
+}
+
+TEST_P(ExactPolyhedra, Dodecahedron)
+{
+  // Edge 1, diagonal of a pentagon phi. Vertices at higher distance: unfold two and three
+  // pentagons; the values are those of the lattice of pentagons laid side by side.
+  const double phi = 0.5 * (1.0 + std::sqrt(5.0));
+  const TestMesh input = Dodecahedron();
+  const dgg::SurfaceMesh mesh = Build(input);
+  // Two pentagons on one edge: from the vertex before the edge to the one after it on the other
+  // side, in coordinates with the common edge on the x axis from 0 to 1.
+  const double c = std::cos(0.4 * dgg::Pi);
+  const double s = std::sin(0.4 * dgg::Pi);
+  // Corners of one pentagon above the edge: (1+c, s), (1/2, h), (-c, s); mirrored below.
+  const double h = s + std::sin(0.2 * dgg::Pi);
+  for (const Id a : { 0, 7 })
+  {
+    const auto distances = DistancesFrom(mesh, this->Engine(), a);
+    int edges = 0;
+    int diagonals = 0;
+    for (Id b = 0; b < 20; ++b)
+    {
+      const double chord = EuclideanDistance(input, a, b);
+      if (std::abs(chord - 1.0) < 1e-9)
+      {
+        ++edges;
+        ExpectClose(1.0, distances[b], 1e-12, "edge");
+      }
+      else if (std::abs(chord - phi) < 1e-9)
+      {
+        ++diagonals;
+        ExpectClose(phi, distances[b], 1e-12, "diagonal");
+      }
+      else if (std::abs(chord - phi * std::sqrt(2.0)) < 1e-9)
+      {
+        // Across one edge: from (-c, s) to (1+c, -s), from (1/2, h) to (-c, -s) and others.
+        const double across = std::min(
+          { std::hypot(1.0 + 2.0 * c, 2.0 * s), std::hypot(0.5 + c, h + s), 2.0 * h });
+        ExpectClose(across, distances[b], 1e-12, "across one edge");
+      }
+    }
+    EXPECT_EQ(edges, 3);
+    EXPECT_EQ(diagonals, 6);
+  }
+}
+
+TEST_P(ExactPolyhedra, DoublyCoveredPolygon)
+{
+  for (const Id sides : { 3, 4, 5, 8 })
+  {
+    std::vector<bool> isBack;
+    const TestMesh input = DoublyCoveredPolygon(sides, 3, isBack);
+    ExpectAllPairs(Build(input), this->Engine(), [&](Id a, Id b) {
+      const bool rim = a < sides || b < sides;
+      return rim || isBack[a] == isBack[b] ? EuclideanDistance(input, a, b)
+                                           : ThroughTheRim(sides, input.Point(a), input.Point(b));
+    });
+  }
+}
+}

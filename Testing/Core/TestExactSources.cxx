@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources of every kind, several at once, with initial distances; what is said of the nearest one.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dggtest
+{
+namespace
+{
+/// Meshes of different kinds, for tests that need no truth.
+std::vector<NamedMesh> Zoo()
+{
+  std::vector<Id> sheetOf;
+  std::vector<NamedMesh> meshes;
+  meshes.push_back({ "sphere", NoisySphere(2, 0.3, 3) });
+  meshes.push_back({ "torus", WithNoise(Torus(14, 9), 0.06, 4) });
+  meshes.push_back({ "terrain", Terrain(10, 1.5, 5) });
+  meshes.push_back({ "grid", Plane(8, 8) });
+  meshes.push_back({ "cube", Cube(4) });
+  meshes.push_back({ "components", SeveralComponents() });
+  meshes.push_back({ "book", WithNoise(Book(3, 4, sheetOf, 0.2, 6), 0.1, 7) });
+  meshes.push_back({ "Moebius", MoebiusStrip(9, 4) });
+  return meshes;
+}
+
+std::vector<dgg::GeodesicSource> MixedSources(const dgg::SurfaceMesh& mesh, double spread)
+{
+  Random random(41);
+  std::vector<dgg::GeodesicSource> sources;
+  for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 5, 37))
+  {
+    sources.push_back({ point, random.Uniform(0.0, spread) });
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    sources.push_back(
+      VertexSource(random.Index(mesh.GetNumberOfVertices()), random.Uniform(0.0, spread)));
+  }
+  return sources;
+}
+}
+
+class ExactSources : public EngineTest
+{
+};
+DGG_WITH_BOTH_ENGINES(ExactSources);
+
+TEST_P(ExactSources, SeveralAreThePointwiseMinimum)
+{
+  for (const NamedMesh& named : Zoo())
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const double spread : { 0.0, 2.0 * mesh.GetMeanEdgeLength() })
+    {
+      const auto sources = MixedSources(mesh, spread);
+      const dgg::ExactResult together = Solve(mesh, this->Engine(), sources);
+      std::vector<double> expected(mesh.GetNumberOfVertices(), dgg::Infinity);
+      std::vector<std::vector<double>> single;
+      for (const dgg::GeodesicSource& source : sources)
+      {
+        single.push_back(Solve(mesh, this->Engine(), { source }).Distances);
+        for (std::size_t v = 0; v < expected.size(); ++v)
+        {
+          expected[v] = std::min(expected[v], single.back()[v]);
+        }
+      }
+      const double diameter = LargestFinite(expected);
+      ExpectSameField(expected, together.Distances, 1e-10 * diameter, "field");
+      for (std::size_t v = 0; v < expected.size(); ++v)
+      {
+        const Id nearest = together.NearestSource[v];
+        if (expected[v] == dgg::Infinity)
+        {
+          EXPECT_EQ(nearest, dgg::NoId);
+          continue;
+        }
+        ASSERT_GE(nearest, 0);
+        ASSERT_LT(nearest, static_cast<Id>(sources.size()));
+        EXPECT_NEAR(single[nearest][v], expected[v], 1e-10 * diameter) << v;
+      }
+    }
+  }
+}
+
+TEST_P(ExactSources, TargetsTooAreThePointwiseMinimum)
+{
+  for (const NamedMesh& named : Zoo())
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    const auto sources = MixedSources(mesh, mesh.GetMeanEdgeLength());
+    auto targets = RandomSurfacePoints(mesh, 25, 43);
+    targets.push_back(dgg::SurfacePoint::AtVertex(1));
+    targets.push_back(sources[0].Point); // a target on a source
+    auto want = [&](dgg::ExactOptions& options) { options.Targets = targets; };
+    const dgg::ExactResult together = Solve(mesh, this->Engine(), sources, want);
+    ASSERT_EQ(together.TargetDistances.size(), targets.size());
+    std::vector<double> expected(targets.size(), dgg::Infinity);
+    std::vector<std::vector<double>> single;
+    for (const dgg::GeodesicSource& source : sources)
+    {
+      single.push_back(Solve(mesh, this->Engine(), { source }, want).TargetDistances);
+      for (std::size_t t = 0; t < expected.size(); ++t)
+      {
+        expected[t] = std::min(expected[t], single.back()[t]);
+      }
+    }
+    const double diameter = LargestFinite(expected);
+    ExpectSameField(expected, together.TargetDistances, 1e-10 * diameter, "targets");
+    for (std::size_t t = 0; t < targets.size(); ++t)
+    {
+      const Id nearest = together.TargetNearestSource[t];
+      ASSERT_EQ(nearest == dgg::NoId, expected[t] == dgg::Infinity);
+      if (nearest != dgg::NoId)
+      {
+        EXPECT_NEAR(single[nearest][t], expected[t], 1e-10 * diameter);
+      }
+    }
+  }
+}
+
+TEST_P(ExactSources, PointsAreAsGoodAsVertices)
+{
+  // A source inside a face or an edge against the same point inserted as a vertex, and the distance
+  // to a target against that to the vertex.
+  for (const NamedMesh& named : Zoo())
+  {
+    if (named.Mesh.Points.empty())
+    {
+      continue;
+    }
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 10, 47))
+    {
+      TestMesh refined = named.Mesh;
+      Id vertex = dgg::NoId;
+      const auto triangle = mesh.GetTriangle(point.Face);
+      if (point.On == dgg::SurfacePoint::Support::Face)
+      {
+        // The refined mesh keeps the corners in the order of the input.
+        std::array<double, 3> b = point.Barycentric;
+        if (mesh.IsFlipped(point.Face))
+        {
+          std::swap(b[1], b[2]);
+        }
+        vertex = SplitFace(refined, point.Face, b);
+      }
+      else
+      {
+        const Id k = point.HalfEdge % 3;
+        vertex = SplitEdge(
+          refined, triangle[k], triangle[(k + 1) % 3], point.Barycentric[(k + 1) % 3]);
+      }
+      auto want = [&](dgg::ExactOptions& options) { options.Targets = { point }; };
+      auto expected = DistancesFrom(Build(refined), this->Engine(), vertex);
+      expected.resize(mesh.GetNumberOfVertices());
+      const double tolerance = 1e-9 * LargestFinite(expected);
+      const auto distances = Solve(mesh, this->Engine(), { { point, 0.0 } }).Distances;
+      ExpectSameField(expected, distances, tolerance, "as a source");
+      for (const Id v : SomeVertices(mesh, 5, 53))
+      {
+        const dgg::ExactResult result = Solve(mesh, this->Engine(), { VertexSource(v) }, want);
+        if (expected[v] == dgg::Infinity)
+        {
+          EXPECT_EQ(result.TargetDistances[0], dgg::Infinity);
+          continue;
+        }
+        EXPECT_NEAR(result.TargetDistances[0], expected[v], tolerance) << "as a target";
+      }
+    }
+  }
+}
+
+TEST_P(ExactSources, OnEdgesAreTheSameFromEachFace)
+{
+  std::vector<Id> sheetOf;
+  for (const TestMesh& input : { NoisySphere(1, 0.3, 3), MisorientedSphere(1, 8),
+         WithNoise(Book(3, 3, sheetOf, 0.2, 6), 0.1, 7), MoebiusStrip(7, 4) })
+  {
+    const dgg::SurfaceMesh mesh = Build(input);
+    for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); h += 7)
+    {
+      const auto expected =
+        Solve(mesh, this->Engine(), { { dgg::SurfacePoint::OnEdge(mesh, h, 0.3), 0.0 } }).Distances;
+      for (Id e = mesh.Twin(h); e != dgg::NoId && e != h; e = mesh.Twin(e))
+      {
+        const double t = mesh.Origin(e) == mesh.Origin(h) ? 0.3 : 0.7;
+        const auto distances =
+          Solve(mesh, this->Engine(), { { dgg::SurfacePoint::OnEdge(mesh, e, t), 0.0 } }).Distances;
+        ExpectSameField(expected, distances, 1e-10 * LargestFinite(expected), "edge");
+      }
+    }
+  }
+}
+
+TEST_P(ExactSources, OffsetsShiftTheField)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(2, 0.3, 3));
+  const auto plain = DistancesFrom(mesh, this->Engine(), 7);
+  for (const double offset : { 0.5, -0.5, 100.0, -100.0 })
+  {
+    std::vector<double> expected = plain;
+    for (double& d : expected)
+    {
+      d += offset;
+    }
+    const dgg::ExactResult result = Solve(mesh, this->Engine(), { VertexSource(7, offset) },
+      [](dgg::ExactOptions& options) { options.Targets = { dgg::SurfacePoint::AtVertex(3) }; });
+    ExpectSameField(expected, result.Distances, 1e-12 * (std::abs(offset) + 3.0), "field");
+    EXPECT_NEAR(result.TargetDistances[0], expected[3], 1e-12 * (std::abs(offset) + 3.0));
+  }
+}
+
+TEST_P(ExactSources, DuplicatesKeepTheSmallestOffset)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(2, 0.3, 3));
+  const auto plain = DistancesFrom(mesh, this->Engine(), 7);
+  for (const auto& sources : { std::vector<dgg::GeodesicSource>{ VertexSource(7, 0.4),
+                                 VertexSource(7, 0.0), VertexSource(7, 0.2) },
+         std::vector<dgg::GeodesicSource>{
+           VertexSource(7, 0.4), VertexSource(7, 0.2), VertexSource(7, 0.0) },
+         std::vector<dgg::GeodesicSource>{
+           VertexSource(7, 0.0), VertexSource(7, 0.2), VertexSource(7, 0.4) } })
+  {
+    const dgg::ExactResult result = Solve(mesh, this->Engine(), sources);
+    ExpectSameField(plain, result.Distances, 0.0, "field");
+    for (const Id nearest : result.NearestSource)
+    {
+      EXPECT_EQ(sources[nearest].InitialDistance, 0.0);
+    }
+  }
+  // Two equal ones inside a face.
+  const auto point = dgg::SurfacePoint::InFace(mesh, 5, { { 0.3, 0.3, 0.4 } });
+  ExpectSameField(Solve(mesh, this->Engine(), { { point, 0.0 } }).Distances,
+    Solve(mesh, this->Engine(), { { point, 0.5 }, { point, 0.0 } }).Distances, 1e-14, "face");
+}
+
+TEST_P(ExactSources, DominatedOnesNeverWin)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(6, 6, 0.2, 3));
+  const auto plain = DistancesFrom(mesh, this->Engine(), 0);
+  // The far corner would have to start with less than its own distance to win.
+  const dgg::ExactResult result =
+    Solve(mesh, this->Engine(), { VertexSource(48, 9.0), VertexSource(0) });
+  ExpectSameField(plain, result.Distances, 1e-14, "field");
+  EXPECT_EQ(std::count(result.NearestSource.begin(), result.NearestSource.end(), 1), 49);
+}
+
+TEST_P(ExactSources, OtherComponentsStayUnreached)
+{
+  const TestMesh input = SeveralComponents();
+  const dgg::SurfaceMesh mesh = Build(input);
+  Id count = 0;
+  const auto component = mesh.ComputeComponents(count);
+  for (const Id source : { 0, mesh.GetNumberOfVertices() - 1 })
+  {
+    const dgg::ExactResult result = Solve(mesh, this->Engine(), { VertexSource(source) });
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const bool reached = component[v] == component[source];
+      EXPECT_EQ(result.Distances[v] < dgg::Infinity, reached);
+      EXPECT_EQ(result.NearestSource[v], reached ? 0 : dgg::NoId);
+      EXPECT_EQ(result.Predecessors[v].Root != dgg::NoId, reached);
+    }
+  }
+}
+
+TEST_P(ExactSources, IsolatedVerticesReachThemselvesOnly)
+{
+  const dgg::SurfaceMesh mesh = Build(SphereWithIsolatedPoints(1));
+  const dgg::ExactResult result = Solve(mesh, this->Engine(), { VertexSource(0, 2.5) });
+  EXPECT_EQ(result.Distances[0], 2.5);
+  EXPECT_EQ(result.NearestSource[0], 0);
+  EXPECT_EQ(std::count(result.Distances.begin(), result.Distances.end(), dgg::Infinity),
+    mesh.GetNumberOfVertices() - 1);
+}
+
+TEST_P(ExactSources, BadOnesAreNamed)
+{
+  const dgg::SurfaceMesh mesh = Build(RepeatedVertexPlane(2));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::array<double, 3> centre{ { 0.3, 0.3, 0.4 } };
+  dgg::ExactGeodesics solver(mesh);
+  dgg::ExactResult result = Solve(mesh, this->Engine(), { VertexSource(0) });
+  auto expect = [&](const std::vector<dgg::GeodesicSource>& sources,
+                  const std::vector<dgg::SurfacePoint>& targets, double radius,
+                  const std::string& message) {
+    dgg::ExactOptions options;
+    options.Engine = this->Engine();
+    options.Targets = targets;
+    options.MaximumDistance = radius;
+    const dgg::Status status = solver.Run(sources, options, result);
+    EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput);
+    EXPECT_NE(status.GetMessage().find(message), std::string::npos) << status.GetMessage();
+    EXPECT_TRUE(result.Distances.empty());
+    EXPECT_TRUE(result.NearestSource.empty());
+    EXPECT_TRUE(result.TargetDistances.empty());
+    // A later correct call works.
+    options = dgg::ExactOptions();
+    options.Engine = this->Engine();
+    EXPECT_TRUE(solver.Run({ VertexSource(0) }, options, result).IsOk());
+    EXPECT_EQ(result.Distances[0], 0.0);
+  };
+  const double infinity = dgg::Infinity;
+  expect({}, {}, infinity, "there is no source");
+  expect({ VertexSource(0), VertexSource(9) }, {}, infinity, "source 1: vertex 9 does not exist");
+  expect({ VertexSource(-1) }, {}, infinity, "source 0: vertex -1 does not exist");
+  expect({ VertexSource(0, nan) }, {}, infinity, "source 0: the initial distance");
+  expect({ VertexSource(0, infinity) }, {}, infinity, "not finite");
+  expect({ VertexSource(0), VertexSource(1, -infinity) }, {}, infinity, "source 1");
+  expect({ { dgg::SurfacePoint::InFace(mesh, 11, centre), 0.0 } }, {}, infinity, "face 11");
+  expect({ { dgg::SurfacePoint::InFace(mesh, 8, centre), 0.0 } }, {}, infinity, "has no area");
+  expect({ { dgg::SurfacePoint::InFace(mesh, 0, { { 1.0, 1.0, 1.0 } }), 0.0 } }, {}, infinity,
+    "not within the face");
+  expect({ VertexSource(0) }, { dgg::SurfacePoint::AtVertex(1), dgg::SurfacePoint::AtVertex(9) },
+    infinity, "target 1: vertex 9 does not exist");
+  expect({ VertexSource(0) }, { dgg::SurfacePoint::InFace(mesh, -5, centre) }, infinity,
+    "target 0: face -5");
+  expect({ VertexSource(0) }, {}, nan, "the maximum distance is not a number");
+}
+}

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The ways in which window propagation goes wrong, one test each. Each was seen to fail with the
+// rule in question taken out.
+#include "BruteForceGeodesics.h"
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dggtest
+{
+class ExactTraps : public EngineTest
+{
+protected:
+  void ExpectBruteForce(const TestMesh& input)
+  {
+    const dgg::SurfaceMesh mesh = Build(input);
+    const std::vector<double> truth = BruteForceDistances(mesh);
+    const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
+    ExpectAllPairs(
+      mesh, this->Engine(), [&](Id a, Id b) { return truth[a * n + b]; }, 1e-10);
+  }
+};
+DGG_WITH_BOTH_ENGINES(ExactTraps);
+
+// A ray that hits a flat vertex exactly lights neither child, and what lies behind the vertex on
+// that ray stays dark unless flat vertices emit again.
+TEST_P(ExactTraps, FlatVerticesEmitAgain)
+{
+  // In the plane, (0,0) and (3,6), say, have (1,2) and (2,4) between them.
+  const TestMesh grid = Plane(9, 9);
+  ExpectAllPairs(
+    Build(grid), this->Engine(), [&](Id a, Id b) { return EuclideanDistance(grid, a, b); }, 1e-13);
+  this->ExpectBruteForce(Cube(4));
+}
+
+// Two windows may light an apex by the very same ray, the root of one lying on the ray of the
+// other; then both children of both are needed.
+TEST_P(ExactTraps, CoincidentRaysKeepBothChildren)
+{
+  this->ExpectBruteForce(Cube(5));
+  this->ExpectBruteForce(Subdivided(Octahedron(), 4));
+  this->ExpectBruteForce(Subdivided(TwoHoledBlock(), 2));
+}
+
+// A regular mesh, full of ties and collinearities, and a jittered one of the same surface agree.
+TEST_P(ExactTraps, RegularAgreesWithJittered)
+{
+  const Id k = 6;
+  const TestMesh regular = Cube(k);
+  const TestMesh jittered = Cube(k, 0.25, 7);
+  const dgg::SurfaceMesh one = Build(regular);
+  const dgg::SurfaceMesh other = Build(jittered);
+  for (Id a = 0; a < one.GetNumberOfVertices(); ++a)
+  {
+    if (EuclideanDistance(regular, 0, a) == 0.0 ||
+      std::equal(regular.Point(a), regular.Point(a) + 3, jittered.Point(a)))
+    {
+      const auto expected = DistancesFrom(one, this->Engine(), a);
+      const auto distances = DistancesFrom(other, this->Engine(), a);
+      for (Id b = 0; b < one.GetNumberOfVertices(); ++b)
+      {
+        if (std::equal(regular.Point(b), regular.Point(b) + 3, jittered.Point(b)))
+        {
+          EXPECT_NEAR(distances[b], expected[b], 1e-12) << a << " " << b;
+        }
+      }
+    }
+  }
+}
+
+// Of the windows that light an apex only the nearest needs both children, but not when the nearest
+// comes from a source inside a face, which may lie within the cone of the other.
+TEST_P(ExactTraps, OneChildRuleNeedsAVertexAsRoot)
+{
+  double worst = 0.0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    const TestMesh input = Plane(7, 7, 0.29, seed);
+    const dgg::SurfaceMesh mesh = Build(input);
+    Random random(seed);
+    // Two or three sources in faces close to each other, with little to choose between them.
+    std::vector<dgg::GeodesicSource> sources;
+    std::vector<std::array<double, 2>> places;
+    const Id first = random.Index(mesh.GetNumberOfFaces());
+    for (int i = 0; i < 3; ++i)
+    {
+      const Id f = (first + random.Index(6)) % mesh.GetNumberOfFaces();
+      const double a = random.Uniform(0.05, 1.0);
+      const double b = random.Uniform(0.05, 1.0);
+      const double c = random.Uniform(0.05, 1.0);
+      const double s = a + b + c;
+      const std::array<double, 3> bary{ { a / s, b / s, c / s } };
+      std::array<double, 2> place{};
+      for (int k = 0; k < 3; ++k)
+      {
+        place[0] += bary[k] * input.Point(input.Triangles[3 * f + k])[0];
+        place[1] += bary[k] * input.Point(input.Triangles[3 * f + k])[1];
+      }
+      sources.push_back({ dgg::SurfacePoint::InFace(mesh, f, bary), random.Uniform(0.0, 0.4) });
+      places.push_back(place);
+    }
+    const auto distances = Solve(mesh, this->Engine(), sources).Distances;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      double truth = dgg::Infinity;
+      for (std::size_t i = 0; i < sources.size(); ++i)
+      {
+        truth = std::min(truth,
+          sources[i].InitialDistance +
+            std::hypot(input.Point(v)[0] - places[i][0], input.Point(v)[1] - places[i][1]));
+      }
+      worst = std::max(worst, std::abs(distances[v] - truth) / truth);
+    }
+  }
+  EXPECT_LE(worst, 1e-12);
+}
+
+// On an edge with three faces the windows come from different sides: one table of winners for all
+// of them is wrong. Any two sheets of a book are a plane.
+TEST_P(ExactTraps, SheetsOfABookArePlanes)
+{
+  for (const Id sheets : { 3, 5 })
+  {
+    for (const double jitter : { 0.0, 0.25 })
+    {
+      std::vector<Id> sheetOf;
+      const TestMesh input = Book(sheets, 5, sheetOf, jitter, 3);
+      auto place = [&](Id v) { // distance from the spine, and position along it
+        return std::array<double, 2>{ { std::hypot(input.Point(v)[0], input.Point(v)[2]),
+          input.Point(v)[1] } };
+      };
+      ExpectAllPairs(Build(input), this->Engine(), [&](Id a, Id b) {
+        const auto p = place(a);
+        const auto q = place(b);
+        const bool same = sheetOf[a] == sheetOf[b];
+        return std::hypot(same ? p[0] - q[0] : p[0] + q[0], p[1] - q[1]);
+      });
+    }
+  }
+}
+
+// A plane cut and glued again with one more sheet on the cut: nothing changes in the plane.
+TEST_P(ExactTraps, PlaneGluedWithAFinStaysAPlane)
+{
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+  {
+    Id count = 0;
+    const TestMesh input = PlaneWithFin(5, count, 0.2, seed);
+    const dgg::SurfaceMesh mesh = Build(input);
+    for (Id a = 0; a < mesh.GetNumberOfVertices(); a += 3)
+    {
+      const auto distances = DistancesFrom(mesh, this->Engine(), a);
+      for (Id b = 0; b < mesh.GetNumberOfVertices(); ++b)
+      {
+        const double* p = input.Point(a);
+        const double* q = input.Point(b);
+        // Between the plane and the fin the shorter of both unfoldings is the same: sum of the
+        // distances from the cut.
+        const bool sameSheet = (a < count) == (b < count);
+        const double across =
+          sameSheet ? 0.0 : std::abs(p[0] - 5.0) + p[2] + std::abs(q[0] - 5.0) + q[2];
+        const double truth =
+          sameSheet ? EuclideanDistance(input, a, b) : std::hypot(across, p[1] - q[1]);
+        EXPECT_NEAR(distances[b], truth, 1e-12 * truth) << a << " " << b;
+      }
+    }
+  }
+}
+
+// Sources in faces and on edges beside a non-manifold edge, and on it.
+TEST_P(ExactTraps, SourcesNearASpine)
+{
+  std::vector<Id> sheetOf;
+  const TestMesh input = Book(3, 5, sheetOf, 0.2, 9);
+  const dgg::SurfaceMesh mesh = Build(input);
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const Id twin = mesh.Twin(h);
+    const bool onSpine = twin != dgg::NoId && mesh.Twin(twin) != h;
+    if (!onSpine)
+    {
+      continue;
+    }
+    const double* a = input.Point(mesh.Origin(h));
+    const double* b = input.Point(mesh.Destination(h));
+    const double y = 0.7 * a[1] + 0.3 * b[1];
+    const auto distances =
+      Solve(mesh, this->Engine(), { { dgg::SurfacePoint::OnEdge(mesh, h, 0.3), 0.0 } }).Distances;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const double* p = input.Point(v);
+      const double truth = std::hypot(std::hypot(p[0], p[2]), p[1] - y);
+      EXPECT_NEAR(distances[v], truth, 1e-12 * truth);
+    }
+    // In the face beside the spine.
+    const Id f = h / 3;
+    std::array<double, 3> bary{ { 0.2, 0.3, 0.5 } };
+    std::array<double, 3> p{};
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        p[i] += bary[k] * input.Point(input.Triangles[3 * f + k])[i];
+      }
+    }
+    const Id sheet = sheetOf[mesh.Apex(h)];
+    const double x = std::hypot(p[0], p[2]);
+    const auto fromFace =
+      Solve(mesh, this->Engine(), { { dgg::SurfacePoint::InFace(mesh, f, bary), 0.0 } }).Distances;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const double* q = input.Point(v);
+      const double away = std::hypot(q[0], q[2]);
+      const double truth =
+        std::hypot(sheetOf[v] == sheet ? x - away : x + away, p[1] - q[1]);
+      EXPECT_NEAR(fromFace[v], truth, 1e-12 * truth);
+    }
+  }
+}
+
+// Faces may run either way across an edge: then frames are mirrored.
+TEST_P(ExactTraps, OneSidedSurfacesUnfold)
+{
+  const Id columns = 8;
+  const Id rows = 6;
+  const dgg::SurfaceMesh mesh = Build(MoebiusStrip(columns, rows));
+  auto y = [&](Id v) { return v / columns - 0.5 * rows; };
+  ExpectAllPairs(mesh, this->Engine(), [&](Id a, Id b) {
+    return MoebiusDistance(columns, a % columns, y(a), b % columns, y(b));
+  });
+}
+
+// A contact in one point conducts.
+TEST_P(ExactTraps, PointContactsConduct)
+{
+  const TestMesh input = TouchingSpheres(1);
+  const dgg::SurfaceMesh mesh = Build(input);
+  const Id half = mesh.GetNumberOfVertices() / 2;
+  const auto fromContact = DistancesFrom(mesh, this->Engine(), 0);
+  const auto distances = DistancesFrom(mesh, this->Engine(), half);
+  for (Id v = half + 1; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    EXPECT_NEAR(distances[v], fromContact[half] + fromContact[v], 1e-13);
+  }
+}
+
+// Faces on the same three vertices are different faces.
+TEST_P(ExactTraps, DuplicateFacesConduct)
+{
+  // The whole cube twice changes no distance.
+  const TestMesh cube = Cube(3, 0.2, 4);
+  TestMesh twice = cube;
+  twice.Triangles.insert(twice.Triangles.end(), cube.Triangles.begin(), cube.Triangles.end());
+  const dgg::SurfaceMesh one = Build(cube);
+  const dgg::SurfaceMesh two = Build(twice);
+  for (const Id source : SomeVertices(one, 6, 5))
+  {
+    ExpectSameField(DistancesFrom(one, this->Engine(), source),
+      DistancesFrom(two, this->Engine(), source), 1e-13, "doubled");
+  }
+}
+
+// A source may see a saddle on a ray along mesh edges, and bend there.
+TEST_P(ExactTraps, SaddlesBendPaths)
+{
+  std::vector<ConePoint> polar;
+  const double total = 3.0 * dgg::Pi;
+  const TestMesh input = Cone(total, 12, 3, polar);
+  ExpectAllPairs(Build(input), this->Engine(),
+    [&](Id a, Id b) { return ConeDistance(total, polar[a], polar[b]); }, 1e-13);
+}
+}

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Points at vertices, on edges and inside faces: snapping, checks, distances.
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+
+#include "dggSurfacePoint.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::NoId;
+using dgg::SurfacePoint;
+using Support = SurfacePoint::Support;
+
+void ExpectBad(const SurfacePoint& point, const dgg::SurfaceMesh& mesh, const std::string& message)
+{
+  const dgg::Status status = point.Check(mesh);
+  EXPECT_FALSE(status.IsOk());
+  EXPECT_NE(status.GetMessage().find(message), std::string::npos) << status.GetMessage();
+}
+}
+
+TEST(SurfacePoint, SnapsToVertices)
+{
+  const dgg::SurfaceMesh mesh = Build(TwoTriangles(0.3));
+  for (int k = 0; k < 3; ++k)
+  {
+    for (const double off : { 0.0, 1e-10, -1e-10 })
+    {
+      std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
+      b[k] = 1.0 - off;
+      b[(k + 1) % 3] = off;
+      const SurfacePoint point = SurfacePoint::InFace(mesh, 1, b);
+      EXPECT_EQ(point.On, Support::Vertex);
+      EXPECT_EQ(point.Vertex, mesh.Origin(3 + k));
+      EXPECT_TRUE(point.Check(mesh).IsOk());
+    }
+  }
+  EXPECT_EQ(SurfacePoint::OnEdge(mesh, 4, 0.0).Vertex, mesh.Origin(4));
+  EXPECT_EQ(SurfacePoint::OnEdge(mesh, 4, 1.0).Vertex, mesh.Destination(4));
+  EXPECT_EQ(SurfacePoint::OnEdge(mesh, 4, 1e-10).Vertex, mesh.Origin(4));
+}
+
+TEST(SurfacePoint, SnapsToEdges)
+{
+  const dgg::SurfaceMesh mesh = Build(TwoTriangles(0.3));
+  for (int k = 0; k < 3; ++k)
+  {
+    for (const double off : { 0.0, 1e-10, -1e-10 })
+    {
+      std::array<double, 3> b{ { 0.5, 0.5, 0.5 } };
+      b[k] = 0.25;
+      b[(k + 1) % 3] = 0.75 - off;
+      b[(k + 2) % 3] = off;
+      const SurfacePoint point = SurfacePoint::InFace(mesh, 0, b);
+      ASSERT_EQ(point.On, Support::Edge);
+      EXPECT_EQ(point.HalfEdge, k);
+      EXPECT_EQ(point.Face, 0);
+      EXPECT_EQ(point.Barycentric[(k + 2) % 3], 0.0);
+      EXPECT_NEAR(point.Barycentric[k], 0.25, 1e-9);
+      const SurfacePoint same = SurfacePoint::OnEdge(mesh, k, 0.75);
+      EXPECT_EQ(same.On, Support::Edge);
+      EXPECT_EQ(same.HalfEdge, k);
+      EXPECT_NEAR(same.Barycentric[(k + 1) % 3], 0.75, 1e-15);
+    }
+  }
+}
+
+TEST(SurfacePoint, StaysInsideFaces)
+{
+  const dgg::SurfaceMesh mesh = Build(TwoTriangles(0.3));
+  const SurfacePoint point = SurfacePoint::InFace(mesh, 0, { { 0.2, 0.3, 0.5 } });
+  EXPECT_EQ(point.On, Support::Face);
+  EXPECT_EQ(point.Face, 0);
+  EXPECT_EQ(point.Barycentric, (std::array<double, 3>{ { 0.2, 0.3, 0.5 } }));
+  // A little outside, and a sum a little off: put right.
+  const SurfacePoint rough = SurfacePoint::InFace(mesh, 0, { { 0.2, 0.3, 0.5 + 1e-7 } });
+  EXPECT_TRUE(rough.Check(mesh).IsOk());
+  EXPECT_NEAR(rough.Barycentric[0] + rough.Barycentric[1] + rough.Barycentric[2], 1.0, 1e-15);
+  // Two decades above the tolerance nothing snaps.
+  EXPECT_EQ(SurfacePoint::InFace(mesh, 0, { { 0.5, 0.5 - 1e-7, 1e-7 } }).On, Support::Face);
+}
+
+TEST(SurfacePoint, RefersToTheCornersOfTheInput)
+{
+  TestMesh input = Plane(2, 1);
+  std::swap(input.Triangles[3], input.Triangles[4]); // one face of four the wrong way round
+  const dgg::SurfaceMesh mesh = Build(input);
+  ASSERT_TRUE(mesh.IsFlipped(1));
+  const std::array<double, 3> b{ { 0.2, 0.3, 0.5 } };
+  const SurfacePoint point = SurfacePoint::InFace(mesh, 1, b);
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      if (mesh.GetTriangle(1)[i] == input.Triangles[3 + k])
+      {
+        EXPECT_EQ(point.Barycentric[i], b[k]);
+      }
+    }
+  }
+}
+
+TEST(SurfacePoint, MeasuresWithinFaces)
+{
+  // (0,0) (4,0) (1,3)
+  const dgg::SurfaceMesh mesh = Build(SingleTriangle());
+  const std::array<double, 3> p{ { 0.25, 0.5, 0.25 } }; // (2.25, 0.75)
+  const std::array<double, 3> q{ { 0.5, 0.25, 0.25 } }; // (1.25, 0.75)
+  EXPECT_NEAR(dgg::DistanceInFace(mesh, 0, p, q), 1.0, 1e-15);
+  EXPECT_EQ(dgg::DistanceInFace(mesh, 0, p, p), 0.0);
+  EXPECT_NEAR(dgg::DistanceToCorner(mesh, 0, p, 0), std::hypot(2.25, 0.75), 1e-15);
+  EXPECT_NEAR(dgg::DistanceToCorner(mesh, 0, p, 1), std::hypot(1.75, 0.75), 1e-15);
+  EXPECT_NEAR(dgg::DistanceToCorner(mesh, 0, p, 2), std::hypot(1.25, 2.25), 1e-15);
+  // In the frame of each half-edge.
+  const dgg::Point2 along = dgg::PlaceInFrame(mesh, 0, p);
+  EXPECT_NEAR(along.X, 2.25, 1e-15);
+  EXPECT_NEAR(along.Y, 0.75, 1e-15);
+  for (Id h = 0; h < 3; ++h)
+  {
+    const dgg::Point2 place = dgg::PlaceInFrame(mesh, h, p);
+    EXPECT_NEAR(std::hypot(place.X, place.Y), dgg::DistanceToCorner(mesh, 0, p, h), 1e-14);
+  }
+}
+
+TEST(SurfacePoint, ChecksVertices)
+{
+  const dgg::SurfaceMesh mesh = Build(SingleTriangle());
+  EXPECT_TRUE(SurfacePoint::AtVertex(2).Check(mesh).IsOk());
+  ExpectBad(SurfacePoint::AtVertex(3), mesh, "vertex 3 does not exist: ids must be in [0, 2]");
+  ExpectBad(SurfacePoint::AtVertex(-1), mesh, "vertex -1 does not exist");
+  ExpectBad(SurfacePoint(), mesh, "vertex -1 does not exist");
+}
+
+TEST(SurfacePoint, ChecksFaces)
+{
+  const dgg::SurfaceMesh mesh = Build(RepeatedVertexPlane(2));
+  const std::array<double, 3> centre{ { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } };
+  ExpectBad(SurfacePoint::InFace(mesh, 11, centre), mesh, "face 11 does not exist");
+  ExpectBad(SurfacePoint::InFace(mesh, -1, centre), mesh, "face -1 does not exist");
+  ExpectBad(SurfacePoint::InFace(mesh, 9, centre), mesh, "face 9 does not exist or has no area");
+  ExpectBad(SurfacePoint::OnEdge(mesh, -3, 0.5), mesh, "does not exist");
+  ExpectBad(SurfacePoint::OnEdge(mesh, 33, 0.5), mesh, "face 11 does not exist");
+}
+
+TEST(SurfacePoint, ChecksCoordinates)
+{
+  const dgg::SurfaceMesh mesh = Build(SingleTriangle());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const std::array<double, 3>& b : { std::array<double, 3>{ { 0.5, 0.5, 0.5 } },
+         std::array<double, 3>{ { 0.0, 0.0, 0.0 } }, std::array<double, 3>{ { 1.1, -0.1, 0.0 } },
+         std::array<double, 3>{ { nan, 0.5, 0.5 } },
+         std::array<double, 3>{ { dgg::Infinity, 0.0, 0.0 } },
+         std::array<double, 3>{ { dgg::Infinity, -dgg::Infinity, 1.0 } } })
+  {
+    ExpectBad(SurfacePoint::InFace(mesh, 0, b), mesh, "in face 0 are not within the face");
+  }
+  ExpectBad(SurfacePoint::OnEdge(mesh, 0, 1.5), mesh, "not within the face");
+  ExpectBad(SurfacePoint::OnEdge(mesh, 0, nan), mesh, "not within the face");
+}
+}

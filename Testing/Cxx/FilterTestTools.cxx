@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTestTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace dggtest
+{
+vtkSmartPointer<vtkCellArray> MakeCells(const Cells& cells)
+{
+  vtkNew<vtkCellArray> array;
+  for (const auto& cell : cells)
+  {
+    array->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
+  }
+  return array.Get();
+}
+
+vtkSmartPointer<vtkPolyData> MakeSourcePoints(const Points& points)
+{
+  vtkNew<vtkPoints> array;
+  array->SetDataTypeToDouble();
+  for (const auto& p : points)
+  {
+    array->InsertNextPoint(p.data());
+  }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(array);
+  return surface.Get();
+}
+
+vtkSmartPointer<vtkPolyData> MakeSurface(const Points& points, const Cells& polygons)
+{
+  auto surface = MakeSourcePoints(points);
+  surface->SetPolys(MakeCells(polygons));
+  return surface;
+}
+
+vtkSmartPointer<vtkPolyData> MakeGrid(int columns, int rows, GridCells cells, double unit)
+{
+  Points points;
+  for (int j = 0; j <= rows; ++j)
+  {
+    for (int i = 0; i <= columns; ++i)
+    {
+      points.push_back({ { unit * i, unit * j, 0.0 } });
+    }
+  }
+  Cells polygons;
+  Cells strips;
+  for (int j = 0; j < rows; ++j)
+  {
+    std::vector<vtkIdType> strip;
+    for (int i = 0; i <= columns; ++i)
+    {
+      const vtkIdType a = j * (columns + 1) + i;
+      const vtkIdType d = a + columns + 1;
+      strip.insert(strip.end(), { d, a });
+      if (i < columns && cells == GridCells::Quads)
+      {
+        polygons.push_back({ a, a + 1, d + 1, d });
+      }
+      else if (i < columns && cells == GridCells::Triangles)
+      {
+        polygons.push_back({ a, a + 1, d });
+        polygons.push_back({ a + 1, d + 1, d });
+      }
+    }
+    strips.push_back(strip);
+  }
+  auto surface = MakeSurface(points, polygons);
+  if (cells == GridCells::Strips)
+  {
+    surface->SetStrips(MakeCells(strips));
+  }
+  return surface;
+}
+
+vtkSmartPointer<vtkPolyData> MakeCube()
+{
+  Points points;
+  for (int i = 0; i < 8; ++i)
+  {
+    points.push_back({ { i % 2 * 1.0, i / 2 % 2 * 1.0, i / 4 * 1.0 } });
+  }
+  return MakeSurface(points,
+    { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 }, { 2, 6, 7 },
+      { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } });
+}
+
+vtkSmartPointer<vtkPolyData> MakeTerrain(int n)
+{
+  auto surface = MakeGrid(n - 1, n - 1, GridCells::Triangles, 1.0 / (n - 1));
+  vtkPoints* points = surface->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    const double bump = std::hypot(p[0] - 0.68, p[1] - 0.36) / 0.17;
+    p[2] = 0.07 * std::sin(5.0 * p[0] + 2.0 * p[1] * p[1]) + 0.05 * std::cos(9.0 * p[1] - p[0]) +
+      0.32 * std::exp(-bump * bump);
+    points->SetPoint(i, p);
+  }
+  return surface;
+}
+
+std::vector<double> GetDistances(vtkGeodesicDistanceAlgorithm* filter)
+{
+  vtkDataArray* array =
+    filter->GetOutput()->GetPointData()->GetArray(filter->GetDistanceArrayName());
+  std::vector<double> values;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetComponent(i, 0));
+  }
+  return values;
+}
+
+std::vector<int> GetNearestSources(vtkGeodesicDistanceAlgorithm* filter)
+{
+  vtkDataArray* array = filter->GetOutput()->GetPointData()->GetArray(filter->GetSourceArrayName());
+  std::vector<int> values;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(static_cast<int>(array->GetComponent(i, 0)));
+  }
+  return values;
+}
+
+double EuclideanDistance(vtkPolyData* surface, vtkIdType a, vtkIdType b)
+{
+  double p[3];
+  double q[3];
+  surface->GetPoint(a, p);
+  surface->GetPoint(b, q);
+  return std::sqrt(vtkMath::Distance2BetweenPoints(p, q));
+}
+
+//------------------------------------------------------------------------------
+class Listener::Command : public vtkCommand
+{
+public:
+  static Command* New() { return new Command; }
+
+  void Execute(vtkObject*, unsigned long event, void* text) override
+  {
+    auto& texts = event == vtkCommand::ErrorEvent ? this->Owner->Errors : this->Owner->Warnings;
+    texts.emplace_back(static_cast<const char*>(text));
+  }
+
+  Listener* Owner = nullptr;
+};
+
+Listener::Listener(vtkObject* subject)
+  : Subject(subject)
+{
+  auto command = vtkSmartPointer<Command>::New();
+  command->Owner = this;
+  this->Observer = command;
+  subject->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+  subject->AddObserver(vtkCommand::WarningEvent, this->Observer);
+}
+
+Listener::~Listener()
+{
+  this->Subject->RemoveObserver(this->Observer);
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+void ExpectParts(const std::string& text, const std::vector<std::string>& parts)
+{
+  for (const std::string& part : parts)
+  {
+    EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is missing in: " << text;
+  }
+}
+}
+
+void ExpectError(vtkGeodesicDistanceAlgorithm* filter, const std::vector<std::string>& parts)
+{
+  Listener listener(filter);
+  filter->Update();
+  ASSERT_EQ(listener.Errors.size(), 1u);
+  ExpectParts(listener.Errors[0], { filter->GetClassName() });
+  ExpectParts(listener.Errors[0], parts);
+  EXPECT_NE(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_EQ(output->GetNumberOfPoints(), 0);
+  EXPECT_EQ(output->GetNumberOfCells(), 0);
+  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 0);
+}
+
+void ExpectSuccess(vtkGeodesicDistanceAlgorithm* filter)
+{
+  Listener listener(filter);
+  filter->Update();
+  EXPECT_EQ(listener.Errors, std::vector<std::string>());
+  EXPECT_EQ(listener.Warnings, std::vector<std::string>());
+  EXPECT_EQ(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+}
+
+void ExpectWarning(vtkGeodesicDistanceAlgorithm* filter, const std::vector<std::string>& parts)
+{
+  Listener listener(filter);
+  filter->Update();
+  EXPECT_EQ(listener.Errors, std::vector<std::string>());
+  EXPECT_EQ(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+  ASSERT_EQ(listener.Warnings.size(), 1u);
+  ExpectParts(listener.Warnings[0], parts);
+}
+}

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of distance filters share: small surfaces as vtkPolyData, results as vectors, and
+/// what a filter says.
+#ifndef FilterTestTools_h
+#define FilterTestTools_h
+
+#include "vtkGeodesicDistanceAlgorithm.h"
+
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+using Points = std::vector<std::array<double, 3>>;
+using Cells = std::vector<std::vector<vtkIdType>>;
+
+/// A surface with points stored as doubles.
+vtkSmartPointer<vtkPolyData> MakeSurface(const Points& points, const Cells& polygons);
+vtkSmartPointer<vtkCellArray> MakeCells(const Cells& cells);
+/// Points for input port 1.
+vtkSmartPointer<vtkPolyData> MakeSourcePoints(const Points& points);
+
+enum class GridCells
+{
+  Triangles,
+  Quads,
+  Strips
+};
+/// The rectangle [0, columns] x [0, rows] in unit squares; point i of row j has the id
+/// j * (columns + 1) + i.
+vtkSmartPointer<vtkPolyData> MakeGrid(
+  int columns, int rows, GridCells cells = GridCells::Triangles, double unit = 1.0);
+/// The unit cube of 12 triangles; the id of the point (x, y, z) is x + 2y + 4z.
+vtkSmartPointer<vtkPolyData> MakeCube();
+/// A bumpy sheet without any symmetry over [0, 1] x [0, 1], n points on each side.
+vtkSmartPointer<vtkPolyData> MakeTerrain(int n);
+
+/// The distances in the output, or nothing when they are missing.
+std::vector<double> GetDistances(vtkGeodesicDistanceAlgorithm* filter);
+std::vector<int> GetNearestSources(vtkGeodesicDistanceAlgorithm* filter);
+double EuclideanDistance(vtkPolyData* surface, vtkIdType a, vtkIdType b);
+
+/// Listens to what an algorithm or an executive says, so that it is not printed.
+class Listener
+{
+public:
+  explicit Listener(vtkObject* subject);
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+  ~Listener();
+
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+
+private:
+  class Command;
+  vtkSmartPointer<vtkObject> Subject;
+  vtkSmartPointer<vtkCommand> Observer;
+};
+
+/// Update, and expect what the contract promises on wrong input: one error that names the filter
+/// and contains all of `parts`, an empty output, an error code.
+void ExpectError(vtkGeodesicDistanceAlgorithm* filter, const std::vector<std::string>& parts);
+/// Update, and expect neither an error nor a warning.
+void ExpectSuccess(vtkGeodesicDistanceAlgorithm* filter);
+/// Update, and expect success with one warning that contains all of `parts`.
+void ExpectWarning(vtkGeodesicDistanceAlgorithm* filter, const std::vector<std::string>& parts);
+}
+
+#endif

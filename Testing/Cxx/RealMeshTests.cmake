@@ -1,0 +1,48 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Tests of the kernel that need VTK's readers, as programs of their own: against CGAL when it is
+# there, and over a folder of real meshes when one is named.
+set(shared "${CMAKE_CURRENT_LIST_DIR}/../Benchmark")
+set(reader_modules
+  VTK::CommonCore
+  VTK::CommonDataModel
+  VTK::CommonExecutionModel
+  VTK::FiltersCore
+  VTK::IOGeometry
+  VTK::IOLegacy
+  VTK::IOPLY
+  VTK::IOXML)
+
+function (dgg_add_real_mesh_tests name)
+  add_executable(${name} ${ARGN}
+    "${shared}/MeshArrays.h"
+    "${shared}/MeshFile.cxx"
+    "${shared}/MeshFile.h")
+  target_include_directories(${name} PRIVATE "${shared}")
+  target_compile_definitions(${name} PRIVATE ${dgg_test_definitions})
+  target_compile_options(${name} PRIVATE ${dgg_warning_flags})
+  target_link_libraries(${name} PRIVATE dggCore ${reader_modules} GTest::gtest_main)
+  vtk_module_autoinit(TARGETS ${name} MODULES ${reader_modules})
+  gtest_discover_tests(${name}
+    TEST_PREFIX "Cxx."
+    NO_PRETTY_VALUES
+    DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS "Cxx" TIMEOUT 600)
+endfunction ()
+
+include("${shared}/PeerCGAL.cmake")
+if (TARGET dggPeerCGAL)
+  dgg_add_real_mesh_tests(dggCGALTests
+    TestAgainstCGAL.cxx
+    "${shared}/GeneratedMesh.cxx"
+    "${shared}/GeneratedMesh.h")
+  target_link_libraries(dggCGALTests PRIVATE dggPeerCGAL)
+  set(bunny "/usr/share/glmark2/models/bunny.obj")
+  if (EXISTS "${bunny}")
+    target_compile_definitions(dggCGALTests PRIVATE "DGG_GLMARK2_BUNNY=\"${bunny}\"")
+  endif ()
+endif ()
+if (DGG_EXTRA_DATA)
+  dgg_add_real_mesh_tests(dggExtraDataTests TestExtraData.cxx)
+endif ()

@@ -1,0 +1,414 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Surfaces with defects, which are answered and reported.
+#include "FilterTestTools.h"
+
+#include "vtkExactGeodesicDistance.h"
+
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace dggtest;
+
+namespace
+{
+void ExpectEuclidean(vtkGeodesicDistanceAlgorithm* filter, vtkPolyData* plate, double tolerance)
+{
+  const auto distances = GetDistances(filter);
+  ASSERT_EQ(static_cast<vtkIdType>(distances.size()), plate->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < plate->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(distances[i], EuclideanDistance(plate, filter->GetSourceId(0), i), tolerance) << i;
+  }
+}
+
+/// Two grids side by side with a seam at x = 2: the points there exist twice.
+vtkSmartPointer<vtkPolyData> MakeSeam()
+{
+  auto left = MakeGrid(2, 3);
+  Points points;
+  Cells cells;
+  for (int side = 0; side < 2; ++side)
+  {
+    for (vtkIdType i = 0; i < left->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      left->GetPoint(i, p);
+      points.push_back({ { p[0] + 2.0 * side, p[1], p[2] } });
+    }
+    const vtkIdType first = side * left->GetNumberOfPoints();
+    for (int j = 0; j < 3; ++j)
+    {
+      for (int i = 0; i < 2; ++i)
+      {
+        const vtkIdType a = first + 3 * j + i;
+        cells.push_back({ a, a + 1, a + 4, a + 3 });
+      }
+    }
+  }
+  return MakeSurface(points, cells);
+}
+}
+
+TEST(AwkwardSurfaces, NonManifoldEdgeConducts)
+{
+  // A plate with a fin on its middle line.
+  auto surface = MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } }, { { 0, 1, 0 } },
+                               { { 1, 1, 0 } }, { { 2, 1, 0 } }, { { 1, 0, 1 } }, { { 1, 1, 1 } } },
+    { { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 1, 4, 7, 6 } });
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(0);
+  ExpectWarning(filter, { "1 edges with more than two triangles" });
+  EXPECT_EQ(filter->GetNumberOfNonManifoldEdges(), 1);
+  EXPECT_EQ(filter->GetGenus(), -1);
+  EXPECT_NE(filter->GetMeshReport().find("genus: undefined\n"), std::string::npos);
+  const auto distances = GetDistances(filter);
+  EXPECT_NEAR(distances[5], std::sqrt(5.0), 1e-12); // straight on
+  EXPECT_NEAR(distances[7], std::sqrt(5.0), 1e-12); // up the fin
+  EXPECT_NEAR(distances[6], 2.0, 1e-12);
+
+  // The warning belongs to the mesh, not to the update.
+  filter->SetSourceIds(std::vector<vtkIdType>{ 2 });
+  ExpectSuccess(filter);
+  EXPECT_NEAR(GetDistances(filter)[7], std::sqrt(5.0), 1e-12);
+}
+
+TEST(AwkwardSurfaces, PinchedVertexConducts)
+{
+  auto surface = MakeSurface(
+    { { { 0, 0, 0 } }, { { 1, 1, 0 } }, { { 1, -1, 0 } }, { { -1, 1, 0 } }, { { -1, -1, 0 } } },
+    { { 0, 2, 1 }, { 0, 3, 4 } });
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(1);
+  ExpectWarning(filter, { "1 further points where separate sheets touch" });
+  EXPECT_EQ(filter->GetNumberOfNonManifoldVertices(), 1);
+  EXPECT_EQ(filter->GetNumberOfComponents(), 1);
+  EXPECT_NEAR(GetDistances(filter)[4], 2.0 * std::sqrt(2.0), 1e-12);
+}
+
+TEST(AwkwardSurfaces, MoebiusStrip)
+{
+  const int n = 24;
+  Points points;
+  Cells cells;
+  for (int i = 0; i < n; ++i)
+  {
+    const double angle = 2.0 * 3.14159265358979323846 * i / n;
+    for (const double side : { -0.3, 0.3 })
+    {
+      const double r = 1.0 + side * std::cos(0.5 * angle);
+      points.push_back(
+        { { r * std::cos(angle), r * std::sin(angle), side * std::sin(0.5 * angle) } });
+    }
+    const vtkIdType a = 2 * i;
+    const bool last = i + 1 == n;
+    cells.push_back({ a, a + 1, last ? 0 : a + 3, last ? 1 : a + 2 });
+  }
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(MakeSurface(points, cells));
+  filter->AddSourceId(0);
+  ExpectSuccess(filter);
+  EXPECT_FALSE(filter->GetOrientable());
+  EXPECT_EQ(filter->GetNumberOfBoundaryLoops(), 1);
+  EXPECT_NE(filter->GetMeshReport().find("orientable: no\n"), std::string::npos);
+  const auto triangle = GetDistances(filter);
+  filter->SetEngineToReference();
+  ExpectSuccess(filter);
+  const auto reference = GetDistances(filter);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    EXPECT_TRUE(std::isfinite(triangle[i]));
+    EXPECT_NEAR(triangle[i], reference[i], 1e-12);
+  }
+}
+
+TEST(AwkwardSurfaces, OrientationDoesNotMatter)
+{
+  auto surface = MakeGrid(5, 5);
+  Cells cells;
+  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
+  {
+    vtkIdType n;
+    const vtkIdType* ids;
+    surface->GetPolys()->GetCellAtId(i, n, ids);
+    if (i % 3 == 0)
+    {
+      cells.push_back({ ids[0], ids[2], ids[1] });
+    }
+    else
+    {
+      cells.push_back({ ids[0], ids[1], ids[2] });
+    }
+  }
+  surface->SetPolys(MakeCells(cells));
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(7);
+  ExpectSuccess(filter);
+  ExpectEuclidean(filter, surface, 1e-12);
+  // Nor for a point inside a face that was turned over.
+  for (const double x : { 0.2, 1.3, 2.1 })
+  {
+    filter->RemoveAllSourceIds();
+    filter->SetSourceData(MakeSourcePoints({ { { x, 0.3, 0.0 } } }));
+    ExpectSuccess(filter);
+    EXPECT_NEAR(GetDistances(filter)[35], std::hypot(5.0 - x, 4.7), 1e-12);
+  }
+}
+
+TEST(AwkwardSurfaces, DuplicateTriangles)
+{
+  auto surface = MakeGrid(3, 3);
+  vtkIdType n;
+  const vtkIdType* ids;
+  surface->GetPolys()->GetCellAtId(4, n, ids);
+  const vtkIdType copy[3] = { ids[0], ids[1], ids[2] };
+  surface->GetPolys()->InsertNextCell(3, copy);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(0);
+  ExpectWarning(filter, { "edges with more than two triangles" });
+  EXPECT_EQ(filter->GetNumberOfDuplicateFaces(), 1);
+  ExpectEuclidean(filter, surface, 1e-12);
+}
+
+TEST(AwkwardSurfaces, PolygonsWithFewerThanThreePointsAreDropped)
+{
+  auto surface = MakeGrid(3, 3);
+  for (const std::vector<vtkIdType>& cell : { std::vector<vtkIdType>{ 0, 0, 5 }, { 7, 7, 7 },
+         { 1, 2 }, { 4 }, {}, { 0, 15, 0, 15 }, { 0, 15, 0, 1 } })
+  {
+    surface->GetPolys()->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
+  }
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(0);
+  ExpectWarning(filter, { "7 polygons with fewer than three distinct points" });
+  EXPECT_EQ(filter->GetNumberOfDroppedFaces(), 7);
+  EXPECT_EQ(filter->GetNumberOfTriangles(), 18);
+  ExpectEuclidean(filter, surface, 1e-12);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 25); // all are passed on
+}
+
+TEST(AwkwardSurfaces, TrianglesWithoutArea)
+{
+  // A cap between two halves of a square: point 4 lies on the diagonal from 0 to 2.
+  auto surface = MakeSurface(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } }, { { 0.5, 0.5, 0 } } },
+    { { 0, 1, 2 }, { 0, 2, 4 }, { 0, 4, 3 }, { 4, 2, 3 } });
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(1);
+  ExpectWarning(filter, { "1 triangles without area" });
+  EXPECT_EQ(filter->GetNumberOfDegenerateFaces(), 1);
+  EXPECT_GT(filter->GetMollification(), 0.0);
+  EXPECT_LT(filter->GetMollification(), 1e-10);
+  ExpectEuclidean(filter, surface, 1e-6);
+}
+
+TEST(AwkwardSurfaces, Slivers)
+{
+  // Rows of squares that become as thin as 1e-9.
+  Points points;
+  Cells cells;
+  const double heights[] = { 0.0, 1.0, 1.0 + 1e-3, 1.0 + 1e-3 + 1e-6, 1.0 + 1e-3 + 1e-6 + 1e-9,
+    2.0 };
+  for (int j = 0; j < 6; ++j)
+  {
+    for (int i = 0; i < 5; ++i)
+    {
+      points.push_back({ { 1.0 * i, heights[j], 0.0 } });
+      if (i > 0 && j > 0)
+      {
+        const vtkIdType d = 5 * j + i;
+        cells.push_back({ d - 6, d - 5, d });
+        cells.push_back({ d - 6, d, d - 1 });
+      }
+    }
+  }
+  auto surface = MakeSurface(points, cells);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  for (const vtkIdType source : { 0, 11, 22, 28 })
+  {
+    filter->SetSourceIds(std::vector<vtkIdType>{ source });
+    ExpectSuccess(filter);
+    ExpectEuclidean(filter, surface, 1e-8);
+  }
+}
+
+TEST(AwkwardSurfaces, SeamsAreCountedAndMerged)
+{
+  auto surface = MakeSeam();
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(0);
+  filter->GenerateNearestSourceOn();
+  ExpectWarning(filter, { "8 points of the boundary", "MergeCoincidentPoints" });
+  EXPECT_EQ(filter->GetNumberOfCoincidentPoints(), 4);
+  EXPECT_EQ(filter->GetNumberOfCoincidentBoundaryPoints(), 8);
+  EXPECT_EQ(filter->GetNumberOfComponents(), 2);
+  EXPECT_TRUE(std::isnan(GetDistances(filter)[23]));
+
+  filter->MergeCoincidentPointsOn();
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetNumberOfComponents(), 1);
+  EXPECT_EQ(filter->GetNumberOfIsolatedPoints(), 0);
+  EXPECT_NE(filter->GetMeshReport().find("merged points: 4\n"), std::string::npos);
+  EXPECT_EQ(filter->GetOutput()->GetPoints(), surface->GetPoints());
+  EXPECT_EQ(filter->GetOutput()->GetPolys(), surface->GetPolys());
+  ExpectEuclidean(filter, surface, 1e-12);
+  EXPECT_EQ(GetNearestSources(filter), std::vector<int>(24, 0));
+
+  // Point 12 is a copy of point 2 and works as a source like it, by id and by place.
+  filter->SetSourceIds(std::vector<vtkIdType>{ 12 });
+  ExpectSuccess(filter);
+  ExpectEuclidean(filter, surface, 1e-12);
+  const auto byId = GetDistances(filter);
+  filter->RemoveAllSourceIds();
+  filter->SetSourceData(MakeSourcePoints({ { { 2.0, 0.0, 0.0 } } }));
+  ExpectSuccess(filter);
+  EXPECT_EQ(GetDistances(filter), byId);
+
+  filter->MergeCoincidentPointsOff();
+  filter->SetSourceData(nullptr);
+  filter->AddSourceId(0);
+  ExpectWarning(filter, { "8 points of the boundary" });
+  EXPECT_TRUE(std::isnan(GetDistances(filter)[23]));
+}
+
+TEST(AwkwardSurfaces, ZerosOfBothSignsCoincide)
+{
+  auto surface = MakeSurface({ { { 0.0, 0, 0 } }, { { 0, 1, 0 } }, { { -1, 0, 0 } },
+                               { { -0.0, 0, 0 } }, { { 0, 1, -0.0 } }, { { 1, 0, 0 } } },
+    { { 0, 1, 2 }, { 3, 5, 4 } });
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(2);
+  filter->MergeCoincidentPointsOn();
+  ExpectSuccess(filter);
+  EXPECT_NEAR(GetDistances(filter)[5], 2.0, 1e-12);
+}
+
+TEST(AwkwardSurfaces, ASoupOfTriangles)
+{
+  // Every triangle has its own three points, as in an STL file.
+  auto grid = MakeGrid(6, 6);
+  Points points;
+  Cells cells;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    vtkIdType n;
+    const vtkIdType* ids;
+    grid->GetPolys()->GetCellAtId(i, n, ids);
+    cells.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+    for (int k = 0; k < 3; ++k)
+    {
+      double p[3];
+      grid->GetPoint(ids[k], p);
+      points.push_back({ { p[0], p[1], p[2] } });
+    }
+  }
+  auto soup = MakeSurface(points, cells);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(soup);
+  filter->AddSourceId(100);
+  filter->MergeCoincidentPointsOn();
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetNumberOfBoundaryLoops(), 1);
+  ExpectEuclidean(filter, soup, 1e-12);
+}
+
+TEST(AwkwardSurfaces, IsolatedPoints)
+{
+  auto surface = MakeGrid(2, 2);
+  surface->GetPoints()->InsertNextPoint(1.0, 1.0, 0.5);
+  surface->GetPoints()->InsertNextPoint(9.0, 9.0, 9.0);
+  surface->SetVerts(MakeCells({ { 9 } }));
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->GenerateNearestSourceOn();
+  filter->AddSourceId(0);
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetNumberOfIsolatedPoints(), 2);
+  EXPECT_EQ(filter->GetNumberOfComponents(), 1);
+  EXPECT_TRUE(std::isnan(GetDistances(filter)[9]));
+  EXPECT_EQ(GetNearestSources(filter)[9], -1);
+
+  // As a source it reaches itself only.
+  filter->SetSourceIds(std::vector<vtkIdType>{ 9 });
+  ExpectWarning(filter, { "1 of the source ids", "the first of them 9", "no polygon uses" });
+  const auto distances = GetDistances(filter);
+  for (vtkIdType i = 0; i < 11; ++i)
+  {
+    EXPECT_EQ(std::isnan(distances[i]), i != 9) << i;
+  }
+  EXPECT_EQ(distances[9], 0.0);
+  EXPECT_EQ(GetNearestSources(filter)[9], 0);
+
+  // Beside another source it does no harm.
+  filter->SetSourceIds(std::vector<vtkIdType>{ 10, 4 });
+  ExpectWarning(filter, { "the first of them 10" });
+  EXPECT_NEAR(GetDistances(filter)[0], std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(GetNearestSources(filter)[0], 1);
+}
+
+TEST(AwkwardSurfaces, Scales)
+{
+  // Huge and tiny, also in single precision at the ends of its range.
+  auto unit = MakeTerrain(12);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(unit);
+  filter->AddSourceId(17);
+  ExpectSuccess(filter);
+  const auto expected = GetDistances(filter);
+  for (const double scale : { 1e-60, 1e-6, 1e6, 1e60 })
+  {
+    vtkNew<vtkPolyData> scaled;
+    scaled->DeepCopy(unit);
+    for (vtkIdType i = 0; i < unit->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      unit->GetPoint(i, p);
+      scaled->GetPoints()->SetPoint(i, p[0] * scale, p[1] * scale, p[2] * scale);
+    }
+    filter->SetInputData(scaled);
+    ExpectSuccess(filter);
+    const auto distances = GetDistances(filter);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      EXPECT_NEAR(distances[i] / scale, expected[i], 1e-11) << scale;
+    }
+  }
+  for (const float scale :
+    { 1.5f * std::numeric_limits<float>::min(), 0.25f * std::numeric_limits<float>::max() })
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToFloat();
+    for (vtkIdType i = 0; i < unit->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      unit->GetPoint(i, p);
+      points->InsertNextPoint(p[0] * scale, p[1] * scale, p[2] * scale);
+    }
+    vtkNew<vtkPolyData> scaled;
+    scaled->SetPoints(points);
+    scaled->SetPolys(unit->GetPolys());
+    filter->SetInputData(scaled);
+    ExpectSuccess(filter);
+    const auto distances = GetDistances(filter);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      EXPECT_NEAR(distances[i] / scale, expected[i], 1e-5) << scale; // points were rounded
+    }
+  }
+}

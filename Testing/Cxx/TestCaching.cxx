@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The mesh is prepared anew when it has changed, and only then.
+#include "FilterTestTools.h"
+
+#include "vtkExactGeodesicDistance.h"
+
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace dggtest;
+
+namespace
+{
+class Caching : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Grid = MakeGrid(4, 4);
+    this->Filter->SetInputData(this->Grid);
+    this->Filter->AddSourceId(0);
+    EXPECT_EQ(this->Filter->GetMeshBuildTime(), 0u);
+    ExpectSuccess(this->Filter);
+    this->Built = this->Filter->GetMeshBuildTime();
+    EXPECT_GT(this->Built, 0u);
+  }
+
+  void ExpectKept(const char* what)
+  {
+    ExpectSuccess(this->Filter);
+    EXPECT_EQ(this->Filter->GetMeshBuildTime(), this->Built) << what;
+  }
+
+  void ExpectRebuilt(const char* what)
+  {
+    ExpectSuccess(this->Filter);
+    EXPECT_GT(this->Filter->GetMeshBuildTime(), this->Built) << what;
+    this->Built = this->Filter->GetMeshBuildTime();
+  }
+
+  vtkSmartPointer<vtkPolyData> Grid;
+  vtkNew<vtkExactGeodesicDistance> Filter;
+  vtkMTimeType Built = 0;
+};
+}
+
+TEST_F(Caching, PropertiesAndSourcesKeepTheMesh)
+{
+  this->Filter->SetSourceIds(std::vector<vtkIdType>{ 24 });
+  this->ExpectKept("source ids");
+  EXPECT_NEAR(GetDistances(this->Filter)[0], std::sqrt(32.0), 1e-12);
+  this->Filter->SetSourceData(MakeSourcePoints({ { { 0.5, 0.5, 0.0 } } }));
+  this->ExpectKept("source points");
+  EXPECT_NEAR(GetDistances(this->Filter)[0], std::sqrt(0.5), 1e-12);
+  this->Filter->SetSourceData(MakeSourcePoints({ { { 1.5, 0.0, 0.0 } } }));
+  this->ExpectKept("other source points");
+  EXPECT_NEAR(GetDistances(this->Filter)[0], 1.5, 1e-12);
+  this->Filter->SetMaximumDistance(2.0);
+  this->ExpectKept("maximum distance");
+  this->Filter->GenerateNearestSourceOn();
+  this->ExpectKept("nearest source");
+  this->Filter->SetEngineToReference();
+  this->ExpectKept("engine");
+  this->Filter->SetDistanceArrayName("d");
+  this->ExpectKept("name");
+}
+
+TEST_F(Caching, ArraysAndLinesKeepTheMesh)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName("Values");
+  array->SetNumberOfTuples(25);
+  array->Fill(0.0);
+  this->Grid->GetPointData()->AddArray(array);
+  this->ExpectKept("point array");
+  EXPECT_NE(this->Filter->GetOutput()->GetPointData()->GetArray("Values"), nullptr);
+  this->Grid->SetLines(MakeCells({ { 0, 1 } }));
+  this->ExpectKept("lines");
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfLines(), 1);
+}
+
+TEST_F(Caching, AShallowCopyKeepsTheMesh)
+{
+  vtkNew<vtkPolyData> copy;
+  copy->ShallowCopy(this->Grid);
+  this->Filter->SetInputData(copy);
+  this->ExpectKept("the same points and polygons in another vtkPolyData");
+}
+
+TEST_F(Caching, PointsRebuildTheMesh)
+{
+  const double stretch = 3.0;
+  for (vtkIdType i = 0; i < 25; ++i)
+  {
+    double p[3];
+    this->Grid->GetPoint(i, p);
+    this->Grid->GetPoints()->SetPoint(i, stretch * p[0], stretch * p[1], 0.0);
+  }
+  this->Grid->GetPoints()->Modified();
+  this->ExpectRebuilt("moved points");
+  EXPECT_NEAR(GetDistances(this->Filter)[1], stretch, 1e-12);
+
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(this->Grid->GetPoints());
+  points->SetPoint(1, 1.5, 0.0, 0.0);
+  this->Grid->SetPoints(points);
+  this->ExpectRebuilt("other points");
+  EXPECT_NEAR(GetDistances(this->Filter)[1], 1.5, 1e-12);
+}
+
+TEST_F(Caching, SourcePointsFollowTheMesh)
+{
+  this->Filter->RemoveAllSources();
+  this->Filter->SetSourceData(MakeSourcePoints({ { { 0.5, 0.5, 0.0 } } }));
+  this->ExpectKept("source points");
+  for (vtkIdType i = 0; i < 25; ++i)
+  {
+    double p[3];
+    this->Grid->GetPoint(i, p);
+    this->Grid->GetPoints()->SetPoint(i, p[0] + 0.25, p[1], 0.0);
+  }
+  this->Grid->GetPoints()->Modified();
+  this->ExpectRebuilt("moved points");
+  EXPECT_NEAR(GetDistances(this->Filter)[0], std::hypot(0.25, 0.5), 1e-12);
+}
+
+TEST_F(Caching, PolygonsRebuildTheMesh)
+{
+  this->Grid->SetPolys(MakeGrid(4, 4, GridCells::Quads)->GetPolys());
+  this->ExpectRebuilt("other polygons");
+  const vtkIdType corner[3] = { 0, 4, 24 };
+  this->Grid->SetPolys(MakeCells({ { 0, 4, 24, 20 } }));
+  this->ExpectRebuilt("a single polygon");
+  EXPECT_TRUE(std::isnan(GetDistances(this->Filter)[12])); // no longer on the surface
+  this->Grid->SetPolys(MakeCells({ { corner[0], corner[1], corner[2] } }));
+  this->ExpectRebuilt("a single triangle");
+  this->Grid->SetStrips(MakeGrid(4, 4, GridCells::Strips)->GetStrips());
+  this->Grid->SetPolys(nullptr);
+  this->ExpectRebuilt("strips instead");
+  EXPECT_NEAR(GetDistances(this->Filter)[12], std::sqrt(8.0), 1e-12);
+}
+
+TEST_F(Caching, PolygonsChangedInPlaceRebuildTheMesh)
+{
+  const vtkIdType other[3] = { 0, 1, 6 };
+  this->Grid->GetPolys()->ReplaceCellAtId(0, 3, other);
+  this->Grid->GetPolys()->Modified();
+  Listener listener(this->Filter);
+  this->Filter->Update();
+  EXPECT_GT(this->Filter->GetMeshBuildTime(), this->Built);
+}
+
+TEST_F(Caching, MergingRebuildsTheMesh)
+{
+  this->Filter->MergeCoincidentPointsOn();
+  this->ExpectRebuilt("on");
+  this->Filter->MergeCoincidentPointsOff();
+  this->ExpectRebuilt("off");
+}
+
+TEST_F(Caching, AnErrorInTheSourcesKeepsTheMesh)
+{
+  this->Filter->AddSourceId(77);
+  ExpectError(this->Filter, { "77" });
+  this->Filter->SetSourceIds(std::vector<vtkIdType>{ 1 });
+  this->ExpectKept("after an error");
+}
+
+TEST_F(Caching, NothingRunsTwice)
+{
+  struct Counter
+  {
+    int Starts = 0;
+    void Count() { ++this->Starts; }
+  } counter;
+  this->Filter->AddObserver(vtkCommand::StartEvent, &counter, &Counter::Count);
+  this->Filter->Update();
+  EXPECT_EQ(counter.Starts, 0);
+  this->Filter->Modified();
+  this->Filter->Update();
+  EXPECT_EQ(counter.Starts, 1);
+}

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Cells that are not triangles: quads, polygons, strips; verts and lines that are not used.
+#include "FilterTestTools.h"
+
+#include "vtkExactGeodesicDistance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace dggtest;
+
+namespace
+{
+void ExpectEuclidean(vtkPolyData* plate, vtkIdType source)
+{
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(plate);
+  filter->AddSourceId(source);
+  ExpectSuccess(filter);
+  const auto distances = GetDistances(filter);
+  ASSERT_EQ(static_cast<vtkIdType>(distances.size()), plate->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < plate->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(distances[i], EuclideanDistance(plate, source, i), 1e-12) << i;
+  }
+}
+}
+
+TEST(Cells, Quads)
+{
+  auto grid = MakeGrid(6, 5, GridCells::Quads);
+  ExpectEuclidean(grid, 8);
+}
+
+TEST(Cells, Strips)
+{
+  auto grid = MakeGrid(6, 5, GridCells::Strips);
+  ASSERT_EQ(grid->GetNumberOfPolys(), 0);
+  ExpectEuclidean(grid, 8);
+}
+
+TEST(Cells, StripsThatRepeatPoints)
+{
+  // Two rows joined into one strip by points named twice.
+  auto grid = MakeGrid(2, 2, GridCells::Strips);
+  grid->SetStrips(MakeCells({ { 3, 0, 4, 1, 5, 2, 2, 6, 6, 3, 7, 4, 8, 5 } }));
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(grid);
+  filter->AddSourceId(0);
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetNumberOfTriangles(), 8);
+  EXPECT_EQ(filter->GetNumberOfDroppedFaces(), 0);
+  EXPECT_NEAR(GetDistances(filter)[8], std::sqrt(8.0), 1e-12);
+}
+
+TEST(Cells, MixedKindsAndIdsOfCells)
+{
+  auto surface = MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } },
+                               { { 2, 0, 0 } }, { { 2, 1, 0 } }, { { 3, 0.5, 0 } } },
+    { { 0, 1, 2, 3 }, { 4, 6, 5 } });
+  surface->SetVerts(MakeCells({ { 0 }, { 3 } }));
+  surface->SetLines(MakeCells({ { 0, 6 } })); // a short cut that must not be taken
+  surface->SetStrips(MakeCells({ { 1, 2, 4, 5 } }));
+  ExpectEuclidean(surface, 0);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(0);
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetNumberOfTriangles(), 5);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), surface->GetNumberOfCells());
+}
+
+TEST(Cells, LinesDoNotConduct)
+{
+  auto surface = MakeSurface(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 3, 0, 0 } } }, { { 0, 1, 2 } });
+  surface->SetLines(MakeCells({ { 1, 3 } }));
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(0);
+  ExpectSuccess(filter);
+  EXPECT_TRUE(std::isnan(GetDistances(filter)[3]));
+  EXPECT_EQ(filter->GetNumberOfIsolatedPoints(), 1);
+}
+
+TEST(Cells, ConvexPolygon)
+{
+  Points points;
+  std::vector<vtkIdType> polygon;
+  for (int i = 0; i < 11; ++i)
+  {
+    const double angle = 2.0 * 3.14159265358979323846 * i / 11.0;
+    points.push_back({ { 3.0 * std::cos(angle), 2.0 * std::sin(angle), 1.0 } });
+    polygon.push_back(i);
+  }
+  ExpectEuclidean(MakeSurface(points, { polygon }), 4);
+}
+
+TEST(Cells, PolygonWithPointsOnItsEdges)
+{
+  ExpectEuclidean(MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } }, { { 2, 1, 0 } },
+                                { { 2, 2, 0 } }, { { 1, 2, 0 } }, { { 0, 2, 0 } } },
+                    { { 0, 1, 2, 3, 4, 5, 6 } }),
+    0);
+}
+
+TEST(Cells, NonConvexPolygon)
+{
+  // An L: the way around the inner corner. A fan around the first point would give 2 sqrt 2.
+  auto surface = MakeSurface({ { { 2, 0, 0 } }, { { 2, 1, 0 } }, { { 1, 1, 0 } }, { { 1, 2, 0 } },
+                               { { 0, 2, 0 } }, { { 0, 0, 0 } } },
+    { { 0, 1, 2, 3, 4, 5 } });
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(1);
+  ExpectSuccess(filter);
+  const auto distances = GetDistances(filter);
+  EXPECT_NEAR(distances[3], 2.0, 1e-12);
+  EXPECT_NEAR(distances[4], 1.0 + std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(distances[5], std::sqrt(5.0), 1e-12);
+}
+
+TEST(Cells, NonConvexQuad)
+{
+  // An arrow head; only the diagonal from the notch (point 2) lies inside. Whichever point the cell
+  // begins with, the way from tip to tip leads around the notch.
+  const std::vector<vtkIdType> quad = { 0, 1, 2, 3 };
+  for (int shift = 0; shift < 4; ++shift)
+  {
+    std::vector<vtkIdType> turned;
+    for (int i = 0; i < 4; ++i)
+    {
+      turned.push_back(quad[(i + shift) % 4]);
+    }
+    auto surface = MakeSurface(
+      { { { 0, 3, 0 } }, { { -2, 0, 0 } }, { { 0, 1, 0 } }, { { 2, 0, 0 } } }, { turned });
+    vtkNew<vtkExactGeodesicDistance> filter;
+    filter->SetInputData(surface);
+    filter->AddSourceId(1);
+    ExpectSuccess(filter);
+    EXPECT_NEAR(GetDistances(filter)[3], 2.0 * std::sqrt(5.0), 1e-12);
+    EXPECT_NEAR(GetDistances(filter)[0], std::sqrt(13.0), 1e-12);
+  }
+}
+
+TEST(Cells, WarpedQuadIsCutAlongTheShorterDiagonal)
+{
+  // Diagonal 0-2 is longer than 1-3, so the surface has the ridge 1-3.
+  auto surface =
+    MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0.5 } }, { { 1.2, 1.2, 0 } }, { { 0, 1, 0.5 } } },
+      { { 0, 1, 2, 3 } });
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(1);
+  ExpectSuccess(filter);
+  EXPECT_NEAR(GetDistances(filter)[3], std::sqrt(2.0), 1e-12);
+  filter->SetSourceIds(std::vector<vtkIdType>{ 0 });
+  ExpectSuccess(filter);
+  // Over the middle of the ridge, by symmetry.
+  const double expected = std::sqrt(0.25 + 0.25 + 0.25) + std::sqrt(0.49 + 0.49 + 0.25);
+  EXPECT_NEAR(GetDistances(filter)[2], expected, 1e-12);
+}
+
+TEST(Cells, PolygonThatCrossesItself)
+{
+  // No triangulation is right; there is an answer, and all points are reached.
+  auto surface = MakeSurface(
+    { { { 0, 0, 0 } }, { { 4, 3, 0 } }, { { 4, 0, 0 } }, { { 0, 3, 0 } }, { { 2, 5, 0 } } },
+    { { 0, 1, 2, 3, 4 } });
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(0);
+  ExpectSuccess(filter);
+  for (const double d : GetDistances(filter))
+  {
+    EXPECT_TRUE(std::isfinite(d));
+  }
+}
+
+TEST(Cells, PolygonsAtExtremeScales)
+{
+  for (const double unit : { 1e-38, 1e-6, 1e6, 1e38 })
+  {
+    auto surface =
+      MakeSurface({ { { 2 * unit, 0, 0 } }, { { 2 * unit, unit, 0 } }, { { unit, unit, 0 } },
+                    { { unit, 2 * unit, 0 } }, { { 0, 2 * unit, 0 } }, { { 0, 0, 0 } } },
+        { { 0, 1, 2, 3, 4, 5 } });
+    vtkNew<vtkExactGeodesicDistance> filter;
+    filter->SetInputData(surface);
+    filter->AddSourceId(1);
+    ExpectSuccess(filter);
+    EXPECT_NEAR(GetDistances(filter)[3] / unit, 2.0, 1e-12) << unit;
+  }
+}

@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Exact distances on every mesh (*.ply and awkward/*.ply) of the folder DGG_EXTRA_DATA: what must
+/// hold on any mesh, and the known defects of the meshes that we know.
+
+#include "MeshFile.h"
+
+#include "dggEdgeGraph.h"
+#include "dggExactGeodesics.h"
+#include "dggMeshReport.h"
+#include "dggSurfaceMesh.h"
+
+#include <gtest/gtest.h>
+
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace
+{
+namespace fs = std::filesystem;
+
+/// Counts that were established by other means than our kernel.
+struct KnownCounts
+{
+  dgg::Offset Vertices;
+  dgg::Offset Faces;
+  dgg::Offset Components;
+  dgg::Offset BoundaryLoops;
+  dgg::Offset NonManifoldEdges;
+  dgg::Offset NonManifoldVertices;
+  dgg::Offset DegenerateFaces;
+  dgg::Offset CoincidentPoints;
+};
+
+const std::map<std::string, KnownCounts>& GetKnownCounts()
+{
+  static const std::map<std::string, KnownCounts> known = {
+    { "eight", { 315, 634, 1, 0, 0, 0, 0, 0 } },
+    { "ellipsoid", { 1556, 3108, 1, 0, 0, 0, 0, 0 } },
+    { "fertility", { 4494, 9000, 1, 0, 0, 0, 0, 0 } },
+    { "fandisk", { 6475, 12946, 1, 0, 0, 0, 0, 0 } },
+    { "blade_aniso", { 8231, 16222, 1, 2, 0, 0, 0, 0 } },
+    { "kitten", { 9447, 18894, 1, 0, 0, 0, 0, 0 } },
+    { "rocker_arm", { 10044, 20088, 1, 0, 0, 0, 0, 0 } },
+    { "aneurysm", { 10204, 20294, 1, 3, 0, 0, 0, 0 } },
+    { "TR12J_cad", { 13441, 26966, 1, 0, 0, 0, 0, 0 } },
+    { "sphere", { 16070, 32136, 1, 0, 0, 0, 0, 0 } },
+    { "gargoyle", { 24992, 49980, 1, 0, 0, 0, 0, 0 } },
+    { "face", { 25905, 51712, 1, 1, 0, 0, 0, 0 } },
+    { "bunny", { 34835, 69666, 1, 0, 0, 0, 0, 0 } },
+    { "armadillo", { 43243, 86482, 1, 0, 0, 0, 0, 0 } },
+    { "igea", { 134345, 268686, 1, 0, 0, 0, 0, 0 } },
+    { "terrain_andes", { 462400, 922082, 1, 1, 0, 0, 0, 0 } },
+    { "camel_cut_seams", { 2032, 3576, 1, 1, 0, 0, 0, 243 } },
+    // Its boundary is 20 chains when fans end at non-manifold edges, 14 when they go on there.
+    { "bathtub_shapenet", { 2124, 4375, 6, 20, 266, 1, 19, 6 } },
+    { "teapot_seams", { 3644, 6320, 4, 25, 0, 38, 0, 403 } },
+    { "capsule_degenerate", { 5252, 10200, 1, 1, 0, 0, 200, 250 } },
+    { "pig_pinched", { 8642, 16848, 1, 21, 0, 421, 0, 0 } },
+    { "parasaurolophus_scan", { 28291, 54839, 33, 118, 3, 13, 0, 0 } },
+    { "beast_nonmanifold", { 32311, 64618, 1, 0, 2, 0, 0, 0 } },
+    { "bunny_raw_5holes", { 34834, 69451, 1, 5, 0, 0, 0, 0 } },
+    { "terrain_alps_voids", { 66423, 130144, 1, 112, 0, 4, 0, 0 } },
+  };
+  return known;
+}
+
+std::vector<std::string> FindMeshes()
+{
+  std::vector<std::string> files;
+  for (const char* folder : { "", "awkward" })
+  {
+    const fs::path path = fs::path(DGG_EXTRA_DATA) / folder;
+    if (fs::is_directory(path))
+    {
+      for (const fs::directory_entry& entry : fs::directory_iterator(path))
+      {
+        if (entry.path().extension() == ".ply")
+        {
+          files.push_back(entry.path().string());
+        }
+      }
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class ExtraData : public testing::TestWithParam<std::string>
+{
+protected:
+  void SetUp() override
+  {
+    this->Arrays = ToArrays(ReadPolyData(GetParam()));
+    ASSERT_GT(this->Arrays.GetNumberOfFaces(), 0u) << "cannot read " << GetParam();
+    const dgg::Status status = dgg::SurfaceMesh::FromPoints(this->Arrays.Points.data(),
+      static_cast<dgg::Offset>(this->Arrays.GetNumberOfVertices()), this->Arrays.Triangles.data(),
+      static_cast<dgg::Offset>(this->Arrays.GetNumberOfFaces()), this->Surface);
+    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+  }
+
+  std::size_t GetNumberOfVertices() const { return this->Arrays.GetNumberOfVertices(); }
+
+  /// Two vertices that have a face.
+  std::vector<dgg::Id> GetSources() const
+  {
+    std::vector<dgg::Id> sources;
+    const dgg::Id count = this->Surface.GetNumberOfVertices();
+    for (dgg::Id source : { count / 3, count / 5 * 4 })
+    {
+      while (this->Surface.Kind(source) == dgg::VertexKind::Isolated)
+      {
+        source = (source + 1) % count;
+      }
+      sources.push_back(source);
+    }
+    return sources;
+  }
+
+  std::vector<double> Run(dgg::Id source, dgg::ExactEngine engine) const
+  {
+    dgg::ExactOptions options;
+    options.Engine = engine;
+    dgg::ExactResult result;
+    const dgg::Status status =
+      dgg::ExactGeodesics(this->Surface)
+        .Run({ { dgg::SurfacePoint::AtVertex(source), 0.0 } }, options, result);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_EQ(result.Distances.size(), this->GetNumberOfVertices());
+    result.Distances.resize(this->GetNumberOfVertices());
+    return result.Distances;
+  }
+
+  double GetEuclideanDistance(dgg::Id a, dgg::Id b) const
+  {
+    const double* p = this->Arrays.Points.data() + 3 * static_cast<std::size_t>(a);
+    const double* q = this->Arrays.Points.data() + 3 * static_cast<std::size_t>(b);
+    return std::sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) +
+      (p[2] - q[2]) * (p[2] - q[2]));
+  }
+
+  MeshArrays Arrays;
+  dgg::SurfaceMesh Surface;
+};
+
+TEST_P(ExtraData, DefectsAreCounted)
+{
+  const dgg::MeshReport report = dgg::InspectMesh(this->Surface, this->Arrays.Points.data());
+  EXPECT_EQ(report.Vertices, static_cast<dgg::Offset>(this->GetNumberOfVertices()));
+  EXPECT_EQ(report.Faces, static_cast<dgg::Offset>(this->Arrays.GetNumberOfFaces()));
+  EXPECT_GE(report.Components, 1);
+  EXPECT_GE(report.MeanAnisotropy, 1.0);
+  const auto known = GetKnownCounts().find(StemOf(GetParam()));
+  if (known != GetKnownCounts().end())
+  {
+    const KnownCounts& counts = known->second;
+    EXPECT_EQ(report.Vertices, counts.Vertices);
+    EXPECT_EQ(report.Faces, counts.Faces);
+    EXPECT_EQ(report.Components, counts.Components);
+    EXPECT_EQ(report.BoundaryLoops, counts.BoundaryLoops);
+    EXPECT_EQ(report.NonManifoldEdges, counts.NonManifoldEdges);
+    EXPECT_EQ(report.NonManifoldVertices, counts.NonManifoldVertices);
+    EXPECT_EQ(report.DegenerateFaces, counts.DegenerateFaces);
+    EXPECT_EQ(report.CoincidentPoints, counts.CoincidentPoints);
+  }
+}
+
+TEST_P(ExtraData, DistancesKeepTheirBounds)
+{
+  const dgg::Id source = this->GetSources().front();
+  const std::vector<double> distances = this->Run(source, dgg::ExactEngine::Triangle);
+  const std::vector<double> upper =
+    dgg::EdgeGraphDistances(this->Surface, { { dgg::SurfacePoint::AtVertex(source), 0.0 } });
+  dgg::Id numberOfComponents = 0;
+  const std::vector<dgg::Id> components = this->Surface.ComputeComponents(numberOfComponents);
+
+  constexpr double slack = 1e-9;
+  std::size_t unequallyReached = 0;
+  std::size_t belowEuclid = 0;
+  std::size_t aboveEdges = 0;
+  for (dgg::Id v = 0; v < this->Surface.GetNumberOfVertices(); ++v)
+  {
+    const bool isReached = std::isfinite(distances[v]);
+    unequallyReached += isReached != (components[v] == components[source]) ? 1 : 0;
+    belowEuclid += distances[v] < this->GetEuclideanDistance(source, v) * (1.0 - slack) ? 1 : 0;
+    aboveEdges += isReached && !(distances[v] <= upper[v] * (1.0 + slack)) ? 1 : 0;
+  }
+  EXPECT_EQ(distances[source], 0.0);
+  EXPECT_EQ(unequallyReached, 0u) << "vertices not of the source's component, or not reached";
+  EXPECT_EQ(belowEuclid, 0u) << "vertices closer than the straight line";
+  EXPECT_EQ(aboveEdges, 0u) << "vertices farther than along the edges";
+
+  std::size_t steep = 0;
+  for (dgg::Id h = 0; h < this->Surface.GetNumberOfHalfEdges(); ++h)
+  {
+    if (!this->Surface.IsDropped(dgg::SurfaceMesh::Face(h)))
+    {
+      const double from = distances[this->Surface.Origin(h)];
+      const double to = distances[this->Surface.Destination(h)];
+      // Rounding is relative to the distances, not to their difference.
+      steep += std::isfinite(from) &&
+          !(std::abs(from - to) <= this->Surface.Length(h) * (1.0 + slack) + 1e-12 * from)
+        ? 1
+        : 0;
+    }
+  }
+  EXPECT_EQ(steep, 0u) << "half-edges along which the distance grows faster than the length";
+}
+
+TEST_P(ExtraData, EnginesAgree)
+{
+  // The reference engine takes minutes on larger ones: a part of the surface must do there.
+  const bool isLarge = this->GetNumberOfVertices() > 50000;
+  for (const dgg::Id source : this->GetSources())
+  {
+    dgg::ExactOptions options;
+    const std::vector<double> fast = this->Run(source, dgg::ExactEngine::Triangle);
+    double diameter = 0.0;
+    for (const double d : fast)
+    {
+      diameter = std::isfinite(d) ? std::max(diameter, d) : diameter;
+    }
+    options.Engine = dgg::ExactEngine::Reference;
+    options.MaximumDistance = isLarge ? 0.2 * diameter : dgg::Infinity;
+    dgg::ExactResult reference;
+    const dgg::Status status =
+      dgg::ExactGeodesics(this->Surface)
+        .Run({ { dgg::SurfacePoint::AtVertex(source), 0.0 } }, options, reference);
+    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+
+    std::size_t different = 0;
+    double worst = 0.0;
+    for (std::size_t v = 0; v < fast.size(); ++v)
+    {
+      const double slow = reference.Distances[v];
+      if (std::isfinite(slow) || (!isLarge && std::isfinite(fast[v])))
+      {
+        const double difference = std::abs(slow - fast[v]);
+        different += !(difference <= 1e-9 * diameter) ? 1 : 0;
+        worst = std::max(worst, difference / diameter);
+      }
+    }
+    EXPECT_EQ(different, 0u) << "source " << source << ", worst " << worst << " diameters";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Real, ExtraData, testing::ValuesIn(FindMeshes()),
+  [](const testing::TestParamInfo<std::string>& info) {
+    std::string name = StemOf(info.param);
+    std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+    return name;
+  });
+
+TEST(ExtraDataFolder, HasMeshes)
+{
+  EXPECT_FALSE(FindMeshes().empty()) << "no *.ply in " << DGG_EXTRA_DATA;
+}
+}

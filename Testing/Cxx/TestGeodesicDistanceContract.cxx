@@ -1,0 +1,414 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What all distance filters promise: defaults, arrays, what is passed through, limits.
+#include "FilterTestTools.h"
+
+#include "vtkDGGDistanceTask.h"
+#include "vtkExactGeodesicDistance.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+
+using namespace dggtest;
+
+TEST(GeodesicDistanceContract, Defaults)
+{
+  vtkNew<vtkExactGeodesicDistance> filter;
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 2);
+  EXPECT_EQ(filter->GetNumberOfSourceIds(), 0);
+  EXPECT_EQ(filter->GetProjectionTolerance(), 0.01);
+  EXPECT_FALSE(filter->GetMergeCoincidentPoints());
+  EXPECT_EQ(filter->GetMaximumDistance(), VTK_DOUBLE_MAX);
+  EXPECT_TRUE(std::isnan(filter->GetUnreachedValue()));
+  EXPECT_FALSE(filter->GetGenerateNearestSource());
+  EXPECT_STREQ(filter->GetDistanceArrayName(), "GeodesicDistance");
+  EXPECT_STREQ(filter->GetSourceArrayName(), "GeodesicSource");
+  EXPECT_STREQ(filter->GetInitialDistanceArrayName(), "InitialDistance");
+  EXPECT_EQ(filter->GetMeshReport(), "no surface\n");
+  EXPECT_EQ(filter->GetNumberOfTriangles(), 0);
+}
+
+TEST(GeodesicDistanceContract, SourceIds)
+{
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->AddSourceId(7);
+  filter->AddSourceId(3);
+  ASSERT_EQ(filter->GetNumberOfSourceIds(), 2);
+  EXPECT_EQ(filter->GetSourceId(0), 7);
+  EXPECT_EQ(filter->GetSourceId(1), 3);
+  EXPECT_EQ(filter->GetSourceId(2), -1);
+  EXPECT_EQ(filter->GetSourceId(-1), -1);
+
+  vtkNew<vtkIdList> list;
+  list->InsertNextId(11);
+  filter->SetSourceIds(list);
+  list->SetId(0, 12); // the ids were copied
+  ASSERT_EQ(filter->GetNumberOfSourceIds(), 1);
+  EXPECT_EQ(filter->GetSourceId(0), 11);
+
+  filter->SetSourceIds(std::vector<vtkIdType>{ 1, 2, 2 });
+  EXPECT_EQ(filter->GetNumberOfSourceIds(), 3);
+  filter->SetSourceIds(nullptr);
+  EXPECT_EQ(filter->GetNumberOfSourceIds(), 0);
+
+  filter->AddSourceId(1);
+  filter->SetSourceData(MakeSourcePoints({ { { 0.0, 0.0, 0.0 } } }));
+  filter->RemoveAllSourceIds();
+  EXPECT_EQ(filter->GetNumberOfSourceIds(), 0);
+  EXPECT_EQ(filter->GetNumberOfInputConnections(1), 1);
+  filter->RemoveAllSources();
+  EXPECT_EQ(filter->GetNumberOfInputConnections(1), 0);
+}
+
+TEST(GeodesicDistanceContract, EveryPropertyCountsAsAChange)
+{
+  vtkNew<vtkExactGeodesicDistance> filter;
+  vtkMTimeType before = filter->GetMTime();
+  auto expectChange = [&](const char* what) {
+    EXPECT_GT(filter->GetMTime(), before) << what;
+    before = filter->GetMTime();
+  };
+  auto expectNoChange = [&](const char* what) {
+    EXPECT_EQ(filter->GetMTime(), before) << what;
+    before = filter->GetMTime();
+  };
+  filter->AddSourceId(1);
+  expectChange("AddSourceId");
+  filter->SetSourceIds(std::vector<vtkIdType>{ 2 });
+  expectChange("SetSourceIds");
+  filter->SetSourceIds(std::vector<vtkIdType>{ 2 });
+  expectNoChange("SetSourceIds");
+  filter->RemoveAllSourceIds();
+  expectChange("RemoveAllSourceIds");
+  filter->SetUnreachedValue(std::numeric_limits<double>::quiet_NaN());
+  expectNoChange("SetUnreachedValue");
+  filter->SetUnreachedValue(-1.0);
+  expectChange("SetUnreachedValue");
+  filter->SetMaximumDistance(2.0);
+  expectChange("SetMaximumDistance");
+  filter->SetProjectionTolerance(0.5);
+  expectChange("SetProjectionTolerance");
+  filter->MergeCoincidentPointsOn();
+  expectChange("MergeCoincidentPointsOn");
+  filter->GenerateNearestSourceOn();
+  expectChange("GenerateNearestSourceOn");
+  filter->SetDistanceArrayName("d");
+  expectChange("SetDistanceArrayName");
+  filter->SetDistanceArrayName("d");
+  expectNoChange("SetDistanceArrayName");
+  filter->SetSourceArrayName("s");
+  expectChange("SetSourceArrayName");
+  filter->SetInitialDistanceArrayName("i");
+  expectChange("SetInitialDistanceArrayName");
+  filter->SetEngineToReference();
+  expectChange("SetEngine");
+}
+
+TEST(GeodesicDistanceContract, PassesEverythingThrough)
+{
+  auto grid = MakeGrid(3, 2);
+  grid->SetVerts(MakeCells({ { 0 } }));
+  grid->SetLines(MakeCells({ { 0, 5, 7 } }));
+  vtkNew<vtkFloatArray> height;
+  height->SetName("Height");
+  height->SetNumberOfTuples(grid->GetNumberOfPoints());
+  height->Fill(4.0);
+  grid->GetPointData()->SetScalars(height);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(grid->GetNumberOfPoints());
+  normals->Fill(0.0);
+  grid->GetPointData()->SetNormals(normals);
+  vtkNew<vtkIntArray> material;
+  material->SetName("Material");
+  material->SetNumberOfTuples(grid->GetNumberOfCells());
+  material->Fill(2);
+  grid->GetCellData()->SetScalars(material);
+  vtkNew<vtkIntArray> field;
+  field->SetName("Field");
+  field->InsertNextValue(9);
+  grid->GetFieldData()->AddArray(field);
+
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(grid);
+  filter->AddSourceId(0);
+  ExpectSuccess(filter);
+
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_EQ(output->GetPoints(), grid->GetPoints());
+  EXPECT_EQ(output->GetVerts(), grid->GetVerts());
+  EXPECT_EQ(output->GetLines(), grid->GetLines());
+  EXPECT_EQ(output->GetPolys(), grid->GetPolys());
+  EXPECT_EQ(output->GetPointData()->GetArray("Height"), height.Get());
+  EXPECT_EQ(output->GetPointData()->GetNormals(), normals.Get());
+  EXPECT_EQ(output->GetCellData()->GetScalars(), material.Get());
+  EXPECT_EQ(output->GetFieldData()->GetArray("Field"), field.Get());
+
+  vtkDataArray* scalars = output->GetPointData()->GetScalars();
+  ASSERT_NE(scalars, nullptr);
+  EXPECT_STREQ(scalars->GetName(), "GeodesicDistance");
+  EXPECT_EQ(scalars->GetDataType(), VTK_DOUBLE);
+  EXPECT_EQ(scalars->GetNumberOfComponents(), 1);
+  EXPECT_EQ(scalars->GetNumberOfTuples(), grid->GetNumberOfPoints());
+  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 3);
+
+  // The input has not changed.
+  EXPECT_EQ(grid->GetPointData()->GetNumberOfArrays(), 2);
+  EXPECT_EQ(grid->GetPointData()->GetScalars(), height.Get());
+}
+
+TEST(GeodesicDistanceContract, ReplacesAnArrayOfTheSameName)
+{
+  auto grid = MakeGrid(2, 2);
+  vtkNew<vtkFloatArray> old;
+  old->SetName("GeodesicDistance");
+  old->SetNumberOfTuples(grid->GetNumberOfPoints());
+  old->Fill(-5.0);
+  grid->GetPointData()->SetScalars(old);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(grid);
+  filter->AddSourceId(0);
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 1);
+  EXPECT_EQ(GetDistances(filter)[1], 1.0);
+  EXPECT_EQ(grid->GetPointData()->GetScalars(), old.Get());
+  EXPECT_EQ(old->GetValue(1), -5.0f);
+}
+
+TEST(GeodesicDistanceContract, NamesOfArrays)
+{
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(MakeGrid(2, 1));
+  filter->AddSourceId(0);
+  filter->GenerateNearestSourceOn();
+  filter->SetDistanceArrayName("d");
+  filter->SetSourceArrayName("s");
+  ExpectSuccess(filter);
+  vtkPointData* data = filter->GetOutput()->GetPointData();
+  EXPECT_STREQ(data->GetScalars()->GetName(), "d");
+  ASSERT_NE(data->GetArray("s"), nullptr);
+  EXPECT_EQ(data->GetArray("s")->GetDataType(), VTK_INT);
+  EXPECT_EQ(data->GetNumberOfArrays(), 2);
+}
+
+TEST(GeodesicDistanceContract, NearestSource)
+{
+  auto grid = MakeGrid(6, 1);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(grid);
+  filter->SetSourceIds(std::vector<vtkIdType>{ 6, 0 });
+  ExpectSuccess(filter);
+  EXPECT_EQ(GetNearestSources(filter), std::vector<int>()); // off by default
+
+  filter->GenerateNearestSourceOn();
+  ExpectSuccess(filter);
+  const auto sources = GetNearestSources(filter);
+  const auto distances = GetDistances(filter);
+  ASSERT_EQ(sources.size(), 14u);
+  for (vtkIdType i = 0; i < 14; ++i)
+  {
+    const double d[2] = { EuclideanDistance(grid, i, 6), EuclideanDistance(grid, i, 0) };
+    EXPECT_NEAR(distances[i], std::min(d[0], d[1]), 1e-12);
+    EXPECT_NEAR(distances[i], d[sources[i]], 1e-12) << i;
+  }
+}
+
+TEST(GeodesicDistanceContract, TheSameSourceTwice)
+{
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(MakeGrid(3, 3));
+  filter->SetSourceIds(std::vector<vtkIdType>{ 5, 5 });
+  filter->GenerateNearestSourceOn();
+  ExpectSuccess(filter);
+  EXPECT_EQ(GetDistances(filter)[5], 0.0);
+  EXPECT_EQ(GetDistances(filter)[6], 1.0);
+}
+
+TEST(GeodesicDistanceContract, MaximumDistance)
+{
+  auto grid = MakeGrid(20, 20);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(grid);
+  filter->AddSourceId(0);
+  filter->GenerateNearestSourceOn();
+  for (const double limit : { 0.0, 0.5, 5.0, 7.3 })
+  {
+    filter->SetMaximumDistance(limit);
+    ExpectSuccess(filter);
+    const auto distances = GetDistances(filter);
+    const auto sources = GetNearestSources(filter);
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      const double expected = EuclideanDistance(grid, 0, i);
+      if (std::abs(expected - limit) < 1e-9)
+      {
+        continue; // rounding decides
+      }
+      EXPECT_EQ(std::isnan(distances[i]), expected > limit) << i;
+      EXPECT_EQ(sources[i], expected > limit ? -1 : 0) << i;
+      if (expected < limit)
+      {
+        EXPECT_NEAR(distances[i], expected, 1e-12);
+      }
+    }
+    EXPECT_EQ(distances[0], 0.0);
+  }
+  for (const double limit : { VTK_DOUBLE_MAX, std::numeric_limits<double>::infinity() })
+  {
+    filter->SetMaximumDistance(limit);
+    ExpectSuccess(filter);
+    EXPECT_NEAR(GetDistances(filter).back(), 20.0 * std::sqrt(2.0), 1e-12);
+  }
+}
+
+TEST(GeodesicDistanceContract, UnreachedValue)
+{
+  // Two squares that do not touch.
+  auto surface = MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 5, 0, 0 } },
+                               { { 6, 0, 0 } }, { { 5, 1, 0 } } },
+    { { 0, 1, 2 }, { 3, 4, 5 } });
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(1);
+  filter->GenerateNearestSourceOn();
+  ExpectSuccess(filter);
+  EXPECT_TRUE(std::isnan(GetDistances(filter)[3]));
+  EXPECT_EQ(GetNearestSources(filter), (std::vector<int>{ 0, 0, 0, -1, -1, -1 }));
+  // The default does not spoil the range.
+  double range[2];
+  filter->GetOutput()->GetPointData()->GetScalars()->GetRange(range);
+  EXPECT_EQ(range[0], 0.0);
+  EXPECT_DOUBLE_EQ(range[1], std::sqrt(2.0));
+
+  filter->SetUnreachedValue(-3.0);
+  ExpectSuccess(filter);
+  EXPECT_EQ(GetDistances(filter)[3], -3.0);
+  EXPECT_EQ(filter->GetNumberOfComponents(), 2);
+}
+
+TEST(GeodesicDistanceContract, MeshReport)
+{
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(MakeGrid(4, 3));
+  filter->AddSourceId(0);
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetNumberOfTriangles(), 24);
+  EXPECT_EQ(filter->GetNumberOfComponents(), 1);
+  EXPECT_EQ(filter->GetNumberOfBoundaryLoops(), 1);
+  EXPECT_EQ(filter->GetNumberOfBoundaryEdges(), 14);
+  EXPECT_EQ(filter->GetGenus(), 0);
+  EXPECT_TRUE(filter->GetOrientable());
+  // Half a unit square: longest edge sqrt 2, perimeter 2 + sqrt 2, area 1/2.
+  const double tau = std::sqrt(2.0) * (2.0 + std::sqrt(2.0)) / (2.0 * std::sqrt(3.0));
+  EXPECT_NEAR(filter->GetMeanAnisotropy(), tau, 1e-12);
+  EXPECT_NEAR(filter->GetMedianAnisotropy(), tau, 1e-12);
+  EXPECT_EQ(filter->GetMollification(), 0.0);
+  const std::string report = filter->GetMeshReport();
+  for (const char* line : { "points: 20\n", "triangles: 24\n", "components: 1\n",
+         "boundary loops: 1\n", "boundary edges: 14\n", "genus: 0\n", "orientable: yes\n",
+         "non-manifold edges: 0\n", "degenerate faces: 0\n", "isolated points: 0\n" })
+  {
+    EXPECT_NE(report.find(line), std::string::npos) << line << " is missing in:\n" << report;
+  }
+}
+
+TEST(GeodesicDistanceContract, PrintSelf)
+{
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(MakeGrid(1, 1));
+  filter->SetSourceIds(std::vector<vtkIdType>{ 3, 2 });
+  ExpectSuccess(filter);
+  std::ostringstream os;
+  filter->Print(os);
+  for (const char* text : { "SourceIds: 3 2\n", "ProjectionTolerance: 0.01\n",
+         "MergeCoincidentPoints: Off\n", "MaximumDistance: ", "UnreachedValue: nan\n",
+         "GenerateNearestSource: Off\n", "DistanceArrayName: GeodesicDistance\n",
+         "SourceArrayName: GeodesicSource\n", "InitialDistanceArrayName: InitialDistance\n",
+         "MeshBuildTime: ", "MeshReport:\n", "    triangles: 2\n", "Engine: Triangle\n" })
+  {
+    EXPECT_NE(os.str().find(text), std::string::npos) << text << " is missing in:\n" << os.str();
+  }
+}
+
+//------------------------------------------------------------------------------
+// What the base does with a subclass that misbehaves.
+namespace
+{
+class MisbehavingDistance : public vtkGeodesicDistanceAlgorithm
+{
+public:
+  static MisbehavingDistance* New();
+  vtkTypeMacro(MisbehavingDistance, vtkGeodesicDistanceAlgorithm);
+
+  enum class Fault
+  {
+    None,
+    Memory,
+    Exception,
+    Other,
+    Status,
+    Size
+  };
+  Fault Do = Fault::None;
+
+protected:
+  dgg::Status ComputeDistances(vtkDGGDistanceTask& task) override
+  {
+    switch (this->Do)
+    {
+      case Fault::Memory:
+        throw std::bad_alloc();
+      case Fault::Exception:
+        throw std::runtime_error("the engine stalled");
+      case Fault::Other:
+        throw 5;
+      case Fault::Status:
+        return dgg::Status::Invalid("the status says no");
+      case Fault::Size:
+        return dgg::Status::Success();
+      case Fault::None:
+        break;
+    }
+    task.Distances.assign(task.Mesh.GetNumberOfVertices(), 2.5);
+    return dgg::Status::Success();
+  }
+};
+vtkStandardNewMacro(MisbehavingDistance);
+}
+
+TEST(GeodesicDistanceContract, NothingIsThrownAcrossVTK)
+{
+  using Fault = MisbehavingDistance::Fault;
+  vtkNew<MisbehavingDistance> filter;
+  filter->SetInputData(MakeGrid(2, 2));
+  filter->AddSourceId(0);
+  const std::vector<std::pair<Fault, const char*>> cases = { { Fault::Memory, "memory" },
+    { Fault::Exception, "the engine stalled" }, { Fault::Other, "unexpected" },
+    { Fault::Status, "the status says no" }, { Fault::Size, "do not match" } };
+  for (const auto& faultAndText : cases)
+  {
+    filter->Do = faultAndText.first;
+    filter->Modified();
+    ExpectError(filter, { faultAndText.second });
+    filter->Do = Fault::None;
+    filter->Modified();
+    ExpectSuccess(filter);
+    EXPECT_EQ(GetDistances(filter), std::vector<double>(9, 2.5));
+  }
+}

@@ -1,0 +1,664 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkDGGOFFReader: every flavour of the format, and every way to get it wrong.
+#include "vtkDGGOFFReader.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+/// Collects what an algorithm and its executive complain about.
+class ErrorLog
+{
+public:
+  explicit ErrorLog(vtkAlgorithm* algorithm)
+  {
+    this->Callback->SetClientData(&this->Text);
+    this->Callback->SetCallback([](vtkObject*, unsigned long, void* text, void* message) {
+      *static_cast<std::string*>(text) += static_cast<const char*>(message);
+    });
+    algorithm->AddObserver(vtkCommand::ErrorEvent, this->Callback);
+    algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Callback);
+  }
+  const std::string& GetText() const { return this->Text; }
+  void Clear() { this->Text.clear(); }
+
+private:
+  std::string Text;
+  vtkNew<vtkCallbackCommand> Callback;
+};
+
+class OFFReader : public testing::Test
+{
+protected:
+  OFFReader()
+  {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    this->Folder = std::filesystem::path(DGG_TEST_OUTPUT) / "OFFReader" / info->name();
+    std::filesystem::create_directories(this->Folder);
+  }
+  ~OFFReader() override { std::filesystem::remove_all(this->Folder); }
+
+  /// Write a file and make the reader read it.
+  std::string Write(const std::string& content)
+  {
+    const std::string name = (this->Folder / "mesh.off").string();
+    std::ofstream(name, std::ios::binary) << content;
+    return name;
+  }
+  vtkPolyData* Read(const std::string& content)
+  {
+    this->Reader->SetFileName(this->Write(content).c_str());
+    this->Reader->Modified(); // the name may be the same
+    this->Log.Clear();
+    this->Reader->Update();
+    return this->Reader->GetOutput();
+  }
+  vtkPolyData* ReadWell(const std::string& content)
+  {
+    vtkPolyData* output = this->Read(content);
+    EXPECT_EQ(this->Log.GetText(), "");
+    EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::NoError);
+    return output;
+  }
+  /// A malformed file: the error has this code and names the file, the place and the trouble; then
+  /// a good file is read well.
+  void ExpectRefused(const std::string& content, unsigned long code, const std::string& place,
+    const std::string& trouble)
+  {
+    SCOPED_TRACE(content);
+    const vtkPolyData* output = this->Read(content);
+    this->ExpectError(code, this->Reader->GetFileName(), place + ": ", trouble);
+    EXPECT_EQ(const_cast<vtkPolyData*>(output)->GetNumberOfPoints(), 0);
+    EXPECT_EQ(const_cast<vtkPolyData*>(output)->GetNumberOfCells(), 0);
+    EXPECT_EQ(this->ReadWell("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")->GetNumberOfCells(), 1);
+  }
+  void ExpectError(unsigned long code, const std::string& name, const std::string& place,
+    const std::string& trouble)
+  {
+    EXPECT_EQ(this->Reader->GetErrorCode(), code) << this->Log.GetText();
+    EXPECT_NE(this->Log.GetText().find("vtkDGGOFFReader"), std::string::npos);
+    for (const std::string& part : { name, place, trouble })
+    {
+      EXPECT_NE(this->Log.GetText().find(part), std::string::npos)
+        << "'" << part << "' is missing in: " << this->Log.GetText();
+    }
+  }
+
+  std::filesystem::path Folder;
+  vtkNew<vtkDGGOFFReader> Reader;
+  ErrorLog Log{ this->Reader };
+};
+
+void ExpectPoint(vtkPolyData* data, vtkIdType id, double x, double y, double z)
+{
+  double p[3];
+  data->GetPoint(id, p);
+  EXPECT_EQ(p[0], x);
+  EXPECT_EQ(p[1], y);
+  EXPECT_EQ(p[2], z);
+}
+
+void ExpectCell(vtkPolyData* data, vtkIdType id, const std::vector<vtkIdType>& expected)
+{
+  vtkNew<vtkIdList> ids;
+  data->GetCellPoints(id, ids);
+  ASSERT_EQ(ids->GetNumberOfIds(), static_cast<vtkIdType>(expected.size()));
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    EXPECT_EQ(ids->GetId(static_cast<vtkIdType>(i)), expected[i]);
+  }
+}
+
+void ExpectTuple(vtkDataArray* array, vtkIdType id, const std::vector<double>& expected)
+{
+  ASSERT_NE(array, nullptr);
+  ASSERT_EQ(array->GetNumberOfComponents(), static_cast<int>(expected.size()));
+  for (std::size_t c = 0; c < expected.size(); ++c)
+  {
+    EXPECT_EQ(array->GetComponent(id, static_cast<int>(c)), expected[c])
+      << array->GetName() << " " << id << " " << c;
+  }
+}
+
+/// Bytes of binary files, most significant first.
+class BinaryFile
+{
+public:
+  explicit BinaryFile(const std::string& keyword) { this->Bytes = keyword + " BINARY\n"; }
+  BinaryFile& Int(std::int32_t value)
+  {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &value, 4);
+    for (int shift = 24; shift >= 0; shift -= 8)
+    {
+      this->Bytes += static_cast<char>(bits >> shift & 0xff);
+    }
+    return *this;
+  }
+  BinaryFile& Float(float value)
+  {
+    std::int32_t bits = 0;
+    std::memcpy(&bits, &value, 4);
+    return this->Int(bits);
+  }
+  BinaryFile& Floats(const std::vector<float>& values)
+  {
+    for (const float value : values)
+    {
+      this->Float(value);
+    }
+    return *this;
+  }
+  BinaryFile& Ints(const std::vector<std::int32_t>& values)
+  {
+    for (const std::int32_t value : values)
+    {
+      this->Int(value);
+    }
+    return *this;
+  }
+  const std::string& Get() const { return this->Bytes; }
+
+private:
+  std::string Bytes;
+};
+
+const char* const Triangle = "OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+}
+
+TEST_F(OFFReader, ReadsPlainFile)
+{
+  vtkPolyData* output = this->ReadWell("OFF\n4 2 5\n0 0 0\n1.5 0 0\n0 -2.25e1 0\n+1 .5 1e-3\n"
+                                       "3 0 1 2\n3 1 3 2\n");
+  ASSERT_EQ(output->GetNumberOfPoints(), 4);
+  ASSERT_EQ(output->GetNumberOfPolys(), 2);
+  ExpectPoint(output, 2, 0.0, -22.5, 0.0);
+  ExpectPoint(output, 3, 1.0, 0.5, 1e-3);
+  ExpectCell(output, 0, { 0, 1, 2 });
+  ExpectCell(output, 1, { 1, 3, 2 });
+  EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_DOUBLE);
+  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(output->GetCellData()->GetNumberOfArrays(), 0);
+}
+
+TEST_F(OFFReader, KeepsFullPrecision)
+{
+  vtkPolyData* output =
+    this->ReadWell("OFF 1 0 0\n0.1 3.14159265358979323846 123456789.123456789\n");
+  ExpectPoint(output, 0, 0.1, 3.14159265358979323846, 123456789.123456789);
+}
+
+TEST_F(OFFReader, TakesTinyNumbersAsZero)
+{
+  ExpectPoint(this->ReadWell("OFF 1 0 0\n1e-400 0 -1E-999\n"), 0, 0.0, 0.0, 0.0);
+}
+
+TEST_F(OFFReader, PassesOverCommentsAndBlankLines)
+{
+  vtkPolyData* output = this->ReadWell(
+    "# made by hand\n\nOFF # a comment\n\n  # counts\n3 1 0 # three\n\n0 0 0\n# middle\n"
+    "1 0 0 # second\n\t0 1 0\n\n3 0 1 2 # the face\n# end");
+  EXPECT_EQ(output->GetNumberOfPoints(), 3);
+  EXPECT_EQ(output->GetNumberOfPolys(), 1);
+}
+
+TEST_F(OFFReader, AcceptsAnyLineEnds)
+{
+  for (const char* end : { "\n", "\r\n", "\r" })
+  {
+    std::string content;
+    for (const char c : std::string("COFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n"
+                                    "3 0 1 2"))
+    {
+      content += c == '\n' ? end : std::string(1, c);
+    }
+    vtkPolyData* output = this->ReadWell(content);
+    EXPECT_EQ(output->GetNumberOfPolys(), 1);
+    ExpectTuple(output->GetPointData()->GetScalars(), 2, { 0, 0, 255 });
+  }
+}
+
+TEST_F(OFFReader, AcceptsByteOrderMark)
+{
+  EXPECT_EQ(this->ReadWell(std::string("\xEF\xBB\xBF") + Triangle)->GetNumberOfPoints(), 3);
+}
+
+TEST_F(OFFReader, AcceptsCountsInAllPlaces)
+{
+  const std::string rest = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const char* counts :
+    { "OFF 3 1 3\n", "OFF 3 1\n", "OFF\n3 1\n", "OFF\n3\n1\n3\n", "OFF\n3 1\n3\n" })
+  {
+    vtkPolyData* output = this->ReadWell(counts + rest);
+    EXPECT_EQ(output->GetNumberOfPoints(), 3) << counts;
+    EXPECT_EQ(output->GetNumberOfPolys(), 1) << counts;
+    ExpectPoint(output, 1, 1.0, 0.0, 0.0);
+  }
+}
+
+TEST_F(OFFReader, AcceptsRecordsSpreadOverLines)
+{
+  vtkPolyData* output = this->ReadWell("OFF 3 1 0\n0\n0 0\n1 0\n0\n0 1 0\n3\n0 1\n2 255 0 0\n");
+  ExpectPoint(output, 1, 1.0, 0.0, 0.0);
+  ExpectCell(output, 0, { 0, 1, 2 });
+  ExpectTuple(output->GetCellData()->GetScalars(), 0, { 255, 0, 0 });
+}
+
+TEST_F(OFFReader, AcceptsNoFacesAndNothingAtAll)
+{
+  EXPECT_EQ(this->ReadWell("OFF 2 0 0\n0 0 0\n1 1 1")->GetNumberOfPoints(), 2);
+  EXPECT_EQ(this->ReadWell("OFF 0 0 0")->GetNumberOfPoints(), 0);
+}
+
+TEST_F(OFFReader, SortsCellsByKind)
+{
+  vtkPolyData* output = this->ReadWell("OFF 5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 2 2\n"
+                                       "4 0 1 2 3 10 0 0\n2 0 2 20 0 0\n1 4 30 0 0\n"
+                                       "3 0 1 2\n5 0 1 2 3 4 50 0 0\n");
+  ASSERT_EQ(output->GetNumberOfVerts(), 1);
+  ASSERT_EQ(output->GetNumberOfLines(), 1);
+  ASSERT_EQ(output->GetNumberOfPolys(), 3);
+  ExpectCell(output, 0, { 4 });
+  ExpectCell(output, 1, { 0, 2 });
+  ExpectCell(output, 2, { 0, 1, 2, 3 });
+  ExpectCell(output, 3, { 0, 1, 2 });
+  ExpectCell(output, 4, { 0, 1, 2, 3, 4 });
+  vtkDataArray* colors = output->GetCellData()->GetScalars();
+  ASSERT_NE(colors, nullptr);
+  EXPECT_EQ(colors->GetDataType(), VTK_UNSIGNED_CHAR);
+  EXPECT_STREQ(colors->GetName(), "RGB");
+  ExpectTuple(colors, 0, { 30, 0, 0 });
+  ExpectTuple(colors, 1, { 20, 0, 0 });
+  ExpectTuple(colors, 2, { 10, 0, 0 });
+  ExpectTuple(colors, 3, { 170, 170, 170 }); // none of its own: grey
+  ExpectTuple(colors, 4, { 50, 0, 0 });
+}
+
+TEST_F(OFFReader, ReadsVertexColors)
+{
+  struct
+  {
+    const char* Colors[2];
+    std::vector<double> Expected[2];
+  } const cases[] = {
+    { { "255 128 0", "1 2 3" }, { { 255, 128, 0 }, { 1, 2, 3 } } },
+    { { "255 128 0 64", "1 2 3 255" }, { { 255, 128, 0, 64 }, { 1, 2, 3, 255 } } },
+    { { "1.0 0.5 0.0", "0 1 0" }, { { 255, 128, 0 }, { 0, 255, 0 } } },
+    { { "1. 0. .2 0.4", "1 1 1 1" }, { { 255, 0, 51, 102 }, { 255, 255, 255, 255 } } },
+    { { "1 0 0", "0 1 1" }, { { 255, 0, 0 }, { 0, 255, 255 } } }, // nothing above 1: fractions
+    { { "10 20 30", "40 50 60 70" }, { { 10, 20, 30, 255 }, { 40, 50, 60, 70 } } },
+  };
+  for (const auto& c : cases)
+  {
+    SCOPED_TRACE(c.Colors[0]);
+    std::ostringstream content;
+    content << "COFF\n2 0 0\n0 0 0 " << c.Colors[0] << "\n1 1 1 " << c.Colors[1] << "\n";
+    vtkDataArray* colors = this->ReadWell(content.str())->GetPointData()->GetScalars();
+    ASSERT_NE(colors, nullptr);
+    EXPECT_EQ(colors->GetDataType(), VTK_UNSIGNED_CHAR);
+    EXPECT_STREQ(colors->GetName(), c.Expected[0].size() == 4 ? "RGBA" : "RGB");
+    ExpectTuple(colors, 0, c.Expected[0]);
+    ExpectTuple(colors, 1, c.Expected[1]);
+  }
+}
+
+TEST_F(OFFReader, ReadsFaceColors)
+{
+  const std::string head = "OFF 3 2 0\n0 0 0\n1 0 0\n0 1 0\n";
+  vtkDataArray* colors =
+    this->ReadWell(head + "3 0 1 2 0.2 0.4 0.6 0.8\n3 0 2 1\n")->GetCellData()->GetScalars();
+  ExpectTuple(colors, 0, { 51, 102, 153, 204 });
+  ExpectTuple(colors, 1, { 170, 170, 170, 255 });
+  // Indices into a table of colours are passed over.
+  EXPECT_EQ(this->ReadWell(head + "3 0 1 2 7\n3 0 2 1 8\n")->GetCellData()->GetNumberOfArrays(), 0);
+}
+
+TEST_F(OFFReader, ReadsNormalsAndTextureCoordinates)
+{
+  vtkPolyData* output = this->ReadWell("NOFF 1 0 0\n1 2 3 0 0.6 0.8\n");
+  ExpectTuple(output->GetPointData()->GetNormals(), 0,
+    { 0.0, static_cast<double>(0.6f), static_cast<double>(0.8f) });
+  EXPECT_STREQ(output->GetPointData()->GetNormals()->GetName(), "Normals");
+
+  output = this->ReadWell("STOFF 1 0 0\n1 2 3 0.25 0.75\n");
+  ExpectTuple(output->GetPointData()->GetTCoords(), 0, { 0.25, 0.75 });
+  EXPECT_STREQ(output->GetPointData()->GetTCoords()->GetName(), "TCoords");
+  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 1);
+}
+
+TEST_F(OFFReader, ReadsEverythingTogether)
+{
+  for (const char* keyword : { "STCNOFF", "CNSTOFF", "NCSTOFF" })
+  {
+    vtkPolyData* output =
+      this->ReadWell(std::string(keyword) + " 1 1 0\n1 2 3 0 0 1 10 20 30 40 0.5 0.25\n1 0\n");
+    ExpectPoint(output, 0, 1.0, 2.0, 3.0);
+    ExpectTuple(output->GetPointData()->GetNormals(), 0, { 0.0, 0.0, 1.0 });
+    ExpectTuple(output->GetPointData()->GetScalars(), 0, { 10, 20, 30, 40 });
+    ExpectTuple(output->GetPointData()->GetTCoords(), 0, { 0.5, 0.25 });
+  }
+  // Three components of colour beside texture coordinates.
+  vtkPolyData* output = this->ReadWell("STCOFF 1 0 0\n1 2 3 10 20 30 0.5 0.25\n");
+  ExpectTuple(output->GetPointData()->GetScalars(), 0, { 10, 20, 30 });
+  ExpectTuple(output->GetPointData()->GetTCoords(), 0, { 0.5, 0.25 });
+}
+
+TEST_F(OFFReader, ReadsBinary)
+{
+  BinaryFile file("OFF");
+  file.Ints({ 4, 3, 0 }).Floats({ 0, 0, 0, 1.5f, 0, 0, 0, -2.25f, 0, 1, 1, 1 });
+  file.Ints({ 4, 0, 1, 2, 3, 0 }).Ints({ 3, 0, 1, 2, 3 }).Floats({ 1.0f, 0.0f, 0.2f });
+  file.Ints({ 2, 0, 3, 1, 5 });
+  vtkPolyData* output = this->ReadWell(file.Get());
+  ASSERT_EQ(output->GetNumberOfPoints(), 4);
+  ExpectPoint(output, 1, 1.5, 0.0, 0.0);
+  ExpectPoint(output, 2, 0.0, -2.25, 0.0);
+  ExpectCell(output, 0, { 0, 3 });
+  ExpectCell(output, 1, { 0, 1, 2, 3 });
+  ExpectCell(output, 2, { 0, 1, 2 });
+  vtkDataArray* colors = output->GetCellData()->GetScalars();
+  ExpectTuple(colors, 0, { 170, 170, 170 });
+  ExpectTuple(colors, 2, { 255, 0, 51 });
+}
+
+TEST_F(OFFReader, ReadsBinaryWithEverything)
+{
+  BinaryFile file("STCNOFF");
+  file.Ints({ 1, 1, 0 }).Floats({ 1, 2, 3, 0, 0, 1, 1.0f, 0.2f, 0.4f, 0.6f, 0.5f, 0.25f });
+  file.Ints({ 1, 0, 4 }).Floats({ 1.0f, 0.0f, 0.0f, 1.0f });
+  vtkPolyData* output = this->ReadWell(file.Get() + "\n");
+  ExpectTuple(output->GetPointData()->GetNormals(), 0, { 0.0, 0.0, 1.0 });
+  ExpectTuple(output->GetPointData()->GetScalars(), 0, { 255, 51, 102, 153 });
+  ExpectTuple(output->GetPointData()->GetTCoords(), 0, { 0.5, 0.25 });
+  ExpectTuple(output->GetCellData()->GetScalars(), 0, { 255, 0, 0, 255 });
+  EXPECT_EQ(output->GetNumberOfVerts(), 1);
+}
+
+TEST_F(OFFReader, RefusesBadKeyword)
+{
+  const auto code = vtkErrorCode::UnrecognizedFileTypeError;
+  this->ExpectRefused("ply\nformat ascii 1.0\n", code, "line 1", "'ply'");
+  this->ExpectRefused("\n# c\nOBJ 3 1 0\n", code, "line 3", "'OBJ'");
+  this->ExpectRefused("3 1 0\n0 0 0\n", code, "line 1", "'3'");
+  this->ExpectRefused("XOFF 3 1 0\n", code, "line 1", "'XOFF'");
+  this->ExpectRefused("CCOFF 3 1 0\n", code, "line 1", "'CCOFF'");
+  this->ExpectRefused("SOFF 3 1 0\n", code, "line 1", "'SOFF'");
+  this->ExpectRefused("OFFSET 3 1 0\n", code, "line 1", "'OFFSET'");
+  this->ExpectRefused("off 3 1 0\n", code, "line 1", "'off'");
+  this->ExpectRefused(std::string("\x7f\x45\x4c\x46\x00\x01", 6), code, "line 1",
+    "'?ELF?"
+    "?'");
+  this->ExpectRefused(std::string(100, 'x'), code, "line 1", "...'");
+  this->ExpectRefused("4OFF 1 0 0\n0 0 0 1\n", code, "line 1", "four or any number");
+  this->ExpectRefused("nOFF 3\n1 0 0\n0 0 0\n", code, "line 1", "convert the file");
+  this->ExpectRefused("ST4nOFF BINARY\n", code, "line 1", "four or any number");
+}
+
+TEST_F(OFFReader, RefusesEmptyFiles)
+{
+  const auto code = vtkErrorCode::PrematureEndOfFileError;
+  this->ExpectRefused("", code, "line 1", "empty");
+  this->ExpectRefused("\n\n# only a comment\n", code, "line 4", "before the keyword");
+  this->ExpectRefused("OFF", code, "line 1", "before the number of vertices");
+  this->ExpectRefused("OFF\n12\n", code, "line 3", "before the number of faces");
+}
+
+TEST_F(OFFReader, RefusesBadCounts)
+{
+  const auto format = vtkErrorCode::FileFormatError;
+  const auto end = vtkErrorCode::PrematureEndOfFileError;
+  this->ExpectRefused("OFF\n-3 1 0\n", format, "line 2", "-3 vertices");
+  this->ExpectRefused("OFF\n3 -1 0\n", format, "line 2", "-1 faces");
+  this->ExpectRefused("OFF\n3.5 1 0\n", format, "line 2", "'3.5' is not an integer");
+  this->ExpectRefused("OFF\nthree 1 0\n", format, "line 2", "'three' is not an integer");
+  this->ExpectRefused("OFF\n3 1 x\n", format, "line 2", "'x' is not an integer");
+  this->ExpectRefused("OFF\n3 1 0 7\n", format, "line 2", "more than the three counts");
+  this->ExpectRefused(
+    "OFF\n99999999999999999999 1 0\n", format, "line 2", "'99999999999999999999' is too large");
+  // Huge promises in small files, which must not be allocated.
+  this->ExpectRefused("OFF\n1000000000000 1 0\n0 0 0\n", end, "line 2", "only 7 bytes follow");
+  this->ExpectRefused(
+    "OFF\n9223372036854775807 9223372036854775807 0\n", end, "line 2", "promises");
+  this->ExpectRefused("OFF\n1 4000000000000000000 0\n0 0 0\n", end, "line 2", "promises");
+  this->ExpectRefused("NOFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", end, "line 2", "promises");
+}
+
+TEST_F(OFFReader, RefusesBadVertices)
+{
+  const auto format = vtkErrorCode::FileFormatError;
+  const std::string tail = "\n1 0 0\n0 1 0\n3 0 1 2\n";
+  this->ExpectRefused("OFF 3 1 0\n0 zero 0" + tail, format, "line 2", "'zero' is not a number");
+  this->ExpectRefused("OFF 3 1 0\n0 1.2.3 0" + tail, format, "line 2", "'1.2.3'");
+  this->ExpectRefused("OFF 3 1 0\n0 0x10 0" + tail, format, "line 2", "'0x10'");
+  this->ExpectRefused("OFF 3 1 0\n0 1,5 0" + tail, format, "line 2", "'1,5'");
+  this->ExpectRefused("OFF 3 1 0\n0 +-1 0" + tail, format, "line 2", "'+-1'");
+  this->ExpectRefused("OFF 3 1 0\n0 + 0" + tail, format, "line 2", "'+'");
+  this->ExpectRefused("OFF 3 1 0\n0 nan 0" + tail, format, "line 2", "'nan' is not finite");
+  this->ExpectRefused("OFF 3 1 0\n0 -inf 0" + tail, format, "line 2", "'-inf' is not finite");
+  this->ExpectRefused("OFF 3 1 0\n0 1e999 0" + tail, format, "line 2", "'1e999' is too large");
+  this->ExpectRefused("OFF 3 1 0\n0 0 0\n1 0 0 5" + tail, format, "line 3", "vertex 1 has 1");
+  this->ExpectRefused("COFF 1 0 0\n0 0 0 1 1\n", format, "line 2", "vertex 0 has 2");
+  this->ExpectRefused("COFF 1 0 0\n0 0 0\n1 1 1\n", format, "line 2", "vertex 0 has 0");
+  this->ExpectRefused("COFF 1 0 0\n0 0 0 1 1 red\n", format, "line 2", "'red'");
+  this->ExpectRefused("COFF 1 0 0\n0 0 0 1 1 256\n", format, "line 2", "256 is out of range");
+  this->ExpectRefused("COFF 1 0 0\n0 0 0 1 1 -1\n", format, "line 2", "-1 is out of range");
+  this->ExpectRefused("COFF 1 0 0\n0 0 0 1 1 1.5\n", format, "line 2", "1.5 is out of range");
+  this->ExpectRefused(
+    "COFF 2 0 0\n0 0 0 1 200 1\n0 0 0 0.5 0 0\n", format, "line 2", "fractions of 1");
+  this->ExpectRefused("NOFF 1 0 0\n0 0 0 0 0 up\n", format, "line 2", "'up'");
+  this->ExpectRefused("STOFF 1 0 0\n0 0 0 0.5\n# padding\n", format, "line 2", "vertex 0 has 1");
+  this->ExpectRefused("STOFF 1 0 0\n0 0 0 0.5 nan\n", format, "line 2", "'nan'");
+}
+
+TEST_F(OFFReader, RefusesBadFaces)
+{
+  const auto format = vtkErrorCode::FileFormatError;
+  const std::string head = "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
+  this->ExpectRefused(head + "3 0 1 3\n", format, "line 5", "names vertex 3, but the file has 3");
+  this->ExpectRefused(head + "3 0 1 -1\n", format, "line 5", "names vertex -1");
+  this->ExpectRefused(head + "3 0 1 99999999999\n", format, "line 5", "names vertex 99999999999");
+  this->ExpectRefused(head + "3 0 1 2.0\n", format, "line 5", "'2.0' is not an integer");
+  this->ExpectRefused(head + "3 0 one 2\n", format, "line 5", "'one' is not an integer");
+  this->ExpectRefused(head + "0\n####\n", format, "line 5", "face 0 has 0 vertices");
+  this->ExpectRefused(head + "-3 0 1 2\n", format, "line 5", "face 0 has -3 vertices");
+  this->ExpectRefused(head + "3 0 1 2 10 20\n", format, "line 5", "face 0 has 2 numbers");
+  this->ExpectRefused(head + "3 0 1 2 1 2 3 4 5\n", format, "line 5", "face 0 has 5 numbers");
+  this->ExpectRefused(head + "3 0 1 2 10 20 300\n", format, "line 5", "300 is out of range");
+  this->ExpectRefused(
+    head + "1000000000 0 1 2\n", vtkErrorCode::PrematureEndOfFileError, "line 5", "promises");
+  this->ExpectRefused(head + "3 0 1 2\n3 0 1 2\n", format, "line 6", "'3' follows the last face");
+  this->ExpectRefused(head + "3 0 1 2\nend\n", format, "line 6", "'end' follows the last face");
+}
+
+TEST_F(OFFReader, RefusesTextCutAnywhere)
+{
+  // With the last line's "3" the face is complete, so every shorter text is refused.
+  const std::string whole = "STCNOFF\n3 1 3\n0 0 0 0 0 1 255 0 0 0.5 0.5\n1 0 0 0 0 1 255 0 0 0.5 "
+                            "0.5\n0 1 0 0 0 1 255 0 0 0.5 0.5\n3 0 1 2";
+  ASSERT_EQ(this->ReadWell(whole)->GetNumberOfCells(), 1);
+  for (std::size_t length = 0; length < whole.size(); ++length)
+  {
+    vtkPolyData* output = this->Read(whole.substr(0, length));
+    EXPECT_NE(this->Reader->GetErrorCode(), vtkErrorCode::NoError) << whole.substr(0, length);
+    EXPECT_NE(this->Log.GetText().find("line "), std::string::npos) << this->Log.GetText();
+    EXPECT_EQ(output->GetNumberOfPoints(), 0);
+  }
+}
+
+TEST_F(OFFReader, RefusesBadBinary)
+{
+  const auto format = vtkErrorCode::FileFormatError;
+  const auto end = vtkErrorCode::PrematureEndOfFileError;
+  auto head = [](std::int32_t vertices, std::int32_t faces) {
+    BinaryFile file("OFF");
+    file.Ints({ vertices, faces, 0 });
+    return file;
+  };
+  auto points = [&](std::int32_t faces) {
+    BinaryFile file = head(3, faces);
+    file.Floats({ 0, 0, 0, 1, 0, 0, 0, 1, 0 });
+    return file;
+  };
+  // "OFF BINARY\n" has 11 bytes, the counts 12, three points 36: faces begin at byte 59.
+  this->ExpectRefused("OFF BINARY", end, "byte 10", "before the number of vertices");
+  this->ExpectRefused(head(-1, 0).Get(), format, "byte 23", "-1 vertices");
+  this->ExpectRefused(head(0, -1).Get(), format, "byte 23", "-1 faces");
+  this->ExpectRefused(head(2147483647, 2147483647).Get(), end, "byte 23", "promises");
+  this->ExpectRefused(
+    head(1, 0).Floats({ 0, NAN, 0 }).Get(), format, "byte 27", "vertex 0 is not finite");
+  this->ExpectRefused(points(1).Ints({ 0, 0, 0 }).Get(), format, "byte 63", "0 vertices");
+  this->ExpectRefused(points(1).Ints({ -2, 0, 0 }).Get(), format, "byte 63", "-2 vertices");
+  this->ExpectRefused(points(1).Ints({ 2147483647, 0, 0 }).Get(), end, "byte 63", "promises");
+  this->ExpectRefused(points(1).Ints({ 3, 0, 1, 7, 0 }).Get(), format, "byte 75", "vertex 7");
+  this->ExpectRefused(points(1).Ints({ 3, 0, 1, 2, 2 }).Get(), format, "byte 79", "2 components");
+  this->ExpectRefused(
+    points(1).Ints({ 3, 0, 1, 2, 3 }).Floats({ 0, 2, 0 }).Get(), format, "byte 87", "out of range");
+  this->ExpectRefused(
+    points(1).Ints({ 3, 0, 1, 2, 0, 9 }).Get(), format, "byte 79", "4 bytes follow");
+}
+
+TEST_F(OFFReader, RefusesBinaryCutAnywhere)
+{
+  BinaryFile file("COFF");
+  file.Ints({ 1, 1, 0 }).Floats({ 1, 2, 3, 1, 0, 0, 1 }).Ints({ 1, 0, 3 }).Floats({ 0, 1, 0 });
+  ASSERT_EQ(this->ReadWell(file.Get())->GetNumberOfCells(), 1);
+  for (std::size_t length = 0; length < file.Get().size(); ++length)
+  {
+    vtkPolyData* output = this->Read(file.Get().substr(0, length));
+    EXPECT_NE(this->Reader->GetErrorCode(), vtkErrorCode::NoError) << length;
+    EXPECT_EQ(output->GetNumberOfPoints(), 0);
+  }
+}
+
+TEST_F(OFFReader, ReportsFilesThatCannotBeRead)
+{
+  this->Reader->Update();
+  EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::NoFileNameError);
+  EXPECT_NE(this->Log.GetText().find("SetFileName"), std::string::npos);
+
+  this->Reader->SetFileName("");
+  this->Reader->Update();
+  EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::NoFileNameError);
+
+  const std::string missing = (this->Folder / "missing.off").string();
+  this->Reader->SetFileName(missing.c_str());
+  this->Log.Clear();
+  this->Reader->Update();
+  this->ExpectError(vtkErrorCode::FileNotFoundError, missing, "", "does not exist");
+
+  this->Reader->SetFileName(this->Folder.string().c_str());
+  this->Log.Clear();
+  this->Reader->Update();
+  this->ExpectError(vtkErrorCode::CannotOpenFileError, this->Folder.string(), "", "it is a folder");
+
+  this->Reader->SetFileName("/dev/null");
+  this->Log.Clear();
+  this->Reader->Update();
+  EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::CannotOpenFileError);
+
+  EXPECT_EQ(this->ReadWell(Triangle)->GetNumberOfPolys(), 1);
+}
+
+TEST_F(OFFReader, LeavesNothingOfAnEarlierFile)
+{
+  EXPECT_EQ(this->ReadWell("CNOFF 1 1 0\n0 0 0 0 0 1 255 0 0\n1 0\n")->GetNumberOfVerts(), 1);
+  vtkPolyData* output = this->ReadWell(Triangle);
+  EXPECT_EQ(output->GetNumberOfVerts(), 0);
+  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 0);
+}
+
+TEST_F(OFFReader, IgnoresTheLocale)
+{
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  // Where no such locale is installed, the standard ones must at least change nothing.
+  for (const char* locale : { "C", "de_DE.UTF-8", "fr_FR.UTF-8", "de_DE" })
+  {
+    if (std::setlocale(LC_ALL, locale))
+    {
+      ExpectPoint(this->ReadWell("OFF 1 0 0\n1.5 2.25 1000.5\n"), 0, 1.5, 2.25, 1000.5);
+    }
+  }
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST_F(OFFReader, TellsFilesApart)
+{
+  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write(Triangle).c_str()), 1);
+  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write("# c\nCNOFF BINARY\n").c_str()), 1);
+  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write("4OFF\n").c_str()), 0);
+  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write("ply\n").c_str()), 0);
+  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write("").c_str()), 0);
+  EXPECT_EQ(vtkDGGOFFReader::CanReadFile((this->Folder / "none").string().c_str()), 0);
+  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Folder.string().c_str()), 0);
+  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(nullptr), 0);
+}
+
+TEST_F(OFFReader, ReportsProgressAndStops)
+{
+  std::ostringstream content;
+  constexpr int count = 300000;
+  content << "OFF " << count << " 0 0\n";
+  for (int i = 0; i < count; ++i)
+  {
+    content << i << " 0 0\n";
+  }
+  std::vector<double> progress;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&progress);
+  observer->SetCallback([](vtkObject* caller, unsigned long, void* list, void*) {
+    static_cast<std::vector<double>*>(list)->push_back(
+      vtkAlgorithm::SafeDownCast(caller)->GetProgress());
+  });
+  this->Reader->AddObserver(vtkCommand::ProgressEvent, observer);
+  EXPECT_EQ(this->ReadWell(content.str())->GetNumberOfPoints(), count);
+  ASSERT_GE(progress.size(), 5u);
+  for (std::size_t i = 1; i < progress.size(); ++i)
+  {
+    EXPECT_LE(progress[i - 1], progress[i]);
+  }
+  EXPECT_EQ(progress.back(), 1.0);
+
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+    vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+  });
+  const unsigned long tag = this->Reader->AddObserver(vtkCommand::ProgressEvent, stop);
+  EXPECT_EQ(this->ReadWell(content.str())->GetNumberOfPoints(), 0);
+  this->Reader->RemoveObserver(tag);
+  this->Reader->SetAbortExecute(0);
+  EXPECT_EQ(this->ReadWell(content.str())->GetNumberOfPoints(), count);
+}
+
+TEST_F(OFFReader, PrintsItself)
+{
+  std::ostringstream text;
+  this->Reader->Print(text);
+  EXPECT_NE(text.str().find("FileName: (none)"), std::string::npos);
+  this->Reader->SetFileName("some.off");
+  text.str("");
+  this->Reader->Print(text);
+  EXPECT_NE(text.str().find("FileName: some.off"), std::string::npos);
+}

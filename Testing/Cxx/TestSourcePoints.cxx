@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Sources on input port 1: anywhere on the surface, with initial distances.
+#include "FilterTestTools.h"
+
+#include "vtkExactGeodesicDistance.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkTrivialProducer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace dggtest;
+
+namespace
+{
+void ExpectEuclidean(
+  vtkGeodesicDistanceAlgorithm* filter, vtkPolyData* plate, const std::array<double, 3>& source)
+{
+  const auto distances = GetDistances(filter);
+  ASSERT_EQ(static_cast<vtkIdType>(distances.size()), plate->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < plate->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    plate->GetPoint(i, p);
+    EXPECT_NEAR(distances[i], std::sqrt(vtkMath::Distance2BetweenPoints(p, source.data())), 1e-12)
+      << i;
+  }
+}
+
+vtkSmartPointer<vtkPolyData> WithInitialDistances(
+  const Points& points, const std::vector<double>& values, const char* name = "InitialDistance")
+{
+  auto data = MakeSourcePoints(points);
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const double value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  data->GetPointData()->AddArray(array);
+  return data;
+}
+}
+
+TEST(SourcePoints, AtVerticesOnEdgesAndInsideFaces)
+{
+  auto grid = MakeGrid(5, 4);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(grid);
+  const Points places = { { { 2, 3, 0 } }, { { 2.5, 3, 0 } }, { { 2, 2.25, 0 } },
+    { { 2.5, 2.5, 0 } }, { { 2.125, 1.25, 0 } }, { { 0, 0, 0 } }, { { 0, 1.5, 0 } },
+    { { 4.9, 3.95, 0 } } };
+  for (const auto& place : places)
+  {
+    SCOPED_TRACE(::testing::PrintToString(place));
+    filter->SetSourceData(MakeSourcePoints({ place }));
+    ExpectSuccess(filter);
+    ExpectEuclidean(filter, grid, place);
+  }
+}
+
+TEST(SourcePoints, AreProjected)
+{
+  auto grid = MakeGrid(5, 4);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(grid);
+  filter->SetSourceData(MakeSourcePoints({ { { 2.125, 1.25, 0.05 } } }));
+  ExpectSuccess(filter);
+  ExpectEuclidean(filter, grid, { { 2.125, 1.25, 0.0 } });
+  // Beside the rim, towards a corner.
+  filter->SetSourceData(MakeSourcePoints({ { { -0.03, -0.03, 0.0 } } }));
+  ExpectSuccess(filter);
+  ExpectEuclidean(filter, grid, { { 0.0, 0.0, 0.0 } });
+}
+
+TEST(SourcePoints, TooFarIsAnErrorThatNamesThePoint)
+{
+  auto grid = MakeGrid(3, 4); // diagonal 5
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(grid);
+  filter->SetSourceData(MakeSourcePoints({ { { 1, 1, 0.04 } }, { { 1, 2, 0.06 } } }));
+  ExpectError(filter,
+    { "source point 1 of input port 1", "(1, 2, 0.06)", "0.06 away", "ProjectionTolerance 0.01" });
+  filter->SetProjectionTolerance(0.013);
+  ExpectSuccess(filter);
+  filter->SetProjectionTolerance(0.0);
+  ExpectError(filter, { "source point 0 of input port 1" });
+  filter->SetSourceData(MakeSourcePoints({ { { 1, 1, 0 } } }));
+  ExpectSuccess(filter);
+  filter->SetSourceData(MakeSourcePoints({ { { 1e200, 0, 0 } } }));
+  ExpectError(filter, { "source point 0 of input port 1" });
+  filter->SetProjectionTolerance(std::numeric_limits<double>::infinity());
+  filter->SetSourceData(MakeSourcePoints({ { { 100, 50, 2 } } }));
+  ExpectSuccess(filter);
+  ExpectEuclidean(filter, grid, { { 3, 4, 0 } });
+}
+
+TEST(SourcePoints, NumberingIsIdsFirst)
+{
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(MakeGrid(9, 1));
+  filter->SetSourceIds(std::vector<vtkIdType>{ 9, 0 });
+  filter->SetSourceData(MakeSourcePoints({ { { 3.1, 0.0, 0.0 } }, { { 6.1, 0.0, 0.0 } } }));
+  filter->GenerateNearestSourceOn();
+  ExpectSuccess(filter);
+  const auto sources = GetNearestSources(filter);
+  ASSERT_EQ(sources.size(), 20u);
+  EXPECT_EQ(sources[9], 0);
+  EXPECT_EQ(sources[0], 1);
+  EXPECT_EQ(sources[3], 2);
+  EXPECT_EQ(sources[6], 3);
+  EXPECT_NEAR(GetDistances(filter)[3], 0.1, 1e-12);
+}
+
+TEST(SourcePoints, InitialDistances)
+{
+  auto grid = MakeGrid(8, 2);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(grid);
+  filter->GenerateNearestSourceOn();
+  const Points places = { { { 0, 0, 0 } }, { { 7.5, 1.5, 0 } } };
+  const double offsets[2] = { 1.5, -0.25 };
+  filter->SetSourceData(WithInitialDistances(places, { offsets[0], offsets[1] }));
+  ExpectSuccess(filter);
+  auto expectOffsets = [&](const double* start) {
+    const auto distances = GetDistances(filter);
+    const auto sources = GetNearestSources(filter);
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      grid->GetPoint(i, p);
+      double d[2];
+      for (int k = 0; k < 2; ++k)
+      {
+        d[k] = start[k] + std::sqrt(vtkMath::Distance2BetweenPoints(p, places[k].data()));
+      }
+      EXPECT_NEAR(distances[i], std::min(d[0], d[1]), 1e-12) << i;
+      EXPECT_NEAR(d[sources[i]], distances[i], 1e-12) << i;
+    }
+  };
+  expectOffsets(offsets);
+
+  // Another name: the array is not looked at, then it is.
+  filter->SetSourceData(WithInitialDistances(places, { offsets[0], offsets[1] }, "Start"));
+  ExpectSuccess(filter);
+  const double none[2] = { 0.0, 0.0 };
+  expectOffsets(none);
+  filter->SetInitialDistanceArrayName("Start");
+  ExpectSuccess(filter);
+  expectOffsets(offsets);
+}
+
+TEST(SourcePoints, ADominatedSourceDoesNotWin)
+{
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(MakeGrid(4, 4));
+  filter->GenerateNearestSourceOn();
+  filter->SetSourceData(WithInitialDistances({ { { 0, 0, 0 } }, { { 1, 0, 0 } } }, { 0.0, 50.0 }));
+  ExpectSuccess(filter);
+  EXPECT_EQ(GetNearestSources(filter), std::vector<int>(25, 0));
+  EXPECT_NEAR(GetDistances(filter)[1], 1.0, 1e-12);
+}
+
+TEST(SourcePoints, OnAFoldedSurface)
+{
+  // The middle of one face of the unit cube, to the middle of the opposite one and to its corners.
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(MakeCube());
+  filter->SetSourceData(MakeSourcePoints({ { { 0.5, 0.5, 0.0 } } }));
+  ExpectSuccess(filter);
+  const auto distances = GetDistances(filter);
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_NEAR(distances[i], std::sqrt(0.5), 1e-12);
+    EXPECT_NEAR(distances[4 + i], std::sqrt(2.5), 1e-12);
+  }
+}
+
+TEST(SourcePoints, ThroughAConnection)
+{
+  auto grid = MakeGrid(3, 3);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(MakeSourcePoints({ { { 1.25, 1.5, 0.0 } } }));
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(grid);
+  filter->SetSourceConnection(producer->GetOutputPort());
+  ExpectSuccess(filter);
+  ExpectEuclidean(filter, grid, { { 1.25, 1.5, 0.0 } });
+}
+
+TEST(SourcePoints, OnTrianglesWithoutArea)
+{
+  // A dangling triangle that is a doubled segment, and the plate that it hangs on.
+  auto surface = MakeSurface(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 3, 0, 0 } }, { { 2, 0, 0 } } },
+    { { 0, 1, 2 }, { 1, 3, 4 } });
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceData(MakeSourcePoints({ { { 2.5, 0.0, 0.0 } } }));
+  Listener listener(filter);
+  filter->Update();
+  EXPECT_EQ(listener.Errors, std::vector<std::string>());
+  EXPECT_EQ(listener.Warnings.size(), 2u); // no area, and sheets that touch in a point
+  EXPECT_EQ(filter->GetNumberOfDegenerateFaces(), 1);
+  EXPECT_EQ(filter->GetNumberOfNonManifoldVertices(), 1);
+  const auto distances = GetDistances(filter);
+  EXPECT_NEAR(distances[4], 0.5, 1e-9);
+  EXPECT_NEAR(distances[3], 0.5, 1e-9);
+  EXPECT_NEAR(distances[0], 2.5, 1e-9);
+  EXPECT_NEAR(distances[2], 1.5 + std::sqrt(2.0), 1e-9);
+}
+
+TEST(SourcePoints, AtExtremeScales)
+{
+  for (const double unit : { 1e-38, 1e-6, 1e6, 1e38 })
+  {
+    auto grid = MakeGrid(5, 4, GridCells::Triangles, unit);
+    vtkNew<vtkExactGeodesicDistance> filter;
+    filter->SetInputData(grid);
+    filter->SetSourceData(MakeSourcePoints({ { { 2.125 * unit, 1.25 * unit, 0.0 } } }));
+    ExpectSuccess(filter);
+    const auto distances = GetDistances(filter);
+    ASSERT_EQ(distances.size(), 30u);
+    EXPECT_NEAR(distances[0] / unit, std::hypot(2.125, 1.25), 1e-12) << unit;
+    EXPECT_NEAR(distances[29] / unit, std::hypot(5 - 2.125, 4 - 1.25), 1e-12) << unit;
+  }
+}
+
+TEST(SourcePoints, DoNotDependOnThreads)
+{
+  auto terrain = MakeTerrain(40);
+  Points places;
+  for (int i = 0; i < 12; ++i)
+  {
+    // On edges and inside faces of the sheet.
+    double p[3];
+    double q[3];
+    terrain->GetPoint(101 + 90 * i, p);
+    terrain->GetPoint(102 + 90 * i, q);
+    places.push_back({ { 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]) } });
+  }
+  const std::string backend = vtkSMPTools::GetBackend();
+  ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
+  std::vector<std::vector<double>> answers;
+  for (const int threads : { 1, 2, 4 })
+  {
+    vtkSMPTools::Initialize(threads);
+    vtkNew<vtkExactGeodesicDistance> filter;
+    filter->SetInputData(terrain);
+    filter->SetSourceData(MakeSourcePoints(places));
+    ExpectSuccess(filter);
+    answers.push_back(GetDistances(filter));
+  }
+  vtkSMPTools::Initialize();
+  ASSERT_TRUE(vtkSMPTools::SetBackend(backend.c_str()));
+  ASSERT_EQ(answers[0].size(), 1600u);
+  EXPECT_EQ(answers[1], answers[0]);
+  EXPECT_EQ(answers[2], answers[0]);
+}

@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Install into a folder of the build tree, and use what is there as a stranger would: build the
+# examples as a project of their own, run them, and import the Python package.
+set(install_prefix "${CMAKE_BINARY_DIR}/Testing/Install")
+set(consumer_dir "${CMAKE_BINARY_DIR}/Testing/Consumer")
+set(consumer_output "${dgg_test_output}/Consumer")
+file(MAKE_DIRECTORY "${consumer_output}")
+configure_file(Data/tetrahedron.off "${consumer_output}/mesh.off" COPYONLY)
+configure_file(Data/bumpy.ply "${consumer_output}/mesh.ply" COPYONLY)
+
+add_test(NAME Install.Install
+  COMMAND "${CMAKE_COMMAND}" --install "${CMAKE_BINARY_DIR}" --prefix "${install_prefix}")
+set_tests_properties(Install.Install PROPERTIES
+  FIXTURES_SETUP dgg_install
+  LABELS "Install")
+
+# A fresh configure each time, so that an old cache hides nothing.
+add_test(NAME Install.CleanConsumer
+  COMMAND "${CMAKE_COMMAND}" -E rm -rf "${consumer_dir}")
+add_test(NAME Install.BuildConsumer
+  COMMAND "${CMAKE_CTEST_COMMAND}"
+    --build-and-test "${PROJECT_SOURCE_DIR}/Examples/Cxx" "${consumer_dir}"
+    --build-generator "${CMAKE_GENERATOR}"
+    --build-options
+      "-DCMAKE_PREFIX_PATH=${install_prefix}"
+      "-DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}"
+      "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}"
+      "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}"
+      "-DvtkDGG_DIR:PATH=${install_prefix}/${dgg_cmake_destination}")
+set_tests_properties(Install.CleanConsumer PROPERTIES
+  FIXTURES_SETUP dgg_clean_consumer
+  LABELS "Install")
+set_tests_properties(Install.BuildConsumer PROPERTIES
+  FIXTURES_REQUIRED "dgg_install;dgg_clean_consumer"
+  FIXTURES_SETUP dgg_consumer
+  LABELS "Install"
+  TIMEOUT 600)
+
+function (dgg_add_consumer_test name exit_code expected)
+  add_test(NAME "Install.${name}"
+    COMMAND "${CMAKE_COMMAND}" "-DEXIT_CODE=${exit_code}" "-DEXPECTED=${expected}"
+      -P "${CMAKE_CURRENT_SOURCE_DIR}/RunAndMatch.cmake" -- ${ARGN}
+    WORKING_DIRECTORY "${consumer_output}")
+  set_tests_properties("Install.${name}" PROPERTIES
+    FIXTURES_REQUIRED dgg_consumer
+    LABELS "Install")
+endfunction ()
+
+dgg_add_consumer_test(KernelOnly 0 "loops: 1.*opposite corners: 1.41421.*along edges: 2"
+  "${consumer_dir}/KernelOnly")
+dgg_add_consumer_test(TenLines 0 ""
+  "${consumer_dir}/TenLines")
+foreach (extension IN ITEMS off ply)
+  dgg_add_consumer_test("Pipeline.${extension}" 0 "points, distances 0 to [0-9.]+, ${extension}.png"
+    "${consumer_dir}/ExactDistancePipeline" "mesh.${extension}" 0 "${extension}.png")
+  set_tests_properties("Install.Pipeline.${extension}" PROPERTIES
+    ENVIRONMENT "${dgg_rendering_environment}")
+endforeach ()
+dgg_add_consumer_test(Pipeline.MissingFile 1 "missing.off"
+  "${consumer_dir}/ExactDistancePipeline" missing.off 0 missing.png)
+dgg_add_consumer_test(Pipeline.WrongSource 1 "source|point"
+  "${consumer_dir}/ExactDistancePipeline" mesh.off 4 wrong.png)
+
+if (DGG_WITH_PYTHON)
+  add_test(NAME Install.Python
+    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/installed_package.py"
+      "${install_prefix}" "${PROJECT_VERSION}")
+  set_tests_properties(Install.Python PROPERTIES
+    FIXTURES_REQUIRED dgg_install
+    LABELS "Install"
+    ENVIRONMENT "PYTHONPATH=${install_prefix}/${dgg_python_destination}")
+endif ()

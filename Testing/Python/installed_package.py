@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The installed package works: installed_package.py PREFIX VERSION."""
+
+import os
+import sys
+
+import vtkdgg
+
+PREFIX, VERSION = sys.argv[1:]
+WHERE = os.path.realpath(vtkdgg.__file__)
+if not WHERE.startswith(os.path.realpath(PREFIX) + os.sep):
+    sys.exit(f"imported from {WHERE}, not from {PREFIX}")
+if vtkdgg.__version__ != VERSION:
+    sys.exit(f"version is {vtkdgg.__version__}, not {VERSION}")
+FAR = vtkdgg.distance([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]], 1)[2]
+if FAR != 5.0:
+    sys.exit(f"distance is {FAR}, not 5")
+for name in ("vtkExactGeodesicDistance", "vtkGeodesicDistanceAlgorithm", "vtkDGGOFFReader"):
+    if not hasattr(vtkdgg, name):
+        sys.exit(f"{name} is missing")

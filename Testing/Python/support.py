@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What several tests need: folders, small meshes, a strict comparison of images."""
+
+import os
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkImagingCore import vtkImageDifference
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+
+TESTING = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+ROOT = os.path.dirname(TESTING)
+DATA = os.path.join(TESTING, "Data")
+BASELINE = os.path.join(TESTING, "Baseline")
+EXAMPLES = os.path.join(ROOT, "Examples")
+OUTPUT = os.environ["DGG_TEST_OUTPUT"]
+
+
+def output_folder(name):
+    """A folder for the results of one test."""
+    folder = os.path.join(OUTPUT, name)
+    os.makedirs(folder, exist_ok=True)
+    return folder
+
+
+def grid(columns, rows):
+    """Points and triangles of a rectangle of unit squares; point (i, j) has id j (columns+1)+i."""
+    x, y = np.meshgrid(np.arange(columns + 1.0), np.arange(rows + 1.0))
+    points = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
+    corner = (np.arange(columns) + (columns + 1) * np.arange(rows)[:, None]).ravel()
+    up = corner + columns + 1
+    triangles = np.vstack(
+        [np.column_stack([corner, corner + 1, up + 1]), np.column_stack([corner, up + 1, up])]
+    )
+    return points, triangles
+
+
+def polydata(points, triangles):
+    """The same as vtkPolyData."""
+    mesh = vtkPolyData()
+    vtk_points = vtkPoints()
+    vtk_points.SetData(numpy_to_vtk(np.asarray(points, dtype=float), deep=True))
+    mesh.SetPoints(vtk_points)
+    triangles = np.asarray(triangles, dtype=np.int64)
+    cells = vtkCellArray()
+    cells.SetData(
+        numpy_to_vtkIdTypeArray(np.arange(0, triangles.size + 1, 3, dtype=np.int64), deep=True),
+        numpy_to_vtkIdTypeArray(triangles.ravel(), deep=True),
+    )
+    mesh.SetPolys(cells)
+    return mesh
+
+
+def point_array(mesh, name):
+    """A copy of a point array as numpy array."""
+    return np.array(vtk_to_numpy(mesh.GetPointData().GetArray(name)))
+
+
+def pixels(image):
+    """Image to array, rows from the bottom."""
+    width, height, _ = image.GetDimensions()
+    scalars = image.GetPointData().GetScalars()
+    return np.array(vtk_to_numpy(scalars)).reshape(height, width, -1)
+
+
+def image_of(array):
+    """Array to image."""
+    height, width, channels = array.shape
+    image = vtkImageData()
+    image.SetDimensions(width, height, 1)
+    flat = np.ascontiguousarray(array.reshape(-1, channels), dtype=np.uint8)
+    image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
+    return image
+
+
+def image_error(image, reference):
+    """How much two images differ: 0 for equal ones, about one per pixel that is quite different.
+
+    VTK's own comparison with all its leniency switched off: by default it forgives shifts of two
+    pixels.
+    """
+    if image.GetDimensions() != reference.GetDimensions():
+        raise AssertionError(f"sizes differ: {image.GetDimensions()}, {reference.GetDimensions()}")
+    difference = vtkImageDifference()
+    difference.SetInputData(image)
+    difference.SetImageData(reference)
+    difference.AllowShiftOff()
+    difference.AveragingOff()
+    # Rounding on another processor may move a colour by a few levels.
+    difference.SetThreshold(12)
+    difference.Update()
+    return difference.GetThresholdedError()
+
+
+def read_image(path):
+    """Read a PNG file."""
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def write_image(path, image):
+    """Write a PNG file."""
+    writer = vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(image)
+    writer.Write()

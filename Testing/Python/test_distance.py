@@ -1,0 +1,153 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkdgg.distance(): the one-liner on numpy arrays."""
+
+import unittest
+
+import numpy as np
+import support
+import vtkdgg
+
+
+class Distance(unittest.TestCase):
+    def setUp(self):
+        self.points, self.triangles = support.grid(6, 4)
+
+    def straight(self, *places):
+        """In a plane rectangle the distance is the straight one."""
+        return np.min([np.linalg.norm(self.points - p, axis=1) for p in places], axis=0)
+
+    def check_equal(self, distances, expected):
+        self.assertEqual(distances.dtype, np.float64)
+        self.assertEqual(distances.shape, expected.shape)
+        np.testing.assert_allclose(distances, expected, rtol=1e-12, atol=1e-14)
+
+    def test_one_id(self):
+        for source in (0, np.int32(17), np.array(34)):
+            with self.subTest(source=source):
+                distances = vtkdgg.distance(self.points, self.triangles, source)
+                self.check_equal(distances, self.straight(self.points[int(source)]))
+
+    def test_several_ids(self):
+        expected = self.straight(self.points[3], self.points[20])
+        for sources in ([3, 20], (3, 20), np.array([3, 20]), np.array([3, 20], dtype=np.uint8)):
+            with self.subTest(sources=type(sources)):
+                self.check_equal(vtkdgg.distance(self.points, self.triangles, sources), expected)
+
+    def test_coordinates(self):
+        # At a point, on an edge, in a triangle.
+        for place in ([2.0, 1.0, 0.0], [2.5, 1.0, 0.0], [2.3, 1.1, 0.0]):
+            with self.subTest(place=place):
+                distances = vtkdgg.distance(self.points, self.triangles, [place])
+                self.check_equal(distances, self.straight(place))
+        places = np.array([[0.25, 0.5, 0.0], [5.5, 3.125, 0.0]])
+        distances = vtkdgg.distance(self.points, self.triangles, places)
+        self.check_equal(distances, self.straight(*places))
+
+    def test_integer_coordinates(self):
+        distances = vtkdgg.distance(self.points, self.triangles, [[2, 1, 0]])
+        self.check_equal(distances, self.straight([2, 1, 0]))
+
+    def test_around_a_corner(self):
+        # The unit cube: from a corner to the opposite one along two faces.
+        corners = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)])
+        quads = [
+            [0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]
+        ]  # fmt: skip
+        triangles = [t for a, b, c, d in quads for t in ([a, b, c], [a, c, d])]
+        distances = vtkdgg.distance(corners, triangles, 0)
+        self.assertAlmostEqual(distances[7], np.sqrt(5.0), delta=1e-12)
+        self.assertAlmostEqual(distances[3], np.sqrt(2.0), delta=1e-12)
+
+    def test_types_of_arrays(self):
+        expected = vtkdgg.distance(self.points, self.triangles, 5)
+        for points in (self.points.tolist(), self.points.astype(np.float32), self.points.T.copy().T):
+            for triangles in (self.triangles.tolist(), self.triangles.astype(np.uint32)):
+                distances = vtkdgg.distance(points, triangles, 5)
+                self.check_equal(distances, expected)
+
+    def test_arrays_are_not_changed(self):
+        points, triangles = self.points.copy(), self.triangles.copy()
+        vtkdgg.distance(points, triangles, 5)
+        np.testing.assert_array_equal(points, self.points)
+        np.testing.assert_array_equal(triangles, self.triangles)
+
+    def test_maximum_distance(self):
+        expected = self.straight(self.points[0])
+        distances = vtkdgg.distance(self.points, self.triangles, 0, maximum_distance=2.5)
+        near = expected <= 2.5
+        np.testing.assert_allclose(distances[near], expected[near], rtol=1e-12)
+        self.assertTrue(np.isnan(distances[~near]).all())
+        self.assertTrue(near.any() and not near.all())
+        unlimited = vtkdgg.distance(self.points, self.triangles, 0, maximum_distance=np.inf)
+        self.check_equal(unlimited, expected)
+
+    def test_unreached(self):
+        points = np.vstack([self.points, [[9.0, 9.0, 9.0]]])
+        distances = vtkdgg.distance(points, self.triangles, 0, unreached=-1.0)
+        self.assertEqual(distances[-1], -1.0)
+        self.check_equal(distances[:-1], self.straight(self.points[0]))
+        self.assertTrue(np.isnan(vtkdgg.distance(points, self.triangles, 0)[-1]))
+
+    def test_empty_mesh(self):
+        for points, triangles in (([], []), (np.empty((0, 3)), np.empty((0, 3), dtype=int))):
+            distances = vtkdgg.distance(points, triangles, 0)
+            self.assertEqual(distances.shape, (0,))
+            self.assertEqual(distances.dtype, np.float64)
+
+
+class WrongInput(unittest.TestCase):
+    def setUp(self):
+        self.points, self.triangles = support.grid(2, 2)
+
+    def refuses(self, pattern, points=None, triangles=None, sources=0, **options):
+        points = self.points if points is None else points
+        triangles = self.triangles if triangles is None else triangles
+        with self.assertRaisesRegex(ValueError, pattern):
+            vtkdgg.distance(points, triangles, sources, **options)
+
+    def test_points(self):
+        self.refuses(r"points: the shape must be \(n, 3\), not \(9, 2\)", self.points[:, :2])
+        self.refuses(r"points: the shape", self.points.ravel())
+        self.refuses("points: .*not an array of numbers|points: numbers", [[0, 0, 0], [1, 0]])
+        self.refuses("points: numbers are wanted", [["a", "b", "c"]])
+        self.refuses("points: numbers are wanted", self.points.astype(complex))
+        for value in (np.nan, np.inf):
+            bad = self.points.copy()
+            bad[4, 1] = value
+            self.refuses("points: row 4 is not finite", bad)
+
+    def test_triangles(self):
+        self.refuses(r"triangles: the shape must be \(m, 3\)", triangles=[[0, 1, 2, 3]])
+        self.refuses("triangles: integers are wanted, not float64", triangles=[[0.0, 1.0, 2.0]])
+        self.refuses("triangles: integers are wanted, not bool", triangles=[[True, False, True]])
+        self.refuses(r"triangles: point id 9 \(entry 1, 2\)", triangles=[[0, 1, 2], [3, 4, 9]])
+        self.refuses(r"triangles: point id -1 \(entry 0, 0\)", triangles=[[-1, 1, 2]])
+
+    def test_sources(self):
+        self.refuses(r"sources: point id 9 \(entry 0\)", sources=9)
+        self.refuses(r"sources: point id -1 \(entry 1\)", sources=[0, -1])
+        self.refuses("sources: at least one", sources=[])
+        self.refuses("sources: point ids", sources=1.0)
+        self.refuses("sources: point ids", sources=[0.5, 0.5, 0.0])
+        self.refuses("sources: numbers are wanted, not bool", sources=[True, False])
+        self.refuses("sources: numbers are wanted", sources="first")
+        self.refuses("sources: numbers are wanted", sources=None)
+        self.refuses(r"sources: the shape must be \(n, 3\)", sources=[[0.0, 1.0]])
+        self.refuses("sources: row 0 is not finite", sources=[[np.nan, 0.0, 0.0]])
+
+    def test_maximum_distance(self):
+        for value in (-1.0, np.nan):
+            self.refuses("maximum_distance", maximum_distance=value)
+
+    def test_far_from_the_surface(self):
+        with self.assertRaisesRegex(vtkdgg.VTKError, "source point 0"):
+            vtkdgg.distance(self.points, self.triangles, [[0.0, 0.0, 1.0]])
+
+    def test_points_without_triangles(self):
+        with self.assertRaises(vtkdgg.VTKError):
+            vtkdgg.distance(self.points, [], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What the scripts share: install missing Debian packages, configure, build, run with a display.
+# To be sourced, not run.
+
+DGG_ROOT="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+
+# What a build needs, and what a picture needs. Debian's VTK looks for its Qt parts when configured.
+DGG_PACKAGES=(build-essential cmake ninja-build libvtk9-dev libvtk9-qt-dev python3 python3-numpy
+  python3-vtk9 xvfb xauth)
+
+dgg_fail() {
+  echo "error: $*" >&2
+  exit 1
+}
+
+dgg_is_installed() {
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+# Install those of the packages that are missing.
+dgg_install() {
+  if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    echo "note: this is not a Debian-like system, so nothing is installed. Needed are the" >&2
+    echo "      equivalents of: $*" >&2
+    return
+  fi
+  local missing=() package
+  for package in "$@"; do
+    dgg_is_installed "$package" || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || dgg_fail "please install as root: ${missing[*]}"
+    as_root=(sudo)
+  fi
+  echo "Installing ${missing[*]} ..."
+  local log
+  log="$(mktemp)"
+  if ! { "${as_root[@]}" apt-get update -qq &&
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+      apt-get install -y -qq --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    rm -f "$log"
+    dgg_fail "could not install: ${missing[*]}"
+  fi
+  rm -f "$log"
+}
+
+# dgg_build FOLDER [CMAKE ARGUMENTS]: configure and build, showing output only when it fails.
+dgg_build() {
+  local folder="$1"
+  shift
+  mkdir -p "$folder"
+  local log="$folder/build.log"
+  echo "Building in $folder ..."
+  if ! { cmake -G Ninja -S "$DGG_ROOT" -B "$folder" "$@" &&
+    cmake --build "$folder"; } >"$log" 2>&1; then
+    tail -n 60 "$log" >&2
+    dgg_fail "the build failed; all of its output is in $log"
+  fi
+}
+
+# Run a command that draws. Without a display, on a virtual one.
+dgg_with_display() {
+  if [ -n "${DISPLAY:-}" ]; then
+    "$@"
+  else
+    command -v xvfb-run >/dev/null || dgg_fail "no DISPLAY, and no xvfb-run to make one"
+    xvfb-run -a -s "-screen 0 1920x1440x24" "$@"
+  fi
+}

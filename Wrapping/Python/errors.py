@@ -1,0 +1,162 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""VTK errors as Python exceptions."""
+
+import re
+import warnings
+
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkCommonMisc import vtkErrorCode
+
+__all__ = ["VTKError", "check"]
+
+# What VTK puts before a message, and the addresses of objects in it.
+_PLACE = re.compile(r"\A(?:ERROR|Warning): In .*, line \d+\n")
+_ADDRESS = re.compile(r" ?\(0x[0-9a-fA-F]+\)")
+# How an executive reports that an algorithm failed: it names the request, not the reason.
+_NO_REASON = re.compile(r"returned failure for request|No update piece number has been set")
+
+
+class VTKError(RuntimeError):
+    """An error that a VTK algorithm reported.
+
+    Attributes
+    ----------
+    messages : list of str
+        What was reported, one entry per error, in order.
+    code : int
+        ``GetErrorCode()`` of the algorithm that failed first, 0 when none was set.
+    """
+
+    def __init__(self, messages, code=0):
+        super().__init__("\n".join(messages))
+        self.messages = list(messages)
+        self.code = code
+
+
+def check(algorithm):
+    """Update an algorithm and raise when it, or anything upstream of it, reports an error.
+
+    A writer is asked to write. The messages are in the exception, without the file, line and address that VTK puts before
+    them, and are not printed. When nothing failed, VTK's warnings become Python warnings.
+
+    Parameters
+    ----------
+    algorithm : vtkAlgorithm
+        A reader, filter or writer of any module.
+
+    Returns
+    -------
+    vtkDataObject or None
+        The output at port 0, or None when the algorithm has no output.
+
+    Raises
+    ------
+    VTKError
+        When an error was reported. It is raised again by later calls until the cause is gone.
+    TypeError
+        When `algorithm` is not a vtkAlgorithm.
+
+    Examples
+    --------
+    >>> mesh = vtkdgg.check(reader)
+    """
+    if not isinstance(algorithm, vtkAlgorithm):
+        raise TypeError(f"check() takes a vtkAlgorithm, not {type(algorithm).__name__}")
+    pipeline = _upstream(algorithm)
+    reports = _update(algorithm, pipeline)
+    if not reports.errors and _failed(pipeline):
+        # It failed in an earlier update, whose messages are gone. Run it again to have them.
+        for node in _failed(pipeline):
+            node.Modified()
+        reports = _update(algorithm, pipeline)
+    failed = _failed(pipeline)
+    if reports.errors or failed:
+        # What failed must run again in the next update, even when nothing else changes.
+        for node in reports.nodes + failed:
+            node.Modified()
+        raise VTKError(_messages(reports, failed), failed[0].GetErrorCode() if failed else 0)
+    for text in reports.warnings:
+        warnings.warn(text, RuntimeWarning, stacklevel=2)
+    if algorithm.GetNumberOfOutputPorts() == 0:
+        return None
+    return algorithm.GetOutputDataObject(0)
+
+
+class _Reports:
+    """What the algorithms of a pipeline said during one update."""
+
+    def __init__(self):
+        self.errors = []
+        self.warnings = []
+        self.nodes = []  # those that reported an error
+
+
+def _upstream(algorithm):
+    """The algorithm and all that it depends on, sources first."""
+    found = []
+
+    def visit(node):
+        if node in found:
+            return
+        for port in range(node.GetNumberOfInputPorts()):
+            for connection in range(node.GetNumberOfInputConnections(port)):
+                visit(node.GetInputAlgorithm(port, connection))
+        found.append(node)
+
+    visit(algorithm)
+    return found
+
+
+def _update(algorithm, pipeline):
+    reports = _Reports()
+
+    def watch(target, node):
+        def on_error(caller, event, text):
+            reports.errors.append(_clean(text))
+            reports.nodes.append(node)
+
+        def on_warning(caller, event, text):
+            reports.warnings.append(_clean(text))
+
+        on_error.CallDataType = "string0"
+        on_warning.CallDataType = "string0"
+        return [
+            (target, target.AddObserver("ErrorEvent", on_error)),
+            (target, target.AddObserver("WarningEvent", on_warning)),
+        ]
+
+    watched = []
+    for node in pipeline:
+        watched += watch(node, node)
+        # Executives report what is wrong with the connections.
+        watched += watch(node.GetExecutive(), node)
+    # Image writers write in Write() only.
+    run = getattr(algorithm, "Write", algorithm.Update)
+    try:
+        run()
+    finally:
+        for target, tag in watched:
+            target.RemoveObserver(tag)
+    return reports
+
+
+def _failed(pipeline):
+    return [node for node in pipeline if node.GetErrorCode() != vtkErrorCode.NoError]
+
+
+def _messages(reports, failed):
+    """The reasons of a failure; never empty."""
+    reasons = [text for text in reports.errors if not _NO_REASON.search(text)]
+    # Some readers of VTK fail with a mere warning.
+    if reasons or reports.warnings:
+        return reasons or reports.warnings
+    texts = []
+    for node in failed:
+        text = vtkErrorCode.GetStringFromErrorCode(node.GetErrorCode())
+        texts.append(f"{node.GetClassName()}: error code {node.GetErrorCode()} ({text})")
+    return texts or [f"{node.GetClassName()}: failed without a message" for node in reports.nodes]
+
+
+def _clean(text):
+    return _ADDRESS.sub("", _PLACE.sub("", text or "")).strip()
