@@ -139,8 +139,7 @@ bool vtkDGGOFFParser::Parse()
       return false;
     }
   }
-  this->Contents.FaceOffsets.push_back(
-    static_cast<vtkIdType>(this->Contents.Connectivity.size()));
+  this->Contents.FaceOffsets.push_back(static_cast<vtkIdType>(this->Contents.Connectivity.size()));
   if (!this->ReadEnd())
   {
     return false;
@@ -208,8 +207,7 @@ bool vtkDGGOFFParser::BeginFace(vtkIdType face, long long corners, std::size_t l
             << this->GetRemaining() << " bytes follow";
     return this->Fail(vtkErrorCode::PrematureEndOfFileError, message.str());
   }
-  this->Contents.FaceOffsets.push_back(
-    static_cast<vtkIdType>(this->Contents.Connectivity.size()));
+  this->Contents.FaceOffsets.push_back(static_cast<vtkIdType>(this->Contents.Connectivity.size()));
   return true;
 }
 

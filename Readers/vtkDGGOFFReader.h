@@ -24,9 +24,9 @@
  * In text files everything from # to the end of the line is a comment, blank lines are passed over,
  * all kinds of line ends are accepted, the counts may follow the keyword on its line, and the
  * number of edges may be missing. The coordinates and normal of a vertex and the vertices of a face
- * may be spread over lines; what follows them (colour, texture coordinates) ends their last line, so
- * that each vertex and each face begins on a line of its own. Numbers are read the same way in any locale. More data
- * after the last face are an error, as the counts are wrong then.
+ * may be spread over lines; what follows them (colour, texture coordinates) ends their last line,
+ * so that each vertex and each face begins on a line of its own. Numbers are read the same way in
+ * any locale. More data after the last face are an error, as the counts are wrong then.
  *
  * Errors: a file that does not exist, cannot be opened or is malformed in any way is reported with
  * its name and the line (the byte, when binary), GetErrorCode() says of what kind the error is, and

@@ -160,11 +160,13 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
 }
 
 /// The Chen-Han rule: of all windows that light an apex through a half-edge only the one that is
-/// shortest there needs both children; a loser keeps the one on its own side of the winner's ray.
-/// Not applied
+/// shortest there needs both children; a loser keeps the one on its own side of the winner's ray:
+/// the winner's path, followed back, has to cross the loser's rays to the other side. Not applied
 /// - when the rays coincide: the winner may be a pseudo-source on the loser's very ray;
 /// - when the winner is rooted inside a face or an edge: that root can lie inside the loser's cone;
-/// - on non-manifold edges, where the windows come through different faces.
+/// - when either has crossed a non-manifold edge: then they may have come through different sheets,
+/// and their
+///   paths need not cross.
 void ReferenceEngine::DecideChildren(
   Id h, const Window& w, double crossing, bool& left, bool& right)
 {
@@ -172,17 +174,12 @@ void ReferenceEngine::DecideChildren(
   const double distance = w.DistanceTo(apex);
   this->Lower(
     this->Mesh.Apex(h), distance, { h, w.Root, w.Image.X, w.Image.Y }, this->SourceOf(w.Root));
-  const Id twin = this->Mesh.Twin(h);
-  if (twin == NoId || this->Mesh.Twin(twin) != h)
-  {
-    return;
-  }
   Winner& winner = this->Winners[h];
   if (distance < winner.Distance)
   {
-    winner = { distance, crossing, w.Root >= 0 };
+    winner = { distance, crossing, w.Root >= 0 && !w.HasBranched };
   }
-  else if (distance > winner.Distance * (1.0 + LengthTolerance) && winner.AtVertex &&
+  else if (distance > winner.Distance * (1.0 + LengthTolerance) && winner.Rules && !w.HasBranched &&
     std::abs(crossing - winner.Crossing) > CoincidenceTolerance * this->Mesh.Length(h))
   {
     left = crossing < winner.Crossing;

@@ -46,7 +46,7 @@ private:
   {
     double Distance = Infinity;
     double Crossing = 0.0;
-    bool AtVertex = false;
+    bool Rules = false; // see DecideChildren()
   };
 
   bool IsUseless(Id h, const Window& window) const;

@@ -47,9 +47,19 @@ inline double TriangleArea(double a, double b, double c)
 }
 
 /// Abscissa of a point at distance `fromOrigin` and `fromEnd` of the ends of a segment on the x
-/// axis.
+/// axis. Which of the equivalent forms of the law of cosines is accurate depends on which edge of
+/// the triangle is the shortest: lengths that are close to each other have to be subtracted first.
 inline double FootOnEdge(double length, double fromOrigin, double fromEnd)
 {
+  if (fromOrigin <= fromEnd && fromOrigin <= length)
+  {
+    return 0.5 * (fromOrigin * fromOrigin + (length - fromEnd) * (length + fromEnd)) / length;
+  }
+  if (fromEnd <= length)
+  {
+    return length -
+      0.5 * (fromEnd * fromEnd + (length - fromOrigin) * (length + fromOrigin)) / length;
+  }
   return 0.5 * (length + (fromOrigin - fromEnd) * (fromOrigin + fromEnd) / length);
 }
 
@@ -87,7 +97,7 @@ public:
     , Apex(apex)
     , LeftCosine(apex.X / left)
     , LeftSine(apex.Y / left)
-    , RightCosine((base - apex.X) / right)
+    , RightCosine(FootOnEdge(base, right, left) / right) // not base - apex.X, for needles
     , RightSine(apex.Y / right)
   {
   }

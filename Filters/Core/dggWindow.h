@@ -22,7 +22,8 @@ struct Window
   double DistanceAtBegin = 0.0;
   double DistanceAtEnd = 0.0;
   Id Root = NoId; ///< the pseudo-source: a vertex, or ~k for source k inside a face or an edge
-  bool IsKnown = false; ///< has passed here before (dggWindowMemory.h)
+  bool HasBranched = false; ///< has crossed an edge with more than two faces
+  bool IsKnown = false;     ///< has passed here before (dggWindowMemory.h)
 
   /// Distance at a point of the axis.
   double DistanceAt(double x) const { return this->Sigma + DistanceToAxis(this->Image, x); }

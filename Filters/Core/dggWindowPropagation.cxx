@@ -280,7 +280,10 @@ void WindowPropagation::EmitInto(Id g, double sigma, double from, double to)
     return;
   }
   Window window;
-  window.Image = { length - this->Mesh.ApexX(exit), -this->Mesh.ApexY(exit) };
+  // Seen from the other side of the edge. Not length - ApexX(exit), which is inaccurate for
+  // needles.
+  window.Image = { FootOnEdge(length, this->Mesh.Length(SurfaceMesh::Next(exit)), reach),
+    -this->Mesh.ApexY(exit) };
   window.Sigma = sigma;
   window.Root = this->Mesh.Origin(g);
   window.SetInterval(length * (1.0 - last), length * (1.0 - first));

@@ -57,9 +57,11 @@ protected:
 
   /// Hand a window that leaves through half-edge `exit` on to all faces behind that edge. The frame
   /// of the window is that of a half-edge running against `exit`.
-  void Cross(Id exit, const Window& window)
+  void Cross(Id exit, Window window)
   {
-    for (Id e = this->Mesh.Twin(exit); e != NoId && e != exit; e = this->Mesh.Twin(e))
+    const Id twin = this->Mesh.Twin(exit);
+    window.HasBranched |= twin != NoId && this->Mesh.Twin(twin) != exit;
+    for (Id e = twin; e != NoId && e != exit; e = this->Mesh.Twin(e))
     {
       if (this->RunsAgainst(e, exit))
       {

@@ -145,8 +145,7 @@ TestMesh VoxelSurface(Id nx, Id ny, Id nz, const std::function<bool(Id, Id, Id)>
 
 TestMesh TwoHoledBlock()
 {
-  return VoxelSurface(
-    5, 3, 1, [](Id i, Id j, Id) { return !(j == 1 && (i == 1 || i == 3)); });
+  return VoxelSurface(5, 3, 1, [](Id i, Id j, Id) { return !(j == 1 && (i == 1 || i == 3)); });
 }
 
 TestMesh SeveralComponents()

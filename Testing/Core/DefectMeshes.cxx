@@ -26,8 +26,7 @@ void Unite(TestMesh& mesh, Id from, Id to)
 
 /// Lattice strip: faces of `rows` x `columns` squares cut in two; `id` names vertices, which may
 /// wrap. All lengths are those of the unit square.
-TestMesh LatticeByLengths(
-  Id columns, Id rows, Id vertices, const std::function<Id(Id, Id)>& id)
+TestMesh LatticeByLengths(Id columns, Id rows, Id vertices, const std::function<Id(Id, Id)>& id)
 {
   TestMesh mesh;
   mesh.AbstractVertices = vertices;
@@ -72,8 +71,7 @@ TestMesh TouchingSpheres(int level)
   return mesh;
 }
 
-TestMesh Book(
-  Id sheets, Id n, std::vector<Id>& sheetOf, double jitter, std::uint64_t seed)
+TestMesh Book(Id sheets, Id n, std::vector<Id>& sheetOf, double jitter, std::uint64_t seed)
 {
   TestMesh mesh;
   sheetOf.clear();
@@ -120,8 +118,7 @@ TestMesh PlaneWithFin(Id n, Id& verticesOfPlane, double jitter, std::uint64_t se
   for (Id v = 0; v < fin.GetNumberOfVertices(); ++v)
   {
     const double* p = fin.Point(v);
-    ids.push_back(
-      p[0] == 0.0 ? (v / (n + 1)) * (2 * n + 1) + n : mesh.AddPoint(n, p[1], p[0]));
+    ids.push_back(p[0] == 0.0 ? (v / (n + 1)) * (2 * n + 1) + n : mesh.AddPoint(n, p[1], p[0]));
   }
   // The cut's own heights, jittered in the plane, are used by the fin as well: it stays flat.
   for (const Id v : fin.Triangles)
@@ -339,10 +336,9 @@ std::vector<NamedMesh> DefectMeshes()
   meshes.push_back({ "FiveSheets", Book(5, 3, sheetOf, 0.2, 3) });
   meshes.push_back({ "PlaneWithFin", PlaneWithFin(4, unused, 0.2, 4) });
   // Two cubes that touch along an edge, two that touch at a corner.
-  meshes.push_back({ "CubesOnEdge",
-    VoxelSurface(2, 2, 1, [](Id i, Id j, Id) { return i == j; }) });
-  meshes.push_back({ "CubesAtCorner",
-    VoxelSurface(2, 2, 2, [](Id i, Id j, Id k) { return i == j && j == k; }) });
+  meshes.push_back({ "CubesOnEdge", VoxelSurface(2, 2, 1, [](Id i, Id j, Id) { return i == j; }) });
+  meshes.push_back(
+    { "CubesAtCorner", VoxelSurface(2, 2, 2, [](Id i, Id j, Id k) { return i == j && j == k; }) });
   meshes.push_back({ "Slivers1e-3", SliverPlane(6, 1e-3) });
   meshes.push_back({ "Slivers1e-6", SliverPlane(6, 1e-6) });
   meshes.push_back({ "Slivers1e-9", SliverPlane(6, 1e-9) });
@@ -401,10 +397,10 @@ TestMesh RandomSoup(Id vertices, Id faces, std::uint64_t seed)
   {
     const Id a = random.Index(vertices);
     // Near ids make shared edges likely.
-    const Id b = random.Uniform() < 0.6 ? (a + 1 + random.Index(3)) % vertices
-                                        : random.Index(vertices);
-    const Id c = random.Uniform() < 0.6 ? (a + 1 + random.Index(5)) % vertices
-                                        : random.Index(vertices);
+    const Id b =
+      random.Uniform() < 0.6 ? (a + 1 + random.Index(3)) % vertices : random.Index(vertices);
+    const Id c =
+      random.Uniform() < 0.6 ? (a + 1 + random.Index(5)) % vertices : random.Index(vertices);
     mesh.AddTriangle(a, b, c);
   }
   return mesh;

@@ -19,8 +19,8 @@ TestMesh TouchingSpheres(int level);
 /// `sheets` half planes of n x n cells that meet in one straight edge line along y, evenly turned
 /// about it. Sheet s holds the vertices with sheetOf[v] == s; those on the line have sheetOf -1.
 /// Any two sheets unfold to a plane.
-TestMesh Book(Id sheets, Id n, std::vector<Id>& sheetOf, double jitter = 0.0,
-  std::uint64_t seed = 1);
+TestMesh Book(
+  Id sheets, Id n, std::vector<Id>& sheetOf, double jitter = 0.0, std::uint64_t seed = 1);
 
 /// A jittered plane [0, 2n] x [0, n] cut along the middle x = n and glued again, with one more half
 /// plane standing on the cut. The vertices of the plane come first and are at their plane

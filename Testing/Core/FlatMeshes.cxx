@@ -120,15 +120,15 @@ TestMesh PrismSide(Id sides, Id columns, Id rows, double jitter, std::uint64_t s
     for (Id i = 0; i < around; ++i)
     {
       const Id right = (i + 1) % around;
-      mesh.AddQuad(j * around + i, j * around + right, (j + 1) * around + right,
-        (j + 1) * around + i);
+      mesh.AddQuad(
+        j * around + i, j * around + right, (j + 1) * around + right, (j + 1) * around + i);
     }
   }
   return mesh;
 }
 
-TestMesh Cone(double total, Id wedges, Id rings, std::vector<ConePoint>& coordinates,
-  double jitter, std::uint64_t seed)
+TestMesh Cone(double total, Id wedges, Id rings, std::vector<ConePoint>& coordinates, double jitter,
+  std::uint64_t seed)
 {
   Random random(seed);
   TestMesh mesh;
@@ -438,9 +438,8 @@ TestMesh DoublyCoveredPolygon(Id sides, Id rings, std::vector<bool>& isBack)
     for (Id i = 0; i < sides; ++i)
     {
       const Id next = (i + 1) % sides;
-      auto add = [&](Id a, Id b, Id c) {
-        mesh.AddTriangle(a, side == 0 ? b : c, side == 0 ? c : b);
-      };
+      auto add = [&](
+                   Id a, Id b, Id c) { mesh.AddTriangle(a, side == 0 ? b : c, side == 0 ? c : b); };
       add(centre, first(1) + i, first(1) + next);
       for (Id ring = 1; ring < rings; ++ring)
       {

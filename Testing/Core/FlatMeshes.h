@@ -9,8 +9,8 @@
 
 namespace dggtest
 {
-/// Rectangle of nx x ny unit cells in the plane z = 0; vertex (i, j) has id j (nx + 1) + i. Interior
-/// vertices are moved at random by up to `jitter` (below 0.3) along each axis.
+/// Rectangle of nx x ny unit cells in the plane z = 0; vertex (i, j) has id j (nx + 1) + i.
+/// Interior vertices are moved at random by up to `jitter` (below 0.3) along each axis.
 TestMesh Plane(Id nx, Id ny, double jitter = 0.0, std::uint64_t seed = 1);
 
 /// As Plane(), but only the cells for which `keep` holds. Points without a cell are left out;

@@ -38,9 +38,9 @@ std::vector<double> DistancesFrom(const dgg::SurfaceMesh& mesh, dgg::ExactEngine
 std::vector<double> DistancesTo(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
   const dgg::SurfacePoint& source, const std::vector<dgg::SurfacePoint>& targets)
 {
-  return Solve(mesh, engine, { { source, 0.0 } },
-    [&](dgg::ExactOptions& options) { options.Targets = targets; })
-    .TargetDistances;
+  return Solve(mesh, engine, { { source, 0.0 } }, [&](dgg::ExactOptions& options) {
+    options.Targets = targets;
+  }).TargetDistances;
 }
 
 double LargestDifference(
@@ -66,8 +66,8 @@ void ExpectSameField(const std::vector<double>& expected, const std::vector<doub
   ASSERT_EQ(expected.size(), actual.size()) << what;
   std::size_t where = 0;
   const double difference = LargestDifference(expected, actual, where);
-  EXPECT_LE(difference, tolerance) << what << ": at " << where << " expected " << expected[where]
-                                   << ", got " << actual[where];
+  EXPECT_LE(difference, tolerance)
+    << what << ": at " << where << " expected " << expected[where] << ", got " << actual[where];
 }
 
 void ExpectAllPairs(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
@@ -136,8 +136,7 @@ std::vector<dgg::SurfacePoint> RandomSurfacePoints(
       const double b = random.Uniform(0.05, 1.0);
       const double c = random.Uniform(0.05, 1.0);
       const double sum = a + b + c;
-      points.push_back(
-        dgg::SurfacePoint::InFace(mesh, f, { { a / sum, b / sum, c / sum } }));
+      points.push_back(dgg::SurfacePoint::InFace(mesh, f, { { a / sum, b / sum, c / sum } }));
     }
     else
     {

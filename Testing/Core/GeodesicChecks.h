@@ -27,18 +27,16 @@ protected:
 std::string EngineName(const testing::TestParamInfo<dgg::ExactEngine>& info);
 
 /// Instantiate an EngineTest.
-#define DGG_WITH_BOTH_ENGINES(Suite)                                                              \
-  INSTANTIATE_TEST_SUITE_P(Engines, Suite,                                                        \
-    testing::Values(dgg::ExactEngine::Reference, dgg::ExactEngine::Triangle),                     \
-    dggtest::EngineName)
+#define DGG_WITH_BOTH_ENGINES(Suite)       \
+  INSTANTIATE_TEST_SUITE_P(Engines, Suite, \
+    testing::Values(dgg::ExactEngine::Reference, dgg::ExactEngine::Triangle), dggtest::EngineName)
 
 /// One run; a failure fails the test. `change` may adjust the options.
 dgg::ExactResult Solve(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
   const std::vector<dgg::GeodesicSource>& sources,
   const std::function<void(dgg::ExactOptions&)>& change = nullptr);
 /// Distances of all vertices from one vertex.
-std::vector<double> DistancesFrom(
-  const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine, Id source);
+std::vector<double> DistancesFrom(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine, Id source);
 /// Distances from one vertex to points anywhere.
 std::vector<double> DistancesTo(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
   const dgg::SurfacePoint& source, const std::vector<dgg::SurfacePoint>& targets);

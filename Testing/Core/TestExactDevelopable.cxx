@@ -114,21 +114,20 @@ TEST_P(ExactDevelopable, FlatTorusOfFewTriangles)
 
 TEST_P(ExactDevelopable, MoebiusStrip)
 {
-  for (const auto& n : { std::array<Id, 2>{ { 3, 2 } }, std::array<Id, 2>{ { 9, 4 } },
-         std::array<Id, 2>{ { 5, 8 } } })
+  for (const auto& n :
+    { std::array<Id, 2>{ { 3, 2 } }, std::array<Id, 2>{ { 9, 4 } }, std::array<Id, 2>{ { 5, 8 } } })
   {
     const dgg::SurfaceMesh mesh = Build(MoebiusStrip(n[0], n[1]));
     auto y = [&](Id v) { return v / n[0] - 0.5 * n[1]; };
-    ExpectAllPairs(mesh, this->Engine(), [&](Id a, Id b) {
-      return MoebiusDistance(n[0], a % n[0], y(a), b % n[0], y(b));
-    });
+    ExpectAllPairs(mesh, this->Engine(),
+      [&](Id a, Id b) { return MoebiusDistance(n[0], a % n[0], y(a), b % n[0], y(b)); });
   }
 }
 
 TEST_P(ExactDevelopable, KleinBottle)
 {
-  for (const auto& n : { std::array<Id, 2>{ { 3, 3 } }, std::array<Id, 2>{ { 7, 5 } },
-         std::array<Id, 2>{ { 4, 9 } } })
+  for (const auto& n :
+    { std::array<Id, 2>{ { 3, 3 } }, std::array<Id, 2>{ { 7, 5 } }, std::array<Id, 2>{ { 4, 9 } } })
   {
     const dgg::SurfaceMesh mesh = Build(KleinBottle(n[0], n[1]));
     ExpectAllPairs(mesh, this->Engine(), [&](Id a, Id b) {

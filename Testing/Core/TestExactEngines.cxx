@@ -54,7 +54,9 @@ std::vector<NamedMesh> SmallMeshes()
   meshes.push_back({ "CubeRegular", Cube(3) });
   meshes.push_back({ "CubeJittered", Cube(3, 0.25, 2) });
   meshes.push_back({ "Grid", Plane(6, 5) });
-  meshes.push_back({ "Plate", Plate(6, 6, [](Id i, Id j) { return !(i == 2 && j > 0); }, 0.2) });
+  meshes.push_back({ "Plate",
+    Plate(
+      6, 6, [](Id i, Id j) { return !(i == 2 && j > 0); }, 0.2) });
   meshes.push_back({ "PinchedPlates", PinchedPlates(3) });
   meshes.push_back({ "TouchingSpheres", TouchingSpheres(0) });
   meshes.push_back({ "ThreeSheets", Book(3, 3, sheetOf, 0.2, 2) });
@@ -138,10 +140,10 @@ TEST_P(EnginesAgainstBruteForce, AllPairs)
   {
     SCOPED_TRACE(engine == dgg::ExactEngine::Reference ? "Reference" : "Triangle");
     ExpectAllPairs(
-      mesh, engine,
-      [&](Id a, Id b) { return truth[static_cast<std::size_t>(a) * n + b]; }, 1e-10);
+      mesh, engine, [&](Id a, Id b) { return truth[static_cast<std::size_t>(a) * n + b]; }, 1e-10);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, EnginesAgainstBruteForce, testing::ValuesIn(SmallMeshes()), MeshName);
+INSTANTIATE_TEST_SUITE_P(
+  Meshes, EnginesAgainstBruteForce, testing::ValuesIn(SmallMeshes()), MeshName);
 }

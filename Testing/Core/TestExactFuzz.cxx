@@ -26,8 +26,7 @@ void ExpectSane(const TestMesh& input, double agreement)
   if (!status.IsOk())
   {
     // The only complaint that these meshes can cause.
-    EXPECT_NE(status.GetMessage().find("single points"), std::string::npos)
-      << status.GetMessage();
+    EXPECT_NE(status.GetMessage().find("single points"), std::string::npos) << status.GetMessage();
     return;
   }
   const dgg::MeshReport report = dgg::InspectMesh(mesh, input.Points.data());
@@ -94,8 +93,9 @@ TEST(ExactFuzz, DamagedMeshes)
   {
     SCOPED_TRACE(seed);
     Random random(seed);
-    TestMesh mesh = seed % 3 == 0 ? Cube(4) : seed % 3 == 1 ? NoisySphere(2, 0.3, seed)
-                                                            : Torus(14, 9);
+    TestMesh mesh = seed % 3 == 0 ? Cube(4)
+      : seed % 3 == 1             ? NoisySphere(2, 0.3, seed)
+                                  : Torus(14, 9);
     for (int damage = 0; damage < 12; ++damage)
     {
       const Id v = random.Index(mesh.GetNumberOfVertices());
@@ -107,8 +107,7 @@ TEST(ExactFuzz, DamagedMeshes)
           mesh.AddTriangle(v, w, mesh.Triangles[3 * f]);
           break;
         case 1: // a face less
-          mesh.Triangles.erase(
-            mesh.Triangles.begin() + 3 * f, mesh.Triangles.begin() + 3 * f + 3);
+          mesh.Triangles.erase(mesh.Triangles.begin() + 3 * f, mesh.Triangles.begin() + 3 * f + 3);
           break;
         case 2: // two points on one place
           std::copy_n(mesh.Points.begin() + 3 * w, 3, mesh.Points.begin() + 3 * v);

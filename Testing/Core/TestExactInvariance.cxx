@@ -17,8 +17,8 @@ class ExactInvariance : public EngineTest
 {
 protected:
   /// Run `check(name, input, mesh, sources)` on sound meshes, on those with defects also if wanted.
-  void ForEachMesh(bool withDefects,
-    const std::function<void(const TestMesh&, const dgg::SurfaceMesh&)>& check)
+  void ForEachMesh(
+    bool withDefects, const std::function<void(const TestMesh&, const dgg::SurfaceMesh&)>& check)
   {
     std::vector<NamedMesh> meshes = SoundMeshes();
     if (withDefects)

@@ -85,9 +85,10 @@ TEST_P(ExactLimits, RadiusCutsTheFullField)
 TEST_P(ExactLimits, RadiusIncludesTheLimit)
 {
   const dgg::SurfaceMesh mesh = Build(Plane(4, 4));
-  const auto distances = Solve(mesh, this->Engine(), { VertexSource(0) },
-    [](dgg::ExactOptions& options) { options.MaximumDistance = 2.0; })
-                           .Distances;
+  const auto distances =
+    Solve(mesh, this->Engine(), { VertexSource(0) }, [](dgg::ExactOptions& options) {
+      options.MaximumDistance = 2.0;
+    }).Distances;
   EXPECT_EQ(distances[2], 2.0);
   EXPECT_EQ(distances[3], dgg::Infinity);
   EXPECT_EQ(distances[7], dgg::Infinity); // (2,1)

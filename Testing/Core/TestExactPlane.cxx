@@ -26,8 +26,8 @@ public:
     {
       for (Id i = 0; i <= nx; ++i)
       {
-        const int cells = this->Has(i - 1, j - 1) + this->Has(i, j - 1) + this->Has(i - 1, j) +
-          this->Has(i, j);
+        const int cells =
+          this->Has(i - 1, j - 1) + this->Has(i, j - 1) + this->Has(i - 1, j) + this->Has(i, j);
         const bool touching = cells == 2 && this->Has(i, j) == this->Has(i - 1, j - 1);
         if (cells == 3 || touching)
         {
@@ -50,8 +50,8 @@ public:
       {
         for (std::size_t b = 0; b < n; ++b)
         {
-          this->Between[a * n + b] = std::min(
-            this->Between[a * n + b], this->Between[a * n + k] + this->Between[k * n + b]);
+          this->Between[a * n + b] =
+            std::min(this->Between[a * n + b], this->Between[a * n + k] + this->Between[k * n + b]);
         }
       }
     }
@@ -67,8 +67,8 @@ public:
       const double first = this->Straight(p, this->Corners[a]);
       for (std::size_t b = 0; b < n && first < best; ++b)
       {
-        best = std::min(
-          best, first + this->Between[a * n + b] + this->Straight(this->Corners[b], q));
+        best =
+          std::min(best, first + this->Between[a * n + b] + this->Straight(this->Corners[b], q));
       }
     }
     return best;
@@ -87,8 +87,8 @@ private:
     {
       for (Id i = static_cast<Id>(x - 1.5); i <= static_cast<Id>(x) + 1; ++i)
       {
-        if (this->Has(i, j) && x >= i - tolerance && x <= i + 1 + tolerance &&
-          y >= j - tolerance && y <= j + 1 + tolerance)
+        if (this->Has(i, j) && x >= i - tolerance && x <= i + 1 + tolerance && y >= j - tolerance &&
+          y <= j + 1 + tolerance)
         {
           return true;
         }
@@ -139,8 +139,8 @@ void ExpectEuclid(const TestMesh& input, dgg::ExactEngine engine, double toleran
     Build(input), engine, [&](Id a, Id b) { return EuclideanDistance(input, a, b); }, tolerance);
 }
 
-void ExpectVisibility(Id nx, Id ny, const std::function<bool(Id, Id)>& keep,
-  dgg::ExactEngine engine)
+void ExpectVisibility(
+  Id nx, Id ny, const std::function<bool(Id, Id)>& keep, dgg::ExactEngine engine)
 {
   const VisibilityGraph graph(nx, ny, keep);
   for (const double jitter : { 0.0, 0.25 })
@@ -245,8 +245,7 @@ TEST_P(ExactPlane, Annulus)
 TEST_P(ExactPlane, Maze)
 {
   ExpectVisibility(
-    11, 9, [](Id i, Id j) { return i % 4 != 2 || (i % 8 == 2 ? j == 0 : j == 8); },
-    this->Engine());
+    11, 9, [](Id i, Id j) { return i % 4 != 2 || (i % 8 == 2 ? j == 0 : j == 8); }, this->Engine());
 }
 
 TEST_P(ExactPlane, ManyHoles)
@@ -307,8 +306,7 @@ TEST_P(ExactPlane, PointsAnywhere)
       [&](dgg::ExactOptions& options) { options.Targets = points; });
     for (std::size_t j = 0; j < points.size(); ++j)
     {
-      const double truth =
-        std::hypot(places[i][0] - places[j][0], places[i][1] - places[j][1]);
+      const double truth = std::hypot(places[i][0] - places[j][0], places[i][1] - places[j][1]);
       EXPECT_NEAR(result.TargetDistances[j], truth, 1e-12 * (truth + 1e-3)) << i << " " << j;
     }
     for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
@@ -354,10 +352,10 @@ TEST_P(ExactPlane, TwoTriangles)
     const auto fromLeft = DistancesTo(mesh, this->Engine(), left, { right });
     EXPECT_NEAR(fromLeft[0], std::hypot(1.75, 0.375), 1e-14);
     const auto middle = dgg::SurfacePoint::OnEdge(mesh, 0, 0.25); // (0, 0.5)
-    EXPECT_NEAR(DistancesTo(mesh, this->Engine(), middle, { right })[0],
-      std::hypot(1.0, 0.625), 1e-14);
-    EXPECT_NEAR(DistancesTo(mesh, this->Engine(), right, { middle })[0],
-      std::hypot(1.0, 0.625), 1e-14);
+    EXPECT_NEAR(
+      DistancesTo(mesh, this->Engine(), middle, { right })[0], std::hypot(1.0, 0.625), 1e-14);
+    EXPECT_NEAR(
+      DistancesTo(mesh, this->Engine(), right, { middle })[0], std::hypot(1.0, 0.625), 1e-14);
   }
 }
 }

@@ -46,8 +46,8 @@ protected:
   {
     return DistancesFrom(Build(input), this->Engine(), a)[b];
   }
-  double Between(const TestMesh& input, const std::array<double, 3>& p,
-    const std::array<double, 3>& q)
+  double Between(
+    const TestMesh& input, const std::array<double, 3>& p, const std::array<double, 3>& q)
   {
     return this->Between(
       input, VertexAt(input, p[0], p[1], p[2]), VertexAt(input, q[0], q[1], q[2]));
@@ -190,7 +190,8 @@ TEST_P(ExactPolyhedra, Octahedron)
   const TestMesh input = Subdivided(Octahedron(), 6);
   ExpectClose(std::sqrt(3.0), this->Between(input, 0, 1), 1e-12, "opposite vertices");
   // Middles of opposite faces: across two faces of the belt. In the strip of three triangles from
-  // face to face the centres are sqrt(7/3) ... the truth is the shortest of the straight unfoldings.
+  // face to face the centres are sqrt(7/3) ... the truth is the shortest of the straight
+  // unfoldings.
   auto centre = [&](Id a, Id b, Id c) {
     std::array<double, 3> p{};
     for (int i = 0; i < 3; ++i)
@@ -261,8 +262,8 @@ TEST_P(ExactPolyhedra, Dodecahedron)
       else if (std::abs(chord - phi * std::sqrt(2.0)) < 1e-9)
       {
         // Across one edge: from (-c, s) to (1+c, -s), from (1/2, h) to (-c, -s) and others.
-        const double across = std::min(
-          { std::hypot(1.0 + 2.0 * c, 2.0 * s), std::hypot(0.5 + c, h + s), 2.0 * h });
+        const double across =
+          std::min({ std::hypot(1.0 + 2.0 * c, 2.0 * s), std::hypot(0.5 + c, h + s), 2.0 * h });
         ExpectClose(across, distances[b], 1e-12, "across one edge");
       }
     }

@@ -100,8 +100,10 @@ TEST_P(ExactResults, RootsLeadToTheNearestSource)
 {
   std::vector<Id> sheetOf;
   for (const TestMesh& input : { NoisySphere(2, 0.4, 3), Cube(4), Plane(8, 8), Terrain(10, 2.0, 4),
-         Plate(8, 8, [](Id i, Id j) { return i < 3 || j < 3; }, 0.2), SeveralComponents(),
-         WithNoise(Book(3, 4, sheetOf, 0.2, 2), 0.1, 3), MoebiusStrip(9, 4), Ellipsoid(2, 20.0) })
+         Plate(
+           8, 8, [](Id i, Id j) { return i < 3 || j < 3; }, 0.2),
+         SeveralComponents(), WithNoise(Book(3, 4, sheetOf, 0.2, 2), 0.1, 3), MoebiusStrip(9, 4),
+         Ellipsoid(2, 20.0) })
   {
     const dgg::SurfaceMesh mesh = Build(input);
     const auto points = RandomSurfacePoints(mesh, 3, 5);
@@ -130,7 +132,8 @@ TEST_P(ExactResults, RootsLeadToTheNearestSource)
 TEST_P(ExactResults, RootsAreWherePathsBend)
 {
   // In an L the far arm is seen through the inner corner only.
-  const TestMesh input = Plate(6, 6, [](Id i, Id j) { return i < 2 || j < 2; }, 0.2, 3);
+  const TestMesh input = Plate(
+    6, 6, [](Id i, Id j) { return i < 2 || j < 2; }, 0.2, 3);
   const dgg::SurfaceMesh mesh = Build(input);
   const Id corner = VertexAt(input, 2.0, 2.0, 0.0);
   const Id source = VertexAt(input, 6.0, 0.0, 0.0);

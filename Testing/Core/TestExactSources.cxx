@@ -157,8 +157,8 @@ TEST_P(ExactSources, PointsAreAsGoodAsVertices)
       else
       {
         const Id k = point.HalfEdge % 3;
-        vertex = SplitEdge(
-          refined, triangle[k], triangle[(k + 1) % 3], point.Barycentric[(k + 1) % 3]);
+        vertex =
+          SplitEdge(refined, triangle[k], triangle[(k + 1) % 3], point.Barycentric[(k + 1) % 3]);
       }
       auto want = [&](dgg::ExactOptions& options) { options.Targets = { point }; };
       auto expected = DistancesFrom(Build(refined), this->Engine(), vertex);
@@ -224,8 +224,8 @@ TEST_P(ExactSources, DuplicatesKeepTheSmallestOffset)
 {
   const dgg::SurfaceMesh mesh = Build(NoisySphere(2, 0.3, 3));
   const auto plain = DistancesFrom(mesh, this->Engine(), 7);
-  for (const auto& sources : { std::vector<dgg::GeodesicSource>{ VertexSource(7, 0.4),
-                                 VertexSource(7, 0.0), VertexSource(7, 0.2) },
+  for (const auto& sources : { std::vector<dgg::GeodesicSource>{
+                                 VertexSource(7, 0.4), VertexSource(7, 0.0), VertexSource(7, 0.2) },
          std::vector<dgg::GeodesicSource>{
            VertexSource(7, 0.4), VertexSource(7, 0.2), VertexSource(7, 0.0) },
          std::vector<dgg::GeodesicSource>{

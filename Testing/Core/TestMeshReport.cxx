@@ -53,11 +53,10 @@ std::vector<Expected> Cases()
   // Sound meshes.
   add("plane", Plane(5, 4, 0.2, 1), disc(18));
   add("L", Plate(4, 4, [](Id i, Id j) { return i < 2 || j < 2; }), disc(16));
-  add("annulus", Plate(5, 5, [](Id i, Id j) { return i != 2 || j != 2; }),
-    [](MeshReport& r) {
-      r.BoundaryEdges = 24;
-      r.BoundaryLoops = 2;
-    });
+  add("annulus", Plate(5, 5, [](Id i, Id j) { return i != 2 || j != 2; }), [](MeshReport& r) {
+    r.BoundaryEdges = 24;
+    r.BoundaryLoops = 2;
+  });
   add("slit", SlitPlane(3, flags), [](MeshReport& r) {
     r.BoundaryEdges = 30;
     r.BoundaryLoops = 1;
@@ -144,8 +143,8 @@ std::vector<Expected> Cases()
     r.BoundaryLoops = 1;
     r.RepeatedVertexFaces = 3;
   });
-  add("isolated points", SphereWithIsolatedPoints(1),
-    [](MeshReport& r) { r.IsolatedVertices = 3; });
+  add(
+    "isolated points", SphereWithIsolatedPoints(1), [](MeshReport& r) { r.IsolatedVertices = 3; });
   add("Moebius", MoebiusStrip(9, 4), [](MeshReport& r) {
     r.BoundaryEdges = 18;
     r.BoundaryLoops = 1;
@@ -187,8 +186,8 @@ TEST(MeshReport, KnowsTheGenerators)
     EXPECT_EQ(report.InconsistentEdges > 0, !expected.Orientable);
     EXPECT_EQ(report.Mollification > 0.0, expected.DegenerateFaces > 0);
     const bool defects = report.IsolatedVertices + report.NonManifoldEdges +
-        report.NonManifoldVertices + report.RepeatedVertexFaces + report.DegenerateFaces +
-        report.DuplicateFaces + report.CoincidentPoints >
+          report.NonManifoldVertices + report.RepeatedVertexFaces + report.DegenerateFaces +
+          report.DuplicateFaces + report.CoincidentPoints >
         0 ||
       !report.Orientable;
     EXPECT_EQ(report.HasDefects(), defects);

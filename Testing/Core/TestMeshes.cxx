@@ -322,7 +322,8 @@ TestMesh Subdivided(const TestMesh& mesh, Id k)
           std::array<double, 3> p{};
           for (int axis = 0; axis < 3; ++axis)
           {
-            p[axis] = wa * mesh.Point(a)[axis] + wb * mesh.Point(b)[axis] + wc * mesh.Point(c)[axis];
+            p[axis] =
+              wa * mesh.Point(a)[axis] + wb * mesh.Point(b)[axis] + wc * mesh.Point(c)[axis];
           }
           row.push_back(result.AddPoint(p[0], p[1], p[2]));
         }
@@ -366,8 +367,8 @@ double MeanEdge(const TestMesh& mesh)
   {
     for (int k = 0; k < 3; ++k)
     {
-      sum += EuclideanDistance(
-        mesh, mesh.Triangles[3 * f + k], mesh.Triangles[3 * f + (k + 1) % 3]);
+      sum +=
+        EuclideanDistance(mesh, mesh.Triangles[3 * f + k], mesh.Triangles[3 * f + (k + 1) % 3]);
     }
   }
   return mesh.Triangles.empty() ? 0.0 : sum / static_cast<double>(mesh.Triangles.size());

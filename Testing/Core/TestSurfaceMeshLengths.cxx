@@ -62,8 +62,8 @@ TEST(SurfaceMeshLengths, EqualPoints)
   const SurfaceMesh byPoints = Build(input);
   for (Id h = 0; h < 3 * input.GetNumberOfFaces(); ++h)
   {
-    input.Lengths.push_back(EuclideanDistance(
-      input, input.Triangles[h], input.Triangles[SurfaceMesh::Next(h)]));
+    input.Lengths.push_back(
+      EuclideanDistance(input, input.Triangles[h], input.Triangles[SurfaceMesh::Next(h)]));
   }
   const SurfaceMesh byLengths = Build(input);
   ASSERT_EQ(byLengths.GetNumberOfHalfEdges(), byPoints.GetNumberOfHalfEdges());
@@ -188,8 +188,9 @@ TEST(SurfaceMeshErrors, NameTheBadId)
     input.AddTriangle(0, bad, 1);
     SurfaceMesh mesh = UsedMesh();
     ExpectRefused(FromPoints(input, mesh), mesh,
-      "triangle 1 names point " + std::to_string(bad) + ", which does not exist: ids must be in "
-                                                        "[0, 2]");
+      "triangle 1 names point " + std::to_string(bad) +
+        ", which does not exist: ids must be in "
+        "[0, 2]");
   }
 }
 
@@ -227,8 +228,8 @@ TEST(SurfaceMeshErrors, RefuseTooManyTriangles)
   const dgg::Offset many = dgg::Offset(1) << 30;
   ExpectRefused(SurfaceMesh::FromPoints(nullptr, 3, nullptr, many, mesh), mesh, "too large");
   ExpectRefused(SurfaceMesh::FromPoints(nullptr, many << 8, nullptr, 0, mesh), mesh, "too large");
-  ExpectRefused(SurfaceMesh::FromPoints(nullptr, 3, nullptr,
-                  std::numeric_limits<dgg::Offset>::max(), mesh),
+  ExpectRefused(
+    SurfaceMesh::FromPoints(nullptr, 3, nullptr, std::numeric_limits<dgg::Offset>::max(), mesh),
     mesh, "too large");
   ExpectRefused(SurfaceMesh::FromLengths(-1, nullptr, 0, nullptr, mesh), mesh, "-1 points");
   ExpectRefused(SurfaceMesh::FromLengths(1, nullptr, -1, nullptr, mesh), mesh, "-1 triangles");

@@ -155,11 +155,11 @@ TEST(SurfacePoint, ChecksCoordinates)
 {
   const dgg::SurfaceMesh mesh = Build(SingleTriangle());
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const std::array<double, 3>& b : { std::array<double, 3>{ { 0.5, 0.5, 0.5 } },
-         std::array<double, 3>{ { 0.0, 0.0, 0.0 } }, std::array<double, 3>{ { 1.1, -0.1, 0.0 } },
-         std::array<double, 3>{ { nan, 0.5, 0.5 } },
-         std::array<double, 3>{ { dgg::Infinity, 0.0, 0.0 } },
-         std::array<double, 3>{ { dgg::Infinity, -dgg::Infinity, 1.0 } } })
+  for (const std::array<double, 3>& b :
+    { std::array<double, 3>{ { 0.5, 0.5, 0.5 } }, std::array<double, 3>{ { 0.0, 0.0, 0.0 } },
+      std::array<double, 3>{ { 1.1, -0.1, 0.0 } }, std::array<double, 3>{ { nan, 0.5, 0.5 } },
+      std::array<double, 3>{ { dgg::Infinity, 0.0, 0.0 } },
+      std::array<double, 3>{ { dgg::Infinity, -dgg::Infinity, 1.0 } } })
   {
     ExpectBad(SurfacePoint::InFace(mesh, 0, b), mesh, "in face 0 are not within the face");
   }
