@@ -8,6 +8,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
@@ -267,10 +268,16 @@ int vtkDGGOFFReader::RequestData(
   {
     error = { vtkErrorCode::UnknownError, exception.what() };
   }
+  catch (...)
+  {
+    error = { vtkErrorCode::UnknownError, "unexpected failure" };
+  }
   output->Initialize();
   if (error.Code == vtkErrorCode::NoError)
   {
-    return 1; // aborted: nothing to complain about
+    // Aborted: nothing to complain about, but an empty output does not count as up to date.
+    outputVector->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    return 1;
   }
   this->SetErrorCode(error.Code);
   vtkErrorMacro("Cannot read " << this->FileName << ": " << error.Message);

@@ -15,5 +15,6 @@ int main()
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputConnection(distance->GetOutputPort());
   writer->SetFileName("distance.vtp");
-  return writer->Write() == 1 && distance->GetErrorCode() == 0 ? 0 : 1;
+  const bool written = writer->Write() == 1;
+  return written && reader->GetErrorCode() + distance->GetErrorCode() == 0 ? 0 : 1;
 }

@@ -5,6 +5,7 @@
 import os
 
 import vtkdgg
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
@@ -50,6 +51,11 @@ def read_triangles(path):
     except vtkdgg.VTKError as error:
         reason = " ".join(str(error).split())
         raise MeshFileError(f"{path}: cannot be read ({reason})") from None
+    ids = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())
+    if len(ids) > 0 and not 0 <= ids.min() <= ids.max() < mesh.GetNumberOfPoints():
+        wrong = ids.min() if ids.min() < 0 else ids.max()
+        count = mesh.GetNumberOfPoints()
+        raise MeshFileError(f"{path}: a cell names point {wrong}, but there are {count} points")
     if mesh.GetNumberOfPolys() == 0:
         raise MeshFileError(f"{path}: holds no surface")
     return mesh

@@ -43,8 +43,8 @@ struct ExactOptions
   double MaximumDistance = Infinity;
   /// Points whose distance is wanted besides that of the vertices.
   std::vector<SurfacePoint> Targets;
-  /// Stop as soon as the distances of all targets are final. Vertices that are not final then, are
-  /// left unreached.
+  /// Stop as soon as the distances of all targets are final; vertices farther than the farthest
+  /// target are left unreached. Without targets it has no effect.
   bool StopAtTargets = false;
   /// Progress and abort; may be empty.
   ProgressCallback Progress;

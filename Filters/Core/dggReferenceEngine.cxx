@@ -34,7 +34,7 @@ void ReferenceEngine::LabelDropped(Id v)
 bool ReferenceEngine::IsUseless(Id h, const Window& w) const
 {
   const double length = this->Mesh.Length(h);
-  return w.End - w.Begin < IntervalTolerance * length || w.Image.Y > -EdgeOnTolerance * length ||
+  return w.IsTooNarrow(length) || w.Image.Y > -EdgeOnTolerance * length ||
     this->Label(this->Mesh.Origin(h)) + w.End <= w.DistanceAtEnd * (1.0 - LengthTolerance) ||
     this->Label(this->Mesh.Destination(h)) + (length - w.Begin) <=
     w.DistanceAtBegin * (1.0 - LengthTolerance) ||
@@ -81,11 +81,9 @@ bool ReferenceEngine::Propagate()
     {
       const QueuedWindow queued = this->Windows.top();
       this->Windows.pop();
-      if (!this->IsStale(queued.Light) && !this->IsUseless(queued.HalfEdge, queued.Light) &&
-        !this->HasPassed(queued.HalfEdge, queued.Light))
+      if (!this->IsStale(queued.Light) && !this->IsUseless(queued.HalfEdge, queued.Light))
       {
-        ++this->Result->NumberOfWindows;
-        this->ProcessWindow(queued.HalfEdge, queued.Light);
+        this->ProcessNews(queued.HalfEdge, queued.Light);
       }
     }
     this->Result->PeakMemory = std::max(this->Result->PeakMemory,
@@ -95,16 +93,20 @@ bool ReferenceEngine::Propagate()
   return true;
 }
 
-/// Whether windows that came to h before make this one useless, where that has to be remembered.
-bool ReferenceEngine::HasPassed(Id h, const Window& w)
+/// Process what is new of a window, where what has passed has to be remembered; else all of it.
+void ReferenceEngine::ProcessNews(Id h, const Window& w)
 {
   if (!WindowMemory::IsNeeded(this->Mesh, h))
   {
-    return false;
+    this->ProcessWindow(h, w);
+    return;
   }
-  WindowList list(1, w);
-  this->Memory.KeepNews(h, this->Mesh.Length(h), list);
-  return list.empty();
+  this->News.assign(1, w);
+  this->Memory.KeepNews(h, this->Mesh.Length(h), this->News);
+  for (const Window& piece : this->News)
+  {
+    this->ProcessWindow(h, piece);
+  }
 }
 
 void ReferenceEngine::ProcessVertex(const QueuedVertex& queued)
@@ -127,6 +129,7 @@ void ReferenceEngine::ProcessVertex(const QueuedVertex& queued)
 
 void ReferenceEngine::ProcessWindow(Id h, const Window& w)
 {
+  ++this->Result->NumberOfWindows;
   if (this->HasTargets(SurfaceMesh::Face(h)))
   {
     this->OfferTargets(h, w);
@@ -177,9 +180,10 @@ void ReferenceEngine::DecideChildren(
   Winner& winner = this->Winners[h];
   if (distance < winner.Distance)
   {
-    winner = { distance, crossing, w.Root >= 0 && !w.HasBranched };
+    winner = { distance, crossing, w.Root >= 0 && !w.HasScattered };
   }
-  else if (distance > winner.Distance * (1.0 + LengthTolerance) && winner.Rules && !w.HasBranched &&
+  else if (distance > winner.Distance * (1.0 + LengthTolerance) && winner.Rules &&
+    !w.HasScattered &&
     std::abs(crossing - winner.Crossing) > CoincidenceTolerance * this->Mesh.Length(h))
   {
     left = crossing < winner.Crossing;

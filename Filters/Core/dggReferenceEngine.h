@@ -50,7 +50,7 @@ private:
   };
 
   bool IsUseless(Id h, const Window& window) const;
-  bool HasPassed(Id h, const Window& window);
+  void ProcessNews(Id h, const Window& window);
   void ProcessVertex(const QueuedVertex& queued);
   void ProcessWindow(Id h, const Window& window);
   void DecideChildren(Id h, const Window& window, double crossing, bool& left, bool& right);
@@ -59,6 +59,7 @@ private:
   std::priority_queue<QueuedVertex> Vertices;
   std::vector<Winner> Winners; // per half-edge
   WindowMemory Memory;
+  WindowList News;
   std::vector<double> Emitted; // per vertex, the label at its last emission
 };
 }

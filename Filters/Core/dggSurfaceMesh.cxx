@@ -55,6 +55,10 @@ Status SurfaceMesh::FromLengths(Offset numberOfVertices, const Id* triangles,
   }
   if (status.IsOk())
   {
+    status = builder.CheckTriangleInequalities();
+  }
+  if (status.IsOk())
+  {
     builder.Orient();
     builder.Mollify();
     builder.Finish();
@@ -75,6 +79,10 @@ Status SurfaceMesh::FromGluedLengths(Offset numberOfVertices, const Id* triangle
   if (status.IsOk())
   {
     status = builder.TakeLengths(lengths);
+  }
+  if (status.IsOk())
+  {
+    status = builder.CheckTriangleInequalities();
   }
   if (status.IsOk())
   {

@@ -40,8 +40,10 @@ enum class VertexKind : std::uint8_t
 ///
 /// Degenerate faces (zero area, or a triangle inequality lost to rounding) are *mollified*: the
 /// edges of the faces concerned are lengthened by one small delta (GetMollification()), the
-/// smallest that leaves a slack of 1e-13 times the mean edge length in each of them (Sharp and
-/// Crane, "A Laplacian for Nonmanifold Triangle Meshes", 2020, sec. 4.5).
+/// smallest that leaves a slack of 1e-13 times the mean edge length (or the longest edge of the
+/// face, if longer) in each of them (Sharp and Crane, "A Laplacian for Nonmanifold Triangle
+/// Meshes", 2020, sec. 4.5). Angles and kinds are those of the lengthened faces; vertices of such
+/// faces are Irregular.
 class SurfaceMesh
 {
 public:

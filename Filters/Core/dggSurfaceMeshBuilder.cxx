@@ -35,7 +35,7 @@ Status SurfaceMeshBuilder::TakeTriangles(
 {
   constexpr Offset limit = std::numeric_limits<Id>::max();
   if (numberOfVertices < 0 || numberOfTriangles < 0 || numberOfVertices > limit ||
-    3 * numberOfTriangles > limit)
+    numberOfTriangles > limit / 3)
   {
     std::ostringstream message;
     message << "a mesh of " << numberOfVertices << " points and " << numberOfTriangles
@@ -224,8 +224,13 @@ Status SurfaceMeshBuilder::MeasureLengths(const double* points)
   {
     return status;
   }
+  double longest = 0.0;
   for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
   {
+    if (this->Mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      continue;
+    }
     // From the smaller id to the larger one, so that both halves get the same bits.
     const Offset a = std::min(this->Mesh.Origin(h), this->Mesh.Destination(h));
     const Offset b = std::max(this->Mesh.Origin(h), this->Mesh.Destination(h));
@@ -233,8 +238,10 @@ Status SurfaceMeshBuilder::MeasureLengths(const double* points)
     const double dy = points[3 * b + 1] - points[3 * a + 1];
     const double dz = points[3 * b + 2] - points[3 * a + 2];
     this->Mesh.Lengths[h] = std::sqrt(dx * dx + dy * dy + dz * dz);
+    longest = std::max(longest, this->Mesh.Lengths[h]);
   }
-  return Status::Success();
+  // Triangles that are points may be far from each other.
+  return this->CheckExtent(longest, "the longest edge");
 }
 
 Status SurfaceMeshBuilder::TakeLengths(const double* lengths)
@@ -270,6 +277,26 @@ Status SurfaceMeshBuilder::TakeLengths(const double* lengths)
   return isEmpty ? Status::Success() : this->CheckExtent(longest, "the longest edge");
 }
 
+Status SurfaceMeshBuilder::CheckTriangleInequalities() const
+{
+  for (Id f = 0; f < this->Mesh.GetNumberOfFaces(); ++f)
+  {
+    const Id h = 3 * f;
+    const double a = this->Mesh.Length(h);
+    const double b = this->Mesh.Length(h + 1);
+    const double c = this->Mesh.Length(h + 2);
+    const double longest = std::max({ a, b, c });
+    if (!this->Mesh.IsDropped(f) && 2.0 * longest - (a + b + c) > LengthAgreement * longest)
+    {
+      std::ostringstream message;
+      message << "face " << f << " has edges of lengths " << a << ", " << b << " and " << c
+              << ": none may be longer than the other two together";
+      return Status::Invalid(message.str());
+    }
+  }
+  return Status::Success();
+}
+
 void SurfaceMeshBuilder::Orient()
 {
   SurfaceMesh& mesh = this->Mesh;
@@ -298,16 +325,36 @@ void SurfaceMeshBuilder::Orient()
           continue; // only manifold edges hand the orientation on
         }
         const Id g = SurfaceMesh::Face(t);
+        const bool opposed = mesh.Origin(t) == mesh.Destination(h);
         if (!seen[g])
         {
-          const bool opposed = mesh.Origin(t) == mesh.Destination(h);
           seen[g] = 1;
           turn[g] = opposed ? turn[f] : 1 - turn[f];
           component.push_back(g);
         }
       }
     }
-    if (2 * turned > component.size())
+    // An edge from a vertex to itself is glued with its half-edges running against each other;
+    // turning over only one of its faces would change that.
+    const bool keeps = std::all_of(component.begin(), component.end(), [&](Id f) {
+      bool same = true;
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const Id t = mesh.Twin(h);
+        same = same &&
+          (t == NoId || mesh.Origin(h) != mesh.Destination(h) ||
+            turn[SurfaceMesh::Face(t)] == turn[f]);
+      }
+      return same;
+    });
+    if (!keeps)
+    {
+      for (const Id f : component)
+      {
+        turn[f] = 0;
+      }
+    }
+    else if (2 * turned > component.size())
     {
       for (const Id f : component)
       {

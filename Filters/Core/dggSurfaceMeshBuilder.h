@@ -27,6 +27,8 @@ public:
   Status GlueByTwins(const Id* twins);
   Status MeasureLengths(const double* points);
   Status TakeLengths(const double* lengths);
+  /// Refuse lengths that no triangle can have, rather than mollify them.
+  Status CheckTriangleInequalities() const;
   /// Turn faces over, component by component, where that makes the orientation consistent.
   void Orient();
   /// Lengthen the edges of degenerate faces.

@@ -121,6 +121,16 @@ Status SurfacePoint::Check(const SurfaceMesh& mesh) const
             << " are not within the face: they must not be negative and add up to 1";
     return Status::Invalid(message.str());
   }
+  const std::array<double, 3>& b = this->Barycentric;
+  const bool snapped = this->On == Support::Edge ? this->HalfEdge >= 3 * this->Face &&
+      this->HalfEdge < 3 * this->Face + 3 && b[(this->HalfEdge + 2) % 3] == 0.0
+                                                 : b[0] > 0.0 && b[1] > 0.0 && b[2] > 0.0;
+  if (!snapped)
+  {
+    message << "the point in face " << this->Face
+            << " is not on what it says it is on: use SurfacePoint::InFace() or OnEdge()";
+    return Status::Invalid(message.str());
+  }
   return Status::Success();
 }
 

@@ -185,11 +185,11 @@ std::size_t TriangleEngine::PropagateList(Id h)
 /// The label of the apex first: it trims the children.
 void TriangleEngine::LightApex(Id h, const FaceUnfolding& face)
 {
-  const double tolerance = LightTolerance * face.GetBase();
   const Id apex = this->Mesh.Apex(h);
   for (const Window& w : this->Light)
   {
     const double crossing = Crossing(w.Image, face.GetApex());
+    const double tolerance = w.Tolerance(LightTolerance, face.GetBase());
     if (crossing >= w.Begin - tolerance && crossing <= w.End + tolerance)
     {
       this->Lower(apex, w.DistanceTo(face.GetApex()), { h, w.Root, w.Image.X, w.Image.Y },
@@ -237,8 +237,7 @@ void TriangleEngine::MakeChildren(Id h, const FaceUnfolding& face)
 void TriangleEngine::AddChild(
   Window& child, double length, double atOrigin, double atEnd, WindowList& list)
 {
-  if (child.Image.Y > -EdgeOnTolerance * length ||
-    child.End - child.Begin < IntervalTolerance * length ||
+  if (child.Image.Y > -EdgeOnTolerance * length || child.IsTooNarrow(length) ||
     !TrimByEnds(child, length, atOrigin, atEnd) || child.MinimumDistance() > this->GetRadius())
   {
     return;
@@ -251,6 +250,13 @@ void TriangleEngine::Deliver(Id exit, WindowList& list)
   if (list.empty())
   {
     return;
+  }
+  if (this->Scatters(exit))
+  {
+    for (Window& w : list)
+    {
+      w.HasScattered = true;
+    }
   }
   for (Id e = this->Mesh.Twin(exit); e != NoId && e != exit; e = this->Mesh.Twin(e))
   {

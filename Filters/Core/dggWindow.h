@@ -8,8 +8,22 @@
 #include "dggTypes.h"     // for Id
 #include "dggUnfolding.h" // for Point2
 
+#include <algorithm> // for std::min
+
 namespace dgg
 {
+/// Two path lengths this close, relatively, count as equal.
+constexpr double LengthTolerance = 1e-12;
+/// Intervals narrower than this are dropped; relative, see Window::Tolerance().
+constexpr double IntervalTolerance = 1e-10;
+/// A point this close to the edge of a window counts as lit; relative, see Window::Tolerance(). A
+/// straight line past the border of its strip by that much differs from a path in the strip by the
+/// square, and no point on the seam between two windows stays dark.
+constexpr double LightTolerance = 1e-9;
+/// An image closer to the axis than this, relative to its edge, sees the edge edge-on and lights
+/// nothing.
+constexpr double EdgeOnTolerance = 1e-14;
+
 /// Light on its way into the face of a half-edge, in the frame of that half-edge (dggUnfolding.h).
 /// The image of the pseudo-source is kept rather than two end distances: it is accurate when the
 /// image is nearly in line with the edge. The distances at the ends are a cache.
@@ -22,8 +36,9 @@ struct Window
   double DistanceAtBegin = 0.0;
   double DistanceAtEnd = 0.0;
   Id Root = NoId; ///< the pseudo-source: a vertex, or ~k for source k inside a face or an edge
-  bool HasBranched = false; ///< has crossed an edge with more than two faces
-  bool IsKnown = false;     ///< has passed here before (dggWindowMemory.h)
+  /// Has gone through an edge with more than two faces, or a face without area.
+  bool HasScattered = false;
+  bool IsKnown = false; ///< has passed here before (dggWindowMemory.h)
 
   /// Distance at a point of the axis.
   double DistanceAt(double x) const { return this->Sigma + DistanceToAxis(this->Image, x); }
@@ -52,24 +67,29 @@ struct Window
     this->DistanceAtEnd = this->DistanceAt(end);
   }
 
+  /// A tolerance for widths on an edge of the given length. What counts is the angle: close to its
+  /// image a window that is narrow for its edge may light half of the surface. Rounding of
+  /// positions on the edge sets the floor. Light that has scattered may come from as close by as
+  /// faces without area are narrow, without meaning anything, and in any number of slivers: there
+  /// the edge counts.
+  double Tolerance(double relative, double length) const
+  {
+    const double scale = this->HasScattered ? length : std::min(length, -this->Image.Y);
+    return std::max(1e-15 * length, relative * scale);
+  }
+
+  /// Whether too narrow for an edge of the given length to be kept.
+  bool IsTooNarrow(double length) const
+  {
+    return this->End - this->Begin < this->Tolerance(IntervalTolerance, length);
+  }
+
   bool HasSameOrigin(const Window& other) const
   {
     return this->Root == other.Root && this->Sigma == other.Sigma &&
       this->Image.X == other.Image.X && this->Image.Y == other.Image.Y;
   }
 };
-
-/// Two path lengths this close, relatively, count as equal.
-constexpr double LengthTolerance = 1e-12;
-/// Intervals narrower than this, relative to their edge, are dropped.
-constexpr double IntervalTolerance = 1e-10;
-/// An image closer to the axis than this, relative to its edge, sees the edge edge-on and lights
-/// nothing.
-constexpr double EdgeOnTolerance = 1e-14;
-/// A point this close to the edge of a window counts as lit, relative to the edge of the mesh. A
-/// straight line past the border of its strip by that much differs from a path in the strip by the
-/// square, and no point on the seam between two windows stays dark.
-constexpr double LightTolerance = 1e-9;
 }
 
 #endif

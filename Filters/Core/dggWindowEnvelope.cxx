@@ -9,11 +9,11 @@ namespace dgg
 {
 namespace
 {
-/// Pieces narrower than this, relative to the half-edge, are left to a neighbour that touches them.
-/// The light of the neighbour then leaves its strip by that much at most, which changes lengths by
-/// the square, 1e-14. Where shadows of several pseudo-sources in line meet, rounding would make a
-/// window of its own of each sliver.
-constexpr double PieceTolerance = 1e-7;
+/// Pieces narrower than this are left to a neighbour that touches them; relative, see
+/// Window::Tolerance(). The light of the neighbour then leaves its strip by that much at most,
+/// which changes lengths by the square. Where shadows of several pseudo-sources in line meet,
+/// rounding would make a window of its own of each sliver.
+constexpr double PieceTolerance = 1e-9;
 
 /// Two distances this close, relatively, are a tie of windows: a few roundings.
 constexpr double TieTolerance = 4e-15;
@@ -38,14 +38,14 @@ void Append(WindowList& out, const Window& w, double begin, double atBegin, doub
       back.DistanceAtEnd = atEnd;
       return;
     }
-    if (end - begin < PieceTolerance * length)
+    if (end - begin < w.Tolerance(PieceTolerance, length))
     {
       back.End = end;
       back.DistanceAtEnd = back.DistanceAt(end);
       return;
     }
   }
-  if (end - begin < IntervalTolerance * length)
+  if (end - begin < w.Tolerance(IntervalTolerance, length))
   {
     return;
   }
@@ -303,7 +303,7 @@ bool TrimByEnds(Window& w, double length, double atOrigin, double atEnd)
       w.DistanceAtEnd = atEnd + (length - x);
     }
   }
-  return w.End - w.Begin >= IntervalTolerance * length;
+  return !w.IsTooNarrow(length);
 }
 
 double TiePoint(const Window& first, const Window& second, double begin, double end)

@@ -13,7 +13,7 @@ namespace
 /// Directions this close to the edge of a shadow are taken to be in it, radians: more than rounding
 /// can do to an angle, and less than what makes a window of its own (PieceTolerance of the
 /// envelopes). With 1e-6 half of all windows were overlaps of this kind.
-constexpr double ShadowSlack = 1e-8;
+constexpr double ShadowSlack = 1e-10;
 
 Status CheckSources(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources)
 {
@@ -98,7 +98,7 @@ Status WindowPropagation::Run(
 
   // Labels must not be negative (tolerances are relative), so negative initial distances shift the
   // origin.
-  double shift = 0.0;
+  double shift = Infinity;
   for (const GeodesicSource& source : sources)
   {
     shift = std::min(shift, source.InitialDistance);
@@ -275,10 +275,6 @@ void WindowPropagation::EmitInto(Id g, double sigma, double from, double to)
   };
   const double first = from <= 0.0 ? 0.0 : std::min(1.0, std::max(0.0, meet(from)));
   const double last = to >= corner ? 1.0 : std::min(1.0, std::max(0.0, meet(to)));
-  if (last - first < IntervalTolerance)
-  {
-    return;
-  }
   Window window;
   // Seen from the other side of the edge. Not length - ApexX(exit), which is inaccurate for
   // needles.
@@ -287,7 +283,10 @@ void WindowPropagation::EmitInto(Id g, double sigma, double from, double to)
   window.Sigma = sigma;
   window.Root = this->Mesh.Origin(g);
   window.SetInterval(length * (1.0 - last), length * (1.0 - first));
-  this->Cross(exit, window);
+  if (!window.IsTooNarrow(length))
+  {
+    this->Cross(exit, window);
+  }
 }
 
 Window WindowPropagation::Mirrored(const Window& window, double length)
@@ -384,7 +383,7 @@ void WindowPropagation::ReachTarget(std::size_t index, double distance, Id sourc
 void WindowPropagation::OfferTargets(Id h, const Window& window)
 {
   const Id f = SurfaceMesh::Face(h);
-  const double tolerance = LightTolerance * this->Mesh.Length(h);
+  const double tolerance = window.Tolerance(LightTolerance, this->Mesh.Length(h));
   auto target = std::lower_bound(this->Targets.begin(), this->Targets.end(), f,
     [](const Target& t, Id face) { return t.Face < face; });
   for (; target != this->Targets.end() && target->Face == f; ++target)

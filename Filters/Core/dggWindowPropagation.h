@@ -60,7 +60,7 @@ protected:
   void Cross(Id exit, Window window)
   {
     const Id twin = this->Mesh.Twin(exit);
-    window.HasBranched |= twin != NoId && this->Mesh.Twin(twin) != exit;
+    window.HasScattered |= this->Scatters(exit);
     for (Id e = twin; e != NoId && e != exit; e = this->Mesh.Twin(e))
     {
       if (this->RunsAgainst(e, exit))
@@ -72,6 +72,14 @@ protected:
         this->Receive(e, Mirrored(window, this->Mesh.Length(e)));
       }
     }
+  }
+
+  /// Whether light that leaves through the half-edge has scattered.
+  bool Scatters(Id exit) const
+  {
+    const Id twin = this->Mesh.Twin(exit);
+    return this->Mesh.IsDegenerate(SurfaceMesh::Face(exit)) ||
+      (twin != NoId && this->Mesh.Twin(twin) != exit);
   }
 
   bool RunsAgainst(Id e, Id h) const { return this->Mesh.Origin(e) == this->Mesh.Destination(h); }

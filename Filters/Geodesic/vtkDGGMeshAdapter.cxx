@@ -81,9 +81,16 @@ vtkDGGMeshAdapter::Key vtkDGGMeshAdapter::MakeKey(vtkPolyData* input, bool merge
 }
 
 //------------------------------------------------------------------------------
-bool vtkDGGMeshAdapter::IsUpToDate(vtkPolyData* input, bool mergeCoincidentPoints) const
+bool vtkDGGMeshAdapter::IsUpToDate(vtkPolyData* input, bool mergeCoincidentPoints)
 {
-  return this->IsBuilt && this->BuiltFrom == MakeKey(input, mergeCoincidentPoints);
+  // After a change in place Modified() is often called on the data object alone. Another object
+  // with the very same points and polygons is no change.
+  const vtkMTimeType object = AddressOf(input);
+  const vtkMTimeType time = input->vtkObject::GetMTime();
+  const bool modified = object == this->Object && time != this->ObjectTime;
+  this->Object = object;
+  this->ObjectTime = time;
+  return this->IsBuilt && !modified && this->BuiltFrom == MakeKey(input, mergeCoincidentPoints);
 }
 
 //------------------------------------------------------------------------------
@@ -94,6 +101,7 @@ void vtkDGGMeshAdapter::Clear()
   this->Vertices.clear();
   this->Cells.clear();
   this->NumberOfDroppedCells = 0;
+  this->NumberOfFans = 0;
   this->NumberOfMergedPoints = 0;
   this->NumberOfCoincidentBoundaryPoints = 0;
   this->Warnings.clear();
@@ -103,10 +111,6 @@ void vtkDGGMeshAdapter::Clear()
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGMeshAdapter::Update(vtkPolyData* input, bool mergeCoincidentPoints)
 {
-  if (this->IsUpToDate(input, mergeCoincidentPoints))
-  {
-    return dgg::Status::Success();
-  }
   this->Clear();
   const dgg::Status status = this->Build(input, mergeCoincidentPoints);
   if (!status.IsOk())
@@ -249,6 +253,7 @@ dgg::Status vtkDGGMeshAdapter::Triangulate(
       this->Cells.insert(this->Cells.end(), added, cell);
     }
   }
+  this->NumberOfFans = triangulator.GetNumberOfFans();
   if (triangles.empty())
   {
     std::ostringstream message;
@@ -312,31 +317,32 @@ void vtkDGGMeshAdapter::CountCoincidentBoundaryPoints(const double* points)
 void vtkDGGMeshAdapter::CollectWarnings()
 {
   const dgg::MeshReport& report = this->Report;
-  if (report.NonManifoldEdges + report.NonManifoldVertices > 0)
-  {
-    std::ostringstream text;
-    text << "the mesh has " << report.NonManifoldEdges << " edges with more than two triangles and "
-         << report.NonManifoldVertices
-         << " further points where separate sheets touch. Distances pass through them into every "
-         << "sheet";
-    this->Warnings.push_back(text.str());
-  }
-  if (this->NumberOfDroppedCells + report.DegenerateFaces > 0)
-  {
-    std::ostringstream text;
-    text << "the mesh has " << this->NumberOfDroppedCells
-         << " polygons with fewer than three distinct points, which are left out, and "
-         << report.DegenerateFaces
-         << " triangles without area, whose edges are taken to be longer by "
-         << report.Mollification;
-    this->Warnings.push_back(text.str());
-  }
-  if (this->NumberOfCoincidentBoundaryPoints > 0)
-  {
-    std::ostringstream text;
-    text << this->NumberOfCoincidentBoundaryPoints
-         << " points of the boundary have the same coordinates as another one. If they are the "
-         << "two sides of a seam rather than of a slit, turn MergeCoincidentPoints on";
-    this->Warnings.push_back(text.str());
-  }
+  auto warn = [this](vtkIdType count, const std::string& what) {
+    if (count > 0)
+    {
+      this->Warnings.push_back("the mesh has " + std::to_string(count) + " " + what);
+    }
+  };
+  warn(report.NonManifoldEdges,
+    "edges with more than two triangles. Distances pass through them into every triangle");
+  warn(report.NonManifoldVertices,
+    "points where separate sheets touch. Distances pass through them into every sheet");
+  warn(report.InconsistentEdges,
+    "edges across which no choice of orientation is consistent, as on a Moebius strip. Distances "
+    "do "
+    "not depend on orientation");
+  warn(this->NumberOfDroppedCells,
+    "polygons with fewer than three distinct points, which are left out");
+  warn(this->NumberOfFans,
+    "polygons that cross or touch themselves. They are cut into fans around their first points, "
+    "which "
+    "need not be what they are meant to be: triangulate them first");
+  std::ostringstream length;
+  length << report.Mollification;
+  warn(report.DegenerateFaces,
+    "triangles without area, whose edges are taken to be longer by " + length.str());
+  warn(this->NumberOfCoincidentBoundaryPoints,
+    "points of the boundary with the same coordinates as another one. If they are the two sides of "
+    "a "
+    "seam rather than of a slit, turn MergeCoincidentPoints on");
 }

@@ -23,16 +23,17 @@ class vtkPolyData;
 class vtkDGGMeshAdapter
 {
 public:
-  /// Bring the mesh up to date. Does nothing when it is. Fails with a message that names the
-  /// offending point or cell; then there is no mesh.
+  /// Prepare the mesh. Fails with a message that names the offending point or cell; then there is
+  /// no mesh.
   ///
   /// With `mergeCoincidentPoints`, triangles use the first one of all points that have the very
   /// same coordinates; the others become vertices without faces, and GetVertex() tells which vertex
   /// they share.
   dgg::Status Update(vtkPolyData* input, bool mergeCoincidentPoints);
 
-  /// Whether Update() would do nothing.
-  bool IsUpToDate(vtkPolyData* input, bool mergeCoincidentPoints) const;
+  /// Whether Update() would give the same mesh again. Takes note of the object that it is asked
+  /// about.
+  bool IsUpToDate(vtkPolyData* input, bool mergeCoincidentPoints);
 
   /// Forget the mesh.
   void Clear();
@@ -86,11 +87,14 @@ private:
   std::vector<dgg::Id> Vertices; // per point; empty when nothing was merged
   std::vector<vtkIdType> Cells;  // per face
   vtkIdType NumberOfDroppedCells = 0;
+  vtkIdType NumberOfFans = 0; // polygons that cross or touch themselves
   vtkIdType NumberOfMergedPoints = 0;
   vtkIdType NumberOfCoincidentBoundaryPoints = 0;
   std::vector<std::string> Warnings;
   vtkTimeStamp BuildTime;
   Key BuiltFrom{};
+  vtkMTimeType Object = 0; // the vtkPolyData last seen, and its own time
+  vtkMTimeType ObjectTime = 0;
   bool IsBuilt = false;
 };
 

@@ -159,6 +159,7 @@ void vtkDGGPolygonTriangulator::CutEars(const double* points, std::vector<dgg::I
     }
     return;
   }
+  ++this->NumberOfFans;
   for (vtkIdType i = 1; i + 1 < n; ++i)
   {
     Append(c[0], c[i], c[i + 1], triangles);

@@ -25,6 +25,9 @@ public:
   dgg::Id Triangulate(
     const double* points, const std::vector<dgg::Id>& corners, std::vector<dgg::Id>& triangles);
 
+  /// How many polygons have become fans since construction.
+  vtkIdType GetNumberOfFans() const { return this->NumberOfFans; }
+
 private:
   void CutQuad(const double* points, std::vector<dgg::Id>& triangles);
   void CutEars(const double* points, std::vector<dgg::Id>& triangles);
@@ -32,6 +35,7 @@ private:
   std::vector<dgg::Id> Corners; // without repetitions of the one before
   vtkNew<vtkPolygon> Polygon;
   vtkNew<vtkIdList> Ears;
+  vtkIdType NumberOfFans = 0;
 };
 
 #endif

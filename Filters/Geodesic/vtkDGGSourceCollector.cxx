@@ -43,7 +43,7 @@ dgg::Status CheckInitialDistances(vtkPolyData* points, const std::string& name)
     }
     return dgg::Status::Success();
   }
-  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() < CountPoints(points))
+  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != CountPoints(points))
   {
     message << "the point array '" << name << "' of input port 1 has "
             << array->GetNumberOfComponents() << " components and " << array->GetNumberOfTuples()

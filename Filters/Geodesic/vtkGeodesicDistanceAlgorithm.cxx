@@ -169,6 +169,12 @@ void vtkGeodesicDistanceAlgorithm::SetSourceIds(const std::vector<vtkIdType>& id
 }
 
 //------------------------------------------------------------------------------
+void vtkGeodesicDistanceAlgorithm::SetSourceIds(std::initializer_list<vtkIdType> ids)
+{
+  this->SetSourceIds(std::vector<vtkIdType>(ids));
+}
+
+//------------------------------------------------------------------------------
 void vtkGeodesicDistanceAlgorithm::RemoveAllSourceIds()
 {
   this->SetSourceIds(std::vector<vtkIdType>());

@@ -19,7 +19,8 @@
  *
  * <b>Cells.</b> Triangles are used as they are; quads, polygons and triangle strips are
  * triangulated inside. For planar polygons it makes no difference how; a quad that is not planar
- * is cut along the shorter one of its diagonals, and larger polygons ear by ear. Verts and lines
+ * is cut along the shorter one of its diagonals, and larger polygons ear by ear; those that cross
+ * or touch themselves become fans, with a warning. Verts and lines
  * are passed through and not used. Polygons with fewer than three distinct points are left out.
  * Triangles without area are used; their edges are lengthened a little (GetMollification()). Edges
  * with more than two triangles and points where sheets touch conduct: distances are those of the
@@ -52,10 +53,10 @@
  * filter starts anew. Call Modified() to have filters downstream follow.
  *
  * The mesh is prepared once and kept until points, polygons or strips change; a change of sources
- * or of another property does not prepare it again. Arrays changed in place must be marked by
- * Modified(), as everywhere in VTK.
+ * or of another property does not prepare it again. Changes in place must be marked by Modified()
+ * of the array, the points or the vtkPolyData, as everywhere in VTK.
  *
- * Subclasses implement ComputeDistances().
+ * Subclasses in this module implement ComputeDistances(); what it takes is internal to the module.
  *
  * @sa vtkExactGeodesicDistance
  */
@@ -66,9 +67,10 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // For the internals
-#include <string> // For array names
-#include <vector> // For source ids
+#include <initializer_list> // For source ids
+#include <memory>           // For the internals
+#include <string>           // For array names
+#include <vector>           // For source ids
 
 namespace dgg
 {
@@ -91,6 +93,9 @@ public:
   void AddSourceId(vtkIdType id);
   void SetSourceIds(vtkIdList* ids);
   void SetSourceIds(const std::vector<vtkIdType>& ids);
+#ifndef __VTK_WRAP__
+  void SetSourceIds(std::initializer_list<vtkIdType> ids); // or {0} would be a null list
+#endif
   void RemoveAllSourceIds();
   vtkIdType GetNumberOfSourceIds() const;
   ///@}

@@ -251,6 +251,40 @@ TEST(SurfaceMeshErrors, NameTheBadLength)
   ExpectRefused(FromLengths(input, mesh), mesh, "equal on all halves of an edge");
 }
 
+TEST(SurfaceMeshErrors, RefuseTrianglesThatAreAllPoints)
+{
+  // Collapsed, but far from each other.
+  TestMesh input;
+  for (const double x : { 0.0, 0.0, 0.0, 1.0, 1.0, 1.0 })
+  {
+    input.AddPoint(x, 0.0, 0.0);
+  }
+  input.AddTriangle(0, 1, 2);
+  input.AddTriangle(3, 4, 5);
+  SurfaceMesh mesh;
+  ExpectRefused(FromPoints(input, mesh), mesh, "single points");
+  // One real triangle gives the others a scale.
+  input.AddPoint(0.0, 1.0, 0.0);
+  input.AddTriangle(0, 3, 6);
+  ASSERT_TRUE(FromPoints(input, mesh).IsOk());
+  EXPECT_EQ(mesh.GetNumberOfDegenerateFaces(), 2);
+  EXPECT_TRUE(std::isfinite(mesh.TotalAngle(0)));
+}
+
+TEST(SurfaceMeshErrors, NameTheFaceThatIsNoTriangle)
+{
+  TestMesh input;
+  input.AbstractVertices = 4;
+  input.AddTriangle(0, 1, 2);
+  input.AddTriangle(0, 2, 3);
+  input.Lengths = { 1.0, 1.0, 1.5, 1.5, 1.0, 100.0 };
+  SurfaceMesh mesh;
+  ExpectRefused(FromLengths(input, mesh), mesh, "face 1");
+  input.Lengths = { 1.0, 1.0, 2.0, 2.0, 1.0, 1.0 }; // flat: mollified, not refused
+  ASSERT_TRUE(FromLengths(input, mesh).IsOk());
+  EXPECT_EQ(mesh.GetNumberOfDegenerateFaces(), 2);
+}
+
 TEST(SurfaceMeshErrors, RefuseBadGluing)
 {
   const TestMesh good = FlatTorus(4.0, 0.0, 3.0, 2, 2, true);

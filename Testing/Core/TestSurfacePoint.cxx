@@ -166,4 +166,23 @@ TEST(SurfacePoint, ChecksCoordinates)
   ExpectBad(SurfacePoint::OnEdge(mesh, 0, 1.5), mesh, "not within the face");
   ExpectBad(SurfacePoint::OnEdge(mesh, 0, nan), mesh, "not within the face");
 }
+
+TEST(SurfacePoint, ChecksWhatItIsOn)
+{
+  // Filled in by hand, against InFace() and OnEdge().
+  const dgg::SurfaceMesh mesh = Build(TwoTriangles(0.5));
+  SurfacePoint point;
+  point.Face = 0;
+  point.Barycentric = { { 0.5, 0.5, 0.0 } };
+  point.On = Support::Face;
+  ExpectBad(point, mesh, "use SurfacePoint::InFace()");
+  point.On = Support::Edge;
+  ExpectBad(point, mesh, "use SurfacePoint::InFace()"); // no half-edge
+  point.HalfEdge = 1;
+  ExpectBad(point, mesh, "use SurfacePoint::InFace()"); // another edge
+  point.HalfEdge = 3;
+  ExpectBad(point, mesh, "use SurfacePoint::InFace()"); // another face
+  point.HalfEdge = 0;
+  EXPECT_TRUE(point.Check(mesh).IsOk());
+}
 }

@@ -89,7 +89,7 @@ TEST(AwkwardSurfaces, PinchedVertexConducts)
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetInputData(surface);
   filter->AddSourceId(1);
-  ExpectWarning(filter, { "1 further points where separate sheets touch" });
+  ExpectWarning(filter, { "1 points where separate sheets touch" });
   EXPECT_EQ(filter->GetNumberOfNonManifoldVertices(), 1);
   EXPECT_EQ(filter->GetNumberOfComponents(), 1);
   EXPECT_NEAR(GetDistances(filter)[4], 2.0 * std::sqrt(2.0), 1e-12);
@@ -116,7 +116,7 @@ TEST(AwkwardSurfaces, MoebiusStrip)
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetInputData(MakeSurface(points, cells));
   filter->AddSourceId(0);
-  ExpectSuccess(filter);
+  ExpectWarning(filter, { "no choice of orientation is consistent" });
   EXPECT_FALSE(filter->GetOrientable());
   EXPECT_EQ(filter->GetNumberOfBoundaryLoops(), 1);
   EXPECT_NE(filter->GetMeshReport().find("orientable: no\n"), std::string::npos);

@@ -7,6 +7,7 @@
 #include "vtkExactGeodesicDistance.h"
 
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -114,6 +115,20 @@ TEST_F(Caching, PointsRebuildTheMesh)
   this->Grid->SetPoints(points);
   this->ExpectRebuilt("other points");
   EXPECT_NEAR(GetDistances(this->Filter)[1], 1.5, 1e-12);
+}
+
+TEST_F(Caching, ModifiedOnTheDataObjectWillDo)
+{
+  // As after a change through the numpy view of the points.
+  auto* coordinates = vtkDoubleArray::SafeDownCast(this->Grid->GetPoints()->GetData());
+  ASSERT_NE(coordinates, nullptr);
+  for (vtkIdType i = 0; i < coordinates->GetNumberOfValues(); ++i)
+  {
+    *coordinates->GetPointer(i) *= 2.0;
+  }
+  this->Grid->Modified();
+  this->ExpectRebuilt("moved points, marked on the data object");
+  EXPECT_NEAR(GetDistances(this->Filter)[1], 2.0, 1e-12);
 }
 
 TEST_F(Caching, SourcePointsFollowTheMesh)

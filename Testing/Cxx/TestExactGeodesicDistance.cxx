@@ -31,6 +31,16 @@ std::vector<double> Distances(
 }
 }
 
+TEST(ExactGeodesicDistance, TakesIdsInBraces)
+{
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetSourceIds({ 0 }); // not a null list
+  ASSERT_EQ(filter->GetNumberOfSourceIds(), 1);
+  EXPECT_EQ(filter->GetSourceId(0), 0);
+  filter->SetSourceIds({ 3, 5 });
+  EXPECT_EQ(filter->GetNumberOfSourceIds(), 2);
+}
+
 TEST(ExactGeodesicDistance, EngineProperty)
 {
   vtkNew<vtkExactGeodesicDistance> filter;

@@ -649,6 +649,8 @@ TEST_F(OFFReader, ReportsProgressAndStops)
   EXPECT_EQ(this->ReadWell(content.str())->GetNumberOfPoints(), 0);
   this->Reader->RemoveObserver(tag);
   this->Reader->SetAbortExecute(0);
+  this->Reader->Update(); // nothing has changed, but nothing was read either
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), count);
   EXPECT_EQ(this->ReadWell(content.str())->GetNumberOfPoints(), count);
 }
 

@@ -11,9 +11,12 @@ import warnings
 import numpy as np
 import support
 import vtkdgg
+from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkIOGeometry import vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
@@ -88,6 +91,26 @@ class Check(unittest.TestCase):
         output = vtkdgg.check(distance)
         self.assertEqual(support.point_array(output, "GeodesicDistance")[8], 0.0)
 
+    def test_readers_that_keep_their_error_code(self):
+        """Two readers of VTK do not reset it when they succeed after a failure."""
+        mesh = support.polydata(*support.grid(1, 1))
+        folder = support.output_folder("kept_code")
+        for reader, writer in (
+            (vtkSTLReader(), vtkSTLWriter()),
+            (vtkPolyDataReader(), vtkPolyDataWriter()),
+        ):
+            with self.subTest(reader=reader.GetClassName()):
+                path = os.path.join(folder, reader.GetClassName())
+                writer.SetInputData(mesh)
+                writer.SetFileName(path)
+                vtkdgg.check(writer)
+                reader.SetFileName(os.path.join(folder, "missing"))
+                for _ in range(2):
+                    with self.assertRaises(vtkdgg.VTKError):
+                        vtkdgg.check(reader)
+                reader.SetFileName(path)
+                self.assertGreater(vtkdgg.check(reader).GetNumberOfPoints(), 0)
+
     def test_error_upstream(self):
         for reader, name in (
             (vtkPLYReader(), "missing.ply"),
@@ -108,6 +131,18 @@ class Check(unittest.TestCase):
         with self.assertRaises(vtkdgg.VTKError) as caught:
             vtkdgg.check(vtkTriangleFilter())
         self.assertIn("Input port 0 of algorithm vtkTriangleFilter", str(caught.exception))
+
+    def test_works_while_warnings_are_not_displayed(self):
+        vtkObject.GlobalWarningDisplayOff()
+        try:
+            distance = vtkdgg.vtkExactGeodesicDistance()
+            distance.SetInputData(support.polydata(*support.grid(2, 2)))
+            distance.AddSourceId(9)
+            with self.assertRaisesRegex(vtkdgg.VTKError, "9"):
+                vtkdgg.check(distance)
+            self.assertEqual(vtkObject.GetGlobalWarningDisplay(), 0)
+        finally:
+            vtkObject.GlobalWarningDisplayOn()
 
     def test_prints_nothing(self):
         source = (

@@ -89,6 +89,14 @@ class Distance(unittest.TestCase):
         self.check_equal(distances[:-1], self.straight(self.points[0]))
         self.assertTrue(np.isnan(vtkdgg.distance(points, self.triangles, 0)[-1]))
 
+    def test_warnings_name_the_caller(self):
+        # Three triangles on one edge.
+        points = np.vstack([np.zeros(3), np.eye(3), [[0.0, -1.0, 0.0]]])
+        with self.assertWarnsRegex(RuntimeWarning, "more than two triangles") as caught:
+            distances = vtkdgg.distance(points, [[0, 1, 2], [0, 1, 3], [0, 1, 4]], 2)
+        self.assertEqual(caught.filename, __file__)
+        np.testing.assert_allclose(distances[3:], [2.0, 2.0], rtol=1e-12)
+
     def test_empty_mesh(self):
         for points, triangles in (([], []), (np.empty((0, 3)), np.empty((0, 3), dtype=int))):
             distances = vtkdgg.distance(points, triangles, 0)

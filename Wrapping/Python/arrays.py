@@ -7,7 +7,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from .errors import check
+from .errors import run
 from .vtkDGGFiltersGeodesic import vtkExactGeodesicDistance
 
 __all__ = ["distance"]
@@ -69,7 +69,7 @@ def distance(points, triangles, sources, maximum_distance=None, unreached=np.nan
         distance_filter.SetMaximumDistance(limit)
     distance_filter.SetUnreachedValue(unreached)
     name = distance_filter.GetDistanceArrayName()
-    output = check(distance_filter)
+    output = run(distance_filter)
     # A copy, because the output goes with the filter.
     return np.array(vtk_to_numpy(output.GetPointData().GetArray(name)), dtype=np.float64)
 

@@ -5,6 +5,8 @@
 import re
 import warnings
 
+from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
@@ -37,8 +39,9 @@ class VTKError(RuntimeError):
 def check(algorithm):
     """Update an algorithm and raise when it, or anything upstream of it, reports an error.
 
-    A writer is asked to write. The messages are in the exception, without the file, line and address that VTK puts before
-    them, and are not printed. When nothing failed, VTK's warnings become Python warnings.
+    A writer is asked to write. The messages are in the exception, without the file, line and address
+    that VTK puts before them, and are not printed. When nothing failed, VTK's warnings become
+    Python warnings.
 
     Parameters
     ----------
@@ -61,6 +64,11 @@ def check(algorithm):
     --------
     >>> mesh = vtkdgg.check(reader)
     """
+    return run(algorithm)
+
+
+def run(algorithm):
+    """What check() does, for use inside the package: warnings point to the caller's caller."""
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"check() takes a vtkAlgorithm, not {type(algorithm).__name__}")
     pipeline = _upstream(algorithm)
@@ -70,14 +78,14 @@ def check(algorithm):
         for node in _failed(pipeline):
             node.Modified()
         reports = _update(algorithm, pipeline)
-    failed = _failed(pipeline)
+    failed = [node for node in _failed(pipeline) if not _recovered(node, reports)]
     if reports.errors or failed:
         # What failed must run again in the next update, even when nothing else changes.
         for node in reports.nodes + failed:
             node.Modified()
         raise VTKError(_messages(reports, failed), failed[0].GetErrorCode() if failed else 0)
     for text in reports.warnings:
-        warnings.warn(text, RuntimeWarning, stacklevel=2)
+        warnings.warn(text, RuntimeWarning, stacklevel=3)
     if algorithm.GetNumberOfOutputPorts() == 0:
         return None
     return algorithm.GetOutputDataObject(0)
@@ -132,10 +140,14 @@ def _update(algorithm, pipeline):
         # Executives report what is wrong with the connections.
         watched += watch(node.GetExecutive(), node)
     # Image writers write in Write() only.
-    run = getattr(algorithm, "Write", algorithm.Update)
+    execute = getattr(algorithm, "Write", algorithm.Update)
+    # VTK reports nothing, not even to observers, while its display of warnings is off.
+    display = vtkObject.GetGlobalWarningDisplay()
+    vtkObject.GlobalWarningDisplayOn()
     try:
-        run()
+        execute()
     finally:
+        vtkObject.SetGlobalWarningDisplay(display)
         for target, tag in watched:
             target.RemoveObserver(tag)
     return reports
@@ -143,6 +155,19 @@ def _update(algorithm, pipeline):
 
 def _failed(pipeline):
     return [node for node in pipeline if node.GetErrorCode() != vtkErrorCode.NoError]
+
+
+def _recovered(node, reports):
+    """Some readers of VTK keep the error code of an earlier failure when they succeed later."""
+    if node in reports.nodes or reports.errors or reports.warnings:
+        return False
+    output = node.GetOutputDataObject(0) if node.GetNumberOfOutputPorts() > 0 else None
+    return output is not None and _has_elements(output)
+
+
+def _has_elements(output):
+    kinds = range(vtkDataObject.NUMBER_OF_ATTRIBUTE_TYPES)
+    return any(output.GetNumberOfElements(kind) > 0 for kind in kinds)
 
 
 def _messages(reports, failed):

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Features many orders of magnitude smaller than the edges next to them: a window that is narrow
+// for its edge may still light half of the surface.
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dggtest
+{
+namespace
+{
+const double Sizes[] = { 1e-3, 1e-5, 1e-6, 1e-7, 3e-8, 1e-8, 1e-9, 1e-10 };
+
+/// Insert a vertex into about half of the faces, at a distance of about `size` edges from a corner,
+/// and lift each by up to `lift` times that.
+TestMesh WithTinyFeatures(TestMesh mesh, double size, double lift, Random& random)
+{
+  const Id faces = mesh.GetNumberOfFaces();
+  for (Id f = 0; f < faces; ++f)
+  {
+    if (random.Uniform() < 0.5)
+    {
+      const double a = size * random.Uniform(0.2, 1.2);
+      const double b = size * random.Uniform(0.2, 1.2);
+      const Id v = SplitFace(mesh, f, { { 1.0 - a - b, a, b } });
+      mesh.Points[3 * v + 2] += size * lift * random.Uniform(-1.0, 1.0);
+    }
+  }
+  return mesh;
+}
+}
+
+class ExactSmallFeatures : public EngineTest
+{
+};
+DGG_WITH_BOTH_ENGINES(ExactSmallFeatures);
+
+TEST_P(ExactSmallFeatures, InThePlane)
+{
+  for (const double size : Sizes)
+  {
+    SCOPED_TRACE(size);
+    Random random(3);
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    {
+      const TestMesh input = WithTinyFeatures(Plane(6, 6, 0.25, seed), size, 0.0, random);
+      const dgg::SurfaceMesh mesh = Build(input);
+      const Id source = random.Index(mesh.GetNumberOfVertices());
+      const auto distances = DistancesFrom(mesh, this->Engine(), source);
+      double worst = 0.0;
+      for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        worst = std::max(worst, std::abs(distances[v] - EuclideanDistance(input, source, v)));
+      }
+      // Mollification changes the smallest faces themselves.
+      EXPECT_LE(worst, mesh.GetMollification() > 0.0 ? 1e-6 : 1e-8) << "seed " << seed;
+    }
+  }
+}
+
+TEST(ExactSmallFeaturesOfATerrain, EnginesAgree)
+{
+  for (const double size : Sizes)
+  {
+    SCOPED_TRACE(size);
+    Random random(7);
+    for (std::uint64_t seed = 1; seed <= 30; ++seed)
+    {
+      const TestMesh input = WithTinyFeatures(WithNoise(Plane(6, 6), 0.3, seed), size, 2.0, random);
+      const dgg::SurfaceMesh mesh = Build(input);
+      const Id source = random.Index(mesh.GetNumberOfVertices());
+      const auto expected = DistancesFrom(mesh, dgg::ExactEngine::Reference, source);
+      const auto distances = DistancesFrom(mesh, dgg::ExactEngine::Triangle, source);
+      double worst = 0.0;
+      for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        worst = std::max(worst, std::abs(distances[v] - expected[v]));
+      }
+      EXPECT_LE(worst, 1e-8) << "seed " << seed;
+    }
+  }
+}
+}
