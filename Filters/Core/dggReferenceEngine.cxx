@@ -136,10 +136,16 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
   }
   const FaceUnfolding face = this->Unfold(h);
   const double crossing = Crossing(w.Image, face.GetApex());
+  const double tolerance = w.Tolerance(LightTolerance, face.GetBase());
+  if (crossing >= w.Begin - tolerance && crossing <= w.End + tolerance)
+  {
+    this->Lower(this->Mesh.Apex(h), w.DistanceTo(face.GetApex()),
+      { h, w.Root, w.Image.X, w.Image.Y }, this->SourceOf(w.Root));
+  }
   bool left = crossing > w.Begin;
   bool right = crossing < w.End;
-  const bool lit = left && right;
-  if (lit)
+  const bool straddles = left && right;
+  if (straddles)
   {
     this->DecideChildren(h, w, crossing, left, right);
   }
@@ -149,7 +155,7 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
     child.Image = face.ImageInLeft(w.Image);
     const double depth = -child.Image.Y;
     child.SetInterval(face.OnLeft(w.Image, depth, w.Begin),
-      lit ? face.GetLeft() : face.OnLeft(w.Image, depth, w.End));
+      straddles ? face.GetLeft() : face.OnLeft(w.Image, depth, w.End));
     this->Cross(SurfaceMesh::Previous(h), child);
   }
   if (right)
@@ -157,7 +163,7 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
     child.Image = face.ImageInRight(w.Image);
     const double depth = -child.Image.Y;
     child.SetInterval(
-      lit ? 0.0 : face.OnRight(w.Image, depth, w.Begin), face.OnRight(w.Image, depth, w.End));
+      straddles ? 0.0 : face.OnRight(w.Image, depth, w.Begin), face.OnRight(w.Image, depth, w.End));
     this->Cross(SurfaceMesh::Next(h), child);
   }
 }
@@ -167,16 +173,12 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
 /// the winner's path, followed back, has to cross the loser's rays to the other side. Not applied
 /// - when the rays coincide: the winner may be a pseudo-source on the loser's very ray;
 /// - when the winner is rooted inside a face or an edge: that root can lie inside the loser's cone;
-/// - when either has crossed a non-manifold edge: then they may have come through different sheets,
-/// and their
-///   paths need not cross.
+/// - when either has scattered: across a non-manifold edge they may have come through different
+///   sheets, and their paths need not cross.
 void ReferenceEngine::DecideChildren(
   Id h, const Window& w, double crossing, bool& left, bool& right)
 {
-  const Point2 apex{ this->Mesh.ApexX(h), this->Mesh.ApexY(h) };
-  const double distance = w.DistanceTo(apex);
-  this->Lower(
-    this->Mesh.Apex(h), distance, { h, w.Root, w.Image.X, w.Image.Y }, this->SourceOf(w.Root));
+  const double distance = w.DistanceTo({ this->Mesh.ApexX(h), this->Mesh.ApexY(h) });
   Winner& winner = this->Winners[h];
   if (distance < winner.Distance)
   {

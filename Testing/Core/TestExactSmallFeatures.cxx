@@ -55,8 +55,9 @@ TEST_P(ExactSmallFeatures, InThePlane)
       {
         worst = std::max(worst, std::abs(distances[v] - EuclideanDistance(input, source, v)));
       }
-      // Mollification changes the smallest faces themselves.
-      EXPECT_LE(worst, mesh.GetMollification() > 0.0 ? 1e-6 : 1e-8) << "seed " << seed;
+      // Mollification changes the smallest faces themselves. Light that grazes a row of features of
+      // 1e-8 may have to go around them, a few times their size.
+      EXPECT_LE(worst, mesh.GetMollification() > 0.0 ? 1e-6 : 1e-7) << "seed " << seed;
     }
   }
 }

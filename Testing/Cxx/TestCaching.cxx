@@ -74,7 +74,7 @@ TEST_F(Caching, PropertiesAndSourcesKeepTheMesh)
   this->ExpectKept("name");
 }
 
-TEST_F(Caching, ArraysAndLinesKeepTheMesh)
+TEST_F(Caching, ArraysKeepTheMesh)
 {
   vtkNew<vtkFloatArray> array;
   array->SetName("Values");
@@ -83,9 +83,6 @@ TEST_F(Caching, ArraysAndLinesKeepTheMesh)
   this->Grid->GetPointData()->AddArray(array);
   this->ExpectKept("point array");
   EXPECT_NE(this->Filter->GetOutput()->GetPointData()->GetArray("Values"), nullptr);
-  this->Grid->SetLines(MakeCells({ { 0, 1 } }));
-  this->ExpectKept("lines");
-  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfLines(), 1);
 }
 
 TEST_F(Caching, AShallowCopyKeepsTheMesh)
