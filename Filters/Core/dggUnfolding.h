@@ -26,6 +26,35 @@ inline double Norm(double x, double y)
   return std::sqrt(x * x + y * y);
 }
 
+inline double Dot(const Point2& a, const Point2& b)
+{
+  return a.X * b.X + a.Y * b.Y;
+}
+
+/// Positive when b lies to the left of a.
+inline double Cross(const Point2& a, const Point2& b)
+{
+  return a.X * b.Y - a.Y * b.X;
+}
+
+inline double Distance(const Point2& a, const Point2& b)
+{
+  return Norm(a.X - b.X, a.Y - b.Y);
+}
+
+/// A point given in the frame with the given origin and unit vector as x axis.
+inline Point2 FromFrame(const Point2& origin, const Point2& axis, const Point2& p)
+{
+  return { origin.X + p.X * axis.X - p.Y * axis.Y, origin.Y + p.X * axis.Y + p.Y * axis.X };
+}
+
+/// A direction given in the frame with the given unit vector as x axis.
+inline Point2 Turned(const Point2& axis, const Point2& direction)
+{
+  return { direction.X * axis.X - direction.Y * axis.Y,
+    direction.X * axis.Y + direction.Y * axis.X };
+}
+
 /// Area of a triangle from its edge lengths, accurate for slivers (Kahan, "Miscalculating area and
 /// angles of a needle-like triangle", 2014).
 inline double TriangleArea(double a, double b, double c)
@@ -106,6 +135,12 @@ public:
   double GetLeft() const { return this->Left; }
   double GetRight() const { return this->Right; }
   const Point2& GetApex() const { return this->Apex; }
+  /// Direction of the left edge, from the origin to the apex: (cosine, sine).
+  double GetLeftCosine() const { return this->LeftCosine; }
+  double GetLeftSine() const { return this->LeftSine; }
+  /// Direction of the right edge, from the apex to the end of the axis: (cosine, -sine).
+  double GetRightCosine() const { return this->RightCosine; }
+  double GetRightSine() const { return this->RightSine; }
 
   /// The image in the frame of the left edge.
   Point2 ImageInLeft(const Point2& image) const

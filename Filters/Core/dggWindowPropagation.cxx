@@ -58,28 +58,6 @@ Status CheckOptions(const SurfaceMesh& mesh, const ExactOptions& options)
   }
   return Status::Success();
 }
-
-/// Call `visit(face, barycentric)` for the face of a point, or for all faces around the edge that
-/// it lies on.
-template <typename Visitor>
-void ForEachFaceAround(const SurfaceMesh& mesh, const SurfacePoint& point, Visitor&& visit)
-{
-  visit(point.Face, point.Barycentric);
-  if (point.On != SurfacePoint::Support::Edge)
-  {
-    return;
-  }
-  const Id h = point.HalfEdge;
-  const double t = point.Barycentric[(h + 1) % 3]; // from origin to destination
-  for (Id e = mesh.Twin(h); e != NoId && e != h; e = mesh.Twin(e))
-  {
-    const double s = mesh.Origin(e) == mesh.Destination(h) ? 1.0 - t : t;
-    std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
-    b[e % 3] = 1.0 - s;
-    b[(e + 1) % 3] = s;
-    visit(SurfaceMesh::Face(e), b);
-  }
-}
 }
 
 Status WindowPropagation::Run(

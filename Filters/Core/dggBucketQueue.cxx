@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggBucketQueue.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+void BucketQueue::Reset(double origin, double width)
+{
+  for (std::vector<Entry>& bucket : this->Ring)
+  {
+    bucket.clear();
+  }
+  this->Aside.clear();
+  this->Origin = origin;
+  this->PerWidth = 1.0 / width;
+  this->First = 0.0;
+  this->Cursor = 0;
+  this->Size = 0;
+}
+
+bool BucketQueue::Advance()
+{
+  for (;;)
+  {
+    if (this->Size == 0)
+    {
+      if (this->Aside.empty())
+      {
+        return false;
+      }
+      this->JumpAside();
+    }
+    if (!this->Ring[this->Cursor & Mask].empty())
+    {
+      return true;
+    }
+    ++this->Cursor;
+    if ((this->Cursor & Mask) == 0 && !this->Aside.empty())
+    {
+      this->PlaceAside();
+    }
+  }
+}
+
+void BucketQueue::PlaceAside()
+{
+  this->Scratch.swap(this->Aside);
+  for (const Entry& entry : this->Scratch)
+  {
+    this->Place(entry, entry.Key * this->PerWidth);
+  }
+  this->Scratch.clear();
+}
+
+void BucketQueue::JumpAside()
+{
+  const auto nearest = std::min_element(this->Aside.begin(), this->Aside.end(),
+    [](const Entry& a, const Entry& b) { return a.Key < b.Key; });
+  // The nearest one lands in bucket 0, so that there is progress whatever rounding does.
+  this->First = std::floor(nearest->Key * this->PerWidth);
+  this->Cursor = 0;
+  this->PlaceAside();
+}
+
+std::size_t BucketQueue::GetMemorySize() const
+{
+  std::size_t entries = this->Aside.capacity() + this->Scratch.capacity();
+  for (const std::vector<Entry>& bucket : this->Ring)
+  {
+    entries += bucket.capacity();
+  }
+  return entries * sizeof(Entry);
+}
+}

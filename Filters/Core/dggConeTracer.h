@@ -1,0 +1,704 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Sends cones of light from one source over a mesh and collects its edges. Internal.
+#ifndef dggConeTracer_h
+#define dggConeTracer_h
+
+#include "dggCone.h"           // for Cone
+#include "dggConeMemory.h"     // for non-manifold edges
+#include "dggSurfacePoint.h"   // for SurfacePoint
+#include "dggUnfoldingTable.h" // for the mesh
+#include "dggVertexStates.h"   // for labels and costs
+
+#include <algorithm> // for heaps
+#include <cmath>     // for std::atan2
+#include <cstddef>   // for std::size_t
+#include <vector>    // for the workspace
+
+namespace dgg
+{
+/// An edge found from a source, with what it takes to know its directions.
+struct FoundEdge
+{
+  Id Target = NoId; ///< id of the table
+  double Length = 0.0;
+  Point2 Departure;        ///< the target, in the plane of the source
+  Id Frame = NoId;         ///< half-edge at the source along the x axis of the plane
+  Point2 Reference;        ///< direction of the half-edge of arrival, in the plane
+  Id Arrival = NoId;       ///< that half-edge, leaving the target
+  bool IsMirrored = false; ///< the face of arrival is seen in its mirror image
+
+  /// Polar angle at the source, towards the target.
+  double DepartureAngle(const UnfoldingTable& table) const
+  {
+    return table.PolarAngle(this->Frame) + std::atan2(this->Departure.Y, this->Departure.X);
+  }
+  /// Polar angle at the target, towards the source.
+  double ArrivalAngle(const UnfoldingTable& table) const
+  {
+    const Point2 back{ -this->Departure.X, -this->Departure.Y };
+    const double turn = std::atan2(Cross(this->Reference, back), Dot(this->Reference, back));
+    return table.PolarAngle(this->Arrival) + (this->IsMirrored ? -turn : turn);
+  }
+};
+
+/// A point to which straight light is looked for.
+struct ConeTarget
+{
+  Id Face = NoId; ///< of the mesh
+  std::size_t Index = 0;
+  std::array<double, 3> Barycentric{ { 0.0, 0.0, 0.0 } };
+};
+
+/// Follows cones from one source at a time until the rule ends them.
+template <typename Rule>
+class ConeTracer
+{
+public:
+  ConeTracer(const UnfoldingTable& table, const Rule& rule)
+    : Table(table)
+    , Mesh(table.GetMesh())
+    , TheRule(rule)
+    , Vertices(table.GetNumberOfVertices())
+    , HasDegenerateFaces(table.HasDegenerateFaces())
+    , HasBranches(table.HasBranches())
+  {
+  }
+
+  void SetRule(const Rule& rule) { this->TheRule = rule; }
+
+  /// The edges of a vertex, an id of the table.
+  const std::vector<FoundEdge>& TraceVertex(Id source)
+  {
+    this->Begin();
+    // No cost: where light meets its own source again, that is no progress.
+    this->Source = source;
+    this->Vertices.Touch(source).Label = 0.0;
+    const Id v = this->Table.OldVertex(source);
+    for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+    {
+      this->StartAtCorner(*g);
+    }
+    this->Trace();
+    return this->Edges;
+  }
+
+  /// The edges that a point inside a face would have; for one on an edge, call it with all faces
+  /// around the edge. Targets, sorted by face, get the lengths of straight ways to them.
+  const std::vector<FoundEdge>& TracePoint(
+    const std::vector<std::pair<Id, std::array<double, 3>>>& positions,
+    const std::vector<ConeTarget>& targets, std::vector<double>& direct)
+  {
+    this->Begin();
+    this->Targets = &targets;
+    this->Direct = &direct;
+    for (const auto& position : positions)
+    {
+      this->StartInFace(position.first, position.second);
+    }
+    this->Trace();
+    this->Targets = nullptr;
+    return this->Edges;
+  }
+
+  /// Whether the last source had to be given up: its light went on and on.
+  bool WasOverwhelmed() const { return this->IsOverwhelmed; }
+  std::size_t GetNumberOfWindows() const { return this->NumberOfWindows; }
+  std::size_t GetMemorySize() const
+  {
+    return this->Vertices.GetMemorySize() + this->Edges.capacity() * sizeof(FoundEdge) +
+      this->Relays.capacity() * sizeof(Relay) + this->Queue.capacity() * sizeof(Cone) +
+      this->Order.capacity() * sizeof(Key) + this->Reached.capacity() * sizeof(Key);
+  }
+
+private:
+  /// Light that has crossed this many degenerate faces one after the other is running around in
+  /// them.
+  static constexpr Id MaximumDegenerateFaces = 1000;
+  /// Cones that a source may send out in all. Sources at the smallest accuracy stay well below.
+  static constexpr std::size_t MostCones = std::size_t{ 1 } << 21;
+  /// Two path lengths this close, relatively, count as equal.
+  static constexpr double LengthTolerance = 1e-12;
+  /// Narrower cones are dropped: what they light is on the border of their neighbours, up to the
+  /// square of this.
+  static constexpr double NarrowestCone = 1e-12;
+
+  void Begin()
+  {
+    this->Vertices.Reset();
+    this->Edges.clear();
+    this->Relays.clear();
+    this->Queue.clear();
+    this->Order.clear();
+    this->Reached.clear();
+    this->Memory.Clear();
+    this->Source = NoId;
+    this->HasOverlap = this->HasBranches;
+    this->IsOverwhelmed = false;
+  }
+
+  /// The face of an outgoing half-edge of the source: its far edge is lit, the two ends of that
+  /// edge are the first relays.
+  void StartAtCorner(Id g)
+  {
+    const Id across = SurfaceMesh::Next(g);
+    const Id back = SurfaceMesh::Previous(g);
+    const FaceCrossing& face = this->Table[this->Table.EntryOf(g)];
+    const Point2 a = face.Apex;
+    const Point2 b{ this->Mesh.Length(g), 0.0 };
+    Cone cone;
+    cone.Frame = g;
+    cone.Ends[0] = a;
+    cone.Ends[1] = b;
+    cone.Axis = face.Direction[FaceCrossing::Right];
+    const Point2 fromB{ -cone.Axis.X, -cone.Axis.Y };
+    cone.Relays[1] = this->LightCorner({ NoId, this->Mesh.Length(g), b, g, fromB, across, false });
+    cone.Relays[0] =
+      this->LightCorner({ NoId, this->Mesh.Length(back), a, g, { -a.X, -a.Y }, back, false });
+    this->Enter(this->Table.CodeBehind(across), cone);
+  }
+
+  /// The same for a source inside a face: the three corners and the three edges, but for those
+  /// edges that it lies on. The plane is turned for each edge: directions at the source do not
+  /// matter.
+  void StartInFace(Id f, const std::array<double, 3>& barycentric)
+  {
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const Point2 source = PlaceInFrame(this->Mesh, h, barycentric);
+      const Point2 origin{ -source.X, -source.Y };
+      // Towards the source, next to the half-edge, which leaves its origin along the x axis.
+      const Id corner =
+        this->LightCorner({ NoId, Norm(origin.X, origin.Y), origin, NoId, { 1.0, 0.0 }, h, false });
+      if (barycentric[(h + 2) % 3] == 0.0)
+      {
+        continue;
+      }
+      const Point2 end{ this->Mesh.Length(h) - source.X, -source.Y };
+      const double length =
+        DistanceToCorner(this->Mesh, f, barycentric, static_cast<int>((h + 1) % 3));
+      Cone cone;
+      cone.Ends[0] = end;
+      cone.Ends[1] = origin;
+      cone.Axis = { -1.0, 0.0 };
+      cone.Relays[1] = corner;
+      cone.Relays[0] =
+        this->AddRelay(this->TheRule.MakeRelay(end, length, this->TheRule.CostOfEdge(length)));
+      this->Enter(this->Table.CodeBehind(h), cone);
+    }
+    this->ReachTargets(f, [&](const ConeTarget& target) {
+      return DistanceInFace(this->Mesh, f, barycentric, target.Barycentric);
+    });
+  }
+
+  /// A corner of a face that the source lies in is an edge, at the origin of its half-edge of
+  /// arrival. Returns its relay.
+  Id LightCorner(FoundEdge edge)
+  {
+    edge.Target = this->Table.NewVertex(this->Mesh.Origin(edge.Arrival));
+    if (edge.Target == this->Source) // on a surface glued of very few faces
+    {
+      return this->AddRelay(this->TheRule.MakeRelay(
+        edge.Departure, edge.Length, this->TheRule.CostOfEdge(edge.Length)));
+    }
+    VertexStates::State& state = this->Vertices.Touch(edge.Target);
+    this->SetLabel(edge.Target, state, edge.Length);
+    state.Cost = std::min(state.Cost, this->TheRule.CostOfEdge(edge.Length));
+    this->Record(state, edge);
+    return this->AddRelay(this->TheRule.MakeRelay(edge.Departure, edge.Length, state.Cost));
+  }
+
+  Id AddRelay(const Relay& relay)
+  {
+    this->Relays.push_back(relay);
+    return static_cast<Id>(this->Relays.size() - 1);
+  }
+
+  /// The shortest edge to a vertex counts.
+  void Record(VertexStates::State& state, const FoundEdge& edge)
+  {
+    if (state.Edge == NoId)
+    {
+      state.Edge = static_cast<Id>(this->Edges.size());
+      this->Edges.push_back(edge);
+    }
+    else if (edge.Length < this->Edges[state.Edge].Length)
+    {
+      this->Edges[state.Edge] = edge;
+    }
+  }
+
+  /// Let a cone go on behind its edge.
+  void Enter(Id code, Cone& cone)
+  {
+    if (code >= 0)
+    {
+      this->Push(code, cone);
+      return;
+    }
+    const Relay& left = this->Relays[cone.Relays[0]];
+    const Relay& right = this->Relays[cone.Relays[1]];
+    this->Table.ForEach(code, [&](Id entry) {
+      const FaceCrossing& face = this->Table[entry];
+      if (this->Memory.Admit(HalfEdge(face), IsMirrored(face), left, right, cone))
+      {
+        this->Push(entry, cone);
+      }
+    });
+  }
+
+  void Push(Id entry, Cone& cone)
+  {
+    cone.Entry = entry;
+    if constexpr (Rule::ByDistance)
+    {
+      PushKey(this->Order,
+        { DistanceOfEdge(this->Relays[cone.Relays[0]], this->Relays[cone.Relays[1]], cone),
+          static_cast<Id>(this->Queue.size()) });
+    }
+    this->Table.Prefetch(entry);
+    this->Queue.push_back(cone);
+  }
+
+  void Trace()
+  {
+    if constexpr (Rule::ByDistance)
+    {
+      this->TraceByDistance();
+    }
+    else
+    {
+      // First in, first out: close to the order of distance, and much cheaper than a heap.
+      for (std::size_t next = 0; next < this->Queue.size(); ++next)
+      {
+        Cone cone = this->Queue[next];
+        this->Follow(cone);
+        if (this->Queue.size() > MostCones)
+        {
+          this->IsOverwhelmed = true;
+          return;
+        }
+      }
+    }
+  }
+
+  /// Cones in order of distance, until enough vertices are final. Edges are those of them that are
+  /// reached straight.
+  void TraceByDistance()
+  {
+    Id count = 0;
+    double last = Infinity;
+    while (!this->Order.empty())
+    {
+      const Key key = PopKey(this->Order);
+      while (count < this->TheRule.Count && !this->Reached.empty() &&
+        this->Reached.front().Distance <= key.Distance)
+      {
+        const Key reached = PopKey(this->Reached);
+        if (this->Vertices[reached.Index].Label == reached.Distance)
+        {
+          last = reached.Distance;
+          ++count;
+        }
+      }
+      if (count >= this->TheRule.Count)
+      {
+        break;
+      }
+      last = Infinity;
+      Cone cone = this->Queue[key.Index];
+      this->Follow(cone);
+      if (this->Queue.size() > MostCones)
+      {
+        this->IsOverwhelmed = true;
+        break;
+      }
+    }
+    this->Edges.erase(std::remove_if(this->Edges.begin(), this->Edges.end(),
+                        [&](const FoundEdge& edge) {
+                          const double label = this->Vertices[edge.Target].Label;
+                          return label > last || edge.Length > label * (1.0 + LengthTolerance);
+                        }),
+      this->Edges.end());
+  }
+
+  /// Follow a cone through the faces until a vertex splits it, or it ends.
+  void Follow(Cone& cone)
+  {
+    const Relay& left = this->Relays[cone.Relays[0]];
+    const Relay& right = this->Relays[cone.Relays[1]];
+    // Most cones are split in the first face, and hardly any ends before it: what ends them is
+    // worked out after it.
+    bool isStarted = !Rule::StartsLate;
+    for (;;)
+    {
+      const FaceCrossing& face = this->Table[cone.Entry];
+      ++this->NumberOfWindows;
+      if (this->IsRunningAround(cone, face))
+      {
+        return;
+      }
+
+      const Point2 apex = FromFrame(cone.Ends[0], cone.Axis, face.Apex);
+      if (this->Targets)
+      {
+        this->LightTargets(cone, face);
+      }
+      const bool isRightOfLeft = Cross(apex, left.Position) > 0.0;
+      const bool isLeftOfRight = Cross(right.Position, apex) > 0.0;
+      if (isRightOfLeft && isLeftOfRight)
+      {
+        this->Split(cone, face, apex);
+        return;
+      }
+      // A branch for either side, with constant indices, keeps the cone in registers.
+      const Id code = face.Behind[isRightOfLeft ? FaceCrossing::Left : FaceCrossing::Right];
+      if (isRightOfLeft)
+      {
+        this->Turn(cone, face, FaceCrossing::Left, apex);
+      }
+      else
+      {
+        this->Turn(cone, face, FaceCrossing::Right, apex);
+      }
+      if (code == NoId || (!isStarted && !this->Start(cone)) ||
+        this->TheRule.Ends(left, right, cone) || this->IsUseless(cone))
+      {
+        return;
+      }
+      isStarted = true;
+      if (code < 0 || Rule::ByDistance)
+      {
+        this->Enter(code, cone);
+        return;
+      }
+      cone.Entry = code;
+    }
+  }
+
+  /// Work out what ends a cone, with the outer relays if they see the stop point. That is enough:
+  /// an outer relay covers the vertex on the ray and the stop point, so by convexity all in
+  /// between; and what that vertex hides from it is behind points that it covers.
+  bool Start(Cone& cone) const
+  {
+    bool outer[2] = { cone.Outer[0] != NoId, cone.Outer[1] != NoId };
+    while (outer[0] || outer[1])
+    {
+      const Relay& left = this->Relays[outer[0] ? cone.Outer[0] : cone.Relays[0]];
+      const Relay& right = this->Relays[outer[1] ? cone.Outer[1] : cone.Relays[1]];
+      if (!this->TheRule.Start(left, right, cone) || !this->IsInside(cone, cone.Stop))
+      {
+        break;
+      }
+      const bool hides[2] = { outer[0] && !this->IsVisible(cone, 0, cone.Stop),
+        outer[1] && !this->IsVisible(cone, 1, cone.Stop) };
+      if (!hides[0] && !hides[1])
+      {
+        return true;
+      }
+      outer[0] = outer[0] && !hides[0];
+      outer[1] = outer[1] && !hides[1];
+    }
+    return this->TheRule.Start(this->Relays[cone.Relays[0]], this->Relays[cone.Relays[1]], cone);
+  }
+
+  bool IsInside(const Cone& cone, const Point2& x) const
+  {
+    return Cross(x, this->Relays[cone.Relays[0]].Position) > 0.0 &&
+      Cross(this->Relays[cone.Relays[1]].Position, x) > 0.0;
+  }
+
+  /// Whether the outer relay on a side sees a point of the cone past the vertex on the ray.
+  bool IsVisible(const Cone& cone, int side, const Point2& x) const
+  {
+    const Point2& outer = this->Relays[cone.Outer[side]].Position;
+    const Point2& hiding = this->Relays[cone.Relays[side]].Position;
+    const double turn =
+      Cross({ hiding.X - outer.X, hiding.Y - outer.Y }, { x.X - outer.X, x.Y - outer.Y });
+    return side == 0 ? turn < 0.0 : turn > 0.0;
+  }
+
+  /// Go on to the left or the right edge of a face: its apex is the right end of the left edge, and
+  /// the left end of the right edge.
+  void Turn(Cone& cone, const FaceCrossing& face, FaceCrossing::Side side, const Point2& apex) const
+  {
+    const int end = 1 - side;
+    cone.Ends[end] = apex;
+    cone.Axis = Turned(cone.Axis, face.Direction[side]);
+    if (this->HasOverlap)
+    {
+      const double label = this->Vertices[face.ApexVertex].Label;
+      cone.Labels[end] =
+        label * label < Dot(apex, apex) * (1.0 - LengthTolerance) ? label : Infinity;
+    }
+  }
+
+  /// FILTER: the way through an end of the edge, and along the edge, is shorter at every point that
+  /// the cone lights. Impossible, by the triangle inequality, unless the label of that end is
+  /// shorter than the straight line.
+  bool IsUseless(const Cone& cone) const
+  {
+    return this->HasOverlap && (this->IsUseless(cone, 0) || this->IsUseless(cone, 1));
+  }
+
+  /// The farthest point from an end is where the bounding ray on the other side meets the edge.
+  bool IsUseless(const Cone& cone, int end) const
+  {
+    if (cone.Labels[end] == Infinity)
+    {
+      return false;
+    }
+    const Point2 x = MeetEdge(cone, this->Relays[cone.Relays[1 - end]].Position);
+    return cone.Labels[end] + Distance(cone.Ends[end], x) <=
+      Norm(x.X, x.Y) * (1.0 - LengthTolerance);
+  }
+
+  /// Whether light has gone through degenerate faces only for too long. Counted along all splits:
+  /// two such faces, one on top of the other, are lit in turns without end.
+  bool IsRunningAround(Cone& cone, const FaceCrossing& face) const
+  {
+    if (!this->HasDegenerateFaces)
+    {
+      return false;
+    }
+    cone.DegenerateFaces =
+      this->Mesh.IsDegenerate(SurfaceMesh::Face(HalfEdge(face))) ? cone.DegenerateFaces + 1 : 0;
+    return cone.DegenerateFaces > MaximumDegenerateFaces;
+  }
+
+  static bool IsMirrored(const FaceCrossing& face) { return face.HalfEdge < 0; }
+  static Id HalfEdge(const FaceCrossing& face)
+  {
+    return IsMirrored(face) ? ~face.HalfEdge : face.HalfEdge;
+  }
+
+  /// The best relay on one side of a cone for a vertex that it lights.
+  struct Cover
+  {
+    Id Relay;
+    double Cost; ///< of the vertex, by that relay
+    bool IsCovered;
+  };
+  Cover FindCover(const Cone& cone, int side, const Point2& apex, double distance) const
+  {
+    const bool isOuter = cone.Outer[side] != NoId && this->IsVisible(cone, side, apex);
+    const Id id = isOuter ? cone.Outer[side] : cone.Relays[side];
+    const Relay& relay = this->Relays[id];
+    const double cost = this->TheRule.CostBehind(relay, Distance(relay.Position, apex));
+    return { id, cost, this->TheRule.Covers(cost, distance) };
+  }
+
+  /// A vertex is lit: it may become an edge, and it is a relay of the two cones beside it. A relay
+  /// that covers the vertex covers all of the edge from its own ray to the vertex: that cone has
+  /// ended.
+  void Split(Cone& cone, const FaceCrossing& face, const Point2& apex)
+  {
+    const double distance = Norm(apex.X, apex.Y);
+    const Cover left = this->FindCover(cone, 0, apex, distance);
+    const Cover right = this->FindCover(cone, 1, apex, distance);
+    const double cost =
+      this->LightApex(cone, face, apex, distance, std::min(left.Cost, right.Cost));
+
+    const bool goesLeft = face.Behind[FaceCrossing::Left] != NoId &&
+      !(Rule::EndsBesideCovered && left.IsCovered) &&
+      !this->IsNarrow(apex, distance, this->Relays[cone.Relays[0]]);
+    const bool goesRight = face.Behind[FaceCrossing::Right] != NoId &&
+      !(Rule::EndsBesideCovered && right.IsCovered) &&
+      !this->IsNarrow(apex, distance, this->Relays[cone.Relays[1]]);
+    if (!goesLeft && !goesRight)
+    {
+      return;
+    }
+    const Id relay = this->AddRelay(this->TheRule.MakeRelay(apex, distance, cost));
+    if (goesLeft)
+    {
+      Cone child = cone;
+      child.Outer[1] = Rule::KeepsOuterRelays && right.IsCovered ? right.Relay : NoId;
+      this->SendOn(child, face, FaceCrossing::Left, apex, relay);
+    }
+    if (goesRight)
+    {
+      cone.Outer[0] = Rule::KeepsOuterRelays && left.IsCovered ? left.Relay : NoId;
+      this->SendOn(cone, face, FaceCrossing::Right, apex, relay);
+    }
+  }
+
+  static bool IsNarrow(const Point2& apex, double distance, const Relay& relay)
+  {
+    // A cone of nearly half a turn has a small sine as well.
+    return std::abs(Cross(apex, relay.Unit)) <= NarrowestCone * distance &&
+      Dot(apex, relay.Unit) > 0.0;
+  }
+
+  /// Send a cone on to one side of a relay, unless it has ended.
+  void SendOn(
+    Cone& cone, const FaceCrossing& face, FaceCrossing::Side side, const Point2& apex, Id relay)
+  {
+    cone.Relays[1 - side] = relay;
+    this->Turn(cone, face, side, apex);
+    if constexpr (!Rule::StartsLate)
+    {
+      const Relay& left = this->Relays[cone.Relays[0]];
+      const Relay& right = this->Relays[cone.Relays[1]];
+      if (!this->TheRule.Start(left, right, cone) || this->TheRule.Ends(left, right, cone))
+      {
+        return;
+      }
+    }
+    if (!this->IsUseless(cone))
+    {
+      this->Enter(face.Behind[side], cone);
+    }
+  }
+
+  /// An apex is lit at a distance, and covered at a cost by the relays of the cone: make it an edge
+  /// unless it is covered. Returns its cost as a relay.
+  double LightApex(const Cone& cone, const FaceCrossing& face, const Point2& apex, double distance,
+    double costByRelays)
+  {
+    VertexStates::State& state = this->Vertices.Touch(face.ApexVertex);
+    double cost = std::min(state.Cost, costByRelays);
+    if (distance <= state.Label * (1.0 + LengthTolerance))
+    {
+      if (state.Edge != NoId || !this->TheRule.Covers(cost, distance))
+      {
+        const Point2& origin = cone.Ends[IsMirrored(face) ? 1 : 0];
+        this->Record(state,
+          { face.ApexVertex, distance, apex, cone.Frame, { origin.X - apex.X, origin.Y - apex.Y },
+            SurfaceMesh::Previous(HalfEdge(face)), IsMirrored(face) });
+        cost = std::min(cost, this->TheRule.CostOfEdge(distance));
+      }
+      this->SetLabel(face.ApexVertex, state, distance);
+    }
+    else
+    {
+      this->HasOverlap = true;
+    }
+    state.Cost = std::min(state.Cost, cost);
+    return cost;
+  }
+
+  void SetLabel(Id v, VertexStates::State& state, double distance)
+  {
+    if (!(distance < state.Label))
+    {
+      return;
+    }
+    state.Label = distance;
+    if constexpr (Rule::ByDistance)
+    {
+      PushKey(this->Reached, { distance, v });
+    }
+    if (Rule::ByDistance || this->HasBranches)
+    {
+      this->ReachNeighbours(v, distance);
+    }
+  }
+
+  /// Vertices that no straight light reaches count as well, at the distance along mesh edges; and
+  /// on a surface where light multiplies every label helps to end it.
+  void ReachNeighbours(Id v, double distance)
+  {
+    const Id old = this->Table.OldVertex(v);
+    for (const Id* g = this->Mesh.FanBegin(old); g != this->Mesh.FanEnd(old); ++g)
+    {
+      const Id back = SurfaceMesh::Previous(*g);
+      this->ReachNeighbour(this->Mesh.Destination(*g), distance + this->Mesh.Length(*g));
+      this->ReachNeighbour(this->Mesh.Origin(back), distance + this->Mesh.Length(back));
+    }
+  }
+  void ReachNeighbour(Id old, double distance)
+  {
+    const Id v = this->Table.NewVertex(old);
+    VertexStates::State& state = this->Vertices.Touch(v);
+    if (distance < state.Label)
+    {
+      state.Label = distance;
+      if constexpr (Rule::ByDistance)
+      {
+        PushKey(this->Reached, { distance, v });
+      }
+    }
+  }
+
+  /// Offer every target in a face the length that `measure` gives; negative for none.
+  template <typename Measure>
+  void ReachTargets(Id f, Measure&& measure)
+  {
+    auto target = std::lower_bound(this->Targets->begin(), this->Targets->end(), f,
+      [](const ConeTarget& t, Id face) { return t.Face < face; });
+    for (; target != this->Targets->end() && target->Face == f; ++target)
+    {
+      const double length = measure(*target);
+      double& shortest = (*this->Direct)[target->Index];
+      shortest = length >= 0.0 && length < shortest ? length : shortest;
+    }
+  }
+
+  /// Targets in the face that the cone enters, and inside the cone or on its border.
+  void LightTargets(const Cone& cone, const FaceCrossing& face)
+  {
+    const Id h = HalfEdge(face);
+    this->ReachTargets(SurfaceMesh::Face(h), [&](const ConeTarget& target) {
+      const Point2 place = PlaceInFrame(this->Mesh, h, target.Barycentric);
+      const double x = IsMirrored(face) ? this->Mesh.Length(h) - place.X : place.X;
+      const Point2 p = FromFrame(cone.Ends[0], cone.Axis, { x, place.Y });
+      const double distance = Norm(p.X, p.Y);
+      const Relay& left = this->Relays[cone.Relays[0]];
+      const Relay& right = this->Relays[cone.Relays[1]];
+      const double slack = -NarrowestCone * distance;
+      return Cross(p, left.Position) >= slack * left.Distance &&
+          Cross(right.Position, p) >= slack * right.Distance
+        ? distance
+        : -1.0;
+    });
+  }
+
+  struct Key
+  {
+    double Distance;
+    Id Index;
+    bool operator<(const Key& other) const
+    {
+      return this->Distance != other.Distance ? this->Distance > other.Distance
+                                              : this->Index > other.Index;
+    }
+  };
+  static void PushKey(std::vector<Key>& heap, const Key& key)
+  {
+    heap.push_back(key);
+    std::push_heap(heap.begin(), heap.end());
+  }
+  static Key PopKey(std::vector<Key>& heap)
+  {
+    const Key key = heap.front();
+    std::pop_heap(heap.begin(), heap.end());
+    heap.pop_back();
+    return key;
+  }
+
+  const UnfoldingTable& Table;
+  const SurfaceMesh& Mesh;
+  Rule TheRule;
+  VertexStates Vertices;
+  bool HasDegenerateFaces;
+  bool HasBranches;
+  /// Whether a vertex has been lit on a way longer than its label. Before that no light can be
+  /// useless, and nobody looks at the labels.
+  bool HasOverlap = false;
+  bool IsOverwhelmed = false;
+  Id Source = NoId;
+  ConeMemory Memory;
+  std::vector<FoundEdge> Edges;
+  std::vector<Relay> Relays;
+  std::vector<Cone> Queue;
+  std::vector<Key> Order;   // of the cones, when they come by distance
+  std::vector<Key> Reached; // vertices by label, then
+  const std::vector<ConeTarget>* Targets = nullptr;
+  std::vector<double>* Direct = nullptr;
+  std::size_t NumberOfWindows = 0;
+};
+}
+
+#endif

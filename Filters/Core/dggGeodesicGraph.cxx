@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggGeodesicGraph.h"
+
+#include "dggBitHash.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace dgg
+{
+namespace
+{
+Status Damaged(const std::string& what)
+{
+  return Status::Invalid("not a valid graph: " + what + "; build the graph again");
+}
+
+Status DamagedEdge(Id row, Offset edge, const std::string& what)
+{
+  std::ostringstream text;
+  text << "edge " << edge << " (of vertex " << row << ") " << what;
+  return Damaged(text.str());
+}
+
+/// Positive and finite; not NaN.
+template <typename T>
+bool IsLength(T value)
+{
+  return value > T(0) && value <= std::numeric_limits<T>::max();
+}
+
+bool IsAngle(float value)
+{
+  return value >= 0.0f && value <= std::numeric_limits<float>::max();
+}
+
+/// Whether all arrays are there that there should be.
+Status CheckArrays(const GraphView& graph, Offset numberOfEdges)
+{
+  if (graph.NumberOfVertices < 0 || numberOfEdges < 0)
+  {
+    return Damaged("negative sizes");
+  }
+  if (!graph.Offsets)
+  {
+    return graph.NumberOfVertices == 0 && numberOfEdges == 0 ? Status::Success()
+                                                             : Damaged("no offsets");
+  }
+  if (graph.Offsets[0] != 0 || graph.Offsets[graph.NumberOfVertices] != numberOfEdges)
+  {
+    std::ostringstream text;
+    text << "offsets go from " << graph.Offsets[0] << " to "
+         << graph.Offsets[graph.NumberOfVertices] << ", but there are " << numberOfEdges
+         << " edges";
+    return Damaged(text.str());
+  }
+  if (numberOfEdges == 0)
+  {
+    return Status::Success();
+  }
+  if (!graph.Targets)
+  {
+    return Damaged("no targets");
+  }
+  if ((graph.Lengths != nullptr) == (graph.WideLengths != nullptr))
+  {
+    return Damaged(graph.Lengths ? "lengths in two precisions" : "no lengths");
+  }
+  if ((graph.Angles != nullptr) != (graph.ArrivalAngles != nullptr))
+  {
+    return Damaged("only one of the two arrays of angles");
+  }
+  if (graph.Info.Kind == GraphKind::Mesh && !graph.Angles)
+  {
+    return Damaged("no angles, as the graph of a mesh has them");
+  }
+  return Status::Success();
+}
+
+// Each of the following goes over one row without a branch, for speed: it only says whether
+// something is wrong there, not what.
+
+bool AreTargetsValid(const GraphView& graph, Id row, Offset begin, Offset end)
+{
+  const auto n = static_cast<std::uint32_t>(graph.NumberOfVertices);
+  bool valid = true;
+  for (Offset e = begin; e < end; ++e)
+  {
+    valid &= static_cast<std::uint32_t>(graph.Targets[e]) < n;
+    valid &= graph.Targets[e] != row;
+  }
+  return valid;
+}
+
+template <typename T>
+bool AreLengthsValid(const T* lengths, Offset begin, Offset end)
+{
+  bool valid = true;
+  for (Offset e = begin; e < end; ++e)
+  {
+    valid &= lengths[e] > T(0);
+    valid &= lengths[e] <= std::numeric_limits<T>::max();
+  }
+  return valid;
+}
+
+bool AreAnglesValid(const GraphView& graph, Offset begin, Offset end)
+{
+  bool valid = begin == end || graph.Angles[begin] >= 0.0f;
+  for (Offset e = begin + 1; e < end; ++e)
+  {
+    valid &= graph.Angles[e - 1] <= graph.Angles[e];
+  }
+  for (Offset e = begin; e < end; ++e)
+  {
+    valid &= graph.Angles[e] <= std::numeric_limits<float>::max();
+    valid &= graph.ArrivalAngles[e] >= 0.0f;
+    valid &= graph.ArrivalAngles[e] <= std::numeric_limits<float>::max();
+  }
+  return valid;
+}
+
+bool IsRowValid(const GraphView& graph, Id row, Offset begin, Offset end)
+{
+  return AreTargetsValid(graph, row, begin, end) &&
+    (graph.Lengths ? AreLengthsValid(graph.Lengths, begin, end)
+                   : AreLengthsValid(graph.WideLengths, begin, end)) &&
+    (!graph.Angles || AreAnglesValid(graph, begin, end));
+}
+
+/// What is wrong in a row in which something is.
+Status FindDamage(const GraphView& graph, Id row, Offset begin, Offset end)
+{
+  float last = 0.0f;
+  for (Offset e = begin; e < end; ++e)
+  {
+    const Id target = graph.Targets[e];
+    if (target < 0 || target >= graph.NumberOfVertices)
+    {
+      return DamagedEdge(row, e,
+        "leads to vertex " + std::to_string(target) + " of " +
+          std::to_string(graph.NumberOfVertices));
+    }
+    if (target == row)
+    {
+      return DamagedEdge(row, e, "leads back to its own vertex");
+    }
+    if (graph.Lengths ? !IsLength(graph.Lengths[e]) : !IsLength(graph.WideLengths[e]))
+    {
+      return DamagedEdge(row, e, "has length " + std::to_string(graph.Length(e)));
+    }
+    if (!graph.Angles)
+    {
+      continue;
+    }
+    if (!IsAngle(graph.Angles[e]) || !IsAngle(graph.ArrivalAngles[e]))
+    {
+      return DamagedEdge(row, e,
+        "has angles " + std::to_string(graph.Angles[e]) + " and " +
+          std::to_string(graph.ArrivalAngles[e]));
+    }
+    if (graph.Angles[e] < last)
+    {
+      return DamagedEdge(row, e, "is not sorted by angle");
+    }
+    last = graph.Angles[e];
+  }
+  return Status::Success();
+}
+}
+
+Signature ComputeSignature(
+  const double* points, Offset numberOfPoints, const Id* triangles, Offset numberOfTriangles)
+{
+  BitHash hash;
+  hash.Add(points, 3 * static_cast<std::size_t>(numberOfPoints));
+  hash.Add(triangles, 3 * static_cast<std::size_t>(numberOfTriangles));
+  return hash.Finish();
+}
+
+GraphView GeodesicGraph::View() const
+{
+  GraphView view;
+  view.Info = this->Info;
+  view.NumberOfVertices = this->GetNumberOfVertices();
+  view.Offsets = this->Offsets.Data();
+  view.Targets = this->Targets.Data();
+  view.Lengths = this->Lengths.Data();
+  view.WideLengths = this->WideLengths.Data();
+  view.Angles = this->Angles.Data();
+  view.ArrivalAngles = this->ArrivalAngles.Data();
+  return view;
+}
+
+std::size_t GeodesicGraph::GetMemorySize() const
+{
+  return this->Offsets.Size() * sizeof(Offset) + this->Targets.Size() * sizeof(Id) +
+    this->WideLengths.Size() * sizeof(double) +
+    (this->Lengths.Size() + this->Angles.Size() + this->ArrivalAngles.Size()) * sizeof(float);
+}
+
+Status CheckGraph(const GraphView& graph, Offset numberOfEdges)
+{
+  const Status status = CheckArrays(graph, numberOfEdges);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  for (Id row = 0; row < graph.NumberOfVertices; ++row)
+  {
+    const Offset begin = graph.Offsets[row];
+    const Offset end = graph.Offsets[row + 1];
+    if (end < begin || end > numberOfEdges)
+    {
+      return Damaged("the offsets of vertex " + std::to_string(row) + " are " +
+        std::to_string(begin) + " and " + std::to_string(end));
+    }
+    if (!IsRowValid(graph, row, begin, end))
+    {
+      return FindDamage(graph, row, begin, end);
+    }
+  }
+  return Status::Success();
+}
+
+std::uint64_t ComputeChecksum(const GraphView& graph)
+{
+  BitHash hash;
+  const auto n = static_cast<std::size_t>(graph.NumberOfVertices);
+  const auto edges = static_cast<std::size_t>(graph.GetNumberOfEdges());
+  hash.Add(graph.Offsets, graph.Offsets ? n + 1 : 0);
+  hash.Add(graph.Targets, edges);
+  hash.Add(graph.Lengths, graph.Lengths ? edges : 0);
+  hash.Add(graph.WideLengths, graph.WideLengths ? edges : 0);
+  hash.Add(graph.Angles, graph.Angles ? edges : 0);
+  hash.Add(graph.ArrivalAngles, graph.ArrivalAngles ? edges : 0);
+  return hash.Finish()[0];
+}
+}

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Dijkstra's algorithm in a graph. Internal.
+#ifndef dggGraphDijkstra_h
+#define dggGraphDijkstra_h
+
+#include "dggMinimumHeap.h"  // for MinimumHeap
+#include "dggSearchLabels.h" // for SearchLabels
+
+#include <vector> // for the targets
+
+namespace dgg
+{
+/// Make labels that have been started final, nearest first. With targets, stop as soon as theirs
+/// are. False when aborted.
+bool RunDijkstra(const GraphView& graph, const std::vector<GraphSeed>& seeds,
+  const std::vector<Id>& targets, const ProgressCallback& progress, MinimumHeap& heap,
+  SearchLabels& labels, SearchEffort& effort);
+}
+
+#endif

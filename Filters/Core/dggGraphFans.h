@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which edges can follow which on a shortest path. Internal.
+#ifndef dggGraphFans_h
+#define dggGraphFans_h
+
+#include "dggGeodesicGraph.h" // for GraphView
+#include "dggPrefetch.h"      // for Prefetch
+#include "dggSurfaceMesh.h"   // for SurfaceMesh
+
+#include <algorithm> // for std::max
+#include <cstddef>   // for std::size_t
+#include <cstdint>   // for the degree
+#include <vector>    // for the vertices
+
+namespace dgg
+{
+/// A shortest path goes nearly straight on, so of a row only those edges matter that leave roughly
+/// opposite to where the path came from: the fan of that direction. Rows are sorted by angle, so a
+/// fan is found by a guess and a few steps, and nothing needs to be stored for the edges.
+///
+/// This is a rule of thumb, not a theorem: whoever uses it has to certify the result.
+class GraphFans
+{
+public:
+  GraphFans(const GraphView& graph, const SurfaceMesh& mesh);
+
+  /// Call `relax(edge)` for the edges of the fan of a vertex that was reached from the direction
+  /// `arrival`; negative means that every edge may follow.
+  template <typename Relax>
+  void ForEach(Id v, float arrival, const Relax& relax) const
+  {
+    const Vertex& vertex = this->Vertices[v];
+    if (arrival < 0.0f || vertex.Lead <= 0.0f)
+    {
+      for (Offset e = vertex.Begin; e < vertex.Begin + vertex.Degree; ++e)
+      {
+        relax(e);
+      }
+      return;
+    }
+    // At least Lead away from the arrival on either side, all around.
+    if (vertex.Guess(arrival + vertex.Lead) < vertex.Degree)
+    {
+      this->ForRange(vertex, arrival + vertex.Lead, arrival + vertex.Turn - vertex.Lead, relax);
+    }
+    if (arrival >= vertex.Lead)
+    {
+      this->ForRange(vertex, arrival - vertex.Turn + vertex.Lead, arrival - vertex.Lead, relax);
+    }
+  }
+
+  /// Ask for the memory of a vertex.
+  void PrefetchVertex(Id v) const { Prefetch(&this->Vertices[v]); }
+
+  /// Ask for the memory of a fan; the vertex should be there already.
+  template <typename Length>
+  void PrefetchFan(const GraphView& graph, const Length* lengths, Id v, float arrival) const
+  {
+    const Vertex& vertex = this->Vertices[v];
+    Offset guess = vertex.Guess(arrival + vertex.Lead);
+    if (guess >= vertex.Degree)
+    {
+      guess = vertex.Guess(arrival + vertex.Lead - vertex.Turn);
+    }
+    // A fan is some six edges long.
+    for (Offset e : { vertex.Begin + guess - 2, vertex.Begin + guess + 7 })
+    {
+      Prefetch(graph.Targets + e);
+      Prefetch(lengths + e);
+      Prefetch(graph.Angles + e);
+      Prefetch(graph.ArrivalAngles + e);
+    }
+  }
+
+  std::size_t GetMemorySize() const { return this->Vertices.capacity() * sizeof(Vertex); }
+
+private:
+  struct Vertex
+  {
+    Offset Begin = 0; ///< of the row
+    std::uint32_t Degree = 0;
+    float Lead = 0.0f;     ///< smallest angle between arrival and departure; 0 allows all
+    float Turn = 0.0f;     ///< angle after which directions repeat
+    float PerAngle = 0.0f; ///< mean number of edges per radian
+
+    /// About how many edges leave at a smaller angle.
+    Offset Guess(float angle) const
+    {
+      return static_cast<Offset>(std::max(0.0f, angle * this->PerAngle));
+    }
+  };
+
+  /// The edges with angles in [low, high].
+  template <typename Relax>
+  void ForRange(const Vertex& vertex, float low, float high, const Relax& relax) const
+  {
+    const Offset begin = vertex.Begin;
+    const Offset end = begin + vertex.Degree;
+    Offset e = begin + std::min<Offset>(vertex.Guess(low), vertex.Degree);
+    while (e > begin && this->Angles[e - 1] >= low)
+    {
+      --e;
+    }
+    while (e < end && this->Angles[e] < low)
+    {
+      ++e;
+    }
+    for (; e < end && this->Angles[e] <= high; ++e)
+    {
+      relax(e);
+    }
+  }
+
+  std::vector<Vertex> Vertices;
+  const float* Angles;
+};
+}
+
+#endif

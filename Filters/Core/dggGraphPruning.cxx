@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggGraphPruning.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace dgg
+{
+namespace
+{
+class CandidatePruner
+{
+public:
+  CandidatePruner(const RowStore& rows, double accuracy)
+    : Rows(rows)
+    , Kappa(1.0 / (1.0 + accuracy))
+    , Reach(rows.GetNumberOfRows(), Infinity)
+  {
+  }
+
+  /// Candidates from the shortest on: an edge that is kept lowers the reach of what its candidates
+  /// lead to; a candidate that is reached in time is superfluous.
+  void Prune(Id row, unsigned char* flags)
+  {
+    const Offset begin = this->Rows.Begin(row);
+    const Offset end = this->Rows.End(row);
+    this->Order.resize(static_cast<std::size_t>(end - begin));
+    std::iota(this->Order.begin(), this->Order.end(), begin);
+    std::sort(this->Order.begin(), this->Order.end(), [this](Offset a, Offset b) {
+      return this->Rows.Length(a) != this->Rows.Length(b)
+        ? this->Rows.Length(a) < this->Rows.Length(b)
+        : this->Rows.Target(a) < this->Rows.Target(b);
+    });
+    for (const Offset i : this->Order)
+    {
+      const Id r = this->Rows.Target(i);
+      if (this->Reach[r] <= this->Rows.Length(i))
+      {
+        flags[i] = 1;
+        continue;
+      }
+      const double cost = this->Kappa * this->Rows.Length(i);
+      for (Offset k = this->Rows.Begin(r); k < this->Rows.End(r); ++k)
+      {
+        double& reach = this->Reach[this->Rows.Target(k)];
+        const double by = cost + this->Rows.Length(k);
+        if (by < reach)
+        {
+          if (reach == Infinity)
+          {
+            this->Touched.push_back(this->Rows.Target(k));
+          }
+          reach = by;
+        }
+      }
+    }
+    for (const Id v : this->Touched)
+    {
+      this->Reach[v] = Infinity;
+    }
+    this->Touched.clear();
+  }
+
+private:
+  const RowStore& Rows;
+  double Kappa;
+  std::vector<double> Reach; // kappa w(s,r) + w(r,t), smallest over the edges kept
+  std::vector<Id> Touched;
+  std::vector<Offset> Order;
+};
+}
+
+void PruneCandidates(RowStore& rows, double accuracy, const ParallelFor& parallel)
+{
+  constexpr Offset grain = 1024;
+  std::vector<unsigned char> flags(static_cast<std::size_t>(rows.GetNumberOfEdges()), 0);
+  ForRange(parallel, rows.GetNumberOfRows(), grain, [&](Offset begin, Offset end) {
+    CandidatePruner pruner(rows, accuracy);
+    for (Offset row = begin; row < end; ++row)
+    {
+      pruner.Prune(static_cast<Id>(row), flags.data());
+    }
+  });
+  rows.Remove(0, flags);
+}
+}

@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The rules by which a graph is built: which vertices become edges, and where a cone ends.
+/// Internal.
+///
+/// A rule says
+/// - what an edge and a relay cost (MakeRelay(), CostOfEdge(), CostBehind()), and whether a vertex
+///   is covered at a cost;
+/// - in Start(), what will end a cone with new relays; false when it has ended already;
+/// - in Ends(), whether nothing behind the edge of a cone matters any more;
+/// - StartsLate: cones end between vertices, so that it is enough to start and ask once a face has
+///   been crossed without finding a vertex;
+/// - EndsBesideCovered: when one relay covers a vertex, the cone between their rays has ended;
+/// - KeepsOuterRelays: a relay that covers the vertex on the bounding ray goes on to count, as far
+/// as
+///   it sees past that vertex;
+/// - ByDistance: cones have to come in order of distance.
+#ifndef dggGraphRules_h
+#define dggGraphRules_h
+
+#include "dggCone.h" // for Cone
+
+#include <algorithm> // for std::min
+#include <cmath>     // for std::sqrt
+
+namespace dgg
+{
+/// A relay covers the points of a direction e from a certain distance on, and that distance grows
+/// with the angle between the relay and e. A cone ends as soon as every point of its edge is
+/// covered: what lies behind is then covered too, by way of the edge. The left relay covers an
+/// interval from the left end of the edge, the right one an interval from the right end, and they
+/// cover the whole edge iff they overlap, iff the direction in which both need the same distance is
+/// covered. That direction and that distance do not depend on the edge: they make one point in the
+/// plane, the stop point of the pair of relays, and a cone ends at the first edge that has it on
+/// the near side.
+inline bool HasPassedStopPoint(const Cone& cone)
+{
+  return Cross(cone.Axis, { cone.Stop.X - cone.Ends[0].X, cone.Stop.Y - cone.Ends[0].Y }) <= 0.0;
+}
+
+/// The stop point in direction e; in no case farther than anything on a surface can be.
+inline void SetStopPoint(const Point2& e, double distance, Cone& cone)
+{
+  constexpr double farAway = 1e100;
+  const double reach = distance < farAway ? distance : farAway;
+  cone.Stop = { reach * e.X, reach * e.Y };
+}
+
+/// The unit vector e of a cone with w.e = k, where w.e grows from left to right: the one to the
+/// left of w.
+inline Point2 SolveDirection(const Point2& w, double k)
+{
+  const double scale = 1.0 / Dot(w, w);
+  const double along = k * scale;
+  const double across = std::sqrt(std::max(0.0, Dot(w, w) - k * k)) * scale;
+  return { along * w.X - across * w.Y, along * w.Y + across * w.X };
+}
+
+/// The progress rule. A relay p has a cost c, an upper bound of kappa w(s,r) + d(r,p), where (s,r)
+/// is an edge of the graph and kappa = 1/(1 + accuracy); it covers x if c + |px| <= |sx|. If each
+/// vertex that the source sees straight is an edge or covered, then no distance in the graph is
+/// longer than (1 + accuracy) times the exact one: by induction over the distances, since the way
+/// by r leaves at most D - kappa w(s,r) to go. The argument of Yao graphs, carried to surfaces.
+struct ProgressRule
+{
+  static constexpr bool StartsLate = true;
+  static constexpr bool EndsBesideCovered = true;
+  static constexpr bool KeepsOuterRelays = true;
+  static constexpr bool ByDistance = false;
+
+  explicit ProgressRule(double accuracy)
+    : Kappa(1.0 / (1.0 + accuracy))
+  {
+  }
+
+  double CostOfEdge(double length) const { return this->Kappa * length; }
+  static double CostBehind(const Relay& relay, double behind) { return relay.Cost + behind; }
+  static bool Covers(double cost, double distance) { return cost <= distance; }
+  static Relay MakeRelay(const Point2& position, double distance, double cost)
+  {
+    // The straight way itself is no progress, but it is a way.
+    Relay relay(position, distance, std::min(cost, distance));
+    relay.Ratio = relay.Cost / distance;
+    relay.Weight = (distance - relay.Cost) * (1.0 + relay.Ratio);
+    return relay;
+  }
+
+  /// In direction e, at an angle of cosine u.e to its own direction u, a relay at distance d covers
+  /// from weight / (2 (u.e - ratio)) on, if that is positive, where ratio = c/d and
+  /// weight = (d^2 - c^2) / d; in its own direction from (d + c) / 2 on, also when c = d.
+  static bool Start(const Relay& left, const Relay& right, Cone& cone)
+  {
+    // A relay that covers in the direction of the other one, from where that one covers there,
+    // needs no more distance in between either: it covers all.
+    const double cosine = Dot(left.Unit, right.Unit);
+    const double rightAtLeft = cosine - right.Ratio;
+    const double leftAtRight = cosine - left.Ratio;
+    if ((left.Distance + left.Cost) * rightAtLeft >= right.Weight ||
+      (right.Distance + right.Cost) * leftAtRight >= left.Weight)
+    {
+      return false;
+    }
+    // Both need the same distance where w.e = k.
+    const Point2 w{ left.Weight * right.Unit.X - right.Weight * left.Unit.X,
+      left.Weight * right.Unit.Y - right.Weight * left.Unit.Y };
+    const double k = left.Weight * right.Ratio - right.Weight * left.Ratio;
+    const Point2 e = SolveDirection(w, k);
+    const double l = Dot(left.Unit, e) - left.Ratio;
+    const double r = Dot(right.Unit, e) - right.Ratio;
+    if (l > 0.0 && r > 0.0)
+    {
+      // The larger of the two distances, should they differ by rounding: that is on the safe side.
+      const bool byLeft = left.Weight * r >= right.Weight * l;
+      SetStopPoint(e, byLeft ? 0.5 * left.Weight / l : 0.5 * right.Weight / r, cone);
+    }
+    else if (left.Ratio > right.Ratio)
+    {
+      // The left relay covers only what lies behind it, all else is left to the right one.
+      SetStopPoint(
+        left.Unit, rightAtLeft > 0.0 ? 0.5 * right.Weight / rightAtLeft : Infinity, cone);
+    }
+    else
+    {
+      SetStopPoint(
+        right.Unit, leftAtRight > 0.0 ? 0.5 * left.Weight / leftAtRight : Infinity, cone);
+    }
+    return true;
+  }
+  static bool Ends(const Relay& /*left*/, const Relay& /*right*/, Cone& cone)
+  {
+    return HasPassedStopPoint(cone);
+  }
+
+  double Kappa;
+};
+
+/// The published direct rule (Fang, "Discrete geodesic graphs", 2019, sec. 5.1, as far as it is
+/// stated): a relay p covers x if |sp| + |px| <= (1 + accuracy) |sx|, whether it is an edge or is
+/// itself covered. Errors add up from relay to relay: nothing bounds the maximum.
+struct OneRelayRule
+{
+  static constexpr bool StartsLate = true;
+  static constexpr bool EndsBesideCovered = true;
+  static constexpr bool KeepsOuterRelays = false;
+  static constexpr bool ByDistance = false;
+
+  explicit OneRelayRule(double accuracy)
+    : Stretch(1.0 + accuracy)
+    , Scale(2.0 / (accuracy * (2.0 + accuracy)))
+  {
+  }
+
+  static double CostOfEdge(double length) { return length; }
+  static double CostBehind(const Relay& relay, double behind) { return relay.Distance + behind; }
+  bool Covers(double cost, double distance) const { return cost <= this->Stretch * distance; }
+  static Relay MakeRelay(const Point2& position, double distance, double /*cost*/)
+  {
+    return { position, distance, distance };
+  }
+
+  /// In direction e a relay at distance d covers from 2 ((1+a) d - p.e) / (a (2+a)) on.
+  bool Start(const Relay& left, const Relay& right, Cone& cone) const
+  {
+    const Point2& l = left.Position;
+    const Point2& r = right.Position;
+    const Point2 w{ r.X - l.X, r.Y - l.Y };
+    const double k = this->Stretch * (right.Distance - left.Distance);
+    if (Dot(w, l) >= k * left.Distance || Dot(w, r) <= k * right.Distance)
+    {
+      return false;
+    }
+    const Point2 e = SolveDirection(w, k);
+    SetStopPoint(e,
+      this->Scale *
+        std::max(
+          this->Stretch * left.Distance - Dot(l, e), this->Stretch * right.Distance - Dot(r, e)),
+      cone);
+    return true;
+  }
+  static bool Ends(const Relay& /*left*/, const Relay& /*right*/, Cone& cone)
+  {
+    return HasPassedStopPoint(cone);
+  }
+
+  double Stretch;
+  double Scale;
+};
+
+/// The first step of the published indirect construction (Fang 2019, sec. 3.2): every vertex lit is
+/// a candidate. A cone ends beyond the distance from which on a path through an edge that it has
+/// crossed can be bent through an end of that edge at a relative cost of the accuracy.
+struct CandidateRule
+{
+  static constexpr bool StartsLate = false;
+  static constexpr bool EndsBesideCovered = false;
+  static constexpr bool KeepsOuterRelays = false;
+  static constexpr bool ByDistance = false;
+
+  explicit CandidateRule(double accuracy)
+    : Accuracy(accuracy)
+  {
+  }
+
+  static double CostOfEdge(double length) { return length; }
+  static double CostBehind(const Relay& /*relay*/, double /*behind*/) { return Infinity; }
+  static bool Covers(double /*cost*/, double /*distance*/) { return false; }
+  static Relay MakeRelay(const Point2& position, double distance, double cost)
+  {
+    return { position, distance, cost };
+  }
+  static bool Start(const Relay& /*left*/, const Relay& /*right*/, Cone& /*cone*/) { return true; }
+
+  /// The bound is inherited and tightened from edge to edge; Stop.X holds its inverse.
+  bool Ends(const Relay& left, const Relay& right, Cone& cone) const
+  {
+    const double length = Distance(cone.Ends[0], cone.Ends[1]);
+    const double a = Norm(cone.Ends[0].X, cone.Ends[0].Y);
+    const double b = Norm(cone.Ends[1].X, cone.Ends[1].Y);
+    const double near = std::min(a, b) - 0.5 * length;
+    if (near > 0.0)
+    {
+      const double bound =
+        length * length / (8.0 * this->Accuracy * near) + 0.5 * length + std::max(a, b);
+      cone.Stop.X = std::max(cone.Stop.X, 1.0 / bound);
+    }
+    return DistanceOfEdge(left, right, cone) * cone.Stop.X > 1.0;
+  }
+
+  double Accuracy;
+};
+
+/// The saddle vertex graph (Ying, Wang and He, "Saddle vertex graph (SVG): a novel solution to the
+/// discrete geodesic problem", 2013): the nearest vertices, those of them that are seen straight.
+/// The search ends when there are enough of them.
+struct NearestRule
+{
+  static constexpr bool StartsLate = false;
+  static constexpr bool EndsBesideCovered = false;
+  static constexpr bool KeepsOuterRelays = false;
+  static constexpr bool ByDistance = true;
+
+  explicit NearestRule(Id count)
+    : Count(count)
+  {
+  }
+
+  static double CostOfEdge(double length) { return length; }
+  static double CostBehind(const Relay& /*relay*/, double /*behind*/) { return Infinity; }
+  static bool Covers(double /*cost*/, double /*distance*/) { return false; }
+  static Relay MakeRelay(const Point2& position, double distance, double cost)
+  {
+    return { position, distance, cost };
+  }
+  static bool Start(const Relay& /*left*/, const Relay& /*right*/, Cone& /*cone*/) { return true; }
+  static bool Ends(const Relay& /*left*/, const Relay& /*right*/, Cone& /*cone*/) { return false; }
+
+  Id Count;
+};
+}
+
+#endif

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Shortest paths in a discrete geodesic graph.
+#ifndef dggGraphSearch_h
+#define dggGraphSearch_h
+
+#include "dggGeodesicGraph.h" // for GraphView
+#include "dggParallel.h"      // for ParallelFor
+#include "dggSurfaceMesh.h"   // for SurfaceMesh
+
+#include <cstddef> // for std::size_t
+#include <memory>  // for the internals
+#include <vector>  // for the results
+
+namespace dgg
+{
+/// Where a search starts: a vertex and the distance that it starts with. A surface point is a seed
+/// per link (GraphBuilder::Link()).
+struct GraphSeed
+{
+  Id Vertex = NoId;
+  double Distance = 0.0;        ///< label that the vertex starts with
+  double InitialDistance = 0.0; ///< part of it that is the offset of the source
+  Id Source = 0;                ///< reported as nearest source
+  /// For the seed of a surface point: polar angle at the vertex, pointing back to the point.
+  /// Negative when the source is the vertex itself.
+  double ArrivalAngle = -1.0;
+};
+
+enum class SearchMethod : std::uint8_t
+{
+  Dijkstra,        ///< label setting, the reference
+  LabelCorrecting, ///< in buckets of distance, over all edges
+  Certified        ///< in buckets over fans of edges straight ahead, then certified over all edges
+};
+
+struct SearchOptions
+{
+  SearchMethod Method = SearchMethod::Certified;
+  /// Vertices farther than this are left unreached.
+  double MaximumDistance = Infinity;
+  /// Stop as soon as the labels of these vertices are final; others may be left too large or
+  /// unreached. Dijkstra is used whatever the method.
+  std::vector<Id> Targets;
+  /// Whether to fill Corrected.
+  bool Correct = false;
+  ProgressCallback Progress; ///< may be empty
+};
+
+struct SearchResult
+{
+  std::vector<double> Distances; ///< per vertex, the length of a real path; Infinity if unreached
+  std::vector<Id> Seeds;         ///< per vertex, index of the seed that it is reached from, or NoId
+  /// Per vertex, the edge through which it is reached (from its tail); -1 for seeds and unreached
+  /// vertices.
+  std::vector<Offset> Edges;
+  std::vector<Id> Tails; ///< per vertex, tail of that edge, or NoId
+  /// Per vertex, a better estimate within the accuracy of the exact distance: neither an upper
+  /// bound nor a metric. Empty unless asked for.
+  std::vector<double> Corrected;
+  /// The virtual source behind the estimate of each vertex: distance at it, straight distance from
+  /// it, polar angle at the vertex towards it (not reduced to one turn). Empty unless asked for.
+  std::vector<double> VirtualOffset;
+  std::vector<double> VirtualLength;
+  std::vector<double> VirtualAngle;
+
+  std::size_t NumberOfPops = 0;        ///< vertices taken from the queue
+  std::size_t NumberOfRelaxations = 0; ///< edges looked at
+};
+
+/// Searches in one graph, whose arrays must outlive it, as must the mesh. Searches may run in
+/// several threads at once.
+class GraphSearch
+{
+public:
+  /// `mesh` is that of the graph, or null for a cloud: then there are no fans and no correction.
+  GraphSearch(const GraphView& graph, const SurfaceMesh* mesh);
+  ~GraphSearch();
+  GraphSearch(const GraphSearch&) = delete;
+  GraphSearch& operator=(const GraphSearch&) = delete;
+
+  const GraphView& GetGraph() const;
+
+  /// Distances from the nearest of the seeds: the same, up to rounding, by every method. Fails when
+  /// there is no seed, or one does not exist or starts with a distance that is not finite; then
+  /// `result` is empty. The result of an earlier call may be handed in again, which saves
+  /// allocations.
+  Status Run(
+    const std::vector<GraphSeed>& seeds, const SearchOptions& options, SearchResult& result) const;
+
+  /// Distance between two sets of seeds, those of two points: A* from both sides. Infinity when
+  /// they are not connected. `positions`, x y z per vertex, may be null: then there is no
+  /// potential.
+  Status Between(const std::vector<GraphSeed>& from, const std::vector<GraphSeed>& to,
+    const double* positions, double& distance) const;
+
+  /// Distances from many vertices, each on its own: row i of `distances` (n values each) belongs to
+  /// sources[i]. Neighbours in the list should be neighbours on the surface: they are searched in
+  /// blocks.
+  Status Many(const std::vector<Id>& sources, double maximumDistance, const ParallelFor& parallel,
+    double* distances) const;
+
+  /// Bytes held besides the graph.
+  std::size_t GetMemorySize() const;
+
+private:
+  class Implementation;
+  std::unique_ptr<Implementation> Internals;
+};
+}
+
+#endif

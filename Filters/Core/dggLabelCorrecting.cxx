@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggLabelCorrecting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace dgg
+{
+namespace
+{
+/// Vertices between two reports: some milliseconds.
+constexpr std::size_t ProgressInterval = 16384;
+/// How many queue entries ahead the memory of a vertex and that of its edges are asked for.
+constexpr std::size_t VertexLookahead = 12;
+constexpr std::size_t EdgesLookahead = 6;
+/// Relative; below it a shorter way is one of rounding.
+constexpr double Slack = 1e-12;
+
+template <typename Length>
+class LabelCorrecting
+{
+public:
+  LabelCorrecting(const GraphView& graph, const Length* lengths, const GraphFans* fans,
+    const ProgressCallback& progress, BucketQueue& queue, SearchLabels& labels,
+    SearchEffort& effort)
+    : Graph(graph)
+    , Lengths(lengths)
+    , Fans(fans)
+    , Progress(progress)
+    , Queue(queue)
+    , Labels(labels)
+    , Effort(effort)
+  {
+  }
+
+  bool Run(const std::vector<GraphSeed>& seeds, double width)
+  {
+    double nearest = Infinity;
+    for (const GraphSeed& seed : seeds)
+    {
+      nearest = std::min(nearest, seed.Distance);
+    }
+    this->Queue.Reset(nearest, width);
+    for (const GraphSeed& seed : seeds)
+    {
+      if (seed.Distance < this->Labels.Limit)
+      {
+        this->Queue.Push(seed.Distance, seed.Vertex);
+      }
+    }
+    if (!this->Fans)
+    {
+      return this->Propagate<false>();
+    }
+    if (!this->Propagate<true>())
+    {
+      return false;
+    }
+    this->Queue.Reset(nearest, width);
+    this->Certify();
+    return this->Propagate<false>();
+  }
+
+private:
+  /// Empty the queue, bucket by bucket.
+  template <bool OverFans>
+  bool Propagate()
+  {
+    const auto isOutdated = [this](const BucketQueue::Entry& entry) {
+      return entry.Key > this->Queue.Key(this->Labels.Distances[entry.Vertex]);
+    };
+    while (this->Queue.Advance())
+    {
+      this->Queue.Sift(isOutdated);
+      // Grows while it is worked on: vertices close by land in the same bucket.
+      const std::vector<BucketQueue::Entry>& bucket = this->Queue.Current();
+      const std::size_t pops = this->Effort.Pops;
+      for (std::size_t i = 0; i < bucket.size(); ++i)
+      {
+        this->template LookAhead<OverFans>(i);
+        if (!isOutdated(bucket[i]))
+        {
+          const Id v = bucket[i].Vertex;
+          ++this->Effort.Pops;
+          this->template RelaxFrom<OverFans>(v, this->Labels.Distances[v]);
+        }
+      }
+      this->Queue.ClearCurrent();
+      if (!this->Report(this->Effort.Pops - pops))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Ask for the memory that vertices further back in the queue will need. Without this a search
+  /// does little but wait.
+  template <bool OverFans>
+  void LookAhead(std::size_t i) const
+  {
+    if (const BucketQueue::Entry* entry = this->Queue.LookAhead(i, VertexLookahead))
+    {
+      if (OverFans)
+      {
+        Prefetch(&this->Labels.Origins[entry->Vertex]);
+        this->Fans->PrefetchVertex(entry->Vertex);
+      }
+      else
+      {
+        Prefetch(&this->Graph.Offsets[entry->Vertex]);
+      }
+    }
+    if (const BucketQueue::Entry* entry = this->Queue.LookAhead(i, EdgesLookahead))
+    {
+      const Id v = entry->Vertex;
+      if (OverFans)
+      {
+        this->Fans->PrefetchFan(
+          this->Graph, this->Lengths, v, this->Labels.Origins[v].ArrivalAngle);
+      }
+      else
+      {
+        this->PrefetchRow(this->Graph.Offsets[v], this->Graph.Offsets[v + 1]);
+      }
+    }
+  }
+
+  void PrefetchRow(Offset begin, Offset end) const
+  {
+    // Of a long row the beginning; then the processor sees by itself what is going on.
+    end = std::min<Offset>(end, begin + 96);
+    for (Offset e = begin; e < end; e += 16)
+    {
+      Prefetch(this->Graph.Targets + e);
+      Prefetch(this->Lengths + e);
+    }
+  }
+
+  template <bool OverFans>
+  void RelaxFrom(Id v, double label)
+  {
+    // Local copies: the compiler cannot know that labels do not overlap with members.
+    double* const distances = this->Labels.Distances.data();
+    LabelOrigin* const origins = this->Labels.Origins.data();
+    const Id* const targets = this->Graph.Targets;
+    const Length* const lengths = this->Lengths;
+    std::size_t relaxations = 0;
+    const auto relax = [&, v, label, distances, origins, targets, lengths](Offset e) {
+      ++relaxations;
+      const Id t = targets[e];
+      const double distance = label + lengths[e];
+      if (distance < distances[t])
+      {
+        distances[t] = distance;
+        origins[t] = { e, v, OverFans ? this->Graph.ArrivalAngles[e] : -1.0f };
+        this->Queue.Push(distance, t);
+      }
+    };
+    if (OverFans)
+    {
+      this->Fans->ForEach(v, origins[v].ArrivalAngle, relax);
+    }
+    else
+    {
+      for (Offset e = this->Graph.Offsets[v]; e < this->Graph.Offsets[v + 1]; ++e)
+      {
+        relax(e);
+      }
+    }
+    this->Effort.Relaxations += relaxations;
+  }
+
+  /// Look at every edge for a shorter way; there are few. Going through the arrays from front to
+  /// back, this costs less per edge than anything that jumps.
+  void Certify()
+  {
+    double* const distances = this->Labels.Distances.data();
+    for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+    {
+      if (!this->Labels.IsReached(v))
+      {
+        continue;
+      }
+      const Offset begin = this->Graph.Offsets[v];
+      const Offset end = this->Graph.Offsets[v + 1];
+      const double label = distances[v] + Slack * std::abs(distances[v]);
+      if (this->LargestDifference(begin, end) <= label)
+      {
+        continue;
+      }
+      for (Offset e = begin; e < end; ++e)
+      {
+        const Id t = this->Graph.Targets[e];
+        if (label + this->Lengths[e] < distances[t])
+        {
+          distances[t] = distances[v] + this->Lengths[e];
+          this->Labels.Origins[t] = { e, v, -1.0f };
+          this->Queue.Push(distances[t], t);
+        }
+      }
+    }
+    this->Effort.Relaxations += static_cast<std::size_t>(this->Graph.GetNumberOfEdges());
+  }
+
+  /// The largest difference of the label at the end of an edge and its length: if it is not above
+  /// the label at the start, no edge of the row is a shorter way. Without branches.
+  double LargestDifference(Offset begin, Offset end) const
+  {
+    const double* const distances = this->Labels.Distances.data();
+    const Id* const targets = this->Graph.Targets;
+    // Four chains, as a maximum takes some cycles.
+    double largest[4] = { -Infinity, -Infinity, -Infinity, -Infinity };
+    Offset e = begin;
+    for (; e + 4 <= end; e += 4)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        const double difference = distances[targets[e + k]] - this->Lengths[e + k];
+        largest[k] = difference > largest[k] ? difference : largest[k];
+      }
+    }
+    for (; e < end; ++e)
+    {
+      largest[0] = std::max(largest[0], distances[targets[e]] - this->Lengths[e]);
+    }
+    return std::max(std::max(largest[0], largest[1]), std::max(largest[2], largest[3]));
+  }
+
+  /// Count vertices, and report now and then. False when aborted.
+  bool Report(std::size_t pops)
+  {
+    this->PopsSinceReport += pops;
+    if (this->PopsSinceReport < ProgressInterval)
+    {
+      return true;
+    }
+    this->PopsSinceReport = 0;
+    return !this->Progress ||
+      this->Progress(
+        std::min(1.0, static_cast<double>(this->Effort.Pops) / this->Graph.NumberOfVertices));
+  }
+
+  const GraphView& Graph;
+  const Length* Lengths;
+  const GraphFans* Fans;
+  const ProgressCallback& Progress;
+  BucketQueue& Queue;
+  SearchLabels& Labels;
+  SearchEffort& Effort;
+  std::size_t PopsSinceReport = 0;
+};
+}
+
+bool RunLabelCorrecting(const GraphView& graph, const GraphFans* fans,
+  const std::vector<GraphSeed>& seeds, double width, const ProgressCallback& progress,
+  BucketQueue& queue, SearchLabels& labels, SearchEffort& effort)
+{
+  return WithLengths(graph, [&](const auto* lengths) {
+    using Length = std::remove_cv_t<std::remove_pointer_t<decltype(lengths)>>;
+    return LabelCorrecting<Length>(graph, lengths, fans, progress, queue, labels, effort)
+      .Run(seeds, width);
+  });
+}
+
+double ChooseBucketWidth(const GraphView& graph)
+{
+  // The mean of the shortest edges of some vertices.
+  constexpr Id sampleSize = 1000;
+  const Id step = std::max<Id>(1, graph.NumberOfVertices / sampleSize);
+  double sum = 0.0;
+  Id count = 0;
+  for (Id v = 0; v < graph.NumberOfVertices; v += step)
+  {
+    double shortest = Infinity;
+    for (Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; ++e)
+    {
+      shortest = std::min(shortest, graph.Length(e));
+    }
+    if (shortest < Infinity)
+    {
+      sum += shortest;
+      ++count;
+    }
+  }
+  return count == 0 ? 1.0 : sum / count;
+}
+}

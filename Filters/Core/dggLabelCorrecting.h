@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Label correcting in a graph, over fans of edges or over all of them. Internal.
+#ifndef dggLabelCorrecting_h
+#define dggLabelCorrecting_h
+
+#include "dggBucketQueue.h"  // for BucketQueue
+#include "dggGraphFans.h"    // for GraphFans
+#include "dggSearchLabels.h" // for SearchLabels
+
+namespace dgg
+{
+/// Make labels that have been started final. With fans (or null), a path first goes on only over
+/// the fan of the edge on which it came; that leaves a few labels too large, so then all edges are
+/// certified one after the other, and what is found wrong is mended over all edges. The result is
+/// that of Dijkstra's algorithm, up to rounding. `width` is that of the buckets of the queue. False
+/// when aborted.
+bool RunLabelCorrecting(const GraphView& graph, const GraphFans* fans,
+  const std::vector<GraphSeed>& seeds, double width, const ProgressCallback& progress,
+  BucketQueue& queue, SearchLabels& labels, SearchEffort& effort);
+
+/// A good width of buckets: about the distance between neighbours. So small that few vertices are
+/// taken from the queue twice, and so large that a bucket holds some vertices to look ahead to.
+double ChooseBucketWidth(const GraphView& graph);
+}
+
+#endif

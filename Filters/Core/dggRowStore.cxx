@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggRowStore.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dgg
+{
+float RoundedUp(double value)
+{
+  const auto rounded = static_cast<float>(value);
+  return static_cast<double>(rounded) < value
+    ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
+    : rounded;
+}
+
+void RowStore::AppendRow(const RowEdge* begin, const RowEdge* end)
+{
+  Offset i = this->Begins.back();
+  this->Reserve(i + (end - begin));
+  for (const RowEdge* edge = begin; edge != end; ++edge)
+  {
+    this->Set(i++, *edge);
+  }
+  this->Begins.push_back(i);
+}
+
+void RowStore::Reserve(Offset size)
+{
+  if (size <= this->Capacity)
+  {
+    return;
+  }
+  // Memory that is not written yet costs nothing, so this may be generous.
+  this->Capacity = std::max<Offset>(size, this->Capacity + this->Capacity / 2 + 1024);
+  const auto capacity = static_cast<std::size_t>(this->Capacity);
+  this->Targets.Resize(capacity);
+  if (this->IsWide)
+  {
+    this->WideLengths.Resize(capacity);
+  }
+  else
+  {
+    this->Lengths.Resize(capacity);
+  }
+  this->Departures.Resize(capacity);
+  this->Arrivals.Resize(capacity);
+}
+
+void RowStore::Set(Offset i, const RowEdge& edge)
+{
+  this->Targets[i] = edge.Target;
+  this->SetWay(i, edge.Length, edge.Departure, edge.Arrival);
+}
+
+void RowStore::SetWay(Offset i, double length, float departure, float arrival)
+{
+  if (this->IsWide)
+  {
+    this->WideLengths[i] = length;
+  }
+  else
+  {
+    this->Lengths[i] = RoundedUp(length);
+  }
+  this->Departures[i] = departure;
+  this->Arrivals[i] = arrival;
+}
+
+RowEdge RowStore::Get(Offset i) const
+{
+  return { this->Targets[i], this->Length(i), this->Departures[i], this->Arrivals[i] };
+}
+
+Offset RowStore::Find(Id row, Id target) const
+{
+  const Id* begin = this->Targets.Data() + this->Begins[row];
+  const Id* end = this->Targets.Data() + this->Begins[row + 1];
+  const Id* found = std::find(begin, end, target);
+  return found == end ? -1 : found - this->Targets.Data();
+}
+
+void RowStore::Remove(Id first, const std::vector<unsigned char>& flags)
+{
+  const Offset base = this->Begins[first];
+  Offset kept = base;
+  Offset begin = base;
+  for (Id row = first; row < this->GetNumberOfRows(); ++row)
+  {
+    const Offset end = this->Begins[row + 1];
+    for (Offset i = begin; i < end; ++i)
+    {
+      if (!flags[i - base])
+      {
+        this->Targets[kept] = this->Targets[i];
+        if (this->IsWide)
+        {
+          this->WideLengths[kept] = this->WideLengths[i];
+        }
+        else
+        {
+          this->Lengths[kept] = this->Lengths[i];
+        }
+        this->Departures[kept] = this->Departures[i];
+        this->Arrivals[kept] = this->Arrivals[i];
+        ++kept;
+      }
+    }
+    this->Begins[row + 1] = kept;
+    begin = end;
+  }
+}
+
+void RowStore::FreeAngles()
+{
+  this->Departures.Clear();
+  this->Arrivals.Clear();
+}
+
+void RowStore::FreeTargetsAndLengths()
+{
+  this->Targets.Clear();
+  this->Lengths.Clear();
+  this->WideLengths.Clear();
+}
+
+std::size_t RowStore::GetMemorySize() const
+{
+  const auto edges = static_cast<std::size_t>(this->GetNumberOfEdges());
+  const std::size_t targets = this->Targets.IsEmpty() ? 0 : sizeof(Id) * edges;
+  const std::size_t lengths = (this->Lengths.IsEmpty() ? 0 : sizeof(float) * edges) +
+    (this->WideLengths.IsEmpty() ? 0 : sizeof(double) * edges);
+  const std::size_t angles = this->Departures.IsEmpty() ? 0 : 2 * sizeof(float) * edges;
+  return targets + lengths + angles + this->Begins.capacity() * sizeof(Offset);
+}
+}

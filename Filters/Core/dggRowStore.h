@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Rows of edges while a graph is being built. Internal.
+#ifndef dggRowStore_h
+#define dggRowStore_h
+
+#include "dggBuffer.h" // for the arrays
+#include "dggTypes.h"  // for Id, Offset
+
+#include <cstddef> // for std::size_t
+#include <vector>  // for blocks
+
+namespace dgg
+{
+/// An edge as it is stored. Lengths are floats, rounded up, unless the graph needs doubles.
+struct RowEdge
+{
+  Id Target;
+  double Length;
+  float Departure;
+  float Arrival;
+};
+
+/// The smallest float that is not below a value.
+float RoundedUp(double value);
+
+/// The edges of consecutive rows, in flat arrays that grow. One array a property, so that they can
+/// be given up one by one.
+class RowStore
+{
+public:
+  /// `wide` keeps lengths as double.
+  explicit RowStore(bool wide)
+    : IsWide(wide)
+    , Begins(1, 0)
+  {
+  }
+
+  Id GetNumberOfRows() const { return static_cast<Id>(this->Begins.size() - 1); }
+  Offset GetNumberOfEdges() const { return this->Begins.back(); }
+  Offset Begin(Id row) const { return this->Begins[row]; }
+  Offset End(Id row) const { return this->Begins[row + 1]; }
+
+  void AppendRow(const RowEdge* begin, const RowEdge* end);
+  void Set(Offset i, const RowEdge& edge);
+  /// Everything but the target: others may look at targets at the same time.
+  void SetWay(Offset i, double length, float departure, float arrival);
+  RowEdge Get(Offset i) const;
+
+  Id Target(Offset i) const { return this->Targets[i]; }
+  double Length(Offset i) const
+  {
+    return this->IsWide ? this->WideLengths[i] : static_cast<double>(this->Lengths[i]);
+  }
+  float Departure(Offset i) const { return this->Departures[i]; }
+  float Arrival(Offset i) const { return this->Arrivals[i]; }
+  /// Index of the edge of a row to a target, -1 when there is none.
+  Offset Find(Id row, Id target) const;
+
+  /// Remove edges from the rows beginning with `first`: those whose flag is set. `flags` are those
+  /// of the edges from Begin(first) on.
+  void Remove(Id first, const std::vector<unsigned char>& flags);
+
+  void FreeAngles();
+  void FreeTargetsAndLengths();
+  std::size_t GetMemorySize() const;
+
+private:
+  void Reserve(Offset size);
+
+  bool IsWide;
+  std::vector<Offset> Begins;
+  Buffer<Id> Targets;
+  Buffer<float> Lengths;
+  Buffer<double> WideLengths;
+  Buffer<float> Departures;
+  Buffer<float> Arrivals;
+  Offset Capacity = 0;
+};
+}
+
+#endif

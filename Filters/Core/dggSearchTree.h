@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The tree of shortest paths behind the labels of a search. Internal.
+#ifndef dggSearchTree_h
+#define dggSearchTree_h
+
+#include "dggSearchLabels.h" // for SearchLabels
+
+#include <vector> // for the order
+
+namespace dgg
+{
+/// Write what the labels say into a result whose distances they share: edges, tails and seeds;
+/// unreached vertices become Infinity. `order` receives the reached vertices, every one after its
+/// tail.
+void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<Id>& order);
+}
+
+#endif

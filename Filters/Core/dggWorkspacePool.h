@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Memory that searches use one after the other. Internal.
+#ifndef dggWorkspacePool_h
+#define dggWorkspacePool_h
+
+#include <cstddef> // for std::size_t
+#include <memory>  // for the workspaces
+#include <mutex>   // for the list
+#include <utility> // for std::move
+#include <vector>  // for the list
+
+namespace dgg
+{
+/// Keeps workspaces that are not in use, as many as searches ever ran at the same time. May be used
+/// by several threads at once.
+template <typename Workspace>
+class WorkspacePool
+{
+public:
+  /// A workspace; when it goes, the workspace returns to the pool.
+  class Loan
+  {
+  public:
+    Loan(WorkspacePool& pool, std::unique_ptr<Workspace> workspace)
+      : Pool(pool)
+      , Value(std::move(workspace))
+    {
+    }
+    ~Loan() { this->Pool.Return(std::move(this->Value)); }
+    Loan(const Loan&) = delete;
+    Loan& operator=(const Loan&) = delete;
+    Workspace& operator*() const { return *this->Value; }
+    Workspace* operator->() const { return this->Value.get(); }
+
+  private:
+    WorkspacePool& Pool;
+    std::unique_ptr<Workspace> Value;
+  };
+
+  /// `make` is called when all workspaces are in use.
+  template <typename Make>
+  Loan Borrow(const Make& make)
+  {
+    std::unique_ptr<Workspace> workspace;
+    {
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      if (!this->Idle.empty())
+      {
+        workspace = std::move(this->Idle.back());
+        this->Idle.pop_back();
+      }
+      else
+      {
+        // Room for all that will come back, so that Return() cannot fail.
+        this->Idle.reserve(++this->NumberOfWorkspaces);
+      }
+    }
+    return Loan(*this, workspace ? std::move(workspace) : make());
+  }
+
+  /// Bytes of the workspaces that are not in use.
+  std::size_t GetMemorySize() const
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    std::size_t size = 0;
+    for (const std::unique_ptr<Workspace>& workspace : this->Idle)
+    {
+      size += workspace->GetMemorySize();
+    }
+    return size;
+  }
+
+private:
+  void Return(std::unique_ptr<Workspace> workspace) noexcept
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Idle.push_back(std::move(workspace));
+  }
+
+  mutable std::mutex Mutex;
+  std::vector<std::unique_ptr<Workspace>> Idle;
+  std::size_t NumberOfWorkspaces = 0; ///< idle or not
+};
+}
+
+#endif

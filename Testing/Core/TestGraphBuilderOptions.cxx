@@ -1,0 +1,327 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Options, limits, progress, and what the builder says about its memory.
+#include "CurvedMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+#include "GraphChecks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::GraphConstruction;
+
+dgg::Status TryBuild(const dgg::SurfaceMesh& mesh, const dgg::GraphOptions& options)
+{
+  dgg::GeodesicGraph graph = BuildGraph(mesh, 0.1); // is not to survive a failure
+  const dgg::Status status = dgg::GraphBuilder(mesh).Build(options, graph);
+  if (!status.IsOk())
+  {
+    EXPECT_EQ(graph.GetMemorySize(), 0u);
+    EXPECT_EQ(graph.GetNumberOfVertices(), 0);
+  }
+  return status;
+}
+
+/// Expect every call with these options to be refused, in words that name what is wrong.
+void ExpectRefused(const dgg::GraphOptions& options, const std::string& what)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
+  const dgg::GraphBuilder builder(mesh);
+  dgg::GraphEstimate estimate;
+  for (const dgg::Status& status : { dgg::GraphBuilder::Check(options), TryBuild(mesh, options),
+         builder.Estimate(options, estimate) })
+  {
+    EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput);
+    EXPECT_NE(status.GetMessage().find(what), std::string::npos) << status.GetMessage();
+  }
+  EXPECT_EQ(estimate.Edges, 0.0);
+}
+}
+
+TEST(GraphBuilderOptions, AccuracyOutOfRange)
+{
+  for (const auto construction :
+    { GraphConstruction::Guaranteed, GraphConstruction::OneRelay, GraphConstruction::Indirect })
+  {
+    for (const double accuracy : { 0.0, -0.01, 9e-7, 0.51, 1.0, 1e300, dgg::Infinity,
+           -dgg::Infinity, std::numeric_limits<double>::quiet_NaN() })
+    {
+      SCOPED_TRACE(accuracy);
+      dgg::GraphOptions options;
+      options.Construction = construction;
+      options.Accuracy = accuracy;
+      ExpectRefused(options, "accuracy");
+      ExpectRefused(options, "1e-06, 0.5]");
+    }
+  }
+}
+
+TEST(GraphBuilderOptions, AccuracyAtTheLimits)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(1, 0.3, 1));
+  for (const double accuracy : { dgg::MinimumAccuracy, dgg::MaximumAccuracy })
+  {
+    const dgg::GeodesicGraph graph = BuildGraph(mesh, accuracy);
+    EXPECT_EQ(graph.Info.Accuracy, accuracy);
+  }
+}
+
+TEST(GraphBuilderOptions, NumberOfNeighbors)
+{
+  dgg::GraphOptions options;
+  options.Construction = GraphConstruction::SaddleVertexGraph;
+  for (const Id count : { 0, -1, std::numeric_limits<Id>::min() })
+  {
+    options.NumberOfNeighbors = count;
+    ExpectRefused(options, "neighbours");
+  }
+  // Only the options of the construction in use matter.
+  options.NumberOfNeighbors = 5;
+  options.Accuracy = -1.0;
+  EXPECT_TRUE(dgg::GraphBuilder::Check(options).IsOk());
+  options.Construction = GraphConstruction::Guaranteed;
+  options.NumberOfNeighbors = 0;
+  options.Accuracy = 0.1;
+  EXPECT_TRUE(dgg::GraphBuilder::Check(options).IsOk());
+}
+
+TEST(GraphBuilderOptions, InfoSaysWhatWasBuilt)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
+  for (const auto construction : { GraphConstruction::Guaranteed, GraphConstruction::OneRelay,
+         GraphConstruction::Indirect, GraphConstruction::SaddleVertexGraph })
+  {
+    const dgg::GraphInfo info = BuildGraph(mesh, 0.07, [&](dgg::GraphOptions& options) {
+      options.Construction = construction;
+      options.NumberOfNeighbors = 9;
+    }).Info;
+    const bool isByNumber = construction == GraphConstruction::SaddleVertexGraph;
+    EXPECT_EQ(info.Kind, dgg::GraphKind::Mesh);
+    EXPECT_EQ(info.Construction, construction);
+    EXPECT_EQ(info.Accuracy, isByNumber ? 0.0 : 0.07);
+    EXPECT_EQ(info.NumberOfNeighbors, isByNumber ? 9 : 0);
+    EXPECT_EQ(info.IsGuaranteed(),
+      construction == GraphConstruction::Guaranteed || construction == GraphConstruction::Indirect);
+  }
+}
+
+TEST(GraphBuilderOptions, EmptyMeshes)
+{
+  for (const auto construction : { GraphConstruction::Guaranteed, GraphConstruction::OneRelay,
+         GraphConstruction::Indirect, GraphConstruction::SaddleVertexGraph })
+  {
+    SCOPED_TRACE(static_cast<int>(construction));
+    for (const Id count : { 0, 1, 3000 })
+    {
+      // Points without any face.
+      const std::vector<double> points(3 * static_cast<std::size_t>(count), 1.0);
+      dgg::SurfaceMesh mesh;
+      ASSERT_TRUE(dgg::SurfaceMesh::FromPoints(points.data(), count, nullptr, 0, mesh).IsOk());
+      const dgg::GeodesicGraph graph = BuildGraph(mesh, 0.01, construction);
+      ASSERT_EQ(graph.Offsets.Size(), static_cast<std::size_t>(count) + 1);
+      EXPECT_EQ(graph.View().GetNumberOfEdges(), 0);
+      dgg::GraphOptions options;
+      options.Construction = construction;
+      dgg::GraphEstimate estimate;
+      EXPECT_TRUE(dgg::GraphBuilder(mesh).Estimate(options, estimate).IsOk());
+      EXPECT_EQ(estimate.Edges, 0.0);
+    }
+    // Every vertex of one triangle sees the two others.
+    const dgg::GeodesicGraph graph = BuildGraph(Build(SingleTriangle()), 0.01, construction);
+    EXPECT_EQ(graph.View().GetNumberOfEdges(), 6);
+  }
+}
+
+TEST(GraphBuilderOptions, IsolatedPointsHaveEmptyRows)
+{
+  TestMesh input = Icosphere(2);
+  const Id first = input.AddPoint(0.5, 0.5, 0.5);
+  input.AddPoint(0.0, 0.0, 0.0);
+  const dgg::GeodesicGraph graph = BuildGraph(Build(input), 0.05);
+  const dgg::GeodesicGraph without = BuildGraph(Build(Icosphere(2)), 0.05);
+  EXPECT_EQ(graph.View().GetNumberOfEdges(), without.View().GetNumberOfEdges());
+  EXPECT_EQ(graph.Offsets[first], graph.Offsets[first + 1]);
+  EXPECT_EQ(graph.Offsets[first + 1], graph.Offsets[first + 2]);
+}
+
+TEST(GraphBuilderOptions, WideLengths)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(2, 0.3, 1));
+  EXPECT_TRUE(BuildGraph(mesh, 1e-5).WideLengths.IsEmpty());
+  const dgg::GeodesicGraph wide = BuildGraph(mesh, 0.9e-5);
+  EXPECT_TRUE(wide.Lengths.IsEmpty());
+  EXPECT_FALSE(wide.WideLengths.IsEmpty());
+  // Without the rounding to floats, distances are the exact ones up to the accuracy.
+  const DistanceTable exact = ExactTable(mesh);
+  const RelativeError error = MeasureError(exact, GraphTable(BuildGraph(mesh, 1e-6).View()));
+  EXPECT_LE(error.Largest, 1.0001e-6);
+  // Floats are rounded up by up to 2^-23.
+  const dgg::GeodesicGraph narrow = BuildGraph(mesh, 1e-5);
+  EXPECT_GT(MeasureError(exact, GraphTable(narrow.View())).Largest, 1e-8);
+}
+
+TEST(GraphBuilderOptions, WideLengthsWhereFloatsEnd)
+{
+  const TestMesh input = NoisySphere(2, 0.3, 1);
+  for (const double factor : { 1e-69, 1e-36, 1e36, 1e69 })
+  {
+    SCOPED_TRACE(factor);
+    const dgg::SurfaceMesh mesh = Build(Scaled(input, factor));
+    const dgg::GeodesicGraph graph = BuildGraph(mesh, 0.05);
+    EXPECT_FALSE(graph.WideLengths.IsEmpty());
+    ExpectWithin(ExactTable(mesh), GraphTable(graph.View()), 0.05, 0.0);
+  }
+}
+
+TEST(GraphBuilderOptions, ProgressAscendsToOne)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(60, 60, 0.2));
+  for (const auto construction : { GraphConstruction::Guaranteed, GraphConstruction::OneRelay,
+         GraphConstruction::Indirect, GraphConstruction::SaddleVertexGraph })
+  {
+    std::vector<double> reports;
+    BuildGraph(mesh, 0.02, [&](dgg::GraphOptions& options) {
+      options.Construction = construction;
+      options.Progress = [&](double done) {
+        reports.push_back(done);
+        return true;
+      };
+    });
+    ASSERT_GE(reports.size(), 3u);
+    EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+    EXPECT_GT(reports.front(), 0.0);
+    EXPECT_EQ(reports.back(), 1.0);
+  }
+}
+
+TEST(GraphBuilderOptions, AbortAtAnyReport)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(60, 60, 0.2));
+  dgg::GraphOptions options;
+  options.Accuracy = 0.1;
+  const dgg::GeodesicGraph expected = BuildGraph(mesh, options.Accuracy);
+  const dgg::GraphBuilder builder(mesh);
+  int aborted = 0;
+  for (int last = 1; last < 1000; ++last)
+  {
+    int reports = 0;
+    options.Progress = [&](double) { return ++reports < last; };
+    dgg::GeodesicGraph graph = BuildGraph(Build(Icosphere(0)), 0.1);
+    const dgg::Status status = builder.Build(options, graph);
+    if (status.IsOk())
+    {
+      ExpectSameGraph(expected, graph); // those given up before left no trace
+      break;
+    }
+    EXPECT_TRUE(status.IsAborted());
+    EXPECT_EQ(reports, last) << "reports went on";
+    EXPECT_EQ(graph.GetMemorySize(), 0u);
+    ++aborted;
+  }
+  EXPECT_GE(aborted, 3);
+  EXPECT_LT(aborted, 900);
+}
+
+TEST(GraphBuilderOptions, EstimateIsClose)
+{
+  for (const NamedMesh& named : { NamedMesh{ "Plane", Plane(60, 50, 0.25, 1) },
+         NamedMesh{ "Sphere", NoisySphere(4, 0.2, 2) }, NamedMesh{ "Rough", Terrain(50, 2.0, 3) },
+         NamedMesh{ "Torus", WithNoise(Torus(80, 40), 0.01, 4) },
+         NamedMesh{ "Ellipsoid", Ellipsoid(4, 6.0) }, NamedMesh{ "Grid", Plane(55, 55) },
+         NamedMesh{ "Box", Box(16, 18, 22, 1.0, 1.0, 1.0, 0.2, 5) } })
+  {
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    ASSERT_GE(mesh.GetNumberOfVertices(), 2000);
+    const dgg::GraphBuilder builder(mesh);
+    for (const auto construction : { GraphConstruction::Guaranteed, GraphConstruction::OneRelay,
+           GraphConstruction::Indirect, GraphConstruction::SaddleVertexGraph })
+    {
+      for (const double accuracy : { 0.1, 0.01, 1e-3 })
+      {
+        if (construction == GraphConstruction::Indirect && accuracy < 0.01)
+        {
+          continue; // too many candidates for a test
+        }
+        dgg::GraphOptions options;
+        options.Construction = construction;
+        options.Accuracy = accuracy;
+        dgg::GraphEstimate estimate;
+        ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
+        dgg::GeodesicGraph graph;
+        dgg::GraphStatistics statistics;
+        ASSERT_TRUE(builder.Build(options, graph, &statistics).IsOk());
+        const auto edges = static_cast<double>(graph.View().GetNumberOfEdges());
+        const std::string what = named.Name + ", construction " +
+          std::to_string(static_cast<int>(construction)) + ", accuracy " + std::to_string(accuracy);
+        // How many candidates are pruned differs much from mesh to mesh.
+        const double tolerance = construction == GraphConstruction::Indirect ? 0.5 : 0.25;
+        EXPECT_NEAR(estimate.Edges / edges, 1.0, tolerance) << what;
+        EXPECT_NEAR(estimate.Memory / static_cast<double>(graph.GetMemorySize()), 1.0, tolerance)
+          << what;
+        EXPECT_GE(estimate.Peak, static_cast<double>(statistics.PeakMemory)) << what;
+      }
+    }
+  }
+}
+
+TEST(GraphBuilderOptions, PeakMemory)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(35, 30, 0.25, 1));
+  for (const double accuracy : { 0.1, 0.01, 5e-6 })
+  {
+    SCOPED_TRACE(accuracy);
+    dgg::GraphStatistics statistics;
+    const dgg::GeodesicGraph graph = BuildGraph(mesh, accuracy, nullptr, &statistics);
+    const auto size = static_cast<double>(graph.GetMemorySize());
+    const auto edges = static_cast<double>(graph.View().GetNumberOfEdges());
+    const double offsets = 8.0 * static_cast<double>(graph.Offsets.Size());
+    EXPECT_DOUBLE_EQ(size, (accuracy < 1e-5 ? 20.0 : 16.0) * edges + offsets);
+    EXPECT_GE(static_cast<double>(statistics.PeakMemory), size);
+    // Besides the edges, the rows have offsets of their own.
+    EXPECT_LE(static_cast<double>(statistics.PeakMemory), 1.3 * size + 2.0 * offsets);
+    EXPECT_GT(statistics.Workspace, 0u);
+  }
+}
+
+TEST(GraphBuilderOptions, Statistics)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.3, 1));
+  dgg::GraphStatistics coarse;
+  dgg::GraphStatistics fine;
+  const auto edges = BuildGraph(mesh, 0.1, nullptr, &coarse).View().GetNumberOfEdges();
+  BuildGraph(mesh, 0.001, nullptr, &fine);
+  EXPECT_GT(fine.Windows, 5 * coarse.Windows);
+  EXPECT_GT(fine.OutEdges, 3 * coarse.OutEdges);
+  // The union of both directions.
+  EXPECT_LE(static_cast<double>(coarse.OutEdges), static_cast<double>(edges));
+  EXPECT_GE(2.0 * static_cast<double>(coarse.OutEdges), static_cast<double>(edges));
+}
+
+TEST(GraphBuilderOptions, DegreeFollowsTheLaw)
+{
+  // The expected number of edges found from a vertex among vertices at random is 4.17 by the square
+  // root of the accuracy, as long as the mesh has many more.
+  for (const double accuracy : { 0.05, 0.02, 0.01, 0.004 })
+  {
+    for (const NamedMesh& named :
+      { NamedMesh{ "Plane", Plane(90, 90, 0.28, 1) }, NamedMesh{ "Terrain", Terrain(80, 0.2, 2) } })
+    {
+      SCOPED_TRACE(named.Name);
+      const dgg::SurfaceMesh mesh = Build(named.Mesh);
+      dgg::GraphStatistics statistics;
+      BuildGraph(mesh, accuracy, nullptr, &statistics);
+      const double degree = static_cast<double>(statistics.OutEdges) / mesh.GetNumberOfVertices();
+      const double law = 4.17 / std::sqrt(accuracy);
+      EXPECT_NEAR(degree / law, 1.0, 0.4) << "accuracy " << accuracy;
+    }
+  }
+}
+}

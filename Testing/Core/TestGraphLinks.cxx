@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Links: what makes a point anywhere on the surface a vertex of the graph, with the same promise.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+#include "GraphChecks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::GraphLink;
+using dgg::SurfaceMesh;
+using dgg::SurfacePoint;
+
+struct Linked
+{
+  std::vector<GraphLink> Links;
+  std::vector<double> Direct;
+};
+
+Linked LinksOf(const dgg::GraphBuilder& builder, const SurfacePoint& point, double accuracy,
+  const std::vector<SurfacePoint>& targets = {})
+{
+  Linked linked;
+  const dgg::Status status = builder.Link(point, accuracy, targets, linked.Links, linked.Direct);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_EQ(linked.Direct.size(), targets.size());
+  linked.Direct.resize(targets.size(), dgg::Infinity);
+  return linked;
+}
+
+/// Points of every kind: random ones in faces and on edges, points close to each other and to
+/// vertices, the middle of every kind of edge, vertices.
+std::vector<SurfacePoint> PointsOfAllKinds(const SurfaceMesh& mesh, Id count, std::uint64_t seed)
+{
+  std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, count, seed);
+  Random random(seed);
+  Id boundaryEdges = 0;
+  Id nonManifoldEdges = 0;
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      continue;
+    }
+    const Id twin = mesh.Twin(h);
+    const bool isBoundary = twin == dgg::NoId;
+    const bool isNonManifold = !isBoundary && mesh.Twin(twin) != h;
+    if ((isBoundary && random.Index(4) == 0 && ++boundaryEdges <= 3) ||
+      (isNonManifold && ++nonManifoldEdges <= 4))
+    {
+      points.push_back(SurfacePoint::OnEdge(mesh, h, random.Uniform(0.1, 0.9)));
+      points.push_back(SurfacePoint::OnEdge(mesh, h, random.Uniform(0.1, 0.9)));
+    }
+  }
+  Id f = random.Index(mesh.GetNumberOfFaces());
+  while (mesh.IsDropped(f))
+  {
+    f = (f + 1) % mesh.GetNumberOfFaces();
+  }
+  std::vector<std::array<double, 3>> places = { { { 0.3, 0.3, 0.4 } }, { { 0.3001, 0.2999, 0.4 } },
+    { { 0.999, 0.0005, 0.0005 } }, { { 0.0, 0.4, 0.6 } }, { { 0.0, 0.4001, 0.5999 } },
+    { { 0.0, 1.0, 0.0 } } };
+  if (mesh.ApexY(3 * f + 1) > 0.01 * mesh.Length(3 * f + 1))
+  {
+    // As close to an edge as a point can be without being on it. In a sliver, exact distances from
+    // there are not to be had: windows seen edge-on are dropped.
+    places.push_back({ { 2e-9, 0.5, 0.5 } });
+  }
+  for (const std::array<double, 3>& b : places)
+  {
+    points.push_back(SurfacePoint::InFace(mesh, f, b));
+  }
+  points.push_back(SurfacePoint::AtVertex(mesh.GetTriangle(f)[0]));
+  points.push_back(SurfacePoint::AtVertex(mesh.GetNumberOfVertices() - 1));
+  return points;
+}
+
+/// Expect the way between any two of the points, by links and graph or direct, to be within the
+/// accuracy, and the same from either end.
+void ExpectLinksKeepTheBound(
+  const SurfaceMesh& mesh, const std::vector<SurfacePoint>& points, double accuracy)
+{
+  const dgg::GeodesicGraph graph = BuildGraph(mesh, accuracy);
+  const dgg::GraphBuilder builder(mesh);
+  const double slack = 10.0 * mesh.GetNumberOfMollifiedFaces() * mesh.GetMollification();
+  std::vector<Linked> linked;
+  for (const SurfacePoint& point : points)
+  {
+    linked.push_back(LinksOf(builder, point, accuracy, points));
+  }
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    const std::vector<double> exact =
+      DistancesTo(mesh, dgg::ExactEngine::Triangle, points[p], points);
+    std::vector<std::pair<Id, double>> sources;
+    for (const GraphLink& link : linked[p].Links)
+    {
+      sources.emplace_back(link.Vertex, link.Length);
+    }
+    const std::vector<double> distances = GraphDistances(graph.View(), sources);
+    for (std::size_t q = 0; q < points.size(); ++q)
+    {
+      double way = std::min(linked[p].Direct[q], linked[q].Direct[p]);
+      for (const GraphLink& link : linked[q].Links)
+      {
+        way = std::min(way, distances[link.Vertex] + link.Length);
+      }
+      const double d = exact[q];
+      const double largest = LargestFinite(exact);
+      ASSERT_GE(linked[p].Direct[q], d * (1.0 - 1e-9) - slack) << p << " to " << q;
+      if (d == dgg::Infinity)
+      {
+        ASSERT_EQ(way, dgg::Infinity) << p << " to " << q;
+        continue;
+      }
+      // Between points next to each other, rounding is that of the length of an edge.
+      const double rounding = slack + 1e-12 * largest;
+      ASSERT_GE(way, d * (1.0 - 1e-9) - rounding) << p << " to " << q;
+      ASSERT_LE(way, (1.0 + accuracy) * d * (1.0 + 1e-6) + rounding)
+        << p << " to " << q << ", exact " << d;
+    }
+  }
+}
+}
+
+TEST(GraphLinks, KeepTheBound)
+{
+  std::vector<NamedMesh> meshes = SoundMeshes();
+  std::vector<bool> unused;
+  meshes.push_back({ "Slit", SlitPlane(6, unused, 0.2, 1) });
+  meshes.push_back({ "Doubled", DoublyCoveredPolygon(4, 3, unused) });
+  meshes.push_back({ "OneTriangle", SingleTriangle() });
+  meshes.push_back({ "TwoTriangles", TwoTriangles(0.5) });
+  meshes.push_back({ "Tetrahedron", Tetrahedron() });
+  meshes.push_back({ "TorusOfTwoFaces", FlatTorus(2.0, 0.3, 1.0, 1, 1, true) });
+  meshes.push_back({ "TorusOfFew", FlatTorus(2.0, 0.3, 1.0, 2, 1, true) });
+  for (const NamedMesh& named : meshes)
+  {
+    SCOPED_TRACE(named.Name);
+    const SurfaceMesh mesh = Build(named.Mesh);
+    const std::vector<SurfacePoint> points = PointsOfAllKinds(mesh, 20, 7);
+    for (const double accuracy : { 0.5, 0.1, 0.01, 1e-4 })
+    {
+      SCOPED_TRACE(accuracy);
+      ExpectLinksKeepTheBound(mesh, points, accuracy);
+    }
+  }
+}
+
+TEST(GraphLinks, KeepTheBoundWithDefects)
+{
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    const SurfaceMesh mesh = Build(named.Mesh);
+    const std::vector<SurfacePoint> points = PointsOfAllKinds(mesh, 16, 8);
+    for (const double accuracy : { 0.3, 0.01 })
+    {
+      SCOPED_TRACE(accuracy);
+      ExpectLinksKeepTheBound(mesh, points, accuracy);
+    }
+  }
+}
+
+TEST(GraphLinks, ManyRandomPairs)
+{
+  for (std::uint64_t seed = 1; seed <= 15; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const TestMesh input = seed % 2 == 0 ? NoisySphere(1, 0.5, seed) : Terrain(5, 3.0, seed);
+    const SurfaceMesh mesh = Build(RandomlyRefined(input, 20, seed, 1e-3));
+    ExpectLinksKeepTheBound(mesh, RandomSurfacePoints(mesh, 40, seed), 0.05);
+  }
+}
+
+TEST(GraphLinks, VertexIsItsOwnLink)
+{
+  const SurfaceMesh mesh = Build(SphereWithIsolatedPoints(1));
+  const dgg::GraphBuilder builder(mesh);
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const Linked linked = LinksOf(builder, SurfacePoint::AtVertex(v), 0.1);
+    ASSERT_EQ(linked.Links.size(), 1u);
+    EXPECT_EQ(linked.Links[0].Vertex, v);
+    EXPECT_EQ(linked.Links[0].Length, 0.0);
+  }
+}
+
+TEST(GraphLinks, SortedAndPlausible)
+{
+  const SurfaceMesh mesh = Build(NoisySphere(2, 0.3, 3));
+  const dgg::GraphBuilder builder(mesh);
+  for (const SurfacePoint& point : RandomSurfacePoints(mesh, 50, 4))
+  {
+    const Linked coarse = LinksOf(builder, point, 0.2);
+    const Linked fine = LinksOf(builder, point, 0.002);
+    EXPECT_LT(coarse.Links.size(), fine.Links.size());
+    for (const Linked& linked : { coarse, fine })
+    {
+      ASSERT_GE(linked.Links.size(), 3u);
+      for (std::size_t i = 0; i < linked.Links.size(); ++i)
+      {
+        const GraphLink& link = linked.Links[i];
+        EXPECT_TRUE(i == 0 || linked.Links[i - 1].Vertex < link.Vertex);
+        EXPECT_GT(link.Length, 0.0);
+        EXPECT_GE(link.ArrivalAngle, 0.0);
+        EXPECT_LT(link.ArrivalAngle, mesh.TotalAngle(link.Vertex));
+      }
+    }
+  }
+}
+
+TEST(GraphLinks, LengthsAndAnglesOnPlane)
+{
+  const TestMesh input = Plane(10, 9, 0.25, 5);
+  const SurfaceMesh mesh = Build(input);
+  const dgg::GraphBuilder builder(mesh);
+  Random random(6);
+  std::vector<SurfacePoint> points;
+  std::vector<std::array<double, 2>> places;
+  for (int i = 0; i < 60; ++i)
+  {
+    const Id f = random.Index(mesh.GetNumberOfFaces());
+    const double a = i % 3 == 0 ? 0.0 : random.Uniform(0.0, 0.5);
+    const double b = random.Uniform(0.1, 0.5);
+    const std::array<double, 3> barycentric{ { a, b, 1.0 - a - b } };
+    points.push_back(SurfacePoint::InFace(mesh, f, barycentric));
+    std::array<double, 2> place{ { 0.0, 0.0 } };
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        place[axis] += barycentric[k] * input.Point(input.Triangles[3 * f + k])[axis];
+      }
+    }
+    places.push_back(place);
+  }
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    // With an accuracy like this, hardly anything that is seen is covered.
+    const Linked linked = LinksOf(builder, points[p], 1e-6, points);
+    EXPECT_GT(linked.Links.size(), 70u);
+    for (const GraphLink& link : linked.Links)
+    {
+      const double* v = input.Point(link.Vertex);
+      const double* next = input.Point(mesh.Destination(*mesh.FanBegin(link.Vertex)));
+      const double dx = places[p][0] - v[0];
+      const double dy = places[p][1] - v[1];
+      ExpectClose(std::hypot(dx, dy), link.Length, 1e-9, "length of a link");
+      const double angle = std::atan2(dy, dx) - std::atan2(next[1] - v[1], next[0] - v[0]);
+      EXPECT_LE(std::abs(std::remainder(angle - link.ArrivalAngle, 2.0 * dgg::Pi)), 1e-6);
+    }
+    std::size_t seen = 0;
+    for (std::size_t q = 0; q < points.size(); ++q)
+    {
+      if (linked.Direct[q] < dgg::Infinity)
+      {
+        EXPECT_NEAR(linked.Direct[q],
+          std::hypot(places[p][0] - places[q][0], places[p][1] - places[q][1]), 1e-9);
+        ++seen;
+      }
+    }
+    EXPECT_GT(seen, points.size() / 2);
+    EXPECT_EQ(linked.Direct[p], 0.0);
+  }
+}
+
+TEST(GraphLinks, BadPointsAreRefused)
+{
+  const SurfaceMesh mesh = Build(Icosphere(1));
+  const dgg::GraphBuilder builder(mesh);
+  const SurfacePoint good = SurfacePoint::InFace(mesh, 3, { { 0.2, 0.3, 0.5 } });
+  SurfacePoint noFace = good;
+  noFace.Face = mesh.GetNumberOfFaces();
+  std::vector<GraphLink> links(3);
+  std::vector<double> direct(3, 1.0);
+  const auto expectRefused = [&](const SurfacePoint& point, double accuracy,
+                               const std::vector<SurfacePoint>& targets) {
+    links.resize(3);
+    direct.assign(3, 1.0);
+    const dgg::Status status = builder.Link(point, accuracy, targets, links, direct);
+    EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput);
+    EXPECT_FALSE(status.GetMessage().empty());
+    EXPECT_TRUE(links.empty());
+    EXPECT_TRUE(direct.empty());
+  };
+  expectRefused(SurfacePoint::AtVertex(mesh.GetNumberOfVertices()), 0.1, {});
+  expectRefused(SurfacePoint::AtVertex(-1), 0.1, {});
+  expectRefused(noFace, 0.1, {});
+  expectRefused(good, 0.1, { good, noFace });
+  expectRefused(good, 0.0, {});
+  expectRefused(good, std::nan(""), {});
+  EXPECT_TRUE(builder.Link(good, 0.1, { good }, links, direct).IsOk());
+  EXPECT_GE(links.size(), 3u);
+  EXPECT_EQ(direct, std::vector<double>{ 0.0 });
+}
+
+TEST(GraphLinks, FromSeveralThreads)
+{
+  const SurfaceMesh mesh = Build(NoisySphere(2, 0.3, 3));
+  const dgg::GraphBuilder builder(mesh);
+  const std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 80, 9);
+  std::vector<Linked> expected;
+  for (const SurfacePoint& point : points)
+  {
+    expected.push_back(LinksOf(builder, point, 0.01, points));
+  }
+  std::vector<std::thread> threads;
+  std::vector<std::vector<Linked>> actual(4);
+  for (std::vector<Linked>& mine : actual)
+  {
+    threads.emplace_back([&] {
+      for (const SurfacePoint& point : points)
+      {
+        mine.emplace_back();
+        builder.Link(point, 0.01, points, mine.back().Links, mine.back().Direct);
+      }
+    });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (const std::vector<Linked>& mine : actual)
+  {
+    for (std::size_t p = 0; p < points.size(); ++p)
+    {
+      EXPECT_EQ(mine[p].Direct, expected[p].Direct);
+      ASSERT_EQ(mine[p].Links.size(), expected[p].Links.size());
+      for (std::size_t i = 0; i < mine[p].Links.size(); ++i)
+      {
+        EXPECT_EQ(mine[p].Links[i].Vertex, expected[p].Links[i].Vertex);
+        EXPECT_EQ(mine[p].Links[i].Length, expected[p].Links[i].Length);
+        EXPECT_EQ(mine[p].Links[i].ArrivalAngle, expected[p].Links[i].ArrivalAngle);
+      }
+    }
+  }
+}
+}
