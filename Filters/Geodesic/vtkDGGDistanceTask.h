@@ -8,9 +8,18 @@
 #include "dggExactGeodesics.h" // for GeodesicSource
 #include "dggSurfaceMesh.h"    // for SurfaceMesh
 
+#include <string> // for the names
 #include <vector> // for the results
 
 class vtkPolyData;
+
+/// A point array of doubles besides the distances.
+struct vtkDGGPointArray
+{
+  std::string Name;
+  std::string Property;                        ///< whose setter names the array, for messages
+  std::vector<std::vector<double>> Components; ///< each per vertex of the mesh
+};
 
 /// One call of vtkGeodesicDistanceAlgorithm::ComputeDistances(). Everything in it has been checked.
 struct vtkDGGDistanceTask
@@ -25,6 +34,9 @@ struct vtkDGGDistanceTask
 
   std::vector<double> Distances;      ///< per vertex of the mesh; dgg::Infinity where unreached
   std::vector<dgg::Id> NearestSource; ///< per vertex, index into Sources; dgg::NoId if unreached
+  /// As vtkGeodesicDistanceAlgorithm::DeclareArrays() wants them; their components are to be
+  /// filled.
+  std::vector<vtkDGGPointArray> Arrays;
 };
 
 #endif

@@ -160,6 +160,8 @@ dgg::Status vtkDGGMeshAdapter::Build(vtkPolyData* input, bool mergeCoincidentPoi
   {
     return status;
   }
+  this->Signature = dgg::ComputeSignature(
+    coordinates.GetData(), n, triangles.data(), static_cast<dgg::Offset>(triangles.size() / 3));
   this->Report = dgg::InspectMesh(this->Mesh, coordinates.GetData());
   if (!mergeCoincidentPoints)
   {

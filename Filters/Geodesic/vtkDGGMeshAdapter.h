@@ -5,8 +5,9 @@
 #ifndef vtkDGGMeshAdapter_h
 #define vtkDGGMeshAdapter_h
 
-#include "dggMeshReport.h"  // for MeshReport
-#include "dggSurfaceMesh.h" // for SurfaceMesh
+#include "dggGeodesicGraph.h" // for Signature
+#include "dggMeshReport.h"    // for MeshReport
+#include "dggSurfaceMesh.h"   // for SurfaceMesh
 
 #include "vtkTimeStamp.h" // for the build time
 #include "vtkType.h"      // for vtkIdType
@@ -40,6 +41,10 @@ public:
 
   const dgg::SurfaceMesh& GetMesh() const { return this->Mesh; }
   const dgg::MeshReport& GetReport() const { return this->Report; }
+  /// Of the points as doubles and the triangles made of the cells.
+  const dgg::Signature& GetSignature() const { return this->Signature; }
+  /// Whether coincident points have been taken as one.
+  bool IsMerged() const { return !this->Vertices.empty(); }
 
   /// The vertex that stands for a point of the input.
   dgg::Id GetVertex(vtkIdType point) const
@@ -84,6 +89,7 @@ private:
 
   dgg::SurfaceMesh Mesh;
   dgg::MeshReport Report;
+  dgg::Signature Signature{};
   std::vector<dgg::Id> Vertices; // per point; empty when nothing was merged
   std::vector<vtkIdType> Cells;  // per face
   vtkIdType NumberOfDroppedCells = 0;

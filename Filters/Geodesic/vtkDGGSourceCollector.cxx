@@ -19,13 +19,29 @@ vtkIdType CountPoints(vtkPolyData* points)
   return points ? points->GetNumberOfPoints() : 0;
 }
 
-/// "source point 3 at (x, y, z)"
-std::string Describe(vtkIdType index, const double p[3])
+/// "source point 3 of input port 1, at (x, y, z),"
+std::string Describe(const vtkDGGSourceSet& set, vtkIdType index, const double p[3])
 {
   std::ostringstream text;
-  text << "source point " << index << " of input port 1, at (" << p[0] << ", " << p[1] << ", "
-       << p[2] << "),";
+  text << set.Role << " point " << index << " of input port " << set.Port << ", at (" << p[0]
+       << ", " << p[1] << ", " << p[2] << "),";
   return text.str();
+}
+
+dgg::Status CheckIds(const vtkDGGSourceSet& set, vtkIdType numberOfPoints)
+{
+  for (std::size_t i = 0; i < set.Ids.size(); ++i)
+  {
+    if (set.Ids[i] < 0 || set.Ids[i] >= numberOfPoints)
+    {
+      std::ostringstream message;
+      message << set.Role << " id " << set.Ids[i] << " (number " << i << " of the " << set.Role
+              << " ids) is out of range: the input has " << numberOfPoints
+              << " points, so ids must be in [0, " << numberOfPoints - 1 << "]";
+      return dgg::Status::Invalid(message.str());
+    }
+  }
+  return dgg::Status::Success();
 }
 
 dgg::Status CheckInitialDistances(vtkPolyData* points, const std::string& name)
@@ -70,72 +86,76 @@ vtkDGGSourceCollector::vtkDGGSourceCollector() = default;
 vtkDGGSourceCollector::~vtkDGGSourceCollector() = default;
 
 //------------------------------------------------------------------------------
-void vtkDGGSourceCollector::Forget()
+dgg::Status vtkDGGSourceCollector::Check(const vtkDGGSourceSet& set, vtkIdType numberOfPoints)
 {
-  this->Locator.reset();
-}
-
-//------------------------------------------------------------------------------
-dgg::Status vtkDGGSourceCollector::Check(const std::vector<vtkIdType>& ids, vtkPolyData* points,
-  const std::string& initialDistanceName, vtkIdType numberOfPoints)
-{
-  if (ids.empty() && CountPoints(points) == 0)
+  if (set.Ids.empty() && CountPoints(set.Points) == 0)
   {
-    return dgg::Status::Invalid(points
-        ? "there is no source: input port 1 has no points. Give it points, or call AddSourceId() "
-          "or SetSourceIds()"
-        : "there is no source: call AddSourceId() or SetSourceIds(), or connect points to input "
-          "port 1");
-  }
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    if (ids[i] < 0 || ids[i] >= numberOfPoints)
+    std::ostringstream message;
+    message << "there is no " << set.Role << ": ";
+    if (set.Points)
     {
-      std::ostringstream message;
-      message << "source id " << ids[i] << " (number " << i << " of the source ids) is out of "
-              << "range: the input has " << numberOfPoints << " points, so ids must be in [0, "
-              << numberOfPoints - 1 << "]";
-      return dgg::Status::Invalid(message.str());
+      message << "input port " << set.Port << " has no points. Give it points, or " << set.Remedy;
     }
+    else
+    {
+      message << set.Remedy << ", or connect points to input port " << set.Port;
+    }
+    return dgg::Status::Invalid(message.str());
   }
-  for (vtkIdType i = 0; i < CountPoints(points); ++i)
+  const dgg::Status status = CheckIds(set, numberOfPoints);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  for (vtkIdType i = 0; i < CountPoints(set.Points); ++i)
   {
     double p[3];
-    points->GetPoint(i, p);
+    set.Points->GetPoint(i, p);
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
     {
       return dgg::Status::Invalid(
-        Describe(i, p) + " has coordinates that are not finite: move or remove it");
+        Describe(set, i, p) + " has coordinates that are not finite: move or remove it");
     }
   }
-  return points ? CheckInitialDistances(points, initialDistanceName) : dgg::Status::Success();
+  return set.Points && !set.InitialDistanceArray.empty()
+    ? CheckInitialDistances(set.Points, set.InitialDistanceArray)
+    : dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGSourceCollector::Collect(const std::vector<vtkIdType>& ids, vtkPolyData* points,
-  const std::string& initialDistanceName, double tolerance, const vtkDGGMeshAdapter& adapter,
-  vtkPoints* coordinates, std::vector<dgg::GeodesicSource>& sources)
+dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double tolerance,
+  const vtkDGGMeshAdapter& adapter, vtkPoints* coordinates,
+  std::vector<dgg::GeodesicSource>& sources)
 {
   sources.clear();
-  for (const vtkIdType id : ids)
+  // Observers of warnings may have changed the set since it was checked.
+  const dgg::Status status = vtkDGGSourceCollector::Check(set, coordinates->GetNumberOfPoints());
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  for (const vtkIdType id : set.Ids)
   {
     sources.push_back({ dgg::SurfacePoint::AtVertex(adapter.GetVertex(id)), 0.0 });
   }
-  if (CountPoints(points) == 0)
+  if (CountPoints(set.Points) == 0)
   {
     return dgg::Status::Success();
   }
 
-  if (!this->Locator)
+  if (!this->Locator || this->LocatedMesh != adapter.GetBuildTime())
   {
     this->Locator = std::make_unique<vtkDGGSurfaceLocator>(adapter.GetMesh(), coordinates);
+    this->LocatedMesh = adapter.GetBuildTime();
   }
   const double farthest = tolerance * this->Locator->GetDiagonal();
-  vtkDataArray* offsets = points->GetPointData()->GetArray(initialDistanceName.c_str());
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  vtkDataArray* offsets = set.InitialDistanceArray.empty()
+    ? nullptr
+    : set.Points->GetPointData()->GetArray(set.InitialDistanceArray.c_str());
+  for (vtkIdType i = 0; i < set.Points->GetNumberOfPoints(); ++i)
   {
     double p[3];
-    points->GetPoint(i, p);
+    set.Points->GetPoint(i, p);
     dgg::GeodesicSource source;
     source.InitialDistance = offsets ? offsets->GetComponent(i, 0) : 0.0;
     double distance = dgg::Infinity;
@@ -143,9 +163,9 @@ dgg::Status vtkDGGSourceCollector::Collect(const std::vector<vtkIdType>& ids, vt
     if (!found || !(distance <= farthest))
     {
       std::ostringstream message;
-      message << Describe(i, p) << " is " << distance << " away from the surface, farther than "
-              << farthest << " (ProjectionTolerance " << tolerance << " times the diagonal "
-              << this->Locator->GetDiagonal()
+      message << Describe(set, i, p) << " is " << distance
+              << " away from the surface, farther than " << farthest << " (ProjectionTolerance "
+              << tolerance << " times the diagonal " << this->Locator->GetDiagonal()
               << "): move it to the surface, or raise ProjectionTolerance";
       return dgg::Status::Invalid(message.str());
     }

@@ -18,8 +18,19 @@ class vtkDGGSurfaceLocator;
 class vtkPoints;
 class vtkPolyData;
 
-/// Collects the sources of a distance filter: point ids first, then the points of a second input,
-/// projected onto the surface. Keeps the search structure until Forget().
+/// Points of the surface as a user gives them: ids first, then the points of an input port.
+struct vtkDGGSourceSet
+{
+  const std::vector<vtkIdType>& Ids;
+  vtkPolyData* Points;              ///< may be null
+  int Port;                         ///< where Points come from
+  std::string Role;                 ///< what messages call them
+  std::string Remedy;               ///< how to give ids
+  std::string InitialDistanceArray; ///< of Points; empty when there are no initial distances
+};
+
+/// Collects the sources of a distance filter, or other points, projected onto the surface. Keeps
+/// the search structure until the mesh changes.
 class vtkDGGSourceCollector
 {
 public:
@@ -28,22 +39,19 @@ public:
   vtkDGGSourceCollector(const vtkDGGSourceCollector&) = delete;
   vtkDGGSourceCollector& operator=(const vtkDGGSourceCollector&) = delete;
 
-  /// What does not need the mesh: whether there is a source at all, ids within the range,
-  /// coordinates and initial distances finite. `points` may be null.
-  static dgg::Status Check(const std::vector<vtkIdType>& ids, vtkPolyData* points,
-    const std::string& initialDistanceName, vtkIdType numberOfPoints);
+  /// What does not need the mesh: whether there is a point at all, ids within the range,
+  /// coordinates and initial distances finite.
+  static dgg::Status Check(const vtkDGGSourceSet& set, vtkIdType numberOfPoints);
 
-  /// The sources on a mesh, after a successful Check(). `coordinates` are those of the mesh;
+  /// The points on a mesh; checked once more. `coordinates` are those of the mesh;
   /// `tolerance` is how far from the surface a point may be, as a fraction of the diagonal.
-  dgg::Status Collect(const std::vector<vtkIdType>& ids, vtkPolyData* points,
-    const std::string& initialDistanceName, double tolerance, const vtkDGGMeshAdapter& adapter,
-    vtkPoints* coordinates, std::vector<dgg::GeodesicSource>& sources);
-
-  /// The mesh has changed.
-  void Forget();
+  dgg::Status Collect(const vtkDGGSourceSet& set, double tolerance,
+    const vtkDGGMeshAdapter& adapter, vtkPoints* coordinates,
+    std::vector<dgg::GeodesicSource>& sources);
 
 private:
   std::unique_ptr<vtkDGGSurfaceLocator> Locator;
+  vtkMTimeType LocatedMesh = 0; // its build time
 };
 
 #endif

@@ -6,7 +6,8 @@
  *
  * Input port 0 takes the surface (vtkPolyData). The output is the input, its points, cells and
  * arrays unchanged and in the same order, plus the point array `GeodesicDistance` (double, in the
- * units of the coordinates), which becomes the active scalars.
+ * units of the coordinates), which becomes the active scalars. What is done with cells, errors,
+ * progress and abort is said in vtkGeodesicAlgorithm.
  *
  * <b>Sources.</b> The distance is that from the nearest source. Sources are points of the surface
  * given by id (AddSourceId(), SetSourceIds()) and the points of a vtkPolyData on the optional input
@@ -17,71 +18,41 @@
  * first, then the points of port 1. A source on a point that no polygon uses reaches that point
  * only, and is a warning.
  *
- * <b>Cells.</b> Triangles are used as they are; quads, polygons and triangle strips are
- * triangulated inside. For planar polygons it makes no difference how; a quad that is not planar
- * is cut along the shorter one of its diagonals, and larger polygons ear by ear; those that cross
- * or touch themselves become fans, with a warning. Verts and lines
- * are passed through and not used. Polygons with fewer than three distinct points are left out.
- * Triangles without area are used; their edges are lengthened a little (GetMollification()). Edges
- * with more than two triangles and points where sheets touch conduct: distances are those of the
- * triangles as they are glued by point ids. All of these are counted in warnings, once for each
- * mesh, and in the report (GetMeshReport()). Orientation does not matter.
- *
  * <b>Unreached points.</b> Points in a component without a source, points that no polygon uses
  * and points beyond MaximumDistance get UnreachedValue, and -1 as nearest source.
  *
- * <b>Errors.</b> Wrong input is reported through vtkErrorMacro, which names what is wrong and the
- * remedy. Then the output is empty, GetErrorCode() is not zero, and the input is untouched; a later
- * correct call works. As long as nothing is changed, every update of this filter tells the error
- * again. These are errors:
- *  - no input; no source; a source id out of range; a source point that is not finite, or farther
+ * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
+ *  - no source; a source id out of range; a source point that is not finite, or farther
  * from the surface than ProjectionTolerance; an InitialDistance that is not one finite number per
  * point;
- *  - points but no polygons; polygons that all have fewer than three distinct points; a cell that
- *    names a point that does not exist, or that is not finite; an extent outside [1e-70, 1e70];
- *    more than 2^31 - 1 points or 3 * triangles;
  *  - a MaximumDistance or ProjectionTolerance that is negative or not a number; a missing or
- *    repeated array name;
- *  - an update of one piece of several, as in a parallel pipeline: a part of the surface would
- *    give wrong distances. Gather the surface on one process first.
- *
- * An input with neither points nor cells is a warning only: the output is empty as well. An input
- * that is not vtkPolyData is refused by the pipeline.
- *
- * <b>Progress and abort.</b> ProgressEvent is invoked now and then; AbortExecute set by an observer
- * stops the computation: the output is empty, GetErrorCode() is zero, and the next update of this
- * filter starts anew. Call Modified() to have filters downstream follow.
- *
- * The mesh is prepared once and kept until points, polygons or strips change; a change of sources
- * or of another property does not prepare it again. Changes in place must be marked by Modified()
- * of the array, the points or the vtkPolyData, as everywhere in VTK.
+ *    repeated array name.
  *
  * Subclasses in this module implement ComputeDistances(); what it takes is internal to the module.
  *
- * @sa vtkExactGeodesicDistance
+ * @sa vtkExactGeodesicDistance vtkDGGDistance
  */
 
 #ifndef vtkGeodesicDistanceAlgorithm_h
 #define vtkGeodesicDistanceAlgorithm_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkGeodesicAlgorithm.h"
 
 #include <initializer_list> // For source ids
-#include <memory>           // For the internals
+#include <memory>           // For the search for source points
 #include <string>           // For array names
 #include <vector>           // For source ids
 
-namespace dgg
-{
-class Status;
-}
 struct vtkDGGDistanceTask;
+struct vtkDGGPointArray;
+struct vtkDGGSourceSet;
+class vtkDGGSourceCollector;
 
-class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicDistanceAlgorithm : public vtkPolyDataAlgorithm
+class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicDistanceAlgorithm : public vtkGeodesicAlgorithm
 {
 public:
-  vtkAbstractTypeMacro(vtkGeodesicDistanceAlgorithm, vtkPolyDataAlgorithm);
+  vtkAbstractTypeMacro(vtkGeodesicDistanceAlgorithm, vtkGeodesicAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -127,18 +98,6 @@ public:
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether points with the very same coordinates are taken as one, as along the seams of a
-   * textured mesh or in a soup of triangles. The output keeps all points; coincident ones get equal
-   * distances. Default off: then points of the boundary that coincide with others of the boundary
-   * are counted in a warning.
-   */
-  vtkSetMacro(MergeCoincidentPoints, bool);
-  vtkGetMacro(MergeCoincidentPoints, bool);
-  vtkBooleanMacro(MergeCoincidentPoints, bool);
   ///@}
 
   ///@{
@@ -199,77 +158,16 @@ public:
   const char* GetInitialDistanceArrayName() const;
   ///@}
 
-  /**
-   * Size, defects and quality of the surface in the last update, one per line, for people to read.
-   * A single line says so when there is no surface.
-   */
-  std::string GetMeshReport() const;
-
-  ///@{
-  /**
-   * The same as numbers; zero before the first update and after an update in which the surface was
-   * refused.
-   *
-   * Triangles are those used, after triangulation. Isolated points are used by no triangle.
-   * Components are connected through shared points and have a triangle each. Boundary loops are
-   * closed chains of edges with one triangle. A non-manifold edge has more than two triangles; a
-   * non-manifold vertex is on no such edge, yet its triangles form several fans. Dropped faces are
-   * polygons with fewer than three distinct points. Degenerate faces are triangles without area, up
-   * to rounding. Duplicate faces are triangles beyond the first on the same three points.
-   * Coincident points have the very coordinates of an earlier point, whether they are merged or
-   * not; coincident boundary points are those that the warning counts.
-   */
-  vtkIdType GetNumberOfTriangles() const;
-  vtkIdType GetNumberOfIsolatedPoints() const;
-  vtkIdType GetNumberOfComponents() const;
-  vtkIdType GetNumberOfBoundaryEdges() const;
-  vtkIdType GetNumberOfBoundaryLoops() const;
-  vtkIdType GetNumberOfNonManifoldEdges() const;
-  vtkIdType GetNumberOfNonManifoldVertices() const;
-  vtkIdType GetNumberOfDroppedFaces() const;
-  vtkIdType GetNumberOfDegenerateFaces() const;
-  vtkIdType GetNumberOfDuplicateFaces() const;
-  vtkIdType GetNumberOfCoincidentPoints() const;
-  vtkIdType GetNumberOfCoincidentBoundaryPoints() const;
-  ///@}
-
-  /**
-   * Whether the surface can be oriented consistently.
-   */
-  bool GetOrientable() const;
-
-  /**
-   * Total genus of the components; -1 when there are non-manifold edges or no orientation.
-   */
-  vtkIdType GetGenus() const;
-
-  ///@{
-  /**
-   * How far the triangles are from equilateral: mean and median of
-   * longest edge * perimeter / (4 sqrt(3) area), 1 when equilateral.
-   */
-  double GetMeanAnisotropy() const;
-  double GetMedianAnisotropy() const;
-  ///@}
-
-  /**
-   * Length added to the edges of triangles without area, in units of the coordinates; 0 when there
-   * are none.
-   */
-  double GetMollification() const;
-
-  /**
-   * Time stamp of the mesh that is kept between updates. It changes when the mesh is prepared anew.
-   */
-  vtkMTimeType GetMeshBuildTime() const;
-
 protected:
   vtkGeodesicDistanceAlgorithm();
   ~vtkGeodesicDistanceAlgorithm() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+  dgg::Status CheckProperties() const override;
+  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
+  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  std::string GetMemoryRemedy() const override;
 
   /**
    * Fill the results of the task. Called with a mesh and at least one source, both checked.
@@ -278,30 +176,33 @@ protected:
    */
   virtual dgg::Status ComputeDistances(vtkDGGDistanceTask& task) = 0;
 
+  /**
+   * Point arrays that ComputeDistances() fills besides distances and nearest sources. Default none.
+   */
+  virtual std::vector<vtkDGGPointArray> DeclareArrays() const;
+
+  /**
+   * Change the name of an array; null is the empty name.
+   */
+  void SetName(std::string& name, const char* value);
+
 private:
   vtkGeodesicDistanceAlgorithm(const vtkGeodesicDistanceAlgorithm&) = delete;
   void operator=(const vtkGeodesicDistanceAlgorithm&) = delete;
 
-  dgg::Status Execute(
-    vtkPolyData* input, vtkPolyData* sourcePoints, vtkInformation* outInfo, vtkPolyData* output);
-  dgg::Status CheckProperties(vtkInformation* outInfo) const;
-  dgg::Status PrepareMesh(vtkPolyData* input);
+  vtkDGGSourceSet GetSources(vtkInformationVector** inputVector) const;
   void WarnAboutIsolatedSources() const;
-  void AddResults(vtkPolyData* input, const vtkDGGDistanceTask& task, vtkPolyData* output);
-  void AddArrays(vtkPolyData* output, vtkDataArray* distances, vtkDataArray* sources);
+  void AddResults(const vtkDGGDistanceTask& task, vtkPolyData* output);
 
   std::vector<vtkIdType> SourceIds;
   double ProjectionTolerance;
-  bool MergeCoincidentPoints;
   double MaximumDistance;
   double UnreachedValue;
   bool GenerateNearestSource;
   std::string DistanceArrayName;
   std::string SourceArrayName;
   std::string InitialDistanceArrayName;
-
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
+  std::unique_ptr<vtkDGGSourceCollector> Collector;
 };
 
 #endif

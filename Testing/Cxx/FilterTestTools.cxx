@@ -5,6 +5,7 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -187,7 +188,26 @@ void ExpectParts(const std::string& text, const std::vector<std::string>& parts)
 }
 }
 
-void ExpectError(vtkGeodesicDistanceAlgorithm* filter, const std::vector<std::string>& parts)
+void ExpectEmptyOutput(vtkAlgorithm* filter)
+{
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject* output = filter->GetOutputDataObject(port);
+    for (int kind = 0; kind < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++kind)
+    {
+      if (kind != vtkDataObject::FIELD)
+      {
+        EXPECT_EQ(output->GetNumberOfElements(kind), 0) << port << " " << kind;
+      }
+      if (vtkFieldData* arrays = output->GetAttributesAsFieldData(kind))
+      {
+        EXPECT_EQ(arrays->GetNumberOfArrays(), 0) << port << " " << kind;
+      }
+    }
+  }
+}
+
+void ExpectError(vtkAlgorithm* filter, const std::vector<std::string>& parts)
 {
   Listener listener(filter);
   filter->Update();
@@ -195,13 +215,10 @@ void ExpectError(vtkGeodesicDistanceAlgorithm* filter, const std::vector<std::st
   ExpectParts(listener.Errors[0], { filter->GetClassName() });
   ExpectParts(listener.Errors[0], parts);
   EXPECT_NE(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
-  vtkPolyData* output = filter->GetOutput();
-  EXPECT_EQ(output->GetNumberOfPoints(), 0);
-  EXPECT_EQ(output->GetNumberOfCells(), 0);
-  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 0);
+  ExpectEmptyOutput(filter);
 }
 
-void ExpectSuccess(vtkGeodesicDistanceAlgorithm* filter)
+void ExpectSuccess(vtkAlgorithm* filter)
 {
   Listener listener(filter);
   filter->Update();
@@ -210,7 +227,7 @@ void ExpectSuccess(vtkGeodesicDistanceAlgorithm* filter)
   EXPECT_EQ(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
 }
 
-void ExpectWarning(vtkGeodesicDistanceAlgorithm* filter, const std::vector<std::string>& parts)
+void ExpectWarning(vtkAlgorithm* filter, const std::vector<std::string>& parts)
 {
   Listener listener(filter);
   filter->Update();
@@ -218,5 +235,35 @@ void ExpectWarning(vtkGeodesicDistanceAlgorithm* filter, const std::vector<std::
   EXPECT_EQ(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
   ASSERT_EQ(listener.Warnings.size(), 1u);
   ExpectParts(listener.Warnings[0], parts);
+}
+
+//------------------------------------------------------------------------------
+ProgressWatch::ProgressWatch(vtkAlgorithm* filter)
+{
+  filter->AddObserver(vtkCommand::ProgressEvent, this, &ProgressWatch::Observe);
+}
+
+void ProgressWatch::Observe(vtkObject* caller, unsigned long, void*)
+{
+  auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
+  this->Progress.push_back(algorithm->GetProgress());
+  if (this->Progress.back() >= this->StopAt)
+  {
+    algorithm->AbortExecuteOn();
+  }
+}
+
+void ProgressWatch::ExpectGrowth(int steps) const
+{
+  ASSERT_GT(this->Progress.size(), 2u);
+  EXPECT_EQ(this->Progress.front(), 0.0);
+  EXPECT_EQ(this->Progress.back(), 1.0);
+  int inTheMiddle = 0;
+  for (std::size_t i = 1; i < this->Progress.size(); ++i)
+  {
+    EXPECT_GE(this->Progress[i], this->Progress[i - 1]) << i;
+    inTheMiddle += this->Progress[i] > 0.1 && this->Progress[i] < 0.9 ? 1 : 0;
+  }
+  EXPECT_GE(inTheMiddle, steps);
 }
 }

@@ -68,11 +68,25 @@ private:
 
 /// Update, and expect what the contract promises on wrong input: one error that names the filter
 /// and contains all of `parts`, an empty output, an error code.
-void ExpectError(vtkGeodesicDistanceAlgorithm* filter, const std::vector<std::string>& parts);
+void ExpectError(vtkAlgorithm* filter, const std::vector<std::string>& parts);
 /// Update, and expect neither an error nor a warning.
-void ExpectSuccess(vtkGeodesicDistanceAlgorithm* filter);
+void ExpectSuccess(vtkAlgorithm* filter);
 /// Update, and expect success with one warning that contains all of `parts`.
-void ExpectWarning(vtkGeodesicDistanceAlgorithm* filter, const std::vector<std::string>& parts);
+void ExpectWarning(vtkAlgorithm* filter, const std::vector<std::string>& parts);
+/// Expect that no output has points, cells, rows or arrays.
+void ExpectEmptyOutput(vtkAlgorithm* filter);
+
+/// Records progress; asks to stop when it reaches a value.
+struct ProgressWatch
+{
+  std::vector<double> Progress;
+  double StopAt = 2.0;
+
+  explicit ProgressWatch(vtkAlgorithm* filter);
+  void Observe(vtkObject* caller, unsigned long event, void* data);
+  /// Expect that it grew from 0 to 1, not all at once: with this many steps in between.
+  void ExpectGrowth(int steps = 3) const;
+};
 }
 
 #endif

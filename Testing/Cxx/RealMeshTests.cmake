@@ -44,5 +44,14 @@ if (TARGET dggPeerCGAL)
   endif ()
 endif ()
 if (DGG_EXTRA_DATA)
-  dgg_add_real_mesh_tests(dggExtraDataTests TestExtraData.cxx)
+  set(core "${CMAKE_CURRENT_LIST_DIR}/../Core")
+  dgg_add_real_mesh_tests(dggExtraDataTests
+    TestExtraData.cxx
+    "${core}/GeodesicChecks.cxx"
+    "${core}/GeodesicChecks.h"
+    "${core}/GraphChecks.cxx"
+    "${core}/GraphChecks.h"
+    "${core}/TestMeshes.cxx"
+    "${core}/TestMeshes.h")
+  target_include_directories(dggExtraDataTests PRIVATE "${core}")
 endif ()

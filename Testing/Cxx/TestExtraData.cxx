@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Exact distances on every mesh (*.ply and awkward/*.ply) of the folder DGG_EXTRA_DATA: what must
-/// hold on any mesh, and the known defects of the meshes that we know.
+/// Exact distances and geodesic graphs on every mesh (*.ply and awkward/*.ply) of the folder
+/// DGG_EXTRA_DATA: what must hold on any mesh, and the known defects of the meshes that we know.
+
+#include "GraphChecks.h"
 
 #include "MeshFile.h"
 
 #include "dggEdgeGraph.h"
 #include "dggExactGeodesics.h"
+#include "dggGraphBuilder.h"
 #include "dggMeshReport.h"
 #include "dggSurfaceMesh.h"
 
@@ -250,6 +253,73 @@ TEST_P(ExtraData, EnginesAgree)
       }
     }
     EXPECT_EQ(different, 0u) << "source " << source << ", worst " << worst << " diameters";
+  }
+}
+
+TEST_P(ExtraData, GraphKeepsItsPromise)
+{
+  const bool isLarge = this->GetNumberOfVertices() > 100000;
+  std::vector<dgg::Id> sources = this->GetSources();
+  sources.resize(isLarge ? 1 : 2);
+  std::vector<std::vector<double>> exact;
+  double diameter = 0.0;
+  for (const dgg::Id source : sources)
+  {
+    exact.push_back(this->Run(source, dgg::ExactEngine::Triangle));
+    for (const double d : exact.back())
+    {
+      diameter = std::isfinite(d) ? std::max(diameter, d) : diameter;
+    }
+  }
+  // What faces of no area may change; else nothing but rounding.
+  const double slack =
+    10.0 * this->Surface.GetNumberOfMollifiedFaces() * this->Surface.GetMollification();
+  const dgg::GraphBuilder builder(this->Surface);
+  for (const double accuracy : { 0.1, 0.01, 0.001 })
+  {
+    if (isLarge && accuracy < 0.01)
+    {
+      continue;
+    }
+    SCOPED_TRACE(accuracy);
+    dgg::GraphOptions options;
+    options.Accuracy = accuracy;
+    dgg::GraphEstimate estimate;
+    dgg::Status status = builder.Estimate(options, estimate);
+    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+    dgg::GeodesicGraph graph;
+    dgg::GraphStatistics statistics;
+    status = builder.Build(options, graph, &statistics);
+    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+    const dgg::GraphView view = graph.View();
+    status = dgg::CheckGraph(view, view.GetNumberOfEdges());
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    const auto size = static_cast<double>(graph.GetMemorySize());
+    EXPECT_LE(static_cast<double>(statistics.PeakMemory), 1.3 * size);
+    EXPECT_GE(estimate.Peak, static_cast<double>(statistics.PeakMemory));
+    EXPECT_NEAR(estimate.Memory / size, 1.0, 0.25);
+
+    std::size_t below = 0;
+    std::size_t beyond = 0;
+    double worst = 0.0;
+    for (std::size_t s = 0; s < sources.size(); ++s)
+    {
+      const std::vector<double> distances = dggtest::GraphDistances(view, sources[s]);
+      for (std::size_t v = 0; v < distances.size(); ++v)
+      {
+        const double d = exact[s][v];
+        ASSERT_EQ(std::isfinite(d), std::isfinite(distances[v])) << v;
+        if (std::isfinite(d))
+        {
+          below += distances[v] < d * (1.0 - 1e-9) - slack ? 1 : 0;
+          beyond += distances[v] <= (1.0 + accuracy) * (d + slack) * (1.0 + 1e-6) ? 0 : 1;
+          worst = d > 0.0 ? std::max(worst, distances[v] / d - 1.0) : worst;
+        }
+      }
+    }
+    EXPECT_EQ(below, 0u) << "vertices closer than the exact distance";
+    EXPECT_EQ(beyond, 0u) << "vertices beyond the promise, worst " << worst;
+    EXPECT_GT(worst, 0.05 * accuracy) << "the promise is no challenge";
   }
 }
 

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkDGGDistance
+ * @brief   distances along a surface within a guaranteed error, in milliseconds
+ *
+ * Computes, for every point, the distance on the surface from the nearest source by a search in a
+ * discrete geodesic graph. The graph is taken from the input, where vtkDiscreteGeodesicGraph has
+ * put it. When there is none, or one that is not of this surface (then with a warning), this filter
+ * builds one with its Accuracy, and keeps it until the mesh or Accuracy changes: only the first
+ * update takes long.
+ *
+ * <b>What is promised.</b> With Correction, which is the default, for every point
+ *
+ *   |result - exact distance| <= accuracy * (exact distance - o),
+ *
+ * up to rounding (1e-6), where accuracy is that of the graph and o the least InitialDistance of a
+ * source (0 without). The mean error is far smaller, about accuracy / 100. Without Correction the
+ * results are lengths of real paths, never shorter than the exact distance; they are a metric, but
+ * their mean error is 5 to 20 times larger.
+ *
+ * A graph on the input that has been built by a rule without a guarantee (OneRelay,
+ * SaddleVertexGraph) promises nothing, and the corrected results are not bounded from below. A
+ * graph on the input is used whatever its accuracy; when Accuracy has been set and the graph
+ * promises less, a warning says so once.
+ *
+ * Sources anywhere on the surface are linked to the graph as its vertices are, and have the same
+ * promise.
+ *
+ * Inputs, sources, results and errors are those of vtkGeodesicDistanceAlgorithm; besides these, an
+ * Accuracy outside [1e-6, 0.5] is an error, and a graph that would take more memory than
+ * MemoryLimit.
+ *
+ * @code
+ * vtkNew<vtkPLYReader> reader;
+ * reader->SetFileName("mesh.ply");
+ * vtkNew<vtkDGGDistance> distance;
+ * distance->SetInputConnection(reader->GetOutputPort());
+ * distance->SetAccuracy(0.02);
+ * distance->AddSourceId(0);
+ * distance->Update(); // builds a graph
+ * distance->SetSourceIds({ 10, 20 });
+ * distance->Update(); // milliseconds
+ * @endcode
+ *
+ * See vtkDiscreteGeodesicGraph for where these graphs come from. The search is label correcting by
+ * small labels first and large labels last (D. P. Bertsekas, "A simple and fast label correcting
+ * algorithm for shortest paths", Networks 23, 1993), over those edges only that lead straight
+ * ahead, as in X. Wang et al. 2017; a pass over all edges then certifies the result.
+ *
+ * @sa vtkDiscreteGeodesicGraph vtkGeodesicDistanceMatrix vtkExactGeodesicDistance
+ */
+
+#ifndef vtkDGGDistance_h
+#define vtkDGGDistance_h
+
+#include "vtkDGGFiltersGeodesicModule.h" // For export macro
+#include "vtkGeodesicDistanceAlgorithm.h"
+
+#include <memory> // For the graph
+#include <string> // For array names
+
+class vtkDGGGraphProvider;
+
+class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGDistance : public vtkGeodesicDistanceAlgorithm
+{
+public:
+  static vtkDGGDistance* New();
+  vtkTypeMacro(vtkDGGDistance, vtkGeodesicDistanceAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Ways to search the graph. All find the same distances in it.
+   */
+  enum SearchType
+  {
+    Certified = 0,       ///< the fastest
+    LabelCorrecting = 1, ///< the same over all edges
+    Dijkstra = 2         ///< the reference
+  };
+
+  ///@{
+  /**
+   * Largest relative error of the graph that is built when the input has none, in [1e-6, 0.5].
+   * Default 0.01.
+   */
+  virtual void SetAccuracy(double accuracy);
+  vtkGetMacro(Accuracy, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to report the best estimate within the promised interval rather than the length of the
+   * path in the graph, which is an upper bound. Default on.
+   */
+  vtkSetMacro(Correction, bool);
+  vtkGetMacro(Correction, bool);
+  vtkBooleanMacro(Correction, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How to search. Default Certified; the others are there to compare with.
+   */
+  vtkSetClampMacro(Search, int, Certified, Dijkstra);
+  vtkGetMacro(Search, int);
+  void SetSearchToCertified() { this->SetSearch(Certified); }
+  void SetSearchToLabelCorrecting() { this->SetSearch(LabelCorrecting); }
+  void SetSearchToDijkstra() { this->SetSearch(Dijkstra); }
+  ///@}
+
+  ///@{
+  /**
+   * Most bytes that building a graph may take. Default 0, which stands for 70 % of the memory that
+   * is free at that time. See vtkDiscreteGeodesicGraph.
+   */
+  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
+  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to add the point array `GeodesicUpperBound` (double): the length of the path in the
+   * graph, which the exact distance does not exceed. Default off.
+   */
+  vtkSetMacro(GenerateUpperBound, bool);
+  vtkGetMacro(GenerateUpperBound, bool);
+  vtkBooleanMacro(GenerateUpperBound, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to add the point array `GeodesicVirtualSource` (double, 3 components): where the
+   * distance of a point seems to come from, as seen from the point. The components are the distance
+   * at that virtual source (in units of the coordinates), the straight distance from it, and its
+   * direction, the polar angle at the point in radians, as in `DGG.Angles` but not reduced to one
+   * turn. The sum of the first two is the estimate of the distance before it is confined to the
+   * promised interval. For isolines and for distances inside of faces. Default off.
+   */
+  vtkSetMacro(GenerateVirtualSource, bool);
+  vtkGetMacro(GenerateVirtualSource, bool);
+  vtkBooleanMacro(GenerateVirtualSource, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Names of these point arrays. Defaults "GeodesicUpperBound", "GeodesicVirtualSource".
+   */
+  void SetUpperBoundArrayName(const char* name);
+  const char* GetUpperBoundArrayName() const;
+  void SetVirtualSourceArrayName(const char* name);
+  const char* GetVirtualSourceArrayName() const;
+  ///@}
+
+  /**
+   * Whether the last update used the graph on the input.
+   */
+  bool GetUsedInputGraph() const;
+
+  ///@{
+  /**
+   * The graph that is used, zero when there is none: its accuracy (0 for a SaddleVertexGraph),
+   * number of directed edges, bytes including what the search needs.
+   */
+  double GetGraphAccuracy() const;
+  vtkIdType GetNumberOfGraphEdges() const;
+  vtkTypeUInt64 GetMemorySize() const;
+  ///@}
+
+  /**
+   * Whether the graph that is used keeps to its accuracy.
+   */
+  bool GetGraphIsGuaranteed() const;
+
+  /**
+   * Time stamp of the last time that this filter built a graph.
+   */
+  vtkMTimeType GetGraphBuildTime() const;
+
+protected:
+  vtkDGGDistance();
+  ~vtkDGGDistance() override;
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status ComputeDistances(vtkDGGDistanceTask& task) override;
+  std::vector<vtkDGGPointArray> DeclareArrays() const override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  vtkDGGDistance(const vtkDGGDistance&) = delete;
+  void operator=(const vtkDGGDistance&) = delete;
+
+  double Accuracy;
+  bool IsAccuracyExplicit;
+  bool Correction;
+  int Search;
+  vtkTypeUInt64 MemoryLimit;
+  bool GenerateUpperBound;
+  bool GenerateVirtualSource;
+  std::string UpperBoundArrayName;
+  std::string VirtualSourceArrayName;
+  std::unique_ptr<vtkDGGGraphProvider> Provider;
+};
+
+#endif

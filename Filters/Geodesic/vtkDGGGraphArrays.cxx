@@ -1,0 +1,412 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDGGGraphArrays.h"
+
+#include "vtkDGGMeshAdapter.h"
+
+#include "dggBitHash.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+#include <cstring>
+#include <sstream>
+
+namespace
+{
+/// Where things are in DGG.Info.
+enum InfoSlot
+{
+  Version,
+  Kind,
+  Construction,
+  Accuracy, // the bits of the double
+  NumberOfNeighbors,
+  Merged, // coincident points are one
+  FirstSignature,
+  SecondSignature,
+  FirstReserved,
+  SecondReserved,
+  ThirdReserved,
+  Checksum, // of all of the above and of the other arrays
+  InfoSize
+};
+
+constexpr std::int64_t FormatVersion = 1;
+
+template <typename To, typename From>
+To CopyBits(From from)
+{
+  static_assert(sizeof(To) == sizeof(From), "not the same bits");
+  To to;
+  std::memcpy(&to, &from, sizeof(to));
+  return to;
+}
+
+std::int64_t Seal(const std::int64_t* info, const dgg::GraphView& view)
+{
+  const std::uint64_t arrays = dgg::ComputeChecksum(view);
+  dgg::BitHash hash;
+  hash.Add(info, Checksum);
+  hash.Add(&arrays, 1);
+  return CopyBits<std::int64_t>(hash.Finish()[0]);
+}
+
+/// A VTK array that owns the memory of a buffer.
+template <typename ArrayType, typename ValueType>
+vtkSmartPointer<vtkAbstractArray> Own(dgg::Buffer<ValueType>& buffer, const char* name)
+{
+  static_assert(sizeof(typename ArrayType::ValueType) == sizeof(ValueType), "another size");
+  vtkNew<ArrayType> array;
+  array->SetName(name);
+  const auto size = static_cast<vtkIdType>(buffer.Size());
+  if (size > 0)
+  {
+    // 64-bit integers have two names, of which VTK uses either.
+    auto* values = reinterpret_cast<typename ArrayType::ValueType*>(buffer.Release());
+    array->SetArray(values, size, 0, ArrayType::VTK_DATA_ARRAY_FREE);
+  }
+  return array.Get();
+}
+
+bool IsInteger(vtkAbstractArray* array, int size)
+{
+  switch (array->GetDataType())
+  {
+    case VTK_INT:
+    case VTK_LONG:
+    case VTK_LONG_LONG:
+    case VTK_ID_TYPE:
+      return array->GetDataTypeSize() == size;
+    default:
+      return false;
+  }
+}
+
+dgg::Status Damaged(const std::string& what)
+{
+  return dgg::Status::Invalid("is damaged: " + what);
+}
+}
+
+const std::array<const char*, vtkDGGGraphArrays::NumberOfRoles> vtkDGGGraphArrays::Names = { {
+  "DGG.Offsets",
+  "DGG.Targets",
+  "DGG.Lengths",
+  "DGG.Angles",
+  "DGG.ArrivalAngles",
+  "DGG.Info",
+} };
+
+//------------------------------------------------------------------------------
+bool vtkDGGGraphArrays::Entry::operator==(const Entry& other) const
+{
+  return this->Array == other.Array && this->Time == other.Time && this->Data == other.Data &&
+    this->Size == other.Size;
+}
+
+//------------------------------------------------------------------------------
+vtkDGGGraphArrays::Entry vtkDGGGraphArrays::MakeEntry(vtkAbstractArray* array)
+{
+  Entry entry;
+  if (array)
+  {
+    entry.Array = array;
+    entry.Time = array->GetMTime();
+    // Anything else would be copied by this, and is refused anyway.
+    entry.Data = array->HasStandardMemoryLayout() ? array->GetVoidPointer(0) : nullptr;
+    entry.Size = array->GetNumberOfValues();
+  }
+  return entry;
+}
+
+//------------------------------------------------------------------------------
+vtkDGGGraphArrays::Entries vtkDGGGraphArrays::MakeEntries(vtkFieldData* data)
+{
+  Entries entries;
+  for (int role = 0; data && role < NumberOfRoles; ++role)
+  {
+    entries[role] = MakeEntry(data->GetAbstractArray(Names[role]));
+  }
+  return entries;
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGGraphArrays::Clear()
+{
+  *this = vtkDGGGraphArrays();
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const vtkDGGMeshAdapter& mesh)
+{
+  this->Clear();
+  this->View = graph.View(); // memory keeps its place
+  vtkNew<vtkTypeInt64Array> info;
+  info->SetName(Names[Info]);
+  info->SetNumberOfValues(InfoSize);
+  auto* slots = reinterpret_cast<std::int64_t*>(info->GetPointer(0));
+  std::fill(slots, slots + InfoSize, 0);
+  slots[Version] = FormatVersion;
+  slots[Kind] = static_cast<std::int64_t>(graph.Info.Kind);
+  slots[Construction] = static_cast<std::int64_t>(graph.Info.Construction);
+  slots[Accuracy] = CopyBits<std::int64_t>(graph.Info.Accuracy);
+  slots[NumberOfNeighbors] = graph.Info.NumberOfNeighbors;
+  slots[Merged] = mesh.IsMerged() ? 1 : 0;
+  slots[FirstSignature] = CopyBits<std::int64_t>(graph.Info.Surface[0]);
+  slots[SecondSignature] = CopyBits<std::int64_t>(graph.Info.Surface[1]);
+  slots[Checksum] = Seal(slots, this->View);
+
+  const std::array<vtkSmartPointer<vtkAbstractArray>, NumberOfRoles> arrays = { {
+    Own<vtkTypeInt64Array>(graph.Offsets, Names[Offsets]),
+    Own<vtkTypeInt32Array>(graph.Targets, Names[Targets]),
+    this->View.WideLengths ? Own<vtkDoubleArray>(graph.WideLengths, Names[Lengths])
+                           : Own<vtkFloatArray>(graph.Lengths, Names[Lengths]),
+    Own<vtkFloatArray>(graph.Angles, Names[Angles]),
+    Own<vtkFloatArray>(graph.ArrivalAngles, Names[ArrivalAngles]),
+    info.Get(),
+  } };
+  for (int role = 0; role < NumberOfRoles; ++role)
+  {
+    this->Arrays[role] = MakeEntry(arrays[role]);
+  }
+  this->Mesh = mesh.GetBuildTime();
+  this->IsGraph = true;
+  this->Time.Modified();
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkDGGGraphArrays::GetMemorySize(const dgg::GraphView& graph)
+{
+  const std::size_t perEdge = sizeof(dgg::Id) + (graph.Lengths ? sizeof(float) : sizeof(double)) +
+    (graph.Angles ? 2 * sizeof(float) : 0);
+  return static_cast<std::size_t>(graph.GetNumberOfEdges()) * perEdge +
+    (static_cast<std::size_t>(graph.NumberOfVertices) + 1) * sizeof(dgg::Offset);
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGGraphArrays::AddTo(vtkFieldData* data) const
+{
+  for (const Entry& entry : this->Arrays)
+  {
+    data->AddArray(entry.Array);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkDGGGraphArrays::IsValid() const
+{
+  bool valid = this->IsGraph;
+  for (const Entry& entry : this->Arrays)
+  {
+    valid = valid && MakeEntry(entry.Array) == entry;
+  }
+  return valid;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDGGGraphArrays::Find(
+  vtkFieldData* data, const vtkDGGMeshAdapter& mesh, std::string& complaint)
+{
+  complaint.clear();
+  const Entries found = MakeEntries(data);
+  if (this->Mesh == mesh.GetBuildTime() && this->Arrays == found)
+  {
+    return this->IsGraph;
+  }
+  this->Clear();
+  this->Arrays = found;
+  this->Mesh = mesh.GetBuildTime();
+  if (found == Entries())
+  {
+    return false;
+  }
+  const dgg::Status status = this->Check(mesh);
+  this->IsGraph = status.IsOk();
+  this->Time.Modified();
+  if (!this->IsGraph)
+  {
+    this->View = dgg::GraphView();
+    complaint = "the graph on the input " + status.GetMessage();
+  }
+  return this->IsGraph;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphArrays::Check(const vtkDGGMeshAdapter& mesh)
+{
+  dgg::Status status = this->CheckTypes();
+  if (status.IsOk())
+  {
+    status = this->ReadInfo(mesh.GetMesh().GetNumberOfVertices());
+  }
+  if (status.IsOk())
+  {
+    status = this->CheckSurface(mesh);
+  }
+  if (status.IsOk())
+  {
+    status = this->CheckContents();
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphArrays::CheckTypes() const
+{
+  auto mismatch = [this](Role role, const char* wanted) {
+    vtkAbstractArray* array = this->Arrays[role].Array;
+    std::ostringstream text;
+    text << "the field array " << Names[role] << " is ";
+    if (array)
+    {
+      text << "of type " << array->GetDataTypeAsString() << " with "
+           << array->GetNumberOfComponents() << " components, not of " << wanted;
+    }
+    else
+    {
+      text << "missing";
+    }
+    return Damaged(text.str());
+  };
+  for (int i = 0; i < NumberOfRoles; ++i)
+  {
+    const auto role = static_cast<Role>(i);
+    vtkAbstractArray* array = this->Arrays[role].Array;
+    const bool isPlain =
+      array && array->HasStandardMemoryLayout() && array->GetNumberOfComponents() == 1;
+    const int type = isPlain ? array->GetDataType() : VTK_VOID;
+    switch (role)
+    {
+      case Offsets:
+      case Info:
+        if (!isPlain || !IsInteger(array, 8))
+        {
+          return mismatch(role, "single 64-bit integers");
+        }
+        break;
+      case Targets:
+        if (!isPlain || !IsInteger(array, 4))
+        {
+          return mismatch(role, "single 32-bit integers");
+        }
+        break;
+      case Lengths:
+        if (type != VTK_FLOAT && type != VTK_DOUBLE)
+        {
+          return mismatch(role, "single floats or doubles");
+        }
+        break;
+      default:
+        if (type != VTK_FLOAT)
+        {
+          return mismatch(role, "single floats");
+        }
+    }
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+template <typename ValueType>
+const ValueType* vtkDGGGraphArrays::GetValues(Role role) const
+{
+  return static_cast<const ValueType*>(this->Arrays[role].Data);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphArrays::ReadInfo(vtkIdType numberOfPoints)
+{
+  const std::int64_t* info = this->GetValues<std::int64_t>(Info);
+  const vtkIdType infoSize = this->Arrays[Info].Size;
+  if (infoSize >= 1 && info[Version] != FormatVersion)
+  {
+    return dgg::Status::Invalid("has the format version " + std::to_string(info[Version]) +
+      ", but this version of vtkDGG knows " + std::to_string(FormatVersion) + " only");
+  }
+  if (infoSize != InfoSize)
+  {
+    return Damaged("DGG.Info has " + std::to_string(infoSize) + " values, not " +
+      std::to_string(static_cast<int>(InfoSize)));
+  }
+  this->View.Info.Accuracy = CopyBits<double>(info[Accuracy]);
+  this->View.Info.NumberOfNeighbors = static_cast<dgg::Id>(info[NumberOfNeighbors]);
+  this->View.Info.Surface = { { CopyBits<std::uint64_t>(info[FirstSignature]),
+    CopyBits<std::uint64_t>(info[SecondSignature]) } };
+  if (info[Kind] != static_cast<std::int64_t>(dgg::GraphKind::Mesh))
+  {
+    return dgg::Status::Invalid("is not that of a mesh");
+  }
+  if (info[Construction] < 0 ||
+    info[Construction] > static_cast<std::int64_t>(dgg::GraphConstruction::SaddleVertexGraph))
+  {
+    return Damaged("its construction is " + std::to_string(info[Construction]));
+  }
+  this->View.Info.Construction = static_cast<dgg::GraphConstruction>(info[Construction]);
+
+  const vtkIdType edges = this->Arrays[Targets].Size;
+  for (const Role role : { Lengths, Angles, ArrivalAngles })
+  {
+    if (this->Arrays[role].Size != edges)
+    {
+      return Damaged(std::string(Names[role]) + " has " + std::to_string(this->Arrays[role].Size) +
+        " values, but DGG.Targets has " + std::to_string(edges));
+    }
+  }
+  if (this->Arrays[Offsets].Size != numberOfPoints + 1)
+  {
+    return dgg::Status::Invalid("does not fit: DGG.Offsets has " +
+      std::to_string(this->Arrays[Offsets].Size) + " values, not one more than the " +
+      std::to_string(numberOfPoints) + " points");
+  }
+  this->View.NumberOfVertices = static_cast<dgg::Id>(numberOfPoints);
+  this->View.Offsets = this->GetValues<dgg::Offset>(Offsets);
+  this->View.Targets = this->GetValues<dgg::Id>(Targets);
+  if (this->Arrays[Lengths].Array->GetDataType() == VTK_FLOAT)
+  {
+    this->View.Lengths = this->GetValues<float>(Lengths);
+  }
+  else
+  {
+    this->View.WideLengths = this->GetValues<double>(Lengths);
+  }
+  this->View.Angles = this->GetValues<float>(Angles);
+  this->View.ArrivalAngles = this->GetValues<float>(ArrivalAngles);
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphArrays::CheckSurface(const vtkDGGMeshAdapter& mesh) const
+{
+  if (this->View.Info.Surface == mesh.GetSignature())
+  {
+    return dgg::Status::Success();
+  }
+  const bool merged = this->GetValues<std::int64_t>(Info)[Merged] != 0;
+  if (merged != mesh.IsMerged())
+  {
+    return dgg::Status::Invalid(std::string("was built with MergeCoincidentPoints ") +
+      (merged ? "on, but it is off here" : "off, but it is on here"));
+  }
+  return dgg::Status::Invalid("is out of date: points or cells have changed since it was built");
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphArrays::CheckContents() const
+{
+  const dgg::Status status = dgg::CheckGraph(this->View, this->Arrays[Targets].Size);
+  if (!status.IsOk())
+  {
+    return dgg::Status::Invalid("is " + status.GetMessage());
+  }
+  const std::int64_t* info = this->GetValues<std::int64_t>(Info);
+  return info[Checksum] == Seal(info, this->View)
+    ? dgg::Status::Success()
+    : Damaged("its checksum is wrong, so values have been altered");
+}

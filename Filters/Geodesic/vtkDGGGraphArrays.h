@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The graph of a surface as arrays in field data. Internal.
+#ifndef vtkDGGGraphArrays_h
+#define vtkDGGGraphArrays_h
+
+#include "dggGeodesicGraph.h" // for GeodesicGraph
+
+#include "vtkAbstractArray.h" // for the smart pointers
+#include "vtkSmartPointer.h"  // for the arrays
+#include "vtkTimeStamp.h"     // for the time
+#include "vtkType.h"          // for vtkMTimeType
+
+#include <array>  // for the arrays
+#include <string> // for what is wrong
+
+class vtkDGGMeshAdapter;
+class vtkFieldData;
+
+/// Puts a graph of the kernel into field data, without a copy, and finds it there again. What the
+/// arrays hold is described in vtkDiscreteGeodesicGraph.
+///
+/// Nothing that is found is trusted: types, sizes, version, ids, the signature of the surface and a
+/// checksum are looked at, once for the same arrays.
+class vtkDGGGraphArrays
+{
+public:
+  /// Make arrays of the memory of `graph`, which is empty afterwards.
+  void Adopt(dgg::GeodesicGraph& graph, const vtkDGGMeshAdapter& mesh);
+
+  /// Look for a graph of the mesh in `data`, which may be null. Returns whether there is one.
+  /// `complaint` is what is wrong with arrays that are there but are not a graph of the mesh; it is
+  /// empty when they were complained about before.
+  bool Find(vtkFieldData* data, const vtkDGGMeshAdapter& mesh, std::string& complaint);
+
+  /// Whether there is a graph and its arrays have not been changed since.
+  bool IsValid() const;
+
+  /// Add the arrays to field data, in the place of those of an earlier graph.
+  void AddTo(vtkFieldData* data) const;
+
+  void Clear();
+
+  /// The graph, as long as these arrays live. Only for a valid graph.
+  const dgg::GraphView& GetView() const { return this->View; }
+  /// When this graph was adopted or found. It changes with the graph.
+  vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
+  /// Bytes of the arrays of a graph.
+  static std::size_t GetMemorySize(const dgg::GraphView& graph);
+
+private:
+  enum Role
+  {
+    Offsets,
+    Targets,
+    Lengths,
+    Angles,
+    ArrivalAngles,
+    Info,
+    NumberOfRoles
+  };
+  static const std::array<const char*, NumberOfRoles> Names;
+
+  /// Identity and age of an array. Holding it keeps its address from being used again.
+  struct Entry
+  {
+    vtkSmartPointer<vtkAbstractArray> Array;
+    vtkMTimeType Time = 0;
+    const void* Data = nullptr;
+    vtkIdType Size = 0;
+
+    bool operator==(const Entry& other) const;
+  };
+  using Entries = std::array<Entry, NumberOfRoles>;
+
+  static Entry MakeEntry(vtkAbstractArray* array);
+  static Entries MakeEntries(vtkFieldData* data);
+
+  dgg::Status Check(const vtkDGGMeshAdapter& mesh);
+  dgg::Status CheckTypes() const;
+  dgg::Status ReadInfo(vtkIdType numberOfPoints);
+  dgg::Status CheckSurface(const vtkDGGMeshAdapter& mesh) const;
+  dgg::Status CheckContents() const;
+  const std::int64_t* GetInfo() const;
+  template <typename ValueType>
+  const ValueType* GetValues(Role role) const;
+
+  Entries Arrays;
+  vtkMTimeType Mesh = 0; // build time of the mesh that they were compared with
+  dgg::GraphView View;
+  bool IsGraph = false;
+  vtkTimeStamp Time;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGGraphArrays.h

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Distances between two sets of surface points. Internal.
+#ifndef vtkDGGMatrixSearch_h
+#define vtkDGGMatrixSearch_h
+
+#include "dggGraphBuilder.h" // for GraphLink
+#include "dggGraphSearch.h"  // for GraphSearch
+#include "dggSurfacePoint.h" // for SurfacePoint
+
+#include <cstddef> // for std::size_t
+#include <vector>  // for the points
+
+class vtkDGGGraphProvider;
+class vtkDGGMeshAdapter;
+
+/// The entries of a table by its columns.
+struct vtkDGGMatrixEntries
+{
+  std::vector<double*> Columns;
+  bool SourcesAreRows;
+
+  double& operator()(std::size_t source, std::size_t target) const
+  {
+    return this->SourcesAreRows ? this->Columns[target][source] : this->Columns[source][target];
+  }
+};
+
+/// Searches a graph from every point of one set, and looks at the points of another one.
+///
+/// A point that is not a vertex is linked to the graph as a vertex would be. A way between two such
+/// points leads over a link of each, or is a straight one that leaves out the graph.
+class vtkDGGMatrixSearch
+{
+public:
+  using Points = std::vector<dgg::SurfacePoint>;
+
+  /// `graph` has been provided for `mesh`. distances(i, j) becomes the distance of sources[i] from
+  /// targets[j], dgg::Infinity where there is no way.
+  vtkDGGMatrixSearch(vtkDGGGraphProvider& graph, const vtkDGGMeshAdapter& mesh,
+    const Points& sources, const Points& targets, const vtkDGGMatrixEntries& distances);
+
+  /// With `symmetric`, the targets are the sources: then one half is searched, and mirrored.
+  dgg::Status Run(bool symmetric, const dgg::ProgressCallback& progress);
+
+private:
+  using Links = std::vector<std::vector<dgg::GraphLink>>; // per point
+
+  dgg::Status LinkSources();
+  dgg::Status LinkTargets();
+  dgg::Status SearchFromVertices();
+  dgg::Status SearchFromOthers();
+  void LookAtTargets(std::size_t source, const double* field) const;
+  void Mirror() const;
+
+  /// Do `count` steps on all threads, `block` of them between two looks at the progress, of which
+  /// they are the part up to `end`.
+  template <typename StepType>
+  dgg::Status ForAll(std::size_t count, std::size_t block, double end, StepType step);
+
+  vtkDGGGraphProvider& Graph;
+  const vtkDGGMeshAdapter& Mesh;
+  const Points& Sources;
+  const Points& Targets;
+  const vtkDGGMatrixEntries& Distances;
+  bool IsSymmetric = false;
+  Links SourceLinks;
+  Links TargetLinks;
+  dgg::ParallelFor Parallel;
+  dgg::ProgressCallback Progress;
+  double Done = 0.0; // share of the progress
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGMatrixSearch.h

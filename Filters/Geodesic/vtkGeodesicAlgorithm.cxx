@@ -1,0 +1,369 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGeodesicAlgorithm.h"
+
+#include "vtkDGGCompatibility.h"
+#include "vtkDGGMeshAdapter.h"
+
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <sstream>
+
+namespace
+{
+/// Share of the progress that goes to the preparation of the mesh.
+constexpr double PreparationShare = 0.1;
+
+void WriteReport(std::ostream& os, const vtkDGGMeshAdapter& adapter)
+{
+  const dgg::MeshReport& report = adapter.GetReport();
+  os << "points: " << report.Vertices << "\n";
+  os << "triangles: " << report.Faces << "\n";
+  os << "components: " << report.Components << "\n";
+  os << "boundary loops: " << report.BoundaryLoops << "\n";
+  os << "boundary edges: " << report.BoundaryEdges << "\n";
+  os << "orientable: " << (report.Orientable ? "yes" : "no") << "\n";
+  os << "genus: ";
+  if (report.Genus < 0)
+  {
+    os << "undefined\n";
+  }
+  else
+  {
+    os << report.Genus << "\n";
+  }
+  os << "non-manifold edges: " << report.NonManifoldEdges << "\n";
+  os << "non-manifold vertices: " << report.NonManifoldVertices << "\n";
+  os << "dropped faces: " << adapter.GetNumberOfDroppedCells() << "\n";
+  os << "degenerate faces: " << report.DegenerateFaces << "\n";
+  os << "duplicate faces: " << report.DuplicateFaces << "\n";
+  os << "isolated points: " << adapter.GetNumberOfIsolatedPoints() << "\n";
+  os << "coincident points: " << report.CoincidentPoints << "\n";
+  os << "merged points: " << adapter.GetNumberOfMergedPoints() << "\n";
+  os << "length added to degenerate faces: " << report.Mollification << "\n";
+  os << "anisotropy: mean " << report.MeanAnisotropy << ", median " << report.MedianAnisotropy
+     << "\n";
+}
+
+dgg::Status CheckPieces(vtkInformation* outInfo)
+{
+  const int pieces = outInfo->Has(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES())
+    ? outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES())
+    : 1;
+  if (pieces > 1)
+  {
+    std::ostringstream message;
+    message << "one of " << pieces << " pieces was asked for, but distances need the whole "
+            << "surface: gather it on one process and update this filter there, with one piece";
+    return dgg::Status::Invalid(message.str());
+  }
+  return dgg::Status::Success();
+}
+
+/// An empty output does not count as up to date: the next update tries again.
+void Empty(vtkInformationVector* outputVector)
+{
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* outInfo = outputVector->GetInformationObject(port);
+    vtkDataObject::GetData(outInfo)->Initialize();
+    outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
+  : MergeCoincidentPoints(false)
+  , Reached(0.0)
+  , Adapter(new vtkDGGMeshAdapter)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicAlgorithm::~vtkGeodesicAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
+  os << indent << "MeshBuildTime: " << this->GetMeshBuildTime() << "\n";
+  os << indent << "MeshReport:\n";
+  std::istringstream report(this->GetMeshReport());
+  for (std::string line; std::getline(report, line);)
+  {
+    os << indent.GetNextIndent() << line << "\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGeodesicAlgorithm::GetMeshReport() const
+{
+  if (this->GetNumberOfTriangles() == 0)
+  {
+    return "no surface\n";
+  }
+  std::ostringstream os;
+  WriteReport(os, *this->Adapter);
+  return os.str();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicAlgorithm::GetNumberOfTriangles() const
+{
+  return this->Adapter->GetReport().Faces;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicAlgorithm::GetNumberOfIsolatedPoints() const
+{
+  return this->Adapter->GetNumberOfIsolatedPoints();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicAlgorithm::GetNumberOfComponents() const
+{
+  return this->Adapter->GetReport().Components;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicAlgorithm::GetNumberOfBoundaryEdges() const
+{
+  return this->Adapter->GetReport().BoundaryEdges;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicAlgorithm::GetNumberOfBoundaryLoops() const
+{
+  return this->Adapter->GetReport().BoundaryLoops;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicAlgorithm::GetNumberOfNonManifoldEdges() const
+{
+  return this->Adapter->GetReport().NonManifoldEdges;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicAlgorithm::GetNumberOfNonManifoldVertices() const
+{
+  return this->Adapter->GetReport().NonManifoldVertices;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicAlgorithm::GetNumberOfDroppedFaces() const
+{
+  return this->Adapter->GetNumberOfDroppedCells();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicAlgorithm::GetNumberOfDegenerateFaces() const
+{
+  return this->Adapter->GetReport().DegenerateFaces;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicAlgorithm::GetNumberOfDuplicateFaces() const
+{
+  return this->Adapter->GetReport().DuplicateFaces;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicAlgorithm::GetNumberOfCoincidentPoints() const
+{
+  return this->Adapter->GetReport().CoincidentPoints;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicAlgorithm::GetNumberOfCoincidentBoundaryPoints() const
+{
+  return this->Adapter->GetNumberOfCoincidentBoundaryPoints();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGeodesicAlgorithm::GetOrientable() const
+{
+  return this->Adapter->GetReport().Orientable;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicAlgorithm::GetGenus() const
+{
+  return this->Adapter->GetReport().Genus;
+}
+
+//------------------------------------------------------------------------------
+double vtkGeodesicAlgorithm::GetMeanAnisotropy() const
+{
+  return this->Adapter->GetReport().MeanAnisotropy;
+}
+
+//------------------------------------------------------------------------------
+double vtkGeodesicAlgorithm::GetMedianAnisotropy() const
+{
+  return this->Adapter->GetReport().MedianAnisotropy;
+}
+
+//------------------------------------------------------------------------------
+double vtkGeodesicAlgorithm::GetMollification() const
+{
+  return this->Adapter->GetReport().Mollification;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkGeodesicAlgorithm::GetMeshBuildTime() const
+{
+  return this->Adapter->GetBuildTime();
+}
+
+//------------------------------------------------------------------------------
+int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  // Port 0 is needed, but looked for by us: when the pipeline does it, an earlier output stays.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return port >= 0 && port < this->GetNumberOfInputPorts() ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkGeodesicAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!this->Attempt([&] { return this->Follow(inputVector, outputVector); }))
+  {
+    Empty(outputVector);
+  }
+  return 1; // so that filters downstream run and become empty as well
+}
+
+//------------------------------------------------------------------------------
+bool vtkGeodesicAlgorithm::Attempt(const std::function<dgg::Status()>& step)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  // Nothing may be thrown across VTK: an exception that reaches Python ends the interpreter.
+  dgg::Status status;
+  unsigned long errorCode = vtkErrorCode::UserError;
+  try
+  {
+    status = step();
+  }
+  catch (const std::bad_alloc&)
+  {
+    status = dgg::Status::Invalid("memory is exhausted: " + this->GetMemoryRemedy());
+    errorCode = vtkErrorCode::UnknownError;
+  }
+  catch (const std::exception& exception)
+  {
+    status = dgg::Status::Invalid(std::string("unexpected failure: ") + exception.what());
+    errorCode = vtkErrorCode::UnknownError;
+  }
+  catch (...)
+  {
+    status = dgg::Status::Invalid("unexpected failure");
+    errorCode = vtkErrorCode::UnknownError;
+  }
+  if (!status.IsOk() && !status.IsAborted())
+  {
+    this->SetErrorCode(errorCode);
+    vtkErrorMacro(<< status.GetMessage());
+  }
+  return status.IsOk();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicAlgorithm::Follow(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  dgg::Status status = CheckPieces(outputVector->GetInformationObject(0));
+  if (status.IsOk())
+  {
+    status = this->CheckProperties();
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+  if (surface && surface->GetNumberOfPoints() == 0 && surface->GetNumberOfCells() == 0)
+  {
+    vtkWarningMacro("The input is empty: it has neither points nor cells. So is the output.");
+    this->Adapter->Clear();
+    this->MakeEmptyOutput(surface, outputVector);
+    return dgg::Status::Success();
+  }
+  status = surface ? this->CheckInputs(surface, inputVector) : dgg::Status::Success();
+  if (status.IsOk())
+  {
+    status = this->PrepareMesh(surface);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  this->Reached = 0.0;
+  return this->Execute(surface, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicAlgorithm::CheckProperties() const
+{
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicAlgorithm::CheckInputs(
+  vtkPolyData* vtkNotUsed(surface), vtkInformationVector** vtkNotUsed(inputVector)) const
+{
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGeodesicAlgorithm::GetMemoryRemedy() const
+{
+  return "use a smaller mesh";
+}
+
+//------------------------------------------------------------------------------
+const vtkDGGMeshAdapter& vtkGeodesicAlgorithm::GetMesh() const
+{
+  return *this->Adapter;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicAlgorithm::PrepareMesh(vtkPolyData* surface)
+{
+  if (!surface)
+  {
+    return dgg::Status::Invalid(
+      "there is no input: call SetInputConnection() or SetInputData() with a surface");
+  }
+  if (this->Adapter->IsUpToDate(surface, this->MergeCoincidentPoints))
+  {
+    return dgg::Status::Success();
+  }
+  const dgg::Status status = this->Adapter->Update(surface, this->MergeCoincidentPoints);
+  for (const std::string& warning : this->Adapter->GetWarnings())
+  {
+    vtkWarningMacro(<< warning << ".");
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGeodesicAlgorithm::Advance(double fraction)
+{
+  const double now =
+    PreparationShare + (1.0 - PreparationShare) * std::min(1.0, std::max(0.0, fraction));
+  this->Reached = std::max(this->Reached, now);
+  this->UpdateProgress(this->Reached);
+  return !vtkDGGIsAbortedMacro(this);
+}

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGeodesicAlgorithm
+ * @brief   what all filters on the surface of a mesh have in common
+ *
+ * Input port 0 takes the surface (vtkPolyData).
+ *
+ * <b>Cells.</b> Triangles are used as they are; quads, polygons and triangle strips are
+ * triangulated inside. For planar polygons it makes no difference how; a quad that is not planar
+ * is cut along the shorter one of its diagonals, and larger polygons ear by ear; those that cross
+ * or touch themselves become fans, with a warning. Verts and lines
+ * are passed through and not used. Polygons with fewer than three distinct points are left out.
+ * Triangles without area are used; their edges are lengthened a little (GetMollification()). Edges
+ * with more than two triangles and points where sheets touch conduct: distances are those of the
+ * triangles as they are glued by point ids. All of these are counted in warnings, once for each
+ * mesh, and in the report (GetMeshReport()). Orientation does not matter.
+ *
+ * <b>Errors.</b> Wrong input is reported through vtkErrorMacro, which names what is wrong and the
+ * remedy. Then the output is empty, GetErrorCode() is not zero, and the input is untouched; a later
+ * correct call works. As long as nothing is changed, every update of this filter tells the error
+ * again. These are errors of all filters:
+ *  - no input;
+ *  - points but no polygons; polygons that all have fewer than three distinct points; a cell that
+ *    names a point that does not exist, or that is not finite; an extent outside [1e-70, 1e70];
+ *    more than 2^31 - 1 points or 3 * triangles;
+ *  - an update of one piece of several, as in a parallel pipeline: a part of the surface would
+ *    give wrong distances. Gather the surface on one process first.
+ *
+ * An input with neither points nor cells is a warning only: the output is empty as well. An input
+ * that is not vtkPolyData is refused by the pipeline.
+ *
+ * <b>Progress and abort.</b> ProgressEvent is invoked now and then; AbortExecute set by an observer
+ * stops the computation: the output is empty, GetErrorCode() is zero, and the next update of this
+ * filter starts anew. Call Modified() to have filters downstream follow.
+ *
+ * The mesh is prepared once and kept until points, polygons or strips change; a change of another
+ * property does not prepare it again. Changes in place must be marked by Modified() of the array,
+ * the points or the vtkPolyData, as everywhere in VTK.
+ *
+ * Subclasses in this module implement Execute(); what it takes is internal to the module.
+ *
+ * @sa vtkGeodesicDistanceAlgorithm vtkDiscreteGeodesicGraph vtkGeodesicDistanceMatrix
+ */
+
+#ifndef vtkGeodesicAlgorithm_h
+#define vtkGeodesicAlgorithm_h
+
+#include "vtkDGGFiltersGeodesicModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <functional> // For Attempt()
+#include <memory>     // For the mesh
+#include <string>     // For the report
+
+namespace dgg
+{
+class Status;
+}
+class vtkDGGMeshAdapter;
+
+class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicAlgorithm : public vtkPolyDataAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkGeodesicAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Whether points with the very same coordinates are taken as one, as along the seams of a
+   * textured mesh or in a soup of triangles. The output keeps all points; coincident ones get equal
+   * distances. Default off: then points of the boundary that coincide with others of the boundary
+   * are counted in a warning.
+   */
+  vtkSetMacro(MergeCoincidentPoints, bool);
+  vtkGetMacro(MergeCoincidentPoints, bool);
+  vtkBooleanMacro(MergeCoincidentPoints, bool);
+  ///@}
+
+  /**
+   * Size, defects and quality of the surface in the last update, one per line, for people to read.
+   * A single line says so when there is no surface.
+   */
+  std::string GetMeshReport() const;
+
+  ///@{
+  /**
+   * The same as numbers; zero before the first update and after an update in which the surface was
+   * refused.
+   *
+   * Triangles are those used, after triangulation. Isolated points are used by no triangle.
+   * Components are connected through shared points and have a triangle each. Boundary loops are
+   * closed chains of edges with one triangle. A non-manifold edge has more than two triangles; a
+   * non-manifold vertex is on no such edge, yet its triangles form several fans. Dropped faces are
+   * polygons with fewer than three distinct points. Degenerate faces are triangles without area, up
+   * to rounding. Duplicate faces are triangles beyond the first on the same three points.
+   * Coincident points have the very coordinates of an earlier point, whether they are merged or
+   * not; coincident boundary points are those that the warning counts.
+   */
+  vtkIdType GetNumberOfTriangles() const;
+  vtkIdType GetNumberOfIsolatedPoints() const;
+  vtkIdType GetNumberOfComponents() const;
+  vtkIdType GetNumberOfBoundaryEdges() const;
+  vtkIdType GetNumberOfBoundaryLoops() const;
+  vtkIdType GetNumberOfNonManifoldEdges() const;
+  vtkIdType GetNumberOfNonManifoldVertices() const;
+  vtkIdType GetNumberOfDroppedFaces() const;
+  vtkIdType GetNumberOfDegenerateFaces() const;
+  vtkIdType GetNumberOfDuplicateFaces() const;
+  vtkIdType GetNumberOfCoincidentPoints() const;
+  vtkIdType GetNumberOfCoincidentBoundaryPoints() const;
+  ///@}
+
+  /**
+   * Whether the surface can be oriented consistently.
+   */
+  bool GetOrientable() const;
+
+  /**
+   * Total genus of the components; -1 when there are non-manifold edges or no orientation.
+   */
+  vtkIdType GetGenus() const;
+
+  ///@{
+  /**
+   * How far the triangles are from equilateral: mean and median of
+   * longest edge * perimeter / (4 sqrt(3) area), 1 when equilateral.
+   */
+  double GetMeanAnisotropy() const;
+  double GetMedianAnisotropy() const;
+  ///@}
+
+  /**
+   * Length added to the edges of triangles without area, in units of the coordinates; 0 when there
+   * are none.
+   */
+  double GetMollification() const;
+
+  /**
+   * Time stamp of the mesh that is kept between updates. It changes when the mesh is prepared anew.
+   */
+  vtkMTimeType GetMeshBuildTime() const;
+
+protected:
+  vtkGeodesicAlgorithm();
+  ~vtkGeodesicAlgorithm() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  ///@{
+  /**
+   * The steps of an update, in this order. Each may return an error, which is shown to the user,
+   * or that the user asked to stop; each may throw.
+   *
+   * CheckProperties() and CheckInputs() tell what is wrong without the mesh. Execute() is called
+   * with a mesh. MakeEmptyOutput() takes its place when the surface has neither points nor cells.
+   */
+  virtual dgg::Status CheckProperties() const;
+  virtual dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const;
+  virtual dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) = 0;
+  virtual void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) = 0;
+  ///@}
+
+  /**
+   * What a user can do when memory is exhausted.
+   */
+  virtual std::string GetMemoryRemedy() const;
+
+  /**
+   * The surface as the kernel sees it. Up to date in Execute().
+   */
+  const vtkDGGMeshAdapter& GetMesh() const;
+
+  /**
+   * Bring the mesh up to date; null is an error. For use outside of updates; Execute() need not.
+   */
+  dgg::Status PrepareMesh(vtkPolyData* surface);
+
+  /**
+   * Do something that may fail or throw, and tell the error to the user. Returns whether it went
+   * well; not so when it was stopped, either.
+   */
+  bool Attempt(const std::function<dgg::Status()>& step);
+
+  /**
+   * Tell the progress of Execute(), in [0, 1]; it never goes back. Returns whether to go on. An
+   * observer may change any property meanwhile.
+   */
+  bool Advance(double fraction);
+
+private:
+  vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
+  void operator=(const vtkGeodesicAlgorithm&) = delete;
+
+  dgg::Status Follow(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
+  bool MergeCoincidentPoints;
+  double Reached; // progress of the update so far
+  std::unique_ptr<vtkDGGMeshAdapter> Adapter;
+};
+
+#endif

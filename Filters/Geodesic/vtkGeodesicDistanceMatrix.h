@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGeodesicDistanceMatrix
+ * @brief   distances along a surface between two sets of points
+ *
+ * Computes the distance of every point of one set from every point of another one, or of all pairs
+ * of a single set, by searches in a discrete geodesic graph. The graph is taken from the input, or
+ * built and kept, as in vtkDGGDistance.
+ *
+ * Input port 0 takes the surface. The rows are points of the surface given by id (SetRowIds()) and
+ * the points of a vtkPolyData on port 1, which may lie anywhere on the surface and are projected to
+ * it; ids come first. The columns are given in the same way by SetColumnIds() and port 2. Without
+ * columns they are the rows: then the matrix is symmetric, bit by bit, with zeros on the diagonal.
+ *
+ * The output is a vtkTable: row i, column j holds the distance (double, in units of the
+ * coordinates) between point i of the rows and point j of the columns; the columns are named "0",
+ * "1" and so on. GetMatrix() gives the same as one array. Pairs in different components get
+ * UnreachedValue.
+ *
+ * <b>What is promised.</b> Every distance is at least the exact one and at most (1 + accuracy)
+ * times that, up to rounding (1e-6), where accuracy is that of the graph, unless its rule has no
+ * guarantee. Distances between points of the mesh are those of the graph: a metric, symmetric and
+ * with the triangle inequality, which corrected distances are not. That is why there is no
+ * correction here.
+ *
+ * <b>Time and memory.</b> There is one search over the whole surface for each point of the smaller
+ * set, several at a time and on all threads of vtkSMPTools. Beside the table, about 8 bytes are
+ * needed for each point of the mesh and each of the searches under way, of which there are as many
+ * as fit into 256 MiB, at least 16.
+ *
+ * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
+ *  - no rows; an id out of range; a point that is not finite, or farther from the surface than
+ *    ProjectionTolerance; a negative ProjectionTolerance;
+ *  - an Accuracy outside [1e-6, 0.5]; a graph or a table that would take more memory than
+ *    MemoryLimit.
+ *
+ * @code
+ * vtkNew<vtkPLYReader> reader;
+ * reader->SetFileName("mesh.ply");
+ * vtkNew<vtkGeodesicDistanceMatrix> matrix;
+ * matrix->SetInputConnection(reader->GetOutputPort());
+ * matrix->SetAccuracy(0.01);
+ * matrix->SetRowIds({ 0, 10, 20 });
+ * matrix->Update();
+ * std::cout << matrix->GetMatrix()->GetComponent(0, 2) << "\n"; // from 0 to 20
+ * @endcode
+ *
+ * @sa vtkDiscreteGeodesicGraph vtkDGGDistance
+ */
+
+#ifndef vtkGeodesicDistanceMatrix_h
+#define vtkGeodesicDistanceMatrix_h
+
+#include "vtkDGGFiltersGeodesicModule.h" // For export macro
+#include "vtkGeodesicAlgorithm.h"
+
+#include <initializer_list> // For ids
+#include <memory>           // For the internals
+#include <vector>           // For ids
+
+class vtkDoubleArray;
+class vtkTable;
+struct vtkDGGSourceSet;
+
+class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicDistanceMatrix : public vtkGeodesicAlgorithm
+{
+public:
+  static vtkGeodesicDistanceMatrix* New();
+  vtkTypeMacro(vtkGeodesicDistanceMatrix, vtkGeodesicAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Points by id of the input. Ids are copied; none by default. The same id may occur more than
+   * once. A null list removes all ids.
+   */
+  void SetRowIds(vtkIdList* ids);
+  void SetRowIds(const std::vector<vtkIdType>& ids);
+  void SetColumnIds(vtkIdList* ids);
+  void SetColumnIds(const std::vector<vtkIdType>& ids);
+#ifndef __VTK_WRAP__
+  void SetRowIds(std::initializer_list<vtkIdType> ids); // or {0} would be a null list
+  void SetColumnIds(std::initializer_list<vtkIdType> ids);
+#endif
+  vtkIdType GetNumberOfRowIds() const;
+  vtkIdType GetNumberOfColumnIds() const;
+  ///@}
+
+  ///@{
+  /**
+   * Points anywhere on the surface: those of a vtkPolyData on input port 1 (rows) or 2 (columns);
+   * its cells are not used. Null removes them.
+   */
+  void SetRowConnection(vtkAlgorithmOutput* output);
+  void SetRowData(vtkPolyData* points);
+  void SetColumnConnection(vtkAlgorithmOutput* output);
+  void SetColumnData(vtkPolyData* points);
+  ///@}
+
+  ///@{
+  /**
+   * How far from the surface a point of port 1 or 2 may be, as a fraction of the diagonal of the
+   * surface's bounding box. A point farther away is an error that names it. Default 0.01; must not
+   * be negative.
+   */
+  vtkSetMacro(ProjectionTolerance, double);
+  vtkGetMacro(ProjectionTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Largest relative error of the graph that is built when the input has none, in [1e-6, 0.5].
+   * Default 0.01.
+   */
+  virtual void SetAccuracy(double accuracy);
+  vtkGetMacro(Accuracy, double);
+  ///@}
+
+  ///@{
+  /**
+   * Most bytes that building a graph or the table may take. Default 0, which stands for 70 % of the
+   * memory that is free at that time.
+   */
+  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
+  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of pairs that are not connected. Default NaN.
+   */
+  virtual void SetUnreachedValue(double value);
+  vtkGetMacro(UnreachedValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * The output: one column for each point of the second set.
+   */
+  vtkTable* GetOutput();
+  vtkTable* GetOutput(int port);
+  ///@}
+
+  /**
+   * The output as a single array, with a tuple for each row and a component for each column. It is
+   * made when it is asked for, belongs to the filter, and stays until the next update. Empty when
+   * there is no output.
+   */
+  vtkDoubleArray* GetMatrix();
+
+  /**
+   * Whether the last update used the graph on the input.
+   */
+  bool GetUsedInputGraph() const;
+
+  ///@{
+  /**
+   * The graph that is used, zero when there is none: its accuracy (0 for a SaddleVertexGraph) and
+   * number of directed edges.
+   */
+  double GetGraphAccuracy() const;
+  vtkIdType GetNumberOfGraphEdges() const;
+  ///@}
+
+  /**
+   * Time stamp of the last time that this filter built a graph.
+   */
+  vtkMTimeType GetGraphBuildTime() const;
+
+protected:
+  vtkGeodesicDistanceMatrix();
+  ~vtkGeodesicDistanceMatrix() override;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  dgg::Status CheckProperties() const override;
+  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
+  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  vtkGeodesicDistanceMatrix(const vtkGeodesicDistanceMatrix&) = delete;
+  void operator=(const vtkGeodesicDistanceMatrix&) = delete;
+
+  vtkDGGSourceSet GetRows(vtkInformationVector** inputVector) const;
+  vtkDGGSourceSet GetColumns(vtkInformationVector** inputVector) const;
+  dgg::Status CheckMemory(std::size_t rows, std::size_t columns) const;
+
+  std::vector<vtkIdType> RowIds;
+  std::vector<vtkIdType> ColumnIds;
+  double ProjectionTolerance;
+  double Accuracy;
+  bool IsAccuracyExplicit;
+  vtkTypeUInt64 MemoryLimit;
+  double UnreachedValue;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

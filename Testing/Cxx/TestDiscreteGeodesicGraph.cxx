@@ -1,0 +1,496 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The filter that builds a graph: what it puts out, when it builds, what it refuses.
+#include "GraphTestTools.h"
+
+#include "vtkDGGDistance.h"
+#include "vtkDiscreteGeodesicGraph.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <set>
+#include <sstream>
+
+using namespace dggtest;
+
+namespace
+{
+vtkDataArray* GetFieldArray(vtkPolyData* data, const char* name)
+{
+  return data->GetFieldData()->GetArray(name);
+}
+
+class DiscreteGeodesicGraph : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Filter->SetInputData(this->Terrain);
+    this->Filter->SetAccuracy(0.05);
+  }
+
+  vtkSmartPointer<vtkPolyData> Terrain = MakeTerrain(20);
+  vtkNew<vtkDiscreteGeodesicGraph> Filter;
+};
+}
+
+TEST_F(DiscreteGeodesicGraph, Defaults)
+{
+  vtkNew<vtkDiscreteGeodesicGraph> filter;
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 1);
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 2);
+  EXPECT_EQ(filter->GetAccuracy(), 0.01);
+  EXPECT_EQ(filter->GetConstruction(), vtkDiscreteGeodesicGraph::Guaranteed);
+  EXPECT_STREQ(filter->GetConstructionAsString(), "Guaranteed");
+  EXPECT_EQ(filter->GetNumberOfNeighbors(), 30);
+  EXPECT_EQ(filter->GetMemoryLimit(), 0u);
+  EXPECT_FALSE(filter->GetGenerateGraphLines());
+  EXPECT_FALSE(filter->GetMergeCoincidentPoints());
+  EXPECT_EQ(filter->GetNumberOfGraphEdges(), 0);
+  EXPECT_EQ(filter->GetMeanDegree(), 0.0);
+  EXPECT_EQ(filter->GetMemorySize(), 0u);
+  EXPECT_EQ(filter->GetEstimatedMemory(), 0u);
+  EXPECT_EQ(filter->GetGraphBuildTime(), 0u);
+  EXPECT_EQ(filter->GetMeshReport(), "no surface\n");
+}
+
+TEST_F(DiscreteGeodesicGraph, EveryPropertyCountsAsAChange)
+{
+  vtkMTimeType before = this->Filter->GetMTime();
+  auto expectChange = [&](const char* what) {
+    EXPECT_GT(this->Filter->GetMTime(), before) << what;
+    before = this->Filter->GetMTime();
+  };
+  this->Filter->SetAccuracy(0.2);
+  expectChange("Accuracy");
+  this->Filter->SetConstructionToOneRelay();
+  expectChange("Construction");
+  EXPECT_STREQ(this->Filter->GetConstructionAsString(), "OneRelay");
+  this->Filter->SetConstructionToIndirect();
+  expectChange("Construction");
+  EXPECT_STREQ(this->Filter->GetConstructionAsString(), "Indirect");
+  this->Filter->SetConstructionToSaddleVertexGraph();
+  expectChange("Construction");
+  EXPECT_STREQ(this->Filter->GetConstructionAsString(), "SaddleVertexGraph");
+  this->Filter->SetNumberOfNeighbors(7);
+  expectChange("NumberOfNeighbors");
+  this->Filter->SetMemoryLimit(1000);
+  expectChange("MemoryLimit");
+  this->Filter->GenerateGraphLinesOn();
+  expectChange("GenerateGraphLines");
+  this->Filter->MergeCoincidentPointsOn();
+  expectChange("MergeCoincidentPoints");
+}
+
+TEST_F(DiscreteGeodesicGraph, ArraysAreAsDocumented)
+{
+  ExpectSuccess(this->Filter);
+  vtkPolyData* output = this->Filter->GetOutput();
+  const vtkIdType n = this->Terrain->GetNumberOfPoints();
+  const vtkIdType m = this->Filter->GetNumberOfGraphEdges();
+  const std::vector<std::pair<const char*, vtkIdType>> sizes = { { "DGG.Offsets", n + 1 },
+    { "DGG.Targets", m }, { "DGG.Lengths", m }, { "DGG.Angles", m }, { "DGG.ArrivalAngles", m },
+    { "DGG.Info", 12 } };
+  for (const auto& nameAndSize : sizes)
+  {
+    vtkDataArray* array = GetFieldArray(output, nameAndSize.first);
+    ASSERT_NE(array, nullptr) << nameAndSize.first;
+    EXPECT_EQ(array->GetNumberOfComponents(), 1) << nameAndSize.first;
+    EXPECT_EQ(array->GetNumberOfTuples(), nameAndSize.second) << nameAndSize.first;
+  }
+  EXPECT_EQ(GetFieldArray(output, "DGG.Offsets")->GetDataTypeSize(), 8);
+  EXPECT_EQ(GetFieldArray(output, "DGG.Targets")->GetDataType(), VTK_TYPE_INT32);
+  EXPECT_EQ(GetFieldArray(output, "DGG.Lengths")->GetDataType(), VTK_FLOAT);
+  EXPECT_EQ(GetFieldArray(output, "DGG.Angles")->GetDataType(), VTK_FLOAT);
+  EXPECT_EQ(GetFieldArray(output, "DGG.ArrivalAngles")->GetDataType(), VTK_FLOAT);
+
+  vtkDataArray* offsets = GetFieldArray(output, "DGG.Offsets");
+  vtkDataArray* targets = GetFieldArray(output, "DGG.Targets");
+  vtkDataArray* lengths = GetFieldArray(output, "DGG.Lengths");
+  vtkDataArray* angles = GetFieldArray(output, "DGG.Angles");
+  EXPECT_EQ(offsets->GetComponent(0, 0), 0.0);
+  EXPECT_EQ(offsets->GetComponent(n, 0), static_cast<double>(m));
+  std::set<std::array<double, 3>> edges;
+  for (vtkIdType v = 0; v < n; ++v)
+  {
+    double last = 0.0;
+    for (auto e = static_cast<vtkIdType>(offsets->GetComponent(v, 0));
+         e < static_cast<vtkIdType>(offsets->GetComponent(v + 1, 0)); ++e)
+    {
+      const double target = targets->GetComponent(e, 0);
+      const double length = lengths->GetComponent(e, 0);
+      edges.insert({ { static_cast<double>(v), target, length } });
+      EXPECT_GE(length,
+        EuclideanDistance(this->Terrain, v, static_cast<vtkIdType>(target)) * (1.0 - 1e-12));
+      EXPECT_GE(angles->GetComponent(e, 0), last);
+      last = angles->GetComponent(e, 0);
+    }
+    EXPECT_LT(last, 7.0);
+  }
+  EXPECT_EQ(static_cast<vtkIdType>(edges.size()), m);
+  for (const auto& edge : edges)
+  {
+    EXPECT_EQ(edges.count({ { edge[1], edge[0], edge[2] } }), 1u);
+  }
+
+  vtkDataArray* info = GetFieldArray(output, "DGG.Info");
+  const auto* slots = static_cast<const vtkTypeInt64*>(info->GetVoidPointer(0));
+  EXPECT_EQ(slots[0], 1);
+  EXPECT_EQ(slots[1], 0);
+  EXPECT_EQ(slots[2], vtkDiscreteGeodesicGraph::Guaranteed);
+  double accuracy = 0.0;
+  std::memcpy(&accuracy, slots + 3, sizeof(accuracy));
+  EXPECT_EQ(accuracy, 0.05);
+  EXPECT_EQ(slots[4], 0);
+  EXPECT_EQ(slots[5], 0);
+
+  EXPECT_DOUBLE_EQ(this->Filter->GetMeanDegree(), static_cast<double>(m) / n);
+  EXPECT_GT(this->Filter->GetMeanDegree(), 10.0);
+  EXPECT_LT(this->Filter->GetMeanDegree(), 60.0);
+  EXPECT_EQ(this->Filter->GetMemorySize(), static_cast<vtkTypeUInt64>(16 * m + 8 * (n + 1)));
+}
+
+TEST_F(DiscreteGeodesicGraph, LengthsAreDoublesForHighAccuracy)
+{
+  this->Filter->SetInputData(MakeTerrain(6));
+  this->Filter->SetAccuracy(1e-5);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetFieldArray(this->Filter->GetOutput(), "DGG.Lengths")->GetDataType(), VTK_FLOAT);
+  this->Filter->SetAccuracy(9e-6);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetFieldArray(this->Filter->GetOutput(), "DGG.Lengths")->GetDataType(), VTK_DOUBLE);
+  EXPECT_EQ(this->Filter->GetMemorySize(),
+    static_cast<vtkTypeUInt64>(20 * this->Filter->GetNumberOfGraphEdges() + 8 * 37));
+}
+
+TEST_F(DiscreteGeodesicGraph, PassesEverythingThrough)
+{
+  vtkNew<vtkFloatArray> height;
+  height->SetName("Height");
+  height->SetNumberOfTuples(this->Terrain->GetNumberOfPoints());
+  height->Fill(4.0);
+  this->Terrain->GetPointData()->SetScalars(height);
+  vtkNew<vtkFloatArray> field;
+  field->SetName("Field");
+  field->InsertNextValue(9);
+  this->Terrain->GetFieldData()->AddArray(field);
+  ExpectSuccess(this->Filter);
+  vtkPolyData* output = this->Filter->GetOutput();
+  EXPECT_EQ(output->GetPoints(), this->Terrain->GetPoints());
+  EXPECT_EQ(output->GetPolys(), this->Terrain->GetPolys());
+  EXPECT_EQ(output->GetPointData()->GetScalars(), height.Get());
+  EXPECT_EQ(output->GetFieldData()->GetArray("Field"), field.Get());
+  EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), 7);
+  // The input has not changed.
+  EXPECT_EQ(this->Terrain->GetFieldData()->GetNumberOfArrays(), 1);
+}
+
+TEST_F(DiscreteGeodesicGraph, GraphLines)
+{
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphLines()->GetNumberOfCells(), 0);
+  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
+  this->Filter->GenerateGraphLinesOn();
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
+
+  vtkPolyData* lines = this->Filter->GetGraphLines();
+  EXPECT_EQ(lines, this->Filter->GetOutput(1));
+  EXPECT_EQ(lines->GetPoints(), this->Terrain->GetPoints());
+  EXPECT_EQ(2 * lines->GetNumberOfLines(), this->Filter->GetNumberOfGraphEdges());
+  vtkDataArray* lengths = lines->GetCellData()->GetArray("Length");
+  ASSERT_NE(lengths, nullptr);
+  EXPECT_EQ(lengths->GetDataType(), VTK_DOUBLE);
+  ASSERT_EQ(lengths->GetNumberOfTuples(), lines->GetNumberOfLines());
+  std::set<std::pair<vtkIdType, vtkIdType>> pairs;
+  for (vtkIdType c = 0; c < lines->GetNumberOfLines(); ++c)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    lines->GetLines()->GetCellAtId(c, size, ids);
+    ASSERT_EQ(size, 2);
+    pairs.insert({ ids[0], ids[1] });
+    EXPECT_GE(
+      lengths->GetComponent(c, 0), EuclideanDistance(this->Terrain, ids[0], ids[1]) * (1 - 1e-12));
+  }
+  EXPECT_EQ(static_cast<vtkIdType>(pairs.size()), lines->GetNumberOfLines());
+  this->Filter->GenerateGraphLinesOff();
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphLines()->GetNumberOfPoints(), 0);
+}
+
+TEST_F(DiscreteGeodesicGraph, IsBuiltOnceForTheSameMeshAndParameters)
+{
+  ExpectSuccess(this->Filter);
+  vtkMTimeType built = this->Filter->GetGraphBuildTime();
+  EXPECT_GT(built, 0u);
+  const auto bytes = GetGraphBytes(this->Filter->GetOutput());
+  auto expectKept = [&](const char* what) {
+    ExpectSuccess(this->Filter);
+    EXPECT_EQ(this->Filter->GetGraphBuildTime(), built) << what;
+  };
+  auto expectRebuilt = [&](const char* what) {
+    ExpectSuccess(this->Filter);
+    EXPECT_GT(this->Filter->GetGraphBuildTime(), built) << what;
+    built = this->Filter->GetGraphBuildTime();
+  };
+  this->Filter->Modified();
+  expectKept("Modified()");
+  this->Filter->SetMemoryLimit(vtkTypeUInt64(1) << 40);
+  expectKept("MemoryLimit");
+  this->Filter->SetNumberOfNeighbors(12);
+  expectKept("NumberOfNeighbors, which this construction does not use");
+  vtkNew<vtkFloatArray> array;
+  array->SetName("Values");
+  array->SetNumberOfTuples(this->Terrain->GetNumberOfPoints());
+  array->Fill(0.0);
+  this->Terrain->GetPointData()->AddArray(array);
+  expectKept("point array");
+  EXPECT_EQ(GetGraphBytes(this->Filter->GetOutput()), bytes);
+  vtkNew<vtkPolyData> copy;
+  copy->ShallowCopy(this->Terrain);
+  this->Filter->SetInputData(copy);
+  expectKept("shallow copy");
+
+  this->Filter->SetAccuracy(0.1);
+  expectRebuilt("Accuracy");
+  EXPECT_NE(GetGraphBytes(this->Filter->GetOutput()), bytes);
+  this->Filter->SetAccuracy(0.05);
+  expectRebuilt("Accuracy");
+  EXPECT_EQ(GetGraphBytes(this->Filter->GetOutput()), bytes);
+  this->Filter->SetConstructionToSaddleVertexGraph();
+  expectRebuilt("Construction");
+  this->Filter->SetNumberOfNeighbors(9);
+  expectRebuilt("NumberOfNeighbors");
+  this->Filter->SetAccuracy(0.1);
+  expectKept("Accuracy, which this construction does not use");
+  this->Filter->SetConstructionToGuaranteed();
+  expectRebuilt("Construction");
+  double p[3];
+  copy->GetPoint(7, p);
+  copy->GetPoints()->SetPoint(7, p[0], p[1], p[2] + 0.01);
+  copy->GetPoints()->Modified();
+  expectRebuilt("a point");
+  this->Filter->MergeCoincidentPointsOn();
+  expectRebuilt("MergeCoincidentPoints");
+  // Somebody writes into the arrays that are shared with us.
+  GetFieldArray(this->Filter->GetOutput(), "DGG.Lengths")->SetComponent(0, 0, 77.0);
+  GetFieldArray(this->Filter->GetOutput(), "DGG.Lengths")->Modified();
+  this->Filter->Modified();
+  expectRebuilt("altered output");
+}
+
+TEST_F(DiscreteGeodesicGraph, AGraphOnTheInputIsPassedOn)
+{
+  auto surface = MakeSurfaceWithGraph(this->Terrain, 0.05);
+  this->Filter->SetInputData(surface);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), 0u);
+  vtkPolyData* output = this->Filter->GetOutput();
+  for (const std::string& name : GetGraphArrayNames())
+  {
+    EXPECT_EQ(output->GetFieldData()->GetArray(name.c_str()),
+      surface->GetFieldData()->GetArray(name.c_str()));
+  }
+  EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(),
+    surface->GetFieldData()->GetArray("DGG.Targets")->GetNumberOfTuples());
+
+  // With other parameters it is replaced, without a word.
+  this->Filter->SetAccuracy(0.1);
+  ExpectSuccess(this->Filter);
+  EXPECT_GT(this->Filter->GetGraphBuildTime(), 0u);
+  EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), 6);
+  EXPECT_NE(output->GetFieldData()->GetArray("DGG.Targets"),
+    surface->GetFieldData()->GetArray("DGG.Targets"));
+
+  // One that is out of date, with a warning.
+  surface->GetPoints()->SetPoint(0, 0.0, 0.0, 0.01);
+  surface->GetPoints()->Modified();
+  ExpectWarning(this->Filter, { "the graph on the input is out of date", "new one" });
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter); // told once
+  EXPECT_EQ(
+    GetGraphBytes(this->Filter->GetOutput()), GetGraphBytes(MakeSurfaceWithGraph(surface, 0.1)));
+}
+
+TEST_F(DiscreteGeodesicGraph, EstimatesBeforeBuilding)
+{
+  this->Filter->SetInputData(MakeTerrain(60));
+  for (const double accuracy : { 0.1, 0.01 })
+  {
+    this->Filter->SetAccuracy(accuracy);
+    const Listener listener(this->Filter);
+    const vtkTypeUInt64 estimate = this->Filter->EstimateMemory();
+    EXPECT_EQ(listener.Errors, std::vector<std::string>());
+    EXPECT_EQ(this->Filter->GetEstimatedMemory(), estimate);
+    EXPECT_GE(this->Filter->GetEstimatedPeakMemory(), estimate);
+    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), accuracy == 0.1 ? 0 : 3600);
+    ExpectSuccess(this->Filter);
+    const auto size = static_cast<double>(this->Filter->GetMemorySize());
+    EXPECT_NEAR(static_cast<double>(estimate), size, 0.4 * size) << accuracy;
+  }
+}
+
+TEST_F(DiscreteGeodesicGraph, EstimatesTellWhatIsWrong)
+{
+  this->Filter->SetAccuracy(0.7);
+  {
+    const Listener listener(this->Filter);
+    EXPECT_EQ(this->Filter->EstimateMemory(), 0u);
+    ASSERT_EQ(listener.Errors.size(), 1u);
+    EXPECT_NE(listener.Errors[0].find("0.7"), std::string::npos);
+  }
+  this->Filter->SetAccuracy(0.1);
+  EXPECT_GT(this->Filter->EstimateMemory(), 0u);
+  this->Filter->SetInputConnection(nullptr);
+  const Listener listener(this->Filter);
+  EXPECT_EQ(this->Filter->EstimateMemory(), 0u);
+  ASSERT_EQ(listener.Errors.size(), 1u);
+  EXPECT_NE(listener.Errors[0].find("there is no input"), std::string::npos);
+}
+
+TEST_F(DiscreteGeodesicGraph, RefusesWhatTakesTooMuchMemory)
+{
+  this->Filter->SetAccuracy(0.001);
+  this->Filter->SetMemoryLimit(100000);
+  ExpectError(this->Filter,
+    { "the graph would take about", "more than the limit of 97.66 KiB", "larger Accuracy", "0.001",
+      "higher MemoryLimit" });
+  EXPECT_GT(this->Filter->GetEstimatedPeakMemory(), 100000u);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), 0u);
+  this->Filter->SetConstructionToSaddleVertexGraph();
+  ExpectError(this->Filter, { "smaller NumberOfNeighbors", "30" });
+  this->Filter->SetMemoryLimit(vtkTypeUInt64(1) << 40);
+  ExpectSuccess(this->Filter);
+}
+
+TEST_F(DiscreteGeodesicGraph, AccuracyOutOfRange)
+{
+  const double NaN = std::numeric_limits<double>::quiet_NaN();
+  for (const double accuracy : { 0.0, -0.1, 9e-7, 0.51, 1.0, 1e300, NaN })
+  {
+    this->Filter->SetAccuracy(accuracy);
+    ExpectError(this->Filter, { "ccuracy", "1e-06", "0.5" });
+  }
+  this->Filter->SetAccuracy(0.5);
+  ExpectSuccess(this->Filter);
+  this->Filter->SetInputData(MakeTerrain(5));
+  this->Filter->SetAccuracy(1e-6);
+  ExpectSuccess(this->Filter);
+}
+
+TEST_F(DiscreteGeodesicGraph, NumberOfNeighborsOutOfRange)
+{
+  this->Filter->SetConstructionToSaddleVertexGraph();
+  for (const int number : { 0, -1 })
+  {
+    this->Filter->SetNumberOfNeighbors(number);
+    ExpectError(this->Filter, { "eighbo" });
+  }
+  this->Filter->SetNumberOfNeighbors(1);
+  ExpectSuccess(this->Filter);
+  this->Filter->SetNumberOfNeighbors(1000000); // more than there are
+  this->Filter->SetInputData(MakeTerrain(6));
+  ExpectSuccess(this->Filter);
+}
+
+TEST_F(DiscreteGeodesicGraph, WrongSurfaces)
+{
+  ExpectSuccess(this->Filter);
+  const auto expected = GetGraphBytes(this->Filter->GetOutput());
+  this->Filter->SetInputConnection(nullptr);
+  ExpectError(this->Filter, { "there is no input" });
+  this->Filter->SetInputData(MakeSourcePoints({ { { 0, 0, 0 } }, { { 1, 0, 0 } } }));
+  ExpectError(this->Filter, { "no polygons" });
+  auto broken = MakeTerrain(5);
+  broken->GetPoints()->SetPoint(7, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  this->Filter->SetInputData(broken);
+  ExpectError(this->Filter, { "point 7 of cell", "not finite" });
+  this->Filter->SetInputData(vtkSmartPointer<vtkPolyData>::New());
+  ExpectWarning(this->Filter, { "input is empty" });
+  EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(), 0);
+  ExpectEmptyOutput(this->Filter);
+  this->Filter->SetInputData(this->Terrain);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetGraphBytes(this->Filter->GetOutput()), expected);
+  {
+    const Listener listener(this->Filter);
+    this->Filter->UpdatePiece(0, 2, 0);
+    ASSERT_EQ(listener.Errors.size(), 1u);
+    EXPECT_NE(listener.Errors[0].find("one of 2 pieces"), std::string::npos);
+  }
+}
+
+TEST_F(DiscreteGeodesicGraph, PointsWithoutPolygonsHaveEmptyRows)
+{
+  this->Terrain->GetPoints()->InsertNextPoint(9.0, 9.0, 9.0);
+  this->Terrain->GetPoints()->InsertNextPoint(std::nan(""), 0.0, 0.0);
+  ExpectSuccess(this->Filter);
+  vtkDataArray* offsets = GetFieldArray(this->Filter->GetOutput(), "DGG.Offsets");
+  ASSERT_EQ(offsets->GetNumberOfTuples(), 403);
+  EXPECT_LT(offsets->GetComponent(399, 0), offsets->GetComponent(400, 0));
+  EXPECT_EQ(offsets->GetComponent(400, 0), offsets->GetComponent(402, 0));
+}
+
+TEST_F(DiscreteGeodesicGraph, IsTheSameForAnyThreads)
+{
+  this->Filter->SetInputData(MakeTerrain(45));
+  this->Filter->SetAccuracy(0.02);
+  ExpectSuccess(this->Filter);
+  const auto expected = GetGraphBytes(this->Filter->GetOutput());
+  ForEachThreading([&](const std::string& threading) {
+    vtkNew<vtkDiscreteGeodesicGraph> filter;
+    filter->SetInputData(this->Filter->GetInput());
+    filter->SetAccuracy(0.02);
+    ExpectSuccess(filter);
+    EXPECT_EQ(GetGraphBytes(filter->GetOutput()), expected) << threading;
+  });
+}
+
+TEST_F(DiscreteGeodesicGraph, ProgressAndAbort)
+{
+  this->Filter->SetInputData(MakeTerrain(90));
+  this->Filter->SetAccuracy(0.001);
+  ProgressWatch watch(this->Filter);
+  ExpectSuccess(this->Filter);
+  watch.ExpectGrowth(1);
+  const auto expected = GetGraphBytes(this->Filter->GetOutput());
+  for (const double stop : { 0.05, 0.11 })
+  {
+    watch.StopAt = stop;
+    this->Filter->SetAccuracy(0.0011);
+    ExpectSuccess(this->Filter); // not an error
+    ExpectEmptyOutput(this->Filter);
+    EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(), 0);
+    watch.StopAt = 2.0;
+    this->Filter->SetAccuracy(0.001);
+    ExpectSuccess(this->Filter);
+    EXPECT_EQ(GetGraphBytes(this->Filter->GetOutput()), expected);
+  }
+}
+
+TEST_F(DiscreteGeodesicGraph, PrintSelf)
+{
+  ExpectSuccess(this->Filter);
+  std::ostringstream os;
+  this->Filter->Print(os);
+  for (const char* text : { "Accuracy: 0.05\n", "Construction: Guaranteed\n",
+         "NumberOfNeighbors: 30\n", "MemoryLimit: 0\n", "GenerateGraphLines: Off\n",
+         "NumberOfGraphEdges: ", "MeanDegree: ", "MemorySize: ", "GraphBuildTime: ",
+         "EstimatedMemory: ", "MergeCoincidentPoints: Off\n", "    triangles: 722\n" })
+  {
+    EXPECT_NE(os.str().find(text), std::string::npos) << text << " is missing in:\n" << os.str();
+  }
+}
