@@ -2,21 +2,24 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Exact geodesic distance on a mesh: builds what is needed, prints a table, and writes distance.vtp
-# and distance.png. Missing Debian packages are installed first.
+# Geodesic distances on a mesh within a promised error: builds what is needed, then a graph of the
+# mesh; queries the graph, measures the error against the exact solver, and prints a table of sizes,
+# times and errors. Writes distance.vtp, distance.png (distances with isolines) and error.png (where
+# the errors are). Missing Debian packages are installed first.
 #
-# Usage: Examples/demo.sh [MESH] [--source ID | --source X,Y,Z] [--merge] [--out DIR]
-#   MESH      .ply .obj .stl .vtp .vtk .off (default: the bunny of Debian's glmark2-data)
-#   --source  where distances start: a point id, or coordinates on the surface
-#             (default: the point farthest from the centre of the mesh)
-#   --merge   treat points with equal coordinates as one (texture seams)
-#   --out     folder of the results (default: ./out)
+# Usage: Examples/demo.sh [MESH] [--accuracy E] [--source ID | --source X,Y,Z] [--merge] [--out DIR]
+#   MESH        .ply .obj .stl .vtp .vtk .off (default: the bunny of Debian's glmark2-data)
+#   --accuracy  largest relative error of a distance, 1e-6 to 0.5 (default: 0.01)
+#   --source    where distances start: a point id, or coordinates on the surface
+#               (default: the point farthest from the centre of the mesh)
+#   --merge     treat points with equal coordinates as one (texture seams)
+#   --out       folder of the results (default: ./out)
 
 set -euo pipefail
 
 for argument in "$@"; do
   if [ "$argument" = -h ] || [ "$argument" = --help ]; then
-    sed -n '/^# Exact geodesic/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+    sed -n '/^# Geodesic distances/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
     exit 0
   fi
 done

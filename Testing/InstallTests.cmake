@@ -58,6 +58,12 @@ foreach (extension IN ITEMS off ply)
   set_tests_properties("Install.Pipeline.${extension}" PROPERTIES
     ENVIRONMENT "${dgg_rendering_environment}")
 endforeach ()
+dgg_add_consumer_test(GraphPipeline 0 "from point 3: up to [0-9.]+.*from point 600.*edges, [0-9.]+ per"
+  "${consumer_dir}/GraphPipeline" "mesh.ply" 3 600 "graph.png")
+set_tests_properties("Install.GraphPipeline" PROPERTIES
+  ENVIRONMENT "${dgg_rendering_environment}")
+dgg_add_consumer_test(GraphPipeline.WrongSource 1 "source id 642"
+  "${consumer_dir}/GraphPipeline" "mesh.ply" 0 642 "wrong.png")
 dgg_add_consumer_test(Pipeline.MissingFile 1 "missing.off"
   "${consumer_dir}/ExactDistancePipeline" missing.off 0 missing.png)
 dgg_add_consumer_test(Pipeline.WrongSource 1 "source|point"

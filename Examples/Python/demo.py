@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Exact geodesic distance on a mesh file: a table, distance.vtp and distance.png."""
+"""Geodesic distances on a mesh file within a promised error: builds a graph, queries it, and measures
+the error against the exact solver. Prints a table; writes distance.vtp, distance.png, error.png."""
 
 import argparse
-import math
 import os
 import sys
 import time
@@ -11,13 +11,15 @@ import warnings
 
 import demo_bounds
 import demo_picture
+import demo_source
 import numpy as np
 import vtkdgg
+from demo_errors import Errors
+from demo_solve import Exact, Graph, Query
 from mesh_file import READERS, MeshFileError, read_triangles
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import reference, vtkIdTypeArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
-from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 DEFAULT_MESH = "/usr/share/glmark2/models/bunny.obj"
@@ -50,6 +52,13 @@ def parse(arguments):
         "(default: the point farthest from the centre of the mesh)",
     )
     parser.add_argument(
+        "--accuracy",
+        type=float,
+        default=0.01,
+        metavar="E",
+        help="largest relative error of a distance, 1e-6 to 0.5 (default: %(default)s)",
+    )
+    parser.add_argument(
         "--merge",
         action="store_true",
         help="treat points with equal coordinates as one (texture seams)",
@@ -65,78 +74,6 @@ def parse(arguments):
         else:
             joined.append(argument)
     return parser.parse_args(joined)
-
-
-def parse_source(text, mesh):
-    """A point id (int) or coordinates (list of 3 floats)."""
-    if text is None:
-        return default_source(mesh)
-    try:
-        if "," not in text:
-            source = int(text)
-        else:
-            source = [float(word) for word in text.split(",")]
-            if len(source) != 3 or not all(math.isfinite(x) for x in source):
-                raise ValueError
-    except ValueError:
-        raise UsageError(f"--source {text}: neither a point id nor X,Y,Z") from None
-    count = mesh.GetNumberOfPoints()
-    if isinstance(source, int) and not 0 <= source < count:
-        raise UsageError(f"--source {source}: the mesh has points 0 to {count - 1}")
-    return source
-
-
-def default_source(mesh):
-    """The point of the largest piece that is farthest from the centre: an ear, a foot, a nose."""
-    ids = vtkIdTypeArray()
-    ids.SetName("Id")
-    ids.SetNumberOfValues(mesh.GetNumberOfPoints())
-    vtk_to_numpy(ids)[:] = np.arange(mesh.GetNumberOfPoints())
-    numbered = vtkPolyData()
-    numbered.SetPoints(mesh.GetPoints())
-    numbered.SetPolys(mesh.GetPolys())
-    numbered.GetPointData().AddArray(ids)
-    largest = vtkPolyDataConnectivityFilter()
-    largest.SetInputData(numbered)
-    largest.SetExtractionModeToLargestRegion()
-    piece = vtkdgg.check(largest)
-
-    used = np.unique(vtk_to_numpy(piece.GetPolys().GetConnectivityArray()))
-    used = vtk_to_numpy(piece.GetPointData().GetArray("Id"))[used]
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)[used]
-    offset = points - np.array(mesh.GetCenter())
-    return int(used[np.argmax((offset * offset).sum(axis=1))])
-
-
-def source_location(mesh, source):
-    """Where the source is on the surface, and the corners of the triangle that holds it."""
-    if isinstance(source, int):
-        return np.array(mesh.GetPoint(source)), [source]
-    locator = vtkStaticCellLocator()
-    locator.SetDataSet(mesh)
-    locator.BuildLocator()
-    closest = [0.0, 0.0, 0.0]
-    cell, sub, squared = reference(0), reference(0), reference(0.0)
-    locator.FindClosestPoint(source, closest, cell, sub, squared)
-    ids = mesh.GetCell(cell.get()).GetPointIds()
-    return np.array(closest), [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
-
-
-def make_filter(mesh, source, merge):
-    """The distance filter, ready to update."""
-    distance = vtkdgg.vtkExactGeodesicDistance()
-    distance.SetInputData(mesh)
-    distance.SetMergeCoincidentPoints(merge)
-    if isinstance(source, int):
-        distance.AddSourceId(source)
-    else:
-        points = vtkPoints()
-        points.SetDataTypeToDouble()
-        points.InsertNextPoint(source)
-        place = vtkPolyData()
-        place.SetPoints(points)
-        distance.SetInputData(1, place)
-    return distance
 
 
 def defects(distance):
@@ -174,71 +111,159 @@ def bound_line(bound, name):
     )
 
 
+def percent(value):
+    """An error as text."""
+    return f"{100.0 * value:.2g} %"
+
+
+def error_rows(raw, corrected, accuracy):
+    """The errors beside the promise, as lines of the table."""
+    form = "{:<10} {:<10} {}".format
+    return (
+        ("error", form("mean", "99.9 %", "largest")),
+        ("raw", form(percent(raw.mean), percent(raw.percentile), percent(raw.largest))),
+        (
+            "corrected",
+            form(percent(corrected.mean), percent(corrected.percentile), percent(corrected.largest)),
+        ),
+        ("promised", form("", "", percent(accuracy))),
+    )
+
+
+def graph_rows(graph, query, exact):
+    """What the graph is and costs, as lines of the table."""
+    size = graph.filter.GetMemorySize() / 1e6
+    search = query.filter.GetMemorySize() / 1e6 - size
+    threads = vtkSMPTools.GetEstimatedNumberOfThreads()
+    return (
+        ("build", f"{graph.build_time:.3f} s on {threads} thread{'s' if threads > 1 else ''}"),
+        (
+            "graph",
+            f"degree {graph.filter.GetMeanDegree():.1f}, {graph.filter.GetNumberOfGraphEdges()} "
+            f"edges, {size:.1f} MB ({search:.1f} MB more to search it)",
+        ),
+        (
+            "query",
+            f"{1e3 * query.time:.1f} ms for all distances "
+            f"(the first: {1e3 * query.first_time:.1f} ms)",
+        ),
+        ("exact", f"{1e3 * exact.time:.1f} ms, the solver to compare with"),
+    )
+
+
+def result_mesh(mesh, arrays):
+    """The mesh with these arrays at its points besides its own, coloured by the first."""
+    result = vtkPolyData()
+    result.ShallowCopy(mesh)
+    for name, values in arrays.items():
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        result.GetPointData().AddArray(array)
+    result.GetPointData().SetActiveScalars(next(iter(arrays)))
+    return result
+
+
+def write(folder, mesh, source, query, exact, errors, accuracy):
+    """The data file and both pictures; returns their paths and the step of the isolines."""
+    os.makedirs(folder, exist_ok=True)
+    paths = [os.path.join(folder, name) for name in ("distance.vtp", "distance.png", "error.png")]
+    result = result_mesh(
+        mesh,
+        {
+            "GeodesicDistance": query.distances,
+            "GeodesicUpperBound": query.upper_bound,
+            "ExactDistance": exact.distances,
+            "RelativeError": errors.signed,
+        },
+    )
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(paths[0])
+    writer.SetInputData(result)
+    vtkdgg.check(writer)
+    step = demo_picture.save_distances(paths[1], result, "GeodesicDistance", source)
+    note = (
+        f"promised  {percent(accuracy)}",
+        f"largest  {percent(errors.largest)}",
+        f"mean  {percent(errors.mean)}",
+    )
+    isolines = ("GeodesicDistance", step)
+    demo_picture.save_errors(paths[2], result, "RelativeError", accuracy, isolines, source, note)
+    return paths, step
+
+
 def main(arguments):
     """Run the demo; returns the exit code."""
     options = parse(arguments)
     start = time.perf_counter()
     mesh = read_triangles(options.mesh)
-    source = parse_source(options.source, mesh)
+    source = demo_source.choose(options.source, mesh)
     read_time = time.perf_counter() - start
-    location, corners = source_location(mesh, source)
+    location, corners = demo_source.locate(mesh, source)
 
-    distance = make_filter(mesh, source, options.merge)
-    start = time.perf_counter()
     with warnings.catch_warnings(record=True) as notes:
         warnings.simplefilter("always")
-        output = vtkdgg.check(distance)
-    time_taken = time.perf_counter() - start
-
-    name = distance.GetDistanceArrayName()
-    distances = vtk_to_numpy(output.GetPointData().GetArray(name))
+        graph = Graph(mesh, options.accuracy, options.merge)
+        query = Query(graph, source, options.merge)
+        exact = Exact(mesh, source, options.merge)
+    raw = Errors(query.upper_bound, exact.distances)
+    corrected = Errors(query.distances, exact.distances)
     bounds = demo_bounds.compare(
-        distances,
+        exact.distances,
         demo_bounds.upper_bound(mesh, location, corners),
         demo_bounds.lower_bound(mesh, location),
     )
-
-    os.makedirs(options.out, exist_ok=True)
-    data_path = os.path.join(options.out, "distance.vtp")
-    picture_path = os.path.join(options.out, "distance.png")
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(data_path)
-    writer.SetInputData(output)
-    vtkdgg.check(writer)
-    step = demo_picture.save(picture_path, output, name, location)
+    paths, step = write(
+        options.out, mesh, location, query, exact, corrected, options.accuracy
+    )
 
     place = ", ".join(f"{x:.6g}" for x in location)
     which = f"point {source} at " if isinstance(source, int) else ""
-    reached = np.isfinite(distances)
+    reached = np.isfinite(query.distances)
     rows = (
         ("mesh", options.mesh),
         ("vertices", mesh.GetNumberOfPoints()),
         ("triangles", mesh.GetNumberOfPolys()),
-        ("topology", topology(distance)),
-        ("defects", defects(distance)),
+        ("topology", topology(query.filter)),
+        ("defects", defects(query.filter)),
+        ("reading", f"{read_time:.3f} s"),
         ("source", f"{which}({place})"),
-        ("time", f"{time_taken:.3f} s for all distances (reading: {read_time:.3f} s)"),
-        ("range", f"0 to {np.nanmax(np.append(distances, 0.0)):.6g} model units"),
+        *graph_rows(graph, query, exact),
+        *error_rows(raw, corrected, options.accuracy),
         ("reached", f"{reached.sum()} of {reached.size} vertices"),
+        ("range", f"0 to {np.nanmax(np.append(query.distances, 0.0)):.6g} model units"),
         ("upper bound", bound_line(bounds["upper"], "edge graph")),
         ("lower bound", bound_line(bounds["lower"], "Euclid")),
         ("isolines", f"every {step:g} model units"),
-        ("written", f"{data_path}, {picture_path}"),
+        ("written", ", ".join(paths)),
     )
     for key, value in rows:
         print(f"{key:<12} {value}")
-    for note in notes:
-        print(f"{'note':<12} {str(note.message).split(': ', 1)[-1]}")
+    # Each filter reads the mesh, and says the same of it.
+    for note in dict.fromkeys(str(note.message).split(": ", 1)[-1] for note in notes):
+        print(f"{'note':<12} {note}")
+    return verdict(raw, corrected, options.accuracy, bounds)
+
+
+def verdict(raw, corrected, accuracy, bounds):
+    """The exit code: 1, with the reason, when a promise is broken."""
     broken = bounds["upper"]["violations"] + bounds["lower"]["violations"]
     if broken:
-        print(f"error: {broken} distances break a bound", file=sys.stderr)
-        return 1
-    return 0
+        print(f"error: {broken} exact distances break a bound", file=sys.stderr)
+    kept = raw.keeps(accuracy) and corrected.keeps(accuracy) and raw.is_upper_bound
+    if not kept:
+        print("error: an error is larger than promised", file=sys.stderr)
+    return 0 if kept and not broken else 1
 
 
 if __name__ == "__main__":
     try:
         sys.exit(main(sys.argv[1:]))
-    except (UsageError, MeshFileError, vtkdgg.VTKError, OSError) as problem:
+    except (
+        UsageError,
+        demo_source.SourceError,
+        MeshFileError,
+        vtkdgg.VTKError,
+        OSError,
+    ) as problem:
         print(f"error: {' '.join(str(problem).split())}", file=sys.stderr)
         sys.exit(2)

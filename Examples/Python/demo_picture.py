@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The picture of the demo: a surface coloured by distance, with isolines, source and scalar bar."""
+"""The pictures of the demo: a surface coloured by distance or by error, with isolines of distance,
+the source, and a scalar bar."""
 
 import math
 
@@ -9,7 +10,11 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.util.numpy_support import (
+    numpy_to_vtk,
+    numpy_to_vtkIdTypeArray,
+    vtk_to_numpy,
+)
 from vtkmodules.vtkCommonCore import reference, vtkDoubleArray, vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import (
@@ -27,12 +32,13 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
+    vtkTextActor,
     vtkWindowToImageFilter,
 )
 
 SIZE = (1600, 1200)
 # From near to far; light enough at the far end for dark lines to be seen.
-COLOURS = (
+DISTANCE_COLOURS = (
     (0.993, 0.906, 0.144),
     (0.565, 0.843, 0.263),
     (0.208, 0.718, 0.473),
@@ -40,6 +46,15 @@ COLOURS = (
     (0.250, 0.450, 0.700),
     (0.370, 0.330, 0.680),
     (0.480, 0.220, 0.600),
+)
+# From negligible to as large as promised.
+ERROR_COLOURS = (
+    (0.955, 0.955, 0.935),
+    (0.985, 0.870, 0.600),
+    (0.960, 0.620, 0.360),
+    (0.840, 0.300, 0.310),
+    (0.580, 0.100, 0.400),
+    (0.270, 0.030, 0.330),
 )
 GREY = (0.72, 0.72, 0.72)
 INK = (0.12, 0.12, 0.14)
@@ -54,23 +69,54 @@ def nice_step(span, wanted=20):
     return min(steps, key=lambda step: abs(math.log(span / step / wanted)))
 
 
-def save(path, mesh, array_name, source, unit="model units"):
+def save_distances(path, mesh, array_name, source, unit="model units"):
     """Render the mesh with its distances and write the PNG; returns the step of the isolines."""
     distances = vtk_to_numpy(mesh.GetPointData().GetArray(array_name))
     finite = distances[np.isfinite(distances)]
     high = float(finite.max()) if finite.size and finite.max() > 0 else 1.0
     step = nice_step(high)
-    table = _lookup_table(high)
-    size = mesh.GetLength()
+    table = _lookup_table(DISTANCE_COLOURS, 0.0, high)
+    labels = _labels(0.0, high)
+    bar = _scalar_bar(table, f"Geodesic distance\n({unit})", labels, "%-.6g")
+    props = [_surface(mesh, array_name, table), _isolines(mesh, array_name, step, 0.0011), bar]
+    _save(path, mesh, source, props)
+    return step
 
+
+def save_errors(path, mesh, array_name, promised, isolines, source, note):
+    """Render the mesh with the sizes of its relative errors and write the PNG.
+
+    The colours span three powers of ten up to what is promised; `isolines` are the name of the array
+    of distances and the step, `note` lines below the scalar bar.
+    """
+    name = "Size of " + array_name
+    sized = vtkPolyData()
+    sized.ShallowCopy(mesh)
+    sizes = numpy_to_vtk(
+        100.0 * np.abs(vtk_to_numpy(mesh.GetPointData().GetArray(array_name))), deep=True
+    )
+    sizes.SetName(name)
+    sized.GetPointData().AddArray(sizes)
+    labels = [100.0 * promised * 10.0**power for power in range(-3, 1)]
+    table = _lookup_table(ERROR_COLOURS, labels[0], labels[-1])
+    table.SetScaleToLog10()
+    props = [
+        _surface(sized, name, table, shine=0.0),
+        _isolines(mesh, *isolines, 0.0006),
+        _scalar_bar(table, "Relative error\n(%)", labels, "%-.4g"),
+        *_note(note),
+    ]
+    _save(path, mesh, source, props)
+
+
+def _save(path, mesh, source, props):
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
     renderer.SetBackground2(0.86, 0.89, 0.93)
     renderer.GradientBackgroundOn()
-    renderer.AddActor(_surface(mesh, array_name, table, high))
-    renderer.AddActor(_isolines(mesh, array_name, step, high, size))
-    renderer.AddActor(_marker(source, size))
-    renderer.AddViewProp(_scalar_bar(table, high, unit))
+    for prop in props:
+        renderer.AddViewProp(prop)
+    renderer.AddActor(_marker(source, mesh.GetLength()))
     _light(renderer)
     _aim(renderer, mesh, source)
 
@@ -87,22 +133,21 @@ def save(path, mesh, array_name, source, unit="model units"):
     writer.SetFileName(path)
     writer.SetInputConnection(grabber.GetOutputPort())
     vtkdgg.check(writer)
-    return step
 
 
-def _lookup_table(high):
+def _lookup_table(colours, low, high):
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
-    place = np.linspace(0.0, 1.0, len(COLOURS))
-    channels = np.array(COLOURS).T
+    place = np.linspace(0.0, 1.0, len(colours))
+    channels = np.array(colours).T
     for i in range(256):
         table.SetTableValue(i, *(float(np.interp(i / 255.0, place, c)) for c in channels), 1.0)
-    table.SetRange(0.0, high)
+    table.SetRange(low, high)
     table.SetNanColor(*GREY, 1.0)
     return table
 
 
-def _surface(mesh, array_name, table, high):
+def _surface(mesh, array_name, table, shine=0.12):
     # Normals are for shading only; sharp edges stay sharp.
     normals = vtkPolyDataNormals()
     normals.SetInputData(mesh)
@@ -113,21 +158,23 @@ def _surface(mesh, array_name, table, high):
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray(array_name)
     mapper.SetLookupTable(table)
-    mapper.SetScalarRange(0.0, high)
+    mapper.SetScalarRange(*table.GetRange())
     mapper.InterpolateScalarsBeforeMappingOn()
     actor = vtkActor()
     actor.SetMapper(mapper)
-    shine = actor.GetProperty()
-    shine.SetInterpolationToPhong()
-    shine.SetAmbient(0.10)
-    shine.SetDiffuse(0.90)
-    shine.SetSpecular(0.12)
-    shine.SetSpecularPower(25.0)
+    look = actor.GetProperty()
+    look.SetInterpolationToPhong()
+    look.SetAmbient(0.10)
+    look.SetDiffuse(0.90 if shine else 0.74)
+    look.SetSpecular(shine)
+    look.SetSpecularPower(25.0)
     return actor
 
 
-def _isolines(mesh, array_name, step, high, size):
+def _isolines(mesh, array_name, step, radius):
+    """Lines at multiples of a distance; the radius is a fraction of the size of the mesh."""
     reached = _reached_part(mesh, array_name)
+    high = np.nanmax(np.append(vtk_to_numpy(mesh.GetPointData().GetArray(array_name)), 0.0))
     contour = vtkContourFilter()
     contour.SetInputData(reached)
     contour.SetInputArrayToProcess(0, 0, 0, 0, array_name)
@@ -137,7 +184,7 @@ def _isolines(mesh, array_name, step, high, size):
     stripper.SetInputConnection(contour.GetOutputPort())
     tube = vtkTubeFilter()
     tube.SetInputConnection(stripper.GetOutputPort())
-    tube.SetRadius(0.0011 * size)
+    tube.SetRadius(radius * mesh.GetLength())
     tube.SetNumberOfSides(8)
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(tube.GetOutputPort())
@@ -182,17 +229,22 @@ def _marker(source, size):
     return actor
 
 
-def _scalar_bar(table, high, unit):
+def _labels(low, high):
+    step = nice_step(high - low, wanted=6)
+    slack = 1e-9 * (high - low) / step
+    return [i * step for i in range(math.ceil(low / step - slack), int(high / step + slack) + 1)]
+
+
+def _scalar_bar(table, title, values, form):
     bar = vtkScalarBarActor()
     bar.SetLookupTable(table)
-    bar.SetTitle(f"Geodesic distance\n({unit})")
+    bar.SetTitle(title)
     labels = vtkDoubleArray()
-    label_step = nice_step(high, wanted=6)
-    for i in range(int(high / label_step * (1 + 1e-9)) + 1):
-        labels.InsertNextValue(i * label_step)
+    for value in values:
+        labels.InsertNextValue(value)
     bar.SetCustomLabels(labels)
     bar.UseCustomLabelsOn()
-    bar.SetLabelFormat("%-.6g")
+    bar.SetLabelFormat(form)
     bar.UnconstrainedFontSizeOn()
     bar.SetTextPad(6)
     bar.SetVerticalTitleSeparation(24)
@@ -200,14 +252,29 @@ def _scalar_bar(table, high, unit):
     bar.GetPositionCoordinate().SetValue(0.84, 0.18)
     bar.SetWidth(0.14)
     bar.SetHeight(0.66)
-    for text, size in ((bar.GetTitleTextProperty(), 28), (bar.GetLabelTextProperty(), 26)):
-        text.SetColor(*INK)
-        text.SetFontSize(size)
-        text.ItalicOff()
-        text.ShadowOff()
-        text.BoldOff()
-        text.SetFontFamilyToArial()
+    _style(bar.GetTitleTextProperty(), 28)
+    _style(bar.GetLabelTextProperty(), 26)
     return bar
+
+
+def _note(lines):
+    """Text below the scalar bar, one actor per line."""
+    for i, line in enumerate(lines):
+        text = vtkTextActor()
+        text.SetInput(line)
+        text.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+        text.SetPosition(0.815, 0.12 - 0.032 * i)
+        _style(text.GetTextProperty(), 24)
+        yield text
+
+
+def _style(text, size):
+    text.SetColor(*INK)
+    text.SetFontSize(size)
+    text.ItalicOff()
+    text.ShadowOff()
+    text.BoldOff()
+    text.SetFontFamilyToArial()
 
 
 def _light(renderer):

@@ -74,10 +74,10 @@ BenchmarkMesh::BenchmarkMesh(const MeshRecipe& recipe)
   this->Error = status.GetMessage();
 }
 
-dgg::Id BenchmarkMesh::GetSource(int k) const
+dgg::Id BenchmarkMesh::GetSource(int k, int numberOfSources) const
 {
   const dgg::Id count = this->Surface.GetNumberOfVertices();
-  dgg::Id source = static_cast<dgg::Id>(static_cast<dgg::Offset>(count) * k / NumberOfSources);
+  dgg::Id source = static_cast<dgg::Id>(static_cast<dgg::Offset>(count) * k / numberOfSources);
   while (this->Surface.Kind(source) == dgg::VertexKind::Isolated)
   {
     source = (source + 1) % count;
@@ -103,6 +103,17 @@ void BenchmarkMesh::SetExactDistances(dgg::Id source, std::vector<double> distan
   this->ExactDistances[source] = std::move(distances);
 }
 
+MeasuredGraph& BenchmarkMesh::GetGraph(const GraphRecipe& recipe)
+{
+  if (!this->Graph || this->GraphName != recipe.Name)
+  {
+    this->Graph.reset(); // before the next one needs the memory
+    this->Graph = std::make_unique<MeasuredGraph>(this->Surface, recipe.Options);
+    this->GraphName = recipe.Name;
+  }
+  return *this->Graph;
+}
+
 PeerVTK& BenchmarkMesh::GetPeerVTK()
 {
   if (!this->VTK)
@@ -120,6 +131,19 @@ PeerCGAL& BenchmarkMesh::GetPeerCGAL()
     this->CGAL = std::make_unique<PeerCGAL>(this->Arrays);
   }
   return *this->CGAL;
+}
+#endif
+
+#ifdef DGG_WITH_HEAT
+PeerHeat& BenchmarkMesh::GetPeerHeat(PeerHeat::Triangulation triangulation)
+{
+  if (!this->Heat || this->HeatTriangulation != triangulation)
+  {
+    this->Heat.reset(); // before the next one needs the memory
+    this->Heat = std::make_unique<PeerHeat>(this->Arrays, triangulation);
+    this->HeatTriangulation = triangulation;
+  }
+  return *this->Heat;
 }
 #endif
 

@@ -5,10 +5,14 @@
 #ifndef BenchmarkMesh_h
 #define BenchmarkMesh_h
 
-#include "MeshArrays.h" // for MeshArrays
-#include "PeerVTK.h"    // for PeerVTK
+#include "MeasuredGraph.h" // for MeasuredGraph
+#include "MeshArrays.h"    // for MeshArrays
+#include "PeerVTK.h"       // for PeerVTK
 #ifdef DGG_WITH_CGAL
 #include "PeerCGAL.h" // for PeerCGAL
+#endif
+#ifdef DGG_WITH_HEAT
+#include "PeerHeat.h" // for PeerHeat
 #endif
 
 #include "dggSurfaceMesh.h" // for SurfaceMesh
@@ -34,11 +38,17 @@ struct MeshRecipe
   vtkSmartPointer<vtkPolyData> Make() const;
 };
 
+/// Which graph of which mesh.
+struct GraphRecipe
+{
+  MeshRecipe Mesh;
+  std::string Name; ///< tells the graphs of one mesh apart
+  dgg::GraphOptions Options;
+};
+
 class BenchmarkMesh
 {
 public:
-  static constexpr int NumberOfSources = 5;
-
   explicit BenchmarkMesh(const MeshRecipe& recipe);
 
   /// Why the mesh cannot be used; empty when it can.
@@ -49,16 +59,24 @@ public:
   {
     return static_cast<double>(this->Arrays.GetNumberOfVertices());
   }
-  /// The k-th of the fixed sources: vertex n k / 5, or the next one that has a face.
-  dgg::Id GetSource(int k) const;
+  /// The k-th of so many fixed sources: vertex n k / numberOfSources, or the next one that has a
+  /// face.
+  dgg::Id GetSource(int k, int numberOfSources) const;
   /// Our exact distances from a vertex, computed once.
   const std::vector<double>& GetExactDistances(dgg::Id source);
   /// Give them when they are known, to save that run.
   void SetExactDistances(dgg::Id source, std::vector<double> distances);
 
+  /// A graph of the mesh. Only the last one is kept.
+  MeasuredGraph& GetGraph(const GraphRecipe& recipe);
+
   PeerVTK& GetPeerVTK();
 #ifdef DGG_WITH_CGAL
   PeerCGAL& GetPeerCGAL();
+#endif
+#ifdef DGG_WITH_HEAT
+  /// Only the last one is kept.
+  PeerHeat& GetPeerHeat(PeerHeat::Triangulation triangulation);
 #endif
 
 private:
@@ -67,9 +85,15 @@ private:
   MeshArrays Arrays;
   dgg::SurfaceMesh Surface;
   std::map<dgg::Id, std::vector<double>> ExactDistances;
+  std::unique_ptr<MeasuredGraph> Graph;
+  std::string GraphName;
   std::unique_ptr<PeerVTK> VTK;
 #ifdef DGG_WITH_CGAL
   std::unique_ptr<PeerCGAL> CGAL;
+#endif
+#ifdef DGG_WITH_HEAT
+  std::unique_ptr<PeerHeat> Heat;
+  PeerHeat::Triangulation HeatTriangulation = PeerHeat::Triangulation::Direct;
 #endif
 };
 

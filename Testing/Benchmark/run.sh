@@ -2,14 +2,21 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Build the benchmark program, run it beside the peers, and make a table of it. Missing Debian
+# Build the benchmark programs, run one beside the peers, and make tables of it. Missing Debian
 # packages are installed first.
 #
-# Usage: Testing/Benchmark/run.sh [--out DIR] [MESH...] [OPTIONS OF BenchmarkExact]
-#   --out DIR  where exact.json and exact.md go (default: out/benchmark in the source tree)
+# Usage: Testing/Benchmark/run.sh [exact] [--out DIR] [MESH...] [OPTIONS OF BenchmarkExact]
+#        Testing/Benchmark/run.sh graph [--out DIR] [--readme] [MESH...] [OPTIONS OF BenchmarkGraph]
+#   exact     the exact solver: writes exact.json and exact.md
+#   graph     graphs of all rules and accuracies, and queries of them: writes graph.json, graph.md
+#             and error_against_degree.png (needs matplotlib)
+#   --out     folder of the results (default: out/benchmark in the source tree)
+#   --readme  put the tables and the plot into README.md and Examples/Images as well
 # For example:
 #   Testing/Benchmark/run.sh
 #   Testing/Benchmark/run.sh scan.ply --growth=none --benchmark_filter=/T/
+#   Testing/Benchmark/run.sh graph --readme
+#   Testing/Benchmark/run.sh graph scan.ply --rules=Guaranteed,SVG --accuracies=0.02 --many=0
 
 set -euo pipefail
 
@@ -20,7 +27,14 @@ fi
 
 source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 
+here="$DGG_ROOT/Testing/Benchmark"
+mode=exact
+if [ "${1:-}" = exact ] || [ "${1:-}" = graph ]; then
+  mode="$1"
+  shift
+fi
 out="$DGG_ROOT/out/benchmark"
+readme=
 arguments=()
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -29,6 +43,11 @@ while [ $# -gt 0 ]; do
       out="$2"
       shift 2
       ;;
+    --readme)
+      [ "$mode" = graph ] || dgg_fail "--readme is for the mode graph"
+      readme=yes
+      shift
+      ;;
     *)
       arguments+=("$1")
       shift
@@ -36,7 +55,35 @@ while [ $# -gt 0 ]; do
   esac
 done
 
-dgg_install "${DGG_PACKAGES[@]}" libbenchmark-dev libcgal-dev glmark2-data
+# measure PROGRAM RESULT: run a program with the remaining arguments.
+measure() {
+  "$build/bin/$1" --benchmark_out="$2" --benchmark_out_format=json \
+    ${arguments[@]+"${arguments[@]}"}
+  echo
+}
+
+measure_exact() {
+  measure BenchmarkExact "$out/exact.json"
+  "$python" "$here/summarize.py" "$out/exact.json" "$out/exact.md"
+  echo "Written: $out/exact.json and $out/exact.md"
+}
+
+measure_graph() {
+  local plot="$out/error_against_degree.png"
+  measure BenchmarkGraph "$out/graph.json"
+  "$python" "$here/summarize_graph.py" "$out/graph.json" "$out/graph.md"
+  "$python" "$here/plot_graph.py" "$out/graph.json" "$plot"
+  echo "Written: $out/graph.json, $out/graph.md and $plot"
+  if [ -n "$readme" ]; then
+    cp "$plot" "$DGG_ROOT/Examples/Images/error_against_degree.png"
+    "$python" "$here/insert_table.py" "$DGG_ROOT/README.md" graph "$out/graph.md"
+    echo "Written: README.md and Examples/Images/error_against_degree.png"
+  fi
+}
+
+packages=("${DGG_PACKAGES[@]}" libbenchmark-dev libcgal-dev libeigen3-dev glmark2-data)
+[ "$mode" = graph ] && packages+=(python3-matplotlib)
+dgg_install "${packages[@]}"
 
 build="$DGG_ROOT/build/benchmark"
 dgg_build "$build" \
@@ -45,10 +92,7 @@ dgg_build "$build" \
   -DDGG_WITH_PYTHON=OFF \
   -DDGG_BUILD_BENCHMARKS=ON
 
+# The Python that apt's packages are for, if there is one.
+python="$(command -v /usr/bin/python3 || command -v python3)"
 mkdir -p "$out"
-"$build/bin/BenchmarkExact" \
-  --benchmark_out="$out/exact.json" --benchmark_out_format=json \
-  ${arguments[@]+"${arguments[@]}"}
-echo
-python3 "$(dirname "${BASH_SOURCE[0]}")/summarize.py" "$out/exact.json" "$out/exact.md"
-echo "Written: $out/exact.json and $out/exact.md"
+"measure_$mode"

@@ -16,6 +16,17 @@ if vtkdgg.__version__ != VERSION:
 FAR = vtkdgg.distance([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]], 1)[2]
 if FAR != 5.0:
     sys.exit(f"distance is {FAR}, not 5")
-for name in ("vtkExactGeodesicDistance", "vtkGeodesicDistanceAlgorithm", "vtkDGGOFFReader"):
+FAR = vtkdgg.Graph([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).distance(1)[2]
+if not abs(FAR - 5.0) < 1e-6:
+    sys.exit(f"distance in the graph is {FAR}, not 5")
+for name in (
+    "vtkDGGDistance",
+    "vtkDGGOFFReader",
+    "vtkDiscreteGeodesicGraph",
+    "vtkExactGeodesicDistance",
+    "vtkGeodesicAlgorithm",
+    "vtkGeodesicDistanceAlgorithm",
+    "vtkGeodesicDistanceMatrix",
+):
     if not hasattr(vtkdgg, name):
         sys.exit(f"{name} is missing")

@@ -10,6 +10,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkImagingCore import vtkImageDifference
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader
 
 TESTING = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ROOT = os.path.dirname(TESTING)
@@ -52,6 +53,16 @@ def polydata(points, triangles):
     )
     mesh.SetPolys(cells)
     return mesh
+
+
+def bumpy():
+    """Points and triangles of a bumpy sphere, from its file."""
+    reader = vtkPLYReader()
+    reader.SetFileName(os.path.join(DATA, "bumpy.ply"))
+    reader.Update()
+    mesh = reader.GetOutput()
+    points = np.array(vtk_to_numpy(mesh.GetPoints().GetData()), dtype=float)
+    return points, np.array(vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())).reshape(-1, 3)
 
 
 def point_array(mesh, name):

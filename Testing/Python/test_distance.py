@@ -82,6 +82,18 @@ class Distance(unittest.TestCase):
         unlimited = vtkdgg.distance(self.points, self.triangles, 0, maximum_distance=np.inf)
         self.check_equal(unlimited, expected)
 
+    def test_accuracy(self):
+        expected = self.straight(self.points[3], self.points[30])
+        sources = self.points[[3, 30]]
+        errors = []
+        for accuracy in (0.3, 0.001):
+            distances = vtkdgg.distance(self.points, self.triangles, sources, accuracy=accuracy)
+            self.assertEqual(distances.dtype, np.float64)
+            np.testing.assert_array_less(np.abs(distances - expected), accuracy * expected + 1e-6)
+            errors.append(np.abs(distances - expected).max())
+        # Had they been computed exactly, there would be none.
+        self.assertGreater(max(errors), 1e-9)
+
     def test_unreached(self):
         points = np.vstack([self.points, [[9.0, 9.0, 9.0]]])
         distances = vtkdgg.distance(points, self.triangles, 0, unreached=-1.0)
@@ -147,6 +159,23 @@ class WrongInput(unittest.TestCase):
     def test_maximum_distance(self):
         for value in (-1.0, np.nan):
             self.refuses("maximum_distance", maximum_distance=value)
+
+        self.refuses("maximum_distance: a number is wanted", maximum_distance="far")
+
+    def test_accuracy(self):
+        self.refuses("accuracy: a number is wanted, not 'high'", accuracy="high")
+        for accuracy in (0.0, -0.1, 0.6, np.nan):
+            with self.subTest(accuracy=accuracy), self.assertRaisesRegex(vtkdgg.VTKError, "0.5"):
+                vtkdgg.distance(self.points, self.triangles, 0, accuracy=accuracy)
+
+    def test_masked_entries(self):
+        masked = np.ma.masked_equal
+        self.refuses("points: has masked entries", masked(self.points, 2.0))
+        self.refuses("triangles: has masked entries", triangles=masked(self.triangles, 1))
+        self.refuses("sources: has masked entries", sources=masked(np.arange(3), 1))
+        # Nothing is hidden here.
+        distances = vtkdgg.distance(self.points, self.triangles, np.ma.array([0, 1]))
+        self.assertEqual(distances[1], 0.0)
 
     def test_far_from_the_surface(self):
         with self.assertRaisesRegex(vtkdgg.VTKError, "source point 0"):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The demo, the examples, and the code in the README."""
 
+import importlib.util
 import os
 import re
 import shutil
@@ -34,6 +35,15 @@ def run(script, *arguments, cwd=None):
     )
 
 
+def example(name):
+    """A module of the examples."""
+    path = os.path.join(PYTHON_EXAMPLES, f"{name}.py")
+    specification = importlib.util.spec_from_file_location(name, path)
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    return module
+
+
 def table(result):
     """The table that the demo prints."""
     return dict(line.split(None, 1) for line in result.stdout.splitlines() if " " in line)
@@ -47,21 +57,39 @@ def number_of_colours(path):
 
 class Demo(unittest.TestCase):
     def demo(self, name, *arguments):
+        """The finished program and the arrays that it wrote."""
         folder = support.output_folder(os.path.join("demo", name))
         shutil.rmtree(folder)
         result = run("demo.py", *arguments, "--out", folder)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        picture = os.path.join(folder, "distance.png")
-        self.assertEqual(support.read_image(picture).GetDimensions(), (1600, 1200, 1))
-        self.assertGreater(number_of_colours(picture), 1000)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        for file, colours in (("distance.png", 1000), ("error.png", 500)):
+            picture = os.path.join(folder, file)
+            self.assertEqual(support.read_image(picture).GetDimensions(), (1600, 1200, 1))
+            self.assertGreater(number_of_colours(picture), colours)
         reader = vtkXMLPolyDataReader()
         reader.SetFileName(os.path.join(folder, "distance.vtp"))
-        distances = support.point_array(vtkdgg.check(reader), "GeodesicDistance")
-        return result, distances
+        output = vtkdgg.check(reader)
+        names = ("GeodesicDistance", "GeodesicUpperBound", "ExactDistance", "RelativeError")
+        return result, {name: support.point_array(output, name) for name in names}
+
+    def check_errors(self, result, arrays, accuracy):
+        """The errors in the table are those of the arrays, and within what is promised."""
+        rows = table(result)
+        exact = arrays["ExactDistance"]
+        compared = exact > 0.0
+        for row, name in (("raw", "GeodesicUpperBound"), ("corrected", "GeodesicDistance")):
+            error = np.abs(arrays[name] - exact)[compared] / exact[compared]
+            self.assertLessEqual(error.max(), accuracy * (1.0 + 1e-6))
+            printed = [float(text) for text in rows[row].split()[0::2]]
+            measured = (error.mean(), np.percentile(error, 99.9), error.max())
+            np.testing.assert_allclose(printed, 100.0 * np.array(measured), rtol=0.06, atol=1e-12)
+        self.assertTrue((arrays["GeodesicUpperBound"] >= exact * (1.0 - 1e-9))[compared].all())
+        self.assertIn(f"{100.0 * accuracy:.2g} %", rows["promised"])
 
     def test_results(self):
-        result, distances = self.demo("bumpy", BUMPY, "--source", 5)
+        result, arrays = self.demo("bumpy", BUMPY, "--source", 5)
         rows = table(result)
+        distances = arrays["GeodesicDistance"]
         self.assertEqual(rows["vertices"], "642")
         self.assertEqual(rows["triangles"], "1280")
         self.assertEqual(rows["defects"], "none")
@@ -70,15 +98,43 @@ class Demo(unittest.TestCase):
         self.assertEqual(distances.shape, (642,))
         self.assertEqual(distances[5], 0.0)
         self.assertIn(f"0 to {distances.max():.6g} model units", rows["range"])
+        self.check_errors(result, arrays, 0.01)
+        self.assertGreater(np.abs(arrays["RelativeError"]).max(), 1e-6)
+        for row, pattern in (
+            ("build", r"\A\d+\.\d+ s on \d+ threads?\Z"),
+            ("graph", r"\Adegree \d+\.\d, \d+ edges, \d+\.\d MB"),
+            ("query", r"\A\d+\.\d ms "),
+        ):
+            self.assertRegex(rows[row], pattern)
+
+    def test_accuracy(self):
+        degrees = []
+        for accuracy in (0.1, 0.001):
+            result, arrays = self.demo(f"accuracy{accuracy}", BUMPY, "--accuracy", accuracy)
+            self.check_errors(result, arrays, accuracy)
+            degrees.append(float(table(result)["graph"].split()[1].rstrip(",")))
+        self.assertGreater(degrees[1], 2.0 * degrees[0])
 
     def test_source_by_coordinates(self):
         # On an edge of the tetrahedron, with a minus sign first.
-        result, distances = self.demo("coordinates", TETRAHEDRON, "--source", "-1,0,0")
-        np.testing.assert_allclose(
-            np.sort(distances), np.sqrt([2.0, 2.0, 6.0, 6.0]), rtol=1e-12
-        )
+        result, arrays = self.demo("coordinates", TETRAHEDRON, "--source", "-1,0,0")
+        expected = np.sqrt([2.0, 2.0, 6.0, 6.0])
+        np.testing.assert_allclose(np.sort(arrays["ExactDistance"]), expected, rtol=1e-12)
+        np.testing.assert_allclose(np.sort(arrays["GeodesicDistance"]), expected, rtol=0.01)
         self.assertIn("(-1, 0, 0)", table(result)["source"])
         self.assertEqual(result.stdout.count(" 0 violations"), 2)
+
+    def test_broken_promise(self):
+        # What the table's last line of defence says of distances that are off.
+        errors = example("demo_errors").Errors
+        exact = np.array([0.0, 1.0, 2.0, np.nan])
+        self.assertTrue(errors(exact * 1.01, exact).keeps(0.01))
+        self.assertFalse(errors(exact * 1.02, exact).keeps(0.01))
+        self.assertFalse(errors(exact * 0.98, exact).keeps(0.01))
+        self.assertFalse(errors(exact * 0.999, exact).is_upper_bound)
+        self.assertTrue(errors(exact * 1.001, exact).is_upper_bound)
+        self.assertFalse(errors(np.array([0.0, 1.0, np.nan, np.nan]), exact).keeps(0.5))
+        self.assertFalse(errors(np.array([0.1, 1.0, 2.0, np.nan]), exact).keeps(0.5))
 
     def test_every_format(self):
         folder = support.output_folder("formats")
@@ -97,8 +153,8 @@ class Demo(unittest.TestCase):
                 writer.SetFileName(path)
                 writer.SetInputConnection(triangulate.GetOutputPort())
                 writer.Write()
-                _, distances = self.demo(extension, path)
-                self.assertEqual(distances.shape, (642,))
+                _, arrays = self.demo(extension, path)
+                self.assertEqual(arrays["GeodesicDistance"].shape, (642,))
 
     def test_unreached_points(self):
         # Two triangles without a common point.
@@ -110,9 +166,10 @@ class Demo(unittest.TestCase):
         writer.SetFileName(path)
         writer.SetInputData(mesh)
         writer.Write()
-        result, distances = self.demo("two", path, "--source", 0)
+        result, arrays = self.demo("two", path, "--source", 0)
         self.assertEqual(table(result)["reached"], "4 of 8 vertices")
-        self.assertEqual(np.isnan(distances).sum(), 4)
+        for values in arrays.values():
+            self.assertEqual(np.isnan(values).sum(), 4)
 
     def test_seams(self):
         # Two squares along a common side whose points exist twice.
@@ -124,11 +181,12 @@ class Demo(unittest.TestCase):
         writer.SetFileName(path)
         writer.SetInputData(mesh)
         writer.Write()
-        result, distances = self.demo("seam", path, "--source", 0)
-        self.assertEqual(np.isnan(distances).sum(), 4)
-        self.assertIn("MergeCoincidentPoints", result.stdout)
-        result, distances = self.demo("merged", path, "--source", 0, "--merge")
-        np.testing.assert_allclose(distances[7], np.sqrt(5.0), rtol=1e-12)
+        result, arrays = self.demo("seam", path, "--source", 0)
+        self.assertEqual(np.isnan(arrays["GeodesicDistance"]).sum(), 4)
+        self.assertEqual(result.stdout.count("MergeCoincidentPoints"), 1)
+        result, arrays = self.demo("merged", path, "--source", 0, "--merge")
+        np.testing.assert_allclose(arrays["GeodesicDistance"][7], np.sqrt(5.0), rtol=0.01)
+        np.testing.assert_allclose(arrays["ExactDistance"][7], np.sqrt(5.0), rtol=1e-12)
 
     def test_mistakes(self):
         text = os.path.join(support.output_folder("formats"), "empty.off")
@@ -149,6 +207,10 @@ class Demo(unittest.TestCase):
             ((TETRAHEDRON, "--source", "nan,0,0"), "neither a point id nor X,Y,Z"),
             ((TETRAHEDRON, "--source", "9,9,9"), "ProjectionTolerance"),
             ((TETRAHEDRON, "--colour", "red"), "unrecognized arguments"),
+            ((TETRAHEDRON, "--accuracy", "fine"), "--accuracy: invalid float value"),
+            ((TETRAHEDRON, "--accuracy", "0"), "1e-0?6"),
+            ((TETRAHEDRON, "--accuracy", "0.6"), "0.5"),
+            ((TETRAHEDRON, "--accuracy", "nan"), "0.5"),
         ):
             with self.subTest(arguments=arguments):
                 result = run("demo.py", *arguments)
@@ -160,7 +222,7 @@ class Demo(unittest.TestCase):
     def test_help(self):
         result = run("demo.py", "--help")
         self.assertEqual(result.returncode, 0)
-        for word in ("--source", "--out", "--merge", ".off"):
+        for word in ("--source", "--accuracy", "--out", "--merge", ".off"):
             self.assertIn(word, result.stdout)
 
 
@@ -178,6 +240,42 @@ class Pipeline(unittest.TestCase):
                 result = run("exact_distance_pipeline.py", *arguments)
                 self.assertEqual(result.returncode, 1)
                 self.assertNotIn("Traceback", result.stderr)
+
+
+class Graph(unittest.TestCase):
+    def test_two_queries(self):
+        picture = os.path.join(support.output_folder("pipeline"), "graph.png")
+        result = run("graph_pipeline.py", BUMPY, 3, 600, picture)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stdout, r"\d+ edges, \d+\.\d per point\nfrom point 3: up to \d")
+        self.assertEqual(support.read_image(picture).GetDimensions(), (1200, 600, 1))
+        halves = np.hsplit(support.pixels(support.read_image(picture)).astype(int), 2)
+        # The same surface twice, in other colours.
+        background = [np.all(half == 255, axis=2) for half in halves]
+        self.assertLess(np.mean(background[0] != background[1]), 1e-4)
+        differ = np.any(halves[0] != halves[1], axis=2)
+        self.assertGreater(differ[~background[0]].mean(), 0.5)
+
+    def test_mistakes_of_two_queries(self):
+        for arguments in ((), ("missing.ply", 0, 1, "x.png"), (BUMPY, 0, 642, "x.png")):
+            with self.subTest(arguments=arguments):
+                result = run("graph_pipeline.py", *arguments)
+                self.assertEqual(result.returncode, 1)
+                self.assertNotIn("Traceback", result.stderr)
+
+    @unittest.skipUnless(importlib.util.find_spec("scipy"), "SciPy is not installed")
+    def test_scipy(self):
+        result = run("graph_csr.py", BUMPY, 5)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        edges = re.search(r"642 points, (\d+) edges", result.stdout)
+        self.assertGreater(int(edges[1]), 642 * 20)
+        difference = re.search(r"difference to SciPy: (\S+)", result.stdout)
+        self.assertLess(float(difference[1]), 1e-12)
+        correction = re.search(r"largest correction: (\S+)", result.stdout)
+        self.assertGreater(float(correction[1]), 1e-4)
+        result = run("graph_csr.py", BUMPY, 642)
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"\Aerror: .*source id 642")
 
 
 class Readme(unittest.TestCase):
@@ -214,6 +312,20 @@ class Readme(unittest.TestCase):
         names = {}
         exec(blocks[0], names)  # noqa: S102
         np.testing.assert_allclose(names["d"], [0.0, 3.0, 4.0], rtol=1e-12)
+
+    def test_many_queries(self):
+        blocks = [block for block in self.blocks("python") if "vtkdgg.Graph(" in block]
+        self.assertEqual(len(blocks), 1)
+        points, triangles = support.bumpy()
+        names = {"points": points, "triangles": triangles}
+        exec(blocks[0], names)  # noqa: S102
+        exact = vtkdgg.distance(points, triangles, [0, 10, 20])
+        self.assertTrue((np.abs(names["d"] - exact) <= 0.01 * exact * (1 + 1e-6)).all())
+        self.assertEqual(names["m"].shape, (2, 3))
+
+    def test_matrix_in_one_line(self):
+        line = self.blocks("py")[0].strip()
+        self.assertIn(line, self.code("Python", "graph_csr.py"))
 
     def test_links(self):
         for target in re.findall(r"\]\((?!https?:|#)([^)]+)\)", self.readme):

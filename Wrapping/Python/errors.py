@@ -3,6 +3,7 @@
 """VTK errors as Python exceptions."""
 
 import re
+import sys
 import warnings
 
 from vtkmodules.vtkCommonCore import vtkObject
@@ -15,6 +16,8 @@ __all__ = ["VTKError", "check"]
 # What VTK puts before a message, and the addresses of objects in it.
 _PLACE = re.compile(r"\A(?:ERROR|Warning): In .*, line \d+\n")
 _ADDRESS = re.compile(r" ?\(0x[0-9a-fA-F]+\)")
+# The name of the class that says something.
+_SPEAKER = re.compile(r"\A\w+: ")
 # How an executive reports that an algorithm failed: it names the request, not the reason.
 _NO_REASON = re.compile(r"returned failure for request|No update piece number has been set")
 
@@ -67,8 +70,12 @@ def check(algorithm):
     return run(algorithm)
 
 
-def run(algorithm):
-    """What check() does, for use inside the package: warnings point to the caller's caller."""
+def run(algorithm, heard=None):
+    """What check() does, for use inside the package.
+
+    Warnings that are in the set `heard` are not repeated, whichever class gives them; the others
+    are added to it.
+    """
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"check() takes a vtkAlgorithm, not {type(algorithm).__name__}")
     pipeline = _upstream(algorithm)
@@ -85,7 +92,11 @@ def run(algorithm):
             node.Modified()
         raise VTKError(_messages(reports, failed), failed[0].GetErrorCode() if failed else 0)
     for text in reports.warnings:
-        warnings.warn(text, RuntimeWarning, stacklevel=3)
+        words = _SPEAKER.sub("", text)
+        if heard is None or words not in heard:
+            warnings.warn(text, RuntimeWarning, stacklevel=_depth_of_package())
+        if heard is not None:
+            heard.add(words)
     if algorithm.GetNumberOfOutputPorts() == 0:
         return None
     return algorithm.GetOutputDataObject(0)
@@ -168,6 +179,14 @@ def _recovered(node, reports):
 def _has_elements(output):
     kinds = range(vtkDataObject.NUMBER_OF_ATTRIBUTE_TYPES)
     return any(output.GetNumberOfElements(kind) > 0 for kind in kinds)
+
+
+def _depth_of_package():
+    """The stack level, for a warning of the caller, of the first function outside the package."""
+    frame, level = sys._getframe(1), 1
+    while frame.f_back and frame.f_globals.get("__package__") == __package__:
+        frame, level = frame.f_back, level + 1
+    return level
 
 
 def _messages(reports, failed):

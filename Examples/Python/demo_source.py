@@ -1,0 +1,71 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where the distances of the demo start: read it from the command line, or choose it."""
+
+import math
+
+import numpy as np
+import vtkdgg
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import reference, vtkIdTypeArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
+from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
+
+
+class SourceError(Exception):
+    """There is no such source; the text says why."""
+
+
+def choose(text, mesh):
+    """A point id (int) or coordinates (list of 3 floats)."""
+    if text is None:
+        return far_point(mesh)
+    try:
+        if "," not in text:
+            source = int(text)
+        else:
+            source = [float(word) for word in text.split(",")]
+            if len(source) != 3 or not all(math.isfinite(x) for x in source):
+                raise ValueError
+    except ValueError:
+        raise SourceError(f"--source {text}: neither a point id nor X,Y,Z") from None
+    count = mesh.GetNumberOfPoints()
+    if isinstance(source, int) and not 0 <= source < count:
+        raise SourceError(f"--source {source}: the mesh has points 0 to {count - 1}")
+    return source
+
+
+def far_point(mesh):
+    """The point of the largest piece that is farthest from the centre: an ear, a foot, a nose."""
+    ids = vtkIdTypeArray()
+    ids.SetName("Id")
+    ids.SetNumberOfValues(mesh.GetNumberOfPoints())
+    vtk_to_numpy(ids)[:] = np.arange(mesh.GetNumberOfPoints())
+    numbered = vtkPolyData()
+    numbered.SetPoints(mesh.GetPoints())
+    numbered.SetPolys(mesh.GetPolys())
+    numbered.GetPointData().AddArray(ids)
+    largest = vtkPolyDataConnectivityFilter()
+    largest.SetInputData(numbered)
+    largest.SetExtractionModeToLargestRegion()
+    piece = vtkdgg.check(largest)
+
+    used = np.unique(vtk_to_numpy(piece.GetPolys().GetConnectivityArray()))
+    used = vtk_to_numpy(piece.GetPointData().GetArray("Id"))[used]
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)[used]
+    offset = points - np.array(mesh.GetCenter())
+    return int(used[np.argmax((offset * offset).sum(axis=1))])
+
+
+def locate(mesh, source):
+    """Where the source is on the surface, and the corners of the triangle that holds it."""
+    if isinstance(source, int):
+        return np.array(mesh.GetPoint(source)), [source]
+    locator = vtkStaticCellLocator()
+    locator.SetDataSet(mesh)
+    locator.BuildLocator()
+    closest = [0.0, 0.0, 0.0]
+    cell, sub, squared = reference(0), reference(0), reference(0.0)
+    locator.FindClosestPoint(source, closest, cell, sub, squared)
+    ids = mesh.GetCell(cell.get()).GetPointIds()
+    return np.array(closest), [ids.GetId(i) for i in range(ids.GetNumberOfIds())]

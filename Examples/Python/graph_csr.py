@@ -1,0 +1,62 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The geodesic graph as a SciPy matrix, and SciPy's Dijkstra against our search. Needs SciPy.
+
+Usage: graph_csr.py MESH SOURCE_ID
+"""
+
+import sys
+
+import numpy as np
+import vtkdgg
+from mesh_file import MeshFileError, make_reader
+from scipy.sparse import csr_matrix
+from scipy.sparse.csgraph import dijkstra
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def main(mesh_path, source_id):
+    """Compute the same distances twice."""
+    reader = make_reader(mesh_path)
+    graph = vtkdgg.vtkDiscreteGeodesicGraph()
+    graph.SetInputConnection(reader.GetOutputPort())
+    graph.SetAccuracy(0.01)
+    mesh = vtkdgg.check(graph)
+
+    # The graph is three plain arrays, which make a matrix in one line. A copy, because SciPy sorts
+    # its arrays in place now and then, and the order of the edges is of use to the search.
+    n = mesh.GetNumberOfPoints()
+    offsets, targets, lengths = (
+        vtk_to_numpy(mesh.GetFieldData().GetArray(f"DGG.{name}"))
+        for name in ("Offsets", "Targets", "Lengths")
+    )
+    matrix = csr_matrix((lengths, targets, offsets), shape=(n, n), copy=True)
+
+    # What the search finds: lengths of paths, and the corrected distances.
+    distance = vtkdgg.vtkDGGDistance()
+    distance.SetInputConnection(graph.GetOutputPort())
+    distance.AddSourceId(source_id)
+    distance.GenerateUpperBoundOn()
+    result = vtkdgg.check(distance).GetPointData()
+    bound = vtk_to_numpy(result.GetArray("GeodesicUpperBound"))
+    corrected = vtk_to_numpy(result.GetArray("GeodesicDistance"))
+
+    # What SciPy finds; infinite where we say NaN.
+    expected = dijkstra(matrix, indices=source_id)
+    reached = np.isfinite(expected)
+    if not np.array_equal(reached, ~np.isnan(bound)):
+        raise AssertionError("SciPy reaches other points")
+    difference = np.max(np.abs(bound - expected)[reached])
+    correction = np.max((bound - corrected)[reached])
+    print(f"{n} points, {matrix.nnz} edges")
+    print(f"farthest point: {bound[reached].max():g}, difference to SciPy: {difference:.1e}")
+    print(f"largest correction: {correction:.1e}")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    try:
+        main(sys.argv[1], int(sys.argv[2]))
+    except (MeshFileError, ValueError, vtkdgg.VTKError) as problem:
+        sys.exit(f"error: {problem}")

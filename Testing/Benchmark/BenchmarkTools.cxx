@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BenchmarkTools.h"
+
+#include "ErrorStatistics.h"
+
+#include <chrono>
+#include <ctime>
+#include <utility>
+
+double CPUSeconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+double WallSeconds()
+{
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+void RegisterCase(const std::string& name, BenchmarkCase run, double minimum)
+{
+  benchmark::RegisterBenchmark(name.c_str(), std::move(run))
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->MinTime(minimum);
+}
+
+void Measure(benchmark::State& state, const std::function<void()>& prepare,
+  const std::function<void()>& run, double (*clock)())
+{
+  double onTheWall = 0.0;
+  for (auto unused : state)
+  {
+    (void)unused;
+    prepare();
+    const double wallStart = WallSeconds();
+    const double start = clock();
+    run();
+    state.SetIterationTime(clock() - start);
+    onTheWall += WallSeconds() - wallStart;
+  }
+  state.counters["wall_seconds"] =
+    benchmark::Counter(onTheWall, benchmark::Counter::kAvgIterations);
+}
+
+BenchmarkMesh* OpenMesh(benchmark::State& state, const MeshRecipe& recipe, double limit)
+{
+  BenchmarkMesh& mesh = GetBenchmarkMesh(recipe);
+  if (!mesh.GetError().empty())
+  {
+    state.SkipWithError(mesh.GetError().c_str());
+    return nullptr;
+  }
+  if (mesh.GetNumberOfVertices() > limit)
+  {
+    state.SkipWithError("above the limit of vertices");
+    return nullptr;
+  }
+  return &mesh;
+}
+
+void ReportMesh(benchmark::State& state, const BenchmarkMesh& mesh)
+{
+  state.counters["vertices"] = mesh.GetNumberOfVertices();
+  state.counters["faces"] = static_cast<double>(mesh.GetArrays().GetNumberOfFaces());
+}
+
+void ReportMemory(benchmark::State& state, const BenchmarkMesh& mesh, const MemoryProbe& probe)
+{
+  const double vertices = mesh.GetNumberOfVertices();
+  state.counters["heap_bytes_per_vertex"] = static_cast<double>(probe.GetHeapPeak()) / vertices;
+  state.counters["resident_bytes_per_vertex"] =
+    static_cast<double>(probe.GetResidentPeak()) / vertices;
+}
+
+void ReportErrors(benchmark::State& state, BenchmarkMesh& mesh, dgg::Id source,
+  const std::vector<double>& distances)
+{
+  const auto errors = ErrorStatistics::Of(distances, mesh.GetExactDistances(source));
+  state.counters["error_mean"] = errors.Mean;
+  state.counters["error_p999"] = errors.Percentile999;
+  state.counters["error_max"] = errors.Maximum;
+  state.counters["unreached"] = static_cast<double>(errors.Unreached);
+}

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GraphCases.h"
+
+#include "BenchmarkTools.h"
+#include "ThreadedLoop.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace
+{
+struct Opened
+{
+  BenchmarkMesh* Mesh = nullptr;
+  MeasuredGraph* Graph = nullptr;
+};
+
+/// The graph of a recipe, not necessarily built; nothing, with the state closed, when the mesh
+/// cannot be used.
+Opened Open(benchmark::State& state, const GraphRecipe& recipe)
+{
+  Opened opened;
+  opened.Mesh = OpenMesh(state, recipe.Mesh);
+  if (opened.Mesh)
+  {
+    opened.Graph = &opened.Mesh->GetGraph(recipe);
+  }
+  return opened;
+}
+
+/// The same, built.
+Opened OpenBuilt(benchmark::State& state, const GraphRecipe& recipe)
+{
+  Opened opened = Open(state, recipe);
+  if (opened.Graph)
+  {
+    opened.Graph->NeedGraph();
+    if (!opened.Graph->GetError().empty())
+    {
+      state.SkipWithError(opened.Graph->GetError().c_str());
+      opened.Graph = nullptr;
+    }
+  }
+  return opened;
+}
+
+double NumberOfEdges(const dgg::GeodesicGraph& graph)
+{
+  return static_cast<double>(graph.View().GetNumberOfEdges());
+}
+
+void ReportGraph(benchmark::State& state, const BenchmarkMesh& mesh, const MeasuredGraph& graph)
+{
+  const double edges = NumberOfEdges(graph.GetGraph());
+  const dgg::GraphStatistics& statistics = graph.GetStatistics();
+  double mean = 0.0;
+  double deviation = 0.0;
+  graph.GetDegree(mean, deviation);
+  ReportMesh(state, mesh);
+  state.counters["edges"] = edges;
+  state.counters["degree_mean"] = mean;
+  state.counters["degree_deviation"] = deviation;
+  state.counters["windows_per_vertex"] =
+    static_cast<double>(statistics.Windows) / mesh.GetNumberOfVertices();
+  state.counters["bytes_per_edge"] = static_cast<double>(graph.GetGraph().GetMemorySize()) / edges;
+  state.counters["peak_bytes_per_edge"] = static_cast<double>(statistics.PeakMemory) / edges;
+  state.counters["workspace_bytes"] = static_cast<double>(statistics.Workspace);
+}
+
+dgg::SearchOptions QueryOptions(dgg::SearchMethod method, bool correct)
+{
+  dgg::SearchOptions options;
+  options.Method = method;
+  options.Correct = correct;
+  return options;
+}
+}
+
+void MeasureBuild(benchmark::State& state, const GraphRecipe& recipe)
+{
+  const Opened opened = Open(state, recipe);
+  if (!opened.Graph)
+  {
+    return;
+  }
+  MeasuredGraph& graph = *opened.Graph;
+  Measure(
+    state, [&] { graph.Clear(); }, [&] { graph.Build({}); });
+  if (!graph.GetError().empty())
+  {
+    state.SkipWithError(graph.GetError().c_str());
+    return;
+  }
+  ReportGraph(state, *opened.Mesh, graph);
+}
+
+void MeasureMemory(benchmark::State& state, const GraphRecipe& recipe)
+{
+  const Opened opened = Open(state, recipe);
+  if (!opened.Graph)
+  {
+    return;
+  }
+  MeasuredGraph& graph = *opened.Graph;
+  graph.Clear();
+  const MemoryProbe probe;
+  Measure(
+    state, [&] { graph.Clear(); }, [&] { graph.Build({}); });
+  if (!graph.GetError().empty())
+  {
+    state.SkipWithError(graph.GetError().c_str());
+    return;
+  }
+  state.counters["resident_bytes_per_edge"] =
+    static_cast<double>(probe.GetResidentPeak()) / NumberOfEdges(graph.GetGraph());
+}
+
+void MeasureParallelBuild(benchmark::State& state, const GraphRecipe& recipe, int threads)
+{
+  const Opened opened = OpenBuilt(state, recipe);
+  if (!opened.Graph)
+  {
+    return;
+  }
+  MeasuredGraph other(opened.Mesh->GetSurface(), recipe.Options);
+  Measure(
+    state, [&] { other.Clear(); }, [&] { other.Build(ThreadedLoop(threads)); }, WallSeconds);
+  state.counters["threads"] = threads;
+  state.counters["same_bits"] = dgg::ComputeChecksum(other.GetGraph().View()) ==
+    dgg::ComputeChecksum(opened.Graph->GetGraph().View());
+}
+
+void MeasureEstimate(benchmark::State& state, const GraphRecipe& recipe)
+{
+  const Opened opened = OpenBuilt(state, recipe);
+  if (!opened.Graph)
+  {
+    return;
+  }
+  dgg::GraphEstimate estimate;
+  Measure(
+    state, [] {},
+    [&] { dgg::GraphBuilder(opened.Mesh->GetSurface()).Estimate(recipe.Options, estimate); });
+  const dgg::GraphStatistics& statistics = opened.Graph->GetStatistics();
+  state.counters["edges_ratio"] = estimate.Edges / NumberOfEdges(opened.Graph->GetGraph());
+  state.counters["peak_ratio"] =
+    estimate.Peak / static_cast<double>(statistics.PeakMemory + statistics.Workspace);
+}
+
+void MeasureCache(benchmark::State& state, const GraphRecipe& recipe)
+{
+  const Opened opened = OpenBuilt(state, recipe);
+  if (!opened.Graph)
+  {
+    return;
+  }
+  Measure(
+    state, [] {}, [&] { opened.Graph->PrepareSearch(); });
+  state.counters["cache_bytes_per_edge"] =
+    static_cast<double>(opened.Graph->GetSearch().GetMemorySize()) /
+    NumberOfEdges(opened.Graph->GetGraph());
+}
+
+void MeasureFirstQuery(benchmark::State& state, const GraphRecipe& recipe)
+{
+  const Opened opened = OpenBuilt(state, recipe);
+  if (!opened.Graph)
+  {
+    return;
+  }
+  dgg::GraphSeed seed;
+  seed.Vertex = opened.Mesh->GetSource(0, 1);
+  const dgg::SearchOptions options = QueryOptions(dgg::SearchMethod::Certified, true);
+  Measure(
+    state, [] {},
+    [&] {
+      dgg::SearchResult result;
+      opened.Graph->PrepareSearch();
+      opened.Graph->GetSearch().Run({ seed }, options, result);
+    });
+}
+
+void MeasureQuery(benchmark::State& state, const GraphRecipe& recipe, dgg::SearchMethod method,
+  bool correct, int k, int numberOfSources)
+{
+  const Opened opened = OpenBuilt(state, recipe);
+  if (!opened.Graph)
+  {
+    return;
+  }
+  dgg::GraphSeed seed;
+  seed.Vertex = opened.Mesh->GetSource(k, numberOfSources);
+  const dgg::SearchOptions options = QueryOptions(method, correct);
+  const dgg::GraphSearch& search = opened.Graph->GetSearch();
+  dgg::SearchResult result;
+  dgg::Status status = search.Run({ seed }, options, result); // not the first query
+  Measure(
+    state, [] {}, [&] { status = search.Run({ seed }, options, result); });
+  if (!status.IsOk())
+  {
+    state.SkipWithError(status.GetMessage().c_str());
+    return;
+  }
+  const double vertices = opened.Mesh->GetNumberOfVertices();
+  state.counters["pops_per_vertex"] = static_cast<double>(result.NumberOfPops) / vertices;
+  state.counters["relaxations_per_vertex"] =
+    static_cast<double>(result.NumberOfRelaxations) / vertices;
+  ReportErrors(state, *opened.Mesh, seed.Vertex, correct ? result.Corrected : result.Distances);
+}
+
+void MeasureMany(
+  benchmark::State& state, const GraphRecipe& recipe, int numberOfSources, int threads)
+{
+  const Opened opened = OpenBuilt(state, recipe);
+  if (!opened.Graph)
+  {
+    return;
+  }
+  std::vector<dgg::Id> sources;
+  for (int k = 0; k < numberOfSources; ++k)
+  {
+    sources.push_back(opened.Mesh->GetSource(k, numberOfSources));
+  }
+  // All rows at once would be gigabytes on a large mesh: as many as fit into one.
+  const auto rowSize = static_cast<std::size_t>(opened.Mesh->GetNumberOfVertices());
+  const std::size_t batch = std::min(
+    sources.size(), std::max<std::size_t>(64, (std::size_t(1) << 30) / (rowSize * sizeof(double))));
+  std::vector<double> distances(batch * rowSize);
+  const dgg::GraphSearch& search = opened.Graph->GetSearch();
+  const dgg::ParallelFor parallel = threads > 1 ? ThreadedLoop(threads) : dgg::ParallelFor();
+  dgg::Status status;
+  Measure(
+    state, [] {},
+    [&] {
+      for (std::size_t begin = 0; begin < sources.size() && status.IsOk(); begin += batch)
+      {
+        const std::size_t end = std::min(begin + batch, sources.size());
+        status = search.Many({ sources.begin() + static_cast<std::ptrdiff_t>(begin),
+                               sources.begin() + static_cast<std::ptrdiff_t>(end) },
+          dgg::Infinity, parallel, distances.data());
+      }
+    },
+    threads > 1 ? WallSeconds : CPUSeconds);
+  if (!status.IsOk())
+  {
+    state.SkipWithError(status.GetMessage().c_str());
+    return;
+  }
+  state.counters["sources"] = numberOfSources;
+  state.counters["threads"] = threads;
+}

@@ -1,0 +1,315 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables (Markdown) from the JSON of BenchmarkGraph.
+
+Usage: summarize_graph.py RESULT.json [TABLE.md]
+
+Times are medians over the sources of a mesh. The mean error and the 99.9th percentile are means
+over the sources, the maximum is the largest of all. Ratios are times better than a peer.
+"""
+
+import json
+import re
+import statistics
+import sys
+
+from summarize import UNITS, count_text, median, seconds_text, table
+
+GRAPH = re.compile(
+    r"^Graph/(?P<mesh>[^/]+)/(?P<rule>[^/]+)/(?P<parameter>[^/]+)/(?P<case>[A-Za-z]+)(?:/|$)"
+)
+PEER = re.compile(r"^Peer/(?P<mesh>[^/]+)/(?P<peer>[A-Za-z]+)(?:/(?P<case>[A-Za-z]+))?(?:/|$)")
+TITLES = {
+    "HeatDirect": "heat method (CGAL)",
+    "HeatDelaunay": "heat method, intrinsic Delaunay (CGAL)",
+    "VTK": "vtkDijkstraGraphGeodesicPath",
+}
+DASH = "–"
+
+
+class Run:
+    """graphs[mesh][rule, parameter][case] and peers[mesh][peer][case]: {figure: [values]}."""
+
+    def __init__(self, path):
+        with open(path, encoding="utf-8") as file:
+            content = json.load(file)
+        self.context = content["context"]
+        self.graphs = {}
+        self.peers = {}
+        for entry in content["benchmarks"]:
+            # Aggregates (of --benchmark_repetitions) repeat what the single runs say.
+            if entry.get("run_type") == "aggregate" or entry.get("error_occurred"):
+                continue
+            figures = self.figures(entry["name"])
+            if figures is None:
+                continue
+            for key, value in entry.items():
+                if isinstance(value, (int, float)) and not isinstance(value, bool):
+                    figures.setdefault(key, []).append(value)
+            seconds = entry["real_time"] * UNITS[entry["time_unit"]]
+            figures.setdefault("seconds", []).append(seconds)
+
+    def figures(self, name):
+        """Where the figures of a result of this name go; None when it is not one of ours."""
+        match = GRAPH.match(name)
+        if match:
+            graphs = self.graphs.setdefault(match["mesh"], {})
+            cases = graphs.setdefault((match["rule"], match["parameter"]), {})
+            return cases.setdefault(match["case"], {})
+        match = PEER.match(name)
+        if match:
+            cases = self.peers.setdefault(match["mesh"], {}).setdefault(match["peer"], {})
+            return cases.setdefault(match["case"], {})
+        return None
+
+    def graph(self, mesh, rule, parameter):
+        return self.graphs.get(mesh, {}).get((rule, parameter), {})
+
+    def peer(self, mesh, peer):
+        return self.peers.get(mesh, {}).get(peer, {})
+
+
+def seconds(cases, case):
+    return median(cases.get(case), "seconds")
+
+
+def mean(figures, key):
+    values = (figures or {}).get(key)
+    return statistics.fmean(values) if values else None
+
+
+def largest(figures, key):
+    values = (figures or {}).get(key)
+    return max(values) if values else None
+
+
+def text(value, form):
+    return DASH if value is None else form.format(value)
+
+
+def time_text(value):
+    return DASH if value is None else seconds_text(value)
+
+
+def digits(value):
+    """Two digits, without an exponent where it can be done."""
+    return f"{value:.0f}" if 100.0 <= value < 1e6 else f"{value:.2g}"
+
+
+def ratio_text(numerator, denominator):
+    if numerator is None or not denominator:
+        return DASH
+    return f"{digits(numerator / denominator)}x"
+
+
+def speed_up_text(cases, case):
+    """What threads gain, wall against wall: a busy machine disturbs both."""
+    parallel = cases.get("Parallel" + case)
+    gain = ratio_text(median(cases.get(case), "wall_seconds"), median(parallel, "wall_seconds"))
+    threads = median(parallel, "threads")
+    return DASH if threads is None else f"{gain} on {threads:.0f}"
+
+
+def errors_text(figures):
+    parts = (
+        mean(figures, "error_mean"),
+        mean(figures, "error_p999"),
+        largest(figures, "error_max"),
+    )
+    return " / ".join(DASH if part is None else f"{digits(100.0 * part)} %" for part in parts)
+
+
+def size_table(graphs):
+    rows = []
+    for (rule, parameter), cases in graphs.items():
+        build = cases.get("Build")
+        built = seconds(cases, "Build")
+        vertices = median(build, "vertices")
+        windows = median(build, "windows_per_vertex")
+        rows.append(
+            [
+                rule,
+                parameter,
+                text(median(build, "degree_mean"), "{:.1f}")
+                + text(median(build, "degree_deviation"), " ± {:.1f}"),
+                text(windows, "{:.0f}"),
+                time_text(built),
+                text(None if built is None else 1e6 * built / vertices, "{:.1f}"),
+                speed_up_text(cases, "Build"),
+                text(median(build, "bytes_per_edge"), "{:.1f}"),
+                text(median(build, "peak_bytes_per_edge"), "{:.1f}"),
+                errors_text(cases.get("Certified")),
+                errors_text(cases.get("Corrected")),
+                time_text(seconds(cases, "Corrected")),
+                text(mean(cases.get("Corrected"), "pops_per_vertex"), "{:.2f}"),
+            ]
+        )
+    header = [
+        "rule",
+        "ε or K",
+        "degree",
+        "windows / vertex",
+        "build",
+        "µs / vertex",
+        "threads",
+        "B / edge",
+        "peak B / edge",
+        "error: mean / 99.9 % / max",
+        "corrected",
+        "query",
+        "pops / vertex",
+    ]
+    return table(header, rows)
+
+
+def query_table(graphs):
+    rows = []
+    for (rule, parameter), cases in graphs.items():
+        many = cases.get("Many")
+        per_source = (
+            seconds(cases, "Many") / median(many, "sources") if median(many, "sources") else None
+        )
+        certified = seconds(cases, "Certified")
+        rows.append(
+            [
+                rule,
+                parameter,
+                time_text(seconds(cases, "Cache")),
+                text(median(cases.get("Cache"), "cache_bytes_per_edge"), "{:.1f}"),
+                time_text(seconds(cases, "FirstQuery")),
+                time_text(seconds(cases, "Corrected")),
+                time_text(certified),
+                time_text(seconds(cases, "LabelCorrecting")),
+                time_text(seconds(cases, "Dijkstra")),
+                ratio_text(seconds(cases, "Dijkstra"), certified),
+                time_text(per_source),
+                ratio_text(certified, per_source),
+                speed_up_text(cases, "Many"),
+            ]
+        )
+    header = [
+        "rule",
+        "ε or K",
+        "cache",
+        "cache B / edge",
+        "cache + first query",
+        "corrected",
+        "certified",
+        "label correcting",
+        "Dijkstra",
+        "Dijkstra / certified",
+        "in blocks, per source",
+        "certified / blocks",
+        "blocks on threads",
+    ]
+    return table(header, rows)
+
+
+def peer_table(run):
+    rows = []
+    for mesh, peers in run.peers.items():
+        for peer, title in TITLES.items():
+            query = peers.get(peer, {}).get("Query")
+            if query:
+                rows.append(
+                    [
+                        mesh,
+                        count_text(median(query, "vertices")),
+                        title,
+                        time_text(seconds(peers[peer], "Precompute")),
+                        time_text(median(query, "seconds")),
+                        errors_text(query),
+                    ]
+                )
+    header = ["mesh", "vertices", "peer", "precomputation", "query", "error: mean / 99.9 % / max"]
+    return table(header, rows)
+
+
+def total(cases, first, second):
+    parts = (seconds(cases, first), seconds(cases, second))
+    return None if None in parts else sum(parts)
+
+
+def ratio_rows(run, mesh):
+    """Each peer against the graph that is to replace it."""
+    coarse = run.graph(mesh, "Guaranteed", "0.1")
+    fine = run.graph(mesh, "Guaranteed", "0.01")
+    rows = []
+    for peer, title in TITLES.items():
+        cases = run.peer(mesh, peer)
+        query = cases.get("Query")
+        pairs = [("query, ε = 0.01", median(query, "seconds"), seconds(fine, "Corrected"), fine)]
+        if "Precompute" in cases:
+            pairs.append(
+                (
+                    "up to the first answer, ε = 0.1",
+                    total(cases, "Precompute", "Query"),
+                    total(coarse, "Build", "FirstQuery"),
+                    coarse,
+                )
+            )
+        for what, theirs, ours, graph in pairs:
+            if theirs is not None and ours is not None:
+                rows.append(
+                    [
+                        mesh,
+                        title,
+                        what,
+                        time_text(theirs),
+                        time_text(ours),
+                        ratio_text(theirs, ours),
+                        ratio_text(
+                            mean(query, "error_mean"), mean(graph.get("Corrected"), "error_mean")
+                        ),
+                        ratio_text(
+                            largest(query, "error_max"),
+                            largest(graph.get("Corrected"), "error_max"),
+                        ),
+                    ]
+                )
+    return rows
+
+
+def ratio_table(run):
+    rows = [row for mesh in run.graphs for row in ratio_rows(run, mesh)]
+    header = ["mesh", "peer", "what", "peer", "graph", "time", "mean error", "largest error"]
+    return table(header, rows)
+
+
+def summarize(path):
+    run = Run(path)
+    about = ", ".join(
+        f"{key} {run.context[key]}"
+        for key in ("compiler", "vtk_version", "cgal_version")
+        if key in run.context
+    )
+    parts = [
+        f"CPU seconds on one thread, but for parallel ones (on the wall); the set-up of each one's "
+        f"mesh is left out ({about}).\n"
+    ]
+    for mesh, graphs in run.graphs.items():
+        parts.append(f"**{mesh}: size, accuracy, time**\n")
+        parts.append(size_table(graphs))
+        parts.append(f"**{mesh}: queries**\n")
+        parts.append(query_table(graphs))
+    if run.peers:
+        parts.append("**Peers**\n")
+        parts.append(peer_table(run))
+        parts.append("**Graph with corrected distances against peers** (times better)\n")
+        parts.append(ratio_table(run))
+    return "\n".join(parts)
+
+
+def main():
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    result = summarize(sys.argv[1])
+    if len(sys.argv) == 3:
+        with open(sys.argv[2], "w", encoding="utf-8") as file:
+            file.write(result)
+    print(result)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,130 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks of arguments, and their way into VTK. What is wrong is a ValueError that names it."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+
+def numbers(values, name, kind="number"):
+    """`values` as an array of the kind ("integer", "number")."""
+    if np.ma.is_masked(values):  # what is masked would be taken for numbers
+        raise ValueError(f"{name}: has masked entries; remove or fill them")
+    try:
+        array = np.asarray(values)
+    except ValueError as error:  # rows of unequal length
+        raise ValueError(f"{name}: not an array of numbers ({error})") from None
+    allowed = {"integer": "iu", "number": "iuf"}[kind]
+    if array.size and array.dtype.kind not in allowed:
+        raise ValueError(f"{name}: {kind}s are wanted, not {array.dtype}")
+    return array
+
+
+def coordinates(values, name):
+    """An array of shape (n, 3) of finite numbers."""
+    array = numbers(values, name)
+    if array.size == 0 and array.ndim < 2:
+        return np.empty((0, 3))
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"{name}: the shape must be (n, 3), not {array.shape}")
+    array = np.ascontiguousarray(array, dtype=np.float64)
+    finite = np.isfinite(array).all(axis=1)
+    if not finite.all():
+        row = int(np.argmin(finite))
+        raise ValueError(f"{name}: row {row} is not finite: {array[row]}")
+    return array
+
+
+def corners(values, number_of_points):
+    """The corners of triangles, an array of shape (m, 3) of point ids."""
+    array = numbers(values, "triangles", "integer")
+    if array.size == 0 and array.ndim < 2:
+        array = np.empty((0, 3), dtype=np.int64)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"triangles: the shape must be (m, 3), not {array.shape}")
+    _check_ids(array, number_of_points, "triangles")
+    return np.ascontiguousarray(array, dtype=np.int64)
+
+
+def places(values, name, number_of_points):
+    """Points of the surface: a list of ids and None, or None and an array of coordinates."""
+    array = numbers(values, name)
+    if array.size == 0:
+        raise ValueError(f"{name}: at least one is wanted")
+    if array.ndim == 2:
+        return None, coordinates(array, name)
+    if array.ndim > 2 or array.dtype.kind not in "iu":
+        raise ValueError(
+            f"{name}: point ids (an integer or a sequence of integers) or coordinates "
+            f"of shape (k, 3) are wanted, not {array.dtype} of shape {array.shape}"
+        )
+    array = np.atleast_1d(array)
+    if number_of_points:
+        _check_ids(array, number_of_points, name)
+    return [int(i) for i in array], None
+
+
+def finite_numbers(values, name, count):
+    """`count` finite numbers, or one for all."""
+    array = numbers(values, name)
+    if array.size == 0 or array.shape not in ((), (count,)):
+        raise ValueError(f"{name}: one number, or {count} are wanted, not shape {array.shape}")
+    array = np.array(np.broadcast_to(array, (count,)), dtype=np.float64)
+    if not np.isfinite(array).all():
+        entry = int(np.argmin(np.isfinite(array)))
+        raise ValueError(f"{name}: entry {entry} is not finite: {array[entry]}")
+    return array
+
+
+def number(value, name):
+    """One number."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: a number is wanted, not {value!r}") from None
+
+
+def limit(value, name):
+    """A number that is not negative; infinity for None."""
+    result = np.inf if value is None else number(value, name)
+    if not result >= 0.0:
+        raise ValueError(f"{name}: must not be negative or NaN, is {result}")
+    return result
+
+
+def number_of_bytes(value, name):
+    """A positive integer; 0 for None, as the filters take it."""
+    if value is None:
+        return 0
+    if not 1.0 <= number(value, name) < 2.0**64:
+        raise ValueError(f"{name}: must be a number of bytes, at least 1, is {value}")
+    return int(value)
+
+
+def _check_ids(array, number_of_points, name):
+    outside = (array < 0) | (array >= number_of_points)
+    if outside.any():
+        place = np.unravel_index(int(np.argmax(outside)), array.shape)
+        raise ValueError(
+            f"{name}: point id {array[place]} (entry {', '.join(map(str, place))}) does not exist; "
+            f"there are {number_of_points} points"
+        )
+
+
+def polydata(points, triangles=None):
+    """Arrays that have been checked as vtkPolyData. Deep: a pipeline may outlive the arrays."""
+    mesh = vtkPolyData()
+    vtk_points = vtkPoints()
+    vtk_points.SetData(numpy_to_vtk(points, deep=True))
+    mesh.SetPoints(vtk_points)
+    if triangles is not None:
+        offsets = np.arange(0, 3 * len(triangles) + 1, 3, dtype=np.int64)
+        cells = vtkCellArray()
+        cells.SetData(
+            numpy_to_vtkIdTypeArray(offsets, deep=True),
+            numpy_to_vtkIdTypeArray(triangles.ravel(), deep=True),
+        )
+        mesh.SetPolys(cells)
+    return mesh

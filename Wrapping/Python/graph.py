@@ -1,0 +1,366 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A discrete geodesic graph as a Python object: built once, asked often."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from . import arguments
+from .errors import run
+from .graph_info import ARRAYS, CONSTRUCTIONS, GraphInfo, copy_surface
+from .vtkDGGFiltersGeodesic import (
+    vtkDGGDistance,
+    vtkDiscreteGeodesicGraph,
+    vtkGeodesicDistanceMatrix,
+)
+
+__all__ = ["Graph"]
+
+
+class Graph:
+    """Geodesic distances on one triangle mesh, asked many times.
+
+    A sparse graph is built once, in which shortest paths are geodesics up to a known error; then a
+    distance field takes milliseconds. The mesh is copied and does not change any more.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 3)
+        Coordinates; at least one point.
+    triangles : array_like of int, shape (m, 3)
+        Point ids of the corners.
+    accuracy : float, optional
+        Largest relative error of a distance, in [1e-6, 0.5]. The mean error is far smaller.
+    construction : str, optional
+        The rule that chooses the edges: "Guaranteed", or for comparison "OneRelay", "Indirect",
+        "SaddleVertexGraph" (which has no use for `accuracy`).
+    number_of_neighbors : int, optional
+        Of a SaddleVertexGraph: how many of the nearest points each point looks at.
+    memory_limit : int, optional
+        Most bytes that building the graph, or the table of `matrix`, may take. Default: 70 % of the
+        memory that is free at that time.
+
+    Raises
+    ------
+    ValueError
+        When an array has the wrong shape or type, a number is not finite, or an id does not exist.
+    VTKError
+        When the filter refuses the input: an accuracy out of range, a mesh without triangles, a
+        graph that would take more memory than `memory_limit`.
+
+    See Also
+    --------
+    vtkDiscreteGeodesicGraph, vtkDGGDistance, vtkGeodesicDistanceMatrix : the filters that do the
+        work, with further options.
+
+    Examples
+    --------
+    >>> graph = vtkdgg.Graph([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+    >>> graph.distance(1)
+    array([3., 0., 5.])
+    >>> graph.matrix([0, 1], [1, 2])
+    array([[3., 4.],
+           [0., 5.]])
+    """
+
+    def __init__(
+        self,
+        points,
+        triangles,
+        accuracy=0.01,
+        construction="Guaranteed",
+        number_of_neighbors=30,
+        memory_limit=None,
+    ):
+        points = arguments.coordinates(points, "points")
+        if len(points) == 0:
+            raise ValueError("points: at least one is wanted")
+        triangles = arguments.corners(triangles, len(points))
+        if construction not in CONSTRUCTIONS:
+            known = ", ".join(CONSTRUCTIONS)
+            raise ValueError(f"construction: one of {known} is wanted, not {construction!r}")
+        builder = vtkDiscreteGeodesicGraph()
+        builder.SetAccuracy(arguments.number(accuracy, "accuracy"))
+        builder.SetConstruction(CONSTRUCTIONS.index(construction))
+        builder.SetNumberOfNeighbors(number_of_neighbors)
+        builder.SetMemoryLimit(arguments.number_of_bytes(memory_limit, "memory_limit"))
+        self._build(builder, arguments.polydata(points, triangles))
+
+    @classmethod
+    def from_polydata(cls, polydata, memory_limit=None):
+        """The graph that vtkDiscreteGeodesicGraph has put on a surface.
+
+        It is used as it is, without a copy. When it is damaged, or not that of the points and
+        polygons any more, a warning says so and it is built anew with the same parameters.
+
+        Parameters
+        ----------
+        polydata : vtkPolyData
+            Output of vtkDiscreteGeodesicGraph, of a filter after it, or of a reader.
+        memory_limit : int, optional
+            As for the class.
+
+        Raises
+        ------
+        ValueError
+            When there is no graph, or none whose parameters can be read.
+        """
+        if not isinstance(polydata, vtkPolyData):
+            raise TypeError(f"polydata: a vtkPolyData is wanted, not {type(polydata).__name__}")
+        info = GraphInfo(polydata)
+        builder = vtkDiscreteGeodesicGraph()
+        builder.SetConstruction(info.construction)
+        if info.accuracy is not None:
+            builder.SetAccuracy(info.accuracy)
+        else:
+            builder.SetNumberOfNeighbors(info.number_of_neighbors)
+        builder.SetMergeCoincidentPoints(info.is_merged)
+        builder.SetMemoryLimit(arguments.number_of_bytes(memory_limit, "memory_limit"))
+        graph = cls.__new__(cls)
+        graph._build(builder, copy_surface(polydata))
+        return graph
+
+    def distance(
+        self,
+        sources,
+        correction=True,
+        maximum_distance=None,
+        initial_distances=None,
+        return_source=False,
+        unreached=np.nan,
+    ):
+        """Distance of every point from the nearest source.
+
+        Parameters
+        ----------
+        sources : int, sequence of int, or array_like of float, shape (k, 3)
+            Point ids, or coordinates of points anywhere on the surface; they are moved to the
+            closest point of the surface.
+        correction : bool, optional
+            True: the best estimate within the promised error. False: the length of a path in the
+            graph, which is never shorter than the exact distance; these are a metric.
+        maximum_distance : float, optional
+            Points farther than this are left unreached. Default: no limit.
+        initial_distances : float or sequence of float, optional
+            The distances that the sources start with. Default: 0. With ids, there is one search for
+            each different value; with coordinates, there is one in all.
+        return_source : bool, optional
+            Whether to return the nearest source as well.
+        unreached : float, optional
+            Distance given to points that no source reaches. Default: NaN.
+
+        Returns
+        -------
+        distances : numpy.ndarray of float64, shape (n,)
+            In the unit of the points.
+        nearest : numpy.ndarray of int, shape (n,)
+            Index into `sources` of the nearest one, -1 where none reaches. Only with
+            `return_source`.
+
+        Raises
+        ------
+        ValueError
+            When an argument has the wrong shape or type, or an id does not exist.
+        VTKError
+            When the filter refuses the input, as for coordinates far off the surface.
+        """
+        ids, places = arguments.places(sources, "sources", self.number_of_points)
+        limit = arguments.limit(maximum_distance, "maximum_distance")
+        offsets = None
+        if initial_distances is not None:
+            count = len(places) if ids is None else len(ids)
+            offsets = arguments.finite_numbers(initial_distances, "initial_distances", count)
+
+        if ids is not None and offsets is not None:
+            distances, nearest = self._search_each_offset(ids, offsets, limit, correction)
+        else:
+            distances, nearest = self._search(ids, places, offsets, limit, correction)
+        distances[np.isinf(distances)] = unreached
+        return (distances, nearest) if return_source else distances
+
+    def matrix(self, rows, columns=None, unreached=np.nan):
+        """Distances between two sets of points, or between all pairs of one.
+
+        They are lengths of paths in the graph (there is no correction): at least the exact
+        distance, and at most (1 + accuracy) times that. Between points of the mesh they are a
+        metric.
+
+        Parameters
+        ----------
+        rows, columns : int, sequence of int, or array_like of float, shape (k, 3)
+            Point ids or coordinates, as for `distance`. Without columns they are the rows; then the
+            matrix is symmetric.
+        unreached : float, optional
+            Distance given to pairs that are not connected. Default: NaN.
+
+        Returns
+        -------
+        numpy.ndarray of float64, shape (number of rows, number of columns)
+            In the unit of the points.
+
+        Raises
+        ------
+        ValueError, VTKError
+            As for `distance`; a VTKError also when the matrix would take more memory than
+            `memory_limit`.
+        """
+        row_ids, row_places = arguments.places(rows, "rows", self.number_of_points)
+        column_ids, column_places = None, None
+        if columns is not None:
+            column_ids, column_places = arguments.places(columns, "columns", self.number_of_points)
+
+        tabulate = self._filter(vtkGeodesicDistanceMatrix)
+        tabulate.SetRowIds([] if row_ids is None else row_ids)
+        tabulate.SetRowData(None if row_places is None else arguments.polydata(row_places))
+        tabulate.SetColumnIds([] if column_ids is None else column_ids)
+        tabulate.SetColumnData(None if column_places is None else arguments.polydata(column_places))
+        tabulate.SetUnreachedValue(unreached)
+        table = run(tabulate, self._heard)
+        result = np.empty((table.GetNumberOfRows(), table.GetNumberOfColumns()))
+        for j in range(table.GetNumberOfColumns()):
+            result[:, j] = vtk_to_numpy(table.GetColumn(j))
+        table.ReleaseData()  # it is not wanted twice
+        return result
+
+    @property
+    def csr(self):
+        """The graph as a new scipy.sparse.csr_matrix of lengths, shape (n, n).
+
+        It has arrays of its own, because SciPy sorts them in place now and then.
+
+        Raises
+        ------
+        ImportError
+            When SciPy is not installed.
+        """
+        try:
+            from scipy.sparse import csr_matrix
+        except ImportError as error:
+            raise ImportError(
+                "Graph.csr needs SciPy, which is not installed (Debian: python3-scipy, else: "
+                "pip install scipy); Graph.offsets, .targets and .lengths do without"
+            ) from error
+        n = self.number_of_points
+        return csr_matrix((self.lengths, self.targets, self.offsets), shape=(n, n), copy=True)
+
+    @property
+    def offsets(self):
+        """int64, shape (n + 1,): edges that leave point i are offsets[i] to offsets[i + 1] - 1.
+
+        A view that cannot be written to, as are `targets` and `lengths`.
+        """
+        return self._array("Offsets")
+
+    @property
+    def targets(self):
+        """int32, one for each directed edge: the point at its end. Not sorted in a row."""
+        return self._array("Targets")
+
+    @property
+    def lengths(self):
+        """float32 (float64 below an accuracy of 1e-5), one for each directed edge: rounded up."""
+        return self._array("Lengths")
+
+    @property
+    def number_of_points(self):
+        """Number of points, n."""
+        return self._surface.GetNumberOfPoints()
+
+    @property
+    def accuracy(self):
+        """What the graph was built for; None for a SaddleVertexGraph."""
+        return self._info.accuracy
+
+    @property
+    def construction(self):
+        """The rule that chose the edges. Only "Guaranteed" and "Indirect" keep to `accuracy`."""
+        return CONSTRUCTIONS[self._info.construction]
+
+    @property
+    def degree(self):
+        """Mean number of edges that leave a point."""
+        return len(self.targets) / self.number_of_points
+
+    @property
+    def nbytes(self):
+        """Bytes of the arrays of the graph."""
+        return sum(self._array(name).nbytes for name in ARRAYS)
+
+    @property
+    def polydata(self):
+        """The surface with its graph as a new vtkPolyData, for filters and writers.
+
+        It shares its arrays with this object: do not change them in place.
+        """
+        result = vtkPolyData()
+        result.ShallowCopy(self._surface)
+        return result
+
+    def __repr__(self):
+        quality = "" if self.accuracy is None else f", accuracy {self.accuracy:g}"
+        return (
+            f"<vtkdgg.Graph: {self.number_of_points} points, {len(self.targets)} edges, "
+            f"{self.construction}{quality}, {self.nbytes / 2**20:.1f} MiB>"
+        )
+
+    def _build(self, builder, surface):
+        """Take the graph of the surface, or have the builder make one."""
+        self._heard = set()  # what is wrong with the mesh is said once, not by each filter
+        self._memory_limit = builder.GetMemoryLimit()
+        self._filters = {}
+        builder.SetInputData(surface)
+        self._surface = vtkPolyData()  # without the builder, which keeps much more
+        self._surface.ShallowCopy(run(builder, self._heard))
+        self._info = GraphInfo(self._surface)
+
+    def _filter(self, kind):
+        """The filter of the class, which keeps what it has prepared for the next query."""
+        if kind not in self._filters:
+            consumer = kind()
+            consumer.SetMergeCoincidentPoints(self._info.is_merged)
+            consumer.SetMemoryLimit(self._memory_limit)
+            consumer.SetUnreachedValue(np.inf)
+            consumer.SetInputData(self._surface)
+            self._filters[kind] = consumer
+        return self._filters[kind]
+
+    def _search(self, ids, places, offsets, limit, correction):
+        """Distances, infinite where unreached, and nearest sources."""
+        search = self._filter(vtkDGGDistance)
+        search.SetCorrection(bool(correction))
+        search.SetMaximumDistance(limit)
+        search.GenerateNearestSourceOn()
+        search.SetSourceIds([] if ids is None else ids)
+        search.SetSourceData(None if places is None else arguments.polydata(places))
+        if offsets is not None:
+            array = numpy_to_vtk(offsets, deep=True)
+            array.SetName(search.GetInitialDistanceArrayName())
+            search.GetInputDataObject(1, 0).GetPointData().AddArray(array)
+        data = run(search, self._heard).GetPointData()
+        # Copies: the output is kept, and given out again when the same is asked for.
+        distances = np.array(vtk_to_numpy(data.GetArray(search.GetDistanceArrayName())))
+        nearest = vtk_to_numpy(data.GetArray(search.GetSourceArrayName())).astype(np.intp)
+        return distances, nearest
+
+    def _search_each_offset(self, ids, offsets, limit, correction):
+        """The same for ids that have initial distances, which the filter cannot give them.
+
+        The promise holds for the smallest of several results when it does for each of them.
+        """
+        distances = np.full(self.number_of_points, np.inf)
+        nearest = np.full(self.number_of_points, -1, dtype=np.intp)
+        for offset in np.unique(offsets[offsets <= limit]):
+            members = np.flatnonzero(offsets == offset)
+            some = [ids[i] for i in members]
+            found, source = self._search(some, None, None, limit - offset, correction)
+            found += offset
+            closer = found < distances
+            distances[closer] = found[closer]
+            nearest[closer] = members[source[closer]]
+        return distances, nearest
+
+    def _array(self, name):
+        view = vtk_to_numpy(self._surface.GetFieldData().GetArray(f"DGG.{name}"))
+        view.flags.writeable = False
+        return view
