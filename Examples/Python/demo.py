@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Geodesic distances on a mesh file within a promised error: builds a graph, queries it, and measures
-the error against the exact solver. Prints a table; writes distance.vtp, distance.png, error.png."""
+"""Geodesic distances on a mesh file within a promised error: builds a graph, queries it, and
+measures the error against the exact solver. Prints a table; writes distance.vtp, distance.png,
+error.png."""
 
 import argparse
 import os
@@ -119,13 +120,14 @@ def percent(value):
 def error_rows(raw, corrected, accuracy):
     """The errors beside the promise, as lines of the table."""
     form = "{:<10} {:<10} {}".format
+
+    def of(errors):
+        return form(*map(percent, (errors.mean, errors.percentile, errors.largest)))
+
     return (
         ("error", form("mean", "99.9 %", "largest")),
-        ("raw", form(percent(raw.mean), percent(raw.percentile), percent(raw.largest))),
-        (
-            "corrected",
-            form(percent(corrected.mean), percent(corrected.percentile), percent(corrected.largest)),
-        ),
+        ("raw", of(raw)),
+        ("corrected", of(corrected)),
         ("promised", form("", "", percent(accuracy))),
     )
 
@@ -212,9 +214,7 @@ def main(arguments):
         demo_bounds.upper_bound(mesh, location, corners),
         demo_bounds.lower_bound(mesh, location),
     )
-    paths, step = write(
-        options.out, mesh, location, query, exact, corrected, options.accuracy
-    )
+    paths, step = write(options.out, mesh, location, query, exact, corrected, options.accuracy)
 
     place = ", ".join(f"{x:.6g}" for x in location)
     which = f"point {source} at " if isinstance(source, int) else ""

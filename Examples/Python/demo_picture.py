@@ -86,8 +86,8 @@ def save_distances(path, mesh, array_name, source, unit="model units"):
 def save_errors(path, mesh, array_name, promised, isolines, source, note):
     """Render the mesh with the sizes of its relative errors and write the PNG.
 
-    The colours span three powers of ten up to what is promised; `isolines` are the name of the array
-    of distances and the step, `note` lines below the scalar bar.
+    The colours span three powers of ten up to what is promised; `isolines` are the name of the
+    array of distances and the step, `note` lines below the scalar bar.
     """
     name = "Size of " + array_name
     sized = vtkPolyData()

@@ -328,6 +328,7 @@ Status GraphBuilder::Implementation::Build(
   const bool wide = this->NeedsWide(options);
   const bool isIndirect = options.Construction == GraphConstruction::Indirect;
   RowStore rows(wide);
+  rows.ReserveRows(this->Table.GetNumberOfVertices());
   statistics.Workspace = this->Table.GetMemorySize();
   Status status = WithRule(options, [&](const auto& rule) {
     return this->BuildRows(rule, options, !isIndirect, rows, statistics);

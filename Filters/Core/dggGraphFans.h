@@ -16,6 +16,10 @@
 
 namespace dgg
 {
+/// The largest angle between an edge of a guaranteed graph and the geodesic for which it stands;
+/// for other graphs, a guess.
+double LargestDeviation(const GraphView& graph);
+
 /// A shortest path goes nearly straight on, so of a row only those edges matter that leave roughly
 /// opposite to where the path came from: the fan of that direction. Rows are sorted by angle, so a
 /// fan is found by a guess and a few steps, and nothing needs to be stored for the edges.
@@ -25,6 +29,9 @@ class GraphFans
 {
 public:
   GraphFans(const GraphView& graph, const SurfaceMesh& mesh);
+
+  /// Half of the width of a fan, radians.
+  float GetTolerance() const { return this->Tolerance; }
 
   /// Call `relax(edge)` for the edges of the fan of a vertex that was reached from the direction
   /// `arrival`; negative means that every edge may follow.
@@ -115,6 +122,7 @@ private:
 
   std::vector<Vertex> Vertices;
   const float* Angles;
+  float Tolerance;
 };
 }
 

@@ -10,6 +10,10 @@ namespace dgg
 {
 namespace
 {
+/// Stored lengths may be floats, rounded up: a candidate has to be superfluous by what it really
+/// measures, or errors would add up from relay to relay.
+constexpr double LeastShareOfStored = 1.0 - 1.2e-7;
+
 class CandidatePruner
 {
 public:
@@ -36,7 +40,7 @@ public:
     for (const Offset i : this->Order)
     {
       const Id r = this->Rows.Target(i);
-      if (this->Reach[r] <= this->Rows.Length(i))
+      if (this->Reach[r] <= this->Rows.Length(i) * LeastShareOfStored)
       {
         flags[i] = 1;
         continue;

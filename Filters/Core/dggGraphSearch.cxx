@@ -3,7 +3,7 @@
 #include "dggGraphSearch.h"
 
 #include "dggBucketQueue.h"
-#include "dggCorrectedLabels.h"
+#include "dggLabelCorrection.h"
 #include "dggGraphDijkstra.h"
 #include "dggGraphFans.h"
 #include "dggLabelCorrecting.h"
@@ -100,17 +100,26 @@ Status CheckOptions(const SearchOptions& options, Id numberOfVertices)
   return Status::Success();
 }
 
+/// Mean number of edges per vertex from which on fans pay.
+constexpr Offset ShortestLongRow = 55;
+/// Sources further apart than this, in vertices per group, are better searched one by one.
+constexpr Offset LargestPatch = 1500;
+
 /// What one search needs besides its result.
 struct SearchWorkspace
 {
+  std::vector<double> Distances; ///< when there is no result
   std::vector<LabelOrigin> Origins;
-  std::vector<Id> Order;
+  std::vector<TreeStep> Steps;
+  std::vector<LabelCorrection::VirtualSource> VirtualSources;
   MinimumHeap Heap;
   BucketQueue Queue;
 
   std::size_t GetMemorySize() const
   {
-    return this->Origins.capacity() * sizeof(LabelOrigin) + this->Order.capacity() * sizeof(Id) +
+    return this->Distances.capacity() * sizeof(double) +
+      this->Origins.capacity() * sizeof(LabelOrigin) + this->Steps.capacity() * sizeof(TreeStep) +
+      this->VirtualSources.capacity() * sizeof(LabelCorrection::VirtualSource) +
       this->Heap.GetMemorySize() + this->Queue.GetMemorySize();
   }
 };
@@ -127,15 +136,17 @@ public:
     if (this->Mesh)
     {
       this->Fans = std::make_unique<GraphFans>(this->Graph, *this->Mesh);
+      this->Correction = std::make_unique<LabelCorrection>(this->Graph, *this->Mesh);
     }
   }
 
   GraphView Graph;
   const SurfaceMesh* Mesh; ///< null where there are no angles
   double BucketWidth;
-  std::unique_ptr<GraphFans> Fans; ///< null where there are no angles
-  WorkspacePool<SearchWorkspace> Workspaces;
-  WorkspacePool<PointToPoint> PointWorkspaces;
+  std::unique_ptr<GraphFans> Fans;             ///< null where there are no angles
+  std::unique_ptr<LabelCorrection> Correction; ///< null where there are no angles
+  mutable WorkspacePool<SearchWorkspace> Workspaces;
+  mutable WorkspacePool<PointToPoint> PointWorkspaces;
 
   bool FindDistances(const std::vector<GraphSeed>& seeds, const SearchOptions& options,
     SearchWorkspace& workspace, SearchLabels& labels, SearchEffort& effort) const
@@ -145,30 +156,45 @@ public:
       return RunDijkstra(
         this->Graph, seeds, options.Targets, options.Progress, workspace.Heap, labels, effort);
     }
-    const GraphFans* fans = options.Method == SearchMethod::Certified ? this->Fans.get() : nullptr;
+    const bool overFans = options.Method == SearchMethod::Certified && this->HasLongRows();
+    const GraphFans* fans = overFans ? this->Fans.get() : nullptr;
     return RunLabelCorrecting(this->Graph, fans, seeds, this->BucketWidth, options.Progress,
       workspace.Queue, labels, effort);
   }
 
-  /// The places of sources in an order in which neighbours on the surface are close together.
-  std::vector<std::size_t> OrderSources(const std::vector<Id>& sources) const
+  /// Whether looking for the fan in a row costs less than relaxing all of it.
+  bool HasLongRows() const
   {
-    std::vector<std::size_t> order(sources.size());
-    std::iota(order.begin(), order.end(), 0);
-    if (!this->Mesh)
+    return this->Graph.GetNumberOfEdges() >
+      ShortestLongRow * static_cast<Offset>(this->Graph.NumberOfVertices);
+  }
+
+  /// Distances from one vertex into a row of a matrix.
+  void FillRow(Id source, double radius, double* row) const
+  {
+    const auto workspace = this->Workspaces.Borrow();
+    const std::vector<GraphSeed> seeds{ { source, 0.0, 0.0, 0, -1.0 } };
+    SearchLabels labels(workspace->Distances, workspace->Origins, radius);
+    labels.Start(this->Graph.NumberOfVertices, seeds);
+    SearchEffort effort;
+    this->FindDistances(seeds, SearchOptions(), *workspace, labels, effort);
+    for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
     {
-      return order;
+      row[v] = labels.IsReached(v) ? labels.Distances[v] : Infinity;
     }
-    // Patches with about as many sources as are searched together.
-    const double patch =
-      static_cast<double>(this->Graph.NumberOfVertices) * Lanes::Size / sources.size();
-    const std::vector<Id> vertices =
-      ComputePatchOrder(*this->Mesh, static_cast<Id>(std::max(1.0, patch)));
+  }
+
+  /// The places of sources in an order in which neighbours on the surface are close together.
+  std::vector<std::size_t> OrderSources(const std::vector<Id>& sources, Id patchSize) const
+  {
+    const std::vector<Id> vertices = ComputePatchOrder(*this->Mesh, patchSize);
     std::vector<Id> rank(vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
       rank[vertices[i]] = static_cast<Id>(i);
     }
+    std::vector<std::size_t> order(sources.size());
+    std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
       [&](std::size_t a, std::size_t b) { return rank[sources[a]] < rank[sources[b]]; });
     return order;
@@ -202,8 +228,7 @@ Status GraphSearch::Run(
     result = SearchResult();
     return status;
   }
-  const auto workspace =
-    this->Internals->Workspaces.Borrow([] { return std::make_unique<SearchWorkspace>(); });
+  const auto workspace = internals.Workspaces.Borrow();
   SearchLabels labels(result.Distances, workspace->Origins, options.MaximumDistance);
   labels.Start(n, seeds);
   SearchEffort effort;
@@ -214,10 +239,10 @@ Status GraphSearch::Run(
   }
   result.NumberOfPops = effort.Pops;
   result.NumberOfRelaxations = effort.Relaxations;
-  FinishTree(labels, result, workspace->Order);
-  if (options.Correct && internals.Mesh)
+  FinishTree(labels, result, workspace->Steps);
+  if (options.Correct && internals.Correction)
   {
-    CorrectLabels(internals.Graph, *internals.Mesh, seeds, workspace->Order, result);
+    internals.Correction->Run(seeds, workspace->Steps, workspace->VirtualSources, result);
   }
   else
   {
@@ -242,8 +267,7 @@ Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vecto
       return status;
     }
   }
-  const auto workspace =
-    this->Internals->PointWorkspaces.Borrow([n] { return std::make_unique<PointToPoint>(n); });
+  const auto workspace = this->Internals->PointWorkspaces.Borrow(n);
   distance = workspace->Run(this->Internals->Graph, from, to, positions);
   return Status::Success();
 }
@@ -265,11 +289,24 @@ Status GraphSearch::Many(const std::vector<Id>& sources, double maximumDistance,
       return InvalidSeed(i, status.GetMessage());
     }
   }
-  const std::vector<std::size_t> order = internals.OrderSources(sources);
   const auto count = static_cast<Offset>(sources.size());
-  const Offset blocks = (count + Lanes::Size - 1) / Lanes::Size;
-  ForRange(parallel, blocks, 1, [&](Offset begin, Offset end) {
-    ManySources search(internals.Graph, internals.BucketWidth);
+  const auto rowOf = [&](std::size_t i) { return distances + i * static_cast<std::size_t>(n); };
+  // Vertices per group of sources that are searched together.
+  const Offset patchSize = count == 0 ? 0 : Lanes::Size * static_cast<Offset>(n) / count;
+  if (!internals.Mesh || patchSize > LargestPatch)
+  {
+    ForRange(parallel, count, 1, [&](Offset begin, Offset end) {
+      for (Offset i = begin; i < end; ++i)
+      {
+        internals.FillRow(sources[i], maximumDistance, rowOf(i));
+      }
+    });
+    return Status::Success();
+  }
+  const std::vector<std::size_t> order =
+    internals.OrderSources(sources, static_cast<Id>(std::max<Offset>(1, patchSize)));
+  ForRange(parallel, (count + Lanes::Size - 1) / Lanes::Size, 1, [&](Offset begin, Offset end) {
+    ManySources search(internals.Graph, internals.Fans.get(), internals.BucketWidth);
     for (Offset block = begin; block < end; ++block)
     {
       Id lanes[Lanes::Size] = {};
@@ -278,7 +315,7 @@ Status GraphSearch::Many(const std::vector<Id>& sources, double maximumDistance,
       for (Offset i = block * Lanes::Size; i < std::min(count, (block + 1) * Lanes::Size); ++i)
       {
         lanes[used] = sources[order[i]];
-        rows[used] = distances + order[i] * static_cast<std::size_t>(n);
+        rows[used] = rowOf(order[i]);
         ++used;
       }
       search.Run(lanes, used, maximumDistance, rows);
@@ -291,6 +328,7 @@ std::size_t GraphSearch::GetMemorySize() const
 {
   const Implementation& internals = *this->Internals;
   return (internals.Fans ? internals.Fans->GetMemorySize() : 0) +
+    (internals.Correction ? internals.Correction->GetMemorySize() : 0) +
     internals.Workspaces.GetMemorySize() + internals.PointWorkspaces.GetMemorySize();
 }
 }

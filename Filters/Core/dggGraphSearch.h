@@ -32,7 +32,8 @@ enum class SearchMethod : std::uint8_t
 {
   Dijkstra,        ///< label setting, the reference
   LabelCorrecting, ///< in buckets of distance, over all edges
-  Certified        ///< in buckets over fans of edges straight ahead, then certified over all edges
+  Certified        ///< first over fans of edges straight ahead, then certified over all edges;
+                   ///< short rows, for which this does not pay, are relaxed whole
 };
 
 struct SearchOptions

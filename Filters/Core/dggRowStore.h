@@ -42,6 +42,8 @@ public:
   Offset Begin(Id row) const { return this->Begins[row]; }
   Offset End(Id row) const { return this->Begins[row + 1]; }
 
+  /// Make room for where that many rows begin, at once: growing may take up to twice as much.
+  void ReserveRows(Id count) { this->Begins.reserve(static_cast<std::size_t>(count) + 1); }
   void AppendRow(const RowEdge* begin, const RowEdge* end);
   void Set(Offset i, const RowEdge& edge);
   /// Everything but the target: others may look at targets at the same time.

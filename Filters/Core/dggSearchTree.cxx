@@ -4,14 +4,14 @@
 
 namespace dgg
 {
-void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<Id>& order)
+void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<TreeStep>& steps)
 {
   const std::size_t n = labels.Distances.size();
   result.Seeds.assign(n, NoId);
   result.Edges.assign(n, -1);
   result.Tails.assign(n, NoId);
-  order.clear();
-  order.reserve(n);
+  steps.clear();
+  steps.reserve(n);
   std::vector<Id> climbed;
   for (std::size_t first = 0; first < n; ++first)
   {
@@ -30,16 +30,17 @@ void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<Id
     if (result.Seeds[v] == NoId)
     {
       result.Seeds[v] = labels.Origins[v].Tail;
-      order.push_back(v);
+      steps.push_back({ -1, v, NoId });
     }
     const Id seed = result.Seeds[v];
     for (; !climbed.empty(); climbed.pop_back())
     {
       v = climbed.back();
       result.Seeds[v] = seed;
-      result.Edges[v] = labels.Origins[v].Edge;
-      result.Tails[v] = labels.Origins[v].Tail;
-      order.push_back(v);
+      const LabelOrigin& origin = labels.Origins[v];
+      result.Edges[v] = origin.Edge;
+      result.Tails[v] = origin.Tail;
+      steps.push_back({ origin.Edge, v, origin.Tail });
     }
   }
 }

@@ -7,14 +7,22 @@
 
 #include "dggSearchLabels.h" // for SearchLabels
 
-#include <vector> // for the order
+#include <vector> // for the steps
 
 namespace dgg
 {
+/// A reached vertex and how it was reached.
+struct TreeStep
+{
+  Offset Edge; ///< from the tail; -1 for a seed
+  Id Vertex;
+  Id Tail; ///< NoId for a seed
+};
+
 /// Write what the labels say into a result whose distances they share: edges, tails and seeds;
-/// unreached vertices become Infinity. `order` receives the reached vertices, every one after its
+/// unreached vertices become Infinity. `steps` receives the reached vertices, every one after its
 /// tail.
-void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<Id>& order);
+void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<TreeStep>& steps);
 }
 
 #endif

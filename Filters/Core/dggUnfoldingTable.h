@@ -109,7 +109,10 @@ public:
   }
 
   /// Whether there are edges with more than two faces.
-  bool HasBranches() const { return !this->Branches.empty(); }
+  bool HasBranches() const
+  {
+    return !this->Branches.empty();
+  }
   bool HasDegenerateFaces() const
   {
     return this->Mesh.GetNumberOfDegenerateFaces() > 0;

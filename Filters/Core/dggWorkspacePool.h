@@ -39,9 +39,9 @@ public:
     std::unique_ptr<Workspace> Value;
   };
 
-  /// `make` is called when all workspaces are in use.
-  template <typename Make>
-  Loan Borrow(const Make& make)
+  /// A new one is made from `arguments` when all workspaces are in use.
+  template <typename... Arguments>
+  Loan Borrow(const Arguments&... arguments)
   {
     std::unique_ptr<Workspace> workspace;
     {
@@ -57,7 +57,8 @@ public:
         this->Idle.reserve(++this->NumberOfWorkspaces);
       }
     }
-    return Loan(*this, workspace ? std::move(workspace) : make());
+    return Loan(
+      *this, workspace ? std::move(workspace) : std::make_unique<Workspace>(arguments...));
   }
 
   /// Bytes of the workspaces that are not in use.

@@ -43,10 +43,9 @@
  * distance->Update(); // milliseconds
  * @endcode
  *
- * See vtkDiscreteGeodesicGraph for where these graphs come from. The search is label correcting by
- * small labels first and large labels last (D. P. Bertsekas, "A simple and fast label correcting
- * algorithm for shortest paths", Networks 23, 1993), over those edges only that lead straight
- * ahead, as in X. Wang et al. 2017; a pass over all edges then certifies the result.
+ * See vtkDiscreteGeodesicGraph for where these graphs come from. The search corrects labels, in
+ * buckets of increasing distance, over those edges only that lead straight ahead (the fans of X. Wang
+ * et al. 2017); a pass over all edges then certifies the result.
  *
  * @sa vtkDiscreteGeodesicGraph vtkGeodesicDistanceMatrix vtkExactGeodesicDistance
  */

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
+// clang-format off
 /**
  * @class   vtkDiscreteGeodesicGraph
  * @brief   builds a sparse graph in which shortest paths are geodesics up to a known error
@@ -15,24 +16,27 @@
  *   exact distance <= distance in the graph <= (1 + Accuracy) * exact distance,
  *
  * up to rounding (1e-6). Accuracy is a bound of the maximum, not of the mean: the mean error is
- * about Accuracy / 16, and much less again after the correction that vtkDGGDistance makes.
+ * about Accuracy / 12, and much less again after the correction that vtkDGGDistance makes.
  *
  * <b>Output port 0</b> is the input, unchanged and in the same order, plus arrays in the field
  * data. n is the number of points, m the number of directed edges; each edge is there in both
  * directions, with the same length.
  *
- * | array               | type, values    | meaning                                               |
- * |---------------------|-----------------|-------------------------------------------------------|
- * | `DGG.Offsets`       | int64, n + 1    | the edges that leave point i are [Offsets[i], Offsets[i
- * + 1]) | | `DGG.Targets`       | int32, m        | point at the end of each edge | | `DGG.Lengths`
- * | float32, m      | length in units of the coordinates, rounded up; float64 when Accuracy is
- * below 1e-5 | | `DGG.Angles`        | float32, m      | direction of departure: polar angle at the
- * beginning, radians in [0, total angle) from a reference edge; each row is sorted by it | |
- * `DGG.ArrivalAngles` | float32, m      | direction of arrival: polar angle at the end, pointing
- * back | | `DGG.Info`          | int64, 12       | see below |
+ * | array | type, values | meaning |
+ * |-------|--------------|---------|
+ * | `DGG.Offsets` | int64, n + 1 | edges that leave point i: [Offsets[i], Offsets[i + 1]) |
+ * | `DGG.Targets` | int32, m | point at the end of each edge |
+ * | `DGG.Lengths` | float32, m | length, rounded up; float64 when Accuracy is below 1e-5 |
+ * | `DGG.Angles` | float32, m | direction of departure, sorted within each row |
+ * | `DGG.ArrivalAngles` | float32, m | direction of arrival, pointing back |
+ * | `DGG.Info` | int64, 12 | see below |
+ *
+ * Lengths are in units of the coordinates (and float64 also where extents are beyond the range of
+ * float). Directions are polar angles in radians at the point where the edge begins, or ends, in [0,
+ * total angle), from the point's reference edge.
  *
  * The first three are a compressed sparse row matrix, `scipy.sparse.csr_matrix((lengths, targets,
- * offsets))`. They take 16 bytes per directed edge. Points that no polygon uses have empty rows.
+ * offsets))`. All together take 16 bytes per directed edge. Points that no polygon uses have empty rows.
  * `DGG.Info` holds: the version of this format (1); the kind (0: mesh); the construction; the bits
  * of the double Accuracy (0 for a SaddleVertexGraph); NumberOfNeighbors (0 for others); whether
  * coincident points were merged; a signature of the surface (2 values); three values that are 0; a
@@ -49,7 +53,7 @@
  * <b>Output port 1</b> are the edges of the graph as lines, for looking at (GenerateGraphLines).
  *
  * <b>Memory</b> is predicted before anything is built, and refused above MemoryLimit. The number of
- * edges grows as 1 / sqrt(Accuracy): about 19 per point at 0.1, 65 at 0.01, 210 at 0.001.
+ * edges grows as 1 / sqrt(Accuracy): about 16 per point at 0.1, 55 at 0.01, 185 at 0.001.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
  *  - an Accuracy outside [1e-6, 0.5]; a NumberOfNeighbors less than 1;
@@ -82,6 +86,7 @@
  *
  * @sa vtkDGGDistance vtkGeodesicDistanceMatrix
  */
+// clang-format on
 
 #ifndef vtkDiscreteGeodesicGraph_h
 #define vtkDiscreteGeodesicGraph_h

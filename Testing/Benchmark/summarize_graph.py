@@ -21,6 +21,7 @@ GRAPH = re.compile(
 )
 PEER = re.compile(r"^Peer/(?P<mesh>[^/]+)/(?P<peer>[A-Za-z]+)(?:/(?P<case>[A-Za-z]+))?(?:/|$)")
 TITLES = {
+    "Exact": "the exact solver",
     "HeatDirect": "heat method (CGAL)",
     "HeatDelaunay": "heat method, intrinsic Delaunay (CGAL)",
     "VTK": "vtkDijkstraGraphGeodesicPath",
@@ -111,13 +112,24 @@ def speed_up_text(cases, case):
     return DASH if threads is None else f"{gain} on {threads:.0f}"
 
 
-def errors_text(figures):
-    parts = (
+def errors(figures):
+    """Mean, 99.9th percentile and maximum; None where not measured."""
+    return (
         mean(figures, "error_mean"),
         mean(figures, "error_p999"),
         largest(figures, "error_max"),
     )
-    return " / ".join(DASH if part is None else f"{digits(100.0 * part)} %" for part in parts)
+
+
+def errors_text(figures):
+    parts = errors(figures)
+    if None in parts:
+        return DASH
+    return " / ".join(digits(100.0 * part) for part in parts) + " %"
+
+
+def title_of(rule, parameter):
+    return f"{rule}, {'K' if rule == 'SVG' else 'ε'} = {parameter}"
 
 
 def size_table(graphs):
@@ -126,19 +138,15 @@ def size_table(graphs):
         build = cases.get("Build")
         built = seconds(cases, "Build")
         vertices = median(build, "vertices")
-        windows = median(build, "windows_per_vertex")
         rows.append(
             [
-                rule,
-                parameter,
+                title_of(rule, parameter),
                 text(median(build, "degree_mean"), "{:.1f}")
                 + text(median(build, "degree_deviation"), " ± {:.1f}"),
-                text(windows, "{:.0f}"),
-                time_text(built),
-                text(None if built is None else 1e6 * built / vertices, "{:.1f}"),
-                speed_up_text(cases, "Build"),
+                text(median(build, "windows_per_vertex"), "{:.0f}"),
                 text(median(build, "bytes_per_edge"), "{:.1f}"),
-                text(median(build, "peak_bytes_per_edge"), "{:.1f}"),
+                time_text(built),
+                text(None if built is None else 1e6 * built / vertices, "{:.1f} µs"),
                 errors_text(cases.get("Certified")),
                 errors_text(cases.get("Corrected")),
                 time_text(seconds(cases, "Corrected")),
@@ -146,26 +154,61 @@ def size_table(graphs):
             ]
         )
     header = [
-        "rule",
-        "ε or K",
+        "graph",
         "degree",
-        "windows / vertex",
+        "windows per vertex",
+        "bytes per edge",
         "build",
-        "µs / vertex",
-        "threads",
-        "B / edge",
-        "peak B / edge",
+        "per vertex",
         "error: mean / 99.9 % / max",
         "corrected",
         "query",
-        "pops / vertex",
+        "queue entries per vertex",
+    ]
+    return table(header, rows)
+
+
+def thorough(graphs):
+    """The graphs of which everything was measured."""
+    return {key: cases for key, cases in graphs.items() if "Estimate" in cases}
+
+
+def build_table(graphs):
+    rows = []
+    for (rule, parameter), cases in thorough(graphs).items():
+        build, estimate = cases.get("Build"), cases["Estimate"]
+        parallel = cases.get("ParallelBuild")
+        same = median(parallel, "same_bits")
+        rows.append(
+            [
+                title_of(rule, parameter),
+                speed_up_text(cases, "Build"),
+                DASH if same is None else ("yes" if same == 1.0 else "NO"),
+                text(median(build, "peak_bytes_per_edge"), "{:.1f}"),
+                text(median(cases.get("Memory"), "resident_bytes_per_edge"), "{:.1f}"),
+                text(median(build, "workspace_bytes"), "{:.3g} B"),
+                time_text(median(estimate, "seconds")),
+                text(median(estimate, "edges_ratio"), "{:.2f}"),
+                text(median(estimate, "peak_ratio"), "{:.2f}"),
+            ]
+        )
+    header = [
+        "graph",
+        "build on threads",
+        "same bits",
+        "peak bytes per edge",
+        "the system's peak",
+        "workspace",
+        "estimate",
+        "edges: estimated / built",
+        "memory: estimated / peak",
     ]
     return table(header, rows)
 
 
 def query_table(graphs):
     rows = []
-    for (rule, parameter), cases in graphs.items():
+    for (rule, parameter), cases in thorough(graphs).items():
         many = cases.get("Many")
         per_source = (
             seconds(cases, "Many") / median(many, "sources") if median(many, "sources") else None
@@ -173,8 +216,7 @@ def query_table(graphs):
         certified = seconds(cases, "Certified")
         rows.append(
             [
-                rule,
-                parameter,
+                title_of(rule, parameter),
                 time_text(seconds(cases, "Cache")),
                 text(median(cases.get("Cache"), "cache_bytes_per_edge"), "{:.1f}"),
                 time_text(seconds(cases, "FirstQuery")),
@@ -189,10 +231,9 @@ def query_table(graphs):
             ]
         )
     header = [
-        "rule",
-        "ε or K",
+        "graph",
         "cache",
-        "cache B / edge",
+        "its bytes per edge",
         "cache + first query",
         "corrected",
         "certified",
@@ -271,33 +312,60 @@ def ratio_rows(run, mesh):
     return rows
 
 
-def ratio_table(run):
-    rows = [row for mesh in run.graphs for row in ratio_rows(run, mesh)]
+def ratio_table(rows):
     header = ["mesh", "peer", "what", "peer", "graph", "time", "mean error", "largest error"]
     return table(header, rows)
 
 
-def summarize(path):
-    run = Run(path)
+def environment(run):
     about = ", ".join(
-        f"{key} {run.context[key]}"
+        f"{key.split('_')[0]} {run.context[key].strip()}"
         for key in ("compiler", "vtk_version", "cgal_version")
         if key in run.context
     )
-    parts = [
+    return (
         f"CPU seconds on one thread, but for parallel ones (on the wall); the set-up of each one's "
         f"mesh is left out ({about}).\n"
-    ]
+    )
+
+
+def thorough_parts(run):
+    """Tables of the graphs of which everything was measured, folded."""
+    parts = ["<details><summary>Building and querying in detail</summary>\n"]
     for mesh, graphs in run.graphs.items():
-        parts.append(f"**{mesh}: size, accuracy, time**\n")
-        parts.append(size_table(graphs))
-        parts.append(f"**{mesh}: queries**\n")
-        parts.append(query_table(graphs))
-    if run.peers:
-        parts.append("**Peers**\n")
-        parts.append(peer_table(run))
+        if thorough(graphs):
+            parts.append(f"**{mesh}: building**\n")
+            parts.append(build_table(graphs))
+            parts.append(f"**{mesh}: queries**\n")
+            parts.append(query_table(graphs))
+    return parts + ["</details>\n"] if len(parts) > 1 else []
+
+
+def peer_parts(run):
+    if not run.peers:
+        return []
+    parts = ["**Peers**\n", peer_table(run)]
+    rows = [row for mesh in run.graphs for row in ratio_rows(run, mesh)]
+    if rows:
         parts.append("**Graph with corrected distances against peers** (times better)\n")
-        parts.append(ratio_table(run))
+        parts.append(ratio_table(rows))
+    return parts
+
+
+def vertices_of(graphs):
+    found = [median(cases.get("Build"), "vertices") for cases in graphs.values()]
+    found = [vertices for vertices in found if vertices is not None]
+    return f" ({count_text(found[0])} vertices)" if found else ""
+
+
+def summarize(path):
+    run = Run(path)
+    parts = [environment(run)]
+    for mesh, graphs in run.graphs.items():
+        parts.append(f"**{mesh}{vertices_of(graphs)}: size, accuracy, time**\n")
+        parts.append(size_table(graphs))
+    parts += thorough_parts(run)
+    parts += peer_parts(run)
     return "\n".join(parts)
 
 

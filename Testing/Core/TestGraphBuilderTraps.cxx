@@ -73,6 +73,29 @@ TEST(GraphBuilderTraps, CostEqualToDistance)
   }
 }
 
+TEST(GraphBuilderTraps, HiddenRelay)
+{
+  // From s, the relay o covers v, and it would cover x if it saw it: but v is a reflex corner, and
+  // the way from o to x has a bend there. With that, x is not covered.
+  const double accuracy = 0.5;
+  TestMesh input;
+  const Id s = input.AddPoint(0.0, 0.0, 0.0);
+  const Id o = input.AddPoint(0.3, 0.9, 0.0);
+  const Id v = input.AddPoint(0.0, 1.0, 0.0);
+  const Id x = input.AddPoint(-5.0, 10.0, 0.0);
+  const Id m = input.AddPoint(-3.0, 0.5, 0.0);
+  input.AddTriangle(s, o, m);
+  input.AddTriangle(o, v, m);
+  input.AddTriangle(v, x, m);
+  const auto length = [&](Id a, Id b) { return EuclideanDistance(input, a, b); };
+  const double cost = length(s, o) / (1.0 + accuracy);
+  ASSERT_LT(cost + length(o, v), length(s, v));
+  ASSERT_LT(cost + length(o, x), length(s, x));
+  ASSERT_GT(cost + length(o, v) + length(v, x), length(s, x));
+  const dgg::GeodesicGraph graph = BuildGraph(Build(input), accuracy);
+  EXPECT_GE(FindEdge(graph.View(), s, x), 0);
+}
+
 TEST(GraphBuilderTraps, EdgesBackToTheSource)
 {
   // Glued so that mesh edges lead from a vertex to itself, and light meets its own source: a vertex
