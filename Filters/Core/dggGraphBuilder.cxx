@@ -259,8 +259,7 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
     blocks.resize(static_cast<std::size_t>((last - first + BlockSize - 1) / BlockSize));
     ForRange(
       options.Parallel, static_cast<Offset>(blocks.size()), 1, [&](Offset begin, Offset end) {
-        const auto tracer =
-          tracers.Borrow([&] { return std::make_unique<ConeTracer<Rule>>(this->Table, rule); });
+        const auto tracer = tracers.Borrow(this->Table, rule);
         const std::size_t before = tracer->GetNumberOfWindows();
         for (Offset b = begin; b < end; ++b)
         {
@@ -398,9 +397,7 @@ Status GraphBuilder::Implementation::Link(const SurfacePoint& point, double accu
   std::stable_sort(coneTargets.begin(), coneTargets.end(),
     [](const ConeTarget& a, const ConeTarget& b) { return a.Face < b.Face; });
 
-  const auto tracer = this->Linkers.Borrow([&] {
-    return std::make_unique<ConeTracer<ProgressRule>>(this->Table, ProgressRule(accuracy));
-  });
+  const auto tracer = this->Linkers.Borrow(this->Table, ProgressRule(accuracy));
   tracer->SetRule(ProgressRule(accuracy));
   for (const FoundEdge& edge : tracer->TracePoint(positions, coneTargets, direct))
   {
