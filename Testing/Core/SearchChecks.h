@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of the searches share.
+#ifndef SearchChecks_h
+#define SearchChecks_h
+
+#include "GraphChecks.h"
+
+#include "dggGraphSearch.h"
+#include "dggSurfaceMesh.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+/// A mesh, a graph of it and a search in that.
+class SearchCase
+{
+public:
+  SearchCase(const std::string& name, const TestMesh& mesh, double accuracy,
+    dgg::GraphConstruction construction = dgg::GraphConstruction::Guaranteed);
+
+  const std::string& GetName() const { return this->Name; }
+  const TestMesh& GetPoints() const { return this->Points; }
+  const dgg::SurfaceMesh& GetMesh() const { return this->Mesh; }
+  dgg::GraphView GetGraph() const { return this->Graph.View(); }
+  const dgg::GraphSearch& GetSearch() const { return *this->Search; }
+  Id GetNumberOfVertices() const { return this->Mesh.GetNumberOfVertices(); }
+
+  /// One run that has to succeed. `change` may adjust the options.
+  dgg::SearchResult Run(const std::vector<dgg::GraphSeed>& seeds,
+    const std::function<void(dgg::SearchOptions&)>& change = nullptr) const;
+
+private:
+  std::string Name;
+  TestMesh Points;
+  dgg::SurfaceMesh Mesh;
+  dgg::GeodesicGraph Graph;
+  std::unique_ptr<dgg::GraphSearch> Search;
+};
+
+/// Sound meshes and meshes with defects, at some accuracies and with all constructions.
+std::vector<std::unique_ptr<SearchCase>> SearchCases();
+
+dgg::GraphSeed SeedAt(Id vertex, double distance = 0.0, Id source = 0);
+/// Seeds at some vertices, with offsets that may be negative; one vertex twice.
+std::vector<dgg::GraphSeed> RandomSeeds(Id numberOfVertices, Id count, std::uint64_t seed);
+/// What an independent Dijkstra says.
+std::vector<double> ReferenceDistances(
+  const dgg::GraphView& graph, const std::vector<dgg::GraphSeed>& seeds);
+
+/// Expect equal fields, up to rounding.
+void ExpectSameDistances(
+  const std::vector<double>& expected, const std::vector<double>& actual, const std::string& what);
+/// Expect the edges, tails and seeds to lead down to each vertex at its distance.
+void ExpectConsistentTree(const dgg::GraphView& graph, const std::vector<dgg::GraphSeed>& seeds,
+  const dgg::SearchResult& result, const std::string& what);
+
+std::string MethodName(dgg::SearchMethod method);
+extern const std::vector<dgg::SearchMethod> AllMethods;
+}
+
+#endif

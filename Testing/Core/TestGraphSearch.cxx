@@ -1,0 +1,454 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Shortest paths in graphs: all methods against an independent Dijkstra.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "SearchChecks.h"
+
+#include "dggLabelCorrecting.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::GraphSeed;
+using dgg::SearchMethod;
+using dgg::SearchOptions;
+using dgg::SearchResult;
+
+SearchResult RunMethod(const SearchCase& c, const std::vector<GraphSeed>& seeds,
+  SearchMethod method, double radius = dgg::Infinity)
+{
+  return c.Run(seeds, [=](SearchOptions& options) {
+    options.Method = method;
+    options.MaximumDistance = radius;
+  });
+}
+
+/// Over fans whatever the length of the rows, which is up to the method otherwise.
+std::vector<double> DistancesOverFans(
+  const SearchCase& c, const std::vector<GraphSeed>& seeds, double radius, std::size_t& fixed)
+{
+  const dgg::GraphView graph = c.GetGraph();
+  const dgg::GraphFans fans(graph, c.GetMesh());
+  std::vector<double> distances;
+  std::vector<dgg::LabelOrigin> origins;
+  dgg::SearchLabels labels(distances, origins, radius);
+  labels.Start(graph.NumberOfVertices, seeds);
+  dgg::BucketQueue queue;
+  dgg::SearchEffort effort;
+  EXPECT_TRUE(dgg::RunLabelCorrecting(
+    graph, &fans, seeds, dgg::ChooseBucketWidth(graph), nullptr, queue, labels, effort));
+  for (double& d : distances)
+  {
+    d = d < labels.Limit ? d : dgg::Infinity;
+  }
+  fixed = effort.Pops;
+  return distances;
+}
+}
+
+TEST(GraphSearch, MethodsAgree)
+{
+  for (const auto& c : SearchCases())
+  {
+    const Id n = c->GetNumberOfVertices();
+    for (const std::vector<GraphSeed>& seeds :
+      { std::vector<GraphSeed>{ SeedAt(n / 2) }, RandomSeeds(n, 5, 7) })
+    {
+      const std::vector<double> expected = ReferenceDistances(c->GetGraph(), seeds);
+      for (SearchMethod method : AllMethods)
+      {
+        const std::string what = c->GetName() + ", " + MethodName(method);
+        const SearchResult result = RunMethod(*c, seeds, method);
+        ExpectSameDistances(expected, result.Distances, what);
+        ExpectConsistentTree(c->GetGraph(), seeds, result, what);
+        EXPECT_GT(result.NumberOfPops, 0u) << what;
+        EXPECT_TRUE(result.Corrected.empty()) << what;
+      }
+      std::size_t pops = 0;
+      ExpectSameDistances(
+        expected, DistancesOverFans(*c, seeds, dgg::Infinity, pops), c->GetName() + ", over fans");
+    }
+  }
+}
+
+TEST(GraphSearch, FansSaveWork)
+{
+  // Otherwise the fans would be beside the paths, and the certification would do all the work.
+  const SearchCase c("sphere", NoisySphere(4, 0.2, 3), 0.01);
+  const dgg::GraphView graph = c.GetGraph();
+  const dgg::GraphFans fans(graph, c.GetMesh());
+  const auto n = static_cast<double>(graph.NumberOfVertices);
+  std::vector<double> distances;
+  std::vector<dgg::LabelOrigin> origins;
+  dgg::SearchLabels labels(distances, origins, dgg::Infinity);
+  const std::vector<GraphSeed> seeds{ SeedAt(0) };
+  labels.Start(graph.NumberOfVertices, seeds);
+  dgg::BucketQueue queue;
+  dgg::SearchEffort effort;
+  dgg::RunLabelCorrecting(
+    graph, &fans, seeds, dgg::ChooseBucketWidth(graph), nullptr, queue, labels, effort);
+  EXPECT_LT(static_cast<double>(effort.Pops), 1.3 * n);
+  const auto edges = static_cast<double>(graph.GetNumberOfEdges());
+  EXPECT_LT(static_cast<double>(effort.Relaxations), edges + 0.4 * edges);
+}
+
+TEST(GraphSearch, RadiusCutsOff)
+{
+  for (const auto& c : SearchCases())
+  {
+    const std::vector<GraphSeed> seeds{ SeedAt(0), SeedAt(c->GetNumberOfVertices() / 2, 0.1) };
+    const std::vector<double> all = ReferenceDistances(c->GetGraph(), seeds);
+    double largest = 0.0;
+    for (double d : all)
+    {
+      largest = std::max(largest, d == dgg::Infinity ? 0.0 : d);
+    }
+    for (double radius : { 0.0, 0.1, 0.45 * largest, largest, -1.0 })
+    {
+      std::vector<double> expected = all;
+      for (double& d : expected)
+      {
+        d = d <= radius ? d : dgg::Infinity;
+      }
+      for (SearchMethod method : AllMethods)
+      {
+        const std::string what =
+          c->GetName() + ", " + MethodName(method) + ", radius " + std::to_string(radius);
+        const SearchResult result = RunMethod(*c, seeds, method, radius);
+        // A vertex on the very edge may go either way by rounding.
+        for (std::size_t v = 0; v < expected.size(); ++v)
+        {
+          if (std::abs(all[v] - radius) < 1e-12 * largest)
+          {
+            expected[v] = result.Distances[v];
+          }
+        }
+        ExpectSameDistances(expected, result.Distances, what);
+        ExpectConsistentTree(c->GetGraph(), seeds, result, what);
+      }
+      std::size_t pops = 0;
+      if (radius == 0.45 * largest)
+      {
+        ExpectSameDistances(expected, DistancesOverFans(*c, seeds, radius, pops), c->GetName());
+      }
+    }
+  }
+}
+
+TEST(GraphSearch, NearestSourceWins)
+{
+  const SearchCase c("plane", Plane(12, 12, 0.2, 3), 0.05);
+  const std::vector<GraphSeed> seeds{ SeedAt(0, 0.0, 7), SeedAt(168, 0.0, 9), SeedAt(0, 1.0, 8) };
+  const std::vector<double> left = ReferenceDistances(c.GetGraph(), { seeds[0] });
+  const std::vector<double> right = ReferenceDistances(c.GetGraph(), { seeds[1] });
+  for (SearchMethod method : AllMethods)
+  {
+    const SearchResult result = RunMethod(c, seeds, method);
+    for (std::size_t v = 0; v < left.size(); ++v)
+    {
+      if (std::abs(left[v] - right[v]) > 1e-9)
+      {
+        EXPECT_EQ(result.Seeds[v], left[v] < right[v] ? 0 : 1) << MethodName(method);
+      }
+    }
+  }
+}
+
+TEST(GraphSearch, EarlyExitIsExactAtTargets)
+{
+  for (const auto& c : SearchCases())
+  {
+    const Id n = c->GetNumberOfVertices();
+    const std::vector<GraphSeed> seeds = RandomSeeds(n, 2, 11);
+    const std::vector<double> expected = ReferenceDistances(c->GetGraph(), seeds);
+    const std::vector<Id> targets{ seeds[0].Vertex, n / 3, n / 3, std::min(n - 1, n / 3 + 1) };
+    const SearchResult result = c->Run(seeds, [&](SearchOptions& o) { o.Targets = targets; });
+    for (Id t : targets)
+    {
+      EXPECT_NEAR(std::min(expected[t], 1e9), std::min(result.Distances[t], 1e9), 1e-11)
+        << c->GetName();
+    }
+    ExpectConsistentTree(c->GetGraph(), seeds, result, c->GetName());
+  }
+  const SearchCase plane("plane", Plane(40, 40, 0.2, 3), 0.05);
+  const SearchResult near = plane.Run({ SeedAt(0) }, [](SearchOptions& o) {
+    o.Targets = { 1, 42 };
+  });
+  EXPECT_LT(near.NumberOfPops, 40u);
+}
+
+TEST(GraphSearch, ComponentsAreNotConnected)
+{
+  const TestMesh mesh = SeveralComponents();
+  const SearchCase c("components", mesh, 0.05);
+  Id count = 0;
+  const std::vector<Id> component = c.GetMesh().ComputeComponents(count);
+  ASSERT_GE(count, 3);
+  for (SearchMethod method : AllMethods)
+  {
+    const SearchResult result = RunMethod(c, { SeedAt(0) }, method);
+    for (std::size_t v = 0; v < component.size(); ++v)
+    {
+      EXPECT_EQ(result.Distances[v] == dgg::Infinity, component[v] != component[0]);
+    }
+  }
+}
+
+TEST(GraphSearch, IsolatedVertices)
+{
+  const SearchCase c("isolated", SphereWithIsolatedPoints(2), 0.05);
+  for (SearchMethod method : AllMethods)
+  {
+    // The first point is isolated: only itself is reached.
+    const SearchResult result = RunMethod(c, { SeedAt(0, 2.0) }, method);
+    EXPECT_EQ(result.Distances[0], 2.0);
+    EXPECT_EQ(std::count(result.Distances.begin(), result.Distances.end(), dgg::Infinity),
+      c.GetNumberOfVertices() - 1);
+  }
+}
+
+TEST(GraphSearch, GraphsWithoutEdges)
+{
+  const dgg::Offset zero[] = { 0, 0 };
+  dgg::GraphView graph;
+  graph.Offsets = zero;
+  graph.NumberOfVertices = 1;
+  const dgg::GraphSearch single(graph, nullptr);
+  SearchResult result;
+  ASSERT_TRUE(single.Run({ SeedAt(0, -3.0) }, SearchOptions(), result).IsOk());
+  EXPECT_EQ(result.Distances, std::vector<double>{ -3.0 });
+  graph.NumberOfVertices = 0;
+  const dgg::GraphSearch empty(graph, nullptr);
+  EXPECT_FALSE(empty.Run({ SeedAt(0) }, SearchOptions(), result).IsOk());
+  EXPECT_FALSE(empty.Run({}, SearchOptions(), result).IsOk());
+  EXPECT_TRUE(empty.Many({}, dgg::Infinity, nullptr, nullptr).IsOk());
+  const dgg::GraphSearch nothing(dgg::GraphView(), nullptr);
+  EXPECT_FALSE(nothing.Run({ SeedAt(0) }, SearchOptions(), result).IsOk());
+}
+
+TEST(GraphSearch, CloudsHaveNoDirections)
+{
+  const SearchCase c("sphere", NoisySphere(3, 0.2, 2), 0.05);
+  dgg::GraphView cloud = c.GetGraph();
+  cloud.Info.Kind = dgg::GraphKind::Cloud;
+  cloud.Angles = nullptr;
+  cloud.ArrivalAngles = nullptr;
+  const dgg::GraphSearch search(cloud, nullptr);
+  const std::vector<double> expected = ReferenceDistances(cloud, { SeedAt(5) });
+  for (SearchMethod method : AllMethods)
+  {
+    SearchOptions options;
+    options.Method = method;
+    options.Correct = true;
+    SearchResult result;
+    ASSERT_TRUE(search.Run({ SeedAt(5) }, options, result).IsOk());
+    ExpectSameDistances(expected, result.Distances, MethodName(method));
+    EXPECT_TRUE(result.Corrected.empty());
+  }
+}
+
+TEST(GraphSearch, ResultsDoNotDependOnEarlierCalls)
+{
+  const SearchCase c("terrain", Terrain(12, 0.4, 5), 0.02);
+  SearchOptions options;
+  options.Correct = true;
+  SearchResult fresh;
+  ASSERT_TRUE(c.GetSearch().Run({ SeedAt(17) }, options, fresh).IsOk());
+  SearchResult used;
+  SearchOptions other;
+  other.MaximumDistance = 2.0;
+  ASSERT_TRUE(c.GetSearch().Run(RandomSeeds(c.GetNumberOfVertices(), 4, 3), other, used).IsOk());
+  EXPECT_TRUE(used.Corrected.empty());
+  EXPECT_FALSE(c.GetSearch().Run({}, other, used).IsOk());
+  ASSERT_TRUE(c.GetSearch().Run({ SeedAt(17) }, options, used).IsOk());
+  EXPECT_EQ(fresh.Distances, used.Distances);
+  EXPECT_EQ(fresh.Edges, used.Edges);
+  EXPECT_EQ(fresh.Tails, used.Tails);
+  EXPECT_EQ(fresh.Seeds, used.Seeds);
+  EXPECT_EQ(fresh.Corrected, used.Corrected);
+  EXPECT_EQ(fresh.VirtualOffset, used.VirtualOffset);
+  EXPECT_EQ(fresh.VirtualAngle, used.VirtualAngle);
+  EXPECT_EQ(fresh.VirtualLength, used.VirtualLength);
+}
+
+TEST(GraphSearch, FromSeveralThreads)
+{
+  const SearchCase c("terrain", Terrain(14, 0.4, 5), 0.02);
+  const Id n = c.GetNumberOfVertices();
+  std::vector<SearchResult> results(8);
+  std::vector<std::thread> threads;
+  for (std::size_t k = 0; k < results.size(); ++k)
+  {
+    threads.emplace_back([&, k] {
+      for (int repeat = 0; repeat < 5; ++repeat)
+      {
+        SearchOptions options;
+        options.Method = AllMethods[k % 3];
+        options.Correct = true;
+        c.GetSearch().Run({ SeedAt(static_cast<Id>(k) * n / 8) }, options, results[k]);
+      }
+    });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (std::size_t k = 0; k < results.size(); ++k)
+  {
+    ExpectSameDistances(ReferenceDistances(c.GetGraph(), { SeedAt(static_cast<Id>(k) * n / 8) }),
+      results[k].Distances, "thread " + std::to_string(k));
+  }
+}
+
+TEST(GraphSearch, HugeAndTinyScales)
+{
+  // Labels far from zero, and a queue whose keys are single precision.
+  for (double scale : { 1e-20, 1e20 })
+  {
+    const SearchCase c("scaled", Scaled(Terrain(8, 0.4, 5), scale), 0.02);
+    for (double offset : { 0.0, 1e9 * scale, -1e9 * scale })
+    {
+      const std::vector<GraphSeed> seeds{ SeedAt(3, offset), SeedAt(40, offset + 2.0 * scale) };
+      const std::vector<double> expected = ReferenceDistances(c.GetGraph(), seeds);
+      for (SearchMethod method : AllMethods)
+      {
+        const SearchResult result = RunMethod(c, seeds, method);
+        for (std::size_t v = 0; v < expected.size(); ++v)
+        {
+          EXPECT_NEAR(expected[v], result.Distances[v], 1e-11 * (scale + std::abs(expected[v])));
+        }
+      }
+    }
+  }
+}
+
+TEST(GraphSearch, VeryUnequalEdges)
+{
+  // A chain whose edges grow by a factor of 3 each: the buckets suit none of them.
+  constexpr Id n = 60;
+  std::vector<dgg::Offset> offsets{ 0 };
+  std::vector<Id> targets;
+  std::vector<double> lengths;
+  for (Id v = 0; v < n; ++v)
+  {
+    for (Id other : { v - 1, v + 1 })
+    {
+      if (other >= 0 && other < n)
+      {
+        targets.push_back(other);
+        lengths.push_back(1e-6 * std::pow(3.0, std::min(v, other)));
+      }
+    }
+    offsets.push_back(static_cast<dgg::Offset>(targets.size()));
+  }
+  dgg::GraphView graph;
+  graph.Info.Kind = dgg::GraphKind::Cloud;
+  graph.NumberOfVertices = n;
+  graph.Offsets = offsets.data();
+  graph.Targets = targets.data();
+  graph.WideLengths = lengths.data();
+  const dgg::GraphSearch search(graph, nullptr);
+  for (Id source : { 0, 30, n - 1 })
+  {
+    const std::vector<double> expected = ReferenceDistances(graph, { SeedAt(source) });
+    for (SearchMethod method : AllMethods)
+    {
+      SearchOptions options;
+      options.Method = method;
+      SearchResult result;
+      ASSERT_TRUE(search.Run({ SeedAt(source) }, options, result).IsOk());
+      for (Id v = 0; v < n; ++v)
+      {
+        EXPECT_NEAR(expected[v], result.Distances[v], 1e-12 * expected[v]) << MethodName(method);
+      }
+    }
+  }
+}
+
+TEST(GraphSearch, BadInputIsNamed)
+{
+  const SearchCase c("plane", Plane(4, 4), 0.05);
+  const double notANumber = std::nan("");
+  const auto expect = [&](const std::string& message, const std::vector<GraphSeed>& seeds,
+                        const std::function<void(SearchOptions&)>& change = nullptr) {
+    SearchOptions options;
+    if (change)
+    {
+      change(options);
+    }
+    SearchResult result = c.Run({ SeedAt(0) });
+    const dgg::Status status = c.GetSearch().Run(seeds, options, result);
+    EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput) << message;
+    EXPECT_NE(status.GetMessage().find(message), std::string::npos) << status.GetMessage();
+    EXPECT_TRUE(result.Distances.empty()) << message;
+    double distance = 0.0;
+    if (!change)
+    {
+      EXPECT_FALSE(c.GetSearch().Between(seeds, { SeedAt(0) }, nullptr, distance).IsOk());
+      EXPECT_FALSE(c.GetSearch().Between({ SeedAt(0) }, seeds, nullptr, distance).IsOk());
+      EXPECT_EQ(distance, dgg::Infinity);
+    }
+  };
+  expect("no source", {});
+  expect("source 1: vertex 25 does not exist", { SeedAt(0), SeedAt(25) });
+  expect("source 0: vertex -1 does not exist", { SeedAt(-1) });
+  expect("source 1: the distances nan", { SeedAt(0), SeedAt(1, notANumber) });
+  expect("source 0: the distances inf", { SeedAt(0, dgg::Infinity) });
+  expect("not finite", { { 0, 0.0, notANumber, 0, -1.0 } });
+  expect("arrival angle", { { 0, 0.0, 0.0, 0, notANumber } });
+  expect("below its initial distance", { { 0, 1.0, 2.0, 0, 0.5 } });
+  expect("maximum distance is not a number", { SeedAt(0) },
+    [=](SearchOptions& o) { o.MaximumDistance = notANumber; });
+  expect("target 1: vertex 25", { SeedAt(0) }, [](SearchOptions& o) { o.Targets = { 0, 25 }; });
+  expect("target 0: vertex -7", { SeedAt(0) }, [](SearchOptions& o) { o.Targets = { -7 }; });
+  // A later correct call works.
+  EXPECT_EQ(c.Run({ SeedAt(0) }).Distances.size(), 25u);
+}
+
+TEST(GraphSearch, ProgressAndAbort)
+{
+  const SearchCase c("plane", Plane(200, 200), 0.5);
+  for (SearchMethod method : AllMethods)
+  {
+    int calls = 0;
+    double last = 0.0;
+    SearchOptions options;
+    options.Method = method;
+    options.Progress = [&](double fraction) {
+      EXPECT_GE(fraction, last);
+      EXPECT_LE(fraction, 1.0);
+      last = fraction;
+      ++calls;
+      return true;
+    };
+    SearchResult result;
+    EXPECT_TRUE(c.GetSearch().Run({ SeedAt(0) }, options, result).IsOk());
+    EXPECT_GE(calls, 2) << MethodName(method);
+    options.Progress = [&](double) { return false; };
+    EXPECT_TRUE(c.GetSearch().Run({ SeedAt(0) }, options, result).IsAborted());
+    EXPECT_TRUE(result.Distances.empty());
+    options.Progress = nullptr;
+    EXPECT_TRUE(c.GetSearch().Run({ SeedAt(0) }, options, result).IsOk());
+  }
+}
+
+TEST(GraphSearch, MemoryIsReported)
+{
+  const SearchCase c("plane", Plane(20, 20), 0.05);
+  const std::size_t before = c.GetSearch().GetMemorySize();
+  EXPECT_GT(before, 0u);
+  c.Run({ SeedAt(0) });
+  EXPECT_GT(c.GetSearch().GetMemorySize(), before);
+}
+}
