@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Corrected labels: within the accuracy without exception, and much better than that.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+#include "SearchChecks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::GraphConstruction;
+using dgg::GraphSeed;
+using dgg::SearchOptions;
+using dgg::SearchResult;
+
+SearchResult RunCorrected(const SearchCase& c, const std::vector<GraphSeed>& seeds)
+{
+  return c.Run(seeds, [](SearchOptions& options) { options.Correct = true; });
+}
+
+/// Mean errors over all vertices from some sources.
+struct MeanErrors
+{
+  double Raw = 0.0;
+  double Corrected = 0.0;
+};
+
+MeanErrors MeasureErrors(const SearchCase& c, Id numberOfSources)
+{
+  MeanErrors errors;
+  std::size_t count = 0;
+  for (Id source : SomeVertices(c.GetMesh(), numberOfSources, 5))
+  {
+    const std::vector<double> exact =
+      DistancesFrom(c.GetMesh(), dgg::ExactEngine::Triangle, source);
+    const SearchResult result = RunCorrected(c, { SeedAt(source) });
+    for (std::size_t v = 0; v < exact.size(); ++v)
+    {
+      if (exact[v] > 0.0 && exact[v] < dgg::Infinity)
+      {
+        errors.Raw += std::abs(result.Distances[v] / exact[v] - 1.0);
+        errors.Corrected += std::abs(result.Corrected[v] / exact[v] - 1.0);
+        ++count;
+      }
+    }
+  }
+  errors.Raw /= static_cast<double>(count);
+  errors.Corrected /= static_cast<double>(count);
+  return errors;
+}
+
+void ExpectImproved(
+  const std::string& name, const TestMesh& mesh, double accuracy, double expectedFactor)
+{
+  const SearchCase c(name, mesh, accuracy);
+  const MeanErrors errors = MeasureErrors(c, 5);
+  EXPECT_GT(errors.Raw, expectedFactor * errors.Corrected)
+    << c.GetName() << ": raw " << errors.Raw << ", corrected " << errors.Corrected;
+}
+}
+
+TEST(GraphCorrection, WithinTheAccuracyWithoutException)
+{
+  for (const auto& c : SearchCases())
+  {
+    if (!c->GetGraph().Info.IsGuaranteed())
+    {
+      continue;
+    }
+    const double accuracy = c->GetGraph().Info.Accuracy;
+    const double slack = 100.0 * c->GetMesh().GetMollification();
+    for (Id source : SomeVertices(c->GetMesh(), 3, 9))
+    {
+      const std::vector<double> exact =
+        DistancesFrom(c->GetMesh(), dgg::ExactEngine::Triangle, source);
+      const SearchResult result = RunCorrected(*c, { SeedAt(source) });
+      for (std::size_t v = 0; v < exact.size(); ++v)
+      {
+        ASSERT_EQ(result.Corrected[v] == dgg::Infinity, exact[v] == dgg::Infinity) << c->GetName();
+        if (exact[v] < dgg::Infinity)
+        {
+          ASSERT_LE(std::abs(result.Corrected[v] - exact[v]),
+            accuracy * exact[v] * (1.0 + 1e-6) + 1e-9 * exact[v] + slack)
+            << c->GetName() << ", from " << source << " to " << v;
+        }
+      }
+    }
+  }
+}
+
+TEST(GraphCorrection, SeveralSourcesWithOffsets)
+{
+  for (const auto& mesh : { NoisySphere(3, 0.2, 4), Terrain(16, 0.3, 2) })
+  {
+    const SearchCase c("offsets", mesh, 0.05);
+    const Id n = c.GetNumberOfVertices();
+    const std::vector<GraphSeed> seeds{ SeedAt(0, 0.3), SeedAt(n / 2, -0.4), SeedAt(n - 1, 0.1) };
+    std::vector<dgg::GeodesicSource> sources;
+    for (const GraphSeed& seed : seeds)
+    {
+      sources.push_back(VertexSource(seed.Vertex, seed.Distance));
+    }
+    const dgg::ExactResult exact = Solve(c.GetMesh(), dgg::ExactEngine::Triangle, sources);
+    const SearchResult result = RunCorrected(c, seeds);
+    double raw = 0.0;
+    double corrected = 0.0;
+    for (Id v = 0; v < n; ++v)
+    {
+      const double d = exact.Distances[v];
+      EXPECT_LE(std::abs(result.Corrected[v] - d), 0.05 * (d + 0.4) * (1.0 + 1e-6) + 1e-9);
+      raw += std::abs(result.Distances[v] - d);
+      corrected += std::abs(result.Corrected[v] - d);
+    }
+    EXPECT_GT(raw, 3.0 * corrected);
+  }
+}
+
+TEST(GraphCorrection, ExactWhereTheSurfaceIsFlat)
+{
+  // Nothing is unknown there but the rounding of angles, which are floats.
+  const SearchCase c("plane", Plane(25, 25, 0.25, 3), 0.05);
+  for (Id source : { 0, 13, 340 })
+  {
+    const SearchResult result = RunCorrected(c, { SeedAt(source) });
+    for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+    {
+      const double d = EuclideanDistance(c.GetPoints(), source, v);
+      EXPECT_NEAR(result.Corrected[v], d, 1e-5 * d);
+      EXPECT_NEAR(result.VirtualOffset[v] + result.VirtualLength[v], d, 1e-5 * d);
+    }
+  }
+}
+
+TEST(GraphCorrection, VirtualSourcesPointTowardsTheSource)
+{
+  const TestMesh plane = Plane(15, 15, 0.2, 3);
+  const SearchCase c("plane", plane, 0.05);
+  const Id source = 130;
+  const SearchResult result = RunCorrected(c, { SeedAt(source) });
+  const auto angleTo = [&](Id from, Id to) {
+    return std::atan2(plane.Points[3 * to + 1] - plane.Points[3 * from + 1],
+      plane.Points[3 * to] - plane.Points[3 * from]);
+  };
+  for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+  {
+    if (v == source || c.GetMesh().Kind(v) != dgg::VertexKind::Flat)
+    {
+      continue;
+    }
+    // Polar angles count from the first half-edge of the fan.
+    const Id first = *c.GetMesh().FanBegin(v);
+    const double expected = angleTo(v, source) - angleTo(v, c.GetMesh().Destination(first));
+    EXPECT_NEAR(std::cos(result.VirtualAngle[v]), std::cos(expected), 1e-4);
+    EXPECT_NEAR(std::sin(result.VirtualAngle[v]), std::sin(expected), 1e-4);
+  }
+}
+
+TEST(GraphCorrection, BendsAtCorners)
+{
+  // An L-shaped plate: behind the corner at (10, 10) the way bends there.
+  const TestMesh plate = Plate(
+    20, 20, [](Id i, Id j) { return i < 10 || j < 10; }, 0.2, 4);
+  const SearchCase c("L", plate, 0.05);
+  const Id corner = VertexAt(plate, 10.0, 10.0, 0.0);
+  const Id source = VertexAt(plate, 20.0, 0.0, 0.0);
+  const Id behind = VertexAt(plate, 0.0, 20.0, 0.0);
+  const SearchResult result = RunCorrected(c, { SeedAt(source) });
+  const double first = EuclideanDistance(plate, source, corner);
+  const double second = EuclideanDistance(plate, corner, behind);
+  EXPECT_NEAR(result.Corrected[corner], first, 1e-4);
+  EXPECT_NEAR(result.Corrected[behind], first + second, 1e-4);
+  const MeanErrors errors = MeasureErrors(c, 6);
+  EXPECT_GT(errors.Raw, 6.0 * errors.Corrected) << errors.Raw << " against " << errors.Corrected;
+}
+
+TEST(GraphCorrection, MuchBetterThanTheLabels)
+{
+  for (double accuracy : { 0.05, 0.01 })
+  {
+    ExpectImproved("sphere", Icosphere(4), accuracy, 8.0);
+    ExpectImproved("noisy sphere", NoisySphere(4, 0.1, 3), accuracy, 5.0);
+    ExpectImproved("torus", Torus(60, 25), accuracy, 8.0);
+    ExpectImproved("terrain", Terrain(40, 0.15, 3), accuracy, 5.0);
+    ExpectImproved("cube", Cube(16, 0.2, 3), accuracy, 5.0);
+    ExpectImproved("annulus",
+      Plate(
+        40, 40, [](Id i, Id j) { return i < 12 || i >= 28 || j < 12 || j >= 28; }, 0.2, 5),
+      accuracy, 5.0);
+  }
+}
+
+TEST(GraphCorrection, NoLowerBoundWithoutAGuarantee)
+{
+  // There an estimate may be below what the accuracy would allow; it is never above the label.
+  for (GraphConstruction construction :
+    { GraphConstruction::OneRelay, GraphConstruction::SaddleVertexGraph })
+  {
+    const SearchCase c("sphere", NoisySphere(4, 0.1, 3), 0.02, construction);
+    const SearchResult result = RunCorrected(c, { SeedAt(0) });
+    for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+    {
+      EXPECT_LE(result.Corrected[v], result.Distances[v]);
+    }
+    const MeanErrors errors = MeasureErrors(c, 3);
+    EXPECT_LT(errors.Corrected, errors.Raw) << c.GetName();
+  }
+}
+
+TEST(GraphCorrection, SourcesOffTheVertices)
+{
+  for (const auto& mesh : { Plane(14, 14, 0.2, 3), NoisySphere(3, 0.2, 4), Terrain(14, 0.3, 2) })
+  {
+    const double accuracy = 0.05;
+    const SearchCase c("points", mesh, accuracy);
+    const dgg::GraphBuilder builder(c.GetMesh());
+    for (const dgg::SurfacePoint& point : RandomSurfacePoints(c.GetMesh(), 6, 8))
+    {
+      constexpr double offset = 0.7;
+      std::vector<dgg::GraphLink> links;
+      std::vector<double> direct;
+      ASSERT_TRUE(builder.Link(point, accuracy, {}, links, direct).IsOk());
+      std::vector<GraphSeed> seeds;
+      for (const dgg::GraphLink& link : links)
+      {
+        seeds.push_back({ link.Vertex, offset + link.Length, offset, 0, link.ArrivalAngle });
+      }
+      const dgg::ExactResult exact =
+        Solve(c.GetMesh(), dgg::ExactEngine::Triangle, { { point, offset } });
+      const SearchResult result = RunCorrected(c, seeds);
+      double raw = 0.0;
+      double corrected = 0.0;
+      for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+      {
+        const double d = exact.Distances[v];
+        EXPECT_GE(result.Distances[v], d * (1.0 - 1e-9));
+        EXPECT_LE(std::abs(result.Corrected[v] - d), accuracy * (d - offset) * (1.0 + 1e-6) + 1e-9);
+        raw += result.Distances[v] - d;
+        corrected += std::abs(result.Corrected[v] - d);
+      }
+      EXPECT_GT(raw, 2.5 * corrected);
+    }
+  }
+}
+}

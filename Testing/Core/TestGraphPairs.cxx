@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Distances of pairs of points, and from many sources.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "SearchChecks.h"
+
+#include "dggBucketQueue.h"
+#include "dggMinimumHeap.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::GraphSeed;
+using dgg::Offset;
+
+const double* PositionsOf(const SearchCase& c)
+{
+  return c.GetPoints().Points.empty() ? nullptr : c.GetPoints().Points.data();
+}
+
+/// Each with each other, in two threads.
+void InTwoThreads(Offset size, Offset grain, const std::function<void(Offset, Offset)>& body)
+{
+  const auto half = [&](Offset first) {
+    for (Offset begin = first; begin < size; begin += 2 * grain)
+    {
+      body(begin, std::min(size, begin + grain));
+    }
+  };
+  std::thread other(half, grain);
+  half(0);
+  other.join();
+}
+
+void ExpectRows(const SearchCase& c, const std::vector<Id>& sources, double radius,
+  const dgg::ParallelFor& parallel)
+{
+  const auto n = static_cast<std::size_t>(c.GetNumberOfVertices());
+  std::vector<double> distances(n * sources.size(), -1.0);
+  ASSERT_TRUE(c.GetSearch().Many(sources, radius, parallel, distances.data()).IsOk());
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    std::vector<double> expected = ReferenceDistances(c.GetGraph(), { SeedAt(sources[i]) });
+    const double* row = distances.data() + i * n;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      const bool isAtRim = std::abs(expected[v] - radius) < 1e-12 * radius;
+      expected[v] = isAtRim ? row[v] : expected[v];
+      expected[v] = expected[v] <= radius ? expected[v] : dgg::Infinity;
+    }
+    ExpectSameDistances(expected, { row, row + n }, c.GetName() + ", row " + std::to_string(i));
+  }
+}
+}
+
+TEST(GraphPairs, BetweenAgreesWithDijkstra)
+{
+  for (const auto& c : SearchCases())
+  {
+    const Id n = c->GetNumberOfVertices();
+    Random random(3);
+    for (int trial = 0; trial < 8; ++trial)
+    {
+      const Id a = random.Index(n);
+      const Id b = trial == 0 ? a : random.Index(n);
+      const double expected = ReferenceDistances(c->GetGraph(), { SeedAt(a) })[b];
+      // Meshes given by lengths alone, and mollified ones, have no positions that fit.
+      const bool isEmbedded = c->GetMesh().GetMollification() == 0.0;
+      for (const double* positions :
+        { isEmbedded ? PositionsOf(*c) : nullptr, static_cast<const double*>(nullptr) })
+      {
+        double distance = -1.0;
+        ASSERT_TRUE(
+          c->GetSearch().Between({ SeedAt(a) }, { SeedAt(b) }, positions, distance).IsOk());
+        if (expected == dgg::Infinity)
+        {
+          EXPECT_EQ(distance, dgg::Infinity) << c->GetName();
+        }
+        else
+        {
+          EXPECT_NEAR(distance, expected, 1e-11 * (1.0 + expected)) << c->GetName();
+        }
+      }
+    }
+  }
+}
+
+TEST(GraphPairs, BetweenSetsOfSeeds)
+{
+  for (const auto& mesh : { NoisySphere(3, 0.2, 4), Terrain(16, 0.3, 2), SeveralComponents() })
+  {
+    const SearchCase c("sets", mesh, 0.03);
+    const Id n = c.GetNumberOfVertices();
+    for (std::uint64_t trial = 0; trial < 12; ++trial)
+    {
+      const std::vector<GraphSeed> from = RandomSeeds(n, 4, 2 * trial + 1);
+      const std::vector<GraphSeed> to = RandomSeeds(n, 5, 2 * trial + 2);
+      const std::vector<double> distances = ReferenceDistances(c.GetGraph(), from);
+      double expected = dgg::Infinity;
+      for (const GraphSeed& seed : to)
+      {
+        expected = std::min(expected, distances[seed.Vertex] + seed.Distance);
+      }
+      double there = 0.0;
+      double back = 0.0;
+      ASSERT_TRUE(c.GetSearch().Between(from, to, PositionsOf(c), there).IsOk());
+      ASSERT_TRUE(c.GetSearch().Between(to, from, PositionsOf(c), back).IsOk());
+      EXPECT_NEAR(there, expected, 1e-11 * (1.0 + std::abs(expected)));
+      EXPECT_NEAR(back, expected, 1e-11 * (1.0 + std::abs(expected)));
+    }
+  }
+}
+
+TEST(GraphPairs, MetricOfTheGraph)
+{
+  const SearchCase c("terrain", Terrain(9, 0.5, 6), 0.1);
+  const Id n = c.GetNumberOfVertices();
+  std::vector<Id> sources(n);
+  for (Id v = 0; v < n; ++v)
+  {
+    sources[v] = v;
+  }
+  std::vector<double> d(static_cast<std::size_t>(n) * n);
+  ASSERT_TRUE(c.GetSearch().Many(sources, dgg::Infinity, nullptr, d.data()).IsOk());
+  for (Id a = 0; a < n; ++a)
+  {
+    EXPECT_EQ(d[a * n + a], 0.0);
+    for (Id b = 0; b < n; ++b)
+    {
+      EXPECT_NEAR(d[a * n + b], d[b * n + a], 1e-12 * d[a * n + b]);
+      EXPECT_LE(d[a * n + b], (d[a * n + n / 2] + d[(n / 2) * n + b]) * (1.0 + 1e-12));
+    }
+  }
+}
+
+TEST(GraphPairs, ManyAgreeWithDijkstra)
+{
+  for (const auto& c : SearchCases())
+  {
+    const Id n = c->GetNumberOfVertices();
+    // Not a multiple of what is searched together, some twice.
+    std::vector<Id> sources{ 0, n - 1, n / 2, n / 2 };
+    Random random(17);
+    for (int i = 0; i < 9; ++i)
+    {
+      sources.push_back(random.Index(n));
+    }
+    ExpectRows(*c, sources, dgg::Infinity, nullptr);
+    ExpectRows(*c, { n / 3 }, dgg::Infinity, nullptr);
+  }
+}
+
+TEST(GraphPairs, ManyFarApart)
+{
+  // So far that they are searched one by one.
+  const SearchCase c("plane", Plane(70, 70, 0.2, 2), 0.1);
+  ExpectRows(c, { 0, 2500, 4999, 70 }, dgg::Infinity, nullptr);
+  ExpectRows(c, { 0, 2500, 4999, 70 }, 20.0, InTwoThreads);
+}
+
+TEST(GraphPairs, ManyWithinARadius)
+{
+  const SearchCase c("sphere", NoisySphere(3, 0.2, 4), 0.02);
+  std::vector<Id> sources(40);
+  for (Id i = 0; i < 40; ++i)
+  {
+    sources[i] = 16 * i;
+  }
+  for (double radius : { 0.0, 0.4, 1.5, -1.0 })
+  {
+    ExpectRows(c, sources, radius, nullptr);
+  }
+}
+
+TEST(GraphPairs, ManyInThreadsAreTheSame)
+{
+  const SearchCase c("terrain", Terrain(20, 0.4, 2), 0.02);
+  const Id n = c.GetNumberOfVertices();
+  const std::vector<Id> sources = RandomPermutation(n, 4);
+  std::vector<double> one(static_cast<std::size_t>(n) * n);
+  std::vector<double> two(one.size());
+  ASSERT_TRUE(c.GetSearch().Many(sources, dgg::Infinity, nullptr, one.data()).IsOk());
+  ASSERT_TRUE(c.GetSearch().Many(sources, dgg::Infinity, InTwoThreads, two.data()).IsOk());
+  EXPECT_EQ(one, two);
+}
+
+TEST(GraphPairs, BadSourcesAreNamed)
+{
+  const SearchCase c("plane", Plane(3, 3), 0.1);
+  std::vector<double> distances(32);
+  dgg::Status status = c.GetSearch().Many({ 0, 16 }, 1.0, nullptr, distances.data());
+  EXPECT_NE(status.GetMessage().find("source 1: vertex 16"), std::string::npos);
+  status = c.GetSearch().Many({ -1 }, 1.0, nullptr, distances.data());
+  EXPECT_NE(status.GetMessage().find("source 0: vertex -1"), std::string::npos);
+  status = c.GetSearch().Many({ 0 }, std::nan(""), nullptr, distances.data());
+  EXPECT_NE(status.GetMessage().find("not a number"), std::string::npos);
+  EXPECT_TRUE(c.GetSearch().Many({ 0, 15 }, 1.0, nullptr, distances.data()).IsOk());
+  EXPECT_TRUE(c.GetSearch().Many({}, 1.0, nullptr, nullptr).IsOk());
+}
+
+TEST(SearchQueues, HeapSorts)
+{
+  Random random(1);
+  dgg::MinimumHeap heap;
+  std::vector<double> keys;
+  for (Id i = 0; i < 500; ++i)
+  {
+    keys.push_back(std::floor(random.Uniform(0.0, 100.0)));
+    heap.Push(keys.back(), i);
+    if (i % 3 == 2)
+    {
+      const auto smallest = std::min_element(keys.begin(), keys.end());
+      EXPECT_EQ(heap.Pop().Key, *smallest);
+      keys.erase(smallest);
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  for (double key : keys)
+  {
+    ASSERT_FALSE(heap.IsEmpty());
+    EXPECT_EQ(heap.Top().Key, key);
+    EXPECT_EQ(heap.Pop().Key, key);
+  }
+  EXPECT_TRUE(heap.IsEmpty());
+}
+
+TEST(SearchQueues, BucketsGiveEverythingBackRoughlySorted)
+{
+  for (double width : { 1e-3, 1.0, 50.0, 1e-30 })
+  {
+    Random random(2);
+    dgg::BucketQueue queue;
+    queue.Reset(-7.0, width);
+    std::vector<int> seen(2000, 0);
+    for (Id i = 0; i < 1000; ++i)
+    {
+      queue.Push(random.Uniform(-7.0, 400.0) * (i % 10 == 0 ? 1e6 : 1.0) + 7e6 * (i % 10 == 0), i);
+    }
+    float last = 0.0f;
+    Id next = 1000;
+    while (queue.Advance())
+    {
+      for (std::size_t i = 0; i < queue.Current().size(); ++i)
+      {
+        const dgg::BucketQueue::Entry entry = queue.Current()[i];
+        ++seen[entry.Vertex];
+        EXPECT_GE(entry.Key, last - 1.001f * static_cast<float>(width) - 1e-6f * last);
+        last = std::max(last, entry.Key);
+        if (next < 2000)
+        {
+          queue.Push(entry.Key - 7.0 + random.Uniform(0.0, 3.0 * width), next++);
+        }
+      }
+      queue.ClearCurrent();
+    }
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 2000) << "width " << width;
+  }
+}
+}
