@@ -50,7 +50,7 @@ void BucketQueue::PlaceAside()
   this->Scratch.swap(this->Aside);
   for (const Entry& entry : this->Scratch)
   {
-    this->Place(entry, entry.Key * this->PerWidth);
+    this->Place(entry);
   }
   this->Scratch.clear();
 }
@@ -60,7 +60,7 @@ void BucketQueue::JumpAside()
   const auto nearest = std::min_element(this->Aside.begin(), this->Aside.end(),
     [](const Entry& a, const Entry& b) { return a.Key < b.Key; });
   // The nearest one lands in bucket 0, so that there is progress whatever rounding does.
-  this->First = std::floor(nearest->Key * this->PerWidth);
+  this->First = std::floor(static_cast<double>(nearest->Key));
   this->Cursor = 0;
   this->PlaceAside();
 }

@@ -8,6 +8,7 @@
 #include "dggTypes.h" // for Id
 
 #include <cstddef> // for std::size_t
+#include <limits>  // for LargestKey
 #include <vector>  // for the buckets
 
 namespace dgg
@@ -21,21 +22,23 @@ class BucketQueue
 public:
   struct Entry
   {
-    float Key; ///< distance above the origin, rounded
+    float Key; ///< distance above the origin in bucket widths, rounded
     Id Vertex;
   };
 
   /// Start anew, empty. No distance may be below `origin`.
   void Reset(double origin, double width);
 
-  /// The key under which a distance is entered.
-  float Key(double distance) const { return static_cast<float>(distance - this->Origin); }
+  /// The key under which a distance is entered. Always finite: distances without measure, which
+  /// sources may start with, are all the same.
+  float Key(double distance) const
+  {
+    const double place = (distance - this->Origin) * this->PerWidth;
+    return place < LargestKey ? static_cast<float>(place) : LargestKey;
+  }
 
   /// Distances below the current bucket go into the current bucket.
-  void Push(double distance, Id vertex)
-  {
-    this->Place({ this->Key(distance), vertex }, (distance - this->Origin) * this->PerWidth);
-  }
+  void Push(double distance, Id vertex) { this->Place({ this->Key(distance), vertex }); }
 
   /// Go to the first bucket that is not empty; false when there is none.
   bool Advance();
@@ -85,11 +88,11 @@ public:
 private:
   static constexpr std::size_t NumberOfBuckets = 256;
   static constexpr std::size_t Mask = NumberOfBuckets - 1;
+  static constexpr float LargestKey = std::numeric_limits<float>::max();
 
-  /// `place` is the distance above the origin in bucket widths.
-  void Place(const Entry& entry, double place)
+  void Place(const Entry& entry)
   {
-    const double ahead = place - this->First;
+    const double ahead = entry.Key - this->First;
     if (!(ahead < static_cast<double>(this->Cursor + NumberOfBuckets)))
     {
       this->Aside.push_back(entry);
@@ -110,7 +113,7 @@ private:
   std::vector<Entry> Scratch;
   double Origin = 0.0;
   double PerWidth = 1.0;
-  double First = 0.0;     ///< place of bucket 0, in bucket widths
+  double First = 0.0;     ///< key of bucket 0
   std::size_t Cursor = 0; ///< current bucket
   std::size_t Size = 0;   ///< entries in the ring
 };

@@ -12,7 +12,7 @@
 #include "dggPointToPoint.h"
 #include "dggSearchLabels.h"
 #include "dggSearchTree.h"
-#include "dggSurfaceOrder.h"
+#include "dggSourceGroups.h"
 #include "dggWorkspacePool.h"
 
 #include <algorithm>
@@ -102,8 +102,19 @@ Status CheckOptions(const SearchOptions& options, Id numberOfVertices)
 
 /// Mean number of edges per vertex from which on fans pay.
 constexpr Offset ShortestLongRow = 55;
-/// Sources further apart than this, in vertices per group, are better searched one by one.
-constexpr Offset LargestPatch = 1500;
+/// A search from this many sources at once costs about as much as single ones do.
+constexpr std::size_t SmallestGroup = 4;
+/// How far the near field of a group of sources reaches, in units of the distance from one in the
+/// middle to the farthest. Beyond, they see the surface in about the same order.
+constexpr double NearFieldReach = 2.0;
+/// Reports of a search from many sources: so many, or more if there are more than so many vertices
+/// to be searched between two of them; but so many groups at least, to keep the threads busy.
+constexpr Offset FewestReports = 8;
+constexpr Offset VerticesPerReport = Offset(1) << 21;
+constexpr Offset FewestGroups = 4;
+/// Sources with a larger part of the surface than this as near field are better searched one by
+/// one.
+constexpr double LargestNearField = 0.4;
 
 /// What one search needs besides its result.
 struct SearchWorkspace
@@ -123,6 +134,31 @@ struct SearchWorkspace
       this->Heap.GetMemorySize() + this->Queue.GetMemorySize();
   }
 };
+
+/// What a search from a group of sources needs.
+struct ManyWorkspace
+{
+  ManyWorkspace(const GraphView& graph, double bucketWidth)
+    : Search(graph, bucketWidth)
+  {
+  }
+
+  ManySources Search;
+  SweepOrder Order;
+  std::vector<double> Field;
+
+  std::size_t GetMemorySize() const
+  {
+    return this->Search.GetMemorySize() + this->Order.Vertices.capacity() * sizeof(Id) +
+      this->Field.capacity() * sizeof(double);
+  }
+};
+
+const GraphSeed& NearestOf(const std::vector<GraphSeed>& seeds)
+{
+  return *std::min_element(seeds.begin(), seeds.end(),
+    [](const GraphSeed& a, const GraphSeed& b) { return a.Distance < b.Distance; });
+}
 }
 
 class GraphSearch::Implementation
@@ -146,6 +182,7 @@ public:
   std::unique_ptr<GraphFans> Fans;             ///< null where there are no angles
   std::unique_ptr<LabelCorrection> Correction; ///< null where there are no angles
   mutable WorkspacePool<SearchWorkspace> Workspaces;
+  mutable WorkspacePool<ManyWorkspace> ManyWorkspaces;
   mutable WorkspacePool<PointToPoint> PointWorkspaces;
 
   bool FindDistances(const std::vector<GraphSeed>& seeds, const SearchOptions& options,
@@ -169,35 +206,90 @@ public:
       ShortestLongRow * static_cast<Offset>(this->Graph.NumberOfVertices);
   }
 
-  /// Distances from one vertex into a row of a matrix.
-  void FillRow(Id source, double radius, double* row) const
+  /// Places of sources in groups that are searched together.
+  std::vector<std::vector<std::size_t>> GroupByPlace(const std::vector<Id>& sources) const
   {
-    const auto workspace = this->Workspaces.Borrow();
-    const std::vector<GraphSeed> seeds{ { source, 0.0, 0.0, 0, -1.0 } };
-    SearchLabels labels(workspace->Distances, workspace->Origins, radius);
-    labels.Start(this->Graph.NumberOfVertices, seeds);
-    SearchEffort effort;
-    this->FindDistances(seeds, SearchOptions(), *workspace, labels, effort);
-    for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+    if (this->Mesh)
     {
-      row[v] = labels.IsReached(v) ? labels.Distances[v] : Infinity;
+      return GroupSources(*this->Mesh, sources, Lanes::Size);
+    }
+    std::vector<std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < sources.size(); ++i)
+    {
+      groups.push_back({ i });
+    }
+    return groups;
+  }
+
+  /// Distances from each source of a group, given by their places.
+  void ConsumeGroup(const std::vector<std::vector<GraphSeed>>& sources,
+    const std::vector<std::size_t>& group, double radius, const FieldConsumer& consume) const
+  {
+    const auto workspace = this->ManyWorkspaces.Borrow(this->Graph, this->BucketWidth);
+    ManySources::Sources members;
+    for (std::size_t place : group)
+    {
+      members.push_back(&sources[place]);
+    }
+    if (this->PlanSweep(members, radius, workspace->Order))
+    {
+      workspace->Search.Run(members, radius, workspace->Order);
+      for (std::size_t k = 0; k < group.size(); ++k)
+      {
+        workspace->Search.GetField(k, workspace->Field);
+        consume(group[k], workspace->Field.data());
+      }
+      return;
+    }
+    for (std::size_t place : group)
+    {
+      this->FindField(sources[place], radius, workspace->Field);
+      consume(place, workspace->Field.data());
     }
   }
 
-  /// The places of sources in an order in which neighbours on the surface are close together.
-  std::vector<std::size_t> OrderSources(const std::vector<Id>& sources, Id patchSize) const
+  void FindField(
+    const std::vector<GraphSeed>& seeds, double radius, std::vector<double>& field) const
   {
-    const std::vector<Id> vertices = ComputePatchOrder(*this->Mesh, patchSize);
-    std::vector<Id> rank(vertices.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i)
+    const auto workspace = this->Workspaces.Borrow();
+    SearchLabels labels(field, workspace->Origins, radius);
+    labels.Start(this->Graph.NumberOfVertices, seeds);
+    SearchEffort effort;
+    this->FindDistances(seeds, SearchOptions(), *workspace, labels, effort);
+    for (double& distance : field)
     {
-      rank[vertices[i]] = static_cast<Id>(i);
+      distance = distance < labels.Limit ? distance : Infinity;
     }
-    std::vector<std::size_t> order(sources.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-      [&](std::size_t a, std::size_t b) { return rank[sources[a]] < rank[sources[b]]; });
-    return order;
+  }
+
+  /// False when a group is better searched one by one: few sources, or far apart, or few vertices
+  /// within the radius (all edges will be certified).
+  bool PlanSweep(const ManySources::Sources& group, double radius, SweepOrder& order) const
+  {
+    if (group.size() < SmallestGroup || !this->Fans)
+    {
+      return false;
+    }
+    const auto workspace = this->Workspaces.Borrow();
+    const std::vector<GraphSeed>& middle = *group[group.size() / 2];
+    SearchLabels labels(workspace->Distances, workspace->Origins, radius);
+    labels.Start(this->Graph.NumberOfVertices, middle);
+    RunAlongFans(this->Graph, *this->Fans, middle, this->BucketWidth, workspace->Queue, labels,
+      order.Vertices);
+    const double start = NearestOf(middle).Distance;
+    double farthest = start;
+    for (const std::vector<GraphSeed>* source : group)
+    {
+      const Id v = NearestOf(*source).Vertex;
+      farthest = std::max(farthest, labels.IsReached(v) ? labels.Distances[v] : start);
+    }
+    const double rim = start + NearFieldReach * (farthest - start);
+    const auto far = std::find_if(order.Vertices.begin(), order.Vertices.end(),
+      [&](Id v) { return labels.Distances[v] > rim; });
+    order.NearField = static_cast<std::size_t>(far - order.Vertices.begin());
+    const auto reached = static_cast<double>(order.Vertices.size());
+    return reached > 0.5 * this->Graph.NumberOfVertices &&
+      static_cast<double>(order.NearField) < LargestNearField * reached;
   }
 };
 
@@ -272,55 +364,43 @@ Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vecto
   return Status::Success();
 }
 
-Status GraphSearch::Many(const std::vector<Id>& sources, double maximumDistance,
-  const ParallelFor& parallel, double* distances) const
+Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources, double maximumDistance,
+  const ParallelFor& parallel, const ProgressCallback& progress, const FieldConsumer& consume) const
 {
   const Implementation& internals = *this->Internals;
-  const Id n = internals.Graph.NumberOfVertices;
   if (std::isnan(maximumDistance))
   {
     return Status::Invalid("the maximum distance is not a number");
   }
+  std::vector<Id> vertices;
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    const Status status = CheckVertex(sources[i], n);
+    const Status status = CheckSeeds(sources[i], internals.Graph.NumberOfVertices);
     if (!status.IsOk())
     {
-      return InvalidSeed(i, status.GetMessage());
+      return Status::Invalid("set " + std::to_string(i) + " of sources: " + status.GetMessage());
     }
+    vertices.push_back(NearestOf(sources[i]).Vertex);
   }
-  const auto count = static_cast<Offset>(sources.size());
-  const auto rowOf = [&](std::size_t i) { return distances + i * static_cast<std::size_t>(n); };
-  // Vertices per group of sources that are searched together.
-  const Offset patchSize = count == 0 ? 0 : Lanes::Size * static_cast<Offset>(n) / count;
-  if (!internals.Mesh || patchSize > LargestPatch)
+  const auto groups = internals.GroupByPlace(vertices);
+  const auto numberOfGroups = static_cast<Offset>(groups.size());
+  const Offset step = std::max(FewestGroups,
+    std::min(numberOfGroups / FewestReports,
+      VerticesPerReport / std::max<Id>(1, internals.Graph.NumberOfVertices)));
+  for (Offset first = 0; first < numberOfGroups; first += step)
   {
-    ForRange(parallel, count, 1, [&](Offset begin, Offset end) {
+    ForRange(parallel, std::min(step, numberOfGroups - first), 1, [&](Offset begin, Offset end) {
       for (Offset i = begin; i < end; ++i)
       {
-        internals.FillRow(sources[i], maximumDistance, rowOf(i));
+        internals.ConsumeGroup(sources, groups[first + i], maximumDistance, consume);
       }
     });
-    return Status::Success();
-  }
-  const std::vector<std::size_t> order =
-    internals.OrderSources(sources, static_cast<Id>(std::max<Offset>(1, patchSize)));
-  ForRange(parallel, (count + Lanes::Size - 1) / Lanes::Size, 1, [&](Offset begin, Offset end) {
-    ManySources search(internals.Graph, internals.Fans.get(), internals.BucketWidth);
-    for (Offset block = begin; block < end; ++block)
+    const auto done = static_cast<double>(std::min(first + step, numberOfGroups));
+    if (progress && !progress(done / static_cast<double>(numberOfGroups)))
     {
-      Id lanes[Lanes::Size] = {};
-      double* rows[Lanes::Size] = {};
-      int used = 0;
-      for (Offset i = block * Lanes::Size; i < std::min(count, (block + 1) * Lanes::Size); ++i)
-      {
-        lanes[used] = sources[order[i]];
-        rows[used] = rowOf(order[i]);
-        ++used;
-      }
-      search.Run(lanes, used, maximumDistance, rows);
+      return Status::Abort();
     }
-  });
+  }
   return Status::Success();
 }
 
@@ -329,6 +409,7 @@ std::size_t GraphSearch::GetMemorySize() const
   const Implementation& internals = *this->Internals;
   return (internals.Fans ? internals.Fans->GetMemorySize() : 0) +
     (internals.Correction ? internals.Correction->GetMemorySize() : 0) +
-    internals.Workspaces.GetMemorySize() + internals.PointWorkspaces.GetMemorySize();
+    internals.Workspaces.GetMemorySize() + internals.ManyWorkspaces.GetMemorySize() +
+    internals.PointWorkspaces.GetMemorySize();
 }
 }

@@ -37,19 +37,7 @@ public:
 
   bool Run(const std::vector<GraphSeed>& seeds, double width)
   {
-    double nearest = Infinity;
-    for (const GraphSeed& seed : seeds)
-    {
-      nearest = std::min(nearest, seed.Distance);
-    }
-    this->Queue.Reset(nearest, width);
-    for (const GraphSeed& seed : seeds)
-    {
-      if (seed.Distance < this->Labels.Limit)
-      {
-        this->Queue.Push(seed.Distance, seed.Vertex);
-      }
-    }
+    this->Start(seeds, width);
     if (!this->Fans)
     {
       return this->Propagate<false>();
@@ -58,12 +46,41 @@ public:
     {
       return false;
     }
-    this->Queue.Reset(nearest, width);
+    this->Queue.Reset(NearestOf(seeds), width);
     this->Certify();
     return this->Propagate<false>();
   }
 
+  void RunAlongFans(const std::vector<GraphSeed>& seeds, double width, std::vector<Id>& order)
+  {
+    this->Order = &order;
+    this->Start(seeds, width);
+    this->Propagate<true>();
+  }
+
 private:
+  static double NearestOf(const std::vector<GraphSeed>& seeds)
+  {
+    double nearest = Infinity;
+    for (const GraphSeed& seed : seeds)
+    {
+      nearest = std::min(nearest, seed.Distance);
+    }
+    return nearest;
+  }
+
+  void Start(const std::vector<GraphSeed>& seeds, double width)
+  {
+    this->Queue.Reset(NearestOf(seeds), width);
+    for (const GraphSeed& seed : seeds)
+    {
+      if (seed.Distance < this->Labels.Limit)
+      {
+        this->Queue.Push(seed.Distance, seed.Vertex);
+      }
+    }
+  }
+
   /// Empty the queue, bucket by bucket.
   template <bool OverFans>
   bool Propagate()
@@ -84,6 +101,10 @@ private:
         {
           const Id v = bucket[i].Vertex;
           ++this->Effort.Pops;
+          if (this->Order)
+          {
+            this->Order->push_back(v);
+          }
           this->template RelaxFrom<OverFans>(v, this->Labels.Distances[v]);
         }
       }
@@ -250,6 +271,7 @@ private:
   BucketQueue& Queue;
   SearchLabels& Labels;
   SearchEffort& Effort;
+  std::vector<Id>* Order = nullptr; ///< receives the vertices taken from the queue
   std::size_t PopsSinceReport = 0;
 };
 }
@@ -262,6 +284,20 @@ bool RunLabelCorrecting(const GraphView& graph, const GraphFans* fans,
     using Length = std::remove_cv_t<std::remove_pointer_t<decltype(lengths)>>;
     return LabelCorrecting<Length>(graph, lengths, fans, progress, queue, labels, effort)
       .Run(seeds, width);
+  });
+}
+
+void RunAlongFans(const GraphView& graph, const GraphFans& fans,
+  const std::vector<GraphSeed>& seeds, double width, BucketQueue& queue, SearchLabels& labels,
+  std::vector<Id>& order)
+{
+  const ProgressCallback noProgress;
+  SearchEffort effort;
+  order.clear();
+  WithLengths(graph, [&](const auto* lengths) {
+    using Length = std::remove_cv_t<std::remove_pointer_t<decltype(lengths)>>;
+    LabelCorrecting<Length>(graph, lengths, &fans, noProgress, queue, labels, effort)
+      .RunAlongFans(seeds, width, order);
   });
 }
 

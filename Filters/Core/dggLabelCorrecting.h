@@ -20,6 +20,12 @@ bool RunLabelCorrecting(const GraphView& graph, const GraphFans* fans,
   const std::vector<GraphSeed>& seeds, double width, const ProgressCallback& progress,
   BucketQueue& queue, SearchLabels& labels, SearchEffort& effort);
 
+/// Only the first part of that: labels over the fans, some of them too large. `order` receives the
+/// vertices as they were taken from the queue, which is nearly by distance; a few more than once.
+void RunAlongFans(const GraphView& graph, const GraphFans& fans,
+  const std::vector<GraphSeed>& seeds, double width, BucketQueue& queue, SearchLabels& labels,
+  std::vector<Id>& order);
+
 /// A good width of buckets: about the distance between neighbours. So small that few vertices are
 /// taken from the queue twice, and so large that a bucket holds some vertices to look ahead to.
 double ChooseBucketWidth(const GraphView& graph);

@@ -7,109 +7,92 @@
 
 #include "dggTypes.h" // for Infinity
 
-#include <algorithm> // for std::min
-#include <cstdint>   // for the masks
-
 namespace dgg
 {
-/// Place of the lowest bit that is set; there has to be one.
-inline int LowestBit(std::uint32_t bits)
-{
+/// Two labels. With GCC and Clang they are in one register, which these compilers do not find out
+/// by themselves.
 #if defined(__GNUC__)
-  return __builtin_ctz(bits);
-#else
-  int place = 0;
-  for (; (bits & 1u) == 0; bits >>= 1)
-  {
-    ++place;
-  }
-  return place;
-#endif
+using LanePair = double __attribute__((vector_size(16)));
+
+inline LanePair SmallerOf(LanePair a, LanePair b)
+{
+  return a < b ? a : b;
 }
 
-/// A cache line of labels. Which of them an edge lowers is as good as random, so nothing here
-/// branches on it.
-struct alignas(64) Lanes
+inline bool AnyIsLess(const LanePair (&a)[4], const LanePair (&b)[4])
 {
+  const auto isLess = (a[0] < b[0]) | (a[1] < b[1]) | (a[2] < b[2]) | (a[3] < b[3]);
+  return (isLess[0] | isLess[1]) != 0;
+}
+#else
+struct alignas(16) LanePair
+{
+  double Values[2];
+  double& operator[](int k) { return this->Values[k]; }
+  double operator[](int k) const { return this->Values[k]; }
+};
+
+inline LanePair operator+(LanePair a, LanePair b)
+{
+  return { { a[0] + b[0], a[1] + b[1] } };
+}
+
+inline LanePair SmallerOf(LanePair a, LanePair b)
+{
+  return { { a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1] } };
+}
+
+inline bool AnyIsLess(const LanePair (&a)[4], const LanePair (&b)[4])
+{
+  bool isLess = false;
+  for (int k = 0; k < 4; ++k)
+  {
+    isLess |= a[k][0] < b[k][0];
+    isLess |= a[k][1] < b[k][1];
+  }
+  return isLess;
+}
+#endif
+
+/// A cache line of labels. Which of them an edge lowers is as good as random, so nothing that is
+/// done for every edge branches on it.
+class alignas(64) Lanes
+{
+public:
   static constexpr int Size = 8;
 
-  double Values[Size];
+  double Get(int lane) const { return this->Pairs[lane / 2][lane % 2]; }
+  void Set(int lane, double label) { this->Pairs[lane / 2][lane % 2] = label; }
 
-  static Lanes Unreached()
+  /// Lower the labels where an edge of this length from a vertex with the labels `from` does.
+  void Pull(const Lanes& from, double length)
   {
-    return { { Infinity, Infinity, Infinity, Infinity, Infinity, Infinity, Infinity, Infinity } };
+    const LanePair step = { length, length };
+    // Not a loop: so the labels stay in registers over many edges.
+    this->Pairs[0] = SmallerOf(from.Pairs[0] + step, this->Pairs[0]);
+    this->Pairs[1] = SmallerOf(from.Pairs[1] + step, this->Pairs[1]);
+    this->Pairs[2] = SmallerOf(from.Pairs[2] + step, this->Pairs[2]);
+    this->Pairs[3] = SmallerOf(from.Pairs[3] + step, this->Pairs[3]);
   }
 
-#if defined(__GNUC__)
-  // Compilers do not find out by themselves that two lanes fit into a register.
+  /// Whether any label is below that of `old`.
+  bool AreBelow(const Lanes& old) const { return AnyIsLess(this->Pairs, old.Pairs); }
 
-  /// Whether an edge of this length from a vertex with these labels lowers any of `labels`.
-  bool Lowers(double length, const Lanes& labels) const
+  /// The smallest of the labels that are below those of `old`; Infinity when none is.
+  double SmallestBelow(const Lanes& old) const
   {
-    const Pair step = { length, length };
-    const auto isLower = (this->At(0) + step < labels.At(0)) | (this->At(1) + step < labels.At(1)) |
-      (this->At(2) + step < labels.At(2)) | (this->At(3) + step < labels.At(3));
-    return (isLower[0] | isLower[1]) != 0;
-  }
-
-  /// Lower `labels` where an edge of this length from a vertex with these labels does. Returns a
-  /// bit for each label that was lowered; `smallest` is set to the smallest of them.
-  std::uint32_t Lower(double length, Lanes& labels, double& smallest) const
-  {
-    const Pair step = { length, length };
-    const Pair infinity = { Infinity, Infinity };
-    Pair least = infinity;
-    std::int64_t lowered = 0;
-    for (int i = 0; i < Size / 2; ++i)
+    double smallest = Infinity;
+    for (int k = 0; k < Size; ++k)
     {
-      const Pair sum = this->At(i) + step;
-      Pair& old = labels.At(i);
-      const auto isLower = sum < old;
-      const Pair gained = isLower ? sum : infinity;
-      old = isLower ? sum : old;
-      least = gained < least ? gained : least;
-      lowered |= ((isLower[0] & 1) | (isLower[1] & 2)) << (2 * i);
+      const bool isSmallest = this->Get(k) < old.Get(k) && this->Get(k) < smallest;
+      smallest = isSmallest ? this->Get(k) : smallest;
     }
-    smallest = std::min(least[0], least[1]);
-    return static_cast<std::uint32_t>(lowered);
+    return smallest;
   }
 
 private:
-  using Pair = double __attribute__((vector_size(16), may_alias));
-  const Pair& At(int i) const
-  {
-    return reinterpret_cast<const Pair*>(this->Values)[i];
-  }
-  Pair& At(int i)
-  {
-    return reinterpret_cast<Pair*>(this->Values)[i];
-  }
-#else
-  bool Lowers(double length, const Lanes& labels) const
-  {
-    bool isLower = false;
-    for (int k = 0; k < Size; ++k)
-    {
-      isLower |= this->Values[k] + length < labels.Values[k];
-    }
-    return isLower;
-  }
-
-  std::uint32_t Lower(double length, Lanes& labels, double& smallest) const
-  {
-    std::uint32_t lowered = 0;
-    smallest = Infinity;
-    for (int k = 0; k < Size; ++k)
-    {
-      const double sum = this->Values[k] + length;
-      const bool isLower = sum < labels.Values[k];
-      lowered |= (isLower ? 1u : 0u) << k;
-      smallest = isLower ? std::min(smallest, sum) : smallest;
-      labels.Values[k] = isLower ? sum : labels.Values[k];
-    }
-    return lowered;
-  }
-#endif
+  LanePair Pairs[Size / 2] = { { Infinity, Infinity }, { Infinity, Infinity },
+    { Infinity, Infinity }, { Infinity, Infinity } };
 };
 }
 

@@ -5,67 +5,127 @@
 #include "dggPrefetch.h"
 #include "dggSearchLabels.h"
 
-#include <cmath>
+#include <algorithm>
+#include <limits>
 
 namespace dgg
 {
 namespace
 {
-/// How many queue entries ahead the memory of a vertex, its edges and its neighbours is asked for.
-constexpr std::size_t VertexLookahead = 12;
-constexpr std::size_t EdgesLookahead = 6;
-constexpr std::size_t NeighborsLookahead = 3;
-/// How many edges ahead, when all are certified.
-constexpr Offset EdgeLookahead = 12;
-/// Waves that arrive from directions this close share a fan, in units of its half width.
-constexpr float SharedPart = 0.4f;
+/// Key of a vertex that does not wait.
+constexpr float NotWaiting = std::numeric_limits<float>::infinity();
+/// How many vertices ahead in a sweep the edges of a vertex are asked for.
+constexpr std::size_t RowLookahead = 4;
+/// How many edges ahead the labels at their ends are asked for.
+constexpr Offset LabelLookahead = 8;
+/// How often the near field is swept there and back. More leaves less to mend, and costs more.
+constexpr int NearFieldRounds = 2;
 }
 
-ManySources::ManySources(const GraphView& graph, const GraphFans* fans, double bucketWidth)
+ManySources::ManySources(const GraphView& graph, double bucketWidth)
   : Graph(graph)
-  , Fans(fans)
   , BucketWidth(bucketWidth)
 {
 }
 
-void ManySources::Run(const Id* sources, int count, double radius, double* const* rows)
+void ManySources::Run(const Sources& sources, double radius, const SweepOrder& order)
 {
   const auto n = static_cast<std::size_t>(this->Graph.NumberOfVertices);
   this->Radius = radius;
-  this->Vertices.assign(n, Vertex());
-  this->Queue.Reset(0.0, this->BucketWidth);
-  for (int k = 0; k < count && radius >= 0.0; ++k)
-  {
-    Vertex& vertex = this->Vertices[sources[k]];
-    vertex.Labels.Values[k] = 0.0;
-    vertex.Arrivals[k] = -1.0f;
-    vertex.New |= 1u << k;
-    vertex.Key = this->Queue.Key(0.0);
-    this->Queue.Push(0.0, sources[k]);
-  }
+  this->Labels.assign(n, Lanes());
+  this->Keys.assign(n, NotWaiting);
+  this->Queue.Reset(this->Start(sources), this->BucketWidth);
   WithLengths(this->Graph, [&](const auto* lengths) {
-    this->Propagate(lengths, this->Fans);
-    if (this->Fans)
-    {
-      this->Certify(lengths);
-      this->Propagate(lengths, nullptr);
-    }
+    this->SweepNearField(lengths, order);
+    this->Sweep(lengths, order.Vertices);
+    this->Certify(lengths);
+    this->Mend(lengths);
   });
-  for (std::size_t v = 0; v < n; ++v)
+}
+
+void ManySources::GetField(std::size_t k, std::vector<double>& field) const
+{
+  field.resize(this->Labels.size());
+  for (std::size_t v = 0; v < field.size(); ++v)
   {
-    for (int k = 0; k < count; ++k)
+    const double label = this->Labels[v].Get(static_cast<int>(k));
+    field[v] = label <= this->Radius ? label : Infinity;
+  }
+}
+
+std::size_t ManySources::GetMemorySize() const
+{
+  return this->Labels.capacity() * sizeof(Lanes) + this->Keys.capacity() * sizeof(float) +
+    this->Queue.GetMemorySize();
+}
+
+/// Labels of the seeds. Returns the smallest.
+double ManySources::Start(const Sources& sources)
+{
+  double smallest = Infinity;
+  for (std::size_t k = 0; k < sources.size(); ++k)
+  {
+    for (const GraphSeed& seed : *sources[k])
     {
-      const double label = this->Vertices[v].Labels.Values[k];
-      rows[k][v] = label <= radius ? label : Infinity;
+      const auto lane = static_cast<int>(k);
+      Lanes& labels = this->Labels[seed.Vertex];
+      labels.Set(lane, std::min(labels.Get(lane), seed.Distance));
+      smallest = std::min(smallest, seed.Distance);
     }
+  }
+  return smallest;
+}
+
+/// There and back, as the sources lie on all sides. What is wrong here would be wrong everywhere.
+template <typename Length>
+void ManySources::SweepNearField(const Length* lengths, const SweepOrder& order)
+{
+  const auto begin = order.Vertices.begin();
+  const std::vector<Id> there(begin, begin + static_cast<std::ptrdiff_t>(order.NearField));
+  const std::vector<Id> back(there.rbegin(), there.rend());
+  for (int round = 0; round < NearFieldRounds; ++round)
+  {
+    this->Sweep(lengths, there);
+    this->Sweep(lengths, back);
   }
 }
 
 template <typename Length>
-void ManySources::Propagate(const Length* lengths, const GraphFans* fans)
+void ManySources::Sweep(const Length* lengths, const std::vector<Id>& order)
+{
+  constexpr Offset cacheLine = 16;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    if (i + RowLookahead < order.size())
+    {
+      const Id ahead = order[i + RowLookahead];
+      for (Offset e = this->Graph.Offsets[ahead]; e < this->Graph.Offsets[ahead + 1];
+           e += cacheLine)
+      {
+        Prefetch(this->Graph.Targets + e);
+        Prefetch(lengths + e);
+      }
+    }
+    this->Labels[order[i]] = this->Pull(lengths, order[i]);
+  }
+}
+
+/// Look for a shorter way to every vertex; there are few.
+template <typename Length>
+void ManySources::Certify(const Length* lengths)
+{
+  for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+  {
+    this->Lower(v, this->Pull(lengths, v));
+  }
+}
+
+/// Vertices that were lowered tell their neighbours.
+template <typename Length>
+void ManySources::Mend(const Length* lengths)
 {
   const auto isOutdated = [this](const BucketQueue::Entry& entry) {
-    return entry.Key != this->Vertices[entry.Vertex].Key;
+    return entry.Key != this->Keys[entry.Vertex];
   };
   while (this->Queue.Advance())
   {
@@ -73,126 +133,58 @@ void ManySources::Propagate(const Length* lengths, const GraphFans* fans)
     const std::vector<BucketQueue::Entry>& bucket = this->Queue.Current();
     for (std::size_t i = 0; i < bucket.size(); ++i)
     {
-      this->LookAhead(lengths, fans, i);
-      if (isOutdated(bucket[i]))
+      if (!isOutdated(bucket[i]))
       {
-        continue;
-      }
-      const Id v = bucket[i].Vertex;
-      Vertex& vertex = this->Vertices[v];
-      const std::uint32_t lanes = vertex.New;
-      vertex.Key = NotWaiting;
-      vertex.New = 0;
-      if (fans)
-      {
-        this->RelaxFans(lengths, *fans, v, lanes);
-        continue;
-      }
-      const Lanes labels = vertex.Labels;
-      for (Offset e = this->Graph.Offsets[v]; e < this->Graph.Offsets[v + 1]; ++e)
-      {
-        this->Relax(lengths, labels, e);
+        const Id v = bucket[i].Vertex;
+        this->Keys[v] = NotWaiting;
+        this->Push(lengths, v);
       }
     }
     this->Queue.ClearCurrent();
   }
 }
 
-/// Ask for the memory that vertices further back in the queue will need.
+/// The shortest ways to a vertex from its neighbours; edges are as long in either direction.
 template <typename Length>
-void ManySources::LookAhead(const Length* lengths, const GraphFans* fans, std::size_t i) const
+Lanes ManySources::Pull(const Length* lengths, Id v) const
 {
-  if (const BucketQueue::Entry* entry = this->Queue.LookAhead(i, VertexLookahead))
+  Lanes labels = this->Labels[v];
+  const Offset end = this->Graph.Offsets[v + 1];
+  for (Offset e = this->Graph.Offsets[v]; e < end; ++e)
   {
-    const Vertex& vertex = this->Vertices[entry->Vertex];
-    Prefetch(&vertex.Labels);
-    Prefetch(&vertex.Arrivals);
-    if (fans)
-    {
-      fans->PrefetchVertex(entry->Vertex);
-    }
+    Prefetch(&this->Labels[this->Graph.Targets[std::min(e + LabelLookahead, end - 1)]]);
+    labels.Pull(this->Labels[this->Graph.Targets[e]], lengths[e]);
   }
-  const BucketQueue::Entry* edges = fans ? this->Queue.LookAhead(i, EdgesLookahead) : nullptr;
-  if (edges && this->Vertices[edges->Vertex].New != 0)
-  {
-    const Vertex& vertex = this->Vertices[edges->Vertex];
-    fans->PrefetchFan(this->Graph, lengths, edges->Vertex, vertex.Arrivals[LowestBit(vertex.New)]);
-  }
-  const BucketQueue::Entry* neighbors =
-    fans ? this->Queue.LookAhead(i, NeighborsLookahead) : nullptr;
-  if (neighbors && this->Vertices[neighbors->Vertex].New != 0)
-  {
-    const Vertex& vertex = this->Vertices[neighbors->Vertex];
-    fans->ForEach(neighbors->Vertex, vertex.Arrivals[LowestBit(vertex.New)], [this](Offset e) {
-      const Vertex& neighbor = this->Vertices[this->Graph.Targets[e]];
-      Prefetch(&neighbor.Labels);
-      Prefetch(&neighbor.Arrivals);
-    });
-  }
-}
-
-/// The labels that are new, over the fans of the directions from which they came. Those that came
-/// from about the same direction go together.
-template <typename Length>
-void ManySources::RelaxFans(const Length* lengths, const GraphFans& fans, Id v, std::uint32_t lanes)
-{
-  const Vertex vertex = this->Vertices[v];
-  const float shared = SharedPart * fans.GetTolerance();
-  while (lanes != 0)
-  {
-    const float arrival = vertex.Arrivals[LowestBit(lanes)];
-    Lanes labels = Lanes::Unreached();
-    for (std::uint32_t left = lanes; left != 0; left &= left - 1)
-    {
-      const int k = LowestBit(left);
-      if (std::abs(vertex.Arrivals[k] - arrival) <= shared)
-      {
-        labels.Values[k] = vertex.Labels.Values[k];
-        lanes &= ~(1u << k);
-      }
-    }
-    fans.ForEach(v, arrival, [&](Offset e) { this->Relax(lengths, labels, e); });
-  }
+  return labels;
 }
 
 template <typename Length>
-void ManySources::Relax(const Length* lengths, const Lanes& labels, Offset edge)
+void ManySources::Push(const Length* lengths, Id v)
 {
-  const Id t = this->Graph.Targets[edge];
-  Vertex& vertex = this->Vertices[t];
-  if (!labels.Lowers(lengths[edge], vertex.Labels))
+  const Lanes from = this->Labels[v];
+  for (Offset e = this->Graph.Offsets[v]; e < this->Graph.Offsets[v + 1]; ++e)
+  {
+    const Id t = this->Graph.Targets[e];
+    Lanes labels = this->Labels[t];
+    labels.Pull(from, lengths[e]);
+    this->Lower(t, labels);
+  }
+}
+
+/// Take the labels, none above those there; if some are lower, the vertex has to wait in the queue.
+void ManySources::Lower(Id v, const Lanes& labels)
+{
+  if (!labels.AreBelow(this->Labels[v]))
   {
     return;
   }
-  double smallest = Infinity;
-  const std::uint32_t lowered = labels.Lower(lengths[edge], vertex.Labels, smallest);
-  vertex.New |= lowered;
-  const float arrival = this->Fans ? this->Graph.ArrivalAngles[edge] : -1.0f;
-  for (int k = 0; k < Lanes::Size; ++k)
-  {
-    vertex.Arrivals[k] = (lowered >> k & 1u) != 0 ? arrival : vertex.Arrivals[k];
-  }
+  const double smallest = labels.SmallestBelow(this->Labels[v]);
+  this->Labels[v] = labels;
   const float key = this->Queue.Key(smallest);
-  if (smallest <= this->Radius && key < vertex.Key)
+  if (smallest <= this->Radius && key < this->Keys[v])
   {
-    vertex.Key = key;
-    this->Queue.Push(smallest, t);
-  }
-}
-
-template <typename Length>
-void ManySources::Certify(const Length* lengths)
-{
-  this->Queue.Reset(0.0, this->BucketWidth);
-  const Offset last = this->Graph.GetNumberOfEdges() - 1;
-  for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
-  {
-    const Lanes labels = this->Vertices[v].Labels;
-    for (Offset e = this->Graph.Offsets[v]; e < this->Graph.Offsets[v + 1]; ++e)
-    {
-      Prefetch(&this->Vertices[this->Graph.Targets[std::min(e + EdgeLookahead, last)]].Labels);
-      this->Relax(lengths, labels, e);
-    }
+    this->Keys[v] = key;
+    this->Queue.Push(smallest, v);
   }
 }
 }

@@ -7,55 +7,64 @@
 
 #include "dggBucketQueue.h"   // for BucketQueue
 #include "dggGeodesicGraph.h" // for GraphView
-#include "dggGraphFans.h"     // for GraphFans
+#include "dggGraphSearch.h"   // for GraphSeed
 #include "dggLanes.h"         // for Lanes
 
-#include <cstdint> // for the masks
-#include <limits>  // for NotWaiting
+#include <cstddef> // for std::size_t
 #include <vector>  // for the vertices
 
 namespace dgg
 {
-/// Distances from up to Lanes::Size sources, each on its own, in one search. Where their waves come
-/// by at about the same time and from about the same direction, a vertex is taken from the queue
-/// for all of them, and an edge is read once for all of them: this pays when the sources are close
-/// together. All edges are certified once for all sources.
+/// The order in which a search from several sources goes over the vertices. Any order gives the
+/// same distances; a good one gives them soon.
+struct SweepOrder
+{
+  /// By distance from a source in the middle of the others, about.
+  std::vector<Id> Vertices;
+  /// So many of them are so close to the sources that each source sees them in another order.
+  std::size_t NearField = 0;
+};
+
+/// Distances from up to Lanes::Size sources, each a set of seeds, in one search. Sources close
+/// together see the rest of the surface in about the same order. So the vertices are swept in the
+/// order in which one of the sources reaches them, each pulling the shortest way from its
+/// neighbours, for all sources in one go and without a queue. What that leaves too large, because a
+/// way goes against the order, is found by certifying all edges, and mended with a queue.
 class ManySources
 {
 public:
-  /// `fans` may be null: then all edges are looked at.
-  ManySources(const GraphView& graph, const GraphFans* fans, double bucketWidth);
+  ManySources(const GraphView& graph, double bucketWidth);
 
-  /// `rows[k]` receives the distances from sources[k], Infinity beyond the radius.
-  void Run(const Id* sources, int count, double radius, double* const* rows);
+  using Sources = std::vector<const std::vector<GraphSeed>*>;
+
+  void Run(const Sources& sources, double radius, const SweepOrder& order);
+
+  /// The distances of all vertices from source `k`, Infinity beyond the radius.
+  void GetField(std::size_t k, std::vector<double>& field) const;
+
+  std::size_t GetMemorySize() const;
 
 private:
-  /// All that a search knows of a vertex.
-  struct alignas(128) Vertex
-  {
-    Lanes Labels = Lanes::Unreached();
-    float Arrivals[Lanes::Size]; ///< directions from which the labels came
-    std::uint32_t New = 0;       ///< bits of the labels that are to be relaxed
-    float Key = NotWaiting;      ///< under which it waits in the queue
-  };
-  static constexpr float NotWaiting = std::numeric_limits<float>::infinity();
-
+  double Start(const Sources& sources);
   template <typename Length>
-  void Propagate(const Length* lengths, const GraphFans* fans);
+  void SweepNearField(const Length* lengths, const SweepOrder& order);
   template <typename Length>
-  void Relax(const Length* lengths, const Lanes& labels, Offset edge);
-  template <typename Length>
-  void RelaxFans(const Length* lengths, const GraphFans& fans, Id v, std::uint32_t lanes);
-  template <typename Length>
-  void LookAhead(const Length* lengths, const GraphFans* fans, std::size_t i) const;
+  void Sweep(const Length* lengths, const std::vector<Id>& order);
   template <typename Length>
   void Certify(const Length* lengths);
+  template <typename Length>
+  void Mend(const Length* lengths);
+  template <typename Length>
+  Lanes Pull(const Length* lengths, Id v) const;
+  template <typename Length>
+  void Push(const Length* lengths, Id v);
+  void Lower(Id v, const Lanes& labels);
 
   const GraphView& Graph;
-  const GraphFans* Fans;
   double BucketWidth;
   double Radius = Infinity;
-  std::vector<Vertex> Vertices;
+  std::vector<Lanes> Labels; ///< per vertex
+  std::vector<float> Keys;   ///< per vertex, under which it waits in the queue
   BucketQueue Queue;
 };
 }

@@ -6,8 +6,6 @@
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGParallel.h"
 
-#include "dggSurfaceOrder.h"
-
 #include <algorithm>
 #include <mutex>
 
@@ -17,14 +15,8 @@ namespace
 constexpr double SourcesLinked = 0.05;
 constexpr double TargetsLinked = 0.1;
 
-/// Searches at a time: as many as their fields take this much memory, but a few at least.
-constexpr std::size_t FieldMemory = std::size_t(256) << 20;
-constexpr std::size_t FewestFields = 16;
 /// Points between two looks at the progress.
 constexpr std::size_t LinkBlock = 256;
-constexpr std::size_t SearchBlock = 32;
-
-constexpr dgg::Id PatchSize = 256;
 
 bool IsVertex(const dgg::SurfacePoint& point)
 {
@@ -45,6 +37,20 @@ std::vector<std::size_t> FindPoints(const vtkDGGMatrixSearch::Points& points, bo
   return found;
 }
 
+/// A vertex is linked to itself; the other points have no links yet.
+void LinkVertices(const vtkDGGMatrixSearch::Points& points, vtkDGGMatrixSearch::Links& links)
+{
+  constexpr double noDirection = -1.0;
+  links.assign(points.size(), {});
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (IsVertex(points[i]))
+    {
+      links[i] = { { points[i].Vertex, 0.0, noDirection } };
+    }
+  }
+}
+
 vtkDGGMatrixSearch::Points Select(
   const vtkDGGMatrixSearch::Points& points, const std::vector<std::size_t>& indices)
 {
@@ -52,20 +58,6 @@ vtkDGGMatrixSearch::Points Select(
   std::transform(
     indices.begin(), indices.end(), selected.begin(), [&](std::size_t i) { return points[i]; });
   return selected;
-}
-
-/// Put what is close together on the surface close together in the list.
-void SortBySurface(const dgg::SurfaceMesh& mesh, const vtkDGGMatrixSearch::Points& points,
-  std::vector<std::size_t>& indices)
-{
-  const std::vector<dgg::Id> order = dgg::ComputePatchOrder(mesh, PatchSize);
-  std::vector<dgg::Id> rank(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    rank[order[i]] = static_cast<dgg::Id>(i);
-  }
-  std::stable_sort(indices.begin(), indices.end(),
-    [&](std::size_t a, std::size_t b) { return rank[points[a].Vertex] < rank[points[b].Vertex]; });
 }
 }
 
@@ -100,11 +92,7 @@ dgg::Status vtkDGGMatrixSearch::Run(bool symmetric, const dgg::ProgressCallback&
   }
   if (status.IsOk())
   {
-    status = this->SearchFromVertices();
-  }
-  if (status.IsOk())
-  {
-    status = this->SearchFromOthers();
+    status = this->Search();
   }
   if (symmetric)
   {
@@ -148,8 +136,8 @@ dgg::Status vtkDGGMatrixSearch::ForAll(
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGMatrixSearch::LinkSources()
 {
-  this->SourceLinks.resize(this->Sources.size());
   const std::vector<std::size_t> others = FindPoints(this->Sources, false);
+  LinkVertices(this->Sources, this->SourceLinks);
   const std::vector<std::size_t> aims = FindPoints(this->Targets, false);
   const Points aimPoints = Select(this->Targets, aims);
   if (others.empty())
@@ -174,11 +162,7 @@ dgg::Status vtkDGGMatrixSearch::LinkSources()
 dgg::Status vtkDGGMatrixSearch::LinkTargets()
 {
   const std::vector<std::size_t> others = FindPoints(this->Targets, false);
-  this->TargetLinks.resize(this->Targets.size());
-  for (const std::size_t j : FindPoints(this->Targets, true))
-  {
-    this->TargetLinks[j] = { { this->Targets[j].Vertex, 0.0, 0.0 } };
-  }
+  LinkVertices(this->Targets, this->TargetLinks);
   if (this->IsSymmetric)
   {
     for (const std::size_t j : others)
@@ -211,68 +195,21 @@ dgg::Status vtkDGGMatrixSearch::LinkTargets()
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGMatrixSearch::SearchFromVertices()
+dgg::Status vtkDGGMatrixSearch::Search()
 {
-  std::vector<std::size_t> vertices = FindPoints(this->Sources, true);
-  if (vertices.empty())
+  std::vector<std::vector<dgg::GraphSeed>> seeds(this->Sources.size());
+  for (std::size_t i = 0; i < seeds.size(); ++i)
   {
-    return dgg::Status::Success();
-  }
-  SortBySurface(this->Mesh.GetMesh(), this->Sources, vertices);
-
-  const auto n = static_cast<std::size_t>(this->Mesh.GetMesh().GetNumberOfVertices());
-  const std::size_t block =
-    std::min(vertices.size(), std::max(FewestFields, FieldMemory / (n * sizeof(double))));
-  std::vector<double> fields(block * n);
-  const double start = this->Done;
-  const double end = start +
-    (1.0 - start) * static_cast<double>(vertices.size()) /
-      static_cast<double>(this->Sources.size());
-  for (std::size_t first = 0; first < vertices.size(); first += block)
-  {
-    const std::size_t size = std::min(block, vertices.size() - first);
-    std::vector<dgg::Id> ids(size);
-    std::transform(vertices.begin() + first, vertices.begin() + first + size, ids.begin(),
-      [this](std::size_t i) { return this->Sources[i].Vertex; });
-    dgg::Status status =
-      this->Graph.GetSearch().Many(ids, dgg::Infinity, this->Parallel, fields.data());
-    if (!status.IsOk())
-    {
-      return status;
-    }
-    const double reached =
-      start + (end - start) * static_cast<double>(first + size) / vertices.size();
-    status = this->ForAll(size, size, reached, [&](std::size_t k) {
-      this->LookAtTargets(vertices[first + k], fields.data() + k * n);
-      return dgg::Status::Success();
-    });
-    if (!status.IsOk())
-    {
-      return status;
-    }
-  }
-  return dgg::Status::Success();
-}
-
-//------------------------------------------------------------------------------
-dgg::Status vtkDGGMatrixSearch::SearchFromOthers()
-{
-  const std::vector<std::size_t> others = FindPoints(this->Sources, false);
-  return this->ForAll(others.size(), SearchBlock, 1.0, [&](std::size_t k) {
-    const std::size_t i = others[k];
-    std::vector<dgg::GraphSeed> seeds;
     for (const dgg::GraphLink& link : this->SourceLinks[i])
     {
-      seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
+      seeds[i].push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
     }
-    dgg::SearchResult result;
-    const dgg::Status status = this->Graph.GetSearch().Run(seeds, dgg::SearchOptions(), result);
-    if (status.IsOk())
-    {
-      this->LookAtTargets(i, result.Distances.data());
-    }
-    return status;
-  });
+  }
+  const auto progress = [this](double done) {
+    return this->Progress(this->Done + (1.0 - this->Done) * done);
+  };
+  return this->Graph.GetSearch().Many(seeds, dgg::Infinity, this->Parallel, progress,
+    [this](std::size_t source, const double* field) { this->LookAtTargets(source, field); });
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,7 @@ class vtkDGGMatrixSearch
 {
 public:
   using Points = std::vector<dgg::SurfacePoint>;
+  using Links = std::vector<std::vector<dgg::GraphLink>>; // per point
 
   /// `graph` has been provided for `mesh`. distances(i, j) becomes the distance of sources[i] from
   /// targets[j], dgg::Infinity where there is no way.
@@ -45,12 +46,9 @@ public:
   dgg::Status Run(bool symmetric, const dgg::ProgressCallback& progress);
 
 private:
-  using Links = std::vector<std::vector<dgg::GraphLink>>; // per point
-
   dgg::Status LinkSources();
   dgg::Status LinkTargets();
-  dgg::Status SearchFromVertices();
-  dgg::Status SearchFromOthers();
+  dgg::Status Search();
   void LookAtTargets(std::size_t source, const double* field) const;
   void Mirror() const;
 

@@ -25,9 +25,8 @@
  * correction here.
  *
  * <b>Time and memory.</b> There is one search over the whole surface for each point of the smaller
- * set, several at a time and on all threads of vtkSMPTools. Beside the table, about 8 bytes are
- * needed for each point of the mesh and each of the searches under way, of which there are as many
- * as fit into 256 MiB, at least 16.
+ * set, on all threads of vtkSMPTools; points close together are searched together, eight at a time.
+ * Beside the table, about 120 bytes are needed for each point of the mesh and each thread.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
  *  - no rows; an id out of range; a point that is not finite, or farther from the surface than

@@ -217,29 +217,22 @@ void MeasureMany(
   {
     return;
   }
-  std::vector<dgg::Id> sources;
+  std::vector<std::vector<dgg::GraphSeed>> sources;
   for (int k = 0; k < numberOfSources; ++k)
   {
-    sources.push_back(opened.Mesh->GetSource(k, numberOfSources));
+    dgg::GraphSeed seed;
+    seed.Vertex = opened.Mesh->GetSource(k, numberOfSources);
+    sources.push_back({ seed });
   }
-  // All rows at once would be gigabytes on a large mesh: as many as fit into one.
-  const auto rowSize = static_cast<std::size_t>(opened.Mesh->GetNumberOfVertices());
-  const std::size_t batch = std::min(
-    sources.size(), std::max<std::size_t>(64, (std::size_t(1) << 30) / (rowSize * sizeof(double))));
-  std::vector<double> distances(batch * rowSize);
   const dgg::GraphSearch& search = opened.Graph->GetSearch();
   const dgg::ParallelFor parallel = threads > 1 ? ThreadedLoop(threads) : dgg::ParallelFor();
+  std::vector<double> samples(sources.size());
   dgg::Status status;
   Measure(
     state, [] {},
     [&] {
-      for (std::size_t begin = 0; begin < sources.size() && status.IsOk(); begin += batch)
-      {
-        const std::size_t end = std::min(begin + batch, sources.size());
-        status = search.Many({ sources.begin() + static_cast<std::ptrdiff_t>(begin),
-                               sources.begin() + static_cast<std::ptrdiff_t>(end) },
-          dgg::Infinity, parallel, distances.data());
-      }
+      status = search.Many(sources, dgg::Infinity, parallel, nullptr,
+        [&](std::size_t source, const double* distances) { samples[source] = distances[0]; });
     },
     threads > 1 ? WallSeconds : CPUSeconds);
   if (!status.IsOk())

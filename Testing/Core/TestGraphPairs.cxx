@@ -8,12 +8,14 @@
 
 #include "dggBucketQueue.h"
 #include "dggMinimumHeap.h"
+#include "dggSourceGroups.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -44,12 +46,29 @@ void InTwoThreads(Offset size, Offset grain, const std::function<void(Offset, Of
   other.join();
 }
 
+/// Distances of all vertices from each of many, row by row.
+dgg::Status FindRows(const SearchCase& c, const std::vector<Id>& sources, double radius,
+  const dgg::ParallelFor& parallel, std::vector<double>& rows)
+{
+  std::vector<std::vector<GraphSeed>> seeds;
+  for (Id source : sources)
+  {
+    seeds.push_back({ SeedAt(source) });
+  }
+  const auto n = static_cast<std::size_t>(c.GetNumberOfVertices());
+  rows.assign(n * sources.size(), -1.0);
+  return c.GetSearch().Many(
+    seeds, radius, parallel, nullptr, [&](std::size_t source, const double* distances) {
+      std::copy(distances, distances + n, rows.begin() + static_cast<std::ptrdiff_t>(source * n));
+    });
+}
+
 void ExpectRows(const SearchCase& c, const std::vector<Id>& sources, double radius,
   const dgg::ParallelFor& parallel)
 {
   const auto n = static_cast<std::size_t>(c.GetNumberOfVertices());
-  std::vector<double> distances(n * sources.size(), -1.0);
-  ASSERT_TRUE(c.GetSearch().Many(sources, radius, parallel, distances.data()).IsOk());
+  std::vector<double> distances;
+  ASSERT_TRUE(FindRows(c, sources, radius, parallel, distances).IsOk());
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
     std::vector<double> expected = ReferenceDistances(c.GetGraph(), { SeedAt(sources[i]) });
@@ -132,8 +151,8 @@ TEST(GraphPairs, MetricOfTheGraph)
   {
     sources[v] = v;
   }
-  std::vector<double> d(static_cast<std::size_t>(n) * n);
-  ASSERT_TRUE(c.GetSearch().Many(sources, dgg::Infinity, nullptr, d.data()).IsOk());
+  std::vector<double> d;
+  ASSERT_TRUE(FindRows(c, sources, dgg::Infinity, nullptr, d).IsOk());
   for (Id a = 0; a < n; ++a)
   {
     EXPECT_EQ(d[a * n + a], 0.0);
@@ -184,30 +203,111 @@ TEST(GraphPairs, ManyWithinARadius)
   }
 }
 
+TEST(GraphPairs, ManySetsOfSeeds)
+{
+  // Each source a few vertices close together with distances to start with, as for points of the
+  // surface.
+  const SearchCase c("sphere", NoisySphere(4, 0.1, 4), 0.05);
+  const Id n = c.GetNumberOfVertices();
+  Random random(5);
+  std::vector<std::vector<GraphSeed>> sources;
+  for (int i = 0; i < 200; ++i)
+  {
+    const Id v = random.Index(n);
+    const double start = random.Uniform(-0.3, 0.3);
+    sources.push_back({ SeedAt(v, start) });
+    const Offset row = c.GetGraph().Offsets[v];
+    for (Offset e = row; e < row + 3; ++e)
+    {
+      sources.back().push_back(SeedAt(c.GetGraph().Targets[e], start - 0.01));
+    }
+  }
+  std::vector<int> visits(sources.size(), 0);
+  double done = 0.0;
+  const auto progress = [&](double share) {
+    EXPECT_GT(share, done);
+    done = share;
+    return true;
+  };
+  ASSERT_TRUE(c.GetSearch()
+                .Many(sources, dgg::Infinity, nullptr, progress,
+                  [&](std::size_t source, const double* distances) {
+                    ++visits[source];
+                    ExpectSameDistances(ReferenceDistances(c.GetGraph(), sources[source]),
+                      { distances, distances + n }, "source " + std::to_string(source));
+                  })
+                .IsOk());
+  EXPECT_EQ(done, 1.0);
+  EXPECT_EQ(visits, std::vector<int>(sources.size(), 1));
+}
+
+TEST(GraphPairs, ManyCanBeAborted)
+{
+  const SearchCase c("terrain", Terrain(9, 0.5, 6), 0.1);
+  const std::vector<std::vector<GraphSeed>> sources(500, { SeedAt(3) });
+  std::size_t visits = 0;
+  const dgg::Status status = c.GetSearch().Many(
+    sources, dgg::Infinity, [&](Offset size, Offset, const auto& body) { body(0, size); },
+    [](double) { return false; }, [&](std::size_t, const double*) { ++visits; });
+  EXPECT_TRUE(status.IsAborted());
+  EXPECT_GT(visits, 0u);
+}
+
+TEST(GraphPairs, GroupsOfSourcesAreCloseTogether)
+{
+  const SearchCase c("plane", Plane(40, 40), 0.1);
+  std::vector<Id> sources;
+  for (Id v = 0; v < c.GetNumberOfVertices(); v += 4)
+  {
+    sources.push_back(v);
+  }
+  sources.insert(sources.end(), 20, 7); // one vertex over and over
+  const auto groups = dgg::GroupSources(c.GetMesh(), sources, 8);
+  std::vector<int> places(sources.size(), 0);
+  double spread = 0.0;
+  for (const dgg::SourceGroup& group : groups)
+  {
+    EXPECT_FALSE(group.empty());
+    EXPECT_LE(group.size(), 8u);
+    const std::vector<double> distances =
+      ReferenceDistances(c.GetGraph(), { SeedAt(sources[group.front()]) });
+    for (std::size_t place : group)
+    {
+      ++places[place];
+      spread = std::max(spread, distances[sources[place]]);
+    }
+  }
+  EXPECT_EQ(places, std::vector<int>(sources.size(), 1));
+  // Eight sources take about 6 x 6 edges.
+  EXPECT_LT(spread, 16.0);
+  EXPECT_LE(groups.size(), sources.size() / 8 + 3);
+}
+
 TEST(GraphPairs, ManyInThreadsAreTheSame)
 {
   const SearchCase c("terrain", Terrain(20, 0.4, 2), 0.02);
   const Id n = c.GetNumberOfVertices();
   const std::vector<Id> sources = RandomPermutation(n, 4);
-  std::vector<double> one(static_cast<std::size_t>(n) * n);
-  std::vector<double> two(one.size());
-  ASSERT_TRUE(c.GetSearch().Many(sources, dgg::Infinity, nullptr, one.data()).IsOk());
-  ASSERT_TRUE(c.GetSearch().Many(sources, dgg::Infinity, InTwoThreads, two.data()).IsOk());
+  std::vector<double> one;
+  std::vector<double> two;
+  ASSERT_TRUE(FindRows(c, sources, dgg::Infinity, nullptr, one).IsOk());
+  ASSERT_TRUE(FindRows(c, sources, dgg::Infinity, InTwoThreads, two).IsOk());
   EXPECT_EQ(one, two);
 }
 
 TEST(GraphPairs, BadSourcesAreNamed)
 {
   const SearchCase c("plane", Plane(3, 3), 0.1);
-  std::vector<double> distances(32);
-  dgg::Status status = c.GetSearch().Many({ 0, 16 }, 1.0, nullptr, distances.data());
-  EXPECT_NE(status.GetMessage().find("source 1: vertex 16"), std::string::npos);
-  status = c.GetSearch().Many({ -1 }, 1.0, nullptr, distances.data());
-  EXPECT_NE(status.GetMessage().find("source 0: vertex -1"), std::string::npos);
-  status = c.GetSearch().Many({ 0 }, std::nan(""), nullptr, distances.data());
+  std::vector<double> rows;
+  dgg::Status status = FindRows(c, { 0, 16 }, 1.0, nullptr, rows);
+  EXPECT_NE(status.GetMessage().find("set 1 of sources: source 0: vertex 16"), std::string::npos);
+  status = FindRows(c, { -1 }, 1.0, nullptr, rows);
+  EXPECT_NE(status.GetMessage().find("set 0 of sources: source 0: vertex -1"), std::string::npos);
+  status = FindRows(c, { 0 }, std::nan(""), nullptr, rows);
   EXPECT_NE(status.GetMessage().find("not a number"), std::string::npos);
-  EXPECT_TRUE(c.GetSearch().Many({ 0, 15 }, 1.0, nullptr, distances.data()).IsOk());
-  EXPECT_TRUE(c.GetSearch().Many({}, 1.0, nullptr, nullptr).IsOk());
+  EXPECT_FALSE(c.GetSearch().Many({ {} }, 1.0, nullptr, nullptr, nullptr).IsOk());
+  EXPECT_TRUE(FindRows(c, { 0, 15 }, 1.0, nullptr, rows).IsOk());
+  EXPECT_TRUE(FindRows(c, {}, 1.0, nullptr, rows).IsOk());
 }
 
 TEST(SearchQueues, HeapSorts)
@@ -236,6 +336,26 @@ TEST(SearchQueues, HeapSorts)
   EXPECT_TRUE(heap.IsEmpty());
 }
 
+TEST(SearchQueues, BucketsTakeAnyDistance)
+{
+  for (double huge : { 1e20, 1e39, 1e300, std::numeric_limits<double>::max() })
+  {
+    dgg::BucketQueue queue;
+    queue.Reset(-huge, 1e-3);
+    for (Id i = 0; i < 300; ++i)
+    {
+      queue.Push(i % 2 == 0 ? i : huge / (1 + i), i);
+    }
+    std::size_t seen = 0;
+    while (queue.Advance())
+    {
+      seen += queue.Current().size();
+      queue.ClearCurrent();
+    }
+    EXPECT_EQ(seen, 300u) << huge;
+  }
+}
+
 TEST(SearchQueues, BucketsGiveEverythingBackRoughlySorted)
 {
   for (double width : { 1e-3, 1.0, 50.0, 1e-30 })
@@ -256,11 +376,11 @@ TEST(SearchQueues, BucketsGiveEverythingBackRoughlySorted)
       {
         const dgg::BucketQueue::Entry entry = queue.Current()[i];
         ++seen[entry.Vertex];
-        EXPECT_GE(entry.Key, last - 1.001f * static_cast<float>(width) - 1e-6f * last);
+        EXPECT_GE(entry.Key, last - 1.001f - 1e-6f * last);
         last = std::max(last, entry.Key);
         if (next < 2000)
         {
-          queue.Push(entry.Key - 7.0 + random.Uniform(0.0, 3.0 * width), next++);
+          queue.Push(entry.Key * width - 7.0 + random.Uniform(0.0, 3.0 * width), next++);
         }
       }
       queue.ClearCurrent();

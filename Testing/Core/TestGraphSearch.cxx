@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -232,7 +233,7 @@ TEST(GraphSearch, GraphsWithoutEdges)
   const dgg::GraphSearch empty(graph, nullptr);
   EXPECT_FALSE(empty.Run({ SeedAt(0) }, SearchOptions(), result).IsOk());
   EXPECT_FALSE(empty.Run({}, SearchOptions(), result).IsOk());
-  EXPECT_TRUE(empty.Many({}, dgg::Infinity, nullptr, nullptr).IsOk());
+  EXPECT_TRUE(empty.Many({}, dgg::Infinity, nullptr, nullptr, nullptr).IsOk());
   const dgg::GraphSearch nothing(dgg::GraphView(), nullptr);
   EXPECT_FALSE(nothing.Run({ SeedAt(0) }, SearchOptions(), result).IsOk());
 }
@@ -314,10 +315,10 @@ TEST(GraphSearch, FromSeveralThreads)
 TEST(GraphSearch, HugeAndTinyScales)
 {
   // Labels far from zero, and a queue whose keys are single precision.
-  for (double scale : { 1e-20, 1e20 })
+  for (double scale : { 1e-69, 1e-20, 1.0, 1e20, 1e69 })
   {
     const SearchCase c("scaled", Scaled(Terrain(8, 0.4, 5), scale), 0.02);
-    for (double offset : { 0.0, 1e9 * scale, -1e9 * scale })
+    for (double offset : { 0.0, 1e9 * scale, -1e9 * scale, 1e300, -1e300 })
     {
       const std::vector<GraphSeed> seeds{ SeedAt(3, offset), SeedAt(40, offset + 2.0 * scale) };
       const std::vector<double> expected = ReferenceDistances(c.GetGraph(), seeds);
@@ -329,6 +330,23 @@ TEST(GraphSearch, HugeAndTinyScales)
           EXPECT_NEAR(expected[v], result.Distances[v], 1e-11 * (scale + std::abs(expected[v])));
         }
       }
+    }
+  }
+}
+
+TEST(GraphSearch, SourcesThatStartWithHugeDistances)
+{
+  // As somebody may write who wants a source not to count.
+  const SearchCase c("components", SeveralComponents(), 0.05);
+  const Id n = c.GetNumberOfVertices();
+  for (double huge : { 1e39, 1.7e308, std::numeric_limits<double>::max() })
+  {
+    const std::vector<GraphSeed> seeds{ SeedAt(0), SeedAt(1, huge), SeedAt(n / 2, huge),
+      SeedAt(n - 1, huge) };
+    const std::vector<double> expected = ReferenceDistances(c.GetGraph(), seeds);
+    for (SearchMethod method : AllMethods)
+    {
+      ExpectSameDistances(expected, RunMethod(c, seeds, method).Distances, MethodName(method));
     }
   }
 }
