@@ -14,11 +14,13 @@ namespace
 {
 // A virtual source is seen in a direction that is not quite right where the surface between is not
 // flat: nobody looked at that part of it. So, by regression to the mean, a large deviation from the
-// straight way is on average a bit too large, and a small one too small. Measured against exact
-// distances on thirteen scans and machine parts.
+// straight way is on average a bit too large, and a small one too small. The three numbers are
+// fitted to exact distances on scans. Without them estimates are too short on rough surfaces, with
+// mean errors larger by up to a quarter and largest errors by up to a half; on smooth ones they
+// cost up to a quarter.
 
 /// Mean angle defect of both ends of a hop, radians, from which on the surface counts as rough.
-constexpr double RoughDefect = 0.02;
+constexpr double RoughDefect = 0.04;
 /// Part of a deviation that is not real on a rough surface.
 constexpr double SpuriousPart = 0.06;
 /// What is real though it is not seen: mean square in units of the largest deviation of an edge.
@@ -157,10 +159,10 @@ LabelCorrection::VirtualSource LabelCorrection::Follow(
   const double sum = from.Length + hop;
   const double height = from.Length * hop / sum;
   const double flatness = 4.0 * height * half * half / sum;
-  const double gain =
-    sum * flatness / (1.0 + std::sqrt(1.0 - flatness)) + roughness * this->Unseen * height;
+  const double gain = sum * flatness / (1.0 + std::sqrt(std::max(0.0, 1.0 - flatness))) +
+    roughness * this->Unseen * height;
   const double x = hop + from.Length * (1.0 - 2.0 * half * half);
-  const double y = 2.0 * from.Length * half * std::sqrt(1.0 - half * half);
+  const double y = 2.0 * from.Length * half * std::sqrt(std::max(0.0, 1.0 - half * half));
   const double tilt = std::atan2(static_cast<float>(y), static_cast<float>(x));
   const double angle = arrival + (turn > 0.0 ? tilt : -tilt);
   if (vertex.Angle < 0.0f && !(angle >= -AngleSlack && angle <= AngleSlack - vertex.Angle))
