@@ -11,7 +11,7 @@ dashed ones corrected distances.
 
 import sys
 
-from summarize import count_text, median
+from benchmark_results import count_text, median
 from summarize_graph import Run, errors
 
 # Colours that differ in lightness too, for those who do not see hues.

@@ -9,60 +9,36 @@ Every figure is the median over the sources of a mesh, measured in one run. Rati
 engine T. The exponents of growth are least-squares lines through log(figure) over log(vertices).
 """
 
-import json
 import math
 import re
 import statistics
-import sys
+
+from benchmark_results import (
+    collect,
+    count_text,
+    load,
+    median,
+    run_as_script,
+    seconds_text,
+    table,
+)
 
 NAME = re.compile(
     r"^(?P<group>Exact|Growth)/(?P<mesh>[^/]+)/(?P<case>SetUp|T|R|VTK|CGAL)(?:/(?P<source>\d+))?(?:/|$)"
 )
 TITLES = {"R": "engine R", "CGAL": "CGAL exact", "VTK": "vtkDijkstraGraphGeodesicPath"}
-UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
 def read(path):
     """{group: {mesh: {case: {figure: [one value per source]}}}}, in the order of the file."""
-    with open(path, encoding="utf-8") as file:
-        content = json.load(file)
+    context, results = load(path)
     groups = {"Exact": {}, "Growth": {}}
-    for entry in content["benchmarks"]:
+    for entry in results:
         match = NAME.match(entry["name"])
-        # Aggregates (of --benchmark_repetitions) repeat what the single runs say.
-        if not match or entry.get("run_type") == "aggregate" or entry.get("error_occurred"):
-            continue
-        cases = groups[match["group"]].setdefault(match["mesh"], {})
-        figures = cases.setdefault(match["case"], {})
-        for key, value in entry.items():
-            if isinstance(value, (int, float)) and not isinstance(value, bool):
-                figures.setdefault(key, []).append(value)
-        seconds = entry["real_time"] * UNITS[entry["time_unit"]]
-        figures.setdefault("seconds", []).append(seconds)
-    return content["context"], groups
-
-
-def median(figures, key):
-    """Median over the sources; None when the figure was not measured."""
-    values = (figures or {}).get(key)
-    return statistics.median(values) if values else None
-
-
-def seconds_text(value):
-    return f"{value:.3g} s" if value >= 1.0 else f"{1000.0 * value:.3g} ms"
-
-
-def count_text(value):
-    for limit, suffix in ((1e6, "M"), (1e3, "K")):
-        if value >= limit:
-            return f"{value / limit:.3g}{suffix}"
-    return f"{value:.0f}"
-
-
-def table(header, rows):
-    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
-    lines += ["| " + " | ".join(row) + " |" for row in rows]
-    return "\n".join(lines) + "\n"
+        if match:
+            cases = groups[match["group"]].setdefault(match["mesh"], {})
+            collect(entry, cases.setdefault(match["case"], {}))
+    return context, groups
 
 
 def time_table(meshes, peers):
@@ -183,15 +159,5 @@ def summarize(path):
     return "\n".join(parts)
 
 
-def main():
-    if len(sys.argv) not in (2, 3):
-        sys.exit(__doc__)
-    text = summarize(sys.argv[1])
-    if len(sys.argv) == 3:
-        with open(sys.argv[2], "w", encoding="utf-8") as file:
-            file.write(text)
-    print(text)
-
-
 if __name__ == "__main__":
-    main()
+    run_as_script(summarize, __doc__)

@@ -9,12 +9,18 @@ Times are medians over the sources of a mesh. The mean error and the 99.9th perc
 over the sources, the maximum is the largest of all. Ratios are times better than a peer.
 """
 
-import json
 import re
 import statistics
-import sys
 
-from summarize import UNITS, count_text, median, seconds_text, table
+from benchmark_results import (
+    collect,
+    count_text,
+    load,
+    median,
+    run_as_script,
+    seconds_text,
+    table,
+)
 
 GRAPH = re.compile(
     r"^Graph/(?P<mesh>[^/]+)/(?P<rule>[^/]+)/(?P<parameter>[^/]+)/(?P<case>[A-Za-z]+)(?:/|$)"
@@ -33,23 +39,13 @@ class Run:
     """graphs[mesh][rule, parameter][case] and peers[mesh][peer][case]: {figure: [values]}."""
 
     def __init__(self, path):
-        with open(path, encoding="utf-8") as file:
-            content = json.load(file)
-        self.context = content["context"]
+        self.context, results = load(path)
         self.graphs = {}
         self.peers = {}
-        for entry in content["benchmarks"]:
-            # Aggregates (of --benchmark_repetitions) repeat what the single runs say.
-            if entry.get("run_type") == "aggregate" or entry.get("error_occurred"):
-                continue
+        for entry in results:
             figures = self.figures(entry["name"])
-            if figures is None:
-                continue
-            for key, value in entry.items():
-                if isinstance(value, (int, float)) and not isinstance(value, bool):
-                    figures.setdefault(key, []).append(value)
-            seconds = entry["real_time"] * UNITS[entry["time_unit"]]
-            figures.setdefault("seconds", []).append(seconds)
+            if figures is not None:
+                collect(entry, figures)
 
     def figures(self, name):
         """Where the figures of a result of this name go; None when it is not one of ours."""
@@ -369,15 +365,5 @@ def summarize(path):
     return "\n".join(parts)
 
 
-def main():
-    if len(sys.argv) not in (2, 3):
-        sys.exit(__doc__)
-    result = summarize(sys.argv[1])
-    if len(sys.argv) == 3:
-        with open(sys.argv[2], "w", encoding="utf-8") as file:
-            file.write(result)
-    print(result)
-
-
 if __name__ == "__main__":
-    main()
+    run_as_script(summarize, __doc__)

@@ -325,6 +325,26 @@ TestMesh CollapsedSphere(int level, Id count, std::uint64_t seed)
   return mesh;
 }
 
+std::vector<TestMesh> FlattenedMeshes()
+{
+  std::vector<TestMesh> meshes;
+  for (const double height : { 0.0, 1e-15, 1e-9, 1e-4 })
+  {
+    for (const std::size_t firstAxis : { 2u, 1u })
+    {
+      meshes.push_back(NoisySphere(2, 0.3, 7));
+      std::vector<double>& points = meshes.back().Points;
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        points[i] *= i % 3 >= firstAxis ? height : 1.0;
+      }
+    }
+  }
+  meshes.push_back(Icosahedron());
+  std::fill(meshes.back().Points.begin(), meshes.back().Points.end(), 1.0);
+  return meshes;
+}
+
 std::vector<NamedMesh> DefectMeshes()
 {
   std::vector<Id> sheetOf;

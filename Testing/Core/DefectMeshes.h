@@ -63,6 +63,10 @@ TestMesh MisorientedSphere(int level, std::uint64_t seed);
 /// zero-length edges, and faces of zero area.
 TestMesh CollapsedSphere(int level, Id count, std::uint64_t seed);
 
+/// Closed surfaces pressed flat, to lines, and nearly so: every dihedral angle is 0 or pi. The last
+/// one has all points in one place.
+std::vector<TestMesh> FlattenedMeshes();
+
 /// One of each, moderate in size.
 std::vector<NamedMesh> DefectMeshes();
 

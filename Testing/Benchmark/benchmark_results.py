@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What all tables of benchmark results share: reading JSON, and writing figures in Markdown."""
+
+import json
+import statistics
+import sys
+
+UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
+
+
+def load(path):
+    """Context and results of a run, without failed ones."""
+    with open(path, encoding="utf-8") as file:
+        content = json.load(file)
+    # Aggregates (of --benchmark_repetitions) repeat what the single runs say.
+    results = [
+        entry
+        for entry in content["benchmarks"]
+        if entry.get("run_type") != "aggregate" and not entry.get("error_occurred")
+    ]
+    return content["context"], results
+
+
+def collect(entry, figures):
+    """Append the numbers of a result to {figure: [values]}; the time in "seconds"."""
+    for key, value in entry.items():
+        if isinstance(value, (int, float)) and not isinstance(value, bool):
+            figures.setdefault(key, []).append(value)
+    figures.setdefault("seconds", []).append(entry["real_time"] * UNITS[entry["time_unit"]])
+
+
+def median(figures, key):
+    """Median over the sources; None when the figure was not measured."""
+    values = (figures or {}).get(key)
+    return statistics.median(values) if values else None
+
+
+def seconds_text(value):
+    return f"{value:.3g} s" if value >= 1.0 else f"{1000.0 * value:.3g} ms"
+
+
+def count_text(value):
+    for limit, suffix in ((1e6, "M"), (1e3, "K")):
+        if value >= limit:
+            return f"{value / limit:.3g}{suffix}"
+    return f"{value:.0f}"
+
+
+def table(header, rows):
+    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
+    lines += ["| " + " | ".join(row) + " |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def run_as_script(summarize, usage):
+    """RESULT.json [TABLE.md] on the command line: print the summary, and write it."""
+    if len(sys.argv) not in (2, 3):
+        sys.exit(usage)
+    text = summarize(sys.argv[1])
+    if len(sys.argv) == 3:
+        with open(sys.argv[2], "w", encoding="utf-8") as file:
+            file.write(text)
+    print(text)
