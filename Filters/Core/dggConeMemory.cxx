@@ -44,12 +44,27 @@ bool ConeMemory::Admit(Id h, bool reversed, const Relay& left, const Relay& righ
   return !isUseless;
 }
 
+void ConeMemory::Clear()
+{
+  if (!this->Entered.empty())
+  {
+    this->LargestSize = this->GetMemorySize();
+    this->Entered.clear();
+  }
+}
+
 std::size_t ConeMemory::GetMemorySize() const
 {
-  std::size_t size = 0;
+  return std::max(this->LargestSize, this->GetCurrentSize());
+}
+
+std::size_t ConeMemory::GetCurrentSize() const
+{
+  // A node has a pointer to the next one, and is in a table of pointers.
+  std::size_t size = this->Entered.bucket_count() * sizeof(void*);
   for (const auto& entry : this->Entered)
   {
-    size += sizeof(entry) + entry.second.capacity() * sizeof(Light);
+    size += sizeof(entry) + sizeof(void*) + entry.second.capacity() * sizeof(Light);
   }
   return size;
 }

@@ -24,7 +24,8 @@ public:
   /// the half-edge.
   bool Admit(Id h, bool reversed, const Relay& left, const Relay& right, const Cone& cone);
 
-  void Clear() { this->Entered.clear(); }
+  void Clear();
+  /// The most bytes it ever took: they are given back when it is cleared.
   std::size_t GetMemorySize() const;
 
 private:
@@ -40,7 +41,10 @@ private:
     double DistanceAt(double x) const { return Norm(x - this->Foot, this->Depth); }
   };
 
+  std::size_t GetCurrentSize() const;
+
   std::unordered_map<Id, std::vector<Light>> Entered; // per half-edge
+  std::size_t LargestSize = 0;                        // before it was cleared
 };
 }
 

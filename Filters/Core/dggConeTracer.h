@@ -7,59 +7,34 @@
 
 #include "dggCone.h"           // for Cone
 #include "dggConeMemory.h"     // for non-manifold edges
-#include "dggSurfacePoint.h"   // for SurfacePoint
+#include "dggConeTargets.h"    // for points that light meets
+#include "dggDistanceHeap.h"   // for cones by distance
+#include "dggFoundEdge.h"      // for what is found
+#include "dggOuterRelays.h"    // for relays beside a cone
+#include "dggSurfacePoint.h"   // for sources inside faces
 #include "dggUnfoldingTable.h" // for the mesh
 #include "dggVertexStates.h"   // for labels and costs
 
-#include <algorithm> // for heaps
-#include <cmath>     // for std::atan2
+#include <algorithm> // for std::min
+#include <array>     // for barycentric coordinates
+#include <cmath>     // for std::abs
 #include <cstddef>   // for std::size_t
+#include <utility>   // for std::pair
 #include <vector>    // for the workspace
 
 namespace dgg
 {
-/// An edge found from a source, with what it takes to know its directions.
-struct FoundEdge
-{
-  Id Target = NoId; ///< id of the table
-  double Length = 0.0;
-  Point2 Departure;        ///< the target, in the plane of the source
-  Id Frame = NoId;         ///< half-edge at the source along the x axis of the plane
-  Point2 Reference;        ///< direction of the half-edge of arrival, in the plane
-  Id Arrival = NoId;       ///< that half-edge, leaving the target
-  bool IsMirrored = false; ///< the face of arrival is seen in its mirror image
-
-  /// Polar angle at the source, towards the target.
-  double DepartureAngle(const UnfoldingTable& table) const
-  {
-    return table.PolarAngle(this->Frame) + std::atan2(this->Departure.Y, this->Departure.X);
-  }
-  /// Polar angle at the target, towards the source.
-  double ArrivalAngle(const UnfoldingTable& table) const
-  {
-    const Point2 back{ -this->Departure.X, -this->Departure.Y };
-    const double turn = std::atan2(Cross(this->Reference, back), Dot(this->Reference, back));
-    return table.PolarAngle(this->Arrival) + (this->IsMirrored ? -turn : turn);
-  }
-};
-
-/// A point to which straight light is looked for.
-struct ConeTarget
-{
-  Id Face = NoId; ///< of the mesh
-  std::size_t Index = 0;
-  std::array<double, 3> Barycentric{ { 0.0, 0.0, 0.0 } };
-};
-
 /// Follows cones from one source at a time until the rule ends them.
 template <typename Rule>
 class ConeTracer
 {
 public:
-  ConeTracer(const UnfoldingTable& table, const Rule& rule)
+  /// A source that sends out more than `mostCones` cones is given up.
+  ConeTracer(const UnfoldingTable& table, const Rule& rule, std::size_t mostCones)
     : Table(table)
     , Mesh(table.GetMesh())
     , TheRule(rule)
+    , MostCones(mostCones)
     , Vertices(table.GetNumberOfVertices())
     , HasDegenerateFaces(table.HasDegenerateFaces())
     , HasBranches(table.HasBranches())
@@ -85,14 +60,12 @@ public:
   }
 
   /// The edges that a point inside a face would have; for one on an edge, call it with all faces
-  /// around the edge. Targets, sorted by face, get the lengths of straight ways to them.
+  /// around the edge.
   const std::vector<FoundEdge>& TracePoint(
-    const std::vector<std::pair<Id, std::array<double, 3>>>& positions,
-    const std::vector<ConeTarget>& targets, std::vector<double>& direct)
+    const std::vector<std::pair<Id, std::array<double, 3>>>& positions, const ConeTargets& targets)
   {
     this->Begin();
     this->Targets = &targets;
-    this->Direct = &direct;
     for (const auto& position : positions)
     {
       this->StartInFace(position.first, position.second);
@@ -107,17 +80,16 @@ public:
   std::size_t GetNumberOfWindows() const { return this->NumberOfWindows; }
   std::size_t GetMemorySize() const
   {
-    return this->Vertices.GetMemorySize() + this->Edges.capacity() * sizeof(FoundEdge) +
-      this->Relays.capacity() * sizeof(Relay) + this->Queue.capacity() * sizeof(Cone) +
-      this->Order.capacity() * sizeof(Key) + this->Reached.capacity() * sizeof(Key);
+    return this->Vertices.GetMemorySize() + this->Memory.GetMemorySize() +
+      this->Edges.capacity() * sizeof(FoundEdge) + this->Relays.capacity() * sizeof(Relay) +
+      this->Queue.capacity() * sizeof(Cone) + this->Order.GetMemorySize() +
+      this->Reached.GetMemorySize();
   }
 
 private:
   /// Light that has crossed this many degenerate faces one after the other is running around in
   /// them.
   static constexpr Id MaximumDegenerateFaces = 1000;
-  /// Cones that a source may send out in all. Sources at the smallest accuracy stay well below.
-  static constexpr std::size_t MostCones = std::size_t{ 1 } << 21;
   /// Two path lengths this close, relatively, count as equal.
   static constexpr double LengthTolerance = 1e-12;
   /// Narrower cones are dropped: what they light is on the border of their neighbours, up to the
@@ -130,8 +102,8 @@ private:
     this->Edges.clear();
     this->Relays.clear();
     this->Queue.clear();
-    this->Order.clear();
-    this->Reached.clear();
+    this->Order.Clear();
+    this->Reached.Clear();
     this->Memory.Clear();
     this->Source = NoId;
     this->HasOverlap = this->HasBranches;
@@ -187,9 +159,7 @@ private:
         this->AddRelay(this->TheRule.MakeRelay(end, length, this->TheRule.CostOfEdge(length)));
       this->Enter(this->Table.CodeBehind(h), cone);
     }
-    this->ReachTargets(f, [&](const ConeTarget& target) {
-      return DistanceInFace(this->Mesh, f, barycentric, target.Barycentric);
-    });
+    this->Targets->ReachFrom(f, barycentric);
   }
 
   /// A corner of a face that the source lies in is an edge, at the origin of its half-edge of
@@ -241,7 +211,7 @@ private:
     const Relay& right = this->Relays[cone.Relays[1]];
     this->Table.ForEach(code, [&](Id entry) {
       const FaceCrossing& face = this->Table[entry];
-      if (this->Memory.Admit(HalfEdge(face), IsMirrored(face), left, right, cone))
+      if (this->Memory.Admit(face.GetHalfEdge(), face.IsMirrored(), left, right, cone))
       {
         this->Push(entry, cone);
       }
@@ -253,9 +223,9 @@ private:
     cone.Entry = entry;
     if constexpr (Rule::ByDistance)
     {
-      PushKey(this->Order,
-        { DistanceOfEdge(this->Relays[cone.Relays[0]], this->Relays[cone.Relays[1]], cone),
-          static_cast<Id>(this->Queue.size()) });
+      this->Order.Push(
+        DistanceOfEdge(this->Relays[cone.Relays[0]], this->Relays[cone.Relays[1]], cone),
+        static_cast<Id>(this->Queue.size()));
     }
     this->Table.Prefetch(entry);
     this->Queue.push_back(cone);
@@ -274,13 +244,21 @@ private:
       {
         Cone cone = this->Queue[next];
         this->Follow(cone);
-        if (this->Queue.size() > MostCones)
+        if (this->Queue.size() > this->MostCones)
         {
-          this->IsOverwhelmed = true;
+          this->GiveUp();
           return;
         }
       }
     }
+  }
+
+  /// The memory of so many cones is not for keeping.
+  void GiveUp()
+  {
+    this->IsOverwhelmed = true;
+    std::vector<Cone>().swap(this->Queue);
+    std::vector<Relay>().swap(this->Relays);
   }
 
   /// Cones in order of distance, until enough vertices are final. Edges are those of them that are
@@ -289,13 +267,13 @@ private:
   {
     Id count = 0;
     double last = Infinity;
-    while (!this->Order.empty())
+    while (!this->Order.IsEmpty())
     {
-      const Key key = PopKey(this->Order);
-      while (count < this->TheRule.Count && !this->Reached.empty() &&
-        this->Reached.front().Distance <= key.Distance)
+      const DistanceHeap::Key key = this->Order.Pop();
+      while (count < this->TheRule.Count && !this->Reached.IsEmpty() &&
+        this->Reached.Top().Distance <= key.Distance)
       {
-        const Key reached = PopKey(this->Reached);
+        const DistanceHeap::Key reached = this->Reached.Pop();
         if (this->Vertices[reached.Index].Label == reached.Distance)
         {
           last = reached.Distance;
@@ -309,10 +287,10 @@ private:
       last = Infinity;
       Cone cone = this->Queue[key.Index];
       this->Follow(cone);
-      if (this->Queue.size() > MostCones)
+      if (this->Queue.size() > this->MostCones)
       {
-        this->IsOverwhelmed = true;
-        break;
+        this->GiveUp();
+        return;
       }
     }
     this->Edges.erase(std::remove_if(this->Edges.begin(), this->Edges.end(),
@@ -343,7 +321,7 @@ private:
       const Point2 apex = FromFrame(cone.Ends[0], cone.Axis, face.Apex);
       if (this->Targets)
       {
-        this->LightTargets(cone, face);
+        this->Targets->Light(cone, left, right, face);
       }
       const bool isRightOfLeft = Cross(apex, left.Position) > 0.0;
       const bool isLeftOfRight = Cross(right.Position, apex) > 0.0;
@@ -362,7 +340,7 @@ private:
       {
         this->Turn(cone, face, FaceCrossing::Right, apex);
       }
-      if (code == NoId || (!isStarted && !this->Start(cone)) ||
+      if (code == NoId || (!isStarted && !StartCone(this->TheRule, this->Relays, cone)) ||
         this->TheRule.Ends(left, right, cone) || this->IsUseless(cone))
       {
         return;
@@ -375,48 +353,6 @@ private:
       }
       cone.Entry = code;
     }
-  }
-
-  /// Work out what ends a cone, with the outer relays if they see the stop point. That is enough:
-  /// an outer relay covers the vertex on the ray and the stop point, so by convexity all in
-  /// between; and what that vertex hides from it is behind points that it covers.
-  bool Start(Cone& cone) const
-  {
-    bool outer[2] = { cone.Outer[0] != NoId, cone.Outer[1] != NoId };
-    while (outer[0] || outer[1])
-    {
-      const Relay& left = this->Relays[outer[0] ? cone.Outer[0] : cone.Relays[0]];
-      const Relay& right = this->Relays[outer[1] ? cone.Outer[1] : cone.Relays[1]];
-      if (!this->TheRule.Start(left, right, cone) || !this->IsInside(cone, cone.Stop))
-      {
-        break;
-      }
-      const bool hides[2] = { outer[0] && !this->IsVisible(cone, 0, cone.Stop),
-        outer[1] && !this->IsVisible(cone, 1, cone.Stop) };
-      if (!hides[0] && !hides[1])
-      {
-        return true;
-      }
-      outer[0] = outer[0] && !hides[0];
-      outer[1] = outer[1] && !hides[1];
-    }
-    return this->TheRule.Start(this->Relays[cone.Relays[0]], this->Relays[cone.Relays[1]], cone);
-  }
-
-  bool IsInside(const Cone& cone, const Point2& x) const
-  {
-    return Cross(x, this->Relays[cone.Relays[0]].Position) > 0.0 &&
-      Cross(this->Relays[cone.Relays[1]].Position, x) > 0.0;
-  }
-
-  /// Whether the outer relay on a side sees a point of the cone past the vertex on the ray.
-  bool IsVisible(const Cone& cone, int side, const Point2& x) const
-  {
-    const Point2& outer = this->Relays[cone.Outer[side]].Position;
-    const Point2& hiding = this->Relays[cone.Relays[side]].Position;
-    const double turn =
-      Cross({ hiding.X - outer.X, hiding.Y - outer.Y }, { x.X - outer.X, x.Y - outer.Y });
-    return side == 0 ? turn < 0.0 : turn > 0.0;
   }
 
   /// Go on to the left or the right edge of a face: its apex is the right end of the left edge, and
@@ -463,14 +399,8 @@ private:
       return false;
     }
     cone.DegenerateFaces =
-      this->Mesh.IsDegenerate(SurfaceMesh::Face(HalfEdge(face))) ? cone.DegenerateFaces + 1 : 0;
+      this->Mesh.IsDegenerate(SurfaceMesh::Face(face.GetHalfEdge())) ? cone.DegenerateFaces + 1 : 0;
     return cone.DegenerateFaces > MaximumDegenerateFaces;
-  }
-
-  static bool IsMirrored(const FaceCrossing& face) { return face.HalfEdge < 0; }
-  static Id HalfEdge(const FaceCrossing& face)
-  {
-    return IsMirrored(face) ? ~face.HalfEdge : face.HalfEdge;
   }
 
   /// The best relay on one side of a cone for a vertex that it lights.
@@ -482,7 +412,7 @@ private:
   };
   Cover FindCover(const Cone& cone, int side, const Point2& apex, double distance) const
   {
-    const bool isOuter = cone.Outer[side] != NoId && this->IsVisible(cone, side, apex);
+    const bool isOuter = cone.Outer[side] != NoId && IsVisible(this->Relays, cone, side, apex);
     const Id id = isOuter ? cone.Outer[side] : cone.Relays[side];
     const Relay& relay = this->Relays[id];
     const double cost = this->TheRule.CostBehind(relay, Distance(relay.Position, apex));
@@ -563,10 +493,10 @@ private:
     {
       if (state.Edge != NoId || !this->TheRule.Covers(cost, distance))
       {
-        const Point2& origin = cone.Ends[IsMirrored(face) ? 1 : 0];
+        const Point2& origin = cone.Ends[face.IsMirrored() ? 1 : 0];
         this->Record(state,
           { face.ApexVertex, distance, apex, cone.Frame, { origin.X - apex.X, origin.Y - apex.Y },
-            SurfaceMesh::Previous(HalfEdge(face)), IsMirrored(face) });
+            SurfaceMesh::Previous(face.GetHalfEdge()), face.IsMirrored() });
         cost = std::min(cost, this->TheRule.CostOfEdge(distance));
       }
       this->SetLabel(face.ApexVertex, state, distance);
@@ -588,7 +518,7 @@ private:
     state.Label = distance;
     if constexpr (Rule::ByDistance)
     {
-      PushKey(this->Reached, { distance, v });
+      this->Reached.Push(distance, v);
     }
     if (Rule::ByDistance || this->HasBranches)
     {
@@ -617,70 +547,15 @@ private:
       state.Label = distance;
       if constexpr (Rule::ByDistance)
       {
-        PushKey(this->Reached, { distance, v });
+        this->Reached.Push(distance, v);
       }
     }
-  }
-
-  /// Offer every target in a face the length that `measure` gives; negative for none.
-  template <typename Measure>
-  void ReachTargets(Id f, Measure&& measure)
-  {
-    auto target = std::lower_bound(this->Targets->begin(), this->Targets->end(), f,
-      [](const ConeTarget& t, Id face) { return t.Face < face; });
-    for (; target != this->Targets->end() && target->Face == f; ++target)
-    {
-      const double length = measure(*target);
-      double& shortest = (*this->Direct)[target->Index];
-      shortest = length >= 0.0 && length < shortest ? length : shortest;
-    }
-  }
-
-  /// Targets in the face that the cone enters, and inside the cone or on its border.
-  void LightTargets(const Cone& cone, const FaceCrossing& face)
-  {
-    const Id h = HalfEdge(face);
-    this->ReachTargets(SurfaceMesh::Face(h), [&](const ConeTarget& target) {
-      const Point2 place = PlaceInFrame(this->Mesh, h, target.Barycentric);
-      const double x = IsMirrored(face) ? this->Mesh.Length(h) - place.X : place.X;
-      const Point2 p = FromFrame(cone.Ends[0], cone.Axis, { x, place.Y });
-      const double distance = Norm(p.X, p.Y);
-      const Relay& left = this->Relays[cone.Relays[0]];
-      const Relay& right = this->Relays[cone.Relays[1]];
-      const double slack = -NarrowestCone * distance;
-      return Cross(p, left.Position) >= slack * left.Distance &&
-          Cross(right.Position, p) >= slack * right.Distance
-        ? distance
-        : -1.0;
-    });
-  }
-
-  struct Key
-  {
-    double Distance;
-    Id Index;
-    bool operator<(const Key& other) const
-    {
-      return this->Distance != other.Distance ? this->Distance > other.Distance
-                                              : this->Index > other.Index;
-    }
-  };
-  static void PushKey(std::vector<Key>& heap, const Key& key)
-  {
-    heap.push_back(key);
-    std::push_heap(heap.begin(), heap.end());
-  }
-  static Key PopKey(std::vector<Key>& heap)
-  {
-    const Key key = heap.front();
-    std::pop_heap(heap.begin(), heap.end());
-    heap.pop_back();
-    return key;
   }
 
   const UnfoldingTable& Table;
   const SurfaceMesh& Mesh;
   Rule TheRule;
+  std::size_t MostCones;
   VertexStates Vertices;
   bool HasDegenerateFaces;
   bool HasBranches;
@@ -693,10 +568,9 @@ private:
   std::vector<FoundEdge> Edges;
   std::vector<Relay> Relays;
   std::vector<Cone> Queue;
-  std::vector<Key> Order;   // of the cones, when they come by distance
-  std::vector<Key> Reached; // vertices by label, then
-  const std::vector<ConeTarget>* Targets = nullptr;
-  std::vector<double>* Direct = nullptr;
+  DistanceHeap Order;   // of the cones, when they come by distance
+  DistanceHeap Reached; // vertices by label, then
+  const ConeTargets* Targets = nullptr;
   std::size_t NumberOfWindows = 0;
 };
 }

@@ -98,36 +98,17 @@ private:
 };
 }
 
-void UniteDirections(RowStore& rows, Id first, const ParallelFor& parallel)
+std::size_t GetAssemblyWorkspace(Id numberOfRows)
 {
-  const Offset base = rows.Begin(first);
-  std::vector<unsigned char> isDouble(static_cast<std::size_t>(rows.GetNumberOfEdges() - base), 0);
-  // Rows are only read here, but for the ways back to the row in hand.
-  ForRange(parallel, rows.GetNumberOfRows() - first, RowGrain, [&](Offset begin, Offset end) {
-    for (Id row = first + static_cast<Id>(begin); row < first + static_cast<Id>(end); ++row)
-    {
-      for (Offset i = rows.Begin(row); i < rows.End(row); ++i)
-      {
-        const Offset back = rows.Target(i) < row ? rows.Find(rows.Target(i), row) : -1;
-        if (back < 0)
-        {
-          continue;
-        }
-        isDouble[i - base] = 1;
-        if (rows.Length(i) < rows.Length(back))
-        {
-          const RowEdge edge = rows.Get(i);
-          rows.SetWay(back, edge.Length, edge.Arrival, edge.Departure);
-        }
-      }
-    }
-  });
-  rows.Remove(first, isDouble);
+  // The order, and two tasks that go through all edges.
+  return static_cast<std::size_t>(numberOfRows) * (sizeof(Id) + 2 * sizeof(Offset));
 }
 
-std::size_t AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
-  const ParallelFor& parallel, GeodesicGraph& graph)
+Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
+  const ParallelFor& parallel, const ProgressCallback& progress, GeodesicGraph& graph,
+  std::size_t& peak)
 {
+  const auto isToStop = [&](double done) { return progress && !progress(done); };
   const auto n = static_cast<std::size_t>(rows.GetNumberOfRows());
   const auto edges = static_cast<std::size_t>(2 * rows.GetNumberOfEdges());
   graph.Offsets = Buffer<Offset>(n + 1);
@@ -136,7 +117,7 @@ std::size_t AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wid
   // Property by property, so that the rows can be given up half by half.
   graph.Angles = Buffer<float>(edges);
   graph.ArrivalAngles = Buffer<float>(edges);
-  std::size_t peak = rows.GetMemorySize() + graph.GetMemorySize();
+  peak = rows.GetMemorySize() + graph.GetMemorySize();
   ForRange(parallel, 2, 1, [&](Offset begin, Offset end) {
     for (Offset task = begin; task < end; ++task)
     {
@@ -148,6 +129,10 @@ std::size_t AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wid
     }
   });
   rows.FreeAngles();
+  if (isToStop(0.4))
+  {
+    return Status::Abort();
+  }
 
   graph.Targets = Buffer<Id>(edges);
   graph.Lengths = Buffer<float>(wide ? 0 : edges);
@@ -183,6 +168,10 @@ std::size_t AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wid
     }
   });
   rows.FreeTargetsAndLengths();
+  if (isToStop(0.8))
+  {
+    return Status::Abort();
+  }
 
   ForRange(parallel, static_cast<Offset>(n), RowGrain, [&](Offset begin, Offset end) {
     RowSorter sorter;
@@ -191,6 +180,6 @@ std::size_t AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wid
       sorter.Sort(graph, static_cast<Id>(row));
     }
   });
-  return peak;
+  return isToStop(1.0) ? Status::Abort() : Status::Success();
 }
 }

@@ -14,16 +14,16 @@
 
 namespace dgg
 {
-/// Unite both directions: of an edge that was found from both ends, only the copy in the row of the
-/// vertex that comes first is kept; it takes over the other way if that is shorter. `first` is the
-/// first row that has not been united with the rows before it.
-void UniteDirections(RowStore& rows, Id first, const ParallelFor& parallel);
-
 /// Write the graph from united rows, each edge in both directions, every row sorted by angle, and
-/// give up the rows on the way. `order` lists the final ids of the rows. Returns the most bytes
-/// held at one time by rows and graph together.
-std::size_t AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
-  const ParallelFor& parallel, GeodesicGraph& graph);
+/// give up the rows on the way. `order` lists the final ids of the rows. `peak` becomes the most
+/// bytes held at one time by rows and graph together. Fails when `progress`, which may be empty,
+/// asks to stop.
+Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
+  const ParallelFor& parallel, const ProgressCallback& progress, GeodesicGraph& graph,
+  std::size_t& peak);
+
+/// Bytes that AssembleGraph() needs besides.
+std::size_t GetAssemblyWorkspace(Id numberOfRows);
 }
 
 #endif

@@ -3,18 +3,22 @@
 #include "dggGraphBuilder.h"
 
 #include "dggConeTracer.h"
+#include "dggDirectionUnion.h"
 #include "dggGraphAssembly.h"
 #include "dggGraphPruning.h"
 #include "dggGraphRules.h"
 #include "dggRowStore.h"
+#include "dggRowWaves.h"
 #include "dggSurfaceOrder.h"
 #include "dggUnfoldingTable.h"
 #include "dggWorkspacePool.h"
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
+#include <cmath>
 #include <sstream>
+#include <string>
+#include <type_traits>
 #include <utility>
 
 namespace dgg
@@ -25,15 +29,35 @@ namespace
 /// its cache.
 constexpr Id PatchSize = 256;
 /// Rows that a thread builds in one go.
-constexpr Id BlockSize = 64;
-/// Rows built between two looks at the abort flag: as many as take about this long.
-constexpr double SecondsBetweenReports = 0.2;
-constexpr Id SmallestWave = 1024;
-constexpr Id LargestWave = 65536;
-/// Of the progress; assembly gets the rest.
-constexpr double ShareOfRows = 0.9;
+constexpr Id BlockSize = 16;
+/// Edges that may wait in the blocks of a wave, besides a share of all edges: they are there twice
+/// for a while.
+constexpr double EdgesOfWave = 1 << 18;
+constexpr double LargestShareOfWave = 0.125;
 /// Rows built for an estimate.
 constexpr Id SampleSize = 128;
+/// Bytes of rows and graph together, while one becomes the other, by those of the graph; measured,
+/// and some more.
+constexpr double PeakOfAssembly = 1.35;
+
+/// What part of the progress a step takes: as measured.
+struct ShareOfSteps
+{
+  double Rows;
+  double Pruning;
+};
+ShareOfSteps SharesOf(GraphConstruction construction)
+{
+  return construction == GraphConstruction::Indirect ? ShareOfSteps{ 0.6, 0.37 }
+                                                     : ShareOfSteps{ 0.9, 0.0 };
+}
+
+/// The progress of one step, which makes [begin, begin + share] of all.
+ProgressCallback PartOf(const ProgressCallback& progress, double begin, double share)
+{
+  return progress ? [=](double done) { return progress(begin + share * done); }
+                  : ProgressCallback();
+}
 
 /// Edges of a graph by edges found, as measured on many meshes: uniting both directions adds some,
 /// pruning candidates takes most away.
@@ -52,13 +76,60 @@ double UnitedShare(GraphConstruction construction)
   return 1.1;
 }
 
-Status Overwhelmed(Id vertex)
+/// `source` says whose light it is.
+Status Overwhelmed(const std::string& source, bool hasBranches, const GraphOptions& options)
 {
   std::ostringstream message;
-  message << "the light of vertex " << vertex
-          << " multiplies without end, as it can among many non-manifold edges: make the mesh "
-             "manifold, or use a larger accuracy";
+  message << "the light of " << source;
+  if (hasBranches)
+  {
+    message << " multiplies without end, as it can among many non-manifold edges: make the mesh "
+               "manifold, or use ";
+  }
+  else
+  {
+    message << " goes too far over the surface: use ";
+  }
+  if (options.Construction == GraphConstruction::SaddleVertexGraph)
+  {
+    message << "a smaller number of neighbours (it is " << options.NumberOfNeighbors << ")";
+  }
+  else
+  {
+    message << "a larger accuracy (it is " << options.Accuracy << ")";
+  }
   return Status::Invalid(message.str());
+}
+
+/// The numbers of edges found from some vertices.
+class DegreeSample
+{
+public:
+  void Add(double degree)
+  {
+    this->Count += 1.0;
+    this->Sum += degree;
+    this->SumOfSquares += degree * degree;
+  }
+  double GetMean() const { return this->Sum / this->Count; }
+  /// What the mean of all vertices hardly exceeds: three standard errors more.
+  double GetLargestMean() const
+  {
+    const double mean = this->GetMean();
+    const double variance = std::max(0.0, this->SumOfSquares / this->Count - mean * mean);
+    return mean + 3.0 * std::sqrt(variance / this->Count);
+  }
+
+private:
+  double Count = 0.0;
+  double Sum = 0.0;
+  double SumOfSquares = 0.0;
+};
+
+/// Edges that may wait in a wave, when all rows will have `all` edges.
+double MostEdgesOfWave(double all)
+{
+  return std::max(EdgesOfWave, LargestShareOfWave * all);
 }
 
 /// Rows that one thread has built.
@@ -77,14 +148,20 @@ struct RowBlock
       next += size;
     }
   }
+
+  std::size_t GetMemorySize() const
+  {
+    return this->Sizes.capacity() * sizeof(std::size_t) + this->Edges.capacity() * sizeof(RowEdge);
+  }
 };
 }
 
 class GraphBuilder::Implementation
 {
 public:
-  explicit Implementation(const SurfaceMesh& mesh)
+  Implementation(const SurfaceMesh& mesh, std::size_t coneLimit)
     : Mesh(mesh)
+    , ConeLimit(coneLimit)
     , Table(mesh, ComputePatchOrder(mesh, PatchSize))
   {
   }
@@ -92,8 +169,9 @@ public:
   Status Estimate(const GraphOptions& options, GraphEstimate& estimate) const;
   Status Build(
     const GraphOptions& options, GeodesicGraph& graph, GraphStatistics& statistics) const;
-  Status Link(const SurfacePoint& point, double accuracy, const std::vector<SurfacePoint>& targets,
-    std::vector<GraphLink>& links, std::vector<double>& direct) const;
+  Status Link(const SurfacePoint& point, const GraphOptions& options,
+    const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
+    std::vector<double>& direct) const;
 
 private:
   /// Call `use(rule)` with the rule of a construction.
@@ -114,23 +192,33 @@ private:
     return use(ProgressRule(options.Accuracy));
   }
 
+  /// Rows of some vertices: how many edges they have, and what a thread needs to find them.
+  template <typename Rule>
+  Status SampleRows(
+    const Rule& rule, const GraphOptions& options, DegreeSample& degrees, double& workspace) const;
   /// The rows of all vertices. With `unite`, both directions of an edge are one.
   template <typename Rule>
   Status BuildRows(const Rule& rule, const GraphOptions& options, bool unite, RowStore& rows,
     GraphStatistics& statistics) const;
+  Status VertexOverwhelmed(Id row, const GraphOptions& options) const
+  {
+    return Overwhelmed(
+      "vertex " + std::to_string(this->Table.OldVertex(row)), this->Table.HasBranches(), options);
+  }
   bool NeedsWide(const GraphOptions& options) const;
   /// Rows [begin, end).
   template <typename Tracer>
   void FillBlock(Tracer& tracer, Id begin, Id end, RowBlock& block) const;
 
   const SurfaceMesh& Mesh;
+  std::size_t ConeLimit;
   UnfoldingTable Table;
   mutable WorkspacePool<ConeTracer<ProgressRule>> Linkers;
 };
 
 //------------------------------------------------------------------------------
-GraphBuilder::GraphBuilder(const SurfaceMesh& mesh)
-  : Internals(std::make_unique<Implementation>(mesh))
+GraphBuilder::GraphBuilder(const SurfaceMesh& mesh, std::size_t coneLimit)
+  : Internals(std::make_unique<Implementation>(mesh, coneLimit))
 {
 }
 
@@ -191,8 +279,17 @@ Status GraphBuilder::Link(const SurfacePoint& point, double accuracy,
   direct.clear();
   GraphOptions options;
   options.Accuracy = accuracy;
-  const Status status = Check(options);
-  return status.IsOk() ? this->Internals->Link(point, accuracy, targets, links, direct) : status;
+  Status status = Check(options);
+  if (status.IsOk())
+  {
+    status = this->Internals->Link(point, options, targets, links, direct);
+  }
+  if (!status.IsOk())
+  {
+    links.clear();
+    direct.clear();
+  }
+  return status;
 }
 
 //------------------------------------------------------------------------------
@@ -210,35 +307,68 @@ bool GraphBuilder::Implementation::NeedsWide(const GraphOptions& options) const
 Status GraphBuilder::Implementation::Estimate(
   const GraphOptions& options, GraphEstimate& estimate) const
 {
-  const Id n = this->Table.GetNumberOfVertices();
-  if (n == 0)
+  const double n = this->Table.GetNumberOfVertices();
+  DegreeSample degrees;
+  double workspace = 0.0;
+  Status status = this->Table.Check();
+  if (status.IsOk() && n > 0.0)
   {
-    return Status::Success();
+    status = WithRule(options,
+      [&](const auto& rule) { return this->SampleRows(rule, options, degrees, workspace); });
   }
-  // Every k-th vertex of an order in which neighbours are close together.
-  const Id count = std::min(n, SampleSize);
-  std::size_t outEdges = 0;
-  std::size_t workspace = 0;
-  WithRule(options, [&](const auto& rule) {
-    ConeTracer<std::decay_t<decltype(rule)>> tracer(this->Table, rule);
-    for (Id i = 0; i < count; ++i)
-    {
-      const auto v = static_cast<Id>(static_cast<Offset>(n) * i / count);
-      outEdges += tracer.TraceVertex(v).size();
-    }
-    workspace = tracer.GetMemorySize();
-  });
-  const double united = UnitedShare(options.Construction);
-  const double out = static_cast<double>(outEdges) / count * n;
+  if (!status.IsOk() || n == 0.0)
+  {
+    return status;
+  }
   const double bytes = this->NeedsWide(options) ? 20.0 : 16.0;
-  estimate.Edges = std::min(out * united, static_cast<double>(n) * (n - 1.0));
+  const auto unite = [&](double degree) {
+    return n * std::min(degree * UnitedShare(options.Construction), n - 1.0);
+  };
+  estimate.Edges = unite(degrees.GetMean());
   estimate.Memory = estimate.Edges * bytes + 8.0 * (n + 1.0);
-  estimate.Peak = 1.3 * estimate.Memory + static_cast<double>(this->Table.GetMemorySize()) +
-    static_cast<double>(workspace);
+
+  // While edges are found, every thread has a workspace, and the edges of a wave wait in blocks
+  // that are up to twice as large as they would have to be.
+  const double threads = std::max(1, options.NumberOfThreads);
+  const double out = n * degrees.GetLargestMean();
+  const double wave =
+    std::min(out, std::max(RowWaves::Smallest * degrees.GetLargestMean(), MostEdgesOfWave(out)));
+  const double uniting = DirectionUnion::PredictMemorySize(n, degrees.GetLargestMean());
+  const double finding = threads * (workspace + uniting) + wave * (2.0 * sizeof(RowEdge) + 1.0) +
+    std::min<double>(n, RowWaves::Largest) * 2.0 * sizeof(std::size_t);
+  double rows = PeakOfAssembly * (unite(degrees.GetLargestMean()) * bytes + 8.0 * (n + 1.0));
+  double besides =
+    std::max(finding, static_cast<double>(GetAssemblyWorkspace(this->Table.GetNumberOfVertices())));
   if (options.Construction == GraphConstruction::Indirect)
   {
-    estimate.Peak += out * bytes;
+    // All candidates are there before any is pruned.
+    rows = std::max(rows, out * bytes + 8.0 * (n + 1.0));
+    besides = std::max(besides, threads * GetPruningWorkspace(n, degrees.GetLargestMean()) + out);
   }
+  estimate.Peak = rows + besides + static_cast<double>(this->Table.GetMemorySize());
+  return status;
+}
+
+template <typename Rule>
+Status GraphBuilder::Implementation::SampleRows(
+  const Rule& rule, const GraphOptions& options, DegreeSample& degrees, double& workspace) const
+{
+  const Id n = this->Table.GetNumberOfVertices();
+  // Every k-th vertex of an order in which neighbours are close together.
+  const Id count = std::min(n, SampleSize);
+  ConeTracer<Rule> tracer(this->Table, rule, this->ConeLimit);
+  const auto fixed = static_cast<double>(tracer.GetMemorySize());
+  for (Id i = 0; i < count; ++i)
+  {
+    const auto row = static_cast<Id>(static_cast<Offset>(n) * i / count);
+    degrees.Add(static_cast<double>(tracer.TraceVertex(row).size()));
+    if (tracer.WasOverwhelmed())
+    {
+      return this->VertexOverwhelmed(row, options);
+    }
+  }
+  // Arrays that grow double their size, and some vertex will need more than those asked.
+  workspace = fixed + 3.0 * (static_cast<double>(tracer.GetMemorySize()) - fixed);
   return Status::Success();
 }
 
@@ -246,53 +376,56 @@ template <typename Rule>
 Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOptions& options,
   bool unite, RowStore& rows, GraphStatistics& statistics) const
 {
-  using Clock = std::chrono::steady_clock;
   const Id n = this->Table.GetNumberOfVertices();
   WorkspacePool<ConeTracer<Rule>> tracers;
   std::vector<RowBlock> blocks;
+  DirectionUnion directions;
+  std::size_t largestWave = 0;
   std::atomic<std::size_t> windows{ 0 };
-  Id wave = SmallestWave;
-  for (Id first = 0; first < n;)
+  for (RowWaves waves(n); !waves.IsDone();)
   {
-    const auto start = Clock::now();
-    const Id last = std::min(n, first + wave);
-    blocks.resize(static_cast<std::size_t>((last - first + BlockSize - 1) / BlockSize));
+    const Id first = waves.GetFirst();
+    const Id last = waves.GetLast();
+    blocks.resize((static_cast<std::size_t>(last - first) + BlockSize - 1) / BlockSize);
     ForRange(
       options.Parallel, static_cast<Offset>(blocks.size()), 1, [&](Offset begin, Offset end) {
-        const auto tracer = tracers.Borrow(this->Table, rule);
+        const auto tracer = tracers.Borrow(this->Table, rule, this->ConeLimit);
         const std::size_t before = tracer->GetNumberOfWindows();
         for (Offset b = begin; b < end; ++b)
         {
           const Id row = first + static_cast<Id>(b * BlockSize);
-          this->FillBlock(*tracer, row, std::min<Id>(last, row + BlockSize), blocks[b]);
+          this->FillBlock(*tracer, row, row + std::min(last - row, BlockSize), blocks[b]);
         }
         windows += tracer->GetNumberOfWindows() - before;
       });
+    const Offset unitedBefore = rows.GetNumberOfEdges();
+    std::size_t waiting = 0;
     for (const RowBlock& block : blocks)
     {
       if (block.Overwhelmed != NoId)
       {
-        return Overwhelmed(this->Table.OldVertex(block.Overwhelmed));
+        return this->VertexOverwhelmed(block.Overwhelmed, options);
       }
       block.AppendTo(rows);
       statistics.OutEdges += block.Edges.size();
+      waiting += block.GetMemorySize();
     }
+    // Uniting takes a flag an edge.
+    waiting += static_cast<std::size_t>(rows.GetNumberOfEdges() - unitedBefore);
+    largestWave = std::max(largestWave, waiting);
     if (unite)
     {
-      UniteDirections(rows, first, options.Parallel);
+      directions.Unite(rows, first, options.Parallel);
     }
-    if (options.Progress && !options.Progress(ShareOfRows * last / n))
+    if (options.Progress && !options.Progress(waves.GetShareDone()))
     {
       return Status::Abort();
     }
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    const double rate = (last - first) / std::max(seconds, 1e-6);
-    wave = static_cast<Id>(
-      std::max<double>(BlockSize, std::min<double>(LargestWave, rate * SecondsBetweenReports)));
-    first = last;
+    const double degree = static_cast<double>(statistics.OutEdges) / last;
+    waves.Advance(MostEdgesOfWave(degree * n) / std::max(degree, 1.0));
   }
   statistics.Windows = windows;
-  statistics.Workspace += tracers.GetMemorySize();
+  statistics.Workspace = tracers.GetMemorySize() + directions.GetMemorySize() + largestWave;
   return Status::Success();
 }
 
@@ -324,49 +457,74 @@ void GraphBuilder::Implementation::FillBlock(
 Status GraphBuilder::Implementation::Build(
   const GraphOptions& options, GeodesicGraph& graph, GraphStatistics& statistics) const
 {
+  Status status = this->Table.Check();
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const Id n = this->Table.GetNumberOfVertices();
   const bool wide = this->NeedsWide(options);
   const bool isIndirect = options.Construction == GraphConstruction::Indirect;
+  const ShareOfSteps shares = SharesOf(options.Construction);
   RowStore rows(wide);
-  rows.ReserveRows(this->Table.GetNumberOfVertices());
-  statistics.Workspace = this->Table.GetMemorySize();
-  Status status = WithRule(options, [&](const auto& rule) {
-    return this->BuildRows(rule, options, !isIndirect, rows, statistics);
+  rows.ReserveRows(n);
+  GraphOptions forRows = options;
+  forRows.Progress = PartOf(options.Progress, 0.0, shares.Rows);
+  status = WithRule(options, [&](const auto& rule) {
+    return this->BuildRows(rule, forRows, !isIndirect, rows, statistics);
   });
   if (!status.IsOk())
   {
     return status;
   }
-  std::size_t pruningPeak = 0;
+  std::size_t candidates = 0;
   if (isIndirect)
   {
-    pruningPeak = rows.GetMemorySize();
-    PruneCandidates(rows, options.Accuracy, options.Parallel);
-    UniteDirections(rows, 0, options.Parallel);
+    candidates = rows.GetMemorySize();
+    std::size_t workspace = 0;
+    status = PruneCandidates(rows, options.Accuracy, options.Parallel,
+      PartOf(options.Progress, shares.Rows, shares.Pruning), workspace);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    statistics.Workspace = std::max(statistics.Workspace, workspace);
+    DirectionUnion directions;
+    directions.Unite(rows, 0, options.Parallel);
+    statistics.Workspace = std::max(statistics.Workspace, directions.GetMemorySize());
   }
-  std::vector<Id> order(this->Table.GetNumberOfVertices());
-  for (std::size_t i = 0; i < order.size(); ++i)
+  std::vector<Id> order(static_cast<std::size_t>(n));
+  for (Id row = 0; row < n; ++row)
   {
-    order[i] = this->Table.OldVertex(static_cast<Id>(i));
+    order[row] = this->Table.OldVertex(row);
   }
-  statistics.PeakMemory =
-    std::max(pruningPeak, AssembleGraph(rows, order, wide, options.Parallel, graph));
+  const double done = shares.Rows + shares.Pruning;
+  status = AssembleGraph(rows, order, wide, options.Parallel,
+    PartOf(options.Progress, done, 1.0 - done), graph, statistics.PeakMemory);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  statistics.PeakMemory = std::max(statistics.PeakMemory, candidates);
+  statistics.Workspace =
+    this->Table.GetMemorySize() + std::max(statistics.Workspace, GetAssemblyWorkspace(n));
   graph.Info.Kind = GraphKind::Mesh;
   graph.Info.Construction = options.Construction;
   const bool isByNumber = options.Construction == GraphConstruction::SaddleVertexGraph;
   graph.Info.Accuracy = isByNumber ? 0.0 : options.Accuracy;
   graph.Info.NumberOfNeighbors = isByNumber ? options.NumberOfNeighbors : 0;
-  if (options.Progress && !options.Progress(1.0))
-  {
-    return Status::Abort();
-  }
-  return Status::Success();
+  return status;
 }
 
-Status GraphBuilder::Implementation::Link(const SurfacePoint& point, double accuracy,
+Status GraphBuilder::Implementation::Link(const SurfacePoint& point, const GraphOptions& options,
   const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
   std::vector<double>& direct) const
 {
-  Status status = point.Check(this->Mesh);
+  Status status = this->Table.Check();
+  if (status.IsOk())
+  {
+    status = point.Check(this->Mesh);
+  }
   for (std::size_t t = 0; t < targets.size() && status.IsOk(); ++t)
   {
     status = targets[t].Check(this->Mesh);
@@ -397,9 +555,16 @@ Status GraphBuilder::Implementation::Link(const SurfacePoint& point, double accu
   std::stable_sort(coneTargets.begin(), coneTargets.end(),
     [](const ConeTarget& a, const ConeTarget& b) { return a.Face < b.Face; });
 
-  const auto tracer = this->Linkers.Borrow(this->Table, ProgressRule(accuracy));
-  tracer->SetRule(ProgressRule(accuracy));
-  for (const FoundEdge& edge : tracer->TracePoint(positions, coneTargets, direct))
+  const ProgressRule rule(options.Accuracy);
+  const auto tracer = this->Linkers.Borrow(this->Table, rule, this->ConeLimit);
+  tracer->SetRule(rule);
+  const std::vector<FoundEdge>& edges =
+    tracer->TracePoint(positions, ConeTargets(this->Mesh, coneTargets, direct));
+  if (tracer->WasOverwhelmed())
+  {
+    return Overwhelmed("the surface point", this->Table.HasBranches(), options);
+  }
+  for (const FoundEdge& edge : edges)
   {
     links.push_back({ this->Table.OldVertex(edge.Target), edge.Length,
       this->Table.StoredAngle(edge.Target, edge.ArrivalAngle(this->Table)) });

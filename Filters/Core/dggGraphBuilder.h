@@ -30,6 +30,7 @@ struct GraphOptions
   Id NumberOfNeighbors = 30;
   ParallelFor Parallel;      ///< may be empty
   ProgressCallback Progress; ///< may be empty; called from the thread that called Build()
+  int NumberOfThreads = 1;   ///< that Parallel may use, for the estimate of memory
 };
 
 /// What a graph will take, predicted from the rows of some vertices.
@@ -37,7 +38,9 @@ struct GraphEstimate
 {
   double Edges = 0.0;  ///< directed
   double Memory = 0.0; ///< bytes of the graph
-  double Peak = 0.0;   ///< most bytes held at one time while building, workspaces included
+  /// The most bytes that building may take, with the tables of the builder and the workspaces of
+  /// all threads: what GraphStatistics will say, and some more.
+  double Peak = 0.0;
 };
 
 /// What building a graph took.
@@ -46,8 +49,12 @@ struct GraphStatistics
   std::size_t Windows = 0;    ///< faces crossed by cones of light
   std::size_t OutEdges = 0;   ///< directed edges before both directions were united
   std::size_t PeakMemory = 0; ///< most bytes held at one time for the graph itself
-  std::size_t Workspace = 0;  ///< bytes besides: tables of the mesh, one workspace per thread
+  std::size_t Workspace = 0;  ///< most bytes besides: tables of the mesh, workspaces of threads
 };
+
+/// Cones that one source may send out before it is given up: among non-manifold edges light can
+/// multiply without end. Sources at the smallest accuracy stay well below.
+constexpr std::size_t DefaultConeLimit = std::size_t{ 1 } << 21;
 
 /// An edge between a surface point and a vertex of the graph: a geodesic without a bend.
 struct GraphLink
@@ -67,8 +74,9 @@ struct GraphLink
 class GraphBuilder
 {
 public:
-  /// Prepares tables of the mesh.
-  explicit GraphBuilder(const SurfaceMesh& mesh);
+  /// Prepares tables of the mesh. With a vertex whose light takes more cones than `coneLimit` no
+  /// graph can be built.
+  explicit GraphBuilder(const SurfaceMesh& mesh, std::size_t coneLimit = DefaultConeLimit);
   ~GraphBuilder();
   GraphBuilder(const GraphBuilder&) = delete;
   GraphBuilder& operator=(const GraphBuilder&) = delete;
@@ -76,7 +84,8 @@ public:
   /// Fails with a message when an option is out of range.
   static Status Check(const GraphOptions& options);
 
-  /// Predict what Build() will take. Cheap: builds the rows of some vertices.
+  /// Predict what Build() will take. Cheap: builds the rows of some vertices. Fails where Build()
+  /// is sure to fail.
   Status Estimate(const GraphOptions& options, GraphEstimate& estimate) const;
 
   /// Build the graph: the same, bit by bit, for any Parallel. `graph` is empty on failure. The
@@ -87,8 +96,8 @@ public:
   /// The edges that a surface point would have as a vertex of the graph, sorted by vertex: with
   /// them, distances from and to the point keep the promise of the (guaranteed) graph. `targets`
   /// are other points; `direct[i]` becomes the length of the straight way to targets[i], Infinity
-  /// where there is none among the cones. A point at a vertex has a single link, of length 0. May
-  /// be called from several threads at once.
+  /// where there is none among the cones. A point at a vertex has a single link, of length 0. Both
+  /// are empty on failure. May be called from several threads at once.
   Status Link(const SurfacePoint& point, double accuracy, const std::vector<SurfacePoint>& targets,
     std::vector<GraphLink>& links, std::vector<double>& direct) const;
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphPruning.h"
 
+#include "dggRowWaves.h"
+#include "dggWorkspacePool.h"
+
 #include <algorithm>
 #include <numeric>
 #include <vector>
@@ -17,16 +20,15 @@ constexpr double LeastShareOfStored = 1.0 - 1.2e-7;
 class CandidatePruner
 {
 public:
-  CandidatePruner(const RowStore& rows, double accuracy)
+  explicit CandidatePruner(const RowStore& rows)
     : Rows(rows)
-    , Kappa(1.0 / (1.0 + accuracy))
     , Reach(rows.GetNumberOfRows(), Infinity)
   {
   }
 
   /// Candidates from the shortest on: an edge that is kept lowers the reach of what its candidates
   /// lead to; a candidate that is reached in time is superfluous.
-  void Prune(Id row, unsigned char* flags)
+  void Prune(Id row, double kappa, unsigned char* flags)
   {
     const Offset begin = this->Rows.Begin(row);
     const Offset end = this->Rows.End(row);
@@ -45,7 +47,7 @@ public:
         flags[i] = 1;
         continue;
       }
-      const double cost = this->Kappa * this->Rows.Length(i);
+      const double cost = kappa * this->Rows.Length(i);
       for (Offset k = this->Rows.Begin(r); k < this->Rows.End(r); ++k)
       {
         double& reach = this->Reach[this->Rows.Target(k)];
@@ -67,26 +69,51 @@ public:
     this->Touched.clear();
   }
 
+  std::size_t GetMemorySize() const
+  {
+    return this->Reach.capacity() * sizeof(double) + this->Touched.capacity() * sizeof(Id) +
+      this->Order.capacity() * sizeof(Offset);
+  }
+
 private:
   const RowStore& Rows;
-  double Kappa;
   std::vector<double> Reach; // kappa w(s,r) + w(r,t), smallest over the edges kept
   std::vector<Id> Touched;
   std::vector<Offset> Order;
 };
 }
 
-void PruneCandidates(RowStore& rows, double accuracy, const ParallelFor& parallel)
+double GetPruningWorkspace(double numberOfRows, double candidates)
 {
-  constexpr Offset grain = 1024;
+  // Where candidates of candidates are, and the order of a row; both may be larger than usual.
+  return 12.0 * numberOfRows + 64.0 * candidates;
+}
+
+Status PruneCandidates(RowStore& rows, double accuracy, const ParallelFor& parallel,
+  const ProgressCallback& progress, std::size_t& workspace)
+{
+  constexpr Offset grain = 64;
+  const double kappa = 1.0 / (1.0 + accuracy);
   std::vector<unsigned char> flags(static_cast<std::size_t>(rows.GetNumberOfEdges()), 0);
-  ForRange(parallel, rows.GetNumberOfRows(), grain, [&](Offset begin, Offset end) {
-    CandidatePruner pruner(rows, accuracy);
-    for (Offset row = begin; row < end; ++row)
+  WorkspacePool<CandidatePruner> pruners;
+  for (RowWaves waves(rows.GetNumberOfRows()); !waves.IsDone(); waves.Advance())
+  {
+    const Id first = waves.GetFirst();
+    ForRange(parallel, waves.GetLast() - first, grain, [&](Offset begin, Offset end) {
+      const auto pruner = pruners.Borrow(rows);
+      for (Offset row = begin; row < end; ++row)
+      {
+        pruner->Prune(first + static_cast<Id>(row), kappa, flags.data());
+      }
+    });
+    if (progress && !progress(waves.GetShareDone()))
     {
-      pruner.Prune(static_cast<Id>(row), flags.data());
+      return Status::Abort();
     }
-  });
+  }
+  workspace = pruners.GetMemorySize() + flags.size();
   rows.Remove(0, flags);
+  rows.ShrinkToFit();
+  return Status::Success();
 }
 }

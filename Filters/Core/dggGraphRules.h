@@ -190,6 +190,17 @@ struct OneRelayRule
 /// The first step of the published indirect construction (Fang 2019, sec. 3.2): every vertex lit is
 /// a candidate. A cone ends beyond the distance from which on a path through an edge that it has
 /// crossed can be bent through an end of that edge at a relative cost of the accuracy.
+///
+/// With pruning by progress, each candidate t of s is an edge or covered, as the theorem of the
+/// progress rule wants it; what lies beyond the cones is not. For a point t there, the bound says
+/// |sv| + |vt| <= (1 + accuracy) |st| for an end v, in the plane and whether or not anything is in
+/// the way. The theorem wants an edge (s,r) of the graph, one that is kept, with
+/// kappa w(s,r) + d(r,t) <= d(s,t). If v is kept, it is such an r from a certain distance on. But v
+/// may be pruned: then some r is kept with kappa w(s,r) + w(r,v) = c <= w(s,v), and nothing keeps c
+/// from being as large as w(s,v). By way of v that leaves c + d(v,t), which is d(s,t) or less only
+/// if t is straight behind v. So there is no finite distance from which on the ends of an edge
+/// cover all, before it is known which candidates are kept: nothing bounds the maximum of the error
+/// strictly, though no graph has been seen to exceed the accuracy.
 struct CandidateRule
 {
   static constexpr bool StartsLate = false;

@@ -34,19 +34,29 @@ void RowStore::Reserve(Offset size)
     return;
   }
   // Memory that is not written yet costs nothing, so this may be generous.
-  this->Capacity = std::max<Offset>(size, this->Capacity + this->Capacity / 2 + 1024);
-  const auto capacity = static_cast<std::size_t>(this->Capacity);
-  this->Targets.Resize(capacity);
+  this->SetCapacity(std::max<Offset>(size, this->Capacity + this->Capacity / 2 + 1024));
+}
+
+void RowStore::ShrinkToFit()
+{
+  this->SetCapacity(this->GetNumberOfEdges());
+}
+
+void RowStore::SetCapacity(Offset capacity)
+{
+  const auto size = static_cast<std::size_t>(capacity);
+  this->Targets.Resize(size);
   if (this->IsWide)
   {
-    this->WideLengths.Resize(capacity);
+    this->WideLengths.Resize(size);
   }
   else
   {
-    this->Lengths.Resize(capacity);
+    this->Lengths.Resize(size);
   }
-  this->Departures.Resize(capacity);
-  this->Arrivals.Resize(capacity);
+  this->Departures.Resize(size);
+  this->Arrivals.Resize(size);
+  this->Capacity = capacity;
 }
 
 void RowStore::Set(Offset i, const RowEdge& edge)
@@ -72,14 +82,6 @@ void RowStore::SetWay(Offset i, double length, float departure, float arrival)
 RowEdge RowStore::Get(Offset i) const
 {
   return { this->Targets[i], this->Length(i), this->Departures[i], this->Arrivals[i] };
-}
-
-Offset RowStore::Find(Id row, Id target) const
-{
-  const Id* begin = this->Targets.Data() + this->Begins[row];
-  const Id* end = this->Targets.Data() + this->Begins[row + 1];
-  const Id* found = std::find(begin, end, target);
-  return found == end ? -1 : found - this->Targets.Data();
 }
 
 void RowStore::Remove(Id first, const std::vector<unsigned char>& flags)

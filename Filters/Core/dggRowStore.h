@@ -9,7 +9,7 @@
 #include "dggTypes.h"  // for Id, Offset
 
 #include <cstddef> // for std::size_t
-#include <vector>  // for blocks
+#include <vector>  // for where rows begin
 
 namespace dgg
 {
@@ -44,6 +44,7 @@ public:
 
   /// Make room for where that many rows begin, at once: growing may take up to twice as much.
   void ReserveRows(Id count) { this->Begins.reserve(static_cast<std::size_t>(count) + 1); }
+  Offset GetCapacityOfRows() const { return static_cast<Offset>(this->Begins.capacity() - 1); }
   void AppendRow(const RowEdge* begin, const RowEdge* end);
   void Set(Offset i, const RowEdge& edge);
   /// Everything but the target: others may look at targets at the same time.
@@ -57,19 +58,20 @@ public:
   }
   float Departure(Offset i) const { return this->Departures[i]; }
   float Arrival(Offset i) const { return this->Arrivals[i]; }
-  /// Index of the edge of a row to a target, -1 when there is none.
-  Offset Find(Id row, Id target) const;
 
   /// Remove edges from the rows beginning with `first`: those whose flag is set. `flags` are those
   /// of the edges from Begin(first) on.
   void Remove(Id first, const std::vector<unsigned char>& flags);
 
+  /// Give back the room that removed edges have left.
+  void ShrinkToFit();
   void FreeAngles();
   void FreeTargetsAndLengths();
   std::size_t GetMemorySize() const;
 
 private:
   void Reserve(Offset size);
+  void SetCapacity(Offset capacity);
 
   bool IsWide;
   std::vector<Offset> Begins;

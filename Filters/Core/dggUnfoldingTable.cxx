@@ -4,35 +4,99 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 #include <utility>
 
 namespace dgg
 {
 UnfoldingTable::UnfoldingTable(const SurfaceMesh& mesh, std::vector<Id> order)
   : Mesh(mesh)
+  , Count(this->Measure())
   , Order(std::move(order))
   , Rank(this->Order.size())
 {
+  if (!this->Check().IsOk())
+  {
+    return;
+  }
   for (std::size_t i = 0; i < this->Order.size(); ++i)
   {
     this->Rank[this->Order[i]] = static_cast<Id>(i);
   }
   this->OrderFaces();
-  const bool mirrors = this->NeedsMirrors();
+  const bool mirrors = this->Count.NeedsMirrors;
   this->Mirrors = mirrors ? mesh.GetNumberOfHalfEdges() : 0;
   this->Crossings.resize(static_cast<std::size_t>(mesh.GetNumberOfHalfEdges()) * (mirrors ? 2 : 1));
+  const std::vector<Id> places = this->ListBranches();
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
     if (!mesh.IsDropped(SurfaceMesh::Face(h)))
     {
-      this->Fill(h, false);
+      this->Fill(h, false, places);
       if (mirrors)
       {
-        this->Fill(h, true);
+        this->Fill(h, true, places);
       }
     }
   }
   this->FillAngles();
+}
+
+bool UnfoldingTable::IsBranch(Id h) const
+{
+  const Id twin = this->Mesh.Twin(h);
+  return twin != NoId && this->Mesh.Twin(twin) != h;
+}
+
+UnfoldingTable::Extent UnfoldingTable::Measure() const
+{
+  Extent count;
+  count.HalfEdges = this->Mesh.GetNumberOfHalfEdges();
+  for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const Id twin = this->Mesh.Twin(h);
+    if (this->IsBranch(h))
+    {
+      count.NeedsMirrors = true;
+      ++count.BranchHalfEdges;
+    }
+    else if (twin != NoId && this->Mesh.Origin(twin) != this->Mesh.Destination(h))
+    {
+      count.NeedsMirrors = true;
+    }
+  }
+  // At least three faces an edge.
+  count.BranchEdges = count.BranchHalfEdges / 3;
+  return count;
+}
+
+Status UnfoldingTable::CheckSize(const Extent& count)
+{
+  // Every entry is an Id, and so is every code, down to FirstBranch less the last place.
+  constexpr Offset limit = std::numeric_limits<Id>::max();
+  const Offset crossings = (count.NeedsMirrors ? 2 : 1) * count.HalfEdges;
+  const Offset places = 2 * (count.BranchHalfEdges + count.BranchEdges);
+  if (crossings <= limit && places <= limit)
+  {
+    return Status::Success();
+  }
+  std::ostringstream message;
+  message << "the mesh has " << count.HalfEdges / 3 << " triangles";
+  if (count.BranchHalfEdges > 0)
+  {
+    message << " and non-manifold edges of " << count.BranchHalfEdges << " triangles in all";
+  }
+  message << ", too many for a graph: ";
+  if (count.NeedsMirrors)
+  {
+    message << "make it manifold and orient its triangles alike, or simplify it";
+  }
+  else
+  {
+    message << "simplify it";
+  }
+  return Status::Invalid(message.str());
 }
 
 void UnfoldingTable::FillAngles()
@@ -83,21 +147,7 @@ void UnfoldingTable::OrderFaces()
   }
 }
 
-bool UnfoldingTable::NeedsMirrors() const
-{
-  for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    const Id twin = this->Mesh.Twin(h);
-    if (twin != NoId &&
-      (this->Mesh.Twin(twin) != h || this->Mesh.Origin(twin) != this->Mesh.Destination(h)))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-void UnfoldingTable::Fill(Id h, bool mirrored)
+void UnfoldingTable::Fill(Id h, bool mirrored, const std::vector<Id>& places)
 {
   const Id previous = SurfaceMesh::Previous(h);
   const Id next = SurfaceMesh::Next(h);
@@ -114,37 +164,65 @@ void UnfoldingTable::Fill(Id h, bool mirrored)
   crossing.Apex = { x, this->Mesh.ApexY(h) };
   crossing.Direction[FaceCrossing::Left] = { face.GetLeftCosine(), face.GetLeftSine() };
   crossing.Direction[FaceCrossing::Right] = { face.GetRightCosine(), -face.GetRightSine() };
-  crossing.Behind[FaceCrossing::Left] = this->AddCodeBehind(leftExit, mirrored);
-  crossing.Behind[FaceCrossing::Right] = this->AddCodeBehind(rightExit, mirrored);
+  crossing.Behind[FaceCrossing::Left] = this->FindCodeBehind(leftExit, mirrored, places);
+  crossing.Behind[FaceCrossing::Right] = this->FindCodeBehind(rightExit, mirrored, places);
   crossing.ApexVertex = this->Rank[this->Mesh.Apex(h)];
   crossing.HalfEdge = mirrored ? ~h : h;
 }
 
+/// Lists the faces around every edge with more than two of them. Returns the place of each
+/// half-edge of such an edge in the first of the two lists of its edge; empty when there are none.
+std::vector<Id> UnfoldingTable::ListBranches()
+{
+  std::vector<Id> places;
+  if (this->Count.BranchHalfEdges == 0)
+  {
+    return places;
+  }
+  places.assign(this->Mesh.GetNumberOfHalfEdges(), NoId);
+  this->Branches.reserve(
+    static_cast<std::size_t>(2 * (this->Count.BranchHalfEdges + this->Count.BranchEdges)));
+  for (Id first = 0; first < this->Mesh.GetNumberOfHalfEdges(); ++first)
+  {
+    if (!this->IsBranch(first) || places[first] != NoId)
+    {
+      continue;
+    }
+    const std::size_t begin = this->Branches.size();
+    Id h = first;
+    do
+    {
+      places[h] = static_cast<Id>(this->Branches.size());
+      const bool ascends = this->Mesh.Origin(h) <= this->Mesh.Destination(h);
+      this->Branches.push_back(this->Entry(h, !ascends));
+      this->Branches.push_back(this->Entry(h, ascends));
+      h = this->Mesh.Twin(h);
+    } while (h != first);
+    const Id back = -static_cast<Id>(this->Branches.size() - begin);
+    this->Branches.insert(this->Branches.end(), 2, back);
+  }
+  return places;
+}
+
 /// The faces behind `exit`, left from its face or, if that is `mirrored`, from its mirror image. A
 /// neighbour that is not oriented alike is seen in its mirror image if this face is not.
-Id UnfoldingTable::AddCodeBehind(Id exit, bool mirrored)
+Id UnfoldingTable::FindCodeBehind(Id exit, bool mirrored, const std::vector<Id>& places) const
 {
-  const auto entry = [&](Id e) {
-    const bool alike = this->Mesh.Origin(e) == this->Mesh.Destination(exit);
-    return this->Entry(e, mirrored == alike);
-  };
   const Id twin = this->Mesh.Twin(exit);
   if (twin == NoId)
   {
     return NoId;
   }
-  if (this->Mesh.Twin(twin) == exit)
+  if (!this->IsBranch(exit))
   {
-    return entry(twin);
+    const bool alike = this->Mesh.Origin(twin) == this->Mesh.Destination(exit);
+    return this->Entry(twin, mirrored == alike);
   }
-  const std::size_t begin = this->Branches.size();
-  this->Branches.push_back(0);
-  for (Id e = twin; e != exit; e = this->Mesh.Twin(e))
-  {
-    this->Branches.push_back(entry(e));
-    ++this->Branches[begin];
-  }
-  return FirstBranch - static_cast<Id>(begin);
+  // Light that leaves through a descending half-edge as it is enters ascending ones as they are and
+  // descending ones mirrored: the first list. With the light mirrored or the half-edge ascending it
+  // is the other way round.
+  const bool descends = this->Mesh.Destination(exit) <= this->Mesh.Origin(exit);
+  return FirstBranch - (places[exit] + (mirrored == descends ? 1 : 0));
 }
 
 std::size_t UnfoldingTable::GetMemorySize() const

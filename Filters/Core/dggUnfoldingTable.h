@@ -6,6 +6,7 @@
 #ifndef dggUnfoldingTable_h
 #define dggUnfoldingTable_h
 
+#include "dggPrefetch.h"    // for Prefetch
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 #include "dggUnfolding.h"   // for Point2
 
@@ -36,6 +37,10 @@ struct alignas(64) FaceCrossing
   Id Behind[2];        ///< what follows behind them: codes of UnfoldingTable
   Id ApexVertex;       ///< id of the table
   Id HalfEdge;         ///< the edge in the mesh; ~h when entered against its direction
+
+  /// Whether the face is seen in its mirror image.
+  bool IsMirrored() const { return this->HalfEdge < 0; }
+  Id GetHalfEdge() const { return this->IsMirrored() ? ~this->HalfEdge : this->HalfEdge; }
 };
 
 /// The crossings of all faces, in an order that is kind to the cache, with vertices renumbered
@@ -44,8 +49,23 @@ struct alignas(64) FaceCrossing
 class UnfoldingTable
 {
 public:
-  /// `order` lists the vertices of the mesh in their new order.
+  /// `order` lists the vertices of the mesh in their new order. The table is good for nothing but
+  /// Check() if that fails.
   UnfoldingTable(const SurfaceMesh& mesh, std::vector<Id> order);
+
+  /// Fails with a message when the mesh is too large: crossings are counted by Id, and a mesh that
+  /// needs mirror images has two of them a half-edge.
+  Status Check() const { return CheckSize(this->Count); }
+
+  /// What decides on the size of a table.
+  struct Extent
+  {
+    Offset HalfEdges = 0;
+    bool NeedsMirrors = false;
+    Offset BranchEdges = 0;     ///< edges with more than two faces
+    Offset BranchHalfEdges = 0; ///< their half-edges
+  };
+  static Status CheckSize(const Extent& count);
 
   const SurfaceMesh& GetMesh() const { return this->Mesh; }
   Id GetNumberOfVertices() const { return static_cast<Id>(this->Order.size()); }
@@ -57,17 +77,13 @@ public:
   /// Have a crossing brought into the cache, if the code is that of one.
   void Prefetch(Id code) const
   {
-#if defined(__GNUC__)
-    __builtin_prefetch(this->Crossings.data() + (code < 0 ? 0 : code));
-#else
-    (void)code;
-#endif
+    if (code >= 0)
+    {
+      dgg::Prefetch(&this->Crossings[code]);
+    }
   }
   /// The crossing of the face of half-edge h, entered through h.
-  Id EntryOf(Id h) const
-  {
-    return 3 * this->FaceRank[SurfaceMesh::Face(h)] + h % 3;
-  }
+  Id EntryOf(Id h) const { return 3 * this->FaceRank[SurfaceMesh::Face(h)] + h % 3; }
 
   /// Call `visit(entry)` for everything that follows a code: nothing on the boundary, one crossing
   /// on a manifold edge, more on a non-manifold edge.
@@ -80,10 +96,19 @@ public:
     }
     else if (code < NoId)
     {
-      const std::size_t begin = static_cast<std::size_t>(FirstBranch - code);
-      for (Id i = 0; i < this->Branches[begin]; ++i)
+      // Once around the list, from the own place on.
+      const Id* const own = this->Branches.data() + (FirstBranch - code);
+      for (const Id* next = own + 2;; next += 2)
       {
-        visit(this->Branches[begin + 1 + i]);
+        if (*next < 0)
+        {
+          next += *next;
+        }
+        if (next == own)
+        {
+          return;
+        }
+        visit(*next);
       }
     }
   }
@@ -94,10 +119,7 @@ public:
   }
 
   /// SurfaceMesh::PolarAngle() of a half-edge of the mesh, kept where its face is.
-  double PolarAngle(Id h) const
-  {
-    return this->PolarAngles[this->EntryOf(h)];
-  }
+  double PolarAngle(Id h) const { return this->PolarAngles[this->EntryOf(h)]; }
   /// Polar angle at a vertex of the table as it is stored: in [0, total angle), as a float not
   /// beyond the end of the range.
   float StoredAngle(Id v, double angle) const
@@ -109,14 +131,8 @@ public:
   }
 
   /// Whether there are edges with more than two faces.
-  bool HasBranches() const
-  {
-    return !this->Branches.empty();
-  }
-  bool HasDegenerateFaces() const
-  {
-    return this->Mesh.GetNumberOfDegenerateFaces() > 0;
-  }
+  bool HasBranches() const { return !this->Branches.empty(); }
+  bool HasDegenerateFaces() const { return this->Mesh.GetNumberOfDegenerateFaces() > 0; }
   std::size_t GetMemorySize() const;
 
 private:
@@ -128,25 +144,28 @@ private:
     float Last = 0.0F; ///< largest float below the total angle
   };
 
+  Extent Measure() const;
+  bool IsBranch(Id h) const;
   void OrderFaces();
   void FillAngles();
-  bool NeedsMirrors() const;
-  void Fill(Id h, bool mirrored);
-  Id AddCodeBehind(Id exit, bool mirrored);
-  Id Entry(Id h, bool mirrored) const
-  {
-    return this->EntryOf(h) + (mirrored ? this->Mirrors : 0);
-  }
+  void Fill(Id h, bool mirrored, const std::vector<Id>& places);
+  std::vector<Id> ListBranches();
+  Id FindCodeBehind(Id exit, bool mirrored, const std::vector<Id>& places) const;
+  Id Entry(Id h, bool mirrored) const { return this->EntryOf(h) + (mirrored ? this->Mirrors : 0); }
 
   const SurfaceMesh& Mesh;
+  Extent Count;
   std::vector<Id> Order;    // old id of each new vertex
   std::vector<Id> Rank;     // new id of each old vertex
   std::vector<Id> FaceRank; // new id of each old face
   std::vector<FaceCrossing> Crossings;
   std::vector<double> PolarAngles; // per entry
   std::vector<AngleRange> Ranges;  // per new vertex
-  std::vector<Id> Branches;        // groups: a count, then as many entries
-  Id Mirrors = 0;                  // where the mirrored crossings start; 0 when there are none
+  /// For every edge with more than two faces two lists of what is entered through it, an entry for
+  /// each of its half-edges: one list is the mirror image of the other, and they alternate. At the
+  /// end of a list is, negative, the way back to its begin. A code says which place is one's own.
+  std::vector<Id> Branches;
+  Id Mirrors = 0; // where the mirrored crossings start; 0 when there are none
 };
 }
 

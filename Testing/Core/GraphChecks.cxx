@@ -5,11 +5,13 @@
 #include "GeodesicChecks.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <functional>
 #include <queue>
 #include <stdexcept>
+#include <thread>
 
 namespace dggtest
 {
@@ -53,6 +55,30 @@ dgg::GeodesicGraph BuildGraph(
 {
   return BuildGraph(
     mesh, accuracy, [&](dgg::GraphOptions& options) { options.Construction = construction; });
+}
+
+dgg::ParallelFor WithThreads(int count, Offset size)
+{
+  using Body = std::function<void(Offset, Offset)>;
+  return [count, size](Offset total, Offset grain, const Body& body) {
+    const Offset step = size > 0 ? size : grain;
+    std::atomic<Offset> next{ 0 };
+    const auto work = [&] {
+      for (Offset begin = next.fetch_add(step); begin < total; begin = next.fetch_add(step))
+      {
+        body(begin, std::min(begin + step, total));
+      }
+    };
+    std::vector<std::thread> threads;
+    for (int i = 0; i < count; ++i)
+    {
+      threads.emplace_back(work);
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+  };
 }
 
 std::vector<double> GraphDistances(

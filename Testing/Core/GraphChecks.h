@@ -26,6 +26,10 @@ dgg::GeodesicGraph BuildGraph(const dgg::SurfaceMesh& mesh, double accuracy,
 dgg::GeodesicGraph BuildGraph(
   const dgg::SurfaceMesh& mesh, double accuracy, dgg::GraphConstruction construction);
 
+/// Threads that take ranges of a size of their own from a common counter; of the size that the
+/// kernel asks for when it is 0.
+dgg::ParallelFor WithThreads(int count, dgg::Offset size = 0);
+
 /// Distances of all vertices from some that start with distances of their own.
 std::vector<double> GraphDistances(
   const dgg::GraphView& graph, const std::vector<std::pair<Id, double>>& sources);

@@ -92,7 +92,7 @@ TEST(GraphBuilderConstructions, OneRelayIsSmallerButBoundsOnlyTheMean)
         graph.View().GetNumberOfEdges(), BuildGraph(mesh, accuracy).View().GetNumberOfEdges());
     }
   }
-  EXPECT_GT(worst, 0.0);
+  EXPECT_GT(worst, 1.0); // on some of these meshes, not only where one looks for it
 }
 
 TEST(GraphBuilderConstructions, OneRelayBreaksTheBound)
@@ -111,6 +111,7 @@ TEST(GraphBuilderConstructions, OneRelayBreaksTheBound)
 
 TEST(GraphBuilderConstructions, IndirectKeepsTheBound)
 {
+  // Not a theorem, but so it is on all of these.
   for (const NamedMesh& named : AllMeshes(600))
   {
     SCOPED_TRACE(named.Name);
@@ -119,7 +120,6 @@ TEST(GraphBuilderConstructions, IndirectKeepsTheBound)
     for (const double accuracy : { 0.5, 0.1, 0.01, 1e-3 })
     {
       const dgg::GeodesicGraph graph = BuildGraph(mesh, accuracy, GraphConstruction::Indirect);
-      EXPECT_TRUE(graph.Info.IsGuaranteed());
       ExpectWithin(exact, GraphTable(graph.View()), accuracy, SlackOf(mesh));
     }
   }

@@ -9,9 +9,8 @@
 #include "GraphChecks.h"
 
 #include <algorithm>
-#include <atomic>
+#include <functional>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace dggtest
@@ -20,30 +19,6 @@ namespace
 {
 using dgg::Offset;
 using Body = std::function<void(Offset, Offset)>;
-
-/// Threads that take ranges of a size of their own from a common counter.
-dgg::ParallelFor WithThreads(int count, Offset size)
-{
-  return [count, size](Offset total, Offset grain, const Body& body) {
-    const Offset step = size > 0 ? size : grain;
-    std::atomic<Offset> next{ 0 };
-    const auto work = [&] {
-      for (Offset begin = next.fetch_add(step); begin < total; begin = next.fetch_add(step))
-      {
-        body(begin, std::min(begin + step, total));
-      }
-    };
-    std::vector<std::thread> threads;
-    for (int i = 0; i < count; ++i)
-    {
-      threads.emplace_back(work);
-    }
-    for (std::thread& thread : threads)
-    {
-      thread.join();
-    }
-  };
-}
 
 /// Ranges from the last to the first.
 void Backwards(Offset total, Offset /*grain*/, const Body& body)

@@ -6,6 +6,7 @@
 #include "FlatMeshes.h"
 #include "GraphChecks.h"
 
+#include "dggDirectionUnion.h"
 #include "dggGraphAssembly.h"
 #include "dggGraphPruning.h"
 #include "dggRowStore.h"
@@ -17,8 +18,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace dggtest
@@ -33,6 +36,13 @@ using dgg::SurfaceMesh;
 void Append(RowStore& rows, const std::vector<RowEdge>& edges)
 {
   rows.AppendRow(edges.data(), edges.data() + edges.size());
+}
+
+void Prune(RowStore& rows, double accuracy)
+{
+  std::size_t workspace = 0;
+  ASSERT_TRUE(dgg::PruneCandidates(rows, accuracy, nullptr, nullptr, workspace).IsOk());
+  EXPECT_GT(workspace, rows.GetNumberOfRows() * sizeof(double));
 }
 
 std::vector<Id> TargetsOf(const RowStore& rows, Id row)
@@ -110,10 +120,8 @@ TEST(GraphParts, RowStoreKeepsRows)
           stored.Length, wide ? edge.Length : static_cast<double>(dgg::RoundedUp(edge.Length)));
         ASSERT_EQ(stored.Departure, edge.Departure);
         ASSERT_EQ(stored.Arrival, edge.Arrival);
-        ASSERT_EQ(rows.Find(row, edge.Target), next);
         ++next;
       }
-      ASSERT_EQ(rows.Find(row, -5), -1);
     }
     EXPECT_EQ(rows.GetNumberOfEdges(), next);
     const std::size_t full = rows.GetMemorySize();
@@ -131,11 +139,12 @@ TEST(GraphParts, UniteDirections)
   RowStore rows(true);
   Append(rows, { { 1, 2.0, 0.1F, 0.2F }, { 2, 3.0, 0.3F, 0.4F }, { 3, 5.0, 0.5F, 0.6F } });
   Append(rows, { { 0, 1.5, 0.7F, 0.8F } });
-  dgg::UniteDirections(rows, 0, nullptr);
+  dgg::DirectionUnion directions;
+  directions.Unite(rows, 0, nullptr);
   // Further rows come later, as the builder has them.
   Append(rows, { { 1, 4.0, 0.9F, 1.0F } });
   Append(rows, { { 0, 5.0, 1.1F, 1.2F } });
-  dgg::UniteDirections(rows, 2, nullptr);
+  directions.Unite(rows, 2, nullptr);
   EXPECT_EQ(TargetsOf(rows, 0), (std::vector<Id>{ 1, 2, 3 }));
   EXPECT_EQ(TargetsOf(rows, 1), (std::vector<Id>{}));
   EXPECT_EQ(TargetsOf(rows, 2), (std::vector<Id>{ 1 }));
@@ -148,7 +157,8 @@ TEST(GraphParts, UniteDirections)
 
   // Rows are those of other vertices in the end: 0 1 2 3 become 2 0 3 1.
   dgg::GeodesicGraph graph;
-  const std::size_t peak = dgg::AssembleGraph(rows, { 2, 0, 3, 1 }, true, nullptr, graph);
+  std::size_t peak = 0;
+  ASSERT_TRUE(dgg::AssembleGraph(rows, { 2, 0, 3, 1 }, true, nullptr, nullptr, graph, peak).IsOk());
   EXPECT_GE(peak, graph.GetMemorySize());
   EXPECT_TRUE(dgg::CheckGraph(graph.View(), 8).IsOk());
   const dgg::GraphView view = graph.View();
@@ -170,6 +180,77 @@ TEST(GraphParts, UniteDirections)
   expectEdge(1, 2, 5.0, 0.6F, 0.5F);
 }
 
+TEST(GraphParts, UniteDirectionsOfLongRows)
+{
+  // Random graphs of more rows than are united at once, and with long rows, in two steps: what is
+  // left is one edge a pair, the shorter way, in the row of the earlier vertex where that has it.
+  for (const Id degree : { 3, 40, 400 })
+  {
+    constexpr Id count = 900;
+    Random random(degree);
+    std::vector<std::map<Id, double>> found(count);
+    std::vector<std::vector<RowEdge>> all(count);
+    for (Id row = 0; row < count; ++row)
+    {
+      for (Id k = 0; k < degree; ++k)
+      {
+        const Id target = random.Index(count);
+        const double length = random.Uniform(1.0, 2.0);
+        if (target != row && found[row].emplace(target, length).second)
+        {
+          all[row].push_back({ target, length, static_cast<float>(row), 0.0F });
+        }
+      }
+    }
+    const auto unite = [&](const dgg::ParallelFor& parallel) {
+      RowStore rows(true);
+      dgg::DirectionUnion directions;
+      for (const Id last : { 520, 521, count })
+      {
+        const Id first = rows.GetNumberOfRows();
+        for (Id row = first; row < last; ++row)
+        {
+          Append(rows, all[row]);
+        }
+        directions.Unite(rows, first, parallel);
+      }
+      EXPECT_GT(directions.GetMemorySize(), 0u);
+      return rows;
+    };
+    const RowStore rows = unite(nullptr);
+    std::size_t kept = 0;
+    for (Id row = 0; row < count; ++row)
+    {
+      Offset next = rows.Begin(row);
+      for (const auto& edge : all[row])
+      {
+        const auto back = found[edge.Target].find(row);
+        const bool isDouble = back != found[edge.Target].end();
+        if (isDouble && edge.Target < row)
+        {
+          continue;
+        }
+        const bool isBackShorter = isDouble && back->second < edge.Length;
+        ASSERT_LT(next, rows.End(row));
+        ASSERT_EQ(rows.Target(next), edge.Target);
+        ASSERT_EQ(rows.Length(next), isBackShorter ? back->second : edge.Length);
+        ASSERT_EQ(rows.Arrival(next), isBackShorter ? static_cast<float>(edge.Target) : 0.0F);
+        ++next;
+        ++kept;
+      }
+      ASSERT_EQ(next, rows.End(row));
+    }
+    EXPECT_EQ(static_cast<Offset>(kept), rows.GetNumberOfEdges());
+    const RowStore others = unite(WithThreads(3));
+    ASSERT_EQ(others.GetNumberOfEdges(), rows.GetNumberOfEdges());
+    for (Offset i = 0; i < rows.GetNumberOfEdges(); ++i)
+    {
+      ASSERT_EQ(others.Target(i), rows.Target(i));
+      ASSERT_EQ(others.Length(i), rows.Length(i));
+    }
+  }
+}
+
 TEST(GraphParts, PruneCandidates)
 {
   // From 0, the candidate 2 is beyond 1 with a detour that the accuracy just does or does not allow
@@ -180,7 +261,7 @@ TEST(GraphParts, PruneCandidates)
     Append(rows, { { 2, 2.0, 0.0F, 0.0F }, { 1, 1.0, 0.0F, 0.0F } });
     Append(rows, { { 0, 1.0, 0.0F, 0.0F }, { 2, w, 0.0F, 0.0F } });
     Append(rows, { { 0, 2.0, 0.0F, 0.0F }, { 1, w, 0.0F, 0.0F } });
-    dgg::PruneCandidates(rows, 0.25, nullptr);
+    Prune(rows, 0.25);
     EXPECT_EQ(TargetsOf(rows, 0), w < 1.2 ? (std::vector<Id>{ 1 }) : (std::vector<Id>{ 2, 1 }));
     EXPECT_EQ(TargetsOf(rows, 1), (std::vector<Id>{ 0, 2 }));
   }
@@ -195,8 +276,56 @@ TEST(GraphParts, PrunedCandidatesAreNoRelays)
   Append(rows, { { 2, 1.15, 0.0F, 0.0F } });
   Append(rows, { { 3, 1.3, 0.0F, 0.0F } });
   Append(rows, {});
-  dgg::PruneCandidates(rows, 0.25, nullptr);
+  Prune(rows, 0.25);
   EXPECT_EQ(TargetsOf(rows, 0), (std::vector<Id>{ 1, 3 }));
+}
+
+TEST(GraphParts, PruningCanBeStopped)
+{
+  // More rows than one wave; what is stopped leaves the rows alone.
+  RowStore rows(true);
+  constexpr Id count = 2000;
+  for (Id row = 0; row < count; ++row)
+  {
+    Append(
+      rows, { { (row + 1) % count, 1.0, 0.0F, 0.0F }, { (row + 2) % count, 2.0, 0.0F, 0.0F } });
+  }
+  std::size_t workspace = 0;
+  std::vector<double> reports;
+  const auto stopAfter = [&](std::size_t most) {
+    reports.clear();
+    return dgg::PruneCandidates(
+      rows, 0.25, nullptr,
+      [&](double done) {
+        reports.push_back(done);
+        return reports.size() < most;
+      },
+      workspace);
+  };
+  EXPECT_TRUE(stopAfter(2).IsAborted());
+  EXPECT_EQ(reports.size(), 2u);
+  EXPECT_EQ(rows.GetNumberOfEdges(), 2 * count);
+  EXPECT_TRUE(stopAfter(1000).IsOk());
+  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+  EXPECT_EQ(reports.back(), 1.0);
+  EXPECT_EQ(rows.GetNumberOfEdges(), count);
+  EXPECT_EQ(TargetsOf(rows, 7), std::vector<Id>{ 8 });
+}
+
+TEST(GraphParts, PruningWorkspaceIsPerThread)
+{
+  // Not per range of rows: a ring that any number of ranges is made of takes no more.
+  RowStore rows(true);
+  constexpr Id count = 20000;
+  for (Id row = 0; row < count; ++row)
+  {
+    Append(rows, { { (row + 1) % count, 1.0, 0.0F, 0.0F } });
+  }
+  std::size_t workspace = 0;
+  ASSERT_TRUE(dgg::PruneCandidates(rows, 0.25, WithThreads(3, 1), nullptr, workspace).IsOk());
+  const std::size_t reach = count * sizeof(double);
+  EXPECT_GE(workspace, reach);
+  EXPECT_LE(workspace, 3 * (reach + 1000) + count);
 }
 
 TEST(GraphParts, PatchOrderIsAPermutationOfPatches)
@@ -288,6 +417,65 @@ TEST(GraphParts, UnfoldingTable)
       }
       ASSERT_EQ(behind, expected) << h;
     }
+  }
+}
+
+TEST(GraphParts, UnfoldingTableOfManyPages)
+{
+  // Behind an edge of k faces come k - 1 faces, from each of the k: one list for all of them.
+  const auto sizeOf = [](Id pages) {
+    std::vector<Id> unused;
+    const SurfaceMesh mesh = Build(Book(pages, 1, unused));
+    const dgg::UnfoldingTable table(mesh, dgg::ComputePatchOrder(mesh, 256));
+    return static_cast<double>(table.GetMemorySize()) / mesh.GetNumberOfFaces();
+  };
+  const double few = sizeOf(100);
+  EXPECT_NEAR(sizeOf(4000), few, 0.05 * few);
+
+  std::vector<Id> unused;
+  const SurfaceMesh mesh = Build(Book(3000, 1, unused));
+  const dgg::UnfoldingTable table(mesh, dgg::ComputePatchOrder(mesh, 256));
+  EXPECT_TRUE(table.Check().IsOk());
+  Id edges = 0;
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const Id twin = mesh.Twin(h);
+    if (twin == dgg::NoId || mesh.Twin(twin) == h || ++edges % 100 != 1)
+    {
+      continue;
+    }
+    // In the order of the list of the mesh, from the next one on.
+    Id next = twin;
+    table.ForEach(table.CodeBehind(h), [&](Id entry) {
+      ASSERT_EQ(table[entry].GetHalfEdge(), next);
+      ASSERT_EQ(table[entry].IsMirrored(), mesh.Origin(next) == mesh.Origin(h));
+      next = mesh.Twin(next);
+    });
+    ASSERT_EQ(next, h);
+  }
+  EXPECT_EQ(edges, 3000);
+}
+
+TEST(GraphParts, UnfoldingTableSaysWhenTooLarge)
+{
+  // No mesh that large is made here: only what would become of it.
+  constexpr Offset most = std::numeric_limits<Id>::max();
+  const auto check = [](Offset halfEdges, bool needsMirrors, Offset branchHalfEdges) {
+    dgg::UnfoldingTable::Extent extent;
+    extent.HalfEdges = halfEdges;
+    extent.NeedsMirrors = needsMirrors;
+    extent.BranchHalfEdges = branchHalfEdges;
+    extent.BranchEdges = branchHalfEdges / 3;
+    return dgg::UnfoldingTable::CheckSize(extent);
+  };
+  EXPECT_TRUE(check(most - 1, false, 0).IsOk());
+  EXPECT_TRUE(check(most / 2 - 1, true, most / 4).IsOk());
+  for (const dgg::Status& status :
+    { check(most / 2 + 3, true, 0), check(most / 2 - 1, true, most / 2 - 1) })
+  {
+    EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput);
+    EXPECT_NE(status.GetMessage().find("too many"), std::string::npos) << status.GetMessage();
+    EXPECT_NE(status.GetMessage().find("manifold"), std::string::npos) << status.GetMessage();
   }
 }
 }

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where building ends: light that goes on and on, and memory, which is to be known beforehand.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+#include "GraphChecks.h"
+
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::GraphConstruction;
+using dgg::SurfaceMesh;
+
+/// Expect a refusal that names the remedies, and none that does not help.
+void ExpectMessage(const dgg::Status& status, const std::vector<std::string>& has,
+  const std::vector<std::string>& hasNot)
+{
+  const std::string& message = status.GetMessage();
+  EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput);
+  for (const std::string& part : has)
+  {
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
+  for (const std::string& part : hasNot)
+  {
+    EXPECT_EQ(message.find(part), std::string::npos) << message;
+  }
+}
+
+/// Expect that neither a graph nor an estimate comes out of a mesh with so few cones.
+void ExpectOverwhelmed(const SurfaceMesh& mesh, std::size_t coneLimit,
+  const dgg::GraphOptions& options, const std::vector<std::string>& has,
+  const std::vector<std::string>& hasNot)
+{
+  const dgg::GraphBuilder builder(mesh, coneLimit);
+  dgg::GraphEstimate estimate;
+  ExpectMessage(builder.Estimate(options, estimate), has, hasNot);
+  EXPECT_EQ(estimate.Edges, 0.0);
+  EXPECT_EQ(estimate.Peak, 0.0);
+  dgg::GeodesicGraph graph = BuildGraph(Build(SingleTriangle()), 0.1);
+  ExpectMessage(builder.Build(options, graph), has, hasNot);
+  EXPECT_EQ(graph.GetMemorySize(), 0u);
+}
+
+SurfaceMesh ManyPages()
+{
+  std::vector<Id> unused;
+  return Build(Book(6, 5, unused, 0.2, 1));
+}
+
+dgg::GraphOptions OptionsOf(GraphConstruction construction)
+{
+  dgg::GraphOptions options;
+  options.Construction = construction;
+  options.Accuracy = 0.004;
+  options.NumberOfNeighbors = 77;
+  return options;
+}
+}
+
+TEST(GraphBuilderLimits, LightAmongNonManifoldEdges)
+{
+  const SurfaceMesh mesh = ManyPages();
+  for (const auto construction :
+    { GraphConstruction::Guaranteed, GraphConstruction::OneRelay, GraphConstruction::Indirect })
+  {
+    ExpectOverwhelmed(mesh, 40, OptionsOf(construction),
+      { "vertex", "non-manifold", "larger accuracy (it is 0.004)" }, { "neighbours" });
+  }
+  ExpectOverwhelmed(mesh, 40, OptionsOf(GraphConstruction::SaddleVertexGraph),
+    { "vertex", "non-manifold", "smaller number of neighbours (it is 77)" }, { "accuracy" });
+}
+
+TEST(GraphBuilderLimits, LightOnManifoldMeshes)
+{
+  // Nothing there is the fault of non-manifold edges.
+  const SurfaceMesh mesh = Build(NoisySphere(3, 0.2, 1));
+  ExpectOverwhelmed(mesh, 100, OptionsOf(GraphConstruction::Guaranteed),
+    { "vertex", "larger accuracy (it is 0.004)" }, { "manifold", "neighbours" });
+  ExpectOverwhelmed(mesh, 100, OptionsOf(GraphConstruction::SaddleVertexGraph),
+    { "vertex", "smaller number of neighbours (it is 77)" }, { "manifold", "accuracy" });
+}
+
+TEST(GraphBuilderLimits, LinksAreCompleteOrRefused)
+{
+  for (const SurfaceMesh& mesh : { ManyPages(), Build(NoisySphere(3, 0.2, 1)) })
+  {
+    const bool isManifold = mesh.GetNumberOfVertices() > 400;
+    const dgg::GraphBuilder unlimited(mesh);
+    const dgg::GraphBuilder limited(mesh, 60);
+    int refused = 0;
+    int complete = 0;
+    for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 30, 2))
+    {
+      for (const double accuracy : { 0.5, 0.004 })
+      {
+        std::vector<dgg::GraphLink> expected;
+        std::vector<double> direct;
+        ASSERT_TRUE(unlimited.Link(point, accuracy, { point }, expected, direct).IsOk());
+        std::vector<dgg::GraphLink> links(3);
+        const dgg::Status status = limited.Link(point, accuracy, { point }, links, direct);
+        if (status.IsOk())
+        {
+          ++complete;
+          EXPECT_EQ(links.size(), expected.size());
+          continue;
+        }
+        ++refused;
+        EXPECT_TRUE(links.empty());
+        EXPECT_TRUE(direct.empty());
+        ExpectMessage(status, { "surface point", "larger accuracy" }, { "neighbours" });
+        EXPECT_EQ(status.GetMessage().find("manifold") == std::string::npos, isManifold);
+      }
+    }
+    EXPECT_GT(refused, 10);
+    EXPECT_GT(complete, 5);
+  }
+}
+
+TEST(GraphBuilderLimits, EstimateCoversAllThreads)
+{
+  // With real threads: never less than what building took, and not much more.
+  std::vector<Id> unused;
+  for (const NamedMesh& named : { NamedMesh{ "Plane", Plane(60, 50, 0.25, 1) },
+         NamedMesh{ "Sphere", NoisySphere(4, 0.2, 2) }, NamedMesh{ "Rough", Terrain(50, 2.0, 3) },
+         NamedMesh{ "Book", Book(4, 28, unused, 0.2, 4) }, NamedMesh{ "Small", Icosphere(2) } })
+  {
+    SCOPED_TRACE(named.Name);
+    const SurfaceMesh mesh = Build(named.Mesh);
+    const dgg::GraphBuilder builder(mesh);
+    for (const auto construction : { GraphConstruction::Guaranteed, GraphConstruction::OneRelay,
+           GraphConstruction::Indirect, GraphConstruction::SaddleVertexGraph })
+    {
+      SCOPED_TRACE(static_cast<int>(construction));
+      double last = 0.0;
+      for (const int threads : { 1, 3, 8 })
+      {
+        SCOPED_TRACE(threads);
+        dgg::GraphOptions options;
+        options.Construction = construction;
+        options.Accuracy = 0.02;
+        options.Parallel = WithThreads(threads, 1);
+        options.NumberOfThreads = threads;
+        dgg::GraphEstimate estimate;
+        ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
+        dgg::GeodesicGraph graph;
+        dgg::GraphStatistics statistics;
+        ASSERT_TRUE(builder.Build(options, graph, &statistics).IsOk());
+        const auto held = static_cast<double>(statistics.PeakMemory + statistics.Workspace);
+        EXPECT_GE(estimate.Peak, held);
+        if (mesh.GetNumberOfVertices() > 1000)
+        {
+          // Where there is little to do, not all threads come to have work.
+          EXPECT_LE(estimate.Peak, 3.0 * held);
+        }
+        EXPECT_GT(estimate.Peak, last);
+        last = estimate.Peak;
+      }
+    }
+  }
+}
+
+TEST(GraphBuilderLimits, EveryThreadCounts)
+{
+  // What is known of all vertices, once a thread.
+  const SurfaceMesh mesh = Build(Plane(100, 100, 0.2, 1));
+  const dgg::GraphBuilder builder(mesh);
+  dgg::GraphOptions options;
+  options.Accuracy = 0.1;
+  const auto peakOf = [&](int threads) {
+    options.NumberOfThreads = threads;
+    dgg::GraphEstimate estimate;
+    EXPECT_TRUE(builder.Estimate(options, estimate).IsOk());
+    return estimate.Peak;
+  };
+  EXPECT_GE(peakOf(17) - peakOf(1), 16 * 24.0 * mesh.GetNumberOfVertices());
+  EXPECT_EQ(peakOf(1), peakOf(0));
+  EXPECT_EQ(peakOf(1), peakOf(-5));
+}
+}
