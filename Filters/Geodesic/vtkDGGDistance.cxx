@@ -3,7 +3,7 @@
 #include "vtkDGGDistance.h"
 
 #include "vtkDGGDistanceTask.h"
-#include "vtkDGGGraphProvider.h"
+#include "vtkDGGGraphUser.h"
 #include "vtkDGGMeshAdapter.h"
 
 #include "vtkObjectFactory.h"
@@ -12,6 +12,7 @@
 #include <utility>
 
 vtkStandardNewMacro(vtkDGGDistance);
+vtkDGGGraphUserMacro(vtkDGGDistance);
 
 namespace
 {
@@ -55,16 +56,13 @@ std::vector<dgg::Id> FindSources(
 
 //------------------------------------------------------------------------------
 vtkDGGDistance::vtkDGGDistance()
-  : Accuracy(0.01)
-  , IsAccuracyExplicit(false)
-  , Correction(true)
+  : Correction(true)
   , Search(Certified)
-  , MemoryLimit(0)
   , GenerateUpperBound(false)
   , GenerateVirtualSource(false)
   , UpperBoundArrayName("GeodesicUpperBound")
   , VirtualSourceArrayName("GeodesicVirtualSource")
-  , Provider(new vtkDGGGraphProvider)
+  , GraphUser(new vtkDGGGraphUser)
 {
 }
 
@@ -75,31 +73,26 @@ vtkDGGDistance::~vtkDGGDistance() = default;
 void vtkDGGDistance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* const searches[] = { "Certified", "LabelCorrecting", "Dijkstra" };
-  os << indent << "Accuracy: " << this->Accuracy << "\n";
+  this->GraphUser->PrintSelf(os, indent);
   os << indent << "Correction: " << (this->Correction ? "On" : "Off") << "\n";
-  os << indent << "Search: " << searches[this->Search] << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "Search: " << this->GetSearchAsString() << "\n";
   os << indent << "GenerateUpperBound: " << (this->GenerateUpperBound ? "On" : "Off") << "\n";
   os << indent << "GenerateVirtualSource: " << (this->GenerateVirtualSource ? "On" : "Off") << "\n";
   os << indent << "UpperBoundArrayName: " << this->UpperBoundArrayName << "\n";
   os << indent << "VirtualSourceArrayName: " << this->VirtualSourceArrayName << "\n";
-  os << indent << "UsedInputGraph: " << (this->GetUsedInputGraph() ? "yes" : "no") << "\n";
-  os << indent << "GraphAccuracy: " << this->GetGraphAccuracy() << "\n";
-  os << indent << "GraphIsGuaranteed: " << (this->GetGraphIsGuaranteed() ? "yes" : "no") << "\n";
-  os << indent << "NumberOfGraphEdges: " << this->GetNumberOfGraphEdges() << "\n";
-  os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
-  os << indent << "GraphBuildTime: " << this->GetGraphBuildTime() << "\n";
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGDistance::SetAccuracy(double accuracy)
+const char* vtkDGGDistance::GetSearchAsString() const
 {
-  if (this->Accuracy != accuracy || !this->IsAccuracyExplicit)
+  switch (this->Search)
   {
-    this->Accuracy = accuracy;
-    this->IsAccuracyExplicit = true;
-    this->Modified();
+    case LabelCorrecting:
+      return "LabelCorrecting";
+    case Dijkstra:
+      return "Dijkstra";
+    default:
+      return "Certified";
   }
 }
 
@@ -128,47 +121,9 @@ const char* vtkDGGDistance::GetVirtualSourceArrayName() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkDGGDistance::GetUsedInputGraph() const
-{
-  return this->Provider->IsFromInput();
-}
-
-//------------------------------------------------------------------------------
-double vtkDGGDistance::GetGraphAccuracy() const
-{
-  return this->Provider->HasGraph() ? this->Provider->GetGraph().Info.Accuracy : 0.0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkDGGDistance::GetGraphIsGuaranteed() const
-{
-  return this->Provider->HasGraph() && this->Provider->GetGraph().Info.IsGuaranteed();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkDGGDistance::GetNumberOfGraphEdges() const
-{
-  return this->Provider->HasGraph() ? this->Provider->GetGraph().GetNumberOfEdges() : 0;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeUInt64 vtkDGGDistance::GetMemorySize() const
-{
-  return this->Provider->GetMemorySize();
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkDGGDistance::GetGraphBuildTime() const
-{
-  return this->Provider->GetBuildTime();
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkDGGDistance::CheckProperties() const
 {
-  dgg::GraphOptions options;
-  options.Accuracy = this->Accuracy;
-  const dgg::Status status = dgg::GraphBuilder::Check(options);
+  const dgg::Status status = this->GraphUser->Check();
   return status.IsOk() ? this->Superclass::CheckProperties() : status;
 }
 
@@ -199,13 +154,12 @@ std::vector<vtkDGGPointArray> vtkDGGDistance::DeclareArrays() const
 dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
 {
   const bool correct = this->Correction; // observers may change it
-  dgg::Status status = this->Provider->Update({ task.Input, this->GetMesh(), this->Accuracy,
-    this->IsAccuracyExplicit, this->MemoryLimit, task.Progress, this });
+  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
+  dgg::Status status = this->GraphUser->Update(task.Input, this->GetMesh(), task.Progress, this);
   std::vector<dgg::GraphSeed> seeds;
-  for (std::size_t i = 0; i < task.Sources.size() && status.IsOk(); ++i)
+  if (status.IsOk())
   {
-    status =
-      this->Provider->AddSeeds(task.Sources[i], static_cast<dgg::Id>(i), this->GetMesh(), seeds);
+    status = graph.MakeSeeds(task.Sources, this->GetMesh(), seeds);
   }
   if (!status.IsOk())
   {
@@ -218,14 +172,15 @@ dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
   options.Method = methods[this->Search];
   options.Correct = correct || WantsVirtualSource(task);
   options.MaximumDistance = correct
-    ? WidenLimit(task.MaximumDistance, this->Provider->GetLinkAccuracy(), task.Sources)
+    ? WidenLimit(task.MaximumDistance, graph.GetLinkAccuracy(), task.Sources)
     : task.MaximumDistance;
-  options.Progress = this->Provider->GetRemainingProgress();
+  options.Progress = graph.GetRemainingProgress();
   dgg::SearchResult result;
-  status = this->Provider->GetSearch().Run(seeds, options, result);
-  if (!status.IsOk())
+  status = graph.GetSearch().Run(seeds, options, result);
+  const dgg::Status intact = graph.CheckArrays();
+  if (!status.IsOk() || !intact.IsOk())
   {
-    return status;
+    return intact.IsOk() ? status : intact;
   }
   if (task.WantNearestSource)
   {

@@ -22,14 +22,16 @@
  * A graph on the input that has been built by a rule without a guarantee (OneRelay,
  * SaddleVertexGraph) promises nothing, and the corrected results are not bounded from below. A
  * graph on the input is used whatever its accuracy; when Accuracy has been set and the graph
- * promises less, a warning says so once.
+ * promises less, a warning says so once, unless AcceptCoarserGraph is on.
  *
  * Sources anywhere on the surface are linked to the graph as its vertices are, and have the same
- * promise.
+ * promise. That is done on all threads of vtkSMPTools; the links are kept as long as the graph and
+ * the places are the same.
  *
  * Inputs, sources, results and errors are those of vtkGeodesicDistanceAlgorithm; besides these, an
  * Accuracy outside [1e-6, 0.5] is an error, and a graph that would take more memory than
- * MemoryLimit.
+ * MemoryLimit. The arrays of a graph on the input may be changed at any time, marked by Modified();
+ * when they are changed during an update, by an observer, that is an error as well.
  *
  * @code
  * vtkNew<vtkPLYReader> reader;
@@ -44,8 +46,10 @@
  * @endcode
  *
  * See vtkDiscreteGeodesicGraph for where these graphs come from. The search corrects labels, in
- * buckets of increasing distance, over those edges only that lead straight ahead (the fans of X. Wang
- * et al. 2017); a pass over all edges then certifies the result.
+ * buckets of increasing distance, over those edges only that lead straight ahead (the fans of X.
+ * Wang et al. 2017); a pass over all edges then certifies the result.
+ *
+ * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
  *
  * @sa vtkDiscreteGeodesicGraph vtkGeodesicDistanceMatrix vtkExactGeodesicDistance
  */
@@ -58,8 +62,9 @@
 
 #include <memory> // For the graph
 #include <string> // For array names
+#include <vector> // For arrays
 
-class vtkDGGGraphProvider;
+class vtkDGGGraphUser;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGDistance : public vtkGeodesicDistanceAlgorithm
 {
@@ -81,10 +86,20 @@ public:
   ///@{
   /**
    * Largest relative error of the graph that is built when the input has none, in [1e-6, 0.5].
-   * Default 0.01.
+   * Default 0.01. Another value is an error of the update even when the graph on the input is used.
    */
   virtual void SetAccuracy(double accuracy);
-  vtkGetMacro(Accuracy, double);
+  double GetAccuracy() const;
+  ///@}
+
+  ///@{
+  /**
+   * Whether a graph on the input that promises less than an Accuracy that was set is used without a
+   * warning. Default off.
+   */
+  virtual void SetAcceptCoarserGraph(bool accept);
+  bool GetAcceptCoarserGraph() const;
+  vtkBooleanMacro(AcceptCoarserGraph, bool);
   ///@}
 
   ///@{
@@ -106,15 +121,17 @@ public:
   void SetSearchToCertified() { this->SetSearch(Certified); }
   void SetSearchToLabelCorrecting() { this->SetSearch(LabelCorrecting); }
   void SetSearchToDijkstra() { this->SetSearch(Dijkstra); }
+  const char* GetSearchAsString() const;
   ///@}
 
   ///@{
   /**
-   * Most bytes that building a graph may take. Default 0, which stands for 70 % of the memory that
-   * is free at that time. See vtkDiscreteGeodesicGraph.
+   * Most bytes that building a graph may take, or preparing to link sources that are not points of
+   * the mesh (some 250 bytes per triangle). Default 0, which stands for 70 % of the memory that is
+   * free at that time. See vtkDiscreteGeodesicGraph.
    */
-  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
-  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
+  virtual void SetMemoryLimit(vtkTypeUInt64 limit);
+  vtkTypeUInt64 GetMemoryLimit() const;
   ///@}
 
   ///@{
@@ -158,8 +175,9 @@ public:
 
   ///@{
   /**
-   * The graph that is used, zero when there is none: its accuracy (0 for a SaddleVertexGraph),
-   * number of directed edges, bytes including what the search needs.
+   * The graph of the last update, zero when there is none: its accuracy (0 for a
+   * SaddleVertexGraph), number of directed edges, bytes including what searches and links need.
+   * They stay what they were when the arrays of the graph are changed later.
    */
   double GetGraphAccuracy() const;
   vtkIdType GetNumberOfGraphEdges() const;
@@ -167,7 +185,7 @@ public:
   ///@}
 
   /**
-   * Whether the graph that is used keeps to its accuracy.
+   * Whether that graph keeps to its accuracy.
    */
   bool GetGraphIsGuaranteed() const;
 
@@ -189,16 +207,13 @@ private:
   vtkDGGDistance(const vtkDGGDistance&) = delete;
   void operator=(const vtkDGGDistance&) = delete;
 
-  double Accuracy;
-  bool IsAccuracyExplicit;
   bool Correction;
   int Search;
-  vtkTypeUInt64 MemoryLimit;
   bool GenerateUpperBound;
   bool GenerateVirtualSource;
   std::string UpperBoundArrayName;
   std::string VirtualSourceArrayName;
-  std::unique_ptr<vtkDGGGraphProvider> Provider;
+  std::unique_ptr<vtkDGGGraphUser> GraphUser;
 };
 
 #endif

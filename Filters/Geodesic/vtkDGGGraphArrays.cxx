@@ -3,6 +3,7 @@
 #include "vtkDGGGraphArrays.h"
 
 #include "vtkDGGMeshAdapter.h"
+#include "vtkDGGParallel.h"
 
 #include "dggBitHash.h"
 
@@ -51,7 +52,7 @@ To CopyBits(From from)
 
 std::int64_t Seal(const std::int64_t* info, const dgg::GraphView& view)
 {
-  const std::uint64_t arrays = dgg::ComputeChecksum(view);
+  const std::uint64_t arrays = dgg::ComputeChecksum(view, vtkDGGMakeParallelFor());
   dgg::BitHash hash;
   hash.Add(info, Checksum);
   hash.Add(&arrays, 1);
@@ -177,17 +178,9 @@ void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const vtkDGGMeshAdapter
     this->Arrays[role] = MakeEntry(arrays[role]);
   }
   this->Mesh = mesh.GetBuildTime();
+  this->Summary = vtkDGGGraphSummary(this->View);
   this->IsGraph = true;
   this->Time.Modified();
-}
-
-//------------------------------------------------------------------------------
-std::size_t vtkDGGGraphArrays::GetMemorySize(const dgg::GraphView& graph)
-{
-  const std::size_t perEdge = sizeof(dgg::Id) + (graph.Lengths ? sizeof(float) : sizeof(double)) +
-    (graph.Angles ? 2 * sizeof(float) : 0);
-  return static_cast<std::size_t>(graph.GetNumberOfEdges()) * perEdge +
-    (static_cast<std::size_t>(graph.NumberOfVertices) + 1) * sizeof(dgg::Offset);
 }
 
 //------------------------------------------------------------------------------
@@ -196,6 +189,15 @@ void vtkDGGGraphArrays::AddTo(vtkFieldData* data) const
   for (const Entry& entry : this->Arrays)
   {
     data->AddArray(entry.Array);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGGraphArrays::RemoveFrom(vtkFieldData* data)
+{
+  for (const char* name : Names)
+  {
+    data->RemoveArray(name);
   }
 }
 
@@ -215,27 +217,38 @@ bool vtkDGGGraphArrays::Find(
   vtkFieldData* data, const vtkDGGMeshAdapter& mesh, std::string& complaint)
 {
   complaint.clear();
-  const Entries found = MakeEntries(data);
-  if (this->Mesh == mesh.GetBuildTime() && this->Arrays == found)
+  if (this->IsSame(data, mesh))
   {
     return this->IsGraph;
   }
   this->Clear();
-  this->Arrays = found;
-  this->Mesh = mesh.GetBuildTime();
-  if (found == Entries())
+  this->Arrays = MakeEntries(data);
+  if (this->Arrays == Entries())
   {
+    this->Mesh = mesh.GetBuildTime();
     return false;
   }
   const dgg::Status status = this->Check(mesh);
+  // Only now: when the check throws, it has to be made again.
+  this->Mesh = mesh.GetBuildTime();
   this->IsGraph = status.IsOk();
   this->Time.Modified();
-  if (!this->IsGraph)
+  if (this->IsGraph)
+  {
+    this->Summary = vtkDGGGraphSummary(this->View);
+  }
+  else
   {
     this->View = dgg::GraphView();
     complaint = "the graph on the input " + status.GetMessage();
   }
   return this->IsGraph;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDGGGraphArrays::IsSame(vtkFieldData* data, const vtkDGGMeshAdapter& mesh) const
+{
+  return this->Mesh == mesh.GetBuildTime() && this->Arrays == MakeEntries(data);
 }
 
 //------------------------------------------------------------------------------
@@ -400,7 +413,8 @@ dgg::Status vtkDGGGraphArrays::CheckSurface(const vtkDGGMeshAdapter& mesh) const
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGGraphArrays::CheckContents() const
 {
-  const dgg::Status status = dgg::CheckGraph(this->View, this->Arrays[Targets].Size);
+  const dgg::Status status =
+    dgg::CheckGraph(this->View, this->Arrays[Targets].Size, vtkDGGMakeParallelFor());
   if (!status.IsOk())
   {
     return dgg::Status::Invalid("is " + status.GetMessage());

@@ -5,6 +5,8 @@
 #ifndef vtkDGGGraphArrays_h
 #define vtkDGGGraphArrays_h
 
+#include "vtkDGGGraphSummary.h" // for the numbers
+
 #include "dggGeodesicGraph.h" // for GeodesicGraph
 
 #include "vtkAbstractArray.h" // for the smart pointers
@@ -34,20 +36,28 @@ public:
   /// empty when they were complained about before.
   bool Find(vtkFieldData* data, const vtkDGGMeshAdapter& mesh, std::string& complaint);
 
+  /// Whether Find() would give the same answer as the last time, without a new look at the arrays.
+  /// Otherwise it lets go of the arrays that it knows.
+  bool IsSame(vtkFieldData* data, const vtkDGGMeshAdapter& mesh) const;
+
   /// Whether there is a graph and its arrays have not been changed since.
   bool IsValid() const;
 
   /// Add the arrays to field data, in the place of those of an earlier graph.
   void AddTo(vtkFieldData* data) const;
 
+  /// Remove the arrays of any graph from field data.
+  static void RemoveFrom(vtkFieldData* data);
+
   void Clear();
 
   /// The graph, as long as these arrays live. Only for a valid graph.
   const dgg::GraphView& GetView() const { return this->View; }
+  /// Its numbers; all zero when there is no graph. They stay what they were when the arrays are
+  /// changed.
+  const vtkDGGGraphSummary& GetSummary() const { return this->Summary; }
   /// When this graph was adopted or found. It changes with the graph.
   vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
-  /// Bytes of the arrays of a graph.
-  static std::size_t GetMemorySize(const dgg::GraphView& graph);
 
 private:
   enum Role
@@ -82,13 +92,13 @@ private:
   dgg::Status ReadInfo(vtkIdType numberOfPoints);
   dgg::Status CheckSurface(const vtkDGGMeshAdapter& mesh) const;
   dgg::Status CheckContents() const;
-  const std::int64_t* GetInfo() const;
   template <typename ValueType>
   const ValueType* GetValues(Role role) const;
 
   Entries Arrays;
   vtkMTimeType Mesh = 0; // build time of the mesh that they were compared with
   dgg::GraphView View;
+  vtkDGGGraphSummary Summary;
   bool IsGraph = false;
   vtkTimeStamp Time;
 };

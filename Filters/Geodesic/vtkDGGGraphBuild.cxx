@@ -6,6 +6,10 @@
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGParallel.h"
 
+#include "dggUnfoldingTable.h"
+
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <sstream>
 
@@ -32,11 +36,18 @@ dgg::Status TooMuchMemory(
 }
 
 //------------------------------------------------------------------------------
+void vtkDGGUseThreads(dgg::GraphOptions& options)
+{
+  options.Parallel = vtkDGGMakeParallelFor();
+  options.NumberOfThreads = vtkSMPTools::GetEstimatedNumberOfThreads();
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkDGGBuildGraph(const dgg::GraphBuilder& builder, const vtkDGGMeshAdapter& mesh,
   dgg::GraphOptions options, vtkTypeUInt64 memoryLimit, dgg::GeodesicGraph& graph,
   dgg::GraphEstimate& estimate)
 {
-  options.Parallel = vtkDGGMakeParallelFor();
+  vtkDGGUseThreads(options);
   dgg::Status status = builder.Estimate(options, estimate);
   if (!status.IsOk())
   {
@@ -50,4 +61,16 @@ dgg::Status vtkDGGBuildGraph(const dgg::GraphBuilder& builder, const vtkDGGMeshA
   status = builder.Build(options, graph);
   graph.Info.Surface = mesh.GetSignature();
   return status;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkDGGEstimateBuilder(const vtkDGGMeshAdapter& mesh)
+{
+  // The table of all crossings of faces; twice where faces cannot be oriented consistently.
+  const dgg::MeshReport& report = mesh.GetReport();
+  const std::size_t perHalfEdge = sizeof(dgg::FaceCrossing) + sizeof(double);
+  const std::size_t copies = report.InconsistentEdges + report.NonManifoldEdges > 0 ? 2 : 1;
+  const std::size_t perVertex = 2 * sizeof(double) + 2 * sizeof(dgg::Id);
+  return static_cast<std::size_t>(report.Faces) * (3 * copies * perHalfEdge + sizeof(dgg::Id)) +
+    static_cast<std::size_t>(report.Vertices) * perVertex;
 }

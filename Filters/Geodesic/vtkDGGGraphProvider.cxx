@@ -3,17 +3,36 @@
 #include "vtkDGGGraphProvider.h"
 
 #include "vtkDGGGraphBuild.h"
+#include "vtkDGGMemory.h"
 #include "vtkDGGMeshAdapter.h"
+#include "vtkDGGParallel.h"
 
 #include "vtkObject.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace
 {
 /// Share of the progress that goes to a graph that has to be built.
 constexpr double BuildShare = 0.9;
+/// Share of the rest that goes to links.
+constexpr double LinkShare = 0.5;
+
+/// Links between two looks at the progress.
+constexpr std::size_t LinkBlock = 64;
+
+bool IsVertex(const dgg::SurfacePoint& point)
+{
+  return point.On == dgg::SurfacePoint::Support::Vertex;
+}
+
+bool IsSamePlace(const dgg::SurfacePoint& a, const dgg::SurfacePoint& b)
+{
+  return a.On == b.On && a.Vertex == b.Vertex && a.HalfEdge == b.HalfEdge && a.Face == b.Face &&
+    a.Barycentric == b.Barycentric;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -21,6 +40,7 @@ dgg::Status vtkDGGGraphProvider::Update(const vtkDGGGraphRequest& request)
 {
   this->Progress = request.Progress;
   this->Done = 0.0;
+  this->MemoryLimit = request.MemoryLimit;
   dgg::GraphOptions options;
   options.Accuracy = request.Accuracy;
   dgg::Status status = dgg::GraphBuilder::Check(options);
@@ -31,8 +51,13 @@ dgg::Status vtkDGGGraphProvider::Update(const vtkDGGGraphRequest& request)
   this->FollowMesh(request.Mesh);
   this->WantedAccuracy = request.Accuracy;
 
+  vtkFieldData* data = request.Input->GetFieldData();
+  if (this->IsFromInput() && !this->InputGraph.IsSame(data, request.Mesh))
+  {
+    this->ForgetGraph(); // before its arrays are let go
+  }
   std::string complaint;
-  const bool found = this->InputGraph.Find(request.Input->GetFieldData(), request.Mesh, complaint);
+  const bool found = this->InputGraph.Find(data, request.Mesh, complaint);
   if (!complaint.empty())
   {
     vtkWarningWithObjectMacro(request.Filter, << complaint
@@ -42,9 +67,12 @@ dgg::Status vtkDGGGraphProvider::Update(const vtkDGGGraphRequest& request)
   if (found)
   {
     this->UseInput(request);
-    return dgg::Status::Success();
+    status = this->CheckArrays(); // observers of warnings may have changed them
   }
-  status = this->UseOwn(request, options);
+  else
+  {
+    status = this->UseOwn(request, options);
+  }
   if (!status.IsOk())
   {
     this->ForgetGraph();
@@ -53,13 +81,34 @@ dgg::Status vtkDGGGraphProvider::Update(const vtkDGGGraphRequest& request)
 }
 
 //------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphProvider::CheckArrays() const
+{
+  return !this->IsFromInput() || this->InputGraph.IsValid()
+    ? dgg::Status::Success()
+    : dgg::Status::Invalid("the arrays of the graph on the input were changed during the update: "
+                           "do not change them in observers, and update again");
+}
+
+//------------------------------------------------------------------------------
 void vtkDGGGraphProvider::FollowMesh(const vtkDGGMeshAdapter& mesh)
 {
-  if (this->Mesh != mesh.GetBuildTime())
+  if (this->Mesh == mesh.GetBuildTime())
+  {
+    return;
+  }
+  this->Mesh = mesh.GetBuildTime();
+  this->ReleaseBuilder();
+  this->Store = LinkStore();
+  const bool isOwn = this->OwnAccuracy > 0.0 && this->OwnIsMerged == mesh.IsMerged() &&
+    this->OwnGraph.Info.Surface == mesh.GetSignature();
+  if (isOwn)
+  {
+    // The surface is the same, but the search knew the mesh that is gone.
+    this->SearchIn(this->OwnGraph.View(), mesh);
+  }
+  else
   {
     this->ForgetGraph();
-    this->Builder.reset();
-    this->Mesh = mesh.GetBuildTime();
   }
 }
 
@@ -67,31 +116,40 @@ void vtkDGGGraphProvider::FollowMesh(const vtkDGGMeshAdapter& mesh)
 void vtkDGGGraphProvider::ForgetGraph()
 {
   this->Search.reset();
+  this->Summary = vtkDGGGraphSummary();
   this->OwnGraph = dgg::GeodesicGraph();
   this->OwnAccuracy = 0.0;
   this->UsedInput = 0;
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGGraphProvider::UseInput(const vtkDGGGraphRequest& request)
+void vtkDGGGraphProvider::SearchIn(const dgg::GraphView& graph, const vtkDGGMeshAdapter& mesh)
 {
-  const dgg::GraphView& graph = this->InputGraph.GetView();
-  if (!this->Search || this->UsedInput != this->InputGraph.GetTime())
-  {
-    this->ForgetGraph();
-    this->Search = std::make_unique<dgg::GraphSearch>(graph, &request.Mesh.GetMesh());
-    this->UsedInput = this->InputGraph.GetTime();
-    this->WarnedAccuracy = 0.0;
-  }
-  this->WarnAboutAccuracy(request, graph.Info);
+  this->Search.reset();
+  this->Search = std::make_unique<dgg::GraphSearch>(graph, &mesh.GetMesh());
+  this->Summary = vtkDGGGraphSummary(graph);
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGGraphProvider::WarnAboutAccuracy(
-  const vtkDGGGraphRequest& request, const dgg::GraphInfo& info)
+void vtkDGGGraphProvider::UseInput(const vtkDGGGraphRequest& request)
 {
+  if (this->InputGraph.IsValid() &&
+    (!this->Search || this->UsedInput != this->InputGraph.GetTime()))
+  {
+    this->ForgetGraph();
+    this->SearchIn(this->InputGraph.GetView(), request.Mesh);
+    this->UsedInput = this->InputGraph.GetTime();
+    this->WarnedAccuracy = 0.0;
+  }
+  this->WarnAboutAccuracy(request);
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGGraphProvider::WarnAboutAccuracy(const vtkDGGGraphRequest& request)
+{
+  const dgg::GraphInfo& info = this->Summary.Info;
   const bool sufficient = info.IsGuaranteed() && info.Accuracy <= request.Accuracy;
-  if (!request.IsAccuracyExplicit || sufficient || this->WarnedAccuracy == request.Accuracy)
+  if (!request.WarnAboutAccuracy || sufficient || this->WarnedAccuracy == request.Accuracy)
   {
     return;
   }
@@ -105,9 +163,11 @@ void vtkDGGGraphProvider::WarnAboutAccuracy(
   {
     reason << "its construction guarantees no accuracy";
   }
-  vtkWarningWithObjectMacro(request.Filter,
-    << "the graph on the input is used, although " << reason.str() << " and Accuracy "
-    << request.Accuracy << " is asked for: build it so by vtkDiscreteGeodesicGraph, or remove it.");
+  vtkWarningWithObjectMacro(
+    request.Filter, << "the graph on the input is used, although " << reason.str()
+                    << " and Accuracy " << request.Accuracy
+                    << " is asked for: build it so by vtkDiscreteGeodesicGraph, remove it, or turn "
+                       "AcceptCoarserGraph on.");
 }
 
 //------------------------------------------------------------------------------
@@ -133,9 +193,9 @@ dgg::Status vtkDGGGraphProvider::UseOwn(
   if (status.IsOk())
   {
     temporary.reset();
-    this->Search =
-      std::make_unique<dgg::GraphSearch>(this->OwnGraph.View(), &request.Mesh.GetMesh());
+    this->SearchIn(this->OwnGraph.View(), request.Mesh);
     this->OwnAccuracy = request.Accuracy;
+    this->OwnIsMerged = request.Mesh.IsMerged();
     this->BuildTime.Modified();
   }
   return status;
@@ -144,52 +204,139 @@ dgg::Status vtkDGGGraphProvider::UseOwn(
 //------------------------------------------------------------------------------
 dgg::ProgressCallback vtkDGGGraphProvider::GetRemainingProgress() const
 {
-  return [progress = this->Progress, done = this->Done](
-           double fraction) { return progress(done + (1.0 - done) * fraction); };
+  return [this, done = this->Done](double fraction) {
+    return this->Progress(done + (1.0 - done) * fraction) && this->CheckArrays().IsOk();
+  };
 }
 
 //------------------------------------------------------------------------------
-const dgg::GraphBuilder& vtkDGGGraphProvider::GetBuilder(const vtkDGGMeshAdapter& mesh)
+dgg::Status vtkDGGGraphProvider::PrepareBuilder(const vtkDGGMeshAdapter& mesh)
 {
-  if (!this->Builder)
+  if (this->Builder)
   {
-    this->Builder = std::make_unique<dgg::GraphBuilder>(mesh.GetMesh());
-  }
-  return *this->Builder;
-}
-
-//------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphProvider::AddSeeds(const dgg::GeodesicSource& source, dgg::Id index,
-  const vtkDGGMeshAdapter& mesh, std::vector<dgg::GraphSeed>& seeds)
-{
-  const double offset = source.InitialDistance;
-  if (source.Point.On == dgg::SurfacePoint::Support::Vertex)
-  {
-    seeds.push_back({ source.Point.Vertex, offset, offset, index, -1.0 });
     return dgg::Status::Success();
   }
-  std::vector<dgg::GraphLink> links;
-  std::vector<double> none;
-  const dgg::Status status =
-    this->GetBuilder(mesh).Link(source.Point, this->GetLinkAccuracy(), {}, links, none);
-  for (const dgg::GraphLink& link : links)
+  const std::size_t size = vtkDGGEstimateBuilder(mesh);
+  const dgg::Status status = vtkDGGCheckMemory(
+    "linking points that are not vertices", size, this->MemoryLimit, "use vertices only");
+  if (status.IsOk())
   {
-    seeds.push_back({ link.Vertex, offset + link.Length, offset, index, link.ArrivalAngle });
+    this->Builder = std::make_unique<dgg::GraphBuilder>(mesh.GetMesh());
+    this->BuilderSize = size;
   }
   return status;
 }
 
 //------------------------------------------------------------------------------
+void vtkDGGGraphProvider::ReleaseBuilder()
+{
+  this->Builder.reset();
+  this->BuilderSize = 0;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphProvider::MakeSeeds(const std::vector<dgg::GeodesicSource>& sources,
+  const vtkDGGMeshAdapter& mesh, std::vector<dgg::GraphSeed>& seeds)
+{
+  seeds.clear();
+  Points places;
+  for (const dgg::GeodesicSource& source : sources)
+  {
+    if (!IsVertex(source.Point))
+    {
+      places.push_back(source.Point);
+    }
+  }
+  const dgg::Status status = this->LinkPlaces(places, mesh);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    const double offset = sources[i].InitialDistance;
+    const auto index = static_cast<dgg::Id>(i);
+    if (IsVertex(sources[i].Point))
+    {
+      seeds.push_back({ sources[i].Point.Vertex, offset, offset, index, -1.0 });
+      continue;
+    }
+    for (const dgg::GraphLink& link : this->Store.Links[place])
+    {
+      seeds.push_back({ link.Vertex, offset + link.Length, offset, index, link.ArrivalAngle });
+    }
+    ++place;
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphProvider::LinkPlaces(const Points& places, const vtkDGGMeshAdapter& mesh)
+{
+  LinkStore& store = this->Store;
+  if (places.empty())
+  {
+    this->ReleaseBuilder();
+    store = LinkStore();
+    return dgg::Status::Success();
+  }
+  const double accuracy = this->GetLinkAccuracy();
+  if (store.Mesh == mesh.GetBuildTime() && store.Accuracy == accuracy &&
+    std::equal(places.begin(), places.end(), store.Places.begin(), store.Places.end(), IsSamePlace))
+  {
+    return dgg::Status::Success();
+  }
+  store = LinkStore();
+  dgg::Status status = this->PrepareBuilder(mesh);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const double start = this->Done;
+  const double share = LinkShare * (1.0 - start);
+  store.Links.resize(places.size());
+  status = vtkDGGForBlocks(
+    places.size(), LinkBlock,
+    [&](double fraction) { return this->Progress(start + share * fraction); },
+    [&](std::size_t i) {
+      std::vector<double> none;
+      return this->Builder->Link(places[i], accuracy, {}, store.Links[i], none);
+    });
+  this->Done = start + share;
+  if (!status.IsOk())
+  {
+    store = LinkStore();
+    return status;
+  }
+  store.Mesh = mesh.GetBuildTime();
+  store.Accuracy = accuracy;
+  store.Places = places;
+  return this->CheckArrays();
+}
+
+//------------------------------------------------------------------------------
 double vtkDGGGraphProvider::GetLinkAccuracy() const
 {
-  const double accuracy = this->GetGraph().Info.Accuracy;
+  const double accuracy = this->Summary.Info.Accuracy;
   return accuracy > 0.0 ? accuracy : this->WantedAccuracy;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkDGGGraphProvider::LinkStore::GetMemorySize() const
+{
+  std::size_t size = this->Places.capacity() * sizeof(dgg::SurfacePoint);
+  for (const std::vector<dgg::GraphLink>& links : this->Links)
+  {
+    size += sizeof(links) + links.capacity() * sizeof(dgg::GraphLink);
+  }
+  return size;
 }
 
 //------------------------------------------------------------------------------
 std::size_t vtkDGGGraphProvider::GetMemorySize() const
 {
-  return this->Search
-    ? vtkDGGGraphArrays::GetMemorySize(this->GetGraph()) + this->Search->GetMemorySize()
-    : 0;
+  return this->Search ? this->Summary.MemorySize + this->Search->GetMemorySize() +
+      this->BuilderSize + this->Store.GetMemorySize()
+                      : 0;
 }

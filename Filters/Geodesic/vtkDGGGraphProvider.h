@@ -26,7 +26,7 @@ struct vtkDGGGraphRequest
   vtkPolyData* Input;
   const vtkDGGMeshAdapter& Mesh;  ///< of the input; must outlive the provider
   double Accuracy;                ///< of a graph that is built
-  bool IsAccuracyExplicit;        ///< whether the user has asked for this accuracy
+  bool WarnAboutAccuracy;         ///< when the graph on the input promises less than that
   vtkTypeUInt64 MemoryLimit;      ///< bytes; 0 for the default
   dgg::ProgressCallback Progress; ///< of the whole update of the filter
   vtkObject* Filter;              ///< that warns
@@ -41,18 +41,29 @@ public:
   /// used, or is not as accurate as the user wants it: once for each.
   dgg::Status Update(const vtkDGGGraphRequest& request);
 
-  /// The rest of the progress: where the filter goes on after the last update.
+  /// The rest of the progress: where the filter goes on after the last update. It asks to stop as
+  /// well when somebody changes the arrays of the graph meanwhile, which an observer may.
   dgg::ProgressCallback GetRemainingProgress() const;
+  /// Fails when the arrays of the graph have been changed since the last update: then they must not
+  /// be followed, and what was found in them is worth nothing.
+  dgg::Status CheckArrays() const;
 
   /// Whether there is a graph.
   bool HasGraph() const { return this->Search != nullptr; }
-  const dgg::GraphView& GetGraph() const { return this->Search->GetGraph(); }
+  /// Its numbers; all zero when there is none.
+  const vtkDGGGraphSummary& GetSummary() const { return this->Summary; }
+  /// Only right after a successful Update().
   const dgg::GraphSearch& GetSearch() const { return *this->Search; }
-  /// For links of points that are not vertices. Made when it is asked for.
-  const dgg::GraphBuilder& GetBuilder(const vtkDGGMeshAdapter& mesh);
-  /// Add what a search from a source starts from: a seed, or one for each link of the source.
-  dgg::Status AddSeeds(const dgg::GeodesicSource& source, dgg::Id index,
+
+  /// What a search from the sources starts from: a seed for each that is a vertex, and one for each
+  /// link of the others. Links are kept while mesh, accuracy and places are the same.
+  dgg::Status MakeSeeds(const std::vector<dgg::GeodesicSource>& sources,
     const vtkDGGMeshAdapter& mesh, std::vector<dgg::GraphSeed>& seeds);
+  /// For links of points that are not vertices; kept until ReleaseBuilder() or another mesh. Fails
+  /// when it would take too much memory.
+  dgg::Status PrepareBuilder(const vtkDGGMeshAdapter& mesh);
+  const dgg::GraphBuilder& GetBuilder() const { return *this->Builder; }
+  void ReleaseBuilder();
   /// The accuracy that links have to have: that of the graph, or that asked for when it has none.
   double GetLinkAccuracy() const;
 
@@ -60,14 +71,30 @@ public:
   bool IsFromInput() const { return this->UsedInput != 0; }
   /// When a graph was last built.
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
-  /// Bytes held by the graph and the search, also where the graph is shared with the input.
+  /// Bytes held by the graph, also where it is shared with the input, and by what searches and
+  /// links need.
   std::size_t GetMemorySize() const;
 
 private:
+  using Points = std::vector<dgg::SurfacePoint>;
+
+  /// Links of points, and what they depend on.
+  struct LinkStore
+  {
+    vtkMTimeType Mesh = 0;
+    double Accuracy = 0.0;
+    Points Places;
+    std::vector<std::vector<dgg::GraphLink>> Links; // per place
+
+    std::size_t GetMemorySize() const;
+  };
+
   void FollowMesh(const vtkDGGMeshAdapter& mesh);
   void UseInput(const vtkDGGGraphRequest& request);
   dgg::Status UseOwn(const vtkDGGGraphRequest& request, dgg::GraphOptions options);
-  void WarnAboutAccuracy(const vtkDGGGraphRequest& request, const dgg::GraphInfo& info);
+  void SearchIn(const dgg::GraphView& graph, const vtkDGGMeshAdapter& mesh);
+  void WarnAboutAccuracy(const vtkDGGGraphRequest& request);
+  dgg::Status LinkPlaces(const Points& places, const vtkDGGMeshAdapter& mesh);
   void ForgetGraph();
 
   vtkMTimeType Mesh = 0; // build time of the mesh that all of this belongs to
@@ -75,10 +102,15 @@ private:
   vtkMTimeType UsedInput = 0; // when the graph on the input was found, if it is searched
   dgg::GeodesicGraph OwnGraph;
   double OwnAccuracy = 0.0; // 0 when there is no own graph
+  bool OwnIsMerged = false;
   double WantedAccuracy = 0.0;
   double WarnedAccuracy = 0.0; // about which the user knows
-  std::unique_ptr<dgg::GraphBuilder> Builder;
+  vtkTypeUInt64 MemoryLimit = 0;
+  vtkDGGGraphSummary Summary;
   std::unique_ptr<dgg::GraphSearch> Search;
+  std::unique_ptr<dgg::GraphBuilder> Builder;
+  std::size_t BuilderSize = 0; // bytes, about
+  LinkStore Store;
   vtkTimeStamp BuildTime;
   dgg::ProgressCallback Progress; // of the last request
   double Done = 0.0;              // share of it

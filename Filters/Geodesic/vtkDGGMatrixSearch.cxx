@@ -7,7 +7,6 @@
 #include "vtkDGGParallel.h"
 
 #include <algorithm>
-#include <mutex>
 
 namespace
 {
@@ -69,7 +68,6 @@ vtkDGGMatrixSearch::vtkDGGMatrixSearch(vtkDGGGraphProvider& graph, const vtkDGGM
   , Sources(sources)
   , Targets(targets)
   , Distances(distances)
-  , Parallel(vtkDGGMakeParallelFor())
 {
 }
 
@@ -78,12 +76,11 @@ dgg::Status vtkDGGMatrixSearch::Run(bool symmetric, const dgg::ProgressCallback&
 {
   this->IsSymmetric = symmetric;
   this->Progress = progress;
-  for (std::size_t i = 0; i < this->Sources.size(); ++i)
+  const bool areVertices = std::all_of(this->Sources.begin(), this->Sources.end(), IsVertex) &&
+    std::all_of(this->Targets.begin(), this->Targets.end(), IsVertex);
+  if (areVertices)
   {
-    for (std::size_t j = 0; j < this->Targets.size(); ++j)
-    {
-      this->Distances(i, j) = dgg::Infinity;
-    }
+    this->Graph.ReleaseBuilder();
   }
   dgg::Status status = this->LinkSources();
   if (status.IsOk())
@@ -103,34 +100,13 @@ dgg::Status vtkDGGMatrixSearch::Run(bool symmetric, const dgg::ProgressCallback&
 
 //------------------------------------------------------------------------------
 template <typename StepType>
-dgg::Status vtkDGGMatrixSearch::ForAll(
-  std::size_t count, std::size_t block, double end, StepType step)
+dgg::Status vtkDGGMatrixSearch::ForAll(std::size_t count, double end, StepType step)
 {
   const double start = this->Done;
-  dgg::Status failure;
-  std::mutex mutex;
-  for (std::size_t first = 0; first < count && failure.IsOk(); first += block)
-  {
-    const std::size_t size = std::min(block, count - first);
-    this->Parallel(static_cast<dgg::Offset>(size), 1, [&](dgg::Offset begin, dgg::Offset last) {
-      for (dgg::Offset i = begin; i < last; ++i)
-      {
-        const dgg::Status status = step(first + static_cast<std::size_t>(i));
-        if (!status.IsOk())
-        {
-          const std::lock_guard<std::mutex> lock(mutex);
-          failure = status;
-        }
-      }
-    });
-    this->Done = start + (end - start) * static_cast<double>(first + size) / count;
-    if (failure.IsOk() && !this->Progress(this->Done))
-    {
-      failure = dgg::Status::Abort();
-    }
-  }
+  const auto progress = [&](double done) { return this->Progress(start + (end - start) * done); };
+  const dgg::Status status = vtkDGGForBlocks(count, LinkBlock, progress, step);
   this->Done = end;
-  return failure;
+  return status;
 }
 
 //------------------------------------------------------------------------------
@@ -144,8 +120,13 @@ dgg::Status vtkDGGMatrixSearch::LinkSources()
   {
     return dgg::Status::Success();
   }
-  const dgg::GraphBuilder& builder = this->Graph.GetBuilder(this->Mesh);
-  return this->ForAll(others.size(), LinkBlock, SourcesLinked, [&](std::size_t k) {
+  const dgg::Status prepared = this->Graph.PrepareBuilder(this->Mesh);
+  if (!prepared.IsOk())
+  {
+    return prepared;
+  }
+  const dgg::GraphBuilder& builder = this->Graph.GetBuilder();
+  return this->ForAll(others.size(), SourcesLinked, [&](std::size_t k) {
     const std::size_t i = others[k];
     std::vector<double> direct;
     const dgg::Status status = builder.Link(
@@ -179,8 +160,13 @@ dgg::Status vtkDGGMatrixSearch::LinkTargets()
   // answer should not depend on which end they are seen from.
   const std::vector<std::size_t> aims = FindPoints(this->Sources, false);
   const Points aimPoints = Select(this->Sources, aims);
-  const dgg::GraphBuilder& builder = this->Graph.GetBuilder(this->Mesh);
-  return this->ForAll(others.size(), LinkBlock, TargetsLinked, [&](std::size_t k) {
+  const dgg::Status prepared = this->Graph.PrepareBuilder(this->Mesh);
+  if (!prepared.IsOk())
+  {
+    return prepared;
+  }
+  const dgg::GraphBuilder& builder = this->Graph.GetBuilder();
+  return this->ForAll(others.size(), TargetsLinked, [&](std::size_t k) {
     const std::size_t j = others[k];
     std::vector<double> direct;
     const dgg::Status status = builder.Link(
@@ -208,7 +194,7 @@ dgg::Status vtkDGGMatrixSearch::Search()
   const auto progress = [this](double done) {
     return this->Progress(this->Done + (1.0 - this->Done) * done);
   };
-  return this->Graph.GetSearch().Many(seeds, dgg::Infinity, this->Parallel, progress,
+  return this->Graph.GetSearch().Many(seeds, dgg::Infinity, vtkDGGMakeParallelFor(), progress,
     [this](std::size_t source, const double* field) { this->LookAtTargets(source, field); });
 }
 

@@ -15,15 +15,17 @@
 class vtkDGGGraphProvider;
 class vtkDGGMeshAdapter;
 
-/// The entries of a table by its columns.
+/// The entries of a matrix whose rows lie one behind the other.
 struct vtkDGGMatrixEntries
 {
-  std::vector<double*> Columns;
+  double* Values;
+  std::size_t NumberOfColumns;
   bool SourcesAreRows;
 
   double& operator()(std::size_t source, std::size_t target) const
   {
-    return this->SourcesAreRows ? this->Columns[target][source] : this->Columns[source][target];
+    return this->SourcesAreRows ? this->Values[source * this->NumberOfColumns + target]
+                                : this->Values[target * this->NumberOfColumns + source];
   }
 };
 
@@ -38,7 +40,7 @@ public:
   using Links = std::vector<std::vector<dgg::GraphLink>>; // per point
 
   /// `graph` has been provided for `mesh`. distances(i, j) becomes the distance of sources[i] from
-  /// targets[j], dgg::Infinity where there is no way.
+  /// targets[j]; where there is no way it stays dgg::Infinity, which all of them must be before.
   vtkDGGMatrixSearch(vtkDGGGraphProvider& graph, const vtkDGGMeshAdapter& mesh,
     const Points& sources, const Points& targets, const vtkDGGMatrixEntries& distances);
 
@@ -52,10 +54,9 @@ private:
   void LookAtTargets(std::size_t source, const double* field) const;
   void Mirror() const;
 
-  /// Do `count` steps on all threads, `block` of them between two looks at the progress, of which
-  /// they are the part up to `end`.
+  /// Do `count` steps on all threads; they are the part of the progress up to `end`.
   template <typename StepType>
-  dgg::Status ForAll(std::size_t count, std::size_t block, double end, StepType step);
+  dgg::Status ForAll(std::size_t count, double end, StepType step);
 
   vtkDGGGraphProvider& Graph;
   const vtkDGGMeshAdapter& Mesh;
@@ -65,7 +66,6 @@ private:
   bool IsSymmetric = false;
   Links SourceLinks;
   Links TargetLinks;
-  dgg::ParallelFor Parallel;
   dgg::ProgressCallback Progress;
   double Done = 0.0; // share of the progress
 };

@@ -5,6 +5,8 @@
 #ifndef vtkDGGMemory_h
 #define vtkDGGMemory_h
 
+#include "dggTypes.h" // for Status
+
 #include "vtkType.h" // for vtkTypeUInt64
 
 #include <string> // for messages
@@ -18,6 +20,11 @@ vtkTypeUInt64 vtkDGGGetMemoryLimit(vtkTypeUInt64 property);
 
 /// "1.53 GiB"
 std::string vtkDGGFormatBytes(double bytes);
+
+/// Fails when `bytes` are more than the limit that a property stands for. `what` would take them;
+/// `remedy` is what to do besides raising MemoryLimit.
+dgg::Status vtkDGGCheckMemory(
+  const std::string& what, double bytes, vtkTypeUInt64 property, const std::string& remedy);
 
 #endif
 // VTK-HeaderTest-Exclude: vtkDGGMemory.h

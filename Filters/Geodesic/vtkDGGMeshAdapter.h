@@ -5,16 +5,14 @@
 #ifndef vtkDGGMeshAdapter_h
 #define vtkDGGMeshAdapter_h
 
-#include "dggGeodesicGraph.h" // for Signature
-#include "dggMeshReport.h"    // for MeshReport
-#include "dggSurfaceMesh.h"   // for SurfaceMesh
+#include "vtkDGGPreparedMesh.h" // for the mesh
 
 #include "vtkTimeStamp.h" // for the build time
 #include "vtkType.h"      // for vtkIdType
 
 #include <array>  // for the key
 #include <string> // for the warnings
-#include <vector> // for the maps
+#include <vector> // for the warnings
 
 class vtkPolyData;
 
@@ -24,53 +22,56 @@ class vtkPolyData;
 class vtkDGGMeshAdapter
 {
 public:
-  /// Prepare the mesh. Fails with a message that names the offending point or cell; then there is
-  /// no mesh.
+  vtkDGGMeshAdapter();
+
+  /// Prepare the mesh, or share that of another filter with the same surface. Fails with a message
+  /// that names the offending point or cell; then there is no mesh.
   ///
   /// With `mergeCoincidentPoints`, triangles use the first one of all points that have the very
   /// same coordinates; the others become vertices without faces, and GetVertex() tells which vertex
   /// they share.
   dgg::Status Update(vtkPolyData* input, bool mergeCoincidentPoints);
 
-  /// Whether Update() would give the same mesh again. Takes note of the object that it is asked
-  /// about.
+  /// Whether Update() would give the same mesh again: by time stamps, and where these have changed
+  /// by the bits of points and cells. Takes note of the object that it is asked about.
   bool IsUpToDate(vtkPolyData* input, bool mergeCoincidentPoints);
 
   /// Forget the mesh.
   void Clear();
 
-  const dgg::SurfaceMesh& GetMesh() const { return this->Mesh; }
-  const dgg::MeshReport& GetReport() const { return this->Report; }
+  const dgg::SurfaceMesh& GetMesh() const { return this->Prepared->Mesh; }
+  const dgg::MeshReport& GetReport() const { return this->Prepared->Report; }
   /// Of the points as doubles and the triangles made of the cells.
-  const dgg::Signature& GetSignature() const { return this->Signature; }
+  const dgg::Signature& GetSignature() const { return this->Prepared->Signature; }
   /// Whether coincident points have been taken as one.
-  bool IsMerged() const { return !this->Vertices.empty(); }
+  bool IsMerged() const { return !this->Prepared->Vertices.empty(); }
 
   /// The vertex that stands for a point of the input.
   dgg::Id GetVertex(vtkIdType point) const
   {
-    return this->Vertices.empty() ? static_cast<dgg::Id>(point) : this->Vertices[point];
+    const std::vector<dgg::Id>& vertices = this->Prepared->Vertices;
+    return vertices.empty() ? static_cast<dgg::Id>(point) : vertices[point];
   }
   /// The cell of the input that a face of the mesh is a part of.
-  vtkIdType GetCell(dgg::Id face) const { return this->Cells[face]; }
+  vtkIdType GetCell(dgg::Id face) const { return this->Prepared->Cells[face]; }
 
   /// Polygons left out because fewer than three of their points are distinct.
-  vtkIdType GetNumberOfDroppedCells() const { return this->NumberOfDroppedCells; }
+  vtkIdType GetNumberOfDroppedCells() const { return this->Prepared->NumberOfDroppedCells; }
   /// Points that share the vertex of an earlier point.
-  vtkIdType GetNumberOfMergedPoints() const { return this->NumberOfMergedPoints; }
+  vtkIdType GetNumberOfMergedPoints() const { return this->Prepared->NumberOfMergedPoints; }
   /// Points without a face.
   vtkIdType GetNumberOfIsolatedPoints() const
   {
-    return this->Report.IsolatedVertices - this->NumberOfMergedPoints;
+    return this->GetReport().IsolatedVertices - this->GetNumberOfMergedPoints();
   }
   /// Points on the boundary with the very coordinates of another point on the boundary.
   vtkIdType GetNumberOfCoincidentBoundaryPoints() const
   {
-    return this->NumberOfCoincidentBoundaryPoints;
+    return this->Prepared->NumberOfCoincidentBoundaryPoints;
   }
   /// What a user should be told about the mesh, one topic each.
-  const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
-  /// When the mesh was last built.
+  const std::vector<std::string>& GetWarnings() const { return this->Prepared->Warnings; }
+  /// When this adapter last took another mesh. It changes with the mesh.
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
 
 private:
@@ -78,25 +79,8 @@ private:
   using Key = std::array<vtkMTimeType, 7>;
   static Key MakeKey(vtkPolyData* input, bool mergeCoincidentPoints);
 
-  dgg::Status Build(vtkPolyData* input, bool mergeCoincidentPoints);
-  dgg::Status Triangulate(
-    vtkPolyData* input, const double* points, std::vector<dgg::Id>& triangles);
-  dgg::Status CheckCell(const double* points, vtkIdType numberOfPoints, vtkIdType cell,
-    vtkIdType size, const vtkIdType* ids) const;
-  void MergeCoincidentPoints(const double* points, vtkIdType numberOfPoints);
-  void CountCoincidentBoundaryPoints(const double* points);
-  void CollectWarnings();
-
-  dgg::SurfaceMesh Mesh;
-  dgg::MeshReport Report;
-  dgg::Signature Signature{};
-  std::vector<dgg::Id> Vertices; // per point; empty when nothing was merged
-  std::vector<vtkIdType> Cells;  // per face
-  vtkIdType NumberOfDroppedCells = 0;
-  vtkIdType NumberOfFans = 0; // polygons that cross or touch themselves
-  vtkIdType NumberOfMergedPoints = 0;
-  vtkIdType NumberOfCoincidentBoundaryPoints = 0;
-  std::vector<std::string> Warnings;
+  vtkDGGPreparedMesh::Pointer Prepared; // never null
+  dgg::Signature Fingerprint{};         // of what it was made from
   vtkTimeStamp BuildTime;
   Key BuiltFrom{};
   vtkMTimeType Object = 0; // the vtkPolyData last seen, and its own time

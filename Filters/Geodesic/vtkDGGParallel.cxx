@@ -4,6 +4,7 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <exception>
 #include <mutex>
 
@@ -31,4 +32,37 @@ dgg::ParallelFor vtkDGGMakeParallelFor()
       std::rethrow_exception(thrown);
     }
   };
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGForBlocks(std::size_t count, std::size_t block,
+  const dgg::ProgressCallback& progress, const std::function<dgg::Status(std::size_t)>& step)
+{
+  const dgg::ParallelFor parallel = vtkDGGMakeParallelFor();
+  dgg::Status failure;
+  std::size_t failed = count;
+  std::mutex mutex;
+  for (std::size_t first = 0; first < count && failure.IsOk(); first += block)
+  {
+    const std::size_t size = std::min(block, count - first);
+    parallel(static_cast<dgg::Offset>(size), 1, [&](dgg::Offset begin, dgg::Offset end) {
+      for (dgg::Offset i = begin; i < end; ++i)
+      {
+        const std::size_t number = first + static_cast<std::size_t>(i);
+        const dgg::Status status = step(number);
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (!status.IsOk() && number < failed)
+        {
+          failure = status;
+          failed = number;
+        }
+      }
+    });
+    const double done = static_cast<double>(first + size) / static_cast<double>(count);
+    if (failure.IsOk() && !progress(done))
+    {
+      failure = dgg::Status::Abort();
+    }
+  }
+  return failure;
 }

@@ -1,15 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Loops of the kernel on the threads of VTK. Internal.
+/// Loops on the threads of VTK. Internal.
 #ifndef vtkDGGParallel_h
 #define vtkDGGParallel_h
 
 #include "dggParallel.h" // for ParallelFor
 
+#include <cstddef>    // for std::size_t
+#include <functional> // for the steps
+
 /// Runs loops by vtkSMPTools. What a loop throws in any thread is thrown to the caller, after the
 /// loop: an exception that leaves a thread would end the program.
 dgg::ParallelFor vtkDGGMakeParallelFor();
+
+/// Do step(0) to step(count - 1), in any order and several at once, `block` of them between two
+/// looks at the progress, which goes from 0 to 1. Stops at the first block with an error, and
+/// returns the error of the step with the smallest number.
+dgg::Status vtkDGGForBlocks(std::size_t count, std::size_t block,
+  const dgg::ProgressCallback& progress, const std::function<dgg::Status(std::size_t)>& step);
 
 #endif
 // VTK-HeaderTest-Exclude: vtkDGGParallel.h

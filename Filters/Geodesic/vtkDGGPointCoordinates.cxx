@@ -3,7 +3,10 @@
 #include "vtkDGGPointCoordinates.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkPoints.h"
+
+#include <algorithm>
 
 //------------------------------------------------------------------------------
 vtkDGGPointCoordinates::vtkDGGPointCoordinates(vtkPoints* points)
@@ -18,6 +21,12 @@ vtkDGGPointCoordinates::vtkDGGPointCoordinates(vtkPoints* points)
     return;
   }
   this->Copy.resize(3 * static_cast<std::size_t>(points->GetNumberOfPoints()));
+  if (auto* floats = vtkFloatArray::FastDownCast(points->GetData()))
+  {
+    std::copy_n(floats->GetPointer(0), this->Copy.size(), this->Copy.begin());
+    this->Data = this->Copy.data();
+    return;
+  }
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     points->GetPoint(i, this->Copy.data() + 3 * i);

@@ -28,6 +28,12 @@ std::string Describe(const vtkDGGSourceSet& set, vtkIdType index, const double p
   return text.str();
 }
 
+/// That of the i-th id.
+double GetInitialDistance(const vtkDGGSourceSet& set, std::size_t i)
+{
+  return set.InitialDistances ? (*set.InitialDistances)[i] : 0.0;
+}
+
 dgg::Status CheckIds(const vtkDGGSourceSet& set, vtkIdType numberOfPoints)
 {
   for (std::size_t i = 0; i < set.Ids.size(); ++i)
@@ -38,6 +44,14 @@ dgg::Status CheckIds(const vtkDGGSourceSet& set, vtkIdType numberOfPoints)
       message << set.Role << " id " << set.Ids[i] << " (number " << i << " of the " << set.Role
               << " ids) is out of range: the input has " << numberOfPoints
               << " points, so ids must be in [0, " << numberOfPoints - 1 << "]";
+      return dgg::Status::Invalid(message.str());
+    }
+    const double offset = GetInitialDistance(set, i);
+    if (!std::isfinite(offset))
+    {
+      std::ostringstream message;
+      message << set.Role << " id " << set.Ids[i] << " (number " << i << " of the " << set.Role
+              << " ids) has the initial distance " << offset << ": a finite number is needed";
       return dgg::Status::Invalid(message.str());
     }
   }
@@ -134,9 +148,10 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
   {
     return status;
   }
-  for (const vtkIdType id : set.Ids)
+  for (std::size_t i = 0; i < set.Ids.size(); ++i)
   {
-    sources.push_back({ dgg::SurfacePoint::AtVertex(adapter.GetVertex(id)), 0.0 });
+    sources.push_back(
+      { dgg::SurfacePoint::AtVertex(adapter.GetVertex(set.Ids[i])), GetInitialDistance(set, i) });
   }
   if (CountPoints(set.Points) == 0)
   {
@@ -172,4 +187,28 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
     sources.push_back(source);
   }
   return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDGGSourceCollector::DescribeIsolatedIds(
+  const vtkDGGSourceSet& set, const vtkDGGMeshAdapter& adapter)
+{
+  vtkIdType count = 0;
+  vtkIdType example = 0;
+  for (const vtkIdType id : set.Ids)
+  {
+    if (adapter.GetMesh().Kind(adapter.GetVertex(id)) == dgg::VertexKind::Isolated)
+    {
+      example = count == 0 ? id : example;
+      ++count;
+    }
+  }
+  if (count == 0)
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << count << " of the " << set.Role << " ids, the first of them " << example
+       << ", are points that no polygon uses. They reach no other point";
+  return text.str();
 }

@@ -27,6 +27,8 @@ struct vtkDGGSourceSet
   std::string Role;                 ///< what messages call them
   std::string Remedy;               ///< how to give ids
   std::string InitialDistanceArray; ///< of Points; empty when there are no initial distances
+  /// Of the ids, one for each; null when they all start with 0.
+  const std::vector<double>* InitialDistances = nullptr;
 };
 
 /// Collects the sources of a distance filter, or other points, projected onto the surface. Keeps
@@ -48,6 +50,11 @@ public:
   dgg::Status Collect(const vtkDGGSourceSet& set, double tolerance,
     const vtkDGGMeshAdapter& adapter, vtkPoints* coordinates,
     std::vector<dgg::GeodesicSource>& sources);
+
+  /// What to warn of: ids of points that no polygon uses. Empty when there are none. The set must
+  /// have been checked.
+  static std::string DescribeIsolatedIds(
+    const vtkDGGSourceSet& set, const vtkDGGMeshAdapter& adapter);
 
 private:
   std::unique_ptr<vtkDGGSurfaceLocator> Locator;

@@ -4,12 +4,14 @@
 
 #include "vtkDGGGraphArrays.h"
 #include "vtkDGGGraphBuild.h"
+#include "vtkDGGMemory.h"
 #include "vtkDGGMeshAdapter.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -21,6 +23,9 @@ vtkStandardNewMacro(vtkDiscreteGeodesicGraph);
 
 namespace
 {
+/// Share of the progress that goes to the graph when lines are made of it as well.
+constexpr double BuildShare = 0.9;
+
 /// Whether a graph is what the options would make.
 bool IsMadeBy(const dgg::GraphInfo& info, const dgg::GraphOptions& options)
 {
@@ -39,8 +44,8 @@ struct vtkDiscreteGeodesicGraph::vtkInternals
 {
   vtkDGGGraphArrays OnInput;
   vtkDGGGraphArrays Built;
-  vtkMTimeType BuiltMesh = 0;                 // build time of the mesh that it is the graph of
-  const vtkDGGGraphArrays* Current = nullptr; // that of the last update
+  bool BuiltIsMerged = false;
+  vtkDGGGraphSummary Current; // of the graph of the last update
   dgg::GraphEstimate Estimate;
   vtkTimeStamp BuildTime;
 };
@@ -103,21 +108,58 @@ vtkPolyData* vtkDiscreteGeodesicGraph::GetGraphLines()
 vtkTypeUInt64 vtkDiscreteGeodesicGraph::EstimateMemory()
 {
   this->Internals->Estimate = dgg::GraphEstimate();
-  const bool done = this->Attempt([this] {
-    if (this->GetNumberOfInputConnections(0) > 0)
-    {
-      this->GetInputAlgorithm()->Update(this->GetInputConnection(0, 0)->GetIndex());
-    }
-    dgg::Status status = this->CheckProperties();
-    if (status.IsOk())
-    {
-      status = this->PrepareMesh(vtkPolyData::SafeDownCast(this->GetInput()));
-    }
-    return status.IsOk() ? dgg::GraphBuilder(this->GetMesh().GetMesh())
-                             .Estimate(this->MakeOptions(), this->Internals->Estimate)
-                         : status;
-  });
+  const unsigned long errorCode = this->GetErrorCode();
+  this->SetAbortExecute(0);
+  const bool done = this->Attempt([this] { return this->Estimate(); });
+  if (this->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    this->SetErrorCode(errorCode); // that of the last update
+  }
   return done ? this->GetEstimatedMemory() : 0;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDiscreteGeodesicGraph::Estimate()
+{
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->GetInputAlgorithm()->Update(this->GetInputConnection(0, 0)->GetIndex());
+  }
+  dgg::Status status = this->CheckProperties();
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  vtkPolyData* surface = vtkPolyData::SafeDownCast(this->GetInput());
+  if (surface && surface->GetNumberOfPoints() == 0 && surface->GetNumberOfCells() == 0)
+  {
+    vtkWarningMacro("The input is empty: it has neither points nor cells. So is its graph.");
+    return dgg::Status::Success();
+  }
+  status = this->PrepareMesh(surface);
+  if (status.IsOk() && !this->Advance(0.0))
+  {
+    status = dgg::Status::Abort();
+  }
+  if (status.IsOk())
+  {
+    dgg::GraphOptions options = this->MakeOptions();
+    vtkDGGUseThreads(options);
+    status =
+      dgg::GraphBuilder(this->GetMesh().GetMesh()).Estimate(options, this->Internals->Estimate);
+  }
+  if (status.IsOk() && !this->Advance(1.0))
+  {
+    status = dgg::Status::Abort();
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkDiscreteGeodesicGraph::ReleaseGraph()
+{
+  this->Internals->Built.Clear();
+  this->Internals->OnInput.Clear();
 }
 
 //------------------------------------------------------------------------------
@@ -135,23 +177,22 @@ vtkTypeUInt64 vtkDiscreteGeodesicGraph::GetEstimatedPeakMemory() const
 //------------------------------------------------------------------------------
 vtkIdType vtkDiscreteGeodesicGraph::GetNumberOfGraphEdges() const
 {
-  const vtkDGGGraphArrays* graph = this->Internals->Current;
-  return graph ? graph->GetView().GetNumberOfEdges() : 0;
+  return this->Internals->Current.NumberOfEdges;
 }
 
 //------------------------------------------------------------------------------
 double vtkDiscreteGeodesicGraph::GetMeanDegree() const
 {
-  const vtkDGGGraphArrays* graph = this->Internals->Current;
-  const dgg::Id points = graph ? graph->GetView().NumberOfVertices : 0;
-  return points > 0 ? static_cast<double>(this->GetNumberOfGraphEdges()) / points : 0.0;
+  const vtkDGGGraphSummary& graph = this->Internals->Current;
+  return graph.NumberOfVertices > 0
+    ? static_cast<double>(graph.NumberOfEdges) / graph.NumberOfVertices
+    : 0.0;
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkDiscreteGeodesicGraph::GetMemorySize() const
 {
-  const vtkDGGGraphArrays* graph = this->Internals->Current;
-  return graph ? vtkDGGGraphArrays::GetMemorySize(graph->GetView()) : 0;
+  return this->Internals->Current.MemorySize;
 }
 
 //------------------------------------------------------------------------------
@@ -174,7 +215,7 @@ dgg::GraphOptions vtkDiscreteGeodesicGraph::MakeOptions() const
 int vtkDiscreteGeodesicGraph::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Internals->Current = nullptr;
+  this->Internals->Current = vtkDGGGraphSummary();
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -187,7 +228,9 @@ dgg::Status vtkDiscreteGeodesicGraph::CheckProperties() const
 //------------------------------------------------------------------------------
 std::string vtkDiscreteGeodesicGraph::GetMemoryRemedy() const
 {
-  return "use a smaller mesh or a larger Accuracy";
+  return this->Construction == SaddleVertexGraph
+    ? "use a smaller mesh or a smaller NumberOfNeighbors"
+    : "use a smaller mesh or a larger Accuracy";
 }
 
 //------------------------------------------------------------------------------
@@ -199,37 +242,42 @@ dgg::Status vtkDiscreteGeodesicGraph::Execute(vtkPolyData* surface,
   {
     return dgg::Status::Abort();
   }
-  if (this->FindOnInput(surface))
+  const bool isOnInput = this->FindOnInput(surface);
+  vtkDGGGraphArrays& graph = isOnInput ? internals.OnInput : internals.Built;
+  dgg::Status status;
+  if (isOnInput)
   {
-    internals.Current = &internals.OnInput;
     internals.Built.Clear();
+    internals.Estimate = dgg::GraphEstimate(); // nothing is built
   }
   else
   {
-    const dgg::Status status = this->Build();
-    if (!status.IsOk())
-    {
-      return status;
-    }
-    internals.Current = &internals.Built;
+    status = this->Build();
   }
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  output->ShallowCopy(surface);
-  internals.Current->AddTo(output->GetFieldData());
   vtkPolyData* lines = vtkPolyData::GetData(outputVector, 1);
   lines->Initialize();
-  if (this->GenerateGraphLines)
+  if (status.IsOk() && this->GenerateGraphLines)
   {
-    this->AddLines(surface, lines);
+    status = this->AddLines(graph, surface, lines);
   }
-  return dgg::Status::Success();
+  if (status.IsOk())
+  {
+    vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+    output->ShallowCopy(surface);
+    graph.AddTo(output->GetFieldData());
+    internals.Current = graph.GetSummary();
+  }
+  return status;
 }
 
 //------------------------------------------------------------------------------
 void vtkDiscreteGeodesicGraph::MakeEmptyOutput(
   vtkPolyData* surface, vtkInformationVector* outputVector)
 {
-  vtkPolyData::GetData(outputVector, 0)->ShallowCopy(surface);
+  this->Internals->Estimate = dgg::GraphEstimate();
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  output->ShallowCopy(surface);
+  vtkDGGGraphArrays::RemoveFrom(output->GetFieldData()); // they are of another surface
   vtkPolyData::GetData(outputVector, 1)->Initialize();
 }
 
@@ -243,7 +291,7 @@ bool vtkDiscreteGeodesicGraph::FindOnInput(vtkPolyData* surface)
   {
     vtkWarningMacro(<< complaint << ". A new one takes its place.");
   }
-  return found && IsMadeBy(graph.GetView().Info, this->MakeOptions());
+  return found && IsMadeBy(graph.GetSummary().Info, this->MakeOptions());
 }
 
 //------------------------------------------------------------------------------
@@ -252,13 +300,16 @@ dgg::Status vtkDiscreteGeodesicGraph::Build()
   vtkInternals& internals = *this->Internals;
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
   dgg::GraphOptions options = this->MakeOptions();
-  if (internals.BuiltMesh == mesh.GetBuildTime() && internals.Built.IsValid() &&
-    IsMadeBy(internals.Built.GetView().Info, options))
+  const dgg::GraphInfo& built = internals.Built.GetSummary().Info;
+  const bool isKept = internals.Built.IsValid() && built.Surface == mesh.GetSignature() &&
+    internals.BuiltIsMerged == mesh.IsMerged() && IsMadeBy(built, options);
+  if (isKept)
   {
     return dgg::Status::Success();
   }
   internals.Built.Clear();
-  options.Progress = [this](double fraction) { return this->Advance(fraction); };
+  const double share = this->GenerateGraphLines ? BuildShare : 1.0;
+  options.Progress = [this, share](double fraction) { return this->Advance(share * fraction); };
   const dgg::GraphBuilder builder(mesh.GetMesh());
   dgg::GeodesicGraph graph;
   const dgg::Status status =
@@ -266,24 +317,42 @@ dgg::Status vtkDiscreteGeodesicGraph::Build()
   if (status.IsOk())
   {
     internals.Built.Adopt(graph, mesh);
-    internals.BuiltMesh = mesh.GetBuildTime();
+    internals.BuiltIsMerged = mesh.IsMerged();
     internals.BuildTime.Modified();
   }
   return status;
 }
 
 //------------------------------------------------------------------------------
-void vtkDiscreteGeodesicGraph::AddLines(vtkPolyData* surface, vtkPolyData* lines) const
+dgg::Status vtkDiscreteGeodesicGraph::AddLines(
+  const vtkDGGGraphArrays& arrays, vtkPolyData* surface, vtkPolyData* lines)
 {
-  const dgg::GraphView& graph = this->Internals->Current->GetView();
-  const vtkIdType count = graph.GetNumberOfEdges() / 2;
+  const dgg::Id rowsInBlock = 4096; // between two looks at the progress
+  const vtkIdType count = arrays.GetSummary().NumberOfEdges / 2;
+  const double perLine = 3.0 * sizeof(vtkIdType) + sizeof(double);
+  const dgg::Status status = vtkDGGCheckMemory("the edges of the graph as lines",
+    static_cast<double>(count) * perLine, this->MemoryLimit, "turn GenerateGraphLines off");
+  if (!status.IsOk())
+  {
+    return status;
+  }
   vtkNew<vtkCellArray> cells;
   cells->AllocateExact(count, 2 * count);
   vtkNew<vtkDoubleArray> lengths;
   lengths->SetName("Length");
   lengths->Allocate(count);
+  const dgg::GraphView& graph = arrays.GetView();
   for (dgg::Id v = 0; v < graph.NumberOfVertices; ++v)
   {
+    // Observers may do anything, also change the arrays.
+    if (v % rowsInBlock == 0)
+    {
+      const bool goOn = this->Advance(BuildShare + (1.0 - BuildShare) * v / graph.NumberOfVertices);
+      if (!goOn || !arrays.IsValid())
+      {
+        return dgg::Status::Abort();
+      }
+    }
     for (dgg::Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; ++e)
     {
       const vtkIdType ends[2] = { v, graph.Targets[e] };
@@ -297,4 +366,5 @@ void vtkDiscreteGeodesicGraph::AddLines(vtkPolyData* surface, vtkPolyData* lines
   lines->SetPoints(surface->GetPoints());
   lines->SetLines(cells);
   lines->GetCellData()->SetScalars(lengths);
+  return dgg::Status::Success();
 }

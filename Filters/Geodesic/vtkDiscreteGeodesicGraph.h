@@ -32,8 +32,16 @@
  * | `DGG.Info` | int64, 12 | see below |
  *
  * Lengths are in units of the coordinates (and float64 also where extents are beyond the range of
- * float). Directions are polar angles in radians at the point where the edge begins, or ends, in [0,
- * total angle), from the point's reference edge.
+ * float).
+ *
+ * Directions are polar angles in radians on the surface, at the point where the edge begins, or
+ * ends, in [0, sum of the angles of the triangles there). They grow counter-clockwise as the
+ * triangles are oriented, those turned over that do not agree with most of their component. Zero
+ * is, for a point with triangles all around, the edge from it to the corner that follows it in the
+ * first triangle, in the order of the cells, that uses it; for a point on the boundary the boundary
+ * edge from which the triangles lie counter-clockwise. Differences of two directions at one point
+ * are angles between geodesics there. Where several sheets touch, on edges with more than two
+ * triangles, and where no orientation is consistent, only this module knows what they mean.
  *
  * The first three are a compressed sparse row matrix, `scipy.sparse.csr_matrix((lengths, targets,
  * offsets))`. All together take 16 bytes per directed edge. Points that no polygon uses have empty rows.
@@ -48,7 +56,8 @@
  *
  * When the input has a graph with the same parameters already, it is passed on; one that is damaged
  * or out of date is replaced, with a warning. The graph is kept between updates as well: it is
- * built anew only when the mesh or a parameter of the graph changes (GetGraphBuildTime()).
+ * built anew only when the mesh or a parameter of the graph changes (GetGraphBuildTime()). An empty
+ * input has no graph; arrays of these names are removed from it.
  *
  * <b>Output port 1</b> are the edges of the graph as lines, for looking at (GenerateGraphLines).
  *
@@ -84,6 +93,8 @@
  * paths. SaddleVertexGraph is due to X. Ying, X. Wang, Y. He, "Saddle vertex graph (SVG): a novel
  * solution to the discrete geodesic problem", ACM Trans. Graph. 32(6), 2013.
  *
+ * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ *
  * @sa vtkDGGDistance vtkGeodesicDistanceMatrix
  */
 // clang-format on
@@ -100,6 +111,7 @@ namespace dgg
 {
 struct GraphOptions;
 }
+class vtkDGGGraphArrays;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDiscreteGeodesicGraph : public vtkGeodesicAlgorithm
 {
@@ -113,9 +125,9 @@ public:
    */
   enum ConstructionType
   {
-    Guaranteed = 0,       ///< every distance within Accuracy
-    OneRelay = 1,         ///< the direct rule of the thesis; bounds no maximum
-    Indirect = 2,         ///< the two steps of the thesis, pruned so that Accuracy is kept; slow
+    Guaranteed = 0, ///< every distance within Accuracy
+    OneRelay = 1,   ///< the direct rule of the thesis; bounds no maximum
+    Indirect = 2,   ///< the two steps of the thesis, pruned; no violation known, no proof; slow
     SaddleVertexGraph = 3 ///< the nearest neighbours, whatever the error
   };
 
@@ -163,7 +175,8 @@ public:
   ///@{
   /**
    * Whether output port 1 has the edges of the graph as straight lines between the points of the
-   * surface, each edge once, with the cell array `Length` (double). Default off: then it is empty.
+   * surface, each edge once, with the cell array `Length` (double). They take about 32 bytes each,
+   * twice as much as the graph; more than MemoryLimit is an error. Default off: then it is empty.
    */
   vtkSetMacro(GenerateGraphLines, bool);
   vtkGetMacro(GenerateGraphLines, bool);
@@ -177,23 +190,33 @@ public:
 
   /**
    * Predict the memory that the graph will take, from the edges of some points and without building
-   * it. Brings the input up to date. Returns GetEstimatedMemory(); 0 after an error.
+   * it. Brings the input up to date. Returns GetEstimatedMemory(); 0 after an error and, with a
+   * warning, when the input is empty. Tells its progress; AbortExecute set by an observer makes it
+   * return 0. GetErrorCode() becomes that of an error here; else it stays that of the last update.
    */
   vtkTypeUInt64 EstimateMemory();
 
   ///@{
   /**
    * What was predicted last, in bytes: for the graph, and most at one time while it is built. 0
-   * before.
+   * before, and when the graph of the input was passed on.
    */
   vtkTypeUInt64 GetEstimatedMemory() const;
   vtkTypeUInt64 GetEstimatedPeakMemory() const;
   ///@}
 
+  /**
+   * Let go of the graph that is kept between updates, so that the output alone has it: for memory's
+   * sake, when this filter will not run again, or together with ReleaseDataFlag, which frees the
+   * output only. The next update that runs builds a graph anew.
+   */
+  void ReleaseGraph();
+
   ///@{
   /**
    * The graph of the last update, zero when there is none: number of directed edges,
-   * edges that leave a point on average, bytes of the arrays.
+   * edges that leave a point on average, bytes of the arrays. They stay what they were when
+   * somebody changes the arrays in the output.
    */
   vtkIdType GetNumberOfGraphEdges() const;
   double GetMeanDegree() const;
@@ -224,7 +247,8 @@ private:
   dgg::GraphOptions MakeOptions() const;
   bool FindOnInput(vtkPolyData* surface);
   dgg::Status Build();
-  void AddLines(vtkPolyData* surface, vtkPolyData* lines) const;
+  dgg::Status Estimate();
+  dgg::Status AddLines(const vtkDGGGraphArrays& arrays, vtkPolyData* surface, vtkPolyData* lines);
 
   double Accuracy;
   int Construction;

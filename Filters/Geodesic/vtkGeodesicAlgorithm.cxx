@@ -7,6 +7,7 @@
 
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
@@ -53,11 +54,29 @@ void WriteReport(std::ostream& os, const vtkDGGMeshAdapter& adapter)
      << "\n";
 }
 
-dgg::Status CheckPieces(vtkInformation* outInfo)
+int CountPieces(vtkInformation* outInfo)
 {
-  const int pieces = outInfo->Has(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES())
+  return outInfo->Has(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES())
     ? outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES())
     : 1;
+}
+
+/// The input was brought here for the output port that the request names. What was once asked of
+/// other ports does not matter.
+dgg::Status CheckPieces(vtkInformation* request, vtkInformationVector* outputVector)
+{
+  const int ports = outputVector->GetNumberOfInformationObjects();
+  const int asked = request && request->Has(vtkExecutive::FROM_OUTPUT_PORT())
+    ? request->Get(vtkExecutive::FROM_OUTPUT_PORT())
+    : -1;
+  int pieces = 1;
+  for (int port = 0; port < ports; ++port)
+  {
+    if (port == asked || asked < 0 || asked >= ports)
+    {
+      pieces = std::max(pieces, CountPieces(outputVector->GetInformationObject(port)));
+    }
+  }
   if (pieces > 1)
   {
     std::ostringstream message;
@@ -235,10 +254,10 @@ int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* inf
 }
 
 //------------------------------------------------------------------------------
-int vtkGeodesicAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkGeodesicAlgorithm::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!this->Attempt([&] { return this->Follow(inputVector, outputVector); }))
+  if (!this->Attempt([&] { return this->Follow(request, inputVector, outputVector); }))
   {
     Empty(outputVector);
   }
@@ -249,6 +268,7 @@ int vtkGeodesicAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
 bool vtkGeodesicAlgorithm::Attempt(const std::function<dgg::Status()>& step)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
+  this->Reached = 0.0;
   // Nothing may be thrown across VTK: an exception that reaches Python ends the interpreter.
   dgg::Status status;
   unsigned long errorCode = vtkErrorCode::UserError;
@@ -281,9 +301,9 @@ bool vtkGeodesicAlgorithm::Attempt(const std::function<dgg::Status()>& step)
 
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicAlgorithm::Follow(
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  dgg::Status status = CheckPieces(outputVector->GetInformationObject(0));
+  dgg::Status status = CheckPieces(request, outputVector);
   if (status.IsOk())
   {
     status = this->CheckProperties();
@@ -309,7 +329,6 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   {
     return status;
   }
-  this->Reached = 0.0;
   return this->Execute(surface, inputVector, outputVector);
 }
 

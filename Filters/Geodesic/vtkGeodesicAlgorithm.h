@@ -35,10 +35,12 @@
  * filter starts anew. Call Modified() to have filters downstream follow.
  *
  * The mesh is prepared once and kept until points, polygons or strips change; a change of another
- * property does not prepare it again. Changes in place must be marked by Modified() of the array,
- * the points or the vtkPolyData, as everywhere in VTK.
+ * property does not prepare it again, nor does an update upstream that leaves them as they are, bit
+ * by bit. Filters with the same surface, as in a chain, share it. Changes in place must be marked
+ * by Modified() of the array, the points or the vtkPolyData, as everywhere in VTK.
  *
- * Subclasses in this module implement Execute(); what it takes is internal to the module.
+ * This class is not for subclassing outside of its module: its virtual functions take types that
+ * are internal to the module and not installed.
  *
  * @sa vtkGeodesicDistanceAlgorithm vtkDiscreteGeodesicGraph vtkGeodesicDistanceMatrix
  */
@@ -137,7 +139,8 @@ public:
   double GetMollification() const;
 
   /**
-   * Time stamp of the mesh that is kept between updates. It changes when the mesh is prepared anew.
+   * Time stamp of the mesh that is kept between updates. It changes when another mesh takes its
+   * place.
    */
   vtkMTimeType GetMeshBuildTime() const;
 
@@ -195,7 +198,8 @@ private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
   void operator=(const vtkGeodesicAlgorithm&) = delete;
 
-  dgg::Status Follow(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  dgg::Status Follow(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
 
   bool MergeCoincidentPoints;
   double Reached; // progress of the update so far

@@ -4,6 +4,7 @@
 
 #include "vtkDGGDistanceTask.h"
 #include "vtkDGGMeshAdapter.h"
+#include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 
 #include "vtkDoubleArray.h"
@@ -14,26 +15,11 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 namespace
 {
-/// Non-negative, infinity included.
-bool IsLength(double value)
-{
-  return value >= 0.0; // false for NaN
-}
-
-dgg::Status InvalidLength(const char* property, double value)
-{
-  std::ostringstream message;
-  message << property << " is " << value << ": it must not be negative or NaN";
-  return dgg::Status::Invalid(message.str());
-}
-
 /// The point array of the given name with one value per point, taken from its vertex;
 /// `unreached` where there is none.
 struct PointArrayMaker
@@ -87,9 +73,13 @@ void vtkGeodesicDistanceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SourceIds:";
-  for (const vtkIdType id : this->SourceIds)
+  for (std::size_t i = 0; i < this->SourceIds.size(); ++i)
   {
-    os << " " << id;
+    os << " " << this->SourceIds[i];
+    if (this->SourceOffsets[i] != 0.0)
+    {
+      os << " (from " << this->SourceOffsets[i] << ")";
+    }
   }
   os << (this->SourceIds.empty() ? " (none)\n" : "\n");
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
@@ -102,9 +92,10 @@ void vtkGeodesicDistanceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::AddSourceId(vtkIdType id)
+void vtkGeodesicDistanceAlgorithm::AddSourceId(vtkIdType id, double initialDistance)
 {
   this->SourceIds.push_back(id);
+  this->SourceOffsets.push_back(initialDistance);
   this->Modified();
 }
 
@@ -122,9 +113,23 @@ void vtkGeodesicDistanceAlgorithm::SetSourceIds(vtkIdList* ids)
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceAlgorithm::SetSourceIds(const std::vector<vtkIdType>& ids)
 {
-  if (this->SourceIds != ids)
+  this->SetSourceIds(ids, std::vector<double>(ids.size(), 0.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceAlgorithm::SetSourceIds(
+  const std::vector<vtkIdType>& ids, const std::vector<double>& initialDistances)
+{
+  if (ids.size() != initialDistances.size())
+  {
+    vtkErrorMacro(<< initialDistances.size() << " initial distances for " << ids.size()
+                  << " source ids: one for each is needed. The sources have not been changed.");
+    return;
+  }
+  if (this->SourceIds != ids || this->SourceOffsets != initialDistances)
   {
     this->SourceIds = ids;
+    this->SourceOffsets = initialDistances;
     this->Modified();
   }
 }
@@ -161,6 +166,12 @@ vtkIdType vtkGeodesicDistanceAlgorithm::GetSourceId(vtkIdType i) const
 }
 
 //------------------------------------------------------------------------------
+double vtkGeodesicDistanceAlgorithm::GetSourceInitialDistance(vtkIdType i) const
+{
+  return i >= 0 && i < this->GetNumberOfSourceIds() ? this->SourceOffsets[i] : 0.0;
+}
+
+//------------------------------------------------------------------------------
 void vtkGeodesicDistanceAlgorithm::SetSourceConnection(vtkAlgorithmOutput* output)
 {
   this->SetInputConnection(1, output);
@@ -175,10 +186,8 @@ void vtkGeodesicDistanceAlgorithm::SetSourceData(vtkPolyData* points)
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceAlgorithm::SetUnreachedValue(double value)
 {
-  const bool bothNaN = std::isnan(value) && std::isnan(this->UnreachedValue);
-  if (this->UnreachedValue != value && !bothNaN)
+  if (vtkDGGChangeNumber(this->UnreachedValue, value))
   {
-    this->UnreachedValue = value;
     this->Modified();
   }
 }
@@ -233,13 +242,14 @@ const char* vtkGeodesicDistanceAlgorithm::GetInitialDistanceArrayName() const
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicDistanceAlgorithm::CheckProperties() const
 {
-  if (!IsLength(this->MaximumDistance))
+  dgg::Status status = vtkDGGCheckLength("MaximumDistance", this->MaximumDistance);
+  if (status.IsOk())
   {
-    return InvalidLength("MaximumDistance", this->MaximumDistance);
+    status = vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
   }
-  if (!IsLength(this->ProjectionTolerance))
+  if (!status.IsOk())
   {
-    return InvalidLength("ProjectionTolerance", this->ProjectionTolerance);
+    return status;
   }
   std::vector<vtkDGGPointArray> arrays = this->DeclareArrays();
   if (this->GenerateNearestSource)
@@ -278,7 +288,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::CheckInputs(
 vtkDGGSourceSet vtkGeodesicDistanceAlgorithm::GetSources(vtkInformationVector** inputVector) const
 {
   return { this->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source",
-    "call AddSourceId() or SetSourceIds()", this->InitialDistanceArrayName };
+    "call AddSourceId() or SetSourceIds()", this->InitialDistanceArrayName, &this->SourceOffsets };
 }
 
 //------------------------------------------------------------------------------
@@ -293,7 +303,12 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   {
     return status;
   }
-  this->WarnAboutIsolatedSources();
+  const std::string warning =
+    vtkDGGSourceCollector::DescribeIsolatedIds(this->GetSources(inputVector), adapter);
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning << ".");
+  }
 
   const double limit =
     this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;
@@ -347,27 +362,6 @@ std::string vtkGeodesicDistanceAlgorithm::GetMemoryRemedy() const
 std::vector<vtkDGGPointArray> vtkGeodesicDistanceAlgorithm::DeclareArrays() const
 {
   return {};
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::WarnAboutIsolatedSources() const
-{
-  const vtkDGGMeshAdapter& adapter = this->GetMesh();
-  vtkIdType count = 0;
-  vtkIdType example = 0;
-  for (const vtkIdType id : this->SourceIds)
-  {
-    if (adapter.GetMesh().Kind(adapter.GetVertex(id)) == dgg::VertexKind::Isolated)
-    {
-      example = count == 0 ? id : example;
-      ++count;
-    }
-  }
-  if (count > 0)
-  {
-    vtkWarningMacro(<< count << " of the source ids, the first of them " << example
-                    << ", are points that no polygon uses. They reach no other point.");
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -12,23 +12,24 @@
  * <b>Sources.</b> The distance is that from the nearest source. Sources are points of the surface
  * given by id (AddSourceId(), SetSourceIds()) and the points of a vtkPolyData on the optional input
  * port 1 (SetSourceConnection(), SetSourceData()), which may lie anywhere on the surface, also
- * inside faces and on edges: each is projected to the closest point of the surface. A point array
- * `InitialDistance` on port 1 says with which distance a source starts (any finite number, also a
- * negative one; 0 where there is no such array, and for ids). Sources are numbered from 0: ids
- * first, then the points of port 1. A source on a point that no polygon uses reaches that point
- * only, and is a warning.
+ * inside faces and on edges: each is projected to the closest point of the surface. A source may
+ * start with a distance other than 0, any finite number, also a negative one: that of an id is
+ * given with the id, those of port 1 by a point array `InitialDistance`. Sources are numbered from
+ * 0: ids first, then the points of port 1. A source on a point that no polygon uses reaches that
+ * point only, and is a warning.
  *
  * <b>Unreached points.</b> Points in a component without a source, points that no polygon uses
  * and points beyond MaximumDistance get UnreachedValue, and -1 as nearest source.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
  *  - no source; a source id out of range; a source point that is not finite, or farther
- * from the surface than ProjectionTolerance; an InitialDistance that is not one finite number per
- * point;
+ * from the surface than ProjectionTolerance; an initial distance that is not finite, or not one
+ * number per point;
  *  - a MaximumDistance or ProjectionTolerance that is negative or not a number; a missing or
  *    repeated array name.
  *
- * Subclasses in this module implement ComputeDistances(); what it takes is internal to the module.
+ * This class is not for subclassing outside of its module: its virtual functions take types that
+ * are internal to the module and not installed.
  *
  * @sa vtkExactGeodesicDistance vtkDGGDistance
  */
@@ -60,10 +61,15 @@ public:
    * Sources by point id of the input. Ids are copied; none by default. The same id may occur more
    * than once. An id outside [0, number of points - 1] is an error of the update. From Python, any
    * sequence of integers will do, a numpy array included. A null list removes all ids.
+   *
+   * The initial distance is that with which a source starts, any finite number; 0 for those given
+   * without. A list of them needs one for each id; another number of them is an error at once, and
+   * changes nothing.
    */
-  void AddSourceId(vtkIdType id);
+  void AddSourceId(vtkIdType id, double initialDistance = 0.0);
   void SetSourceIds(vtkIdList* ids);
   void SetSourceIds(const std::vector<vtkIdType>& ids);
+  void SetSourceIds(const std::vector<vtkIdType>& ids, const std::vector<double>& initialDistances);
 #ifndef __VTK_WRAP__
   void SetSourceIds(std::initializer_list<vtkIdType> ids); // or {0} would be a null list
 #endif
@@ -80,6 +86,12 @@ public:
    * The i-th source id; -1 when there is none.
    */
   vtkIdType GetSourceId(vtkIdType i) const VTK_EXPECTS(0 <= i && i < GetNumberOfSourceIds());
+
+  /**
+   * The distance that the i-th source id starts with; 0 when there is none.
+   */
+  double GetSourceInitialDistance(vtkIdType i) const
+    VTK_EXPECTS(0 <= i && i < GetNumberOfSourceIds());
 
   ///@{
   /**
@@ -191,10 +203,10 @@ private:
   void operator=(const vtkGeodesicDistanceAlgorithm&) = delete;
 
   vtkDGGSourceSet GetSources(vtkInformationVector** inputVector) const;
-  void WarnAboutIsolatedSources() const;
   void AddResults(const vtkDGGDistanceTask& task, vtkPolyData* output);
 
   std::vector<vtkIdType> SourceIds;
+  std::vector<double> SourceOffsets; // initial distances, one for each id
   double ProjectionTolerance;
   double MaximumDistance;
   double UnreachedValue;

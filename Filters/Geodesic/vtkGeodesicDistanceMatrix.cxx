@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceMatrix.h"
 
-#include "vtkDGGGraphProvider.h"
+#include "vtkDGGGraphUser.h"
 #include "vtkDGGMatrixSearch.h"
 #include "vtkDGGMemory.h"
 #include "vtkDGGMeshAdapter.h"
+#include "vtkDGGParallel.h"
+#include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 
+#include "dggBuffer.h"
+
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
@@ -15,17 +20,21 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <sstream>
+#include <string>
 
 vtkStandardNewMacro(vtkGeodesicDistanceMatrix);
+vtkDGGGraphUserMacro(vtkGeodesicDistanceMatrix);
 
 namespace
 {
+/// Tables have their columns one by one, and look for them by name.
+constexpr std::size_t MaximumNumberOfTableColumns = 10000;
+
 std::vector<vtkIdType> ToVector(vtkIdList* ids)
 {
   return ids ? std::vector<vtkIdType>(ids->begin(), ids->end()) : std::vector<vtkIdType>();
@@ -46,19 +55,62 @@ std::vector<dgg::SurfacePoint> ToPoints(const std::vector<dgg::GeodesicSource>& 
   return points;
 }
 
-/// Columns named by their numbers. Returns where their values are to be put.
-std::vector<double*> AddColumns(vtkTable* table, std::size_t rows, std::size_t columns)
+/// An array of which every value is infinite. Written to, so that its memory is no longer free.
+vtkSmartPointer<vtkDoubleArray> MakeArray(std::size_t tuples, std::size_t components)
 {
-  std::vector<double*> values;
+  dgg::Buffer<double> values(tuples * components); // VTK may abort where this throws
+  std::fill(values.begin(), values.end(), dgg::Infinity);
+  vtkNew<vtkDoubleArray> array;
+  array->SetNumberOfComponents(static_cast<int>(components));
+  const auto size = static_cast<vtkIdType>(values.Size());
+  if (size > 0)
+  {
+    array->SetArray(values.Release(), size, 0, vtkDoubleArray::VTK_DATA_ARRAY_FREE);
+  }
+  return array.Get();
+}
+
+vtkSmartPointer<vtkDoubleArray> MakeMatrix(std::size_t rows, std::size_t columns)
+{
+  auto matrix = MakeArray(rows, columns);
+  matrix->SetName("GeodesicDistance");
+  return matrix;
+}
+
+using Columns = std::vector<vtkSmartPointer<vtkDoubleArray>>;
+
+Columns MakeColumns(std::size_t rows, std::size_t columns)
+{
+  Columns arrays;
   for (std::size_t j = 0; j < columns; ++j)
   {
-    vtkNew<vtkDoubleArray> column;
-    column->SetName(std::to_string(j).c_str());
-    column->SetNumberOfValues(static_cast<vtkIdType>(rows));
-    values.push_back(column->GetPointer(0));
-    table->AddColumn(column);
+    arrays.push_back(MakeArray(rows, 1));
   }
-  return values;
+  return arrays;
+}
+
+/// Copy a matrix to the columns of a table, which are named by their numbers.
+void FillTable(vtkDoubleArray* matrix, const Columns& columns, vtkTable* table)
+{
+  const vtkIdType rows = matrix->GetNumberOfTuples();
+  const auto count = static_cast<dgg::Offset>(columns.size());
+  vtkDGGMakeParallelFor()(count, 1, [&](dgg::Offset begin, dgg::Offset end) {
+    for (vtkIdType i = 0; i < rows; ++i)
+    {
+      const double* row = matrix->GetPointer(i * count);
+      for (dgg::Offset j = begin; j < end; ++j)
+      {
+        columns[j]->SetValue(i, row[j]);
+      }
+    }
+  });
+  table->GetRowData()->AllocateArrays(static_cast<int>(count));
+  for (dgg::Offset j = 0; j < count; ++j)
+  {
+    // Named afterwards: an array with a name is compared with all that are there.
+    table->AddColumn(columns[j]);
+    columns[j]->SetName(std::to_string(j).c_str());
+  }
 }
 }
 
@@ -66,18 +118,15 @@ std::vector<double*> AddColumns(vtkTable* table, std::size_t rows, std::size_t c
 struct vtkGeodesicDistanceMatrix::vtkInternals
 {
   vtkDGGSourceCollector Collector;
-  vtkDGGGraphProvider Provider;
-  vtkNew<vtkDoubleArray> Matrix; // on demand
-  vtkMTimeType MatrixTime = 0;   // of the table that it was made from
+  vtkSmartPointer<vtkDoubleArray> Matrix = MakeMatrix(0, 1); // never null
 };
 
 //------------------------------------------------------------------------------
 vtkGeodesicDistanceMatrix::vtkGeodesicDistanceMatrix()
   : ProjectionTolerance(0.01)
-  , Accuracy(0.01)
-  , IsAccuracyExplicit(false)
-  , MemoryLimit(0)
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
+  , GenerateTable(true)
+  , GraphUser(new vtkDGGGraphUser)
   , Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(3);
@@ -93,13 +142,11 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfRowIds: " << this->RowIds.size() << "\n";
   os << indent << "NumberOfColumnIds: " << this->ColumnIds.size() << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
-  os << indent << "Accuracy: " << this->Accuracy << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
-  os << indent << "UsedInputGraph: " << (this->GetUsedInputGraph() ? "yes" : "no") << "\n";
-  os << indent << "GraphAccuracy: " << this->GetGraphAccuracy() << "\n";
-  os << indent << "NumberOfGraphEdges: " << this->GetNumberOfGraphEdges() << "\n";
-  os << indent << "GraphBuildTime: " << this->GetGraphBuildTime() << "\n";
+  os << indent << "GenerateTable: " << (this->GenerateTable ? "On" : "Off") << "\n";
+  os << indent << "Matrix: " << this->Internals->Matrix->GetNumberOfTuples() << " x "
+     << this->Internals->Matrix->GetNumberOfComponents() << "\n";
+  this->GraphUser->PrintSelf(os, indent);
 }
 
 //------------------------------------------------------------------------------
@@ -183,23 +230,10 @@ void vtkGeodesicDistanceMatrix::SetColumnData(vtkPolyData* points)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetAccuracy(double accuracy)
-{
-  if (this->Accuracy != accuracy || !this->IsAccuracyExplicit)
-  {
-    this->Accuracy = accuracy;
-    this->IsAccuracyExplicit = true;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkGeodesicDistanceMatrix::SetUnreachedValue(double value)
 {
-  const bool bothNaN = std::isnan(value) && std::isnan(this->UnreachedValue);
-  if (this->UnreachedValue != value && !bothNaN)
+  if (vtkDGGChangeNumber(this->UnreachedValue, value))
   {
-    this->UnreachedValue = value;
     this->Modified();
   }
 }
@@ -219,55 +253,17 @@ vtkTable* vtkGeodesicDistanceMatrix::GetOutput(int port)
 //------------------------------------------------------------------------------
 vtkDoubleArray* vtkGeodesicDistanceMatrix::GetMatrix()
 {
-  vtkDoubleArray* matrix = this->Internals->Matrix;
-  vtkTable* table = this->GetOutput();
-  const vtkMTimeType time = table ? table->GetMTime() : 0;
-  if (this->Internals->MatrixTime == time)
+  return this->Internals->Matrix;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceMatrix::ReleaseMatrix()
+{
+  this->Internals->Matrix = MakeMatrix(0, 1);
+  if (vtkDataObject* output = this->GetOutputDataObject(0))
   {
-    return matrix;
+    output->ReleaseData(); // which the pipeline takes for out of date
   }
-  this->Internals->MatrixTime = time;
-  const vtkIdType rows = table ? table->GetNumberOfRows() : 0;
-  const vtkIdType columns = table ? table->GetNumberOfColumns() : 0;
-  matrix->Initialize();
-  matrix->SetName("GeodesicDistance");
-  matrix->SetNumberOfComponents(static_cast<int>(std::max<vtkIdType>(columns, 1)));
-  matrix->SetNumberOfTuples(rows);
-  for (vtkIdType j = 0; j < columns; ++j)
-  {
-    auto* column = vtkDoubleArray::SafeDownCast(table->GetColumn(j));
-    for (vtkIdType i = 0; i < rows; ++i)
-    {
-      matrix->SetTypedComponent(i, static_cast<int>(j), column->GetValue(i));
-    }
-  }
-  return matrix;
-}
-
-//------------------------------------------------------------------------------
-bool vtkGeodesicDistanceMatrix::GetUsedInputGraph() const
-{
-  return this->Internals->Provider.IsFromInput();
-}
-
-//------------------------------------------------------------------------------
-double vtkGeodesicDistanceMatrix::GetGraphAccuracy() const
-{
-  const vtkDGGGraphProvider& provider = this->Internals->Provider;
-  return provider.HasGraph() ? provider.GetGraph().Info.Accuracy : 0.0;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicDistanceMatrix::GetNumberOfGraphEdges() const
-{
-  const vtkDGGGraphProvider& provider = this->Internals->Provider;
-  return provider.HasGraph() ? provider.GetGraph().GetNumberOfEdges() : 0;
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkGeodesicDistanceMatrix::GetGraphBuildTime() const
-{
-  return this->Internals->Provider.GetBuildTime();
 }
 
 //------------------------------------------------------------------------------
@@ -280,16 +276,16 @@ int vtkGeodesicDistanceMatrix::FillOutputPortInformation(int vtkNotUsed(port), v
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicDistanceMatrix::CheckProperties() const
 {
-  if (!(this->ProjectionTolerance >= 0.0))
-  {
-    std::ostringstream message;
-    message << "ProjectionTolerance is " << this->ProjectionTolerance
-            << ": it must not be negative or NaN";
-    return dgg::Status::Invalid(message.str());
-  }
-  dgg::GraphOptions options;
-  options.Accuracy = this->Accuracy;
-  return dgg::GraphBuilder::Check(options);
+  const dgg::Status status = vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
+  return status.IsOk() ? this->GraphUser->Check() : status;
+}
+
+//------------------------------------------------------------------------------
+int vtkGeodesicDistanceMatrix::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Internals->Matrix = MakeMatrix(0, 1);
+  return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -316,19 +312,43 @@ dgg::Status vtkGeodesicDistanceMatrix::CheckInputs(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicDistanceMatrix::CheckMemory(std::size_t rows, std::size_t columns) const
+dgg::Status vtkGeodesicDistanceMatrix::CheckMemory(
+  std::size_t rows, std::size_t columns, bool withTable) const
 {
   const double bytes = static_cast<double>(rows) * static_cast<double>(columns) * sizeof(double);
-  const auto limit = static_cast<double>(vtkDGGGetMemoryLimit(this->MemoryLimit));
-  if (bytes <= limit)
+  const std::string size =
+    std::to_string(rows) + " rows and " + std::to_string(columns) + " columns";
+  if (withTable)
   {
-    return dgg::Status::Success();
+    return vtkDGGCheckMemory("a matrix of " + size + " and the table of it", 2.0 * bytes,
+      this->GetMemoryLimit(), "ask for fewer points at a time, turn GenerateTable off");
   }
-  std::ostringstream message;
-  message << "a table of " << rows << " rows and " << columns << " columns takes "
-          << vtkDGGFormatBytes(bytes) << ", more than the limit of " << vtkDGGFormatBytes(limit)
-          << ": ask for fewer points at a time, or set a higher MemoryLimit";
-  return dgg::Status::Invalid(message.str());
+  return vtkDGGCheckMemory(
+    "a matrix of " + size, bytes, this->GetMemoryLimit(), "ask for fewer points at a time");
+}
+
+//------------------------------------------------------------------------------
+bool vtkGeodesicDistanceMatrix::WantsTable(std::size_t columns)
+{
+  if (this->GenerateTable && columns > MaximumNumberOfTableColumns)
+  {
+    vtkWarningMacro(<< "a table would have " << columns << " columns, more than "
+                    << MaximumNumberOfTableColumns << ", which nothing downstream could handle. "
+                    << "The output is empty: call GetMatrix(), and GenerateTableOff() to be rid of "
+                    << "this warning.");
+    return false;
+  }
+  return this->GenerateTable;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceMatrix::WarnAboutIsolatedIds(const vtkDGGSourceSet& set)
+{
+  const std::string warning = vtkDGGSourceCollector::DescribeIsolatedIds(set, this->GetMesh());
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning << ".");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -354,39 +374,53 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
     status = internals.Collector.Collect(
       columnSet, this->ProjectionTolerance, mesh, surface->GetPoints(), others);
   }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  this->WarnAboutIsolatedIds(this->GetRows(inputVector));
+  this->WarnAboutIsolatedIds(columnSet);
+
   const std::vector<dgg::SurfacePoint> rows = ToPoints(sources);
   const std::vector<dgg::SurfacePoint> columns = symmetric ? rows : ToPoints(others);
-  if (status.IsOk())
-  {
-    status = this->CheckMemory(rows.size(), columns.size());
-  }
+  const bool withTable = this->WantsTable(columns.size());
+  status = this->CheckMemory(rows.size(), columns.size(), withTable);
   if (status.IsOk() && !this->Advance(0.0))
   {
     status = dgg::Status::Abort();
-  }
-  if (status.IsOk())
-  {
-    status = internals.Provider.Update({ surface, mesh, this->Accuracy, this->IsAccuracyExplicit,
-      this->MemoryLimit, [this](double fraction) { return this->Advance(fraction); }, this });
   }
   if (!status.IsOk())
   {
     return status;
   }
+  // Before the graph, whose memory is limited by what is free then.
+  const auto matrix = MakeMatrix(rows.size(), columns.size());
+  const Columns table = MakeColumns(withTable ? rows.size() : 0, withTable ? columns.size() : 0);
 
-  vtkTable* output = vtkTable::GetData(outputVector);
-  output->Initialize();
+  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
+  status = this->GraphUser->Update(
+    surface, mesh, [this](double fraction) { return this->Advance(fraction); }, this);
+  if (!status.IsOk())
+  {
+    return status;
+  }
   // Search from the smaller set.
   const bool sourcesAreRows = rows.size() <= columns.size();
-  const vtkDGGMatrixEntries entries{ AddColumns(output, rows.size(), columns.size()),
-    sourcesAreRows };
-  status = vtkDGGMatrixSearch(internals.Provider, mesh, sourcesAreRows ? rows : columns,
-    sourcesAreRows ? columns : rows, entries)
-             .Run(symmetric, internals.Provider.GetRemainingProgress());
-  for (double* column : entries.Columns)
+  const vtkDGGMatrixEntries entries{ matrix->GetPointer(0), columns.size(), sourcesAreRows };
+  status = vtkDGGMatrixSearch(
+    graph, mesh, sourcesAreRows ? rows : columns, sourcesAreRows ? columns : rows, entries)
+             .Run(symmetric, graph.GetRemainingProgress());
+  const dgg::Status intact = graph.CheckArrays();
+  if (!status.IsOk() || !intact.IsOk())
   {
-    std::replace(column, column + rows.size(), dgg::Infinity, this->UnreachedValue);
+    return intact.IsOk() ? status : intact;
   }
+  std::replace(entries.Values, entries.Values + rows.size() * columns.size(), dgg::Infinity,
+    this->UnreachedValue);
+  vtkTable* output = vtkTable::GetData(outputVector);
+  output->Initialize();
+  FillTable(matrix, table, output);
+  internals.Matrix = matrix;
   return status;
 }
 

@@ -13,10 +13,11 @@
  * it; ids come first. The columns are given in the same way by SetColumnIds() and port 2. Without
  * columns they are the rows: then the matrix is symmetric, bit by bit, with zeros on the diagonal.
  *
- * The output is a vtkTable: row i, column j holds the distance (double, in units of the
- * coordinates) between point i of the rows and point j of the columns; the columns are named "0",
- * "1" and so on. GetMatrix() gives the same as one array. Pairs in different components get
- * UnreachedValue.
+ * The result is GetMatrix(), a single array: tuple i, component j is the distance (double, in units
+ * of the coordinates) between point i of the rows and point j of the columns. Pairs in different
+ * components get UnreachedValue. The output is the same as a vtkTable for the pipeline, whose
+ * columns are named "0", "1" and so on (GenerateTable). An id of a point that no polygon uses is a
+ * warning: it is connected to nothing but itself.
  *
  * <b>What is promised.</b> Every distance is at least the exact one and at most (1 + accuracy)
  * times that, up to rounding (1e-6), where accuracy is that of the graph, unless its rule has no
@@ -26,12 +27,13 @@
  *
  * <b>Time and memory.</b> There is one search over the whole surface for each point of the smaller
  * set, on all threads of vtkSMPTools; points close together are searched together, eight at a time.
- * Beside the table, about 120 bytes are needed for each point of the mesh and each thread.
+ * Beside the matrix, and the table, which is as large, about 120 bytes are needed for each point of
+ * the mesh and each thread.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
  *  - no rows; an id out of range; a point that is not finite, or farther from the surface than
  *    ProjectionTolerance; a negative ProjectionTolerance;
- *  - an Accuracy outside [1e-6, 0.5]; a graph or a table that would take more memory than
+ *  - an Accuracy outside [1e-6, 0.5]; a graph or a matrix that would take more memory than
  *    MemoryLimit.
  *
  * @code
@@ -41,9 +43,12 @@
  * matrix->SetInputConnection(reader->GetOutputPort());
  * matrix->SetAccuracy(0.01);
  * matrix->SetRowIds({ 0, 10, 20 });
+ * matrix->GenerateTableOff(); // the matrix is enough
  * matrix->Update();
  * std::cout << matrix->GetMatrix()->GetComponent(0, 2) << "\n"; // from 0 to 20
  * @endcode
+ *
+ * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
  *
  * @sa vtkDiscreteGeodesicGraph vtkDGGDistance
  */
@@ -58,6 +63,7 @@
 #include <memory>           // For the internals
 #include <vector>           // For ids
 
+class vtkDGGGraphUser;
 class vtkDoubleArray;
 class vtkTable;
 struct vtkDGGSourceSet;
@@ -110,19 +116,30 @@ public:
   ///@{
   /**
    * Largest relative error of the graph that is built when the input has none, in [1e-6, 0.5].
-   * Default 0.01.
+   * Default 0.01. Another value is an error of the update even when the graph on the input is used.
    */
   virtual void SetAccuracy(double accuracy);
-  vtkGetMacro(Accuracy, double);
+  double GetAccuracy() const;
   ///@}
 
   ///@{
   /**
-   * Most bytes that building a graph or the table may take. Default 0, which stands for 70 % of the
-   * memory that is free at that time.
+   * Whether a graph on the input that promises less than an Accuracy that was set is used without a
+   * warning. Default off.
    */
-  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
-  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
+  virtual void SetAcceptCoarserGraph(bool accept);
+  bool GetAcceptCoarserGraph() const;
+  vtkBooleanMacro(AcceptCoarserGraph, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Most bytes that building a graph, or preparing to link points that are not vertices, or the
+   * matrix together with the table may take. Default 0, which stands for 70 % of the memory that is
+   * free at that time; that for the results is taken first.
+   */
+  virtual void SetMemoryLimit(vtkTypeUInt64 limit);
+  vtkTypeUInt64 GetMemoryLimit() const;
   ///@}
 
   ///@{
@@ -135,18 +152,37 @@ public:
 
   ///@{
   /**
-   * The output: one column for each point of the second set.
+   * Whether to fill the output, a copy of the matrix with an array for each column. A table of more
+   * than 10,000 columns is refused with a warning and stays empty; the matrix is there all the
+   * same. Default on. Turn it off when GetMatrix() is all that is wanted.
+   */
+  vtkSetMacro(GenerateTable, bool);
+  vtkGetMacro(GenerateTable, bool);
+  vtkBooleanMacro(GenerateTable, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The output: one column for each point of the second set. These hide functions of the same name
+   * in vtkPolyDataAlgorithm, which return null for this filter, whose output is a vtkTable.
    */
   vtkTable* GetOutput();
   vtkTable* GetOutput(int port);
   ///@}
 
   /**
-   * The output as a single array, with a tuple for each row and a component for each column. It is
-   * made when it is asked for, belongs to the filter, and stays until the next update. Empty when
-   * there is no output.
+   * The result of the last update as a single array, with a tuple for each row and a component for
+   * each column: what was computed, not a copy. Without tuples when there is no result. It stays
+   * with the filter until the next update, which makes another array; keep a reference to have it
+   * longer.
    */
   vtkDoubleArray* GetMatrix();
+
+  /**
+   * Let go of the matrix and the table. GetMatrix() has no tuples then, and the next update
+   * computes them anew.
+   */
+  void ReleaseMatrix();
 
   /**
    * Whether the last update used the graph on the input.
@@ -155,12 +191,19 @@ public:
 
   ///@{
   /**
-   * The graph that is used, zero when there is none: its accuracy (0 for a SaddleVertexGraph) and
-   * number of directed edges.
+   * The graph of the last update, zero when there is none: its accuracy (0 for a
+   * SaddleVertexGraph), number of directed edges, bytes including what searches and links need.
+   * They stay what they were when the arrays of the graph are changed later.
    */
   double GetGraphAccuracy() const;
   vtkIdType GetNumberOfGraphEdges() const;
+  vtkTypeUInt64 GetMemorySize() const;
   ///@}
+
+  /**
+   * Whether that graph keeps to its accuracy.
+   */
+  bool GetGraphIsGuaranteed() const;
 
   /**
    * Time stamp of the last time that this filter built a graph.
@@ -172,6 +215,8 @@ protected:
   ~vtkGeodesicDistanceMatrix() override;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
   dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
@@ -185,15 +230,16 @@ private:
 
   vtkDGGSourceSet GetRows(vtkInformationVector** inputVector) const;
   vtkDGGSourceSet GetColumns(vtkInformationVector** inputVector) const;
-  dgg::Status CheckMemory(std::size_t rows, std::size_t columns) const;
+  dgg::Status CheckMemory(std::size_t rows, std::size_t columns, bool withTable) const;
+  bool WantsTable(std::size_t columns);
+  void WarnAboutIsolatedIds(const vtkDGGSourceSet& set);
 
   std::vector<vtkIdType> RowIds;
   std::vector<vtkIdType> ColumnIds;
   double ProjectionTolerance;
-  double Accuracy;
-  bool IsAccuracyExplicit;
-  vtkTypeUInt64 MemoryLimit;
   double UnreachedValue;
+  bool GenerateTable;
+  std::unique_ptr<vtkDGGGraphUser> GraphUser;
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

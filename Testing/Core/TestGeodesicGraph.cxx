@@ -287,7 +287,7 @@ TEST_F(GraphArrays, WhatIsGuaranteed)
   dgg::GraphInfo info;
   EXPECT_TRUE(info.IsGuaranteed());
   info.Construction = dgg::GraphConstruction::Indirect;
-  EXPECT_TRUE(info.IsGuaranteed());
+  EXPECT_FALSE(info.IsGuaranteed());
   info.Construction = dgg::GraphConstruction::OneRelay;
   EXPECT_FALSE(info.IsGuaranteed());
   info.Construction = dgg::GraphConstruction::SaddleVertexGraph;

@@ -108,10 +108,7 @@ TEST(GraphBuilderOptions, InfoSaysWhatWasBuilt)
     EXPECT_EQ(info.Construction, construction);
     EXPECT_EQ(info.Accuracy, isByNumber ? 0.0 : 0.07);
     EXPECT_EQ(info.NumberOfNeighbors, isByNumber ? 9 : 0);
-    if (construction != GraphConstruction::Indirect)
-    {
-      EXPECT_EQ(info.IsGuaranteed(), construction == GraphConstruction::Guaranteed);
-    }
+    EXPECT_EQ(info.IsGuaranteed(), construction == GraphConstruction::Guaranteed);
   }
 }
 

@@ -6,7 +6,7 @@
 #include "FlatMeshes.h"
 #include "SearchChecks.h"
 
-#include "dggLabelCorrecting.h"
+#include "dggBucketSearch.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ std::vector<double> DistancesOverFans(
   labels.Start(graph.NumberOfVertices, seeds);
   dgg::BucketQueue queue;
   dgg::SearchEffort effort;
-  EXPECT_TRUE(dgg::RunLabelCorrecting(
+  EXPECT_TRUE(dgg::RunBucketSearch(
     graph, &fans, seeds, dgg::ChooseBucketWidth(graph), nullptr, queue, labels, effort));
   for (double& d : distances)
   {
@@ -97,7 +97,7 @@ TEST(GraphSearch, FansSaveWork)
   labels.Start(graph.NumberOfVertices, seeds);
   dgg::BucketQueue queue;
   dgg::SearchEffort effort;
-  dgg::RunLabelCorrecting(
+  dgg::RunBucketSearch(
     graph, &fans, seeds, dgg::ChooseBucketWidth(graph), nullptr, queue, labels, effort);
   EXPECT_LT(static_cast<double>(effort.Pops), 1.3 * n);
   const auto edges = static_cast<double>(graph.GetNumberOfEdges());

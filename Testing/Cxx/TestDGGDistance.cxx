@@ -8,8 +8,10 @@
 #include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkElevationFilter.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 
@@ -100,6 +102,8 @@ TEST_F(DGGDistance, Defaults)
   EXPECT_EQ(filter->GetAccuracy(), 0.01);
   EXPECT_TRUE(filter->GetCorrection());
   EXPECT_EQ(filter->GetSearch(), vtkDGGDistance::Certified);
+  EXPECT_STREQ(filter->GetSearchAsString(), "Certified");
+  EXPECT_FALSE(filter->GetAcceptCoarserGraph());
   EXPECT_EQ(filter->GetMemoryLimit(), 0u);
   EXPECT_FALSE(filter->GetGenerateUpperBound());
   EXPECT_FALSE(filter->GetGenerateVirtualSource());
@@ -130,13 +134,17 @@ TEST_F(DGGDistance, EveryPropertyCountsAsAChange)
   this->Filter->SetSearchToDijkstra();
   expectChange("Search");
   EXPECT_EQ(this->Filter->GetSearch(), vtkDGGDistance::Dijkstra);
+  EXPECT_STREQ(this->Filter->GetSearchAsString(), "Dijkstra");
   this->Filter->SetSearchToLabelCorrecting();
   expectChange("Search");
   EXPECT_EQ(this->Filter->GetSearch(), vtkDGGDistance::LabelCorrecting);
+  EXPECT_STREQ(this->Filter->GetSearchAsString(), "LabelCorrecting");
   this->Filter->SetSearchToCertified();
   expectChange("Search");
   this->Filter->SetMemoryLimit(5);
   expectChange("MemoryLimit");
+  this->Filter->AcceptCoarserGraphOn();
+  expectChange("AcceptCoarserGraph");
   this->Filter->GenerateUpperBoundOn();
   expectChange("GenerateUpperBound");
   this->Filter->GenerateVirtualSourceOn();
@@ -504,13 +512,159 @@ TEST_F(DGGDistance, SaysWhenTheGraphIsCoarserThanAskedFor)
   this->Filter->SetAccuracy(0.3); // coarser would do
   ExpectSuccess(this->Filter);
   EXPECT_TRUE(this->Filter->GetUsedInputGraph());
+  this->Filter->AcceptCoarserGraphOn();
+  this->Filter->SetAccuracy(0.01);
+  ExpectSuccess(this->Filter);
+  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
+}
+
+TEST_F(DGGDistance, KeepsItsGraphWhenNothingChangesUpstream)
+{
+  vtkNew<vtkElevationFilter> elevation;
+  elevation->SetInputData(this->Terrain);
+  this->Filter->SetInputConnection(elevation->GetOutputPort());
+  this->ExpectBuilt("first update");
+  const vtkMTimeType mesh = this->Filter->GetMeshBuildTime();
+  const auto expected = GetDistances(this->Filter);
+  elevation->SetLowPoint(0.0, 0.0, 0.3); // other scalars, the same surface
+  this->ExpectKept("elevation");
+  EXPECT_EQ(this->Filter->GetMeshBuildTime(), mesh);
+  EXPECT_EQ(GetDistances(this->Filter), expected);
+  // The same points and polygons in other memory.
+  vtkNew<vtkPolyData> copy;
+  copy->DeepCopy(this->Terrain);
+  this->Filter->SetInputData(copy);
+  this->ExpectKept("a deep copy");
+  // And stored in another way: the mesh is another one, the graph is that of the same surface.
+  copy->GetPolys()->ConvertTo32BitStorage();
+  copy->Modified();
+  this->ExpectKept("other storage");
+  EXPECT_GT(this->Filter->GetMeshBuildTime(), mesh);
+  EXPECT_EQ(GetDistances(this->Filter), expected);
+}
+
+TEST_F(DGGDistance, InitialDistancesOfSourceIds)
+{
+  this->Filter->GenerateNearestSourceOn();
+  this->Filter->SetSourceIds({ 40 });
+  this->Filter->AddSourceId(500, -0.25);
+  EXPECT_EQ(this->Filter->GetSourceInitialDistance(0), 0.0);
+  EXPECT_EQ(this->Filter->GetSourceInitialDistance(1), -0.25);
+  ExpectSuccess(this->Filter);
+  const auto distances = GetDistances(this->Filter);
+  const auto nearest = GetNearestSources(this->Filter);
+  EXPECT_EQ(distances[500], -0.25);
+  const auto first = GetExactDistances(this->Terrain, { 40 });
+  const auto second = GetExactDistances(this->Terrain, { 500 });
+  for (std::size_t i = 0; i < distances.size(); ++i)
+  {
+    const double exact = std::min(first[i], second[i] - 0.25);
+    EXPECT_NEAR(distances[i], exact, 0.0100021 * (exact + 0.25)) << i;
+  }
+  EXPECT_EQ(nearest[500], 1);
+  const vtkMTimeType before = this->Filter->GetMTime();
+  this->Filter->SetSourceIds({ 40, 500 }, { 0.0, -0.25 });
+  EXPECT_EQ(this->Filter->GetMTime(), before); // the same
+  std::ostringstream os;
+  this->Filter->Print(os);
+  EXPECT_NE(os.str().find("SourceIds: 40 500 (from -0.25)\n"), std::string::npos) << os.str();
+
+  this->Filter->SetSourceIds({ 40, 500 }, { 0.0, std::nan("") });
+  ExpectError(this->Filter, { "source id 500 (number 1", "initial distance nan", "finite" });
+  {
+    const Listener listener(this->Filter);
+    this->Filter->SetSourceIds({ 40, 500 }, { 0.0 });
+    ASSERT_EQ(listener.Errors.size(), 1u);
+    EXPECT_NE(listener.Errors[0].find("1 initial distances for 2 source ids"), std::string::npos);
+  }
+  EXPECT_EQ(this->Filter->GetNumberOfSourceIds(), 2);
+  this->Filter->SetSourceIds({ 40 });
+  EXPECT_EQ(this->Filter->GetSourceInitialDistance(0), 0.0);
+}
+
+TEST_F(DGGDistance, HugeInitialDistances)
+{
+  for (const double offset : { 1e300, -1e300, 1e18 })
+  {
+    this->Filter->SetSourceIds({ 40 }, { offset });
+    for (const int search :
+      { vtkDGGDistance::Certified, vtkDGGDistance::LabelCorrecting, vtkDGGDistance::Dijkstra })
+    {
+      this->Filter->SetSearch(search);
+      ExpectSuccess(this->Filter);
+      for (const double distance : GetDistances(this->Filter))
+      {
+        EXPECT_NEAR(distance, offset, 1e-12 * std::abs(offset));
+      }
+    }
+  }
+  // Together with one that is nearer everywhere.
+  this->Filter->SetSourceIds({ 40, 41 }, { 1e300, 0.0 });
+  ExpectSuccess(this->Filter);
+  const auto distances = GetDistances(this->Filter);
+  EXPECT_LT(*std::max_element(distances.begin(), distances.end()), 10.0);
+}
+
+TEST_F(DGGDistance, ManySourcesAnywhere)
+{
+  Points places;
+  for (int i = 0; i < 4000; ++i)
+  {
+    places.push_back({ { 0.011 * (i % 90), 0.0111 * (i / 90 * 2 % 90), 0.1 } });
+  }
+  this->Filter->RemoveAllSources();
+  this->Filter->SetProjectionTolerance(1.0);
+  this->Filter->SetSourceData(MakeSourcePoints({ places[7] }));
+  ExpectSuccess(this->Filter); // the graph is there
+  this->Filter->SetSourceData(MakeSourcePoints(places));
+  ProgressWatch watch(this->Filter);
+  ExpectSuccess(this->Filter);
+  watch.ExpectGrowth(20); // while they are linked
+  const auto expected = GetDistances(this->Filter);
+  // Kept: then nothing is left to do but the search.
+  watch.Progress.clear();
+  this->Filter->CorrectionOff();
+  ExpectSuccess(this->Filter);
+  EXPECT_LT(watch.Progress.size(), 20u);
+  this->Filter->CorrectionOn();
+  this->Filter->SetSourceData(MakeSourcePoints({ places[7] }));
+  ExpectSuccess(this->Filter);
+  this->Filter->SetSourceData(MakeSourcePoints(places));
+  watch.Progress.clear();
+  watch.StopAt = 0.3;
+  ExpectSuccess(this->Filter); // stopped, which is no error
+  ExpectEmptyOutput(this->Filter);
+  EXPECT_LT(watch.Progress.back(), 0.4);
+  watch.StopAt = 2.0;
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetDistances(this->Filter), expected);
+}
+
+TEST_F(DGGDistance, MemoryOfLinks)
+{
+  this->Filter->SetInputData(MakeSurfaceWithGraph(this->Terrain, 0.05));
+  ExpectSuccess(this->Filter);
+  const vtkTypeUInt64 before = this->Filter->GetMemorySize();
+  this->Filter->SetProjectionTolerance(1.0);
+  this->Filter->SetSourceData(MakeSourcePoints({ { { 0.51, 0.53, 0.1 } } }));
+  ExpectSuccess(this->Filter);
+  // The builder has 64 bytes and more for each half-edge.
+  EXPECT_GT(this->Filter->GetMemorySize(), before + 64 * 3 * 1058);
+  this->Filter->SetSourceData(nullptr);
+  ExpectSuccess(this->Filter);
+  EXPECT_LT(this->Filter->GetMemorySize(), before + 64 * 3 * 1058); // let go
+  this->Filter->SetSourceData(MakeSourcePoints({ { { 0.51, 0.53, 0.1 } } }));
+  this->Filter->SetMemoryLimit(10000);
+  ExpectError(this->Filter, { "linking points that are not vertices", "9.766 KiB", "MemoryLimit" });
+  this->Filter->SetMemoryLimit(0);
+  ExpectSuccess(this->Filter);
 }
 
 TEST_F(DGGDistance, GraphsWithoutAGuarantee)
 {
   const auto exact = GetExactDistances(this->Terrain, { 40 });
-  for (const int construction :
-    { vtkDiscreteGeodesicGraph::OneRelay, vtkDiscreteGeodesicGraph::SaddleVertexGraph })
+  for (const int construction : { vtkDiscreteGeodesicGraph::OneRelay,
+         vtkDiscreteGeodesicGraph::Indirect, vtkDiscreteGeodesicGraph::SaddleVertexGraph })
   {
     auto surface = MakeSurfaceWithGraph(this->Terrain, 0.02, construction);
     vtkNew<vtkDGGDistance> filter;
@@ -529,12 +683,6 @@ TEST_F(DGGDistance, GraphsWithoutAGuarantee)
     filter->SetAccuracy(0.02);
     ExpectWarning(filter, { "guarantees no accuracy" });
   }
-  auto surface = MakeSurfaceWithGraph(this->Terrain, 0.02, vtkDiscreteGeodesicGraph::Indirect);
-  this->Filter->SetInputData(surface);
-  this->Filter->SetAccuracy(0.02);
-  ExpectSuccess(this->Filter);
-  EXPECT_TRUE(this->Filter->GetGraphIsGuaranteed());
-  ExpectWithin(GetDistances(this->Filter), exact, 0.02);
 }
 
 TEST_F(DGGDistance, CoincidentPointsThatAreMergedHaveEqualDistances)
@@ -662,10 +810,11 @@ TEST_F(DGGDistance, PrintSelf)
   ExpectSuccess(this->Filter);
   std::ostringstream os;
   this->Filter->Print(os);
-  for (const char* text : { "SourceIds: 40\n", "Accuracy: 0.05\n", "Correction: On\n",
-         "Search: Certified\n", "MemoryLimit: 0\n", "GenerateUpperBound: Off\n",
-         "GenerateVirtualSource: Off\n", "UsedInputGraph: no\n", "GraphAccuracy: 0.05\n",
-         "NumberOfGraphEdges: ", "MemorySize: ", "GraphBuildTime: " })
+  for (const char* text :
+    { "SourceIds: 40\n", "Accuracy: 0.05\n", "Correction: On\n", "Search: Certified\n",
+      "MemoryLimit: 0\n", "AcceptCoarserGraph: Off\n", "Accuracy has been set: yes\n",
+      "GenerateUpperBound: Off\n", "GenerateVirtualSource: Off\n", "UsedInputGraph: no\n",
+      "GraphAccuracy: 0.05\n", "NumberOfGraphEdges: ", "MemorySize: ", "GraphBuildTime: " })
   {
     EXPECT_NE(os.str().find(text), std::string::npos) << text << " is missing in:\n" << os.str();
   }

@@ -11,9 +11,12 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkElevationFilter.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
+#include "vtkSphereSource.h"
+#include "vtkTubeFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -431,6 +434,131 @@ TEST_F(DiscreteGeodesicGraph, WrongSurfaces)
     ASSERT_EQ(listener.Errors.size(), 1u);
     EXPECT_NE(listener.Errors[0].find("one of 2 pieces"), std::string::npos);
   }
+}
+
+TEST_F(DiscreteGeodesicGraph, APieceOfTheLinesIsRefusedAsWell)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(24);
+  sphere->SetPhiResolution(24);
+  vtkNew<vtkDiscreteGeodesicGraph> graph;
+  graph->SetInputConnection(sphere->GetOutputPort());
+  graph->GenerateGraphLinesOn();
+  vtkNew<vtkTubeFilter> tube;
+  tube->SetInputConnection(graph->GetOutputPort(1));
+  {
+    const Listener listener(graph);
+    const Listener mute(tube);
+    tube->UpdatePiece(0, 4, 0);
+    ASSERT_EQ(listener.Errors.size(), 1u);
+    EXPECT_NE(listener.Errors[0].find("one of 4 pieces"), std::string::npos);
+    EXPECT_NE(graph->GetErrorCode(), 0u);
+    ExpectEmptyOutput(graph);
+  }
+  // What was asked of one port does not matter for the other.
+  ExpectSuccess(graph);
+  EXPECT_EQ(graph->GetOutput()->GetNumberOfPoints(), 24 * 22 + 2);
+  EXPECT_GT(graph->GetGraphLines()->GetNumberOfLines(), 0);
+}
+
+TEST_F(DiscreteGeodesicGraph, IsKeptWhenNothingChangesUpstream)
+{
+  vtkNew<vtkElevationFilter> elevation;
+  elevation->SetInputData(this->Terrain);
+  this->Filter->SetInputConnection(elevation->GetOutputPort());
+  ExpectSuccess(this->Filter);
+  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
+  elevation->SetLowPoint(0.0, 0.0, 0.3);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
+  vtkNew<vtkPolyData> copy;
+  copy->DeepCopy(this->Terrain);
+  copy->GetPolys()->ConvertTo32BitStorage();
+  this->Filter->SetInputData(copy);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
+}
+
+TEST_F(DiscreteGeodesicGraph, CanBeReleased)
+{
+  ExpectSuccess(this->Filter);
+  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
+  const auto bytes = GetGraphBytes(this->Filter->GetOutput());
+  vtkDataArray* targets = GetFieldArray(this->Filter->GetOutput(), "DGG.Targets");
+  const int references = targets->GetReferenceCount();
+  this->Filter->ReleaseGraph();
+  EXPECT_LT(targets->GetReferenceCount(), references);
+  ExpectSuccess(this->Filter); // nothing runs
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
+  EXPECT_EQ(GetGraphBytes(this->Filter->GetOutput()), bytes);
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter);
+  EXPECT_GT(this->Filter->GetGraphBuildTime(), built);
+  EXPECT_EQ(GetGraphBytes(this->Filter->GetOutput()), bytes);
+}
+
+TEST_F(DiscreteGeodesicGraph, LinesKeepToTheMemoryLimitAndCanBeStopped)
+{
+  this->Filter->SetInputData(MakeTerrain(100));
+  this->Filter->SetAccuracy(0.2);
+  ExpectSuccess(this->Filter);
+  this->Filter->GenerateGraphLinesOn();
+  this->Filter->SetMemoryLimit(1000);
+  ExpectError(this->Filter, { "as lines", "1000 bytes", "GenerateGraphLines off", "MemoryLimit" });
+  this->Filter->SetMemoryLimit(0);
+  ProgressWatch watch(this->Filter);
+  watch.StopAt = 0.93; // the graph is kept: only the lines are made
+  ExpectSuccess(this->Filter);
+  ExpectEmptyOutput(this->Filter);
+  EXPECT_LT(watch.Progress.back(), 1.0);
+  watch.StopAt = 2.0;
+  ExpectSuccess(this->Filter);
+  EXPECT_GT(this->Filter->GetGraphLines()->GetNumberOfLines(), 0);
+}
+
+TEST_F(DiscreteGeodesicGraph, AnEmptyInputHasNoGraph)
+{
+  vtkNew<vtkPolyData> empty;
+  empty->SetFieldData(MakeSurfaceWithGraph(this->Terrain)->GetFieldData());
+  this->Filter->SetInputData(empty);
+  ExpectWarning(this->Filter, { "input is empty" });
+  EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(empty->GetFieldData()->GetNumberOfArrays(), 6); // the input is as it was
+}
+
+TEST_F(DiscreteGeodesicGraph, EstimatesLeaveTheUpdateAlone)
+{
+  // An empty input is a warning, as in an update.
+  this->Filter->SetInputData(vtkSmartPointer<vtkPolyData>::New());
+  {
+    const Listener listener(this->Filter);
+    EXPECT_EQ(this->Filter->EstimateMemory(), 0u);
+    EXPECT_EQ(listener.Errors, std::vector<std::string>());
+    EXPECT_EQ(listener.Warnings.size(), 1u);
+  }
+  // The error code of a failed update stays.
+  this->Filter->SetInputData(this->Terrain);
+  this->Filter->SetMemoryLimit(1000);
+  ExpectError(this->Filter, { "MemoryLimit" });
+  EXPECT_GT(this->Filter->EstimateMemory(), 0u);
+  EXPECT_NE(this->Filter->GetErrorCode(), 0u);
+  this->Filter->SetMemoryLimit(0);
+  ExpectSuccess(this->Filter);
+  EXPECT_GT(this->Filter->GetEstimatedMemory(), 0u);
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter); // kept, and so is what was predicted of it
+  EXPECT_GT(this->Filter->GetEstimatedMemory(), 0u);
+  // A graph that is passed on was not predicted.
+  this->Filter->SetInputData(MakeSurfaceWithGraph(MakeTerrain(12), 0.05));
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetEstimatedMemory(), 0u);
+  EXPECT_EQ(this->Filter->GetEstimatedPeakMemory(), 0u);
+  // It can be stopped.
+  ProgressWatch watch(this->Filter);
+  watch.StopAt = 0.05;
+  EXPECT_EQ(this->Filter->EstimateMemory(), 0u);
+  watch.StopAt = 2.0;
+  EXPECT_GT(this->Filter->EstimateMemory(), 0u);
 }
 
 TEST_F(DiscreteGeodesicGraph, PointsWithoutPolygonsHaveEmptyRows)

@@ -8,6 +8,7 @@
 #include "vtkGeodesicDistanceMatrix.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <gtest/gtest.h>
@@ -258,16 +259,19 @@ TEST_F(GeodesicDistanceMatrix, PairsThatAreNotConnected)
     { { 0, 1, 2 }, { 3, 4, 5 } });
   this->Filter->SetInputData(surface);
   this->Filter->SetRowIds({ 1, 3, 6 });
-  ExpectSuccess(this->Filter);
+  ExpectWarning(this->Filter, { "1 of the row ids", "first of them 6", "no polygon uses" });
   Rows matrix = GetRows(this->Filter);
   EXPECT_TRUE(std::isnan(matrix[0][1]));
   EXPECT_TRUE(std::isnan(matrix[2][0]));
   EXPECT_EQ(matrix[2][2], 0.0);
   this->Filter->SetUnreachedValue(-1.0);
-  ExpectSuccess(this->Filter);
+  ExpectWarning(this->Filter, { "1 of the row ids" });
   matrix = GetRows(this->Filter);
   EXPECT_EQ(matrix[1][0], -1.0);
   EXPECT_EQ(matrix[1][2], -1.0);
+  this->Filter->SetRowIds({ 1 });
+  this->Filter->SetColumnIds({ 6, 0, 6 });
+  ExpectWarning(this->Filter, { "2 of the column ids", "first of them 6" });
 }
 
 TEST_F(GeodesicDistanceMatrix, TakesTheGraphOnItsInputOrBuildsOnce)
@@ -291,6 +295,78 @@ TEST_F(GeodesicDistanceMatrix, TakesTheGraphOnItsInputOrBuildsOnce)
   EXPECT_EQ(GetRows(this->Filter), expected);
   this->Filter->SetAccuracy(0.01);
   ExpectWarning(this->Filter, { "Accuracy 0.01 is asked for" });
+}
+
+TEST_F(GeodesicDistanceMatrix, TheMatrixIsWhatWasComputed)
+{
+  this->Filter->SetRowIds({ 0, 399, 7 });
+  this->Filter->SetColumnIds({ 5, 6 });
+  ExpectSuccess(this->Filter);
+  const vtkSmartPointer<vtkDoubleArray> matrix = this->Filter->GetMatrix();
+  EXPECT_EQ(this->Filter->GetMatrix(), matrix); // no copy is made
+  EXPECT_STREQ(matrix->GetName(), "GeodesicDistance");
+  const Rows expected = GetRows(this->Filter);
+  // Whatever is done to the table.
+  vtkTable* table = this->Filter->GetOutput();
+  vtkNew<vtkStringArray> words;
+  words->SetName("words");
+  words->SetNumberOfValues(3);
+  table->AddColumn(words);
+  table->RemoveColumn(0);
+  table->Modified();
+  EXPECT_EQ(this->Filter->GetMatrix(), matrix);
+  EXPECT_EQ(matrix->GetNumberOfComponents(), 2);
+  table->Initialize();
+  EXPECT_EQ(this->Filter->GetMatrix()->GetNumberOfTuples(), 3);
+  // The next update makes another one, and leaves ours as it is.
+  this->Filter->SetRowIds({ 0 });
+  ExpectSuccess(this->Filter);
+  EXPECT_NE(this->Filter->GetMatrix(), matrix);
+  EXPECT_EQ(this->Filter->GetMatrix()->GetNumberOfTuples(), 1);
+  EXPECT_EQ(matrix->GetComponent(1, 1), expected[1][1]);
+}
+
+TEST_F(GeodesicDistanceMatrix, TheMatrixCanBeReleased)
+{
+  this->Filter->SetRowIds({ 0, 399, 7 });
+  ExpectSuccess(this->Filter);
+  const Rows expected = GetRows(this->Filter);
+  this->Filter->ReleaseMatrix();
+  EXPECT_EQ(this->Filter->GetMatrix()->GetNumberOfTuples(), 0);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfRows(), 0);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetRows(this->Filter), expected);
+}
+
+TEST_F(GeodesicDistanceMatrix, TheTableIsOptional)
+{
+  EXPECT_TRUE(this->Filter->GetGenerateTable());
+  const std::vector<vtkIdType> many(10001, 3);
+  this->Filter->SetRowIds({ 5 });
+  this->Filter->SetColumnIds(many);
+  ExpectWarning(this->Filter, { "10001 columns", "GetMatrix()", "GenerateTableOff()" });
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfColumns(), 0);
+  EXPECT_EQ(this->Filter->GetMatrix()->GetNumberOfComponents(), 10001);
+  EXPECT_GT(this->Filter->GetMatrix()->GetComponent(0, 10000), 0.0);
+  this->Filter->GenerateTableOff();
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetMatrix()->GetNumberOfComponents(), 10001);
+  this->Filter->GenerateTableOn();
+  this->Filter->SetColumnIds(std::vector<vtkIdType>(10000, 3));
+  ExpectSuccess(this->Filter);
+  ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfColumns(), 10000);
+  EXPECT_STREQ(this->Filter->GetOutput()->GetColumnName(9999), "9999");
+}
+
+TEST_F(GeodesicDistanceMatrix, TellsOfTheGraph)
+{
+  EXPECT_FALSE(this->Filter->GetGraphIsGuaranteed());
+  EXPECT_EQ(this->Filter->GetMemorySize(), 0u);
+  this->Filter->SetRowIds({ 0, 1 });
+  ExpectSuccess(this->Filter);
+  EXPECT_TRUE(this->Filter->GetGraphIsGuaranteed());
+  EXPECT_GE(this->Filter->GetMemorySize(),
+    static_cast<vtkTypeUInt64>(16 * this->Filter->GetNumberOfGraphEdges()));
 }
 
 TEST_F(GeodesicDistanceMatrix, WrongInputs)
@@ -332,7 +408,13 @@ TEST_F(GeodesicDistanceMatrix, WrongInputs)
   EXPECT_EQ(GetRows(this->Filter), (Rows{ { 0.0 } }));
   this->Filter->SetMemoryLimit(10000); // the graph is there
   this->Filter->SetRowIds(std::vector<vtkIdType>(40, 7));
+  ExpectError(this->Filter,
+    { "40 rows and 40 columns and the table", "25 KiB", "9.766 KiB", "GenerateTable off",
+      "MemoryLimit" });
+  this->Filter->GenerateTableOff();
   ExpectError(this->Filter, { "40 rows and 40 columns", "12.5 KiB", "9.766 KiB", "MemoryLimit" });
+  this->Filter->SetMemoryLimit(13000);
+  ExpectSuccess(this->Filter);
 }
 
 TEST_F(GeodesicDistanceMatrix, IsTheSameForAnyThreads)
@@ -390,8 +472,10 @@ TEST_F(GeodesicDistanceMatrix, PrintSelf)
   ExpectSuccess(this->Filter);
   std::ostringstream os;
   this->Filter->Print(os);
-  for (const char* text : { "NumberOfRowIds: 2\n", "NumberOfColumnIds: 0\n", "Accuracy: 0.05\n",
-         "MemoryLimit: 0\n", "UnreachedValue: nan\n", "GraphAccuracy: 0.05\n" })
+  for (const char* text :
+    { "NumberOfRowIds: 2\n", "NumberOfColumnIds: 0\n", "Accuracy: 0.05\n", "MemoryLimit: 0\n",
+      "UnreachedValue: nan\n", "GraphAccuracy: 0.05\n", "GenerateTable: On\n", "Matrix: 2 x 2\n",
+      "AcceptCoarserGraph: Off\n", "GraphIsGuaranteed: yes\n", "MemorySize: " })
   {
     EXPECT_NE(os.str().find(text), std::string::npos) << text << " is missing in:\n" << os.str();
   }

@@ -504,12 +504,19 @@ class FromPolydata(unittest.TestCase):
         self.assertTrue(graph._filters[vtkdgg.vtkDGGDistance].GetUsedInputGraph())
 
     def test_no_graph(self):
-        for mesh in (vtkPolyData(), support.polydata(self.points, self.triangles)):
-            with self.assertRaisesRegex(ValueError, "no graph.*vtkDiscreteGeodesicGraph"):
-                vtkdgg.Graph.from_polydata(mesh)
+        with self.assertRaisesRegex(ValueError, "no graph.*vtkDiscreteGeodesicGraph"):
+            vtkdgg.Graph.from_polydata(support.polydata(self.points, self.triangles))
         for thing in (None, 3, self.points):
             with self.assertRaisesRegex(TypeError, "a vtkPolyData is wanted"):
                 vtkdgg.Graph.from_polydata(thing)
+
+    def test_no_points(self):
+        empty = vtkPolyData()
+        with_graph = vtkPolyData()
+        with_graph.SetFieldData(self.graph.polydata.GetFieldData())
+        for mesh in (empty, with_graph):
+            with self.assertRaisesRegex(ValueError, "polydata: at least one point"):
+                vtkdgg.Graph.from_polydata(mesh)
 
     def test_unreadable_parameters(self):
         for slot, value in ((0, 2), (2, 4), (2, -1)):
@@ -563,6 +570,9 @@ class WrongInput(unittest.TestCase):
                 construction="SaddleVertexGraph",
                 number_of_neighbors=0,
             )
+        for number in (30.5, 30.0, 2**40, None, "many"):
+            with self.assertRaisesRegex(ValueError, "number_of_neighbors"):
+                vtkdgg.Graph(self.points, self.triangles, number_of_neighbors=number)
 
     def test_memory_limit(self):
         for limit in (0, -5, np.nan, np.inf, "much"):

@@ -384,6 +384,21 @@ class Graph(unittest.TestCase):
         self.assertTrue(issubclass(vtkdgg.vtkDGGDistance, vtkdgg.vtkGeodesicDistanceAlgorithm))
 
 
+class InitialDistances(unittest.TestCase):
+    def test_of_ids(self):
+        distance = make_distance(make_graph(make_reader()))
+        distance.AddSourceId(4)
+        distance.AddSourceId(7, 0.5)
+        self.assertEqual(distance.GetSourceInitialDistance(1), 0.5)
+        expected = distances_of(silent(vtkdgg.check, distance))
+        distance.SetSourceIds(np.array([4, 7]), np.array([0.0, 0.5]))
+        np.testing.assert_array_equal(distances_of(silent(vtkdgg.check, distance)), expected)
+        self.assertEqual(expected[4], 0.0)
+        distance.SetSourceIds([4], [np.inf])
+        with self.assertRaisesRegex(vtkdgg.VTKError, "source id 4 .* initial distance inf"):
+            vtkdgg.check(distance)
+
+
 class WrongQueries(unittest.TestCase):
     def test_sources(self):
         graph = make_graph(make_reader())
@@ -420,6 +435,18 @@ class Matrix(unittest.TestCase):
         array = self.matrix.GetMatrix()
         shape = array.GetNumberOfTuples(), array.GetNumberOfComponents()
         return np.array(vtk_to_numpy(array)).reshape(shape)
+
+    def test_it_outlives_the_filter(self):
+        self.matrix.SetRowIds([0, 5, 600])
+        self.matrix.GenerateTableOff()
+        expected = self.values()
+        view = vtk_to_numpy(self.matrix.GetMatrix())
+        self.assertEqual(self.matrix.GetOutput().GetNumberOfRows(), 0)
+        self.matrix.ReleaseMatrix()
+        self.assertEqual(self.matrix.GetMatrix().GetNumberOfTuples(), 0)
+        self.values()
+        del self.matrix
+        np.testing.assert_array_equal(view, expected)
 
     def test_table(self):
         self.matrix.SetRowIds([0, 5, 600])

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks of arguments, and their way into VTK. What is wrong is a ValueError that names it."""
 
+import operator
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -84,6 +86,17 @@ def number(value, name):
         return float(value)
     except (TypeError, ValueError):
         raise ValueError(f"{name}: a number is wanted, not {value!r}") from None
+
+
+def integer(value, name):
+    """One integer of 32 bits."""
+    try:
+        result = operator.index(value)
+    except TypeError:
+        raise ValueError(f"{name}: an integer is wanted, not {value!r}") from None
+    if not -(2**31) <= result < 2**31:
+        raise ValueError(f"{name}: must fit into 32 bits, is {result}")
+    return result
 
 
 def limit(value, name):

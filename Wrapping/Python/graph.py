@@ -83,7 +83,7 @@ class Graph:
         builder = vtkDiscreteGeodesicGraph()
         builder.SetAccuracy(arguments.number(accuracy, "accuracy"))
         builder.SetConstruction(CONSTRUCTIONS.index(construction))
-        builder.SetNumberOfNeighbors(number_of_neighbors)
+        builder.SetNumberOfNeighbors(arguments.integer(number_of_neighbors, "number_of_neighbors"))
         builder.SetMemoryLimit(arguments.number_of_bytes(memory_limit, "memory_limit"))
         self._build(builder, arguments.polydata(points, triangles))
 
@@ -91,7 +91,8 @@ class Graph:
     def from_polydata(cls, polydata, memory_limit=None):
         """The graph that vtkDiscreteGeodesicGraph has put on a surface.
 
-        It is used as it is, without a copy. When it is damaged, or not that of the points and
+        It is used as it is, without a copy. Points, polygons and strips are copied; verts, lines
+        and other arrays are left out. When it is damaged, or not that of the points and
         polygons any more, a warning says so and it is built anew with the same parameters.
 
         Parameters
@@ -104,10 +105,12 @@ class Graph:
         Raises
         ------
         ValueError
-            When there is no graph, or none whose parameters can be read.
+            When there are no points, no graph, or none whose parameters can be read.
         """
         if not isinstance(polydata, vtkPolyData):
             raise TypeError(f"polydata: a vtkPolyData is wanted, not {type(polydata).__name__}")
+        if polydata.GetNumberOfPoints() == 0:
+            raise ValueError("polydata: at least one point is wanted")
         info = GraphInfo(polydata)
         builder = vtkDiscreteGeodesicGraph()
         builder.SetConstruction(info.construction)
@@ -143,8 +146,7 @@ class Graph:
         maximum_distance : float, optional
             Points farther than this are left unreached. Default: no limit.
         initial_distances : float or sequence of float, optional
-            The distances that the sources start with. Default: 0. With ids, there is one search for
-            each different value; with coordinates, there is one in all.
+            The distances that the sources start with. Default: 0.
         return_source : bool, optional
             Whether to return the nearest source as well.
         unreached : float, optional
@@ -172,10 +174,7 @@ class Graph:
             count = len(places) if ids is None else len(ids)
             offsets = arguments.finite_numbers(initial_distances, "initial_distances", count)
 
-        if ids is not None and offsets is not None:
-            distances, nearest = self._search_each_offset(ids, offsets, limit, correction)
-        else:
-            distances, nearest = self._search(ids, places, offsets, limit, correction)
+        distances, nearest = self._search(ids, places, offsets, limit, correction)
         distances[np.isinf(distances)] = unreached
         return (distances, nearest) if return_source else distances
 
@@ -216,12 +215,12 @@ class Graph:
         tabulate.SetColumnIds([] if column_ids is None else column_ids)
         tabulate.SetColumnData(None if column_places is None else arguments.polydata(column_places))
         tabulate.SetUnreachedValue(unreached)
-        table = run(tabulate, self._heard)
-        result = np.empty((table.GetNumberOfRows(), table.GetNumberOfColumns()))
-        for j in range(table.GetNumberOfColumns()):
-            result[:, j] = vtk_to_numpy(table.GetColumn(j))
-        table.ReleaseData()  # it is not wanted twice
-        return result
+        tabulate.GenerateTableOff()
+        run(tabulate, self._heard)
+        matrix = tabulate.GetMatrix()
+        shape = matrix.GetNumberOfTuples(), matrix.GetNumberOfComponents()
+        tabulate.ReleaseMatrix()  # it is ours alone now, and is not given out twice
+        return vtk_to_numpy(matrix).reshape(shape)
 
     @property
     def csr(self):
@@ -274,7 +273,7 @@ class Graph:
 
     @property
     def construction(self):
-        """The rule that chose the edges. Only "Guaranteed" and "Indirect" keep to `accuracy`."""
+        """The rule that chose the edges. Only "Guaranteed" is sure to keep to `accuracy`."""
         return CONSTRUCTIONS[self._info.construction]
 
     @property
@@ -291,7 +290,9 @@ class Graph:
     def polydata(self):
         """The surface with its graph as a new vtkPolyData, for filters and writers.
 
-        It shares its arrays with this object: do not change them in place.
+        It has points, polygons and strips; verts, lines and other arrays of what was given to
+        `from_polydata` are not kept. It shares its arrays with this object: do not change them in
+        place.
         """
         result = vtkPolyData()
         result.ShallowCopy(self._surface)
@@ -331,9 +332,10 @@ class Graph:
         search.SetCorrection(bool(correction))
         search.SetMaximumDistance(limit)
         search.GenerateNearestSourceOn()
-        search.SetSourceIds([] if ids is None else ids)
+        ids = [] if ids is None else ids
+        search.SetSourceIds(ids, np.zeros(len(ids)) if offsets is None else offsets[: len(ids)])
         search.SetSourceData(None if places is None else arguments.polydata(places))
-        if offsets is not None:
+        if places is not None and offsets is not None:
             array = numpy_to_vtk(offsets, deep=True)
             array.SetName(search.GetInitialDistanceArrayName())
             search.GetInputDataObject(1, 0).GetPointData().AddArray(array)
@@ -341,23 +343,6 @@ class Graph:
         # Copies: the output is kept, and given out again when the same is asked for.
         distances = np.array(vtk_to_numpy(data.GetArray(search.GetDistanceArrayName())))
         nearest = vtk_to_numpy(data.GetArray(search.GetSourceArrayName())).astype(np.intp)
-        return distances, nearest
-
-    def _search_each_offset(self, ids, offsets, limit, correction):
-        """The same for ids that have initial distances, which the filter cannot give them.
-
-        The promise holds for the smallest of several results when it does for each of them.
-        """
-        distances = np.full(self.number_of_points, np.inf)
-        nearest = np.full(self.number_of_points, -1, dtype=np.intp)
-        for offset in np.unique(offsets[offsets <= limit]):
-            members = np.flatnonzero(offsets == offset)
-            some = [ids[i] for i in members]
-            found, source = self._search(some, None, None, limit - offset, correction)
-            found += offset
-            closer = found < distances
-            distances[closer] = found[closer]
-            nearest[closer] = members[source[closer]]
         return distances, nearest
 
     def _array(self, name):

@@ -103,8 +103,8 @@ public:
     const double* positions, double& distance) const;
 
   /// Distances from each of many sources, a set of seeds, on its own; `consume` receives them.
-  /// Sources close together are searched together, which takes less than half of the time of
-  /// single searches where there are hundreds of them on the surface.
+  /// Sources close together are searched together, which takes about half of the time of single
+  /// searches, or less, where there are hundreds of them on the surface.
   Status Many(const std::vector<std::vector<GraphSeed>>& sources, double maximumDistance,
     const ParallelFor& parallel, const ProgressCallback& progress,
     const FieldConsumer& consume) const;

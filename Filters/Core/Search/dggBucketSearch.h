@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Label correcting in a graph, over fans of edges or over all of them. Internal.
-#ifndef dggLabelCorrecting_h
-#define dggLabelCorrecting_h
+#ifndef dggBucketSearch_h
+#define dggBucketSearch_h
 
 #include "dggBucketQueue.h"  // for BucketQueue
 #include "dggGraphFans.h"    // for GraphFans
@@ -16,7 +16,7 @@ namespace dgg
 /// certified one after the other, and what is found wrong is mended over all edges. The result is
 /// that of Dijkstra's algorithm, up to rounding. `width` is that of the buckets of the queue. False
 /// when aborted.
-bool RunLabelCorrecting(const GraphView& graph, const GraphFans* fans,
+bool RunBucketSearch(const GraphView& graph, const GraphFans* fans,
   const std::vector<GraphSeed>& seeds, double width, const ProgressCallback& progress,
   BucketQueue& queue, SearchLabels& labels, SearchEffort& effort);
 

@@ -6,8 +6,9 @@
 #ifndef dggGeodesicGraph_h
 #define dggGeodesicGraph_h
 
-#include "dggBuffer.h" // for the arrays
-#include "dggTypes.h"  // for Id, Offset, Status
+#include "dggBuffer.h"   // for the arrays
+#include "dggParallel.h" // for ParallelFor
+#include "dggTypes.h"    // for Id, Offset, Status
 
 #include <array>   // for Signature
 #include <cstdint> // for fixed-width words
@@ -26,7 +27,7 @@ enum class GraphConstruction : std::uint8_t
 {
   Guaranteed = 0,       ///< progress rule: every path within the accuracy, a theorem
   OneRelay = 1,         ///< published direct rule: nothing bounds the maximum
-  Indirect = 2,         ///< published two-step construction, pruned so that the theorem holds
+  Indirect = 2,         ///< published two-step construction, pruned by progress; not proven
   SaddleVertexGraph = 3 ///< a number of nearest neighbours (Ying, Wang and He 2013)
 };
 
@@ -49,9 +50,7 @@ struct GraphInfo
   /// Whether every distance in the graph is within (1 + Accuracy) of the exact one.
   bool IsGuaranteed() const
   {
-    return this->Kind == GraphKind::Mesh &&
-      (this->Construction == GraphConstruction::Guaranteed ||
-        this->Construction == GraphConstruction::Indirect);
+    return this->Kind == GraphKind::Mesh && this->Construction == GraphConstruction::Guaranteed;
   }
 };
 
@@ -113,10 +112,12 @@ inline bool NeedsWideLengths(double accuracy)
 /// 0, targets out of range or equal to their row, lengths that are not positive and finite, angles
 /// that are not finite or rows that are not sorted by them. `numberOfEdges` is the size of all
 /// arrays but Offsets, which has NumberOfVertices + 1.
-Status CheckGraph(const GraphView& graph, Offset numberOfEdges);
+Status CheckGraph(
+  const GraphView& graph, Offset numberOfEdges, const ParallelFor& parallel = ParallelFor());
 
 /// Checksum of the arrays: of their very bits. Tells damage that CheckGraph() cannot see.
-std::uint64_t ComputeChecksum(const GraphView& graph);
+/// Offsets must be those of a graph.
+std::uint64_t ComputeChecksum(const GraphView& graph, const ParallelFor& parallel = ParallelFor());
 }
 
 #endif

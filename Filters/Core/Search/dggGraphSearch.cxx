@@ -6,7 +6,7 @@
 #include "dggLabelCorrection.h"
 #include "dggGraphDijkstra.h"
 #include "dggGraphFans.h"
-#include "dggLabelCorrecting.h"
+#include "dggBucketSearch.h"
 #include "dggManySources.h"
 #include "dggMinimumHeap.h"
 #include "dggPointToPoint.h"
@@ -195,7 +195,7 @@ public:
     }
     const bool overFans = options.Method == SearchMethod::Certified && this->HasLongRows();
     const GraphFans* fans = overFans ? this->Fans.get() : nullptr;
-    return RunLabelCorrecting(this->Graph, fans, seeds, this->BucketWidth, options.Progress,
+    return RunBucketSearch(this->Graph, fans, seeds, this->BucketWidth, options.Progress,
       workspace.Queue, labels, effort);
   }
 

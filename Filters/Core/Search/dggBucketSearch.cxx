@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dggLabelCorrecting.h"
+#include "dggBucketSearch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -276,7 +276,7 @@ private:
 };
 }
 
-bool RunLabelCorrecting(const GraphView& graph, const GraphFans* fans,
+bool RunBucketSearch(const GraphView& graph, const GraphFans* fans,
   const std::vector<GraphSeed>& seeds, double width, const ProgressCallback& progress,
   BucketQueue& queue, SearchLabels& labels, SearchEffort& effort)
 {

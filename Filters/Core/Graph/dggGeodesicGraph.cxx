@@ -4,13 +4,43 @@
 
 #include "dggBitHash.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 namespace dgg
 {
 namespace
 {
+/// Rows that a thread checks at a time.
+constexpr Offset RowsPerTask = 1024;
+/// Bytes of an array that have a sum of their own. Another number makes other checksums.
+constexpr std::size_t BlockSize = std::size_t(1) << 20;
+
+struct ByteRange
+{
+  const unsigned char* Begin;
+  std::size_t Size;
+};
+
+/// Blocks of an array, at least one: where one array ends and the next begins matters, and whether
+/// there is one.
+template <typename T>
+void AddBlocks(const T* values, std::size_t count, std::vector<ByteRange>& blocks)
+{
+  const auto* bytes = reinterpret_cast<const unsigned char*>(values);
+  std::size_t left = values ? count * sizeof(T) : 0;
+  do
+  {
+    const std::size_t size = std::min(left, BlockSize);
+    blocks.push_back({ bytes, size });
+    bytes = size > 0 ? bytes + size : bytes;
+    left -= size;
+  } while (left > 0);
+}
+
 Status Damaged(const std::string& what)
 {
   return Status::Invalid("not a valid graph: " + what + "; build the graph again");
@@ -121,17 +151,27 @@ bool AreAnglesValid(const GraphView& graph, Offset begin, Offset end)
   return valid;
 }
 
-bool IsRowValid(const GraphView& graph, Id row, Offset begin, Offset end)
+bool IsRowValid(const GraphView& graph, Id row, Offset numberOfEdges)
 {
-  return AreTargetsValid(graph, row, begin, end) &&
+  const Offset begin = graph.Offsets[row];
+  const Offset end = graph.Offsets[row + 1];
+  return begin >= 0 && begin <= end && end <= numberOfEdges &&
+    AreTargetsValid(graph, row, begin, end) &&
     (graph.Lengths ? AreLengthsValid(graph.Lengths, begin, end)
                    : AreLengthsValid(graph.WideLengths, begin, end)) &&
     (!graph.Angles || AreAnglesValid(graph, begin, end));
 }
 
 /// What is wrong in a row in which something is.
-Status FindDamage(const GraphView& graph, Id row, Offset begin, Offset end)
+Status FindDamage(const GraphView& graph, Id row, Offset numberOfEdges)
 {
+  const Offset begin = graph.Offsets[row];
+  const Offset end = graph.Offsets[row + 1];
+  if (begin < 0 || end < begin || end > numberOfEdges)
+  {
+    return Damaged("the offsets of vertex " + std::to_string(row) + " are " +
+      std::to_string(begin) + " and " + std::to_string(end));
+  }
   float last = 0.0f;
   for (Offset e = begin; e < end; ++e)
   {
@@ -200,41 +240,54 @@ std::size_t GeodesicGraph::GetMemorySize() const
     (this->Lengths.Size() + this->Angles.Size() + this->ArrivalAngles.Size()) * sizeof(float);
 }
 
-Status CheckGraph(const GraphView& graph, Offset numberOfEdges)
+Status CheckGraph(const GraphView& graph, Offset numberOfEdges, const ParallelFor& parallel)
 {
   const Status status = CheckArrays(graph, numberOfEdges);
   if (!status.IsOk())
   {
     return status;
   }
-  for (Id row = 0; row < graph.NumberOfVertices; ++row)
-  {
-    const Offset begin = graph.Offsets[row];
-    const Offset end = graph.Offsets[row + 1];
-    if (end < begin || end > numberOfEdges)
+  const Id n = graph.NumberOfVertices;
+  std::atomic<Id> damaged(n); // the first row of them, whichever is found first
+  ForRange(parallel, n, RowsPerTask, [&](Offset begin, Offset end) {
+    for (auto row = static_cast<Id>(begin); row < static_cast<Id>(end); ++row)
     {
-      return Damaged("the offsets of vertex " + std::to_string(row) + " are " +
-        std::to_string(begin) + " and " + std::to_string(end));
+      if (!IsRowValid(graph, row, numberOfEdges))
+      {
+        Id first = damaged;
+        while (row < first && !damaged.compare_exchange_weak(first, row))
+        {
+        }
+        return;
+      }
     }
-    if (!IsRowValid(graph, row, begin, end))
-    {
-      return FindDamage(graph, row, begin, end);
-    }
-  }
-  return Status::Success();
+  });
+  return damaged == n ? Status::Success() : FindDamage(graph, damaged, numberOfEdges);
 }
 
-std::uint64_t ComputeChecksum(const GraphView& graph)
+std::uint64_t ComputeChecksum(const GraphView& graph, const ParallelFor& parallel)
 {
-  BitHash hash;
+  // Of blocks of the arrays, so that several threads can do it, and then of these.
   const auto n = static_cast<std::size_t>(graph.NumberOfVertices);
   const auto edges = static_cast<std::size_t>(graph.GetNumberOfEdges());
-  hash.Add(graph.Offsets, graph.Offsets ? n + 1 : 0);
-  hash.Add(graph.Targets, edges);
-  hash.Add(graph.Lengths, graph.Lengths ? edges : 0);
-  hash.Add(graph.WideLengths, graph.WideLengths ? edges : 0);
-  hash.Add(graph.Angles, graph.Angles ? edges : 0);
-  hash.Add(graph.ArrivalAngles, graph.ArrivalAngles ? edges : 0);
+  std::vector<ByteRange> blocks;
+  AddBlocks(graph.Offsets, n + 1, blocks);
+  AddBlocks(graph.Targets, edges, blocks);
+  AddBlocks(graph.Lengths, edges, blocks);
+  AddBlocks(graph.WideLengths, edges, blocks);
+  AddBlocks(graph.Angles, edges, blocks);
+  AddBlocks(graph.ArrivalAngles, edges, blocks);
+  std::vector<std::array<std::uint64_t, 2>> sums(blocks.size());
+  ForRange(parallel, static_cast<Offset>(blocks.size()), 1, [&](Offset begin, Offset end) {
+    for (Offset i = begin; i < end; ++i)
+    {
+      BitHash hash;
+      hash.Add(blocks[i].Begin, blocks[i].Size);
+      sums[i] = hash.Finish();
+    }
+  });
+  BitHash hash;
+  hash.Add(sums.data(), sums.size());
   return hash.Finish()[0];
 }
 }

@@ -1,0 +1,377 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDGGPreparedMesh.h"
+
+#include "vtkDGGPointCoordinates.h"
+#include "vtkDGGPolygonTriangulator.h"
+
+#include "dggBitHash.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <sstream>
+
+namespace
+{
+/// Lexicographic order by coordinates; -0 equals +0 in comparisons.
+struct ByCoordinates
+{
+  const double* Points;
+
+  bool operator()(dgg::Id a, dgg::Id b) const
+  {
+    const double* p = this->Points + 3 * static_cast<std::size_t>(a);
+    const double* q = this->Points + 3 * static_cast<std::size_t>(b);
+    return std::lexicographical_compare(p, p + 3, q, q + 3);
+  }
+};
+
+bool IsFinite(const double* p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+/// Sort ids so that coincident points are neighbours, smallest id first, and call `visit(first,
+/// last)` for each group of them.
+template <typename Visitor>
+void ForEachCoincidentGroup(const double* points, std::vector<dgg::Id>& ids, Visitor visit)
+{
+  const ByCoordinates before{ points };
+  std::sort(ids.begin(), ids.end(),
+    [&](dgg::Id a, dgg::Id b) { return before(a, b) || (!before(b, a) && a < b); });
+  for (auto first = ids.begin(); first != ids.end();)
+  {
+    auto last = first + 1;
+    while (last != ids.end() && !before(*first, *last))
+    {
+      ++last;
+    }
+    visit(first, last);
+    first = last;
+  }
+}
+
+/// The point of a cell is missing or not finite.
+dgg::Status BadPoint(const double* points, vtkIdType numberOfPoints, vtkIdType cell, vtkIdType id)
+{
+  std::ostringstream message;
+  if (id < 0 || id >= numberOfPoints)
+  {
+    message << "cell " << cell << " names point " << id << ", but the input has " << numberOfPoints
+            << " points: repair the cell";
+    return dgg::Status::Invalid(message.str());
+  }
+  const double* p = points + 3 * id;
+  message << "point " << id << " of cell " << cell << " has the coordinates (" << p[0] << ", "
+          << p[1] << ", " << p[2] << "), which are not finite: repair the point or remove the cell";
+  return dgg::Status::Invalid(message.str());
+}
+
+dgg::Status CheckCell(const double* points, vtkIdType numberOfPoints, vtkIdType cell,
+  vtkIdType size, const vtkIdType* ids)
+{
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    if (ids[i] < 0 || ids[i] >= numberOfPoints || !IsFinite(points + 3 * ids[i]))
+    {
+      return BadPoint(points, numberOfPoints, cell, ids[i]);
+    }
+  }
+  return dgg::Status::Success();
+}
+
+void AddArray(dgg::BitHash& hash, vtkDataArray* array)
+{
+  const auto size = static_cast<std::size_t>(array->GetNumberOfValues()) *
+    static_cast<std::size_t>(array->GetDataTypeSize());
+  hash.Add(static_cast<const unsigned char*>(array->GetVoidPointer(0)), size);
+}
+
+/// The meshes that filters hold, by fingerprint. It holds none itself: a mesh goes with the last
+/// filter that has it.
+class MeshesInUse
+{
+public:
+  using Pointer = vtkDGGPreparedMesh::Pointer;
+
+  static MeshesInUse& Get()
+  {
+    static MeshesInUse instance;
+    return instance;
+  }
+
+  Pointer Find(const dgg::Signature& fingerprint)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const auto found = this->Meshes.find(fingerprint);
+    return found == this->Meshes.end() ? nullptr : found->second.lock();
+  }
+
+  void Add(const dgg::Signature& fingerprint, const Pointer& mesh)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    for (auto entry = this->Meshes.begin(); entry != this->Meshes.end();)
+    {
+      entry = entry->second.expired() ? this->Meshes.erase(entry) : std::next(entry);
+    }
+    this->Meshes[fingerprint] = mesh;
+  }
+
+private:
+  std::mutex Mutex;
+  std::map<dgg::Signature, std::weak_ptr<const vtkDGGPreparedMesh>> Meshes;
+};
+}
+
+//------------------------------------------------------------------------------
+dgg::Signature vtkDGGPreparedMesh::ComputeFingerprint(
+  vtkPolyData* input, bool mergeCoincidentPoints)
+{
+  const std::array<vtkIdType, 6> sizes = { { input->GetNumberOfPoints(), input->GetNumberOfVerts(),
+    input->GetNumberOfLines(), input->GetNumberOfPolys(), input->GetNumberOfStrips(),
+    mergeCoincidentPoints ? 1 : 0 } };
+  dgg::BitHash hash;
+  hash.Add(sizes.data(), sizes.size());
+  const vtkDGGPointCoordinates coordinates(input->GetPoints());
+  hash.Add(coordinates.GetData(), 3 * static_cast<std::size_t>(input->GetNumberOfPoints()));
+  for (vtkCellArray* cells : { input->GetPolys(), input->GetStrips() })
+  {
+    if (cells && cells->GetNumberOfCells() > 0)
+    {
+      AddArray(hash, cells->GetOffsetsArray());
+      AddArray(hash, cells->GetConnectivityArray());
+    }
+  }
+  return hash.Finish();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGPreparedMesh::Make(vtkPolyData* input, bool mergeCoincidentPoints,
+  const dgg::Signature& fingerprint, Pointer& prepared)
+{
+  prepared = MeshesInUse::Get().Find(fingerprint);
+  if (prepared)
+  {
+    return dgg::Status::Success();
+  }
+  const auto made = std::make_shared<vtkDGGPreparedMesh>();
+  const dgg::Status status = made->Build(input, mergeCoincidentPoints);
+  if (status.IsOk())
+  {
+    prepared = made;
+    MeshesInUse::Get().Add(fingerprint, prepared);
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input, bool mergeCoincidentPoints)
+{
+  const vtkIdType n = input->GetNumberOfPoints();
+  if (n > std::numeric_limits<dgg::Id>::max())
+  {
+    std::ostringstream message;
+    message << "the input has " << n << " points; at most " << std::numeric_limits<dgg::Id>::max()
+            << " are supported: decimate or split it";
+    return dgg::Status::Invalid(message.str());
+  }
+  if (input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  {
+    std::ostringstream message;
+    message << "the input has " << n << " points but no polygons or triangle strips: connect a "
+            << "surface mesh";
+    return dgg::Status::Invalid(message.str());
+  }
+
+  const vtkDGGPointCoordinates coordinates(input->GetPoints());
+  if (mergeCoincidentPoints)
+  {
+    this->MergeCoincidentPoints(coordinates.GetData(), n);
+  }
+  std::vector<dgg::Id> triangles;
+  dgg::Status status = this->Triangulate(input, coordinates.GetData(), triangles);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  status = dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, triangles.data(),
+    static_cast<dgg::Offset>(triangles.size() / 3), this->Mesh);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  this->Signature = dgg::ComputeSignature(
+    coordinates.GetData(), n, triangles.data(), static_cast<dgg::Offset>(triangles.size() / 3));
+  this->Report = dgg::InspectMesh(this->Mesh, coordinates.GetData());
+  if (!mergeCoincidentPoints)
+  {
+    this->CountCoincidentBoundaryPoints(coordinates.GetData());
+  }
+  this->CollectWarnings();
+  return status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGPreparedMesh::Triangulate(
+  vtkPolyData* input, const double* points, std::vector<dgg::Id>& triangles)
+{
+  const vtkIdType n = input->GetNumberOfPoints();
+  vtkDGGPolygonTriangulator triangulator;
+  std::vector<dgg::Id> corners;
+  vtkIdType cell = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  const vtkIdType firstStrip = cell + input->GetNumberOfPolys();
+  if (input->GetNumberOfPolys() > 0)
+  {
+    triangles.reserve(3 * static_cast<std::size_t>(input->GetNumberOfPolys()));
+    this->Cells.reserve(static_cast<std::size_t>(input->GetNumberOfPolys()));
+  }
+  for (vtkCellArray* cells : { input->GetPolys(), input->GetStrips() })
+  {
+    if (!cells || cells->GetNumberOfCells() == 0)
+    {
+      continue;
+    }
+    if (!cells->IsValid())
+    {
+      return dgg::Status::Invalid("the offsets and the connectivity of the input's polygons or "
+                                  "strips contradict each other: build the cell array anew");
+    }
+    const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+    for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal();
+         iterator->GoToNextCell(), ++cell)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      iterator->GetCurrentCell(size, ids);
+      const dgg::Status status = CheckCell(points, n, cell, size, ids);
+      if (!status.IsOk())
+      {
+        return status;
+      }
+      dgg::Id added = 0;
+      if (cell < firstStrip)
+      {
+        corners.clear();
+        std::transform(ids, ids + size, std::back_inserter(corners),
+          [this](vtkIdType id) { return this->GetVertex(id); });
+        added = triangulator.Triangulate(points, corners, triangles);
+      }
+      else
+      {
+        for (vtkIdType i = 0; i + 2 < size; ++i)
+        {
+          const vtkIdType odd = i % 2; // every second triangle of a strip is turned over
+          corners = { this->GetVertex(ids[i]), this->GetVertex(ids[i + 1 + odd]),
+            this->GetVertex(ids[i + 2 - odd]) };
+          added += triangulator.Triangulate(points, corners, triangles);
+        }
+      }
+      this->NumberOfDroppedCells += added == 0 ? 1 : 0;
+      this->Cells.insert(this->Cells.end(), added, cell);
+    }
+  }
+  this->NumberOfFans = triangulator.GetNumberOfFans();
+  if (triangles.empty())
+  {
+    std::ostringstream message;
+    message << "none of the " << this->NumberOfDroppedCells
+            << " polygons and strips of the input has three distinct points: connect a surface "
+            << "mesh";
+    return dgg::Status::Invalid(message.str());
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGPreparedMesh::MergeCoincidentPoints(const double* points, vtkIdType numberOfPoints)
+{
+  std::vector<dgg::Id> ids;
+  this->Vertices.resize(numberOfPoints);
+  for (dgg::Id i = 0; i < numberOfPoints; ++i)
+  {
+    this->Vertices[i] = i;
+    if (IsFinite(points + 3 * static_cast<std::size_t>(i)))
+    {
+      ids.push_back(i);
+    }
+  }
+  ForEachCoincidentGroup(points, ids, [this](auto first, auto last) {
+    for (auto id = first + 1; id != last; ++id)
+    {
+      this->Vertices[*id] = *first;
+      ++this->NumberOfMergedPoints;
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGPreparedMesh::CountCoincidentBoundaryPoints(const double* points)
+{
+  if (this->Report.CoincidentPoints == 0)
+  {
+    return;
+  }
+  std::vector<dgg::Id> ids;
+  for (dgg::Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (this->Mesh.Twin(h) == dgg::NoId)
+    {
+      ids.push_back(this->Mesh.Origin(h));
+      ids.push_back(this->Mesh.Destination(h));
+    }
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  ForEachCoincidentGroup(points, ids, [this](auto first, auto last) {
+    if (last - first > 1)
+    {
+      this->NumberOfCoincidentBoundaryPoints += last - first;
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGPreparedMesh::CollectWarnings()
+{
+  const dgg::MeshReport& report = this->Report;
+  auto warn = [this](vtkIdType count, const std::string& what) {
+    if (count > 0)
+    {
+      this->Warnings.push_back("the mesh has " + std::to_string(count) + " " + what);
+    }
+  };
+  warn(report.NonManifoldEdges,
+    "edges with more than two triangles. Distances pass through them into every triangle");
+  warn(report.NonManifoldVertices,
+    "points where separate sheets touch. Distances pass through them into every sheet");
+  warn(report.InconsistentEdges,
+    "edges across which no choice of orientation is consistent, as on a Moebius strip. Distances "
+    "do "
+    "not depend on orientation");
+  warn(this->NumberOfDroppedCells,
+    "polygons with fewer than three distinct points, which are left out");
+  warn(this->NumberOfFans,
+    "polygons that cross or touch themselves. They are cut into fans around their first points, "
+    "which "
+    "need not be what they are meant to be: triangulate them first");
+  std::ostringstream length;
+  length << report.Mollification;
+  warn(report.DegenerateFaces,
+    "triangles without area, whose edges are taken to be longer by " + length.str());
+  warn(this->NumberOfCoincidentBoundaryPoints,
+    "points of the boundary with the same coordinates as another one. If they are the two sides of "
+    "a "
+    "seam rather than of a slit, turn MergeCoincidentPoints on");
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The mesh of the kernel made from a vtkPolyData, with all that is known of it. Internal.
+#ifndef vtkDGGPreparedMesh_h
+#define vtkDGGPreparedMesh_h
+
+#include "dggGeodesicGraph.h" // for Signature
+#include "dggMeshReport.h"    // for MeshReport
+#include "dggSurfaceMesh.h"   // for SurfaceMesh
+
+#include "vtkType.h" // for vtkIdType
+
+#include <memory> // for sharing
+#include <string> // for the warnings
+#include <vector> // for the maps
+
+class vtkPolyData;
+
+/// What vtkDGGMeshAdapter keeps. It does not change any more once it is made, so that filters with
+/// the same surface share it, in any threads: in a chain of filters the mesh is prepared once.
+class vtkDGGPreparedMesh
+{
+public:
+  using Pointer = std::shared_ptr<const vtkDGGPreparedMesh>;
+
+  /// 128 bits that tell the points, cells and treatment of coincident points from others. Equal
+  /// ones give equal meshes. Much cheaper than to prepare a mesh.
+  static dgg::Signature ComputeFingerprint(vtkPolyData* input, bool mergeCoincidentPoints);
+
+  /// The mesh of a surface: one that is in use already where there is one of this fingerprint, else
+  /// a new one. Fails with a message that names the offending point or cell.
+  static dgg::Status Make(vtkPolyData* input, bool mergeCoincidentPoints,
+    const dgg::Signature& fingerprint, Pointer& prepared);
+
+  dgg::SurfaceMesh Mesh;
+  dgg::MeshReport Report;
+  dgg::Signature Signature{};
+  std::vector<dgg::Id> Vertices; ///< per point; empty unless coincident points are merged
+  std::vector<vtkIdType> Cells;  ///< per face
+  vtkIdType NumberOfDroppedCells = 0;
+  vtkIdType NumberOfFans = 0; ///< polygons that cross or touch themselves
+  vtkIdType NumberOfMergedPoints = 0;
+  vtkIdType NumberOfCoincidentBoundaryPoints = 0;
+  std::vector<std::string> Warnings;
+
+private:
+  dgg::Status Build(vtkPolyData* input, bool mergeCoincidentPoints);
+  dgg::Status Triangulate(
+    vtkPolyData* input, const double* points, std::vector<dgg::Id>& triangles);
+  void MergeCoincidentPoints(const double* points, vtkIdType numberOfPoints);
+  void CountCoincidentBoundaryPoints(const double* points);
+  void CollectWarnings();
+  dgg::Id GetVertex(vtkIdType point) const
+  {
+    return this->Vertices.empty() ? static_cast<dgg::Id>(point) : this->Vertices[point];
+  }
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGPreparedMesh.h
