@@ -202,6 +202,39 @@ TEST_P(ExactSources, OnEdgesAreTheSameFromEachFace)
   }
 }
 
+TEST_P(ExactSources, OnSeamsWithoutArea)
+{
+  // A triangle and a strip of two triangles without area along one of its edges: as close to that
+  // edge as a source on any edge of the strip is, it is on it.
+  const std::vector<std::vector<Id>> strips{ { 0, 1, 2, 1, 3, 2 }, { 1, 3, 2, 0, 1, 2 },
+    { 0, 1, 3, 0, 3, 2 } };
+  for (const double scale : { 1e-3, 1.0, 1e6 })
+  {
+    for (const std::vector<Id>& strip : strips)
+    {
+      TestMesh mesh;
+      mesh.Points = { 0, 0, 0, 0, 0, 0, 0, scale, 0, 0, scale, 0, scale, 0, 0 };
+      mesh.Triangles = strip;
+      mesh.AddTriangle(1, 4, 3);
+      const dgg::SurfaceMesh surface = Build(mesh);
+      for (int i = 1; i < 1000; i += 7)
+      {
+        for (Id h = 0; h < 6; ++h)
+        {
+          const double t = 1e-3 * i;
+          dgg::GeodesicSource source;
+          source.Point = dgg::SurfacePoint::OnEdge(surface, h, t);
+          const double from = mesh.Points[3 * surface.Origin(h) + 1];
+          const double to = mesh.Points[3 * surface.Destination(h) + 1];
+          const double expected = std::hypot(scale, from + t * (to - from));
+          const double distance = Solve(surface, this->Engine(), { source }).Distances[4];
+          ASSERT_NEAR(distance, expected, 1e-11 * scale) << "edge " << h << " at " << t;
+        }
+      }
+    }
+  }
+}
+
 TEST_P(ExactSources, OffsetsShiftTheField)
 {
   const dgg::SurfaceMesh mesh = Build(NoisySphere(2, 0.3, 3));

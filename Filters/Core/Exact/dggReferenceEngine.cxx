@@ -34,7 +34,7 @@ void ReferenceEngine::LabelDropped(Id v)
 bool ReferenceEngine::IsUseless(Id h, const Window& w) const
 {
   const double length = this->Mesh.Length(h);
-  return w.IsTooNarrow(length) || w.Image.Y > -EdgeOnTolerance * length ||
+  return w.IsTooNarrow(length) ||
     this->Label(this->Mesh.Origin(h)) + w.End <= w.DistanceAtEnd * (1.0 - LengthTolerance) ||
     this->Label(this->Mesh.Destination(h)) + (length - w.Begin) <=
     w.DistanceAtBegin * (1.0 - LengthTolerance) ||
@@ -43,9 +43,10 @@ bool ReferenceEngine::IsUseless(Id h, const Window& w) const
 
 void ReferenceEngine::Receive(Id h, const Window& window)
 {
-  if (!this->IsUseless(h, window))
+  Window received = window;
+  if (received.FacesEdge(this->Mesh.Length(h)) && !this->IsUseless(h, received))
   {
-    this->Windows.push({ window.MinimumDistance(), h, window });
+    this->Windows.push({ received.MinimumDistance(), h, received });
   }
 }
 

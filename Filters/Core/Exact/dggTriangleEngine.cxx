@@ -237,7 +237,7 @@ void TriangleEngine::MakeChildren(Id h, const FaceUnfolding& face)
 void TriangleEngine::AddChild(
   Window& child, double length, double atOrigin, double atEnd, WindowList& list)
 {
-  if (child.Image.Y > -EdgeOnTolerance * length || child.IsTooNarrow(length) ||
+  if (!child.FacesEdge(length) || child.IsTooNarrow(length) ||
     !TrimByEnds(child, length, atOrigin, atEnd) || child.MinimumDistance() > this->GetRadius())
   {
     return;

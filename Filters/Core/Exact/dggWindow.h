@@ -20,8 +20,8 @@ constexpr double IntervalTolerance = 1e-10;
 /// straight line past the border of its strip by that much differs from a path in the strip by the
 /// square, and no point on the seam between two windows stays dark.
 constexpr double LightTolerance = 1e-9;
-/// An image closer to the axis than this, relative to its edge, sees the edge edge-on and lights
-/// nothing.
+/// An image closer to the axis than this, relative to its edge, and beside the window sees the edge
+/// edge-on and lights nothing.
 constexpr double EdgeOnTolerance = 1e-14;
 
 /// Light on its way into the face of a half-edge, in the frame of that half-edge (dggUnfolding.h).
@@ -82,6 +82,25 @@ struct Window
   bool IsTooNarrow(double length) const
   {
     return this->End - this->Begin < this->Tolerance(IntervalTolerance, length);
+  }
+
+  /// False when the image sees the edge edge-on. An image in the window itself does not, however
+  /// close: as after faces without area it is on the edge, and lights all that is behind. Then it
+  /// is put where it has a side.
+  bool FacesEdge(double length)
+  {
+    const double closest = -EdgeOnTolerance * length;
+    if (this->Image.Y <= closest)
+    {
+      return true;
+    }
+    if (!(this->Image.X > this->Begin && this->Image.X < this->End))
+    {
+      return false;
+    }
+    this->Image.Y = closest;
+    this->SetInterval(this->Begin, this->End);
+    return true;
   }
 
   bool HasSameOrigin(const Window& other) const
