@@ -7,11 +7,14 @@
 # times and errors. Writes distance.vtp, distance.png (distances with isolines) and error.png (where
 # the errors are). Missing Debian packages are installed first.
 #
-# Usage: Examples/demo.sh [MESH] [--accuracy E] [--source ID | --source X,Y,Z] [--merge] [--out DIR]
+# Usage: Examples/demo.sh [MESH] [--accuracy E] [--source ID | --source X,Y,Z [--tolerance T]]
+#                         [--merge] [--out DIR]
 #   MESH        .ply .obj .stl .vtp .vtk .off (default: the bunny of Debian's glmark2-data)
 #   --accuracy  largest relative error of a distance, 1e-6 to 0.5 (default: 0.01)
 #   --source    where distances start: a point id, or coordinates on the surface
 #               (default: the point farthest from the centre of the mesh)
+#   --tolerance how far X,Y,Z may be from the surface, as a fraction of the diagonal of the mesh
+#               (default: 0.01)
 #   --merge     treat points with equal coordinates as one (texture seams)
 #   --out       folder of the results (default: ./out)
 

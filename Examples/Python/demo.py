@@ -16,7 +16,9 @@ import demo_source
 import numpy as np
 import vtkdgg
 from demo_errors import Errors
+from demo_size import floor_of, notes
 from demo_solve import Exact, Graph, Query
+from demo_words import counted, in_options
 from mesh_file import READERS, MeshFileError, read_triangles
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkSMPTools
@@ -53,6 +55,14 @@ def parse(arguments):
         "(default: the point farthest from the centre of the mesh)",
     )
     parser.add_argument(
+        "--tolerance",
+        type=float,
+        default=0.01,
+        metavar="T",
+        help="how far X,Y,Z may be from the surface, as a fraction of the diagonal of the mesh "
+        "(default: %(default)s)",
+    )
+    parser.add_argument(
         "--accuracy",
         type=float,
         default=0.01,
@@ -80,15 +90,19 @@ def parse(arguments):
 def defects(distance):
     """One line on what is wrong with the mesh."""
     counts = (
-        (distance.GetNumberOfNonManifoldEdges(), "non-manifold edges"),
-        (distance.GetNumberOfNonManifoldVertices(), "non-manifold vertices"),
-        (distance.GetNumberOfDroppedFaces(), "faces with repeated points"),
-        (distance.GetNumberOfDegenerateFaces(), "triangles without area"),
-        (distance.GetNumberOfDuplicateFaces(), "duplicate triangles"),
-        (distance.GetNumberOfCoincidentPoints(), "coincident points"),
-        (distance.GetNumberOfIsolatedPoints(), "isolated points"),
+        (distance.GetNumberOfNonManifoldEdges(), "non-manifold edge"),
+        (distance.GetNumberOfNonManifoldVertices(), "non-manifold vertex", "non-manifold vertices"),
+        (
+            distance.GetNumberOfDroppedFaces(),
+            "face with repeated points",
+            "faces with repeated points",
+        ),
+        (distance.GetNumberOfDegenerateFaces(), "triangle without area", "triangles without area"),
+        (distance.GetNumberOfDuplicateFaces(), "duplicate triangle"),
+        (distance.GetNumberOfCoincidentPoints(), "coincident point"),
+        (distance.GetNumberOfIsolatedPoints(), "isolated point"),
     )
-    found = [f"{count} {what}" for count, what in counts if count]
+    found = [counted(*what) for what in counts if what[0]]
     if not distance.GetOrientable():
         found.append("no consistent orientation")
     return ", ".join(found) or "none"
@@ -107,7 +121,7 @@ def topology(distance):
 def bound_line(bound, name):
     """One line on the agreement with a bound."""
     return (
-        f"{bound['violations']} violations at {bound['points']} points, "
+        f"{counted(bound['violations'], 'violation')} at {counted(bound['points'], 'point')}, "
         f"mean distance / {name} = {bound['ratio']:.4f}"
     )
 
@@ -132,13 +146,21 @@ def error_rows(raw, corrected, accuracy):
     )
 
 
+def near_rows(errors, floor):
+    """How many points are too near to the source for a relative error, as a line of the table."""
+    if not errors.number_near:
+        return ()
+    points = counted(errors.number_near, "point")
+    return (("too near", f"{points} within {floor:.2g} of the source: no relative errors there"),)
+
+
 def graph_rows(graph, query, exact):
     """What the graph is and costs, as lines of the table."""
     size = graph.filter.GetMemorySize() / 1e6
     search = query.filter.GetMemorySize() / 1e6 - size
     threads = vtkSMPTools.GetEstimatedNumberOfThreads()
     return (
-        ("build", f"{graph.build_time:.3f} s on {threads} thread{'s' if threads > 1 else ''}"),
+        ("build", f"{graph.build_time:.3f} s on {counted(threads, 'thread')}"),
         (
             "graph",
             f"degree {graph.filter.GetMeanDegree():.1f}, {graph.filter.GetNumberOfGraphEdges()} "
@@ -202,13 +224,14 @@ def main(arguments):
     read_time = time.perf_counter() - start
     location, corners = demo_source.locate(mesh, source)
 
-    with warnings.catch_warnings(record=True) as notes:
+    with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         graph = Graph(mesh, options.accuracy, options.merge)
-        query = Query(graph, source, options.merge)
-        exact = Exact(mesh, source, options.merge)
-    raw = Errors(query.upper_bound, exact.distances)
-    corrected = Errors(query.distances, exact.distances)
+        query = Query(graph, source, options.merge, options.tolerance)
+        exact = Exact(mesh, source, options.merge, options.tolerance)
+    floor = floor_of(mesh)
+    raw = Errors(query.upper_bound, exact.distances, floor)
+    corrected = Errors(query.distances, exact.distances, floor)
     bounds = demo_bounds.compare(
         exact.distances,
         demo_bounds.upper_bound(mesh, location, corners),
@@ -229,6 +252,7 @@ def main(arguments):
         ("source", f"{which}({place})"),
         *graph_rows(graph, query, exact),
         *error_rows(raw, corrected, options.accuracy),
+        *near_rows(corrected, floor),
         ("reached", f"{reached.sum()} of {reached.size} vertices"),
         ("range", f"0 to {np.nanmax(np.append(query.distances, 0.0)):.6g} model units"),
         ("upper bound", bound_line(bounds["upper"], "edge graph")),
@@ -239,8 +263,9 @@ def main(arguments):
     for key, value in rows:
         print(f"{key:<12} {value}")
     # Each filter reads the mesh, and says the same of it.
-    for note in dict.fromkeys(str(note.message).split(": ", 1)[-1] for note in notes):
-        print(f"{'note':<12} {note}")
+    warned = [str(warning.message).split(": ", 1)[-1] for warning in caught]
+    for note in dict.fromkeys(notes(mesh) + warned):
+        print(f"{'note':<12} {in_options(note)}")
     return verdict(raw, corrected, options.accuracy, bounds)
 
 
@@ -265,5 +290,5 @@ if __name__ == "__main__":
         vtkdgg.VTKError,
         OSError,
     ) as problem:
-        print(f"error: {' '.join(str(problem).split())}", file=sys.stderr)
+        print(f"error: {in_options(' '.join(str(problem).split()))}", file=sys.stderr)
         sys.exit(2)

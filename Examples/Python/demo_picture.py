@@ -56,7 +56,9 @@ ERROR_COLOURS = (
     (0.580, 0.100, 0.400),
     (0.270, 0.030, 0.330),
 )
-GREY = (0.72, 0.72, 0.72)
+# Where no source reaches, a colour far from those of the distances, of the errors.
+UNREACHED_DISTANCE = (0.72, 0.72, 0.72)
+UNREACHED_ERROR = (0.42, 0.62, 0.80)
 INK = (0.12, 0.12, 0.14)
 
 
@@ -75,10 +77,15 @@ def save_distances(path, mesh, array_name, source, unit="model units"):
     finite = distances[np.isfinite(distances)]
     high = float(finite.max()) if finite.size and finite.max() > 0 else 1.0
     step = nice_step(high)
-    table = _lookup_table(DISTANCE_COLOURS, 0.0, high)
+    table = _lookup_table(DISTANCE_COLOURS, 0.0, high, UNREACHED_DISTANCE)
     labels = _labels(0.0, high)
     bar = _scalar_bar(table, f"Geodesic distance\n({unit})", labels, "%-.6g")
-    props = [_surface(mesh, array_name, table), _isolines(mesh, array_name, step, 0.0011), bar]
+    props = [
+        _surface(mesh, array_name, table),
+        _isolines(mesh, array_name, step, 0.0011),
+        bar,
+        *_unreached(bar, distances),
+    ]
     _save(path, mesh, source, props)
     return step
 
@@ -98,12 +105,14 @@ def save_errors(path, mesh, array_name, promised, isolines, source, note):
     sizes.SetName(name)
     sized.GetPointData().AddArray(sizes)
     labels = [100.0 * promised * 10.0**power for power in range(-3, 1)]
-    table = _lookup_table(ERROR_COLOURS, labels[0], labels[-1])
+    table = _lookup_table(ERROR_COLOURS, labels[0], labels[-1], UNREACHED_ERROR)
     table.SetScaleToLog10()
+    bar = _scalar_bar(table, "Relative error\n(%)", labels, "%-.4g")
     props = [
         _surface(sized, name, table, shine=0.0),
         _isolines(mesh, *isolines, 0.0006),
-        _scalar_bar(table, "Relative error\n(%)", labels, "%-.4g"),
+        bar,
+        *_unreached(bar, vtk_to_numpy(sizes)),
         *_note(note),
     ]
     _save(path, mesh, source, props)
@@ -135,7 +144,7 @@ def _save(path, mesh, source, props):
     vtkdgg.check(writer)
 
 
-def _lookup_table(colours, low, high):
+def _lookup_table(colours, low, high, unreached):
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
     place = np.linspace(0.0, 1.0, len(colours))
@@ -143,7 +152,7 @@ def _lookup_table(colours, low, high):
     for i in range(256):
         table.SetTableValue(i, *(float(np.interp(i / 255.0, place, c)) for c in channels), 1.0)
     table.SetRange(low, high)
-    table.SetNanColor(*GREY, 1.0)
+    table.SetNanColor(*unreached, 1.0)
     return table
 
 
@@ -257,15 +266,27 @@ def _scalar_bar(table, title, values, form):
     return bar
 
 
+def _unreached(bar, values):
+    """The colour of points without a value in the legend, and its name, when there are some."""
+    if np.isnan(values).any():
+        bar.DrawNanAnnotationOn()
+        bar.SetNanAnnotation("")  # it would be on the left, where the mesh is
+        yield _text("unreached", 0.879, 0.185)
+
+
 def _note(lines):
     """Text below the scalar bar, one actor per line."""
     for i, line in enumerate(lines):
-        text = vtkTextActor()
-        text.SetInput(line)
-        text.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
-        text.SetPosition(0.815, 0.12 - 0.032 * i)
-        _style(text.GetTextProperty(), 24)
-        yield text
+        yield _text(line, 0.815, 0.12 - 0.032 * i)
+
+
+def _text(line, x, y):
+    text = vtkTextActor()
+    text.SetInput(line)
+    text.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    text.SetPosition(x, y)
+    _style(text.GetTextProperty(), 24)
+    return text
 
 
 def _style(text, size):

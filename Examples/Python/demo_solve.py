@@ -34,11 +34,11 @@ class Graph:
 class Query:
     """Distances from a source by a graph: the first query prepares the search, others do not."""
 
-    def __init__(self, graph, source, merge):
+    def __init__(self, graph, source, merge, tolerance):
         self.filter = vtkdgg.vtkDGGDistance()
         self.filter.SetInputConnection(graph.filter.GetOutputPort())
         self.filter.SetMergeCoincidentPoints(merge)
-        _add_source(self.filter, source)
+        _add_source(self.filter, source, tolerance)
         self.filter.GenerateUpperBoundOn()
         self.output, self.first_time = update(self.filter)
         times = []
@@ -56,17 +56,18 @@ class Query:
 class Exact:
     """The exact distances from the same source."""
 
-    def __init__(self, mesh, source, merge):
+    def __init__(self, mesh, source, merge, tolerance):
         self.filter = vtkdgg.vtkExactGeodesicDistance()
         self.filter.SetInputData(mesh)
         self.filter.SetMergeCoincidentPoints(merge)
-        _add_source(self.filter, source)
+        _add_source(self.filter, source, tolerance)
         output, self.time = update(self.filter)
         name = self.filter.GetDistanceArrayName()
         self.distances = vtk_to_numpy(output.GetPointData().GetArray(name))
 
 
-def _add_source(distance, source):
+def _add_source(distance, source, tolerance):
+    distance.SetProjectionTolerance(tolerance)
     if isinstance(source, int):
         distance.AddSourceId(source)
         return

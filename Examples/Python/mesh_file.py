@@ -54,8 +54,8 @@ def read_triangles(path):
     ids = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())
     if len(ids) > 0 and not 0 <= ids.min() <= ids.max() < mesh.GetNumberOfPoints():
         wrong = ids.min() if ids.min() < 0 else ids.max()
-        count = mesh.GetNumberOfPoints()
-        raise MeshFileError(f"{path}: a cell names point {wrong}, but there are {count} points")
+        last = mesh.GetNumberOfPoints() - 1
+        raise MeshFileError(f"{path}: a cell names point {wrong}, but the last is {last}")
     if mesh.GetNumberOfPolys() == 0:
         raise MeshFileError(f"{path}: holds no surface")
     return mesh

@@ -14,10 +14,11 @@
  *
  *   |result - exact distance| <= accuracy * (exact distance - o),
  *
- * up to rounding (1e-6), where accuracy is that of the graph and o the least InitialDistance of a
- * source (0 without). The mean error is far smaller, about accuracy / 100. Without Correction the
- * results are lengths of real paths, never shorter than the exact distance; they are a metric, but
- * their mean error is 5 to 20 times larger.
+ * up to rounding (1e-6) and the length added to triangles without area (GetMollification()), where
+ * accuracy is that of the graph and o the least InitialDistance of a source (0 without). The mean
+ * error is far smaller, about accuracy / 100. Without Correction the results are lengths of real
+ * paths, never shorter than the exact distance; they are a metric, but their mean error is 5 to 20
+ * times larger.
  *
  * A graph on the input that has been built by a rule without a guarantee (OneRelay,
  * SaddleVertexGraph) promises nothing, and the corrected results are not bounded from below. A

@@ -422,5 +422,6 @@ dgg::Status vtkDGGGraphArrays::CheckContents() const
   const std::int64_t* info = this->GetValues<std::int64_t>(Info);
   return info[Checksum] == Seal(info, this->View)
     ? dgg::Status::Success()
-    : Damaged("its checksum is wrong, so values have been altered");
+    : Damaged(
+        "its checksum is wrong, so values have been altered, as by a text file that rounds them");
 }

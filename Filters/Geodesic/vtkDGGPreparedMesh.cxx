@@ -70,7 +70,7 @@ dgg::Status BadPoint(const double* points, vtkIdType numberOfPoints, vtkIdType c
   if (id < 0 || id >= numberOfPoints)
   {
     message << "cell " << cell << " names point " << id << ", but the input has " << numberOfPoints
-            << " points: repair the cell";
+            << (numberOfPoints == 1 ? " point" : " points") << ": repair the cell";
     return dgg::Status::Invalid(message.str());
   }
   const double* p = points + 3 * id;
@@ -190,8 +190,8 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input, bool mergeCoincidentPo
   if (input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
     std::ostringstream message;
-    message << "the input has " << n << " points but no polygons or triangle strips: connect a "
-            << "surface mesh";
+    message << "the input has " << n << (n == 1 ? " point" : " points")
+            << " but no polygons or triangle strips: connect a surface mesh";
     return dgg::Status::Invalid(message.str());
   }
 

@@ -15,8 +15,10 @@
  *
  *   exact distance <= distance in the graph <= (1 + Accuracy) * exact distance,
  *
- * up to rounding (1e-6). Accuracy is a bound of the maximum, not of the mean: the mean error is
- * about Accuracy / 12, and much less again after the correction that vtkDGGDistance makes.
+ * up to rounding (1e-6) and the length added to triangles without area (GetMollification()). Where a
+ * distance consists of that length only, as between coincident points, its relative error means
+ * nothing. Accuracy is a bound of the maximum, not of the mean: the mean error is about
+ * Accuracy / 12, and much less again after the correction that vtkDGGDistance makes.
  *
  * <b>Output port 0</b> is the input, unchanged and in the same order, plus arrays in the field
  * data. n is the number of points, m the number of directed edges; each edge is there in both
@@ -50,7 +52,9 @@
  * coincident points were merged; a signature of the surface (2 values); three values that are 0; a
  * checksum of all arrays.
  *
- * The arrays go through other filters, and into files and back by vtkXMLPolyDataWriter and reader.
+ * The arrays go through other filters, and into files and back: by vtkXMLPolyDataWriter and reader
+ * in any of its modes, and by vtkPolyDataWriter and reader in binary. A legacy file in ASCII, which
+ * is the default of vtkPolyDataWriter, rounds numbers; its graph is found to be damaged.
  * Whoever takes a graph from its input makes sure first that it is undamaged and that of this very
  * surface: any change of points or polygons, a rigid motion included, makes it useless.
  *
@@ -156,7 +160,8 @@ public:
   ///@{
   /**
    * Of a SaddleVertexGraph: how many of the nearest points each point looks at. Default 30; at
-   * least 1.
+   * least 1. Time and memory grow with the number of points that are looked at; where it is more
+   * than there are points, that is all of them from each: minutes for some thousand points.
    */
   vtkSetMacro(NumberOfNeighbors, int);
   vtkGetMacro(NumberOfNeighbors, int);

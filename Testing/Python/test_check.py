@@ -168,6 +168,17 @@ class Check(unittest.TestCase):
         self.assertEqual(len(caught), 1)
         self.assertIn("empty", str(caught[0].message))
 
+    def test_an_abort_is_no_error(self):
+        distance = vtkdgg.vtkExactGeodesicDistance()
+        distance.SetInputData(support.polydata(*support.grid(3, 3)))
+        distance.SetSourceIds([0])
+        tag = distance.AddObserver("ProgressEvent", lambda caller, event: caller.AbortExecuteOn())
+        self.assertEqual(vtkdgg.check(distance).GetNumberOfPoints(), 0)
+        self.assertTrue(distance.GetAbortExecute())
+        distance.RemoveObserver(tag)
+        self.assertEqual(vtkdgg.check(distance).GetNumberOfPoints(), 16)
+        self.assertFalse(distance.GetAbortExecute())
+
     def test_not_an_algorithm(self):
         for thing in (None, 3, "reader", vtkPolyData()):
             with self.subTest(thing=type(thing)), self.assertRaises(TypeError):

@@ -101,6 +101,30 @@ class Distance(unittest.TestCase):
         self.check_equal(distances[:-1], self.straight(self.points[0]))
         self.assertTrue(np.isnan(vtkdgg.distance(points, self.triangles, 0)[-1]))
 
+    def test_seams(self):
+        # Two squares along a common side whose points exist twice.
+        points, triangles = support.grid(1, 1)
+        points = np.vstack([points, points + [1.0, 0.0, 0.0]])
+        triangles = np.vstack([triangles, triangles + 4])
+        with self.assertWarnsRegex(RuntimeWarning, "MergeCoincidentPoints"):
+            self.assertTrue(np.isnan(vtkdgg.distance(points, triangles, 0)[7]))
+        for accuracy, delta in ((None, 1e-12), (0.01, 1e-5)):
+            distances = vtkdgg.distance(
+                points, triangles, 0, accuracy=accuracy, merge_coincident_points=True
+            )
+            self.assertAlmostEqual(distances[7], np.sqrt(5.0), delta=delta)
+
+    def test_projection_tolerance(self):
+        above = [[2.0, 1.0, 0.5]]
+        for accuracy in (None, 0.01):
+            with self.assertRaisesRegex(vtkdgg.VTKError, "ProjectionTolerance 0.01 "):
+                vtkdgg.distance(self.points, self.triangles, above, accuracy=accuracy)
+            distances = vtkdgg.distance(
+                self.points, self.triangles, above, accuracy=accuracy, projection_tolerance=0.1
+            )
+            expected = self.straight([2.0, 1.0, 0.0])
+            np.testing.assert_allclose(distances, expected, rtol=0.01, atol=1e-6)
+
     def test_warnings_name_the_caller(self):
         # Three triangles on one edge.
         points = np.vstack([np.zeros(3), np.eye(3), [[0.0, -1.0, 0.0]]])
@@ -161,6 +185,23 @@ class WrongInput(unittest.TestCase):
             self.refuses("maximum_distance", maximum_distance=value)
 
         self.refuses("maximum_distance: a number is wanted", maximum_distance="far")
+
+    def test_numbers(self):
+        for name in ("unreached", "projection_tolerance", "accuracy", "maximum_distance"):
+            for value in ("x", "1", [1, 2], 10**400):
+                with self.subTest(name=name, value=str(value)[:9]):
+                    self.refuses(f"{name}: a number is wanted", **{name: value})
+        self.refuses("unreached: a number is wanted, not None", unreached=None)
+        for value in (-0.1, np.nan):
+            self.refuses("projection_tolerance: must not be", projection_tolerance=value)
+
+    def test_huge_integers(self):
+        self.refuses("sources: 1180591620717411303424 does not fit into 64 bits", sources=2**70)
+        self.refuses("sources: -1180591620717411303424 does not fit", sources=[1, -(2**70)])
+        self.refuses("triangles: .* does not fit", triangles=[[0, 1, 2**64]])
+
+    def test_one_point(self):
+        self.refuses("there is 1 point$", points=[[0, 0, 0]], triangles=[[0, 0, 0]], sources=1)
 
     def test_accuracy(self):
         self.refuses("accuracy: a number is wanted, not 'high'", accuracy="high")

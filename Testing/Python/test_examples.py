@@ -136,6 +136,47 @@ class Demo(unittest.TestCase):
         self.assertFalse(errors(np.array([0.0, 1.0, np.nan, np.nan]), exact).keeps(0.5))
         self.assertFalse(errors(np.array([0.1, 1.0, 2.0, np.nan]), exact).keeps(0.5))
 
+    def test_no_relative_errors_near_the_source(self):
+        # Such distances consist of the length added to triangles without area.
+        errors = example("demo_errors").Errors
+        exact = np.array([0.0, 1e-14, 3e-14, 1.0, np.nan])
+        distances = np.array([0.0, 2e-14, 1e-14, 1.01, np.nan])
+        self.assertFalse(errors(distances, exact).keeps(0.01))
+        result = errors(distances, exact, 1e-7)
+        self.assertTrue(result.keeps(0.01) and result.is_upper_bound)
+        self.assertEqual(result.number_near, 2)
+        np.testing.assert_array_equal(result.signed[:3], 0.0)
+        self.assertAlmostEqual(result.mean, 0.01, delta=1e-12)
+        distances[1] = 2e-7
+        self.assertFalse(errors(distances, exact, 1e-7).keeps(0.01))
+        self.assertFalse(errors(exact + 2e-7, exact, 1e-7).keeps(0.01))
+
+    def test_points_that_coincide(self):
+        # A square with a side of no width, as if two points had not been merged.
+        points = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 0], [0, 1, 0]]
+        triangles = [[4, 1, 2], [4, 2, 5], [0, 4, 5], [0, 5, 3]]
+        path = os.path.join(support.output_folder("formats"), "coincide.vtp")
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(path)
+        writer.SetInputData(support.polydata(points, triangles))
+        writer.Write()
+        result, arrays = self.demo("coincide", path, "--source", 0)
+        self.assertGreater(arrays["ExactDistance"][4], 0.0)
+        self.assertRegex(table(result)["too"], r"near +1 point within \S+e-07 of the source")
+        self.assertIn("2 triangles without area, 2 coincident points", table(result)["defects"])
+        self.assertIn("turn MergeCoincidentPoints on (--merge)", result.stdout)
+
+    def test_large_triangles(self):
+        result, _ = self.demo("large", TETRAHEDRON)
+        self.assertRegex(result.stdout, r"note +triangles are large \(.* 82 % of the diagonal\)")
+        result, _ = self.demo("small", BUMPY)
+        self.assertNotIn("triangles are large", result.stdout)
+
+    def test_tolerance(self):
+        arguments = (TETRAHEDRON, "--source", "2,1,1", "--tolerance", "1")
+        result, _ = self.demo("tolerance", *arguments)
+        self.assertIn("(1, 1, 1)", table(result)["source"])
+
     def test_every_format(self):
         folder = support.output_folder("formats")
         reader = vtkPLYReader()
@@ -170,6 +211,11 @@ class Demo(unittest.TestCase):
         self.assertEqual(table(result)["reached"], "4 of 8 vertices")
         for values in arrays.values():
             self.assertEqual(np.isnan(values).sum(), 4)
+        # What is not reached has a colour of its own: in the error picture, a blue one.
+        folder = support.output_folder(os.path.join("demo", "two"))
+        picture = support.pixels(support.read_image(os.path.join(folder, "error.png"))).astype(int)
+        bluish = picture[:, :, 2] - picture[:, :, 0] > 40
+        self.assertGreater(bluish.mean(), 0.02)
 
     def test_seams(self):
         # Two squares along a common side whose points exist twice.
@@ -205,7 +251,8 @@ class Demo(unittest.TestCase):
             ((TETRAHEDRON, "--source", "ear"), "neither a point id nor X,Y,Z"),
             ((TETRAHEDRON, "--source", "1,2"), "neither a point id nor X,Y,Z"),
             ((TETRAHEDRON, "--source", "nan,0,0"), "neither a point id nor X,Y,Z"),
-            ((TETRAHEDRON, "--source", "9,9,9"), "ProjectionTolerance"),
+            ((TETRAHEDRON, "--source", "9,9,9"), r"raise ProjectionTolerance \(--tolerance\)"),
+            ((TETRAHEDRON, "--source", "1,1,1", "--tolerance", "-1"), "ProjectionTolerance is -1"),
             ((TETRAHEDRON, "--colour", "red"), "unrecognized arguments"),
             ((TETRAHEDRON, "--accuracy", "fine"), "--accuracy: invalid float value"),
             ((TETRAHEDRON, "--accuracy", "0"), "1e-0?6"),
@@ -222,7 +269,7 @@ class Demo(unittest.TestCase):
     def test_help(self):
         result = run("demo.py", "--help")
         self.assertEqual(result.returncode, 0)
-        for word in ("--source", "--accuracy", "--out", "--merge", ".off"):
+        for word in ("--source", "--accuracy", "--tolerance", "--out", "--merge", ".off"):
             self.assertIn(word, result.stdout)
 
 

@@ -2,7 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkdgg.Graph: a graph that is built once and asked often."""
 
+import copy
 import os
+import pickle
+import subprocess
+import sys
 import unittest
 import unittest.mock
 import warnings
@@ -10,8 +14,10 @@ import warnings
 import numpy as np
 import support
 import vtkdgg
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 try:
@@ -404,11 +410,84 @@ class Mesh(unittest.TestCase):
             np.testing.assert_allclose(graph.distance(2)[3:], [2.0, 2.0], rtol=1e-6)
             np.testing.assert_allclose(graph.matrix(2, [3, 4]), [[2.0, 2.0]], rtol=1e-6)
 
+    def test_seams(self):
+        # Two squares along a common side whose points exist twice.
+        points, triangles = support.grid(1, 1)
+        points = np.vstack([points, points + [1.0, 0.0, 0.0]])
+        triangles = np.vstack([triangles, triangles + 4])
+        with self.assertWarnsRegex(RuntimeWarning, "MergeCoincidentPoints"):
+            graph = vtkdgg.Graph(points, triangles)
+        self.assertTrue(np.isnan(graph.distance(0)[7]))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            graph = vtkdgg.Graph(points, triangles, merge_coincident_points=True)
+            self.assertAlmostEqual(graph.distance(0)[7], np.sqrt(5.0), delta=1e-5)
+            self.assertAlmostEqual(graph.matrix(0, 7)[0, 0], np.sqrt(5.0), delta=1e-5)
+            again = vtkdgg.Graph.from_polydata(graph.polydata)
+        np.testing.assert_array_equal(again.distance(0), graph.distance(0))
+
     def test_two_graphs(self):
         one, two = vtkdgg.Graph(*corner()), vtkdgg.Graph(*corner(2.0))
         for _ in range(2):
             self.assertAlmostEqual(one.distance(4)[2], 2.0, delta=1e-6)
             self.assertAlmostEqual(two.distance(4)[2], 4.0, delta=1e-6)
+
+
+class Copies(unittest.TestCase):
+    def setUp(self):
+        self.graph = vtkdgg.Graph(*support.bumpy(), accuracy=0.03, memory_limit=2**28)
+
+    def check_equal(self, graph):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for source in (11, [[0.7, 0.1, 0.2]]):
+                expected = self.graph.distance(source, projection_tolerance=1.0)
+                distances = graph.distance(source, projection_tolerance=1.0)
+                np.testing.assert_array_equal(distances, expected)
+            np.testing.assert_array_equal(graph.matrix([1, 2]), self.graph.matrix([1, 2]))
+        search = graph._filters[vtkdgg.vtkDGGDistance]
+        self.assertTrue(search.GetUsedInputGraph())
+        self.assertEqual(search.GetMemoryLimit(), 2**28)
+        self.assertEqual(repr(graph), repr(self.graph))
+
+    def test_ways_to_copy(self):
+        for asked in (False, True):
+            if asked:
+                self.graph.distance(5)
+            self.check_equal(copy.copy(self.graph))
+            self.check_equal(copy.deepcopy(self.graph))
+            for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
+                text = pickle.dumps(self.graph, protocol)
+                self.check_equal(pickle.loads(text))  # noqa: S301
+
+    def test_another_process(self):
+        code = (
+            "import pickle, sys, vtkdgg\n"
+            "graph = pickle.load(sys.stdin.buffer)\n"
+            "pickle.dump((graph, graph.distance(11)), sys.stdout.buffer)\n"
+        )
+        self.graph.distance(11)
+        result = subprocess.run(
+            [sys.executable, "-c", code],
+            input=pickle.dumps(self.graph),
+            capture_output=True,
+            check=True,
+        )
+        graph, distances = pickle.loads(result.stdout)  # noqa: S301
+        np.testing.assert_array_equal(distances, self.graph.distance(11))
+        self.check_equal(graph)
+
+    def test_other_data(self):
+        mesh = self.graph.polydata
+        colours = numpy_to_vtk(np.arange(1926, dtype=np.uint8).reshape(-1, 3), deep=True)
+        colours.SetName("Colours")
+        mesh.GetPointData().AddArray(colours)
+        graph = vtkdgg.Graph.from_polydata(mesh, memory_limit=2**28)
+        graph = pickle.loads(pickle.dumps(graph))  # noqa: S301
+        kept = graph.polydata.GetPointData().GetArray("Colours")
+        self.assertEqual(kept.GetDataType(), colours.GetDataType())
+        np.testing.assert_array_equal(vtk_to_numpy(kept), vtk_to_numpy(colours))
+        self.check_equal(graph)
 
 
 class FromPolydata(unittest.TestCase):
@@ -477,19 +556,82 @@ class FromPolydata(unittest.TestCase):
         self.assertEqual(graph.accuracy, 0.03)
         np.testing.assert_allclose(graph.distance(11), 2.0 * self.expected, rtol=1e-6)
 
+    def refuses(self, mesh, pattern):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaisesRegex(ValueError, f"polydata: its graph is damaged: .*{pattern}"):
+                vtkdgg.Graph.from_polydata(mesh)
+
     def test_damaged(self):
         mesh = self.editable()
         vtk_to_numpy(mesh.GetFieldData().GetArray("DGG.Lengths"))[100] *= 0.5
-        with self.assertWarnsRegex(RuntimeWarning, "damaged"):
-            self.check_equal(vtkdgg.Graph.from_polydata(mesh))
+        self.refuses(mesh, "checksum is wrong.*a text file that rounds.*build it anew")
         mesh = self.editable()
         mesh.GetFieldData().GetArray("DGG.Targets").SetNumberOfTuples(100)
-        with self.assertWarnsRegex(RuntimeWarning, "damaged"):
-            self.check_equal(vtkdgg.Graph.from_polydata(mesh))
+        self.refuses(mesh, "DGG.Targets has 100")
+        mesh = self.editable()
+        vtk_to_numpy(mesh.GetFieldData().GetArray("DGG.Targets"))[100] = -1
+        self.refuses(mesh, "leads to vertex -1")
         mesh = self.editable()
         mesh.GetFieldData().RemoveArray("DGG.Angles")
-        with self.assertWarnsRegex(RuntimeWarning, "DGG.Angles"):
-            self.check_equal(vtkdgg.Graph.from_polydata(mesh))
+        self.refuses(mesh, "DGG.Angles is missing")
+
+    def test_damaged_parameters(self):
+        # They are not taken over, although each could be that of a graph.
+        half = int(np.array([0.5]).view(np.int64)[0])
+        for slot, value in ((2, 1), (3, half), (4, 7), (5, 1), (8, 1), (11, 0)):
+            mesh = self.editable()
+            mesh.GetFieldData().GetArray("DGG.Info").SetValue(slot, value)
+            with self.subTest(slot=slot):
+                self.refuses(mesh, "checksum")
+        for slot, value in ((1, 1), (2, 4), (3, 0), (3, -1)):
+            mesh = self.editable()
+            mesh.GetFieldData().GetArray("DGG.Info").SetValue(slot, value)
+            with self.subTest(slot=slot, value=value):
+                self.refuses(mesh, "its (kind|construction|accuracy) is")
+
+    def test_legacy_files(self):
+        path = os.path.join(support.output_folder("graph"), "graph.vtk")
+        for binary in (True, False):
+            writer = vtkPolyDataWriter()
+            writer.SetInputData(self.graph.polydata)
+            writer.SetFileName(path)
+            if binary:
+                writer.SetFileTypeToBinary()
+            vtkdgg.check(writer)
+            reader = vtkPolyDataReader()
+            reader.SetFileName(path)
+            mesh = vtkdgg.check(reader)
+            if binary:
+                self.check_equal(vtkdgg.Graph.from_polydata(mesh))
+            else:
+                self.refuses(mesh, "a text file that rounds")
+
+    def test_other_data(self):
+        mesh = self.editable()
+        for kind, cells in ((mesh.SetVerts, [[3]]), (mesh.SetLines, [[4, 5], [5, 6]])):
+            array = vtkCellArray()
+            for cell in cells:
+                array.InsertNextCell(len(cell), cell)
+            kind(array)
+        names = vtkStringArray()
+        names.SetName("Names")
+        names.SetNumberOfValues(3)
+        mesh.GetFieldData().AddArray(names)
+        for data, size in ((mesh.GetPointData(), 642), (mesh.GetCellData(), 1283)):
+            array = numpy_to_vtk(np.arange(size), deep=True)
+            array.SetName("Numbers")
+            data.SetScalars(array)
+        kept = vtkdgg.Graph.from_polydata(mesh)
+        self.check_equal(kept)
+        kept = kept.polydata
+        for get in ("GetPointData", "GetCellData"):
+            array = getattr(mesh, get)().GetScalars()
+            self.assertIs(getattr(kept, get)().GetScalars(), array)
+            self.assertEqual(getattr(kept, get)().GetNumberOfArrays(), 1)
+        self.assertIs(kept.GetFieldData().GetAbstractArray("Names"), names)
+        counts = (kept.GetNumberOfVerts(), kept.GetNumberOfLines(), kept.GetNumberOfCells())
+        self.assertEqual(counts, (1, 2, 1283))
 
     def test_merged_points(self):
         # Two squares along a common side whose points exist twice.
@@ -583,11 +725,22 @@ class WrongInput(unittest.TestCase):
         graph = vtkdgg.Graph(*support.bumpy(), memory_limit=1e9)
         self.assertEqual(graph.number_of_points, 642)
 
+    def test_numbers(self):
+        for value in ("x", None, [1.0, 2.0]):
+            for ask in (self.graph.distance, self.graph.matrix):
+                with self.assertRaisesRegex(ValueError, "unreached: a number is wanted"):
+                    ask(0, unreached=value)
+        for ask in (self.graph.distance, self.graph.matrix):
+            for value in (-1.0, np.nan, "x"):
+                with self.assertRaisesRegex(ValueError, "projection_tolerance: "):
+                    ask(0, projection_tolerance=value)
+
     def test_queries(self):
         for sources, options, pattern in (
             ([], {}, "sources: at least one"),
             (6, {}, "sources: point id 6"),
             ([0, -1], {}, r"sources: point id -1 \(entry 1\)"),
+            (2**70, {}, "sources: 1180591620717411303424 does not fit into 64 bits"),
             (True, {}, "sources: numbers are wanted, not bool"),
             (np.array([True, False]), {}, "sources: numbers are wanted, not bool"),
             (np.ma.masked_equal([0, 1], 1), {}, "sources: has masked entries"),
@@ -600,6 +753,7 @@ class WrongInput(unittest.TestCase):
             ([0, 1], {"initial_distances": []}, "initial_distances: one number, or 2"),
             ([0, 1], {"initial_distances": [0.0, np.nan]}, "initial_distances: entry 1"),
             ([0, 1], {"initial_distances": "ab"}, "initial_distances: numbers"),
+            (0, {"initial_distances": [1.0, 2.0]}, "initial_distances: one number is wanted"),
         ):
             with self.subTest(sources=sources, options=options):
                 with self.assertRaisesRegex(ValueError, pattern):
@@ -611,6 +765,16 @@ class WrongInput(unittest.TestCase):
         for _ in range(2):
             with self.assertRaisesRegex(vtkdgg.VTKError, "source point 1.*ProjectionTolerance"):
                 self.graph.distance([[0.0, 0.0, 0.0], [0.0, 5.0, 5.0]])
+            with self.assertRaisesRegex(vtkdgg.VTKError, "row point 0.*ProjectionTolerance"):
+                self.graph.matrix([[0.0, 5.0, 5.0]])
+            far = [[0.0, 0.0, 0.0], [0.0, 3.0, 0.0]]  # above point 2
+            np.testing.assert_allclose(
+                self.graph.distance(far, projection_tolerance=2.0), self.graph.distance([0, 2])
+            )
+            matrix = self.graph.matrix(far, [1], projection_tolerance=2.0)
+            np.testing.assert_allclose(matrix, self.graph.matrix([0, 2], [1]))
+            tolerance = vtkdgg.vtkDGGDistance().GetProjectionTolerance()
+            self.assertEqual(vtkdgg.arguments.projection_tolerance(None), tolerance)
         self.assertAlmostEqual(self.graph.distance(4)[3], np.sqrt(5.0), delta=1e-6)
 
 

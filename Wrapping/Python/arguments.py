@@ -18,6 +18,9 @@ def numbers(values, name, kind="number"):
         array = np.asarray(values)
     except ValueError as error:  # rows of unequal length
         raise ValueError(f"{name}: not an array of numbers ({error})") from None
+    if array.dtype == object and all(isinstance(value, int) for value in array.flat):
+        largest = max(array.flat, key=abs)  # integers that NumPy has no type for
+        raise ValueError(f"{name}: {largest} does not fit into 64 bits")
     allowed = {"integer": "iu", "number": "iuf"}[kind]
     if array.size and array.dtype.kind not in allowed:
         raise ValueError(f"{name}: {kind}s are wanted, not {array.dtype}")
@@ -72,7 +75,8 @@ def finite_numbers(values, name, count):
     """`count` finite numbers, or one for all."""
     array = numbers(values, name)
     if array.size == 0 or array.shape not in ((), (count,)):
-        raise ValueError(f"{name}: one number, or {count} are wanted, not shape {array.shape}")
+        wanted = "one number is" if count == 1 else f"one number, or {count} are"
+        raise ValueError(f"{name}: {wanted} wanted, not shape {array.shape}")
     array = np.array(np.broadcast_to(array, (count,)), dtype=np.float64)
     if not np.isfinite(array).all():
         entry = int(np.argmin(np.isfinite(array)))
@@ -81,10 +85,12 @@ def finite_numbers(values, name, count):
 
 
 def number(value, name):
-    """One number."""
+    """One number; text is none, even where it could be read as one."""
     try:
+        if isinstance(value, (str, bytes)):
+            raise TypeError
         return float(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{name}: a number is wanted, not {value!r}") from None
 
 
@@ -107,6 +113,11 @@ def limit(value, name):
     return result
 
 
+def projection_tolerance(value):
+    """A number that is not negative; for None the default of the filters."""
+    return 0.01 if value is None else limit(value, "projection_tolerance")
+
+
 def number_of_bytes(value, name):
     """A positive integer; 0 for None, as the filters take it."""
     if value is None:
@@ -120,9 +131,10 @@ def _check_ids(array, number_of_points, name):
     outside = (array < 0) | (array >= number_of_points)
     if outside.any():
         place = np.unravel_index(int(np.argmax(outside)), array.shape)
+        known = "is 1 point" if number_of_points == 1 else f"are {number_of_points} points"
         raise ValueError(
             f"{name}: point id {array[place]} (entry {', '.join(map(str, place))}) does not exist; "
-            f"there are {number_of_points} points"
+            f"there {known}"
         )
 
 

@@ -12,7 +12,16 @@ from .vtkDGGFiltersGeodesic import vtkDGGDistance, vtkExactGeodesicDistance
 __all__ = ["distance"]
 
 
-def distance(points, triangles, sources, maximum_distance=None, unreached=np.nan, accuracy=None):
+def distance(
+    points,
+    triangles,
+    sources,
+    maximum_distance=None,
+    unreached=np.nan,
+    accuracy=None,
+    merge_coincident_points=False,
+    projection_tolerance=None,
+):
     """Geodesic distance of every point of a triangle mesh from the nearest source.
 
     Parameters
@@ -31,6 +40,12 @@ def distance(points, triangles, sources, maximum_distance=None, unreached=np.nan
     accuracy : float, optional
         Largest relative error, in [1e-6, 0.5]. Default: None, the exact distance. With a number a
         graph is built for this one call. That pays off for many calls: see `Graph`.
+    merge_coincident_points : bool, optional
+        Whether points with the very same coordinates are one, as along the seams of a textured
+        mesh or in a soup of triangles. (MergeCoincidentPoints, in the messages of the filters.)
+    projection_tolerance : float, optional
+        How far coordinates of sources may be from the surface, as a fraction of the diagonal of
+        its bounding box. Default: 0.01. (ProjectionTolerance, in the messages of the filters.)
 
     Returns
     -------
@@ -40,7 +55,8 @@ def distance(points, triangles, sources, maximum_distance=None, unreached=np.nan
     Raises
     ------
     ValueError
-        When an array has the wrong shape or type, a number is not finite, or an id does not exist.
+        When an array or another argument has the wrong shape or type, a number is not finite, or
+        an id does not exist.
     VTKError
         When the filter refuses the input, as for coordinates far off the surface.
 
@@ -59,6 +75,8 @@ def distance(points, triangles, sources, maximum_distance=None, unreached=np.nan
     triangles = arguments.corners(triangles, len(points))
     limit = arguments.limit(maximum_distance, "maximum_distance")
     ids, places = arguments.places(sources, "sources", len(points))
+    unreached = arguments.number(unreached, "unreached")
+    tolerance = arguments.projection_tolerance(projection_tolerance)
     if len(points) == 0:
         return np.empty(0)
 
@@ -72,6 +90,8 @@ def distance(points, triangles, sources, maximum_distance=None, unreached=np.nan
         distance_filter.SetSourceIds(ids)
     else:
         distance_filter.SetSourceData(arguments.polydata(places))
+    distance_filter.SetMergeCoincidentPoints(bool(merge_coincident_points))
+    distance_filter.SetProjectionTolerance(tolerance)
     distance_filter.SetMaximumDistance(limit)
     distance_filter.SetUnreachedValue(unreached)
     name = distance_filter.GetDistanceArrayName()

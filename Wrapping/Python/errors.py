@@ -46,6 +46,9 @@ def check(algorithm):
     that VTK puts before them, and are not printed. When nothing failed, VTK's warnings become
     Python warnings.
 
+    An update that an observer stops by AbortExecute is no error, here as in VTK: the output is
+    empty then, and ``algorithm.GetAbortExecute()`` tells why.
+
     Parameters
     ----------
     algorithm : vtkAlgorithm
@@ -70,21 +73,22 @@ def check(algorithm):
     return run(algorithm)
 
 
-def run(algorithm, heard=None):
+def run(algorithm, heard=None, refused=None):
     """What check() does, for use inside the package.
 
     Warnings that are in the set `heard` are not repeated, whichever class gives them; the others
-    are added to it.
+    are added to it. A warning in which the pattern `refused` is found counts as an error, and stops
+    the update.
     """
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"check() takes a vtkAlgorithm, not {type(algorithm).__name__}")
     pipeline = _upstream(algorithm)
-    reports = _update(algorithm, pipeline)
+    reports = _update(algorithm, pipeline, refused)
     if not reports.errors and _failed(pipeline):
         # It failed in an earlier update, whose messages are gone. Run it again to have them.
         for node in _failed(pipeline):
             node.Modified()
-        reports = _update(algorithm, pipeline)
+        reports = _update(algorithm, pipeline, refused)
     failed = [node for node in _failed(pipeline) if not _recovered(node, reports)]
     if reports.errors or failed:
         # What failed must run again in the next update, even when nothing else changes.
@@ -127,7 +131,7 @@ def _upstream(algorithm):
     return found
 
 
-def _update(algorithm, pipeline):
+def _update(algorithm, pipeline, refused=None):
     reports = _Reports()
 
     def watch(target, node):
@@ -136,7 +140,11 @@ def _update(algorithm, pipeline):
             reports.nodes.append(node)
 
         def on_warning(caller, event, text):
-            reports.warnings.append(_clean(text))
+            if refused and refused.search(text):
+                on_error(caller, event, text)
+                algorithm.SetAbortExecute(1)
+            else:
+                reports.warnings.append(_clean(text))
 
         on_error.CallDataType = "string0"
         on_warning.CallDataType = "string0"

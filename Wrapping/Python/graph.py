@@ -7,8 +7,9 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import arguments
-from .errors import run
-from .graph_info import ARRAYS, CONSTRUCTIONS, GraphInfo, copy_surface
+from .errors import VTKError, run
+from .graph_info import ARRAYS, CONSTRUCTIONS, DAMAGE, GraphInfo, damaged
+from .surface import copy_surface, from_arrays, to_arrays
 from .vtkDGGFiltersGeodesic import (
     vtkDGGDistance,
     vtkDiscreteGeodesicGraph,
@@ -24,6 +25,8 @@ class Graph:
     A sparse graph is built once, in which shortest paths are geodesics up to a known error; then a
     distance field takes milliseconds. The mesh is copied and does not change any more.
 
+    A graph can be copied and pickled, for other processes for example; it is not built again.
+
     Parameters
     ----------
     points : array_like, shape (n, 3)
@@ -36,15 +39,21 @@ class Graph:
         The rule that chooses the edges: "Guaranteed", or for comparison "OneRelay", "Indirect",
         "SaddleVertexGraph" (which has no use for `accuracy`).
     number_of_neighbors : int, optional
-        Of a SaddleVertexGraph: how many of the nearest points each point looks at.
+        Of a SaddleVertexGraph: how many of the nearest points each point looks at. Where it is more
+        than there are points, all of them: minutes for some thousand points.
     memory_limit : int, optional
         Most bytes that building the graph, or the table of `matrix`, may take. Default: 70 % of the
         memory that is free at that time.
+    merge_coincident_points : bool, optional
+        Whether points with the very same coordinates are one, as along the seams of a textured
+        mesh or in a soup of triangles. (MergeCoincidentPoints, in the messages of the filters.)
 
     Raises
     ------
     ValueError
-        When an array has the wrong shape or type, a number is not finite, or an id does not exist.
+        When an array has the wrong shape or type, a number is not finite, or an id does not exist;
+        when another argument is not of the type above (`number_of_neighbors` is an integer of 32
+        bits).
     VTKError
         When the filter refuses the input: an accuracy out of range, a mesh without triangles, a
         graph that would take more memory than `memory_limit`.
@@ -72,6 +81,7 @@ class Graph:
         construction="Guaranteed",
         number_of_neighbors=30,
         memory_limit=None,
+        merge_coincident_points=False,
     ):
         points = arguments.coordinates(points, "points")
         if len(points) == 0:
@@ -85,15 +95,17 @@ class Graph:
         builder.SetConstruction(CONSTRUCTIONS.index(construction))
         builder.SetNumberOfNeighbors(arguments.integer(number_of_neighbors, "number_of_neighbors"))
         builder.SetMemoryLimit(arguments.number_of_bytes(memory_limit, "memory_limit"))
+        builder.SetMergeCoincidentPoints(bool(merge_coincident_points))
         self._build(builder, arguments.polydata(points, triangles))
 
     @classmethod
     def from_polydata(cls, polydata, memory_limit=None):
         """The graph that vtkDiscreteGeodesicGraph has put on a surface.
 
-        It is used as it is, without a copy. Points, polygons and strips are copied; verts, lines
-        and other arrays are left out. When it is damaged, or not that of the points and
-        polygons any more, a warning says so and it is built anew with the same parameters.
+        It is used as it is, without a copy. Points and cells are copied; the arrays of point, cell
+        and field data are kept in `polydata` and shared. When it is not that of the points and
+        polygons any more, a warning says so and it is built anew with the same parameters. When it
+        is damaged, its parameters may be as well: that is an error.
 
         Parameters
         ----------
@@ -105,7 +117,7 @@ class Graph:
         Raises
         ------
         ValueError
-            When there are no points, no graph, or none whose parameters can be read.
+            When there are no points, no graph, or a damaged one.
         """
         if not isinstance(polydata, vtkPolyData):
             raise TypeError(f"polydata: a vtkPolyData is wanted, not {type(polydata).__name__}")
@@ -121,7 +133,13 @@ class Graph:
         builder.SetMergeCoincidentPoints(info.is_merged)
         builder.SetMemoryLimit(arguments.number_of_bytes(memory_limit, "memory_limit"))
         graph = cls.__new__(cls)
-        graph._build(builder, copy_surface(polydata))
+        try:
+            graph._build(builder, copy_surface(polydata), refused=DAMAGE)
+        except VTKError as error:
+            found = DAMAGE.search(str(error))
+            if not found:
+                raise
+            raise damaged(found[1]) from None
         return graph
 
     def distance(
@@ -132,6 +150,7 @@ class Graph:
         initial_distances=None,
         return_source=False,
         unreached=np.nan,
+        projection_tolerance=None,
     ):
         """Distance of every point from the nearest source.
 
@@ -151,6 +170,9 @@ class Graph:
             Whether to return the nearest source as well.
         unreached : float, optional
             Distance given to points that no source reaches. Default: NaN.
+        projection_tolerance : float, optional
+            How far coordinates may be from the surface, as a fraction of the diagonal of its
+            bounding box. Default: 0.01.
 
         Returns
         -------
@@ -169,16 +191,18 @@ class Graph:
         """
         ids, places = arguments.places(sources, "sources", self.number_of_points)
         limit = arguments.limit(maximum_distance, "maximum_distance")
+        unreached = arguments.number(unreached, "unreached")
         offsets = None
         if initial_distances is not None:
             count = len(places) if ids is None else len(ids)
             offsets = arguments.finite_numbers(initial_distances, "initial_distances", count)
 
-        distances, nearest = self._search(ids, places, offsets, limit, correction)
+        search = self._filter(vtkDGGDistance, projection_tolerance)
+        distances, nearest = self._search(search, ids, places, offsets, limit, correction)
         distances[np.isinf(distances)] = unreached
         return (distances, nearest) if return_source else distances
 
-    def matrix(self, rows, columns=None, unreached=np.nan):
+    def matrix(self, rows, columns=None, unreached=np.nan, projection_tolerance=None):
         """Distances between two sets of points, or between all pairs of one.
 
         They are lengths of paths in the graph (there is no correction): at least the exact
@@ -192,6 +216,9 @@ class Graph:
             matrix is symmetric.
         unreached : float, optional
             Distance given to pairs that are not connected. Default: NaN.
+        projection_tolerance : float, optional
+            How far coordinates may be from the surface, as a fraction of the diagonal of its
+            bounding box. Default: 0.01.
 
         Returns
         -------
@@ -209,12 +236,12 @@ class Graph:
         if columns is not None:
             column_ids, column_places = arguments.places(columns, "columns", self.number_of_points)
 
-        tabulate = self._filter(vtkGeodesicDistanceMatrix)
+        tabulate = self._filter(vtkGeodesicDistanceMatrix, projection_tolerance)
         tabulate.SetRowIds([] if row_ids is None else row_ids)
         tabulate.SetRowData(None if row_places is None else arguments.polydata(row_places))
         tabulate.SetColumnIds([] if column_ids is None else column_ids)
         tabulate.SetColumnData(None if column_places is None else arguments.polydata(column_places))
-        tabulate.SetUnreachedValue(unreached)
+        tabulate.SetUnreachedValue(arguments.number(unreached, "unreached"))
         tabulate.GenerateTableOff()
         run(tabulate, self._heard)
         matrix = tabulate.GetMatrix()
@@ -290,9 +317,8 @@ class Graph:
     def polydata(self):
         """The surface with its graph as a new vtkPolyData, for filters and writers.
 
-        It has points, polygons and strips; verts, lines and other arrays of what was given to
-        `from_polydata` are not kept. It shares its arrays with this object: do not change them in
-        place.
+        It has all that was given to `from_polydata`. It shares its arrays with this object: do not
+        change them in place.
         """
         result = vtkPolyData()
         result.ShallowCopy(self._surface)
@@ -305,17 +331,32 @@ class Graph:
             f"{self.construction}{quality}, {self.nbytes / 2**20:.1f} MiB>"
         )
 
-    def _build(self, builder, surface):
-        """Take the graph of the surface, or have the builder make one."""
+    def __getstate__(self):
+        # Filters prepare themselves again.
+        return {
+            "surface": to_arrays(self._surface),
+            "memory_limit": self._memory_limit,
+            "heard": self._heard,
+        }
+
+    def __setstate__(self, state):
+        self._heard = set(state["heard"])
+        self._memory_limit = state["memory_limit"]
+        self._filters = {}
+        self._surface = from_arrays(state["surface"])
+        self._info = GraphInfo(self._surface)
+
+    def _build(self, builder, surface, refused=None):
+        """Take the graph of the surface, or have the builder make one; `refused` as for run()."""
         self._heard = set()  # what is wrong with the mesh is said once, not by each filter
         self._memory_limit = builder.GetMemoryLimit()
         self._filters = {}
         builder.SetInputData(surface)
         self._surface = vtkPolyData()  # without the builder, which keeps much more
-        self._surface.ShallowCopy(run(builder, self._heard))
+        self._surface.ShallowCopy(run(builder, self._heard, refused))
         self._info = GraphInfo(self._surface)
 
-    def _filter(self, kind):
+    def _filter(self, kind, tolerance):
         """The filter of the class, which keeps what it has prepared for the next query."""
         if kind not in self._filters:
             consumer = kind()
@@ -324,11 +365,12 @@ class Graph:
             consumer.SetUnreachedValue(np.inf)
             consumer.SetInputData(self._surface)
             self._filters[kind] = consumer
-        return self._filters[kind]
+        consumer = self._filters[kind]
+        consumer.SetProjectionTolerance(arguments.projection_tolerance(tolerance))
+        return consumer
 
-    def _search(self, ids, places, offsets, limit, correction):
+    def _search(self, search, ids, places, offsets, limit, correction):
         """Distances, infinite where unreached, and nearest sources."""
-        search = self._filter(vtkDGGDistance)
         search.SetCorrection(bool(correction))
         search.SetMaximumDistance(limit)
         search.GenerateNearestSourceOn()

@@ -2,16 +2,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The graph in the field data of a surface, as vtkDiscreteGeodesicGraph documents it."""
 
+import re
+
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 ARRAYS = ("Offsets", "Targets", "Lengths", "Angles", "ArrivalAngles", "Info")
 # By the numbers of vtkDiscreteGeodesicGraph.ConstructionType.
 CONSTRUCTIONS = ("Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph")
+# How the filters begin when they say what is wrong with a graph that has been altered.
+DAMAGE = re.compile(r"the graph on the input is (?:damaged|not a valid graph): ([^;]*?)(?:;|\. )")
 _VERSION = 1
 _SIZE = 12
+
+
+def damaged(what):
+    """The error of a graph that has been altered."""
+    return ValueError(
+        f"polydata: its graph is damaged: {what}; build it anew by vtkDiscreteGeodesicGraph"
+    )
 
 
 class GraphInfo:
@@ -42,30 +51,16 @@ class GraphInfo:
                 "polydata: its graph has a DGG.Info of another version, or is damaged; build it "
                 "anew by vtkDiscreteGeodesicGraph"
             )
+        if values[1] != 0:
+            raise damaged(f"its kind is {values[1]}, not that of a mesh")
         if not 0 <= values[2] < len(CONSTRUCTIONS):
-            raise ValueError(f"polydata: its graph has an unknown construction, {values[2]}")
+            raise damaged(f"its construction is {values[2]}")
         self.construction = int(values[2])
         has_accuracy = CONSTRUCTIONS[self.construction] != "SaddleVertexGraph"
         self.accuracy = float(values[3:4].view(np.float64)[0]) if has_accuracy else None
         self.number_of_neighbors = int(values[4])
+        if has_accuracy and not 1e-6 <= self.accuracy <= 0.5:
+            raise damaged(f"its accuracy is {self.accuracy}")
+        if not (has_accuracy or 1 <= self.number_of_neighbors < 2**31):
+            raise damaged(f"its number of neighbours is {self.number_of_neighbors}")
         self.is_merged = bool(values[5])
-
-
-def copy_surface(polydata):
-    """The surface with points and polygons of its own. The arrays of the graph are shared."""
-    result = vtkPolyData()
-    points = vtkPoints()
-    points.DeepCopy(polydata.GetPoints())
-    result.SetPoints(points)
-    for take, give in (
-        (polydata.GetPolys, result.SetPolys),
-        (polydata.GetStrips, result.SetStrips),
-    ):
-        cells = vtkCellArray()
-        cells.DeepCopy(take())
-        give(cells)
-    for name in ARRAYS:
-        array = polydata.GetFieldData().GetAbstractArray(f"DGG.{name}")
-        if array is not None:
-            result.GetFieldData().AddArray(array)
-    return result
