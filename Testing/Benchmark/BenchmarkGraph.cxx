@@ -9,7 +9,7 @@
 ///   --thorough=Guaranteed  of which to measure all: threads, memory, every search, blocks; of the
 ///                     others only building and the certified search, with and without correction
 ///   --accuracies=0.1,0.05,0.02,0.01,0.001     of the first three
-///   --neighbors=15,30,60,120                  of the saddle vertex graph (SVG)
+///   --neighbors=15,30,60                  of the saddle vertex graph (SVG)
 ///   --sources=10      sources per graph, each a query with each search
 ///   --many=1000       sources of a run in blocks; 0 leaves it out
 ///   --threads=2       threads of the parallel cases; 1 leaves them out
@@ -241,7 +241,7 @@ int main(int argc, char** argv)
   benchmark::Initialize(&argc, argv);
   BenchmarkArguments arguments({ { "rules", "Guaranteed,OneRelay,Indirect,SVG" },
     { "thorough", "Guaranteed" }, { "accuracies", "0.1,0.05,0.02,0.01,0.001" },
-    { "neighbors", "15,30,60,120" }, { "sources", "10" }, { "many", "1000" }, { "threads", "2" } });
+    { "neighbors", "15,30,60" }, { "sources", "10" }, { "many", "1000" }, { "threads", "2" } });
   Settings settings;
   if (!arguments.Parse(argc, argv) || !ReadSettings(arguments, settings))
   {
