@@ -242,7 +242,7 @@ std::size_t GeodesicGraph::GetMemorySize() const
 
 Status CheckGraph(const GraphView& graph, Offset numberOfEdges, const ParallelFor& parallel)
 {
-  const Status status = CheckArrays(graph, numberOfEdges);
+  Status status = CheckArrays(graph, numberOfEdges);
   if (!status.IsOk())
   {
     return status;

@@ -43,6 +43,7 @@ private:
   void OrderComponent(Id start, Id patchSize)
   {
     this->Rim.assign(1, start);
+    // NOLINTNEXTLINE(modernize-loop-convert): the rim grows while it is worked on
     for (std::size_t next = 0; next < this->Rim.size(); ++next)
     {
       if (!this->IsPlaced[this->Rim[next]])

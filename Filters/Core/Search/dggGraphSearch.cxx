@@ -74,7 +74,7 @@ Status CheckSeeds(const std::vector<GraphSeed>& seeds, Id numberOfVertices)
   }
   for (std::size_t i = 0; i < seeds.size(); ++i)
   {
-    const Status status = CheckSeed(seeds[i], i, numberOfVertices);
+    Status status = CheckSeed(seeds[i], i, numberOfVertices);
     if (!status.IsOk())
     {
       return status;
@@ -353,7 +353,7 @@ Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vecto
   distance = Infinity;
   for (const std::vector<GraphSeed>* seeds : { &from, &to })
   {
-    const Status status = CheckSeeds(*seeds, n);
+    Status status = CheckSeeds(*seeds, n);
     if (!status.IsOk())
     {
       return status;

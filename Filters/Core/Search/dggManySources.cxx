@@ -131,6 +131,7 @@ void ManySources::Mend(const Length* lengths)
   {
     this->Queue.Sift(isOutdated);
     const std::vector<BucketQueue::Entry>& bucket = this->Queue.Current();
+    // NOLINTNEXTLINE(modernize-loop-convert): the bucket grows while it is worked on
     for (std::size_t i = 0; i < bucket.size(); ++i)
     {
       if (!isOutdated(bucket[i]))

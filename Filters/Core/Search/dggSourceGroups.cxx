@@ -26,6 +26,7 @@ public:
     ++this->Walk;
     this->Queue.clear();
     this->Reach(start);
+    // NOLINTNEXTLINE(modernize-loop-convert): the queue grows while it is worked on
     for (std::size_t next = 0; next < this->Queue.size(); ++next)
     {
       const Id v = this->Queue[next];
