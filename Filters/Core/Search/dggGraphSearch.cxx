@@ -364,6 +364,21 @@ Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vecto
   return Status::Success();
 }
 
+Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vector<GraphSeed>& to,
+  const double* positions, GraphPath& path) const
+{
+  path = GraphPath();
+  SearchOptions so; so.Method = SearchMethod::Dijkstra; SearchResult r;
+  for (auto& s : to) so.Targets.push_back(s.Vertex);
+  this->Run(from, so, r);
+  Id best=NoId;
+  for (size_t i=0;i<to.size();++i){ double d=r.Distances[to[i].Vertex]+to[i].Distance; if(d<path.Length){path.Length=d;path.ToSeed=(Id)i;best=to[i].Vertex;}}
+  if(best==NoId) return Status::Success();
+  for(Id v=best;;v=r.Tails[v]){ path.Vertices.push_back(v); if(r.Edges[v]<0){path.FromSeed=r.Seeds[v];break;} path.Edges.push_back(r.Edges[v]); }
+  std::reverse(path.Vertices.begin(),path.Vertices.end()); std::reverse(path.Edges.begin(),path.Edges.end());
+  return Status::Success();
+}
+
 Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources, double maximumDistance,
   const ParallelFor& parallel, const ProgressCallback& progress, const FieldConsumer& consume) const
 {

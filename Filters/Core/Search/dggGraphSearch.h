@@ -72,6 +72,16 @@ struct SearchResult
   std::size_t NumberOfRelaxations = 0; ///< edges looked at
 };
 
+/// A shortest path between two sets of seeds.
+struct GraphPath
+{
+  double Length = Infinity; ///< what the seeds start with included; Infinity when not connected
+  Id FromSeed = NoId;       ///< index of the seed that the path starts at
+  Id ToSeed = NoId;         ///< and of the one that it ends at
+  std::vector<Id> Vertices; ///< from start to end
+  std::vector<Offset> Edges; ///< edge i leads from vertex i to vertex i + 1
+};
+
 /// Receives the distances of all vertices from source number `source`, Infinity where there is no
 /// way. The array is good during the call only. Called in any order, by several threads at once.
 using FieldConsumer = std::function<void(std::size_t source, const double* distances)>;
@@ -101,6 +111,9 @@ public:
   /// potential.
   Status Between(const std::vector<GraphSeed>& from, const std::vector<GraphSeed>& to,
     const double* positions, double& distance) const;
+
+  Status Between(const std::vector<GraphSeed>& from, const std::vector<GraphSeed>& to,
+    const double* positions, GraphPath& path) const;
 
   /// Distances from each of many sources, a set of seeds, on its own; `consume` receives them.
   /// Sources close together are searched together, which takes about half of the time of single

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Finds the faces that an edge of the graph runs through. Internal.
+#ifndef dggHopTracer_h
+#define dggHopTracer_h
+
+#include "dggStrip.h"     // for EdgeCrossing
+#include "dggUnfolding.h" // for Point2
+
+#include <vector> // for the beams
+
+namespace dgg
+{
+/// An edge of the graph or a link, to be followed from its tail: a straight line of known length in
+/// a direction known up to rounding.
+struct Hop
+{
+  Id Tail;
+  double Angle;      ///< polar angle at the tail
+  SurfacePoint Head; ///< where it arrives
+  double Length;
+};
+
+/// Follows straight lines from vertices. As their directions are floats, no ray is sent out but a
+/// beam, a cone as narrow as the rounding errors. It is split at every vertex that it meets, so
+/// that a head can be missed on neither side.
+class HopTracer
+{
+public:
+  explicit HopTracer(const SurfaceMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  /// The first face, and the crossings from there to the face of the head. False when the head is
+  /// not where it should be.
+  bool Trace(const Hop& hop, Id& firstFace, std::vector<EdgeCrossing>& crossings);
+
+private:
+  /// The part of the beam that goes through one edge, in the plane of the tail.
+  struct Beam
+  {
+    EdgeCrossing Crossing;
+    bool IsMirrored; ///< whether the face entered is laid out as its mirror image
+    Point2 Left;     ///< end of the edge
+    Point2 Axis;     ///< unit vector from there to the right end
+    Id Before;       ///< the beam that it is a part of, or NoId
+  };
+
+  bool TraceFrom(const Hop& hop, Id g, double angle, double halfWidth);
+  void Cross(Id exit, bool mirrored, const Point2& left, const Point2& axis, Id before);
+  bool Reaches(const Hop& hop, const Beam& beam) const;
+  void Continue(const Hop& hop, Id index);
+
+  const SurfaceMesh& Mesh;
+  Point2 Rays[2]; ///< bounds of the beam, left and right
+  std::vector<Beam> Beams;
+  std::vector<Id> Open;
+  Id Found = NoId;
+};
+}
+
+#endif

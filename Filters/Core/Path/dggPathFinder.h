@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Shortest paths between any two points of a surface.
+#ifndef dggPathFinder_h
+#define dggPathFinder_h
+
+#include "dggGraphBuilder.h" // for links of points that are not vertices
+#include "dggGraphSearch.h"  // for the graph
+#include "dggSurfacePath.h"  // for SurfacePath
+
+#include <memory> // for the internals
+
+namespace dgg
+{
+struct PathOptions
+{
+  /// Whether to shorten the path to a locally shortest geodesic.
+  bool Straighten = true;
+  /// Whether to look on both sides of the bumps beside the path for a shorter one. Only with
+  /// Straighten.
+  bool LookAround = true;
+};
+
+/// A path and how it was found.
+struct FoundPath
+{
+  SurfacePath Path; ///< empty when the points are not connected
+  /// Length of the path in the graph, before it was straightened: within the accuracy of the exact
+  /// distance. Infinity when the points are not connected.
+  double GraphLength = Infinity;
+  bool IsStraightened = false; ///< whether it is a locally shortest geodesic
+  /// Edges of the graph whose direction, stored as a float, did not lead to their head, so that
+  /// they had to be found anew. None expected.
+  Id NumberOfFallbacks = 0;
+};
+
+/// Finds paths in a graph. What it is made from must outlive it. Paths may be found in several
+/// threads at once.
+class PathFinder
+{
+public:
+  /// `positions`, x y z per vertex, guide the search; they may be null. `builder` may be null when
+  /// all points are vertices.
+  PathFinder(const SurfaceMesh& mesh, const GraphSearch& search, const GraphBuilder* builder,
+    const double* positions);
+  ~PathFinder();
+  PathFinder(const PathFinder&) = delete;
+  PathFinder& operator=(const PathFinder&) = delete;
+
+  /// A path from one point to another, traced on the surface. Its length is at most that in the
+  /// graph. Fails when a point does not exist; points that are not connected are no failure.
+  Status Find(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options,
+    FoundPath& found) const;
+
+private:
+  class Implementation;
+  std::unique_ptr<Implementation> Internals;
+};
+}
+
+#endif

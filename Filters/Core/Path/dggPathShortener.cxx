@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggPathShortener.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+/// An angle that is smaller than pi by less than this is left as it is: what could be gained is its
+/// square.
+constexpr double AngleTolerance = 1e-9;
+/// A path has to be shorter by this much, relatively, to count as shorter.
+constexpr double LengthTolerance = 1e-14;
+/// Rounds of shortening, each of which leads the strip around all bends that give way. Ten or
+/// twenty are common; this is a stop for paths that rounding errors keep moving.
+constexpr int MaximumRounds = 10000;
+/// Vertices beside the path that are tried, one after the other, without success.
+constexpr int MaximumTrials = 16;
+
+Point2 Difference(const Point2& a, const Point2& b)
+{
+  return { a.X - b.X, a.Y - b.Y };
+}
+
+double AngleBetween(const Point2& a, const Point2& b)
+{
+  return std::atan2(std::abs(Cross(a, b)), Dot(a, b));
+}
+}
+
+double PathShortener::Lay(const Strip& strip)
+{
+  this->Plane.Unfold(this->Mesh, strip);
+  return this->TheFunnel.Run(this->Plane, this->Bends);
+}
+
+PathShortener::Corner PathShortener::CornerAt(const StripBend& bend) const
+{
+  const Id vertex = this->Plane.Portals[bend.Portal].Vertices[bend.Side];
+  std::size_t last = bend.Portal;
+  while (last + 1 < this->Plane.Portals.size() &&
+    this->Plane.Portals[last + 1].Vertices[bend.Side] == vertex)
+  {
+    ++last;
+  }
+  return { vertex, bend.Side, bend.Portal, last, bend.Position };
+}
+
+double PathShortener::Shorten(Strip& strip)
+{
+  Tidy(this->Mesh, strip);
+  double length = this->Lay(strip);
+  for (int round = 0; round < MaximumRounds && this->Reroute(strip); ++round)
+  {
+    Tidy(this->Mesh, strip);
+    length = this->Lay(strip);
+  }
+  return length;
+}
+
+/// Lead the strip around the other side of every bend where the path is shorter there. False when
+/// there is none.
+bool PathShortener::Reroute(Strip& strip)
+{
+  this->Crossings.clear();
+  std::size_t done = 0; // crossings of the strip that have been dealt with
+  bool isChanged = false;
+  for (std::size_t b = 0; b < this->Bends.size(); ++b)
+  {
+    const Corner corner = this->CornerAt(this->Bends[b]);
+    if (corner.First < done) // shares an edge with one that was just led around: next round
+    {
+      continue;
+    }
+    const Point2& before = b == 0 ? this->Plane.Start : this->Bends[b - 1].Position;
+    const Point2& after =
+      b + 1 == this->Bends.size() ? this->Plane.End : this->Bends[b + 1].Position;
+    if (!this->IsShorterBehind(strip, corner, before, after, this->Detour))
+    {
+      continue;
+    }
+    for (; done < corner.First; ++done)
+    {
+      AppendCrossing(this->Crossings, strip.Crossings[done]);
+    }
+    for (const EdgeCrossing& crossing : this->Detour)
+    {
+      AppendCrossing(this->Crossings, crossing);
+    }
+    done = corner.Last + 1;
+    isChanged = true;
+  }
+  if (isChanged)
+  {
+    for (; done < strip.Crossings.size(); ++done)
+    {
+      AppendCrossing(this->Crossings, strip.Crossings[done]);
+    }
+    strip.Crossings.swap(this->Crossings);
+  }
+  return isChanged;
+}
+
+/// The angle at a vertex between two points of the path, on the side of the strip.
+double PathShortener::AngleInStrip(
+  const Strip& strip, const Corner& corner, const Point2& before, const Point2& after) const
+{
+  const auto toFarEnd = [&](std::size_t portal) {
+    return Difference(this->Plane.Portals[portal].Ends[1 - corner.Side], corner.Position);
+  };
+  double angle = AngleBetween(toFarEnd(corner.First), Difference(before, corner.Position)) +
+    AngleBetween(toFarEnd(corner.Last), Difference(after, corner.Position));
+  for (std::size_t i = corner.First + 1; i <= corner.Last; ++i)
+  {
+    angle += this->Mesh.CornerAngle(HalfEdgeFrom(this->Mesh, strip.FaceBefore(i), corner.Vertex));
+  }
+  return angle;
+}
+
+/// Whether a path that bends around a vertex becomes shorter on its other side, and how to get
+/// there.
+bool PathShortener::IsShorterBehind(const Strip& strip, const Corner& corner, const Point2& before,
+  const Point2& after, std::vector<EdgeCrossing>& detour) const
+{
+  const VertexKind kind = this->Mesh.Kind(corner.Vertex);
+  if (kind == VertexKind::Boundary)
+  {
+    return false; // there is nothing behind
+  }
+  const double angle = this->AngleInStrip(strip, corner, before, after);
+  if (kind != VertexKind::Irregular)
+  {
+    return this->Mesh.TotalAngle(corner.Vertex) - angle < Pi - AngleTolerance &&
+      this->WalkBehind(strip, corner, detour);
+  }
+  // Any way around the vertex will do that is below pi.
+  const auto toFarEnd = [&](std::size_t portal) {
+    return Difference(this->Plane.Portals[portal].Ends[1 - corner.Side], corner.Position);
+  };
+  TurnEnd from{ strip.FaceBefore(corner.First), strip.Crossings[corner.First].Exit,
+    AngleBetween(toFarEnd(corner.First), Difference(before, corner.Position)) };
+  TurnEnd to{ strip.FaceBefore(corner.Last + 1), strip.Crossings[corner.Last].Entry,
+    AngleBetween(toFarEnd(corner.Last), Difference(after, corner.Position)) };
+  const double best = FindTurn(this->Mesh, corner.Vertex, from, to, detour);
+  return best < std::min(Pi, angle) - AngleTolerance;
+}
+
+/// The crossings on the other side of a vertex inside the surface.
+bool PathShortener::WalkBehind(
+  const Strip& strip, const Corner& corner, std::vector<EdgeCrossing>& detour) const
+{
+  detour.clear();
+  const Id last = strip.FaceBefore(corner.Last + 1);
+  Id exit = OtherEdgeAt(this->Mesh, corner.Vertex, strip.Crossings[corner.First].Exit);
+  for (Id face = strip.FaceBefore(corner.First); face != last;)
+  {
+    const Id entry = this->Mesh.Twin(exit);
+    if (entry == NoId)
+    {
+      return false;
+    }
+    detour.push_back({ exit, entry });
+    face = SurfaceMesh::Face(entry);
+    exit = OtherEdgeAt(this->Mesh, corner.Vertex, entry);
+  }
+  return true;
+}
+
+/// Vertices beside the path that a path on the other side of would be shorter, if nothing came in
+/// between; the best first.
+void PathShortener::FindProspects(std::vector<Prospect>& prospects)
+{
+  prospects.clear();
+  for (const int side : { StripUnfolding::Left, StripUnfolding::Right })
+  {
+    std::size_t piece = 0; // bends before the portal
+    for (std::size_t i = 0; i < this->Plane.Portals.size();)
+    {
+      const Portal& portal = this->Plane.Portals[i];
+      const Corner corner = this->CornerAt({ i, side, portal.Ends[side] });
+      while (piece < this->Bends.size() && this->Bends[piece].Portal < i)
+      {
+        ++piece;
+      }
+      std::size_t next = piece;
+      while (next < this->Bends.size() && this->Bends[next].Portal <= corner.Last)
+      {
+        ++next;
+      }
+      i = corner.Last + 1;
+      const VertexKind kind = this->Mesh.Kind(corner.Vertex);
+      const bool isTouched = next != piece;
+      if (kind != VertexKind::Convex || isTouched)
+      {
+        continue;
+      }
+      const Point2 before = Difference(
+        piece == 0 ? this->Plane.Start : this->Bends[piece - 1].Position, corner.Position);
+      const Point2 after = Difference(
+        next == this->Bends.size() ? this->Plane.End : this->Bends[next].Position, corner.Position);
+      const double angle = AngleBetween(before, after);
+      const double behind = this->Mesh.TotalAngle(corner.Vertex) - angle;
+      if (behind < angle)
+      {
+        const double a = Norm(before.X, before.Y);
+        const double b = Norm(after.X, after.Y);
+        // The difference of the squares by the law of cosines.
+        const double gain = 2.0 * a * b * (std::cos(std::max(0.0, behind)) - std::cos(angle)) /
+          (2.0 * Norm(before.X - after.X, before.Y - after.Y));
+        prospects.push_back({ corner, gain });
+      }
+    }
+  }
+  std::sort(prospects.begin(), prospects.end(),
+    [](const Prospect& a, const Prospect& b) { return a.Gain > b.Gain; });
+}
+
+double PathShortener::LookAround(Strip& strip)
+{
+  double length = this->Lay(strip);
+  std::vector<Prospect> prospects;
+  std::vector<Id> tried;
+  this->FindProspects(prospects);
+  int trials = 0;
+  for (std::size_t i = 0; i < prospects.size() && trials < MaximumTrials;)
+  {
+    const Corner& corner = prospects[i].At;
+    Strip other;
+    if (std::find(tried.begin(), tried.end(), corner.Vertex) == tried.end() &&
+      this->WalkBehind(strip, corner, this->Detour))
+    {
+      tried.push_back(corner.Vertex);
+      ++trials;
+      this->Replace(strip, corner, this->Detour, other);
+      const double candidate = this->Shorten(other);
+      if (candidate < length * (1.0 - LengthTolerance))
+      {
+        std::swap(strip, other);
+        length = candidate;
+        this->FindProspects(prospects); // the path is laid out
+        trials = 0;
+        i = 0;
+        continue;
+      }
+    }
+    ++i;
+  }
+  return this->Lay(strip);
+}
+
+/// A strip that goes around the other side of a vertex.
+void PathShortener::Replace(
+  const Strip& strip, const Corner& corner, const std::vector<EdgeCrossing>& detour, Strip& result)
+{
+  result.Start = strip.Start;
+  result.End = strip.End;
+  result.FirstFace = strip.FirstFace;
+  result.Crossings.clear();
+  for (std::size_t i = 0; i < corner.First; ++i)
+  {
+    AppendCrossing(result.Crossings, strip.Crossings[i]);
+  }
+  for (const EdgeCrossing& crossing : detour)
+  {
+    AppendCrossing(result.Crossings, crossing);
+  }
+  for (std::size_t i = corner.Last + 1; i < strip.Crossings.size(); ++i)
+  {
+    AppendCrossing(result.Crossings, strip.Crossings[i]);
+  }
+}
+
+void PathShortener::Append(const Strip& strip, SurfacePath& path)
+{
+  this->Lay(strip);
+  if (path.Points.empty())
+  {
+    path.Points.push_back(strip.Start);
+  }
+  Id face = strip.FirstFace;
+  const auto append = [&](const SurfacePoint& point) {
+    const SurfacePoint& last = path.Points.back();
+    if (!(IsVertex(point) && IsVertex(last) && point.Vertex == last.Vertex))
+    {
+      path.Points.push_back(point);
+      path.Faces.push_back(face);
+      path.Length += MeasurePiece(this->Mesh, path, path.Faces.size() - 1);
+    }
+  };
+  Point2 from = this->Plane.Start;
+  std::size_t bend = 0;
+  for (std::size_t i = 0; i < strip.Crossings.size(); ++i)
+  {
+    const Portal& portal = this->Plane.Portals[i];
+    while (bend < this->Bends.size() && this->CornerAt(this->Bends[bend]).Last < i)
+    {
+      from = this->Bends[bend].Position;
+      ++bend;
+    }
+    // Which way along the edge the portal runs in the face that is entered.
+    const Id h = strip.Crossings[i].Entry;
+    const bool isForward = this->Mesh.Origin(h) == portal.Vertices[StripUnfolding::Left];
+    double t = 0.0; // from left to right
+    if (bend < this->Bends.size() && this->Bends[bend].Portal <= i)
+    {
+      t = this->Bends[bend].Side == StripUnfolding::Left ? 0.0 : 1.0;
+    }
+    else
+    {
+      const Point2& to = bend < this->Bends.size() ? this->Bends[bend].Position : this->Plane.End;
+      const Point2& left = portal.Ends[StripUnfolding::Left];
+      const Point2& right = portal.Ends[StripUnfolding::Right];
+      const Point2 ray = Difference(to, from);
+      const double onLeft = Cross(ray, Difference(left, from));
+      const double onRight = Cross(Difference(right, from), ray);
+      t = onLeft + onRight > 0.0 ? std::min(1.0, std::max(0.0, onLeft / (onLeft + onRight))) : 0.5;
+    }
+    append(SurfacePoint::OnEdge(this->Mesh, h, isForward ? t : 1.0 - t));
+    face = SurfaceMesh::Face(h);
+  }
+  append(strip.End);
+}
+}

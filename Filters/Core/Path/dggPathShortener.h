@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Shortens paths to geodesics. Internal.
+#ifndef dggPathShortener_h
+#define dggPathShortener_h
+
+#include "dggFunnel.h"         // for Funnel
+#include "dggStrip.h"          // for Strip
+#include "dggStripUnfolding.h" // for StripUnfolding
+#include "dggSurfacePath.h"    // for SurfacePath
+
+#include <vector> // for the bends
+
+namespace dgg
+{
+/// Shortens the path in a strip of faces: the shortest path in the strip, found in the plane, is a
+/// geodesic but for the vertices of the strip that it bends around. Wherever the angle on the other
+/// side of such a vertex is below pi, the strip is led around that side, and the path becomes
+/// shorter (Xin and Wang, "Efficiently determining a locally exact shortest path on polyhedral
+/// surfaces", 2007). What is left is a locally shortest path: all of its bends have angles of at
+/// least pi on both sides, or are at the boundary. Keeps its memory from call to call.
+class PathShortener
+{
+public:
+  explicit PathShortener(const SurfaceMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  /// Shorten until the path is locally shortest. Returns its length.
+  double Shorten(Strip& strip);
+
+  /// Also look on the other sides of vertices close to the path: behind a convex vertex there are
+  /// two locally shortest paths, one on each side. Takes the other one when it is shorter.
+  double LookAround(Strip& strip);
+
+  /// The shortest path in a strip, as points on the surface, appended to a path that ends where the
+  /// strip starts, if it is not empty.
+  void Append(const Strip& strip, SurfacePath& path);
+
+private:
+  /// A vertex of the border of a strip and the portals that end in it.
+  struct Corner
+  {
+    Id Vertex;
+    int Side;
+    std::size_t First;
+    std::size_t Last;
+    Point2 Position;
+  };
+
+  double Lay(const Strip& strip);
+  Corner CornerAt(const StripBend& bend) const;
+  bool Reroute(Strip& strip);
+  bool IsShorterBehind(const Strip& strip, const Corner& corner, const Point2& before,
+    const Point2& after, std::vector<EdgeCrossing>& detour) const;
+  bool WalkBehind(
+    const Strip& strip, const Corner& corner, std::vector<EdgeCrossing>& detour) const;
+  double AngleInStrip(
+    const Strip& strip, const Corner& corner, const Point2& before, const Point2& after) const;
+  void Replace(const Strip& strip, const Corner& corner, const std::vector<EdgeCrossing>& detour,
+    Strip& result);
+
+  /// A vertex beside the path, and how much shorter the path behind it should be.
+  struct Prospect
+  {
+    Corner At;
+    double Gain;
+  };
+  void FindProspects(std::vector<Prospect>& prospects);
+
+  const SurfaceMesh& Mesh;
+  StripUnfolding Plane;
+  Funnel TheFunnel;
+  std::vector<StripBend> Bends;
+  std::vector<EdgeCrossing> Crossings;
+  std::vector<EdgeCrossing> Detour;
+};
+}
+
+#endif

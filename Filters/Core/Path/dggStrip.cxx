@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggStrip.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// One way around a vertex.
+struct Turn
+{
+  double Angle = Infinity; ///< of the faces between the two ends
+  std::vector<EdgeCrossing> Crossings;
+};
+
+/// Walk around c, out of a face through its edge `exit` at c, until `toFace`. Only over manifold
+/// edges.
+Turn WalkAround(const SurfaceMesh& mesh, Id c, Id exit, Id toFace)
+{
+  Turn turn;
+  double angle = 0.0;
+  const Id start = SurfaceMesh::Face(exit);
+  for (;;)
+  {
+    const Id entry = mesh.Twin(exit);
+    if (entry == NoId || SurfaceMesh::Face(entry) == start)
+    {
+      return turn;
+    }
+    turn.Crossings.push_back({ exit, entry });
+    const Id face = SurfaceMesh::Face(entry);
+    if (face == toFace)
+    {
+      turn.Angle = angle;
+      return turn;
+    }
+    angle += mesh.CornerAngle(HalfEdgeFrom(mesh, face, c));
+    exit = OtherEdgeAt(mesh, c, entry);
+  }
+}
+
+bool IsOnEdge(const SurfaceMesh& mesh, const SurfacePoint& point, Id h)
+{
+  if (IsVertex(point))
+  {
+    return mesh.Origin(h) == point.Vertex || mesh.Destination(h) == point.Vertex;
+  }
+  if (point.On != SurfacePoint::Support::Edge)
+  {
+    return false;
+  }
+  Id e = point.HalfEdge;
+  do
+  {
+    if (e == h)
+    {
+      return true;
+    }
+    e = mesh.Twin(e);
+  } while (e != NoId && e != point.HalfEdge);
+  return false;
+}
+}
+
+void Reverse(std::vector<EdgeCrossing>& crossings)
+{
+  std::reverse(crossings.begin(), crossings.end());
+  for (EdgeCrossing& crossing : crossings)
+  {
+    std::swap(crossing.Exit, crossing.Entry);
+  }
+}
+
+void AppendCrossing(std::vector<EdgeCrossing>& crossings, const EdgeCrossing& crossing)
+{
+  if (crossings.empty() || crossings.back().Entry != crossing.Exit)
+  {
+    crossings.push_back(crossing);
+    return;
+  }
+  // Back over the same edge, to where it came from or to a third face.
+  const Id exit = crossings.back().Exit;
+  crossings.pop_back();
+  if (exit != crossing.Entry)
+  {
+    AppendCrossing(crossings, { exit, crossing.Entry });
+  }
+}
+
+/// Dijkstra over the few edges around the vertex, non-manifold ones included.
+double FindTurn(const SurfaceMesh& mesh, Id c, const TurnEnd& from, const TurnEnd& to,
+  std::vector<EdgeCrossing>& crossings)
+{
+  struct Step
+  {
+    double Angle;
+    std::size_t Before;
+    EdgeCrossing Crossing;
+    bool IsDone;
+  };
+  std::vector<Step> steps;
+  const std::size_t none = static_cast<std::size_t>(-1);
+  const auto leave = [&](Id exit, double angle, std::size_t before) {
+    for (Id e = mesh.Twin(exit); e != NoId && e != exit; e = mesh.Twin(e))
+    {
+      const auto known = std::find_if(
+        steps.begin(), steps.end(), [&](const Step& other) { return other.Crossing.Entry == e; });
+      const Step next{ angle, before, { exit, e }, false };
+      if (known == steps.end())
+      {
+        steps.push_back(next);
+      }
+      else if (angle < known->Angle)
+      {
+        *known = next;
+      }
+    }
+  };
+  const auto corner = [&](Id face) { return mesh.CornerAngle(HalfEdgeFrom(mesh, face, c)); };
+  /// The angle in the last face of what has come in through its half-edge e.
+  const auto inLast = [&](Id e) {
+    return e == to.HalfEdge ? to.Angle : std::max(0.0, corner(to.Face) - to.Angle);
+  };
+  leave(from.HalfEdge, from.Angle, none);
+  leave(OtherEdgeAt(mesh, c, from.HalfEdge), std::max(0.0, corner(from.Face) - from.Angle), none);
+  double best = Infinity;
+  std::size_t last = none;
+  if (from.Face == to.Face)
+  {
+    best = std::abs(from.Angle - inLast(from.HalfEdge));
+  }
+  for (;;)
+  {
+    std::size_t nearest = none;
+    for (std::size_t i = 0; i < steps.size(); ++i)
+    {
+      if (!steps[i].IsDone && (nearest == none || steps[i].Angle < steps[nearest].Angle))
+      {
+        nearest = i;
+      }
+    }
+    if (nearest == none || steps[nearest].Angle >= best)
+    {
+      break;
+    }
+    steps[nearest].IsDone = true;
+    const Step step = steps[nearest];
+    const Id face = SurfaceMesh::Face(step.Crossing.Entry);
+    if (face == to.Face && step.Angle + inLast(step.Crossing.Entry) < best)
+    {
+      best = step.Angle + inLast(step.Crossing.Entry);
+      last = nearest;
+    }
+    leave(OtherEdgeAt(mesh, c, step.Crossing.Entry), step.Angle + corner(face), nearest);
+  }
+  crossings.clear();
+  for (; last != none; last = steps[last].Before)
+  {
+    crossings.push_back(steps[last].Crossing);
+  }
+  std::reverse(crossings.begin(), crossings.end());
+  return best;
+}
+
+bool AppendTurn(
+  const SurfaceMesh& mesh, Id c, Id fromFace, Id toFace, std::vector<EdgeCrossing>& crossings)
+{
+  if (fromFace == toFace)
+  {
+    return true;
+  }
+  Turn best;
+  if (mesh.Kind(c) == VertexKind::Irregular)
+  {
+    const Id g = HalfEdgeFrom(mesh, fromFace, c);
+    const Id h = HalfEdgeFrom(mesh, toFace, c);
+    best.Angle = FindTurn(mesh, c, { fromFace, g, 0.5 * mesh.CornerAngle(g) },
+      { toFace, h, 0.5 * mesh.CornerAngle(h) }, best.Crossings);
+  }
+  else
+  {
+    const Id g = HalfEdgeFrom(mesh, fromFace, c);
+    best = WalkAround(mesh, c, g, toFace);
+    Turn other = WalkAround(mesh, c, SurfaceMesh::Previous(g), toFace);
+    if (other.Angle < best.Angle)
+    {
+      best = std::move(other);
+    }
+  }
+  if (best.Angle == Infinity)
+  {
+    return false;
+  }
+  for (const EdgeCrossing& crossing : best.Crossings)
+  {
+    AppendCrossing(crossings, crossing);
+  }
+  return true;
+}
+
+void Tidy(const SurfaceMesh& mesh, Strip& strip)
+{
+  std::vector<EdgeCrossing>& crossings = strip.Crossings;
+  std::size_t first = 0;
+  while (first < crossings.size() && IsOnEdge(mesh, strip.Start, crossings[first].Entry))
+  {
+    strip.FirstFace = SurfaceMesh::Face(crossings[first].Entry);
+    ++first;
+  }
+  crossings.erase(crossings.begin(), crossings.begin() + static_cast<std::ptrdiff_t>(first));
+  while (!crossings.empty() && IsOnEdge(mesh, strip.End, crossings.back().Entry))
+  {
+    crossings.pop_back();
+  }
+}
+}

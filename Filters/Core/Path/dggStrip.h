@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A sequence of faces that a path runs through. Internal.
+#ifndef dggStrip_h
+#define dggStrip_h
+
+#include "dggSurfaceMesh.h"  // for SurfaceMesh
+#include "dggSurfacePoint.h" // for SurfacePoint
+
+#include <vector> // for the crossings
+
+namespace dgg
+{
+/// From one face to another of the same edge: both half-edges are of that edge.
+struct EdgeCrossing
+{
+  Id Exit;  ///< of the face that is left
+  Id Entry; ///< of the face that is entered
+};
+
+/// Faces from that of a first to that of a last point, each sharing an edge with the next one. No
+/// face is left through the edge it was entered through, and the ends do not lie on the edges next
+/// to them (see Tidy()).
+struct Strip
+{
+  SurfacePoint Start;
+  SurfacePoint End;
+  Id FirstFace = NoId; ///< that of Start
+  std::vector<EdgeCrossing> Crossings;
+
+  Id LastFace() const
+  {
+    return this->Crossings.empty() ? this->FirstFace
+                                   : SurfaceMesh::Face(this->Crossings.back().Entry);
+  }
+  /// Face before crossing i; the last face for i the number of crossings.
+  Id FaceBefore(std::size_t i) const
+  {
+    return i == 0 ? this->FirstFace : SurfaceMesh::Face(this->Crossings[i - 1].Entry);
+  }
+};
+
+/// Whether a point is a vertex, the only one.
+inline bool IsVertex(const SurfacePoint& point)
+{
+  return point.On == SurfacePoint::Support::Vertex;
+}
+
+/// The same crossings from the last to the first.
+void Reverse(std::vector<EdgeCrossing>& crossings);
+
+/// Append a crossing. One that goes back over the edge just crossed takes that crossing back.
+void AppendCrossing(std::vector<EdgeCrossing>& crossings, const EdgeCrossing& crossing);
+
+/// The other edge of a face at vertex c.
+inline Id OtherEdgeAt(const SurfaceMesh& mesh, Id c, Id h)
+{
+  return mesh.Origin(h) == c ? SurfaceMesh::Previous(h) : SurfaceMesh::Next(h);
+}
+
+/// Append crossings of edges around vertex `c` that lead from one of its faces to another, on the
+/// side where the angle between them is smaller. False when there is no such way: the faces are of
+/// different fans, which touch in the vertex only.
+bool AppendTurn(
+  const SurfaceMesh& mesh, Id c, Id fromFace, Id toFace, std::vector<EdgeCrossing>& crossings);
+
+/// One end of a way around a vertex: a direction in one of its faces.
+struct TurnEnd
+{
+  Id Face;
+  Id HalfEdge;  ///< of the face, one of its two edges at the vertex
+  double Angle; ///< from that edge to the direction, in the face
+};
+
+/// Crossings of the way around vertex `c` with the smallest angle, through any of its faces.
+/// Returns that angle, Infinity when there is no way.
+double FindTurn(const SurfaceMesh& mesh, Id c, const TurnEnd& from, const TurnEnd& to,
+  std::vector<EdgeCrossing>& crossings);
+
+/// Leave out what a strip need not cross: edges crossed to and fro, and edges that an end of the
+/// strip lies on.
+void Tidy(const SurfaceMesh& mesh, Strip& strip);
+
+/// The half-edge of a face that starts at the given vertex; NoId when it is not one of its corners.
+inline Id HalfEdgeFrom(const SurfaceMesh& mesh, Id face, Id vertex)
+{
+  for (Id h = 3 * face; h < 3 * face + 3; ++h)
+  {
+    if (mesh.Origin(h) == vertex)
+    {
+      return h;
+    }
+  }
+  return NoId;
+}
+}
+
+#endif

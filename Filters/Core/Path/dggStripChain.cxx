@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggStripChain.h"
+
+#include <array>
+
+namespace dgg
+{
+namespace
+{
+/// The half-edge of a face that a point on an edge lies on; NoId when there is none.
+Id HalfEdgeUnder(const SurfaceMesh& mesh, const SurfacePoint& point, Id face)
+{
+  std::array<double, 3> barycentric{};
+  if (point.On == SurfacePoint::Support::Edge && FindInFace(mesh, point, face, barycentric))
+  {
+    for (Id h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      if (barycentric[(h + 2) % 3] == 0.0)
+      {
+        return h;
+      }
+    }
+  }
+  return NoId;
+}
+}
+
+void StripChain::Append(const Strip& strip)
+{
+  if (!this->Strips.empty())
+  {
+    Strip& last = this->Strips.back();
+    const Id from = last.LastFace();
+    if (from == strip.FirstFace ||
+      (IsVertex(strip.Start) &&
+        AppendTurn(this->Mesh, strip.Start.Vertex, from, strip.FirstFace, last.Crossings)))
+    {
+      for (const EdgeCrossing& crossing : strip.Crossings)
+      {
+        AppendCrossing(last.Crossings, crossing);
+      }
+      last.End = strip.End;
+      return;
+    }
+  }
+  this->Strips.push_back(strip);
+}
+
+void StripChain::Append(const SurfacePath& path)
+{
+  for (std::size_t i = 0; i < path.Faces.size(); ++i)
+  {
+    this->AppendPiece(path.Points[i], path.Points[i + 1], path.Faces[i]);
+  }
+}
+
+void StripChain::AppendPiece(const SurfacePoint& from, const SurfacePoint& to, Id face)
+{
+  Strip piece;
+  piece.Start = from;
+  piece.End = to;
+  piece.FirstFace = face;
+  if (!this->Strips.empty() && !IsVertex(from))
+  {
+    Strip& last = this->Strips.back();
+    const Id exit = HalfEdgeUnder(this->Mesh, from, last.LastFace());
+    const Id entry = HalfEdgeUnder(this->Mesh, from, face);
+    if (exit != NoId && entry != NoId && exit != entry)
+    {
+      AppendCrossing(last.Crossings, { exit, entry });
+    }
+  }
+  this->Append(piece);
+}
+}

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSurfacePath.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace dgg
+{
+namespace
+{
+/// How far a length may be from the sum of its pieces, relatively.
+constexpr double LengthTolerance = 1e-9;
+}
+
+void SurfacePath::Clear()
+{
+  this->Points.clear();
+  this->Faces.clear();
+  this->Length = 0.0;
+}
+
+bool FindInFace(
+  const SurfaceMesh& mesh, const SurfacePoint& point, Id face, std::array<double, 3>& barycentric)
+{
+  if (face < 0 || face >= mesh.GetNumberOfFaces())
+  {
+    return false;
+  }
+  bool isFound = false;
+  if (point.On == SurfacePoint::Support::Vertex)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      barycentric[k] = mesh.Origin(3 * face + k) == point.Vertex ? 1.0 : 0.0;
+      isFound = isFound || barycentric[k] == 1.0;
+    }
+    return isFound;
+  }
+  ForEachFaceAround(mesh, point, [&](Id f, const std::array<double, 3>& b) {
+    if (f == face)
+    {
+      barycentric = b;
+      isFound = true;
+    }
+  });
+  return isFound;
+}
+
+Id FindFaceOf(const SurfaceMesh& mesh, const SurfacePoint& point)
+{
+  if (point.On != SurfacePoint::Support::Vertex)
+  {
+    return point.Face;
+  }
+  const Id* fan = mesh.FanBegin(point.Vertex);
+  return fan != mesh.FanEnd(point.Vertex) ? SurfaceMesh::Face(*fan) : NoId;
+}
+
+double MeasurePiece(const SurfaceMesh& mesh, const SurfacePath& path, std::size_t piece)
+{
+  std::array<double, 3> p{};
+  std::array<double, 3> q{};
+  const Id face = path.Faces[piece];
+  return FindInFace(mesh, path.Points[piece], face, p) &&
+      FindInFace(mesh, path.Points[piece + 1], face, q)
+    ? DistanceInFace(mesh, face, p, q)
+    : std::numeric_limits<double>::quiet_NaN();
+}
+
+Status CheckPath(const SurfaceMesh& mesh, const SurfacePath& path)
+{
+  std::ostringstream message;
+  const std::size_t pieces = path.Points.empty() ? 0 : path.Points.size() - 1;
+  if (path.Faces.size() != pieces)
+  {
+    message << "a path of " << path.Points.size() << " points has faces for " << path.Faces.size()
+            << " pieces";
+    return Status::Invalid(message.str());
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < pieces; ++i)
+  {
+    const double length = MeasurePiece(mesh, path, i);
+    if (!std::isfinite(length))
+    {
+      message << "piece " << i << " of the path does not lie in face " << path.Faces[i];
+      return Status::Invalid(message.str());
+    }
+    sum += length;
+  }
+  if (!(std::abs(sum - path.Length) <= LengthTolerance * sum))
+  {
+    message << "the length of the path is " << path.Length << ", but its pieces have " << sum;
+    return Status::Invalid(message.str());
+  }
+  return Status::Success();
+}
+
+std::array<double, 3> PositionOf(
+  const SurfaceMesh& mesh, const SurfacePoint& point, const double* positions)
+{
+  if (point.On == SurfacePoint::Support::Vertex)
+  {
+    const double* p = positions + 3 * static_cast<std::size_t>(point.Vertex);
+    return { { p[0], p[1], p[2] } };
+  }
+  std::array<double, 3> sum{ { 0.0, 0.0, 0.0 } };
+  for (int k = 0; k < 3; ++k)
+  {
+    const double* p = positions + 3 * static_cast<std::size_t>(mesh.Origin(3 * point.Face + k));
+    for (int c = 0; c < 3; ++c)
+    {
+      sum[c] += point.Barycentric[k] * p[c];
+    }
+  }
+  return sum;
+}
+}
