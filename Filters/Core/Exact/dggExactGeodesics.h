@@ -50,11 +50,11 @@ struct ExactOptions
   ProgressCallback Progress;
 };
 
-/// How a vertex got its distance: enough to trace the path back (window tracing).
+/// How a vertex or a target got its distance: enough to trace the path back (window tracing).
 struct Predecessor
 {
-  /// The half-edge (of a face whose apex is the vertex) that the last straight piece crosses, or
-  /// NoId when it stays in one face or on one mesh edge.
+  /// The half-edge that the last straight piece crosses before it ends in its face (at its apex,
+  /// for a vertex), or NoId when it stays in one face or on one mesh edge.
   Id HalfEdge = NoId;
   /// Where the piece starts: a vertex, or ~k for the k-th source (inside a face or an edge);
   /// the vertex itself when it is a source.
@@ -71,6 +71,7 @@ struct ExactResult
   std::vector<Predecessor> Predecessors; ///< per vertex
   std::vector<double> TargetDistances;   ///< per target; Infinity where unreached
   std::vector<Id> TargetNearestSource;   ///< per target
+  std::vector<Predecessor> TargetPredecessors; ///< per target; at vertices those of the vertices
 
   std::size_t NumberOfWindows = 0; ///< windows propagated
   std::size_t PeakMemory = 0; ///< most bytes held by the engine at one time, mesh and results apart

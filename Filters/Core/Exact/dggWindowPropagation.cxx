@@ -93,6 +93,7 @@ Status WindowPropagation::Run(
   result.Predecessors.assign(n, Predecessor());
   result.TargetDistances.assign(options.Targets.size(), Infinity);
   result.TargetNearestSource.assign(options.Targets.size(), NoId);
+  result.TargetPredecessors.assign(options.Targets.size(), Predecessor());
   this->Options = &options;
   this->Result = &result;
   this->Sources = &shifted;
@@ -321,8 +322,9 @@ void WindowPropagation::StartInFace(Id f, const std::array<double, 3>& b, double
     {
       if (target.Face == f)
       {
-        this->ReachTarget(
-          target.Index, offset + DistanceInFace(this->Mesh, f, b, target.Barycentric), source);
+        this->ReachTarget(target.Index,
+          offset + DistanceInFace(this->Mesh, f, b, target.Barycentric),
+          { NoId, ~source, 0.0, 0.0 }, source);
       }
     }
   }
@@ -349,12 +351,14 @@ void WindowPropagation::RegisterTargets()
   });
 }
 
-void WindowPropagation::ReachTarget(std::size_t index, double distance, Id source)
+void WindowPropagation::ReachTarget(
+  std::size_t index, double distance, const Predecessor& predecessor, Id source)
 {
   if (distance < this->Result->TargetDistances[index])
   {
     this->Result->TargetDistances[index] = distance;
     this->Result->TargetNearestSource[index] = source;
+    this->Result->TargetPredecessors[index] = predecessor;
   }
 }
 
@@ -370,7 +374,8 @@ void WindowPropagation::OfferTargets(Id h, const Window& window)
     const double x = Crossing(window.Image, p);
     if (x >= window.Begin - tolerance && x <= window.End + tolerance)
     {
-      this->ReachTarget(target->Index, window.DistanceTo(p), this->SourceOf(window.Root));
+      this->ReachTarget(target->Index, window.DistanceTo(p),
+        { h, window.Root, window.Image.X, window.Image.Y }, this->SourceOf(window.Root));
     }
   }
 }
@@ -412,15 +417,16 @@ void WindowPropagation::FinishTargets()
   {
     if (points[t].On == SurfacePoint::Support::Vertex)
     {
-      this->ReachTarget(t, this->Label(points[t].Vertex), (*this->Nearest)[points[t].Vertex]);
+      const Id v = points[t].Vertex;
+      this->ReachTarget(t, this->Label(v), (*this->Predecessors)[v], (*this->Nearest)[v]);
       continue;
     }
     ForEachFaceAround(this->Mesh, points[t], [&](Id f, const std::array<double, 3>& b) {
       for (int k = 0; k < 3; ++k)
       {
         const Id corner = this->Mesh.Origin(3 * f + k);
-        this->ReachTarget(
-          t, this->Label(corner) + DistanceToCorner(this->Mesh, f, b, k), (*this->Nearest)[corner]);
+        this->ReachTarget(t, this->Label(corner) + DistanceToCorner(this->Mesh, f, b, k),
+          { NoId, corner, 0.0, 0.0 }, (*this->Nearest)[corner]);
       }
     });
   }
@@ -445,6 +451,7 @@ void WindowPropagation::ForgetBeyondRadius()
     {
       this->Result->TargetDistances[t] = Infinity;
       this->Result->TargetNearestSource[t] = NoId;
+      this->Result->TargetPredecessors[t] = Predecessor();
     }
   }
 }

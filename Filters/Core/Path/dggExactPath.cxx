@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggExactPath.h"
+
+#include "dggWindowTracer.h"
+
+#include <sstream>
+
+namespace dgg
+{
+ExactPathFinder::ExactPathFinder(const SurfaceMesh& mesh)
+  : Mesh(mesh)
+  , Solver(std::make_unique<ExactGeodesics>(mesh))
+{
+}
+
+ExactPathFinder::~ExactPathFinder() = default;
+
+Status ExactPathFinder::Find(const SurfacePoint& from, const std::vector<SurfacePoint>& to,
+  const ProgressCallback& progress, std::vector<SurfacePath>& paths)
+{
+  paths.clear();
+  ExactOptions options;
+  options.Targets = to;
+  options.StopAtTargets = true;
+  options.Progress = progress;
+  ExactResult result;
+  Status status = this->Solver->Run({ { from, 0.0 } }, options, result);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  paths.resize(to.size());
+  WindowTracer tracer(this->Mesh, from, result);
+  for (std::size_t t = 0; t < to.size(); ++t)
+  {
+    const double distance = result.TargetDistances[t];
+    if (distance < Infinity &&
+      !tracer.Trace(to[t], distance, result.TargetPredecessors[t], paths[t]))
+    {
+      std::ostringstream message;
+      message << "the path to target " << t << ", at distance " << distance
+              << ", cannot be traced back: the faces that it crosses are too narrow";
+      paths.clear();
+      return Status::Invalid(message.str());
+    }
+  }
+  return Status::Success();
+}
+}

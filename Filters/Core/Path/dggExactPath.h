@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Shortest paths by exact distances.
+#ifndef dggExactPath_h
+#define dggExactPath_h
+
+#include "dggExactGeodesics.h" // for the solver
+#include "dggSurfacePath.h"    // for SurfacePath
+
+#include <memory> // for the solver
+#include <vector> // for paths
+
+namespace dgg
+{
+/// Finds exact shortest paths by window tracing: windows are propagated from the source until they
+/// have reached all targets, and the way of each is followed back. One finder per thread.
+class ExactPathFinder
+{
+public:
+  explicit ExactPathFinder(const SurfaceMesh& mesh);
+  ~ExactPathFinder();
+  ExactPathFinder(const ExactPathFinder&) = delete;
+  ExactPathFinder& operator=(const ExactPathFinder&) = delete;
+
+  /// Paths from one point to others, in the order of `to`; empty ones to points that are not
+  /// connected with it. Fails when a point does not exist.
+  Status Find(const SurfacePoint& from, const std::vector<SurfacePoint>& to,
+    const ProgressCallback& progress, std::vector<SurfacePath>& paths);
+
+private:
+  const SurfaceMesh& Mesh;
+  std::unique_ptr<ExactGeodesics> Solver;
+};
+}
+
+#endif

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact shortest paths: they lie on the surface and are as long as the distance.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include "dggExactPath.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::SurfacePath;
+using dgg::SurfacePoint;
+using Support = SurfacePoint::Support;
+
+/// Paths; a failure fails the test.
+std::vector<SurfacePath> FindPaths(
+  const dgg::SurfaceMesh& mesh, const SurfacePoint& from, const std::vector<SurfacePoint>& to)
+{
+  dgg::ExactPathFinder finder(mesh);
+  std::vector<SurfacePath> paths;
+  const dgg::Status status = finder.Find(from, to, nullptr, paths);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  return paths;
+}
+
+bool IsSamePoint(const SurfacePoint& a, const SurfacePoint& b)
+{
+  return a.On == b.On && a.Vertex == b.Vertex && a.HalfEdge == b.HalfEdge && a.Face == b.Face &&
+    a.Barycentric == b.Barycentric;
+}
+
+/// Paths from some points to others, of every kind, against the distances of the other engine.
+/// `failures`, if given, counts sources from which a path could not be traced back, which may
+/// happen through piles of faces without area.
+void ExpectShortest(
+  const dgg::SurfaceMesh& mesh, Id sources, Id targets, double tolerance, int* failures = nullptr)
+{
+  std::vector<SurfacePoint> from = RandomSurfacePoints(mesh, sources, 71);
+  std::vector<SurfacePoint> to = RandomSurfacePoints(mesh, targets, 72);
+  for (const Id v : SomeVertices(mesh, sources, 73))
+  {
+    from.push_back(SurfacePoint::AtVertex(v));
+  }
+  for (const Id v : SomeVertices(mesh, targets, 74))
+  {
+    to.push_back(SurfacePoint::AtVertex(v));
+  }
+  to.push_back(from.front());
+  for (const SurfacePoint& source : from)
+  {
+    const std::vector<double> distances =
+      DistancesTo(mesh, dgg::ExactEngine::Reference, source, to);
+    if (failures && mesh.GetNumberOfDegenerateFaces() > 0)
+    {
+      dgg::ExactPathFinder finder(mesh);
+      std::vector<SurfacePath> unused;
+      const dgg::Status status = finder.Find(source, to, nullptr, unused);
+      if (!status.IsOk())
+      {
+        EXPECT_NE(status.GetMessage().find("cannot be traced back"), std::string::npos);
+        EXPECT_TRUE(unused.empty());
+        ++*failures;
+        continue;
+      }
+    }
+    const std::vector<SurfacePath> paths = FindPaths(mesh, source, to);
+    ASSERT_EQ(paths.size(), to.size());
+    for (std::size_t t = 0; t < to.size(); ++t)
+    {
+      const SurfacePath& path = paths[t];
+      SCOPED_TRACE(t);
+      ASSERT_EQ(path.IsEmpty(), distances[t] == dgg::Infinity);
+      if (path.IsEmpty())
+      {
+        continue;
+      }
+      const dgg::Status status = dgg::CheckPath(mesh, path);
+      ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+      ASSERT_NEAR(
+        path.Length, distances[t], tolerance * distances[t] + 1e-14 * mesh.GetMaximumEdgeLength());
+      EXPECT_TRUE(IsSamePoint(path.Points.back(), to[t]));
+      EXPECT_TRUE(path.Points.size() == 1 || IsSamePoint(path.Points.front(), source));
+      for (std::size_t i = 1; i + 1 < path.Points.size(); ++i)
+      {
+        EXPECT_NE(path.Points[i].On, Support::Face);
+        EXPECT_TRUE(path.Points[i].Check(mesh).IsOk());
+      }
+    }
+  }
+}
+
+/// Distance of a point from the line through two others, in the plane z = 0.
+double OffLine(
+  const std::array<double, 3>& p, const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  const double x = b[0] - a[0];
+  const double y = b[1] - a[1];
+  return std::abs(x * (p[1] - a[1]) - y * (p[0] - a[0])) / std::hypot(x, y);
+}
+}
+
+TEST(ExactPath, SoundMeshes)
+{
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    ExpectShortest(Build(named.Mesh), 4, 40, 1e-10);
+  }
+}
+
+TEST(ExactPath, DefectMeshes)
+{
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    // Windows light up to 1e-9 edges beyond their ends: next to faces as narrow, a path can save
+    // part of that.
+    const bool isNarrow = named.Name.find("1e-9") != std::string::npos;
+    ExpectShortest(Build(named.Mesh), 6, 40, isNarrow ? 1e-9 : 1e-10);
+  }
+}
+
+TEST(ExactPath, AbstractMeshes)
+{
+  std::vector<ConePoint> coordinates;
+  std::vector<bool> isBack;
+  ExpectShortest(Build(Cone(0.7 * dgg::Pi, 9, 4, coordinates, 0.2)), 4, 30, 1e-10);
+  ExpectShortest(Build(Cone(3.1 * dgg::Pi, 17, 4, coordinates, 0.2)), 4, 30, 1e-10);
+  ExpectShortest(Build(FlatTorus(1.0, 0.3, 0.8, 2, 2, true)), 6, 30, 1e-10);
+  ExpectShortest(Build(FlatTorus(3.0, 0.5, 2.0, 5, 4, false)), 6, 30, 1e-10);
+  ExpectShortest(Build(DoublyCoveredPolygon(5, 3, isBack)), 6, 30, 1e-10);
+  ExpectShortest(Build(SingleTriangle()), 4, 10, 1e-10);
+  ExpectShortest(Build(TwoTriangles(0.4)), 4, 10, 1e-10);
+}
+
+TEST(ExactPath, Soups)
+{
+  int failures = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const TestMesh soup = RandomSoup(3 + random.Index(20), 1 + random.Index(50), seed);
+    dgg::SurfaceMesh mesh;
+    const bool built = dgg::SurfaceMesh::FromPoints(soup.Points.data(), soup.GetNumberOfVertices(),
+      soup.Triangles.data(), soup.GetNumberOfFaces(), mesh)
+                         .IsOk();
+    bool hasFaces = false;
+    for (Id f = 0; built && f < mesh.GetNumberOfFaces(); ++f)
+    {
+      hasFaces = hasFaces || !mesh.IsDropped(f);
+    }
+    if (hasFaces)
+    {
+      // The engines agree to no more on faces without area.
+      ExpectShortest(mesh, 2, 10, 1e-6, &failures);
+    }
+  }
+  EXPECT_LE(failures, 8); // of 800
+}
+
+TEST(ExactPath, IsStraightInThePlane)
+{
+  for (const double jitter : { 0.0, 0.25 })
+  {
+    const TestMesh input = Plane(12, 9, jitter, 5);
+    const dgg::SurfaceMesh mesh = Build(input);
+    std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 30, 6);
+    for (const Id v : SomeVertices(mesh, 20, 7))
+    {
+      points.push_back(SurfacePoint::AtVertex(v));
+    }
+    for (std::size_t s = 0; s < points.size(); s += 7)
+    {
+      const auto a = dgg::PositionOf(mesh, points[s], input.Points.data());
+      const auto paths = FindPaths(mesh, points[s], points);
+      for (std::size_t t = 0; t < points.size(); ++t)
+      {
+        const auto b = dgg::PositionOf(mesh, points[t], input.Points.data());
+        EXPECT_NEAR(paths[t].Length, std::hypot(b[0] - a[0], b[1] - a[1]), 1e-12);
+        double before = -1.0;
+        for (const SurfacePoint& point : paths[t].Points)
+        {
+          const auto p = dgg::PositionOf(mesh, point, input.Points.data());
+          EXPECT_TRUE(paths[t].Points.size() == 1 || OffLine(p, a, b) < 1e-12);
+          const double along = std::hypot(p[0] - a[0], p[1] - a[1]);
+          EXPECT_GT(along, before); // from start to end, no point twice
+          before = along;
+        }
+      }
+    }
+  }
+}
+
+TEST(ExactPath, OverTheCube)
+{
+  const TestMesh input = Cube(1);
+  const dgg::SurfaceMesh mesh = Build(input);
+  const auto path = FindPaths(mesh, SurfacePoint::AtVertex(VertexAt(input, 0, 0, 0)),
+    { SurfacePoint::AtVertex(VertexAt(input, 1, 1, 1)) })[0];
+  EXPECT_NEAR(path.Length, std::sqrt(5.0), 1e-15);
+  // It crosses one edge of the cube in its middle; diagonals perhaps as well.
+  const bool crossesMiddle =
+    std::any_of(path.Points.begin(), path.Points.end(), [&](const SurfacePoint& point) {
+      const auto p = dgg::PositionOf(mesh, point, input.Points.data());
+      const auto halves =
+        std::count_if(p.begin(), p.end(), [](double x) { return std::abs(x - 0.5) < 1e-14; });
+      return halves == 1;
+    });
+  EXPECT_TRUE(crossesMiddle);
+}
+
+TEST(ExactPath, AroundASlit)
+{
+  // Across the slit the way bends at its end, the origin, and nowhere else.
+  std::vector<bool> isLower;
+  const TestMesh input = SlitPlane(6, isLower, 0.2, 3);
+  const dgg::SurfaceMesh mesh = Build(input);
+  const Id tip = VertexAt(input, 0, 0, 0);
+  Id above = dgg::NoId;
+  Id below = dgg::NoId;
+  for (Id v = 0; v < input.GetNumberOfVertices(); ++v)
+  {
+    if (input.Point(v)[0] == 5.0 && input.Point(v)[1] == 0.0)
+    {
+      (isLower[v] ? below : above) = v;
+    }
+  }
+  const auto path =
+    FindPaths(mesh, SurfacePoint::AtVertex(above), { SurfacePoint::AtVertex(below) })[0];
+  EXPECT_NEAR(path.Length, 10.0, 1e-13);
+  EXPECT_EQ(std::count_if(path.Points.begin(), path.Points.end(),
+              [&](const SurfacePoint& p) { return p.Vertex == tip; }),
+    1);
+  EXPECT_EQ(path.Points.size(), 11u); // along the rim, vertex by vertex
+}
+
+TEST(ExactPath, ToItself)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(1, 0.2, 3));
+  std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 10, 5);
+  points.push_back(SurfacePoint::AtVertex(7));
+  // The same point of an edge, said from its other side.
+  const Id h = 12;
+  const SurfacePoint onEdge = SurfacePoint::OnEdge(mesh, h, 0.3);
+  const SurfacePoint otherSide = SurfacePoint::OnEdge(mesh, mesh.Twin(h), 0.7);
+  for (const SurfacePoint& point : points)
+  {
+    const auto path = FindPaths(mesh, point, { point })[0];
+    EXPECT_EQ(path.Points.size(), 1u);
+    EXPECT_TRUE(path.Faces.empty());
+    EXPECT_EQ(path.Length, 0.0);
+  }
+  EXPECT_EQ(FindPaths(mesh, onEdge, { otherSide })[0].Points.size(), 1u);
+}
+
+TEST(ExactPath, SayWhatIsWrong)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
+  dgg::ExactPathFinder finder(mesh);
+  std::vector<SurfacePath> paths(3);
+  const SurfacePoint good = SurfacePoint::AtVertex(0);
+  dgg::Status status = finder.Find(SurfacePoint::AtVertex(-4), { good }, nullptr, paths);
+  EXPECT_NE(status.GetMessage().find("vertex -4"), std::string::npos) << status.GetMessage();
+  EXPECT_TRUE(paths.empty());
+  status = finder.Find(good, { good, SurfacePoint::AtVertex(99999) }, nullptr, paths);
+  EXPECT_NE(status.GetMessage().find("target 1"), std::string::npos) << status.GetMessage();
+  EXPECT_TRUE(finder.Find(good, {}, nullptr, paths).IsOk());
+  EXPECT_TRUE(paths.empty());
+  EXPECT_TRUE(finder.Find(good, { SurfacePoint::AtVertex(5) }, nullptr, paths).IsOk());
+  EXPECT_EQ(paths.size(), 1u);
+}
+
+TEST(ExactPath, StopsWhenAsked)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(5));
+  dgg::ExactPathFinder finder(mesh);
+  std::vector<SurfacePath> paths;
+  const dgg::Status status = finder.Find(
+    SurfacePoint::AtVertex(0), { SurfacePoint::AtVertex(3) }, [](double) { return false; }, paths);
+  EXPECT_TRUE(status.IsAborted());
+  EXPECT_TRUE(paths.empty());
+}
+}
