@@ -17,12 +17,13 @@ ExactPathFinder::ExactPathFinder(const SurfaceMesh& mesh)
 ExactPathFinder::~ExactPathFinder() = default;
 
 Status ExactPathFinder::Find(const SurfacePoint& from, const std::vector<SurfacePoint>& to,
-  const ProgressCallback& progress, std::vector<SurfacePath>& paths)
+  const ProgressCallback& progress, std::vector<SurfacePath>& paths, double maximumDistance)
 {
   paths.clear();
   ExactOptions options;
   options.Targets = to;
   options.StopAtTargets = true;
+  options.MaximumDistance = maximumDistance;
   options.Progress = progress;
   ExactResult result;
   Status status = this->Solver->Run({ { from, 0.0 } }, options, result);

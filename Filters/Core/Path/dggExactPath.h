@@ -24,9 +24,10 @@ public:
   ExactPathFinder& operator=(const ExactPathFinder&) = delete;
 
   /// Paths from one point to others, in the order of `to`; empty ones to points that are not
-  /// connected with it. Fails when a point does not exist.
+  /// connected with it, or farther than `maximumDistance`. Fails when a point does not exist.
   Status Find(const SurfacePoint& from, const std::vector<SurfacePoint>& to,
-    const ProgressCallback& progress, std::vector<SurfacePath>& paths);
+    const ProgressCallback& progress, std::vector<SurfacePath>& paths,
+    double maximumDistance = Infinity);
 
 private:
   const SurfaceMesh& Mesh;

@@ -221,10 +221,6 @@ void PathFinder::Implementation::Finish(
   for (Strip& strip : workspace.Chain.GetStrips())
   {
     workspace.Shortener.Shorten(strip);
-    if (options.LookAround)
-    {
-      workspace.Shortener.LookAround(strip);
-    }
     workspace.Shortener.Append(strip, found.Path);
   }
   found.IsStraightened = true;

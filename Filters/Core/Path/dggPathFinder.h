@@ -17,9 +17,10 @@ struct PathOptions
 {
   /// Whether to shorten the path to a locally shortest geodesic.
   bool Straighten = true;
-  /// Whether to look on both sides of the bumps beside the path for a shorter one. Only with
-  /// Straighten.
-  bool LookAround = true;
+  /// Behind every bump there are several locally shortest paths. With Straighten, the shortest path
+  /// among those is found that have detours from the first one of up to this fraction of its
+  /// length: the exact solver runs in the corridor of faces around it. 0: the first one.
+  double Detour = 3e-4;
 };
 
 /// A path and how it was found.

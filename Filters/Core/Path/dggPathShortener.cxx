@@ -12,14 +12,9 @@ namespace
 /// An angle that is smaller than pi by less than this is left as it is: what could be gained is its
 /// square.
 constexpr double AngleTolerance = 1e-9;
-/// A path has to be shorter by this much, relatively, to count as shorter.
-constexpr double LengthTolerance = 1e-14;
 /// Rounds of shortening, each of which leads the strip around all bends that give way. Ten or
 /// twenty are common; this is a stop for paths that rounding errors keep moving.
 constexpr int MaximumRounds = 10000;
-/// Vertices beside the path that are tried, one after the other, without success.
-constexpr int MaximumTrials = 16;
-
 Point2 Difference(const Point2& a, const Point2& b)
 {
   return { a.X - b.X, a.Y - b.Y };
@@ -167,110 +162,6 @@ bool PathShortener::WalkBehind(
     exit = OtherEdgeAt(this->Mesh, corner.Vertex, entry);
   }
   return true;
-}
-
-/// Vertices beside the path that a path on the other side of would be shorter, if nothing came in
-/// between; the best first.
-void PathShortener::FindProspects(std::vector<Prospect>& prospects)
-{
-  prospects.clear();
-  for (const int side : { StripUnfolding::Left, StripUnfolding::Right })
-  {
-    std::size_t piece = 0; // bends before the portal
-    for (std::size_t i = 0; i < this->Plane.Portals.size();)
-    {
-      const Portal& portal = this->Plane.Portals[i];
-      const Corner corner = this->CornerAt({ i, side, portal.Ends[side] });
-      while (piece < this->Bends.size() && this->Bends[piece].Portal < i)
-      {
-        ++piece;
-      }
-      std::size_t next = piece;
-      while (next < this->Bends.size() && this->Bends[next].Portal <= corner.Last)
-      {
-        ++next;
-      }
-      i = corner.Last + 1;
-      const VertexKind kind = this->Mesh.Kind(corner.Vertex);
-      const bool isTouched = next != piece;
-      if (kind != VertexKind::Convex || isTouched)
-      {
-        continue;
-      }
-      const Point2 before = Difference(
-        piece == 0 ? this->Plane.Start : this->Bends[piece - 1].Position, corner.Position);
-      const Point2 after = Difference(
-        next == this->Bends.size() ? this->Plane.End : this->Bends[next].Position, corner.Position);
-      const double angle = AngleBetween(before, after);
-      const double behind = this->Mesh.TotalAngle(corner.Vertex) - angle;
-      if (behind < angle)
-      {
-        const double a = Norm(before.X, before.Y);
-        const double b = Norm(after.X, after.Y);
-        // The difference of the squares by the law of cosines.
-        const double gain = 2.0 * a * b * (std::cos(std::max(0.0, behind)) - std::cos(angle)) /
-          (2.0 * Norm(before.X - after.X, before.Y - after.Y));
-        prospects.push_back({ corner, gain });
-      }
-    }
-  }
-  std::sort(prospects.begin(), prospects.end(),
-    [](const Prospect& a, const Prospect& b) { return a.Gain > b.Gain; });
-}
-
-double PathShortener::LookAround(Strip& strip)
-{
-  double length = this->Lay(strip);
-  std::vector<Prospect> prospects;
-  std::vector<Id> tried;
-  this->FindProspects(prospects);
-  int trials = 0;
-  for (std::size_t i = 0; i < prospects.size() && trials < MaximumTrials;)
-  {
-    const Corner& corner = prospects[i].At;
-    Strip other;
-    if (std::find(tried.begin(), tried.end(), corner.Vertex) == tried.end() &&
-      this->WalkBehind(strip, corner, this->Detour))
-    {
-      tried.push_back(corner.Vertex);
-      ++trials;
-      this->Replace(strip, corner, this->Detour, other);
-      const double candidate = this->Shorten(other);
-      if (candidate < length * (1.0 - LengthTolerance))
-      {
-        std::swap(strip, other);
-        length = candidate;
-        this->FindProspects(prospects); // the path is laid out
-        trials = 0;
-        i = 0;
-        continue;
-      }
-    }
-    ++i;
-  }
-  return this->Lay(strip);
-}
-
-/// A strip that goes around the other side of a vertex.
-void PathShortener::Replace(
-  const Strip& strip, const Corner& corner, const std::vector<EdgeCrossing>& detour, Strip& result)
-{
-  result.Start = strip.Start;
-  result.End = strip.End;
-  result.FirstFace = strip.FirstFace;
-  result.Crossings.clear();
-  for (std::size_t i = 0; i < corner.First; ++i)
-  {
-    AppendCrossing(result.Crossings, strip.Crossings[i]);
-  }
-  for (const EdgeCrossing& crossing : detour)
-  {
-    AppendCrossing(result.Crossings, crossing);
-  }
-  for (std::size_t i = corner.Last + 1; i < strip.Crossings.size(); ++i)
-  {
-    AppendCrossing(result.Crossings, strip.Crossings[i]);
-  }
 }
 
 void PathShortener::Append(const Strip& strip, SurfacePath& path)

@@ -31,10 +31,6 @@ public:
   /// Shorten until the path is locally shortest. Returns its length.
   double Shorten(Strip& strip);
 
-  /// Also look on the other sides of vertices close to the path: behind a convex vertex there are
-  /// two locally shortest paths, one on each side. Takes the other one when it is shorter.
-  double LookAround(Strip& strip);
-
   /// The shortest path in a strip, as points on the surface, appended to a path that ends where the
   /// strip starts, if it is not empty.
   void Append(const Strip& strip, SurfacePath& path);
@@ -59,16 +55,6 @@ private:
     const Strip& strip, const Corner& corner, std::vector<EdgeCrossing>& detour) const;
   double AngleInStrip(
     const Strip& strip, const Corner& corner, const Point2& before, const Point2& after) const;
-  void Replace(const Strip& strip, const Corner& corner, const std::vector<EdgeCrossing>& detour,
-    Strip& result);
-
-  /// A vertex beside the path, and how much shorter the path behind it should be.
-  struct Prospect
-  {
-    Corner At;
-    double Gain;
-  };
-  void FindProspects(std::vector<Prospect>& prospects);
 
   const SurfaceMesh& Mesh;
   StripUnfolding Plane;
