@@ -2,18 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggPathFinder.h"
 
+#include "dggExactPath.h"
 #include "dggHopTracer.h"
+#include "dggPathCorridor.h"
 #include "dggPathShortener.h"
 #include "dggStripChain.h"
 #include "dggWorkspacePool.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <utility>
 
 namespace dgg
 {
 namespace
 {
+/// Lengths of edges are floats.
+constexpr double FloatTolerance = 1e-6;
+
 /// What the finder of one path works with.
 struct PathWorkspace
 {
@@ -21,14 +28,52 @@ struct PathWorkspace
     : Tracer(mesh)
     , Shortener(mesh)
     , Chain(mesh)
+    , Corridor(mesh)
+    , Mesh(mesh)
   {
   }
 
   HopTracer Tracer;
   PathShortener Shortener;
   StripChain Chain;
-  std::vector<Strip> Hops;
+  PathCorridor Corridor;
+
+  /// The exact way between points close together, made when it is first needed. False when there
+  /// is none within `length`.
+  bool FindExactly(
+    const SurfacePoint& from, const SurfacePoint& to, double length, SurfacePath& path)
+  {
+    if (!this->Exact)
+    {
+      this->Exact = std::make_unique<ExactPathFinder>(this->Mesh);
+    }
+    std::vector<SurfacePath> found;
+    const bool isFound =
+      this->Exact->Find(from, { to }, ProgressCallback(), found, length * (1.0 + FloatTolerance))
+        .IsOk() &&
+      !found.front().IsEmpty();
+    if (isFound)
+    {
+      path = std::move(found.front());
+    }
+    return isFound;
+  }
+
+private:
+  const SurfaceMesh& Mesh;
+  std::unique_ptr<ExactPathFinder> Exact;
 };
+
+/// Replace a path by the one in the chain, shortened.
+void Straighten(PathWorkspace& workspace, SurfacePath& path)
+{
+  path.Clear();
+  for (Strip& strip : workspace.Chain.GetStrips())
+  {
+    workspace.Shortener.Shorten(strip);
+    workspace.Shortener.Append(strip, path);
+  }
+}
 
 bool AreEqual(const SurfacePoint& a, const SurfacePoint& b)
 {
@@ -65,7 +110,10 @@ private:
   };
 
   Status Link(const SurfacePoint& from, const SurfacePoint& to, Ends& ends) const;
-  bool TraceHop(PathWorkspace& workspace, const Hop& hop, Strip& strip) const;
+  Status TraceDirect(PathWorkspace& workspace, const SurfacePoint& from, const SurfacePoint& to,
+    double length) const;
+  Status TraceHop(
+    PathWorkspace& workspace, const Hop& hop, bool isBackwards, Id& numberOfFallbacks) const;
   Status TraceHops(PathWorkspace& workspace, const SurfacePoint& from, const SurfacePoint& to,
     const Ends& ends, const GraphPath& path, FoundPath& found) const;
   void Finish(PathWorkspace& workspace, const PathOptions& options, FoundPath& found) const;
@@ -107,13 +155,15 @@ Status PathFinder::Implementation::Find(const SurfacePoint& from, const SurfaceP
   {
     return status;
   }
-  found.GraphLength = path.Length;
-  if (path.Length == Infinity)
+  found.GraphLength = std::min(path.Length, ends.Direct);
+  if (found.GraphLength == Infinity)
   {
     return status;
   }
   const auto workspace = this->Workspaces.Borrow(this->Mesh);
-  status = this->TraceHops(*workspace, from, to, ends, path, found);
+  workspace->Chain.Clear(options.Straighten);
+  status = ends.Direct <= path.Length ? this->TraceDirect(*workspace, from, to, ends.Direct)
+                                      : this->TraceHops(*workspace, from, to, ends, path, found);
   if (status.IsOk())
   {
     this->Finish(*workspace, options, found);
@@ -152,53 +202,88 @@ Status PathFinder::Implementation::Link(
   return Status::Success();
 }
 
-/// The strip of an edge of the graph.
-bool PathFinder::Implementation::TraceHop(
-  PathWorkspace& workspace, const Hop& hop, Strip& strip) const
+/// The straight way between two points that are not vertices.
+Status PathFinder::Implementation::TraceDirect(
+  PathWorkspace& workspace, const SurfacePoint& from, const SurfacePoint& to, double length) const
 {
+  SurfacePath path;
+  Id shared = NoId;
+  ForEachFaceAround(this->Mesh, from, [&](Id f, const std::array<double, 3>& p) {
+    std::array<double, 3> q{};
+    if (FindInFace(this->Mesh, to, f, q) && DistanceInFace(this->Mesh, f, p, q) <= length)
+    {
+      shared = f;
+    }
+  });
+  if (shared != NoId)
+  {
+    path.Points = { from, to };
+    path.Faces = { shared };
+  }
+  else if (!workspace.FindExactly(from, to, length, path))
+  {
+    return Status::Invalid("the straight way between two points cannot be traced");
+  }
+  workspace.Chain.Append(path);
+  return Status::Success();
+}
+
+/// The strip of an edge of the graph.
+Status PathFinder::Implementation::TraceHop(
+  PathWorkspace& workspace, const Hop& hop, bool isBackwards, Id& numberOfFallbacks) const
+{
+  Strip strip;
   strip.Start = SurfacePoint::AtVertex(hop.Tail);
   strip.End = hop.Head;
-  return workspace.Tracer.Trace(hop, strip.FirstFace, strip.Crossings);
+  if (!workspace.Tracer.Trace(hop, strip.FirstFace, strip.Crossings))
+  {
+    ++numberOfFallbacks;
+    SurfacePath path;
+    if (!workspace.FindExactly(isBackwards ? strip.End : strip.Start,
+          isBackwards ? strip.Start : strip.End, hop.Length, path))
+    {
+      return Status::Invalid("an edge of the graph, from vertex " + std::to_string(hop.Tail) +
+        ", cannot be traced on the surface: the graph is not that of the mesh");
+    }
+    workspace.Chain.Append(path);
+    return Status::Success();
+  }
+  if (isBackwards)
+  {
+    strip.FirstFace = strip.LastFace();
+    std::swap(strip.Start, strip.End);
+    Reverse(strip.Crossings);
+  }
+  workspace.Chain.Append(strip);
+  return Status::Success();
 }
 
 Status PathFinder::Implementation::TraceHops(PathWorkspace& workspace, const SurfacePoint& from,
   const SurfacePoint& to, const Ends& ends, const GraphPath& path, FoundPath& found) const
 {
   const GraphView& graph = this->Search.GetGraph();
-  workspace.Hops.clear();
-  const auto add = [&](const Hop& hop, bool isBackwards) {
-    Strip strip;
-    if (!this->TraceHop(workspace, hop, strip))
-    {
-      ++found.NumberOfFallbacks;
-      return;
-    }
-    if (isBackwards)
-    {
-      strip.FirstFace = strip.LastFace();
-      std::swap(strip.Start, strip.End);
-      Reverse(strip.Crossings);
-    }
-    workspace.Hops.push_back(std::move(strip));
-  };
+  Status status;
   if (!IsVertex(from))
   {
     const GraphLink& link = ends.Links[0][path.FromSeed];
-    add({ link.Vertex, link.ArrivalAngle, from, link.Length }, true);
+    status = this->TraceHop(workspace, { link.Vertex, link.ArrivalAngle, from, link.Length }, true,
+      found.NumberOfFallbacks);
   }
-  for (std::size_t i = 0; i < path.Edges.size(); ++i)
+  for (std::size_t i = 0; i < path.Edges.size() && status.IsOk(); ++i)
   {
     const Offset e = path.Edges[i];
-    add({ path.Vertices[i], graph.Angles[e], SurfacePoint::AtVertex(path.Vertices[i + 1]),
-          graph.Length(e) },
-      false);
+    status = this->TraceHop(workspace,
+      { path.Vertices[i], graph.Angles[e], SurfacePoint::AtVertex(path.Vertices[i + 1]),
+        graph.Length(e) },
+      false, found.NumberOfFallbacks);
   }
-  if (!IsVertex(to))
+  if (!IsVertex(to) && status.IsOk())
   {
     const GraphLink& link = ends.Links[1][path.ToSeed];
-    add({ link.Vertex, link.ArrivalAngle, to, link.Length }, false);
+    status = this->TraceHop(workspace, { link.Vertex, link.ArrivalAngle, to, link.Length }, false,
+      found.NumberOfFallbacks);
   }
-  return Status::Success();
+  return status;
 }
 
 void PathFinder::Implementation::Finish(
@@ -206,22 +291,24 @@ void PathFinder::Implementation::Finish(
 {
   if (!options.Straighten)
   {
-    for (Strip& hop : workspace.Hops)
+    for (Strip& strip : workspace.Chain.GetStrips())
     {
-      Tidy(this->Mesh, hop);
-      workspace.Shortener.Append(hop, found.Path);
+      Tidy(this->Mesh, strip);
+      workspace.Shortener.Append(strip, found.Path);
     }
     return;
   }
-  workspace.Chain.Clear();
-  for (const Strip& hop : workspace.Hops)
+  Straighten(workspace, found.Path);
+  if (options.Detour > 0.0)
   {
-    workspace.Chain.Append(hop);
-  }
-  for (Strip& strip : workspace.Chain.GetStrips())
-  {
-    workspace.Shortener.Shorten(strip);
-    workspace.Shortener.Append(strip, found.Path);
+    SurfacePath path = found.Path;
+    if (workspace.Corridor.Shorten(options.Detour, path))
+    {
+      workspace.Chain.Clear();
+      workspace.Chain.Append(path);
+      Straighten(workspace, path);
+      found.Path = std::move(path);
+    }
   }
   found.IsStraightened = true;
 }

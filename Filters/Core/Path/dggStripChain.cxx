@@ -28,7 +28,7 @@ Id HalfEdgeUnder(const SurfaceMesh& mesh, const SurfacePoint& point, Id face)
 
 void StripChain::Append(const Strip& strip)
 {
-  if (!this->Strips.empty())
+  if (!this->Strips.empty() && (this->IsJoining || !IsVertex(strip.Start)))
   {
     Strip& last = this->Strips.back();
     const Id from = last.LastFace();

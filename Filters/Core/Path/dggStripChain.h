@@ -23,7 +23,12 @@ public:
   {
   }
 
-  void Clear() { this->Strips.clear(); }
+  /// With `join` false every strip stays alone, and the path keeps to the vertices between them.
+  void Clear(bool join = true)
+  {
+    this->Strips.clear();
+    this->IsJoining = join;
+  }
   /// Append a strip that starts where the last one ends, in a vertex. (Elsewhere, both have to be
   /// in the same face there.)
   void Append(const Strip& strip);
@@ -37,6 +42,7 @@ private:
 
   const SurfaceMesh& Mesh;
   std::vector<Strip> Strips;
+  bool IsJoining = true;
 };
 }
 
