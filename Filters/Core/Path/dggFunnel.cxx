@@ -8,10 +8,19 @@ namespace dgg
 {
 namespace
 {
-/// Positive when c lies to the left of the ray from a through b.
-double Turn(const Point2& a, const Point2& b, const Point2& c)
+/// A path this close to a vertex, as an angle, touches it.
+constexpr double TouchAngle = 1e-13;
+
+/// Whether the shortest path from a to c bends around b, or at least touches it, b being on the
+/// given side of the strip. Vertices that are only touched count: the other side of them may be
+/// shorter.
+bool BendsAround(const Point2& a, const Point2& b, const Point2& c, int side)
 {
-  return Cross({ b.X - a.X, b.Y - a.Y }, { c.X - a.X, c.Y - a.Y });
+  const Point2 in{ b.X - a.X, b.Y - a.Y };
+  const Point2 out{ c.X - b.X, c.Y - b.Y };
+  const double turn = side == StripUnfolding::Left ? Cross(in, out) : -Cross(in, out);
+  const double product = Dot(in, in) * Dot(out, out);
+  return turn * turn <= TouchAngle * TouchAngle * product ? Dot(in, out) > 0.0 : turn > 0.0;
 }
 }
 
@@ -57,19 +66,18 @@ double Funnel::Run(const StripUnfolding& strip, std::vector<StripBend>& bends)
 std::size_t Funnel::Attach(int side, const StripBend& point)
 {
   const bool isLeft = side == StripUnfolding::Left;
-  const double sign = isLeft ? 1.0 : -1.0;
   const auto inwards = [isLeft](std::size_t place) { return isLeft ? place + 1 : place - 1; };
   std::size_t& end = this->End(side);
   const std::size_t otherEnd = this->End(1 - side);
   while (end != this->Apex &&
-    sign * Turn(this->Position(inwards(end)), this->Position(end), point.Position) < 0.0)
+    !BendsAround(this->Position(inwards(end)), this->Position(end), point.Position, side))
   {
     end = inwards(end);
   }
   if (end == this->Apex)
   {
     while (end != otherEnd &&
-      sign * Turn(this->Position(end), this->Position(inwards(end)), point.Position) < 0.0)
+      BendsAround(this->Position(end), this->Position(inwards(end)), point.Position, 1 - side))
     {
       end = inwards(end);
     }

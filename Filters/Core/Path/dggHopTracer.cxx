@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dgg
 {
@@ -14,6 +15,7 @@ namespace
 /// Half the width of a beam, radians. Floats below 8 are good to 2.4e-7, those below 32 (saddles of
 /// five turns) to 1e-6.
 constexpr double HalfWidths[] = { 1.5e-6, 1e-4 };
+constexpr double RefinedHalfWidth = 1e-12;
 /// Lengths are floats as well.
 constexpr double RelativeLength = 1e-6;
 /// More edges than that no beam of a graph crosses, unless it runs around for ever.
@@ -22,40 +24,72 @@ constexpr std::size_t MostBeams = 1000000;
 
 bool HopTracer::Trace(const Hop& hop, Id& firstFace, std::vector<EdgeCrossing>& crossings)
 {
-  crossings.clear();
-  const double total = this->Mesh.TotalAngle(hop.Tail);
-  const bool isRound = this->Mesh.Kind(hop.Tail) != VertexKind::Boundary;
   for (const double halfWidth : HalfWidths)
   {
-    for (const Id* g = this->Mesh.FanBegin(hop.Tail); g != this->Mesh.FanEnd(hop.Tail); ++g)
+    if (this->TraceBeam(hop, halfWidth, firstFace, crossings))
     {
-      // The direction, measured from the half-edge, within half a turn of it.
-      double angle = hop.Angle - this->Mesh.PolarAngle(*g);
-      if (isRound && angle > 0.5 * total)
+      if (this->IsSplit)
       {
-        angle -= total;
+        this->Refine(hop, firstFace, crossings);
       }
-      else if (isRound && angle < -0.5 * total)
-      {
-        angle += total;
-      }
-      if (angle < -halfWidth || angle > this->Mesh.CornerAngle(*g) + halfWidth)
-      {
-        continue;
-      }
-      if (this->TraceFrom(hop, *g, angle, halfWidth))
-      {
-        firstFace = SurfaceMesh::Face(*g);
-        for (Id i = this->Found; i != NoId; i = this->Beams[i].Before)
-        {
-          crossings.push_back(this->Beams[i].Crossing);
-        }
-        std::reverse(crossings.begin(), crossings.end());
-        return true;
-      }
+      return true;
     }
   }
   return false;
+}
+
+/// A beam that meets vertices before it finds the head may have gone around one that is close to
+/// the line on the wrong side. Now that the direction is known exactly, follow that.
+void HopTracer::Refine(const Hop& hop, Id& firstFace, std::vector<EdgeCrossing>& crossings)
+{
+  Hop exact = hop;
+  exact.Angle = this->Arrival;
+  Id face = NoId;
+  std::vector<EdgeCrossing> refined;
+  if (this->TraceBeam(exact, RefinedHalfWidth, face, refined))
+  {
+    firstFace = face;
+    crossings.swap(refined);
+  }
+}
+
+bool HopTracer::TraceBeam(
+  const Hop& hop, double halfWidth, Id& firstFace, std::vector<EdgeCrossing>& crossings)
+{
+  crossings.clear();
+  for (const Id* g = this->Mesh.FanBegin(hop.Tail); g != this->Mesh.FanEnd(hop.Tail); ++g)
+  {
+    const double angle = this->AngleFrom(hop, *g, halfWidth);
+    if (!std::isnan(angle) && this->TraceFrom(hop, *g, angle, halfWidth))
+    {
+      firstFace = SurfaceMesh::Face(*g);
+      for (Id i = this->Found; i != NoId; i = this->Beams[i].Before)
+      {
+        crossings.push_back(this->Beams[i].Crossing);
+      }
+      std::reverse(crossings.begin(), crossings.end());
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The direction of a hop, measured from an outgoing half-edge of its tail; NaN when the beam
+/// misses the face of that.
+double HopTracer::AngleFrom(const Hop& hop, Id g, double halfWidth) const
+{
+  const double turn =
+    this->Mesh.Kind(hop.Tail) == VertexKind::Boundary ? 0.0 : this->Mesh.TotalAngle(hop.Tail);
+  const double angle = hop.Angle - this->Mesh.PolarAngle(g);
+  const double corner = this->Mesh.CornerAngle(g);
+  for (const double candidate : { angle, angle - turn, angle + turn })
+  {
+    if (candidate >= -halfWidth && candidate <= corner + halfWidth)
+    {
+      return candidate;
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 /// Through the face of the outgoing half-edge g, whose frame becomes that of the plane.
@@ -64,6 +98,8 @@ bool HopTracer::TraceFrom(const Hop& hop, Id g, double angle, double halfWidth)
   this->Beams.clear();
   this->Open.clear();
   this->Found = NoId;
+  // Next to an edge of the tail, the line may as well start on the other side of it.
+  this->IsSplit = angle < halfWidth || angle > this->Mesh.CornerAngle(g) - halfWidth;
   this->Rays[0] = { std::cos(angle + halfWidth), std::sin(angle + halfWidth) };
   this->Rays[1] = { std::cos(angle - halfWidth), std::sin(angle - halfWidth) };
   std::array<double, 3> barycentric{};
@@ -72,6 +108,7 @@ bool HopTracer::TraceFrom(const Hop& hop, Id g, double angle, double halfWidth)
     const Point2 head = PlaceInFrame(this->Mesh, g, barycentric);
     if (std::abs(Norm(head.X, head.Y) - hop.Length) <= RelativeLength * hop.Length)
     {
+      this->IsSplit = false;
       return true;
     }
   }
@@ -83,8 +120,10 @@ bool HopTracer::TraceFrom(const Hop& hop, Id g, double angle, double halfWidth)
   {
     const Id index = this->Open.back();
     this->Open.pop_back();
-    if (this->Reaches(hop, this->Beams[index]))
+    Point2 arrival;
+    if (this->Reaches(hop, this->Beams[index], arrival))
     {
+      this->Arrival = this->Mesh.PolarAngle(g) + std::atan2(arrival.Y, arrival.X);
       this->Found = index;
       return true;
     }
@@ -105,7 +144,7 @@ void HopTracer::Cross(Id exit, bool mirrored, const Point2& left, const Point2& 
 }
 
 /// Whether the head lies in the face that is entered, in the beam and at the right distance.
-bool HopTracer::Reaches(const Hop& hop, const Beam& beam) const
+bool HopTracer::Reaches(const Hop& hop, const Beam& beam, Point2& arrival) const
 {
   const Id h = beam.Crossing.Entry;
   std::array<double, 3> barycentric{};
@@ -116,6 +155,7 @@ bool HopTracer::Reaches(const Hop& hop, const Beam& beam) const
   Point2 p = PlaceInFrame(this->Mesh, h, barycentric);
   p.X = beam.IsMirrored ? this->Mesh.Length(h) - p.X : p.X;
   p = FromFrame(beam.Left, beam.Axis, p);
+  arrival = p;
   return std::abs(Norm(p.X, p.Y) - hop.Length) <= RelativeLength * hop.Length &&
     dgg::Cross(p, this->Rays[0]) >= 0.0 && dgg::Cross(this->Rays[1], p) >= 0.0;
 }
@@ -137,7 +177,11 @@ void HopTracer::Continue(const Hop& hop, Id index)
     const double t = std::min(length, std::max(0.0, -Dot(start, axis)));
     return Norm(start.X + t * axis.X, start.Y + t * axis.Y) <= farEnough;
   };
-  if (dgg::Cross(apex, this->Rays[0]) > 0.0) // the left ray passes on the left of the apex
+  const bool goesLeft =
+    dgg::Cross(apex, this->Rays[0]) > 0.0; // the left ray passes left of the apex
+  const bool goesRight = dgg::Cross(this->Rays[1], apex) > 0.0;
+  this->IsSplit = this->IsSplit || (goesLeft && goesRight);
+  if (goesLeft)
   {
     const Point2 axis = Turned(beam.Axis, { face.GetLeftCosine(), face.GetLeftSine() });
     if (isNear(beam.Left, axis, face.GetLeft()))
@@ -145,7 +189,7 @@ void HopTracer::Continue(const Hop& hop, Id index)
       this->Cross(leftEdge, beam.IsMirrored, beam.Left, axis, index);
     }
   }
-  if (dgg::Cross(this->Rays[1], apex) > 0.0)
+  if (goesRight)
   {
     const Point2 axis = Turned(beam.Axis, { face.GetRightCosine(), -face.GetRightSine() });
     if (isNear(apex, axis, face.GetRight()))

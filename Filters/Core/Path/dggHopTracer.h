@@ -48,9 +48,13 @@ private:
     Id Before;       ///< the beam that it is a part of, or NoId
   };
 
+  double AngleFrom(const Hop& hop, Id g, double halfWidth) const;
   bool TraceFrom(const Hop& hop, Id g, double angle, double halfWidth);
   void Cross(Id exit, bool mirrored, const Point2& left, const Point2& axis, Id before);
-  bool Reaches(const Hop& hop, const Beam& beam) const;
+  bool TraceBeam(
+    const Hop& hop, double halfWidth, Id& firstFace, std::vector<EdgeCrossing>& crossings);
+  void Refine(const Hop& hop, Id& firstFace, std::vector<EdgeCrossing>& crossings);
+  bool Reaches(const Hop& hop, const Beam& beam, Point2& arrival) const;
   void Continue(const Hop& hop, Id index);
 
   const SurfaceMesh& Mesh;
@@ -58,6 +62,8 @@ private:
   std::vector<Beam> Beams;
   std::vector<Id> Open;
   Id Found = NoId;
+  double Arrival = 0.0; ///< polar angle at the tail under which the head was found
+  bool IsSplit = false; ///< whether the beam has met a vertex
 };
 }
 

@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Paths traced from a graph: they lie on the surface, are as long as the graph says, and become
+// locally shortest when straightened.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+#include "GraphChecks.h"
+
+#include "dggExactPath.h"
+#include "dggPathFinder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <thread>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::FoundPath;
+using dgg::PathOptions;
+using dgg::SurfacePath;
+using dgg::SurfacePoint;
+
+PathOptions Raw()
+{
+  PathOptions options;
+  options.Straighten = false;
+  return options;
+}
+
+PathOptions Straight(double detour = 0.0)
+{
+  PathOptions options;
+  options.Detour = detour;
+  return options;
+}
+
+/// A mesh, its graph, and paths in it.
+class PathWorld
+{
+public:
+  explicit PathWorld(const TestMesh& mesh, double accuracy = 0.05)
+    : Input(mesh)
+    , Mesh(Build(mesh))
+    , Builder(Mesh)
+  {
+    dgg::GraphOptions options;
+    options.Accuracy = accuracy;
+    const dgg::Status status = this->Builder.Build(options, this->Graph);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    this->Search = std::make_unique<dgg::GraphSearch>(this->Graph.View(), &this->Mesh);
+    this->Finder = std::make_unique<dgg::PathFinder>(this->Mesh, *this->Search, &this->Builder,
+      this->Input.Points.empty() ? nullptr : this->Input.Points.data());
+  }
+
+  FoundPath Find(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options) const
+  {
+    FoundPath found;
+    const dgg::Status status = this->Finder->Find(from, to, options, found);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    return found;
+  }
+
+  TestMesh Input;
+  dgg::SurfaceMesh Mesh;
+  dgg::GraphBuilder Builder;
+  dgg::GeodesicGraph Graph;
+  std::unique_ptr<dgg::GraphSearch> Search;
+  std::unique_ptr<dgg::PathFinder> Finder;
+};
+
+std::vector<SurfacePoint> SomePoints(const dgg::SurfaceMesh& mesh, Id count, std::uint64_t seed)
+{
+  std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, count, seed);
+  for (const Id v : SomeVertices(mesh, count, seed + 1))
+  {
+    points.push_back(SurfacePoint::AtVertex(v));
+  }
+  return points;
+}
+
+bool IsSamePlace(const dgg::SurfaceMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
+{
+  const Id face = dgg::FindFaceOf(mesh, a);
+  std::array<double, 3> p{};
+  std::array<double, 3> q{};
+  return face == dgg::NoId ? a.Vertex == b.Vertex
+                           : dgg::FindInFace(mesh, a, face, p) &&
+      dgg::FindInFace(mesh, b, face, q) && dgg::DistanceInFace(mesh, face, p, q) == 0.0;
+}
+
+/// A point of the surface on piece `i` of a path, next to its point `at`.
+SurfacePoint Beside(
+  const dgg::SurfaceMesh& mesh, const SurfacePath& path, std::size_t i, std::size_t at)
+{
+  constexpr double fraction = 1e-3;
+  const Id face = path.Faces[i];
+  std::array<double, 3> near{};
+  std::array<double, 3> far{};
+  dgg::FindInFace(mesh, path.Points[at], face, near);
+  dgg::FindInFace(mesh, path.Points[at == i ? i + 1 : i], face, far);
+  std::array<double, 3> between{};
+  for (int k = 0; k < 3; ++k)
+  {
+    between[k] = (1.0 - fraction) * near[k] + fraction * far[k];
+  }
+  if (mesh.IsFlipped(face))
+  {
+    std::swap(between[1], between[2]);
+  }
+  return SurfacePoint::InFace(mesh, face, between);
+}
+
+/// Around each of its points a locally shortest path is the shortest way.
+void ExpectLocallyShortest(const dgg::SurfaceMesh& mesh, const SurfacePath& path)
+{
+  dgg::ExactGeodesics solver(mesh);
+  const double shortest = 1e-3 * mesh.GetMeanEdgeLength(); // pieces that can be told from rounding
+  for (std::size_t i = 1; i + 1 < path.Points.size(); ++i)
+  {
+    if (dgg::MeasurePiece(mesh, path, i - 1) < shortest ||
+      dgg::MeasurePiece(mesh, path, i) < shortest)
+    {
+      continue;
+    }
+    const SurfacePoint before = Beside(mesh, path, i - 1, i);
+    const SurfacePoint after = Beside(mesh, path, i, i);
+    dgg::ExactOptions options;
+    options.Targets = { after };
+    options.StopAtTargets = true;
+    dgg::ExactResult result;
+    const dgg::Status status = solver.Run({ { before, 0.0 } }, options, result);
+    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+    const double way =
+      1e-3 * (dgg::MeasurePiece(mesh, path, i - 1) + dgg::MeasurePiece(mesh, path, i));
+    EXPECT_GT(result.TargetDistances[0], way * (1.0 - 1e-6)) << "bend at point " << i;
+  }
+}
+
+struct Tally
+{
+  int Paths = 0;
+  int Shortest = 0;
+};
+
+/// All that is promised of a path.
+void ExpectGoodPaths(const TestMesh& input, double accuracy, std::uint64_t seed, Tally& tally)
+{
+  const PathWorld world(input, accuracy);
+  const dgg::SurfaceMesh& mesh = world.Mesh;
+  const bool isMollified = mesh.GetNumberOfDegenerateFaces() > 0;
+  const double tolerance = 1e-9 + (isMollified ? 1e-6 : 0.0);
+  const std::vector<SurfacePoint> to = SomePoints(mesh, 6, seed + 10);
+  for (const SurfacePoint& from : SomePoints(mesh, 3, seed))
+  {
+    const std::vector<double> exact = DistancesTo(mesh, dgg::ExactEngine::Triangle, from, to);
+    for (std::size_t t = 0; t < to.size(); ++t)
+    {
+      SCOPED_TRACE(t);
+      const FoundPath raw = world.Find(from, to[t], Raw());
+      const FoundPath straight = world.Find(from, to[t], Straight());
+      const FoundPath best = world.Find(from, to[t], Straight(1e-3));
+      EXPECT_EQ(raw.NumberOfFallbacks, 0);
+      EXPECT_EQ(raw.GraphLength, straight.GraphLength);
+      EXPECT_FALSE(raw.IsStraightened && raw.GraphLength > 0.0);
+      for (const FoundPath* found : { &raw, &straight, &best })
+      {
+        ASSERT_EQ(found->Path.IsEmpty(), exact[t] == dgg::Infinity);
+        ASSERT_EQ(found->GraphLength == dgg::Infinity, exact[t] == dgg::Infinity);
+        if (found->Path.IsEmpty())
+        {
+          continue;
+        }
+        const dgg::Status status = dgg::CheckPath(mesh, found->Path);
+        ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+        EXPECT_TRUE(IsSamePlace(mesh, found->Path.Points.front(), from));
+        EXPECT_TRUE(IsSamePlace(mesh, found->Path.Points.back(), to[t]));
+        EXPECT_GE(found->Path.Length, exact[t] * (1.0 - tolerance));
+        EXPECT_LE(found->Path.Length, found->GraphLength * (1.0 + tolerance))
+          << (found == &raw ? "raw " : "straight ")
+          << found->Path.Length / found->GraphLength - 1.0;
+        EXPECT_LE(found->GraphLength, (1.0 + accuracy) * exact[t] * (1.0 + 1e-6));
+        for (std::size_t i = 1; i + 1 < found->Path.Points.size(); ++i)
+        {
+          EXPECT_NE(found->Path.Points[i].On, SurfacePoint::Support::Face);
+        }
+      }
+      if (exact[t] == dgg::Infinity || exact[t] == 0.0)
+      {
+        continue;
+      }
+      EXPECT_LE(straight.Path.Length, raw.Path.Length * (1.0 + 1e-10));
+      EXPECT_LE(best.Path.Length, straight.Path.Length * (1.0 + 1e-10));
+      if (!isMollified)
+      {
+        ExpectLocallyShortest(mesh, straight.Path);
+        ExpectLocallyShortest(mesh, best.Path);
+      }
+      ++tally.Paths;
+      tally.Shortest += best.Path.Length <= exact[t] * (1.0 + 1e-6) ? 1 : 0;
+    }
+  }
+}
+}
+
+TEST(PathFinder, SoundMeshes)
+{
+  Tally tally;
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    ExpectGoodPaths(named.Mesh, 0.05, 3, tally);
+  }
+  EXPECT_GT(tally.Shortest, 0.9 * tally.Paths);
+}
+
+TEST(PathFinder, DefectMeshes)
+{
+  Tally tally;
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    ExpectGoodPaths(named.Mesh, 0.05, 5, tally);
+  }
+  EXPECT_GT(tally.Shortest, 0.9 * tally.Paths);
+}
+
+TEST(PathFinder, FineGraph)
+{
+  Tally tally;
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    ExpectGoodPaths(named.Mesh, 5e-6, 7, tally); // lengths are double
+  }
+  EXPECT_GT(tally.Shortest, 0.99 * tally.Paths);
+}
+
+TEST(PathFinder, Soups)
+{
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < 40; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    ExpectGoodPaths(RandomSoup(20, 40, seed), 0.1, seed, tally);
+  }
+  EXPECT_GT(tally.Shortest, 0.9 * tally.Paths);
+}
+
+TEST(PathFinder, SamePoint)
+{
+  const PathWorld world(Icosphere(2));
+  for (const SurfacePoint& point : SomePoints(world.Mesh, 5, 1))
+  {
+    for (const PathOptions& options : { Raw(), Straight(1e-3) })
+    {
+      const FoundPath found = world.Find(point, point, options);
+      EXPECT_EQ(found.Path.Points.size(), 1u);
+      EXPECT_TRUE(found.Path.Faces.empty());
+      EXPECT_EQ(found.Path.Length, 0.0);
+      EXPECT_EQ(found.GraphLength, 0.0);
+    }
+  }
+}
+
+TEST(PathFinder, NeedsABuilderForPointsInFaces)
+{
+  const PathWorld world(Icosphere(1));
+  const dgg::PathFinder finder(world.Mesh, *world.Search, nullptr, nullptr);
+  FoundPath found;
+  const SurfacePoint inside = SurfacePoint::InFace(world.Mesh, 3, { { 0.2, 0.3, 0.5 } });
+  EXPECT_FALSE(finder.Find(inside, SurfacePoint::AtVertex(0), Raw(), found).IsOk());
+  EXPECT_FALSE(finder.Find(SurfacePoint::AtVertex(0), inside, Raw(), found).IsOk());
+  EXPECT_TRUE(
+    finder.Find(SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(7), Raw(), found).IsOk());
+  EXPECT_FALSE(found.Path.IsEmpty());
+  EXPECT_FALSE(
+    finder.Find(SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(700000), Raw(), found).IsOk());
+  EXPECT_TRUE(found.Path.IsEmpty());
+}
+
+/// The same paths, bit by bit, by several threads at once.
+TEST(PathFinder, SeveralThreads)
+{
+  const PathWorld world(NoisySphere(3, 0.2, 1));
+  const std::vector<SurfacePoint> points = SomePoints(world.Mesh, 10, 3);
+  std::vector<double> lengths[3];
+  const auto run = [&](std::vector<double>& found) {
+    for (const SurfacePoint& to : points)
+    {
+      found.push_back(world.Find(points[0], to, Straight(1e-3)).Path.Length);
+    }
+  };
+  run(lengths[0]);
+  std::thread first(run, std::ref(lengths[1]));
+  std::thread second(run, std::ref(lengths[2]));
+  first.join();
+  second.join();
+  EXPECT_EQ(lengths[0], lengths[1]);
+  EXPECT_EQ(lengths[0], lengths[2]);
+}
+}
