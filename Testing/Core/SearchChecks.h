@@ -29,6 +29,8 @@ public:
   const dgg::SurfaceMesh& GetMesh() const { return this->Mesh; }
   dgg::GraphView GetGraph() const { return this->Graph.View(); }
   const dgg::GraphSearch& GetSearch() const { return *this->Search; }
+  /// The one before searches.
+  dgg::GraphSearch& GetSearch() { return *this->Search; }
   Id GetNumberOfVertices() const { return this->Mesh.GetNumberOfVertices(); }
 
   /// One run that has to succeed. `change` may adjust the options.

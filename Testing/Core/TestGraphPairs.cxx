@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances of pairs of points, and from many sources.
+// Distances from many sources.
 #include "CurvedMeshes.h"
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
@@ -26,11 +26,6 @@ namespace
 {
 using dgg::GraphSeed;
 using dgg::Offset;
-
-const double* PositionsOf(const SearchCase& c)
-{
-  return c.GetPoints().Points.empty() ? nullptr : c.GetPoints().Points.data();
-}
 
 /// Each with each other, in two threads.
 void InTwoThreads(Offset size, Offset grain, const std::function<void(Offset, Offset)>& body)
@@ -82,64 +77,6 @@ void ExpectRows(const SearchCase& c, const std::vector<Id>& sources, double radi
     ExpectSameDistances(expected, { row, row + n }, c.GetName() + ", row " + std::to_string(i));
   }
 }
-}
-
-TEST(GraphPairs, BetweenAgreesWithDijkstra)
-{
-  for (const auto& c : SearchCases())
-  {
-    const Id n = c->GetNumberOfVertices();
-    Random random(3);
-    for (int trial = 0; trial < 8; ++trial)
-    {
-      const Id a = random.Index(n);
-      const Id b = trial == 0 ? a : random.Index(n);
-      const double expected = ReferenceDistances(c->GetGraph(), { SeedAt(a) })[b];
-      // Meshes given by lengths alone, and mollified ones, have no positions that fit.
-      const bool isEmbedded = c->GetMesh().GetMollification() == 0.0;
-      for (const double* positions :
-        { isEmbedded ? PositionsOf(*c) : nullptr, static_cast<const double*>(nullptr) })
-      {
-        double distance = -1.0;
-        ASSERT_TRUE(
-          c->GetSearch().Between({ SeedAt(a) }, { SeedAt(b) }, positions, distance).IsOk());
-        if (expected == dgg::Infinity)
-        {
-          EXPECT_EQ(distance, dgg::Infinity) << c->GetName();
-        }
-        else
-        {
-          EXPECT_NEAR(distance, expected, 1e-11 * (1.0 + expected)) << c->GetName();
-        }
-      }
-    }
-  }
-}
-
-TEST(GraphPairs, BetweenSetsOfSeeds)
-{
-  for (const auto& mesh : { NoisySphere(3, 0.2, 4), Terrain(16, 0.3, 2), SeveralComponents() })
-  {
-    const SearchCase c("sets", mesh, 0.03);
-    const Id n = c.GetNumberOfVertices();
-    for (std::uint64_t trial = 0; trial < 12; ++trial)
-    {
-      const std::vector<GraphSeed> from = RandomSeeds(n, 4, 2 * trial + 1);
-      const std::vector<GraphSeed> to = RandomSeeds(n, 5, 2 * trial + 2);
-      const std::vector<double> distances = ReferenceDistances(c.GetGraph(), from);
-      double expected = dgg::Infinity;
-      for (const GraphSeed& seed : to)
-      {
-        expected = std::min(expected, distances[seed.Vertex] + seed.Distance);
-      }
-      double there = 0.0;
-      double back = 0.0;
-      ASSERT_TRUE(c.GetSearch().Between(from, to, PositionsOf(c), there).IsOk());
-      ASSERT_TRUE(c.GetSearch().Between(to, from, PositionsOf(c), back).IsOk());
-      EXPECT_NEAR(there, expected, 1e-11 * (1.0 + std::abs(expected)));
-      EXPECT_NEAR(back, expected, 1e-11 * (1.0 + std::abs(expected)));
-    }
-  }
 }
 
 TEST(GraphPairs, MetricOfTheGraph)

@@ -410,12 +410,15 @@ TEST(GraphSearch, BadInputIsNamed)
     EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput) << message;
     EXPECT_NE(status.GetMessage().find(message), std::string::npos) << status.GetMessage();
     EXPECT_TRUE(result.Distances.empty()) << message;
-    double distance = 0.0;
     if (!change)
     {
-      EXPECT_FALSE(c.GetSearch().Between(seeds, { SeedAt(0) }, nullptr, distance).IsOk());
-      EXPECT_FALSE(c.GetSearch().Between({ SeedAt(0) }, seeds, nullptr, distance).IsOk());
-      EXPECT_EQ(distance, dgg::Infinity);
+      dgg::GraphPath path;
+      path.Vertices = { 1, 2 };
+      path.Length = 0.0;
+      EXPECT_FALSE(c.GetSearch().Between(seeds, { SeedAt(0) }, nullptr, path).IsOk());
+      EXPECT_TRUE(path.Vertices.empty());
+      EXPECT_FALSE(c.GetSearch().Between({ SeedAt(0) }, seeds, nullptr, path).IsOk());
+      EXPECT_EQ(path.Length, dgg::Infinity);
     }
   };
   expect("no source", {});

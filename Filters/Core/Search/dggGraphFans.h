@@ -38,8 +38,15 @@ public:
   template <typename Relax>
   void ForEach(Id v, float arrival, const Relax& relax) const
   {
+    this->ForEachBeyond(v, arrival, this->Vertices[v].Lead, relax);
+  }
+
+  /// The same with another smallest angle between arrival and departure; 0 allows all.
+  template <typename Relax>
+  void ForEachBeyond(Id v, float arrival, float lead, const Relax& relax) const
+  {
     const Vertex& vertex = this->Vertices[v];
-    if (arrival < 0.0f || vertex.Lead <= 0.0f)
+    if (arrival < 0.0f || lead <= 0.0f)
     {
       for (Offset e = vertex.Begin; e < vertex.Begin + vertex.Degree; ++e)
       {
@@ -47,14 +54,14 @@ public:
       }
       return;
     }
-    // At least Lead away from the arrival on either side, all around.
-    if (vertex.Guess(arrival + vertex.Lead) < vertex.Degree)
+    // At least the lead away from the arrival on either side, all around.
+    if (vertex.Guess(arrival + lead) < vertex.Degree)
     {
-      this->ForRange(vertex, arrival + vertex.Lead, arrival + vertex.Turn - vertex.Lead, relax);
+      this->ForRange(vertex, arrival + lead, arrival + vertex.Turn - lead, relax);
     }
-    if (arrival >= vertex.Lead)
+    if (arrival >= lead)
     {
-      this->ForRange(vertex, arrival - vertex.Turn + vertex.Lead, arrival - vertex.Lead, relax);
+      this->ForRange(vertex, arrival - vertex.Turn + lead, arrival - lead, relax);
     }
   }
 

@@ -6,6 +6,7 @@
 #include "dggLabelCorrection.h"
 #include "dggGraphDijkstra.h"
 #include "dggGraphFans.h"
+#include "dggLandmarks.h"
 #include "dggBucketSearch.h"
 #include "dggManySources.h"
 #include "dggMinimumHeap.h"
@@ -13,6 +14,7 @@
 #include "dggSearchLabels.h"
 #include "dggSearchTree.h"
 #include "dggSourceGroups.h"
+#include "dggTurnLimits.h"
 #include "dggWorkspacePool.h"
 
 #include <algorithm>
@@ -173,6 +175,10 @@ public:
     {
       this->Fans = std::make_unique<GraphFans>(this->Graph, *this->Mesh);
       this->Correction = std::make_unique<LabelCorrection>(this->Graph, *this->Mesh);
+      if (TurnLimits::AreKnown(graph))
+      {
+        this->Limits = std::make_unique<TurnLimits>(this->Graph, *this->Mesh);
+      }
     }
   }
 
@@ -181,6 +187,8 @@ public:
   double BucketWidth;
   std::unique_ptr<GraphFans> Fans;             ///< null where there are no angles
   std::unique_ptr<LabelCorrection> Correction; ///< null where there are no angles
+  std::unique_ptr<TurnLimits> Limits;          ///< null where nothing is known of them
+  std::unique_ptr<Landmarks> Marks;            ///< null until they are prepared
   mutable WorkspacePool<SearchWorkspace> Workspaces;
   mutable WorkspacePool<ManyWorkspace> ManyWorkspaces;
   mutable WorkspacePool<PointToPoint> PointWorkspaces;
@@ -347,10 +355,11 @@ Status GraphSearch::Run(
 }
 
 Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vector<GraphSeed>& to,
-  const double* positions, double& distance) const
+  const double* positions, GraphPath& path) const
 {
-  const Id n = this->Internals->Graph.NumberOfVertices;
-  distance = Infinity;
+  const Implementation& internals = *this->Internals;
+  const Id n = internals.Graph.NumberOfVertices;
+  path = GraphPath();
   for (const std::vector<GraphSeed>* seeds : { &from, &to })
   {
     Status status = CheckSeeds(*seeds, n);
@@ -359,24 +368,35 @@ Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vecto
       return status;
     }
   }
-  const auto workspace = this->Internals->PointWorkspaces.Borrow(n);
-  distance = workspace->Run(this->Internals->Graph, from, to, positions);
+  const PathGuides guides{ internals.Fans.get(), internals.Limits.get(), internals.Marks.get(),
+    positions, internals.BucketWidth };
+  internals.PointWorkspaces.Borrow(n)->Run(internals.Graph, guides, from, to, path);
   return Status::Success();
 }
 
-Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vector<GraphSeed>& to,
-  const double* positions, GraphPath& path) const
+Status GraphSearch::PrepareLandmarks(const ParallelFor& parallel, const ProgressCallback& progress)
 {
-  path = GraphPath();
-  SearchOptions so; so.Method = SearchMethod::Dijkstra; SearchResult r;
-  for (auto& s : to) so.Targets.push_back(s.Vertex);
-  this->Run(from, so, r);
-  Id best=NoId;
-  for (size_t i=0;i<to.size();++i){ double d=r.Distances[to[i].Vertex]+to[i].Distance; if(d<path.Length){path.Length=d;path.ToSeed=(Id)i;best=to[i].Vertex;}}
-  if(best==NoId) return Status::Success();
-  for(Id v=best;;v=r.Tails[v]){ path.Vertices.push_back(v); if(r.Edges[v]<0){path.FromSeed=r.Seeds[v];break;} path.Edges.push_back(r.Edges[v]); }
-  std::reverse(path.Vertices.begin(),path.Vertices.end()); std::reverse(path.Edges.begin(),path.Edges.end());
-  return Status::Success();
+  Implementation& internals = *this->Internals;
+  auto marks =
+    std::make_unique<Landmarks>(internals.Graph, internals.Fans.get(), internals.BucketWidth);
+  std::vector<std::vector<GraphSeed>> sources;
+  for (const Id v : marks->GetVertices())
+  {
+    sources.emplace_back(1);
+    sources.back()[0].Vertex = v;
+  }
+  const Status status = this->Many(sources, Infinity, parallel, progress,
+    [&](std::size_t k, const double* distances) { marks->SetDistances(k, distances); });
+  if (status.IsOk())
+  {
+    internals.Marks = std::move(marks);
+  }
+  return status;
+}
+
+bool GraphSearch::HasLandmarks() const
+{
+  return this->Internals->Marks != nullptr;
 }
 
 Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources, double maximumDistance,
@@ -424,6 +444,8 @@ std::size_t GraphSearch::GetMemorySize() const
   const Implementation& internals = *this->Internals;
   return (internals.Fans ? internals.Fans->GetMemorySize() : 0) +
     (internals.Correction ? internals.Correction->GetMemorySize() : 0) +
+    (internals.Limits ? internals.Limits->GetMemorySize() : 0) +
+    (internals.Marks ? internals.Marks->GetMemorySize() : 0) +
     internals.Workspaces.GetMemorySize() + internals.ManyWorkspaces.GetMemorySize() +
     internals.PointWorkspaces.GetMemorySize();
 }

@@ -7,116 +7,301 @@
 
 namespace dgg
 {
+namespace
+{
+/// Width of the buckets in units of that of a search without aim. Along a path to the goal, label
+/// and bound together hardly grow; in wide buckets vertices are searched over and over.
+constexpr double WidthShare = 0.03;
+/// Relative; what rounding may take from the length of a path in comparison with a straight line.
+constexpr double StraightMargin = 1e-9;
+/// How many queue entries ahead the memory of a vertex and that of its edges are asked for.
+constexpr std::size_t VertexLookahead = 12;
+constexpr std::size_t EdgesLookahead = 6;
+
+double StraightLength(const double* p, const double* q)
+{
+  const double x = p[0] - q[0];
+  const double y = p[1] - q[1];
+  const double z = p[2] - q[2];
+  return std::sqrt(x * x + y * y + z * z);
+}
+}
+
 PointToPoint::PointToPoint(Id numberOfVertices)
-  : Vertices(numberOfVertices)
+  : Distances(numberOfVertices, Infinity)
+  , Labels(numberOfVertices)
 {
 }
 
-double PointToPoint::Run(const GraphView& graph, const std::vector<GraphSeed>& from,
-  const std::vector<GraphSeed>& to, const double* positions)
+void PointToPoint::Run(const GraphView& graph, const PathGuides& guides,
+  const std::vector<GraphSeed>& from, const std::vector<GraphSeed>& to, GraphPath& path)
 {
   this->Forget();
-  this->Positions = positions;
-  this->Best = Infinity;
-  for (int side = 0; side < 2 && positions; ++side)
-  {
-    // The middle of the seeds. Any point would do: the distance to a point never changes by more
-    // than the length of an edge, and this is all that a potential needs.
-    const std::vector<GraphSeed>& seeds = side == 0 ? from : to;
-    for (int k = 0; k < 3; ++k)
-    {
-      double sum = 0.0;
-      for (const GraphSeed& seed : seeds)
-      {
-        sum += positions[3 * static_cast<std::size_t>(seed.Vertex) + k];
-      }
-      this->Centers[side][k] = sum / static_cast<double>(seeds.size());
-    }
-  }
-  this->Start(0, from);
-  this->Start(1, to);
-  // Whatever has not been found yet is at least as long as the two smallest keys together. (The
-  // potentials, opposite to each other, cancel out.) When one side is exhausted, its labels are
-  // final, and so is the best meeting.
-  while (!this->Heaps[0].IsEmpty() && !this->Heaps[1].IsEmpty() &&
-    this->Heaps[0].Top().Key + this->Heaps[1].Top().Key < this->Best)
-  {
-    const int side = this->Heaps[0].Top().Key <= this->Heaps[1].Top().Key ? 0 : 1;
-    WithLengths(graph, [&](const auto* lengths) { this->Expand(graph, lengths, side); });
-  }
-  return this->Best;
+  this->Guides = guides;
+  this->Aim(to);
+  this->Start(from);
+  WithLengths(graph, [&](const auto* lengths) { this->Search(graph, lengths); });
+  this->CollectPath(graph, path);
 }
 
 void PointToPoint::Forget()
 {
   for (Id v : this->Touched)
   {
-    this->Vertices[v] = Vertex();
+    this->Distances[v] = Infinity;
+    this->Labels[v] = Label();
   }
   this->Touched.clear();
-  this->Heaps[0].Clear();
-  this->Heaps[1].Clear();
+  this->Best = Infinity;
+  this->End = NoId;
 }
 
-void PointToPoint::Start(int side, const std::vector<GraphSeed>& seeds)
+void PointToPoint::Aim(const std::vector<GraphSeed>& to)
 {
-  for (const GraphSeed& seed : seeds)
+  this->To = &to;
+  this->SmallestToGo = Infinity;
+  for (std::size_t i = 0; i < to.size(); ++i)
   {
-    if (seed.Distance < this->Vertices[seed.Vertex].Distance[side])
+    this->SmallestToGo = std::min(this->SmallestToGo, to[i].Distance);
+    Label& label = this->Labels[to[i].Vertex];
+    if (label.Goal == NoId)
     {
-      this->Lower(seed.Vertex, side, seed.Distance);
+      this->Touched.push_back(to[i].Vertex);
+    }
+    if (label.Goal == NoId || to[i].Distance < to[label.Goal].Distance)
+    {
+      label.Goal = static_cast<Id>(i);
+    }
+  }
+  if (this->Guides.Marks)
+  {
+    this->Guides.Marks->Aim(to, this->MarksGoal);
+  }
+  if (!this->Guides.Positions)
+  {
+    return;
+  }
+  // About where the seeds are the links of. Any point would do: the straight line to it says how
+  // far it is at least to each of them.
+  double center[3] = {};
+  double sum = 0.0;
+  const double tiny = 1e-3 * this->Guides.BucketWidth;
+  for (const GraphSeed& seed : to)
+  {
+    const double* p = this->Guides.Positions + 3 * static_cast<std::size_t>(seed.Vertex);
+    const double length = tiny + std::max(0.0, seed.Distance - seed.InitialDistance);
+    const double weight = 1.0 / (length * length);
+    sum += weight;
+    for (int k = 0; k < 3; ++k)
+    {
+      center[k] += weight * p[k];
+    }
+  }
+  this->CenterToGo = Infinity;
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Center[k] = center[k] / sum;
+  }
+  for (const GraphSeed& seed : to)
+  {
+    const double* p = this->Guides.Positions + 3 * static_cast<std::size_t>(seed.Vertex);
+    this->CenterToGo = std::min(this->CenterToGo, seed.Distance - StraightLength(p, this->Center));
+  }
+}
+
+double PointToPoint::EstimateToGo(Id v) const
+{
+  double bound = this->SmallestToGo;
+  if (this->Guides.Marks)
+  {
+    bound = std::max(bound, this->Guides.Marks->Bound(v, this->MarksGoal));
+  }
+  if (this->Guides.Positions)
+  {
+    const double* p = this->Guides.Positions + 3 * static_cast<std::size_t>(v);
+    bound =
+      std::max(bound, this->CenterToGo + (1.0 - StraightMargin) * StraightLength(p, this->Center));
+  }
+  return bound;
+}
+
+void PointToPoint::Start(const std::vector<GraphSeed>& from)
+{
+  double nearest = Infinity;
+  for (const GraphSeed& seed : from)
+  {
+    nearest = std::min(nearest, seed.Distance + this->EstimateToGo(seed.Vertex));
+  }
+  this->Queue.Reset(nearest, WidthShare * this->Guides.BucketWidth);
+  for (std::size_t i = 0; i < from.size(); ++i)
+  {
+    const Id v = from[i].Vertex;
+    const auto isGoal = [&](const GraphSeed& seed) {
+      return !this->Guides.Marks || this->Guides.Marks->AreConnected(v, seed.Vertex);
+    };
+    if (from[i].Distance < this->Distances[v] &&
+      std::any_of(this->To->begin(), this->To->end(), isGoal))
+    {
+      if (Label* label = this->Lower(v, from[i].Distance))
+      {
+        label->Tail = static_cast<Id>(i);
+        label->Step = NoStep;
+        label->ArrivalAngle = -1.0f;
+      }
+    }
+  }
+}
+
+PointToPoint::Label* PointToPoint::Lower(Id v, double distance)
+{
+  Label& label = this->Labels[v];
+  if (label.ToGo == -Infinity)
+  {
+    label.ToGo = this->EstimateToGo(v);
+    this->Touched.push_back(v);
+  }
+  // Also when the vertex is too far away: it need not be looked at again.
+  this->Distances[v] = distance;
+  const double through = distance + label.ToGo;
+  if (through >= this->Best)
+  {
+    return nullptr;
+  }
+  this->Queue.Push(through, v);
+  if (label.Goal != NoId)
+  {
+    const double length = distance + (*this->To)[label.Goal].Distance;
+    if (length < this->Best)
+    {
+      this->Best = length;
+      this->End = v;
+    }
+  }
+  return &label;
+}
+
+bool PointToPoint::IsOutdated(const BucketQueue::Entry& entry) const
+{
+  const double through = this->Distances[entry.Vertex] + this->Labels[entry.Vertex].ToGo;
+  return through >= this->Best || entry.Key > this->Queue.Key(through);
+}
+
+template <typename Length>
+void PointToPoint::Search(const GraphView& graph, const Length* lengths)
+{
+  while (this->Queue.Advance())
+  {
+    // Grows while it is worked on.
+    const std::vector<BucketQueue::Entry>& bucket = this->Queue.Current();
+    bool isPast = true;
+    for (std::size_t i = 0; i < bucket.size(); ++i)
+    {
+      this->LookAhead(graph, lengths, i);
+      const BucketQueue::Entry entry = bucket[i];
+      isPast = isPast && entry.Key > this->Queue.Key(this->Best);
+      if (!this->IsOutdated(entry))
+      {
+        this->Expand(graph, lengths, entry.Vertex);
+      }
+    }
+    this->Queue.ClearCurrent();
+    if (isPast) // as will be all that is in later buckets
+    {
+      return;
     }
   }
 }
 
 template <typename Length>
-void PointToPoint::Expand(const GraphView& graph, const Length* lengths, int side)
+void PointToPoint::LookAhead(const GraphView& graph, const Length* lengths, std::size_t i) const
 {
-  const MinimumHeap::Entry top = this->Heaps[side].Pop();
-  const Vertex& vertex = this->Vertices[top.Vertex];
-  const double label = vertex.Distance[side];
-  const double potential = side == 0 ? vertex.Potential : -vertex.Potential;
-  if (top.Key > label + potential) // a smaller label came later
+  if (const BucketQueue::Entry* entry = this->Queue.LookAhead(i, VertexLookahead))
+  {
+    Prefetch(&this->Distances[entry->Vertex]);
+    Prefetch(&this->Labels[entry->Vertex]);
+    Prefetch(&graph.Offsets[entry->Vertex]);
+    if (this->Guides.Limits)
+    {
+      this->Guides.Fans->PrefetchVertex(entry->Vertex);
+    }
+  }
+  const BucketQueue::Entry* entry = this->Queue.LookAhead(i, EdgesLookahead);
+  if (!entry)
   {
     return;
   }
-  for (Offset e = graph.Offsets[top.Vertex]; e < graph.Offsets[top.Vertex + 1]; ++e)
+  const Id v = entry->Vertex;
+  if (this->Guides.Limits)
   {
-    const double distance = label + lengths[e];
-    if (distance < this->Vertices[graph.Targets[e]].Distance[side])
-    {
-      this->Lower(graph.Targets[e], side, distance);
-    }
+    this->Guides.Fans->PrefetchFan(graph, lengths, v, this->Labels[v].ArrivalAngle);
+    return;
+  }
+  for (Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; e += 16)
+  {
+    Prefetch(graph.Targets + e);
+    Prefetch(lengths + e);
   }
 }
 
-void PointToPoint::Lower(Id v, int side, double distance)
+template <typename Length>
+void PointToPoint::Expand(const GraphView& graph, const Length* lengths, Id v)
 {
-  Vertex& vertex = this->Vertices[v];
-  if (vertex.Distance[0] == Infinity && vertex.Distance[1] == Infinity)
-  {
-    this->Touched.push_back(v);
-    if (this->Positions)
+  const double distance = this->Distances[v];
+  const Label& label = this->Labels[v];
+  const Offset begin = graph.Offsets[v];
+  double* const distances = this->Distances.data();
+  const Id* const targets = graph.Targets;
+  const bool hasLimits = this->Guides.Limits != nullptr;
+  const auto relax = [&, v, distance, begin, distances, targets, lengths, hasLimits](Offset e) {
+    const Id t = targets[e];
+    const double longer = distance + lengths[e];
+    if (longer < distances[t])
     {
-      const double* p = this->Positions + 3 * static_cast<std::size_t>(v);
-      double lengths[2];
-      for (int k = 0; k < 2; ++k)
+      if (Label* next = this->Lower(t, longer))
       {
-        const double* c = this->Centers[k];
-        lengths[k] = std::sqrt((p[0] - c[0]) * (p[0] - c[0]) + (p[1] - c[1]) * (p[1] - c[1]) +
-          (p[2] - c[2]) * (p[2] - c[2]));
+        next->Tail = v;
+        next->Step = static_cast<std::uint32_t>(e - begin);
+        next->ArrivalAngle = hasLimits ? graph.ArrivalAngles[e] : -1.0f;
+        next->ArrivalLength = static_cast<float>(lengths[e]);
       }
-      vertex.Potential = 0.5 * (lengths[1] - lengths[0]);
     }
+  };
+  if (hasLimits && label.ArrivalAngle >= 0.0f)
+  {
+    const float angle = this->Guides.Limits->SmallestAngle(v, label.ArrivalLength);
+    this->Guides.Fans->ForEachBeyond(v, label.ArrivalAngle, angle, relax);
+    return;
   }
-  vertex.Distance[side] = distance;
-  this->Best = std::min(this->Best, vertex.Distance[0] + vertex.Distance[1]);
-  this->Heaps[side].Push(distance + (side == 0 ? vertex.Potential : -vertex.Potential), v);
+  for (Offset e = begin; e < graph.Offsets[v + 1]; ++e)
+  {
+    relax(e);
+  }
+}
+
+void PointToPoint::CollectPath(const GraphView& graph, GraphPath& path) const
+{
+  path = GraphPath();
+  path.Length = this->Best;
+  if (this->End == NoId)
+  {
+    return;
+  }
+  path.ToSeed = this->Labels[this->End].Goal;
+  Id v = this->End;
+  for (; this->Labels[v].Step != NoStep; v = this->Labels[v].Tail)
+  {
+    path.Vertices.push_back(v);
+    path.Edges.push_back(graph.Offsets[this->Labels[v].Tail] + this->Labels[v].Step);
+  }
+  path.Vertices.push_back(v);
+  path.FromSeed = this->Labels[v].Tail;
+  std::reverse(path.Vertices.begin(), path.Vertices.end());
+  std::reverse(path.Edges.begin(), path.Edges.end());
 }
 
 std::size_t PointToPoint::GetMemorySize() const
 {
-  return this->Vertices.capacity() * sizeof(Vertex) + this->Touched.capacity() * sizeof(Id) +
-    this->Heaps[0].GetMemorySize() + this->Heaps[1].GetMemorySize();
+  return this->Distances.capacity() * sizeof(double) + this->Labels.capacity() * sizeof(Label) +
+    this->Touched.capacity() * sizeof(Id) + this->Queue.GetMemorySize();
 }
 }

@@ -1,52 +1,86 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The distance of two points in a graph. Internal.
+/// The shortest path between two points in a graph. Internal.
 #ifndef dggPointToPoint_h
 #define dggPointToPoint_h
 
-#include "dggMinimumHeap.h"  // for MinimumHeap
-#include "dggSearchLabels.h" // for GraphSeed
+#include "dggBucketQueue.h"  // for BucketQueue
+#include "dggGraphFans.h"    // for GraphFans
+#include "dggGraphSearch.h"  // for GraphPath
+#include "dggLandmarks.h"    // for Landmarks
+#include "dggSearchLabels.h" // for WithLengths
+#include "dggTurnLimits.h"   // for TurnLimits
 
-#include <vector> // for the labels
+#include <cstdint> // for the step
+#include <vector>  // for the labels
 
 namespace dgg
 {
-/// A* from both sides: two searches, each drawn towards the other end by the straight-line distance
-/// to it (potentials that agree, so that they can meet: Ikeda et al., "A fast algorithm for finding
-/// better routes by AI search techniques", 1994). Keeps its memory from call to call; what a call
-/// costs depends on the vertices between the points, not on the size of the graph.
+/// What helps a search between two points. All but the width of buckets may be null.
+struct PathGuides
+{
+  const GraphFans* Fans = nullptr;
+  const TurnLimits* Limits = nullptr; ///< only with fans
+  const Landmarks* Marks = nullptr;
+  const double* Positions = nullptr; ///< x y z per vertex
+  double BucketWidth = 1.0;          ///< of distances
+};
+
+/// A* (Hart, Nilsson and Raphael 1968): a search that is drawn to the goal by lower bounds of the
+/// way that is left. Vertices wait in buckets, so that some are searched again when their label
+/// drops, but not in a heap. Keeps its memory from call to call; what a call costs depends on the
+/// vertices between the points, not on the size of the graph.
 class PointToPoint
 {
 public:
   explicit PointToPoint(Id numberOfVertices);
 
-  /// Infinity when the two sets of seeds are not connected. `positions`, x y z per vertex, may be
-  /// null: then the searches are not drawn anywhere.
-  double Run(const GraphView& graph, const std::vector<GraphSeed>& from,
-    const std::vector<GraphSeed>& to, const double* positions);
+  /// The path is empty and of length Infinity when the two sets of seeds are not connected.
+  void Run(const GraphView& graph, const PathGuides& guides, const std::vector<GraphSeed>& from,
+    const std::vector<GraphSeed>& to, GraphPath& path);
 
   std::size_t GetMemorySize() const;
 
 private:
-  struct Vertex
+  struct alignas(32) Label
   {
-    double Distance[2] = { Infinity, Infinity }; ///< from either side
-    double Potential = 0.0;                      ///< of side 0; that of side 1 is its negative
+    double ToGo = -Infinity;    ///< lower bound of the way that is left; not known yet
+    Id Tail = NoId;             ///< where the label came from; of a seed, its index
+    std::uint32_t Step = 0;     ///< edge over which it came, counted in the row of the tail
+    float ArrivalAngle = -1.0f; ///< negative when there is none
+    float ArrivalLength = 0.0f;
+    Id Goal = NoId; ///< index of the seed to be reached here
   };
+  static constexpr std::uint32_t NoStep = 0xffffffffu;
 
   void Forget();
-  void Start(int side, const std::vector<GraphSeed>& seeds);
+  void Aim(const std::vector<GraphSeed>& to);
+  double EstimateToGo(Id v) const;
+  /// Lower the label of a vertex. Returns it, or null when it leads to no shorter path.
+  Label* Lower(Id v, double distance);
+  void Start(const std::vector<GraphSeed>& from);
   template <typename Length>
-  void Expand(const GraphView& graph, const Length* lengths, int side);
-  void Lower(Id v, int side, double distance);
+  void Search(const GraphView& graph, const Length* lengths);
+  template <typename Length>
+  void Expand(const GraphView& graph, const Length* lengths, Id v);
+  template <typename Length>
+  void LookAhead(const GraphView& graph, const Length* lengths, std::size_t i) const;
+  bool IsOutdated(const BucketQueue::Entry& entry) const;
+  void CollectPath(const GraphView& graph, GraphPath& path) const;
 
-  std::vector<Vertex> Vertices;
+  std::vector<double> Distances; ///< labels, apart from the rest: most are only looked at
+  std::vector<Label> Labels;
   std::vector<Id> Touched;
-  MinimumHeap Heaps[2];
-  const double* Positions = nullptr;
-  double Centers[2][3] = {};
-  double Best = Infinity;
+  BucketQueue Queue;
+  PathGuides Guides;
+  const std::vector<GraphSeed>* To = nullptr;
+  Landmarks::Goal MarksGoal;
+  double Center[3] = {};     ///< of the goal
+  double CenterToGo = 0.0;   ///< lower bound of the way from the center to the goal
+  double SmallestToGo = 0.0; ///< lower bound everywhere
+  double Best = Infinity;    ///< length of the shortest path so far
+  Id End = NoId;             ///< last vertex of that
 };
 }
 

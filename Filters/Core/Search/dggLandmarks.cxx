@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggLandmarks.h"
+
+#include "dggBucketSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+constexpr std::int16_t LargestCode = std::numeric_limits<std::int16_t>::max();
+/// Rounding of the distances themselves, in steps; far more than there is.
+constexpr double RoundingOfSteps = 1e-6;
+/// Components smaller than this part of the surface are searched without landmarks.
+constexpr Id SmallestShare = 2 * Landmarks::Count;
+
+/// The connected components of a graph.
+class ComponentFinder
+{
+public:
+  ComponentFinder(const GraphView& graph, std::vector<Id>& components)
+    : Graph(graph)
+    , Components(components)
+  {
+    components.assign(graph.NumberOfVertices, NoId);
+  }
+
+  /// Give all that is connected with a vertex its number; returns how many vertices these are.
+  Id Fill(Id start)
+  {
+    Id count = 0;
+    this->Components[start] = start;
+    this->Open.push_back(start);
+    while (!this->Open.empty())
+    {
+      const Id v = this->Open.back();
+      this->Open.pop_back();
+      ++count;
+      for (Offset e = this->Graph.Offsets[v]; e < this->Graph.Offsets[v + 1]; ++e)
+      {
+        const Id t = this->Graph.Targets[e];
+        if (this->Components[t] == NoId)
+        {
+          this->Components[t] = start;
+          this->Open.push_back(t);
+        }
+      }
+    }
+    return count;
+  }
+
+private:
+  const GraphView& Graph;
+  std::vector<Id>& Components;
+  std::vector<Id> Open;
+};
+
+/// Distances from the nearest of vertices that come one after the other.
+class GrowingField
+{
+public:
+  GrowingField(const GraphView& graph, const GraphFans* fans, double bucketWidth)
+    : Graph(graph)
+    , Fans(fans)
+    , BucketWidth(bucketWidth)
+    , Labels(this->Distances, this->Origins, std::numeric_limits<double>::max())
+  {
+  }
+
+  /// Only these.
+  void Start(const std::vector<Id>& vertices)
+  {
+    std::vector<GraphSeed> seeds;
+    for (const Id v : vertices)
+    {
+      seeds.emplace_back();
+      seeds.back().Vertex = v;
+    }
+    this->Labels.Start(this->Graph.NumberOfVertices, seeds);
+    SearchEffort effort;
+    RunBucketSearch(this->Graph, this->Fans, seeds, this->BucketWidth, nullptr, this->Queue,
+      this->Labels, effort);
+  }
+
+  /// One more. Goes no farther than where another one is nearer; not certified.
+  void Add(Id v)
+  {
+    std::vector<GraphSeed> seeds(1);
+    seeds[0].Vertex = v;
+    this->Distances[v] = 0.0;
+    this->Origins[v] = LabelOrigin();
+    if (this->Fans)
+    {
+      RunAlongFans(
+        this->Graph, *this->Fans, seeds, this->BucketWidth, this->Queue, this->Labels, this->Order);
+      return;
+    }
+    SearchEffort effort;
+    RunBucketSearch(
+      this->Graph, nullptr, seeds, this->BucketWidth, nullptr, this->Queue, this->Labels, effort);
+  }
+
+  /// 0 where none can be reached.
+  double GetDistance(Id v) const { return this->Labels.IsReached(v) ? this->Distances[v] : 0.0; }
+
+  Id FindFarthest() const
+  {
+    Id farthest = 0;
+    for (Id v = 1; v < this->Graph.NumberOfVertices; ++v)
+    {
+      farthest = this->GetDistance(v) > this->GetDistance(farthest) ? v : farthest;
+    }
+    return farthest;
+  }
+
+private:
+  const GraphView& Graph;
+  const GraphFans* Fans;
+  double BucketWidth;
+  std::vector<double> Distances;
+  std::vector<LabelOrigin> Origins;
+  std::vector<Id> Order;
+  SearchLabels Labels;
+  BucketQueue Queue;
+};
+
+std::int16_t Clamp(double code)
+{
+  return static_cast<std::int16_t>(std::max(0.0, std::min<double>(code, LargestCode)));
+}
+}
+
+Landmarks::Landmarks(const GraphView& graph, const GraphFans* fans, double bucketWidth)
+  : Codes(graph.NumberOfVertices)
+{
+  this->Choose(graph, fans, bucketWidth, this->ChooseComponents(graph));
+}
+
+std::vector<Id> Landmarks::ChooseComponents(const GraphView& graph)
+{
+  ComponentFinder finder(graph, this->Components);
+  std::vector<std::pair<Id, Id>> large; // size, and a vertex
+  for (Id v = 0; v < graph.NumberOfVertices; ++v)
+  {
+    if (this->Components[v] == NoId)
+    {
+      const Id size = finder.Fill(v);
+      if (size > 1 && size >= graph.NumberOfVertices / SmallestShare)
+      {
+        large.emplace_back(-size, v);
+      }
+    }
+  }
+  std::sort(large.begin(), large.end());
+  std::vector<Id> starts;
+  for (const auto& component : large)
+  {
+    if (starts.size() < Count)
+    {
+      starts.push_back(component.second);
+    }
+  }
+  return starts;
+}
+
+void Landmarks::Choose(
+  const GraphView& graph, const GraphFans* fans, double bucketWidth, const std::vector<Id>& starts)
+{
+  if (starts.empty())
+  {
+    return;
+  }
+  // The first landmark of a component is a tip of it: farthest from any vertex.
+  GrowingField field(graph, fans, bucketWidth);
+  field.Start(starts);
+  for (const Id start : starts)
+  {
+    Id tip = start;
+    for (Id v = 0; v < graph.NumberOfVertices; ++v)
+    {
+      const bool isFarther = field.GetDistance(v) > field.GetDistance(tip);
+      tip = isFarther && this->AreConnected(v, start) ? v : tip;
+    }
+    this->Vertices.push_back(tip);
+  }
+  field.Start(this->Vertices);
+  Id farthest = field.FindFarthest();
+  // No two vertices are farther apart than twice the distance of the farthest from one of them.
+  this->Step = 2.0 * field.GetDistance(farthest) * (1.0 + RoundingOfSteps) / LargestCode;
+  while (this->Vertices.size() < Count && field.GetDistance(farthest) > 0.0)
+  {
+    this->Vertices.push_back(farthest);
+    field.Add(farthest);
+    farthest = field.FindFarthest();
+  }
+}
+
+void Landmarks::SetDistances(std::size_t k, const double* distances)
+{
+  const double perStep = 1.0 / this->Step;
+  for (std::size_t v = 0; v < this->Codes.size(); ++v)
+  {
+    // Whatever cannot be reached has a code that is not used.
+    this->Codes[v][k] = distances[v] < Infinity ? Clamp(distances[v] * perStep) : 0;
+  }
+}
+
+void Landmarks::Aim(const std::vector<GraphSeed>& seeds, Goal& goal) const
+{
+  goal.Low.fill(0);
+  goal.High.fill(LargestCode);
+  const bool isOneComponent = std::all_of(seeds.begin(), seeds.end(),
+    [&](const GraphSeed& s) { return this->AreConnected(s.Vertex, seeds[0].Vertex); });
+  if (!isOneComponent)
+  {
+    return;
+  }
+  for (std::size_t k = 0; k < this->Vertices.size(); ++k)
+  {
+    if (!this->AreConnected(this->Vertices[k], seeds[0].Vertex))
+    {
+      continue;
+    }
+    // In steps; a code c stands for distances in [c, c + 1].
+    double low = Infinity;
+    double high = -Infinity;
+    for (const GraphSeed& seed : seeds)
+    {
+      const double start = seed.Distance / this->Step;
+      const double code = this->Codes[seed.Vertex][k];
+      low = std::min(low, code + start);
+      high = std::max(high, code + 1.0 - start);
+    }
+    goal.Low[k] = Clamp(std::floor(low - 1.0 - RoundingOfSteps));
+    goal.High[k] = Clamp(std::ceil(high + RoundingOfSteps));
+  }
+}
+
+std::size_t Landmarks::GetMemorySize() const
+{
+  return this->Vertices.capacity() * sizeof(Id) + this->Components.capacity() * sizeof(Id) +
+    this->Codes.capacity() * sizeof(VertexCodes);
+}
+}

@@ -1,0 +1,467 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Shortest paths between two points in a graph, and what leads the search to them.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+#include "GraphChecks.h"
+#include "SearchChecks.h"
+
+#include "dggBucketSearch.h"
+#include "dggGraphBuilder.h"
+#include "dggGraphFans.h"
+#include "dggLandmarks.h"
+#include "dggTurnLimits.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::GraphPath;
+using dgg::GraphSeed;
+using dgg::Offset;
+using Seeds = std::vector<GraphSeed>;
+
+/// Null where there are none that fit: meshes given by lengths alone, and mollified ones.
+const double* PositionsOf(const SearchCase& c)
+{
+  const bool isEmbedded = c.GetMesh().GetMollification() == 0.0 && !c.GetPoints().Points.empty();
+  return isEmbedded ? c.GetPoints().Points.data() : nullptr;
+}
+
+double ExpectedLength(const SearchCase& c, const Seeds& from, const Seeds& to)
+{
+  const std::vector<double> distances = ReferenceDistances(c.GetGraph(), from);
+  double length = dgg::Infinity;
+  for (const GraphSeed& seed : to)
+  {
+    length = std::min(length, distances[seed.Vertex] + seed.Distance);
+  }
+  return length;
+}
+
+/// Expect a path to lead from the one set of seeds to the other one, and to be as long as it says.
+void ExpectPath(
+  const dgg::GraphView& graph, const Seeds& from, const Seeds& to, const GraphPath& path)
+{
+  if (path.Length == dgg::Infinity)
+  {
+    EXPECT_TRUE(path.Vertices.empty());
+    EXPECT_TRUE(path.Edges.empty());
+    EXPECT_EQ(path.FromSeed, dgg::NoId);
+    EXPECT_EQ(path.ToSeed, dgg::NoId);
+    return;
+  }
+  ASSERT_EQ(path.Vertices.size(), path.Edges.size() + 1);
+  ASSERT_GE(path.FromSeed, 0);
+  ASSERT_LT(path.FromSeed, static_cast<Id>(from.size()));
+  ASSERT_GE(path.ToSeed, 0);
+  ASSERT_LT(path.ToSeed, static_cast<Id>(to.size()));
+  EXPECT_EQ(path.Vertices.front(), from[path.FromSeed].Vertex);
+  EXPECT_EQ(path.Vertices.back(), to[path.ToSeed].Vertex);
+  double length = from[path.FromSeed].Distance;
+  double largest = std::abs(length);
+  for (std::size_t i = 0; i < path.Edges.size(); ++i)
+  {
+    const Offset e = path.Edges[i];
+    ASSERT_GE(e, graph.Offsets[path.Vertices[i]]);
+    ASSERT_LT(e, graph.Offsets[path.Vertices[i] + 1]);
+    ASSERT_EQ(graph.Targets[e], path.Vertices[i + 1]);
+    length += graph.Length(e);
+    largest = std::max(largest, std::abs(length));
+  }
+  length += to[path.ToSeed].Distance;
+  EXPECT_NEAR(length, path.Length, 1e-12 * std::max(largest, std::abs(length)));
+}
+
+void ExpectShortest(
+  const SearchCase& c, const Seeds& from, const Seeds& to, double expected, const double* positions)
+{
+  GraphPath path;
+  ASSERT_TRUE(c.GetSearch().Between(from, to, positions, path).IsOk());
+  ExpectPath(c.GetGraph(), from, to, path);
+  if (expected == dgg::Infinity)
+  {
+    EXPECT_EQ(path.Length, dgg::Infinity);
+    return;
+  }
+  // Sums of offsets that cancel are as good as the offsets.
+  EXPECT_NEAR(path.Length, expected, 1e-12 * (1.0 + std::abs(expected)));
+}
+
+/// With all that may lead the search, and without.
+void ExpectShortest(SearchCase& c, const std::vector<std::pair<Seeds, Seeds>>& pairs)
+{
+  std::vector<double> expected;
+  expected.reserve(pairs.size());
+  for (const auto& pair : pairs)
+  {
+    expected.push_back(ExpectedLength(c, pair.first, pair.second));
+  }
+  for (const bool withLandmarks : { false, true })
+  {
+    if (withLandmarks)
+    {
+      ASSERT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, nullptr).IsOk());
+    }
+    EXPECT_EQ(c.GetSearch().HasLandmarks(), withLandmarks);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+    {
+      SCOPED_TRACE(c.GetName() + ", pair " + std::to_string(i));
+      ExpectShortest(c, pairs[i].first, pairs[i].second, expected[i], nullptr);
+      ExpectShortest(c, pairs[i].first, pairs[i].second, expected[i], PositionsOf(c));
+      // Symmetric graphs: the way back is as long.
+      ExpectShortest(c, pairs[i].second, pairs[i].first, expected[i], PositionsOf(c));
+    }
+  }
+}
+
+dgg::Landmarks LandmarksOf(const SearchCase& c)
+{
+  const dgg::GraphView graph = c.GetGraph();
+  const dgg::GraphFans fans(graph, c.GetMesh());
+  dgg::Landmarks marks(graph, &fans, dgg::ChooseBucketWidth(graph));
+  for (std::size_t k = 0; k < marks.GetVertices().size(); ++k)
+  {
+    marks.SetDistances(k, ReferenceDistances(graph, { SeedAt(marks.GetVertices()[k]) }).data());
+  }
+  return marks;
+}
+}
+
+TEST(GraphPaths, VerticesAgreeWithDijkstra)
+{
+  for (const auto& c : SearchCases())
+  {
+    const Id n = c->GetNumberOfVertices();
+    Random random(3);
+    std::vector<std::pair<Seeds, Seeds>> pairs;
+    for (int trial = 0; trial < 8; ++trial)
+    {
+      const Id a = random.Index(n);
+      const Id b = trial == 0 ? a : random.Index(n);
+      pairs.push_back({ { SeedAt(a) }, { SeedAt(b) } });
+    }
+    ExpectShortest(*c, pairs);
+  }
+}
+
+TEST(GraphPaths, SetsOfSeedsAgreeWithDijkstra)
+{
+  for (const auto& c : SearchCases())
+  {
+    const Id n = c->GetNumberOfVertices();
+    std::vector<std::pair<Seeds, Seeds>> pairs;
+    for (std::uint64_t trial = 0; trial < 6; ++trial)
+    {
+      pairs.emplace_back(
+        RandomSeeds(n, 1 + trial % 4, 2 * trial + 1), RandomSeeds(n, 1 + trial % 3, 2 * trial + 2));
+    }
+    ExpectShortest(*c, pairs);
+  }
+}
+
+TEST(GraphPaths, PointsInFacesAgreeWithDijkstra)
+{
+  for (const double accuracy : { 0.1, 0.01 })
+  {
+    SearchCase c("rough", NoisySphere(4, 0.25, 4), accuracy);
+    const dgg::GraphBuilder builder(c.GetMesh());
+    std::vector<Seeds> points;
+    for (const dgg::SurfacePoint& point : RandomSurfacePoints(c.GetMesh(), 20, 7))
+    {
+      std::vector<dgg::GraphLink> links;
+      std::vector<double> direct;
+      ASSERT_TRUE(builder.Link(point, accuracy, {}, links, direct).IsOk());
+      points.emplace_back();
+      for (const dgg::GraphLink& link : links)
+      {
+        points.back().push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
+      }
+    }
+    std::vector<std::pair<Seeds, Seeds>> pairs;
+    for (std::size_t i = 0; i + 1 < points.size(); i += 2)
+    {
+      pairs.emplace_back(points[i], points[i + 1]);
+    }
+    ExpectShortest(c, pairs);
+  }
+}
+
+TEST(GraphPaths, FromAVertexToItself)
+{
+  SearchCase c("sphere", SphereWithIsolatedPoints(2), 0.05);
+  for (const bool withLandmarks : { false, true })
+  {
+    if (withLandmarks)
+    {
+      ASSERT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, nullptr).IsOk());
+    }
+    for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+    {
+      GraphPath path;
+      ASSERT_TRUE(
+        c.GetSearch().Between({ SeedAt(v, 2.5) }, { SeedAt(v, -1.0) }, nullptr, path).IsOk());
+      EXPECT_EQ(path.Length, 1.5);
+      EXPECT_EQ(path.Vertices, std::vector<Id>{ v });
+      EXPECT_TRUE(path.Edges.empty());
+      EXPECT_EQ(path.FromSeed, 0);
+      EXPECT_EQ(path.ToSeed, 0);
+    }
+  }
+}
+
+TEST(GraphPaths, BetweenComponentsThereAreNone)
+{
+  SearchCase c("components", SeveralComponents(), 0.05);
+  const Id n = c.GetNumberOfVertices();
+  const std::vector<double> reached = ReferenceDistances(c.GetGraph(), { SeedAt(0) });
+  const auto other =
+    static_cast<Id>(std::find(reached.begin(), reached.end(), dgg::Infinity) - reached.begin());
+  ASSERT_LT(other, n);
+  // The near end may be in any component.
+  ExpectShortest(c,
+    { { { SeedAt(0) }, { SeedAt(other) } }, { { SeedAt(other), SeedAt(0, 9.0) }, { SeedAt(1) } },
+      { { SeedAt(2) }, { SeedAt(other, -100.0), SeedAt(3) } },
+      { { SeedAt(2), SeedAt(other) }, { SeedAt(other + 1, 5.0), SeedAt(3) } } });
+}
+
+TEST(GraphPaths, LargeOffsetsAndScales)
+{
+  for (const double scale : { 1e-6, 1.0, 1e6 })
+  {
+    SearchCase c("scaled", Scaled(Terrain(12, 0.4, 2), scale), 0.02);
+    const Id n = c.GetNumberOfVertices();
+    const Seeds from{ SeedAt(0, 1e3 * scale), SeedAt(n / 2, 1e3 * scale) };
+    const Seeds to{ SeedAt(n - 1, -1e3 * scale), SeedAt(n / 3, -1e3 * scale) };
+    const double expected = ExpectedLength(c, from, to);
+    for (const bool withLandmarks : { false, true })
+    {
+      if (withLandmarks)
+      {
+        ASSERT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, nullptr).IsOk());
+      }
+      GraphPath path;
+      ASSERT_TRUE(c.GetSearch().Between(from, to, PositionsOf(c), path).IsOk());
+      ExpectPath(c.GetGraph(), from, to, path);
+      EXPECT_NEAR(path.Length, expected, 1e-11 * 1e3 * scale);
+    }
+    GraphPath path;
+    const Seeds huge{ SeedAt(1, 1e300) };
+    ASSERT_TRUE(c.GetSearch().Between(huge, to, PositionsOf(c), path).IsOk());
+    EXPECT_EQ(path.Length, 1e300);
+    ExpectPath(c.GetGraph(), huge, to, path);
+    ASSERT_TRUE(c.GetSearch().Between(from, huge, PositionsOf(c), path).IsOk());
+    EXPECT_EQ(path.Length, 1e300);
+  }
+}
+
+TEST(GraphPaths, ThreadsFindTheSame)
+{
+  SearchCase c("terrain", Terrain(24, 0.4, 2), 0.02);
+  ASSERT_TRUE(c.GetSearch().PrepareLandmarks(WithThreads(3), nullptr).IsOk());
+  const Id n = c.GetNumberOfVertices();
+  const std::size_t count = 200;
+  const auto find = [&](std::size_t i) {
+    Random random(i + 1);
+    GraphPath path;
+    const Id a = random.Index(n);
+    const Id b = random.Index(n);
+    EXPECT_TRUE(c.GetSearch().Between({ SeedAt(a) }, { SeedAt(b) }, PositionsOf(c), path).IsOk());
+    return path;
+  };
+  // What was searched before plays no role: backwards.
+  std::vector<GraphPath> expected(count);
+  for (std::size_t i = count; i-- > 0;)
+  {
+    expected[i] = find(i);
+  }
+  std::vector<GraphPath> found(count);
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t < 4; ++t)
+  {
+    threads.emplace_back([&, t] {
+      for (std::size_t i = t; i < count; i += 4)
+      {
+        found[i] = find(i);
+      }
+    });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    EXPECT_EQ(expected[i].Length, found[i].Length);
+    EXPECT_EQ(expected[i].Vertices, found[i].Vertices);
+    EXPECT_EQ(expected[i].Edges, found[i].Edges);
+  }
+}
+
+TEST(GraphPaths, LandmarksCanBeAborted)
+{
+  SearchCase c("terrain", Terrain(9, 0.5, 6), 0.1);
+  EXPECT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, [](double) { return false; }).IsAborted());
+  EXPECT_FALSE(c.GetSearch().HasLandmarks());
+  const std::size_t before = c.GetSearch().GetMemorySize();
+  double done = 0.0;
+  const auto progress = [&](double share) {
+    EXPECT_GE(share, done);
+    done = share;
+    return true;
+  };
+  ASSERT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, progress).IsOk());
+  EXPECT_EQ(done, 1.0);
+  EXPECT_TRUE(c.GetSearch().HasLandmarks());
+  EXPECT_GE(c.GetSearch().GetMemorySize(), before + 68u * c.GetNumberOfVertices());
+}
+
+TEST(Landmarks, BoundsAreBelowAndNear)
+{
+  const SearchCase c("sphere", NoisySphere(4, 0.2, 3), 0.05);
+  const dgg::Landmarks marks = LandmarksOf(c);
+  EXPECT_EQ(marks.GetVertices().size(), 32u);
+  for (std::uint64_t trial = 0; trial < 10; ++trial)
+  {
+    const Seeds seeds =
+      trial == 0 ? Seeds{ SeedAt(5) } : RandomSeeds(c.GetNumberOfVertices(), 3, trial);
+    const std::vector<double> distances = ReferenceDistances(c.GetGraph(), seeds);
+    dgg::Landmarks::Goal goal;
+    marks.Aim(seeds, goal);
+    double sumOfBounds = 0.0;
+    double sum = 0.0;
+    for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+    {
+      const double bound = marks.Bound(v, goal);
+      ASSERT_LE(bound, distances[v] + 1e-12);
+      sumOfBounds += std::max(0.0, bound);
+      sum += distances[v];
+    }
+    if (trial == 0)
+    {
+      EXPECT_GT(sumOfBounds, 0.85 * sum);
+    }
+  }
+}
+
+TEST(Landmarks, AreInLargeComponentsAndFarApart)
+{
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    const SearchCase c(named.Name, named.Mesh, 0.05);
+    const dgg::Landmarks marks = LandmarksOf(c);
+    std::vector<Id> vertices = marks.GetVertices();
+    EXPECT_LE(vertices.size(), 32u);
+    std::sort(vertices.begin(), vertices.end());
+    EXPECT_EQ(std::unique(vertices.begin(), vertices.end()), vertices.end()) << named.Name;
+    for (const Id v : vertices)
+    {
+      EXPECT_GT(c.GetGraph().Offsets[v + 1], c.GetGraph().Offsets[v]) << named.Name;
+    }
+    const std::vector<double> distances = ReferenceDistances(c.GetGraph(), { SeedAt(0) });
+    for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+    {
+      ASSERT_EQ(marks.AreConnected(0, v), distances[v] < dgg::Infinity) << named.Name;
+    }
+  }
+  const SearchCase plane("plane", Plane(20, 20), 0.1);
+  std::vector<Id> first = LandmarksOf(plane).GetVertices();
+  first.resize(4);
+  std::sort(first.begin(), first.end());
+  EXPECT_EQ(first, (std::vector<Id>{ 0, 20, 420, 440 })); // the corners
+}
+
+TEST(TurnLimits, NoShortestPathTurnsMore)
+{
+  std::vector<NamedMesh> meshes = SoundMeshes();
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    meshes.push_back(named);
+  }
+  Offset ruledOut = 0;
+  for (const NamedMesh& named : meshes)
+  {
+    for (const double accuracy : { 0.1, 0.01 })
+    {
+      const SearchCase c(named.Name, named.Mesh, accuracy);
+      const dgg::GraphView graph = c.GetGraph();
+      const dgg::GraphFans fans(graph, c.GetMesh());
+      const dgg::TurnLimits limits(graph, c.GetMesh());
+      // Each path of two edges that the limits rule out is longer than the distance of its ends.
+      Random random(5);
+      for (int trial = 0; trial < 25; ++trial)
+      {
+        const Id p = random.Index(graph.NumberOfVertices);
+        const std::vector<double> distances = ReferenceDistances(graph, { SeedAt(p) });
+        for (Offset in = graph.Offsets[p]; in < graph.Offsets[p + 1]; ++in)
+        {
+          const Id u = graph.Targets[in];
+          std::vector<char> isAllowed(graph.Offsets[u + 1] - graph.Offsets[u], 0);
+          fans.ForEachBeyond(u, graph.ArrivalAngles[in],
+            limits.SmallestAngle(u, static_cast<float>(graph.Length(in))),
+            [&](Offset e) { isAllowed[e - graph.Offsets[u]] = 1; });
+          for (Offset e = graph.Offsets[u]; e < graph.Offsets[u + 1]; ++e)
+          {
+            const double length = graph.Length(in) + graph.Length(e);
+            if (!isAllowed[e - graph.Offsets[u]])
+            {
+              ++ruledOut;
+              ASSERT_LT(distances[graph.Targets[e]], length * (1.0 - 1e-7))
+                << c.GetName() << ": " << p << " to " << u << " to " << graph.Targets[e];
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(ruledOut, 100000);
+}
+
+TEST(TurnLimits, RuleOutMostOfARow)
+{
+  const SearchCase c("sphere", NoisySphere(4, 0.1, 3), 0.01);
+  const dgg::GraphView graph = c.GetGraph();
+  const dgg::GraphFans fans(graph, c.GetMesh());
+  const dgg::TurnLimits limits(graph, c.GetMesh());
+  Offset allowed = 0;
+  Offset all = 0;
+  for (Id v = 0; v < graph.NumberOfVertices; ++v)
+  {
+    for (Offset in = graph.Offsets[v]; in < graph.Offsets[v + 1]; ++in)
+    {
+      const Id u = graph.Targets[in];
+      all += graph.Offsets[u + 1] - graph.Offsets[u];
+      fans.ForEachBeyond(u, graph.ArrivalAngles[in],
+        limits.SmallestAngle(u, static_cast<float>(graph.Length(in))), [&](Offset) { ++allowed; });
+    }
+  }
+  EXPECT_LT(static_cast<double>(allowed), 0.5 * static_cast<double>(all));
+}
+
+TEST(TurnLimits, AreKnownForGuaranteedGraphsOnly)
+{
+  const TestMesh mesh = NoisySphere(2, 0.2, 3);
+  EXPECT_TRUE(dgg::TurnLimits::AreKnown(SearchCase("a", mesh, 0.05).GetGraph()));
+  for (const auto construction : { dgg::GraphConstruction::OneRelay,
+         dgg::GraphConstruction::Indirect, dgg::GraphConstruction::SaddleVertexGraph })
+  {
+    const SearchCase c("b", mesh, 0.05, construction);
+    EXPECT_FALSE(dgg::TurnLimits::AreKnown(c.GetGraph()));
+  }
+  const SearchCase c("c", mesh, 0.05);
+  dgg::GraphView cloud = c.GetGraph();
+  cloud.Angles = nullptr;
+  EXPECT_FALSE(dgg::TurnLimits::AreKnown(cloud));
+}
+}
