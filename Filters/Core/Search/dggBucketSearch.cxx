@@ -58,6 +58,37 @@ public:
     this->Propagate<true>();
   }
 
+  /// `touched` receives the vertices whose labels are lowered.
+  bool RunFromNewSeeds(const std::vector<GraphSeed>& seeds, double width, std::vector<Id>& touched)
+  {
+    touched.clear();
+    this->Order = &touched;
+    this->Queue.Reset(NearestOf(seeds), width);
+    for (std::size_t i = 0; i < seeds.size(); ++i)
+    {
+      const GraphSeed& seed = seeds[i];
+      if (this->Labels.Lower(seed, i))
+      {
+        this->Queue.Push(seed.Distance, seed.Vertex);
+      }
+    }
+    if (!this->Fans)
+    {
+      return this->Propagate<false>();
+    }
+    if (!this->Propagate<true>())
+    {
+      return false;
+    }
+    // Where no label has changed there is nothing to certify.
+    this->Queue.Reset(NearestOf(seeds), width);
+    for (const Id v : touched)
+    {
+      this->CertifyRow(v);
+    }
+    return this->Propagate<false>();
+  }
+
 private:
   static double NearestOf(const std::vector<GraphSeed>& seeds)
   {
@@ -198,32 +229,36 @@ private:
   /// back, this costs less per edge than anything that jumps.
   void Certify()
   {
-    double* const distances = this->Labels.Distances.data();
     for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
     {
-      if (!this->Labels.IsReached(v))
+      if (this->Labels.IsReached(v))
       {
-        continue;
-      }
-      const Offset begin = this->Graph.Offsets[v];
-      const Offset end = this->Graph.Offsets[v + 1];
-      const double label = distances[v] + Slack * std::abs(distances[v]);
-      if (this->LargestDifference(begin, end) <= label)
-      {
-        continue;
-      }
-      for (Offset e = begin; e < end; ++e)
-      {
-        const Id t = this->Graph.Targets[e];
-        if (label + this->Lengths[e] < distances[t])
-        {
-          distances[t] = distances[v] + this->Lengths[e];
-          this->Labels.Origins[t] = { e, v, -1.0f };
-          this->Queue.Push(distances[t], t);
-        }
+        this->CertifyRow(v);
       }
     }
     this->Effort.Relaxations += static_cast<std::size_t>(this->Graph.GetNumberOfEdges());
+  }
+
+  void CertifyRow(Id v)
+  {
+    double* const distances = this->Labels.Distances.data();
+    const Offset begin = this->Graph.Offsets[v];
+    const Offset end = this->Graph.Offsets[v + 1];
+    const double label = distances[v] + Slack * std::abs(distances[v]);
+    if (this->LargestDifference(begin, end) <= label)
+    {
+      return;
+    }
+    for (Offset e = begin; e < end; ++e)
+    {
+      const Id t = this->Graph.Targets[e];
+      if (label + this->Lengths[e] < distances[t])
+      {
+        distances[t] = distances[v] + this->Lengths[e];
+        this->Labels.Origins[t] = { e, v, -1.0f };
+        this->Queue.Push(distances[t], t);
+      }
+    }
   }
 
   /// The largest difference of the label at the end of an edge and its length: if it is not above
@@ -298,6 +333,18 @@ void RunAlongFans(const GraphView& graph, const GraphFans& fans,
     using Length = std::remove_cv_t<std::remove_pointer_t<decltype(lengths)>>;
     LabelCorrecting<Length>(graph, lengths, &fans, noProgress, queue, labels, effort)
       .RunAlongFans(seeds, width, order);
+  });
+}
+
+bool LowerLabels(const GraphView& graph, const GraphFans* fans, const std::vector<GraphSeed>& seeds,
+  double width, const ProgressCallback& progress, BucketQueue& queue, SearchLabels& labels,
+  std::vector<Id>& touched)
+{
+  SearchEffort effort;
+  return WithLengths(graph, [&](const auto* lengths) {
+    using Length = std::remove_cv_t<std::remove_pointer_t<decltype(lengths)>>;
+    return LabelCorrecting<Length>(graph, lengths, fans, progress, queue, labels, effort)
+      .RunFromNewSeeds(seeds, width, touched);
   });
 }
 

@@ -26,6 +26,13 @@ void RunAlongFans(const GraphView& graph, const GraphFans& fans,
   const std::vector<GraphSeed>& seeds, double width, BucketQueue& queue, SearchLabels& labels,
   std::vector<Id>& order);
 
+/// Lower labels that are final already to what they are with more seeds: only vertices that are
+/// nearer to these are looked at. `touched` receives them, a few more than once. The result is that
+/// of a search from all seeds, up to rounding. False when aborted.
+bool LowerLabels(const GraphView& graph, const GraphFans* fans, const std::vector<GraphSeed>& seeds,
+  double width, const ProgressCallback& progress, BucketQueue& queue, SearchLabels& labels,
+  std::vector<Id>& touched);
+
 /// A good width of buckets: about the distance between neighbours. So small that few vertices are
 /// taken from the queue twice, and so large that a bucket holds some vertices to look ahead to.
 double ChooseBucketWidth(const GraphView& graph);

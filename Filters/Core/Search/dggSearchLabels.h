@@ -8,8 +8,9 @@
 #include "dggGeodesicGraph.h" // for GraphView
 #include "dggGraphSearch.h"   // for GraphSeed
 
-#include <cmath>  // for std::nextafter
-#include <vector> // for the labels
+#include <cmath>   // for std::nextafter
+#include <cstddef> // for std::size_t
+#include <vector>  // for the labels
 
 namespace dgg
 {
@@ -47,14 +48,20 @@ struct SearchLabels
     this->Origins.resize(numberOfVertices);
     for (std::size_t i = 0; i < seeds.size(); ++i)
     {
-      const GraphSeed& seed = seeds[i];
-      if (seed.Distance < this->Distances[seed.Vertex])
-      {
-        this->Distances[seed.Vertex] = seed.Distance;
-        this->Origins[seed.Vertex] = { -1, static_cast<Id>(i),
-          static_cast<float>(seed.ArrivalAngle) };
-      }
+      this->Lower(seeds[i], i);
     }
+  }
+
+  /// Enter a seed, the i-th; false when the vertex is no farther without it.
+  bool Lower(const GraphSeed& seed, std::size_t i)
+  {
+    if (!(seed.Distance < this->Distances[seed.Vertex]))
+    {
+      return false;
+    }
+    this->Distances[seed.Vertex] = seed.Distance;
+    this->Origins[seed.Vertex] = { -1, static_cast<Id>(i), static_cast<float>(seed.ArrivalAngle) };
+    return true;
   }
 };
 

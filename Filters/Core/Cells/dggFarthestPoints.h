@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Samples of a surface or a cloud, each as far as possible from those before.
+#ifndef dggFarthestPoints_h
+#define dggFarthestPoints_h
+
+#include "dggGraphSearch.h" // for GraphSeed
+
+#include <cstddef> // for std::size_t
+#include <memory>  // for the internals
+#include <vector>  // for the seeds
+
+namespace dgg
+{
+/// The vertex that is farthest from all samples.
+struct FarthestVertex
+{
+  Id Vertex = NoId;      ///< NoId when every vertex is a sample
+  double Distance = 0.0; ///< Infinity where no sample reaches
+};
+
+/// Farthest point sampling in a graph (Eldar, Lindenbaum, Porat and Zeevi, "The farthest point
+/// strategy for progressive image sampling", 1997). Keeps the distance of every vertex from the
+/// nearest sample; a new sample only touches the vertices that are nearer to it than to all others.
+///
+/// The farthest distance, the covering radius, never grows, and samples taken one after the other
+/// where it is are at least that far from each other. Vertices that no sample reaches count as
+/// infinitely far, so that every component gets a sample before any gets a second one. Vertices
+/// without edges are left out. Of vertices at the same distance the one with the smallest id is the
+/// farthest.
+class FarthestPoints
+{
+public:
+  /// `mesh` is that of the graph, or null for a cloud. Graph and mesh must outlive the object.
+  FarthestPoints(const GraphView& graph, const SurfaceMesh* mesh);
+  ~FarthestPoints();
+  FarthestPoints(const FarthestPoints&) = delete;
+  FarthestPoints& operator=(const FarthestPoints&) = delete;
+
+  /// Forget all samples.
+  void Reset();
+
+  /// Add a sample: a vertex, or a surface point by its links. Fails when there is no seed, or one
+  /// does not exist or starts with a distance that is not finite; then nothing changes. After an
+  /// abort, call Reset().
+  Status Add(const std::vector<GraphSeed>& sample, const ProgressCallback& progress);
+
+  /// The vertex farthest from all samples, and so the covering radius.
+  FarthestVertex Find();
+
+  /// Distance of every vertex from the nearest sample, along the graph.
+  const std::vector<double>& GetDistances() const;
+
+  /// Bytes held besides the graph.
+  std::size_t GetMemorySize() const;
+
+private:
+  class Implementation;
+  std::unique_ptr<Implementation> Internals;
+};
+}
+
+#endif

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Farthest point samples: against all distances, computed anew.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "SearchChecks.h"
+
+#include "dggFarthestPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::FarthestPoints;
+using dgg::FarthestVertex;
+using dgg::GraphSeed;
+using dgg::GraphView;
+
+/// The farthest vertex with edges, by looking at all of them.
+FarthestVertex LookForFarthest(const GraphView& graph, const std::vector<double>& distances)
+{
+  FarthestVertex farthest;
+  for (Id v = 0; v < graph.NumberOfVertices; ++v)
+  {
+    if (graph.Offsets[v] < graph.Offsets[v + 1] && distances[v] > farthest.Distance)
+    {
+      farthest = { v, distances[v] };
+    }
+  }
+  return farthest;
+}
+
+void AddVertex(FarthestPoints& points, Id vertex)
+{
+  const dgg::Status status = points.Add({ SeedAt(vertex) }, nullptr);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+}
+
+/// Samples until there are `count` or no more.
+std::vector<Id> Sample(FarthestPoints& points, Id first, std::size_t count)
+{
+  std::vector<Id> samples;
+  for (Id next = first; next != dgg::NoId && samples.size() < count; next = points.Find().Vertex)
+  {
+    samples.push_back(next);
+    AddVertex(points, next);
+  }
+  return samples;
+}
+}
+
+TEST(FarthestPoints, EverySampleIsFarthest)
+{
+  for (const auto& c : SearchCases())
+  {
+    const GraphView graph = c->GetGraph();
+    FarthestPoints points(graph, &c->GetMesh());
+    std::vector<GraphSeed> seeds;
+    double radius = dgg::Infinity;
+    FarthestVertex next = points.Find();
+    EXPECT_EQ(next.Distance, dgg::Infinity) << c->GetName();
+    for (int i = 0; i < 25 && next.Vertex != dgg::NoId; ++i)
+    {
+      seeds.push_back(SeedAt(next.Vertex));
+      AddVertex(points, next.Vertex);
+      ExpectSameDistances(ReferenceDistances(graph, seeds), points.GetDistances(), c->GetName());
+      next = points.Find();
+      const FarthestVertex expected = LookForFarthest(graph, points.GetDistances());
+      EXPECT_EQ(next.Vertex, expected.Vertex) << c->GetName();
+      EXPECT_EQ(next.Distance, expected.Distance) << c->GetName();
+      EXPECT_LE(next.Distance, radius) << c->GetName();
+      radius = next.Distance;
+    }
+  }
+}
+
+TEST(FarthestPoints, SamplesKeepAwayFromEachOther)
+{
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    const SearchCase c(named.Name, named.Mesh, 0.05);
+    FarthestPoints points(c.GetGraph(), &c.GetMesh());
+    const std::vector<Id> samples = Sample(points, 0, 20);
+    const double radius = points.Find().Distance;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      const std::vector<double> field = GraphDistances(c.GetGraph(), samples[i]);
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        EXPECT_GE(field[samples[j]], radius * (1.0 - 1e-9)) << named.Name;
+      }
+    }
+  }
+}
+
+TEST(FarthestPoints, EveryComponentGetsASampleFirst)
+{
+  const SearchCase c("several components", SeveralComponents(), 0.05);
+  Id count = 0;
+  const std::vector<Id> component = c.GetMesh().ComputeComponents(count);
+  std::set<Id> withEdges;
+  for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+  {
+    if (c.GetMesh().Kind(v) != dgg::VertexKind::Isolated)
+    {
+      withEdges.insert(component[v]);
+    }
+  }
+  ASSERT_GT(withEdges.size(), 1u);
+  FarthestPoints points(c.GetGraph(), &c.GetMesh());
+  std::set<Id> sampled;
+  for (const Id v : Sample(points, points.Find().Vertex, withEdges.size()))
+  {
+    sampled.insert(component[v]);
+  }
+  EXPECT_EQ(sampled, withEdges);
+  EXPECT_LT(points.Find().Distance, dgg::Infinity);
+}
+
+TEST(FarthestPoints, AllVerticesButIsolatedOnes)
+{
+  const SearchCase c("isolated points", SphereWithIsolatedPoints(1), 0.05);
+  FarthestPoints points(c.GetGraph(), &c.GetMesh());
+  const std::vector<Id> samples = Sample(points, points.Find().Vertex, 100000);
+  const std::set<Id> different(samples.begin(), samples.end());
+  EXPECT_EQ(different.size(), samples.size());
+  Id expected = 0;
+  for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+  {
+    const bool isIsolated = c.GetMesh().Kind(v) == dgg::VertexKind::Isolated;
+    EXPECT_EQ(different.count(v), isIsolated ? 0u : 1u);
+    expected += isIsolated ? 0 : 1;
+  }
+  EXPECT_EQ(samples.size(), static_cast<std::size_t>(expected));
+  EXPECT_EQ(points.Find().Vertex, dgg::NoId);
+  EXPECT_EQ(points.Find().Distance, 0.0);
+}
+
+TEST(FarthestPoints, TiesGoToTheSmallestId)
+{
+  // On a path of equal edges, both ends are as far from the middle.
+  const std::vector<dgg::Offset> offsets{ 0, 1, 3, 5, 7, 8 };
+  const std::vector<Id> targets{ 1, 0, 2, 1, 3, 2, 4, 3 };
+  const std::vector<float> lengths(8, 1.0f);
+  GraphView graph;
+  graph.Info.Kind = dgg::GraphKind::Cloud;
+  graph.NumberOfVertices = 5;
+  graph.Offsets = offsets.data();
+  graph.Targets = targets.data();
+  graph.Lengths = lengths.data();
+  FarthestPoints points(graph, nullptr);
+  EXPECT_EQ(Sample(points, 2, 10), (std::vector<Id>{ 2, 0, 4, 1, 3 }));
+}
+
+TEST(FarthestPoints, CloudsAndMeshesGiveTheSame)
+{
+  const SearchCase c("sphere", Icosphere(3), 0.02);
+  GraphView cloud = c.GetGraph();
+  cloud.Info.Kind = dgg::GraphKind::Cloud;
+  cloud.Angles = nullptr;
+  cloud.ArrivalAngles = nullptr;
+  FarthestPoints onMesh(c.GetGraph(), &c.GetMesh());
+  FarthestPoints onCloud(cloud, nullptr);
+  EXPECT_EQ(Sample(onMesh, 5, 50), Sample(onCloud, 5, 50));
+}
+
+TEST(FarthestPoints, ResetForgetsTheSamples)
+{
+  const SearchCase c("plane", Plane(12, 9, 0.2), 0.05);
+  FarthestPoints points(c.GetGraph(), &c.GetMesh());
+  const std::vector<Id> first = Sample(points, 7, 30);
+  points.Reset();
+  EXPECT_EQ(points.Find().Distance, dgg::Infinity);
+  EXPECT_EQ(points.Find().Vertex, 0);
+  EXPECT_EQ(Sample(points, 7, 30), first);
+}
+
+TEST(FarthestPoints, SurfacePointsAreSamplesByTheirLinks)
+{
+  const SearchCase c("plane", Plane(10, 10, 0.2), 0.01);
+  const dgg::GraphBuilder builder(c.GetMesh());
+  const auto point = dgg::SurfacePoint::InFace(c.GetMesh(), 77, { { 0.5, 0.3, 0.2 } });
+  std::vector<dgg::GraphLink> links;
+  std::vector<double> direct;
+  ASSERT_TRUE(builder.Link(point, 0.01, {}, links, direct).IsOk());
+  std::vector<GraphSeed> seeds;
+  for (const dgg::GraphLink& link : links)
+  {
+    seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
+  }
+  FarthestPoints points(c.GetGraph(), &c.GetMesh());
+  AddVertex(points, 0);
+  ASSERT_TRUE(points.Add(seeds, nullptr).IsOk());
+  seeds.push_back(SeedAt(0));
+  ExpectSameDistances(ReferenceDistances(c.GetGraph(), seeds), points.GetDistances(), "links");
+}
+
+TEST(FarthestPoints, BadSeedsChangeNothing)
+{
+  const SearchCase c("plane", Plane(5, 5), 0.05);
+  FarthestPoints points(c.GetGraph(), &c.GetMesh());
+  AddVertex(points, 3);
+  const std::vector<double> before = points.GetDistances();
+  EXPECT_FALSE(points.Add({}, nullptr).IsOk());
+  EXPECT_FALSE(points.Add({ SeedAt(0), SeedAt(c.GetNumberOfVertices()) }, nullptr).IsOk());
+  EXPECT_FALSE(points.Add({ SeedAt(0, std::numeric_limits<double>::quiet_NaN()) }, nullptr).IsOk());
+  EXPECT_EQ(points.GetDistances(), before);
+}
+
+TEST(FarthestPoints, CanBeAborted)
+{
+  const SearchCase c("plane", Plane(150, 150), 0.1);
+  FarthestPoints points(c.GetGraph(), &c.GetMesh());
+  int calls = 0;
+  const auto stop = [&calls](double) {
+    ++calls;
+    return false;
+  };
+  EXPECT_TRUE(points.Add({ SeedAt(0) }, stop).IsAborted());
+  EXPECT_EQ(calls, 1);
+  points.Reset();
+  AddVertex(points, 0);
+  ExpectSameDistances(
+    ReferenceDistances(c.GetGraph(), { SeedAt(0) }), points.GetDistances(), "after an abort");
+}
+}
