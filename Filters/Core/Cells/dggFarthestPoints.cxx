@@ -42,6 +42,8 @@ public:
   void Reset()
   {
     this->Labels.Start(this->Graph.NumberOfVertices, {});
+    this->NearestSamples.assign(this->Graph.NumberOfVertices, NoId);
+    this->NumberOfSamples = 0;
     this->Candidates.clear();
     for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
     {
@@ -61,6 +63,8 @@ public:
   std::unique_ptr<GraphFans> Fans; ///< null where there are no angles
   BucketQueue Queue;
   std::vector<Id> Touched;
+  std::vector<Id> NearestSamples; ///< per vertex
+  Id NumberOfSamples = 0;
   /// All vertices with edges, a heap. Distances in it are not lowered with the labels, but when
   /// they come to the top.
   std::vector<Candidate> Candidates;
@@ -89,6 +93,14 @@ Status FarthestPoints::Add(const std::vector<GraphSeed>& sample, const ProgressC
   {
     status = Status::Abort();
   }
+  if (status.IsOk())
+  {
+    for (const Id v : internals.Touched)
+    {
+      internals.NearestSamples[v] = internals.NumberOfSamples;
+    }
+    ++internals.NumberOfSamples;
+  }
   return status;
 }
 
@@ -115,11 +127,17 @@ const std::vector<double>& FarthestPoints::GetDistances() const
   return this->Internals->Distances;
 }
 
+const std::vector<Id>& FarthestPoints::GetNearestSamples() const
+{
+  return this->Internals->NearestSamples;
+}
+
 std::size_t FarthestPoints::GetMemorySize() const
 {
   const Implementation& internals = *this->Internals;
   return internals.Distances.capacity() * sizeof(double) +
-    internals.Origins.capacity() * sizeof(LabelOrigin) + internals.Touched.capacity() * sizeof(Id) +
+    internals.Origins.capacity() * sizeof(LabelOrigin) +
+    (internals.Touched.capacity() + internals.NearestSamples.capacity()) * sizeof(Id) +
     internals.Candidates.capacity() * sizeof(Candidate) + internals.Queue.GetMemorySize() +
     (internals.Fans ? internals.Fans->GetMemorySize() : 0);
 }

@@ -52,6 +52,9 @@ public:
   /// Distance of every vertex from the nearest sample, along the graph.
   const std::vector<double>& GetDistances() const;
 
+  /// The nearest sample of every vertex, numbered as they were added; NoId where none reaches.
+  const std::vector<Id>& GetNearestSamples() const;
+
   /// Bytes held besides the graph.
   std::size_t GetMemorySize() const;
 

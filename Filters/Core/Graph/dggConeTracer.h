@@ -142,7 +142,7 @@ private:
       const Point2 origin{ -source.X, -source.Y };
       // Towards the source, next to the half-edge, which leaves its origin along the x axis.
       const Id corner =
-        this->LightCorner({ NoId, Norm(origin.X, origin.Y), origin, NoId, { 1.0, 0.0 }, h, false });
+        this->LightCorner({ NoId, Norm(origin.X, origin.Y), origin, h, { 1.0, 0.0 }, h, false });
       if (barycentric[(h + 2) % 3] == 0.0)
       {
         continue;
@@ -151,6 +151,7 @@ private:
       const double length =
         DistanceToCorner(this->Mesh, f, barycentric, static_cast<int>((h + 1) % 3));
       Cone cone;
+      cone.Frame = h;
       cone.Ends[0] = end;
       cone.Ends[1] = origin;
       cone.Axis = { -1.0, 0.0 };

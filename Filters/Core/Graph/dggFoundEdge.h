@@ -17,10 +17,11 @@ struct FoundEdge
 {
   Id Target = NoId; ///< id of the table
   double Length = 0.0;
-  Point2 Departure;        ///< the target, in the plane of the source
-  Id Frame = NoId;         ///< half-edge at the source along the x axis of the plane
-  Point2 Reference;        ///< direction of the half-edge of arrival, in the plane
-  Id Arrival = NoId;       ///< that half-edge, leaving the target
+  Point2 Departure;  ///< the target, in the plane of the source
+  Id Frame = NoId;   ///< half-edge along the x axis of the plane: leaves the source, or is one of
+                     ///< the face that it lies in
+  Point2 Reference;  ///< direction of the half-edge of arrival, in the plane
+  Id Arrival = NoId; ///< that half-edge, leaving the target
   bool IsMirrored = false; ///< the face of arrival is seen in its mirror image
 
   /// Polar angle at the source, towards the target.

@@ -154,6 +154,29 @@ struct RowBlock
     return this->Sizes.capacity() * sizeof(std::size_t) + this->Edges.capacity() * sizeof(RowEdge);
   }
 };
+
+/// Direction of an edge from a point that is not a vertex, in the frame of its face.
+double DepartureAngle(const SurfaceMesh& mesh, const SurfacePoint& point, const FoundEdge& edge)
+{
+  Id frame = edge.Frame;
+  Point2 direction = edge.Departure;
+  if (SurfaceMesh::Face(frame) != point.Face)
+  {
+    for (Id e = mesh.Twin(point.HalfEdge); e != NoId && e != point.HalfEdge; e = mesh.Twin(e))
+    {
+      if (SurfaceMesh::Face(e) == SurfaceMesh::Face(frame))
+      {
+        direction = DirectionInFrame(mesh, frame, e, direction);
+        const bool isOpposite = mesh.Origin(e) == mesh.Destination(point.HalfEdge);
+        direction = { isOpposite ? -direction.X : direction.X, -direction.Y };
+        frame = point.HalfEdge;
+        break;
+      }
+    }
+  }
+  direction = DirectionInFrame(mesh, frame, 3 * point.Face, direction);
+  return std::atan2(direction.Y, direction.X);
+}
 }
 
 class GraphBuilder::Implementation
@@ -536,7 +559,7 @@ Status GraphBuilder::Implementation::Link(const SurfacePoint& point, const Graph
   direct.assign(targets.size(), Infinity);
   if (point.On == SurfacePoint::Support::Vertex)
   {
-    links.push_back({ point.Vertex, 0.0, 0.0 });
+    links.push_back({ point.Vertex, 0.0, 0.0, 0.0 });
     return Status::Success();
   }
   std::vector<std::pair<Id, std::array<double, 3>>> positions;
@@ -567,7 +590,8 @@ Status GraphBuilder::Implementation::Link(const SurfacePoint& point, const Graph
   for (const FoundEdge& edge : edges)
   {
     links.push_back({ this->Table.OldVertex(edge.Target), edge.Length,
-      this->Table.StoredAngle(edge.Target, edge.ArrivalAngle(this->Table)) });
+      this->Table.StoredAngle(edge.Target, edge.ArrivalAngle(this->Table)),
+      DepartureAngle(this->Mesh, point, edge) });
   }
   std::sort(links.begin(), links.end(),
     [](const GraphLink& a, const GraphLink& b) { return a.Vertex < b.Vertex; });

@@ -63,6 +63,10 @@ struct GraphLink
   double Length = 0.0;
   /// Polar angle at the vertex, pointing back to the point.
   double ArrivalAngle = 0.0;
+  /// Direction at the point, towards the vertex: angle in the frame of the first half-edge of the
+  /// point's face, as WalkStraight() takes it. The other faces of a point on an edge are unfolded
+  /// into that plane.
+  double DepartureAngle = 0.0;
 };
 
 /// Builds graphs of one mesh, which must outlive the builder.

@@ -141,6 +141,17 @@ Point2 PlaceInFrame(const SurfaceMesh& mesh, Id h, const std::array<double, 3>& 
   return { end * mesh.Length(h) + apex * mesh.ApexX(h), apex * mesh.ApexY(h) };
 }
 
+Point2 DirectionInFrame(const SurfaceMesh& mesh, Id from, Id to, const Point2& direction)
+{
+  const Point2 corners[] = { { 0.0, 0.0 }, { mesh.Length(from), 0.0 },
+    { mesh.ApexX(from), mesh.ApexY(from) } };
+  const Point2& a = corners[(to - from + 3) % 3];
+  const Point2& b = corners[(to - from + 4) % 3];
+  const double length = Distance(a, b);
+  const Point2 axis{ (b.X - a.X) / length, (b.Y - a.Y) / length };
+  return { Dot(axis, direction), Cross(axis, direction) };
+}
+
 double DistanceToCorner(
   const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric, int k)
 {

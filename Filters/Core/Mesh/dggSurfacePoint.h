@@ -47,6 +47,8 @@ struct SurfacePoint
 /// Position of the point with the given barycentric coordinates (in its face) in the frame of
 /// half-edge h.
 Point2 PlaceInFrame(const SurfaceMesh& mesh, Id h, const std::array<double, 3>& barycentric);
+/// A direction in the frame of half-edge `from`, in that of half-edge `to` of the same face.
+Point2 DirectionInFrame(const SurfaceMesh& mesh, Id from, Id to, const Point2& direction);
 /// Distance inside one face between a point given by barycentric coordinates and corner k.
 double DistanceToCorner(
   const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric, int k);

@@ -1,0 +1,382 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSurfaceSampler.h"
+
+#include "dggFarthestPoints.h"
+#include "dggGraphSeeds.h"
+#include "dggStraightWalk.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// The distance from a sample around a vertex: |x|^2 - 2 x.Image + Constant is its square, where x
+/// is a place in the tangent plane of the vertex.
+struct PlanarImage
+{
+  Point2 Image;
+  double Constant = 0.0;
+
+  /// Without the part that all images have in common.
+  double Evaluate(const Point2& x) const { return this->Constant - 2.0 * Dot(x, this->Image); }
+};
+
+/// Least squares over neighbours of a vertex: (x, y, 1) . (a, b, c) = value.
+class PlaneFit
+{
+public:
+  void Add(const Point2& p, double value)
+  {
+    const std::array<double, 3> row{ { p.X, p.Y, 1.0 } };
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        this->Matrix[i][j] += row[i] * row[j];
+      }
+      this->Right[i] += row[i] * value;
+    }
+  }
+
+  /// False when the points do not determine a plane.
+  bool Solve(std::array<double, 3>& solution) const
+  {
+    const auto& m = this->Matrix;
+    const double scale = m[0][0] * m[1][1] * m[2][2];
+    const double determinant = Determinant(m);
+    if (!(determinant > 1e-6 * scale))
+    {
+      return false;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      auto replaced = m;
+      for (int i = 0; i < 3; ++i)
+      {
+        replaced[i][k] = this->Right[i];
+      }
+      solution[k] = Determinant(replaced) / determinant;
+    }
+    return true;
+  }
+
+private:
+  using Square = std::array<std::array<double, 3>, 3>;
+
+  static double Determinant(const Square& m)
+  {
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+      m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+      m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  }
+
+  Square Matrix{};
+  std::array<double, 3> Right{};
+};
+
+/// Where three images are equally far; false when they are in line.
+bool Meet(const PlanarImage& a, const PlanarImage& b, const PlanarImage& c, Point2& meet)
+{
+  const Point2 u{ b.Image.X - a.Image.X, b.Image.Y - a.Image.Y };
+  const Point2 v{ c.Image.X - a.Image.X, c.Image.Y - a.Image.Y };
+  const double determinant = 2.0 * Cross(u, v);
+  const double p = b.Constant - a.Constant;
+  const double q = c.Constant - a.Constant;
+  meet = { (p * v.Y - q * u.Y) / determinant, (q * u.X - p * v.X) / determinant };
+  return std::abs(determinant) > 0.0 && std::isfinite(meet.X) && std::isfinite(meet.Y);
+}
+
+class Sampler
+{
+public:
+  Sampler(const GraphView& graph, const SurfaceMesh* mesh, const GraphBuilder* builder,
+    double accuracy, const SamplerOptions& options, std::vector<SurfaceSample>& samples)
+    : Graph(graph)
+    , Mesh(mesh)
+    , Builder(builder)
+    , Accuracy(accuracy)
+    , Options(options)
+    , Samples(samples)
+    , Points(graph, mesh)
+  {
+  }
+
+  Status Run()
+  {
+    for (const SurfacePoint& point : this->Options.Given)
+    {
+      Linked linked;
+      Status status = this->Link(point, {}, linked);
+      if (status.IsOk())
+      {
+        status = this->Add(point, linked.Seeds);
+      }
+      if (!status.IsOk())
+      {
+        return status;
+      }
+    }
+    if (this->Samples.empty())
+    {
+      const Status status = this->AddFirst();
+      if (!status.IsOk())
+      {
+        return status;
+      }
+    }
+    while (this->Farthest.Vertex != NoId &&
+      this->Farthest.Distance > this->Options.CoveringRadius &&
+      static_cast<Offset>(this->Samples.size()) < this->Options.NumberOfSamples)
+    {
+      const Status status = this->AddFarthest();
+      if (!status.IsOk())
+      {
+        return status;
+      }
+    }
+    return Status::Success();
+  }
+
+private:
+  /// What makes a surface point a sample.
+  struct Linked
+  {
+    std::vector<GraphSeed> Seeds;
+    double Distance = Infinity; ///< from others, by straight ways
+  };
+
+  Status AddFirst()
+  {
+    Id first = this->Options.FirstVertex;
+    if (first == NoId)
+    {
+      first = this->Points.Find().Vertex;
+      if (first == NoId || this->Options.NumberOfSamples < 1)
+      {
+        return Status::Success(); // no edges
+      }
+      const Status status = this->Points.Add({ SeedAt(first) }, this->Options.Progress);
+      if (!status.IsOk())
+      {
+        return status;
+      }
+      const std::vector<double>& distances = this->Points.GetDistances();
+      for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+      {
+        first = distances[v] < Infinity && distances[v] > distances[first] ? v : first;
+      }
+      this->Points.Reset();
+    }
+    if (this->Options.NumberOfSamples < 1)
+    {
+      return CheckVertex(first, this->Graph.NumberOfVertices);
+    }
+    return this->AddVertex(first);
+  }
+
+  Status AddFarthest()
+  {
+    const double done = static_cast<double>(this->Samples.size()) /
+      static_cast<double>(this->Options.NumberOfSamples);
+    if (this->Options.Progress && !this->Options.Progress(done))
+    {
+      return Status::Abort();
+    }
+    const Id v = this->Farthest.Vertex;
+    SurfacePoint point;
+    if (this->Options.InFaces && this->FindBetter(v, point))
+    {
+      Linked linked;
+      const Status status = this->Link(point, this->Inner, linked);
+      if (!status.IsOk())
+      {
+        return status;
+      }
+      // Only a point that is farther for certain keeps away from the others as a vertex does.
+      double distance = linked.Distance;
+      for (const GraphSeed& seed : linked.Seeds)
+      {
+        distance = std::min(distance, seed.Distance + this->Points.GetDistances()[seed.Vertex]);
+      }
+      if (distance > this->Farthest.Distance)
+      {
+        return this->Add(point, linked.Seeds);
+      }
+    }
+    return this->AddVertex(v);
+  }
+
+  static GraphSeed SeedAt(Id vertex)
+  {
+    GraphSeed seed;
+    seed.Vertex = vertex;
+    return seed;
+  }
+
+  Status AddVertex(Id v) { return this->Add(SurfacePoint::AtVertex(v), { SeedAt(v) }); }
+
+  Status Add(const SurfacePoint& point, const std::vector<GraphSeed>& seeds)
+  {
+    const Status status = this->Points.Add(seeds, {});
+    if (status.IsOk())
+    {
+      this->Farthest = this->Points.Find();
+      this->Samples.push_back({ point, this->Farthest.Distance });
+      if (point.On != SurfacePoint::Support::Vertex)
+      {
+        this->Inner.push_back(point);
+      }
+    }
+    return status;
+  }
+
+  Status Link(
+    const SurfacePoint& point, const std::vector<SurfacePoint>& others, Linked& linked) const
+  {
+    if (point.On == SurfacePoint::Support::Vertex)
+    {
+      linked.Seeds = { SeedAt(point.Vertex) };
+      return Status::Success();
+    }
+    if (!this->Builder)
+    {
+      return Status::Invalid("samples that are not vertices need a mesh");
+    }
+    std::vector<GraphLink> links;
+    std::vector<double> direct;
+    const Status status = this->Builder->Link(point, this->Accuracy, others, links, direct);
+    for (const GraphLink& link : links)
+    {
+      linked.Seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
+    }
+    for (const double distance : direct)
+    {
+      linked.Distance = std::min(linked.Distance, distance);
+    }
+    return status;
+  }
+
+  /// Look for a point close to a vertex that is farther from the samples. False when there is none.
+  bool FindBetter(Id v, SurfacePoint& point) const
+  {
+    if (!this->Mesh || !this->Graph.Angles || !(this->Farthest.Distance < Infinity) ||
+      this->Mesh->Kind(v) == VertexKind::Irregular)
+    {
+      return false;
+    }
+    const std::vector<PlanarImage> images = this->FitImages(v);
+    double reach = 0.0;
+    for (const Id* h = this->Mesh->FanBegin(v); h != this->Mesh->FanEnd(v); ++h)
+    {
+      reach = std::max(reach, this->Mesh->Length(*h));
+    }
+    Point2 best;
+    double largest = ValueAt(images, best);
+    bool isFound = false;
+    for (std::size_t i = 0; i < images.size(); ++i)
+    {
+      for (std::size_t j = i + 1; j < images.size(); ++j)
+      {
+        for (std::size_t k = j + 1; k < images.size(); ++k)
+        {
+          Point2 meet;
+          if (Meet(images[i], images[j], images[k], meet) && Norm(meet.X, meet.Y) <= reach &&
+            ValueAt(images, meet) > largest)
+          {
+            largest = ValueAt(images, meet);
+            best = meet;
+            isFound = true;
+          }
+        }
+      }
+    }
+    if (!isFound)
+    {
+      return false;
+    }
+    SurfacePath path;
+    const double angle = std::atan2(best.Y, best.X) / this->Unroll(v);
+    const Status status =
+      WalkStraight(*this->Mesh, SurfacePoint::AtVertex(v), angle, Norm(best.X, best.Y), path);
+    point = status.IsOk() ? path.Points.back() : SurfacePoint::AtVertex(v);
+    return point.On != SurfacePoint::Support::Vertex;
+  }
+
+  /// Square of the distance from the samples.
+  static double ValueAt(const std::vector<PlanarImage>& images, const Point2& place)
+  {
+    double least = Infinity;
+    for (const PlanarImage& image : images)
+    {
+      least = std::min(least, image.Evaluate(place));
+    }
+    return least + Dot(place, place);
+  }
+
+  /// Factor of angles by which the tangent plane of a vertex gets a full turn.
+  double Unroll(Id v) const
+  {
+    return this->Mesh->Kind(v) == VertexKind::Boundary ? 1.0 : 2.0 * Pi / this->Mesh->TotalAngle(v);
+  }
+
+  /// The samples around a vertex as its neighbours in the graph see them.
+  std::vector<PlanarImage> FitImages(Id v) const
+  {
+    const double unroll = this->Unroll(v);
+    const std::vector<double>& distances = this->Points.GetDistances();
+    const std::vector<Id>& nearest = this->Points.GetNearestSamples();
+    std::map<Id, PlaneFit> fits;
+    for (Offset e = this->Graph.Offsets[v]; e < this->Graph.Offsets[v + 1]; ++e)
+    {
+      const Id t = this->Graph.Targets[e];
+      const double angle = unroll * this->Graph.Angles[e];
+      const double length = this->Graph.Length(e);
+      fits[nearest[t]].Add({ length * std::cos(angle), length * std::sin(angle) },
+        distances[t] * distances[t] - length * length);
+    }
+    std::vector<PlanarImage> images;
+    for (const auto& fit : fits)
+    {
+      std::array<double, 3> s{};
+      if (fit.second.Solve(s))
+      {
+        images.push_back({ { -0.5 * s[0], -0.5 * s[1] }, s[2] });
+      }
+    }
+    return images;
+  }
+
+  const GraphView& Graph;
+  const SurfaceMesh* Mesh;
+  const GraphBuilder* Builder;
+  double Accuracy;
+  const SamplerOptions& Options;
+  std::vector<SurfaceSample>& Samples;
+  FarthestPoints Points;
+  FarthestVertex Farthest;
+  std::vector<SurfacePoint> Inner; ///< samples that are not vertices
+};
+}
+
+Status SampleSurface(const GraphView& graph, const SurfaceMesh* mesh, const GraphBuilder* builder,
+  double accuracy, const SamplerOptions& options, std::vector<SurfaceSample>& samples)
+{
+  samples.clear();
+  if (std::isnan(options.CoveringRadius))
+  {
+    return Status::Invalid("the covering radius is not a number");
+  }
+  const Status status = Sampler(graph, mesh, builder, accuracy, options, samples).Run();
+  if (!status.IsOk())
+  {
+    samples.clear();
+  }
+  return status;
+}
+}

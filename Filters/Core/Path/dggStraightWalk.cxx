@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggStraightWalk.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// So many pieces without any length, one after the other, are a walk that does not get away.
+constexpr int MostEmptyPieces = 1000;
+
+/// A place in a face and a direction, in the frame of a half-edge of it.
+struct Ray
+{
+  Id HalfEdge = NoId;
+  Point2 Place;
+  Point2 Direction; ///< unit vector
+  /// Whether the place is the origin of the half-edge: then the ray can only leave through the edge
+  /// on the other side.
+  bool IsAtCorner = false;
+};
+
+/// Where a ray leaves its face.
+struct Exit
+{
+  Id HalfEdge = NoId; ///< NoId when it does not
+  double Distance = Infinity;
+  double Parameter = 0.0; ///< along the half-edge
+};
+
+/// Coordinates of a place in the frame of half-edge h with respect to the corners of its face.
+std::array<double, 3> CoordinatesOf(const SurfaceMesh& mesh, Id h, const Point2& place)
+{
+  std::array<double, 3> b{};
+  const double apex = place.Y / mesh.ApexY(h);
+  const double end = (place.X - apex * mesh.ApexX(h)) / mesh.Length(h);
+  b[(h + 2) % 3] = std::max(0.0, apex);
+  b[(h + 1) % 3] = std::max(0.0, end);
+  b[h % 3] = std::max(0.0, 1.0 - apex - end);
+  const double sum = b[0] + b[1] + b[2];
+  return { { b[0] / sum, b[1] / sum, b[2] / sum } };
+}
+
+/// Corners of the face of half-edge h in its frame, from its origin on.
+std::array<Point2, 3> CornersOf(const SurfaceMesh& mesh, Id h)
+{
+  return { { { 0.0, 0.0 }, { mesh.Length(h), 0.0 }, { mesh.ApexX(h), mesh.ApexY(h) } } };
+}
+
+class Walk
+{
+public:
+  Walk(const SurfaceMesh& mesh, double length, SurfacePath& path)
+    : Mesh(mesh)
+    , Remaining(length)
+    , Path(path)
+  {
+  }
+
+  void Start(const SurfacePoint& start, double angle)
+  {
+    this->Path.Points.push_back(start);
+    if (!(this->Remaining > 0.0))
+    {
+      return;
+    }
+    Ray ray;
+    bool goesOn = true;
+    if (start.On == SurfacePoint::Support::Vertex)
+    {
+      goesOn = this->LeaveVertex(start.Vertex, angle, ray);
+    }
+    else
+    {
+      ray.HalfEdge = 3 * start.Face;
+      ray.Place = PlaceInFrame(this->Mesh, ray.HalfEdge, start.Barycentric);
+      ray.Direction = { std::cos(angle), std::sin(angle) };
+      if (start.On == SurfacePoint::Support::Edge)
+      {
+        goesOn = this->LeaveEdge(start, ray);
+      }
+    }
+    while (goesOn)
+    {
+      goesOn = this->CrossFace(ray);
+    }
+  }
+
+private:
+  /// A direction from a point on an edge that leads out of its face belongs to the next one.
+  bool LeaveEdge(const SurfacePoint& start, Ray& ray) const
+  {
+    ray = this->InFrameOf(start.HalfEdge, ray);
+    ray.Place.Y = 0.0;
+    return ray.Direction.Y >= 0.0 ||
+      this->CrossEdge(start.HalfEdge, start.Barycentric[(start.HalfEdge + 1) % 3], ray);
+  }
+
+  /// The same ray in the frame of another half-edge of its face.
+  Ray InFrameOf(Id h, const Ray& ray) const
+  {
+    const Point2 start = CornersOf(this->Mesh, ray.HalfEdge)[(h - ray.HalfEdge + 3) % 3];
+    const Point2 place{ ray.Place.X - start.X, ray.Place.Y - start.Y };
+    return { h, DirectionInFrame(this->Mesh, ray.HalfEdge, h, place),
+      DirectionInFrame(this->Mesh, ray.HalfEdge, h, ray.Direction), false };
+  }
+
+  /// From a vertex in a direction. False when there is no face.
+  bool LeaveVertex(Id vertex, double angle, Ray& ray) const
+  {
+    const double total = this->Mesh.TotalAngle(vertex);
+    const bool isBoundary = this->Mesh.Kind(vertex) == VertexKind::Boundary;
+    angle = isBoundary ? std::min(std::max(angle, 0.0), total)
+                       : angle - total * std::floor(angle / total);
+    for (const Id* g = this->Mesh.FanBegin(vertex); g != this->Mesh.FanEnd(vertex); ++g)
+    {
+      const double corner = this->Mesh.CornerAngle(*g);
+      // The last one takes what rounding leaves over.
+      if (angle - this->Mesh.PolarAngle(*g) <= corner || g + 1 == this->Mesh.FanEnd(vertex))
+      {
+        const double turn = std::min(std::max(angle - this->Mesh.PolarAngle(*g), 0.0), corner);
+        ray = { *g, { 0.0, 0.0 }, { std::cos(turn), std::sin(turn) }, true };
+        return true;
+      }
+    }
+    return false;
+  }
+
+  Exit FindExit(const Ray& ray) const
+  {
+    const std::array<Point2, 3> corners = CornersOf(this->Mesh, ray.HalfEdge);
+    Exit exit;
+    for (int k = ray.IsAtCorner ? 1 : 0; k < (ray.IsAtCorner ? 2 : 3); ++k)
+    {
+      const Point2& a = corners[k];
+      const Point2& b = corners[(k + 1) % 3];
+      const Point2 edge{ b.X - a.X, b.Y - a.Y };
+      const Point2 place{ ray.Place.X - a.X, ray.Place.Y - a.Y };
+      const double outwards = -Cross(edge, ray.Direction);
+      const double distance = std::max(0.0, Cross(edge, place)) / outwards;
+      if (outwards > 0.0 && distance < exit.Distance)
+      {
+        exit.HalfEdge = ray.HalfEdge - ray.HalfEdge % 3 + (ray.HalfEdge + k) % 3;
+        exit.Distance = distance;
+        const Point2 meet{ place.X + distance * ray.Direction.X,
+          place.Y + distance * ray.Direction.Y };
+        exit.Parameter = std::min(std::max(Dot(edge, meet) / Dot(edge, edge), 0.0), 1.0);
+      }
+    }
+    return exit;
+  }
+
+  /// To the end of the walk or to the border of the face, and into the next one. False at the end.
+  bool CrossFace(Ray& ray)
+  {
+    const Id face = SurfaceMesh::Face(ray.HalfEdge);
+    const Exit exit = this->FindExit(ray);
+    if (exit.HalfEdge == NoId || exit.Distance >= this->Remaining)
+    {
+      const double step = exit.HalfEdge == NoId ? 0.0 : this->Remaining;
+      std::array<double, 3> b = CoordinatesOf(this->Mesh, ray.HalfEdge,
+        { ray.Place.X + step * ray.Direction.X, ray.Place.Y + step * ray.Direction.Y });
+      if (this->Mesh.IsFlipped(face))
+      {
+        std::swap(b[1], b[2]); // in the order of the input
+      }
+      this->Append(face, SurfacePoint::InFace(this->Mesh, face, b));
+      return false;
+    }
+    const SurfacePoint point = SurfacePoint::OnEdge(this->Mesh, exit.HalfEdge, exit.Parameter);
+    const double before = this->Path.Length;
+    this->Append(face, point);
+    this->Remaining -= exit.Distance;
+    this->EmptyPieces = this->Path.Length > before ? 0 : this->EmptyPieces + 1;
+    if (!(this->Remaining > 0.0) || this->EmptyPieces > MostEmptyPieces)
+    {
+      return false;
+    }
+    ray = this->InFrameOf(exit.HalfEdge, ray);
+    if (point.On == SurfacePoint::Support::Vertex)
+    {
+      return this->CrossVertex(point.Vertex, exit, ray);
+    }
+    return this->CrossEdge(exit.HalfEdge, exit.Parameter, ray);
+  }
+
+  void Append(Id face, const SurfacePoint& point)
+  {
+    this->Path.Points.push_back(point);
+    this->Path.Faces.push_back(face);
+    const double length = MeasurePiece(this->Mesh, this->Path, this->Path.Faces.size() - 1);
+    if (length > 0.0)
+    {
+      this->Path.Length += length;
+      return;
+    }
+    this->Path.Points.pop_back();
+    this->Path.Faces.pop_back();
+  }
+
+  /// `ray` is in the frame of the half-edge and leads across it.
+  bool CrossEdge(Id h, double parameter, Ray& ray) const
+  {
+    const Id twin = this->Mesh.Twin(h);
+    if (twin == NoId)
+    {
+      return false;
+    }
+    const bool isOpposite = this->Mesh.Origin(twin) == this->Mesh.Destination(h);
+    const double length = this->Mesh.Length(h);
+    const double forward = isOpposite ? -ray.Direction.X : ray.Direction.X;
+    ray = { twin, { length * (isOpposite ? 1.0 - parameter : parameter), 0.0 },
+      { forward, -ray.Direction.Y }, false };
+    return true;
+  }
+
+  /// `ray` is in the frame of the half-edge, at one end of it.
+  bool CrossVertex(Id vertex, const Exit& exit, Ray& ray) const
+  {
+    if (this->Mesh.Kind(vertex) == VertexKind::Boundary)
+    {
+      return false;
+    }
+    const Id out = exit.Parameter < 0.5 ? exit.HalfEdge : SurfaceMesh::Next(exit.HalfEdge);
+    const Point2 direction = this->InFrameOf(out, ray).Direction;
+    const double back = std::atan2(-direction.Y, -direction.X);
+    const double turn = std::min(std::max(back, 0.0), this->Mesh.CornerAngle(out));
+    const double arrival = this->Mesh.PolarAngle(out) + turn;
+    return this->LeaveVertex(vertex, arrival + 0.5 * this->Mesh.TotalAngle(vertex), ray);
+  }
+
+  const SurfaceMesh& Mesh;
+  double Remaining;
+  SurfacePath& Path;
+  int EmptyPieces = 0;
+};
+}
+
+Status WalkStraight(const SurfaceMesh& mesh, const SurfacePoint& start, double angle, double length,
+  SurfacePath& path)
+{
+  path.Clear();
+  Status status = start.Check(mesh);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  if (!std::isfinite(angle) || !(length >= 0.0 && length < Infinity))
+  {
+    std::ostringstream message;
+    message << "cannot walk in the direction " << angle << " for a length of " << length
+            << ": a finite angle and a length that is finite and not negative are needed";
+    return Status::Invalid(message.str());
+  }
+  Walk(mesh, length, path).Start(start, angle);
+  return status;
+}
+}

@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Walking straight on: where it leads on surfaces that can be laid flat, and back along links.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+#include "GraphChecks.h"
+
+#include "dggStraightWalk.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::SurfaceMesh;
+using dgg::SurfacePath;
+using dgg::SurfacePoint;
+
+SurfacePath WalkFrom(
+  const SurfaceMesh& mesh, const SurfacePoint& start, double angle, double length)
+{
+  SurfacePath path;
+  const dgg::Status status = dgg::WalkStraight(mesh, start, angle, length, path);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  const dgg::Status intact = dgg::CheckPath(mesh, path);
+  EXPECT_TRUE(intact.IsOk()) << intact.GetMessage();
+  return path;
+}
+
+std::array<double, 3> PlaceOf(
+  const SurfaceMesh& mesh, const TestMesh& points, const SurfacePoint& point)
+{
+  return dgg::PositionOf(mesh, point, points.Points.data());
+}
+
+double DistanceBetween(const std::array<double, 3>& p, const std::array<double, 3>& q)
+{
+  return std::hypot(std::hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]);
+}
+
+/// Angle of the x axis of the plane in which a direction at the point is given.
+double AxisOf(const SurfaceMesh& mesh, const TestMesh& points, const SurfacePoint& point)
+{
+  const Id h =
+    point.On == SurfacePoint::Support::Vertex ? *mesh.FanBegin(point.Vertex) : 3 * point.Face;
+  const double* a = points.Point(mesh.Origin(h));
+  const double* b = points.Point(mesh.Destination(h));
+  return std::atan2(b[1] - a[1], b[0] - a[0]);
+}
+}
+
+TEST(StraightWalk, IsALineInThePlane)
+{
+  const Id n = 12;
+  for (double jitter : { 0.0, 0.25 })
+  {
+    const TestMesh points = Plane(n, n, jitter, 3);
+    const SurfaceMesh mesh = Build(points);
+    const double size = points.Point(mesh.GetNumberOfVertices() - 1)[0];
+    Random random(5);
+    std::vector<SurfacePoint> starts = RandomSurfacePoints(mesh, 60, 9);
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); v += 5)
+    {
+      if (mesh.Kind(v) == dgg::VertexKind::Flat)
+      {
+        starts.push_back(SurfacePoint::AtVertex(v));
+      }
+    }
+    int stopped = 0;
+    for (const SurfacePoint& start : starts)
+    {
+      const std::array<double, 3> from = PlaceOf(mesh, points, start);
+      const double angle = random.Uniform(0.0, 2.0 * dgg::Pi);
+      const double length = size * random.Uniform(0.0, 0.7);
+      const SurfacePath path = WalkFrom(mesh, start, angle, length);
+      const double direction = AxisOf(mesh, points, start) + angle;
+      const std::array<double, 3> end = PlaceOf(mesh, points, path.Points.back());
+      const std::array<double, 3> expected{ { from[0] + path.Length * std::cos(direction),
+        from[1] + path.Length * std::sin(direction), 0.0 } };
+      EXPECT_LT(DistanceBetween(end, expected), 1e-7 * size);
+      EXPECT_LE(path.Length, length * (1.0 + 1e-9));
+      if (path.Length < length * (1.0 - 1e-9))
+      {
+        ++stopped;
+        const double rim =
+          std::min(std::min(end[0], end[1]), std::min(size - end[0], size - end[1]));
+        EXPECT_LT(rim, 1e-7 * size) << "stopped inside";
+      }
+    }
+    EXPECT_GT(stopped, 5);
+  }
+}
+
+TEST(StraightWalk, GoesThroughVerticesOfARegularGrid)
+{
+  const TestMesh points = Plane(8, 8);
+  const SurfaceMesh mesh = Build(points);
+  // From a corner of the sheet, along both kinds of edges and along the diagonals of the squares
+  // that are no edges.
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (mesh.Kind(v) != dgg::VertexKind::Flat)
+    {
+      continue;
+    }
+    for (int k = 0; k < 8; ++k)
+    {
+      const double angle = 0.25 * k * dgg::Pi;
+      const SurfacePoint start = SurfacePoint::AtVertex(v);
+      const SurfacePath path = WalkFrom(mesh, start, angle, 100.0);
+      const double direction = AxisOf(mesh, points, start) + angle;
+      const std::array<double, 3> from = PlaceOf(mesh, points, start);
+      const std::array<double, 3> end = PlaceOf(mesh, points, path.Points.back());
+      const std::array<double, 3> expected{ { from[0] + path.Length * std::cos(direction),
+        from[1] + path.Length * std::sin(direction), 0.0 } };
+      EXPECT_LT(DistanceBetween(end, expected), 1e-9 * path.Length);
+      EXPECT_EQ(path.Points.back().On, SurfacePoint::Support::Vertex);
+      EXPECT_EQ(mesh.Kind(path.Points.back().Vertex), dgg::VertexKind::Boundary);
+    }
+  }
+}
+
+TEST(StraightWalk, LeavesEqualAnglesAtTheApexOfACone)
+{
+  for (double total : { 4.0, 2.0 * dgg::Pi, 8.0 })
+  {
+    std::vector<ConePoint> coordinates;
+    const TestMesh points = Cone(total, 12, 6, coordinates, 0.1, 4);
+    const SurfaceMesh mesh = Build(points);
+    Id apex = 0;
+    while (coordinates[apex].Radius > 0.0)
+    {
+      ++apex;
+    }
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      // Along a mesh edge into the apex, and as far beyond it.
+      Id edge = dgg::NoId;
+      for (const Id* h = mesh.FanBegin(v); h != mesh.FanEnd(v); ++h)
+      {
+        edge = mesh.Destination(*h) == apex ? *h : edge;
+      }
+      if (edge == dgg::NoId)
+      {
+        continue;
+      }
+      const double radius = mesh.Length(edge);
+      const SurfacePath path =
+        WalkFrom(mesh, SurfacePoint::AtVertex(v), mesh.PolarAngle(edge), 1.5 * radius);
+      ASSERT_GE(path.Points.size(), 3u);
+      EXPECT_EQ(path.Points[1].On, SurfacePoint::Support::Vertex);
+      EXPECT_EQ(path.Points[1].Vertex, apex);
+      // The end is half a turn farther, at half the radius.
+      std::array<double, 3> b{};
+      ASSERT_TRUE(dgg::FindInFace(mesh, path.Points.back(), path.Faces.back(), b));
+      Id out = 3 * path.Faces.back();
+      while (mesh.Origin(out) != apex)
+      {
+        ++out;
+      }
+      const dgg::Point2 place = dgg::PlaceInFrame(mesh, out, b);
+      EXPECT_NEAR(dgg::Norm(place.X, place.Y), 0.5 * radius, 1e-9 * radius);
+      Id back = dgg::NoId;
+      for (const Id* h = mesh.FanBegin(apex); h != mesh.FanEnd(apex); ++h)
+      {
+        back = mesh.Destination(*h) == v ? *h : back;
+      }
+      double turn = mesh.PolarAngle(out) + std::atan2(place.Y, place.X) - mesh.PolarAngle(back);
+      turn -= total * std::floor(turn / total);
+      EXPECT_NEAR(turn, 0.5 * total, 1e-7);
+    }
+  }
+}
+
+TEST(StraightWalk, FollowsLinksToTheirVertices)
+{
+  std::vector<NamedMesh> meshes = SoundMeshes();
+  meshes.push_back({ "misoriented sphere", MisorientedSphere(2, 7) });
+  for (const NamedMesh& named : meshes)
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    const dgg::GraphBuilder builder(mesh);
+    int count = 0;
+    for (const SurfacePoint& point : RandomSurfacePoints(mesh, 20, 17))
+    {
+      std::vector<dgg::GraphLink> links;
+      std::vector<double> direct;
+      ASSERT_TRUE(builder.Link(point, 0.05, {}, links, direct).IsOk());
+      for (const dgg::GraphLink& link : links)
+      {
+        if (point.On == SurfacePoint::Support::Vertex)
+        {
+          continue;
+        }
+        const SurfacePath path = WalkFrom(mesh, point, link.DepartureAngle, link.Length);
+        const double missed = DistanceBetween(PlaceOf(mesh, named.Mesh, path.Points.back()),
+          PlaceOf(mesh, named.Mesh, SurfacePoint::AtVertex(link.Vertex)));
+        EXPECT_LT(missed, 1e-6 * link.Length) << named.Name;
+        ++count;
+      }
+    }
+    EXPECT_GT(count, 40) << named.Name;
+  }
+}
+
+TEST(StraightWalk, FollowsEdgesOfTheGraph)
+{
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    const dgg::GeodesicGraph graph = BuildGraph(mesh, 0.05);
+    const dgg::GraphView view = graph.View();
+    for (Id v = 0; v < view.NumberOfVertices; v += 7)
+    {
+      for (dgg::Offset e = view.Offsets[v]; e < view.Offsets[v + 1]; ++e)
+      {
+        const double length = view.Length(e);
+        const SurfacePath path = WalkFrom(mesh, SurfacePoint::AtVertex(v), view.Angles[e], length);
+        const double missed = DistanceBetween(PlaceOf(mesh, named.Mesh, path.Points.back()),
+          PlaceOf(mesh, named.Mesh, SurfacePoint::AtVertex(view.Targets[e])));
+        EXPECT_LT(missed, 1e-4 * length) << named.Name; // angles are floats
+      }
+    }
+  }
+}
+
+TEST(StraightWalk, OnAnySurface)
+{
+  std::vector<NamedMesh> meshes = DefectMeshes();
+  meshes.push_back({ "moebius strip", MoebiusStrip(12, 3) });
+  for (const NamedMesh& named : meshes)
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    Random random(3);
+    std::vector<SurfacePoint> starts = RandomSurfacePoints(mesh, 30, 5);
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); v += 3)
+    {
+      starts.push_back(SurfacePoint::AtVertex(v));
+    }
+    for (const SurfacePoint& start : starts)
+    {
+      const double length = 10.0 * mesh.GetMeanEdgeLength();
+      const SurfacePath path = WalkFrom(mesh, start, random.Uniform(-7.0, 7.0), length);
+      EXPECT_FALSE(path.IsEmpty()) << named.Name;
+      EXPECT_LE(path.Length, length * (1.0 + 1e-9)) << named.Name;
+    }
+  }
+}
+
+TEST(StraightWalk, BadInputIsNamed)
+{
+  const SurfaceMesh mesh = Build(Plane(3, 3));
+  const SurfacePoint start = SurfacePoint::AtVertex(4);
+  SurfacePath path;
+  EXPECT_FALSE(dgg::WalkStraight(mesh, SurfacePoint::AtVertex(99), 0.0, 1.0, path).IsOk());
+  EXPECT_FALSE(dgg::WalkStraight(mesh, start, dgg::Infinity, 1.0, path).IsOk());
+  EXPECT_FALSE(dgg::WalkStraight(mesh, start, 0.0, -1.0, path).IsOk());
+  EXPECT_FALSE(dgg::WalkStraight(mesh, start, 0.0, dgg::Infinity, path).IsOk());
+  EXPECT_TRUE(path.IsEmpty());
+  EXPECT_TRUE(dgg::WalkStraight(mesh, start, 0.0, 0.0, path).IsOk());
+  EXPECT_EQ(path.Points.size(), 1u);
+  EXPECT_EQ(path.Length, 0.0);
+}
+}
