@@ -161,7 +161,7 @@ private:
       {
         return Status::Success(); // no edges
       }
-      const Status status = this->Points.Add({ SeedAt(first) }, this->Options.Progress);
+      const Status status = this->Points.Add({ SeedAt(first) }, {});
       if (!status.IsOk())
       {
         return status;

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGeodesicSampler.h"
+
+#include "vtkDGGGraphUser.h"
+#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPointCoordinates.h"
+#include "vtkDGGProperties.h"
+#include "vtkDGGSourceCollector.h"
+
+#include "dggSurfacePath.h"
+#include "dggSurfaceSampler.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkGeodesicSampler);
+vtkDGGGraphUserMacro(vtkGeodesicSampler);
+
+namespace
+{
+const std::vector<vtkIdType> NoIds;
+
+bool IsVertex(const dgg::SurfacePoint& point)
+{
+  return point.On == dgg::SurfacePoint::Support::Vertex;
+}
+
+/// An array of the output, with its memory.
+template <typename ArrayType>
+vtkSmartPointer<ArrayType> AddArray(vtkPolyData* output, const char* name, vtkIdType size)
+{
+  vtkNew<ArrayType> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(size);
+  output->GetPointData()->AddArray(array);
+  return array.Get();
+}
+
+void FillOutput(const std::vector<dgg::SurfaceSample>& samples, const vtkDGGMeshAdapter& mesh,
+  vtkPoints* coordinates, vtkPolyData* output)
+{
+  const auto size = static_cast<vtkIdType>(samples.size());
+  const vtkDGGPointCoordinates positions(coordinates);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(size);
+  vtkNew<vtkCellArray> verts;
+  output->SetPoints(points);
+  output->SetVerts(verts);
+  const auto ids = AddArray<vtkIdTypeArray>(output, "vtkOriginalPointIds", size);
+  const auto faces = AddArray<vtkIdTypeArray>(output, "FaceId", size);
+  const auto radii = AddArray<vtkDoubleArray>(output, "CoveringRadius", size);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const dgg::SurfacePoint& point = samples[i].Point;
+    points->SetPoint(i, dgg::PositionOf(mesh.GetMesh(), point, positions.GetData()).data());
+    verts->InsertNextCell(1, &i);
+    ids->SetValue(i, IsVertex(point) ? point.Vertex : -1);
+    const dgg::Id face = dgg::FindFaceOf(mesh.GetMesh(), point);
+    faces->SetValue(i, face == dgg::NoId ? -1 : mesh.GetCell(face));
+    radii->SetValue(i, samples[i].CoveringRadius);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicSampler::vtkGeodesicSampler()
+  : NumberOfSamples(100)
+  , FirstSample(-1)
+  , CoveringRadius(0.0)
+  , InFaces(false)
+  , ProjectionTolerance(0.01)
+  , GraphUser(new vtkDGGGraphUser)
+  , Collector(new vtkDGGSourceCollector)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicSampler::~vtkGeodesicSampler() = default;
+
+//------------------------------------------------------------------------------
+void vtkGeodesicSampler::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+  os << indent << "FirstSample: " << this->FirstSample << "\n";
+  os << indent << "CoveringRadius: " << this->CoveringRadius << "\n";
+  os << indent << "InFaces: " << (this->InFaces ? "On" : "Off") << "\n";
+  os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
+  this->GraphUser->PrintSelf(os, indent);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicSampler::SetStartConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicSampler::SetStartData(vtkPolyData* points)
+{
+  this->SetInputData(1, points);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicSampler::CheckProperties() const
+{
+  if (this->NumberOfSamples < 1)
+  {
+    return dgg::Status::Invalid("NumberOfSamples is " + std::to_string(this->NumberOfSamples) +
+      ": call SetNumberOfSamples() with at least 1");
+  }
+  dgg::Status status = vtkDGGCheckLength("CoveringRadius", this->CoveringRadius);
+  if (status.IsOk())
+  {
+    status = vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
+  }
+  return status.IsOk() ? this->GraphUser->Check() : status;
+}
+
+//------------------------------------------------------------------------------
+vtkDGGSourceSet vtkGeodesicSampler::GetStart(vtkInformationVector** inputVector) const
+{
+  return { NoIds, vtkPolyData::GetData(inputVector[1]), 1, "start", "disconnect input port 1", "" };
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicSampler::CheckInputs(
+  vtkPolyData* surface, vtkInformationVector** inputVector) const
+{
+  const vtkIdType n = surface->GetNumberOfPoints();
+  const vtkDGGSourceSet start = this->GetStart(inputVector);
+  if (start.Points)
+  {
+    return vtkDGGSourceCollector::Check(start, n);
+  }
+  if (this->FirstSample < -1 || this->FirstSample >= n)
+  {
+    std::ostringstream message;
+    message << "FirstSample " << this->FirstSample << " is out of range: the input has " << n
+            << " points, so it must be in [0, " << n - 1 << "], or -1";
+    return dgg::Status::Invalid(message.str());
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGeodesicSampler::GetMemoryRemedy() const
+{
+  return "use a smaller mesh or a larger Accuracy";
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicSampler::MakeOptions(
+  vtkPolyData* surface, vtkInformationVector** inputVector, dgg::SamplerOptions& options)
+{
+  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  options.NumberOfSamples = this->NumberOfSamples;
+  options.CoveringRadius = this->CoveringRadius;
+  options.InFaces = this->InFaces;
+  const vtkDGGSourceSet start = this->GetStart(inputVector);
+  if (!start.Points)
+  {
+    options.FirstVertex = this->FirstSample < 0 ? dgg::NoId : mesh.GetVertex(this->FirstSample);
+    return dgg::Status::Success();
+  }
+  std::vector<dgg::GeodesicSource> points;
+  const dgg::Status status =
+    this->Collector->Collect(start, this->ProjectionTolerance, mesh, surface->GetPoints(), points);
+  for (const dgg::GeodesicSource& point : points)
+  {
+    options.Given.push_back(point.Point);
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicSampler::WarnAboutNumber(
+  const dgg::SamplerOptions& options, const dgg::SurfaceSample* last, vtkIdType numberOfSamples)
+{
+  if (numberOfSamples < options.NumberOfSamples && (!last || !(last->CoveringRadius > 0.0)))
+  {
+    vtkWarningMacro(<< options.NumberOfSamples << " samples were asked for, but the surface has "
+                    << "only " << numberOfSamples << " points: all of them are given. Ask for "
+                    << "fewer, or subdivide the surface.");
+  }
+  if (last && !(last->CoveringRadius < dgg::Infinity))
+  {
+    vtkWarningMacro(<< "The surface has more components than there are samples (" << numberOfSamples
+                    << "): some have none, and the covering radius is infinite. "
+                    << "Raise NumberOfSamples.");
+  }
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicSampler::Execute(
+  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  dgg::SamplerOptions options;
+  dgg::Status status = this->MakeOptions(surface, inputVector, options);
+  if (status.IsOk() && !this->Advance(0.0))
+  {
+    status = dgg::Status::Abort();
+  }
+  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
+  if (status.IsOk())
+  {
+    status = this->GraphUser->Update(
+      surface, mesh, [this](double fraction) { return this->Advance(fraction); }, this);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const bool needsLinks =
+    options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), IsVertex);
+  if (needsLinks)
+  {
+    status = graph.PrepareBuilder(mesh);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
+  else
+  {
+    graph.ReleaseBuilder();
+  }
+  options.Progress = graph.GetRemainingProgress();
+  std::vector<dgg::SurfaceSample> samples;
+  status = dgg::SampleSurface(graph.GetSearch().GetGraph(), &mesh.GetMesh(),
+    needsLinks ? &graph.GetBuilder() : nullptr, graph.GetLinkAccuracy(), options, samples);
+  const dgg::Status intact = graph.CheckArrays();
+  if (!status.IsOk() || !intact.IsOk())
+  {
+    return intact.IsOk() ? status : intact;
+  }
+  this->WarnAboutNumber(
+    options, samples.empty() ? nullptr : &samples.back(), static_cast<vtkIdType>(samples.size()));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->Initialize();
+  FillOutput(samples, mesh, surface->GetPoints(), output);
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicSampler::MakeEmptyOutput(
+  vtkPolyData* vtkNotUsed(surface), vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->Initialize();
+  FillOutput({}, this->GetMesh(), nullptr, output);
+}

@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Samples of surfaces as a filter gives them.
+#include "GraphTestTools.h"
+
+#include "vtkDGGDistance.h"
+#include "vtkGeodesicSampler.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+using namespace dggtest;
+
+namespace
+{
+std::vector<double> GetArray(vtkGeodesicSampler* filter, const char* name)
+{
+  vtkDataArray* array = filter->GetOutput()->GetPointData()->GetArray(name);
+  std::vector<double> values;
+  EXPECT_NE(array, nullptr) << name;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetComponent(i, 0));
+  }
+  return values;
+}
+
+std::vector<vtkIdType> GetIds(vtkGeodesicSampler* filter)
+{
+  const std::vector<double> values = GetArray(filter, "vtkOriginalPointIds");
+  return { values.begin(), values.end() };
+}
+
+class GeodesicSampler : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Filter->SetInputData(this->Terrain);
+    this->Filter->SetAccuracy(0.05);
+    this->Filter->SetNumberOfSamples(12);
+  }
+
+  vtkSmartPointer<vtkPolyData> Terrain = MakeTerrain(20);
+  vtkNew<vtkGeodesicSampler> Filter;
+};
+}
+
+TEST_F(GeodesicSampler, Defaults)
+{
+  vtkNew<vtkGeodesicSampler> filter;
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 2);
+  EXPECT_EQ(filter->GetNumberOfSamples(), 100);
+  EXPECT_EQ(filter->GetFirstSample(), -1);
+  EXPECT_EQ(filter->GetCoveringRadius(), 0.0);
+  EXPECT_FALSE(filter->GetInFaces());
+  EXPECT_EQ(filter->GetAccuracy(), 0.01);
+  EXPECT_EQ(filter->GetProjectionTolerance(), 0.01);
+}
+
+TEST_F(GeodesicSampler, SamplesArePointsOfTheInput)
+{
+  ExpectSuccess(this->Filter);
+  vtkPolyData* output = this->Filter->GetOutput();
+  ASSERT_EQ(output->GetNumberOfPoints(), 12);
+  EXPECT_EQ(output->GetNumberOfVerts(), 12);
+  const std::vector<vtkIdType> ids = GetIds(this->Filter);
+  EXPECT_EQ(std::set<vtkIdType>(ids.begin(), ids.end()).size(), ids.size());
+  const std::vector<double> faces = GetArray(this->Filter, "FaceId");
+  for (vtkIdType i = 0; i < 12; ++i)
+  {
+    double p[3];
+    double q[3];
+    output->GetPoint(i, p);
+    this->Terrain->GetPoint(ids[i], q);
+    EXPECT_TRUE(std::equal(p, p + 3, q));
+    EXPECT_TRUE(this->Terrain->IsPointUsedByCell(ids[i], static_cast<vtkIdType>(faces[i])));
+  }
+}
+
+TEST_F(GeodesicSampler, RadiiAreThoseOfTheDistances)
+{
+  ExpectSuccess(this->Filter);
+  const std::vector<vtkIdType> ids = GetIds(this->Filter);
+  const std::vector<double> radii = GetArray(this->Filter, "CoveringRadius");
+  EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
+  for (std::size_t count = 1; count <= ids.size(); ++count)
+  {
+    vtkNew<vtkDGGDistance> distance;
+    distance->SetInputData(this->Terrain);
+    distance->SetAccuracy(0.05);
+    distance->CorrectionOff();
+    distance->SetSourceIds(std::vector<vtkIdType>(ids.begin(), ids.begin() + count));
+    ExpectSuccess(distance);
+    const std::vector<double> field = GetDistances(distance);
+    const double farthest = *std::max_element(field.begin(), field.end());
+    EXPECT_NEAR(radii[count - 1], farthest, 1e-12 * farthest);
+    if (count < ids.size())
+    {
+      EXPECT_NEAR(field[ids[count]], farthest, 1e-12 * farthest);
+    }
+  }
+}
+
+TEST_F(GeodesicSampler, FirstSample)
+{
+  this->Filter->SetFirstSample(77);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetIds(this->Filter)[0], 77);
+}
+
+TEST_F(GeodesicSampler, StopsAtARadius)
+{
+  this->Filter->SetNumberOfSamples(400);
+  this->Filter->SetCoveringRadius(0.3);
+  ExpectSuccess(this->Filter);
+  const std::vector<double> radii = GetArray(this->Filter, "CoveringRadius");
+  ASSERT_GT(radii.size(), 2u);
+  EXPECT_LE(radii.back(), 0.3);
+  EXPECT_GT(radii[radii.size() - 2], 0.3);
+}
+
+TEST_F(GeodesicSampler, InFaces)
+{
+  ExpectSuccess(this->Filter);
+  this->Filter->InFacesOn();
+  ExpectSuccess(this->Filter);
+  const std::vector<vtkIdType> ids = GetIds(this->Filter);
+  EXPECT_GE(std::count(ids.begin(), ids.end(), -1), 3);
+  const std::vector<double> radii = GetArray(this->Filter, "CoveringRadius");
+  EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
+  // They are on the surface, in the cells that they name.
+  vtkPolyData* output = this->Filter->GetOutput();
+  const std::vector<double> faces = GetArray(this->Filter, "FaceId");
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double bounds[6];
+    double p[3];
+    this->Terrain->GetCellBounds(static_cast<vtkIdType>(faces[i]), bounds);
+    output->GetPoint(i, p);
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_GE(p[k], bounds[2 * k] - 1e-12);
+      EXPECT_LE(p[k], bounds[2 * k + 1] + 1e-12);
+    }
+  }
+}
+
+TEST_F(GeodesicSampler, StartPoints)
+{
+  const auto sheet = MakeGrid(8, 6);
+  const auto start = MakeSourcePoints({ { { 2.3, 1.1, 0.0 } }, { { 4.0, 3.0, 0.01 } } });
+  this->Filter->SetInputData(sheet);
+  this->Filter->SetStartData(start);
+  this->Filter->SetFirstSample(1000); // not looked at
+  ExpectSuccess(this->Filter);
+  vtkPolyData* output = this->Filter->GetOutput();
+  ASSERT_EQ(output->GetNumberOfPoints(), 12);
+  EXPECT_NEAR(output->GetPoint(0)[0], 2.3, 1e-9);
+  EXPECT_NEAR(output->GetPoint(0)[1], 1.1, 1e-9);
+  EXPECT_EQ(GetIds(this->Filter)[0], -1);
+  EXPECT_EQ(GetIds(this->Filter)[1], 3 * 9 + 4);
+  // All of them are kept.
+  this->Filter->SetNumberOfSamples(1);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 2);
+  this->Filter->SetStartData(nullptr);
+  this->Filter->SetFirstSample(3);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 1);
+}
+
+TEST_F(GeodesicSampler, QuadsAndMergedPoints)
+{
+  this->Filter->SetInputData(MakeGrid(8, 6, GridCells::Quads));
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 12);
+  // The same sheet twice, on the very same points: copies are no samples of their own.
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(MakeGrid(2, 1));
+  both->AddInputData(MakeGrid(2, 1));
+  both->Update();
+  this->Filter->SetInputData(both->GetOutput());
+  this->Filter->MergeCoincidentPointsOn();
+  this->Filter->SetNumberOfSamples(6);
+  this->Filter->Update(); // warns of edges with four triangles
+  const std::vector<vtkIdType> ids = GetIds(this->Filter);
+  EXPECT_EQ(std::set<vtkIdType>(ids.begin(), ids.end()), (std::set<vtkIdType>{ 0, 1, 2, 3, 4, 5 }));
+}
+
+TEST_F(GeodesicSampler, GraphOnTheInput)
+{
+  ExpectSuccess(this->Filter);
+  EXPECT_FALSE(this->Filter->GetUsedInputGraph());
+  const std::vector<vtkIdType> expected = GetIds(this->Filter);
+  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
+  this->Filter->SetNumberOfSamples(5);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
+  EXPECT_EQ(GetIds(this->Filter), std::vector<vtkIdType>(expected.begin(), expected.begin() + 5));
+  this->Filter->SetNumberOfSamples(12);
+  this->Filter->SetInputData(MakeSurfaceWithGraph(this->Terrain));
+  ExpectSuccess(this->Filter);
+  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
+  EXPECT_EQ(GetIds(this->Filter), expected);
+}
+
+TEST_F(GeodesicSampler, SeveralComponents)
+{
+  vtkNew<vtkAppendPolyData> sheets;
+  sheets->AddInputData(MakeGrid(3, 3));
+  const auto other = MakeGrid(2, 2, GridCells::Triangles, 0.5);
+  for (vtkIdType i = 0; i < other->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    other->GetPoint(i, p);
+    other->GetPoints()->SetPoint(i, p[0] + 10.0, p[1], p[2]);
+  }
+  sheets->AddInputData(other);
+  sheets->Update();
+  this->Filter->SetInputData(sheets->GetOutput());
+  this->Filter->SetNumberOfSamples(1);
+  ExpectWarning(this->Filter, { "components", "NumberOfSamples" });
+  EXPECT_EQ(GetArray(this->Filter, "CoveringRadius")[0], std::numeric_limits<double>::infinity());
+  this->Filter->SetNumberOfSamples(2);
+  ExpectSuccess(this->Filter);
+  EXPECT_NE(GetIds(this->Filter)[0] < 16, GetIds(this->Filter)[1] < 16);
+}
+
+TEST_F(GeodesicSampler, MoreSamplesThanPoints)
+{
+  this->Filter->SetInputData(MakeGrid(3, 2));
+  this->Filter->SetNumberOfSamples(13);
+  ExpectWarning(this->Filter, { "13 samples", "12 points" });
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 12);
+  EXPECT_EQ(GetArray(this->Filter, "CoveringRadius").back(), 0.0);
+  this->Filter->SetNumberOfSamples(12);
+  ExpectSuccess(this->Filter);
+}
+
+TEST_F(GeodesicSampler, BadInput)
+{
+  this->Filter->SetNumberOfSamples(0);
+  ExpectError(this->Filter, { "NumberOfSamples", "0" });
+  this->Filter->SetNumberOfSamples(3);
+  this->Filter->SetCoveringRadius(-1.0);
+  ExpectError(this->Filter, { "CoveringRadius", "-1" });
+  this->Filter->SetCoveringRadius(0.0);
+  this->Filter->SetProjectionTolerance(std::numeric_limits<double>::quiet_NaN());
+  ExpectError(this->Filter, { "ProjectionTolerance" });
+  this->Filter->SetProjectionTolerance(0.01);
+  this->Filter->SetFirstSample(400);
+  ExpectError(this->Filter, { "FirstSample 400", "399" });
+  this->Filter->SetFirstSample(-2);
+  ExpectError(this->Filter, { "FirstSample -2" });
+  this->Filter->SetFirstSample(0);
+  this->Filter->SetAccuracy(0.9);
+  ExpectError(this->Filter, { "0.9" });
+  this->Filter->SetAccuracy(0.05);
+  this->Filter->SetStartData(MakeSourcePoints({ { { 0.5, 0.5, 7.0 } } }));
+  ExpectError(this->Filter, { "start point 0", "ProjectionTolerance" });
+  this->Filter->SetStartData(MakeSourcePoints({}));
+  ExpectError(this->Filter, { "no start", "port 1" });
+  this->Filter->SetStartData(nullptr);
+  this->Filter->SetInputData(nullptr);
+  ExpectError(this->Filter, { "no input" });
+  this->Filter->SetInputData(this->Terrain);
+  ExpectSuccess(this->Filter);
+}
+
+TEST_F(GeodesicSampler, EmptyInput)
+{
+  vtkNew<vtkPolyData> empty;
+  this->Filter->SetInputData(empty);
+  ExpectWarning(this->Filter, { "empty" });
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(GetArray(this->Filter, "CoveringRadius").size(), 0u);
+}
+
+TEST_F(GeodesicSampler, ProgressAndAbort)
+{
+  this->Filter->SetNumberOfSamples(100);
+  ProgressWatch watch(this->Filter);
+  ExpectSuccess(this->Filter);
+  watch.ExpectGrowth();
+  const std::vector<vtkIdType> expected = GetIds(this->Filter);
+  watch.StopAt = 0.97;
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter); // not an error
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+  watch.StopAt = 2.0;
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetIds(this->Filter), expected);
+}
+
+TEST_F(GeodesicSampler, Threads)
+{
+  this->Filter->InFacesOn();
+  ExpectSuccess(this->Filter);
+  vtkNew<vtkPolyData> expected;
+  expected->DeepCopy(this->Filter->GetOutput());
+  ForEachThreading([&](const std::string& what) {
+    vtkNew<vtkGeodesicSampler> filter;
+    filter->SetInputData(this->Terrain);
+    filter->SetAccuracy(0.05);
+    filter->SetNumberOfSamples(12);
+    filter->InFacesOn();
+    ExpectSuccess(filter);
+    for (vtkIdType i = 0; i < 12; ++i)
+    {
+      double p[3];
+      double q[3];
+      filter->GetOutput()->GetPoint(i, p);
+      expected->GetPoint(i, q);
+      EXPECT_TRUE(std::equal(p, p + 3, q)) << what;
+    }
+  });
+}
+
+TEST_F(GeodesicSampler, PrintsItself)
+{
+  ExpectSuccess(this->Filter);
+  std::ostringstream os;
+  this->Filter->Print(os);
+  for (const char* line : { "NumberOfSamples: 12\n", "FirstSample: -1\n", "CoveringRadius: 0\n",
+         "InFaces: Off\n", "Accuracy: 0.05\n" })
+  {
+    EXPECT_NE(os.str().find(line), std::string::npos) << line;
+  }
+}
