@@ -30,17 +30,6 @@ constexpr double UnseenPart = 0.01;
 constexpr double AngleSlack = 1e-5;
 /// How many vertices ahead memory is asked for.
 constexpr std::size_t Lookahead = 8;
-
-double OffsetOf(const GraphSeed& seed)
-{
-  return seed.ArrivalAngle < 0.0 ? seed.Distance : seed.InitialDistance;
-}
-
-LabelCorrection::VirtualSource SourceOf(const GraphSeed& seed)
-{
-  return { OffsetOf(seed), seed.Distance - OffsetOf(seed), std::max(0.0, seed.ArrivalAngle),
-    seed.Distance };
-}
 }
 
 LabelCorrection::LabelCorrection(const GraphView& graph, const SurfaceMesh& mesh)
@@ -66,6 +55,34 @@ LabelCorrection::LabelCorrection(const GraphView& graph, const SurfaceMesh& mesh
         vertex.Defect = static_cast<float>(std::abs(2.0 * Pi - mesh.TotalAngle(v)));
     }
   }
+}
+
+double LabelCorrection::OffsetOf(const GraphSeed& seed)
+{
+  return seed.ArrivalAngle < 0.0 ? seed.Distance : seed.InitialDistance;
+}
+
+LabelCorrection::VirtualSource LabelCorrection::SourceOf(const GraphSeed& seed)
+{
+  return { OffsetOf(seed), seed.Distance - OffsetOf(seed), std::max(0.0, seed.ArrivalAngle),
+    seed.Distance };
+}
+
+LabelCorrection::VirtualSource LabelCorrection::Extend(
+  const TreeStep& step, double label, const VirtualSource& tail, double smallestOffset) const
+{
+  VirtualSource source = this->Follow(step, this->Graph.Length(step.Edge), tail);
+  source.Estimate = this->Clamp(source.Estimate, label, smallestOffset);
+  return source;
+}
+
+/// A label certifies an interval, in which the estimate has to be, whatever the curvature did to
+/// it.
+double LabelCorrection::Clamp(double estimate, double label, double smallestOffset) const
+{
+  const double lowest =
+    this->Shrink > 0.0 ? smallestOffset + (label - smallestOffset) * this->Shrink : -Infinity;
+  return std::min(std::max(estimate, lowest), label);
 }
 
 void LabelCorrection::Run(const std::vector<GraphSeed>& seeds, const std::vector<TreeStep>& steps,
@@ -123,12 +140,7 @@ void LabelCorrection::Straighten(const Length* lengths, const std::vector<GraphS
       continue;
     }
     source = this->Follow(step, lengths[step.Edge], sources[step.Tail]);
-    // The label certifies an interval, in which the estimate has to be, whatever the curvature did
-    // to it.
-    const double label = result.Distances[step.Vertex];
-    const double lowest =
-      this->Shrink > 0.0 ? smallestOffset + (label - smallestOffset) * this->Shrink : -Infinity;
-    source.Estimate = std::min(std::max(source.Estimate, lowest), label);
+    source.Estimate = this->Clamp(source.Estimate, result.Distances[step.Vertex], smallestOffset);
   }
 }
 

@@ -36,6 +36,15 @@ public:
   void Run(const std::vector<GraphSeed>& seeds, const std::vector<TreeStep>& steps,
     std::vector<VirtualSource>& sources, SearchResult& result) const;
 
+  /// The same for one vertex that is reached over an edge of which the virtual source at the tail
+  /// is known: for a label besides those of a search. `smallestOffset` is that of all seeds.
+  VirtualSource Extend(
+    const TreeStep& step, double label, const VirtualSource& tail, double smallestOffset) const;
+
+  /// The distance that a seed's source starts with, and where the vertex of a seed sees it.
+  static double OffsetOf(const GraphSeed& seed);
+  static VirtualSource SourceOf(const GraphSeed& seed);
+
   std::size_t GetMemorySize() const { return this->Vertices.capacity() * sizeof(Vertex); }
 
 private:
@@ -50,6 +59,7 @@ private:
   void Straighten(const Length* lengths, const std::vector<GraphSeed>& seeds,
     const std::vector<TreeStep>& steps, std::vector<VirtualSource>& sources,
     const SearchResult& result) const;
+  double Clamp(double estimate, double label, double smallestOffset) const;
   VirtualSource Follow(const TreeStep& step, double hop, const VirtualSource& from) const;
 
   const GraphView& Graph;

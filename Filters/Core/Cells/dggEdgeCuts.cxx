@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggEdgeCuts.h"
+
+#include "dggVoronoi.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// A site seen along an edge: squared distances at both ends, less the part that all sites have in
+/// common in between.
+struct Line
+{
+  Id Site;
+  double Start;
+  double End;
+};
+
+double Square(double x)
+{
+  return x * x;
+}
+
+/// The sites that both ends know, and the nearest ones of both.
+std::vector<Line> LinesOf(const SiteDistances& distances, Id origin, Id destination, double length)
+{
+  std::vector<Line> lines;
+  const SiteDistances::Entry* b = distances.Begin(destination);
+  for (const SiteDistances::Entry* a = distances.Begin(origin); a != distances.End(origin); ++a)
+  {
+    while (b != distances.End(destination) && b->Site < a->Site)
+    {
+      ++b;
+    }
+    if (b != distances.End(destination) && b->Site == a->Site)
+    {
+      lines.push_back({ a->Site, Square(a->Distance), Square(b->Distance) });
+    }
+  }
+  // Rounding and shortcuts of the search may leave out one of these two at the other end; it is no
+  // farther there than along the edge.
+  const auto isKnown = [&lines](Id site) {
+    return std::any_of(
+      lines.begin(), lines.end(), [site](const Line& line) { return line.Site == site; });
+  };
+  const SiteDistances::Entry& first = *distances.Nearest(origin);
+  const SiteDistances::Entry& last = *distances.Nearest(destination);
+  if (!isKnown(first.Site))
+  {
+    lines.push_back({ first.Site, Square(first.Distance), Square(first.Distance + length) });
+  }
+  if (!isKnown(last.Site))
+  {
+    lines.push_back({ last.Site, Square(last.Distance + length), Square(last.Distance) });
+  }
+  return lines;
+}
+
+double DistanceOn(const Line& line, double t, double length)
+{
+  return std::sqrt(
+    std::max(0.0, (1.0 - t) * line.Start + t * line.End - t * (1.0 - t) * length * length));
+}
+}
+
+EdgeCuts::EdgeCuts(const SurfaceMesh& mesh, const SiteDistances& distances, VoronoiDiagram& diagram)
+  : Mesh(mesh)
+  , Representatives(mesh.GetNumberOfHalfEdges(), NoId)
+{
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    this->Offsets.push_back(static_cast<Offset>(this->Cuts.size()));
+    if (mesh.IsDropped(SurfaceMesh::Face(h)) || this->Representatives[h] != NoId)
+    {
+      continue;
+    }
+    this->Representatives[h] = h;
+    for (Id e = mesh.Twin(h); e != NoId && e != h; e = mesh.Twin(e))
+    {
+      this->Representatives[e] = h;
+    }
+    this->Cut(h, distances, diagram);
+  }
+  this->Offsets.push_back(static_cast<Offset>(this->Cuts.size()));
+}
+
+void EdgeCuts::Cut(Id halfEdge, const SiteDistances& distances, VoronoiDiagram& diagram)
+{
+  const Id origin = this->Mesh.Origin(halfEdge);
+  const Id destination = this->Mesh.Destination(halfEdge);
+  const Id first = diagram.NearestSites[origin];
+  const Id last = diagram.NearestSites[destination];
+  if (first == last)
+  {
+    return; // lines that are above another one at both ends are so in between
+  }
+  // From line to line, always the next one that goes below.
+  const std::vector<Line> lines =
+    LinesOf(distances, origin, destination, this->Mesh.Length(halfEdge));
+  const auto find = [&lines](Id site) {
+    return std::find_if(
+      lines.begin(), lines.end(), [site](const Line& line) { return line.Site == site; });
+  };
+  auto current = find(first);
+  const auto end = find(last);
+  double before = -1.0;
+  while (current->Site != last)
+  {
+    auto next = lines.end();
+    double parameter = 1.0;
+    for (auto line = lines.begin(); line != lines.end(); ++line)
+    {
+      const double ahead = line->Start - current->Start;
+      const double behind = current->End - line->End;
+      if (!(behind > 0.0))
+      {
+        continue;
+      }
+      const double t = ahead > 0.0 ? ahead / (ahead + behind) : 0.0;
+      if (next == lines.end() || t < parameter || (t == parameter && line->End < next->End))
+      {
+        next = line;
+        parameter = t;
+      }
+    }
+    next = next == lines.end() ? end : next; // as low at the end, and a smaller number
+    const bool isSame = before >= 0.0 && parameter - before < SamePlace;
+    Id point = NoId;
+    if (isSame)
+    {
+      point = this->Cuts.back().Point;
+      parameter = before;
+    }
+    else if (parameter < SamePlace || parameter > 1.0 - SamePlace)
+    {
+      parameter = parameter < 0.5 ? 0.0 : 1.0;
+      point = parameter < 0.5 ? origin : destination;
+    }
+    else
+    {
+      point = static_cast<Id>(diagram.Distances.size() + diagram.BorderPoints.size());
+      diagram.BorderPoints.push_back(SurfacePoint::OnEdge(this->Mesh, halfEdge, parameter));
+      diagram.BorderDistances.push_back(DistanceOn(*next, parameter, this->Mesh.Length(halfEdge)));
+    }
+    this->Cuts.push_back({ parameter, current->Site, next->Site, point });
+    before = parameter;
+    current = next;
+  }
+}
+
+std::vector<EdgeCut> EdgeCuts::Of(Id halfEdge) const
+{
+  const Id first = this->Representatives[halfEdge];
+  std::vector<EdgeCut> cuts(
+    this->Cuts.begin() + this->Offsets[first], this->Cuts.begin() + this->Offsets[first + 1]);
+  if (this->Mesh.Origin(first) != this->Mesh.Origin(halfEdge))
+  {
+    std::reverse(cuts.begin(), cuts.end());
+    for (EdgeCut& cut : cuts)
+    {
+      cut.Parameter = 1.0 - cut.Parameter;
+      std::swap(cut.Before, cut.After);
+    }
+  }
+  return cuts;
+}
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where the borders of Voronoi cells cross the edges of a mesh. Internal.
+#ifndef dggEdgeCuts_h
+#define dggEdgeCuts_h
+
+#include "dggSiteDistances.h" // for the distances
+#include "dggSurfaceMesh.h"   // for SurfaceMesh
+
+#include <vector> // for the cuts
+
+namespace dgg
+{
+struct VoronoiDiagram;
+
+/// A point where the nearest site changes.
+struct EdgeCut
+{
+  double Parameter; ///< from the origin to the destination of a half-edge
+  Id Before;        ///< site on the side of the origin
+  Id After;
+  Id Point; ///< of the diagram
+};
+
+/// Places on an edge, or within a face, closer than this are one; barycentric.
+constexpr double SamePlace = 1e-9;
+
+/// The cuts of all edges. They depend on the ends of the edge and its length alone, so all faces
+/// around an edge find the same ones.
+class EdgeCuts
+{
+public:
+  /// Appends border points to the diagram, whose nearest sites are known.
+  EdgeCuts(const SurfaceMesh& mesh, const SiteDistances& distances, VoronoiDiagram& diagram);
+
+  /// The cuts of a half-edge, from its origin on.
+  std::vector<EdgeCut> Of(Id halfEdge) const;
+
+private:
+  void Cut(Id halfEdge, const SiteDistances& distances, VoronoiDiagram& diagram);
+
+  const SurfaceMesh& Mesh;
+  std::vector<Id> Representatives; ///< per half-edge, the first one of its edge
+  std::vector<Offset> Offsets;     ///< per half-edge, and one more; only first ones have cuts
+  std::vector<EdgeCut> Cuts;
+};
+}
+
+#endif

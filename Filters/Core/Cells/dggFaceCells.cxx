@@ -1,0 +1,371 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggFaceCells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+using Coordinates = std::array<double, 3>;
+
+Coordinates CornerPlace(int k)
+{
+  Coordinates place{ { 0.0, 0.0, 0.0 } };
+  place[k] = 1.0;
+  return place;
+}
+
+double Apply(const Coordinates& values, const Coordinates& place)
+{
+  return values[0] * place[0] + values[1] * place[1] + values[2] * place[2];
+}
+
+double Difference(const Coordinates& a, const Coordinates& b)
+{
+  return std::max(std::abs(a[0] - b[0]), std::max(std::abs(a[1] - b[1]), std::abs(a[2] - b[2])));
+}
+
+Coordinates Between(const Coordinates& a, const Coordinates& b, double t)
+{
+  return { { (1.0 - t) * a[0] + t * b[0], (1.0 - t) * a[1] + t * b[1],
+    (1.0 - t) * a[2] + t * b[2] } };
+}
+
+/// The part of the squared distance that all sites have in common: minus sum b_i b_j l_ij^2.
+double CommonPart(const SurfaceMesh& mesh, Id face, const Coordinates& place)
+{
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double length = mesh.Length(3 * face + k);
+    sum -= place[k] * place[(k + 1) % 3] * length * length;
+  }
+  return sum;
+}
+}
+
+FaceCells::FaceCells(const SurfaceMesh& mesh, const SiteDistances& distances, const EdgeCuts& cuts,
+  VoronoiDiagram& diagram, std::vector<BorderPiece>& pieces)
+  : Mesh(mesh)
+  , Distances(distances)
+  , Cuts(cuts)
+  , Diagram(diagram)
+  , Pieces(pieces)
+{
+}
+
+void FaceCells::Cut(Id face)
+{
+  const std::array<Id, 3> corners = this->Mesh.GetTriangle(face);
+  const std::vector<Id>& nearest = this->Diagram.NearestSites;
+  if (nearest[corners[0]] == nearest[corners[1]] && nearest[corners[1]] == nearest[corners[2]])
+  {
+    this->AddWhole(face);
+    return;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Sides[k] = this->Cuts.Of(3 * face + k);
+  }
+  this->Inside.clear();
+  this->FacePieces.clear();
+  this->CollectSites(face);
+  for (std::size_t s = 0; s < this->Sites.size(); ++s)
+  {
+    Polygon polygon{ { CornerPlace(0), 0 }, { CornerPlace(1), 1 }, { CornerPlace(2), 2 } };
+    this->Clip(s, polygon);
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+    {
+      const int before = polygon[(i + polygon.size() - 1) % polygon.size()].Border;
+      points.push_back(this->PointOf(face, s, before, polygon[i]));
+    }
+    this->AddPieces(face, s, polygon, points);
+    this->AddPolygon(face, this->Sites[s].Number, points);
+  }
+  // Both cells tell of the border between them.
+  const auto key = [](const BorderPiece& piece) { return std::tie(piece.Points, piece.Sites); };
+  std::sort(this->FacePieces.begin(), this->FacePieces.end(),
+    [&key](const BorderPiece& a, const BorderPiece& b) { return key(a) < key(b); });
+  this->FacePieces.erase(
+    std::unique(this->FacePieces.begin(), this->FacePieces.end(),
+      [&key](const BorderPiece& a, const BorderPiece& b) { return key(a) == key(b); }),
+    this->FacePieces.end());
+  this->Pieces.insert(this->Pieces.end(), this->FacePieces.begin(), this->FacePieces.end());
+}
+
+void FaceCells::AddWhole(Id face)
+{
+  std::vector<Point> points;
+  for (int k = 0; k < 3; ++k)
+  {
+    points.push_back({ this->Mesh.Origin(3 * face + k), CornerPlace(k) });
+  }
+  this->AddPolygon(face, this->Diagram.NearestSites[points[0].Number], points);
+}
+
+/// All sites that every corner knows, and those on the sides.
+void FaceCells::CollectSites(Id face)
+{
+  std::vector<Id> numbers;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Id v = this->Mesh.Origin(3 * face + k);
+    for (const SiteDistances::Entry* e = this->Distances.Begin(v); e != this->Distances.End(v); ++e)
+    {
+      numbers.push_back(e->Site);
+    }
+  }
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  this->Sites.clear();
+  for (const Id number : numbers)
+  {
+    Coordinates distances{ { Infinity, Infinity, Infinity } };
+    int known = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id v = this->Mesh.Origin(3 * face + k);
+      const SiteDistances::Entry* end = this->Distances.End(v);
+      const SiteDistances::Entry* entry = std::find_if(this->Distances.Begin(v), end,
+        [number](const SiteDistances::Entry& e) { return e.Site == number; });
+      distances[k] = entry != end ? entry->Distance : Infinity;
+      known += entry != end ? 1 : 0;
+    }
+    bool isOnSide = false;
+    for (const std::vector<EdgeCut>& side : this->Sides)
+    {
+      for (const EdgeCut& cut : side)
+      {
+        isOnSide = isOnSide || cut.Before == number || cut.After == number;
+      }
+    }
+    if (known < 3 && !isOnSide)
+    {
+      continue; // too far away, see SiteDistances
+    }
+    Coordinates values{};
+    for (int k = 0; k < 3; ++k)
+    {
+      const double along = std::min(distances[(k + 1) % 3] + this->Mesh.Length(3 * face + k),
+        distances[(k + 2) % 3] + this->Mesh.Length(3 * face + (k + 2) % 3));
+      const double distance = distances[k] < Infinity ? distances[k] : along;
+      values[k] = distance * distance;
+    }
+    this->Sites.push_back({ number, values });
+  }
+}
+
+/// The part of a face where a site is the nearest (Sutherland and Hodgman, "Reentrant polygon
+/// clipping", 1974).
+void FaceCells::Clip(std::size_t site, Polygon& polygon) const
+{
+  const Coordinates& own = this->Sites[site].Values;
+  Polygon kept;
+  for (std::size_t other = 0; other < this->Sites.size() && !polygon.empty(); ++other)
+  {
+    if (other == site)
+    {
+      continue;
+    }
+    const Coordinates& values = this->Sites[other].Values;
+    const Coordinates ahead{ { values[0] - own[0], values[1] - own[1], values[2] - own[2] } };
+    if (ahead == Coordinates{ { 0.0, 0.0, 0.0 } })
+    {
+      if (other < site)
+      {
+        polygon.clear(); // the same distances everywhere
+      }
+      continue;
+    }
+    kept.clear();
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+    {
+      const Corner& from = polygon[i];
+      const Corner& to = polygon[(i + 1) % polygon.size()];
+      const double start = Apply(ahead, from.Place);
+      const double end = Apply(ahead, to.Place);
+      const int border = 3 + static_cast<int>(other);
+      if (start >= 0.0)
+      {
+        kept.push_back(from);
+        if (end < 0.0 && start > 0.0)
+        {
+          kept.push_back({ Between(from.Place, to.Place, start / (start - end)), border });
+        }
+        else if (end < 0.0)
+        {
+          kept.back().Border = border; // leaves at the corner itself
+        }
+      }
+      else if (end > 0.0)
+      {
+        kept.push_back({ Between(from.Place, to.Place, start / (start - end)), from.Border });
+      }
+    }
+    polygon.swap(kept);
+  }
+}
+
+/// The point of the diagram at a corner of a polygon, between two of its sides.
+FaceCells::Point FaceCells::PointOf(Id face, std::size_t site, int before, const Corner& corner)
+{
+  const int after = corner.Border;
+  const Id number = this->Sites[site].Number;
+  if (before < 3 && after < 3)
+  {
+    if ((before + 1) % 3 == after)
+    {
+      return { this->Mesh.Origin(3 * face + after), CornerPlace(after) };
+    }
+  }
+  else if (before < 3 || after < 3)
+  {
+    const int side = std::min(before, after);
+    const Id other = this->Sites[std::max(before, after) - 3].Number;
+    return this->PointOnSide(face, side, number, other, corner.Place);
+  }
+  const double squaredDistance =
+    Apply(this->Sites[site].Values, corner.Place) + CommonPart(this->Mesh, face, corner.Place);
+  return this->PointInside(face, corner.Place, squaredDistance);
+}
+
+/// The cut of a side between two sites; if rounding has hidden it, the nearest one of that side.
+FaceCells::Point FaceCells::PointOnSide(
+  Id face, int side, Id site, Id other, const Coordinates& place) const
+{
+  const double parameter = place[(side + 1) % 3];
+  Point best{ this->Mesh.Origin(3 * face + side), CornerPlace(side) };
+  double miss = parameter;
+  const auto offer = [&](Id number, double t, double distance) {
+    if (distance < miss)
+    {
+      miss = distance;
+      best = { number, Between(CornerPlace(side), CornerPlace((side + 1) % 3), t) };
+    }
+  };
+  offer(this->Mesh.Destination(3 * face + side), 1.0, 1.0 - parameter);
+  for (const EdgeCut& cut : this->Sides[side])
+  {
+    const bool isIt =
+      (cut.Before == site && cut.After == other) || (cut.Before == other && cut.After == site);
+    offer(cut.Point, cut.Parameter, isIt ? -1.0 : std::abs(cut.Parameter - parameter));
+  }
+  return best;
+}
+
+/// A point in a face; one that is there already if it is at the same place.
+FaceCells::Point FaceCells::PointInside(Id face, const Coordinates& place, double squaredDistance)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    if (Difference(place, CornerPlace(k)) < SamePlace)
+    {
+      return { this->Mesh.Origin(3 * face + k), CornerPlace(k) };
+    }
+    for (const EdgeCut& cut : this->Sides[k])
+    {
+      const Coordinates there = Between(CornerPlace(k), CornerPlace((k + 1) % 3), cut.Parameter);
+      if (Difference(place, there) < SamePlace)
+      {
+        return { cut.Point, there };
+      }
+    }
+  }
+  for (const Point& point : this->Inside)
+  {
+    if (Difference(place, point.Place) < SamePlace)
+    {
+      return point;
+    }
+  }
+  Coordinates input = place;
+  if (this->Mesh.IsFlipped(face))
+  {
+    std::swap(input[1], input[2]);
+  }
+  const auto number =
+    static_cast<Id>(this->Diagram.Distances.size() + this->Diagram.BorderPoints.size());
+  this->Diagram.BorderPoints.push_back(SurfacePoint::InFace(this->Mesh, face, input));
+  this->Diagram.BorderDistances.push_back(std::sqrt(std::max(0.0, squaredDistance)));
+  this->Inside.push_back({ number, place });
+  return this->Inside.back();
+}
+
+/// The sides of a polygon that separate it from another cell: within the face, or where the side of
+/// the face belongs to the cell on the other side.
+void FaceCells::AddPieces(
+  Id face, std::size_t site, const Polygon& polygon, const std::vector<Point>& points)
+{
+  const Id number = this->Sites[site].Number;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Point& from = points[i];
+    const Point& to = points[(i + 1) % polygon.size()];
+    const int border = polygon[i].Border;
+    if (border >= 3)
+    {
+      this->AddPiece(number, this->Sites[border - 3].Number, from.Number, to.Number);
+      continue;
+    }
+    const double middle = 0.5 * (from.Place[(border + 1) % 3] + to.Place[(border + 1) % 3]);
+    Id owner = this->Diagram.NearestSites[this->Mesh.Origin(3 * face + border)];
+    for (const EdgeCut& cut : this->Sides[border])
+    {
+      owner = cut.Parameter <= middle ? cut.After : owner;
+    }
+    this->AddPiece(number, owner, from.Number, to.Number);
+  }
+}
+
+void FaceCells::AddPiece(Id site, Id other, Id a, Id b)
+{
+  if (a != b && site != other)
+  {
+    this->FacePieces.push_back({ { { std::min(site, other), std::max(site, other) } },
+      { { std::min(a, b), std::max(a, b) } } });
+  }
+}
+
+void FaceCells::AddPolygon(Id face, Id site, const std::vector<Point>& points)
+{
+  std::vector<Point> distinct;
+  for (const Point& point : points)
+  {
+    if (distinct.empty() || distinct.back().Number != point.Number)
+    {
+      distinct.push_back(point);
+    }
+  }
+  while (distinct.size() > 1 && distinct.front().Number == distinct.back().Number)
+  {
+    distinct.pop_back();
+  }
+  if (distinct.size() < 3)
+  {
+    return;
+  }
+  double part = 0.0; // of the area of the face
+  for (std::size_t i = 1; i + 1 < distinct.size(); ++i)
+  {
+    const Coordinates& a = distinct[0].Place;
+    const Coordinates& b = distinct[i].Place;
+    const Coordinates& c = distinct[i + 1].Place;
+    part += (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
+  }
+  for (const Point& point : distinct)
+  {
+    this->Diagram.PolygonPoints.push_back(point.Number);
+  }
+  const Id h = 3 * face;
+  this->Diagram.PolygonOffsets.push_back(static_cast<Offset>(this->Diagram.PolygonPoints.size()));
+  this->Diagram.PolygonSites.push_back(site);
+  this->Diagram.PolygonFaces.push_back(face);
+  this->Diagram.PolygonAreas.push_back(part * 0.5 * this->Mesh.Length(h) * this->Mesh.ApexY(h));
+}
+}

@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSiteDistances.h"
+
+#include "dggLabelCorrection.h"
+#include "dggMinimumHeap.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// Share of the progress that the search for the nearest sites takes.
+constexpr double NearestShare = 0.5;
+/// Labels between two reports.
+constexpr std::size_t ProgressInterval = 16384;
+/// Rounds over the mesh by which the reach of a vertex becomes that of the largest one around it:
+/// paths lead over vertices whose own faces may be smaller.
+constexpr int ReachRounds = 2;
+
+/// A distance besides that of the nearest site.
+struct Label
+{
+  double Distance;
+  LabelCorrection::VirtualSource Source;
+  Offset Edge; ///< over which the vertex is reached; -1 for a seed
+  Id Site;
+  Id Vertex;
+  Id Tail;      ///< vertex of that edge; index of the seed when there is no edge
+  Id TailLabel; ///< label at the tail; NoId when it is that of the nearest site
+  Id Next;      ///< label of the same vertex; NoId at the end
+};
+
+/// The seeds without those of sites that are the same as earlier ones.
+std::vector<GraphSeed> WithoutDuplicates(const std::vector<GraphSeed>& seeds)
+{
+  using Place = std::vector<std::pair<Id, double>>;
+  std::map<Id, Place> places;
+  for (const GraphSeed& seed : seeds)
+  {
+    places[seed.Source].emplace_back(seed.Vertex, seed.Distance);
+  }
+  std::map<Place, Id> first;
+  for (auto& place : places)
+  {
+    std::sort(place.second.begin(), place.second.end());
+    first.emplace(place.second, place.first);
+  }
+  std::vector<GraphSeed> kept;
+  for (const GraphSeed& seed : seeds)
+  {
+    if (first.find(places[seed.Source])->second == seed.Source)
+    {
+      kept.push_back(seed);
+    }
+  }
+  return kept;
+}
+
+/// Longest edge of the faces around each vertex, and around its neighbours.
+std::vector<double> MeasureReach(const SurfaceMesh& mesh)
+{
+  std::vector<double> reach(mesh.GetNumberOfVertices(), 0.0);
+  for (int round = 0; round <= ReachRounds; ++round)
+  {
+    const std::vector<double> before = reach;
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      if (mesh.IsDropped(f))
+      {
+        continue;
+      }
+      double largest = 0.0;
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        largest = std::max(largest, std::max(before[mesh.Origin(h)], mesh.Length(h)));
+      }
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        reach[mesh.Origin(h)] = std::max(reach[mesh.Origin(h)], largest);
+      }
+    }
+  }
+  return reach;
+}
+
+/// Finds the labels besides those of the nearest sites.
+class FartherSites
+{
+public:
+  FartherSites(const GraphView& graph, const SurfaceMesh& mesh, const std::vector<GraphSeed>& seeds,
+    const SearchResult& nearest)
+    : Graph(graph)
+    , Seeds(seeds)
+    , Nearest(nearest)
+    , Heads(graph.NumberOfVertices, NoId)
+    , Limits(MeasureReach(mesh))
+  {
+    if (graph.Angles && graph.ArrivalAngles)
+    {
+      this->Correction = std::make_unique<LabelCorrection>(graph, mesh);
+    }
+    for (Id v = 0; v < graph.NumberOfVertices; ++v)
+    {
+      // Labels are up to the accuracy longer than distances.
+      this->Limits[v] = nearest.Distances[v] * (1.0 + graph.Info.Accuracy) + 2.0 * this->Limits[v];
+    }
+  }
+
+  bool Run(const ProgressCallback& progress)
+  {
+    this->Start();
+    std::size_t pops = 0;
+    while (!this->Heap.IsEmpty())
+    {
+      const MinimumHeap::Entry top = this->Heap.Pop();
+      const Id index = top.Vertex;
+      if (top.Key > this->Labels[index].Distance) // a smaller one came later
+      {
+        continue;
+      }
+      if (++pops % ProgressInterval == 0 && progress && !progress(0.5))
+      {
+        return false;
+      }
+      this->Finish(index);
+      this->Relax(this->Labels[index].Vertex, this->Labels[index].Site, top.Key, index);
+    }
+    return true;
+  }
+
+  /// The labels of a vertex, in no order: `use(site, estimate)`.
+  template <typename Use>
+  void ForEach(Id v, const Use& use) const
+  {
+    for (Id i = this->Heads[v]; i != NoId; i = this->Labels[i].Next)
+    {
+      use(this->Labels[i].Site, this->Labels[i].Source.Estimate);
+    }
+  }
+
+private:
+  Id SiteOf(Id v) const
+  {
+    const Id seed = this->Nearest.Seeds[v];
+    return seed == NoId ? NoId : this->Seeds[seed].Source;
+  }
+
+  /// All labels that follow from those of the nearest sites.
+  void Start()
+  {
+    for (std::size_t i = 0; i < this->Seeds.size(); ++i)
+    {
+      const GraphSeed& seed = this->Seeds[i];
+      this->Offer(seed.Vertex, seed.Source, seed.Distance, -1, static_cast<Id>(i), NoId);
+    }
+    for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+    {
+      const Id site = this->SiteOf(v);
+      if (site != NoId)
+      {
+        this->Relax(v, site, this->Nearest.Distances[v], NoId);
+      }
+    }
+  }
+
+  void Relax(Id v, Id site, double distance, Id label)
+  {
+    for (Offset e = this->Graph.Offsets[v]; e < this->Graph.Offsets[v + 1]; ++e)
+    {
+      this->Offer(this->Graph.Targets[e], site, distance + this->Graph.Length(e), e, v, label);
+    }
+  }
+
+  void Offer(Id v, Id site, double distance, Offset edge, Id tail, Id tailLabel)
+  {
+    if (!(distance <= this->Limits[v]) || this->SiteOf(v) == site)
+    {
+      return;
+    }
+    Id index = this->Heads[v];
+    while (index != NoId && this->Labels[index].Site != site)
+    {
+      index = this->Labels[index].Next;
+    }
+    if (index == NoId)
+    {
+      index = static_cast<Id>(this->Labels.size());
+      this->Labels.push_back({ Infinity, {}, edge, site, v, tail, tailLabel, this->Heads[v] });
+      this->Heads[v] = index;
+    }
+    Label& label = this->Labels[index];
+    if (distance < label.Distance)
+    {
+      label.Distance = distance;
+      label.Edge = edge;
+      label.Tail = tail;
+      label.TailLabel = tailLabel;
+      this->Heap.Push(distance, index);
+    }
+  }
+
+  /// The estimate of a label that is final, as is that of its tail.
+  void Finish(Id index)
+  {
+    Label& label = this->Labels[index];
+    if (!this->Correction)
+    {
+      label.Source.Estimate = label.Distance;
+    }
+    else if (label.Edge < 0)
+    {
+      label.Source = LabelCorrection::SourceOf(this->Seeds[label.Tail]);
+    }
+    else
+    {
+      const Id u = label.Tail;
+      const LabelCorrection::VirtualSource tail = label.TailLabel != NoId
+        ? this->Labels[label.TailLabel].Source
+        : LabelCorrection::VirtualSource{ this->Nearest.VirtualOffset[u],
+            this->Nearest.VirtualLength[u], this->Nearest.VirtualAngle[u],
+            this->Nearest.Corrected[u] };
+      label.Source =
+        this->Correction->Extend({ label.Edge, label.Vertex, u }, label.Distance, tail, 0.0);
+    }
+  }
+
+  const GraphView& Graph;
+  const std::vector<GraphSeed>& Seeds;
+  const SearchResult& Nearest;
+  std::unique_ptr<LabelCorrection> Correction; ///< null where there are no angles
+  std::vector<Id> Heads;                       ///< per vertex, its first label
+  std::vector<double> Limits;                  ///< per vertex, of labels that matter
+  std::vector<Label> Labels;
+  MinimumHeap Heap; ///< of labels
+};
+}
+
+Status SiteDistances::Run(const GraphSearch& search, const SurfaceMesh& mesh,
+  const std::vector<GraphSeed>& seeds, const ProgressCallback& progress)
+{
+  this->Offsets.clear();
+  this->Entries.clear();
+  const std::vector<GraphSeed> kept = WithoutDuplicates(seeds);
+  SearchOptions options;
+  options.Correct = true;
+  if (progress)
+  {
+    options.Progress = [&progress](double done) { return progress(NearestShare * done); };
+  }
+  SearchResult nearest;
+  const Status status = search.Run(kept, options, nearest);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  if (nearest.Corrected.empty()) // a graph without angles
+  {
+    nearest.Corrected = nearest.Distances;
+  }
+  const GraphView& graph = search.GetGraph();
+  FartherSites farther(graph, mesh, kept, nearest);
+  if (!farther.Run(progress))
+  {
+    return Status::Abort();
+  }
+  this->Offsets.push_back(0);
+  for (Id v = 0; v < graph.NumberOfVertices; ++v)
+  {
+    if (nearest.Seeds[v] != NoId)
+    {
+      this->Entries.push_back({ kept[nearest.Seeds[v]].Source, nearest.Corrected[v] });
+      farther.ForEach(v, [this](Id site, double estimate) {
+        this->Entries.push_back({ site, estimate });
+      });
+      std::sort(this->Entries.begin() + this->Offsets.back(), this->Entries.end(),
+        [](const Entry& a, const Entry& b) { return a.Site < b.Site; });
+    }
+    this->Offsets.push_back(static_cast<Offset>(this->Entries.size()));
+  }
+  return status;
+}
+
+const SiteDistances::Entry* SiteDistances::Nearest(Id v) const
+{
+  const Entry* nearest = nullptr;
+  for (const Entry* entry = this->Begin(v); entry != this->End(v); ++entry)
+  {
+    nearest = !nearest || entry->Distance < nearest->Distance ? entry : nearest;
+  }
+  return nearest;
+}
+}

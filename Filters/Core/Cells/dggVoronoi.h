@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Geodesic Voronoi diagrams: the nearest site of every point of a surface.
+#ifndef dggVoronoi_h
+#define dggVoronoi_h
+
+#include "dggGraphSearch.h"  // for GraphSearch
+#include "dggSurfacePoint.h" // for SurfacePoint
+
+#include <array>   // for pairs of sites
+#include <cstddef> // for std::size_t
+#include <vector>  // for the diagram
+
+namespace dgg
+{
+/// A Voronoi diagram as a mesh. Its points are the vertices of the surface, with their ids, and
+/// after them points on the borders of cells, where these cross edges of the surface or meet inside
+/// faces.
+///
+/// Every border point has one number, in all faces that it lies in: what crosses an edge is
+/// computed from the distances at the ends of that edge alone. So cells and borders have no gaps.
+struct VoronoiDiagram
+{
+  /// Per vertex, the nearest site, of several at the same distance the first one, and the estimated
+  /// distance from it; NoId and Infinity where no site reaches.
+  std::vector<Id> NearestSites;
+  std::vector<double> Distances;
+
+  /// Border points: number i of them is point n + i, with n vertices.
+  std::vector<SurfacePoint> BorderPoints;
+  std::vector<double> BorderDistances; ///< estimated, from the nearest sites
+
+  /// Parts of faces: polygon i has the points PolygonPoints[PolygonOffsets[i]] and so on, in the
+  /// order of the corners of SurfaceMesh::GetTriangle(); convex. Together they make up all faces
+  /// that have not been dropped.
+  std::vector<Offset> PolygonOffsets;
+  std::vector<Id> PolygonPoints;
+  std::vector<Id> PolygonSites; ///< NoId where no site reaches
+  std::vector<Id> PolygonFaces;
+  std::vector<double> PolygonAreas; ///< by the lengths of the surface
+
+  /// Borders between two cells: curves of points, straight from one to the next, each within a
+  /// face. A closed one ends with the point that it starts with. The smaller site comes first.
+  std::vector<Offset> CurveOffsets;
+  std::vector<Id> CurvePoints;
+  std::vector<std::array<Id, 2>> CurveSites;
+
+  std::size_t GetNumberOfPolygons() const { return this->PolygonSites.size(); }
+  std::size_t GetNumberOfCurves() const { return this->CurveSites.size(); }
+};
+
+/// The diagram of sites given by seeds, whose Source is the number of the site, from 0 on; initial
+/// distances are not allowed. A site at the place of an earlier one has no cell.
+///
+/// Inside a face, the squared distance from a site is that of a point in the plane of the face:
+/// with barycentric coordinates b, sum b_i d_i^2 - sum b_i b_j l_ij^2, where d_i are the
+/// (corrected) distances at the corners and l_ij the lengths of the sides. This is exact where the
+/// surface is flat, and as the second sum is the same for all sites, borders within a face are
+/// straight lines and cells are convex polygons; cf. Xin et al., "SurfaceVoronoi: efficiently
+/// computing Voronoi diagrams over mesh surfaces with arbitrary distance solvers", 2022. A cell
+/// that reaches into a face but does not contain any of its corners is found when two of the
+/// corners belong to different cells.
+///
+/// `search` is that of a graph of `mesh`. Fails as GraphSearch::Run() does, and when a seed has an
+/// initial distance or no site; then the diagram is empty.
+Status ComputeVoronoi(const GraphSearch& search, const SurfaceMesh& mesh,
+  const std::vector<GraphSeed>& seeds, const ProgressCallback& progress, VoronoiDiagram& diagram);
+}
+
+#endif
