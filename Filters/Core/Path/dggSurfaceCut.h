@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Cuts a surface open along edges.
+#ifndef dggSurfaceCut_h
+#define dggSurfaceCut_h
+
+#include "dggSurfaceRefinement.h" // for RefinedSurface
+
+#include <vector> // for chains and copies
+
+namespace dgg
+{
+/// A surface cut open: its faces are those of the surface that was cut, in the same order. A vertex
+/// has one copy for each sector that the cuts leave of the faces around it; the first copy has the
+/// id of the vertex, further ones follow after all vertices. Paths is empty.
+struct CutSurface : RefinedSurface
+{
+  std::vector<Id> VertexOf; ///< per vertex, the one that it is a copy of
+};
+
+/// Cut along chains of vertices, such as RefinedSurface::Paths. Fails when two consecutive vertices
+/// are not neighbours.
+Status CutAlongChains(
+  const RefinedSurface& surface, const std::vector<std::vector<Id>>& chains, CutSurface& cut);
+}
+
+#endif

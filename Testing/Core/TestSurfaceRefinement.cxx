@@ -1,0 +1,403 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces split along paths, and surfaces cut open: the metric stays what it was.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include "dggExactPath.h"
+#include "dggFaceTriangulation.h"
+#include "dggSurfaceCut.h"
+#include "dggSurfaceRefinement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::GridPoint;
+using dgg::RefinedSurface;
+using dgg::SurfacePath;
+using dgg::SurfacePoint;
+
+std::vector<SurfacePath> PathsFrom(
+  const dgg::SurfaceMesh& mesh, const SurfacePoint& from, const std::vector<SurfacePoint>& to)
+{
+  dgg::ExactPathFinder finder(mesh);
+  std::vector<SurfacePath> paths;
+  const dgg::Status status = finder.Find(from, to, nullptr, paths);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  return paths;
+}
+
+RefinedSurface Refine(
+  const dgg::SurfaceMesh& mesh, const std::vector<SurfacePath>& paths, bool insertCrossings = false)
+{
+  RefinedSurface refined;
+  dgg::RefinementOptions options;
+  options.InsertCrossings = insertCrossings;
+  const dgg::Status status = dgg::RefineAlongPaths(mesh, paths, options, refined);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  return refined;
+}
+
+double AreaOf(const std::vector<double>& lengths, Id f)
+{
+  return dgg::TriangleArea(lengths[3 * f], lengths[3 * f + 1], lengths[3 * f + 2]);
+}
+
+/// Everything that must hold of a refined surface: old faces are covered exactly, chains are edges
+/// and as long as their paths, and distances do not change.
+void ExpectSound(const dgg::SurfaceMesh& mesh, const std::vector<SurfacePath>& paths,
+  const RefinedSurface& refined, double tolerance)
+{
+  ASSERT_EQ(refined.Triangles.size(), 3 * refined.Faces.size());
+  ASSERT_EQ(refined.Paths.size(), paths.size());
+  std::vector<double> areas(mesh.GetNumberOfFaces(), 0.0);
+  std::map<std::pair<Id, Id>, double> edges;
+  for (Id f = 0; f < refined.GetNumberOfFaces(); ++f)
+  {
+    areas[refined.Faces[f]] += AreaOf(refined.Lengths, f);
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const Id a = refined.Triangles[h];
+      const Id b = refined.Triangles[dgg::SurfaceMesh::Next(h)];
+      edges[{ std::min(a, b), std::max(a, b) }] = refined.Lengths[h];
+      std::array<double, 3> coordinates{};
+      EXPECT_TRUE(dgg::FindInFace(mesh, refined.Points[a], refined.Faces[f], coordinates));
+      EXPECT_TRUE(refined.Points[a].Check(mesh).IsOk());
+    }
+  }
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    const double area = mesh.IsDropped(f)
+      ? 0.0
+      : dgg::TriangleArea(mesh.Length(3 * f), mesh.Length(3 * f + 1), mesh.Length(3 * f + 2));
+    EXPECT_NEAR(areas[f], area, 1e-7 * mesh.GetMaximumEdgeLength() * mesh.GetMaximumEdgeLength());
+  }
+  for (std::size_t p = 0; p < paths.size(); ++p)
+  {
+    const std::vector<Id>& chain = refined.Paths[p];
+    ASSERT_EQ(chain.empty(), paths[p].IsEmpty());
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+    {
+      const auto edge =
+        edges.find({ std::min(chain[i], chain[i + 1]), std::max(chain[i], chain[i + 1]) });
+      ASSERT_NE(edge, edges.end())
+        << "path " << p << ", vertices " << chain[i] << ", " << chain[i + 1];
+      length += edge->second;
+    }
+    EXPECT_NEAR(length, paths[p].Length, 1e-7 * mesh.GetMaximumEdgeLength() + tolerance);
+  }
+  dgg::SurfaceMesh fine;
+  const dgg::Status status = refined.Build(fine);
+  ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+  for (const Id source : SomeVertices(mesh, 3, 91))
+  {
+    const auto before = DistancesFrom(mesh, dgg::ExactEngine::Triangle, source);
+    auto after = DistancesFrom(fine, dgg::ExactEngine::Triangle, source);
+    after.resize(before.size());
+    ExpectSameField(before, after, tolerance, "distances");
+  }
+}
+
+std::vector<SurfacePath> Star(const dgg::SurfaceMesh& mesh, Id count, std::uint64_t seed)
+{
+  std::vector<SurfacePoint> to = RandomSurfacePoints(mesh, count, seed);
+  for (const Id v : SomeVertices(mesh, count, seed + 1))
+  {
+    to.push_back(SurfacePoint::AtVertex(v));
+  }
+  return PathsFrom(mesh, RandomSurfacePoints(mesh, 1, seed + 2)[0], to);
+}
+}
+
+TEST(FaceTriangulation, OrientationIsExact)
+{
+  const std::int64_t one = GridPoint::One;
+  EXPECT_EQ(dgg::Orientation({ 0, 0 }, { one, 0 }, { 0, one }), 1);
+  EXPECT_EQ(dgg::Orientation({ 0, 0 }, { 0, one }, { one, 0 }), -1);
+  EXPECT_EQ(dgg::Orientation({ one, 0 }, { one / 2, one / 2 }, { 0, one }), 0);
+  EXPECT_EQ(dgg::Orientation({ one - 1, 0 }, { one / 2, one / 2 }, { 0, one }), 1);
+  EXPECT_EQ(dgg::Orientation({ one - 1, 1 }, { one / 2, one / 2 - 1 }, { 0, one - 1 }), -1);
+  // In line, with coordinates of all magnitudes; and one unit beside the line.
+  Random random(3);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const std::int64_t x = random.Index(1 << 20);
+    const std::int64_t y = random.Index(1 << 20);
+    const std::int64_t factor = std::int64_t(1) << random.Index(28);
+    const std::int64_t more = 1 + random.Index(3);
+    const GridPoint a{ 5, 7 };
+    const GridPoint b{ 5 + x * factor, 7 + y * factor };
+    const GridPoint c{ 5 + x * factor * more, 7 + y * factor * more };
+    EXPECT_EQ(dgg::Orientation(a, b, c), 0);
+    EXPECT_EQ(dgg::Orientation(a, b, { c.X, c.Y + 1 }), x > 0 ? 1 : 0);
+    EXPECT_EQ(dgg::Orientation(a, b, { c.X + 1, c.Y }), y > 0 ? -1 : 0);
+  }
+}
+
+TEST(FaceTriangulation, RandomPointsAndSegments)
+{
+  const std::array<dgg::Point2, 3> corners{ { { 0.0, 0.0 }, { 2.0, 0.0 }, { 0.5, 1.0 } } };
+  for (std::uint64_t seed = 1; seed <= 100; ++seed)
+  {
+    Random random(seed);
+    dgg::FaceTriangulation triangulation(corners);
+    std::vector<GridPoint> points{ { 0, 0 }, { GridPoint::One, 0 }, { 0, GridPoint::One } };
+    const Id count = random.Index(30);
+    for (Id i = 0; i < count; ++i)
+    {
+      double a = random.Uniform();
+      double b = random.Uniform();
+      const Id side = random.Index(5);
+      const bool swap = a + b > 1.0;
+      std::array<double, 3> w{ { 0.0, swap ? 1.0 - a : a, swap ? 1.0 - b : b } };
+      w[0] = 1.0 - w[1] - w[2];
+      if (side < 3)
+      {
+        w[side] = 0.0;
+      }
+      points.push_back(GridPoint::FromBarycentric(w));
+      triangulation.AddPoint(points.back());
+    }
+    std::set<std::pair<int, int>> segments;
+    const int n = static_cast<int>(points.size());
+    for (int i = 0; i < 3 * n; ++i)
+    {
+      const int a = random.Index(n);
+      const int b = random.Index(n);
+      bool isFree = a < b;
+      for (int c = 0; c < n && isFree; ++c)
+      {
+        isFree = c == a || c == b || dgg::Orientation(points[a], points[b], points[c]) != 0;
+      }
+      for (const std::pair<int, int>& s : segments)
+      {
+        isFree =
+          isFree && !dgg::CrossProperly(points[a], points[b], points[s.first], points[s.second]);
+      }
+      if (isFree)
+      {
+        EXPECT_TRUE(triangulation.AddSegment(a, b)) << a << " " << b;
+        segments.emplace(a, b);
+      }
+    }
+    triangulation.MakeDelaunay();
+    std::set<std::pair<int, int>> edges;
+    double doubleArea = 0.0;
+    for (const std::array<int, 3>& t : triangulation.GetTriangles())
+    {
+      EXPECT_EQ(dgg::Orientation(points[t[0]], points[t[1]], points[t[2]]), 1);
+      const double x1 = static_cast<double>(points[t[1]].X - points[t[0]].X);
+      const double y1 = static_cast<double>(points[t[1]].Y - points[t[0]].Y);
+      const double x2 = static_cast<double>(points[t[2]].X - points[t[0]].X);
+      const double y2 = static_cast<double>(points[t[2]].Y - points[t[0]].Y);
+      doubleArea += x1 * y2 - x2 * y1;
+      for (int k = 0; k < 3; ++k)
+      {
+        edges.emplace(std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]));
+      }
+    }
+    const auto one = static_cast<double>(GridPoint::One);
+    EXPECT_NEAR(doubleArea / (one * one), 1.0, 1e-12);
+    EXPECT_TRUE(std::includes(edges.begin(), edges.end(), segments.begin(), segments.end()));
+  }
+}
+
+TEST(SurfaceRefinement, NothingToDo)
+{
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    const RefinedSurface refined = Refine(mesh, {});
+    EXPECT_EQ(refined.GetNumberOfVertices(), mesh.GetNumberOfVertices());
+    ExpectSound(mesh, {}, refined, 1e-9 * mesh.GetMaximumEdgeLength());
+  }
+}
+
+TEST(SurfaceRefinement, StarsOnSoundMeshes)
+{
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    const auto paths = Star(mesh, 8, 5);
+    ExpectSound(mesh, paths, Refine(mesh, paths, true), 1e-8 * mesh.GetMaximumEdgeLength());
+  }
+}
+
+TEST(SurfaceRefinement, StarsOnDefectMeshes)
+{
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    const auto paths = Star(mesh, 8, 5);
+    // Parts of narrow faces are made wider, to some 1e-7 edges, when they become degenerate.
+    ExpectSound(mesh, paths, Refine(mesh, paths, true), 1e-6 * mesh.GetMaximumEdgeLength());
+  }
+}
+
+TEST(SurfaceRefinement, TangledPaths)
+{
+  for (const TestMesh& input : { NoisySphere(1, 0.3, 3), Cube(3), WithNoise(Torus(10, 7), 0.05, 4),
+         Plane(5, 5), Terrain(6, 2.0, 3), MisorientedSphere(1, 8) })
+  {
+    const dgg::SurfaceMesh mesh = Build(input);
+    std::vector<SurfacePath> paths;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    {
+      for (const SurfacePath& path : Star(mesh, 4, 10 * seed))
+      {
+        paths.push_back(path);
+      }
+    }
+    RefinedSurface refined;
+    const dgg::Status status = dgg::RefineAlongPaths(mesh, paths, {}, refined);
+    EXPECT_NE(status.GetMessage().find("cross in face"), std::string::npos) << status.GetMessage();
+    EXPECT_TRUE(refined.Points.empty());
+    ExpectSound(mesh, paths, Refine(mesh, paths, true), 1e-8 * mesh.GetMaximumEdgeLength());
+  }
+}
+
+TEST(SurfaceRefinement, CrossingsBecomeVertices)
+{
+  // Two diagonals of a square of one cell: one along the mesh edge, one across it.
+  const dgg::SurfaceMesh mesh = Build(Plane(1, 1));
+  std::vector<SurfacePath> paths =
+    PathsFrom(mesh, SurfacePoint::AtVertex(0), { SurfacePoint::AtVertex(3) });
+  paths.push_back(PathsFrom(mesh, SurfacePoint::AtVertex(1), { SurfacePoint::AtVertex(2) })[0]);
+  const RefinedSurface refined = Refine(mesh, paths); // they touch: the edge is crossed at a node
+  EXPECT_EQ(refined.GetNumberOfVertices(), 5);
+  EXPECT_EQ(refined.GetNumberOfFaces(), 4);
+  EXPECT_EQ(refined.Paths[0].size(), 3u);
+  EXPECT_EQ(refined.Paths[1].size(), 3u);
+  EXPECT_EQ(refined.Paths[0][1], refined.Paths[1][1]);
+  // Inside one face.
+  const dgg::SurfaceMesh single = Build(SingleTriangle());
+  auto inFace = [&](double a, double b) {
+    return SurfacePoint::InFace(single, 0, { { a, b, 1.0 - a - b } });
+  };
+  paths = PathsFrom(single, inFace(0.2, 0.2), { inFace(0.5, 0.3) });
+  paths.push_back(PathsFrom(single, inFace(0.3, 0.5), { inFace(0.4, 0.1) })[0]);
+  const RefinedSurface crossed = Refine(single, paths, true);
+  EXPECT_EQ(crossed.GetNumberOfVertices(), 8);
+  EXPECT_EQ(crossed.Paths[0][1], crossed.Paths[1][1]);
+  ExpectSound(single, paths, crossed, 1e-12);
+  RefinedSurface none;
+  EXPECT_FALSE(dgg::RefineAlongPaths(single, paths, {}, none).IsOk());
+}
+
+TEST(SurfaceRefinement, PointsGoBackToTheOldMesh)
+{
+  for (const TestMesh& input : { NoisySphere(1, 0.3, 3), MisorientedSphere(1, 8) })
+  {
+    const dgg::SurfaceMesh mesh = Build(input);
+    const RefinedSurface refined = Refine(mesh, Star(mesh, 8, 5), true);
+    for (Id f = 0; f < refined.GetNumberOfFaces(); f += 3)
+    {
+      const SurfacePoint middle = refined.ToOldMesh(mesh, f, { { 0.2, 0.3, 0.5 } });
+      ASSERT_TRUE(middle.Check(mesh).IsOk());
+      const auto p = dgg::PositionOf(mesh, middle, input.Points.data());
+      for (int c = 0; c < 3; ++c)
+      {
+        double expected = 0.0;
+        for (int k = 0; k < 3; ++k)
+        {
+          expected += std::array<double, 3>{ { 0.2, 0.3, 0.5 } }[k] *
+            dgg::PositionOf(
+              mesh, refined.Points[refined.Triangles[3 * f + k]], input.Points.data())[c];
+        }
+        EXPECT_NEAR(p[c], expected, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(SurfaceRefinement, SaysWhatIsWrong)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
+  std::vector<SurfacePath> paths(2);
+  paths[0] = PathsFrom(mesh, SurfacePoint::AtVertex(0), { SurfacePoint::AtVertex(3) })[0];
+  paths[1] = paths[0];
+  paths[1].Faces[0] = 99999;
+  RefinedSurface refined;
+  dgg::Status status = dgg::RefineAlongPaths(mesh, paths, {}, refined);
+  EXPECT_NE(status.GetMessage().find("path 1"), std::string::npos) << status.GetMessage();
+  paths[1] = paths[0];
+  paths[1].Points[0].Vertex = -3;
+  status = dgg::RefineAlongPaths(mesh, paths, {}, refined);
+  EXPECT_NE(status.GetMessage().find("vertex -3"), std::string::npos) << status.GetMessage();
+}
+
+TEST(SurfaceCut, OpensAlongASlit)
+{
+  // A plane cut from the middle to the rim: the way round the tip.
+  const TestMesh input = Plane(6, 6, 0.2, 4);
+  const dgg::SurfaceMesh mesh = Build(input);
+  const SurfacePoint tip = SurfacePoint::InFace(mesh, 31, { { 0.3, 0.3, 0.4 } });
+  const Id rim = VertexAt(input, 6, 3, 0);
+  const auto paths = PathsFrom(mesh, tip, { SurfacePoint::AtVertex(rim) });
+  const RefinedSurface refined = Refine(mesh, paths);
+  dgg::CutSurface cut;
+  ASSERT_TRUE(dgg::CutAlongChains(refined, refined.Paths, cut).IsOk());
+  // All but the tip are there twice.
+  EXPECT_EQ(cut.VertexOf.size(), refined.Points.size() + refined.Paths[0].size() - 1);
+  dgg::SurfaceMesh opened;
+  ASSERT_TRUE(cut.Build(opened).IsOk());
+  Id components = 0;
+  opened.ComputeComponents(components);
+  EXPECT_EQ(components, 1);
+  const auto other =
+    std::find(cut.VertexOf.begin() + refined.GetNumberOfVertices(), cut.VertexOf.end(), rim);
+  ASSERT_NE(other, cut.VertexOf.end());
+  const double around =
+    DistancesFrom(opened, dgg::ExactEngine::Triangle, rim)[other - cut.VertexOf.begin()];
+  EXPECT_NEAR(around, 2.0 * paths[0].Length, 1e-9);
+}
+
+TEST(SurfaceCut, SeparatesAndDoesNot)
+{
+  // A closed path round a torus does not separate it; the boundary of an octant of a sphere does.
+  const dgg::SurfaceMesh torus = Build(Torus(16, 10));
+  std::vector<std::vector<Id>> ring(1);
+  for (Id i = 0; i <= 16; ++i)
+  {
+    ring[0].push_back(i % 16);
+  }
+  RefinedSurface refined = Refine(torus, {});
+  dgg::CutSurface cut;
+  ASSERT_TRUE(dgg::CutAlongChains(refined, ring, cut).IsOk());
+  dgg::SurfaceMesh opened;
+  ASSERT_TRUE(cut.Build(opened).IsOk());
+  Id components = 0;
+  opened.ComputeComponents(components);
+  EXPECT_EQ(components, 1);
+  EXPECT_EQ(opened.GetNumberOfVertices(), torus.GetNumberOfVertices() + 16);
+
+  const dgg::SurfaceMesh sphere = Build(Icosphere(2));
+  std::vector<SurfacePath> paths;
+  const std::vector<Id> corners{ 0, 7, 20 };
+  for (int k = 0; k < 3; ++k)
+  {
+    paths.push_back(PathsFrom(sphere, SurfacePoint::AtVertex(corners[k]),
+      { SurfacePoint::AtVertex(corners[(k + 1) % 3]) })[0]);
+  }
+  refined = Refine(sphere, paths);
+  ASSERT_TRUE(dgg::CutAlongChains(refined, refined.Paths, cut).IsOk());
+  ASSERT_TRUE(cut.Build(opened).IsOk());
+  opened.ComputeComponents(components);
+  EXPECT_EQ(components, 2);
+  ASSERT_FALSE(dgg::CutAlongChains(refined, { { 0, 11 } }, cut).IsOk());
+}
+}
