@@ -34,6 +34,10 @@ struct RefinedSurface
   /// of the old mesh.
   SurfacePoint ToOldMesh(
     const SurfaceMesh& oldMesh, Id face, const std::array<double, 3>& barycentric) const;
+  /// A path on the mesh that Build() made, on the old mesh. Where it bends it keeps its points,
+  /// also inside faces of the old mesh.
+  SurfacePath ToOldMesh(
+    const SurfaceMesh& oldMesh, const SurfaceMesh& mesh, const SurfacePath& path) const;
 };
 
 struct RefinementOptions

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggLayoutOrder.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+Status CheckLandmark(Id landmark, Id count, const std::string& where)
+{
+  if (landmark >= 0 && landmark < count)
+  {
+    return Status::Success();
+  }
+  std::ostringstream message;
+  message << where << " names landmark " << landmark << ", but there are " << count
+          << ": landmarks must be in [0, " << count - 1 << "]";
+  return Status::Invalid(message.str());
+}
+
+std::string Name(const std::string& what, std::size_t index)
+{
+  return what + " " + std::to_string(index) + " of the layout";
+}
+}
+
+EdgeOrder EdgeOrder::Reversed() const
+{
+  EdgeOrder reversed = *this;
+  std::reverse(reversed.Edges.begin(), reversed.Edges.end());
+  return reversed;
+}
+
+Status LayoutOrder::Read(const PatchLayout& layout, Id numberOfLandmarks)
+{
+  this->Edges.clear();
+  this->Orders.clear();
+  Status status = this->ReadPatches(layout, numberOfLandmarks);
+  if (status.IsOk())
+  {
+    status = this->AddEdges(layout, numberOfLandmarks);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  if (this->Edges.empty())
+  {
+    return Status::Invalid("the layout is empty: give it patches, or edges between landmarks");
+  }
+  this->FindOrders(layout, numberOfLandmarks);
+  return Status::Success();
+}
+
+Status LayoutOrder::ReadPatches(const PatchLayout& layout, Id numberOfLandmarks)
+{
+  std::map<std::pair<Id, Id>, std::size_t> sides; // in their direction, and of which patch
+  for (std::size_t p = 0; p < layout.Patches.size(); ++p)
+  {
+    const std::vector<Id>& patch = layout.Patches[p];
+    const std::string name = Name("patch", p);
+    if (patch.size() < 3)
+    {
+      return Status::Invalid(name + " has fewer than three landmarks");
+    }
+    for (std::size_t i = 0; i < patch.size(); ++i)
+    {
+      const Id a = patch[i];
+      const Id b = patch[(i + 1) % patch.size()];
+      const Status status = CheckLandmark(a, numberOfLandmarks, name);
+      if (!status.IsOk())
+      {
+        return status;
+      }
+      std::ostringstream message;
+      if (a == b)
+      {
+        message << name << " has landmark " << a << " twice in a row";
+        return Status::Invalid(message.str());
+      }
+      const auto added = sides.emplace(std::make_pair(a, b), p);
+      if (!added.second)
+      {
+        message << "patches " << added.first->second << " and " << p
+                << " of the layout both go from landmark " << a << " to " << b
+                << ": an edge has at most two patches, which pass it in opposite directions";
+        return Status::Invalid(message.str());
+      }
+      if (sides.find({ b, a }) == sides.end())
+      {
+        this->Edges.push_back({ { a, b } });
+      }
+    }
+  }
+  return Status::Success();
+}
+
+Status LayoutOrder::AddEdges(const PatchLayout& layout, Id numberOfLandmarks)
+{
+  std::set<std::pair<Id, Id>> known;
+  auto key = [](Id a, Id b) { return std::make_pair(std::min(a, b), std::max(a, b)); };
+  for (const std::array<Id, 2>& edge : this->Edges)
+  {
+    known.insert(key(edge[0], edge[1]));
+  }
+  std::set<std::pair<Id, Id>> added;
+  for (std::size_t e = 0; e < layout.Edges.size(); ++e)
+  {
+    const std::array<Id, 2>& edge = layout.Edges[e];
+    for (const Id landmark : edge)
+    {
+      const Status status = CheckLandmark(landmark, numberOfLandmarks, Name("edge", e));
+      if (!status.IsOk())
+      {
+        return status;
+      }
+    }
+    std::ostringstream message;
+    if (edge[0] == edge[1])
+    {
+      message << Name("edge", e) << " joins landmark " << edge[0] << " with itself";
+      return Status::Invalid(message.str());
+    }
+    if (!added.insert(key(edge[0], edge[1])).second)
+    {
+      message << Name("edge", e) << ", between landmarks " << edge[0] << " and " << edge[1]
+              << ", occurs twice";
+      return Status::Invalid(message.str());
+    }
+    if (known.insert(key(edge[0], edge[1])).second)
+    {
+      this->Edges.push_back(edge);
+    }
+  }
+  return Status::Success();
+}
+
+/// From the corners of the patches: next to the side that leaves a landmark, counter-clockwise, is
+/// the one that arrives there.
+void LayoutOrder::FindOrders(const PatchLayout& layout, Id numberOfLandmarks)
+{
+  std::vector<std::vector<Id>> around(numberOfLandmarks);
+  for (std::size_t e = 0; e < this->Edges.size(); ++e)
+  {
+    around[this->Edges[e][0]].push_back(static_cast<Id>(e));
+    around[this->Edges[e][1]].push_back(static_cast<Id>(e));
+  }
+  std::vector<std::map<Id, Id>> next(numberOfLandmarks);
+  for (const std::vector<Id>& patch : layout.Patches)
+  {
+    for (std::size_t i = 0; i < patch.size(); ++i)
+    {
+      const Id before = patch[(i + patch.size() - 1) % patch.size()];
+      const Id after = patch[(i + 1) % patch.size()];
+      next[patch[i]][this->FindEdge(patch[i], after)] = this->FindEdge(patch[i], before);
+    }
+  }
+  this->Orders.assign(numberOfLandmarks, EdgeOrder());
+  for (Id l = 0; l < numberOfLandmarks; ++l)
+  {
+    if (around[l].empty())
+    {
+      continue;
+    }
+    // Start behind a gap, if there is one.
+    EdgeOrder& order = this->Orders[l];
+    Id first = around[l][0];
+    for (const Id e : around[l])
+    {
+      const bool hasPrevious = std::any_of(next[l].begin(), next[l].end(),
+        [&](const std::pair<const Id, Id>& step) { return step.second == e; });
+      if (!hasPrevious)
+      {
+        first = e;
+        order.HasGap = true;
+      }
+    }
+    Id e = first;
+    do
+    {
+      order.Edges.push_back(e);
+      const auto step = next[l].find(e);
+      e = step != next[l].end() ? step->second : NoId;
+    } while (e != NoId && e != first && order.Edges.size() <= around[l].size());
+    order.IsKnown =
+      order.Edges.size() == around[l].size() && (order.HasGap ? e == NoId : e == first);
+    if (!order.IsKnown)
+    {
+      order = EdgeOrder();
+    }
+  }
+}
+
+Id LayoutOrder::FindEdge(Id a, Id b) const
+{
+  const auto edge =
+    std::find_if(this->Edges.begin(), this->Edges.end(), [&](const std::array<Id, 2>& e) {
+      return (e[0] == a && e[1] == b) || (e[0] == b && e[1] == a);
+    });
+  return edge != this->Edges.end() ? static_cast<Id>(edge - this->Edges.begin()) : NoId;
+}
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A layout of patches as a graph with an order of the edges around each landmark. Internal.
+#ifndef dggLayoutOrder_h
+#define dggLayoutOrder_h
+
+#include "dggPatchBoundaries.h" // for PatchLayout
+
+#include <array>  // for edges
+#include <vector> // for lists
+
+namespace dgg
+{
+/// The edges around a landmark, counter-clockwise.
+struct EdgeOrder
+{
+  std::vector<Id> Edges;
+  /// Whether the order is that of all edges of the landmark. Otherwise it grows as they are traced.
+  bool IsKnown = false;
+  /// Whether there is a gap between the last edge and the first: the order is a line.
+  bool HasGap = false;
+
+  EdgeOrder Reversed() const;
+};
+
+/// The edges of a layout, without repetition, and what is known of their order.
+class LayoutOrder
+{
+public:
+  /// Fails when a landmark is out of range, an edge joins a landmark with itself or occurs twice,
+  /// a patch has fewer than three sides, or patches do not fit together along their sides.
+  Status Read(const PatchLayout& layout, Id numberOfLandmarks);
+
+  const std::vector<std::array<Id, 2>>& GetEdges() const { return this->Edges; }
+  const std::vector<EdgeOrder>& GetOrders() const { return this->Orders; }
+  /// The edge that joins two landmarks; NoId when there is none.
+  Id FindEdge(Id a, Id b) const;
+
+private:
+  Status ReadPatches(const PatchLayout& layout, Id numberOfLandmarks);
+  Status AddEdges(const PatchLayout& layout, Id numberOfLandmarks);
+  void FindOrders(const PatchLayout& layout, Id numberOfLandmarks);
+
+  std::vector<std::array<Id, 2>> Edges;
+  std::vector<EdgeOrder> Orders; // per landmark
+};
+}
+
+#endif

@@ -1,0 +1,366 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggPatchBoundaries.h"
+
+#include "dggLayoutDrawing.h"
+#include "dggLayoutOrder.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+using Sector = LayoutDrawing::Sector;
+
+/// Share of the progress for finding out how long curves are.
+constexpr double SurveyShare = 0.2;
+
+/// How much two cyclic orders of the same edges agree: positive when they turn the same way.
+int CompareOrders(const EdgeOrder& first, const EdgeOrder& second)
+{
+  const auto size = static_cast<std::ptrdiff_t>(first.Edges.size());
+  if (size < 3 || second.Edges.size() != first.Edges.size())
+  {
+    return 0;
+  }
+  int votes = 0;
+  for (std::ptrdiff_t i = 0; i < size; ++i)
+  {
+    const auto place = std::find(second.Edges.begin(), second.Edges.end(), first.Edges[i]);
+    if (place == second.Edges.end())
+    {
+      return 0;
+    }
+    const std::ptrdiff_t j = place - second.Edges.begin();
+    const Id next = first.Edges[(i + 1) % size];
+    votes += second.Edges[(j + 1) % size] == next ? 1 : 0;
+    votes -= second.Edges[(j + size - 1) % size] == next ? 1 : 0;
+  }
+  return votes;
+}
+
+std::vector<EdgeOrder> Reversed(const std::vector<EdgeOrder>& orders)
+{
+  std::vector<EdgeOrder> reversed;
+  for (const EdgeOrder& order : orders)
+  {
+    reversed.push_back(order.Reversed());
+  }
+  return reversed;
+}
+
+class BoundaryTracer
+{
+public:
+  BoundaryTracer(const PatchSurface& first, const PatchSurface& second, const PatchLayout& layout,
+    const ProgressCallback& progress)
+    : Surfaces{ { &first, &second } }
+    , Layout(layout)
+    , Progress(progress)
+    , NumberOfLandmarks(static_cast<Id>(first.Landmarks.size()))
+  {
+  }
+
+  Status Run(PatchBoundaries& boundaries);
+
+private:
+  Status Prepare();
+  void FindSenses();
+  std::vector<Id> FindSequence() const;
+  Status DrawAll(const std::vector<Id>& sequence);
+  Status CheckPatches(int side) const;
+  Status CompareParts() const;
+  ProgressCallback Share(double from, double to) const;
+
+  const std::array<const PatchSurface*, 2> Surfaces;
+  const PatchLayout& Layout;
+  const ProgressCallback& Progress;
+  const Id NumberOfLandmarks;
+  LayoutOrder Order;
+  std::vector<LayoutDrawing> Drawings; // one per surface
+  std::array<std::vector<double>, 2> Lengths;
+  std::array<std::vector<EdgeOrder>, 2> Surveys;
+  std::vector<EdgeOrder> Orders; // as they are on the first surface
+  bool PatchesAreMirrored = false;
+  bool SecondIsMirrored = false; // with respect to the first surface
+};
+
+/// A part of the progress.
+ProgressCallback BoundaryTracer::Share(double from, double to) const
+{
+  if (!this->Progress)
+  {
+    return nullptr;
+  }
+  return
+    [this, from, to](double fraction) { return this->Progress(from + (to - from) * fraction); };
+}
+
+Status BoundaryTracer::Prepare()
+{
+  const std::size_t others = this->Surfaces[1]->Landmarks.size();
+  if (this->Surfaces[0]->Landmarks.size() != others)
+  {
+    std::ostringstream message;
+    message << "there are " << this->NumberOfLandmarks << " landmarks on the first surface and "
+            << others << " on the second one: they must correspond";
+    return Status::Invalid(message.str());
+  }
+  Status status = this->Order.Read(this->Layout, this->NumberOfLandmarks);
+  const std::array<const char*, 2> names{ { "the first surface", "the second surface" } };
+  for (int side = 0; side < 2 && status.IsOk(); ++side)
+  {
+    this->Drawings.emplace_back(*this->Surfaces[side], this->Order.GetEdges(), names[side]);
+    status = this->Drawings[side].Begin();
+  }
+  return status;
+}
+
+Status BoundaryTracer::Run(PatchBoundaries& boundaries)
+{
+  boundaries = PatchBoundaries();
+  Status status = this->Prepare();
+  for (int side = 0; side < 2 && status.IsOk(); ++side)
+  {
+    status = this->Drawings[side].Survey(
+      this->Share(0.5 * SurveyShare * side, 0.5 * SurveyShare * (side + 1)), this->Lengths[side],
+      this->Surveys[side]);
+  }
+  if (status.IsOk())
+  {
+    this->FindSenses();
+    status = this->DrawAll(this->FindSequence());
+  }
+  for (int side = 0; side < 2 && status.IsOk(); ++side)
+  {
+    status = this->CheckPatches(side);
+  }
+  if (status.IsOk())
+  {
+    status = this->CompareParts();
+  }
+  if (status.IsOk())
+  {
+    boundaries.Edges = this->Order.GetEdges();
+    for (int side = 0; side < 2; ++side)
+    {
+      boundaries.Curves[side] = std::move(this->Drawings[side].GetCurves());
+    }
+  }
+  return status;
+}
+
+/// Which way the patches turn on the first surface, and the second surface with respect to it: as
+/// most landmarks say, when each edge takes the shortest way.
+void BoundaryTracer::FindSenses()
+{
+  int votes = 0;
+  this->Orders = this->Order.GetOrders();
+  for (Id l = 0; l < this->NumberOfLandmarks; ++l)
+  {
+    votes += CompareOrders(this->Orders[l], this->Surveys[0][l]);
+  }
+  this->PatchesAreMirrored = votes < 0;
+  if (this->PatchesAreMirrored)
+  {
+    this->Orders = Reversed(this->Orders);
+  }
+  votes = 0;
+  for (Id l = 0; l < this->NumberOfLandmarks; ++l)
+  {
+    const EdgeOrder& order = this->Orders[l].IsKnown ? this->Orders[l] : this->Surveys[0][l];
+    votes += CompareOrders(order, this->Surveys[1][l]);
+  }
+  this->SecondIsMirrored = votes < 0;
+}
+
+/// Short edges first, but those that join what is not joined yet before all others: a spanning
+/// tree, in which each loop of the boundary counts as joined already (Kruskal 1956).
+std::vector<Id> BoundaryTracer::FindSequence() const
+{
+  std::vector<double> lengths(this->Order.GetEdges().size(), 0.0);
+  for (int side = 0; side < 2; ++side)
+  {
+    const double sum = std::accumulate(this->Lengths[side].begin(), this->Lengths[side].end(), 0.0);
+    for (std::size_t e = 0; e < lengths.size(); ++e)
+    {
+      lengths[e] += this->Lengths[side][e] / sum;
+    }
+  }
+  std::vector<Id> sorted(lengths.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::stable_sort(
+    sorted.begin(), sorted.end(), [&](Id a, Id b) { return lengths[a] < lengths[b]; });
+
+  std::vector<Id> parent(this->NumberOfLandmarks);
+  std::iota(parent.begin(), parent.end(), 0);
+  auto root = [&](Id l) {
+    while (parent[l] != l)
+    {
+      l = parent[l];
+    }
+    return l;
+  };
+  for (const LayoutDrawing& drawing : this->Drawings)
+  {
+    const std::vector<Id> loops = drawing.FindBoundaryLoops();
+    std::map<Id, Id> first;
+    for (Id l = 0; l < this->NumberOfLandmarks; ++l)
+    {
+      if (loops[l] != NoId)
+      {
+        parent[root(l)] = root(first.emplace(loops[l], l).first->second);
+      }
+    }
+  }
+  std::vector<Id> sequence;
+  std::vector<Id> rest;
+  for (const Id e : sorted)
+  {
+    const Id a = root(this->Order.GetEdges()[e][0]);
+    const Id b = root(this->Order.GetEdges()[e][1]);
+    parent[a] = b;
+    (a != b ? sequence : rest).push_back(e);
+  }
+  sequence.insert(sequence.end(), rest.begin(), rest.end());
+  return sequence;
+}
+
+Status BoundaryTracer::DrawAll(const std::vector<Id>& sequence)
+{
+  const double step = (1.0 - SurveyShare) / static_cast<double>(sequence.size());
+  for (std::size_t i = 0; i < sequence.size(); ++i)
+  {
+    const double done = SurveyShare + step * static_cast<double>(i);
+    Status status =
+      this->Drawings[0].Draw(sequence[i], this->Orders, this->Share(done, done + 0.5 * step));
+    if (status.IsOk())
+    {
+      std::vector<EdgeOrder> imposed =
+        this->SecondIsMirrored ? Reversed(this->Orders) : this->Orders;
+      status =
+        this->Drawings[1].Draw(sequence[i], imposed, this->Share(done + 0.5 * step, done + step));
+    }
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
+  return Status::Success();
+}
+
+/// Each patch is a disk with its own corners and no others.
+Status BoundaryTracer::CheckPatches(int side) const
+{
+  const bool mirrored = this->PatchesAreMirrored != (side == 1 && this->SecondIsMirrored);
+  std::vector<Sector> sectors;
+  std::vector<Id> characteristics;
+  this->Drawings[side].FindParts(sectors, characteristics);
+  std::vector<std::size_t> corners(characteristics.size(), 0);
+  for (const Sector& sector : sectors)
+  {
+    corners[sector.Part] += sector.Begin != NoId || sector.End != NoId ? 1 : 0;
+  }
+  std::vector<char> isTaken(characteristics.size(), 0);
+  for (std::size_t p = 0; p < this->Layout.Patches.size(); ++p)
+  {
+    const std::vector<Id>& patch = this->Layout.Patches[p];
+    std::ostringstream message;
+    message << "patch " << p << " of the layout is not a disk on " << this->Drawings[side].GetName()
+            << ": ";
+    Id part = NoId;
+    for (std::size_t i = 0; i < patch.size(); ++i)
+    {
+      Id begin = this->Order.FindEdge(patch[i], patch[(i + 1) % patch.size()]);
+      Id end = this->Order.FindEdge(patch[(i + patch.size() - 1) % patch.size()], patch[i]);
+      if (mirrored)
+      {
+        std::swap(begin, end);
+      }
+      const auto sector = std::find_if(sectors.begin(), sectors.end(), [&](const Sector& s) {
+        return s.Landmark == patch[i] && s.Begin == begin && s.End == end;
+      });
+      if (sector == sectors.end())
+      {
+        message << "its sides are not next to each other at landmark " << patch[i];
+        return Status::Invalid(message.str());
+      }
+      part = i == 0 ? sector->Part : part;
+      if (sector->Part != part)
+      {
+        message << "its corners at landmarks " << patch[0] << " and " << patch[i]
+                << " are in different parts of the surface";
+        return Status::Invalid(message.str());
+      }
+    }
+    if (characteristics[part] != 1 || corners[part] != patch.size() || isTaken[part])
+    {
+      message << (characteristics[part] != 1 ? "there is a hole or a handle in it"
+                                             : "it is one with another patch");
+      return Status::Invalid(message.str());
+    }
+    isTaken[part] = 1;
+  }
+  return Status::Success();
+}
+
+/// The curves divide both surfaces alike: the same corners belong together, in parts of the same
+/// kind.
+Status BoundaryTracer::CompareParts() const
+{
+  using Corner = std::array<Id, 3>; // landmark and the curves beside it
+  std::array<std::map<Corner, Id>, 2> parts;
+  std::array<std::vector<Id>, 2> characteristics;
+  for (int side = 0; side < 2; ++side)
+  {
+    std::vector<Sector> sectors;
+    this->Drawings[side].FindParts(sectors, characteristics[side]);
+    for (Sector& sector : sectors)
+    {
+      if (side == 1 && this->SecondIsMirrored)
+      {
+        std::swap(sector.Begin, sector.End);
+      }
+      if (sector.Begin != NoId && sector.End != NoId)
+      {
+        parts[side][{ { sector.Landmark, sector.Begin, sector.End } }] = sector.Part;
+      }
+    }
+  }
+  std::map<Id, Id> images;
+  std::map<Id, Id> origins;
+  for (const std::pair<const Corner, Id>& corner : parts[0])
+  {
+    const auto other = parts[1].find(corner.first);
+    if (other == parts[1].end())
+    {
+      continue; // the boundary of the second surface is there
+    }
+    const Id image = images.emplace(corner.second, other->second).first->second;
+    const Id origin = origins.emplace(other->second, corner.second).first->second;
+    if (image != other->second || origin != corner.second ||
+      characteristics[0][corner.second] != characteristics[1][other->second])
+    {
+      std::ostringstream message;
+      message << "the curves divide the two surfaces differently at landmark " << corner.first[0]
+              << ": check that the landmarks correspond, and add more of them where the surface "
+              << "has handles";
+      return Status::Invalid(message.str());
+    }
+  }
+  return Status::Success();
+}
+}
+
+Status TracePatchBoundaries(const PatchSurface& first, const PatchSurface& second,
+  const PatchLayout& layout, const ProgressCallback& progress, PatchBoundaries& boundaries)
+{
+  return BoundaryTracer(first, second, layout, progress).Run(boundaries);
+}
+}

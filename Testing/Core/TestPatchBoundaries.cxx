@@ -1,0 +1,455 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The same layout on two surfaces: curves that correspond, patches that are disks.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include "dggPatchBoundaries.h"
+#include "dggSurfaceCut.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::PatchBoundaries;
+using dgg::PatchLayout;
+using dgg::SurfacePoint;
+using Points = std::vector<SurfacePoint>;
+
+Points AtVertices(const std::vector<Id>& vertices)
+{
+  Points points;
+  for (const Id v : vertices)
+  {
+    points.push_back(SurfacePoint::AtVertex(v));
+  }
+  return points;
+}
+
+/// The vertex that is nearest to a place.
+Id Nearest(const TestMesh& mesh, double x, double y, double z)
+{
+  Id best = 0;
+  double shortest = dgg::Infinity;
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const double* p = mesh.Point(v);
+    const double d = std::hypot(p[0] - x, std::hypot(p[1] - y, p[2] - z));
+    if (d < shortest)
+    {
+      shortest = d;
+      best = v;
+    }
+  }
+  return best;
+}
+
+/// A sphere with bumps and dents.
+TestMesh BumpySphere(int level)
+{
+  TestMesh mesh = Icosphere(level);
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    double* p = mesh.Points.data() + 3 * v;
+    const double r =
+      1.0 + 0.3 * std::sin(4.0 * p[0] + 1.0) * std::cos(3.0 * p[1]) + 0.2 * std::sin(5.0 * p[2]);
+    for (int c = 0; c < 3; ++c)
+    {
+      p[c] *= r;
+    }
+  }
+  return mesh;
+}
+
+/// Its faces turned over.
+TestMesh TurnedOver(TestMesh mesh)
+{
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    std::swap(mesh.Triangles[3 * f], mesh.Triangles[3 * f + 1]);
+  }
+  return mesh;
+}
+
+PatchLayout Octahedral()
+{
+  // Landmarks: +x -x +y -y +z -z.
+  return { {},
+    { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 },
+      { 0, 3, 5 } } };
+}
+
+std::vector<Id> AxisVertices(const TestMesh& mesh)
+{
+  return { Nearest(mesh, 2, 0, 0), Nearest(mesh, -2, 0, 0), Nearest(mesh, 0, 2, 0),
+    Nearest(mesh, 0, -2, 0), Nearest(mesh, 0, 0, 2), Nearest(mesh, 0, 0, -2) };
+}
+
+/// Curves of one surface: ends, disjoint inside, and the parts that they leave have one landmark
+/// for each corner. Returns the numbers of edges around the parts that are disks, sorted.
+std::vector<std::size_t> ExpectCurves(const dgg::SurfaceMesh& mesh, const Points& landmarks,
+  const PatchBoundaries& boundaries, int side)
+{
+  const std::vector<dgg::SurfacePath>& curves = boundaries.Curves[side];
+  EXPECT_EQ(curves.size(), boundaries.Edges.size());
+  std::vector<dgg::SurfacePath> paths(landmarks.size());
+  for (std::size_t l = 0; l < landmarks.size(); ++l)
+  {
+    paths[l].Points.push_back(landmarks[l]);
+  }
+  paths.insert(paths.end(), curves.begin(), curves.end());
+  for (const dgg::SurfacePath& curve : curves)
+  {
+    const dgg::Status status = dgg::CheckPath(mesh, curve);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  }
+  dgg::RefinedSurface refined;
+  dgg::Status status = dgg::RefineAlongPaths(mesh, paths, {}, refined); // fails at crossings
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  if (!status.IsOk())
+  {
+    return {};
+  }
+  std::set<Id> taken;
+  std::set<std::pair<Id, Id>> edges;
+  for (std::size_t e = 0; e < curves.size(); ++e)
+  {
+    const std::vector<Id>& chain = refined.Paths[landmarks.size() + e];
+    EXPECT_EQ(chain.front(), refined.Paths[boundaries.Edges[e][0]][0]);
+    EXPECT_EQ(chain.back(), refined.Paths[boundaries.Edges[e][1]][0]);
+    for (std::size_t i = 1; i + 1 < chain.size(); ++i)
+    {
+      EXPECT_TRUE(taken.insert(chain[i]).second) << "curve " << e << " touches another one";
+    }
+  }
+  for (std::size_t l = 0; l < landmarks.size(); ++l)
+  {
+    EXPECT_EQ(taken.count(refined.Paths[l][0]), 0u) << "a curve runs through landmark " << l;
+  }
+  // Count the corners of each part.
+  dgg::CutSurface cut;
+  EXPECT_TRUE(dgg::CutAlongChains(refined, refined.Paths, cut).IsOk());
+  dgg::SurfaceMesh opened;
+  EXPECT_TRUE(cut.Build(opened).IsOk());
+  Id count = 0;
+  const auto parts = opened.ComputeComponents(count);
+  std::vector<Id> characteristic(count, 0);
+  std::vector<std::size_t> corners(count, 0);
+  for (Id v = 0; v < opened.GetNumberOfVertices(); ++v)
+  {
+    characteristic[parts[v]] += opened.FanBegin(v) != opened.FanEnd(v) ? 1 : 0;
+    for (std::size_t l = 0; l < landmarks.size(); ++l)
+    {
+      corners[parts[v]] += cut.VertexOf[v] == refined.Paths[l][0] ? 1 : 0;
+    }
+  }
+  for (Id h = 0; h < opened.GetNumberOfHalfEdges(); ++h)
+  {
+    characteristic[parts[opened.Origin(h)]] -= opened.Twin(h) < h ? 1 : 0;
+    characteristic[parts[opened.Origin(h)]] += h % 3 == 0 ? 1 : 0;
+  }
+  std::vector<std::size_t> disks;
+  for (Id part = 0; part < count; ++part)
+  {
+    if (characteristic[part] == 1)
+    {
+      disks.push_back(corners[part]);
+    }
+  }
+  std::sort(disks.begin(), disks.end());
+  return disks;
+}
+
+PatchBoundaries Trace(const dgg::SurfaceMesh& first, const Points& firstLandmarks,
+  const dgg::SurfaceMesh& second, const Points& secondLandmarks, const PatchLayout& layout)
+{
+  PatchBoundaries boundaries;
+  const dgg::Status status = dgg::TracePatchBoundaries(
+    { first, firstLandmarks }, { second, secondLandmarks }, layout, nullptr, boundaries);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  return boundaries;
+}
+
+void ExpectDisks(const TestMesh& first, const Points& firstLandmarks, const TestMesh& second,
+  const Points& secondLandmarks, const PatchLayout& layout, const std::vector<std::size_t>& disks)
+{
+  const dgg::SurfaceMesh a = Build(first);
+  const dgg::SurfaceMesh b = Build(second);
+  const PatchBoundaries boundaries = Trace(a, firstLandmarks, b, secondLandmarks, layout);
+  EXPECT_EQ(ExpectCurves(a, firstLandmarks, boundaries, 0), disks);
+  EXPECT_EQ(ExpectCurves(b, secondLandmarks, boundaries, 1), disks);
+}
+
+std::string Refusal(const dgg::SurfaceMesh& first, const Points& firstLandmarks,
+  const dgg::SurfaceMesh& second, const Points& secondLandmarks, const PatchLayout& layout)
+{
+  PatchBoundaries boundaries;
+  const dgg::Status status = dgg::TracePatchBoundaries(
+    { first, firstLandmarks }, { second, secondLandmarks }, layout, nullptr, boundaries);
+  EXPECT_FALSE(status.IsOk());
+  EXPECT_TRUE(boundaries.Edges.empty());
+  EXPECT_TRUE(boundaries.Curves[0].empty());
+  return status.GetMessage();
+}
+
+void ExpectRefusal(const std::string& message, const std::string& expected)
+{
+  EXPECT_NE(message.find(expected), std::string::npos) << message;
+}
+}
+
+TEST(PatchBoundaries, OctahedronOnSpheres)
+{
+  const TestMesh first = Icosphere(3);
+  const TestMesh second = BumpySphere(3);
+  const std::vector<std::size_t> disks(8, 3);
+  const Points a = AtVertices(AxisVertices(first));
+  const Points b = AtVertices(AxisVertices(second));
+  ExpectDisks(first, a, second, b, Octahedral(), disks);
+  // Any of the two may be inside out, or the patches.
+  ExpectDisks(TurnedOver(first), a, second, b, Octahedral(), disks);
+  ExpectDisks(first, a, TurnedOver(second), b, Octahedral(), disks);
+  PatchLayout mirrored = Octahedral();
+  for (std::vector<Id>& patch : mirrored.Patches)
+  {
+    std::reverse(patch.begin(), patch.end());
+  }
+  ExpectDisks(first, a, second, b, mirrored, disks);
+  ExpectDisks(first, a, TurnedOver(second), b, mirrored, disks);
+}
+
+TEST(PatchBoundaries, OfTheSameSurfaceAreTheSame)
+{
+  const TestMesh mesh = BumpySphere(3);
+  const dgg::SurfaceMesh surface = Build(mesh);
+  const Points landmarks = AtVertices(AxisVertices(mesh));
+  const PatchBoundaries boundaries = Trace(surface, landmarks, surface, landmarks, Octahedral());
+  for (std::size_t e = 0; e < boundaries.Edges.size(); ++e)
+  {
+    const double length = boundaries.Curves[0][e].Length;
+    EXPECT_EQ(length, boundaries.Curves[1][e].Length);
+    // Where nothing is in the way, it is the shortest path.
+    const double shortest = DistancesFrom(surface, dgg::ExactEngine::Reference,
+      landmarks[boundaries.Edges[e][0]].Vertex)[landmarks[boundaries.Edges[e][1]].Vertex];
+    EXPECT_GE(length, shortest * (1.0 - 1e-12));
+    EXPECT_LE(length, 1.2 * shortest);
+  }
+}
+
+TEST(PatchBoundaries, LinesAlone)
+{
+  // The order found on the first surface is imposed on the second one.
+  const TestMesh first = Icosphere(3);
+  const TestMesh second = BumpySphere(3);
+  PatchLayout lines;
+  for (const std::vector<Id>& patch : Octahedral().Patches)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const std::array<Id, 2> edge{ { patch[k], patch[(k + 1) % 3] } };
+      if (edge[0] < edge[1])
+      {
+        lines.Edges.push_back(edge);
+      }
+    }
+  }
+  ASSERT_EQ(lines.Edges.size(), 12u);
+  const std::vector<std::size_t> disks(8, 3);
+  const Points a = AtVertices(AxisVertices(first));
+  ExpectDisks(first, a, second, AtVertices(AxisVertices(second)), lines, disks);
+  ExpectDisks(first, a, TurnedOver(second), AtVertices(AxisVertices(second)), lines, disks);
+}
+
+TEST(PatchBoundaries, LandmarksAnywhere)
+{
+  // A tetrahedral layout whose landmarks lie in faces and on edges.
+  const PatchLayout layout{ {}, { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } } };
+  const TestMesh first = Icosphere(2);
+  const TestMesh second = BumpySphere(2);
+  const dgg::SurfaceMesh a = Build(first);
+  const dgg::SurfaceMesh b = Build(second);
+  for (std::uint64_t seed = 1; seed <= 12; ++seed)
+  {
+    // The same points of the same faces, so that a drawing exists that is not far from straight.
+    const Points landmarks = RandomSurfacePoints(a, 4, seed);
+    const PatchBoundaries boundaries = Trace(a, landmarks, b, landmarks, layout);
+    EXPECT_EQ(ExpectCurves(a, landmarks, boundaries, 0), std::vector<std::size_t>(4, 3)) << seed;
+    EXPECT_EQ(ExpectCurves(b, landmarks, boundaries, 1), std::vector<std::size_t>(4, 3)) << seed;
+  }
+}
+
+TEST(PatchBoundaries, AllInOneFace)
+{
+  const PatchLayout layout{ {}, { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } } };
+  const dgg::SurfaceMesh a = Build(Icosphere(1));
+  const dgg::SurfaceMesh b = Build(BumpySphere(2));
+  const Points inOne{ SurfacePoint::InFace(a, 7, { { 0.3, 0.3, 0.4 } }),
+    SurfacePoint::InFace(a, 7, { { 0.8, 0.1, 0.1 } }),
+    SurfacePoint::InFace(a, 7, { { 0.1, 0.8, 0.1 } }),
+    SurfacePoint::InFace(a, 7, { { 0.0, 0.1, 0.9 } }) };
+  const Points inTwo = RandomSurfacePoints(b, 4, 5);
+  const PatchBoundaries boundaries = Trace(a, inOne, b, inTwo, layout);
+  EXPECT_EQ(ExpectCurves(a, inOne, boundaries, 0), std::vector<std::size_t>(4, 3));
+  EXPECT_EQ(ExpectCurves(b, inTwo, boundaries, 1), std::vector<std::size_t>(4, 3));
+}
+
+TEST(PatchBoundaries, UnrelatedLandmarks)
+{
+  // On a sphere every planar layout can be drawn, wherever the landmarks are.
+  const dgg::SurfaceMesh a = Build(NoisySphere(2, 0.3, 3));
+  const dgg::SurfaceMesh b = Build(BumpySphere(2));
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+  {
+    const Points from = RandomSurfacePoints(a, 6, seed);
+    const Points to = RandomSurfacePoints(b, 6, seed + 100);
+    const PatchBoundaries boundaries = Trace(a, from, b, to, Octahedral());
+    EXPECT_EQ(ExpectCurves(a, from, boundaries, 0), std::vector<std::size_t>(8, 3)) << seed;
+    EXPECT_EQ(ExpectCurves(b, to, boundaries, 1), std::vector<std::size_t>(8, 3)) << seed;
+  }
+}
+
+TEST(PatchBoundaries, QuadsOnATorus)
+{
+  const TestMesh first = Torus(24, 16);
+  const TestMesh second = WithNoise(Torus(24, 16), 0.03, 5);
+  std::vector<Id> vertices;
+  PatchLayout layout;
+  const Id nu = 4;
+  const Id nv = 4;
+  for (Id j = 0; j < nv; ++j)
+  {
+    for (Id i = 0; i < nu; ++i)
+    {
+      vertices.push_back(j * (16 / nv) * 24 + i * (24 / nu));
+      const Id right = (i + 1) % nu;
+      const Id up = (j + 1) % nv;
+      layout.Patches.push_back({ j * nu + i, j * nu + right, up * nu + right, up * nu + i });
+    }
+  }
+  ExpectDisks(first, AtVertices(vertices), second, AtVertices(vertices), layout,
+    std::vector<std::size_t>(16, 4));
+}
+
+TEST(PatchBoundaries, PlanesWithRims)
+{
+  // A square of four patches: corners, midpoints of sides, centre.
+  const TestMesh first = Plane(8, 8);
+  const TestMesh second = Terrain(8, 1.0, 4);
+  const std::vector<Id> vertices{ 0, 4, 8, 36, 40, 44, 72, 76, 80 };
+  const PatchLayout layout{ {},
+    { { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 3, 4, 7, 6 }, { 4, 5, 8, 7 } } };
+  const dgg::SurfaceMesh a = Build(first);
+  const dgg::SurfaceMesh b = Build(second);
+  const Points landmarks = AtVertices(vertices);
+  const PatchBoundaries boundaries = Trace(a, landmarks, b, landmarks, layout);
+  EXPECT_EQ(ExpectCurves(a, landmarks, boundaries, 0), std::vector<std::size_t>(4, 4));
+  // On the terrain the rim is not straight: something may be left outside.
+  const auto parts = ExpectCurves(b, landmarks, boundaries, 1);
+  EXPECT_GE(std::count(parts.begin(), parts.end(), 4u), 4);
+  // Landmarks in the interior, in a row: a straight line between the outer ones would run over
+  // the one in the middle.
+  const PatchLayout row{ { { 0, 1 }, { 1, 2 }, { 0, 2 } }, {} };
+  const Points inRow = AtVertices({ 38, 40, 42 });
+  const PatchBoundaries lines = Trace(a, inRow, b, inRow, row);
+  EXPECT_EQ(ExpectCurves(a, inRow, lines, 0), (std::vector<std::size_t>{ 3 }));
+  EXPECT_EQ(ExpectCurves(b, inRow, lines, 1), (std::vector<std::size_t>{ 3 }));
+}
+
+TEST(PatchBoundaries, ManyIntoOne)
+{
+  // A wheel on a plane with a wall: many curves come round the same corner.
+  const TestMesh mesh = Plate(
+    16, 10, [](Id i, Id j) { return !(i == 8 && j < 8); }, 0.2, 3);
+  const dgg::SurfaceMesh surface = Build(mesh);
+  std::vector<Id> vertices{ Nearest(mesh, 13, 2, 0) };
+  PatchLayout layout;
+  for (Id k = 0; k < 6; ++k)
+  {
+    vertices.push_back(Nearest(mesh, 1.0 + k, 1.0, 0));
+    layout.Edges.push_back({ { 0, k + 1 } });
+  }
+  const Points landmarks = AtVertices(vertices);
+  const PatchBoundaries boundaries = Trace(surface, landmarks, surface, landmarks, layout);
+  ExpectCurves(surface, landmarks, boundaries, 0);
+  ExpectCurves(surface, landmarks, boundaries, 1);
+}
+
+TEST(PatchBoundaries, SayWhatIsWrong)
+{
+  const TestMesh mesh = Icosphere(2);
+  const dgg::SurfaceMesh a = Build(mesh);
+  const Points six = AtVertices(AxisVertices(mesh));
+  const Points five(six.begin(), six.end() - 1);
+  const PatchLayout octahedron = Octahedral();
+  ExpectRefusal(Refusal(a, six, a, five, octahedron), "6 landmarks on the first surface and 5");
+  ExpectRefusal(Refusal(a, five, a, five, octahedron), "names landmark 5, but there are 5");
+  ExpectRefusal(Refusal(a, six, a, six, { { { { 0, -1 } } }, {} }), "names landmark -1");
+  ExpectRefusal(Refusal(a, six, a, six, { { { { 2, 2 } } }, {} }), "with itself");
+  ExpectRefusal(Refusal(a, six, a, six, { { { { 0, 2 } }, { { 2, 0 } } }, {} }), "occurs twice");
+  ExpectRefusal(Refusal(a, six, a, six, { {}, { { 0, 1 } } }), "fewer than three");
+  ExpectRefusal(Refusal(a, six, a, six, { {}, { { 0, 2, 4 }, { 0, 2, 5 } } }), "both go from");
+  ExpectRefusal(Refusal(a, six, a, six, {}), "the layout is empty");
+  Points twice = six;
+  twice[3] = twice[1];
+  ExpectRefusal(Refusal(a, six, a, twice, octahedron), "landmarks 1 and 3 of the second surface");
+  Points bad = six;
+  bad[2] = SurfacePoint::AtVertex(-7);
+  ExpectRefusal(Refusal(a, bad, a, six, octahedron), "landmark 2 of the first surface");
+  const dgg::SurfaceMesh several = Build(SeveralComponents());
+  Points apart = six;
+  apart[5] = SurfacePoint::AtVertex(several.GetNumberOfVertices() - 1);
+  ExpectRefusal(Refusal(a, six, several, apart, octahedron), "not connected");
+  std::vector<Id> sheetOf;
+  const dgg::SurfaceMesh book = Build(Book(3, 4, sheetOf));
+  ExpectRefusal(Refusal(book, six, a, six, octahedron), "more than two faces");
+  const dgg::SurfaceMesh strip = Build(MoebiusStrip(9, 4));
+  ExpectRefusal(Refusal(a, six, strip, six, octahedron), "cannot be oriented");
+  // Five landmarks, each joined with each other: not on a sphere.
+  PatchLayout complete;
+  for (Id i = 0; i < 5; ++i)
+  {
+    for (Id j = i + 1; j < 5; ++j)
+    {
+      complete.Edges.push_back({ { i, j } });
+    }
+  }
+  const std::string reason = Refusal(a, five, a, five, complete);
+  ExpectRefusal(reason, "cannot be drawn on the first surface");
+  // A hole that is not there: three sides of the octahedron as if they bounded a handle.
+  const dgg::SurfaceMesh torus = Build(Torus(16, 10));
+  const Points onTorus = AtVertices({ 0, 5, 11 });
+  ExpectRefusal(Refusal(torus, onTorus, torus, onTorus, { {}, { { 0, 1, 2 } } }), "not a disk");
+}
+
+TEST(PatchBoundaries, StopWhenAsked)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(4));
+  const Points landmarks = AtVertices({ 0, 100, 200, 300 });
+  const PatchLayout layout{ {}, { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } } };
+  double last = 0.0;
+  bool rises = true;
+  PatchBoundaries boundaries;
+  EXPECT_TRUE(dgg::TracePatchBoundaries(
+    { mesh, landmarks }, { mesh, landmarks }, layout,
+    [&](double fraction) {
+      rises = rises && fraction >= last && fraction <= 1.0;
+      last = fraction;
+      return true;
+    },
+    boundaries)
+                .IsOk());
+  EXPECT_TRUE(rises);
+  const dgg::SurfaceMesh large = Build(Icosphere(6));
+  EXPECT_TRUE(dgg::TracePatchBoundaries(
+    { large, landmarks }, { large, landmarks }, layout, [](double) { return false; }, boundaries)
+                .IsAborted());
+}
+}
