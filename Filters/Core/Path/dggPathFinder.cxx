@@ -109,7 +109,7 @@ private:
     double Direct = Infinity;        ///< length of the straight way between them
   };
 
-  Status Link(const SurfacePoint& from, const SurfacePoint& to, Ends& ends) const;
+  Status Link(const SurfacePoint& from, const SurfacePoint& to, double accuracy, Ends& ends) const;
   Status TraceDirect(PathWorkspace& workspace, const SurfacePoint& from, const SurfacePoint& to,
     double length) const;
   Status TraceHop(
@@ -128,8 +128,10 @@ private:
 Status PathFinder::Implementation::Find(const SurfacePoint& from, const SurfacePoint& to,
   const PathOptions& options, FoundPath& found) const
 {
+  const double linkAccuracy =
+    options.LinkAccuracy > 0.0 ? options.LinkAccuracy : this->Search.GetGraph().Info.Accuracy;
   Ends ends;
-  Status status = this->Link(from, to, ends);
+  Status status = this->Link(from, to, linkAccuracy, ends);
   if (!status.IsOk())
   {
     return status;
@@ -172,7 +174,7 @@ Status PathFinder::Implementation::Find(const SurfacePoint& from, const SurfaceP
 }
 
 Status PathFinder::Implementation::Link(
-  const SurfacePoint& from, const SurfacePoint& to, Ends& ends) const
+  const SurfacePoint& from, const SurfacePoint& to, double accuracy, Ends& ends) const
 {
   const SurfacePoint* points[2] = { &from, &to };
   for (int side = 0; side < 2; ++side)
@@ -190,8 +192,8 @@ Status PathFinder::Implementation::Link(
     else if (status.IsOk())
     {
       std::vector<double> direct;
-      status = this->Builder->Link(point, this->Search.GetGraph().Info.Accuracy,
-        { *points[1 - side] }, ends.Links[side], direct);
+      status =
+        this->Builder->Link(point, accuracy, { *points[1 - side] }, ends.Links[side], direct);
       ends.Direct = status.IsOk() ? std::min(ends.Direct, direct[0]) : Infinity;
     }
     if (!status.IsOk())
