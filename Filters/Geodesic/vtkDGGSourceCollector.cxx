@@ -14,9 +14,20 @@
 
 namespace
 {
-vtkIdType CountPoints(vtkPolyData* points)
+vtkIdType CountPoints(const vtkDGGSourceSet& set)
 {
-  return points ? points->GetNumberOfPoints() : 0;
+  if (!set.Points)
+  {
+    return 0;
+  }
+  return set.PointIds ? static_cast<vtkIdType>(set.PointIds->size())
+                      : set.Points->GetNumberOfPoints();
+}
+
+/// The i-th of the points that are meant.
+vtkIdType GetPointId(const vtkDGGSourceSet& set, vtkIdType i)
+{
+  return set.PointIds ? (*set.PointIds)[i] : i;
 }
 
 /// "source point 3 of input port 1, at (x, y, z),"
@@ -60,6 +71,7 @@ dgg::Status CheckIds(const vtkDGGSourceSet& set, vtkIdType numberOfPoints)
 
 dgg::Status CheckInitialDistances(vtkPolyData* points, const std::string& name)
 {
+  const vtkIdType count = points->GetNumberOfPoints();
   std::ostringstream message;
   vtkPointData* data = points->GetPointData();
   vtkDataArray* array = data->GetArray(name.c_str());
@@ -73,15 +85,15 @@ dgg::Status CheckInitialDistances(vtkPolyData* points, const std::string& name)
     }
     return dgg::Status::Success();
   }
-  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != CountPoints(points))
+  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
   {
     message << "the point array '" << name << "' of input port 1 has "
             << array->GetNumberOfComponents() << " components and " << array->GetNumberOfTuples()
-            << " tuples for " << CountPoints(points) << " source points: one number per source "
+            << " tuples for " << count << " source points: one number per source "
             << "point is needed";
     return dgg::Status::Invalid(message.str());
   }
-  for (vtkIdType i = 0; i < CountPoints(points); ++i)
+  for (vtkIdType i = 0; i < count; ++i)
   {
     const double value = array->GetComponent(i, 0);
     if (!std::isfinite(value))
@@ -102,7 +114,7 @@ vtkDGGSourceCollector::~vtkDGGSourceCollector() = default;
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGSourceCollector::Check(const vtkDGGSourceSet& set, vtkIdType numberOfPoints)
 {
-  if (set.Ids.empty() && CountPoints(set.Points) == 0)
+  if (set.Ids.empty() && CountPoints(set) == 0)
   {
     std::ostringstream message;
     message << "there is no " << set.Role << ": ";
@@ -121,14 +133,15 @@ dgg::Status vtkDGGSourceCollector::Check(const vtkDGGSourceSet& set, vtkIdType n
   {
     return status;
   }
-  for (vtkIdType i = 0; i < CountPoints(set.Points); ++i)
+  for (vtkIdType i = 0; i < CountPoints(set); ++i)
   {
+    const vtkIdType id = GetPointId(set, i);
     double p[3];
-    set.Points->GetPoint(i, p);
+    set.Points->GetPoint(id, p);
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
     {
       return dgg::Status::Invalid(
-        Describe(set, i, p) + " has coordinates that are not finite: move or remove it");
+        Describe(set, id, p) + " has coordinates that are not finite: move or remove it");
     }
   }
   return set.Points && !set.InitialDistanceArray.empty()
@@ -153,7 +166,7 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
     sources.push_back(
       { dgg::SurfacePoint::AtVertex(adapter.GetVertex(set.Ids[i])), GetInitialDistance(set, i) });
   }
-  if (CountPoints(set.Points) == 0)
+  if (CountPoints(set) == 0)
   {
     return dgg::Status::Success();
   }
@@ -167,18 +180,19 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
   vtkDataArray* offsets = set.InitialDistanceArray.empty()
     ? nullptr
     : set.Points->GetPointData()->GetArray(set.InitialDistanceArray.c_str());
-  for (vtkIdType i = 0; i < set.Points->GetNumberOfPoints(); ++i)
+  for (vtkIdType i = 0; i < CountPoints(set); ++i)
   {
+    const vtkIdType id = GetPointId(set, i);
     double p[3];
-    set.Points->GetPoint(i, p);
+    set.Points->GetPoint(id, p);
     dgg::GeodesicSource source;
-    source.InitialDistance = offsets ? offsets->GetComponent(i, 0) : 0.0;
+    source.InitialDistance = offsets ? offsets->GetComponent(id, 0) : 0.0;
     double distance = dgg::Infinity;
     const bool found = this->Locator->FindClosestPoint(p, source.Point, distance);
     if (!found || !(distance <= farthest))
     {
       std::ostringstream message;
-      message << Describe(set, i, p) << " is " << distance
+      message << Describe(set, id, p) << " is " << distance
               << " away from the surface, farther than " << farthest << " (ProjectionTolerance "
               << tolerance << " times the diagonal " << this->Locator->GetDiagonal()
               << "): move it to the surface, or raise ProjectionTolerance";

@@ -29,6 +29,8 @@ struct vtkDGGSourceSet
   std::string InitialDistanceArray; ///< of Points; empty when there are no initial distances
   /// Of the ids, one for each; null when they all start with 0.
   const std::vector<double>* InitialDistances = nullptr;
+  /// Those of Points that are meant, in this order; null for all.
+  const std::vector<vtkIdType>* PointIds = nullptr;
 };
 
 /// Collects the sources of a distance filter, or other points, projected onto the surface. Keeps

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDGGPath.h"
+
+#include "vtkDGGGraphArrays.h"
+#include "vtkDGGGraphUser.h"
+#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPairLines.h"
+#include "vtkDGGPathOutput.h"
+#include "vtkDGGPathSearch.h"
+#include "vtkDGGPointCoordinates.h"
+#include "vtkDGGProperties.h"
+#include "vtkDGGSourceCollector.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <utility>
+
+vtkStandardNewMacro(vtkDGGPath);
+vtkDGGGraphUserMacro(vtkDGGPath);
+
+namespace
+{
+/// The ends of all pairs, one after the other: those by id and those of lines.
+vtkDGGSourceSet MakeSourceSet(
+  const std::vector<vtkIdType>& ids, vtkPolyData* lines, const vtkDGGPairLines& pairs)
+{
+  vtkDGGSourceSet set{ ids, lines, 1, "path end", "call AddPair()", "" };
+  set.PointIds = &pairs.Ends;
+  return set;
+}
+
+vtkDGGPathSearch::Pairs MakePairs(const std::vector<dgg::GeodesicSource>& ends)
+{
+  vtkDGGPathSearch::Pairs pairs;
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+  {
+    pairs.push_back({ ends[i].Point, ends[i + 1].Point });
+  }
+  return pairs;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkDGGPath::vtkDGGPath()
+  : Method(Graph)
+  , Straighten(true)
+  , Detour(dgg::PathOptions().Detour)
+  , ProjectionTolerance(0.01)
+  , NumberOfFallbacks(0)
+  , GraphUser(new vtkDGGGraphUser)
+  , Collector(new vtkDGGSourceCollector)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkDGGPath::~vtkDGGPath() = default;
+
+//------------------------------------------------------------------------------
+void vtkDGGPath::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->GetMethodAsString() << "\n";
+  os << indent << "NumberOfPairs: " << this->GetNumberOfPairs() << "\n";
+  os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
+  os << indent << "Straighten: " << (this->Straighten ? "On" : "Off") << "\n";
+  os << indent << "Detour: " << this->Detour << "\n";
+  os << indent << "NumberOfFallbacks: " << this->NumberOfFallbacks << "\n";
+  this->GraphUser->PrintSelf(os, indent);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkDGGPath::GetMethodAsString() const
+{
+  return this->Method == Exact ? "Exact" : "Graph";
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGPath::AddPair(vtkIdType from, vtkIdType to)
+{
+  this->PairIds.push_back(from);
+  this->PairIds.push_back(to);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGPath::RemoveAllPairs()
+{
+  if (!this->PairIds.empty())
+  {
+    this->PairIds.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkDGGPath::GetNumberOfPairs() const
+{
+  return static_cast<vtkIdType>(this->PairIds.size() / 2);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkDGGPath::GetPairId(vtkIdType i, int side) const
+{
+  return i >= 0 && i < this->GetNumberOfPairs() ? this->PairIds[2 * i + side] : -1;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkDGGPath::GetPairStart(vtkIdType i) const
+{
+  return this->GetPairId(i, 0);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkDGGPath::GetPairEnd(vtkIdType i) const
+{
+  return this->GetPairId(i, 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGPath::SetPairConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGPath::SetPairData(vtkPolyData* lines)
+{
+  this->SetInputData(1, lines);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGPath::CheckProperties() const
+{
+  dgg::Status status = vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
+  if (status.IsOk())
+  {
+    status = vtkDGGCheckLength("Detour", this->Detour);
+  }
+  return status.IsOk() ? this->GraphUser->Check() : status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGPath::CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const
+{
+  vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
+  vtkDGGPairLines pairs;
+  const dgg::Status status = pairs.Read(lines, this->PairIds.empty());
+  return status.IsOk() ? vtkDGGSourceCollector::Check(
+                           MakeSourceSet(this->PairIds, lines, pairs), surface->GetNumberOfPoints())
+                       : status;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDGGPath::GetMemoryRemedy() const
+{
+  return "use a smaller mesh, a larger Accuracy or fewer pairs at a time";
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGPath::Execute(
+  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->NumberOfFallbacks = 0;
+  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  // Observers may change properties.
+  const std::vector<vtkIdType> ids = this->PairIds;
+  const bool isExact = this->Method == Exact;
+  dgg::PathOptions options;
+  options.Straighten = this->Straighten;
+  options.Detour = this->Detour;
+
+  vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
+  vtkDGGPairLines linePairs;
+  std::vector<dgg::GeodesicSource> ends;
+  dgg::Status status = linePairs.Read(lines, ids.empty());
+  if (status.IsOk())
+  {
+    status = this->Collector->Collect(MakeSourceSet(ids, lines, linePairs),
+      this->ProjectionTolerance, mesh, surface->GetPoints(), ends);
+  }
+  if (status.IsOk() && !this->Advance(0.0))
+  {
+    status = dgg::Status::Abort();
+  }
+  const auto progress = [this](double fraction) { return this->Advance(fraction); };
+  if (status.IsOk() && !isExact)
+  {
+    status = this->GraphUser->Update(surface, mesh, progress, this);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+
+  const vtkDGGPointCoordinates positions(surface->GetPoints());
+  const vtkDGGPathSearch::Pairs pairs = MakePairs(ends);
+  const vtkDGGPathSearch search(mesh, pairs);
+  vtkDGGPathSearch::Paths paths;
+  status = isExact
+    ? search.RunExact(progress, paths)
+    : search.RunInGraph(this->GraphUser->GetProvider(), positions.GetData(), options, paths);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  for (const dgg::FoundPath& path : paths)
+  {
+    this->NumberOfFallbacks += path.NumberOfFallbacks;
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  vtkDGGGraphArrays::RemoveFrom(output->GetFieldData()); // it is not that of the polylines
+  vtkDGGWritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells }, mesh,
+    positions.GetData(), output);
+  this->WarnAboutUnconnectedPairs(vtkDGGFindUnconnected(paths), paths.size());
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGPath::WarnAboutUnconnectedPairs(const std::vector<vtkIdType>& pairs, std::size_t count)
+{
+  if (!pairs.empty())
+  {
+    vtkWarningMacro(<< pairs.size() << " of " << count << (count == 1 ? " pair" : " pairs")
+                    << " of points, the first of them pair " << pairs[0]
+                    << ", are not connected by the surface: they have no polyline, and 1 in the "
+                    << "field array PathStatus.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGPath::MakeEmptyOutput(
+  vtkPolyData* vtkNotUsed(surface), vtkInformationVector* outputVector)
+{
+  this->NumberOfFallbacks = 0;
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  vtkDGGGraphArrays::RemoveFrom(output->GetFieldData());
+  const vtkDGGPathSearch::Paths none;
+  vtkDGGWritePaths({ none, nullptr, {} }, this->GetMesh(), nullptr, output);
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Paths for many pairs of points. Internal.
+#ifndef vtkDGGPathSearch_h
+#define vtkDGGPathSearch_h
+
+#include "dggPathFinder.h"   // for FoundPath
+#include "dggSurfacePoint.h" // for SurfacePoint
+
+#include <vector> // for the pairs
+
+class vtkDGGGraphProvider;
+class vtkDGGMeshAdapter;
+
+/// Points between which a path is wanted.
+struct vtkDGGPointPair
+{
+  dgg::SurfacePoint From;
+  dgg::SurfacePoint To;
+};
+
+/// Find paths, one for each pair, on all threads.
+class vtkDGGPathSearch
+{
+public:
+  using Pairs = std::vector<vtkDGGPointPair>;
+  using Paths = std::vector<dgg::FoundPath>;
+
+  vtkDGGPathSearch(const vtkDGGMeshAdapter& mesh, const Pairs& pairs)
+    : Mesh(mesh)
+    , PointPairs(pairs)
+  {
+  }
+
+  /// In a graph that has been provided for the mesh. `positions` are those of the vertices.
+  dgg::Status RunInGraph(vtkDGGGraphProvider& graph, const double* positions,
+    dgg::PathOptions options, Paths& paths) const;
+  /// Exact ones. Their lengths in the graph are NaN.
+  dgg::Status RunExact(const dgg::ProgressCallback& progress, Paths& paths) const;
+
+private:
+  const vtkDGGMeshAdapter& Mesh;
+  const Pairs& PointPairs;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGPathSearch.h

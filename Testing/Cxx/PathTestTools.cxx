@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PathTestTools.h"
+
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dggtest
+{
+namespace
+{
+constexpr double Tolerance = 1e-9;
+
+double Distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
+{
+  return std::sqrt(vtkMath::Distance2BetweenPoints(p.data(), q.data()));
+}
+
+/// Distance of a point from a cell.
+double DistanceFromCell(vtkPolyData* surface, vtkIdType cell, const std::array<double, 3>& p)
+{
+  double closest[3];
+  double parametric[3];
+  std::vector<double> weights(static_cast<std::size_t>(surface->GetMaxCellSize()));
+  int subId = 0;
+  double square = -1.0;
+  surface->GetCell(cell)->EvaluatePosition(
+    p.data(), closest, subId, parametric, square, weights.data());
+  return std::sqrt(square); // NaN when there is no answer
+}
+
+bool HasArrays(vtkPolyData* output)
+{
+  for (const char* name : { "FaceId", "vtkOriginalPointIds", "ArcLength" })
+  {
+    vtkDataArray* array = output->GetPointData()->GetArray(name);
+    if (!array || array->GetNumberOfTuples() != output->GetNumberOfPoints())
+    {
+      ADD_FAILURE() << "point data " << name;
+      return false;
+    }
+  }
+  for (const char* name : { "Length", "GraphLength", "Straightened", "PairId" })
+  {
+    vtkDataArray* array = output->GetCellData()->GetArray(name);
+    if (!array || array->GetNumberOfTuples() != output->GetNumberOfCells())
+    {
+      ADD_FAILURE() << "cell data " << name;
+      return false;
+    }
+  }
+  return output->GetNumberOfLines() == output->GetNumberOfCells();
+}
+
+double GetValue(vtkDataSetAttributes* data, const char* name, vtkIdType tuple)
+{
+  return data->GetArray(name)->GetComponent(tuple, 0);
+}
+}
+
+bool PathLine::operator==(const PathLine& other) const
+{
+  return this->Positions == other.Positions && this->Faces == other.Faces &&
+    this->PointIds == other.PointIds && this->ArcLengths == other.ArcLengths &&
+    this->Length == other.Length && this->Straightened == other.Straightened &&
+    this->Pair == other.Pair &&
+    (this->GraphLength == other.GraphLength ||
+      (std::isnan(this->GraphLength) && std::isnan(other.GraphLength)));
+}
+
+std::vector<PathLine> GetPaths(vtkDGGPath* filter)
+{
+  vtkPolyData* output = filter->GetOutput();
+  std::vector<PathLine> paths;
+  if (!HasArrays(output))
+  {
+    return paths;
+  }
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    PathLine path;
+    path.Length = GetValue(output->GetCellData(), "Length", c);
+    path.GraphLength = GetValue(output->GetCellData(), "GraphLength", c);
+    path.Straightened = static_cast<int>(GetValue(output->GetCellData(), "Straightened", c));
+    path.Pair = static_cast<vtkIdType>(GetValue(output->GetCellData(), "PairId", c));
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    output->GetLines()->GetCellAtId(c, size, ids);
+    for (const vtkIdType* id = ids; id != ids + size; ++id)
+    {
+      path.Positions.emplace_back();
+      output->GetPoint(*id, path.Positions.back().data());
+      vtkPointData* data = output->GetPointData();
+      path.Faces.push_back(static_cast<vtkIdType>(GetValue(data, "FaceId", *id)));
+      path.PointIds.push_back(static_cast<vtkIdType>(GetValue(data, "vtkOriginalPointIds", *id)));
+      path.ArcLengths.push_back(GetValue(data, "ArcLength", *id));
+    }
+    paths.push_back(path);
+  }
+  return paths;
+}
+
+std::vector<int> GetPathStatus(vtkDGGPath* filter)
+{
+  vtkDataArray* array = filter->GetOutput()->GetFieldData()->GetArray("PathStatus");
+  std::vector<int> values;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(static_cast<int>(array->GetComponent(i, 0)));
+  }
+  return values;
+}
+
+void ExpectOnSurface(const PathLine& path, vtkPolyData* surface)
+{
+  ASSERT_FALSE(path.Positions.empty());
+  EXPECT_EQ(path.ArcLengths.front(), 0.0);
+  const double unit = std::max(path.Length, surface->GetLength());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < path.Positions.size(); ++i)
+  {
+    if (path.PointIds[i] >= 0)
+    {
+      std::array<double, 3> p;
+      surface->GetPoint(path.PointIds[i], p.data());
+      EXPECT_EQ(p, path.Positions[i]) << i;
+    }
+    const vtkIdType face = path.Faces[i];
+    if (face < 0)
+    {
+      EXPECT_EQ(path.Positions.size(), 1u); // an isolated point
+      continue;
+    }
+    ASSERT_LT(face, surface->GetNumberOfCells());
+    EXPECT_LE(DistanceFromCell(surface, face, path.Positions[i]), Tolerance * unit) << i;
+    if (i + 1 < path.Positions.size())
+    {
+      EXPECT_LE(DistanceFromCell(surface, face, path.Positions[i + 1]), Tolerance * unit) << i;
+      sum += Distance(path.Positions[i], path.Positions[i + 1]);
+      EXPECT_NEAR(path.ArcLengths[i + 1], sum, Tolerance * unit) << i;
+    }
+  }
+  EXPECT_NEAR(path.Length, sum, Tolerance * sum);
+  EXPECT_NEAR(path.ArcLengths.back(), path.Length, Tolerance * sum);
+}
+
+vtkSmartPointer<vtkPolyData> MakePairs(const Points& ends)
+{
+  auto data = MakeSourcePoints(ends);
+  Cells lines;
+  for (vtkIdType i = 0; i + 1 < static_cast<vtkIdType>(ends.size()); i += 2)
+  {
+    lines.push_back({ i, i + 1 });
+  }
+  data->SetLines(MakeCells(lines));
+  return data;
+}
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of paths share: polylines of an output, and what must hold for any of them.
+#ifndef PathTestTools_h
+#define PathTestTools_h
+
+#include "FilterTestTools.h"
+
+#include "vtkDGGPath.h"
+
+#include <vector>
+
+namespace dggtest
+{
+/// A polyline with what the filter says of it.
+struct PathLine
+{
+  Points Positions;
+  std::vector<vtkIdType> Faces;
+  std::vector<vtkIdType> PointIds;
+  std::vector<double> ArcLengths;
+  double Length = 0.0;
+  double GraphLength = 0.0;
+  int Straightened = -1;
+  vtkIdType Pair = -1;
+
+  bool operator==(const PathLine& other) const;
+};
+
+/// The polylines of the output; an array that is missing fails the test.
+std::vector<PathLine> GetPaths(vtkDGGPath* filter);
+std::vector<int> GetPathStatus(vtkDGGPath* filter);
+
+/// Expect that every piece lies in the cell of the surface that FaceId names, that points with an
+/// id are that point, and that Length and ArcLength are those of the pieces; all of it to 1e-9.
+void ExpectOnSurface(const PathLine& path, vtkPolyData* surface);
+
+/// Lines from the first to the second of every two points.
+vtkSmartPointer<vtkPolyData> MakePairs(const Points& ends);
+}
+
+#endif
