@@ -2,73 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggPathFinder.h"
 
-#include "dggExactPath.h"
-#include "dggHopTracer.h"
 #include "dggPathCorridor.h"
 #include "dggPathShortener.h"
-#include "dggStripChain.h"
+#include "dggPathTracer.h"
 #include "dggWorkspacePool.h"
 
 #include <algorithm>
-#include <array>
-#include <string>
 #include <utility>
 
 namespace dgg
 {
 namespace
 {
-/// Lengths of edges are floats.
-constexpr double FloatTolerance = 1e-6;
-
 /// What the finder of one path works with.
 struct PathWorkspace
 {
   explicit PathWorkspace(const SurfaceMesh& mesh)
     : Tracer(mesh)
     , Shortener(mesh)
-    , Chain(mesh)
     , Corridor(mesh)
-    , Mesh(mesh)
   {
   }
 
-  HopTracer Tracer;
+  PathTracer Tracer;
   PathShortener Shortener;
-  StripChain Chain;
   PathCorridor Corridor;
-
-  /// The exact way between points close together, made when it is first needed. False when there
-  /// is none within `length`.
-  bool FindExactly(
-    const SurfacePoint& from, const SurfacePoint& to, double length, SurfacePath& path)
-  {
-    if (!this->Exact)
-    {
-      this->Exact = std::make_unique<ExactPathFinder>(this->Mesh);
-    }
-    std::vector<SurfacePath> found;
-    const bool isFound =
-      this->Exact->Find(from, { to }, ProgressCallback(), found, length * (1.0 + FloatTolerance))
-        .IsOk() &&
-      !found.front().IsEmpty();
-    if (isFound)
-    {
-      path = std::move(found.front());
-    }
-    return isFound;
-  }
-
-private:
-  const SurfaceMesh& Mesh;
-  std::unique_ptr<ExactPathFinder> Exact;
 };
 
 /// Replace a path by the one in the chain, shortened.
 void Straighten(PathWorkspace& workspace, SurfacePath& path)
 {
   path.Clear();
-  for (Strip& strip : workspace.Chain.GetStrips())
+  for (Strip& strip : workspace.Tracer.GetStrips())
   {
     workspace.Shortener.Shorten(strip);
     workspace.Shortener.Append(strip, path);
@@ -110,12 +75,8 @@ private:
   };
 
   Status Link(const SurfacePoint& from, const SurfacePoint& to, double accuracy, Ends& ends) const;
-  Status TraceDirect(PathWorkspace& workspace, const SurfacePoint& from, const SurfacePoint& to,
-    double length) const;
-  Status TraceHop(
-    PathWorkspace& workspace, const Hop& hop, bool isBackwards, Id& numberOfFallbacks) const;
-  Status TraceHops(PathWorkspace& workspace, const SurfacePoint& from, const SurfacePoint& to,
-    const Ends& ends, const GraphPath& path, FoundPath& found) const;
+  Status TraceHops(PathTracer& tracer, const SurfacePoint& from, const SurfacePoint& to,
+    const Ends& ends, const GraphPath& path) const;
   void Finish(PathWorkspace& workspace, const PathOptions& options, FoundPath& found) const;
 
   const SurfaceMesh& Mesh;
@@ -128,6 +89,10 @@ private:
 Status PathFinder::Implementation::Find(const SurfacePoint& from, const SurfacePoint& to,
   const PathOptions& options, FoundPath& found) const
 {
+  if (!this->Search.GetGraph().Angles)
+  {
+    return Status::Invalid("paths are traced on meshes: this graph has no directions");
+  }
   const double linkAccuracy =
     options.LinkAccuracy > 0.0 ? options.LinkAccuracy : this->Search.GetGraph().Info.Accuracy;
   Ends ends;
@@ -163,9 +128,11 @@ Status PathFinder::Implementation::Find(const SurfacePoint& from, const SurfaceP
     return status;
   }
   const auto workspace = this->Workspaces.Borrow(this->Mesh);
-  workspace->Chain.Clear(options.Straighten);
-  status = ends.Direct <= path.Length ? this->TraceDirect(*workspace, from, to, ends.Direct)
-                                      : this->TraceHops(*workspace, from, to, ends, path, found);
+  PathTracer& tracer = workspace->Tracer;
+  tracer.Begin(options.Straighten);
+  status = ends.Direct <= path.Length ? tracer.Append(from, to, ends.Direct)
+                                      : this->TraceHops(tracer, from, to, ends, path);
+  found.NumberOfFallbacks = tracer.GetNumberOfFallbacks();
   if (status.IsOk())
   {
     this->Finish(*workspace, options, found);
@@ -204,86 +171,26 @@ Status PathFinder::Implementation::Link(
   return Status::Success();
 }
 
-/// The straight way between two points that are not vertices.
-Status PathFinder::Implementation::TraceDirect(
-  PathWorkspace& workspace, const SurfacePoint& from, const SurfacePoint& to, double length) const
-{
-  SurfacePath path;
-  Id shared = NoId;
-  ForEachFaceAround(this->Mesh, from, [&](Id f, const std::array<double, 3>& p) {
-    std::array<double, 3> q{};
-    if (FindInFace(this->Mesh, to, f, q) && DistanceInFace(this->Mesh, f, p, q) <= length)
-    {
-      shared = f;
-    }
-  });
-  if (shared != NoId)
-  {
-    path.Points = { from, to };
-    path.Faces = { shared };
-  }
-  else if (!workspace.FindExactly(from, to, length, path))
-  {
-    return Status::Invalid("the straight way between two points cannot be traced");
-  }
-  workspace.Chain.Append(path);
-  return Status::Success();
-}
-
-/// The strip of an edge of the graph.
-Status PathFinder::Implementation::TraceHop(
-  PathWorkspace& workspace, const Hop& hop, bool isBackwards, Id& numberOfFallbacks) const
-{
-  Strip strip;
-  strip.Start = SurfacePoint::AtVertex(hop.Tail);
-  strip.End = hop.Head;
-  if (!workspace.Tracer.Trace(hop, strip.FirstFace, strip.Crossings))
-  {
-    ++numberOfFallbacks;
-    SurfacePath path;
-    if (!workspace.FindExactly(isBackwards ? strip.End : strip.Start,
-          isBackwards ? strip.Start : strip.End, hop.Length, path))
-    {
-      return Status::Invalid("an edge of the graph, from vertex " + std::to_string(hop.Tail) +
-        ", cannot be traced on the surface: the graph is not that of the mesh");
-    }
-    workspace.Chain.Append(path);
-    return Status::Success();
-  }
-  if (isBackwards)
-  {
-    strip.FirstFace = strip.LastFace();
-    std::swap(strip.Start, strip.End);
-    Reverse(strip.Crossings);
-  }
-  workspace.Chain.Append(strip);
-  return Status::Success();
-}
-
-Status PathFinder::Implementation::TraceHops(PathWorkspace& workspace, const SurfacePoint& from,
-  const SurfacePoint& to, const Ends& ends, const GraphPath& path, FoundPath& found) const
+Status PathFinder::Implementation::TraceHops(PathTracer& tracer, const SurfacePoint& from,
+  const SurfacePoint& to, const Ends& ends, const GraphPath& path) const
 {
   const GraphView& graph = this->Search.GetGraph();
   Status status;
   if (!IsVertex(from))
   {
     const GraphLink& link = ends.Links[0][path.FromSeed];
-    status = this->TraceHop(workspace, { link.Vertex, link.ArrivalAngle, from, link.Length }, true,
-      found.NumberOfFallbacks);
+    status = tracer.Append({ link.Vertex, link.ArrivalAngle, from, link.Length }, true);
   }
   for (std::size_t i = 0; i < path.Edges.size() && status.IsOk(); ++i)
   {
     const Offset e = path.Edges[i];
-    status = this->TraceHop(workspace,
-      { path.Vertices[i], graph.Angles[e], SurfacePoint::AtVertex(path.Vertices[i + 1]),
-        graph.Length(e) },
-      false, found.NumberOfFallbacks);
+    status = tracer.Append({ path.Vertices[i], graph.Angles[e],
+      SurfacePoint::AtVertex(path.Vertices[i + 1]), graph.Length(e) });
   }
   if (!IsVertex(to) && status.IsOk())
   {
     const GraphLink& link = ends.Links[1][path.ToSeed];
-    status = this->TraceHop(workspace, { link.Vertex, link.ArrivalAngle, to, link.Length }, false,
-      found.NumberOfFallbacks);
+    status = tracer.Append({ link.Vertex, link.ArrivalAngle, to, link.Length });
   }
   return status;
 }
@@ -293,7 +200,7 @@ void PathFinder::Implementation::Finish(
 {
   if (!options.Straighten)
   {
-    for (Strip& strip : workspace.Chain.GetStrips())
+    for (Strip& strip : workspace.Tracer.GetStrips())
     {
       Tidy(this->Mesh, strip);
       workspace.Shortener.Append(strip, found.Path);
@@ -306,8 +213,8 @@ void PathFinder::Implementation::Finish(
     SurfacePath path = found.Path;
     if (workspace.Corridor.Shorten(options.Detour, path))
     {
-      workspace.Chain.Clear();
-      workspace.Chain.Append(path);
+      workspace.Tracer.Begin(true);
+      workspace.Tracer.Append(path);
       Straighten(workspace, path);
       found.Path = std::move(path);
     }

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggStrip.h"
 
+#include "dggSurfacePath.h"
+
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace dgg
@@ -199,6 +202,22 @@ bool AppendTurn(
     AppendCrossing(crossings, crossing);
   }
   return true;
+}
+
+Id HalfEdgeUnder(const SurfaceMesh& mesh, const SurfacePoint& point, Id face)
+{
+  std::array<double, 3> barycentric{};
+  if (point.On == SurfacePoint::Support::Edge && FindInFace(mesh, point, face, barycentric))
+  {
+    for (Id h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      if (barycentric[(h + 2) % 3] == 0.0)
+      {
+        return h;
+      }
+    }
+  }
+  return NoId;
 }
 
 void Tidy(const SurfaceMesh& mesh, Strip& strip)

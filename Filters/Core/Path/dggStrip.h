@@ -82,6 +82,9 @@ double FindTurn(const SurfaceMesh& mesh, Id c, const TurnEnd& from, const TurnEn
 /// strip lies on.
 void Tidy(const SurfaceMesh& mesh, Strip& strip);
 
+/// The half-edge of a face that a point on an edge lies on; NoId when there is none.
+Id HalfEdgeUnder(const SurfaceMesh& mesh, const SurfacePoint& point, Id face);
+
 /// The half-edge of a face that starts at the given vertex; NoId when it is not one of its corners.
 inline Id HalfEdgeFrom(const SurfaceMesh& mesh, Id face, Id vertex)
 {

@@ -2,30 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggStripChain.h"
 
-#include <array>
-
 namespace dgg
 {
-namespace
-{
-/// The half-edge of a face that a point on an edge lies on; NoId when there is none.
-Id HalfEdgeUnder(const SurfaceMesh& mesh, const SurfacePoint& point, Id face)
-{
-  std::array<double, 3> barycentric{};
-  if (point.On == SurfacePoint::Support::Edge && FindInFace(mesh, point, face, barycentric))
-  {
-    for (Id h = 3 * face; h < 3 * face + 3; ++h)
-    {
-      if (barycentric[(h + 2) % 3] == 0.0)
-      {
-        return h;
-      }
-    }
-  }
-  return NoId;
-}
-}
-
 void StripChain::Append(const Strip& strip)
 {
   if (!this->Strips.empty() && (this->IsJoining || !IsVertex(strip.Start)))

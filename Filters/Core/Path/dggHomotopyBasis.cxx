@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggHomotopyBasis.h"
+
+#include "dggMinimumHeap.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+namespace dgg
+{
+namespace
+{
+/// Shortest paths along mesh edges.
+struct EdgeTree
+{
+  std::vector<double> Distances;
+  std::vector<Id> HalfEdges; ///< per vertex, the edge to its parent
+  std::vector<Id> Parents;
+
+  EdgeTree(const SurfaceMesh& mesh, Id base)
+    : Distances(mesh.GetNumberOfVertices(), Infinity)
+    , HalfEdges(mesh.GetNumberOfVertices(), NoId)
+    , Parents(mesh.GetNumberOfVertices(), NoId)
+  {
+    MinimumHeap heap;
+    this->Distances[base] = 0.0;
+    heap.Push(0.0, base);
+    while (!heap.IsEmpty())
+    {
+      const MinimumHeap::Entry top = heap.Pop();
+      if (top.Key > this->Distances[top.Vertex])
+      {
+        continue;
+      }
+      for (const Id* g = mesh.FanBegin(top.Vertex); g != mesh.FanEnd(top.Vertex); ++g)
+      {
+        // Both edges of the face: on a boundary one of them is in no other face of the vertex.
+        for (const Id h : { *g, SurfaceMesh::Previous(*g) })
+        {
+          const Id v = mesh.Origin(h) == top.Vertex ? mesh.Destination(h) : mesh.Origin(h);
+          const double distance = top.Key + mesh.Length(h);
+          if (distance < this->Distances[v])
+          {
+            this->Distances[v] = distance;
+            this->HalfEdges[v] = h;
+            this->Parents[v] = top.Vertex;
+            heap.Push(distance, v);
+          }
+        }
+      }
+    }
+  }
+};
+
+/// The half-edge that stands for its edge.
+Id Representative(const SurfaceMesh& mesh, Id h)
+{
+  const Id twin = mesh.Twin(h);
+  return twin == NoId ? h : std::min(h, twin);
+}
+
+/// Sets of faces that are joined.
+class FaceSets
+{
+public:
+  explicit FaceSets(Id count)
+    : Parents(count)
+  {
+    std::iota(this->Parents.begin(), this->Parents.end(), 0);
+  }
+
+  /// False when they are in the same set already.
+  bool Join(Id a, Id b)
+  {
+    a = this->Find(a);
+    b = this->Find(b);
+    this->Parents[a] = b;
+    return a != b;
+  }
+
+private:
+  Id Find(Id f)
+  {
+    while (this->Parents[f] != f)
+    {
+      f = this->Parents[f] = this->Parents[this->Parents[f]];
+    }
+    return f;
+  }
+
+  std::vector<Id> Parents;
+};
+
+/// From the base to one end of an edge, over it, and back from the other end. What both ways have
+/// in common is left out.
+EdgeLoop MakeLoop(const SurfaceMesh& mesh, const EdgeTree& tree, Id h)
+{
+  std::vector<Id> ways[2];
+  const Id ends[2] = { mesh.Origin(h), mesh.Destination(h) };
+  for (int k = 0; k < 2; ++k)
+  {
+    for (Id v = ends[k]; v != NoId; v = tree.Parents[v])
+    {
+      ways[k].push_back(v);
+    }
+  }
+  while (ways[0].size() > 1 && ways[1].size() > 1 &&
+    ways[0][ways[0].size() - 2] == ways[1][ways[1].size() - 2])
+  {
+    ways[0].pop_back();
+    ways[1].pop_back();
+  }
+  EdgeLoop loop;
+  for (std::size_t i = ways[0].size(); i-- > 0;)
+  {
+    loop.Vertices.push_back(ways[0][i]);
+    loop.HalfEdges.push_back(i > 0 ? tree.HalfEdges[ways[0][i - 1]] : h);
+  }
+  for (std::size_t i = 0; i + 1 < ways[1].size(); ++i)
+  {
+    loop.Vertices.push_back(ways[1][i]);
+    loop.HalfEdges.push_back(tree.HalfEdges[ways[1][i]]);
+  }
+  for (const Id e : loop.HalfEdges)
+  {
+    loop.Length += mesh.Length(e);
+  }
+  return loop;
+}
+
+/// A tree of edges through all vertices, a tree of the edges between all faces, and the edges in
+/// neither of them.
+struct Decomposition
+{
+  EdgeTree Tree;
+  std::vector<Id> Cotree;
+  std::vector<Id> Rest; ///< those of the longest loops first
+
+  Decomposition(const SurfaceMesh& mesh, Id base)
+    : Tree(mesh, base)
+  {
+  }
+
+  /// Fails when there is a non-manifold edge.
+  Status Decompose(const SurfaceMesh& mesh);
+  Status CollectEdges(const SurfaceMesh& mesh, std::vector<Id>& edges) const;
+};
+
+/// What lies outside of all boundaries counts as one more face.
+Id Outside(const SurfaceMesh& mesh)
+{
+  return mesh.GetNumberOfFaces();
+}
+
+Id FaceBehind(const SurfaceMesh& mesh, Id h)
+{
+  const Id twin = mesh.Twin(h);
+  return twin == NoId ? Outside(mesh) : SurfaceMesh::Face(twin);
+}
+
+/// The edges of the component that are not in the tree.
+Status Decomposition::CollectEdges(const SurfaceMesh& mesh, std::vector<Id>& edges) const
+{
+  std::vector<char> isInTree(mesh.GetNumberOfHalfEdges(), 0);
+  for (const Id h : this->Tree.HalfEdges)
+  {
+    if (h != NoId)
+    {
+      isInTree[Representative(mesh, h)] = 1;
+    }
+  }
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (mesh.IsDropped(SurfaceMesh::Face(h)) || this->Tree.Distances[mesh.Origin(h)] == Infinity)
+    {
+      continue;
+    }
+    const Id twin = mesh.Twin(h);
+    if (twin != NoId && mesh.Twin(twin) != h)
+    {
+      return Status::Invalid("the edge between vertices " + std::to_string(mesh.Origin(h)) +
+        " and " + std::to_string(mesh.Destination(h)) +
+        " has more than two triangles: loops around handles need a manifold");
+    }
+    if (Representative(mesh, h) == h && !isInTree[h])
+    {
+      edges.push_back(h);
+    }
+  }
+  return Status::Success();
+}
+
+Status Decomposition::Decompose(const SurfaceMesh& mesh)
+{
+  std::vector<Id> edges;
+  const Status status = this->CollectEdges(mesh, edges);
+  // The longest loops first into the tree of faces, so that the shortest are left.
+  const auto length = [&](Id h) {
+    return this->Tree.Distances[mesh.Origin(h)] + this->Tree.Distances[mesh.Destination(h)] +
+      mesh.Length(h);
+  };
+  std::stable_sort(edges.begin(), edges.end(), [&](Id a, Id b) { return length(a) > length(b); });
+  FaceSets faces(Outside(mesh) + 1);
+  for (const Id h : edges)
+  {
+    const bool joins = faces.Join(SurfaceMesh::Face(h), FaceBehind(mesh, h));
+    (joins ? this->Cotree : this->Rest).push_back(h);
+  }
+  return status;
+}
+}
+
+Status FindHomotopyBasis(const SurfaceMesh& mesh, Id base, std::vector<EdgeLoop>& loops)
+{
+  loops.clear();
+  Decomposition parts(mesh, base);
+  const Status status = parts.Decompose(mesh);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  for (auto h = parts.Rest.rbegin(); h != parts.Rest.rend(); ++h)
+  {
+    loops.push_back(MakeLoop(mesh, parts.Tree, *h));
+  }
+  return status;
+}
+
+/// Each edge in neither tree closes a cycle of faces. A loop crosses the cycles that it goes around
+/// an odd number of times.
+HomologySignatures::HomologySignatures(const SurfaceMesh& mesh, Id base)
+  : Mesh(mesh)
+{
+  Decomposition parts(mesh, base);
+  this->TheStatus = parts.Decompose(mesh);
+  if (!this->TheStatus.IsOk())
+  {
+    return;
+  }
+  this->Dimension = parts.Rest.size();
+  this->Cycles.resize(mesh.GetNumberOfHalfEdges());
+  // Hang up the tree of faces by one of them.
+  std::vector<std::vector<Id>> exits(Outside(mesh) + 1); // edges of the tree at each face
+  for (const Id h : parts.Cotree)
+  {
+    exits[SurfaceMesh::Face(h)].push_back(h);
+    exits[FaceBehind(mesh, h)].push_back(h);
+  }
+  std::vector<Id> up(Outside(mesh) + 1, NoId); // edge towards the root
+  std::vector<Id> depth(Outside(mesh) + 1, NoId);
+  const auto across = [&](Id face, Id h) {
+    return SurfaceMesh::Face(h) == face ? FaceBehind(mesh, h) : SurfaceMesh::Face(h);
+  };
+  std::vector<Id> open;
+  if (!parts.Rest.empty())
+  {
+    open.push_back(SurfaceMesh::Face(parts.Rest.front()));
+    depth[open.front()] = 0;
+  }
+  for (std::size_t next = 0; next < open.size(); ++next)
+  {
+    const Id face = open[next];
+    for (const Id h : exits[face])
+    {
+      const Id other = across(face, h);
+      if (depth[other] == NoId)
+      {
+        depth[other] = depth[face] + 1;
+        up[other] = h;
+        open.push_back(other);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < parts.Rest.size(); ++i)
+  {
+    const auto cycle = static_cast<Id>(i);
+    const Id h = parts.Rest[i];
+    this->Cycles[h].push_back(cycle);
+    Id a = SurfaceMesh::Face(h);
+    Id b = FaceBehind(mesh, h);
+    while (a != b)
+    {
+      Id& deeper = depth[a] >= depth[b] ? a : b;
+      this->Cycles[up[deeper]].push_back(cycle);
+      deeper = across(deeper, up[deeper]);
+    }
+  }
+}
+
+std::vector<char> HomologySignatures::GetSignature(const EdgeLoop& loop) const
+{
+  std::vector<char> signature(this->Dimension, 0);
+  for (const Id h : loop.HalfEdges)
+  {
+    for (const Id cycle : this->Cycles[Representative(this->Mesh, h)])
+    {
+      signature[cycle] ^= 1;
+    }
+  }
+  return signature;
+}
+}

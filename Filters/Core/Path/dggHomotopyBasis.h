@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Loops of mesh edges that cannot be contracted. Internal.
+#ifndef dggHomotopyBasis_h
+#define dggHomotopyBasis_h
+
+#include "dggSurfaceMesh.h" // for SurfaceMesh
+
+#include <vector> // for the loops
+
+namespace dgg
+{
+/// A closed chain of mesh edges: half-edge i leads from vertex i to vertex i + 1, forwards or
+/// backwards, and the last one back to vertex 0.
+struct EdgeLoop
+{
+  std::vector<Id> Vertices;
+  std::vector<Id> HalfEdges;
+  double Length = 0.0;
+};
+
+/// Which loops of a component are independent of others: their signatures modulo 2.
+class HomologySignatures
+{
+public:
+  /// `base` is a vertex of the component. Good for nothing but Check() if that fails.
+  HomologySignatures(const SurfaceMesh& mesh, Id base);
+  const Status& Check() const { return this->TheStatus; }
+  /// The dimension: two for each handle, one for each boundary but the last, one for each
+  /// cross-cap.
+  std::size_t GetDimension() const { return this->Dimension; }
+  std::vector<char> GetSignature(const EdgeLoop& loop) const;
+
+private:
+  const SurfaceMesh& Mesh;
+  Status TheStatus;
+  std::size_t Dimension = 0;
+  /// Per half-edge that stands for an edge, the dual cycles that it is a part of.
+  std::vector<std::vector<Id>> Cycles;
+};
+
+/// The shortest loops of edges through the vertex `base` that generate all others on its component:
+/// two for each handle, one for each boundary but the last, one for each cross-cap; the shortest
+/// first (greedy homotopy basis: Erickson and Whittlesey, "Greedy optimal homotopy and homology
+/// generators", 2005, sec. 3). Fails on a component with non-manifold edges.
+Status FindHomotopyBasis(const SurfaceMesh& mesh, Id base, std::vector<EdgeLoop>& loops);
+}
+
+#endif

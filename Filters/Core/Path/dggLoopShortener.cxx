@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggLoopShortener.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+/// A closed path may be smaller than pi at a vertex by this much: what could be gained is the
+/// square.
+constexpr double AngleTolerance = 1e-9;
+/// Positions on the edge at which a ring is cut that count as its ends.
+constexpr double EndTolerance = 1e-12;
+/// Halvings of the edge.
+constexpr int MaximumHalvings = 60;
+/// A stop for paths that rounding errors keep moving.
+constexpr int MaximumRounds = 10000;
+
+Point2 Between(const Point2* ends, double t)
+{
+  return { ends[0].X + t * (ends[1].X - ends[0].X), ends[0].Y + t * (ends[1].Y - ends[0].Y) };
+}
+
+/// Cosine of the angle between a segment and an edge, times the length of the edge.
+double Along(const Point2& from, const Point2& to, const Point2* edge)
+{
+  const Point2 ray{ to.X - from.X, to.Y - from.Y };
+  const double length = Norm(ray.X, ray.Y);
+  return length > 0.0 ? Dot(ray, { edge[1].X - edge[0].X, edge[1].Y - edge[0].Y }) / length : 0.0;
+}
+
+/// The direction in which a path leaves or reaches a vertex, within a face.
+TurnEnd DirectionAt(const SurfaceMesh& mesh, Id vertex, const SurfacePoint& other, Id face)
+{
+  const Id g = HalfEdgeFrom(mesh, face, vertex);
+  std::array<double, 3> barycentric{ { 1.0, 0.0, 0.0 } };
+  FindInFace(mesh, other, face, barycentric);
+  const Point2 p = PlaceInFrame(mesh, g, barycentric);
+  return { face, g, std::atan2(p.Y, p.X) };
+}
+}
+
+bool LoopShortener::Shorten(std::vector<EdgeCrossing> ring, SurfacePath& loop)
+{
+  const bool isTight = this->Tighten(ring, loop);
+  if (!isTight)
+  {
+    loop.Clear();
+  }
+  return isTight;
+}
+
+bool LoopShortener::Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop)
+{
+  for (int round = 0; round < MaximumRounds; ++round)
+  {
+    CloseUp(ring);
+    if (ring.empty())
+    {
+      return false;
+    }
+    this->CutAt(ring);
+    const double t = this->Minimize();
+    std::size_t place = 0;
+    const Id vertex = this->FindBend(ring, t, place);
+    if (vertex == NoId)
+    {
+      this->AppendStraight(ring, t, loop);
+      return true;
+    }
+    Strip open;
+    if (!this->OpenAt(ring, vertex, place, open))
+    {
+      return false;
+    }
+    this->Shortener.Shorten(open);
+    if (open.Crossings.empty())
+    {
+      return false;
+    }
+    loop.Clear();
+    this->Shortener.Append(open, loop);
+    std::vector<EdgeCrossing> turn;
+    const std::size_t last = loop.Faces.size() - 1;
+    const double angle = FindTurn(this->Mesh, vertex,
+      DirectionAt(this->Mesh, vertex, loop.Points[last], loop.Faces[last]),
+      DirectionAt(this->Mesh, vertex, loop.Points[1], loop.Faces[0]), turn);
+    if (!(angle < Pi - AngleTolerance))
+    {
+      return true;
+    }
+    ring = open.Crossings;
+    for (const EdgeCrossing& crossing : turn)
+    {
+      AppendCrossing(ring, crossing);
+    }
+  }
+  return true;
+}
+
+double LoopShortener::AngleAtStart(const SurfaceMesh& mesh, const SurfacePath& loop)
+{
+  if (loop.Faces.empty())
+  {
+    return Pi;
+  }
+  const SurfacePoint& start = loop.Points.front();
+  const std::size_t last = loop.Faces.size() - 1;
+  if (IsVertex(start))
+  {
+    std::vector<EdgeCrossing> turn;
+    return std::min(Pi,
+      FindTurn(mesh, start.Vertex,
+        DirectionAt(mesh, start.Vertex, loop.Points[last], loop.Faces[last]),
+        DirectionAt(mesh, start.Vertex, loop.Points[1], loop.Faces[0]), turn));
+  }
+  // In the plane of the faces around the point: by the angles with the edge that it lies on.
+  const auto direction = [&](const SurfacePoint& other, Id face, Id h) {
+    std::array<double, 3> p{};
+    std::array<double, 3> q{};
+    FindInFace(mesh, start, face, p);
+    FindInFace(mesh, other, face, q);
+    const Point2 from = PlaceInFrame(mesh, h, p);
+    const Point2 to = PlaceInFrame(mesh, h, q);
+    return std::atan2(to.Y - from.Y, to.X - from.X);
+  };
+  const Id out = loop.Faces.front();
+  const Id in = loop.Faces.back();
+  const Id outEdge = HalfEdgeUnder(mesh, start, out);
+  const Id inEdge = HalfEdgeUnder(mesh, start, in);
+  const bool isSame = out == in;
+  double angle = direction(loop.Points[1], out, isSame ? 3 * out : outEdge);
+  const double back = direction(loop.Points[last], in, isSame ? 3 * in : inEdge);
+  if (isSame)
+  {
+    angle = std::abs(angle - back);
+  }
+  else
+  {
+    const bool isAgainst = mesh.Origin(outEdge) != mesh.Origin(inEdge);
+    angle += isAgainst ? Pi - back : back;
+  }
+  return std::min(angle, 2.0 * Pi - angle);
+}
+
+/// An edge crossed to and fro where the ring closes need not be crossed.
+void LoopShortener::CloseUp(std::vector<EdgeCrossing>& ring)
+{
+  while (ring.size() > 1 && ring.back().Entry == ring.front().Exit)
+  {
+    const EdgeCrossing last = ring.back();
+    ring.pop_back();
+    if (last.Exit == ring.front().Entry)
+    {
+      ring.erase(ring.begin());
+    }
+    else
+    {
+      ring.front().Exit = last.Exit;
+    }
+  }
+  if (ring.size() == 1)
+  {
+    ring.clear(); // out of a face and into it through one edge
+  }
+}
+
+void LoopShortener::CutAt(const std::vector<EdgeCrossing>& ring)
+{
+  const EdgeCrossing& first = ring.front();
+  Strip& open = this->TheCut.Open;
+  open.FirstFace = SurfaceMesh::Face(first.Entry);
+  open.Crossings.assign(ring.begin() + 1, ring.end());
+  const Id ends[2] = { this->Mesh.Origin(first.Entry), this->Mesh.Destination(first.Entry) };
+  for (int k = 0; k < 2; ++k)
+  {
+    open.Start = SurfacePoint::AtVertex(ends[k]);
+    open.End = SurfacePoint::AtVertex(ends[k]);
+    this->Plane.Unfold(this->Mesh, open);
+    this->TheCut.Starts[k] = this->Plane.Start;
+    this->TheCut.Ends[k] = this->Plane.End;
+  }
+}
+
+/// The shortest way around from position t of the edge.
+double LoopShortener::LayAt(double t)
+{
+  this->Plane.Start = Between(this->TheCut.Starts, t);
+  this->Plane.End = Between(this->TheCut.Ends, t);
+  return this->TheFunnel.Run(this->Plane, this->Bends);
+}
+
+/// How much longer that gets with t.
+double LoopShortener::SlopeAt(double t)
+{
+  this->LayAt(t);
+  const Point2& second = this->Bends.empty() ? this->Plane.End : this->Bends.front().Position;
+  const Point2& last = this->Bends.empty() ? this->Plane.Start : this->Bends.back().Position;
+  return Along(last, this->Plane.End, this->TheCut.Ends) -
+    Along(this->Plane.Start, second, this->TheCut.Starts);
+}
+
+/// The length is convex in t: a ring of faces, unrolled, is flat, and in flat strips the distance
+/// between two points that move along lines is convex.
+double LoopShortener::Minimize()
+{
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < MaximumHalvings && high - low > 0.1 * EndTolerance; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    const double slope = this->SlopeAt(middle);
+    if (slope == 0.0)
+    {
+      return middle;
+    }
+    (slope > 0.0 ? high : low) = middle;
+  }
+  const double t = 0.5 * (low + high);
+  this->LayAt(t);
+  return t;
+}
+
+/// A vertex that the path bends around, and a crossing of an edge there; NoId when there is none.
+Id LoopShortener::FindBend(
+  const std::vector<EdgeCrossing>& ring, double t, std::size_t& place) const
+{
+  if (!this->Bends.empty())
+  {
+    const StripBend& bend = this->Bends[this->Bends.size() / 2];
+    place = bend.Portal + 1;
+    return this->Plane.Portals[bend.Portal].Vertices[bend.Side];
+  }
+  place = 0;
+  const Id entry = ring.front().Entry;
+  if (t < EndTolerance)
+  {
+    return this->Mesh.Origin(entry);
+  }
+  return t > 1.0 - EndTolerance ? this->Mesh.Destination(entry) : NoId;
+}
+
+bool LoopShortener::IsAt(Id vertex, const EdgeCrossing& crossing) const
+{
+  return this->Mesh.Origin(crossing.Entry) == vertex ||
+    this->Mesh.Destination(crossing.Entry) == vertex;
+}
+
+/// The ring from behind the edges at a vertex to before them. False when all edges are there: the
+/// path contracts to the vertex.
+bool LoopShortener::OpenAt(
+  const std::vector<EdgeCrossing>& ring, Id vertex, std::size_t place, Strip& open) const
+{
+  const std::size_t count = ring.size();
+  std::size_t after = place; // the first crossing behind
+  std::size_t steps = 0;
+  while (steps < count && this->IsAt(vertex, ring[after]))
+  {
+    after = (after + 1) % count;
+    ++steps;
+  }
+  if (steps == count)
+  {
+    return false;
+  }
+  open.Start = SurfacePoint::AtVertex(vertex);
+  open.End = open.Start;
+  open.Crossings.clear();
+  open.FirstFace = SurfaceMesh::Face(ring[(after + count - 1) % count].Entry);
+  std::size_t before = place; // the first crossing of the run
+  while (this->IsAt(vertex, ring[(before + count - 1) % count]))
+  {
+    before = (before + count - 1) % count;
+  }
+  for (std::size_t i = after; i != before; i = (i + 1) % count)
+  {
+    open.Crossings.push_back(ring[i]);
+  }
+  return true;
+}
+
+/// A path without a bend.
+void LoopShortener::AppendStraight(
+  const std::vector<EdgeCrossing>& ring, double t, SurfacePath& loop)
+{
+  loop.Clear();
+  Strip open = this->TheCut.Open;
+  open.Start = SurfacePoint::OnEdge(this->Mesh, ring.front().Entry, t);
+  open.End = open.Start;
+  this->Shortener.Append(open, loop);
+}
+}

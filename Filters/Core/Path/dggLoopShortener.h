@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Pulls closed paths tight. Internal.
+#ifndef dggLoopShortener_h
+#define dggLoopShortener_h
+
+#include "dggFunnel.h"         // for Funnel
+#include "dggPathShortener.h"  // for what is between two passages of a vertex
+#include "dggStrip.h"          // for Strip
+#include "dggStripUnfolding.h" // for StripUnfolding
+#include "dggSurfacePath.h"    // for SurfacePath
+
+#include <vector> // for the crossings
+
+namespace dgg
+{
+/// Shortens a closed path, which may move everywhere, to a closed geodesic, in turns: the shortest
+/// closed path in its ring of faces is found; it bends around vertices, unless it is straight all
+/// around. It is cut open at one of them, shortened with both ends there, and led around that
+/// vertex if it is shorter there.
+class LoopShortener
+{
+public:
+  explicit LoopShortener(const SurfaceMesh& mesh)
+    : Mesh(mesh)
+    , Shortener(mesh)
+  {
+  }
+
+  /// `ring` are the crossings of the closed path, in order; the last one leads into the face that
+  /// the first one leaves. False when the path contracts to a point.
+  bool Shorten(std::vector<EdgeCrossing> ring, SurfacePath& loop);
+
+  /// The smallest angle that a closed path makes with itself where it starts and ends: pi or more
+  /// on both sides for a geodesic.
+  static double AngleAtStart(const SurfaceMesh& mesh, const SurfacePath& loop);
+
+private:
+  /// The ring, cut open at the edge of its first crossing.
+  struct Cut
+  {
+    Strip Open;
+    Point2 Starts[2]; ///< the two ends of the edge, where the strip starts
+    Point2 Ends[2];   ///< and where it ends
+  };
+
+  bool Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop);
+  static void CloseUp(std::vector<EdgeCrossing>& ring);
+  void CutAt(const std::vector<EdgeCrossing>& ring);
+  double LayAt(double t);
+  double SlopeAt(double t);
+  double Minimize();
+  Id FindBend(const std::vector<EdgeCrossing>& ring, double t, std::size_t& place) const;
+  bool IsAt(Id vertex, const EdgeCrossing& crossing) const;
+  bool OpenAt(
+    const std::vector<EdgeCrossing>& ring, Id vertex, std::size_t place, Strip& open) const;
+  void AppendStraight(const std::vector<EdgeCrossing>& ring, double t, SurfacePath& loop);
+
+  const SurfaceMesh& Mesh;
+  PathShortener Shortener;
+  Cut TheCut;
+  StripUnfolding Plane;
+  Funnel TheFunnel;
+  std::vector<StripBend> Bends;
+};
+}
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PathChecks.h"
+
+#include "dggExactGeodesics.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::Id;
+using dgg::SurfacePath;
+using dgg::SurfacePoint;
+
+/// How far along the pieces beside a point is looked.
+constexpr double Fraction = 1e-3;
+
+/// A point of the surface on piece `i` of a path, next to its point `at`, one of its ends.
+SurfacePoint Beside(
+  const dgg::SurfaceMesh& mesh, const SurfacePath& path, std::size_t i, std::size_t at)
+{
+  const Id face = path.Faces[i];
+  std::array<double, 3> near{};
+  std::array<double, 3> far{};
+  dgg::FindInFace(mesh, path.Points[at], face, near);
+  dgg::FindInFace(mesh, path.Points[at == i ? i + 1 : i], face, far);
+  std::array<double, 3> between{};
+  for (int k = 0; k < 3; ++k)
+  {
+    between[k] = (1.0 - Fraction) * near[k] + Fraction * far[k];
+  }
+  if (mesh.IsFlipped(face))
+  {
+    std::swap(between[1], between[2]);
+  }
+  return SurfacePoint::InFace(mesh, face, between);
+}
+
+/// Between two pieces that meet.
+void ExpectShortestBetween(const dgg::SurfaceMesh& mesh, dgg::ExactGeodesics& solver,
+  const SurfacePath& path, std::size_t in, std::size_t out)
+{
+  const double before = dgg::MeasurePiece(mesh, path, in);
+  const double after = dgg::MeasurePiece(mesh, path, out);
+  if (std::min(before, after) < 1e-3 * mesh.GetMeanEdgeLength())
+  {
+    return; // not to be told from rounding
+  }
+  dgg::ExactOptions options;
+  options.Targets = { Beside(mesh, path, out, out) };
+  options.StopAtTargets = true;
+  dgg::ExactResult result;
+  const dgg::Status status =
+    solver.Run({ { Beside(mesh, path, in, in + 1), 0.0 } }, options, result);
+  ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_GT(result.TargetDistances[0], Fraction * (before + after) * (1.0 - 1e-6))
+    << "bend at point " << out;
+}
+}
+
+void ExpectLocallyShortest(
+  const dgg::SurfaceMesh& mesh, const SurfacePath& path, bool isSmoothAtStart)
+{
+  dgg::ExactGeodesics solver(mesh);
+  // A dozen points of long paths.
+  const std::size_t step = 1 + path.Faces.size() / 12;
+  for (std::size_t i = 1; i < path.Faces.size(); i += step)
+  {
+    ExpectShortestBetween(mesh, solver, path, i - 1, i);
+  }
+  if (isSmoothAtStart && !path.Faces.empty())
+  {
+    ExpectShortestBetween(mesh, solver, path, path.Faces.size() - 1, 0);
+  }
+}
+}
