@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Curves at a distance from a curve.
+#ifndef dggTape_h
+#define dggTape_h
+
+#include "dggSurfacePath.h" // for SurfacePath
+
+#include <vector> // for the rims
+
+namespace dgg
+{
+/// The rims of a tape of the given width that is laid along a path or a loop: the curves at a
+/// distance of half of the width from it. A loop has one on each side, where there is room; around
+/// a path there is one. Rims end at the boundary of the surface.
+///
+/// The distance is the exact one from points on the path, so close that it is right to 1e-5 of it.
+/// Points of a rim, where it crosses edges, are as exact; between them it is straight. Every piece
+/// lies in one face. Fails when the path is not on the mesh, or the width is not positive and
+/// finite.
+Status MakeTape(const SurfaceMesh& mesh, const SurfacePath& path, double width,
+  const ProgressCallback& progress, std::vector<SurfacePath>& rims);
+}
+
+#endif

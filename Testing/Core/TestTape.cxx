@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Curves beside a curve.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include "dggExactPath.h"
+#include "dggTape.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::SurfacePath;
+using dgg::SurfacePoint;
+
+SurfacePath PathBetween(const dgg::SurfaceMesh& mesh, Id from, Id to)
+{
+  std::vector<SurfacePath> paths;
+  const dgg::Status status = dgg::ExactPathFinder(mesh).Find(
+    SurfacePoint::AtVertex(from), { SurfacePoint::AtVertex(to) }, nullptr, paths);
+  EXPECT_TRUE(status.IsOk());
+  return paths.empty() ? SurfacePath() : paths.front();
+}
+
+std::vector<SurfacePath> Tape(const dgg::SurfaceMesh& mesh, const SurfacePath& path, double width)
+{
+  std::vector<SurfacePath> rims;
+  const dgg::Status status = dgg::MakeTape(mesh, path, width, nullptr, rims);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  for (const SurfacePath& rim : rims)
+  {
+    const dgg::Status check = dgg::CheckPath(mesh, rim);
+    EXPECT_TRUE(check.IsOk()) << check.GetMessage();
+  }
+  return rims;
+}
+
+/// Distances of the points of rims from the points of a path, which lie close together.
+void ExpectAtDistance(const dgg::SurfaceMesh& mesh, const SurfacePath& path,
+  const std::vector<SurfacePath>& rims, double distance, double tolerance)
+{
+  std::vector<dgg::GeodesicSource> sources;
+  for (const SurfacePoint& point : path.Points)
+  {
+    sources.push_back({ point, 0.0 });
+  }
+  dgg::ExactOptions options;
+  for (const SurfacePath& rim : rims)
+  {
+    options.Targets.insert(options.Targets.end(), rim.Points.begin(), rim.Points.end());
+  }
+  dgg::ExactResult result;
+  ASSERT_TRUE(dgg::ExactGeodesics(mesh).Run(sources, options, result).IsOk());
+  for (const double d : result.TargetDistances)
+  {
+    EXPECT_GT(d, distance * (1.0 - tolerance));
+  }
+}
+}
+
+TEST(Tape, AroundAPrism)
+{
+  const Id sides = 6;
+  const Id around = 4 * sides;
+  const dgg::SurfaceMesh mesh = Build(PrismSide(sides, 4, 8, 0.0));
+  SurfacePath loop; // along the edges of the row in the middle
+  for (Id i = 0; i <= around; ++i)
+  {
+    loop.Points.push_back(SurfacePoint::AtVertex(4 * around + i % around));
+    if (i > 0)
+    {
+      const Id a = loop.Points[i - 1].Vertex;
+      const Id b = loop.Points[i].Vertex;
+      for (const Id* g = mesh.FanBegin(a); g != mesh.FanEnd(a); ++g)
+      {
+        if (mesh.Destination(*g) == b || mesh.Apex(*g) == b)
+        {
+          loop.Faces.push_back(dgg::SurfaceMesh::Face(*g));
+          break;
+        }
+      }
+      loop.Length += dgg::MeasurePiece(mesh, loop, i - 1);
+    }
+  }
+  for (const double width : { 0.3, 1.5, 6.0 })
+  {
+    const std::vector<SurfacePath> rims = Tape(mesh, loop, width);
+    ASSERT_EQ(rims.size(), 2u);
+    for (const SurfacePath& rim : rims)
+    {
+      EXPECT_NEAR(rim.Length, sides, 1e-4 * sides);
+      EXPECT_EQ(rim.Points.front().HalfEdge, rim.Points.back().HalfEdge);
+    }
+  }
+  EXPECT_TRUE(Tape(mesh, loop, 20.0).empty()); // wider than the surface
+}
+
+TEST(Tape, AroundASegment)
+{
+  // A stadium: two straight sides, two half circles.
+  const Id n = 40;
+  const dgg::SurfaceMesh mesh = Build(Plane(n, n, 0.2, 3));
+  const Id row = (n / 2) * (n + 1);
+  const SurfacePath path = PathBetween(mesh, row + 10, row + 30);
+  const double width = 12.0;
+  const std::vector<SurfacePath> rims = Tape(mesh, path, width);
+  ASSERT_EQ(rims.size(), 1u);
+  EXPECT_NEAR(rims[0].Length / (2.0 * path.Length + dgg::Pi * width), 1.0, 2e-3);
+  ExpectAtDistance(mesh, path, rims, 0.5 * width, 1e-4);
+}
+
+TEST(Tape, EndsAtTheBoundary)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(10, 10));
+  const std::vector<SurfacePath> rims = Tape(mesh, PathBetween(mesh, 55, 65), 3.0);
+  ASSERT_EQ(rims.size(), 2u); // straight across
+  EXPECT_NEAR(rims[0].Length, rims[1].Length, 1e-3);
+}
+
+TEST(Tape, OnAllKindsOfMeshes)
+{
+  std::vector<NamedMesh> meshes = SoundMeshes();
+  for (NamedMesh& named : DefectMeshes())
+  {
+    meshes.push_back(std::move(named));
+  }
+  for (const NamedMesh& named : meshes)
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    if (mesh.GetNumberOfDegenerateFaces() > 0 || mesh.GetNumberOfVertices() > 1000)
+    {
+      continue;
+    }
+    const std::vector<Id> ends = SomeVertices(mesh, 4, 9);
+    const SurfacePath path = PathBetween(mesh, ends[1], ends[2]);
+    if (path.Faces.empty())
+    {
+      continue;
+    }
+    const double width = 0.3 * path.Length;
+    ExpectAtDistance(mesh, path, Tape(mesh, path, width), 0.5 * width, 1e-3);
+  }
+}
+
+TEST(Tape, BadInput)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(4, 4));
+  const SurfacePath path = PathBetween(mesh, 6, 18);
+  std::vector<SurfacePath> rims;
+  for (const double width : { 0.0, -1.0, dgg::Infinity, std::nan("") })
+  {
+    EXPECT_FALSE(dgg::MakeTape(mesh, path, width, nullptr, rims).IsOk());
+    EXPECT_TRUE(rims.empty());
+  }
+  SurfacePath off = path;
+  off.Faces[0] = 17;
+  off.Faces.back() = 0;
+  EXPECT_FALSE(dgg::MakeTape(mesh, off, 1.0, nullptr, rims).IsOk());
+}
+}
