@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PathTestTools.h"
 
-#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 
@@ -26,17 +27,60 @@ double Distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
   return std::sqrt(vtkMath::Distance2BetweenPoints(p.data(), q.data()));
 }
 
-/// Distance of a point from a cell.
+std::array<double, 3> Minus(const std::array<double, 3>& p, const std::array<double, 3>& q)
+{
+  return { { p[0] - q[0], p[1] - q[1], p[2] - q[2] } };
+}
+
+double DistanceFromSegment(
+  const std::array<double, 3>& p, const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  const auto edge = Minus(b, a);
+  const double square = vtkMath::Dot(edge.data(), edge.data());
+  const double along = square > 0.0 ? vtkMath::Dot(Minus(p, a).data(), edge.data()) / square : 0.0;
+  const double t = std::min(1.0, std::max(0.0, along));
+  return Distance(p, { { a[0] + t * edge[0], a[1] + t * edge[1], a[2] + t * edge[2] } });
+}
+
+/// Sound for triangles of any shape: near an edge, the edge tells it.
+double DistanceFromTriangle(
+  const std::array<double, 3>& p, const std::array<std::array<double, 3>, 3>& corners)
+{
+  double distance = VTK_DOUBLE_MAX;
+  const auto ab = Minus(corners[1], corners[0]);
+  const auto ac = Minus(corners[2], corners[0]);
+  double normal[3];
+  vtkMath::Cross(ab.data(), ac.data(), normal);
+  bool isInside = vtkMath::Normalize(normal) > 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto& a = corners[k];
+    const auto& b = corners[(k + 1) % 3];
+    distance = std::min(distance, DistanceFromSegment(p, a, b));
+    double inwards[3];
+    vtkMath::Cross(normal, Minus(b, a).data(), inwards);
+    isInside = isInside && vtkMath::Dot(inwards, Minus(p, a).data()) >= 0.0;
+  }
+  return isInside ? std::min(distance, std::abs(vtkMath::Dot(normal, Minus(p, corners[0]).data())))
+                  : distance;
+}
+
+/// Distance of a point from a triangle strip or a convex polygon.
 double DistanceFromCell(vtkPolyData* surface, vtkIdType cell, const std::array<double, 3>& p)
 {
-  double closest[3];
-  double parametric[3];
-  std::vector<double> weights(static_cast<std::size_t>(surface->GetMaxCellSize()));
-  int subId = 0;
-  double square = -1.0;
-  surface->GetCell(cell)->EvaluatePosition(
-    p.data(), closest, subId, parametric, square, weights.data());
-  return std::sqrt(square); // NaN when there is no answer
+  vtkNew<vtkIdList> ids;
+  surface->GetCellPoints(cell, ids);
+  const bool isStrip = surface->GetCellType(cell) == VTK_TRIANGLE_STRIP;
+  double distance = VTK_DOUBLE_MAX;
+  for (vtkIdType i = 2; i < ids->GetNumberOfIds(); ++i)
+  {
+    std::array<std::array<double, 3>, 3> corners;
+    surface->GetPoint(ids->GetId(isStrip ? i - 2 : 0), corners[0].data());
+    surface->GetPoint(ids->GetId(i - 1), corners[1].data());
+    surface->GetPoint(ids->GetId(i), corners[2].data());
+    distance = std::min(distance, DistanceFromTriangle(p, corners));
+  }
+  return distance;
 }
 
 bool HasArrays(vtkPolyData* output)
@@ -121,7 +165,7 @@ std::vector<int> GetPathStatus(vtkDGGPath* filter)
   return values;
 }
 
-void ExpectOnSurface(const PathLine& path, vtkPolyData* surface)
+void ExpectOnSurface(const PathLine& path, vtkPolyData* surface, double slack)
 {
   ASSERT_FALSE(path.Positions.empty());
   EXPECT_EQ(path.ArcLengths.front(), 0.0);
@@ -147,10 +191,10 @@ void ExpectOnSurface(const PathLine& path, vtkPolyData* surface)
     {
       EXPECT_LE(DistanceFromCell(surface, face, path.Positions[i + 1]), Tolerance * unit) << i;
       sum += Distance(path.Positions[i], path.Positions[i + 1]);
-      EXPECT_NEAR(path.ArcLengths[i + 1], sum, Tolerance * unit) << i;
+      EXPECT_NEAR(path.ArcLengths[i + 1], sum, Tolerance * unit + slack) << i;
     }
   }
-  EXPECT_NEAR(path.Length, sum, Tolerance * sum);
+  EXPECT_NEAR(path.Length, sum, Tolerance * sum + slack);
   EXPECT_NEAR(path.ArcLengths.back(), path.Length, Tolerance * sum);
 }
 

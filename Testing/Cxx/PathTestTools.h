@@ -34,7 +34,8 @@ std::vector<int> GetPathStatus(vtkDGGPath* filter);
 
 /// Expect that every piece lies in the cell of the surface that FaceId names, that points with an
 /// id are that point, and that Length and ArcLength are those of the pieces; all of it to 1e-9.
-void ExpectOnSurface(const PathLine& path, vtkPolyData* surface);
+/// `slack` is what triangles without area add to lengths.
+void ExpectOnSurface(const PathLine& path, vtkPolyData* surface, double slack = 0.0);
 
 /// Lines from the first to the second of every two points.
 vtkSmartPointer<vtkPolyData> MakePairs(const Points& ends);

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Tests of the kernel that need VTK's readers, as programs of their own: against CGAL when it is
-# there, and over a folder of real meshes when one is named.
+# Tests on meshes from files, as programs of their own: of the kernel against CGAL when it is there,
+# of the kernel and of paths over a folder of real meshes when one is named.
 set(shared "${CMAKE_CURRENT_LIST_DIR}/../Benchmark")
 set(reader_modules
   VTK::CommonCore
@@ -46,6 +46,8 @@ endif ()
 if (DGG_EXTRA_DATA)
   set(core "${CMAKE_CURRENT_LIST_DIR}/../Core")
   dgg_add_real_mesh_tests(dggExtraDataTests
+    ExtraMeshes.cxx
+    ExtraMeshes.h
     TestExtraData.cxx
     "${core}/GeodesicChecks.cxx"
     "${core}/GeodesicChecks.h"
@@ -54,4 +56,13 @@ if (DGG_EXTRA_DATA)
     "${core}/TestMeshes.cxx"
     "${core}/TestMeshes.h")
   target_include_directories(dggExtraDataTests PRIVATE "${core}")
+  dgg_add_real_mesh_tests(dggExtraPathTests
+    ExtraMeshes.cxx
+    ExtraMeshes.h
+    FilterTestTools.cxx
+    FilterTestTools.h
+    PathTestTools.cxx
+    PathTestTools.h
+    TestExtraPaths.cxx)
+  target_link_libraries(dggExtraPathTests PRIVATE DGG::FiltersGeodesic)
 endif ()

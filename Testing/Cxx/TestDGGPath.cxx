@@ -249,6 +249,41 @@ TEST_F(DGGPath, ExactPathsAreAsLongAsTheDistance)
   EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(), 0); // no graph has been built
 }
 
+TEST_F(DGGPath, DetourPays)
+{
+  for (vtkIdType id = 0; id < 400; id += 3)
+  {
+    this->Filter->AddPair(id, (id * 37 + 211) % 400);
+  }
+  this->Filter->SetAccuracy(0.2);
+  this->Filter->SetMethodToExact();
+  ExpectSuccess(this->Filter);
+  const auto exact = GetPaths(this->Filter);
+  this->Filter->SetMethodToGraph();
+  std::vector<PathLine> before;
+  std::size_t shortest = 0;
+  for (const double detour : { 0.0, 3e-3, 0.1 })
+  {
+    this->Filter->SetDetour(detour);
+    ExpectSuccess(this->Filter);
+    const auto paths = GetPaths(this->Filter);
+    ASSERT_EQ(paths.size(), exact.size());
+    const std::size_t shortestBefore = shortest;
+    shortest = 0;
+    for (std::size_t i = 0; i < paths.size(); ++i)
+    {
+      if (!before.empty())
+      {
+        EXPECT_LE(paths[i].Length, before[i].Length * (1.0 + 1e-9)) << i;
+      }
+      shortest += paths[i].Length <= exact[i].Length * (1.0 + 1e-9) ? 1 : 0;
+    }
+    EXPECT_GT(shortest, shortestBefore);
+    before = paths;
+  }
+  EXPECT_EQ(shortest, exact.size());
+}
+
 TEST_F(DGGPath, ClosedForms)
 {
   // A plane; a sheet bent around an axis, which is flat in itself; a cube.

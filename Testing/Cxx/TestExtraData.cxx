@@ -4,8 +4,8 @@
 /// Exact distances and geodesic graphs on every mesh (*.ply and awkward/*.ply) of the folder
 /// DGG_EXTRA_DATA: what must hold on any mesh, and the known defects of the meshes that we know.
 
+#include "ExtraMeshes.h"
 #include "GraphChecks.h"
-
 #include "MeshFile.h"
 
 #include "dggEdgeGraph.h"
@@ -20,10 +20,8 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <iostream>
 #include <map>
 #include <string>
@@ -31,8 +29,6 @@
 
 namespace
 {
-namespace fs = std::filesystem;
-
 /// Counts that were established by other means than our kernel.
 struct KnownCounts
 {
@@ -77,27 +73,6 @@ const std::map<std::string, KnownCounts>& GetKnownCounts()
     { "terrain_alps_voids", { 66423, 130144, 1, 112, 0, 4, 0, 0 } },
   };
   return known;
-}
-
-std::vector<std::string> FindMeshes()
-{
-  std::vector<std::string> files;
-  for (const char* folder : { "", "awkward" })
-  {
-    const fs::path path = fs::path(DGG_EXTRA_DATA) / folder;
-    if (fs::is_directory(path))
-    {
-      for (const fs::directory_entry& entry : fs::directory_iterator(path))
-      {
-        if (entry.path().extension() == ".ply")
-        {
-          files.push_back(entry.path().string());
-        }
-      }
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 class ExtraData : public testing::TestWithParam<std::string>
@@ -383,16 +358,10 @@ TEST_P(ExtraData, CorrectionPays)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Real, ExtraData, testing::ValuesIn(FindMeshes()),
-  [](const testing::TestParamInfo<std::string>& info) {
-    std::string name = StemOf(info.param);
-    std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
-    return name;
-  });
+INSTANTIATE_TEST_SUITE_P(Real, ExtraData, testing::ValuesIn(FindExtraMeshes()), NameExtraMesh);
 
 TEST(ExtraDataFolder, HasMeshes)
 {
-  EXPECT_FALSE(FindMeshes().empty()) << "no *.ply in " << DGG_EXTRA_DATA;
+  EXPECT_FALSE(FindExtraMeshes().empty()) << "no *.ply in " << DGG_EXTRA_DATA;
 }
 }
