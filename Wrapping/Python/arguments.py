@@ -71,6 +71,20 @@ def places(values, name, number_of_points):
     return [int(i) for i in array], None
 
 
+def place(value, name, number_of_points):
+    """A point of the surface: an id, or an array of three coordinates."""
+    array = numbers(value, name)
+    if array.shape == (3,):
+        return coordinates(array[np.newaxis], name)[0]
+    if array.ndim > 0 or array.dtype.kind not in "iu":
+        raise ValueError(
+            f"{name}: a point id (an integer) or coordinates of shape (3,) are wanted, "
+            f"not {array.dtype} of shape {array.shape}"
+        )
+    _check_ids(array[np.newaxis], number_of_points, name)
+    return int(array)
+
+
 def finite_numbers(values, name, count):
     """`count` finite numbers, or one for all."""
     array = numbers(values, name)

@@ -9,9 +9,11 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from . import arguments
 from .errors import VTKError, run
 from .graph_info import ARRAYS, CONSTRUCTIONS, DAMAGE, GraphInfo, damaged
+from .paths import find
 from .surface import copy_surface, from_arrays, to_arrays
 from .vtkDGGFiltersGeodesic import (
     vtkDGGDistance,
+    vtkDGGPath,
     vtkDiscreteGeodesicGraph,
     vtkGeodesicDistanceMatrix,
 )
@@ -20,7 +22,7 @@ __all__ = ["Graph"]
 
 
 class Graph:
-    """Geodesic distances on one triangle mesh, asked many times.
+    """Geodesic distances and paths on one triangle mesh, asked many times.
 
     A sparse graph is built once, in which shortest paths are geodesics up to a known error; then a
     distance field takes milliseconds. The mesh is copied and does not change any more.
@@ -60,8 +62,8 @@ class Graph:
 
     See Also
     --------
-    vtkDiscreteGeodesicGraph, vtkDGGDistance, vtkGeodesicDistanceMatrix : the filters that do the
-        work, with further options.
+    vtkDiscreteGeodesicGraph, vtkDGGDistance, vtkGeodesicDistanceMatrix, vtkDGGPath : the filters
+        that do the work, with further options.
 
     Examples
     --------
@@ -71,6 +73,8 @@ class Graph:
     >>> graph.matrix([0, 1], [1, 2])
     array([[3., 4.],
            [0., 5.]])
+    >>> graph.path(1, 2).length
+    5.0
     """
 
     def __init__(
@@ -249,6 +253,52 @@ class Graph:
         tabulate.ReleaseMatrix()  # it is ours alone now, and is not given out twice
         return vtk_to_numpy(matrix).reshape(shape)
 
+    def path(self, start, end, straighten=True, detour=None, projection_tolerance=None):
+        """A path on the surface from one point to another.
+
+        It is a geodesic: no path next to it is shorter. Its length is at least the exact distance,
+        and at most (1 + accuracy) times that.
+
+        Parameters
+        ----------
+        start, end : int, or array_like, shape (3,)
+            A point id, or coordinates of a point anywhere on the surface; it is moved to the
+            closest point of the surface. Three integers are coordinates.
+        straighten : bool, optional
+            False: the path in the graph as it is, with small bends at some points.
+        detour : float, optional
+            Behind every bump there are several geodesics. The shortest one is taken of those with
+            detours from the first one found of up to this fraction of its length, in [0, 0.1].
+            Default: 3e-4.
+        projection_tolerance : float, optional
+            How far coordinates may be from the surface, as a fraction of the diagonal of its
+            bounding box. Default: 0.01.
+
+        Returns
+        -------
+        Path
+
+        Raises
+        ------
+        ValueError
+            When an argument has the wrong shape or type, an id does not exist, or start and end are
+            not connected by the surface.
+        VTKError
+            When the filter refuses the input, as for coordinates far off the surface.
+        """
+        ends = tuple(
+            arguments.place(value, name, self.number_of_points)
+            for value, name in ((start, "start"), (end, "end"))
+        )
+        detour = 3e-4 if detour is None else arguments.number(detour, "detour")
+        if not 0.0 <= detour <= 0.1:
+            raise ValueError(f"detour: must be in [0, 0.1], is {detour}")
+        finder = self._filter(vtkDGGPath, projection_tolerance)
+        finder.SetStraighten(bool(straighten))
+        finder.SetDetour(detour)
+        points = vtk_to_numpy(self._surface.GetPoints().GetData())
+        return find(finder, ends, points, self._heard)
+
     @property
     def csr(self):
         """The graph as a new scipy.sparse.csr_matrix of lengths, shape (n, n).
@@ -362,7 +412,6 @@ class Graph:
             consumer = kind()
             consumer.SetMergeCoincidentPoints(self._info.is_merged)
             consumer.SetMemoryLimit(self._memory_limit)
-            consumer.SetUnreachedValue(np.inf)
             consumer.SetInputData(self._surface)
             self._filters[kind] = consumer
         consumer = self._filters[kind]
@@ -371,6 +420,7 @@ class Graph:
 
     def _search(self, search, ids, places, offsets, limit, correction):
         """Distances, infinite where unreached, and nearest sources."""
+        search.SetUnreachedValue(np.inf)
         search.SetCorrection(bool(correction))
         search.SetMaximumDistance(limit)
         search.GenerateNearestSourceOn()
