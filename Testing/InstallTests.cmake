@@ -62,6 +62,11 @@ dgg_add_consumer_test(GraphPipeline 0 "from point 3: up to [0-9.]+.*from point 6
   "${consumer_dir}/GraphPipeline" "mesh.ply" 3 600 "graph.png")
 set_tests_properties("Install.GraphPipeline" PROPERTIES
   ENVIRONMENT "${dgg_rendering_environment}")
+dgg_add_consumer_test(TerrainPath 0
+  "on the surface: 12.50.* km.*along mesh edges: 13.22.* km, [0-9.]+ % longer"
+  "${consumer_dir}/TerrainPath" "terrain.png")
+set_tests_properties("Install.TerrainPath" PROPERTIES
+  ENVIRONMENT "${dgg_rendering_environment}")
 dgg_add_consumer_test(GraphPipeline.WrongSource 1 "source id 642"
   "${consumer_dir}/GraphPipeline" "mesh.ply" 0 642 "wrong.png")
 dgg_add_consumer_test(Pipeline.MissingFile 1 "missing.off"

@@ -762,11 +762,10 @@ TEST_F(DGGPath, IsTheSameForAnyThreads)
 
 TEST_F(DGGPath, ProgressAndAbort)
 {
-  this->Terrain = MakeTerrain(60);
-  this->Filter->SetInputData(this->Terrain);
+  this->Filter->SetInputData(MakeTerrain(40));
   for (int i = 0; i < 150; ++i)
   {
-    this->Filter->AddPair(i * 7, 3599 - i * 5);
+    this->Filter->AddPair(i * 7, 1599 - i * 5);
   }
   for (const int method : { vtkDGGPath::Graph, vtkDGGPath::Exact })
   {

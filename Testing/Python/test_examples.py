@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The demo, the examples, and the code in the README."""
 
+import contextlib
 import importlib.util
+import io
 import os
 import re
 import shutil
@@ -325,6 +327,43 @@ class Graph(unittest.TestCase):
         self.assertRegex(result.stderr, r"\Aerror: .*source id 642")
 
 
+class Terrain(unittest.TestCase):
+    def test_paths(self):
+        picture = os.path.join(support.output_folder("pipeline"), "terrain.png")
+        result = run("terrain_path.py", picture)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        lengths = re.fullmatch(
+            r"on the surface: (\S+) km\nalong mesh edges: (\S+) km, (\S+) % longer\n",
+            result.stdout,
+        )
+        self.assertTrue(lengths, result.stdout)
+        length, edges, excess = map(float, lengths.groups())
+        self.assertAlmostEqual(100.0 * (edges / length - 1.0), excess, delta=0.06)
+        self.assertGreater(excess, 4.0)
+        module = example("terrain_path")
+        terrain = module.make_terrain()
+        path = vtkdgg.vtkDGGPath()
+        path.SetInputData(terrain)
+        path.SetMethodToExact()
+        path.AddPair(
+            module.closest_point(terrain, module.START), module.closest_point(terrain, module.END)
+        )
+        exact = vtkdgg.check(path).GetCellData().GetArray("Length").GetValue(0)
+        self.assertAlmostEqual(length, exact, delta=6e-4)
+        # Both paths and the ground are seen.
+        array = support.pixels(support.read_image(picture)).astype(int)
+        self.assertGreater(number_of_colours(picture), 1000)
+        red, green, blue = (array[:, :, i] for i in range(3))
+        self.assertGreater(np.sum((red > 130) & (green < 60) & (blue < 70)), 1000)
+        self.assertGreater(np.sum((blue > 80) & (red < 50) & (green < 60)), 1000)
+        self.assertGreater(np.mean((green > red + 10) & (green > blue + 10)), 0.2)
+
+    def test_mistakes(self):
+        result = run("terrain_path.py")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("Usage: terrain_path.py", result.stderr)
+
+
 class Readme(unittest.TestCase):
     """What the README shows is what is tested."""
 
@@ -369,6 +408,20 @@ class Readme(unittest.TestCase):
         exact = vtkdgg.distance(points, triangles, [0, 10, 20])
         self.assertTrue((np.abs(names["d"] - exact) <= 0.01 * exact * (1 + 1e-6)).all())
         self.assertEqual(names["m"].shape, (2, 3))
+        exact = vtkdgg.path(points, triangles, 0, 10)
+        self.assertLessEqual(names["p"].length, exact.length * 1.01)
+        self.assertGreaterEqual(names["p"].length, exact.length * (1 - 1e-9))
+
+    def test_ten_lines_of_paths(self):
+        blocks = [block for block in self.blocks("python") if "vtkDGGPath()" in block]
+        self.assertEqual(len(blocks), 1)
+        self.assertLessEqual(len([line for line in blocks[0].splitlines() if line]), 10)
+        names = {}
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            exec(blocks[0].replace("mesh.ply", BUMPY), names)  # noqa: S102
+        exact = vtkdgg.distance(*support.bumpy(), 0)[20]
+        said = re.fullmatch(r"from 0 to 20: (\S+) model units\n", printed.getvalue())
+        self.assertAlmostEqual(float(said[1]), exact, delta=1e-6)
 
     def test_matrix_in_one_line(self):
         line = self.blocks("py")[0].strip()
