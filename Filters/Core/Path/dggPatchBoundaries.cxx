@@ -238,6 +238,10 @@ Status BoundaryTracer::DrawAll(const std::vector<Id>& sequence)
   for (std::size_t i = 0; i < sequence.size(); ++i)
   {
     const double done = SurveyShare + step * static_cast<double>(i);
+    if (this->Progress && !this->Progress(done))
+    {
+      return Status::Abort();
+    }
     Status status =
       this->Drawings[0].Draw(sequence[i], this->Orders, this->Share(done, done + 0.5 * step));
     if (status.IsOk())

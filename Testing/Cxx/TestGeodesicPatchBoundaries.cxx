@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The same layout of curves on two surfaces, as a filter.
+#include "FilterTestTools.h"
+
+#include "vtkGeodesicPatchBoundaries.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+using namespace dggtest;
+
+namespace
+{
+/// A layout on landmarks that have no places.
+vtkSmartPointer<vtkPolyData> MakeLayout(const Cells& patches, const Cells& lines = {})
+{
+  vtkNew<vtkPolyData> layout;
+  layout->SetPolys(MakeCells(patches));
+  layout->SetLines(MakeCells(lines));
+  return layout.Get();
+}
+
+/// Four quads on a grid of 8 x 8: corners, midpoints of sides, centre.
+const std::vector<vtkIdType>& GetNine()
+{
+  static const std::vector<vtkIdType> ids = { 0, 4, 8, 36, 40, 44, 72, 76, 80 };
+  return ids;
+}
+
+const Cells& GetFourQuads()
+{
+  static const Cells patches = { { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 3, 4, 7, 6 }, { 4, 5, 8, 7 } };
+  return patches;
+}
+
+/// The grid with a bump in its middle.
+vtkSmartPointer<vtkPolyData> MakeBump()
+{
+  auto bump = MakeGrid(8, 8);
+  for (vtkIdType i = 0; i < bump->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    bump->GetPoint(i, p);
+    p[2] = 2.0 * std::exp(-0.3 * (std::pow(p[0] - 3.5, 2) + std::pow(p[1] - 4.5, 2)));
+    bump->GetPoints()->SetPoint(i, p);
+  }
+  return bump;
+}
+
+class GeodesicPatchBoundaries : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Filter->SetInputData(this->First);
+    this->Filter->SetSecondSurfaceData(this->Second);
+    this->Filter->SetFirstLandmarkIds(GetNine());
+    this->Filter->SetSecondLandmarkIds(GetNine());
+    this->Filter->SetLayoutData(MakeLayout(GetFourQuads()));
+  }
+
+  double Get(vtkDataSetAttributes* data, const char* name, vtkIdType tuple, int component = 0)
+  {
+    return data->GetArray(name)->GetComponent(tuple, component);
+  }
+
+  vtkSmartPointer<vtkPolyData> First = MakeGrid(8, 8);
+  vtkSmartPointer<vtkPolyData> Second = MakeBump();
+  vtkNew<vtkGeodesicPatchBoundaries> Filter;
+};
+}
+
+TEST_F(GeodesicPatchBoundaries, Defaults)
+{
+  vtkNew<vtkGeodesicPatchBoundaries> filter;
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 5);
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 2);
+  EXPECT_EQ(filter->GetProjectionTolerance(), 0.01);
+  EXPECT_EQ(filter->GetNumberOfFirstLandmarkIds(), 0);
+  EXPECT_EQ(this->Filter->GetNumberOfSecondLandmarkIds(), 9);
+  vtkNew<vtkIdList> ids;
+  ids->InsertNextId(3);
+  filter->SetFirstLandmarkIds(ids);
+  EXPECT_EQ(filter->GetNumberOfFirstLandmarkIds(), 1);
+  const vtkMTimeType time = filter->GetMTime();
+  filter->SetFirstLandmarkIds({ 3 });
+  EXPECT_EQ(filter->GetMTime(), time);
+  filter->SetFirstLandmarkIds(nullptr);
+  EXPECT_EQ(filter->GetNumberOfFirstLandmarkIds(), 0);
+  std::ostringstream text;
+  this->Filter->Print(text);
+  EXPECT_NE(text.str().find("NumberOfSecondLandmarkIds: 9"), std::string::npos);
+}
+
+TEST_F(GeodesicPatchBoundaries, CurvesCorrespond)
+{
+  ExpectSuccess(this->Filter);
+  const Cells sides = { { 0, 1 }, { 1, 4 }, { 4, 3 }, { 3, 0 }, { 1, 2 }, { 2, 5 }, { 5, 4 },
+    { 4, 7 }, { 7, 6 }, { 6, 3 }, { 5, 8 }, { 8, 7 } };
+  for (const int port : { 0, 1 })
+  {
+    vtkPolyData* surface = port == 0 ? this->First : this->Second;
+    vtkPolyData* output = this->Filter->GetOutput(port);
+    ASSERT_EQ(output->GetNumberOfLines(), 12);
+    ASSERT_EQ(output->GetNumberOfCells(), 12);
+    for (vtkIdType c = 0; c < 12; ++c)
+    {
+      vtkNew<vtkIdList> ids;
+      output->GetCellPoints(c, ids);
+      const vtkIdType count = ids->GetNumberOfIds();
+      ASSERT_GE(count, 2);
+      vtkPointData* points = output->GetPointData();
+      vtkCellData* cells = output->GetCellData();
+      EXPECT_EQ(Get(cells, "LayoutEdge", c, 0), sides[c][0]);
+      EXPECT_EQ(Get(cells, "LayoutEdge", c, 1), sides[c][1]);
+      EXPECT_EQ(Get(points, "vtkOriginalPointIds", ids->GetId(0)), GetNine()[sides[c][0]]);
+      EXPECT_EQ(Get(points, "vtkOriginalPointIds", ids->GetId(count - 1)), GetNine()[sides[c][1]]);
+      EXPECT_EQ(Get(points, "ArcLength", ids->GetId(0)), 0.0);
+      EXPECT_EQ(Get(points, "ArcLength", ids->GetId(count - 1)), 1.0);
+      double length = 0.0;
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        const vtkIdType id = ids->GetId(i);
+        length += i > 0 ? EuclideanDistance(output, ids->GetId(i - 1), id) : 0.0;
+        EXPECT_NEAR(Get(points, "ArcLength", id) * Get(cells, "Length", c), length, 1e-12 * length);
+        const auto face = static_cast<vtkIdType>(Get(points, "FaceId", id));
+        double bounds[6];
+        surface->GetCellBounds(face, bounds);
+        double p[3];
+        output->GetPoint(id, p);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          EXPECT_GE(p[axis], bounds[2 * axis] - 1e-12);
+          EXPECT_LE(p[axis], bounds[2 * axis + 1] + 1e-12);
+        }
+        const auto original = static_cast<vtkIdType>(Get(points, "vtkOriginalPointIds", id));
+        if (original >= 0)
+        {
+          double q[3];
+          surface->GetPoint(original, q);
+          EXPECT_NEAR(std::hypot(p[0] - q[0], std::hypot(p[1] - q[1], p[2] - q[2])), 0.0, 1e-14);
+        }
+      }
+      EXPECT_NEAR(length, Get(cells, "Length", c), 1e-12 * length);
+      EXPECT_NEAR(port == 0 ? length : 4.0, 4.0, 1e-12); // straight on the grid
+      EXPECT_GE(length, 4.0 - 1e-12);
+    }
+  }
+}
+
+TEST_F(GeodesicPatchBoundaries, LandmarksAsPoints)
+{
+  // Off the surface a little; their cells are the layout.
+  vtkNew<vtkPoints> places;
+  for (const vtkIdType id : GetNine())
+  {
+    double p[3];
+    this->First->GetPoint(id, p);
+    places->InsertNextPoint(p[0], p[1], 0.05);
+  }
+  vtkSmartPointer<vtkPolyData> landmarks = MakeLayout(GetFourQuads());
+  landmarks->SetPoints(places);
+  this->Filter->SetFirstLandmarkIds(nullptr);
+  this->Filter->SetFirstLandmarksData(landmarks);
+  this->Filter->SetLayoutData(nullptr);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetOutput(1)->GetNumberOfLines(), 12);
+  this->Filter->SetProjectionTolerance(1e-3);
+  ExpectError(this->Filter, { "first landmark point 0 of input port 2", "ProjectionTolerance" });
+}
+
+TEST_F(GeodesicPatchBoundaries, LinesAndPatches)
+{
+  // A polyline is a chain of curves; a curve that is a side already is no other one.
+  this->Filter->SetLayoutData(MakeLayout({ { 0, 1, 4, 3 } }, { { 4, 5, 8 }, { 1, 4 } }));
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetOutput(0)->GetNumberOfLines(), 6);
+  EXPECT_EQ(this->Filter->GetOutput(1)->GetNumberOfLines(), 6);
+}
+
+TEST_F(GeodesicPatchBoundaries, AnyScaleAndType)
+{
+  ExpectSuccess(this->Filter);
+  const double length = Get(this->Filter->GetOutput(1)->GetCellData(), "Length", 1);
+  for (vtkIdType i = 0; i < this->Second->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    this->Second->GetPoint(i, p);
+    this->Second->GetPoints()->SetPoint(i, 1e6 * p[0], 1e6 * p[1], 1e6 * p[2]);
+  }
+  this->Second->GetPoints()->Modified();
+  ExpectSuccess(this->Filter);
+  EXPECT_NEAR(
+    Get(this->Filter->GetOutput(1)->GetCellData(), "Length", 1), 1e6 * length, 1e-4 * length);
+}
+
+TEST_F(GeodesicPatchBoundaries, SaysWhatIsWrong)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  this->Filter->SetProjectionTolerance(-1.0);
+  ExpectError(this->Filter, { "ProjectionTolerance" });
+  this->Filter->SetProjectionTolerance(0.01);
+  this->Filter->SetSecondSurfaceData(nullptr);
+  ExpectError(this->Filter, { "no second surface" });
+  this->Filter->SetSecondSurfaceData(MakeSurface({ { { 0, 0, 0 } } }, {}));
+  this->Filter->SetSecondLandmarkIds({ 0 });
+  ExpectError(this->Filter, { "second surface" });
+  this->Filter->SetSecondSurfaceData(this->Second);
+  ExpectError(this->Filter, { "9 landmarks on the first surface and 1 on the second one" });
+  this->Filter->SetSecondLandmarkIds({ 0, 4, 8, 36, 40, 44, 72, 76, 81 });
+  ExpectError(this->Filter, { "second landmark id 81", "out of range" });
+  this->Filter->SetSecondLandmarkIds({ 0, 4, 8, 36, 40, 44, 72, 76, 4 });
+  ExpectError(this->Filter, { "landmarks 1 and 8 of the second surface are in the same place" });
+  this->Filter->SetSecondLandmarkIds(GetNine());
+  this->Filter->SetFirstLandmarksData(MakeSourcePoints({ { { 0.5, nan, 0.0 } } }));
+  ExpectError(this->Filter, { "first landmark point 0", "not finite" });
+  this->Filter->SetFirstLandmarksData(nullptr);
+  this->Filter->SetLayoutData(nullptr);
+  ExpectError(this->Filter, { "no layout" });
+  this->Filter->SetLayoutData(MakeLayout({}));
+  ExpectError(this->Filter, { "the layout is empty" });
+  this->Filter->SetLayoutData(MakeLayout({ { 0, 1, 9 } }));
+  ExpectError(this->Filter, { "patch 0 of the layout names landmark 9" });
+  this->Filter->SetLayoutData(MakeLayout({}, { { 0, 1 }, { 1, 2, 1 } }));
+  ExpectError(this->Filter, { "edge 2 of the layout", "occurs twice" });
+  this->Filter->SetLayoutData(MakeLayout({}, { { 0, 8 }, { 2, 6 } }));
+  ExpectError(this->Filter, { "between landmarks", "cannot be drawn on the first surface" });
+  this->Filter->SetLayoutData(MakeLayout(GetFourQuads()));
+  this->Filter->SetFirstLandmarkIds({});
+  ExpectError(this->Filter, { "there is no first landmark" });
+  this->Filter->SetFirstLandmarkIds(GetNine());
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetOutput(0)->GetNumberOfLines(), 12);
+}
+
+TEST_F(GeodesicPatchBoundaries, ProgressAndAbort)
+{
+  ProgressWatch watch(this->Filter);
+  ExpectSuccess(this->Filter);
+  watch.ExpectGrowth();
+  this->Filter->Modified();
+  watch.StopAt = 0.5;
+  this->Filter->Update();
+  EXPECT_EQ(this->Filter->GetErrorCode(), 0u);
+  ExpectEmptyOutput(this->Filter);
+  watch.StopAt = 2.0;
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetOutput(1)->GetNumberOfLines(), 12);
+}
+
+TEST_F(GeodesicPatchBoundaries, FollowsItsInputs)
+{
+  ExpectSuccess(this->Filter);
+  const double before = Get(this->Filter->GetOutput(1)->GetCellData(), "Length", 1);
+  this->Second->GetPoints()->SetPoint(40, 4.0, 4.0, 5.0);
+  this->Second->GetPoints()->Modified();
+  ExpectSuccess(this->Filter);
+  EXPECT_GT(Get(this->Filter->GetOutput(1)->GetCellData(), "Length", 1), before + 1.0);
+  vtkNew<vtkPolyData> nothing;
+  this->Filter->SetInputData(nothing);
+  ExpectWarning(this->Filter, { "empty" });
+  ExpectEmptyOutput(this->Filter);
+}
