@@ -366,6 +366,25 @@ TEST(SurfaceCut, OpensAlongASlit)
   EXPECT_NEAR(around, 2.0 * paths[0].Length, 1e-9);
 }
 
+TEST(SurfaceCut, SplitsPinchedVertices)
+{
+  const dgg::SurfaceMesh mesh = Build(TouchingSpheres(1));
+  const RefinedSurface refined = Refine(mesh, {});
+  for (const auto pinched : { dgg::PinchedVertices::Stay, dgg::PinchedVertices::Split })
+  {
+    dgg::CutSurface cut;
+    ASSERT_TRUE(dgg::CutAlongChains(refined, {}, cut, pinched).IsOk());
+    dgg::SurfaceMesh opened;
+    ASSERT_TRUE(cut.Build(opened).IsOk());
+    Id components = 0;
+    opened.ComputeComponents(components);
+    const Id more = pinched == dgg::PinchedVertices::Split ? 1 : 0;
+    EXPECT_EQ(components, 1 + more);
+    EXPECT_EQ(opened.GetNumberOfVertices(), mesh.GetNumberOfVertices() + more);
+    EXPECT_EQ(cut.VertexOf.back(), more == 1 ? 0 : mesh.GetNumberOfVertices() - 1);
+  }
+}
+
 TEST(SurfaceCut, SeparatesAndDoesNot)
 {
   // A closed path round a torus does not separate it; the boundary of an octant of a sphere does.

@@ -132,7 +132,9 @@ Status LayoutDrawing::Refine(const SurfacePath* more, RefinedSurface& refined) c
 
 Status LayoutDrawing::Cut()
 {
-  Status status = CutAlongChains(this->Refined, this->Refined.Paths, this->Opened);
+  // A curve through a point where sheets touch would tie them together.
+  Status status =
+    CutAlongChains(this->Refined, this->Refined.Paths, this->Opened, PinchedVertices::Split);
   if (status.IsOk())
   {
     status = this->Opened.Build(this->OpenedMesh);

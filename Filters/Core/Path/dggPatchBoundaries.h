@@ -58,7 +58,8 @@ struct PatchBoundaries
 ///
 /// Fails with the reason when landmarks do not correspond, lie in one place or are not connected,
 /// when the layout is not one, and when it cannot be drawn on one of the surfaces. Edges may have
-/// two faces at most, and the surfaces must be orientable.
+/// two faces at most, and the surfaces must be orientable. Points where sheets touch are not
+/// passed.
 Status TracePatchBoundaries(const PatchSurface& first, const PatchSurface& second,
   const PatchLayout& layout, const ProgressCallback& progress, PatchBoundaries& boundaries);
 }

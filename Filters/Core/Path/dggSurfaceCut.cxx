@@ -9,8 +9,8 @@
 
 namespace dgg
 {
-Status CutAlongChains(
-  const RefinedSurface& surface, const std::vector<std::vector<Id>>& chains, CutSurface& cut)
+Status CutAlongChains(const RefinedSurface& surface, const std::vector<std::vector<Id>>& chains,
+  CutSurface& cut, PinchedVertices pinched)
 {
   cut = CutSurface();
   const auto halfEdges = static_cast<Id>(surface.Triangles.size());
@@ -82,8 +82,7 @@ Status CutAlongChains(
     join(h, along ? t : tNext);
     join(hNext, along ? tNext : t);
   }
-  // Vertices where no chain passes stay whole, however many fans they have.
-  std::vector<char> isPassed(vertices, 0);
+  std::vector<char> isPassed(vertices, pinched == PinchedVertices::Split ? 1 : 0);
   for (const std::pair<Id, Id>& edge : edges)
   {
     isPassed[edge.first] = 1;

@@ -19,10 +19,17 @@ struct CutSurface : RefinedSurface
   std::vector<Id> VertexOf; ///< per vertex, the one that it is a copy of
 };
 
+/// What happens to vertices with several fans of faces, where sheets touch, and no chain.
+enum class PinchedVertices
+{
+  Stay, ///< they are as they were
+  Split ///< they get a copy for each fan, as if a chain went through
+};
+
 /// Cut along chains of vertices, such as RefinedSurface::Paths. Fails when two consecutive vertices
 /// are not neighbours.
-Status CutAlongChains(
-  const RefinedSurface& surface, const std::vector<std::vector<Id>>& chains, CutSurface& cut);
+Status CutAlongChains(const RefinedSurface& surface, const std::vector<std::vector<Id>>& chains,
+  CutSurface& cut, PinchedVertices pinched = PinchedVertices::Stay);
 }
 
 #endif

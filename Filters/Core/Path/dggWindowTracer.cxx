@@ -155,6 +155,7 @@ bool WindowTracer::TracePiece(
   this->PieceLength = dgg::Distance(from, image);
   this->Slack = SlackTolerance * this->PieceLength + 4.0 * this->Mesh.GetMollification();
   this->FirstFace = this->Faces.size();
+  const std::size_t points = this->Points.size();
   this->Branches.clear();
   this->Leave(last.HalfEdge, from, image, 0.0);
   std::size_t budget = std::max(
@@ -170,7 +171,9 @@ bool WindowTracer::TracePiece(
       return true;
     }
   }
-  return false;
+  this->Points.resize(points);
+  this->Faces.resize(points - 1);
+  return this->EndAtCorner(start, reached);
 }
 
 /// Leave the face of h through it, from a point of the face towards the image: one branch for each
@@ -317,6 +320,28 @@ bool WindowTracer::EndInSharedFace(const SurfacePoint& start, Id root)
   }
   this->Add(end, best);
   return true;
+}
+
+/// The last resort, where the way of a window is lost among faces without area: through a corner of
+/// a face of the start, if that is as short.
+bool WindowTracer::EndAtCorner(const SurfacePoint& start, Id& reached)
+{
+  Id best = NoId;
+  double shortest = Infinity;
+  ForEachFaceOf(this->Mesh, start, [&](Id f, const std::array<double, 3>& b) {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id corner = this->Mesh.Origin(3 * f + k);
+      const double length = DistanceToCorner(this->Mesh, f, b, k);
+      if (this->MayEndAt(corner, length) && this->Result.Distances[corner] + length < shortest)
+      {
+        shortest = this->Result.Distances[corner] + length;
+        best = corner;
+      }
+    }
+  });
+  reached = best;
+  return best != NoId && this->EndInSharedFace(start, best);
 }
 
 /// Whether the way to a vertex and on from there is as short as the straight one. It is always so

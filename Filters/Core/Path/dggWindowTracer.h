@@ -55,6 +55,7 @@ private:
   void Leave(Id h, const Point2& from, const Point2& image, double lengthSoFar);
   bool Follow(const Branch& branch, Id& reached);
   bool EndInSharedFace(const SurfacePoint& start, Id root);
+  bool EndAtCorner(const SurfacePoint& start, Id& reached);
   bool MayEndAt(Id vertex, double lengthSoFar) const;
   bool AgreesWithLabels(Id h, double x, double lengthSoFar) const;
   void Add(const SurfacePoint& point, Id face);
