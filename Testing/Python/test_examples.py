@@ -291,6 +291,36 @@ class Pipeline(unittest.TestCase):
                 self.assertNotIn("Traceback", result.stderr)
 
 
+class Patches(unittest.TestCase):
+    def test_two_surfaces(self):
+        picture = os.path.join(support.output_folder("patches"), "patches.png")
+        stretched = os.path.join(support.output_folder("patches"), "stretched.vtp")
+        points, triangles = support.bumpy()
+        writer = vtkXMLPolyDataWriter()
+        writer.SetInputData(support.polydata(points * [1.0, 2.0, 0.7], triangles))
+        writer.SetFileName(stretched)
+        vtkdgg.check(writer)
+        result = run("patch_boundaries.py", BUMPY, stretched, picture)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = [line.split() for line in result.stdout.splitlines()[1:]]
+        self.assertEqual(len(rows), 12)
+        for row in rows:
+            self.assertLess(0.7 * float(row[3]), float(row[4]))
+            self.assertLess(float(row[4]), 2.1 * float(row[3]))
+        self.assertEqual(support.read_image(picture).GetDimensions(), (1200, 600, 1))
+        # Curves in many colours on both halves: what is neither white nor grey.
+        for half in np.hsplit(support.pixels(support.read_image(picture)).astype(int), 2):
+            colourful = np.ptp(half[:, :, :3], axis=2) > 100
+            self.assertGreater(colourful.sum(), 1000)
+
+    def test_mistakes(self):
+        for arguments in ((), (BUMPY, "missing.ply", "x.png"), (BUMPY, TETRAHEDRON, "x.png")):
+            with self.subTest(arguments=arguments):
+                result = run("patch_boundaries.py", *arguments)
+                self.assertEqual(result.returncode, 1)
+                self.assertNotIn("Traceback", result.stderr)
+
+
 class Graph(unittest.TestCase):
     def test_two_queries(self):
         picture = os.path.join(support.output_folder("pipeline"), "graph.png")
