@@ -236,6 +236,74 @@ TEST(GraphPaths, BetweenComponentsThereAreNone)
       { { SeedAt(2), SeedAt(other) }, { SeedAt(other + 1, 5.0), SeedAt(3) } } });
 }
 
+TEST(GraphPaths, InCloudsAgreeWithDijkstra)
+{
+  const SearchCase c("sphere", NoisySphere(3, 0.2, 2), 0.05);
+  dgg::GraphView cloud = c.GetGraph();
+  cloud.Info.Kind = dgg::GraphKind::Cloud;
+  cloud.Angles = nullptr;
+  cloud.ArrivalAngles = nullptr;
+  dgg::GraphSearch search(cloud, nullptr);
+  const std::vector<double> expected = ReferenceDistances(cloud, { SeedAt(5) });
+  for (const bool withLandmarks : { false, true })
+  {
+    if (withLandmarks)
+    {
+      ASSERT_TRUE(search.PrepareLandmarks(nullptr, nullptr).IsOk());
+    }
+    for (Id v = 0; v < cloud.NumberOfVertices; v += 7)
+    {
+      for (const double* positions : { PositionsOf(c), static_cast<const double*>(nullptr) })
+      {
+        GraphPath path;
+        ASSERT_TRUE(search.Between({ SeedAt(5) }, { SeedAt(v) }, positions, path).IsOk());
+        ExpectPath(cloud, { SeedAt(5) }, { SeedAt(v) }, path);
+        EXPECT_NEAR(path.Length, expected[v], 1e-12);
+      }
+    }
+  }
+}
+
+TEST(GraphPaths, InGraphsWithoutEdges)
+{
+  const Offset zero[] = { 0, 0, 0 };
+  dgg::GraphView graph;
+  graph.Offsets = zero;
+  graph.NumberOfVertices = 2;
+  dgg::GraphSearch search(graph, nullptr);
+  ASSERT_TRUE(search.PrepareLandmarks(nullptr, nullptr).IsOk());
+  GraphPath path;
+  ASSERT_TRUE(search.Between({ SeedAt(1, -3.0) }, { SeedAt(1) }, nullptr, path).IsOk());
+  EXPECT_EQ(path.Length, -3.0);
+  ASSERT_TRUE(search.Between({ SeedAt(1) }, { SeedAt(0) }, nullptr, path).IsOk());
+  EXPECT_EQ(path.Length, dgg::Infinity);
+  dgg::GraphSearch nothing(dgg::GraphView(), nullptr);
+  EXPECT_TRUE(nothing.PrepareLandmarks(nullptr, nullptr).IsOk());
+  EXPECT_FALSE(nothing.Between({ SeedAt(0) }, { SeedAt(0) }, nullptr, path).IsOk());
+}
+
+TEST(GraphPaths, OverTheShorterOfTwoEdges)
+{
+  // Twice between the same vertices: no builder makes such rows, but arrays may come from anywhere.
+  for (const bool isShorterFirst : { false, true })
+  {
+    const Offset offsets[] = { 0, 2, 4 };
+    const Id targets[] = { 1, 1, 0, 0 };
+    const float lengths[] = { isShorterFirst ? 1.0f : 2.0f, isShorterFirst ? 2.0f : 1.0f, 2.0f,
+      1.0f };
+    dgg::GraphView graph;
+    graph.NumberOfVertices = 2;
+    graph.Offsets = offsets;
+    graph.Targets = targets;
+    graph.Lengths = lengths;
+    const dgg::GraphSearch search(graph, nullptr);
+    GraphPath path;
+    ASSERT_TRUE(search.Between({ SeedAt(0) }, { SeedAt(1) }, nullptr, path).IsOk());
+    EXPECT_EQ(path.Length, 1.0);
+    EXPECT_EQ(path.Edges, std::vector<Offset>{ isShorterFirst ? 0 : 1 });
+  }
+}
+
 TEST(GraphPaths, LargeOffsetsAndScales)
 {
   for (const double scale : { 1e-6, 1.0, 1e6 })

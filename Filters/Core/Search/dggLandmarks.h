@@ -5,9 +5,10 @@
 #ifndef dggLandmarks_h
 #define dggLandmarks_h
 
-#include "dggGraphFans.h"    // for GraphFans
-#include "dggGraphSearch.h"  // for GraphSeed
-#include "dggSearchLabels.h" // for GraphView
+#include "dggGeodesicGraph.h" // for GraphView
+#include "dggGraphFans.h"     // for GraphFans
+#include "dggGraphSearch.h"   // for GraphSeed
+#include "dggPrefetch.h"      // for Prefetch
 
 #include <array>   // for the codes
 #include <cstddef> // for std::size_t
@@ -47,7 +48,7 @@ public:
   void Aim(const std::vector<GraphSeed>& seeds, Goal& goal) const;
 
   /// A lower bound of the distance of a vertex from the nearest seed of the goal, with that which
-  /// the seed starts with; NoBound or more.
+  /// the seed starts with; -Infinity when nothing is known. The vertex is connected with the goal.
   double Bound(Id v, const Goal& goal) const
   {
     const std::int16_t* codes = this->Codes[v].data();

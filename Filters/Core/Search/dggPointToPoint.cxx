@@ -11,10 +11,10 @@ namespace
 {
 /// Width of the buckets in units of that of a search without aim. Along a path to the goal, label
 /// and bound together hardly grow; in wide buckets vertices are searched over and over.
-constexpr double WidthShare = 0.03;
+constexpr double WidthShare = 0.02;
 /// Relative; what rounding may take from the length of a path in comparison with a straight line.
 constexpr double StraightMargin = 1e-9;
-/// How many queue entries ahead the memory of a vertex and that of its edges are asked for.
+/// How many queue entries ahead the label of a vertex and its edges are asked for.
 constexpr std::size_t VertexLookahead = 12;
 constexpr std::size_t EdgesLookahead = 6;
 
@@ -41,7 +41,7 @@ void PointToPoint::Run(const GraphView& graph, const PathGuides& guides,
   this->Aim(to);
   this->Start(from);
   WithLengths(graph, [&](const auto* lengths) { this->Search(graph, lengths); });
-  this->CollectPath(graph, path);
+  this->CollectPath(path);
 }
 
 void PointToPoint::Forget()
@@ -145,7 +145,7 @@ void PointToPoint::Start(const std::vector<GraphSeed>& from)
       if (Label* label = this->Lower(v, from[i].Distance))
       {
         label->Tail = static_cast<Id>(i);
-        label->Step = NoStep;
+        label->Edge = -1;
         label->ArrivalAngle = -1.0f;
       }
     }
@@ -180,57 +180,53 @@ PointToPoint::Label* PointToPoint::Lower(Id v, double distance)
   return &label;
 }
 
-bool PointToPoint::IsOutdated(const BucketQueue::Entry& entry) const
-{
-  const double through = this->Distances[entry.Vertex] + this->Labels[entry.Vertex].ToGo;
-  return through >= this->Best || entry.Key > this->Queue.Key(through);
-}
-
 template <typename Length>
 void PointToPoint::Search(const GraphView& graph, const Length* lengths)
 {
+  const auto isOutdated = [this](const BucketQueue::Entry& entry) {
+    const double through = this->Distances[entry.Vertex] + this->Labels[entry.Vertex].ToGo;
+    return through >= this->Best || entry.Key > this->Queue.Key(through);
+  };
+  const auto isPast = [this](const BucketQueue::Entry& entry) {
+    return entry.Key > this->Queue.Key(this->Best);
+  };
   while (this->Queue.Advance())
   {
     // Grows while it is worked on.
     const std::vector<BucketQueue::Entry>& bucket = this->Queue.Current();
-    bool isPast = true;
+    if (std::all_of(bucket.begin(), bucket.end(), isPast)) // as is all that is in later buckets
+    {
+      return;
+    }
+    this->Queue.Sift(isOutdated);
+    for (std::size_t i = 0; i < std::min(bucket.size(), EdgesLookahead); ++i)
+    {
+      this->PrefetchEdges(graph, lengths, bucket[i].Vertex);
+    }
     for (std::size_t i = 0; i < bucket.size(); ++i)
     {
-      this->LookAhead(graph, lengths, i);
+      if (i + EdgesLookahead < bucket.size())
+      {
+        this->PrefetchEdges(graph, lengths, bucket[i + EdgesLookahead].Vertex);
+      }
+      if (const BucketQueue::Entry* next = this->Queue.LookAhead(i, VertexLookahead))
+      {
+        Prefetch(&this->Distances[next->Vertex]);
+        Prefetch(&this->Labels[next->Vertex]);
+      }
       const BucketQueue::Entry entry = bucket[i];
-      isPast = isPast && entry.Key > this->Queue.Key(this->Best);
-      if (!this->IsOutdated(entry))
+      if (!isOutdated(entry))
       {
         this->Expand(graph, lengths, entry.Vertex);
       }
     }
     this->Queue.ClearCurrent();
-    if (isPast) // as will be all that is in later buckets
-    {
-      return;
-    }
   }
 }
 
 template <typename Length>
-void PointToPoint::LookAhead(const GraphView& graph, const Length* lengths, std::size_t i) const
+void PointToPoint::PrefetchEdges(const GraphView& graph, const Length* lengths, Id v) const
 {
-  if (const BucketQueue::Entry* entry = this->Queue.LookAhead(i, VertexLookahead))
-  {
-    Prefetch(&this->Distances[entry->Vertex]);
-    Prefetch(&this->Labels[entry->Vertex]);
-    Prefetch(&graph.Offsets[entry->Vertex]);
-    if (this->Guides.Limits)
-    {
-      this->Guides.Fans->PrefetchVertex(entry->Vertex);
-    }
-  }
-  const BucketQueue::Entry* entry = this->Queue.LookAhead(i, EdgesLookahead);
-  if (!entry)
-  {
-    return;
-  }
-  const Id v = entry->Vertex;
   if (this->Guides.Limits)
   {
     this->Guides.Fans->PrefetchFan(graph, lengths, v, this->Labels[v].ArrivalAngle);
@@ -248,37 +244,67 @@ void PointToPoint::Expand(const GraphView& graph, const Length* lengths, Id v)
 {
   const double distance = this->Distances[v];
   const Label& label = this->Labels[v];
-  const Offset begin = graph.Offsets[v];
-  double* const distances = this->Distances.data();
+  const double* const distances = this->Distances.data();
   const Id* const targets = graph.Targets;
-  const bool hasLimits = this->Guides.Limits != nullptr;
-  const auto relax = [&, v, distance, begin, distances, targets, lengths, hasLimits](Offset e) {
+  this->Shorter.clear();
+  const auto relax = [&, distance, distances, targets, lengths](Offset e) {
     const Id t = targets[e];
-    const double longer = distance + lengths[e];
-    if (longer < distances[t])
+    if (distance + lengths[e] < distances[t])
     {
-      if (Label* next = this->Lower(t, longer))
+      this->Shorter.push_back(e);
+      Prefetch(&this->Labels[t]);
+      if (distances[t] == Infinity)
       {
-        next->Tail = v;
-        next->Step = static_cast<std::uint32_t>(e - begin);
-        next->ArrivalAngle = hasLimits ? graph.ArrivalAngles[e] : -1.0f;
-        next->ArrivalLength = static_cast<float>(lengths[e]);
+        this->PrefetchGuides(t);
       }
     }
   };
+  const bool hasLimits = this->Guides.Limits != nullptr;
   if (hasLimits && label.ArrivalAngle >= 0.0f)
   {
     const float angle = this->Guides.Limits->SmallestAngle(v, label.ArrivalLength);
     this->Guides.Fans->ForEachBeyond(v, label.ArrivalAngle, angle, relax);
-    return;
   }
-  for (Offset e = begin; e < graph.Offsets[v + 1]; ++e)
+  else
   {
-    relax(e);
+    for (Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; ++e)
+    {
+      relax(e);
+    }
+  }
+  for (const Offset e : this->Shorter)
+  {
+    const double longer = distance + lengths[e];
+    // Unless there are two edges to this target.
+    Label* next = longer < distances[targets[e]] ? this->Lower(targets[e], longer) : nullptr;
+    if (next)
+    {
+      next->Edge = e;
+      next->Tail = v;
+      next->ArrivalAngle = hasLimits ? graph.ArrivalAngles[e] : -1.0f;
+      next->ArrivalLength = static_cast<float>(lengths[e]);
+    }
   }
 }
 
-void PointToPoint::CollectPath(const GraphView& graph, GraphPath& path) const
+void PointToPoint::PrefetchGuides(Id v) const
+{
+  if (this->Guides.Marks)
+  {
+    this->Guides.Marks->PrefetchVertex(v);
+  }
+  if (this->Guides.Positions)
+  {
+    Prefetch(this->Guides.Positions + 3 * static_cast<std::size_t>(v));
+  }
+  if (this->Guides.Limits)
+  {
+    this->Guides.Fans->PrefetchVertex(v);
+    this->Guides.Limits->PrefetchVertex(v);
+  }
+}
+
+void PointToPoint::CollectPath(GraphPath& path) const
 {
   path = GraphPath();
   path.Length = this->Best;
@@ -288,10 +314,10 @@ void PointToPoint::CollectPath(const GraphView& graph, GraphPath& path) const
   }
   path.ToSeed = this->Labels[this->End].Goal;
   Id v = this->End;
-  for (; this->Labels[v].Step != NoStep; v = this->Labels[v].Tail)
+  for (; this->Labels[v].Edge >= 0; v = this->Labels[v].Tail)
   {
     path.Vertices.push_back(v);
-    path.Edges.push_back(graph.Offsets[this->Labels[v].Tail] + this->Labels[v].Step);
+    path.Edges.push_back(this->Labels[v].Edge);
   }
   path.Vertices.push_back(v);
   path.FromSeed = this->Labels[v].Tail;

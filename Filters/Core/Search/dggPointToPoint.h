@@ -12,8 +12,7 @@
 #include "dggSearchLabels.h" // for WithLengths
 #include "dggTurnLimits.h"   // for TurnLimits
 
-#include <cstdint> // for the step
-#include <vector>  // for the labels
+#include <vector> // for the labels
 
 namespace dgg
 {
@@ -46,13 +45,12 @@ private:
   struct alignas(32) Label
   {
     double ToGo = -Infinity;    ///< lower bound of the way that is left; not known yet
-    Id Tail = NoId;             ///< where the label came from; of a seed, its index
-    std::uint32_t Step = 0;     ///< edge over which it came, counted in the row of the tail
+    Offset Edge = -1;           ///< over which the label came from the tail; -1 for a seed
+    Id Tail = NoId;             ///< of a seed, its index
     float ArrivalAngle = -1.0f; ///< negative when there is none
     float ArrivalLength = 0.0f;
     Id Goal = NoId; ///< index of the seed to be reached here
   };
-  static constexpr std::uint32_t NoStep = 0xffffffffu;
 
   void Forget();
   void Aim(const std::vector<GraphSeed>& to);
@@ -64,14 +62,16 @@ private:
   void Search(const GraphView& graph, const Length* lengths);
   template <typename Length>
   void Expand(const GraphView& graph, const Length* lengths, Id v);
+  /// Ask for the memory that EstimateToGo() and Expand() need.
+  void PrefetchGuides(Id v) const;
   template <typename Length>
-  void LookAhead(const GraphView& graph, const Length* lengths, std::size_t i) const;
-  bool IsOutdated(const BucketQueue::Entry& entry) const;
-  void CollectPath(const GraphView& graph, GraphPath& path) const;
+  void PrefetchEdges(const GraphView& graph, const Length* lengths, Id v) const;
+  void CollectPath(GraphPath& path) const;
 
   std::vector<double> Distances; ///< labels, apart from the rest: most are only looked at
   std::vector<Label> Labels;
   std::vector<Id> Touched;
+  std::vector<Offset> Shorter; ///< edges of a vertex that lower a label
   BucketQueue Queue;
   PathGuides Guides;
   const std::vector<GraphSeed>* To = nullptr;

@@ -6,6 +6,7 @@
 #define dggTurnLimits_h
 
 #include "dggGeodesicGraph.h" // for GraphView
+#include "dggPrefetch.h"      // for Prefetch
 #include "dggSurfaceMesh.h"   // for SurfaceMesh
 
 #include <cstddef> // for std::size_t
@@ -30,6 +31,9 @@ public:
 
   /// Smallest angle between arrival over an edge of this length and departure; 0 allows all.
   float SmallestAngle(Id v, float arrivalLength) const;
+
+  /// Ask for the memory of a vertex.
+  void PrefetchVertex(Id v) const { Prefetch(&this->Vertices[v]); }
 
   std::size_t GetMemorySize() const { return this->Vertices.capacity() * sizeof(Vertex); }
 
