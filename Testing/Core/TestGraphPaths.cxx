@@ -287,20 +287,20 @@ TEST(GraphPaths, OverTheShorterOfTwoEdges)
   // Twice between the same vertices: no builder makes such rows, but arrays may come from anywhere.
   for (const bool isShorterFirst : { false, true })
   {
-    const Offset offsets[] = { 0, 2, 4 };
-    const Id targets[] = { 1, 1, 0, 0 };
-    const float lengths[] = { isShorterFirst ? 1.0f : 2.0f, isShorterFirst ? 2.0f : 1.0f, 2.0f,
-      1.0f };
+    const float first = isShorterFirst ? 1.0f : 2.0f;
+    const Offset offsets[] = { 0, 2, 5, 6 };
+    const Id targets[] = { 1, 1, 0, 0, 2, 1 };
+    const float lengths[] = { first, 3.0f - first, first, 3.0f - first, 1.0f, 1.0f };
     dgg::GraphView graph;
-    graph.NumberOfVertices = 2;
+    graph.NumberOfVertices = 3;
     graph.Offsets = offsets;
     graph.Targets = targets;
     graph.Lengths = lengths;
     const dgg::GraphSearch search(graph, nullptr);
     GraphPath path;
-    ASSERT_TRUE(search.Between({ SeedAt(0) }, { SeedAt(1) }, nullptr, path).IsOk());
-    EXPECT_EQ(path.Length, 1.0);
-    EXPECT_EQ(path.Edges, std::vector<Offset>{ isShorterFirst ? 0 : 1 });
+    ASSERT_TRUE(search.Between({ SeedAt(0) }, { SeedAt(2) }, nullptr, path).IsOk());
+    EXPECT_EQ(path.Length, 2.0);
+    EXPECT_EQ(path.Edges, (std::vector<Offset>{ isShorterFirst ? 0 : 1, 4 }));
   }
 }
 

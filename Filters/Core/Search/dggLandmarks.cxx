@@ -205,7 +205,7 @@ void Landmarks::SetDistances(std::size_t k, const double* distances)
   const double perStep = 1.0 / this->Step;
   for (std::size_t v = 0; v < this->Codes.size(); ++v)
   {
-    // Whatever cannot be reached has a code that is not used.
+    // 0 in other components: differences within one say nothing then, and are not wrong.
     this->Codes[v][k] = distances[v] < Infinity ? Clamp(distances[v] * perStep) : 0;
   }
 }
@@ -214,18 +214,8 @@ void Landmarks::Aim(const std::vector<GraphSeed>& seeds, Goal& goal) const
 {
   goal.Low.fill(0);
   goal.High.fill(LargestCode);
-  const bool isOneComponent = std::all_of(seeds.begin(), seeds.end(),
-    [&](const GraphSeed& s) { return this->AreConnected(s.Vertex, seeds[0].Vertex); });
-  if (!isOneComponent)
-  {
-    return;
-  }
   for (std::size_t k = 0; k < this->Vertices.size(); ++k)
   {
-    if (!this->AreConnected(this->Vertices[k], seeds[0].Vertex))
-    {
-      continue;
-    }
     // In steps; a code c stands for distances in [c, c + 1].
     double low = Infinity;
     double high = -Infinity;

@@ -43,12 +43,11 @@ TurnLimits::TurnLimits(const GraphView& graph, const SurfaceMesh& mesh)
     {
       continue;
     }
-    double radius = ConeRadius(mesh, v);
+    // No edge is shorter: there is no vertex inside the cone.
+    const double radius = ConeRadius(mesh, v);
     double longest = 0.0;
     for (Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; ++e)
     {
-      // The edge of arrival is one of the row, too, in the other direction.
-      radius = std::min(radius, graph.Length(e));
       longest = std::max(longest, graph.Length(e));
     }
     const double perLength = 0.5 * excess / radius;

@@ -16,9 +16,9 @@ namespace dgg
 {
 /// A path over edges of lengths a and b that meet in vertex u at an angle phi on the surface is not
 /// a shortest one when phi is small. Around u, up to the nearest opposite edge of its faces, the
-/// surface is a cone; so with x no more than that, a or b, cutting the corner at the distance x
-/// from u saves 2x (1 - sin(phi / 2)). In a guaranteed graph there is a way that is longer than
-/// this short-cut by no more than its accuracy, and shorter than a + b if phi is below a limit.
+/// surface is a cone; so cutting the corner at the distance x of that edge saves
+/// 2x (1 - sin(phi / 2)). In a guaranteed graph there is a way that is longer than this short-cut
+/// by no more than its accuracy, and shorter than a + b if phi is below a limit.
 ///
 /// Unlike the fans of GraphFans this is a theorem: a search that keeps to it finds all distances.
 class TurnLimits
