@@ -190,8 +190,9 @@ void Landmarks::Choose(
   }
   field.Start(this->Vertices);
   Id farthest = field.FindFarthest();
-  // No two vertices are farther apart than twice the distance of the farthest from one of them.
-  this->Step = 2.0 * field.GetDistance(farthest) * (1.0 + RoundingOfSteps) / LargestCode;
+  // Of distances that are larger than that of a landmark at one tip from another tip, if there are
+  // any, just as much counts: cut off there, they still differ by no more than vertices are apart.
+  this->Step = field.GetDistance(farthest) / LargestCode;
   while (this->Vertices.size() < Count && field.GetDistance(farthest) > 0.0)
   {
     this->Vertices.push_back(farthest);
