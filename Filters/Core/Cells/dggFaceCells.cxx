@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <tuple>
 #include <utility>
 
@@ -50,12 +51,11 @@ double CommonPart(const SurfaceMesh& mesh, Id face, const Coordinates& place)
 }
 
 FaceCells::FaceCells(const SurfaceMesh& mesh, const SiteDistances& distances, const EdgeCuts& cuts,
-  VoronoiDiagram& diagram, std::vector<BorderPiece>& pieces)
+  VoronoiDiagram& diagram)
   : Mesh(mesh)
   , Distances(distances)
   , Cuts(cuts)
   , Diagram(diagram)
-  , Pieces(pieces)
 {
 }
 
@@ -68,12 +68,62 @@ void FaceCells::Cut(Id face)
     this->AddWhole(face);
     return;
   }
+  this->WalkAround(face);
+  const std::size_t numberOfPoints = this->Diagram.BorderPoints.size();
+  this->CutByLines(face);
+  if (!this->IsConsistent())
+  {
+    this->Diagram.BorderPoints.resize(numberOfPoints);
+    this->Diagram.BorderDistances.resize(numberOfPoints);
+    this->CutPlainly(face);
+  }
+  for (const Cell& cell : this->Cells)
+  {
+    this->AddPolygon(face, cell);
+  }
+  this->AddPieces();
+}
+
+/// The cuts of the sides, and what lies between them.
+void FaceCells::WalkAround(Id face)
+{
+  this->Around.clear();
+  this->Owners.clear();
+  this->HalfEdges.clear();
+  const auto add = [this](const Point& point, Id owner, Id halfEdge) {
+    if (!this->Around.empty() && this->Around.back().Number == point.Number)
+    {
+      this->Owners.back() = owner;
+      this->HalfEdges.back() = halfEdge;
+      return;
+    }
+    this->Around.push_back(point);
+    this->Owners.push_back(owner);
+    this->HalfEdges.push_back(halfEdge);
+  };
   for (int k = 0; k < 3; ++k)
   {
     this->Sides[k] = this->Cuts.Of(3 * face + k);
+    const Id corner = this->Mesh.Origin(3 * face + k);
+    add({ corner, CornerPlace(k) }, this->Diagram.NearestSites[corner], 3 * face + k);
+    for (const EdgeCut& cut : this->Sides[k])
+    {
+      add({ cut.Point, Between(CornerPlace(k), CornerPlace((k + 1) % 3), cut.Parameter) },
+        cut.After, 3 * face + k);
+    }
   }
+  if (this->Around.back().Number == this->Around.front().Number)
+  {
+    this->Around.pop_back();
+    this->Owners.pop_back();
+    this->HalfEdges.pop_back();
+  }
+}
+
+void FaceCells::CutByLines(Id face)
+{
   this->Inside.clear();
-  this->FacePieces.clear();
+  this->Cells.clear();
   this->CollectSites(face);
   for (std::size_t s = 0; s < this->Sites.size(); ++s)
   {
@@ -85,18 +135,85 @@ void FaceCells::Cut(Id face)
       const int before = polygon[(i + polygon.size() - 1) % polygon.size()].Border;
       points.push_back(this->PointOf(face, s, before, polygon[i]));
     }
-    this->AddPieces(face, s, polygon, points);
-    this->AddPolygon(face, this->Sites[s].Number, points);
+    this->AddCell(this->Sites[s].Number, points);
   }
-  // Both cells tell of the border between them.
-  const auto key = [](const BorderPiece& piece) { return std::tie(piece.Points, piece.Sites); };
-  std::sort(this->FacePieces.begin(), this->FacePieces.end(),
-    [&key](const BorderPiece& a, const BorderPiece& b) { return key(a) < key(b); });
-  this->FacePieces.erase(
-    std::unique(this->FacePieces.begin(), this->FacePieces.end(),
-      [&key](const BorderPiece& a, const BorderPiece& b) { return key(a) == key(b); }),
-    this->FacePieces.end());
-  this->Pieces.insert(this->Pieces.end(), this->FacePieces.begin(), this->FacePieces.end());
+}
+
+/// Whether every side of a cell is that of another one as well, or one of the way around.
+bool FaceCells::IsConsistent() const
+{
+  using Side = std::pair<Id, Id>;
+  std::vector<Side> sides;
+  for (const Cell& cell : this->Cells)
+  {
+    for (std::size_t i = 0; i < cell.Points.size(); ++i)
+    {
+      sides.emplace_back(cell.Points[i].Number, cell.Points[(i + 1) % cell.Points.size()].Number);
+    }
+  }
+  for (std::size_t i = 0; i < this->Around.size(); ++i)
+  {
+    sides.emplace_back(this->Around[(i + 1) % this->Around.size()].Number, this->Around[i].Number);
+  }
+  std::vector<Side> opposite;
+  for (const Side& side : sides)
+  {
+    opposite.emplace_back(side.second, side.first);
+  }
+  std::sort(sides.begin(), sides.end());
+  std::sort(opposite.begin(), opposite.end());
+  return sides == opposite && std::adjacent_find(sides.begin(), sides.end()) == sides.end();
+}
+
+void FaceCells::CutPlainly(Id face)
+{
+  this->Inside.clear();
+  this->Cells.clear();
+  const std::size_t size = this->Around.size();
+  std::vector<std::size_t> changes; // of the owner
+  Coordinates middle{ { 0.0, 0.0, 0.0 } };
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    if (this->Owners[i] != this->Owners[(i + size - 1) % size])
+    {
+      changes.push_back(i);
+      for (int k = 0; k < 3; ++k)
+      {
+        middle[k] += this->Around[i].Place[k];
+      }
+    }
+  }
+  if (changes.size() < 2)
+  {
+    this->AddCell(this->Owners[0], this->Around);
+    return;
+  }
+  Point hub = this->Around[changes[1]];
+  if (changes.size() > 2)
+  {
+    double squaredDistance = Infinity;
+    for (double& coordinate : middle)
+    {
+      coordinate /= static_cast<double>(changes.size());
+    }
+    for (const Site& site : this->Sites)
+    {
+      squaredDistance = std::min(squaredDistance, Apply(site.Values, middle));
+    }
+    hub = this->PointInside(face, middle, squaredDistance + CommonPart(this->Mesh, face, middle));
+  }
+  for (std::size_t c = 0; c < changes.size(); ++c)
+  {
+    const std::size_t begin = changes[c];
+    const std::size_t end = changes[(c + 1) % changes.size()];
+    std::vector<Point> points{ this->Around[begin] };
+    for (std::size_t i = begin; i != end; i = (i + 1) % size)
+    {
+      points.push_back(this->Around[(i + 1) % size]);
+    }
+    points.push_back(hub);
+    this->AddCell(this->Owners[begin], points);
+  }
 }
 
 void FaceCells::AddWhole(Id face)
@@ -106,7 +223,7 @@ void FaceCells::AddWhole(Id face)
   {
     points.push_back({ this->Mesh.Origin(3 * face + k), CornerPlace(k) });
   }
-  this->AddPolygon(face, this->Diagram.NearestSites[points[0].Number], points);
+  this->AddPolygon(face, { this->Diagram.NearestSites[points[0].Number], points });
 }
 
 /// All sites that every corner knows, and those on the sides.
@@ -297,42 +414,99 @@ FaceCells::Point FaceCells::PointInside(Id face, const Coordinates& place, doubl
   return this->Inside.back();
 }
 
-/// The sides of a polygon that separate it from another cell: within the face, or where the side of
-/// the face belongs to the cell on the other side.
-void FaceCells::AddPieces(
-  Id face, std::size_t site, const Polygon& polygon, const std::vector<Point>& points)
+/// The sides of cells that separate them from others: within the face, and along its sides where
+/// these belong to another cell.
+void FaceCells::AddPieces()
 {
-  const Id number = this->Sites[site].Number;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
+  std::vector<std::pair<std::array<Id, 2>, Id>> inside; // points and site
+  for (const Cell& cell : this->Cells)
   {
-    const Point& from = points[i];
-    const Point& to = points[(i + 1) % polygon.size()];
-    const int border = polygon[i].Border;
-    if (border >= 3)
+    for (std::size_t i = 0; i < cell.Points.size(); ++i)
     {
-      this->AddPiece(number, this->Sites[border - 3].Number, from.Number, to.Number);
-      continue;
+      const Id from = cell.Points[i].Number;
+      const Id to = cell.Points[(i + 1) % cell.Points.size()].Number;
+      const std::array<Id, 2> points{ { std::min(from, to), std::max(from, to) } };
+      std::size_t k = 0;
+      while (k < this->Around.size() &&
+        (this->Around[k].Number != from ||
+          this->Around[(k + 1) % this->Around.size()].Number != to))
+      {
+        ++k;
+      }
+      if (k == this->Around.size())
+      {
+        inside.emplace_back(points, cell.Site);
+      }
+      else if (this->Owners[k] != cell.Site)
+      {
+        this->BorderSides.push_back({ points, cell.Site, this->Owners[k], this->HalfEdges[k] });
+      }
     }
-    const double middle = 0.5 * (from.Place[(border + 1) % 3] + to.Place[(border + 1) % 3]);
-    Id owner = this->Diagram.NearestSites[this->Mesh.Origin(3 * face + border)];
-    for (const EdgeCut& cut : this->Sides[border])
+  }
+  std::sort(inside.begin(), inside.end());
+  for (std::size_t i = 1; i < inside.size(); ++i)
+  {
+    if (inside[i].first == inside[i - 1].first)
     {
-      owner = cut.Parameter <= middle ? cut.After : owner;
+      this->AddPiece(inside[i - 1].second, inside[i].second, inside[i].first);
     }
-    this->AddPiece(number, owner, from.Number, to.Number);
   }
 }
 
-void FaceCells::AddPiece(Id site, Id other, Id a, Id b)
+std::vector<BorderPiece> FaceCells::TakePieces()
 {
-  if (a != b && site != other)
+  std::sort(this->BorderSides.begin(), this->BorderSides.end(),
+    [](const BorderSide& a, const BorderSide& b) {
+      return std::tie(a.Points, a.Site) < std::tie(b.Points, b.Site);
+    });
+  for (auto begin = this->BorderSides.cbegin(); begin != this->BorderSides.cend();)
   {
-    this->FacePieces.push_back({ { { std::min(site, other), std::max(site, other) } },
-      { { std::min(a, b), std::max(a, b) } } });
+    const auto end = std::find_if(begin, this->BorderSides.cend(),
+      [begin](const BorderSide& side) { return side.Points != begin->Points; });
+    this->AddSidePieces(begin, end);
+    begin = end;
+  }
+  return std::move(this->Pieces);
+}
+
+/// All cells along a piece of an edge: those told, and its owner where there are more faces.
+void FaceCells::AddSidePieces(
+  std::vector<BorderSide>::const_iterator begin, std::vector<BorderSide>::const_iterator end)
+{
+  std::vector<Id> sites;
+  for (auto side = begin; side != end; ++side)
+  {
+    sites.push_back(side->Site);
+  }
+  std::ptrdiff_t faces = 1;
+  for (Id e = this->Mesh.Twin(begin->HalfEdge); e != NoId && e != begin->HalfEdge;
+       e = this->Mesh.Twin(e))
+  {
+    ++faces;
+  }
+  if (end - begin < faces)
+  {
+    sites.push_back(begin->Owner);
+  }
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      this->AddPiece(sites[i], sites[j], begin->Points);
+    }
   }
 }
 
-void FaceCells::AddPolygon(Id face, Id site, const std::vector<Point>& points)
+void FaceCells::AddPiece(Id site, Id other, const std::array<Id, 2>& points)
+{
+  if (site != other)
+  {
+    this->Pieces.push_back({ { { std::min(site, other), std::max(site, other) } }, points });
+  }
+}
+
+/// A cell of the points, without those that follow themselves. None when it has no area.
+void FaceCells::AddCell(Id site, const std::vector<Point>& points)
 {
   std::vector<Point> distinct;
   for (const Point& point : points)
@@ -346,25 +520,29 @@ void FaceCells::AddPolygon(Id face, Id site, const std::vector<Point>& points)
   {
     distinct.pop_back();
   }
-  if (distinct.size() < 3)
+  if (distinct.size() >= 3)
   {
-    return;
+    this->Cells.push_back({ site, distinct });
   }
+}
+
+void FaceCells::AddPolygon(Id face, const Cell& cell)
+{
   double part = 0.0; // of the area of the face
-  for (std::size_t i = 1; i + 1 < distinct.size(); ++i)
+  for (std::size_t i = 1; i + 1 < cell.Points.size(); ++i)
   {
-    const Coordinates& a = distinct[0].Place;
-    const Coordinates& b = distinct[i].Place;
-    const Coordinates& c = distinct[i + 1].Place;
+    const Coordinates& a = cell.Points[0].Place;
+    const Coordinates& b = cell.Points[i].Place;
+    const Coordinates& c = cell.Points[i + 1].Place;
     part += (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
   }
-  for (const Point& point : distinct)
+  for (const Point& point : cell.Points)
   {
     this->Diagram.PolygonPoints.push_back(point.Number);
   }
   const Id h = 3 * face;
   this->Diagram.PolygonOffsets.push_back(static_cast<Offset>(this->Diagram.PolygonPoints.size()));
-  this->Diagram.PolygonSites.push_back(site);
+  this->Diagram.PolygonSites.push_back(cell.Site);
   this->Diagram.PolygonFaces.push_back(face);
   this->Diagram.PolygonAreas.push_back(part * 0.5 * this->Mesh.Length(h) * this->Mesh.ApexY(h));
 }

@@ -21,18 +21,35 @@ struct BorderPiece
   std::array<Id, 2> Points;
 };
 
+/// A piece of an edge of the mesh along a cell that does not own it: what belongs to a cell on one
+/// side of the edge only.
+struct BorderSide
+{
+  std::array<Id, 2> Points; ///< the smaller one first
+  Id Site;                  ///< of the cell
+  Id Owner;                 ///< of that piece of the edge
+  Id HalfEdge;
+};
+
 /// Cuts faces along the borders of cells: for each site that a face knows, the face is clipped by
 /// the lines on which the site is as near as another one. What crosses the sides of the face is
 /// taken from the cuts of the edges.
+///
+/// Where all is tied or a face is a needle, rounding may let the polygons of a face contradict each
+/// other. This is noticed, and the face is cut in a plainer way: from the cuts of its sides to a
+/// point in the middle.
 class FaceCells
 {
 public:
-  /// Appends polygons, border points and pieces.
+  /// Appends polygons and border points to the diagram.
   FaceCells(const SurfaceMesh& mesh, const SiteDistances& distances, const EdgeCuts& cuts,
-    VoronoiDiagram& diagram, std::vector<BorderPiece>& pieces);
+    VoronoiDiagram& diagram);
 
   /// One face that has not been dropped.
   void Cut(Id face);
+
+  /// The borders within the faces so far, and along their sides.
+  std::vector<BorderPiece> TakePieces();
 
 private:
   using Coordinates = std::array<double, 3>;
@@ -60,28 +77,45 @@ private:
     Coordinates Place;
   };
 
+  /// The part of the face that belongs to a site.
+  struct Cell
+  {
+    Id Site;
+    std::vector<Point> Points;
+  };
+
   void AddWhole(Id face);
   void CollectSites(Id face);
   void Clip(std::size_t site, Polygon& polygon) const;
   Point PointOf(Id face, std::size_t site, int before, const Corner& corner);
   Point PointOnSide(Id face, int side, Id site, Id other, const Coordinates& place) const;
   Point PointInside(Id face, const Coordinates& place, double squaredDistance);
-  void AddPieces(
-    Id face, std::size_t site, const Polygon& polygon, const std::vector<Point>& points);
-  void AddPiece(Id site, Id other, Id a, Id b);
-  void AddPolygon(Id face, Id site, const std::vector<Point>& points);
+  void CutByLines(Id face);
+  void CutPlainly(Id face);
+  bool IsConsistent() const;
+  void WalkAround(Id face);
+  void AddPieces();
+  void AddSidePieces(
+    std::vector<BorderSide>::const_iterator begin, std::vector<BorderSide>::const_iterator end);
+  void AddPiece(Id site, Id other, const std::array<Id, 2>& points);
+  void AddCell(Id site, const std::vector<Point>& points);
+  void AddPolygon(Id face, const Cell& cell);
 
   const SurfaceMesh& Mesh;
   const SiteDistances& Distances;
   const EdgeCuts& Cuts;
   VoronoiDiagram& Diagram;
-  std::vector<BorderPiece>& Pieces;
+  std::vector<BorderPiece> Pieces;
+  std::vector<BorderSide> BorderSides;
 
   // Of the face at work.
   std::array<std::vector<EdgeCut>, 3> Sides;
+  std::vector<Point> Around; ///< corners and cuts, in order
+  std::vector<Id> Owners;    ///< site of the way from each of these to the next
+  std::vector<Id> HalfEdges; ///< that it lies on
+  std::vector<Cell> Cells;
   std::vector<Site> Sites;
   std::vector<Point> Inside;
-  std::vector<BorderPiece> FacePieces;
 };
 }
 

@@ -57,8 +57,7 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const std::vecto
     diagram.Distances.push_back(nearest ? nearest->Distance : Infinity);
   }
   const EdgeCuts cuts(mesh, distances, diagram);
-  std::vector<BorderPiece> pieces;
-  FaceCells cells(mesh, distances, cuts, diagram, pieces);
+  FaceCells cells(mesh, distances, cuts, diagram);
   diagram.PolygonOffsets.push_back(0);
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
@@ -74,6 +73,7 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const std::vecto
     }
   }
   diagram.CurveOffsets.push_back(0);
+  std::vector<BorderPiece> pieces = cells.TakePieces();
   JoinBorderPieces(pieces, diagram);
   return status;
 }

@@ -1,0 +1,590 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Voronoi diagrams: complete and without gaps on any surface, and right where it can be known.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+#include "SearchChecks.h"
+
+#include "dggExactGeodesics.h"
+#include "dggSurfacePath.h"
+#include "dggVoronoi.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::GraphSeed;
+using dgg::SurfaceMesh;
+using dgg::SurfacePoint;
+using dgg::VoronoiDiagram;
+using Sites = std::vector<SurfacePoint>;
+using Place = std::array<double, 3>;
+
+std::vector<GraphSeed> SeedsOf(const SearchCase& c, const Sites& sites, double accuracy)
+{
+  const dgg::GraphBuilder builder(c.GetMesh());
+  std::vector<GraphSeed> seeds;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    const auto number = static_cast<Id>(i);
+    if (sites[i].On == SurfacePoint::Support::Vertex)
+    {
+      seeds.push_back(SeedAt(sites[i].Vertex, 0.0, number));
+      continue;
+    }
+    std::vector<dgg::GraphLink> links;
+    std::vector<double> direct;
+    EXPECT_TRUE(builder.Link(sites[i], accuracy, {}, links, direct).IsOk());
+    for (const dgg::GraphLink& link : links)
+    {
+      seeds.push_back({ link.Vertex, link.Length, 0.0, number, link.ArrivalAngle });
+    }
+  }
+  return seeds;
+}
+
+VoronoiDiagram DiagramOf(const SearchCase& c, const Sites& sites, double accuracy)
+{
+  VoronoiDiagram diagram;
+  const dgg::Status status =
+    dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), SeedsOf(c, sites, accuracy), nullptr, diagram);
+  EXPECT_TRUE(status.IsOk()) << c.GetName() << ": " << status.GetMessage();
+  return diagram;
+}
+
+Sites AtVertices(const std::vector<Id>& vertices)
+{
+  Sites sites;
+  for (const Id v : vertices)
+  {
+    sites.push_back(SurfacePoint::AtVertex(v));
+  }
+  return sites;
+}
+
+SurfacePoint PointOf(const VoronoiDiagram& diagram, Id point)
+{
+  const auto n = static_cast<Id>(diagram.Distances.size());
+  return point < n ? SurfacePoint::AtVertex(point) : diagram.BorderPoints[point - n];
+}
+
+double DistanceAt(const VoronoiDiagram& diagram, Id point)
+{
+  const auto n = static_cast<Id>(diagram.Distances.size());
+  return point < n ? diagram.Distances[point] : diagram.BorderDistances[point - n];
+}
+
+double AreaOf(const SurfaceMesh& mesh, Id face)
+{
+  return 0.5 * mesh.Length(3 * face) * mesh.ApexY(3 * face);
+}
+
+/// Calls `use(polygon, from, to)` for every side of every polygon.
+void ForEachSide(const VoronoiDiagram& diagram, const std::function<void(std::size_t, Id, Id)>& use)
+{
+  for (std::size_t p = 0; p < diagram.GetNumberOfPolygons(); ++p)
+  {
+    const dgg::Offset begin = diagram.PolygonOffsets[p];
+    const dgg::Offset end = diagram.PolygonOffsets[p + 1];
+    for (dgg::Offset i = begin; i < end; ++i)
+    {
+      use(p, diagram.PolygonPoints[i], diagram.PolygonPoints[i + 1 < end ? i + 1 : begin]);
+    }
+  }
+}
+
+std::pair<Id, Id> Pair(Id a, Id b)
+{
+  return { std::min(a, b), std::max(a, b) };
+}
+
+/// Expect polygons that make up the faces, within them and without gaps, and curves between the
+/// cells that they name.
+void ExpectWellFormed(
+  const SurfaceMesh& mesh, const VoronoiDiagram& diagram, Id numberOfSites, const std::string& what)
+{
+  const Id n = mesh.GetNumberOfVertices();
+  ASSERT_EQ(diagram.NearestSites.size(), static_cast<std::size_t>(n)) << what;
+  ASSERT_EQ(diagram.BorderPoints.size(), diagram.BorderDistances.size()) << what;
+  ASSERT_EQ(diagram.PolygonOffsets.size(), diagram.GetNumberOfPolygons() + 1) << what;
+  ASSERT_EQ(diagram.CurveOffsets.size(), diagram.GetNumberOfCurves() + 1) << what;
+  for (const SurfacePoint& point : diagram.BorderPoints)
+  {
+    EXPECT_TRUE(point.Check(mesh).IsOk()) << what << ": " << point.Check(mesh).GetMessage();
+    EXPECT_NE(point.On, SurfacePoint::Support::Vertex) << what;
+  }
+  // Areas.
+  std::vector<double> area(mesh.GetNumberOfFaces(), 0.0);
+  for (std::size_t p = 0; p < diagram.GetNumberOfPolygons(); ++p)
+  {
+    area[diagram.PolygonFaces[p]] += diagram.PolygonAreas[p];
+    EXPECT_GE(diagram.PolygonAreas[p], -1e-12 * AreaOf(mesh, diagram.PolygonFaces[p])) << what;
+    EXPECT_LT(diagram.PolygonSites[p], numberOfSites) << what;
+  }
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    const double expected = mesh.IsDropped(f) ? 0.0 : AreaOf(mesh, f);
+    EXPECT_NEAR(area[f], expected, 1e-9 * expected) << what << " face " << f;
+  }
+  // Inside a face both sides of a side are polygons; on an edge, all faces have the same sides.
+  std::map<std::pair<Id, Id>, std::vector<std::size_t>> sides;
+  ForEachSide(diagram, [&](std::size_t p, Id a, Id b) {
+    EXPECT_NE(a, b) << what;
+    sides[Pair(a, b)].push_back(p);
+    for (const Id point : { a, b })
+    {
+      Place place{};
+      EXPECT_TRUE(dgg::FindInFace(mesh, PointOf(diagram, point), diagram.PolygonFaces[p], place))
+        << what;
+    }
+  });
+  std::map<std::pair<Id, Id>, std::size_t> facesOfEdge;
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    facesOfEdge[Pair(mesh.Origin(h), mesh.Destination(h))] +=
+      mesh.IsDropped(SurfaceMesh::Face(h)) ? 0 : 1;
+  }
+  std::map<std::pair<Id, Id>, std::set<Id>> sitesOfSide;
+  for (const auto& side : sides)
+  {
+    std::map<Id, int> faces;
+    for (const std::size_t p : side.second)
+    {
+      ++faces[diagram.PolygonFaces[p]];
+      sitesOfSide[side.first].insert(diagram.PolygonSites[p]);
+    }
+    if (faces.begin()->second == 2) // inside
+    {
+      for (const auto& face : faces)
+      {
+        EXPECT_EQ(face.second, 2) << what << " face " << face.first;
+      }
+      continue;
+    }
+    const SurfacePoint a = PointOf(diagram, side.first.first);
+    const SurfacePoint b = PointOf(diagram, side.first.second);
+    const SurfacePoint& inner = a.On == SurfacePoint::Support::Edge ? a : b;
+    const std::size_t expected = inner.On == SurfacePoint::Support::Edge
+      ? facesOfEdge[Pair(mesh.Origin(inner.HalfEdge), mesh.Destination(inner.HalfEdge))]
+      : facesOfEdge[side.first];
+    EXPECT_EQ(side.second.size(), expected) << what;
+  }
+  // Curves run along sides, between different cells; and every such side is in a curve.
+  std::set<std::pair<Id, Id>> inCurves;
+  for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
+  {
+    EXPECT_LT(diagram.CurveSites[k][0], diagram.CurveSites[k][1]) << what;
+    ASSERT_GE(diagram.CurveOffsets[k + 1] - diagram.CurveOffsets[k], 2) << what;
+    for (dgg::Offset i = diagram.CurveOffsets[k]; i + 1 < diagram.CurveOffsets[k + 1]; ++i)
+    {
+      const auto side = Pair(diagram.CurvePoints[i], diagram.CurvePoints[i + 1]);
+      inCurves.insert(side);
+      for (const Id site : diagram.CurveSites[k])
+      {
+        EXPECT_EQ(sitesOfSide[side].count(site), 1u) << what;
+      }
+    }
+  }
+  for (const auto& side : sitesOfSide)
+  {
+    if (side.second.size() > 1)
+    {
+      EXPECT_EQ(inCurves.count(side.first), 1u) << what;
+    }
+  }
+}
+
+/// Expect polygons and borders to be those of known distances: `distance(place, site)`. Polygons
+/// are looked at in their middle.
+void ExpectKnown(const SearchCase& c, const VoronoiDiagram& diagram, std::size_t numberOfSites,
+  double tolerance, const std::function<double(const Place&, std::size_t)>& distance)
+{
+  const double* points = c.GetPoints().Points.data();
+  for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
+  {
+    for (dgg::Offset i = diagram.CurveOffsets[k]; i < diagram.CurveOffsets[k + 1]; ++i)
+    {
+      const Id point = diagram.CurvePoints[i];
+      const Place p = dgg::PositionOf(c.GetMesh(), PointOf(diagram, point), points);
+      const double a = distance(p, diagram.CurveSites[k][0]);
+      const double b = distance(p, diagram.CurveSites[k][1]);
+      EXPECT_NEAR(a, b, tolerance * a) << c.GetName();
+      EXPECT_NEAR(DistanceAt(diagram, point), a, tolerance * a) << c.GetName();
+      for (std::size_t s = 0; s < numberOfSites; ++s)
+      {
+        EXPECT_GE(distance(p, s), a * (1.0 - tolerance)) << c.GetName();
+      }
+    }
+  }
+  for (std::size_t q = 0; q < diagram.GetNumberOfPolygons(); ++q)
+  {
+    Place middle{};
+    const dgg::Offset begin = diagram.PolygonOffsets[q];
+    const dgg::Offset end = diagram.PolygonOffsets[q + 1];
+    for (dgg::Offset i = begin; i < end; ++i)
+    {
+      const Place p =
+        dgg::PositionOf(c.GetMesh(), PointOf(diagram, diagram.PolygonPoints[i]), points);
+      for (int k = 0; k < 3; ++k)
+      {
+        middle[k] += p[k] / static_cast<double>(end - begin);
+      }
+    }
+    const double own = distance(middle, diagram.PolygonSites[q]);
+    for (std::size_t s = 0; s < numberOfSites; ++s)
+    {
+      EXPECT_GE(distance(middle, s), own * (1.0 - tolerance)) << c.GetName();
+    }
+  }
+}
+
+double Straight(const Place& p, const Place& q)
+{
+  return std::hypot(p[0] - q[0], p[1] - q[1]);
+}
+
+std::vector<Place> PlacesOf(const SearchCase& c, const Sites& sites)
+{
+  std::vector<Place> places;
+  for (const SurfacePoint& site : sites)
+  {
+    places.push_back(dgg::PositionOf(c.GetMesh(), site, c.GetPoints().Points.data()));
+  }
+  return places;
+}
+}
+
+TEST(Voronoi, OnAnySurface)
+{
+  std::vector<NamedMesh> meshes = SoundMeshes();
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    meshes.push_back(named);
+  }
+  for (const NamedMesh& named : meshes)
+  {
+    const SearchCase c(named.Name, named.Mesh, 0.05);
+    Sites sites = RandomSurfacePoints(c.GetMesh(), 8, 3);
+    for (const Id v : SomeVertices(c.GetMesh(), 8, 5))
+    {
+      sites.push_back(SurfacePoint::AtVertex(v));
+    }
+    const VoronoiDiagram diagram = DiagramOf(c, sites, 0.05);
+    ExpectWellFormed(c.GetMesh(), diagram, static_cast<Id>(sites.size()), named.Name);
+  }
+}
+
+TEST(Voronoi, ThePlane)
+{
+  for (double jitter : { 0.0, 0.25 })
+  {
+    const SearchCase c("plane " + std::to_string(jitter), Plane(16, 12, jitter, 8), 0.01);
+    const Sites sites = RandomSurfacePoints(c.GetMesh(), 9, 12);
+    const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01);
+    ExpectWellFormed(c.GetMesh(), diagram, 9, c.GetName());
+    const std::vector<Place> places = PlacesOf(c, sites);
+    ExpectKnown(c, diagram, sites.size(), 0.005,
+      [&](const Place& p, std::size_t site) { return Straight(p, places[site]); });
+    // Convex cells: one curve for a pair.
+    const std::set<std::array<Id, 2>> pairs(diagram.CurveSites.begin(), diagram.CurveSites.end());
+    EXPECT_EQ(pairs.size(), diagram.GetNumberOfCurves());
+    EXPECT_GE(pairs.size(), 9u);
+  }
+}
+
+TEST(Voronoi, BordersAlongEdgesAndThroughVertices)
+{
+  // Sites that are mirrored in a line of the grid, and in its diagonals: all is tied.
+  const TestMesh points = Plane(8, 8);
+  const SearchCase c("grid", points, 0.01);
+  const double unit = points.Point(points.GetNumberOfVertices() - 1)[0] / 8.0;
+  const auto at = [&](int x, int y) { return VertexAt(points, x * unit, y * unit, 0.0); };
+  for (const std::vector<Id>& vertices : { std::vector<Id>{ at(2, 4), at(6, 4) },
+         std::vector<Id>{ at(2, 2), at(6, 2), at(2, 6), at(6, 6) },
+         std::vector<Id>{ at(4, 2), at(2, 4), at(6, 4), at(4, 6) },
+         std::vector<Id>{ at(4, 4), at(3, 4), at(5, 4), at(4, 3), at(4, 5) } })
+  {
+    const Sites sites = AtVertices(vertices);
+    const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01);
+    ExpectWellFormed(c.GetMesh(), diagram, static_cast<Id>(sites.size()), "grid");
+    const std::vector<Place> places = PlacesOf(c, sites);
+    ExpectKnown(c, diagram, sites.size(), 0.003,
+      [&](const Place& p, std::size_t site) { return Straight(p, places[site]); });
+  }
+}
+
+TEST(Voronoi, ManySitesInAFace)
+{
+  // A face holds whole cells, and its corners are far away.
+  TestMesh triangle;
+  triangle.AddPoint(0.0, 0.0, 0.0);
+  triangle.AddPoint(3.0, 0.0, 0.0);
+  triangle.AddPoint(1.0, 2.0, 0.0);
+  triangle.AddTriangle(0, 1, 2);
+  const SearchCase c("triangle", triangle, 0.01);
+  Random random(4);
+  Sites sites;
+  for (int i = 0; i < 25; ++i)
+  {
+    double a = random.Uniform();
+    double b = random.Uniform();
+    if (a + b > 1.0)
+    {
+      a = 1.0 - a;
+      b = 1.0 - b;
+    }
+    sites.push_back(SurfacePoint::InFace(c.GetMesh(), 0, { { a, b, 1.0 - a - b } }));
+  }
+  const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01);
+  ExpectWellFormed(c.GetMesh(), diagram, 25, "triangle");
+  EXPECT_EQ(diagram.GetNumberOfPolygons(), 25u);
+  const std::vector<Place> places = PlacesOf(c, sites);
+  ExpectKnown(c, diagram, sites.size(), 1e-9,
+    [&](const Place& p, std::size_t site) { return Straight(p, places[site]); });
+}
+
+TEST(Voronoi, AConeAndASphere)
+{
+  std::vector<std::pair<std::string, TestMesh>> meshes;
+  std::vector<ConePoint> coordinates;
+  meshes.emplace_back("sharp cone", Cone(4.0, 30, 12, coordinates, 0.1, 2));
+  meshes.emplace_back("saddle cone", Cone(8.0, 40, 12, coordinates, 0.1, 2));
+  meshes.emplace_back("sphere", Icosphere(4));
+  meshes.emplace_back("torus", Torus(40, 24));
+  for (const auto& named : meshes)
+  {
+    const double accuracy = 0.01;
+    const SearchCase c(named.first, named.second, accuracy);
+    const Sites sites = RandomSurfacePoints(c.GetMesh(), 10, 21);
+    const VoronoiDiagram diagram = DiagramOf(c, sites, accuracy);
+    ExpectWellFormed(c.GetMesh(), diagram, 10, named.first);
+    // By exact distances from each site alone, of all points of the borders.
+    std::vector<std::vector<double>> exact;
+    dgg::ExactGeodesics solver(c.GetMesh());
+    for (const SurfacePoint& site : sites)
+    {
+      dgg::ExactOptions options;
+      for (std::size_t i = 0; i < diagram.Distances.size() + diagram.BorderPoints.size(); ++i)
+      {
+        options.Targets.push_back(PointOf(diagram, static_cast<Id>(i)));
+      }
+      dgg::ExactResult result;
+      ASSERT_TRUE(solver.Run({ { site, 0.0 } }, options, result).IsOk());
+      exact.push_back(result.TargetDistances);
+    }
+    ASSERT_GT(diagram.GetNumberOfCurves(), 9u);
+    for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
+    {
+      for (dgg::Offset i = diagram.CurveOffsets[k]; i < diagram.CurveOffsets[k + 1]; ++i)
+      {
+        const Id point = diagram.CurvePoints[i];
+        const double a = exact[diagram.CurveSites[k][0]][point];
+        const double b = exact[diagram.CurveSites[k][1]][point];
+        EXPECT_NEAR(a, b, 2.0 * accuracy * a) << named.first;
+        EXPECT_NEAR(DistanceAt(diagram, point), a, 2.0 * accuracy * a) << named.first;
+        for (const auto& field : exact)
+        {
+          EXPECT_GE(field[point], a * (1.0 - 2.0 * accuracy)) << named.first;
+        }
+      }
+    }
+    for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+    {
+      double nearest = dgg::Infinity;
+      for (const auto& field : exact)
+      {
+        nearest = std::min(nearest, field[v]);
+      }
+      EXPECT_LE(exact[diagram.NearestSites[v]][v], nearest * (1.0 + 2.0 * accuracy));
+      EXPECT_NEAR(diagram.Distances[v], nearest, accuracy * nearest * (1.0 + 1e-6));
+    }
+  }
+}
+
+TEST(Voronoi, AroundACylinder)
+{
+  // The border opposite to a single pair of sites on a tube: a closed one with one pair.
+  const TestMesh tube = PrismSide(24, 1, 20, 0.0, 1);
+  const SearchCase c("tube", tube, 0.01);
+  double low = dgg::Infinity;
+  double high = -dgg::Infinity;
+  for (Id v = 0; v < tube.GetNumberOfVertices(); ++v)
+  {
+    low = std::min(low, tube.Point(v)[2]);
+    high = std::max(high, tube.Point(v)[2]);
+  }
+  // Rings of sites at both ends: the border between the rings goes around.
+  std::vector<GraphSeed> seeds;
+  for (Id v = 0; v < tube.GetNumberOfVertices(); ++v)
+  {
+    const double z = tube.Point(v)[2];
+    if (z == low || z == high)
+    {
+      seeds.push_back(SeedAt(v, 0.0, z == low ? 0 : 1));
+    }
+  }
+  VoronoiDiagram diagram;
+  ASSERT_TRUE(dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), seeds, nullptr, diagram).IsOk());
+  ExpectWellFormed(c.GetMesh(), diagram, 2, "tube");
+  ASSERT_EQ(diagram.GetNumberOfCurves(), 1u);
+  EXPECT_EQ(diagram.CurvePoints.front(), diagram.CurvePoints.back());
+  EXPECT_GE(diagram.CurvePoints.size(), 25u);
+  for (const Id point : diagram.CurvePoints)
+  {
+    const Place p = dgg::PositionOf(c.GetMesh(), PointOf(diagram, point), tube.Points.data());
+    EXPECT_NEAR(p[2], 0.5 * (low + high), 0.01 * (high - low));
+  }
+}
+
+TEST(Voronoi, UnreachedComponents)
+{
+  const SearchCase c("several components", SeveralComponents(), 0.05);
+  const VoronoiDiagram diagram = DiagramOf(c, AtVertices({ 0 }), 0.05);
+  ExpectWellFormed(c.GetMesh(), diagram, 1, "several components");
+  Id count = 0;
+  const std::vector<Id> component = c.GetMesh().ComputeComponents(count);
+  for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+  {
+    const bool isReached = component[v] == component[0];
+    EXPECT_EQ(diagram.NearestSites[v], isReached ? 0 : dgg::NoId);
+    EXPECT_EQ(diagram.Distances[v] < dgg::Infinity, isReached);
+  }
+  const std::set<Id> sites(diagram.PolygonSites.begin(), diagram.PolygonSites.end());
+  EXPECT_EQ(sites, (std::set<Id>{ dgg::NoId, 0 }));
+  EXPECT_EQ(diagram.GetNumberOfCurves(), 0u);
+}
+
+TEST(Voronoi, BordersBranchOnABook)
+{
+  std::vector<Id> sheetOf;
+  const TestMesh book = Book(3, 6, sheetOf, 0.2, 2);
+  const SearchCase c("book", book, 0.02);
+  // One site in the middle of each sheet; the sheets meet along the spine.
+  Sites sites;
+  for (Id sheet = 0; sheet < 3; ++sheet)
+  {
+    for (Id f = 0; f < c.GetMesh().GetNumberOfFaces(); ++f)
+    {
+      const auto corners = c.GetMesh().GetTriangle(f);
+      if (std::all_of(corners.begin(), corners.end(), [&](Id v) { return sheetOf[v] == sheet; }))
+      {
+        sites.push_back(SurfacePoint::InFace(c.GetMesh(), f, { { 0.3, 0.3, 0.4 } }));
+        break;
+      }
+    }
+  }
+  ASSERT_EQ(sites.size(), 3u);
+  const VoronoiDiagram diagram = DiagramOf(c, sites, 0.02);
+  ExpectWellFormed(c.GetMesh(), diagram, 3, "book");
+  EXPECT_GE(diagram.GetNumberOfCurves(), 2u);
+}
+
+TEST(Voronoi, EveryVertexIsASite)
+{
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    const SearchCase c(named.Name, named.Mesh, 0.1);
+    std::vector<Id> all(c.GetNumberOfVertices());
+    for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+    {
+      all[v] = v;
+    }
+    const VoronoiDiagram diagram = DiagramOf(c, AtVertices(all), 0.1);
+    ExpectWellFormed(c.GetMesh(), diagram, c.GetNumberOfVertices(), named.Name);
+    EXPECT_EQ(diagram.NearestSites, all) << named.Name;
+  }
+}
+
+TEST(Voronoi, OneSiteAndDuplicates)
+{
+  const SearchCase c("sphere", Icosphere(3), 0.05);
+  VoronoiDiagram diagram = DiagramOf(c, AtVertices({ 40 }), 0.05);
+  ExpectWellFormed(c.GetMesh(), diagram, 1, "one site");
+  EXPECT_EQ(diagram.GetNumberOfCurves(), 0u);
+  EXPECT_EQ(
+    diagram.GetNumberOfPolygons(), static_cast<std::size_t>(c.GetMesh().GetNumberOfFaces()));
+
+  const auto inner = SurfacePoint::InFace(c.GetMesh(), 100, { { 0.2, 0.3, 0.5 } });
+  const VoronoiDiagram expected =
+    DiagramOf(c, { SurfacePoint::AtVertex(7), inner, SurfacePoint::AtVertex(90) }, 0.05);
+  diagram = DiagramOf(c,
+    { SurfacePoint::AtVertex(7), inner, SurfacePoint::AtVertex(90), inner,
+      SurfacePoint::AtVertex(7), inner },
+    0.05);
+  EXPECT_EQ(diagram.PolygonSites, expected.PolygonSites);
+  EXPECT_EQ(diagram.PolygonPoints, expected.PolygonPoints);
+  EXPECT_EQ(diagram.CurveSites, expected.CurveSites);
+}
+
+TEST(Voronoi, GraphsWithoutDirections)
+{
+  const SearchCase c("plane", Plane(10, 10, 0.2, 5), 0.02);
+  dgg::GraphView graph = c.GetGraph();
+  graph.Angles = nullptr;
+  graph.ArrivalAngles = nullptr;
+  const dgg::GraphSearch search(graph, &c.GetMesh());
+  VoronoiDiagram diagram;
+  const Sites sites = AtVertices({ 5, 60, 100 });
+  ASSERT_TRUE(
+    dgg::ComputeVoronoi(search, c.GetMesh(), SeedsOf(c, sites, 0.02), nullptr, diagram).IsOk());
+  ExpectWellFormed(c.GetMesh(), diagram, 3, "without directions");
+  const std::vector<Place> places = PlacesOf(c, sites);
+  ExpectKnown(c, diagram, 3, 0.04,
+    [&](const Place& p, std::size_t site) { return Straight(p, places[site]); });
+}
+
+TEST(Voronoi, BadInputIsNamed)
+{
+  const SearchCase c("plane", Plane(5, 5), 0.05);
+  VoronoiDiagram diagram;
+  const auto refuses = [&](const std::vector<GraphSeed>& seeds) {
+    const dgg::Status status =
+      dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), seeds, nullptr, diagram);
+    return !status.IsOk() && !status.GetMessage().empty() && diagram.NearestSites.empty();
+  };
+  EXPECT_TRUE(refuses({}));
+  EXPECT_TRUE(refuses({ SeedAt(c.GetNumberOfVertices()) }));
+  EXPECT_TRUE(refuses({ SeedAt(0), SeedAt(3, 0.0, -1) }));
+  EXPECT_TRUE(refuses({ SeedAt(0, 1.0) }));
+  EXPECT_TRUE(refuses({ SeedAt(0, -1.0) }));
+  EXPECT_TRUE(refuses({ SeedAt(0, std::numeric_limits<double>::quiet_NaN()) }));
+}
+
+TEST(Voronoi, ProgressAndAbort)
+{
+  const SearchCase c("plane", Plane(200, 200), 0.1);
+  std::vector<double> progress;
+  double stopAt = 2.0;
+  const auto watch = [&](double done) {
+    progress.push_back(done);
+    return done < stopAt;
+  };
+  VoronoiDiagram diagram;
+  const std::vector<GraphSeed> seeds{ SeedAt(0, 0.0, 0), SeedAt(20000, 0.0, 1) };
+  ASSERT_TRUE(dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), seeds, watch, diagram).IsOk());
+  EXPECT_GE(progress.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_LE(progress.back(), 1.0);
+  for (const double stop : { 0.0, 0.8 })
+  {
+    stopAt = stop;
+    EXPECT_TRUE(dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), seeds, watch, diagram).IsAborted());
+    EXPECT_TRUE(diagram.NearestSites.empty());
+  }
+}
+}
