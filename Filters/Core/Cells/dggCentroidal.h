@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Moves sites to the middle of their Voronoi cells.
+#ifndef dggCentroidal_h
+#define dggCentroidal_h
+
+#include "dggGraphBuilder.h" // for links
+#include "dggGraphSearch.h"  // for GraphSearch
+#include "dggSurfacePoint.h" // for SurfacePoint
+
+#include <vector> // for the sites
+
+namespace dgg
+{
+/// What sites become seeds of a search by, see GraphBuilder::Link().
+struct LinkedSites
+{
+  std::vector<GraphSeed> Seeds;   ///< numbered by Source
+  std::vector<double> Departures; ///< per seed, the direction at the site; 0 for sites at vertices
+};
+
+/// Seeds of surface points. `builder` may be null when all of them are vertices.
+Status LinkSites(const std::vector<SurfacePoint>& sites, const GraphBuilder* builder,
+  double accuracy, LinkedSites& linked);
+
+struct CentroidalOptions
+{
+  int NumberOfIterations = 20;
+  /// Stop when no site would move by more than this part of the mean edge length.
+  double Tolerance = 1e-3;
+  ProgressCallback Progress; ///< may be empty
+};
+
+/// Lloyd's iteration on a surface: every site moves to the mean of its cell, step by step, so that
+/// the cells become compact and of similar size. What is made smaller is the energy, the sum over
+/// all vertices of area times squared distance from the nearest site, where the area of a vertex is
+/// a third of that of its faces.
+///
+/// The mean is taken in the tangent plane of the site: a vertex of the cell stands there at its
+/// distance (corrected) and in the direction in which the way to it leaves the site, straightened
+/// as the distance is. Then the site walks straight on to it. When the energy does not decrease,
+/// all steps are halved; the iteration ends when that does not help.
+///
+/// `energies` receives the energy at the start and after each iteration; it decreases. Sites
+/// without a cell stay where they are. Fails as LinkSites() and GraphSearch::Run() do; then `sites`
+/// are unchanged. `builder` is needed: sites move into faces.
+Status MoveToCenters(const GraphSearch& search, const SurfaceMesh& mesh,
+  const GraphBuilder& builder, double accuracy, const CentroidalOptions& options,
+  std::vector<SurfacePoint>& sites, std::vector<double>& energies);
+}
+
+#endif
