@@ -4,23 +4,19 @@
 
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMeshAdapter.h"
-#include "vtkDGGPointCoordinates.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
+#include "vtkDGGVoronoiOutputs.h"
 
-#include "dggSurfacePath.h"
 #include "dggSurfaceSampler.h"
 
-#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <sstream>
@@ -39,41 +35,19 @@ bool IsVertex(const dgg::SurfacePoint& point)
   return point.On == dgg::SurfacePoint::Support::Vertex;
 }
 
-/// An array of the output, with its memory.
-template <typename ArrayType>
-vtkSmartPointer<ArrayType> AddArray(vtkPolyData* output, const char* name, vtkIdType size)
-{
-  vtkNew<ArrayType> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(size);
-  output->GetPointData()->AddArray(array);
-  return array.Get();
-}
-
 void FillOutput(const std::vector<dgg::SurfaceSample>& samples, const vtkDGGMeshAdapter& mesh,
   vtkPoints* coordinates, vtkPolyData* output)
 {
-  const auto size = static_cast<vtkIdType>(samples.size());
-  const vtkDGGPointCoordinates positions(coordinates);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(size);
-  vtkNew<vtkCellArray> verts;
-  output->SetPoints(points);
-  output->SetVerts(verts);
-  const auto ids = AddArray<vtkIdTypeArray>(output, "vtkOriginalPointIds", size);
-  const auto faces = AddArray<vtkIdTypeArray>(output, "FaceId", size);
-  const auto radii = AddArray<vtkDoubleArray>(output, "CoveringRadius", size);
-  for (vtkIdType i = 0; i < size; ++i)
+  std::vector<dgg::SurfacePoint> places;
+  vtkNew<vtkDoubleArray> radii;
+  radii->SetName("CoveringRadius");
+  for (const dgg::SurfaceSample& sample : samples)
   {
-    const dgg::SurfacePoint& point = samples[i].Point;
-    points->SetPoint(i, dgg::PositionOf(mesh.GetMesh(), point, positions.GetData()).data());
-    verts->InsertNextCell(1, &i);
-    ids->SetValue(i, IsVertex(point) ? point.Vertex : -1);
-    const dgg::Id face = dgg::FindFaceOf(mesh.GetMesh(), point);
-    faces->SetValue(i, face == dgg::NoId ? -1 : mesh.GetCell(face));
-    radii->SetValue(i, samples[i].CoveringRadius);
+    places.push_back(sample.Point);
+    radii->InsertNextValue(sample.CoveringRadius);
   }
+  vtkDGGFillSurfacePoints(places, mesh, coordinates, output);
+  output->GetPointData()->AddArray(radii);
 }
 }
 

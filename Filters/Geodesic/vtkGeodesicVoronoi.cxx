@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGeodesicVoronoi.h"
+
+#include "vtkDGGGraphUser.h"
+#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGProperties.h"
+#include "vtkDGGSourceCollector.h"
+#include "vtkDGGVoronoiOutputs.h"
+
+#include "dggCentroidal.h"
+
+#include "vtkIdList.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <limits>
+#include <utility>
+
+vtkStandardNewMacro(vtkGeodesicVoronoi);
+vtkDGGGraphUserMacro(vtkGeodesicVoronoi);
+
+namespace
+{
+/// Share of the progress after the graph that moving the sites takes.
+constexpr double MovingShare = 0.9;
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicVoronoi::vtkGeodesicVoronoi()
+  : Centroidal(false)
+  , NumberOfIterations(20)
+  , Tolerance(1e-3)
+  , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
+  , DistanceArrayName("GeodesicDistance")
+  , SourceArrayName("GeodesicSource")
+  , ProjectionTolerance(0.01)
+  , GraphUser(new vtkDGGGraphUser)
+  , Collector(new vtkDGGSourceCollector)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(4);
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicVoronoi::~vtkGeodesicVoronoi() = default;
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SiteIds:";
+  for (const vtkIdType id : this->SiteIds)
+  {
+    os << " " << id;
+  }
+  os << (this->SiteIds.empty() ? " (none)\n" : "\n");
+  os << indent << "Centroidal: " << (this->Centroidal ? "On" : "Off") << "\n";
+  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
+  os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
+  os << indent << "SourceArrayName: " << this->SourceArrayName << "\n";
+  os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
+  this->GraphUser->PrintSelf(os, indent);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::AddSiteId(vtkIdType id)
+{
+  this->SiteIds.push_back(id);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::SetSiteIds(vtkIdList* ids)
+{
+  this->SetSiteIds(
+    ids ? std::vector<vtkIdType>(ids->begin(), ids->end()) : std::vector<vtkIdType>());
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::SetSiteIds(std::initializer_list<vtkIdType> ids)
+{
+  this->SetSiteIds(std::vector<vtkIdType>(ids));
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::SetSiteIds(const std::vector<vtkIdType>& ids)
+{
+  if (this->SiteIds != ids)
+  {
+    this->SiteIds = ids;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::RemoveAllSiteIds()
+{
+  this->SetSiteIds(std::vector<vtkIdType>());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicVoronoi::GetNumberOfSiteIds() const
+{
+  return static_cast<vtkIdType>(this->SiteIds.size());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicVoronoi::GetSiteId(vtkIdType i) const
+{
+  return i >= 0 && i < this->GetNumberOfSiteIds() ? this->SiteIds[i] : -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::RemoveAllSites()
+{
+  this->RemoveAllSiteIds();
+  this->SetInputConnection(1, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::SetSiteConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::SetSiteData(vtkPolyData* points)
+{
+  this->SetInputData(1, points);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::SetUnreachedValue(double value)
+{
+  if (vtkDGGChangeNumber(this->UnreachedValue, value))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::SetName(std::string& name, const char* value)
+{
+  const std::string text = value ? value : "";
+  if (name != text)
+  {
+    name = text;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::SetDistanceArrayName(const char* name)
+{
+  this->SetName(this->DistanceArrayName, name);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkGeodesicVoronoi::GetDistanceArrayName() const
+{
+  return this->DistanceArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::SetSourceArrayName(const char* name)
+{
+  this->SetName(this->SourceArrayName, name);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkGeodesicVoronoi::GetSourceArrayName() const
+{
+  return this->SourceArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkGeodesicVoronoi::GetBoundaries()
+{
+  return this->GetOutput(1);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkGeodesicVoronoi::GetCells()
+{
+  return this->GetOutput(2);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkGeodesicVoronoi::GetSites()
+{
+  return this->GetOutput(3);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicVoronoi::CheckProperties() const
+{
+  dgg::Status status = vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
+  if (status.IsOk())
+  {
+    status = vtkDGGCheckLength("Tolerance", this->Tolerance);
+  }
+  if (status.IsOk() && this->NumberOfIterations < 0)
+  {
+    status = dgg::Status::Invalid("NumberOfIterations is " +
+      std::to_string(this->NumberOfIterations) + ": call SetNumberOfIterations() with at least 0");
+  }
+  for (const auto& name : { std::make_pair("DistanceArrayName", &this->DistanceArrayName),
+         std::make_pair("SourceArrayName", &this->SourceArrayName) })
+  {
+    if (status.IsOk() && name.second->empty())
+    {
+      status = dgg::Status::Invalid(
+        std::string(name.first) + " is empty: call Set" + name.first + "() with a name");
+    }
+  }
+  if (status.IsOk() && this->DistanceArrayName == this->SourceArrayName)
+  {
+    status = dgg::Status::Invalid("DistanceArrayName and SourceArrayName are both '" +
+      this->SourceArrayName + "': call SetSourceArrayName() with another name");
+  }
+  return status.IsOk() ? this->GraphUser->Check() : status;
+}
+
+//------------------------------------------------------------------------------
+vtkDGGSourceSet vtkGeodesicVoronoi::GetSiteSet(vtkInformationVector** inputVector) const
+{
+  return { this->SiteIds, vtkPolyData::GetData(inputVector[1]), 1, "site",
+    "call AddSiteId() or SetSiteIds()", "" };
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicVoronoi::CheckInputs(
+  vtkPolyData* surface, vtkInformationVector** inputVector) const
+{
+  return vtkDGGSourceCollector::Check(this->GetSiteSet(inputVector), surface->GetNumberOfPoints());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGeodesicVoronoi::GetMemoryRemedy() const
+{
+  return "use a smaller mesh, a larger Accuracy or fewer sites";
+}
+
+//------------------------------------------------------------------------------
+/// From the sites of the result to the rest of it; the graph is there.
+dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
+{
+  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
+  const dgg::ProgressCallback progress = graph.GetRemainingProgress();
+  double start = 0.0;
+  if (this->Centroidal)
+  {
+    start = MovingShare;
+    std::vector<dgg::SurfacePoint> places;
+    for (const dgg::GeodesicSource& site : result.Sites)
+    {
+      places.push_back(site.Point);
+    }
+    dgg::CentroidalOptions options;
+    options.NumberOfIterations = this->NumberOfIterations;
+    options.Tolerance = this->Tolerance;
+    options.Progress = [&](double done) { return progress(MovingShare * done); };
+    dgg::Status status = graph.PrepareBuilder(mesh);
+    if (status.IsOk())
+    {
+      status = dgg::MoveToCenters(graph.GetSearch(), mesh.GetMesh(), graph.GetBuilder(),
+        graph.GetLinkAccuracy(), options, places, result.Energies);
+    }
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      result.Sites[i].Point = places[i];
+    }
+  }
+  std::vector<dgg::GraphSeed> seeds;
+  const dgg::Status status = graph.MakeSeeds(result.Sites, mesh, seeds);
+  return status.IsOk()
+    ? dgg::ComputeVoronoi(
+        graph.GetSearch(), mesh.GetMesh(), seeds,
+        [&](double done) { return progress(start + (1.0 - start) * done); }, result.Diagram)
+    : status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicVoronoi::Execute(
+  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGSourceSet set = this->GetSiteSet(inputVector);
+  vtkDGGVoronoiResult result;
+  dgg::Status status = this->Collector->Collect(
+    set, this->ProjectionTolerance, mesh, surface->GetPoints(), result.Sites);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const std::string warning = vtkDGGSourceCollector::DescribeIsolatedIds(set, mesh);
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning << ".");
+  }
+  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
+  status = this->Advance(0.0)
+    ? this->GraphUser->Update(
+        surface, mesh, [this](double fraction) { return this->Advance(fraction); }, this)
+    : dgg::Status::Abort();
+  if (status.IsOk())
+  {
+    status = this->Compute(result);
+    const dgg::Status intact = graph.CheckArrays();
+    status = intact.IsOk() ? status : intact;
+  }
+  if (status.IsOk())
+  {
+    this->FillOutputs(result, surface, outputVector);
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::FillOutputs(
+  const vtkDGGVoronoiResult& result, vtkPolyData* surface, vtkInformationVector* outputVector) const
+{
+  const vtkDGGVoronoiOutputs outputs(
+    result, this->GetMesh(), surface->GetPoints(), this->DistanceArrayName, this->UnreachedValue);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  output->ShallowCopy(surface);
+  outputs.AddToSurface(this->SourceArrayName, output);
+  for (int port = 1; port < 4; ++port)
+  {
+    vtkPolyData::GetData(outputVector, port)->Initialize();
+  }
+  outputs.FillBoundaries(vtkPolyData::GetData(outputVector, 1));
+  outputs.FillCells(vtkPolyData::GetData(outputVector, 2));
+  outputs.FillSites(vtkPolyData::GetData(outputVector, 3));
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
+{
+  this->FillOutputs(vtkDGGVoronoiResult(), surface, outputVector);
+}

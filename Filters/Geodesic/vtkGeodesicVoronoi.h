@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGeodesicVoronoi
+ * @brief   which of some sites is nearest along a surface
+ *
+ * Computes the geodesic Voronoi diagram of sites on a surface: the nearest site of every point, the
+ * borders of the cells, which cross faces, and the cells as polygons. With Centroidal, the sites
+ * are moved to the middle of their cells first. The distances are those of a discrete geodesic
+ * graph, which is taken from the input, or built and kept, as in vtkDGGDistance; they are corrected
+ * as there.
+ *
+ * Input port 0 takes the surface. Sites are points of the surface given by id (AddSiteId(),
+ * SetSiteIds()) and the points of a vtkPolyData on the optional input port 1 (SetSiteConnection(),
+ * SetSiteData()), which may lie anywhere on the surface and are projected to it. Sites are numbered
+ * from 0: ids first, then the points of port 1. A site at the place of an earlier one has no cell.
+ *
+ * There are four outputs.
+ *  - Port 0 (GetOutput()): the input with the point arrays `GeodesicSource` (int), the number of
+ * the nearest site, of several at the same distance the first one, and `GeodesicDistance` (double),
+ *    the distance from it. Points that no site reaches get -1 and UnreachedValue. With Centroidal,
+ *    the field array `Energy`, see below.
+ *  - Port 1 (GetBoundaries()): the borders between cells as polylines on the surface, with the cell
+ *    array `SiteId` (int, two components, the smaller number first) and the point array
+ *    `GeodesicDistance`, from either site. A polyline goes on as long as the two cells do; where
+ *    they meet all around, it is closed.
+ *  - Port 2 (GetCells()): the surface cut into convex polygons along the borders. Their cell arrays
+ *    are `SiteId` (int; -1 where no site reaches), `CellArea` (double), the area of the whole cell
+ *    that the polygon is a part of, and `FaceId`, the cell of the input. The first points are those
+ *    of the input, in their order; the point array is `GeodesicDistance`.
+ *  - Port 3 (GetSites()): the sites as points with verts, after they have been moved, with the
+ * point arrays `SiteId`, `CellArea`, `vtkOriginalPointIds` (-1 for a site that is no point of the
+ *    input) and `FaceId`, as in vtkGeodesicSampler.
+ *
+ * Borders and cells have no gaps and do not overlap: neighbouring polygons share points.
+ *
+ * <b>What is promised.</b> Distances at points of the input are within the accuracy of the graph of
+ * the exact ones, unless its rule has no guarantee. Inside a triangle, the square of the distance
+ * from a site is that of a point in its plane, so borders are straight within triangles. This is
+ * exact where the surface is flat. The distances of a border point from both sites then differ by a
+ * small part of the accuracy on average; where cells are so small that sites see only a few
+ * triangles of a curved surface, by a few percent at worst. Cells that are smaller than triangles
+ * are found where triangles have corners in different cells. The result does not depend on the
+ * number of threads.
+ *
+ * <b>Centroidal diagrams.</b> Lloyd's iteration makes the energy smaller, the sum over all points
+ * of area times squared distance from the nearest site, where a point has a third of the area of
+ * its triangles. It moves every site along the surface towards the mean of its cell, as seen from
+ * the site, and stops after NumberOfIterations, when no site would move by more than Tolerance, or
+ * when the energy does not get smaller any more. The field array `Energy` has the energy at the
+ * start and after each iteration; it decreases.
+ *
+ * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
+ *  - no site; a site id out of range; a site point that is not finite, or farther from the surface
+ *    than ProjectionTolerance; a ProjectionTolerance or Tolerance that is negative or not a number;
+ *    a negative NumberOfIterations; a missing or repeated array name;
+ *  - an Accuracy outside [1e-6, 0.5]; a graph that would take more memory than MemoryLimit.
+ *
+ * @code
+ * vtkNew<vtkGeodesicVoronoi> voronoi;
+ * voronoi->SetInputConnection(reader->GetOutputPort());
+ * voronoi->SetSiteIds({ 0, 1000, 2000 });
+ * voronoi->Update();
+ * vtkPolyData* cells = voronoi->GetCells(); // colour by SiteId
+ * @endcode
+ *
+ * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ *
+ * @sa vtkGeodesicSampler vtkDGGDistance
+ */
+
+#ifndef vtkGeodesicVoronoi_h
+#define vtkGeodesicVoronoi_h
+
+#include "vtkDGGFiltersGeodesicModule.h" // For export macro
+#include "vtkGeodesicAlgorithm.h"
+
+#include <initializer_list> // For site ids
+#include <memory>           // For the internals
+#include <string>           // For array names
+#include <vector>           // For site ids
+
+class vtkDGGGraphUser;
+class vtkDGGSourceCollector;
+struct vtkDGGSourceSet;
+struct vtkDGGVoronoiResult;
+
+class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicVoronoi : public vtkGeodesicAlgorithm
+{
+public:
+  static vtkGeodesicVoronoi* New();
+  vtkTypeMacro(vtkGeodesicVoronoi, vtkGeodesicAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Sites by point id of the input. Ids are copied; none by default. An id outside
+   * [0, number of points - 1] is an error of the update. A null list removes all ids.
+   */
+  void AddSiteId(vtkIdType id);
+  void SetSiteIds(vtkIdList* ids);
+  void SetSiteIds(const std::vector<vtkIdType>& ids);
+#ifndef __VTK_WRAP__
+  void SetSiteIds(std::initializer_list<vtkIdType> ids); // or {0} would be a null list
+#endif
+  void RemoveAllSiteIds();
+  vtkIdType GetNumberOfSiteIds() const;
+  ///@}
+
+  /**
+   * The i-th site id; -1 when there is none.
+   */
+  vtkIdType GetSiteId(vtkIdType i) const VTK_EXPECTS(0 <= i && i < GetNumberOfSiteIds());
+
+  /**
+   * Remove the site ids and disconnect input port 1.
+   */
+  void RemoveAllSites();
+
+  ///@{
+  /**
+   * Sites anywhere on the surface: the points of a vtkPolyData on input port 1, as from a
+   * vtkGeodesicSampler; its cells are not used. Null removes them.
+   */
+  void SetSiteConnection(vtkAlgorithmOutput* output);
+  void SetSiteData(vtkPolyData* points);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to move the sites to the middle of their cells. Default off.
+   */
+  vtkSetMacro(Centroidal, bool);
+  vtkGetMacro(Centroidal, bool);
+  vtkBooleanMacro(Centroidal, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How often the sites are moved at most. Default 20; must not be negative.
+   */
+  vtkSetMacro(NumberOfIterations, int);
+  vtkGetMacro(NumberOfIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Sites are moved no more when none of them would move farther than this, as a part of the mean
+   * edge length. Default 0.001; must not be negative.
+   */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance given to points that no site reaches. Default NaN.
+   */
+  virtual void SetUnreachedValue(double value);
+  vtkGetMacro(UnreachedValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array with the distances. Default "GeodesicDistance".
+   */
+  void SetDistanceArrayName(const char* name);
+  const char* GetDistanceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array with the nearest sites. Default "GeodesicSource".
+   */
+  void SetSourceArrayName(const char* name);
+  const char* GetSourceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * The outputs besides GetOutput().
+   */
+  vtkPolyData* GetBoundaries();
+  vtkPolyData* GetCells();
+  vtkPolyData* GetSites();
+  vtkAlgorithmOutput* GetBoundariesPort()
+  {
+    return this->GetOutputPort(1);
+  }
+  vtkAlgorithmOutput* GetCellsPort()
+  {
+    return this->GetOutputPort(2);
+  }
+  vtkAlgorithmOutput* GetSitesPort()
+  {
+    return this->GetOutputPort(3);
+  }
+  ///@}
+
+  ///@{
+  /**
+   * How far from the surface a point of port 1 may be, as a fraction of the diagonal of the
+   * surface's bounding box. A point farther away is an error that names it. Default 0.01; must not
+   * be negative.
+   */
+  vtkSetMacro(ProjectionTolerance, double);
+  vtkGetMacro(ProjectionTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Largest relative error of the graph that is built when the input has none, in [1e-6, 0.5].
+   * Default 0.01. Another value is an error of the update even when the graph on the input is used.
+   */
+  virtual void SetAccuracy(double accuracy);
+  double GetAccuracy() const;
+  ///@}
+
+  ///@{
+  /**
+   * Whether a graph on the input that promises less than an Accuracy that was set is used without a
+   * warning. Default off.
+   */
+  virtual void SetAcceptCoarserGraph(bool accept);
+  bool GetAcceptCoarserGraph() const;
+  vtkBooleanMacro(AcceptCoarserGraph, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Most bytes that building a graph, or preparing to link points that are not vertices, may take.
+   * Default 0, which stands for 70 % of the memory that is free at that time.
+   */
+  virtual void SetMemoryLimit(vtkTypeUInt64 limit);
+  vtkTypeUInt64 GetMemoryLimit() const;
+  ///@}
+
+  /**
+   * Whether the last update used the graph on the input.
+   */
+  bool GetUsedInputGraph() const;
+
+  ///@{
+  /**
+   * The graph of the last update, zero when there is none: its accuracy (0 for a
+   * SaddleVertexGraph), number of directed edges, bytes including what searches and links need.
+   * They stay what they were when the arrays of the graph are changed later.
+   */
+  double GetGraphAccuracy() const;
+  vtkIdType GetNumberOfGraphEdges() const;
+  vtkTypeUInt64 GetMemorySize() const;
+  ///@}
+
+  /**
+   * Whether that graph keeps to its accuracy.
+   */
+  bool GetGraphIsGuaranteed() const;
+
+  /**
+   * Time stamp of the last time that this filter built a graph.
+   */
+  vtkMTimeType GetGraphBuildTime() const;
+
+protected:
+  vtkGeodesicVoronoi();
+  ~vtkGeodesicVoronoi() override;
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
+  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  vtkGeodesicVoronoi(const vtkGeodesicVoronoi&) = delete;
+  void operator=(const vtkGeodesicVoronoi&) = delete;
+
+  vtkDGGSourceSet GetSiteSet(vtkInformationVector** inputVector) const;
+  dgg::Status Compute(vtkDGGVoronoiResult& result);
+  void FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyData* surface,
+    vtkInformationVector* outputVector) const;
+  void SetName(std::string& name, const char* value);
+
+  std::vector<vtkIdType> SiteIds;
+  bool Centroidal;
+  int NumberOfIterations;
+  double Tolerance;
+  double UnreachedValue;
+  std::string DistanceArrayName;
+  std::string SourceArrayName;
+  double ProjectionTolerance;
+  std::unique_ptr<vtkDGGGraphUser> GraphUser;
+  std::unique_ptr<vtkDGGSourceCollector> Collector;
+};
+
+#endif
