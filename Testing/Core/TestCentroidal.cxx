@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Sites that move to the middle of their cells: where the middle is known, and on any surface.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+#include "SearchChecks.h"
+
+#include "dggCentroidal.h"
+#include "dggSurfacePath.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::CentroidalOptions;
+using dgg::SurfacePoint;
+using Sites = std::vector<SurfacePoint>;
+
+std::vector<double> Move(
+  const SearchCase& c, Sites& sites, const CentroidalOptions& options, double accuracy)
+{
+  const dgg::GraphBuilder builder(c.GetMesh());
+  std::vector<double> energies;
+  const dgg::Status status =
+    dgg::MoveToCenters(c.GetSearch(), c.GetMesh(), builder, accuracy, options, sites, energies);
+  EXPECT_TRUE(status.IsOk()) << c.GetName() << ": " << status.GetMessage();
+  return energies;
+}
+
+void ExpectDecrease(const std::vector<double>& energies, const std::string& what)
+{
+  EXPECT_FALSE(energies.empty()) << what;
+  for (std::size_t i = 1; i < energies.size(); ++i)
+  {
+    EXPECT_LT(energies[i], energies[i - 1]) << what;
+  }
+}
+}
+
+TEST(Centroidal, ASingleSiteGoesToTheCentroid)
+{
+  // Of the vertices, each with its area.
+  for (double jitter : { 0.0, 0.25 })
+  {
+    const TestMesh points = Plane(14, 10, jitter, 3);
+    const SearchCase c("plane", points, 0.01);
+    std::array<double, 3> centroid{};
+    double total = 0.0;
+    for (Id f = 0; f < points.GetNumberOfFaces(); ++f)
+    {
+      const double area = FaceArea(points, f);
+      total += area;
+      for (int k = 0; k < 9; ++k)
+      {
+        centroid[k % 3] += area / 3.0 * points.Point(points.Triangles[3 * f + k / 3])[k % 3];
+      }
+    }
+    Sites starts = RandomSurfacePoints(c.GetMesh(), 6, 11);
+    starts.push_back(SurfacePoint::AtVertex(40));
+    starts.push_back(SurfacePoint::AtVertex(0));
+    for (const SurfacePoint& start : starts)
+    {
+      CentroidalOptions options;
+      options.NumberOfIterations = 1;
+      Sites sites{ start };
+      const std::vector<double> energies = Move(c, sites, options, 0.01);
+      ASSERT_EQ(energies.size(), 2u);
+      ExpectDecrease(energies, "plane");
+      const auto p = dgg::PositionOf(c.GetMesh(), sites[0], points.Points.data());
+      const double size = points.Point(points.GetNumberOfVertices() - 1)[0];
+      EXPECT_NEAR(p[0], centroid[0] / total, 0.005 * size);
+      EXPECT_NEAR(p[1], centroid[1] / total, 0.005 * size);
+    }
+  }
+}
+
+TEST(Centroidal, EnergyIsThatOfTheDistances)
+{
+  const TestMesh points = Plane(8, 8, 0.2, 3);
+  const SearchCase c("plane", points, 0.01);
+  CentroidalOptions options;
+  options.NumberOfIterations = 0;
+  Sites sites{ SurfacePoint::AtVertex(10), SurfacePoint::AtVertex(60) };
+  const std::vector<double> energies = Move(c, sites, options, 0.01);
+  double expected = 0.0;
+  for (Id f = 0; f < points.GetNumberOfFaces(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id v = points.Triangles[3 * f + k];
+      const double d = std::min(EuclideanDistance(points, v, 10), EuclideanDistance(points, v, 60));
+      expected += FaceArea(points, f) / 3.0 * d * d;
+    }
+  }
+  ASSERT_EQ(energies.size(), 1u);
+  EXPECT_NEAR(energies[0], expected, 0.002 * expected);
+  EXPECT_EQ(sites[0].Vertex, 10);
+  EXPECT_EQ(sites[1].Vertex, 60);
+}
+
+TEST(Centroidal, EnergyDecreasesOnAnySurface)
+{
+  std::vector<NamedMesh> meshes = SoundMeshes();
+  const std::size_t numberOfSound = meshes.size();
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    meshes.push_back(named);
+  }
+  std::size_t moved = 0;
+  for (std::size_t m = 0; m < meshes.size(); ++m)
+  {
+    const SearchCase c(meshes[m].Name, meshes[m].Mesh, 0.05);
+    Sites sites = RandomSurfacePoints(c.GetMesh(), 4, 3);
+    for (const Id v : SomeVertices(c.GetMesh(), 4, 5))
+    {
+      sites.push_back(SurfacePoint::AtVertex(v));
+    }
+    CentroidalOptions options;
+    options.NumberOfIterations = 5;
+    const std::vector<double> energies = Move(c, sites, options, 0.05);
+    ExpectDecrease(energies, meshes[m].Name);
+    moved += m < numberOfSound && energies.back() < 0.97 * energies.front() ? 1 : 0;
+    for (const SurfacePoint& site : sites)
+    {
+      EXPECT_TRUE(site.Check(c.GetMesh()).IsOk()) << meshes[m].Name;
+    }
+  }
+  EXPECT_GE(moved, numberOfSound - 3);
+}
+
+TEST(Centroidal, StopsAtTheTolerance)
+{
+  const SearchCase c("plane", Plane(10, 10, 0.2, 3), 0.02);
+  CentroidalOptions options;
+  options.NumberOfIterations = 50;
+  options.Tolerance = 1e6;
+  Sites sites{ SurfacePoint::AtVertex(0) };
+  EXPECT_EQ(Move(c, sites, options, 0.02).size(), 1u);
+  EXPECT_EQ(sites[0].Vertex, 0);
+  options.Tolerance = 0.05;
+  const std::size_t some = Move(c, sites, options, 0.02).size();
+  EXPECT_GT(some, 1u);
+  EXPECT_LT(some, 20u);
+}
+
+TEST(Centroidal, DuplicatesPart)
+{
+  // Only the first of them has a cell, and moves on; then the other one has one as well.
+  const SearchCase c("sphere", Icosphere(2), 0.05);
+  Sites sites{ SurfacePoint::AtVertex(3), SurfacePoint::AtVertex(3), SurfacePoint::AtVertex(90) };
+  const std::vector<double> energies = Move(c, sites, CentroidalOptions(), 0.05);
+  ExpectDecrease(energies, "sphere");
+  EXPECT_LT(energies.back(), 0.8 * energies.front());
+}
+
+TEST(Centroidal, BadInputAndAbort)
+{
+  const SearchCase c("plane", Plane(10, 10), 0.02);
+  const dgg::GraphBuilder builder(c.GetMesh());
+  std::vector<double> energies;
+  CentroidalOptions options;
+  Sites none;
+  EXPECT_FALSE(
+    dgg::MoveToCenters(c.GetSearch(), c.GetMesh(), builder, 0.02, options, none, energies).IsOk());
+  Sites sites{ SurfacePoint::AtVertex(5), SurfacePoint::AtVertex(100000) };
+  EXPECT_FALSE(
+    dgg::MoveToCenters(c.GetSearch(), c.GetMesh(), builder, 0.02, options, sites, energies).IsOk());
+  sites.pop_back();
+  int calls = 0;
+  options.Progress = [&calls](double done) {
+    EXPECT_LE(done, 1.0);
+    return ++calls < 2;
+  };
+  EXPECT_TRUE(
+    dgg::MoveToCenters(c.GetSearch(), c.GetMesh(), builder, 0.02, options, sites, energies)
+      .IsAborted());
+  EXPECT_EQ(sites[0].Vertex, 5);
+  EXPECT_TRUE(energies.empty());
+  dgg::LinkedSites linked;
+  const auto inner = SurfacePoint::InFace(c.GetMesh(), 7, { { 0.2, 0.3, 0.5 } });
+  EXPECT_FALSE(dgg::LinkSites({ inner }, nullptr, 0.02, linked).IsOk());
+  EXPECT_TRUE(dgg::LinkSites({ SurfacePoint::AtVertex(3) }, nullptr, 0.02, linked).IsOk());
+}
+}

@@ -1,0 +1,536 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Voronoi diagrams as a filter gives them.
+#include "GraphTestTools.h"
+
+#include "vtkGeodesicSampler.h"
+#include "vtkGeodesicVoronoi.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPolygon.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <sstream>
+
+using namespace dggtest;
+
+namespace
+{
+std::vector<double> ToVector(vtkDataArray* array, int component = 0)
+{
+  std::vector<double> values;
+  EXPECT_NE(array, nullptr);
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetComponent(i, component));
+  }
+  return values;
+}
+
+std::vector<double> GetSiteOfPoints(vtkGeodesicVoronoi* filter)
+{
+  return ToVector(filter->GetOutput()->GetPointData()->GetArray("GeodesicSource"));
+}
+
+double AreaOf(vtkPolyData* surface, vtkIdType cell)
+{
+  vtkNew<vtkIdList> ids;
+  surface->GetCellPoints(cell, ids);
+  double normal[3];
+  return vtkPolygon::ComputeArea(
+    surface->GetPoints(), ids->GetNumberOfIds(), ids->GetPointer(0), normal);
+}
+
+double AreaOf(vtkPolyData* surface)
+{
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
+  {
+    sum += AreaOf(surface, i);
+  }
+  return sum;
+}
+
+/// Everything that it puts out, as text.
+std::string Describe(vtkGeodesicVoronoi* filter)
+{
+  std::ostringstream os;
+  os.precision(17);
+  for (int port = 0; port < 4; ++port)
+  {
+    vtkPolyData* output = filter->GetOutput(port);
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const double* p = output->GetPoint(i);
+      os << p[0] << " " << p[1] << " " << p[2] << "\n";
+    }
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+    {
+      output->GetCellPoints(i, ids);
+      for (const vtkIdType id : *ids)
+      {
+        os << id << " ";
+      }
+      os << "\n";
+    }
+    for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(output->GetPointData()),
+           static_cast<vtkDataSetAttributes*>(output->GetCellData()) })
+    {
+      for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+      {
+        os << data->GetArrayName(a);
+        for (const double value : ToVector(data->GetArray(a)))
+        {
+          os << " " << value;
+        }
+        os << "\n";
+      }
+    }
+  }
+  return os.str();
+}
+
+class GeodesicVoronoi : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Filter->SetInputData(this->Terrain);
+    this->Filter->SetAccuracy(0.05);
+    this->Filter->SetSiteIds({ 21, 130, 250, 377 });
+  }
+
+  vtkSmartPointer<vtkPolyData> Terrain = MakeTerrain(20);
+  vtkNew<vtkGeodesicVoronoi> Filter;
+};
+}
+
+TEST_F(GeodesicVoronoi, Defaults)
+{
+  vtkNew<vtkGeodesicVoronoi> filter;
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 2);
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 4);
+  EXPECT_FALSE(filter->GetCentroidal());
+  EXPECT_EQ(filter->GetNumberOfIterations(), 20);
+  EXPECT_EQ(filter->GetTolerance(), 1e-3);
+  EXPECT_EQ(filter->GetAccuracy(), 0.01);
+  EXPECT_STREQ(filter->GetDistanceArrayName(), "GeodesicDistance");
+  EXPECT_STREQ(filter->GetSourceArrayName(), "GeodesicSource");
+  EXPECT_EQ(filter->GetSiteId(0), -1);
+  filter->AddSiteId(7);
+  EXPECT_EQ(filter->GetNumberOfSiteIds(), 1);
+  EXPECT_EQ(filter->GetSiteId(0), 7);
+}
+
+TEST_F(GeodesicVoronoi, LabelsAreThoseOfTheNearestSites)
+{
+  ExpectSuccess(this->Filter);
+  std::vector<std::vector<double>> exact;
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    exact.push_back(GetExactDistances(this->Terrain, { this->Filter->GetSiteId(i) }));
+  }
+  const std::vector<double> sites = GetSiteOfPoints(this->Filter);
+  const std::vector<double> distances =
+    ToVector(this->Filter->GetOutput()->GetPointData()->GetArray("GeodesicDistance"));
+  ASSERT_EQ(sites.size(), 400u);
+  std::set<double> used;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    double nearest = exact[0][i];
+    for (const auto& field : exact)
+    {
+      nearest = std::min(nearest, field[i]);
+    }
+    EXPECT_NEAR(distances[i], nearest, 0.05 * nearest * (1.0 + 1e-6));
+    EXPECT_LE(exact[static_cast<std::size_t>(sites[i])][i], 1.1 * nearest);
+    used.insert(sites[i]);
+  }
+  EXPECT_EQ(used.size(), 4u);
+}
+
+TEST_F(GeodesicVoronoi, CellsCoverTheSurface)
+{
+  ExpectSuccess(this->Filter);
+  vtkPolyData* cells = this->Filter->GetCells();
+  const double area = AreaOf(this->Terrain);
+  EXPECT_NEAR(AreaOf(cells), area, 1e-9 * area);
+  const std::vector<double> sites = ToVector(cells->GetCellData()->GetArray("SiteId"));
+  const std::vector<double> areas = ToVector(cells->GetCellData()->GetArray("CellArea"));
+  const std::vector<double> faces = ToVector(cells->GetCellData()->GetArray("FaceId"));
+  std::map<double, double> sums;
+  std::map<double, double> told;
+  std::map<vtkIdType, double> ofFace;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    sums[sites[i]] += AreaOf(cells, i);
+    ofFace[static_cast<vtkIdType>(faces[i])] += AreaOf(cells, i);
+    told[sites[i]] = areas[i];
+  }
+  ASSERT_EQ(sums.size(), 4u);
+  for (const auto& sum : sums)
+  {
+    EXPECT_NEAR(told[sum.first], sum.second, 1e-9 * area);
+    const auto site = static_cast<vtkIdType>(sum.first);
+    EXPECT_EQ(this->Filter->GetSites()->GetPointData()->GetArray("CellArea")->GetComponent(site, 0),
+      told[sum.first]);
+  }
+  for (vtkIdType f = 0; f < this->Terrain->GetNumberOfCells(); ++f)
+  {
+    const double expected = AreaOf(this->Terrain, f);
+    EXPECT_NEAR(ofFace[f], expected, 1e-9 * expected);
+  }
+}
+
+TEST_F(GeodesicVoronoi, BoundariesSeparateCells)
+{
+  // On a plane: straight lines half-way.
+  this->Filter->SetInputData(MakeGrid(12, 10));
+  this->Filter->SetAccuracy(0.01);
+  this->Filter->RemoveAllSites();
+  const Points places = { { { 2.3, 2.1, 0.0 } }, { { 9.6, 3.3, 0.0 } }, { { 5.2, 8.4, 0.0 } } };
+  this->Filter->SetSiteData(MakeSourcePoints(places));
+  ExpectSuccess(this->Filter);
+  vtkPolyData* lines = this->Filter->GetBoundaries();
+  ASSERT_EQ(lines->GetNumberOfCells(), 3);
+  EXPECT_EQ(lines->GetNumberOfLines(), 3);
+  vtkDataArray* sites = lines->GetCellData()->GetArray("SiteId");
+  ASSERT_EQ(sites->GetNumberOfComponents(), 2);
+  vtkDataArray* distances = lines->GetPointData()->GetArray("GeodesicDistance");
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    lines->GetCellPoints(i, ids);
+    EXPECT_GE(ids->GetNumberOfIds(), 5);
+    for (const vtkIdType id : *ids)
+    {
+      double p[3];
+      lines->GetPoint(id, p);
+      for (int c = 0; c < 2; ++c)
+      {
+        const auto& site = places[static_cast<std::size_t>(sites->GetComponent(i, c))];
+        const double distance = std::hypot(p[0] - site[0], p[1] - site[1]);
+        EXPECT_NEAR(distances->GetComponent(id, 0), distance, 0.005 * distance);
+      }
+    }
+  }
+}
+
+TEST_F(GeodesicVoronoi, IdsComeBeforePoints)
+{
+  const auto sheet = MakeGrid(8, 6);
+  this->Filter->SetInputData(sheet);
+  this->Filter->SetSiteIds({ 10, 40 });
+  this->Filter->SetSiteData(MakeSourcePoints({ { { 6.3, 5.2, 0.01 } } }));
+  ExpectSuccess(this->Filter);
+  vtkPolyData* sites = this->Filter->GetSites();
+  ASSERT_EQ(sites->GetNumberOfPoints(), 3);
+  EXPECT_EQ(sites->GetNumberOfVerts(), 3);
+  EXPECT_EQ(ToVector(sites->GetPointData()->GetArray("vtkOriginalPointIds")),
+    (std::vector<double>{ 10, 40, -1 }));
+  EXPECT_EQ(ToVector(sites->GetPointData()->GetArray("SiteId")), (std::vector<double>{ 0, 1, 2 }));
+  EXPECT_NEAR(sites->GetPoint(2)[0], 6.3, 1e-9);
+  EXPECT_NEAR(sites->GetPoint(2)[2], 0.0, 1e-9);
+  EXPECT_EQ(GetSiteOfPoints(this->Filter)[10], 0.0);
+  EXPECT_EQ(GetSiteOfPoints(this->Filter)[40], 1.0);
+  EXPECT_EQ(GetSiteOfPoints(this->Filter)[62], 2.0);
+}
+
+TEST_F(GeodesicVoronoi, DataIsPassed)
+{
+  vtkNew<vtkDoubleArray> mine;
+  mine->SetName("mine");
+  mine->SetNumberOfTuples(400);
+  mine->FillValue(3.0);
+  this->Terrain->GetPointData()->AddArray(mine);
+  vtkNew<vtkDoubleArray> old;
+  old->SetName("GeodesicDistance");
+  old->SetNumberOfTuples(400);
+  this->Terrain->GetPointData()->AddArray(old);
+  this->Filter->SetSourceArrayName("label");
+  ExpectSuccess(this->Filter);
+  vtkPolyData* output = this->Filter->GetOutput();
+  EXPECT_EQ(output->GetPoints(), this->Terrain->GetPoints());
+  EXPECT_EQ(output->GetPolys(), this->Terrain->GetPolys());
+  EXPECT_EQ(output->GetPointData()->GetArray("mine"), mine.Get());
+  EXPECT_NE(output->GetPointData()->GetArray("GeodesicDistance"), old.Get());
+  EXPECT_NE(output->GetPointData()->GetArray("label"), nullptr);
+  EXPECT_EQ(this->Terrain->GetPointData()->GetArray("label"), nullptr);
+  EXPECT_EQ(output->GetFieldData()->GetArray("Energy"), nullptr);
+}
+
+TEST_F(GeodesicVoronoi, QuadsAndReorientedFaces)
+{
+  for (const GridCells kind : { GridCells::Quads, GridCells::Strips })
+  {
+    this->Filter->SetInputData(MakeGrid(8, 6, kind));
+    this->Filter->SetSiteIds({ 10, 40 });
+    ExpectSuccess(this->Filter);
+    EXPECT_NEAR(AreaOf(this->Filter->GetCells()), 48.0, 1e-9);
+  }
+  // Polygons keep the orientation of the input where it changes from face to face.
+  const auto mixed =
+    MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } } },
+      { { 0, 1, 2 }, { 0, 3, 2 } });
+  this->Filter->SetInputData(mixed);
+  this->Filter->SetSiteIds({ 1, 3, 0 });
+  ExpectSuccess(this->Filter);
+  vtkPolyData* cells = this->Filter->GetCells();
+  const std::vector<double> faces = ToVector(cells->GetCellData()->GetArray("FaceId"));
+  vtkNew<vtkIdList> ids;
+  ASSERT_GE(cells->GetNumberOfCells(), 4);
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    cells->GetCellPoints(i, ids);
+    double normal[3];
+    vtkPolygon::ComputeNormal(
+      cells->GetPoints(), ids->GetNumberOfIds(), ids->GetPointer(0), normal);
+    EXPECT_NEAR(normal[2], faces[i] == 0.0 ? 1.0 : -1.0, 1e-6);
+  }
+}
+
+TEST_F(GeodesicVoronoi, MergedPoints)
+{
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(MakeGrid(3, 3));
+  const auto other = MakeGrid(3, 3);
+  for (vtkIdType i = 0; i < other->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    other->GetPoint(i, p);
+    other->GetPoints()->SetPoint(i, p[0] + 3.0, p[1], p[2]);
+  }
+  both->AddInputData(other);
+  both->Update();
+  this->Filter->SetInputData(both->GetOutput());
+  this->Filter->SetSiteIds({ 0, 3 });
+  this->Filter->MergeCoincidentPointsOn();
+  ExpectSuccess(this->Filter);
+  const std::vector<double> sites = GetSiteOfPoints(this->Filter);
+  for (vtkIdType i = 0; i < 32; ++i)
+  {
+    const double x = both->GetOutput()->GetPoint(i)[0];
+    if (x != 1.5)
+    {
+      EXPECT_EQ(sites[i], x < 1.5 ? 0.0 : 1.0) << i;
+    }
+  }
+  EXPECT_NEAR(AreaOf(this->Filter->GetCells()), 18.0, 1e-9);
+}
+
+TEST_F(GeodesicVoronoi, UnreachedPoints)
+{
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(MakeGrid(3, 3));
+  const auto other = MakeGrid(2, 2);
+  for (vtkIdType i = 0; i < other->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    other->GetPoint(i, p);
+    other->GetPoints()->SetPoint(i, p[0] + 10.0, p[1], p[2]);
+  }
+  both->AddInputData(other);
+  both->Update();
+  this->Filter->SetInputData(both->GetOutput());
+  this->Filter->SetSiteIds({ 0, 15 });
+  this->Filter->SetUnreachedValue(-7.0);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetSiteOfPoints(this->Filter)[20], -1.0);
+  EXPECT_EQ(
+    this->Filter->GetOutput()->GetPointData()->GetArray("GeodesicDistance")->GetComponent(20, 0),
+    -7.0);
+  vtkPolyData* cells = this->Filter->GetCells();
+  const std::vector<double> sites = ToVector(cells->GetCellData()->GetArray("SiteId"));
+  EXPECT_EQ(std::count(sites.begin(), sites.end(), -1.0), 8);
+  const auto areas = ToVector(cells->GetCellData()->GetArray("CellArea"));
+  EXPECT_NEAR(areas[std::find(sites.begin(), sites.end(), -1.0) - sites.begin()], 4.0, 1e-9);
+}
+
+TEST_F(GeodesicVoronoi, Centroidal)
+{
+  this->Filter->SetSiteIds({ 0, 1, 2, 20, 21 });
+  this->Filter->CentroidalOn();
+  this->Filter->SetNumberOfIterations(15);
+  ExpectSuccess(this->Filter);
+  vtkDataArray* energies = this->Filter->GetOutput()->GetFieldData()->GetArray("Energy");
+  ASSERT_NE(energies, nullptr);
+  const std::vector<double> values = ToVector(energies);
+  ASSERT_GT(values.size(), 5u);
+  EXPECT_LE(values.size(), 16u);
+  for (std::size_t i = 1; i < values.size(); ++i)
+  {
+    EXPECT_LT(values[i], values[i - 1]);
+  }
+  EXPECT_LT(values.back(), 0.2 * values.front());
+  // All sites in a corner have become cells of similar size.
+  const std::vector<double> areas =
+    ToVector(this->Filter->GetSites()->GetPointData()->GetArray("CellArea"));
+  const double mean = AreaOf(this->Terrain) / 5.0;
+  for (const double area : areas)
+  {
+    EXPECT_NEAR(area, mean, 0.5 * mean);
+  }
+  EXPECT_EQ(this->Terrain->GetFieldData()->GetArray("Energy"), nullptr);
+  // No iteration: the sites stay.
+  this->Filter->SetNumberOfIterations(0);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(ToVector(this->Filter->GetOutput()->GetFieldData()->GetArray("Energy")).size(), 1u);
+  EXPECT_EQ(ToVector(this->Filter->GetSites()->GetPointData()->GetArray("vtkOriginalPointIds")),
+    (std::vector<double>{ 0, 1, 2, 20, 21 }));
+}
+
+TEST_F(GeodesicVoronoi, SitesOfASampler)
+{
+  vtkNew<vtkGeodesicSampler> sampler;
+  sampler->SetInputData(this->Terrain);
+  sampler->SetAccuracy(0.05);
+  sampler->SetNumberOfSamples(30);
+  sampler->InFacesOn();
+  this->Filter->RemoveAllSites();
+  this->Filter->SetSiteConnection(sampler->GetOutputPort());
+  ExpectSuccess(this->Filter);
+  vtkPolyData* sites = this->Filter->GetSites();
+  ASSERT_EQ(sites->GetNumberOfPoints(), 30);
+  for (vtkIdType i = 0; i < 30; ++i)
+  {
+    double p[3];
+    double q[3];
+    sites->GetPoint(i, p);
+    sampler->GetOutput()->GetPoint(i, q);
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_NEAR(p[k], q[k], 1e-9);
+    }
+  }
+  // Each has a cell.
+  for (const double area : ToVector(sites->GetPointData()->GetArray("CellArea")))
+  {
+    EXPECT_GT(area, 0.0);
+  }
+}
+
+TEST_F(GeodesicVoronoi, GraphOnTheInput)
+{
+  ExpectSuccess(this->Filter);
+  EXPECT_FALSE(this->Filter->GetUsedInputGraph());
+  const std::string expected = Describe(this->Filter);
+  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
+  this->Filter->SetInputData(MakeSurfaceWithGraph(this->Terrain));
+  ExpectSuccess(this->Filter);
+  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
+  EXPECT_EQ(Describe(this->Filter), expected);
+}
+
+TEST_F(GeodesicVoronoi, Threads)
+{
+  this->Filter->SetSiteData(MakeSourcePoints({ { { 0.3, 0.31, 0.0 } }, { { 0.8, 0.3, 0.0 } } }));
+  this->Filter->SetProjectionTolerance(1.0);
+  this->Filter->CentroidalOn();
+  this->Filter->SetNumberOfIterations(2);
+  ExpectSuccess(this->Filter);
+  const std::string expected = Describe(this->Filter);
+  ForEachThreading([&](const std::string& what) {
+    vtkNew<vtkGeodesicVoronoi> filter;
+    filter->SetInputData(this->Terrain);
+    filter->SetAccuracy(0.05);
+    filter->SetSiteIds({ 21, 130, 250, 377 });
+    filter->SetSiteData(MakeSourcePoints({ { { 0.3, 0.31, 0.0 } }, { { 0.8, 0.3, 0.0 } } }));
+    filter->SetProjectionTolerance(1.0);
+    filter->CentroidalOn();
+    filter->SetNumberOfIterations(2);
+    ExpectSuccess(filter);
+    EXPECT_EQ(Describe(filter), expected) << what;
+  });
+}
+
+TEST_F(GeodesicVoronoi, BadInput)
+{
+  this->Filter->RemoveAllSites();
+  ExpectError(this->Filter, { "no site", "AddSiteId()" });
+  this->Filter->SetSiteIds({ 3, 400 });
+  ExpectError(this->Filter, { "site id 400", "399" });
+  this->Filter->SetSiteIds({ 3 });
+  this->Filter->SetSiteData(MakeSourcePoints({ { { 0.5, 0.5, 9.0 } } }));
+  ExpectError(this->Filter, { "site point 0", "ProjectionTolerance" });
+  this->Filter->SetSiteData(nullptr);
+  this->Filter->SetTolerance(-1.0);
+  ExpectError(this->Filter, { "Tolerance" });
+  this->Filter->SetTolerance(0.001);
+  this->Filter->SetNumberOfIterations(-1);
+  ExpectError(this->Filter, { "NumberOfIterations" });
+  this->Filter->SetNumberOfIterations(3);
+  this->Filter->SetDistanceArrayName("");
+  ExpectError(this->Filter, { "DistanceArrayName" });
+  this->Filter->SetDistanceArrayName("GeodesicSource");
+  ExpectError(this->Filter, { "SourceArrayName", "another name" });
+  this->Filter->SetDistanceArrayName("GeodesicDistance");
+  this->Filter->SetAccuracy(0.0);
+  ExpectError(this->Filter, { "0" });
+  this->Filter->SetAccuracy(0.05);
+  this->Filter->SetInputData(nullptr);
+  ExpectError(this->Filter, { "no input" });
+  this->Filter->SetInputData(this->Terrain);
+  ExpectSuccess(this->Filter);
+}
+
+TEST_F(GeodesicVoronoi, EmptyInput)
+{
+  vtkNew<vtkPolyData> empty;
+  this->Filter->SetInputData(empty);
+  ExpectWarning(this->Filter, { "empty" });
+  EXPECT_EQ(this->Filter->GetCells()->GetNumberOfCells(), 0);
+  EXPECT_NE(this->Filter->GetOutput()->GetPointData()->GetArray("GeodesicSource"), nullptr);
+  EXPECT_NE(this->Filter->GetBoundaries()->GetCellData()->GetArray("SiteId"), nullptr);
+  EXPECT_NE(this->Filter->GetCells()->GetCellData()->GetArray("SiteId"), nullptr);
+}
+
+TEST_F(GeodesicVoronoi, ProgressAndAbort)
+{
+  this->Terrain = MakeTerrain(60);
+  this->Filter->SetInputData(this->Terrain);
+  this->Filter->CentroidalOn();
+  ProgressWatch watch(this->Filter);
+  ExpectSuccess(this->Filter);
+  watch.ExpectGrowth();
+  const std::string expected = Describe(this->Filter);
+  for (const double stop : { 0.05, 0.97 })
+  {
+    watch.StopAt = stop;
+    this->Filter->Modified();
+    ExpectSuccess(this->Filter); // not an error
+    ExpectEmptyOutput(this->Filter);
+    watch.StopAt = 2.0;
+    ExpectSuccess(this->Filter);
+    EXPECT_EQ(Describe(this->Filter), expected);
+  }
+}
+
+TEST_F(GeodesicVoronoi, PrintsItself)
+{
+  ExpectSuccess(this->Filter);
+  std::ostringstream os;
+  this->Filter->Print(os);
+  for (const char* line : { "SiteIds: 21 130 250 377\n", "Centroidal: Off\n",
+         "NumberOfIterations: 20\n", "Tolerance: 0.001\n", "Accuracy: 0.05\n" })
+  {
+    EXPECT_NE(os.str().find(line), std::string::npos) << line;
+  }
+}
