@@ -69,6 +69,12 @@ set_tests_properties("Install.TerrainPath" PROPERTIES
   ENVIRONMENT "${dgg_rendering_environment}")
 dgg_add_consumer_test(GraphPipeline.WrongSource 1 "source id 642"
   "${consumer_dir}/GraphPipeline" "mesh.ply" 0 642 "wrong.png")
+dgg_add_consumer_test(VoronoiCells 0 "20 cells, areas from [0-9.]+.*iterations [0-9.]+"
+  "${consumer_dir}/VoronoiCells" "mesh.ply" 20 "cells.png")
+set_tests_properties("Install.VoronoiCells" PROPERTIES
+  ENVIRONMENT "${dgg_rendering_environment}")
+dgg_add_consumer_test(VoronoiCells.WrongNumber 1 "NumberOfSamples"
+  "${consumer_dir}/VoronoiCells" "mesh.ply" 0 "wrong.png")
 dgg_add_consumer_test(Pipeline.MissingFile 1 "missing.off"
   "${consumer_dir}/ExactDistancePipeline" missing.off 0 missing.png)
 dgg_add_consumer_test(Pipeline.WrongSource 1 "source|point"

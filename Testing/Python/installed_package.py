@@ -27,6 +27,8 @@ for name in (
     "vtkGeodesicAlgorithm",
     "vtkGeodesicDistanceAlgorithm",
     "vtkGeodesicDistanceMatrix",
+    "vtkGeodesicSampler",
+    "vtkGeodesicVoronoi",
 ):
     if not hasattr(vtkdgg, name):
         sys.exit(f"{name} is missing")

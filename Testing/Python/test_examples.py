@@ -394,6 +394,24 @@ class Terrain(unittest.TestCase):
         self.assertIn("Usage: terrain_path.py", result.stderr)
 
 
+class Voronoi(unittest.TestCase):
+    def test_cells(self):
+        picture = os.path.join(support.output_folder("pipeline"), "cells.png")
+        result = run("voronoi_cells.py", BUMPY, 30, picture)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stdout, r"\A30 cells, areas from \d")
+        before, after = re.search(r"energy (\S+), after \d+ iterations (\S+)", result.stdout).groups()
+        self.assertLess(float(after), float(before))
+        self.assertGreater(number_of_colours(picture), 500)
+
+    def test_mistakes(self):
+        for arguments in ((), ("missing.ply", 5, "x.png"), (BUMPY, 0, "x.png"), (BUMPY, "a", "b")):
+            with self.subTest(arguments=arguments):
+                result = run("voronoi_cells.py", *arguments)
+                self.assertEqual(result.returncode, 1)
+                self.assertNotIn("Traceback", result.stderr)
+
+
 class Readme(unittest.TestCase):
     """What the README shows is what is tested."""
 

@@ -1,0 +1,125 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Samples of a surface, moved to the middle of their Voronoi cells: a picture of the cells.
+
+Usage: voronoi_cells.py MESH NUMBER_OF_SITES PICTURE.png
+"""
+
+import sys
+
+import vtkdgg
+import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from mesh_file import MeshFileError, make_reader
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
+
+
+def main(mesh_path, number_of_sites, picture_path):
+    """Run the pipeline."""
+    reader = make_reader(mesh_path)
+
+    # The graph: built once, for both filters.
+    graph = vtkdgg.vtkDiscreteGeodesicGraph()
+    graph.SetInputConnection(reader.GetOutputPort())
+
+    # Points that are far from each other, ...
+    sampler = vtkdgg.vtkGeodesicSampler()
+    sampler.SetInputConnection(graph.GetOutputPort())
+    sampler.SetNumberOfSamples(number_of_sites)
+
+    # ... each moved to the middle of what is nearest to it.
+    voronoi = vtkdgg.vtkGeodesicVoronoi()
+    voronoi.SetInputConnection(graph.GetOutputPort())
+    voronoi.SetSiteConnection(sampler.GetOutputPort())
+    voronoi.CentroidalOn()
+    vtkdgg.check(voronoi)
+
+    render(voronoi, picture_path)
+    sites = voronoi.GetSites()
+    energy = voronoi.GetOutput().GetFieldData().GetArray("Energy")
+    last = energy.GetNumberOfTuples() - 1
+    low, high = sites.GetPointData().GetArray("CellArea").GetRange()
+    print(f"{sites.GetNumberOfPoints()} cells, areas from {low:g} to {high:g}")
+    print(f"energy {energy.GetValue(0):g}, after {last} iterations {energy.GetValue(last):g}")
+
+
+def make_colours(number):
+    """Neighbouring numbers get hues that are far apart."""
+    colours = vtkLookupTable()
+    colours.SetNumberOfTableValues(number)
+    colours.SetTableRange(0, number - 1)
+    rainbow = vtkLookupTable()
+    rainbow.SetHueRange(0.0, 1.0)
+    rainbow.SetSaturationRange(0.45, 0.45)
+    rainbow.SetTableRange(0.0, 1.0)
+    rainbow.Build()
+    for i in range(number):
+        rgb = [0.0, 0.0, 0.0]
+        rainbow.GetColor(0.618034 * i % 1.0, rgb)
+        colours.SetTableValue(i, [*rgb, 1.0])
+    return colours
+
+
+def make_actor(port):
+    """An actor of an output, and its mapper."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(port)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor, mapper
+
+
+def render(voronoi, picture_path):
+    """Render cells, borders and sites off-screen, and save the picture."""
+    cells, mapper = make_actor(voronoi.GetCellsPort())
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("SiteId")
+    mapper.SetLookupTable(make_colours(voronoi.GetSites().GetNumberOfPoints()))
+    mapper.UseLookupTableScalarRangeOn()
+    borders, mapper = make_actor(voronoi.GetBoundariesPort())
+    mapper.ScalarVisibilityOff()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    borders.GetProperty().SetColor(0.15, 0.15, 0.15)
+    borders.GetProperty().SetLineWidth(3)
+    borders.GetProperty().LightingOff()
+    sites, mapper = make_actor(voronoi.GetSitesPort())
+    mapper.ScalarVisibilityOff()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    sites.GetProperty().SetColor(0.1, 0.1, 0.1)
+    sites.GetProperty().SetPointSize(7)
+    sites.GetProperty().RenderPointsAsSpheresOn()
+    renderer = vtkRenderer()
+    renderer.SetBackground(1.0, 1.0, 1.0)
+    for actor in (cells, borders, sites):
+        renderer.AddActor(actor)
+    window = vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetMultiSamples(8)
+    window.SetSize(800, 800)
+    window.AddRenderer(renderer)
+    renderer.ResetCamera()
+    renderer.GetActiveCamera().Zoom(1.4)
+    window.Render()
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    writer = vtkPNGWriter()
+    writer.SetFileName(picture_path)
+    writer.SetInputConnection(grabber.GetOutputPort())
+    vtkdgg.check(writer)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    try:
+        main(sys.argv[1], int(sys.argv[2]), sys.argv[3])
+    except (MeshFileError, ValueError, vtkdgg.VTKError) as problem:
+        sys.exit(f"error: {problem}")
