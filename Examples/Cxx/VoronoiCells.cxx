@@ -61,13 +61,15 @@ void AddCells(vtkRenderer* renderer, vtkGeodesicVoronoi* voronoi)
   renderer->AddActor(actor);
 }
 
-/// Lines or points in one colour.
+/// Lines or points in one colour, drawn in front of the surface that they lie on.
 void AddDark(vtkRenderer* renderer, vtkAlgorithmOutput* output)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(output);
   mapper->ScalarVisibilityOff();
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -60.0);
+  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-60.0);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(0.1, 0.1, 0.1);

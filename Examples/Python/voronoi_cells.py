@@ -77,6 +77,13 @@ def make_actor(port):
     return actor, mapper
 
 
+def bring_forward(mapper):
+    """Draw lines and points that lie on a surface in front of it."""
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -60.0)
+    mapper.SetRelativeCoincidentTopologyPointOffsetParameter(-60.0)
+
+
 def render(voronoi, picture_path):
     """Render cells, borders and sites off-screen, and save the picture."""
     cells, mapper = make_actor(voronoi.GetCellsPort())
@@ -86,13 +93,13 @@ def render(voronoi, picture_path):
     mapper.UseLookupTableScalarRangeOn()
     borders, mapper = make_actor(voronoi.GetBoundariesPort())
     mapper.ScalarVisibilityOff()
-    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    bring_forward(mapper)
     borders.GetProperty().SetColor(0.15, 0.15, 0.15)
     borders.GetProperty().SetLineWidth(3)
     borders.GetProperty().LightingOff()
     sites, mapper = make_actor(voronoi.GetSitesPort())
     mapper.ScalarVisibilityOff()
-    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    bring_forward(mapper)
     sites.GetProperty().SetColor(0.1, 0.1, 0.1)
     sites.GetProperty().SetPointSize(7)
     sites.GetProperty().RenderPointsAsSpheresOn()

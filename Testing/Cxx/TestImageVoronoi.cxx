@@ -64,6 +64,7 @@ void AddBoundaries(vtkRenderer* renderer, vtkGeodesicVoronoi* filter)
   mapper->SetInputConnection(filter->GetBoundariesPort());
   mapper->ScalarVisibilityOff();
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -60.0);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(0.0, 0.0, 0.0);
