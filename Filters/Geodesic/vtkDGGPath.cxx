@@ -15,6 +15,7 @@
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <utility>
@@ -31,6 +32,22 @@ vtkDGGSourceSet MakeSourceSet(
   vtkDGGSourceSet set{ ids, lines, 1, "path end", "call AddPair()", "" };
   set.PointIds = &pairs.Ends;
   return set;
+}
+
+/// Those of the vertices. A copy: observers of the progress may change the points.
+dgg::Status CopyPositions(
+  vtkPoints* points, const vtkDGGMeshAdapter& mesh, std::vector<double>& positions)
+{
+  const vtkIdType count = mesh.GetMesh().GetNumberOfVertices();
+  if (points->GetNumberOfPoints() != count)
+  {
+    return dgg::Status::Invalid(
+      "the points were changed during the update: do not change them in observers, and update "
+      "again");
+  }
+  const vtkDGGPointCoordinates coordinates(points);
+  positions.assign(coordinates.GetData(), coordinates.GetData() + 3 * count);
+  return dgg::Status::Success();
 }
 
 vtkDGGPathSearch::Pairs MakePairs(const std::vector<dgg::GeodesicSource>& ends)
@@ -183,6 +200,11 @@ dgg::Status vtkDGGPath::Execute(
     status = this->Collector->Collect(MakeSourceSet(ids, lines, linePairs),
       this->ProjectionTolerance, mesh, surface->GetPoints(), ends);
   }
+  std::vector<double> positions;
+  if (status.IsOk())
+  {
+    status = CopyPositions(surface->GetPoints(), mesh, positions);
+  }
   if (status.IsOk() && !this->Advance(0.0))
   {
     status = dgg::Status::Abort();
@@ -197,13 +219,12 @@ dgg::Status vtkDGGPath::Execute(
     return status;
   }
 
-  const vtkDGGPointCoordinates positions(surface->GetPoints());
   const vtkDGGPathSearch::Pairs pairs = MakePairs(ends);
   const vtkDGGPathSearch search(mesh, pairs);
   vtkDGGPathSearch::Paths paths;
   status = isExact
     ? search.RunExact(progress, paths)
-    : search.RunInGraph(this->GraphUser->GetProvider(), positions.GetData(), options, paths);
+    : search.RunInGraph(this->GraphUser->GetProvider(), positions.data(), options, paths);
   if (!status.IsOk())
   {
     return status;
@@ -215,7 +236,7 @@ dgg::Status vtkDGGPath::Execute(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   vtkDGGGraphArrays::RemoveFrom(output->GetFieldData()); // it is not that of the polylines
   vtkDGGWritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells }, mesh,
-    positions.GetData(), output);
+    positions.data(), output);
   this->WarnAboutUnconnectedPairs(vtkDGGFindUnconnected(paths), paths.size());
   return status;
 }

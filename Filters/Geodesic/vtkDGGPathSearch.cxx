@@ -21,8 +21,8 @@
 namespace
 {
 /// Paths between two looks at the progress.
-constexpr std::size_t PathBlock = 32;
-/// Propagations between two looks at the progress from outside of them.
+constexpr std::size_t PathBlock = 16;
+/// Propagations between two looks at the progress outside of their threads.
 constexpr std::size_t PropagationBlock = 16;
 
 bool IsVertex(const dgg::SurfacePoint& point)
@@ -74,30 +74,24 @@ public:
   {
   }
 
-  /// That of one step. Steps run in any order, so that it counts as if there were no other.
-  dgg::ProgressCallback OfStep()
+  /// How far a step is, in [0, 1]. Returns whether to go on.
+  bool Tell(double fraction)
   {
-    return [this](double fraction) {
-      if (std::this_thread::get_id() == this->Teller && !this->IsStopped)
-      {
-        this->IsStopped = !this->Progress(this->Done + (1.0 - this->Done) * fraction / this->Count);
-      }
-      return !this->IsStopped;
-    };
+    if (std::this_thread::get_id() == this->Teller && !this->IsStopped)
+    {
+      const double done = (static_cast<double>(this->NumberOfDone) + fraction) / this->Count;
+      this->IsStopped = !this->Progress(std::min(1.0, done));
+    }
+    return !this->IsStopped;
   }
-
-  /// That of the steps done, between them.
-  bool Tell(double done)
-  {
-    this->Done = done;
-    return !this->IsStopped && this->Progress(done);
-  }
+  /// A step is done.
+  void Finish() { ++this->NumberOfDone; }
 
 private:
   const dgg::ProgressCallback& Progress;
   double Count;
   std::thread::id Teller;
-  double Done = 0.0; // changes only while no step runs
+  std::atomic<std::size_t> NumberOfDone{ 0 };
   std::atomic<bool> IsStopped{ false };
 };
 
@@ -131,6 +125,7 @@ dgg::Status vtkDGGPathSearch::RunInGraph(
   const dgg::PathFinder finder(
     this->Mesh.GetMesh(), graph.GetSearch(), withLinks ? &graph.GetBuilder() : nullptr, positions);
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
+  // No look at the progress while threads search: an observer may empty the arrays of the graph.
   const dgg::Status status =
     vtkDGGForBlocks(paths.size(), PathBlock, graph.GetRemainingProgress(), [&](std::size_t i) {
       return Explain(
@@ -157,8 +152,10 @@ dgg::Status vtkDGGPathSearch::RunExact(const dgg::ProgressCallback& progress, Pa
       targets.push_back(this->PointPairs[i].To);
     }
     std::vector<dgg::SurfacePath> found;
-    const dgg::Status status =
-      finders.Borrow(mesh)->Find(this->PointPairs[group[0]].From, targets, shared.OfStep(), found);
+    const dgg::Status status = finders.Borrow(mesh)->Find(
+      this->PointPairs[group[0]].From, targets,
+      [&](double fraction) { return shared.Tell(fraction); }, found);
+    shared.Finish();
     for (std::size_t k = 0; k < group.size() && status.IsOk(); ++k)
     {
       dgg::FoundPath& path = paths[group[k]];
@@ -171,5 +168,5 @@ dgg::Status vtkDGGPathSearch::RunExact(const dgg::ProgressCallback& progress, Pa
       ". Use Method Graph");
   };
   return vtkDGGForBlocks(
-    groups.size(), PropagationBlock, [&](double done) { return shared.Tell(done); }, step);
+    groups.size(), PropagationBlock, [&](double) { return shared.Tell(0.0); }, step);
 }

@@ -7,6 +7,7 @@
 
 #include "vtkGeodesicDistanceMatrix.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <sstream>
@@ -786,6 +788,51 @@ TEST_F(DGGPath, ProgressAndAbort)
     EXPECT_TRUE(GetPaths(this->Filter) == expected);
     this->Filter->RemoveAllObservers();
   }
+}
+
+TEST_F(DGGPath, ObserversMayChangeTheInput)
+{
+  for (int i = 0; i < 100; ++i)
+  {
+    this->Filter->AddPair(i, 399 - i);
+  }
+  auto surface = MakeSurfaceWithGraph(this->Terrain, 0.05);
+  this->Filter->SetInputData(surface);
+  ExpectSuccess(this->Filter);
+  const auto expected = GetPaths(this->Filter);
+  std::function<void()> change;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&change);
+  command->SetCallback([](vtkObject* caller, unsigned long, void* action, void*) {
+    if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() > 0.3)
+    {
+      (*static_cast<std::function<void()>*>(action))();
+    }
+  });
+  this->Filter->AddObserver(vtkCommand::ProgressEvent, command);
+  // Points: what was there at the start counts.
+  change = [&] { surface->GetPoints()->Initialize(); };
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetPaths(this->Filter), expected);
+  // The pairs as well.
+  surface = MakeSurfaceWithGraph(this->Terrain, 0.05);
+  this->Filter->SetInputData(surface);
+  change = [&] { this->Filter->RemoveAllPairs(); };
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetPaths(this->Filter), expected);
+  // A graph that is gone in the middle of a search is an error.
+  AddPairs(this->Filter, { { 0, 399 }, { 1, 398 } });
+  change = [&] { surface->GetFieldData()->GetArray("DGG.Targets")->Initialize(); };
+  for (int i = 2; i < 100; ++i)
+  {
+    this->Filter->AddPair(i, 399 - i);
+  }
+  ExpectError(this->Filter, { "the arrays of the graph on the input were changed" });
+  change = [] {};
+  this->Filter->SetInputData(this->Terrain);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetPaths(this->Filter), expected);
 }
 
 TEST_F(DGGPath, OneLongPropagationTellsItsProgress)
