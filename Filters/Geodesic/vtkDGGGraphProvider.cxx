@@ -20,6 +20,11 @@ constexpr double BuildShare = 0.9;
 /// Share of the rest that goes to links.
 constexpr double LinkShare = 0.5;
 
+/// Finding distances from landmarks takes about as long as this many pairs take longer without.
+constexpr std::size_t FewestPairsForLandmarks = 256;
+/// Share of the rest that goes to landmarks.
+constexpr double LandmarkShare = 0.3;
+
 /// Links between two looks at the progress.
 constexpr std::size_t LinkBlock = 64;
 
@@ -127,6 +132,7 @@ void vtkDGGGraphProvider::SearchIn(const dgg::GraphView& graph, const vtkDGGMesh
 {
   this->Search.reset();
   this->Search = std::make_unique<dgg::GraphSearch>(graph, &mesh.GetMesh());
+  this->NumberOfPairs = 0;
   this->Summary = vtkDGGGraphSummary(graph);
 }
 
@@ -207,6 +213,24 @@ dgg::ProgressCallback vtkDGGGraphProvider::GetRemainingProgress() const
   return [this, done = this->Done](double fraction) {
     return this->Progress(done + (1.0 - done) * fraction) && this->CheckArrays().IsOk();
   };
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphProvider::PrepareForPairs(std::size_t count)
+{
+  this->NumberOfPairs += count;
+  if (this->NumberOfPairs < FewestPairsForLandmarks || this->Search->HasLandmarks())
+  {
+    return dgg::Status::Success();
+  }
+  const double start = this->Done;
+  const double share = LandmarkShare * (1.0 - start);
+  const dgg::Status status =
+    this->Search->PrepareLandmarks(vtkDGGMakeParallelFor(), [&](double fraction) {
+      return this->Progress(start + share * fraction) && this->CheckArrays().IsOk();
+    });
+  this->Done = start + share;
+  return status;
 }
 
 //------------------------------------------------------------------------------

@@ -55,6 +55,10 @@ public:
   /// Only right after a successful Update().
   const dgg::GraphSearch& GetSearch() const { return *this->Search; }
 
+  /// Pairs of points are about to be searched for. When there are enough of them, counting earlier
+  /// ones, distances from landmarks are found first, which show all later searches the way.
+  dgg::Status PrepareForPairs(std::size_t count);
+
   /// What a search from the sources starts from: a seed for each that is a vertex, and one for each
   /// link of the others. Links are kept while mesh, accuracy and places are the same.
   dgg::Status MakeSeeds(const std::vector<dgg::GeodesicSource>& sources,
@@ -108,6 +112,7 @@ private:
   vtkTypeUInt64 MemoryLimit = 0;
   vtkDGGGraphSummary Summary;
   std::unique_ptr<dgg::GraphSearch> Search;
+  std::size_t NumberOfPairs = 0; // that it has been asked for
   std::unique_ptr<dgg::GraphBuilder> Builder;
   std::size_t BuilderSize = 0; // bytes, about
   LinkStore Store;

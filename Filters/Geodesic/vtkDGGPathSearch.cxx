@@ -122,6 +122,12 @@ dgg::Status vtkDGGPathSearch::RunInGraph(
   {
     graph.ReleaseBuilder();
   }
+  const dgg::Status guided = graph.PrepareForPairs(this->PointPairs.size());
+  if (!guided.IsOk())
+  {
+    const dgg::Status intact = graph.CheckArrays();
+    return intact.IsOk() ? guided : intact;
+  }
   const dgg::PathFinder finder(
     this->Mesh.GetMesh(), graph.GetSearch(), withLinks ? &graph.GetBuilder() : nullptr, positions);
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
