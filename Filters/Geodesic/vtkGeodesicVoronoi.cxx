@@ -33,6 +33,7 @@ vtkGeodesicVoronoi::vtkGeodesicVoronoi()
   : Centroidal(false)
   , NumberOfIterations(20)
   , Tolerance(1e-3)
+  , RefineBoundaries(true)
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , DistanceArrayName("GeodesicDistance")
   , SourceArrayName("GeodesicSource")
@@ -60,6 +61,7 @@ void vtkGeodesicVoronoi::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Centroidal: " << (this->Centroidal ? "On" : "Off") << "\n";
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "RefineBoundaries: " << (this->RefineBoundaries ? "On" : "Off") << "\n";
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
   os << indent << "SourceArrayName: " << this->SourceArrayName << "\n";
@@ -281,13 +283,25 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
       result.Sites[i].Point = places[i];
     }
   }
-  std::vector<dgg::GraphSeed> seeds;
-  const dgg::Status status = graph.MakeSeeds(result.Sites, mesh, seeds);
-  return status.IsOk()
-    ? dgg::ComputeVoronoi(
-        graph.GetSearch(), mesh.GetMesh(), seeds,
-        [&](double done) { return progress(start + (1.0 - start) * done); }, result.Diagram)
-    : status;
+  dgg::VoronoiInput input;
+  dgg::Status status = graph.MakeSeeds(result.Sites, mesh, input.Seeds);
+  if (status.IsOk() && this->RefineBoundaries)
+  {
+    status = graph.PrepareBuilder(mesh);
+    input.Builder = status.IsOk() ? &graph.GetBuilder() : nullptr;
+    input.Accuracy = graph.GetLinkAccuracy();
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  for (const dgg::GeodesicSource& site : result.Sites)
+  {
+    input.Places.push_back(site.Point);
+  }
+  return dgg::ComputeVoronoi(
+    graph.GetSearch(), mesh.GetMesh(), input,
+    [&](double done) { return progress(start + (1.0 - start) * done); }, result.Diagram);
 }
 
 //------------------------------------------------------------------------------

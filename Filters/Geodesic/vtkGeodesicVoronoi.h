@@ -24,7 +24,7 @@
  *    array `SiteId` (int, two components, the smaller number first) and the point array
  *    `GeodesicDistance`, from either site. A polyline goes on as long as the two cells do; where
  *    they meet all around, it is closed.
- *  - Port 2 (GetCells()): the surface cut into convex polygons along the borders. Their cell arrays
+ *  - Port 2 (GetCells()): the surface cut into polygons along the borders. Their cell arrays
  *    are `SiteId` (int; -1 where no site reaches), `CellArea` (double), the area of the whole cell
  *    that the polygon is a part of, and `FaceId`, the cell of the input. The first points are those
  *    of the input, in their order; the point array is `GeodesicDistance`.
@@ -36,12 +36,15 @@
  *
  * <b>What is promised.</b> Distances at points of the input are within the accuracy of the graph of
  * the exact ones, unless its rule has no guarantee. Inside a triangle, the square of the distance
- * from a site is that of a point in its plane, so borders are straight within triangles. This is
- * exact where the surface is flat. The distances of a border point from both sites then differ by a
- * small part of the accuracy on average; where cells are so small that sites see only a few
- * triangles of a curved surface, by a few percent at worst. Cells that are smaller than triangles
- * are found where triangles have corners in different cells. The result does not depend on the
- * number of threads.
+ * from a site is taken for that of a point in its plane, so borders are straight within triangles.
+ * This is exact where the surface is flat. With
+ * RefineBoundaries, border points where it is in doubt, in triangles that are large compared to
+ * cells and behind points where geodesics bend, are linked to the graph and moved. The distances of
+ * a border point from its sites then differ by a small part of the accuracy on average, and by less
+ * than twice the accuracy but for few points close to where three cells meet. Where triangles are
+ * about as large as cells, subdivide the surface first. Cells that are smaller than triangles are
+ * found where triangles have corners in different cells. The result does not depend on the number
+ * of threads.
  *
  * <b>Centroidal diagrams.</b> Lloyd's iteration makes the energy smaller, the sum over all points
  * of area times squared distance from the nearest site, where a point has a third of the area of
@@ -150,6 +153,17 @@ public:
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether border points of which the triangles around cannot tell the place well enough are
+   * linked to the graph and moved, see above. Takes the longer the larger triangles are compared to
+   * cells. Default on.
+   */
+  vtkSetMacro(RefineBoundaries, bool);
+  vtkGetMacro(RefineBoundaries, bool);
+  vtkBooleanMacro(RefineBoundaries, bool);
   ///@}
 
   ///@{
@@ -286,6 +300,7 @@ private:
   bool Centroidal;
   int NumberOfIterations;
   double Tolerance;
+  bool RefineBoundaries;
   double UnreachedValue;
   std::string DistanceArrayName;
   std::string SourceArrayName;

@@ -58,13 +58,30 @@ std::vector<GraphSeed> SeedsOf(const SearchCase& c, const Sites& sites, double a
   return seeds;
 }
 
-VoronoiDiagram DiagramOf(const SearchCase& c, const Sites& sites, double accuracy)
+VoronoiDiagram DiagramOf(
+  const SearchCase& c, const Sites& sites, double accuracy, bool isRefined = true)
 {
+  const dgg::GraphBuilder builder(c.GetMesh());
   VoronoiDiagram diagram;
+  dgg::VoronoiInput input;
+  input.Seeds = SeedsOf(c, sites, accuracy);
+  input.Accuracy = accuracy;
+  if (isRefined)
+  {
+    input.Builder = &builder;
+    input.Places = sites;
+  }
   const dgg::Status status =
-    dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), SeedsOf(c, sites, accuracy), nullptr, diagram);
+    dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), input, nullptr, diagram);
   EXPECT_TRUE(status.IsOk()) << c.GetName() << ": " << status.GetMessage();
   return diagram;
+}
+
+dgg::VoronoiInput InputOf(const std::vector<GraphSeed>& seeds)
+{
+  dgg::VoronoiInput input;
+  input.Seeds = seeds;
+  return input;
 }
 
 Sites AtVertices(const std::vector<Id>& vertices)
@@ -284,8 +301,11 @@ TEST(Voronoi, OnAnySurface)
     {
       sites.push_back(SurfacePoint::AtVertex(v));
     }
-    const VoronoiDiagram diagram = DiagramOf(c, sites, 0.05);
-    ExpectWellFormed(c.GetMesh(), diagram, static_cast<Id>(sites.size()), named.Name);
+    for (const bool isRefined : { false, true })
+    {
+      const VoronoiDiagram diagram = DiagramOf(c, sites, 0.05, isRefined);
+      ExpectWellFormed(c.GetMesh(), diagram, static_cast<Id>(sites.size()), named.Name);
+    }
   }
 }
 
@@ -416,6 +436,46 @@ TEST(Voronoi, AConeAndASphere)
   }
 }
 
+TEST(Voronoi, RefinedWhereFacesAreLarge)
+{
+  // Ways to the corners of a face lead around different sides of what is between: the corners alone
+  // do not tell the borders, which refinement mends.
+  const double accuracy = 0.01;
+  const SearchCase c("box", Box(5, 5, 5, 1.0, 1.3, 0.8), accuracy);
+  const Sites sites = RandomSurfacePoints(c.GetMesh(), 12, 5);
+  double largest[2] = { 0.0, 0.0 };
+  for (const bool isRefined : { false, true })
+  {
+    const VoronoiDiagram diagram = DiagramOf(c, sites, accuracy, isRefined);
+    ExpectWellFormed(c.GetMesh(), diagram, 12, "box");
+    dgg::ExactGeodesics solver(c.GetMesh());
+    std::vector<std::vector<double>> exact;
+    for (const SurfacePoint& site : sites)
+    {
+      dgg::ExactOptions options;
+      for (std::size_t i = 0; i < diagram.Distances.size() + diagram.BorderPoints.size(); ++i)
+      {
+        options.Targets.push_back(PointOf(diagram, static_cast<Id>(i)));
+      }
+      dgg::ExactResult result;
+      ASSERT_TRUE(solver.Run({ { site, 0.0 } }, options, result).IsOk());
+      exact.push_back(result.TargetDistances);
+    }
+    for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
+    {
+      for (dgg::Offset i = diagram.CurveOffsets[k]; i < diagram.CurveOffsets[k + 1]; ++i)
+      {
+        const double a = exact[diagram.CurveSites[k][0]][diagram.CurvePoints[i]];
+        const double b = exact[diagram.CurveSites[k][1]][diagram.CurvePoints[i]];
+        largest[isRefined ? 1 : 0] =
+          std::max(largest[isRefined ? 1 : 0], std::abs(a - b) / std::max(a, b));
+      }
+    }
+  }
+  EXPECT_GT(largest[0], 4.0 * accuracy);
+  EXPECT_LT(largest[1], 2.0 * accuracy);
+}
+
 TEST(Voronoi, AroundACylinder)
 {
   // The border opposite to a single pair of sites on a tube: a closed one with one pair.
@@ -439,7 +499,8 @@ TEST(Voronoi, AroundACylinder)
     }
   }
   VoronoiDiagram diagram;
-  ASSERT_TRUE(dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), seeds, nullptr, diagram).IsOk());
+  ASSERT_TRUE(
+    dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), InputOf(seeds), nullptr, diagram).IsOk());
   ExpectWellFormed(c.GetMesh(), diagram, 2, "tube");
   ASSERT_EQ(diagram.GetNumberOfCurves(), 1u);
   EXPECT_EQ(diagram.CurvePoints.front(), diagram.CurvePoints.back());
@@ -541,7 +602,8 @@ TEST(Voronoi, GraphsWithoutDirections)
   VoronoiDiagram diagram;
   const Sites sites = AtVertices({ 5, 60, 100 });
   ASSERT_TRUE(
-    dgg::ComputeVoronoi(search, c.GetMesh(), SeedsOf(c, sites, 0.02), nullptr, diagram).IsOk());
+    dgg::ComputeVoronoi(search, c.GetMesh(), InputOf(SeedsOf(c, sites, 0.02)), nullptr, diagram)
+      .IsOk());
   ExpectWellFormed(c.GetMesh(), diagram, 3, "without directions");
   const std::vector<Place> places = PlacesOf(c, sites);
   ExpectKnown(c, diagram, 3, 0.04,
@@ -554,7 +616,7 @@ TEST(Voronoi, BadInputIsNamed)
   VoronoiDiagram diagram;
   const auto refuses = [&](const std::vector<GraphSeed>& seeds) {
     const dgg::Status status =
-      dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), seeds, nullptr, diagram);
+      dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), InputOf(seeds), nullptr, diagram);
     return !status.IsOk() && !status.GetMessage().empty() && diagram.NearestSites.empty();
   };
   EXPECT_TRUE(refuses({}));
@@ -563,6 +625,11 @@ TEST(Voronoi, BadInputIsNamed)
   EXPECT_TRUE(refuses({ SeedAt(0, 1.0) }));
   EXPECT_TRUE(refuses({ SeedAt(0, -1.0) }));
   EXPECT_TRUE(refuses({ SeedAt(0, std::numeric_limits<double>::quiet_NaN()) }));
+  const dgg::GraphBuilder builder(c.GetMesh());
+  dgg::VoronoiInput input = InputOf({ SeedAt(0), SeedAt(3, 0.0, 1) });
+  input.Builder = &builder;
+  input.Places = AtVertices({ 0 });
+  EXPECT_FALSE(dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), input, nullptr, diagram).IsOk());
 }
 
 TEST(Voronoi, ProgressAndAbort)
@@ -576,14 +643,16 @@ TEST(Voronoi, ProgressAndAbort)
   };
   VoronoiDiagram diagram;
   const std::vector<GraphSeed> seeds{ SeedAt(0, 0.0, 0), SeedAt(20000, 0.0, 1) };
-  ASSERT_TRUE(dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), seeds, watch, diagram).IsOk());
+  ASSERT_TRUE(
+    dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), InputOf(seeds), watch, diagram).IsOk());
   EXPECT_GE(progress.size(), 3u);
   EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
   EXPECT_LE(progress.back(), 1.0);
   for (const double stop : { 0.0, 0.8 })
   {
     stopAt = stop;
-    EXPECT_TRUE(dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), seeds, watch, diagram).IsAborted());
+    EXPECT_TRUE(
+      dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), InputOf(seeds), watch, diagram).IsAborted());
     EXPECT_TRUE(diagram.NearestSites.empty());
   }
 }

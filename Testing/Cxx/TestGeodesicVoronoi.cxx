@@ -127,6 +127,7 @@ TEST_F(GeodesicVoronoi, Defaults)
   EXPECT_EQ(filter->GetNumberOfOutputPorts(), 4);
   EXPECT_FALSE(filter->GetCentroidal());
   EXPECT_EQ(filter->GetNumberOfIterations(), 20);
+  EXPECT_TRUE(filter->GetRefineBoundaries());
   EXPECT_EQ(filter->GetTolerance(), 1e-3);
   EXPECT_EQ(filter->GetAccuracy(), 0.01);
   EXPECT_STREQ(filter->GetDistanceArrayName(), "GeodesicDistance");
@@ -229,6 +230,30 @@ TEST_F(GeodesicVoronoi, BoundariesSeparateCells)
       }
     }
   }
+}
+
+TEST_F(GeodesicVoronoi, RefinementMovesBorders)
+{
+  // The cube of 12 triangles is as coarse as can be.
+  this->Filter->SetInputData(MakeCube());
+  this->Filter->SetSiteIds({ 0 });
+  this->Filter->SetSiteData(
+    MakeSourcePoints({ { { 1.0, 0.3, 0.4 } }, { { 0.7, 1.0, 0.8 } }, { { 0.3, 0.2, 1.0 } } }));
+  double distances[2];
+  for (const bool refine : { false, true })
+  {
+    this->Filter->SetRefineBoundaries(refine);
+    ExpectSuccess(this->Filter);
+    EXPECT_NEAR(AreaOf(this->Filter->GetCells()), 6.0, 1e-9);
+    const auto values =
+      ToVector(this->Filter->GetBoundaries()->GetPointData()->GetArray("GeodesicDistance"));
+    distances[refine] = 0.0;
+    for (const double value : values)
+    {
+      distances[refine] += value;
+    }
+  }
+  EXPECT_NE(distances[0], distances[1]);
 }
 
 TEST_F(GeodesicVoronoi, IdsComeBeforePoints)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggEdgeCuts.h"
 
+#include "dggBorderRefinement.h"
 #include "dggVoronoi.h"
 
 #include <algorithm>
@@ -12,6 +13,9 @@ namespace dgg
 {
 namespace
 {
+/// Half-edges between two reports: some milliseconds, with refinement more.
+constexpr Id ProgressInterval = 8192;
+
 /// A site seen along an edge: squared distances at both ends, less the part that all sites have in
 /// common in between.
 struct Line
@@ -68,25 +72,62 @@ double DistanceOn(const Line& line, double t, double length)
 }
 }
 
-EdgeCuts::EdgeCuts(const SurfaceMesh& mesh, const SiteDistances& distances, VoronoiDiagram& diagram)
+EdgeCuts::EdgeCuts(const SurfaceMesh& mesh)
   : Mesh(mesh)
   , Representatives(mesh.GetNumberOfHalfEdges(), NoId)
 {
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+}
+
+bool EdgeCuts::Run(const SiteDistances& distances, const BorderRefinement* refinement,
+  const ProgressCallback& progress, VoronoiDiagram& diagram)
+{
+  const Id size = this->Mesh.GetNumberOfHalfEdges();
+  for (Id h = 0; h < size; ++h)
   {
+    if (h % ProgressInterval == 0 && progress && !progress(static_cast<double>(h) / size))
+    {
+      return false;
+    }
     this->Offsets.push_back(static_cast<Offset>(this->Cuts.size()));
-    if (mesh.IsDropped(SurfaceMesh::Face(h)) || this->Representatives[h] != NoId)
+    if (this->Mesh.IsDropped(SurfaceMesh::Face(h)) || this->Representatives[h] != NoId)
     {
       continue;
     }
     this->Representatives[h] = h;
-    for (Id e = mesh.Twin(h); e != NoId && e != h; e = mesh.Twin(e))
+    for (Id e = this->Mesh.Twin(h); e != NoId && e != h; e = this->Mesh.Twin(e))
     {
       this->Representatives[e] = h;
     }
     this->Cut(h, distances, diagram);
+    if (refinement)
+    {
+      this->Refine(h, *refinement, diagram);
+    }
   }
   this->Offsets.push_back(static_cast<Offset>(this->Cuts.size()));
+  return true;
+}
+
+/// Move the cuts of the edge that was cut last, each between its neighbours.
+void EdgeCuts::Refine(Id halfEdge, const BorderRefinement& refinement, VoronoiDiagram& diagram)
+{
+  const auto n = static_cast<Id>(diagram.Distances.size());
+  const auto begin = static_cast<std::size_t>(this->Offsets[halfEdge]);
+  for (std::size_t i = begin; i < this->Cuts.size(); ++i)
+  {
+    EdgeCut& cut = this->Cuts[i];
+    const bool isShared = (i > begin && this->Cuts[i - 1].Point == cut.Point) ||
+      (i + 1 < this->Cuts.size() && this->Cuts[i + 1].Point == cut.Point);
+    if (cut.Point < n || isShared)
+    {
+      continue;
+    }
+    const double low = i > begin ? this->Cuts[i - 1].Parameter : 0.0;
+    const double high = i + 1 < this->Cuts.size() ? this->Cuts[i + 1].Parameter : 1.0;
+    refinement.Balance(halfEdge, { { cut.Before, cut.After } }, low, high, cut.Parameter,
+      diagram.BorderDistances[cut.Point - n]);
+    diagram.BorderPoints[cut.Point - n] = SurfacePoint::OnEdge(this->Mesh, halfEdge, cut.Parameter);
+  }
 }
 
 void EdgeCuts::Cut(Id halfEdge, const SiteDistances& distances, VoronoiDiagram& diagram)

@@ -12,6 +12,7 @@
 
 namespace dgg
 {
+class BorderRefinement;
 struct VoronoiDiagram;
 
 /// A point where the nearest site changes.
@@ -31,13 +32,18 @@ constexpr double SamePlace = 1e-9;
 class EdgeCuts
 {
 public:
-  /// Appends border points to the diagram, whose nearest sites are known.
-  EdgeCuts(const SurfaceMesh& mesh, const SiteDistances& distances, VoronoiDiagram& diagram);
+  explicit EdgeCuts(const SurfaceMesh& mesh);
+
+  /// Find the cuts. Appends border points to the diagram, whose nearest sites are known. The
+  /// refinement may be null. False when aborted.
+  bool Run(const SiteDistances& distances, const BorderRefinement* refinement,
+    const ProgressCallback& progress, VoronoiDiagram& diagram);
 
   /// The cuts of a half-edge, from its origin on.
   std::vector<EdgeCut> Of(Id halfEdge) const;
 
 private:
+  void Refine(Id halfEdge, const BorderRefinement& refinement, VoronoiDiagram& diagram);
   void Cut(Id halfEdge, const SiteDistances& distances, VoronoiDiagram& diagram);
 
   const SurfaceMesh& Mesh;

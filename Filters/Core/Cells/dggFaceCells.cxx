@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggFaceCells.h"
 
+#include "dggBorderRefinement.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -51,10 +53,11 @@ double CommonPart(const SurfaceMesh& mesh, Id face, const Coordinates& place)
 }
 
 FaceCells::FaceCells(const SurfaceMesh& mesh, const SiteDistances& distances, const EdgeCuts& cuts,
-  VoronoiDiagram& diagram)
+  const BorderRefinement* refinement, VoronoiDiagram& diagram)
   : Mesh(mesh)
   , Distances(distances)
   , Cuts(cuts)
+  , Refinement(refinement)
   , Diagram(diagram)
 {
 }
@@ -123,6 +126,7 @@ void FaceCells::WalkAround(Id face)
 void FaceCells::CutByLines(Id face)
 {
   this->Inside.clear();
+  this->Refined.clear();
   this->Cells.clear();
   this->CollectSites(face);
   for (std::size_t s = 0; s < this->Sites.size(); ++s)
@@ -162,12 +166,16 @@ bool FaceCells::IsConsistent() const
   }
   std::sort(sides.begin(), sides.end());
   std::sort(opposite.begin(), opposite.end());
-  return sides == opposite && std::adjacent_find(sides.begin(), sides.end()) == sides.end();
+  // After refinement cells need not be convex, but must not be turned inside out.
+  return sides == opposite && std::adjacent_find(sides.begin(), sides.end()) == sides.end() &&
+    std::all_of(this->Cells.begin(), this->Cells.end(),
+      [](const Cell& cell) { return PartOf(cell) >= -1e-12; });
 }
 
 void FaceCells::CutPlainly(Id face)
 {
   this->Inside.clear();
+  this->Refined.clear();
   this->Cells.clear();
   const std::size_t size = this->Around.size();
   std::vector<std::size_t> changes; // of the owner
@@ -200,7 +208,11 @@ void FaceCells::CutPlainly(Id face)
     {
       squaredDistance = std::min(squaredDistance, Apply(site.Values, middle));
     }
-    hub = this->PointInside(face, middle, squaredDistance + CommonPart(this->Mesh, face, middle));
+    std::array<Id, 3> owners{ { this->Owners[changes[0]], this->Owners[changes[1]],
+      this->Owners[changes[2]] } };
+    std::sort(owners.begin(), owners.end());
+    hub = this->PointInside(face, changes.size() == 3 ? owners : std::array<Id, 3>{}, middle,
+      squaredDistance + CommonPart(this->Mesh, face, middle));
   }
   for (std::size_t c = 0; c < changes.size(); ++c)
   {
@@ -349,7 +361,11 @@ FaceCells::Point FaceCells::PointOf(Id face, std::size_t site, int before, const
   }
   const double squaredDistance =
     Apply(this->Sites[site].Values, corner.Place) + CommonPart(this->Mesh, face, corner.Place);
-  return this->PointInside(face, corner.Place, squaredDistance);
+  const Id first = this->Sites[std::max(before, 3) - 3].Number;
+  const Id second = this->Sites[std::max(after, 3) - 3].Number;
+  std::array<Id, 3> sites{ { number, first, second } };
+  std::sort(sites.begin(), sites.end());
+  return this->PointInside(face, sites, corner.Place, squaredDistance);
 }
 
 /// The cut of a side between two sites; if rounding has hidden it, the nearest one of that side.
@@ -377,7 +393,8 @@ FaceCells::Point FaceCells::PointOnSide(
 }
 
 /// A point in a face; one that is there already if it is at the same place.
-FaceCells::Point FaceCells::PointInside(Id face, const Coordinates& place, double squaredDistance)
+FaceCells::Point FaceCells::PointInside(
+  Id face, const std::array<Id, 3>& sites, Coordinates place, double squaredDistance)
 {
   for (int k = 0; k < 3; ++k)
   {
@@ -394,24 +411,31 @@ FaceCells::Point FaceCells::PointInside(Id face, const Coordinates& place, doubl
       }
     }
   }
-  for (const Point& point : this->Inside)
+  for (std::size_t i = 0; i < this->Inside.size(); ++i)
   {
-    if (Difference(place, point.Place) < SamePlace)
+    if (Difference(place, this->Inside[i].Place) < SamePlace)
     {
-      return point;
+      return this->Refined[i];
     }
+  }
+  const auto number =
+    static_cast<Id>(this->Diagram.Distances.size() + this->Diagram.BorderPoints.size());
+  this->Inside.push_back({ number, place });
+  double distance = std::sqrt(std::max(0.0, squaredDistance));
+  const bool isTriple = sites[0] != sites[1] && sites[1] != sites[2];
+  if (this->Refinement && isTriple)
+  {
+    this->Refinement->Balance(face, sites, place, distance);
   }
   Coordinates input = place;
   if (this->Mesh.IsFlipped(face))
   {
     std::swap(input[1], input[2]);
   }
-  const auto number =
-    static_cast<Id>(this->Diagram.Distances.size() + this->Diagram.BorderPoints.size());
   this->Diagram.BorderPoints.push_back(SurfacePoint::InFace(this->Mesh, face, input));
-  this->Diagram.BorderDistances.push_back(std::sqrt(std::max(0.0, squaredDistance)));
-  this->Inside.push_back({ number, place });
-  return this->Inside.back();
+  this->Diagram.BorderDistances.push_back(distance);
+  this->Refined.push_back({ number, place });
+  return this->Refined.back();
 }
 
 /// The sides of cells that separate them from others: within the face, and along its sides where
@@ -526,9 +550,10 @@ void FaceCells::AddCell(Id site, const std::vector<Point>& points)
   }
 }
 
-void FaceCells::AddPolygon(Id face, const Cell& cell)
+/// Its part of the area of the face.
+double FaceCells::PartOf(const Cell& cell)
 {
-  double part = 0.0; // of the area of the face
+  double part = 0.0;
   for (std::size_t i = 1; i + 1 < cell.Points.size(); ++i)
   {
     const Coordinates& a = cell.Points[0].Place;
@@ -536,6 +561,11 @@ void FaceCells::AddPolygon(Id face, const Cell& cell)
     const Coordinates& c = cell.Points[i + 1].Place;
     part += (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
   }
+  return part;
+}
+
+void FaceCells::AddPolygon(Id face, const Cell& cell)
+{
   for (const Point& point : cell.Points)
   {
     this->Diagram.PolygonPoints.push_back(point.Number);
@@ -544,6 +574,7 @@ void FaceCells::AddPolygon(Id face, const Cell& cell)
   this->Diagram.PolygonOffsets.push_back(static_cast<Offset>(this->Diagram.PolygonPoints.size()));
   this->Diagram.PolygonSites.push_back(cell.Site);
   this->Diagram.PolygonFaces.push_back(face);
-  this->Diagram.PolygonAreas.push_back(part * 0.5 * this->Mesh.Length(h) * this->Mesh.ApexY(h));
+  this->Diagram.PolygonAreas.push_back(
+    PartOf(cell) * 0.5 * this->Mesh.Length(h) * this->Mesh.ApexY(h));
 }
 }

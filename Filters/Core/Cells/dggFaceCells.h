@@ -14,6 +14,8 @@
 
 namespace dgg
 {
+class BorderRefinement;
+
 /// A piece of the border between two cells.
 struct BorderPiece
 {
@@ -41,9 +43,9 @@ struct BorderSide
 class FaceCells
 {
 public:
-  /// Appends polygons and border points to the diagram.
+  /// Appends polygons and border points to the diagram. The refinement may be null.
   FaceCells(const SurfaceMesh& mesh, const SiteDistances& distances, const EdgeCuts& cuts,
-    VoronoiDiagram& diagram);
+    const BorderRefinement* refinement, VoronoiDiagram& diagram);
 
   /// One face that has not been dropped.
   void Cut(Id face);
@@ -89,10 +91,12 @@ private:
   void Clip(std::size_t site, Polygon& polygon) const;
   Point PointOf(Id face, std::size_t site, int before, const Corner& corner);
   Point PointOnSide(Id face, int side, Id site, Id other, const Coordinates& place) const;
-  Point PointInside(Id face, const Coordinates& place, double squaredDistance);
+  Point PointInside(
+    Id face, const std::array<Id, 3>& sites, Coordinates place, double squaredDistance);
   void CutByLines(Id face);
   void CutPlainly(Id face);
   bool IsConsistent() const;
+  static double PartOf(const Cell& cell);
   void WalkAround(Id face);
   void AddPieces();
   void AddSidePieces(
@@ -104,6 +108,7 @@ private:
   const SurfaceMesh& Mesh;
   const SiteDistances& Distances;
   const EdgeCuts& Cuts;
+  const BorderRefinement* Refinement;
   VoronoiDiagram& Diagram;
   std::vector<BorderPiece> Pieces;
   std::vector<BorderSide> BorderSides;
@@ -115,7 +120,8 @@ private:
   std::vector<Id> HalfEdges; ///< that it lies on
   std::vector<Cell> Cells;
   std::vector<Site> Sites;
-  std::vector<Point> Inside;
+  std::vector<Point> Inside; ///< places before refinement
+  std::vector<Point> Refined;
 };
 }
 

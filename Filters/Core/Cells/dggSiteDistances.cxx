@@ -133,13 +133,13 @@ public:
     return true;
   }
 
-  /// The labels of a vertex, in no order: `use(site, estimate)`.
+  /// The labels of a vertex, in no order: `use(site, source)`.
   template <typename Use>
   void ForEach(Id v, const Use& use) const
   {
     for (Id i = this->Heads[v]; i != NoId; i = this->Labels[i].Next)
     {
-      use(this->Labels[i].Site, this->Labels[i].Source.Estimate);
+      use(this->Labels[i].Site, this->Labels[i].Source);
     }
   }
 
@@ -258,9 +258,15 @@ Status SiteDistances::Run(const GraphSearch& search, const SurfaceMesh& mesh,
   {
     return status;
   }
-  if (nearest.Corrected.empty()) // a graph without angles
+  this->HasDirections = !nearest.Corrected.empty();
+  if (!this->HasDirections)
   {
     nearest.Corrected = nearest.Distances;
+    for (std::vector<double>* unknown :
+      { &nearest.VirtualOffset, &nearest.VirtualLength, &nearest.VirtualAngle })
+    {
+      unknown->assign(nearest.Distances.size(), 0.0);
+    }
   }
   const GraphView& graph = search.GetGraph();
   FartherSites farther(graph, mesh, kept, nearest);
@@ -273,9 +279,11 @@ Status SiteDistances::Run(const GraphSearch& search, const SurfaceMesh& mesh,
   {
     if (nearest.Seeds[v] != NoId)
     {
-      this->Entries.push_back({ kept[nearest.Seeds[v]].Source, nearest.Corrected[v] });
-      farther.ForEach(v, [this](Id site, double estimate) {
-        this->Entries.push_back({ site, estimate });
+      this->Entries.push_back({ kept[nearest.Seeds[v]].Source, nearest.Corrected[v],
+        nearest.VirtualOffset[v], nearest.VirtualLength[v], nearest.VirtualAngle[v] });
+      farther.ForEach(v, [this](Id site, const LabelCorrection::VirtualSource& source) {
+        this->Entries.push_back(
+          { site, source.Estimate, source.Offset, source.Length, source.Angle });
       });
       std::sort(this->Entries.begin() + this->Offsets.back(), this->Entries.end(),
         [](const Entry& a, const Entry& b) { return a.Site < b.Site; });

@@ -27,6 +27,10 @@ public:
   {
     Id Site;
     double Distance; ///< the estimate (see SearchResult::Corrected)
+    /// The virtual source behind it, as in SearchResult; only for graphs with angles.
+    double VirtualOffset;
+    double VirtualLength;
+    double VirtualAngle;
   };
 
   /// Sources of the seeds are the sites, from 0 on, without initial distances. A site with the very
@@ -42,7 +46,11 @@ public:
   /// no site reaches.
   const Entry* Nearest(Id v) const;
 
+  /// Whether virtual sources are known.
+  bool HasVirtualSources() const { return this->HasDirections; }
+
 private:
+  bool HasDirections = false;
   std::vector<Offset> Offsets; ///< per vertex, and one more
   std::vector<Entry> Entries;
 };

@@ -3,23 +3,35 @@
 #include "dggVoronoi.h"
 
 #include "dggBorderCurves.h"
+#include "dggBorderRefinement.h"
 #include "dggEdgeCuts.h"
 #include "dggFaceCells.h"
 #include "dggSiteDistances.h"
 
+#include <memory>
 #include <string>
 
 namespace dgg
 {
 namespace
 {
-/// Share of the progress that the distances take.
-constexpr double DistancesShare = 0.8;
+/// Shares of the progress: where the distances are done, and the cuts of edges.
+constexpr double DistancesDone = 0.4;
+constexpr double CutsDone = 0.8;
 /// Faces between two reports: some milliseconds.
-constexpr Id ProgressInterval = 65536;
+constexpr Id ProgressInterval = 8192;
 
-Status CheckSites(const std::vector<GraphSeed>& seeds)
+/// A part of the progress.
+ProgressCallback Part(const ProgressCallback& progress, double begin, double end)
 {
+  return progress
+    ? [&progress, begin, end](double done) { return progress(begin + (end - begin) * done); }
+    : ProgressCallback();
+}
+
+Status CheckSites(const VoronoiInput& input)
+{
+  const std::vector<GraphSeed>& seeds = input.Seeds;
   for (std::size_t i = 0; i < seeds.size(); ++i)
   {
     if (seeds[i].Source < 0 || seeds[i].InitialDistance != 0.0 || seeds[i].Distance < 0.0 ||
@@ -28,23 +40,23 @@ Status CheckSites(const std::vector<GraphSeed>& seeds)
       return Status::Invalid("source " + std::to_string(i) +
         " has no number or an initial distance, which sites must not have");
     }
+    if (input.Builder && seeds[i].Source >= static_cast<Offset>(input.Places.size()))
+    {
+      return Status::Invalid(
+        "source " + std::to_string(i) + " is of a site without a place: give the places of all");
+    }
   }
   return Status::Success();
 }
 
-Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const std::vector<GraphSeed>& seeds,
+Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInput& input,
   const ProgressCallback& progress, VoronoiDiagram& diagram)
 {
-  Status status = CheckSites(seeds);
+  Status status = CheckSites(input);
   SiteDistances distances;
   if (status.IsOk())
   {
-    ProgressCallback share;
-    if (progress)
-    {
-      share = [&progress](double done) { return progress(DistancesShare * done); };
-    }
-    status = distances.Run(search, mesh, seeds, share);
+    status = distances.Run(search, mesh, input.Seeds, Part(progress, 0.0, DistancesDone));
   }
   if (!status.IsOk())
   {
@@ -56,14 +68,24 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const std::vecto
     diagram.NearestSites.push_back(nearest ? nearest->Site : NoId);
     diagram.Distances.push_back(nearest ? nearest->Distance : Infinity);
   }
-  const EdgeCuts cuts(mesh, distances, diagram);
-  FaceCells cells(mesh, distances, cuts, diagram);
+  std::unique_ptr<BorderRefinement> refinement;
+  if (input.Builder && distances.HasVirtualSources())
+  {
+    refinement = std::make_unique<BorderRefinement>(
+      mesh, distances, *input.Builder, input.Accuracy, input.Places);
+  }
+  EdgeCuts cuts(mesh);
+  if (!cuts.Run(distances, refinement.get(), Part(progress, DistancesDone, CutsDone), diagram))
+  {
+    return Status::Abort();
+  }
+  FaceCells cells(mesh, distances, cuts, refinement.get(), diagram);
   diagram.PolygonOffsets.push_back(0);
+  const ProgressCallback rest = Part(progress, CutsDone, 1.0);
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
-    const double done = static_cast<double>(f) / mesh.GetNumberOfFaces();
-    if (f % ProgressInterval == 0 && progress &&
-      !progress(DistancesShare + (1.0 - DistancesShare) * done))
+    if (f % ProgressInterval == 0 && rest &&
+      !rest(static_cast<double>(f) / mesh.GetNumberOfFaces()))
     {
       return Status::Abort();
     }
@@ -79,11 +101,11 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const std::vecto
 }
 }
 
-Status ComputeVoronoi(const GraphSearch& search, const SurfaceMesh& mesh,
-  const std::vector<GraphSeed>& seeds, const ProgressCallback& progress, VoronoiDiagram& diagram)
+Status ComputeVoronoi(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInput& input,
+  const ProgressCallback& progress, VoronoiDiagram& diagram)
 {
   diagram = VoronoiDiagram();
-  const Status status = Fill(search, mesh, seeds, progress, diagram);
+  const Status status = Fill(search, mesh, input, progress, diagram);
   if (!status.IsOk())
   {
     diagram = VoronoiDiagram();

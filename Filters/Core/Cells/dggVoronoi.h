@@ -5,6 +5,7 @@
 #ifndef dggVoronoi_h
 #define dggVoronoi_h
 
+#include "dggGraphBuilder.h" // for links
 #include "dggGraphSearch.h"  // for GraphSearch
 #include "dggSurfacePoint.h" // for SurfacePoint
 
@@ -32,8 +33,8 @@ struct VoronoiDiagram
   std::vector<double> BorderDistances; ///< estimated, from the nearest sites
 
   /// Parts of faces: polygon i has the points PolygonPoints[PolygonOffsets[i]] and so on, in the
-  /// order of the corners of SurfaceMesh::GetTriangle(); convex. Together they make up all faces
-  /// that have not been dropped.
+  /// order of the corners of SurfaceMesh::GetTriangle(). Together they make up all faces that have
+  /// not been dropped.
   std::vector<Offset> PolygonOffsets;
   std::vector<Id> PolygonPoints;
   std::vector<Id> PolygonSites; ///< NoId where no site reaches
@@ -50,22 +51,36 @@ struct VoronoiDiagram
   std::size_t GetNumberOfCurves() const { return this->CurveSites.size(); }
 };
 
-/// The diagram of sites given by seeds, whose Source is the number of the site, from 0 on; initial
-/// distances are not allowed. A site at the place of an earlier one has no cell.
+/// Sites, and what it takes to refine their borders.
+struct VoronoiInput
+{
+  /// Source is the number of the site, from 0 on; initial distances are not allowed.
+  std::vector<GraphSeed> Seeds;
+  /// For links of border points, with this accuracy; without a builder nothing is refined.
+  const GraphBuilder* Builder = nullptr;
+  double Accuracy = 0.01;
+  std::vector<SurfacePoint> Places; ///< of all sites, with a builder
+};
+
+/// The diagram of sites. A site at the place of an earlier one has no cell.
 ///
 /// Inside a face, the squared distance from a site is that of a point in the plane of the face:
 /// with barycentric coordinates b, sum b_i d_i^2 - sum b_i b_j l_ij^2, where d_i are the
 /// (corrected) distances at the corners and l_ij the lengths of the sides. This is exact where the
 /// surface is flat, and as the second sum is the same for all sites, borders within a face are
-/// straight lines and cells are convex polygons; cf. Xin et al., "SurfaceVoronoi: efficiently
+/// straight lines; cf. Xin et al., "SurfaceVoronoi: efficiently
 /// computing Voronoi diagrams over mesh surfaces with arbitrary distance solvers", 2022. A cell
 /// that reaches into a face but does not contain any of its corners is found when two of the
 /// corners belong to different cells.
 ///
+/// Where corners of a face see a site on different ways, this is not good enough: in faces that are
+/// large compared to cells, and behind points where geodesics bend. There, border points are linked
+/// to the graph and moved to where both (or all three) distances are equal.
+///
 /// `search` is that of a graph of `mesh`. Fails as GraphSearch::Run() does, and when a seed has an
 /// initial distance or no site; then the diagram is empty.
-Status ComputeVoronoi(const GraphSearch& search, const SurfaceMesh& mesh,
-  const std::vector<GraphSeed>& seeds, const ProgressCallback& progress, VoronoiDiagram& diagram);
+Status ComputeVoronoi(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInput& input,
+  const ProgressCallback& progress, VoronoiDiagram& diagram);
 }
 
 #endif
