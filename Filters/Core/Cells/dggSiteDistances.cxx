@@ -6,8 +6,10 @@
 #include "dggMinimumHeap.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <unordered_map>
 #include <utility>
 
 namespace dgg
@@ -20,7 +22,10 @@ constexpr double NearestShare = 0.5;
 constexpr std::size_t ProgressInterval = 16384;
 /// Rounds over the mesh by which the reach of a vertex becomes that of the largest one around it:
 /// paths lead over vertices whose own faces may be smaller.
-constexpr int ReachRounds = 2;
+constexpr int ReachRounds = 1;
+/// Labels of a vertex from which on they are not looked for one after the other: on faces that are
+/// large compared to cells, vertices know hundreds of sites.
+constexpr Id LongList = 12;
 
 /// A distance besides that of the nearest site.
 struct Label
@@ -99,6 +104,7 @@ public:
     , Nearest(nearest)
     , Heads(graph.NumberOfVertices, NoId)
     , Limits(MeasureReach(mesh))
+    , Counts(graph.NumberOfVertices, 0)
   {
     if (graph.Angles && graph.ArrivalAngles)
     {
@@ -176,22 +182,50 @@ private:
     }
   }
 
-  void Offer(Id v, Id site, double distance, Offset edge, Id tail, Id tailLabel)
+  static std::uint64_t Key(Id v, Id site)
   {
-    if (!(distance <= this->Limits[v]) || this->SiteOf(v) == site)
+    return (static_cast<std::uint64_t>(v) << 32) | static_cast<std::uint32_t>(site);
+  }
+
+  /// The label of a vertex for a site; NoId when there is none.
+  Id Find(Id v, Id site) const
+  {
+    if (this->Counts[v] >= LongList)
     {
-      return;
+      const auto place = this->Places.find(Key(v, site));
+      return place == this->Places.end() ? NoId : place->second;
     }
     Id index = this->Heads[v];
     while (index != NoId && this->Labels[index].Site != site)
     {
       index = this->Labels[index].Next;
     }
+    return index;
+  }
+
+  void Offer(Id v, Id site, double distance, Offset edge, Id tail, Id tailLabel)
+  {
+    if (!(distance <= this->Limits[v]) || this->SiteOf(v) == site)
+    {
+      return;
+    }
+    Id index = this->Find(v, site);
     if (index == NoId)
     {
       index = static_cast<Id>(this->Labels.size());
       this->Labels.push_back({ Infinity, {}, edge, site, v, tail, tailLabel, this->Heads[v] });
       this->Heads[v] = index;
+      if (++this->Counts[v] == LongList)
+      {
+        for (Id i = index; i != NoId; i = this->Labels[i].Next)
+        {
+          this->Places.emplace(Key(v, this->Labels[i].Site), i);
+        }
+      }
+      else if (this->Counts[v] > LongList)
+      {
+        this->Places.emplace(Key(v, site), index);
+      }
     }
     Label& label = this->Labels[index];
     if (distance < label.Distance)
@@ -236,7 +270,9 @@ private:
   std::vector<Id> Heads;                       ///< per vertex, its first label
   std::vector<double> Limits;                  ///< per vertex, of labels that matter
   std::vector<Label> Labels;
-  MinimumHeap Heap; ///< of labels
+  std::vector<Id> Counts;                       ///< per vertex, of its labels
+  std::unordered_map<std::uint64_t, Id> Places; ///< of the labels of vertices with many
+  MinimumHeap Heap;                             ///< of labels
 };
 }
 
