@@ -47,6 +47,7 @@ vtkSmartPointer<vtkPoints> MakePoints(std::size_t size)
 std::vector<dgg::SurfacePoint> GetPlaces(const std::vector<dgg::GeodesicSource>& sites)
 {
   std::vector<dgg::SurfacePoint> places;
+  places.reserve(sites.size());
   for (const dgg::GeodesicSource& site : sites)
   {
     places.push_back(site.Point);

@@ -105,7 +105,7 @@ public:
     SurfacePath path;
     for (std::size_t i = 0; i < from.Sites.size(); ++i)
     {
-      const Status status =
+      Status status =
         WalkStraight(this->Mesh, from.Sites[i], from.Angles[i], part * from.Lengths[i], path);
       if (!status.IsOk())
       {
@@ -215,7 +215,7 @@ Status LinkSites(const std::vector<SurfacePoint>& sites, const GraphBuilder* bui
     }
     std::vector<GraphLink> links;
     std::vector<double> direct;
-    const Status status = builder->Link(sites[i], accuracy, {}, links, direct);
+    Status status = builder->Link(sites[i], accuracy, {}, links, direct);
     if (!status.IsOk())
     {
       return status;

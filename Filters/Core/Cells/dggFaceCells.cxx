@@ -160,6 +160,7 @@ bool FaceCells::IsConsistent() const
     sides.emplace_back(this->Around[(i + 1) % this->Around.size()].Number, this->Around[i].Number);
   }
   std::vector<Side> opposite;
+  opposite.reserve(sides.size());
   for (const Side& side : sides)
   {
     opposite.emplace_back(side.second, side.first);
@@ -219,9 +220,10 @@ void FaceCells::CutPlainly(Id face)
     const std::size_t begin = changes[c];
     const std::size_t end = changes[(c + 1) % changes.size()];
     std::vector<Point> points{ this->Around[begin] };
-    for (std::size_t i = begin; i != end; i = (i + 1) % size)
+    for (std::size_t i = begin; i != end;)
     {
-      points.push_back(this->Around[(i + 1) % size]);
+      i = i + 1 < size ? i + 1 : 0;
+      points.push_back(this->Around[i]);
     }
     points.push_back(hub);
     this->AddCell(this->Owners[begin], points);
@@ -231,6 +233,7 @@ void FaceCells::CutPlainly(Id face)
 void FaceCells::AddWhole(Id face)
 {
   std::vector<Point> points;
+  points.reserve(3);
   for (int k = 0; k < 3; ++k)
   {
     points.push_back({ this->Mesh.Origin(3 * face + k), CornerPlace(k) });

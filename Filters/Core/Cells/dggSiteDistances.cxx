@@ -289,7 +289,7 @@ Status SiteDistances::Run(const GraphSearch& search, const SurfaceMesh& mesh,
     options.Progress = [&progress](double done) { return progress(NearestShare * done); };
   }
   SearchResult nearest;
-  const Status status = search.Run(kept, options, nearest);
+  Status status = search.Run(kept, options, nearest);
   if (!status.IsOk())
   {
     return status;

@@ -124,7 +124,7 @@ public:
     }
     if (this->Samples.empty())
     {
-      const Status status = this->AddFirst();
+      Status status = this->AddFirst();
       if (!status.IsOk())
       {
         return status;
@@ -134,7 +134,7 @@ public:
       this->Farthest.Distance > this->Options.CoveringRadius &&
       static_cast<Offset>(this->Samples.size()) < this->Options.NumberOfSamples)
     {
-      const Status status = this->AddFarthest();
+      Status status = this->AddFarthest();
       if (!status.IsOk())
       {
         return status;
@@ -161,7 +161,7 @@ private:
       {
         return Status::Success(); // no edges
       }
-      const Status status = this->Points.Add({ SeedAt(first) }, {});
+      Status status = this->Points.Add({ SeedAt(first) }, {});
       if (!status.IsOk())
       {
         return status;
@@ -193,7 +193,7 @@ private:
     if (this->Options.InFaces && this->FindBetter(v, point))
     {
       Linked linked;
-      const Status status = this->Link(point, this->Inner, linked);
+      Status status = this->Link(point, this->Inner, linked);
       if (!status.IsOk())
       {
         return status;
@@ -223,7 +223,7 @@ private:
 
   Status Add(const SurfacePoint& point, const std::vector<GraphSeed>& seeds)
   {
-    const Status status = this->Points.Add(seeds, {});
+    Status status = this->Points.Add(seeds, {});
     if (status.IsOk())
     {
       this->Farthest = this->Points.Find();
@@ -250,7 +250,7 @@ private:
     }
     std::vector<GraphLink> links;
     std::vector<double> direct;
-    const Status status = this->Builder->Link(point, this->Accuracy, others, links, direct);
+    Status status = this->Builder->Link(point, this->Accuracy, others, links, direct);
     for (const GraphLink& link : links)
     {
       linked.Seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
@@ -302,7 +302,7 @@ private:
     }
     SurfacePath path;
     const double angle = std::atan2(best.Y, best.X) / this->Unroll(v);
-    const Status status =
+    Status status =
       WalkStraight(*this->Mesh, SurfacePoint::AtVertex(v), angle, Norm(best.X, best.Y), path);
     point = status.IsOk() ? path.Points.back() : SurfacePoint::AtVertex(v);
     return point.On != SurfacePoint::Support::Vertex;
@@ -372,7 +372,7 @@ Status SampleSurface(const GraphView& graph, const SurfaceMesh* mesh, const Grap
   {
     return Status::Invalid("the covering radius is not a number");
   }
-  const Status status = Sampler(graph, mesh, builder, accuracy, options, samples).Run();
+  Status status = Sampler(graph, mesh, builder, accuracy, options, samples).Run();
   if (!status.IsOk())
   {
     samples.clear();

@@ -105,7 +105,7 @@ Status ComputeVoronoi(const GraphSearch& search, const SurfaceMesh& mesh, const 
   const ProgressCallback& progress, VoronoiDiagram& diagram)
 {
   diagram = VoronoiDiagram();
-  const Status status = Fill(search, mesh, input, progress, diagram);
+  Status status = Fill(search, mesh, input, progress, diagram);
   if (!status.IsOk())
   {
     diagram = VoronoiDiagram();
