@@ -154,7 +154,7 @@ dgg::Status vtkGeodesicSampler::MakeOptions(
     return dgg::Status::Success();
   }
   std::vector<dgg::GeodesicSource> points;
-  const dgg::Status status =
+  dgg::Status status =
     this->Collector->Collect(start, this->ProjectionTolerance, mesh, surface->GetPoints(), points);
   for (const dgg::GeodesicSource& point : points)
   {
