@@ -40,6 +40,7 @@ std::vector<vtkIdType> ToVector(vtkIdList* ids)
 std::vector<dgg::SurfacePoint> ToPoints(const std::vector<dgg::GeodesicSource>& sources)
 {
   std::vector<dgg::SurfacePoint> points;
+  points.reserve(sources.size());
   for (const dgg::GeodesicSource& source : sources)
   {
     points.push_back(source.Point);

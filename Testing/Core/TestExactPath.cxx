@@ -280,6 +280,57 @@ TEST(ExactPath, SayWhatIsWrong)
   EXPECT_EQ(paths.size(), 1u);
 }
 
+TEST(ExactPath, FacesNeedThreeVertices)
+{
+  const dgg::SurfaceMesh mesh = Build(FlatTorus(1.0, 0.3, 0.8, 1, 1, true));
+  dgg::ExactPathFinder finder(mesh);
+  std::vector<SurfacePath> paths;
+  const dgg::Status status =
+    finder.Find(SurfacePoint::AtVertex(0), { SurfacePoint::OnEdge(mesh, 1, 0.3) }, nullptr, paths);
+  EXPECT_NE(status.GetMessage().find("face 0 has vertices"), std::string::npos);
+}
+
+TEST(ExactPath, TargetsKnowTheirPredecessors)
+{
+  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
+  std::vector<SurfacePoint> targets = RandomSurfacePoints(mesh, 50, 9);
+  for (const Id v : SomeVertices(mesh, 20, 10))
+  {
+    targets.push_back(SurfacePoint::AtVertex(v));
+  }
+  const SurfacePoint source = RandomSurfacePoints(mesh, 1, 11)[0];
+  for (const dgg::ExactEngine engine : { dgg::ExactEngine::Reference, dgg::ExactEngine::Triangle })
+  {
+    const dgg::ExactResult result = Solve(mesh, engine, { { source, 0.0 } },
+      [&](dgg::ExactOptions& options) { options.Targets = targets; });
+    ASSERT_EQ(result.TargetPredecessors.size(), targets.size());
+    for (std::size_t t = 0; t < targets.size(); ++t)
+    {
+      const dgg::Predecessor& last = result.TargetPredecessors[t];
+      if (result.TargetDistances[t] == dgg::Infinity)
+      {
+        EXPECT_EQ(last.HalfEdge, dgg::NoId);
+        continue;
+      }
+      std::array<double, 3> b{};
+      if (last.HalfEdge != dgg::NoId)
+      {
+        const Id f = dgg::SurfaceMesh::Face(last.HalfEdge);
+        ASSERT_TRUE(dgg::FindInFace(mesh, targets[t], f, b));
+        const dgg::Point2 p = dgg::PlaceInFrame(mesh, last.HalfEdge, b);
+        const double sigma = last.Root >= 0 ? result.Distances[last.Root] : 0.0;
+        EXPECT_LT(last.ImageY, 0.0);
+        EXPECT_NEAR(sigma + dgg::Norm(p.X - last.ImageX, p.Y - last.ImageY),
+          result.TargetDistances[t], 1e-12);
+      }
+      else if (last.Root >= 0 && targets[t].On != Support::Vertex)
+      {
+        EXPECT_TRUE(dgg::FindInFace(mesh, SurfacePoint::AtVertex(last.Root), targets[t].Face, b));
+      }
+    }
+  }
+}
+
 TEST(ExactPath, StopsWhenAsked)
 {
   const dgg::SurfaceMesh mesh = Build(Icosphere(5));

@@ -27,6 +27,7 @@ for name in (
     "vtkGeodesicAlgorithm",
     "vtkGeodesicDistanceAlgorithm",
     "vtkGeodesicDistanceMatrix",
+    "vtkGeodesicPatchBoundaries",
     "vtkGeodesicSampler",
     "vtkGeodesicVoronoi",
 ):

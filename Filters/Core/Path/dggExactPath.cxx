@@ -10,6 +10,7 @@ namespace dgg
 {
 ExactPathFinder::ExactPathFinder(const SurfaceMesh& mesh)
   : Mesh(mesh)
+  , Fitness(CheckCorners(mesh))
   , Solver(std::make_unique<ExactGeodesics>(mesh))
 {
 }
@@ -20,6 +21,10 @@ Status ExactPathFinder::Find(const SurfacePoint& from, const std::vector<Surface
   const ProgressCallback& progress, std::vector<SurfacePath>& paths, double maximumDistance)
 {
   paths.clear();
+  if (!this->Fitness.IsOk())
+  {
+    return this->Fitness;
+  }
   ExactOptions options;
   options.Targets = to;
   options.StopAtTargets = true;

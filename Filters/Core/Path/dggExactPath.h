@@ -24,13 +24,16 @@ public:
   ExactPathFinder& operator=(const ExactPathFinder&) = delete;
 
   /// Paths from one point to others, in the order of `to`; empty ones to points that are not
-  /// connected with it, or farther than `maximumDistance`. Fails when a point does not exist.
+  /// connected with it, or farther than `maximumDistance`. Fails when a point does not exist, when
+  /// a face of the mesh names a vertex twice, and, which happens only among piles of faces without
+  /// area, when a path cannot be traced back.
   Status Find(const SurfacePoint& from, const std::vector<SurfacePoint>& to,
     const ProgressCallback& progress, std::vector<SurfacePath>& paths,
     double maximumDistance = Infinity);
 
 private:
   const SurfaceMesh& Mesh;
+  const Status Fitness; // of the mesh
   std::unique_ptr<ExactGeodesics> Solver;
 };
 }

@@ -251,7 +251,7 @@ Status LayoutDrawing::Survey(const ProgressCallback& progress, std::vector<doubl
       continue;
     }
     std::vector<SurfacePath> found;
-    const Status status = finder.Find(this->Landmarks[l], to,
+    Status status = finder.Find(this->Landmarks[l], to,
       progress ? ProgressCallback([&](double fraction) {
         return progress((static_cast<double>(l) + fraction) / this->Landmarks.size());
       })
@@ -394,7 +394,7 @@ Status LayoutDrawing::Draw(
   {
     SurfacePath path;
     std::size_t reached = 0;
-    const Status status = this->Trace(from[i], to, progress, path, reached);
+    Status status = this->Trace(from[i], to, progress, path, reached);
     if (!status.IsOk())
     {
       return status;
@@ -419,7 +419,7 @@ Status LayoutDrawing::Draw(
   {
     // Once more, at a distance from everything.
     SurfacePath clear;
-    const Status status = this->TraceClear(from[first], to[last], progress, clear);
+    Status status = this->TraceClear(from[first], to[last], progress, clear);
     if (!status.IsOk())
     {
       return status;
@@ -446,13 +446,14 @@ Status LayoutDrawing::Trace(const Sector& from, const std::vector<Sector>& to,
   const ProgressCallback& progress, SurfacePath& path, std::size_t& reached) const
 {
   std::vector<SurfacePoint> targets;
+  targets.reserve(to.size());
   for (const Sector& sector : to)
   {
     targets.push_back(SurfacePoint::AtVertex(sector.Vertex));
   }
   std::vector<SurfacePath> paths;
   ExactPathFinder finder(this->OpenedMesh);
-  const Status status = finder.Find(SurfacePoint::AtVertex(from.Vertex), targets, progress, paths);
+  Status status = finder.Find(SurfacePoint::AtVertex(from.Vertex), targets, progress, paths);
   for (std::size_t i = 0; i < paths.size(); ++i)
   {
     if (!paths[i].IsEmpty() && (path.IsEmpty() || paths[i].Length < path.Length))

@@ -73,7 +73,7 @@ Status LayoutOrder::ReadPatches(const PatchLayout& layout, Id numberOfLandmarks)
     {
       const Id a = patch[i];
       const Id b = patch[(i + 1) % patch.size()];
-      const Status status = CheckLandmark(a, numberOfLandmarks, name);
+      Status status = CheckLandmark(a, numberOfLandmarks, name);
       if (!status.IsOk())
       {
         return status;
@@ -115,7 +115,7 @@ Status LayoutOrder::AddEdges(const PatchLayout& layout, Id numberOfLandmarks)
     const std::array<Id, 2>& edge = layout.Edges[e];
     for (const Id landmark : edge)
     {
-      const Status status = CheckLandmark(landmark, numberOfLandmarks, Name("edge", e));
+      Status status = CheckLandmark(landmark, numberOfLandmarks, Name("edge", e));
       if (!status.IsOk())
       {
         return status;

@@ -48,6 +48,7 @@ int CompareOrders(const EdgeOrder& first, const EdgeOrder& second)
 std::vector<EdgeOrder> Reversed(const std::vector<EdgeOrder>& orders)
 {
   std::vector<EdgeOrder> reversed;
+  reversed.reserve(orders.size());
   for (const EdgeOrder& order : orders)
   {
     reversed.push_back(order.Reversed());

@@ -98,6 +98,23 @@ Status CheckPath(const SurfaceMesh& mesh, const SurfacePath& path)
   return Status::Success();
 }
 
+Status CheckCorners(const SurfaceMesh& mesh)
+{
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    const std::array<Id, 3> corners = mesh.GetTriangle(f);
+    if (!mesh.IsDropped(f) &&
+      (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]))
+    {
+      std::ostringstream message;
+      message << "face " << f << " has vertices " << corners[0] << ", " << corners[1] << " and "
+              << corners[2] << ": for paths they must be distinct. Split its edges";
+      return Status::Invalid(message.str());
+    }
+  }
+  return Status::Success();
+}
+
 std::array<double, 3> PositionOf(
   const SurfaceMesh& mesh, const SurfacePoint& point, const double* positions)
 {

@@ -43,6 +43,10 @@ double MeasurePiece(const SurfaceMesh& mesh, const SurfacePath& path, std::size_
 /// that of its pieces to 1e-9.
 Status CheckPath(const SurfaceMesh& mesh, const SurfacePath& path);
 
+/// Fails when a face names a vertex twice, as SurfaceMesh::FromGluedLengths() allows: a point at
+/// that vertex would be in two places of the face, and paths need one.
+Status CheckCorners(const SurfaceMesh& mesh);
+
 /// Position in space, given those of the vertices (x y z each).
 std::array<double, 3> PositionOf(
   const SurfaceMesh& mesh, const SurfacePoint& point, const double* positions);

@@ -170,6 +170,11 @@ Status Refiner::Run()
 
 Status Refiner::CheckPaths() const
 {
+  Status corners = CheckCorners(this->Mesh);
+  if (!corners.IsOk())
+  {
+    return corners;
+  }
   for (std::size_t p = 0; p < this->Paths.size(); ++p)
   {
     const SurfacePath& path = this->Paths[p];
@@ -379,7 +384,7 @@ Status Refiner::SplitFace(Id f)
       }
     }
     bool found = false;
-    const Status status = this->SplitAtCrossings(f, found);
+    Status status = this->SplitAtCrossings(f, found);
     if (!status.IsOk() || !found)
     {
       return status;

@@ -104,7 +104,8 @@ bool WindowTracer::Trace(
       {
         path.Length += MeasurePiece(this->Mesh, path, piece);
       }
-      return true;
+      return std::abs(path.Length - distance) <=
+        2.0 * (Closenesses[3].Relative * distance + Closenesses[3].Rounding * edge);
     }
   }
   return false;
