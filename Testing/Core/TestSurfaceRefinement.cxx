@@ -250,8 +250,9 @@ TEST(SurfaceRefinement, StarsOnDefectMeshes)
 
 TEST(SurfaceRefinement, TangledPaths)
 {
-  for (const TestMesh& input : { NoisySphere(1, 0.3, 3), Cube(3), WithNoise(Torus(10, 7), 0.05, 4),
-         Plane(5, 5), Terrain(6, 2.0, 3), MisorientedSphere(1, 8) })
+  for (const TestMesh& input :
+    { NoisySphere(1, 0.3, 3), Cube(1), Cube(3), WithNoise(Torus(10, 7), 0.05, 4), Plane(5, 5),
+      Terrain(6, 2.0, 3), MisorientedSphere(1, 8) })
   {
     const dgg::SurfaceMesh mesh = Build(input);
     std::vector<SurfacePath> paths;

@@ -17,8 +17,8 @@ namespace
 {
 /// Points this close together on the grid are one (1e-9, as SurfacePoint snaps).
 constexpr std::int64_t MergeDistance = GridPoint::One / 1000000000;
-/// Rounds of splitting segments in one face before giving up. Each crossing takes one.
-constexpr int MaximumRounds = 100000;
+/// Rounds of splitting segments in one face before giving up. Two do, but for rounding.
+constexpr int MaximumRounds = 100;
 
 /// One vertex to be: where a path passes.
 struct Node
@@ -53,6 +53,20 @@ bool IsBetween(const GridPoint& p, const GridPoint& a, const GridPoint& b)
   const double along = ux * vx + uy * vy;
   return along > 0.0 && along < square &&
     std::abs(ux * vy - uy * vx) <= real(MergeDistance) * std::sqrt(square);
+}
+
+/// Whether the boxes around two segments meet.
+bool MayMeet(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d)
+{
+  return std::max(a.X, b.X) >= std::min(c.X, d.X) && std::max(c.X, d.X) >= std::min(a.X, b.X) &&
+    std::max(a.Y, b.Y) >= std::min(c.Y, d.Y) && std::max(c.Y, d.Y) >= std::min(a.Y, b.Y);
+}
+
+/// How far along a segment a point is, in grid units squared.
+double Along(const GridPoint& p, const GridPoint& a, const GridPoint& b)
+{
+  auto real = [](std::int64_t x) { return static_cast<double>(x); };
+  return real(b.X - a.X) * real(p.X - a.X) + real(b.Y - a.Y) * real(p.Y - a.Y);
 }
 
 GridPoint Intersection(
@@ -95,11 +109,17 @@ private:
   Id NodeOf(const SurfacePoint& point);
   void MakePieces();
   GridPoint PlaceOf(Id node, Id face) const;
+  bool IsInside(Id node) const
+  {
+    return node >= this->NumberOfVertices &&
+      this->Nodes[node - this->NumberOfVertices].Face != NoId;
+  }
   bool AreOnOneSide(Id a, Id b, Id face, int& side) const;
   int PositionOnSide(Id node, Id face, int side) const;
   Status SplitFace(Id f);
   bool SplitAtPoints(Piece& piece, Id f) const;
   Status SplitAtCrossings(Id f, bool& found);
+  Id CrossingNode(const GridPoint& place, Id f);
   void AddWholeFace(Id f);
   Status Triangulate(Id f);
   void AddTriangle(Id f, const std::array<Id, 3>& nodes);
@@ -404,7 +424,7 @@ bool Refiner::SplitAtPoints(Piece& piece, Id f) const
     const Id a = piece.Nodes[i];
     const Id b = piece.Nodes[i + 1];
     int side = 0;
-    if (this->AreOnOneSide(a, b, f, side))
+    if (!this->IsInside(a) && !this->IsInside(b) && this->AreOnOneSide(a, b, f, side))
     {
       const int from = this->PositionOnSide(a, f, side);
       const int to = this->PositionOnSide(b, f, side);
@@ -439,63 +459,98 @@ bool Refiner::SplitAtPoints(Piece& piece, Id f) const
   return false;
 }
 
-/// Look for two pieces that cross; insert a node there, or fail.
+/// Look for pieces that cross, and insert nodes there, or fail.
 Status Refiner::SplitAtCrossings(Id f, bool& found)
 {
-  const std::vector<std::size_t>& pieces = this->PiecesIn.find(f)->second;
-  for (std::size_t i = 0; i < pieces.size(); ++i)
+  struct Segment
   {
-    for (std::size_t j = i + 1; j < pieces.size(); ++j)
+    std::size_t Piece;
+    std::size_t Start; // among the nodes of the piece
+    GridPoint From;
+    GridPoint To;
+  };
+  std::vector<Segment> segments;
+  for (const std::size_t p : this->PiecesIn.find(f)->second)
+  {
+    const std::vector<Id>& nodes = this->Pieces[p].Nodes;
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     {
-      Piece& p = this->Pieces[pieces[i]];
-      Piece& q = this->Pieces[pieces[j]];
-      for (std::size_t k = 0; k + 1 < p.Nodes.size(); ++k)
+      segments.push_back({ p, i, this->PlaceOf(nodes[i], f), this->PlaceOf(nodes[i + 1], f) });
+    }
+  }
+  struct Insertion
+  {
+    std::size_t Piece;
+    std::size_t Start;
+    double Along;
+    Id Node;
+  };
+  std::vector<Insertion> insertions;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < segments.size(); ++j)
+    {
+      const Segment& p = segments[i];
+      const Segment& q = segments[j];
+      if (!MayMeet(p.From, p.To, q.From, q.To) || !CrossProperly(p.From, p.To, q.From, q.To))
       {
-        const GridPoint a = this->PlaceOf(p.Nodes[k], f);
-        const GridPoint b = this->PlaceOf(p.Nodes[k + 1], f);
-        for (std::size_t l = 0; l + 1 < q.Nodes.size(); ++l)
+        continue;
+      }
+      if (!this->Options.InsertCrossings)
+      {
+        std::ostringstream message;
+        message << "paths " << this->Pieces[p.Piece].Path << " and " << this->Pieces[q.Piece].Path
+                << " cross in face " << f;
+        return Status::Invalid(message.str());
+      }
+      const Id node = this->CrossingNode(Intersection(p.From, p.To, q.From, q.To), f);
+      for (const Segment& segment : { p, q })
+      {
+        const std::vector<Id>& nodes = this->Pieces[segment.Piece].Nodes;
+        if (std::find(nodes.begin(), nodes.end(), node) == nodes.end())
         {
-          const GridPoint c = this->PlaceOf(q.Nodes[l], f);
-          const GridPoint d = this->PlaceOf(q.Nodes[l + 1], f);
-          if (!CrossProperly(a, b, c, d))
-          {
-            continue;
-          }
-          if (!this->Options.InsertCrossings)
-          {
-            std::ostringstream message;
-            message << "paths " << p.Path << " and " << q.Path << " cross in face " << f;
-            return Status::Invalid(message.str());
-          }
-          Node node;
-          node.Face = f;
-          node.Place = Intersection(a, b, c, d);
-          Id id = NoId;
-          for (const Id end : { p.Nodes[k], p.Nodes[k + 1], q.Nodes[l], q.Nodes[l + 1] })
-          {
-            id = this->PlaceOf(end, f) == node.Place ? end : id;
-          }
-          if (id == NoId)
-          {
-            id = this->NumberOfVertices + static_cast<Id>(this->Nodes.size());
-            this->Nodes.push_back(node);
-            this->InFace[f].push_back(id);
-          }
-          auto insert = [&](Piece& piece, std::size_t at) {
-            if (piece.Nodes[at] != id && piece.Nodes[at + 1] != id)
-            {
-              piece.Nodes.insert(piece.Nodes.begin() + static_cast<std::ptrdiff_t>(at) + 1, id);
-            }
-          };
-          insert(p, k);
-          insert(q, l);
-          found = true;
-          return Status::Success();
+          insertions.push_back({ segment.Piece, segment.Start,
+            Along(this->PlaceOf(node, f), segment.From, segment.To), node });
         }
       }
     }
   }
+  // From the back, so that places in the lists of nodes stay what they are.
+  std::sort(
+    insertions.begin(), insertions.end(), [](const Insertion& first, const Insertion& second) {
+      return std::tie(first.Piece, first.Start, first.Along, first.Node) >
+        std::tie(second.Piece, second.Start, second.Along, second.Node);
+    });
+  for (const Insertion& insertion : insertions)
+  {
+    std::vector<Id>& nodes = this->Pieces[insertion.Piece].Nodes;
+    if (std::find(nodes.begin(), nodes.end(), insertion.Node) == nodes.end())
+    {
+      nodes.insert(
+        nodes.begin() + static_cast<std::ptrdiff_t>(insertion.Start) + 1, insertion.Node);
+    }
+  }
+  found = !insertions.empty();
   return Status::Success();
+}
+
+/// The node at a crossing: a new one, unless there is one so close that it would be the same.
+Id Refiner::CrossingNode(const GridPoint& place, Id f)
+{
+  std::vector<Id>& others = this->InFace[f];
+  for (const Id other : others)
+  {
+    if (Largest(place, this->Nodes[other - this->NumberOfVertices].Place) <= MergeDistance)
+    {
+      return other;
+    }
+  }
+  Node node;
+  node.Face = f;
+  node.Place = place;
+  others.push_back(this->NumberOfVertices + static_cast<Id>(this->Nodes.size()));
+  this->Nodes.push_back(node);
+  return others.back();
 }
 
 void Refiner::AddWholeFace(Id f)
