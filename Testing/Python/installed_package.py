@@ -22,6 +22,7 @@ if not abs(FAR - 5.0) < 1e-6:
 for name in (
     "vtkDGGDistance",
     "vtkDGGOFFReader",
+    "vtkDGGPath",
     "vtkDiscreteGeodesicGraph",
     "vtkExactGeodesicDistance",
     "vtkGeodesicAlgorithm",
