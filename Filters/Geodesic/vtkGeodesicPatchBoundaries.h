@@ -14,7 +14,7 @@
  * as an exact shortest path on the surface cut open along the earlier ones, in the sectors of its
  * landmarks that the order demands (after Praun, Sweldens and Schroeder, "Consistent mesh
  * parameterizations", 2001). Where it would touch an earlier curve or another landmark it keeps a
- * small distance, a tenth of the edges there, and is longer by as much.
+ * small distance, 0.3 of the length of the (already split) edges there.
  *
  * Input port 0 takes the first surface and port 1 the second one. Landmarks are given by id
  * (SetFirstLandmarkIds(), SetSecondLandmarkIds()) and as the points of a vtkPolyData on ports 2

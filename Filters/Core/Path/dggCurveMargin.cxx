@@ -15,7 +15,7 @@ namespace dgg
 namespace
 {
 /// Width of the margin as a fraction of the edges that it cuts.
-constexpr double Width = 0.1;
+constexpr double Width = 0.3;
 
 /// A corner of what is left of a face.
 struct Corner

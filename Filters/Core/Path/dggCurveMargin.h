@@ -13,7 +13,7 @@
 namespace dgg
 {
 /// Take a narrow margin away from a surface that has been cut open along curves, and around single
-/// points, so that a shortest path on what is left keeps clear of them. The margin ends at a tenth
+/// points, so that a shortest path on what is left keeps clear of them. The margin ends at 0.3
 /// of the edges that leave the vertices in question. What was connected stays connected.
 ///
 /// `isBlocked`, per vertex: stay away from it. `isCut`, per half-edge: on a curve; at least one of
