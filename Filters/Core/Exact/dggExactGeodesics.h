@@ -68,9 +68,9 @@ struct ExactResult
 {
   std::vector<double> Distances; ///< per vertex; Infinity where unreached
   std::vector<Id> NearestSource; ///< per vertex, index into the sources; NoId where unreached
-  std::vector<Predecessor> Predecessors; ///< per vertex
-  std::vector<double> TargetDistances;   ///< per target; Infinity where unreached
-  std::vector<Id> TargetNearestSource;   ///< per target
+  std::vector<Predecessor> Predecessors;       ///< per vertex
+  std::vector<double> TargetDistances;         ///< per target; Infinity where unreached
+  std::vector<Id> TargetNearestSource;         ///< per target
   std::vector<Predecessor> TargetPredecessors; ///< per target; at vertices those of the vertices
 
   std::size_t NumberOfWindows = 0; ///< windows propagated

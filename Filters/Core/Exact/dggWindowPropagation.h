@@ -125,8 +125,7 @@ private:
   /// g, between the directions `from` and `to`, angles measured from g.
   void EmitInto(Id g, double sigma, double from, double to);
   bool FindIncomingAngle(Id v, double& angle) const;
-  void ReachTarget(
-    std::size_t index, double distance, const Predecessor& predecessor, Id source);
+  void ReachTarget(std::size_t index, double distance, const Predecessor& predecessor, Id source);
 
   const std::vector<GeodesicSource>* Sources = nullptr;
   std::vector<double>* Labels = nullptr;
