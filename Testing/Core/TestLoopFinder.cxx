@@ -7,6 +7,7 @@
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
 
+#include "dggHandleLoops.h"
 #include "dggLoopFinder.h"
 
 #include <gtest/gtest.h>
@@ -54,10 +55,11 @@ public:
     return loop;
   }
 
-  std::vector<FoundLoop> AroundHandles(Id base = 0) const
+  std::vector<FoundLoop> AroundHandles() const
   {
     std::vector<FoundLoop> loops;
-    const dgg::Status status = this->Finder->AroundHandles(base, loops);
+    const dgg::Status status = dgg::FindHandleLoops(this->Mesh, {}, loops);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
     for (const FoundLoop& loop : loops)
     {
       this->Expect(status, loop);
@@ -143,9 +145,13 @@ TEST(LoopFinder, OnTheTorus)
   }
   // Along the edges around the hole.
   const double hole = nu * 2.0 * 0.6 * std::sin(dgg::Pi / nu);
-  for (const Id base : { 0, 100, 310 })
+  for (const std::uint64_t seed : { 1, 2, 3 })
   {
-    const std::vector<FoundLoop> loops = world.AroundHandles(base);
+    // Where the search begins does not matter.
+    const TestMesh torus = Torus(nu, nv);
+    const LoopWorld renumbered(
+      Renumbered(torus, RandomPermutation(torus.GetNumberOfVertices(), seed), seed));
+    const std::vector<FoundLoop> loops = renumbered.AroundHandles();
     ASSERT_EQ(loops.size(), 2u);
     EXPECT_NEAR(loops[0].Loop.Length, tube, 1e-9);
     EXPECT_NEAR(loops[1].Loop.Length, hole, 1e-9);
@@ -168,7 +174,7 @@ TEST(LoopFinder, OnFlatTori)
   const double vy = 2.0;
   const LoopWorld world(FlatTorus(ux, vx, vy, 9, 7, false));
   const double shortest = std::hypot(vx, vy);
-  const std::vector<FoundLoop> loops = world.AroundHandles(3);
+  const std::vector<FoundLoop> loops = world.AroundHandles();
   ASSERT_EQ(loops.size(), 2u);
   EXPECT_NEAR(loops[0].Loop.Length, shortest, 1e-10);
   EXPECT_NEAR(loops[1].Loop.Length, ux, 1e-10);
@@ -184,7 +190,7 @@ TEST(LoopFinder, OneSidedSurfaces)
   ASSERT_EQ(loops.size(), 1u);
   EXPECT_NEAR(loops[0].Loop.Length, 12.0, 1e-10);
   const LoopWorld bottle(KleinBottle(9, 6));
-  const std::vector<FoundLoop> both = bottle.AroundHandles(5);
+  const std::vector<FoundLoop> both = bottle.AroundHandles();
   ASSERT_EQ(both.size(), 2u);
   EXPECT_NEAR(both[0].Loop.Length, 6.0, 1e-10);
   EXPECT_NEAR(both[1].Loop.Length, 9.0, 1e-10);
@@ -200,6 +206,74 @@ TEST(LoopFinder, AsManyAsThereAreHandles)
   EXPECT_TRUE(plane.AroundHandles().empty());
   EXPECT_TRUE(plane.ThroughPoint(At(12)).Loop.IsEmpty());
   EXPECT_TRUE(plane.ThroughPoint(At(12), true).Loop.IsEmpty());
+}
+
+TEST(LoopFinder, HandlesOfSeveralComponents)
+{
+  const LoopWorld world(SeveralComponents()); // sphere, torus, plane
+  EXPECT_EQ(world.AroundHandles().size(), 2u);
+  TestMesh mesh = Torus(12, 8);
+  const LoopWorld one(mesh);
+  Append(mesh, Scaled(mesh, 0.5));
+  Append(mesh, Icosphere(1));
+  mesh.AddPoint(0.0, 0.0, 0.0); // isolated
+  const std::vector<FoundLoop> expected = one.AroundHandles();
+  ASSERT_EQ(expected.size(), 2u);
+  const std::vector<FoundLoop> loops = LoopWorld(mesh).AroundHandles();
+  ASSERT_EQ(loops.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const double scale = i < 2 ? 1.0 : 0.5;
+    EXPECT_NEAR(loops[i].Loop.Length, scale * expected[i % 2].Loop.Length, 1e-9);
+  }
+}
+
+/// Where sheets touch in a vertex, loops do not pass it if they need not.
+TEST(LoopFinder, HandlesOfSheetsThatTouch)
+{
+  TestMesh tori = Torus(12, 8);
+  const std::vector<FoundLoop> expected = LoopWorld(tori).AroundHandles();
+  ASSERT_EQ(expected.size(), 2u);
+  const Id first = tori.GetNumberOfVertices();
+  Append(tori, MovedRigidly(tori, 1.0, { { 3.0, 0.0, 0.0 } }));
+  // Vertex 0 of the one in the place of that of the other, which is no longer used.
+  TestMesh touching = tori;
+  std::replace(touching.Triangles.begin(), touching.Triangles.end(), first, 0);
+  std::copy(tori.Points.begin(), tori.Points.begin() + 3, touching.Points.begin());
+  const LoopWorld world(touching);
+  const std::vector<FoundLoop> loops = world.AroundHandles();
+  ASSERT_EQ(loops.size(), 4u);
+  EXPECT_NEAR(loops[0].Loop.Length, expected[0].Loop.Length, 1e-9);
+  for (const FoundLoop& loop : loops)
+  {
+    EXPECT_FALSE(loop.Loop.IsEmpty());
+    ExpectLocallyShortest(world.Mesh, loop.Loop, true);
+  }
+  // A sphere that touches itself: the only loop passes through that vertex.
+  TestMesh sphere = Icosphere(2);
+  std::replace(sphere.Triangles.begin(), sphere.Triangles.end(), 100, 0);
+  const std::vector<FoundLoop> pinned = LoopWorld(sphere).AroundHandles();
+  ASSERT_EQ(pinned.size(), 1u);
+  EXPECT_TRUE(pinned[0].Loop.IsEmpty());
+}
+
+TEST(LoopFinder, HandlesTellTheirProgress)
+{
+  const dgg::SurfaceMesh mesh = Build(TwoHoledBlock());
+  std::vector<double> progress;
+  std::vector<FoundLoop> loops;
+  const auto tell = [&](double fraction) {
+    progress.push_back(fraction);
+    return true;
+  };
+  ASSERT_TRUE(dgg::FindHandleLoops(mesh, tell, loops).IsOk());
+  EXPECT_EQ(loops.size(), 4u);
+  EXPECT_GT(progress.size(), 8u);
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_EQ(progress.back(), 1.0);
+  const auto stop = [](double fraction) { return fraction < 0.5; };
+  EXPECT_TRUE(dgg::FindHandleLoops(mesh, stop, loops).IsAborted());
+  EXPECT_TRUE(loops.empty());
 }
 
 TEST(LoopFinder, GeodesicsOnSoundMeshes)
@@ -249,13 +323,18 @@ TEST(LoopFinder, DefectMeshes)
       world.ThroughPoint(At(v));
       world.ThroughPoint(At(v), true);
       world.Rope({ At(v), At(0), At(world.Mesh.GetNumberOfVertices() / 2) }, true);
-      std::vector<FoundLoop> loops;
-      const dgg::Status status = world.Finder->AroundHandles(v, loops);
-      if (!status.IsOk())
-      {
-        EXPECT_NE(status.GetMessage().find("more than two triangles"), std::string::npos);
-        EXPECT_TRUE(loops.empty());
-      }
+    }
+    std::vector<FoundLoop> loops;
+    const dgg::Status status = dgg::FindHandleLoops(world.Mesh, {}, loops);
+    if (!status.IsOk())
+    {
+      EXPECT_NE(status.GetMessage().find("more than two triangles"), std::string::npos);
+      EXPECT_TRUE(loops.empty());
+    }
+    for (const FoundLoop& loop : loops)
+    {
+      const dgg::Status path = dgg::CheckPath(world.Mesh, loop.Loop);
+      EXPECT_TRUE(path.IsOk()) << path.GetMessage();
     }
   }
 }
@@ -278,8 +357,42 @@ TEST(LoopFinder, Ropes)
   FoundLoop loop;
   EXPECT_FALSE(world.Finder->Rope({}, true, loop).IsOk());
   EXPECT_FALSE(world.Finder->Rope({ At(0), At(100000) }, true, loop).IsOk());
+  bool isConnected = false;
+  EXPECT_TRUE(world.Finder->Rope({ At(12), At(20), At(31) }, true, loop, isConnected).IsOk());
+  EXPECT_TRUE(isConnected);
   const LoopWorld several(SeveralComponents());
-  EXPECT_TRUE(
-    several.Rope({ At(0), At(several.Mesh.GetNumberOfVertices() - 1) }, true).Loop.IsEmpty());
+  const std::vector<SurfacePoint> apart = { At(0), At(several.Mesh.GetNumberOfVertices() - 1) };
+  EXPECT_TRUE(several.Finder->Rope(apart, true, loop, isConnected).IsOk());
+  EXPECT_TRUE(loop.Loop.IsEmpty());
+  EXPECT_FALSE(isConnected);
+}
+
+/// The angle of a rope that keeps to its points is the smallest one at any of them.
+TEST(LoopFinder, KinksOfRopes)
+{
+  const LoopWorld plane(Plane(8, 8));
+  const auto at = [](Id i, Id j) { return At(9 * j + i); };
+  // A triangle with angles of 90, 45 and 45 degrees, and a kite-like one through a point between.
+  for (int first = 0; first < 3; ++first)
+  {
+    std::vector<SurfacePoint> points = { at(1, 1), at(6, 1), at(1, 6) };
+    std::rotate(points.begin(), points.begin() + first, points.end());
+    EXPECT_NEAR(plane.Rope(points, false).Angle, 0.25 * dgg::Pi, 1e-9);
+    points.insert(points.begin() + 1, points[0]); // the same point twice
+    EXPECT_NEAR(plane.Rope(points, false).Angle, 0.25 * dgg::Pi, 1e-9);
+  }
+  EXPECT_NEAR(plane.Rope({ at(1, 1), at(4, 1), at(6, 1), at(6, 6), at(1, 6) }, false).Angle,
+    0.5 * dgg::Pi, 1e-9);
+  // In faces and on edges as well.
+  const LoopWorld prism(PrismSide(7, 3, 8, 0.2, 4));
+  const std::vector<SurfacePoint> anywhere = { SurfacePoint::InFace(
+                                                 prism.Mesh, 150, { { 0.3, 0.5, 0.2 } }),
+    SurfacePoint::OnEdge(prism.Mesh, 301, 0.3), At(140) };
+  const FoundLoop loop = prism.Rope(anywhere, false);
+  ASSERT_FALSE(loop.Loop.IsEmpty());
+  std::vector<SurfacePoint> turned = anywhere;
+  std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+  EXPECT_NEAR(prism.Rope(turned, false).Angle, loop.Angle, 1e-9);
+  EXPECT_LT(loop.Angle, dgg::Pi - 0.01);
 }
 }

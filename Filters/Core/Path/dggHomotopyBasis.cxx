@@ -160,6 +160,16 @@ Id FaceBehind(const SurfaceMesh& mesh, Id h)
   return twin == NoId ? Outside(mesh) : SurfaceMesh::Face(twin);
 }
 
+Status CheckManifold(const SurfaceMesh& mesh, Id h)
+{
+  const Id twin = mesh.Twin(h);
+  return twin == NoId || mesh.Twin(twin) == h
+    ? Status::Success()
+    : Status::Invalid("the edge between vertices " + std::to_string(mesh.Origin(h)) + " and " +
+        std::to_string(mesh.Destination(h)) +
+        " has more than two triangles: loops around handles need a manifold");
+}
+
 /// The edges of the component that are not in the tree.
 Status Decomposition::CollectEdges(const SurfaceMesh& mesh, std::vector<Id>& edges) const
 {
@@ -177,12 +187,10 @@ Status Decomposition::CollectEdges(const SurfaceMesh& mesh, std::vector<Id>& edg
     {
       continue;
     }
-    const Id twin = mesh.Twin(h);
-    if (twin != NoId && mesh.Twin(twin) != h)
+    const Status status = CheckManifold(mesh, h);
+    if (!status.IsOk())
     {
-      return Status::Invalid("the edge between vertices " + std::to_string(mesh.Origin(h)) +
-        " and " + std::to_string(mesh.Destination(h)) +
-        " has more than two triangles: loops around handles need a manifold");
+      return status;
     }
     if (Representative(mesh, h) == h && !isInTree[h])
     {
@@ -210,6 +218,51 @@ Status Decomposition::Decompose(const SurfaceMesh& mesh)
   }
   return status;
 }
+}
+
+/// A tree of edges takes one edge less than there are vertices, the trees of faces, one less than
+/// there are faces in each of them. What is left of the edges is the number of loops.
+Status FindBasesOfLoops(const SurfaceMesh& mesh, std::vector<Id>& bases)
+{
+  bases.clear();
+  Id count = 0;
+  const std::vector<Id> components = mesh.ComputeComponents(count);
+  std::vector<Id> loops(count, 1);
+  for (const Id component : components)
+  {
+    --loops[component];
+  }
+  // All boundaries of a component are around one face, but not those of several components.
+  FaceSets faces(Outside(mesh) + count);
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const Id face = SurfaceMesh::Face(h);
+    if (mesh.IsDropped(face) || Representative(mesh, h) != h)
+    {
+      continue;
+    }
+    const Status status = CheckManifold(mesh, h);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    const Id component = components[mesh.Origin(h)];
+    const Id behind = FaceBehind(mesh, h);
+    ++loops[component];
+    if (faces.Join(face, behind == Outside(mesh) ? Outside(mesh) + component : behind))
+    {
+      --loops[component]; // an edge in a tree of faces
+    }
+  }
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (loops[components[v]] > 0)
+    {
+      bases.push_back(v);
+      loops[components[v]] = 0;
+    }
+  }
+  return Status::Success();
 }
 
 Status FindHomotopyBasis(const SurfaceMesh& mesh, Id base, std::vector<EdgeLoop>& loops)
@@ -241,7 +294,7 @@ HomologySignatures::HomologySignatures(const SurfaceMesh& mesh, Id base)
   }
   this->Dimension = parts.Rest.size();
   this->Cycles.resize(mesh.GetNumberOfHalfEdges());
-  // Hang up the tree of faces by one of them.
+  // Hang up each tree of faces by one of them.
   std::vector<std::vector<Id>> exits(Outside(mesh) + 1); // edges of the tree at each face
   for (const Id h : parts.Cotree)
   {
@@ -253,23 +306,26 @@ HomologySignatures::HomologySignatures(const SurfaceMesh& mesh, Id base)
   const auto across = [&](Id face, Id h) {
     return SurfaceMesh::Face(h) == face ? FaceBehind(mesh, h) : SurfaceMesh::Face(h);
   };
-  std::vector<Id> open;
-  if (!parts.Rest.empty())
+  for (const Id h : parts.Rest)
   {
-    open.push_back(SurfaceMesh::Face(parts.Rest.front()));
-    depth[open.front()] = 0;
-  }
-  for (std::size_t next = 0; next < open.size(); ++next)
-  {
-    const Id face = open[next];
-    for (const Id h : exits[face])
+    std::vector<Id> open;
+    if (depth[SurfaceMesh::Face(h)] == NoId) // there are several trees where sheets touch
     {
-      const Id other = across(face, h);
-      if (depth[other] == NoId)
+      open.push_back(SurfaceMesh::Face(h));
+      depth[open.front()] = 0;
+    }
+    for (std::size_t next = 0; next < open.size(); ++next)
+    {
+      const Id face = open[next];
+      for (const Id exit : exits[face])
       {
-        depth[other] = depth[face] + 1;
-        up[other] = h;
-        open.push_back(other);
+        const Id other = across(face, exit);
+        if (depth[other] == NoId)
+        {
+          depth[other] = depth[face] + 1;
+          up[other] = exit;
+          open.push_back(other);
+        }
       }
     }
   }

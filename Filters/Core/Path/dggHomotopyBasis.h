@@ -40,6 +40,10 @@ private:
   std::vector<std::vector<Id>> Cycles;
 };
 
+/// For each component that has loops that cannot be contracted, its vertex of smallest id. Fails on
+/// non-manifold edges.
+Status FindBasesOfLoops(const SurfaceMesh& mesh, std::vector<Id>& bases);
+
 /// The shortest loops of edges through the vertex `base` that generate all others on its component:
 /// two for each handle, one for each boundary but the last, one for each cross-cap; the shortest
 /// first (greedy homotopy basis: Erickson and Whittlesey, "Greedy optimal homotopy and homology

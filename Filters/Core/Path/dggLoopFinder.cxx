@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLoopFinder.h"
 
-#include "dggHomotopyBasis.h"
 #include "dggLoopCandidates.h"
 #include "dggLoopShortener.h"
 #include "dggPathTracer.h"
-#include "dggStripChain.h"
 
 #include <algorithm>
 #include <utility>
@@ -23,156 +21,14 @@ constexpr double DefaultAccuracy = 0.01;
 /// Once there is a loop, longer ones are tried that may become shorter than it.
 constexpr std::size_t MostRivals = 24;
 
-/// A ring of the faces that a closed path runs through. False when it passes through a vertex in
-/// which faces meet in nothing else: there it cannot be moved.
-bool MakeRing(const SurfaceMesh& mesh, const SurfacePath& path, std::vector<EdgeCrossing>& ring)
+/// Let a loop go at the points that it was asked to go through.
+void LetGo(const SurfaceMesh& mesh, FoundLoop& loop)
 {
-  StripChain chain(mesh);
-  chain.Append(path);
-  if (chain.GetStrips().size() != 1)
-  {
-    return false;
-  }
-  const Strip& strip = chain.GetStrips().front();
-  ring = strip.Crossings;
-  const Id from = strip.LastFace();
-  const SurfacePoint& start = strip.Start;
-  if (from == strip.FirstFace)
-  {
-    return true;
-  }
-  if (IsVertex(start))
-  {
-    return AppendTurn(mesh, start.Vertex, from, strip.FirstFace, ring);
-  }
-  const Id exit = HalfEdgeUnder(mesh, start, from);
-  const Id entry = HalfEdgeUnder(mesh, start, strip.FirstFace);
-  if (exit == NoId || entry == NoId)
-  {
-    return false;
-  }
-  AppendCrossing(ring, { exit, entry });
-  return true;
-}
-
-/// Let a closed path go where it starts, and pull it tight.
-void Tighten(const SurfaceMesh& mesh, FoundLoop& loop)
-{
-  std::vector<EdgeCrossing> ring;
   SurfacePath tight;
-  if (MakeRing(mesh, loop.Loop, ring))
-  {
-    LoopShortener(mesh).Shorten(std::move(ring), tight);
-  }
+  LoopShortener(mesh).PullTight(loop.Loop, tight);
   loop.Loop = std::move(tight);
   loop.Angle = Pi;
 }
-
-/// Loops around handles, and which of them are independent.
-class HandleLoops
-{
-public:
-  HandleLoops(const SurfaceMesh& mesh, const HomologySignatures& signatures)
-    : Mesh(mesh)
-    , Signatures(signatures)
-  {
-  }
-
-  /// The shortest loops of edges through a vertex, pulled tight.
-  void AddLoopsThrough(Id base)
-  {
-    this->Bases.push_back(base);
-    std::vector<EdgeLoop> basis;
-    if (!FindHomotopyBasis(this->Mesh, base, basis).IsOk())
-    {
-      return;
-    }
-    for (const EdgeLoop& edges : basis)
-    {
-      Candidate candidate;
-      candidate.Signature = this->Signatures.GetSignature(edges);
-      SurfacePath& path = candidate.Found.Loop;
-      for (std::size_t i = 0; i < edges.Vertices.size(); ++i)
-      {
-        path.Points.push_back(SurfacePoint::AtVertex(edges.Vertices[i]));
-        path.Faces.push_back(SurfaceMesh::Face(edges.HalfEdges[i]));
-      }
-      path.Points.push_back(path.Points.front());
-      path.Length = edges.Length;
-      Tighten(this->Mesh, candidate.Found);
-      if (!candidate.Found.Loop.IsEmpty())
-      {
-        this->Candidates.push_back(std::move(candidate));
-      }
-    }
-  }
-
-  /// Which loops are shortest through a vertex depends on where that is: far from a handle, a loop
-  /// around it may as well take in another one. Close to a loop, those that cross it are found.
-  void AddLoopsThroughLoops()
-  {
-    const std::size_t count = this->Candidates.size();
-    const std::size_t places = std::max<std::size_t>(1, std::min(BasesPerLoop, MostBases / count));
-    for (std::size_t i = 0; i < count && this->Bases.size() <= MostBases; ++i)
-    {
-      for (std::size_t k = 0; k < places; ++k)
-      {
-        const SurfacePath& path = this->Candidates[i].Found.Loop;
-        const Id face = path.Faces[k * path.Faces.size() / places];
-        const Id base = this->Mesh.Origin(3 * face);
-        if (std::find(this->Bases.begin(), this->Bases.end(), base) == this->Bases.end())
-        {
-          this->AddLoopsThrough(base);
-        }
-      }
-    }
-  }
-
-  /// Independent ones, the shortest first.
-  std::vector<FoundLoop> TakeShortest()
-  {
-    std::stable_sort(
-      this->Candidates.begin(), this->Candidates.end(), [](const Candidate& a, const Candidate& b) {
-        return a.Found.Loop.Length < b.Found.Loop.Length;
-      });
-    std::vector<FoundLoop> loops;
-    std::vector<std::vector<char>> rows; // in echelon form
-    for (Candidate& candidate : this->Candidates)
-    {
-      std::vector<char> row = candidate.Signature;
-      for (const std::vector<char>& other : rows)
-      {
-        const auto pivot = std::find(other.begin(), other.end(), 1) - other.begin();
-        if (row[pivot])
-        {
-          std::transform(row.begin(), row.end(), other.begin(), row.begin(),
-            [](char a, char b) { return static_cast<char>(a ^ b); });
-        }
-      }
-      if (std::find(row.begin(), row.end(), 1) != row.end())
-      {
-        rows.push_back(std::move(row));
-        loops.push_back(std::move(candidate.Found));
-      }
-    }
-    return loops;
-  }
-
-private:
-  struct Candidate
-  {
-    FoundLoop Found;
-    std::vector<char> Signature;
-  };
-
-  static constexpr std::size_t BasesPerLoop = 4;
-  static constexpr std::size_t MostBases = 16;
-
-  const SurfaceMesh& Mesh;
-  const HomologySignatures& Signatures;
-  std::vector<Candidate> Candidates;
-  std::vector<Id> Bases;
-};
 }
 
 //------------------------------------------------------------------------------
@@ -334,10 +190,10 @@ Status LoopFinder::Implementation::ThroughPoint(
     {
       continue; // contracted to the point
     }
-    found.Angle = LoopShortener::AngleAtStart(this->Mesh, found.Loop);
+    found.Angle = LoopShortener::AngleAt(this->Mesh, found.Loop, 0);
     if (taut)
     {
-      Tighten(this->Mesh, found);
+      LetGo(this->Mesh, found);
     }
     if (!found.Loop.IsEmpty() && (!isFound || found.Loop.Length < loop.Loop.Length))
     {
@@ -366,43 +222,40 @@ Status LoopFinder::ThroughPoint(const SurfacePoint& point, bool taut, FoundLoop&
   return status;
 }
 
-Status LoopFinder::AroundHandles(Id base, std::vector<FoundLoop>& loops) const
-{
-  loops.clear();
-  const SurfaceMesh& mesh = this->Internals->Mesh;
-  const Status exists = SurfacePoint::AtVertex(base).Check(mesh);
-  if (!exists.IsOk())
-  {
-    return exists;
-  }
-  const HomologySignatures signatures(mesh, base);
-  if (!signatures.Check().IsOk() || signatures.GetDimension() == 0)
-  {
-    return signatures.Check();
-  }
-  HandleLoops found(mesh, signatures);
-  found.AddLoopsThrough(base);
-  found.AddLoopsThroughLoops();
-  loops = found.TakeShortest();
-  return Status::Success();
-}
-
 Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop) const
 {
+  bool isConnected = true;
+  return this->Rope(points, taut, loop, isConnected);
+}
+
+Status LoopFinder::Rope(
+  const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop, bool& isConnected) const
+{
   loop = FoundLoop();
+  isConnected = true;
   if (points.empty())
   {
     return Status::Invalid("a rope needs points to go through");
   }
   SurfacePath rope;
+  std::vector<std::size_t> stops; // pieces that start at the points
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     FoundPath leg;
     const Status status =
       this->Internals->Paths.Find(points[i], points[(i + 1) % points.size()], PathOptions(), leg);
-    if (!status.IsOk() || leg.Path.IsEmpty())
+    if (!status.IsOk())
     {
       return status;
+    }
+    if (leg.Path.IsEmpty())
+    {
+      isConnected = false;
+      return status;
+    }
+    if (!leg.Path.Faces.empty())
+    {
+      stops.push_back(rope.Faces.size());
     }
     const std::size_t first = rope.Points.empty() ? 0 : 1;
     rope.Points.insert(rope.Points.end(),
@@ -417,11 +270,13 @@ Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, Foun
   loop.Loop = std::move(rope);
   if (taut)
   {
-    Tighten(this->Internals->Mesh, loop);
+    LetGo(this->Internals->Mesh, loop);
+    return Status::Success();
   }
-  else
+  for (const std::size_t stop : stops)
   {
-    loop.Angle = LoopShortener::AngleAtStart(this->Internals->Mesh, loop.Loop);
+    loop.Angle =
+      std::min(loop.Angle, LoopShortener::AngleAt(this->Internals->Mesh, loop.Loop, stop));
   }
   return Status::Success();
 }

@@ -5,6 +5,7 @@
 #ifndef dggLoopFinder_h
 #define dggLoopFinder_h
 
+#include "dggFoundLoop.h"  // for FoundLoop
 #include "dggPathFinder.h" // for paths between points
 
 #include <memory> // for the internals
@@ -12,15 +13,6 @@
 
 namespace dgg
 {
-struct FoundLoop
-{
-  /// Closed: the last point is the first one again. Empty when there is no loop.
-  SurfacePath Loop;
-  /// The smaller angle of the loop where it starts and ends, radians, pi at most: pi when it is a
-  /// closed geodesic, less when it has a kink there, at the point that it was asked to go through.
-  double Angle = Pi;
-};
-
 /// Finds closed geodesics. What it is made from must outlive it. Loops may be found in several
 /// threads at once.
 class LoopFinder
@@ -40,16 +32,13 @@ public:
   /// a handle or a limb.
   Status ThroughPoint(const SurfacePoint& point, bool taut, FoundLoop& loop) const;
 
-  /// Closed geodesics that cannot be contracted, pulled tight from the shortest loops of mesh edges
-  /// through vertex `base` that generate all others: two for each handle of its component, one for
-  /// each boundary but the last, one for each cross-cap. The shortest first. Fails on a component
-  /// with non-manifold edges.
-  Status AroundHandles(Id base, std::vector<FoundLoop>& loops) const;
-
   /// A rope through points in cyclic order, the last one being joined to the first one: shortest
   /// paths between them, or, when `taut`, what they become when the rope is let go at the points
-  /// and pulled tight. Empty when the points are not connected or the rope contracts to a point.
+  /// and pulled tight. Empty when the points are not connected or the rope contracts to a point;
+  /// `isConnected` tells these apart.
   Status Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop) const;
+  Status Rope(
+    const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop, bool& isConnected) const;
 
 private:
   class Implementation;

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLoopShortener.h"
 
+#include "dggStripChain.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace dgg
 {
@@ -42,6 +45,45 @@ TurnEnd DirectionAt(const SurfaceMesh& mesh, Id vertex, const SurfacePoint& othe
   const Point2 p = PlaceInFrame(mesh, g, barycentric);
   return { face, g, std::atan2(p.Y, p.X) };
 }
+
+/// A ring of the faces that a closed path runs through. False when it passes through a vertex in
+/// which faces meet in nothing else: there it cannot be moved.
+bool MakeRing(const SurfaceMesh& mesh, const SurfacePath& path, std::vector<EdgeCrossing>& ring)
+{
+  StripChain chain(mesh);
+  chain.Append(path);
+  if (chain.GetStrips().size() != 1)
+  {
+    return false;
+  }
+  const Strip& strip = chain.GetStrips().front();
+  ring = strip.Crossings;
+  const Id from = strip.LastFace();
+  const SurfacePoint& start = strip.Start;
+  if (from == strip.FirstFace)
+  {
+    return true;
+  }
+  if (IsVertex(start))
+  {
+    return AppendTurn(mesh, start.Vertex, from, strip.FirstFace, ring);
+  }
+  const Id exit = HalfEdgeUnder(mesh, start, from);
+  const Id entry = HalfEdgeUnder(mesh, start, strip.FirstFace);
+  if (exit == NoId || entry == NoId)
+  {
+    return false;
+  }
+  AppendCrossing(ring, { exit, entry });
+  return true;
+}
+}
+
+bool LoopShortener::PullTight(const SurfacePath& path, SurfacePath& loop)
+{
+  loop.Clear();
+  std::vector<EdgeCrossing> ring;
+  return MakeRing(this->Mesh, path, ring) && this->Shorten(std::move(ring), loop);
 }
 
 bool LoopShortener::Shorten(std::vector<EdgeCrossing> ring, SurfacePath& loop)
@@ -102,21 +144,24 @@ bool LoopShortener::Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop)
   return true;
 }
 
-double LoopShortener::AngleAtStart(const SurfaceMesh& mesh, const SurfacePath& loop)
+double LoopShortener::AngleAt(const SurfaceMesh& mesh, const SurfacePath& loop, std::size_t piece)
 {
   if (loop.Faces.empty())
   {
     return Pi;
   }
-  const SurfacePoint& start = loop.Points.front();
-  const std::size_t last = loop.Faces.size() - 1;
+  const std::size_t before = (piece > 0 ? piece : loop.Faces.size()) - 1;
+  const SurfacePoint& previous = loop.Points[before];
+  const SurfacePoint& start = loop.Points[piece];
+  const SurfacePoint& next = loop.Points[piece + 1];
+  const Id in = loop.Faces[before];
+  const Id out = loop.Faces[piece];
   if (IsVertex(start))
   {
     std::vector<EdgeCrossing> turn;
     return std::min(Pi,
-      FindTurn(mesh, start.Vertex,
-        DirectionAt(mesh, start.Vertex, loop.Points[last], loop.Faces[last]),
-        DirectionAt(mesh, start.Vertex, loop.Points[1], loop.Faces[0]), turn));
+      FindTurn(mesh, start.Vertex, DirectionAt(mesh, start.Vertex, previous, in),
+        DirectionAt(mesh, start.Vertex, next, out), turn));
   }
   // In the plane of the faces around the point: by the angles with the edge that it lies on.
   const auto direction = [&](const SurfacePoint& other, Id face, Id h) {
@@ -128,13 +173,11 @@ double LoopShortener::AngleAtStart(const SurfaceMesh& mesh, const SurfacePath& l
     const Point2 to = PlaceInFrame(mesh, h, q);
     return std::atan2(to.Y - from.Y, to.X - from.X);
   };
-  const Id out = loop.Faces.front();
-  const Id in = loop.Faces.back();
   const Id outEdge = HalfEdgeUnder(mesh, start, out);
   const Id inEdge = HalfEdgeUnder(mesh, start, in);
   const bool isSame = out == in;
-  double angle = direction(loop.Points[1], out, isSame ? 3 * out : outEdge);
-  const double back = direction(loop.Points[last], in, isSame ? 3 * in : inEdge);
+  double angle = direction(next, out, isSame ? 3 * out : outEdge);
+  const double back = direction(previous, in, isSame ? 3 * in : inEdge);
   if (isSame)
   {
     angle = std::abs(angle - back);

@@ -32,9 +32,13 @@ public:
   /// the first one leaves. False when the path contracts to a point.
   bool Shorten(std::vector<EdgeCrossing> ring, SurfacePath& loop);
 
-  /// The smallest angle that a closed path makes with itself where it starts and ends: pi or more
-  /// on both sides for a geodesic.
-  static double AngleAtStart(const SurfaceMesh& mesh, const SurfacePath& loop);
+  /// The same for a path whose last point is its first one. False as well when it passes through a
+  /// vertex in which faces meet in nothing else: there it cannot be moved.
+  bool PullTight(const SurfacePath& path, SurfacePath& loop);
+
+  /// The smaller angle that a closed path makes with itself where a piece starts, pi at most: pi
+  /// for a geodesic.
+  static double AngleAt(const SurfaceMesh& mesh, const SurfacePath& loop, std::size_t piece);
 
 private:
   /// The ring, cut open at the edge of its first crossing.

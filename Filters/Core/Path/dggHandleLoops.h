@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Closed geodesics that cannot be contracted.
+#ifndef dggHandleLoops_h
+#define dggHandleLoops_h
+
+#include "dggFoundLoop.h" // for FoundLoop
+
+#include <vector> // for the loops
+
+namespace dgg
+{
+/// Closed geodesics, independent of each other modulo 2, of each component: two for each handle,
+/// one for each boundary but the last, one for each cross-cap. They are pulled tight from the
+/// shortest loops of mesh edges through some vertices. Components come by their smallest vertices,
+/// the loops of each the shortest first. A loop that cannot be moved, as it has to pass through a
+/// vertex in which faces meet in nothing else, is an empty one after the others of its component.
+///
+/// Fails when a component has a non-manifold edge. No loops when it is stopped.
+Status FindHandleLoops(
+  const SurfaceMesh& mesh, const ProgressCallback& progress, std::vector<FoundLoop>& loops);
+}
+
+#endif
