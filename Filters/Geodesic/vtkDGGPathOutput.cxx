@@ -2,101 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPathOutput.h"
 
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPolylineWriter.h"
 
 #include "vtkAbstractArray.h"
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-
-#include <algorithm>
 
 namespace
 {
 /// Values of PathStatus.
 constexpr int HasPath = 0;
 constexpr int NotConnected = 1;
-
-template <typename ArrayType>
-vtkSmartPointer<ArrayType> MakeArray(const char* name, vtkIdType size)
-{
-  auto array = vtkSmartPointer<ArrayType>::New();
-  array->SetName(name);
-  array->SetNumberOfValues(size);
-  return array;
-}
-
-/// Fills the points of the output, path by path.
-class PointWriter
-{
-public:
-  PointWriter(const vtkDGGMeshAdapter& mesh, const double* positions, vtkIdType size)
-    : Mesh(mesh)
-    , Positions(positions)
-    , Faces(MakeArray<vtkIdTypeArray>("FaceId", size))
-    , PointIds(MakeArray<vtkIdTypeArray>("vtkOriginalPointIds", size))
-    , ArcLengths(MakeArray<vtkDoubleArray>("ArcLength", size))
-  {
-    this->Points->SetDataTypeToDouble();
-    this->Points->SetNumberOfPoints(size);
-    this->Lines->AllocateEstimate(1, size);
-  }
-
-  void Add(const dgg::SurfacePath& path)
-  {
-    double arcLength = 0.0;
-    this->Lines->InsertNextCell(static_cast<int>(path.Points.size()));
-    for (std::size_t i = 0; i < path.Points.size(); ++i)
-    {
-      arcLength += i > 0 ? dgg::MeasurePiece(this->Mesh.GetMesh(), path, i - 1) : 0.0;
-      const dgg::SurfacePoint& point = path.Points[i];
-      this->Points->SetPoint(
-        this->Next, dgg::PositionOf(this->Mesh.GetMesh(), point, this->Positions).data());
-      this->Faces->SetValue(this->Next, this->FindCell(path, i));
-      const bool isVertex = point.On == dgg::SurfacePoint::Support::Vertex;
-      this->PointIds->SetValue(this->Next, isVertex ? point.Vertex : -1);
-      this->ArcLengths->SetValue(this->Next, arcLength);
-      this->Lines->InsertCellPoint(this->Next);
-      ++this->Next;
-    }
-  }
-
-  void AddTo(vtkPolyData* output) const
-  {
-    output->SetPoints(this->Points);
-    output->SetLines(this->Lines);
-    output->GetPointData()->AddArray(this->Faces);
-    output->GetPointData()->AddArray(this->PointIds);
-    output->GetPointData()->AddArray(this->ArcLengths);
-  }
-
-private:
-  /// The cell of the input that piece i lies in; the last piece for the last point.
-  vtkIdType FindCell(const dgg::SurfacePath& path, std::size_t i) const
-  {
-    const dgg::Id face = path.Faces.empty() ? dgg::FindFaceOf(this->Mesh.GetMesh(), path.Points[i])
-                                            : path.Faces[std::min(i, path.Faces.size() - 1)];
-    return face == dgg::NoId ? -1 : this->Mesh.GetCell(face);
-  }
-
-  const vtkDGGMeshAdapter& Mesh;
-  const double* Positions;
-  vtkIdType Next = 0;
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkCellArray> Lines;
-  vtkSmartPointer<vtkIdTypeArray> Faces;
-  vtkSmartPointer<vtkIdTypeArray> PointIds;
-  vtkSmartPointer<vtkDoubleArray> ArcLengths;
-};
 
 /// An array with a tuple of `from` for each polyline, or null values.
 vtkSmartPointer<vtkAbstractArray> PassArray(
@@ -127,10 +49,10 @@ void AddCellData(const vtkDGGPathSet& set, const std::vector<vtkIdType>& pairs, 
   // Pairs by id come before those of lines, and have no tuple.
   const auto firstLine = static_cast<vtkIdType>(set.Paths.size() - set.CellsOfLast.size());
   std::vector<vtkIdType> tuples;
-  auto ids = MakeArray<vtkIdTypeArray>("PairId", count);
-  auto lengths = MakeArray<vtkDoubleArray>("Length", count);
-  auto graphLengths = MakeArray<vtkDoubleArray>("GraphLength", count);
-  auto straightened = MakeArray<vtkIntArray>("Straightened", count);
+  auto ids = vtkDGGMakeArray<vtkIdTypeArray>("PairId", count);
+  auto lengths = vtkDGGMakeArray<vtkDoubleArray>("Length", count);
+  auto graphLengths = vtkDGGMakeArray<vtkDoubleArray>("GraphLength", count);
+  auto straightened = vtkDGGMakeArray<vtkIntArray>("Straightened", count);
   for (vtkIdType line = 0; line < count; ++line)
   {
     const vtkIdType pair = pairs[line];
@@ -172,7 +94,8 @@ void vtkDGGWritePaths(const vtkDGGPathSet& set, const vtkDGGMeshAdapter& mesh,
 {
   std::vector<vtkIdType> pairs;
   vtkIdType size = 0;
-  auto status = MakeArray<vtkIntArray>("PathStatus", static_cast<vtkIdType>(set.Paths.size()));
+  auto status =
+    vtkDGGMakeArray<vtkIntArray>("PathStatus", static_cast<vtkIdType>(set.Paths.size()));
   for (std::size_t i = 0; i < set.Paths.size(); ++i)
   {
     const dgg::SurfacePath& path = set.Paths[i].Path;
@@ -183,7 +106,7 @@ void vtkDGGWritePaths(const vtkDGGPathSet& set, const vtkDGGMeshAdapter& mesh,
       size += static_cast<vtkIdType>(path.Points.size());
     }
   }
-  PointWriter writer(mesh, positions, size);
+  vtkDGGPolylineWriter writer(mesh, positions, size);
   for (const vtkIdType pair : pairs)
   {
     writer.Add(set.Paths[pair].Path);

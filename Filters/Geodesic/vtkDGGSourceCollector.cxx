@@ -33,9 +33,10 @@ vtkIdType GetPointId(const vtkDGGSourceSet& set, vtkIdType i)
 /// "source point 3 of input port 1, at (x, y, z),"
 std::string Describe(const vtkDGGSourceSet& set, vtkIdType index, const double p[3])
 {
+  const bool isPoint = set.Role.find("point") != std::string::npos;
   std::ostringstream text;
-  text << set.Role << " point " << index << " of input port " << set.Port << ", at (" << p[0]
-       << ", " << p[1] << ", " << p[2] << "),";
+  text << set.Role << (isPoint ? " " : " point ") << index << " of input port " << set.Port
+       << ", at (" << p[0] << ", " << p[1] << ", " << p[2] << "),";
   return text.str();
 }
 

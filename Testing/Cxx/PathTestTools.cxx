@@ -83,29 +83,6 @@ double DistanceFromCell(vtkPolyData* surface, vtkIdType cell, const std::array<d
   return distance;
 }
 
-bool HasArrays(vtkPolyData* output)
-{
-  for (const char* name : { "FaceId", "vtkOriginalPointIds", "ArcLength" })
-  {
-    vtkDataArray* array = output->GetPointData()->GetArray(name);
-    if (!array || array->GetNumberOfTuples() != output->GetNumberOfPoints())
-    {
-      ADD_FAILURE() << "point data " << name;
-      return false;
-    }
-  }
-  for (const char* name : { "Length", "GraphLength", "Straightened", "PairId" })
-  {
-    vtkDataArray* array = output->GetCellData()->GetArray(name);
-    if (!array || array->GetNumberOfTuples() != output->GetNumberOfCells())
-    {
-      ADD_FAILURE() << "cell data " << name;
-      return false;
-    }
-  }
-  return output->GetNumberOfLines() == output->GetNumberOfCells();
-}
-
 double GetValue(vtkDataSetAttributes* data, const char* name, vtkIdType tuple)
 {
   return data->GetArray(name)->GetComponent(tuple, 0);
@@ -122,33 +99,61 @@ bool PathLine::operator==(const PathLine& other) const
       (std::isnan(this->GraphLength) && std::isnan(other.GraphLength)));
 }
 
+bool HasPolylines(vtkPolyData* output, const std::vector<const char*>& cellArrays)
+{
+  for (const char* name : { "FaceId", "vtkOriginalPointIds", "ArcLength" })
+  {
+    vtkDataArray* array = output->GetPointData()->GetArray(name);
+    if (!array || array->GetNumberOfTuples() != output->GetNumberOfPoints())
+    {
+      ADD_FAILURE() << "point data " << name;
+      return false;
+    }
+  }
+  for (const char* name : cellArrays)
+  {
+    vtkDataArray* array = output->GetCellData()->GetArray(name);
+    if (!array || array->GetNumberOfTuples() != output->GetNumberOfCells())
+    {
+      ADD_FAILURE() << "cell data " << name;
+      return false;
+    }
+  }
+  return output->GetNumberOfLines() == output->GetNumberOfCells();
+}
+
+void ReadPolyline(vtkPolyData* output, vtkIdType line, PathLine& path)
+{
+  path.Length = GetValue(output->GetCellData(), "Length", line);
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
+  output->GetLines()->GetCellAtId(line, size, ids);
+  for (const vtkIdType* id = ids; id != ids + size; ++id)
+  {
+    path.Positions.emplace_back();
+    output->GetPoint(*id, path.Positions.back().data());
+    vtkPointData* data = output->GetPointData();
+    path.Faces.push_back(static_cast<vtkIdType>(GetValue(data, "FaceId", *id)));
+    path.PointIds.push_back(static_cast<vtkIdType>(GetValue(data, "vtkOriginalPointIds", *id)));
+    path.ArcLengths.push_back(GetValue(data, "ArcLength", *id));
+  }
+}
+
 std::vector<PathLine> GetPaths(vtkDGGPath* filter)
 {
   vtkPolyData* output = filter->GetOutput();
   std::vector<PathLine> paths;
-  if (!HasArrays(output))
+  if (!HasPolylines(output, { "Length", "GraphLength", "Straightened", "PairId" }))
   {
     return paths;
   }
   for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
   {
     PathLine path;
-    path.Length = GetValue(output->GetCellData(), "Length", c);
+    ReadPolyline(output, c, path);
     path.GraphLength = GetValue(output->GetCellData(), "GraphLength", c);
     path.Straightened = static_cast<int>(GetValue(output->GetCellData(), "Straightened", c));
     path.Pair = static_cast<vtkIdType>(GetValue(output->GetCellData(), "PairId", c));
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    output->GetLines()->GetCellAtId(c, size, ids);
-    for (const vtkIdType* id = ids; id != ids + size; ++id)
-    {
-      path.Positions.emplace_back();
-      output->GetPoint(*id, path.Positions.back().data());
-      vtkPointData* data = output->GetPointData();
-      path.Faces.push_back(static_cast<vtkIdType>(GetValue(data, "FaceId", *id)));
-      path.PointIds.push_back(static_cast<vtkIdType>(GetValue(data, "vtkOriginalPointIds", *id)));
-      path.ArcLengths.push_back(GetValue(data, "ArcLength", *id));
-    }
     paths.push_back(path);
   }
   return paths;

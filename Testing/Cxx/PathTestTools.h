@@ -28,6 +28,12 @@ struct PathLine
   bool operator==(const PathLine& other) const;
 };
 
+/// Whether an output has polylines with the point data of a PathLine and these cell data; an array
+/// that is missing fails the test.
+bool HasPolylines(vtkPolyData* output, const std::vector<const char*>& cellArrays);
+/// The points of a polyline, their data and its length.
+void ReadPolyline(vtkPolyData* output, vtkIdType line, PathLine& path);
+
 /// The polylines of the output; an array that is missing fails the test.
 std::vector<PathLine> GetPaths(vtkDGGPath* filter);
 std::vector<int> GetPathStatus(vtkDGGPath* filter);

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDGGLoop.h"
+
+#include "vtkDGGGraphArrays.h"
+#include "vtkDGGGraphUser.h"
+#include "vtkDGGLoopOutput.h"
+#include "vtkDGGLoopSearch.h"
+#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPointCoordinates.h"
+#include "vtkDGGProperties.h"
+#include "vtkDGGSourceCollector.h"
+
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+vtkStandardNewMacro(vtkDGGLoop);
+vtkDGGGraphUserMacro(vtkDGGLoop);
+
+namespace
+{
+/// Share of the progress after the graph that finding loops takes when there are tapes.
+constexpr double LoopShare = 0.5;
+constexpr std::size_t FewestPointsOfRope = 3;
+
+dgg::ProgressCallback PartOf(const dgg::ProgressCallback& progress, double from, double to)
+{
+  return [=](double fraction) { return progress(from + (to - from) * fraction); };
+}
+}
+
+//------------------------------------------------------------------------------
+vtkDGGLoop::vtkDGGLoop()
+  : Mode(ThroughPoint)
+  , Taut(false)
+  , TapeWidth(0.0)
+  , ProjectionTolerance(0.01)
+  , GraphUser(new vtkDGGGraphUser)
+  , Collector(new vtkDGGSourceCollector)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkDGGLoop::~vtkDGGLoop() = default;
+
+//------------------------------------------------------------------------------
+void vtkDGGLoop::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << this->GetModeAsString() << "\n";
+  os << indent << "PointIds:";
+  for (const vtkIdType id : this->PointIds)
+  {
+    os << " " << id;
+  }
+  os << (this->PointIds.empty() ? " (none)\n" : "\n");
+  os << indent << "Taut: " << (this->Taut ? "On" : "Off") << "\n";
+  os << indent << "TapeWidth: " << this->TapeWidth << "\n";
+  os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
+  this->GraphUser->PrintSelf(os, indent);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkDGGLoop::GetModeAsString() const
+{
+  switch (this->Mode)
+  {
+    case AroundHandles:
+      return "AroundHandles";
+    case Rope:
+      return "Rope";
+    default:
+      return "ThroughPoint";
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGLoop::AddPointId(vtkIdType id)
+{
+  this->PointIds.push_back(id);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGLoop::SetPointIds(vtkIdList* ids)
+{
+  this->SetPointIds(
+    ids ? std::vector<vtkIdType>(ids->begin(), ids->end()) : std::vector<vtkIdType>());
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGLoop::SetPointIds(std::initializer_list<vtkIdType> ids)
+{
+  this->SetPointIds(std::vector<vtkIdType>(ids));
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGLoop::SetPointIds(const std::vector<vtkIdType>& ids)
+{
+  if (this->PointIds != ids)
+  {
+    this->PointIds = ids;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGLoop::RemoveAllPointIds()
+{
+  this->SetPointIds(std::vector<vtkIdType>());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkDGGLoop::GetNumberOfPointIds() const
+{
+  return static_cast<vtkIdType>(this->PointIds.size());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkDGGLoop::GetPointId(vtkIdType i) const
+{
+  return i >= 0 && i < this->GetNumberOfPointIds() ? this->PointIds[i] : -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGLoop::RemoveAllPoints()
+{
+  this->RemoveAllPointIds();
+  this->SetInputConnection(1, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGLoop::SetPointConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGLoop::SetPointData(vtkPolyData* points)
+{
+  this->SetInputData(1, points);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkDGGLoop::GetTape()
+{
+  return this->GetOutput(1);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGLoop::CheckProperties() const
+{
+  dgg::Status status = vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
+  if (status.IsOk())
+  {
+    status = vtkDGGCheckLength("TapeWidth", this->TapeWidth);
+  }
+  if (status.IsOk() && std::isinf(this->TapeWidth))
+  {
+    status = dgg::Status::Invalid("TapeWidth is infinite: call SetTapeWidth() with a finite width");
+  }
+  return status.IsOk() ? this->GraphUser->Check() : status;
+}
+
+//------------------------------------------------------------------------------
+vtkDGGSourceSet vtkDGGLoop::GetPointSet(vtkInformationVector** inputVector) const
+{
+  return { this->PointIds, vtkPolyData::GetData(inputVector[1]), 1, "loop point",
+    "call AddPointId() or SetPointIds()", "" };
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGLoop::CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const
+{
+  if (this->Mode == AroundHandles)
+  {
+    return dgg::Status::Success();
+  }
+  const vtkDGGSourceSet set = this->GetPointSet(inputVector);
+  const std::size_t count =
+    set.Ids.size() + (set.Points ? static_cast<std::size_t>(set.Points->GetNumberOfPoints()) : 0);
+  if (this->Mode == Rope && count > 0 && count < FewestPointsOfRope)
+  {
+    return dgg::Status::Invalid("a rope through " + std::to_string(count) +
+      (count == 1 ? " point" : " points") +
+      " goes back the way that it came: give it three points or more");
+  }
+  return vtkDGGSourceCollector::Check(set, surface->GetNumberOfPoints());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDGGLoop::GetMemoryRemedy() const
+{
+  return "use a smaller mesh, a larger Accuracy or fewer points at a time";
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGLoop::Execute(
+  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  // Observers may change properties.
+  const int mode = this->Mode;
+  const bool taut = this->Taut;
+  const double width = this->TapeWidth;
+  std::vector<dgg::GeodesicSource> sources;
+  dgg::Status status;
+  if (mode != AroundHandles)
+  {
+    status = this->Collector->Collect(this->GetPointSet(inputVector), this->ProjectionTolerance,
+      mesh, surface->GetPoints(), sources);
+  }
+  if (status.IsOk() && !this->Advance(0.0))
+  {
+    status = dgg::Status::Abort();
+  }
+  dgg::ProgressCallback progress = [this](double fraction) { return this->Advance(fraction); };
+  if (status.IsOk() && mode != AroundHandles)
+  {
+    status = this->GraphUser->Update(surface, mesh, progress, this);
+    progress = this->GraphUser->GetProvider().GetRemainingProgress();
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+
+  const vtkDGGPointCoordinates positions(surface->GetPoints());
+  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
+  vtkDGGLoopSearch::Points points;
+  for (const dgg::GeodesicSource& source : sources)
+  {
+    points.push_back(source.Point);
+  }
+  const vtkDGGLoopSearch search(mesh);
+  vtkDGGLoopSet set;
+  const dgg::ProgressCallback finding = PartOf(progress, 0.0, width > 0.0 ? LoopShare : 1.0);
+  switch (mode)
+  {
+    case AroundHandles:
+      status = search.RunAroundHandles(finding, set);
+      break;
+    case Rope:
+      status = search.RunRope(graph, positions.GetData(), points, taut, set);
+      break;
+    default:
+      status = search.RunThroughPoints(graph, positions.GetData(), points, taut, finding, set);
+      break;
+  }
+  if (status.IsOk() && !finding(1.0))
+  {
+    status = dgg::Status::Abort();
+  }
+  if (status.IsOk() && width > 0.0)
+  {
+    status = search.AddTapes(width, PartOf(progress, LoopShare, 1.0), set);
+  }
+  if (status.IsOk())
+  {
+    this->FillOutputs(set, positions.GetData(), outputVector);
+    this->WarnAboutMissingLoops(set, mode);
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGLoop::FillOutputs(
+  const vtkDGGLoopSet& set, const double* positions, vtkInformationVector* outputVector) const
+{
+  for (int port = 0; port < 2; ++port)
+  {
+    // The graph is not that of the polylines.
+    vtkDGGGraphArrays::RemoveFrom(vtkPolyData::GetData(outputVector, port)->GetFieldData());
+  }
+  vtkDGGWriteLoops(set, this->GetMesh(), positions, vtkPolyData::GetData(outputVector, 0));
+  vtkDGGWriteTapes(set, this->GetMesh(), positions, vtkPolyData::GetData(outputVector, 1));
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set, int mode)
+{
+  const auto isMissing = [](vtkDGGLoopStatus status) { return status != vtkDGGLoopStatus::Found; };
+  const auto missing = std::count_if(set.Status.begin(), set.Status.end(), isMissing);
+  const auto first =
+    std::find_if(set.Status.begin(), set.Status.end(), isMissing) - set.Status.begin();
+  if (mode == AroundHandles && set.Status.empty())
+  {
+    vtkWarningMacro("The surface has no handle, and no component with more than one boundary: all "
+                    "loops on it can be contracted. There are none in the output.");
+  }
+  else if (missing > 0 && mode == AroundHandles)
+  {
+    vtkWarningMacro(<< missing << " of " << set.Status.size()
+                    << " loops around handles have to pass a point in which faces meet in nothing "
+                    << "else, and cannot be pulled tight there: they have no polyline, and 1 in "
+                    << "the field array LoopStatus. Separate the faces at such points.");
+  }
+  else if (missing > 0 && mode == Rope)
+  {
+    const bool isConnected = set.Status[0] != vtkDGGLoopStatus::NotConnected;
+    vtkWarningMacro(<< (isConnected ? "The rope contracts to a point when it is pulled tight: "
+                                      "nothing on the surface holds it. "
+                                    : "The points of the rope are not connected by the surface. ")
+                    << "There is no polyline, and " << (isConnected ? 1 : 2)
+                    << " in the field array LoopStatus.");
+  }
+  else if (missing > 0)
+  {
+    vtkWarningMacro(<< "There is no loop through " << missing << " of " << set.Status.size()
+                    << (set.Status.size() == 1 ? " point" : " points")
+                    << ", the first of them point " << first
+                    << ": all ways around contract to the point, as they do on a surface without "
+                    << "handles and limbs. They have no polyline, and 1 in the field array "
+                    << "LoopStatus.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGLoop::MakeEmptyOutput(
+  vtkPolyData* vtkNotUsed(surface), vtkInformationVector* outputVector)
+{
+  this->FillOutputs(vtkDGGLoopSet(), nullptr, outputVector);
+}

@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkDGGLoop
+ * @brief   closed geodesics on a surface, as closed polylines
+ *
+ * Finds loops on the surface: through given points, around the handles, or along a rope that is
+ * pulled tight; and lays tapes along them. The discrete geodesic graph that it searches is taken
+ * from the input, or built and kept, as in vtkDGGDistance.
+ *
+ * Input port 0 takes the surface. Points are ids of points of the surface (AddPointId(),
+ * SetPointIds()) and the points of a vtkPolyData on the optional input port 1
+ * (SetPointConnection(), SetPointData()), which may lie anywhere on the surface and are projected
+ * to it. They are numbered from 0: ids first, then the points of port 1.
+ *
+ * <b>Modes.</b>
+ *  - ThroughPoint (the default): for each point, the shortest geodesic from there back to itself
+ *    that was found. It is straight everywhere but at the point, where it may have a kink. With
+ *    Taut, it is let go there and pulled tight: a closed geodesic close by.
+ *  - AroundHandles: closed geodesics of each component that cannot be contracted, independent of
+ *    each other: two for each handle, one for each boundary but the last, one for each cross-cap.
+ *    They are short, but there may be shorter ones. No points and no graph are needed, Taut has no
+ *    meaning.
+ *  - Rope: one loop through all points, at least three, in their order, and from the last one back
+ *    to the first one. Without Taut it keeps to the points: shortest paths join them. With Taut the
+ *    rope is let go at the points and pulled tight: what stays is a closed geodesic, as around a
+ *    neck, or nothing, when it slips off.
+ *
+ * <b>Output 0</b> has a closed polyline for each loop: it ends with the point that it begins with.
+ * Each of its pieces lies in one triangle of the surface.
+ *  - Cell data: `Length` (double, in units of the coordinates); `LoopId`, the number of the point
+ *    that the loop goes through, or of the loop; `Angle` (double, radians), the smaller angle of
+ *    the loop at the points that it goes through, the smallest when there are several: pi for a
+ *    closed geodesic; `Kinked` (int), whether that is less than pi.
+ *  - Point data: `FaceId`, the cell of the input that the piece after the point lies in;
+ *    `vtkOriginalPointIds`, the point of the input where the loop is at one, else -1 (the first one
+ *    of points that have been merged); `ArcLength`, the length of the loop up to the point.
+ *  - Field data: `LoopStatus`, one int for each loop asked for: 0 when it is there; 1 when there is
+ *    none, as it contracts to a point; 2 when the points of the rope are not connected. Loops that
+ *    are not there are left out, and a warning counts them. With AroundHandles, 1 stands for a loop
+ *    that has to pass a point in which sheets touch, where it cannot be moved. The field data of
+ *    the input is passed, without the graph.
+ *
+ * <b>Output 1</b> (GetTape()) has the rims of the tapes, when TapeWidth is positive: the curves at
+ * a distance of half of it from a loop, one on each side where there is room. They are closed,
+ * or end at the boundary. The arrays are `Length`, `LoopId` and the point data of output 0.
+ *
+ * <b>What is promised.</b> No curve next to a loop is shorter, unless it is kinked, and then none
+ * through the same points. A closed geodesic need not exist near a point: on a surface without
+ * handles, boundaries or limbs, as on a ball, ways around contract to the point, and there is no
+ * loop. Where there are several, the shortest one is found among those that the graph tells apart.
+ * Lengths are those of the triangles; where triangles have no area, those after
+ * GetMollification(). Rims are as exact as vtkExactGeodesicDistance where they cross edges, to 1e-5
+ * of the width.
+ *
+ * <b>Time.</b> A loop through a point takes a search over the whole surface; points are worked on
+ * by all threads of vtkSMPTools. Results do not depend on their number. AroundHandles takes up to
+ * 17 searches along edges for each component with such loops; a tape, an exact propagation as far
+ * as it is wide.
+ *
+ * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
+ *  - no point, or fewer than three of a rope; an id out of range; a point that is not finite, or
+ *    farther from the surface than ProjectionTolerance;
+ *  - edges with more than two triangles, with AroundHandles;
+ *  - a negative ProjectionTolerance or TapeWidth; an Accuracy outside [1e-6, 0.5]; a graph that
+ *    would take more memory than MemoryLimit.
+ *
+ * @code
+ * vtkNew<vtkPLYReader> reader;
+ * reader->SetFileName("mesh.ply");
+ * vtkNew<vtkDGGLoop> loop;
+ * loop->SetInputConnection(reader->GetOutputPort());
+ * loop->SetModeToAroundHandles();
+ * loop->Update();
+ * std::cout << loop->GetOutput()->GetNumberOfLines() << " loops\n"; // two for each handle
+ * @endcode
+ *
+ * Ways through the graph that meet are straightened, as in vtkDGGPath. Loops around handles come
+ * from shortest loops of mesh edges (Erickson and Whittlesey 2005).
+ *
+ * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ *
+ * @sa vtkDGGPath vtkDiscreteGeodesicGraph vtkGeodesicPatchBoundaries
+ */
+
+#ifndef vtkDGGLoop_h
+#define vtkDGGLoop_h
+
+#include "vtkDGGFiltersGeodesicModule.h" // For export macro
+#include "vtkGeodesicAlgorithm.h"
+
+#include <initializer_list> // For ids
+#include <memory>           // For the internals
+#include <vector>           // For ids
+
+class vtkDGGGraphUser;
+class vtkDGGSourceCollector;
+struct vtkDGGLoopSet;
+struct vtkDGGSourceSet;
+
+class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGLoop : public vtkGeodesicAlgorithm
+{
+public:
+  static vtkDGGLoop* New();
+  vtkTypeMacro(vtkDGGLoop, vtkGeodesicAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Loops that can be asked for.
+   */
+  enum ModeType
+  {
+    ThroughPoint = 0,  ///< one through each point
+    AroundHandles = 1, ///< all that cannot be contracted
+    Rope = 2           ///< one through all points
+  };
+
+  ///@{
+  /**
+   * Which loops to find. Default ThroughPoint.
+   */
+  vtkSetClampMacro(Mode, int, ThroughPoint, Rope);
+  vtkGetMacro(Mode, int);
+  void SetModeToThroughPoint() { this->SetMode(ThroughPoint); }
+  void SetModeToAroundHandles() { this->SetMode(AroundHandles); }
+  void SetModeToRope() { this->SetMode(Rope); }
+  const char* GetModeAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * Points by id of the input. Ids are copied; none by default. An id outside
+   * [0, number of points - 1] is an error of the update. A null list removes all ids.
+   */
+  void AddPointId(vtkIdType id);
+  void SetPointIds(vtkIdList* ids);
+  void SetPointIds(const std::vector<vtkIdType>& ids);
+#ifndef __VTK_WRAP__
+  void SetPointIds(std::initializer_list<vtkIdType> ids); // or {0} would be a null list
+#endif
+  void RemoveAllPointIds();
+  vtkIdType GetNumberOfPointIds() const;
+  ///@}
+
+  /**
+   * The i-th id; -1 when there is none.
+   */
+  vtkIdType GetPointId(vtkIdType i) const VTK_EXPECTS(0 <= i && i < GetNumberOfPointIds());
+
+  /**
+   * Remove the ids and disconnect input port 1.
+   */
+  void RemoveAllPoints();
+
+  ///@{
+  /**
+   * Points anywhere on the surface: those of a vtkPolyData on input port 1; its cells are not used.
+   * Null removes them.
+   */
+  void SetPointConnection(vtkAlgorithmOutput* output);
+  void SetPointData(vtkPolyData* points);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to let loops go at their points and pull them tight, to closed geodesics. Default off:
+   * loops and ropes keep to the points, and may have kinks there.
+   */
+  vtkSetMacro(Taut, bool);
+  vtkGetMacro(Taut, bool);
+  vtkBooleanMacro(Taut, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Width of the tape along each loop, in units of the coordinates. Default 0: no tape; must not be
+   * negative.
+   */
+  vtkSetMacro(TapeWidth, double);
+  vtkGetMacro(TapeWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Output 1: the rims of the tapes.
+   */
+  vtkPolyData* GetTape();
+  vtkAlgorithmOutput* GetTapePort()
+  {
+    return this->GetOutputPort(1);
+  }
+  ///@}
+
+  ///@{
+  /**
+   * How far from the surface a point of port 1 may be, as a fraction of the diagonal of the
+   * surface's bounding box. A point farther away is an error that names it. Default 0.01; must not
+   * be negative.
+   */
+  vtkSetMacro(ProjectionTolerance, double);
+  vtkGetMacro(ProjectionTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Largest relative error of the graph that is built when the input has none, in [1e-6, 0.5].
+   * Default 0.01. Another value is an error of the update even when the graph on the input is used.
+   */
+  virtual void SetAccuracy(double accuracy);
+  double GetAccuracy() const;
+  ///@}
+
+  ///@{
+  /**
+   * Whether a graph on the input that promises less than an Accuracy that was set is used without a
+   * warning. Default off.
+   */
+  virtual void SetAcceptCoarserGraph(bool accept);
+  bool GetAcceptCoarserGraph() const;
+  vtkBooleanMacro(AcceptCoarserGraph, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Most bytes that building a graph, or preparing to link points that are not vertices, may take.
+   * Default 0, which stands for 70 % of the memory that is free at that time.
+   */
+  virtual void SetMemoryLimit(vtkTypeUInt64 limit);
+  vtkTypeUInt64 GetMemoryLimit() const;
+  ///@}
+
+  /**
+   * Whether the last update used the graph on the input. This and the following numbers are those
+   * of the last update that needed a graph.
+   */
+  bool GetUsedInputGraph() const;
+
+  ///@{
+  /**
+   * The graph, zero when there is none: its accuracy (0 for a SaddleVertexGraph), number of
+   * directed edges, bytes including what searches and links need. They stay what they were when the
+   * arrays of the graph are changed later.
+   */
+  double GetGraphAccuracy() const;
+  vtkIdType GetNumberOfGraphEdges() const;
+  vtkTypeUInt64 GetMemorySize() const;
+  ///@}
+
+  /**
+   * Whether that graph keeps to its accuracy.
+   */
+  bool GetGraphIsGuaranteed() const;
+
+  /**
+   * Time stamp of the last time that this filter built a graph.
+   */
+  vtkMTimeType GetGraphBuildTime() const;
+
+protected:
+  vtkDGGLoop();
+  ~vtkDGGLoop() override;
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
+  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  vtkDGGLoop(const vtkDGGLoop&) = delete;
+  void operator=(const vtkDGGLoop&) = delete;
+
+  vtkDGGSourceSet GetPointSet(vtkInformationVector** inputVector) const;
+  void WarnAboutMissingLoops(const vtkDGGLoopSet& set, int mode);
+  void FillOutputs(
+    const vtkDGGLoopSet& set, const double* positions, vtkInformationVector* outputVector) const;
+
+  int Mode;
+  std::vector<vtkIdType> PointIds;
+  bool Taut;
+  double TapeWidth;
+  double ProjectionTolerance;
+  std::unique_ptr<vtkDGGGraphUser> GraphUser;
+  std::unique_ptr<vtkDGGSourceCollector> Collector;
+};
+
+#endif

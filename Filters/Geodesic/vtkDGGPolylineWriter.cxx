@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDGGPolylineWriter.h"
+
+#include "vtkDGGMeshAdapter.h"
+
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+vtkDGGPolylineWriter::vtkDGGPolylineWriter(
+  const vtkDGGMeshAdapter& mesh, const double* positions, vtkIdType size)
+  : Mesh(mesh)
+  , Positions(positions)
+  , Faces(vtkDGGMakeArray<vtkIdTypeArray>("FaceId", size))
+  , PointIds(vtkDGGMakeArray<vtkIdTypeArray>("vtkOriginalPointIds", size))
+  , ArcLengths(vtkDGGMakeArray<vtkDoubleArray>("ArcLength", size))
+{
+  this->Points->SetDataTypeToDouble();
+  this->Points->SetNumberOfPoints(size);
+  this->Lines->AllocateEstimate(1, size);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkDGGPolylineWriter::CountPoints(const dgg::SurfacePath& path, bool isClosed)
+{
+  return static_cast<vtkIdType>(path.Points.size()) - (isClosed ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGPolylineWriter::Add(const dgg::SurfacePath& path, bool isClosed)
+{
+  const auto count = static_cast<std::size_t>(CountPoints(path, isClosed));
+  const vtkIdType first = this->Next;
+  double arcLength = 0.0;
+  this->Lines->InsertNextCell(static_cast<int>(path.Points.size()));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    arcLength += i > 0 ? dgg::MeasurePiece(this->Mesh.GetMesh(), path, i - 1) : 0.0;
+    const dgg::SurfacePoint& point = path.Points[i];
+    this->Points->SetPoint(
+      this->Next, dgg::PositionOf(this->Mesh.GetMesh(), point, this->Positions).data());
+    this->Faces->SetValue(this->Next, this->FindCell(path, i));
+    const bool isVertex = point.On == dgg::SurfacePoint::Support::Vertex;
+    this->PointIds->SetValue(this->Next, isVertex ? point.Vertex : -1);
+    this->ArcLengths->SetValue(this->Next, arcLength);
+    this->Lines->InsertCellPoint(this->Next);
+    ++this->Next;
+  }
+  if (isClosed)
+  {
+    this->Lines->InsertCellPoint(first);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGPolylineWriter::AddTo(vtkPolyData* output) const
+{
+  output->SetPoints(this->Points);
+  output->SetLines(this->Lines);
+  output->GetPointData()->AddArray(this->Faces);
+  output->GetPointData()->AddArray(this->PointIds);
+  output->GetPointData()->AddArray(this->ArcLengths);
+}
+
+//------------------------------------------------------------------------------
+/// The cell of the input that piece i lies in; the last piece for the last point.
+vtkIdType vtkDGGPolylineWriter::FindCell(const dgg::SurfacePath& path, std::size_t i) const
+{
+  const dgg::Id face = path.Faces.empty() ? dgg::FindFaceOf(this->Mesh.GetMesh(), path.Points[i])
+                                          : path.Faces[std::min(i, path.Faces.size() - 1)];
+  return face == dgg::NoId ? -1 : this->Mesh.GetCell(face);
+}

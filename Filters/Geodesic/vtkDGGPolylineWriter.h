@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Curves on a surface as polylines. Internal.
+#ifndef vtkDGGPolylineWriter_h
+#define vtkDGGPolylineWriter_h
+
+#include "dggSurfacePath.h" // for SurfacePath
+
+#include "vtkCellArray.h"    // for the polylines
+#include "vtkDoubleArray.h"  // for ArcLength
+#include "vtkIdTypeArray.h"  // for FaceId
+#include "vtkNew.h"          // for the points
+#include "vtkPoints.h"       // for the points
+#include "vtkSmartPointer.h" // for the arrays
+#include "vtkType.h"         // for vtkIdType
+
+class vtkDGGMeshAdapter;
+class vtkPolyData;
+
+/// An array with a name, to be filled.
+template <typename ArrayType>
+vtkSmartPointer<ArrayType> vtkDGGMakeArray(const char* name, vtkIdType size)
+{
+  auto array = vtkSmartPointer<ArrayType>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(size);
+  return array;
+}
+
+/// Fills points and polylines, curve by curve, with the point data FaceId, vtkOriginalPointIds and
+/// ArcLength.
+class vtkDGGPolylineWriter
+{
+public:
+  /// `positions` are those of the vertices; `size` is the number of points of all polylines.
+  vtkDGGPolylineWriter(const vtkDGGMeshAdapter& mesh, const double* positions, vtkIdType size);
+
+  /// The points that a curve takes: a closed one begins and ends with the same.
+  static vtkIdType CountPoints(const dgg::SurfacePath& path, bool isClosed);
+  /// Append a curve, which is not empty.
+  void Add(const dgg::SurfacePath& path, bool isClosed = false);
+  void AddTo(vtkPolyData* output) const;
+
+private:
+  vtkIdType FindCell(const dgg::SurfacePath& path, std::size_t i) const;
+
+  const vtkDGGMeshAdapter& Mesh;
+  const double* Positions;
+  vtkIdType Next = 0;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Lines;
+  vtkSmartPointer<vtkIdTypeArray> Faces;
+  vtkSmartPointer<vtkIdTypeArray> PointIds;
+  vtkSmartPointer<vtkDoubleArray> ArcLengths;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGPolylineWriter.h

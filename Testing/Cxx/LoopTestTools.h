@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of loops share: surfaces around which there are loops, loops of an output, and
+/// what must hold for any of them.
+#ifndef LoopTestTools_h
+#define LoopTestTools_h
+
+#include "PathTestTools.h"
+
+#include "vtkDGGLoop.h"
+
+#include <vector>
+
+namespace dggtest
+{
+/// The side of a prism with a regular base of sides of length 1, in triangles: `sides` times `rows`
+/// squares. Point i of row j has the id j * sides + i.
+vtkSmartPointer<vtkPolyData> MakePrism(int sides, int rows);
+/// Radii 1 and 0.4; point i around the hole of row j has the id j * nu + i; it starts outside.
+vtkSmartPointer<vtkPolyData> MakeTorus(int nu, int nv);
+/// The lengths of its shortest loops around the tube and around the hole (nv even).
+double GetTubeLength(int nu, int nv);
+double GetHoleLength(int nu);
+/// A cone around the z axis, with flat sides of the given angle at the apex, which is point 0.
+/// Point i of ring j >= 1, at the distance j from the apex, has the id 1 + (j - 1) * sides + i.
+vtkSmartPointer<vtkPolyData> MakeCone(int sides, int rings, double angle);
+
+/// A closed polyline, or a rim, with what the filter says of it. A closed one has its first point
+/// once more at its end, with the whole length as ArcLength.
+struct LoopLine
+{
+  PathLine Line;
+  bool IsClosed = false;
+  vtkIdType Loop = -1;
+  double Angle = -1.0;
+  int Kinked = -1;
+
+  bool operator==(const LoopLine& other) const;
+};
+
+/// The polylines of the outputs; an array that is missing fails the test.
+std::vector<LoopLine> GetLoops(vtkDGGLoop* filter);
+std::vector<LoopLine> GetRims(vtkDGGLoop* filter);
+std::vector<int> GetLoopStatus(vtkDGGLoop* filter);
+
+/// Expect that a closed polyline passes straight over the edges of triangles, in its start as well
+/// when `isSmoothAtStart`. What it does at points of the surface is not looked at.
+void ExpectStraight(const LoopLine& loop, vtkPolyData* surface, bool isSmoothAtStart = true);
+}
+
+#endif

@@ -1,0 +1,791 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Closed geodesics, ropes and tapes.
+#include "GraphTestTools.h"
+#include "LoopTestTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkStringArray.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+using namespace dggtest;
+
+namespace
+{
+const double Pi = vtkMath::Pi();
+constexpr int Sides = 7;
+constexpr int Rows = 8;
+constexpr int Nu = 30;
+constexpr int Nv = 14;
+
+/// Two surfaces as one, side by side.
+vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* a, vtkPolyData* b, double shift)
+{
+  Points points;
+  Cells cells;
+  for (vtkPolyData* part : { a, b })
+  {
+    const auto first = static_cast<vtkIdType>(points.size());
+    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+    {
+      points.emplace_back();
+      part->GetPoint(i, points.back().data());
+      points.back()[0] += part == b ? shift : 0.0;
+    }
+    for (vtkIdType c = 0; c < part->GetNumberOfCells(); ++c)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      part->GetPolys()->GetCellAtId(c, size, ids);
+      cells.emplace_back();
+      for (vtkIdType k = 0; k < size; ++k)
+      {
+        cells.back().push_back(first + ids[k]);
+      }
+    }
+  }
+  return MakeSurface(points, cells);
+}
+
+class DGGLoop : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Filter->SetInputData(this->Prism);
+    this->Filter->SetAccuracy(0.02);
+  }
+
+  vtkSmartPointer<vtkPolyData> Prism = MakePrism(Sides, Rows);
+  vtkSmartPointer<vtkPolyData> Torus = MakeTorus(Nu, Nv);
+  vtkNew<vtkDGGLoop> Filter;
+};
+}
+
+TEST_F(DGGLoop, Defaults)
+{
+  vtkNew<vtkDGGLoop> filter;
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 2);
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 2);
+  EXPECT_EQ(filter->GetMode(), vtkDGGLoop::ThroughPoint);
+  EXPECT_EQ(filter->GetNumberOfPointIds(), 0);
+  EXPECT_FALSE(filter->GetTaut());
+  EXPECT_EQ(filter->GetTapeWidth(), 0.0);
+  EXPECT_EQ(filter->GetAccuracy(), 0.01);
+  EXPECT_EQ(filter->GetProjectionTolerance(), 0.01);
+  EXPECT_EQ(filter->GetMemoryLimit(), 0u);
+  EXPECT_STREQ(filter->GetModeAsString(), "ThroughPoint");
+  filter->SetModeToAroundHandles();
+  EXPECT_STREQ(filter->GetModeAsString(), "AroundHandles");
+  filter->SetModeToRope();
+  EXPECT_STREQ(filter->GetModeAsString(), "Rope");
+  filter->SetMode(17);
+  EXPECT_EQ(filter->GetMode(), vtkDGGLoop::Rope);
+  filter->SetModeToThroughPoint();
+  EXPECT_EQ(filter->GetMode(), vtkDGGLoop::ThroughPoint);
+  EXPECT_EQ(filter->GetTape(), filter->GetOutput(1));
+}
+
+TEST_F(DGGLoop, PointIds)
+{
+  this->Filter->AddPointId(3);
+  const vtkMTimeType time = this->Filter->GetMTime();
+  this->Filter->AddPointId(5);
+  EXPECT_GT(this->Filter->GetMTime(), time);
+  EXPECT_EQ(this->Filter->GetNumberOfPointIds(), 2);
+  EXPECT_EQ(this->Filter->GetPointId(1), 5);
+  EXPECT_EQ(this->Filter->GetPointId(2), -1);
+  EXPECT_EQ(this->Filter->GetPointId(-1), -1);
+  vtkNew<vtkIdList> list;
+  list->InsertNextId(9);
+  this->Filter->SetPointIds(list);
+  EXPECT_EQ(this->Filter->GetNumberOfPointIds(), 1);
+  EXPECT_EQ(this->Filter->GetPointId(0), 9);
+  this->Filter->SetPointIds({ 1, 2, 3 });
+  EXPECT_EQ(this->Filter->GetNumberOfPointIds(), 3);
+  this->Filter->SetPointIds(nullptr);
+  EXPECT_EQ(this->Filter->GetNumberOfPointIds(), 0);
+  this->Filter->SetPointIds({ 1 });
+  this->Filter->SetPointData(MakeSourcePoints({ { { 0, 0, 0 } } }));
+  this->Filter->RemoveAllPointIds();
+  EXPECT_EQ(this->Filter->GetNumberOfPointIds(), 0);
+  EXPECT_EQ(this->Filter->GetNumberOfInputConnections(1), 1);
+  this->Filter->SetPointIds({ 1 });
+  this->Filter->RemoveAllPoints();
+  EXPECT_EQ(this->Filter->GetNumberOfPointIds(), 0);
+  EXPECT_EQ(this->Filter->GetNumberOfInputConnections(1), 0);
+}
+
+TEST_F(DGGLoop, AroundAPrism)
+{
+  // At points, on edges and inside of faces.
+  this->Filter->SetPointIds({ 4 * Sides + 3, 2 * Sides });
+  double a[3];
+  double b[3];
+  this->Prism->GetPoint(3 * Sides + 1, a);
+  this->Prism->GetPoint(3 * Sides + 2, b);
+  const std::array<double, 3> onEdge{ { 0.7 * a[0] + 0.3 * b[0], 0.7 * a[1] + 0.3 * b[1], a[2] } };
+  const std::array<double, 3> inFace{ { onEdge[0], onEdge[1], onEdge[2] + 0.1 } };
+  this->Filter->SetPointData(MakeSourcePoints({ onEdge, inFace }));
+  for (const bool taut : { false, true })
+  {
+    this->Filter->SetTaut(taut);
+    ExpectSuccess(this->Filter);
+    const auto loops = GetLoops(this->Filter);
+    ASSERT_EQ(loops.size(), 4u);
+    EXPECT_EQ(GetLoopStatus(this->Filter), (std::vector<int>{ 0, 0, 0, 0 }));
+    for (std::size_t i = 0; i < loops.size(); ++i)
+    {
+      SCOPED_TRACE(i);
+      EXPECT_EQ(loops[i].Loop, static_cast<vtkIdType>(i));
+      EXPECT_NEAR(loops[i].Line.Length, Sides, 1e-10);
+      EXPECT_NEAR(loops[i].Angle, Pi, 1e-6);
+      EXPECT_EQ(loops[i].Kinked, 0);
+      ExpectOnSurface(loops[i].Line, this->Prism);
+      ExpectStraight(loops[i], this->Prism);
+    }
+    if (!taut)
+    {
+      EXPECT_EQ(loops[0].Line.PointIds.front(), 4 * Sides + 3);
+      EXPECT_EQ(loops[1].Line.PointIds.front(), 2 * Sides);
+      for (int c = 0; c < 3; ++c)
+      {
+        EXPECT_NEAR(loops[2].Line.Positions.front()[c], onEdge[c], 1e-9);
+        EXPECT_NEAR(loops[3].Line.Positions.front()[c], inFace[c], 1e-9);
+      }
+    }
+  }
+}
+
+TEST_F(DGGLoop, OnTheTorus)
+{
+  this->Filter->SetInputData(this->Torus);
+  const double tube = GetTubeLength(Nu, Nv);
+  this->Filter->SetPointIds({ 0, 5, 33, 207 });
+  ExpectSuccess(this->Filter);
+  const auto kinked = GetLoops(this->Filter);
+  ASSERT_EQ(kinked.size(), 4u);
+  for (const LoopLine& loop : kinked)
+  {
+    EXPECT_GE(loop.Line.Length, tube - 1e-9);
+    EXPECT_LE(loop.Line.Length, 1.02 * tube);
+    EXPECT_EQ(loop.Line.PointIds.front(), this->Filter->GetPointId(loop.Loop));
+    EXPECT_EQ(loop.Kinked, loop.Angle < Pi - 1e-5 ? 1 : 0);
+    ExpectOnSurface(loop.Line, this->Torus);
+    ExpectStraight(loop, this->Torus, false);
+  }
+  this->Filter->TautOn();
+  ExpectSuccess(this->Filter);
+  const auto taut = GetLoops(this->Filter);
+  ASSERT_EQ(taut.size(), 4u);
+  for (const LoopLine& loop : taut)
+  {
+    EXPECT_NEAR(loop.Line.Length, tube, 1e-9);
+    EXPECT_EQ(loop.Angle, Pi);
+    EXPECT_EQ(loop.Kinked, 0);
+    ExpectOnSurface(loop.Line, this->Torus);
+    ExpectStraight(loop, this->Torus);
+  }
+}
+
+/// Around a cone: unrolled, the loop is the chord of a sector.
+TEST_F(DGGLoop, AroundACone)
+{
+  const int sides = 9;
+  const double angle = 0.25; // at the apex, of each side
+  const double sector = sides * angle;
+  auto cone = MakeCone(sides, 6, angle);
+  this->Filter->SetInputData(cone);
+  this->Filter->SetPointIds({ 1 + 4 * sides + 2, 1 + 2 * sides });
+  ExpectSuccess(this->Filter);
+  const auto loops = GetLoops(this->Filter);
+  ASSERT_EQ(loops.size(), 2u);
+  const double distances[] = { 5.0, 3.0 };
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    EXPECT_NEAR(loops[i].Line.Length, 2.0 * distances[i] * std::sin(0.5 * sector), 1e-9);
+    EXPECT_NEAR(loops[i].Angle, Pi - sector, 1e-9);
+    EXPECT_EQ(loops[i].Kinked, 1);
+    ExpectOnSurface(loops[i].Line, cone);
+    ExpectStraight(loops[i], cone, false);
+  }
+  // Let go, it slips off.
+  this->Filter->TautOn();
+  ExpectWarning(this->Filter, { "through 2 of 2 points", "LoopStatus" });
+  EXPECT_TRUE(GetLoops(this->Filter).empty());
+  EXPECT_EQ(GetLoopStatus(this->Filter), (std::vector<int>{ 1, 1 }));
+}
+
+TEST_F(DGGLoop, Handles)
+{
+  this->Filter->SetModeToAroundHandles();
+  this->Filter->SetPointIds({ 100000 }); // not looked at
+  this->Filter->SetMemoryLimit(1);       // there is no graph
+  ExpectSuccess(this->Filter);
+  auto loops = GetLoops(this->Filter);
+  ASSERT_EQ(loops.size(), 1u); // two boundaries
+  EXPECT_NEAR(loops[0].Line.Length, Sides, 1e-10);
+  this->Filter->SetInputData(this->Torus);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), 0u);
+  EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(), 0);
+  loops = GetLoops(this->Filter);
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_NEAR(loops[0].Line.Length, GetTubeLength(Nu, Nv), 1e-9);
+  EXPECT_NEAR(loops[1].Line.Length, GetHoleLength(Nu), 1e-9);
+  for (const LoopLine& loop : loops)
+  {
+    EXPECT_EQ(loop.Angle, Pi);
+    EXPECT_EQ(loop.Kinked, 0);
+    ExpectOnSurface(loop.Line, this->Torus);
+    ExpectStraight(loop, this->Torus);
+  }
+  // Of each component.
+  this->Filter->SetInputData(Beside(this->Torus, this->Prism, 5.0));
+  ExpectSuccess(this->Filter);
+  loops = GetLoops(this->Filter);
+  ASSERT_EQ(loops.size(), 3u);
+  EXPECT_NEAR(loops[1].Line.Length, GetHoleLength(Nu), 1e-9);
+  EXPECT_NEAR(loops[2].Line.Length, Sides, 1e-9);
+  EXPECT_EQ(loops[2].Loop, 2);
+  EXPECT_EQ(GetLoopStatus(this->Filter), (std::vector<int>{ 0, 0, 0 }));
+}
+
+TEST_F(DGGLoop, NoHandles)
+{
+  this->Filter->SetModeToAroundHandles();
+  for (const auto& surface : { MakeCube(), MakeTerrain(6) })
+  {
+    this->Filter->SetInputData(surface);
+    ExpectWarning(this->Filter, { "no handle", "contracted" });
+    EXPECT_TRUE(GetLoops(this->Filter).empty());
+    EXPECT_TRUE(GetRims(this->Filter).empty());
+    EXPECT_TRUE(GetLoopStatus(this->Filter).empty());
+  }
+  // Three sheets on one edge.
+  this->Filter->SetInputData(MakeSurface(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, -1, 0 } }, { { 0, 0, 1 } } },
+    { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } }));
+  Listener listener(this->Filter);
+  this->Filter->Update();
+  ASSERT_EQ(listener.Errors.size(), 1u);
+  EXPECT_NE(listener.Errors[0].find("more than two triangles"), std::string::npos);
+  ExpectEmptyOutput(this->Filter);
+}
+
+/// A ball that touches itself in a point: the only loop cannot be moved.
+TEST_F(DGGLoop, PinnedLoops)
+{
+  // The prism with two caps that share their middle.
+  Points points;
+  Cells cells;
+  for (vtkIdType i = 0; i < this->Prism->GetNumberOfPoints(); ++i)
+  {
+    points.emplace_back();
+    this->Prism->GetPoint(i, points.back().data());
+  }
+  for (vtkIdType c = 0; c < this->Prism->GetNumberOfCells(); ++c)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    this->Prism->GetPolys()->GetCellAtId(c, size, ids);
+    cells.emplace_back(ids, ids + size);
+  }
+  const auto middle = static_cast<vtkIdType>(points.size());
+  points.push_back({ { 0.0, 0.0, 0.5 * Rows } });
+  for (vtkIdType i = 0; i < Sides; ++i)
+  {
+    cells.push_back({ middle, i, (i + 1) % Sides });
+    cells.push_back({ middle, Rows * Sides + i, Rows * Sides + (i + 1) % Sides });
+  }
+  this->Filter->SetInputData(MakeSurface(points, cells));
+  this->Filter->SetModeToAroundHandles();
+  Listener listener(this->Filter);
+  this->Filter->Update();
+  EXPECT_TRUE(listener.Errors.empty());
+  ASSERT_FALSE(listener.Warnings.empty());
+  EXPECT_NE(listener.Warnings.back().find("1 of 1 loops around handles"), std::string::npos);
+  EXPECT_TRUE(GetLoops(this->Filter).empty());
+  EXPECT_EQ(GetLoopStatus(this->Filter), std::vector<int>{ 1 });
+}
+
+TEST_F(DGGLoop, Ropes)
+{
+  this->Filter->SetModeToRope();
+  this->Filter->SetPointIds({ Sides, 5 * Sides + 2, 2 * Sides + 4 });
+  ExpectSuccess(this->Filter);
+  auto loops = GetLoops(this->Filter);
+  ASSERT_EQ(loops.size(), 1u);
+  // Unrolled, the legs are straight.
+  const double legs = std::hypot(2.0, 4.0) + std::hypot(2.0, 3.0) + std::hypot(3.0, 1.0);
+  EXPECT_NEAR(loops[0].Line.Length, legs, 1e-9);
+  EXPECT_EQ(loops[0].Loop, 0);
+  EXPECT_EQ(loops[0].Kinked, 1);
+  // The sharpest kink is at the second point.
+  EXPECT_NEAR(loops[0].Angle, std::atan2(2.0, 4.0) + std::atan2(2.0, 3.0), 1e-9);
+  ExpectOnSurface(loops[0].Line, this->Prism);
+  for (int i = 0; i < 3; ++i)
+  {
+    const std::vector<vtkIdType>& ids = loops[0].Line.PointIds;
+    EXPECT_NE(std::find(ids.begin(), ids.end(), this->Filter->GetPointId(i)), ids.end());
+  }
+  this->Filter->TautOn();
+  ExpectSuccess(this->Filter);
+  loops = GetLoops(this->Filter);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_NEAR(loops[0].Line.Length, Sides, 1e-10);
+  EXPECT_EQ(loops[0].Kinked, 0);
+  ExpectOnSurface(loops[0].Line, this->Prism);
+  ExpectStraight(loops[0], this->Prism);
+  // On one side: nothing holds it.
+  this->Filter->SetPointIds({ Sides, 5 * Sides + 1, 2 * Sides + 2 });
+  ExpectWarning(this->Filter, { "rope contracts to a point", "1 in the field array LoopStatus" });
+  EXPECT_TRUE(GetLoops(this->Filter).empty());
+  EXPECT_EQ(GetLoopStatus(this->Filter), std::vector<int>{ 1 });
+}
+
+TEST_F(DGGLoop, RopesThroughPointsAnywhere)
+{
+  this->Filter->SetInputData(this->Torus);
+  this->Filter->SetModeToRope();
+  this->Filter->SetProjectionTolerance(0.1);
+  Points points;
+  for (int k = 0; k < 6; ++k)
+  {
+    const double u = 1.0 + 2.0 * Pi * k / 6.0;
+    const double z = k % 2 == 0 ? 0.1 : -0.05;
+    points.push_back({ { 0.6 * std::cos(u), 0.6 * std::sin(u), z } });
+  }
+  this->Filter->SetPointData(MakeSourcePoints(points));
+  ExpectSuccess(this->Filter);
+  auto loops = GetLoops(this->Filter);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_GT(loops[0].Line.Length, GetHoleLength(Nu) + 0.01);
+  EXPECT_EQ(loops[0].Kinked, 1);
+  ExpectOnSurface(loops[0].Line, this->Torus);
+  this->Filter->TautOn();
+  ExpectSuccess(this->Filter);
+  loops = GetLoops(this->Filter);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_NEAR(loops[0].Line.Length, GetHoleLength(Nu), 1e-9);
+  ExpectOnSurface(loops[0].Line, this->Torus);
+}
+
+TEST_F(DGGLoop, RopesThatDoNotHold)
+{
+  this->Filter->SetModeToRope();
+  this->Filter->SetInputData(Beside(this->Torus, this->Prism, 5.0));
+  this->Filter->SetPointIds({ 0, 7, Nu * Nv + 3 });
+  ExpectWarning(this->Filter, { "not connected", "2 in the field array LoopStatus" });
+  EXPECT_TRUE(GetLoops(this->Filter).empty());
+  EXPECT_EQ(GetLoopStatus(this->Filter), std::vector<int>{ 2 });
+  // All in one place.
+  this->Filter->SetPointIds({ 4, 4, 4 });
+  ExpectWarning(this->Filter, { "contracts to a point" });
+  for (const int count : { 1, 2 })
+  {
+    this->Filter->SetPointIds(std::vector<vtkIdType>(count, 5));
+    ExpectError(this->Filter, { "a rope through " + std::to_string(count), "three points" });
+  }
+}
+
+TEST_F(DGGLoop, PointsWithoutALoop)
+{
+  auto surface = Beside(this->Prism, MakeTerrain(8), 10.0);
+  this->Filter->SetInputData(surface);
+  const vtkIdType flat = this->Prism->GetNumberOfPoints();
+  this->Filter->SetPointIds({ flat + 10, 2 * Sides, flat + 20 });
+  this->Filter->SetTapeWidth(0.5);
+  ExpectWarning(this->Filter,
+    { "through 2 of 3 points", "first of them point 0", "contract to the point", "LoopStatus" });
+  const auto loops = GetLoops(this->Filter);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_EQ(loops[0].Loop, 1);
+  EXPECT_EQ(GetLoopStatus(this->Filter), (std::vector<int>{ 1, 0, 1 }));
+  const auto rims = GetRims(this->Filter);
+  ASSERT_EQ(rims.size(), 2u);
+  EXPECT_EQ(rims[0].Loop, 1);
+  EXPECT_EQ(rims[1].Loop, 1);
+}
+
+TEST_F(DGGLoop, Tapes)
+{
+  this->Filter->SetPointIds({ 4 * Sides + 3, Sides });
+  ExpectSuccess(this->Filter);
+  EXPECT_TRUE(GetRims(this->Filter).empty());
+  this->Filter->SetTapeWidth(1.4);
+  ExpectSuccess(this->Filter);
+  auto rims = GetRims(this->Filter);
+  ASSERT_EQ(rims.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    SCOPED_TRACE(i);
+    const double middle = i < 2 ? 4.0 : 1.0;
+    EXPECT_EQ(rims[i].Loop, i < 2 ? 0 : 1);
+    EXPECT_TRUE(rims[i].IsClosed);
+    EXPECT_NEAR(rims[i].Line.Length, Sides, 1e-4);
+    ExpectOnSurface(rims[i].Line, this->Prism);
+    const double side = rims[i].Line.Positions[0][2] > middle ? 1.0 : -1.0;
+    for (const auto& p : rims[i].Line.Positions)
+    {
+      EXPECT_NEAR(p[2], middle + side * 0.7, 1e-5);
+    }
+  }
+  EXPECT_LT((rims[0].Line.Positions[0][2] - 4.0) * (rims[1].Line.Positions[0][2] - 4.0), 0.0);
+  // No room on one side.
+  this->Filter->SetPointIds({ Sides });
+  this->Filter->SetTapeWidth(3.0);
+  ExpectSuccess(this->Filter);
+  rims = GetRims(this->Filter);
+  ASSERT_EQ(rims.size(), 1u);
+  EXPECT_NEAR(rims[0].Line.Positions[0][2], 2.5, 1e-5);
+  // Of kinked loops as well, and of those around handles.
+  this->Filter->SetTapeWidth(0.1);
+  this->Filter->SetInputData(this->Torus);
+  this->Filter->SetModeToAroundHandles();
+  ExpectSuccess(this->Filter);
+  rims = GetRims(this->Filter);
+  ASSERT_EQ(rims.size(), 4u);
+  for (const LoopLine& rim : rims)
+  {
+    EXPECT_TRUE(rim.IsClosed);
+    ExpectOnSurface(rim.Line, this->Torus);
+  }
+}
+
+/// A rope held so that its tape reaches the boundary: the rim ends there.
+TEST_F(DGGLoop, TapesEndAtTheBoundary)
+{
+  this->Filter->SetModeToRope();
+  this->Filter->SetPointIds({ 0, 4 * Sides + 2, 4 * Sides + 5 });
+  this->Filter->SetTapeWidth(1.0);
+  ExpectSuccess(this->Filter);
+  int open = 0;
+  const auto rims = GetRims(this->Filter);
+  for (const LoopLine& rim : rims)
+  {
+    ExpectOnSurface(rim.Line, this->Prism);
+    if (!rim.IsClosed)
+    {
+      EXPECT_NEAR(rim.Line.Positions.front()[2], 0.0, 1e-9);
+      EXPECT_NEAR(rim.Line.Positions.back()[2], 0.0, 1e-9);
+      ++open;
+    }
+  }
+  EXPECT_EQ(open, 1);
+  EXPECT_EQ(rims.size(), 2u);
+}
+
+TEST_F(DGGLoop, CoincidentPointsOfTheSurface)
+{
+  // The prism cut open along one side: no way around, unless its points are merged.
+  Points points;
+  Cells cells;
+  for (vtkIdType i = 0; i < this->Prism->GetNumberOfPoints(); ++i)
+  {
+    points.emplace_back();
+    this->Prism->GetPoint(i, points.back().data());
+  }
+  const auto copies = static_cast<vtkIdType>(points.size());
+  for (vtkIdType j = 0; j <= Rows; ++j)
+  {
+    points.push_back(points[j * Sides]);
+  }
+  for (vtkIdType c = 0; c < this->Prism->GetNumberOfCells(); ++c)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    this->Prism->GetPolys()->GetCellAtId(c, size, ids);
+    cells.emplace_back(ids, ids + size);
+    const bool isLast =
+      std::any_of(ids, ids + size, [](vtkIdType id) { return id % Sides == Sides - 1; });
+    for (vtkIdType& id : cells.back())
+    {
+      id = isLast && id % Sides == 0 ? copies + id / Sides : id;
+    }
+  }
+  auto surface = MakeSurface(points, cells);
+  this->Filter->SetInputData(surface);
+  this->Filter->SetPointIds({ 3 * Sides + 2, copies + 4 });
+  Listener listener(this->Filter);
+  this->Filter->Update();
+  ASSERT_EQ(listener.Warnings.size(), 2u); // of the seam, and of the loops
+  EXPECT_EQ(GetLoopStatus(this->Filter), (std::vector<int>{ 1, 1 }));
+  this->Filter->MergeCoincidentPointsOn();
+  ExpectSuccess(this->Filter);
+  const auto loops = GetLoops(this->Filter);
+  ASSERT_EQ(loops.size(), 2u);
+  for (const LoopLine& loop : loops)
+  {
+    EXPECT_NEAR(loop.Line.Length, Sides, 1e-10);
+    ExpectOnSurface(loop.Line, surface);
+  }
+  EXPECT_EQ(loops[1].Line.PointIds.front(), 4 * Sides); // the first one of those that are merged
+}
+
+TEST_F(DGGLoop, PolygonsOfAnyKind)
+{
+  // Quads and strips: FaceId names cells of the input.
+  Points points;
+  Cells quads;
+  for (vtkIdType i = 0; i < this->Prism->GetNumberOfPoints(); ++i)
+  {
+    points.emplace_back();
+    this->Prism->GetPoint(i, points.back().data());
+  }
+  for (vtkIdType j = 0; j < Rows; ++j)
+  {
+    for (vtkIdType i = 0; i < Sides; ++i)
+    {
+      const vtkIdType right = (i + 1) % Sides;
+      quads.push_back(
+        { j * Sides + i, j * Sides + right, (j + 1) * Sides + right, (j + 1) * Sides + i });
+    }
+  }
+  auto surface = MakeSurface(points, quads);
+  this->Filter->SetInputData(surface);
+  this->Filter->SetPointIds({ 3 * Sides + 2 });
+  this->Filter->SetTapeWidth(0.6);
+  ExpectSuccess(this->Filter);
+  const auto loops = GetLoops(this->Filter);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_NEAR(loops[0].Line.Length, Sides, 1e-10);
+  ExpectOnSurface(loops[0].Line, surface);
+  for (const LoopLine& rim : GetRims(this->Filter))
+  {
+    ExpectOnSurface(rim.Line, surface);
+  }
+}
+
+TEST_F(DGGLoop, TakesTheGraphOnItsInputOrBuildsOnce)
+{
+  this->Filter->SetInputData(this->Torus);
+  this->Filter->SetAccuracy(0.05);
+  this->Filter->SetPointIds({ 7, 100 });
+  ExpectSuccess(this->Filter);
+  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
+  EXPECT_GT(built, 0u);
+  EXPECT_FALSE(this->Filter->GetUsedInputGraph());
+  EXPECT_TRUE(this->Filter->GetGraphIsGuaranteed());
+  const auto expected = GetLoops(this->Filter);
+  ASSERT_EQ(expected.size(), 2u);
+  this->Filter->SetModeToRope();
+  this->Filter->AddPointId(200);
+  ExpectSuccess(this->Filter);
+  this->Filter->SetModeToAroundHandles();
+  ExpectSuccess(this->Filter);
+  this->Filter->SetModeToThroughPoint();
+  this->Filter->SetPointIds({ 7, 100 });
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
+  EXPECT_EQ(GetLoops(this->Filter), expected);
+  auto surface = MakeSurfaceWithGraph(this->Torus, 0.05);
+  vtkNew<vtkStringArray> note;
+  note->SetName("note");
+  note->InsertNextValue("kept");
+  surface->GetFieldData()->AddArray(note);
+  this->Filter->SetInputData(surface);
+  this->Filter->SetTapeWidth(0.1);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
+  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
+  EXPECT_EQ(this->Filter->GetGraphAccuracy(), 0.05);
+  EXPECT_EQ(GetLoops(this->Filter), expected);
+  // Polylines are another surface: they do not have its graph. The input still has.
+  for (vtkPolyData* output : { this->Filter->GetOutput(), this->Filter->GetTape() })
+  {
+    EXPECT_EQ(GetGraphBytes(output), std::vector<std::string>(6));
+    EXPECT_NE(output->GetFieldData()->GetAbstractArray("note"), nullptr);
+  }
+  EXPECT_NE(GetGraphBytes(surface)[0], "");
+  this->Filter->SetAccuracy(0.01);
+  ExpectWarning(this->Filter, { "Accuracy 0.01 is asked for" });
+}
+
+TEST_F(DGGLoop, GraphsOfAllConstructions)
+{
+  const double tube = GetTubeLength(Nu, Nv);
+  this->Filter->SetPointIds({ 5, 300 });
+  this->Filter->TautOn();
+  this->Filter->AcceptCoarserGraphOn();
+  this->Filter->SetProjectionTolerance(0.1);
+  this->Filter->SetPointData(MakeSourcePoints({ { { 1.0, 0.1, 0.4 } } }));
+  for (const int construction :
+    { vtkDiscreteGeodesicGraph::Guaranteed, vtkDiscreteGeodesicGraph::OneRelay,
+      vtkDiscreteGeodesicGraph::Indirect, vtkDiscreteGeodesicGraph::SaddleVertexGraph })
+  {
+    SCOPED_TRACE(construction);
+    this->Filter->SetInputData(MakeSurfaceWithGraph(this->Torus, 0.05, construction));
+    ExpectSuccess(this->Filter);
+    EXPECT_TRUE(this->Filter->GetUsedInputGraph());
+    const auto loops = GetLoops(this->Filter);
+    ASSERT_EQ(loops.size(), 3u);
+    for (const LoopLine& loop : loops)
+    {
+      EXPECT_NEAR(loop.Line.Length, tube, 1e-9);
+    }
+  }
+}
+
+TEST_F(DGGLoop, WrongPoints)
+{
+  ExpectError(this->Filter, { "there is no loop point", "AddPointId()", "input port 1" });
+  vtkNew<vtkPolyData> empty;
+  this->Filter->SetPointData(empty);
+  ExpectError(this->Filter, { "there is no loop point", "port 1 has no points" });
+  this->Filter->AddPointId(3 * Sides);
+  ExpectSuccess(this->Filter); // that will do
+  this->Filter->SetPointData(nullptr);
+  this->Filter->AddPointId(63);
+  ExpectError(this->Filter, { "loop point id 63 ", "number 1 of the loop point ids", "[0, 62]" });
+  this->Filter->SetPointIds({ -1 });
+  ExpectError(this->Filter, { "loop point id -1 " });
+  this->Filter->SetPointIds({ 21 });
+  this->Filter->SetPointData(MakeSourcePoints({ { { 0.0, 0.0, 99.0 } } }));
+  ExpectError(this->Filter,
+    { "loop point 0 of input port 1", "(0, 0, 99)", "farther than", "ProjectionTolerance" });
+  this->Filter->SetPointData(MakeSourcePoints({ { { 0.5, std::nan(""), 0.0 } } }));
+  ExpectError(this->Filter, { "loop point 0 of input port 1", "not finite" });
+  this->Filter->SetPointData(nullptr);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetLoops(this->Filter).size(), 1u);
+}
+
+TEST_F(DGGLoop, WrongProperties)
+{
+  this->Filter->AddPointId(3 * Sides);
+  this->Filter->SetProjectionTolerance(-1.0);
+  ExpectError(this->Filter, { "ProjectionTolerance" });
+  this->Filter->SetProjectionTolerance(0.01);
+  for (const double width :
+    { -0.1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+  {
+    this->Filter->SetTapeWidth(width);
+    ExpectError(this->Filter, { "TapeWidth is " });
+  }
+  this->Filter->SetTapeWidth(0.0);
+  for (const double accuracy : { 0.0, 0.6, std::numeric_limits<double>::quiet_NaN() })
+  {
+    this->Filter->SetAccuracy(accuracy);
+    ExpectError(this->Filter, { "ccuracy", "1e-06", "0.5" });
+  }
+  this->Filter->SetAccuracy(0.05);
+  this->Filter->SetMemoryLimit(1000);
+  ExpectError(this->Filter, { "the graph would take" });
+  this->Filter->SetMemoryLimit(0);
+  ExpectSuccess(this->Filter);
+  this->Filter->SetMemoryLimit(1000); // the graph is there
+  this->Filter->SetProjectionTolerance(1.0);
+  this->Filter->SetPointData(MakeSourcePoints({ { { 1.0, 0.1, 3.14 } } }));
+  ExpectError(this->Filter, { "linking points that are not vertices" });
+}
+
+TEST_F(DGGLoop, WrongSurfaces)
+{
+  this->Filter->AddPointId(3 * Sides);
+  this->Filter->SetTapeWidth(0.5);
+  ExpectSuccess(this->Filter);
+  this->Filter->SetInputConnection(nullptr);
+  ExpectError(this->Filter, { "there is no input" });
+  for (const int mode : { vtkDGGLoop::ThroughPoint, vtkDGGLoop::AroundHandles, vtkDGGLoop::Rope })
+  {
+    this->Filter->SetMode(mode);
+    this->Filter->SetInputData(vtkSmartPointer<vtkPolyData>::New());
+    ExpectWarning(this->Filter, { "input is empty" });
+    EXPECT_TRUE(GetLoops(this->Filter).empty());
+    EXPECT_TRUE(GetRims(this->Filter).empty());
+    EXPECT_TRUE(GetLoopStatus(this->Filter).empty());
+  }
+  this->Filter->SetModeToAroundHandles();
+  this->Filter->SetInputData(MakeSourcePoints({ { { 0, 0, 0 } }, { { 1, 0, 0 } } }));
+  ExpectError(this->Filter, { "polygon" });
+  auto broken = MakeGrid(3, 3);
+  broken->GetPoints()->SetPoint(5, std::nan(""), 0.0, 0.0);
+  this->Filter->SetInputData(broken);
+  ExpectError(this->Filter, { "point 5", "not finite" });
+  this->Filter->SetInputData(this->Prism);
+  ExpectSuccess(this->Filter);
+}
+
+TEST_F(DGGLoop, IsTheSameForAnyThreads)
+{
+  auto make = [&] {
+    vtkNew<vtkDGGLoop> filter;
+    filter->SetInputData(this->Torus);
+    filter->SetAccuracy(0.05);
+    for (vtkIdType i = 0; i < 20; ++i)
+    {
+      filter->AddPointId(i * 19);
+    }
+    filter->SetTapeWidth(0.05);
+    ExpectSuccess(filter);
+    auto loops = GetLoops(filter);
+    const auto rims = GetRims(filter);
+    EXPECT_EQ(loops.size(), 20u);
+    EXPECT_GE(rims.size(), 40u);
+    loops.insert(loops.end(), rims.begin(), rims.end());
+    return loops;
+  };
+  const auto expected = make();
+  ForEachThreading(
+    [&](const std::string& threading) { EXPECT_TRUE(make() == expected) << threading; });
+}
+
+TEST_F(DGGLoop, ProgressAndAbort)
+{
+  this->Filter->SetInputData(this->Torus);
+  for (vtkIdType i = 0; i < 40; ++i)
+  {
+    this->Filter->AddPointId(i * 10);
+  }
+  for (const int mode : { vtkDGGLoop::ThroughPoint, vtkDGGLoop::AroundHandles, vtkDGGLoop::Rope })
+  {
+    SCOPED_TRACE(mode);
+    this->Filter->SetMode(mode);
+    this->Filter->SetTapeWidth(mode == vtkDGGLoop::ThroughPoint ? 0.0 : 0.1);
+    ExpectSuccess(this->Filter);
+    const auto expected = GetLoops(this->Filter);
+    ASSERT_FALSE(expected.empty());
+    ProgressWatch watch(this->Filter);
+    this->Filter->Modified();
+    ExpectSuccess(this->Filter);
+    watch.ExpectGrowth(3);
+    for (const double stop : { 0.2, 0.7 })
+    {
+      watch.StopAt = stop;
+      this->Filter->Modified();
+      ExpectSuccess(this->Filter);
+      ExpectEmptyOutput(this->Filter);
+    }
+    watch.StopAt = 2.0;
+    ExpectSuccess(this->Filter);
+    EXPECT_TRUE(GetLoops(this->Filter) == expected);
+    this->Filter->RemoveAllObservers();
+  }
+}
+
+TEST_F(DGGLoop, PrintSelf)
+{
+  this->Filter->SetPointIds({ 3 * Sides, 4 * Sides });
+  ExpectSuccess(this->Filter);
+  std::ostringstream os;
+  this->Filter->Print(os);
+  for (const char* text :
+    { "Mode: ThroughPoint\n", "PointIds: 21 28\n", "Taut: Off\n", "TapeWidth: 0\n",
+      "ProjectionTolerance: 0.01\n", "Accuracy: 0.02\n", "GraphAccuracy: 0.02\n" })
+  {
+    EXPECT_NE(os.str().find(text), std::string::npos) << text << " is missing in:\n" << os.str();
+  }
+}
