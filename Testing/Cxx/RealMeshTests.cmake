@@ -61,8 +61,14 @@ if (DGG_EXTRA_DATA)
     ExtraMeshes.h
     FilterTestTools.cxx
     FilterTestTools.h
+    LoopTestTools.cxx
+    LoopTestTools.h
     PathTestTools.cxx
     PathTestTools.h
-    TestExtraPaths.cxx)
+    TestExtraLoops.cxx
+    TestExtraPaths.cxx
+    "${core}/PathChecks.cxx"
+    "${core}/PathChecks.h")
+  target_include_directories(dggExtraPathTests PRIVATE "${core}")
   target_link_libraries(dggExtraPathTests PRIVATE DGG::FiltersGeodesic)
 endif ()

@@ -452,7 +452,7 @@ TEST_F(DGGLoop, Tapes)
   ASSERT_EQ(rims.size(), 1u);
   EXPECT_NEAR(rims[0].Line.Positions[0][2], 2.5, 1e-5);
   // Of kinked loops as well, and of those around handles.
-  this->Filter->SetTapeWidth(0.1);
+  this->Filter->SetTapeWidth(0.3);
   this->Filter->SetInputData(this->Torus);
   this->Filter->SetModeToAroundHandles();
   ExpectSuccess(this->Filter);
@@ -597,7 +597,7 @@ TEST_F(DGGLoop, TakesTheGraphOnItsInputOrBuildsOnce)
   note->InsertNextValue("kept");
   surface->GetFieldData()->AddArray(note);
   this->Filter->SetInputData(surface);
-  this->Filter->SetTapeWidth(0.1);
+  this->Filter->SetTapeWidth(0.4);
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
   EXPECT_TRUE(this->Filter->GetUsedInputGraph());
@@ -729,12 +729,14 @@ TEST_F(DGGLoop, IsTheSameForAnyThreads)
     {
       filter->AddPointId(i * 19);
     }
-    filter->SetTapeWidth(0.05);
     ExpectSuccess(filter);
     auto loops = GetLoops(filter);
-    const auto rims = GetRims(filter);
     EXPECT_EQ(loops.size(), 20u);
-    EXPECT_GE(rims.size(), 40u);
+    filter->SetPointIds({ 7 });
+    filter->SetTapeWidth(0.5);
+    ExpectSuccess(filter);
+    const auto rims = GetRims(filter);
+    EXPECT_GE(rims.size(), 2u);
     loops.insert(loops.end(), rims.begin(), rims.end());
     return loops;
   };
@@ -754,7 +756,7 @@ TEST_F(DGGLoop, ProgressAndAbort)
   {
     SCOPED_TRACE(mode);
     this->Filter->SetMode(mode);
-    this->Filter->SetTapeWidth(mode == vtkDGGLoop::ThroughPoint ? 0.0 : 0.1);
+    this->Filter->SetTapeWidth(mode == vtkDGGLoop::ThroughPoint ? 0.0 : 0.5);
     ExpectSuccess(this->Filter);
     const auto expected = GetLoops(this->Filter);
     ASSERT_FALSE(expected.empty());
