@@ -75,6 +75,13 @@ set_tests_properties("Install.VoronoiCells" PROPERTIES
   ENVIRONMENT "${dgg_rendering_environment}")
 dgg_add_consumer_test(VoronoiCells.WrongNumber 1 "NumberOfSamples"
   "${consumer_dir}/VoronoiCells" "mesh.ply" 0 "wrong.png")
+dgg_add_consumer_test(Loops 0
+  "through the point: length 6.*angle [0-3].*taut: length 6.275.*angle 3.14159.*2 rims"
+  "${consumer_dir}/Loops" "mesh.ply" 76 0.2 "loops.png")
+set_tests_properties("Install.Loops" PROPERTIES
+  ENVIRONMENT "${dgg_rendering_environment}")
+dgg_add_consumer_test(Loops.WrongPoint 1 "loop point id 642"
+  "${consumer_dir}/Loops" "mesh.ply" 642 0.2 "wrong.png")
 dgg_add_consumer_test(Pipeline.MissingFile 1 "missing.off"
   "${consumer_dir}/ExactDistancePipeline" missing.off 0 missing.png)
 dgg_add_consumer_test(Pipeline.WrongSource 1 "source|point"

@@ -39,6 +39,24 @@ def grid(columns, rows):
     return points, triangles
 
 
+def prism(sides, rows):
+    """Points and triangles of the side of a prism, whose base has sides of length 1; point i of
+    row j has id j sides + i."""
+    angle = 2.0 * np.pi * np.arange(sides) / sides
+    radius = 0.5 / np.sin(np.pi / sides)
+    ring = np.column_stack([radius * np.cos(angle), radius * np.sin(angle)])
+    points = np.column_stack([np.tile(ring, (rows + 1, 1)), np.repeat(np.arange(rows + 1.0), sides)])
+    corner = np.arange(sides * rows)
+    right = corner // sides * sides + (corner + 1) % sides
+    triangles = np.vstack(
+        [
+            np.column_stack([corner, right, right + sides]),
+            np.column_stack([corner, right + sides, corner + sides]),
+        ]
+    )
+    return points, triangles
+
+
 def polydata(points, triangles):
     """The same as vtkPolyData."""
     mesh = vtkPolyData()

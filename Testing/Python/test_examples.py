@@ -18,7 +18,7 @@ import vtkdgg
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
-from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 PYTHON_EXAMPLES = os.path.join(support.EXAMPLES, "Python")
@@ -412,6 +412,52 @@ class Voronoi(unittest.TestCase):
                 self.assertNotIn("Traceback", result.stderr)
 
 
+class Loops(unittest.TestCase):
+    def test_two_rings(self):
+        picture = os.path.join(support.output_folder("pipeline"), "loops.png")
+        result = run("loops.py", picture)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        said = re.fullmatch(
+            r"4 loops around handles: lengths (\S+) (\S+) (\S+) (\S+)\n1 ropes: lengths (\S+)\n",
+            result.stdout,
+        )
+        self.assertTrue(said, result.stdout)
+        lengths = [float(length) for length in said.groups()]
+        # The two rings are alike, up to how the grid meets them.
+        self.assertAlmostEqual(lengths[0], lengths[1], delta=2e-3)
+        self.assertAlmostEqual(lengths[2], lengths[3], delta=2e-3)
+        # Around the waist, a little more than twice across.
+        self.assertAlmostEqual(lengths[4], 4.0 * 0.015**0.25 + 0.2, delta=0.08)
+        # Loops, rope and tape are seen.
+        array = support.pixels(support.read_image(picture)).astype(int)
+        red, green, blue = (array[:, :, i] for i in range(3))
+        self.assertGreater(np.sum((blue > 80) & (red < 40)), 1500)
+        self.assertGreater(np.sum((red > 120) & (green < 50) & (blue < 60)), 800)
+        self.assertGreater(np.sum((red > 160) & (green > 90) & (blue < 60)), 300)
+
+    def test_mesh(self):
+        picture = os.path.join(support.output_folder("pipeline"), "rope.png")
+        # Nothing holds a rope on this mesh, and it has no handles: that is said, and no error.
+        result = run("loops.py", picture, "--mesh", BUMPY, "--rope", "-1,0,0 0,1,0 0,0,1")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("0 loops around handles", result.stdout)
+        self.assertIn("contracts to a point", result.stderr)
+
+    def test_mistakes(self):
+        for arguments, message in (
+            ((), "picture"),
+            (("x.png", "--mesh", "missing.ply"), "missing.ply"),
+            (("x.png", "--rope", "1,2"), "--rope"),
+            (("x.png", "--rope", "1,0,0 1,0.3,0"), "three points"),
+            (("x.png", "--width", "-1"), "TapeWidth"),
+        ):
+            with self.subTest(arguments=arguments):
+                result = run("loops.py", *arguments)
+                self.assertNotEqual(result.returncode, 0)
+                self.assertIn(message, result.stderr)
+                self.assertNotIn("Traceback", result.stderr)
+
+
 class Readme(unittest.TestCase):
     """What the README shows is what is tested."""
 
@@ -470,6 +516,19 @@ class Readme(unittest.TestCase):
         exact = vtkdgg.distance(*support.bumpy(), 0)[20]
         said = re.fullmatch(r"from 0 to 20: (\S+) model units\n", printed.getvalue())
         self.assertAlmostEqual(float(said[1]), exact, delta=1e-6)
+
+    def test_ten_lines_of_loops(self):
+        blocks = [block for block in self.blocks("python") if "vtkDGGLoop()" in block]
+        self.assertEqual(len(blocks), 1)
+        path = os.path.join(support.output_folder("pipeline"), "prism.ply")
+        writer = vtkPLYWriter()
+        writer.SetInputData(support.polydata(*support.prism(9, 6)))
+        writer.SetFileName(path)
+        vtkdgg.check(writer)
+        names = {}
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            exec(blocks[0].replace("mesh.ply", path), names)  # noqa: S102
+        self.assertEqual(printed.getvalue(), "1 loops, the shortest one 9 model units long\n")
 
     def test_matrix_in_one_line(self):
         line = self.blocks("py")[0].strip()
