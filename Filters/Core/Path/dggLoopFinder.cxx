@@ -41,6 +41,7 @@ public:
     , Search(search)
     , Builder(builder)
     , Paths(mesh, search, builder, positions)
+    , Usable(CheckCorners(mesh))
   {
   }
 
@@ -50,6 +51,7 @@ public:
   const GraphSearch& Search;
   const GraphBuilder* Builder;
   PathFinder Paths;
+  Status Usable; // whether the mesh is
 
 private:
   /// A search from the point that loops go through.
@@ -68,7 +70,11 @@ private:
 /// Paths from the point to all vertices.
 Status LoopFinder::Implementation::Grow(Tree& tree) const
 {
-  Status status = tree.Point.Check(this->Mesh);
+  Status status = this->Usable;
+  if (status.IsOk())
+  {
+    status = tree.Point.Check(this->Mesh);
+  }
   if (status.IsOk() && !this->Search.GetGraph().Angles)
   {
     status = Status::Invalid("loops are traced on meshes: this graph has no directions");

@@ -60,6 +60,7 @@ public:
     , Search(search)
     , Builder(builder)
     , Positions(positions)
+    , Usable(CheckCorners(mesh))
   {
   }
 
@@ -83,12 +84,17 @@ private:
   const GraphSearch& Search;
   const GraphBuilder* Builder;
   const double* Positions;
+  Status Usable; // whether the mesh is
   mutable WorkspacePool<PathWorkspace> Workspaces;
 };
 
 Status PathFinder::Implementation::Find(const SurfacePoint& from, const SurfacePoint& to,
   const PathOptions& options, FoundPath& found) const
 {
+  if (!this->Usable.IsOk())
+  {
+    return this->Usable;
+  }
   if (!this->Search.GetGraph().Angles)
   {
     return Status::Invalid("paths are traced on meshes: this graph has no directions");
