@@ -14,6 +14,12 @@
 
 namespace
 {
+vtkSmartPointer<vtkPolyData> Generated(const MeshRecipe& recipe)
+{
+  return ToPolyData(
+    recipe.Rings > 0 ? Torus(recipe.Rings, recipe.Rings / 2) : BumpySphere(recipe.Level));
+}
+
 /// Drop points without a face; merge nothing.
 vtkSmartPointer<vtkPolyData> WithoutUnusedPoints(vtkPolyData* mesh)
 {
@@ -47,7 +53,7 @@ vtkSmartPointer<vtkPolyData> Subdivided(vtkPolyData* mesh, int steps)
 vtkSmartPointer<vtkPolyData> MeshRecipe::Make() const
 {
   vtkSmartPointer<vtkPolyData> mesh =
-    this->File.empty() ? ToPolyData(BumpySphere(this->Level)) : ReadPolyData(this->File);
+    this->File.empty() ? Generated(*this) : ReadPolyData(this->File);
   if (this->Vertices > 0)
   {
     mesh = Decimated(mesh, this->Vertices);
@@ -103,6 +109,11 @@ void BenchmarkMesh::SetExactDistances(dgg::Id source, std::vector<double> distan
   this->ExactDistances[source] = std::move(distances);
 }
 
+MeasuredPairs& BenchmarkMesh::GetPairs(const PairRecipe& recipe)
+{
+  return this->Pairs.try_emplace(recipe, this->Surface, recipe).first->second;
+}
+
 MeasuredGraph& BenchmarkMesh::GetGraph(const GraphRecipe& recipe)
 {
   if (!this->Graph || this->GraphName != recipe.Name)
@@ -112,6 +123,11 @@ MeasuredGraph& BenchmarkMesh::GetGraph(const GraphRecipe& recipe)
     this->GraphName = recipe.Name;
   }
   return *this->Graph;
+}
+
+vtkPolyData* BenchmarkMesh::GetPolyData() const
+{
+  return this->PolyData;
 }
 
 PeerVTK& BenchmarkMesh::GetPeerVTK()

@@ -6,6 +6,7 @@
 #define BenchmarkMesh_h
 
 #include "MeasuredGraph.h" // for MeasuredGraph
+#include "MeasuredPairs.h" // for MeasuredPairs
 #include "MeshArrays.h"    // for MeshArrays
 #include "PeerVTK.h"       // for PeerVTK
 #ifdef DGG_WITH_CGAL
@@ -31,7 +32,8 @@ struct MeshRecipe
 {
   std::string Name;
   std::string File;     ///< empty: a generated surface
-  int Level = 0;        ///< refinement of the generated surface
+  int Level = 0;        ///< refinement of the generated surface, a sphere
+  int Rings = 0;        ///< when positive: the generated surface is a torus of so many rings
   int Vertices = 0;     ///< when positive: decimate to about this many
   int Subdivisions = 0; ///< steps of Loop subdivision, each with four times the vertices
 
@@ -67,9 +69,13 @@ public:
   /// Give them when they are known, to save that run.
   void SetExactDistances(dgg::Id source, std::vector<double> distances);
 
+  /// Random pairs of points of the mesh.
+  MeasuredPairs& GetPairs(const PairRecipe& recipe);
+
   /// A graph of the mesh. Only the last one is kept.
   MeasuredGraph& GetGraph(const GraphRecipe& recipe);
 
+  vtkPolyData* GetPolyData() const;
   PeerVTK& GetPeerVTK();
 #ifdef DGG_WITH_CGAL
   PeerCGAL& GetPeerCGAL();
@@ -85,6 +91,7 @@ private:
   MeshArrays Arrays;
   dgg::SurfaceMesh Surface;
   std::map<dgg::Id, std::vector<double>> ExactDistances;
+  std::map<PairRecipe, MeasuredPairs> Pairs;
   std::unique_ptr<MeasuredGraph> Graph;
   std::string GraphName;
   std::unique_ptr<PeerVTK> VTK;

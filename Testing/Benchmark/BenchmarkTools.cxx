@@ -13,6 +13,18 @@ double CPUSeconds()
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+double ThreadSeconds()
+{
+#ifdef CLOCK_THREAD_CPUTIME_ID
+  timespec time;
+  if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0)
+  {
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+#endif
+  return CPUSeconds();
+}
+
 double WallSeconds()
 {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();

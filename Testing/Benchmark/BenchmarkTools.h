@@ -16,6 +16,8 @@
 
 /// CPU time of this process, all threads together, in seconds.
 double CPUSeconds();
+/// CPU time of the calling thread, in seconds; that of the process where the system does not tell.
+double ThreadSeconds();
 /// Time on the wall in seconds.
 double WallSeconds();
 

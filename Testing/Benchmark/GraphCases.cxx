@@ -3,6 +3,7 @@
 #include "GraphCases.h"
 
 #include "BenchmarkTools.h"
+#include "OpenedGraph.h"
 #include "ThreadedLoop.h"
 
 #include <algorithm>
@@ -10,41 +11,6 @@
 
 namespace
 {
-struct Opened
-{
-  BenchmarkMesh* Mesh = nullptr;
-  MeasuredGraph* Graph = nullptr;
-};
-
-/// The graph of a recipe, not necessarily built; nothing, with the state closed, when the mesh
-/// cannot be used.
-Opened Open(benchmark::State& state, const GraphRecipe& recipe)
-{
-  Opened opened;
-  opened.Mesh = OpenMesh(state, recipe.Mesh);
-  if (opened.Mesh)
-  {
-    opened.Graph = &opened.Mesh->GetGraph(recipe);
-  }
-  return opened;
-}
-
-/// The same, built.
-Opened OpenBuilt(benchmark::State& state, const GraphRecipe& recipe)
-{
-  Opened opened = Open(state, recipe);
-  if (opened.Graph)
-  {
-    opened.Graph->NeedGraph();
-    if (!opened.Graph->GetError().empty())
-    {
-      state.SkipWithError(opened.Graph->GetError().c_str());
-      opened.Graph = nullptr;
-    }
-  }
-  return opened;
-}
-
 double NumberOfEdges(const dgg::GeodesicGraph& graph)
 {
   return static_cast<double>(graph.View().GetNumberOfEdges());
@@ -79,7 +45,7 @@ dgg::SearchOptions QueryOptions(dgg::SearchMethod method, bool correct)
 
 void MeasureBuild(benchmark::State& state, const GraphRecipe& recipe)
 {
-  const Opened opened = Open(state, recipe);
+  const OpenedGraph opened = OpenGraph(state, recipe);
   if (!opened.Graph)
   {
     return;
@@ -97,7 +63,7 @@ void MeasureBuild(benchmark::State& state, const GraphRecipe& recipe)
 
 void MeasureMemory(benchmark::State& state, const GraphRecipe& recipe)
 {
-  const Opened opened = Open(state, recipe);
+  const OpenedGraph opened = OpenGraph(state, recipe);
   if (!opened.Graph)
   {
     return;
@@ -118,7 +84,7 @@ void MeasureMemory(benchmark::State& state, const GraphRecipe& recipe)
 
 void MeasureParallelBuild(benchmark::State& state, const GraphRecipe& recipe, int threads)
 {
-  const Opened opened = OpenBuilt(state, recipe);
+  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
   if (!opened.Graph)
   {
     return;
@@ -133,7 +99,7 @@ void MeasureParallelBuild(benchmark::State& state, const GraphRecipe& recipe, in
 
 void MeasureEstimate(benchmark::State& state, const GraphRecipe& recipe)
 {
-  const Opened opened = OpenBuilt(state, recipe);
+  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
   if (!opened.Graph)
   {
     return;
@@ -150,7 +116,7 @@ void MeasureEstimate(benchmark::State& state, const GraphRecipe& recipe)
 
 void MeasureCache(benchmark::State& state, const GraphRecipe& recipe)
 {
-  const Opened opened = OpenBuilt(state, recipe);
+  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
   if (!opened.Graph)
   {
     return;
@@ -164,7 +130,7 @@ void MeasureCache(benchmark::State& state, const GraphRecipe& recipe)
 
 void MeasureFirstQuery(benchmark::State& state, const GraphRecipe& recipe)
 {
-  const Opened opened = OpenBuilt(state, recipe);
+  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
   if (!opened.Graph)
   {
     return;
@@ -184,7 +150,7 @@ void MeasureFirstQuery(benchmark::State& state, const GraphRecipe& recipe)
 void MeasureQuery(benchmark::State& state, const GraphRecipe& recipe, dgg::SearchMethod method,
   bool correct, int k, int numberOfSources)
 {
-  const Opened opened = OpenBuilt(state, recipe);
+  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
   if (!opened.Graph)
   {
     return;
@@ -197,9 +163,8 @@ void MeasureQuery(benchmark::State& state, const GraphRecipe& recipe, dgg::Searc
   dgg::Status status = search.Run({ seed }, options, result); // not the first query
   Measure(
     state, [] {}, [&] { status = search.Run({ seed }, options, result); });
-  if (!status.IsOk())
+  if (!Succeeded(state, status))
   {
-    state.SkipWithError(status.GetMessage().c_str());
     return;
   }
   const double vertices = opened.Mesh->GetNumberOfVertices();
@@ -212,7 +177,7 @@ void MeasureQuery(benchmark::State& state, const GraphRecipe& recipe, dgg::Searc
 void MeasureMany(
   benchmark::State& state, const GraphRecipe& recipe, int numberOfSources, int threads)
 {
-  const Opened opened = OpenBuilt(state, recipe);
+  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
   if (!opened.Graph)
   {
     return;
@@ -235,9 +200,8 @@ void MeasureMany(
         [&](std::size_t source, const double* distances) { samples[source] = distances[0]; });
     },
     threads > 1 ? WallSeconds : CPUSeconds);
-  if (!status.IsOk())
+  if (!Succeeded(state, status))
   {
-    state.SkipWithError(status.GetMessage().c_str());
     return;
   }
   state.counters["sources"] = numberOfSources;

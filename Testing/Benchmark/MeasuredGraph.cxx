@@ -29,6 +29,7 @@ void MeasuredGraph::NeedGraph()
 void MeasuredGraph::Clear()
 {
   this->Search.reset();
+  this->Builder.reset();
   this->Graph = dgg::GeodesicGraph();
   this->Statistics = dgg::GraphStatistics();
   this->Error.clear();
@@ -46,6 +47,23 @@ const dgg::GraphSearch& MeasuredGraph::GetSearch()
     this->PrepareSearch();
   }
   return *this->Search;
+}
+
+void MeasuredGraph::NeedLandmarks()
+{
+  if (!this->GetSearch().HasLandmarks())
+  {
+    this->Search->PrepareLandmarks({}, {});
+  }
+}
+
+const dgg::GraphBuilder& MeasuredGraph::GetBuilder()
+{
+  if (!this->Builder)
+  {
+    this->Builder = std::make_unique<dgg::GraphBuilder>(this->Surface);
+  }
+  return *this->Builder;
 }
 
 void MeasuredGraph::GetDegree(double& mean, double& deviation) const

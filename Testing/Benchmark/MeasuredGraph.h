@@ -8,7 +8,7 @@
 #include "dggGraphBuilder.h" // for GraphBuilder
 #include "dggGraphSearch.h"  // for GraphSearch
 
-#include <memory> // for the builder
+#include <memory> // for the search
 #include <string> // for the error
 
 class MeasuredGraph
@@ -28,6 +28,10 @@ public:
   void PrepareSearch();
   /// The search of the graph, prepared once.
   const dgg::GraphSearch& GetSearch();
+  /// Have that search prepare landmarks, once.
+  void NeedLandmarks();
+  /// The builder that links points to the graph, prepared once.
+  const dgg::GraphBuilder& GetBuilder();
 
   /// Why there is no graph; empty when there is one.
   const std::string& GetError() const { return this->Error; }
@@ -44,6 +48,7 @@ private:
   dgg::GeodesicGraph Graph;
   dgg::GraphStatistics Statistics;
   std::unique_ptr<dgg::GraphSearch> Search;
+  std::unique_ptr<dgg::GraphBuilder> Builder;
 };
 
 #endif

@@ -4,12 +4,14 @@
 
 #include <vtkDijkstraGraphGeodesicPath.h>
 #include <vtkDoubleArray.h>
+#include <vtkMath.h>
 #include <vtkPolyData.h>
+
+#include <cmath>
 
 PeerVTK::PeerVTK(vtkPolyData* mesh)
 {
   this->Filter->SetInputData(mesh);
-  this->Filter->StopWhenEndReachedOff();
   this->Run(0);
 }
 
@@ -17,11 +19,32 @@ PeerVTK::~PeerVTK() = default;
 
 void PeerVTK::Run(vtkIdType source)
 {
+  this->Filter->StopWhenEndReachedOff();
   this->Filter->SetStartVertex(source);
   // The path itself is not wanted: the shortest one is traced.
   this->Filter->SetEndVertex(source);
   this->Filter->Modified();
   this->Filter->Update();
+}
+
+double PeerVTK::FindPath(vtkIdType from, vtkIdType to)
+{
+  this->Filter->StopWhenEndReachedOn();
+  this->Filter->SetStartVertex(from);
+  this->Filter->SetEndVertex(to);
+  this->Filter->Modified();
+  this->Filter->Update();
+  vtkPolyData* path = this->Filter->GetOutput();
+  double length = 0.0;
+  for (vtkIdType i = 1; i < path->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    double q[3];
+    path->GetPoint(i - 1, p);
+    path->GetPoint(i, q);
+    length += std::sqrt(vtkMath::Distance2BetweenPoints(p, q));
+  }
+  return length;
 }
 
 std::vector<double> PeerVTK::GetDistances()

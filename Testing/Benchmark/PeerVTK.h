@@ -22,7 +22,10 @@ public:
 
   /// Run from one vertex to all.
   void Run(vtkIdType source);
-  /// Distances of the last run.
+  /// Length of the path from one vertex to another one, which must be connected with it; the search
+  /// stops there.
+  double FindPath(vtkIdType from, vtkIdType to);
+  /// Distances of the last Run().
   std::vector<double> GetDistances();
 
 private:

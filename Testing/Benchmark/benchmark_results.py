@@ -6,6 +6,7 @@ import json
 import statistics
 import sys
 
+DASH = "–"
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
@@ -45,6 +46,34 @@ def count_text(value):
         if value >= limit:
             return f"{value / limit:.3g}{suffix}"
     return f"{value:.0f}"
+
+
+def text(value, form):
+    return DASH if value is None else form.format(value)
+
+
+def time_text(value):
+    return DASH if value is None else seconds_text(value)
+
+
+def digits(value):
+    """Two digits, without an exponent where it can be done."""
+    return f"{value:.0f}" if 100.0 <= value < 1e6 else f"{value:.2g}"
+
+
+def ratio_text(numerator, denominator):
+    if numerator is None or not denominator:
+        return DASH
+    return f"{digits(numerator / denominator)}x"
+
+
+def environment(context):
+    """What a run was compiled with."""
+    return ", ".join(
+        f"{key.split('_')[0]} {context[key].strip()}"
+        for key in ("compiler", "vtk_version", "cgal_version")
+        if key in context
+    )
 
 
 def table(header, rows):

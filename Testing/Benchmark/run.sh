@@ -7,15 +7,20 @@
 #
 # Usage: Testing/Benchmark/run.sh [exact] [--out DIR] [MESH...] [OPTIONS OF BenchmarkExact]
 #        Testing/Benchmark/run.sh graph [--out DIR] [--readme] [MESH...] [OPTIONS OF BenchmarkGraph]
+#        Testing/Benchmark/run.sh path [--out DIR] [--data DIR] [MESH...] [OPTIONS OF BenchmarkPath]
 #   exact     the exact solver: writes exact.json and exact.md
 #   graph     graphs of all rules and accuracies, and queries of them: writes graph.json, graph.md
 #             and error_against_degree.png (needs matplotlib)
+#   path      what a graph gives: paths, samples, Voronoi cells, a matrix, loops: writes path.json
+#             and path.md
 #   --out     folder of the results (default: out/benchmark in the source tree)
+#   --data    folder with bunny, armadillo, fertility, kitten and gargoyle (.ply), to be measured
 #   --readme  put the tables and the plot into README.md and Examples/Images as well
 # For example:
 #   Testing/Benchmark/run.sh
 #   Testing/Benchmark/run.sh scan.ply --growth=none --benchmark_filter=/T/
 #   Testing/Benchmark/run.sh graph --readme
+#   Testing/Benchmark/run.sh path scan.ply --pairs=100 --matrix=0
 #   Testing/Benchmark/run.sh graph scan.ply --rules=Guaranteed,SVG --accuracies=0.02 --many=0
 
 set -euo pipefail
@@ -29,10 +34,12 @@ source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 
 here="$DGG_ROOT/Testing/Benchmark"
 mode=exact
-if [ "${1:-}" = exact ] || [ "${1:-}" = graph ]; then
-  mode="$1"
-  shift
-fi
+case "${1:-}" in
+  exact | graph | path)
+    mode="$1"
+    shift
+    ;;
+esac
 out="$DGG_ROOT/out/benchmark"
 readme=
 arguments=()
@@ -41,6 +48,14 @@ while [ $# -gt 0 ]; do
     --out)
       [ $# -ge 2 ] || dgg_fail "--out needs a folder"
       out="$2"
+      shift 2
+      ;;
+    --data)
+      [ "$mode" = path ] || dgg_fail "--data is for the mode path"
+      [ $# -ge 2 ] || dgg_fail "--data needs a folder"
+      for name in bunny armadillo fertility kitten gargoyle; do
+        arguments+=("$2/$name.ply")
+      done
       shift 2
       ;;
     --readme)
@@ -79,6 +94,12 @@ measure_graph() {
     "$python" "$here/insert_table.py" "$DGG_ROOT/README.md" graph "$out/graph.md"
     echo "Written: README.md and Examples/Images/error_against_degree.png"
   fi
+}
+
+measure_path() {
+  measure BenchmarkPath "$out/path.json"
+  "$python" "$here/summarize_path.py" "$out/path.json" "$out/path.md"
+  echo "Written: $out/path.json and $out/path.md"
 }
 
 packages=("${DGG_PACKAGES[@]}" libbenchmark-dev libcgal-dev libeigen3-dev glmark2-data)

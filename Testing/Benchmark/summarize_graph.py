@@ -13,13 +13,18 @@ import re
 import statistics
 
 from benchmark_results import (
+    DASH,
     collect,
     count_text,
+    digits,
+    environment,
     load,
     median,
+    ratio_text,
     run_as_script,
-    seconds_text,
     table,
+    text,
+    time_text,
 )
 
 GRAPH = re.compile(
@@ -32,7 +37,6 @@ TITLES = {
     "HeatDelaunay": "heat method, intrinsic Delaunay (CGAL)",
     "VTK": "vtkDijkstraGraphGeodesicPath",
 }
-DASH = "–"
 
 
 class Run:
@@ -79,25 +83,6 @@ def mean(figures, key):
 def largest(figures, key):
     values = (figures or {}).get(key)
     return max(values) if values else None
-
-
-def text(value, form):
-    return DASH if value is None else form.format(value)
-
-
-def time_text(value):
-    return DASH if value is None else seconds_text(value)
-
-
-def digits(value):
-    """Two digits, without an exponent where it can be done."""
-    return f"{value:.0f}" if 100.0 <= value < 1e6 else f"{value:.2g}"
-
-
-def ratio_text(numerator, denominator):
-    if numerator is None or not denominator:
-        return DASH
-    return f"{digits(numerator / denominator)}x"
 
 
 def speed_up_text(cases, case):
@@ -313,18 +298,6 @@ def ratio_table(rows):
     return table(header, rows)
 
 
-def environment(run):
-    about = ", ".join(
-        f"{key.split('_')[0]} {run.context[key].strip()}"
-        for key in ("compiler", "vtk_version", "cgal_version")
-        if key in run.context
-    )
-    return (
-        f"CPU seconds on one thread, but for parallel ones (on the wall); the set-up of each one's "
-        f"mesh is left out ({about}).\n"
-    )
-
-
 def thorough_parts(run):
     """Tables of the graphs of which everything was measured, folded."""
     parts = ["<details><summary>Building and querying in detail</summary>\n"]
@@ -356,7 +329,11 @@ def vertices_of(graphs):
 
 def summarize(path):
     run = Run(path)
-    parts = [environment(run)]
+    about = environment(run.context)
+    parts = [
+        f"CPU seconds on one thread, but for parallel ones (on the wall); the set-up of each one's "
+        f"mesh is left out ({about}).\n"
+    ]
     for mesh, graphs in run.graphs.items():
         parts.append(f"**{mesh}{vertices_of(graphs)}: size, accuracy, time**\n")
         parts.append(size_table(graphs))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What becomes of the results of BenchmarkGraph: tables, a plot, a section of a Markdown file."""
+"""What becomes of results of the benchmarks: tables, a plot, a section of a Markdown file."""
 
 import importlib.util
 import json
@@ -11,6 +11,7 @@ import unittest
 
 import insert_table
 import summarize_graph
+import summarize_path
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 OUTPUT = os.environ["DGG_TEST_OUTPUT"]
@@ -49,6 +50,27 @@ def thorough(rule, parameter):
     ]
 
 
+def cells_of(lines, start, header):
+    """The first row that starts so, by the columns of the first table with this header."""
+    first = next(i for i, line in enumerate(lines) if f"| {header} |" in line)
+    names = [name.strip() for name in lines[first].split("|")[1:-1]]
+    row = next(line for line in lines[first:] if line.startswith(f"| {start} |"))
+    return dict(zip(names, (cell.strip() for cell in row.split("|")[1:-1])))
+
+
+def path(case, excess, **more):
+    """A result with many paths, of which 25 are beyond 1e-6."""
+    figures = {"ms_median": 0.5, "ms_p90": 0.75, "ms_p99": 2.0, "ms_mean": 0.625}
+    figures.update({"within_1e6": 0.975, "within_1e5": 0.99999, "within_1e4": 1.0})
+    figures.update({"excess_median": 2e-16, "excess_p99": 3.0 * excess, "excess_max": 5.0 * excess})
+    figures.update({"outside": 25, "outside_median": 2.0 * excess, "outside_max": 5.0 * excess})
+    figures.update(dict.fromkeys(("unconnected", "mismatches", "too_short", "invalid"), 0))
+    figures.update({"pairs": 1000, "longer": 1, "unstraightened": 2, "fallbacks": 3})
+    return entry(
+        f"Path/ball/{case}/manual_time", 0.5, vertices=10000, excess_mean=excess, **figures, **more
+    )
+
+
 class Tables(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -65,11 +87,7 @@ class Tables(unittest.TestCase):
         cls.lines = summarize_graph.summarize(cls.path).splitlines()
 
     def cells(self, start, header):
-        """The first row that starts so, by the columns of the first table with this header."""
-        first = next(i for i, line in enumerate(self.lines) if f"| {header} |" in line)
-        names = [name.strip() for name in self.lines[first].split("|")[1:-1]]
-        row = next(line for line in self.lines[first:] if line.startswith(f"| {start} |"))
-        return dict(zip(names, (cell.strip() for cell in row.split("|")[1:-1])))
+        return cells_of(self.lines, start, header)
 
     def test_size(self):
         cells = self.cells("Guaranteed, ε = 0.01", "degree")
@@ -112,6 +130,98 @@ class Tables(unittest.TestCase):
         points = plot_graph.curve(graphs, "Guaranteed", "Certified", 0)
         self.assertEqual([round(x) for x, _ in points], [15, 50])
         self.assertAlmostEqual(points[1][1], 0.08)
+
+
+class PathTables(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cells = {"vertices": 10000, "samples": 100}
+        voronoi = {"query_seconds": 0.004, "nearest_per_query": 1.125, "labels_per_query": 2.25}
+        voronoi.update({"labels_per_corrected": 1.5, "diagram_per_query": 3.5})
+        voronoi["refined_per_query"] = 4.25
+        loops = {"runs": 5, "invalid": 0}
+        results = [
+            entry("Path/ball/Graph/manual_time", 1500.0, threads=2, graph_bytes=1.25e7),
+            entry("Path/ball/Exact/manual_time", 30.0),
+            path("Raw", 4e-4),
+            path("Default", 1e-8),
+            path("MarkedDefault", 1e-8),
+            path("VertexVTK", 0.05),
+            entry("Path/ball/VertexDefault", 0.1, ms_mean=0.125, excess_mean=-1e-16, excess_max=0),
+            entry("Cells/ball/FarthestPoints/x", 30.0, per_ten_queries=0.75, **cells),
+            entry("Cells/ball/Voronoi/manual_time", 14.0, **voronoi, **cells),
+            entry(
+                "Matrix/ball/Update", 2500, size=50, threads=2, error_mean=4e-4, error_max=2e-3
+            ),
+            entry("Loop/ball/AroundHandles/manual_time", 70.0, loops=20, empty=5, **loops),
+            entry("Loop/ball/ThroughPoint/manual_time", 8.0, loops=4, **loops),
+        ]
+        cls.lines = cls.summarize("paths.json", results)
+        cls.few = cls.summarize("matrix.json", results[9:10])
+
+    @staticmethod
+    def summarize(name, results):
+        path = os.path.join(OUTPUT, name)
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump({"context": {"vtk_version": "9"}, "benchmarks": results}, file)
+        return summarize_path.summarize(path).splitlines()
+
+    def cells(self, header, start="ball"):
+        return cells_of(self.lines, start, header)
+
+    def test_paths(self):
+        cells = self.cells("with landmarks", "ball | 10K | default")
+        self.assertEqual(cells["ms: median / 90 % / 99 %"], "0.5 / 0.75 / 2")
+        self.assertEqual(cells["with landmarks"], "0.5 / 0.75 / 2")
+        self.assertEqual(cells["% within 1e-6 / 1e-5 / 1e-4"], "97.5 / 99.99 / 100")
+        excess = cells["excess: median / mean / 99 % / max"]
+        self.assertEqual(excess, "0 / 1.0e-08 / 3.0e-08 / 5.0e-08")
+        self.assertEqual(cells["beyond 1e-6: median / max"], "25: 2.0e-08 / 5.0e-08")
+        raw = self.cells("with landmarks", "ball | 10K | as in the graph")
+        self.assertEqual(raw["with landmarks"], "–")
+
+    def test_before(self):
+        cells = self.cells("its size")
+        self.assertEqual((cells["graph (wall)"], cells["its size"]), ("1.5 s", "12.5MB"))
+        self.assertEqual(cells["exact propagation"], "30 ms")
+        self.assertEqual(cells["landmarks (wall)"], "–")
+
+    def test_edges(self):
+        cells = self.cells("pairs of vertices")
+        self.assertEqual(cells["time"], "5x")
+        self.assertEqual(cells["excess of VTK's: mean / max"], "5 / 25 %")
+        self.assertEqual(cells["of the default: mean / max"], "0 / 0")
+
+    def test_checks(self):
+        cells = self.cells("not straightened", "ball | default")
+        figures = [cells[name] for name in ("pairs", "not straightened", "edges found anew")]
+        self.assertEqual(figures, ["1000", "2", "3"])
+        self.assertEqual(cells["longer than before straightening"], "1")
+        self.assertEqual(cells["not on the surface"], "0")
+        raw = self.cells("not straightened", "ball | as in the graph")
+        self.assertEqual(raw["not straightened"], "–")
+
+    def test_cells(self):
+        cells = self.cells("farthest points")
+        self.assertEqual((cells["farthest points"], cells["in 10 queries"]), ("30 ms", "0.75x"))
+        self.assertEqual(cells["one query"], "4 ms")
+        self.assertEqual(cells["search from all samples, in queries"], "1.12x")
+        self.assertEqual(cells["labels of Voronoi cells, in queries"], "2.25x")
+        self.assertEqual(cells["in corrected queries"], "1.50x")
+        self.assertEqual(cells["whole diagram, in queries"], "3.50x")
+        self.assertEqual(cells["with refined borders"], "4.25x")
+
+    def test_matrix_and_loops(self):
+        cells = self.cells("update (wall)")
+        self.assertEqual((cells["matrix"], cells["update (wall)"]), ("50 x 50", "2.5 s"))
+        self.assertEqual(cells["error of a row: mean / max"], "0.04 / 0.2 %")
+        cells = self.cells("around handles")
+        self.assertEqual((cells["around handles"], cells["loops"]), ("70 ms", "4 and 1 fixed"))
+        self.assertEqual(cells["through a point (found / asked)"], "8 ms (4 / 5)")
+        self.assertEqual(cells["let go there"], "–")
+
+    def test_nothing_but_what_was_measured(self):
+        self.assertEqual([line for line in self.few if line.startswith("**")], ["**Matrices**"])
 
 
 class Insert(unittest.TestCase):

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PathCases.h"
+
+#include "BenchmarkTools.h"
+#include "OpenedGraph.h"
+#include "PathStatistics.h"
+#include "ThreadedLoop.h"
+
+#include <cmath>
+
+namespace
+{
+/// The search of a graph with landmarks, or without.
+const dgg::GraphSearch& SearchOf(MeasuredGraph& graph, bool withLandmarks)
+{
+  if (withLandmarks)
+  {
+    graph.NeedLandmarks();
+  }
+  else if (graph.GetSearch().HasLandmarks())
+  {
+    graph.PrepareSearch();
+  }
+  return graph.GetSearch();
+}
+}
+
+void MeasureGraphOfPaths(benchmark::State& state, const GraphRecipe& recipe, int threads)
+{
+  const OpenedGraph opened = OpenGraph(state, recipe);
+  if (!opened.Graph)
+  {
+    return;
+  }
+  MeasuredGraph& graph = *opened.Graph;
+  Measure(
+    state, [&] { graph.Clear(); }, [&] { graph.Build(ThreadedLoop(threads)); }, WallSeconds);
+  if (!graph.GetError().empty())
+  {
+    state.SkipWithError(graph.GetError().c_str());
+    return;
+  }
+  ReportMesh(state, *opened.Mesh);
+  state.counters["threads"] = threads;
+  state.counters["graph_bytes"] = static_cast<double>(graph.GetGraph().GetMemorySize());
+  state.counters["search_bytes"] = static_cast<double>(graph.GetSearch().GetMemorySize());
+}
+
+void MeasureLandmarks(benchmark::State& state, const GraphRecipe& recipe, int threads)
+{
+  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
+  if (!opened.Graph)
+  {
+    return;
+  }
+  dgg::GraphSearch search(opened.Graph->GetGraph().View(), &opened.Mesh->GetSurface());
+  // What the first query prepares is not part of the landmarks.
+  dgg::SearchResult result;
+  dgg::Status status = search.Run({ dgg::GraphSeed{ 0 } }, {}, result);
+  const std::size_t before = search.GetMemorySize();
+  Measure(
+    state, [] {}, [&] { status = search.PrepareLandmarks(ThreadedLoop(threads), nullptr); },
+    WallSeconds);
+  if (Succeeded(state, status))
+  {
+    state.counters["threads"] = threads;
+    state.counters["landmark_bytes"] = static_cast<double>(search.GetMemorySize() - before);
+  }
+}
+
+void MeasureFirstPath(benchmark::State& state, const GraphRecipe& recipe, const PairRecipe& pairs)
+{
+  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
+  if (!opened.Graph)
+  {
+    return;
+  }
+  const dgg::SurfaceMesh& surface = opened.Mesh->GetSurface();
+  const MeasuredPairs& measured = opened.Mesh->GetPairs(pairs);
+  dgg::Status status;
+  Measure(
+    state, [] {},
+    [&] {
+      const dgg::GraphSearch search(opened.Graph->GetGraph().View(), &surface);
+      const dgg::GraphBuilder builder(surface);
+      const dgg::PathFinder finder(
+        surface, search, &builder, opened.Mesh->GetArrays().Points.data());
+      dgg::FoundPath found;
+      status = finder.Find(measured.GetStart(0), measured.GetEnd(0), {}, found);
+    });
+  Succeeded(state, status);
+}
+
+void MeasurePaths(benchmark::State& state, const GraphRecipe& recipe, const PairRecipe& pairs,
+  const dgg::PathOptions& options, bool withLandmarks)
+{
+  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
+  if (!opened.Graph)
+  {
+    return;
+  }
+  const dgg::SurfaceMesh& surface = opened.Mesh->GetSurface();
+  MeasuredPairs& measured = opened.Mesh->GetPairs(pairs);
+  const std::vector<double>& exact = measured.GetExactDistances();
+  const dgg::PathFinder finder(surface, SearchOf(*opened.Graph, withLandmarks),
+    &opened.Graph->GetBuilder(), opened.Mesh->GetArrays().Points.data());
+  PathStatistics statistics;
+  dgg::FoundPath found;
+  // Not the first path.
+  dgg::Status status = finder.Find(measured.GetStart(0), measured.GetEnd(0), options, found);
+  for (auto unused : state)
+  {
+    (void)unused;
+    statistics = PathStatistics();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < measured.GetCount() && status.IsOk(); ++i)
+    {
+      const double start = ThreadSeconds();
+      status = finder.Find(measured.GetStart(i), measured.GetEnd(i), options, found);
+      const double seconds = ThreadSeconds() - start;
+      sum += seconds;
+      statistics.AddPath(surface, seconds, found, exact[i]);
+    }
+    state.SetIterationTime(sum / static_cast<double>(measured.GetCount()));
+  }
+  if (Succeeded(state, status))
+  {
+    ReportMesh(state, *opened.Mesh);
+    statistics.Report(state);
+  }
+}
+
+void MeasureExactPairs(benchmark::State& state, const MeshRecipe& recipe, const PairRecipe& pairs)
+{
+  BenchmarkMesh* mesh = OpenMesh(state, recipe);
+  if (!mesh)
+  {
+    return;
+  }
+  for (auto unused : state)
+  {
+    (void)unused;
+    state.SetIterationTime(mesh->GetPairs(pairs).GetExactSeconds());
+  }
+}
+
+void MeasureEdgePaths(benchmark::State& state, const MeshRecipe& recipe, const PairRecipe& pairs)
+{
+  BenchmarkMesh* mesh = OpenMesh(state, recipe);
+  if (!mesh)
+  {
+    return;
+  }
+  MeasuredPairs& measured = mesh->GetPairs(pairs);
+  const std::vector<double>& exact = measured.GetExactDistances();
+  PeerVTK& peer = mesh->GetPeerVTK();
+  PathStatistics statistics;
+  for (auto unused : state)
+  {
+    (void)unused;
+    statistics = PathStatistics();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < measured.GetCount(); ++i)
+    {
+      const double start = ThreadSeconds();
+      // The peer cannot be asked for a path that does not exist.
+      const double length = std::isfinite(exact[i])
+        ? peer.FindPath(measured.GetStart(i).Vertex, measured.GetEnd(i).Vertex)
+        : dgg::Infinity;
+      const double seconds = ThreadSeconds() - start;
+      sum += seconds;
+      statistics.AddLength(seconds, length, exact[i]);
+    }
+    state.SetIterationTime(sum / static_cast<double>(measured.GetCount()));
+  }
+  ReportMesh(state, *mesh);
+  statistics.Report(state);
+}
