@@ -239,12 +239,19 @@ void vtkDGGVoronoiOutputs::FillSites(vtkPolyData* output) const
 {
   vtkDGGFillSurfacePoints(GetPlaces(this->Result.Sites), this->Mesh, this->Coordinates, output);
   const std::size_t count = this->Result.Sites.size();
-  const std::vector<double> areas = this->SumAreas();
   const auto numbers = AddArray<vtkIntArray>(output->GetPointData(), "SiteId", count);
-  const auto cellAreas = AddArray<vtkDoubleArray>(output->GetPointData(), "CellArea", count);
   for (std::size_t k = 0; k < count; ++k)
   {
     numbers->SetValue(static_cast<vtkIdType>(k), static_cast<int>(k));
+  }
+  if (this->Result.Diagram.PolygonOffsets.empty())
+  {
+    return; // no cells were made
+  }
+  const std::vector<double> areas = this->SumAreas();
+  const auto cellAreas = AddArray<vtkDoubleArray>(output->GetPointData(), "CellArea", count);
+  for (std::size_t k = 0; k < count; ++k)
+  {
     cellAreas->SetValue(static_cast<vtkIdType>(k), areas[k]);
   }
 }

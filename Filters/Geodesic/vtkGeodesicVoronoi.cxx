@@ -33,6 +33,7 @@ vtkGeodesicVoronoi::vtkGeodesicVoronoi()
   : Centroidal(false)
   , NumberOfIterations(20)
   , Tolerance(1e-3)
+  , GenerateCells(true)
   , RefineBoundaries(true)
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , DistanceArrayName("GeodesicDistance")
@@ -61,6 +62,7 @@ void vtkGeodesicVoronoi::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Centroidal: " << (this->Centroidal ? "On" : "Off") << "\n";
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "GenerateCells: " << (this->GenerateCells ? "On" : "Off") << "\n";
   os << indent << "RefineBoundaries: " << (this->RefineBoundaries ? "On" : "Off") << "\n";
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
@@ -284,8 +286,9 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
     }
   }
   dgg::VoronoiInput input;
+  input.LabelsOnly = !this->GenerateCells;
   dgg::Status status = graph.MakeSeeds(result.Sites, mesh, input.Seeds);
-  if (status.IsOk() && this->RefineBoundaries)
+  if (status.IsOk() && this->RefineBoundaries && this->GenerateCells)
   {
     status = graph.PrepareBuilder(mesh);
     input.Builder = status.IsOk() ? &graph.GetBuilder() : nullptr;
@@ -353,8 +356,11 @@ void vtkGeodesicVoronoi::FillOutputs(
   {
     vtkPolyData::GetData(outputVector, port)->Initialize();
   }
-  outputs.FillBoundaries(vtkPolyData::GetData(outputVector, 1));
-  outputs.FillCells(vtkPolyData::GetData(outputVector, 2));
+  if (!result.Diagram.PolygonOffsets.empty())
+  {
+    outputs.FillBoundaries(vtkPolyData::GetData(outputVector, 1));
+    outputs.FillCells(vtkPolyData::GetData(outputVector, 2));
+  }
   outputs.FillSites(vtkPolyData::GetData(outputVector, 3));
 }
 

@@ -127,6 +127,7 @@ TEST_F(GeodesicVoronoi, Defaults)
   EXPECT_EQ(filter->GetNumberOfOutputPorts(), 4);
   EXPECT_FALSE(filter->GetCentroidal());
   EXPECT_EQ(filter->GetNumberOfIterations(), 20);
+  EXPECT_TRUE(filter->GetGenerateCells());
   EXPECT_TRUE(filter->GetRefineBoundaries());
   EXPECT_EQ(filter->GetTolerance(), 1e-3);
   EXPECT_EQ(filter->GetAccuracy(), 0.01);
@@ -163,6 +164,38 @@ TEST_F(GeodesicVoronoi, LabelsAreThoseOfTheNearestSites)
     used.insert(sites[i]);
   }
   EXPECT_EQ(used.size(), 4u);
+}
+
+/// Without cells the labels come from one search.
+TEST_F(GeodesicVoronoi, LabelsAlone)
+{
+  ExpectSuccess(this->Filter);
+  const std::vector<double> sites = GetSiteOfPoints(this->Filter);
+  const std::vector<double> distances =
+    ToVector(this->Filter->GetOutput()->GetPointData()->GetArray("GeodesicDistance"));
+  this->Filter->GenerateCellsOff();
+  ExpectSuccess(this->Filter);
+  for (int port : { 1, 2 })
+  {
+    EXPECT_EQ(this->Filter->GetOutput(port)->GetNumberOfPoints(), 0);
+    EXPECT_EQ(this->Filter->GetOutput(port)->GetNumberOfCells(), 0);
+  }
+  EXPECT_EQ(this->Filter->GetOutput(3)->GetNumberOfPoints(), 4);
+  EXPECT_FALSE(this->Filter->GetOutput(3)->GetPointData()->HasArray("CellArea"));
+  const std::vector<double> labels = GetSiteOfPoints(this->Filter);
+  const std::vector<double> estimates =
+    ToVector(this->Filter->GetOutput()->GetPointData()->GetArray("GeodesicDistance"));
+  ASSERT_EQ(labels.size(), sites.size());
+  int same = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    EXPECT_NEAR(estimates[i], distances[i], 0.1 * distances[i]);
+    same += labels[i] == sites[i] ? 1 : 0;
+  }
+  EXPECT_GT(same, 390); // of 400; ties within the accuracy may go either way
+  this->Filter->GenerateCellsOn();
+  ExpectSuccess(this->Filter);
+  EXPECT_GT(this->Filter->GetOutput(2)->GetNumberOfCells(), 0);
 }
 
 TEST_F(GeodesicVoronoi, CellsCoverTheSurface)

@@ -49,10 +49,31 @@ Status CheckSites(const VoronoiInput& input)
   return Status::Success();
 }
 
+/// The nearest site of each vertex and nothing else.
+Status FillLabels(const GraphSearch& search, const VoronoiInput& input,
+  const ProgressCallback& progress, VoronoiDiagram& diagram)
+{
+  SearchOptions options;
+  options.Correct = true;
+  options.Progress = progress;
+  SearchResult result;
+  const Status status = search.Run(input.Seeds, options, result);
+  for (const Id seed : result.Seeds)
+  {
+    diagram.NearestSites.push_back(seed == NoId ? NoId : input.Seeds[seed].Source);
+  }
+  diagram.Distances = result.Corrected.empty() ? result.Distances : result.Corrected;
+  return status;
+}
+
 Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInput& input,
   const ProgressCallback& progress, VoronoiDiagram& diagram)
 {
   Status status = CheckSites(input);
+  if (status.IsOk() && input.LabelsOnly)
+  {
+    return FillLabels(search, input, progress, diagram);
+  }
   SiteDistances distances;
   if (status.IsOk())
   {

@@ -60,6 +60,8 @@ struct VoronoiInput
   const GraphBuilder* Builder = nullptr;
   double Accuracy = 0.01;
   std::vector<SurfacePoint> Places; ///< of all sites, with a builder
+  /// Only NearestSites and Distances are filled, by a single search.
+  bool LabelsOnly = false;
 };
 
 /// The diagram of sites. A site at the place of an earlier one has no cell.
