@@ -16,8 +16,8 @@
 
 namespace
 {
-/// Loops between two looks at the progress.
-constexpr std::size_t LoopBlock = 8;
+/// Loops between two looks at the progress from outside of them.
+constexpr std::size_t LoopBlock = 16;
 
 /// What loops through points need besides the graph: null when all of them are vertices.
 dgg::Status PrepareLinks(vtkDGGGraphProvider& graph, const vtkDGGMeshAdapter& mesh,
@@ -62,10 +62,13 @@ dgg::Status vtkDGGLoopSearch::RunThroughPoints(vtkDGGGraphProvider& graph, const
   }
   const dgg::LoopFinder finder(this->Mesh.GetMesh(), graph.GetSearch(), builder, positions);
   set.Loops.assign(points.size(), dgg::FoundLoop());
-  status = vtkDGGForBlocks(points.size(), LoopBlock, progress, [&](std::size_t i) {
-    return Explain(
-      finder.ThroughPoint(points[i], taut, set.Loops[i]), "point " + std::to_string(i));
-  });
+  vtkDGGSharedProgress shared(progress, points.size());
+  const auto step = [&](std::size_t i) {
+    return Explain(finder.ThroughPoint(points[i], taut, set.Loops[i], shared.OfStep()),
+      "point " + std::to_string(i));
+  };
+  status = vtkDGGForBlocks(
+    points.size(), LoopBlock, [&](double done) { return shared.Tell(done); }, step);
   for (const dgg::FoundLoop& loop : set.Loops)
   {
     set.Status.push_back(GetStatus(loop));

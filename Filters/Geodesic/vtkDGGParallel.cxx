@@ -66,3 +66,30 @@ dgg::Status vtkDGGForBlocks(std::size_t count, std::size_t block,
   }
   return failure;
 }
+
+//------------------------------------------------------------------------------
+vtkDGGSharedProgress::vtkDGGSharedProgress(const dgg::ProgressCallback& progress, std::size_t count)
+  : Progress(progress)
+  , Count(static_cast<double>(count))
+  , Teller(std::this_thread::get_id())
+{
+}
+
+//------------------------------------------------------------------------------
+dgg::ProgressCallback vtkDGGSharedProgress::OfStep()
+{
+  return [this](double fraction) {
+    if (std::this_thread::get_id() == this->Teller && !this->IsStopped)
+    {
+      this->IsStopped = !this->Progress(this->Done + (1.0 - this->Done) * fraction / this->Count);
+    }
+    return !this->IsStopped;
+  };
+}
+
+//------------------------------------------------------------------------------
+bool vtkDGGSharedProgress::Tell(double done)
+{
+  this->Done = done;
+  return !this->IsStopped && this->Progress(done);
+}

@@ -7,8 +7,10 @@
 
 #include "dggParallel.h" // for ParallelFor
 
+#include <atomic>     // for stopping
 #include <cstddef>    // for std::size_t
 #include <functional> // for the steps
+#include <thread>     // for who may tell the progress
 
 /// Runs loops by vtkSMPTools. What a loop throws in any thread is thrown to the caller, after the
 /// loop: an exception that leaves a thread would end the program.
@@ -19,6 +21,27 @@ dgg::ParallelFor vtkDGGMakeParallelFor();
 /// returns the error of the step with the smallest number.
 dgg::Status vtkDGGForBlocks(std::size_t count, std::size_t block,
   const dgg::ProgressCallback& progress, const std::function<dgg::Status(std::size_t)>& step);
+
+/// Progress of steps that take long and run in several threads: only the thread that made it, and
+/// waits for them, may tell it; the others learn whether to go on.
+class vtkDGGSharedProgress
+{
+public:
+  /// Of `count` steps. `progress` must outlive it.
+  vtkDGGSharedProgress(const dgg::ProgressCallback& progress, std::size_t count);
+
+  /// That of one step. Steps run in any order, so that it counts as if there were no other.
+  dgg::ProgressCallback OfStep();
+  /// That of the steps done, between them.
+  bool Tell(double done);
+
+private:
+  const dgg::ProgressCallback& Progress;
+  double Count;
+  std::thread::id Teller;
+  double Done = 0.0; // changes only while no step runs
+  std::atomic<bool> IsStopped{ false };
+};
 
 #endif
 // VTK-HeaderTest-Exclude: vtkDGGParallel.h

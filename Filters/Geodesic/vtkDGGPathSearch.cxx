@@ -10,11 +10,9 @@
 #include "dggWorkspacePool.h"
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 #include <map>
 #include <string>
-#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -61,39 +59,6 @@ std::vector<std::vector<std::size_t>> GroupByStart(const vtkDGGPathSearch::Pairs
   }
   return groups;
 }
-
-/// Progress of steps that take long and run in several threads: only the thread that waits for them
-/// may tell it; the others learn whether to go on.
-class SharedProgress
-{
-public:
-  SharedProgress(const dgg::ProgressCallback& progress, std::size_t count)
-    : Progress(progress)
-    , Count(static_cast<double>(count))
-    , Teller(std::this_thread::get_id())
-  {
-  }
-
-  /// How far a step is, in [0, 1]. Returns whether to go on.
-  bool Tell(double fraction)
-  {
-    if (std::this_thread::get_id() == this->Teller && !this->IsStopped)
-    {
-      const double done = (static_cast<double>(this->NumberOfDone) + fraction) / this->Count;
-      this->IsStopped = !this->Progress(std::min(1.0, done));
-    }
-    return !this->IsStopped;
-  }
-  /// A step is done.
-  void Finish() { ++this->NumberOfDone; }
-
-private:
-  const dgg::ProgressCallback& Progress;
-  double Count;
-  std::thread::id Teller;
-  std::atomic<std::size_t> NumberOfDone{ 0 };
-  std::atomic<bool> IsStopped{ false };
-};
 
 /// An error with what it is about before it, and what to do after it.
 dgg::Status Explain(const dgg::Status& status, const std::string& subject, const char* remedy)
@@ -149,7 +114,7 @@ dgg::Status vtkDGGPathSearch::RunExact(const dgg::ProgressCallback& progress, Pa
   const std::vector<std::vector<std::size_t>> groups = GroupByStart(this->PointPairs);
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
   dgg::WorkspacePool<dgg::ExactPathFinder> finders;
-  SharedProgress shared(progress, groups.size());
+  vtkDGGSharedProgress shared(progress, groups.size());
   const auto step = [&](std::size_t g) {
     const std::vector<std::size_t>& group = groups[g];
     std::vector<dgg::SurfacePoint> targets;

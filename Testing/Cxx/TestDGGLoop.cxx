@@ -778,6 +778,28 @@ TEST_F(DGGLoop, ProgressAndAbort)
   }
 }
 
+/// Several ways around are tried, one after the other.
+TEST_F(DGGLoop, OneLoopTellsItsProgress)
+{
+  this->Filter->SetInputData(this->Torus);
+  this->Filter->SetPointIds({ 5 });
+  ExpectSuccess(this->Filter); // the graph is there
+  const auto expected = GetLoops(this->Filter);
+  ProgressWatch watch(this->Filter);
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter);
+  ASSERT_GT(watch.Progress.size(), 6u);
+  const double early = watch.Progress[4];
+  EXPECT_LT(early, 0.9);
+  watch.StopAt = early;
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter);
+  ExpectEmptyOutput(this->Filter);
+  watch.StopAt = 2.0;
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetLoops(this->Filter), expected);
+}
+
 TEST_F(DGGLoop, PrintSelf)
 {
   this->Filter->SetPointIds({ 3 * Sides, 4 * Sides });

@@ -100,7 +100,8 @@ TEST(ImageLoop, OnATorus)
   AddTubes(renderer, rope->GetOutputPort(), 0.02, 0.8, 0.05, 0.12);
   AddTubes(renderer, rope->GetTapePort(), 0.016, 0.95, 0.62, 0.1);
   vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(0.6, -2.2, 4.2);
+  camera->SetFocalPoint(0.0, -0.05, 0.0);
+  camera->SetPosition(0.6, -2.3, 4.4);
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->SetViewAngle(32.0);
   renderer->ResetCameraClippingRange();

@@ -45,7 +45,8 @@ public:
   {
   }
 
-  Status ThroughPoint(const SurfacePoint& point, bool taut, FoundLoop& loop) const;
+  Status ThroughPoint(
+    const SurfacePoint& point, bool taut, const ProgressCallback& progress, FoundLoop& loop) const;
 
   const SurfaceMesh& Mesh;
   const GraphSearch& Search;
@@ -157,7 +158,7 @@ Status LoopFinder::Implementation::Trace(
 }
 
 Status LoopFinder::Implementation::ThroughPoint(
-  const SurfacePoint& point, bool taut, FoundLoop& loop) const
+  const SurfacePoint& point, bool taut, const ProgressCallback& progress, FoundLoop& loop) const
 {
   Tree tree;
   tree.Point = point;
@@ -172,8 +173,13 @@ Status LoopFinder::Implementation::ThroughPoint(
   PathTracer tracer(this->Mesh);
   PathShortener shortener(this->Mesh);
   std::size_t rivals = 0;
-  for (std::size_t i = 0; i < candidates.size() && i < MostTrials && rivals < MostRivals; ++i)
+  const std::size_t trials = std::min(candidates.size(), MostTrials);
+  for (std::size_t i = 0; i < trials && rivals < MostRivals; ++i)
   {
+    if (progress && !progress(static_cast<double>(i) / static_cast<double>(trials)))
+    {
+      return Status::Abort();
+    }
     const bool isFound = !loop.Loop.IsEmpty();
     // A loop is shorter than its way through the graph by the accuracy at most.
     if (isFound && candidates[i].Length > loop.Loop.Length * (1.0 + graph.Info.Accuracy))
@@ -217,10 +223,11 @@ LoopFinder::LoopFinder(const SurfaceMesh& mesh, const GraphSearch& search,
 
 LoopFinder::~LoopFinder() = default;
 
-Status LoopFinder::ThroughPoint(const SurfacePoint& point, bool taut, FoundLoop& loop) const
+Status LoopFinder::ThroughPoint(
+  const SurfacePoint& point, bool taut, FoundLoop& loop, const ProgressCallback& progress) const
 {
   loop = FoundLoop();
-  const Status status = this->Internals->ThroughPoint(point, taut, loop);
+  const Status status = this->Internals->ThroughPoint(point, taut, progress, loop);
   if (!status.IsOk())
   {
     loop = FoundLoop();

@@ -30,7 +30,8 @@ public:
   /// first. The loop has a kink at the point unless `taut`: then it is let go there, and pulled
   /// tight to a closed geodesic close to it. Empty when there is none, as on most surfaces without
   /// a handle or a limb.
-  Status ThroughPoint(const SurfacePoint& point, bool taut, FoundLoop& loop) const;
+  Status ThroughPoint(const SurfacePoint& point, bool taut, FoundLoop& loop,
+    const ProgressCallback& progress = {}) const;
 
   /// A rope through points in cyclic order, the last one being joined to the first one: shortest
   /// paths between them, or, when `taut`, what they become when the rope is let go at the points
