@@ -42,8 +42,8 @@
  *    the input is passed, without the graph.
  *
  * <b>Output 1</b> (GetTape()) has the rims of the tapes, when TapeWidth is positive: the curves at
- * a distance of half of it from a loop, one on each side where there is room. They are closed,
- * or end at the boundary. The arrays are `Length`, `LoopId` and the point data of output 0.
+ * a distance of half of it from a loop, one on each side where there is room, and more where the
+ * loop crosses itself. They are closed, or end at the boundary. The arrays are `Length`, `LoopId` and the point data of output 0.
  *
  * <b>What is promised.</b> No curve next to a loop is shorter, unless it is kinked, and then none
  * through the same points. A closed geodesic need not exist near a point: on a surface without
@@ -55,8 +55,9 @@
  *
  * <b>Time.</b> A loop through a point takes a search over the whole surface; points are worked on
  * by all threads of vtkSMPTools. Results do not depend on their number. AroundHandles takes up to
- * 17 searches along edges for each component with such loops; a tape, an exact propagation as far
- * as it is wide.
+ * 17 searches along edges for each component with such loops. A tape takes an exact propagation as
+ * far as it is wide, from points as close to each other as it is narrow: seconds when the loop is
+ * some hundred times as long as the tape is wide.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
  *  - no point, or fewer than three of a rope; an id out of range; a point that is not finite, or

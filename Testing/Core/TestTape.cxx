@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace dggtest
@@ -114,6 +115,30 @@ TEST(Tape, AroundASegment)
   ASSERT_EQ(rims.size(), 1u);
   EXPECT_NEAR(rims[0].Length / (2.0 * path.Length + dgg::Pi * width), 1.0, 2e-3);
   ExpectAtDistance(mesh, path, rims, 0.5 * width, 1e-4);
+}
+
+TEST(Tape, OfAPathThatCrossesItself)
+{
+  // A bow tie: around it one rim, and one in each of its two triangles.
+  const Id n = 20;
+  const dgg::SurfaceMesh mesh = Build(Plane(n, n, 0.2, 3));
+  const Id corners[] = { 5, 15, 5, 15 };
+  const Id rows[] = { 5, 15, 15, 5 };
+  SurfacePath path;
+  for (int k = 0; k < 4; ++k)
+  {
+    const int next = (k + 1) % 4;
+    const SurfacePath leg =
+      PathBetween(mesh, rows[k] * (n + 1) + corners[k], rows[next] * (n + 1) + corners[next]);
+    path.Points.insert(
+      path.Points.end(), leg.Points.begin() + (path.Points.empty() ? 0 : 1), leg.Points.end());
+    path.Faces.insert(path.Faces.end(), leg.Faces.begin(), leg.Faces.end());
+    path.Length += leg.Length;
+  }
+  const std::vector<SurfacePath> rims = Tape(mesh, path, 1.0);
+  ASSERT_EQ(rims.size(), 3u);
+  ExpectAtDistance(mesh, path, rims, 0.5, 1e-4);
+  EXPECT_GT(std::max({ rims[0].Length, rims[1].Length, rims[2].Length }), path.Length);
 }
 
 TEST(Tape, EndsAtTheBoundary)

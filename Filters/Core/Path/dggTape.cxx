@@ -311,7 +311,9 @@ Status MakeTape(const SurfaceMesh& mesh, const SurfacePath& path, double width,
     return Status::Invalid(message.str());
   }
   RefinedSurface refined;
-  Status status = RefineAlongPaths(mesh, { path }, RefinementOptions(), refined);
+  RefinementOptions options;
+  options.InsertCrossings = true; // of the path with itself
+  Status status = RefineAlongPaths(mesh, { path }, options, refined);
   SurfaceMesh part;
   if (status.IsOk())
   {
