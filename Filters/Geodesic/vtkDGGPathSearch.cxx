@@ -123,10 +123,8 @@ dgg::Status vtkDGGPathSearch::RunExact(const dgg::ProgressCallback& progress, Pa
       targets.push_back(this->PointPairs[i].To);
     }
     std::vector<dgg::SurfacePath> found;
-    const dgg::Status status = finders.Borrow(mesh)->Find(
-      this->PointPairs[group[0]].From, targets,
-      [&](double fraction) { return shared.Tell(fraction); }, found);
-    shared.Finish();
+    const dgg::Status status =
+      finders.Borrow(mesh)->Find(this->PointPairs[group[0]].From, targets, shared.OfStep(), found);
     for (std::size_t k = 0; k < group.size() && status.IsOk(); ++k)
     {
       dgg::FoundPath& path = paths[group[k]];
@@ -139,5 +137,5 @@ dgg::Status vtkDGGPathSearch::RunExact(const dgg::ProgressCallback& progress, Pa
       ". Use Method Graph");
   };
   return vtkDGGForBlocks(
-    groups.size(), PropagationBlock, [&](double) { return shared.Tell(0.0); }, step);
+    groups.size(), PropagationBlock, [&](double done) { return shared.Tell(done); }, step);
 }
