@@ -244,9 +244,9 @@ void vtkDGGVoronoiOutputs::FillSites(vtkPolyData* output) const
   {
     numbers->SetValue(static_cast<vtkIdType>(k), static_cast<int>(k));
   }
-  if (this->Result.Diagram.PolygonOffsets.empty())
+  if (this->Result.LabelsOnly)
   {
-    return; // no cells were made
+    return;
   }
   const std::vector<double> areas = this->SumAreas();
   const auto cellAreas = AddArray<vtkDoubleArray>(output->GetPointData(), "CellArea", count);

@@ -22,6 +22,7 @@ struct vtkDGGVoronoiResult
   std::vector<dgg::GeodesicSource> Sites;
   dgg::VoronoiDiagram Diagram;
   std::vector<double> Energies; ///< empty unless sites have been moved
+  bool LabelsOnly = false;      ///< whether there are neither cells nor boundaries
 };
 
 /// Surface points as points with verts, and the point arrays `vtkOriginalPointIds` and `FaceId`:

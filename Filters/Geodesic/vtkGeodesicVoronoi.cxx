@@ -286,9 +286,10 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
     }
   }
   dgg::VoronoiInput input;
-  input.LabelsOnly = !this->GenerateCells;
+  result.LabelsOnly = !this->GenerateCells;
+  input.LabelsOnly = result.LabelsOnly;
   dgg::Status status = graph.MakeSeeds(result.Sites, mesh, input.Seeds);
-  if (status.IsOk() && this->RefineBoundaries && this->GenerateCells)
+  if (status.IsOk() && this->RefineBoundaries && !input.LabelsOnly)
   {
     status = graph.PrepareBuilder(mesh);
     input.Builder = status.IsOk() ? &graph.GetBuilder() : nullptr;
@@ -356,7 +357,7 @@ void vtkGeodesicVoronoi::FillOutputs(
   {
     vtkPolyData::GetData(outputVector, port)->Initialize();
   }
-  if (!result.Diagram.PolygonOffsets.empty())
+  if (!result.LabelsOnly)
   {
     outputs.FillBoundaries(vtkPolyData::GetData(outputVector, 1));
     outputs.FillCells(vtkPolyData::GetData(outputVector, 2));
