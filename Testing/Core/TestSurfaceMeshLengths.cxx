@@ -311,4 +311,19 @@ TEST(SurfaceMeshErrors, RefuseBadGluing)
   }
   ExpectRefused(FromGluedLengths(input, mesh), mesh, "cannot be glued");
 }
+
+/// A small face that was cut out of a large one has the rounding errors of that.
+TEST(SurfaceMeshLengths, RoundingOfSmallFaces)
+{
+  TestMesh input;
+  input.AbstractVertices = 6;
+  input.Triangles = { 0, 1, 2, 3, 4, 5 };
+  SurfaceMesh mesh;
+  input.Lengths = { 1.0, 1.0, 1.0, 2e-10, 1e-11, 2.1e-10 + 2e-13 };
+  EXPECT_TRUE(FromLengths(input, mesh).IsOk());
+  EXPECT_TRUE(mesh.IsDegenerate(1));
+  EXPECT_GT(mesh.GetMollification(), 0.0);
+  input.Lengths.back() = 2.1e-10 + 2e-12;
+  ExpectRefused(FromLengths(input, mesh), mesh, "none may be longer");
+}
 }

@@ -150,5 +150,35 @@ TEST_P(ExtraLoops, ThroughPoints)
             << " a taut one\n";
 }
 
+TEST_P(ExtraLoops, RopesAndTapes)
+{
+  if (this->Surface->GetNumberOfPolys() > MostTriangles)
+  {
+    GTEST_SKIP() << "too large";
+  }
+  std::mt19937 random(1713);
+  std::uniform_int_distribution<vtkIdType> ids(0, this->Surface->GetNumberOfPoints() - 1);
+  this->Filter->SetModeToRope();
+  this->Filter->SetTapeWidth(0.05 * this->Surface->GetLength());
+  for (int trial = 0; trial < 3; ++trial)
+  {
+    this->Filter->RemoveAllPointIds();
+    for (int i = 0; i < NumberOfPoints; ++i)
+    {
+      this->Filter->AddPointId(ids(random));
+    }
+    for (const bool taut : { false, true })
+    {
+      this->Filter->SetTaut(taut);
+      EXPECT_EQ(this->Update(), std::vector<std::string>());
+      this->ExpectLoops(GetLoops(this->Filter), true); // their kinks are at points
+      for (const LoopLine& rim : GetRims(this->Filter))
+      {
+        ExpectOnSurface(rim.Line, this->Surface, this->GetSlack());
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Real, ExtraLoops, testing::ValuesIn(FindExtraMeshes()), NameExtraMesh);
 }

@@ -18,6 +18,8 @@ constexpr double FlatTolerance = 1e-9 * 2.0 * Pi;
 constexpr double DegeneracySlack = 1e-13;
 /// Both halves of an edge must agree on its length to this.
 constexpr double LengthAgreement = 1e-9;
+/// Rounding errors of lengths, as a fraction of the longest edge.
+constexpr double LengthRounding = 1e-12;
 /// Squares and products of four lengths must stay within the range of double.
 constexpr double SmallestExtent = 1e-70;
 constexpr double LargestExtent = 1e70;
@@ -279,6 +281,10 @@ Status SurfaceMeshBuilder::TakeLengths(const double* lengths)
 
 Status SurfaceMeshBuilder::CheckTriangleInequalities() const
 {
+  // Small faces cut out of large ones have the rounding errors of those.
+  const std::vector<double>& lengths = this->Mesh.Lengths;
+  const double rounding =
+    lengths.empty() ? 0.0 : LengthRounding * *std::max_element(lengths.begin(), lengths.end());
   for (Id f = 0; f < this->Mesh.GetNumberOfFaces(); ++f)
   {
     const Id h = 3 * f;
@@ -286,7 +292,8 @@ Status SurfaceMeshBuilder::CheckTriangleInequalities() const
     const double b = this->Mesh.Length(h + 1);
     const double c = this->Mesh.Length(h + 2);
     const double longest = std::max({ a, b, c });
-    if (!this->Mesh.IsDropped(f) && 2.0 * longest - (a + b + c) > LengthAgreement * longest)
+    if (!this->Mesh.IsDropped(f) &&
+      2.0 * longest - (a + b + c) > std::max(LengthAgreement * longest, rounding))
     {
       std::ostringstream message;
       message << "face " << f << " has edges of lengths " << a << ", " << b << " and " << c
