@@ -162,7 +162,7 @@ public:
   /**
    * Behind every bump there are several locally shortest paths. With Straighten, the shortest path
    * among those is found that have detours from the first one of up to this fraction of its length,
-   * in [0, 0.1]. Default 3e-4; 0 leaves it at the first one.
+   * in [0, 0.1]. Default 1e-4; 0 leaves it at the first one.
    */
   vtkSetClampMacro(Detour, double, 0.0, 0.1);
   vtkGetMacro(Detour, double);

@@ -133,7 +133,7 @@ TEST_F(DGGPath, Defaults)
   EXPECT_EQ(filter->GetNumberOfPairs(), 0);
   EXPECT_EQ(filter->GetPairStart(0), -1);
   EXPECT_TRUE(filter->GetStraighten());
-  EXPECT_EQ(filter->GetDetour(), 3e-4);
+  EXPECT_EQ(filter->GetDetour(), 1e-4);
   EXPECT_EQ(filter->GetAccuracy(), 0.01);
   EXPECT_EQ(filter->GetProjectionTolerance(), 0.01);
   EXPECT_EQ(filter->GetMemoryLimit(), 0u);

@@ -113,7 +113,9 @@ protected:
 
 vtkSmartPointer<vtkPolyData> WriteAndRead(vtkPolyData* data, int mode, int compressor = 0)
 {
-  const std::string path = std::string(DGG_TEST_OUTPUT) + "/GraphInFieldData" +
+  // A file for each test: they may run side by side.
+  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const std::string path = std::string(DGG_TEST_OUTPUT) + "/GraphInFieldData" + test +
     std::to_string(mode) + std::to_string(compressor) + ".vtp";
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);

@@ -269,7 +269,7 @@ class Graph:
         detour : float, optional
             Behind every bump there are several geodesics. The shortest one is taken of those with
             detours from the first one found of up to this fraction of its length, in [0, 0.1].
-            Default: 3e-4.
+            Default: 1e-4.
         projection_tolerance : float, optional
             How far coordinates may be from the surface, as a fraction of the diagonal of its
             bounding box. Default: 0.01.
@@ -290,7 +290,7 @@ class Graph:
             arguments.place(value, name, self.number_of_points)
             for value, name in ((start, "start"), (end, "end"))
         )
-        detour = 3e-4 if detour is None else arguments.number(detour, "detour")
+        detour = 1e-4 if detour is None else arguments.number(detour, "detour")
         if not 0.0 <= detour <= 0.1:
             raise ValueError(f"detour: must be in [0, 0.1], is {detour}")
         finder = self._filter(vtkDGGPath, projection_tolerance)

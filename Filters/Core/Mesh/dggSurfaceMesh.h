@@ -56,7 +56,8 @@ public:
 
   /// Build from lengths alone: `lengths[3f+k]` is the length of the edge from corner k to corner
   /// k+1 of face f. Faces glue along equal vertex pairs. Both halves of an edge must give the same
-  /// length (to 1e-9 relative; the larger one is used).
+  /// length (to 1e-9 relative; the larger one is used). The triangle inequality may be violated by
+  /// 1e-12 of the longest edge of the mesh, the rounding of lengths taken from coordinates.
   static Status FromLengths(Offset numberOfVertices, const Id* triangles, Offset numberOfTriangles,
     const double* lengths, SurfaceMesh& mesh);
 

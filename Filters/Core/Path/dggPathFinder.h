@@ -20,7 +20,7 @@ struct PathOptions
   /// Behind every bump there are several locally shortest paths. With Straighten, the shortest path
   /// among those is found that have detours from the first one of up to this fraction of its
   /// length: the exact solver runs in the corridor of faces around it. 0: the first one.
-  double Detour = 3e-4;
+  double Detour = 1e-4;
   /// Accuracy of the links of points that are not vertices. 0: that of the graph, which it needs to
   /// have (a SaddleVertexGraph has none).
   double LinkAccuracy = 0.0;
