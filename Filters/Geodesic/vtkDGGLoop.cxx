@@ -15,6 +15,8 @@
 #include "vtkIdList.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -220,6 +222,12 @@ dgg::Status vtkDGGLoop::Execute(
     status = this->Collector->Collect(this->GetPointSet(inputVector), this->ProjectionTolerance,
       mesh, surface->GetPoints(), sources);
   }
+  vtkNew<vtkPoints> coordinates;
+  if (status.IsOk())
+  {
+    status =
+      vtkDGGCopyPoints(surface->GetPoints(), mesh.GetMesh().GetNumberOfVertices(), coordinates);
+  }
   if (status.IsOk() && !this->Advance(0.0))
   {
     status = dgg::Status::Abort();
@@ -235,7 +243,7 @@ dgg::Status vtkDGGLoop::Execute(
     return status;
   }
 
-  const vtkDGGPointCoordinates positions(surface->GetPoints());
+  const vtkDGGPointCoordinates positions(coordinates);
   vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
   vtkDGGLoopSearch::Points points;
   for (const dgg::GeodesicSource& source : sources)

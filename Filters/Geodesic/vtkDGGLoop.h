@@ -43,7 +43,8 @@
  *
  * <b>Output 1</b> (GetTape()) has the rims of the tapes, when TapeWidth is positive: the curves at
  * a distance of half of it from a loop, one on each side where there is room, and more where the
- * loop crosses itself. They are closed, or end at the boundary. The arrays are `Length`, `LoopId` and the point data of output 0.
+ * loop crosses itself. They are closed, or end at the boundary. The arrays are `Length`, `LoopId`
+ * and the point data of output 0.
  *
  * <b>What is promised.</b> No curve next to a loop is shorter, unless it is kinked, and then none
  * through the same points. A closed geodesic need not exist near a point: on a surface without

@@ -14,6 +14,7 @@
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -32,22 +33,6 @@ vtkDGGSourceSet MakeSourceSet(
   vtkDGGSourceSet set{ ids, lines, 1, "path end", "call AddPair()", "" };
   set.PointIds = &pairs.Ends;
   return set;
-}
-
-/// Those of the vertices. A copy: observers of the progress may change the points.
-dgg::Status CopyPositions(
-  vtkPoints* points, const vtkDGGMeshAdapter& mesh, std::vector<double>& positions)
-{
-  const vtkIdType count = mesh.GetMesh().GetNumberOfVertices();
-  if (points->GetNumberOfPoints() != count)
-  {
-    return dgg::Status::Invalid(
-      "the points were changed during the update: do not change them in observers, and update "
-      "again");
-  }
-  const vtkDGGPointCoordinates coordinates(points);
-  positions.assign(coordinates.GetData(), coordinates.GetData() + 3 * count);
-  return dgg::Status::Success();
 }
 
 vtkDGGPathSearch::Pairs MakePairs(const std::vector<dgg::GeodesicSource>& ends)
@@ -200,10 +185,10 @@ dgg::Status vtkDGGPath::Execute(
     status = this->Collector->Collect(MakeSourceSet(ids, lines, linePairs),
       this->ProjectionTolerance, mesh, surface->GetPoints(), ends);
   }
-  std::vector<double> positions;
+  vtkNew<vtkPoints> points;
   if (status.IsOk())
   {
-    status = CopyPositions(surface->GetPoints(), mesh, positions);
+    status = vtkDGGCopyPoints(surface->GetPoints(), mesh.GetMesh().GetNumberOfVertices(), points);
   }
   if (status.IsOk() && !this->Advance(0.0))
   {
@@ -219,12 +204,13 @@ dgg::Status vtkDGGPath::Execute(
     return status;
   }
 
+  const vtkDGGPointCoordinates positions(points);
   const vtkDGGPathSearch::Pairs pairs = MakePairs(ends);
   const vtkDGGPathSearch search(mesh, pairs);
   vtkDGGPathSearch::Paths paths;
   status = isExact
     ? search.RunExact(progress, paths)
-    : search.RunInGraph(this->GraphUser->GetProvider(), positions.data(), options, paths);
+    : search.RunInGraph(this->GraphUser->GetProvider(), positions.GetData(), options, paths);
   if (!status.IsOk())
   {
     return status;
@@ -236,7 +222,7 @@ dgg::Status vtkDGGPath::Execute(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   vtkDGGGraphArrays::RemoveFrom(output->GetFieldData()); // it is not that of the polylines
   vtkDGGWritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells }, mesh,
-    positions.data(), output);
+    positions.GetData(), output);
   this->WarnAboutUnconnectedPairs(vtkDGGFindUnconnected(paths), paths.size());
   return status;
 }

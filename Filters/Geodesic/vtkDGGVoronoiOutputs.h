@@ -5,6 +5,7 @@
 #ifndef vtkDGGVoronoiOutputs_h
 #define vtkDGGVoronoiOutputs_h
 
+#include "dggCentroidal.h"     // for CentroidalOptions
 #include "dggExactGeodesics.h" // for GeodesicSource
 #include "dggVoronoi.h"        // for VoronoiDiagram
 
@@ -23,6 +24,12 @@ struct vtkDGGVoronoiResult
   dgg::VoronoiDiagram Diagram;
   std::vector<double> Energies; ///< empty unless sites have been moved
   bool LabelsOnly = false;      ///< whether there are neither cells nor boundaries
+  ///@{
+  /// What was asked for.
+  bool IsCentroidal = false;
+  bool IsRefined = false;
+  dgg::CentroidalOptions Moving;
+  ///@}
 };
 
 /// Surface points as points with verts, and the point arrays `vtkOriginalPointIds` and `FaceId`:

@@ -360,6 +360,12 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
       this->ProjectionTolerance, *meshes[side], surfaces[side]->GetPoints(), sources);
     landmarks[side] = ToPoints(sources);
   }
+  vtkNew<vtkPoints> points[2];
+  for (int side = 0; side < 2 && status.IsOk(); ++side)
+  {
+    status = vtkDGGCopyPoints(
+      surfaces[side]->GetPoints(), meshes[side]->GetMesh().GetNumberOfVertices(), points[side]);
+  }
   vtkPolyData* layout = vtkPolyData::GetData(inputVector[4]);
   layout = layout ? layout : vtkPolyData::GetData(inputVector[2]);
   if (status.IsOk() && (!layout || !this->Advance(0.0)))
@@ -380,8 +386,8 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
   }
   for (int side = 0; side < 2; ++side)
   {
-    FillOutput(boundaries, side, *meshes[side], surfaces[side]->GetPoints(),
-      vtkPolyData::GetData(outputVector, side));
+    FillOutput(
+      boundaries, side, *meshes[side], points[side], vtkPolyData::GetData(outputVector, side));
   }
   return status;
 }

@@ -7,6 +7,7 @@
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 #include "vtkDGGVoronoiOutputs.h"
+#include "vtkDGGPointCoordinates.h"
 
 #include "dggSurfaceSampler.h"
 
@@ -188,6 +189,11 @@ dgg::Status vtkGeodesicSampler::Execute(
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
   dgg::SamplerOptions options;
   dgg::Status status = this->MakeOptions(surface, inputVector, options);
+  vtkNew<vtkPoints> points;
+  if (status.IsOk())
+  {
+    status = vtkDGGCopyPoints(surface->GetPoints(), mesh.GetMesh().GetNumberOfVertices(), points);
+  }
   if (status.IsOk() && !this->Advance(0.0))
   {
     status = dgg::Status::Abort();
@@ -229,7 +235,7 @@ dgg::Status vtkGeodesicSampler::Execute(
     options, samples.empty() ? nullptr : &samples.back(), static_cast<vtkIdType>(samples.size()));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
-  FillOutput(samples, mesh, surface->GetPoints(), output);
+  FillOutput(samples, mesh, points, output);
   return status;
 }
 

@@ -7,6 +7,7 @@
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 #include "vtkDGGVoronoiOutputs.h"
+#include "vtkDGGPointCoordinates.h"
 
 #include "dggCentroidal.h"
 
@@ -14,6 +15,7 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <limits>
@@ -258,7 +260,7 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
   vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
   const dgg::ProgressCallback progress = graph.GetRemainingProgress();
   double start = 0.0;
-  if (this->Centroidal)
+  if (result.IsCentroidal)
   {
     start = MovingShare;
     std::vector<dgg::SurfacePoint> places;
@@ -266,9 +268,7 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
     {
       places.push_back(site.Point);
     }
-    dgg::CentroidalOptions options;
-    options.NumberOfIterations = this->NumberOfIterations;
-    options.Tolerance = this->Tolerance;
+    dgg::CentroidalOptions options = result.Moving;
     options.Progress = [&](double done) { return progress(MovingShare * done); };
     dgg::Status status = graph.PrepareBuilder(mesh);
     if (status.IsOk())
@@ -286,10 +286,9 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
     }
   }
   dgg::VoronoiInput input;
-  result.LabelsOnly = !this->GenerateCells;
   input.LabelsOnly = result.LabelsOnly;
   dgg::Status status = graph.MakeSeeds(result.Sites, mesh, input.Seeds);
-  if (status.IsOk() && this->RefineBoundaries && !input.LabelsOnly)
+  if (status.IsOk() && result.IsRefined)
   {
     status = graph.PrepareBuilder(mesh);
     input.Builder = status.IsOk() ? &graph.GetBuilder() : nullptr;
@@ -321,6 +320,20 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   {
     return status;
   }
+  vtkNew<vtkPoints> points;
+  status = vtkDGGCopyPoints(surface->GetPoints(), mesh.GetMesh().GetNumberOfVertices(), points);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  // Observers may change the input and the properties.
+  vtkNew<vtkPolyData> copy;
+  copy->ShallowCopy(surface);
+  result.LabelsOnly = !this->GenerateCells;
+  result.IsCentroidal = this->Centroidal;
+  result.IsRefined = this->RefineBoundaries && this->GenerateCells;
+  result.Moving.NumberOfIterations = this->NumberOfIterations;
+  result.Moving.Tolerance = this->Tolerance;
   const std::string warning = vtkDGGSourceCollector::DescribeIsolatedIds(set, mesh);
   if (!warning.empty())
   {
@@ -339,17 +352,21 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   }
   if (status.IsOk())
   {
-    this->FillOutputs(result, surface, outputVector);
+    if (copy->GetNumberOfPoints() != points->GetNumberOfPoints())
+    {
+      copy->SetPoints(points);
+    }
+    this->FillOutputs(result, copy, points, outputVector);
   }
   return status;
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::FillOutputs(
-  const vtkDGGVoronoiResult& result, vtkPolyData* surface, vtkInformationVector* outputVector) const
+void vtkGeodesicVoronoi::FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyData* surface,
+  vtkPoints* points, vtkInformationVector* outputVector) const
 {
   const vtkDGGVoronoiOutputs outputs(
-    result, this->GetMesh(), surface->GetPoints(), this->DistanceArrayName, this->UnreachedValue);
+    result, this->GetMesh(), points, this->DistanceArrayName, this->UnreachedValue);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->ShallowCopy(surface);
   outputs.AddToSurface(this->SourceArrayName, output);
@@ -368,5 +385,5 @@ void vtkGeodesicVoronoi::FillOutputs(
 //------------------------------------------------------------------------------
 void vtkGeodesicVoronoi::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
 {
-  this->FillOutputs(vtkDGGVoronoiResult(), surface, outputVector);
+  this->FillOutputs(vtkDGGVoronoiResult(), surface, surface->GetPoints(), outputVector);
 }

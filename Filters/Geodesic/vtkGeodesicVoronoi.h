@@ -85,6 +85,7 @@
 
 class vtkDGGGraphUser;
 class vtkDGGSourceCollector;
+class vtkPoints;
 struct vtkDGGSourceSet;
 struct vtkDGGVoronoiResult;
 
@@ -302,7 +303,7 @@ private:
 
   vtkDGGSourceSet GetSiteSet(vtkInformationVector** inputVector) const;
   dgg::Status Compute(vtkDGGVoronoiResult& result);
-  void FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyData* surface,
+  void FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyData* surface, vtkPoints* points,
     vtkInformationVector* outputVector) const;
   void SetName(std::string& name, const char* value);
 

@@ -82,6 +82,29 @@ TEST(Centroidal, ASingleSiteGoesToTheCentroid)
   }
 }
 
+/// From a corner of the boundary that the plate reaches around.
+TEST(Centroidal, LeavesReflexCorners)
+{
+  const TestMesh plate = Plate(18, 9, [](Id i, Id j) { return i < 6 || j < 5; });
+  const SearchCase c("L", plate, 0.05);
+  Id corner = dgg::NoId;
+  for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+  {
+    if (c.GetMesh().Kind(v) == dgg::VertexKind::Boundary &&
+      c.GetMesh().TotalAngle(v) > 1.2 * dgg::Pi)
+    {
+      corner = v;
+    }
+  }
+  ASSERT_NE(corner, dgg::NoId);
+  CentroidalOptions options;
+  options.NumberOfIterations = 10;
+  Sites sites{ SurfacePoint::AtVertex(corner) };
+  const std::vector<double> energies = Move(c, sites, options, 0.05);
+  ASSERT_GT(energies.size(), 1u);
+  EXPECT_LT(energies.back(), 0.999 * energies.front());
+}
+
 TEST(Centroidal, EnergyIsThatOfTheDistances)
 {
   const TestMesh points = Plane(8, 8, 0.2, 3);

@@ -129,6 +129,21 @@ TEST(LoopFinder, AroundAPrism)
   }
 }
 
+/// Paths of coarse graphs have kinks as wide as ways that contract.
+TEST(LoopFinder, InCoarseGraphs)
+{
+  const TestMesh prism = PrismSide(20, 1, 12);
+  for (const double accuracy : { 0.1, 0.3, 0.5 })
+  {
+    SCOPED_TRACE(accuracy);
+    const LoopWorld world(prism, accuracy);
+    for (const Id v : { 60, 129, 205 })
+    {
+      EXPECT_NEAR(world.ThroughPoint(At(v)).Loop.Length, 20.0, 1e-9);
+    }
+  }
+}
+
 TEST(LoopFinder, OnTheTorus)
 {
   const Id nu = 30;

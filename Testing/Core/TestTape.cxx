@@ -185,6 +185,8 @@ TEST(Tape, BadInput)
     EXPECT_FALSE(dgg::MakeTape(mesh, path, width, nullptr, rims).IsOk());
     EXPECT_TRUE(rims.empty());
   }
+  // A hundred thousand points along the path are too many.
+  EXPECT_FALSE(dgg::MakeTape(mesh, path, 1e-6, nullptr, rims).IsOk());
   SurfacePath off = path;
   off.Faces[0] = 17;
   off.Faces.back() = 0;

@@ -632,6 +632,34 @@ TEST(Voronoi, BadInputIsNamed)
   EXPECT_FALSE(dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), input, nullptr, diagram).IsOk());
 }
 
+/// A graph that reaches a vertex and not its neighbour.
+TEST(Voronoi, GraphsOfTooFewEdges)
+{
+  TestMesh plane = Plane(12, 12);
+  for (std::size_t i = 0; i < plane.Points.size(); i += 3)
+  {
+    const double x = plane.Points[i] - 6.0;
+    plane.Points[i] = std::abs(x) * x * x;
+  }
+  const SurfaceMesh mesh = Build(plane);
+  dgg::GraphOptions options;
+  options.Construction = dgg::GraphConstruction::SaddleVertexGraph;
+  options.NumberOfNeighbors = 1;
+  dgg::GeodesicGraph graph;
+  ASSERT_TRUE(dgg::GraphBuilder(mesh).Build(options, graph).IsOk());
+  const dgg::GraphSearch search(graph.View(), &mesh);
+  VoronoiDiagram diagram;
+  const dgg::Status status =
+    dgg::ComputeVoronoi(search, mesh, InputOf({ SeedAt(0) }), nullptr, diagram);
+  EXPECT_FALSE(status.IsOk());
+  EXPECT_NE(status.GetMessage().find("too few edges"), std::string::npos) << status.GetMessage();
+  EXPECT_TRUE(diagram.NearestSites.empty());
+  dgg::VoronoiInput labels = InputOf({ SeedAt(0) });
+  labels.LabelsOnly = true;
+  EXPECT_TRUE(dgg::ComputeVoronoi(search, mesh, labels, nullptr, diagram).IsOk());
+  EXPECT_EQ(diagram.NearestSites[0], 0);
+}
+
 TEST(Voronoi, ProgressAndAbort)
 {
   const SearchCase c("plane", Plane(200, 200), 0.1);

@@ -11,6 +11,7 @@
 #include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -87,6 +88,11 @@ struct ProgressWatch
   /// Expect that it grew from 0 to 1, not all at once: with this many steps in between.
   void ExpectGrowth(int steps = 3) const;
 };
+/// The coordinates of all points of an output, before and after an observer of the progress has
+/// emptied the points of the input in the middle of an update, are the same. `surface` is that
+/// input; it is spoilt.
+void ExpectObserversMayEmptyThePoints(vtkPolyDataAlgorithm* filter, vtkPolyData* surface);
+
 }
 
 #endif

@@ -825,6 +825,13 @@ TEST_F(DGGLoop, OneLoopTellsItsProgress)
   EXPECT_EQ(GetLoops(this->Filter), expected);
 }
 
+TEST_F(DGGLoop, ObserversMayChangeTheInput)
+{
+  this->Filter->AddPointId(30);
+  this->Filter->SetTapeWidth(1.0);
+  ExpectObserversMayEmptyThePoints(this->Filter, MakePrism(Sides, Rows));
+}
+
 TEST_F(DGGLoop, PrintSelf)
 {
   this->Filter->SetPointIds({ 3 * Sides, 4 * Sides });

@@ -858,7 +858,7 @@ TEST_F(DGGPath, PrintSelf)
   std::ostringstream os;
   this->Filter->Print(os);
   for (const char* text : { "Method: Graph\n", "NumberOfPairs: 1\n", "Straighten: On\n",
-         "Detour: 0.0003\n", "ProjectionTolerance: 0.01\n", "NumberOfFallbacks: 0\n",
+         "Detour: 0.0001\n", "ProjectionTolerance: 0.01\n", "NumberOfFallbacks: 0\n",
          "Accuracy: 0.05\n", "GraphAccuracy: 0.05\n" })
   {
     EXPECT_NE(os.str().find(text), std::string::npos) << text << " is missing in:\n" << os.str();

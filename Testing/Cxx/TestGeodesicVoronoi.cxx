@@ -581,6 +581,11 @@ TEST_F(GeodesicVoronoi, ProgressAndAbort)
   }
 }
 
+TEST_F(GeodesicVoronoi, ObserversMayChangeTheInput)
+{
+  ExpectObserversMayEmptyThePoints(this->Filter, MakeTerrain(20));
+}
+
 TEST_F(GeodesicVoronoi, PrintsItself)
 {
   ExpectSuccess(this->Filter);

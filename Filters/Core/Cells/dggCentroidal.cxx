@@ -92,7 +92,8 @@ public:
       if (weights[i] > 0.0)
       {
         state.Lengths[i] = Norm(sums[i].X, sums[i].Y) / weights[i];
-        state.Angles[i] = std::atan2(sums[i].Y, sums[i].X) / this->Unroll(state.Sites[i]);
+        state.Angles[i] = DirectionAt(this->Mesh, state.Sites[i],
+          std::atan2(sums[i].Y, sums[i].X) / this->Unroll(state.Sites[i]));
       }
     }
     return status;

@@ -301,7 +301,8 @@ private:
       return false;
     }
     SurfacePath path;
-    const double angle = std::atan2(best.Y, best.X) / this->Unroll(v);
+    const double angle = DirectionAt(
+      *this->Mesh, SurfacePoint::AtVertex(v), std::atan2(best.Y, best.X) / this->Unroll(v));
     Status status =
       WalkStraight(*this->Mesh, SurfacePoint::AtVertex(v), angle, Norm(best.X, best.Y), path);
     point = status.IsOk() ? path.Points.back() : SurfacePoint::AtVertex(v);

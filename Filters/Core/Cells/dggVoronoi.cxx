@@ -66,6 +66,25 @@ Status FillLabels(const GraphSearch& search, const VoronoiInput& input,
   return status;
 }
 
+/// A graph of too few edges may reach a vertex and not its neighbour: then nothing is known of what
+/// lies between them.
+Status CheckNeighbours(const SurfaceMesh& mesh, const SiteDistances& distances)
+{
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const Id a = mesh.Origin(h);
+    const Id b = mesh.Destination(h);
+    if (!mesh.IsDropped(SurfaceMesh::Face(h)) &&
+      (distances.Nearest(a) == nullptr) != (distances.Nearest(b) == nullptr))
+    {
+      return Status::Invalid("the graph does not connect the neighbouring vertices " +
+        std::to_string(a) + " and " + std::to_string(b) +
+        ": it has too few edges for cells. Use the Guaranteed construction or more neighbours");
+    }
+  }
+  return Status::Success();
+}
+
 Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInput& input,
   const ProgressCallback& progress, VoronoiDiagram& diagram)
 {
@@ -78,6 +97,10 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInp
   if (status.IsOk())
   {
     status = distances.Run(search, mesh, input.Seeds, Part(progress, 0.0, DistancesDone));
+  }
+  if (status.IsOk())
+  {
+    status = CheckNeighbours(mesh, distances);
   }
   if (!status.IsOk())
   {

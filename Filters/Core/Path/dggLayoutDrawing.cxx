@@ -537,7 +537,7 @@ bool LayoutDrawing::KeepsClear(const RefinedSurface& refined) const
   for (std::size_t i = 0; i < chain.size(); ++i)
   {
     const bool isEnd = i == 0 || i + 1 == chain.size();
-    if (isEnd != (isTaken[chain[i]] == 1))
+    if (isEnd ? isTaken[chain[i]] != 1 : isTaken[chain[i]] != 0)
     {
       return false;
     }

@@ -12,14 +12,6 @@ namespace
 /// Kinks of paths of a graph without a guarantee.
 constexpr double WidestKink = 0.3;
 
-/// Kinks between the edges of a path: the last edge may be off by as much as the accuracy lets it
-/// be, and so may the one before.
-double KinkOf(const GraphView& graph)
-{
-  const double accuracy = graph.Info.Accuracy;
-  return accuracy > 0.0 ? 2.0 * std::acos(1.0 / (1.0 + accuracy)) : WidestKink;
-}
-
 /// Whether a way passes through a vertex between two directions.
 bool PassesStraight(const SurfaceMesh& mesh, Id v, double in, double out, double kink)
 {
@@ -37,10 +29,16 @@ bool PassesStraight(const SurfaceMesh& mesh, Id v, double in, double out, double
 }
 }
 
-std::vector<LoopCandidate> FindLoopCandidates(const SurfaceMesh& mesh, const GraphView& graph,
-  const std::vector<GraphSeed>& seeds, const SearchResult& result)
+/// Between two edges of a path, each may be off by as much as the accuracy lets it be.
+double WidestKinkOf(const GraphView& graph)
 {
-  const double kink = KinkOf(graph);
+  const double accuracy = graph.Info.Accuracy;
+  return accuracy > 0.0 ? 2.0 * std::acos(1.0 / (1.0 + accuracy)) : WidestKink;
+}
+
+std::vector<LoopCandidate> FindLoopCandidates(const SurfaceMesh& mesh, const GraphView& graph,
+  const std::vector<GraphSeed>& seeds, const SearchResult& result, double kink)
+{
   // Direction back to the source; negative at the source itself.
   const auto arrival = [&](Id v) {
     const Offset edge = result.Edges[v];

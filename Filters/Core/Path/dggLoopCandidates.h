@@ -21,10 +21,13 @@ struct LoopCandidate
 };
 
 /// All ways there and back that pass straight through both ends of an edge, up to the kinks that
-/// paths in the graph have. The shortest first. `result` is that of a search from one source, whose
-/// seeds it was given.
+/// paths in the graph have, in radians up to `kink`. The shortest first. `result` is that of a
+/// search from one source, whose seeds it was given.
 std::vector<LoopCandidate> FindLoopCandidates(const SurfaceMesh& mesh, const GraphView& graph,
-  const std::vector<GraphSeed>& seeds, const SearchResult& result);
+  const std::vector<GraphSeed>& seeds, const SearchResult& result, double kink);
+
+/// The widest kinks that paths in a graph have.
+double WidestKinkOf(const GraphView& graph);
 }
 
 #endif

@@ -18,6 +18,8 @@ namespace
 constexpr std::size_t MostTrials = 256;
 /// Of links into a graph that has none.
 constexpr double DefaultAccuracy = 0.01;
+/// Kinks of ways that are tried first, radians.
+constexpr double NarrowKink = 0.3;
 /// Once there is a loop, longer ones are tried that may become shorter than it.
 constexpr std::size_t MostRivals = 24;
 
@@ -65,6 +67,8 @@ private:
 
   Status Grow(Tree& tree) const;
   Status TraceBranch(PathTracer& tracer, const Tree& tree, Id vertex, bool isOutwards) const;
+  Status TryCandidates(const Tree& tree, double kink, bool taut, const ProgressCallback& progress,
+    FoundLoop& loop) const;
   Status Trace(PathTracer& tracer, const Tree& tree, const LoopCandidate& candidate) const;
 };
 
@@ -167,9 +171,22 @@ Status LoopFinder::Implementation::ThroughPoint(
   {
     return status;
   }
+  // The wider the kinks, the more ways contract to the point, and those are the shortest.
+  const double widest = WidestKinkOf(this->Search.GetGraph());
+  status = this->TryCandidates(tree, std::min(widest, NarrowKink), taut, progress, loop);
+  return status.IsOk() && loop.Loop.IsEmpty() && widest > NarrowKink
+    ? this->TryCandidates(tree, widest, taut, progress, loop)
+    : status;
+}
+
+/// Straighten ways there and back, the shortest first.
+Status LoopFinder::Implementation::TryCandidates(
+  const Tree& tree, double kink, bool taut, const ProgressCallback& progress, FoundLoop& loop) const
+{
   const GraphView& graph = this->Search.GetGraph();
   const std::vector<LoopCandidate> candidates =
-    FindLoopCandidates(this->Mesh, graph, tree.Seeds, tree.Result);
+    FindLoopCandidates(this->Mesh, graph, tree.Seeds, tree.Result, kink);
+  Status status;
   PathTracer tracer(this->Mesh);
   PathShortener shortener(this->Mesh);
   std::size_t rivals = 0;

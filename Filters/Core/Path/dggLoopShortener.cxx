@@ -20,6 +20,8 @@ constexpr double AngleTolerance = 1e-9;
 constexpr double EndTolerance = 1e-12;
 /// Halvings of the edge.
 constexpr int MaximumHalvings = 60;
+/// Rounds that gain nothing, because of rounding errors, until the path is left as it is.
+constexpr int MaximumIdleRounds = 8;
 /// A stop for paths that rounding errors keep moving.
 constexpr int MaximumRounds = 10000;
 
@@ -98,7 +100,9 @@ bool LoopShortener::Shorten(std::vector<EdgeCrossing> ring, SurfacePath& loop)
 
 bool LoopShortener::Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop)
 {
-  for (int round = 0; round < MaximumRounds; ++round)
+  double length = Infinity;
+  int idle = 0; // rounds without a gain
+  for (int round = 0; round < MaximumRounds && idle < MaximumIdleRounds; ++round)
   {
     CloseUp(ring);
     if (ring.empty())
@@ -126,6 +130,8 @@ bool LoopShortener::Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop)
     }
     loop.Clear();
     this->Shortener.Append(open, loop);
+    idle = loop.Length < length ? 0 : idle + 1;
+    length = std::min(length, loop.Length);
     std::vector<EdgeCrossing> turn;
     const std::size_t last = loop.Faces.size() - 1;
     const double angle = FindTurn(this->Mesh, vertex,

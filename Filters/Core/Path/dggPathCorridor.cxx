@@ -13,6 +13,10 @@ namespace
 {
 /// A path has to be shorter by this much, relatively, to be worth a change.
 constexpr double LengthTolerance = 1e-13;
+/// The solver reports every 20000 windows. Twenty windows a face are common in corridors of
+/// thousands of faces; it is stopped at more than a hundred.
+constexpr std::size_t MostReports = 10;
+constexpr std::size_t FacesPerReport = 200;
 /// How far beyond the length of the path the solver looks, relatively: for rounding errors.
 constexpr double Margin = 1e-9;
 
@@ -53,9 +57,12 @@ bool PathCorridor::Shorten(double detour, SurfacePath& path)
   }
   ExactPathFinder finder(part);
   std::vector<SurfacePath> found;
-  const Status status = finder.Find(this->ToPart(part, path.Points.front(), path.Faces.front()),
-    { this->ToPart(part, path.Points.back(), path.Faces.back()) }, ProgressCallback(), found,
-    path.Length * (1.0 + Margin));
+  // Among faces without area light can go on for long: then the path stays as it is.
+  std::size_t reports = MostReports + this->Faces.size() / FacesPerReport;
+  const Status status = finder.Find(
+    this->ToPart(part, path.Points.front(), path.Faces.front()),
+    { this->ToPart(part, path.Points.back(), path.Faces.back()) },
+    [&](double) { return reports-- > 0; }, found, path.Length * (1.0 + Margin));
   if (!status.IsOk() || found.front().IsEmpty() ||
     !(found.front().Length < path.Length * (1.0 - LengthTolerance)))
   {

@@ -12,6 +12,8 @@ namespace
 /// An angle that is smaller than pi by less than this is left as it is: what could be gained is its
 /// square.
 constexpr double AngleTolerance = 1e-9;
+/// Rounds that gain nothing, because of rounding errors, until the path is left as it is.
+constexpr int MaximumIdleRounds = 8;
 /// Rounds of shortening, each of which leads the strip around all bends that give way. Ten or
 /// twenty are common; this is a stop for paths that rounding errors keep moving.
 constexpr int MaximumRounds = 10000;
@@ -48,10 +50,14 @@ double PathShortener::Shorten(Strip& strip)
 {
   Tidy(this->Mesh, strip);
   double length = this->Lay(strip);
-  for (int round = 0; round < MaximumRounds && this->Reroute(strip); ++round)
+  int idle = 0; // rounds without a gain
+  for (int round = 0; round < MaximumRounds && idle < MaximumIdleRounds && this->Reroute(strip);
+       ++round)
   {
     Tidy(this->Mesh, strip);
-    length = this->Lay(strip);
+    const double shorter = this->Lay(strip);
+    idle = shorter < length ? 0 : idle + 1;
+    length = std::min(length, shorter);
   }
   return length;
 }

@@ -14,6 +14,8 @@ namespace
 {
 /// So many pieces without any length, one after the other, are a walk that does not get away.
 constexpr int MostEmptyPieces = 1000;
+/// Among faces without area a walk may turn around for ever.
+constexpr std::size_t MostPieces = 1000000;
 
 /// A place in a face and a direction, in the frame of a half-edge of it.
 struct Ray
@@ -178,7 +180,8 @@ private:
     this->Append(face, point);
     this->Remaining -= exit.Distance;
     this->EmptyPieces = this->Path.Length > before ? 0 : this->EmptyPieces + 1;
-    if (!(this->Remaining > 0.0) || this->EmptyPieces > MostEmptyPieces)
+    if (!(this->Remaining > 0.0) || this->EmptyPieces > MostEmptyPieces ||
+      this->Path.Faces.size() > MostPieces)
     {
       return false;
     }
@@ -240,6 +243,17 @@ private:
   SurfacePath& Path;
   int EmptyPieces = 0;
 };
+}
+
+double DirectionAt(const SurfaceMesh& mesh, const SurfacePoint& point, double angle)
+{
+  if (point.On != SurfacePoint::Support::Vertex || angle >= 0.0 ||
+    mesh.Kind(point.Vertex) != VertexKind::Boundary)
+  {
+    return angle;
+  }
+  const double beyond = angle + 2.0 * Pi - mesh.TotalAngle(point.Vertex);
+  return beyond < -angle ? angle + 2.0 * Pi : 0.0;
 }
 
 Status WalkStraight(const SurfaceMesh& mesh, const SurfacePoint& start, double angle, double length,

@@ -22,8 +22,15 @@ namespace dgg
 /// The path ends after `length`, or earlier where it had to stop: see its Length. One point when
 /// the length is 0 or there is nowhere to go. Fails when the point does not exist, the angle is not
 /// finite or the length is negative or not finite; then the path is empty.
+///
+/// A walk that has crossed a million edges stops as well.
 Status WalkStraight(const SurfaceMesh& mesh, const SurfacePoint& start, double angle, double length,
   SurfacePath& path);
+
+/// A direction in (-pi, pi], as std::atan2() gives it, as one that WalkStraight() takes: on the
+/// boundary polar angles go from 0 to the total angle, and directions that lead out of the surface
+/// become the closer one of these two.
+double DirectionAt(const SurfaceMesh& mesh, const SurfacePoint& point, double angle);
 }
 
 #endif

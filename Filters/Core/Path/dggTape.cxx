@@ -18,6 +18,8 @@ namespace
 /// Points on the path are this close to each other, as a fraction of half of the width: their
 /// distance differs from that of the path by up to its square, by 8.
 constexpr double Spacing = 9e-3;
+/// Points on a path, at most: what they take grows faster than their number.
+constexpr double MostSources = 1e5;
 /// Places on each edge where the distance is measured, step by step closer to where a rim crosses
 /// it. The distance along an edge may have kinks, so that the first step is to find out roughly.
 constexpr int Samples[] = { 15, 1, 1 };
@@ -324,6 +326,14 @@ Status MakeTape(const SurfaceMesh& mesh, const SurfacePath& path, double width,
     return status;
   }
   const double distance = 0.5 * width;
+  if (path.Length > MostSources * Spacing * distance)
+  {
+    std::ostringstream message;
+    message << "the width of the tape is " << width << ", too small for the length " << path.Length
+            << " of the curve: at least " << 2.0 * path.Length / (MostSources * Spacing)
+            << " is needed";
+    return Status::Invalid(message.str());
+  }
   std::vector<SurfacePath> curves;
   status = Isoline(part, SampleChain(part, refined.Paths.front(), Spacing * distance), distance)
              .Run(progress, curves);

@@ -13,7 +13,8 @@ namespace dgg
 {
 /// The rims of a tape of the given width that is laid along a path or a loop: the curves at a
 /// distance of half of the width from it. A loop has one on each side, where there is room; around
-/// a path there is one; where the path crosses itself, there are more. Rims end at the boundary of the surface.
+/// a path there is one; where the path crosses itself, there are more. Rims end at the boundary of
+/// the surface.
 ///
 /// The distance is the exact one from points on the path, so close that it is right to 1e-5 of it.
 /// Points of a rim, where it crosses edges, are as exact; between them it is straight. Every piece
