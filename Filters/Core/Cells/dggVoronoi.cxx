@@ -57,7 +57,7 @@ Status FillLabels(const GraphSearch& search, const VoronoiInput& input,
   options.Correct = true;
   options.Progress = progress;
   SearchResult result;
-  const Status status = search.Run(input.Seeds, options, result);
+  Status status = search.Run(input.Seeds, options, result);
   for (const Id seed : result.Seeds)
   {
     diagram.NearestSites.push_back(seed == NoId ? NoId : input.Seeds[seed].Source);

@@ -187,7 +187,7 @@ Status Decomposition::CollectEdges(const SurfaceMesh& mesh, std::vector<Id>& edg
     {
       continue;
     }
-    const Status status = CheckManifold(mesh, h);
+    Status status = CheckManifold(mesh, h);
     if (!status.IsOk())
     {
       return status;
@@ -203,7 +203,7 @@ Status Decomposition::CollectEdges(const SurfaceMesh& mesh, std::vector<Id>& edg
 Status Decomposition::Decompose(const SurfaceMesh& mesh)
 {
   std::vector<Id> edges;
-  const Status status = this->CollectEdges(mesh, edges);
+  Status status = this->CollectEdges(mesh, edges);
   // The longest loops first into the tree of faces, so that the shortest are left.
   const auto length = [&](Id h) {
     return this->Tree.Distances[mesh.Origin(h)] + this->Tree.Distances[mesh.Destination(h)] +
@@ -241,7 +241,7 @@ Status FindBasesOfLoops(const SurfaceMesh& mesh, std::vector<Id>& bases)
     {
       continue;
     }
-    const Status status = CheckManifold(mesh, h);
+    Status status = CheckManifold(mesh, h);
     if (!status.IsOk())
     {
       return status;
@@ -269,7 +269,7 @@ Status FindHomotopyBasis(const SurfaceMesh& mesh, Id base, std::vector<EdgeLoop>
 {
   loops.clear();
   Decomposition parts(mesh, base);
-  const Status status = parts.Decompose(mesh);
+  Status status = parts.Decompose(mesh);
   if (!status.IsOk())
   {
     return status;

@@ -244,7 +244,7 @@ Status LoopFinder::ThroughPoint(
   const SurfacePoint& point, bool taut, FoundLoop& loop, const ProgressCallback& progress) const
 {
   loop = FoundLoop();
-  const Status status = this->Internals->ThroughPoint(point, taut, progress, loop);
+  Status status = this->Internals->ThroughPoint(point, taut, progress, loop);
   if (!status.IsOk())
   {
     loop = FoundLoop();
@@ -272,7 +272,7 @@ Status LoopFinder::Rope(
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     FoundPath leg;
-    const Status status =
+    Status status =
       this->Internals->Paths.Find(points[i], points[(i + 1) % points.size()], PathOptions(), leg);
     if (!status.IsOk())
     {

@@ -160,6 +160,7 @@ void PathCorridor::LayPath(const SurfacePath& path)
 /// Face by face, over edges with an end that is near.
 void PathCorridor::Grow()
 {
+  // NOLINTNEXTLINE(modernize-loop-convert): the list grows while it is worked on
   for (std::size_t next = 0; next < this->Faces.size(); ++next)
   {
     const Id f = this->Faces[next];

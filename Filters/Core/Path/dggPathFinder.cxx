@@ -154,13 +154,13 @@ Status PathFinder::Implementation::Link(
   {
     const SurfacePoint& point = *points[side];
     Status status = point.Check(this->Mesh);
-    if (status.IsOk() && !IsVertex(point) && !this->Builder)
-    {
-      status = Status::Invalid("a point that is not a vertex needs a graph builder");
-    }
     if (status.IsOk() && IsVertex(point))
     {
       ends.Links[side].push_back({ point.Vertex, 0.0, -1.0 });
+    }
+    else if (status.IsOk() && !this->Builder)
+    {
+      status = Status::Invalid("a point that is not a vertex needs a graph builder");
     }
     else if (status.IsOk())
     {
@@ -241,7 +241,7 @@ Status PathFinder::Find(const SurfacePoint& from, const SurfacePoint& to,
   const PathOptions& options, FoundPath& found) const
 {
   found = FoundPath();
-  const Status status = this->Internals->Find(from, to, options, found);
+  Status status = this->Internals->Find(from, to, options, found);
   if (!status.IsOk())
   {
     found = FoundPath();

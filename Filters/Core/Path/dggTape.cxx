@@ -146,7 +146,7 @@ private:
       }
     }
     ExactResult result;
-    const Status status = this->Solver.Run(this->Sources, options, result);
+    Status status = this->Solver.Run(this->Sources, options, result);
     for (std::size_t i = 0; i < places.size() && status.IsOk(); ++i)
     {
       EdgeCrossing& crossing = this->Crossings[this->Edges[i / samples]];

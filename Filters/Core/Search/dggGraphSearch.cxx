@@ -327,7 +327,7 @@ Status GraphSearch::PrepareLandmarks(const ParallelFor& parallel, const Progress
     sources.emplace_back(1);
     sources.back()[0].Vertex = v;
   }
-  const Status status = this->Many(sources, Infinity, parallel, progress,
+  Status status = this->Many(sources, Infinity, parallel, progress,
     [&](std::size_t k, const double* distances) { marks->SetDistances(k, distances); });
   if (status.IsOk())
   {
