@@ -19,10 +19,6 @@ namespace
 /// Rounding of lengths in the graph, relative: a point must not be missed because of it.
 constexpr double LengthRounding = 1e-6;
 
-/// Which of the additional arrays is which.
-constexpr const char* UpperBoundProperty = "UpperBoundArrayName";
-constexpr const char* VirtualSourceProperty = "VirtualSourceArrayName";
-
 /// How far to search so that every point closer than `maximum` is reached through the graph.
 double WidenLimit(double maximum, double accuracy, const std::vector<dgg::GeodesicSource>& sources)
 {
@@ -36,12 +32,6 @@ double WidenLimit(double maximum, double accuracy, const std::vector<dgg::Geodes
     offset = std::min(offset, source.InitialDistance);
   }
   return maximum + (accuracy + LengthRounding) * std::max(0.0, maximum - offset);
-}
-
-bool WantsVirtualSource(const vtkDGGDistanceTask& task)
-{
-  return std::any_of(task.Arrays.begin(), task.Arrays.end(),
-    [](const vtkDGGPointArray& array) { return array.Property == VirtualSourceProperty; });
 }
 
 std::vector<dgg::Id> FindSources(
@@ -59,9 +49,7 @@ vtkDGGDistance::vtkDGGDistance()
   : Correction(true)
   , Search(Certified)
   , GenerateUpperBound(false)
-  , GenerateVirtualSource(false)
   , UpperBoundArrayName("GeodesicUpperBound")
-  , VirtualSourceArrayName("GeodesicVirtualSource")
   , GraphUser(new vtkDGGGraphUser)
 {
 }
@@ -77,9 +65,7 @@ void vtkDGGDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Correction: " << (this->Correction ? "On" : "Off") << "\n";
   os << indent << "Search: " << this->GetSearchAsString() << "\n";
   os << indent << "GenerateUpperBound: " << (this->GenerateUpperBound ? "On" : "Off") << "\n";
-  os << indent << "GenerateVirtualSource: " << (this->GenerateVirtualSource ? "On" : "Off") << "\n";
   os << indent << "UpperBoundArrayName: " << this->UpperBoundArrayName << "\n";
-  os << indent << "VirtualSourceArrayName: " << this->VirtualSourceArrayName << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -109,18 +95,6 @@ const char* vtkDGGDistance::GetUpperBoundArrayName() const
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGDistance::SetVirtualSourceArrayName(const char* name)
-{
-  this->SetName(this->VirtualSourceArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkDGGDistance::GetVirtualSourceArrayName() const
-{
-  return this->VirtualSourceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkDGGDistance::CheckProperties() const
 {
   const dgg::Status status = this->GraphUser->Check();
@@ -136,18 +110,12 @@ std::string vtkDGGDistance::GetMemoryRemedy() const
 //------------------------------------------------------------------------------
 std::vector<vtkDGGPointArray> vtkDGGDistance::DeclareArrays() const
 {
-  std::vector<vtkDGGPointArray> arrays;
-  if (this->GenerateUpperBound)
+  if (!this->GenerateUpperBound)
   {
-    arrays.push_back(
-      { this->UpperBoundArrayName, UpperBoundProperty, std::vector<std::vector<double>>(1) });
+    return {};
   }
-  if (this->GenerateVirtualSource)
-  {
-    arrays.push_back(
-      { this->VirtualSourceArrayName, VirtualSourceProperty, std::vector<std::vector<double>>(3) });
-  }
-  return arrays;
+  return { { this->UpperBoundArrayName, "UpperBoundArrayName",
+    std::vector<std::vector<double>>(1) } };
 }
 
 //------------------------------------------------------------------------------
@@ -170,7 +138,7 @@ dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
     dgg::SearchMethod::LabelCorrecting, dgg::SearchMethod::Dijkstra };
   dgg::SearchOptions options;
   options.Method = methods[this->Search];
-  options.Correct = correct || WantsVirtualSource(task);
+  options.Correct = correct || task.WantVirtualSource;
   options.MaximumDistance = correct
     ? WidenLimit(task.MaximumDistance, graph.GetLinkAccuracy(), task.Sources)
     : task.MaximumDistance;
@@ -186,17 +154,13 @@ dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
   {
     task.NearestSource = FindSources(seeds, result.Seeds);
   }
+  if (task.WantVirtualSource)
+  {
+    task.VirtualSource = std::move(result.Virtual);
+  }
   for (vtkDGGPointArray& array : task.Arrays)
   {
-    if (array.Property == UpperBoundProperty)
-    {
-      array.Components = { result.Distances };
-    }
-    else
-    {
-      array.Components = { std::move(result.VirtualOffset), std::move(result.VirtualLength),
-        std::move(result.VirtualAngle) };
-    }
+    array.Components = { result.Distances };
   }
   task.Distances = std::move(correct ? result.Corrected : result.Distances);
   return status;

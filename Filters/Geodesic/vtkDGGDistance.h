@@ -147,26 +147,10 @@ public:
 
   ///@{
   /**
-   * Whether to add the point array `GeodesicVirtualSource` (double, 3 components): where the
-   * distance of a point seems to come from, as seen from the point. The components are the distance
-   * at that virtual source (in units of the coordinates), the straight distance from it, and its
-   * direction, the polar angle at the point in radians, as in `DGG.Angles` but not reduced to one
-   * turn. The sum of the first two is the estimate of the distance before it is confined to the
-   * promised interval. For isolines and for distances inside of faces. Default off.
-   */
-  vtkSetMacro(GenerateVirtualSource, bool);
-  vtkGetMacro(GenerateVirtualSource, bool);
-  vtkBooleanMacro(GenerateVirtualSource, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Names of these point arrays. Defaults "GeodesicUpperBound", "GeodesicVirtualSource".
+   * Name of this point array. Default "GeodesicUpperBound".
    */
   void SetUpperBoundArrayName(const char* name);
   const char* GetUpperBoundArrayName() const;
-  void SetVirtualSourceArrayName(const char* name);
-  const char* GetVirtualSourceArrayName() const;
   ///@}
 
   /**
@@ -211,9 +195,7 @@ private:
   bool Correction;
   int Search;
   bool GenerateUpperBound;
-  bool GenerateVirtualSource;
   std::string UpperBoundArrayName;
-  std::string VirtualSourceArrayName;
   std::unique_ptr<vtkDGGGraphUser> GraphUser;
 };
 

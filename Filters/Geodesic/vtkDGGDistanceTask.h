@@ -7,6 +7,7 @@
 
 #include "dggExactGeodesics.h" // for GeodesicSource
 #include "dggSurfaceMesh.h"    // for SurfaceMesh
+#include "dggVirtualSources.h" // for VirtualSources
 
 #include <string> // for the names
 #include <vector> // for the results
@@ -30,10 +31,13 @@ struct vtkDGGDistanceTask
   /// Vertices farther than this may be left unreached; dgg::Infinity when there is no limit.
   double MaximumDistance;
   bool WantNearestSource;         ///< whether NearestSource has to be filled
+  bool WantVirtualSource;         ///< whether VirtualSource has to be filled
   dgg::ProgressCallback Progress; ///< never empty; false means stop
 
   std::vector<double> Distances;      ///< per vertex of the mesh; dgg::Infinity where unreached
   std::vector<dgg::Id> NearestSource; ///< per vertex, index into Sources; dgg::NoId if unreached
+  dgg::VirtualSources VirtualSource;
+  dgg::EdgeWindows Windows; ///< may stay empty
   /// As vtkGeodesicDistanceAlgorithm::DeclareArrays() wants them; their components are to be
   /// filled.
   std::vector<vtkDGGPointArray> Arrays;

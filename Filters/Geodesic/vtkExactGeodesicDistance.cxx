@@ -4,6 +4,8 @@
 
 #include "vtkDGGDistanceTask.h"
 
+#include "dggExactSources.h"
+
 #include "vtkObjectFactory.h"
 
 #include <utility>
@@ -13,6 +15,7 @@ vtkStandardNewMacro(vtkExactGeodesicDistance);
 //------------------------------------------------------------------------------
 vtkExactGeodesicDistance::vtkExactGeodesicDistance()
   : Engine(Triangle)
+  , GenerateWindows(false)
 {
 }
 
@@ -24,6 +27,7 @@ void vtkExactGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Engine: " << (this->Engine == Reference ? "Reference" : "Triangle") << "\n";
+  os << indent << "GenerateWindows: " << (this->GenerateWindows ? "On" : "Off") << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -34,10 +38,16 @@ dgg::Status vtkExactGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
     this->Engine == Reference ? dgg::ExactEngine::Reference : dgg::ExactEngine::Triangle;
   options.MaximumDistance = task.MaximumDistance;
   options.Progress = task.Progress;
+  options.KeepWindows = this->GenerateWindows;
 
   dgg::ExactGeodesics solver(task.Mesh);
   dgg::ExactResult result;
   const dgg::Status status = solver.Run(task.Sources, options, result);
+  if (status.IsOk() && task.WantVirtualSource)
+  {
+    dgg::FindVirtualSources(task.Mesh, task.Sources, result, task.VirtualSource);
+  }
+  task.Windows = std::move(result.Windows);
   task.Distances = std::move(result.Distances);
   task.NearestSource = std::move(result.NearestSource);
   return status;

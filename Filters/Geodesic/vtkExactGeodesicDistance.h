@@ -53,6 +53,19 @@ public:
   void SetEngineToTriangle() { this->SetEngine(Triangle); }
   ///@}
 
+  ///@{
+  /**
+   * Whether to hand on the windows, as field data: with them vtkApolloniusIsolines and
+   * vtkGeodesicProbe know the exact distance at every point of the surface, not at points of the
+   * mesh alone. They take 1 to 2 kilobytes per point of the mesh, in arrays whose names begin with
+   * that of the distances; these are ignored, with a warning, when distances or surface are
+   * changed. Default off.
+   */
+  vtkSetMacro(GenerateWindows, bool);
+  vtkGetMacro(GenerateWindows, bool);
+  vtkBooleanMacro(GenerateWindows, bool);
+  ///@}
+
 protected:
   vtkExactGeodesicDistance();
   ~vtkExactGeodesicDistance() override;
@@ -64,6 +77,7 @@ private:
   void operator=(const vtkExactGeodesicDistance&) = delete;
 
   int Engine;
+  bool GenerateWindows;
 };
 
 #endif

@@ -6,8 +6,10 @@
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
+#include "vtkDGGWindowArrays.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -57,8 +59,10 @@ vtkGeodesicDistanceAlgorithm::vtkGeodesicDistanceAlgorithm()
   , MaximumDistance(VTK_DOUBLE_MAX)
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , GenerateNearestSource(false)
+  , GenerateVirtualSource(false)
   , DistanceArrayName("GeodesicDistance")
   , SourceArrayName("GeodesicSource")
+  , VirtualSourceArrayName("GeodesicVirtualSource")
   , InitialDistanceArrayName("InitialDistance")
   , Collector(new vtkDGGSourceCollector)
 {
@@ -86,8 +90,10 @@ void vtkGeodesicDistanceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
   os << indent << "GenerateNearestSource: " << (this->GenerateNearestSource ? "On" : "Off") << "\n";
+  os << indent << "GenerateVirtualSource: " << (this->GenerateVirtualSource ? "On" : "Off") << "\n";
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
   os << indent << "SourceArrayName: " << this->SourceArrayName << "\n";
+  os << indent << "VirtualSourceArrayName: " << this->VirtualSourceArrayName << "\n";
   os << indent << "InitialDistanceArrayName: " << this->InitialDistanceArrayName << "\n";
 }
 
@@ -228,6 +234,18 @@ const char* vtkGeodesicDistanceAlgorithm::GetSourceArrayName() const
 }
 
 //------------------------------------------------------------------------------
+void vtkGeodesicDistanceAlgorithm::SetVirtualSourceArrayName(const char* name)
+{
+  this->SetName(this->VirtualSourceArrayName, name);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkGeodesicDistanceAlgorithm::GetVirtualSourceArrayName() const
+{
+  return this->VirtualSourceArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
 void vtkGeodesicDistanceAlgorithm::SetInitialDistanceArrayName(const char* name)
 {
   this->SetName(this->InitialDistanceArrayName, name);
@@ -252,6 +270,10 @@ dgg::Status vtkGeodesicDistanceAlgorithm::CheckProperties() const
     return status;
   }
   std::vector<vtkDGGPointArray> arrays = this->DeclareArrays();
+  if (this->GenerateVirtualSource)
+  {
+    arrays.insert(arrays.begin(), { this->VirtualSourceArrayName, "VirtualSourceArrayName", {} });
+  }
   if (this->GenerateNearestSource)
   {
     arrays.insert(arrays.begin(), { this->SourceArrayName, "SourceArrayName", {} });
@@ -313,7 +335,8 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   const double limit =
     this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;
   vtkDGGDistanceTask task{ adapter.GetMesh(), sources, surface, limit, this->GenerateNearestSource,
-    [this](double fraction) { return this->Advance(fraction); }, {}, {}, this->DeclareArrays() };
+    this->GenerateVirtualSource, [this](double fraction) { return this->Advance(fraction); }, {},
+    {}, {}, {}, this->DeclareArrays() };
   status = this->Advance(0.0) ? this->ComputeDistances(task) : dgg::Status::Abort();
   if (!status.IsOk())
   {
@@ -322,6 +345,11 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   const auto n = static_cast<std::size_t>(adapter.GetMesh().GetNumberOfVertices());
   bool complete = task.Distances.size() == n;
   complete &= !task.WantNearestSource || task.NearestSource.size() == n;
+  for (const std::vector<double>* values :
+    { &task.VirtualSource.Offsets, &task.VirtualSource.Lengths, &task.VirtualSource.Angles })
+  {
+    complete &= !task.WantVirtualSource || values->size() == n;
+  }
   for (const vtkDGGPointArray& array : task.Arrays)
   {
     for (const std::vector<double>& component : array.Components)
@@ -346,7 +374,7 @@ void vtkGeodesicDistanceAlgorithm::MakeEmptyOutput(
   const dgg::SurfaceMesh mesh;
   const std::vector<dgg::GeodesicSource> sources;
   const vtkDGGDistanceTask task{ mesh, sources, surface, dgg::Infinity, this->GenerateNearestSource,
-    {}, {}, {}, this->DeclareArrays() };
+    this->GenerateVirtualSource, {}, {}, {}, {}, {}, this->DeclareArrays() };
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(surface);
   this->AddResults(task, output);
@@ -378,9 +406,23 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
     data, this->DistanceArrayName, { &task.Distances }, this->UnreachedValue);
   // Not SetScalars(), which would remove the scalars of the input.
   data->SetActiveScalars(this->DistanceArrayName.c_str());
+  // Those of the input belong to the array that has just been replaced.
+  vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);
+  if (!task.Windows.IsEmpty())
+  {
+    vtkDGGWindowArrays::AddTo(output->GetFieldData(),
+      vtkDoubleArray::SafeDownCast(data->GetArray(this->DistanceArrayName.c_str())),
+      this->GetMesh(), task.Windows);
+  }
   if (task.WantNearestSource)
   {
     maker.Add<vtkIntArray, dgg::Id>(data, this->SourceArrayName, { &task.NearestSource }, -1);
+  }
+  if (task.WantVirtualSource)
+  {
+    const dgg::VirtualSources& found = task.VirtualSource;
+    maker.Add<vtkDoubleArray, double>(data, this->VirtualSourceArrayName,
+      { &found.Offsets, &found.Lengths, &found.Angles }, this->UnreachedValue);
   }
   for (const vtkDGGPointArray& array : task.Arrays)
   {

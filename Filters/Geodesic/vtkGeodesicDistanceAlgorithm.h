@@ -146,6 +146,21 @@ public:
 
   ///@{
   /**
+   * Whether to add the point array `GeodesicVirtualSource` (double, 3 components): where the
+   * distance of a point seems to come from, as seen from the point. The components are the distance
+   * at that virtual source (in units of the coordinates), the straight distance from it, and its
+   * direction, the polar angle at the point in radians, as in `DGG.Angles` but not reduced to one
+   * turn. The sum of the first two is the distance, or, for approximate distances, the estimate
+   * before it is confined to a promised interval. With it the distance is known inside of faces as
+   * well: for isolines (vtkApolloniusIsolines) and probes (vtkGeodesicProbe). Default off.
+   */
+  vtkSetMacro(GenerateVirtualSource, bool);
+  vtkGetMacro(GenerateVirtualSource, bool);
+  vtkBooleanMacro(GenerateVirtualSource, bool);
+  ///@}
+
+  ///@{
+  /**
    * Name of the point array with the distances. Default "GeodesicDistance". An array of this name
    * in the input is replaced in the output.
    */
@@ -159,6 +174,14 @@ public:
    */
   void SetSourceArrayName(const char* name);
   const char* GetSourceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array with the virtual sources. Default "GeodesicVirtualSource".
+   */
+  void SetVirtualSourceArrayName(const char* name);
+  const char* GetVirtualSourceArrayName() const;
   ///@}
 
   ///@{
@@ -211,8 +234,10 @@ private:
   double MaximumDistance;
   double UnreachedValue;
   bool GenerateNearestSource;
+  bool GenerateVirtualSource;
   std::string DistanceArrayName;
   std::string SourceArrayName;
+  std::string VirtualSourceArrayName;
   std::string InitialDistanceArrayName;
   std::unique_ptr<vtkDGGSourceCollector> Collector;
 };

@@ -136,7 +136,7 @@ TEST(GraphCorrection, ExactWhereTheSurfaceIsFlat)
     {
       const double d = EuclideanDistance(c.GetPoints(), source, v);
       EXPECT_NEAR(result.Corrected[v], d, 1e-5 * d);
-      EXPECT_NEAR(result.VirtualOffset[v] + result.VirtualLength[v], d, 1e-5 * d);
+      EXPECT_NEAR(result.Virtual.Offsets[v] + result.Virtual.Lengths[v], d, 1e-5 * d);
     }
   }
 }
@@ -160,8 +160,8 @@ TEST(GraphCorrection, VirtualSourcesPointTowardsTheSource)
     // Polar angles count from the first half-edge of the fan.
     const Id first = *c.GetMesh().FanBegin(v);
     const double expected = angleTo(v, source) - angleTo(v, c.GetMesh().Destination(first));
-    EXPECT_NEAR(std::cos(result.VirtualAngle[v]), std::cos(expected), 1e-4);
-    EXPECT_NEAR(std::sin(result.VirtualAngle[v]), std::sin(expected), 1e-4);
+    EXPECT_NEAR(std::cos(result.Virtual.Angles[v]), std::cos(expected), 1e-4);
+    EXPECT_NEAR(std::sin(result.Virtual.Angles[v]), std::sin(expected), 1e-4);
   }
 }
 

@@ -278,9 +278,9 @@ TEST(GraphSearch, ResultsDoNotDependOnEarlierCalls)
   EXPECT_EQ(fresh.Tails, used.Tails);
   EXPECT_EQ(fresh.Seeds, used.Seeds);
   EXPECT_EQ(fresh.Corrected, used.Corrected);
-  EXPECT_EQ(fresh.VirtualOffset, used.VirtualOffset);
-  EXPECT_EQ(fresh.VirtualAngle, used.VirtualAngle);
-  EXPECT_EQ(fresh.VirtualLength, used.VirtualLength);
+  EXPECT_EQ(fresh.Virtual.Offsets, used.Virtual.Offsets);
+  EXPECT_EQ(fresh.Virtual.Angles, used.Virtual.Angles);
+  EXPECT_EQ(fresh.Virtual.Lengths, used.Virtual.Lengths);
 }
 
 TEST(GraphSearch, FromSeveralThreads)

@@ -168,12 +168,12 @@ private:
       return graph.Angles[edge]; // from the site itself, a vertex
     }
     // As the distance, the way is straight as long as its virtual source is the site.
-    if (result.VirtualOffset[v] != 0.0 || result.VirtualOffset[u] != 0.0)
+    if (result.Virtual.Offsets[v] != 0.0 || result.Virtual.Offsets[u] != 0.0)
     {
       return this->Directions[u];
     }
     const double total = this->Mesh.TotalAngle(u);
-    double turn = graph.Angles[edge] - result.VirtualAngle[u];
+    double turn = graph.Angles[edge] - result.Virtual.Angles[u];
     if (this->Mesh.Kind(u) != VertexKind::Boundary)
     {
       turn -= total * std::rint(turn / total);
@@ -184,7 +184,7 @@ private:
     }
     const double hop = graph.Length(edge);
     return this->Directions[u] -
-      std::atan2(hop * std::sin(turn), result.VirtualLength[u] - hop * std::cos(turn));
+      std::atan2(hop * std::sin(turn), result.Virtual.Lengths[u] - hop * std::cos(turn));
   }
 
   const GraphSearch& Search;

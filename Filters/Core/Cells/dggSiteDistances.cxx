@@ -255,8 +255,8 @@ private:
       const Id u = label.Tail;
       const LabelCorrection::VirtualSource tail = label.TailLabel != NoId
         ? this->Labels[label.TailLabel].Source
-        : LabelCorrection::VirtualSource{ this->Nearest.VirtualOffset[u],
-            this->Nearest.VirtualLength[u], this->Nearest.VirtualAngle[u],
+        : LabelCorrection::VirtualSource{ this->Nearest.Virtual.Offsets[u],
+            this->Nearest.Virtual.Lengths[u], this->Nearest.Virtual.Angles[u],
             this->Nearest.Corrected[u] };
       label.Source =
         this->Correction->Extend({ label.Edge, label.Vertex, u }, label.Distance, tail, 0.0);
@@ -299,7 +299,7 @@ Status SiteDistances::Run(const GraphSearch& search, const SurfaceMesh& mesh,
   {
     nearest.Corrected = nearest.Distances;
     for (std::vector<double>* unknown :
-      { &nearest.VirtualOffset, &nearest.VirtualLength, &nearest.VirtualAngle })
+      { &nearest.Virtual.Offsets, &nearest.Virtual.Lengths, &nearest.Virtual.Angles })
     {
       unknown->assign(nearest.Distances.size(), 0.0);
     }
@@ -316,7 +316,7 @@ Status SiteDistances::Run(const GraphSearch& search, const SurfaceMesh& mesh,
     if (nearest.Seeds[v] != NoId)
     {
       this->Entries.push_back({ kept[nearest.Seeds[v]].Source, nearest.Corrected[v],
-        nearest.VirtualOffset[v], nearest.VirtualLength[v], nearest.VirtualAngle[v] });
+        nearest.Virtual.Offsets[v], nearest.Virtual.Lengths[v], nearest.Virtual.Angles[v] });
       farther.ForEach(v, [this](Id site, const LabelCorrection::VirtualSource& source) {
         this->Entries.push_back(
           { site, source.Estimate, source.Offset, source.Length, source.Angle });

@@ -5,6 +5,7 @@
 #ifndef dggExactGeodesics_h
 #define dggExactGeodesics_h
 
+#include "dggEdgeWindows.h"  // for EdgeWindows
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
 #include "dggSurfacePoint.h" // for SurfacePoint
 
@@ -46,6 +47,8 @@ struct ExactOptions
   /// Stop as soon as the distances of all targets are final; vertices farther than the farthest
   /// target are left unreached. Without targets it has no effect.
   bool StopAtTargets = false;
+  /// Whether to fill Windows. Not together with StopAtTargets.
+  bool KeepWindows = false;
   /// Progress and abort; may be empty.
   ProgressCallback Progress;
 };
@@ -72,6 +75,9 @@ struct ExactResult
   std::vector<double> TargetDistances;         ///< per target; Infinity where unreached
   std::vector<Id> TargetNearestSource;         ///< per target
   std::vector<Predecessor> TargetPredecessors; ///< per target; at vertices those of the vertices
+
+  /// The distance everywhere on the surface, up to the maximum distance; empty unless asked for.
+  EdgeWindows Windows;
 
   std::size_t NumberOfWindows = 0; ///< windows propagated
   std::size_t PeakMemory = 0; ///< most bytes held by the engine at one time, mesh and results apart

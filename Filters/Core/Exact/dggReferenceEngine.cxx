@@ -131,6 +131,10 @@ void ReferenceEngine::ProcessVertex(const QueuedVertex& queued)
 void ReferenceEngine::ProcessWindow(Id h, const Window& w)
 {
   ++this->Result->NumberOfWindows;
+  if (this->Store.IsOn())
+  {
+    this->Store.Add(h, w);
+  }
   if (this->HasTargets(SurfaceMesh::Face(h)))
   {
     this->OfferTargets(h, w);

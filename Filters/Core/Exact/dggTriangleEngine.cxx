@@ -173,6 +173,10 @@ std::size_t TriangleEngine::PropagateList(Id h)
       this->OfferTargets(h, w);
     }
   }
+  if (this->Store.IsOn())
+  {
+    this->Store.Add(h, this->Light);
+  }
   this->LightApex(h, face);
   this->MakeChildren(h, face);
   this->Light.swap(this->Pool[slot]); // give the storage back

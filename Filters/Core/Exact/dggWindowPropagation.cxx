@@ -46,6 +46,10 @@ Status CheckOptions(const SurfaceMesh& mesh, const ExactOptions& options)
   {
     return Status::Invalid("the maximum distance is not a number");
   }
+  if (options.KeepWindows && options.StopAtTargets)
+  {
+    return Status::Invalid("windows cannot be kept when the run stops at targets: choose one");
+  }
   for (std::size_t t = 0; t < options.Targets.size(); ++t)
   {
     const Status status = options.Targets[t].Check(mesh);
@@ -102,6 +106,7 @@ Status WindowPropagation::Run(
   this->Predecessors = &result.Predecessors;
   this->Radius = options.MaximumDistance - shift;
 
+  this->Store.Start(options.KeepWindows);
   this->Reset();
   this->RegisterTargets();
   this->Start(shifted);
@@ -109,6 +114,7 @@ Status WindowPropagation::Run(
   if (finished)
   {
     this->FinishTargets();
+    this->FinishWindows(shifted, shift);
     this->ForgetBeyondRadius();
     for (double& d : result.Distances)
     {
@@ -119,6 +125,7 @@ Status WindowPropagation::Run(
       d += shift;
     }
   }
+  this->Store.Start(false);
   this->Sources = nullptr;
   this->Result = nullptr;
   this->Options = nullptr;
@@ -430,6 +437,28 @@ void WindowPropagation::FinishTargets()
       }
     });
   }
+}
+
+void WindowPropagation::FinishWindows(const std::vector<GeodesicSource>& sources, double shift)
+{
+  if (!this->Store.IsOn())
+  {
+    return;
+  }
+  EdgeWindows& windows = this->Result->Windows;
+  this->Store.Finish(*this->Labels, shift, windows);
+  for (std::size_t k = 0; k < sources.size(); ++k)
+  {
+    if (sources[k].Point.On != SurfacePoint::Support::Vertex)
+    {
+      ForEachFaceAround(this->Mesh, sources[k].Point, [&](Id f, const std::array<double, 3>& b) {
+        windows.Sources.push_back(
+          { f, b, sources[k].InitialDistance + shift, ~static_cast<Id>(k) });
+      });
+    }
+  }
+  std::stable_sort(windows.Sources.begin(), windows.Sources.end(),
+    [](const FaceSource& a, const FaceSource& b) { return a.Face < b.Face; });
 }
 
 void WindowPropagation::ForgetBeyondRadius()

@@ -8,6 +8,7 @@
 
 #include "dggExactGeodesics.h" // for sources, options, results
 #include "dggWindow.h"         // for Window
+#include "dggWindowStore.h"    // for the windows to be kept
 
 #include <array>  // for barycentric coordinates
 #include <vector> // for std::vector
@@ -21,6 +22,7 @@ class WindowPropagation
 public:
   explicit WindowPropagation(const SurfaceMesh& mesh)
     : Mesh(mesh)
+    , Store(mesh)
   {
   }
   virtual ~WindowPropagation() = default;
@@ -105,6 +107,7 @@ protected:
   void UpdateRadius();
 
   const SurfaceMesh& Mesh;
+  WindowStore Store;
   const ExactOptions* Options = nullptr;
   ExactResult* Result = nullptr;
 
@@ -120,6 +123,7 @@ private:
   void StartInFace(Id f, const std::array<double, 3>& barycentric, double offset, Id source);
   void RegisterTargets();
   void FinishTargets();
+  void FinishWindows(const std::vector<GeodesicSource>& sources, double shift);
   void ForgetBeyondRadius();
   /// Window of pseudo-source v onto the edge opposite to it in the face of its outgoing half-edge
   /// g, between the directions `from` and `to`, angles measured from g.

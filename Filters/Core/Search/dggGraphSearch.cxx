@@ -289,9 +289,7 @@ Status GraphSearch::Run(
   else
   {
     result.Corrected.clear();
-    result.VirtualOffset.clear();
-    result.VirtualLength.clear();
-    result.VirtualAngle.clear();
+    result.Virtual = VirtualSources();
   }
   return Status::Success();
 }

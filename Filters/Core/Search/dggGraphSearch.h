@@ -5,9 +5,10 @@
 #ifndef dggGraphSearch_h
 #define dggGraphSearch_h
 
-#include "dggGeodesicGraph.h" // for GraphView
-#include "dggParallel.h"      // for ParallelFor
-#include "dggSurfaceMesh.h"   // for SurfaceMesh
+#include "dggGeodesicGraph.h"  // for GraphView
+#include "dggParallel.h"       // for ParallelFor
+#include "dggSurfaceMesh.h"    // for SurfaceMesh
+#include "dggVirtualSources.h" // for VirtualSources
 
 #include <cstddef>    // for std::size_t
 #include <cstdint>    // for std::uint8_t
@@ -62,11 +63,8 @@ struct SearchResult
   /// Per vertex, a better estimate within the accuracy of the exact distance: neither an upper
   /// bound nor a metric. Empty unless asked for.
   std::vector<double> Corrected;
-  /// The virtual source behind the estimate of each vertex: distance at it, straight distance from
-  /// it, polar angle at the vertex towards it (not reduced to one turn). Empty unless asked for.
-  std::vector<double> VirtualOffset;
-  std::vector<double> VirtualLength;
-  std::vector<double> VirtualAngle;
+  /// The virtual source behind the estimate of each vertex. Empty unless asked for.
+  VirtualSources Virtual;
 
   std::size_t NumberOfPops = 0;        ///< vertices taken from the queue
   std::size_t NumberOfRelaxations = 0; ///< edges looked at

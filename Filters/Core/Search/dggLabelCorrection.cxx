@@ -93,7 +93,7 @@ void LabelCorrection::Run(const std::vector<GraphSeed>& seeds, const std::vector
   WithLengths(this->Graph,
     [&](const auto* lengths) { this->Straighten(lengths, seeds, steps, sources, result); });
   for (std::vector<double>* values :
-    { &result.Corrected, &result.VirtualOffset, &result.VirtualLength, &result.VirtualAngle })
+    { &result.Corrected, &result.Virtual.Offsets, &result.Virtual.Lengths, &result.Virtual.Angles })
   {
     values->resize(n);
   }
@@ -102,9 +102,9 @@ void LabelCorrection::Run(const std::vector<GraphSeed>& seeds, const std::vector
     const VirtualSource source =
       result.Seeds[v] != NoId ? sources[v] : VirtualSource{ Infinity, Infinity, 0.0, Infinity };
     result.Corrected[v] = source.Estimate;
-    result.VirtualOffset[v] = source.Offset;
-    result.VirtualLength[v] = source.Length;
-    result.VirtualAngle[v] = source.Angle;
+    result.Virtual.Offsets[v] = source.Offset;
+    result.Virtual.Lengths[v] = source.Length;
+    result.Virtual.Angles[v] = source.Angle;
   }
 }
 

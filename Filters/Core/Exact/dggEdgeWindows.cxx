@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggEdgeWindows.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace dgg
+{
+namespace
+{
+/// Rounding of the ends of intervals, relative to the edge.
+constexpr double EndTolerance = 1e-9;
+
+bool IsValid(const EdgeWindow& w, double length)
+{
+  // Comparisons with NaN are false.
+  return w.Begin >= -EndTolerance * length && w.Begin <= w.End &&
+    w.End <= length * (1.0 + EndTolerance) && w.Image.Y <= 0.0 && std::isfinite(w.Image.X) &&
+    std::isfinite(w.Image.Y) && std::isfinite(w.Offset);
+}
+
+bool IsValid(const FaceSource& s, const SurfaceMesh& mesh)
+{
+  if (s.Face < 0 || s.Face >= mesh.GetNumberOfFaces() || mesh.IsDropped(s.Face) ||
+    !std::isfinite(s.Offset))
+  {
+    return false;
+  }
+  double sum = 0.0;
+  bool valid = true;
+  for (double b : s.Barycentric)
+  {
+    valid = valid && b >= 0.0 && b <= 1.0;
+    sum += b;
+  }
+  return valid && std::abs(sum - 1.0) < EndTolerance;
+}
+}
+
+Status EdgeWindows::Check(const SurfaceMesh& mesh) const
+{
+  const auto halfEdges = static_cast<std::size_t>(mesh.GetNumberOfHalfEdges());
+  std::ostringstream message;
+  if (this->Offsets.size() != halfEdges + 1 || this->Offsets.front() != 0 ||
+    this->Offsets.back() != static_cast<Offset>(this->Windows.size()))
+  {
+    message << this->Offsets.size() << " offsets and " << this->Windows.size()
+            << " windows are not those of a mesh of " << halfEdges << " half-edges";
+    return Status::Invalid(message.str());
+  }
+  for (std::size_t h = 0; h < halfEdges; ++h)
+  {
+    if (this->Offsets[h] > this->Offsets[h + 1])
+    {
+      message << "the offsets of half-edge " << h << " decrease";
+      return Status::Invalid(message.str());
+    }
+  }
+  for (std::size_t h = 0; h < halfEdges; ++h)
+  {
+    const Id id = static_cast<Id>(h);
+    double last = -Infinity;
+    for (const EdgeWindow* w = this->Begin(id); w != this->End(id); ++w)
+    {
+      if (!IsValid(*w, mesh.Length(id)) || w->Begin < last)
+      {
+        message << "window " << (w - this->Windows.data()) << " is not one of half-edge " << h;
+        return Status::Invalid(message.str());
+      }
+      last = w->Begin;
+    }
+  }
+  Id face = 0;
+  for (std::size_t s = 0; s < this->Sources.size(); ++s)
+  {
+    if (!IsValid(this->Sources[s], mesh) || this->Sources[s].Face < face)
+    {
+      message << "source " << s << " is not in a face of the mesh";
+      return Status::Invalid(message.str());
+    }
+    face = this->Sources[s].Face;
+  }
+  return Status::Success();
+}
+
+std::size_t EdgeWindows::GetMemorySize() const
+{
+  return this->Offsets.capacity() * sizeof(Offset) + this->Windows.capacity() * sizeof(EdgeWindow) +
+    this->Sources.capacity() * sizeof(FaceSource);
+}
+}

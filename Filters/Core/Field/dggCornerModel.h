@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The distance around one vertex as that from its virtual source. Internal.
+#ifndef dggCornerModel_h
+#define dggCornerModel_h
+
+#include "dggSurfaceMesh.h" // for SurfaceMesh
+
+#include <cmath> // for std::sin
+
+namespace dgg
+{
+/// The field of one source, in polar coordinates around a vertex. On its star the function is
+/// continuous whichever face it is evaluated in: the surface around the vertex is a cone, and the
+/// way to the source leads around its tip on the side where the angle is smaller, or through the
+/// tip where it is pi and more on both.
+struct CornerModel
+{
+  double Offset = 0.0; ///< distance at the virtual source
+  double Length = 0.0; ///< straight distance from it
+  double Angle = 0.0;  ///< polar angle towards it
+  double Total = 0.0;  ///< total angle of the vertex
+  bool IsOpen = false; ///< on the boundary: there is no way around the outside
+  bool IsKnown = false;
+
+  CornerModel() = default;
+  /// The angles of an Irregular vertex mean nothing, so it has no model.
+  CornerModel(const SurfaceMesh& mesh, Id v, double offset, double length, double angle)
+    : Offset(offset)
+    , Length(length)
+    , Angle(angle)
+    , Total(mesh.TotalAngle(v))
+    , IsOpen(mesh.Kind(v) == VertexKind::Boundary)
+    , IsKnown(mesh.Kind(v) != VertexKind::Irregular && mesh.Kind(v) != VertexKind::Isolated)
+  {
+  }
+
+  double AtVertex() const { return this->Offset + this->Length; }
+
+  /// Angle from the direction to a point at polar angle `phi` to that of the source, on the side
+  /// where it is smaller.
+  double AngleFrom(double phi) const
+  {
+    const double angle = this->Angle - phi;
+    return this->IsOpen ? angle : std::remainder(angle, this->Total);
+  }
+
+  /// The distance at polar coordinates (rho, phi).
+  double At(double rho, double phi) const
+  {
+    const double angle = this->AngleFrom(phi);
+    if (std::abs(angle) >= Pi)
+    {
+      return this->AtVertex() + rho;
+    }
+    // The law of cosines, accurate for small angles.
+    const double sine = std::sin(0.5 * angle);
+    const double difference = this->Length - rho;
+    return this->Offset +
+      std::sqrt(difference * difference + 4.0 * this->Length * rho * sine * sine);
+  }
+};
+}
+
+#endif

@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggEdgeProfile.h"
+
+#include "dggSurfacePoint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+/// A point this close to the end of a window is seen through it, relative (dggWindow.h).
+constexpr double WindowSlack = 1e-9;
+/// Pieces into which an edge is cut to find extrema between models.
+constexpr int NumberOfModelBreaks = 8;
+/// A root is found when the distance is this close to the level, relative, or after that many
+/// steps, as bisection alone would take.
+constexpr double Rounding = 4e-16;
+constexpr int MostSteps = 80;
+}
+
+Id EdgeProfile::Representative(const SurfaceMesh& mesh, Id h)
+{
+  Id smallest = h;
+  for (Id e = mesh.Twin(h); e != NoId && e != h; e = mesh.Twin(e))
+  {
+    smallest = std::min(smallest, e);
+  }
+  return smallest;
+}
+
+void EdgeProfile::Enter(Id h)
+{
+  const SurfaceMesh& mesh = *this->Field.Mesh;
+  const Id representative = Representative(mesh, h);
+  if (representative == this->HalfEdge)
+  {
+    return;
+  }
+  this->HalfEdge = representative;
+  this->Length = mesh.Length(representative);
+  this->Ends = { { this->Field.Distances[mesh.Origin(representative)],
+    this->Field.Distances[mesh.Destination(representative)] } };
+  this->Pieces.clear();
+  this->Breaks.clear();
+  this->Models = {};
+  if (this->Field.HasWindows())
+  {
+    Id e = representative;
+    do
+    {
+      this->CollectWindows(e);
+      this->CollectSources(e);
+      e = mesh.Twin(e);
+    } while (e != NoId && e != representative);
+    if (mesh.Twin(representative) == NoId)
+    {
+      this->CollectThroughFace(representative); // nobody has kept what leaves the surface
+    }
+    this->FindWindowBreaks();
+  }
+  else
+  {
+    this->SetUpModels();
+    this->FindModelBreaks();
+  }
+}
+
+void EdgeProfile::CollectWindows(Id h)
+{
+  const bool isSame = this->Field.Mesh->Origin(h) == this->Field.Mesh->Origin(this->HalfEdge);
+  for (const EdgeWindow* w = this->Field.Windows->Begin(h); w != this->Field.Windows->End(h); ++w)
+  {
+    Piece piece{ w->Begin, w->End, w->Image, w->Offset,
+      std::max(1e-15 * this->Length, WindowSlack * std::min(this->Length, -w->Image.Y)) };
+    if (!isSame)
+    {
+      piece.Begin = this->Length - w->End;
+      piece.End = this->Length - w->Begin;
+      piece.Image.X = this->Length - w->Image.X;
+    }
+    this->Pieces.push_back(piece);
+  }
+}
+
+/// Sources in the face of the half-edge see all of its edge.
+void EdgeProfile::CollectSources(Id h)
+{
+  const SurfaceMesh& mesh = *this->Field.Mesh;
+  const std::vector<FaceSource>& sources = this->Field.Windows->Sources;
+  const Id f = SurfaceMesh::Face(h);
+  auto source = std::lower_bound(
+    sources.begin(), sources.end(), f, [](const FaceSource& s, Id face) { return s.Face < face; });
+  for (; source != sources.end() && source->Face == f; ++source)
+  {
+    Point2 image = PlaceInFrame(mesh, h, source->Barycentric);
+    if (mesh.Origin(h) != mesh.Origin(this->HalfEdge))
+    {
+      image.X = this->Length - image.X;
+    }
+    this->Pieces.push_back({ 0.0, this->Length, image, source->Offset, 0.0 });
+  }
+}
+
+/// What lights a boundary edge from within its face: the apex, and the windows of the other two
+/// sides.
+void EdgeProfile::CollectThroughFace(Id h)
+{
+  const SurfaceMesh& mesh = *this->Field.Mesh;
+  const Point2 apex{ mesh.ApexX(h), mesh.ApexY(h) };
+  this->Pieces.push_back({ 0.0, this->Length, apex, this->Field.Distances[mesh.Apex(h)], 0.0 });
+  for (const Id side : { SurfaceMesh::Next(h), SurfaceMesh::Previous(h) })
+  {
+    const Point2 from = side == SurfaceMesh::Next(h) ? Point2{ this->Length, 0.0 } : apex;
+    const Point2 to = side == SurfaceMesh::Next(h) ? apex : Point2{};
+    const double length = mesh.Length(side);
+    const Point2 axis{ (to.X - from.X) / length, (to.Y - from.Y) / length };
+    for (const EdgeWindow* w = this->Field.Windows->Begin(side);
+         w != this->Field.Windows->End(side); ++w)
+    {
+      const Point2 image = FromFrame(from, axis, w->Image);
+      // Where the ray through a point of the side meets the edge; it may run away from it.
+      auto meet = [&](double x) {
+        const Point2 p = FromFrame(from, axis, { x, 0.0 });
+        const double fall = image.Y - p.Y;
+        const double away = p.X < image.X ? 0.0 : this->Length;
+        const double reach = fall > 0.0 ? image.X + (p.X - image.X) * (image.Y / fall) : away;
+        return std::min(this->Length, std::max(0.0, reach));
+      };
+      // From the destination of h towards its origin, as the sides run.
+      const double end = meet(w->Begin);
+      const double begin = meet(w->End);
+      if (begin < end)
+      {
+        this->Pieces.push_back({ begin, end, image, w->Offset,
+          std::max(1e-15 * this->Length, WindowSlack * std::min(this->Length, image.Y)) });
+      }
+    }
+  }
+}
+
+/// Between the ends of windows and the feet of their images the distance is monotone, but for
+/// where two of them tie.
+void EdgeProfile::FindWindowBreaks()
+{
+  std::vector<double>& breaks = this->Breaks;
+  auto add = [&](double x) {
+    if (x > 0.0 && x < this->Length)
+    {
+      breaks.push_back(x);
+    }
+  };
+  for (const Piece& piece : this->Pieces)
+  {
+    add(piece.Begin);
+    add(piece.End);
+    if (piece.Image.X > piece.Begin && piece.Image.X < piece.End)
+    {
+      add(piece.Image.X);
+    }
+  }
+  add(0.5 * (this->Length + this->Ends[1] - this->Ends[0])); // where the ways along the edge meet
+  breaks.push_back(0.0);
+  breaks.push_back(this->Length);
+  std::sort(breaks.begin(), breaks.end());
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+}
+
+void EdgeProfile::SetUpModels()
+{
+  if (!this->Field.HasSources())
+  {
+    return;
+  }
+  const SurfaceMesh& mesh = *this->Field.Mesh;
+  const VirtualSources& sources = *this->Field.Sources;
+  const Id h = this->HalfEdge;
+  // The edge as it leaves its ends: h itself, and the side of the same face that comes before.
+  const Id next = SurfaceMesh::Next(h);
+  this->PolarAngles = { { mesh.PolarAngle(h), mesh.PolarAngle(next) + mesh.CornerAngle(next) } };
+  const std::array<Id, 2> vertices{ { mesh.Origin(h), mesh.Destination(h) } };
+  for (int k = 0; k < 2; ++k)
+  {
+    const Id v = vertices[k];
+    this->Models[k] =
+      CornerModel(mesh, v, sources.Offsets[v], sources.Lengths[v], sources.Angles[v]);
+    this->Models[k].Offset = this->Ends[k] - this->Models[k].Length; // what is given counts
+  }
+  for (int k = 0; k < 2; ++k)
+  {
+    this->Missing[k] = this->Models[k].IsKnown
+      ? std::max(0.0, this->Ends[1 - k] - this->Models[k].At(this->Length, this->PolarAngles[k]))
+      : 0.0;
+  }
+}
+
+/// The raised model of an end (dggDistanceField.h).
+double EdgeProfile::ModelAt(int end, double x) const
+{
+  const double rho = end == 0 ? x : this->Length - x;
+  const CornerModel& model = this->Models[end];
+  if (!model.IsKnown)
+  {
+    return this->Ends[end] + rho;
+  }
+  return model.At(rho, this->PolarAngles[end]) + this->Missing[end] * rho / this->Length;
+}
+
+void EdgeProfile::FindModelBreaks()
+{
+  const int count = this->Field.HasSources() ? NumberOfModelBreaks : 1;
+  for (int i = 0; i <= count; ++i)
+  {
+    this->Breaks.push_back(i == count ? this->Length : this->Length * i / count);
+  }
+}
+
+double EdgeProfile::At(double x) const
+{
+  if (x <= 0.0 || x >= this->Length)
+  {
+    return this->Ends[x > 0.0 ? 1 : 0];
+  }
+  if (this->Field.HasWindows())
+  {
+    double least = std::min(this->Ends[0] + x, this->Ends[1] + (this->Length - x));
+    for (const Piece& piece : this->Pieces)
+    {
+      if (x >= piece.Begin - piece.Slack && x <= piece.End + piece.Slack)
+      {
+        least = std::min(least, piece.Offset + DistanceToAxis(piece.Image, x));
+      }
+    }
+    return least;
+  }
+  if (this->Models[0].IsKnown || this->Models[1].IsKnown)
+  {
+    return std::min(this->ModelAt(0, x), this->ModelAt(1, x));
+  }
+  const double t = x / this->Length;
+  return (1.0 - t) * this->Ends[0] + t * this->Ends[1];
+}
+
+void EdgeProfile::FindCrossings(double level, std::vector<double>& crossings) const
+{
+  double begin = 0.0;
+  bool beginIsAbove = this->Ends[0] >= level;
+  for (std::size_t i = 1; i < this->Breaks.size(); ++i)
+  {
+    const double end = this->Breaks[i];
+    const bool endIsAbove = this->At(end) >= level;
+    if (beginIsAbove != endIsAbove)
+    {
+      crossings.push_back(this->Solve(level, begin, end, beginIsAbove));
+    }
+    begin = end;
+    beginIsAbove = endIsAbove;
+  }
+}
+
+/// Regula falsi in its Illinois form, which a kink does not harm.
+double EdgeProfile::Solve(double level, double begin, double end, bool beginIsAbove) const
+{
+  const double close = Rounding * std::abs(level);
+  double atBegin = this->At(begin) - level;
+  double atEnd = this->At(end) - level;
+  double best = std::abs(atBegin) < std::abs(atEnd) ? begin : end;
+  double bestMiss = std::min(std::abs(atBegin), std::abs(atEnd));
+  int lastSide = 0;
+  for (int step = 0; step < MostSteps && bestMiss > close; ++step)
+  {
+    double x = begin - atBegin * ((end - begin) / (atEnd - atBegin));
+    if (!(x > begin && x < end))
+    {
+      x = 0.5 * (begin + end);
+    }
+    if (!(x > begin && x < end))
+    {
+      break; // neighbours among the doubles
+    }
+    const double miss = this->At(x) - level;
+    if (std::abs(miss) < bestMiss)
+    {
+      best = x;
+      bestMiss = std::abs(miss);
+    }
+    const int side = (miss >= 0.0) == beginIsAbove ? -1 : 1;
+    (side < 0 ? begin : end) = x;
+    (side < 0 ? atBegin : atEnd) = miss;
+    if (side == lastSide)
+    {
+      (side < 0 ? atEnd : atBegin) *= 0.5;
+    }
+    lastSide = side;
+  }
+  return best;
+}
+}

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The distance along one edge.
+#ifndef dggEdgeProfile_h
+#define dggEdgeProfile_h
+
+#include "dggCornerModel.h"   // for the models of the ends
+#include "dggDistanceField.h" // for DistanceField
+
+#include <array>  // for the ends
+#include <vector> // for the windows
+
+namespace dgg
+{
+/// The distance along an edge as a function of one variable. It depends on the edge and not on the
+/// face that it is looked at from, so what is found on it is the same for all its faces, bit for
+/// bit. An object can be moved from edge to edge, which saves allocations.
+class EdgeProfile
+{
+public:
+  explicit EdgeProfile(const DistanceField& field)
+    : Field(field)
+  {
+  }
+
+  /// The half-edge of smallest id among those of an edge.
+  static Id Representative(const SurfaceMesh& mesh, Id h);
+
+  /// Look at the edge of a half-edge, whose ends must be reached.
+  void Enter(Id h);
+
+  /// The representative half-edge. Abscissae run from its origin to its destination.
+  Id GetHalfEdge() const { return this->HalfEdge; }
+  double GetLength() const { return this->Length; }
+
+  /// The distance at an abscissa. At the ends it is that of the vertex.
+  double At(double x) const;
+
+  /// Abscissae from 0 to the length between which the distance has no extremum and no kink, up to
+  /// rounding (windows), or such that between two of them there is hardly more than one.
+  const std::vector<double>& GetBreaks() const { return this->Breaks; }
+
+  /// Append the abscissae, in increasing order, at which the distance crosses `level` (points at
+  /// the level count as above it). Their number is even exactly when both ends are on the same
+  /// side.
+  void FindCrossings(double level, std::vector<double>& crossings) const;
+
+private:
+  /// A window or a source, seen from this edge.
+  struct Piece
+  {
+    double Begin;
+    double End;
+    Point2 Image;
+    double Offset;
+    double Slack; // of the interval
+  };
+
+  void CollectWindows(Id h);
+  void CollectSources(Id h);
+  void CollectThroughFace(Id h);
+  void FindWindowBreaks();
+  void FindModelBreaks();
+  void SetUpModels();
+  double ModelAt(int end, double x) const;
+  double Solve(double level, double begin, double end, bool beginIsAbove) const;
+
+  const DistanceField& Field;
+  Id HalfEdge = NoId;
+  double Length = 0.0;
+  std::array<double, 2> Ends{ { 0.0, 0.0 } };
+  std::vector<Piece> Pieces;
+  std::array<CornerModel, 2> Models;
+  std::array<double, 2> PolarAngles{ { 0.0, 0.0 } }; // of the edge at its ends
+  std::array<double, 2> Missing{ { 0.0, 0.0 } };     // of the model of an end at the other one
+  std::vector<double> Breaks;
+};
+}
+
+#endif

@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggFaceProfile.h"
+
+#include "dggSurfacePoint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+/// A point this close to the edge of a window is seen through it, relative (dggWindow.h).
+constexpr double WindowSlack = 1e-9;
+
+/// The field of one source.
+FieldSample FromSource(const Point2& image, double offset, const Point2& p)
+{
+  FieldSample sample;
+  const Point2 way{ p.X - image.X, p.Y - image.Y };
+  const double length = Norm(way.X, way.Y);
+  sample.Distance = offset + length;
+  if (length > 0.0)
+  {
+    sample.Gradient = { way.X / length, way.Y / length };
+  }
+  sample.Image = image;
+  sample.Offset = offset;
+  sample.HasImage = true;
+  return sample;
+}
+}
+
+void FaceProfile::Enter(Id f)
+{
+  if (f == this->Face)
+  {
+    return;
+  }
+  this->Face = f;
+  const SurfaceMesh& mesh = *this->Field.Mesh;
+  this->Corners = { { Point2{}, { mesh.Length(3 * f), 0.0 },
+    { mesh.ApexX(3 * f), mesh.ApexY(3 * f) } } };
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point2& from = this->Corners[k];
+    const Point2& to = this->Corners[(k + 1) % 3];
+    const double length = mesh.Length(3 * f + k);
+    this->Axes[k] = { (to.X - from.X) / length, (to.Y - from.Y) / length };
+    this->Distances[k] = this->Field.Distances[mesh.Origin(3 * f + k)];
+    // The coordinate of the corner opposite to the edge grows across the edge.
+    const double height = mesh.ApexY(3 * f + k);
+    this->Rises[(k + 2) % 3] = { -this->Axes[k].Y / height, this->Axes[k].X / height };
+  }
+  this->Windows.clear();
+  this->Sources.clear();
+  this->HasModels = false;
+  if (this->Field.HasWindows())
+  {
+    this->CollectWindows();
+    this->CollectSources();
+  }
+  else if (this->Field.HasSources())
+  {
+    this->SetUpModels();
+  }
+}
+
+Point2 FaceProfile::PlaceOf(const std::array<double, 3>& barycentric) const
+{
+  Point2 p;
+  for (int k = 0; k < 3; ++k)
+  {
+    p.X += barycentric[k] * this->Corners[k].X;
+    p.Y += barycentric[k] * this->Corners[k].Y;
+  }
+  return p;
+}
+
+std::array<double, 3> FaceProfile::BarycentricOf(const Point2& p) const
+{
+  std::array<double, 3> b{};
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point2& opposite = this->Corners[(k + 1) % 3]; // the coordinate is 0 there
+    b[k] = Dot({ p.X - opposite.X, p.Y - opposite.Y }, this->Rises[k]);
+  }
+  return b;
+}
+
+Point2 FaceProfile::InFrameOf(int k, const Point2& p) const
+{
+  const Point2 way{ p.X - this->Corners[k].X, p.Y - this->Corners[k].Y };
+  return { Dot(this->Axes[k], way), Cross(this->Axes[k], way) };
+}
+
+void FaceProfile::CollectWindows()
+{
+  const EdgeWindows& windows = *this->Field.Windows;
+  for (int k = 0; k < 3; ++k)
+  {
+    this->FirstWindows[k] = this->Windows.size();
+    const Id h = 3 * this->Face + k;
+    for (const EdgeWindow* w = windows.Begin(h); w != windows.End(h); ++w)
+    {
+      const double slack = WindowSlack * std::min(this->Field.Mesh->Length(h), -w->Image.Y);
+      this->Windows.push_back({ w->Begin - slack, w->End + slack, w->Image,
+        FromFrame(this->Corners[k], this->Axes[k], w->Image), w->Offset });
+    }
+  }
+  this->FirstWindows[3] = this->Windows.size();
+}
+
+void FaceProfile::CollectSources()
+{
+  const std::vector<FaceSource>& sources = this->Field.Windows->Sources;
+  auto source = std::lower_bound(sources.begin(), sources.end(), this->Face,
+    [](const FaceSource& s, Id face) { return s.Face < face; });
+  for (; source != sources.end() && source->Face == this->Face; ++source)
+  {
+    const Point2 place = this->PlaceOf(source->Barycentric);
+    this->Sources.push_back(FromSource(place, source->Offset, place));
+  }
+}
+
+void FaceProfile::SetUpModels()
+{
+  const SurfaceMesh& mesh = *this->Field.Mesh;
+  const VirtualSources& sources = *this->Field.Sources;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Id v = mesh.Origin(3 * this->Face + k);
+    this->Models[k] =
+      CornerModel(mesh, v, sources.Offsets[v], sources.Lengths[v], sources.Angles[v]);
+    this->Models[k].Offset = this->Distances[k] - this->Models[k].Length; // what is given counts
+    this->HasModels = this->HasModels || this->Models[k].IsKnown;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Missing[k] = { { 0.0, 0.0, 0.0 } };
+    if (!this->Models[k].IsKnown)
+    {
+      continue;
+    }
+    const Id h = 3 * this->Face + k;
+    const Id previous = SurfaceMesh::Previous(h);
+    const double first = mesh.PolarAngle(h);
+    const std::array<double, 2> predicted{ { this->Models[k].At(mesh.Length(h), first),
+      this->Models[k].At(mesh.Length(previous), first + mesh.CornerAngle(h)) } };
+    for (int i = 0; i < 2; ++i)
+    {
+      const int j = (k + 1 + i) % 3;
+      this->Missing[k][j] = std::max(0.0, this->Distances[j] - predicted[i]);
+    }
+  }
+}
+
+FieldSample FaceProfile::SampleAt(const Point2& p) const
+{
+  if (this->Field.HasWindows())
+  {
+    return this->FromWindows(p);
+  }
+  return this->HasModels ? this->FromModels(p) : this->Linear(p);
+}
+
+/// The way over a corner.
+FieldSample FaceProfile::FromCorner(int k, const Point2& p) const
+{
+  FieldSample sample = FromSource(this->Corners[k], this->Distances[k], p);
+  sample.Candidate = k;
+  return sample;
+}
+
+FieldSample FaceProfile::FromWindows(const Point2& p) const
+{
+  FieldSample best;
+  for (int k = 0; k < 3; ++k)
+  {
+    const FieldSample sample = this->FromCorner(k, p);
+    if (sample.Distance < best.Distance)
+    {
+      best = sample;
+    }
+  }
+  for (std::size_t s = 0; s < this->Sources.size(); ++s)
+  {
+    FieldSample sample = FromSource(this->Sources[s].Image, this->Sources[s].Offset, p);
+    if (sample.Distance < best.Distance)
+    {
+      best = sample;
+      best.Candidate = static_cast<Id>(3 + s);
+    }
+  }
+  const SeenWindow* found = nullptr;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point2 here = this->InFrameOf(k, p);
+    for (std::size_t w = this->FirstWindows[k]; w < this->FirstWindows[k + 1]; ++w)
+    {
+      const SeenWindow& window = this->Windows[w];
+      const double x = Crossing(window.Image, here);
+      if (!(x >= window.Begin && x <= window.End))
+      {
+        continue;
+      }
+      const double distance = window.Offset + Distance(window.Image, here);
+      if (distance < best.Distance)
+      {
+        best.Distance = distance;
+        found = &window;
+      }
+    }
+  }
+  if (found)
+  {
+    best = FromSource(found->Place, found->Offset, p);
+    best.Candidate = static_cast<Id>(3 + this->Sources.size() + (found - this->Windows.data()));
+  }
+  return best;
+}
+
+/// The raised model of a corner (dggDistanceField.h).
+FieldSample FaceProfile::FromModel(
+  int k, const Point2& p, const std::array<double, 3>& barycentric) const
+{
+  const CornerModel& model = this->Models[k];
+  const Point2 here = this->InFrameOf(k, p);
+  const double phi = std::atan2(here.Y, here.X);
+  const double angle =
+    model.IsKnown ? model.AngleFrom(this->Field.Mesh->PolarAngle(3 * this->Face + k) + phi) : Pi;
+  if (std::abs(angle) >= Pi)
+  {
+    return this->FromCorner(k, p);
+  }
+  const double turned = phi + angle;
+  const Point2 image{ model.Length * std::cos(turned), model.Length * std::sin(turned) };
+  FieldSample sample =
+    FromSource(FromFrame(this->Corners[k], this->Axes[k], image), model.Offset, p);
+  for (int j = 0; j < 3; ++j)
+  {
+    const double missing = this->Missing[k][j];
+    if (missing > 0.0)
+    {
+      sample.Distance += missing * barycentric[j];
+      sample.Gradient.X += missing * this->Rises[j].X;
+      sample.Gradient.Y += missing * this->Rises[j].Y;
+      sample.HasImage = false;
+    }
+  }
+  sample.Candidate = 3 + (angle < 0.0 ? 2 * k : 2 * k + 1);
+  return sample;
+}
+
+FieldSample FaceProfile::FromModels(const Point2& p) const
+{
+  const std::array<double, 3> b = this->BarycentricOf(p);
+  FieldSample best;
+  for (int k = 0; k < 3; ++k)
+  {
+    const FieldSample sample = this->FromModel(k, p, b);
+    if (sample.Distance < best.Distance)
+    {
+      best = sample;
+    }
+  }
+  return best;
+}
+
+FieldSample FaceProfile::Linear(const Point2& p) const
+{
+  const std::array<double, 3> b = this->BarycentricOf(p);
+  FieldSample sample;
+  sample.Distance = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    sample.Distance += b[k] * this->Distances[k];
+    sample.Gradient.X += this->Distances[k] * this->Rises[k].X;
+    sample.Gradient.Y += this->Distances[k] * this->Rises[k].Y;
+  }
+  sample.Candidate = 0;
+  return sample;
+}
+}

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The distance inside one face.
+#ifndef dggFaceProfile_h
+#define dggFaceProfile_h
+
+#include "dggCornerModel.h"   // for the models of the corners
+#include "dggDistanceField.h" // for DistanceField
+
+#include <array>  // for the corners
+#include <vector> // for the windows
+
+namespace dgg
+{
+/// The distance inside a face as a function of the plane, in the frame of half-edge 3f. On the rim
+/// of the face it is that of EdgeProfile up to rounding when it comes from windows or is linear; a
+/// model of the opposite corner may be a little shorter. An object can be moved from face to face,
+/// which saves allocations.
+class FaceProfile
+{
+public:
+  explicit FaceProfile(const DistanceField& field)
+    : Field(field)
+  {
+  }
+
+  /// Look at a face, which must be reached (DistanceField::IsReached()).
+  void Enter(Id f);
+
+  Id GetFace() const { return this->Face; }
+  const std::array<Point2, 3>& GetCorners() const { return this->Corners; }
+  double GetCornerDistance(int k) const { return this->Distances[k]; }
+  Point2 PlaceOf(const std::array<double, 3>& barycentric) const;
+  std::array<double, 3> BarycentricOf(const Point2& p) const;
+
+  /// The distance at a point of the face.
+  double At(const Point2& p) const { return this->SampleAt(p).Distance; }
+  FieldSample SampleAt(const Point2& p) const;
+
+  /// Sources inside the face, or on its edges.
+  const std::vector<FieldSample>& GetSources() const { return this->Sources; }
+
+private:
+  /// A window and its image in the plane of the face.
+  struct SeenWindow
+  {
+    double Begin;
+    double End;
+    Point2 Image; // in the frame of its half-edge
+    Point2 Place; // of the image, in that of the face
+    double Offset;
+  };
+
+  void CollectWindows();
+  void CollectSources();
+  void SetUpModels();
+  FieldSample FromCorner(int k, const Point2& p) const;
+  FieldSample FromWindows(const Point2& p) const;
+  FieldSample FromModel(int k, const Point2& p, const std::array<double, 3>& barycentric) const;
+  FieldSample FromModels(const Point2& p) const;
+  FieldSample Linear(const Point2& p) const;
+  Point2 InFrameOf(int k, const Point2& p) const;
+
+  const DistanceField& Field;
+  Id Face = NoId;
+  std::array<Point2, 3> Corners;
+  std::array<Point2, 3> Axes;  // of the half-edges
+  std::array<Point2, 3> Rises; // gradients of the barycentric coordinates
+  std::array<double, 3> Distances{ { 0.0, 0.0, 0.0 } };
+  std::vector<SeenWindow> Windows; // those of the three half-edges, one after the other
+  std::array<std::size_t, 4> FirstWindows{ { 0, 0, 0, 0 } };
+  std::vector<FieldSample> Sources;
+  std::array<CornerModel, 3> Models;
+  std::array<std::array<double, 3>, 3> Missing{}; // of the model of a corner at another one
+  bool HasModels = false;
+};
+}
+
+#endif

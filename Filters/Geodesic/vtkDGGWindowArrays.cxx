@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDGGWindowArrays.h"
+
+#include "vtkDGGMeshAdapter.h"
+
+#include "dggBitHash.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+namespace
+{
+constexpr std::int64_t FormatVersion = 1;
+constexpr int NumberOfComponents = 5; // of windows and of sources
+constexpr int InfoSize = 4;
+const std::array<const char*, 4> Suffixes = { { ".WindowOffsets", ".Windows", ".WindowSources",
+  ".WindowInfo" } };
+
+enum Role
+{
+  Offsets,
+  Windows,
+  Sources,
+  Info
+};
+
+std::string NameOf(const std::string& distances, Role role)
+{
+  return distances + Suffixes[role];
+}
+
+std::int64_t Signed(std::uint64_t bits)
+{
+  std::int64_t value = 0;
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+
+/// What the windows belong to.
+std::array<std::int64_t, InfoSize> MakeInfo(
+  vtkDoubleArray* distances, const vtkDGGMeshAdapter& mesh)
+{
+  dgg::BitHash hash;
+  hash.Add(distances->GetPointer(0), static_cast<std::size_t>(distances->GetNumberOfValues()));
+  return { { FormatVersion, Signed(mesh.GetSignature()[0]), Signed(mesh.GetSignature()[1]),
+    Signed(hash.Finish()[0]) } };
+}
+
+vtkSmartPointer<vtkDoubleArray> MakeTable(const std::string& name, std::size_t size)
+{
+  auto table = vtkSmartPointer<vtkDoubleArray>::New();
+  table->SetName(name.c_str());
+  table->SetNumberOfComponents(NumberOfComponents);
+  table->SetNumberOfTuples(static_cast<vtkIdType>(size));
+  return table;
+}
+
+vtkTypeInt64Array* FindIntegers(vtkFieldData* data, const std::string& name)
+{
+  auto* array = vtkTypeInt64Array::SafeDownCast(data->GetAbstractArray(name.c_str()));
+  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+}
+
+vtkDoubleArray* FindTable(vtkFieldData* data, const std::string& name)
+{
+  auto* array = vtkDoubleArray::SafeDownCast(data->GetAbstractArray(name.c_str()));
+  return array && array->GetNumberOfComponents() == NumberOfComponents ? array : nullptr;
+}
+
+void ReadTables(vtkTypeInt64Array* offsets, vtkDoubleArray* table, vtkDoubleArray* places,
+  dgg::EdgeWindows& found)
+{
+  found.Offsets.assign(offsets->GetPointer(0), offsets->GetPointer(offsets->GetNumberOfValues()));
+  found.Windows.resize(static_cast<std::size_t>(table->GetNumberOfTuples()));
+  const double* row = table->GetPointer(0);
+  for (dgg::EdgeWindow& w : found.Windows)
+  {
+    w = { row[0], row[1], { row[2], row[3] }, row[4], dgg::NoId };
+    row += NumberOfComponents;
+  }
+  found.Sources.resize(static_cast<std::size_t>(places->GetNumberOfTuples()));
+  row = places->GetPointer(0);
+  for (dgg::FaceSource& s : found.Sources)
+  {
+    // A number that is not an id must not become one.
+    const bool isId = row[0] >= 0.0 && row[0] < 2147483647.0;
+    s = { isId ? static_cast<dgg::Id>(row[0]) : dgg::NoId, { { row[1], row[2], row[3] } }, row[4],
+      dgg::NoId };
+    row += NumberOfComponents;
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGWindowArrays::AddTo(vtkFieldData* data, vtkDoubleArray* distances,
+  const vtkDGGMeshAdapter& mesh, const dgg::EdgeWindows& windows)
+{
+  const std::string name = distances->GetName();
+  vtkNew<vtkTypeInt64Array> offsets;
+  offsets->SetName(NameOf(name, Offsets).c_str());
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(windows.Offsets.size()));
+  std::copy(windows.Offsets.begin(), windows.Offsets.end(), offsets->GetPointer(0));
+
+  const auto table = MakeTable(NameOf(name, Windows), windows.Windows.size());
+  double* row = table->GetPointer(0);
+  for (const dgg::EdgeWindow& w : windows.Windows)
+  {
+    row = std::copy_n(
+      std::array<double, NumberOfComponents>{ { w.Begin, w.End, w.Image.X, w.Image.Y, w.Offset } }
+        .begin(),
+      NumberOfComponents, row);
+  }
+  const auto places = MakeTable(NameOf(name, Sources), windows.Sources.size());
+  row = places->GetPointer(0);
+  for (const dgg::FaceSource& s : windows.Sources)
+  {
+    row = std::copy_n(
+      std::array<double, NumberOfComponents>{ { static_cast<double>(s.Face), s.Barycentric[0],
+                                                s.Barycentric[1], s.Barycentric[2], s.Offset } }
+        .begin(),
+      NumberOfComponents, row);
+  }
+  vtkNew<vtkTypeInt64Array> info;
+  info->SetName(NameOf(name, Info).c_str());
+  info->SetNumberOfValues(InfoSize);
+  const std::array<std::int64_t, InfoSize> values = MakeInfo(distances, mesh);
+  std::copy(values.begin(), values.end(), info->GetPointer(0));
+
+  data->AddArray(offsets);
+  data->AddArray(table);
+  data->AddArray(places);
+  data->AddArray(info);
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGWindowArrays::RemoveFrom(vtkFieldData* data, const std::string& distances)
+{
+  for (const Role role : { Offsets, Windows, Sources, Info })
+  {
+    data->RemoveArray(NameOf(distances, role).c_str());
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkDGGWindowArrays::Find(vtkFieldData* data, vtkDoubleArray* distances,
+  const vtkDGGMeshAdapter& mesh, dgg::EdgeWindows& windows, std::string& complaint)
+{
+  windows = dgg::EdgeWindows();
+  complaint.clear();
+  const std::string name = distances && distances->GetName() ? distances->GetName() : "";
+  if (!data || name.empty() || !data->GetAbstractArray(NameOf(name, Info).c_str()))
+  {
+    return false;
+  }
+  vtkTypeInt64Array* offsets = FindIntegers(data, NameOf(name, Offsets));
+  vtkTypeInt64Array* info = FindIntegers(data, NameOf(name, Info));
+  vtkDoubleArray* table = FindTable(data, NameOf(name, Windows));
+  vtkDoubleArray* places = FindTable(data, NameOf(name, Sources));
+  const std::string whose = "the windows of '" + name + "' in the field data ";
+  if (!offsets || !info || !table || !places || info->GetNumberOfValues() != InfoSize)
+  {
+    complaint = whose + "are damaged: an array is missing or of another type";
+    return false;
+  }
+  const std::array<std::int64_t, InfoSize> wanted = MakeInfo(distances, mesh);
+  if (!std::equal(wanted.begin(), wanted.end(), info->GetPointer(0)))
+  {
+    complaint = whose + "are not of these distances on this surface";
+    return false;
+  }
+  ReadTables(offsets, table, places, windows);
+  const dgg::Status status = windows.Check(mesh.GetMesh());
+  if (!status.IsOk())
+  {
+    windows = dgg::EdgeWindows();
+    complaint = whose + "are damaged: " + status.GetMessage();
+    return false;
+  }
+  return true;
+}

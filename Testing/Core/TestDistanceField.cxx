@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The distance inside of faces: exact with windows, close with virtual sources.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include "dggDistanceField.h"
+#include "dggEdgeProfile.h"
+#include "dggExactGeodesics.h"
+#include "dggExactSources.h"
+#include "dggFaceProfile.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace dgg;
+using namespace dggtest;
+
+namespace
+{
+/// Everything that belongs to a field of exact distances.
+struct ExactField
+{
+  ExactField(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources,
+    const std::vector<SurfacePoint>& targets = {}, ExactEngine engine = ExactEngine::Triangle)
+  {
+    ExactOptions options;
+    options.Engine = engine;
+    options.KeepWindows = true;
+    options.Targets = targets;
+    const Status status = ExactGeodesics(mesh).Run(sources, options, this->Result);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    FindVirtualSources(mesh, sources, this->Result, this->Virtual);
+    this->Exact = { &mesh, this->Result.Distances.data(), &this->Result.Windows, nullptr };
+    this->Local = { &mesh, this->Result.Distances.data(), nullptr, &this->Virtual };
+    this->Linear = { &mesh, this->Result.Distances.data(), nullptr, nullptr };
+  }
+
+  ExactResult Result;
+  VirtualSources Virtual;
+  DistanceField Exact;
+  DistanceField Local;
+  DistanceField Linear;
+};
+
+double DistanceAt(FaceProfile& profile, const SurfacePoint& point)
+{
+  profile.Enter(point.Face);
+  return profile.At(profile.PlaceOf(point.Barycentric));
+}
+
+std::vector<SurfacePoint> PointsInside(const SurfaceMesh& mesh, Id count, std::uint64_t seed)
+{
+  std::vector<SurfacePoint> points;
+  for (const SurfacePoint& point : RandomSurfacePoints(mesh, count, seed))
+  {
+    if (point.On == SurfacePoint::Support::Face)
+    {
+      points.push_back(point);
+    }
+  }
+  return points;
+}
+
+/// Mean error relative to the exact distance, over points inside of faces.
+double MeanError(
+  const DistanceField& field, const ExactField& exact, const std::vector<SurfacePoint>& points)
+{
+  FaceProfile profile(field);
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double d = exact.Result.TargetDistances[i];
+    if (d > 0.0 && d < Infinity)
+    {
+      sum += std::abs(DistanceAt(profile, points[i]) - d) / d;
+      ++count;
+    }
+  }
+  return sum / static_cast<double>(count);
+}
+
+void ExpectExact(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources,
+  ExactEngine engine, double tolerance, const std::string& what)
+{
+  const std::vector<SurfacePoint> points = PointsInside(mesh, 300, 5);
+  const ExactField field(mesh, sources, points, engine);
+  const Status status = field.Result.Windows.Check(mesh);
+  EXPECT_TRUE(status.IsOk()) << what << ": " << status.GetMessage();
+  FaceProfile profile(field.Exact);
+  const double rounding = 1e-14 * mesh.GetMeanEdgeLength();
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double d = field.Result.TargetDistances[i];
+    if (d < Infinity)
+    {
+      ASSERT_NEAR(DistanceAt(profile, points[i]), d, tolerance * std::abs(d) + rounding)
+        << what << ", point " << i;
+    }
+  }
+}
+
+std::vector<GeodesicSource> VertexAndFaceSources(const SurfaceMesh& mesh)
+{
+  return { VertexSource(0), { PointsInside(mesh, 3, 11).front(), 0.1 * mesh.GetMeanEdgeLength() } };
+}
+}
+
+TEST(DistanceField, WindowsGiveTheExactDistanceInFaces)
+{
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    const std::vector<GeodesicSource> sources = VertexAndFaceSources(mesh);
+    ExpectExact(mesh, sources, ExactEngine::Triangle, 1e-12, named.Name);
+    ExpectExact(mesh, sources, ExactEngine::Reference, 1e-12, named.Name + " (reference)");
+  }
+}
+
+TEST(DistanceField, WindowsGiveTheExactDistanceOnDefectMeshes)
+{
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    ExpectExact(mesh, VertexAndFaceSources(mesh), ExactEngine::Triangle, 1e-9, named.Name);
+  }
+}
+
+TEST(DistanceField, NegativeInitialDistancesAndLimitsAreKept)
+{
+  const SurfaceMesh mesh = Build(Icosphere(2));
+  std::vector<GeodesicSource> sources = VertexAndFaceSources(mesh);
+  sources[0].InitialDistance = -1.0;
+  ExpectExact(mesh, sources, ExactEngine::Triangle, 1e-11, "negative");
+
+  ExactOptions options;
+  options.KeepWindows = true;
+  options.MaximumDistance = 1.0;
+  ExactResult limited;
+  ASSERT_TRUE(ExactGeodesics(mesh).Run({ VertexSource(0) }, options, limited).IsOk());
+  ExactResult whole;
+  options.MaximumDistance = Infinity;
+  ASSERT_TRUE(ExactGeodesics(mesh).Run({ VertexSource(0) }, options, whole).IsOk());
+  const DistanceField a{ &mesh, limited.Distances.data(), &limited.Windows, nullptr };
+  const DistanceField b{ &mesh, whole.Distances.data(), &whole.Windows, nullptr };
+  FaceProfile inA(a);
+  FaceProfile inB(b);
+  int faces = 0;
+  for (const SurfacePoint& point : PointsInside(mesh, 500, 3))
+  {
+    if (a.IsReached(point.Face))
+    {
+      EXPECT_NEAR(DistanceAt(inA, point), DistanceAt(inB, point), 1e-12);
+      ++faces;
+    }
+  }
+  EXPECT_GT(faces, 20);
+  EXPECT_LT(limited.Windows.Windows.size(), whole.Windows.Windows.size());
+}
+
+TEST(DistanceField, EdgesAndFacesAgree)
+{
+  for (const TestMesh& test : { Icosphere(3), Terrain(14, 0.6, 3), Torus(16, 10) })
+  {
+    const SurfaceMesh mesh = Build(test);
+    const ExactField field(mesh, VertexAndFaceSources(mesh));
+    const double scale = mesh.GetMeanEdgeLength();
+    for (const DistanceField* f : { &field.Exact, &field.Local, &field.Linear })
+    {
+      EdgeProfile edge(*f);
+      FaceProfile face(*f);
+      for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); h += 7)
+      {
+        edge.Enter(h);
+        face.Enter(SurfaceMesh::Face(h));
+        const bool isSame =
+          edge.GetHalfEdge() == h || mesh.Origin(edge.GetHalfEdge()) == mesh.Origin(h);
+        for (double t : { 0.0, 0.1, 0.35, 0.5, 0.8, 1.0 })
+        {
+          std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
+          b[h % 3] = 1.0 - t;
+          b[(h + 1) % 3] = t;
+          const double onEdge = edge.At((isSame ? t : 1.0 - t) * edge.GetLength());
+          const double inFace = face.At(face.PlaceOf(b));
+          if (f == &field.Local)
+          {
+            EXPECT_LE(inFace, onEdge + 1e-12 * scale); // the opposite corner may be better
+            EXPECT_GE(inFace, onEdge - 0.2 * scale);
+          }
+          else
+          {
+            EXPECT_NEAR(inFace, onEdge, 1e-9 * scale);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(DistanceField, CrossingsOfEdgesAreAtTheLevelAndAlternate)
+{
+  const SurfaceMesh mesh = Build(Terrain(14, 0.6, 3));
+  const ExactField field(mesh, VertexAndFaceSources(mesh));
+  for (const DistanceField* f : { &field.Exact, &field.Local, &field.Linear })
+  {
+    EdgeProfile edge(*f);
+    int found = 0;
+    for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      edge.Enter(h);
+      const double begin = edge.At(0.0);
+      const double end = edge.At(edge.GetLength());
+      for (double level : { 0.5 * (begin + end), begin, end, begin + 0.01 * edge.GetLength() })
+      {
+        std::vector<double> crossings;
+        edge.FindCrossings(level, crossings);
+        EXPECT_EQ(crossings.size() % 2 == 1, (begin >= level) != (end >= level));
+        EXPECT_TRUE(std::is_sorted(crossings.begin(), crossings.end()));
+        for (double x : crossings)
+        {
+          EXPECT_NEAR(edge.At(x), level, 1e-12);
+          ++found;
+        }
+      }
+    }
+    EXPECT_GT(found, mesh.GetNumberOfHalfEdges() / 2);
+  }
+}
+
+TEST(DistanceField, ModelsAreExactInThePlane)
+{
+  const SurfaceMesh mesh = Build(Plane(9, 9, 0.2));
+  const std::vector<SurfacePoint> points = PointsInside(mesh, 400, 5);
+  for (const std::vector<GeodesicSource>& sources :
+    { std::vector<GeodesicSource>{ VertexSource(30) },
+      std::vector<GeodesicSource>{ { PointsInside(mesh, 3, 2).front(), 0.0 } } })
+  {
+    const ExactField field(mesh, sources, points);
+    EXPECT_LT(MeanError(field.Local, field, points), 1e-12);
+    EXPECT_GT(MeanError(field.Linear, field, points), 1e-3);
+  }
+}
+
+TEST(DistanceField, ModelsBeatLinearInterpolation)
+{
+  for (const TestMesh& test : { Icosphere(3), Ellipsoid(3, 0.4), Torus(24, 14) })
+  {
+    const SurfaceMesh mesh = Build(test);
+    const std::vector<SurfacePoint> points = PointsInside(mesh, 3000, 5);
+    const ExactField field(mesh, { VertexSource(3) }, points);
+    EXPECT_LT(8.0 * MeanError(field.Local, field, points), MeanError(field.Linear, field, points));
+    EXPECT_LT(MeanError(field.Exact, field, points), 1e-14);
+  }
+}
+
+TEST(DistanceField, FieldsInterpolateTheVertices)
+{
+  const SurfaceMesh mesh = Build(Terrain(14, 0.6, 3));
+  const ExactField field(mesh, VertexAndFaceSources(mesh));
+  for (const DistanceField* f : { &field.Exact, &field.Local, &field.Linear })
+  {
+    FaceProfile profile(*f);
+    for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      profile.Enter(SurfaceMesh::Face(h));
+      EXPECT_NEAR(
+        profile.At(profile.GetCorners()[h % 3]), field.Result.Distances[mesh.Origin(h)], 1e-12);
+    }
+  }
+}
+
+TEST(DistanceField, GradientsAreThoseOfTheDistance)
+{
+  const SurfaceMesh mesh = Build(Terrain(14, 0.6, 3));
+  const ExactField field(mesh, VertexAndFaceSources(mesh));
+  for (const DistanceField* f : { &field.Exact, &field.Local, &field.Linear })
+  {
+    FaceProfile profile(*f);
+    int smooth = 0;
+    const std::vector<SurfacePoint> points = PointsInside(mesh, 400, 5);
+    for (const SurfacePoint& point : points)
+    {
+      profile.Enter(point.Face);
+      const Point2 p = profile.PlaceOf(point.Barycentric);
+      const double step = 1e-6 * mesh.GetMeanEdgeLength();
+      const FieldSample here = profile.SampleAt(p);
+      const FieldSample right = profile.SampleAt({ p.X + step, p.Y });
+      const FieldSample up = profile.SampleAt({ p.X, p.Y + step });
+      if (here.Candidate == right.Candidate && here.Candidate == up.Candidate)
+      {
+        EXPECT_NEAR(here.Gradient.X, (right.Distance - here.Distance) / step, 1e-4);
+        EXPECT_NEAR(here.Gradient.Y, (up.Distance - here.Distance) / step, 1e-4);
+        ++smooth;
+      }
+    }
+    EXPECT_GT(2 * smooth, static_cast<int>(points.size()));
+  }
+}
+
+TEST(EdgeWindows, DamageIsNoticed)
+{
+  const SurfaceMesh mesh = Build(Icosphere(1));
+  const ExactField field(mesh, VertexAndFaceSources(mesh));
+  const EdgeWindows& good = field.Result.Windows;
+  ASSERT_TRUE(good.Check(mesh).IsOk());
+  EdgeWindows bad = good;
+  bad.Offsets.pop_back();
+  EXPECT_FALSE(bad.Check(mesh).IsOk());
+  bad = good;
+  bad.Windows[5].Image.X = std::nan("");
+  EXPECT_FALSE(bad.Check(mesh).IsOk());
+  bad = good;
+  bad.Windows[5].End = 1e9;
+  EXPECT_FALSE(bad.Check(mesh).IsOk());
+  bad = good;
+  bad.Sources[0].Face = 4000;
+  EXPECT_FALSE(bad.Check(mesh).IsOk());
+  bad = good;
+  std::swap(bad.Offsets[4], bad.Offsets[40]);
+  EXPECT_FALSE(bad.Check(mesh).IsOk());
+}
+
+TEST(EdgeWindows, AreNotKeptUnlessAskedFor)
+{
+  const SurfaceMesh mesh = Build(Icosphere(1));
+  ExactResult result;
+  ASSERT_TRUE(ExactGeodesics(mesh).Run({ VertexSource(0) }, {}, result).IsOk());
+  EXPECT_TRUE(result.Windows.IsEmpty());
+  ExactOptions options;
+  options.KeepWindows = true;
+  options.StopAtTargets = true;
+  EXPECT_FALSE(ExactGeodesics(mesh).Run({ VertexSource(0) }, options, result).IsOk());
+}
