@@ -27,17 +27,6 @@ constexpr double LandmarkShare = 0.3;
 
 /// Links between two looks at the progress.
 constexpr std::size_t LinkBlock = 64;
-
-bool IsVertex(const dgg::SurfacePoint& point)
-{
-  return point.On == dgg::SurfacePoint::Support::Vertex;
-}
-
-bool IsSamePlace(const dgg::SurfacePoint& a, const dgg::SurfacePoint& b)
-{
-  return a.On == b.On && a.Vertex == b.Vertex && a.HalfEdge == b.HalfEdge && a.Face == b.Face &&
-    a.Barycentric == b.Barycentric;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -266,7 +255,7 @@ dgg::Status vtkDGGGraphProvider::MakeSeeds(const std::vector<dgg::GeodesicSource
   Points places;
   for (const dgg::GeodesicSource& source : sources)
   {
-    if (!IsVertex(source.Point))
+    if (!dgg::IsVertex(source.Point))
     {
       places.push_back(source.Point);
     }
@@ -281,7 +270,7 @@ dgg::Status vtkDGGGraphProvider::MakeSeeds(const std::vector<dgg::GeodesicSource
   {
     const double offset = sources[i].InitialDistance;
     const auto index = static_cast<dgg::Id>(i);
-    if (IsVertex(sources[i].Point))
+    if (dgg::IsVertex(sources[i].Point))
     {
       seeds.push_back({ sources[i].Point.Vertex, offset, offset, index, -1.0 });
       continue;
@@ -307,7 +296,8 @@ dgg::Status vtkDGGGraphProvider::LinkPlaces(const Points& places, const vtkDGGMe
   }
   const double accuracy = this->GetLinkAccuracy();
   if (store.Mesh == mesh.GetBuildTime() && store.Accuracy == accuracy &&
-    std::equal(places.begin(), places.end(), store.Places.begin(), store.Places.end(), IsSamePlace))
+    std::equal(
+      places.begin(), places.end(), store.Places.begin(), store.Places.end(), dgg::IsSamePoint))
   {
     return dgg::Status::Success();
   }

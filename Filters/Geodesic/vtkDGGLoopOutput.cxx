@@ -28,11 +28,7 @@ struct Curve
 /// Rims that close do so in the very same point.
 bool IsClosed(const dgg::SurfacePath& rim)
 {
-  const dgg::SurfacePoint& first = rim.Points.front();
-  const dgg::SurfacePoint& last = rim.Points.back();
-  return rim.Points.size() > 2 && first.On == last.On && first.Vertex == last.Vertex &&
-    first.HalfEdge == last.HalfEdge && first.Face == last.Face &&
-    first.Barycentric == last.Barycentric;
+  return rim.Points.size() > 2 && dgg::IsSamePoint(rim.Points.front(), rim.Points.back());
 }
 
 /// Polylines, Length and LoopId.

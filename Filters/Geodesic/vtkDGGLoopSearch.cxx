@@ -24,9 +24,7 @@ dgg::Status PrepareLinks(vtkDGGGraphProvider& graph, const vtkDGGMeshAdapter& me
   const vtkDGGLoopSearch::Points& points, const dgg::GraphBuilder*& builder)
 {
   builder = nullptr;
-  if (std::all_of(points.begin(), points.end(), [](const dgg::SurfacePoint& point) {
-        return point.On == dgg::SurfacePoint::Support::Vertex;
-      }))
+  if (std::all_of(points.begin(), points.end(), dgg::IsVertex))
   {
     graph.ReleaseBuilder();
     return dgg::Status::Success();

@@ -17,18 +17,13 @@ constexpr double TargetsLinked = 0.1;
 /// Points between two looks at the progress.
 constexpr std::size_t LinkBlock = 256;
 
-bool IsVertex(const dgg::SurfacePoint& point)
-{
-  return point.On == dgg::SurfacePoint::Support::Vertex;
-}
-
 /// Indices of the points that are vertices, or of those that are not.
 std::vector<std::size_t> FindPoints(const vtkDGGMatrixSearch::Points& points, bool vertices)
 {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (IsVertex(points[i]) == vertices)
+    if (dgg::IsVertex(points[i]) == vertices)
     {
       found.push_back(i);
     }
@@ -43,7 +38,7 @@ void LinkVertices(const vtkDGGMatrixSearch::Points& points, vtkDGGMatrixSearch::
   links.assign(points.size(), {});
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (IsVertex(points[i]))
+    if (dgg::IsVertex(points[i]))
     {
       links[i] = { { points[i].Vertex, 0.0, noDirection } };
     }
@@ -76,8 +71,8 @@ dgg::Status vtkDGGMatrixSearch::Run(bool symmetric, const dgg::ProgressCallback&
 {
   this->IsSymmetric = symmetric;
   this->Progress = progress;
-  const bool areVertices = std::all_of(this->Sources.begin(), this->Sources.end(), IsVertex) &&
-    std::all_of(this->Targets.begin(), this->Targets.end(), IsVertex);
+  const bool areVertices = std::all_of(this->Sources.begin(), this->Sources.end(), dgg::IsVertex) &&
+    std::all_of(this->Targets.begin(), this->Targets.end(), dgg::IsVertex);
   if (areVertices)
   {
     this->Graph.ReleaseBuilder();

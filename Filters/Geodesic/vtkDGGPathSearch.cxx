@@ -23,14 +23,9 @@ constexpr std::size_t PathBlock = 16;
 /// Propagations between two looks at the progress outside of their threads.
 constexpr std::size_t PropagationBlock = 16;
 
-bool IsVertex(const dgg::SurfacePoint& point)
-{
-  return point.On == dgg::SurfacePoint::Support::Vertex;
-}
-
 bool NeedsLinks(const vtkDGGPointPair& pair)
 {
-  return !IsVertex(pair.From) || !IsVertex(pair.To);
+  return !dgg::IsVertex(pair.From) || !dgg::IsVertex(pair.To);
 }
 
 /// Any order of places in which equal ones are neighbours.

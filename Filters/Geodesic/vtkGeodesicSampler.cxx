@@ -31,11 +31,6 @@ namespace
 {
 const std::vector<vtkIdType> NoIds;
 
-bool IsVertex(const dgg::SurfacePoint& point)
-{
-  return point.On == dgg::SurfacePoint::Support::Vertex;
-}
-
 void FillOutput(const std::vector<dgg::SurfaceSample>& samples, const vtkDGGMeshAdapter& mesh,
   vtkPoints* coordinates, vtkPolyData* output)
 {
@@ -209,7 +204,7 @@ dgg::Status vtkGeodesicSampler::Execute(
     return status;
   }
   const bool needsLinks =
-    options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), IsVertex);
+    options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), dgg::IsVertex);
   if (needsLinks)
   {
     status = graph.PrepareBuilder(mesh);

@@ -32,12 +32,6 @@ std::vector<SurfacePath> FindPaths(
   return paths;
 }
 
-bool IsSamePoint(const SurfacePoint& a, const SurfacePoint& b)
-{
-  return a.On == b.On && a.Vertex == b.Vertex && a.HalfEdge == b.HalfEdge && a.Face == b.Face &&
-    a.Barycentric == b.Barycentric;
-}
-
 /// Paths from some points to others, of every kind, against the distances of the other engine.
 /// `failures`, if given, counts sources from which a path could not be traced back, which may
 /// happen through piles of faces without area.

@@ -185,4 +185,50 @@ TEST(SurfacePoint, ChecksWhatItIsOn)
   point.HalfEdge = 0;
   EXPECT_TRUE(point.Check(mesh).IsOk());
 }
+
+TEST(SurfacePoint, SamePoints)
+{
+  const dgg::SurfaceMesh mesh = Build(TwoTriangles(0.5));
+  const std::array<double, 3> middle{ { 0.2, 0.3, 0.5 } };
+  const SurfacePoint inside = SurfacePoint::InFace(mesh, 0, middle);
+  EXPECT_TRUE(dgg::IsSamePoint(inside, SurfacePoint::InFace(mesh, 0, middle)));
+  EXPECT_FALSE(dgg::IsSamePoint(inside, SurfacePoint::InFace(mesh, 1, middle)));
+  EXPECT_FALSE(dgg::IsSamePoint(inside, SurfacePoint::InFace(mesh, 0, { { 0.3, 0.2, 0.5 } })));
+  const SurfacePoint onEdge = SurfacePoint::OnEdge(mesh, 0, 0.25);
+  EXPECT_TRUE(dgg::IsSamePoint(onEdge, SurfacePoint::InFace(mesh, 0, { { 0.75, 0.25, 0.0 } })));
+  EXPECT_FALSE(dgg::IsSamePoint(onEdge, SurfacePoint::OnEdge(mesh, 0, 0.5)));
+  // Vertices are the same from every face.
+  const dgg::Id v = mesh.Origin(0);
+  EXPECT_TRUE(dgg::IsSamePoint(SurfacePoint::AtVertex(v), SurfacePoint::OnEdge(mesh, 0, 0.0)));
+  EXPECT_TRUE(dgg::IsSamePoint(SurfacePoint::OnEdge(mesh, 0, 0.0), SurfacePoint::AtVertex(v)));
+  EXPECT_FALSE(dgg::IsSamePoint(SurfacePoint::AtVertex(v), SurfacePoint::OnEdge(mesh, 0, 1.0)));
+  EXPECT_FALSE(dgg::IsSamePoint(SurfacePoint::AtVertex(v), onEdge));
+  EXPECT_TRUE(dgg::IsVertex(SurfacePoint::OnEdge(mesh, 0, 0.0)));
+  EXPECT_FALSE(dgg::IsVertex(onEdge));
+}
+
+TEST(SurfacePoint, TangentPlanesOfInteriorVerticesAreUnrolled)
+{
+  const dgg::SurfaceMesh cube = Build(Cube(2));
+  const auto factorAt = [&](double x, double y, double z) {
+    return dgg::UnrollFactor(cube, SurfacePoint::AtVertex(VertexAt(Cube(2), x, y, z)));
+  };
+  EXPECT_NEAR(factorAt(0.0, 0.0, 0.0), 4.0 / 3.0, 1e-14); // three right angles
+  EXPECT_NEAR(factorAt(0.5, 0.0, 0.0), 1.0, 1e-14);
+  EXPECT_EQ(dgg::UnrollFactor(cube, SurfacePoint::InFace(cube, 0, { { 0.2, 0.3, 0.5 } })), 1.0);
+  EXPECT_EQ(dgg::UnrollFactor(cube, SurfacePoint::OnEdge(cube, 0, 0.5)), 1.0);
+  const dgg::SurfaceMesh triangle = Build(SingleTriangle());
+  EXPECT_EQ(dgg::UnrollFactor(triangle, SurfacePoint::AtVertex(0)), 1.0); // boundary
+  const TestMesh lonely = SphereWithIsolatedPoints(1);
+  const dgg::SurfaceMesh sphere = Build(lonely);
+  int isolated = 0;
+  for (dgg::Id v = 0; v < sphere.GetNumberOfVertices(); ++v)
+  {
+    const bool isIsolated = sphere.FanBegin(v) == sphere.FanEnd(v);
+    isolated += isIsolated ? 1 : 0;
+    const double factor = dgg::UnrollFactor(sphere, SurfacePoint::AtVertex(v));
+    EXPECT_EQ(factor == 1.0, isIsolated) << v;
+  }
+  EXPECT_GT(isolated, 0);
+}
 }

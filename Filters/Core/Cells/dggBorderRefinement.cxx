@@ -20,7 +20,7 @@ constexpr int MostFaceSteps = 6;
 /// Points on edges keep away from the ends of their ranges.
 constexpr double Margin = 1e-6;
 /// Coordinates by which distances are differentiated.
-constexpr double Difference = 1e-3;
+constexpr double DifferenceStep = 1e-3;
 
 /// The part of the way to a side of the face that a step may take.
 constexpr double LargestPart = 0.9;
@@ -149,7 +149,7 @@ void BorderRefinement::Balance(
     best = spread;
     place = next;
     distance = (here[0] + here[1] + here[2]) / 3.0;
-    const double h = next[0] > 2.0 * Difference ? Difference : -Difference;
+    const double h = next[0] > 2.0 * DifferenceStep ? DifferenceStep : -DifferenceStep;
     const Coordinates a{ { next[0] - h, next[1] + h, next[2] } };
     const Coordinates b{ { next[0] - h, next[1], next[2] + h } };
     if (best <= Balanced * this->Accuracy * distance || !this->Measure(face, a, sites, along) ||

@@ -79,7 +79,7 @@ public:
       const Id site = linked.Seeds[seed].Source;
       const double distance = this->Result.Corrected[v];
       const double area = this->Areas[v];
-      const double angle = this->Unroll(state.Sites[site]) * this->Directions[v];
+      const double angle = UnrollFactor(this->Mesh, state.Sites[site]) * this->Directions[v];
       state.Energy += area * distance * distance;
       sums[site].X += area * distance * std::cos(angle);
       sums[site].Y += area * distance * std::sin(angle);
@@ -93,7 +93,7 @@ public:
       {
         state.Lengths[i] = Norm(sums[i].X, sums[i].Y) / weights[i];
         state.Angles[i] = DirectionAt(this->Mesh, state.Sites[i],
-          std::atan2(sums[i].Y, sums[i].X) / this->Unroll(state.Sites[i]));
+          std::atan2(sums[i].Y, sums[i].X) / UnrollFactor(this->Mesh, state.Sites[i]));
       }
     }
     return status;
@@ -118,15 +118,6 @@ public:
   }
 
 private:
-  /// Factor of angles by which the tangent plane of a site gets a full turn.
-  double Unroll(const SurfacePoint& site) const
-  {
-    const bool isInterior = site.On == SurfacePoint::Support::Vertex &&
-      this->Mesh.Kind(site.Vertex) != VertexKind::Boundary &&
-      this->Mesh.TotalAngle(site.Vertex) > 0.0;
-    return isInterior ? 2.0 * Pi / this->Mesh.TotalAngle(site.Vertex) : 1.0;
-  }
-
   /// The direction in which the way to each vertex leaves its site, down the tree of ways.
   void FindDirections(const LinkedSites& linked)
   {

@@ -301,11 +301,11 @@ private:
       return false;
     }
     SurfacePath path;
+    const SurfacePoint start = SurfacePoint::AtVertex(v);
     const double angle = DirectionAt(
-      *this->Mesh, SurfacePoint::AtVertex(v), std::atan2(best.Y, best.X) / this->Unroll(v));
-    Status status =
-      WalkStraight(*this->Mesh, SurfacePoint::AtVertex(v), angle, Norm(best.X, best.Y), path);
-    point = status.IsOk() ? path.Points.back() : SurfacePoint::AtVertex(v);
+      *this->Mesh, start, std::atan2(best.Y, best.X) / UnrollFactor(*this->Mesh, start));
+    Status status = WalkStraight(*this->Mesh, start, angle, Norm(best.X, best.Y), path);
+    point = status.IsOk() ? path.Points.back() : start;
     return point.On != SurfacePoint::Support::Vertex;
   }
 
@@ -320,16 +320,10 @@ private:
     return least + Dot(place, place);
   }
 
-  /// Factor of angles by which the tangent plane of a vertex gets a full turn.
-  double Unroll(Id v) const
-  {
-    return this->Mesh->Kind(v) == VertexKind::Boundary ? 1.0 : 2.0 * Pi / this->Mesh->TotalAngle(v);
-  }
-
   /// The samples around a vertex as its neighbours in the graph see them.
   std::vector<PlanarImage> FitImages(Id v) const
   {
-    const double unroll = this->Unroll(v);
+    const double unroll = UnrollFactor(*this->Mesh, SurfacePoint::AtVertex(v));
     const std::vector<double>& distances = this->Points.GetDistances();
     const std::vector<Id>& nearest = this->Points.GetNearestSamples();
     std::map<Id, PlaneFit> fits;

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggMeshReport.h"
 
+#include "dggDisjointSets.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 
 namespace dgg
 {
@@ -57,31 +57,22 @@ class FanCounter
 public:
   explicit FanCounter(const SurfaceMesh& mesh)
     : Mesh(mesh)
-    , Parent(mesh.GetNumberOfHalfEdges())
+    , Fans(mesh.GetNumberOfHalfEdges())
   {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
     for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
     {
       const Id t = mesh.Twin(h);
       if (t != NoId && mesh.Twin(t) == h)
       {
         const bool opposed = mesh.Origin(t) == mesh.Destination(h);
-        this->Join(h, opposed ? SurfaceMesh::Next(t) : t);
-        this->Join(SurfaceMesh::Next(h), opposed ? t : SurfaceMesh::Next(t));
+        this->Fans.Join(h, opposed ? SurfaceMesh::Next(t) : t);
+        this->Fans.Join(SurfaceMesh::Next(h), opposed ? t : SurfaceMesh::Next(t));
       }
     }
   }
 
   /// The corner that stands for the fan of corner h (a corner is named by its outgoing half-edge).
-  Id Fan(Id h)
-  {
-    while (this->Parent[h] != h)
-    {
-      this->Parent[h] = this->Parent[this->Parent[h]];
-      h = this->Parent[h];
-    }
-    return h;
-  }
+  Id Fan(Id h) { return this->Fans.Find(h); }
 
   Offset CountAt(Id v)
   {
@@ -94,15 +85,8 @@ public:
   }
 
 private:
-  void Join(Id g, Id h)
-  {
-    g = this->Fan(g);
-    h = this->Fan(h);
-    this->Parent[std::max(g, h)] = std::min(g, h);
-  }
-
   const SurfaceMesh& Mesh;
-  std::vector<Id> Parent;
+  DisjointSets Fans;
 };
 
 bool TouchesNonManifoldEdge(const SurfaceMesh& mesh, Id v)
@@ -120,16 +104,7 @@ bool TouchesNonManifoldEdge(const SurfaceMesh& mesh, Id v)
 Offset CountBoundaryLoops(const SurfaceMesh& mesh, FanCounter& fans)
 {
   // Each open fan has two boundary edges, its ends; they belong to the same loop.
-  std::vector<Id> parent(mesh.GetNumberOfHalfEdges());
-  std::iota(parent.begin(), parent.end(), 0);
-  auto find = [&](Id h) {
-    while (parent[h] != h)
-    {
-      parent[h] = parent[parent[h]];
-      h = parent[h];
-    }
-    return h;
-  };
+  DisjointSets loops(mesh.GetNumberOfHalfEdges());
   std::vector<Id> endOfFan(mesh.GetNumberOfHalfEdges(), NoId);
   auto visit = [&](Id corner, Id edge) {
     Id& other = endOfFan[fans.Fan(corner)];
@@ -139,7 +114,7 @@ Offset CountBoundaryLoops(const SurfaceMesh& mesh, FanCounter& fans)
     }
     else
     {
-      parent[std::max(find(other), find(edge))] = std::min(find(other), find(edge));
+      loops.Join(other, edge);
     }
   };
   std::vector<Id> boundary;
@@ -152,7 +127,7 @@ Offset CountBoundaryLoops(const SurfaceMesh& mesh, FanCounter& fans)
       visit(SurfaceMesh::Next(h), h);
     }
   }
-  return std::count_if(boundary.begin(), boundary.end(), [&](Id h) { return find(h) == h; });
+  return std::count_if(boundary.begin(), boundary.end(), [&](Id h) { return loops.Find(h) == h; });
 }
 
 Offset CountDuplicateFaces(const SurfaceMesh& mesh)

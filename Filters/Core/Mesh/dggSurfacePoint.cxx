@@ -134,6 +134,22 @@ Status SurfacePoint::Check(const SurfaceMesh& mesh) const
   return Status::Success();
 }
 
+bool IsSamePoint(const SurfacePoint& a, const SurfacePoint& b)
+{
+  if (IsVertex(a) || IsVertex(b))
+  {
+    return a.On == b.On && a.Vertex == b.Vertex;
+  }
+  return a.Face == b.Face && a.Barycentric == b.Barycentric; // On and HalfEdge follow from them
+}
+
+double UnrollFactor(const SurfaceMesh& mesh, const SurfacePoint& point)
+{
+  const bool isInterior = IsVertex(point) && mesh.Kind(point.Vertex) != VertexKind::Boundary &&
+    mesh.TotalAngle(point.Vertex) > 0.0;
+  return isInterior ? 2.0 * Pi / mesh.TotalAngle(point.Vertex) : 1.0;
+}
+
 Point2 PlaceInFrame(const SurfaceMesh& mesh, Id h, const std::array<double, 3>& b)
 {
   const double end = b[(h + 1) % 3];

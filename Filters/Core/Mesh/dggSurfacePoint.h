@@ -44,6 +44,20 @@ struct SurfacePoint
   Status Check(const SurfaceMesh& mesh) const;
 };
 
+/// Whether a point is at a vertex.
+inline bool IsVertex(const SurfacePoint& point)
+{
+  return point.On == SurfacePoint::Support::Vertex;
+}
+
+/// Whether two points are the same, given in the same way: a point on an edge in one of its faces
+/// is not the same as in another one.
+bool IsSamePoint(const SurfacePoint& a, const SurfacePoint& b);
+
+/// Factor of angles by which the tangent plane at a point gets a full turn: 1 but for vertices that
+/// are not on the boundary.
+double UnrollFactor(const SurfaceMesh& mesh, const SurfacePoint& point);
+
 /// Position of the point with the given barycentric coordinates (in its face) in the frame of
 /// half-edge h.
 Point2 PlaceInFrame(const SurfaceMesh& mesh, Id h, const std::array<double, 3>& barycentric);

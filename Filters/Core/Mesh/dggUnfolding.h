@@ -37,6 +37,12 @@ inline double Cross(const Point2& a, const Point2& b)
   return a.X * b.Y - a.Y * b.X;
 }
 
+/// The way from b to a.
+inline Point2 Difference(const Point2& a, const Point2& b)
+{
+  return { a.X - b.X, a.Y - b.Y };
+}
+
 inline double Distance(const Point2& a, const Point2& b)
 {
   return Norm(a.X - b.X, a.Y - b.Y);

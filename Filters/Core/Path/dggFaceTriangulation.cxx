@@ -236,8 +236,8 @@ bool FaceTriangulation::IsBad(int triangle, int corner, int other, int otherCorn
     const Point2& apex = this->Places[this->Triangles[t][(k + 2) % 3]];
     const Point2& from = this->Places[this->Triangles[t][k]];
     const Point2& to = this->Places[this->Triangles[t][(k + 1) % 3]];
-    u = { from.X - apex.X, from.Y - apex.Y };
-    v = { to.X - apex.X, to.Y - apex.Y };
+    u = Difference(from, apex);
+    v = Difference(to, apex);
   };
   Point2 u1;
   Point2 v1;

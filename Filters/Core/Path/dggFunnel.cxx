@@ -16,8 +16,8 @@ constexpr double TouchAngle = 1e-13;
 /// shorter.
 bool BendsAround(const Point2& a, const Point2& b, const Point2& c, int side)
 {
-  const Point2 in{ b.X - a.X, b.Y - a.Y };
-  const Point2 out{ c.X - b.X, c.Y - b.Y };
+  const Point2 in = Difference(b, a);
+  const Point2 out = Difference(c, b);
   const double turn = side == StripUnfolding::Left ? Cross(in, out) : -Cross(in, out);
   const double product = Dot(in, in) * Dot(out, out);
   return turn * turn <= TouchAngle * TouchAngle * product ? Dot(in, out) > 0.0 : turn > 0.0;

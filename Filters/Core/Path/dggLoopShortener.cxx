@@ -33,9 +33,9 @@ Point2 Between(const Point2* ends, double t)
 /// Cosine of the angle between a segment and an edge, times the length of the edge.
 double Along(const Point2& from, const Point2& to, const Point2* edge)
 {
-  const Point2 ray{ to.X - from.X, to.Y - from.Y };
+  const Point2 ray = Difference(to, from);
   const double length = Norm(ray.X, ray.Y);
-  return length > 0.0 ? Dot(ray, { edge[1].X - edge[0].X, edge[1].Y - edge[0].Y }) / length : 0.0;
+  return length > 0.0 ? Dot(ray, Difference(edge[1], edge[0])) / length : 0.0;
 }
 
 /// The direction in which a path leaves or reaches a vertex, within a face.

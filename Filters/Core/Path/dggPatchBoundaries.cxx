@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggPatchBoundaries.h"
 
+#include "dggDisjointSets.h"
 #include "dggLayoutDrawing.h"
 #include "dggLayoutOrder.h"
 
@@ -199,15 +200,7 @@ std::vector<Id> BoundaryTracer::FindSequence() const
   std::stable_sort(
     sorted.begin(), sorted.end(), [&](Id a, Id b) { return lengths[a] < lengths[b]; });
 
-  std::vector<Id> parent(this->NumberOfLandmarks);
-  std::iota(parent.begin(), parent.end(), 0);
-  auto root = [&](Id l) {
-    while (parent[l] != l)
-    {
-      l = parent[l];
-    }
-    return l;
-  };
+  DisjointSets trees(this->NumberOfLandmarks);
   for (const LayoutDrawing& drawing : this->Drawings)
   {
     const std::vector<Id> loops = drawing.FindBoundaryLoops();
@@ -216,7 +209,7 @@ std::vector<Id> BoundaryTracer::FindSequence() const
     {
       if (loops[l] != NoId)
       {
-        parent[root(l)] = root(first.emplace(loops[l], l).first->second);
+        trees.Join(l, first.emplace(loops[l], l).first->second);
       }
     }
   }
@@ -224,10 +217,8 @@ std::vector<Id> BoundaryTracer::FindSequence() const
   std::vector<Id> rest;
   for (const Id e : sorted)
   {
-    const Id a = root(this->Order.GetEdges()[e][0]);
-    const Id b = root(this->Order.GetEdges()[e][1]);
-    parent[a] = b;
-    (a != b ? sequence : rest).push_back(e);
+    const std::array<Id, 2>& ends = this->Order.GetEdges()[e];
+    (trees.Join(ends[0], ends[1]) ? sequence : rest).push_back(e);
   }
   sequence.insert(sequence.end(), rest.begin(), rest.end());
   return sequence;

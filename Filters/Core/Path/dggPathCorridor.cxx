@@ -19,11 +19,6 @@ constexpr std::size_t MostReports = 10;
 constexpr std::size_t FacesPerReport = 200;
 /// How far beyond the length of the path the solver looks, relatively: for rounding errors.
 constexpr double Margin = 1e-9;
-
-Point2 Difference(const Point2& a, const Point2& b)
-{
-  return { a.X - b.X, a.Y - b.Y };
-}
 }
 
 PathCorridor::PathCorridor(const SurfaceMesh& mesh)

@@ -39,15 +39,6 @@ void Straighten(PathWorkspace& workspace, SurfacePath& path)
     workspace.Shortener.Append(strip, path);
   }
 }
-
-bool AreEqual(const SurfacePoint& a, const SurfacePoint& b)
-{
-  if (IsVertex(a) || IsVertex(b))
-  {
-    return a.On == b.On && a.Vertex == b.Vertex;
-  }
-  return a.Face == b.Face && a.Barycentric == b.Barycentric;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -107,7 +98,7 @@ Status PathFinder::Implementation::Find(const SurfacePoint& from, const SurfaceP
   {
     return status;
   }
-  if (AreEqual(from, to))
+  if (IsSamePoint(from, to))
   {
     found.Path.Points.push_back(from);
     found.GraphLength = 0.0;

@@ -17,10 +17,6 @@ constexpr int MaximumIdleRounds = 8;
 /// Rounds of shortening, each of which leads the strip around all bends that give way. Ten or
 /// twenty are common; this is a stop for paths that rounding errors keep moving.
 constexpr int MaximumRounds = 10000;
-Point2 Difference(const Point2& a, const Point2& b)
-{
-  return { a.X - b.X, a.Y - b.Y };
-}
 
 double AngleBetween(const Point2& a, const Point2& b)
 {

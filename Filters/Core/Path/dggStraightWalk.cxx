@@ -108,7 +108,7 @@ private:
   Ray InFrameOf(Id h, const Ray& ray) const
   {
     const Point2 start = CornersOf(this->Mesh, ray.HalfEdge)[(h - ray.HalfEdge + 3) % 3];
-    const Point2 place{ ray.Place.X - start.X, ray.Place.Y - start.Y };
+    const Point2 place = Difference(ray.Place, start);
     return { h, DirectionInFrame(this->Mesh, ray.HalfEdge, h, place),
       DirectionInFrame(this->Mesh, ray.HalfEdge, h, ray.Direction), false };
   }
@@ -142,8 +142,8 @@ private:
     {
       const Point2& a = corners[k];
       const Point2& b = corners[(k + 1) % 3];
-      const Point2 edge{ b.X - a.X, b.Y - a.Y };
-      const Point2 place{ ray.Place.X - a.X, ray.Place.Y - a.Y };
+      const Point2 edge = Difference(b, a);
+      const Point2 place = Difference(ray.Place, a);
       const double outwards = -Cross(edge, ray.Direction);
       const double distance = std::max(0.0, Cross(edge, place)) / outwards;
       if (outwards > 0.0 && distance < exit.Distance)

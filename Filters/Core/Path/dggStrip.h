@@ -41,12 +41,6 @@ struct Strip
   }
 };
 
-/// Whether a point is a vertex, the only one.
-inline bool IsVertex(const SurfacePoint& point)
-{
-  return point.On == SurfacePoint::Support::Vertex;
-}
-
 /// The same crossings from the last to the first.
 void Reverse(std::vector<EdgeCrossing>& crossings);
 
