@@ -2,21 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGLoop.h"
 
-#include "vtkDGGGraphArrays.h"
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGLoopOutput.h"
 #include "vtkDGGLoopSearch.h"
 #include "vtkDGGMeshAdapter.h"
-#include "vtkDGGPointCoordinates.h"
+#include "vtkDGGNewGeometry.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -36,6 +31,13 @@ constexpr std::size_t FewestPointsOfRope = 3;
 dgg::ProgressCallback PartOf(const dgg::ProgressCallback& progress, double from, double to)
 {
   return [=](double fraction) { return progress(from + (to - from) * fraction); };
+}
+
+void FillOutputs(
+  const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtkInformationVector* outputVector)
+{
+  vtkDGGWriteLoops(set, geometry, vtkPolyData::GetData(outputVector, 0));
+  vtkDGGWriteTapes(set, geometry, vtkPolyData::GetData(outputVector, 1));
 }
 }
 
@@ -60,12 +62,7 @@ void vtkDGGLoop::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->GetModeAsString() << "\n";
-  os << indent << "PointIds:";
-  for (const vtkIdType id : this->PointIds)
-  {
-    os << " " << id;
-  }
-  os << (this->PointIds.empty() ? " (none)\n" : "\n");
+  vtkDGGPrintIds(os, indent, "PointIds", this->PointIds);
   os << indent << "Taut: " << (this->Taut ? "On" : "Off") << "\n";
   os << indent << "TapeWidth: " << this->TapeWidth << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
@@ -96,8 +93,7 @@ void vtkDGGLoop::AddPointId(vtkIdType id)
 //------------------------------------------------------------------------------
 void vtkDGGLoop::SetPointIds(vtkIdList* ids)
 {
-  this->SetPointIds(
-    ids ? std::vector<vtkIdType>(ids->begin(), ids->end()) : std::vector<vtkIdType>());
+  this->SetPointIds(vtkDGGGetIds(ids));
 }
 
 //------------------------------------------------------------------------------
@@ -131,7 +127,7 @@ vtkIdType vtkDGGLoop::GetNumberOfPointIds() const
 //------------------------------------------------------------------------------
 vtkIdType vtkDGGLoop::GetPointId(vtkIdType i) const
 {
-  return i >= 0 && i < this->GetNumberOfPointIds() ? this->PointIds[i] : -1;
+  return vtkDGGGetId(this->PointIds, i);
 }
 
 //------------------------------------------------------------------------------
@@ -222,11 +218,10 @@ dgg::Status vtkDGGLoop::Execute(
     status = this->Collector->Collect(this->GetPointSet(inputVector), this->ProjectionTolerance,
       mesh, surface->GetPoints(), sources);
   }
-  vtkNew<vtkPoints> coordinates;
+  vtkDGGNewGeometry geometry;
   if (status.IsOk())
   {
-    status =
-      vtkDGGCopyPoints(surface->GetPoints(), mesh.GetMesh().GetNumberOfVertices(), coordinates);
+    status = geometry.Take(surface, mesh, this->GetOutputPointsPrecision());
   }
   if (status.IsOk() && !this->Advance(0.0))
   {
@@ -243,13 +238,9 @@ dgg::Status vtkDGGLoop::Execute(
     return status;
   }
 
-  const vtkDGGPointCoordinates positions(coordinates);
+  const double* positions = geometry.GetPositions();
   vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
-  vtkDGGLoopSearch::Points points;
-  for (const dgg::GeodesicSource& source : sources)
-  {
-    points.push_back(source.Point);
-  }
+  const vtkDGGLoopSearch::Points points = vtkDGGGetPlaces(sources);
   const vtkDGGLoopSearch search(mesh);
   vtkDGGLoopSet set;
   const dgg::ProgressCallback finding = PartOf(progress, 0.0, width > 0.0 ? LoopShare : 1.0);
@@ -259,10 +250,10 @@ dgg::Status vtkDGGLoop::Execute(
       status = search.RunAroundHandles(finding, set);
       break;
     case Rope:
-      status = search.RunRope(graph, positions.GetData(), points, taut, set);
+      status = search.RunRope(graph, positions, points, taut, set);
       break;
     default:
-      status = search.RunThroughPoints(graph, positions.GetData(), points, taut, finding, set);
+      status = search.RunThroughPoints(graph, positions, points, taut, finding, set);
       break;
   }
   if (status.IsOk() && !finding(1.0))
@@ -275,23 +266,10 @@ dgg::Status vtkDGGLoop::Execute(
   }
   if (status.IsOk())
   {
-    this->FillOutputs(set, positions.GetData(), outputVector);
+    FillOutputs(set, geometry, outputVector);
     this->WarnAboutMissingLoops(set, mode);
   }
   return status;
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGLoop::FillOutputs(
-  const vtkDGGLoopSet& set, const double* positions, vtkInformationVector* outputVector) const
-{
-  for (int port = 0; port < 2; ++port)
-  {
-    // The graph is not that of the polylines.
-    vtkDGGGraphArrays::RemoveFrom(vtkPolyData::GetData(outputVector, port)->GetFieldData());
-  }
-  vtkDGGWriteLoops(set, this->GetMesh(), positions, vtkPolyData::GetData(outputVector, 0));
-  vtkDGGWriteTapes(set, this->GetMesh(), positions, vtkPolyData::GetData(outputVector, 1));
 }
 
 //------------------------------------------------------------------------------
@@ -334,8 +312,9 @@ void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set, int mode)
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGLoop::MakeEmptyOutput(
-  vtkPolyData* vtkNotUsed(surface), vtkInformationVector* outputVector)
+void vtkDGGLoop::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
 {
-  this->FillOutputs(vtkDGGLoopSet(), nullptr, outputVector);
+  vtkDGGNewGeometry geometry;
+  geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
+  FillOutputs(vtkDGGLoopSet(), geometry, outputVector);
 }

@@ -26,6 +26,8 @@
  *    rope is let go at the points and pulled tight: what stays is a closed geodesic, as around a
  *    neck, or nothing, when it slips off.
  *
+ * Both outputs are new geometry, see vtkGeodesicAlgorithm.
+ *
  * <b>Output 0</b> has a closed polyline for each loop: it ends with the point that it begins with.
  * Each of its pieces lies in one triangle of the surface.
  *  - Cell data: `Length` (double, in units of the coordinates); `LoopId`, the number of the point
@@ -38,8 +40,7 @@
  *  - Field data: `LoopStatus`, one int for each loop asked for: 0 when it is there; 1 when there is
  *    none, as it contracts to a point; 2 when the points of the rope are not connected. Loops that
  *    are not there are left out, and a warning counts them. With AroundHandles, 1 stands for a loop
- *    that has to pass a point in which sheets touch, where it cannot be moved. The field data of
- *    the input is passed, without the graph.
+ *    that has to pass a point in which sheets touch, where it cannot be moved.
  *
  * <b>Output 1</b> (GetTape()) has the rims of the tapes, when TapeWidth is positive: the curves at
  * a distance of half of it from a loop, one on each side where there is room, and more where the
@@ -275,8 +276,6 @@ private:
 
   vtkDGGSourceSet GetPointSet(vtkInformationVector** inputVector) const;
   void WarnAboutMissingLoops(const vtkDGGLoopSet& set, int mode);
-  void FillOutputs(
-    const vtkDGGLoopSet& set, const double* positions, vtkInformationVector* outputVector) const;
 
   int Mode;
   std::vector<vtkIdType> PointIds;

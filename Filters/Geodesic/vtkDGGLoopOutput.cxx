@@ -3,6 +3,8 @@
 #include "vtkDGGLoopOutput.h"
 
 #include "vtkDGGLoopSearch.h"
+#include "vtkDGGMakeArray.h"
+#include "vtkDGGNewGeometry.h"
 #include "vtkDGGPolylineWriter.h"
 
 #include "vtkCellData.h"
@@ -31,10 +33,11 @@ bool IsClosed(const dgg::SurfacePath& rim)
   return rim.Points.size() > 2 && dgg::IsSamePoint(rim.Points.front(), rim.Points.back());
 }
 
-/// Polylines, Length and LoopId.
-void WriteCurves(const std::vector<Curve>& curves, const vtkDGGMeshAdapter& mesh,
-  const double* positions, vtkPolyData* output)
+/// Field data, polylines, Length and LoopId.
+void WriteCurves(
+  const std::vector<Curve>& curves, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
 {
+  geometry.Begin(output);
   const auto count = static_cast<vtkIdType>(curves.size());
   vtkIdType size = 0;
   for (const Curve& curve : curves)
@@ -43,7 +46,7 @@ void WriteCurves(const std::vector<Curve>& curves, const vtkDGGMeshAdapter& mesh
   }
   auto lengths = vtkDGGMakeArray<vtkDoubleArray>("Length", count);
   auto ids = vtkDGGMakeArray<vtkIdTypeArray>("LoopId", count);
-  vtkDGGPolylineWriter writer(mesh, positions, size);
+  vtkDGGPolylineWriter writer(geometry, size);
   for (vtkIdType i = 0; i < count; ++i)
   {
     writer.Add(*curves[i].Path, curves[i].IsClosed);
@@ -57,8 +60,8 @@ void WriteCurves(const std::vector<Curve>& curves, const vtkDGGMeshAdapter& mesh
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGWriteLoops(const vtkDGGLoopSet& set, const vtkDGGMeshAdapter& mesh,
-  const double* positions, vtkPolyData* output)
+void vtkDGGWriteLoops(
+  const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
 {
   std::vector<Curve> curves;
   auto status =
@@ -72,7 +75,7 @@ void vtkDGGWriteLoops(const vtkDGGLoopSet& set, const vtkDGGMeshAdapter& mesh,
       curves.push_back({ &set.Loops[i].Loop, true, loop });
     }
   }
-  WriteCurves(curves, mesh, positions, output);
+  WriteCurves(curves, geometry, output);
   const auto count = static_cast<vtkIdType>(curves.size());
   auto angles = vtkDGGMakeArray<vtkDoubleArray>("Angle", count);
   auto kinked = vtkDGGMakeArray<vtkIntArray>("Kinked", count);
@@ -88,8 +91,8 @@ void vtkDGGWriteLoops(const vtkDGGLoopSet& set, const vtkDGGMeshAdapter& mesh,
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGWriteTapes(const vtkDGGLoopSet& set, const vtkDGGMeshAdapter& mesh,
-  const double* positions, vtkPolyData* output)
+void vtkDGGWriteTapes(
+  const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
 {
   std::vector<Curve> curves;
   for (std::size_t i = 0; i < set.Rims.size(); ++i)
@@ -99,5 +102,5 @@ void vtkDGGWriteTapes(const vtkDGGLoopSet& set, const vtkDGGMeshAdapter& mesh,
       curves.push_back({ &rim, IsClosed(rim), static_cast<vtkIdType>(i) });
     }
   }
-  WriteCurves(curves, mesh, positions, output);
+  WriteCurves(curves, geometry, output);
 }

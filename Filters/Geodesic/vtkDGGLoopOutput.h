@@ -5,17 +5,16 @@
 #ifndef vtkDGGLoopOutput_h
 #define vtkDGGLoopOutput_h
 
-class vtkDGGMeshAdapter;
+class vtkDGGNewGeometry;
 class vtkPolyData;
 struct vtkDGGLoopSet;
 
 ///@{
-/// Put polylines and arrays into an output, which has no points, cells, point or cell data.
-/// `positions` are those of the vertices.
-void vtkDGGWriteLoops(const vtkDGGLoopSet& set, const vtkDGGMeshAdapter& mesh,
-  const double* positions, vtkPolyData* output);
-void vtkDGGWriteTapes(const vtkDGGLoopSet& set, const vtkDGGMeshAdapter& mesh,
-  const double* positions, vtkPolyData* output);
+/// Make an output of polylines and arrays.
+void vtkDGGWriteLoops(
+  const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtkPolyData* output);
+void vtkDGGWriteTapes(
+  const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtkPolyData* output);
 ///@}
 
 #endif

@@ -2,21 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPath.h"
 
-#include "vtkDGGGraphArrays.h"
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMeshAdapter.h"
+#include "vtkDGGNewGeometry.h"
 #include "vtkDGGPairLines.h"
 #include "vtkDGGPathOutput.h"
 #include "vtkDGGPathSearch.h"
-#include "vtkDGGPointCoordinates.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 
 #include "vtkCellData.h"
-#include "vtkFieldData.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <utility>
@@ -55,6 +51,7 @@ vtkDGGPath::vtkDGGPath()
   , NumberOfFallbacks(0)
   , GraphUser(new vtkDGGGraphUser)
   , Collector(new vtkDGGSourceCollector)
+  , Geometry(new vtkDGGNewGeometry)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -185,10 +182,9 @@ dgg::Status vtkDGGPath::Execute(
     status = this->Collector->Collect(MakeSourceSet(ids, lines, linePairs),
       this->ProjectionTolerance, mesh, surface->GetPoints(), ends);
   }
-  vtkNew<vtkPoints> points;
   if (status.IsOk())
   {
-    status = vtkDGGCopyPoints(surface->GetPoints(), mesh.GetMesh().GetNumberOfVertices(), points);
+    status = this->Geometry->Take(surface, mesh, this->GetOutputPointsPrecision());
   }
   if (status.IsOk() && !this->Advance(0.0))
   {
@@ -204,13 +200,12 @@ dgg::Status vtkDGGPath::Execute(
     return status;
   }
 
-  const vtkDGGPointCoordinates positions(points);
   const vtkDGGPathSearch::Pairs pairs = MakePairs(ends);
   const vtkDGGPathSearch search(mesh, pairs);
   vtkDGGPathSearch::Paths paths;
-  status = isExact
-    ? search.RunExact(progress, paths)
-    : search.RunInGraph(this->GraphUser->GetProvider(), positions.GetData(), options, paths);
+  status = isExact ? search.RunExact(progress, paths)
+                   : search.RunInGraph(this->GraphUser->GetProvider(),
+                       this->Geometry->GetPositions(), options, paths);
   if (!status.IsOk())
   {
     return status;
@@ -219,10 +214,8 @@ dgg::Status vtkDGGPath::Execute(
   {
     this->NumberOfFallbacks += path.NumberOfFallbacks;
   }
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  vtkDGGGraphArrays::RemoveFrom(output->GetFieldData()); // it is not that of the polylines
-  vtkDGGWritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells }, mesh,
-    positions.GetData(), output);
+  vtkDGGWritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells },
+    *this->Geometry, vtkPolyData::GetData(outputVector));
   this->WarnAboutUnconnectedPairs(vtkDGGFindUnconnected(paths), paths.size());
   return status;
 }
@@ -240,12 +233,10 @@ void vtkDGGPath::WarnAboutUnconnectedPairs(const std::vector<vtkIdType>& pairs, 
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGPath::MakeEmptyOutput(
-  vtkPolyData* vtkNotUsed(surface), vtkInformationVector* outputVector)
+void vtkDGGPath::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
 {
   this->NumberOfFallbacks = 0;
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  vtkDGGGraphArrays::RemoveFrom(output->GetFieldData());
+  this->Geometry->Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
   const vtkDGGPathSearch::Paths none;
-  vtkDGGWritePaths({ none, nullptr, {} }, this->GetMesh(), nullptr, output);
+  vtkDGGWritePaths({ none, nullptr, {} }, *this->Geometry, vtkPolyData::GetData(outputVector));
 }

@@ -12,10 +12,10 @@
  * port 1, each from its first to its last point, which may lie anywhere on the surface and are
  * projected to it; its other points and cells are not used. Pairs by id come first.
  *
- * <b>The output</b> has a polyline for each pair, in the order of the pairs, from start to end.
- * Each of its pieces lies in one triangle of the surface. A pair whose points coincide gives a
- * polyline of one point. Points that are not connected have no path: the polyline is left out, and
- * a warning counts them.
+ * <b>The output</b> is new geometry, see vtkGeodesicAlgorithm. It has a polyline for each pair, in
+ * the order of the pairs, from start to end. Each of its pieces lies in one triangle of the
+ * surface. A pair whose points coincide gives a polyline of one point. Points that are not
+ * connected have no path: the polyline is left out, and a warning counts them.
  *  - Cell data: `Length` (double, in units of the coordinates), `GraphLength` (that of the path in
  *    the graph, before it was shortened; NaN with Method Exact), `Straightened` (int: whether the
  *    path is a locally shortest one), `PairId` (the number of the pair), and the cell data of the
@@ -25,7 +25,7 @@
  *    point of the input where the path is at one, else -1 (the first one of points that have been
  *    merged); `ArcLength`, the length of the path up to the point.
  *  - Field data: `PathStatus`, one int for each pair: 0 when there is a path, 1 when the points are
- *    not connected. The field data of the input is passed, without the graph.
+ *    not connected.
  *
  * <b>What is promised.</b> The length of a path is at least the exact distance, and never greater
  * than `GraphLength`, which is at most (1 + accuracy) times the exact distance up to rounding
@@ -80,6 +80,7 @@
 #include <vector> // For ids
 
 class vtkDGGGraphUser;
+class vtkDGGNewGeometry;
 class vtkDGGSourceCollector;
 struct vtkDGGSourceSet;
 
@@ -257,6 +258,7 @@ private:
   std::vector<vtkIdType> PairIds; // two for each pair
   std::unique_ptr<vtkDGGGraphUser> GraphUser;
   std::unique_ptr<vtkDGGSourceCollector> Collector;
+  std::unique_ptr<vtkDGGNewGeometry> Geometry;
 };
 
 #endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPathOutput.h"
 
+#include "vtkDGGMakeArray.h"
+#include "vtkDGGNewGeometry.h"
 #include "vtkDGGPolylineWriter.h"
 
 #include "vtkAbstractArray.h"
@@ -89,13 +91,14 @@ std::vector<vtkIdType> vtkDGGFindUnconnected(const std::vector<dgg::FoundPath>& 
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGWritePaths(const vtkDGGPathSet& set, const vtkDGGMeshAdapter& mesh,
-  const double* positions, vtkPolyData* output)
+void vtkDGGWritePaths(
+  const vtkDGGPathSet& set, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
 {
+  geometry.Begin(output);
+  const auto status =
+    vtkDGGAddArray<vtkIntArray>(output->GetFieldData(), "PathStatus", set.Paths.size());
   std::vector<vtkIdType> pairs;
   vtkIdType size = 0;
-  auto status =
-    vtkDGGMakeArray<vtkIntArray>("PathStatus", static_cast<vtkIdType>(set.Paths.size()));
   for (std::size_t i = 0; i < set.Paths.size(); ++i)
   {
     const dgg::SurfacePath& path = set.Paths[i].Path;
@@ -106,12 +109,11 @@ void vtkDGGWritePaths(const vtkDGGPathSet& set, const vtkDGGMeshAdapter& mesh,
       size += static_cast<vtkIdType>(path.Points.size());
     }
   }
-  vtkDGGPolylineWriter writer(mesh, positions, size);
+  vtkDGGPolylineWriter writer(geometry, size);
   for (const vtkIdType pair : pairs)
   {
     writer.Add(set.Paths[pair].Path);
   }
   writer.AddTo(output);
   AddCellData(set, pairs, output->GetCellData());
-  output->GetFieldData()->AddArray(status);
 }

@@ -11,7 +11,7 @@
 
 #include <vector> // for the paths
 
-class vtkDGGMeshAdapter;
+class vtkDGGNewGeometry;
 class vtkDataSetAttributes;
 class vtkPolyData;
 
@@ -26,10 +26,9 @@ struct vtkDGGPathSet
 /// The pairs that have no path.
 std::vector<vtkIdType> vtkDGGFindUnconnected(const std::vector<dgg::FoundPath>& paths);
 
-/// Put polylines and arrays into `output`, which has no points, cells, point or cell data.
-/// `positions` are those of the vertices.
-void vtkDGGWritePaths(const vtkDGGPathSet& set, const vtkDGGMeshAdapter& mesh,
-  const double* positions, vtkPolyData* output);
+/// Make an output of polylines and arrays.
+void vtkDGGWritePaths(
+  const vtkDGGPathSet& set, const vtkDGGNewGeometry& geometry, vtkPolyData* output);
 
 #endif
 // VTK-HeaderTest-Exclude: vtkDGGPathOutput.h

@@ -33,16 +33,3 @@ vtkDGGPointCoordinates::vtkDGGPointCoordinates(vtkPoints* points)
   }
   this->Data = this->Copy.data();
 }
-
-//------------------------------------------------------------------------------
-dgg::Status vtkDGGCopyPoints(vtkPoints* points, vtkIdType numberOfVertices, vtkPoints* copy)
-{
-  if (!points || points->GetNumberOfPoints() != numberOfVertices)
-  {
-    return dgg::Status::Invalid("the points were changed during the update: do not change them in "
-                                "observers, and update again");
-  }
-  copy->SetDataType(points->GetDataType()); // else they become floats
-  copy->DeepCopy(points);
-  return dgg::Status::Success();
-}

@@ -5,10 +5,6 @@
 #ifndef vtkDGGPointCoordinates_h
 #define vtkDGGPointCoordinates_h
 
-#include "dggTypes.h" // for Status
-
-#include "vtkType.h" // for vtkIdType
-
 #include <vector> // for the copy
 
 class vtkPoints;
@@ -29,10 +25,6 @@ private:
   std::vector<double> Copy;
   const double* Data = nullptr;
 };
-
-/// The points of a surface, copied before the first report of progress: observers may change those
-/// of the input. Fails when there are not as many as the mesh has vertices.
-dgg::Status vtkDGGCopyPoints(vtkPoints* points, vtkIdType numberOfVertices, vtkPoints* copy);
 
 #endif
 // VTK-HeaderTest-Exclude: vtkDGGPointCoordinates.h

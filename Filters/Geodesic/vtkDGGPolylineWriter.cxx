@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPolylineWriter.h"
 
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGMakeArray.h"
+#include "vtkDGGNewGeometry.h"
 
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -10,16 +11,13 @@
 #include <algorithm>
 
 //------------------------------------------------------------------------------
-vtkDGGPolylineWriter::vtkDGGPolylineWriter(
-  const vtkDGGMeshAdapter& mesh, const double* positions, vtkIdType size)
-  : Mesh(mesh)
-  , Positions(positions)
+vtkDGGPolylineWriter::vtkDGGPolylineWriter(const vtkDGGNewGeometry& geometry, vtkIdType size)
+  : Geometry(geometry)
+  , Points(geometry.MakePoints(size))
   , Faces(vtkDGGMakeArray<vtkIdTypeArray>("FaceId", size))
   , PointIds(vtkDGGMakeArray<vtkIdTypeArray>("vtkOriginalPointIds", size))
   , ArcLengths(vtkDGGMakeArray<vtkDoubleArray>("ArcLength", size))
 {
-  this->Points->SetDataTypeToDouble();
-  this->Points->SetNumberOfPoints(size);
   this->Lines->AllocateEstimate(1, size);
 }
 
@@ -38,13 +36,11 @@ void vtkDGGPolylineWriter::Add(const dgg::SurfacePath& path, bool isClosed)
   this->Lines->InsertNextCell(static_cast<int>(path.Points.size()));
   for (std::size_t i = 0; i < count; ++i)
   {
-    arcLength += i > 0 ? dgg::MeasurePiece(this->Mesh.GetMesh(), path, i - 1) : 0.0;
+    arcLength += i > 0 ? dgg::MeasurePiece(this->Geometry.GetMesh(), path, i - 1) : 0.0;
     const dgg::SurfacePoint& point = path.Points[i];
-    this->Points->SetPoint(
-      this->Next, dgg::PositionOf(this->Mesh.GetMesh(), point, this->Positions).data());
+    this->Geometry.SetPoint(this->Points, this->Next, point);
     this->Faces->SetValue(this->Next, this->FindCell(path, i));
-    const bool isVertex = point.On == dgg::SurfacePoint::Support::Vertex;
-    this->PointIds->SetValue(this->Next, isVertex ? point.Vertex : -1);
+    this->PointIds->SetValue(this->Next, vtkDGGNewGeometry::GetPointId(point));
     this->ArcLengths->SetValue(this->Next, arcLength);
     this->Lines->InsertCellPoint(this->Next);
     ++this->Next;
@@ -69,7 +65,8 @@ void vtkDGGPolylineWriter::AddTo(vtkPolyData* output) const
 /// The cell of the input that piece i lies in; the last piece for the last point.
 vtkIdType vtkDGGPolylineWriter::FindCell(const dgg::SurfacePath& path, std::size_t i) const
 {
-  const dgg::Id face = path.Faces.empty() ? dgg::FindFaceOf(this->Mesh.GetMesh(), path.Points[i])
-                                          : path.Faces[std::min(i, path.Faces.size() - 1)];
-  return face == dgg::NoId ? -1 : this->Mesh.GetCell(face);
+  const dgg::Id face = path.Faces.empty()
+    ? dgg::FindFaceOf(this->Geometry.GetMesh(), path.Points[i])
+    : path.Faces[std::min(i, path.Faces.size() - 1)];
+  return this->Geometry.GetCell(face);
 }

@@ -15,40 +15,30 @@
 #include "vtkSmartPointer.h" // for the arrays
 #include "vtkType.h"         // for vtkIdType
 
-class vtkDGGMeshAdapter;
+class vtkDGGNewGeometry;
 class vtkPolyData;
-
-/// An array with a name, to be filled.
-template <typename ArrayType>
-vtkSmartPointer<ArrayType> vtkDGGMakeArray(const char* name, vtkIdType size)
-{
-  auto array = vtkSmartPointer<ArrayType>::New();
-  array->SetName(name);
-  array->SetNumberOfValues(size);
-  return array;
-}
 
 /// Fills points and polylines, curve by curve, with the point data FaceId, vtkOriginalPointIds and
 /// ArcLength.
 class vtkDGGPolylineWriter
 {
 public:
-  /// `positions` are those of the vertices; `size` is the number of points of all polylines.
-  vtkDGGPolylineWriter(const vtkDGGMeshAdapter& mesh, const double* positions, vtkIdType size);
+  /// `size` is the number of points of all polylines.
+  vtkDGGPolylineWriter(const vtkDGGNewGeometry& geometry, vtkIdType size);
 
   /// The points that a curve takes: a closed one begins and ends with the same.
   static vtkIdType CountPoints(const dgg::SurfacePath& path, bool isClosed);
   /// Append a curve, which is not empty.
   void Add(const dgg::SurfacePath& path, bool isClosed = false);
+  /// Put all of it into an output that is empty but for field data.
   void AddTo(vtkPolyData* output) const;
 
 private:
   vtkIdType FindCell(const dgg::SurfacePath& path, std::size_t i) const;
 
-  const vtkDGGMeshAdapter& Mesh;
-  const double* Positions;
+  const vtkDGGNewGeometry& Geometry;
   vtkIdType Next = 0;
-  vtkNew<vtkPoints> Points;
+  vtkSmartPointer<vtkPoints> Points;
   vtkNew<vtkCellArray> Lines;
   vtkSmartPointer<vtkIdTypeArray> Faces;
   vtkSmartPointer<vtkIdTypeArray> PointIds;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGProperties.h"
 
+#include "vtkIdList.h"
+
 #include <cmath>
 #include <sstream>
 
@@ -12,6 +14,39 @@ bool vtkDGGChangeNumber(double& property, double value)
   const bool changes = property != value && !bothNaN;
   property = changes ? value : property;
   return changes;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDGGChangeName(std::string& property, const char* value)
+{
+  const std::string name = value ? value : "";
+  const bool changes = property != name;
+  property = name;
+  return changes;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIdType> vtkDGGGetIds(vtkIdList* list)
+{
+  return list ? std::vector<vtkIdType>(list->begin(), list->end()) : std::vector<vtkIdType>();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkDGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i)
+{
+  return i >= 0 && i < static_cast<vtkIdType>(ids.size()) ? ids[i] : -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGPrintIds(
+  std::ostream& os, vtkIndent indent, const char* name, const std::vector<vtkIdType>& ids)
+{
+  os << indent << name << ":";
+  for (const vtkIdType id : ids)
+  {
+    os << " " << id;
+  }
+  os << (ids.empty() ? " (none)\n" : "\n");
 }
 
 //------------------------------------------------------------------------------

@@ -7,10 +7,28 @@
 
 #include "dggTypes.h" // for Status
 
-#include <string> // for the name
+#include "vtkIndent.h" // for printing
+#include "vtkType.h"   // for vtkIdType
+
+#include <ostream> // for printing
+#include <string>  // for names
+#include <vector>  // for ids
+
+class vtkIdList;
 
 /// Set a property that may be NaN, which differs from itself. Returns whether it has changed.
 bool vtkDGGChangeNumber(double& property, double value);
+
+/// Set a name; null is the empty one. Returns whether it has changed.
+bool vtkDGGChangeName(std::string& property, const char* value);
+
+/// The ids of a list, none for null.
+std::vector<vtkIdType> vtkDGGGetIds(vtkIdList* list);
+/// The i-th id; -1 when there is none.
+vtkIdType vtkDGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i);
+/// A line with the name and the ids.
+void vtkDGGPrintIds(
+  std::ostream& os, vtkIndent indent, const char* name, const std::vector<vtkIdType>& ids);
 
 /// Fails when the property of that name is negative or NaN. Infinity is a length.
 dgg::Status vtkDGGCheckLength(const std::string& property, double value);

@@ -109,6 +109,18 @@ dgg::Status CheckInitialDistances(vtkPolyData* points, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+std::vector<dgg::SurfacePoint> vtkDGGGetPlaces(const std::vector<dgg::GeodesicSource>& sources)
+{
+  std::vector<dgg::SurfacePoint> places;
+  places.reserve(sources.size());
+  for (const dgg::GeodesicSource& source : sources)
+  {
+    places.push_back(source.Point);
+  }
+  return places;
+}
+
+//------------------------------------------------------------------------------
 vtkDGGSourceCollector::vtkDGGSourceCollector() = default;
 vtkDGGSourceCollector::~vtkDGGSourceCollector() = default;
 

@@ -33,6 +33,9 @@ struct vtkDGGSourceSet
   const std::vector<vtkIdType>* PointIds = nullptr;
 };
 
+/// The places of sources.
+std::vector<dgg::SurfacePoint> vtkDGGGetPlaces(const std::vector<dgg::GeodesicSource>& sources);
+
 /// Collects the sources of a distance filter, or other points, projected onto the surface. Keeps
 /// the search structure until the mesh changes.
 class vtkDGGSourceCollector

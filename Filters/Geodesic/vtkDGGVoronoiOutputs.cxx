@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGVoronoiOutputs.h"
 
+#include "vtkDGGMakeArray.h"
 #include "vtkDGGMeshAdapter.h"
-#include "vtkDGGPointCoordinates.h"
+#include "vtkDGGNewGeometry.h"
+#include "vtkDGGSourceCollector.h"
 
 #include "dggSurfacePath.h"
 
@@ -17,77 +19,40 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 
-namespace
-{
-/// An array with its memory, added to some data.
-template <typename ArrayType>
-vtkSmartPointer<ArrayType> AddArray(
-  vtkFieldData* data, const std::string& name, std::size_t size, int components = 1)
-{
-  vtkNew<ArrayType> array;
-  array->SetName(name.c_str());
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(size));
-  data->AddArray(array);
-  return array.Get();
-}
-
-vtkSmartPointer<vtkPoints> MakePoints(std::size_t size)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(size));
-  return points.Get();
-}
-
-std::vector<dgg::SurfacePoint> GetPlaces(const std::vector<dgg::GeodesicSource>& sites)
-{
-  std::vector<dgg::SurfacePoint> places;
-  places.reserve(sites.size());
-  for (const dgg::GeodesicSource& site : sites)
-  {
-    places.push_back(site.Point);
-  }
-  return places;
-}
-}
-
 //------------------------------------------------------------------------------
 void vtkDGGFillSurfacePoints(const std::vector<dgg::SurfacePoint>& places,
-  const vtkDGGMeshAdapter& mesh, vtkPoints* coordinates, vtkPolyData* output)
+  const vtkDGGNewGeometry& geometry, vtkPolyData* output)
 {
-  const vtkDGGPointCoordinates positions(coordinates);
-  const auto points = MakePoints(places.size());
+  geometry.Begin(output);
+  const auto points = geometry.MakePoints(places.size());
   vtkNew<vtkCellArray> verts;
   output->SetPoints(points);
   output->SetVerts(verts);
   const auto ids =
-    AddArray<vtkIdTypeArray>(output->GetPointData(), "vtkOriginalPointIds", places.size());
-  const auto faces = AddArray<vtkIdTypeArray>(output->GetPointData(), "FaceId", places.size());
+    vtkDGGAddArray<vtkIdTypeArray>(output->GetPointData(), "vtkOriginalPointIds", places.size());
+  const auto faces =
+    vtkDGGAddArray<vtkIdTypeArray>(output->GetPointData(), "FaceId", places.size());
   for (std::size_t k = 0; k < places.size(); ++k)
   {
     const auto i = static_cast<vtkIdType>(k);
     const dgg::SurfacePoint& place = places[k];
-    points->SetPoint(i, dgg::PositionOf(mesh.GetMesh(), place, positions.GetData()).data());
+    geometry.SetPoint(points, i, place);
     verts->InsertNextCell(1, &i);
-    const bool isVertex = place.On == dgg::SurfacePoint::Support::Vertex;
-    ids->SetValue(i, isVertex ? place.Vertex : -1);
-    const dgg::Id face = dgg::FindFaceOf(mesh.GetMesh(), place);
-    faces->SetValue(i, face == dgg::NoId ? -1 : mesh.GetCell(face));
+    ids->SetValue(i, vtkDGGNewGeometry::GetPointId(place));
+    faces->SetValue(i, geometry.GetCell(dgg::FindFaceOf(geometry.GetMesh(), place)));
   }
 }
 
 //------------------------------------------------------------------------------
 vtkDGGVoronoiOutputs::vtkDGGVoronoiOutputs(const vtkDGGVoronoiResult& result,
-  const vtkDGGMeshAdapter& mesh, vtkPoints* coordinates, const std::string& distanceName,
+  const vtkDGGMeshAdapter& mesh, const vtkDGGNewGeometry& geometry, const std::string& distanceName,
   double unreachedValue)
   : Result(result)
   , Mesh(mesh)
-  , Coordinates(coordinates)
+  , Geometry(geometry)
   , DistanceName(distanceName)
   , UnreachedValue(unreachedValue)
 {
@@ -103,13 +68,11 @@ double vtkDGGVoronoiOutputs::GetDistance(dgg::Id point) const
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 3> vtkDGGVoronoiOutputs::GetPosition(
-  dgg::Id point, const double* positions) const
+dgg::SurfacePoint vtkDGGVoronoiOutputs::GetPlace(dgg::Id point) const
 {
   const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
   const auto n = static_cast<dgg::Id>(diagram.Distances.size());
-  return dgg::PositionOf(this->Mesh.GetMesh(),
-    point < n ? dgg::SurfacePoint::AtVertex(point) : diagram.BorderPoints[point - n], positions);
+  return point < n ? dgg::SurfacePoint::AtVertex(point) : diagram.BorderPoints[point - n];
 }
 
 //------------------------------------------------------------------------------
@@ -132,8 +95,8 @@ void vtkDGGVoronoiOutputs::AddToSurface(const std::string& sourceName, vtkPolyDa
   const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
   const auto n = static_cast<std::size_t>(output->GetNumberOfPoints());
   vtkPointData* data = output->GetPointData();
-  const auto distances = AddArray<vtkDoubleArray>(data, this->DistanceName, n);
-  const auto sites = AddArray<vtkIntArray>(data, sourceName, n);
+  const auto distances = vtkDGGAddArray<vtkDoubleArray>(data, this->DistanceName, n);
+  const auto sites = vtkDGGAddArray<vtkIntArray>(data, sourceName, n);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
     const dgg::Id vertex = this->Mesh.GetVertex(i);
@@ -144,8 +107,8 @@ void vtkDGGVoronoiOutputs::AddToSurface(const std::string& sourceName, vtkPolyDa
   data->SetActiveScalars(sourceName.c_str());
   if (!this->Result.Energies.empty())
   {
-    const auto energies =
-      AddArray<vtkDoubleArray>(output->GetFieldData(), "Energy", this->Result.Energies.size());
+    const auto energies = vtkDGGAddArray<vtkDoubleArray>(
+      output->GetFieldData(), "Energy", this->Result.Energies.size());
     std::copy(this->Result.Energies.begin(), this->Result.Energies.end(), energies->GetPointer(0));
   }
 }
@@ -158,19 +121,19 @@ void vtkDGGVoronoiOutputs::FillBoundaries(vtkPolyData* output) const
   std::vector<dgg::Id> used = diagram.CurvePoints;
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  const vtkDGGPointCoordinates positions(this->Coordinates);
-  const auto points = MakePoints(used.size());
+  this->Geometry.Begin(output);
+  const auto points = this->Geometry.MakePoints(used.size());
   const auto distances =
-    AddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, used.size());
+    vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, used.size());
   for (std::size_t k = 0; k < used.size(); ++k)
   {
     const auto i = static_cast<vtkIdType>(k);
-    points->SetPoint(i, this->GetPosition(used[k], positions.GetData()).data());
+    this->Geometry.SetPoint(points, i, this->GetPlace(used[k]));
     distances->SetValue(i, this->GetDistance(used[k]));
   }
   vtkNew<vtkCellArray> lines;
   const auto sites =
-    AddArray<vtkIntArray>(output->GetCellData(), "SiteId", diagram.GetNumberOfCurves(), 2);
+    vtkDGGAddArray<vtkIntArray>(output->GetCellData(), "SiteId", diagram.GetNumberOfCurves(), 2);
   for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
   {
     const dgg::Offset begin = diagram.CurveOffsets[k];
@@ -194,24 +157,25 @@ void vtkDGGVoronoiOutputs::FillBoundaries(vtkPolyData* output) const
 void vtkDGGVoronoiOutputs::FillCells(vtkPolyData* output) const
 {
   const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
-  const vtkDGGPointCoordinates positions(this->Coordinates);
+  this->Geometry.Begin(output);
   const std::size_t n = diagram.Distances.size() + diagram.BorderPoints.size();
-  const auto points = MakePoints(n);
-  const auto distances = AddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, n);
+  const auto points = this->Geometry.MakePoints(n);
+  const auto distances =
+    vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, n);
   for (std::size_t k = 0; k < n; ++k)
   {
     const auto i = static_cast<vtkIdType>(k);
     const auto point = static_cast<dgg::Id>(k);
-    points->SetPoint(i, this->GetPosition(point, positions.GetData()).data());
+    this->Geometry.SetPoint(points, i, this->GetPlace(point));
     distances->SetValue(i, this->GetDistance(point));
   }
   const std::vector<double> areas = this->SumAreas();
   vtkNew<vtkCellArray> polygons;
   vtkCellData* data = output->GetCellData();
   const std::size_t count = diagram.GetNumberOfPolygons();
-  const auto sites = AddArray<vtkIntArray>(data, "SiteId", count);
-  const auto cellAreas = AddArray<vtkDoubleArray>(data, "CellArea", count);
-  const auto faces = AddArray<vtkIdTypeArray>(data, "FaceId", count);
+  const auto sites = vtkDGGAddArray<vtkIntArray>(data, "SiteId", count);
+  const auto cellAreas = vtkDGGAddArray<vtkDoubleArray>(data, "CellArea", count);
+  const auto faces = vtkDGGAddArray<vtkIdTypeArray>(data, "FaceId", count);
   std::vector<vtkIdType> corners;
   for (std::size_t k = 0; k < count; ++k)
   {
@@ -227,7 +191,7 @@ void vtkDGGVoronoiOutputs::FillCells(vtkPolyData* output) const
     const dgg::Id site = diagram.PolygonSites[k];
     sites->SetValue(i, site);
     cellAreas->SetValue(i, site == dgg::NoId ? areas.back() : areas[site]);
-    faces->SetValue(i, this->Mesh.GetCell(face));
+    faces->SetValue(i, this->Geometry.GetCell(face));
   }
   output->SetPoints(points);
   output->SetPolys(polygons);
@@ -237,9 +201,9 @@ void vtkDGGVoronoiOutputs::FillCells(vtkPolyData* output) const
 //------------------------------------------------------------------------------
 void vtkDGGVoronoiOutputs::FillSites(vtkPolyData* output) const
 {
-  vtkDGGFillSurfacePoints(GetPlaces(this->Result.Sites), this->Mesh, this->Coordinates, output);
+  vtkDGGFillSurfacePoints(vtkDGGGetPlaces(this->Result.Sites), this->Geometry, output);
   const std::size_t count = this->Result.Sites.size();
-  const auto numbers = AddArray<vtkIntArray>(output->GetPointData(), "SiteId", count);
+  const auto numbers = vtkDGGAddArray<vtkIntArray>(output->GetPointData(), "SiteId", count);
   for (std::size_t k = 0; k < count; ++k)
   {
     numbers->SetValue(static_cast<vtkIdType>(k), static_cast<int>(k));
@@ -249,7 +213,7 @@ void vtkDGGVoronoiOutputs::FillSites(vtkPolyData* output) const
     return;
   }
   const std::vector<double> areas = this->SumAreas();
-  const auto cellAreas = AddArray<vtkDoubleArray>(output->GetPointData(), "CellArea", count);
+  const auto cellAreas = vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), "CellArea", count);
   for (std::size_t k = 0; k < count; ++k)
   {
     cellAreas->SetValue(static_cast<vtkIdType>(k), areas[k]);

@@ -9,12 +9,11 @@
 #include "dggExactGeodesics.h" // for GeodesicSource
 #include "dggVoronoi.h"        // for VoronoiDiagram
 
-#include <array>  // for positions
 #include <string> // for names
 #include <vector> // for the results
 
 class vtkDGGMeshAdapter;
-class vtkPoints;
+class vtkDGGNewGeometry;
 class vtkPolyData;
 
 /// What vtkGeodesicVoronoi computes.
@@ -32,20 +31,18 @@ struct vtkDGGVoronoiResult
   ///@}
 };
 
-/// Surface points as points with verts, and the point arrays `vtkOriginalPointIds` and `FaceId`:
-/// the id of the point of the input, or -1, and a cell of the input, or -1. `coordinates`, those of
-/// the mesh, may be null when there are no surface points.
+/// Make an output of surface points: points with verts, and the point arrays `vtkOriginalPointIds`
+/// and `FaceId`.
 void vtkDGGFillSurfacePoints(const std::vector<dgg::SurfacePoint>& places,
-  const vtkDGGMeshAdapter& mesh, vtkPoints* coordinates, vtkPolyData* output);
+  const vtkDGGNewGeometry& geometry, vtkPolyData* output);
 
 /// Makes the outputs of a diagram on one surface.
 class vtkDGGVoronoiOutputs
 {
 public:
-  /// `coordinates` are those of the mesh; null for one without points. Everything must outlive the
-  /// object.
+  /// Everything must outlive the object.
   vtkDGGVoronoiOutputs(const vtkDGGVoronoiResult& result, const vtkDGGMeshAdapter& mesh,
-    vtkPoints* coordinates, const std::string& distanceName, double unreachedValue);
+    const vtkDGGNewGeometry& geometry, const std::string& distanceName, double unreachedValue);
 
   /// Add the arrays of labels, distances and energies to a copy of the input.
   void AddToSurface(const std::string& sourceName, vtkPolyData* output) const;
@@ -56,11 +53,11 @@ public:
 private:
   std::vector<double> SumAreas() const;
   double GetDistance(dgg::Id point) const;
-  std::array<double, 3> GetPosition(dgg::Id point, const double* positions) const;
+  dgg::SurfacePoint GetPlace(dgg::Id point) const;
 
   const vtkDGGVoronoiResult& Result;
   const vtkDGGMeshAdapter& Mesh;
-  vtkPoints* Coordinates;
+  const vtkDGGNewGeometry& Geometry;
   const std::string& DistanceName;
   double UnreachedValue;
 };

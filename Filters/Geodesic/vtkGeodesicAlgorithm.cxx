@@ -102,6 +102,7 @@ void Empty(vtkInformationVector* outputVector)
 //------------------------------------------------------------------------------
 vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
   : MergeCoincidentPoints(false)
+  , OutputPointsPrecision(DEFAULT_PRECISION)
   , Reached(0.0)
   , Adapter(new vtkDGGMeshAdapter)
 {
@@ -115,6 +116,7 @@ void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "MeshBuildTime: " << this->GetMeshBuildTime() << "\n";
   os << indent << "MeshReport:\n";
   std::istringstream report(this->GetMeshReport());

@@ -16,6 +16,18 @@
  * triangles as they are glued by point ids. All of these are counted in warnings, once for each
  * mesh, and in the report (GetMeshReport()). Orientation does not matter.
  *
+ * <b>New geometry.</b> Some outputs have the points of the input, with arrays added. Others have
+ * new points that lie on the surface: paths, loops and tapes, samples, the cells of sites and their
+ * borders, the boundaries of patches. These are the same for all of them:
+ *  - They carry the field data of the input, but for the graph (the arrays `DGG.*`, see
+ *    vtkDiscreteGeodesicGraph), which is that of other points. Where there are two surfaces, the
+ *    field data are those of the one that the output lies on.
+ *  - Their points have the precision of the points of that surface, unless OutputPointsPrecision
+ *    says otherwise. Arrays of lengths, distances and areas are of type double, and are those of
+ *    the points before they are rounded to float.
+ *  - `FaceId` numbers cells of that surface, `vtkOriginalPointIds` its points (-1 where there is
+ *    none), `Length` and `ArcLength` are in units of the coordinates.
+ *
  * <b>Errors.</b> Wrong input is reported through vtkErrorMacro, which names what is wrong and the
  * remedy. Then the output is empty, GetErrorCode() is not zero, and the input is untouched; a later
  * correct call works. As long as nothing is changed, every update of this filter tells the error
@@ -77,6 +89,17 @@ public:
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);
   vtkBooleanMacro(MergeCoincidentPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Precision of the points of outputs that are new geometry, one of
+   * vtkAlgorithm::DesiredOutputPrecision. Default vtkAlgorithm::DEFAULT_PRECISION: float where the
+   * points of the input are float, else double. Single precision for coordinates out of the range
+   * of floats is an error of the update. Other outputs have the points of the input.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
   /**
@@ -202,6 +225,7 @@ private:
     vtkInformationVector* outputVector);
 
   bool MergeCoincidentPoints;
+  int OutputPointsPrecision;
   double Reached; // progress of the update so far
   std::unique_ptr<vtkDGGMeshAdapter> Adapter;
 };

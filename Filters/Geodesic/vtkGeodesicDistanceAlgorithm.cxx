@@ -3,6 +3,7 @@
 #include "vtkGeodesicDistanceAlgorithm.h"
 
 #include "vtkDGGDistanceTask.h"
+#include "vtkDGGMakeArray.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
@@ -10,10 +11,8 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -34,11 +33,8 @@ struct PointArrayMaker
   void Add(vtkPointData* data, const std::string& name,
     const std::vector<const std::vector<ValueType>*>& components, ValueType unreached) const
   {
-    vtkNew<ArrayType> array;
-    array->SetName(name.c_str());
     const int count = static_cast<int>(components.size());
-    array->SetNumberOfComponents(count);
-    array->SetNumberOfTuples(this->NumberOfPoints);
+    const auto array = vtkDGGAddArray<ArrayType>(data, name, this->NumberOfPoints, count);
     for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
     {
       const dgg::Id vertex = this->Adapter.GetVertex(i);
@@ -48,7 +44,6 @@ struct PointArrayMaker
           i, k, this->IsReached[vertex] ? (*components[k])[vertex] : unreached);
       }
     }
-    data->AddArray(array);
   }
 };
 }
@@ -108,12 +103,7 @@ void vtkGeodesicDistanceAlgorithm::AddSourceId(vtkIdType id, double initialDista
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceAlgorithm::SetSourceIds(vtkIdList* ids)
 {
-  std::vector<vtkIdType> copy;
-  if (ids)
-  {
-    copy.assign(ids->begin(), ids->end());
-  }
-  this->SetSourceIds(copy);
+  this->SetSourceIds(vtkDGGGetIds(ids));
 }
 
 //------------------------------------------------------------------------------
@@ -168,7 +158,7 @@ vtkIdType vtkGeodesicDistanceAlgorithm::GetNumberOfSourceIds() const
 //------------------------------------------------------------------------------
 vtkIdType vtkGeodesicDistanceAlgorithm::GetSourceId(vtkIdType i) const
 {
-  return i >= 0 && i < this->GetNumberOfSourceIds() ? this->SourceIds[i] : -1;
+  return vtkDGGGetId(this->SourceIds, i);
 }
 
 //------------------------------------------------------------------------------
@@ -201,10 +191,8 @@ void vtkGeodesicDistanceAlgorithm::SetUnreachedValue(double value)
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceAlgorithm::SetName(std::string& name, const char* value)
 {
-  const std::string text = value ? value : "";
-  if (name != text)
+  if (vtkDGGChangeName(name, value))
   {
-    name = text;
     this->Modified();
   }
 }

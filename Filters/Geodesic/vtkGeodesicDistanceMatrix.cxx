@@ -14,7 +14,6 @@
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -35,24 +34,9 @@ namespace
 /// Tables have their columns one by one, and look for them by name.
 constexpr std::size_t MaximumNumberOfTableColumns = 10000;
 
-std::vector<vtkIdType> ToVector(vtkIdList* ids)
-{
-  return ids ? std::vector<vtkIdType>(ids->begin(), ids->end()) : std::vector<vtkIdType>();
-}
-
 bool IsEmpty(const vtkDGGSourceSet& set)
 {
   return set.Ids.empty() && !set.Points;
-}
-
-std::vector<dgg::SurfacePoint> ToPoints(const std::vector<dgg::GeodesicSource>& sources)
-{
-  std::vector<dgg::SurfacePoint> points;
-  for (const dgg::GeodesicSource& source : sources)
-  {
-    points.push_back(source.Point);
-  }
-  return points;
 }
 
 /// An array of which every value is infinite. Written to, so that its memory is no longer free.
@@ -152,7 +136,7 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceMatrix::SetRowIds(vtkIdList* ids)
 {
-  this->SetRowIds(ToVector(ids));
+  this->SetRowIds(vtkDGGGetIds(ids));
 }
 
 //------------------------------------------------------------------------------
@@ -174,7 +158,7 @@ void vtkGeodesicDistanceMatrix::SetRowIds(const std::vector<vtkIdType>& ids)
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceMatrix::SetColumnIds(vtkIdList* ids)
 {
-  this->SetColumnIds(ToVector(ids));
+  this->SetColumnIds(vtkDGGGetIds(ids));
 }
 
 //------------------------------------------------------------------------------
@@ -381,8 +365,8 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   this->WarnAboutIsolatedIds(this->GetRows(inputVector));
   this->WarnAboutIsolatedIds(columnSet);
 
-  const std::vector<dgg::SurfacePoint> rows = ToPoints(sources);
-  const std::vector<dgg::SurfacePoint> columns = symmetric ? rows : ToPoints(others);
+  const std::vector<dgg::SurfacePoint> rows = vtkDGGGetPlaces(sources);
+  const std::vector<dgg::SurfacePoint> columns = symmetric ? rows : vtkDGGGetPlaces(others);
   const bool withTable = this->WantsTable(columns.size());
   status = this->CheckMemory(rows.size(), columns.size(), withTable);
   if (status.IsOk() && !this->Advance(0.0))

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicPatchBoundaries.h"
 
+#include "vtkDGGMakeArray.h"
 #include "vtkDGGMeshAdapter.h"
-#include "vtkDGGPointCoordinates.h"
+#include "vtkDGGNewGeometry.h"
+#include "vtkDGGPolylineWriter.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 
@@ -12,15 +14,13 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -32,22 +32,6 @@ vtkStandardNewMacro(vtkGeodesicPatchBoundaries);
 
 namespace
 {
-std::vector<vtkIdType> ToVector(vtkIdList* ids)
-{
-  return ids ? std::vector<vtkIdType>(ids->begin(), ids->end()) : std::vector<vtkIdType>();
-}
-
-std::vector<dgg::SurfacePoint> ToPoints(const std::vector<dgg::GeodesicSource>& sources)
-{
-  std::vector<dgg::SurfacePoint> points;
-  points.reserve(sources.size());
-  for (const dgg::GeodesicSource& source : sources)
-  {
-    points.push_back(source.Point);
-  }
-  return points;
-}
-
 /// Numbers of landmarks from a cell. Those too large for the kernel are out of range there too.
 std::vector<dgg::Id> ReadCell(vtkIdType size, const vtkIdType* ids)
 {
@@ -87,67 +71,50 @@ dgg::PatchLayout ReadLayout(vtkPolyData* cells)
   return layout;
 }
 
-template <typename Array>
-vtkSmartPointer<Array> MakeArray(const char* name, int components, vtkIdType tuples)
+/// What part of its curve lies before each point.
+void AddFractions(vtkPolyData* output)
 {
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  return array;
-}
-
-/// The arrays of the output, and the polylines.
-void FillOutput(const dgg::PatchBoundaries& boundaries, int side, const vtkDGGMeshAdapter& mesh,
-  vtkPoints* coordinates, vtkPolyData* output)
-{
-  const std::vector<dgg::SurfacePath>& curves = boundaries.Curves[side];
-  vtkIdType count = 0;
-  for (const dgg::SurfacePath& curve : curves)
+  vtkDataArray* lengths = output->GetPointData()->GetArray("ArcLength");
+  const auto fractions = vtkDGGAddArray<vtkDoubleArray>(
+    output->GetPointData(), "ArcFraction", output->GetNumberOfPoints());
+  for (vtkIdType c = 0; c < output->GetNumberOfLines(); ++c)
   {
-    count += static_cast<vtkIdType>(curve.Points.size());
-  }
-  const auto cells = static_cast<vtkIdType>(curves.size());
-  auto layoutEdges = MakeArray<vtkIdTypeArray>("LayoutEdge", 2, cells);
-  auto lengths = MakeArray<vtkDoubleArray>("Length", 1, cells);
-  auto arcLengths = MakeArray<vtkDoubleArray>("ArcLength", 1, count);
-  auto faces = MakeArray<vtkIdTypeArray>("FaceId", 1, count);
-  auto originals = MakeArray<vtkIdTypeArray>("vtkOriginalPointIds", 1, count);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(coordinates->GetDataType());
-  points->SetNumberOfPoints(count);
-  vtkNew<vtkCellArray> lines;
-
-  const vtkDGGPointCoordinates positions(coordinates);
-  vtkIdType p = 0;
-  for (vtkIdType c = 0; c < cells; ++c)
-  {
-    const dgg::SurfacePath& curve = curves[c];
-    layoutEdges->SetTypedComponent(c, 0, boundaries.Edges[c][0]);
-    layoutEdges->SetTypedComponent(c, 1, boundaries.Edges[c][1]);
-    lengths->SetValue(c, curve.Length);
-    lines->InsertNextCell(static_cast<int>(curve.Points.size()));
-    double length = 0.0;
-    const std::size_t last = curve.Points.size() - 1;
-    for (std::size_t i = 0; i <= last; ++i, ++p)
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    output->GetLines()->GetCellAtId(c, size, ids);
+    const vtkIdType last = ids[size - 1];
+    const double whole = lengths->GetComponent(last, 0);
+    for (vtkIdType i = 0; i < size; ++i)
     {
-      const dgg::SurfacePoint& point = curve.Points[i];
-      length += i > 0 ? dgg::MeasurePiece(mesh.GetMesh(), curve, i - 1) : 0.0;
-      points->SetPoint(p, dgg::PositionOf(mesh.GetMesh(), point, positions.GetData()).data());
-      arcLengths->SetValue(p, i == last ? 1.0 : length / curve.Length);
-      faces->SetValue(p, mesh.GetCell(curve.Faces[i < last ? i : i - 1]));
-      originals->SetValue(p, point.On == dgg::SurfacePoint::Support::Vertex ? point.Vertex : -1);
-      lines->InsertCellPoint(p);
+      fractions->SetValue(ids[i], ids[i] == last ? 1.0 : lengths->GetComponent(ids[i], 0) / whole);
     }
   }
-  output->Initialize();
-  output->SetPoints(points);
-  output->SetLines(lines);
-  output->GetCellData()->AddArray(layoutEdges);
-  output->GetCellData()->AddArray(lengths);
-  output->GetPointData()->AddArray(arcLengths);
-  output->GetPointData()->AddArray(faces);
-  output->GetPointData()->AddArray(originals);
+}
+
+void FillOutput(const dgg::PatchBoundaries& boundaries, int side, const vtkDGGNewGeometry& geometry,
+  vtkPolyData* output)
+{
+  const std::vector<dgg::SurfacePath>& curves = boundaries.Curves[side];
+  vtkIdType size = 0;
+  for (const dgg::SurfacePath& curve : curves)
+  {
+    size += vtkDGGPolylineWriter::CountPoints(curve, false);
+  }
+  geometry.Begin(output);
+  vtkDGGPolylineWriter writer(geometry, size);
+  vtkCellData* data = output->GetCellData();
+  const auto edges = vtkDGGAddArray<vtkIdTypeArray>(data, "LayoutEdge", curves.size(), 2);
+  const auto lengths = vtkDGGAddArray<vtkDoubleArray>(data, "Length", curves.size());
+  for (std::size_t i = 0; i < curves.size(); ++i)
+  {
+    writer.Add(curves[i]);
+    const auto c = static_cast<vtkIdType>(i);
+    edges->SetTypedComponent(c, 0, boundaries.Edges[i][0]);
+    edges->SetTypedComponent(c, 1, boundaries.Edges[i][1]);
+    lengths->SetValue(c, curves[i].Length);
+  }
+  writer.AddTo(output);
+  AddFractions(output);
 }
 }
 
@@ -174,65 +141,120 @@ vtkGeodesicPatchBoundaries::~vtkGeodesicPatchBoundaries() = default;
 void vtkGeodesicPatchBoundaries::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfFirstLandmarkIds: " << this->FirstLandmarkIds.size() << "\n";
-  os << indent << "NumberOfSecondLandmarkIds: " << this->SecondLandmarkIds.size() << "\n";
+  vtkDGGPrintIds(os, indent, "FirstLandmarkIds", this->LandmarkIds[0]);
+  vtkDGGPrintIds(os, indent, "SecondLandmarkIds", this->LandmarkIds[1]);
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicPatchBoundaries::AddLandmarkId(int surface, vtkIdType id)
+{
+  this->LandmarkIds[surface].push_back(id);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicPatchBoundaries::SetLandmarkIds(int surface, const std::vector<vtkIdType>& ids)
+{
+  if (this->LandmarkIds[surface] != ids)
+  {
+    this->LandmarkIds[surface] = ids;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicPatchBoundaries::AddFirstLandmarkId(vtkIdType id)
+{
+  this->AddLandmarkId(0, id);
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicPatchBoundaries::SetFirstLandmarkIds(vtkIdList* ids)
 {
-  this->SetFirstLandmarkIds(ToVector(ids));
+  this->SetLandmarkIds(0, vtkDGGGetIds(ids));
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicPatchBoundaries::SetFirstLandmarkIds(std::initializer_list<vtkIdType> ids)
 {
-  this->SetFirstLandmarkIds(std::vector<vtkIdType>(ids));
+  this->SetLandmarkIds(0, ids);
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicPatchBoundaries::SetFirstLandmarkIds(const std::vector<vtkIdType>& ids)
 {
-  if (this->FirstLandmarkIds != ids)
-  {
-    this->FirstLandmarkIds = ids;
-    this->Modified();
-  }
+  this->SetLandmarkIds(0, ids);
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondLandmarkIds(vtkIdList* ids)
+void vtkGeodesicPatchBoundaries::RemoveAllFirstLandmarkIds()
 {
-  this->SetSecondLandmarkIds(ToVector(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondLandmarkIds(std::initializer_list<vtkIdType> ids)
-{
-  this->SetSecondLandmarkIds(std::vector<vtkIdType>(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondLandmarkIds(const std::vector<vtkIdType>& ids)
-{
-  if (this->SecondLandmarkIds != ids)
-  {
-    this->SecondLandmarkIds = ids;
-    this->Modified();
-  }
+  this->SetLandmarkIds(0, {});
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkGeodesicPatchBoundaries::GetNumberOfFirstLandmarkIds() const
 {
-  return static_cast<vtkIdType>(this->FirstLandmarkIds.size());
+  return static_cast<vtkIdType>(this->LandmarkIds[0].size());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicPatchBoundaries::GetFirstLandmarkId(vtkIdType i) const
+{
+  return vtkDGGGetId(this->LandmarkIds[0], i);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicPatchBoundaries::AddSecondLandmarkId(vtkIdType id)
+{
+  this->AddLandmarkId(1, id);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicPatchBoundaries::SetSecondLandmarkIds(vtkIdList* ids)
+{
+  this->SetLandmarkIds(1, vtkDGGGetIds(ids));
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicPatchBoundaries::SetSecondLandmarkIds(std::initializer_list<vtkIdType> ids)
+{
+  this->SetLandmarkIds(1, ids);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicPatchBoundaries::SetSecondLandmarkIds(const std::vector<vtkIdType>& ids)
+{
+  this->SetLandmarkIds(1, ids);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicPatchBoundaries::RemoveAllSecondLandmarkIds()
+{
+  this->SetLandmarkIds(1, {});
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkGeodesicPatchBoundaries::GetNumberOfSecondLandmarkIds() const
 {
-  return static_cast<vtkIdType>(this->SecondLandmarkIds.size());
+  return static_cast<vtkIdType>(this->LandmarkIds[1].size());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGeodesicPatchBoundaries::GetSecondLandmarkId(vtkIdType i) const
+{
+  return vtkDGGGetId(this->LandmarkIds[1], i);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicPatchBoundaries::RemoveAllLandmarks()
+{
+  for (int side = 0; side < 2; ++side)
+  {
+    this->SetLandmarkIds(side, {});
+    this->SetInputConnection(2 + side, nullptr);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -248,27 +270,27 @@ void vtkGeodesicPatchBoundaries::SetSecondSurfaceData(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetFirstLandmarksConnection(vtkAlgorithmOutput* output)
+void vtkGeodesicPatchBoundaries::SetFirstLandmarkConnection(vtkAlgorithmOutput* output)
 {
   this->SetInputConnection(2, output);
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetFirstLandmarksData(vtkPolyData* landmarks)
+void vtkGeodesicPatchBoundaries::SetFirstLandmarkData(vtkPolyData* points)
 {
-  this->SetInputData(2, landmarks);
+  this->SetInputData(2, points);
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondLandmarksConnection(vtkAlgorithmOutput* output)
+void vtkGeodesicPatchBoundaries::SetSecondLandmarkConnection(vtkAlgorithmOutput* output)
 {
   this->SetInputConnection(3, output);
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondLandmarksData(vtkPolyData* landmarks)
+void vtkGeodesicPatchBoundaries::SetSecondLandmarkData(vtkPolyData* points)
 {
-  this->SetInputData(3, landmarks);
+  this->SetInputData(3, points);
 }
 
 //------------------------------------------------------------------------------
@@ -293,10 +315,11 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckProperties() const
 vtkDGGSourceSet vtkGeodesicPatchBoundaries::GetLandmarks(
   int surface, vtkInformationVector** inputVector) const
 {
-  return { surface == 0 ? this->FirstLandmarkIds : this->SecondLandmarkIds,
-    vtkPolyData::GetData(inputVector[2 + surface]), 2 + surface,
+  return { this->LandmarkIds[surface], vtkPolyData::GetData(inputVector[2 + surface]), 2 + surface,
     surface == 0 ? "first landmark" : "second landmark",
-    surface == 0 ? "call SetFirstLandmarkIds()" : "call SetSecondLandmarkIds()", "" };
+    surface == 0 ? "call AddFirstLandmarkId() or SetFirstLandmarkIds()"
+                 : "call AddSecondLandmarkId() or SetSecondLandmarkIds()",
+    "" };
 }
 
 //------------------------------------------------------------------------------
@@ -358,13 +381,12 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
     std::vector<dgg::GeodesicSource> sources;
     status = this->Internals->Collectors[side].Collect(this->GetLandmarks(side, inputVector),
       this->ProjectionTolerance, *meshes[side], surfaces[side]->GetPoints(), sources);
-    landmarks[side] = ToPoints(sources);
+    landmarks[side] = vtkDGGGetPlaces(sources);
   }
-  vtkNew<vtkPoints> points[2];
+  vtkDGGNewGeometry geometries[2];
   for (int side = 0; side < 2 && status.IsOk(); ++side)
   {
-    status = vtkDGGCopyPoints(
-      surfaces[side]->GetPoints(), meshes[side]->GetMesh().GetNumberOfVertices(), points[side]);
+    status = geometries[side].Take(surfaces[side], *meshes[side], this->GetOutputPointsPrecision());
   }
   vtkPolyData* layout = vtkPolyData::GetData(inputVector[4]);
   layout = layout ? layout : vtkPolyData::GetData(inputVector[2]);
@@ -386,18 +408,20 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
   }
   for (int side = 0; side < 2; ++side)
   {
-    FillOutput(
-      boundaries, side, *meshes[side], points[side], vtkPolyData::GetData(outputVector, side));
+    FillOutput(boundaries, side, geometries[side], vtkPolyData::GetData(outputVector, side));
   }
   return status;
 }
 
 //------------------------------------------------------------------------------
+/// The first surface is empty. That counts, whatever the second one is.
 void vtkGeodesicPatchBoundaries::MakeEmptyOutput(
-  vtkPolyData* vtkNotUsed(surface), vtkInformationVector* outputVector)
+  vtkPolyData* surface, vtkInformationVector* outputVector)
 {
+  vtkDGGNewGeometry geometry;
+  geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
   for (int side = 0; side < 2; ++side)
   {
-    vtkPolyData::GetData(outputVector, side)->Initialize();
+    FillOutput({}, side, geometry, vtkPolyData::GetData(outputVector, side));
   }
 }

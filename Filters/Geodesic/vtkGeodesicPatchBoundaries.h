@@ -8,7 +8,7 @@
  * draws the boundaries of the patches on both: the first step of a map from one surface to the
  * other. The curves on the two surfaces correspond one by one. They meet at landmarks only, leave
  * each landmark in the same order, and divide both surfaces alike, so that every patch is a disk on
- * both. Points with the same ArcLength correspond.
+ * both. Points with the same ArcFraction correspond.
  *
  * Curves are drawn one by one, short ones first, those of a spanning tree before all others, each
  * as an exact shortest path on the surface cut open along the earlier ones, in the sectors of its
@@ -16,24 +16,36 @@
  * parameterizations", 2001). Where it would touch an earlier curve or another landmark it keeps a
  * small distance, 0.3 of the length of the (already split) edges there.
  *
- * Input port 0 takes the first surface and port 1 the second one. Landmarks are given by id
- * (SetFirstLandmarkIds(), SetSecondLandmarkIds()) and as the points of a vtkPolyData on ports 2
- * (first surface) and 3 (second surface), which are projected to the surface; ids come first. Both
- * must be in the same order.
+ * <b>Inputs.</b>
+ *  - Port 0 takes the first surface, port 1 the second one (SetSecondSurfaceConnection(),
+ *    SetSecondSurfaceData()). Either may be a mirror image of the other, or inside out.
+ *  - Landmarks are given on each surface by ids of its points (AddFirstLandmarkId(),
+ *    SetFirstLandmarkIds() and the same for the second one), and by the points of a vtkPolyData on
+ *    the optional ports 2 (first surface) and 3 (second surface), which may lie anywhere on the
+ *    surface and are projected to it (SetFirstLandmarkConnection(), SetFirstLandmarkData() and so
+ *    on). They are numbered from 0: ids first, then the points of the port. Landmarks of the same
+ *    number correspond, so that there must be as many on both; how they are given may differ.
+ *  - Port 4 takes the layout (SetLayoutConnection(), SetLayoutData()): a vtkPolyData whose polygons
+ *    and lines name landmarks by their numbers; its points are not used, and it needs none. Without
+ *    it the cells of port 2 are the layout. They name landmarks by their numbers, too, which are
+ *    those of the points of port 2 as long as there are no ids for the first surface.
  *
- * Port 4 takes the layout: a vtkPolyData whose cells name landmarks by their numbers; its points
- * are not used. Without it the cells of port 2 are the layout. Polygons are patches, their sides
- * the curves. All patches must turn the same way, as the faces of a closed surface do. Lines are
- * curves besides; with lines alone, the order of the curves around each landmark is taken as it
- * comes on the first surface, and imposed on the second one. Either surface may be a mirror image
- * of the other, or inside out. Between two landmarks there is one curve at most.
+ * <b>The layout.</b> Polygons are patches, their sides the curves. All patches must turn the same
+ * way, as the faces of a closed surface do. Lines are curves besides, a polyline a chain of them;
+ * with lines alone, the order of the curves around each landmark is taken as it comes on the first
+ * surface, and imposed on the second one. Between two landmarks there is one curve at most.
  *
- * Output port 0 has the curves on the first surface, port 1 those on the second one: a polyline
- * each, in the same order, from the same landmark to the same. Cell data: LayoutEdge (the two
- * landmarks), Length (double). Point data: ArcLength (double, from 0 to 1), FaceId (cell of the
- * surface that the piece from this point on lies in; at the end, the piece before),
- * vtkOriginalPointIds (point of the surface, or -1). Points of a curve may lie inside polygons of
- * the surface. The reports on the mesh are about the first surface.
+ * <b>Outputs.</b> Port 0 has the curves on the first surface, port 1 those on the second one: a
+ * polyline each, in the same order, from the same landmark to the same. Both are new geometry, see
+ * vtkGeodesicAlgorithm.
+ *  - Cell data: `LayoutEdge` (the numbers of the two landmarks), `Length` (double).
+ *  - Point data: `ArcLength`, the length of the curve up to the point; `ArcFraction` (double), the
+ *    part of the whole curve that this is, from 0 to 1: points with the same one correspond;
+ *    `FaceId`, the cell of the surface that the piece after the point lies in (that before it for
+ *    the last point); `vtkOriginalPointIds`, the point of the surface where the curve is at one,
+ *    else -1. Points of a curve may lie inside polygons of the surface.
+ *
+ * The reports on the mesh are about the first surface.
  *
  * <b>What is promised.</b> That the curves correspond as said: it is checked in the end. Curves are
  * locally shortest where they are not pushed aside; which ones push and are pushed depends on the
@@ -91,32 +103,71 @@ public:
 
   ///@{
   /**
-   * Landmarks that are points of the surfaces, by id. Ids are copied; none by default. A null list
-   * removes all ids.
+   * Landmarks by point id of the first surface. Ids are copied; none by default. An id outside
+   * [0, number of points - 1] is an error of the update. A null list removes all ids.
    */
+  void AddFirstLandmarkId(vtkIdType id);
   void SetFirstLandmarkIds(vtkIdList* ids);
   void SetFirstLandmarkIds(const std::vector<vtkIdType>& ids);
+#ifndef __VTK_WRAP__
+  void SetFirstLandmarkIds(std::initializer_list<vtkIdType> ids); // or {0} would be a null list
+#endif
+  void RemoveAllFirstLandmarkIds();
+  vtkIdType GetNumberOfFirstLandmarkIds() const;
+  ///@}
+
+  ///@{
+  /**
+   * The same for the second surface.
+   */
+  void AddSecondLandmarkId(vtkIdType id);
   void SetSecondLandmarkIds(vtkIdList* ids);
   void SetSecondLandmarkIds(const std::vector<vtkIdType>& ids);
 #ifndef __VTK_WRAP__
-  void SetFirstLandmarkIds(std::initializer_list<vtkIdType> ids); // or {0} would be a null list
   void SetSecondLandmarkIds(std::initializer_list<vtkIdType> ids);
 #endif
-  vtkIdType GetNumberOfFirstLandmarkIds() const;
+  void RemoveAllSecondLandmarkIds();
   vtkIdType GetNumberOfSecondLandmarkIds() const;
   ///@}
 
   ///@{
   /**
-   * The second surface (port 1), landmarks anywhere on the surfaces (ports 2 and 3), and the layout
-   * (port 4). Null removes them.
+   * The i-th id; -1 when there is none.
+   */
+  vtkIdType GetFirstLandmarkId(vtkIdType i) const
+    VTK_EXPECTS(0 <= i && i < GetNumberOfFirstLandmarkIds());
+  vtkIdType GetSecondLandmarkId(vtkIdType i) const
+    VTK_EXPECTS(0 <= i && i < GetNumberOfSecondLandmarkIds());
+  ///@}
+
+  /**
+   * Remove the ids for both surfaces and disconnect input ports 2 and 3.
+   */
+  void RemoveAllLandmarks();
+
+  ///@{
+  /**
+   * The second surface: input port 1. Null removes it.
    */
   void SetSecondSurfaceConnection(vtkAlgorithmOutput* output);
   void SetSecondSurfaceData(vtkPolyData* surface);
-  void SetFirstLandmarksConnection(vtkAlgorithmOutput* output);
-  void SetFirstLandmarksData(vtkPolyData* landmarks);
-  void SetSecondLandmarksConnection(vtkAlgorithmOutput* output);
-  void SetSecondLandmarksData(vtkPolyData* landmarks);
+  ///@}
+
+  ///@{
+  /**
+   * Landmarks anywhere on the first surface (input port 2) and on the second one (input port 3):
+   * the points of a vtkPolyData. Null removes them.
+   */
+  void SetFirstLandmarkConnection(vtkAlgorithmOutput* output);
+  void SetFirstLandmarkData(vtkPolyData* points);
+  void SetSecondLandmarkConnection(vtkAlgorithmOutput* output);
+  void SetSecondLandmarkData(vtkPolyData* points);
+  ///@}
+
+  ///@{
+  /**
+   * The layout: input port 4. Null removes it; then the cells of input port 2 are the layout.
+   */
   void SetLayoutConnection(vtkAlgorithmOutput* output);
   void SetLayoutData(vtkPolyData* layout);
   ///@}
@@ -124,7 +175,8 @@ public:
   ///@{
   /**
    * How far from the surface a landmark of port 2 or 3 may be, as a fraction of the diagonal of the
-   * bounding box of its surface. Default 0.01; must not be negative.
+   * bounding box of its surface. A point farther away is an error that names it. Default 0.01; must
+   * not be negative.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
@@ -147,9 +199,10 @@ private:
 
   vtkDGGSourceSet GetLandmarks(int surface, vtkInformationVector** inputVector) const;
   dgg::Status PrepareSecondMesh(vtkPolyData* surface);
+  void AddLandmarkId(int surface, vtkIdType id);
+  void SetLandmarkIds(int surface, const std::vector<vtkIdType>& ids);
 
-  std::vector<vtkIdType> FirstLandmarkIds;
-  std::vector<vtkIdType> SecondLandmarkIds;
+  std::vector<vtkIdType> LandmarkIds[2]; // per surface
   double ProjectionTolerance;
 
   struct vtkInternals;

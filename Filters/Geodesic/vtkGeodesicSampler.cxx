@@ -3,20 +3,19 @@
 #include "vtkGeodesicSampler.h"
 
 #include "vtkDGGGraphUser.h"
+#include "vtkDGGMakeArray.h"
 #include "vtkDGGMeshAdapter.h"
+#include "vtkDGGNewGeometry.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 #include "vtkDGGVoronoiOutputs.h"
-#include "vtkDGGPointCoordinates.h"
 
 #include "dggSurfaceSampler.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -31,19 +30,21 @@ namespace
 {
 const std::vector<vtkIdType> NoIds;
 
-void FillOutput(const std::vector<dgg::SurfaceSample>& samples, const vtkDGGMeshAdapter& mesh,
-  vtkPoints* coordinates, vtkPolyData* output)
+void FillOutput(const std::vector<dgg::SurfaceSample>& samples, const vtkDGGNewGeometry& geometry,
+  vtkPolyData* output)
 {
   std::vector<dgg::SurfacePoint> places;
-  vtkNew<vtkDoubleArray> radii;
-  radii->SetName("CoveringRadius");
   for (const dgg::SurfaceSample& sample : samples)
   {
     places.push_back(sample.Point);
-    radii->InsertNextValue(sample.CoveringRadius);
   }
-  vtkDGGFillSurfacePoints(places, mesh, coordinates, output);
-  output->GetPointData()->AddArray(radii);
+  vtkDGGFillSurfacePoints(places, geometry, output);
+  const auto radii =
+    vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), "CoveringRadius", samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    radii->SetValue(static_cast<vtkIdType>(i), samples[i].CoveringRadius);
+  }
 }
 }
 
@@ -184,10 +185,10 @@ dgg::Status vtkGeodesicSampler::Execute(
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
   dgg::SamplerOptions options;
   dgg::Status status = this->MakeOptions(surface, inputVector, options);
-  vtkNew<vtkPoints> points;
+  vtkDGGNewGeometry geometry;
   if (status.IsOk())
   {
-    status = vtkDGGCopyPoints(surface->GetPoints(), mesh.GetMesh().GetNumberOfVertices(), points);
+    status = geometry.Take(surface, mesh, this->GetOutputPointsPrecision());
   }
   if (status.IsOk() && !this->Advance(0.0))
   {
@@ -228,17 +229,14 @@ dgg::Status vtkGeodesicSampler::Execute(
   }
   this->WarnAboutNumber(
     options, samples.empty() ? nullptr : &samples.back(), static_cast<vtkIdType>(samples.size()));
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->Initialize();
-  FillOutput(samples, mesh, points, output);
+  FillOutput(samples, geometry, vtkPolyData::GetData(outputVector));
   return status;
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicSampler::MakeEmptyOutput(
-  vtkPolyData* vtkNotUsed(surface), vtkInformationVector* outputVector)
+void vtkGeodesicSampler::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
 {
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->Initialize();
-  FillOutput({}, this->GetMesh(), nullptr, output);
+  vtkDGGNewGeometry geometry;
+  geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
+  FillOutput({}, geometry, vtkPolyData::GetData(outputVector));
 }

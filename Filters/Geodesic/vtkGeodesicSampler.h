@@ -12,8 +12,9 @@
  * (SetStartConnection(), SetStartData()), anywhere on the surface; they are projected to it, come
  * first in the output and are all kept. Without them the first sample is FirstSample.
  *
- * The output has the samples as points (double) in the order in which they were taken, each with a
- * vert. Any number of them from the first on is a good sampling as well. Their point data are
+ * The output is new geometry, see vtkGeodesicAlgorithm: the samples as points in the order in which
+ * they were taken, each with a vert. Any number of them from the first on is a good sampling as
+ * well. Their point data are
  *  - `vtkOriginalPointIds`: the id of the point of the input that the sample is, -1 where it lies
  *    inside a face or on an edge. With MergeCoincidentPoints, the smallest of the ids;
  *  - `FaceId`: a cell of the input that the sample lies in, -1 for a point that no polygon uses;

@@ -4,18 +4,17 @@
 
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMeshAdapter.h"
+#include "vtkDGGNewGeometry.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 #include "vtkDGGVoronoiOutputs.h"
-#include "vtkDGGPointCoordinates.h"
 
 #include "dggCentroidal.h"
 
-#include "vtkIdList.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <limits>
@@ -55,12 +54,7 @@ vtkGeodesicVoronoi::~vtkGeodesicVoronoi() = default;
 void vtkGeodesicVoronoi::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SiteIds:";
-  for (const vtkIdType id : this->SiteIds)
-  {
-    os << " " << id;
-  }
-  os << (this->SiteIds.empty() ? " (none)\n" : "\n");
+  vtkDGGPrintIds(os, indent, "SiteIds", this->SiteIds);
   os << indent << "Centroidal: " << (this->Centroidal ? "On" : "Off") << "\n";
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
@@ -83,8 +77,7 @@ void vtkGeodesicVoronoi::AddSiteId(vtkIdType id)
 //------------------------------------------------------------------------------
 void vtkGeodesicVoronoi::SetSiteIds(vtkIdList* ids)
 {
-  this->SetSiteIds(
-    ids ? std::vector<vtkIdType>(ids->begin(), ids->end()) : std::vector<vtkIdType>());
+  this->SetSiteIds(vtkDGGGetIds(ids));
 }
 
 //------------------------------------------------------------------------------
@@ -118,7 +111,7 @@ vtkIdType vtkGeodesicVoronoi::GetNumberOfSiteIds() const
 //------------------------------------------------------------------------------
 vtkIdType vtkGeodesicVoronoi::GetSiteId(vtkIdType i) const
 {
-  return i >= 0 && i < this->GetNumberOfSiteIds() ? this->SiteIds[i] : -1;
+  return vtkDGGGetId(this->SiteIds, i);
 }
 
 //------------------------------------------------------------------------------
@@ -152,10 +145,8 @@ void vtkGeodesicVoronoi::SetUnreachedValue(double value)
 //------------------------------------------------------------------------------
 void vtkGeodesicVoronoi::SetName(std::string& name, const char* value)
 {
-  const std::string text = value ? value : "";
-  if (name != text)
+  if (vtkDGGChangeName(name, value))
   {
-    name = text;
     this->Modified();
   }
 }
@@ -263,11 +254,7 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
   if (result.IsCentroidal)
   {
     start = MovingShare;
-    std::vector<dgg::SurfacePoint> places;
-    for (const dgg::GeodesicSource& site : result.Sites)
-    {
-      places.push_back(site.Point);
-    }
+    std::vector<dgg::SurfacePoint> places = vtkDGGGetPlaces(result.Sites);
     dgg::CentroidalOptions options = result.Moving;
     options.Progress = [&](double done) { return progress(MovingShare * done); };
     dgg::Status status = graph.PrepareBuilder(mesh);
@@ -298,10 +285,7 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
   {
     return status;
   }
-  for (const dgg::GeodesicSource& site : result.Sites)
-  {
-    input.Places.push_back(site.Point);
-  }
+  input.Places = vtkDGGGetPlaces(result.Sites);
   return dgg::ComputeVoronoi(
     graph.GetSearch(), mesh.GetMesh(), input,
     [&](double done) { return progress(start + (1.0 - start) * done); }, result.Diagram);
@@ -320,8 +304,8 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   {
     return status;
   }
-  vtkNew<vtkPoints> points;
-  status = vtkDGGCopyPoints(surface->GetPoints(), mesh.GetMesh().GetNumberOfVertices(), points);
+  vtkDGGNewGeometry geometry;
+  status = geometry.Take(surface, mesh, this->GetOutputPointsPrecision());
   if (!status.IsOk())
   {
     return status;
@@ -352,29 +336,30 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   }
   if (status.IsOk())
   {
-    if (copy->GetNumberOfPoints() != points->GetNumberOfPoints())
+    if (copy->GetNumberOfPoints() != mesh.GetMesh().GetNumberOfVertices())
     {
-      copy->SetPoints(points);
+      copy->SetPoints(geometry.MakeVertices());
     }
-    this->FillOutputs(result, copy, points, outputVector);
+    this->FillOutputs(result, copy, geometry, outputVector);
   }
   return status;
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicVoronoi::FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyData* surface,
-  vtkPoints* points, vtkInformationVector* outputVector) const
+  const vtkDGGNewGeometry& geometry, vtkInformationVector* outputVector) const
 {
   const vtkDGGVoronoiOutputs outputs(
-    result, this->GetMesh(), points, this->DistanceArrayName, this->UnreachedValue);
+    result, this->GetMesh(), geometry, this->DistanceArrayName, this->UnreachedValue);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->ShallowCopy(surface);
   outputs.AddToSurface(this->SourceArrayName, output);
-  for (int port = 1; port < 4; ++port)
+  if (result.LabelsOnly)
   {
-    vtkPolyData::GetData(outputVector, port)->Initialize();
+    geometry.Begin(vtkPolyData::GetData(outputVector, 1));
+    geometry.Begin(vtkPolyData::GetData(outputVector, 2));
   }
-  if (!result.LabelsOnly)
+  else
   {
     outputs.FillBoundaries(vtkPolyData::GetData(outputVector, 1));
     outputs.FillCells(vtkPolyData::GetData(outputVector, 2));
@@ -385,5 +370,7 @@ void vtkGeodesicVoronoi::FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyD
 //------------------------------------------------------------------------------
 void vtkGeodesicVoronoi::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
 {
-  this->FillOutputs(vtkDGGVoronoiResult(), surface, surface->GetPoints(), outputVector);
+  vtkDGGNewGeometry geometry;
+  geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
+  this->FillOutputs(vtkDGGVoronoiResult(), surface, geometry, outputVector);
 }

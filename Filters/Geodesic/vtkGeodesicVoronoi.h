@@ -15,7 +15,7 @@
  * SetSiteData()), which may lie anywhere on the surface and are projected to it. Sites are numbered
  * from 0: ids first, then the points of port 1. A site at the place of an earlier one has no cell.
  *
- * There are four outputs.
+ * There are four outputs; all but the first one are new geometry, see vtkGeodesicAlgorithm.
  *  - Port 0 (GetOutput()): the input with the point arrays `GeodesicSource` (int), the number of
  * the nearest site, of several at the same distance the first one, and `GeodesicDistance` (double),
  *    the distance from it. Points that no site reaches get -1 and UnreachedValue. With Centroidal,
@@ -84,8 +84,8 @@
 #include <vector>           // For site ids
 
 class vtkDGGGraphUser;
+class vtkDGGNewGeometry;
 class vtkDGGSourceCollector;
-class vtkPoints;
 struct vtkDGGSourceSet;
 struct vtkDGGVoronoiResult;
 
@@ -303,8 +303,8 @@ private:
 
   vtkDGGSourceSet GetSiteSet(vtkInformationVector** inputVector) const;
   dgg::Status Compute(vtkDGGVoronoiResult& result);
-  void FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyData* surface, vtkPoints* points,
-    vtkInformationVector* outputVector) const;
+  void FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyData* surface,
+    const vtkDGGNewGeometry& geometry, vtkInformationVector* outputVector) const;
   void SetName(std::string& name, const char* value);
 
   std::vector<vtkIdType> SiteIds;

@@ -99,9 +99,86 @@ TEST_F(GeodesicPatchBoundaries, Defaults)
   EXPECT_EQ(filter->GetMTime(), time);
   filter->SetFirstLandmarkIds(nullptr);
   EXPECT_EQ(filter->GetNumberOfFirstLandmarkIds(), 0);
+}
+
+TEST_F(GeodesicPatchBoundaries, LandmarkIds)
+{
+  vtkNew<vtkGeodesicPatchBoundaries> filter;
+  vtkMTimeType time = filter->GetMTime();
+  const auto expectChange = [&] {
+    EXPECT_GT(filter->GetMTime(), time);
+    time = filter->GetMTime();
+  };
+  filter->AddFirstLandmarkId(7);
+  expectChange();
+  filter->AddFirstLandmarkId(9);
+  expectChange();
+  filter->AddSecondLandmarkId(3);
+  expectChange();
+  EXPECT_EQ(filter->GetNumberOfFirstLandmarkIds(), 2);
+  EXPECT_EQ(filter->GetFirstLandmarkId(1), 9);
+  EXPECT_EQ(filter->GetFirstLandmarkId(2), -1);
+  EXPECT_EQ(filter->GetFirstLandmarkId(-1), -1);
+  EXPECT_EQ(filter->GetNumberOfSecondLandmarkIds(), 1);
+  EXPECT_EQ(filter->GetSecondLandmarkId(0), 3);
+  EXPECT_EQ(filter->GetSecondLandmarkId(1), -1);
+  filter->RemoveAllFirstLandmarkIds();
+  expectChange();
+  EXPECT_EQ(filter->GetNumberOfFirstLandmarkIds(), 0);
+  EXPECT_EQ(filter->GetNumberOfSecondLandmarkIds(), 1);
+  filter->RemoveAllFirstLandmarkIds();
+  EXPECT_EQ(filter->GetMTime(), time);
+  filter->RemoveAllSecondLandmarkIds();
+  expectChange();
+  EXPECT_EQ(filter->GetNumberOfSecondLandmarkIds(), 0);
+  this->Filter->SetFirstLandmarkData(MakeSourcePoints({ { { 0.0, 0.0, 0.0 } } }));
+  this->Filter->SetSecondLandmarkData(MakeSourcePoints({ { { 0.0, 0.0, 0.0 } } }));
+  this->Filter->RemoveAllLandmarks();
+  EXPECT_EQ(this->Filter->GetNumberOfFirstLandmarkIds(), 0);
+  EXPECT_EQ(this->Filter->GetNumberOfSecondLandmarkIds(), 0);
+  EXPECT_EQ(this->Filter->GetNumberOfInputConnections(2), 0);
+  EXPECT_EQ(this->Filter->GetNumberOfInputConnections(3), 0);
+  EXPECT_EQ(this->Filter->GetNumberOfInputConnections(4), 1);
+}
+
+TEST_F(GeodesicPatchBoundaries, PrintsItself)
+{
+  this->Filter->SetSecondLandmarkIds({ 8, 9 });
+  this->Filter->SetFirstLandmarkIds({});
   std::ostringstream text;
   this->Filter->Print(text);
-  EXPECT_NE(text.str().find("NumberOfSecondLandmarkIds: 9"), std::string::npos);
+  for (const char* line : { "FirstLandmarkIds: (none)\n", "SecondLandmarkIds: 8 9\n",
+         "ProjectionTolerance: 0.01\n", "OutputPointsPrecision: 2\n" })
+  {
+    EXPECT_NE(text.str().find(line), std::string::npos) << line;
+  }
+}
+
+TEST_F(GeodesicPatchBoundaries, IdsComeBeforePoints)
+{
+  // Those of the first surface partly, those of the second one all by place.
+  ExpectSuccess(this->Filter);
+  const double length = Get(this->Filter->GetOutput(1)->GetCellData(), "Length", 11);
+  Points rest;
+  Points all;
+  for (std::size_t l = 0; l < 9; ++l)
+  {
+    all.emplace_back();
+    this->Second->GetPoint(GetNine()[l], all.back().data());
+    if (l >= 5)
+    {
+      rest.emplace_back();
+      this->First->GetPoint(GetNine()[l], rest.back().data());
+    }
+  }
+  this->Filter->SetFirstLandmarkIds({ 0, 4, 8, 36, 40 });
+  this->Filter->SetFirstLandmarkData(MakeSourcePoints(rest));
+  this->Filter->RemoveAllSecondLandmarkIds();
+  this->Filter->SetSecondLandmarkData(MakeSourcePoints(all));
+  ExpectSuccess(this->Filter);
+  ASSERT_EQ(this->Filter->GetOutput(0)->GetNumberOfLines(), 12);
+  EXPECT_NEAR(Get(this->Filter->GetOutput(0)->GetCellData(), "Length", 11), 4.0, 1e-12);
+  EXPECT_NEAR(Get(this->Filter->GetOutput(1)->GetCellData(), "Length", 11), length, 1e-12);
 }
 
 TEST_F(GeodesicPatchBoundaries, CurvesCorrespond)
@@ -128,13 +205,16 @@ TEST_F(GeodesicPatchBoundaries, CurvesCorrespond)
       EXPECT_EQ(Get(points, "vtkOriginalPointIds", ids->GetId(0)), GetNine()[sides[c][0]]);
       EXPECT_EQ(Get(points, "vtkOriginalPointIds", ids->GetId(count - 1)), GetNine()[sides[c][1]]);
       EXPECT_EQ(Get(points, "ArcLength", ids->GetId(0)), 0.0);
-      EXPECT_EQ(Get(points, "ArcLength", ids->GetId(count - 1)), 1.0);
+      EXPECT_EQ(Get(points, "ArcFraction", ids->GetId(0)), 0.0);
+      EXPECT_EQ(Get(points, "ArcFraction", ids->GetId(count - 1)), 1.0);
+      const double whole = Get(cells, "Length", c);
       double length = 0.0;
       for (vtkIdType i = 0; i < count; ++i)
       {
         const vtkIdType id = ids->GetId(i);
         length += i > 0 ? EuclideanDistance(output, ids->GetId(i - 1), id) : 0.0;
-        EXPECT_NEAR(Get(points, "ArcLength", id) * Get(cells, "Length", c), length, 1e-12 * length);
+        EXPECT_NEAR(Get(points, "ArcLength", id), length, 1e-12 * length);
+        EXPECT_NEAR(Get(points, "ArcFraction", id) * whole, length, 1e-12 * length);
         const auto face = static_cast<vtkIdType>(Get(points, "FaceId", id));
         double bounds[6];
         surface->GetCellBounds(face, bounds);
@@ -173,7 +253,7 @@ TEST_F(GeodesicPatchBoundaries, LandmarksAsPoints)
   vtkSmartPointer<vtkPolyData> landmarks = MakeLayout(GetFourQuads());
   landmarks->SetPoints(places);
   this->Filter->SetFirstLandmarkIds(nullptr);
-  this->Filter->SetFirstLandmarksData(landmarks);
+  this->Filter->SetFirstLandmarkData(landmarks);
   this->Filter->SetLayoutData(nullptr);
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetOutput(1)->GetNumberOfLines(), 12);
@@ -224,9 +304,9 @@ TEST_F(GeodesicPatchBoundaries, SaysWhatIsWrong)
   this->Filter->SetSecondLandmarkIds({ 0, 4, 8, 36, 40, 44, 72, 76, 4 });
   ExpectError(this->Filter, { "landmarks 1 and 8 of the second surface are in the same place" });
   this->Filter->SetSecondLandmarkIds(GetNine());
-  this->Filter->SetFirstLandmarksData(MakeSourcePoints({ { { 0.5, nan, 0.0 } } }));
+  this->Filter->SetFirstLandmarkData(MakeSourcePoints({ { { 0.5, nan, 0.0 } } }));
   ExpectError(this->Filter, { "first landmark point 0", "not finite" });
-  this->Filter->SetFirstLandmarksData(nullptr);
+  this->Filter->SetFirstLandmarkData(nullptr);
   this->Filter->SetLayoutData(nullptr);
   ExpectError(this->Filter, { "no layout" });
   this->Filter->SetLayoutData(MakeLayout({}));
@@ -271,5 +351,15 @@ TEST_F(GeodesicPatchBoundaries, FollowsItsInputs)
   vtkNew<vtkPolyData> nothing;
   this->Filter->SetInputData(nothing);
   ExpectWarning(this->Filter, { "empty" });
-  ExpectEmptyOutput(this->Filter);
+  for (const int port : { 0, 1 })
+  {
+    vtkPolyData* output = this->Filter->GetOutput(port);
+    EXPECT_EQ(output->GetNumberOfPoints(), 0);
+    EXPECT_NE(output->GetCellData()->GetArray("LayoutEdge"), nullptr);
+  }
+}
+
+TEST_F(GeodesicPatchBoundaries, ObserversMayChangeTheInput)
+{
+  ExpectObserversMayEmptyThePoints(this->Filter, MakeGrid(8, 8));
 }

@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What all outputs have in common that are new geometry on a surface: field data and the precision
+/// of points.
+#include "GraphTestTools.h"
+
+#include "vtkDGGLoop.h"
+#include "vtkDGGPath.h"
+#include "vtkGeodesicPatchBoundaries.h"
+#include "vtkGeodesicSampler.h"
+#include "vtkGeodesicVoronoi.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkStringArray.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <ostream>
+#include <sstream>
+
+using namespace dggtest;
+
+namespace
+{
+/// A filter, and which of its outputs are new geometry.
+struct Case
+{
+  const char* Name;
+  std::function<vtkSmartPointer<vtkGeodesicAlgorithm>(vtkPolyData* surface)> Make;
+  std::vector<int> Ports;
+  std::vector<const char*> Arrays; ///< point arrays of all of them
+};
+
+void PrintTo(const Case& tested, std::ostream* os)
+{
+  *os << tested.Name;
+}
+
+/// A surface that is neither flat nor straight, with coordinates of the given type that are
+/// integers.
+vtkSmartPointer<vtkPolyData> MakeRelief(int dataType)
+{
+  auto surface = MakeGrid(8, 8);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(dataType);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    points->InsertNextPoint(10.0 * p[0], 10.0 * p[1], static_cast<double>(i * i * 7 % 9));
+  }
+  surface->SetPoints(points);
+  return surface;
+}
+
+void AddNote(vtkPolyData* surface, const char* name)
+{
+  vtkNew<vtkStringArray> note;
+  note->SetName(name);
+  note->InsertNextValue("kept");
+  surface->GetFieldData()->AddArray(note);
+}
+
+template <typename Filter>
+vtkSmartPointer<Filter> MakeFilter(vtkPolyData* surface)
+{
+  auto filter = vtkSmartPointer<Filter>::New();
+  filter->SetInputData(surface);
+  return filter;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakePath(vtkPolyData* surface)
+{
+  auto path = MakeFilter<vtkDGGPath>(surface);
+  path->SetAccuracy(0.05);
+  path->AddPair(0, 70);
+  path->AddPair(3, 41);
+  return path;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeLoop(vtkPolyData* surface)
+{
+  auto loop = MakeFilter<vtkDGGLoop>(surface);
+  loop->SetAccuracy(0.05);
+  loop->SetModeToRope();
+  loop->SetPointIds({ 11, 15, 69, 65 });
+  loop->SetTapeWidth(3.0);
+  return loop;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeSampler(vtkPolyData* surface)
+{
+  auto sampler = MakeFilter<vtkGeodesicSampler>(surface);
+  sampler->SetAccuracy(0.05);
+  sampler->SetNumberOfSamples(15);
+  sampler->InFacesOn();
+  return sampler;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeVoronoi(vtkPolyData* surface)
+{
+  auto voronoi = MakeFilter<vtkGeodesicVoronoi>(surface);
+  voronoi->SetAccuracy(0.05);
+  voronoi->SetSiteIds({ 10, 16, 64, 70 });
+  voronoi->CentroidalOn();
+  voronoi->SetNumberOfIterations(2);
+  return voronoi;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeBoundaries(vtkPolyData* surface)
+{
+  vtkNew<vtkPolyData> second;
+  second->DeepCopy(surface);
+  vtkNew<vtkPolyData> layout;
+  layout->SetPolys(MakeCells({ { 0, 1, 2 }, { 0, 2, 3 } }));
+  auto boundaries = MakeFilter<vtkGeodesicPatchBoundaries>(surface);
+  boundaries->SetSecondSurfaceData(second);
+  boundaries->SetFirstLandmarkIds({ 10, 16, 70, 64 });
+  boundaries->SetSecondLandmarkIds({ 20, 24, 60, 56 });
+  boundaries->SetLayoutData(layout);
+  return boundaries;
+}
+
+using Coordinates = std::vector<double>;
+
+Coordinates GetCoordinates(vtkPolyData* output)
+{
+  Coordinates values;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    output->GetPoint(i, p);
+    values.insert(values.end(), p, p + 3);
+  }
+  return values;
+}
+
+std::vector<double> GetValues(vtkFieldData* data)
+{
+  std::vector<double> values;
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = data->GetArray(a);
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+    {
+      values.insert(
+        values.end(), array->GetTuple(i), array->GetTuple(i) + array->GetNumberOfComponents());
+    }
+  }
+  return values;
+}
+
+class NewGeometry : public ::testing::TestWithParam<Case>
+{
+protected:
+  /// Update, and collect all coordinates; expect that they are of this type.
+  Coordinates Run(vtkGeodesicAlgorithm* filter, int dataType)
+  {
+    ExpectSuccess(filter);
+    Coordinates all;
+    for (const int port : this->GetParam().Ports)
+    {
+      vtkPolyData* output = filter->GetOutput(port);
+      EXPECT_GT(output->GetNumberOfPoints(), 0) << port;
+      EXPECT_EQ(output->GetPoints()->GetDataType(), dataType) << port;
+      const Coordinates part = GetCoordinates(output);
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+  }
+
+  /// All numbers of all arrays of points and cells.
+  std::vector<double> GetData(vtkGeodesicAlgorithm* filter)
+  {
+    std::vector<double> all;
+    for (const int port : this->GetParam().Ports)
+    {
+      vtkPolyData* output = filter->GetOutput(port);
+      for (vtkFieldData* data :
+        std::vector<vtkFieldData*>{ output->GetPointData(), output->GetCellData() })
+      {
+        const std::vector<double> part = GetValues(data);
+        all.insert(all.end(), part.begin(), part.end());
+      }
+    }
+    return all;
+  }
+};
+}
+
+TEST_P(NewGeometry, FieldDataIsPassedWithoutTheGraph)
+{
+  auto surface = MakeSurfaceWithGraph(MakeRelief(VTK_DOUBLE));
+  AddNote(surface, "note");
+  const auto filter = this->GetParam().Make(surface);
+  ExpectSuccess(filter);
+  for (const int port : this->GetParam().Ports)
+  {
+    SCOPED_TRACE(port);
+    vtkPolyData* output = filter->GetOutput(port);
+    auto* note = vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("note"));
+    ASSERT_NE(note, nullptr);
+    EXPECT_EQ(note->GetValue(0), "kept");
+    EXPECT_EQ(GetGraphBytes(output), std::vector<std::string>(GetGraphArrayNames().size()));
+    for (const char* name : this->GetParam().Arrays)
+    {
+      EXPECT_NE(output->GetPointData()->GetArray(name), nullptr) << name;
+    }
+  }
+  EXPECT_NE(GetGraphBytes(surface)[0], "");
+}
+
+TEST_P(NewGeometry, ObserversMayChangeTheFieldData)
+{
+  auto surface = MakeRelief(VTK_DOUBLE);
+  AddNote(surface, "note");
+  const auto filter = this->GetParam().Make(surface);
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(surface);
+  command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+    if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() > 0.3)
+    {
+      static_cast<vtkPolyData*>(data)->GetFieldData()->Initialize();
+    }
+  });
+  filter->AddObserver(vtkCommand::ProgressEvent, command);
+  ExpectSuccess(filter);
+  EXPECT_EQ(surface->GetFieldData()->GetNumberOfArrays(), 0) << "the observer was not called";
+  for (const int port : this->GetParam().Ports)
+  {
+    EXPECT_NE(filter->GetOutput(port)->GetFieldData()->GetAbstractArray("note"), nullptr) << port;
+  }
+}
+
+TEST_P(NewGeometry, PrecisionIsThatOfTheInputUnlessSet)
+{
+  const auto filter = this->GetParam().Make(MakeRelief(VTK_FLOAT));
+  EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
+  const Coordinates floats = this->Run(filter, VTK_FLOAT);
+  const std::vector<double> data = this->GetData(filter);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  const Coordinates doubles = this->Run(filter, VTK_DOUBLE);
+  // Only the coordinates are rounded, not what is measured.
+  EXPECT_EQ(this->GetData(filter), data);
+  ASSERT_EQ(floats.size(), doubles.size());
+  bool isRounded = false;
+  for (std::size_t i = 0; i < floats.size(); ++i)
+  {
+    EXPECT_EQ(floats[i], static_cast<float>(doubles[i]));
+    isRounded = isRounded || floats[i] != doubles[i];
+  }
+  EXPECT_TRUE(isRounded);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  EXPECT_EQ(this->Run(filter, VTK_FLOAT), floats);
+
+  const auto wide = this->GetParam().Make(MakeRelief(VTK_DOUBLE));
+  EXPECT_EQ(this->Run(wide, VTK_DOUBLE), doubles);
+  wide->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  EXPECT_EQ(this->Run(wide, VTK_FLOAT), floats);
+  // New points are not integers.
+  const auto whole = this->GetParam().Make(MakeRelief(VTK_INT));
+  EXPECT_EQ(this->Run(whole, VTK_DOUBLE), doubles);
+}
+
+TEST_P(NewGeometry, OutOfTheRangeOfFloats)
+{
+  for (const double unit : { 1e45, 1e-45 })
+  {
+    auto surface = MakeRelief(VTK_DOUBLE);
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      surface->GetPoint(i, p);
+      surface->GetPoints()->SetPoint(i, unit * p[0], unit * p[1], unit * p[2]);
+    }
+    const auto filter = this->GetParam().Make(surface);
+    if (auto* loop = vtkDGGLoop::SafeDownCast(filter))
+    {
+      loop->SetTapeWidth(unit * loop->GetTapeWidth());
+    }
+    this->Run(filter, VTK_DOUBLE);
+    filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+    ExpectError(filter, { "OutputPointsPrecision is single", "DOUBLE_PRECISION" });
+    filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
+    this->Run(filter, VTK_DOUBLE);
+  }
+}
+
+TEST_P(NewGeometry, PrecisionIsAProperty)
+{
+  const auto filter = this->GetParam().Make(MakeRelief(VTK_FLOAT));
+  const vtkMTimeType time = filter->GetMTime();
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
+  EXPECT_EQ(filter->GetMTime(), time);
+  filter->SetOutputPointsPrecision(17);
+  EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  EXPECT_GT(filter->GetMTime(), time);
+  std::ostringstream text;
+  filter->Print(text);
+  EXPECT_NE(text.str().find("OutputPointsPrecision: 1\n"), std::string::npos);
+}
+
+TEST_P(NewGeometry, EmptyInput)
+{
+  vtkNew<vtkPolyData> empty;
+  AddNote(empty, "note");
+  const auto filter = this->GetParam().Make(empty);
+  ExpectWarning(filter, { "empty" });
+  for (const int port : this->GetParam().Ports)
+  {
+    SCOPED_TRACE(port);
+    vtkPolyData* output = filter->GetOutput(port);
+    EXPECT_EQ(output->GetNumberOfPoints(), 0);
+    EXPECT_NE(output->GetFieldData()->GetAbstractArray("note"), nullptr);
+    for (const char* name : this->GetParam().Arrays)
+    {
+      EXPECT_NE(output->GetPointData()->GetArray(name), nullptr) << name;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Filters, NewGeometry,
+  ::testing::Values(
+    Case{ "Path", MakePath, { 0 }, { "FaceId", "vtkOriginalPointIds", "ArcLength" } },
+    Case{ "Loop", MakeLoop, { 0, 1 }, { "FaceId", "vtkOriginalPointIds", "ArcLength" } },
+    Case{ "Sampler", MakeSampler, { 0 }, { "FaceId", "vtkOriginalPointIds", "CoveringRadius" } },
+    Case{ "Voronoi", MakeVoronoi, { 1, 2, 3 }, {} },
+    Case{ "PatchBoundaries", MakeBoundaries, { 0, 1 },
+      { "FaceId", "vtkOriginalPointIds", "ArcLength", "ArcFraction" } }),
+  [](const ::testing::TestParamInfo<Case>& tested) { return tested.param.Name; });
+
+TEST(NewGeometryOfTwoSurfaces, EachHasItsOwn)
+{
+  auto first = MakeRelief(VTK_FLOAT);
+  auto second = MakeSurfaceWithGraph(MakeRelief(VTK_DOUBLE));
+  AddNote(first, "first");
+  AddNote(second, "second");
+  const auto filter = MakeBoundaries(first);
+  vtkGeodesicPatchBoundaries::SafeDownCast(filter)->SetSecondSurfaceData(second);
+  ExpectSuccess(filter);
+  vtkPolyData* outputs[2] = { filter->GetOutput(0), filter->GetOutput(1) };
+  EXPECT_EQ(outputs[0]->GetPoints()->GetDataType(), VTK_FLOAT);
+  EXPECT_EQ(outputs[1]->GetPoints()->GetDataType(), VTK_DOUBLE);
+  EXPECT_NE(outputs[0]->GetFieldData()->GetAbstractArray("first"), nullptr);
+  EXPECT_EQ(outputs[0]->GetFieldData()->GetNumberOfArrays(), 1);
+  EXPECT_NE(outputs[1]->GetFieldData()->GetAbstractArray("second"), nullptr);
+  EXPECT_EQ(outputs[1]->GetFieldData()->GetNumberOfArrays(), 1);
+}
+
+TEST(OldGeometry, StaysAsItIs)
+{
+  auto surface = MakeSurfaceWithGraph(MakeRelief(VTK_FLOAT));
+  const auto filter = MakeVoronoi(surface);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetOutput(0)->GetPoints(), surface->GetPoints());
+  EXPECT_EQ(GetGraphBytes(filter->GetOutput(0)), GetGraphBytes(surface));
+  // The points of the input come first in the cells, as exactly as they are there.
+  const Coordinates before = GetCoordinates(surface);
+  Coordinates cells = GetCoordinates(filter->GetOutput(2));
+  ASSERT_GT(cells.size(), before.size());
+  cells.resize(before.size());
+  EXPECT_EQ(cells, before);
+}
