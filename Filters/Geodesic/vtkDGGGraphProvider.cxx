@@ -109,6 +109,7 @@ void vtkDGGGraphProvider::FollowMesh(const vtkDGGMeshAdapter& mesh)
 //------------------------------------------------------------------------------
 void vtkDGGGraphProvider::ForgetGraph()
 {
+  this->Finder.reset();
   this->Search.reset();
   this->Summary = vtkDGGGraphSummary();
   this->OwnGraph = dgg::GeodesicGraph();
@@ -119,6 +120,7 @@ void vtkDGGGraphProvider::ForgetGraph()
 //------------------------------------------------------------------------------
 void vtkDGGGraphProvider::SearchIn(const dgg::GraphView& graph, const vtkDGGMeshAdapter& mesh)
 {
+  this->Finder.reset();
   this->Search.reset();
   this->Search = std::make_unique<dgg::GraphSearch>(graph, &mesh.GetMesh());
   this->NumberOfPairs = 0;
@@ -234,6 +236,7 @@ dgg::Status vtkDGGGraphProvider::PrepareBuilder(const vtkDGGMeshAdapter& mesh)
     "linking points that are not vertices", size, this->MemoryLimit, "use vertices only");
   if (status.IsOk())
   {
+    this->Finder.reset(); // it has none
     this->Builder = std::make_unique<dgg::GraphBuilder>(mesh.GetMesh());
     this->BuilderSize = size;
   }
@@ -243,6 +246,10 @@ dgg::Status vtkDGGGraphProvider::PrepareBuilder(const vtkDGGMeshAdapter& mesh)
 //------------------------------------------------------------------------------
 void vtkDGGGraphProvider::ReleaseBuilder()
 {
+  if (this->Builder)
+  {
+    this->Finder.reset();
+  }
   this->Builder.reset();
   this->BuilderSize = 0;
 }
@@ -330,6 +337,20 @@ dgg::Status vtkDGGGraphProvider::LinkPlaces(const Points& places, const vtkDGGMe
 }
 
 //------------------------------------------------------------------------------
+const dgg::PathFinder& vtkDGGGraphProvider::GetPathFinder(
+  const vtkDGGMeshAdapter& mesh, const double* positions)
+{
+  if (!this->Finder || this->FinderPositions != positions)
+  {
+    this->Finder.reset();
+    this->Finder = std::make_unique<dgg::PathFinder>(
+      mesh.GetMesh(), *this->Search, this->Builder.get(), positions);
+    this->FinderPositions = positions;
+  }
+  return *this->Finder;
+}
+
+//------------------------------------------------------------------------------
 double vtkDGGGraphProvider::GetLinkAccuracy() const
 {
   const double accuracy = this->Summary.Info.Accuracy;
@@ -350,7 +371,8 @@ std::size_t vtkDGGGraphProvider::LinkStore::GetMemorySize() const
 //------------------------------------------------------------------------------
 std::size_t vtkDGGGraphProvider::GetMemorySize() const
 {
-  return this->Search ? this->Summary.MemorySize + this->Search->GetMemorySize() +
-      this->BuilderSize + this->Store.GetMemorySize()
-                      : 0;
+  return this->Search
+    ? this->Summary.MemorySize + this->Search->GetMemorySize() + this->BuilderSize +
+      this->Store.GetMemorySize() + (this->Finder ? this->Finder->GetMemorySize() : 0)
+    : 0;
 }

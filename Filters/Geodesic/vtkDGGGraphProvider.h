@@ -10,6 +10,7 @@
 #include "dggExactGeodesics.h" // for GeodesicSource
 #include "dggGraphBuilder.h"   // for GraphBuilder
 #include "dggGraphSearch.h"    // for GraphSearch
+#include "dggPathFinder.h"     // for PathFinder
 
 #include "vtkTimeStamp.h" // for the build time
 
@@ -68,6 +69,10 @@ public:
   dgg::Status PrepareBuilder(const vtkDGGMeshAdapter& mesh);
   const dgg::GraphBuilder& GetBuilder() const { return *this->Builder; }
   void ReleaseBuilder();
+  /// For paths in the graph, with links when there is a builder. Its memory is as large as the
+  /// mesh; it is kept as long as graph, builder and `positions`, those of the vertices, are the
+  /// same.
+  const dgg::PathFinder& GetPathFinder(const vtkDGGMeshAdapter& mesh, const double* positions);
   /// The accuracy that links have to have: that of the graph, or that asked for when it has none.
   double GetLinkAccuracy() const;
 
@@ -114,7 +119,9 @@ private:
   std::unique_ptr<dgg::GraphSearch> Search;
   std::size_t NumberOfPairs = 0; // that it has been asked for
   std::unique_ptr<dgg::GraphBuilder> Builder;
-  std::size_t BuilderSize = 0; // bytes, about
+  std::size_t BuilderSize = 0;             // bytes, about
+  std::unique_ptr<dgg::PathFinder> Finder; // in Search, with Builder
+  const double* FinderPositions = nullptr;
   LinkStore Store;
   vtkTimeStamp BuildTime;
   dgg::ProgressCallback Progress; // of the last request

@@ -88,8 +88,7 @@ dgg::Status vtkDGGPathSearch::RunInGraph(
     const dgg::Status intact = graph.CheckArrays();
     return intact.IsOk() ? guided : intact;
   }
-  const dgg::PathFinder finder(
-    this->Mesh.GetMesh(), graph.GetSearch(), withLinks ? &graph.GetBuilder() : nullptr, positions);
+  const dgg::PathFinder& finder = graph.GetPathFinder(this->Mesh, positions);
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
   // No look at the progress while threads search: an observer may empty the arrays of the graph.
   const dgg::Status status =

@@ -615,6 +615,76 @@ TEST_F(DGGPath, TakesTheGraphOnItsInputOrBuildsOnce)
   ExpectSuccess(this->Filter);
 }
 
+TEST_F(DGGPath, WhatIsKeptBetweenUpdatesFollowsEveryChange)
+{
+  // After each change, the filter gives what a new one gives.
+  const auto expectTheSameAsNew = [&](const char* what) {
+    SCOPED_TRACE(what);
+    ExpectSuccess(this->Filter);
+    vtkNew<vtkDGGPath> fresh;
+    fresh->SetInputData(this->Filter->GetInput());
+    fresh->SetAccuracy(this->Filter->GetAccuracy());
+    fresh->SetMergeCoincidentPoints(this->Filter->GetMergeCoincidentPoints());
+    fresh->SetMethod(this->Filter->GetMethod());
+    fresh->SetProjectionTolerance(1.0);
+    fresh->AcceptCoarserGraphOn();
+    for (vtkIdType i = 0; i < this->Filter->GetNumberOfPairs(); ++i)
+    {
+      fresh->AddPair(this->Filter->GetPairStart(i), this->Filter->GetPairEnd(i));
+    }
+    fresh->SetPairData(vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(1, 0)));
+    ExpectSuccess(fresh);
+    const auto paths = GetPaths(this->Filter);
+    EXPECT_EQ(paths.size(), static_cast<std::size_t>(fresh->GetOutput()->GetNumberOfLines()));
+    EXPECT_FALSE(paths.empty());
+    EXPECT_EQ(paths, GetPaths(fresh));
+    return paths;
+  };
+  this->Filter->SetProjectionTolerance(1.0);
+  this->Filter->AcceptCoarserGraphOn();
+  AddPairs(this->Filter, { { 0, 399 } });
+  const auto first = expectTheSameAsNew("one pair");
+  this->Filter->AddPair(5, 310);
+  EXPECT_EQ(expectTheSameAsNew("another pair")[0], first[0]);
+  this->Filter->SetPairData(MakePairs({ { { 0.21, 0.13, 0.0 } }, { { 0.83, 0.72, 0.0 } } }));
+  EXPECT_EQ(expectTheSameAsNew("pairs that need links")[0], first[0]);
+  this->Filter->SetPairData(nullptr);
+  EXPECT_EQ(expectTheSameAsNew("no links again")[0], first[0]);
+  this->Filter->SetAccuracy(0.2);
+  expectTheSameAsNew("another graph");
+  this->Filter->SetMethodToExact();
+  expectTheSameAsNew("no graph");
+  this->Filter->SetMethodToGraph();
+  expectTheSameAsNew("a graph again");
+  this->Terrain->GetPoints()->SetPoint(210, 0.5, 0.52, 0.7);
+  this->Terrain->GetPoints()->Modified();
+  EXPECT_FALSE(expectTheSameAsNew("another surface")[0] == first[0]);
+  this->Filter->SetInputData(MakeSurfaceWithGraph(this->Terrain, 0.05));
+  expectTheSameAsNew("a graph on the input");
+  this->Filter->SetInputData(MakeSurfaceWithGraph(this->Terrain, 0.1));
+  expectTheSameAsNew("another graph on the input");
+  this->Filter->SetInputData(MakeTerrain(20));
+  EXPECT_EQ(this->Filter->GetAccuracy(), 0.2);
+  this->Filter->SetAccuracy(0.05);
+  EXPECT_EQ(expectTheSameAsNew("the first surface")[0], first[0]);
+  this->Filter->MergeCoincidentPointsOn();
+  EXPECT_EQ(expectTheSameAsNew("the same mesh, prepared anew")[0], first[0]);
+}
+
+TEST_F(DGGPath, MemoryIsThatOfGraphAndSearches)
+{
+  AddPairs(this->Filter, { { 0, 399 } });
+  ExpectSuccess(this->Filter);
+  const vtkTypeUInt64 size = this->Filter->GetMemorySize();
+  // A point-to-point search, and the corridor of a path.
+  EXPECT_GT(size,
+    static_cast<vtkTypeUInt64>(
+      16 * this->Filter->GetNumberOfGraphEdges() + 40 * this->Terrain->GetNumberOfPoints()));
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetMemorySize(), size);
+}
+
 TEST_F(DGGPath, GraphsOfAllConstructions)
 {
   const Points ends = { { { 0.21, 0.13, 0.0 } }, { { 0.83, 0.72, 0.0 } }, { { 0.5, 0.5, 0.0 } },

@@ -18,12 +18,17 @@ namespace
 struct PathWorkspace
 {
   explicit PathWorkspace(const SurfaceMesh& mesh)
-    : Tracer(mesh)
+    : Mesh(mesh)
+    , Tracer(mesh)
     , Shortener(mesh)
     , Corridor(mesh)
   {
   }
 
+  /// What is as large as the mesh.
+  std::size_t GetMemorySize() const { return PathCorridor::PredictMemorySize(this->Mesh); }
+
+  const SurfaceMesh& Mesh;
   PathTracer Tracer;
   PathShortener Shortener;
   PathCorridor Corridor;
@@ -57,6 +62,7 @@ public:
 
   Status Find(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options,
     FoundPath& found) const;
+  std::size_t GetMemorySize() const { return this->Workspaces.GetMemorySize(); }
 
 private:
   /// How a point is linked to the graph.
@@ -238,5 +244,10 @@ Status PathFinder::Find(const SurfacePoint& from, const SurfacePoint& to,
     found = FoundPath();
   }
   return status;
+}
+
+std::size_t PathFinder::GetMemorySize() const
+{
+  return this->Internals->GetMemorySize();
 }
 }

@@ -9,7 +9,8 @@
 #include "dggGraphSearch.h"  // for the graph
 #include "dggSurfacePath.h"  // for SurfacePath
 
-#include <memory> // for the internals
+#include <cstddef> // for std::size_t
+#include <memory>  // for the internals
 
 namespace dgg
 {
@@ -56,6 +57,9 @@ public:
   /// graph. Fails when a point does not exist; points that are not connected are no failure.
   Status Find(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options,
     FoundPath& found) const;
+
+  /// Bytes that are kept for the next paths, as much for each thread that has found one.
+  std::size_t GetMemorySize() const;
 
 private:
   class Implementation;
