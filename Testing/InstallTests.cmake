@@ -82,6 +82,13 @@ set_tests_properties("Install.Loops" PROPERTIES
   ENVIRONMENT "${dgg_rendering_environment}")
 dgg_add_consumer_test(Loops.WrongPoint 1 "loop point id 642"
   "${consumer_dir}/Loops" "mesh.ply" 642 0.2 "wrong.png")
+dgg_add_consumer_test(PatchBoundaries 0
+  "landmarks +first surface +second surface.*0 to 1 +([0-9.]+) +[0-9.]+\n.*4 to 5 "
+  "${consumer_dir}/PatchBoundaries" "mesh.ply" "mesh.ply" "patches.png")
+set_tests_properties("Install.PatchBoundaries" PROPERTIES
+  ENVIRONMENT "${dgg_rendering_environment}")
+dgg_add_consumer_test(PatchBoundaries.MissingFile 1 "missing.ply: no surface"
+  "${consumer_dir}/PatchBoundaries" "mesh.ply" "missing.ply" "wrong.png")
 dgg_add_consumer_test(Pipeline.MissingFile 1 "missing.off"
   "${consumer_dir}/ExactDistancePipeline" missing.off 0 missing.png)
 dgg_add_consumer_test(Pipeline.WrongSource 1 "source|point"
