@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggHomotopyBasis.h"
 
+#include "dggDisjointSets.h"
+#include "dggEdges.h"
 #include "dggMinimumHeap.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 namespace dgg
@@ -52,45 +53,6 @@ struct EdgeTree
       }
     }
   }
-};
-
-/// The half-edge that stands for its edge.
-Id Representative(const SurfaceMesh& mesh, Id h)
-{
-  const Id twin = mesh.Twin(h);
-  return twin == NoId ? h : std::min(h, twin);
-}
-
-/// Sets of faces that are joined.
-class FaceSets
-{
-public:
-  explicit FaceSets(Id count)
-    : Parents(count)
-  {
-    std::iota(this->Parents.begin(), this->Parents.end(), 0);
-  }
-
-  /// False when they are in the same set already.
-  bool Join(Id a, Id b)
-  {
-    a = this->Find(a);
-    b = this->Find(b);
-    this->Parents[a] = b;
-    return a != b;
-  }
-
-private:
-  Id Find(Id f)
-  {
-    while (this->Parents[f] != f)
-    {
-      f = this->Parents[f] = this->Parents[this->Parents[f]];
-    }
-    return f;
-  }
-
-  std::vector<Id> Parents;
 };
 
 /// From the base to one end of an edge, over it, and back from the other end. What both ways have
@@ -178,7 +140,7 @@ Status Decomposition::CollectEdges(const SurfaceMesh& mesh, std::vector<Id>& edg
   {
     if (h != NoId)
     {
-      isInTree[Representative(mesh, h)] = 1;
+      isInTree[FindEdge(mesh, h)] = 1;
     }
   }
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
@@ -192,7 +154,7 @@ Status Decomposition::CollectEdges(const SurfaceMesh& mesh, std::vector<Id>& edg
     {
       return status;
     }
-    if (Representative(mesh, h) == h && !isInTree[h])
+    if (FindEdge(mesh, h) == h && !isInTree[h])
     {
       edges.push_back(h);
     }
@@ -210,7 +172,7 @@ Status Decomposition::Decompose(const SurfaceMesh& mesh)
       mesh.Length(h);
   };
   std::stable_sort(edges.begin(), edges.end(), [&](Id a, Id b) { return length(a) > length(b); });
-  FaceSets faces(Outside(mesh) + 1);
+  DisjointSets faces(Outside(mesh) + 1);
   for (const Id h : edges)
   {
     const bool joins = faces.Join(SurfaceMesh::Face(h), FaceBehind(mesh, h));
@@ -233,11 +195,11 @@ Status FindBasesOfLoops(const SurfaceMesh& mesh, std::vector<Id>& bases)
     --loops[component];
   }
   // All boundaries of a component are around one face, but not those of several components.
-  FaceSets faces(Outside(mesh) + count);
+  DisjointSets faces(Outside(mesh) + count);
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
     const Id face = SurfaceMesh::Face(h);
-    if (mesh.IsDropped(face) || Representative(mesh, h) != h)
+    if (mesh.IsDropped(face) || FindEdge(mesh, h) != h)
     {
       continue;
     }
@@ -350,7 +312,7 @@ std::vector<char> HomologySignatures::GetSignature(const EdgeLoop& loop) const
   std::vector<char> signature(this->Dimension, 0);
   for (const Id h : loop.HalfEdges)
   {
-    for (const Id cycle : this->Cycles[Representative(this->Mesh, h)])
+    for (const Id cycle : this->Cycles[FindEdge(this->Mesh, h)])
     {
       signature[cycle] ^= 1;
     }
