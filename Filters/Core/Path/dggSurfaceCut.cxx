@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSurfaceCut.h"
 
+#include "dggDisjointSets.h"
+
 #include <algorithm>
 #include <numeric>
 #include <sstream>
@@ -54,21 +56,7 @@ Status CutAlongChains(const RefinedSurface& surface, const std::vector<std::vect
   }
 
   // Corners that are still joined by an edge at their vertex are of one sector.
-  std::vector<Id> parent(halfEdges);
-  std::iota(parent.begin(), parent.end(), 0);
-  auto root = [&](Id corner) {
-    while (parent[corner] != corner)
-    {
-      parent[corner] = parent[parent[corner]];
-      corner = parent[corner];
-    }
-    return corner;
-  };
-  auto join = [&](Id a, Id b) {
-    a = root(a);
-    b = root(b);
-    parent[std::max(a, b)] = std::min(a, b);
-  };
+  DisjointSets sectors(halfEdges);
   for (Id h = 0; h < halfEdges; ++h)
   {
     const Id t = cut.Twins[h];
@@ -79,8 +67,8 @@ Status CutAlongChains(const RefinedSurface& surface, const std::vector<std::vect
     const Id hNext = SurfaceMesh::Next(h);
     const Id tNext = SurfaceMesh::Next(t);
     const bool along = surface.Triangles[h] == surface.Triangles[t];
-    join(h, along ? t : tNext);
-    join(hNext, along ? tNext : t);
+    sectors.Join(h, along ? t : tNext);
+    sectors.Join(hNext, along ? tNext : t);
   }
   std::vector<char> isPassed(vertices, pinched == PinchedVertices::Split ? 1 : 0);
   for (const std::pair<Id, Id>& edge : edges)
@@ -99,7 +87,7 @@ Status CutAlongChains(const RefinedSurface& surface, const std::vector<std::vect
     {
       continue;
     }
-    Id& copy = copyOf[root(h)];
+    Id& copy = copyOf[sectors.Find(h)];
     if (copy == NoId)
     {
       copy = v;
