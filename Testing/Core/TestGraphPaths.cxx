@@ -130,7 +130,8 @@ dgg::Landmarks LandmarksOf(const SearchCase& c)
 {
   const dgg::GraphView graph = c.GetGraph();
   const dgg::GraphFans fans(graph, c.GetMesh());
-  dgg::Landmarks marks(graph, &fans, dgg::ChooseBucketWidth(graph));
+  dgg::Landmarks marks;
+  EXPECT_TRUE(marks.Choose(graph, &fans, dgg::ChooseBucketWidth(graph), nullptr).IsOk());
   for (std::size_t k = 0; k < marks.GetVertices().size(); ++k)
   {
     marks.SetDistances(k, ReferenceDistances(graph, { SeedAt(marks.GetVertices()[k]) }).data());
@@ -393,6 +394,45 @@ TEST(GraphPaths, LandmarksCanBeAborted)
   EXPECT_EQ(done, 1.0);
   EXPECT_TRUE(c.GetSearch().HasLandmarks());
   EXPECT_GE(c.GetSearch().GetMemorySize(), before + 68u * c.GetNumberOfVertices());
+}
+
+/// Also while landmarks are being chosen: whenever that is, nothing has changed.
+TEST(GraphPaths, LandmarksCanBeAbortedAtAnyTime)
+{
+  SearchCase c("terrain", Terrain(9, 0.5, 6), 0.1);
+  const Id n = c.GetNumberOfVertices();
+  const auto find = [&] {
+    dgg::GraphPath path;
+    EXPECT_TRUE(c.GetSearch().Between({ SeedAt(0) }, { SeedAt(n - 1) }, nullptr, path).IsOk());
+    return path;
+  };
+  const dgg::GraphPath expected = find();
+  int reports = 0;
+  int whileChosen = 0;
+  const auto count = [&](double share) {
+    ++reports;
+    whileChosen += share < 0.2 ? 1 : 0;
+    return true;
+  };
+  {
+    dgg::GraphSearch other(c.GetGraph(), &c.GetMesh());
+    ASSERT_TRUE(other.PrepareLandmarks(nullptr, count).IsOk());
+  }
+  EXPECT_GT(whileChosen, 20); // before most of the 32 landmarks
+  for (int stop = 0; stop < reports; ++stop)
+  {
+    int left = stop;
+    const auto progress = [&](double) { return left-- > 0; };
+    EXPECT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, progress).IsAborted()) << stop;
+    EXPECT_EQ(left, -1) << "went on";
+    EXPECT_FALSE(c.GetSearch().HasLandmarks());
+  }
+  EXPECT_EQ(find().Edges, expected.Edges);
+  ASSERT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, nullptr).IsOk());
+  // Landmarks that are there stay when they are to be prepared anew.
+  EXPECT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, [](double) { return false; }).IsAborted());
+  EXPECT_TRUE(c.GetSearch().HasLandmarks());
+  EXPECT_NEAR(find().Length, expected.Length, 1e-12 * expected.Length);
 }
 
 TEST(Landmarks, BoundsAreBelowAndNear)

@@ -56,6 +56,8 @@ constexpr double NearFieldReach = 2.0;
 constexpr Offset FewestReports = 8;
 constexpr Offset VerticesPerReport = Offset(1) << 21;
 constexpr Offset FewestGroups = 4;
+/// Part of the preparation of landmarks that their choice takes.
+constexpr double ChoiceShare = 0.2;
 /// Sources with a larger part of the surface than this as near field are better searched one by
 /// one.
 constexpr double LargestNearField = 0.4;
@@ -317,15 +319,23 @@ Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vecto
 Status GraphSearch::PrepareLandmarks(const ParallelFor& parallel, const ProgressCallback& progress)
 {
   Implementation& internals = *this->Internals;
-  auto marks =
-    std::make_unique<Landmarks>(internals.Graph, internals.Fans.get(), internals.BucketWidth);
+  const auto tell = [&](double fraction) { return !progress || progress(fraction); };
+  auto marks = std::make_unique<Landmarks>();
+  Status status = marks->Choose(internals.Graph, internals.Fans.get(), internals.BucketWidth,
+    [&](double fraction) { return tell(ChoiceShare * fraction); });
+  if (!status.IsOk())
+  {
+    return status;
+  }
   std::vector<std::vector<GraphSeed>> sources;
   for (const Id v : marks->GetVertices())
   {
     sources.emplace_back(1);
     sources.back()[0].Vertex = v;
   }
-  Status status = this->Many(sources, Infinity, parallel, progress,
+  status = this->Many(
+    sources, Infinity, parallel,
+    [&](double fraction) { return tell(ChoiceShare + (1.0 - ChoiceShare) * fraction); },
     [&](std::size_t k, const double* distances) { marks->SetDistances(k, distances); });
   if (status.IsOk())
   {

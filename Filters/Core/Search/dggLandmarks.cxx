@@ -16,6 +16,8 @@ namespace
 constexpr std::int16_t LargestCode = std::numeric_limits<std::int16_t>::max();
 /// Rounding of the distances themselves, in steps; far more than there is.
 constexpr double RoundingOfSteps = 1e-6;
+/// Part of the choice that each of the two searches of all vertices takes.
+constexpr double SearchShare = 0.15;
 /// Components smaller than this part of the surface are searched without landmarks.
 constexpr Id SmallestShare = 2 * Landmarks::Count;
 
@@ -72,8 +74,8 @@ public:
   {
   }
 
-  /// Only these.
-  void Start(const std::vector<Id>& vertices)
+  /// Only these. False when aborted.
+  bool Start(const std::vector<Id>& vertices, const ProgressCallback& progress)
   {
     std::vector<GraphSeed> seeds;
     for (const Id v : vertices)
@@ -83,7 +85,7 @@ public:
     }
     this->Labels.Start(this->Graph.NumberOfVertices, seeds);
     SearchEffort effort;
-    RunBucketSearch(this->Graph, this->Fans, seeds, this->BucketWidth, nullptr, this->Queue,
+    return RunBucketSearch(this->Graph, this->Fans, seeds, this->BucketWidth, progress, this->Queue,
       this->Labels, effort);
   }
 
@@ -135,10 +137,14 @@ std::int16_t Clamp(double code)
 }
 }
 
-Landmarks::Landmarks(const GraphView& graph, const GraphFans* fans, double bucketWidth)
-  : Codes(graph.NumberOfVertices)
+Status Landmarks::Choose(const GraphView& graph, const GraphFans* fans, double bucketWidth,
+  const ProgressCallback& progress)
 {
-  this->Choose(graph, fans, bucketWidth, this->ChooseComponents(graph));
+  const auto tell = [&](double fraction) { return !progress || progress(fraction); };
+  this->Codes.resize(graph.NumberOfVertices);
+  const bool isDone = tell(0.0) &&
+    this->ChooseFrom(graph, fans, bucketWidth, this->ChooseComponents(graph), tell) && tell(1.0);
+  return isDone ? Status::Success() : Status::Abort();
 }
 
 std::vector<Id> Landmarks::ChooseComponents(const GraphView& graph)
@@ -168,16 +174,20 @@ std::vector<Id> Landmarks::ChooseComponents(const GraphView& graph)
   return starts;
 }
 
-void Landmarks::Choose(
-  const GraphView& graph, const GraphFans* fans, double bucketWidth, const std::vector<Id>& starts)
+/// False when aborted.
+bool Landmarks::ChooseFrom(const GraphView& graph, const GraphFans* fans, double bucketWidth,
+  const std::vector<Id>& starts, const ProgressCallback& progress)
 {
   if (starts.empty())
   {
-    return;
+    return true;
   }
   // The first landmark of a component is a tip of it: farthest from any vertex.
   GrowingField field(graph, fans, bucketWidth);
-  field.Start(starts);
+  if (!field.Start(starts, [&](double done) { return progress(SearchShare * done); }))
+  {
+    return false;
+  }
   for (const Id start : starts)
   {
     Id tip = start;
@@ -188,17 +198,27 @@ void Landmarks::Choose(
     }
     this->Vertices.push_back(tip);
   }
-  field.Start(this->Vertices);
+  if (!field.Start(
+        this->Vertices, [&](double done) { return progress(SearchShare * (1.0 + done)); }))
+  {
+    return false;
+  }
   Id farthest = field.FindFarthest();
   // Of distances that are larger than that of a landmark at one tip from another tip, if there are
   // any, just as much counts: cut off there, they still differ by no more than vertices are apart.
   this->Step = field.GetDistance(farthest) / LargestCode;
   while (this->Vertices.size() < Count && field.GetDistance(farthest) > 0.0)
   {
+    const double done = static_cast<double>(this->Vertices.size()) / Count;
+    if (!progress(2.0 * SearchShare + (1.0 - 2.0 * SearchShare) * done))
+    {
+      return false;
+    }
     this->Vertices.push_back(farthest);
     field.Add(farthest);
     farthest = field.FindFarthest();
   }
+  return true;
 }
 
 void Landmarks::SetDistances(std::size_t k, const double* distances)

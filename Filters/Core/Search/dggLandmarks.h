@@ -26,8 +26,10 @@ class Landmarks
 public:
   static constexpr int Count = 32;
 
-  /// Choose landmarks, farthest from all before first, in the larger components.
-  Landmarks(const GraphView& graph, const GraphFans* fans, double bucketWidth);
+  /// Choose landmarks, farthest from all before first, in the larger components. To be called
+  /// before anything else; good for nothing when it is aborted.
+  Status Choose(const GraphView& graph, const GraphFans* fans, double bucketWidth,
+    const ProgressCallback& progress);
 
   /// At most Count; none where there is no edge.
   const std::vector<Id>& GetVertices() const { return this->Vertices; }
@@ -74,8 +76,8 @@ private:
   };
 
   std::vector<Id> ChooseComponents(const GraphView& graph);
-  void Choose(const GraphView& graph, const GraphFans* fans, double bucketWidth,
-    const std::vector<Id>& starts);
+  bool ChooseFrom(const GraphView& graph, const GraphFans* fans, double bucketWidth,
+    const std::vector<Id>& starts, const ProgressCallback& progress);
 
   std::vector<Id> Vertices;
   std::vector<Id> Components;     ///< of each vertex
