@@ -250,7 +250,7 @@ dgg::Status vtkDGGLoop::Execute(
       status = search.RunAroundHandles(finding, set);
       break;
     case Rope:
-      status = search.RunRope(graph, positions, points, taut, set);
+      status = search.RunRope(graph, positions, points, taut, finding, set);
       break;
     default:
       status = search.RunThroughPoints(graph, positions, points, taut, finding, set);

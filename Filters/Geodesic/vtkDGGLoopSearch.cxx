@@ -77,7 +77,7 @@ dgg::Status vtkDGGLoopSearch::RunThroughPoints(vtkDGGGraphProvider& graph, const
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGLoopSearch::RunRope(vtkDGGGraphProvider& graph, const double* positions,
-  const Points& points, bool taut, vtkDGGLoopSet& set) const
+  const Points& points, bool taut, const dgg::ProgressCallback& progress, vtkDGGLoopSet& set) const
 {
   const dgg::GraphBuilder* builder = nullptr;
   dgg::Status status = PrepareLinks(graph, this->Mesh, points, builder);
@@ -88,7 +88,7 @@ dgg::Status vtkDGGLoopSearch::RunRope(vtkDGGGraphProvider& graph, const double* 
   const dgg::LoopFinder finder(this->Mesh.GetMesh(), graph.GetSearch(), builder, positions);
   set.Loops.resize(1);
   bool isConnected = true;
-  status = Explain(finder.Rope(points, taut, set.Loops[0], isConnected), "rope");
+  status = Explain(finder.Rope(points, taut, set.Loops[0], isConnected, progress), "rope");
   set.Status = { isConnected ? GetStatus(set.Loops[0]) : vtkDGGLoopStatus::NotConnected };
   const dgg::Status intact = graph.CheckArrays();
   return intact.IsOk() ? status : intact;

@@ -47,7 +47,7 @@ public:
     vtkDGGLoopSet& set) const;
   /// One through all points.
   dgg::Status RunRope(vtkDGGGraphProvider& graph, const double* positions, const Points& points,
-    bool taut, vtkDGGLoopSet& set) const;
+    bool taut, const dgg::ProgressCallback& progress, vtkDGGLoopSet& set) const;
   /// Those around handles.
   dgg::Status RunAroundHandles(const dgg::ProgressCallback& progress, vtkDGGLoopSet& set) const;
   /// The rims of tapes along all loops.

@@ -291,6 +291,50 @@ TEST(LoopFinder, HandlesTellTheirProgress)
   EXPECT_TRUE(loops.empty());
 }
 
+/// A component costs what it would cost alone, however many there are.
+TEST(LoopFinder, HandlesOfThousandsOfComponents)
+{
+  constexpr std::size_t Copies = 4000;
+  const TestMesh torus = Torus(5, 4);
+  TestMesh tori;
+  TestMesh tetrahedra;
+  for (std::size_t i = 0; i < Copies; ++i)
+  {
+    Append(tori, torus);
+    const Id first = tetrahedra.GetNumberOfVertices();
+    for (const std::array<double, 3>& p :
+      { std::array<double, 3>{ { 1.0, 1.0, 1.0 } }, std::array<double, 3>{ { -1.0, -1.0, 1.0 } },
+        std::array<double, 3>{ { -1.0, 1.0, -1.0 } },
+        std::array<double, 3>{ { 1.0, -1.0, -1.0 } } })
+    {
+      tetrahedra.AddPoint(p[0], p[1], p[2]);
+    }
+    tetrahedra.AddQuad(first, first + 1, first + 2, first + 3);
+    tetrahedra.AddTriangle(first, first + 3, first + 1);
+    tetrahedra.AddTriangle(first + 1, first + 3, first + 2);
+  }
+  const auto find = [](const TestMesh& input, std::vector<FoundLoop>& loops) {
+    std::size_t steps = 0;
+    EXPECT_TRUE(dgg::FindHandleLoops(Build(input), {}, loops, &steps).IsOk());
+    return steps;
+  };
+  std::vector<FoundLoop> expected;
+  std::vector<FoundLoop> loops;
+  const std::size_t alone = find(torus, expected);
+  ASSERT_EQ(expected.size(), 2u);
+  EXPECT_EQ(find(tori, loops), Copies * alone);
+  ASSERT_EQ(loops.size(), 2 * Copies);
+  for (std::size_t i = 0; i < loops.size(); ++i)
+  {
+    ASSERT_EQ(loops[i].Loop.Length, expected[i % 2].Loop.Length) << i;
+    ASSERT_EQ(loops[i].Loop.Faces.size(), expected[i % 2].Loop.Faces.size()) << i;
+    const auto faces = static_cast<Id>(i / 2) * torus.GetNumberOfFaces();
+    ASSERT_EQ(loops[i].Loop.Faces[0], faces + expected[i % 2].Loop.Faces[0]) << i;
+  }
+  EXPECT_EQ(find(tetrahedra, loops), 16 * Copies); // 4 vertices, 12 half-edges, and no loop
+  EXPECT_TRUE(loops.empty());
+}
+
 TEST(LoopFinder, GeodesicsOnSoundMeshes)
 {
   int found = 0;
@@ -380,6 +424,45 @@ TEST(LoopFinder, Ropes)
   EXPECT_TRUE(several.Finder->Rope(apart, true, loop, isConnected).IsOk());
   EXPECT_TRUE(loop.Loop.IsEmpty());
   EXPECT_FALSE(isConnected);
+}
+
+/// Stopped between any two points, there is no rope; nor is anything else left behind.
+TEST(LoopFinder, RopesTellTheirProgress)
+{
+  const LoopWorld world(Torus(20, 10));
+  std::vector<SurfacePoint> points;
+  for (Id i = 0; i < 12; ++i)
+  {
+    points.push_back(At(i * world.Mesh.GetNumberOfVertices() / 12));
+  }
+  const FoundLoop expected = world.Rope(points, false);
+  ASSERT_FALSE(expected.Loop.IsEmpty());
+  for (const bool taut : { false, true })
+  {
+    std::vector<double> progress;
+    FoundLoop loop;
+    bool isConnected = false;
+    const auto tell = [&](double fraction) {
+      progress.push_back(fraction);
+      return true;
+    };
+    ASSERT_TRUE(world.Finder->Rope(points, taut, loop, isConnected, tell).IsOk());
+    EXPECT_TRUE(isConnected);
+    EXPECT_EQ(progress.size(), points.size() + 1); // before each leg, and at the end
+    EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+    EXPECT_EQ(progress.back(), 1.0);
+    for (std::size_t stop = 0; stop < progress.size(); ++stop)
+    {
+      std::size_t calls = 0;
+      loop = expected;
+      const auto status =
+        world.Finder->Rope(points, taut, loop, isConnected, [&](double) { return calls++ < stop; });
+      EXPECT_TRUE(status.IsAborted());
+      EXPECT_EQ(calls, stop + 1) << "went on";
+      EXPECT_TRUE(loop.Loop.IsEmpty());
+    }
+  }
+  EXPECT_EQ(world.Rope(points, false).Loop.Length, expected.Loop.Length);
 }
 
 /// The angle of a rope that keeps to its points is the smallest one at any of them.

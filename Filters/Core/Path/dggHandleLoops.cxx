@@ -17,12 +17,16 @@ namespace
 class ComponentLoops
 {
 public:
-  ComponentLoops(const SurfaceMesh& mesh, const HomologySignatures& signatures)
-    : Mesh(mesh)
+  ComponentLoops(const SurfaceComponents& components, const HomologySignatures& signatures)
+    : Components(components)
+    , Mesh(components.GetMesh())
     , Signatures(signatures)
-    , Shortener(mesh)
+    , Shortener(components.GetMesh())
   {
   }
+
+  /// Vertices, faces and half-edges looked at.
+  std::size_t GetNumberOfSteps() const { return this->Steps; }
 
   /// Loops through the vertex `base`, and through places on them. False when it was stopped.
   bool Collect(Id base, const ProgressCallback& progress)
@@ -74,7 +78,7 @@ private:
   {
     this->Bases.push_back(base);
     std::vector<EdgeLoop> basis;
-    if (!FindHomotopyBasis(this->Mesh, base, basis).IsOk())
+    if (!FindHomotopyBasis(this->Components, base, basis, this->Steps).IsOk())
     {
       return;
     }
@@ -128,34 +132,41 @@ private:
   static constexpr std::size_t BasesPerLoop = 4;
   static constexpr std::size_t MostBases = 16;
 
+  const SurfaceComponents& Components;
   const SurfaceMesh& Mesh;
   const HomologySignatures& Signatures;
   LoopShortener Shortener;
   std::vector<Candidate> Candidates;
   std::vector<Id> Bases;
+  std::size_t Steps = 0;
 };
 }
 
-Status FindHandleLoops(
-  const SurfaceMesh& mesh, const ProgressCallback& progress, std::vector<FoundLoop>& loops)
+Status FindHandleLoops(const SurfaceMesh& mesh, const ProgressCallback& progress,
+  std::vector<FoundLoop>& loops, std::size_t* steps)
 {
   loops.clear();
+  const SurfaceComponents components(mesh);
+  std::size_t count = static_cast<std::size_t>(mesh.GetNumberOfVertices()) +
+    static_cast<std::size_t>(mesh.GetNumberOfHalfEdges());
   std::vector<Id> bases;
-  Status status = FindBasesOfLoops(mesh, bases);
+  Status status = FindBasesOfLoops(components, bases);
   for (std::size_t i = 0; i < bases.size() && status.IsOk(); ++i)
   {
     const auto part = [&](double fraction) {
       return !progress ||
         progress((static_cast<double>(i) + fraction) / static_cast<double>(bases.size()));
     };
-    const HomologySignatures signatures(mesh, bases[i]);
+    const HomologySignatures signatures(components, bases[i], count);
     status = signatures.Check();
     if (!status.IsOk())
     {
       break;
     }
-    ComponentLoops found(mesh, signatures);
-    if (!found.Collect(bases[i], part) || !part(1.0))
+    ComponentLoops found(components, signatures);
+    const bool isDone = found.Collect(bases[i], part) && part(1.0);
+    count += found.GetNumberOfSteps();
+    if (!isDone)
     {
       status = Status::Abort();
       break;
@@ -168,6 +179,10 @@ Status FindHandleLoops(
   if (!status.IsOk())
   {
     loops.clear();
+  }
+  if (steps)
+  {
+    *steps = count;
   }
   return status;
 }

@@ -7,7 +7,8 @@
 
 #include "dggFoundLoop.h" // for FoundLoop
 
-#include <vector> // for the loops
+#include <cstddef> // for std::size_t
+#include <vector>  // for the loops
 
 namespace dgg
 {
@@ -17,9 +18,11 @@ namespace dgg
 /// the loops of each the shortest first. A loop that cannot be moved, as it has to pass through a
 /// vertex in which faces meet in nothing else, is an empty one after the others of its component.
 ///
-/// Fails when a component has a non-manifold edge. No loops when it is stopped.
-Status FindHandleLoops(
-  const SurfaceMesh& mesh, const ProgressCallback& progress, std::vector<FoundLoop>& loops);
+/// Fails when a component has a non-manifold edge. No loops when it is stopped. `steps`, if given,
+/// receives the number of vertices, faces and half-edges that were looked at, again and again: for
+/// each component a multiple of its size.
+Status FindHandleLoops(const SurfaceMesh& mesh, const ProgressCallback& progress,
+  std::vector<FoundLoop>& loops, std::size_t* steps = nullptr);
 }
 
 #endif

@@ -13,28 +13,35 @@ namespace dgg
 {
 namespace
 {
-/// Shortest paths along mesh edges.
+/// Shortest paths along mesh edges, in the component of the base.
 struct EdgeTree
 {
-  std::vector<double> Distances;
-  std::vector<Id> HalfEdges; ///< per vertex, the edge to its parent
+  const SurfaceComponents& Components;
+  const Id Component;
+  std::vector<double> Distances; ///< per vertex of the component, as all arrays
+  std::vector<Id> HalfEdges;     ///< the edge to its parent
   std::vector<Id> Parents;
 
-  EdgeTree(const SurfaceMesh& mesh, Id base)
-    : Distances(mesh.GetNumberOfVertices(), Infinity)
-    , HalfEdges(mesh.GetNumberOfVertices(), NoId)
-    , Parents(mesh.GetNumberOfVertices(), NoId)
+  EdgeTree(const SurfaceComponents& components, Id base, std::size_t& steps)
+    : Components(components)
+    , Component(components.GetComponent(base))
+    , Distances(components.GetNumberOfVertices(Component), Infinity)
+    , HalfEdges(components.GetNumberOfVertices(Component), NoId)
+    , Parents(components.GetNumberOfVertices(Component), NoId)
   {
+    const SurfaceMesh& mesh = components.GetMesh();
+    steps += this->Distances.size();
     MinimumHeap heap;
-    this->Distances[base] = 0.0;
+    this->Distances[this->Number(base)] = 0.0;
     heap.Push(0.0, base);
     while (!heap.IsEmpty())
     {
       const MinimumHeap::Entry top = heap.Pop();
-      if (top.Key > this->Distances[top.Vertex])
+      if (top.Key > this->DistanceOf(top.Vertex))
       {
         continue;
       }
+      steps += mesh.FanEnd(top.Vertex) - mesh.FanBegin(top.Vertex);
       for (const Id* g = mesh.FanBegin(top.Vertex); g != mesh.FanEnd(top.Vertex); ++g)
       {
         // Both edges of the face: on a boundary one of them is in no other face of the vertex.
@@ -42,17 +49,23 @@ struct EdgeTree
         {
           const Id v = mesh.Origin(h) == top.Vertex ? mesh.Destination(h) : mesh.Origin(h);
           const double distance = top.Key + mesh.Length(h);
-          if (distance < this->Distances[v])
+          const Id number = this->Number(v);
+          if (distance < this->Distances[number])
           {
-            this->Distances[v] = distance;
-            this->HalfEdges[v] = h;
-            this->Parents[v] = top.Vertex;
+            this->Distances[number] = distance;
+            this->HalfEdges[number] = h;
+            this->Parents[number] = top.Vertex;
             heap.Push(distance, v);
           }
         }
       }
     }
   }
+
+  Id Number(Id v) const { return this->Components.NumberOfVertex(v); }
+  double DistanceOf(Id v) const { return this->Distances[this->Number(v)]; }
+  Id HalfEdgeOf(Id v) const { return this->HalfEdges[this->Number(v)]; }
+  Id ParentOf(Id v) const { return this->Parents[this->Number(v)]; }
 };
 
 /// From the base to one end of an edge, over it, and back from the other end. What both ways have
@@ -63,7 +76,7 @@ EdgeLoop MakeLoop(const SurfaceMesh& mesh, const EdgeTree& tree, Id h)
   const Id ends[2] = { mesh.Origin(h), mesh.Destination(h) };
   for (int k = 0; k < 2; ++k)
   {
-    for (Id v = ends[k]; v != NoId; v = tree.Parents[v])
+    for (Id v = ends[k]; v != NoId; v = tree.ParentOf(v))
     {
       ways[k].push_back(v);
     }
@@ -78,12 +91,12 @@ EdgeLoop MakeLoop(const SurfaceMesh& mesh, const EdgeTree& tree, Id h)
   for (std::size_t i = ways[0].size(); i-- > 0;)
   {
     loop.Vertices.push_back(ways[0][i]);
-    loop.HalfEdges.push_back(i > 0 ? tree.HalfEdges[ways[0][i - 1]] : h);
+    loop.HalfEdges.push_back(i > 0 ? tree.HalfEdgeOf(ways[0][i - 1]) : h);
   }
   for (std::size_t i = 0; i + 1 < ways[1].size(); ++i)
   {
     loop.Vertices.push_back(ways[1][i]);
-    loop.HalfEdges.push_back(tree.HalfEdges[ways[1][i]]);
+    loop.HalfEdges.push_back(tree.HalfEdgeOf(ways[1][i]));
   }
   for (const Id e : loop.HalfEdges)
   {
@@ -92,35 +105,40 @@ EdgeLoop MakeLoop(const SurfaceMesh& mesh, const EdgeTree& tree, Id h)
   return loop;
 }
 
-/// A tree of edges through all vertices, a tree of the edges between all faces, and the edges in
-/// neither of them.
+/// A tree of edges through all vertices of a component, a tree of the edges between all of its
+/// faces, and the edges in neither of them.
 struct Decomposition
 {
+  const SurfaceComponents& Components;
+  const SurfaceMesh& Mesh;
   EdgeTree Tree;
   std::vector<Id> Cotree;
   std::vector<Id> Rest; ///< those of the longest loops first
 
-  Decomposition(const SurfaceMesh& mesh, Id base)
-    : Tree(mesh, base)
+  Decomposition(const SurfaceComponents& components, Id base, std::size_t& steps)
+    : Components(components)
+    , Mesh(components.GetMesh())
+    , Tree(components, base, steps)
   {
+    steps += 3 * static_cast<std::size_t>(this->Outside());
   }
 
   /// Fails when there is a non-manifold edge.
-  Status Decompose(const SurfaceMesh& mesh);
-  Status CollectEdges(const SurfaceMesh& mesh, std::vector<Id>& edges) const;
+  Status Decompose();
+
+  /// What lies outside of all boundaries counts as one more face.
+  Id Outside() const { return this->Components.GetNumberOfFaces(this->Tree.Component); }
+  /// Numbers of the faces on both sides of an edge.
+  Id FaceOf(Id h) const { return this->Components.NumberOfFace(SurfaceMesh::Face(h)); }
+  Id FaceBehind(Id h) const
+  {
+    const Id twin = this->Mesh.Twin(h);
+    return twin == NoId ? this->Outside() : this->FaceOf(twin);
+  }
+
+private:
+  Status CollectEdges(std::vector<Id>& edges) const;
 };
-
-/// What lies outside of all boundaries counts as one more face.
-Id Outside(const SurfaceMesh& mesh)
-{
-  return mesh.GetNumberOfFaces();
-}
-
-Id FaceBehind(const SurfaceMesh& mesh, Id h)
-{
-  const Id twin = mesh.Twin(h);
-  return twin == NoId ? Outside(mesh) : SurfaceMesh::Face(twin);
-}
 
 Status CheckManifold(const SurfaceMesh& mesh, Id h)
 {
@@ -133,49 +151,50 @@ Status CheckManifold(const SurfaceMesh& mesh, Id h)
 }
 
 /// The edges of the component that are not in the tree.
-Status Decomposition::CollectEdges(const SurfaceMesh& mesh, std::vector<Id>& edges) const
+Status Decomposition::CollectEdges(std::vector<Id>& edges) const
 {
-  std::vector<char> isInTree(mesh.GetNumberOfHalfEdges(), 0);
+  const SurfaceMesh& mesh = this->Mesh;
+  std::vector<char> isInTree(3 * static_cast<std::size_t>(this->Outside()), 0);
   for (const Id h : this->Tree.HalfEdges)
   {
     if (h != NoId)
     {
-      isInTree[FindEdge(mesh, h)] = 1;
+      isInTree[this->Components.NumberOfHalfEdge(FindEdge(mesh, h))] = 1;
     }
   }
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  for (Id face = 0; face < this->Outside(); ++face)
   {
-    if (mesh.IsDropped(SurfaceMesh::Face(h)) || this->Tree.Distances[mesh.Origin(h)] == Infinity)
+    const Id f = this->Components.GetFace(this->Tree.Component, face);
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
     {
-      continue;
-    }
-    Status status = CheckManifold(mesh, h);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-    if (FindEdge(mesh, h) == h && !isInTree[h])
-    {
-      edges.push_back(h);
+      Status status = CheckManifold(mesh, h);
+      if (!status.IsOk())
+      {
+        return status;
+      }
+      if (FindEdge(mesh, h) == h && !isInTree[this->Components.NumberOfHalfEdge(h)])
+      {
+        edges.push_back(h);
+      }
     }
   }
   return Status::Success();
 }
 
-Status Decomposition::Decompose(const SurfaceMesh& mesh)
+Status Decomposition::Decompose()
 {
   std::vector<Id> edges;
-  Status status = this->CollectEdges(mesh, edges);
+  Status status = this->CollectEdges(edges);
   // The longest loops first into the tree of faces, so that the shortest are left.
   const auto length = [&](Id h) {
-    return this->Tree.Distances[mesh.Origin(h)] + this->Tree.Distances[mesh.Destination(h)] +
-      mesh.Length(h);
+    return this->Tree.DistanceOf(this->Mesh.Origin(h)) +
+      this->Tree.DistanceOf(this->Mesh.Destination(h)) + this->Mesh.Length(h);
   };
   std::stable_sort(edges.begin(), edges.end(), [&](Id a, Id b) { return length(a) > length(b); });
-  DisjointSets faces(Outside(mesh) + 1);
+  DisjointSets faces(this->Outside() + 1);
   for (const Id h : edges)
   {
-    const bool joins = faces.Join(SurfaceMesh::Face(h), FaceBehind(mesh, h));
+    const bool joins = faces.Join(this->FaceOf(h), this->FaceBehind(h));
     (joins ? this->Cotree : this->Rest).push_back(h);
   }
   return status;
@@ -184,18 +203,19 @@ Status Decomposition::Decompose(const SurfaceMesh& mesh)
 
 /// A tree of edges takes one edge less than there are vertices, the trees of faces, one less than
 /// there are faces in each of them. What is left of the edges is the number of loops.
-Status FindBasesOfLoops(const SurfaceMesh& mesh, std::vector<Id>& bases)
+Status FindBasesOfLoops(const SurfaceComponents& components, std::vector<Id>& bases)
 {
   bases.clear();
-  Id count = 0;
-  const std::vector<Id> components = mesh.ComputeComponents(count);
-  std::vector<Id> loops(count, 1);
-  for (const Id component : components)
+  const SurfaceMesh& mesh = components.GetMesh();
+  const Id count = components.GetCount();
+  std::vector<Id> loops(count);
+  for (Id c = 0; c < count; ++c)
   {
-    --loops[component];
+    loops[c] = 1 - components.GetNumberOfVertices(c);
   }
   // All boundaries of a component are around one face, but not those of several components.
-  DisjointSets faces(Outside(mesh) + count);
+  const Id outside = mesh.GetNumberOfFaces();
+  DisjointSets faces(outside + count);
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
     const Id face = SurfaceMesh::Face(h);
@@ -208,72 +228,75 @@ Status FindBasesOfLoops(const SurfaceMesh& mesh, std::vector<Id>& bases)
     {
       return status;
     }
-    const Id component = components[mesh.Origin(h)];
-    const Id behind = FaceBehind(mesh, h);
+    const Id component = components.GetComponent(mesh.Origin(h));
+    const Id twin = mesh.Twin(h);
     ++loops[component];
-    if (faces.Join(face, behind == Outside(mesh) ? Outside(mesh) + component : behind))
+    if (faces.Join(face, twin == NoId ? outside + component : SurfaceMesh::Face(twin)))
     {
       --loops[component]; // an edge in a tree of faces
     }
   }
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
-    if (loops[components[v]] > 0)
+    Id& left = loops[components.GetComponent(v)];
+    if (left > 0)
     {
       bases.push_back(v);
-      loops[components[v]] = 0;
+      left = 0;
     }
   }
   return Status::Success();
 }
 
-Status FindHomotopyBasis(const SurfaceMesh& mesh, Id base, std::vector<EdgeLoop>& loops)
+Status FindHomotopyBasis(
+  const SurfaceComponents& components, Id base, std::vector<EdgeLoop>& loops, std::size_t& steps)
 {
   loops.clear();
-  Decomposition parts(mesh, base);
-  Status status = parts.Decompose(mesh);
+  Decomposition parts(components, base, steps);
+  Status status = parts.Decompose();
   if (!status.IsOk())
   {
     return status;
   }
   for (auto h = parts.Rest.rbegin(); h != parts.Rest.rend(); ++h)
   {
-    loops.push_back(MakeLoop(mesh, parts.Tree, *h));
+    loops.push_back(MakeLoop(parts.Mesh, parts.Tree, *h));
   }
   return status;
 }
 
 /// Each edge in neither tree closes a cycle of faces. A loop crosses the cycles that it goes around
 /// an odd number of times.
-HomologySignatures::HomologySignatures(const SurfaceMesh& mesh, Id base)
-  : Mesh(mesh)
+HomologySignatures::HomologySignatures(
+  const SurfaceComponents& components, Id base, std::size_t& steps)
+  : Components(components)
 {
-  Decomposition parts(mesh, base);
-  this->TheStatus = parts.Decompose(mesh);
+  Decomposition parts(components, base, steps);
+  this->TheStatus = parts.Decompose();
   if (!this->TheStatus.IsOk())
   {
     return;
   }
   this->Dimension = parts.Rest.size();
-  this->Cycles.resize(mesh.GetNumberOfHalfEdges());
+  this->Cycles.resize(3 * static_cast<std::size_t>(parts.Outside()));
   // Hang up each tree of faces by one of them.
-  std::vector<std::vector<Id>> exits(Outside(mesh) + 1); // edges of the tree at each face
+  std::vector<std::vector<Id>> exits(parts.Outside() + 1); // edges of the tree at each face
   for (const Id h : parts.Cotree)
   {
-    exits[SurfaceMesh::Face(h)].push_back(h);
-    exits[FaceBehind(mesh, h)].push_back(h);
+    exits[parts.FaceOf(h)].push_back(h);
+    exits[parts.FaceBehind(h)].push_back(h);
   }
-  std::vector<Id> up(Outside(mesh) + 1, NoId); // edge towards the root
-  std::vector<Id> depth(Outside(mesh) + 1, NoId);
+  std::vector<Id> up(parts.Outside() + 1, NoId); // edge towards the root
+  std::vector<Id> depth(parts.Outside() + 1, NoId);
   const auto across = [&](Id face, Id h) {
-    return SurfaceMesh::Face(h) == face ? FaceBehind(mesh, h) : SurfaceMesh::Face(h);
+    return parts.FaceOf(h) == face ? parts.FaceBehind(h) : parts.FaceOf(h);
   };
   for (const Id h : parts.Rest)
   {
     std::vector<Id> open;
-    if (depth[SurfaceMesh::Face(h)] == NoId) // there are several trees where sheets touch
+    if (depth[parts.FaceOf(h)] == NoId) // there are several trees where sheets touch
     {
-      open.push_back(SurfaceMesh::Face(h));
+      open.push_back(parts.FaceOf(h));
       depth[open.front()] = 0;
     }
     for (std::size_t next = 0; next < open.size(); ++next)
@@ -295,14 +318,15 @@ HomologySignatures::HomologySignatures(const SurfaceMesh& mesh, Id base)
   {
     const auto cycle = static_cast<Id>(i);
     const Id h = parts.Rest[i];
-    this->Cycles[h].push_back(cycle);
-    Id a = SurfaceMesh::Face(h);
-    Id b = FaceBehind(mesh, h);
+    this->Cycles[components.NumberOfHalfEdge(h)].push_back(cycle);
+    Id a = parts.FaceOf(h);
+    Id b = parts.FaceBehind(h);
     while (a != b)
     {
       Id& deeper = depth[a] >= depth[b] ? a : b;
-      this->Cycles[up[deeper]].push_back(cycle);
+      this->Cycles[components.NumberOfHalfEdge(up[deeper])].push_back(cycle);
       deeper = across(deeper, up[deeper]);
+      ++steps;
     }
   }
 }
@@ -312,7 +336,8 @@ std::vector<char> HomologySignatures::GetSignature(const EdgeLoop& loop) const
   std::vector<char> signature(this->Dimension, 0);
   for (const Id h : loop.HalfEdges)
   {
-    for (const Id cycle : this->Cycles[FindEdge(this->Mesh, h)])
+    const Id edge = FindEdge(this->Components.GetMesh(), h);
+    for (const Id cycle : this->Cycles[this->Components.NumberOfHalfEdge(edge)])
     {
       signature[cycle] ^= 1;
     }

@@ -5,9 +5,10 @@
 #ifndef dggHomotopyBasis_h
 #define dggHomotopyBasis_h
 
-#include "dggSurfaceMesh.h" // for SurfaceMesh
+#include "dggSurfaceComponents.h" // for SurfaceComponents
 
-#include <vector> // for the loops
+#include <cstddef> // for std::size_t
+#include <vector>  // for the loops
 
 namespace dgg
 {
@@ -24,8 +25,9 @@ struct EdgeLoop
 class HomologySignatures
 {
 public:
-  /// `base` is a vertex of the component. Good for nothing but Check() if that fails.
-  HomologySignatures(const SurfaceMesh& mesh, Id base);
+  /// `base` is a vertex of the component. Good for nothing but Check() if that fails. `steps`
+  /// grows by the vertices, faces and half-edges that were looked at.
+  HomologySignatures(const SurfaceComponents& components, Id base, std::size_t& steps);
   const Status& Check() const { return this->TheStatus; }
   /// The dimension: two for each handle, one for each boundary but the last, one for each
   /// cross-cap.
@@ -33,22 +35,23 @@ public:
   std::vector<char> GetSignature(const EdgeLoop& loop) const;
 
 private:
-  const SurfaceMesh& Mesh;
+  const SurfaceComponents& Components;
   Status TheStatus;
   std::size_t Dimension = 0;
-  /// Per half-edge that stands for an edge, the dual cycles that it is a part of.
+  /// Per half-edge of the component that stands for an edge, the dual cycles that it is a part of.
   std::vector<std::vector<Id>> Cycles;
 };
 
 /// For each component that has loops that cannot be contracted, its vertex of smallest id. Fails on
 /// non-manifold edges.
-Status FindBasesOfLoops(const SurfaceMesh& mesh, std::vector<Id>& bases);
+Status FindBasesOfLoops(const SurfaceComponents& components, std::vector<Id>& bases);
 
 /// The shortest loops of edges through the vertex `base` that generate all others on its component:
 /// two for each handle, one for each boundary but the last, one for each cross-cap; the shortest
 /// first (greedy homotopy basis: Erickson and Whittlesey, "Greedy optimal homotopy and homology
-/// generators", 2005, sec. 3). Fails on a component with non-manifold edges.
-Status FindHomotopyBasis(const SurfaceMesh& mesh, Id base, std::vector<EdgeLoop>& loops);
+/// generators", 2005, sec. 3). Fails on a component with non-manifold edges. `steps` as above.
+Status FindHomotopyBasis(
+  const SurfaceComponents& components, Id base, std::vector<EdgeLoop>& loops, std::size_t& steps);
 }
 
 #endif

@@ -258,8 +258,8 @@ Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, Foun
   return this->Rope(points, taut, loop, isConnected);
 }
 
-Status LoopFinder::Rope(
-  const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop, bool& isConnected) const
+Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop,
+  bool& isConnected, const ProgressCallback& progress) const
 {
   loop = FoundLoop();
   isConnected = true;
@@ -271,6 +271,10 @@ Status LoopFinder::Rope(
   std::vector<std::size_t> stops; // pieces that start at the points
   for (std::size_t i = 0; i < points.size(); ++i)
   {
+    if (progress && !progress(static_cast<double>(i) / static_cast<double>(points.size())))
+    {
+      return Status::Abort();
+    }
     FoundPath leg;
     Status status =
       this->Internals->Paths.Find(points[i], points[(i + 1) % points.size()], PathOptions(), leg);
@@ -292,6 +296,10 @@ Status LoopFinder::Rope(
       leg.Path.Points.begin() + static_cast<std::ptrdiff_t>(first), leg.Path.Points.end());
     rope.Faces.insert(rope.Faces.end(), leg.Path.Faces.begin(), leg.Path.Faces.end());
     rope.Length += leg.Path.Length;
+  }
+  if (progress && !progress(1.0))
+  {
+    return Status::Abort();
   }
   if (rope.Faces.empty())
   {

@@ -38,8 +38,8 @@ public:
   /// and pulled tight. Empty when the points are not connected or the rope contracts to a point;
   /// `isConnected` tells these apart.
   Status Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop) const;
-  Status Rope(
-    const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop, bool& isConnected) const;
+  Status Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop,
+    bool& isConnected, const ProgressCallback& progress = {}) const;
 
 private:
   class Implementation;
