@@ -138,7 +138,7 @@ std::vector<std::size_t> ExpectCurves(const dgg::SurfaceMesh& mesh, const Points
   dgg::CutSurface cut;
   EXPECT_TRUE(dgg::CutAlongChains(refined, refined.Paths, cut).IsOk());
   dgg::SurfaceMesh opened;
-  EXPECT_TRUE(cut.Build(opened).IsOk());
+  EXPECT_TRUE(cut.Build(mesh, opened).IsOk());
   Id count = 0;
   const auto parts = opened.ComputeComponents(count);
   std::vector<Id> characteristic(count, 0);

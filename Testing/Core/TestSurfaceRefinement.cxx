@@ -98,7 +98,7 @@ void ExpectSound(const dgg::SurfaceMesh& mesh, const std::vector<SurfacePath>& p
     EXPECT_NEAR(length, paths[p].Length, 1e-7 * mesh.GetMaximumEdgeLength() + tolerance);
   }
   dgg::SurfaceMesh fine;
-  const dgg::Status status = refined.Build(fine);
+  const dgg::Status status = refined.Build(mesh, fine);
   ASSERT_TRUE(status.IsOk()) << status.GetMessage();
   for (const Id source : SomeVertices(mesh, 3, 91))
   {
@@ -355,7 +355,7 @@ TEST(SurfaceCut, OpensAlongASlit)
   // All but the tip are there twice.
   EXPECT_EQ(cut.VertexOf.size(), refined.Points.size() + refined.Paths[0].size() - 1);
   dgg::SurfaceMesh opened;
-  ASSERT_TRUE(cut.Build(opened).IsOk());
+  ASSERT_TRUE(cut.Build(mesh, opened).IsOk());
   Id components = 0;
   opened.ComputeComponents(components);
   EXPECT_EQ(components, 1);
@@ -376,7 +376,7 @@ TEST(SurfaceCut, SplitsPinchedVertices)
     dgg::CutSurface cut;
     ASSERT_TRUE(dgg::CutAlongChains(refined, {}, cut, pinched).IsOk());
     dgg::SurfaceMesh opened;
-    ASSERT_TRUE(cut.Build(opened).IsOk());
+    ASSERT_TRUE(cut.Build(mesh, opened).IsOk());
     Id components = 0;
     opened.ComputeComponents(components);
     const Id more = pinched == dgg::PinchedVertices::Split ? 1 : 0;
@@ -399,7 +399,7 @@ TEST(SurfaceCut, SeparatesAndDoesNot)
   dgg::CutSurface cut;
   ASSERT_TRUE(dgg::CutAlongChains(refined, ring, cut).IsOk());
   dgg::SurfaceMesh opened;
-  ASSERT_TRUE(cut.Build(opened).IsOk());
+  ASSERT_TRUE(cut.Build(torus, opened).IsOk());
   Id components = 0;
   opened.ComputeComponents(components);
   EXPECT_EQ(components, 1);
@@ -415,7 +415,7 @@ TEST(SurfaceCut, SeparatesAndDoesNot)
   }
   refined = Refine(sphere, paths);
   ASSERT_TRUE(dgg::CutAlongChains(refined, refined.Paths, cut).IsOk());
-  ASSERT_TRUE(cut.Build(opened).IsOk());
+  ASSERT_TRUE(cut.Build(sphere, opened).IsOk());
   opened.ComputeComponents(components);
   EXPECT_EQ(components, 2);
   ASSERT_FALSE(dgg::CutAlongChains(refined, { { 0, 11 } }, cut).IsOk());

@@ -43,7 +43,7 @@ Status SurfaceMesh::FromPoints(const double* points, Offset numberOfPoints, cons
 }
 
 Status SurfaceMesh::FromLengths(Offset numberOfVertices, const Id* triangles,
-  Offset numberOfTriangles, const double* lengths, SurfaceMesh& mesh)
+  Offset numberOfTriangles, const double* lengths, SurfaceMesh& mesh, const PartOfMesh& origin)
 {
   SurfaceMeshBuilder builder(mesh);
   Status status = builder.TakeTriangles(numberOfVertices, triangles, numberOfTriangles);
@@ -59,6 +59,7 @@ Status SurfaceMesh::FromLengths(Offset numberOfVertices, const Id* triangles,
   }
   if (status.IsOk())
   {
+    builder.TakeOrigin(origin);
     builder.Orient();
     builder.Mollify();
     builder.Finish();
@@ -67,7 +68,8 @@ Status SurfaceMesh::FromLengths(Offset numberOfVertices, const Id* triangles,
 }
 
 Status SurfaceMesh::FromGluedLengths(Offset numberOfVertices, const Id* triangles,
-  Offset numberOfTriangles, const double* lengths, const Id* twins, SurfaceMesh& mesh)
+  Offset numberOfTriangles, const double* lengths, const Id* twins, SurfaceMesh& mesh,
+  const PartOfMesh& origin)
 {
   SurfaceMeshBuilder builder(mesh);
   Status status = builder.TakeTriangles(numberOfVertices, triangles, numberOfTriangles);
@@ -86,6 +88,7 @@ Status SurfaceMesh::FromGluedLengths(Offset numberOfVertices, const Id* triangle
   }
   if (status.IsOk())
   {
+    builder.TakeOrigin(origin);
     builder.Orient();
     builder.Mollify();
     builder.Finish();

@@ -25,6 +25,18 @@ enum class VertexKind : std::uint8_t
             ///< angles are not to be trusted, every direction may follow every other
 };
 
+class SurfaceMesh;
+
+/// What a mesh made of lengths is a part of: each of its faces is a face of another mesh or lies in
+/// one. What is degenerate there is degenerate in the part as well, its edges have been lengthened
+/// already, and the mean edge length that counts is that of the whole. So a part made of whole
+/// faces has the same lengths, and light behaves in it as it does in the whole.
+struct PartOfMesh
+{
+  const SurfaceMesh* Whole = nullptr; ///< null when the mesh is not a part
+  const Id* Faces = nullptr;          ///< per triangle, the face of the whole that it lies in
+};
+
 /// An intrinsic triangle mesh: what a geodesic sees of a surface. Everything is derived from the
 /// triangles and one length per edge; coordinates are not kept.
 ///
@@ -57,15 +69,17 @@ public:
   /// Build from lengths alone: `lengths[3f+k]` is the length of the edge from corner k to corner
   /// k+1 of face f. Faces glue along equal vertex pairs. Both halves of an edge must give the same
   /// length (to 1e-9 relative; the larger one is used). The triangle inequality may be violated by
-  /// 1e-12 of the longest edge of the mesh, the rounding of lengths taken from coordinates.
+  /// 1e-12 of the longest edge of the mesh, the rounding of lengths taken from coordinates. A part
+  /// of a mesh says so by `origin`.
   static Status FromLengths(Offset numberOfVertices, const Id* triangles, Offset numberOfTriangles,
-    const double* lengths, SurfaceMesh& mesh);
+    const double* lengths, SurfaceMesh& mesh, const PartOfMesh& origin = {});
 
   /// As FromLengths(), with the gluing given as well: `twins[h]` is the other half of the edge of
   /// half-edge `h`, or NoId. Needed where faces meet along edges that vertex pairs do not tell
   /// apart, as on a flat torus of few triangles.
   static Status FromGluedLengths(Offset numberOfVertices, const Id* triangles,
-    Offset numberOfTriangles, const double* lengths, const Id* twins, SurfaceMesh& mesh);
+    Offset numberOfTriangles, const double* lengths, const Id* twins, SurfaceMesh& mesh,
+    const PartOfMesh& origin = {});
 
   Id GetNumberOfVertices() const { return static_cast<Id>(this->Kinds.size()); }
   Id GetNumberOfFaces() const { return static_cast<Id>(this->Origins.size() / 3); }
@@ -92,6 +106,9 @@ public:
   bool IsFlipped(Id f) const { return (this->FaceFlags[f] & FlippedFlag) != 0; }
   /// Whether the face had no area, up to rounding, before its edges were lengthened.
   bool IsDegenerate(Id f) const { return (this->FaceFlags[f] & DegenerateFlag) != 0; }
+  /// Whether its edges were lengthened because it is degenerate or became so when a neighbour's
+  /// edges were lengthened: its angles are not to be trusted.
+  bool IsMollified(Id f) const { return (this->FaceFlags[f] & MollifiedFlag) != 0; }
 
   /// Position of the apex in the frame of the half-edge: origin at Origin(h), x axis towards
   /// Destination(h), y > 0.
@@ -121,7 +138,7 @@ public:
 
   double GetMeanEdgeLength() const { return this->MeanEdgeLength; }
   double GetMaximumEdgeLength() const { return this->MaximumEdgeLength; }
-  /// Length added to the edges of degenerate faces; 0 when there are none.
+  /// Length added to the edges of degenerate faces, at most; 0 when there are none.
   double GetMollification() const { return this->Mollification; }
   /// Number of faces that were lengthened.
   Id GetNumberOfMollifiedFaces() const { return this->NumberOfMollifiedFaces; }
@@ -137,6 +154,7 @@ private:
   static constexpr std::uint8_t DroppedFlag = 1;
   static constexpr std::uint8_t FlippedFlag = 2;
   static constexpr std::uint8_t DegenerateFlag = 4;
+  static constexpr std::uint8_t MollifiedFlag = 8;
 
   std::vector<Id> Origins;             // 3m
   std::vector<Id> Twins;               // 3m

@@ -16,6 +16,9 @@ namespace
 constexpr double FlatTolerance = 1e-9 * 2.0 * Pi;
 /// Slack of the triangle inequality below which a face is degenerate, relative to its edges.
 constexpr double DegeneracySlack = 1e-13;
+/// Faces that have been lengthened as part of another mesh have that slack up to rounding: what
+/// they must have left of it.
+constexpr double LeastSlackOfParts = 0.5;
 /// Both halves of an edge must agree on its length to this.
 constexpr double LengthAgreement = 1e-9;
 /// Rounding errors of lengths, as a fraction of the longest edge.
@@ -64,7 +67,6 @@ Status SurfaceMeshBuilder::TakeTriangles(
   this->Mesh.FaceFlags.assign(m, 0);
   this->Mesh.Kinds.assign(n, VertexKind::Isolated);
   this->Mesh.TotalAngles.assign(n, 0.0);
-  this->IsMollified.assign(m, 0);
   return Status::Success();
 }
 
@@ -389,7 +391,26 @@ void SurfaceMeshBuilder::Orient()
   }
 }
 
-void SurfaceMeshBuilder::Mollify()
+void SurfaceMeshBuilder::TakeOrigin(const PartOfMesh& origin)
+{
+  this->Whole = origin.Whole;
+  if (!origin.Whole)
+  {
+    return;
+  }
+  for (Id f = 0; f < this->Mesh.GetNumberOfFaces(); ++f)
+  {
+    const Id old = origin.Faces[f];
+    if (!this->Mesh.IsDropped(f) && origin.Whole->IsMollified(old))
+    {
+      this->Mesh.FaceFlags[f] |= SurfaceMesh::MollifiedFlag;
+      this->Mesh.FaceFlags[f] |= origin.Whole->IsDegenerate(old) ? SurfaceMesh::DegenerateFlag : 0;
+      this->Mesh.Mollification = origin.Whole->GetMollification();
+    }
+  }
+}
+
+void SurfaceMeshBuilder::MeasureEdges()
 {
   SurfaceMesh& mesh = this->Mesh;
   double sum = 0.0;
@@ -411,38 +432,52 @@ void SurfaceMeshBuilder::Mollify()
     }
   }
   mesh.MeanEdgeLength = edges > 0 ? sum / static_cast<double>(edges) : 0.0;
+}
 
-  // What is missing in a face to its triangle inequalities, worst corner; <= 0 when nothing is.
-  auto missing = [&](Id f) {
-    const Id h = 3 * f;
-    const double a = mesh.Lengths[h];
-    const double b = mesh.Lengths[h + 1];
-    const double c = mesh.Lengths[h + 2];
-    const double longest = std::max({ a, b, c });
-    const double tau = DegeneracySlack * std::max(mesh.MeanEdgeLength, longest);
-    // The two shorter edges against the longest, subtracting first what is close to it.
-    const double middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
-    const double shortest = std::min({ a, b, c });
-    return tau - (shortest - (longest - middle));
-  };
+/// What is missing in a face to its triangle inequalities, worst corner; 0 when nothing is.
+double SurfaceMeshBuilder::MeasureLack(Id f) const
+{
+  const SurfaceMesh& mesh = this->Mesh;
+  const double a = mesh.Lengths[3 * f];
+  const double b = mesh.Lengths[3 * f + 1];
+  const double c = mesh.Lengths[3 * f + 2];
+  const double longest = std::max({ a, b, c });
+  const double mean = this->Whole ? this->Whole->GetMeanEdgeLength() : mesh.MeanEdgeLength;
+  const double tau = DegeneracySlack * std::max(mean, longest);
+  // The two shorter edges against the longest, subtracting first what is close to it.
+  const double middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
+  const double shortest = std::min({ a, b, c });
+  const double slack = shortest - (longest - middle);
+  return slack < (this->Whole ? LeastSlackOfParts : 1.0) * tau ? tau - slack : 0.0;
+}
+
+void SurfaceMeshBuilder::Mollify()
+{
+  SurfaceMesh& mesh = this->Mesh;
+  this->MeasureEdges();
   double delta = 0.0;
   std::vector<Id> concerned;
+  std::vector<std::uint8_t> isConcerned(mesh.GetNumberOfFaces(), 0);
+  const auto concern = [&](Id f) {
+    isConcerned[f] = 1;
+    concerned.push_back(f);
+    mesh.FaceFlags[f] |= SurfaceMesh::MollifiedFlag;
+  };
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
     if (!mesh.IsDropped(f))
     {
-      const double lack = missing(f);
+      const double lack = this->MeasureLack(f);
       if (lack > 0.0)
       {
         delta = std::max(delta, lack);
-        this->IsMollified[f] = 1;
         mesh.FaceFlags[f] |= SurfaceMesh::DegenerateFlag;
-        concerned.push_back(f);
+        concern(f);
       }
+      mesh.NumberOfDegenerateFaces += mesh.IsDegenerate(f) ? 1 : 0;
     }
   }
-  mesh.NumberOfDegenerateFaces = static_cast<Id>(concerned.size());
-  mesh.Mollification = delta;
+  mesh.Mollification = std::max(mesh.Mollification, delta);
   // Lengthen the edges of the faces concerned. A neighbour that a longer edge makes degenerate
   // joins them.
   std::vector<std::uint8_t> lengthened(mesh.Lengths.size(), 0);
@@ -464,15 +499,17 @@ void SurfaceMeshBuilder::Mollify()
       for (g = mesh.Twin(h); g != NoId && g != h; g = mesh.Twin(g))
       {
         const Id f = SurfaceMesh::Face(g);
-        if (!this->IsMollified[f] && missing(f) > 0.0)
+        if (!isConcerned[f] && this->MeasureLack(f) > 0.0)
         {
-          this->IsMollified[f] = 1;
-          concerned.push_back(f);
+          concern(f);
         }
       }
     }
   }
-  mesh.NumberOfMollifiedFaces = static_cast<Id>(concerned.size());
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    mesh.NumberOfMollifiedFaces += mesh.IsMollified(f) ? 1 : 0;
+  }
 }
 
 void SurfaceMeshBuilder::Finish()
@@ -594,7 +631,7 @@ void SurfaceMeshBuilder::Classify(Id v, Id numberOfFans, bool open)
   for (const Id* h = mesh.FanBegin(v); h != mesh.FanEnd(v); ++h)
   {
     const Id incoming = SurfaceMesh::Previous(*h);
-    regular = regular && !this->IsMollified[SurfaceMesh::Face(*h)] &&
+    regular = regular && !mesh.IsMollified(SurfaceMesh::Face(*h)) &&
       (mesh.Twin(*h) == NoId || this->IsLinkedConsistently(*h)) &&
       (mesh.Twin(incoming) == NoId || this->IsLinkedConsistently(incoming));
   }

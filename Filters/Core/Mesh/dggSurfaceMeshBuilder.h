@@ -29,6 +29,8 @@ public:
   Status TakeLengths(const double* lengths);
   /// Refuse lengths that no triangle can have, rather than mollify them.
   Status CheckTriangleInequalities() const;
+  /// Whatever is known of the faces already.
+  void TakeOrigin(const PartOfMesh& origin);
   /// Turn faces over, component by component, where that makes the orientation consistent.
   void Orient();
   /// Lengthen the edges of degenerate faces.
@@ -38,6 +40,8 @@ public:
 
 private:
   bool IsLinkedConsistently(Id h) const;
+  double MeasureLack(Id f) const;
+  void MeasureEdges();
   void LayOutFaces();
   void GatherHalfEdgesByOrigin();
   void OrderFans();
@@ -45,7 +49,7 @@ private:
   Status CheckExtent(double extent, const char* what) const;
 
   SurfaceMesh& Mesh;
-  std::vector<std::uint8_t> IsMollified; // per face
+  const SurfaceMesh* Whole = nullptr; // what the mesh is a part of
 };
 }
 

@@ -21,6 +21,7 @@ Status ExactPathFinder::Find(const SurfacePoint& from, const std::vector<Surface
   const ProgressCallback& progress, std::vector<SurfacePath>& paths, double maximumDistance)
 {
   paths.clear();
+  this->NumberOfWindows = 0;
   if (!this->Fitness.IsOk())
   {
     return this->Fitness;
@@ -36,6 +37,7 @@ Status ExactPathFinder::Find(const SurfacePoint& from, const std::vector<Surface
   {
     return status;
   }
+  this->NumberOfWindows = result.NumberOfWindows;
   paths.resize(to.size());
   WindowTracer tracer(this->Mesh, from, result);
   for (std::size_t t = 0; t < to.size(); ++t)

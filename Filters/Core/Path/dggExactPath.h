@@ -8,8 +8,9 @@
 #include "dggExactGeodesics.h" // for the solver
 #include "dggSurfacePath.h"    // for SurfacePath
 
-#include <memory> // for the solver
-#include <vector> // for paths
+#include <cstddef> // for std::size_t
+#include <memory>  // for the solver
+#include <vector>  // for paths
 
 namespace dgg
 {
@@ -31,10 +32,14 @@ public:
     const ProgressCallback& progress, std::vector<SurfacePath>& paths,
     double maximumDistance = Infinity);
 
+  /// Windows that the last call propagated; none when the solver failed.
+  std::size_t GetNumberOfWindows() const { return this->NumberOfWindows; }
+
 private:
   const SurfaceMesh& Mesh;
   const Status Fitness; // of the mesh
   std::unique_ptr<ExactGeodesics> Solver;
+  std::size_t NumberOfWindows = 0;
 };
 }
 

@@ -137,7 +137,7 @@ Status LayoutDrawing::Cut()
     CutAlongChains(this->Refined, this->Refined.Paths, this->Opened, PinchedVertices::Split);
   if (status.IsOk())
   {
-    status = this->Opened.Build(this->OpenedMesh);
+    status = this->Opened.Build(this->Mesh, this->OpenedMesh);
   }
   if (status.IsOk())
   {
@@ -277,7 +277,8 @@ Status LayoutDrawing::Survey(const ProgressCallback& progress, std::vector<doubl
   SurfaceMesh mesh;
   RefinementOptions options;
   options.InsertCrossings = true;
-  if (!RefineAlongPaths(this->Mesh, paths, options, crossed).IsOk() || !crossed.Build(mesh).IsOk())
+  if (!RefineAlongPaths(this->Mesh, paths, options, crossed).IsOk() ||
+    !crossed.Build(this->Mesh, mesh).IsOk())
   {
     return Status::Success(); // a hint less
   }
@@ -475,7 +476,7 @@ Status LayoutDrawing::TraceClear(
   RefinedSurface rest;
   RemoveMargin(this->Mesh, this->Opened, isBlocked, isCut, rest);
   SurfaceMesh mesh;
-  Status status = rest.Build(mesh);
+  Status status = rest.Build(this->Mesh, mesh);
   std::vector<SurfacePath> paths;
   if (status.IsOk())
   {

@@ -13,10 +13,6 @@ namespace
 {
 /// A path has to be shorter by this much, relatively, to be worth a change.
 constexpr double LengthTolerance = 1e-13;
-/// The solver reports every 20000 windows. Twenty windows a face are common in corridors of
-/// thousands of faces; it is stopped at more than a hundred.
-constexpr std::size_t MostReports = 10;
-constexpr std::size_t FacesPerReport = 200;
 /// How far beyond the length of the path the solver looks, relatively: for rounding errors.
 constexpr double Margin = 1e-9;
 }
@@ -36,6 +32,12 @@ std::size_t PathCorridor::PredictMemorySize(const SurfaceMesh& mesh)
 
 bool PathCorridor::Shorten(double detour, SurfacePath& path)
 {
+  return this->Shorten(detour, path, Budget());
+}
+
+bool PathCorridor::Shorten(double detour, SurfacePath& path, const Budget& budget)
+{
+  this->TheEffort = Effort();
   if (path.Faces.size() < 2)
   {
     return false;
@@ -52,12 +54,12 @@ bool PathCorridor::Shorten(double detour, SurfacePath& path)
   }
   ExactPathFinder finder(part);
   std::vector<SurfacePath> found;
-  // Among faces without area light can go on for long: then the path stays as it is.
-  std::size_t reports = MostReports + this->Faces.size() / FacesPerReport;
+  std::size_t reports = budget.Reports + this->Faces.size() / budget.FacesPerReport;
   const Status status = finder.Find(
     this->ToPart(part, path.Points.front(), path.Faces.front()),
     { this->ToPart(part, path.Points.back(), path.Faces.back()) },
     [&](double) { return reports-- > 0; }, found, path.Length * (1.0 + Margin));
+  this->TheEffort = { this->Faces.size(), finder.GetNumberOfWindows(), status.IsAborted() };
   if (!status.IsOk() || found.front().IsEmpty() ||
     !(found.front().Length < path.Length * (1.0 - LengthTolerance)))
   {
@@ -213,7 +215,8 @@ Status PathCorridor::Build(SurfaceMesh& part)
     }
   }
   return SurfaceMesh::FromLengths(static_cast<Offset>(this->PartVertices.size()),
-    this->Triangles.data(), static_cast<Offset>(this->Faces.size()), this->Lengths.data(), part);
+    this->Triangles.data(), static_cast<Offset>(this->Faces.size()), this->Lengths.data(), part,
+    { &this->Mesh, this->Faces.data() });
 }
 
 SurfacePoint PathCorridor::ToPart(const SurfaceMesh& part, const SurfacePoint& point, Id face) const

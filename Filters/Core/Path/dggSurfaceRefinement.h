@@ -5,41 +5,12 @@
 #ifndef dggSurfaceRefinement_h
 #define dggSurfaceRefinement_h
 
-#include "dggSurfaceMesh.h"  // for SurfaceMesh
-#include "dggSurfacePath.h"  // for SurfacePath
-#include "dggSurfacePoint.h" // for SurfacePoint
+#include "dggRefinedSurface.h" // for RefinedSurface
 
-#include <vector> // for the arrays
+#include <vector> // for the paths
 
 namespace dgg
 {
-/// A mesh whose faces have been split: the same surface with more vertices. Dropped faces of the
-/// old mesh are left out.
-struct RefinedSurface
-{
-  /// The vertices, as points of the old mesh: its own, with their ids, then new ones.
-  std::vector<SurfacePoint> Points;
-  std::vector<Id> Triangles;   ///< 3 vertices per face, oriented as in the old mesh
-  std::vector<double> Lengths; ///< per half-edge 3f+k, from corner k to corner k+1 of face f
-  std::vector<Id> Twins;       ///< per half-edge, as SurfaceMesh::Twin()
-  std::vector<Id> Faces;       ///< per face, the old face that it is part of
-  /// Per path, the vertices that it runs through; each is a neighbour of the next.
-  std::vector<std::vector<Id>> Paths;
-
-  Id GetNumberOfVertices() const { return static_cast<Id>(this->Points.size()); }
-  Id GetNumberOfFaces() const { return static_cast<Id>(this->Faces.size()); }
-  /// The mesh with these faces and their lengths, so that its metric is the old one.
-  Status Build(SurfaceMesh& mesh) const;
-  /// A point of a face, given by coordinates with respect to its corners in Triangles, as a point
-  /// of the old mesh.
-  SurfacePoint ToOldMesh(
-    const SurfaceMesh& oldMesh, Id face, const std::array<double, 3>& barycentric) const;
-  /// A path on the mesh that Build() made, on the old mesh. Where it bends it keeps its points,
-  /// also inside faces of the old mesh.
-  SurfacePath ToOldMesh(
-    const SurfaceMesh& oldMesh, const SurfaceMesh& mesh, const SurfacePath& path) const;
-};
-
 struct RefinementOptions
 {
   /// What to do where paths cross: insert a vertex, or fail.

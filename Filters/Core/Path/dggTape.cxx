@@ -319,7 +319,7 @@ Status MakeTape(const SurfaceMesh& mesh, const SurfacePath& path, double width,
   SurfaceMesh part;
   if (status.IsOk())
   {
-    status = refined.Build(part);
+    status = refined.Build(mesh, part);
   }
   if (!status.IsOk())
   {

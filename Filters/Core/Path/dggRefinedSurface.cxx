@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggRefinedSurface.h"
+
+#include <utility>
+
+namespace dgg
+{
+Status RefinedSurface::Build(const SurfaceMesh& oldMesh, SurfaceMesh& mesh) const
+{
+  return SurfaceMesh::FromGluedLengths(this->GetNumberOfVertices(), this->Triangles.data(),
+    this->GetNumberOfFaces(), this->Lengths.data(), this->Twins.data(), mesh,
+    { &oldMesh, this->Faces.data() });
+}
+
+SurfacePoint RefinedSurface::ToOldMesh(
+  const SurfaceMesh& oldMesh, Id face, const std::array<double, 3>& barycentric) const
+{
+  std::array<double, 3> sum{ { 0.0, 0.0, 0.0 } };
+  for (int k = 0; k < 3; ++k)
+  {
+    std::array<double, 3> b{};
+    FindInFace(oldMesh, this->Points[this->Triangles[3 * face + k]], this->Faces[face], b);
+    for (int c = 0; c < 3; ++c)
+    {
+      sum[c] += barycentric[k] * b[c];
+    }
+  }
+  if (oldMesh.IsFlipped(this->Faces[face]))
+  {
+    std::swap(sum[1], sum[2]); // InFace() takes the corners in the order of the input
+  }
+  return SurfacePoint::InFace(oldMesh, this->Faces[face], sum);
+}
+
+SurfacePath RefinedSurface::ToOldMesh(
+  const SurfaceMesh& oldMesh, const SurfaceMesh& mesh, const SurfacePath& path) const
+{
+  SurfacePath old;
+  for (std::size_t i = 0; i < path.Points.size(); ++i)
+  {
+    const SurfacePoint& point = path.Points[i];
+    SurfacePoint oldPoint;
+    if (point.On == SurfacePoint::Support::Vertex)
+    {
+      oldPoint = this->Points[point.Vertex];
+    }
+    else
+    {
+      const Id face = path.Faces.empty() ? point.Face : path.Faces[i > 0 ? i - 1 : 0];
+      std::array<double, 3> b{};
+      FindInFace(mesh, point, face, b);
+      if (mesh.IsFlipped(face))
+      {
+        std::swap(b[1], b[2]);
+      }
+      oldPoint = this->ToOldMesh(oldMesh, face, b);
+    }
+    const bool isInside = i > 0 && i + 1 < path.Points.size();
+    if (isInside && point.On == SurfacePoint::Support::Edge &&
+      oldPoint.On == SurfacePoint::Support::Face &&
+      this->Faces[path.Faces[i - 1]] == this->Faces[path.Faces[i]])
+    {
+      continue; // straight on, within a face of the old mesh
+    }
+    if (i > 0)
+    {
+      old.Faces.push_back(this->Faces[path.Faces[i - 1]]);
+    }
+    old.Points.push_back(oldPoint);
+  }
+  for (std::size_t piece = 0; piece < old.Faces.size(); ++piece)
+  {
+    old.Length += MeasurePiece(oldMesh, old, piece);
+  }
+  return old;
+}
+}

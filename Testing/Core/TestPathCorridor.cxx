@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts of meshes behave as the whole does, corridors around paths among them.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+#include "GraphChecks.h"
+
+#include "dggExactPath.h"
+#include "dggPathCorridor.h"
+#include "dggPathFinder.h"
+#include "dggSurfaceRefinement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::PathCorridor;
+using dgg::SurfaceMesh;
+using dgg::SurfacePath;
+using dgg::SurfacePoint;
+
+/// Meshes with faces without area, of which light makes much.
+std::vector<NamedMesh> DegenerateMeshes()
+{
+  std::vector<NamedMesh> meshes;
+  meshes.push_back({ "Zipped", ZippedPlane(12) });
+  meshes.push_back({ "Collinear", CollinearPlane(12) });
+  meshes.push_back({ "Collapsed", CollapsedSphere(3, 60, 9) });
+  meshes.push_back({ "CollapsedMore", CollapsedSphere(3, 300, 5) });
+  return meshes;
+}
+
+/// Some faces of a mesh as a mesh of its own.
+SurfaceMesh PartOf(const SurfaceMesh& mesh, const std::vector<Id>& faces)
+{
+  std::vector<Id> triangles;
+  std::vector<double> lengths;
+  for (const Id f : faces)
+  {
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      triangles.push_back(mesh.Origin(h));
+      lengths.push_back(mesh.Length(h));
+    }
+  }
+  SurfaceMesh part;
+  const dgg::Status status = SurfaceMesh::FromLengths(mesh.GetNumberOfVertices(), triangles.data(),
+    static_cast<dgg::Offset>(faces.size()), lengths.data(), part, { &mesh, faces.data() });
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  return part;
+}
+
+SurfacePath PathBetween(dgg::ExactPathFinder& finder, Id from, Id to)
+{
+  std::vector<SurfacePath> paths;
+  const dgg::Status status =
+    finder.Find(SurfacePoint::AtVertex(from), { SurfacePoint::AtVertex(to) }, nullptr, paths);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  return paths.empty() ? SurfacePath() : paths.front();
+}
+
+/// The shortest path along mesh edges: a long way round.
+SurfacePath EdgePath(const SurfaceMesh& mesh, Id from, Id to)
+{
+  const std::vector<double> toGo = DistancesFrom(mesh, dgg::ExactEngine::Triangle, to);
+  SurfacePath path;
+  path.Points.push_back(SurfacePoint::AtVertex(from));
+  for (Id v = from; v != to;)
+  {
+    Id next = dgg::NoId;
+    Id face = dgg::NoId;
+    double best = toGo[v];
+    for (const Id* g = mesh.FanBegin(v); g != mesh.FanEnd(v); ++g)
+    {
+      for (const Id end : { mesh.Destination(*g), mesh.Apex(*g) })
+      {
+        if (toGo[end] < best)
+        {
+          best = toGo[end];
+          next = end;
+          face = SurfaceMesh::Face(*g);
+        }
+      }
+    }
+    if (next == dgg::NoId)
+    {
+      return SurfacePath(); // among coincident points
+    }
+    path.Points.push_back(SurfacePoint::AtVertex(next));
+    path.Faces.push_back(face);
+    path.Length += dgg::MeasurePiece(mesh, path, path.Faces.size() - 1);
+    v = next;
+  }
+  return path;
+}
+}
+
+TEST(MeshParts, KnowWhatIsDegenerate)
+{
+  std::vector<NamedMesh> meshes = DegenerateMeshes();
+  for (std::uint64_t seed = 1; seed <= 30; ++seed)
+  {
+    meshes.push_back({ "soup " + std::to_string(seed), RandomSoup(20, 40, seed) });
+  }
+  int solved = 0;
+  for (const NamedMesh& named : meshes)
+  {
+    SCOPED_TRACE(named.Name);
+    const SurfaceMesh mesh = Build(named.Mesh);
+    std::vector<Id> faces;
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      if (!mesh.IsDropped(f))
+      {
+        faces.push_back(f);
+      }
+    }
+    for (const bool isHalf : { false, true })
+    {
+      if (isHalf)
+      {
+        faces.resize(faces.size() / 2);
+      }
+      const SurfaceMesh part = PartOf(mesh, faces);
+      bool isTurned = false;
+      Id degenerate = 0;
+      Id mollified = 0;
+      for (std::size_t i = 0; i < faces.size(); ++i)
+      {
+        const auto f = static_cast<Id>(i);
+        isTurned = isTurned || part.IsFlipped(f);
+        EXPECT_EQ(part.IsDegenerate(f), mesh.IsDegenerate(faces[i])) << f;
+        EXPECT_EQ(part.IsMollified(f), mesh.IsMollified(faces[i])) << f;
+        degenerate += mesh.IsDegenerate(faces[i]) ? 1 : 0;
+        mollified += mesh.IsMollified(faces[i]) ? 1 : 0;
+        for (Id k = 0; k < 3 && !part.IsFlipped(f); ++k)
+        {
+          EXPECT_EQ(part.Length(3 * f + k), mesh.Length(3 * faces[i] + k)); // not a bit longer
+          EXPECT_TRUE(!part.IsMollified(f) ||
+            part.Kind(part.Origin(3 * f + k)) == dgg::VertexKind::Irregular);
+        }
+      }
+      EXPECT_EQ(part.GetNumberOfDegenerateFaces(), degenerate);
+      EXPECT_EQ(part.GetNumberOfMollifiedFaces(), mollified);
+      EXPECT_EQ(part.GetMollification(), mollified > 0 ? mesh.GetMollification() : 0.0);
+      if (isHalf || isTurned) // turned parts of what cannot be oriented
+      {
+        continue;
+      }
+      ++solved;
+      for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        EXPECT_EQ(part.Kind(v), mesh.Kind(v)) << v;
+      }
+      const std::vector<dgg::GeodesicSource> source{ VertexSource(mesh.Origin(3 * faces[0])) };
+      const dgg::ExactResult expected = Solve(mesh, dgg::ExactEngine::Triangle, source);
+      const dgg::ExactResult found = Solve(part, dgg::ExactEngine::Triangle, source);
+      EXPECT_EQ(found.Distances, expected.Distances);
+      EXPECT_EQ(found.NumberOfWindows, expected.NumberOfWindows);
+    }
+  }
+  EXPECT_GT(solved, 20);
+}
+
+/// Split along paths, degenerate faces stay degenerate.
+TEST(MeshParts, RefinedFacesKnowWhatIsDegenerate)
+{
+  for (const NamedMesh& named : DegenerateMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    const SurfaceMesh mesh = Build(named.Mesh);
+    dgg::ExactPathFinder finder(mesh);
+    const std::vector<Id> ends = SomeVertices(mesh, 4, 9);
+    dgg::RefinedSurface refined;
+    ASSERT_TRUE(
+      dgg::RefineAlongPaths(mesh, { PathBetween(finder, ends[1], ends[2]) }, {}, refined).IsOk());
+    SurfaceMesh fine;
+    ASSERT_TRUE(refined.Build(mesh, fine).IsOk());
+    EXPECT_GE(fine.GetNumberOfDegenerateFaces(), mesh.GetNumberOfDegenerateFaces());
+    for (Id f = 0; f < fine.GetNumberOfFaces(); ++f)
+    {
+      EXPECT_TRUE(fine.IsDegenerate(f) || !mesh.IsDegenerate(refined.Faces[f])) << f;
+      EXPECT_TRUE(fine.IsMollified(f) || !mesh.IsMollified(refined.Faces[f])) << f;
+    }
+    EXPECT_GE(fine.GetMollification(), mesh.GetMollification());
+  }
+}
+
+/// Among faces without area the solver does no more in a corridor than on the whole mesh, and finds
+/// paths as short.
+TEST(PathCorridor, AmongFacesWithoutArea)
+{
+  for (const NamedMesh& named : DegenerateMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    const SurfaceMesh mesh = Build(named.Mesh);
+    dgg::ExactPathFinder finder(mesh);
+    PathCorridor corridor(mesh);
+    std::size_t windows = 0;
+    std::size_t windowsOfAll = 0;
+    int paths = 0;
+    const std::vector<Id> ends = SomeVertices(mesh, 12, 5);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+    {
+      const SurfacePath shortest = PathBetween(finder, ends[i], ends[i + 1]);
+      SurfacePath path = EdgePath(mesh, ends[i], ends[i + 1]);
+      if (path.Faces.size() < 2)
+      {
+        continue;
+      }
+      ++paths;
+      windowsOfAll += finder.GetNumberOfWindows();
+      const double before = path.Length;
+      const bool isShorter = corridor.Shorten(0.5, path);
+      EXPECT_EQ(isShorter, path.Length < before);
+      EXPECT_TRUE(dgg::CheckPath(mesh, path).IsOk());
+      EXPECT_FALSE(corridor.GetEffort().IsStopped);
+      EXPECT_GT(corridor.GetEffort().Windows, 0u);
+      windows += corridor.GetEffort().Windows;
+      EXPECT_NEAR(path.Length, shortest.Length, 1e-9 * shortest.Length);
+    }
+    EXPECT_GT(paths, 5);
+    EXPECT_LE(windows, windowsOfAll);
+  }
+}
+
+/// A budget that is used up leaves the path as it is.
+TEST(PathCorridor, KeepsToItsBudget)
+{
+  const SurfaceMesh mesh = Build(NoisySphere(5, 0.2, 7));
+  PathCorridor corridor(mesh);
+  const SurfacePath longer = EdgePath(mesh, 0, mesh.GetNumberOfVertices() - 1);
+  ASSERT_GT(longer.Faces.size(), 10u);
+  PathCorridor::Budget none;
+  none.Reports = 0;
+  none.FacesPerReport = std::numeric_limits<std::size_t>::max();
+  SurfacePath path = longer;
+  EXPECT_FALSE(corridor.Shorten(0.5, path, none));
+  EXPECT_TRUE(corridor.GetEffort().IsStopped);
+  EXPECT_GT(corridor.GetEffort().Faces, 1000u);
+  EXPECT_EQ(path.Length, longer.Length);
+  EXPECT_EQ(path.Faces, longer.Faces);
+  // With the common one it is not.
+  EXPECT_TRUE(corridor.Shorten(0.5, path));
+  EXPECT_FALSE(corridor.GetEffort().IsStopped);
+  EXPECT_LT(path.Length, longer.Length);
+}
+}
