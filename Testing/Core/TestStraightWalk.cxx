@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -254,6 +255,24 @@ TEST(StraightWalk, OnAnySurface)
       EXPECT_LE(path.Length, length * (1.0 + 1e-9)) << named.Name;
     }
   }
+}
+
+/// On a surface without an end a walk ends after a million edges.
+TEST(StraightWalk, IsBounded)
+{
+  const SurfaceMesh mesh = Build(FlatTorus(3.0, 0.7, 2.0, 4, 3, false));
+  const SurfacePoint start = SurfacePoint::InFace(mesh, 5, { { 0.2, 0.3, 0.5 } });
+  SurfacePath path;
+  ASSERT_TRUE(dgg::WalkStraight(mesh, start, 1.0, 1e9, path).IsOk());
+  EXPECT_EQ(path.Faces.size(), 1000001u);
+  EXPECT_GT(path.Length, 1e5);
+  EXPECT_LT(path.Length, 1e6);
+  EXPECT_TRUE(dgg::CheckPath(mesh, path).IsOk());
+  // As straight as ever: walking a shorter way is the beginning of it.
+  const SurfacePath shorter = WalkFrom(mesh, start, 1.0, 1000.0);
+  EXPECT_NEAR(shorter.Length, 1000.0, 1e-6);
+  ASSERT_LT(shorter.Faces.size(), path.Faces.size());
+  EXPECT_TRUE(std::equal(shorter.Faces.begin(), shorter.Faces.end(), path.Faces.begin()));
 }
 
 TEST(StraightWalk, BadInputIsNamed)

@@ -165,12 +165,14 @@ bool WindowTracer::TracePiece(
   {
     const Branch branch = this->Branches.back();
     this->Branches.pop_back();
+    const std::size_t others = this->Branches.size();
     this->Points.resize(branch.PointsBefore);
     this->Faces.resize(branch.PointsBefore - 1);
     if (this->Follow(branch, reached))
     {
       return true;
     }
+    this->NumberOfRetries += others > 0 && this->Branches.size() == others ? 1 : 0;
   }
   this->Points.resize(points);
   this->Faces.resize(points - 1);

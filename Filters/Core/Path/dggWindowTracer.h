@@ -38,6 +38,9 @@ public:
   bool Trace(
     const SurfacePoint& target, double distance, const Predecessor& last, SurfacePath& path);
 
+  /// How often a way that was tried led nowhere and another one was tried, of all paths so far.
+  std::size_t GetNumberOfRetries() const { return this->NumberOfRetries; }
+
 private:
   /// A way that leaves a face and enters another one.
   struct Branch
@@ -72,6 +75,7 @@ private:
   double Tolerance = 0.0; // of lengths
   std::size_t FirstFace = 0;
   double Slack = 0.0; // of places, within this piece
+  std::size_t NumberOfRetries = 0;
 };
 }
 
