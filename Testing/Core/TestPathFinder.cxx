@@ -10,6 +10,7 @@
 #include "PathChecks.h"
 
 #include "dggExactPath.h"
+#include "dggPathCorridor.h"
 #include "dggPathFinder.h"
 
 #include <gtest/gtest.h>
@@ -207,6 +208,26 @@ TEST(PathFinder, Soups)
     ExpectGoodPaths(RandomSoup(20, 40, seed), 0.1, seed, tally);
   }
   EXPECT_GT(tally.Shortest, 0.9 * tally.Paths);
+}
+
+/// Narrow faces split light into more windows than the solver may spend in a corridor. The path is
+/// then the locally shortest one, as if nothing had been tried.
+TEST(PathFinder, CorridorsThatTakeTooLong)
+{
+  const PathWorld world(Torus(6, 1000), 0.2);
+  const SurfacePoint from = SurfacePoint::AtVertex(1);
+  const SurfacePoint to = SurfacePoint::AtVertex(3010); // on the other side
+  const FoundPath straight = world.Find(from, to, Straight());
+  const FoundPath best = world.Find(from, to, Straight(1.0));
+  dgg::PathCorridor corridor(world.Mesh);
+  SurfacePath path = straight.Path;
+  EXPECT_FALSE(corridor.Shorten(1.0, path));
+  EXPECT_TRUE(corridor.GetEffort().IsStopped);
+  EXPECT_TRUE(best.IsStraightened);
+  EXPECT_EQ(best.Path.Length, straight.Path.Length);
+  EXPECT_EQ(best.Path.Faces, straight.Path.Faces);
+  EXPECT_LE(best.Path.Length, best.GraphLength);
+  ExpectLocallyShortest(world.Mesh, best.Path);
 }
 
 TEST(PathFinder, SamePoint)
