@@ -4,6 +4,7 @@
 
 #include "dggCurveMargin.h"
 #include "dggExactPath.h"
+#include "dggLayoutSurvey.h"
 
 #include <algorithm>
 #include <map>
@@ -21,26 +22,6 @@ std::pair<Id, Id> Unordered(Id a, Id b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// A new edge among those that were drawn before.
-void InsertIntoOrder(EdgeOrder& order, const LayoutDrawing::Sector& sector, Id edge)
-{
-  if (std::find(order.Edges.begin(), order.Edges.end(), edge) != order.Edges.end())
-  {
-    return; // known
-  }
-  auto place = order.Edges.end();
-  if (sector.Begin != NoId)
-  {
-    place = std::find(order.Edges.begin(), order.Edges.end(), sector.Begin);
-    place += place != order.Edges.end() ? 1 : 0;
-  }
-  else if (sector.End != NoId)
-  {
-    place = std::find(order.Edges.begin(), order.Edges.end(), sector.End);
-  }
-  order.HasGap = !sector.IsWhole && (sector.Begin == NoId || sector.End == NoId || order.HasGap);
-  order.Edges.insert(place, edge);
-}
 }
 
 Status LayoutDrawing::Begin()
@@ -52,7 +33,7 @@ Status LayoutDrawing::Begin()
   }
   if (status.IsOk())
   {
-    status = this->Refine(nullptr, this->Refined);
+    status = this->Refine(nullptr, this->Surface.Refined);
   }
   if (!status.IsOk())
   {
@@ -61,7 +42,7 @@ Status LayoutDrawing::Begin()
   std::map<Id, std::size_t> landmarkAt;
   for (std::size_t l = 0; l < this->Landmarks.size(); ++l)
   {
-    const auto added = landmarkAt.emplace(this->Refined.Paths[l][0], l);
+    const auto added = landmarkAt.emplace(this->Surface.Refined.Paths[l][0], l);
     if (!added.second)
     {
       std::ostringstream message;
@@ -119,7 +100,7 @@ Status LayoutDrawing::Refine(const SurfacePath* more, RefinedSurface& refined) c
   {
     paths[l].Points.push_back(this->Landmarks[l]);
   }
-  for (const Id e : this->DrawnEdges)
+  for (const Id e : this->Surface.DrawnEdges)
   {
     paths.push_back(this->Curves[e]);
   }
@@ -133,70 +114,22 @@ Status LayoutDrawing::Refine(const SurfacePath* more, RefinedSurface& refined) c
 Status LayoutDrawing::Cut()
 {
   // A curve through a point where sheets touch would tie them together.
-  Status status =
-    CutAlongChains(this->Refined, this->Refined.Paths, this->Opened, PinchedVertices::Split);
+  Status status = CutAlongChains(this->Surface.Refined, this->Surface.Refined.Paths,
+    this->Surface.Opened, PinchedVertices::Split);
   if (status.IsOk())
   {
-    status = this->Opened.Build(this->Mesh, this->OpenedMesh);
+    status = this->Surface.Opened.Build(this->Mesh, this->Surface.OpenedMesh);
   }
   if (status.IsOk())
   {
-    this->FindSectors();
+    this->Sectors = FindSectors(this->Surface, this->Edges);
   }
   return status;
 }
 
-void LayoutDrawing::FindSectors()
-{
-  this->Sectors.clear();
-  std::map<Id, Id> landmarkAt;
-  for (std::size_t l = 0; l < this->Landmarks.size(); ++l)
-  {
-    landmarkAt[this->Refined.Paths[l][0]] = static_cast<Id>(l);
-  }
-  for (Id v = 0; v < this->Opened.GetNumberOfVertices(); ++v)
-  {
-    const auto landmark = landmarkAt.find(this->Opened.VertexOf[v]);
-    const Id* fan = this->OpenedMesh.FanBegin(v);
-    if (landmark == landmarkAt.end() || fan == this->OpenedMesh.FanEnd(v))
-    {
-      continue;
-    }
-    Sector sector;
-    sector.Landmark = landmark->second;
-    sector.Vertex = v;
-    sector.IsWhole = this->OpenedMesh.Twin(*fan) != NoId;
-    if (!sector.IsWhole)
-    {
-      const Id last = SurfaceMesh::Previous(*(this->OpenedMesh.FanEnd(v) - 1));
-      sector.Begin =
-        this->FindCurve(sector.Landmark, this->Opened.VertexOf[this->OpenedMesh.Destination(*fan)]);
-      sector.End =
-        this->FindCurve(sector.Landmark, this->Opened.VertexOf[this->OpenedMesh.Origin(last)]);
-    }
-    this->Sectors.push_back(sector);
-  }
-}
-
-/// The curve that leaves a landmark for a neighbour.
-Id LayoutDrawing::FindCurve(Id landmark, Id neighbour) const
-{
-  for (std::size_t i = 0; i < this->DrawnEdges.size(); ++i)
-  {
-    const Id e = this->DrawnEdges[i];
-    const std::vector<Id>& chain = this->Refined.Paths[this->Landmarks.size() + i];
-    if ((this->Edges[e][0] == landmark && chain[1] == neighbour) ||
-      (this->Edges[e][1] == landmark && chain[chain.size() - 2] == neighbour))
-    {
-      return e;
-    }
-  }
-  return NoId;
-}
-
 std::vector<Id> LayoutDrawing::FindBoundaryLoops() const
 {
-  std::vector<Id> parent(this->Refined.Points.size());
+  std::vector<Id> parent(this->Surface.Refined.Points.size());
   std::iota(parent.begin(), parent.end(), 0);
   auto root = [&](Id v) {
     while (parent[v] != v)
@@ -207,12 +140,12 @@ std::vector<Id> LayoutDrawing::FindBoundaryLoops() const
     return v;
   };
   std::vector<char> isOnBoundary(parent.size(), 0);
-  for (std::size_t h = 0; h < this->Refined.Triangles.size(); ++h)
+  for (std::size_t h = 0; h < this->Surface.Refined.Triangles.size(); ++h)
   {
-    if (this->Refined.Twins[h] == NoId)
+    if (this->Surface.Refined.Twins[h] == NoId)
     {
-      const Id a = this->Refined.Triangles[h];
-      const Id b = this->Refined.Triangles[SurfaceMesh::Next(static_cast<Id>(h))];
+      const Id a = this->Surface.Refined.Triangles[h];
+      const Id b = this->Surface.Refined.Triangles[SurfaceMesh::Next(static_cast<Id>(h))];
       isOnBoundary[a] = 1;
       isOnBoundary[b] = 1;
       parent[root(a)] = root(b);
@@ -221,7 +154,7 @@ std::vector<Id> LayoutDrawing::FindBoundaryLoops() const
   std::vector<Id> loops;
   for (std::size_t l = 0; l < this->Landmarks.size(); ++l)
   {
-    const Id v = this->Refined.Paths[l][0];
+    const Id v = this->Surface.Refined.Paths[l][0];
     loops.push_back(isOnBoundary[v] ? root(v) : NoId);
   }
   return loops;
@@ -232,147 +165,21 @@ Status LayoutDrawing::Survey(const ProgressCallback& progress, std::vector<doubl
 {
   lengths.assign(this->Edges.size(), Infinity);
   orders.assign(this->Landmarks.size(), EdgeOrder());
-  std::vector<SurfacePath> paths(this->Edges.size());
-  ExactPathFinder finder(this->Mesh);
-  for (std::size_t l = 0; l < this->Landmarks.size(); ++l)
+  LayoutSurvey survey(this->Mesh, this->Landmarks, this->Edges);
+  Id unconnected = NoId;
+  Status status = survey.FindPaths(progress, unconnected);
+  if (!status.IsOk())
   {
-    std::vector<Id> leaving;
-    std::vector<SurfacePoint> to;
-    for (std::size_t e = 0; e < this->Edges.size(); ++e)
-    {
-      if (this->Edges[e][0] == static_cast<Id>(l))
-      {
-        leaving.push_back(static_cast<Id>(e));
-        to.push_back(this->Landmarks[this->Edges[e][1]]);
-      }
-    }
-    if (to.empty())
-    {
-      continue;
-    }
-    std::vector<SurfacePath> found;
-    Status status = finder.Find(this->Landmarks[l], to,
-      progress ? ProgressCallback([&](double fraction) {
-        return progress((static_cast<double>(l) + fraction) / this->Landmarks.size());
-      })
-               : progress,
-      found);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-    for (std::size_t i = 0; i < leaving.size(); ++i)
-    {
-      if (found[i].IsEmpty())
-      {
-        return this->Refuse(leaving[i], "they are not connected");
-      }
-      lengths[leaving[i]] = found[i].Length;
-      paths[leaving[i]] = found[i];
-    }
+    return status;
   }
-
-  // In which order they leave.
-  RefinedSurface crossed;
-  SurfaceMesh mesh;
-  RefinementOptions options;
-  options.InsertCrossings = true;
-  if (!RefineAlongPaths(this->Mesh, paths, options, crossed).IsOk() ||
-    !crossed.Build(this->Mesh, mesh).IsOk())
+  if (unconnected != NoId)
   {
-    return Status::Success(); // a hint less
+    return this->Refuse(unconnected, "they are not connected");
   }
-  for (std::size_t e = 0; e < this->Edges.size(); ++e)
-  {
-    const std::vector<Id>& chain = crossed.Paths[e];
-    for (const int end : { 0, 1 })
-    {
-      if (chain.size() >= 2)
-      {
-        orders[this->Edges[e][end]].Edges.push_back(static_cast<Id>(e));
-      }
-    }
-  }
-  for (std::size_t l = 0; l < this->Landmarks.size(); ++l)
-  {
-    std::map<Id, double> place; // of an edge in the fan
-    for (const Id e : orders[l].Edges)
-    {
-      const std::vector<Id>& chain = crossed.Paths[e];
-      const bool leaves = this->Edges[e][0] == static_cast<Id>(l);
-      const Id v = leaves ? chain.front() : chain.back();
-      const Id neighbour = leaves ? chain[1] : chain[chain.size() - 2];
-      double position = 0.0;
-      place[e] = static_cast<double>(mesh.FanEnd(v) - mesh.FanBegin(v));
-      for (const Id* g = mesh.FanBegin(v); g != mesh.FanEnd(v); ++g, position += 1.0)
-      {
-        if (mesh.Destination(*g) == neighbour)
-        {
-          place[e] = position;
-        }
-      }
-    }
-    std::stable_sort(orders[l].Edges.begin(), orders[l].Edges.end(),
-      [&](Id a, Id b) { return place[a] < place[b]; });
-  }
-  return Status::Success();
-}
-
-/// Whether the order puts an edge into a sector.
-bool LayoutDrawing::Allows(const Sector& sector, const EdgeOrder& order, Id edge) const
-{
-  const auto place = std::find(order.Edges.begin(), order.Edges.end(), edge);
-  if (sector.IsWhole || place == order.Edges.end())
-  {
-    return true;
-  }
-  // The nearest edges before and after it that are drawn.
-  const auto size = static_cast<std::ptrdiff_t>(order.Edges.size());
-  const std::ptrdiff_t index = place - order.Edges.begin();
-  Id before = NoId;
-  Id after = NoId;
-  bool isFirst = true;
-  bool isLast = true;
-  for (std::ptrdiff_t step = size - 1; step > 0; --step)
-  {
-    const Id next = order.Edges[(index + step) % size];
-    if (this->IsDrawn[next])
-    {
-      after = next;
-      isLast = isLast && index + step >= size;
-    }
-    const Id previous = order.Edges[(index - step + size) % size];
-    if (this->IsDrawn[previous])
-    {
-      before = previous;
-      isFirst = isFirst && index - step < 0;
-    }
-  }
-  if (sector.Begin != NoId && sector.End != NoId)
-  {
-    return sector.Begin == before && sector.End == after;
-  }
-  if (sector.Begin == NoId && sector.End == NoId)
-  {
-    return before == NoId;
-  }
-  // Beside the boundary of the surface.
-  return sector.Begin == NoId ? sector.End == after && (isFirst || !order.HasGap)
-                              : sector.Begin == before && (isLast || !order.HasGap);
-}
-
-std::vector<LayoutDrawing::Sector> LayoutDrawing::FindAllowed(
-  Id landmark, const EdgeOrder& order, Id edge) const
-{
-  std::vector<Sector> allowed;
-  for (const Sector& sector : this->Sectors)
-  {
-    if (sector.Landmark == landmark && this->Allows(sector, order, edge))
-    {
-      allowed.push_back(sector);
-    }
-  }
-  return allowed;
+  std::transform(survey.GetPaths().begin(), survey.GetPaths().end(), lengths.begin(),
+    [](const SurfacePath& path) { return path.Length; });
+  orders = survey.FindOrders();
+  return status;
 }
 
 Status LayoutDrawing::Draw(
@@ -380,86 +187,110 @@ Status LayoutDrawing::Draw(
 {
   const Id a = this->Edges[edge][0];
   const Id b = this->Edges[edge][1];
-  const std::vector<Sector> from = this->FindAllowed(a, orders[a], edge);
-  const std::vector<Sector> to = this->FindAllowed(b, orders[b], edge);
+  const std::vector<LayoutSector> from =
+    FindAllowedSectors(this->Sectors, this->Surface, a, orders[a], edge);
+  const std::vector<LayoutSector> to =
+    FindAllowedSectors(this->Sectors, this->Surface, b, orders[b], edge);
   if (from.empty() || to.empty())
   {
     return this->Refuse(edge,
       "the order of the edges around landmark " + std::to_string(from.empty() ? a : b) +
         " leaves no room for it");
   }
-  SurfacePath best;
-  std::size_t first = 0;
-  std::size_t last = 0;
-  for (std::size_t i = 0; i < from.size(); ++i)
+  Connection connection;
+  Status status = this->Connect(from, to, progress, connection);
+  if (!status.IsOk())
   {
-    SurfacePath path;
-    std::size_t reached = 0;
-    Status status = this->Trace(from[i], to, progress, path, reached);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-    if (!path.IsEmpty() && (best.IsEmpty() || path.Length < best.Length))
-    {
-      best = path;
-      first = i;
-      last = reached;
-    }
+    return status;
   }
-  if (best.IsEmpty())
+  if (connection.Path.IsEmpty())
   {
     return this->Refuse(edge,
-      this->DrawnEdges.empty()
+      this->Surface.DrawnEdges.empty()
         ? "they are not connected"
         : "the other edges separate them. Check that the landmarks correspond, or turn patches "
           "the other way");
   }
   RefinedSurface refined;
-  if (!this->Refine(&best, refined).IsOk() || !this->KeepsClear(refined))
+  status = this->KeepClear(edge, progress, connection, refined);
+  if (!status.IsOk())
   {
-    // Once more, at a distance from everything.
-    SurfacePath clear;
-    Status status = this->TraceClear(from[first], to[last], progress, clear);
+    return status;
+  }
+  InsertIntoOrder(orders[a], connection.From, edge);
+  InsertIntoOrder(orders[b], connection.To, edge);
+  this->Curves[edge] = std::move(connection.Path);
+  this->Surface.IsDrawn[edge] = 1;
+  this->Surface.DrawnEdges.push_back(edge);
+  this->Surface.Refined = std::move(refined);
+  return this->Cut();
+}
+
+/// The shortest of the paths from any of the sectors to any of the others. Empty when there is
+/// none.
+Status LayoutDrawing::Connect(const std::vector<LayoutSector>& from,
+  const std::vector<LayoutSector>& to, const ProgressCallback& progress,
+  Connection& connection) const
+{
+  for (const LayoutSector& start : from)
+  {
+    SurfacePath path;
+    std::size_t reached = 0;
+    Status status = this->Trace(start, to, progress, path, reached);
     if (!status.IsOk())
     {
       return status;
     }
-    const Status fits = clear.IsEmpty() ? Status::Success() : this->Refine(&clear, refined);
-    if (clear.IsEmpty() || !fits.IsOk() || !this->KeepsClear(refined))
+    if (!path.IsEmpty() && (connection.Path.IsEmpty() || path.Length < connection.Path.Length))
     {
-      return this->Refuse(edge, "there is no room between the other edges: refine the mesh");
+      connection = { std::move(path), start, to[reached] };
     }
-    best = clear;
   }
-  InsertIntoOrder(orders[a], from[first], edge);
-  InsertIntoOrder(orders[b], to[last], edge);
-  this->Curves[edge] = std::move(best);
-  this->IsDrawn[edge] = 1;
-  this->DrawnEdges.push_back(edge);
-  this->Refined = std::move(refined);
-  return this->Cut();
+  return Status::Success();
+}
+
+/// Split the surface along the path as well. Where it touches other curves, or itself, another one
+/// at a distance from everything takes its place.
+Status LayoutDrawing::KeepClear(
+  Id edge, const ProgressCallback& progress, Connection& connection, RefinedSurface& refined) const
+{
+  if (this->Refine(&connection.Path, refined).IsOk() && this->KeepsClear(refined))
+  {
+    return Status::Success();
+  }
+  SurfacePath clear;
+  Status status = this->TraceClear(connection.From, connection.To, progress, clear);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  if (clear.IsEmpty() || !this->Refine(&clear, refined).IsOk() || !this->KeepsClear(refined))
+  {
+    return this->Refuse(edge, "there is no room between the other edges: refine the mesh");
+  }
+  connection.Path = std::move(clear);
+  return status;
 }
 
 /// Shortest path on the surface cut open, from one sector to the nearest of others. Empty when
 /// there is none.
-Status LayoutDrawing::Trace(const Sector& from, const std::vector<Sector>& to,
+Status LayoutDrawing::Trace(const LayoutSector& from, const std::vector<LayoutSector>& to,
   const ProgressCallback& progress, SurfacePath& path, std::size_t& reached) const
 {
   std::vector<SurfacePoint> targets;
   targets.reserve(to.size());
-  for (const Sector& sector : to)
+  for (const LayoutSector& sector : to)
   {
     targets.push_back(SurfacePoint::AtVertex(sector.Vertex));
   }
   std::vector<SurfacePath> paths;
-  ExactPathFinder finder(this->OpenedMesh);
+  ExactPathFinder finder(this->Surface.OpenedMesh);
   Status status = finder.Find(SurfacePoint::AtVertex(from.Vertex), targets, progress, paths);
   for (std::size_t i = 0; i < paths.size(); ++i)
   {
     if (!paths[i].IsEmpty() && (path.IsEmpty() || paths[i].Length < path.Length))
     {
-      path = this->Opened.ToOldMesh(this->Mesh, this->OpenedMesh, paths[i]);
+      path = this->Surface.Opened.ToOldMesh(this->Mesh, this->Surface.OpenedMesh, paths[i]);
       reached = i;
     }
   }
@@ -467,14 +298,14 @@ Status LayoutDrawing::Trace(const Sector& from, const std::vector<Sector>& to,
 }
 
 /// The same to one sector, keeping clear of curves and other landmarks.
-Status LayoutDrawing::TraceClear(
-  const Sector& from, const Sector& to, const ProgressCallback& progress, SurfacePath& path) const
+Status LayoutDrawing::TraceClear(const LayoutSector& from, const LayoutSector& to,
+  const ProgressCallback& progress, SurfacePath& path) const
 {
   std::vector<char> isBlocked;
   std::vector<char> isCut;
   this->MarkObstacles(from.Vertex, to.Vertex, isBlocked, isCut);
   RefinedSurface rest;
-  RemoveMargin(this->Mesh, this->Opened, isBlocked, isCut, rest);
+  RemoveMargin(this->Mesh, this->Surface.Opened, isBlocked, isCut, rest);
   SurfaceMesh mesh;
   Status status = rest.Build(this->Mesh, mesh);
   std::vector<SurfacePath> paths;
@@ -495,9 +326,9 @@ Status LayoutDrawing::TraceClear(
 void LayoutDrawing::MarkObstacles(
   Id from, Id to, std::vector<char>& isBlocked, std::vector<char>& isCut) const
 {
-  std::vector<char> isTaken(this->Refined.Points.size(), 0);
+  std::vector<char> isTaken(this->Surface.Refined.Points.size(), 0);
   std::set<std::pair<Id, Id>> onCurves;
-  for (const std::vector<Id>& chain : this->Refined.Paths)
+  for (const std::vector<Id>& chain : this->Surface.Refined.Paths)
   {
     for (std::size_t i = 0; i < chain.size(); ++i)
     {
@@ -508,17 +339,18 @@ void LayoutDrawing::MarkObstacles(
       }
     }
   }
-  isBlocked.assign(this->Opened.Points.size(), 0);
-  for (Id v = 0; v < this->Opened.GetNumberOfVertices(); ++v)
+  isBlocked.assign(this->Surface.Opened.Points.size(), 0);
+  for (Id v = 0; v < this->Surface.Opened.GetNumberOfVertices(); ++v)
   {
-    isBlocked[v] = isTaken[this->Opened.VertexOf[v]] && v != from && v != to ? 1 : 0;
+    isBlocked[v] = isTaken[this->Surface.Opened.VertexOf[v]] && v != from && v != to ? 1 : 0;
   }
-  const auto halfEdges = static_cast<Id>(this->Opened.Triangles.size());
+  const auto halfEdges = static_cast<Id>(this->Surface.Opened.Triangles.size());
   isCut.assign(halfEdges, 0);
   for (Id h = 0; h < halfEdges; ++h)
   {
-    const Id a = this->Opened.VertexOf[this->Opened.Triangles[h]];
-    const Id b = this->Opened.VertexOf[this->Opened.Triangles[SurfaceMesh::Next(h)]];
+    const Id a = this->Surface.Opened.VertexOf[this->Surface.Opened.Triangles[h]];
+    const Id b =
+      this->Surface.Opened.VertexOf[this->Surface.Opened.Triangles[SurfaceMesh::Next(h)]];
     isCut[h] = isTaken[a] && isTaken[b] && onCurves.count(Unordered(a, b)) > 0 ? 1 : 0;
   }
 }
@@ -547,23 +379,25 @@ bool LayoutDrawing::KeepsClear(const RefinedSurface& refined) const
   return chain.size() >= 2;
 }
 
-void LayoutDrawing::FindParts(std::vector<Sector>& sectors, std::vector<Id>& characteristics) const
+void LayoutDrawing::FindParts(
+  std::vector<LayoutSector>& sectors, std::vector<Id>& characteristics) const
 {
   Id count = 0;
-  const std::vector<Id> parts = this->OpenedMesh.ComputeComponents(count);
+  const std::vector<Id> parts = this->Surface.OpenedMesh.ComputeComponents(count);
   characteristics.assign(count, 0);
-  for (Id v = 0; v < this->OpenedMesh.GetNumberOfVertices(); ++v)
+  for (Id v = 0; v < this->Surface.OpenedMesh.GetNumberOfVertices(); ++v)
   {
-    characteristics[parts[v]] += this->OpenedMesh.FanBegin(v) != this->OpenedMesh.FanEnd(v) ? 1 : 0;
+    characteristics[parts[v]] +=
+      this->Surface.OpenedMesh.FanBegin(v) != this->Surface.OpenedMesh.FanEnd(v) ? 1 : 0;
   }
-  for (Id h = 0; h < this->OpenedMesh.GetNumberOfHalfEdges(); ++h)
+  for (Id h = 0; h < this->Surface.OpenedMesh.GetNumberOfHalfEdges(); ++h)
   {
-    const Id part = parts[this->OpenedMesh.Origin(h)];
-    characteristics[part] -= this->OpenedMesh.Twin(h) < h ? 1 : 0; // edges, NoId included
-    characteristics[part] += h % 3 == 0 ? 1 : 0;                   // faces
+    const Id part = parts[this->Surface.OpenedMesh.Origin(h)];
+    characteristics[part] -= this->Surface.OpenedMesh.Twin(h) < h ? 1 : 0; // edges, NoId included
+    characteristics[part] += h % 3 == 0 ? 1 : 0;                           // faces
   }
   sectors = this->Sectors;
-  for (Sector& sector : sectors)
+  for (LayoutSector& sector : sectors)
   {
     sector.Part = parts[sector.Vertex];
   }

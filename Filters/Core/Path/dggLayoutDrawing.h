@@ -6,8 +6,8 @@
 #define dggLayoutDrawing_h
 
 #include "dggLayoutOrder.h"       // for EdgeOrder
+#include "dggLayoutSectors.h"     // for LayoutSector
 #include "dggPatchBoundaries.h"   // for PatchSurface
-#include "dggSurfaceCut.h"        // for CutSurface
 #include "dggSurfaceRefinement.h" // for RefinedSurface
 
 #include <string> // for the name
@@ -26,8 +26,8 @@ public:
     , Edges(edges)
     , Name(std::move(name))
     , Curves(edges.size())
-    , IsDrawn(edges.size(), 0)
   {
+    this->Surface.IsDrawn.assign(edges.size(), 0);
   }
 
   /// Start with no curve. Fails when the surface or the landmarks are unfit.
@@ -42,19 +42,8 @@ public:
   /// landmarks; where that is not known, anywhere, and then it becomes known.
   Status Draw(Id edge, std::vector<EdgeOrder>& orders, const ProgressCallback& progress);
 
-  /// A corner of what lies between the curves: a sector of a landmark, from a curve
-  /// counter-clockwise to the next one; NoId stands for the boundary of the surface.
-  struct Sector
-  {
-    Id Landmark = NoId;
-    Id Begin = NoId;
-    Id End = NoId;
-    bool IsWhole = false; ///< goes all the way round: there is no curve yet
-    Id Vertex = NoId;     ///< of the surface cut open
-    Id Part = NoId;       ///< of the surface, as the curves divide it
-  };
   /// All corners, and the Euler characteristic of each part. A disk has 1.
-  void FindParts(std::vector<Sector>& sectors, std::vector<Id>& characteristics) const;
+  void FindParts(std::vector<LayoutSector>& sectors, std::vector<Id>& characteristics) const;
 
   std::vector<SurfacePath>& GetCurves() { return this->Curves; }
   const std::string& GetName() const { return this->Name; }
@@ -62,19 +51,27 @@ public:
   std::vector<Id> FindBoundaryLoops() const;
 
 private:
+  /// A path between two sectors.
+  struct Connection
+  {
+    SurfacePath Path;
+    LayoutSector From;
+    LayoutSector To;
+  };
+
   Status CheckSurface() const;
   Status CheckLandmarks() const;
   Status Refine(const SurfacePath* more, RefinedSurface& refined) const;
   Status Cut();
-  void FindSectors();
-  Id FindCurve(Id landmark, Id neighbour) const;
-  std::vector<Sector> FindAllowed(Id landmark, const EdgeOrder& order, Id edge) const;
-  bool Allows(const Sector& sector, const EdgeOrder& order, Id edge) const;
+  Status Connect(const std::vector<LayoutSector>& from, const std::vector<LayoutSector>& to,
+    const ProgressCallback& progress, Connection& connection) const;
+  Status KeepClear(Id edge, const ProgressCallback& progress, Connection& connection,
+    RefinedSurface& refined) const;
   bool KeepsClear(const RefinedSurface& refined) const;
-  Status Trace(const Sector& from, const std::vector<Sector>& to, const ProgressCallback& progress,
-    SurfacePath& path, std::size_t& reached) const;
-  Status TraceClear(const Sector& from, const Sector& to, const ProgressCallback& progress,
-    SurfacePath& path) const;
+  Status Trace(const LayoutSector& from, const std::vector<LayoutSector>& to,
+    const ProgressCallback& progress, SurfacePath& path, std::size_t& reached) const;
+  Status TraceClear(const LayoutSector& from, const LayoutSector& to,
+    const ProgressCallback& progress, SurfacePath& path) const;
   void MarkObstacles(Id from, Id to, std::vector<char>& isBlocked, std::vector<char>& isCut) const;
   Status Refuse(Id edge, const std::string& reason) const;
 
@@ -83,13 +80,8 @@ private:
   const std::vector<std::array<Id, 2>>& Edges;
   std::string Name;
   std::vector<SurfacePath> Curves; // per edge
-  std::vector<char> IsDrawn;       // per edge
-  // The refined surface has the landmarks' single points as its first paths, then the curves.
-  RefinedSurface Refined;
-  std::vector<Id> DrawnEdges; // in the order of those paths
-  CutSurface Opened;
-  SurfaceMesh OpenedMesh;
-  std::vector<Sector> Sectors; // without Part
+  DrawnSurface Surface;
+  std::vector<LayoutSector> Sectors; // without Part
 };
 }
 

@@ -17,7 +17,7 @@ namespace dgg
 {
 namespace
 {
-using Sector = LayoutDrawing::Sector;
+using Sector = LayoutSector;
 
 /// Share of the progress for finding out how long curves are.
 constexpr double SurveyShare = 0.2;

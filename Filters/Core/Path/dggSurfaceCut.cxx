@@ -11,96 +11,147 @@
 
 namespace dgg
 {
-Status CutAlongChains(const RefinedSurface& surface, const std::vector<std::vector<Id>>& chains,
-  CutSurface& cut, PinchedVertices pinched)
+namespace
 {
-  cut = CutSurface();
-  const auto halfEdges = static_cast<Id>(surface.Triangles.size());
-  const Id vertices = surface.GetNumberOfVertices();
+/// Opens the edges of chains, finds the sectors that they leave around each vertex, and gives each
+/// of them a vertex of its own.
+class ChainCutter
+{
+public:
+  ChainCutter(const RefinedSurface& surface, CutSurface& cut)
+    : Surface(surface)
+    , Cut(cut)
+    , HalfEdges(static_cast<Id>(surface.Triangles.size()))
+    , Sectors(surface.Triangles.size())
+  {
+  }
 
-  // Where the chains run.
-  std::vector<std::pair<Id, Id>> edges;
-  for (const std::vector<Id>& chain : chains)
+  Status Run(const std::vector<std::vector<Id>>& chains, PinchedVertices pinched)
   {
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+    this->Cut = CutSurface();
+    static_cast<RefinedSurface&>(this->Cut) = this->Surface;
+    this->Cut.Paths.clear();
+    this->CollectEdges(chains);
+    Status status = this->OpenEdges();
+    if (!status.IsOk())
     {
-      edges.emplace_back(std::min(chain[i], chain[i + 1]), std::max(chain[i], chain[i + 1]));
+      this->Cut = CutSurface();
+      return status;
     }
+    this->JoinCorners();
+    this->CopyVertices(pinched);
+    return status;
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  std::vector<char> isFound(edges.size(), 0);
-  static_cast<RefinedSurface&>(cut) = surface;
-  cut.Paths.clear();
-  for (Id h = 0; h < halfEdges; ++h)
+
+private:
+  static std::pair<Id, Id> Unordered(Id a, Id b) { return { std::min(a, b), std::max(a, b) }; }
+
+  void CollectEdges(const std::vector<std::vector<Id>>& chains)
   {
-    const Id a = surface.Triangles[h];
-    const Id b = surface.Triangles[SurfaceMesh::Next(h)];
-    const auto edge = std::make_pair(std::min(a, b), std::max(a, b));
-    const auto place = std::lower_bound(edges.begin(), edges.end(), edge);
-    if (place != edges.end() && *place == edge)
+    for (const std::vector<Id>& chain : chains)
     {
-      isFound[place - edges.begin()] = 1;
-      cut.Twins[h] = NoId;
+      for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      {
+        this->Edges.push_back(Unordered(chain[i], chain[i + 1]));
+      }
     }
+    std::sort(this->Edges.begin(), this->Edges.end());
+    this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
   }
-  const auto missing = std::find(isFound.begin(), isFound.end(), 0);
-  if (missing != isFound.end())
+
+  /// Unglue the half-edges on the chains. Fails when there is none.
+  Status OpenEdges()
   {
-    const std::pair<Id, Id>& edge = edges[missing - isFound.begin()];
+    std::vector<char> isFound(this->Edges.size(), 0);
+    for (Id h = 0; h < this->HalfEdges; ++h)
+    {
+      const std::pair<Id, Id> edge =
+        Unordered(this->Surface.Triangles[h], this->Surface.Triangles[SurfaceMesh::Next(h)]);
+      const auto place = std::lower_bound(this->Edges.begin(), this->Edges.end(), edge);
+      if (place != this->Edges.end() && *place == edge)
+      {
+        isFound[place - this->Edges.begin()] = 1;
+        this->Cut.Twins[h] = NoId;
+      }
+    }
+    const auto missing = std::find(isFound.begin(), isFound.end(), 0);
+    if (missing == isFound.end())
+    {
+      return Status::Success();
+    }
+    const std::pair<Id, Id>& edge = this->Edges[missing - isFound.begin()];
     std::ostringstream message;
     message << "vertices " << edge.first << " and " << edge.second
             << " of a chain are not neighbours";
-    cut = CutSurface();
     return Status::Invalid(message.str());
   }
 
-  // Corners that are still joined by an edge at their vertex are of one sector.
-  DisjointSets sectors(halfEdges);
-  for (Id h = 0; h < halfEdges; ++h)
+  /// Corners that are still joined by an edge at their vertex are of one sector.
+  void JoinCorners()
   {
-    const Id t = cut.Twins[h];
-    if (t == NoId)
+    for (Id h = 0; h < this->HalfEdges; ++h)
     {
-      continue;
-    }
-    const Id hNext = SurfaceMesh::Next(h);
-    const Id tNext = SurfaceMesh::Next(t);
-    const bool along = surface.Triangles[h] == surface.Triangles[t];
-    sectors.Join(h, along ? t : tNext);
-    sectors.Join(hNext, along ? tNext : t);
-  }
-  std::vector<char> isPassed(vertices, pinched == PinchedVertices::Split ? 1 : 0);
-  for (const std::pair<Id, Id>& edge : edges)
-  {
-    isPassed[edge.first] = 1;
-    isPassed[edge.second] = 1;
-  }
-  cut.VertexOf.resize(vertices);
-  std::iota(cut.VertexOf.begin(), cut.VertexOf.end(), 0);
-  std::vector<Id> copyOf(halfEdges, NoId); // per corner that is the root of a sector
-  std::vector<char> hasCopy(vertices, 0);
-  for (Id h = 0; h < halfEdges; ++h)
-  {
-    const Id v = surface.Triangles[h];
-    if (!isPassed[v])
-    {
-      continue;
-    }
-    Id& copy = copyOf[sectors.Find(h)];
-    if (copy == NoId)
-    {
-      copy = v;
-      if (hasCopy[v])
+      const Id t = this->Cut.Twins[h];
+      if (t == NoId)
       {
-        copy = static_cast<Id>(cut.VertexOf.size());
-        cut.VertexOf.push_back(v);
-        cut.Points.push_back(surface.Points[v]);
+        continue;
       }
-      hasCopy[v] = 1;
+      const Id hNext = SurfaceMesh::Next(h);
+      const Id tNext = SurfaceMesh::Next(t);
+      const bool along = this->Surface.Triangles[h] == this->Surface.Triangles[t];
+      this->Sectors.Join(h, along ? t : tNext);
+      this->Sectors.Join(hNext, along ? tNext : t);
     }
-    cut.Triangles[h] = copy;
   }
-  return Status::Success();
+
+  /// One copy for each sector of the vertices that chains pass.
+  void CopyVertices(PinchedVertices pinched)
+  {
+    const Id vertices = this->Surface.GetNumberOfVertices();
+    std::vector<char> isPassed(vertices, pinched == PinchedVertices::Split ? 1 : 0);
+    for (const std::pair<Id, Id>& edge : this->Edges)
+    {
+      isPassed[edge.first] = 1;
+      isPassed[edge.second] = 1;
+    }
+    this->Cut.VertexOf.resize(vertices);
+    std::iota(this->Cut.VertexOf.begin(), this->Cut.VertexOf.end(), 0);
+    std::vector<Id> copyOf(this->HalfEdges, NoId); // per corner that stands for a sector
+    std::vector<char> hasCopy(vertices, 0);
+    for (Id h = 0; h < this->HalfEdges; ++h)
+    {
+      const Id v = this->Surface.Triangles[h];
+      if (!isPassed[v])
+      {
+        continue;
+      }
+      Id& copy = copyOf[this->Sectors.Find(h)];
+      if (copy == NoId)
+      {
+        copy = v;
+        if (hasCopy[v])
+        {
+          copy = static_cast<Id>(this->Cut.VertexOf.size());
+          this->Cut.VertexOf.push_back(v);
+          this->Cut.Points.push_back(this->Surface.Points[v]);
+        }
+        hasCopy[v] = 1;
+      }
+      this->Cut.Triangles[h] = copy;
+    }
+  }
+
+  const RefinedSurface& Surface;
+  CutSurface& Cut;
+  const Id HalfEdges;
+  std::vector<std::pair<Id, Id>> Edges; // of the chains, sorted
+  DisjointSets Sectors;                 // of corners
+};
+}
+
+Status CutAlongChains(const RefinedSurface& surface, const std::vector<std::vector<Id>>& chains,
+  CutSurface& cut, PinchedVertices pinched)
+{
+  return ChainCutter(surface, cut).Run(chains, pinched);
 }
 }

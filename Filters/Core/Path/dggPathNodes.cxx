@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggPathNodes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace dgg
+{
+namespace
+{
+std::int64_t Largest(const GridPoint& a, const GridPoint& b)
+{
+  return std::max(std::abs(a.X - b.X), std::abs(a.Y - b.Y));
+}
+}
+
+PathNodes::PathNodes(const SurfaceMesh& mesh)
+  : Mesh(mesh)
+  , NumberOfVertices(mesh.GetNumberOfVertices())
+{
+}
+
+Id PathNodes::CanonicalEdge(Id h) const
+{
+  Id smallest = h;
+  for (Id e = this->Mesh.Twin(h); e != NoId && e != h; e = this->Mesh.Twin(e))
+  {
+    smallest = std::min(smallest, e);
+  }
+  return smallest;
+}
+
+const std::vector<Id>* PathNodes::FindOnEdge(Id h) const
+{
+  const auto found =
+    this->OnEdge.empty() ? this->OnEdge.end() : this->OnEdge.find(this->CanonicalEdge(h));
+  return found == this->OnEdge.end() ? nullptr : &found->second;
+}
+
+const std::vector<Id>* PathNodes::FindInFace(Id face) const
+{
+  const auto found = this->InFace.find(face);
+  return found == this->InFace.end() ? nullptr : &found->second;
+}
+
+PathNodes::EdgeMark PathNodes::MarkOf(const SurfacePoint& point) const
+{
+  const Id edge = this->CanonicalEdge(point.HalfEdge);
+  const double t = point.Barycentric[(point.HalfEdge + 1) % 3] /
+    (point.Barycentric[point.HalfEdge % 3] + point.Barycentric[(point.HalfEdge + 1) % 3]);
+  const auto mark =
+    static_cast<std::int64_t>(std::llround(t * static_cast<double>(GridPoint::One)));
+  return { edge,
+    this->Mesh.Origin(edge) == this->Mesh.Origin(point.HalfEdge) ? mark : GridPoint::One - mark };
+}
+
+/// Points on edges: those close together are one, those close to an end are the vertex there.
+void PathNodes::AddPointsOnEdges(const std::vector<SurfacePath>& paths)
+{
+  for (const SurfacePath& path : paths)
+  {
+    for (const SurfacePoint& point : path.Points)
+    {
+      if (point.On == SurfacePoint::Support::Edge)
+      {
+        this->Marks.push_back(this->MarkOf(point));
+      }
+    }
+  }
+  std::sort(this->Marks.begin(), this->Marks.end());
+  this->Marks.erase(std::unique(this->Marks.begin(), this->Marks.end()), this->Marks.end());
+  for (const EdgeMark& mark : this->Marks)
+  {
+    if (mark.second <= MergeDistance || mark.second >= GridPoint::One - MergeDistance)
+    {
+      this->MarkNodes.push_back(mark.second <= MergeDistance ? this->Mesh.Origin(mark.first)
+                                                             : this->Mesh.Destination(mark.first));
+      continue;
+    }
+    if (this->Nodes.empty() || this->Nodes.back().Edge != mark.first ||
+      mark.second - this->Nodes.back().T > MergeDistance)
+    {
+      this->OnEdge[mark.first].push_back(
+        this->NumberOfVertices + static_cast<Id>(this->Nodes.size()));
+      Node node;
+      node.Edge = mark.first;
+      node.T = mark.second;
+      this->Nodes.push_back(node);
+    }
+    this->MarkNodes.push_back(this->NumberOfVertices + static_cast<Id>(this->Nodes.size()) - 1);
+  }
+}
+
+Id PathNodes::NodeOf(const SurfacePoint& point)
+{
+  if (point.On == SurfacePoint::Support::Vertex)
+  {
+    return point.Vertex;
+  }
+  if (point.On == SurfacePoint::Support::Edge)
+  {
+    const auto mark = std::lower_bound(this->Marks.begin(), this->Marks.end(), this->MarkOf(point));
+    return this->MarkNodes[mark - this->Marks.begin()];
+  }
+  return this->AddCrossing(GridPoint::FromBarycentric(point.Barycentric), point.Face);
+}
+
+Id PathNodes::AddCrossing(const GridPoint& place, Id face)
+{
+  std::vector<Id>& others = this->InFace[face];
+  for (const Id other : others)
+  {
+    if (Largest(place, this->Nodes[other - this->NumberOfVertices].Place) <= MergeDistance)
+    {
+      return other;
+    }
+  }
+  Node node;
+  node.Face = face;
+  node.Place = place;
+  others.push_back(this->NumberOfVertices + static_cast<Id>(this->Nodes.size()));
+  this->Nodes.push_back(node);
+  return others.back();
+}
+
+GridPoint PathNodes::PlaceOf(Id node, Id face) const
+{
+  if (node < this->NumberOfVertices)
+  {
+    const Id k = node == this->Mesh.Origin(3 * face) ? 0
+      : node == this->Mesh.Origin(3 * face + 1)      ? 1
+                                                     : 2;
+    return { k == 1 ? GridPoint::One : 0, k == 2 ? GridPoint::One : 0 };
+  }
+  const Node& n = this->Nodes[node - this->NumberOfVertices];
+  if (n.Edge == NoId)
+  {
+    return n.Place;
+  }
+  Id h = 3 * face;
+  while (h < 3 * face + 2 && this->CanonicalEdge(h) != n.Edge)
+  {
+    ++h;
+  }
+  std::array<std::int64_t, 3> b{ { 0, 0, 0 } };
+  const bool along = this->Mesh.Origin(h) == this->Mesh.Origin(n.Edge);
+  b[(h + 1) % 3] = along ? n.T : GridPoint::One - n.T;
+  b[h % 3] = GridPoint::One - b[(h + 1) % 3];
+  return { b[1], b[2] };
+}
+
+bool PathNodes::AreOnOneSide(Id a, Id b, Id face, int& side) const
+{
+  for (side = 0; side < 3; ++side)
+  {
+    if (this->PositionOnSide(a, face, side) >= 0 && this->PositionOnSide(b, face, side) >= 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+int PathNodes::PositionOnSide(Id node, Id face, int side) const
+{
+  const Id h = 3 * face + side;
+  const Id edge = this->CanonicalEdge(h);
+  const auto found = this->OnEdge.find(edge);
+  const int count = found == this->OnEdge.end() ? 0 : static_cast<int>(found->second.size());
+  if (node == this->Mesh.Origin(h))
+  {
+    return 0;
+  }
+  if (node == this->Mesh.Destination(h))
+  {
+    return count + 1;
+  }
+  if (node < this->NumberOfVertices || this->Nodes[node - this->NumberOfVertices].Edge != edge)
+  {
+    return -1;
+  }
+  const auto place = std::find(found->second.begin(), found->second.end(), node);
+  const int position = static_cast<int>(place - found->second.begin());
+  return this->Mesh.Origin(edge) == this->Mesh.Origin(h) ? position + 1 : count - position;
+}
+
+Id PathNodes::NodeOnSide(Id face, int side, int position) const
+{
+  const Id h = 3 * face + side;
+  const Id edge = this->CanonicalEdge(h);
+  const std::vector<Id>& nodes = this->OnEdge.find(edge)->second;
+  const bool along = this->Mesh.Origin(edge) == this->Mesh.Origin(h);
+  return nodes[along ? position - 1 : static_cast<int>(nodes.size()) - position];
+}
+
+double PathNodes::Measure(Id a, Id b, Id face) const
+{
+  int side = 0;
+  if (this->AreOnOneSide(a, b, face, side))
+  {
+    // The same bits in all faces of the edge.
+    const Id edge = this->CanonicalEdge(3 * face + side);
+    auto mark = [&](Id node) {
+      return node == this->Mesh.Origin(edge)   ? std::int64_t(0)
+        : node == this->Mesh.Destination(edge) ? GridPoint::One
+                                               : this->Nodes[node - this->NumberOfVertices].T;
+    };
+    const std::int64_t difference = std::abs(mark(a) - mark(b));
+    return difference == GridPoint::One
+      ? this->Mesh.Length(edge)
+      : this->Mesh.Length(edge) * (static_cast<double>(difference) / GridPoint::One);
+  }
+  return DistanceInFace(this->Mesh, face, this->PlaceOf(std::min(a, b), face).GetBarycentric(),
+    this->PlaceOf(std::max(a, b), face).GetBarycentric());
+}
+
+std::vector<SurfacePoint> PathNodes::MakePoints() const
+{
+  std::vector<SurfacePoint> points;
+  points.reserve(this->NumberOfVertices + this->Nodes.size());
+  for (Id v = 0; v < this->NumberOfVertices; ++v)
+  {
+    points.push_back(SurfacePoint::AtVertex(v));
+  }
+  for (const Node& node : this->Nodes)
+  {
+    SurfacePoint point;
+    if (node.Edge != NoId)
+    {
+      const double t = static_cast<double>(node.T) / GridPoint::One;
+      point.On = SurfacePoint::Support::Edge;
+      point.HalfEdge = node.Edge;
+      point.Face = SurfaceMesh::Face(node.Edge);
+      point.Barycentric = { { 0.0, 0.0, 0.0 } };
+      point.Barycentric[node.Edge % 3] = 1.0 - t;
+      point.Barycentric[(node.Edge + 1) % 3] = t;
+    }
+    else
+    {
+      point.On = SurfacePoint::Support::Face;
+      point.Face = node.Face;
+      point.Barycentric = node.Place.GetBarycentric();
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+}
