@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggEdgeProfile.h"
 
+#include "dggEdges.h"
 #include "dggSurfacePoint.h"
 
 #include <algorithm>
@@ -21,20 +22,10 @@ constexpr double Rounding = 4e-16;
 constexpr int MostSteps = 80;
 }
 
-Id EdgeProfile::Representative(const SurfaceMesh& mesh, Id h)
-{
-  Id smallest = h;
-  for (Id e = mesh.Twin(h); e != NoId && e != h; e = mesh.Twin(e))
-  {
-    smallest = std::min(smallest, e);
-  }
-  return smallest;
-}
-
 void EdgeProfile::Enter(Id h)
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
-  const Id representative = Representative(mesh, h);
+  const Id representative = FindEdge(mesh, h);
   if (representative == this->HalfEdge)
   {
     return;

@@ -24,13 +24,10 @@ public:
   {
   }
 
-  /// The half-edge of smallest id among those of an edge.
-  static Id Representative(const SurfaceMesh& mesh, Id h);
-
   /// Look at the edge of a half-edge, whose ends must be reached.
   void Enter(Id h);
 
-  /// The representative half-edge. Abscissae run from its origin to its destination.
+  /// The half-edge that stands for the edge. Abscissae run from its origin to its destination.
   Id GetHalfEdge() const { return this->HalfEdge; }
   double GetLength() const { return this->Length; }
 

@@ -15,7 +15,7 @@ namespace dgg
 /// A point where an isoline crosses an edge. All faces of the edge share it.
 struct EdgeCrossing
 {
-  Id HalfEdge = NoId; ///< the representative of the edge (EdgeProfile::Representative())
+  Id HalfEdge = NoId; ///< the representative of the edge (FindEdge())
   double X = 0.0;     ///< abscissa from its origin, in [0, length]
   Id Level = 0;       ///< index into the levels
 };
