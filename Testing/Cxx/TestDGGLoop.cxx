@@ -825,6 +825,39 @@ TEST_F(DGGLoop, OneLoopTellsItsProgress)
   EXPECT_EQ(GetLoops(this->Filter), expected);
 }
 
+/// Leg by leg.
+TEST_F(DGGLoop, ARopeTellsItsProgress)
+{
+  this->Filter->SetInputData(this->Torus);
+  this->Filter->SetMode(vtkDGGLoop::Rope);
+  std::vector<vtkIdType> ids;
+  for (vtkIdType i = 0; i < 20; ++i)
+  {
+    ids.push_back(i * 10);
+  }
+  this->Filter->SetPointIds(ids);
+  ExpectSuccess(this->Filter); // the graph is there
+  const auto expected = GetLoops(this->Filter);
+  ASSERT_FALSE(expected.empty());
+  ProgressWatch watch(this->Filter);
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter);
+  watch.ExpectGrowth();
+  ASSERT_GT(watch.Progress.size(), ids.size());
+  for (const std::size_t leg : { 5, 12 })
+  {
+    const double stop = watch.Progress[leg];
+    EXPECT_LT(stop, 1.0);
+    watch.StopAt = stop;
+    this->Filter->Modified();
+    ExpectSuccess(this->Filter);
+    ExpectEmptyOutput(this->Filter);
+    watch.StopAt = 2.0;
+    ExpectSuccess(this->Filter);
+    EXPECT_EQ(GetLoops(this->Filter), expected);
+  }
+}
+
 TEST_F(DGGLoop, ObserversMayChangeTheInput)
 {
   this->Filter->AddPointId(30);
