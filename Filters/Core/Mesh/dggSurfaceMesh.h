@@ -33,7 +33,7 @@ class SurfaceMesh;
 /// faces has the same lengths, and light behaves in it as it does in the whole.
 struct PartOfMesh
 {
-  const SurfaceMesh* Whole = nullptr; ///< null when the mesh is not a part
+  const SurfaceMesh* Whole = nullptr; ///< another mesh; null when the mesh is not a part
   const Id* Faces = nullptr;          ///< per triangle, the face of the whole that it lies in
 };
 

@@ -481,6 +481,7 @@ void SurfaceMeshBuilder::Mollify()
   // Lengthen the edges of the faces concerned. A neighbour that a longer edge makes degenerate
   // joins them.
   std::vector<std::uint8_t> lengthened(mesh.Lengths.size(), 0);
+  // NOLINTNEXTLINE(modernize-loop-convert): the list grows while it is worked on
   for (std::size_t i = 0; i < concerned.size(); ++i)
   {
     for (Id h = 3 * concerned[i]; h < 3 * concerned[i] + 3; ++h)

@@ -36,7 +36,7 @@ public:
   /// A rope through points in cyclic order, the last one being joined to the first one: shortest
   /// paths between them, or, when `taut`, what they become when the rope is let go at the points
   /// and pulled tight. Empty when the points are not connected or the rope contracts to a point;
-  /// `isConnected` tells these apart.
+  /// `isConnected` tells these apart. Stopped before any of the paths, there is no rope.
   Status Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop) const;
   Status Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop,
     bool& isConnected, const ProgressCallback& progress = {}) const;
