@@ -5,9 +5,10 @@
 #ifndef dggExactGeodesics_h
 #define dggExactGeodesics_h
 
-#include "dggEdgeWindows.h"  // for EdgeWindows
-#include "dggSurfaceMesh.h"  // for SurfaceMesh
-#include "dggSurfacePoint.h" // for SurfacePoint
+#include "dggEdgeWindows.h"    // for EdgeWindows
+#include "dggGeodesicSource.h" // for GeodesicSource
+#include "dggSurfaceMesh.h"    // for SurfaceMesh
+#include "dggSurfacePoint.h"   // for SurfacePoint
 
 #include <cstddef> // for std::size_t
 #include <memory>  // for the engine
@@ -16,13 +17,6 @@
 namespace dgg
 {
 class WindowPropagation;
-
-/// A source of distance: a point of the surface and the distance that it starts with.
-struct GeodesicSource
-{
-  SurfacePoint Point;
-  double InitialDistance = 0.0;
-};
 
 /// Which engine propagates. Both give the same distances.
 enum class ExactEngine

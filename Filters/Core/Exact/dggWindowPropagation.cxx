@@ -15,31 +15,6 @@ namespace
 /// envelopes). With 1e-6 half of all windows were overlaps of this kind.
 constexpr double ShadowSlack = 1e-10;
 
-Status CheckSources(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources)
-{
-  if (sources.empty())
-  {
-    return Status::Invalid("there is no source: give at least one");
-  }
-  for (std::size_t k = 0; k < sources.size(); ++k)
-  {
-    const Status status = sources[k].Point.Check(mesh);
-    std::ostringstream message;
-    if (!status.IsOk())
-    {
-      message << "source " << k << ": " << status.GetMessage();
-      return Status::Invalid(message.str());
-    }
-    if (!std::isfinite(sources[k].InitialDistance))
-    {
-      message << "source " << k << ": the initial distance " << sources[k].InitialDistance
-              << " is not finite";
-      return Status::Invalid(message.str());
-    }
-  }
-  return Status::Success();
-}
-
 Status CheckOptions(const SurfaceMesh& mesh, const ExactOptions& options)
 {
   if (std::isnan(options.MaximumDistance))

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The cotangent Laplacian. Internal: the only headers that name Eigen are internal ones.
+#ifndef dggCotanLaplacian_h
+#define dggCotanLaplacian_h
+
+#include "dggIntrinsicTriangulation.h"
+
+#include <Eigen/SparseCore> // for the matrix
+
+namespace dgg
+{
+/// Linear finite elements. `Stiffness` is positive semidefinite and without an area factor: for
+/// neighbours i, j the entry is -(cot a + cot b) / 2, with the angles that face the edge (one on
+/// the boundary, more on a non-manifold edge; several edges between i and j add up), and rows sum
+/// to 0. So (L f)_i approximates the integral of -Laplace f over the cell of i; boundaries have
+/// natural (Neumann) conditions. `Mass` is lumped: a third of the areas of the faces around a
+/// vertex. Vertices without a face have empty rows and no mass.
+struct CotanLaplacian
+{
+  Eigen::SparseMatrix<double> Stiffness;
+  Eigen::VectorXd Mass;
+};
+
+CotanLaplacian MakeCotanLaplacian(const IntrinsicTriangulation& triangulation);
+/// From the triangles of the mesh as they are. Orientation and manifoldness do not matter.
+CotanLaplacian MakeCotanLaplacian(const SurfaceMesh& mesh);
+}
+
+#endif

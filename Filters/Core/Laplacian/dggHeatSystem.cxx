@@ -1,0 +1,449 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggHeatSystem.h"
+
+#include "dggCotanLaplacian.h"
+#include "dggIntrinsicDelaunay.h"
+#include "dggUnfolding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+namespace dgg
+{
+namespace
+{
+/// Heat below this does not have the relative precision of a double any more, or soon will not.
+constexpr double LeastHeat = 1e-250;
+/// Loads below this are not worth the attempt with doubles.
+constexpr double LeastLogarithm = -200.0;
+
+template <typename Number>
+Number MakeLoad(const HeatSystem::Load& load);
+template <>
+double MakeLoad(const HeatSystem::Load& load)
+{
+  return load.Weight * std::exp(load.Logarithm);
+}
+template <>
+ScaledNumber MakeLoad(const HeatSystem::Load& load)
+{
+  return ScaledNumber::Exp(load.Logarithm) * load.Weight;
+}
+
+bool IsTooSmall(double heat)
+{
+  return !(std::abs(heat) >= LeastHeat);
+}
+bool IsTooSmall(const ScaledNumber&)
+{
+  return false;
+}
+
+/// The three values with a common factor that is of no importance.
+std::array<double, 3> Compare(double a, double b, double c)
+{
+  return { { a, b, c } };
+}
+std::array<double, 3> Compare(const ScaledNumber& a, const ScaledNumber& b, const ScaledNumber& c)
+{
+  bool isAny = false;
+  std::int64_t exponent = 0;
+  for (const ScaledNumber* x : { &a, &b, &c })
+  {
+    if (!x->IsZero())
+    {
+      exponent = isAny ? std::max(exponent, x->GetExponent()) : x->GetExponent();
+      isAny = true;
+    }
+  }
+  return { { a.Relative(exponent), b.Relative(exponent), c.Relative(exponent) } };
+}
+
+bool Goes(const ProgressCallback& progress, double fraction)
+{
+  return !progress || progress(fraction);
+}
+}
+
+HeatSystem::HeatSystem(const SurfaceMesh& mesh)
+  : Mesh(mesh)
+{
+}
+
+Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& progress)
+{
+  if (!(options.TimeStepFactor > 0.0) || !std::isfinite(options.TimeStepFactor))
+  {
+    return Status::Invalid("the time step factor must be positive and finite");
+  }
+  if (this->IsAnalyzed && this->Options.IntrinsicDelaunay == options.IntrinsicDelaunay)
+  {
+    this->Options = options;
+    return Status::Success();
+  }
+  this->IsAnalyzed = false;
+  this->Options = options;
+  this->Heat.Clear();
+  this->CooledHeat.Clear();
+  this->Distance.Clear();
+  if (!Goes(progress, 0.0))
+  {
+    return Status::Abort();
+  }
+
+  IntrinsicTriangulation triangulation(this->Mesh);
+  this->MeasureComponents(triangulation);
+  if (options.IntrinsicDelaunay)
+  {
+    const auto flips = [&](double fraction) { return Goes(progress, 0.4 * fraction); };
+    DelaunayReport report;
+    const Status status = MakeDelaunay(triangulation, -1, flips, report);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
+  if (!Goes(progress, 0.4))
+  {
+    return Status::Abort();
+  }
+  const CotanLaplacian laplacian = MakeCotanLaplacian(triangulation);
+  if (!Goes(progress, 0.6))
+  {
+    return Status::Abort();
+  }
+  this->Places = FindEliminationOrder(laplacian.Stiffness);
+  if (!Goes(progress, 0.9))
+  {
+    return Status::Abort();
+  }
+  const Id n = this->Mesh.GetNumberOfVertices();
+  this->Mass.resize(n);
+  this->ComponentOfPlace.resize(n);
+  this->PlaceOnBoundary.resize(n);
+  this->PinnedPlaces.assign(this->MeanEdges.size(), NoId);
+  for (Id v = 0; v < n; ++v)
+  {
+    const Id place = this->Places[v];
+    Id& pinned = this->PinnedPlaces[this->Components[v]];
+    pinned = std::max(pinned, place);
+    this->Mass[place] = laplacian.Mass[v];
+    this->ComponentOfPlace[place] = this->Components[v];
+    this->PlaceOnBoundary[place] = this->OnBoundary[v];
+  }
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(n);
+  std::copy(this->Places.begin(), this->Places.end(), permutation.indices().data());
+  this->Stiffness.resize(n, n);
+  this->Stiffness.selfadjointView<Eigen::Upper>() =
+    laplacian.Stiffness.selfadjointView<Eigen::Upper>().twistedBy(permutation);
+  this->TakeFrames(triangulation);
+  this->FactorEntries = CountFactorEntries(this->Stiffness);
+  this->IsAnalyzed = true;
+  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+}
+
+void HeatSystem::MeasureComponents(const IntrinsicTriangulation& triangulation)
+{
+  Id count = 0;
+  this->Components = this->Mesh.ComputeComponents(count);
+  this->MeanEdges.assign(count, 0.0);
+  this->OnBoundary.assign(this->Components.size(), 0);
+  std::vector<Offset> edges(count, 0);
+  for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
+  {
+    bool isFirst = true;
+    for (Id g = triangulation.Twin(h); g != NoId && g != h; g = triangulation.Twin(g))
+    {
+      isFirst = isFirst && h < g;
+    }
+    const Id component = this->Components[triangulation.Origin(h)];
+    if (isFirst)
+    {
+      this->MeanEdges[component] += triangulation.Length(h);
+      ++edges[component];
+    }
+    if (triangulation.Twin(h) == NoId)
+    {
+      this->OnBoundary[triangulation.Origin(h)] = 1;
+      this->OnBoundary[triangulation.Destination(h)] = 1;
+    }
+  }
+  for (Id c = 0; c < count; ++c)
+  {
+    // Isolated vertices have no edge; any length will do.
+    this->MeanEdges[c] = edges[c] > 0 ? this->MeanEdges[c] / static_cast<double>(edges[c]) : 1.0;
+  }
+}
+
+void HeatSystem::TakeFrames(const IntrinsicTriangulation& triangulation)
+{
+  this->Frames.clear();
+  this->Frames.reserve(triangulation.GetNumberOfFaces());
+  for (Id f = 0; f < triangulation.GetNumberOfFaces(); ++f)
+  {
+    const Id h = 3 * f;
+    const Point2 apex =
+      LayOut(triangulation.Length(h), triangulation.Length(h + 2), triangulation.Length(h + 1));
+    this->Frames.push_back(
+      { { { this->Places[triangulation.Origin(h)], this->Places[triangulation.Origin(h + 1)],
+          this->Places[triangulation.Origin(h + 2)] } },
+        triangulation.Length(h), apex.X, apex.Y });
+  }
+}
+
+double HeatSystem::GetHeatLength(Id component) const
+{
+  return std::sqrt(this->Options.TimeStepFactor) * this->MeanEdges[component];
+}
+
+/// M + t L, divided by the square of the mean edge: that keeps numbers in the middle of the range.
+HeatSystem::Matrix HeatSystem::MakeHeatMatrix(bool cooled) const
+{
+  Matrix matrix = this->Stiffness;
+  for (Id column = 0; column < matrix.cols(); ++column)
+  {
+    const double edge = this->MeanEdges[this->ComponentOfPlace[column]];
+    const double mass = this->Mass[column] / edge / edge;
+    const bool isCold = cooled && this->PlaceOnBoundary[column];
+    for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
+    {
+      const bool isDiagonal = entry.row() == column;
+      if (isCold || (cooled && this->PlaceOnBoundary[entry.row()]))
+      {
+        entry.valueRef() = isDiagonal ? 1.0 : 0.0;
+        continue;
+      }
+      entry.valueRef() *= this->Options.TimeStepFactor;
+      entry.valueRef() += isDiagonal ? mass : 0.0;
+    }
+  }
+  return matrix;
+}
+
+/// L, in which one value per component is known to be 0.
+HeatSystem::Matrix HeatSystem::MakeDistanceMatrix() const
+{
+  Matrix matrix = this->Stiffness;
+  const auto isPinned = [&](Id place) {
+    return this->PinnedPlaces[this->ComponentOfPlace[place]] == place;
+  };
+  for (Id column = 0; column < matrix.cols(); ++column)
+  {
+    for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
+    {
+      if (isPinned(column) || isPinned(static_cast<Id>(entry.row())))
+      {
+        entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
+      }
+    }
+  }
+  return matrix;
+}
+
+Status HeatSystem::Factorize(const ProgressCallback& progress)
+{
+  if (!this->IsAnalyzed)
+  {
+    return Status::Invalid("the systems have not been analyzed: call Analyze() first");
+  }
+  const Status failure = Status::Invalid(
+    "a linear system could not be factorized: remove triangles that have next to no area");
+  const double factor = this->Options.TimeStepFactor;
+  struct Part
+  {
+    bool IsWanted;
+    SparseFactor* Factor;
+    double* Key; // of the time step; null where it does not matter
+    bool IsCooled;
+  };
+  const Part parts[] = { { this->NeedsNeumann(), &this->Heat, &this->HeatFactor, false },
+    { this->NeedsDirichlet(), &this->CooledHeat, &this->CooledFactor, true },
+    { true, &this->Distance, nullptr, false } };
+  double done = 0.0;
+  for (const Part& part : parts)
+  {
+    if (!Goes(progress, done))
+    {
+      return Status::Abort();
+    }
+    done += 1.0 / 3.0;
+    if (!part.IsWanted)
+    {
+      part.Factor->Clear();
+      continue;
+    }
+    if (part.Factor->IsComputed() && (!part.Key || *part.Key == factor))
+    {
+      continue;
+    }
+    ++this->NumberOfFactorizations;
+    if (!part.Factor->Compute(
+          part.Key ? this->MakeHeatMatrix(part.IsCooled) : this->MakeDistanceMatrix()))
+    {
+      return failure;
+    }
+    if (part.Key)
+    {
+      *part.Key = factor;
+    }
+  }
+  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+}
+
+bool HeatSystem::IsReady() const
+{
+  const double factor = this->Options.TimeStepFactor;
+  return this->IsAnalyzed && this->Distance.IsComputed() &&
+    (!this->NeedsNeumann() || (this->Heat.IsComputed() && this->HeatFactor == factor)) &&
+    (!this->NeedsDirichlet() || (this->CooledHeat.IsComputed() && this->CooledFactor == factor));
+}
+
+template <typename Number>
+std::vector<Number> HeatSystem::SolveHeat(const std::vector<Load>& loads) const
+{
+  const auto n = this->Places.size();
+  std::vector<Number> heat;
+  if (this->NeedsNeumann())
+  {
+    heat.assign(n, Number());
+    for (const Load& load : loads)
+    {
+      heat[this->Places[load.Vertex]] += MakeLoad<Number>(load);
+    }
+    this->Heat.Solve(heat);
+  }
+  if (this->NeedsDirichlet())
+  {
+    std::vector<Number> cooled(n, Number());
+    for (const Load& load : loads)
+    {
+      if (!this->OnBoundary[load.Vertex])
+      {
+        cooled[this->Places[load.Vertex]] += MakeLoad<Number>(load);
+      }
+    }
+    this->CooledHeat.Solve(cooled);
+    if (heat.empty())
+    {
+      return cooled;
+    }
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      heat[i] += cooled[i]; // twice the mean: gradients are made to be of length one
+    }
+  }
+  return heat;
+}
+
+/// The integrals of the unit vectors against the gradient of heat with those of the basis
+/// functions. False when heat is too small somewhere.
+template <typename Number>
+bool HeatSystem::FindFlow(const std::vector<Load>& loads, std::vector<double>& flow) const
+{
+  std::vector<std::uint8_t> isHeated(this->MeanEdges.size(), 0);
+  for (const Load& load : loads)
+  {
+    isHeated[this->Components[load.Vertex]] = 1;
+  }
+  const std::vector<Number> heat = this->SolveHeat<Number>(loads);
+  const bool isCold = !this->NeedsNeumann();
+  for (std::size_t i = 0; i < heat.size(); ++i)
+  {
+    if (isHeated[this->ComponentOfPlace[i]] && !(isCold && this->PlaceOnBoundary[i]) &&
+      IsTooSmall(heat[i]))
+    {
+      return false;
+    }
+  }
+  flow.assign(heat.size(), 0.0);
+  for (const Frame& frame : this->Frames)
+  {
+    const std::array<Id, 3>& p = frame.Places;
+    const std::array<double, 3> u = Compare(heat[p[0]], heat[p[1]], heat[p[2]]);
+    double first = u[1] - u[0];
+    double second = u[2] - u[0];
+    const double size = std::max(std::abs(first), std::abs(second));
+    if (!(size > 0.0))
+    {
+      continue;
+    }
+    first /= size;
+    second /= size;
+    double x = -first * frame.ApexY;
+    double y = first * frame.ApexX - second * frame.Length;
+    const double norm = Norm(x, y);
+    if (!(norm > 0.0))
+    {
+      continue;
+    }
+    // Twice the area times the gradients of the basis functions are the sides, turned.
+    x *= 0.5 / norm;
+    y *= 0.5 / norm;
+    const double atSecond = frame.ApexY * x - frame.ApexX * y;
+    const double atThird = frame.Length * y;
+    flow[p[0]] -= atSecond + atThird;
+    flow[p[1]] += atSecond;
+    flow[p[2]] += atThird;
+  }
+  return true;
+}
+
+std::vector<double> HeatSystem::Solve(
+  const std::vector<Load>& loads, const ProgressCallback& progress) const
+{
+  if (!Goes(progress, 0.0))
+  {
+    return {};
+  }
+  std::vector<double> values;
+  const bool isWide = std::any_of(
+    loads.begin(), loads.end(), [](const Load& load) { return load.Logarithm < LeastLogarithm; });
+  if (isWide || !this->FindFlow<double>(loads, values))
+  {
+    if (!Goes(progress, 0.2))
+    {
+      return {};
+    }
+    this->FindFlow<ScaledNumber>(loads, values);
+  }
+  if (!Goes(progress, 0.6))
+  {
+    return {};
+  }
+  for (const Id place : this->PinnedPlaces)
+  {
+    values[place] = 0.0;
+  }
+  this->Distance.Solve(values);
+  std::vector<double> distances(values.size());
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    distances[v] = values[this->Places[v]];
+  }
+  return distances;
+}
+
+std::size_t HeatSystem::GetBaseMemory() const
+{
+  const auto entries = static_cast<std::size_t>(this->Stiffness.nonZeros());
+  return entries * (sizeof(double) + sizeof(int)) + this->Frames.size() * sizeof(Frame) +
+    this->Places.size() * (4 * sizeof(Id) + sizeof(double) + 2);
+}
+
+std::size_t HeatSystem::GetEstimatedMemory() const
+{
+  const std::size_t factors = 1 + (this->NeedsNeumann() ? 1 : 0) + (this->NeedsDirichlet() ? 1 : 0);
+  const std::size_t factor =
+    static_cast<std::size_t>(this->FactorEntries) * (sizeof(double) + sizeof(int)) +
+    this->Places.size() * (sizeof(double) + 3 * sizeof(int));
+  return this->GetBaseMemory() + factors * factor;
+}
+
+std::size_t HeatSystem::GetMemorySize() const
+{
+  return this->GetBaseMemory() + this->Heat.GetMemorySize() + this->CooledHeat.GetMemorySize() +
+    this->Distance.GetMemorySize();
+}
+}

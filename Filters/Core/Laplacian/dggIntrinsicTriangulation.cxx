@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggIntrinsicTriangulation.h"
+
+#include "dggUnfolding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// Slack of the triangle inequality that a flipped face must have, relative to its longest edge.
+constexpr double SmallestSlack = 1e-14;
+
+bool HasArea(double a, double b, double c)
+{
+  const double longest = std::max({ a, b, c });
+  const double shortest = std::min({ a, b, c });
+  const double middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
+  return shortest - (longest - middle) > SmallestSlack * longest;
+}
+}
+
+IntrinsicTriangulation::IntrinsicTriangulation(const SurfaceMesh& mesh)
+  : NumberOfVertices(mesh.GetNumberOfVertices())
+{
+  std::vector<Id> newFaces(mesh.GetNumberOfFaces(), NoId);
+  Id count = 0;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    newFaces[f] = mesh.IsDropped(f) ? NoId : count++;
+  }
+  const auto size = 3 * static_cast<std::size_t>(count);
+  this->Origins.reserve(size);
+  this->Twins.reserve(size);
+  this->Lengths.reserve(size);
+  this->RunsAlong.reserve(size);
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      continue;
+    }
+    const Id t = mesh.Twin(h);
+    const bool isLoop = mesh.Origin(h) == mesh.Destination(h);
+    this->Origins.push_back(mesh.Origin(h));
+    this->Twins.push_back(t == NoId ? NoId : 3 * newFaces[SurfaceMesh::Face(t)] + t % 3);
+    this->Lengths.push_back(mesh.Length(h));
+    this->RunsAlong.push_back(t != NoId && !isLoop && mesh.Origin(t) == mesh.Origin(h) ? 1 : 0);
+  }
+}
+
+double IntrinsicTriangulation::Cotangent(Id h) const
+{
+  const Point2 apex = LayOut(
+    this->Lengths[h], this->Lengths[SurfaceMesh::Previous(h)], this->Lengths[SurfaceMesh::Next(h)]);
+  return apex.X / apex.Y;
+}
+
+double IntrinsicTriangulation::CornerAngle(Id h) const
+{
+  const Point2 apex = LayOut(
+    this->Lengths[h], this->Lengths[SurfaceMesh::Previous(h)], this->Lengths[SurfaceMesh::Next(h)]);
+  return std::atan2(apex.Y, apex.X);
+}
+
+double IntrinsicTriangulation::Area(Id face) const
+{
+  return TriangleArea(
+    this->Lengths[3 * face], this->Lengths[3 * face + 1], this->Lengths[3 * face + 2]);
+}
+
+bool IntrinsicTriangulation::IsPair(Id h) const
+{
+  const Id t = this->Twins[h];
+  return t != NoId && this->Twins[t] == h;
+}
+
+bool IntrinsicTriangulation::IsFlippable(Id h) const
+{
+  return this->IsPair(h) && SurfaceMesh::Face(this->Twins[h]) != SurfaceMesh::Face(h);
+}
+
+double IntrinsicTriangulation::CotangentSum(Id h) const
+{
+  double sum = this->Cotangent(SurfaceMesh::Previous(h));
+  for (Id t = this->Twins[h]; t != NoId && t != h; t = this->Twins[t])
+  {
+    sum += this->Cotangent(SurfaceMesh::Previous(t));
+  }
+  return sum;
+}
+
+Id IntrinsicTriangulation::FindPredecessor(Id h) const
+{
+  if (this->Twins[h] == NoId)
+  {
+    return NoId;
+  }
+  Id g = h;
+  while (this->Twins[g] != h)
+  {
+    g = this->Twins[g];
+  }
+  return g;
+}
+
+void IntrinsicTriangulation::TurnOver(Id face)
+{
+  const Id a = 3 * face;
+  const Id c = a + 2;
+  for (Id h = a; h <= c; ++h)
+  {
+    const Id t = this->Twins[h];
+    if (this->IsPair(h) && SurfaceMesh::Face(t) != face)
+    {
+      this->RunsAlong[h] ^= 1;
+      this->RunsAlong[t] ^= 1;
+    }
+  }
+  // The edges between corners 0 and 1 and between corners 2 and 0 exchange their half-edges.
+  const auto renamed = [&](Id h) { return h == a ? c : (h == c ? a : h); };
+  const Id beforeA = this->FindPredecessor(a);
+  const Id beforeC = this->FindPredecessor(c);
+  const Id afterA = this->Twins[a];
+  const Id afterC = this->Twins[c];
+  this->Twins[c] = renamed(afterA);
+  this->Twins[a] = renamed(afterC);
+  if (beforeA != NoId)
+  {
+    this->Twins[renamed(beforeA)] = c;
+  }
+  if (beforeC != NoId)
+  {
+    this->Twins[renamed(beforeC)] = a;
+  }
+  std::swap(this->Origins[a + 1], this->Origins[c]);
+  std::swap(this->Lengths[a], this->Lengths[c]);
+  std::swap(this->RunsAlong[a], this->RunsAlong[c]);
+}
+
+bool IntrinsicTriangulation::Flip(Id h)
+{
+  if (!this->IsFlippable(h))
+  {
+    return false;
+  }
+  // The faces i j k, of h, and j i l, of its twin, become i l k and j k l.
+  const Id pair = this->Twins[h];
+  const bool along = this->RunsAlong[h] != 0;
+  const Id toL = along ? SurfaceMesh::Previous(pair) : SurfaceMesh::Next(pair);
+  const Id fromL = along ? SurfaceMesh::Next(pair) : SurfaceMesh::Previous(pair);
+  const Id toK = SurfaceMesh::Next(h);
+  const Id fromK = SurfaceMesh::Previous(h);
+  const Point2 k = LayOut(this->Lengths[h], this->Lengths[fromK], this->Lengths[toK]);
+  const Point2 l = LayOut(this->Lengths[h], this->Lengths[toL], this->Lengths[fromL]);
+  const double length = Norm(k.X - l.X, k.Y + l.Y);
+  if (!HasArea(this->Lengths[toL], length, this->Lengths[fromK]) ||
+    !HasArea(this->Lengths[toK], length, this->Lengths[fromL]))
+  {
+    return false;
+  }
+  if (along)
+  {
+    this->TurnOver(SurfaceMesh::Face(pair));
+  }
+  const Id t = this->Twins[h];
+  const Id hNext = SurfaceMesh::Next(h);
+  const Id tNext = SurfaceMesh::Next(t);
+  // The edge j k moves from hNext to t, the edge i l from tNext to h; the other two stay.
+  const auto renamed = [&](Id x) { return x == hNext ? t : (x == tNext ? h : x); };
+  const Id beforeH = this->FindPredecessor(hNext);
+  const Id beforeT = this->FindPredecessor(tNext);
+  const Id afterH = this->Twins[hNext];
+  const Id afterT = this->Twins[tNext];
+  const std::uint8_t alongH = this->RunsAlong[hNext];
+  const std::uint8_t alongT = this->RunsAlong[tNext];
+  this->Twins[t] = renamed(afterH);
+  this->Twins[h] = renamed(afterT);
+  if (beforeH != NoId)
+  {
+    this->Twins[renamed(beforeH)] = t;
+  }
+  if (beforeT != NoId)
+  {
+    this->Twins[renamed(beforeT)] = h;
+  }
+  this->Twins[hNext] = tNext;
+  this->Twins[tNext] = hNext;
+  this->RunsAlong[t] = alongH;
+  this->RunsAlong[h] = alongT;
+  this->RunsAlong[hNext] = 0;
+  this->RunsAlong[tNext] = 0;
+  this->Lengths[t] = this->Lengths[hNext];
+  this->Lengths[h] = this->Lengths[tNext];
+  this->Lengths[hNext] = length;
+  this->Lengths[tNext] = length;
+  this->Origins[hNext] = this->Origins[SurfaceMesh::Previous(t)];
+  this->Origins[tNext] = this->Origins[SurfaceMesh::Previous(h)];
+  return true;
+}
+
+std::size_t IntrinsicTriangulation::GetMemorySize() const
+{
+  return this->Origins.size() * (2 * sizeof(Id) + sizeof(double) + 1);
+}
+}

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A triangulation that is nothing but lengths and gluing, whose edges can be flipped. Internal.
+#ifndef dggIntrinsicTriangulation_h
+#define dggIntrinsicTriangulation_h
+
+#include "dggSurfaceMesh.h" // for SurfaceMesh
+
+#include <cstddef> // for std::size_t
+#include <cstdint> // for flags
+#include <vector>  // for the arrays
+
+namespace dgg
+{
+/// The faces of a mesh as triangles glued along their edges. Half-edges have the conventions of
+/// SurfaceMesh, but the faces that it drops are missing, so that ids differ. Several edges between
+/// the same two vertices and edges from a vertex to itself are legal.
+class IntrinsicTriangulation
+{
+public:
+  explicit IntrinsicTriangulation(const SurfaceMesh& mesh);
+
+  Id GetNumberOfVertices() const { return this->NumberOfVertices; }
+  Id GetNumberOfFaces() const { return static_cast<Id>(this->Origins.size() / 3); }
+  Id GetNumberOfHalfEdges() const { return static_cast<Id>(this->Origins.size()); }
+
+  Id Origin(Id h) const { return this->Origins[h]; }
+  Id Destination(Id h) const { return this->Origins[SurfaceMesh::Next(h)]; }
+  /// Next half-edge in the circular list of the edge; NoId on the boundary.
+  Id Twin(Id h) const { return this->Twins[h]; }
+  double Length(Id h) const { return this->Lengths[h]; }
+
+  /// Cotangent of the corner at the origin of the half-edge, inside its face. Accurate for slivers.
+  double Cotangent(Id h) const;
+  double CornerAngle(Id h) const;
+  double Area(Id face) const;
+
+  /// Whether exactly two different faces meet at the edge.
+  bool IsFlippable(Id h) const;
+  /// Sum of the cotangents of the two corners that face the edge, or of the one at a boundary: the
+  /// edge is Delaunay when it is not negative.
+  double CotangentSum(Id h) const;
+
+  /// Replace the edge by the other diagonal of its two faces, laid out in the plane. False, and
+  /// nothing has changed, when the edge cannot be flipped or a triangle would lose its area.
+  bool Flip(Id h);
+
+  std::size_t GetMemorySize() const;
+
+private:
+  bool IsPair(Id h) const;
+  /// The half-edge whose twin is h; NoId on the boundary.
+  Id FindPredecessor(Id h) const;
+  /// Exchange corners 1 and 2 of a face.
+  void TurnOver(Id face);
+
+  Id NumberOfVertices = 0;
+  std::vector<Id> Origins;
+  std::vector<Id> Twins;
+  std::vector<double> Lengths;
+  /// Of an edge between two faces: whether its half-edges run in the same direction. The origins do
+  /// not tell for an edge from a vertex to itself.
+  std::vector<std::uint8_t> RunsAlong;
+};
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Factorizations of sparse symmetric matrices. Internal.
+#ifndef dggSparseFactor_h
+#define dggSparseFactor_h
+
+#include "dggTypes.h" // for Offset
+
+#include <Eigen/SparseCholesky> // for the factorization
+#include <Eigen/SparseCore>     // for matrices
+
+#include <cstddef> // for std::size_t
+#include <vector>  // for solutions
+
+namespace dgg
+{
+/// A fill-reducing order of the unknowns (AMD): the place of each in a permuted matrix.
+std::vector<Id> FindEliminationOrder(const Eigen::SparseMatrix<double>& matrix);
+
+/// Off-diagonal entries that the factor of a matrix has, given by the upper triangle of its pattern
+/// (Liu, "The role of elimination trees in sparse factorization", 1990).
+Offset CountFactorEntries(const Eigen::SparseMatrix<double>& upper);
+
+/// L D L^T of a positive definite matrix whose unknowns have been ordered already.
+class SparseFactor
+{
+public:
+  /// From the upper triangle. False when it fails.
+  bool Compute(const Eigen::SparseMatrix<double>& upper);
+  bool IsComputed() const { return this->Computed; }
+  void Clear();
+
+  /// Replace the right-hand side by the solution. `Number` is double or ScaledNumber. Nothing is
+  /// subtracted from numbers of the same sign where the matrix is an M-matrix and the right-hand
+  /// side not negative: then every value has a small relative error, however small it is.
+  template <typename Number>
+  void Solve(std::vector<Number>& values) const;
+
+  std::size_t GetMemorySize() const;
+
+private:
+  using Factor =
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>;
+  Factor Decomposition;
+  bool Computed = false;
+};
+}
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Approximate distances by fast marching.
+#ifndef dggFastMarching_h
+#define dggFastMarching_h
+
+#include "dggGeodesicSource.h" // for GeodesicSource
+
+#include <cstddef> // for std::size_t
+#include <memory>  // for the prepared triangles
+#include <vector>  // for the results
+
+namespace dgg
+{
+class MarchingTriangles;
+
+/// The shape of the front between two vertices that it has passed.
+enum class MarchingUpdate
+{
+  Spherical, ///< around a point, as far away as the distances say: exact in the plane
+  Planar     ///< straight, as Kimmel and Sethian have it: the solution of |grad d| = 1
+};
+
+struct MarchingOptions
+{
+  MarchingUpdate Update = MarchingUpdate::Spherical;
+  /// Vertices farther than this are left unreached.
+  double MaximumDistance = Infinity;
+  bool WantVirtualSource = false;
+  ProgressCallback Progress; ///< may be empty
+};
+
+struct MarchingResult
+{
+  std::vector<double> Distances; ///< per vertex; Infinity where unreached
+  std::vector<Id> NearestSource; ///< per vertex, index into the sources; NoId where unreached
+  /// Where the distance seems to come from, by the last update of the vertex, as in SearchResult:
+  /// distance at the virtual source, straight distance from it, polar angle at the vertex towards
+  /// it. Empty unless asked for.
+  std::vector<double> VirtualOffset;
+  std::vector<double> VirtualLength;
+  std::vector<double> VirtualAngle;
+};
+
+/// Kimmel and Sethian, "Computing geodesic paths on manifolds", 1998, on one mesh, which must
+/// outlive it. Vertices become final in the order of their distances, each updated from triangles
+/// of which two corners are final. At obtuse corners the faces beyond are unfolded until a vertex
+/// splits the angle into two that are not obtuse. Nothing bounds the error: 0.1 to 1 % on average
+/// is usual.
+///
+/// A front that comes round a vertex where geodesics may bend (saddle, boundary, irregular) goes on
+/// around that vertex. Where fronts with different centres meet in one triangle, the one with the
+/// smaller distance at its centre is taken.
+///
+/// Any triangle complex will do: fronts cross into all faces of a non-manifold edge. Run() may be
+/// called by several threads at once.
+class FastMarching
+{
+public:
+  explicit FastMarching(const SurfaceMesh& mesh);
+  ~FastMarching();
+  FastMarching(const FastMarching&) = delete;
+  FastMarching& operator=(const FastMarching&) = delete;
+
+  /// Distances from the nearest of the sources. Fails as ExactGeodesics does.
+  Status Run(const std::vector<GeodesicSource>& sources, const MarchingOptions& options,
+    MarchingResult& result) const;
+
+  /// Bytes held besides the mesh.
+  std::size_t GetMemorySize() const;
+
+private:
+  const SurfaceMesh& Mesh;
+  std::unique_ptr<MarchingTriangles> Unfolded;
+};
+}
+
+#endif
