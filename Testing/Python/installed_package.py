@@ -25,12 +25,14 @@ for name in (
     "vtkDGGPath",
     "vtkDiscreteGeodesicGraph",
     "vtkExactGeodesicDistance",
+    "vtkFastMarchingGeodesicDistance",
     "vtkGeodesicAlgorithm",
     "vtkGeodesicDistanceAlgorithm",
     "vtkGeodesicDistanceMatrix",
     "vtkGeodesicPatchBoundaries",
     "vtkGeodesicSampler",
     "vtkGeodesicVoronoi",
+    "vtkHeatGeodesicDistance",
 ):
     if not hasattr(vtkdgg, name):
         sys.exit(f"{name} is missing")

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFastMarchingGeodesicDistance.h"
+
+#include "vtkDGGDistanceTask.h"
+
+#include "dggFastMarching.h"
+
+#include "vtkObjectFactory.h"
+
+#include <utility>
+
+vtkStandardNewMacro(vtkFastMarchingGeodesicDistance);
+
+/// Kept until the mesh changes.
+struct vtkFastMarchingGeodesicDistance::Preparation
+{
+  vtkMTimeType MeshTime;
+  dgg::FastMarching Solver;
+};
+
+//------------------------------------------------------------------------------
+vtkFastMarchingGeodesicDistance::vtkFastMarchingGeodesicDistance()
+  : FrontShape(Spherical)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkFastMarchingGeodesicDistance::~vtkFastMarchingGeodesicDistance() = default;
+
+//------------------------------------------------------------------------------
+void vtkFastMarchingGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FrontShape: " << this->GetFrontShapeAsString() << "\n";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFastMarchingGeodesicDistance::GetFrontShapeAsString() const
+{
+  return this->FrontShape == Planar ? "Planar" : "Spherical";
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkFastMarchingGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
+{
+  dgg::MarchingOptions options;
+  options.Update =
+    this->FrontShape == Planar ? dgg::MarchingUpdate::Planar : dgg::MarchingUpdate::Spherical;
+  options.MaximumDistance = task.MaximumDistance;
+  options.Progress = task.Progress;
+
+  if (!this->Prepared || this->Prepared->MeshTime != this->GetMeshBuildTime())
+  {
+    this->Prepared.reset(); // before there are two
+    this->Prepared.reset(new Preparation{ this->GetMeshBuildTime(), dgg::FastMarching(task.Mesh) });
+  }
+  dgg::MarchingResult result;
+  const dgg::Status status = this->Prepared->Solver.Run(task.Sources, options, result);
+  task.Distances = std::move(result.Distances);
+  task.NearestSource = std::move(result.NearestSource);
+  return status;
+}

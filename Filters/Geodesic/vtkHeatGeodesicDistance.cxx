@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeatGeodesicDistance.h"
+
+#include "vtkDGGDistanceTask.h"
+#include "vtkDGGMemory.h"
+
+#include "dggHeatMethod.h"
+
+#include "vtkObjectFactory.h"
+
+#include <cmath>
+#include <utility>
+
+vtkStandardNewMacro(vtkHeatGeodesicDistance);
+
+/// Kept until the mesh changes.
+struct vtkHeatGeodesicDistance::Preparation
+{
+  vtkMTimeType MeshTime;
+  dgg::HeatMethod Method;
+};
+
+namespace
+{
+/// Parts of the progress: what comes before the factorizations, these, the query.
+constexpr double AnalyzedAt = 0.3;
+constexpr double FactorizedAt = 0.9;
+
+dgg::ProgressCallback GetPart(const dgg::ProgressCallback& progress, double from, double to)
+{
+  return [&progress, from, to](double fraction) { return progress(from + (to - from) * fraction); };
+}
+}
+
+//------------------------------------------------------------------------------
+vtkHeatGeodesicDistance::vtkHeatGeodesicDistance()
+  : TimeStepFactor(1.0)
+  , IntrinsicDelaunay(true)
+  , Boundary(Neumann)
+  , MemoryLimit(0)
+  , NumberOfFactorizations(0)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkHeatGeodesicDistance::~vtkHeatGeodesicDistance() = default;
+
+//------------------------------------------------------------------------------
+void vtkHeatGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TimeStepFactor: " << this->TimeStepFactor << "\n";
+  os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
+  os << indent << "Boundary: " << this->GetBoundaryAsString() << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "NumberOfFactorizations: " << this->GetNumberOfFactorizations() << "\n";
+  os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHeatGeodesicDistance::GetBoundaryAsString() const
+{
+  switch (this->Boundary)
+  {
+    case Dirichlet:
+      return "Dirichlet";
+    case Average:
+      return "Average";
+    default:
+      return "Neumann";
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkHeatGeodesicDistance::GetMemorySize() const
+{
+  return this->Prepared ? this->Prepared->Method.GetMemorySize() : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeatGeodesicDistance::GetNumberOfFactorizations() const
+{
+  return this->NumberOfFactorizations +
+    (this->Prepared ? this->Prepared->Method.GetNumberOfFactorizations() : 0);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkHeatGeodesicDistance::CheckProperties() const
+{
+  if (!(this->TimeStepFactor > 0.0) || !std::isfinite(this->TimeStepFactor))
+  {
+    return dgg::Status::Invalid("TimeStepFactor is " + std::to_string(this->TimeStepFactor) +
+      ": it must be a positive number, as 1");
+  }
+  return this->Superclass::CheckProperties();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeatGeodesicDistance::GetMemoryRemedy() const
+{
+  return "use a smaller mesh or vtkFastMarchingGeodesicDistance";
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
+{
+  const dgg::HeatBoundary boundaries[] = { dgg::HeatBoundary::Neumann, dgg::HeatBoundary::Dirichlet,
+    dgg::HeatBoundary::Average };
+  dgg::HeatOptions options;
+  options.TimeStepFactor = this->TimeStepFactor;
+  options.IntrinsicDelaunay = this->IntrinsicDelaunay;
+  options.Boundary = boundaries[this->Boundary];
+  const vtkTypeUInt64 limit = this->MemoryLimit; // observers may change it
+
+  if (!this->Prepared || this->Prepared->MeshTime != this->GetMeshBuildTime())
+  {
+    this->NumberOfFactorizations = this->GetNumberOfFactorizations();
+    this->Prepared.reset(); // before there are two
+    this->Prepared.reset(new Preparation{ this->GetMeshBuildTime(), dgg::HeatMethod(task.Mesh) });
+  }
+  dgg::HeatMethod& method = this->Prepared->Method;
+  dgg::Status status = method.Analyze(options, GetPart(task.Progress, 0.0, AnalyzedAt));
+  if (status.IsOk())
+  {
+    status = vtkDGGCheckMemory("the factorizations of the heat method",
+      static_cast<double>(method.GetEstimatedMemory()), limit, this->GetMemoryRemedy());
+  }
+  if (status.IsOk())
+  {
+    status = method.Factorize(GetPart(task.Progress, AnalyzedAt, FactorizedAt));
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  dgg::HeatQuery query;
+  query.MaximumDistance = task.MaximumDistance;
+  query.WantNearestSource = task.WantNearestSource;
+  query.Progress = GetPart(task.Progress, FactorizedAt, 1.0);
+  dgg::HeatResult result;
+  status = method.Run(task.Sources, query, result);
+  task.Distances = std::move(result.Distances);
+  task.NearestSource = std::move(result.NearestSource);
+  return status;
+}
