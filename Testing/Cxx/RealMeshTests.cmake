@@ -43,6 +43,13 @@ if (TARGET dggPeerCGAL)
     target_compile_definitions(dggCGALTests PRIVATE "DGG_GLMARK2_BUNNY=\"${bunny}\"")
   endif ()
 endif ()
+if (TARGET dggPeerHeat)
+  dgg_add_real_mesh_tests(dggCGALHeatTests
+    TestHeatAgainstCGAL.cxx
+    "${shared}/GeneratedMesh.cxx"
+    "${shared}/GeneratedMesh.h")
+  target_link_libraries(dggCGALHeatTests PRIVATE dggPeerHeat)
+endif ()
 if (DGG_EXTRA_DATA)
   set(core "${CMAKE_CURRENT_LIST_DIR}/../Core")
   dgg_add_real_mesh_tests(dggExtraDataTests

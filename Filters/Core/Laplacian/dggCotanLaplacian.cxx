@@ -12,7 +12,11 @@ CotanLaplacian MakeCotanLaplacian(const IntrinsicTriangulation& triangulation)
   CotanLaplacian laplacian;
   laplacian.Mass = Eigen::VectorXd::Zero(n);
   std::vector<Eigen::Triplet<double, Id>> entries;
-  entries.reserve(4 * static_cast<std::size_t>(triangulation.GetNumberOfHalfEdges()));
+  entries.reserve(4 * static_cast<std::size_t>(triangulation.GetNumberOfHalfEdges()) + n);
+  for (Id v = 0; v < n; ++v)
+  {
+    entries.emplace_back(v, v, 0.0); // so that vertices without a face have a diagonal entry too
+  }
   for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
   {
     const Id i = triangulation.Origin(h);

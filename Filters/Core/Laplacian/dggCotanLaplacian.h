@@ -16,7 +16,7 @@ namespace dgg
 /// the boundary, more on a non-manifold edge; several edges between i and j add up), and rows sum
 /// to 0. So (L f)_i approximates the integral of -Laplace f over the cell of i; boundaries have
 /// natural (Neumann) conditions. `Mass` is lumped: a third of the areas of the faces around a
-/// vertex. Vertices without a face have empty rows and no mass.
+/// vertex. Vertices without a face have rows of zeros (a diagonal entry is there) and no mass.
 struct CotanLaplacian
 {
   Eigen::SparseMatrix<double> Stiffness;

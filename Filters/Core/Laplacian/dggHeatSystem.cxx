@@ -216,7 +216,8 @@ HeatSystem::Matrix HeatSystem::MakeHeatMatrix(bool cooled) const
         continue;
       }
       entry.valueRef() *= this->Options.TimeStepFactor;
-      entry.valueRef() += isDiagonal ? mass : 0.0;
+      // A vertex without a face is a system of its own.
+      entry.valueRef() += isDiagonal ? (mass > 0.0 ? mass : 1.0) : 0.0;
     }
   }
   return matrix;

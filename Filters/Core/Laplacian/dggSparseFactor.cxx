@@ -58,6 +58,13 @@ bool SparseFactor::Compute(const Eigen::SparseMatrix<double>& upper)
 {
   this->Clear();
   this->Decomposition.compute(upper);
+  if (this->Decomposition.info() != Eigen::Success)
+  {
+    Eigen::SparseMatrix<double> raised = upper;
+    const double largest = upper.diagonal().cwiseAbs().maxCoeff();
+    raised.diagonal().array() += 1e-10 * largest;
+    this->Decomposition.compute(raised);
+  }
   this->Computed = this->Decomposition.info() == Eigen::Success;
   return this->Computed;
 }

@@ -26,7 +26,8 @@ Offset CountFactorEntries(const Eigen::SparseMatrix<double>& upper);
 class SparseFactor
 {
 public:
-  /// From the upper triangle. False when it fails.
+  /// From the upper triangle. Where rounding leaves a pivot of 0, as among faces with next to no
+  /// area, the diagonal is raised by 1e-10 of its largest entry. False when that fails, too.
   bool Compute(const Eigen::SparseMatrix<double>& upper);
   bool IsComputed() const { return this->Computed; }
   void Clear();

@@ -115,6 +115,7 @@ public:
           front.Distance = front.Offset + DistanceToCorner(this->Mesh, f, b, h % 3);
           front.Angle = this->Mesh.PolarAngle(h) + std::atan2(place.Y, place.X);
           this->Offer(this->Mesh.Origin(h), front, 0.0);
+          this->LookAcross(h, place, front);
         }
       });
     }
@@ -163,6 +164,28 @@ private:
       this->Fronts[v] = front;
       // Distances that are smaller than what is final already do not turn time back.
       this->Heap.Push(std::max(front.Distance, now), v);
+    }
+  }
+
+  /// From a source in the face of h straight to the corners of the faces behind that edge: where it
+  /// is close to the edge these are nearer than the ends of the edge.
+  void LookAcross(Id h, const Point2& place, Front front)
+  {
+    for (Id t = this->Mesh.Twin(h); t != NoId && t != h; t = this->Mesh.Twin(t))
+    {
+      const bool isOpposed = this->Mesh.Origin(t) == this->Mesh.Destination(h);
+      const Point2 image{ isOpposed ? this->Mesh.Length(h) - place.X : place.X, -place.Y };
+      const Point2 apex{ this->Mesh.ApexX(t), this->Mesh.ApexY(t) };
+      const double x = image.Y < 0.0 ? Crossing(image, apex) : image.X;
+      if (x >= 0.0 && x <= this->Mesh.Length(h))
+      {
+        const Point2 toOrigin{ -apex.X, -apex.Y };
+        const Point2 toImage{ image.X - apex.X, image.Y - apex.Y };
+        front.Distance = front.Offset + Norm(toImage.X, toImage.Y);
+        front.Angle = this->Mesh.PolarAngle(SurfaceMesh::Previous(t)) +
+          std::atan2(dgg::Cross(toOrigin, toImage), Dot(toOrigin, toImage));
+        this->Offer(this->Mesh.Apex(t), front, 0.0);
+      }
     }
   }
 
@@ -218,6 +241,10 @@ private:
     }
     const Front& right = this->Fronts[triangle.Right];
     const Front& left = this->Fronts[triangle.Left];
+    if (right.Source != left.Source && right.Offset != left.Offset)
+    {
+      return; // two fronts that have nothing to do with each other
+    }
     const Front& older = left.Offset < right.Offset ? left : right;
     const Point2 apex = LayOut(triangle.Base, triangle.ToRight, triangle.ToLeft);
     Arrival arrival;

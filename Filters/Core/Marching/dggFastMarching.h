@@ -51,7 +51,8 @@ struct MarchingResult
 ///
 /// A front that comes round a vertex where geodesics may bend (saddle, boundary, irregular) goes on
 /// around that vertex. Where fronts with different centres meet in one triangle, the one with the
-/// smaller distance at its centre is taken.
+/// smaller distance at its centre is taken; where sources with different initial distances are
+/// behind them, both go along the edges only.
 ///
 /// Any triangle complex will do: fronts cross into all faces of a non-manifold edge. Run() may be
 /// called by several threads at once.

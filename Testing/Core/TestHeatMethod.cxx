@@ -1,0 +1,548 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The heat method: convergence, sources, what is kept, any triangles.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include "dggEdgeGraph.h"
+#include "dggHeatMethod.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace dggtest
+{
+namespace
+{
+/// A method that is ready.
+class Heat
+{
+public:
+  explicit Heat(const dgg::SurfaceMesh& mesh, const dgg::HeatOptions& options = {})
+    : Method(mesh)
+  {
+    const dgg::Status status = this->Method.Prepare(options, nullptr);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  }
+
+  dgg::HeatResult Run(
+    const std::vector<dgg::GeodesicSource>& sources, const dgg::HeatQuery& query = {}) const
+  {
+    dgg::HeatResult result;
+    const dgg::Status status = this->Method.Run(sources, query, result);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    return result;
+  }
+
+  dgg::HeatMethod Method;
+};
+
+dgg::HeatOptions Direct()
+{
+  dgg::HeatOptions options;
+  options.IntrinsicDelaunay = false;
+  return options;
+}
+
+dgg::HeatOptions WithBoundary(dgg::HeatBoundary boundary)
+{
+  dgg::HeatOptions options;
+  options.Boundary = boundary;
+  return options;
+}
+
+double MeanError(const std::vector<double>& actual, const std::vector<double>& expected)
+{
+  EXPECT_EQ(actual.size(), expected.size());
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t v = 0; v < actual.size(); ++v)
+  {
+    EXPECT_EQ(actual[v] < dgg::Infinity, expected[v] < dgg::Infinity) << v;
+    if (expected[v] > 0.0 && expected[v] < dgg::Infinity)
+    {
+      sum += std::abs(actual[v] / expected[v] - 1.0);
+      count += 1.0;
+    }
+  }
+  return sum / std::max(1.0, count);
+}
+
+/// A strip that is longer than heat can be told in doubles.
+constexpr Id StripColumns = 1500;
+TestMesh LongStrip()
+{
+  return Plane(StripColumns, 2);
+}
+
+/// Fresh, so that nothing of the tests' own inputs is shared.
+std::vector<NamedMesh> SmallDefects()
+{
+  std::vector<NamedMesh> meshes = DefectMeshes();
+  for (std::uint64_t seed = 1; seed <= 100; ++seed)
+  {
+    Random random(seed);
+    const Id vertices = 3 + random.Index(20);
+    meshes.push_back(
+      { "soup " + std::to_string(seed), RandomSoup(vertices, 1 + random.Index(50), seed) });
+  }
+  return meshes;
+}
+}
+
+TEST(HeatMethod, Sphere)
+{
+  const TestMesh sphere = Icosphere(4);
+  const dgg::SurfaceMesh mesh = Build(sphere);
+  std::vector<double> expected;
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const double* p = sphere.Point(0);
+    const double* q = sphere.Point(v);
+    expected.push_back(
+      std::acos(std::min(1.0, std::max(-1.0, p[0] * q[0] + p[1] * q[1] + p[2] * q[2]))));
+  }
+  for (const dgg::HeatOptions& options : { dgg::HeatOptions(), Direct() })
+  {
+    const auto distances = Heat(mesh, options).Run({ VertexSource(0) }).Distances;
+    EXPECT_EQ(distances[0], 0.0);
+    EXPECT_LT(MeanError(distances, expected), 0.015);
+  }
+}
+
+TEST(HeatMethod, ConvergesInThePlane)
+{
+  double previous = 1.0;
+  for (const Id n : { 10, 20, 40, 80 })
+  {
+    const TestMesh plane = Plane(n, n, 0.2, 3);
+    const Id source = (n / 2) * (n + 1) + n / 2;
+    std::vector<double> expected;
+    for (Id v = 0; v < plane.GetNumberOfVertices(); ++v)
+    {
+      expected.push_back(EuclideanDistance(plane, source, v));
+    }
+    const double error =
+      MeanError(Heat(Build(plane)).Run({ VertexSource(source) }).Distances, expected);
+    EXPECT_LT(error, 0.75 * previous) << n;
+    previous = error;
+  }
+  EXPECT_LT(previous, 0.012);
+}
+
+TEST(HeatMethod, FlipsHelpOnLongTriangles)
+{
+  const dgg::SurfaceMesh mesh = Build(Ellipsoid(4, 20.0));
+  const auto exact = DistancesFrom(mesh, dgg::ExactEngine::Triangle, 7);
+  const double flipped = MeanError(Heat(mesh).Run({ VertexSource(7) }).Distances, exact);
+  const double direct = MeanError(Heat(mesh, Direct()).Run({ VertexSource(7) }).Distances, exact);
+  EXPECT_LT(flipped, direct);
+  EXPECT_LT(flipped, 0.08);
+}
+
+TEST(HeatMethod, CloseToExactOnSoundMeshes)
+{
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    const auto point = dgg::SurfacePoint::InFace(mesh, 1, { { 0.2, 0.3, 0.5 } });
+    const Heat heat(mesh);
+    for (const dgg::GeodesicSource& source : { VertexSource(0), dgg::GeodesicSource{ point, 0.0 } })
+    {
+      const auto exact = Solve(mesh, dgg::ExactEngine::Triangle, { source }).Distances;
+      EXPECT_LT(MeanError(heat.Run({ source }).Distances, exact), 0.25);
+    }
+  }
+}
+
+TEST(HeatMethod, Invariance)
+{
+  const TestMesh input = NoisySphere(3, 0.2, 9);
+  const dgg::SurfaceMesh mesh = Build(input);
+  const auto base = Heat(mesh).Run({ VertexSource(5) }).Distances;
+  for (const double factor : { 1e-60, 1e-6, 1e6, 1e60 })
+  {
+    const dgg::SurfaceMesh other = Build(Scaled(input, factor));
+    const auto scaled = Heat(other).Run({ VertexSource(5) }).Distances;
+    for (std::size_t v = 0; v < base.size(); ++v)
+    {
+      EXPECT_NEAR(scaled[v] / factor, base[v], 1e-9) << factor;
+    }
+  }
+  const dgg::SurfaceMesh moved = Build(MovedRigidly(input, 1.1, { { 3.0, -2.0, 1.0 } }));
+  ExpectSameField(base, Heat(moved).Run({ VertexSource(5) }).Distances, 1e-9, "moved");
+  const auto newIds = RandomPermutation(input.GetNumberOfVertices(), 4);
+  const dgg::SurfaceMesh renumbered = Build(Renumbered(input, newIds, 6));
+  const auto distances = Heat(renumbered).Run({ VertexSource(newIds[5]) }).Distances;
+  for (std::size_t v = 0; v < base.size(); ++v)
+  {
+    EXPECT_NEAR(distances[newIds[v]], base[v], 1e-9);
+  }
+}
+
+TEST(HeatMethod, AnotherComponentChangesNothing)
+{
+  const TestMesh input = NoisySphere(3, 0.2, 9);
+  const dgg::SurfaceMesh alone = Build(input);
+  const auto expected = Heat(alone).Run({ VertexSource(5) }).Distances;
+  TestMesh both = input;
+  Append(both, Translated(Scaled(Icosphere(2), 1000.0), 5000.0, 0.0, 0.0));
+  both.AddPoint(1.0, 2.0, 3.0); // isolated
+  const dgg::SurfaceMesh mesh = Build(both);
+  const Heat heat(mesh);
+  const auto distances = heat.Run({ VertexSource(5) }).Distances;
+  for (std::size_t v = 0; v < distances.size(); ++v)
+  {
+    if (v < expected.size())
+    {
+      EXPECT_NEAR(distances[v], expected[v], 1e-9);
+    }
+    else
+    {
+      EXPECT_EQ(distances[v], dgg::Infinity);
+    }
+  }
+  // An isolated source reaches itself.
+  const Id last = mesh.GetNumberOfVertices() - 1;
+  const auto fromLast = heat.Run({ VertexSource(last, 0.5) }).Distances;
+  EXPECT_EQ(fromLast[last], 0.5);
+  EXPECT_EQ(fromLast[0], dgg::Infinity);
+}
+
+TEST(HeatMethod, FartherThanHeatCanBeTold)
+{
+  const TestMesh strip = LongStrip();
+  const dgg::SurfaceMesh mesh = Build(strip);
+  for (const dgg::HeatOptions& options : { dgg::HeatOptions(),
+         WithBoundary(dgg::HeatBoundary::Average), WithBoundary(dgg::HeatBoundary::Dirichlet) })
+  {
+    const Id source = StripColumns + 1 + 3; // in the middle row
+    const auto distances = Heat(mesh, options).Run({ VertexSource(source) }).Distances;
+    double slope = 0.0;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      ASSERT_TRUE(std::isfinite(distances[v])) << v;
+      const double expected = EuclideanDistance(strip, source, v);
+      // In a strip like this a cooled rim turns all gradients to it; there are numbers at least.
+      if (expected > 20.0 && options.Boundary != dgg::HeatBoundary::Dirichlet)
+      {
+        EXPECT_NEAR(distances[v] / expected, 1.0, 0.05) << v;
+      }
+      slope = std::max(slope, distances[v]);
+    }
+    EXPECT_GT(slope, options.Boundary == dgg::HeatBoundary::Dirichlet ? 100.0 : 1400.0);
+  }
+}
+
+TEST(HeatMethod, LittleHeatIsAsGoodAsMuch)
+{
+  // The same field in doubles and in numbers with a larger range: a source with an initial distance
+  // that makes it unimportant brings the latter into play.
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.2, 9));
+  const Heat heat(mesh);
+  const auto doubles = heat.Run({ VertexSource(5) }).Distances;
+  const double far = 1000.0 * mesh.GetMeanEdgeLength();
+  const auto wide = heat.Run({ VertexSource(5), VertexSource(60, far) }).Distances;
+  ExpectSameField(doubles, wide, 1e-9, "field");
+  // A little less unimportant: still in doubles.
+  const double near = 50.0 * mesh.GetMeanEdgeLength();
+  ExpectSameField(
+    doubles, heat.Run({ VertexSource(5), VertexSource(60, near) }).Distances, 1e-9, "field");
+}
+
+TEST(HeatMethod, InitialDistances)
+{
+  const TestMesh plane = Plane(60, 20, 0.1, 4);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  const Heat heat(mesh);
+  const Id a = 10 * 61 + 8;
+  const Id b = 10 * 61 + 52;
+  dgg::HeatQuery query;
+  query.WantNearestSource = true;
+  for (const double offset : { 0.0, 8.0, -16.0, 100.0 })
+  {
+    SCOPED_TRACE(offset);
+    const std::vector<dgg::GeodesicSource> sources{ VertexSource(a, 3.0),
+      VertexSource(b, 3.0 + offset) };
+    const dgg::HeatResult result = heat.Run(sources, query);
+    const auto exact = Solve(mesh, dgg::ExactEngine::Triangle, sources);
+    Id agreeing = 0;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      EXPECT_NEAR(result.Distances[v], exact.Distances[v], 1.5) << v;
+      agreeing += result.NearestSource[v] == exact.NearestSource[v] ? 1 : 0;
+    }
+    EXPECT_GT(agreeing, 0.93 * mesh.GetNumberOfVertices());
+    EXPECT_LE(result.Distances[a], 3.0);
+    EXPECT_LE(result.Distances[b], 3.0 + offset);
+    EXPECT_EQ(*std::min_element(result.Distances.begin(), result.Distances.end()),
+      std::min(3.0, 3.0 + offset));
+  }
+}
+
+TEST(HeatMethod, EqualInitialDistancesShift)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.2, 9));
+  const Heat heat(mesh);
+  const auto base = heat.Run({ VertexSource(5), VertexSource(60) }).Distances;
+  const auto shifted = heat.Run({ VertexSource(5, -2.5), VertexSource(60, -2.5) }).Distances;
+  for (std::size_t v = 0; v < base.size(); ++v)
+  {
+    EXPECT_NEAR(shifted[v] + 2.5, base[v], 1e-12);
+  }
+  EXPECT_EQ(base[5], 0.0);
+  EXPECT_EQ(base[60], 0.0);
+}
+
+TEST(HeatMethod, SourcesAnywhere)
+{
+  const TestMesh plane = Plane(30, 30, 0.2, 5);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  const Heat heat(mesh);
+  std::vector<dgg::SurfacePoint> points = RandomSurfacePoints(mesh, 6, 3);
+  points.push_back(dgg::SurfacePoint::OnEdge(mesh, 1000, 0.3));
+  for (const dgg::SurfacePoint& point : points)
+  {
+    const auto exact = Solve(mesh, dgg::ExactEngine::Triangle, { { point, 0.25 } }).Distances;
+    const auto distances = heat.Run({ { point, 0.25 } }).Distances;
+    EXPECT_LT(MeanError(distances, exact), 0.06);
+    for (std::size_t v = 0; v < distances.size(); ++v)
+    {
+      EXPECT_NEAR(distances[v], exact[v], 3.0) << v;
+    }
+  }
+}
+
+TEST(HeatMethod, Boundaries)
+{
+  const TestMesh plane = Plane(24, 24, 0.2, 5);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  const Id middle = 12 * 25 + 12;
+  const auto exact = DistancesFrom(mesh, dgg::ExactEngine::Triangle, middle);
+  const Heat neumann(mesh);
+  const Heat dirichlet(mesh, WithBoundary(dgg::HeatBoundary::Dirichlet));
+  const Heat average(mesh, WithBoundary(dgg::HeatBoundary::Average));
+  std::vector<double> means;
+  for (const Heat* heat : { &neumann, &dirichlet, &average })
+  {
+    const auto distances = heat->Run({ VertexSource(middle) }).Distances;
+    EXPECT_LT(MeanError(distances, exact), 0.12);
+    means.push_back(distances[0]);
+  }
+  // At a corner the flow slows down with one condition and not with the other.
+  EXPECT_NE(means[0], means[1]);
+  EXPECT_GT(means[2], std::min(means[0], means[1]));
+  EXPECT_LT(means[2], std::max(means[0], means[1]));
+
+  // No heat is left of a source on the boundary.
+  dgg::HeatResult result;
+  const dgg::Status status =
+    dirichlet.Method.Run({ VertexSource(middle), VertexSource(3) }, {}, result);
+  EXPECT_FALSE(status.IsOk());
+  EXPECT_NE(status.GetMessage().find("source 1 lies on the boundary"), std::string::npos)
+    << status.GetMessage();
+  EXPECT_LT(MeanError(average.Run({ VertexSource(3) }).Distances,
+              DistancesFrom(mesh, dgg::ExactEngine::Triangle, 3)),
+    0.12);
+}
+
+TEST(HeatMethod, ClosedSurfacesHaveNoBoundary)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.2, 9));
+  const auto base = Heat(mesh).Run({ VertexSource(5) }).Distances;
+  for (const dgg::HeatBoundary boundary :
+    { dgg::HeatBoundary::Dirichlet, dgg::HeatBoundary::Average })
+  {
+    ExpectSameField(
+      base, Heat(mesh, WithBoundary(boundary)).Run({ VertexSource(5) }).Distances, 1e-9, "field");
+  }
+}
+
+TEST(HeatMethod, AnyTrianglesWillDo)
+{
+  for (const NamedMesh& named : SmallDefects())
+  {
+    SCOPED_TRACE(named.Name);
+    dgg::SurfaceMesh mesh;
+    if (named.Mesh.Points.empty())
+    {
+      mesh = Build(named.Mesh);
+    }
+    else if (!dgg::SurfaceMesh::FromPoints(named.Mesh.Points.data(),
+               named.Mesh.GetNumberOfVertices(), named.Mesh.Triangles.data(),
+               named.Mesh.GetNumberOfFaces(), mesh)
+                .IsOk())
+    {
+      continue; // single points
+    }
+    for (const dgg::HeatOptions& options :
+      { dgg::HeatOptions(), Direct(), WithBoundary(dgg::HeatBoundary::Average) })
+    {
+      const Heat heat(mesh, options);
+      dgg::HeatQuery query;
+      query.WantNearestSource = true;
+      query.WantVirtualSource = true;
+      for (const Id v : { 0, mesh.GetNumberOfVertices() - 1 })
+      {
+        const dgg::HeatResult result = heat.Run({ VertexSource(v) }, query);
+        const auto bound = dgg::EdgeGraphDistances(mesh, { VertexSource(v) });
+        const double diameter = LargestFinite(bound);
+        ASSERT_EQ(result.Distances.size(), bound.size());
+        for (Id u = 0; u < mesh.GetNumberOfVertices(); ++u)
+        {
+          ASSERT_EQ(result.Distances[u] < dgg::Infinity, bound[u] < dgg::Infinity) << u;
+          ASSERT_EQ(result.NearestSource[u], bound[u] < dgg::Infinity ? 0 : dgg::NoId) << u;
+          ASSERT_GE(result.Distances[u], 0.0); // false for NaN
+          if (bound[u] < dgg::Infinity)
+          {
+            ASSERT_LE(result.Distances[u], 20.0 * diameter) << u;
+            ASSERT_TRUE(std::isfinite(result.VirtualAngle[u])) << u;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(HeatMethod, OrientationDoesNotMatter)
+{
+  TestMesh input = NoisySphere(3, 0.2, 9);
+  const dgg::SurfaceMesh oriented = Build(input);
+  Random random(3);
+  for (Id f = 0; f < input.GetNumberOfFaces(); ++f)
+  {
+    if (random.Index(2) == 0)
+    {
+      std::swap(input.Triangles[3 * f], input.Triangles[3 * f + 1]);
+    }
+  }
+  const dgg::SurfaceMesh turned = Build(input);
+  ExpectSameField(Heat(oriented).Run({ VertexSource(7) }).Distances,
+    Heat(turned).Run({ VertexSource(7) }).Distances, 1e-9, "field");
+}
+
+TEST(HeatMethod, VirtualSources)
+{
+  const TestMesh plane = Plane(30, 30, 0.15, 5);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  const Id source = 15 * 31 + 12;
+  dgg::HeatQuery query;
+  query.WantVirtualSource = true;
+  const dgg::HeatResult result = Heat(mesh).Run({ VertexSource(source, 2.0) }, query);
+  EXPECT_TRUE(result.NearestSource.empty());
+  double worst = 0.0;
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    EXPECT_NEAR(result.VirtualOffset[v] + result.VirtualLength[v], result.Distances[v], 1e-11);
+    EXPECT_NEAR(result.VirtualOffset[v], 2.0, 1e-12);
+    if (EuclideanDistance(plane, source, v) > 3.0 && mesh.Kind(v) == dgg::VertexKind::Flat)
+    {
+      const Id first = mesh.Destination(*mesh.FanBegin(v));
+      const double start = std::atan2(
+        plane.Point(first)[1] - plane.Point(v)[1], plane.Point(first)[0] - plane.Point(v)[0]);
+      const double expected = std::atan2(
+        plane.Point(source)[1] - plane.Point(v)[1], plane.Point(source)[0] - plane.Point(v)[0]);
+      const double turn = std::remainder(start + result.VirtualAngle[v] - expected, 2.0 * dgg::Pi);
+      worst = std::max(worst, std::abs(turn));
+    }
+  }
+  EXPECT_LT(worst, 0.4);
+}
+
+TEST(HeatMethod, KeepsWhatHasNotChanged)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(12, 12, 0.2, 3));
+  dgg::HeatMethod heat(mesh);
+  dgg::HeatOptions options;
+  const auto expectWork = [&](int factorizations, const char* what) {
+    const int before = heat.GetNumberOfFactorizations();
+    ASSERT_TRUE(heat.Prepare(options, nullptr).IsOk()) << what;
+    EXPECT_EQ(heat.GetNumberOfFactorizations() - before, factorizations) << what;
+    const auto again = Heat(mesh, options).Run({ VertexSource(40) }).Distances;
+    dgg::HeatResult result;
+    ASSERT_TRUE(heat.Run({ VertexSource(40) }, {}, result).IsOk()) << what;
+    EXPECT_EQ(result.Distances, again) << what;
+    EXPECT_LE(heat.GetMemorySize(), heat.GetEstimatedMemory());
+    EXPECT_GT(heat.GetMemorySize(), heat.GetEstimatedMemory() / 2);
+  };
+  expectWork(2, "a new mesh");
+  expectWork(0, "nothing");
+  options.TimeStepFactor = 4.0;
+  expectWork(1, "time");
+  options.Boundary = dgg::HeatBoundary::Average;
+  expectWork(1, "average");
+  options.Boundary = dgg::HeatBoundary::Dirichlet;
+  expectWork(0, "half of it");
+  options.TimeStepFactor = 2.0;
+  expectWork(1, "time");
+  options.Boundary = dgg::HeatBoundary::Neumann;
+  expectWork(1, "the other half");
+  options.IntrinsicDelaunay = false;
+  expectWork(2, "triangles");
+}
+
+TEST(HeatMethod, MaximumDistance)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.2, 9));
+  const Heat heat(mesh);
+  dgg::HeatQuery query;
+  query.WantNearestSource = true;
+  const auto whole = heat.Run({ VertexSource(5) }, query).Distances;
+  query.MaximumDistance = 1.0;
+  const dgg::HeatResult cut = heat.Run({ VertexSource(5) }, query);
+  for (std::size_t v = 0; v < whole.size(); ++v)
+  {
+    EXPECT_EQ(cut.Distances[v], whole[v] <= 1.0 ? whole[v] : dgg::Infinity);
+    EXPECT_EQ(cut.NearestSource[v], whole[v] <= 1.0 ? 0 : dgg::NoId);
+  }
+}
+
+TEST(HeatMethod, WrongInputAndAbort)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(3));
+  dgg::HeatMethod heat(mesh);
+  dgg::HeatResult result;
+  dgg::HeatQuery query;
+  EXPECT_FALSE(heat.Run({ VertexSource(0) }, query, result).IsOk()); // not prepared
+  EXPECT_FALSE(heat.Factorize(nullptr).IsOk());
+  dgg::HeatOptions options;
+  for (const double bad : { 0.0, -1.0, dgg::Infinity, std::numeric_limits<double>::quiet_NaN() })
+  {
+    options.TimeStepFactor = bad;
+    EXPECT_FALSE(heat.Prepare(options, nullptr).IsOk()) << bad;
+  }
+  options.TimeStepFactor = 1.0;
+  // Stopped anywhere, it can be taken up again.
+  int steps = 0;
+  for (int stop = 1;; ++stop)
+  {
+    int calls = 0;
+    const dgg::Status status = heat.Prepare(options, [&](double) { return ++calls < stop; });
+    if (status.IsOk())
+    {
+      steps = stop;
+      break;
+    }
+    EXPECT_TRUE(status.IsAborted());
+    ASSERT_LT(stop, 100);
+  }
+  EXPECT_GT(steps, 4);
+  EXPECT_FALSE(heat.Run({}, query, result).IsOk());
+  EXPECT_FALSE(heat.Run({ VertexSource(100000) }, query, result).IsOk());
+  EXPECT_FALSE(
+    heat.Run({ VertexSource(0, std::numeric_limits<double>::quiet_NaN()) }, query, result).IsOk());
+  query.MaximumDistance = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(heat.Run({ VertexSource(0) }, query, result).IsOk());
+  query.MaximumDistance = dgg::Infinity;
+  query.Progress = [](double) { return false; };
+  EXPECT_TRUE(heat.Run({ VertexSource(0) }, query, result).IsAborted());
+  EXPECT_TRUE(result.Distances.empty());
+  query.Progress = nullptr;
+  EXPECT_TRUE(heat.Run({ VertexSource(0) }, query, result).IsOk());
+}
+}

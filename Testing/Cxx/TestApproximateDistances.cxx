@@ -1,0 +1,371 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The heat method and fast marching keep the contract of all distance filters, and what they say
+/// of themselves.
+#include "FilterTestTools.h"
+#include "GraphTestTools.h"
+
+#include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkHeatGeodesicDistance.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+using namespace dggtest;
+
+template <typename Filter>
+class ApproximateDistances : public ::testing::Test
+{
+protected:
+  vtkNew<Filter> Distance;
+};
+using Filters = ::testing::Types<vtkFastMarchingGeodesicDistance, vtkHeatGeodesicDistance>;
+TYPED_TEST_SUITE(ApproximateDistances, Filters);
+
+TYPED_TEST(ApproximateDistances, Defaults)
+{
+  auto* filter = this->Distance.Get();
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 2);
+  EXPECT_EQ(filter->GetProjectionTolerance(), 0.01);
+  EXPECT_EQ(filter->GetMaximumDistance(), VTK_DOUBLE_MAX);
+  EXPECT_TRUE(std::isnan(filter->GetUnreachedValue()));
+  EXPECT_STREQ(filter->GetDistanceArrayName(), "GeodesicDistance");
+}
+
+TYPED_TEST(ApproximateDistances, PassesEverythingThrough)
+{
+  auto grid = MakeGrid(6, 5, GridCells::Quads);
+  vtkNew<vtkFloatArray> height;
+  height->SetName("Height");
+  height->SetNumberOfTuples(grid->GetNumberOfPoints());
+  height->Fill(4.0);
+  grid->GetPointData()->SetScalars(height);
+  this->Distance->SetInputData(grid);
+  this->Distance->AddSourceId(0);
+  ExpectSuccess(this->Distance);
+  vtkPolyData* output = this->Distance->GetOutput();
+  EXPECT_EQ(output->GetPoints(), grid->GetPoints());
+  EXPECT_EQ(output->GetPolys(), grid->GetPolys());
+  EXPECT_EQ(output->GetPointData()->GetArray("Height"), height.Get());
+  vtkDataArray* scalars = output->GetPointData()->GetScalars();
+  ASSERT_NE(scalars, nullptr);
+  EXPECT_STREQ(scalars->GetName(), "GeodesicDistance");
+  EXPECT_EQ(scalars->GetDataType(), VTK_DOUBLE);
+  EXPECT_EQ(GetDistances(this->Distance)[0], 0.0);
+  EXPECT_EQ(grid->GetPointData()->GetNumberOfArrays(), 1);
+}
+
+TYPED_TEST(ApproximateDistances, CloseToExact)
+{
+  auto terrain = MakeTerrain(40);
+  const std::vector<vtkIdType> sources = { 5, 820, 1500 };
+  this->Distance->SetInputData(terrain);
+  this->Distance->SetSourceIds(sources);
+  this->Distance->GenerateNearestSourceOn();
+  ExpectSuccess(this->Distance);
+  const auto exact = GetExactDistances(terrain, sources);
+  EXPECT_LT(GetMeanError(GetDistances(this->Distance), exact), 0.06);
+  std::vector<std::vector<double>> single;
+  for (const vtkIdType source : sources)
+  {
+    single.push_back(GetExactDistances(terrain, std::vector<vtkIdType>{ source }));
+  }
+  const auto nearest = GetNearestSources(this->Distance);
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i)
+  {
+    ASSERT_GE(nearest[i], 0);
+    ASSERT_LT(nearest[i], 3);
+    right += single[nearest[i]][i] <= 1.02 * exact[i] ? 1 : 0;
+  }
+  EXPECT_GT(right, 0.95 * exact.size());
+}
+
+TYPED_TEST(ApproximateDistances, SourcePointsAndInitialDistances)
+{
+  auto terrain = MakeTerrain(40);
+  double p[3];
+  terrain->GetPoint(820, p);
+  auto places = MakeSourcePoints({ { { 0.31, 0.62, p[2] } }, { { 0.8, 0.2, p[2] } } });
+  vtkNew<vtkDoubleArray> offsets;
+  offsets->SetName("InitialDistance");
+  offsets->InsertNextValue(-0.2);
+  offsets->InsertNextValue(0.1);
+  places->GetPointData()->AddArray(offsets);
+  this->Distance->SetProjectionTolerance(0.5);
+  this->Distance->SetInputData(terrain);
+  this->Distance->SetSourceData(places);
+  this->Distance->AddSourceId(100, 0.05);
+  ExpectSuccess(this->Distance);
+  // The exact distances of the same sources, taken by the same filter base.
+  const auto distances = GetDistances(this->Distance);
+  EXPECT_GE(*std::min_element(distances.begin(), distances.end()), -0.2);
+  EXPECT_LT(*std::min_element(distances.begin(), distances.end()), -0.15);
+  EXPECT_LE(distances[100], 0.05);
+  for (const double distance : distances)
+  {
+    EXPECT_TRUE(std::isfinite(distance));
+  }
+}
+
+TYPED_TEST(ApproximateDistances, UnreachedPoints)
+{
+  auto surface = MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 5, 0, 0 } },
+                               { { 6, 0, 0 } }, { { 5, 1, 0 } } },
+    { { 0, 1, 2 }, { 3, 4, 5 } });
+  this->Distance->SetInputData(surface);
+  this->Distance->AddSourceId(1);
+  this->Distance->GenerateNearestSourceOn();
+  ExpectSuccess(this->Distance);
+  EXPECT_TRUE(std::isnan(GetDistances(this->Distance)[3]));
+  EXPECT_EQ(GetNearestSources(this->Distance), (std::vector<int>{ 0, 0, 0, -1, -1, -1 }));
+  this->Distance->SetUnreachedValue(-3.0);
+  ExpectSuccess(this->Distance);
+  EXPECT_EQ(GetDistances(this->Distance)[3], -3.0);
+}
+
+TYPED_TEST(ApproximateDistances, MaximumDistance)
+{
+  this->Distance->SetInputData(MakeTerrain(24));
+  this->Distance->AddSourceId(40);
+  this->Distance->GenerateNearestSourceOn();
+  ExpectSuccess(this->Distance);
+  const auto whole = GetDistances(this->Distance);
+  this->Distance->SetMaximumDistance(0.4);
+  ExpectSuccess(this->Distance);
+  const auto cut = GetDistances(this->Distance);
+  const auto nearest = GetNearestSources(this->Distance);
+  for (std::size_t i = 0; i < whole.size(); ++i)
+  {
+    EXPECT_EQ(std::isnan(cut[i]), whole[i] > 0.4) << i;
+    EXPECT_EQ(nearest[i], whole[i] > 0.4 ? -1 : 0) << i;
+    if (whole[i] <= 0.4)
+    {
+      EXPECT_EQ(cut[i], whole[i]);
+    }
+  }
+}
+
+TYPED_TEST(ApproximateDistances, WrongInputIsAnErrorAndALaterCallWorks)
+{
+  auto* filter = this->Distance.Get();
+  ExpectError(filter, {}); // no input
+  filter->SetInputData(MakeGrid(4, 4));
+  ExpectError(filter, { filter->GetClassName(), "source" });
+  filter->AddSourceId(77);
+  ExpectError(filter, { "77" });
+  filter->SetSourceIds({ 0 });
+  filter->SetMaximumDistance(-1.0);
+  ExpectError(filter, { "MaximumDistance" });
+  filter->SetMaximumDistance(VTK_DOUBLE_MAX);
+  filter->SetDistanceArrayName("");
+  ExpectError(filter, { "DistanceArrayName" });
+  filter->SetDistanceArrayName("d");
+  ExpectSuccess(filter);
+  EXPECT_STREQ(filter->GetOutput()->GetPointData()->GetScalars()->GetName(), "d");
+}
+
+TYPED_TEST(ApproximateDistances, AnyTrianglesWillDo)
+{
+  // A plate with a fin on its middle line, and a face of no area.
+  auto surface = MakeSurface(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 1, 0 } },
+      { { 2, 1, 0 } }, { { 1, 0, 1 } }, { { 1, 1, 1 } }, { { 1.5, 1, 0 } } },
+    { { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 1, 4, 7, 6 }, { 4, 8, 5 } });
+  this->Distance->SetInputData(surface);
+  this->Distance->AddSourceId(0);
+  Listener listener(this->Distance.Get());
+  this->Distance->Update();
+  EXPECT_TRUE(listener.Errors.empty());
+  const auto distances = GetDistances(this->Distance);
+  ASSERT_EQ(distances.size(), 9u);
+  for (const vtkIdType i : { 5, 7 })
+  {
+    EXPECT_NEAR(distances[i], std::sqrt(5.0), 1.0) << i;
+  }
+  for (const double distance : distances)
+  {
+    EXPECT_TRUE(std::isfinite(distance));
+  }
+}
+
+TYPED_TEST(ApproximateDistances, ProgressAndAbort)
+{
+  auto* filter = this->Distance.Get();
+  filter->SetInputData(MakeTerrain(100));
+  filter->AddSourceId(0);
+  ProgressWatch watch(filter);
+  ExpectSuccess(filter);
+  watch.ExpectGrowth();
+  const auto expected = GetDistances(filter);
+  for (const double stop : { 0.05, 0.3, 0.6, 0.9 })
+  {
+    watch.StopAt = stop;
+    watch.Progress.clear();
+    filter->Modified();
+    ExpectSuccess(filter); // not an error
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << stop;
+    watch.StopAt = 2.0;
+    ExpectSuccess(filter);
+    EXPECT_EQ(GetDistances(filter), expected);
+  }
+}
+
+TYPED_TEST(ApproximateDistances, FollowTheMesh)
+{
+  auto grid = MakeGrid(8, 8);
+  auto* filter = this->Distance.Get();
+  filter->SetInputData(grid);
+  filter->AddSourceId(0);
+  ExpectSuccess(filter);
+  const auto before = GetDistances(filter);
+  const vtkMTimeType built = filter->GetMeshBuildTime();
+  filter->SetSourceIds({ 20 });
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetMeshBuildTime(), built);
+  filter->SetSourceIds({ 0 });
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    grid->GetPoint(i, p);
+    grid->GetPoints()->SetPoint(i, 3.0 * p[0], 3.0 * p[1], 0.0);
+  }
+  grid->GetPoints()->Modified();
+  ExpectSuccess(filter);
+  const auto after = GetDistances(filter);
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    EXPECT_NEAR(after[i], 3.0 * before[i], 1e-9);
+  }
+}
+
+TEST(FastMarchingGeodesicDistance, FrontShape)
+{
+  vtkNew<vtkFastMarchingGeodesicDistance> filter;
+  EXPECT_EQ(filter->GetFrontShape(), vtkFastMarchingGeodesicDistance::Spherical);
+  auto terrain = MakeTerrain(40);
+  filter->SetInputData(terrain);
+  filter->AddSourceId(820);
+  ExpectSuccess(filter);
+  const auto exact = GetExactDistances(terrain, std::vector<vtkIdType>{ 820 });
+  const double spherical = GetMeanError(GetDistances(filter), exact);
+  filter->SetFrontShapeToPlanar();
+  EXPECT_STREQ(filter->GetFrontShapeAsString(), "Planar");
+  ExpectSuccess(filter);
+  const double planar = GetMeanError(GetDistances(filter), exact);
+  EXPECT_LT(spherical, 0.01);
+  EXPECT_LT(planar, 0.06);
+  EXPECT_LT(2.0 * spherical, planar);
+  filter->SetFrontShape(77);
+  EXPECT_EQ(filter->GetFrontShape(), vtkFastMarchingGeodesicDistance::Planar);
+  std::ostringstream os;
+  filter->Print(os);
+  EXPECT_NE(os.str().find("FrontShape: Planar\n"), std::string::npos);
+}
+
+TEST(FastMarchingGeodesicDistance, ExactOnAGrid)
+{
+  auto grid = MakeGrid(12, 9);
+  vtkNew<vtkFastMarchingGeodesicDistance> filter;
+  filter->SetInputData(grid);
+  filter->AddSourceId(30);
+  ExpectSuccess(filter);
+  const auto distances = GetDistances(filter);
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(distances[i], EuclideanDistance(grid, 30, i), 1e-12) << i;
+  }
+}
+
+TEST(HeatGeodesicDistance, PropertiesAndFactorizations)
+{
+  vtkNew<vtkHeatGeodesicDistance> filter;
+  EXPECT_EQ(filter->GetTimeStepFactor(), 1.0);
+  EXPECT_TRUE(filter->GetIntrinsicDelaunay());
+  EXPECT_EQ(filter->GetBoundary(), vtkHeatGeodesicDistance::Neumann);
+  EXPECT_EQ(filter->GetMemoryLimit(), 0u);
+  EXPECT_EQ(filter->GetMemorySize(), 0u);
+  auto terrain = MakeTerrain(30);
+  filter->SetInputData(terrain);
+  filter->AddSourceId(40);
+  int expected = 0;
+  const auto expectWork = [&](int factorizations, const char* what) {
+    ExpectSuccess(filter);
+    expected += factorizations;
+    EXPECT_EQ(filter->GetNumberOfFactorizations(), expected) << what;
+  };
+  expectWork(2, "first");
+  EXPECT_GT(filter->GetMemorySize(), 100000u);
+  filter->SetSourceIds({ 100, 200 });
+  expectWork(0, "sources");
+  filter->SetMaximumDistance(0.3);
+  expectWork(0, "maximum distance");
+  filter->SetMaximumDistance(VTK_DOUBLE_MAX);
+  filter->SetTimeStepFactor(4.0);
+  expectWork(1, "time");
+  filter->SetBoundaryToAverage();
+  EXPECT_STREQ(filter->GetBoundaryAsString(), "Average");
+  expectWork(1, "boundary");
+  filter->IntrinsicDelaunayOff();
+  expectWork(3, "triangles");
+  terrain->GetPoints()->SetPoint(5, 0.2, 0.0, 0.0);
+  terrain->GetPoints()->Modified();
+  expectWork(3, "points");
+  std::ostringstream os;
+  filter->Print(os);
+  for (const char* text : { "TimeStepFactor: 4\n", "IntrinsicDelaunay: Off\n",
+         "Boundary: Average\n", "NumberOfFactorizations: 10\n" })
+  {
+    EXPECT_NE(os.str().find(text), std::string::npos) << text;
+  }
+}
+
+TEST(HeatGeodesicDistance, WrongProperties)
+{
+  vtkNew<vtkHeatGeodesicDistance> filter;
+  filter->SetInputData(MakeGrid(10, 10));
+  filter->AddSourceId(60);
+  for (const double bad : { 0.0, -1.0, std::numeric_limits<double>::infinity(),
+         std::numeric_limits<double>::quiet_NaN() })
+  {
+    filter->SetTimeStepFactor(bad);
+    ExpectError(filter, { "TimeStepFactor" });
+  }
+  filter->SetTimeStepFactor(1.0);
+  filter->SetMemoryLimit(1000);
+  ExpectError(filter, { "MemoryLimit", "heat" });
+  filter->SetMemoryLimit(0);
+  filter->SetBoundaryToDirichlet();
+  ExpectSuccess(filter);
+  filter->SetSourceIds({ 0 });
+  ExpectError(filter, { "boundary", "Neumann" });
+  filter->SetBoundaryToNeumann();
+  ExpectSuccess(filter);
+}
+
+TEST(HeatGeodesicDistance, ALongerTimeSmooths)
+{
+  auto terrain = MakeTerrain(40);
+  vtkNew<vtkHeatGeodesicDistance> filter;
+  filter->SetInputData(terrain);
+  filter->AddSourceId(820);
+  const auto exact = GetExactDistances(terrain, std::vector<vtkIdType>{ 820 });
+  ExpectSuccess(filter);
+  const double usual = GetMeanError(GetDistances(filter), exact);
+  EXPECT_LT(usual, 0.03);
+  filter->SetTimeStepFactor(400.0);
+  ExpectSuccess(filter);
+  EXPECT_GT(GetMeanError(GetDistances(filter), exact), usual);
+}
