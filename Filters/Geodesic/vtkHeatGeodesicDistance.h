@@ -56,7 +56,7 @@ public:
   ///@{
   /**
    * The time of the flow, in units of the square of the mean edge length (of each component of the
-   * surface). A larger one smooths the distances. Default 1; must be positive.
+   * surface, after flips). A larger one smooths the distances. Default 1; must be positive.
    */
   vtkSetMacro(TimeStepFactor, double);
   vtkGetMacro(TimeStepFactor, double);

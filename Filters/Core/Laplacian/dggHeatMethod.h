@@ -25,7 +25,8 @@ enum class HeatBoundary
 
 struct HeatOptions
 {
-  /// Heat flows for the time c h^2 with this c and the mean edge length h, that of the component.
+  /// Heat flows for the time c h^2 with this c and the mean edge length h, that of the component
+  /// and after flips.
   double TimeStepFactor = 1.0;
   /// Flip edges until they are Delaunay first: better on meshes with obtuse triangles.
   bool IntrinsicDelaunay = true;

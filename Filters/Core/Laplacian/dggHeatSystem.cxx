@@ -94,7 +94,6 @@ Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& p
   }
 
   IntrinsicTriangulation triangulation(this->Mesh);
-  this->MeasureComponents(triangulation);
   if (options.IntrinsicDelaunay)
   {
     const auto flips = [&](double fraction) { return Goes(progress, 0.4 * fraction); };
@@ -109,6 +108,7 @@ Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& p
   {
     return Status::Abort();
   }
+  this->MeasureComponents(triangulation);
   const CotanLaplacian laplacian = MakeCotanLaplacian(triangulation);
   if (!Goes(progress, 0.6))
   {
