@@ -1,0 +1,53 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkHeatGeodesicDistance and vtkFastMarchingGeodesicDistance from Python."""
+
+import unittest
+
+import numpy as np
+import support
+import vtkdgg
+
+
+def distances(distance):
+    return support.point_array(vtkdgg.check(distance), "GeodesicDistance")
+
+
+class ApproximateDistances(unittest.TestCase):
+    def setUp(self):
+        self.points, self.triangles = support.grid(30, 20)
+        self.exact = np.linalg.norm(self.points - self.points[200], axis=1)
+
+    def prepare(self, distance):
+        distance.SetInputData(support.polydata(self.points, self.triangles))
+        distance.SetSourceIds([200])
+        return distance
+
+    def test_fast_marching(self):
+        distance = self.prepare(vtkdgg.vtkFastMarchingGeodesicDistance())
+        self.assertIsInstance(distance, vtkdgg.vtkGeodesicDistanceAlgorithm)
+        np.testing.assert_allclose(distances(distance), self.exact, atol=1e-12)
+        distance.SetFrontShapeToPlanar()
+        planar = distances(distance)
+        self.assertLess(np.abs(planar - self.exact).max(), 2.0)
+        self.assertGreater(np.abs(planar - self.exact).max(), 0.01)
+
+    def test_heat(self):
+        distance = self.prepare(vtkdgg.vtkHeatGeodesicDistance())
+        result = distances(distance)
+        self.assertEqual(result[200], 0.0)
+        self.assertLess(np.abs(result - self.exact).mean(), 0.5)
+        self.assertEqual(distance.GetNumberOfFactorizations(), 2)
+        distance.SetSourceIds(np.array([200, 3]))
+        self.assertEqual(distances(distance)[3], 0.0)
+        self.assertEqual(distance.GetNumberOfFactorizations(), 2)
+
+    def test_wrong_properties(self):
+        distance = self.prepare(vtkdgg.vtkHeatGeodesicDistance())
+        distance.SetTimeStepFactor(-1.0)
+        with self.assertRaisesRegex(vtkdgg.VTKError, "TimeStepFactor"):
+            vtkdgg.check(distance)
+
+
+if __name__ == "__main__":
+    unittest.main()
