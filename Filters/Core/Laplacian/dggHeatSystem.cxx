@@ -8,7 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
+#include <limits>
+#include <string>
 
 namespace dgg
 {
@@ -248,6 +249,12 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
   if (!this->IsAnalyzed)
   {
     return Status::Invalid("the systems have not been analyzed: call Analyze() first");
+  }
+  if (this->FactorEntries > std::numeric_limits<int>::max())
+  {
+    return Status::Invalid("the factor of a linear system would have " +
+      std::to_string(this->FactorEntries) +
+      " entries, more than can be numbered: use a smaller mesh");
   }
   const Status failure = Status::Invalid(
     "a linear system could not be factorized: remove triangles that have next to no area");

@@ -14,7 +14,6 @@
 #include <array>   // for triangles
 #include <cstddef> // for std::size_t
 #include <cstdint> // for flags
-#include <utility> // for std::pair
 #include <vector>  // for arrays
 
 namespace dgg
