@@ -134,7 +134,7 @@ Status HeatMethod::Prepare(const HeatOptions& options, const ProgressCallback& p
     first = [&](double fraction) { return progress(0.4 * fraction); };
     second = [&](double fraction) { return progress(0.4 + 0.6 * fraction); };
   }
-  const Status status = this->Analyze(options, first);
+  Status status = this->Analyze(options, first);
   return status.IsOk() ? this->Factorize(second) : status;
 }
 
@@ -143,7 +143,7 @@ Status HeatMethod::Run(
 {
   result = HeatResult();
   const HeatSystem& system = *this->System;
-  const Status status = CheckSources(this->Mesh, sources);
+  Status status = CheckSources(this->Mesh, sources);
   if (!status.IsOk())
   {
     return status;
@@ -206,6 +206,7 @@ Status HeatMethod::Run(
   if (query.WantNearestSource || query.WantVirtualSource)
   {
     std::vector<DescentSeed> seeds;
+    seeds.reserve(corners.size());
     for (const Corner& corner : corners)
     {
       seeds.push_back(

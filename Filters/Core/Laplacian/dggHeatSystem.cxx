@@ -99,7 +99,7 @@ Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& p
   {
     const auto flips = [&](double fraction) { return Goes(progress, 0.4 * fraction); };
     DelaunayReport report;
-    const Status status = MakeDelaunay(triangulation, -1, flips, report);
+    Status status = MakeDelaunay(triangulation, -1, flips, report);
     if (!status.IsOk())
     {
       return status;
@@ -256,7 +256,7 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
       std::to_string(this->FactorEntries) +
       " entries, more than can be numbered: use a smaller mesh");
   }
-  const Status failure = Status::Invalid(
+  Status failure = Status::Invalid(
     "a linear system could not be factorized: remove triangles that have next to no area");
   const double factor = this->Options.TimeStepFactor;
   struct Part

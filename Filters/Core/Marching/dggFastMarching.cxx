@@ -292,7 +292,7 @@ Status FastMarching::Run(const std::vector<GeodesicSource>& sources, const March
   MarchingResult& result) const
 {
   result = MarchingResult();
-  const Status status = CheckSources(this->Mesh, sources);
+  Status status = CheckSources(this->Mesh, sources);
   if (!status.IsOk())
   {
     return status;
