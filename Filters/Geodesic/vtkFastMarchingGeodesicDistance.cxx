@@ -48,6 +48,7 @@ dgg::Status vtkFastMarchingGeodesicDistance::ComputeDistances(vtkDGGDistanceTask
   options.Update =
     this->FrontShape == Planar ? dgg::MarchingUpdate::Planar : dgg::MarchingUpdate::Spherical;
   options.MaximumDistance = task.MaximumDistance;
+  options.WantVirtualSource = task.WantVirtualSource;
   options.Progress = task.Progress;
 
   if (!this->Prepared || this->Prepared->MeshTime != this->GetMeshBuildTime())
@@ -59,5 +60,6 @@ dgg::Status vtkFastMarchingGeodesicDistance::ComputeDistances(vtkDGGDistanceTask
   const dgg::Status status = this->Prepared->Solver.Run(task.Sources, options, result);
   task.Distances = std::move(result.Distances);
   task.NearestSource = std::move(result.NearestSource);
+  task.VirtualSource = std::move(result.Virtual);
   return status;
 }

@@ -137,10 +137,12 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
   dgg::HeatQuery query;
   query.MaximumDistance = task.MaximumDistance;
   query.WantNearestSource = task.WantNearestSource;
+  query.WantVirtualSource = task.WantVirtualSource;
   query.Progress = GetPart(task.Progress, FactorizedAt, 1.0);
   dgg::HeatResult result;
   status = method.Run(task.Sources, query, result);
   task.Distances = std::move(result.Distances);
   task.NearestSource = std::move(result.NearestSource);
+  task.VirtualSource = std::move(result.Virtual);
   return status;
 }

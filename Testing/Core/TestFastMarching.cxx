@@ -387,22 +387,22 @@ TEST(FastMarching, VirtualSourcesInThePlane)
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     EXPECT_NEAR(
-      result.VirtualOffset[v] + result.VirtualLength[v], result.Distances[v], 1e-12 * 20.0);
+      result.Virtual.Offsets[v] + result.Virtual.Lengths[v], result.Distances[v], 1e-12 * 20.0);
     if (v == source)
     {
       continue;
     }
-    EXPECT_NEAR(result.VirtualOffset[v], 2.0, 1e-12) << v;
+    EXPECT_NEAR(result.Virtual.Offsets[v], 2.0, 1e-12) << v;
     // The first half-edge of the fan has angle 0.
     const Id first = mesh.Destination(*mesh.FanBegin(v));
     const double start = std::atan2(
       plane.Point(first)[1] - plane.Point(v)[1], plane.Point(first)[0] - plane.Point(v)[0]);
-    const double angle = start + result.VirtualAngle[v];
+    const double angle = start + result.Virtual.Angles[v];
     EXPECT_NEAR(
-      plane.Point(v)[0] + result.VirtualLength[v] * std::cos(angle), plane.Point(source)[0], 1e-6)
+      plane.Point(v)[0] + result.Virtual.Lengths[v] * std::cos(angle), plane.Point(source)[0], 1e-6)
       << v;
     EXPECT_NEAR(
-      plane.Point(v)[1] + result.VirtualLength[v] * std::sin(angle), plane.Point(source)[1], 1e-6)
+      plane.Point(v)[1] + result.Virtual.Lengths[v] * std::sin(angle), plane.Point(source)[1], 1e-6)
       << v;
   }
 }

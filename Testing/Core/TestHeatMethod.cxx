@@ -401,7 +401,7 @@ TEST(HeatMethod, AnyTrianglesWillDo)
           if (bound[u] < dgg::Infinity)
           {
             ASSERT_LE(result.Distances[u], 20.0 * diameter) << u;
-            ASSERT_TRUE(std::isfinite(result.VirtualAngle[u])) << u;
+            ASSERT_TRUE(std::isfinite(result.Virtual.Angles[u])) << u;
           }
         }
       }
@@ -438,8 +438,8 @@ TEST(HeatMethod, VirtualSources)
   double worst = 0.0;
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
-    EXPECT_NEAR(result.VirtualOffset[v] + result.VirtualLength[v], result.Distances[v], 1e-11);
-    EXPECT_NEAR(result.VirtualOffset[v], 2.0, 1e-12);
+    EXPECT_NEAR(result.Virtual.Offsets[v] + result.Virtual.Lengths[v], result.Distances[v], 1e-11);
+    EXPECT_NEAR(result.Virtual.Offsets[v], 2.0, 1e-12);
     if (EuclideanDistance(plane, source, v) > 3.0 && mesh.Kind(v) == dgg::VertexKind::Flat)
     {
       const Id first = mesh.Destination(*mesh.FanBegin(v));
@@ -447,7 +447,8 @@ TEST(HeatMethod, VirtualSources)
         plane.Point(first)[1] - plane.Point(v)[1], plane.Point(first)[0] - plane.Point(v)[0]);
       const double expected = std::atan2(
         plane.Point(source)[1] - plane.Point(v)[1], plane.Point(source)[0] - plane.Point(v)[0]);
-      const double turn = std::remainder(start + result.VirtualAngle[v] - expected, 2.0 * dgg::Pi);
+      const double turn =
+        std::remainder(start + result.Virtual.Angles[v] - expected, 2.0 * dgg::Pi);
       worst = std::max(worst, std::abs(turn));
     }
   }

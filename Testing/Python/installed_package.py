@@ -30,6 +30,7 @@ for name in (
     "vtkGeodesicDistanceAlgorithm",
     "vtkGeodesicDistanceMatrix",
     "vtkGeodesicPatchBoundaries",
+    "vtkGeodesicProbe",
     "vtkGeodesicSampler",
     "vtkGeodesicVoronoi",
     "vtkHeatGeodesicDistance",

@@ -221,22 +221,22 @@ Status HeatMethod::Run(
   }
   if (query.WantVirtualSource)
   {
-    result.VirtualOffset.assign(distances.size(), Infinity);
+    result.Virtual.Offsets.assign(distances.size(), Infinity);
     for (std::size_t v = 0; v < distances.size(); ++v)
     {
       if (result.NearestSource[v] != NoId)
       {
-        result.VirtualOffset[v] =
+        result.Virtual.Offsets[v] =
           std::min(sources[result.NearestSource[v]].InitialDistance, distances[v]);
       }
     }
-    result.VirtualAngle = FindDirectionsOfDescent(this->Mesh, distances, result.VirtualOffset);
-    result.VirtualLength.assign(distances.size(), Infinity);
+    result.Virtual.Angles = FindDirectionsOfDescent(this->Mesh, distances, result.Virtual.Offsets);
+    result.Virtual.Lengths.assign(distances.size(), Infinity);
     for (std::size_t v = 0; v < distances.size(); ++v)
     {
       if (distances[v] < Infinity)
       {
-        result.VirtualLength[v] = distances[v] - result.VirtualOffset[v];
+        result.Virtual.Lengths[v] = distances[v] - result.Virtual.Offsets[v];
       }
     }
   }
@@ -245,7 +245,7 @@ Status HeatMethod::Run(
     if (distances[v] > query.MaximumDistance)
     {
       distances[v] = Infinity;
-      for (std::vector<double>* values : { &result.VirtualOffset, &result.VirtualLength })
+      for (std::vector<double>* values : { &result.Virtual.Offsets, &result.Virtual.Lengths })
       {
         if (!values->empty())
         {

@@ -6,6 +6,7 @@
 #define dggHeatMethod_h
 
 #include "dggGeodesicSource.h" // for GeodesicSource
+#include "dggVirtualSources.h" // for VirtualSources
 
 #include <cstddef> // for std::size_t
 #include <memory>  // for the systems
@@ -50,9 +51,7 @@ struct HeatResult
   /// Where the distance seems to come from, as in SearchResult: the initial distance of the source,
   /// the rest, and the polar angle at the vertex against the gradient of the distances. Empty
   /// unless asked for.
-  std::vector<double> VirtualOffset;
-  std::vector<double> VirtualLength;
-  std::vector<double> VirtualAngle;
+  VirtualSources Virtual;
 };
 
 /// Crane, Weischedel and Wardetzky, "Geodesics in heat", 2013, on one mesh, which must outlive it:

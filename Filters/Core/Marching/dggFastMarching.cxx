@@ -320,9 +320,9 @@ Status FastMarching::Run(const std::vector<GeodesicSource>& sources, const March
   result.NearestSource.assign(n, NoId);
   if (options.WantVirtualSource)
   {
-    result.VirtualOffset.assign(n, Infinity);
-    result.VirtualLength.assign(n, Infinity);
-    result.VirtualAngle.assign(n, 0.0);
+    result.Virtual.Offsets.assign(n, Infinity);
+    result.Virtual.Lengths.assign(n, Infinity);
+    result.Virtual.Angles.assign(n, 0.0);
   }
   for (std::size_t v = 0; v < n; ++v)
   {
@@ -335,9 +335,9 @@ Status FastMarching::Run(const std::vector<GeodesicSource>& sources, const March
     result.NearestSource[v] = front.Source;
     if (options.WantVirtualSource)
     {
-      result.VirtualOffset[v] = front.Offset + shift;
-      result.VirtualLength[v] = front.Distance - front.Offset;
-      result.VirtualAngle[v] = front.Angle;
+      result.Virtual.Offsets[v] = front.Offset + shift;
+      result.Virtual.Lengths[v] = front.Distance - front.Offset;
+      result.Virtual.Angles[v] = front.Angle;
     }
   }
   return Status::Success();

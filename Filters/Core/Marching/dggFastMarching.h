@@ -6,6 +6,7 @@
 #define dggFastMarching_h
 
 #include "dggGeodesicSource.h" // for GeodesicSource
+#include "dggVirtualSources.h" // for VirtualSources
 
 #include <cstddef> // for std::size_t
 #include <memory>  // for the prepared triangles
@@ -38,9 +39,7 @@ struct MarchingResult
   /// Where the distance seems to come from, by the last update of the vertex, as in SearchResult:
   /// distance at the virtual source, straight distance from it, polar angle at the vertex towards
   /// it. Empty unless asked for.
-  std::vector<double> VirtualOffset;
-  std::vector<double> VirtualLength;
-  std::vector<double> VirtualAngle;
+  VirtualSources Virtual;
 };
 
 /// Kimmel and Sethian, "Computing geodesic paths on manifolds", 1998, on one mesh, which must

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A distance field of the kernel from the arrays of a vtkPolyData. Internal.
+#ifndef vtkDGGFieldInput_h
+#define vtkDGGFieldInput_h
+
+#include "dggDistanceField.h" // for DistanceField
+
+#include <string> // for names and warnings
+#include <vector> // for the distances
+
+class vtkDGGMeshAdapter;
+class vtkDataArray;
+class vtkPolyData;
+
+/// Reads a point array of distances, and what there is beside it that tells the distance inside of
+/// faces: windows in the field data (vtkDGGWindowArrays), or else virtual sources in the point
+/// data.
+class vtkDGGFieldInput
+{
+public:
+  /// The point array that filters take: the one of that name, or the active scalars when the name
+  /// is empty. Fails, with the names that there are, when it is missing or not of one number per
+  /// point.
+  static dgg::Status FindDistances(
+    vtkPolyData* surface, const std::string& name, vtkDataArray*& distances);
+
+  /// NaN and infinity stand for points that are not reached. Fails when a distance is minus
+  /// infinity.
+  dgg::Status Read(vtkPolyData* surface, vtkDataArray* distances, const std::string& virtualSources,
+    const vtkDGGMeshAdapter& mesh);
+
+  /// Good as long as this and the mesh live.
+  const dgg::DistanceField& GetField() const { return this->Field; }
+  const std::vector<double>& GetDistances() const { return this->Distances; }
+  /// Arrays that were there and could not be used; empty when there were none.
+  const std::string& GetWarning() const { return this->Warning; }
+
+private:
+  void ReadWindows(vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh);
+  void ReadSources(vtkPolyData* surface, const std::string& name, const vtkDGGMeshAdapter& mesh);
+  bool FitsSources(const dgg::SurfaceMesh& mesh) const;
+
+  std::vector<double> Distances; // per vertex
+  dgg::EdgeWindows Windows;
+  dgg::VirtualSources Sources;
+  dgg::DistanceField Field;
+  std::string Warning;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGFieldInput.h

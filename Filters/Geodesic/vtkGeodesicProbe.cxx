@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGeodesicProbe.h"
+
+#include "vtkDGGFieldInput.h"
+#include "vtkDGGMakeArray.h"
+#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGParallel.h"
+#include "vtkDGGProperties.h"
+#include "vtkDGGSourceCollector.h"
+
+#include "dggFaceProfile.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <limits>
+
+vtkStandardNewMacro(vtkGeodesicProbe);
+
+namespace
+{
+/// Points that one thread looks at in a row, and how often that between two reports of progress.
+constexpr std::size_t BlockSize = 1024;
+constexpr std::size_t BlocksBetweenReports = 64;
+
+vtkDGGSourceSet GetProbes(vtkInformationVector** inputVector)
+{
+  static const std::vector<vtkIdType> none;
+  return { none, vtkPolyData::GetData(inputVector[1]), 1, "probe point", "call SetProbeData()",
+    "" };
+}
+
+/// The distance at a place; NaN where it is not known.
+double Probe(
+  const dgg::DistanceField& field, const dgg::SurfacePoint& place, dgg::FaceProfile& profile)
+{
+  double distance = dgg::Infinity;
+  if (place.On == dgg::SurfacePoint::Support::Vertex)
+  {
+    distance = field.Distances[place.Vertex];
+  }
+  else if (field.IsReached(place.Face))
+  {
+    profile.Enter(place.Face);
+    distance = profile.At(profile.PlaceOf(place.Barycentric));
+  }
+  return distance < dgg::Infinity ? distance : std::numeric_limits<double>::quiet_NaN();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicProbe::vtkGeodesicProbe()
+  : DistanceArrayName("GeodesicDistance")
+  , VirtualSourceArrayName("GeodesicVirtualSource")
+  , ProjectionTolerance(0.01)
+  , Collector(new vtkDGGSourceCollector)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicProbe::~vtkGeodesicProbe() = default;
+
+//------------------------------------------------------------------------------
+void vtkGeodesicProbe::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
+  os << indent << "VirtualSourceArrayName: " << this->VirtualSourceArrayName << "\n";
+  os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicProbe::SetProbeConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicProbe::SetProbeData(vtkPolyData* points)
+{
+  this->SetInputData(1, points);
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicProbe::SetDistanceArrayName(const char* name)
+{
+  if (vtkDGGChangeName(this->DistanceArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkGeodesicProbe::GetDistanceArrayName() const
+{
+  return this->DistanceArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicProbe::SetVirtualSourceArrayName(const char* name)
+{
+  if (vtkDGGChangeName(this->VirtualSourceArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkGeodesicProbe::GetVirtualSourceArrayName() const
+{
+  return this->VirtualSourceArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicProbe::CheckProperties() const
+{
+  return vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicProbe::CheckInputs(
+  vtkPolyData* surface, vtkInformationVector** inputVector) const
+{
+  vtkDataArray* distances = nullptr;
+  const dgg::Status status =
+    vtkDGGFieldInput::FindDistances(surface, this->DistanceArrayName, distances);
+  return status.IsOk()
+    ? vtkDGGSourceCollector::Check(GetProbes(inputVector), surface->GetNumberOfPoints())
+    : status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicProbe::Execute(
+  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGSourceSet probes = GetProbes(inputVector);
+  std::vector<dgg::GeodesicSource> places;
+  vtkDataArray* distances = nullptr;
+  vtkDGGFieldInput input;
+  dgg::Status status =
+    this->Collector->Collect(probes, this->ProjectionTolerance, mesh, surface->GetPoints(), places);
+  if (status.IsOk())
+  {
+    status = vtkDGGFieldInput::FindDistances(surface, this->DistanceArrayName, distances);
+  }
+  if (status.IsOk())
+  {
+    status = input.Read(surface, distances, this->VirtualSourceArrayName, mesh);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  if (!input.GetWarning().empty())
+  {
+    vtkWarningMacro(<< input.GetWarning() << ".");
+  }
+  const char* name = distances->GetName();
+  const auto found =
+    vtkDGGMakeArray<vtkDoubleArray>(name ? name : "GeodesicDistance", places.size());
+  double* values = found->GetPointer(0);
+  const auto progress = [this](double fraction) { return this->Advance(fraction); };
+  status = vtkDGGForBlocks((places.size() + BlockSize - 1) / BlockSize, BlocksBetweenReports,
+    progress, [&](std::size_t block) {
+      dgg::FaceProfile profile(input.GetField());
+      const std::size_t end = std::min(places.size(), (block + 1) * BlockSize);
+      for (std::size_t i = block * BlockSize; i < end; ++i)
+      {
+        values[i] = Probe(input.GetField(), places[i].Point, profile);
+      }
+      return dgg::Status::Success();
+    });
+  if (status.IsOk())
+  {
+    vtkPolyData* output = vtkPolyData::GetData(outputVector);
+    output->ShallowCopy(probes.Points);
+    output->GetPointData()->AddArray(found);
+    output->GetPointData()->SetActiveScalars(found->GetName());
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicProbe::MakeEmptyOutput(vtkPolyData*, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->Initialize();
+  vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceArrayName, 0);
+}

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGeodesicProbe
+ * @brief   a distance that is known at the points of a surface, at any other point of it
+ *
+ * Input port 0 takes a surface (vtkPolyData) with a point array of distances along it, as distance
+ * filters give it. Input port 1 takes a vtkPolyData whose points are the places that are asked for,
+ * anywhere on the surface: each is projected to the closest point of it. The output is the input of
+ * port 1, unchanged, plus a point array with the distances, of the name that they have on the
+ * surface. NaN where the surface is not reached (UnreachedValue of the distance filter, NaN or
+ * infinity): in all triangles that have a corner that is not reached.
+ *
+ * How good the distances are depends on what the surface has besides them:
+ *  - field data with windows (vtkExactGeodesicDistance::GenerateWindowsOn()): exact;
+ *  - virtual sources (GenerateVirtualSourceOn() of any distance filter): several times better than
+ *    linear interpolation, see dggDistanceField.h;
+ *  - else they are linear in each triangle.
+ *
+ * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
+ * warning.
+ *
+ * <b>Errors</b> besides those of vtkGeodesicAlgorithm: no points on port 1; a point that is not
+ * finite, or farther from the surface than ProjectionTolerance; no array of distances, or one that
+ * does not have one number per point.
+ *
+ * @code
+ * vtkNew<vtkExactGeodesicDistance> distance;
+ * distance->SetInputConnection(reader->GetOutputPort());
+ * distance->AddSourceId(0);
+ * distance->GenerateWindowsOn();
+ * vtkNew<vtkGeodesicProbe> probe;
+ * probe->SetInputConnection(distance->GetOutputPort());
+ * probe->SetProbeData(points);
+ * probe->Update();
+ * vtkDataArray* d = probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
+ * @endcode
+ *
+ * Exact distances inside of triangles: J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The
+ * discrete geodesic problem", SIAM J. Comput. 16, 1987, section 3.
+ *
+ * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ *
+ * @sa vtkExactGeodesicDistance vtkDGGDistance vtkApolloniusIsolines
+ */
+
+#ifndef vtkGeodesicProbe_h
+#define vtkGeodesicProbe_h
+
+#include "vtkDGGFiltersGeodesicModule.h" // For export macro
+#include "vtkGeodesicAlgorithm.h"
+
+#include <memory> // For the search for points
+#include <string> // For array names
+
+class vtkDGGSourceCollector;
+
+class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicProbe : public vtkGeodesicAlgorithm
+{
+public:
+  static vtkGeodesicProbe* New();
+  vtkTypeMacro(vtkGeodesicProbe, vtkGeodesicAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The places: points of a vtkPolyData on input port 1 (its cells are not used).
+   */
+  void SetProbeConnection(vtkAlgorithmOutput* output);
+  void SetProbeData(vtkPolyData* points);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array with the distances. Default "GeodesicDistance"; when empty, the active
+   * point scalars.
+   */
+  void SetDistanceArrayName(const char* name);
+  const char* GetDistanceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array with the virtual sources. Default "GeodesicVirtualSource". It need not
+   * be there.
+   */
+  void SetVirtualSourceArrayName(const char* name);
+  const char* GetVirtualSourceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * How far from the surface a point may be, as a fraction of the diagonal of the surface's
+   * bounding box. A point farther away is an error that names it. Default 0.01; must not be
+   * negative.
+   */
+  vtkSetMacro(ProjectionTolerance, double);
+  vtkGetMacro(ProjectionTolerance, double);
+  ///@}
+
+protected:
+  vtkGeodesicProbe();
+  ~vtkGeodesicProbe() override;
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
+  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+
+private:
+  vtkGeodesicProbe(const vtkGeodesicProbe&) = delete;
+  void operator=(const vtkGeodesicProbe&) = delete;
+
+  std::string DistanceArrayName;
+  std::string VirtualSourceArrayName;
+  double ProjectionTolerance;
+  std::unique_ptr<vtkDGGSourceCollector> Collector;
+};
+
+#endif

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Distances inside of faces through the filters: windows and virtual sources on their way from
+/// distance filters to vtkGeodesicProbe.
+#include "FilterTestTools.h"
+
+#include "vtkDGGDistance.h"
+#include "vtkExactGeodesicDistance.h"
+#include "vtkGeodesicProbe.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace dggtest;
+
+namespace
+{
+/// A grid with a source in its middle, and places that are nowhere near its points.
+class GeodesicProbe : public testing::Test
+{
+protected:
+  GeodesicProbe()
+  {
+    this->Distance->SetInputData(MakeGrid(8, 8));
+    this->Distance->AddSourceId(40);
+    Points places;
+    for (int i = 0; i < 60; ++i)
+    {
+      const double t = 0.137 * i;
+      places.push_back(
+        { { 8.0 * (t - std::floor(t)), 8.0 * (std::sqrt(t) - std::floor(std::sqrt(t))), 0.0 } });
+    }
+    this->Places = MakeSourcePoints(places);
+    this->Probe->SetInputConnection(this->Distance->GetOutputPort());
+    this->Probe->SetProbeData(this->Places);
+  }
+
+  /// Largest error relative to the distance in the plane.
+  double GetError()
+  {
+    vtkDataArray* found = this->Probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
+    EXPECT_NE(found, nullptr);
+    double largest = 0.0;
+    for (vtkIdType i = 0; found && i < this->Places->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      this->Places->GetPoint(i, p);
+      const double d = std::hypot(p[0] - 4.0, p[1] - 4.0);
+      largest = std::max(largest, std::abs(found->GetComponent(i, 0) - d) / d);
+    }
+    return largest;
+  }
+
+  vtkNew<vtkExactGeodesicDistance> Distance;
+  vtkSmartPointer<vtkPolyData> Places;
+  vtkNew<vtkGeodesicProbe> Probe;
+};
+}
+
+TEST_F(GeodesicProbe, IsLinearWithoutHelp)
+{
+  ExpectSuccess(this->Probe);
+  EXPECT_EQ(this->Probe->GetOutput()->GetNumberOfPoints(), this->Places->GetNumberOfPoints());
+  EXPECT_GT(this->GetError(), 1e-2);
+  EXPECT_LT(this->GetError(), 1.0);
+}
+
+TEST_F(GeodesicProbe, IsExactWithWindows)
+{
+  this->Distance->GenerateWindowsOn();
+  ExpectSuccess(this->Probe);
+  EXPECT_LT(this->GetError(), 1e-12);
+}
+
+TEST_F(GeodesicProbe, IsExactInThePlaneWithVirtualSources)
+{
+  this->Distance->GenerateVirtualSourceOn();
+  ExpectSuccess(this->Probe);
+  EXPECT_LT(this->GetError(), 1e-12);
+  vtkNew<vtkDGGDistance> graph;
+  graph->SetInputData(this->Distance->GetInput());
+  graph->AddSourceId(40);
+  graph->GenerateVirtualSourceOn();
+  this->Probe->SetInputConnection(graph->GetOutputPort());
+  ExpectSuccess(this->Probe);
+  EXPECT_LT(this->GetError(), 1e-4);
+}
+
+TEST_F(GeodesicProbe, AgreesWithSourcesInFaces)
+{
+  // From place 7 to place i, and back.
+  double p[3];
+  this->Places->GetPoint(7, p);
+  this->Distance->SetInputData(MakeTerrain(20));
+  this->Distance->RemoveAllSources();
+  Points places;
+  for (int i = 0; i < 12; ++i)
+  {
+    const double t = 0.137 * (i + 1);
+    places.push_back({ { t - std::floor(t), std::sqrt(t) - std::floor(std::sqrt(t)), 0.0 } });
+  }
+  this->Distance->SetProjectionTolerance(1.0);
+  this->Distance->GenerateWindowsOn();
+  this->Probe->SetProjectionTolerance(1.0);
+  this->Probe->SetProbeData(MakeSourcePoints(places));
+  std::vector<std::vector<double>> matrix;
+  for (const std::array<double, 3>& place : places)
+  {
+    this->Distance->SetSourceData(MakeSourcePoints({ place }));
+    ExpectSuccess(this->Probe);
+    vtkDataArray* row = this->Probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
+    ASSERT_NE(row, nullptr);
+    matrix.emplace_back();
+    for (vtkIdType i = 0; i < 12; ++i)
+    {
+      matrix.back().push_back(row->GetComponent(i, 0));
+    }
+  }
+  for (int i = 0; i < 12; ++i)
+  {
+    EXPECT_NEAR(matrix[i][i], 0.0, 1e-12);
+    for (int j = 0; j < i; ++j)
+    {
+      EXPECT_NEAR(matrix[i][j], matrix[j][i], 1e-11);
+      EXPECT_GT(matrix[i][j], 0.0);
+    }
+  }
+}
+
+TEST_F(GeodesicProbe, WhatDoesNotBelongIsIgnoredWithAWarning)
+{
+  this->Distance->GenerateWindowsOn();
+  this->Distance->GenerateVirtualSourceOn();
+  this->Distance->Update();
+  vtkNew<vtkPolyData> changed;
+  changed->DeepCopy(this->Distance->GetOutput());
+  this->Probe->SetInputData(changed);
+  ExpectSuccess(this->Probe);
+  EXPECT_LT(this->GetError(), 1e-12);
+
+  // Other distances: windows are refused, virtual sources still fit.
+  vtkDataArray* distances = changed->GetPointData()->GetArray("GeodesicDistance");
+  distances->SetComponent(3, 0, distances->GetComponent(3, 0) * (1.0 + 1e-15) + 1e-13);
+  distances->Modified();
+  changed->Modified();
+  ExpectWarning(this->Probe, { "windows", "GeodesicDistance" });
+  EXPECT_LT(this->GetError(), 1e-9);
+
+  // Other directions.
+  changed->GetFieldData()->Initialize();
+  vtkDataArray* sources = changed->GetPointData()->GetArray("GeodesicVirtualSource");
+  for (vtkIdType i = 0; i < sources->GetNumberOfTuples(); ++i)
+  {
+    sources->SetComponent(i, 2, sources->GetComponent(i, 2) + 1.5);
+  }
+  sources->Modified();
+  changed->Modified();
+  ExpectWarning(this->Probe, { "virtual sources", "GeodesicVirtualSource" });
+  EXPECT_GT(this->GetError(), 1e-2);
+}
+
+TEST_F(GeodesicProbe, DamagedWindowsAreIgnoredWithAWarning)
+{
+  this->Distance->GenerateWindowsOn();
+  this->Distance->Update();
+  for (const char* name : { "GeodesicDistance.Windows", "GeodesicDistance.WindowOffsets",
+         "GeodesicDistance.WindowSources" })
+  {
+    vtkNew<vtkPolyData> changed;
+    changed->DeepCopy(this->Distance->GetOutput());
+    vtkDataArray* array = changed->GetFieldData()->GetArray(name);
+    ASSERT_NE(array, nullptr) << name;
+    if (array->GetNumberOfTuples() > 5)
+    {
+      array->SetComponent(5, 0, 1e9);
+      this->Probe->SetInputData(changed);
+      ExpectWarning(this->Probe, { "windows" });
+    }
+    changed->GetFieldData()->RemoveArray(name);
+    this->Probe->SetInputData(changed);
+    ExpectWarning(this->Probe, { "windows", "missing" });
+  }
+}
+
+TEST_F(GeodesicProbe, WindowsGoWithTheirDistances)
+{
+  this->Distance->GenerateWindowsOn();
+  this->Distance->SetDistanceArrayName("d");
+  this->Distance->Update();
+  vtkFieldData* data = this->Distance->GetOutput()->GetFieldData();
+  EXPECT_EQ(data->GetNumberOfArrays(), 4);
+  EXPECT_NE(data->GetArray("d.Windows"), nullptr);
+  this->Probe->SetDistanceArrayName("d");
+  ExpectSuccess(this->Probe);
+  EXPECT_NE(this->Probe->GetOutput()->GetPointData()->GetArray("d"), nullptr);
+  // Another filter that replaces the distances removes the windows.
+  vtkNew<vtkExactGeodesicDistance> again;
+  again->SetInputConnection(this->Distance->GetOutputPort());
+  again->SetDistanceArrayName("d");
+  again->AddSourceId(3);
+  again->Update();
+  EXPECT_EQ(again->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(this->Distance->GetOutput()->GetFieldData()->GetNumberOfArrays(), 4);
+}
+
+TEST_F(GeodesicProbe, UnreachedIsNaN)
+{
+  this->Distance->GenerateWindowsOn();
+  this->Distance->SetMaximumDistance(2.0);
+  this->Probe->SetProbeData(MakeSourcePoints({ { { 4.3, 4.2, 0 } }, { { 0.3, 0.2, 0 } } }));
+  ExpectSuccess(this->Probe);
+  vtkDataArray* found = this->Probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
+  EXPECT_NEAR(found->GetComponent(0, 0), std::hypot(0.3, 0.2), 1e-12);
+  EXPECT_TRUE(std::isnan(found->GetComponent(1, 0)));
+}
+
+TEST_F(GeodesicProbe, Errors)
+{
+  this->Probe->SetDistanceArrayName("nothing");
+  ExpectError(this->Probe, { "'nothing'", "'GeodesicDistance'" });
+  this->Probe->SetDistanceArrayName("GeodesicDistance");
+  this->Probe->SetProjectionTolerance(-1.0);
+  ExpectError(this->Probe, { "ProjectionTolerance" });
+  this->Probe->SetProjectionTolerance(0.01);
+  this->Probe->SetProbeData(MakeSourcePoints({ { { 4, 4, 0 } }, { { 4, 4, 5 } } }));
+  ExpectError(this->Probe, { "probe point 1", "ProjectionTolerance" });
+  this->Probe->SetProbeData(nullptr);
+  ExpectError(this->Probe, { "probe point", "SetProbeData()" });
+  this->Probe->SetProbeData(this->Places);
+  ExpectSuccess(this->Probe);
+  this->Distance->GetOutput()
+    ->GetPointData()
+    ->GetArray("GeodesicDistance")
+    ->SetComponent(0, 0, -std::numeric_limits<double>::infinity());
+  this->Distance->GetOutput()->Modified();
+  this->Probe->Modified();
+  ExpectError(this->Probe, { "point 0", "minus infinity" });
+}
