@@ -20,7 +20,8 @@ struct EdgeCrossing
   Id Level = 0;       ///< index into the levels
 };
 
-/// A piece of an isoline within one face, from one crossing on its rim to another, or closed.
+/// A piece of an isoline within one face, from one crossing on its rim to another, or closed. It
+/// has the lower distance on its left.
 struct FaceCurve
 {
   Id Face = NoId;

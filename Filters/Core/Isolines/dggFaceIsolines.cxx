@@ -1,0 +1,362 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggFaceIsolines.h"
+
+#include "dggEdges.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace dgg
+{
+namespace
+{
+/// Lattices that are tried one after the other.
+constexpr std::array<int, 3> CellsOfLattices{ { 4, 8, 16 } };
+/// A source this close to the rim is on it, in barycentric coordinates.
+constexpr double OnRim = 1e-9;
+/// Where the field is looked at to see what is in the face.
+constexpr double NearCorner = 0.8;
+/// The step at which the search for the farthest point begins, and how often it is halved.
+constexpr double FirstStep = 0.2;
+constexpr int StepsOfPeak = 24;
+
+double LeastOf(const std::array<double, 3>& values)
+{
+  return std::min({ values[0], values[1], values[2] });
+}
+}
+
+FaceIsolines::FaceIsolines(const DistanceField& field, const std::vector<double>& levels,
+  double tolerance, const LevelCrossings& crossings)
+  : Field(field)
+  , Levels(levels)
+  , Tolerance(tolerance)
+  , Crossings(crossings)
+  , Profile(field)
+{
+}
+
+/// A guess on the safe side, for little.
+bool FaceIsolines::MayHoldSource(Id f) const
+{
+  if (this->Field.HasWindows())
+  {
+    return !this->Field.Windows->Sources.empty();
+  }
+  if (!this->Field.HasSources())
+  {
+    return false;
+  }
+  const SurfaceMesh& mesh = *this->Field.Mesh;
+  for (Id h = 3 * f; h < 3 * f + 3; ++h)
+  {
+    const double reach = std::max(mesh.Length(h), mesh.Length(SurfaceMesh::Previous(h)));
+    if (this->Field.Sources->Lengths[mesh.Origin(h)] <= reach)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
+{
+  const SurfaceMesh& mesh = *this->Field.Mesh;
+  Id first = static_cast<Id>(this->Levels.size());
+  Id last = -1;
+  double nearest = Infinity;
+  double farthest = -Infinity;
+  double reach = 0.0; // of the nearest corner within the face
+  double longest = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Id h = 3 * f + k;
+    this->Edges[k] = FindEdge(mesh, h);
+    this->NextCrossings[k] = this->Crossings.Offsets[this->Edges[k]];
+    const Id end = this->Crossings.Offsets[this->Edges[k] + 1];
+    if (this->NextCrossings[k] < end)
+    {
+      first = std::min(first, this->Crossings.Crossings[this->NextCrossings[k]].Level);
+      last = std::max(last, this->Crossings.Crossings[end - 1].Level);
+    }
+    const double d = this->Field.Distances[mesh.Origin(h)];
+    if (d < nearest)
+    {
+      nearest = d;
+      reach = std::max(mesh.Length(h), mesh.Length(SurfaceMesh::Previous(h)));
+    }
+    farthest = std::max(farthest, d);
+    longest = std::max(longest, mesh.Length(h));
+  }
+  const bool isLinear = !this->Field.HasWindows() && !this->Field.HasSources();
+  const auto begin = this->Levels.begin();
+  const auto end = this->Levels.end();
+  if (!isLinear)
+  {
+    // No more than the way over a corner; no less than from a source inside.
+    const auto above = std::upper_bound(begin, end, farthest);
+    for (auto level = above; level != end && *level <= nearest + reach; ++level)
+    {
+      first = std::min(first, static_cast<Id>(level - begin));
+      last = std::max(last, static_cast<Id>(level - begin));
+    }
+    const bool mayHold = this->MayHoldSource(f);
+    const auto below = mayHold ? std::lower_bound(begin, end, nearest - longest) : end;
+    if (below != end && *below <= nearest)
+    {
+      first = std::min(first, static_cast<Id>(below - begin));
+      last = std::max(last, static_cast<Id>(std::upper_bound(below, end, nearest) - begin) - 1);
+    }
+  }
+  if (first > last)
+  {
+    return;
+  }
+  this->Profile.Enter(f);
+  this->Seeds.clear();
+  if (!isLinear)
+  {
+    this->FindSeeds();
+  }
+  for (Id level = first; level <= last; ++level)
+  {
+    this->CollectRim(level);
+    if (!this->Seeds.empty() || this->Rim.CountCrossings() > 0)
+    {
+      this->TraceLevel(level, curves);
+    }
+  }
+}
+
+/// Places around which isolines may be closed within the face.
+void FaceIsolines::FindSeeds()
+{
+  for (const FieldSample& source : this->Profile.GetSources())
+  {
+    this->AddSource(source);
+  }
+  std::array<FieldSample, 3> corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    std::array<double, 3> b{};
+    b.fill(0.5 * (1.0 - NearCorner));
+    b[k] = NearCorner;
+    corners[k] = this->Profile.SampleAt(this->Profile.PlaceOf(b));
+    if (corners[k].HasImage && this->Field.HasSources())
+    {
+      this->AddSource(corners[k]);
+    }
+  }
+  this->FindPeak(corners);
+}
+
+void FaceIsolines::AddSource(const FieldSample& sample)
+{
+  const Point2& place = sample.Image;
+  if (!(LeastOf(this->Profile.BarycentricOf(place)) > OnRim))
+  {
+    return;
+  }
+  const std::array<Point2, 3>& corners = this->Profile.GetCorners();
+  const double close = 1e-6 * Distance(corners[0], corners[1]);
+  for (const Point2& seed : this->Seeds)
+  {
+    if (Distance(seed, place) <= close)
+    {
+      return;
+    }
+  }
+  this->Seeds.push_back(place);
+}
+
+/// Around the farthest point of a face the distance rises towards it, from all sides; where all
+/// gradients lie in one half-plane there is none.
+void FaceIsolines::FindPeak(const std::array<FieldSample, 3>& corners)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point2& g = corners[k].Gradient;
+    if (Dot(g, corners[(k + 1) % 3].Gradient) > 0.0 && Dot(g, corners[(k + 2) % 3].Gradient) > 0.0)
+    {
+      return;
+    }
+  }
+  std::array<double, 3> best{ { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } };
+  double value = this->Profile.At(this->Profile.PlaceOf(best));
+  double step = FirstStep;
+  for (int i = 0; i < StepsOfPeak; ++i)
+  {
+    const std::array<double, 3> center = best;
+    for (int k = 0; k < 6; ++k)
+    {
+      std::array<double, 3> b = center; // from one corner to another, in six directions
+      b[k % 3] += step;
+      b[(k + 1 + k / 3) % 3] -= step;
+      if (LeastOf(b) <= 0.0)
+      {
+        continue;
+      }
+      const double d = this->Profile.At(this->Profile.PlaceOf(b));
+      if (d > value)
+      {
+        value = d;
+        best = b;
+      }
+    }
+    step *= best == center ? 0.5 : 1.0;
+  }
+  if (LeastOf(best) > 1e-3)
+  {
+    this->Seeds.push_back(this->Profile.PlaceOf(best));
+  }
+}
+
+/// The crossings of one level, after those of lower ones.
+void FaceIsolines::CollectRim(Id level)
+{
+  const SurfaceMesh& mesh = *this->Field.Mesh;
+  const std::vector<EdgeCrossing>& crossings = this->Crossings.Crossings;
+  this->Rim.Clear();
+  for (int k = 0; k < 3; ++k)
+  {
+    const Id h = 3 * this->Profile.GetFace() + k;
+    const Id edge = this->Edges[k];
+    const bool isSame = mesh.Origin(edge) == mesh.Origin(h);
+    std::vector<RimCrossing>& side = this->Rim.Sides[k];
+    Id& next = this->NextCrossings[k];
+    for (; next < this->Crossings.Offsets[edge + 1] && crossings[next].Level <= level; ++next)
+    {
+      if (crossings[next].Level == level)
+      {
+        const double t = crossings[next].X / mesh.Length(edge);
+        side.push_back({ isSame ? t : 1.0 - t, next });
+      }
+    }
+    if (!isSame)
+    {
+      std::reverse(side.begin(), side.end());
+    }
+    this->Rim.IsAbove[k] = this->Profile.GetCornerDistance(k) >= this->Levels[level];
+  }
+}
+
+LevelPoint FaceIsolines::LookAtRim(const LevelArc& arc, Id crossing) const
+{
+  const std::array<Point2, 3>& corners = this->Profile.GetCorners();
+  for (int k = 0; k < 3; ++k)
+  {
+    for (const RimCrossing& c : this->Rim.Sides[k])
+    {
+      if (c.Index == crossing)
+      {
+        const Point2& from = corners[k];
+        const Point2& to = corners[(k + 1) % 3];
+        return arc.Look({ from.X + c.T * (to.X - from.X), from.Y + c.T * (to.Y - from.Y) });
+      }
+    }
+  }
+  return {};
+}
+
+void FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
+{
+  const double value = this->Levels[level];
+  const LevelArc arc(this->Profile, value, this->Tolerance);
+  const std::size_t size = curves.size();
+  if (this->Seeds.empty() && this->Rim.CountCrossings() == 2 &&
+    this->TraceDirectly(arc, level, curves))
+  {
+    return;
+  }
+  Id failures = 0;
+  for (const int cells : CellsOfLattices)
+  {
+    failures = 0;
+    curves.resize(size);
+    this->Lattice.Build(this->Profile, arc, value, this->Rim, cells, this->Seeds);
+    for (const LevelChain& chain : this->Lattice.GetChains())
+    {
+      FaceCurve curve;
+      failures += this->TraceChain(arc, chain, level, curve) ? 0 : 1;
+      if (curve.First != NoId || curve.Points.size() > 1)
+      {
+        curves.push_back(std::move(curve));
+      }
+    }
+    if (failures == 0)
+    {
+      return;
+    }
+  }
+  this->Fallbacks += failures;
+}
+
+/// A single curve from one crossing to another, when it is as simple as it looks.
+bool FaceIsolines::TraceDirectly(const LevelArc& arc, Id level, std::vector<FaceCurve>& curves)
+{
+  LevelChain chain;
+  for (int k = 0; k < 3; ++k)
+  {
+    bool isAbove = this->Rim.IsAbove[k];
+    for (const RimCrossing& crossing : this->Rim.Sides[k])
+    {
+      (isAbove ? chain.Last : chain.First) = crossing.Index;
+      isAbove = !isAbove;
+    }
+  }
+  FaceCurve curve;
+  const bool isGood = this->TraceChain(arc, chain, level, curve);
+  if (isGood)
+  {
+    curves.push_back(std::move(curve));
+  }
+  return isGood;
+}
+
+/// What does not lie on the level is left out, up to the crossings on the rim. Returns whether the
+/// curve is as close to the level set as wished.
+bool FaceIsolines::TraceChain(
+  const LevelArc& arc, const LevelChain& chain, Id level, FaceCurve& curve)
+{
+  curve.Face = this->Profile.GetFace();
+  curve.Level = level;
+  curve.First = chain.First;
+  curve.Last = chain.Last;
+  this->Way.clear();
+  if (chain.First != NoId)
+  {
+    this->Way.push_back(this->LookAtRim(arc, chain.First));
+  }
+  std::copy_if(chain.Points.begin(), chain.Points.end(), std::back_inserter(this->Way),
+    [](const LevelPoint& point) { return point.IsOnLevel; });
+  this->Points.clear();
+  if (chain.First != NoId)
+  {
+    this->Way.push_back(this->LookAtRim(arc, chain.Last));
+  }
+  else if (!this->Way.empty())
+  {
+    this->Points.push_back(this->Way.front().Place);
+    this->Way.push_back(LevelPoint(this->Way.front()));
+  }
+  bool isGood = true;
+  for (std::size_t i = 1; i < this->Way.size(); ++i)
+  {
+    const LevelPoint& from = this->Way[i - 1];
+    const LevelPoint& to = this->Way[i];
+    const bool isClose = arc.Refine(from, to, this->Points);
+    isGood = isGood && (isClose || !from.IsOnLevel || !to.IsOnLevel);
+    if (i + 1 < this->Way.size())
+    {
+      this->Points.push_back(to.Place);
+    }
+  }
+  curve.Points.reserve(this->Points.size());
+  for (const Point2& place : this->Points)
+  {
+    curve.Points.push_back(this->Profile.BarycentricOf(place));
+  }
+  return isGood;
+}
+}

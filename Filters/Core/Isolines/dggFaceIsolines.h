@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Isolines face by face. Internal.
+#ifndef dggFaceIsolines_h
+#define dggFaceIsolines_h
+
+#include "dggFaceProfile.h"    // for FaceProfile
+#include "dggIsolineParts.h"   // for FaceCurve
+#include "dggLevelCrossings.h" // for LevelCrossings
+#include "dggLevelLattice.h"   // for LevelLattice
+
+#include <array>  // for the sides
+#include <vector> // for the curves
+
+namespace dgg
+{
+/// Connects the crossings on the rim of a face by curves that do not cross, level by level, and
+/// finds the isolines that are closed within the face: around sources, and around points that are
+/// farther away than all others. An object can be moved from face to face.
+class FaceIsolines
+{
+public:
+  /// `levels` increase. Curves are as close as `tolerance` to the level sets.
+  FaceIsolines(const DistanceField& field, const std::vector<double>& levels, double tolerance,
+    const LevelCrossings& crossings);
+
+  /// Append the curves of a face that is reached, in order of levels.
+  void Trace(Id f, std::vector<FaceCurve>& curves);
+
+  /// Curves so far that may be farther than the tolerance from the level sets.
+  Id GetNumberOfFallbacks() const { return this->Fallbacks; }
+
+private:
+  bool MayHoldSource(Id f) const;
+  void FindSeeds();
+  void AddSource(const FieldSample& sample);
+  void FindPeak(const std::array<FieldSample, 3>& corners);
+  void CollectRim(Id level);
+  void TraceLevel(Id level, std::vector<FaceCurve>& curves);
+  bool TraceDirectly(const LevelArc& arc, Id level, std::vector<FaceCurve>& curves);
+  bool TraceChain(const LevelArc& arc, const LevelChain& chain, Id level, FaceCurve& curve);
+  LevelPoint LookAtRim(const LevelArc& arc, Id crossing) const;
+
+  const DistanceField& Field;
+  const std::vector<double>& Levels;
+  double Tolerance;
+  const LevelCrossings& Crossings;
+  FaceProfile Profile;
+  LevelLattice Lattice;
+  LevelRim Rim;
+  std::array<Id, 3> Edges{ { NoId, NoId, NoId } }; // their half-edges
+  std::array<Id, 3> NextCrossings{ { 0, 0, 0 } };  // on them, while levels rise
+  std::vector<Point2> Seeds;
+  std::vector<LevelPoint> Way;
+  std::vector<Point2> Points;
+  Id Fallbacks = 0;
+};
+}
+
+#endif

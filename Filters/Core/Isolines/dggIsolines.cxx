@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggIsolines.h"
+
+#include "dggBlockLoop.h"
+#include "dggFaceIsolines.h"
+#include "dggIsolineChains.h"
+#include "dggLevelCrossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <string>
+
+namespace dgg
+{
+namespace
+{
+constexpr Offset FacesInBlock = 512;
+constexpr double DefaultTolerance = 1e-3; // in mean edge lengths
+/// Shares of the progress.
+constexpr double CrossingsDone = 0.3;
+constexpr double FacesDone = 0.9;
+
+Status CheckArguments(
+  const DistanceField& field, const std::vector<double>& levels, const IsolineOptions& options)
+{
+  if (!field.Mesh || !field.Distances)
+  {
+    return Status::Invalid("there is no distance: set Mesh and Distances of the field");
+  }
+  for (std::size_t i = 0; i < levels.size(); ++i)
+  {
+    if (!std::isfinite(levels[i]))
+    {
+      return Status::Invalid(
+        "value " + std::to_string(i) + " of the isolines is not finite: give a number");
+    }
+  }
+  if (!(options.ChordTolerance >= 0.0))
+  {
+    return Status::Invalid("the chord tolerance is " + std::to_string(options.ChordTolerance) +
+      ": it must not be negative");
+  }
+  return CheckCorners(*field.Mesh);
+}
+
+/// The pieces of a block of faces.
+struct Block
+{
+  std::vector<FaceCurve> Curves;
+  Id Fallbacks = 0;
+};
+
+Status FindFaceCurves(const DistanceField& field, const std::vector<double>& levels,
+  double tolerance, const LevelCrossings& crossings, const ParallelFor& parallel,
+  const ProgressCallback& progress, std::vector<FaceCurve>& curves, Id& fallbacks)
+{
+  const Offset faces = field.Mesh->GetNumberOfFaces();
+  std::vector<Block> blocks((faces + FacesInBlock - 1) / FacesInBlock);
+  const Status status = LoopOverBlocks(faces, FacesInBlock, parallel, progress, CrossingsDone,
+    FacesDone, [&](Offset block, Offset begin, Offset end) {
+      FaceIsolines isolines(field, levels, tolerance, crossings);
+      for (Id f = static_cast<Id>(begin); f < static_cast<Id>(end); ++f)
+      {
+        if (field.IsReached(f))
+        {
+          isolines.Trace(f, blocks[block].Curves);
+        }
+      }
+      blocks[block].Fallbacks = isolines.GetNumberOfFallbacks();
+    });
+  if (status.IsOk())
+  {
+    for (Block& block : blocks)
+    {
+      std::move(block.Curves.begin(), block.Curves.end(), std::back_inserter(curves));
+      fallbacks += block.Fallbacks;
+    }
+  }
+  return status;
+}
+}
+
+Status TraceIsolines(const DistanceField& field, const std::vector<double>& levels,
+  const IsolineOptions& options, const ParallelFor& parallel, const ProgressCallback& progress,
+  Isolines& lines)
+{
+  lines = Isolines();
+  Status status = CheckArguments(field, levels, options);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  std::vector<Id> order(levels.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](Id a, Id b) { return levels[a] < levels[b]; });
+  std::vector<double> sorted;
+  for (const Id level : order)
+  {
+    sorted.push_back(levels[level]);
+  }
+  const double tolerance = options.ChordTolerance > 0.0
+    ? options.ChordTolerance
+    : DefaultTolerance * field.Mesh->GetMeanEdgeLength();
+
+  LevelCrossings crossings;
+  const ProgressCallback part =
+    progress ? [&](double done) { return progress(CrossingsDone * done); } : ProgressCallback();
+  status = FindLevelCrossings(field, sorted, parallel, part, crossings);
+  std::vector<FaceCurve> curves;
+  Id fallbacks = 0;
+  if (status.IsOk())
+  {
+    status =
+      FindFaceCurves(field, sorted, tolerance, crossings, parallel, progress, curves, fallbacks);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  JoinFaceCurves(*field.Mesh, crossings.Crossings, curves, lines);
+  for (Id& level : lines.Levels)
+  {
+    level = order[level];
+  }
+  lines.Fallbacks = fallbacks;
+  if (progress && !progress(1.0))
+  {
+    lines = Isolines();
+    return Status::Abort();
+  }
+  return status;
+}
+}

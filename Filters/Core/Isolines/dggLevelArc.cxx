@@ -1,0 +1,346 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggLevelArc.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+/// Rounding of distances, relative.
+constexpr double Rounding = 4e-13;
+/// Points closer than this are the same, relative to the face.
+constexpr double SamePoint = 1e-10;
+/// Images that are closer than this may be the same, relative.
+constexpr double SameImage = 1e-9;
+/// How far outside of the face a point may be, in barycentric coordinates.
+constexpr double Outside = 1e-13;
+/// A chord is halved this often at most.
+constexpr int DeepestChord = 12;
+constexpr int MostNewtonSteps = 6;
+constexpr int MostRootSteps = 80;
+constexpr int MostCornerSteps = 40;
+/// Largest turn between two points of an arc, and of an arc within a face.
+constexpr double LargestStep = Pi / 6.0;
+constexpr double LargestTurn = 1.4 * Pi;
+constexpr double MostPointsOfArc = 4096.0;
+
+Point2 Between(const Point2& a, const Point2& b, double t)
+{
+  return { a.X + t * (b.X - a.X), a.Y + t * (b.Y - a.Y) };
+}
+}
+
+LevelArc::LevelArc(const FaceProfile& profile, double level, double tolerance)
+  : Profile(profile)
+  , Level(level)
+  , Tolerance(tolerance)
+{
+  const std::array<Point2, 3>& corners = profile.GetCorners();
+  this->Size = std::max({ Distance(corners[0], corners[1]), Distance(corners[1], corners[2]),
+    Distance(corners[2], corners[0]) });
+  this->Close = Rounding * (std::abs(level) + this->Size);
+}
+
+LevelPoint LevelArc::Look(const Point2& place) const
+{
+  LevelPoint point{ place, this->Profile.SampleAt(place), false };
+  point.IsOnLevel = std::abs(point.Sample.Distance - this->Level) <= this->Close;
+  return point;
+}
+
+bool LevelArc::IsInside(const Point2& place) const
+{
+  const std::array<double, 3> b = this->Profile.BarycentricOf(place);
+  return std::min({ b[0], b[1], b[2] }) >= -Outside;
+}
+
+LevelPoint LevelArc::FindBetween(const LevelPoint& below, const LevelPoint& above) const
+{
+  // The Illinois method, which a kink does not harm.
+  double begin = 0.0;
+  double end = 1.0;
+  double atBegin = below.Sample.Distance - this->Level;
+  double atEnd = above.Sample.Distance - this->Level;
+  LevelPoint best = std::abs(atBegin) < std::abs(atEnd) ? below : above;
+  best.IsOnLevel = best.IsOnLevel && atBegin < 0.0 && atEnd >= 0.0;
+  if (!(atBegin < 0.0 && atEnd >= 0.0))
+  {
+    return best;
+  }
+  double bestMiss = std::min(-atBegin, atEnd);
+  int lastSide = 0;
+  for (int step = 0; step < MostRootSteps && bestMiss > 1e-3 * this->Close; ++step)
+  {
+    double t = begin - atBegin * ((end - begin) / (atEnd - atBegin));
+    t = t > begin && t < end ? t : 0.5 * (begin + end);
+    if (!(t > begin && t < end))
+    {
+      break;
+    }
+    const LevelPoint point = this->Look(Between(below.Place, above.Place, t));
+    const double miss = point.Sample.Distance - this->Level;
+    if (std::abs(miss) < bestMiss)
+    {
+      best = point;
+      bestMiss = std::abs(miss);
+    }
+    const int side = miss < 0.0 ? -1 : 1;
+    (side < 0 ? begin : end) = t;
+    (side < 0 ? atBegin : atEnd) = miss;
+    if (side == lastSide)
+    {
+      (side < 0 ? atEnd : atBegin) *= 0.5;
+    }
+    lastSide = side;
+  }
+  return best;
+}
+
+/// Whether both belong to the same smooth piece of the field.
+bool LevelArc::IsSamePiece(const LevelPoint& a, const LevelPoint& b) const
+{
+  if (!a.Sample.HasImage || !b.Sample.HasImage)
+  {
+    return a.Sample.Candidate == b.Sample.Candidate;
+  }
+  const double close = SameImage * (this->Size + std::abs(this->Level - a.Sample.Offset));
+  return Distance(a.Sample.Image, b.Sample.Image) <= close &&
+    std::abs(a.Sample.Offset - b.Sample.Offset) <= close;
+}
+
+bool LevelArc::RefineChord(
+  const LevelPoint& from, const LevelPoint& to, int depth, std::vector<Point2>& points) const
+{
+  if (Distance(from.Place, to.Place) <= SamePoint * this->Size)
+  {
+    return true;
+  }
+  if (from.IsOnLevel && to.IsOnLevel)
+  {
+    LevelPoint before;
+    LevelPoint after;
+    if (this->IsSamePiece(from, to))
+    {
+      if (from.Sample.HasImage && this->AddArc(from, to, points))
+      {
+        return true;
+      }
+    }
+    else if (depth < DeepestChord && this->FindCorner(from, to, before, after))
+    {
+      const bool isFirst = this->RefineChord(from, before, depth + 1, points);
+      if (Distance(from.Place, before.Place) > SamePoint * this->Size &&
+        Distance(to.Place, before.Place) > SamePoint * this->Size)
+      {
+        points.push_back(before.Place);
+      }
+      return this->RefineChord(after, to, depth + 1, points) && isFirst;
+    }
+  }
+  const LevelPoint middle = this->Project(from, to);
+  if (!middle.IsOnLevel)
+  {
+    return false;
+  }
+  const Point2 chord = Difference(to.Place, from.Place);
+  const double height =
+    std::abs(Cross(chord, Difference(middle.Place, from.Place))) / Norm(chord.X, chord.Y);
+  if (height <= this->Tolerance)
+  {
+    return true;
+  }
+  if (depth >= DeepestChord)
+  {
+    return false;
+  }
+  const bool isFirst = this->RefineChord(from, middle, depth + 1, points);
+  points.push_back(middle.Place);
+  return this->RefineChord(middle, to, depth + 1, points) && isFirst;
+}
+
+/// Both ends have the same source: evenly spaced points of its circle. Does nothing when one of
+/// them is not on the level: something else is nearer there.
+bool LevelArc::AddArc(
+  const LevelPoint& from, const LevelPoint& to, std::vector<Point2>& points) const
+{
+  const Point2& image = from.Sample.Image;
+  const double radius = this->Level - from.Sample.Offset;
+  const Point2 first = Difference(from.Place, image);
+  const Point2 last = Difference(to.Place, image);
+  const double begin = std::atan2(first.Y, first.X);
+  double turn = std::atan2(Cross(first, last), Dot(first, last));
+  if (turn < 0.0)
+  {
+    turn = -turn * radius <= SamePoint * this->Size ? 0.0 : turn + 2.0 * Pi;
+  }
+  if (!(radius > 0.0) || turn > LargestTurn)
+  {
+    return false;
+  }
+  // An arc of angle a is farther from its chord than (1 - cos(a / 2)) radius nowhere.
+  const double sine = std::sqrt(std::min(0.5, 0.5 * this->Tolerance / radius));
+  const double step = std::min(LargestStep, 4.0 * std::asin(sine));
+  const double count = std::min(MostPointsOfArc, std::ceil(turn / step));
+  const std::size_t size = points.size();
+  auto place = [&](double t) {
+    const double angle = begin + t * turn;
+    return Point2{ image.X + radius * std::cos(angle), image.Y + radius * std::sin(angle) };
+  };
+  bool isThere = true;
+  if (count < 2.0)
+  {
+    isThere = this->Look(place(0.5)).IsOnLevel;
+  }
+  for (double i = 1.0; i < count && isThere; i += 1.0)
+  {
+    const Point2 p = place(i / count);
+    isThere = this->IsInside(p) && this->Look(p).IsOnLevel;
+    points.push_back(p);
+  }
+  if (!isThere)
+  {
+    points.resize(size);
+  }
+  return isThere;
+}
+
+/// The corner between two pieces of the isoline.
+bool LevelArc::FindCorner(
+  const LevelPoint& from, const LevelPoint& to, LevelPoint& before, LevelPoint& after) const
+{
+  before = from;
+  after = to;
+  Point2 place;
+  const bool isFound = from.Sample.HasImage && to.Sample.HasImage
+    ? this->MeetCircles(from, to, place)
+    : this->ApproachCorner(before, after, place);
+  const double reach = 2.0 * Distance(from.Place, to.Place);
+  if (!isFound || !(Distance(place, from.Place) <= reach) ||
+    !(Distance(place, to.Place) <= reach) || !this->IsInside(place) || !this->Look(place).IsOnLevel)
+  {
+    return false;
+  }
+  before.Place = after.Place = place;
+  before.IsOnLevel = after.IsOnLevel = true;
+  return true;
+}
+
+/// Of the two points at the right distances from both images, the one that lies at the chord.
+bool LevelArc::MeetCircles(const LevelPoint& from, const LevelPoint& to, Point2& corner) const
+{
+  const Point2 way = Difference(to.Sample.Image, from.Sample.Image);
+  const double apart = Norm(way.X, way.Y);
+  const double a = this->Level - from.Sample.Offset;
+  const double b = this->Level - to.Sample.Offset;
+  if (!(apart > 0.0))
+  {
+    return false;
+  }
+  const Point2 axis{ way.X / apart, way.Y / apart };
+  const double x = 0.5 * (apart + (a - b) * (a + b) / apart);
+  double square = (a - x) * (a + x);
+  if (square < -1e-9 * a * a)
+  {
+    return false;
+  }
+  square = std::sqrt(std::max(0.0, square));
+  const Point2 middle = Between(from.Place, to.Place, 0.5);
+  const Point2 left = FromFrame(from.Sample.Image, axis, { x, square });
+  const Point2 right = FromFrame(from.Sample.Image, axis, { x, -square });
+  corner = Distance(left, middle) < Distance(right, middle) ? left : right;
+  return true;
+}
+
+/// Points of the level are found until the two on either side of the corner are close enough to
+/// take tangents. Fails when there is a third piece between.
+bool LevelArc::ApproachCorner(LevelPoint& before, LevelPoint& after, Point2& corner) const
+{
+  const LevelPoint from = before;
+  const LevelPoint to = after;
+  for (int step = 0;
+       step < MostCornerSteps && Distance(before.Place, after.Place) > 1e-8 * this->Size; ++step)
+  {
+    const LevelPoint middle = this->Project(before, after);
+    if (middle.IsOnLevel && this->IsSamePiece(middle, from))
+    {
+      before = middle;
+    }
+    else if (middle.IsOnLevel && this->IsSamePiece(middle, to))
+    {
+      after = middle;
+    }
+    else
+    {
+      return false;
+    }
+  }
+  const Point2& g = before.Sample.Gradient;
+  const Point2& h = after.Sample.Gradient;
+  const double area = Cross(g, h);
+  const double atG = Dot(g, before.Place);
+  const double atH = Dot(h, after.Place);
+  corner = { (atG * h.Y - atH * g.Y) / area, (g.X * atH - h.X * atG) / area };
+  if (!(Distance(corner, before.Place) <= 1e-6 * this->Size) || !this->Look(corner).IsOnLevel)
+  {
+    corner = after.Place; // hardly a corner
+  }
+  return true;
+}
+
+/// A point of the level beside the middle of a chord.
+LevelPoint LevelArc::Project(const LevelPoint& from, const LevelPoint& to) const
+{
+  const double reach = Distance(from.Place, to.Place);
+  const LevelPoint start = this->Look(Between(from.Place, to.Place, 0.5));
+  LevelPoint point = start;
+  LevelPoint best = start;
+  for (int step = 0; step < MostNewtonSteps; ++step)
+  {
+    const double miss = point.Sample.Distance - this->Level;
+    if (std::abs(miss) <= 1e-3 * this->Close)
+    {
+      return point;
+    }
+    if (step > 0 && point.IsOnLevel && point.Sample.HasImage)
+    {
+      return point;
+    }
+    const Point2& slope = point.Sample.Gradient;
+    const double square = Dot(slope, slope);
+    const Point2 place{ point.Place.X - miss * slope.X / square,
+      point.Place.Y - miss * slope.Y / square };
+    if (!(square > 1e-6) || !(Distance(place, start.Place) <= reach) || !this->IsInside(place))
+    {
+      break;
+    }
+    point = this->Look(place);
+    best = point.IsOnLevel ? point : best;
+  }
+  if (best.IsOnLevel)
+  {
+    return best;
+  }
+  // Lower distances are on the left.
+  const bool isBelow = start.Sample.Distance < this->Level;
+  const double side = isBelow ? -1.0 : 1.0;
+  const Point2 way = Difference(to.Place, from.Place);
+  for (double t = 1.0 / 16.0; t <= 1.0; t *= 2.0)
+  {
+    const Point2 place{ start.Place.X - side * t * way.Y, start.Place.Y + side * t * way.X };
+    if (!this->IsInside(place))
+    {
+      break;
+    }
+    const LevelPoint other = this->Look(place);
+    if ((other.Sample.Distance < this->Level) != isBelow)
+    {
+      return this->FindBetween(isBelow ? start : other, isBelow ? other : start);
+    }
+  }
+  best.IsOnLevel = false;
+  return best;
+}
+}

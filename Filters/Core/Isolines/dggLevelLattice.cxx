@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggLevelLattice.h"
+
+#include <algorithm>
+
+namespace dgg
+{
+namespace
+{
+double SignedArea(const Point2& a, const Point2& b, const Point2& c)
+{
+  return Cross(Difference(b, a), Difference(c, a));
+}
+}
+
+void LevelRim::Clear()
+{
+  for (std::vector<RimCrossing>& side : this->Sides)
+  {
+    side.clear();
+  }
+}
+
+std::size_t LevelRim::CountCrossings() const
+{
+  return this->Sides[0].size() + this->Sides[1].size() + this->Sides[2].size();
+}
+
+void LevelLattice::Build(const FaceProfile& profile, const LevelArc& arc, double level,
+  const LevelRim& rim, int cells, const std::vector<Point2>& seeds)
+{
+  this->Nodes.clear();
+  this->Links.clear();
+  this->Triangles.clear();
+  this->Chains.clear();
+  this->AddRim(profile, arc, rim, cells);
+  this->AddTriangles(profile, arc, level, cells);
+  for (const Point2& seed : seeds)
+  {
+    this->InsertSeed(arc, level, seed);
+  }
+  this->March();
+  this->Follow(arc);
+}
+
+Id LevelLattice::AddNode(const LevelArc& arc, double level, const Point2& place)
+{
+  Node node{ arc.Look(place), false };
+  node.IsAbove = node.Point.Sample.Distance >= level;
+  this->Nodes.push_back(node);
+  return static_cast<Id>(this->Nodes.size()) - 1;
+}
+
+/// The nodes on the rim, and the crossings between them.
+void LevelLattice::AddRim(
+  const FaceProfile& profile, const LevelArc& arc, const LevelRim& rim, int cells)
+{
+  const std::array<Point2, 3>& corners = profile.GetCorners();
+  for (const Point2& corner : corners)
+  {
+    this->Nodes.push_back({ arc.Look(corner), false });
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Nodes[k].IsAbove = rim.IsAbove[k];
+    const Point2& from = corners[k];
+    const Point2& to = corners[(k + 1) % 3];
+    const std::vector<RimCrossing>& side = rim.Sides[k];
+    this->RimNodes[k].assign(1, k);
+    this->Between[k].assign(cells, {});
+    bool isAbove = rim.IsAbove[k];
+    Id previous = k;
+    std::size_t next = 0;
+    auto step = [&](double t) {
+      const Point2 place{ from.X + t * (to.X - from.X), from.Y + t * (to.Y - from.Y) };
+      this->Nodes.push_back({ arc.Look(place), isAbove });
+      return static_cast<Id>(this->Nodes.size()) - 1;
+    };
+    auto connect = [&](Id node, const RimCrossing* crossing) {
+      if (crossing)
+      {
+        this->Links.push_back({ std::min(previous, node), std::max(previous, node) });
+        this->Links.back().Crossing = crossing->Index;
+      }
+      previous = node;
+    };
+    for (int i = 0; i < cells; ++i)
+    {
+      const double end = static_cast<double>(i + 1) / cells;
+      const bool isLast = i + 1 == cells;
+      const RimCrossing* open = nullptr;
+      for (; next < side.size() && (isLast || side[next].T <= end); ++next)
+      {
+        if (open)
+        {
+          const Id node = step(0.5 * (open->T + side[next].T));
+          this->Between[k][i].push_back(node);
+          connect(node, open);
+        }
+        open = &side[next];
+        isAbove = !isAbove;
+      }
+      const Id node = isLast ? (k + 1) % 3 : step(end);
+      connect(node, open);
+      this->RimNodes[k].push_back(node);
+    }
+  }
+}
+
+void LevelLattice::AddTriangles(
+  const FaceProfile& profile, const LevelArc& arc, double level, int cells)
+{
+  const std::array<Point2, 3>& corners = profile.GetCorners();
+  // Node (i, j) is i steps from corner 0 towards corner 1 and j towards corner 2.
+  std::vector<Id> nodes(static_cast<std::size_t>((cells + 1) * (cells + 1)), NoId);
+  auto at = [&](int i, int j) -> Id& { return nodes[j * (cells + 1) + i]; };
+  for (int j = 0; j <= cells; ++j)
+  {
+    for (int i = 0; i + j <= cells; ++i)
+    {
+      const double s = static_cast<double>(i) / cells;
+      const double t = static_cast<double>(j) / cells;
+      at(i, j) = j == 0 ? this->RimNodes[0][i]
+        : i == 0        ? this->RimNodes[2][cells - j]
+        : i + j == cells
+        ? this->RimNodes[1][j]
+        : this->AddNode(arc, level,
+            { corners[0].X + s * (corners[1].X - corners[0].X) + t * (corners[2].X - corners[0].X),
+              corners[0].Y + s * (corners[1].Y - corners[0].Y) +
+                t * (corners[2].Y - corners[0].Y) });
+    }
+  }
+  for (int j = 0; j < cells; ++j)
+  {
+    for (int i = 0; i + j < cells; ++i)
+    {
+      this->AddCell(arc, level, { { at(i, j), at(i + 1, j), at(i, j + 1) } },
+        { { j == 0 ? &this->Between[0][i] : nullptr,
+          i + j + 1 == cells ? &this->Between[1][j] : nullptr,
+          i == 0 ? &this->Between[2][cells - 1 - j] : nullptr } });
+      if (i + j + 1 < cells)
+      {
+        this->AddCell(arc, level, { { at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) } },
+          { { nullptr, nullptr, nullptr } });
+      }
+    }
+  }
+}
+
+/// A cell with further nodes on its sides is cut from its middle.
+void LevelLattice::AddCell(const LevelArc& arc, double level, const Triangle& corners,
+  const std::array<const std::vector<Id>*, 3>& between)
+{
+  this->Polygon.clear();
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Polygon.push_back(corners[k]);
+    if (between[k])
+    {
+      this->Polygon.insert(this->Polygon.end(), between[k]->begin(), between[k]->end());
+    }
+  }
+  if (this->Polygon.size() == 3)
+  {
+    this->Triangles.push_back(corners);
+    return;
+  }
+  Point2 middle;
+  for (const Id corner : corners)
+  {
+    middle.X += this->Nodes[corner].Point.Place.X / 3.0;
+    middle.Y += this->Nodes[corner].Point.Place.Y / 3.0;
+  }
+  const Id node = this->AddNode(arc, level, middle);
+  for (std::size_t i = 0; i < this->Polygon.size(); ++i)
+  {
+    this->Triangles.push_back(
+      { { this->Polygon[i], this->Polygon[(i + 1) % this->Polygon.size()], node } });
+  }
+}
+
+/// Cut the triangle in which the seed lies.
+void LevelLattice::InsertSeed(const LevelArc& arc, double level, const Point2& seed)
+{
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    const Triangle triangle = this->Triangles[t];
+    std::array<double, 3> areas{};
+    for (int k = 0; k < 3; ++k)
+    {
+      areas[k] = SignedArea(
+        this->Nodes[triangle[k]].Point.Place, this->Nodes[triangle[(k + 1) % 3]].Point.Place, seed);
+    }
+    const double least = std::min({ areas[0], areas[1], areas[2] });
+    const double largest = std::max({ areas[0], areas[1], areas[2] });
+    if (!(least >= 0.0) || !(largest > 0.0))
+    {
+      continue;
+    }
+    if (areas[0] + areas[1] + areas[2] - largest <= 1e-9 * largest)
+    {
+      return; // at a node, which tells as much
+    }
+    const Id node = this->AddNode(arc, level, seed);
+    this->Triangles[t] = { { triangle[0], triangle[1], node } };
+    this->Triangles.push_back({ { triangle[1], triangle[2], node } });
+    this->Triangles.push_back({ { triangle[2], triangle[0], node } });
+    return;
+  }
+}
+
+/// The link between two nodes; there are few.
+Id LevelLattice::FindLink(Id a, Id b)
+{
+  const Id low = std::min(a, b);
+  const Id high = std::max(a, b);
+  for (std::size_t i = 0; i < this->Links.size(); ++i)
+  {
+    if (this->Links[i].Low == low && this->Links[i].High == high)
+    {
+      return static_cast<Id>(i);
+    }
+  }
+  this->Links.push_back({ low, high });
+  return static_cast<Id>(this->Links.size()) - 1;
+}
+
+void LevelLattice::March()
+{
+  for (const Triangle& triangle : this->Triangles)
+  {
+    Id first = NoId;
+    Id last = NoId;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id from = triangle[k];
+      const Id to = triangle[(k + 1) % 3];
+      const bool isAbove = this->Nodes[from].IsAbove;
+      if (isAbove != this->Nodes[to].IsAbove)
+      {
+        // Entering where the rim rises, it has what is lower on its left.
+        (isAbove ? last : first) = this->FindLink(from, to);
+      }
+    }
+    if (first != NoId)
+    {
+      this->Links[first].Next = last;
+      this->Links[last].IsReached = true;
+    }
+  }
+}
+
+void LevelLattice::Follow(const LevelArc& arc)
+{
+  for (std::size_t i = 0; i < this->Links.size(); ++i)
+  {
+    if (!this->Links[i].IsReached && this->Links[i].Next != NoId)
+    {
+      this->FollowFrom(arc, static_cast<Id>(i));
+    }
+  }
+  for (std::size_t i = 0; i < this->Links.size(); ++i)
+  {
+    if (this->Links[i].Next != NoId)
+    {
+      this->FollowFrom(arc, static_cast<Id>(i)); // closed
+    }
+  }
+}
+
+void LevelLattice::FollowFrom(const LevelArc& arc, Id link)
+{
+  this->Chains.emplace_back();
+  LevelChain& chain = this->Chains.back();
+  while (link != NoId)
+  {
+    Link& at = this->Links[link];
+    const Id next = at.Next;
+    at.Next = NoId; // done
+    if (at.Crossing != NoId)
+    {
+      (next != NoId ? chain.First : chain.Last) = at.Crossing;
+    }
+    else if (next != NoId)
+    {
+      const Node& a = this->Nodes[at.Low];
+      const Node& b = this->Nodes[at.High];
+      chain.Points.push_back(
+        arc.FindBetween(a.IsAbove ? b.Point : a.Point, a.IsAbove ? a.Point : b.Point));
+    }
+    link = next;
+  }
+}
+}

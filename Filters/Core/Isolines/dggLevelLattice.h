@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which crossings on the rim of a face an isoline connects. Internal.
+#ifndef dggLevelLattice_h
+#define dggLevelLattice_h
+
+#include "dggLevelArc.h" // for LevelPoint
+
+#include <array>  // for the sides
+#include <vector> // for the nodes
+
+namespace dgg
+{
+/// A crossing on the rim of a face.
+struct RimCrossing
+{
+  double T = 0.0; ///< along the side of the face, from 0 to 1
+  Id Index = NoId;
+};
+
+/// What is known of one level on the rim of a face.
+struct LevelRim
+{
+  std::array<std::vector<RimCrossing>, 3> Sides;          ///< in order around the face
+  std::array<bool, 3> IsAbove{ { false, false, false } }; ///< the corners
+
+  void Clear();
+  std::size_t CountCrossings() const;
+};
+
+/// A curve of an isoline, roughly: its lower side is on its left.
+struct LevelChain
+{
+  Id First = NoId; ///< crossings on the rim; NoId for a closed curve
+  Id Last = NoId;
+  std::vector<LevelPoint> Points; ///< strictly between, or all of a closed one
+};
+
+/// Marching triangles on a fine triangulation of one face, which has nodes between any two
+/// crossings on the rim. On the rim the crossings tell which side of the level nodes are on, and
+/// inside the field does, so that every crossing belongs to exactly one curve, and curves do not
+/// cross, whatever the field is like.
+class LevelLattice
+{
+public:
+  /// `cells` is the number of parts that the sides of the face are cut into. `seeds` are points
+  /// inside of which small closed curves may be.
+  void Build(const FaceProfile& profile, const LevelArc& arc, double level, const LevelRim& rim,
+    int cells, const std::vector<Point2>& seeds);
+
+  /// The curves, those that end on the rim first.
+  const std::vector<LevelChain>& GetChains() const { return this->Chains; }
+
+private:
+  struct Node
+  {
+    LevelPoint Point;
+    bool IsAbove = false;
+  };
+  /// A side of small triangles that the isoline crosses.
+  struct Link
+  {
+    Id Low; // nodes
+    Id High;
+    Id Crossing = NoId; // on the rim
+    Id Next = NoId;     // that the isoline goes to
+    bool IsReached = false;
+  };
+  using Triangle = std::array<Id, 3>;
+
+  Id AddNode(const LevelArc& arc, double level, const Point2& place);
+  void AddRim(const FaceProfile& profile, const LevelArc& arc, const LevelRim& rim, int cells);
+  void AddTriangles(const FaceProfile& profile, const LevelArc& arc, double level, int cells);
+  void AddCell(const LevelArc& arc, double level, const Triangle& corners,
+    const std::array<const std::vector<Id>*, 3>& between);
+  void InsertSeed(const LevelArc& arc, double level, const Point2& seed);
+  Id FindLink(Id a, Id b);
+  void March();
+  void Follow(const LevelArc& arc);
+  void FollowFrom(const LevelArc& arc, Id link);
+
+  std::vector<Node> Nodes;
+  std::vector<Link> Links;
+  std::vector<Triangle> Triangles;
+  std::array<std::vector<Id>, 3> RimNodes;             // at the cuts of each side
+  std::array<std::vector<std::vector<Id>>, 3> Between; // further nodes between two of them
+  std::vector<Id> Polygon;
+  std::vector<LevelChain> Chains;
+};
+}
+
+#endif
