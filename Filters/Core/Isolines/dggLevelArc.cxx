@@ -111,6 +111,14 @@ bool LevelArc::IsSamePiece(const LevelPoint& a, const LevelPoint& b) const
     std::abs(a.Sample.Offset - b.Sample.Offset) <= close;
 }
 
+/// Whether a corner between two points, if there is one, is no higher than a quarter of some
+/// tolerances: gradients turn by as much as the isoline does.
+bool LevelArc::IsFlat(const LevelPoint& a, const LevelPoint& b, double tolerances) const
+{
+  return Distance(a.Place, b.Place) * Distance(a.Sample.Gradient, b.Sample.Gradient) <=
+    tolerances * this->Tolerance;
+}
+
 bool LevelArc::RefineChord(
   const LevelPoint& from, const LevelPoint& to, int depth, std::vector<Point2>& points) const
 {
@@ -129,7 +137,8 @@ bool LevelArc::RefineChord(
         return true;
       }
     }
-    else if (depth < DeepestChord && this->FindCorner(from, to, before, after))
+    else if (depth < DeepestChord && !this->IsFlat(from, to, 1.0) &&
+      this->FindCorner(from, to, before, after))
     {
       const bool isFirst = this->RefineChord(from, before, depth + 1, points);
       if (Distance(from.Place, before.Place) > SamePoint * this->Size &&
@@ -146,9 +155,11 @@ bool LevelArc::RefineChord(
     return false;
   }
   const Point2 chord = Difference(to.Place, from.Place);
-  const double height =
-    std::abs(Cross(chord, Difference(middle.Place, from.Place))) / Norm(chord.X, chord.Y);
-  if (height <= this->Tolerance)
+  const double length = Norm(chord.X, chord.Y);
+  const double height = std::abs(Cross(chord, Difference(middle.Place, from.Place))) / length;
+  // Between the ends there may be a corner that the middle does not show; it is no higher than the
+  // gradients tell.
+  if (height <= this->Tolerance && (this->IsSamePiece(from, to) || this->IsFlat(from, to, 4.0)))
   {
     return true;
   }
