@@ -4,13 +4,13 @@
 // The distance inside of faces: exact with windows, close with virtual sources.
 #include "CurvedMeshes.h"
 #include "DefectMeshes.h"
+#include "FieldChecks.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
 
 #include "dggDistanceField.h"
 #include "dggEdgeProfile.h"
 #include "dggExactGeodesics.h"
-#include "dggExactSources.h"
 #include "dggFaceProfile.h"
 
 #include <gtest/gtest.h>
@@ -23,31 +23,6 @@ using namespace dggtest;
 
 namespace
 {
-/// Everything that belongs to a field of exact distances.
-struct ExactField
-{
-  ExactField(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources,
-    const std::vector<SurfacePoint>& targets = {}, ExactEngine engine = ExactEngine::Triangle)
-  {
-    ExactOptions options;
-    options.Engine = engine;
-    options.KeepWindows = true;
-    options.Targets = targets;
-    const Status status = ExactGeodesics(mesh).Run(sources, options, this->Result);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
-    FindVirtualSources(mesh, sources, this->Result, this->Virtual);
-    this->Exact = { &mesh, this->Result.Distances.data(), &this->Result.Windows, nullptr };
-    this->Local = { &mesh, this->Result.Distances.data(), nullptr, &this->Virtual };
-    this->Linear = { &mesh, this->Result.Distances.data(), nullptr, nullptr };
-  }
-
-  ExactResult Result;
-  VirtualSources Virtual;
-  DistanceField Exact;
-  DistanceField Local;
-  DistanceField Linear;
-};
-
 double DistanceAt(FaceProfile& profile, const SurfacePoint& point)
 {
   profile.Enter(point.Face);

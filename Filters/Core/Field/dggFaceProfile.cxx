@@ -14,6 +14,14 @@ namespace
 /// A point this close to the edge of a window is seen through it, relative (dggWindow.h).
 constexpr double WindowSlack = 1e-9;
 
+/// A model that misses less than this is right, relative.
+constexpr double Rounding = 1e-13;
+
+double LargestOf(const std::array<double, 3>& values)
+{
+  return std::max({ std::abs(values[0]), std::abs(values[1]), std::abs(values[2]) });
+}
+
 /// The field of one source.
 FieldSample FromSource(const Point2& image, double offset, const Point2& p)
 {
@@ -136,6 +144,8 @@ void FaceProfile::SetUpModels()
     this->Models[k].Offset = this->Distances[k] - this->Models[k].Length; // what is given counts
     this->HasModels = this->HasModels || this->Models[k].IsKnown;
   }
+  this->Negligible =
+    Rounding * (LargestOf(this->Distances) + Norm(this->Corners[2].X, this->Corners[2].Y));
   for (int k = 0; k < 3; ++k)
   {
     this->Missing[k] = { { 0.0, 0.0, 0.0 } };
@@ -246,7 +256,7 @@ FieldSample FaceProfile::FromModel(
       sample.Distance += missing * barycentric[j];
       sample.Gradient.X += missing * this->Rises[j].X;
       sample.Gradient.Y += missing * this->Rises[j].Y;
-      sample.HasImage = false;
+      sample.HasImage = sample.HasImage && missing <= this->Negligible;
     }
   }
   sample.Candidate = 3 + (angle < 0.0 ? 2 * k : 2 * k + 1);

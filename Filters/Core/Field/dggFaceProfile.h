@@ -73,6 +73,7 @@ private:
   std::vector<FieldSample> Sources;
   std::array<CornerModel, 3> Models;
   std::array<std::array<double, 3>, 3> Missing{}; // of the model of a corner at another one
+  double Negligible = 0.0;                        // of what is missing
   bool HasModels = false;
 };
 }

@@ -25,6 +25,10 @@ constexpr int MostCornerSteps = 40;
 /// Largest turn between two points of an arc, and of an arc within a face.
 constexpr double LargestStep = Pi / 6.0;
 constexpr double LargestTurn = 1.4 * Pi;
+/// Corners that turn by less are not seen, radians.
+constexpr double SmallTurn = 0.05;
+/// Pieces this short have none, in tolerances.
+constexpr double SmallPart = 0.01;
 constexpr double MostPointsOfArc = 4096.0;
 
 Point2 Between(const Point2& a, const Point2& b, double t)
@@ -111,12 +115,14 @@ bool LevelArc::IsSamePiece(const LevelPoint& a, const LevelPoint& b) const
     std::abs(a.Sample.Offset - b.Sample.Offset) <= close;
 }
 
-/// Whether a corner between two points, if there is one, is no higher than a quarter of some
-/// tolerances: gradients turn by as much as the isoline does.
-bool LevelArc::IsFlat(const LevelPoint& a, const LevelPoint& b, double tolerances) const
+/// Whether there may be a corner between two points that is seen, or higher than the tolerance:
+/// gradients turn by as much as the isoline does.
+bool LevelArc::MayTurn(const LevelPoint& a, const LevelPoint& b) const
 {
-  return Distance(a.Place, b.Place) * Distance(a.Sample.Gradient, b.Sample.Gradient) <=
-    tolerances * this->Tolerance;
+  const double turn = Distance(a.Sample.Gradient, b.Sample.Gradient);
+  const double length = Distance(a.Place, b.Place);
+  return (turn > SmallTurn && length > SmallPart * this->Tolerance) ||
+    length * turn > 4.0 * this->Tolerance;
 }
 
 bool LevelArc::RefineChord(
@@ -137,7 +143,7 @@ bool LevelArc::RefineChord(
         return true;
       }
     }
-    else if (depth < DeepestChord && !this->IsFlat(from, to, 1.0) &&
+    else if (depth < DeepestChord && this->MayTurn(from, to) &&
       this->FindCorner(from, to, before, after))
     {
       const bool isFirst = this->RefineChord(from, before, depth + 1, points);
@@ -157,9 +163,8 @@ bool LevelArc::RefineChord(
   const Point2 chord = Difference(to.Place, from.Place);
   const double length = Norm(chord.X, chord.Y);
   const double height = std::abs(Cross(chord, Difference(middle.Place, from.Place))) / length;
-  // Between the ends there may be a corner that the middle does not show; it is no higher than the
-  // gradients tell.
-  if (height <= this->Tolerance && (this->IsSamePiece(from, to) || this->IsFlat(from, to, 4.0)))
+  // Between the ends there may be a corner that the middle does not show.
+  if (height <= this->Tolerance && (this->IsSamePiece(from, to) || !this->MayTurn(from, to)))
   {
     return true;
   }

@@ -51,7 +51,7 @@ private:
     const LevelPoint& from, const LevelPoint& to, int depth, std::vector<Point2>& points) const;
   bool AddArc(const LevelPoint& from, const LevelPoint& to, std::vector<Point2>& points) const;
   bool IsSamePiece(const LevelPoint& a, const LevelPoint& b) const;
-  bool IsFlat(const LevelPoint& a, const LevelPoint& b, double tolerances) const;
+  bool MayTurn(const LevelPoint& a, const LevelPoint& b) const;
   bool FindCorner(
     const LevelPoint& from, const LevelPoint& to, LevelPoint& before, LevelPoint& after) const;
   bool MeetCircles(const LevelPoint& from, const LevelPoint& to, Point2& corner) const;

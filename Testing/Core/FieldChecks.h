@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of distances inside of faces share.
+#ifndef FieldChecks_h
+#define FieldChecks_h
+
+#include "dggDistanceField.h"
+#include "dggExactGeodesics.h"
+#include "dggExactSources.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace dggtest
+{
+/// Everything that belongs to a field of exact distances.
+struct ExactField
+{
+  ExactField(const dgg::SurfaceMesh& mesh, const std::vector<dgg::GeodesicSource>& sources,
+    const std::vector<dgg::SurfacePoint>& targets = {},
+    dgg::ExactEngine engine = dgg::ExactEngine::Triangle)
+  {
+    dgg::ExactOptions options;
+    options.Engine = engine;
+    options.KeepWindows = true;
+    options.Targets = targets;
+    const dgg::Status status = dgg::ExactGeodesics(mesh).Run(sources, options, this->Result);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    dgg::FindVirtualSources(mesh, sources, this->Result, this->Virtual);
+    this->Exact = { &mesh, this->Result.Distances.data(), &this->Result.Windows, nullptr };
+    this->Local = { &mesh, this->Result.Distances.data(), nullptr, &this->Virtual };
+    this->Linear = { &mesh, this->Result.Distances.data(), nullptr, nullptr };
+  }
+
+  dgg::ExactResult Result;
+  dgg::VirtualSources Virtual;
+  dgg::DistanceField Exact;
+  dgg::DistanceField Local;
+  dgg::DistanceField Linear;
+};
+}
+
+#endif
