@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSourceFit.h"
+
+#include "dggCornerModel.h"
+#include "dggSteepestDescent.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+/// Vertices that one thread does in a row.
+constexpr Offset VerticesPerTask = 1024;
+/// A neighbour whose distance is off by this part of the edge counts half as much as before.
+constexpr double SmallTolerance = 0.02;
+/// Where the fit leaves somebody out, it is tried again from one in which all neighbours count:
+/// with the tolerance that many times as large.
+constexpr double WideFactor = 25.0;
+constexpr double GoodMisfit = 0.2;
+/// Curvatures are between these, over the mean length of the edges. The smallest one stands for a
+/// plane wave: on closed surfaces and behind extended sources waves are flatter than those of a
+/// point source at the same distance.
+constexpr double SmallestCurvature = 1e-6;
+constexpr double LargestCurvature = 1e4;
+constexpr int MostSteps = 20;
+/// After a step shorter than this, in angle and curvature over the mean length, the next one would
+/// change nothing.
+constexpr double SmallestStep = 1e-8;
+/// Directions tried at a vertex that is less far than all of its neighbours.
+constexpr int NumberOfDirections = 6;
+
+struct Neighbor
+{
+  double Length;
+  double Angle;
+  double Rise; // of the distance
+};
+
+/// A virtual source seen from the vertex.
+struct Guess
+{
+  double Angle = 0.0;
+  double Curvature = 0.0;
+};
+
+/// Fits one vertex after the other.
+class VertexFit
+{
+public:
+  VertexFit(const SurfaceMesh& mesh, const double* distances)
+    : Mesh(mesh)
+    , Distances(distances)
+  {
+  }
+
+  /// False when the vertex itself is the best virtual source.
+  bool Fit(Id v, Guess& best);
+
+private:
+  void CollectNeighbors(Id v);
+  double Predict(const Neighbor& n, const Guess& guess, double& byAngle, double& byCurvature) const;
+  double MisfitOf(const Guess& guess) const;
+  double MisfitOfVertex() const;
+  double Improve(Guess& guess) const;
+  /// Geman and McClure's: bounded, so that a neighbour on another way costs what it costs and pulls
+  /// no more.
+  static double Penalty(double residual)
+  {
+    const double square = residual * residual;
+    return square / (1.0 + square);
+  }
+
+  const SurfaceMesh& Mesh;
+  const double* Distances;
+  std::vector<Neighbor> Neighbors;
+  CornerModel Around; // only for its angles
+  double MeanLength = 0.0;
+  double Tolerance = SmallTolerance;
+};
+
+void VertexFit::CollectNeighbors(Id v)
+{
+  this->Neighbors.clear();
+  this->MeanLength = 0.0;
+  auto add = [&](Id w, double length, double angle) {
+    if (std::isfinite(this->Distances[w]))
+    {
+      this->Neighbors.push_back({ length, angle, this->Distances[w] - this->Distances[v] });
+      this->MeanLength += length;
+    }
+  };
+  for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+  {
+    add(this->Mesh.Destination(*g), this->Mesh.Length(*g), this->Mesh.PolarAngle(*g));
+    const Id incoming = SurfaceMesh::Previous(*g);
+    if (this->Mesh.Twin(incoming) == NoId)
+    {
+      add(this->Mesh.Origin(incoming), this->Mesh.Length(incoming),
+        this->Mesh.PolarAngle(*g) + this->Mesh.CornerAngle(*g));
+    }
+  }
+  this->MeanLength /= std::max<double>(1.0, static_cast<double>(this->Neighbors.size()));
+}
+
+/// By how much the distance of a neighbour is more than that of the vertex, and derivatives.
+double VertexFit::Predict(
+  const Neighbor& n, const Guess& guess, double& byAngle, double& byCurvature) const
+{
+  CornerModel model = this->Around;
+  model.Angle = guess.Angle;
+  const double angle = model.AngleFrom(n.Angle);
+  byAngle = 0.0;
+  byCurvature = 0.0;
+  if (std::abs(angle) >= Pi)
+  {
+    return n.Length;
+  }
+  // (sqrt(1 - 2 k l cos + k^2 l^2) - 1) / k, good for small k as well.
+  const double cosine = std::cos(angle);
+  const double bend = guess.Curvature * n.Length;
+  const double root = std::sqrt((1.0 - bend) * (1.0 - bend) + 2.0 * bend * (1.0 - cosine));
+  const double rise = n.Length * (bend - 2.0 * cosine) / (root + 1.0);
+  if (root > 0.0)
+  {
+    byAngle = n.Length * std::sin(angle) / root;
+    byCurvature = n.Length * (n.Length - rise * (bend - cosine) / root) / (root + 1.0);
+  }
+  return rise;
+}
+
+double VertexFit::MisfitOf(const Guess& guess) const
+{
+  double misfit = 0.0;
+  for (const Neighbor& n : this->Neighbors)
+  {
+    double byAngle = 0.0;
+    double byCurvature = 0.0;
+    misfit += Penalty(
+      (n.Rise - this->Predict(n, guess, byAngle, byCurvature)) / (this->Tolerance * n.Length));
+  }
+  return misfit;
+}
+
+double VertexFit::MisfitOfVertex() const
+{
+  double misfit = 0.0;
+  for (const Neighbor& n : this->Neighbors)
+  {
+    misfit += Penalty((n.Rise - n.Length) / (this->Tolerance * n.Length));
+  }
+  return misfit;
+}
+
+/// Steps of Gauss and Newton, damped (Levenberg and Marquardt), with the weights of the penalty.
+/// Returns the misfit.
+double VertexFit::Improve(Guess& guess) const
+{
+  double misfit = this->MisfitOf(guess);
+  double damping = 1e-3;
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    double aa = 0.0;
+    double ac = 0.0;
+    double cc = 0.0;
+    double a = 0.0;
+    double c = 0.0;
+    for (const Neighbor& n : this->Neighbors)
+    {
+      double byAngle = 0.0;
+      double byCurvature = 0.0;
+      const double scale = 1.0 / (this->Tolerance * n.Length);
+      const double residual = scale * (n.Rise - this->Predict(n, guess, byAngle, byCurvature));
+      byAngle *= scale;
+      byCurvature *= scale / this->MeanLength; // the unknown is curvature times mean length
+      const double weight = 1.0 / ((1.0 + residual * residual) * (1.0 + residual * residual));
+      aa += weight * byAngle * byAngle;
+      ac += weight * byAngle * byCurvature;
+      cc += weight * byCurvature * byCurvature;
+      a += weight * byAngle * residual;
+      c += weight * byCurvature * residual;
+    }
+    const double more = damping * (aa + cc);
+    const double determinant = (aa + more) * (cc + more) - ac * ac;
+    if (!(determinant > 0.0))
+    {
+      break;
+    }
+    Guess next;
+    const double turn = (a * (cc + more) - c * ac) / determinant;
+    next.Angle = guess.Angle + turn;
+    if (this->Around.IsOpen)
+    {
+      // The field may be cut off where it comes from beyond the boundary.
+      next.Angle = std::min(this->Around.Total + Pi, std::max(-Pi, next.Angle));
+    }
+    next.Curvature = this->MeanLength * guess.Curvature + (c * (aa + more) - a * ac) / determinant;
+    next.Curvature =
+      std::min(LargestCurvature, std::max(SmallestCurvature, next.Curvature)) / this->MeanLength;
+    const double nextMisfit = this->MisfitOf(next);
+    if (nextMisfit <= misfit)
+    {
+      const double change = std::abs(next.Angle - guess.Angle) +
+        this->MeanLength * std::abs(next.Curvature - guess.Curvature);
+      guess = next;
+      misfit = nextMisfit;
+      damping *= 0.1;
+      if (change < SmallestStep)
+      {
+        break;
+      }
+    }
+    else
+    {
+      damping *= 10.0;
+      if (damping > 1e6)
+      {
+        break;
+      }
+    }
+  }
+  return misfit;
+}
+
+bool VertexFit::Fit(Id v, Guess& best)
+{
+  this->CollectNeighbors(v);
+  this->Around = CornerModel(this->Mesh, v, 0.0, 0.0, 0.0);
+  if (!this->Around.IsKnown || this->Neighbors.size() < 2)
+  {
+    return false;
+  }
+  double bestMisfit = this->MisfitOfVertex();
+  bool isFound = false;
+  auto attempt = [&](double angle, double curvature, bool isWide) {
+    Guess guess{ angle, curvature };
+    if (isWide)
+    {
+      this->Tolerance = WideFactor * SmallTolerance;
+      this->Improve(guess);
+      this->Tolerance = SmallTolerance;
+    }
+    const double misfit = this->Improve(guess);
+    if (misfit < bestMisfit)
+    {
+      bestMisfit = misfit;
+      best = guess;
+      isFound = true;
+    }
+  };
+  const SteepestDescent descent = FindSteepestDescent(this->Mesh, this->Distances, v);
+  if (descent.Slope > 0.0)
+  {
+    // As if all the distance came from one source.
+    const double curvature = 1.0 / std::max(this->MeanLength, std::abs(this->Distances[v]));
+    attempt(descent.Angle, curvature, false);
+    if (bestMisfit > GoodMisfit)
+    {
+      attempt(descent.Angle, curvature, true);
+    }
+  }
+  else
+  {
+    for (int i = 0; i < NumberOfDirections; ++i)
+    {
+      attempt(this->Around.Total * (i + 0.5) / NumberOfDirections, 1.0 / this->MeanLength, true);
+    }
+  }
+  return isFound;
+}
+}
+
+void FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
+  const ParallelFor& parallel, VirtualSources& found)
+{
+  const std::size_t n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
+  found.Offsets.assign(n, Infinity);
+  found.Lengths.assign(n, Infinity);
+  found.Angles.assign(n, 0.0);
+  ForRange(parallel, mesh.GetNumberOfVertices(), VerticesPerTask, [&](Offset begin, Offset end) {
+    VertexFit fit(mesh, distances);
+    for (Id v = static_cast<Id>(begin); v < end; ++v)
+    {
+      if (!std::isfinite(distances[v]))
+      {
+        continue;
+      }
+      Guess guess;
+      const bool isFitted = fit.Fit(v, guess);
+      found.Lengths[v] = isFitted ? 1.0 / guess.Curvature : 0.0;
+      found.Angles[v] = isFitted ? guess.Angle : 0.0;
+      found.Offsets[v] = distances[v] - found.Lengths[v];
+    }
+  });
+}
+}
