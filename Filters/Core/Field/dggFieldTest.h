@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Whether numbers at vertices can be a distance at all.
+#ifndef dggFieldTest_h
+#define dggFieldTest_h
+
+#include "dggSurfaceMesh.h" // for SurfaceMesh
+#include "dggTypes.h"       // for Offset
+
+#include <cstdint> // for FieldVerdict
+#include <string>  // for the sentence
+
+namespace dgg
+{
+enum class FieldVerdict : std::uint8_t
+{
+  Distance, ///< grows by about its argument nearly everywhere
+  Scaled,   ///< a distance in other units than those of the mesh
+  NotADistance,
+  NothingKnown ///< no two neighbours are reached
+};
+
+struct FieldReport
+{
+  FieldVerdict Verdict = FieldVerdict::NothingKnown;
+  Offset NumberOfEdges = 0;    ///< edges of faces with both ends reached, once per face
+  Offset NumberOfVertices = 0; ///< vertices that are reached and have a neighbour that is
+  /// Largest difference along an edge, over its length: 1 at most for a distance.
+  double WorstSlope = 0.0;
+  /// Part of the edges along which the field changes by clearly more than their length.
+  double ShareOfSteepEdges = 0.0;
+  /// How steeply the field, linear in faces, falls from vertices: the middle slope, and the part of
+  /// vertices where it is within 10 % of 1. All distances fall at slope 1 but at sources.
+  double MedianSlope = 0.0;
+  double ShareOfUnitSlopes = 0.0;
+  /// What to tell the user; empty when it is a distance.
+  std::string Sentence;
+
+  bool IsDistance() const { return this->Verdict == FieldVerdict::Distance; }
+};
+
+/// Tell a distance from other fields by its slope, with tolerances that approximate distances pass:
+/// exact ones, those of graphs, fast marching and heat, from any sources and from within faces.
+/// `values` are per vertex; Infinity or NaN where nothing is known, which is left out.
+FieldReport TestField(const SurfaceMesh& mesh, const double* values);
+}
+
+#endif
