@@ -3,9 +3,12 @@
 #include "vtkDGGFieldInput.h"
 
 #include "vtkDGGMeshAdapter.h"
+#include "vtkDGGParallel.h"
 #include "vtkDGGWindowArrays.h"
 
 #include "dggCornerModel.h"
+#include "dggFieldTest.h"
+#include "dggSourceFit.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -95,6 +98,10 @@ dgg::Status vtkDGGFieldInput::Read(vtkPolyData* surface, vtkDataArray* distances
   {
     this->ReadSources(surface, virtualSources, mesh);
   }
+  if (!this->Field.HasWindows() && !this->Field.HasSources())
+  {
+    this->FitSources(mesh.GetMesh());
+  }
   return dgg::Status::Success();
 }
 
@@ -107,7 +114,7 @@ void vtkDGGFieldInput::ReadWindows(
     this->Windows, complaint);
   if (!complaint.empty())
   {
-    this->Warning = complaint + ". They are ignored";
+    this->Warn(complaint + ". They are ignored");
   }
 }
 
@@ -124,7 +131,7 @@ void vtkDGGFieldInput::ReadSources(
   if (array->GetNumberOfComponents() != 3 ||
     array->GetNumberOfTuples() != surface->GetNumberOfPoints())
   {
-    this->Warning = whose + "do not have 3 components per point. They are ignored";
+    this->Warn(whose + "do not have 3 components per point. They are ignored");
     return;
   }
   const std::size_t n = this->Distances.size();
@@ -143,8 +150,28 @@ void vtkDGGFieldInput::ReadSources(
   if (!this->FitsSources(mesh.GetMesh()))
   {
     this->Sources = dgg::VirtualSources();
-    this->Warning = whose + "are not those of the distances on this surface. They are ignored";
+    this->Warn(whose + "are not those of the distances on this surface. They are ignored");
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGFieldInput::FitSources(const dgg::SurfaceMesh& mesh)
+{
+  const dgg::FieldReport report = dgg::TestField(mesh, this->Distances.data());
+  if (report.IsDistance())
+  {
+    dgg::FitVirtualSources(mesh, this->Distances.data(), vtkDGGMakeParallelFor(), this->Sources);
+  }
+  else if (!report.Sentence.empty())
+  {
+    this->Warn(report.Sentence + ". They are taken as linear in each triangle");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGFieldInput::Warn(const std::string& text)
+{
+  this->Warning += this->Warning.empty() ? text : ". " + text;
 }
 
 //------------------------------------------------------------------------------

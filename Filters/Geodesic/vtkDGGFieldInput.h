@@ -16,7 +16,8 @@ class vtkPolyData;
 
 /// Reads a point array of distances, and what there is beside it that tells the distance inside of
 /// faces: windows in the field data (vtkDGGWindowArrays), or else virtual sources in the point
-/// data.
+/// data, or else virtual sources that are fitted to the distances. Values that are no distances are
+/// taken as linear, with a warning.
 class vtkDGGFieldInput
 {
 public:
@@ -34,13 +35,15 @@ public:
   /// Good as long as this and the mesh live.
   const dgg::DistanceField& GetField() const { return this->Field; }
   const std::vector<double>& GetDistances() const { return this->Distances; }
-  /// Arrays that were there and could not be used; empty when there were none.
+  /// Arrays that were there and could not be used, distances that are none; empty when all is well.
   const std::string& GetWarning() const { return this->Warning; }
 
 private:
   void ReadWindows(vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh);
   void ReadSources(vtkPolyData* surface, const std::string& name, const vtkDGGMeshAdapter& mesh);
   bool FitsSources(const dgg::SurfaceMesh& mesh) const;
+  void FitSources(const dgg::SurfaceMesh& mesh);
+  void Warn(const std::string& text);
 
   std::vector<double> Distances; // per vertex
   dgg::EdgeWindows Windows;
