@@ -5,6 +5,7 @@
 /// of points.
 #include "GraphTestTools.h"
 
+#include "vtkApolloniusIsolines.h"
 #include "vtkDGGLoop.h"
 #include "vtkDGGPath.h"
 #include "vtkGeodesicPatchBoundaries.h"
@@ -15,6 +16,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -22,6 +24,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <ostream>
 #include <sstream>
@@ -113,6 +116,23 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeVoronoi(vtkPolyData* surface)
   voronoi->CentroidalOn();
   voronoi->SetNumberOfIterations(2);
   return voronoi;
+}
+
+/// Of the distances in space from the first point, which do as well.
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeIsolines(vtkPolyData* surface)
+{
+  vtkNew<vtkDoubleArray> distances;
+  distances->SetName("GeodesicDistance");
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    distances->InsertNextValue(EuclideanDistance(surface, 0, i));
+    largest = std::max(largest, distances->GetValue(i));
+  }
+  surface->GetPointData()->AddArray(distances);
+  auto isolines = MakeFilter<vtkApolloniusIsolines>(surface);
+  isolines->GenerateValues(4, 0.1 * largest, 0.9 * largest);
+  return isolines;
 }
 
 vtkSmartPointer<vtkGeodesicAlgorithm> MakeBoundaries(vtkPolyData* surface)
@@ -332,6 +352,7 @@ INSTANTIATE_TEST_SUITE_P(Filters, NewGeometry,
   ::testing::Values(
     Case{ "Path", MakePath, { 0 }, { "FaceId", "vtkOriginalPointIds", "ArcLength" } },
     Case{ "Loop", MakeLoop, { 0, 1 }, { "FaceId", "vtkOriginalPointIds", "ArcLength" } },
+    Case{ "Isolines", MakeIsolines, { 0 }, { "FaceId", "vtkOriginalPointIds", "ArcLength" } },
     Case{ "Sampler", MakeSampler, { 0 }, { "FaceId", "vtkOriginalPointIds", "CoveringRadius" } },
     Case{ "Voronoi", MakeVoronoi, { 1, 2, 3 }, {} },
     Case{ "PatchBoundaries", MakeBoundaries, { 0, 1 },

@@ -20,6 +20,7 @@ FAR = vtkdgg.Graph([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).distance(1)[2
 if not abs(FAR - 5.0) < 1e-6:
     sys.exit(f"distance in the graph is {FAR}, not 5")
 for name in (
+    "vtkApolloniusIsolines",
     "vtkDGGDistance",
     "vtkDGGOFFReader",
     "vtkDGGPath",

@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkApolloniusIsolines.h"
+
+#include "vtkDGGFieldInput.h"
+#include "vtkDGGMakeArray.h"
+#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGNewGeometry.h"
+#include "vtkDGGParallel.h"
+#include "vtkDGGPolylineWriter.h"
+#include "vtkDGGProperties.h"
+#include "vtkDGGWindowArrays.h"
+
+#include "dggIsolines.h"
+
+#include "vtkCellData.h"
+#include "vtkContourValues.h"
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+vtkStandardNewMacro(vtkApolloniusIsolines);
+
+namespace
+{
+/// Polylines and their arrays. The windows of the distances belong to the surface alone.
+void WriteLines(const dgg::Isolines& lines, const std::vector<double>& values,
+  const std::string& distances, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
+{
+  geometry.Begin(output);
+  vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), distances);
+  vtkIdType size = 0;
+  for (std::size_t i = 0; i < lines.Lines.size(); ++i)
+  {
+    size += vtkDGGPolylineWriter::CountPoints(lines.Lines[i], lines.IsClosed[i]);
+  }
+  vtkDGGPolylineWriter writer(geometry, size);
+  const auto isoValues = vtkDGGMakeArray<vtkDoubleArray>("IsoValue", lines.Lines.size());
+  for (std::size_t i = 0; i < lines.Lines.size(); ++i)
+  {
+    writer.Add(lines.Lines[i], lines.IsClosed[i]);
+    isoValues->SetValue(static_cast<vtkIdType>(i), values[lines.Levels[i]]);
+  }
+  writer.AddTo(output);
+  output->GetCellData()->SetScalars(isoValues);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkApolloniusIsolines::vtkApolloniusIsolines()
+  : Method(LocalSources)
+  , ChordTolerance(1e-3)
+  , DistanceArrayName("GeodesicDistance")
+  , VirtualSourceArrayName("GeodesicVirtualSource")
+  , UsedWindows(false)
+  , UsedVirtualSources(false)
+  , NumberOfFallbacks(0)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkApolloniusIsolines::~vtkApolloniusIsolines() = default;
+
+//------------------------------------------------------------------------------
+void vtkApolloniusIsolines::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->GetMethodAsString() << "\n";
+  os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
+  os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
+  os << indent << "VirtualSourceArrayName: " << this->VirtualSourceArrayName << "\n";
+  os << indent << "UsedWindows: " << (this->UsedWindows ? "Yes" : "No") << "\n";
+  os << indent << "UsedVirtualSources: " << (this->UsedVirtualSources ? "Yes" : "No") << "\n";
+  os << indent << "NumberOfFallbacks: " << this->NumberOfFallbacks << "\n";
+  os << indent << "ContourValues:\n";
+  this->ContourValues->PrintSelf(os, indent.GetNextIndent());
+}
+
+//------------------------------------------------------------------------------
+void vtkApolloniusIsolines::SetValue(int i, double value)
+{
+  // vtkContourValues leaves anything in values that it skips.
+  for (int gap = this->ContourValues->GetNumberOfContours(); gap < i; ++gap)
+  {
+    this->ContourValues->SetValue(gap, 0.0);
+  }
+  this->ContourValues->SetValue(i, value);
+}
+
+//------------------------------------------------------------------------------
+double vtkApolloniusIsolines::GetValue(int i)
+{
+  return this->ContourValues->GetValue(i);
+}
+
+//------------------------------------------------------------------------------
+double* vtkApolloniusIsolines::GetValues()
+{
+  return this->ContourValues->GetValues();
+}
+
+//------------------------------------------------------------------------------
+void vtkApolloniusIsolines::GetValues(double* contourValues)
+{
+  this->ContourValues->GetValues(contourValues);
+}
+
+//------------------------------------------------------------------------------
+void vtkApolloniusIsolines::SetNumberOfContours(int number)
+{
+  if (number > this->ContourValues->GetNumberOfContours())
+  {
+    this->SetValue(number - 1, 0.0);
+  }
+  this->ContourValues->SetNumberOfContours(number);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkApolloniusIsolines::GetNumberOfContours()
+{
+  return this->ContourValues->GetNumberOfContours();
+}
+
+//------------------------------------------------------------------------------
+void vtkApolloniusIsolines::GenerateValues(int numContours, double range[2])
+{
+  this->ContourValues->GenerateValues(numContours, range);
+}
+
+//------------------------------------------------------------------------------
+void vtkApolloniusIsolines::GenerateValues(int numContours, double rangeStart, double rangeEnd)
+{
+  this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkApolloniusIsolines::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->ContourValues->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkApolloniusIsolines::GetMethodAsString() const
+{
+  return this->Method == LocalSources ? "LocalSources"
+    : this->Method == Linear          ? "Linear"
+                                      : "unknown";
+}
+
+//------------------------------------------------------------------------------
+void vtkApolloniusIsolines::SetDistanceArrayName(const char* name)
+{
+  if (vtkDGGChangeName(this->DistanceArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkApolloniusIsolines::GetDistanceArrayName() const
+{
+  return this->DistanceArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkApolloniusIsolines::SetVirtualSourceArrayName(const char* name)
+{
+  if (vtkDGGChangeName(this->VirtualSourceArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkApolloniusIsolines::GetVirtualSourceArrayName() const
+{
+  return this->VirtualSourceArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkApolloniusIsolines::CopyValues() const
+{
+  const int count = this->ContourValues->GetNumberOfContours();
+  std::vector<double> values(std::max(0, count));
+  for (int i = 0; i < count; ++i)
+  {
+    values[i] = this->ContourValues->GetValue(i);
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkApolloniusIsolines::CheckProperties() const
+{
+  std::ostringstream message;
+  if (this->Method != LocalSources && this->Method != Linear)
+  {
+    message << "Method is " << this->Method << ": call SetMethodToLocalSources() or another one";
+  }
+  else if (!(this->ChordTolerance > 0.0))
+  {
+    message << "ChordTolerance is " << this->ChordTolerance
+            << ": call SetChordTolerance() with a positive number";
+  }
+  const std::vector<double> values = this->CopyValues();
+  for (std::size_t i = 0; i < values.size() && message.str().empty(); ++i)
+  {
+    if (!std::isfinite(values[i]))
+    {
+      message << "value " << i << " is " << values[i]
+              << ": call SetValue() with a finite number, or GenerateValues()";
+    }
+  }
+  return message.str().empty() ? dgg::Status::Success() : dgg::Status::Invalid(message.str());
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkApolloniusIsolines::FindDistances(
+  vtkPolyData* surface, vtkDataArray*& distances) const
+{
+  vtkInformationVector* arrays = this->Information->Get(INPUT_ARRAYS_TO_PROCESS());
+  vtkInformation* array = arrays ? arrays->GetInformationObject(0) : nullptr;
+  if (array && array->Has(vtkDataObject::FIELD_ASSOCIATION()))
+  {
+    const int where = array->Get(vtkDataObject::FIELD_ASSOCIATION());
+    if (where != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
+      where != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
+    {
+      return dgg::Status::Invalid("the array to process is not one of points: call "
+                                  "SetInputArrayToProcess() with FIELD_ASSOCIATION_POINTS");
+    }
+    const char* name = array->Get(vtkDataObject::FIELD_NAME());
+    return vtkDGGFieldInput::FindDistances(surface, name ? name : "", distances);
+  }
+  vtkPointData* data = surface->GetPointData();
+  const bool isThere = data->HasArray(this->DistanceArrayName.c_str()) != 0;
+  return vtkDGGFieldInput::FindDistances(
+    surface, isThere || !data->GetScalars() ? this->DistanceArrayName : "", distances);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkApolloniusIsolines::CheckInputs(
+  vtkPolyData* surface, vtkInformationVector** vtkNotUsed(inputVector)) const
+{
+  vtkDataArray* distances = nullptr;
+  return this->FindDistances(surface, distances);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkApolloniusIsolines::GetMemoryRemedy() const
+{
+  return "use a smaller mesh, fewer values or a larger ChordTolerance";
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  this->UsedWindows = false;
+  this->UsedVirtualSources = false;
+  this->NumberOfFallbacks = 0;
+  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  // Observers may change the input and the properties.
+  const std::vector<double> values = this->CopyValues();
+  dgg::IsolineOptions options;
+  options.ChordTolerance = this->ChordTolerance * mesh.GetMesh().GetMeanEdgeLength();
+  const bool isLinear = this->Method == Linear;
+  vtkDataArray* distances = nullptr;
+  vtkDGGFieldInput input;
+  vtkDGGNewGeometry geometry;
+  dgg::Status status = this->FindDistances(surface, distances);
+  const std::string name = status.IsOk() && distances->GetName() ? distances->GetName() : "";
+  if (status.IsOk())
+  {
+    status = input.Read(surface, distances, this->VirtualSourceArrayName, mesh);
+  }
+  if (status.IsOk())
+  {
+    status = geometry.Take(surface, mesh, this->GetOutputPointsPrecision());
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  if (!input.GetWarning().empty() && !isLinear)
+  {
+    vtkWarningMacro(<< input.GetWarning() << ".");
+  }
+  dgg::DistanceField field = input.GetField();
+  if (isLinear)
+  {
+    field.Windows = nullptr;
+    field.Sources = nullptr;
+  }
+  dgg::Isolines lines;
+  status = dgg::TraceIsolines(
+    field, values, options, vtkDGGMakeParallelFor(),
+    [this](double fraction) { return this->Advance(fraction); }, lines);
+  if (status.IsOk())
+  {
+    this->UsedWindows = field.HasWindows();
+    this->UsedVirtualSources = field.HasSources();
+    this->NumberOfFallbacks = lines.Fallbacks;
+    WriteLines(lines, values, name, geometry, vtkPolyData::GetData(outputVector));
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkApolloniusIsolines::MakeEmptyOutput(
+  vtkPolyData* surface, vtkInformationVector* outputVector)
+{
+  this->UsedWindows = false;
+  this->UsedVirtualSources = false;
+  this->NumberOfFallbacks = 0;
+  vtkDGGNewGeometry geometry;
+  geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
+  WriteLines(
+    dgg::Isolines(), {}, this->DistanceArrayName, geometry, vtkPolyData::GetData(outputVector));
+}

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkApolloniusIsolines
+ * @brief   isolines of distances that are curved and turn where the distance does
+ *
+ * Finds the lines on a surface where a distance has some values. vtkContourFilter takes the
+ * distance as linear in each triangle, so that its lines are straight there; they miss how circles
+ * curve, and cut off the corners where the waves of two sides meet. This filter looks at how the
+ * distance runs inside of triangles.
+ *
+ * Input port 0 takes a surface (vtkPolyData) with a point array of distances along it, as distance
+ * filters give it: the one that SetInputArrayToProcess() names; else the one of
+ * DistanceArrayName; else the active point scalars. NaN and infinity stand for points that are not
+ * reached; lines end at triangles that have one.
+ *
+ * How good the lines are depends on what the surface has besides the distances:
+ *  - field data with windows (vtkExactGeodesicDistance::GenerateWindowsOn()): they are exact;
+ * points of the lines inside of triangles are at their value up to rounding;
+ *  - virtual sources (GenerateVirtualSourceOn() of any distance filter): several times better than
+ *    straight lines in triangles, see dggDistanceField.h;
+ *  - else they are straight in each triangle.
+ *
+ * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
+ * warning.
+ *
+ * <b>The output</b> is new geometry, see vtkGeodesicAlgorithm: polylines, in order of increasing
+ * values. Each of their pieces lies in one triangle of the surface. Lines are continuous across
+ * edges. They are closed, with the same point at either end, but for those that end on the boundary
+ * of the surface, at triangles that are not reached, and on edges with more than two triangles.
+ * Lower distances are on the left of a line, as seen with the orientation of the triangle that it
+ * starts in, which the filter may have turned over to make the surface consistent. Points that have
+ * the very value count as farther away.
+ *  - Cell data: `IsoValue` (double).
+ *  - Point data: `FaceId`, the cell of the input that the piece after the point lies in (that
+ * before it for the last point); `vtkOriginalPointIds`, the point of the input where the line is at
+ *    one, else -1; `ArcLength`, the length of the line up to the point.
+ *
+ * Values without a line, as those out of the range of the distances, are no error. A surface
+ * without triangles gives an empty output.
+ *
+ * <b>Errors</b> besides those of vtkGeodesicAlgorithm: no array of distances, or one that does not
+ * have one number per point; a distance of minus infinity; a value that is not finite; a
+ * ChordTolerance that is not positive; an unknown Method.
+ *
+ * @code
+ * vtkNew<vtkExactGeodesicDistance> distance;
+ * distance->SetInputConnection(reader->GetOutputPort());
+ * distance->AddSourceId(0);
+ * distance->GenerateWindowsOn();
+ * vtkNew<vtkApolloniusIsolines> isolines;
+ * isolines->SetInputConnection(distance->GetOutputPort());
+ * isolines->GenerateValues(20, 0.0, 5.0);
+ * @endcode
+ *
+ * Exact distances inside of triangles: J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The
+ * discrete geodesic problem", SIAM J. Comput. 16, 1987, section 3.
+ *
+ * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ *
+ * @sa vtkGeodesicProbe vtkExactGeodesicDistance vtkDGGDistance vtkContourFilter
+ */
+
+#ifndef vtkApolloniusIsolines_h
+#define vtkApolloniusIsolines_h
+
+#include "vtkDGGFiltersGeodesicModule.h" // For export macro
+#include "vtkGeodesicAlgorithm.h"
+
+#include "vtkNew.h" // For the values
+
+#include <string> // For array names
+#include <vector> // For the values
+
+class vtkContourValues;
+class vtkDataArray;
+namespace dgg
+{
+struct Isolines;
+}
+
+class VTKDGGFILTERSGEODESIC_EXPORT vtkApolloniusIsolines : public vtkGeodesicAlgorithm
+{
+public:
+  static vtkApolloniusIsolines* New();
+  vtkTypeMacro(vtkApolloniusIsolines, vtkGeodesicAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The values of the isolines, as in vtkContourFilter. One by default, 0. GenerateValues() makes
+   * evenly spaced ones, the ends of the range among them.
+   */
+  void SetValue(int i, double value);
+  double GetValue(int i);
+  double* GetValues() VTK_SIZEHINT(GetNumberOfContours());
+  void GetValues(double* contourValues);
+  void SetNumberOfContours(int number);
+  vtkIdType GetNumberOfContours();
+  void GenerateValues(int numContours, double range[2]);
+  void GenerateValues(int numContours, double rangeStart, double rangeEnd);
+  ///@}
+
+  /**
+   * Values count as properties of the filter.
+   */
+  vtkMTimeType GetMTime() override;
+
+  /**
+   * How the distance runs inside of triangles.
+   */
+  enum MethodType
+  {
+    LocalSources = 0, ///< by windows or virtual sources, see above
+    Linear = 2        ///< it is linear in each triangle, whatever else is known; for comparison
+  };
+
+  ///@{
+  /**
+   * How to find isolines. Default LocalSources.
+   */
+  vtkSetMacro(Method, int);
+  vtkGetMacro(Method, int);
+  void SetMethodToLocalSources() { this->SetMethod(LocalSources); }
+  void SetMethodToLinear() { this->SetMethod(Linear); }
+  const char* GetMethodAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * How far the pieces of lines, which are straight, may be from the curves that they stand for, as
+   * a part of the mean edge length. Default 0.001; must be positive.
+   */
+  vtkSetMacro(ChordTolerance, double);
+  vtkGetMacro(ChordTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array with the distances, unless SetInputArrayToProcess() says another one.
+   * Default "GeodesicDistance". When there is none of this name, the active point scalars are
+   * taken.
+   */
+  void SetDistanceArrayName(const char* name);
+  const char* GetDistanceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array with the virtual sources. Default "GeodesicVirtualSource". It need not
+   * be there.
+   */
+  void SetVirtualSourceArrayName(const char* name);
+  const char* GetVirtualSourceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * What the last update took the distance inside of triangles from.
+   */
+  vtkGetMacro(UsedWindows, bool);
+  vtkGetMacro(UsedVirtualSources, bool);
+  ///@}
+
+  /**
+   * Pieces of lines within one triangle, in the last update, that may be farther from the curve
+   * than ChordTolerance: where the distance is not continuous, as virtual sources of approximate
+   * distances make it here and there.
+   */
+  vtkGetMacro(NumberOfFallbacks, vtkIdType);
+
+protected:
+  vtkApolloniusIsolines();
+  ~vtkApolloniusIsolines() override;
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
+  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  vtkApolloniusIsolines(const vtkApolloniusIsolines&) = delete;
+  void operator=(const vtkApolloniusIsolines&) = delete;
+
+  dgg::Status FindDistances(vtkPolyData* surface, vtkDataArray*& distances) const;
+  std::vector<double> CopyValues() const;
+
+  vtkNew<vtkContourValues> ContourValues;
+  int Method;
+  double ChordTolerance;
+  std::string DistanceArrayName;
+  std::string VirtualSourceArrayName;
+  bool UsedWindows;
+  bool UsedVirtualSources;
+  vtkIdType NumberOfFallbacks;
+};
+
+#endif

@@ -1,0 +1,444 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Isolines as a filter gives them.
+#include "FilterTestTools.h"
+
+#include "vtkApolloniusIsolines.h"
+#include "vtkDGGDistance.h"
+#include "vtkExactGeodesicDistance.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkContourFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+using namespace dggtest;
+
+namespace
+{
+/// A grid with a source in its middle.
+class ApolloniusIsolines : public testing::Test
+{
+protected:
+  ApolloniusIsolines()
+  {
+    this->Distance->SetInputData(MakeGrid(8, 8));
+    this->Distance->AddSourceId(40);
+    this->Isolines->SetInputConnection(this->Distance->GetOutputPort());
+    this->Isolines->GenerateValues(6, 0.55, 3.55);
+  }
+
+  /// The surface with its distances, to be changed.
+  vtkSmartPointer<vtkPolyData> TakeSurface()
+  {
+    this->Distance->Update();
+    auto surface = vtkSmartPointer<vtkPolyData>::New();
+    surface->DeepCopy(this->Distance->GetOutput());
+    this->Isolines->SetInputData(surface);
+    return surface;
+  }
+
+  /// Largest error of points and of middles of pieces.
+  std::array<double, 2> GetErrors()
+  {
+    vtkPolyData* output = this->Isolines->GetOutput();
+    vtkDataArray* values = output->GetCellData()->GetArray("IsoValue");
+    EXPECT_NE(values, nullptr);
+    std::array<double, 2> largest{ { 0.0, 0.0 } };
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; values && cell < output->GetNumberOfCells(); ++cell)
+    {
+      const double value = values->GetComponent(cell, 0);
+      output->GetCellPoints(cell, ids);
+      for (vtkIdType i = 0; i + 1 < ids->GetNumberOfIds(); ++i)
+      {
+        double p[3];
+        double q[3];
+        output->GetPoint(ids->GetId(i), p);
+        output->GetPoint(ids->GetId(i + 1), q);
+        const double atPoint = std::hypot(p[0] - 4.0, p[1] - 4.0);
+        const double atMiddle = std::hypot(0.5 * (p[0] + q[0]) - 4.0, 0.5 * (p[1] + q[1]) - 4.0);
+        largest[0] = std::max(largest[0], std::abs(atPoint - value));
+        largest[1] = std::max(largest[1], std::abs(atMiddle - value));
+      }
+    }
+    return largest;
+  }
+
+  vtkNew<vtkExactGeodesicDistance> Distance;
+  vtkNew<vtkApolloniusIsolines> Isolines;
+};
+
+/// Everything that it puts out, as text.
+std::string Describe(vtkPolyData* output)
+{
+  std::ostringstream os;
+  os.precision(17);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const double* p = output->GetPoint(i);
+    os << p[0] << " " << p[1] << " " << p[2] << "\n";
+  }
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+  {
+    output->GetCellPoints(i, ids);
+    for (const vtkIdType id : *ids)
+    {
+      os << id << " ";
+    }
+    os << "\n";
+  }
+  return os.str();
+}
+}
+
+TEST_F(ApolloniusIsolines, Defaults)
+{
+  vtkNew<vtkApolloniusIsolines> filter;
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 1);
+  EXPECT_EQ(filter->GetNumberOfContours(), 1);
+  EXPECT_EQ(filter->GetValue(0), 0.0);
+  EXPECT_EQ(filter->GetMethod(), vtkApolloniusIsolines::LocalSources);
+  EXPECT_STREQ(filter->GetMethodAsString(), "LocalSources");
+  EXPECT_EQ(filter->GetChordTolerance(), 1e-3);
+  EXPECT_STREQ(filter->GetDistanceArrayName(), "GeodesicDistance");
+  EXPECT_STREQ(filter->GetVirtualSourceArrayName(), "GeodesicVirtualSource");
+}
+
+TEST_F(ApolloniusIsolines, ValuesAreThoseOfContourFilters)
+{
+  vtkNew<vtkContourFilter> contours;
+  vtkNew<vtkApolloniusIsolines> isolines;
+  const auto expectSame = [&] {
+    ASSERT_EQ(isolines->GetNumberOfContours(), contours->GetNumberOfContours());
+    std::vector<double> copy(isolines->GetNumberOfContours(), -1.0);
+    isolines->GetValues(copy.data());
+    for (int i = 0; i < contours->GetNumberOfContours(); ++i)
+    {
+      EXPECT_EQ(isolines->GetValue(i), contours->GetValue(i));
+      EXPECT_EQ(isolines->GetValues()[i], contours->GetValue(i));
+      EXPECT_EQ(copy[i], contours->GetValue(i));
+    }
+  };
+  expectSame();
+  const vtkMTimeType before = isolines->GetMTime();
+  isolines->SetValue(1, 2.5);
+  EXPECT_GT(isolines->GetMTime(), before);
+  contours->SetValue(1, 2.5);
+  expectSame();
+  isolines->SetValue(4, 1.0);
+  EXPECT_EQ(isolines->GetNumberOfContours(), 5);
+  EXPECT_EQ(isolines->GetValue(2), 0.0) << "left out";
+  EXPECT_EQ(isolines->GetValue(3), 0.0) << "left out";
+  isolines->SetNumberOfContours(9);
+  EXPECT_EQ(isolines->GetValue(1), 2.5);
+  EXPECT_EQ(isolines->GetValue(7), 0.0);
+  isolines->SetNumberOfContours(2);
+  expectSame();
+  isolines->SetNumberOfContours(0);
+  contours->SetNumberOfContours(0);
+  expectSame();
+  isolines->GenerateValues(5, 1.0, 3.0);
+  contours->GenerateValues(5, 1.0, 3.0);
+  expectSame();
+  double range[2] = { -1.0, 7.0 };
+  isolines->GenerateValues(4, range);
+  contours->GenerateValues(4, range);
+  expectSame();
+}
+
+TEST_F(ApolloniusIsolines, AreStraightWithoutHelp)
+{
+  ExpectSuccess(this->Isolines);
+  EXPECT_FALSE(this->Isolines->GetUsedWindows());
+  EXPECT_FALSE(this->Isolines->GetUsedVirtualSources());
+  EXPECT_GT(this->GetErrors()[0], 1e-2);
+}
+
+TEST_F(ApolloniusIsolines, AreExactWithWindows)
+{
+  this->Distance->GenerateWindowsOn();
+  ExpectSuccess(this->Isolines);
+  EXPECT_TRUE(this->Isolines->GetUsedWindows());
+  EXPECT_EQ(this->Isolines->GetNumberOfFallbacks(), 0);
+  vtkPolyData* output = this->Isolines->GetOutput();
+  EXPECT_EQ(output->GetNumberOfLines(), 6);
+  EXPECT_LT(this->GetErrors()[0], 1e-12);
+  EXPECT_GT(this->GetErrors()[1], 1e-6);
+  EXPECT_LT(this->GetErrors()[1], 1.3e-3); // of the mean edge length, 1.14
+  EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), 0) << "windows are those of the surface";
+  EXPECT_GT(this->Distance->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+
+  const vtkIdType points = output->GetNumberOfPoints();
+  this->Isolines->SetChordTolerance(1e-5);
+  ExpectSuccess(this->Isolines);
+  EXPECT_LT(this->GetErrors()[1], 1.3e-5);
+  EXPECT_GT(output->GetNumberOfPoints(), 3 * points);
+}
+
+TEST_F(ApolloniusIsolines, AreGoodWithVirtualSources)
+{
+  this->Distance->GenerateVirtualSourceOn();
+  ExpectSuccess(this->Isolines);
+  EXPECT_TRUE(this->Isolines->GetUsedVirtualSources());
+  EXPECT_FALSE(this->Isolines->GetUsedWindows());
+  EXPECT_LT(this->GetErrors()[0], 1e-12);
+
+  this->Isolines->SetMethodToLinear();
+  ExpectSuccess(this->Isolines);
+  EXPECT_FALSE(this->Isolines->GetUsedVirtualSources());
+  EXPECT_GT(this->GetErrors()[0], 1e-2);
+}
+
+TEST_F(ApolloniusIsolines, LinearOnesAreThoseOfContourFilters)
+{
+  this->Isolines->SetMethodToLinear();
+  ExpectSuccess(this->Isolines);
+  vtkNew<vtkContourFilter> contours;
+  contours->SetInputConnection(this->Distance->GetOutputPort());
+  contours->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "GeodesicDistance");
+  contours->GenerateValues(6, 0.55, 3.55);
+  contours->Update();
+  vtkPolyData* output = this->Isolines->GetOutput();
+  ASSERT_GT(output->GetNumberOfPoints(), 0);
+  ASSERT_EQ(output->GetNumberOfPoints(), contours->GetOutput()->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    double q[3];
+    output->GetPoint(i, p);
+    contours->GetOutput()->GetPoint(contours->GetOutput()->FindPoint(p), q);
+    EXPECT_NEAR(std::hypot(p[0] - q[0], p[1] - q[1]), 0.0, 1e-6);
+  }
+}
+
+TEST_F(ApolloniusIsolines, PointsAndCellsSayWhereTheyAre)
+{
+  this->Distance->GenerateWindowsOn();
+  this->Isolines->SetNumberOfContours(2);
+  this->Isolines->SetValue(0, 2.0);
+  this->Isolines->SetValue(1, 1.0); // through four points
+  ExpectSuccess(this->Isolines);
+  vtkPolyData* output = this->Isolines->GetOutput();
+  ASSERT_EQ(output->GetNumberOfCells(), 2);
+  vtkDataArray* values = output->GetCellData()->GetScalars();
+  ASSERT_NE(values, nullptr);
+  EXPECT_STREQ(values->GetName(), "IsoValue");
+  EXPECT_EQ(values->GetComponent(0, 0), 1.0);
+  EXPECT_EQ(values->GetComponent(1, 0), 2.0);
+  vtkDataArray* originals = output->GetPointData()->GetArray("vtkOriginalPointIds");
+  vtkDataArray* faces = output->GetPointData()->GetArray("FaceId");
+  vtkDataArray* lengths = output->GetPointData()->GetArray("ArcLength");
+  ASSERT_TRUE(originals && faces && lengths);
+  vtkNew<vtkIdList> ids;
+  output->GetCellPoints(0, ids);
+  EXPECT_EQ(ids->GetId(0), ids->GetId(ids->GetNumberOfIds() - 1)) << "closed";
+  std::set<double> found;
+  for (vtkIdType i = 0; i + 1 < ids->GetNumberOfIds(); ++i)
+  {
+    const vtkIdType id = ids->GetId(i);
+    EXPECT_GE(faces->GetComponent(id, 0), 0.0);
+    EXPECT_LT(faces->GetComponent(id, 0), 128.0);
+    EXPECT_TRUE(i == 0 || lengths->GetComponent(id, 0) > lengths->GetComponent(id - 1, 0));
+    if (originals->GetComponent(id, 0) >= 0.0)
+    {
+      found.insert(originals->GetComponent(id, 0));
+    }
+  }
+  EXPECT_EQ(found, (std::set<double>{ 31.0, 39.0, 41.0, 49.0 }));
+}
+
+TEST_F(ApolloniusIsolines, AnyArrayOfDistancesWillDo)
+{
+  auto surface = this->TakeSurface();
+  vtkDataArray* distances = surface->GetPointData()->GetArray("GeodesicDistance");
+  ExpectSuccess(this->Isolines);
+  const std::string expected = Describe(this->Isolines->GetOutput());
+  ASSERT_NE(expected, "");
+
+  distances->SetName("mine");
+  surface->GetPointData()->SetActiveScalars("mine");
+  ExpectSuccess(this->Isolines);
+  EXPECT_EQ(Describe(this->Isolines->GetOutput()), expected) << "active scalars";
+
+  surface->GetPointData()->SetActiveScalars(nullptr);
+  surface->Modified();
+  ExpectError(this->Isolines, { "GeodesicDistance", "'mine'" });
+
+  this->Isolines->SetDistanceArrayName("mine");
+  ExpectSuccess(this->Isolines);
+  EXPECT_EQ(Describe(this->Isolines->GetOutput()), expected) << "by name";
+
+  this->Isolines->SetDistanceArrayName("other");
+  this->Isolines->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "mine");
+  ExpectSuccess(this->Isolines);
+  EXPECT_EQ(Describe(this->Isolines->GetOutput()), expected) << "array to process";
+
+  this->Isolines->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "mine");
+  ExpectError(this->Isolines, { "FIELD_ASSOCIATION_POINTS" });
+}
+
+TEST_F(ApolloniusIsolines, LinesEndWhereNothingIsReached)
+{
+  this->Distance->SetMaximumDistance(3.2);
+  for (const double unreached :
+    { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+  {
+    this->Distance->SetUnreachedValue(unreached);
+    ExpectSuccess(this->Isolines);
+    vtkPolyData* output = this->Isolines->GetOutput();
+    EXPECT_GE(output->GetNumberOfCells(), 5);
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      EXPECT_TRUE(std::isfinite(output->GetPoint(i)[0]));
+    }
+  }
+}
+
+TEST_F(ApolloniusIsolines, ValuesOutOfRangeGiveNothing)
+{
+  this->Isolines->GenerateValues(3, 100.0, 200.0);
+  ExpectSuccess(this->Isolines);
+  EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_NE(this->Isolines->GetOutput()->GetCellData()->GetArray("IsoValue"), nullptr);
+  this->Isolines->SetNumberOfContours(0);
+  ExpectSuccess(this->Isolines);
+  EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST_F(ApolloniusIsolines, WrongInputIsAnError)
+{
+  this->Isolines->SetValue(2, std::numeric_limits<double>::quiet_NaN());
+  ExpectError(this->Isolines, { "value 2", "nan", "SetValue" });
+  this->Isolines->SetValue(2, std::numeric_limits<double>::infinity());
+  ExpectError(this->Isolines, { "value 2", "inf" });
+  this->Isolines->SetValue(2, 1.0);
+  ExpectSuccess(this->Isolines);
+  for (const double tolerance : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    this->Isolines->SetChordTolerance(tolerance);
+    ExpectError(this->Isolines, { "ChordTolerance" });
+  }
+  this->Isolines->SetChordTolerance(1e-3);
+  this->Isolines->SetMethod(77);
+  ExpectError(this->Isolines, { "Method is 77" });
+  this->Isolines->SetMethodToLocalSources();
+  ExpectSuccess(this->Isolines);
+
+  auto surface = this->TakeSurface();
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("GeodesicDistance");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(surface->GetNumberOfPoints());
+  surface->GetPointData()->AddArray(vectors);
+  ExpectError(this->Isolines, { "GeodesicDistance", "3 components" });
+  surface->GetPointData()->Initialize();
+  ExpectError(this->Isolines, { "GeodesicDistance", "no point arrays" });
+  EXPECT_EQ(surface->GetNumberOfPoints(), 81) << "the input is untouched";
+}
+
+TEST_F(ApolloniusIsolines, ForeignVirtualSourcesAreIgnored)
+{
+  this->Distance->GenerateVirtualSourceOn();
+  auto surface = this->TakeSurface();
+  vtkDataArray* sources = surface->GetPointData()->GetArray("GeodesicVirtualSource");
+  ASSERT_NE(sources, nullptr);
+  for (vtkIdType i = 0; i < sources->GetNumberOfTuples(); ++i)
+  {
+    sources->SetComponent(i, 0, 7.0 + static_cast<double>(i));
+  }
+  ExpectWarning(this->Isolines, { "GeodesicVirtualSource", "ignored" });
+  EXPECT_FALSE(this->Isolines->GetUsedVirtualSources());
+  EXPECT_GT(this->GetErrors()[0], 1e-2);
+  this->Isolines->SetVirtualSourceArrayName("none");
+  ExpectSuccess(this->Isolines);
+}
+
+TEST_F(ApolloniusIsolines, ApproximateDistancesGiveSmoothLinesAsWell)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(20);
+  vtkNew<vtkDGGDistance> distance;
+  distance->SetInputConnection(sphere->GetOutputPort());
+  distance->AddSourceId(100);
+  distance->GenerateVirtualSourceOn();
+  this->Isolines->SetInputConnection(distance->GetOutputPort());
+  this->Isolines->GenerateValues(5, 0.2, 1.3);
+  ExpectSuccess(this->Isolines);
+  EXPECT_TRUE(this->Isolines->GetUsedVirtualSources());
+  EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfLines(), 5);
+}
+
+TEST_F(ApolloniusIsolines, DoNotDependOnThreads)
+{
+  this->Distance->SetInputData(MakeTerrain(30));
+  this->Distance->GenerateWindowsOn();
+  this->Isolines->GenerateValues(12, 0.05, 1.2);
+  vtkSMPTools::Initialize(1);
+  ExpectSuccess(this->Isolines);
+  const std::string expected = Describe(this->Isolines->GetOutput());
+  for (const int threads : { 2, 5 })
+  {
+    vtkSMPTools::Initialize(threads);
+    this->Isolines->Modified();
+    ExpectSuccess(this->Isolines);
+    EXPECT_EQ(Describe(this->Isolines->GetOutput()), expected);
+  }
+  vtkSMPTools::Initialize();
+}
+
+TEST_F(ApolloniusIsolines, TellProgressAndCanBeStopped)
+{
+  this->Distance->SetInputData(MakeTerrain(100));
+  this->Distance->Update();
+  {
+    ProgressWatch watch(this->Isolines);
+    ExpectSuccess(this->Isolines);
+    watch.ExpectGrowth();
+  }
+  vtkNew<vtkApolloniusIsolines> stopped;
+  stopped->SetInputConnection(this->Distance->GetOutputPort());
+  stopped->GenerateValues(6, 0.1, 1.0);
+  ProgressWatch watch(stopped);
+  watch.StopAt = 0.5;
+  stopped->Update();
+  EXPECT_EQ(stopped->GetErrorCode(), 0u);
+  ExpectEmptyOutput(stopped);
+  watch.StopAt = 2.0;
+  ExpectSuccess(stopped);
+  EXPECT_GT(stopped->GetOutput()->GetNumberOfLines(), 0);
+}
+
+TEST_F(ApolloniusIsolines, ObserversMayEmptyThePoints)
+{
+  ExpectObserversMayEmptyThePoints(this->Isolines, this->TakeSurface());
+}
+
+TEST_F(ApolloniusIsolines, PrintsItself)
+{
+  std::ostringstream os;
+  this->Isolines->Print(os);
+  for (const char* part : { "Method: LocalSources", "ChordTolerance: 0.001",
+         "ContourValues:", "NumberOfFallbacks: 0", "DistanceArrayName: GeodesicDistance" })
+  {
+    EXPECT_NE(os.str().find(part), std::string::npos) << part;
+  }
+}
