@@ -847,9 +847,11 @@ TEST(ApolloniusParts, BadInputAndStopping)
   }).IsOk());
   EXPECT_GT(last, 0.05);
   EXPECT_FALSE(curves.empty());
-  for (const double when : { 0.0, 0.1 })
+  for (const double when : { 0.0, 0.15 })
   {
     EXPECT_TRUE(run(c.Local, 2, { 1.0 }, [=](double done) { return done < when; }).IsAborted());
+    EXPECT_TRUE(crossings.empty() && curves.empty());
+    EXPECT_TRUE(run(c.Plain, 2, { 1.0 }, [=](double done) { return done < when; }).IsAborted());
     EXPECT_TRUE(crossings.empty() && curves.empty());
   }
 }

@@ -13,7 +13,9 @@ namespace dgg
 namespace
 {
 /// Vertices that one thread does in a row.
-constexpr Offset VerticesPerTask = 1024;
+constexpr Offset VerticesPerTask = 512;
+/// Vertices between two calls of the progress.
+constexpr Offset VerticesAtOnce = 16384;
 /// A neighbour whose distance is off by this part of the edge counts half as much as before.
 constexpr double SmallTolerance = 0.02;
 /// Where the fit leaves somebody out, it is tried again from one in which all neighbours count:
@@ -26,6 +28,9 @@ constexpr double GoodMisfit = 0.2;
 constexpr double SmallestCurvature = 1e-6;
 constexpr double LargestCurvature = 1e4;
 constexpr int MostSteps = 20;
+/// Damping of the steps, relative to the diagonal of the equations.
+constexpr double FirstDamping = 1e-3;
+constexpr double LargestDamping = 1e6;
 /// After a step shorter than this, in angle and curvature over the mean length, the next one would
 /// change nothing.
 constexpr double SmallestStep = 1e-8;
@@ -60,9 +65,20 @@ public:
   bool Fit(Id v, Guess& best);
 
 private:
+  /// Normal equations of the weighted least squares.
+  struct Equations
+  {
+    double Misfit = 0.0;
+    double AngleAngle = 0.0;
+    double AngleCurvature = 0.0;
+    double CurvatureCurvature = 0.0;
+    double Angle = 0.0; // right sides
+    double Curvature = 0.0;
+  };
+
   void CollectNeighbors(Id v);
   double Predict(const Neighbor& n, const Guess& guess, double& byAngle, double& byCurvature) const;
-  double MisfitOf(const Guess& guess) const;
+  Equations Evaluate(const Guess& guess) const;
   double MisfitOfVertex() const;
   double Improve(Guess& guess) const;
   /// Geman and McClure's: bounded, so that a neighbour on another way costs what it costs and pulls
@@ -131,17 +147,29 @@ double VertexFit::Predict(
   return rise;
 }
 
-double VertexFit::MisfitOf(const Guess& guess) const
+/// The misfit of a guess, and what leads to a better one. The unknowns are the angle and the
+/// curvature times the mean length.
+VertexFit::Equations VertexFit::Evaluate(const Guess& guess) const
 {
-  double misfit = 0.0;
+  Equations e;
   for (const Neighbor& n : this->Neighbors)
   {
     double byAngle = 0.0;
     double byCurvature = 0.0;
-    misfit += Penalty(
-      (n.Rise - this->Predict(n, guess, byAngle, byCurvature)) / (this->Tolerance * n.Length));
+    const double scale = 1.0 / (this->Tolerance * n.Length);
+    const double residual = scale * (n.Rise - this->Predict(n, guess, byAngle, byCurvature));
+    byAngle *= scale;
+    byCurvature *= scale / this->MeanLength;
+    const double more = 1.0 / (1.0 + residual * residual);
+    const double weight = more * more;
+    e.Misfit += residual * residual * more;
+    e.AngleAngle += weight * byAngle * byAngle;
+    e.AngleCurvature += weight * byAngle * byCurvature;
+    e.CurvatureCurvature += weight * byCurvature * byCurvature;
+    e.Angle += weight * byAngle * residual;
+    e.Curvature += weight * byCurvature * residual;
   }
-  return misfit;
+  return e;
 }
 
 double VertexFit::MisfitOfVertex() const
@@ -158,54 +186,37 @@ double VertexFit::MisfitOfVertex() const
 /// Returns the misfit.
 double VertexFit::Improve(Guess& guess) const
 {
-  double misfit = this->MisfitOf(guess);
-  double damping = 1e-3;
+  Equations e = this->Evaluate(guess);
+  double damping = FirstDamping;
   for (int step = 0; step < MostSteps; ++step)
   {
-    double aa = 0.0;
-    double ac = 0.0;
-    double cc = 0.0;
-    double a = 0.0;
-    double c = 0.0;
-    for (const Neighbor& n : this->Neighbors)
-    {
-      double byAngle = 0.0;
-      double byCurvature = 0.0;
-      const double scale = 1.0 / (this->Tolerance * n.Length);
-      const double residual = scale * (n.Rise - this->Predict(n, guess, byAngle, byCurvature));
-      byAngle *= scale;
-      byCurvature *= scale / this->MeanLength; // the unknown is curvature times mean length
-      const double weight = 1.0 / ((1.0 + residual * residual) * (1.0 + residual * residual));
-      aa += weight * byAngle * byAngle;
-      ac += weight * byAngle * byCurvature;
-      cc += weight * byCurvature * byCurvature;
-      a += weight * byAngle * residual;
-      c += weight * byCurvature * residual;
-    }
-    const double more = damping * (aa + cc);
-    const double determinant = (aa + more) * (cc + more) - ac * ac;
+    const double more = damping * (e.AngleAngle + e.CurvatureCurvature);
+    const double aa = e.AngleAngle + more;
+    const double cc = e.CurvatureCurvature + more;
+    const double ac = e.AngleCurvature;
+    const double determinant = aa * cc - ac * ac;
     if (!(determinant > 0.0))
     {
       break;
     }
     Guess next;
-    const double turn = (a * (cc + more) - c * ac) / determinant;
-    next.Angle = guess.Angle + turn;
+    next.Angle = guess.Angle + (e.Angle * cc - e.Curvature * ac) / determinant;
     if (this->Around.IsOpen)
     {
       // The field may be cut off where it comes from beyond the boundary.
       next.Angle = std::min(this->Around.Total + Pi, std::max(-Pi, next.Angle));
     }
-    next.Curvature = this->MeanLength * guess.Curvature + (c * (aa + more) - a * ac) / determinant;
+    next.Curvature =
+      this->MeanLength * guess.Curvature + (e.Curvature * aa - e.Angle * ac) / determinant;
     next.Curvature =
       std::min(LargestCurvature, std::max(SmallestCurvature, next.Curvature)) / this->MeanLength;
-    const double nextMisfit = this->MisfitOf(next);
-    if (nextMisfit <= misfit)
+    const Equations after = this->Evaluate(next);
+    if (after.Misfit <= e.Misfit)
     {
       const double change = std::abs(next.Angle - guess.Angle) +
         this->MeanLength * std::abs(next.Curvature - guess.Curvature);
       guess = next;
-      misfit = nextMisfit;
+      e = after;
       damping *= 0.1;
       if (change < SmallestStep)
       {
@@ -215,13 +226,13 @@ double VertexFit::Improve(Guess& guess) const
     else
     {
       damping *= 10.0;
-      if (damping > 1e6)
+      if (damping > LargestDamping)
       {
         break;
       }
     }
   }
-  return misfit;
+  return e.Misfit;
 }
 
 bool VertexFit::Fit(Id v, Guess& best)
@@ -272,27 +283,37 @@ bool VertexFit::Fit(Id v, Guess& best)
 }
 }
 
-void FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
-  const ParallelFor& parallel, VirtualSources& found)
+bool FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
+  const ParallelFor& parallel, VirtualSources& found, const ProgressCallback& progress)
 {
-  const std::size_t n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
-  found.Offsets.assign(n, Infinity);
-  found.Lengths.assign(n, Infinity);
-  found.Angles.assign(n, 0.0);
-  ForRange(parallel, mesh.GetNumberOfVertices(), VerticesPerTask, [&](Offset begin, Offset end) {
-    VertexFit fit(mesh, distances);
-    for (Id v = static_cast<Id>(begin); v < end; ++v)
+  const Offset n = mesh.GetNumberOfVertices();
+  found.Offsets.assign(static_cast<std::size_t>(n), Infinity);
+  found.Lengths.assign(static_cast<std::size_t>(n), Infinity);
+  found.Angles.assign(static_cast<std::size_t>(n), 0.0);
+  for (Offset first = 0; first < n; first += VerticesAtOnce)
+  {
+    if (progress && !progress(static_cast<double>(first) / static_cast<double>(n)))
     {
-      if (!std::isfinite(distances[v]))
-      {
-        continue;
-      }
-      Guess guess;
-      const bool isFitted = fit.Fit(v, guess);
-      found.Lengths[v] = isFitted ? 1.0 / guess.Curvature : 0.0;
-      found.Angles[v] = isFitted ? guess.Angle : 0.0;
-      found.Offsets[v] = distances[v] - found.Lengths[v];
+      found = {};
+      return false;
     }
-  });
+    const Offset count = std::min(VerticesAtOnce, n - first);
+    ForRange(parallel, count, VerticesPerTask, [&](Offset begin, Offset end) {
+      VertexFit fit(mesh, distances);
+      for (Id v = static_cast<Id>(first + begin); v < first + end; ++v)
+      {
+        if (!std::isfinite(distances[v]))
+        {
+          continue;
+        }
+        Guess guess;
+        const bool isFitted = fit.Fit(v, guess);
+        found.Lengths[v] = isFitted ? 1.0 / guess.Curvature : 0.0;
+        found.Angles[v] = isFitted ? guess.Angle : 0.0;
+        found.Offsets[v] = distances[v] - found.Lengths[v];
+      }
+    });
+  }
+  return true;
 }
 }

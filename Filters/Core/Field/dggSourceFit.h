@@ -7,6 +7,7 @@
 
 #include "dggParallel.h"       // for ParallelFor
 #include "dggSurfaceMesh.h"    // for SurfaceMesh
+#include "dggTypes.h"          // for ProgressCallback
 #include "dggVirtualSources.h" // for VirtualSources
 
 namespace dgg
@@ -17,9 +18,11 @@ namespace dgg
 /// one, from fast marching or heat; of the distance at a source nothing is assumed.
 ///
 /// `distances` are per vertex; Infinity or NaN where unreached. Where there is nothing to fit, as
-/// at a source or an Irregular vertex, the virtual source is the vertex itself.
-void FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
-  const ParallelFor& parallel, VirtualSources& found);
+/// at a source or an Irregular vertex, the virtual source is the vertex itself. False when stopped;
+/// then nothing is found.
+bool FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
+  const ParallelFor& parallel, VirtualSources& found,
+  const ProgressCallback& progress = ProgressCallback());
 }
 
 #endif

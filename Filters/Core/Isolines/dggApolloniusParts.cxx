@@ -18,8 +18,9 @@ namespace
 /// the progress.
 constexpr Offset BlockSize = 64;
 constexpr Offset BlocksAtOnce = 64;
-/// Share of the progress that belongs to the edges.
-constexpr double EdgesDone = 0.1;
+/// Where in the progress the fit and the edges are done.
+constexpr double FitDone = 0.1;
+constexpr double EdgesDone = 0.2;
 /// No point of a triangle is farther from its corners than this part of the longest side.
 constexpr double FarthestFromCorners = 0.58;
 
@@ -254,15 +255,22 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
   const SurfaceMesh& mesh = *field.Mesh;
   DistanceField used = field;
   VirtualSources fitted;
+  double begin = 0.0;
   if (!field.Sources || field.Sources->Offsets.empty())
   {
-    FitVirtualSources(mesh, field.Distances, parallel, fitted);
+    const ProgressCallback part =
+      progress ? [&](double done) { return progress(FitDone * done); } : ProgressCallback();
+    if (!FitVirtualSources(mesh, field.Distances, parallel, fitted, part))
+    {
+      return Status::Abort();
+    }
     used.Sources = &fitted;
+    begin = FitDone;
   }
   const SortedLevels sorted(levels);
   std::vector<FoundCrossing> found;
   const bool isEdgesDone = Collect<HermiteEdge>(
-    mesh.GetNumberOfHalfEdges(), parallel, progress, 0.0, EdgesDone,
+    mesh.GetNumberOfHalfEdges(), parallel, progress, begin, EdgesDone,
     [&] { return HermiteEdge(used, steinerPoints); },
     [&](HermiteEdge& edge, Id h, std::vector<FoundCrossing>& block) {
       if (IsEdgeAtWork(used, h))
