@@ -395,10 +395,11 @@ void ExpectSound(const DistanceField& field, int k, const std::vector<double>& l
 
 bool IsSame(const Parts& a, const Parts& b)
 {
-  return std::equal(a.Crossings.begin(), a.Crossings.end(), b.Crossings.begin(), b.Crossings.end(),
-           [](const EdgeCrossing& x, const EdgeCrossing& y) {
-             return x.HalfEdge == y.HalfEdge && x.X == y.X && x.Level == y.Level;
-           }) &&
+  return !a.Curves.empty() &&
+    std::equal(a.Crossings.begin(), a.Crossings.end(), b.Crossings.begin(), b.Crossings.end(),
+      [](const EdgeCrossing& x, const EdgeCrossing& y) {
+        return x.HalfEdge == y.HalfEdge && x.X == y.X && x.Level == y.Level;
+      }) &&
     std::equal(a.Curves.begin(), a.Curves.end(), b.Curves.begin(), b.Curves.end(),
       [](const FaceCurve& x, const FaceCurve& y) {
         return x.Face == y.Face && x.Level == y.Level && x.First == y.First && x.Last == y.Last &&
@@ -808,6 +809,33 @@ TEST(ApolloniusParts, BeatLinearInterpolation)
     EXPECT_LT(3.0 * ErrorOf(c, c.Local, 2, levels), linear);
     EXPECT_LT(3.0 * ErrorOf(c, c.ExactWithSources, 2, levels), linear);
     EXPECT_LT(2.0 * ErrorOf(c, c.Plain, 2, levels), linear); // sources fitted
+  }
+}
+
+TEST(ApolloniusParts, UnitsDoNotMatter)
+{
+  const TestMesh test = Torus(16, 10);
+  const FieldCase c(test, { VertexSource(3) });
+  const std::vector<double> levels = c.Levels(9);
+  const Parts expected(c.Local, 2, levels);
+  const Parts expectedFitted(c.Plain, 2, levels);
+  for (const double factor : { 0x1p20, 0x1p-20 }) // powers of two: bit for bit
+  {
+    const FieldCase scaled(Scaled(test, factor), { VertexSource(3) });
+    std::vector<double> scaledLevels = levels;
+    for (double& level : scaledLevels)
+    {
+      level *= factor;
+    }
+    for (const bool isFitted : { false, true })
+    {
+      Parts parts(isFitted ? scaled.Plain : scaled.Local, 2, scaledLevels);
+      for (EdgeCrossing& crossing : parts.Crossings)
+      {
+        crossing.X /= factor;
+      }
+      EXPECT_TRUE(IsSame(isFitted ? expectedFitted : expected, parts)) << factor << isFitted;
+    }
   }
 }
 
