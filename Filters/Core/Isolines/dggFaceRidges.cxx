@@ -1,0 +1,450 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggFaceRidges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+/// Samples with which the search for jumps starts.
+constexpr int SamplesOfSide = 8;
+constexpr int SamplesOfCorner = 2;
+constexpr int SamplesOfCut = 6;
+/// How far they are bisected: at corners, more would show rounding.
+constexpr double WidthOfSide = 1e-12;
+constexpr double WidthOfCorner = 1e-4;
+/// How far a jump may be from the tie, relative to the longest edge: more on the rim, which is
+/// looked at a little inside.
+constexpr double RimSlack = 1e-4;
+constexpr double CutSlack = 1e-6;
+/// Parts of a face that are so small, relative, are not divided further: where ridges meet, and
+/// where one ends because its angle falls.
+constexpr double SmallestPart = 1e-7;
+constexpr double SmallestDeadEnd = 1e-2;
+/// So are parts that are much smaller than the tolerance.
+constexpr double SmallShare = 0.1;
+/// Where parts are divided and how much the cut is turned: nothing that a regular mesh knows.
+constexpr double CutPlace = 0.4871;
+constexpr double CutTurn = 0.1373;
+/// Distances are equal when they are so close, relative.
+constexpr double TieTolerance = 1e-10;
+constexpr int MaximumDepth = 12;
+/// A curve whose ends belong to different sources is halved at least so often.
+constexpr int MinimumDepth = 2;
+
+bool HavePair(const FieldSample& a, const FieldSample& b, const FieldSample& c,
+  const FieldSample& d, double length)
+{
+  return (HaveOneSource(a, c, length) && HaveOneSource(b, d, length)) ||
+    (HaveOneSource(a, d, length) && HaveOneSource(b, c, length));
+}
+}
+
+FaceRidgeFinder::FaceRidgeFinder(const DistanceField& field, double angle, double chordTolerance)
+  : Field(field)
+  , Angle(angle)
+  , ChordTolerance(chordTolerance)
+  , Profile(field)
+  , Jumps(Profile, angle)
+{
+}
+
+void FaceRidgeFinder::Find(Id f, FaceRidges& found)
+{
+  this->Found = &found;
+  this->Profile.Enter(f);
+  this->Crossings.clear();
+  this->Size = std::max({ this->Field.Mesh->Length(3 * f), this->Field.Mesh->Length(3 * f + 1),
+    this->Field.Mesh->Length(3 * f + 2) });
+  this->Connect(this->MakeRim());
+}
+
+/// The six corners of the face without its corners, and what comes out between them.
+FaceRidgeFinder::Rim FaceRidgeFinder::MakeRim()
+{
+  std::array<std::array<Point2, 2>, 3> ends;
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      std::array<double, 3> b{};
+      b[(k + 2) % 3] = RimInset;
+      b[(k + 1 - i) % 3] = CornerInset;
+      b[(k + i) % 3] = 1.0 - CornerInset - RimInset;
+      ends[k][i] = this->Profile.PlaceOf(b);
+      const FieldSample sample = this->Profile.SampleAt(ends[k][i]);
+      const Point2 axis = Difference(
+        this->Profile.GetCorners()[(k + 1) % 3], this->Profile.GetCorners()[k]);
+      this->Found->RimAngles[k][i] = static_cast<float>(
+        std::atan2(Cross(axis, sample.Gradient), Dot(axis, sample.Gradient)));
+    }
+  }
+  Rim rim;
+  for (int k = 0; k < 3; ++k)
+  {
+    rim.push_back({ ends[k][0], NoId });
+    this->AddSide(k, ends[k][0], ends[k][1], rim);
+    rim.push_back({ ends[k][1], NoId });
+    this->AddCorner((k + 1) % 3, ends[k][1], ends[(k + 1) % 3][0], rim);
+  }
+  return rim;
+}
+
+/// What comes out through an edge, at the tie on the edge itself.
+void FaceRidgeFinder::AddSide(int k, const Point2& from, const Point2& to, Rim& rim)
+{
+  std::vector<FieldJump> jumps;
+  this->Jumps.Find(from, to, SamplesOfSide, WidthOfSide, jumps);
+  const double length = this->Field.Mesh->Length(3 * this->Profile.GetFace() + k);
+  const Point2& origin = this->Profile.GetCorners()[k];
+  const Point2& end = this->Profile.GetCorners()[(k + 1) % 3];
+  const Point2 axis{ (end.X - origin.X) / length, (end.Y - origin.Y) / length };
+  auto abscissa = [&](const Point2& p) { return Dot(axis, Difference(p, origin)); };
+  for (const FieldJump& jump : jumps)
+  {
+    const double x = abscissa(jump.Place);
+    Point2 place{ origin.X + x * axis.X, origin.Y + x * axis.Y };
+    RidgeEnd ridgeEnd;
+    ridgeEnd.On = RidgeEnd::Support::Edge;
+    ridgeEnd.Side = k;
+    ridgeEnd.X = x;
+    Point2 tie = place;
+    if (MoveToTie(jump.Before, jump.After, axis, RimSlack * length, tie) &&
+      abscissa(tie) > 0.0 && abscissa(tie) < length)
+    {
+      place = tie;
+      ridgeEnd.X = abscissa(tie);
+    }
+    rim.push_back({ jump.Place, this->AddEnd(ridgeEnd, { place, jump.Before, jump.After }) });
+  }
+}
+
+/// What ends at a corner, or passes it.
+void FaceRidgeFinder::AddCorner(int k, const Point2& from, const Point2& to, Rim& rim)
+{
+  std::vector<FieldJump> jumps;
+  this->Jumps.Find(from, to, SamplesOfCorner, WidthOfCorner, jumps);
+  for (const FieldJump& jump : jumps)
+  {
+    RidgeEnd end;
+    end.On = RidgeEnd::Support::Vertex;
+    end.Side = k;
+    rim.push_back({ jump.Place,
+      this->AddEnd(end, { this->Profile.GetCorners()[k], jump.Before, jump.After }) });
+  }
+}
+
+Id FaceRidgeFinder::AddEnd(const RidgeEnd& end, const Crossing& crossing)
+{
+  this->Found->Ends.push_back(end);
+  this->Found->Ends.back().Angle = AngleBetween(crossing.Before, crossing.After);
+  this->Crossings.push_back(crossing);
+  return static_cast<Id>(this->Crossings.size()) - 1;
+}
+
+/// Connect what comes out of a convex part of the face.
+void FaceRidgeFinder::Connect(const Rim& rim)
+{
+  std::vector<Id> ridges;
+  double size = 0.0;
+  for (const RimPoint& point : rim)
+  {
+    if (point.Ridge != NoId)
+    {
+      ridges.push_back(point.Ridge);
+    }
+    size = std::max(size, Distance(point.Place, rim[0].Place));
+  }
+  const double smallest = std::max(SmallestPart * this->Size, SmallShare * this->ChordTolerance);
+  Point2 junction;
+  if (ridges.empty())
+  {
+    return;
+  }
+  if (ridges.size() == 2)
+  {
+    this->AddPiece(ridges[0], ridges[1]);
+  }
+  else if (ridges.size() > 2 && this->FindJunction(ridges, rim, junction))
+  {
+    this->MakeJunction(ridges, junction);
+  }
+  else if (ridges.size() > 2 && size <= smallest)
+  {
+    for (const Id ridge : ridges)
+    {
+      junction.X += this->Crossings[ridge].Place.X / static_cast<double>(ridges.size());
+      junction.Y += this->Crossings[ridge].Place.Y / static_cast<double>(ridges.size());
+    }
+    this->MakeJunction(ridges, junction);
+  }
+  else if (size > (ridges.size() == 1 ? SmallestDeadEnd * this->Size : smallest))
+  {
+    this->Divide(rim);
+  }
+}
+
+/// Cut a part in two across its longest diagonal.
+void FaceRidgeFinder::Divide(const Rim& rim)
+{
+  std::size_t first = 0;
+  std::size_t second = 0;
+  double longest = 0.0;
+  for (std::size_t i = 0; i < rim.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < rim.size(); ++j)
+    {
+      const double length = Distance(rim[i].Place, rim[j].Place);
+      if (length > longest)
+      {
+        longest = length;
+        first = i;
+        second = j;
+      }
+    }
+  }
+  const Point2 way = Difference(rim[second].Place, rim[first].Place);
+  const Point2 through{ rim[first].Place.X + CutPlace * way.X,
+    rim[first].Place.Y + CutPlace * way.Y };
+  const Point2 across{ way.X - CutTurn * way.Y, way.Y + CutTurn * way.X };
+  auto height = [&](std::size_t i) {
+    return Dot(across, Difference(rim[i % rim.size()].Place, through));
+  };
+  std::vector<std::size_t> cuts; // each before the point after it
+  for (std::size_t i = 0; i < rim.size(); ++i)
+  {
+    if ((height(i) < 0.0) != (height(i + 1) < 0.0))
+    {
+      cuts.push_back(i);
+    }
+  }
+  if (cuts.size() != 2)
+  {
+    return;
+  }
+  std::array<Point2, 2> places;
+  for (int c = 0; c < 2; ++c)
+  {
+    const Point2& p = rim[cuts[c]].Place;
+    const Point2& q = rim[(cuts[c] + 1) % rim.size()].Place;
+    const double t = height(cuts[c]) / (height(cuts[c]) - height(cuts[c] + 1));
+    places[c] = { p.X + t * (q.X - p.X), p.Y + t * (q.Y - p.Y) };
+  }
+  std::vector<FieldJump> jumps;
+  this->Jumps.Find(places[0], places[1], SamplesOfCut, WidthOfSide, jumps);
+  const double length = Distance(places[0], places[1]);
+  const Point2 axis{ (places[1].X - places[0].X) / length, (places[1].Y - places[0].Y) / length };
+  Rim cut;
+  cut.push_back({ places[0], NoId });
+  for (const FieldJump& jump : jumps)
+  {
+    Point2 place = jump.Place;
+    MoveToTie(jump.Before, jump.After, axis, CutSlack * length, place);
+    RidgeEnd end;
+    end.Barycentric = this->BarycentricInside(place);
+    cut.push_back({ jump.Place, this->AddEnd(end, { place, jump.Before, jump.After }) });
+  }
+  cut.push_back({ places[1], NoId });
+  // What lies between the cuts, and the rest.
+  Rim part(rim.begin() + static_cast<std::ptrdiff_t>(cuts[0]) + 1,
+    rim.begin() + static_cast<std::ptrdiff_t>(cuts[1]) + 1);
+  part.insert(part.end(), cut.rbegin(), cut.rend());
+  this->Connect(part);
+  part.assign(rim.begin() + static_cast<std::ptrdiff_t>(cuts[1]) + 1, rim.end());
+  part.insert(part.end(), rim.begin(), rim.begin() + static_cast<std::ptrdiff_t>(cuts[0]) + 1);
+  part.insert(part.end(), cut.begin(), cut.end());
+  this->Connect(part);
+}
+
+/// The point with three shortest paths, when there are three sources around a part and it lies in
+/// it.
+bool FaceRidgeFinder::FindJunction(
+  const std::vector<Id>& ridges, const Rim& rim, Point2& place) const
+{
+  if (ridges.size() != 3)
+  {
+    return false;
+  }
+  std::vector<FieldSample> sources;
+  for (const Id ridge : ridges)
+  {
+    for (const FieldSample* sample :
+      { &this->Crossings[ridge].Before, &this->Crossings[ridge].After })
+    {
+      const bool isKnown = std::any_of(sources.begin(), sources.end(),
+        [&](const FieldSample& s) { return HaveOneSource(s, *sample, this->Size); });
+      if (!isKnown)
+      {
+        sources.push_back(*sample);
+      }
+    }
+  }
+  if (sources.size() != 3)
+  {
+    return false;
+  }
+  place = {};
+  for (const Id ridge : ridges)
+  {
+    place.X += this->Crossings[ridge].Place.X / 3.0;
+    place.Y += this->Crossings[ridge].Place.Y / 3.0;
+  }
+  if (!MoveToTie(sources[0], sources[1], sources[2], place))
+  {
+    return false;
+  }
+  // In the part, but for the inset of the rim.
+  for (std::size_t i = 0; i < rim.size(); ++i)
+  {
+    const Point2& p = rim[i].Place;
+    const Point2 side = Difference(rim[(i + 1) % rim.size()].Place, p);
+    if (Cross(side, Difference(place, p)) <
+      -CornerInset * this->Size * Norm(side.X, side.Y))
+    {
+      return false;
+    }
+  }
+  const double distance = this->Profile.At(place);
+  const double close = TieTolerance * (std::abs(distance) + this->Size);
+  return std::all_of(sources.begin(), sources.end(), [&](const FieldSample& s) {
+    return std::abs(DistanceFromSource(s, place) - distance) <= close;
+  });
+}
+
+void FaceRidgeFinder::MakeJunction(const std::vector<Id>& ridges, const Point2& place)
+{
+  RidgeEnd end;
+  end.Barycentric = this->BarycentricInside(place);
+  const Crossing first = this->Crossings[ridges[0]];
+  const Id junction = this->AddEnd(end, { place, first.Before, first.After });
+  for (const Id ridge : ridges)
+  {
+    // The same sources at both ends, so that the curve between them is found at once.
+    this->Crossings[junction].Before = this->Crossings[ridge].Before;
+    this->Crossings[junction].After = this->Crossings[ridge].After;
+    this->AddPiece(ridge, junction);
+  }
+}
+
+void FaceRidgeFinder::AddPiece(Id from, Id to)
+{
+  RidgePiece piece;
+  piece.From = from;
+  piece.To = to;
+  this->Refine(this->Crossings[from], this->Crossings[to], 0, piece.Points);
+  this->Found->Pieces.push_back(std::move(piece));
+}
+
+/// Points between two, by halves.
+void FaceRidgeFinder::Refine(
+  const Crossing& from, const Crossing& to, int depth, std::vector<std::array<double, 3>>& points)
+{
+  const double length = Distance(from.Place, to.Place);
+  if (depth >= MaximumDepth || length <= this->ChordTolerance)
+  {
+    return;
+  }
+  Crossing between;
+  if (!this->FindBetween(from, to, between))
+  {
+    ++this->Fallbacks;
+    return;
+  }
+  const Point2 middle{ 0.5 * (from.Place.X + to.Place.X), 0.5 * (from.Place.Y + to.Place.Y) };
+  const bool isSmooth = HavePair(from.Before, from.After, to.Before, to.After, this->Size);
+  if (Distance(middle, between.Place) <= this->ChordTolerance && (isSmooth || depth >= MinimumDepth))
+  {
+    return;
+  }
+  this->Refine(from, between, depth + 1, points);
+  points.push_back(this->BarycentricInside(between.Place));
+  this->Refine(between, to, depth + 1, points);
+}
+
+/// The point of the ridge across the middle of a chord: at the tie of the sources of an end, or
+/// else found anew.
+bool FaceRidgeFinder::FindBetween(
+  const Crossing& from, const Crossing& to, Crossing& between) const
+{
+  const double length = Distance(from.Place, to.Place);
+  const Point2 normal{ (from.Place.Y - to.Place.Y) / length, (to.Place.X - from.Place.X) / length };
+  const Point2 middle{ 0.5 * (from.Place.X + to.Place.X), 0.5 * (from.Place.Y + to.Place.Y) };
+  for (const Crossing* end : { &from, &to })
+  {
+    between = { middle, end->Before, end->After };
+    if (MoveToTie(end->Before, end->After, normal, length, between.Place) && this->IsTie(between))
+    {
+      return true;
+    }
+  }
+  // Across the chord, as far as the face goes.
+  const std::array<double, 3> here = this->Profile.BarycentricOf(middle);
+  const std::array<double, 3> there =
+    this->Profile.BarycentricOf({ middle.X + normal.X, middle.Y + normal.Y });
+  double begin = -0.5 * length;
+  double end = 0.5 * length;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double rise = there[k] - here[k];
+    if (rise > 0.0)
+    {
+      begin = std::max(begin, -here[k] / rise);
+    }
+    else if (rise < 0.0)
+    {
+      end = std::min(end, -here[k] / rise);
+    }
+  }
+  if (!(begin < end))
+  {
+    return false;
+  }
+  std::vector<FieldJump> jumps;
+  this->Jumps.Find({ middle.X + begin * normal.X, middle.Y + begin * normal.Y },
+    { middle.X + end * normal.X, middle.Y + end * normal.Y }, SamplesOfCut, WidthOfSide, jumps);
+  if (jumps.empty())
+  {
+    return false;
+  }
+  const FieldJump& best = *std::min_element(
+    jumps.begin(), jumps.end(), [&](const FieldJump& a, const FieldJump& b) {
+      return Distance(a.Place, middle) < Distance(b.Place, middle);
+    });
+  between = { best.Place, best.Before, best.After };
+  MoveToTie(best.Before, best.After, normal, CutSlack * this->Size, between.Place);
+  return true;
+}
+
+/// Whether a point of the face is as far from both sources as from anything.
+bool FaceRidgeFinder::IsTie(const Crossing& crossing) const
+{
+  const std::array<double, 3> b = this->Profile.BarycentricOf(crossing.Place);
+  if (!(std::min({ b[0], b[1], b[2] }) >= -RimInset))
+  {
+    return false;
+  }
+  const double distance = this->Profile.At(crossing.Place);
+  const double close = TieTolerance * (std::abs(distance) + this->Size);
+  return std::abs(DistanceFromSource(crossing.Before, crossing.Place) - distance) <= close &&
+    std::abs(DistanceFromSource(crossing.After, crossing.Place) - distance) <= close;
+}
+
+std::array<double, 3> FaceRidgeFinder::BarycentricInside(const Point2& p) const
+{
+  std::array<double, 3> b = this->Profile.BarycentricOf(p);
+  double sum = 0.0;
+  for (double& coordinate : b)
+  {
+    coordinate = std::max(0.0, coordinate);
+    sum += coordinate;
+  }
+  for (double& coordinate : b)
+  {
+    coordinate /= sum;
+  }
+  return b;
+}
+}

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Ridges within one face. Internal.
+#ifndef dggFaceRidges_h
+#define dggFaceRidges_h
+
+#include "dggFaceProfile.h" // for FaceProfile
+#include "dggFieldJumps.h"  // for FieldJump
+
+#include <array>   // for barycentric coordinates
+#include <cstdint> // for the support of ends
+#include <vector>  // for the pieces
+
+namespace dgg
+{
+/// An end of a piece of a ridge within a face.
+struct RidgeEnd
+{
+  enum class Support : std::uint8_t
+  {
+    Vertex, ///< the corner `Side`
+    Edge,   ///< the half-edge 3f + Side, at the abscissa X
+    Face    ///< at Barycentric
+  };
+
+  Support On = Support::Face;
+  int Side = 0;
+  double X = 0.0;
+  std::array<double, 3> Barycentric{ { 0.0, 0.0, 0.0 } };
+  double Angle = 0.0; ///< between the two directions
+};
+
+/// A piece of a ridge from one end to another.
+struct RidgePiece
+{
+  Id From = NoId;
+  Id To = NoId;
+  std::vector<std::array<double, 3>> Points; ///< those in between
+};
+
+/// What a face knows of ridges. The face ends a little inside of its rim, so that what it finds
+/// does not depend on rounding where a ridge runs along an edge; around its corners it ends as
+/// well, and a ridge that goes on there ends at the vertex.
+struct FaceRidges
+{
+  std::vector<RidgeEnd> Ends;
+  std::vector<RidgePiece> Pieces;
+  /// The polar angle of the gradient, in the frame of each half-edge, next to its origin and to its
+  /// destination.
+  std::array<std::array<float, 2>, 3> RimAngles{};
+};
+
+/// Finds the ridges in faces, one after the other.
+class FaceRidgeFinder
+{
+public:
+  FaceRidgeFinder(const DistanceField& field, double angle, double chordTolerance);
+
+  /// Look at a face, which must be reached.
+  void Find(Id f, FaceRidges& found);
+
+  /// How far the rim that is looked at is from the edges, as a barycentric coordinate.
+  static constexpr double RimInset = 1e-8;
+  /// The same for vertices.
+  static constexpr double CornerInset = 1e-5;
+
+  Id GetNumberOfFallbacks() const { return this->Fallbacks; }
+
+private:
+  /// A point on the rim of a part of the face: one of its corners, or a ridge that comes out.
+  struct RimPoint
+  {
+    Point2 Place;
+    Id Ridge; // index into Crossings, or NoId
+  };
+  using Rim = std::vector<RimPoint>;
+  struct Crossing
+  {
+    Point2 Place; // of the ridge: at the tie
+    FieldSample Before;
+    FieldSample After;
+  };
+
+  Rim MakeRim();
+  void AddSide(int k, const Point2& from, const Point2& to, Rim& rim);
+  void AddCorner(int k, const Point2& from, const Point2& to, Rim& rim);
+  Id AddEnd(const RidgeEnd& end, const Crossing& crossing);
+  void Connect(const Rim& rim);
+  void Divide(const Rim& rim);
+  bool FindJunction(const std::vector<Id>& ridges, const Rim& rim, Point2& place) const;
+  void MakeJunction(const std::vector<Id>& ridges, const Point2& place);
+  void AddPiece(Id from, Id to);
+  void Refine(
+    const Crossing& from, const Crossing& to, int depth, std::vector<std::array<double, 3>>& points);
+  bool FindBetween(const Crossing& from, const Crossing& to, Crossing& between) const;
+  bool IsTie(const Crossing& crossing) const;
+  std::array<double, 3> BarycentricInside(const Point2& p) const;
+
+  const DistanceField& Field;
+  const double Angle;
+  const double ChordTolerance;
+  FaceProfile Profile;
+  FieldJumpFinder Jumps;
+  FaceRidges* Found = nullptr;
+  double Size = 0.0; // length of the longest edge
+  std::vector<Crossing> Crossings; // per end
+  Id Fallbacks = 0;
+};
+}
+
+#endif

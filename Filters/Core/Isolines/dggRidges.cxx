@@ -1,0 +1,353 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggRidges.h"
+
+#include "dggBlockLoop.h"
+#include "dggEdges.h"
+#include "dggFaceRidges.h"
+#include "dggRidgeGraph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace dgg
+{
+namespace
+{
+constexpr Offset FacesInBlock = 512;
+constexpr double DefaultTolerance = 1e-3; // in mean edge lengths
+constexpr double SmallestAngle = 0.1 * Pi / 180.0;
+constexpr double FacesDone = 0.9; // share of the progress
+/// What two faces find on their edge is the same point when it is so close, in lengths of the edge.
+constexpr double MergeDistance = 1e-4;
+
+Status CheckArguments(const DistanceField& field, const RidgeOptions& options)
+{
+  if (!field.Mesh || !field.Distances)
+  {
+    return Status::Invalid("there is no distance: set Mesh and Distances of the field");
+  }
+  if (!field.HasWindows() && !field.HasSources())
+  {
+    return Status::Invalid("distances at vertices alone do not tell ridges: give the windows of "
+                           "exact distances, or virtual sources");
+  }
+  if (!(options.MinimumAngle >= 0.0 && options.MinimumAngle <= Pi))
+  {
+    return Status::Invalid("the minimum angle of ridges is " +
+      std::to_string(options.MinimumAngle) + ": it must be in [0, pi]");
+  }
+  if (!(options.ChordTolerance >= 0.0))
+  {
+    return Status::Invalid("the chord tolerance is " + std::to_string(options.ChordTolerance) +
+      ": it must not be negative");
+  }
+  return CheckCorners(*field.Mesh);
+}
+
+/// Connects what faces found across their edges.
+class EdgeJoiner
+{
+public:
+  EdgeJoiner(
+    const DistanceField& field, double angle, const std::vector<FaceRidges>& faces, RidgeGraph& graph)
+    : Mesh(*field.Mesh)
+    , Field(field)
+    , Angle(angle)
+    , Faces(faces)
+    , Graph(graph)
+    , Left(field)
+    , Right(field)
+    , Nodes(faces.size())
+  {
+  }
+
+  void Run();
+
+private:
+  /// What a face found on the edge, or the end of the edge.
+  struct Meeting
+  {
+    double X = 0.0; // from the origin of the first half-edge
+    Id Face = NoId;
+    Id End = NoId;    // index into the ends of the face
+    Id Vertex = NoId; // else
+    Id Node = NoId;
+  };
+
+  void JoinEdge(Id h);
+  void Collect(Id h, Id first, std::vector<Meeting>& meetings) const;
+  void Merge(Id h, std::vector<Meeting>& meetings);
+  void JoinAlong(Id h, Id twin, std::vector<Meeting>& meetings);
+  bool IsRidge(double left, double right, bool isMirrored) const;
+  double GradientAngle(FaceProfile& profile, Id h, double x) const;
+  void AddPieces(Id f);
+
+  const SurfaceMesh& Mesh;
+  const DistanceField& Field;
+  const double Angle;
+  const std::vector<FaceRidges>& Faces;
+  RidgeGraph& Graph;
+  FaceProfile Left;
+  FaceProfile Right;
+  std::vector<std::vector<Id>> Nodes; // per face and end
+};
+
+void EdgeJoiner::Run()
+{
+  for (std::size_t f = 0; f < this->Faces.size(); ++f)
+  {
+    this->Nodes[f].assign(this->Faces[f].Ends.size(), NoId);
+  }
+  for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (this->Field.IsReached(SurfaceMesh::Face(h)))
+    {
+      this->JoinEdge(h);
+    }
+  }
+  for (Id f = 0; f < this->Mesh.GetNumberOfFaces(); ++f)
+  {
+    this->AddPieces(f);
+  }
+}
+
+/// Does nothing but for the first half-edge of an edge among reached faces.
+void EdgeJoiner::JoinEdge(Id h)
+{
+  std::vector<Id> halfEdges{ h };
+  for (Id e = this->Mesh.Twin(h); e != NoId && e != h; e = this->Mesh.Twin(e))
+  {
+    if (this->Field.IsReached(SurfaceMesh::Face(e)))
+    {
+      if (e < h)
+      {
+        return;
+      }
+      halfEdges.push_back(e);
+    }
+  }
+  std::vector<Meeting> meetings;
+  for (const Id e : halfEdges)
+  {
+    this->Collect(e, h, meetings);
+  }
+  this->Merge(h, meetings);
+  if (halfEdges.size() == 2)
+  {
+    this->JoinAlong(h, halfEdges[1], meetings);
+  }
+}
+
+void EdgeJoiner::Collect(Id h, Id first, std::vector<Meeting>& meetings) const
+{
+  const Id f = SurfaceMesh::Face(h);
+  const std::vector<RidgeEnd>& ends = this->Faces[f].Ends;
+  const bool isSame = this->Mesh.Origin(h) == this->Mesh.Origin(first);
+  for (std::size_t i = 0; i < ends.size(); ++i)
+  {
+    if (ends[i].On == RidgeEnd::Support::Edge && ends[i].Side == h % 3)
+    {
+      Meeting meeting;
+      meeting.X = isSame ? ends[i].X : this->Mesh.Length(first) - ends[i].X;
+      meeting.Face = f;
+      meeting.End = static_cast<Id>(i);
+      meetings.push_back(meeting);
+    }
+  }
+}
+
+/// What several faces found in one place becomes one node, where the first of them found it. Leaves
+/// those that one face alone has found.
+void EdgeJoiner::Merge(Id h, std::vector<Meeting>& meetings)
+{
+  const double length = this->Mesh.Length(h);
+  std::stable_sort(meetings.begin(), meetings.end(),
+    [](const Meeting& a, const Meeting& b) { return a.X < b.X; });
+  std::vector<Meeting> alone;
+  std::vector<bool> isDone(meetings.size(), false);
+  for (std::size_t i = 0; i < meetings.size(); ++i)
+  {
+    if (isDone[i])
+    {
+      continue;
+    }
+    std::vector<std::size_t> group{ i };
+    for (std::size_t j = i + 1;
+         j < meetings.size() && meetings[j].X - meetings[i].X <= MergeDistance * length; ++j)
+    {
+      const bool isNew = !isDone[j] &&
+        std::none_of(group.begin(), group.end(),
+          [&](std::size_t g) { return meetings[g].Face == meetings[j].Face; });
+      if (isNew)
+      {
+        group.push_back(j);
+      }
+    }
+    const std::size_t first = *std::min_element(group.begin(), group.end(),
+      [&](std::size_t a, std::size_t b) { return meetings[a].Face < meetings[b].Face; });
+    const Id node =
+      this->Graph.AddNode(SurfacePoint::OnEdge(this->Mesh, h, meetings[first].X / length));
+    for (const std::size_t g : group)
+    {
+      isDone[g] = true;
+      this->Nodes[meetings[g].Face][meetings[g].End] = node;
+      meetings[g].Node = node;
+    }
+    if (group.size() == 1)
+    {
+      alone.push_back(meetings[i]);
+    }
+  }
+  meetings.swap(alone);
+}
+
+/// Ridges that run along the edge, from where one face alone has found them, or from an end.
+void EdgeJoiner::JoinAlong(Id h, Id twin, std::vector<Meeting>& meetings)
+{
+  const bool isMirrored = this->Mesh.Origin(twin) == this->Mesh.Origin(h);
+  const auto& left = this->Faces[SurfaceMesh::Face(h)].RimAngles[h % 3];
+  const auto& right = this->Faces[SurfaceMesh::Face(twin)].RimAngles[twin % 3];
+  const double length = this->Mesh.Length(h);
+  for (int i = 0; i < 2; ++i)
+  {
+    if (this->IsRidge(left[i], right[isMirrored ? i : 1 - i], isMirrored))
+    {
+      Meeting meeting;
+      meeting.X = i == 0 ? 0.0 : length;
+      meeting.Vertex = i == 0 ? this->Mesh.Origin(h) : this->Mesh.Destination(h);
+      meetings.insert(i == 0 ? meetings.begin() : meetings.end(), meeting);
+    }
+  }
+  for (std::size_t i = 0; i + 1 < meetings.size(); ++i)
+  {
+    const double x = 0.5 * (meetings[i].X + meetings[i + 1].X);
+    this->Left.Enter(SurfaceMesh::Face(h));
+    this->Right.Enter(SurfaceMesh::Face(twin));
+    const double atLeft = this->GradientAngle(this->Left, h, x);
+    const double atRight = this->GradientAngle(this->Right, twin, isMirrored ? x : length - x);
+    if (this->IsRidge(atLeft, atRight, isMirrored))
+    {
+      std::array<Id, 2> nodes{};
+      for (std::size_t k = 0; k < 2; ++k)
+      {
+        const Meeting& meeting = meetings[i + k];
+        nodes[k] =
+          meeting.Vertex != NoId ? this->Graph.AddVertex(meeting.Vertex) : meeting.Node;
+      }
+      const double opposite = isMirrored ? -atRight : atRight + Pi;
+      this->Graph.AddArc(nodes[0], nodes[1], SurfaceMesh::Face(h),
+        std::abs(std::remainder(atLeft - opposite, 2.0 * Pi)), {});
+      ++i;
+    }
+  }
+}
+
+/// Whether the gradients on both sides of an edge, in the frames of its half-edges, point at each
+/// other with at least the angle.
+bool EdgeJoiner::IsRidge(double left, double right, bool isMirrored) const
+{
+  const double opposite = isMirrored ? -right : right + Pi;
+  return std::abs(std::remainder(left - opposite, 2.0 * Pi)) >= this->Angle &&
+    std::sin(left) < std::sin(opposite);
+}
+
+/// The polar angle of the gradient next to an edge, within the face.
+double EdgeJoiner::GradientAngle(FaceProfile& profile, Id h, double x) const
+{
+  const int k = h % 3;
+  std::array<double, 3> b{};
+  const double t = x / this->Mesh.Length(h);
+  b[(k + 2) % 3] = FaceRidgeFinder::RimInset;
+  b[(k + 1) % 3] = t * (1.0 - FaceRidgeFinder::RimInset);
+  b[k] = (1.0 - t) * (1.0 - FaceRidgeFinder::RimInset);
+  const Point2 gradient = profile.SampleAt(profile.PlaceOf(b)).Gradient;
+  const Point2 axis = Difference(profile.GetCorners()[(k + 1) % 3], profile.GetCorners()[k]);
+  return std::atan2(Cross(axis, gradient), Dot(axis, gradient));
+}
+
+void EdgeJoiner::AddPieces(Id f)
+{
+  const FaceRidges& face = this->Faces[f];
+  auto point = [&](std::array<double, 3> b) {
+    if (this->Mesh.IsFlipped(f))
+    {
+      std::swap(b[1], b[2]); // InFace() takes the corners in the order of the input
+    }
+    return SurfacePoint::InFace(this->Mesh, f, b);
+  };
+  std::vector<Id>& nodes = this->Nodes[f];
+  for (std::size_t i = 0; i < face.Ends.size(); ++i)
+  {
+    const RidgeEnd& end = face.Ends[i];
+    if (end.On == RidgeEnd::Support::Vertex)
+    {
+      nodes[i] = this->Graph.AddVertex(this->Mesh.Origin(3 * f + end.Side));
+    }
+    else if (end.On == RidgeEnd::Support::Face)
+    {
+      nodes[i] = this->Graph.AddNode(point(end.Barycentric));
+    }
+  }
+  for (const RidgePiece& piece : face.Pieces)
+  {
+    std::vector<SurfacePoint> between;
+    between.reserve(piece.Points.size());
+    for (const std::array<double, 3>& b : piece.Points)
+    {
+      between.push_back(point(b));
+    }
+    this->Graph.AddArc(nodes[piece.From], nodes[piece.To], f,
+      0.5 * (face.Ends[piece.From].Angle + face.Ends[piece.To].Angle), std::move(between));
+  }
+}
+}
+
+Status FindRidges(const DistanceField& field, const RidgeOptions& options,
+  const ParallelFor& parallel, const ProgressCallback& progress, Ridges& ridges)
+{
+  ridges = Ridges();
+  Status status = CheckArguments(field, options);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const double angle = std::max(SmallestAngle, options.MinimumAngle);
+  const double tolerance = options.ChordTolerance > 0.0
+    ? options.ChordTolerance
+    : DefaultTolerance * field.Mesh->GetMeanEdgeLength();
+  const Offset count = field.Mesh->GetNumberOfFaces();
+  std::vector<FaceRidges> faces(count);
+  std::vector<Id> fallbacks((count + FacesInBlock - 1) / FacesInBlock, 0);
+  status = LoopOverBlocks(count, FacesInBlock, parallel, progress, 0.0, FacesDone,
+    [&](Offset block, Offset begin, Offset end) {
+      FaceRidgeFinder finder(field, angle, tolerance);
+      for (Id f = static_cast<Id>(begin); f < static_cast<Id>(end); ++f)
+      {
+        if (field.IsReached(f))
+        {
+          finder.Find(f, faces[f]);
+        }
+      }
+      fallbacks[block] = finder.GetNumberOfFallbacks();
+    });
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  RidgeGraph graph(*field.Mesh);
+  EdgeJoiner(field, angle, faces, graph).Run();
+  graph.MakeLines(ridges);
+  for (const Id number : fallbacks)
+  {
+    ridges.Fallbacks += number;
+  }
+  if (progress && !progress(1.0))
+  {
+    ridges = Ridges();
+    return Status::Abort();
+  }
+  return status;
+}
+}

@@ -1,0 +1,496 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Ridges of distances: known ones, and that nothing else is found and nothing left out.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include "dggDistanceField.h"
+#include "dggExactGeodesics.h"
+#include "dggExactSources.h"
+#include "dggFaceProfile.h"
+#include "dggFieldJumps.h"
+#include "dggRidges.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+using namespace dgg;
+using namespace dggtest;
+
+namespace
+{
+constexpr double Degree = Pi / 180.0;
+
+/// Exact distances, and their ridges.
+struct RidgeCase
+{
+  RidgeCase(const TestMesh& test, const std::vector<GeodesicSource>& sources, double angle = 20.0,
+    bool withWindows = true)
+    : Test(test)
+    , Mesh(Build(test))
+  {
+    ExactOptions options;
+    options.KeepWindows = true;
+    const Status exact = ExactGeodesics(this->Mesh).Run(sources, options, this->Result);
+    EXPECT_TRUE(exact.IsOk()) << exact.GetMessage();
+    FindVirtualSources(this->Mesh, sources, this->Result, this->Virtual);
+    this->Field = { &this->Mesh, this->Result.Distances.data(), nullptr, nullptr };
+    if (withWindows)
+    {
+      this->Field.Windows = &this->Result.Windows;
+    }
+    else
+    {
+      this->Field.Sources = &this->Virtual;
+    }
+    this->Options.MinimumAngle = angle * Degree;
+    const Status status = FindRidges(this->Field, this->Options, {}, {}, this->Found);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_EQ(this->Found.Lines.size(), this->Found.Angles.size());
+    for (std::size_t i = 0; i < this->Found.Lines.size(); ++i)
+    {
+      const Status path = CheckPath(this->Mesh, this->Found.Lines[i]);
+      EXPECT_TRUE(path.IsOk()) << path.GetMessage();
+      EXPECT_GE(this->Found.Lines[i].Points.size(), 2u);
+      EXPECT_GE(this->Found.Angles[i], 0.999 * std::max(0.1, angle) * Degree);
+    }
+  }
+
+  std::array<double, 3> At(const SurfacePoint& point) const
+  {
+    return PositionOf(this->Mesh, point, this->Test.Points.data());
+  }
+  double DistanceTo(const SurfacePoint& point, Id v) const
+  {
+    const std::array<double, 3> p = this->At(point);
+    const double* q = this->Test.Point(v);
+    return std::sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) +
+      (p[2] - q[2]) * (p[2] - q[2]));
+  }
+
+  TestMesh Test;
+  SurfaceMesh Mesh;
+  ExactResult Result;
+  VirtualSources Virtual;
+  DistanceField Field;
+  RidgeOptions Options;
+  Ridges Found;
+};
+
+bool IsOnBoundary(const SurfaceMesh& mesh, const SurfacePoint& point)
+{
+  return point.On == SurfacePoint::Support::Vertex ? mesh.Kind(point.Vertex) == VertexKind::Boundary
+                                                   : point.On == SurfacePoint::Support::Edge &&
+      mesh.Twin(point.HalfEdge) == NoId;
+}
+
+double TotalLength(const Ridges& ridges)
+{
+  double sum = 0.0;
+  for (const SurfacePath& line : ridges.Lines)
+  {
+    sum += line.Length;
+  }
+  return sum;
+}
+
+/// Where a piece of a line is, in the frame of its face.
+std::array<Point2, 2> PlaceOfPiece(
+  const SurfaceMesh& mesh, const FaceProfile& profile, const SurfacePath& line, std::size_t piece)
+{
+  std::array<Point2, 2> ends;
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    std::array<double, 3> b{};
+    EXPECT_TRUE(FindInFace(mesh, line.Points[piece + i], line.Faces[piece], b));
+    ends[i] = profile.PlaceOf(b);
+  }
+  return ends;
+}
+
+double DistanceToPiece(const std::array<Point2, 2>& piece, const Point2& p)
+{
+  const Point2 way = Difference(piece[1], piece[0]);
+  const double square = Dot(way, way);
+  const double t = square > 0.0
+    ? std::min(1.0, std::max(0.0, Dot(way, Difference(p, piece[0])) / square))
+    : 0.0;
+  return Distance(p, { piece[0].X + t * way.X, piece[0].Y + t * way.Y });
+}
+
+bool IsInside(const FaceProfile& profile, const Point2& p)
+{
+  const std::array<double, 3> b = profile.BarycentricOf(p);
+  return std::min({ b[0], b[1], b[2] }) > 0.0;
+}
+
+/// On both sides of each piece of a line that lies within a face, the directions differ by the
+/// angle, but for the share of pieces that are too short to tell. Returns how many were looked at.
+int ExpectTies(const RidgeCase& test, double share, const std::string& what)
+{
+  FaceProfile profile(test.Field);
+  const double side = 1e-2 * test.Mesh.GetMeanEdgeLength();
+  int count = 0;
+  int wrong = 0;
+  for (const SurfacePath& line : test.Found.Lines)
+  {
+    for (std::size_t i = 0; i < line.Faces.size(); ++i)
+    {
+      profile.Enter(line.Faces[i]);
+      const std::array<Point2, 2> piece = PlaceOfPiece(test.Mesh, profile, line, i);
+      const Point2 way = Difference(piece[1], piece[0]);
+      const double length = Norm(way.X, way.Y);
+      const Point2 middle{ 0.5 * (piece[0].X + piece[1].X), 0.5 * (piece[0].Y + piece[1].Y) };
+      const Point2 left{ middle.X - side * way.Y / length, middle.Y + side * way.X / length };
+      const Point2 right{ middle.X + side * way.Y / length, middle.Y - side * way.X / length };
+      if (length > 4.0 * side && IsInside(profile, left) && IsInside(profile, right))
+      {
+        ++count;
+        wrong += AngleBetween(profile.SampleAt(left), profile.SampleAt(right)) <
+            0.7 * test.Options.MinimumAngle
+          ? 1
+          : 0;
+      }
+    }
+  }
+  EXPECT_LE(wrong, share * count) << what << ": " << wrong << " of " << count;
+  return count;
+}
+
+/// Jumps on random segments of faces lie on lines. Returns how many there were.
+int ExpectComplete(
+  const RidgeCase& test, double share, std::uint64_t seed, const std::string& what)
+{
+  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> piecesOf(
+    test.Mesh.GetNumberOfFaces());
+  for (std::size_t l = 0; l < test.Found.Lines.size(); ++l)
+  {
+    for (std::size_t i = 0; i < test.Found.Lines[l].Faces.size(); ++i)
+    {
+      piecesOf[test.Found.Lines[l].Faces[i]].push_back({ l, i });
+    }
+  }
+  FaceProfile profile(test.Field);
+  const FieldJumpFinder finder(profile, 1.3 * test.Options.MinimumAngle);
+  Random random(seed);
+  int count = 0;
+  int missing = 0;
+  const double close = 2e-2 * test.Mesh.GetMeanEdgeLength();
+  for (Id f = 0; f < test.Mesh.GetNumberOfFaces(); ++f)
+  {
+    if (!test.Field.IsReached(f) || test.Mesh.IsMollified(f))
+    {
+      continue;
+    }
+    profile.Enter(f);
+    std::array<Point2, 2> ends;
+    for (Point2& end : ends)
+    {
+      const double u = 0.02 + 0.94 * random.Uniform();
+      const double v = (0.98 - u) * random.Uniform() + 0.01;
+      end = profile.PlaceOf({ { 1.0 - u - v, u, v } });
+    }
+    std::vector<FieldJump> jumps;
+    finder.Find(ends[0], ends[1], 8, 1e-10, jumps);
+    for (const FieldJump& jump : jumps)
+    {
+      double nearest = Infinity;
+      for (const auto& piece : piecesOf[f])
+      {
+        nearest = std::min(nearest,
+          DistanceToPiece(
+            PlaceOfPiece(test.Mesh, profile, test.Found.Lines[piece.first], piece.second),
+            jump.Place));
+      }
+      ++count;
+      missing += nearest > close ? 1 : 0;
+    }
+  }
+  EXPECT_LE(missing, share * count) << what << ": " << missing << " of " << count;
+  return count;
+}
+}
+
+TEST(Ridges, BisectorOfTwoSourcesInThePlane)
+{
+  for (const bool withWindows : { true, false })
+  {
+    const Id a = 10;
+    const Id b = 52;
+    const RidgeCase test(
+      Plane(8, 8, 0.2), { VertexSource(a), VertexSource(b) }, 20.0, withWindows);
+    ASSERT_EQ(test.Found.Lines.size(), 1u);
+    EXPECT_EQ(test.Found.Fallbacks, 0);
+    const SurfacePath& line = test.Found.Lines[0];
+    EXPECT_TRUE(IsOnBoundary(test.Mesh, line.Points.front()));
+    EXPECT_TRUE(IsOnBoundary(test.Mesh, line.Points.back()));
+    for (const SurfacePoint& point : line.Points)
+    {
+      EXPECT_NEAR(test.DistanceTo(point, a), test.DistanceTo(point, b), 1e-12);
+    }
+    const std::array<double, 3> p = test.At(line.Points.front());
+    const std::array<double, 3> q = test.At(line.Points.back());
+    EXPECT_NEAR(line.Length, std::hypot(p[0] - q[0], p[1] - q[1]), 1e-12); // straight
+  }
+}
+
+TEST(Ridges, HyperbolaOfTwoInitialDistances)
+{
+  const Id a = 20;
+  const Id b = 52;
+  const RidgeCase test(Plane(8, 8, 0.2), { VertexSource(a), { VertexSource(b).Point, 1.5 } });
+  ASSERT_EQ(test.Found.Lines.size(), 1u);
+  for (const SurfacePoint& point : test.Found.Lines[0].Points)
+  {
+    EXPECT_NEAR(test.DistanceTo(point, a), test.DistanceTo(point, b) + 1.5, 1e-12);
+  }
+  EXPECT_GT(test.Found.Lines[0].Points.size(), 30u); // it bends
+}
+
+TEST(Ridges, ThreeBisectorsMeetInTheCircumcentre)
+{
+  const std::vector<Id> sources{ 10, 60, 16 };
+  std::vector<GeodesicSource> all;
+  for (const Id v : sources)
+  {
+    all.push_back(VertexSource(v));
+  }
+  for (const double jitter : { 0.0, 0.2 })
+  {
+    const RidgeCase test(Plane(8, 8, jitter), all);
+    ASSERT_EQ(test.Found.Lines.size(), 3u);
+    std::array<double, 3> centre{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const SurfacePath& line = test.Found.Lines[i];
+      const bool isForward = IsOnBoundary(test.Mesh, line.Points.front());
+      const SurfacePoint& inner = isForward ? line.Points.back() : line.Points.front();
+      EXPECT_TRUE(IsOnBoundary(test.Mesh, isForward ? line.Points.front() : line.Points.back()));
+      for (const Id v : sources)
+      {
+        EXPECT_NEAR(test.DistanceTo(inner, v), test.DistanceTo(inner, sources[0]), 1e-12);
+      }
+      const std::array<double, 3> p = test.At(inner);
+      for (std::size_t c = 0; c < 3 && i > 0; ++c)
+      {
+        EXPECT_EQ(p[c], centre[c]); // one point
+      }
+      centre = p;
+    }
+  }
+}
+
+TEST(Ridges, LinesAlongEdgesAreFound)
+{
+  // The bisector x = 4 is a line of edges, and so is the diagonal.
+  const Id n = 8;
+  auto vertex = [&](Id i, Id j) { return j * (n + 1) + i; };
+  const RidgeCase upright(
+    Plane(n, n), { VertexSource(vertex(2, 3)), VertexSource(vertex(6, 3)) });
+  ASSERT_EQ(upright.Found.Lines.size(), 1u);
+  EXPECT_NEAR(upright.Found.Lines[0].Length, 8.0, 1e-12);
+  for (const SurfacePoint& point : upright.Found.Lines[0].Points)
+  {
+    EXPECT_EQ(upright.At(point)[0], 4.0);
+  }
+  for (const bool isUp : { true, false })
+  {
+    const RidgeCase diagonal(Plane(n, n),
+      { VertexSource(isUp ? vertex(2, 5) : vertex(2, 3)),
+        VertexSource(isUp ? vertex(5, 2) : vertex(5, 6)) });
+    ASSERT_EQ(diagonal.Found.Lines.size(), 1u);
+    EXPECT_NEAR(diagonal.Found.Lines[0].Length, std::sqrt(2.0) * 8.0, 1e-12);
+  }
+}
+
+TEST(Ridges, CubeFromAFaceCentre)
+{
+  for (const double angle : { 20.0, 0.0 })
+  {
+    for (const Id k : { 2, 4, 6 })
+    {
+      const TestMesh cube = Cube(k);
+      const RidgeCase test(cube, { VertexSource(VertexAt(cube, 0.5, 0.5, 0.0)) }, angle);
+      const Id centre = VertexAt(cube, 0.5, 0.5, 1.0);
+      ASSERT_EQ(test.Found.Lines.size(), 4u);
+      for (const SurfacePath& line : test.Found.Lines)
+      {
+        // Up an edge of the cube, and half a diagonal.
+        EXPECT_NEAR(line.Length, 1.0 + std::sqrt(0.5), 1e-9);
+        EXPECT_TRUE(IsVertex(line.Points.front()) && IsVertex(line.Points.back()));
+        EXPECT_TRUE(line.Points.front().Vertex == centre || line.Points.back().Vertex == centre);
+        for (const SurfacePoint& point : line.Points)
+        {
+          const std::array<double, 3> p = test.At(point);
+          EXPECT_NEAR(std::abs(p[0] - 0.5), std::abs(p[1] - 0.5), 1e-12);
+        }
+      }
+    }
+  }
+}
+
+TEST(Ridges, CubeFromACorner)
+{
+  const TestMesh cube = Cube(3, 0.2);
+  const RidgeCase test(cube, { VertexSource(VertexAt(cube, 0.0, 0.0, 0.0)) }, 2.0);
+  // From the six corners that are neither it nor opposite: three edges, three diagonals.
+  ASSERT_EQ(test.Found.Lines.size(), 6u);
+  EXPECT_NEAR(TotalLength(test.Found), 3.0 + 3.0 * std::sqrt(2.0), 1e-9);
+}
+
+TEST(Ridges, ConesHaveOneUnlessTheyAreSaddles)
+{
+  for (const double jitter : { 0.0, 0.2 })
+  {
+    for (const double total : { 2.0, 4.0, 6.0 })
+    {
+      std::vector<ConePoint> coordinates;
+      const TestMesh cone = Cone(total, 12, 5, coordinates, jitter);
+      const Id source = 20;
+      const RidgeCase test(cone, { VertexSource(source) }, 5.0);
+      ASSERT_EQ(test.Found.Lines.size(), 1u) << total;
+      const SurfacePath& line = test.Found.Lines[0];
+      const bool isForward = IsVertex(line.Points.front()) && line.Points.front().Vertex == 0;
+      EXPECT_TRUE(isForward || (IsVertex(line.Points.back()) && line.Points.back().Vertex == 0));
+      EXPECT_GT(line.Length, 0.95);
+      EXPECT_LT(line.Length, 1.0 + 1e-12);
+      if (jitter == 0.0)
+      {
+        for (const SurfacePoint& point : line.Points)
+        {
+          // The generator opposite to the source; apart from the apex, which has no angle.
+          ASSERT_TRUE(IsVertex(point));
+          const double angle = coordinates[point.Vertex].Angle - coordinates[source].Angle;
+          EXPECT_TRUE(point.Vertex == 0 ||
+            std::abs(std::abs(std::remainder(angle, total)) - 0.5 * total) < 1e-9);
+        }
+      }
+    }
+    std::vector<ConePoint> coordinates;
+    const RidgeCase saddle(Cone(8.0, 12, 5, coordinates, jitter), { VertexSource(20) }, 1.0);
+    EXPECT_TRUE(saddle.Found.Lines.empty());
+  }
+}
+
+TEST(Ridges, PrismHasTheOppositeLine)
+{
+  for (const double angle : { 20.0, 0.0 })
+  {
+    for (const double jitter : { 0.0, 0.2 })
+    {
+      const RidgeCase test(PrismSide(6, 2, 6, jitter), { VertexSource(40) }, angle);
+      ASSERT_EQ(test.Found.Lines.size(), 1u);
+      EXPECT_NEAR(test.Found.Lines[0].Length, 6.0, 1e-9);
+      const double* source = test.Test.Point(40);
+      for (const SurfacePoint& point : test.Found.Lines[0].Points)
+      {
+        EXPECT_NEAR(test.At(point)[0], -source[0], 1e-9);
+        EXPECT_NEAR(test.At(point)[1], -source[1], 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Ridges, AreTiesAndComplete)
+{
+  int ties = 0;
+  int jumps = 0;
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    const RidgeCase test(named.Mesh, { VertexSource(0) });
+    ties += ExpectTies(test, 0.0, named.Name);
+    jumps += ExpectComplete(test, 0.0, 7, named.Name);
+  }
+  EXPECT_GT(ties, 300);
+  EXPECT_GT(jumps, 100);
+}
+
+TEST(Ridges, OfSmallAnglesAreTiesAndComplete)
+{
+  for (const TestMesh& mesh : { Icosphere(3), NoisySphere(3, 0.2, 3), Torus(16, 10) })
+  {
+    const RidgeCase test(mesh, { VertexSource(3) }, 4.0);
+    EXPECT_GT(ExpectTies(test, 0.02, "small"), 100);
+    EXPECT_GT(ExpectComplete(test, 0.02, 7, "small"), 50);
+  }
+}
+
+TEST(Ridges, OfVirtualSourcesAreCloseToThoseOfWindows)
+{
+  const TestMesh mesh = Torus(32, 18);
+  const RidgeCase exact(mesh, { VertexSource(3) });
+  const RidgeCase local(mesh, { VertexSource(3) }, 20.0, false);
+  EXPECT_NEAR(TotalLength(local.Found), TotalLength(exact.Found), 0.35 * TotalLength(exact.Found));
+}
+
+TEST(Ridges, DefectsAreSurvived)
+{
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    for (const bool withWindows : { true, false })
+    {
+      for (const double angle : { 20.0, 1.0 })
+      {
+        const RidgeCase test(named.Mesh, { VertexSource(0) }, angle, withWindows);
+      }
+    }
+  }
+}
+
+TEST(Ridges, DoNotDependOnThreadsAndCanBeStopped)
+{
+  const RidgeCase test(Torus(24, 14), { VertexSource(3) }, 5.0);
+  const ParallelFor parallel = [](Offset size, Offset grain,
+                                 const std::function<void(Offset, Offset)>& body) {
+    std::vector<std::thread> threads;
+    for (Offset begin = 0; begin < size; begin += grain)
+    {
+      threads.emplace_back([=] { body(begin, std::min(size, begin + grain)); });
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+  };
+  std::vector<double> steps;
+  const ProgressCallback progress = [&](double done) {
+    steps.push_back(done);
+    return true;
+  };
+  Ridges again;
+  ASSERT_TRUE(FindRidges(test.Field, test.Options, parallel, progress, again).IsOk());
+  ASSERT_EQ(again.Lines.size(), test.Found.Lines.size());
+  for (std::size_t i = 0; i < again.Lines.size(); ++i)
+  {
+    EXPECT_EQ(again.Lines[i].Length, test.Found.Lines[i].Length);
+    EXPECT_EQ(again.Lines[i].Faces, test.Found.Lines[i].Faces);
+  }
+  EXPECT_TRUE(std::is_sorted(steps.begin(), steps.end()));
+  EXPECT_EQ(steps.back(), 1.0);
+  const ProgressCallback stop = [](double) { return false; };
+  EXPECT_TRUE(FindRidges(test.Field, test.Options, parallel, stop, again).IsAborted());
+  EXPECT_TRUE(again.Lines.empty());
+}
+
+TEST(Ridges, BadArgumentsAreRefused)
+{
+  const RidgeCase test(Plane(3, 3), { VertexSource(0) });
+  Ridges ridges;
+  RidgeOptions options;
+  EXPECT_FALSE(FindRidges({}, options, {}, {}, ridges).IsOk());
+  DistanceField linear = test.Field;
+  linear.Windows = nullptr;
+  EXPECT_FALSE(FindRidges(linear, options, {}, {}, ridges).IsOk());
+  options.MinimumAngle = -1.0;
+  EXPECT_FALSE(FindRidges(test.Field, options, {}, {}, ridges).IsOk());
+  options = {};
+  options.ChordTolerance = std::nan("");
+  EXPECT_FALSE(FindRidges(test.Field, options, {}, {}, ridges).IsOk());
+}
