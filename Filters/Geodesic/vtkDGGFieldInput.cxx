@@ -70,7 +70,8 @@ dgg::Status vtkDGGFieldInput::FindDistances(
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGFieldInput::Read(vtkPolyData* surface, vtkDataArray* distances,
-  const std::string& virtualSources, const vtkDGGMeshAdapter& mesh)
+  const std::string& virtualSources, const vtkDGGMeshAdapter& mesh,
+  const dgg::ProgressCallback& progress)
 {
   this->Warning.clear();
   this->Windows = dgg::EdgeWindows();
@@ -98,9 +99,10 @@ dgg::Status vtkDGGFieldInput::Read(vtkPolyData* surface, vtkDataArray* distances
   {
     this->ReadSources(surface, virtualSources, mesh);
   }
-  if (!this->Field.HasWindows() && !this->Field.HasSources())
+  if (!this->Field.HasWindows() && !this->Field.HasSources() &&
+    !this->FitSources(mesh.GetMesh(), progress))
   {
-    this->FitSources(mesh.GetMesh());
+    return dgg::Status::Abort();
   }
   return dgg::Status::Success();
 }
@@ -155,17 +157,20 @@ void vtkDGGFieldInput::ReadSources(
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGFieldInput::FitSources(const dgg::SurfaceMesh& mesh)
+bool vtkDGGFieldInput::FitSources(
+  const dgg::SurfaceMesh& mesh, const dgg::ProgressCallback& progress)
 {
   const dgg::FieldReport report = dgg::TestField(mesh, this->Distances.data());
   if (report.IsDistance())
   {
-    dgg::FitVirtualSources(mesh, this->Distances.data(), vtkDGGMakeParallelFor(), this->Sources);
+    return dgg::FitVirtualSources(
+      mesh, this->Distances.data(), vtkDGGMakeParallelFor(), this->Sources, progress);
   }
-  else if (!report.Sentence.empty())
+  if (!report.Sentence.empty())
   {
-    this->Warn(report.Sentence + ". They are taken as linear in each triangle");
+    this->Warn(report.Sentence + " It is taken as linear in each triangle");
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -28,9 +28,9 @@ public:
     vtkPolyData* surface, const std::string& name, vtkDataArray*& distances);
 
   /// NaN and infinity stand for points that are not reached. Fails when a distance is minus
-  /// infinity.
+  /// infinity. `progress` may be empty.
   dgg::Status Read(vtkPolyData* surface, vtkDataArray* distances, const std::string& virtualSources,
-    const vtkDGGMeshAdapter& mesh);
+    const vtkDGGMeshAdapter& mesh, const dgg::ProgressCallback& progress = dgg::ProgressCallback());
 
   /// Good as long as this and the mesh live.
   const dgg::DistanceField& GetField() const { return this->Field; }
@@ -42,7 +42,7 @@ private:
   void ReadWindows(vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh);
   void ReadSources(vtkPolyData* surface, const std::string& name, const vtkDGGMeshAdapter& mesh);
   bool FitsSources(const dgg::SurfaceMesh& mesh) const;
-  void FitSources(const dgg::SurfaceMesh& mesh);
+  bool FitSources(const dgg::SurfaceMesh& mesh, const dgg::ProgressCallback& progress);
   void Warn(const std::string& text);
 
   std::vector<double> Distances; // per vertex
