@@ -31,6 +31,8 @@ vtkStandardNewMacro(vtkApolloniusIsolines);
 
 namespace
 {
+constexpr int MostSteinerPoints = 20;
+
 /// Polylines and their arrays. The windows of the distances belong to the surface alone.
 void WriteLines(const dgg::Isolines& lines, const std::vector<double>& values,
   const std::string& distances, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
@@ -58,6 +60,7 @@ void WriteLines(const dgg::Isolines& lines, const std::vector<double>& values,
 vtkApolloniusIsolines::vtkApolloniusIsolines()
   : Method(LocalSources)
   , ChordTolerance(1e-3)
+  , SteinerPoints(2)
   , DistanceArrayName("GeodesicDistance")
   , VirtualSourceArrayName("GeodesicVirtualSource")
   , UsedWindows(false)
@@ -75,6 +78,7 @@ void vtkApolloniusIsolines::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << this->GetMethodAsString() << "\n";
   os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
+  os << indent << "SteinerPoints: " << this->SteinerPoints << "\n";
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
   os << indent << "VirtualSourceArrayName: " << this->VirtualSourceArrayName << "\n";
   os << indent << "UsedWindows: " << (this->UsedWindows ? "Yes" : "No") << "\n";
@@ -150,9 +154,9 @@ vtkMTimeType vtkApolloniusIsolines::GetMTime()
 //------------------------------------------------------------------------------
 const char* vtkApolloniusIsolines::GetMethodAsString() const
 {
-  return this->Method == LocalSources ? "LocalSources"
-    : this->Method == Linear          ? "Linear"
-                                      : "unknown";
+  return this->Method == Apollonius ? "Apollonius"
+    : this->Method == Linear        ? "Linear"
+                                    : "LocalSources";
 }
 
 //------------------------------------------------------------------------------
@@ -201,9 +205,10 @@ std::vector<double> vtkApolloniusIsolines::CopyValues() const
 dgg::Status vtkApolloniusIsolines::CheckProperties() const
 {
   std::ostringstream message;
-  if (this->Method != LocalSources && this->Method != Linear)
+  if (this->SteinerPoints < 0 || this->SteinerPoints > MostSteinerPoints)
   {
-    message << "Method is " << this->Method << ": call SetMethodToLocalSources() or another one";
+    message << "SteinerPoints is " << this->SteinerPoints
+            << ": call SetSteinerPoints() with a number from 0 to " << MostSteinerPoints;
   }
   else if (!(this->ChordTolerance > 0.0))
   {
@@ -272,6 +277,9 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
   const std::vector<double> values = this->CopyValues();
   dgg::IsolineOptions options;
   options.ChordTolerance = this->ChordTolerance * mesh.GetMesh().GetMeanEdgeLength();
+  options.SteinerPoints = this->SteinerPoints;
+  options.Method =
+    this->Method == Apollonius ? dgg::IsolineMethod::Apollonius : dgg::IsolineMethod::LocalSources;
   const bool isLinear = this->Method == Linear;
   vtkDataArray* distances = nullptr;
   vtkDGGFieldInput input;

@@ -41,7 +41,7 @@
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm: no array of distances, or one that does not
  * have one number per point; a distance of minus infinity; a value that is not finite; a
- * ChordTolerance that is not positive; an unknown Method.
+ * ChordTolerance that is not positive; SteinerPoints outside of 0 to 20.
  *
  * @code
  * vtkNew<vtkExactGeodesicDistance> distance;
@@ -112,6 +112,7 @@ public:
   enum MethodType
   {
     LocalSources = 0, ///< by windows or virtual sources, see above
+    Apollonius = 1,   ///< by Apollonius diagrams of points on edges, as published; for comparison
     Linear = 2        ///< it is linear in each triangle, whatever else is known; for comparison
   };
 
@@ -119,9 +120,10 @@ public:
   /**
    * How to find isolines. Default LocalSources.
    */
-  vtkSetMacro(Method, int);
+  vtkSetClampMacro(Method, int, LocalSources, Linear);
   vtkGetMacro(Method, int);
   void SetMethodToLocalSources() { this->SetMethod(LocalSources); }
+  void SetMethodToApollonius() { this->SetMethod(Apollonius); }
   void SetMethodToLinear() { this->SetMethod(Linear); }
   const char* GetMethodAsString() const;
   ///@}
@@ -129,10 +131,19 @@ public:
   ///@{
   /**
    * How far the pieces of lines, which are straight, may be from the curves that they stand for, as
-   * a part of the mean edge length. Default 0.001; must be positive.
+   * a part of the mean edge length. Default 0.001; must be positive. Of Method LocalSources alone.
    */
   vtkSetMacro(ChordTolerance, double);
   vtkGetMacro(ChordTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Points on each edge that the diagrams of Method Apollonius are made of, besides the ends: 0 to
+   * 20. More of them come closer to the field, and take longer. Default 2.
+   */
+  vtkSetMacro(SteinerPoints, int);
+  vtkGetMacro(SteinerPoints, int);
   ///@}
 
   ///@{
@@ -190,6 +201,7 @@ private:
   vtkNew<vtkContourValues> ContourValues;
   int Method;
   double ChordTolerance;
+  int SteinerPoints;
   std::string DistanceArrayName;
   std::string VirtualSourceArrayName;
   bool UsedWindows;

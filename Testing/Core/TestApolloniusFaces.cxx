@@ -200,12 +200,12 @@ struct Parts
     EXPECT_TRUE(status.IsOk()) << status.GetMessage();
   }
 
-  std::vector<EdgeCrossing> Crossings;
+  std::vector<LevelCrossing> Crossings;
   std::vector<FaceCurve> Curves;
 };
 
 /// Coordinates of a crossing in a face.
-std::array<double, 3> PlaceIn(const SurfaceMesh& mesh, Id f, const EdgeCrossing& crossing)
+std::array<double, 3> PlaceIn(const SurfaceMesh& mesh, Id f, const LevelCrossing& crossing)
 {
   std::array<double, 3> place{ { 0.0, 0.0, 0.0 } };
   for (int k = 0; k < 3; ++k)
@@ -339,7 +339,7 @@ void ExpectSound(const DistanceField& field, int k, const std::vector<double>& l
   HermiteEdge edge(field, k);
   for (std::size_t c = 0; c < parts.Crossings.size(); ++c)
   {
-    const EdgeCrossing& crossing = parts.Crossings[c];
+    const LevelCrossing& crossing = parts.Crossings[c];
     edge.Enter(crossing.HalfEdge);
     ASSERT_EQ(edge.GetHalfEdge(), crossing.HalfEdge) << what;
     ASSERT_GE(crossing.X, 0.0);
@@ -372,7 +372,7 @@ void ExpectSound(const DistanceField& field, int k, const std::vector<double>& l
   }
   // As many as the signs of the ends say, modulo two.
   std::map<std::pair<Id, Id>, int> counts;
-  for (const EdgeCrossing& crossing : parts.Crossings)
+  for (const LevelCrossing& crossing : parts.Crossings)
   {
     ++counts[{ crossing.HalfEdge, crossing.Level }];
   }
@@ -397,7 +397,7 @@ bool IsSame(const Parts& a, const Parts& b)
 {
   return !a.Curves.empty() &&
     std::equal(a.Crossings.begin(), a.Crossings.end(), b.Crossings.begin(), b.Crossings.end(),
-      [](const EdgeCrossing& x, const EdgeCrossing& y) {
+      [](const LevelCrossing& x, const LevelCrossing& y) {
         return x.HalfEdge == y.HalfEdge && x.X == y.X && x.Level == y.Level;
       }) &&
     std::equal(a.Curves.begin(), a.Curves.end(), b.Curves.begin(), b.Curves.end(),
@@ -852,7 +852,7 @@ TEST(ApolloniusParts, ThreadsDoNotMatter)
 TEST(ApolloniusParts, BadInputAndStopping)
 {
   const FieldCase c(Icosphere(3), { VertexSource(3) });
-  std::vector<EdgeCrossing> crossings(3);
+  std::vector<LevelCrossing> crossings(3);
   std::vector<FaceCurve> curves(3);
   auto run = [&](const DistanceField& field, int k, const std::vector<double>& levels,
                const ProgressCallback& progress) {

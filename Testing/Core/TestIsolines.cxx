@@ -26,10 +26,11 @@ using namespace dggtest;
 
 namespace
 {
-Isolines Trace(
-  const DistanceField& field, const std::vector<double>& levels, double tolerance = 0.0)
+Isolines Trace(const DistanceField& field, const std::vector<double>& levels,
+  double tolerance = 0.0, IsolineMethod method = IsolineMethod::LocalSources)
 {
   IsolineOptions options;
+  options.Method = method;
   options.ChordTolerance = tolerance;
   Isolines lines;
   const Status status = TraceIsolines(field, levels, options, nullptr, nullptr, lines);
@@ -530,6 +531,8 @@ TEST(Isolines, OfAnyNumbersAreSound)
       const Isolines lines = Trace(field, levels);
       EXPECT_GT(lines.Lines.size(), 4u);
       ExpectSound(field, levels, lines, field.HasSources() ? "noise (local)" : "noise");
+      ExpectSound(field, levels, Trace(field, levels, 0.0, IsolineMethod::Apollonius),
+        field.HasSources() ? "noise (Apollonius, local)" : "noise (Apollonius)");
     }
   }
 }

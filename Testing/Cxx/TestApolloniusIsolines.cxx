@@ -117,6 +117,7 @@ TEST_F(ApolloniusIsolines, Defaults)
   EXPECT_EQ(filter->GetMethod(), vtkApolloniusIsolines::LocalSources);
   EXPECT_STREQ(filter->GetMethodAsString(), "LocalSources");
   EXPECT_EQ(filter->GetChordTolerance(), 1e-3);
+  EXPECT_EQ(filter->GetSteinerPoints(), 2);
   EXPECT_STREQ(filter->GetDistanceArrayName(), "GeodesicDistance");
   EXPECT_STREQ(filter->GetVirtualSourceArrayName(), "GeodesicVirtualSource");
 }
@@ -204,6 +205,25 @@ TEST_F(ApolloniusIsolines, AreGoodWithVirtualSources)
   ExpectSuccess(this->Isolines);
   EXPECT_FALSE(this->Isolines->GetUsedVirtualSources());
   EXPECT_GT(this->GetErrors()[0], 1e-2);
+}
+
+TEST_F(ApolloniusIsolines, PublishedOnesGetBetterWithPointsOnEdges)
+{
+  this->Distance->GenerateVirtualSourceOn();
+  ExpectSuccess(this->Isolines);
+  const double best = this->GetErrors()[0];
+  this->Isolines->SetMethodToApollonius();
+  EXPECT_STREQ(this->Isolines->GetMethodAsString(), "Apollonius");
+  double last = 1.0;
+  for (const int points : { 1, 4, 18 })
+  {
+    this->Isolines->SetSteinerPoints(points);
+    ExpectSuccess(this->Isolines);
+    EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfLines(), 6);
+    EXPECT_LT(this->GetErrors()[0], 0.7 * last) << points;
+    last = this->GetErrors()[0];
+  }
+  EXPECT_LT(best, last);
 }
 
 TEST_F(ApolloniusIsolines, LinearOnesAreThoseOfContourFilters)
@@ -337,8 +357,14 @@ TEST_F(ApolloniusIsolines, WrongInputIsAnError)
     ExpectError(this->Isolines, { "ChordTolerance" });
   }
   this->Isolines->SetChordTolerance(1e-3);
+  for (const int points : { -1, 21 })
+  {
+    this->Isolines->SetSteinerPoints(points);
+    ExpectError(this->Isolines, { "SteinerPoints is", "0 to 20" });
+  }
+  this->Isolines->SetSteinerPoints(2);
   this->Isolines->SetMethod(77);
-  ExpectError(this->Isolines, { "Method is 77" });
+  EXPECT_EQ(this->Isolines->GetMethod(), vtkApolloniusIsolines::Linear);
   this->Isolines->SetMethodToLocalSources();
   ExpectSuccess(this->Isolines);
 

@@ -56,7 +56,7 @@ struct SortedLevels
 /// A crossing before it is numbered.
 struct FoundCrossing
 {
-  EdgeCrossing Crossing;
+  LevelCrossing Crossing;
   std::size_t Rank;     // of the level
   std::size_t Interval; // between two nodes of the edge
 };
@@ -90,7 +90,7 @@ public:
     return static_cast<Id>(place - this->Found.begin());
   }
 
-  void Take(std::vector<EdgeCrossing>& crossings) const
+  void Take(std::vector<LevelCrossing>& crossings) const
   {
     crossings.clear();
     crossings.reserve(this->Found.size());
@@ -243,7 +243,7 @@ Status CheckInput(const DistanceField& field, int steinerPoints, const std::vect
 
 Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
   const std::vector<double>& levels, const ParallelFor& parallel, const ProgressCallback& progress,
-  std::vector<EdgeCrossing>& crossings, std::vector<FaceCurve>& curves)
+  std::vector<LevelCrossing>& crossings, std::vector<FaceCurve>& curves)
 {
   crossings.clear();
   curves.clear();

@@ -35,7 +35,7 @@ constexpr int MaximumSteinerPoints = 20;
 /// and when stopped there are no pieces.
 Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
   const std::vector<double>& levels, const ParallelFor& parallel, const ProgressCallback& progress,
-  std::vector<EdgeCrossing>& crossings, std::vector<FaceCurve>& curves);
+  std::vector<LevelCrossing>& crossings, std::vector<FaceCurve>& curves);
 }
 
 #endif

@@ -216,7 +216,7 @@ void FaceIsolines::FindPeak(const std::array<FieldSample, 3>& corners)
 void FaceIsolines::CollectRim(Id level)
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
-  const std::vector<EdgeCrossing>& crossings = this->Crossings.Crossings;
+  const std::vector<LevelCrossing>& crossings = this->Crossings.Crossings;
   this->Rim.Clear();
   for (int k = 0; k < 3; ++k)
   {

@@ -20,7 +20,7 @@ struct Passage
 class Joiner
 {
 public:
-  Joiner(const SurfaceMesh& mesh, const std::vector<EdgeCrossing>& crossings,
+  Joiner(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,
     const std::vector<FaceCurve>& curves)
     : Mesh(mesh)
     , Crossings(crossings)
@@ -126,7 +126,7 @@ private:
 
   SurfacePoint PointOf(Id crossing) const
   {
-    const EdgeCrossing& c = this->Crossings[crossing];
+    const LevelCrossing& c = this->Crossings[crossing];
     return SurfacePoint::OnEdge(
       this->Mesh, c.HalfEdge, std::min(1.0, std::max(0.0, c.X / this->Mesh.Length(c.HalfEdge))));
   }
@@ -191,7 +191,7 @@ private:
   }
 
   const SurfaceMesh& Mesh;
-  const std::vector<EdgeCrossing>& Crossings;
+  const std::vector<LevelCrossing>& Crossings;
   const std::vector<FaceCurve>& Curves;
   std::vector<bool> IsUsed;
   std::vector<CurveEnds> Ends;
@@ -199,7 +199,7 @@ private:
 };
 }
 
-void JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<EdgeCrossing>& crossings,
+void JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,
   const std::vector<FaceCurve>& curves, Isolines& lines)
 {
   std::vector<Id> order(curves.size());

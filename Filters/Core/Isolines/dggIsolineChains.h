@@ -16,7 +16,7 @@ namespace dgg
 /// at a crossing that is not shared by exactly two curves: on the boundary, and on edges with more
 /// than two faces. It runs as the first one of its curves does. Lines that shrink to a point, by
 /// snapping to a vertex, are left out.
-void JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<EdgeCrossing>& crossings,
+void JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,
   const std::vector<FaceCurve>& curves, Isolines& lines);
 }
 

@@ -13,7 +13,7 @@
 namespace dgg
 {
 /// A point where an isoline crosses an edge. All faces of the edge share it.
-struct EdgeCrossing
+struct LevelCrossing
 {
   Id HalfEdge = NoId; ///< the representative of the edge (FindEdge())
   double X = 0.0;     ///< abscissa from its origin, in [0, length]

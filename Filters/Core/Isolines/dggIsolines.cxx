@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggIsolines.h"
 
+#include "dggApolloniusParts.h"
 #include "dggBlockLoop.h"
 #include "dggFaceIsolines.h"
 #include "dggIsolineChains.h"
@@ -22,6 +23,13 @@ constexpr double DefaultTolerance = 1e-3; // in mean edge lengths
 /// Shares of the progress.
 constexpr double CrossingsDone = 0.3;
 constexpr double FacesDone = 0.9;
+
+/// That of the first part of a loop.
+ProgressCallback PartOf(const ProgressCallback& progress, double share)
+{
+  return progress ? [&progress, share](double done) { return progress(share * done); }
+                  : ProgressCallback();
+}
 
 Status CheckArguments(
   const DistanceField& field, const std::vector<double>& levels, const IsolineOptions& options)
@@ -106,15 +114,22 @@ Status TraceIsolines(const DistanceField& field, const std::vector<double>& leve
     : DefaultTolerance * field.Mesh->GetMeanEdgeLength();
 
   LevelCrossings crossings;
-  const ProgressCallback part =
-    progress ? [&](double done) { return progress(CrossingsDone * done); } : ProgressCallback();
-  status = FindLevelCrossings(field, sorted, parallel, part, crossings);
   std::vector<FaceCurve> curves;
   Id fallbacks = 0;
-  if (status.IsOk())
+  if (options.Method == IsolineMethod::Apollonius)
+  {
+    status = FindApolloniusParts(field, options.SteinerPoints, sorted, parallel,
+      PartOf(progress, FacesDone), crossings.Crossings, curves);
+  }
+  else
   {
     status =
-      FindFaceCurves(field, sorted, tolerance, crossings, parallel, progress, curves, fallbacks);
+      FindLevelCrossings(field, sorted, parallel, PartOf(progress, CrossingsDone), crossings);
+    if (status.IsOk())
+    {
+      status =
+        FindFaceCurves(field, sorted, tolerance, crossings, parallel, progress, curves, fallbacks);
+    }
   }
   if (!status.IsOk())
   {

@@ -13,11 +13,22 @@
 
 namespace dgg
 {
+/// How the distance runs inside of faces.
+enum class IsolineMethod
+{
+  LocalSources, ///< as DistanceField says
+  Apollonius    ///< as published, for comparison: dggApolloniusParts.h
+};
+
 struct IsolineOptions
 {
+  IsolineMethod Method = IsolineMethod::LocalSources;
   /// How far a line may be from the level set, a length; 0 stands for a thousandth of the mean edge
   /// length.
   double ChordTolerance = 0.0;
+  /// Points per edge that the distance comes from, 0 to 20; more of them come closer to the field.
+  /// Of Apollonius, as ChordTolerance is of LocalSources.
+  int SteinerPoints = 2;
 };
 
 /// Polylines on a surface, in order of increasing levels.
@@ -35,8 +46,10 @@ struct Isolines
 /// farther away than it.
 ///
 /// Lines are continuous across edges. They are closed but for those that end on the boundary, at
-/// faces that are not reached, and on edges with more than two faces. Within faces their points are
-/// at the level up to rounding, where the field is continuous. Where level sets are arcs of
+/// faces that are not reached, and on edges with more than two faces.
+///
+/// Of LocalSources this holds besides: within faces the points of lines are at the level up to
+/// rounding, where the field is continuous. Where level sets are arcs of
 /// circles, in faces with windows or virtual sources, points are spread along these; the corners
 /// between arcs are points of the line. Lower distances are on the left of a line, as seen with the
 /// orientation of the face that it starts in.

@@ -32,7 +32,7 @@ bool IsLooked(const DistanceField& field, Id h)
 
 /// Appends the crossings of one edge, level by level.
 void FindOnEdge(const DistanceField& field, const std::vector<double>& levels, Id h,
-  EdgeProfile& profile, std::vector<double>& roots, std::vector<EdgeCrossing>& crossings)
+  EdgeProfile& profile, std::vector<double>& roots, std::vector<LevelCrossing>& crossings)
 {
   const SurfaceMesh& mesh = *field.Mesh;
   const double a = field.Distances[mesh.Origin(h)];
@@ -66,7 +66,7 @@ Status FindLevelCrossings(const DistanceField& field, const std::vector<double>&
 {
   const SurfaceMesh& mesh = *field.Mesh;
   const Id halfEdges = mesh.GetNumberOfHalfEdges();
-  std::vector<std::vector<EdgeCrossing>> blocks((halfEdges + BlockSize - 1) / BlockSize);
+  std::vector<std::vector<LevelCrossing>> blocks((halfEdges + BlockSize - 1) / BlockSize);
   const Status status = LoopOverBlocks(halfEdges, BlockSize, parallel, progress, 0.0, 1.0,
     [&](Offset block, Offset begin, Offset end) {
       EdgeProfile profile(field);
@@ -85,7 +85,7 @@ Status FindLevelCrossings(const DistanceField& field, const std::vector<double>&
     return status;
   }
   std::size_t count = 0;
-  for (const std::vector<EdgeCrossing>& block : blocks)
+  for (const std::vector<LevelCrossing>& block : blocks)
   {
     count += block.size();
   }
@@ -98,9 +98,9 @@ Status FindLevelCrossings(const DistanceField& field, const std::vector<double>&
   found.Crossings.clear();
   found.Crossings.reserve(count);
   found.Offsets.assign(static_cast<std::size_t>(halfEdges) + 1, 0);
-  for (const std::vector<EdgeCrossing>& block : blocks)
+  for (const std::vector<LevelCrossing>& block : blocks)
   {
-    for (const EdgeCrossing& crossing : block)
+    for (const LevelCrossing& crossing : block)
     {
       ++found.Offsets[static_cast<std::size_t>(crossing.HalfEdge) + 1];
       found.Crossings.push_back(crossing);

@@ -6,7 +6,7 @@
 #define dggLevelCrossings_h
 
 #include "dggDistanceField.h" // for DistanceField
-#include "dggIsolineParts.h"  // for EdgeCrossing
+#include "dggIsolineParts.h"  // for LevelCrossing
 #include "dggParallel.h"      // for ParallelFor
 
 #include <vector> // for the crossings
@@ -17,7 +17,7 @@ namespace dgg
 struct LevelCrossings
 {
   /// In order of half-edges, then levels, then abscissae.
-  std::vector<EdgeCrossing> Crossings;
+  std::vector<LevelCrossing> Crossings;
   /// Those of half-edge h, if it stands for its edge: [Offsets[h], Offsets[h + 1]).
   std::vector<Id> Offsets;
 };

@@ -1,0 +1,257 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Isolines of the distance on coarse meshes, four ways side by side: linear in each triangle, the
+published Apollonius diagrams, local sources, and exact; the ridges in red.
+
+Without a mesh there are two rows: a smooth surface with one source, and a block with three. The
+block has sharp edges and holes, so that ridges are where shortest paths around them meet.
+"""
+
+import argparse
+import sys
+
+import numpy as np
+import vtkdgg
+import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from mesh_file import MeshFileError, make_reader
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
+from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkTextActor,
+    vtkWindowToImageFilter,
+)
+
+SURFACE = (0.93, 0.92, 0.88)
+EDGES = (0.72, 0.72, 0.70)
+LINES = (0.05, 0.20, 0.45)
+RIDGES = (0.85, 0.10, 0.10)
+PANEL = (420, 400)
+
+
+def make_smooth():
+    """A coarse surface without sharp edges: a sphere with waves."""
+    solid = vtkPlatonicSolidSource()
+    solid.SetSolidTypeToIcosahedron()
+    finer = vtkLinearSubdivisionFilter()
+    finer.SetInputConnection(solid.GetOutputPort())
+    finer.SetNumberOfSubdivisions(3)
+    surface = vtkPolyData()
+    surface.ShallowCopy(vtkdgg.check(finer))
+    p = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    p /= np.linalg.norm(p, axis=1)[:, None]
+    p *= (1.0 + 0.16 * np.sin(3.0 * p[:, 0] + 1.0) * np.cos(2.5 * p[:, 1]) + 0.1 * p[:, 2] ** 2)[
+        :, None
+    ]
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(p, deep=True))
+    surface.SetPoints(points)
+    return surface
+
+
+def make_block():
+    """A block of 6 x 4 x 2 unit cubes with a hole through it and a step."""
+    filled = np.ones((6, 4, 2), dtype=bool)
+    filled[1:3, 1:3, :] = False
+    filled[4:, :, 1] = False
+    inside = np.pad(filled, 1)
+    corners = {}
+    quads = vtkCellArray()
+
+    def corner(place):
+        return corners.setdefault(tuple(place), len(corners))
+
+    for cube in np.argwhere(filled):
+        for axis in range(3):
+            for side in (0, 1):
+                beyond = cube + 1
+                beyond[axis] += 2 * side - 1
+                if inside[tuple(beyond)]:
+                    continue
+                base = cube.copy()
+                base[axis] += side
+                u, v = np.eye(3, dtype=int)[[(axis + 1) % 3, (axis + 2) % 3]]
+                ring = [base, base + u, base + u + v, base + v]
+                if side == 0:
+                    ring.reverse()
+                ids = [corner(place) for place in ring]
+                for triangle in ((0, 1, 2), (0, 2, 3)):
+                    quads.InsertNextCell(3, [ids[i] for i in triangle])
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    for place in corners:
+        points.InsertNextPoint(place)
+    surface = vtkPolyData()
+    surface.SetPoints(points)
+    surface.SetPolys(quads)
+    return surface
+
+
+def measure(surface, sources):
+    """Exact distances, with all that is known of them inside of triangles."""
+    distance = vtkdgg.vtkExactGeodesicDistance()
+    distance.SetInputData(surface)
+    distance.SetSourceIds(sources)
+    distance.GenerateVirtualSourceOn()
+    distance.GenerateWindowsOn()
+    return vtkdgg.check(distance)
+
+
+def without(measured, windows):
+    """The same distances without windows, and without virtual sources."""
+    copy = vtkPolyData()
+    copy.ShallowCopy(measured)
+    if not windows:
+        for suffix in (".Windows", ".WindowOffsets", ".WindowSources", ".WindowInfo"):
+            copy.GetFieldData().RemoveArray("GeodesicDistance" + suffix)
+    return copy
+
+
+def find_isolines(measured, method, count):
+    """`count` isolines, evenly spaced."""
+    farthest = measured.GetPointData().GetArray("GeodesicDistance").GetRange()[1]
+    step = farthest / (count + 1)
+    lines = vtkdgg.vtkApolloniusIsolines()
+    lines.SetInputData(measured)
+    lines.GenerateValues(count, step, farthest - step)
+    getattr(lines, f"SetMethodTo{method}")()
+    lines.GenerateRidgesOn()
+    vtkdgg.check(lines)
+    return lines
+
+
+def make_actor(data, colour, width=None):
+    """Lines of a width in pixels, or a surface with its edges."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetColor(colour)
+    if width:
+        mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -4)
+        look.SetLineWidth(width)
+        look.LightingOff()
+    else:
+        look.EdgeVisibilityOn()
+        look.SetEdgeColor(EDGES)
+        look.SetInterpolationToFlat()
+        look.SetAmbient(0.35)
+        look.SetDiffuse(0.65)
+    return actor
+
+
+def make_panel(surface, lines, title, view):
+    """One picture of the surface with its lines."""
+    renderer = vtkRenderer()
+    renderer.SetBackground(1.0, 1.0, 1.0)
+    renderer.AddActor(make_actor(surface, SURFACE))
+    renderer.AddActor(make_actor(lines.GetOutput(), LINES, 2.0))
+    if lines.GetMethodAsString() != "Linear":
+        renderer.AddActor(make_actor(lines.GetRidges(), RIDGES, 2.5))
+    text = vtkTextActor()
+    text.SetInput(title)
+    text.SetPosition(12, 10)
+    text.GetTextProperty().SetFontSize(18)
+    text.GetTextProperty().SetColor(0.1, 0.1, 0.1)
+    renderer.AddActor2D(text)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(view)
+    camera.SetFocalPoint(0.0, 0.0, 0.0)
+    camera.SetViewUp(0.0, 0.0, 1.0)
+    renderer.ResetCamera()
+    camera.Zoom(1.35)
+    return renderer
+
+
+def render(rows, picture_path):
+    """Panels in rows, from the top down."""
+    window = vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetMultiSamples(8)
+    window.SetSize(PANEL[0] * len(rows[0]), PANEL[1] * len(rows))
+    for i, row in enumerate(rows):
+        for j, panel in enumerate(row):
+            panel.SetViewport(
+                j / len(row), 1.0 - (i + 1) / len(rows), (j + 1) / len(row), 1.0 - i / len(rows)
+            )
+            window.AddRenderer(panel)
+    window.Render()
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    writer = vtkPNGWriter()
+    writer.SetFileName(picture_path)
+    writer.SetInputConnection(grabber.GetOutputPort())
+    vtkdgg.check(writer)
+
+
+def compare(surface, sources, count, view):
+    """A row of panels, and what they show in words."""
+    exact = measure(surface, sources)
+    local = without(exact, windows=False)
+    row = []
+    for title, data, method in (
+        ("linear", local, "Linear"),
+        ("Apollonius", local, "Apollonius"),
+        ("local sources", local, "LocalSources"),
+        ("exact", exact, "LocalSources"),
+    ):
+        lines = find_isolines(data, method, count)
+        print(
+            f"{title}: {lines.GetOutput().GetNumberOfLines()} lines of "
+            f"{lines.GetOutput().GetNumberOfPoints()} points, "
+            f"{lines.GetRidges().GetNumberOfLines()} ridges"
+        )
+        row.append(make_panel(surface, lines, title, view))
+    return row
+
+
+def main(options):
+    """Run the pipeline."""
+    if options.mesh:
+        surface = vtkdgg.check(make_reader(options.mesh))
+        rows = [compare(surface, options.sources or [0], options.count, options.view)]
+    else:
+        rows = [
+            compare(make_smooth(), [0], options.count, options.view),
+            compare(make_block(), [0, 40, 75], options.count, options.view),
+        ]
+    render(rows, options.picture)
+
+
+def triple(text):
+    """X,Y,Z as numbers."""
+    x, y, z = (float(number) for number in text.split(","))
+    return x, y, z
+
+
+def parse(arguments):
+    """Options from the command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("picture", help="the picture to write, a .png")
+    parser.add_argument("--mesh", help="a surface (.ply .obj .stl .vtp .vtk .off)")
+    parser.add_argument("--sources", type=int, nargs="+", help="point ids of it (default 0)")
+    parser.add_argument("--count", type=int, default=14, help="of isolines (%(default)s)")
+    parser.add_argument(
+        "--view", type=triple, metavar="X,Y,Z", default=(1.0, -1.6, 1.1), help="where to look from"
+    )
+    return parser.parse_args(arguments)
+
+
+if __name__ == "__main__":
+    options = parse(sys.argv[1:])
+    try:
+        main(options)
+    except (MeshFileError, vtkdgg.VTKError) as problem:
+        sys.exit(f"error: {problem}")
