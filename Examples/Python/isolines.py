@@ -19,6 +19,7 @@ from mesh_file import MeshFileError, make_reader
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTubeFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -35,7 +36,7 @@ SURFACE = (0.93, 0.92, 0.88)
 EDGES = (0.72, 0.72, 0.70)
 LINES = (0.05, 0.20, 0.45)
 RIDGES = (0.85, 0.10, 0.10)
-PANEL = (420, 400)
+PANEL = (480, 420)
 
 
 def make_smooth():
@@ -124,31 +125,45 @@ def find_isolines(measured, method, count):
     lines.SetInputData(measured)
     lines.GenerateValues(count, step, farthest - step)
     getattr(lines, f"SetMethodTo{method}")()
-    lines.GenerateRidgesOn()
+    lines.SetGenerateRidges(method != "Linear")
     vtkdgg.check(lines)
     return lines
 
 
-def make_actor(data, colour, width=None):
-    """Lines of a width in pixels, or a surface with its edges."""
+def make_tubes(lines, radius, colour):
+    """Tubes around polylines."""
+    clean = vtkCleanPolyData()
+    clean.SetInputData(lines)
+    clean.ConvertLinesToPointsOff()
+    clean.ToleranceIsAbsoluteOn()
+    clean.SetAbsoluteTolerance(0.1 * radius)
+    tubes = vtkTubeFilter()
+    tubes.SetInputConnection(clean.GetOutputPort())
+    tubes.SetRadius(radius)
+    tubes.SetNumberOfSides(12)
     mapper = vtkPolyDataMapper()
-    mapper.SetInputData(data)
+    mapper.SetInputConnection(tubes.GetOutputPort())
     mapper.ScalarVisibilityOff()
-    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(colour)
+    return actor
+
+
+def make_surface(surface):
+    """A surface with its edges."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(surface)
+    mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
     look = actor.GetProperty()
-    look.SetColor(colour)
-    if width:
-        mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -4)
-        look.SetLineWidth(width)
-        look.LightingOff()
-    else:
-        look.EdgeVisibilityOn()
-        look.SetEdgeColor(EDGES)
-        look.SetInterpolationToFlat()
-        look.SetAmbient(0.35)
-        look.SetDiffuse(0.65)
+    look.SetColor(SURFACE)
+    look.EdgeVisibilityOn()
+    look.SetEdgeColor(EDGES)
+    look.SetInterpolationToFlat()
+    look.SetAmbient(0.45)
+    look.SetDiffuse(0.6)
     return actor
 
 
@@ -156,10 +171,10 @@ def make_panel(surface, lines, title, view):
     """One picture of the surface with its lines."""
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
-    renderer.AddActor(make_actor(surface, SURFACE))
-    renderer.AddActor(make_actor(lines.GetOutput(), LINES, 2.0))
-    if lines.GetMethodAsString() != "Linear":
-        renderer.AddActor(make_actor(lines.GetRidges(), RIDGES, 2.5))
+    radius = 0.0025 * surface.GetLength()
+    renderer.AddActor(make_surface(surface))
+    renderer.AddActor(make_tubes(lines.GetOutput(), radius, LINES))
+    renderer.AddActor(make_tubes(lines.GetRidges(), 1.3 * radius, RIDGES))
     text = vtkTextActor()
     text.SetInput(title)
     text.SetPosition(12, 10)
@@ -171,7 +186,7 @@ def make_panel(surface, lines, title, view):
     camera.SetFocalPoint(0.0, 0.0, 0.0)
     camera.SetViewUp(0.0, 0.0, 1.0)
     renderer.ResetCamera()
-    camera.Zoom(1.35)
+    camera.Zoom(1.15)
     return renderer
 
 

@@ -12,6 +12,7 @@
 #include "vtkDGGWindowArrays.h"
 
 #include "dggIsolines.h"
+#include "dggRidges.h"
 
 #include "vtkCellData.h"
 #include "vtkContourValues.h"
@@ -33,26 +34,56 @@ namespace
 {
 constexpr int MostSteinerPoints = 20;
 
-/// Polylines and their arrays. The windows of the distances belong to the surface alone.
-void WriteLines(const dgg::Isolines& lines, const std::vector<double>& values,
-  const std::string& distances, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
+/// The part of the work that finding isolines is when there are ridges to be found as well.
+constexpr double LineShare = 0.5;
+
+constexpr double DegreesPerRadian = 180.0 / dgg::Pi;
+
+/// Polylines, and a number for each of them. The windows of the distances belong to the surface
+/// alone.
+void WritePolylines(const std::vector<dgg::SurfacePath>& lines, const std::vector<bool>& isClosed,
+  const char* name, const std::vector<double>& numbers, const std::string& distances,
+  const vtkDGGNewGeometry& geometry, vtkPolyData* output)
 {
   geometry.Begin(output);
   vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), distances);
   vtkIdType size = 0;
-  for (std::size_t i = 0; i < lines.Lines.size(); ++i)
+  for (std::size_t i = 0; i < lines.size(); ++i)
   {
-    size += vtkDGGPolylineWriter::CountPoints(lines.Lines[i], lines.IsClosed[i]);
+    size += vtkDGGPolylineWriter::CountPoints(lines[i], isClosed[i]);
   }
   vtkDGGPolylineWriter writer(geometry, size);
-  const auto isoValues = vtkDGGMakeArray<vtkDoubleArray>("IsoValue", lines.Lines.size());
-  for (std::size_t i = 0; i < lines.Lines.size(); ++i)
+  const auto array = vtkDGGMakeArray<vtkDoubleArray>(name, lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i)
   {
-    writer.Add(lines.Lines[i], lines.IsClosed[i]);
-    isoValues->SetValue(static_cast<vtkIdType>(i), values[lines.Levels[i]]);
+    writer.Add(lines[i], isClosed[i]);
+    array->SetValue(static_cast<vtkIdType>(i), numbers[i]);
   }
   writer.AddTo(output);
-  output->GetCellData()->SetScalars(isoValues);
+  output->GetCellData()->SetScalars(array);
+}
+
+void WriteLines(const dgg::Isolines& lines, const std::vector<double>& values,
+  const std::string& distances, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
+{
+  std::vector<double> numbers;
+  for (const dgg::Id level : lines.Levels)
+  {
+    numbers.push_back(values[level]);
+  }
+  WritePolylines(lines.Lines, lines.IsClosed, "IsoValue", numbers, distances, geometry, output);
+}
+
+void WriteRidges(const dgg::Ridges& ridges, const std::string& distances,
+  const vtkDGGNewGeometry& geometry, vtkPolyData* output)
+{
+  std::vector<double> numbers;
+  for (const double angle : ridges.Angles)
+  {
+    numbers.push_back(angle * DegreesPerRadian);
+  }
+  WritePolylines(ridges.Lines, std::vector<bool>(ridges.Lines.size(), false), "RidgeAngle", numbers,
+    distances, geometry, output);
 }
 }
 
@@ -60,6 +91,8 @@ void WriteLines(const dgg::Isolines& lines, const std::vector<double>& values,
 vtkApolloniusIsolines::vtkApolloniusIsolines()
   : Method(LocalSources)
   , ChordTolerance(1e-3)
+  , GenerateRidges(false)
+  , MinimumRidgeAngle(20.0)
   , SteinerPoints(2)
   , DistanceArrayName("GeodesicDistance")
   , VirtualSourceArrayName("GeodesicVirtualSource")
@@ -67,6 +100,7 @@ vtkApolloniusIsolines::vtkApolloniusIsolines()
   , UsedVirtualSources(false)
   , NumberOfFallbacks(0)
 {
+  this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
@@ -78,6 +112,8 @@ void vtkApolloniusIsolines::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << this->GetMethodAsString() << "\n";
   os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
+  os << indent << "GenerateRidges: " << (this->GenerateRidges ? "On" : "Off") << "\n";
+  os << indent << "MinimumRidgeAngle: " << this->MinimumRidgeAngle << "\n";
   os << indent << "SteinerPoints: " << this->SteinerPoints << "\n";
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
   os << indent << "VirtualSourceArrayName: " << this->VirtualSourceArrayName << "\n";
@@ -215,6 +251,11 @@ dgg::Status vtkApolloniusIsolines::CheckProperties() const
     message << "ChordTolerance is " << this->ChordTolerance
             << ": call SetChordTolerance() with a positive number";
   }
+  else if (!(this->MinimumRidgeAngle >= 0.0 && this->MinimumRidgeAngle <= 180.0))
+  {
+    message << "MinimumRidgeAngle is " << this->MinimumRidgeAngle
+            << ": call SetMinimumRidgeAngle() with degrees from 0 to 180";
+  }
   const std::vector<double> values = this->CopyValues();
   for (std::size_t i = 0; i < values.size() && message.str().empty(); ++i)
   {
@@ -288,7 +329,8 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
   const std::string name = status.IsOk() && distances->GetName() ? distances->GetName() : "";
   if (status.IsOk())
   {
-    status = input.Read(surface, distances, this->VirtualSourceArrayName, mesh);
+    status = input.Read(surface, distances, this->VirtualSourceArrayName, mesh,
+      [this](double) { return this->Advance(0.0); });
   }
   if (status.IsOk())
   {
@@ -308,18 +350,49 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
     field.Windows = nullptr;
     field.Sources = nullptr;
   }
+  const double share = this->GenerateRidges ? LineShare : 1.0;
   dgg::Isolines lines;
+  dgg::Ridges ridges;
   status = dgg::TraceIsolines(
     field, values, options, vtkDGGMakeParallelFor(),
-    [this](double fraction) { return this->Advance(fraction); }, lines);
+    [&](double fraction) { return this->Advance(share * fraction); }, lines);
+  if (status.IsOk() && share < 1.0)
+  {
+    status = this->FindRidges(
+      field, [&](double fraction) { return this->Advance(share + (1.0 - share) * fraction); },
+      ridges);
+  }
   if (status.IsOk())
   {
     this->UsedWindows = field.HasWindows();
     this->UsedVirtualSources = field.HasSources();
-    this->NumberOfFallbacks = lines.Fallbacks;
-    WriteLines(lines, values, name, geometry, vtkPolyData::GetData(outputVector));
+    this->NumberOfFallbacks = lines.Fallbacks + ridges.Fallbacks;
+    WriteLines(lines, values, name, geometry, vtkPolyData::GetData(outputVector, 0));
+    WriteRidges(ridges, name, geometry, vtkPolyData::GetData(outputVector, 1));
   }
   return status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkApolloniusIsolines::FindRidges(
+  const dgg::DistanceField& field, const dgg::ProgressCallback& progress, dgg::Ridges& ridges)
+{
+  if (!field.HasWindows() && !field.HasSources())
+  {
+    vtkWarningMacro(<< "there are no ridges in distances that are linear in each triangle: choose "
+                       "another Method, and distances with windows or virtual sources.");
+    return dgg::Status::Success();
+  }
+  dgg::RidgeOptions options;
+  options.MinimumAngle = this->MinimumRidgeAngle / DegreesPerRadian;
+  options.ChordTolerance = this->ChordTolerance * field.Mesh->GetMeanEdgeLength();
+  return dgg::FindRidges(field, options, vtkDGGMakeParallelFor(), progress, ridges);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkApolloniusIsolines::GetRidges()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
 //------------------------------------------------------------------------------
@@ -332,5 +405,7 @@ void vtkApolloniusIsolines::MakeEmptyOutput(
   vtkDGGNewGeometry geometry;
   geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
   WriteLines(
-    dgg::Isolines(), {}, this->DistanceArrayName, geometry, vtkPolyData::GetData(outputVector));
+    dgg::Isolines(), {}, this->DistanceArrayName, geometry, vtkPolyData::GetData(outputVector, 0));
+  WriteRidges(
+    dgg::Ridges(), this->DistanceArrayName, geometry, vtkPolyData::GetData(outputVector, 1));
 }

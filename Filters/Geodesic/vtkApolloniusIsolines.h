@@ -15,16 +15,18 @@
  * reached; lines end at triangles that have one.
  *
  * How good the lines are depends on what the surface has besides the distances:
- *  - field data with windows (vtkExactGeodesicDistance::GenerateWindowsOn()): they are exact;
- * points of the lines inside of triangles are at their value up to rounding;
+ *  - field data with windows (vtkExactGeodesicDistance::GenerateWindowsOn()): they are exact,
+ *    points of the lines inside of triangles are at their value up to rounding;
  *  - virtual sources (GenerateVirtualSourceOn() of any distance filter): several times better than
  *    straight lines in triangles, see dggDistanceField.h;
- *  - else they are straight in each triangle.
+ *  - else virtual sources are fitted to the distances, which is a little worse;
+ *  - for values that are no distances at all, as their slope tells, lines are straight in each
+ *    triangle, with a warning.
  *
  * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
  * warning.
  *
- * <b>The output</b> is new geometry, see vtkGeodesicAlgorithm: polylines, in order of increasing
+ * <b>Output 0</b> is new geometry, see vtkGeodesicAlgorithm: polylines, in order of increasing
  * values. Each of their pieces lies in one triangle of the surface. Lines are continuous across
  * edges. They are closed, with the same point at either end, but for those that end on the boundary
  * of the surface, at triangles that are not reached, and on edges with more than two triangles.
@@ -36,12 +38,16 @@
  * before it for the last point); `vtkOriginalPointIds`, the point of the input where the line is at
  *    one, else -1; `ArcLength`, the length of the line up to the point.
  *
+ * <b>Output 1</b> (GetRidges()) has the ridges, when GenerateRidges is on: polylines with the same
+ * point data and, as cell data, `RidgeAngle`.
+ *
  * Values without a line, as those out of the range of the distances, are no error. A surface
  * without triangles gives an empty output.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm: no array of distances, or one that does not
  * have one number per point; a distance of minus infinity; a value that is not finite; a
- * ChordTolerance that is not positive; SteinerPoints outside of 0 to 20.
+ * ChordTolerance that is not positive; SteinerPoints outside of 0 to 20; a MinimumRidgeAngle
+ * outside of 0 to 180.
  *
  * @code
  * vtkNew<vtkExactGeodesicDistance> distance;
@@ -69,14 +75,16 @@
 
 #include "vtkNew.h" // For the values
 
-#include <string> // For array names
-#include <vector> // For the values
+#include <functional> // For progress
+#include <string>     // For array names
+#include <vector>     // For the values
 
 class vtkContourValues;
 class vtkDataArray;
 namespace dgg
 {
-struct Isolines;
+struct DistanceField;
+struct Ridges;
 }
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkApolloniusIsolines : public vtkGeodesicAlgorithm
@@ -148,6 +156,36 @@ public:
 
   ///@{
   /**
+   * Whether to find the ridges as well (the cut locus: points with two shortest paths or more), as
+   * polylines of the second output. They need windows or virtual sources; without these the second
+   * output is empty, with a warning. Default off.
+   */
+  vtkSetMacro(GenerateRidges, bool);
+  vtkGetMacro(GenerateRidges, bool);
+  vtkBooleanMacro(GenerateRidges, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Ridges are shown where the directions of two shortest paths differ by more than this angle, in
+   * degrees. On a polyhedron a ridge of a small angle starts at every convex point, which hides the
+   * others. Default 20; in [0, 180].
+   */
+  vtkSetMacro(MinimumRidgeAngle, double);
+  vtkGetMacro(MinimumRidgeAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * The second output: ridges, with the arrays of the lines and, as cell data, `RidgeAngle`
+   * (double, degrees), the mean angle between the two directions. They meet at their ends alone.
+   */
+  vtkPolyData* GetRidges();
+  vtkAlgorithmOutput* GetRidgePort() { return this->GetOutputPort(1); }
+  ///@}
+
+  ///@{
+  /**
    * Name of the point array with the distances, unless SetInputArrayToProcess() says another one.
    * Default "GeodesicDistance". When there is none of this name, the active point scalars are
    * taken.
@@ -197,10 +235,14 @@ private:
 
   dgg::Status FindDistances(vtkPolyData* surface, vtkDataArray*& distances) const;
   std::vector<double> CopyValues() const;
+  dgg::Status FindRidges(const dgg::DistanceField& field,
+    const std::function<bool(double)>& progress, dgg::Ridges& ridges);
 
   vtkNew<vtkContourValues> ContourValues;
   int Method;
   double ChordTolerance;
+  bool GenerateRidges;
+  double MinimumRidgeAngle;
   int SteinerPoints;
   std::string DistanceArrayName;
   std::string VirtualSourceArrayName;

@@ -830,7 +830,7 @@ TEST(ApolloniusParts, UnitsDoNotMatter)
     for (const bool isFitted : { false, true })
     {
       Parts parts(isFitted ? scaled.Plain : scaled.Local, 2, scaledLevels);
-      for (EdgeCrossing& crossing : parts.Crossings)
+      for (LevelCrossing& crossing : parts.Crossings)
       {
         crossing.X /= factor;
       }
