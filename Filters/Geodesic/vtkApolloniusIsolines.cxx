@@ -33,6 +33,8 @@ vtkStandardNewMacro(vtkApolloniusIsolines);
 namespace
 {
 constexpr int MostSteinerPoints = 20;
+/// Share of the progress that goes to what is known besides distances.
+constexpr double ReadingShare = 0.4;
 
 /// The part of the work that finding isolines is when there are ridges to be found as well.
 constexpr double LineShare = 0.5;
@@ -322,6 +324,7 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
   options.Method =
     this->Method == Apollonius ? dgg::IsolineMethod::Apollonius : dgg::IsolineMethod::LocalSources;
   const bool isLinear = this->Method == Linear;
+  const bool wantsRidges = this->GenerateRidges;
   vtkDataArray* distances = nullptr;
   vtkDGGFieldInput input;
   vtkDGGNewGeometry geometry;
@@ -329,34 +332,33 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
   const std::string name = status.IsOk() && distances->GetName() ? distances->GetName() : "";
   if (status.IsOk())
   {
-    status = input.Read(surface, distances, this->VirtualSourceArrayName, mesh,
-      [this](double) { return this->Advance(0.0); });
+    status = geometry.Take(surface, mesh, this->GetOutputPointsPrecision());
   }
   if (status.IsOk())
   {
-    status = geometry.Take(surface, mesh, this->GetOutputPointsPrecision());
+    status = isLinear
+      ? input.ReadDistances(surface, distances, mesh)
+      : input.Read(surface, distances, this->VirtualSourceArrayName, mesh,
+          [this](double fraction) { return this->Advance(ReadingShare * fraction); });
   }
   if (!status.IsOk())
   {
     return status;
   }
-  if (!input.GetWarning().empty() && !isLinear)
+  if (!input.GetWarning().empty())
   {
     vtkWarningMacro(<< input.GetWarning() << ".");
   }
-  dgg::DistanceField field = input.GetField();
-  if (isLinear)
-  {
-    field.Windows = nullptr;
-    field.Sources = nullptr;
-  }
-  const double share = this->GenerateRidges ? LineShare : 1.0;
+  const dgg::DistanceField& field = input.GetField();
+  const double share = ReadingShare + (wantsRidges ? LineShare : 1.0) * (1.0 - ReadingShare);
   dgg::Isolines lines;
   dgg::Ridges ridges;
   status = dgg::TraceIsolines(
     field, values, options, vtkDGGMakeParallelFor(),
-    [&](double fraction) { return this->Advance(share * fraction); }, lines);
-  if (status.IsOk() && share < 1.0)
+    [&](
+      double fraction) { return this->Advance(ReadingShare + (share - ReadingShare) * fraction); },
+    lines);
+  if (status.IsOk() && wantsRidges)
   {
     status = this->FindRidges(
       field, [&](double fraction) { return this->Advance(share + (1.0 - share) * fraction); },

@@ -19,12 +19,11 @@
  *    points of the lines inside of triangles are at their value up to rounding;
  *  - virtual sources (GenerateVirtualSourceOn() of any distance filter): several times better than
  *    straight lines in triangles, see dggDistanceField.h;
- *  - else virtual sources are fitted to the distances, which is a little worse;
- *  - for values that are no distances at all, as their slope tells, lines are straight in each
- *    triangle, with a warning.
+ *  - else virtual sources are fitted to the distances, which is better than straight lines as well.
  *
  * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
- * warning.
+ * warning. So are values that are no distances on the surface: they are taken as linear in each
+ * triangle.
  *
  * <b>Output 0</b> is new geometry, see vtkGeodesicAlgorithm: polylines, in order of increasing
  * values. Each of their pieces lies in one triangle of the surface. Lines are continuous across
@@ -205,7 +204,8 @@ public:
 
   ///@{
   /**
-   * What the last update took the distance inside of triangles from.
+   * What the last update took the distance inside of triangles from. Virtual sources may be those
+   * of the input or fitted ones.
    */
   vtkGetMacro(UsedWindows, bool);
   vtkGetMacro(UsedVirtualSources, bool);

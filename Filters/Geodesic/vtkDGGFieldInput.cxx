@@ -69,9 +69,8 @@ dgg::Status vtkDGGFieldInput::FindDistances(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGFieldInput::Read(vtkPolyData* surface, vtkDataArray* distances,
-  const std::string& virtualSources, const vtkDGGMeshAdapter& mesh,
-  const dgg::ProgressCallback& progress)
+dgg::Status vtkDGGFieldInput::ReadDistances(
+  vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh)
 {
   this->Warning.clear();
   this->Windows = dgg::EdgeWindows();
@@ -94,6 +93,19 @@ dgg::Status vtkDGGFieldInput::Read(vtkPolyData* surface, vtkDataArray* distances
     }
   }
   this->Field = { &mesh.GetMesh(), this->Distances.data(), &this->Windows, &this->Sources };
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGFieldInput::Read(vtkPolyData* surface, vtkDataArray* distances,
+  const std::string& virtualSources, const vtkDGGMeshAdapter& mesh,
+  const dgg::ProgressCallback& progress)
+{
+  const dgg::Status status = this->ReadDistances(surface, distances, mesh);
+  if (!status.IsOk())
+  {
+    return status;
+  }
   this->ReadWindows(surface, distances, mesh);
   if (!this->Field.HasWindows())
   {

@@ -27,8 +27,12 @@ public:
   static dgg::Status FindDistances(
     vtkPolyData* surface, const std::string& name, vtkDataArray*& distances);
 
-  /// NaN and infinity stand for points that are not reached. Fails when a distance is minus
-  /// infinity. `progress` may be empty.
+  /// The distances alone, to be taken as linear. NaN and infinity stand for points that are not
+  /// reached. Fails when a distance is minus infinity.
+  dgg::Status ReadDistances(
+    vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh);
+
+  /// And what there is beside them. `progress` may be empty.
   dgg::Status Read(vtkPolyData* surface, vtkDataArray* distances, const std::string& virtualSources,
     const vtkDGGMeshAdapter& mesh, const dgg::ProgressCallback& progress = dgg::ProgressCallback());
 

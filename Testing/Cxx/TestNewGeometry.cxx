@@ -118,7 +118,7 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeVoronoi(vtkPolyData* surface)
   return voronoi;
 }
 
-/// Of the distances in space from the first point, which do as well.
+/// Of the distances in space from the first point.
 vtkSmartPointer<vtkGeodesicAlgorithm> MakeIsolines(vtkPolyData* surface)
 {
   vtkNew<vtkDoubleArray> distances;
@@ -131,6 +131,7 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeIsolines(vtkPolyData* surface)
   }
   surface->GetPointData()->AddArray(distances);
   auto isolines = MakeFilter<vtkApolloniusIsolines>(surface);
+  isolines->SetMethodToLinear();
   isolines->GenerateValues(4, 0.1 * largest, 0.9 * largest);
   return isolines;
 }
