@@ -29,8 +29,8 @@ constexpr double SmallShare = 0.1;
 /// Where parts are divided and how much the cut is turned: nothing that a regular mesh knows.
 constexpr double CutPlace = 0.4871;
 constexpr double CutTurn = 0.1373;
-/// Distances are equal when they are so close, relative.
-constexpr double TieTolerance = 1e-10;
+/// From a tie, a step of this length, relative, leads to where one source alone is the nearest.
+constexpr double TieStep = 1e-6;
 constexpr int MaximumDepth = 12;
 /// A curve whose ends belong to different sources is halved at least so often.
 constexpr int MinimumDepth = 2;
@@ -76,10 +76,10 @@ FaceRidgeFinder::Rim FaceRidgeFinder::MakeRim()
       b[(k + i) % 3] = 1.0 - CornerInset - RimInset;
       ends[k][i] = this->Profile.PlaceOf(b);
       const FieldSample sample = this->Profile.SampleAt(ends[k][i]);
-      const Point2 axis = Difference(
-        this->Profile.GetCorners()[(k + 1) % 3], this->Profile.GetCorners()[k]);
-      this->Found->RimAngles[k][i] = static_cast<float>(
-        std::atan2(Cross(axis, sample.Gradient), Dot(axis, sample.Gradient)));
+      const Point2 axis =
+        Difference(this->Profile.GetCorners()[(k + 1) % 3], this->Profile.GetCorners()[k]);
+      this->Found->RimAngles[k][i] =
+        static_cast<float>(std::atan2(Cross(axis, sample.Gradient), Dot(axis, sample.Gradient)));
     }
   }
   Rim rim;
@@ -112,8 +112,8 @@ void FaceRidgeFinder::AddSide(int k, const Point2& from, const Point2& to, Rim& 
     ridgeEnd.Side = k;
     ridgeEnd.X = x;
     Point2 tie = place;
-    if (MoveToTie(jump.Before, jump.After, axis, RimSlack * length, tie) &&
-      abscissa(tie) > 0.0 && abscissa(tie) < length)
+    if (MoveToTie(jump.Before, jump.After, axis, RimSlack * length, tie) && abscissa(tie) > 0.0 &&
+      abscissa(tie) < length)
     {
       place = tie;
       ridgeEnd.X = abscissa(tie);
@@ -166,7 +166,11 @@ void FaceRidgeFinder::Connect(const Rim& rim)
   }
   if (ridges.size() == 2)
   {
-    this->AddPiece(ridges[0], ridges[1]);
+    // Not one line, when there is nothing between: two that end, or more with smaller angles.
+    if (!this->AddPiece(ridges[0], ridges[1], size <= SmallestDeadEnd * this->Size))
+    {
+      this->Divide(rim);
+    }
   }
   else if (ridges.size() > 2 && this->FindJunction(ridges, rim, junction))
   {
@@ -301,17 +305,13 @@ bool FaceRidgeFinder::FindJunction(
   {
     const Point2& p = rim[i].Place;
     const Point2 side = Difference(rim[(i + 1) % rim.size()].Place, p);
-    if (Cross(side, Difference(place, p)) <
-      -CornerInset * this->Size * Norm(side.X, side.Y))
+    if (Cross(side, Difference(place, p)) < -CornerInset * this->Size * Norm(side.X, side.Y))
     {
       return false;
     }
   }
-  const double distance = this->Profile.At(place);
-  const double close = TieTolerance * (std::abs(distance) + this->Size);
-  return std::all_of(sources.begin(), sources.end(), [&](const FieldSample& s) {
-    return std::abs(DistanceFromSource(s, place) - distance) <= close;
-  });
+  return std::all_of(sources.begin(), sources.end(),
+    [&](const FieldSample& source) { return this->IsNearest(source, place); });
 }
 
 void FaceRidgeFinder::MakeJunction(const std::vector<Id>& ridges, const Point2& place)
@@ -325,49 +325,57 @@ void FaceRidgeFinder::MakeJunction(const std::vector<Id>& ridges, const Point2& 
     // The same sources at both ends, so that the curve between them is found at once.
     this->Crossings[junction].Before = this->Crossings[ridge].Before;
     this->Crossings[junction].After = this->Crossings[ridge].After;
-    this->AddPiece(ridge, junction);
+    this->AddPiece(ridge, junction, true);
   }
 }
 
-void FaceRidgeFinder::AddPiece(Id from, Id to)
+/// False when there is no ridge between two points and there must be one.
+bool FaceRidgeFinder::AddPiece(Id from, Id to, bool mayFail)
 {
   RidgePiece piece;
   piece.From = from;
   piece.To = to;
-  this->Refine(this->Crossings[from], this->Crossings[to], 0, piece.Points);
+  if (!this->Refine(this->Crossings[from], this->Crossings[to], 0, piece.Points))
+  {
+    if (!mayFail)
+    {
+      return false;
+    }
+    ++this->Fallbacks;
+  }
   this->Found->Pieces.push_back(std::move(piece));
+  return true;
 }
 
-/// Points between two, by halves.
-void FaceRidgeFinder::Refine(
+/// Points between two, by halves. False when some were not found.
+bool FaceRidgeFinder::Refine(
   const Crossing& from, const Crossing& to, int depth, std::vector<std::array<double, 3>>& points)
 {
   const double length = Distance(from.Place, to.Place);
   if (depth >= MaximumDepth || length <= this->ChordTolerance)
   {
-    return;
+    return true;
   }
   Crossing between;
   if (!this->FindBetween(from, to, between))
   {
-    ++this->Fallbacks;
-    return;
+    return false;
   }
   const Point2 middle{ 0.5 * (from.Place.X + to.Place.X), 0.5 * (from.Place.Y + to.Place.Y) };
   const bool isSmooth = HavePair(from.Before, from.After, to.Before, to.After, this->Size);
-  if (Distance(middle, between.Place) <= this->ChordTolerance && (isSmooth || depth >= MinimumDepth))
+  if (Distance(middle, between.Place) <= this->ChordTolerance &&
+    (isSmooth || depth >= MinimumDepth))
   {
-    return;
+    return true;
   }
-  this->Refine(from, between, depth + 1, points);
+  const bool isFound = this->Refine(from, between, depth + 1, points);
   points.push_back(this->BarycentricInside(between.Place));
-  this->Refine(between, to, depth + 1, points);
+  return this->Refine(between, to, depth + 1, points) && isFound;
 }
 
 /// The point of the ridge across the middle of a chord: at the tie of the sources of an end, or
 /// else found anew.
-bool FaceRidgeFinder::FindBetween(
-  const Crossing& from, const Crossing& to, Crossing& between) const
+bool FaceRidgeFinder::FindBetween(const Crossing& from, const Crossing& to, Crossing& between) const
 {
   const double length = Distance(from.Place, to.Place);
   const Point2 normal{ (from.Place.Y - to.Place.Y) / length, (to.Place.X - from.Place.X) / length };
@@ -409,8 +417,8 @@ bool FaceRidgeFinder::FindBetween(
   {
     return false;
   }
-  const FieldJump& best = *std::min_element(
-    jumps.begin(), jumps.end(), [&](const FieldJump& a, const FieldJump& b) {
+  const FieldJump& best =
+    *std::min_element(jumps.begin(), jumps.end(), [&](const FieldJump& a, const FieldJump& b) {
       return Distance(a.Place, middle) < Distance(b.Place, middle);
     });
   between = { best.Place, best.Before, best.After };
@@ -426,10 +434,20 @@ bool FaceRidgeFinder::IsTie(const Crossing& crossing) const
   {
     return false;
   }
-  const double distance = this->Profile.At(crossing.Place);
-  const double close = TieTolerance * (std::abs(distance) + this->Size);
-  return std::abs(DistanceFromSource(crossing.Before, crossing.Place) - distance) <= close &&
-    std::abs(DistanceFromSource(crossing.After, crossing.Place) - distance) <= close;
+  return this->IsNearest(crossing.Before, crossing.Place) &&
+    this->IsNearest(crossing.After, crossing.Place);
+}
+
+/// Whether a source is seen from a point, as the nearest one or one of several: a step towards it,
+/// it alone is.
+bool FaceRidgeFinder::IsNearest(const FieldSample& source, const Point2& p) const
+{
+  const Point2 way = Difference(source.Image, p);
+  const double length = Norm(way.X, way.Y);
+  const double step = std::min(1.0, TieStep * this->Size / length);
+  return length > 0.0 &&
+    HaveOneSource(
+      source, this->Profile.SampleAt({ p.X + step * way.X, p.Y + step * way.Y }), this->Size);
 }
 
 std::array<double, 3> FaceRidgeFinder::BarycentricInside(const Point2& p) const

@@ -90,11 +90,12 @@ private:
   void Divide(const Rim& rim);
   bool FindJunction(const std::vector<Id>& ridges, const Rim& rim, Point2& place) const;
   void MakeJunction(const std::vector<Id>& ridges, const Point2& place);
-  void AddPiece(Id from, Id to);
-  void Refine(
-    const Crossing& from, const Crossing& to, int depth, std::vector<std::array<double, 3>>& points);
+  bool AddPiece(Id from, Id to, bool mayFail);
+  bool Refine(const Crossing& from, const Crossing& to, int depth,
+    std::vector<std::array<double, 3>>& points);
   bool FindBetween(const Crossing& from, const Crossing& to, Crossing& between) const;
   bool IsTie(const Crossing& crossing) const;
+  bool IsNearest(const FieldSample& source, const Point2& p) const;
   std::array<double, 3> BarycentricInside(const Point2& p) const;
 
   const DistanceField& Field;
@@ -103,7 +104,7 @@ private:
   FaceProfile Profile;
   FieldJumpFinder Jumps;
   FaceRidges* Found = nullptr;
-  double Size = 0.0; // length of the longest edge
+  double Size = 0.0;               // length of the longest edge
   std::vector<Crossing> Crossings; // per end
   Id Fallbacks = 0;
 };

@@ -33,8 +33,8 @@ double DistanceFromSource(const FieldSample& sample, const Point2& p);
 
 /// Move a point along a direction (of unit length), by at most `limit`, to where it is as far from
 /// both sources. False when there is no such point, and when the sources are not known.
-bool MoveToTie(const FieldSample& a, const FieldSample& b, const Point2& direction, double limit,
-  Point2& p);
+bool MoveToTie(
+  const FieldSample& a, const FieldSample& b, const Point2& direction, double limit, Point2& p);
 
 /// Move a point to where it is as far from three sources.
 bool MoveToTie(const FieldSample& a, const FieldSample& b, const FieldSample& c, Point2& p);
@@ -53,8 +53,8 @@ public:
   /// Append the jumps on the way from p to q, first seen in samples at `count` + 1 places and then
   /// bisected until they are found to `width`, a part of the way. The gradients point at each
   /// other: where they point apart, there is a source.
-  void Find(const Point2& p, const Point2& q, int count, double width,
-    std::vector<FieldJump>& jumps) const;
+  void Find(
+    const Point2& p, const Point2& q, int count, double width, std::vector<FieldJump>& jumps) const;
 
 private:
   struct Way
@@ -75,8 +75,7 @@ private:
     const FieldSample& atEnd) const;
   bool SearchTie(const Way& way, double begin, const FieldSample& atBegin, double end,
     const FieldSample& atEnd) const;
-  void Add(
-    const Way& way, double t, const FieldSample& before, const FieldSample& after) const;
+  void Add(const Way& way, double t, const FieldSample& before, const FieldSample& after) const;
 
   const FaceProfile& Profile;
   const double Angle;

@@ -26,8 +26,7 @@ Id RidgeGraph::AddVertex(Id v)
   return this->NodeOfVertex[v];
 }
 
-void RidgeGraph::AddArc(
-  Id from, Id to, Id face, double angle, std::vector<SurfacePoint> between)
+void RidgeGraph::AddArc(Id from, Id to, Id face, double angle, std::vector<SurfacePoint> between)
 {
   if (from != to || !between.empty())
   {
@@ -105,7 +104,8 @@ void RidgeGraph::Follow(Id node, Id arc, const std::vector<Id>& first,
     arc = NoId;
     if (first[node + 1] - first[node] == 2)
     {
-      const Id other = arcsAt[first[node]] == arcsAt[first[node] + 1] || !isUsed[arcsAt[first[node]]]
+      const Id other =
+        arcsAt[first[node]] == arcsAt[first[node] + 1] || !isUsed[arcsAt[first[node]]]
         ? arcsAt[first[node]]
         : arcsAt[first[node] + 1];
       arc = isUsed[other] ? NoId : other;

@@ -50,8 +50,8 @@ Status CheckArguments(const DistanceField& field, const RidgeOptions& options)
 class EdgeJoiner
 {
 public:
-  EdgeJoiner(
-    const DistanceField& field, double angle, const std::vector<FaceRidges>& faces, RidgeGraph& graph)
+  EdgeJoiner(const DistanceField& field, double angle, const std::vector<FaceRidges>& faces,
+    RidgeGraph& graph)
     : Mesh(*field.Mesh)
     , Field(field)
     , Angle(angle)
@@ -163,8 +163,8 @@ void EdgeJoiner::Collect(Id h, Id first, std::vector<Meeting>& meetings) const
 void EdgeJoiner::Merge(Id h, std::vector<Meeting>& meetings)
 {
   const double length = this->Mesh.Length(h);
-  std::stable_sort(meetings.begin(), meetings.end(),
-    [](const Meeting& a, const Meeting& b) { return a.X < b.X; });
+  std::stable_sort(
+    meetings.begin(), meetings.end(), [](const Meeting& a, const Meeting& b) { return a.X < b.X; });
   std::vector<Meeting> alone;
   std::vector<bool> isDone(meetings.size(), false);
   for (std::size_t i = 0; i < meetings.size(); ++i)
@@ -177,9 +177,9 @@ void EdgeJoiner::Merge(Id h, std::vector<Meeting>& meetings)
     for (std::size_t j = i + 1;
          j < meetings.size() && meetings[j].X - meetings[i].X <= MergeDistance * length; ++j)
     {
-      const bool isNew = !isDone[j] &&
-        std::none_of(group.begin(), group.end(),
-          [&](std::size_t g) { return meetings[g].Face == meetings[j].Face; });
+      const bool isNew = !isDone[j] && std::none_of(group.begin(), group.end(), [&](std::size_t g) {
+        return meetings[g].Face == meetings[j].Face;
+      });
       if (isNew)
       {
         group.push_back(j);
@@ -233,8 +233,7 @@ void EdgeJoiner::JoinAlong(Id h, Id twin, std::vector<Meeting>& meetings)
       for (std::size_t k = 0; k < 2; ++k)
       {
         const Meeting& meeting = meetings[i + k];
-        nodes[k] =
-          meeting.Vertex != NoId ? this->Graph.AddVertex(meeting.Vertex) : meeting.Node;
+        nodes[k] = meeting.Vertex != NoId ? this->Graph.AddVertex(meeting.Vertex) : meeting.Node;
       }
       const double opposite = isMirrored ? -atRight : atRight + Pi;
       this->Graph.AddArc(nodes[0], nodes[1], SurfaceMesh::Face(h),

@@ -40,8 +40,11 @@ struct Ridges
 /// point are equal up to rounding inside of faces and where a ridge crosses an edge (Mitchell,
 /// Mount and Papadimitriou, "The discrete geodesic problem", 1987).
 ///
-/// The field must have windows or virtual sources: values at vertices do not tell ridges. The
-/// result does not depend on `parallel`.
+/// The field must have windows or virtual sources: values at vertices do not tell ridges. Virtual
+/// sources show those of large angles, with gaps; below ten degrees or so they show where a model
+/// gives way to the next.
+///
+/// The result does not depend on `parallel`.
 Status FindRidges(const DistanceField& field, const RidgeOptions& options,
   const ParallelFor& parallel, const ProgressCallback& progress, Ridges& ridges);
 }
