@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dgg
 {
@@ -20,6 +21,10 @@ constexpr double Outside = 1e-13;
 /// A chord is halved this often at most.
 constexpr int DeepestChord = 12;
 constexpr int MostNewtonSteps = 6;
+/// How far they may lead away from the middle of a chord, in its lengths: not to its ends.
+constexpr double NewtonReach = 0.8;
+/// How far from a chord its isoline is looked for, in its lengths.
+constexpr double FarthestSearch = 1024.0;
 constexpr int MostRootSteps = 80;
 constexpr int MostCornerSteps = 40;
 /// Largest turn between two points of an arc, and of an arc within a face.
@@ -27,6 +32,8 @@ constexpr double LargestStep = Pi / 6.0;
 constexpr double LargestTurn = 1.4 * Pi;
 /// Corners that turn by less are not seen, radians.
 constexpr double SmallTurn = 0.05;
+/// Sine of half the angle of the sharpest corners.
+constexpr double SharpestWedge = 1e-3;
 /// Pieces this short have none, in tolerances.
 constexpr double SmallPart = 0.01;
 constexpr double MostPointsOfArc = 4096.0;
@@ -233,7 +240,11 @@ bool LevelArc::FindCorner(
   const bool isFound = from.Sample.HasImage && to.Sample.HasImage
     ? this->MeetCircles(from, to, place)
     : this->ApproachCorner(before, after, place);
-  const double reach = 2.0 * Distance(from.Place, to.Place);
+  // The corner of a wedge of half-angle beta is 1 / (2 sin(beta)) lengths of the chord away.
+  const double turn = 0.5 * Distance(from.Sample.Gradient, to.Sample.Gradient);
+  const double sine = std::sqrt(std::max(0.0, 1.0 - turn * turn));
+  const double reach =
+    2.0 * Distance(from.Place, to.Place) * (1.0 + 1.0 / std::max(sine, SharpestWedge));
   if (!isFound || !(Distance(place, from.Place) <= reach) ||
     !(Distance(place, to.Place) <= reach) || !this->IsInside(place) || !this->Look(place).IsOnLevel)
   {
@@ -264,9 +275,18 @@ bool LevelArc::MeetCircles(const LevelPoint& from, const LevelPoint& to, Point2&
   }
   square = std::sqrt(std::max(0.0, square));
   const Point2 middle = Between(from.Place, to.Place, 0.5);
-  const Point2 left = FromFrame(from.Sample.Image, axis, { x, square });
-  const Point2 right = FromFrame(from.Sample.Image, axis, { x, -square });
-  corner = Distance(left, middle) < Distance(right, middle) ? left : right;
+  std::array<Point2, 2> places{ { FromFrame(from.Sample.Image, axis, { x, square }),
+    FromFrame(from.Sample.Image, axis, { x, -square }) } };
+  if (Distance(places[1], middle) < Distance(places[0], middle))
+  {
+    std::swap(places[0], places[1]);
+  }
+  // What is below is on the left of the isoline: a middle above it, on its right.
+  const Point2 chord = Difference(to.Place, from.Place);
+  const bool isLeft = this->Profile.At(middle) >= this->Level;
+  const bool isBeside = (Cross(chord, Difference(places[0], from.Place)) >= 0.0) == isLeft;
+  const bool isOther = (Cross(chord, Difference(places[1], from.Place)) >= 0.0) == isLeft;
+  corner = !isBeside && isOther ? places[1] : places[0];
   return true;
 }
 
@@ -309,7 +329,7 @@ bool LevelArc::ApproachCorner(LevelPoint& before, LevelPoint& after, Point2& cor
 /// A point of the level beside the middle of a chord.
 LevelPoint LevelArc::Project(const LevelPoint& from, const LevelPoint& to) const
 {
-  const double reach = Distance(from.Place, to.Place);
+  const double reach = NewtonReach * Distance(from.Place, to.Place);
   const LevelPoint start = this->Look(Between(from.Place, to.Place, 0.5));
   LevelPoint point = start;
   LevelPoint best = start;
@@ -343,7 +363,7 @@ LevelPoint LevelArc::Project(const LevelPoint& from, const LevelPoint& to) const
   const bool isBelow = start.Sample.Distance < this->Level;
   const double side = isBelow ? -1.0 : 1.0;
   const Point2 way = Difference(to.Place, from.Place);
-  for (double t = 1.0 / 16.0; t <= 1.0; t *= 2.0)
+  for (double t = 1.0 / 16.0; t <= FarthestSearch; t *= 2.0)
   {
     const Point2 place{ start.Place.X - side * t * way.Y, start.Place.Y + side * t * way.X };
     if (!this->IsInside(place))
