@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggBands.h"
+
+#include "dggFaceProfile.h"
+#include "dggSurfaceRefinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// Shares of the progress.
+constexpr double CutDone = 0.7;
+constexpr double CornersDone = 0.8;
+/// Points of lines that are so close in a face, in barycentric coordinates, become one vertex
+/// (dggSurfaceRefinement.h).
+constexpr double MergeDistance = 2e-9;
+
+Status CheckArguments(
+  const DistanceField& field, const std::vector<double>& levels, const Isolines& lines)
+{
+  if (!field.Mesh || !field.Distances)
+  {
+    return Status::Invalid("there is no distance: set Mesh and Distances of the field");
+  }
+  for (std::size_t i = 0; i < levels.size(); ++i)
+  {
+    if (!std::isfinite(levels[i]))
+    {
+      return Status::Invalid(
+        "value " + std::to_string(i) + " of the bands is not finite: give a number");
+    }
+  }
+  const bool haveLevels = lines.Levels.size() == lines.Lines.size() &&
+    std::all_of(lines.Levels.begin(), lines.Levels.end(),
+      [&](Id level) { return level >= 0 && level < static_cast<Id>(levels.size()); });
+  if (!haveLevels)
+  {
+    return Status::Invalid("the isolines are not those of these values: trace them anew");
+  }
+  return Status::Success();
+}
+
+class BandFinder
+{
+public:
+  BandFinder(const DistanceField& field, Bands& bands)
+    : Field(field)
+    , Result(bands)
+    , Profile(field)
+    , Close(MergeDistance * field.Mesh->GetMaximumEdgeLength())
+  {
+  }
+
+  void FindDistances(const std::vector<double>& levels, const std::vector<Id>& levelOf);
+  void FindBands();
+
+private:
+  Id BandAt(double distance) const;
+  bool IsReached(Id face) const;
+  std::pair<Id, Id> BandsOf(Id face) const;
+  Id BandOfCentroid(Id face);
+  bool IsOnLine(Id h) const;
+  void Spread(std::vector<Id>& front);
+
+  const DistanceField& Field;
+  Bands& Result;
+  FaceProfile Profile;
+  const double Close;                   // to a level: the line there may have become a vertex
+  std::vector<Id> LevelAt;              // per vertex, the level of the lines that pass it, or NoId
+  std::set<std::pair<Id, Id>> Segments; // of the lines, smaller vertex first
+};
+
+/// The first band that reaches the distance from above.
+Id BandFinder::BandAt(double distance) const
+{
+  const std::vector<double>& levels = this->Result.Levels;
+  return static_cast<Id>(std::upper_bound(levels.begin(), levels.end(), distance) - levels.begin());
+}
+
+bool BandFinder::IsReached(Id face) const
+{
+  return this->Field.IsReached(this->Result.Surface.Faces[face]);
+}
+
+/// Levels at lines, given distances elsewhere: lines pass all vertices that are new.
+void BandFinder::FindDistances(const std::vector<double>& levels, const std::vector<Id>& levelOf)
+{
+  const RefinedSurface& surface = this->Result.Surface;
+  this->LevelAt.assign(surface.GetNumberOfVertices(), NoId);
+  for (std::size_t p = 0; p < surface.Paths.size(); ++p)
+  {
+    const Id level = this->BandAt(levels[levelOf[p]]) - 1;
+    const std::vector<Id>& path = surface.Paths[p];
+    for (std::size_t i = 0; i < path.size(); ++i)
+    {
+      Id& known = this->LevelAt[path[i]];
+      known = known == NoId ? level : std::min(known, level); // where lines touch
+      if (i > 0)
+      {
+        this->Segments.insert(std::minmax(path[i - 1], path[i]));
+      }
+    }
+  }
+  this->Result.Distances.resize(surface.GetNumberOfVertices());
+  for (Id v = 0; v < surface.GetNumberOfVertices(); ++v)
+  {
+    const SurfacePoint& point = surface.Points[v];
+    this->Result.Distances[v] = this->LevelAt[v] != NoId ? this->Result.Levels[this->LevelAt[v]]
+      : IsVertex(point)                                  ? this->Field.Distances[point.Vertex]
+                                                         : Infinity;
+  }
+}
+
+/// The first and the last band that a face may belong to, as its corners tell. Empty when they do
+/// not agree.
+std::pair<Id, Id> BandFinder::BandsOf(Id face) const
+{
+  Id first = 0;
+  Id last = static_cast<Id>(this->Result.Levels.size());
+  for (Id h = 3 * face; h < 3 * face + 3; ++h)
+  {
+    const Id v = this->Result.Surface.Triangles[h];
+    const Id level = this->LevelAt[v];
+    const double distance = this->Result.Distances[v];
+    first = std::max(first, level == NoId ? this->BandAt(distance - this->Close) : level);
+    last = std::min(last, level == NoId ? this->BandAt(distance + this->Close) : level + 1);
+  }
+  return { first, last };
+}
+
+Id BandFinder::BandOfCentroid(Id face)
+{
+  const RefinedSurface& surface = this->Result.Surface;
+  const Id old = surface.Faces[face];
+  std::array<double, 3> sum{ { 0.0, 0.0, 0.0 } };
+  for (Id h = 3 * face; h < 3 * face + 3; ++h)
+  {
+    std::array<double, 3> b{};
+    FindInFace(*this->Field.Mesh, surface.Points[surface.Triangles[h]], old, b);
+    for (int k = 0; k < 3; ++k)
+    {
+      sum[k] += b[k] / 3.0;
+    }
+  }
+  this->Profile.Enter(old);
+  return this->BandAt(this->Profile.At(this->Profile.PlaceOf(sum)));
+}
+
+bool BandFinder::IsOnLine(Id h) const
+{
+  const Id a = this->Result.Surface.Triangles[h];
+  const Id b = this->Result.Surface.Triangles[SurfaceMesh::Next(h)];
+  return this->Segments.count(std::minmax(a, b)) > 0;
+}
+
+/// First the faces of which the corners tell, then their neighbours that are not beyond a line, and
+/// then, one after the other, what is left.
+void BandFinder::FindBands()
+{
+  const RefinedSurface& surface = this->Result.Surface;
+  std::vector<Id>& bandOf = this->Result.BandOf;
+  bandOf.assign(surface.GetNumberOfFaces(), NoId);
+  std::vector<Id> front;
+  for (Id f = 0; f < surface.GetNumberOfFaces(); ++f)
+  {
+    if (this->IsReached(f))
+    {
+      const std::pair<Id, Id> range = this->BandsOf(f);
+      if (range.first == range.second)
+      {
+        bandOf[f] = range.first;
+        front.push_back(f);
+      }
+      else if (range.first > range.second)
+      {
+        bandOf[f] = this->BandOfCentroid(f); // a line is missing
+      }
+    }
+  }
+  this->Spread(front);
+  for (Id f = 0; f < surface.GetNumberOfFaces(); ++f)
+  {
+    if (bandOf[f] == NoId && this->IsReached(f))
+    {
+      const std::pair<Id, Id> range = this->BandsOf(f);
+      bandOf[f] = std::max(range.first, std::min(range.second, this->BandOfCentroid(f)));
+      front.assign(1, f);
+      this->Spread(front);
+    }
+  }
+}
+
+/// From faces to neighbours that may be in the same band, the nearest first.
+void BandFinder::Spread(std::vector<Id>& front)
+{
+  const RefinedSurface& surface = this->Result.Surface;
+  std::vector<Id>& bandOf = this->Result.BandOf;
+  for (std::size_t i = 0; i < front.size(); ++i)
+  {
+    for (Id h = 3 * front[i]; h < 3 * front[i] + 3; ++h)
+    {
+      for (Id e = surface.Twins[h]; e != NoId && e != h && !this->IsOnLine(h); e = surface.Twins[e])
+      {
+        const Id f = SurfaceMesh::Face(e);
+        if (bandOf[f] != NoId || !this->IsReached(f))
+        {
+          continue;
+        }
+        const std::pair<Id, Id> range = this->BandsOf(f);
+        const Id band = bandOf[front[i]];
+        if (band >= range.first && band <= range.second)
+        {
+          bandOf[f] = band;
+          front.push_back(f);
+        }
+      }
+    }
+  }
+}
+}
+
+Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
+  const Isolines& lines, const ProgressCallback& progress, Bands& bands)
+{
+  bands = Bands();
+  Status status = CheckArguments(field, levels, lines);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  auto stop = [&](double done) {
+    const bool isStopped = progress && !progress(done);
+    if (isStopped)
+    {
+      bands = Bands();
+    }
+    return isStopped;
+  };
+  if (stop(0.0))
+  {
+    return Status::Abort();
+  }
+  // Lines that touch may cross by rounding, and those of fields that jump do cross.
+  RefinementOptions options;
+  options.InsertCrossings = true;
+  status = RefineAlongPaths(*field.Mesh, lines.Lines, options, bands.Surface);
+  if (!status.IsOk())
+  {
+    bands = Bands();
+    return status;
+  }
+  if (stop(CutDone))
+  {
+    return Status::Abort();
+  }
+  bands.Levels = levels;
+  std::sort(bands.Levels.begin(), bands.Levels.end());
+  bands.Levels.erase(std::unique(bands.Levels.begin(), bands.Levels.end()), bands.Levels.end());
+  BandFinder finder(field, bands);
+  finder.FindDistances(levels, lines.Levels);
+  if (stop(CornersDone))
+  {
+    return Status::Abort();
+  }
+  finder.FindBands();
+  return stop(1.0) ? Status::Abort() : status;
+}
+}

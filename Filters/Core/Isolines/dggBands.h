@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The parts of a surface between isolines.
+#ifndef dggBands_h
+#define dggBands_h
+
+#include "dggDistanceField.h"  // for DistanceField
+#include "dggIsolines.h"       // for Isolines
+#include "dggRefinedSurface.h" // for RefinedSurface
+
+#include <vector> // for the bands
+
+namespace dgg
+{
+/// A mesh cut along isolines, each face of which lies between two levels.
+struct Bands
+{
+  RefinedSurface Surface;
+  /// The levels in increasing order, each once. Band i lies between levels i - 1 and i; the first
+  /// one is below all levels, the last one above.
+  std::vector<double> Levels;
+  std::vector<Id> BandOf;        ///< per face of the surface; NoId where the distance is not known
+  std::vector<double> Distances; ///< per vertex; on isolines exactly the level
+};
+
+/// Cut a mesh along isolines, those of TraceIsolines() for these levels. Points at a level count as
+/// farther away than it. Faces with corners that are not reached are in no band.
+///
+/// Bands change across isolines and nowhere else, where these are complete; faces of which the
+/// corners do not tell go with their neighbours.
+Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
+  const Isolines& lines, const ProgressCallback& progress, Bands& bands);
+}
+
+#endif
