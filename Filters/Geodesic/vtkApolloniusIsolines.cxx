@@ -3,21 +3,14 @@
 #include "vtkApolloniusIsolines.h"
 
 #include "vtkDGGFieldInput.h"
-#include "vtkDGGMakeArray.h"
+#include "vtkDGGIsolineOutputs.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGParallel.h"
-#include "vtkDGGPolylineWriter.h"
 #include "vtkDGGProperties.h"
-#include "vtkDGGWindowArrays.h"
 
-#include "dggIsolines.h"
-#include "dggRidges.h"
-
-#include "vtkCellData.h"
 #include "vtkContourValues.h"
 #include "vtkDataObject.h"
-#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -36,56 +29,17 @@ constexpr int MostSteinerPoints = 20;
 /// Share of the progress that goes to what is known besides distances.
 constexpr double ReadingShare = 0.4;
 
-/// The part of the work that finding isolines is when there are ridges to be found as well.
-constexpr double LineShare = 0.5;
+/// Of the rest, the shares of isolines, ridges and bands, where they are wanted.
+constexpr double LineWork = 1.0;
+constexpr double RidgeWork = 1.0;
+constexpr double BandWork = 1.5;
 
-constexpr double DegreesPerRadian = 180.0 / dgg::Pi;
+constexpr double RadiansPerDegree = dgg::Pi / 180.0;
 
-/// Polylines, and a number for each of them. The windows of the distances belong to the surface
-/// alone.
-void WritePolylines(const std::vector<dgg::SurfacePath>& lines, const std::vector<bool>& isClosed,
-  const char* name, const std::vector<double>& numbers, const std::string& distances,
-  const vtkDGGNewGeometry& geometry, vtkPolyData* output)
+/// The part of a progress between two fractions of it.
+dgg::ProgressCallback PartOf(const dgg::ProgressCallback& progress, double begin, double end)
 {
-  geometry.Begin(output);
-  vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), distances);
-  vtkIdType size = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i)
-  {
-    size += vtkDGGPolylineWriter::CountPoints(lines[i], isClosed[i]);
-  }
-  vtkDGGPolylineWriter writer(geometry, size);
-  const auto array = vtkDGGMakeArray<vtkDoubleArray>(name, lines.size());
-  for (std::size_t i = 0; i < lines.size(); ++i)
-  {
-    writer.Add(lines[i], isClosed[i]);
-    array->SetValue(static_cast<vtkIdType>(i), numbers[i]);
-  }
-  writer.AddTo(output);
-  output->GetCellData()->SetScalars(array);
-}
-
-void WriteLines(const dgg::Isolines& lines, const std::vector<double>& values,
-  const std::string& distances, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
-{
-  std::vector<double> numbers;
-  for (const dgg::Id level : lines.Levels)
-  {
-    numbers.push_back(values[level]);
-  }
-  WritePolylines(lines.Lines, lines.IsClosed, "IsoValue", numbers, distances, geometry, output);
-}
-
-void WriteRidges(const dgg::Ridges& ridges, const std::string& distances,
-  const vtkDGGNewGeometry& geometry, vtkPolyData* output)
-{
-  std::vector<double> numbers;
-  for (const double angle : ridges.Angles)
-  {
-    numbers.push_back(angle * DegreesPerRadian);
-  }
-  WritePolylines(ridges.Lines, std::vector<bool>(ridges.Lines.size(), false), "RidgeAngle", numbers,
-    distances, geometry, output);
+  return [=](double fraction) { return progress(begin + (end - begin) * fraction); };
 }
 }
 
@@ -94,6 +48,7 @@ vtkApolloniusIsolines::vtkApolloniusIsolines()
   : Method(LocalSources)
   , ChordTolerance(1e-3)
   , GenerateRidges(false)
+  , GenerateBands(false)
   , MinimumRidgeAngle(20.0)
   , SteinerPoints(2)
   , DistanceArrayName("GeodesicDistance")
@@ -102,7 +57,7 @@ vtkApolloniusIsolines::vtkApolloniusIsolines()
   , UsedVirtualSources(false)
   , NumberOfFallbacks(0)
 {
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 //------------------------------------------------------------------------------
@@ -115,6 +70,7 @@ void vtkApolloniusIsolines::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << this->GetMethodAsString() << "\n";
   os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
   os << indent << "GenerateRidges: " << (this->GenerateRidges ? "On" : "Off") << "\n";
+  os << indent << "GenerateBands: " << (this->GenerateBands ? "On" : "Off") << "\n";
   os << indent << "MinimumRidgeAngle: " << this->MinimumRidgeAngle << "\n";
   os << indent << "SteinerPoints: " << this->SteinerPoints << "\n";
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
@@ -325,6 +281,7 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
     this->Method == Apollonius ? dgg::IsolineMethod::Apollonius : dgg::IsolineMethod::LocalSources;
   const bool isLinear = this->Method == Linear;
   const bool wantsRidges = this->GenerateRidges;
+  const bool wantsBands = this->GenerateBands;
   vtkDataArray* distances = nullptr;
   vtkDGGFieldInput input;
   vtkDGGNewGeometry geometry;
@@ -350,27 +307,33 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
     vtkWarningMacro(<< input.GetWarning() << ".");
   }
   const dgg::DistanceField& field = input.GetField();
-  const double share = ReadingShare + (wantsRidges ? LineShare : 1.0) * (1.0 - ReadingShare);
+  const double work = LineWork + (wantsRidges ? RidgeWork : 0.0) + (wantsBands ? BandWork : 0.0);
+  const double atRidges = ReadingShare + (1.0 - ReadingShare) * LineWork / work;
+  const double atBands =
+    wantsRidges ? atRidges + (1.0 - ReadingShare) * RidgeWork / work : atRidges;
+  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
   dgg::Isolines lines;
   dgg::Ridges ridges;
-  status = dgg::TraceIsolines(
-    field, values, options, vtkDGGMakeParallelFor(),
-    [&](
-      double fraction) { return this->Advance(ReadingShare + (share - ReadingShare) * fraction); },
-    lines);
+  dgg::Bands bands;
+  status = dgg::TraceIsolines(field, values, options, vtkDGGMakeParallelFor(),
+    PartOf(progress, ReadingShare, atRidges), lines);
   if (status.IsOk() && wantsRidges)
   {
-    status = this->FindRidges(
-      field, [&](double fraction) { return this->Advance(share + (1.0 - share) * fraction); },
-      ridges);
+    status = this->FindRidges(field, PartOf(progress, atRidges, atBands), ridges);
+  }
+  if (status.IsOk() && wantsBands)
+  {
+    status = dgg::MakeBands(field, values, lines, PartOf(progress, atBands, 1.0), bands);
   }
   if (status.IsOk())
   {
     this->UsedWindows = field.HasWindows();
     this->UsedVirtualSources = field.HasSources();
     this->NumberOfFallbacks = lines.Fallbacks + ridges.Fallbacks;
-    WriteLines(lines, values, name, geometry, vtkPolyData::GetData(outputVector, 0));
-    WriteRidges(ridges, name, geometry, vtkPolyData::GetData(outputVector, 1));
+    const vtkDGGIsolineOutputs outputs(geometry, name);
+    outputs.WriteLines(lines, values, vtkPolyData::GetData(outputVector, 0));
+    outputs.WriteRidges(ridges, vtkPolyData::GetData(outputVector, 1));
+    outputs.WriteBands(bands, vtkPolyData::GetData(outputVector, 2));
   }
   return status;
 }
@@ -386,7 +349,7 @@ dgg::Status vtkApolloniusIsolines::FindRidges(
     return dgg::Status::Success();
   }
   dgg::RidgeOptions options;
-  options.MinimumAngle = this->MinimumRidgeAngle / DegreesPerRadian;
+  options.MinimumAngle = this->MinimumRidgeAngle * RadiansPerDegree;
   options.ChordTolerance = this->ChordTolerance * field.Mesh->GetMeanEdgeLength();
   return dgg::FindRidges(field, options, vtkDGGMakeParallelFor(), progress, ridges);
 }
@@ -398,6 +361,12 @@ vtkPolyData* vtkApolloniusIsolines::GetRidges()
 }
 
 //------------------------------------------------------------------------------
+vtkPolyData* vtkApolloniusIsolines::GetBands()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+//------------------------------------------------------------------------------
 void vtkApolloniusIsolines::MakeEmptyOutput(
   vtkPolyData* surface, vtkInformationVector* outputVector)
 {
@@ -406,8 +375,8 @@ void vtkApolloniusIsolines::MakeEmptyOutput(
   this->NumberOfFallbacks = 0;
   vtkDGGNewGeometry geometry;
   geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
-  WriteLines(
-    dgg::Isolines(), {}, this->DistanceArrayName, geometry, vtkPolyData::GetData(outputVector, 0));
-  WriteRidges(
-    dgg::Ridges(), this->DistanceArrayName, geometry, vtkPolyData::GetData(outputVector, 1));
+  const vtkDGGIsolineOutputs outputs(geometry, this->DistanceArrayName);
+  outputs.WriteLines(dgg::Isolines(), {}, vtkPolyData::GetData(outputVector, 0));
+  outputs.WriteRidges(dgg::Ridges(), vtkPolyData::GetData(outputVector, 1));
+  outputs.WriteBands(dgg::Bands(), vtkPolyData::GetData(outputVector, 2));
 }

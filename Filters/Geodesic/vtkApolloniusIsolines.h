@@ -38,7 +38,8 @@
  *    one, else -1; `ArcLength`, the length of the line up to the point.
  *
  * <b>Output 1</b> (GetRidges()) has the ridges, when GenerateRidges is on: polylines with the same
- * point data and, as cell data, `RidgeAngle`.
+ * point data and, as cell data, `RidgeAngle`. <b>Output 2</b> (GetBands()) has the bands between
+ * the lines, when GenerateBands is on.
  *
  * Values without a line, as those out of the range of the distances, are no error. A surface
  * without triangles gives an empty output.
@@ -185,6 +186,28 @@ public:
 
   ///@{
   /**
+   * Whether to cut the surface along the isolines as well, into bands between two values, as
+   * triangles of the third output. Default off.
+   */
+  vtkSetMacro(GenerateBands, bool);
+  vtkGetMacro(GenerateBands, bool);
+  vtkBooleanMacro(GenerateBands, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The third output: the triangles of the surface that are reached, cut along the isolines. Cell
+   * data: `Band` (int), 0 below the smallest value, i between the values i - 1 and i in increasing
+   * order; `BandMinimum` and `BandMaximum` (double), the values that the band lies between, for the
+   * outermost ones the smallest and the largest distance of a point; `FaceId`. Point data: the
+   * distances, and `vtkOriginalPointIds`.
+   */
+  vtkPolyData* GetBands();
+  vtkAlgorithmOutput* GetBandPort() { return this->GetOutputPort(2); }
+  ///@}
+
+  ///@{
+  /**
    * Name of the point array with the distances, unless SetInputArrayToProcess() says another one.
    * Default "GeodesicDistance". When there is none of this name, the active point scalars are
    * taken.
@@ -242,6 +265,7 @@ private:
   int Method;
   double ChordTolerance;
   bool GenerateRidges;
+  bool GenerateBands;
   double MinimumRidgeAngle;
   int SteinerPoints;
   std::string DistanceArrayName;

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Ridges and bands, the further outputs of vtkApolloniusIsolines.
+#include "FilterTestTools.h"
+
+#include "vtkApolloniusIsolines.h"
+#include "vtkExactGeodesicDistance.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkTriangle.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace dggtest;
+
+namespace
+{
+/// The square [0, 8] x [0, 8] with a source in the middle of its left part and one in the right.
+class IsolineOutputs : public testing::Test
+{
+protected:
+  IsolineOutputs()
+  {
+    this->Distance->SetInputData(MakeGrid(8, 8));
+    this->Distance->SetSourceIds({ 4 * 9 + 2, 4 * 9 + 6 });
+    this->Distance->GenerateWindowsOn();
+    this->Isolines->SetInputConnection(this->Distance->GetOutputPort());
+    this->Isolines->GenerateValues(3, 0.5, 1.5);
+  }
+
+  static double GetArea(vtkPolyData* bands, vtkIdType triangle)
+  {
+    vtkNew<vtkIdList> ids;
+    bands->GetCellPoints(triangle, ids);
+    double p[3][3];
+    for (int k = 0; k < 3; ++k)
+    {
+      bands->GetPoint(ids->GetId(k), p[k]);
+    }
+    return vtkTriangle::TriangleArea(p[0], p[1], p[2]);
+  }
+
+  vtkNew<vtkExactGeodesicDistance> Distance;
+  vtkNew<vtkApolloniusIsolines> Isolines;
+};
+}
+
+TEST_F(IsolineOutputs, AreEmptyUnlessAskedFor)
+{
+  EXPECT_FALSE(this->Isolines->GetGenerateRidges());
+  EXPECT_FALSE(this->Isolines->GetGenerateBands());
+  EXPECT_EQ(this->Isolines->GetMinimumRidgeAngle(), 20.0);
+  ExpectSuccess(this->Isolines);
+  EXPECT_GT(this->Isolines->GetOutput()->GetNumberOfLines(), 0);
+  EXPECT_EQ(this->Isolines->GetRidges()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(this->Isolines->GetBands()->GetNumberOfPoints(), 0);
+  EXPECT_NE(this->Isolines->GetRidges()->GetCellData()->GetArray("RidgeAngle"), nullptr);
+  EXPECT_NE(this->Isolines->GetBands()->GetCellData()->GetArray("Band"), nullptr);
+}
+
+TEST_F(IsolineOutputs, TheRidgeBetweenTwoSourcesIsTheirBisector)
+{
+  this->Isolines->GenerateRidgesOn();
+  ExpectSuccess(this->Isolines);
+  vtkPolyData* ridges = this->Isolines->GetRidges();
+  double bounds[6];
+  ASSERT_GT(ridges->GetNumberOfLines(), 0);
+  ridges->GetBounds(bounds);
+  EXPECT_NEAR(bounds[0], 4.0, 1e-12);
+  EXPECT_NEAR(bounds[1], 4.0, 1e-12);
+  // Far up and down the directions differ by less than the angle.
+  const double reach = 2.0 / std::tan(0.5 * 20.0 * 3.14159265358979323846 / 180.0);
+  EXPECT_NEAR(bounds[2], std::max(0.0, 4.0 - reach), 1e-9);
+  EXPECT_NEAR(bounds[3], std::min(8.0, 4.0 + reach), 1e-9);
+  this->Isolines->SetMinimumRidgeAngle(120.0);
+  ExpectSuccess(this->Isolines);
+  this->Isolines->GetRidges()->GetBounds(bounds);
+  EXPECT_NEAR(bounds[3] - 4.0, 2.0 / std::tan(3.14159265358979323846 / 3.0), 0.02);
+  vtkDataArray* angles = this->Isolines->GetRidges()->GetCellData()->GetArray("RidgeAngle");
+  ASSERT_GT(angles->GetNumberOfTuples(), 0);
+  EXPECT_GT(angles->GetComponent(0, 0), 120.0);
+  EXPECT_LE(angles->GetComponent(0, 0), 180.0);
+}
+
+TEST_F(IsolineOutputs, RidgesNeedMoreThanDistances)
+{
+  this->Isolines->GenerateRidgesOn();
+  this->Isolines->SetMethodToLinear();
+  ExpectWarning(this->Isolines, { "ridges" });
+  EXPECT_EQ(this->Isolines->GetRidges()->GetNumberOfLines(), 0);
+  EXPECT_GT(this->Isolines->GetOutput()->GetNumberOfLines(), 0);
+  this->Isolines->SetMethodToLocalSources();
+  for (const double bad : { -1.0, 181.0, std::nan("") })
+  {
+    this->Isolines->SetMinimumRidgeAngle(bad);
+    ExpectError(this->Isolines, { "MinimumRidgeAngle" });
+  }
+}
+
+TEST_F(IsolineOutputs, BandsAreRings)
+{
+  this->Isolines->GenerateBandsOn();
+  this->Isolines->SetChordTolerance(1e-5);
+  ExpectSuccess(this->Isolines);
+  vtkPolyData* bands = this->Isolines->GetBands();
+  vtkDataArray* numbers = bands->GetCellData()->GetArray("Band");
+  vtkDataArray* lower = bands->GetCellData()->GetArray("BandMinimum");
+  vtkDataArray* upper = bands->GetCellData()->GetArray("BandMaximum");
+  vtkDataArray* distances = bands->GetPointData()->GetArray("GeodesicDistance");
+  ASSERT_TRUE(numbers && lower && upper && distances);
+  double areas[4] = { 0.0, 0.0, 0.0, 0.0 };
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < bands->GetNumberOfCells(); ++i)
+  {
+    const int band = static_cast<int>(numbers->GetComponent(i, 0));
+    ASSERT_GE(band, 0);
+    ASSERT_LE(band, 3);
+    areas[band] += GetArea(bands, i);
+    bands->GetCellPoints(i, ids);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      const double d = distances->GetComponent(ids->GetId(k), 0);
+      EXPECT_GE(d, lower->GetComponent(i, 0));
+      EXPECT_LE(d, upper->GetComponent(i, 0));
+    }
+  }
+  const double pi = 3.14159265358979323846;
+  EXPECT_NEAR(areas[0], 2.0 * pi * 0.25, 1e-3);
+  EXPECT_NEAR(areas[1], 2.0 * pi * (1.0 - 0.25), 1e-3);
+  EXPECT_NEAR(areas[2], 2.0 * pi * (2.25 - 1.0), 1e-3);
+  EXPECT_NEAR(areas[0] + areas[1] + areas[2] + areas[3], 64.0, 1e-10);
+  EXPECT_EQ(distances->GetRange()[0], 0.0);
+}
+
+TEST_F(IsolineOutputs, BandsLeaveOutWhatIsNotReached)
+{
+  this->Distance->SetMaximumDistance(2.5);
+  this->Isolines->GenerateBandsOn();
+  ExpectSuccess(this->Isolines);
+  vtkPolyData* bands = this->Isolines->GetBands();
+  double area = 0.0;
+  for (vtkIdType i = 0; i < bands->GetNumberOfCells(); ++i)
+  {
+    area += GetArea(bands, i);
+  }
+  EXPECT_GT(area, 20.0);
+  EXPECT_LT(area, 50.0);
+}
