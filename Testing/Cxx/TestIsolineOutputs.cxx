@@ -68,26 +68,29 @@ TEST_F(IsolineOutputs, AreEmptyUnlessAskedFor)
 
 TEST_F(IsolineOutputs, TheRidgeBetweenTwoSourcesIsTheirBisector)
 {
+  this->Distance->SetSourceIds({ 4 * 9 + 2, 4 * 9 + 5 });
   this->Isolines->GenerateRidgesOn();
-  ExpectSuccess(this->Isolines);
-  vtkPolyData* ridges = this->Isolines->GetRidges();
-  double bounds[6];
-  ASSERT_GT(ridges->GetNumberOfLines(), 0);
-  ridges->GetBounds(bounds);
-  EXPECT_NEAR(bounds[0], 4.0, 1e-12);
-  EXPECT_NEAR(bounds[1], 4.0, 1e-12);
-  // Far up and down the directions differ by less than the angle.
-  const double reach = 2.0 / std::tan(0.5 * 20.0 * 3.14159265358979323846 / 180.0);
-  EXPECT_NEAR(bounds[2], std::max(0.0, 4.0 - reach), 1e-9);
-  EXPECT_NEAR(bounds[3], std::min(8.0, 4.0 + reach), 1e-9);
-  this->Isolines->SetMinimumRidgeAngle(120.0);
-  ExpectSuccess(this->Isolines);
-  this->Isolines->GetRidges()->GetBounds(bounds);
-  EXPECT_NEAR(bounds[3] - 4.0, 2.0 / std::tan(3.14159265358979323846 / 3.0), 0.02);
-  vtkDataArray* angles = this->Isolines->GetRidges()->GetCellData()->GetArray("RidgeAngle");
-  ASSERT_GT(angles->GetNumberOfTuples(), 0);
-  EXPECT_GT(angles->GetComponent(0, 0), 120.0);
-  EXPECT_LE(angles->GetComponent(0, 0), 180.0);
+  for (const double degrees : { 20.0, 120.0 })
+  {
+    this->Isolines->SetMinimumRidgeAngle(degrees);
+    ExpectSuccess(this->Isolines);
+    vtkPolyData* ridges = this->Isolines->GetRidges();
+    ASSERT_GT(ridges->GetNumberOfLines(), 0);
+    double bounds[6];
+    ridges->GetBounds(bounds);
+    EXPECT_NEAR(bounds[0], 3.5, 1e-12);
+    EXPECT_NEAR(bounds[1], 3.5, 1e-12);
+    // Far up and down the directions differ by less.
+    const double reach = 1.5 / std::tan(degrees * 3.14159265358979323846 / 360.0);
+    EXPECT_NEAR(bounds[2], std::max(0.0, 4.0 - reach), 0.02) << degrees;
+    EXPECT_NEAR(bounds[3], std::min(8.0, 4.0 + reach), 0.02) << degrees;
+    vtkDataArray* angles = ridges->GetCellData()->GetArray("RidgeAngle");
+    for (vtkIdType i = 0; i < angles->GetNumberOfTuples(); ++i)
+    {
+      EXPECT_GE(angles->GetComponent(i, 0), degrees);
+      EXPECT_LE(angles->GetComponent(i, 0), 180.0);
+    }
+  }
 }
 
 TEST_F(IsolineOutputs, RidgesNeedMoreThanDistances)
