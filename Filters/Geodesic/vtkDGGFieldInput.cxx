@@ -15,15 +15,20 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
 namespace
 {
-/// How far virtual sources may be from the distances of their neighbours on the whole, in lengths
-/// of the edges. Those of a field are off by hundredths; those of another field, or in other
-/// directions, by a half and more.
-constexpr double LargestMisfit = 0.25;
+/// Virtual sources are those of the distances when they explain those of the neighbours better than
+/// the same ones turned about the points: the misfit is at most this part of that of the turned
+/// ones.
+constexpr double LargestMisfit = 0.75;
+/// Half-edges that are looked at. Of fewer than the smaller number nothing can be told.
+constexpr dgg::Id MostSamples = 20000;
+constexpr dgg::Id FewestSamples = 100;
 
 std::string ListArrays(vtkPointData* data)
 {
@@ -194,9 +199,19 @@ void vtkDGGFieldInput::Warn(const std::string& text)
 //------------------------------------------------------------------------------
 bool vtkDGGFieldInput::FitsSources(const dgg::SurfaceMesh& mesh) const
 {
-  double misfit = 0.0;
-  double length = 0.0;
-  for (dgg::Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  for (std::size_t v = 0; v < this->Distances.size(); ++v)
+  {
+    const double length = this->Sources.Lengths[v];
+    const bool isSource = std::isfinite(this->Sources.Offsets[v]) &&
+      std::isfinite(this->Sources.Angles[v]) && length >= 0.0 && length < dgg::Infinity;
+    if (this->Distances[v] < dgg::Infinity && !isSource)
+    {
+      return false;
+    }
+  }
+  std::array<double, 4> misfits{}; // turned by so many right angles
+  const dgg::Id step = 1 + mesh.GetNumberOfHalfEdges() / MostSamples;
+  for (dgg::Id h = 0; h < mesh.GetNumberOfHalfEdges(); h += step)
   {
     const dgg::Id v = mesh.Origin(h);
     const dgg::Id w = mesh.Destination(h);
@@ -205,20 +220,17 @@ bool vtkDGGFieldInput::FitsSources(const dgg::SurfaceMesh& mesh) const
     {
       continue;
     }
-    const bool isNumber = std::isfinite(this->Sources.Offsets[v]) &&
-      std::isfinite(this->Sources.Angles[v]) && this->Sources.Lengths[v] >= 0.0 &&
-      this->Sources.Lengths[v] < dgg::Infinity;
-    if (!isNumber)
+    for (int turn = 0; turn < 4; ++turn)
     {
-      return false;
-    }
-    const dgg::CornerModel model(
-      mesh, v, this->Sources.Offsets[v], this->Sources.Lengths[v], this->Sources.Angles[v]);
-    if (model.IsKnown)
-    {
-      misfit += std::abs(model.At(mesh.Length(h), mesh.PolarAngle(h)) - this->Distances[w]);
-      length += mesh.Length(h);
+      const dgg::CornerModel model(mesh, v, this->Sources.Offsets[v], this->Sources.Lengths[v],
+        this->Sources.Angles[v] + 0.5 * dgg::Pi * turn);
+      if (model.IsKnown)
+      {
+        misfits[turn] +=
+          std::abs(model.At(mesh.Length(h), mesh.PolarAngle(h)) - this->Distances[w]);
+      }
     }
   }
-  return misfit <= LargestMisfit * length;
+  return mesh.GetNumberOfHalfEdges() < FewestSamples ||
+    misfits[0] <= LargestMisfit * *std::min_element(misfits.begin() + 1, misfits.end());
 }
