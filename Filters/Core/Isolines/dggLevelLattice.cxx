@@ -8,6 +8,9 @@ namespace dgg
 {
 namespace
 {
+/// A ridge is looked for by this many halvings of a side.
+constexpr int StepsOfCrest = 16;
+
 double SignedArea(const Point2& a, const Point2& b, const Point2& c)
 {
   return Cross(Difference(b, a), Difference(c, a));
@@ -40,13 +43,15 @@ void LevelLattice::Build(const FaceProfile& profile, const LevelArc& arc, double
   {
     this->InsertSeed(arc, level, seed);
   }
+  this->AddCrests(arc, level);
   this->March();
   this->Follow(arc);
 }
 
 Id LevelLattice::AddNode(const LevelArc& arc, double level, const Point2& place)
 {
-  Node node{ arc.Look(place), false };
+  Node node;
+  node.Point = arc.Look(place);
   node.IsAbove = node.Point.Sample.Distance >= level;
   this->Nodes.push_back(node);
   return static_cast<Id>(this->Nodes.size()) - 1;
@@ -59,11 +64,14 @@ void LevelLattice::AddRim(
   const std::array<Point2, 3>& corners = profile.GetCorners();
   for (const Point2& corner : corners)
   {
-    this->Nodes.push_back({ arc.Look(corner), false });
+    this->Nodes.emplace_back();
+    this->Nodes.back().Point = arc.Look(corner);
   }
   for (int k = 0; k < 3; ++k)
   {
     this->Nodes[k].IsAbove = rim.IsAbove[k];
+    this->Nodes[k].IsOnSide[k] = true;
+    this->Nodes[(k + 1) % 3].IsOnSide[k] = true;
     const Point2& from = corners[k];
     const Point2& to = corners[(k + 1) % 3];
     const std::vector<RimCrossing>& side = rim.Sides[k];
@@ -74,7 +82,11 @@ void LevelLattice::AddRim(
     std::size_t next = 0;
     auto step = [&](double t) {
       const Point2 place{ from.X + t * (to.X - from.X), from.Y + t * (to.Y - from.Y) };
-      this->Nodes.push_back({ arc.Look(place), isAbove });
+      this->Nodes.emplace_back();
+      Node& node = this->Nodes.back();
+      node.Point = arc.Look(place);
+      node.IsAbove = isAbove;
+      node.IsOnSide[k] = true;
       return static_cast<Id>(this->Nodes.size()) - 1;
     };
     auto connect = [&](Id node, const RimCrossing* crossing) {
@@ -208,6 +220,112 @@ void LevelLattice::InsertSeed(const LevelArc& arc, double level, const Point2& s
     this->Triangles.push_back({ { triangle[2], triangle[0], node } });
     return;
   }
+}
+
+/// Cut small triangles where a ridge crosses their sides, so that the narrow strip above the level
+/// along it is not lost between nodes. Where it crosses two sides it runs from one to the other.
+void LevelLattice::AddCrests(const LevelArc& arc, double level)
+{
+  this->Crests.clear();
+  const std::size_t count = this->Triangles.size();
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    Triangle triangle = this->Triangles[t];
+    std::array<Id, 3> crests{};
+    int found = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      crests[k] = this->FindCrest(arc, level, triangle[k], triangle[(k + 1) % 3]);
+      found += crests[k] != NoId ? 1 : 0;
+    }
+    if (found == 0)
+    {
+      continue;
+    }
+    // Turn it so that the first side is the one that is left whole of three, or the one that is
+    // cut.
+    while (found == 3 ? false : (crests[0] != NoId) != (found == 1))
+    {
+      std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+      std::rotate(crests.begin(), crests.begin() + 1, crests.end());
+    }
+    const Id a = triangle[0];
+    const Id b = triangle[1];
+    const Id c = triangle[2];
+    if (found == 1)
+    {
+      this->Triangles[t] = { { a, crests[0], c } };
+      this->Triangles.push_back({ { crests[0], b, c } });
+      continue;
+    }
+    this->Triangles[t] = { { crests[1], c, crests[2] } };
+    if (found == 2)
+    {
+      this->Triangles.push_back({ { a, b, crests[1] } });
+      this->Triangles.push_back({ { a, crests[1], crests[2] } });
+      continue;
+    }
+    this->Triangles.push_back({ { a, crests[0], crests[2] } });
+    this->Triangles.push_back({ { crests[0], b, crests[1] } });
+    this->Triangles.push_back({ { crests[0], crests[1], crests[2] } });
+  }
+}
+
+/// A node above the level between two that are below it, with a rise from either of them.
+Id LevelLattice::FindCrest(const LevelArc& arc, double level, Id a, Id b)
+{
+  if (this->Nodes[a].IsAbove || this->Nodes[b].IsAbove)
+  {
+    return NoId;
+  }
+  const Id low = std::min(a, b);
+  const Id high = std::max(a, b);
+  for (const Crest& crest : this->Crests)
+  {
+    if (crest.Low == low && crest.High == high)
+    {
+      return crest.Node;
+    }
+  }
+  Point2 begin = this->Nodes[low].Point.Place;
+  Point2 end = this->Nodes[high].Point.Place;
+  const Point2 way = Difference(end, begin);
+  const FieldSample& atBegin = this->Nodes[low].Point.Sample;
+  const FieldSample& atEnd = this->Nodes[high].Point.Sample;
+  Id found = NoId;
+  if (Dot(atBegin.Gradient, way) > 0.0 && Dot(atEnd.Gradient, way) < 0.0 &&
+    0.5 * (atBegin.Distance + atEnd.Distance + Norm(way.X, way.Y)) > level &&
+    !this->IsOnRim(low, high))
+  {
+    for (int step = 0; step < StepsOfCrest && found == NoId; ++step)
+    {
+      const Point2 middle{ 0.5 * (begin.X + end.X), 0.5 * (begin.Y + end.Y) };
+      const LevelPoint point = arc.Look(middle);
+      if (point.Sample.Distance >= level)
+      {
+        this->Nodes.emplace_back();
+        this->Nodes.back().Point = point;
+        this->Nodes.back().IsAbove = true;
+        found = static_cast<Id>(this->Nodes.size()) - 1;
+      }
+      (Dot(point.Sample.Gradient, way) > 0.0 ? begin : end) = middle;
+    }
+  }
+  this->Crests.push_back({ low, high, found });
+  return found;
+}
+
+/// Whether the side between two nodes lies on the rim, where the crossings tell all.
+bool LevelLattice::IsOnRim(Id a, Id b) const
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    if (this->Nodes[a].IsOnSide[k] && this->Nodes[b].IsOnSide[k])
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// The link between two nodes; there are few.

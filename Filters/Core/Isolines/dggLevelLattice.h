@@ -38,9 +38,9 @@ struct LevelChain
 };
 
 /// Marching triangles on a fine triangulation of one face, which has nodes between any two
-/// crossings on the rim. On the rim the crossings tell which side of the level nodes are on, and
-/// inside the field does, so that every crossing belongs to exactly one curve, and curves do not
-/// cross, whatever the field is like.
+/// crossings on the rim, and on ridges that lie above the level. On the rim the crossings tell
+/// which side of the level nodes are on, and inside the field does, so that every crossing belongs
+/// to exactly one curve, and curves do not cross, whatever the field is like.
 class LevelLattice
 {
 public:
@@ -57,6 +57,7 @@ private:
   {
     LevelPoint Point;
     bool IsAbove = false;
+    std::array<bool, 3> IsOnSide{ { false, false, false } }; // of the face
   };
   /// A side of small triangles that the isoline crosses.
   struct Link
@@ -75,12 +76,24 @@ private:
   void AddCell(const LevelArc& arc, double level, const Triangle& corners,
     const std::array<const std::vector<Id>*, 3>& between);
   void InsertSeed(const LevelArc& arc, double level, const Point2& seed);
+  void AddCrests(const LevelArc& arc, double level);
+  Id FindCrest(const LevelArc& arc, double level, Id a, Id b);
+  bool IsOnRim(Id a, Id b) const;
   Id FindLink(Id a, Id b);
   void March();
   void Follow(const LevelArc& arc);
   void FollowFrom(const LevelArc& arc, Id link);
 
+  /// A side of small triangles that a ridge crosses above the level, though both ends are below it.
+  struct Crest
+  {
+    Id Low; // nodes
+    Id High;
+    Id Node; // on the ridge; NoId when there is none
+  };
+
   std::vector<Node> Nodes;
+  std::vector<Crest> Crests;
   std::vector<Link> Links;
   std::vector<Triangle> Triangles;
   std::array<std::vector<Id>, 3> RimNodes;             // at the cuts of each side
