@@ -364,6 +364,31 @@ TEST(Isolines, TurnOnTheBisectorOfTwoSources)
   }
 }
 
+/// Between two waves that are about to meet there is a strip as narrow as can be.
+TEST(Isolines, StripsAlongRidgesMayBeNarrow)
+{
+  for (std::uint64_t seed = 1; seed <= 12; ++seed)
+  {
+    const TestMesh test = Plane(12, 9, 0.28, seed);
+    const SurfaceMesh mesh = Build(test);
+    const Id a = 4 * 13 + 4;
+    const Id b = 5 * 13 + 8;
+    const ExactField field(mesh, { VertexSource(a), VertexSource(b) });
+    const double half = 0.5 * EuclideanDistance(test, a, b);
+    const std::vector<double> levels{ half - 1e-2, half - 1e-4, half - 1e-6, half + 1e-6,
+      half + 1e-4, half + 1e-2 };
+    const Isolines lines = Trace(field.Exact, levels);
+    ExpectSound(field.Exact, levels, lines, "strip");
+    EXPECT_TRUE(AllClosed(lines));
+    EXPECT_EQ(lines.Fallbacks, 0) << seed;
+    std::map<Id, int> counts = LinesPerLevel(lines);
+    for (Id level = 0; level < 6; ++level)
+    {
+      EXPECT_EQ(counts[level], level < 3 ? 2 : 1) << seed << ", " << level;
+    }
+  }
+}
+
 TEST(Isolines, AreAtTheirLevelOnCones)
 {
   for (const double total : { 1.3 * Pi, 1.8 * Pi, 2.6 * Pi })

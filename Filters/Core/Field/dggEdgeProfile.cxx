@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace dgg
 {
@@ -16,6 +17,10 @@ namespace
 constexpr double WindowSlack = 1e-9;
 /// Pieces into which an edge is cut to find extrema between models.
 constexpr int NumberOfModelBreaks = 8;
+/// The step by which slopes are told, in the interval that a crest is looked for in, and the
+/// interval that is as good as the crest itself, in the length of the edge.
+constexpr double SlopeStep = 1e-3;
+constexpr double NarrowestCrest = 1e-10;
 /// A root is found when the distance is this close to the level, relative, or after that many
 /// steps, as bisection alone would take.
 constexpr double Rounding = 4e-16;
@@ -57,6 +62,7 @@ void EdgeProfile::Enter(Id h)
     this->SetUpModels();
     this->FindModelBreaks();
   }
+  this->AddCrests();
 }
 
 void EdgeProfile::CollectWindows(Id h)
@@ -206,6 +212,32 @@ void EdgeProfile::FindModelBreaks()
   {
     this->Breaks.push_back(i == count ? this->Length : this->Length * i / count);
   }
+}
+
+/// Where two waves meet on the edge, the distance rises from either side: between two breaks at
+/// most once, as each of the waves only rises or only falls there.
+void EdgeProfile::AddCrests()
+{
+  const std::size_t count = this->Breaks.size();
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    double begin = this->Breaks[i - 1];
+    double end = this->Breaks[i];
+    const auto rises = [&](double x, double step) { return this->At(x + step) > this->At(x); };
+    const double first = SlopeStep * (end - begin);
+    if (!(first > NarrowestCrest * this->Length) || !rises(begin, first) || !rises(end, -first))
+    {
+      continue;
+    }
+    while (end - begin > NarrowestCrest * this->Length)
+    {
+      const double middle = 0.5 * (begin + end);
+      (rises(middle, SlopeStep * (end - begin)) ? begin : end) = middle;
+    }
+    this->Breaks.push_back(0.5 * (begin + end));
+  }
+  std::inplace_merge(this->Breaks.begin(),
+    this->Breaks.begin() + static_cast<std::ptrdiff_t>(count), this->Breaks.end());
 }
 
 double EdgeProfile::At(double x) const

@@ -59,6 +59,7 @@ private:
   void CollectThroughFace(Id h);
   void FindWindowBreaks();
   void FindModelBreaks();
+  void AddCrests();
   void SetUpModels();
   double ModelAt(int end, double x) const;
   double Solve(double level, double begin, double end, bool beginIsAbove) const;

@@ -10,6 +10,8 @@ namespace
 {
 /// A ridge is looked for by this many halvings of a side.
 constexpr int StepsOfCrest = 16;
+/// The lowest point of a ridge is looked for by this many steps, each of which leaves two thirds.
+constexpr int StepsOfDip = 12;
 
 double SignedArea(const Point2& a, const Point2& b, const Point2& c)
 {
@@ -252,6 +254,21 @@ void LevelLattice::AddCrests(const LevelArc& arc, double level)
     const Id a = triangle[0];
     const Id b = triangle[1];
     const Id c = triangle[2];
+    const Id first = found == 1 ? crests[0] : crests[1];
+    const Id second = found == 1 ? c : crests[2];
+    const Id dip =
+      found < 3 && this->Nodes[second].IsAbove ? this->FindDip(arc, level, first, second) : NoId;
+    if (dip != NoId)
+    {
+      this->Polygon =
+        found == 1 ? std::vector<Id>{ a, first, b, c } : std::vector<Id>{ a, b, first, c, second };
+      this->Triangles[t] = { { this->Polygon.back(), this->Polygon.front(), dip } };
+      for (std::size_t i = 1; i < this->Polygon.size(); ++i)
+      {
+        this->Triangles.push_back({ { this->Polygon[i - 1], this->Polygon[i], dip } });
+      }
+      continue;
+    }
     if (found == 1)
     {
       this->Triangles[t] = { { a, crests[0], c } };
@@ -293,7 +310,8 @@ Id LevelLattice::FindCrest(const LevelArc& arc, double level, Id a, Id b)
   const FieldSample& atBegin = this->Nodes[low].Point.Sample;
   const FieldSample& atEnd = this->Nodes[high].Point.Sample;
   Id found = NoId;
-  if (Dot(atBegin.Gradient, way) > 0.0 && Dot(atEnd.Gradient, way) < 0.0 &&
+  // At a corner of the face there may be no gradient.
+  if (Dot(atBegin.Gradient, way) >= 0.0 && Dot(atEnd.Gradient, way) <= 0.0 &&
     0.5 * (atBegin.Distance + atEnd.Distance + Norm(way.X, way.Y)) > level &&
     !this->IsOnRim(low, high))
   {
@@ -313,6 +331,49 @@ Id LevelLattice::FindCrest(const LevelArc& arc, double level, Id a, Id b)
   }
   this->Crests.push_back({ low, high, found });
   return found;
+}
+
+/// A node below the level on the ridge between two nodes above it, if it falls that low: there, the
+/// two waves have met, and the strip is cut. Along the ridge of two waves the distance falls, then
+/// rises.
+Id LevelLattice::FindDip(const LevelArc& arc, double level, Id a, Id b)
+{
+  const Point2 begin = this->Nodes[a].Point.Place;
+  const Point2 way = Difference(this->Nodes[b].Point.Place, begin);
+  // The ridge beside the straight way.
+  const auto look = [&](double t) {
+    const Point2 base{ begin.X + t * way.X, begin.Y + t * way.Y };
+    double left = -0.5;
+    double right = 0.5;
+    LevelPoint point = arc.Look(base);
+    LevelPoint best = point;
+    for (int step = 0; step < StepsOfCrest; ++step)
+    {
+      const bool isRising = Dot(point.Sample.Gradient, { -way.Y, way.X }) > 0.0;
+      (isRising ? left : right) = step == 0 ? 0.0 : 0.5 * (left + right);
+      const double x = 0.5 * (left + right);
+      point = arc.Look({ base.X - x * way.Y, base.Y + x * way.X });
+      best = point.Sample.Distance > best.Sample.Distance ? point : best;
+    }
+    return best;
+  };
+  double from = 0.0;
+  double to = 1.0;
+  for (int step = 0; step < StepsOfDip; ++step)
+  {
+    const double third = (to - from) / 3.0;
+    const LevelPoint one = look(from + third);
+    const LevelPoint two = look(to - third);
+    const LevelPoint& lower = one.Sample.Distance < two.Sample.Distance ? one : two;
+    if (lower.Sample.Distance < level)
+    {
+      this->Nodes.emplace_back();
+      this->Nodes.back().Point = lower;
+      return static_cast<Id>(this->Nodes.size()) - 1;
+    }
+    (&lower == &one ? to : from) = &lower == &one ? to - third : from + third;
+  }
+  return NoId;
 }
 
 /// Whether the side between two nodes lies on the rim, where the crossings tell all.

@@ -78,6 +78,7 @@ private:
   void InsertSeed(const LevelArc& arc, double level, const Point2& seed);
   void AddCrests(const LevelArc& arc, double level);
   Id FindCrest(const LevelArc& arc, double level, Id a, Id b);
+  Id FindDip(const LevelArc& arc, double level, Id a, Id b);
   bool IsOnRim(Id a, Id b) const;
   Id FindLink(Id a, Id b);
   void March();
