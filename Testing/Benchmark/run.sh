@@ -8,19 +8,24 @@
 # Usage: Testing/Benchmark/run.sh [exact] [--out DIR] [MESH...] [OPTIONS OF BenchmarkExact]
 #        Testing/Benchmark/run.sh graph [--out DIR] [--readme] [MESH...] [OPTIONS OF BenchmarkGraph]
 #        Testing/Benchmark/run.sh path [--out DIR] [--data DIR] [MESH...] [OPTIONS OF BenchmarkPath]
+#        Testing/Benchmark/run.sh isolines [--out DIR] [--data DIR] [MESH...]
+#                                 [OPTIONS OF BenchmarkIsolines]
 #   exact     the exact solver: writes exact.json and exact.md
 #   graph     graphs of all rules and accuracies, and queries of them: writes graph.json, graph.md
 #             and error_against_degree.png (needs matplotlib)
 #   path      what a graph gives: paths, samples, Voronoi cells, a matrix, loops: writes path.json
 #             and path.md
+#   isolines  isolines and approximate distances: writes isolines.json and isolines.md
 #   --out     folder of the results (default: out/benchmark in the source tree)
-#   --data    folder with bunny, armadillo, fertility, kitten and gargoyle (.ply), to be measured
+#   --data    folder with bunny, armadillo, fertility, kitten and gargoyle (.ply), for isolines igea
+#             as well, to be measured
 #   --readme  put the tables and the plot into README.md and Examples/Images as well
 # For example:
 #   Testing/Benchmark/run.sh
 #   Testing/Benchmark/run.sh scan.ply --growth=none --benchmark_filter=/T/
 #   Testing/Benchmark/run.sh graph --readme
 #   Testing/Benchmark/run.sh path scan.ply --pairs=100 --matrix=0
+#   Testing/Benchmark/run.sh isolines scan.ply --sizes=1000,10000 --sources=0
 #   Testing/Benchmark/run.sh graph scan.ply --rules=Guaranteed,SVG --accuracies=0.02 --many=0
 
 set -euo pipefail
@@ -35,7 +40,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 here="$DGG_ROOT/Testing/Benchmark"
 mode=exact
 case "${1:-}" in
-  exact | graph | path)
+  exact | graph | isolines | path)
     mode="$1"
     shift
     ;;
@@ -51,9 +56,14 @@ while [ $# -gt 0 ]; do
       shift 2
       ;;
     --data)
-      [ "$mode" = path ] || dgg_fail "--data is for the mode path"
+      names=(bunny armadillo fertility kitten gargoyle)
+      case "$mode" in
+        isolines) names+=(igea) ;;
+        path) ;;
+        *) dgg_fail "--data is for the modes isolines and path" ;;
+      esac
       [ $# -ge 2 ] || dgg_fail "--data needs a folder"
-      for name in bunny armadillo fertility kitten gargoyle; do
+      for name in "${names[@]}"; do
         arguments+=("$2/$name.ply")
       done
       shift 2
@@ -100,6 +110,12 @@ measure_path() {
   measure BenchmarkPath "$out/path.json"
   "$python" "$here/summarize_path.py" "$out/path.json" "$out/path.md"
   echo "Written: $out/path.json and $out/path.md"
+}
+
+measure_isolines() {
+  measure BenchmarkIsolines "$out/isolines.json"
+  "$python" "$here/summarize_isolines.py" "$out/isolines.json" "$out/isolines.md"
+  echo "Written: $out/isolines.json and $out/isolines.md"
 }
 
 packages=("${DGG_PACKAGES[@]}" libbenchmark-dev libcgal-dev libeigen3-dev glmark2-data)

@@ -11,6 +11,7 @@ import unittest
 
 import insert_table
 import summarize_graph
+import summarize_isolines
 import summarize_path
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -222,6 +223,99 @@ class PathTables(unittest.TestCase):
 
     def test_nothing_but_what_was_measured(self):
         self.assertEqual([line for line in self.few if line.startswith("**")], ["**Matrices**"])
+
+
+class IsolineTables(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        def lines(mesh, vertices, case, milliseconds, mean, **more):
+            figures = {"vertices": vertices, "faces": 2 * vertices, "heap_bytes_per_vertex": 500.0}
+            figures.update({"segments": 4000, "levels": 20, "error_by_length": 2.0 * mean})
+            name = f"Isolines/{mesh}/{case}/manual_time"
+            return entry(name, milliseconds, **figures, **errors(mean), **more)
+
+        def ball(mesh, vertices, error):
+            return [
+                lines(mesh, vertices, "Exact/Contour", 2.0, error),
+                lines(mesh, vertices, "Exact/Windows", 8.0, error / 500, chord=1e-5, fallbacks=2),
+                lines(mesh, vertices, "Exact/WindowsHalved", 9.0, error / 1000, chord=5e-6),
+                lines(mesh, vertices, "Exact/WindowsDrawn", 5.0, error / 50, chord=1e-3),
+                lines(mesh, vertices, "Exact/Sources", 20.0, error / 8, chord=1e-5, fallbacks=3),
+            ]
+
+        results = (
+            ball("large-10K", 10000, 0.001)
+            + ball("small-1K", 1000, 0.004)
+            + [
+                lines("small-1K", 1000, f"Exact/Apollonius{count}", 10.0 * count, 0.001)
+                for count in (10, 2, 0)
+            ]
+            + [
+                lines("small-1K", 1000, "Heat/Contour", 2.0, 0.03),
+                lines("small-1K", 1000, "Heat/Sources", 2.0, 0.02),
+                entry("Isolines/small-1K/Heat/Input/manual_time", 2.0, **errors(0.04)),
+                entry("Approximate/ball/Heat/Factors/x", 200, heap_bytes_per_vertex=1000.0),
+                entry("Approximate/ball/Heat/Query/0/x", 8.0, vertices=500, **errors(0.01)),
+                entry("Approximate/ball/Heat/Query/1/x", 10.0, vertices=500, **errors(0.03)),
+                entry("Peer/ball/Heat/Query/0/x", 20.0, vertices=500, **errors(0.02)),
+            ]
+        )
+        path = os.path.join(OUTPUT, "isolines.json")
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump({"context": {"vtk_version": "9"}, "benchmarks": results}, file)
+        cls.lines = summarize_isolines.summarize(path).splitlines()
+
+    def cells(self, start, header):
+        return cells_of(self.lines, start, header)
+
+    def test_errors(self):
+        cells = self.cells("small-1K", "vtkContourFilter, %")
+        self.assertEqual(cells["vtkContourFilter, %"], "0.4")
+        self.assertEqual(cells["Apollonius, k = 2, %"], "0.1 (4x)")
+        self.assertEqual(cells["virtual sources, %"], "0.05 (8x)")
+        self.assertEqual(cells["windows, %"], "0.0008 (500x)")
+        self.assertEqual(self.cells("large-10K", "windows, %")["Apollonius, k = 2, %"], "–")
+        self.assertEqual(self.cells("geometric mean", "windows, %")["windows, %"], "500x")
+        rows = [line.split(" |")[0] for line in self.lines if line.startswith(("| s", "| l"))]
+        self.assertEqual(rows[:2], ["| small-1K", "| large-10K"])
+
+    def test_largest(self):
+        cells = self.cells("small-1K", "fallbacks: virtual / windows")
+        self.assertEqual(cells["vtkContourFilter, %"], "1.2 / 2")
+        self.assertEqual(cells["fallbacks: virtual / windows"], "3 / 2")
+
+    def test_chords(self):
+        cells = self.cells("small-1K", "windows, 1e-05 h, %")
+        self.assertEqual(cells["windows, 1e-05 h, %"], "0.0008")
+        self.assertEqual(cells["windows, 5e-06 h, %"], "0.0004")
+        self.assertEqual(cells["windows, 0.001 h, %"], "0.008")
+        self.assertEqual(cells["virtual, 0.001 h, %"], "–")
+        self.assertEqual(cells["windows, 1e-05 h, weighted by length, %"], "0.0016")
+
+    def test_inputs(self):
+        cells = self.cells("small-1K | heat", "gain")
+        figures = [cells[name] for name in ("at vertices: mean, %", "max, %", "gain")]
+        self.assertEqual(figures, ["4", "20", "1.5x"])
+
+    def test_steiner_points(self):
+        first = next(i for i, line in enumerate(self.lines) if "peak memory, MB" in line)
+        rows = [line.split(" | ")[1:] for line in self.lines[first + 2 : first + 6]]
+        self.assertEqual([row[0] for row in rows], ["k = 0", "k = 2", "k = 10", "windows"])
+        self.assertEqual(rows[2], ["k = 10", "0.1", "4x", "100 ms", "0.5 |"])
+        self.assertFalse(any("large-10K | k =" in line for line in self.lines))
+
+    def test_times(self):
+        cells = self.cells("large-10K", "windows, µs per face")
+        self.assertEqual((cells["faces"], cells["windows"]), ("20K", "5 ms"))
+        self.assertEqual(cells["windows, µs per face"], "0.25")
+        self.assertEqual(cells["segments: linear / windows"], "4K / 4K")
+
+    def test_fields(self):
+        cells = self.cells("ball | 500 | heat", "before queries")
+        self.assertEqual((cells["before queries"], cells["query"]), ("200 ms", "9 ms"))
+        self.assertEqual((cells["error: mean, %"], cells["max, %"]), ("2", "10"))
+        cells = self.cells("ball | 500 | heat (CGAL)", "before queries")
+        self.assertEqual((cells["before queries"], cells["query"]), ("–", "20 ms"))
 
 
 class Insert(unittest.TestCase):

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "IsolineCases.h"
+
+#include "BenchmarkTools.h"
+#include "IsolineStatistics.h"
+#include "OpenedGraph.h"
+#include "PeerContour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace
+{
+/// The smallest of several times counts: a busy machine disturbs some of them only. What takes long
+/// is run fewer times.
+constexpr int MostRounds = 5;
+constexpr double EnoughSeconds = 2.0;
+
+double TimeOf(const std::function<void()>& run)
+{
+  double smallest = dgg::Infinity;
+  double sum = 0.0;
+  for (int round = 0; round < MostRounds && sum < EnoughSeconds; ++round)
+  {
+    const double start = ThreadSeconds();
+    run();
+    const double seconds = ThreadSeconds() - start;
+    smallest = std::min(smallest, seconds);
+    sum += seconds;
+  }
+  return smallest;
+}
+
+/// A field, and the exact one of the same mesh.
+struct OpenedField
+{
+  BenchmarkMesh* Mesh = nullptr;
+  const MeasuredField* Field = nullptr; ///< null with the state closed
+  const MeasuredField* Exact = nullptr;
+  std::vector<double> Levels;
+};
+
+std::vector<double> SpreadLevels(const std::vector<double>& distances, int count)
+{
+  double largest = 0.0;
+  for (const double distance : distances)
+  {
+    largest = std::isfinite(distance) ? std::max(largest, distance) : largest;
+  }
+  std::vector<double> levels;
+  for (int k = 1; k <= count; ++k)
+  {
+    levels.push_back(largest * k / (count + 1));
+  }
+  return levels;
+}
+
+OpenedField OpenField(benchmark::State& state, const IsolineRecipe& recipe)
+{
+  OpenedField opened;
+  opened.Mesh = OpenMesh(state, recipe.Mesh);
+  if (!opened.Mesh)
+  {
+    return opened;
+  }
+  const auto get = [&](FieldInput input) {
+    return &GetMeasuredField(*opened.Mesh, recipe.Mesh.Name, input, recipe.Accuracy);
+  };
+  opened.Exact = get(FieldInput::Exact);
+  opened.Field = get(recipe.Input);
+  for (const MeasuredField* field : { opened.Exact, opened.Field })
+  {
+    if (opened.Field && !field->GetError().empty())
+    {
+      state.SkipWithError(field->GetError().c_str());
+      opened.Field = nullptr;
+    }
+  }
+  if (opened.Field)
+  {
+    opened.Levels = SpreadLevels(opened.Exact->GetDistances(), recipe.Levels);
+  }
+  return opened;
+}
+
+/// Time `trace`, and report what it takes at most.
+void TimeTracing(
+  benchmark::State& state, const OpenedField& opened, const std::function<void()>& trace)
+{
+  for (auto unused : state)
+  {
+    (void)unused;
+    state.SetIterationTime(TimeOf(trace));
+  }
+  const MemoryProbe probe;
+  trace();
+  ReportMesh(state, *opened.Mesh);
+  ReportMemory(state, *opened.Mesh, probe);
+  state.counters["levels"] = static_cast<double>(opened.Levels.size());
+}
+
+void ReportErrorsOf(
+  benchmark::State& state, const OpenedField& opened, const std::vector<IsolineSegment>& segments)
+{
+  IsolineStatistics(opened.Exact->WithWindows(), segments).Report(state);
+}
+
+/// Time what fills `lines`, and report these.
+void MeasureLines(benchmark::State& state, const OpenedField& opened,
+  const std::function<dgg::Status(dgg::Isolines&)>& trace)
+{
+  dgg::Isolines lines;
+  dgg::Status status;
+  TimeTracing(state, opened, [&] { status = trace(lines); });
+  if (Succeeded(state, status))
+  {
+    const dgg::SurfaceMesh& surface = opened.Mesh->GetSurface();
+    state.counters["lines"] = static_cast<double>(lines.Lines.size());
+    state.counters["closed"] =
+      static_cast<double>(std::count(lines.IsClosed.begin(), lines.IsClosed.end(), true));
+    state.counters["fallbacks"] = static_cast<double>(lines.Fallbacks);
+    ReportErrorsOf(state, opened, ToSegments(surface, lines, opened.Levels));
+  }
+}
+}
+
+void MeasureInput(benchmark::State& state, const IsolineRecipe& recipe)
+{
+  const OpenedField opened = OpenField(state, recipe);
+  if (!opened.Field)
+  {
+    return;
+  }
+  for (auto unused : state)
+  {
+    (void)unused;
+    state.SetIterationTime(
+      TimeOf([&] { const MeasuredField field(*opened.Mesh, recipe.Input, recipe.Accuracy); }));
+  }
+  ReportMesh(state, *opened.Mesh);
+  const dgg::Id source = SourceOfFields(*opened.Mesh);
+  opened.Mesh->SetExactDistances(source, opened.Exact->GetDistances());
+  ReportErrors(state, *opened.Mesh, source, opened.Field->GetDistances());
+}
+
+void MeasureContour(benchmark::State& state, const IsolineRecipe& recipe)
+{
+  const OpenedField opened = OpenField(state, recipe);
+  if (opened.Field)
+  {
+    PeerContour peer(opened.Mesh->GetArrays(), opened.Field->GetDistances(), opened.Levels);
+    TimeTracing(state, opened, [&] { peer.Run(); });
+    ReportErrorsOf(state, opened, peer.GetSegments(opened.Mesh->GetSurface()));
+  }
+}
+
+void MeasureIsolines(
+  benchmark::State& state, const IsolineRecipe& recipe, IsolineKind kind, double chord)
+{
+  const OpenedField opened = OpenField(state, recipe);
+  if (!opened.Field)
+  {
+    return;
+  }
+  const dgg::DistanceField field =
+    kind == IsolineKind::Windows ? opened.Field->WithWindows() : opened.Field->WithSources();
+  dgg::IsolineOptions options;
+  options.ChordTolerance = chord * opened.Mesh->GetSurface().GetMeanEdgeLength();
+  state.counters["chord"] = chord;
+  MeasureLines(state, opened, [&](dgg::Isolines& lines) {
+    return dgg::TraceIsolines(field, opened.Levels, options, nullptr, nullptr, lines);
+  });
+}
