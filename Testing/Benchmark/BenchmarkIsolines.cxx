@@ -10,10 +10,13 @@
 ///                       have more, and where they have at least a quarter of it, decimated to that
 ///                       and subdivided (Loop); empty leaves isolines out
 ///   --levels=20         isolines, evenly over the range of the exact distances
-///   --chord=0.0001      how far lines may be from level sets where errors are measured, in mean
+///   --chord=0.00001     how far lines may be from level sets where errors are measured, in mean
 ///                       edge lengths; half of that is measured as well, to show that it does not
 ///                       matter
-///   --drawn=0.001       the same where times are measured: what isolines to be looked at need
+///   --drawn=0.001       the same for isolines of exact distances to be looked at: times are those
+///   --steiner=0,2       points per edge of the published method
+///   --more_steiner=1,5,10,20  the same in addition, on the first mesh at its smallest and its
+///                       largest size
 ///   --accuracy=0.01     of the graph
 ///   --sources=3         of approximate distances, on meshes as they are; 0 leaves these out
 ///   --torus=100         rings of a generated torus; 0 leaves it out
@@ -38,6 +41,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -57,6 +61,8 @@ struct Settings
   double Drawn = 0.0;
   double Accuracy = 0.0;
   int Sources = 0;
+  std::vector<int> SteinerPoints;
+  std::vector<int> MoreSteinerPoints;
 };
 
 struct NamedInput
@@ -80,11 +86,25 @@ void RegisterTracing(
       name + suffix, [=](State& state) { MeasureIsolines(state, recipe, kind, chord); }, Once);
   };
   add("", settings.Chord);
-  add("Halved", 0.5 * settings.Chord);
-  add("Drawn", settings.Drawn);
+  if (recipe.Input == FieldInput::Exact)
+  {
+    add("Halved", 0.5 * settings.Chord);
+    add("Drawn", settings.Drawn);
+  }
 }
 
-void RegisterIsolines(const MeshRecipe& mesh, const Settings& settings)
+void RegisterApollonius(
+  const std::string& prefix, const IsolineRecipe& recipe, const std::vector<int>& steinerPoints)
+{
+  for (const int count : steinerPoints)
+  {
+    RegisterCase(
+      prefix + "Apollonius" + std::to_string(count),
+      [=](State& state) { MeasureApollonius(state, recipe, count); }, Once);
+  }
+}
+
+void RegisterIsolines(const MeshRecipe& mesh, const Settings& settings, bool withMore)
 {
   for (const NamedInput& input : Inputs)
   {
@@ -101,6 +121,15 @@ void RegisterIsolines(const MeshRecipe& mesh, const Settings& settings)
     if (input.Input == FieldInput::Exact)
     {
       RegisterTracing(prefix + "Windows", recipe, IsolineKind::Windows, settings);
+      RegisterCase(
+        prefix + "Fitted",
+        [=](State& state) { MeasureIsolines(state, recipe, IsolineKind::Fitted, settings.Chord); },
+        Once);
+      RegisterApollonius(prefix, recipe, settings.SteinerPoints);
+      if (withMore)
+      {
+        RegisterApollonius(prefix, recipe, settings.MoreSteinerPoints);
+      }
     }
     RegisterTracing(prefix + "Sources", recipe, IsolineKind::Sources, settings);
   }
@@ -187,12 +216,13 @@ std::vector<MeshRecipe> ListMeshes(const BenchmarkArguments& arguments)
   return meshes;
 }
 
-void RegisterMesh(
-  const MeshRecipe& mesh, const Settings& settings, const std::vector<std::string>& subdivided)
+void RegisterMesh(const MeshRecipe& mesh, const Settings& settings,
+  const std::vector<std::string>& subdivided, bool isFirst)
 {
-  for (const MeshRecipe& recipe : AtSizes(mesh, settings.Sizes))
+  const std::vector<MeshRecipe> recipes = AtSizes(mesh, settings.Sizes);
+  for (std::size_t i = 0; i < recipes.size(); ++i)
   {
-    RegisterIsolines(recipe, settings);
+    RegisterIsolines(recipes[i], settings, isFirst && (i == 0 || i + 1 == recipes.size()));
   }
   if (settings.Sources > 0)
   {
@@ -207,13 +237,22 @@ void RegisterMesh(
   }
 }
 
+std::vector<int> ReadIntegers(const BenchmarkArguments& arguments, const char* name)
+{
+  std::vector<int> values;
+  for (const std::string& value : arguments.GetList(name))
+  {
+    values.push_back(std::atoi(value.c_str()));
+  }
+  return values;
+}
+
 /// False, with a message, when the arguments make no sense.
 bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
 {
-  for (const std::string& size : arguments.GetList("sizes"))
-  {
-    settings.Sizes.push_back(std::atoi(size.c_str()));
-  }
+  settings.Sizes = ReadIntegers(arguments, "sizes");
+  settings.SteinerPoints = ReadIntegers(arguments, "steiner");
+  settings.MoreSteinerPoints = ReadIntegers(arguments, "more_steiner");
   settings.Levels = static_cast<int>(arguments.GetNumber("levels"));
   settings.Chord = arguments.GetNumber("chord");
   settings.Drawn = arguments.GetNumber("drawn");
@@ -245,16 +284,19 @@ int main(int argc, char** argv)
 {
   benchmark::Initialize(&argc, argv);
   BenchmarkArguments arguments({ { "sizes", "600,1000,5000,10000,50000" }, { "levels", "20" },
-    { "chord", "0.0001" }, { "drawn", "0.001" }, { "accuracy", "0.01" }, { "sources", "3" },
-    { "torus", "100" }, { "subdivided", "armadillo" } });
+    { "chord", "0.00001" }, { "drawn", "0.001" }, { "steiner", "0,2" },
+    { "more_steiner", "1,5,10,20" }, { "accuracy", "0.01" }, { "sources", "3" }, { "torus", "100" },
+    { "subdivided", "armadillo" } });
   Settings settings;
   if (!arguments.Parse(argc, argv) || !ReadSettings(arguments, settings))
   {
     return 1;
   }
+  bool isFirst = true;
   for (const MeshRecipe& mesh : ListMeshes(arguments))
   {
-    RegisterMesh(mesh, settings, arguments.GetList("subdivided"));
+    RegisterMesh(mesh, settings, arguments.GetList("subdivided"), isFirst);
+    isFirst = false;
   }
   AddBenchmarkContext();
   benchmark::RunSpecifiedBenchmarks();

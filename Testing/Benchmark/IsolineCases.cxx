@@ -6,6 +6,9 @@
 #include "IsolineStatistics.h"
 #include "OpenedGraph.h"
 #include "PeerContour.h"
+#include "dggApolloniusParts.h"
+#include "dggIsolineChains.h"
+#include "dggSourceFit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +19,7 @@ namespace
 /// The smallest of several times counts: a busy machine disturbs some of them only. What takes long
 /// is run fewer times.
 constexpr int MostRounds = 5;
-constexpr double EnoughSeconds = 2.0;
+constexpr double EnoughSeconds = 1.0;
 
 double TimeOf(const std::function<void()>& run)
 {
@@ -85,17 +88,16 @@ OpenedField OpenField(benchmark::State& state, const IsolineRecipe& recipe)
   return opened;
 }
 
-/// Time `trace`, and report what it takes at most.
+/// Time `trace`, which must free what it made before, and report the memory that it takes at most.
 void TimeTracing(
   benchmark::State& state, const OpenedField& opened, const std::function<void()>& trace)
 {
+  const MemoryProbe probe;
   for (auto unused : state)
   {
     (void)unused;
     state.SetIterationTime(TimeOf(trace));
   }
-  const MemoryProbe probe;
-  trace();
   ReportMesh(state, *opened.Mesh);
   ReportMemory(state, *opened.Mesh, probe);
   state.counters["levels"] = static_cast<double>(opened.Levels.size());
@@ -164,12 +166,42 @@ void MeasureIsolines(
   {
     return;
   }
-  const dgg::DistanceField field =
+  const dgg::SurfaceMesh& surface = opened.Mesh->GetSurface();
+  dgg::VirtualSources fitted;
+  dgg::DistanceField field =
     kind == IsolineKind::Windows ? opened.Field->WithWindows() : opened.Field->WithSources();
   dgg::IsolineOptions options;
-  options.ChordTolerance = chord * opened.Mesh->GetSurface().GetMeanEdgeLength();
+  options.ChordTolerance = chord * surface.GetMeanEdgeLength();
   state.counters["chord"] = chord;
   MeasureLines(state, opened, [&](dgg::Isolines& lines) {
+    if (kind == IsolineKind::Fitted)
+    {
+      dgg::FitVirtualSources(surface, field.Distances, nullptr, fitted);
+      field.Sources = &fitted;
+    }
     return dgg::TraceIsolines(field, opened.Levels, options, nullptr, nullptr, lines);
+  });
+}
+
+void MeasureApollonius(benchmark::State& state, const IsolineRecipe& recipe, int steinerPoints)
+{
+  const OpenedField opened = OpenField(state, recipe);
+  if (!opened.Field)
+  {
+    return;
+  }
+  const dgg::DistanceField field = opened.Field->WithSources();
+  state.counters["steiner_points"] = steinerPoints;
+  MeasureLines(state, opened, [&](dgg::Isolines& lines) {
+    lines = dgg::Isolines();
+    std::vector<dgg::EdgeCrossing> crossings;
+    std::vector<dgg::FaceCurve> curves;
+    const dgg::Status status = dgg::FindApolloniusParts(
+      field, steinerPoints, opened.Levels, nullptr, nullptr, crossings, curves);
+    if (status.IsOk())
+    {
+      dgg::JoinFaceCurves(opened.Mesh->GetSurface(), crossings, curves, lines);
+    }
+    return status;
   });
 }

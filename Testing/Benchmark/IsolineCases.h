@@ -23,7 +23,8 @@ struct IsolineRecipe
 enum class IsolineKind
 {
   Windows, ///< local sources: exact ones
-  Sources  ///< local sources: virtual ones
+  Sources, ///< local sources: virtual ones
+  Fitted   ///< local sources: virtual ones, from the distances alone
 };
 
 /// The error of the distances at vertices.
@@ -32,8 +33,11 @@ void MeasureInput(benchmark::State& state, const IsolineRecipe& recipe);
 /// vtkContourFilter, linear in triangles.
 void MeasureContour(benchmark::State& state, const IsolineRecipe& recipe);
 
-/// `chord` is the tolerance in mean edge lengths.
+/// `chord` is the tolerance in mean edge lengths. Fitting is part of the time.
 void MeasureIsolines(
   benchmark::State& state, const IsolineRecipe& recipe, IsolineKind kind, double chord);
+
+/// The published method, with the virtual sources of the input.
+void MeasureApollonius(benchmark::State& state, const IsolineRecipe& recipe, int steinerPoints);
 
 #endif
