@@ -208,6 +208,38 @@ TEST(DistanceField, CrossingsOfEdgesAreAtTheLevelAndAlternate)
   }
 }
 
+/// Behind ridges, light from one end of an edge meets that from the other one somewhere inside.
+TEST(DistanceField, NoExtremumIsBetweenBreaks)
+{
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    const ExactField field(mesh, VertexAndFaceSources(mesh));
+    const double rounding = 1e-9 * mesh.GetMeanEdgeLength();
+    EdgeProfile edge(field.Exact);
+    for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      edge.Enter(h);
+      const std::vector<double>& breaks = edge.GetBreaks();
+      for (std::size_t i = 1; i < breaks.size(); ++i)
+      {
+        if (breaks[i] - breaks[i - 1] <= 1e-6 * edge.GetLength())
+        {
+          continue; // windows are not kept where hardly anything is seen through them
+        }
+        const double begin = edge.At(breaks[i - 1]);
+        const double end = edge.At(breaks[i]);
+        for (double t = 0.05; t < 1.0; t += 0.05)
+        {
+          const double d = edge.At(breaks[i - 1] + t * (breaks[i] - breaks[i - 1]));
+          ASSERT_LE(d, std::max(begin, end) + rounding) << named.Name << ", half-edge " << h;
+          ASSERT_GE(d, std::min(begin, end) - rounding) << named.Name << ", half-edge " << h;
+        }
+      }
+    }
+  }
+}
+
 TEST(DistanceField, ModelsAreExactInThePlane)
 {
   const SurfaceMesh mesh = Build(Plane(9, 9, 0.2));

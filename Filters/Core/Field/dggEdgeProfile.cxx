@@ -138,8 +138,8 @@ void EdgeProfile::CollectThroughFace(Id h)
   }
 }
 
-/// Between the ends of windows and the feet of their images the distance is monotone, but for
-/// where two of them tie.
+/// Between the ends of windows and the feet of their images each of them rises or falls, so that
+/// their least rises, falls, or rises up to a tie and falls from there.
 void EdgeProfile::FindWindowBreaks()
 {
   std::vector<double>& breaks = this->Breaks;
@@ -163,6 +163,61 @@ void EdgeProfile::FindWindowBreaks()
   breaks.push_back(this->Length);
   std::sort(breaks.begin(), breaks.end());
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  for (std::size_t i = breaks.size() - 1; i > 0; --i)
+  {
+    double peak;
+    if (this->FindPeak(breaks[i - 1], breaks[i], peak))
+    {
+      breaks.insert(breaks.begin() + static_cast<std::ptrdiff_t>(i), peak);
+    }
+  }
+}
+
+/// The least distances at an abscissa between two neighbouring breaks, of what rises there and of
+/// what falls.
+void EdgeProfile::SplitByDirection(
+  double begin, double end, double x, double& rising, double& falling) const
+{
+  rising = this->Ends[0] + x;
+  falling = this->Ends[1] + (this->Length - x);
+  for (const Piece& piece : this->Pieces)
+  {
+    if (piece.Begin <= begin && piece.End >= end)
+    {
+      double& least = piece.Image.X <= begin ? rising : falling;
+      least = std::min(least, piece.Offset + DistanceToAxis(piece.Image, x));
+    }
+  }
+}
+
+/// Where what rises ties with what falls: a ridge crosses the edge.
+bool EdgeProfile::FindPeak(double begin, double end, double& peak) const
+{
+  double rising;
+  double falling;
+  this->SplitByDirection(begin, end, begin, rising, falling);
+  if (!(rising < falling))
+  {
+    return false;
+  }
+  this->SplitByDirection(begin, end, end, rising, falling);
+  if (!(rising > falling))
+  {
+    return false;
+  }
+  double low = begin;
+  double high = end;
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    peak = 0.5 * (low + high);
+    if (!(peak > low && peak < high))
+    {
+      break; // neighbours among the doubles
+    }
+    this->SplitByDirection(begin, end, peak, rising, falling);
+    (rising < falling ? low : high) = peak;
+  }
+  return peak > begin && peak < end;
 }
 
 void EdgeProfile::SetUpModels()

@@ -34,8 +34,8 @@ public:
   /// The distance at an abscissa. At the ends it is that of the vertex.
   double At(double x) const;
 
-  /// Abscissae from 0 to the length between which the distance has no extremum and no kink, up to
-  /// rounding (windows), or such that between two of them there is hardly more than one.
+  /// Abscissae from 0 to the length between which the distance has no extremum, up to rounding
+  /// (windows), or such that between two of them there is hardly more than one.
   const std::vector<double>& GetBreaks() const { return this->Breaks; }
 
   /// Append the abscissae, in increasing order, at which the distance crosses `level` (points at
@@ -58,6 +58,8 @@ private:
   void CollectSources(Id h);
   void CollectThroughFace(Id h);
   void FindWindowBreaks();
+  void SplitByDirection(double begin, double end, double x, double& rising, double& falling) const;
+  bool FindPeak(double begin, double end, double& peak) const;
   void FindModelBreaks();
   void AddCrests();
   void SetUpModels();
