@@ -61,8 +61,8 @@ void EdgeProfile::Enter(Id h)
   {
     this->SetUpModels();
     this->FindModelBreaks();
+    this->AddCrests();
   }
-  this->AddCrests();
 }
 
 void EdgeProfile::CollectWindows(Id h)
@@ -269,8 +269,7 @@ void EdgeProfile::FindModelBreaks()
   }
 }
 
-/// Where two waves meet on the edge, the distance rises from either side: between two breaks at
-/// most once, as each of the waves only rises or only falls there.
+/// Where the models of both ends meet on the edge, the distance rises from either side.
 void EdgeProfile::AddCrests()
 {
   const std::size_t count = this->Breaks.size();
