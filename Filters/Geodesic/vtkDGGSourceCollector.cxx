@@ -54,7 +54,7 @@ dgg::Status CheckIds(const vtkDGGSourceSet& set, vtkIdType numberOfPoints)
     {
       std::ostringstream message;
       message << set.Role << " id " << set.Ids[i] << " (number " << i << " of the " << set.Role
-              << " ids) is out of range: the input has " << numberOfPoints
+              << " ids) is out of range: the " << set.Surface << " has " << numberOfPoints
               << " points, so ids must be in [0, " << numberOfPoints - 1 << "]";
       return dgg::Status::Invalid(message.str());
     }
@@ -205,9 +205,10 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
     if (!found || !(distance <= farthest))
     {
       std::ostringstream message;
-      message << Describe(set, id, p) << " is " << distance
-              << " away from the surface, farther than " << farthest << " (ProjectionTolerance "
-              << tolerance << " times the diagonal " << this->Locator->GetDiagonal()
+      message << Describe(set, id, p) << " is " << distance << " away from the "
+              << (set.Surface == "input" ? "surface" : set.Surface) << ", farther than " << farthest
+              << " (ProjectionTolerance " << tolerance << " times the diagonal "
+              << this->Locator->GetDiagonal()
               << "): move it to the surface, or raise ProjectionTolerance";
       return dgg::Status::Invalid(message.str());
     }

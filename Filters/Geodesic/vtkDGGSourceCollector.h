@@ -31,6 +31,8 @@ struct vtkDGGSourceSet
   const std::vector<double>* InitialDistances = nullptr;
   /// Those of Points that are meant, in this order; null for all.
   const std::vector<vtkIdType>* PointIds = nullptr;
+  /// What messages call the surface, where there are several.
+  std::string Surface = "input";
 };
 
 /// The places of sources.

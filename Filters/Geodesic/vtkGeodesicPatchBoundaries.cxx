@@ -315,19 +315,20 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckProperties() const
 vtkDGGSourceSet vtkGeodesicPatchBoundaries::GetLandmarks(
   int surface, vtkInformationVector** inputVector) const
 {
-  return { this->LandmarkIds[surface], vtkPolyData::GetData(inputVector[2 + surface]), 2 + surface,
-    surface == 0 ? "first landmark" : "second landmark",
+  vtkDGGSourceSet set{ this->LandmarkIds[surface], vtkPolyData::GetData(inputVector[2 + surface]),
+    2 + surface, surface == 0 ? "first landmark" : "second landmark",
     surface == 0 ? "call AddFirstLandmarkId() or SetFirstLandmarkIds()"
                  : "call AddSecondLandmarkId() or SetSecondLandmarkIds()",
     "" };
+  set.Surface = surface == 0 ? "first surface" : "second surface";
+  return set;
 }
 
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicPatchBoundaries::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
-  vtkPolyData* second = vtkPolyData::GetData(inputVector[1]);
-  if (!second)
+  if (!vtkPolyData::GetData(inputVector[1]))
   {
     return dgg::Status::Invalid("there is no second surface: call SetSecondSurfaceConnection() or "
                                 "SetSecondSurfaceData()");
@@ -337,11 +338,9 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckInputs(
     return dgg::Status::Invalid("there is no layout: connect polygons or lines that name landmarks "
                                 "to input port 4, or landmarks with cells to input port 2");
   }
-  const dgg::Status status =
-    vtkDGGSourceCollector::Check(this->GetLandmarks(0, inputVector), surface->GetNumberOfPoints());
-  return status.IsOk()
-    ? vtkDGGSourceCollector::Check(this->GetLandmarks(1, inputVector), second->GetNumberOfPoints())
-    : status;
+  // Those of the second surface are checked after the surface itself, when they are collected.
+  return vtkDGGSourceCollector::Check(
+    this->GetLandmarks(0, inputVector), surface->GetNumberOfPoints());
 }
 
 //------------------------------------------------------------------------------

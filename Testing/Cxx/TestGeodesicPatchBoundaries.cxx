@@ -10,8 +10,10 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
 
@@ -296,11 +298,24 @@ TEST_F(GeodesicPatchBoundaries, SaysWhatIsWrong)
   ExpectError(this->Filter, { "no second surface" });
   this->Filter->SetSecondSurfaceData(MakeSurface({ { { 0, 0, 0 } } }, {}));
   this->Filter->SetSecondLandmarkIds({ 0 });
-  ExpectError(this->Filter, { "second surface" });
+  ExpectError(this->Filter, { "second surface: ", "no polygons" });
+  // Of a surface that is bad and ids that are, the surface comes first.
+  this->Filter->SetSecondLandmarkIds({ 5 });
+  ExpectError(this->Filter, { "second surface: ", "no polygons" });
+  this->Filter->SetSecondSurfaceData(vtkNew<vtkPolyData>());
+  ExpectError(this->Filter, { "second surface: ", "no polygons" });
+  this->Filter->SetSecondSurfaceData(
+    MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, nan, 0 } } }, { { 0, 1, 2 } }));
+  ExpectError(this->Filter, { "second surface: ", "not finite" });
+  this->Filter->SetSecondLandmarkIds({ 0 });
   this->Filter->SetSecondSurfaceData(this->Second);
   ExpectError(this->Filter, { "9 landmarks on the first surface and 1 on the second one" });
   this->Filter->SetSecondLandmarkIds({ 0, 4, 8, 36, 40, 44, 72, 76, 81 });
-  ExpectError(this->Filter, { "second landmark id 81", "out of range" });
+  ExpectError(
+    this->Filter, { "second landmark id 81", "out of range: the second surface has 81 points" });
+  this->Filter->SetFirstLandmarkIds({ -1 });
+  ExpectError(this->Filter, { "first landmark id -1", "out of range: the first surface has" });
+  this->Filter->SetFirstLandmarkIds(GetNine());
   this->Filter->SetSecondLandmarkIds({ 0, 4, 8, 36, 40, 44, 72, 76, 4 });
   ExpectError(this->Filter, { "landmarks 1 and 8 of the second surface are in the same place" });
   this->Filter->SetSecondLandmarkIds(GetNine());
