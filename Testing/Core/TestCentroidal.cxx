@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -157,6 +158,30 @@ TEST(Centroidal, EnergyDecreasesOnAnySurface)
     }
   }
   EXPECT_GE(moved, numberOfSound - 3);
+}
+
+TEST(Centroidal, AtAnyScale)
+{
+  // Energies are of the fourth power of lengths.
+  const TestMesh points = PrismSide(8, 3, 12, 0.2);
+  const SearchCase c("prism", points, 0.01);
+  const Sites starts = RandomSurfacePoints(c.GetMesh(), 5, 3);
+  Sites sites = starts;
+  const std::vector<double> energies = Move(c, sites, {}, 0.01);
+  ASSERT_GT(energies.size(), 3u);
+  for (const int power : { -220, -170, 170, 220 })
+  {
+    const TestMesh scaled = Scaled(points, std::ldexp(1.0, power));
+    const SearchCase other("prism of another scale", scaled, 0.01);
+    Sites moved = starts;
+    const std::vector<double> scaledEnergies = Move(other, moved, {}, 0.01);
+    ASSERT_GT(scaledEnergies.size(), 3u) << power;
+    ExpectDecrease(scaledEnergies, std::to_string(power));
+    // Graphs of other scales may have other edges where ways are tied.
+    EXPECT_NEAR(std::ldexp(scaledEnergies[0], -4 * power), energies[0], 0.02 * energies[0]);
+    EXPECT_NEAR(
+      std::ldexp(scaledEnergies.back(), -4 * power), energies.back(), 0.05 * energies.back());
+  }
 }
 
 TEST(Centroidal, StopsAtTheTolerance)

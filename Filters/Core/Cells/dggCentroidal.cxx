@@ -14,13 +14,21 @@ namespace
 /// How often steps are halved before the iteration ends.
 constexpr int MostHalvings = 6;
 
+/// A length that others are measured in: a power of two, so that this changes no digit. Energies
+/// are of the fourth power of lengths, and so are intermediate results.
+double ChooseUnit(const SurfaceMesh& mesh)
+{
+  const double length = mesh.GetMeanEdgeLength();
+  return length > 0.0 ? std::ldexp(1.0, std::ilogb(length)) : 1.0;
+}
+
 /// Sites, and where they would like to go.
 struct State
 {
   std::vector<SurfacePoint> Sites;
   std::vector<double> Angles;  ///< per site, direction to the mean of its cell
   std::vector<double> Lengths; ///< per site, distance of it
-  double Energy = Infinity;
+  double Energy = Infinity;    ///< in units of lengths
 };
 
 class Centers
@@ -32,6 +40,7 @@ public:
     , Mesh(mesh)
     , Builder(builder)
     , Accuracy(accuracy)
+    , Unit(ChooseUnit(mesh))
     , Areas(mesh.GetNumberOfVertices(), 0.0)
   {
     for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
@@ -39,7 +48,8 @@ public:
       const Id first = h - h % 3;
       if (!mesh.IsDropped(SurfaceMesh::Face(h)))
       {
-        this->Areas[mesh.Origin(h)] += mesh.Length(first) * mesh.ApexY(first) / 6.0;
+        this->Areas[mesh.Origin(h)] +=
+          (mesh.Length(first) / this->Unit) * (mesh.ApexY(first) / this->Unit) / 6.0;
       }
     }
   }
@@ -77,7 +87,7 @@ public:
         continue;
       }
       const Id site = linked.Seeds[seed].Source;
-      const double distance = this->Result.Corrected[v];
+      const double distance = this->Result.Corrected[v] / this->Unit;
       const double area = this->Areas[v];
       const double angle = UnrollFactor(this->Mesh, state.Sites[site]) * this->Directions[v];
       state.Energy += area * distance * distance;
@@ -91,12 +101,19 @@ public:
     {
       if (weights[i] > 0.0)
       {
-        state.Lengths[i] = Norm(sums[i].X, sums[i].Y) / weights[i];
+        state.Lengths[i] = this->Unit * (Norm(sums[i].X, sums[i].Y) / weights[i]);
         state.Angles[i] = DirectionAt(this->Mesh, state.Sites[i],
           std::atan2(sums[i].Y, sums[i].X) / UnrollFactor(this->Mesh, state.Sites[i]));
       }
     }
     return status;
+  }
+
+  /// An energy in units of the mesh.
+  double ToMesh(double energy) const
+  {
+    const double square = this->Unit * this->Unit;
+    return energy * square * square;
   }
 
   /// Where a part of the way to the means leads.
@@ -182,7 +199,8 @@ private:
   const SurfaceMesh& Mesh;
   const GraphBuilder& Builder;
   double Accuracy;
-  std::vector<double> Areas; ///< per vertex
+  double Unit;
+  std::vector<double> Areas; ///< per vertex, in squares of the unit
   SearchResult Result;
   std::vector<double> Directions; ///< per vertex, at its site
 };
@@ -237,7 +255,7 @@ Status MoveToCenters(const GraphSearch& search, const SurfaceMesh& mesh,
   State current;
   current.Sites = sites;
   Status status = centers.Look(current, within(0.0));
-  std::vector<double> found{ current.Energy };
+  std::vector<double> found{ centers.ToMesh(current.Energy) };
   double part = 1.0;
   int halvings = 0;
   for (int i = 1; status.IsOk() && i <= options.NumberOfIterations && halvings <= MostHalvings;)
@@ -263,7 +281,7 @@ Status MoveToCenters(const GraphSearch& search, const SurfaceMesh& mesh,
     if (status.IsOk() && next.Energy < current.Energy)
     {
       current = next;
-      found.push_back(current.Energy);
+      found.push_back(centers.ToMesh(current.Energy));
       part = std::min(1.0, 2.0 * part);
       halvings = 0;
       ++i;
