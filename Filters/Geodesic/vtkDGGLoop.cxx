@@ -33,6 +33,12 @@ dgg::ProgressCallback PartOf(const dgg::ProgressCallback& progress, double from,
   return [=](double fraction) { return progress(from + (to - from) * fraction); };
 }
 
+/// To as many digits as messages have.
+double RoundUp(double x)
+{
+  return x * (1.0 + 1e-5);
+}
+
 void FillOutputs(
   const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtkInformationVector* outputVector)
 {
@@ -268,6 +274,7 @@ dgg::Status vtkDGGLoop::Execute(
   {
     FillOutputs(set, geometry, outputVector);
     this->WarnAboutMissingLoops(set, mode);
+    this->WarnAboutMissingTapes(set, width);
   }
   return status;
 }
@@ -308,6 +315,20 @@ void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set, int mode)
                     << ": all ways around contract to the point, as they do on a surface without "
                     << "handles and limbs. They have no polyline, and 1 in the field array "
                     << "LoopStatus.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGLoop::WarnAboutMissingTapes(const vtkDGGLoopSet& set, double width)
+{
+  if (set.LoopsTooLong > 0)
+  {
+    vtkWarningMacro(<< "TapeWidth is " << width << ", too small for the length of "
+                    << set.LoopsTooLong << " of " << set.Loops.size()
+                    << (set.Loops.size() == 1 ? " loop" : " loops") << ": there is no tape along "
+                    << (set.LoopsTooLong == 1 ? "it" : "them")
+                    << ". For all loops it has to be at least " << RoundUp(set.SmallestTapeWidth)
+                    << ".");
   }
 }
 

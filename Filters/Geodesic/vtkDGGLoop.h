@@ -52,21 +52,27 @@
  * handles, boundaries or limbs, as on a ball, ways around contract to the point, and there is no
  * loop. Where there are several, the shortest one is found among those that the graph tells apart.
  * Lengths are those of the triangles; where triangles have no area, those after
- * GetMollification(). Rims are as exact as vtkExactGeodesicDistance where they cross edges, to 1e-5
- * of the width.
+ * GetMollification(). Points of rims are as exact as vtkExactGeodesicDistance, to 1e-5 of the
+ * width. Between them rims are straight; in large triangles they have more points than where they
+ * cross edges, so that their lengths are right to about 1e-3. Rims shorter than the width may be
+ * missed.
  *
  * <b>Time.</b> A loop through a point takes a search over the whole surface; points are worked on
  * by all threads of vtkSMPTools. Results do not depend on their number. AroundHandles takes up to
- * 17 searches along edges for each component with such loops. A tape takes an exact propagation as
- * far as it is wide, from points as close to each other as it is narrow: seconds when the loop is
- * some hundred times as long as the tape is wide.
+ * 17 searches along edges for each component with such loops. A tape takes some exact
+ * propagations as far as it is wide, from points as close to each other as it is narrow: about a
+ * second for each hundred times that the loop is as long as the tape is wide, whatever the
+ * triangles.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
  *  - no point, or fewer than three of a rope; an id out of range; a point that is not finite, or
  *    farther from the surface than ProjectionTolerance;
  *  - edges with more than two triangles, with AroundHandles;
- *  - a negative ProjectionTolerance or TapeWidth; an Accuracy outside [1e-6, 0.5]; a graph that
- *    would take more memory than MemoryLimit.
+ *  - a ProjectionTolerance or TapeWidth that is negative, not a number, or infinite (TapeWidth);
+ *    an Accuracy outside [1e-6, 0.5]; a graph that would take more memory than MemoryLimit.
+ *
+ * A loop that is more than 450 times as long as TapeWidth has no tape, with a warning that names
+ * the width that is enough for all loops.
  *
  * @code
  * vtkNew<vtkPLYReader> reader;
@@ -177,7 +183,7 @@ public:
   ///@{
   /**
    * Width of the tape along each loop, in units of the coordinates. Default 0: no tape; must not be
-   * negative.
+   * negative, and must be finite. Loops more than 450 times as long as this have no tape.
    */
   vtkSetMacro(TapeWidth, double);
   vtkGetMacro(TapeWidth, double);
@@ -276,6 +282,7 @@ private:
 
   vtkDGGSourceSet GetPointSet(vtkInformationVector** inputVector) const;
   void WarnAboutMissingLoops(const vtkDGGLoopSet& set, int mode);
+  void WarnAboutMissingTapes(const vtkDGGLoopSet& set, double width);
 
   int Mode;
   std::vector<vtkIdType> PointIds;

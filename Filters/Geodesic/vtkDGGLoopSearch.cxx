@@ -118,6 +118,13 @@ dgg::Status vtkDGGLoopSearch::AddTapes(
     {
       continue;
     }
+    const double smallest = dgg::GetSmallestTapeWidth(set.Loops[i].Loop);
+    set.SmallestTapeWidth = std::max(set.SmallestTapeWidth, smallest);
+    if (width < smallest)
+    {
+      ++set.LoopsTooLong;
+      continue;
+    }
     const auto part = [&](double fraction) {
       return progress((static_cast<double>(i) + fraction) / static_cast<double>(count));
     };

@@ -8,7 +8,8 @@
 #include "dggFoundLoop.h"    // for FoundLoop
 #include "dggSurfacePoint.h" // for SurfacePoint
 
-#include <vector> // for the loops
+#include <cstddef> // for numbers
+#include <vector>  // for the loops
 
 class vtkDGGGraphProvider;
 class vtkDGGMeshAdapter;
@@ -27,6 +28,8 @@ struct vtkDGGLoopSet
   std::vector<dgg::FoundLoop> Loops; ///< empty where there is none
   std::vector<vtkDGGLoopStatus> Status;
   std::vector<std::vector<dgg::SurfacePath>> Rims; ///< per loop; empty when there are no tapes
+  std::size_t LoopsTooLong = 0;                    ///< for their tapes
+  double SmallestTapeWidth = 0.0;                  ///< that is wide enough for all loops
 };
 
 /// Finds loops.
@@ -50,7 +53,7 @@ public:
     bool taut, const dgg::ProgressCallback& progress, vtkDGGLoopSet& set) const;
   /// Those around handles.
   dgg::Status RunAroundHandles(const dgg::ProgressCallback& progress, vtkDGGLoopSet& set) const;
-  /// The rims of tapes along all loops.
+  /// The rims of tapes along all loops that are not too long.
   dgg::Status AddTapes(
     double width, const dgg::ProgressCallback& progress, vtkDGGLoopSet& set) const;
 

@@ -174,6 +174,134 @@ TEST(Tape, OfAPathThatCrossesItself)
   EXPECT_GT(std::max({ rims[0].Length, rims[1].Length, rims[2].Length }), path.Length);
 }
 
+/// A place in the plane as a point of a plane mesh.
+SurfacePoint Locate(const TestMesh& points, const dgg::SurfaceMesh& mesh, double x, double y)
+{
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    std::array<const double*, 3> p{};
+    for (int k = 0; k < 3; ++k)
+    {
+      p[k] = points.Points.data() + 3 * points.Triangles[3 * f + k];
+    }
+    const auto area = [](double ax, double ay, double bx, double by, double cx, double cy) {
+      return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+    };
+    const double whole = area(p[0][0], p[0][1], p[1][0], p[1][1], p[2][0], p[2][1]);
+    const double b1 = area(p[0][0], p[0][1], x, y, p[2][0], p[2][1]) / whole;
+    const double b2 = area(p[0][0], p[0][1], p[1][0], p[1][1], x, y) / whole;
+    if (b1 >= -1e-12 && b2 >= -1e-12 && b1 + b2 <= 1.0 + 1e-12)
+    {
+      return SurfacePoint::InFace(mesh, f, { { 1.0 - b1 - b2, b1, b2 } });
+    }
+  }
+  ADD_FAILURE() << "not on the mesh";
+  return SurfacePoint();
+}
+
+/// In the plane.
+double DistanceToSegment(
+  const std::array<double, 3>& p, const std::array<double, 2>& a, const std::array<double, 2>& b)
+{
+  const double x = b[0] - a[0];
+  const double y = b[1] - a[1];
+  const double along = ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / (x * x + y * y);
+  const double t = std::max(0.0, std::min(1.0, along));
+  return std::hypot(p[0] - a[0] - t * x, p[1] - a[1] - t * y);
+}
+
+TEST(Tape, InTrianglesOfAnySize)
+{
+  // Around a triangle: outside, its sides and three arcs that make up a circle; inside, a smaller
+  // triangle. All may lie within two faces, or even in one.
+  using Corner = std::array<double, 2>;
+  const std::array<std::array<Corner, 3>, 2> triangles{ {
+    { { { { 0.2, 0.2 } }, { { 0.8, 0.25 } }, { { 0.7, 0.8 } } } },
+    { { { { 0.5, 0.1 } }, { { 0.9, 0.15 } }, { { 0.85, 0.4 } } } },
+  } };
+  for (const std::array<Corner, 3>& triangle : triangles)
+  {
+    for (const Id n : { 1, 2, 19 })
+    {
+      const TestMesh points = Scaled(Plane(n, n), 1.0 / n);
+      const dgg::SurfaceMesh mesh = Build(points);
+      SurfacePath loop;
+      double room = 0.0; // what the sides lose inside, in units of the distance
+      for (int k = 0; k < 3; ++k)
+      {
+        const Corner& a = triangle[k];
+        const Corner& b = triangle[(k + 1) % 3];
+        const Corner& c = triangle[(k + 2) % 3];
+        std::vector<SurfacePath> legs;
+        ASSERT_TRUE(dgg::ExactPathFinder(mesh)
+                      .Find(Locate(points, mesh, a[0], a[1]), { Locate(points, mesh, b[0], b[1]) },
+                        nullptr, legs)
+                      .IsOk());
+        loop.Points.insert(loop.Points.end(),
+          legs[0].Points.begin() + (loop.Points.empty() ? 0 : 1), legs[0].Points.end());
+        loop.Faces.insert(loop.Faces.end(), legs[0].Faces.begin(), legs[0].Faces.end());
+        loop.Length += legs[0].Length;
+        const double ab = std::atan2(b[1] - a[1], b[0] - a[0]);
+        const double ac = std::atan2(c[1] - a[1], c[0] - a[0]);
+        room += 2.0 / std::tan(0.5 * std::abs(std::remainder(ac - ab, 2.0 * dgg::Pi)));
+      }
+      loop.Points.back() = loop.Points.front();
+      for (const double distance : { 0.04, 0.015 })
+      {
+        const std::vector<SurfacePath> rims = Tape(mesh, loop, 2.0 * distance);
+        ASSERT_EQ(rims.size(), 2u) << n;
+        const double outside = loop.Length + 2.0 * dgg::Pi * distance;
+        const double inside = loop.Length - room * distance;
+        EXPECT_NEAR(std::max(rims[0].Length, rims[1].Length), outside, 1e-3 * outside) << n;
+        EXPECT_NEAR(std::min(rims[0].Length, rims[1].Length), inside, 1e-3 * inside) << n;
+        for (const SurfacePath& rim : rims)
+        {
+          EXPECT_TRUE(dgg::IsSamePoint(rim.Points.front(), rim.Points.back()));
+          for (const SurfacePoint& point : rim.Points)
+          {
+            const auto p = dgg::PositionOf(mesh, point, points.Points.data());
+            double nearest = dgg::Infinity;
+            for (int k = 0; k < 3; ++k)
+            {
+              nearest = std::min(nearest, DistanceToSegment(p, triangle[k], triangle[(k + 1) % 3]));
+            }
+            EXPECT_NEAR(nearest, distance, 5e-5 * distance);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Tape, ReportsProgress)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(1, 1));
+  const SurfacePath path = PathBetween(mesh, 0, 3);
+  std::vector<SurfacePath> rims;
+  const double width = 0.05;
+  double last = 0.0;
+  int calls = 0;
+  const auto progress = [&](double done) {
+    EXPECT_GE(done, last);
+    EXPECT_LE(done, 1.0);
+    last = done;
+    ++calls;
+    return true;
+  };
+  ASSERT_TRUE(dgg::MakeTape(mesh, path, width, progress, rims).IsOk());
+  EXPECT_EQ(rims.size(), path.Faces.size() > 1 ? 1u : 2u);
+  EXPECT_GT(last, 0.7);
+  EXPECT_GT(calls, 10);
+  for (int stop = 0; stop < calls; stop += 7)
+  {
+    int call = 0;
+    const dgg::Status status = dgg::MakeTape(
+      mesh, path, width, [&](double) { return call++ < stop; }, rims);
+    EXPECT_TRUE(status.IsAborted()) << stop;
+    EXPECT_TRUE(rims.empty());
+  }
+}
+
 TEST(Tape, EndsAtTheBoundary)
 {
   const dgg::SurfaceMesh mesh = Build(Plane(10, 10));
@@ -220,6 +348,11 @@ TEST(Tape, BadInput)
   }
   // A hundred thousand points along the path are too many.
   EXPECT_FALSE(dgg::MakeTape(mesh, path, 1e-6, nullptr, rims).IsOk());
+  const double smallest = dgg::GetSmallestTapeWidth(path);
+  EXPECT_NEAR(smallest, path.Length / 450.0, 1e-9);
+  EXPECT_FALSE(dgg::MakeTape(mesh, path, 0.99 * smallest, nullptr, rims).IsOk());
+  EXPECT_TRUE(dgg::MakeTape(mesh, path, 4.0 * smallest, nullptr, rims).IsOk());
+  EXPECT_FALSE(rims.empty());
   SurfacePath off = path;
   off.Faces[0] = 17;
   off.Faces.back() = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggTape.h"
 
+#include "dggEdgeSplitting.h"
 #include "dggExactGeodesics.h"
 #include "dggSurfaceRefinement.h"
 
@@ -18,40 +19,85 @@ namespace
 /// Points on the path are this close to each other, as a fraction of half of the width: their
 /// distance differs from that of the path by up to its square, by 8.
 constexpr double Spacing = 9e-3;
-/// Points on a path, at most: what they take grows faster than their number.
+/// Points on a path, at most.
 constexpr double MostSources = 1e5;
+/// Edges that a rim may cross are no longer than this, as a fraction of half of the width: the
+/// pieces of an arc then are shorter than it by up to the square of this, by 24. Those beside a
+/// corner of a rim, which it may cut off, are shorter by far.
+constexpr double LongestEdge = 0.2;
+constexpr double LongestEdgeAtCorner = 0.003;
+/// Turns of a rim beyond that of an arc, in radians, that count as corners.
+constexpr double CornerTurn = 0.25;
+/// Corners are looked for no more often, as each step may find others where edges of different
+/// lengths meet.
+constexpr int MostCornerSteps = 7;
+/// Closed rims shorter than this, as a fraction of half of the width, are left out: edges may cut
+/// the tip of a corner off.
+constexpr double ShortestRim = 0.5;
+/// While edges are split the path may be sampled more coarsely: as fractions of the edges and of
+/// half of the width.
+constexpr double CoarseSpacing = 0.25;
+constexpr double CoarsestSpacing = 0.1;
+/// Each step halves the longest edges; many more would be needed for lengths that doubles can't
+/// tell from zero.
+constexpr int MostSteps = 100;
 /// Places on each edge where the distance is measured, step by step closer to where a rim crosses
 /// it. The distance along an edge may have kinks, so that the first step is to find out roughly.
 constexpr int Samples[] = { 15, 1, 1 };
+
+ProgressCallback PartOf(const ProgressCallback& progress, double from, double to)
+{
+  return progress
+    ? [&progress, from, to](double done) { return progress(from + (to - from) * done); }
+    : ProgressCallback();
+}
 
 /// The curve at one distance from points on a mesh.
 class Isoline
 {
 public:
-  Isoline(const SurfaceMesh& mesh, std::vector<GeodesicSource> sources, double distance)
+  /// `longest`: as long as edges that the curve may cross. It may be behind their ends.
+  Isoline(
+    const SurfaceMesh& mesh, std::vector<GeodesicSource> sources, double distance, double longest)
     : Mesh(mesh)
     , Sources(std::move(sources))
     , Distance(distance)
+    , Reach(distance + longest)
     , Crossings(mesh.GetNumberOfHalfEdges())
   {
   }
 
-  Status Run(const ProgressCallback& progress, std::vector<SurfacePath>& curves)
+  /// Distances of the vertices, Infinity where the curve is not close.
+  Status Measure(const ProgressCallback& progress)
   {
     ExactOptions options;
-    options.MaximumDistance = this->Distance + 2.0 * this->Mesh.GetMaximumEdgeLength();
+    options.MaximumDistance = this->Reach;
     options.Progress = progress;
     ExactResult result;
     Status status = this->Solver.Run(this->Sources, options, result);
-    if (!status.IsOk())
-    {
-      return status;
-    }
     this->Distances = std::move(result.Distances);
+    return status;
+  }
+
+  const std::vector<double>& GetDistances() const { return this->Distances; }
+
+  /// The curves as the distances of the vertices alone have it.
+  void FindRoughly(std::vector<SurfacePath>& curves)
+  {
     this->FindCrossings();
+    this->Connect(curves);
+  }
+
+  Status Find(const ProgressCallback& progress, std::vector<SurfacePath>& curves)
+  {
+    this->FindCrossings();
+    Status status;
+    double done = 0.0;
     for (const int samples : Samples)
     {
-      status = status.IsOk() ? this->Refine(samples, progress) : status;
+      const ProgressCallback part = PartOf(progress, done, done + 1.0 / 3.0);
+      status = status.IsOk() ? this->Refine(samples, part) : status;
+      done += 1.0 / 3.0;
     }
     if (status.IsOk())
     {
@@ -131,7 +177,7 @@ private:
       return Status::Success();
     }
     ExactOptions options;
-    options.MaximumDistance = this->Distance + 2.0 * this->Mesh.GetMaximumEdgeLength();
+    options.MaximumDistance = this->Reach;
     options.Progress = progress;
     std::vector<double> places;
     for (const Id edge : this->Edges)
@@ -235,6 +281,7 @@ private:
   const SurfaceMesh& Mesh;
   std::vector<GeodesicSource> Sources;
   double Distance;
+  double Reach;
   ExactGeodesics Solver{ this->Mesh };
   std::vector<double> Distances;
   std::vector<EdgeCrossing> Crossings; // per half-edge that stands for its edge
@@ -300,47 +347,244 @@ SurfacePath ToMesh(const SurfaceMesh& mesh, const RefinedSurface& refined, const
   }
   return path;
 }
+
+/// A surface that is split along a path, and the rims beside it. Faces are split further until what
+/// a rim may cross is small: a rim that lies within a face crosses none of its sides, and it is
+/// straight from one side to the next. Besides, many points on the path that all see the same large
+/// faces would cost far more.
+class TapeMaker
+{
+public:
+  TapeMaker(const SurfaceMesh& mesh, double distance, const ProgressCallback& progress)
+    : Mesh(mesh)
+    , Distance(distance)
+    , Progress(progress)
+  {
+  }
+
+  Status Run(const SurfacePath& path, std::vector<SurfacePath>& rims)
+  {
+    RefinementOptions options;
+    options.InsertCrossings = true; // of the path with itself
+    Status status = RefineAlongPaths(this->Mesh, { path }, options, this->Refined);
+    this->Longest = this->Refined.Lengths.empty()
+      ? 0.0
+      : *std::max_element(this->Refined.Lengths.begin(), this->Refined.Lengths.end());
+    bool isDone = false;
+    for (int step = 0; step < MostSteps && status.IsOk() && !isDone; ++step)
+    {
+      status = this->Step(isDone);
+    }
+    if (status.IsOk() && !isDone)
+    {
+      status = this->Refined.Build(this->Mesh, this->Part); // after the last split
+    }
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    Isoline isoline(
+      this->Part, this->Sample(Spacing * this->Distance), this->Distance, this->Longest);
+    status = isoline.Measure(PartOf(this->Progress, 0.6, 0.7));
+    std::vector<SurfacePath> curves;
+    if (status.IsOk())
+    {
+      status = isoline.Find(PartOf(this->Progress, 0.7, 1.0), curves);
+    }
+    for (const SurfacePath& curve : curves)
+    {
+      const bool isClosed = IsSamePoint(curve.Points.front(), curve.Points.back());
+      if (!isClosed || curve.Length >= ShortestRim * this->Distance)
+      {
+        rims.push_back(ToMesh(this->Mesh, this->Refined, this->Part, curve));
+      }
+    }
+    return status;
+  }
+
+private:
+  /// Halve the longest edges; when they are short enough, those at corners.
+  Status Step(bool& isDone)
+  {
+    Status status = this->Refined.Build(this->Mesh, this->Part);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    const double spacing = std::max(Spacing * this->Distance,
+      std::min(CoarseSpacing * this->Longest, CoarsestSpacing * this->Distance));
+    Isoline isoline(this->Part, this->Sample(spacing), this->Distance, this->Longest + spacing);
+    const double left = 0.6 - this->Done;
+    status = isoline.Measure(PartOf(this->Progress, this->Done, this->Done + 0.2 * left));
+    this->Done += 0.2 * left;
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    std::vector<char> isSplit(this->Refined.Triangles.size(), 0);
+    isDone = !this->MarkLongEdges(isoline.GetDistances(), spacing, isSplit) &&
+      !this->MarkCorners(isoline, isSplit);
+    if (!isDone)
+    {
+      SplitEdges(this->Mesh, isSplit, this->Refined);
+    }
+    return status;
+  }
+
+  std::vector<GeodesicSource> Sample(double spacing) const
+  {
+    return SampleChain(this->Part, this->Refined.Paths.front(), spacing);
+  }
+
+  /// Edges on which the distance may be reached, by those of their ends.
+  bool MarkLongEdges(
+    const std::vector<double>& distances, double spacing, std::vector<char>& isSplit)
+  {
+    const auto size = static_cast<Id>(isSplit.size());
+    std::vector<char> mayBeCrossed(size, 0);
+    double longest = 0.0;
+    for (Id h = 0; h < size; ++h)
+    {
+      const double length = this->Refined.Lengths[h];
+      const double sum = distances[this->Refined.Triangles[h]] +
+        distances[this->Refined.Triangles[SurfaceMesh::Next(h)]];
+      mayBeCrossed[h] = 0.5 * (sum - length) - spacing <= this->Distance &&
+        0.5 * (sum + length) + spacing >= this->Distance;
+      longest = mayBeCrossed[h] ? std::max(longest, length) : longest;
+    }
+    const double target = std::max(LongestEdge * this->Distance, 0.5 * longest);
+    bool isAny = false;
+    for (Id h = 0; h < size; ++h)
+    {
+      if (mayBeCrossed[h] && this->Refined.Lengths[h] > target)
+      {
+        isSplit[h] = 1;
+        isAny = true;
+      }
+    }
+    this->Longest = std::min(this->Longest, longest);
+    return isAny;
+  }
+
+  /// The edges of the faces beside corners of the rims.
+  bool MarkCorners(Isoline& isoline, std::vector<char>& isSplit)
+  {
+    if (this->CornerSteps == MostCornerSteps)
+    {
+      return false;
+    }
+    ++this->CornerSteps;
+    std::vector<SurfacePath> curves;
+    isoline.FindRoughly(curves);
+    std::vector<char> isAtCorner(this->Refined.Points.size(), 0); // vertices
+    for (const SurfacePath& curve : curves)
+    {
+      const std::size_t pieces = curve.Faces.size();
+      const bool isClosed = IsSamePoint(curve.Points.front(), curve.Points.back());
+      for (std::size_t i = isClosed ? 0 : 1; i < pieces; ++i)
+      {
+        const std::size_t before = i > 0 ? i - 1 : pieces - 1;
+        if (!this->IsCorner(curve.Points[before], curve.Points[i], curve.Points[i + 1],
+              curve.Faces[before], curve.Faces[i]))
+        {
+          continue;
+        }
+        for (const Id face : { curve.Faces[before], curve.Faces[i] })
+        {
+          for (Id h = 3 * face; h < 3 * face + 3; ++h)
+          {
+            isAtCorner[this->Refined.Triangles[h]] = 1;
+          }
+        }
+      }
+    }
+    // All faces around: an edge may have cut the tip off, so that it lies behind the next one.
+    bool isAny = false;
+    for (Id f = 0; f < this->Refined.GetNumberOfFaces(); ++f)
+    {
+      const Id* corners = this->Refined.Triangles.data() + 3 * static_cast<std::size_t>(f);
+      const bool isClose =
+        std::any_of(corners, corners + 3, [&](Id v) { return isAtCorner[v] != 0; });
+      for (Id h = 3 * f; h < 3 * f + 3 && isClose; ++h)
+      {
+        const bool isLong = this->Refined.Lengths[h] > LongestEdgeAtCorner * this->Distance;
+        isSplit[h] = isLong ? 1 : isSplit[h];
+        isAny = isAny || isLong;
+      }
+    }
+    return isAny;
+  }
+
+  /// Whether a curve that passes from one face into the next turns more than an arc does.
+  bool IsCorner(const SurfacePoint& before, const SurfacePoint& at, const SurfacePoint& after,
+    Id first, Id second) const
+  {
+    if (at.On != SurfacePoint::Support::Edge)
+    {
+      return false;
+    }
+    double angle = 0.0;
+    double length = 0.0;
+    for (const Id face : { first, second })
+    {
+      std::array<double, 3> from{};
+      std::array<double, 3> to{};
+      if (!FindInFace(this->Part, at, face, from) ||
+        !FindInFace(this->Part, face == first ? before : after, face, to))
+      {
+        return false;
+      }
+      Id h = 3 * face; // the half-edge that the point is on
+      while (from[(h + 2) % 3] != 0.0)
+      {
+        ++h;
+      }
+      const Point2 step =
+        PlaceInFrame(this->Part, h, { { to[0] - from[0], to[1] - from[1], to[2] - from[2] } });
+      const bool isForward = this->Part.Origin(h) == this->Part.Origin(at.HalfEdge);
+      angle += std::atan2(step.Y, isForward ? step.X : -step.X);
+      length += Norm(step.X, step.Y);
+    }
+    return std::abs(Pi - angle) > CornerTurn + 0.75 * length / this->Distance;
+  }
+
+  const SurfaceMesh& Mesh;
+  const double Distance;
+  const ProgressCallback& Progress;
+  RefinedSurface Refined;
+  SurfaceMesh Part;
+  double Longest = 0.0; // edge that a rim may have crossed, before the last step
+  int CornerSteps = 0;
+  double Done = 0.0; // of the progress
+};
 }
 
 Status MakeTape(const SurfaceMesh& mesh, const SurfacePath& path, double width,
   const ProgressCallback& progress, std::vector<SurfacePath>& rims)
 {
   rims.clear();
+  std::ostringstream message;
   if (!(width > 0.0 && std::isfinite(width)))
   {
-    std::ostringstream message;
     message << "the width of the tape is " << width << ": a positive number is needed";
     return Status::Invalid(message.str());
   }
-  RefinedSurface refined;
-  RefinementOptions options;
-  options.InsertCrossings = true; // of the path with itself
-  Status status = RefineAlongPaths(mesh, { path }, options, refined);
-  SurfaceMesh part;
-  if (status.IsOk())
+  if (width < GetSmallestTapeWidth(path))
   {
-    status = refined.Build(mesh, part);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  const double distance = 0.5 * width;
-  if (path.Length > MostSources * Spacing * distance)
-  {
-    std::ostringstream message;
     message << "the width of the tape is " << width << ", too small for the length " << path.Length
-            << " of the curve: at least " << 2.0 * path.Length / (MostSources * Spacing)
-            << " is needed";
+            << " of the curve: at least " << GetSmallestTapeWidth(path) << " is needed";
     return Status::Invalid(message.str());
   }
-  std::vector<SurfacePath> curves;
-  status = Isoline(part, SampleChain(part, refined.Paths.front(), Spacing * distance), distance)
-             .Run(progress, curves);
-  for (const SurfacePath& curve : curves)
+  Status status = TapeMaker(mesh, 0.5 * width, progress).Run(path, rims);
+  if (!status.IsOk())
   {
-    rims.push_back(ToMesh(mesh, refined, part, curve));
+    rims.clear();
   }
   return status;
+}
+
+double GetSmallestTapeWidth(const SurfacePath& path)
+{
+  return 2.0 * path.Length / (MostSources * Spacing);
 }
 }

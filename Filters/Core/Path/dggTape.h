@@ -17,11 +17,18 @@ namespace dgg
 /// the surface.
 ///
 /// The distance is the exact one from points on the path, so close that it is right to 1e-5 of it.
-/// Points of a rim, where it crosses edges, are as exact; between them it is straight. Every piece
-/// lies in one face. Fails when the path is not on the mesh, or the width is not positive and
-/// finite.
+/// Points of a rim are as exact; between them it is straight, in one face. They are where it
+/// crosses edges, after long ones have been split into pieces of at most a tenth of the width, and
+/// a hundredth at corners of rims, so that the length of a rim is right to about 1e-3. Rims that
+/// are shorter than the width may be missed.
+///
+/// Fails when the path is not on the mesh, or the width is not finite, or below
+/// GetSmallestTapeWidth().
 Status MakeTape(const SurfaceMesh& mesh, const SurfacePath& path, double width,
   const ProgressCallback& progress, std::vector<SurfacePath>& rims);
+
+/// The width of a tape along a path must be at least this, a part of the length of the path.
+double GetSmallestTapeWidth(const SurfacePath& path);
 }
 
 #endif

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggEdgeSplitting.h"
+
+#include "dggUnfolding.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+class EdgeSplitter
+{
+public:
+  EdgeSplitter(
+    const SurfaceMesh& oldMesh, const std::vector<char>& isSplit, RefinedSurface& surface)
+    : OldMesh(oldMesh)
+    , Old(surface)
+    , New(surface)
+    , Middles(surface.Triangles.size(), NoId)
+  {
+    this->New.Triangles.clear();
+    this->New.Lengths.clear();
+    this->New.Faces.clear();
+    for (std::size_t h = 0; h < isSplit.size(); ++h)
+    {
+      if (isSplit[h])
+      {
+        this->AddMiddle(static_cast<Id>(h));
+      }
+    }
+  }
+
+  void Run(RefinedSurface& surface)
+  {
+    for (Id f = 0; f < this->Old.GetNumberOfFaces(); ++f)
+    {
+      this->SplitFace(f);
+    }
+    this->Glue();
+    this->SplitPaths();
+    surface = std::move(this->New);
+  }
+
+private:
+  /// Where an edge lies, and its ends; and the half-edge.
+  using Key = std::tuple<Offset, Id, Id, Id>;
+
+  /// A corner of a face, or the middle of the side of that number, from 3 on.
+  using Node = int;
+
+  /// The half-edge that stands for its edge.
+  Id Representative(Id h) const
+  {
+    Id smallest = h;
+    for (Id e = this->Old.Twins[h]; e != NoId && e != h; e = this->Old.Twins[e])
+    {
+      smallest = std::min(smallest, e);
+    }
+    return smallest;
+  }
+
+  void AddMiddle(Id h)
+  {
+    if (this->Middles[h] != NoId)
+    {
+      return;
+    }
+    const auto middle = static_cast<Id>(this->New.Points.size());
+    std::array<double, 3> place{ { 0.0, 0.0, 0.0 } };
+    place[h % 3] = 0.5;
+    place[(h + 1) % 3] = 0.5;
+    this->New.Points.push_back(this->Old.ToOldMesh(this->OldMesh, SurfaceMesh::Face(h), place));
+    this->Middles[h] = middle;
+    for (Id e = this->Old.Twins[h]; e != NoId && e != h; e = this->Old.Twins[e])
+    {
+      this->Middles[e] = middle;
+    }
+  }
+
+  void SplitFace(Id f)
+  {
+    std::array<int, 3> split{}; // sides, in order
+    int count = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      if (this->Middles[3 * f + k] != NoId)
+      {
+        split[count++] = k;
+      }
+    }
+    if (count == 0)
+    {
+      this->AddTriangle(f, { { 0, 1, 2 } });
+      return;
+    }
+    this->LayOutFace(f);
+    if (count == 1)
+    {
+      const int k = split[0];
+      this->AddTriangle(f, { { k, 3 + k, (k + 2) % 3 } });
+      this->AddTriangle(f, { { 3 + k, (k + 1) % 3, (k + 2) % 3 } });
+    }
+    else if (count == 2)
+    {
+      const int k = 3 - split[0] - split[1]; // the other one
+      const Node a = k;
+      const Node b = (k + 1) % 3;
+      const Node beyondB = 3 + b;
+      const Node beforeA = 3 + (k + 2) % 3;
+      this->AddTriangle(f, { { beyondB, (k + 2) % 3, beforeA } });
+      if (this->Measure(a, beyondB) <= this->Measure(b, beforeA))
+      {
+        this->AddTriangle(f, { { a, b, beyondB } });
+        this->AddTriangle(f, { { a, beyondB, beforeA } });
+      }
+      else
+      {
+        this->AddTriangle(f, { { a, b, beforeA } });
+        this->AddTriangle(f, { { b, beyondB, beforeA } });
+      }
+    }
+    else
+    {
+      this->AddTriangle(f, { { 0, 3, 5 } });
+      this->AddTriangle(f, { { 3, 1, 4 } });
+      this->AddTriangle(f, { { 5, 4, 2 } });
+      this->AddTriangle(f, { { 3, 4, 5 } });
+    }
+  }
+
+  void LayOutFace(Id f)
+  {
+    const double* lengths = this->Old.Lengths.data() + 3 * static_cast<std::size_t>(f);
+    this->Places[0] = { 0.0, 0.0 };
+    this->Places[1] = { lengths[0], 0.0 };
+    this->Places[2] = LayOut(lengths[0], lengths[2], lengths[1]);
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point2& a = this->Places[k];
+      const Point2& b = this->Places[(k + 1) % 3];
+      this->Places[3 + k] = { 0.5 * (a.X + b.X), 0.5 * (a.Y + b.Y) };
+    }
+  }
+
+  double Measure(Node a, Node b) const { return Distance(this->Places[a], this->Places[b]); }
+
+  /// The side that two nodes are on; -1 when there is none.
+  static int SideOf(Node a, Node b)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto isOn = [k](Node n) { return n == k || n == (k + 1) % 3 || n == 3 + k; };
+      if (isOn(a) && isOn(b))
+      {
+        return k;
+      }
+    }
+    return -1;
+  }
+
+  void AddTriangle(Id f, const std::array<Node, 3>& nodes)
+  {
+    std::array<Id, 3> ids{};
+    for (int k = 0; k < 3; ++k)
+    {
+      ids[k] =
+        nodes[k] < 3 ? this->Old.Triangles[3 * f + nodes[k]] : this->Middles[3 * f + nodes[k] - 3];
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const Node a = nodes[k];
+      const Node b = nodes[(k + 1) % 3];
+      const int side = SideOf(a, b);
+      Offset where = static_cast<Offset>(this->Old.Triangles.size()) + f;
+      double length = 0.0;
+      if (side >= 0)
+      {
+        // The same bits in all faces of the edge.
+        where = this->Representative(3 * f + side);
+        length = (a < 3 && b < 3 ? 1.0 : 0.5) * this->Old.Lengths[3 * f + side];
+      }
+      else
+      {
+        length = this->Measure(a, b);
+      }
+      const Id next = ids[(k + 1) % 3];
+      this->Keys.emplace_back(where, std::min(ids[k], next), std::max(ids[k], next),
+        static_cast<Id>(this->New.Triangles.size()));
+      this->New.Triangles.push_back(ids[k]);
+      this->New.Lengths.push_back(length);
+    }
+    this->New.Faces.push_back(this->Old.Faces[f]);
+  }
+
+  void Glue()
+  {
+    std::vector<Id>& twins = this->New.Twins;
+    twins.assign(this->New.Triangles.size(), NoId);
+    std::sort(this->Keys.begin(), this->Keys.end());
+    for (auto begin = this->Keys.begin(); begin != this->Keys.end();)
+    {
+      const auto end = std::find_if(begin, this->Keys.end(), [begin](const Key& key) {
+        return std::get<0>(key) != std::get<0>(*begin) || std::get<1>(key) != std::get<1>(*begin) ||
+          std::get<2>(key) != std::get<2>(*begin);
+      });
+      for (auto key = begin; key != end && end - begin > 1; ++key)
+      {
+        twins[std::get<3>(*key)] = std::get<3>(key + 1 == end ? *begin : *(key + 1));
+      }
+      begin = end;
+    }
+  }
+
+  void SplitPaths()
+  {
+    std::map<std::pair<Id, Id>, Id> middles;
+    for (std::size_t h = 0; h < this->Middles.size(); ++h)
+    {
+      if (this->Middles[h] != NoId)
+      {
+        const Id a = this->Old.Triangles[h];
+        const Id b = this->Old.Triangles[SurfaceMesh::Next(static_cast<Id>(h))];
+        middles.emplace(std::make_pair(std::min(a, b), std::max(a, b)), this->Middles[h]);
+      }
+    }
+    for (std::vector<Id>& chain : this->New.Paths)
+    {
+      std::vector<Id> longer;
+      for (std::size_t i = 0; i < chain.size(); ++i)
+      {
+        if (i > 0)
+        {
+          const auto middle =
+            middles.find({ std::min(chain[i - 1], chain[i]), std::max(chain[i - 1], chain[i]) });
+          if (middle != middles.end())
+          {
+            longer.push_back(middle->second);
+          }
+        }
+        longer.push_back(chain[i]);
+      }
+      chain.swap(longer);
+    }
+  }
+
+  const SurfaceMesh& OldMesh;
+  const RefinedSurface Old; // a copy: the surface itself is replaced
+  RefinedSurface New;
+  std::vector<Id> Middles;        // per half-edge
+  std::vector<Key> Keys;          // per new half-edge
+  std::array<Point2, 6> Places{}; // of the nodes of the face at work
+};
+}
+
+void SplitEdges(
+  const SurfaceMesh& oldMesh, const std::vector<char>& isSplit, RefinedSurface& surface)
+{
+  EdgeSplitter(oldMesh, isSplit, surface).Run(surface);
+}
+}
