@@ -465,6 +465,21 @@ TEST(Isolines, AreAsCloseAsWished)
   }
 }
 
+/// At ridges isolines have long tips, and what is farther away than a level may be a narrow strip.
+TEST(Isolines, TipsAndStripsAreFound)
+{
+  for (const TestMesh& test :
+    { Terrain(20, 0.6, 3), NoisySphere(3, 0.5, 5), NoisySphere(3, 0.3, 7), Torus(24, 14) })
+  {
+    const SurfaceMesh mesh = Build(test);
+    const std::vector<GeodesicSource> sources{ VertexSource(0) };
+    const ExactField field(mesh, sources);
+    const std::vector<double> levels = EvenLevels(field.Exact, 40);
+    const double tolerance = 1e-4 * mesh.GetMeanEdgeLength();
+    EXPECT_EQ(Trace(field.Exact, levels, tolerance).Fallbacks, 0);
+  }
+}
+
 TEST(Isolines, AreSingleLoopsOnSpheres)
 {
   const SurfaceMesh mesh = Build(Icosphere(3));

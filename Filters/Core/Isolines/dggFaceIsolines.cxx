@@ -12,7 +12,7 @@ namespace dgg
 namespace
 {
 /// Lattices that are tried one after the other.
-constexpr std::array<int, 3> CellsOfLattices{ { 4, 8, 16 } };
+constexpr std::array<int, 5> CellsOfLattices{ { 4, 8, 16, 32, 64 } };
 /// A source this close to the rim is on it, in barycentric coordinates.
 constexpr double OnRim = 1e-9;
 /// Where the field is looked at to see what is in the face.

@@ -27,6 +27,8 @@ constexpr double NewtonReach = 0.8;
 constexpr double FarthestSearch = 1024.0;
 constexpr int MostRootSteps = 80;
 constexpr int MostCornerSteps = 40;
+/// Of pieces that are found one below the other where a corner is looked for.
+constexpr int MostPieces = 8;
 /// Largest turn between two points of an arc, and of an arc within a face.
 constexpr double LargestStep = Pi / 6.0;
 constexpr double LargestTurn = 1.4 * Pi;
@@ -230,23 +232,45 @@ bool LevelArc::AddArc(
   return isThere;
 }
 
-/// The corner between two pieces of the isoline.
+/// The corner between two pieces of the isoline, or where a third one is nearer there, which may be
+/// too short to be met otherwise, that with the third one.
 bool LevelArc::FindCorner(
   const LevelPoint& from, const LevelPoint& to, LevelPoint& before, LevelPoint& after) const
 {
   before = from;
   after = to;
   Point2 place;
-  const bool isFound = from.Sample.HasImage && to.Sample.HasImage
-    ? this->MeetCircles(from, to, place)
-    : this->ApproachCorner(before, after, place);
+  LevelPoint found;
+  if (from.Sample.HasImage && to.Sample.HasImage)
+  {
+    for (int step = 0; step < MostPieces && !found.IsOnLevel; ++step)
+    {
+      if (!this->MeetCircles(from, after, place))
+      {
+        return false;
+      }
+      found = this->Look(place);
+      if (!found.IsOnLevel)
+      {
+        if (!found.Sample.HasImage || found.Sample.Distance > this->Level)
+        {
+          return false;
+        }
+        after.Sample = found.Sample;
+      }
+    }
+  }
+  else if (this->ApproachCorner(before, after, place))
+  {
+    found = this->Look(place);
+  }
   // The corner of a wedge of half-angle beta is 1 / (2 sin(beta)) lengths of the chord away.
   const double turn = 0.5 * Distance(from.Sample.Gradient, to.Sample.Gradient);
   const double sine = std::sqrt(std::max(0.0, 1.0 - turn * turn));
   const double reach =
     2.0 * Distance(from.Place, to.Place) * (1.0 + 1.0 / std::max(sine, SharpestWedge));
-  if (!isFound || !(Distance(place, from.Place) <= reach) ||
-    !(Distance(place, to.Place) <= reach) || !this->IsInside(place) || !this->Look(place).IsOnLevel)
+  if (!found.IsOnLevel || !(Distance(place, from.Place) <= reach) ||
+    !(Distance(place, to.Place) <= reach) || !this->IsInside(place))
   {
     return false;
   }
