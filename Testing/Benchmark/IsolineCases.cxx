@@ -6,8 +6,6 @@
 #include "IsolineStatistics.h"
 #include "OpenedGraph.h"
 #include "PeerContour.h"
-#include "dggApolloniusParts.h"
-#include "dggIsolineChains.h"
 #include "dggSourceFit.h"
 
 #include <algorithm>
@@ -191,17 +189,11 @@ void MeasureApollonius(benchmark::State& state, const IsolineRecipe& recipe, int
     return;
   }
   const dgg::DistanceField field = opened.Field->WithSources();
+  dgg::IsolineOptions options;
+  options.Method = dgg::IsolineMethod::Apollonius;
+  options.SteinerPoints = steinerPoints;
   state.counters["steiner_points"] = steinerPoints;
   MeasureLines(state, opened, [&](dgg::Isolines& lines) {
-    lines = dgg::Isolines();
-    std::vector<dgg::EdgeCrossing> crossings;
-    std::vector<dgg::FaceCurve> curves;
-    const dgg::Status status = dgg::FindApolloniusParts(
-      field, steinerPoints, opened.Levels, nullptr, nullptr, crossings, curves);
-    if (status.IsOk())
-    {
-      dgg::JoinFaceCurves(opened.Mesh->GetSurface(), crossings, curves, lines);
-    }
-    return status;
+    return dgg::TraceIsolines(field, opened.Levels, options, nullptr, nullptr, lines);
   });
 }
