@@ -412,6 +412,47 @@ class Voronoi(unittest.TestCase):
                 self.assertNotIn("Traceback", result.stderr)
 
 
+class Isolines(unittest.TestCase):
+    def test_four_methods(self):
+        picture = os.path.join(support.output_folder("pipeline"), "isolines.png")
+        result = run("isolines.py", picture)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr, "")
+        said = re.findall(
+            r"(linear|Apollonius|local sources|exact): (\d+) lines of (\d+) points, (\d+) ridges\n",
+            result.stdout,
+        )
+        self.assertEqual(len(said), 8, result.stdout)
+        # One source on a smooth surface: one line each.
+        self.assertEqual([row[1] for row in said[:4]], ["14"] * 4)
+        self.assertEqual(said[0][3], "0")
+        self.assertGreater(int(said[3][3]), 1)
+        # Arcs take more points than straight lines in triangles.
+        self.assertGreater(int(said[3][2]), 2 * int(said[0][2]))
+        array = support.pixels(support.read_image(picture)).astype(int)
+        red, green, blue = (array[:, :, i] for i in range(3))
+        self.assertGreater(np.sum((blue > 60) & (red < 60)), 5000)
+        self.assertGreater(np.sum((red > 120) & (green < 60) & (blue < 60)), 1500)
+
+    def test_mesh(self):
+        picture = os.path.join(support.output_folder("pipeline"), "isolines_mesh.png")
+        result = run("isolines.py", picture, "--mesh", BUMPY, "--sources", "3", "40")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(len(result.stdout.splitlines()), 4)
+
+    def test_mistakes(self):
+        for arguments, message in (
+            ((), "picture"),
+            (("x.png", "--mesh", "missing.ply"), "missing.ply"),
+            (("x.png", "--mesh", BUMPY, "--sources", "-1"), "-1"),
+        ):
+            with self.subTest(arguments=arguments):
+                result = run("isolines.py", *arguments)
+                self.assertNotEqual(result.returncode, 0)
+                self.assertIn(message, result.stderr)
+                self.assertNotIn("Traceback", result.stderr)
+
+
 class Loops(unittest.TestCase):
     def test_two_rings(self):
         picture = os.path.join(support.output_folder("pipeline"), "loops.png")
@@ -529,6 +570,13 @@ class Readme(unittest.TestCase):
         with contextlib.redirect_stdout(io.StringIO()) as printed:
             exec(blocks[0].replace("mesh.ply", path), names)  # noqa: S102
         self.assertEqual(printed.getvalue(), "1 loops, the shortest one 9 model units long\n")
+
+    def test_isolines(self):
+        blocks = [block for block in self.blocks("python") if "vtkApolloniusIsolines()" in block]
+        self.assertEqual(len(blocks), 1)
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            exec(blocks[0].replace("mesh.ply", BUMPY), {})  # noqa: S102
+        self.assertEqual(printed.getvalue(), "True True\n")
 
     def test_matrix_in_one_line(self):
         line = self.blocks("py")[0].strip()
