@@ -58,7 +58,7 @@ struct RidgeCase
       const Status path = CheckPath(this->Mesh, this->Found.Lines[i]);
       EXPECT_TRUE(path.IsOk()) << path.GetMessage();
       EXPECT_GE(this->Found.Lines[i].Points.size(), 2u);
-      EXPECT_GE(this->Found.Angles[i], 0.999 * std::max(0.1, angle) * Degree);
+      EXPECT_GE(this->Found.Angles[i], 0.999 * std::max(withWindows ? 0.1 : 10.0, angle) * Degree);
     }
   }
 

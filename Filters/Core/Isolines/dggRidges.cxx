@@ -17,7 +17,9 @@ namespace
 {
 constexpr Offset FacesInBlock = 512;
 constexpr double DefaultTolerance = 1e-3; // in mean edge lengths
+/// With windows, and with virtual sources.
 constexpr double SmallestAngle = 0.1 * Pi / 180.0;
+constexpr double SmallestAngleOfModels = 10.0 * Pi / 180.0;
 constexpr double FacesDone = 0.9; // share of the progress
 /// What two faces find on their edge is the same point when it is so close, in lengths of the edge.
 constexpr double MergeDistance = 1e-4;
@@ -312,7 +314,8 @@ Status FindRidges(const DistanceField& field, const RidgeOptions& options,
   {
     return status;
   }
-  const double angle = std::max(SmallestAngle, options.MinimumAngle);
+  const double angle =
+    std::max(field.HasWindows() ? SmallestAngle : SmallestAngleOfModels, options.MinimumAngle);
   const double tolerance = options.ChordTolerance > 0.0
     ? options.ChordTolerance
     : DefaultTolerance * field.Mesh->GetMeanEdgeLength();

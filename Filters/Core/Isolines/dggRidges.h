@@ -17,7 +17,8 @@ struct RidgeOptions
 {
   /// Ridges are shown where the directions to the source differ by more than this angle, radians.
   /// On a polyhedron a ridge of small angle starts at each convex vertex, which hides the others.
-  /// Angles below a tenth of a degree count as that.
+  /// Angles below a tenth of a degree count as that; with virtual sources, angles below ten
+  /// degrees, where these show how one model gives way to the next.
   double MinimumAngle = 20.0 * Pi / 180.0;
   /// How far a line may be from the ridge, a length; 0 stands for a thousandth of the mean edge
   /// length.
@@ -41,8 +42,7 @@ struct Ridges
 /// Mount and Papadimitriou, "The discrete geodesic problem", 1987).
 ///
 /// The field must have windows or virtual sources: values at vertices do not tell ridges. Virtual
-/// sources show those of large angles, with gaps; below ten degrees or so they show where a model
-/// gives way to the next.
+/// sources show those of large angles, with gaps.
 ///
 /// The result does not depend on `parallel`.
 Status FindRidges(const DistanceField& field, const RidgeOptions& options,
