@@ -32,7 +32,9 @@
  * point arrays `SiteId`, `CellArea`, `vtkOriginalPointIds` (-1 for a site that is no point of the
  *    input) and `FaceId`, as in vtkGeodesicSampler.
  *
- * Borders and cells have no gaps and do not overlap: neighbouring polygons share points.
+ * Borders and cells have no gaps and do not overlap: neighbouring polygons share points. Borders
+ * that pass a point of the surface within 1e-5 of an edge pass through it, so that polygons have no
+ * needless slivers there and can be triangulated.
  *
  * <b>What is promised.</b> Distances at points of the input are within the accuracy of the graph of
  * the exact ones, unless its rule has no guarantee. Inside a triangle, the square of the distance

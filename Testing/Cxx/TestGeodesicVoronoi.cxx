@@ -16,6 +16,7 @@
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPolygon.h"
+#include "vtkTriangleFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -228,6 +229,35 @@ TEST_F(GeodesicVoronoi, CellsCoverTheSurface)
   {
     const double expected = AreaOf(this->Terrain, f);
     EXPECT_NEAR(ofFace[f], expected, 1e-9 * expected);
+  }
+}
+
+/// On regular grids borders pass through points of the mesh, but for rounding: no slivers there,
+/// which filters downstream would lose.
+TEST_F(GeodesicVoronoi, CellsCanBeTriangulated)
+{
+  for (const int n : { 7, 19 })
+  {
+    for (const double unit : { 1.0, 1.0 / 19.0 })
+    {
+      const double whole = n * n * unit * unit;
+      const vtkSmartPointer<vtkPolyData> grid = MakeGrid(n, n, GridCells::Triangles, unit);
+      for (const vtkIdType count : { 2, 4, 5, 9, 16 })
+      {
+        vtkNew<vtkGeodesicSampler> sampler;
+        sampler->SetInputData(grid);
+        sampler->SetNumberOfSamples(count);
+        this->Filter->SetInputData(grid);
+        this->Filter->RemoveAllSites();
+        this->Filter->SetSiteConnection(sampler->GetOutputPort());
+        ExpectSuccess(this->Filter);
+        EXPECT_NEAR(AreaOf(this->Filter->GetCells()), whole, 1e-9 * whole);
+        vtkNew<vtkTriangleFilter> triangles;
+        triangles->SetInputConnection(this->Filter->GetCellsPort());
+        triangles->Update();
+        EXPECT_NEAR(AreaOf(triangles->GetOutput()), whole, 1e-9 * whole) << n << ", " << count;
+      }
+    }
   }
 }
 

@@ -17,8 +17,8 @@ constexpr double Balanced = 0.05;
 /// Steps for a point on an edge, and for one inside a face.
 constexpr int MostEdgeSteps = 12;
 constexpr int MostFaceSteps = 6;
-/// Points on edges keep away from the ends of their ranges.
-constexpr double Margin = 1e-6;
+/// Points on edges keep away from the ends of their ranges, or they would be the same (SamePlace).
+constexpr double Margin = 2e-5;
 /// Coordinates by which distances are differentiated.
 constexpr double DifferenceStep = 1e-3;
 

@@ -24,8 +24,11 @@ struct EdgeCut
   Id Point; ///< of the diagram
 };
 
-/// Places on an edge, or within a face, closer than this are one; barycentric.
-constexpr double SamePlace = 1e-9;
+/// Places on an edge, or within a face, closer than this are one; barycentric. Graphs keep
+/// lengths in single precision, so that borders are off by about 1e-7 times the distance. Slivers
+/// where they should pass through a vertex are of no use, and filters that triangulate polygons
+/// may lose the whole polygon for them.
+constexpr double SamePlace = 1e-5;
 
 /// The cuts of all edges. They depend on the ends of the edge and its length alone, so all faces
 /// around an edge find the same ones.
