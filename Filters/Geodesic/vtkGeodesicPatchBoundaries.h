@@ -31,7 +31,9 @@
  *    those of the points of port 2 as long as there are no ids for the first surface.
  *
  * <b>The layout.</b> Polygons are patches, their sides the curves. All patches must turn the same
- * way, as the faces of a closed surface do. Lines are curves besides, a polyline a chain of them;
+ * way, as the faces of a closed surface do. Which way that is on each surface is found out from the
+ * order of the shortest ways between landmarks; where this tells nothing, as with a single patch on
+ * an open surface, both ways are tried. Lines are curves besides, a polyline a chain of them;
  * with lines alone, the order of the curves around each landmark is taken as it comes on the first
  * surface, and imposed on the second one. Between two landmarks there is one curve at most.
  *

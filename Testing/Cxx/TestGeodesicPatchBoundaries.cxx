@@ -288,6 +288,33 @@ TEST_F(GeodesicPatchBoundaries, AnyScaleAndType)
     Get(this->Filter->GetOutput(1)->GetCellData(), "Length", 1), 1e6 * length, 1e-4 * length);
 }
 
+/// A single patch: no landmark has enough sides to tell which way it turns, on either surface.
+TEST_F(GeodesicPatchBoundaries, OnePatchThatTurnsEitherWay)
+{
+  const std::vector<vtkIdType> inside = { 20, 24, 60, 56 };
+  const std::vector<vtkIdType> corners = { 0, 8, 80, 72 };
+  for (const std::vector<vtkIdType>& landmarks : { inside, corners })
+  {
+    const std::vector<vtkIdType> mirrored = { landmarks[0], landmarks[3], landmarks[2],
+      landmarks[1] };
+    for (const bool secondIsMirrored : { false, true })
+    {
+      for (const bool layoutIsMirrored : { false, true })
+      {
+        this->Filter->SetFirstLandmarkIds(landmarks);
+        this->Filter->SetSecondLandmarkIds(secondIsMirrored ? mirrored : landmarks);
+        this->Filter->SetLayoutData(
+          layoutIsMirrored ? MakeLayout({ { 3, 2, 1, 0 } }) : MakeLayout({ { 0, 1, 2, 3 } }));
+        ExpectSuccess(this->Filter);
+        for (int side = 0; side < 2; ++side)
+        {
+          EXPECT_EQ(this->Filter->GetOutput(side)->GetNumberOfLines(), 4);
+        }
+      }
+    }
+  }
+}
+
 TEST_F(GeodesicPatchBoundaries, SaysWhatIsWrong)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -57,6 +57,13 @@ std::vector<EdgeOrder> Reversed(const std::vector<EdgeOrder>& orders)
   return reversed;
 }
 
+/// Which way patches turn.
+struct Senses
+{
+  bool PatchesAreMirrored = false; ///< on the first surface
+  bool SecondIsMirrored = false;   ///< the second surface, with respect to the first one
+};
+
 class BoundaryTracer
 {
 public:
@@ -73,7 +80,9 @@ public:
 
 private:
   Status Prepare();
-  void FindSenses();
+  Status BeginDrawings();
+  std::vector<Senses> FindSenses();
+  Status Try(const Senses& senses);
   std::vector<Id> FindSequence() const;
   Status DrawAll(const std::vector<Id>& sequence);
   Status CheckPatches(int side) const;
@@ -115,6 +124,14 @@ Status BoundaryTracer::Prepare()
     return Status::Invalid(message.str());
   }
   Status status = this->Order.Read(this->Layout, this->NumberOfLandmarks);
+  return status.IsOk() ? this->BeginDrawings() : status;
+}
+
+/// Nothing is drawn yet.
+Status BoundaryTracer::BeginDrawings()
+{
+  this->Drawings.clear();
+  Status status;
   const std::array<const char*, 2> names{ { "the first surface", "the second surface" } };
   for (int side = 0; side < 2 && status.IsOk(); ++side)
   {
@@ -136,16 +153,13 @@ Status BoundaryTracer::Run(PatchBoundaries& boundaries)
   }
   if (status.IsOk())
   {
-    this->FindSenses();
-    status = this->DrawAll(this->FindSequence());
-  }
-  for (int side = 0; side < 2 && status.IsOk(); ++side)
-  {
-    status = this->CheckPatches(side);
-  }
-  if (status.IsOk())
-  {
-    status = this->CompareParts();
+    const std::vector<Senses> choices = this->FindSenses();
+    status = this->Try(choices[0]);
+    for (std::size_t i = 1; i < choices.size() && !status.IsOk() && !status.IsAborted(); ++i)
+    {
+      const Status other = this->Try(choices[i]);
+      status = other.IsOk() || other.IsAborted() ? other : status; // else the first failure
+    }
   }
   if (status.IsOk())
   {
@@ -159,27 +173,64 @@ Status BoundaryTracer::Run(PatchBoundaries& boundaries)
 }
 
 /// Which way the patches turn on the first surface, and the second surface with respect to it: as
-/// most landmarks say, when each edge takes the shortest way.
-void BoundaryTracer::FindSenses()
+/// most landmarks say, when each edge takes the shortest way. Where no landmark has enough edges to
+/// tell, as on an open surface with a single patch, either way may be right: all choices, in the
+/// order in which to try them.
+std::vector<Senses> BoundaryTracer::FindSenses()
 {
-  int votes = 0;
-  this->Orders = this->Order.GetOrders();
+  int first = 0;
+  std::vector<EdgeOrder> orders = this->Order.GetOrders();
+  bool hasPatches = false;
   for (Id l = 0; l < this->NumberOfLandmarks; ++l)
   {
-    votes += CompareOrders(this->Orders[l], this->Surveys[0][l]);
+    first += CompareOrders(orders[l], this->Surveys[0][l]);
+    hasPatches = hasPatches || orders[l].IsKnown;
   }
-  this->PatchesAreMirrored = votes < 0;
+  if (first < 0)
+  {
+    orders = Reversed(orders);
+  }
+  int second = 0;
+  for (Id l = 0; l < this->NumberOfLandmarks; ++l)
+  {
+    const EdgeOrder& order = orders[l].IsKnown ? orders[l] : this->Surveys[0][l];
+    second += CompareOrders(order, this->Surveys[1][l]);
+  }
+  std::vector<Senses> choices{ { first < 0, second < 0 } };
+  if (hasPatches && second == 0)
+  {
+    choices.push_back({ first < 0, true });
+  }
+  if (hasPatches && first == 0)
+  {
+    for (std::size_t i = 0, size = choices.size(); i < size; ++i)
+    {
+      choices.push_back({ true, choices[i].SecondIsMirrored });
+    }
+  }
+  return choices;
+}
+
+/// Draw the curves and see whether they are as they should be.
+Status BoundaryTracer::Try(const Senses& senses)
+{
+  this->PatchesAreMirrored = senses.PatchesAreMirrored;
+  this->SecondIsMirrored = senses.SecondIsMirrored;
+  this->Orders = this->Order.GetOrders();
   if (this->PatchesAreMirrored)
   {
     this->Orders = Reversed(this->Orders);
   }
-  votes = 0;
-  for (Id l = 0; l < this->NumberOfLandmarks; ++l)
+  Status status = this->BeginDrawings();
+  if (status.IsOk())
   {
-    const EdgeOrder& order = this->Orders[l].IsKnown ? this->Orders[l] : this->Surveys[0][l];
-    votes += CompareOrders(order, this->Surveys[1][l]);
+    status = this->DrawAll(this->FindSequence());
   }
-  this->SecondIsMirrored = votes < 0;
+  for (int side = 0; side < 2 && status.IsOk(); ++side)
+  {
+    status = this->CheckPatches(side);
+  }
+  return status.IsOk() ? this->CompareParts() : status;
 }
 
 /// Short edges first, but those that join what is not joined yet before all others: a spanning
