@@ -69,6 +69,12 @@ set_tests_properties("Install.TerrainPath" PROPERTIES
   ENVIRONMENT "${dgg_rendering_environment}")
 dgg_add_consumer_test(GraphPipeline.WrongSource 1 "source id 642"
   "${consumer_dir}/GraphPipeline" "mesh.ply" 0 642 "wrong.png")
+dgg_add_consumer_test(Isolines 0 "[0-9]+ lines, [0-9]+ ridges, [0-9]+ triangles in bands"
+  "${consumer_dir}/Isolines" "mesh.ply" 8 "isolines.png")
+set_tests_properties("Install.Isolines" PROPERTIES
+  ENVIRONMENT "${dgg_rendering_environment}")
+dgg_add_consumer_test(Isolines.WrongNumber 1 "not a number of lines"
+  "${consumer_dir}/Isolines" "mesh.ply" none "wrong.png")
 dgg_add_consumer_test(VoronoiCells 0 "20 cells, areas from [0-9.]+.*iterations [0-9.]+"
   "${consumer_dir}/VoronoiCells" "mesh.ply" 20 "cells.png")
 set_tests_properties("Install.VoronoiCells" PROPERTIES

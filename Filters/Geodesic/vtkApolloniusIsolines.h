@@ -169,7 +169,8 @@ public:
   /**
    * Ridges are shown where the directions of two shortest paths differ by more than this angle, in
    * degrees. On a polyhedron a ridge of a small angle starts at every convex point, which hides the
-   * others. Default 20; in [0, 180].
+   * others. Without windows angles below 10 count as 10: what is seen there are seams between the
+   * virtual sources of neighbouring points. Default 20; in [0, 180].
    */
   vtkSetMacro(MinimumRidgeAngle, double);
   vtkGetMacro(MinimumRidgeAngle, double);

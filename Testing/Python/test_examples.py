@@ -571,6 +571,29 @@ class Readme(unittest.TestCase):
             exec(blocks[0].replace("mesh.ply", path), names)  # noqa: S102
         self.assertEqual(printed.getvalue(), "1 loops, the shortest one 9 model units long\n")
 
+    def test_other_blocks_run(self):
+        for name, said in (
+            ("vtkGeodesicSampler()", r"no point of the mesh is farther than 0\.\d+ model units .*"),
+            ("vtkGeodesicVoronoi()", r"the cells have areas of \d\S* \d\S* \d\S*"),
+            ("vtkGeodesicPatchBoundaries()", r"6 curves on each surface; .*"),
+            ("vtkGeodesicProbe()", r"farthest triangle: \d\.\d+ model units away"),
+            ("GeodesicDistance\")()", r"(\w+: farthest point \d\.\d+ model units away\n?){3}"),
+        ):
+            with self.subTest(name):
+                blocks = [block for block in self.blocks("python") if name in block]
+                self.assertEqual(len(blocks), 1)
+                with contextlib.redirect_stdout(io.StringIO()) as printed:
+                    exec(blocks[0].replace("mesh.ply", BUMPY), {})  # noqa: S102
+                self.assertRegex(printed.getvalue().strip(), rf"\A{said}\Z")
+
+    def test_examples_are_listed(self):
+        for folder, ending in (("Python", ".py"), ("Cxx", ".cxx")):
+            for file in os.listdir(os.path.join(support.EXAMPLES, folder)):
+                name, extension = os.path.splitext(file)
+                is_part = name.startswith("demo_") or name == "mesh_file"
+                if extension == ending and not is_part:
+                    self.assertIn(f"`{name}`", self.readme)
+
     def test_isolines(self):
         blocks = [block for block in self.blocks("python") if "vtkApolloniusIsolines()" in block]
         self.assertEqual(len(blocks), 1)
