@@ -228,8 +228,9 @@ TEST(Bands, FacesLieBetweenTheLevels)
       ExpectSound(test, named.Name);
       if (f != &field.Local)
       {
-        // Pieces that are not as close as they should be are known.
-        const double factor = test.Lines.Fallbacks == 0 ? 2e-3 : 5e-2;
+        // Pieces that are not as close as they should be are known, but for another source that is
+        // nearer for less than a step along an arc.
+        const double factor = test.Lines.Fallbacks == 0 ? 4e-3 : 5e-2;
         EXPECT_LT(LargestMiss(test), factor * mesh.GetMeanEdgeLength()) << named.Name;
         close += test.Lines.Fallbacks == 0 ? 1 : 0;
       }

@@ -208,21 +208,19 @@ bool LevelArc::AddArc(
   // An arc of angle a is farther from its chord than (1 - cos(a / 2)) radius nowhere.
   const double sine = std::sqrt(std::min(0.5, 0.5 * this->Tolerance / radius));
   const double step = std::min(LargestStep, 4.0 * std::asin(sine));
-  const double count = std::min(MostPointsOfArc, std::ceil(turn / step));
+  const double count = std::max(1.0, std::min(MostPointsOfArc, std::ceil(turn / step)));
   const std::size_t size = points.size();
   auto place = [&](double t) {
     const double angle = begin + t * turn;
     return Point2{ image.X + radius * std::cos(angle), image.Y + radius * std::sin(angle) };
   };
-  bool isThere = true;
-  if (count < 2.0)
-  {
-    isThere = this->Look(place(0.5)).IsOnLevel;
-  }
+  // Between two points another source may be nearer.
+  bool isThere = this->Look(place(0.5 / count)).IsOnLevel;
   for (double i = 1.0; i < count && isThere; i += 1.0)
   {
     const Point2 p = place(i / count);
-    isThere = this->IsInside(p) && this->Look(p).IsOnLevel;
+    isThere = this->IsInside(p) && this->Look(p).IsOnLevel &&
+      this->Look(place((i + 0.5) / count)).IsOnLevel;
     points.push_back(p);
   }
   if (!isThere)
