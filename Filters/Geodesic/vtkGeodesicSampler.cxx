@@ -166,9 +166,10 @@ void vtkGeodesicSampler::WarnAboutNumber(
 {
   if (numberOfSamples < options.NumberOfSamples && (!last || !(last->CoveringRadius > 0.0)))
   {
-    vtkWarningMacro(<< options.NumberOfSamples << " samples were asked for, but the surface has "
-                    << "only " << numberOfSamples << " points: all of them are given. Ask for "
-                    << "fewer, or subdivide the surface.");
+    vtkWarningMacro(<< options.NumberOfSamples << " samples were asked for, but with "
+                    << numberOfSamples << " of them no point of the surface is left. Ask for "
+                    << "fewer, or subdivide the surface"
+                    << (options.InFaces ? "." : ", or turn InFaces on."));
   }
   if (last && !(last->CoveringRadius < dgg::Infinity))
   {

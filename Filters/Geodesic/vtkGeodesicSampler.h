@@ -29,7 +29,8 @@
  * distance is at least CoveringRadius / (1 + accuracy). Points that no polygon uses are left out.
  * The result does not depend on the number of threads.
  *
- * A thousand samples take about as long as twenty distance fields.
+ * A thousand samples take about as long as twenty distance fields; with InFaces on meshes of fewer
+ * points than samples, seconds.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
  *  - a NumberOfSamples below 1; a CoveringRadius or ProjectionTolerance that is negative or not a
@@ -37,8 +38,8 @@
  *    surface than ProjectionTolerance;
  *  - an Accuracy outside [1e-6, 0.5]; a graph that would take more memory than MemoryLimit.
  *
- * With more samples asked for than there are points, all of them are given, with a warning; and
- * there is a warning when there are more components than samples.
+ * With more samples asked for than there are points, all of them are given, with a warning, unless
+ * InFaces is on; and there is a warning when there are more components than samples.
  *
  * @code
  * vtkNew<vtkGeodesicSampler> sampler;
@@ -108,7 +109,10 @@ public:
   /**
    * Whether samples may lie inside faces and on edges: instead of the farthest point of the input,
    * the farthest point of the surface close to it is taken, where one is found that is farther
-   * along the graph. Then samples are spread more evenly on coarse meshes. Default off: samples are
+   * along the graph. Then samples are spread more evenly on coarse meshes. Where the input has
+   * fewer than two points for each of NumberOfSamples (up to 1000), places inside faces, up to 64
+   * for each sample and 10000 in all, count as points of the input do, so that there may be more
+   * samples than points, and CoveringRadius is that of the places as well. Default off: samples are
    * points of the input.
    */
   vtkSetMacro(InFaces, bool);

@@ -5,6 +5,7 @@
 #include "GraphTestTools.h"
 
 #include "vtkDGGDistance.h"
+#include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicSampler.h"
 
 #include "vtkAppendPolyData.h"
@@ -242,11 +243,31 @@ TEST_F(GeodesicSampler, MoreSamplesThanPoints)
 {
   this->Filter->SetInputData(MakeGrid(3, 2));
   this->Filter->SetNumberOfSamples(13);
-  ExpectWarning(this->Filter, { "13 samples", "12 points" });
+  ExpectWarning(
+    this->Filter, { "13 samples were asked for", "with 12 of them no point", "InFaces" });
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 12);
   EXPECT_EQ(GetArray(this->Filter, "CoveringRadius").back(), 0.0);
   this->Filter->SetNumberOfSamples(12);
   ExpectSuccess(this->Filter);
+  // In faces there is room for more.
+  this->Filter->SetNumberOfSamples(40);
+  this->Filter->InFacesOn();
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 40);
+  const std::vector<double> radii = GetArray(this->Filter, "CoveringRadius");
+  EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
+  // Forty disks of that radius have to cover an area of 6: more than the square root of 6 / (40
+  // pi).
+  EXPECT_GT(radii.back(), 0.218);
+  EXPECT_LT(radii.back(), 0.40);
+  // As the exact distances at all points of a fine grid have it.
+  vtkNew<vtkExactGeodesicDistance> exact;
+  exact->SetInputData(MakeGrid(60, 40, GridCells::Triangles, 0.05));
+  exact->SetSourceConnection(this->Filter->GetOutputPort());
+  ExpectSuccess(exact);
+  const std::vector<double> distances = GetDistances(exact);
+  const double farthest = *std::max_element(distances.begin(), distances.end());
+  EXPECT_NEAR(farthest, radii.back(), 0.1 * radii.back());
 }
 
 TEST_F(GeodesicSampler, BadInput)

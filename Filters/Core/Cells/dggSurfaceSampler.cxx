@@ -10,12 +10,22 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <utility>
 
 namespace dgg
 {
 namespace
 {
+/// With fewer vertices for each sample than this, places between them count as well.
+constexpr Offset VerticesPerSample = 2;
+/// As many places for each sample, and for no more samples than that.
+constexpr Offset PlacesPerSample = 64;
+constexpr Offset MostPlaces = 10000;
+constexpr Offset MostSamplesInside = 1000;
+/// Share of the progress for linking them.
+constexpr double PlacesShare = 0.3;
+
 /// The distance from a sample around a vertex: |x|^2 - 2 x.Image + Constant is its square, where x
 /// is a place in the tangent plane of the vertex.
 struct PlanarImage
@@ -92,6 +102,175 @@ bool Meet(const PlanarImage& a, const PlanarImage& b, const PlanarImage& c, Poin
   return std::abs(determinant) > 0.0 && std::isfinite(meet.X) && std::isfinite(meet.Y);
 }
 
+/// Places inside faces and on edges, as dense as the samples will be several times over, and their
+/// distances from the samples: the more samples there are compared to vertices, the less vertices
+/// tell of the surface between them.
+class InnerPlaces
+{
+public:
+  InnerPlaces(const GraphView& graph, const SurfaceMesh& mesh, const GraphBuilder& builder,
+    double accuracy, Offset count)
+    : Builder(builder)
+    , Accuracy(accuracy)
+    , LinksOf(mesh.GetNumberOfVertices())
+    , VertexDistances(mesh.GetNumberOfVertices(), Infinity)
+  {
+    double area = 0.0;
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      area += Matters(graph, mesh, f) ? AreaOf(mesh, f) : 0.0;
+    }
+    // The spacing of a lattice of `count` points.
+    const double spacing = std::sqrt(area / static_cast<double>(count));
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      if (Matters(graph, mesh, f))
+      {
+        this->AddPlaces(mesh, f, spacing);
+      }
+    }
+    this->Distances.assign(this->Points.size(), Infinity);
+  }
+
+  Status LinkAll(const ProgressCallback& progress)
+  {
+    std::vector<GraphLink> links;
+    std::vector<double> direct;
+    for (std::size_t i = 0; i < this->Points.size(); ++i)
+    {
+      if (i % ProgressInterval == 0 && progress &&
+        !progress(static_cast<double>(i) / static_cast<double>(this->Points.size())))
+      {
+        return Status::Abort();
+      }
+      Status status = this->Builder.Link(this->Points[i], this->Accuracy, {}, links, direct);
+      if (!status.IsOk())
+      {
+        return status;
+      }
+      for (const GraphLink& link : links)
+      {
+        this->LinksOf[link.Vertex].push_back({ static_cast<Id>(i), link.Length });
+      }
+    }
+    return Status::Success();
+  }
+
+  /// After a sample has been added; `distances` are those of the vertices.
+  Status Update(const SurfacePoint& sample, const std::vector<double>& distances)
+  {
+    std::vector<double> direct;
+    Status status;
+    if (sample.On != SurfacePoint::Support::Vertex)
+    {
+      std::vector<GraphLink> links;
+      status = this->Builder.Link(sample, this->Accuracy, this->Points, links, direct);
+    }
+    for (std::size_t v = 0; v < distances.size() && status.IsOk(); ++v)
+    {
+      if (distances[v] < this->VertexDistances[v])
+      {
+        this->VertexDistances[v] = distances[v];
+        for (const PlaceLink& link : this->LinksOf[v])
+        {
+          this->Distances[link.Place] =
+            std::min(this->Distances[link.Place], distances[v] + link.Length);
+        }
+      }
+    }
+    this->Farthest = NoId;
+    for (std::size_t i = 0; i < this->Points.size() && status.IsOk(); ++i)
+    {
+      double& distance = this->Distances[i];
+      distance = direct.empty() ? distance : std::min(distance, direct[i]);
+      if (this->Farthest == NoId || distance > this->Distances[this->Farthest])
+      {
+        this->Farthest = static_cast<Id>(i);
+      }
+    }
+    return status;
+  }
+
+  /// Of the farthest place; 0 when there is none.
+  double GetDistance() const
+  {
+    return this->Farthest == NoId ? 0.0 : this->Distances[this->Farthest];
+  }
+  const SurfacePoint& GetPoint() const { return this->Points[this->Farthest]; }
+
+private:
+  struct PlaceLink
+  {
+    Id Place;
+    double Length;
+  };
+
+  static constexpr std::size_t ProgressInterval = 64;
+  static constexpr int FewestPieces = 2; // of the sides of a face
+
+  static double AreaOf(const SurfaceMesh& mesh, Id f)
+  {
+    return 0.5 * mesh.Length(3 * f) * mesh.ApexY(3 * f);
+  }
+
+  /// Faces with area, of vertices that have edges in the graph.
+  static bool Matters(const GraphView& graph, const SurfaceMesh& mesh, Id f)
+  {
+    bool matters = !mesh.IsDropped(f) && !mesh.IsMollified(f);
+    for (Id h = 3 * f; h < 3 * f + 3 && matters; ++h)
+    {
+      matters = graph.Offsets[mesh.Origin(h)] < graph.Offsets[mesh.Origin(h) + 1];
+    }
+    return matters;
+  }
+
+  void AddPlaces(const SurfaceMesh& mesh, Id f, double spacing)
+  {
+    const int pieces = std::max(
+      FewestPieces, static_cast<int>(std::ceil(std::sqrt(2.0 * AreaOf(mesh, f)) / spacing)));
+    for (int i = 0; i <= pieces; ++i)
+    {
+      for (int j = 0; i + j <= pieces; ++j)
+      {
+        const int k = pieces - i - j;
+        const bool isCorner = i == pieces || j == pieces || k == pieces;
+        // Those on a side belong to one of its faces.
+        const bool isElsewhere = (k == 0 && !IsFirst(mesh, 3 * f)) ||
+          (i == 0 && !IsFirst(mesh, 3 * f + 1)) || (j == 0 && !IsFirst(mesh, 3 * f + 2));
+        if (isCorner || isElsewhere)
+        {
+          continue;
+        }
+        const double n = pieces;
+        std::array<double, 3> place{ { i / n, j / n, k / n } };
+        if (mesh.IsFlipped(f))
+        {
+          std::swap(place[1], place[2]); // to the order of the input
+        }
+        this->Points.push_back(SurfacePoint::InFace(mesh, f, place));
+      }
+    }
+  }
+
+  static bool IsFirst(const SurfaceMesh& mesh, Id h)
+  {
+    bool isFirst = true;
+    for (Id e = mesh.Twin(h); e != NoId && e != h; e = mesh.Twin(e))
+    {
+      isFirst = isFirst && h < e;
+    }
+    return isFirst;
+  }
+
+  const GraphBuilder& Builder;
+  double Accuracy;
+  std::vector<SurfacePoint> Points;
+  std::vector<std::vector<PlaceLink>> LinksOf; ///< per vertex
+  std::vector<double> VertexDistances;         ///< per vertex
+  std::vector<double> Distances;               ///< per point
+  Id Farthest = NoId;
+};
+
 class Sampler
 {
 public:
@@ -109,6 +288,11 @@ public:
 
   Status Run()
   {
+    Status prepared = this->PrepareInside();
+    if (!prepared.IsOk())
+    {
+      return prepared;
+    }
     for (const SurfacePoint& point : this->Options.Given)
     {
       Linked linked;
@@ -130,8 +314,7 @@ public:
         return status;
       }
     }
-    while (this->Farthest.Vertex != NoId &&
-      this->Farthest.Distance > this->Options.CoveringRadius &&
+    while (this->GetRadius() > std::max(0.0, this->Options.CoveringRadius) &&
       static_cast<Offset>(this->Samples.size()) < this->Options.NumberOfSamples)
     {
       Status status = this->AddFarthest();
@@ -150,6 +333,38 @@ private:
     std::vector<GraphSeed> Seeds;
     double Distance = Infinity; ///< from others, by straight ways
   };
+
+  /// Where there are about as many samples as vertices, places in between count as well.
+  Status PrepareInside()
+  {
+    const auto isUsed = [this](
+                          Id v) { return this->Graph.Offsets[v] < this->Graph.Offsets[v + 1]; };
+    Offset vertices = 0;
+    for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+    {
+      vertices += isUsed(v) ? 1 : 0;
+    }
+    const Offset count = this->Options.NumberOfSamples;
+    if (!this->Options.InFaces || !this->Mesh || !this->Builder || count > MostSamplesInside ||
+      VerticesPerSample * count <= vertices)
+    {
+      return Status::Success();
+    }
+    this->Inside = std::make_unique<InnerPlaces>(this->Graph, *this->Mesh, *this->Builder,
+      this->Accuracy, std::min(MostPlaces, PlacesPerSample * count));
+    this->ProgressAtStart = PlacesShare;
+    const auto progress = [this](double done) {
+      return !this->Options.Progress || this->Options.Progress(PlacesShare * done);
+    };
+    return this->Inside->LinkAll(progress);
+  }
+
+  /// How far the farthest vertex or place is from the samples.
+  double GetRadius() const
+  {
+    const double radius = this->Farthest.Vertex == NoId ? 0.0 : this->Farthest.Distance;
+    return this->Inside ? std::max(radius, this->Inside->GetDistance()) : radius;
+  }
 
   Status AddFirst()
   {
@@ -184,9 +399,18 @@ private:
   {
     const double done = static_cast<double>(this->Samples.size()) /
       static_cast<double>(this->Options.NumberOfSamples);
-    if (this->Options.Progress && !this->Options.Progress(done))
+    if (this->Options.Progress &&
+      !this->Options.Progress(this->ProgressAtStart + (1.0 - this->ProgressAtStart) * done))
     {
       return Status::Abort();
+    }
+    if (this->Inside &&
+      (this->Farthest.Vertex == NoId || this->Inside->GetDistance() > this->Farthest.Distance))
+    {
+      const SurfacePoint place = this->Inside->GetPoint();
+      Linked linked;
+      Status status = this->Link(place, {}, linked);
+      return status.IsOk() ? this->Add(place, linked.Seeds) : status;
     }
     const Id v = this->Farthest.Vertex;
     SurfacePoint point;
@@ -224,10 +448,14 @@ private:
   Status Add(const SurfacePoint& point, const std::vector<GraphSeed>& seeds)
   {
     Status status = this->Points.Add(seeds, {});
+    if (status.IsOk() && this->Inside)
+    {
+      status = this->Inside->Update(point, this->Points.GetDistances());
+    }
     if (status.IsOk())
     {
       this->Farthest = this->Points.Find();
-      this->Samples.push_back({ point, this->Farthest.Distance });
+      this->Samples.push_back({ point, this->GetRadius() });
       if (point.On != SurfacePoint::Support::Vertex)
       {
         this->Inner.push_back(point);
@@ -355,7 +583,9 @@ private:
   std::vector<SurfaceSample>& Samples;
   FarthestPoints Points;
   FarthestVertex Farthest;
-  std::vector<SurfacePoint> Inner; ///< samples that are not vertices
+  std::vector<SurfacePoint> Inner;     ///< samples that are not vertices
+  std::unique_ptr<InnerPlaces> Inside; ///< null where vertices are close enough
+  double ProgressAtStart = 0.0;
 };
 }
 

@@ -24,7 +24,10 @@ struct SamplerOptions
   /// first vertex that has edges.
   Id FirstVertex = NoId;
   /// Whether samples may lie inside faces: instead of the farthest vertex, the farthest point close
-  /// to it is taken, where that is found to be farther along the graph.
+  /// to it is taken, where that is found to be farther along the graph. With fewer than two
+  /// vertices for each sample (and no more than 1000 samples), up to 64 places for each sample
+  /// (10000 in all) inside faces and on edges count as vertices do: they may be samples, and
+  /// covering radii are those of all of them.
   bool InFaces = false;
   ProgressCallback Progress; ///< may be empty
 };
@@ -33,7 +36,8 @@ struct SurfaceSample
 {
   SurfacePoint Point;
   /// The distance from the samples so far, this one included, of the vertex that is farthest from
-  /// them, along the graph. Infinity while there are components without a sample.
+  /// them, along the graph; see InFaces as well. Infinity while there are components without a
+  /// sample.
   double CoveringRadius = 0.0;
 };
 
