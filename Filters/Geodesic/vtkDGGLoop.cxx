@@ -293,9 +293,11 @@ void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set, int mode)
   }
   else if (missing > 0 && mode == AroundHandles)
   {
-    vtkWarningMacro(<< missing << " of " << set.Status.size()
-                    << " loops around handles have to pass a point in which faces meet in nothing "
-                    << "else, and cannot be pulled tight there: they have no polyline, and 1 in "
+    vtkWarningMacro(<< missing << " of " << set.Status.size() << " loops around handles "
+                    << (missing == 1 ? "has" : "have")
+                    << " to pass a point in which faces meet in nothing "
+                    << "else, and cannot be pulled tight there: "
+                    << (missing == 1 ? "it has" : "they have") << " no polyline, and 1 in "
                     << "the field array LoopStatus. Separate the faces at such points.");
   }
   else if (missing > 0 && mode == Rope)
@@ -311,10 +313,10 @@ void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set, int mode)
   {
     vtkWarningMacro(<< "There is no loop through " << missing << " of " << set.Status.size()
                     << (set.Status.size() == 1 ? " point" : " points")
-                    << ", the first of them point " << first
+                    << (missing == 1 ? ", point " : ", the first of them point ") << first
                     << ": all ways around contract to the point, as they do on a surface without "
-                    << "handles and limbs. They have no polyline, and 1 in the field array "
-                    << "LoopStatus.");
+                    << "handles and limbs. " << (missing == 1 ? "It has" : "They have")
+                    << " no polyline, and 1 in the field array LoopStatus.");
   }
 }
 

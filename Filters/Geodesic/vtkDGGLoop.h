@@ -37,6 +37,7 @@
  *  - Point data: `FaceId`, the cell of the input that the piece after the point lies in;
  *    `vtkOriginalPointIds`, the point of the input where the loop is at one, else -1 (the first one
  *    of points that have been merged); `ArcLength`, the length of the loop up to the point.
+ *    The point that a loop begins and ends with is one, and has 0: for the end take `Length`.
  *  - Field data: `LoopStatus`, one int for each loop asked for: 0 when it is there; 1 when there is
  *    none, as it contracts to a point; 2 when the points of the rope are not connected. Loops that
  *    are not there are left out, and a warning counts them. With AroundHandles, 1 stands for a loop

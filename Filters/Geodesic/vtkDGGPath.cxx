@@ -225,9 +225,11 @@ void vtkDGGPath::WarnAboutUnconnectedPairs(const std::vector<vtkIdType>& pairs, 
 {
   if (!pairs.empty())
   {
+    const bool isOne = pairs.size() == 1;
     vtkWarningMacro(<< pairs.size() << " of " << count << (count == 1 ? " pair" : " pairs")
-                    << " of points, the first of them pair " << pairs[0]
-                    << ", are not connected by the surface: they have no polyline, and 1 in the "
+                    << " of points, " << (isOne ? "" : "the first of them ") << "pair " << pairs[0]
+                    << (isOne ? ", is" : ", are") << " not connected by the surface: "
+                    << (isOne ? "it has" : "they have") << " no polyline, and 1 in the "
                     << "field array PathStatus.");
   }
 }

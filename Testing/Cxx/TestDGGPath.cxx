@@ -506,7 +506,8 @@ TEST_F(DGGPath, PointsThatAreNotConnected)
   this->Filter->SetPairData(nullptr);
   this->Filter->RemoveAllPairs();
   this->Filter->AddPair(0, 3);
-  ExpectWarning(this->Filter, { "1 of 1 pair " });
+  ExpectWarning(
+    this->Filter, { "1 of 1 pair of points, pair 0, is not connected", "it has no polyline" });
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(GetPathStatus(this->Filter), std::vector<int>{ 1 });
   EXPECT_TRUE(GetPaths(this->Filter).empty());
