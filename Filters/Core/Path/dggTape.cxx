@@ -407,6 +407,10 @@ private:
   Status Step(bool& isDone)
   {
     Status status = this->Refined.Build(this->Mesh, this->Part);
+    if (status.IsOk() && !this->Report())
+    {
+      status = Status::Abort();
+    }
     if (!status.IsOk())
     {
       return status;
@@ -426,10 +430,13 @@ private:
       !this->MarkCorners(isoline, isSplit);
     if (!isDone)
     {
+      status = this->Report() ? status : Status::Abort();
       SplitEdges(this->Mesh, isSplit, this->Refined);
     }
-    return status;
+    return this->Report() ? status : Status::Abort();
   }
+
+  bool Report() const { return !this->Progress || this->Progress(this->Done); }
 
   std::vector<GeodesicSource> Sample(double spacing) const
   {
