@@ -14,8 +14,9 @@
  *
  * <b>The output</b> is new geometry, see vtkGeodesicAlgorithm. It has a polyline for each pair, in
  * the order of the pairs, from start to end. Each of its pieces lies in one triangle of the
- * surface. A pair whose points coincide gives a polyline of one point. Points that are not
- * connected have no path: the polyline is left out, and a warning counts them.
+ * surface. A pair whose points coincide gives a polyline of length 0 that names the same point
+ * twice. Points that are not connected have no path: the polyline is left out, and a warning counts
+ * them.
  *  - Cell data: `Length` (double, in units of the coordinates), `GraphLength` (that of the path in
  *    the graph, before it was shortened; NaN with Method Exact), `Straightened` (int: whether the
  *    path is a locally shortest one), `PairId` (the number of the pair), and the cell data of the

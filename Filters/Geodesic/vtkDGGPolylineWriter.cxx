@@ -33,7 +33,8 @@ void vtkDGGPolylineWriter::Add(const dgg::SurfacePath& path, bool isClosed)
   const auto count = static_cast<std::size_t>(CountPoints(path, isClosed));
   const vtkIdType first = this->Next;
   double arcLength = 0.0;
-  this->Lines->InsertNextCell(static_cast<int>(path.Points.size()));
+  const bool isPoint = path.Points.size() == 1; // twice: a polyline has two ends
+  this->Lines->InsertNextCell(isPoint ? 2 : static_cast<int>(path.Points.size()));
   for (std::size_t i = 0; i < count; ++i)
   {
     arcLength += i > 0 ? dgg::MeasurePiece(this->Geometry.GetMesh(), path, i - 1) : 0.0;
@@ -45,7 +46,7 @@ void vtkDGGPolylineWriter::Add(const dgg::SurfacePath& path, bool isClosed)
     this->Lines->InsertCellPoint(this->Next);
     ++this->Next;
   }
-  if (isClosed)
+  if (isClosed || isPoint)
   {
     this->Lines->InsertCellPoint(first);
   }

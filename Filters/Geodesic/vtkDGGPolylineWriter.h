@@ -28,7 +28,8 @@ public:
 
   /// The points that a curve takes: a closed one begins and ends with the same.
   static vtkIdType CountPoints(const dgg::SurfacePath& path, bool isClosed);
-  /// Append a curve, which is not empty.
+  /// Append a curve, which is not empty. One that is a point becomes a polyline from that point to
+  /// itself, as a polyline of one point is no valid cell.
   void Add(const dgg::SurfacePath& path, bool isClosed = false);
   /// Put all of it into an output that is empty but for field data.
   void AddTo(vtkPolyData* output) const;

@@ -8,7 +8,9 @@
 #include "vtkGeodesicDistanceMatrix.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCell.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
@@ -499,8 +501,8 @@ TEST_F(DGGPath, PointsThatAreNotConnected)
                   static_cast<vtkIdType>(i), 0),
         passed[i]);
     }
-    EXPECT_EQ(paths[1].Faces, std::vector<vtkIdType>{ -1 }); // no cell has this point
-    EXPECT_EQ(paths[1].PointIds, std::vector<vtkIdType>{ 6 });
+    EXPECT_EQ(paths[1].Faces, (std::vector<vtkIdType>{ -1, -1 })); // no cell has this point
+    EXPECT_EQ(paths[1].PointIds, (std::vector<vtkIdType>{ 6, 6 }));
   }
   // None at all.
   this->Filter->SetPairData(nullptr);
@@ -533,7 +535,8 @@ TEST_F(DGGPath, CoincidentEnds)
       ASSERT_EQ(paths.size(), 5u);
       for (const PathLine& path : paths)
       {
-        EXPECT_EQ(path.Positions.size(), 1u);
+        ASSERT_EQ(path.Positions.size(), 2u);
+        EXPECT_EQ(path.Positions[0], path.Positions[1]);
         EXPECT_EQ(path.Length, 0.0);
         EXPECT_EQ(path.GraphLength == 0.0, method == vtkDGGPath::Graph);
         EXPECT_EQ(path.Straightened, straighten || method == vtkDGGPath::Exact ? 1 : 0);
@@ -542,6 +545,18 @@ TEST_F(DGGPath, CoincidentEnds)
       }
       EXPECT_EQ(paths[1].PointIds[0], 7);
       EXPECT_EQ(paths[2].PointIds[0], -1);
+      // All of them are cells that VTK can work with, of one point each.
+      vtkPolyData* output = this->Filter->GetOutput();
+      EXPECT_EQ(output->GetNumberOfPoints(), 5);
+      output->BuildCells();
+      for (vtkIdType i = 0; i < 5; ++i)
+      {
+        vtkCell* cell = output->GetCell(i);
+        EXPECT_EQ(cell->GetCellType(), VTK_LINE);
+        ASSERT_EQ(cell->GetNumberOfPoints(), 2);
+        EXPECT_EQ(cell->GetPointId(0), i);
+        EXPECT_EQ(cell->GetPointId(1), i);
+      }
     }
   }
 }
@@ -569,7 +584,7 @@ TEST_F(DGGPath, CoincidentPointsOfTheSurface)
     EXPECT_NEAR(paths[1].Length, std::sqrt(2.0), 1e-9);
     EXPECT_EQ(paths[1].PointIds.front(), 1); // the first one of those that are merged
     EXPECT_EQ(paths[2].Length, 0.0);
-    EXPECT_EQ(paths[2].PointIds, std::vector<vtkIdType>{ 1 });
+    EXPECT_EQ(paths[2].PointIds, (std::vector<vtkIdType>{ 1, 1 }));
     for (const PathLine& path : paths)
     {
       ExpectOnSurface(path, surface);
