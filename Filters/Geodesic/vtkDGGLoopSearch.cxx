@@ -16,7 +16,7 @@
 
 namespace
 {
-/// Loops between two looks at the progress from outside of them.
+/// Loops at least between two looks at the progress from outside of them.
 constexpr std::size_t LoopBlock = 16;
 
 /// What loops through points need besides the graph: null when all of them are vertices.
@@ -60,13 +60,16 @@ dgg::Status vtkDGGLoopSearch::RunThroughPoints(vtkDGGGraphProvider& graph, const
   }
   const dgg::LoopFinder finder(this->Mesh.GetMesh(), graph.GetSearch(), builder, positions);
   set.Loops.assign(points.size(), dgg::FoundLoop());
-  vtkDGGSharedProgress shared(progress, points.size());
-  const auto step = [&](std::size_t i) {
-    return Explain(finder.ThroughPoint(points[i], taut, set.Loops[i], shared.OfStep()),
-      "point " + std::to_string(i));
+  const auto step = [&](std::size_t i, const dgg::ProgressCallback& within) {
+    return Explain(
+      finder.ThroughPoint(points[i], taut, set.Loops[i], within), "point " + std::to_string(i));
   };
-  status = vtkDGGForBlocks(
-    points.size(), LoopBlock, [&](double done) { return shared.Tell(done); }, step);
+  // An observer may empty the arrays of the graph on the input: no look at the progress while other
+  // threads search.
+  status = graph.IsFromInput() && points.size() > 1
+    ? vtkDGGForBlocks(points.size(), LoopBlock, progress,
+        [&](std::size_t i) { return step(i, dgg::ProgressCallback()); })
+    : vtkDGGForLongSteps(points.size(), progress, step);
   for (const dgg::FoundLoop& loop : set.Loops)
   {
     set.Status.push_back(GetStatus(loop));

@@ -5,8 +5,159 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <exception>
+#include <future>
 #include <mutex>
+#include <string>
+#include <thread>
+
+namespace
+{
+/// Steps for each thread between two looks at the progress.
+constexpr std::size_t StepsPerThread = 8;
+/// How often a thread that waits for others tells their progress.
+constexpr std::chrono::milliseconds PollInterval(20);
+
+/// The error of the step with the smallest number.
+class FirstFailure
+{
+public:
+  /// Whether a step has to run: it may be the first one to fail, and none was stopped.
+  bool Allows(std::size_t number) const
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return this->Failure.IsOk() || (number < this->Number && !this->Failure.IsAborted());
+  }
+  void Add(std::size_t number, const dgg::Status& status)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (!status.IsOk() && (this->Failure.IsOk() || number < this->Number))
+    {
+      this->Failure = status;
+      this->Number = number;
+    }
+  }
+  /// Only while no step runs.
+  const dgg::Status& GetStatus() const { return this->Failure; }
+
+private:
+  mutable std::mutex Mutex;
+  dgg::Status Failure;
+  std::size_t Number = 0;
+};
+
+/// Progress of steps in several threads, told by the thread that made it.
+class SharedProgress
+{
+public:
+  SharedProgress(const dgg::ProgressCallback& progress, std::size_t count)
+    : Progress(progress)
+    , Count(static_cast<double>(count))
+    , Teller(std::this_thread::get_id())
+  {
+  }
+
+  /// Of the steps done, between them.
+  bool Tell(double done)
+  {
+    this->Done = done;
+    this->Within = 0.0;
+    return !this->IsStopped && this->Progress(done);
+  }
+  /// Of one step, in any thread.
+  bool TellWithin(double fraction)
+  {
+    this->Within = fraction;
+    if (std::this_thread::get_id() == this->Teller)
+    {
+      this->Poll();
+    }
+    return !this->IsStopped;
+  }
+  /// What steps have told last. They run in any order, so that it counts as if there were only one.
+  void Poll()
+  {
+    if (!this->IsStopped)
+    {
+      this->IsStopped =
+        !this->Progress(this->Done + (1.0 - this->Done) * this->Within / this->Count);
+    }
+  }
+
+private:
+  const dgg::ProgressCallback& Progress;
+  double Count;
+  std::thread::id Teller;
+  double Done = 0.0; // changes only while no step runs
+  std::atomic<double> Within{ 0.0 };
+  std::atomic<bool> IsStopped{ false };
+};
+
+/// Whether the thread that calls vtkSMPTools waits while others do the work.
+bool IsCallerIdle()
+{
+  const char* backend = vtkSMPTools::GetBackend();
+  return backend && std::string(backend) == "STDThread";
+}
+
+/// Steps from `first` to before `end`, several at once. `poll`, unless null, is called now and then
+/// in this thread when it has nothing else to do.
+void RunBlock(std::size_t first, std::size_t end, const std::function<void()>& poll,
+  const std::function<void(std::size_t)>& step)
+{
+  if (end - first == 1)
+  {
+    step(first);
+    return;
+  }
+  const auto run = [&] {
+    vtkDGGMakeParallelFor()(
+      static_cast<dgg::Offset>(end - first), 1, [&](dgg::Offset begin, dgg::Offset stop) {
+        for (dgg::Offset i = begin; i < stop; ++i)
+        {
+          step(first + static_cast<std::size_t>(i));
+        }
+      });
+  };
+  if (!poll || !IsCallerIdle())
+  {
+    run();
+    return;
+  }
+  std::future<void> done = std::async(std::launch::async, run);
+  while (done.wait_for(PollInterval) != std::future_status::ready)
+  {
+    poll();
+  }
+  done.get();
+}
+
+dgg::Status RunBlocks(std::size_t count, std::size_t block, const dgg::ProgressCallback& progress,
+  const std::function<void()>& poll, const std::function<dgg::Status(std::size_t)>& step)
+{
+  const auto threads = static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads());
+  const std::size_t size = std::max(block, StepsPerThread * std::max<std::size_t>(threads, 1));
+  FirstFailure failure;
+  for (std::size_t first = 0; first < count && failure.GetStatus().IsOk(); first += size)
+  {
+    const std::size_t end = std::min(count, first + size);
+    RunBlock(first, end, poll, [&](std::size_t number) {
+      if (failure.Allows(number))
+      {
+        failure.Add(number, step(number));
+      }
+    });
+    const double done = static_cast<double>(end) / static_cast<double>(count);
+    if (failure.GetStatus().IsOk() && !progress(done))
+    {
+      return dgg::Status::Abort();
+    }
+  }
+  return failure.GetStatus();
+}
+}
 
 //------------------------------------------------------------------------------
 dgg::ParallelFor vtkDGGMakeParallelFor()
@@ -38,58 +189,16 @@ dgg::ParallelFor vtkDGGMakeParallelFor()
 dgg::Status vtkDGGForBlocks(std::size_t count, std::size_t block,
   const dgg::ProgressCallback& progress, const std::function<dgg::Status(std::size_t)>& step)
 {
-  const dgg::ParallelFor parallel = vtkDGGMakeParallelFor();
-  dgg::Status failure;
-  std::size_t failed = count;
-  std::mutex mutex;
-  for (std::size_t first = 0; first < count && failure.IsOk(); first += block)
-  {
-    const std::size_t size = std::min(block, count - first);
-    parallel(static_cast<dgg::Offset>(size), 1, [&](dgg::Offset begin, dgg::Offset end) {
-      for (dgg::Offset i = begin; i < end; ++i)
-      {
-        const std::size_t number = first + static_cast<std::size_t>(i);
-        const dgg::Status status = step(number);
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (!status.IsOk() && number < failed)
-        {
-          failure = status;
-          failed = number;
-        }
-      }
-    });
-    const double done = static_cast<double>(first + size) / static_cast<double>(count);
-    if (failure.IsOk() && !progress(done))
-    {
-      failure = dgg::Status::Abort();
-    }
-  }
-  return failure;
+  return RunBlocks(count, block, progress, nullptr, step);
 }
 
 //------------------------------------------------------------------------------
-vtkDGGSharedProgress::vtkDGGSharedProgress(const dgg::ProgressCallback& progress, std::size_t count)
-  : Progress(progress)
-  , Count(static_cast<double>(count))
-  , Teller(std::this_thread::get_id())
+dgg::Status vtkDGGForLongSteps(std::size_t count, const dgg::ProgressCallback& progress,
+  const std::function<dgg::Status(std::size_t, const dgg::ProgressCallback&)>& step)
 {
-}
-
-//------------------------------------------------------------------------------
-dgg::ProgressCallback vtkDGGSharedProgress::OfStep()
-{
-  return [this](double fraction) {
-    if (std::this_thread::get_id() == this->Teller && !this->IsStopped)
-    {
-      this->IsStopped = !this->Progress(this->Done + (1.0 - this->Done) * fraction / this->Count);
-    }
-    return !this->IsStopped;
-  };
-}
-
-//------------------------------------------------------------------------------
-bool vtkDGGSharedProgress::Tell(double done)
-{
-  this->Done = done;
-  return !this->IsStopped && this->Progress(done);
+  SharedProgress shared(progress, count);
+  const dgg::ProgressCallback within = [&](double fraction) { return shared.TellWithin(fraction); };
+  return RunBlocks(
+    count, 1, [&](double done) { return shared.Tell(done); }, [&] { shared.Poll(); },
+    [&](std::size_t number) { return step(number, within); });
 }

@@ -18,10 +18,8 @@
 
 namespace
 {
-/// Paths between two looks at the progress.
+/// Paths at least between two looks at the progress.
 constexpr std::size_t PathBlock = 16;
-/// Propagations between two looks at the progress outside of their threads.
-constexpr std::size_t PropagationBlock = 16;
 
 bool NeedsLinks(const vtkDGGPointPair& pair)
 {
@@ -108,8 +106,7 @@ dgg::Status vtkDGGPathSearch::RunExact(const dgg::ProgressCallback& progress, Pa
   const std::vector<std::vector<std::size_t>> groups = GroupByStart(this->PointPairs);
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
   dgg::WorkspacePool<dgg::ExactPathFinder> finders;
-  vtkDGGSharedProgress shared(progress, groups.size());
-  const auto step = [&](std::size_t g) {
+  const auto step = [&](std::size_t g, const dgg::ProgressCallback& within) {
     const std::vector<std::size_t>& group = groups[g];
     std::vector<dgg::SurfacePoint> targets;
     for (const std::size_t i : group)
@@ -118,7 +115,7 @@ dgg::Status vtkDGGPathSearch::RunExact(const dgg::ProgressCallback& progress, Pa
     }
     std::vector<dgg::SurfacePath> found;
     const dgg::Status status =
-      finders.Borrow(mesh)->Find(this->PointPairs[group[0]].From, targets, shared.OfStep(), found);
+      finders.Borrow(mesh)->Find(this->PointPairs[group[0]].From, targets, within, found);
     for (std::size_t k = 0; k < group.size() && status.IsOk(); ++k)
     {
       dgg::FoundPath& path = paths[group[k]];
@@ -130,6 +127,5 @@ dgg::Status vtkDGGPathSearch::RunExact(const dgg::ProgressCallback& progress, Pa
       "of the paths that start where pair " + std::to_string(group[0]) + " does, ",
       ". Use Method Graph");
   };
-  return vtkDGGForBlocks(
-    groups.size(), PropagationBlock, [&](double done) { return shared.Tell(done); }, step);
+  return vtkDGGForLongSteps(groups.size(), progress, step);
 }

@@ -5,6 +5,7 @@
 #include "GraphTestTools.h"
 #include "LoopTestTools.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 using namespace dggtest;
 
@@ -885,6 +887,39 @@ TEST_F(DGGLoop, ObserversMayChangeTheInput)
   this->Filter->AddPointId(30);
   this->Filter->SetTapeWidth(1.0);
   ExpectObserversMayEmptyThePoints(this->Filter, MakePrism(Sides, Rows));
+}
+
+/// A graph that is gone in the middle of a search is an error, in whatever threads there are.
+TEST_F(DGGLoop, ObserversMayEmptyTheGraph)
+{
+  vtkSmartPointer<vtkPolyData> surface;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&surface);
+  command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+    if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() > 0.1001)
+    {
+      vtkPolyData* input = *static_cast<vtkSmartPointer<vtkPolyData>*>(data);
+      for (const std::string& name : GetGraphArrayNames())
+      {
+        input->GetFieldData()->GetArray(name.c_str())->Initialize();
+      }
+    }
+  });
+  this->Filter->AddObserver(vtkCommand::ProgressEvent, command);
+  ForEachThreading([&](const std::string& threading) {
+    const std::vector<std::pair<int, std::vector<vtkIdType>>> cases = { { vtkDGGLoop::ThroughPoint,
+                                                                          { 5 } },
+      { vtkDGGLoop::ThroughPoint, { 5, 300 } }, { vtkDGGLoop::Rope, { 5, 100, 200 } } };
+    for (const auto& each : cases)
+    {
+      SCOPED_TRACE(threading + ", points: " + std::to_string(each.second.size()));
+      surface = MakeSurfaceWithGraph(this->Torus, 0.02);
+      this->Filter->SetInputData(surface);
+      this->Filter->SetMode(each.first);
+      this->Filter->SetPointIds(each.second);
+      ExpectError(this->Filter, { "the arrays of the graph on the input were changed" });
+    }
+  });
 }
 
 TEST_F(DGGLoop, PrintSelf)

@@ -921,6 +921,31 @@ TEST_F(DGGPath, ObserversMayChangeTheInput)
   EXPECT_EQ(GetPaths(this->Filter), expected);
 }
 
+/// Also where the thread that waits for the others has no propagation of its own.
+TEST_F(DGGPath, PropagationsTellTheirProgressInAllThreads)
+{
+  this->Filter->SetInputData(MakeTerrain(120));
+  this->Filter->SetMethodToExact();
+  for (vtkIdType i = 0; i < 6; ++i)
+  {
+    this->Filter->AddPair(i, 120 * 120 - 1 - i);
+  }
+  ForEachThreading([&](const std::string& threading) {
+    SCOPED_TRACE(threading);
+    ProgressWatch watch(this->Filter);
+    this->Filter->Modified();
+    ExpectSuccess(this->Filter);
+    watch.ExpectGrowth(2);
+    watch.Progress.clear();
+    watch.StopAt = 0.101; // the start is at 0.1
+    this->Filter->Modified();
+    ExpectSuccess(this->Filter);
+    ExpectEmptyOutput(this->Filter);
+    EXPECT_LT(watch.Progress.back(), 0.9);
+    this->Filter->RemoveAllObservers();
+  });
+}
+
 TEST_F(DGGPath, OneLongPropagationTellsItsProgress)
 {
   this->Filter->SetInputData(MakeTerrain(120));

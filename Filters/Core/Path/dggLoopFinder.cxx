@@ -164,6 +164,10 @@ Status LoopFinder::Implementation::Trace(
 Status LoopFinder::Implementation::ThroughPoint(
   const SurfacePoint& point, bool taut, const ProgressCallback& progress, FoundLoop& loop) const
 {
+  if (progress && !progress(0.0))
+  {
+    return Status::Abort(); // before the graph is looked at
+  }
   Tree tree;
   tree.Point = point;
   Status status = this->Grow(tree);
