@@ -58,7 +58,8 @@ dgg::Status vtkDGGLoopSearch::RunThroughPoints(vtkDGGGraphProvider& graph, const
   {
     return status;
   }
-  const dgg::LoopFinder finder(this->Mesh.GetMesh(), graph.GetSearch(), builder, positions);
+  const dgg::LoopFinder finder(
+    this->Mesh.GetMesh(), graph.GetSearch(), builder, positions, graph.GetLinkAccuracy());
   set.Loops.assign(points.size(), dgg::FoundLoop());
   const auto step = [&](std::size_t i, const dgg::ProgressCallback& within) {
     return Explain(
@@ -88,7 +89,8 @@ dgg::Status vtkDGGLoopSearch::RunRope(vtkDGGGraphProvider& graph, const double* 
   {
     return status;
   }
-  const dgg::LoopFinder finder(this->Mesh.GetMesh(), graph.GetSearch(), builder, positions);
+  const dgg::LoopFinder finder(
+    this->Mesh.GetMesh(), graph.GetSearch(), builder, positions, graph.GetLinkAccuracy());
   set.Loops.resize(1);
   bool isConnected = true;
   status = Explain(finder.Rope(points, taut, set.Loops[0], isConnected, progress), "rope");

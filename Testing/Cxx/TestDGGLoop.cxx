@@ -685,6 +685,21 @@ TEST_F(DGGLoop, GraphsOfAllConstructions)
     {
       EXPECT_NEAR(loop.Line.Length, tube, 1e-9);
     }
+    // A rope once around the tube, by way of places in faces.
+    this->Filter->SetModeToRope();
+    this->Filter->TautOff();
+    this->Filter->RemoveAllPointIds();
+    this->Filter->SetPointData(MakeSourcePoints({ { { 1.38, 0.1, 0.05 } }, { { 1.0, 0.1, 0.38 } },
+      { { 0.62, 0.1, 0.0 } }, { { 1.0, 0.1, -0.38 } } }));
+    ExpectSuccess(this->Filter);
+    const auto ropes = GetLoops(this->Filter);
+    ASSERT_EQ(ropes.size(), 1u);
+    EXPECT_GE(ropes[0].Line.Length, tube * (1.0 - 1e-9));
+    EXPECT_LE(ropes[0].Line.Length, tube * 1.2);
+    this->Filter->SetModeToThroughPoint();
+    this->Filter->TautOn();
+    this->Filter->SetPointIds({ 5, 300 });
+    this->Filter->SetPointData(MakeSourcePoints({ { { 1.0, 0.1, 0.4 } } }));
   }
 }
 

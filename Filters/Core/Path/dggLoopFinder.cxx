@@ -18,6 +18,12 @@ namespace
 constexpr std::size_t MostTrials = 256;
 /// Of links into a graph that has none.
 constexpr double DefaultAccuracy = 0.01;
+double ChooseLinkAccuracy(double wanted, const GraphView& graph)
+{
+  const double accuracy = wanted > 0.0 ? wanted : graph.Info.Accuracy;
+  return accuracy > 0.0 ? accuracy : DefaultAccuracy;
+}
+
 /// Kinks of ways that are tried first, radians.
 constexpr double NarrowKink = 0.3;
 /// Once there is a loop, longer ones are tried that may become shorter than it.
@@ -38,11 +44,12 @@ class LoopFinder::Implementation
 {
 public:
   Implementation(const SurfaceMesh& mesh, const GraphSearch& search, const GraphBuilder* builder,
-    const double* positions)
+    const double* positions, double linkAccuracy)
     : Mesh(mesh)
     , Search(search)
     , Builder(builder)
     , Paths(mesh, search, builder, positions)
+    , LinkAccuracy(ChooseLinkAccuracy(linkAccuracy, search.GetGraph()))
     , Usable(CheckCorners(mesh))
   {
   }
@@ -54,6 +61,7 @@ public:
   const GraphSearch& Search;
   const GraphBuilder* Builder;
   PathFinder Paths;
+  const double LinkAccuracy;
   Status Usable; // whether the mesh is
 
 private:
@@ -100,9 +108,7 @@ Status LoopFinder::Implementation::Grow(Tree& tree) const
   {
     std::vector<GraphLink> links;
     std::vector<double> direct;
-    const double accuracy = this->Search.GetGraph().Info.Accuracy;
-    status = this->Builder->Link(
-      tree.Point, accuracy > 0.0 ? accuracy : DefaultAccuracy, {}, links, direct);
+    status = this->Builder->Link(tree.Point, this->LinkAccuracy, {}, links, direct);
     for (const GraphLink& link : links)
     {
       tree.Seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
@@ -237,8 +243,8 @@ Status LoopFinder::Implementation::TryCandidates(
 }
 
 LoopFinder::LoopFinder(const SurfaceMesh& mesh, const GraphSearch& search,
-  const GraphBuilder* builder, const double* positions)
-  : Internals(std::make_unique<Implementation>(mesh, search, builder, positions))
+  const GraphBuilder* builder, const double* positions, double linkAccuracy)
+  : Internals(std::make_unique<Implementation>(mesh, search, builder, positions, linkAccuracy))
 {
 }
 
@@ -271,6 +277,8 @@ Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, Foun
   {
     return Status::Invalid("a rope needs points to go through");
   }
+  PathOptions options;
+  options.LinkAccuracy = this->Internals->LinkAccuracy;
   SurfacePath rope;
   std::vector<std::size_t> stops; // pieces that start at the points
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -281,7 +289,7 @@ Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, Foun
     }
     FoundPath leg;
     Status status =
-      this->Internals->Paths.Find(points[i], points[(i + 1) % points.size()], PathOptions(), leg);
+      this->Internals->Paths.Find(points[i], points[(i + 1) % points.size()], options, leg);
     if (!status.IsOk())
     {
       return status;

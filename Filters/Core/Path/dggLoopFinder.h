@@ -18,9 +18,10 @@ namespace dgg
 class LoopFinder
 {
 public:
-  /// As PathFinder::PathFinder().
+  /// As PathFinder::PathFinder(). `linkAccuracy` is that of the links of points that are not
+  /// vertices; 0: that of the graph, or 0.01 when it has none (a SaddleVertexGraph).
   LoopFinder(const SurfaceMesh& mesh, const GraphSearch& search, const GraphBuilder* builder,
-    const double* positions);
+    const double* positions, double linkAccuracy = 0.0);
   ~LoopFinder();
   LoopFinder(const LoopFinder&) = delete;
   LoopFinder& operator=(const LoopFinder&) = delete;
