@@ -55,6 +55,11 @@ dgg::Status vtkDGGPairLines::Read(vtkPolyData* lines, bool isNeeded)
       "input port 1 has points but no lines, and only lines are pairs: connect the points of each "
       "pair by a line");
   }
+  if (!lines->GetLines()->IsValid())
+  {
+    return dgg::Status::Invalid("the offsets and the connectivity of the lines of input port 1 "
+                                "contradict each other: build the cell array anew");
+  }
   const vtkIdType firstCell = lines->GetNumberOfVerts(); // cells are numbered verts first
   for (vtkIdType i = 0; i < count; ++i)
   {

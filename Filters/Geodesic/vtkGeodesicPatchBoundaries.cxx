@@ -57,6 +57,13 @@ void ForEachCell(vtkCellArray* cells, Visitor&& visit)
   }
 }
 
+/// The cells that name landmarks; null when there are none.
+vtkPolyData* GetLayout(vtkInformationVector** inputVector)
+{
+  vtkPolyData* layout = vtkPolyData::GetData(inputVector[4]);
+  return layout ? layout : vtkPolyData::GetData(inputVector[2]);
+}
+
 dgg::PatchLayout ReadLayout(vtkPolyData* cells)
 {
   dgg::PatchLayout layout;
@@ -333,10 +340,16 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckInputs(
     return dgg::Status::Invalid("there is no second surface: call SetSecondSurfaceConnection() or "
                                 "SetSecondSurfaceData()");
   }
-  if (!vtkPolyData::GetData(inputVector[4]) && !vtkPolyData::GetData(inputVector[2]))
+  if (!GetLayout(inputVector))
   {
     return dgg::Status::Invalid("there is no layout: connect polygons or lines that name landmarks "
                                 "to input port 4, or landmarks with cells to input port 2");
+  }
+  vtkPolyData* layout = GetLayout(inputVector);
+  if (!layout->GetPolys()->IsValid() || !layout->GetLines()->IsValid())
+  {
+    return dgg::Status::Invalid("the offsets and the connectivity of the polygons or lines of the "
+                                "layout contradict each other: build the cell array anew");
   }
   // Those of the second surface are checked after the surface itself, when they are collected.
   return vtkDGGSourceCollector::Check(
@@ -387,9 +400,7 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
   {
     status = geometries[side].Take(surfaces[side], *meshes[side], this->GetOutputPointsPrecision());
   }
-  vtkPolyData* layout = vtkPolyData::GetData(inputVector[4]);
-  layout = layout ? layout : vtkPolyData::GetData(inputVector[2]);
-  if (status.IsOk() && (!layout || !this->Advance(0.0)))
+  if (status.IsOk() && !this->Advance(0.0))
   {
     status = dgg::Status::Abort();
   }
@@ -400,7 +411,8 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
   dgg::PatchBoundaries boundaries;
   status = dgg::TracePatchBoundaries(
     { meshes[0]->GetMesh(), landmarks[0] }, { meshes[1]->GetMesh(), landmarks[1] },
-    ReadLayout(layout), [this](double fraction) { return this->Advance(fraction); }, boundaries);
+    ReadLayout(GetLayout(inputVector)), [this](double fraction) { return this->Advance(fraction); },
+    boundaries);
   if (!status.IsOk())
   {
     return status;

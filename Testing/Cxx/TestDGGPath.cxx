@@ -13,6 +13,7 @@
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkStringArray.h"
 
@@ -763,6 +764,18 @@ TEST_F(DGGPath, WrongPairs)
   lines->SetLines(MakeCells({ { 0, 1 }, {} }));
   lines->Modified();
   ExpectError(this->Filter, { "line 1 of input port 1 has no points" });
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> connectivity;
+  for (const vtkIdType value : { 0, 1 })
+  {
+    offsets->InsertNextValue(100000000 * value);
+    connectivity->InsertNextValue(value);
+  }
+  vtkNew<vtkCellArray> broken;
+  broken->SetData(offsets, connectivity);
+  lines->SetLines(broken);
+  lines->Modified();
+  ExpectError(this->Filter, { "lines of input port 1 contradict each other" });
   this->Filter->SetPairData(nullptr);
   this->Filter->AddPair(0, 5);
   ExpectSuccess(this->Filter);

@@ -10,6 +10,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -359,6 +360,22 @@ TEST_F(GeodesicPatchBoundaries, SaysWhatIsWrong)
   ExpectError(this->Filter, { "edge 2 of the layout", "occurs twice" });
   this->Filter->SetLayoutData(MakeLayout({}, { { 0, 8 }, { 2, 6 } }));
   ExpectError(this->Filter, { "between landmarks", "cannot be drawn on the first surface" });
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> connectivity;
+  for (const vtkIdType value : { 0, 1 })
+  {
+    offsets->InsertNextValue(100000000 * value);
+    connectivity->InsertNextValue(value);
+  }
+  vtkNew<vtkCellArray> broken;
+  broken->SetData(offsets, connectivity);
+  for (const bool isPolygon : { true, false })
+  {
+    vtkNew<vtkPolyData> layout;
+    isPolygon ? layout->SetPolys(broken) : layout->SetLines(broken);
+    this->Filter->SetLayoutData(layout);
+    ExpectError(this->Filter, { "of the layout contradict each other" });
+  }
   this->Filter->SetLayoutData(MakeLayout(GetFourQuads()));
   this->Filter->SetFirstLandmarkIds({});
   ExpectError(this->Filter, { "there is no first landmark" });
