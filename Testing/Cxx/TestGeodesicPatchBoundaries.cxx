@@ -422,3 +422,15 @@ TEST_F(GeodesicPatchBoundaries, ObserversMayChangeTheInput)
 {
   ExpectObserversMayEmptyThePoints(this->Filter, MakeGrid(8, 8));
 }
+/// A landmark in no curve lies in the same patch of both surfaces.
+TEST_F(GeodesicPatchBoundaries, LandmarksInNoCurve)
+{
+  this->Filter->SetSecondSurfaceData(MakeGrid(8, 8));
+  this->Filter->SetLayoutData(MakeLayout({ { 0, 1, 2 }, { 0, 2, 3 } }));
+  this->Filter->SetFirstLandmarkIds({ 10, 16, 70, 64, 23 });
+  this->Filter->SetSecondLandmarkIds({ 10, 16, 70, 64, 47 });
+  ExpectError(this->Filter, { "divide the two surfaces differently at landmark 4" });
+  this->Filter->SetSecondLandmarkIds({ 10, 16, 70, 64, 24 });
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetOutput(0)->GetNumberOfLines(), 5);
+}

@@ -361,7 +361,8 @@ Status BoundaryTracer::CheckPatches(int side) const
 /// kind.
 Status BoundaryTracer::CompareParts() const
 {
-  using Corner = std::array<Id, 3>; // landmark and the curves beside it
+  using Corner =
+    std::array<Id, 3>; // landmark and the curves beside it, none when it is in no curve
   std::array<std::map<Corner, Id>, 2> parts;
   std::array<std::vector<Id>, 2> characteristics;
   for (int side = 0; side < 2; ++side)
@@ -374,7 +375,7 @@ Status BoundaryTracer::CompareParts() const
       {
         std::swap(sector.Begin, sector.End);
       }
-      if (sector.Begin != NoId && sector.End != NoId)
+      if (sector.IsWhole || (sector.Begin != NoId && sector.End != NoId))
       {
         parts[side][{ { sector.Landmark, sector.Begin, sector.End } }] = sector.Part;
       }
