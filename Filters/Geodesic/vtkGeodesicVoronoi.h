@@ -160,8 +160,10 @@ public:
 
   ///@{
   /**
-   * Whether to make cells and boundaries. When off, outputs 1 and 2 are empty, and the labels and
-   * distances of the points come from a single search, which is many times faster. Default on.
+   * Whether to make cells and boundaries. When off, outputs 1 and 2 are empty, and port 3 has no
+   * CellArea. The labels of the points then come from a single search, which is many times faster:
+   * they are those of the nearest sites in the graph, before distances are corrected, so that a
+   * point about as far from two sites may get the other one. Default on.
    */
   vtkSetMacro(GenerateCells, bool);
   vtkGetMacro(GenerateCells, bool);
