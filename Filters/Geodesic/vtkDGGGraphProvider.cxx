@@ -346,6 +346,8 @@ const dgg::PathFinder& vtkDGGGraphProvider::GetPathFinder(
     this->Finder = std::make_unique<dgg::PathFinder>(
       mesh.GetMesh(), *this->Search, this->Builder.get(), positions);
     this->FinderPositions = positions;
+    this->PositionsSize =
+      3 * sizeof(double) * static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices());
   }
   return *this->Finder;
 }
@@ -371,8 +373,8 @@ std::size_t vtkDGGGraphProvider::LinkStore::GetMemorySize() const
 //------------------------------------------------------------------------------
 std::size_t vtkDGGGraphProvider::GetMemorySize() const
 {
-  return this->Search
-    ? this->Summary.MemorySize + this->Search->GetMemorySize() + this->BuilderSize +
-      this->Store.GetMemorySize() + (this->Finder ? this->Finder->GetMemorySize() : 0)
-    : 0;
+  return this->Search ? this->Summary.MemorySize + this->Search->GetMemorySize() +
+      this->BuilderSize + this->Store.GetMemorySize() +
+      (this->Finder ? this->Finder->GetMemorySize() + this->PositionsSize : 0)
+                      : 0;
 }

@@ -122,6 +122,7 @@ private:
   std::size_t BuilderSize = 0;             // bytes, about
   std::unique_ptr<dgg::PathFinder> Finder; // in Search, with Builder
   const double* FinderPositions = nullptr;
+  std::size_t PositionsSize = 0; // bytes
   LinkStore Store;
   vtkTimeStamp BuildTime;
   dgg::ProgressCallback Progress; // of the last request

@@ -4,6 +4,7 @@
 
 #include "dggWindowTracer.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace dgg
@@ -33,6 +34,7 @@ Status ExactPathFinder::Find(const SurfacePoint& from, const std::vector<Surface
   options.Progress = progress;
   ExactResult result;
   Status status = this->Solver->Run({ { from, 0.0 } }, options, result);
+  this->MemorySize = std::max(this->MemorySize, result.PeakMemory);
   if (!status.IsOk())
   {
     return status;

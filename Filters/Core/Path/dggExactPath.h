@@ -35,11 +35,15 @@ public:
   /// Windows that the last call propagated; none when the solver failed.
   std::size_t GetNumberOfWindows() const { return this->NumberOfWindows; }
 
+  /// Bytes that are kept for the next calls: as many as the call with most of them has taken.
+  std::size_t GetMemorySize() const { return this->MemorySize; }
+
 private:
   const SurfaceMesh& Mesh;
   const Status Fitness; // of the mesh
   std::unique_ptr<ExactGeodesics> Solver;
   std::size_t NumberOfWindows = 0;
+  std::size_t MemorySize = 0;
 };
 }
 

@@ -18,17 +18,17 @@ namespace
 struct PathWorkspace
 {
   explicit PathWorkspace(const SurfaceMesh& mesh)
-    : Mesh(mesh)
+    : CorridorSize(PathCorridor::PredictMemorySize(mesh))
     , Tracer(mesh)
     , Shortener(mesh)
     , Corridor(mesh)
   {
   }
 
-  /// What is as large as the mesh.
-  std::size_t GetMemorySize() const { return PathCorridor::PredictMemorySize(this->Mesh); }
+  /// What is as large as the mesh. Does not look at the mesh, which may be gone by then.
+  std::size_t GetMemorySize() const { return this->CorridorSize + this->Tracer.GetMemorySize(); }
 
-  const SurfaceMesh& Mesh;
+  std::size_t CorridorSize;
   PathTracer Tracer;
   PathShortener Shortener;
   PathCorridor Corridor;

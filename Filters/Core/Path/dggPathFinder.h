@@ -58,7 +58,8 @@ public:
   Status Find(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options,
     FoundPath& found) const;
 
-  /// Bytes that are kept for the next paths, as much for each thread that has found one.
+  /// Bytes that are kept for the next paths, as much for each thread that has found one. May be
+  /// called when the mesh is gone.
   std::size_t GetMemorySize() const;
 
 private:

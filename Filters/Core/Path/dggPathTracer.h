@@ -9,7 +9,8 @@
 #include "dggHopTracer.h"  // for Hop
 #include "dggStripChain.h" // for StripChain
 
-#include <memory> // for the solver
+#include <cstddef> // for std::size_t
+#include <memory>  // for the solver
 
 namespace dgg
 {
@@ -39,6 +40,9 @@ public:
   std::vector<Strip>& GetStrips() { return this->Chain.GetStrips(); }
   /// Hops whose direction did not lead to their head.
   Id GetNumberOfFallbacks() const { return this->NumberOfFallbacks; }
+
+  /// Bytes of the solver that is kept; nothing else is as large as the mesh.
+  std::size_t GetMemorySize() const { return this->Exact ? this->Exact->GetMemorySize() : 0; }
 
 private:
   bool FindExactly(
