@@ -11,12 +11,14 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <exception>
 #include <new>
 #include <sstream>
+#include <vector>
 
 namespace
 {
@@ -86,6 +88,27 @@ dgg::Status CheckPieces(vtkInformation* request, vtkInformationVector* outputVec
   }
   return dgg::Status::Success();
 }
+
+/// What is connected when an update starts. Observers may disconnect it, and let it go.
+class HeldInputs
+{
+public:
+  HeldInputs(vtkInformationVector** inputVector, int ports)
+  {
+    for (int port = 0; port < ports; ++port)
+    {
+      const auto held = vtkSmartPointer<vtkInformationVector>::New();
+      held->Copy(inputVector[port], 1); // with references to the data
+      this->Vectors.push_back(held);
+      this->Pointers.push_back(held);
+    }
+  }
+  vtkInformationVector** Get() { return this->Pointers.data(); }
+
+private:
+  std::vector<vtkSmartPointer<vtkInformationVector>> Vectors;
+  std::vector<vtkInformationVector*> Pointers;
+};
 
 /// An empty output does not count as up to date: the next update tries again.
 void Empty(vtkInformationVector* outputVector)
@@ -314,7 +337,8 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   {
     return status;
   }
-  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+  HeldInputs inputs(inputVector, this->GetNumberOfInputPorts());
+  vtkPolyData* surface = vtkPolyData::GetData(inputs.Get()[0]);
   if (surface && surface->GetNumberOfPoints() == 0 && surface->GetNumberOfCells() == 0)
   {
     vtkWarningMacro("The input is empty: it has neither points nor cells. So is the output.");
@@ -322,7 +346,7 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
     this->MakeEmptyOutput(surface, outputVector);
     return dgg::Status::Success();
   }
-  status = surface ? this->CheckInputs(surface, inputVector) : dgg::Status::Success();
+  status = surface ? this->CheckInputs(surface, inputs.Get()) : dgg::Status::Success();
   if (status.IsOk())
   {
     status = this->PrepareMesh(surface);
@@ -331,7 +355,7 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   {
     return status;
   }
-  return this->Execute(surface, inputVector, outputVector);
+  return this->Execute(surface, inputs.Get(), outputVector);
 }
 
 //------------------------------------------------------------------------------

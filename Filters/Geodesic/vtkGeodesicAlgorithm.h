@@ -44,7 +44,8 @@
  *
  * <b>Progress and abort.</b> ProgressEvent is invoked now and then; AbortExecute set by an observer
  * stops the computation: the output is empty, GetErrorCode() is zero, and the next update of this
- * filter starts anew. Call Modified() to have filters downstream follow.
+ * filter starts anew. Call Modified() to have filters downstream follow. An observer may change
+ * properties and disconnect inputs: the update goes on with what there was at its start.
  *
  * The mesh is prepared once and kept until points, polygons or strips change; a change of another
  * property does not prepare it again, nor does an update upstream that leaves them as they are, bit

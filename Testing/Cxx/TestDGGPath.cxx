@@ -957,6 +957,50 @@ TEST_F(DGGPath, ObserversMayChangeTheInput)
   EXPECT_EQ(GetPaths(this->Filter), expected);
 }
 
+/// What is connected at the start counts, even when nothing but the connection keeps it.
+TEST_F(DGGPath, ObserversMayDisconnectInputs)
+{
+  const Points ends = { { { 0.21, 0.13, 0.0 } }, { { 0.83, 0.72, 0.0 } } };
+  this->Filter->SetProjectionTolerance(1.0);
+  std::function<void()> change;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&change);
+  command->SetCallback([](vtkObject* caller, unsigned long, void* action, void*) {
+    if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() > 0.0) // the pipeline tells 0 before
+    {
+      (*static_cast<std::function<void()>*>(action))();
+    }
+  });
+  this->Filter->AddObserver(vtkCommand::ProgressEvent, command);
+  std::vector<PathLine> expected;
+  for (const int port : { -1, 0, 1 })
+  {
+    SCOPED_TRACE(port);
+    auto pairs = MakePairs(ends);
+    vtkNew<vtkStringArray> names;
+    names->SetName("name");
+    names->InsertNextValue("from here to there");
+    pairs->GetCellData()->AddArray(names);
+    this->Filter->SetInputData(MakeTerrain(20));
+    this->Filter->SetPairData(pairs);
+    pairs = nullptr;
+    bool isCalled = false;
+    change = [&] {
+      isCalled = true;
+      if (port >= 0)
+      {
+        this->Filter->SetInputDataObject(port, nullptr);
+      }
+    };
+    ExpectSuccess(this->Filter);
+    EXPECT_TRUE(isCalled);
+    expected = port < 0 ? GetPaths(this->Filter) : expected;
+    ASSERT_EQ(expected.size(), 1u);
+    EXPECT_EQ(GetPaths(this->Filter), expected);
+    EXPECT_NE(this->Filter->GetOutput()->GetCellData()->GetAbstractArray("name"), nullptr);
+  }
+}
+
 /// Also where the thread that waits for the others has no propagation of its own.
 TEST_F(DGGPath, PropagationsTellTheirProgressInAllThreads)
 {
