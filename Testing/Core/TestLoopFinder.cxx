@@ -13,7 +13,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 
 namespace dggtest
@@ -23,6 +25,85 @@ namespace
 using dgg::FoundLoop;
 using dgg::SurfacePath;
 using dgg::SurfacePoint;
+
+/// A plate of height 1 with square holes, n in each direction, in unit squares.
+TestMesh PlateWithHoles(int n)
+{
+  const int size = 2 * n + 1;
+  TestMesh mesh;
+  std::map<std::array<int, 3>, Id> ids;
+  const auto at = [&](int x, int y, int z) {
+    const auto added = ids.emplace(std::array<int, 3>{ { x, y, z } }, mesh.GetNumberOfVertices());
+    if (added.second)
+    {
+      mesh.AddPoint(x, y, z);
+    }
+    return added.first->second;
+  };
+  const auto isSolid = [&](int i, int j) {
+    return i >= 0 && i < size && j >= 0 && j < size && !(i % 2 == 1 && j % 2 == 1);
+  };
+  const auto addWall = [&](int x0, int y0, int x1, int y1) {
+    mesh.AddQuad(at(x0, y0, 0), at(x1, y1, 0), at(x1, y1, 1), at(x0, y0, 1));
+  };
+  for (int i = 0; i < size; ++i)
+  {
+    for (int j = 0; j < size; ++j)
+    {
+      if (!isSolid(i, j))
+      {
+        continue;
+      }
+      mesh.AddQuad(at(i, j, 1), at(i + 1, j, 1), at(i + 1, j + 1, 1), at(i, j + 1, 1));
+      mesh.AddQuad(at(i, j, 0), at(i, j + 1, 0), at(i + 1, j + 1, 0), at(i + 1, j, 0));
+      if (!isSolid(i + 1, j))
+      {
+        addWall(i + 1, j, i + 1, j + 1);
+      }
+      if (!isSolid(i - 1, j))
+      {
+        addWall(i, j + 1, i, j);
+      }
+      if (!isSolid(i, j + 1))
+      {
+        addWall(i + 1, j + 1, i, j + 1);
+      }
+      if (!isSolid(i, j - 1))
+      {
+        addWall(i, j, i + 1, j);
+      }
+    }
+  }
+  return mesh;
+}
+
+/// Modulo 2: how often a closed chain goes around the hole with this middle, and how often it
+/// crosses the square inside the plate whose sides run around the hole within the bars.
+std::array<char, 2> CountCrossings(
+  const std::vector<std::array<double, 3>>& points, double x, double y)
+{
+  constexpr double Off = 0.0123; // no vertex is there
+  std::array<char, 2> counts{ { 0, 0 } };
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+  {
+    const std::array<double, 3>& a = points[i];
+    const std::array<double, 3>& b = points[i + 1];
+    const auto cross = [&](int axis, double place, int other) {
+      const double t = (place - a[axis]) / (b[axis] - a[axis]);
+      return a[other] + t * (b[other] - a[other]);
+    };
+    if ((a[1] > y + Off) != (b[1] > y + Off) && cross(1, y + Off, 0) > x)
+    {
+      counts[0] ^= 1;
+    }
+    if ((a[2] > 0.5 + Off) != (b[2] > 0.5 + Off) && std::abs(cross(2, 0.5 + Off, 0) - x) < 1.0 &&
+      std::abs(cross(2, 0.5 + Off, 1) - y) < 1.0)
+    {
+      counts[1] ^= 1;
+    }
+  }
+  return counts;
+}
 
 /// A mesh, its graph, and loops on it.
 class LoopWorld
@@ -283,12 +364,64 @@ TEST(LoopFinder, HandlesTellTheirProgress)
   };
   ASSERT_TRUE(dgg::FindHandleLoops(mesh, tell, loops).IsOk());
   EXPECT_EQ(loops.size(), 4u);
-  EXPECT_GT(progress.size(), 8u);
+  EXPECT_GT(progress.size(), 40u); // several for each base
+  EXPECT_GE(
+    std::count_if(progress.begin(), progress.end(), [](double p) { return p > 0.9 && p < 1.0; }),
+    3); // while loops are compared
   EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
   EXPECT_EQ(progress.back(), 1.0);
   const auto stop = [](double fraction) { return fraction < 0.5; };
   EXPECT_TRUE(dgg::FindHandleLoops(mesh, stop, loops).IsAborted());
   EXPECT_TRUE(loops.empty());
+  double last = 0.0;
+  const auto stopLate = [&](double fraction) {
+    last = fraction;
+    return fraction <= 0.9;
+  };
+  EXPECT_TRUE(dgg::FindHandleLoops(mesh, stopLate, loops).IsAborted());
+  EXPECT_TRUE(loops.empty());
+  EXPECT_LT(last, 1.0);
+}
+
+/// More handles than a machine word has bits. Those loops are independent that a loop through a
+/// hole and one around it tell apart.
+TEST(LoopFinder, LoopsOfManyHandlesAreIndependent)
+{
+  constexpr int Holes = 6; // in each direction
+  const TestMesh plate = PlateWithHoles(Holes);
+  const LoopWorld world(plate, 0.2);
+  const std::vector<FoundLoop> loops = world.AroundHandles();
+  ASSERT_EQ(loops.size(), 2u * Holes * Holes);
+  std::vector<std::vector<char>> rows;
+  for (const FoundLoop& loop : loops)
+  {
+    ASSERT_FALSE(loop.Loop.IsEmpty());
+    std::vector<std::array<double, 3>> points;
+    for (const SurfacePoint& point : loop.Loop.Points)
+    {
+      points.push_back(dgg::PositionOf(world.Mesh, point, plate.Points.data()));
+    }
+    std::vector<char> row;
+    for (int i = 0; i < Holes; ++i)
+    {
+      for (int j = 0; j < Holes; ++j)
+      {
+        const auto counts = CountCrossings(points, 2.0 * i + 1.5, 2.0 * j + 1.5);
+        row.insert(row.end(), counts.begin(), counts.end());
+      }
+    }
+    for (const std::vector<char>& other : rows)
+    {
+      const auto pivot = std::find(other.begin(), other.end(), 1) - other.begin();
+      if (row[pivot])
+      {
+        std::transform(row.begin(), row.end(), other.begin(), row.begin(),
+          [](char a, char b) { return static_cast<char>(a ^ b); });
+      }
+    }
+    EXPECT_NE(std::find(row.begin(), row.end(), 1), row.end());
+    rows.push_back(row);
+  }
 }
 
 /// A component costs what it would cost alone, however many there are.

@@ -7,12 +7,67 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace dgg
 {
 namespace
 {
+/// Rows of bits, none of which is a sum of others modulo 2.
+class IndependentRows
+{
+public:
+  using Row = std::vector<std::uint64_t>;
+
+  explicit IndependentRows(std::size_t dimension)
+    : RowOf(dimension, None)
+  {
+  }
+
+  /// False when the row is a sum of those that are there.
+  bool Add(Row row)
+  {
+    // In echelon form: a row with pivot p has no bit before p.
+    for (std::size_t word = 0; word < row.size(); ++word)
+    {
+      while (row[word] != 0)
+      {
+        const std::size_t pivot = 64 * word + FindLowestBit(row[word]);
+        if (this->RowOf[pivot] == None)
+        {
+          this->RowOf[pivot] = this->Rows.size();
+          this->Rows.push_back(std::move(row));
+          return true;
+        }
+        const Row& other = this->Rows[this->RowOf[pivot]];
+        for (std::size_t i = word; i < row.size(); ++i)
+        {
+          row[i] ^= other[i];
+        }
+      }
+    }
+    return false;
+  }
+
+private:
+  static constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
+
+  static std::size_t FindLowestBit(std::uint64_t bits)
+  {
+    std::size_t place = 0;
+    while (((bits >> place) & 1) == 0)
+    {
+      ++place;
+    }
+    return place;
+  }
+
+  std::vector<Row> Rows;
+  std::vector<std::size_t> RowOf; // per bit, the row that has its pivot there
+};
+
 /// Loops around the handles of a component, and which of them are independent.
 class ComponentLoops
 {
@@ -31,59 +86,62 @@ public:
   /// Loops through the vertex `base`, and through places on them. False when it was stopped.
   bool Collect(Id base, const ProgressCallback& progress)
   {
-    this->AddLoopsThrough(base);
-    return this->AddLoopsThroughLoops(progress);
+    return this->AddLoopsThrough(
+             base, [&](double fraction) { return progress(FirstShare * fraction); }) &&
+      this->AddLoopsThroughLoops([&](double fraction) {
+        return progress(FirstShare + (CollectShare - FirstShare) * fraction);
+      });
   }
 
-  /// Independent ones, the shortest first, followed by empty ones for those that are missing.
-  std::vector<FoundLoop> TakeShortest()
+  /// Independent ones, the shortest first, followed by empty ones for those that are missing. False
+  /// when it was stopped.
+  bool TakeShortest(const ProgressCallback& progress, std::vector<FoundLoop>& loops)
   {
     std::stable_sort(
       this->Candidates.begin(), this->Candidates.end(), [](const Candidate& a, const Candidate& b) {
         return a.Found.Loop.Length < b.Found.Loop.Length;
       });
-    std::vector<FoundLoop> loops;
-    std::vector<std::vector<char>> rows; // in echelon form
-    for (Candidate& candidate : this->Candidates)
+    const std::size_t dimension = this->Signatures.GetDimension();
+    IndependentRows rows(dimension);
+    for (std::size_t i = 0; i < this->Candidates.size() && loops.size() < dimension; ++i)
     {
-      std::vector<char> row = candidate.Signature;
-      for (const std::vector<char>& other : rows)
+      const double done = static_cast<double>(i) / static_cast<double>(this->Candidates.size());
+      if (!progress(CollectShare + (1.0 - CollectShare) * done))
       {
-        const auto pivot = std::find(other.begin(), other.end(), 1) - other.begin();
-        if (row[pivot])
-        {
-          std::transform(row.begin(), row.end(), other.begin(), row.begin(),
-            [](char a, char b) { return static_cast<char>(a ^ b); });
-        }
+        return false;
       }
-      if (std::find(row.begin(), row.end(), 1) != row.end())
+      if (rows.Add(std::move(this->Candidates[i].Signature)))
       {
-        rows.push_back(std::move(row));
-        loops.push_back(std::move(candidate.Found));
+        loops.push_back(std::move(this->Candidates[i].Found));
       }
     }
-    loops.resize(this->Signatures.GetDimension());
-    return loops;
+    loops.resize(dimension);
+    return true;
   }
 
 private:
   struct Candidate
   {
     FoundLoop Found;
-    std::vector<char> Signature;
+    IndependentRows::Row Signature;
   };
 
-  /// The shortest loops of edges through a vertex, pulled tight.
-  void AddLoopsThrough(Id base)
+  /// The shortest loops of edges through a vertex, pulled tight. False when it was stopped.
+  bool AddLoopsThrough(Id base, const ProgressCallback& progress)
   {
     this->Bases.push_back(base);
     std::vector<EdgeLoop> basis;
     if (!FindHomotopyBasis(this->Components, base, basis, this->Steps).IsOk())
     {
-      return;
+      return true;
     }
-    for (const EdgeLoop& edges : basis)
+    for (std::size_t l = 0; l < basis.size(); ++l)
     {
+      if (!progress(static_cast<double>(l) / static_cast<double>(basis.size())))
+      {
+        return false;
+      }
+      const EdgeLoop& edges = basis[l];
       SurfacePath path;
       for (std::size_t i = 0; i < edges.Vertices.size(); ++i)
       {
@@ -99,6 +157,7 @@ private:
         this->Candidates.push_back(std::move(candidate));
       }
     }
+    return true;
   }
 
   /// Which loops are shortest through a vertex depends on where that is: far from a handle, a loop
@@ -116,18 +175,27 @@ private:
         const SurfacePath& path = this->Candidates[i].Found.Loop;
         const Id face = path.Faces[k * path.Faces.size() / places];
         const Id base = this->Mesh.Origin(3 * face);
-        if (progress && !progress(std::min(1.0, static_cast<double>(this->Bases.size()) / steps)))
+        const auto done = static_cast<double>(this->Bases.size() - 1); // the first one apart
+        const auto part = [&](double fraction) {
+          return progress(std::min(1.0, (done + fraction) / steps));
+        };
+        if (!part(0.0))
         {
           return false;
         }
-        if (std::find(this->Bases.begin(), this->Bases.end(), base) == this->Bases.end())
+        if (std::find(this->Bases.begin(), this->Bases.end(), base) == this->Bases.end() &&
+          !this->AddLoopsThrough(base, part))
         {
-          this->AddLoopsThrough(base);
+          return false;
         }
       }
     }
     return true;
   }
+
+  /// Shares of the progress: up to the loops through the first base, and through all.
+  static constexpr double FirstShare = 0.1;
+  static constexpr double CollectShare = 0.9;
 
   static constexpr std::size_t BasesPerLoop = 4;
   static constexpr std::size_t MostBases = 16;
@@ -164,14 +232,16 @@ Status FindHandleLoops(const SurfaceMesh& mesh, const ProgressCallback& progress
       break;
     }
     ComponentLoops found(components, signatures);
-    const bool isDone = found.Collect(bases[i], part) && part(1.0);
+    std::vector<FoundLoop> shortest;
+    const bool isDone =
+      found.Collect(bases[i], part) && found.TakeShortest(part, shortest) && part(1.0);
     count += found.GetNumberOfSteps();
     if (!isDone)
     {
       status = Status::Abort();
       break;
     }
-    for (FoundLoop& loop : found.TakeShortest())
+    for (FoundLoop& loop : shortest)
     {
       loops.push_back(std::move(loop));
     }

@@ -331,15 +331,15 @@ HomologySignatures::HomologySignatures(
   }
 }
 
-std::vector<char> HomologySignatures::GetSignature(const EdgeLoop& loop) const
+std::vector<std::uint64_t> HomologySignatures::GetSignature(const EdgeLoop& loop) const
 {
-  std::vector<char> signature(this->Dimension, 0);
+  std::vector<std::uint64_t> signature((this->Dimension + 63) / 64, 0);
   for (const Id h : loop.HalfEdges)
   {
     const Id edge = FindEdge(this->Components.GetMesh(), h);
     for (const Id cycle : this->Cycles[this->Components.NumberOfHalfEdge(edge)])
     {
-      signature[cycle] ^= 1;
+      signature[cycle / 64] ^= std::uint64_t(1) << (cycle % 64);
     }
   }
   return signature;

@@ -8,6 +8,7 @@
 #include "dggSurfaceComponents.h" // for SurfaceComponents
 
 #include <cstddef> // for std::size_t
+#include <cstdint> // for signatures
 #include <vector>  // for the loops
 
 namespace dgg
@@ -32,7 +33,8 @@ public:
   /// The dimension: two for each handle, one for each boundary but the last, one for each
   /// cross-cap.
   std::size_t GetDimension() const { return this->Dimension; }
-  std::vector<char> GetSignature(const EdgeLoop& loop) const;
+  /// Bit i is bit i % 64 of word i / 64.
+  std::vector<std::uint64_t> GetSignature(const EdgeLoop& loop) const;
 
 private:
   const SurfaceComponents& Components;
