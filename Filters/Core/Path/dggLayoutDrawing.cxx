@@ -3,12 +3,12 @@
 #include "dggLayoutDrawing.h"
 
 #include "dggCurveMargin.h"
+#include "dggDisjointSets.h"
 #include "dggExactPath.h"
 #include "dggLayoutSurvey.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -129,17 +129,8 @@ Status LayoutDrawing::Cut()
 
 std::vector<Id> LayoutDrawing::FindBoundaryLoops() const
 {
-  std::vector<Id> parent(this->Surface.Refined.Points.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  auto root = [&](Id v) {
-    while (parent[v] != v)
-    {
-      parent[v] = parent[parent[v]];
-      v = parent[v];
-    }
-    return v;
-  };
-  std::vector<char> isOnBoundary(parent.size(), 0);
+  DisjointSets sets(this->Surface.Refined.Points.size());
+  std::vector<char> isOnBoundary(this->Surface.Refined.Points.size(), 0);
   for (std::size_t h = 0; h < this->Surface.Refined.Triangles.size(); ++h)
   {
     if (this->Surface.Refined.Twins[h] == NoId)
@@ -148,14 +139,14 @@ std::vector<Id> LayoutDrawing::FindBoundaryLoops() const
       const Id b = this->Surface.Refined.Triangles[SurfaceMesh::Next(static_cast<Id>(h))];
       isOnBoundary[a] = 1;
       isOnBoundary[b] = 1;
-      parent[root(a)] = root(b);
+      sets.Join(a, b);
     }
   }
   std::vector<Id> loops;
   for (std::size_t l = 0; l < this->Landmarks.size(); ++l)
   {
     const Id v = this->Surface.Refined.Paths[l][0];
-    loops.push_back(isOnBoundary[v] ? root(v) : NoId);
+    loops.push_back(isOnBoundary[v] ? sets.Find(v) : NoId);
   }
   return loops;
 }

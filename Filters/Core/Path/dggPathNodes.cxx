@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggPathNodes.h"
 
+#include "dggEdges.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -22,20 +24,10 @@ PathNodes::PathNodes(const SurfaceMesh& mesh)
 {
 }
 
-Id PathNodes::CanonicalEdge(Id h) const
-{
-  Id smallest = h;
-  for (Id e = this->Mesh.Twin(h); e != NoId && e != h; e = this->Mesh.Twin(e))
-  {
-    smallest = std::min(smallest, e);
-  }
-  return smallest;
-}
-
 const std::vector<Id>* PathNodes::FindOnEdge(Id h) const
 {
   const auto found =
-    this->OnEdge.empty() ? this->OnEdge.end() : this->OnEdge.find(this->CanonicalEdge(h));
+    this->OnEdge.empty() ? this->OnEdge.end() : this->OnEdge.find(FindEdge(this->Mesh, h));
   return found == this->OnEdge.end() ? nullptr : &found->second;
 }
 
@@ -47,7 +39,7 @@ const std::vector<Id>* PathNodes::FindInFace(Id face) const
 
 PathNodes::EdgeMark PathNodes::MarkOf(const SurfacePoint& point) const
 {
-  const Id edge = this->CanonicalEdge(point.HalfEdge);
+  const Id edge = FindEdge(this->Mesh, point.HalfEdge);
   const double t = point.Barycentric[(point.HalfEdge + 1) % 3] /
     (point.Barycentric[point.HalfEdge % 3] + point.Barycentric[(point.HalfEdge + 1) % 3]);
   const auto mark =
@@ -140,7 +132,7 @@ GridPoint PathNodes::PlaceOf(Id node, Id face) const
     return n.Place;
   }
   Id h = 3 * face;
-  while (h < 3 * face + 2 && this->CanonicalEdge(h) != n.Edge)
+  while (h < 3 * face + 2 && FindEdge(this->Mesh, h) != n.Edge)
   {
     ++h;
   }
@@ -166,7 +158,7 @@ bool PathNodes::AreOnOneSide(Id a, Id b, Id face, int& side) const
 int PathNodes::PositionOnSide(Id node, Id face, int side) const
 {
   const Id h = 3 * face + side;
-  const Id edge = this->CanonicalEdge(h);
+  const Id edge = FindEdge(this->Mesh, h);
   const auto found = this->OnEdge.find(edge);
   const int count = found == this->OnEdge.end() ? 0 : static_cast<int>(found->second.size());
   if (node == this->Mesh.Origin(h))
@@ -189,7 +181,7 @@ int PathNodes::PositionOnSide(Id node, Id face, int side) const
 Id PathNodes::NodeOnSide(Id face, int side, int position) const
 {
   const Id h = 3 * face + side;
-  const Id edge = this->CanonicalEdge(h);
+  const Id edge = FindEdge(this->Mesh, h);
   const std::vector<Id>& nodes = this->OnEdge.find(edge)->second;
   const bool along = this->Mesh.Origin(edge) == this->Mesh.Origin(h);
   return nodes[along ? position - 1 : static_cast<int>(nodes.size()) - position];
@@ -201,7 +193,7 @@ double PathNodes::Measure(Id a, Id b, Id face) const
   if (this->AreOnOneSide(a, b, face, side))
   {
     // The same bits in all faces of the edge.
-    const Id edge = this->CanonicalEdge(3 * face + side);
+    const Id edge = FindEdge(this->Mesh, 3 * face + side);
     auto mark = [&](Id node) {
       return node == this->Mesh.Origin(edge)   ? std::int64_t(0)
         : node == this->Mesh.Destination(edge) ? GridPoint::One

@@ -40,9 +40,7 @@ public:
     return node >= this->NumberOfVertices &&
       this->Nodes[node - this->NumberOfVertices].Face != NoId;
   }
-  /// All half-edges of an edge have one name.
-  Id CanonicalEdge(Id h) const;
-  /// Nodes on the edge of a half-edge, from the origin of its canonical one on. Null when there are
+  /// Nodes on the edge of a half-edge, from the origin of its FindEdge() on. Null when there are
   /// none.
   const std::vector<Id>* FindOnEdge(Id h) const;
   /// Nodes inside a face, in the order in which they came. Null when there are none.

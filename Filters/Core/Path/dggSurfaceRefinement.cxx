@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSurfaceRefinement.h"
 
+#include "dggEdges.h"
 #include "dggFaceTriangulation.h"
 #include "dggPieceSplitter.h"
 
@@ -232,7 +233,7 @@ void Refiner::MakeTwinsAndLengths()
     const Id b = this->Refined.Triangles[SurfaceMesh::Next(e)];
     int side = 0;
     const Offset where = this->Nodes.AreOnOneSide(a, b, f, side)
-      ? this->Nodes.CanonicalEdge(3 * f + side)
+      ? FindEdge(this->Mesh, 3 * f + side)
       : static_cast<Offset>(oldHalfEdges) + f;
     keys.emplace_back(where, std::min(a, b), std::max(a, b), e);
     this->Refined.Lengths[e] = this->Nodes.Measure(a, b, f);
