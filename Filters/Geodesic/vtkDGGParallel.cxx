@@ -18,7 +18,7 @@ namespace
 /// Steps for each thread between two looks at the progress.
 constexpr std::size_t StepsPerThread = 8;
 /// How often a thread that waits for others tells their progress.
-constexpr std::chrono::milliseconds PollInterval(20);
+constexpr std::chrono::milliseconds PollInterval(10);
 
 /// The error of the step with the smallest number.
 class FirstFailure

@@ -1004,12 +1004,9 @@ TEST_F(DGGPath, ObserversMayDisconnectInputs)
 /// Also where the thread that waits for the others has no propagation of its own.
 TEST_F(DGGPath, PropagationsTellTheirProgressInAllThreads)
 {
-  this->Filter->SetInputData(MakeTerrain(120));
+  this->Filter->SetInputData(MakeTerrain(100));
   this->Filter->SetMethodToExact();
-  for (vtkIdType i = 0; i < 6; ++i)
-  {
-    this->Filter->AddPair(i, 120 * 120 - 1 - i);
-  }
+  AddPairs(this->Filter, { { 0, 100 * 100 - 1 }, { 1, 100 * 100 - 2 } });
   ForEachThreading([&](const std::string& threading) {
     SCOPED_TRACE(threading);
     ProgressWatch watch(this->Filter);
