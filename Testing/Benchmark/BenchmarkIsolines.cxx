@@ -11,8 +11,7 @@
 ///                       and subdivided (Loop); empty leaves isolines out
 ///   --levels=20         isolines, evenly over the range of the exact distances
 ///   --chord=0.00001     how far lines may be from level sets where errors are measured, in mean
-///                       edge lengths; half of that is measured as well, to show that it does not
-///                       matter
+///                       edge lengths; half of that is measured as well, to show how much it matters
 ///   --drawn=0.001       the same for isolines of exact distances to be looked at: times are those
 ///   --steiner=0,2       points per edge of the published method
 ///   --more_steiner=1,5,10,20  the same in addition, on the first mesh at its smallest and its
