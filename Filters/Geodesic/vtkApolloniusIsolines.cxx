@@ -9,6 +9,8 @@
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 
+#include "dggApolloniusParts.h"
+
 #include "vtkContourValues.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -25,7 +27,6 @@ vtkStandardNewMacro(vtkApolloniusIsolines);
 
 namespace
 {
-constexpr int MostSteinerPoints = 20;
 /// Share of the progress that goes to what is known besides distances.
 constexpr double ReadingShare = 0.4;
 
@@ -199,10 +200,10 @@ std::vector<double> vtkApolloniusIsolines::CopyValues() const
 dgg::Status vtkApolloniusIsolines::CheckProperties() const
 {
   std::ostringstream message;
-  if (this->SteinerPoints < 0 || this->SteinerPoints > MostSteinerPoints)
+  if (this->SteinerPoints < 0 || this->SteinerPoints > dgg::MaximumSteinerPoints)
   {
     message << "SteinerPoints is " << this->SteinerPoints
-            << ": call SetSteinerPoints() with a number from 0 to " << MostSteinerPoints;
+            << ": call SetSteinerPoints() with a number from 0 to " << dgg::MaximumSteinerPoints;
   }
   else if (!(this->ChordTolerance > 0.0))
   {

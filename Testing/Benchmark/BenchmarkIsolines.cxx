@@ -14,7 +14,7 @@
 ///                       edge lengths; half of that is measured as well, to show how much it matters
 ///   --drawn=0.001       the same for isolines of exact distances to be looked at: times are those
 ///   --steiner=0,2       points per edge of the published method
-///   --more_steiner=1,5,10,20  the same in addition, on the first mesh at its smallest and its
+///   --more_steiner=1,5,10,20,50  the same in addition, on the first mesh at its smallest and its
 ///                       largest size
 ///   --accuracy=0.01     of the graph
 ///   --sources=3         of approximate distances, on meshes as they are; 0 leaves these out
@@ -284,7 +284,7 @@ int main(int argc, char** argv)
   benchmark::Initialize(&argc, argv);
   BenchmarkArguments arguments({ { "sizes", "600,1000,5000,10000,50000" }, { "levels", "20" },
     { "chord", "0.00001" }, { "drawn", "0.001" }, { "steiner", "0,2" },
-    { "more_steiner", "1,5,10,20" }, { "accuracy", "0.01" }, { "sources", "3" }, { "torus", "100" },
+    { "more_steiner", "1,5,10,20,50" }, { "accuracy", "0.01" }, { "sources", "3" }, { "torus", "100" },
     { "subdivided", "armadillo" } });
   Settings settings;
   if (!arguments.Parse(argc, argv) || !ReadSettings(arguments, settings))

@@ -859,7 +859,7 @@ TEST(ApolloniusParts, BadInputAndStopping)
     return FindApolloniusParts(field, k, levels, {}, progress, crossings, curves);
   };
   EXPECT_FALSE(run(c.Local, -1, { 1.0 }, {}).IsOk());
-  EXPECT_FALSE(run(c.Local, 21, { 1.0 }, {}).IsOk());
+  EXPECT_FALSE(run(c.Local, 51, { 1.0 }, {}).IsOk());
   EXPECT_FALSE(run(c.Local, 2, { 1.0, std::nan("") }, {}).IsOk());
   EXPECT_FALSE(run({}, 2, { 1.0 }, {}).IsOk());
   EXPECT_TRUE(crossings.empty() && curves.empty());

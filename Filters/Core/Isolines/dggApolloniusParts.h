@@ -15,7 +15,7 @@
 namespace dgg
 {
 /// Most Steiner points per edge.
-constexpr int MaximumSteinerPoints = 20;
+constexpr int MaximumSteinerPoints = 50;
 
 /// The isolines of some levels, edge by edge and face by face, from the Apollonius diagrams of
 /// points on the rims of faces: cubics along edges, linear in the triangles that the diagrams cut
@@ -31,7 +31,7 @@ constexpr int MaximumSteinerPoints = 20;
 /// Directions come from Sources, which may be there besides windows. Where neither is there, they
 /// are fitted to the distances (dggSourceFit.h).
 ///
-/// Fails when the number of Steiner points per edge is not 0 to 20 or a level is not finite; then
+/// Fails when the number of Steiner points per edge is not 0 to 50 or a level is not finite; then
 /// and when stopped there are no pieces.
 Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
   const std::vector<double>& levels, const ParallelFor& parallel, const ProgressCallback& progress,

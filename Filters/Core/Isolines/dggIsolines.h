@@ -26,7 +26,7 @@ struct IsolineOptions
   /// How far a line may be from the level set, a length; 0 stands for a thousandth of the mean edge
   /// length.
   double ChordTolerance = 0.0;
-  /// Points per edge that the distance comes from, 0 to 20; more of them come closer to the field.
+  /// Points per edge that the distance comes from, 0 to 50; more of them come closer to the field.
   /// Of Apollonius, as ChordTolerance is of LocalSources.
   int SteinerPoints = 2;
 };
