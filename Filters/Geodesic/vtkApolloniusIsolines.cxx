@@ -308,6 +308,10 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
     vtkWarningMacro(<< input.GetWarning() << ".");
   }
   const dgg::DistanceField& field = input.GetField();
+  if (!field.HasWindows() && !field.HasSources())
+  {
+    options.Method = dgg::IsolineMethod::LocalSources; // linear, as the warning says
+  }
   const double work = LineWork + (wantsRidges ? RidgeWork : 0.0) + (wantsBands ? BandWork : 0.0);
   const double atRidges = ReadingShare + (1.0 - ReadingShare) * LineWork / work;
   const double atBands =

@@ -112,10 +112,7 @@ dgg::Status vtkDGGFieldInput::Read(vtkPolyData* surface, vtkDataArray* distances
     return status;
   }
   this->ReadWindows(surface, distances, mesh);
-  if (!this->Field.HasWindows())
-  {
-    this->ReadSources(surface, virtualSources, mesh);
-  }
+  this->ReadSources(surface, virtualSources, mesh);
   if (!this->Field.HasWindows() && !this->Field.HasSources() &&
     !this->FitSources(mesh.GetMesh(), progress))
   {

@@ -640,6 +640,84 @@ TEST(Isolines, SmallLoopsAroundAFarthestPoint)
   }
 }
 
+TEST(Isolines, LoopsAroundFarthestPointsInFacesAreFound)
+{
+  // A third wave may be the last to come to the middle of a face of two others.
+  for (std::uint64_t seed = 0; seed < 40; ++seed)
+  {
+    const SurfaceMesh mesh = Build(WithNoise(Icosahedron(), 0.15, seed));
+    const ExactField field(mesh, { VertexSource(0) });
+    FaceProfile profile(field.Exact);
+    double farthest = 0.0;
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      profile.Enter(f);
+      for (int i = 0; i <= 60; ++i)
+      {
+        for (int j = 0; i + j <= 60; ++j)
+        {
+          farthest = std::max(
+            farthest, profile.At(profile.PlaceOf({ { i / 60.0, j / 60.0, (60 - i - j) / 60.0 } })));
+        }
+      }
+    }
+    for (const double below : { 0.005, 0.02, 0.1 })
+    {
+      const Isolines lines = Trace(field.Exact, { farthest - below * mesh.GetMeanEdgeLength() });
+      EXPECT_GE(lines.Lines.size(), 1u) << seed << " " << below;
+    }
+  }
+}
+
+TEST(Isolines, DoNotRunBack)
+{
+  const TestMesh test = WithNoise(Ellipsoid(4, 0.5), 0.01, 3);
+  const SurfaceMesh mesh = Build(test);
+  const ExactField field(mesh, { VertexSource(11) });
+  const double farthest =
+    *std::max_element(field.Result.Distances.begin(), field.Result.Distances.end());
+  std::vector<double> levels;
+  for (int i = 1; i < 20; ++i)
+  {
+    levels.push_back(0.05 * i * farthest);
+  }
+  std::vector<double> lengths;
+  for (const double tolerance : { 1e-2, 1e-4, 1e-6 })
+  {
+    const Isolines lines = Trace(field.Exact, levels, tolerance * mesh.GetMeanEdgeLength());
+    int turns = 0;
+    double length = 0.0;
+    for (const SurfacePath& line : lines.Lines)
+    {
+      length += line.Length;
+      for (std::size_t i = 1; i + 1 < line.Points.size(); ++i)
+      {
+        double cosine = 0.0;
+        const auto a = PositionOf(mesh, line.Points[i - 1], test.Points.data());
+        const auto b = PositionOf(mesh, line.Points[i], test.Points.data());
+        const auto c = PositionOf(mesh, line.Points[i + 1], test.Points.data());
+        double before = 0.0;
+        double after = 0.0;
+        for (int k = 0; k < 3; ++k)
+        {
+          cosine += (b[k] - a[k]) * (c[k] - b[k]);
+          before += (b[k] - a[k]) * (b[k] - a[k]);
+          after += (c[k] - b[k]) * (c[k] - b[k]);
+        }
+        const double least = 1e-7 * mesh.GetMeanEdgeLength();
+        turns +=
+          std::min(before, after) > least * least && cosine < -0.994 * std::sqrt(before * after);
+      }
+    }
+    EXPECT_EQ(turns, 0) << tolerance;
+    lengths.push_back(length);
+  }
+  // Finer chords are longer, by less and less.
+  EXPECT_LE(lengths[0], lengths[1] * (1.0 + 1e-9));
+  EXPECT_LE(lengths[1], lengths[2] * (1.0 + 1e-9));
+  EXPECT_NEAR(lengths[1], lengths[2], 1e-4 * lengths[2]);
+}
+
 TEST(Isolines, LevelsOfVerticesAreNoTrouble)
 {
   const TestMesh test = Plane(8, 8);

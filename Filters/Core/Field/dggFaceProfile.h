@@ -38,6 +38,10 @@ public:
   double At(const Point2& p) const { return this->SampleAt(p).Distance; }
   FieldSample SampleAt(const Point2& p) const;
 
+  /// Whether the waves that reach the face come from all sides, so that a point inside it may be
+  /// farther away than all around it. When in doubt, true.
+  bool MayHavePeak() const;
+
   /// Sources inside the face, or on its edges.
   const std::vector<FieldSample>& GetSources() const { return this->Sources; }
 

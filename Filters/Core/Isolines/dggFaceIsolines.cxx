@@ -5,6 +5,7 @@
 #include "dggEdges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace dgg
@@ -17,9 +18,13 @@ constexpr std::array<int, 5> CellsOfLattices{ { 4, 8, 16, 32, 64 } };
 constexpr double OnRim = 1e-9;
 /// Where the field is looked at to see what is in the face.
 constexpr double NearCorner = 0.8;
+/// Rows of the lattice that a farthest point is looked for on, and its points.
+constexpr int PeakRows = 4;
+constexpr int PeakSamples = PeakRows * (PeakRows + 1) / 2;
 /// The step at which the search for the farthest point begins, and how often it is halved.
-constexpr double FirstStep = 0.2;
-constexpr int StepsOfPeak = 24;
+constexpr double FirstStep = 0.1;
+constexpr int StepsOfPeak = 50;
+constexpr int WaysOfPeak = 16;
 
 double LeastOf(const std::array<double, 3>& values)
 {
@@ -148,7 +153,7 @@ void FaceIsolines::FindSeeds()
       this->AddSource(corners[k]);
     }
   }
-  this->FindPeak(corners);
+  this->FindPeak();
 }
 
 void FaceIsolines::AddSource(const FieldSample& sample)
@@ -170,29 +175,46 @@ void FaceIsolines::AddSource(const FieldSample& sample)
   this->Seeds.push_back(place);
 }
 
-/// Around the farthest point of a face the distance rises towards it, from all sides; where all
-/// gradients lie in one half-plane there is none.
-void FaceIsolines::FindPeak(const std::array<FieldSample, 3>& corners)
+/// The farthest point of the face, if that is not on its rim: isolines may be closed around it.
+void FaceIsolines::FindPeak()
 {
-  for (int k = 0; k < 3; ++k)
+  if (!this->Profile.MayHavePeak())
   {
-    const Point2& g = corners[k].Gradient;
-    if (Dot(g, corners[(k + 1) % 3].Gradient) > 0.0 && Dot(g, corners[(k + 2) % 3].Gradient) > 0.0)
+    return;
+  }
+  std::array<FieldSample, PeakSamples> samples;
+  std::array<std::array<double, 3>, PeakSamples> places;
+  int count = 0;
+  for (int i = 0; i < PeakRows; ++i)
+  {
+    for (int j = 0; i + j < PeakRows; ++j)
     {
-      return;
+      const int k = PeakRows - 1 - i - j;
+      const double unit = 1.0 / (PeakRows + 1);
+      places[count] = { { (i + 2.0 / 3.0) * unit, (j + 2.0 / 3.0) * unit,
+        (k + 2.0 / 3.0) * unit } };
+      samples[count] = this->Profile.SampleAt(this->Profile.PlaceOf(places[count]));
+      ++count;
     }
   }
-  std::array<double, 3> best{ { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } };
-  double value = this->Profile.At(this->Profile.PlaceOf(best));
+  const auto farthest = std::max_element(samples.begin(), samples.end(),
+    [](const FieldSample& a, const FieldSample& b) { return a.Distance < b.Distance; });
+  std::array<double, 3> best = places[farthest - samples.begin()];
+  double value = farthest->Distance;
+  // Uphill between two waves leads along a ridge, whichever way that runs: all ways are tried,
+  // other ones in each step.
   double step = FirstStep;
   for (int i = 0; i < StepsOfPeak; ++i)
   {
     const std::array<double, 3> center = best;
-    for (int k = 0; k < 6; ++k)
+    for (int way = 0; way < WaysOfPeak; ++way)
     {
-      std::array<double, 3> b = center; // from one corner to another, in six directions
-      b[k % 3] += step;
-      b[(k + 1 + k / 3) % 3] -= step;
+      const double turn = 2.0 * Pi * (way + 0.618 * i) / WaysOfPeak;
+      std::array<double, 3> b = center;
+      for (int k = 0; k < 3; ++k)
+      {
+        b[k] += step * std::cos(turn + 2.0 * Pi * k / 3.0);
+      }
       if (LeastOf(b) <= 0.0)
       {
         continue;
@@ -204,7 +226,7 @@ void FaceIsolines::FindPeak(const std::array<FieldSample, 3>& corners)
         best = b;
       }
     }
-    step *= best == center ? 0.5 : 1.0;
+    step *= best == center ? 0.6 : 1.0;
   }
   if (LeastOf(best) > 1e-3)
   {

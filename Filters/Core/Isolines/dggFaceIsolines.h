@@ -35,7 +35,7 @@ private:
   bool MayHoldSource(Id f) const;
   void FindSeeds();
   void AddSource(const FieldSample& sample);
-  void FindPeak(const std::array<FieldSample, 3>& corners);
+  void FindPeak();
   void CollectRim(Id level);
   void TraceLevel(Id level, std::vector<FaceCurve>& curves);
   bool TraceDirectly(const LevelArc& arc, Id level, std::vector<FaceCurve>& curves);

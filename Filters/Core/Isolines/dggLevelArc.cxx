@@ -272,6 +272,16 @@ bool LevelArc::FindCorner(
   {
     return false;
   }
+  // Where circles nearly coincide, they meet anywhere: a line must not run back along either.
+  const auto runsBack = [&](const FieldSample& sample, const Point2& p, const Point2& q) {
+    return sample.HasImage &&
+      Cross(Difference(p, sample.Image), Difference(q, sample.Image)) <
+      -SamePoint * this->Size * (this->Level - sample.Offset);
+  };
+  if (runsBack(before.Sample, from.Place, place) || runsBack(after.Sample, place, to.Place))
+  {
+    return false;
+  }
   before.Place = after.Place = place;
   before.IsOnLevel = after.IsOnLevel = true;
   return true;
