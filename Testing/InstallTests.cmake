@@ -93,6 +93,10 @@ dgg_add_consumer_test(PatchBoundaries 0
   "${consumer_dir}/PatchBoundaries" "mesh.ply" "mesh.ply" "patches.png")
 set_tests_properties("Install.PatchBoundaries" PROPERTIES
   ENVIRONMENT "${dgg_rendering_environment}")
+dgg_add_consumer_test(Isolines.MissingFile 1 "missing.ply: no points"
+  "${consumer_dir}/Isolines" "missing.ply" 8 "wrong.png")
+dgg_add_consumer_test(VoronoiCells.MissingFile 1 "missing.ply: no points"
+  "${consumer_dir}/VoronoiCells" "missing.ply" 8 "wrong.png")
 dgg_add_consumer_test(PatchBoundaries.MissingFile 1 "missing.ply: no surface"
   "${consumer_dir}/PatchBoundaries" "mesh.ply" "missing.ply" "wrong.png")
 dgg_add_consumer_test(Pipeline.MissingFile 1 "missing.off"

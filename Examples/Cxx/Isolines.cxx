@@ -92,6 +92,12 @@ int main(int argc, char* argv[])
   }
   vtkNew<vtkPLYReader> reader;
   reader->SetFileName(argv[1]);
+  reader->Update();
+  if (reader->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    std::cerr << "error: " << argv[1] << ": no points\n";
+    return EXIT_FAILURE;
+  }
 
   // Windows tell the exact distance inside of triangles.
   vtkNew<vtkExactGeodesicDistance> distance;

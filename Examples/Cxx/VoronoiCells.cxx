@@ -107,6 +107,12 @@ int main(int argc, char* argv[])
   }
   vtkNew<vtkPLYReader> reader;
   reader->SetFileName(argv[1]);
+  reader->Update();
+  if (reader->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    std::cerr << "error: " << argv[1] << ": no points\n";
+    return EXIT_FAILURE;
+  }
 
   // The graph: built once, for both filters.
   vtkNew<vtkDiscreteGeodesicGraph> graph;

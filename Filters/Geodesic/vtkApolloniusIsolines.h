@@ -12,7 +12,8 @@
  * Input port 0 takes a surface (vtkPolyData) with a point array of distances along it, as distance
  * filters give it: the one that SetInputArrayToProcess() names; else the one of
  * DistanceArrayName; else the active point scalars. NaN and infinity stand for points that are not
- * reached; lines end at triangles that have one.
+ * reached; lines end at triangles that have one. Leave UnreachedValue of distance filters NaN: any
+ * other number would be taken for a distance.
  *
  * How good the lines are depends on what the surface has besides the distances:
  *  - field data with windows (vtkExactGeodesicDistance::GenerateWindowsOn()): they are exact,
@@ -158,8 +159,9 @@ public:
   ///@{
   /**
    * Whether to find the ridges as well (the cut locus: points with two shortest paths or more), as
-   * polylines of the second output. They need windows or virtual sources; without these the second
-   * output is empty, with a warning. Default off.
+   * polylines of the second output. They are exact with windows, and come in pieces with virtual
+   * sources; those of sources that are fitted to distances alone are not to be relied on. Where
+   * distances are linear the second output is empty, with a warning. Default off.
    */
   vtkSetMacro(GenerateRidges, bool);
   vtkGetMacro(GenerateRidges, bool);
