@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGGraphArrays.h"
 
+#include "vtkDGGIsInteger.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGParallel.h"
 
@@ -74,20 +75,6 @@ vtkSmartPointer<vtkAbstractArray> Own(dgg::Buffer<ValueType>& buffer, const char
     array->SetArray(values, size, 0, ArrayType::VTK_DATA_ARRAY_FREE);
   }
   return array.Get();
-}
-
-bool IsInteger(vtkAbstractArray* array, int size)
-{
-  switch (array->GetDataType())
-  {
-    case VTK_INT:
-    case VTK_LONG:
-    case VTK_LONG_LONG:
-    case VTK_ID_TYPE:
-      return array->GetDataTypeSize() == size;
-    default:
-      return false;
-  }
 }
 
 dgg::Status Damaged(const std::string& what)
@@ -299,13 +286,13 @@ dgg::Status vtkDGGGraphArrays::CheckTypes() const
     {
       case Offsets:
       case Info:
-        if (!isPlain || !IsInteger(array, 8))
+        if (!isPlain || !vtkDGGIsInteger(array, 8))
         {
           return mismatch(role, "single 64-bit integers");
         }
         break;
       case Targets:
-        if (!isPlain || !IsInteger(array, 4))
+        if (!isPlain || !vtkDGGIsInteger(array, 4))
         {
           return mismatch(role, "single 32-bit integers");
         }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGWindowArrays.h"
 
+#include "vtkDGGIsInteger.h"
 #include "vtkDGGMeshAdapter.h"
 
 #include "dggBitHash.h"
@@ -9,6 +10,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
@@ -63,10 +65,24 @@ vtkSmartPointer<vtkDoubleArray> MakeTable(const std::string& name, std::size_t s
   return table;
 }
 
-vtkTypeInt64Array* FindIntegers(vtkFieldData* data, const std::string& name)
+/// Single 64-bit integers, of any type that VTK has for them.
+struct Integers
 {
-  auto* array = vtkTypeInt64Array::SafeDownCast(data->GetAbstractArray(name.c_str()));
-  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+  const std::int64_t* Begin = nullptr; // null when there are none such
+  const std::int64_t* End = nullptr;
+};
+
+Integers FindIntegers(vtkFieldData* data, const std::string& name)
+{
+  vtkAbstractArray* array = data->GetAbstractArray(name.c_str());
+  if (!array || !vtkDGGIsInteger(array, sizeof(std::int64_t)) ||
+    !array->HasStandardMemoryLayout() || array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfValues() == 0)
+  {
+    return Integers();
+  }
+  const auto* values = static_cast<const std::int64_t*>(array->GetVoidPointer(0));
+  return { values, values + array->GetNumberOfValues() };
 }
 
 vtkDoubleArray* FindTable(vtkFieldData* data, const std::string& name)
@@ -75,10 +91,10 @@ vtkDoubleArray* FindTable(vtkFieldData* data, const std::string& name)
   return array && array->GetNumberOfComponents() == NumberOfComponents ? array : nullptr;
 }
 
-void ReadTables(vtkTypeInt64Array* offsets, vtkDoubleArray* table, vtkDoubleArray* places,
-  dgg::EdgeWindows& found)
+void ReadTables(
+  const Integers& offsets, vtkDoubleArray* table, vtkDoubleArray* places, dgg::EdgeWindows& found)
 {
-  found.Offsets.assign(offsets->GetPointer(0), offsets->GetPointer(offsets->GetNumberOfValues()));
+  found.Offsets.assign(offsets.Begin, offsets.End);
   found.Windows.resize(static_cast<std::size_t>(table->GetNumberOfTuples()));
   const double* row = table->GetPointer(0);
   for (dgg::EdgeWindow& w : found.Windows)
@@ -160,18 +176,18 @@ bool vtkDGGWindowArrays::Find(vtkFieldData* data, vtkDoubleArray* distances,
   {
     return false;
   }
-  vtkTypeInt64Array* offsets = FindIntegers(data, NameOf(name, Offsets));
-  vtkTypeInt64Array* info = FindIntegers(data, NameOf(name, Info));
+  const Integers offsets = FindIntegers(data, NameOf(name, Offsets));
+  const Integers info = FindIntegers(data, NameOf(name, Info));
   vtkDoubleArray* table = FindTable(data, NameOf(name, Windows));
   vtkDoubleArray* places = FindTable(data, NameOf(name, Sources));
   const std::string whose = "the windows of '" + name + "' in the field data ";
-  if (!offsets || !info || !table || !places || info->GetNumberOfValues() != InfoSize)
+  if (!offsets.Begin || !table || !places || info.End - info.Begin != InfoSize)
   {
     complaint = whose + "are damaged: an array is missing or of another type";
     return false;
   }
   const std::array<std::int64_t, InfoSize> wanted = MakeInfo(distances, mesh);
-  if (!std::equal(wanted.begin(), wanted.end(), info->GetPointer(0)))
+  if (!std::equal(wanted.begin(), wanted.end(), info.Begin))
   {
     complaint = whose + "are not of these distances on this surface";
     return false;

@@ -13,11 +13,14 @@
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 using namespace dggtest;
@@ -104,6 +107,48 @@ TEST_F(GeodesicProbe, IsExactWithWindows)
   this->Distance->GenerateWindowsOn();
   ExpectSuccess(this->Probe);
   EXPECT_LT(this->GetError(), 1e-12);
+}
+
+TEST_F(GeodesicProbe, WindowsSurviveAFile)
+{
+  this->Distance->GenerateWindowsOn();
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputConnection(this->Distance->GetOutputPort());
+  writer->WriteToOutputStringOn();
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  ASSERT_EQ(writer->Write(), 1);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(writer->GetOutputString());
+  this->Probe->SetInputConnection(reader->GetOutputPort());
+  ExpectSuccess(this->Probe);
+  EXPECT_LT(this->GetError(), 1e-12);
+}
+
+TEST_F(GeodesicProbe, WindowsMayBeOfAnyTypeOf64BitIntegers)
+{
+  this->Distance->GenerateWindowsOn();
+  this->Distance->Update();
+  for (const int type : { VTK_LONG, VTK_LONG_LONG, VTK_ID_TYPE })
+  {
+    vtkNew<vtkPolyData> surface;
+    surface->ShallowCopy(this->Distance->GetOutput());
+    for (const char* name : { "GeodesicDistance.WindowOffsets", "GeodesicDistance.WindowInfo" })
+    {
+      vtkDataArray* old = surface->GetFieldData()->GetArray(name);
+      const auto other = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+      ASSERT_EQ(other->GetDataTypeSize(), 8);
+      other->SetName(name);
+      other->SetNumberOfTuples(old->GetNumberOfTuples());
+      // Not by doubles, which cannot hold all of them.
+      std::memcpy(other->GetVoidPointer(0), old->GetVoidPointer(0), 8 * old->GetNumberOfValues());
+      surface->GetFieldData()->AddArray(other);
+    }
+    this->Probe->SetInputData(surface);
+    ExpectSuccess(this->Probe);
+    EXPECT_LT(this->GetError(), 1e-12) << type;
+  }
 }
 
 TEST_F(GeodesicProbe, IsExactInThePlaneWithVirtualSources)
