@@ -389,13 +389,18 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
     isReached[v] = task.Distances[v] <= task.MaximumDistance && task.Distances[v] < dgg::Infinity;
   }
   vtkPointData* data = output->GetPointData();
+  // What the input has of these belongs to the distances that are about to be replaced.
+  vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);
+  if (data->HasArray(this->DistanceArrayName.c_str()))
+  {
+    data->RemoveArray(this->SourceArrayName.c_str());
+    data->RemoveArray(this->VirtualSourceArrayName.c_str());
+  }
   const PointArrayMaker maker{ this->GetMesh(), isReached, output->GetNumberOfPoints() };
   maker.Add<vtkDoubleArray, double>(
     data, this->DistanceArrayName, { &task.Distances }, this->UnreachedValue);
   // Not SetScalars(), which would remove the scalars of the input.
   data->SetActiveScalars(this->DistanceArrayName.c_str());
-  // Those of the input belong to the array that has just been replaced.
-  vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);
   if (!task.Windows.IsEmpty())
   {
     vtkDGGWindowArrays::AddTo(output->GetFieldData(),

@@ -162,7 +162,8 @@ public:
   ///@{
   /**
    * Name of the point array with the distances. Default "GeodesicDistance". An array of this name
-   * in the input is replaced in the output.
+   * in the input is replaced in the output, and what belongs to it goes: its windows, and the
+   * nearest and virtual sources unless new ones are made.
    */
   void SetDistanceArrayName(const char* name);
   const char* GetDistanceArrayName() const;

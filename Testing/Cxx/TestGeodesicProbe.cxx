@@ -282,6 +282,39 @@ TEST_F(GeodesicProbe, WindowsGoWithTheirDistances)
   EXPECT_EQ(this->Distance->GetOutput()->GetFieldData()->GetNumberOfArrays(), 4);
 }
 
+TEST_F(GeodesicProbe, SourcesGoWithTheirDistances)
+{
+  this->Distance->GenerateNearestSourceOn();
+  this->Distance->GenerateVirtualSourceOn();
+  vtkNew<vtkExactGeodesicDistance> again;
+  again->SetInputConnection(this->Distance->GetOutputPort());
+  again->SetSourceIds({ 40, 50 }); // so near that the virtual sources of the first look right
+  this->Probe->SetInputConnection(again->GetOutputPort());
+  again->Update();
+  vtkPointData* data = again->GetOutput()->GetPointData();
+  EXPECT_EQ(data->GetNumberOfArrays(), 1);
+  EXPECT_NE(data->GetArray("GeodesicDistance"), nullptr);
+  vtkPointData* before = this->Distance->GetOutput()->GetPointData();
+  EXPECT_NE(before->GetArray("GeodesicSource"), nullptr);
+  EXPECT_NE(before->GetArray("GeodesicVirtualSource"), nullptr);
+  // Those that are wanted are there, and are the new ones.
+  again->GenerateNearestSourceOn();
+  again->Update();
+  EXPECT_EQ(data->GetNumberOfArrays(), 2);
+  ASSERT_NE(data->GetArray("GeodesicSource"), nullptr);
+  EXPECT_EQ(data->GetArray("GeodesicSource")->GetComponent(50, 0), 1.0);
+  // Distances of another name replace nothing.
+  again->GenerateNearestSourceOff();
+  again->SetDistanceArrayName("other");
+  again->Update();
+  EXPECT_EQ(data->GetNumberOfArrays(), 4);
+  // The name of an array that is not wanted is free for the distances.
+  again->SetDistanceArrayName("GeodesicVirtualSource");
+  again->Update();
+  ASSERT_NE(data->GetArray("GeodesicVirtualSource"), nullptr);
+  EXPECT_EQ(data->GetArray("GeodesicVirtualSource")->GetNumberOfComponents(), 1);
+}
+
 TEST_F(GeodesicProbe, UnreachedIsNaN)
 {
   this->Distance->GenerateWindowsOn();
