@@ -280,6 +280,9 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
   options.SteinerPoints = this->SteinerPoints;
   options.Method =
     this->Method == Apollonius ? dgg::IsolineMethod::Apollonius : dgg::IsolineMethod::LocalSources;
+  dgg::RidgeOptions ridgeOptions;
+  ridgeOptions.MinimumAngle = this->MinimumRidgeAngle * RadiansPerDegree;
+  ridgeOptions.ChordTolerance = options.ChordTolerance;
   const bool isLinear = this->Method == Linear;
   const bool wantsRidges = this->GenerateRidges;
   const bool wantsBands = this->GenerateBands;
@@ -324,7 +327,7 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
     PartOf(progress, ReadingShare, atRidges), lines);
   if (status.IsOk() && wantsRidges)
   {
-    status = this->FindRidges(field, PartOf(progress, atRidges, atBands), ridges);
+    status = this->FindRidges(field, ridgeOptions, PartOf(progress, atRidges, atBands), ridges);
   }
   if (status.IsOk() && wantsBands)
   {
@@ -344,8 +347,8 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkApolloniusIsolines::FindRidges(
-  const dgg::DistanceField& field, const dgg::ProgressCallback& progress, dgg::Ridges& ridges)
+dgg::Status vtkApolloniusIsolines::FindRidges(const dgg::DistanceField& field,
+  const dgg::RidgeOptions& options, const dgg::ProgressCallback& progress, dgg::Ridges& ridges)
 {
   if (!field.HasWindows() && !field.HasSources())
   {
@@ -353,9 +356,6 @@ dgg::Status vtkApolloniusIsolines::FindRidges(
                        "another Method, and distances with windows or virtual sources.");
     return dgg::Status::Success();
   }
-  dgg::RidgeOptions options;
-  options.MinimumAngle = this->MinimumRidgeAngle * RadiansPerDegree;
-  options.ChordTolerance = this->ChordTolerance * field.Mesh->GetMeanEdgeLength();
   return dgg::FindRidges(field, options, vtkDGGMakeParallelFor(), progress, ridges);
 }
 

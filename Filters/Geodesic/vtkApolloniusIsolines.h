@@ -85,6 +85,7 @@ class vtkDataArray;
 namespace dgg
 {
 struct DistanceField;
+struct RidgeOptions;
 struct Ridges;
 }
 
@@ -262,7 +263,7 @@ private:
 
   dgg::Status FindDistances(vtkPolyData* surface, vtkDataArray*& distances) const;
   std::vector<double> CopyValues() const;
-  dgg::Status FindRidges(const dgg::DistanceField& field,
+  dgg::Status FindRidges(const dgg::DistanceField& field, const dgg::RidgeOptions& options,
     const std::function<bool(double)>& progress, dgg::Ridges& ridges);
 
   vtkNew<vtkContourValues> ContourValues;

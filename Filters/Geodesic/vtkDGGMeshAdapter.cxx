@@ -77,6 +77,15 @@ bool vtkDGGMeshAdapter::IsUpToDate(vtkPolyData* input, bool mergeCoincidentPoint
 }
 
 //------------------------------------------------------------------------------
+dgg::Status vtkDGGMeshAdapter::CheckPoints(vtkPolyData* input) const
+{
+  return input->GetNumberOfPoints() == this->GetMesh().GetNumberOfVertices()
+    ? dgg::Status::Success()
+    : dgg::Status::Invalid("the points were changed during the update: do not change them in "
+                           "observers, and update again");
+}
+
+//------------------------------------------------------------------------------
 void vtkDGGMeshAdapter::Clear()
 {
   this->Prepared = GetNothing();

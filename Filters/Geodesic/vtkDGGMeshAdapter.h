@@ -36,6 +36,10 @@ public:
   /// by the bits of points and cells. Takes note of the object that it is asked about.
   bool IsUpToDate(vtkPolyData* input, bool mergeCoincidentPoints);
 
+  /// Fails when a surface no longer has as many points as the mesh was made of, as when an observer
+  /// has added or removed some.
+  dgg::Status CheckPoints(vtkPolyData* input) const;
+
   /// Forget the mesh.
   void Clear();
 

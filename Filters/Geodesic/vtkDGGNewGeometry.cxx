@@ -69,19 +69,18 @@ vtkDGGNewGeometry::~vtkDGGNewGeometry() = default;
 dgg::Status vtkDGGNewGeometry::Take(
   vtkPolyData* surface, const vtkDGGMeshAdapter& mesh, int precision)
 {
-  vtkPoints* points = surface->GetPoints();
-  const vtkIdType count = points ? points->GetNumberOfPoints() : 0;
-  if (count != mesh.GetMesh().GetNumberOfVertices())
+  const dgg::Status status = mesh.CheckPoints(surface);
+  if (!status.IsOk())
   {
-    return dgg::Status::Invalid("the points were changed during the update: do not change them in "
-                                "observers, and update again");
+    return status;
   }
+  vtkPoints* points = surface->GetPoints();
   this->Fields->Initialize();
   this->Fields->PassData(surface->GetFieldData());
   vtkDGGGraphArrays::RemoveFrom(this->Fields); // the graph is that of other points
   this->DataType = ChooseDataType(precision, points);
   this->Mesh = &mesh;
-  const std::size_t size = 3 * static_cast<std::size_t>(count);
+  const std::size_t size = 3 * static_cast<std::size_t>(surface->GetNumberOfPoints());
   if (this->MeshTime != mesh.GetBuildTime() || this->Positions.size() != size)
   {
     const vtkDGGPointCoordinates coordinates(points);

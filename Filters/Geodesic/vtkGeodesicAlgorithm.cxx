@@ -351,6 +351,10 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   {
     status = this->PrepareMesh(surface);
   }
+  if (status.IsOk())
+  {
+    status = this->Adapter->CheckPoints(surface); // observers of warnings
+  }
   if (!status.IsOk())
   {
     return status;

@@ -13,12 +13,14 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 vtkStandardNewMacro(vtkGeodesicProbe);
 
@@ -150,8 +152,13 @@ dgg::Status vtkGeodesicProbe::Execute(
   {
     status = vtkDGGFieldInput::FindDistances(surface, this->DistanceArrayName, distances);
   }
+  // Observers may change the inputs.
+  vtkNew<vtkPolyData> copy;
+  std::string name = "GeodesicDistance";
   if (status.IsOk())
   {
+    copy->ShallowCopy(probes.Points);
+    name = distances->GetName() ? distances->GetName() : name;
     status = input.Read(surface, distances, this->VirtualSourceArrayName, mesh);
   }
   if (!status.IsOk())
@@ -162,9 +169,7 @@ dgg::Status vtkGeodesicProbe::Execute(
   {
     vtkWarningMacro(<< input.GetWarning() << ".");
   }
-  const char* name = distances->GetName();
-  const auto found =
-    vtkDGGMakeArray<vtkDoubleArray>(name ? name : "GeodesicDistance", places.size());
+  const auto found = vtkDGGMakeArray<vtkDoubleArray>(name, places.size());
   double* values = found->GetPointer(0);
   const auto progress = [this](double fraction) { return this->Advance(fraction); };
   status = vtkDGGForBlocks((places.size() + BlockSize - 1) / BlockSize, BlocksBetweenReports,
@@ -177,10 +182,15 @@ dgg::Status vtkGeodesicProbe::Execute(
       }
       return dgg::Status::Success();
     });
+  if (status.IsOk() && static_cast<std::size_t>(copy->GetNumberOfPoints()) != places.size())
+  {
+    status = dgg::Status::Invalid("the probe points were changed during the update: do not change "
+                                  "them in observers, and update again");
+  }
   if (status.IsOk())
   {
     vtkPolyData* output = vtkPolyData::GetData(outputVector);
-    output->ShallowCopy(probes.Points);
+    output->ShallowCopy(copy);
     output->GetPointData()->AddArray(found);
     output->GetPointData()->SetActiveScalars(found->GetName());
   }

@@ -303,4 +303,34 @@ void ExpectObserversMayEmptyThePoints(vtkPolyDataAlgorithm* filter, vtkPolyData*
   EXPECT_EQ(coordinates(), expected);
   filter->RemoveObserver(command);
 }
+
+void ExpectErrorWhenPointsChange(
+  vtkAlgorithm* filter, vtkPolyData* changed, const std::vector<std::string>& parts)
+{
+  struct Change
+  {
+    vtkPoints* Points;
+    vtkIdType Number;
+  };
+  vtkPoints* points = changed->GetPoints();
+  vtkNew<vtkPoints> original;
+  original->DeepCopy(points);
+  for (const vtkIdType number : { vtkIdType(0), vtkIdType(1), vtkIdType(200000) })
+  {
+    Change change{ points, number };
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(&change);
+    command->SetCallback([](vtkObject*, unsigned long, void* data, void*) {
+      const auto* wanted = static_cast<Change*>(data);
+      wanted->Points->SetNumberOfPoints(wanted->Number);
+    });
+    filter->AddObserver(vtkCommand::ProgressEvent, command);
+    filter->Modified();
+    ExpectError(filter, parts);
+    EXPECT_EQ(changed->GetNumberOfPoints(), number) << "the observer was not called";
+    filter->RemoveObserver(command);
+    points->DeepCopy(original);
+  }
+  ExpectSuccess(filter);
+}
 }

@@ -93,6 +93,11 @@ struct ProgressWatch
 /// input; it is spoilt.
 void ExpectObserversMayEmptyThePoints(vtkPolyDataAlgorithm* filter, vtkPolyData* surface);
 
+/// Update while an observer changes the number of points of `changed`, which the output has as its
+/// own: an error, without anything read out of bounds. The points are what they were afterwards.
+void ExpectErrorWhenPointsChange(
+  vtkAlgorithm* filter, vtkPolyData* changed, const std::vector<std::string>& parts);
+
 }
 
 #endif

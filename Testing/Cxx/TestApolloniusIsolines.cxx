@@ -8,6 +8,7 @@
 #include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkContourFilter.h"
@@ -480,6 +481,40 @@ TEST_F(ApolloniusIsolines, TellProgressAndCanBeStopped)
 TEST_F(ApolloniusIsolines, ObserversMayEmptyThePoints)
 {
   ExpectObserversMayEmptyThePoints(this->Isolines, this->TakeSurface());
+}
+
+TEST_F(ApolloniusIsolines, ObserversMayChangeAnything)
+{
+  this->Distance->SetSourceIds({ 10, 60 });
+  auto surface = this->TakeSurface();
+  this->Isolines->GenerateRidgesOn();
+  this->Isolines->GenerateBandsOn();
+  ExpectSuccess(this->Isolines);
+  const auto describe = [this] {
+    std::string text;
+    for (int port = 0; port < 3; ++port)
+    {
+      text += Describe(this->Isolines->GetOutput(port));
+    }
+    return text;
+  };
+  const std::string expected = describe();
+  ASSERT_GT(this->Isolines->GetRidges()->GetNumberOfPoints(), 0);
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(surface);
+  command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+    auto* filter = vtkApolloniusIsolines::SafeDownCast(caller);
+    filter->SetMinimumRidgeAngle(180.0);
+    filter->SetChordTolerance(1.0);
+    filter->GenerateValues(2, 1.0, 2.0);
+    static_cast<vtkPolyData*>(data)->GetPoints()->SetNumberOfPoints(200000);
+    static_cast<vtkPolyData*>(data)->GetPointData()->Initialize();
+  });
+  this->Isolines->AddObserver(vtkCommand::ProgressEvent, command);
+  this->Isolines->Modified();
+  ExpectSuccess(this->Isolines);
+  EXPECT_EQ(surface->GetNumberOfPoints(), 200000) << "the observer was not called";
+  EXPECT_EQ(describe(), expected);
 }
 
 TEST_F(ApolloniusIsolines, PrintsItself)
