@@ -5,7 +5,6 @@
 #include "vtkDGGMakeArray.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGPolylineWriter.h"
-#include "vtkDGGWindowArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -46,18 +45,11 @@ std::vector<double> FindLimits(const dgg::Bands& bands, const std::vector<dgg::I
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGIsolineOutputs::Begin(vtkPolyData* output) const
-{
-  this->Geometry.Begin(output);
-  vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceName);
-}
-
-//------------------------------------------------------------------------------
 void vtkDGGIsolineOutputs::WritePolylines(const std::vector<dgg::SurfacePath>& lines,
   const std::vector<bool>& isClosed, const char* name, const std::vector<double>& numbers,
   vtkPolyData* output) const
 {
-  this->Begin(output);
+  this->Geometry.Begin(output);
   vtkIdType size = 0;
   for (std::size_t i = 0; i < lines.size(); ++i)
   {
@@ -101,7 +93,7 @@ void vtkDGGIsolineOutputs::WriteRidges(const dgg::Ridges& ridges, vtkPolyData* o
 //------------------------------------------------------------------------------
 void vtkDGGIsolineOutputs::WriteBands(const dgg::Bands& bands, vtkPolyData* output) const
 {
-  this->Begin(output);
+  this->Geometry.Begin(output);
   const dgg::RefinedSurface& surface = bands.Surface;
   std::vector<dgg::Id> faces;
   std::vector<dgg::Id> used; // vertices

@@ -15,8 +15,7 @@
 class vtkDGGNewGeometry;
 class vtkPolyData;
 
-/// Writes isolines, ridges and bands of distances of one name. The windows of the distances, which
-/// are field data of the surface, are left out.
+/// Writes isolines, ridges and bands of distances of one name.
 class vtkDGGIsolineOutputs
 {
 public:
@@ -33,7 +32,6 @@ public:
   void WriteBands(const dgg::Bands& bands, vtkPolyData* output) const;
 
 private:
-  void Begin(vtkPolyData* output) const;
   void WritePolylines(const std::vector<dgg::SurfacePath>& lines, const std::vector<bool>& isClosed,
     const char* name, const std::vector<double>& numbers, vtkPolyData* output) const;
 

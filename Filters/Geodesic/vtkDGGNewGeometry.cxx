@@ -5,6 +5,7 @@
 #include "vtkDGGGraphArrays.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGPointCoordinates.h"
+#include "vtkDGGWindowArrays.h"
 
 #include "dggSurfacePath.h"
 
@@ -77,7 +78,9 @@ dgg::Status vtkDGGNewGeometry::Take(
   vtkPoints* points = surface->GetPoints();
   this->Fields->Initialize();
   this->Fields->PassData(surface->GetFieldData());
-  vtkDGGGraphArrays::RemoveFrom(this->Fields); // the graph is that of other points
+  // The graph and the windows are those of other points.
+  vtkDGGGraphArrays::RemoveFrom(this->Fields);
+  vtkDGGWindowArrays::RemoveAllFrom(this->Fields);
   this->DataType = ChooseDataType(precision, points);
   this->Mesh = &mesh;
   const std::size_t size = 3 * static_cast<std::size_t>(surface->GetNumberOfPoints());

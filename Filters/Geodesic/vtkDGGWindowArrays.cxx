@@ -17,6 +17,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 namespace
 {
@@ -162,6 +163,26 @@ void vtkDGGWindowArrays::RemoveFrom(vtkFieldData* data, const std::string& dista
   for (const Role role : { Offsets, Windows, Sources, Info })
   {
     data->RemoveArray(NameOf(distances, role).c_str());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGWindowArrays::RemoveAllFrom(vtkFieldData* data)
+{
+  const std::string suffix = Suffixes[Info];
+  std::vector<std::string> found;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const std::string name = data->GetArrayName(i) ? data->GetArrayName(i) : "";
+    if (name.size() > suffix.size() &&
+      name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0)
+    {
+      found.push_back(name.substr(0, name.size() - suffix.size()));
+    }
+  }
+  for (const std::string& distances : found)
+  {
+    vtkDGGWindowArrays::RemoveFrom(data, distances);
   }
 }
 

@@ -34,6 +34,9 @@ public:
 
   static void RemoveFrom(vtkFieldData* data, const std::string& distances);
 
+  /// Remove the windows of all distances, whatever their names.
+  static void RemoveAllFrom(vtkFieldData* data);
+
   /// Look for the windows of `distances`. `complaint` is what is wrong with arrays that are there
   /// but cannot be used; empty when there are none.
   static bool Find(vtkFieldData* data, vtkDoubleArray* distances, const vtkDGGMeshAdapter& mesh,

@@ -19,9 +19,10 @@
  * <b>New geometry.</b> Some outputs have the points of the input, with arrays added. Others have
  * new points that lie on the surface: paths, loops and tapes, samples, the cells of sites and their
  * borders, the boundaries of patches. These are the same for all of them:
- *  - They carry the field data of the input, but for the graph (the arrays `DGG.*`, see
- *    vtkDiscreteGeodesicGraph), which is that of other points. Where there are two surfaces, the
- *    field data are those of the one that the output lies on.
+ *  - They carry the field data of the input, but for what is that of other points: the graph (the
+ *    arrays `DGG.*`, see vtkDiscreteGeodesicGraph) and the windows of exact distances (see
+ *    vtkExactGeodesicDistance). Where there are two surfaces, the field data are those of the one
+ *    that the output lies on.
  *  - Their points have the precision of the points of that surface, unless OutputPointsPrecision
  *    says otherwise. Arrays of lengths, distances and areas are of type double, and are those of
  *    the points before they are rounded to float.

@@ -8,6 +8,7 @@
 #include "vtkApolloniusIsolines.h"
 #include "vtkDGGLoop.h"
 #include "vtkDGGPath.h"
+#include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicPatchBoundaries.h"
 #include "vtkGeodesicSampler.h"
 #include "vtkGeodesicVoronoi.h"
@@ -237,6 +238,32 @@ TEST_P(NewGeometry, FieldDataIsPassedWithoutTheGraph)
     }
   }
   EXPECT_NE(GetGraphBytes(surface)[0], "");
+}
+
+TEST_P(NewGeometry, WindowsAreNotPassed)
+{
+  vtkNew<vtkExactGeodesicDistance> distance;
+  distance->SetInputData(MakeRelief(VTK_DOUBLE));
+  distance->AddSourceId(0);
+  distance->SetDistanceArrayName("d");
+  distance->GenerateWindowsOn();
+  distance->Update();
+  vtkPolyData* surface = distance->GetOutput();
+  AddNote(surface, "d.Note");
+  ASSERT_EQ(surface->GetFieldData()->GetNumberOfArrays(), 5);
+  const auto filter = this->GetParam().Make(surface);
+  ExpectSuccess(filter);
+  for (const int port : this->GetParam().Ports)
+  {
+    SCOPED_TRACE(port);
+    vtkFieldData* data = filter->GetOutput(port)->GetFieldData();
+    EXPECT_NE(data->GetAbstractArray("d.Note"), nullptr);
+    for (const char* name : { "d.Windows", "d.WindowOffsets", "d.WindowSources", "d.WindowInfo" })
+    {
+      EXPECT_EQ(data->GetAbstractArray(name), nullptr) << name;
+      EXPECT_NE(surface->GetFieldData()->GetAbstractArray(name), nullptr) << name;
+    }
+  }
 }
 
 TEST_P(NewGeometry, ObserversMayChangeTheFieldData)
