@@ -228,6 +228,11 @@ bool vtkDGGFieldInput::FitsSources(const dgg::SurfaceMesh& mesh) const
       }
     }
   }
+  // Numbers that are too large fit nothing, nor does their turn.
+  if (!std::isfinite(misfits[0]))
+  {
+    return false;
+  }
   return mesh.GetNumberOfHalfEdges() < FewestSamples ||
     misfits[0] <= LargestMisfit * *std::min_element(misfits.begin() + 1, misfits.end());
 }

@@ -21,9 +21,10 @@
 
 namespace
 {
-constexpr std::int64_t FormatVersion = 1;
+constexpr std::int64_t FormatVersion = 2;
 constexpr int NumberOfComponents = 5; // of windows and of sources
-constexpr int InfoSize = 4;
+constexpr int InfoSize = 5;
+constexpr int TableHash = 4; // where the hash of the windows is
 const std::array<const char*, 4> Suffixes = { { ".WindowOffsets", ".Windows", ".WindowSources",
   ".WindowInfo" } };
 
@@ -47,16 +48,6 @@ std::int64_t Signed(std::uint64_t bits)
   return value;
 }
 
-/// What the windows belong to.
-std::array<std::int64_t, InfoSize> MakeInfo(
-  vtkDoubleArray* distances, const vtkDGGMeshAdapter& mesh)
-{
-  dgg::BitHash hash;
-  hash.Add(distances->GetPointer(0), static_cast<std::size_t>(distances->GetNumberOfValues()));
-  return { { FormatVersion, Signed(mesh.GetSignature()[0]), Signed(mesh.GetSignature()[1]),
-    Signed(hash.Finish()[0]) } };
-}
-
 vtkSmartPointer<vtkDoubleArray> MakeTable(const std::string& name, std::size_t size)
 {
   auto table = vtkSmartPointer<vtkDoubleArray>::New();
@@ -73,9 +64,8 @@ struct Integers
   const std::int64_t* End = nullptr;
 };
 
-Integers FindIntegers(vtkFieldData* data, const std::string& name)
+Integers FindIntegers(vtkAbstractArray* array)
 {
-  vtkAbstractArray* array = data->GetAbstractArray(name.c_str());
   if (!array || !vtkDGGIsInteger(array, sizeof(std::int64_t)) ||
     !array->HasStandardMemoryLayout() || array->GetNumberOfComponents() != 1 ||
     array->GetNumberOfValues() == 0)
@@ -86,25 +76,52 @@ Integers FindIntegers(vtkFieldData* data, const std::string& name)
   return { values, values + array->GetNumberOfValues() };
 }
 
-vtkDoubleArray* FindTable(vtkFieldData* data, const std::string& name)
+vtkDoubleArray* FindTable(vtkAbstractArray* found)
 {
-  auto* array = vtkDoubleArray::SafeDownCast(data->GetAbstractArray(name.c_str()));
+  auto* array = vtkDoubleArray::SafeDownCast(found);
   return array && array->GetNumberOfComponents() == NumberOfComponents ? array : nullptr;
 }
 
-void ReadTables(
-  const Integers& offsets, vtkDoubleArray* table, vtkDoubleArray* places, dgg::EdgeWindows& found)
+/// What is found of the three arrays with windows.
+struct Tables
 {
-  found.Offsets.assign(offsets.Begin, offsets.End);
-  found.Windows.resize(static_cast<std::size_t>(table->GetNumberOfTuples()));
-  const double* row = table->GetPointer(0);
+  Integers Offsets;
+  vtkDoubleArray* Windows = nullptr;
+  vtkDoubleArray* Sources = nullptr;
+};
+
+void Add(dgg::BitHash& hash, vtkDoubleArray* array)
+{
+  hash.Add(array->GetPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()));
+}
+
+/// What the windows belong to, and what they are.
+std::array<std::int64_t, InfoSize> MakeInfo(
+  vtkDoubleArray* distances, const vtkDGGMeshAdapter& mesh, const Tables& tables)
+{
+  dgg::BitHash ofDistances;
+  Add(ofDistances, distances);
+  dgg::BitHash ofTables;
+  ofTables.Add(
+    tables.Offsets.Begin, static_cast<std::size_t>(tables.Offsets.End - tables.Offsets.Begin));
+  Add(ofTables, tables.Windows);
+  Add(ofTables, tables.Sources);
+  return { { FormatVersion, Signed(mesh.GetSignature()[0]), Signed(mesh.GetSignature()[1]),
+    Signed(ofDistances.Finish()[0]), Signed(ofTables.Finish()[0]) } };
+}
+
+void ReadTables(const Tables& tables, dgg::EdgeWindows& found)
+{
+  found.Offsets.assign(tables.Offsets.Begin, tables.Offsets.End);
+  found.Windows.resize(static_cast<std::size_t>(tables.Windows->GetNumberOfTuples()));
+  const double* row = tables.Windows->GetPointer(0);
   for (dgg::EdgeWindow& w : found.Windows)
   {
     w = { row[0], row[1], { row[2], row[3] }, row[4], dgg::NoId };
     row += NumberOfComponents;
   }
-  found.Sources.resize(static_cast<std::size_t>(places->GetNumberOfTuples()));
-  row = places->GetPointer(0);
+  found.Sources.resize(static_cast<std::size_t>(tables.Sources->GetNumberOfTuples()));
+  row = tables.Sources->GetPointer(0);
   for (dgg::FaceSource& s : found.Sources)
   {
     // A number that is not an id must not become one.
@@ -148,7 +165,8 @@ void vtkDGGWindowArrays::AddTo(vtkFieldData* data, vtkDoubleArray* distances,
   vtkNew<vtkTypeInt64Array> info;
   info->SetName(NameOf(name, Info).c_str());
   info->SetNumberOfValues(InfoSize);
-  const std::array<std::int64_t, InfoSize> values = MakeInfo(distances, mesh);
+  const std::array<std::int64_t, InfoSize> values =
+    MakeInfo(distances, mesh, { FindIntegers(offsets), table, places });
   std::copy(values.begin(), values.end(), info->GetPointer(0));
 
   data->AddArray(offsets);
@@ -197,23 +215,35 @@ bool vtkDGGWindowArrays::Find(vtkFieldData* data, vtkDoubleArray* distances,
   {
     return false;
   }
-  const Integers offsets = FindIntegers(data, NameOf(name, Offsets));
-  const Integers info = FindIntegers(data, NameOf(name, Info));
-  vtkDoubleArray* table = FindTable(data, NameOf(name, Windows));
-  vtkDoubleArray* places = FindTable(data, NameOf(name, Sources));
+  const auto find = [&](Role role) { return data->GetAbstractArray(NameOf(name, role).c_str()); };
   const std::string whose = "the windows of '" + name + "' in the field data ";
-  if (!offsets.Begin || !table || !places || info.End - info.Begin != InfoSize)
+  const Integers info = FindIntegers(find(Info));
+  if (info.Begin && *info.Begin != FormatVersion)
+  {
+    complaint = whose + "have the format version " + std::to_string(*info.Begin) +
+      ", but this version of vtkDGG knows " + std::to_string(FormatVersion) + " only";
+    return false;
+  }
+  const Tables tables = { FindIntegers(find(Offsets)), FindTable(find(Windows)),
+    FindTable(find(Sources)) };
+  if (!tables.Offsets.Begin || !tables.Windows || !tables.Sources ||
+    info.End - info.Begin != InfoSize)
   {
     complaint = whose + "are damaged: an array is missing or of another type";
     return false;
   }
-  const std::array<std::int64_t, InfoSize> wanted = MakeInfo(distances, mesh);
-  if (!std::equal(wanted.begin(), wanted.end(), info.Begin))
+  const std::array<std::int64_t, InfoSize> wanted = MakeInfo(distances, mesh, tables);
+  if (!std::equal(wanted.begin(), wanted.begin() + TableHash, info.Begin))
   {
     complaint = whose + "are not of these distances on this surface";
     return false;
   }
-  ReadTables(offsets, table, places, windows);
+  if (wanted[TableHash] != info.Begin[TableHash])
+  {
+    complaint = whose + "are damaged: they are not those that were written";
+    return false;
+  }
+  ReadTables(tables, windows);
   const dgg::Status status = windows.Check(mesh.GetMesh());
   if (!status.IsOk())
   {

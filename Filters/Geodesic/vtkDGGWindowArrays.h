@@ -21,8 +21,8 @@ class vtkFieldData;
 ///  - `D.Windows` (double, 5 components): Begin, End, ImageX, ImageY, Offset of dgg::EdgeWindow;
 ///  - `D.WindowSources` (double, 5 components): face, three barycentric coordinates, Offset of
 ///    dgg::FaceSource;
-///  - `D.WindowInfo` (int64, 4 values): format version, the signature of the surface, a hash of the
-///    distances.
+///  - `D.WindowInfo` (int64, 5 values): format version, the signature of the surface, a hash of the
+///    distances, a hash of the other three arrays.
 ///
 /// Nothing that is found is trusted: sizes, the surface, the distances and every number are looked
 /// at.

@@ -262,6 +262,57 @@ TEST_F(GeodesicProbe, DamagedWindowsAreIgnoredWithAWarning)
   }
 }
 
+TEST_F(GeodesicProbe, ChangedWindowsAreIgnoredWithAWarning)
+{
+  this->Distance->GenerateWindowsOn();
+  this->Distance->SetSourceData(MakeSourcePoints({ { { 2.3, 1.4, 0.0 } } }));
+  this->Distance->Update();
+  for (const char* name : { "GeodesicDistance.Windows", "GeodesicDistance.WindowOffsets",
+         "GeodesicDistance.WindowSources" })
+  {
+    vtkNew<vtkPolyData> changed;
+    changed->DeepCopy(this->Distance->GetOutput());
+    this->Probe->SetInputData(changed);
+    ExpectSuccess(this->Probe);
+    vtkDataArray* array = changed->GetFieldData()->GetArray(name);
+    ASSERT_NE(array, nullptr) << name;
+    // So little that the numbers are still possible.
+    const int last = array->GetNumberOfComponents() - 1;
+    const vtkIdType row = array->GetNumberOfTuples() / 2;
+    array->SetComponent(row, last, array->GetComponent(row, last) + (last > 0 ? 1e-3 : 1.0));
+    array->Modified();
+    changed->Modified();
+    ExpectWarning(this->Probe, { "windows", "damaged", "written" });
+  }
+}
+
+TEST_F(GeodesicProbe, WindowsOfAnotherFormatAreIgnoredWithAWarning)
+{
+  this->Distance->GenerateWindowsOn();
+  this->Distance->Update();
+  vtkNew<vtkPolyData> changed;
+  changed->DeepCopy(this->Distance->GetOutput());
+  changed->GetFieldData()->GetArray("GeodesicDistance.WindowInfo")->SetComponent(0, 0, 1.0);
+  this->Probe->SetInputData(changed);
+  ExpectWarning(this->Probe, { "windows", "format version 1" });
+}
+
+TEST_F(GeodesicProbe, VirtualSourcesOfHugeNumbersAreRefused)
+{
+  this->Distance->GenerateVirtualSourceOn();
+  this->Distance->Update();
+  vtkNew<vtkPolyData> changed;
+  changed->DeepCopy(this->Distance->GetOutput());
+  vtkDataArray* sources = changed->GetPointData()->GetArray("GeodesicVirtualSource");
+  for (vtkIdType i = 0; i < sources->GetNumberOfTuples(); ++i)
+  {
+    sources->SetComponent(i, 1, 1e300);
+  }
+  this->Probe->SetInputData(changed);
+  ExpectWarning(this->Probe, { "virtual sources", "not those of the distances" });
+  EXPECT_LT(this->GetError(), 1e-6); // fitted anew
+}
+
 TEST_F(GeodesicProbe, WindowsGoWithTheirDistances)
 {
   this->Distance->GenerateWindowsOn();
