@@ -11,7 +11,6 @@
 #include "dggSourceFit.h"
 
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -126,8 +125,7 @@ void vtkDGGFieldInput::ReadWindows(
   vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh)
 {
   std::string complaint;
-  vtkDGGWindowArrays::Find(surface->GetFieldData(), vtkDoubleArray::SafeDownCast(distances), mesh,
-    this->Windows, complaint);
+  vtkDGGWindowArrays::Find(surface->GetFieldData(), distances, mesh, this->Windows, complaint);
   if (!complaint.empty())
   {
     this->Warn(complaint + ". They are ignored");

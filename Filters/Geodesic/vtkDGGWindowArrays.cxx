@@ -7,6 +7,7 @@
 
 #include "dggBitHash.h"
 
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -205,18 +206,25 @@ void vtkDGGWindowArrays::RemoveAllFrom(vtkFieldData* data)
 }
 
 //------------------------------------------------------------------------------
-bool vtkDGGWindowArrays::Find(vtkFieldData* data, vtkDoubleArray* distances,
+bool vtkDGGWindowArrays::Find(vtkFieldData* data, vtkDataArray* distances,
   const vtkDGGMeshAdapter& mesh, dgg::EdgeWindows& windows, std::string& complaint)
 {
   windows = dgg::EdgeWindows();
   complaint.clear();
   const std::string name = distances && distances->GetName() ? distances->GetName() : "";
-  if (!data || name.empty() || !data->GetAbstractArray(NameOf(name, Info).c_str()))
+  const auto find = [&](Role role) { return data->GetAbstractArray(NameOf(name, role).c_str()); };
+  if (!data || name.empty() || (!find(Offsets) && !find(Windows) && !find(Sources) && !find(Info)))
   {
     return false;
   }
-  const auto find = [&](Role role) { return data->GetAbstractArray(NameOf(name, role).c_str()); };
   const std::string whose = "the windows of '" + name + "' in the field data ";
+  auto* values = vtkDoubleArray::SafeDownCast(distances);
+  if (!values)
+  {
+    complaint = whose + "are not of these distances, which are of type " +
+      distances->GetDataTypeAsString() + ", not a vtkDoubleArray";
+    return false;
+  }
   const Integers info = FindIntegers(find(Info));
   if (info.Begin && *info.Begin != FormatVersion)
   {
@@ -232,7 +240,7 @@ bool vtkDGGWindowArrays::Find(vtkFieldData* data, vtkDoubleArray* distances,
     complaint = whose + "are damaged: an array is missing or of another type";
     return false;
   }
-  const std::array<std::int64_t, InfoSize> wanted = MakeInfo(distances, mesh, tables);
+  const std::array<std::int64_t, InfoSize> wanted = MakeInfo(values, mesh, tables);
   if (!std::equal(wanted.begin(), wanted.begin() + TableHash, info.Begin))
   {
     complaint = whose + "are not of these distances on this surface";

@@ -10,6 +10,7 @@
 #include <string> // for the name
 
 class vtkDGGMeshAdapter;
+class vtkDataArray;
 class vtkDoubleArray;
 class vtkFieldData;
 
@@ -39,7 +40,7 @@ public:
 
   /// Look for the windows of `distances`. `complaint` is what is wrong with arrays that are there
   /// but cannot be used; empty when there are none.
-  static bool Find(vtkFieldData* data, vtkDoubleArray* distances, const vtkDGGMeshAdapter& mesh,
+  static bool Find(vtkFieldData* data, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh,
     dgg::EdgeWindows& windows, std::string& complaint);
 };
 

@@ -12,6 +12,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkXMLPolyDataReader.h"
@@ -244,7 +245,7 @@ TEST_F(GeodesicProbe, DamagedWindowsAreIgnoredWithAWarning)
   this->Distance->GenerateWindowsOn();
   this->Distance->Update();
   for (const char* name : { "GeodesicDistance.Windows", "GeodesicDistance.WindowOffsets",
-         "GeodesicDistance.WindowSources" })
+         "GeodesicDistance.WindowSources", "GeodesicDistance.WindowInfo" })
   {
     vtkNew<vtkPolyData> changed;
     changed->DeepCopy(this->Distance->GetOutput());
@@ -311,6 +312,20 @@ TEST_F(GeodesicProbe, VirtualSourcesOfHugeNumbersAreRefused)
   this->Probe->SetInputData(changed);
   ExpectWarning(this->Probe, { "virtual sources", "not those of the distances" });
   EXPECT_LT(this->GetError(), 1e-6); // fitted anew
+}
+
+TEST_F(GeodesicProbe, WindowsOfDistancesThatWereRoundedAreIgnoredWithAWarning)
+{
+  this->Distance->GenerateWindowsOn();
+  this->Distance->Update();
+  vtkNew<vtkPolyData> changed;
+  changed->DeepCopy(this->Distance->GetOutput());
+  vtkNew<vtkFloatArray> rounded;
+  rounded->DeepCopy(changed->GetPointData()->GetArray("GeodesicDistance"));
+  changed->GetPointData()->AddArray(rounded);
+  this->Probe->SetInputData(changed);
+  ExpectWarning(this->Probe, { "windows", "'GeodesicDistance'", "float" });
+  EXPECT_LT(this->GetError(), 1e-3); // fitted
 }
 
 TEST_F(GeodesicProbe, WindowsGoWithTheirDistances)
