@@ -25,6 +25,9 @@ namespace
 /// the same ones turned about the points: the misfit is at most this part of that of the turned
 /// ones.
 constexpr double LargestMisfit = 0.75;
+/// Where all virtual sources are the points themselves, no direction can be wrong. Then distances
+/// and those at the sources may differ by this part of the length of edges.
+constexpr double LargestDifference = 0.1;
 /// Half-edges that are looked at. Of fewer than the smaller number nothing can be told.
 constexpr dgg::Id MostSamples = 20000;
 constexpr dgg::Id FewestSamples = 100;
@@ -205,6 +208,8 @@ bool vtkDGGFieldInput::FitsSources(const dgg::SurfaceMesh& mesh) const
     }
   }
   std::array<double, 4> misfits{}; // turned by so many right angles
+  double difference = 0.0;         // where a virtual source is the point itself
+  double size = 0.0;
   const dgg::Id step = 1 + mesh.GetNumberOfHalfEdges() / MostSamples;
   for (dgg::Id h = 0; h < mesh.GetNumberOfHalfEdges(); h += step)
   {
@@ -213,6 +218,12 @@ bool vtkDGGFieldInput::FitsSources(const dgg::SurfaceMesh& mesh) const
     if (mesh.IsDropped(dgg::SurfaceMesh::Face(h)) || !(this->Distances[v] < dgg::Infinity) ||
       !(this->Distances[w] < dgg::Infinity))
     {
+      continue;
+    }
+    if (this->Sources.Lengths[v] == 0.0)
+    {
+      difference += std::abs(this->Sources.Offsets[v] - this->Distances[v]);
+      size += mesh.Length(h);
       continue;
     }
     for (int turn = 0; turn < 4; ++turn)
@@ -227,7 +238,7 @@ bool vtkDGGFieldInput::FitsSources(const dgg::SurfaceMesh& mesh) const
     }
   }
   // Numbers that are too large fit nothing, nor does their turn.
-  if (!std::isfinite(misfits[0]))
+  if (!std::isfinite(misfits[0]) || !(difference <= LargestDifference * size))
   {
     return false;
   }

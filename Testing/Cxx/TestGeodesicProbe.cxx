@@ -328,6 +328,37 @@ TEST_F(GeodesicProbe, WindowsOfDistancesThatWereRoundedAreIgnoredWithAWarning)
   EXPECT_LT(this->GetError(), 1e-3); // fitted
 }
 
+TEST_F(GeodesicProbe, VirtualSourcesOfPointsThatAllAreSources)
+{
+  std::vector<vtkIdType> all;
+  for (vtkIdType i = 0; i < 81; ++i)
+  {
+    all.push_back(i);
+  }
+  this->Distance->SetSourceIds(all);
+  this->Distance->GenerateVirtualSourceOn();
+  ExpectSuccess(this->Probe);
+  vtkDataArray* found = this->Probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
+  ASSERT_NE(found, nullptr);
+  for (vtkIdType i = 0; i < this->Places->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    this->Places->GetPoint(i, p);
+    const double d = std::hypot(p[0] - std::round(p[0]), p[1] - std::round(p[1]));
+    EXPECT_NEAR(found->GetComponent(i, 0), d, 1e-12) << i;
+  }
+  // Those of other distances are still refused.
+  vtkNew<vtkPolyData> changed;
+  changed->DeepCopy(this->Distance->GetOutput());
+  vtkNew<vtkExactGeodesicDistance> other;
+  other->SetInputData(changed);
+  other->AddSourceId(40);
+  other->SetDistanceArrayName("other");
+  this->Probe->SetInputConnection(other->GetOutputPort());
+  this->Probe->SetDistanceArrayName("other");
+  ExpectWarning(this->Probe, { "virtual sources", "not those of the distances" });
+}
+
 TEST_F(GeodesicProbe, WindowsGoWithTheirDistances)
 {
   this->Distance->GenerateWindowsOn();
