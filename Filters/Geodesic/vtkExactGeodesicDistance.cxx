@@ -3,11 +3,13 @@
 #include "vtkExactGeodesicDistance.h"
 
 #include "vtkDGGDistanceTask.h"
+#include "vtkDGGMemory.h"
 
 #include "dggExactSources.h"
 
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <utility>
 
 vtkStandardNewMacro(vtkExactGeodesicDistance);
@@ -16,6 +18,7 @@ vtkStandardNewMacro(vtkExactGeodesicDistance);
 vtkExactGeodesicDistance::vtkExactGeodesicDistance()
   : Engine(Triangle)
   , GenerateWindows(false)
+  , MemoryLimit(0)
 {
 }
 
@@ -28,6 +31,7 @@ void vtkExactGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Engine: " << (this->Engine == Reference ? "Reference" : "Triangle") << "\n";
   os << indent << "GenerateWindows: " << (this->GenerateWindows ? "On" : "Off") << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -39,6 +43,12 @@ dgg::Status vtkExactGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
   options.MaximumDistance = task.MaximumDistance;
   options.Progress = task.Progress;
   options.KeepWindows = this->GenerateWindows;
+  if (options.KeepWindows)
+  {
+    // Never 0, which stands for no limit there.
+    options.MemoryLimit =
+      static_cast<std::size_t>(std::max<vtkTypeUInt64>(1, vtkDGGGetMemoryLimit(this->MemoryLimit)));
+  }
 
   dgg::ExactGeodesics solver(task.Mesh);
   dgg::ExactResult result;

@@ -66,6 +66,17 @@ public:
   vtkBooleanMacro(GenerateWindows, bool);
   ///@}
 
+  ///@{
+  /**
+   * Most bytes that the propagation may take when windows are generated; more is an error, as soon
+   * as that many are in use. Default 0, which stands for 70 % of the memory that is free at that
+   * time. On a scan of 173,000 points 5.2 kilobytes per point are counted at the peak, when windows
+   * are moved to where they stay; with glibc, 3.8 are in use at a time.
+   */
+  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
+  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
+  ///@}
+
 protected:
   vtkExactGeodesicDistance();
   ~vtkExactGeodesicDistance() override;
@@ -78,6 +89,7 @@ private:
 
   int Engine;
   bool GenerateWindows;
+  vtkTypeUInt64 MemoryLimit;
 };
 
 #endif

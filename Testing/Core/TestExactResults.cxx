@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace dggtest
 {
@@ -160,6 +161,67 @@ TEST_P(ExactResults, CountsWork)
   EXPECT_GT(other.NumberOfWindows, 10 * one.NumberOfWindows);
   EXPECT_GT(one.PeakMemory, 1000u);
   EXPECT_GT(other.PeakMemory, one.PeakMemory);
+}
+
+TEST_P(ExactResults, MemoryOfWindowsIsCountedAndLimited)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(4, 0.3, 3));
+  dgg::ExactOptions options;
+  options.Engine = this->Engine();
+  const auto run = [&](dgg::ExactResult& result) {
+    return dgg::ExactGeodesics(mesh).Run({ VertexSource(0) }, options, result);
+  };
+  dgg::ExactResult without;
+  dgg::ExactResult with;
+  ASSERT_TRUE(run(without).IsOk());
+  options.KeepWindows = true;
+  ASSERT_TRUE(run(with).IsOk());
+  EXPECT_GT(with.PeakMemory, without.PeakMemory);
+  // Both the lists and the result, when one is moved to the other.
+  EXPECT_GT(with.PeakMemory, 2 * with.Windows.GetMemorySize());
+
+  dgg::ExactResult result;
+  options.MemoryLimit = with.PeakMemory;
+  ASSERT_TRUE(run(result).IsOk());
+  EXPECT_EQ(result.Distances, with.Distances);
+  for (const std::size_t limit : { with.PeakMemory - 1, with.PeakMemory / 2, std::size_t(1) })
+  {
+    options.MemoryLimit = limit;
+    dgg::ExactGeodesics solver(mesh);
+    const dgg::Status status = solver.Run({ VertexSource(0) }, options, result);
+    EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput);
+    for (const std::string& text : { std::to_string(limit) + " bytes", std::string("fewer points"),
+           std::string("MaximumDistance"), std::string("GenerateWindows off") })
+    {
+      EXPECT_NE(status.GetMessage().find(text), std::string::npos) << status.GetMessage();
+    }
+    EXPECT_TRUE(result.Distances.empty());
+    EXPECT_TRUE(result.Windows.IsEmpty());
+    options.MemoryLimit = 0; // the same engine goes on
+    ASSERT_TRUE(solver.Run({ VertexSource(0) }, options, result).IsOk());
+    EXPECT_EQ(result.Distances, with.Distances);
+    EXPECT_EQ(result.Windows.Offsets, with.Windows.Offsets);
+  }
+}
+
+TEST_P(ExactResults, MemoryLimitEndsARunEarly)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(5, 0.3, 3));
+  double farthest = 0.0;
+  dgg::ExactOptions options;
+  options.Engine = this->Engine();
+  options.KeepWindows = true;
+  options.Progress = [&](double fraction) {
+    farthest = std::max(farthest, fraction);
+    return true;
+  };
+  dgg::ExactResult result;
+  ASSERT_TRUE(dgg::ExactGeodesics(mesh).Run({ VertexSource(0) }, options, result).IsOk());
+  EXPECT_GT(farthest, 0.7);
+  farthest = 0.0;
+  options.MemoryLimit = result.PeakMemory / 3;
+  EXPECT_FALSE(dgg::ExactGeodesics(mesh).Run({ VertexSource(0) }, options, result).IsOk());
+  EXPECT_LT(farthest, 0.7);
 }
 
 TEST(EdgeGraph, AddsUpEdges)

@@ -8,12 +8,14 @@
 #include "vtkExactGeodesicDistance.h"
 
 #include "vtkCellArray.h"
+#include "vtkFieldData.h"
 #include "vtkPoints.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 using namespace dggtest;
 
@@ -53,6 +55,25 @@ TEST(ExactGeodesicDistance, EngineProperty)
   EXPECT_EQ(filter->GetEngine(), vtkExactGeodesicDistance::Triangle);
   filter->SetEngine(-1);
   EXPECT_EQ(filter->GetEngine(), vtkExactGeodesicDistance::Reference);
+}
+
+TEST(ExactGeodesicDistance, MemoryLimitOfWindows)
+{
+  vtkNew<vtkExactGeodesicDistance> filter;
+  EXPECT_EQ(filter->GetMemoryLimit(), 0u);
+  filter->SetInputData(MakeGrid(30, 30));
+  filter->AddSourceId(0);
+  filter->SetMemoryLimit(20000);
+  ExpectSuccess(filter); // no windows
+  filter->GenerateWindowsOn();
+  ExpectError(filter, { "MemoryLimit, 20000 bytes", "MaximumDistance", "GenerateWindows off" });
+  filter->SetMemoryLimit(0);
+  ExpectSuccess(filter);
+  EXPECT_TRUE(filter->GetOutput()->GetFieldData()->HasArray("GeodesicDistance.Windows"));
+  filter->SetMemoryLimit(7);
+  std::ostringstream os;
+  filter->Print(os);
+  EXPECT_NE(os.str().find("MemoryLimit: 7\n"), std::string::npos);
 }
 
 TEST(ExactGeodesicDistance, Cube)

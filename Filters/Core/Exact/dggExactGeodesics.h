@@ -43,6 +43,9 @@ struct ExactOptions
   bool StopAtTargets = false;
   /// Whether to fill Windows. Not together with StopAtTargets.
   bool KeepWindows = false;
+  /// Most bytes that the engine and the windows that are kept may take at one time, see
+  /// ExactResult::PeakMemory; more is an error. Zero: no limit.
+  std::size_t MemoryLimit = 0;
   /// Progress and abort; may be empty.
   ProgressCallback Progress;
 };
@@ -74,7 +77,9 @@ struct ExactResult
   EdgeWindows Windows;
 
   std::size_t NumberOfWindows = 0; ///< windows propagated
-  std::size_t PeakMemory = 0; ///< most bytes held by the engine at one time, mesh and results apart
+  /// Most bytes held by the engine at one time, windows that are kept included; mesh and other
+  /// results apart.
+  std::size_t PeakMemory = 0;
 };
 
 /// Exact geodesics on one mesh, which must outlive the solver. Run() may be called again and again;
@@ -88,8 +93,8 @@ public:
   ExactGeodesics& operator=(const ExactGeodesics&) = delete;
 
   /// Distances from the nearest of the sources. Fails when there is no source, or a source or
-  /// target does not exist on the mesh or starts with a distance that is not finite; then `result`
-  /// is empty.
+  /// target does not exist on the mesh or starts with a distance that is not finite, or more memory
+  /// is needed than the limit; then `result` is empty.
   Status Run(
     const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result);
 

@@ -24,6 +24,15 @@ void ReferenceEngine::Reset()
   this->Emitted.assign(this->Mesh.GetNumberOfVertices(), Infinity);
 }
 
+void ReferenceEngine::Release()
+{
+  this->Windows = {};
+  this->Vertices = {};
+  this->Memory.Clear();
+  std::vector<Winner>().swap(this->Winners);
+  std::vector<double>().swap(this->Emitted);
+}
+
 void ReferenceEngine::LabelDropped(Id v)
 {
   this->Vertices.push({ this->Label(v), v });
@@ -87,9 +96,12 @@ bool ReferenceEngine::Propagate()
         this->ProcessNews(queued.HalfEdge, queued.Light);
       }
     }
-    this->Result->PeakMemory = std::max(this->Result->PeakMemory,
-      this->Windows.size() * sizeof(QueuedWindow) + this->Vertices.size() * sizeof(QueuedVertex) +
-        this->Winners.size() * sizeof(Winner) + this->Emitted.size() * sizeof(double));
+    if (!this->NoteMemory(this->Windows.size() * sizeof(QueuedWindow) +
+          this->Vertices.size() * sizeof(QueuedVertex) + this->Winners.size() * sizeof(Winner) +
+          this->Emitted.size() * sizeof(double)))
+    {
+      return false;
+    }
   }
   return true;
 }

@@ -25,6 +25,7 @@ protected:
   void LabelDropped(Id v) override;
   bool Propagate() override;
   void Reset() override;
+  void Release() override;
 
 private:
   struct QueuedWindow

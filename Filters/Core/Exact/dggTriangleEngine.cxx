@@ -32,6 +32,17 @@ void TriangleEngine::Reset()
   this->WorkSinceReport = 0;
 }
 
+void TriangleEngine::Release()
+{
+  std::vector<WindowList>().swap(this->Pool);
+  std::vector<Id>().swap(this->FreeLists);
+  std::vector<Id>().swap(this->ListOf);
+  std::vector<Id>().swap(this->Queue);
+  std::vector<std::pair<double, Id>>().swap(this->Heap);
+  std::vector<double>().swap(this->Emitted);
+  this->Memory.Clear();
+}
+
 void TriangleEngine::LabelDropped(Id v)
 {
   this->Heap.emplace_back(this->Label(v), v);
@@ -64,8 +75,7 @@ bool TriangleEngine::Propagate()
       goesOn = this->ProcessVertex(top.second);
     }
   }
-  this->MeasureMemory();
-  return goesOn;
+  return goesOn && this->MeasureMemory();
 }
 
 /// Nothing left within the radius. A window may be nearer than both ends of its edge, so the labels
@@ -86,10 +96,10 @@ bool TriangleEngine::Report(std::size_t work)
   }
   this->WorkSinceReport = 0;
   this->UpdateRadius();
-  this->MeasureMemory();
-  return !this->Options->Progress ||
-    this->Options->Progress(
-      static_cast<double>(this->NumberOfVisited) / this->Mesh.GetNumberOfVertices());
+  return this->MeasureMemory() &&
+    (!this->Options->Progress ||
+      this->Options->Progress(
+        static_cast<double>(this->NumberOfVisited) / this->Mesh.GetNumberOfVertices()));
 }
 
 bool TriangleEngine::ProcessVertex(Id v)
@@ -316,7 +326,8 @@ void TriangleEngine::Join(Id h, WindowList& list)
   }
 }
 
-void TriangleEngine::MeasureMemory()
+/// False when it is too much.
+bool TriangleEngine::MeasureMemory()
 {
   std::size_t bytes = this->Memory.GetMemorySize() + this->Heap.capacity() * sizeof(this->Heap[0]) +
     this->IsOpen.capacity() + this->IsQueued.capacity() + this->IsVisited.capacity() +
@@ -327,6 +338,6 @@ void TriangleEngine::MeasureMemory()
   {
     bytes += list.capacity() * sizeof(Window);
   }
-  this->Result->PeakMemory = std::max(this->Result->PeakMemory, bytes);
+  return this->NoteMemory(bytes);
 }
 }

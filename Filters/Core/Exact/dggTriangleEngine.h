@@ -29,6 +29,7 @@ protected:
   void LabelDropped(Id v) override;
   bool Propagate() override;
   void Reset() override;
+  void Release() override;
 
 private:
   bool IsFinished() const;
@@ -42,7 +43,7 @@ private:
   void AddChild(Window& child, double length, double atOrigin, double atEnd, WindowList& list);
   void Deliver(Id exit, WindowList& list);
   void Join(Id h, WindowList& list);
-  void MeasureMemory();
+  bool MeasureMemory();
 
   std::vector<std::pair<double, Id>> Heap; // labels of vertices, lazily deleted
   std::vector<std::uint8_t> IsOpen;        // per face: in the region

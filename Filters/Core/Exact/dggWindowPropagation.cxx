@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 
 namespace dgg
 {
@@ -80,16 +81,16 @@ Status WindowPropagation::Run(
   this->Nearest = &result.NearestSource;
   this->Predecessors = &result.Predecessors;
   this->Radius = options.MaximumDistance - shift;
+  this->IsOutOfMemory = false;
 
   this->Store.Start(options.KeepWindows);
   this->Reset();
   this->RegisterTargets();
   this->Start(shifted);
-  const bool finished = this->Propagate();
+  const bool finished = this->Propagate() && this->FinishWindows(shifted, shift);
   if (finished)
   {
     this->FinishTargets();
-    this->FinishWindows(shifted, shift);
     this->ForgetBeyondRadius();
     for (double& d : result.Distances)
     {
@@ -107,6 +108,14 @@ Status WindowPropagation::Run(
   if (!finished)
   {
     result = ExactResult();
+    if (this->IsOutOfMemory)
+    {
+      this->Release();
+      return Status::Invalid("the propagation of windows takes more memory than MemoryLimit, " +
+        std::to_string(options.MemoryLimit) +
+        " bytes: use a mesh of fewer points, set a smaller MaximumDistance, keep no windows (turn "
+        "GenerateWindows off), or raise the limit");
+    }
     return Status::Abort();
   }
   return Status::Success();
@@ -414,14 +423,21 @@ void WindowPropagation::FinishTargets()
   }
 }
 
-void WindowPropagation::FinishWindows(const std::vector<GeodesicSource>& sources, double shift)
+/// False when there is not enough memory.
+bool WindowPropagation::FinishWindows(const std::vector<GeodesicSource>& sources, double shift)
 {
   if (!this->Store.IsOn())
   {
-    return;
+    return true;
+  }
+  this->Release(); // before there are windows in two places
+  this->Store.Trim(*this->Labels);
+  if (!this->NoteAllMemory(this->Store.GetMemoryToMove()))
+  {
+    return false;
   }
   EdgeWindows& windows = this->Result->Windows;
-  this->Store.Finish(*this->Labels, shift, windows);
+  this->Store.MoveTo(windows, shift);
   for (std::size_t k = 0; k < sources.size(); ++k)
   {
     if (sources[k].Point.On != SurfacePoint::Support::Vertex)
@@ -434,6 +450,14 @@ void WindowPropagation::FinishWindows(const std::vector<GeodesicSource>& sources
   }
   std::stable_sort(windows.Sources.begin(), windows.Sources.end(),
     [](const FaceSource& a, const FaceSource& b) { return a.Face < b.Face; });
+  return true;
+}
+
+bool WindowPropagation::NoteAllMemory(std::size_t bytes)
+{
+  this->Result->PeakMemory = std::max(this->Result->PeakMemory, bytes);
+  this->IsOutOfMemory |= this->Options->MemoryLimit != 0 && bytes > this->Options->MemoryLimit;
+  return !this->IsOutOfMemory;
 }
 
 void WindowPropagation::ForgetBeyondRadius()

@@ -10,8 +10,9 @@
 #include "dggWindow.h"         // for Window
 #include "dggWindowStore.h"    // for the windows to be kept
 
-#include <array>  // for barycentric coordinates
-#include <vector> // for std::vector
+#include <array>   // for barycentric coordinates
+#include <cstddef> // for std::size_t
+#include <vector>  // for std::vector
 
 namespace dgg
 {
@@ -37,9 +38,11 @@ protected:
   virtual void Receive(Id h, const Window& window) = 0;
   /// The label of v has become smaller.
   virtual void LabelDropped(Id v) = 0;
-  /// Propagate until nothing is left within the radius; false when aborted.
+  /// Propagate until nothing is left within the radius; false when aborted or out of memory.
   virtual bool Propagate() = 0;
   virtual void Reset() = 0;
+  /// Give back the memory of a finished propagation.
+  virtual void Release() = 0;
 
   double Label(Id v) const { return (*this->Labels)[v]; }
   Id SourceOf(Id root) const { return root >= 0 ? (*this->Nearest)[root] : ~root; }
@@ -105,6 +108,12 @@ protected:
   /// Windows and labels beyond this are of no interest. Shrinks as targets are reached.
   double GetRadius() const { return this->Radius; }
   void UpdateRadius();
+  /// Take note of the bytes that the engine holds, the windows that are kept apart. False when they
+  /// are too many together.
+  bool NoteMemory(std::size_t bytes)
+  {
+    return this->NoteAllMemory(bytes + this->Store.GetMemorySize());
+  }
 
   const SurfaceMesh& Mesh;
   WindowStore Store;
@@ -123,7 +132,8 @@ private:
   void StartInFace(Id f, const std::array<double, 3>& barycentric, double offset, Id source);
   void RegisterTargets();
   void FinishTargets();
-  void FinishWindows(const std::vector<GeodesicSource>& sources, double shift);
+  bool FinishWindows(const std::vector<GeodesicSource>& sources, double shift);
+  bool NoteAllMemory(std::size_t bytes);
   void ForgetBeyondRadius();
   /// Window of pseudo-source v onto the edge opposite to it in the face of its outgoing half-edge
   /// g, between the directions `from` and `to`, angles measured from g.
@@ -136,6 +146,7 @@ private:
   std::vector<Id>* Nearest = nullptr;
   std::vector<Predecessor>* Predecessors = nullptr;
   double Radius = Infinity;
+  bool IsOutOfMemory = false;
   std::vector<Target> Targets;           // sorted by face; those at vertices are not in it
   std::vector<std::uint8_t> TargetFlags; // per face
 };

@@ -4,36 +4,63 @@
 
 #include <algorithm>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace dgg
 {
+namespace
+{
+/// Lists between two calls of GiveBackMemory().
+constexpr std::size_t ListsAtOnce = 65536;
+
+/// Millions of small lists are freed to the heap of the process, which would keep their memory, so
+/// that no large array could have it.
+void GiveBackMemory()
+{
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
+}
+}
+
 void WindowStore::Start(bool isOn)
 {
-  this->Lists.clear();
-  if (isOn)
+  std::vector<WindowList>(isOn ? this->Mesh.GetNumberOfHalfEdges() : 0).swap(this->Lists);
+  this->Bytes = 0;
+  if (!isOn)
   {
-    this->Lists.resize(this->Mesh.GetNumberOfHalfEdges());
+    WindowList().swap(this->Scratch);
+    WindowList().swap(this->Merged);
   }
 }
 
 void WindowStore::Add(Id h, const WindowList& windows)
 {
   WindowList& list = this->Lists[h];
+  this->Bytes -= SizeOf(list);
   if (list.empty())
   {
     list = windows;
-    return;
   }
-  MergeEnvelopes(list, windows, this->Mesh.Length(h), this->Merged);
-  list.assign(this->Merged.begin(), this->Merged.end());
+  else
+  {
+    MergeEnvelopes(list, windows, this->Mesh.Length(h), this->Merged);
+    list.assign(this->Merged.begin(), this->Merged.end());
+  }
+  this->Bytes += SizeOf(list);
 }
 
 void WindowStore::Add(Id h, const Window& window)
 {
   WindowList& list = this->Lists[h];
+  this->Bytes -= SizeOf(list);
   InsertIntoEnvelope(list, window, this->Mesh.Length(h), this->Scratch);
+  this->Bytes += SizeOf(list);
 }
 
-void WindowStore::Finish(const std::vector<double>& labels, double shift, EdgeWindows& windows)
+void WindowStore::Trim(const std::vector<double>& labels)
 {
   const Id halfEdges = this->Mesh.GetNumberOfHalfEdges();
   for (Id h = 0; h < halfEdges; ++h)
@@ -41,16 +68,15 @@ void WindowStore::Finish(const std::vector<double>& labels, double shift, EdgeWi
     this->RemoveStale(this->Lists[h], labels);
     this->TrimByLabels(h, labels);
   }
+}
+
+void WindowStore::MoveTo(EdgeWindows& windows, double shift)
+{
   windows.Offsets.assign(1, 0);
-  windows.Offsets.reserve(halfEdges + 1);
+  windows.Offsets.reserve(this->Lists.size() + 1);
   windows.Windows.clear();
-  std::size_t count = 0;
-  for (const WindowList& list : this->Lists)
-  {
-    count += list.size();
-  }
-  windows.Windows.reserve(count);
-  for (Id h = 0; h < halfEdges; ++h)
+  windows.Windows.reserve(this->CountWindows());
+  for (std::size_t h = 0; h < this->Lists.size(); ++h)
   {
     for (const Window& w : this->Lists[h])
     {
@@ -58,8 +84,35 @@ void WindowStore::Finish(const std::vector<double>& labels, double shift, EdgeWi
     }
     windows.Offsets.push_back(static_cast<Offset>(windows.Windows.size()));
     WindowList().swap(this->Lists[h]);
+    if ((h + 1) % ListsAtOnce == 0)
+    {
+      GiveBackMemory();
+    }
   }
-  this->Lists.clear();
+  this->Start(false);
+  GiveBackMemory();
+}
+
+std::size_t WindowStore::GetMemorySize() const
+{
+  return this->Lists.capacity() * sizeof(WindowList) + this->Bytes + SizeOf(this->Scratch) +
+    SizeOf(this->Merged);
+}
+
+std::size_t WindowStore::GetMemoryToMove() const
+{
+  return this->GetMemorySize() + (this->Lists.size() + 1) * sizeof(Offset) +
+    this->CountWindows() * sizeof(EdgeWindow);
+}
+
+std::size_t WindowStore::CountWindows() const
+{
+  std::size_t count = 0;
+  for (const WindowList& list : this->Lists)
+  {
+    count += list.size();
+  }
+  return count;
 }
 
 /// A root that was reached on a shorter way later: its windows were sent out again.

@@ -8,7 +8,8 @@
 #include "dggEdgeWindows.h"    // for the result
 #include "dggWindowEnvelope.h" // for WindowList
 
-#include <vector> // for the lists
+#include <cstddef> // for std::size_t
+#include <vector>  // for the lists
 
 namespace dgg
 {
@@ -23,7 +24,7 @@ public:
   {
   }
 
-  /// Forget everything. Nothing is kept unless `isOn`.
+  /// Forget everything, and release its memory. Nothing is kept unless `isOn`.
   void Start(bool isOn);
   bool IsOn() const { return !this->Lists.empty(); }
 
@@ -32,16 +33,25 @@ public:
   /// A window that enters the face of half-edge h.
   void Add(Id h, const Window& window);
 
-  /// Move the windows to `windows`, given the final labels of the vertices.
-  /// `shift` is added to distances.
-  void Finish(const std::vector<double>& labels, double shift, EdgeWindows& windows);
+  /// Drop the windows that carry no shortest path, given the final labels of the vertices.
+  void Trim(const std::vector<double>& labels);
+  /// Move the windows to `windows`, after Trim(). `shift` is added to distances.
+  void MoveTo(EdgeWindows& windows, double shift);
+
+  /// Bytes held.
+  std::size_t GetMemorySize() const;
+  /// Most bytes held by this and the result during MoveTo().
+  std::size_t GetMemoryToMove() const;
 
 private:
+  static std::size_t SizeOf(const WindowList& list) { return list.capacity() * sizeof(Window); }
+  std::size_t CountWindows() const;
   void RemoveStale(WindowList& list, const std::vector<double>& labels) const;
   void TrimByLabels(Id h, const std::vector<double>& labels);
 
   const SurfaceMesh& Mesh;
   std::vector<WindowList> Lists; // per half-edge, lower envelopes
+  std::size_t Bytes = 0;         // of the windows in them
   WindowList Scratch;
   WindowList Merged;
 };
