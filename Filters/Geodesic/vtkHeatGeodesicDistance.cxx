@@ -121,10 +121,13 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
   }
   dgg::HeatMethod& method = this->Prepared->Method;
   dgg::Status status = method.Analyze(options, GetPart(task.Progress, 0.0, AnalyzedAt));
-  if (status.IsOk())
+  const std::size_t missing = status.IsOk() ? method.GetMissingMemory() : 0;
+  if (missing > 0)
   {
-    status = vtkDGGCheckMemory("the factorizations of the heat method",
-      static_cast<double>(method.GetEstimatedMemory()), limit, this->GetMemoryRemedy());
+    // What is held already is not free any more, so it must not count against what is free.
+    const std::size_t bytes = limit == 0 ? missing : method.GetEstimatedMemory();
+    status = vtkDGGCheckMemory("the factorizations of the heat method", static_cast<double>(bytes),
+      limit, this->GetMemoryRemedy());
   }
   if (status.IsOk())
   {

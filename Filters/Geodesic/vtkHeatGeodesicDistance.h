@@ -89,7 +89,8 @@ public:
   ///@{
   /**
    * Most bytes that the factorizations may take. Default 0, which stands for 70 % of the memory
-   * that is free at that time. Some 1 to 2 KiB per point is usual.
+   * that is free at that time, for those that are not there yet. Looked at only when there is
+   * something to allocate. Some 1 to 2 KiB per point is usual.
    */
   vtkSetMacro(MemoryLimit, vtkTypeUInt64);
   vtkGetMacro(MemoryLimit, vtkTypeUInt64);

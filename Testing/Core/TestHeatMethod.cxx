@@ -487,6 +487,36 @@ TEST(HeatMethod, KeepsWhatHasNotChanged)
   expectWork(2, "triangles");
 }
 
+TEST(HeatMethod, MissingMemoryIsThatOfFactorsNotHeld)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(12, 12, 0.2, 3));
+  dgg::HeatMethod heat(mesh);
+  dgg::HeatOptions options;
+  const auto missing = [&] {
+    EXPECT_TRUE(heat.Analyze(options, nullptr).IsOk());
+    return heat.GetMissingMemory();
+  };
+  const std::size_t two = missing();
+  const std::size_t base = heat.GetEstimatedMemory() - two;
+  EXPECT_EQ(heat.GetMemorySize(), base);
+  EXPECT_GT(two, 2u * 169 * 20);
+  ASSERT_TRUE(heat.Factorize(nullptr).IsOk());
+  EXPECT_GT(heat.GetMemorySize() - base, two / 2);
+  EXPECT_EQ(missing(), 0u);
+  options.TimeStepFactor = 4.0; // takes the place of the former one
+  EXPECT_EQ(missing(), 0u);
+  options.Boundary = dgg::HeatBoundary::Average;
+  EXPECT_EQ(missing(), two / 2);
+  ASSERT_TRUE(heat.Factorize(nullptr).IsOk());
+  EXPECT_EQ(missing(), 0u);
+  options.Boundary = dgg::HeatBoundary::Dirichlet;
+  EXPECT_EQ(missing(), 0u);
+  options.IntrinsicDelaunay = false; // forgets all
+  const std::size_t all = missing();
+  EXPECT_EQ(all, heat.GetEstimatedMemory() - heat.GetMemorySize());
+  EXPECT_GT(all, 0u);
+}
+
 TEST(HeatMethod, MaximumDistance)
 {
   const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.2, 9));

@@ -355,6 +355,21 @@ TEST(HeatGeodesicDistance, WrongProperties)
   ExpectSuccess(filter);
 }
 
+TEST(HeatGeodesicDistance, MemoryLimitIsForWhatIsNotThere)
+{
+  vtkNew<vtkHeatGeodesicDistance> filter;
+  filter->SetInputData(MakeTerrain(20));
+  filter->AddSourceId(60);
+  ExpectSuccess(filter);
+  filter->SetMemoryLimit(1000);
+  filter->SetSourceIds({ 70 });
+  ExpectSuccess(filter); // nothing to be done
+  filter->SetBoundaryToAverage();
+  ExpectError(filter, { "MemoryLimit", "heat" });
+  filter->SetMemoryLimit(0);
+  ExpectSuccess(filter);
+}
+
 TEST(HeatGeodesicDistance, ALongerTimeSmooths)
 {
   auto terrain = MakeTerrain(40);

@@ -120,6 +120,11 @@ std::size_t HeatMethod::GetEstimatedMemory() const
   return this->System->GetEstimatedMemory();
 }
 
+std::size_t HeatMethod::GetMissingMemory() const
+{
+  return this->System->GetMissingMemory();
+}
+
 Status HeatMethod::Factorize(const ProgressCallback& progress)
 {
   return this->System->Factorize(progress);

@@ -91,6 +91,8 @@ public:
   Status Analyze(const HeatOptions& options, const ProgressCallback& progress);
   /// Bytes that the factorizations will take, the matrices included. After Analyze().
   std::size_t GetEstimatedMemory() const;
+  /// Those of them that Factorize() has yet to allocate. After Analyze().
+  std::size_t GetMissingMemory() const;
   /// After Analyze().
   Status Factorize(const ProgressCallback& progress);
   /// Both.

@@ -443,10 +443,23 @@ std::size_t HeatSystem::GetBaseMemory() const
 std::size_t HeatSystem::GetEstimatedMemory() const
 {
   const std::size_t factors = 1 + (this->NeedsNeumann() ? 1 : 0) + (this->NeedsDirichlet() ? 1 : 0);
-  const std::size_t factor =
-    static_cast<std::size_t>(this->FactorEntries) * (sizeof(double) + sizeof(int)) +
+  return this->GetBaseMemory() + factors * this->GetFactorMemory();
+}
+
+std::size_t HeatSystem::GetMissingMemory() const
+{
+  // Factors that are done anew are cleared first, and so are those that are not wanted any more.
+  const int wanted = 1 + (this->NeedsNeumann() ? 1 : 0) + (this->NeedsDirichlet() ? 1 : 0);
+  const int held = (this->Heat.IsComputed() ? 1 : 0) + (this->CooledHeat.IsComputed() ? 1 : 0) +
+    (this->Distance.IsComputed() ? 1 : 0);
+  return wanted > held ? (wanted - held) * this->GetFactorMemory() : 0;
+}
+
+/// Bytes of one factor, at most.
+std::size_t HeatSystem::GetFactorMemory() const
+{
+  return static_cast<std::size_t>(this->FactorEntries) * (sizeof(double) + sizeof(int)) +
     this->Places.size() * (sizeof(double) + 3 * sizeof(int));
-  return this->GetBaseMemory() + factors * factor;
 }
 
 std::size_t HeatSystem::GetMemorySize() const

@@ -51,6 +51,7 @@ public:
   bool IsOnBoundary(Id vertex) const { return this->OnBoundary[vertex] != 0; }
 
   std::size_t GetEstimatedMemory() const;
+  std::size_t GetMissingMemory() const;
   std::size_t GetMemorySize() const;
   int GetNumberOfFactorizations() const { return this->NumberOfFactorizations; }
 
@@ -73,6 +74,7 @@ private:
   bool NeedsDirichlet() const { return this->Options.Boundary != HeatBoundary::Neumann; }
   bool NeedsNeumann() const { return this->Options.Boundary != HeatBoundary::Dirichlet; }
   std::size_t GetBaseMemory() const;
+  std::size_t GetFactorMemory() const;
 
   template <typename Number>
   std::vector<Number> SolveHeat(const std::vector<Load>& loads) const;
