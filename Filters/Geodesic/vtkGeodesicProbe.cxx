@@ -29,6 +29,8 @@ namespace
 /// Points that one thread looks at in a row, and how often that between two reports of progress.
 constexpr std::size_t BlockSize = 1024;
 constexpr std::size_t BlocksBetweenReports = 64;
+/// The share of the progress when the distances have been read, which may take a fit.
+constexpr double ReadDone = 0.5;
 
 vtkDGGSourceSet GetProbes(vtkInformationVector** inputVector)
 {
@@ -159,7 +161,8 @@ dgg::Status vtkGeodesicProbe::Execute(
   {
     copy->ShallowCopy(probes.Points);
     name = distances->GetName() ? distances->GetName() : name;
-    status = input.Read(surface, distances, this->VirtualSourceArrayName, mesh);
+    status = input.Read(surface, distances, this->VirtualSourceArrayName, mesh,
+      [this](double fraction) { return this->Advance(ReadDone * fraction); });
   }
   if (!status.IsOk())
   {
@@ -171,7 +174,9 @@ dgg::Status vtkGeodesicProbe::Execute(
   }
   const auto found = vtkDGGMakeArray<vtkDoubleArray>(name, places.size());
   double* values = found->GetPointer(0);
-  const auto progress = [this](double fraction) { return this->Advance(fraction); };
+  const auto progress = [this](double fraction) {
+    return this->Advance(ReadDone + (1.0 - ReadDone) * fraction);
+  };
   status = vtkDGGForBlocks((places.size() + BlockSize - 1) / BlockSize, BlocksBetweenReports,
     progress, [&](std::size_t block) {
       dgg::FaceProfile profile(input.GetField());

@@ -281,6 +281,32 @@ TEST(Bands, NoLevelsIsOneBand)
   }
 }
 
+TEST(Bands, TellProgressWhileTheyAreCut)
+{
+  const SurfaceMesh mesh = Build(Icosphere(5)); // 20480 faces
+  const ExactField field(mesh, { VertexSource(0) });
+  const std::vector<double> levels{ 0.5, 1.0 };
+  const BandCase test(field.Exact, levels);
+  std::vector<double> told;
+  double limit = 2.0;
+  const ProgressCallback watch = [&](double done) {
+    told.push_back(done);
+    return done < limit;
+  };
+  Bands bands;
+  ASSERT_TRUE(MakeBands(field.Exact, levels, test.Lines, watch, bands).IsOk());
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GT(
+    std::count_if(told.begin(), told.end(), [](double d) { return d > 0.0 && d < 0.5; }), 9);
+  EXPECT_EQ(told.back(), 1.0);
+  limit = 0.3;
+  told.clear();
+  EXPECT_TRUE(MakeBands(field.Exact, levels, test.Lines, watch, bands).IsAborted());
+  EXPECT_LT(told.back(), 0.4);
+  EXPECT_EQ(bands.Surface.GetNumberOfFaces(), 0);
+  EXPECT_TRUE(bands.BandOf.empty());
+}
+
 TEST(Bands, CanBeStoppedAndRefuseBadArguments)
 {
   const SurfaceMesh mesh = Build(Icosphere(1));

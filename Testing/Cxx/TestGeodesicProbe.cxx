@@ -450,6 +450,21 @@ TEST_F(GeodesicProbe, ObserversThatChangeTheNumberOfPoints)
   EXPECT_LT(this->GetError(), 1e-12);
 }
 
+TEST_F(GeodesicProbe, FitsCanBeFollowedAndStopped)
+{
+  this->Distance->SetInputData(MakeGrid(300, 300));
+  this->Distance->Update();
+  ProgressWatch watcher(this->Probe);
+  ExpectSuccess(this->Probe);
+  watcher.ExpectGrowth(5);
+  watcher.Progress.clear();
+  watcher.StopAt = 0.4;
+  this->Probe->Modified();
+  ExpectSuccess(this->Probe); // not an error
+  EXPECT_LT(watcher.Progress.back(), 0.6);
+  EXPECT_EQ(this->Probe->GetOutput()->GetNumberOfPoints(), 0);
+}
+
 TEST_F(GeodesicProbe, Errors)
 {
   this->Probe->SetDistanceArrayName("nothing");

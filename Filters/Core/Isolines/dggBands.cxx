@@ -250,6 +250,7 @@ Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   // Lines that touch may cross by rounding, and those of fields that jump do cross.
   RefinementOptions options;
   options.InsertCrossings = true;
+  options.Progress = [&](double done) { return !progress || progress(CutDone * done); };
   status = RefineAlongPaths(*field.Mesh, lines.Lines, options, bands.Surface);
   if (!status.IsOk())
   {

@@ -16,6 +16,10 @@ namespace dgg
 {
 namespace
 {
+/// Faces between two reports, and the share of the progress when all are split.
+constexpr Id ProgressInterval = 1024;
+constexpr double FacesDone = 0.8;
+
 /// The points that paths pass become nodes, the paths chains of straight pieces between them, which
 /// are split where they meet; then each face with nodes is triangulated on its own.
 class Refiner
@@ -34,6 +38,7 @@ public:
   Status Run();
 
 private:
+  bool Goes(double done) const { return !this->Options.Progress || this->Options.Progress(done); }
   Status CheckPaths() const;
   void MakePieces();
   Status AddFace(Id f);
@@ -64,14 +69,27 @@ Status Refiner::Run()
   }
   this->Nodes.AddPointsOnEdges(this->Paths);
   this->MakePieces();
-  for (Id f = 0; f < this->Mesh.GetNumberOfFaces(); ++f)
+  const Id faces = this->Mesh.GetNumberOfFaces();
+  for (Id f = 0; f < faces; ++f)
   {
-    status = this->Mesh.IsDropped(f) ? status : this->AddFace(f);
+    if (f % ProgressInterval == 0 && !this->Goes(FacesDone * f / faces))
+    {
+      status = Status::Abort();
+    }
+    else if (!this->Mesh.IsDropped(f))
+    {
+      status = this->AddFace(f);
+    }
     if (!status.IsOk())
     {
       this->Refined = RefinedSurface();
       return status;
     }
+  }
+  if (!this->Goes(FacesDone))
+  {
+    this->Refined = RefinedSurface();
+    return Status::Abort();
   }
   this->MakeTwinsAndLengths();
   this->Refined.Points = this->Nodes.MakePoints();

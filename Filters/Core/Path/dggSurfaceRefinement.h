@@ -15,6 +15,8 @@ struct RefinementOptions
 {
   /// What to do where paths cross: insert a vertex, or fail.
   bool InsertCrossings = false;
+  /// Progress and abort; may be empty.
+  ProgressCallback Progress;
 };
 
 /// Split the faces of a mesh along paths, which may share points, touch, and run along edges of the
