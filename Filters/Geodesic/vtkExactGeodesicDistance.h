@@ -71,7 +71,7 @@ public:
    * Most bytes that the propagation may take when windows are generated; more is an error, as soon
    * as that many are in use. Default 0, which stands for 70 % of the memory that is free at that
    * time. On a scan of 173,000 points 5.2 kilobytes per point are counted at the peak, when windows
-   * are moved to where they stay; with glibc, 3.8 are in use at a time.
+   * are moved to where they stay; with glibc, the filter has no more than 4.4 in use at a time.
    */
   vtkSetMacro(MemoryLimit, vtkTypeUInt64);
   vtkGetMacro(MemoryLimit, vtkTypeUInt64);
