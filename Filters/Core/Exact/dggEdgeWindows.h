@@ -44,7 +44,8 @@ struct EdgeWindows
   /// windows were not kept.
   std::vector<Offset> Offsets;
   std::vector<EdgeWindow> Windows;
-  std::vector<FaceSource> Sources; ///< in order of faces
+  /// In order of faces; those are left out that are nowhere in their face nearer than another one.
+  std::vector<FaceSource> Sources;
 
   bool IsEmpty() const { return this->Offsets.empty(); }
   const EdgeWindow* Begin(Id h) const { return this->Windows.data() + this->Offsets[h]; }

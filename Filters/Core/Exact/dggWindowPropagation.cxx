@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -15,6 +16,67 @@ namespace
 /// can do to an angle, and less than what makes a window of its own (PieceTolerance of the
 /// envelopes). With 1e-6 half of all windows were overlaps of this kind.
 constexpr double ShadowSlack = 1e-10;
+
+/// Which of the sources of one face are nowhere in it nearer than another one. Of those that start
+/// with the same distance only copies are, so that thousands of them take no time.
+void FindDominated(
+  const SurfaceMesh& mesh, const FaceSource* begin, const FaceSource* end, std::vector<bool>& found)
+{
+  const auto count = static_cast<std::size_t>(end - begin);
+  found.assign(count, false);
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return begin[i].Offset != begin[j].Offset ? begin[i].Offset < begin[j].Offset
+                                              : begin[i].Barycentric < begin[j].Barycentric;
+  });
+  std::vector<std::size_t> kept;
+  for (const std::size_t i : order)
+  {
+    const FaceSource& source = begin[i];
+    found[i] = !kept.empty() && begin[kept.back()].Offset == source.Offset &&
+      begin[kept.back()].Barycentric == source.Barycentric;
+    for (std::size_t k = 0; k < kept.size() && !found[i]; ++k)
+    {
+      const FaceSource& other = begin[kept[k]];
+      if (!(other.Offset < source.Offset))
+      {
+        break;
+      }
+      found[i] = source.Offset >=
+        other.Offset + DistanceInFace(mesh, source.Face, other.Barycentric, source.Barycentric);
+    }
+    if (!found[i])
+    {
+      kept.push_back(i);
+    }
+  }
+}
+
+/// Drop sources, in order of faces, that are nowhere in their face nearer than another one there.
+void DropDominated(const SurfaceMesh& mesh, std::vector<FaceSource>& sources)
+{
+  std::vector<bool> isDominated;
+  std::size_t size = 0;
+  for (std::size_t begin = 0; begin < sources.size();)
+  {
+    std::size_t end = begin + 1;
+    while (end < sources.size() && sources[end].Face == sources[begin].Face)
+    {
+      ++end;
+    }
+    FindDominated(mesh, sources.data() + begin, sources.data() + end, isDominated);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      if (!isDominated[i - begin])
+      {
+        sources[size++] = sources[i];
+      }
+    }
+    begin = end;
+  }
+  sources.resize(size);
+}
 
 Status CheckOptions(const SurfaceMesh& mesh, const ExactOptions& options)
 {
@@ -450,6 +512,7 @@ bool WindowPropagation::FinishWindows(const std::vector<GeodesicSource>& sources
   }
   std::stable_sort(windows.Sources.begin(), windows.Sources.end(),
     [](const FaceSource& a, const FaceSource& b) { return a.Face < b.Face; });
+  DropDominated(this->Mesh, windows.Sources);
   return true;
 }
 

@@ -127,7 +127,8 @@ void FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
   for (Id level = first; level <= last; ++level)
   {
     this->CollectRim(level);
-    if (!this->Seeds.empty() || this->Rim.CountCrossings() > 0)
+    this->CollectSeeds(level);
+    if (!this->SeedsOfLevel.empty() || this->Rim.CountCrossings() > 0)
     {
       this->TraceLevel(level, curves);
     }
@@ -165,14 +166,19 @@ void FaceIsolines::AddSource(const FieldSample& sample)
   }
   const std::array<Point2, 3>& corners = this->Profile.GetCorners();
   const double close = 1e-6 * Distance(corners[0], corners[1]);
-  for (const Point2& seed : this->Seeds)
+  const double distance = this->Profile.At(place);
+  if (!this->Levels.empty() && !(distance < this->Levels.back()))
   {
-    if (Distance(seed, place) <= close)
+    return; // all levels are below
+  }
+  for (const Seed& seed : this->Seeds)
+  {
+    if (Distance(seed.Place, place) <= close)
     {
       return;
     }
   }
-  this->Seeds.push_back(place);
+  this->Seeds.push_back({ place, distance, false });
 }
 
 /// The farthest point of the face, if that is not on its rim: isolines may be closed around it.
@@ -230,7 +236,19 @@ void FaceIsolines::FindPeak()
   }
   if (LeastOf(best) > 1e-3)
   {
-    this->Seeds.push_back(this->Profile.PlaceOf(best));
+    this->Seeds.push_back({ this->Profile.PlaceOf(best), value, true });
+  }
+}
+
+void FaceIsolines::CollectSeeds(Id level)
+{
+  this->SeedsOfLevel.clear();
+  for (const Seed& seed : this->Seeds)
+  {
+    if ((seed.Distance < this->Levels[level]) != seed.IsPeak)
+    {
+      this->SeedsOfLevel.push_back(seed.Place);
+    }
   }
 }
 
@@ -286,7 +304,7 @@ void FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
   const double value = this->Levels[level];
   const LevelArc arc(this->Profile, value, this->Tolerance);
   const std::size_t size = curves.size();
-  if (this->Seeds.empty() && this->Rim.CountCrossings() == 2 &&
+  if (this->SeedsOfLevel.empty() && this->Rim.CountCrossings() == 2 &&
     this->TraceDirectly(arc, level, curves))
   {
     return;
@@ -296,7 +314,7 @@ void FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
   {
     failures = 0;
     curves.resize(size);
-    this->Lattice.Build(this->Profile, arc, value, this->Rim, cells, this->Seeds);
+    this->Lattice.Build(this->Profile, arc, value, this->Rim, cells, this->SeedsOfLevel);
     for (const LevelChain& chain : this->Lattice.GetChains())
     {
       FaceCurve curve;

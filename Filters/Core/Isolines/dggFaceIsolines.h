@@ -18,6 +18,9 @@ namespace dgg
 /// Connects the crossings on the rim of a face by curves that do not cross, level by level, and
 /// finds the isolines that are closed within the face: around sources, and around points that are
 /// farther away than all others. An object can be moved from face to face.
+///
+/// For each level the sources in the face that start below it are looked for in the lattice, one by
+/// one: in a face with hundreds of sources the time grows with the square of their number.
 class FaceIsolines
 {
 public:
@@ -32,10 +35,20 @@ public:
   Id GetNumberOfFallbacks() const { return this->Fallbacks; }
 
 private:
+  /// A place around which isolines may be closed: of levels above its distance around a source, of
+  /// levels not above it around a peak.
+  struct Seed
+  {
+    Point2 Place;
+    double Distance = 0.0;
+    bool IsPeak = false;
+  };
+
   bool MayHoldSource(Id f) const;
   void FindSeeds();
   void AddSource(const FieldSample& sample);
   void FindPeak();
+  void CollectSeeds(Id level);
   void CollectRim(Id level);
   void TraceLevel(Id level, std::vector<FaceCurve>& curves);
   bool TraceDirectly(const LevelArc& arc, Id level, std::vector<FaceCurve>& curves);
@@ -51,7 +64,8 @@ private:
   LevelRim Rim;
   std::array<Id, 3> Edges{ { NoId, NoId, NoId } }; // their half-edges
   std::array<Id, 3> NextCrossings{ { 0, 0, 0 } };  // on them, while levels rise
-  std::vector<Point2> Seeds;
+  std::vector<Seed> Seeds;
+  std::vector<Point2> SeedsOfLevel;
   std::vector<LevelPoint> Way;
   std::vector<Point2> Points;
   Id Fallbacks = 0;

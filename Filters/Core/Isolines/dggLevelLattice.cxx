@@ -12,6 +12,9 @@ namespace
 constexpr int StepsOfCrest = 16;
 /// The lowest point of a ridge is looked for by this many steps, each of which leaves two thirds.
 constexpr int StepsOfDip = 12;
+/// A point this close to a side of a triangle is on it, relative to the largest part of the
+/// triangle.
+constexpr double OnSide = 1e-12;
 
 double SignedArea(const Point2& a, const Point2& b, const Point2& c)
 {
@@ -208,7 +211,8 @@ void LevelLattice::InsertSeed(const LevelArc& arc, double level, const Point2& s
     }
     const double least = std::min({ areas[0], areas[1], areas[2] });
     const double largest = std::max({ areas[0], areas[1], areas[2] });
-    if (!(least >= 0.0) || !(largest > 0.0))
+    // By rounding a seed on the side of two triangles may be in neither.
+    if (!(largest > 0.0) || !(least >= -OnSide * largest))
     {
       continue;
     }
@@ -217,10 +221,38 @@ void LevelLattice::InsertSeed(const LevelArc& arc, double level, const Point2& s
       return; // at a node, which tells as much
     }
     const Id node = this->AddNode(arc, level, seed);
+    const auto nearest =
+      static_cast<int>(std::min_element(areas.begin(), areas.end()) - areas.begin());
+    if (least <= OnSide * largest)
+    {
+      this->CutSide(triangle[nearest], triangle[(nearest + 1) % 3], node);
+      return;
+    }
     this->Triangles[t] = { { triangle[0], triangle[1], node } };
     this->Triangles.push_back({ { triangle[1], triangle[2], node } });
     this->Triangles.push_back({ { triangle[2], triangle[0], node } });
     return;
+  }
+}
+
+/// Cut the triangles on both sides of a and b at a node between these.
+void LevelLattice::CutSide(Id a, Id b, Id node)
+{
+  const std::size_t count = this->Triangles.size();
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    const Triangle triangle = this->Triangles[t];
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id from = triangle[k];
+      const Id to = triangle[(k + 1) % 3];
+      const Id opposite = triangle[(k + 2) % 3];
+      if ((from == a && to == b) || (from == b && to == a))
+      {
+        this->Triangles[t] = { { from, node, opposite } };
+        this->Triangles.push_back({ { node, to, opposite } });
+      }
+    }
   }
 }
 

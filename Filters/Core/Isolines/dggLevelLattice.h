@@ -76,6 +76,7 @@ private:
   void AddCell(const LevelArc& arc, double level, const Triangle& corners,
     const std::array<const std::vector<Id>*, 3>& between);
   void InsertSeed(const LevelArc& arc, double level, const Point2& seed);
+  void CutSide(Id a, Id b, Id node);
   void AddCrests(const LevelArc& arc, double level);
   Id FindCrest(const LevelArc& arc, double level, Id a, Id b);
   Id FindDip(const LevelArc& arc, double level, Id a, Id b);
