@@ -125,7 +125,7 @@ void Empty(vtkInformationVector* outputVector)
 //------------------------------------------------------------------------------
 vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
   : MergeCoincidentPoints(false)
-  , OutputPointsPrecision(DEFAULT_PRECISION)
+  , OutputPointsPrecision(DOUBLE_PRECISION)
   , Reached(0.0)
   , Adapter(new vtkDGGMeshAdapter)
 {

@@ -23,9 +23,9 @@
  *    arrays `DGG.*`, see vtkDiscreteGeodesicGraph) and the windows of exact distances (see
  *    vtkExactGeodesicDistance). Where there are two surfaces, the field data are those of the one
  *    that the output lies on.
- *  - Their points have the precision of the points of that surface, unless OutputPointsPrecision
- *    says otherwise. Arrays of lengths, distances and areas are of type double, and are those of
- *    the points before they are rounded to float.
+ *  - Their points are doubles, as floats would lie beside the surface; OutputPointsPrecision makes
+ *    them floats. Arrays of lengths, distances and areas are of type double, and are those of the
+ *    points before they are rounded to float.
  *  - `FaceId` numbers cells of that surface, `vtkOriginalPointIds` its points (-1 where there is
  *    none), `Length` and `ArcLength` are in units of the coordinates.
  *
@@ -98,9 +98,10 @@ public:
   ///@{
   /**
    * Precision of the points of outputs that are new geometry, one of
-   * vtkAlgorithm::DesiredOutputPrecision. Default vtkAlgorithm::DEFAULT_PRECISION: float where the
-   * points of the input are float, else double. Single precision for coordinates out of the range
-   * of floats is an error of the update. Other outputs have the points of the input.
+   * vtkAlgorithm::DesiredOutputPrecision. Default vtkAlgorithm::DOUBLE_PRECISION, whatever the
+   * input has: so points lie on the surface to 1e-9 of their triangles. DEFAULT_PRECISION is float
+   * where the points of the input are float, else double. Single precision for coordinates out of
+   * the range of floats is an error of the update. Other outputs have the points of the input.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);

@@ -288,10 +288,12 @@ TEST_P(NewGeometry, ObserversMayChangeTheFieldData)
   }
 }
 
-TEST_P(NewGeometry, PrecisionIsThatOfTheInputUnlessSet)
+TEST_P(NewGeometry, PrecisionIsDoubleUnlessSet)
 {
   const auto filter = this->GetParam().Make(MakeRelief(VTK_FLOAT));
-  EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
+  EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DOUBLE_PRECISION);
+  EXPECT_FALSE(this->Run(filter, VTK_DOUBLE).empty());
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION); // that of the input
   const Coordinates floats = this->Run(filter, VTK_FLOAT);
   const std::vector<double> data = this->GetData(filter);
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
@@ -346,12 +348,12 @@ TEST_P(NewGeometry, PrecisionIsAProperty)
 {
   const auto filter = this->GetParam().Make(MakeRelief(VTK_FLOAT));
   const vtkMTimeType time = filter->GetMTime();
-  filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   EXPECT_EQ(filter->GetMTime(), time);
   filter->SetOutputPointsPrecision(17);
   EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
-  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   EXPECT_GT(filter->GetMTime(), time);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   std::ostringstream text;
   filter->Print(text);
   EXPECT_NE(text.str().find("OutputPointsPrecision: 1\n"), std::string::npos);
@@ -395,6 +397,7 @@ TEST(NewGeometryOfTwoSurfaces, EachHasItsOwn)
   AddNote(second, "second");
   const auto filter = MakeBoundaries(first);
   vtkGeodesicPatchBoundaries::SafeDownCast(filter)->SetSecondSurfaceData(second);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION); // that of each surface
   ExpectSuccess(filter);
   vtkPolyData* outputs[2] = { filter->GetOutput(0), filter->GetOutput(1) };
   EXPECT_EQ(outputs[0]->GetPoints()->GetDataType(), VTK_FLOAT);
