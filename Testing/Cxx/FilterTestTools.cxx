@@ -320,9 +320,13 @@ void ExpectErrorWhenPointsChange(
     Change change{ points, number };
     vtkNew<vtkCallbackCommand> command;
     command->SetClientData(&change);
-    command->SetCallback([](vtkObject*, unsigned long, void* data, void*) {
+    command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+      // Not before the update has looked at the input.
       const auto* wanted = static_cast<Change*>(data);
-      wanted->Points->SetNumberOfPoints(wanted->Number);
+      if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() >= 0.1)
+      {
+        wanted->Points->SetNumberOfPoints(wanted->Number);
+      }
     });
     filter->AddObserver(vtkCommand::ProgressEvent, command);
     filter->Modified();

@@ -504,6 +504,10 @@ TEST_F(ApolloniusIsolines, ObserversMayChangeAnything)
   command->SetClientData(surface);
   command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
     auto* filter = vtkApolloniusIsolines::SafeDownCast(caller);
+    if (filter->GetProgress() < 0.1)
+    {
+      return; // the update has not started
+    }
     filter->SetMinimumRidgeAngle(180.0);
     filter->SetChordTolerance(1.0);
     filter->GenerateValues(2, 1.0, 2.0);
@@ -514,7 +518,7 @@ TEST_F(ApolloniusIsolines, ObserversMayChangeAnything)
   this->Isolines->Modified();
   ExpectSuccess(this->Isolines);
   EXPECT_EQ(surface->GetNumberOfPoints(), 200000) << "the observer was not called";
-  EXPECT_EQ(describe(), expected);
+  EXPECT_TRUE(describe() == expected);
 }
 
 TEST_F(ApolloniusIsolines, PrintsItself)

@@ -152,7 +152,7 @@ TEST_F(GeodesicPatchBoundaries, PrintsItself)
   std::ostringstream text;
   this->Filter->Print(text);
   for (const char* line : { "FirstLandmarkIds: (none)\n", "SecondLandmarkIds: 8 9\n",
-         "ProjectionTolerance: 0.01\n", "OutputPointsPrecision: 2\n" })
+         "ProjectionTolerance: 0.01\n", "OutputPointsPrecision: 1\n" })
   {
     EXPECT_NE(text.str().find(line), std::string::npos) << line;
   }

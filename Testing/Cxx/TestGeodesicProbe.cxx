@@ -439,9 +439,12 @@ TEST_F(GeodesicProbe, ObserversThatChangeTheNumberOfPoints)
   // The surface has been read by then.
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(distances);
-  command->SetCallback([](vtkObject*, unsigned long, void* data, void*) {
-    static_cast<vtkPolyData*>(data)->GetPoints()->Initialize();
-    static_cast<vtkPolyData*>(data)->GetPointData()->Initialize();
+  command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+    if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() >= 0.1)
+    {
+      static_cast<vtkPolyData*>(data)->GetPoints()->Initialize();
+      static_cast<vtkPolyData*>(data)->GetPointData()->Initialize();
+    }
   });
   this->Probe->AddObserver(vtkCommand::ProgressEvent, command);
   this->Probe->Modified();

@@ -423,3 +423,23 @@ TEST(OldGeometry, StaysAsItIs)
   cells.resize(before.size());
   EXPECT_EQ(cells, before);
 }
+
+TEST(OldGeometry, WindowsGoWithTheDistancesThatAreReplaced)
+{
+  vtkNew<vtkExactGeodesicDistance> distance;
+  distance->SetInputData(MakeRelief(VTK_DOUBLE));
+  distance->AddSourceId(0);
+  distance->GenerateWindowsOn();
+  distance->Update();
+  const auto filter = MakeVoronoi(distance->GetOutput());
+  ExpectSuccess(filter);
+  vtkFieldData* data = filter->GetOutput(0)->GetFieldData();
+  EXPECT_EQ(data->GetAbstractArray("GeodesicDistance.WindowInfo"), nullptr);
+  EXPECT_EQ(data->GetAbstractArray("GeodesicDistance.Windows"), nullptr);
+  // Those of other distances on the surface are still good.
+  distance->SetDistanceArrayName("d");
+  distance->Update();
+  ExpectSuccess(filter);
+  data = filter->GetOutput(0)->GetFieldData();
+  EXPECT_NE(data->GetAbstractArray("d.Windows"), nullptr);
+}
