@@ -307,6 +307,40 @@ TEST(Bands, TellProgressWhileTheyAreCut)
   EXPECT_TRUE(bands.BandOf.empty());
 }
 
+TEST(Bands, ManyLevelsInOneFace)
+{
+  const SurfaceMesh mesh = Build(Plane(1, 1, 0.0)); // two faces
+  const ExactField field(mesh, { { SurfacePoint::InFace(mesh, 0, { { 0.3, 0.3, 0.4 } }), 0.0 } });
+  for (const DistanceField* f : { &field.Exact, &field.Linear })
+  {
+    const std::vector<double> levels = LevelsOf(*f, 1000);
+    const BandCase test(*f, levels, 1e-4); // chords of neighbours must not cross
+    ExpectSound(test, "many levels");
+    EXPECT_GT(test.Found.Surface.GetNumberOfFaces(), 1999);
+    // No band is lost.
+    for (Id band = 0; band < static_cast<Id>(test.Found.Levels.size()); ++band)
+    {
+      EXPECT_GT(test.AreaOfBand(band), 0.0) << band;
+    }
+    std::vector<double> told;
+    double limit = 2.0;
+    const ProgressCallback watch = [&](double done) {
+      told.push_back(done);
+      return done < limit;
+    };
+    Bands bands;
+    ASSERT_TRUE(MakeBands(*f, levels, test.Lines, watch, bands).IsOk());
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_GT(
+      std::count_if(told.begin(), told.end(), [](double d) { return d > 0.0 && d < 0.5; }), 3);
+    limit = 0.2;
+    told.clear();
+    EXPECT_TRUE(MakeBands(*f, levels, test.Lines, watch, bands).IsAborted());
+    EXPECT_LT(told.back(), 0.35);
+    EXPECT_TRUE(bands.BandOf.empty());
+  }
+}
+
 TEST(Bands, CanBeStoppedAndRefuseBadArguments)
 {
   const SurfaceMesh mesh = Build(Icosphere(1));

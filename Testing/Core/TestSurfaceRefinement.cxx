@@ -213,6 +213,91 @@ TEST(FaceTriangulation, RandomPointsAndSegments)
   }
 }
 
+TEST(FaceTriangulation, ManyPointsAndSegments)
+{
+  // Chains side by side, and so many points on a side that a fan to the corner would be slow.
+  const std::array<dgg::Point2, 3> corners{ { { 0.0, 0.0 }, { 2.0, 0.0 }, { 0.5, 1.0 } } };
+  std::vector<GridPoint> points;
+  const int lines = 400;
+  const int steps = 50;
+  for (int i = 1; i <= lines; ++i)
+  {
+    const double radius = 0.9 * i / lines;
+    for (int k = 0; k <= steps; ++k)
+    {
+      const double t = static_cast<double>(k) / steps;
+      const double bend = 1.0 + 0.1 * t * (1.0 - t);
+      const double b = radius * t * bend;
+      const double c = radius * (1.0 - t) * bend;
+      points.push_back(GridPoint::FromBarycentric({ { 1.0 - b - c, b, c } }));
+    }
+  }
+  std::vector<std::size_t> order = dgg::MakeInsertionOrder(points);
+  dgg::FaceTriangulation triangulation(corners);
+  std::vector<GridPoint> places{ { 0, 0 }, { GridPoint::One, 0 }, { 0, GridPoint::One } };
+  std::vector<int> numbers(points.size());
+  for (const std::size_t i : order)
+  {
+    numbers[i] = triangulation.AddPoint(points[i]);
+    places.push_back(points[i]);
+  }
+  std::sort(order.begin(), order.end());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    ASSERT_EQ(order[i], i);
+  }
+  const auto isSegment = [&](std::size_t i) { return i % (steps + 1) < steps; };
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    EXPECT_TRUE(!isSegment(i) || triangulation.AddSegment(numbers[i], numbers[i + 1]));
+  }
+  triangulation.MakeDelaunay();
+  const std::vector<std::array<int, 3>>& triangles = triangulation.GetTriangles();
+  // Euler: two sides carry points.
+  const std::size_t onSides = 3 + 2 * lines;
+  EXPECT_EQ(triangles.size(), 2 * places.size() - 2 - onSides);
+  std::map<std::pair<int, int>, int> edges; // and the corners opposite
+  for (const std::array<int, 3>& t : triangles)
+  {
+    EXPECT_EQ(dgg::Orientation(places[t[0]], places[t[1]], places[t[2]]), 1);
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_TRUE(edges.emplace(std::make_pair(t[k], t[(k + 1) % 3]), t[(k + 2) % 3]).second);
+    }
+  }
+  std::set<std::pair<int, int>> segments;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (isSegment(i))
+    {
+      const std::pair<int, int> ends = std::minmax(numbers[i], numbers[i + 1]);
+      segments.insert(ends);
+      EXPECT_EQ(edges.count(ends) + edges.count({ ends.second, ends.first }), 2u);
+    }
+  }
+  // All other edges are Delaunay.
+  auto angleAt = [&](int apex, int a, int b) {
+    auto way = [&](int to) {
+      const double x = static_cast<double>(places[to].X - places[apex].X);
+      const double y = static_cast<double>(places[to].Y - places[apex].Y);
+      return dgg::Point2{ 2.0 * x + 0.5 * y, y };
+    };
+    const dgg::Point2 u = way(a);
+    const dgg::Point2 v = way(b);
+    return std::atan2(dgg::Cross(u, v), dgg::Dot(u, v));
+  };
+  for (const auto& edge : edges)
+  {
+    const int a = edge.first.first;
+    const int b = edge.first.second;
+    const auto twin = edges.find({ b, a });
+    if (twin != edges.end() && segments.count(std::minmax(a, b)) == 0)
+    {
+      EXPECT_LE(angleAt(edge.second, a, b) + angleAt(twin->second, b, a), dgg::Pi + 1e-8);
+    }
+  }
+}
+
 TEST(SurfaceRefinement, NothingToDo)
 {
   for (const NamedMesh& named : DefectMeshes())

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <deque>
+#include <tuple>
 
 namespace dgg
 {
@@ -30,6 +30,39 @@ int SignOfDifference(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_
     return top > 0 ? 1 : -1;
   }
   return low(middle) != 0 || low(units) != 0 ? 1 : 0;
+}
+
+int Next(int h)
+{
+  return h % 3 == 2 ? h - 2 : h + 1;
+}
+
+int Previous(int h)
+{
+  return h % 3 == 0 ? h + 2 : h - 1;
+}
+
+/// A number that looks random.
+std::uint64_t Scramble(std::uint64_t i)
+{
+  i = (i + 1) * 0x9e3779b97f4a7c15ULL;
+  i ^= i >> 29;
+  i *= 0x6a09e667f3bcc909ULL;
+  return i ^ i >> 32;
+}
+
+/// The bits of x and y in turn: the place along a curve that fills the triangle (Morton).
+std::uint64_t Interleave(const GridPoint& p)
+{
+  auto spread = [](std::int64_t x) {
+    auto bits = static_cast<std::uint64_t>(x) >> 19; // 32 of 51
+    bits = (bits | bits << 16) & 0x0000ffff0000ffffULL;
+    bits = (bits | bits << 8) & 0x00ff00ff00ff00ffULL;
+    bits = (bits | bits << 4) & 0x0f0f0f0f0f0f0f0fULL;
+    bits = (bits | bits << 2) & 0x3333333333333333ULL;
+    return (bits | bits << 1) & 0x5555555555555555ULL;
+  };
+  return spread(p.X) | spread(p.Y) << 1;
 }
 }
 
@@ -64,187 +97,376 @@ bool CrossProperly(const GridPoint& a, const GridPoint& b, const GridPoint& c, c
 }
 
 FaceTriangulation::FaceTriangulation(const std::array<Point2, 3>& corners)
-  : Corners(corners)
+  : First(Difference(corners[1], corners[0]))
+  , Second(Difference(corners[2], corners[0]))
   , Points{ { 0, 0 }, { GridPoint::One, 0 }, { 0, GridPoint::One } }
-  , Places(corners.begin(), corners.end())
   , Triangles{ { { 0, 1, 2 } } }
+  , Twins{ -1, -1, -1 }
+  , IsSegment{ 0, 0, 0 }
+  , Starts{ 0, 1, 2 }
 {
+}
+
+/// Put a triangle in its place, and tell its corners and its neighbours where it is.
+void FaceTriangulation::Set(int triangle, const std::array<int, 3>& corners, const Sides& sides)
+{
+  this->Triangles[triangle] = corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int h = 3 * triangle + k;
+    this->Starts[corners[k]] = h;
+    this->Glue(h, sides[k].Twin);
+    this->IsSegment[h] = sides[k].IsSegment;
+  }
+}
+
+int FaceTriangulation::NewTriangle()
+{
+  this->Triangles.push_back({ { 0, 0, 0 } });
+  this->Twins.insert(this->Twins.end(), 3, -1);
+  this->IsSegment.insert(this->IsSegment.end(), 3, 0);
+  return static_cast<int>(this->Triangles.size()) - 1;
+}
+
+void FaceTriangulation::Glue(int h, int twin)
+{
+  this->Twins[h] = twin;
+  if (twin >= 0)
+  {
+    this->Twins[twin] = h;
+  }
 }
 
 int FaceTriangulation::AddPoint(const GridPoint& point)
 {
   const int p = static_cast<int>(this->Points.size());
   this->Points.push_back(point);
-  const std::array<double, 3> b = point.GetBarycentric();
-  Point2 place;
+  this->Starts.push_back(-1);
+  const int t = this->Locate(point);
   for (int k = 0; k < 3; ++k)
   {
-    place.X += b[k] * this->Corners[k].X;
-    place.Y += b[k] * this->Corners[k].Y;
-  }
-  this->Places.push_back(place);
-  // In one triangle, or on an edge of one or two.
-  for (std::size_t t = this->Triangles.size(); t-- > 0;)
-  {
-    const std::array<int, 3> corners = this->Triangles[t];
-    int sides[3];
-    for (int k = 0; k < 3; ++k)
+    const int h = 3 * t + k;
+    if (Orientation(this->Points[this->Origin(h)], this->Points[this->Destination(h)], point) == 0)
     {
-      sides[k] =
-        Orientation(this->Points[corners[k]], this->Points[corners[(k + 1) % 3]], this->Points[p]);
-    }
-    if (sides[0] < 0 || sides[1] < 0 || sides[2] < 0)
-    {
-      continue;
-    }
-    bool isFirst = true;
-    for (int k = 0; k < 3; ++k)
-    {
-      if (sides[k] > 0)
-      {
-        const std::array<int, 3> piece{ { corners[k], corners[(k + 1) % 3], p } };
-        if (isFirst)
-        {
-          this->Triangles[t] = piece;
-        }
-        else
-        {
-          this->Triangles.push_back(piece);
-        }
-        isFirst = false;
-      }
+      this->SplitEdge(h, p);
+      return p;
     }
   }
+  this->SplitTriangle(t, p);
   return p;
 }
 
-/// The triangle on the left of the edge from a to b, and the corner where it starts.
-bool FaceTriangulation::FindEdge(int a, int b, int& triangle, int& corner) const
+/// A triangle that a point is in or on: from the last one on, across edges that the point is
+/// beyond.
+int FaceTriangulation::Locate(const GridPoint& point)
 {
-  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  const int n = static_cast<int>(this->Triangles.size());
+  int t = this->LastTriangle < n ? this->LastTriangle : 0;
+  int entry = -1;
+  // Where the triangles are not Delaunay the way could lead in circles.
+  for (int steps = 0; steps < n + 16; ++steps)
   {
-    for (int k = 0; k < 3; ++k)
+    int exit = -1;
+    for (int i = 0; i < 3 && exit < 0; ++i)
     {
-      if (this->Triangles[t][k] == a && this->Triangles[t][(k + 1) % 3] == b)
+      const int h = 3 * t + (i + steps) % 3;
+      if (h != entry &&
+        Orientation(this->Points[this->Origin(h)], this->Points[this->Destination(h)], point) < 0)
       {
-        triangle = static_cast<int>(t);
-        corner = k;
-        return true;
+        exit = h;
       }
     }
+    if (exit < 0)
+    {
+      this->LastTriangle = t;
+      return t;
+    }
+    entry = this->Twins[exit];
+    t = entry / 3;
+  }
+  for (t = 0; t < n - 1 && !this->IsIn(t, point); ++t)
+  {
+  }
+  this->LastTriangle = t;
+  return t;
+}
+
+bool FaceTriangulation::IsIn(int triangle, const GridPoint& point) const
+{
+  bool isIn = true;
+  for (int h = 3 * triangle; h < 3 * triangle + 3; ++h)
+  {
+    isIn = isIn &&
+      Orientation(this->Points[this->Origin(h)], this->Points[this->Destination(h)], point) >= 0;
+  }
+  return isIn;
+}
+
+void FaceTriangulation::SplitTriangle(int t, int p)
+{
+  const std::array<int, 3> corners = this->Triangles[t];
+  const Sides sides = this->SidesOf(t);
+  const std::array<int, 3> pieces{ { t, this->NewTriangle(), this->NewTriangle() } };
+  std::vector<int> edges;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int next = pieces[(k + 1) % 3];
+    const int previous = pieces[(k + 2) % 3];
+    this->Set(pieces[k], { { corners[k], corners[(k + 1) % 3], p } },
+      { { sides[k], { 3 * next + 2, 0 }, { 3 * previous + 1, 0 } } });
+    edges.push_back(3 * pieces[k]);
+  }
+  this->Improve(edges);
+}
+
+/// Split the one or two triangles on an edge, at a point of it.
+void FaceTriangulation::SplitEdge(int h, int p)
+{
+  const int twin = this->Twins[h];
+  const char isSegment = this->IsSegment[h];
+  std::vector<int> edges;
+  // Of each triangle, the half of the edge that it starts with and the one that it ends with.
+  std::array<int, 2> firsts{ { -1, -1 } };
+  std::array<int, 2> seconds{ { -1, -1 } };
+  for (int i = 0; i < (twin < 0 ? 1 : 2); ++i)
+  {
+    const int side = i == 0 ? h : twin;
+    const int t = side / 3;
+    const int k = side % 3;
+    const std::array<int, 3> corners = this->Triangles[t];
+    const Sides sides = this->SidesOf(t);
+    const int a = corners[k];
+    const int b = corners[(k + 1) % 3];
+    const int c = corners[(k + 2) % 3];
+    const int more = this->NewTriangle();
+    this->Set(
+      t, { { c, a, p } }, { { sides[(k + 2) % 3], { -1, isSegment }, { 3 * more + 1, 0 } } });
+    this->Set(
+      more, { { b, c, p } }, { { sides[(k + 1) % 3], { 3 * t + 2, 0 }, { -1, isSegment } } });
+    firsts[i] = 3 * t + 1;
+    seconds[i] = 3 * more + 2;
+    edges.push_back(3 * t);
+    edges.push_back(3 * more);
+  }
+  if (twin >= 0)
+  {
+    this->Glue(firsts[0], seconds[1]);
+    this->Glue(firsts[1], seconds[0]);
+  }
+  this->Improve(edges);
+}
+
+FaceTriangulation::Sides FaceTriangulation::SidesOf(int triangle) const
+{
+  Sides sides;
+  for (int k = 0; k < 3; ++k)
+  {
+    sides[k] = { this->Twins[3 * triangle + k], this->IsSegment[3 * triangle + k] };
+  }
+  return sides;
+}
+
+/// The half-edge from a to b, or, where there is none, that from b to a; -1 when there is neither.
+int FaceTriangulation::FindEdge(int a, int b) const
+{
+  const int start = this->Starts[a];
+  int h = start;
+  do // counter-clockwise
+  {
+    if (this->Destination(h) == b)
+    {
+      return h;
+    }
+    const int last = Previous(h);
+    if (this->Origin(last) == b && this->Twins[last] < 0)
+    {
+      return last;
+    }
+    h = this->Twins[last];
+  } while (h >= 0 && h != start);
+  for (h = h < 0 ? this->Twins[start] : -1; h >= 0; h = this->Twins[h]) // and clockwise
+  {
+    h = Next(h);
+    if (this->Destination(h) == b)
+    {
+      return h;
+    }
+  }
+  return -1;
+}
+
+/// Whether the two triangles on an edge form a strictly convex quadrangle.
+bool FaceTriangulation::CanFlip(int h) const
+{
+  const int twin = this->Twins[h];
+  if (twin < 0)
+  {
+    return false;
+  }
+  const GridPoint& c = this->Points[this->Origin(Previous(h))];
+  const GridPoint& d = this->Points[this->Origin(Previous(twin))];
+  return Orientation(c, d, this->Points[this->Destination(h)]) > 0 &&
+    Orientation(d, c, this->Points[this->Origin(h)]) > 0;
+}
+
+/// Replace an edge by the other diagonal of its two triangles, whose half-edges 2 it becomes.
+void FaceTriangulation::Flip(int h)
+{
+  const int twin = this->Twins[h];
+  const int t = h / 3;
+  const int other = twin / 3;
+  const int a = this->Origin(h);
+  const int b = this->Destination(h);
+  const int c = this->Origin(Previous(h));
+  const int d = this->Origin(Previous(twin));
+  const Sides sides = this->SidesOf(t);
+  const Sides otherSides = this->SidesOf(other);
+  this->Set(t, { { c, a, d } },
+    { { sides[Previous(h) % 3], otherSides[Next(twin) % 3], { 3 * other + 2, 0 } } });
+  this->Set(other, { { d, b, c } },
+    { { otherSides[Previous(twin) % 3], sides[Next(h) % 3], { 3 * t + 2, 0 } } });
+}
+
+/// The edges that a segment crosses, from its start on. False when it runs through a point or
+/// crosses a segment.
+bool FaceTriangulation::FindCrossed(int a, int b, std::deque<std::pair<int, int>>& crossed) const
+{
+  const GridPoint& from = this->Points[a];
+  const GridPoint& to = this->Points[b];
+  auto sideOf = [&](int p) { return Orientation(from, to, this->Points[p]); };
+  // The triangle at a that the segment leaves by the opposite side.
+  const int start = this->Starts[a];
+  int exit = -1;
+  auto look = [&](int h) {
+    const int opposite = Next(h);
+    if (sideOf(this->Origin(opposite)) < 0 && sideOf(this->Destination(opposite)) > 0)
+    {
+      exit = opposite;
+    }
+  };
+  int h = start;
+  do
+  {
+    look(h);
+    h = this->Twins[Previous(h)];
+  } while (exit < 0 && h >= 0 && h != start);
+  for (h = h < 0 && exit < 0 ? this->Twins[start] : -1; h >= 0 && exit < 0; h = this->Twins[h])
+  {
+    h = Next(h);
+    look(h);
+  }
+  while (exit >= 0)
+  {
+    if (this->IsSegment[exit] || this->Twins[exit] < 0)
+    {
+      return false;
+    }
+    crossed.emplace_back(this->Origin(exit), this->Destination(exit));
+    const int entry = this->Twins[exit];
+    const int apex = this->Origin(Previous(entry));
+    if (apex == b)
+    {
+      return true;
+    }
+    const int side = sideOf(apex);
+    if (side == 0)
+    {
+      return false;
+    }
+    exit = side > 0 ? Next(entry) : Previous(entry);
   }
   return false;
 }
 
-bool FaceTriangulation::IsSegment(int a, int b) const
-{
-  return std::find(this->Segments.begin(), this->Segments.end(),
-           std::make_pair(std::min(a, b), std::max(a, b))) != this->Segments.end();
-}
-
-/// Whether the two triangles on the edge at a corner form a strictly convex quadrangle.
-bool FaceTriangulation::CanFlip(int triangle, int corner, int& other, int& otherCorner) const
-{
-  const std::array<int, 3>& t = this->Triangles[triangle];
-  const int a = t[corner];
-  const int b = t[(corner + 1) % 3];
-  if (!this->FindEdge(b, a, other, otherCorner))
-  {
-    return false;
-  }
-  const GridPoint& c = this->Points[t[(corner + 2) % 3]];
-  const GridPoint& d = this->Points[this->Triangles[other][(otherCorner + 2) % 3]];
-  return Orientation(c, d, this->Points[b]) > 0 && Orientation(d, c, this->Points[a]) > 0;
-}
-
-void FaceTriangulation::Flip(int triangle, int corner, int other, int otherCorner)
-{
-  const std::array<int, 3> t = this->Triangles[triangle];
-  const int a = t[corner];
-  const int b = t[(corner + 1) % 3];
-  const int c = t[(corner + 2) % 3];
-  const int d = this->Triangles[other][(otherCorner + 2) % 3];
-  this->Triangles[triangle] = { { c, a, d } };
-  this->Triangles[other] = { { d, b, c } };
-}
-
 bool FaceTriangulation::AddSegment(int a, int b)
 {
-  int triangle = 0;
-  int corner = 0;
-  if (!this->FindEdge(a, b, triangle, corner) && !this->FindEdge(b, a, triangle, corner))
+  int h = this->FindEdge(a, b);
+  if (h < 0)
   {
     // Flip the edges that cross it, those first that can be flipped (Sloan, "A fast algorithm for
     // generating constrained Delaunay triangulations", 1993).
     std::deque<std::pair<int, int>> crossing;
+    if (!this->FindCrossed(a, b, crossing))
+    {
+      return false;
+    }
     auto crosses = [&](int c, int d) {
       return CrossProperly(this->Points[a], this->Points[b], this->Points[c], this->Points[d]);
     };
-    for (const std::array<int, 3>& t : this->Triangles)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const int c = t[k];
-        const int d = t[(k + 1) % 3];
-        if (c < d && crosses(c, d))
-        {
-          crossing.emplace_back(c, d);
-        }
-      }
-    }
+    std::vector<std::pair<int, int>> changed;
     std::size_t budget = 16 + 4 * crossing.size() * crossing.size();
     for (; !crossing.empty() && budget > 0; --budget)
     {
       const std::pair<int, int> edge = crossing.front();
       crossing.pop_front();
-      int other = 0;
-      int otherCorner = 0;
-      if (this->IsSegment(edge.first, edge.second) ||
-        !this->FindEdge(edge.first, edge.second, triangle, corner))
-      {
-        return false;
-      }
-      if (!this->CanFlip(triangle, corner, other, otherCorner))
+      h = this->FindEdge(edge.first, edge.second);
+      if (!this->CanFlip(h))
       {
         crossing.push_back(edge);
         continue;
       }
-      this->Flip(triangle, corner, other, otherCorner);
-      const int c = this->Triangles[triangle][0];
-      const int d = this->Triangles[triangle][2];
+      const int c = this->Origin(Previous(h));
+      const int d = this->Origin(Previous(this->Twins[h]));
+      this->Flip(h);
       if (crosses(c, d))
       {
         crossing.emplace_back(c, d);
       }
+      else
+      {
+        changed.emplace_back(c, d);
+      }
     }
-    if (!this->FindEdge(a, b, triangle, corner) && !this->FindEdge(b, a, triangle, corner))
+    h = this->FindEdge(a, b);
+    if (h < 0)
     {
       return false;
     }
+    this->Fix(h);
+    std::vector<int> edges;
+    for (const std::pair<int, int>& edge : changed)
+    {
+      edges.push_back(this->FindEdge(edge.first, edge.second));
+    }
+    this->Improve(edges);
+    return true;
   }
-  if (!this->IsSegment(a, b))
-  {
-    this->Segments.emplace_back(std::min(a, b), std::max(a, b));
-  }
+  this->Fix(h);
   return true;
 }
 
-/// Whether the angles opposite the common edge are more than a straight angle together.
-bool FaceTriangulation::IsBad(int triangle, int corner, int other, int otherCorner) const
+void FaceTriangulation::Fix(int h)
 {
-  auto vectors = [&](int t, int k, Point2& u, Point2& v) {
-    const Point2& apex = this->Places[this->Triangles[t][(k + 2) % 3]];
-    const Point2& from = this->Places[this->Triangles[t][k]];
-    const Point2& to = this->Places[this->Triangles[t][(k + 1) % 3]];
-    u = Difference(from, apex);
-    v = Difference(to, apex);
+  this->IsSegment[h] = 1;
+  if (this->Twins[h] >= 0)
+  {
+    this->IsSegment[this->Twins[h]] = 1;
+  }
+}
+
+/// From one point to another in the plane of the face, in grid units; exact but for the last digits
+/// however close they are.
+Point2 FaceTriangulation::Way(int from, int to) const
+{
+  const auto x = static_cast<double>(this->Points[to].X - this->Points[from].X);
+  const auto y = static_cast<double>(this->Points[to].Y - this->Points[from].Y);
+  return { x * this->First.X + y * this->Second.X, x * this->First.Y + y * this->Second.Y };
+}
+
+/// Whether the angles opposite the edge are more than a straight angle together.
+bool FaceTriangulation::IsBad(int h) const
+{
+  auto vectors = [&](int e, Point2& u, Point2& v) {
+    const int apex = this->Origin(Previous(e));
+    u = this->Way(apex, this->Origin(e));
+    v = this->Way(apex, this->Destination(e));
   };
   Point2 u1;
   Point2 v1;
   Point2 u2;
   Point2 v2;
-  vectors(triangle, corner, u1, v1);
-  vectors(other, otherCorner, u2, v2);
+  vectors(h, u1, v1);
+  vectors(this->Twins[h], u2, v2);
   const double sine = Cross(u1, v1) * Dot(u2, v2) + Dot(u1, v1) * Cross(u2, v2);
   const double scale = Norm(u1.X, u1.Y) * Norm(v1.X, v1.Y) * Norm(u2.X, u2.Y) * Norm(v2.X, v2.Y);
   return sine < -FlipTolerance * scale;
@@ -252,29 +474,75 @@ bool FaceTriangulation::IsBad(int triangle, int corner, int other, int otherCorn
 
 void FaceTriangulation::MakeDelaunay()
 {
-  const std::size_t n = this->Triangles.size();
-  std::size_t budget = 16 + n * n; // rounding could turn in circles
-  bool changes = true;
-  while (changes && budget > 0)
+  std::vector<int> edges;
+  for (int h = 0; h < static_cast<int>(this->Twins.size()); ++h)
   {
-    changes = false;
-    for (int t = 0; t < static_cast<int>(n); ++t)
+    if (h < this->Twins[h])
     {
-      for (int k = 0; k < 3 && budget > 0; ++k)
-      {
-        int other = 0;
-        int otherCorner = 0;
-        const int a = this->Triangles[t][k];
-        const int b = this->Triangles[t][(k + 1) % 3];
-        if (!this->IsSegment(a, b) && this->CanFlip(t, k, other, otherCorner) &&
-          this->IsBad(t, k, other, otherCorner))
-        {
-          this->Flip(t, k, other, otherCorner);
-          changes = true;
-          --budget;
-        }
-      }
+      edges.push_back(h);
     }
   }
+  this->Improve(edges);
+}
+
+/// Make edges Delaunay that are no segments, and those around them when they change.
+void FaceTriangulation::Improve(std::vector<int>& edges)
+{
+  std::size_t budget = 64 * this->Triangles.size(); // rounding could turn in circles
+  while (!edges.empty())
+  {
+    const int h = edges.back();
+    edges.pop_back();
+    if (this->IsSegment[h] || !this->CanFlip(h) || !this->IsBad(h))
+    {
+      continue;
+    }
+    if (budget-- == 0)
+    {
+      return;
+    }
+    const int t = h / 3;
+    const int other = this->Twins[h] / 3;
+    this->Flip(h);
+    for (const int e : { 3 * t, 3 * t + 1, 3 * other, 3 * other + 1 })
+    {
+      edges.push_back(e);
+    }
+  }
+}
+
+std::vector<std::size_t> MakeInsertionOrder(const std::vector<GridPoint>& points)
+{
+  struct Key
+  {
+    int Round;
+    std::uint64_t Curve;
+    std::size_t Index;
+    bool operator<(const Key& other) const
+    {
+      return std::tie(this->Round, this->Curve, this->Index) <
+        std::tie(other.Round, other.Curve, other.Index);
+    }
+  };
+  std::vector<Key> keys;
+  keys.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    // Half of the points in the last round, a quarter in the one before, and so on.
+    int round = 0;
+    for (std::uint64_t bits = Scramble(i); (bits & 1) != 0 && round > -60; bits >>= 1)
+    {
+      --round;
+    }
+    keys.push_back({ round, Interleave(points[i]), i });
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::size_t> order;
+  order.reserve(keys.size());
+  for (const Key& key : keys)
+  {
+    order.push_back(key.Index);
+  }
+  return order;
 }
 }

@@ -8,8 +8,10 @@
 #include "dggUnfolding.h" // for Point2
 
 #include <array>   // for triangles and barycentric coordinates
+#include <cstddef> // for orders
 #include <cstdint> // for grid coordinates
-#include <utility> // for segments
+#include <deque>   // for edges that are crossed
+#include <utility> // for edges
 #include <vector>  // for points and triangles
 
 namespace dgg
@@ -35,7 +37,8 @@ int Orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c);
 /// Whether the segments ab and cd cross at a point inside both.
 bool CrossProperly(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d);
 
-/// A constrained triangulation, Delaunay in the plane of the face where the segments allow it.
+/// A constrained triangulation, Delaunay in the plane of the face where the segments allow it, up
+/// to rounding. Points are found by walking from the last one.
 class FaceTriangulation
 {
 public:
@@ -48,25 +51,58 @@ public:
   /// Make two points neighbours. No other point may lie between them, and no segment cross. False
   /// when that is not so.
   bool AddSegment(int a, int b);
-  /// Improve the triangles without touching segments.
+  /// Improve the triangles once more without touching segments.
   void MakeDelaunay();
 
   /// Counter-clockwise.
   const std::vector<std::array<int, 3>>& GetTriangles() const { return this->Triangles; }
 
 private:
-  bool FindEdge(int a, int b, int& triangle, int& corner) const;
-  bool IsSegment(int a, int b) const;
-  bool CanFlip(int triangle, int corner, int& other, int& otherCorner) const;
-  void Flip(int triangle, int corner, int other, int otherCorner);
-  bool IsBad(int triangle, int corner, int other, int otherCorner) const;
+  /// What lies beyond a side of a triangle.
+  struct Side
+  {
+    int Twin = -1; // the half-edge of the neighbour
+    char IsSegment = 0;
+  };
+  using Sides = std::array<Side, 3>;
 
-  std::array<Point2, 3> Corners;
+  // Half-edge 3 t + k goes from corner k of triangle t to the next one.
+  int Origin(int h) const { return this->Triangles[h / 3][h % 3]; }
+  int Destination(int h) const { return this->Triangles[h / 3][(h + 1) % 3]; }
+  void Set(int triangle, const std::array<int, 3>& corners, const Sides& sides);
+  int NewTriangle();
+  void Glue(int h, int twin);
+  Sides SidesOf(int triangle) const;
+
+  int Locate(const GridPoint& point);
+  bool IsIn(int triangle, const GridPoint& point) const;
+  void SplitTriangle(int t, int p);
+  void SplitEdge(int h, int p);
+  int FindEdge(int a, int b) const;
+  bool FindCrossed(int a, int b, std::deque<std::pair<int, int>>& crossed) const;
+  void Fix(int h);
+  bool CanFlip(int h) const;
+  void Flip(int h);
+  Point2 Way(int from, int to) const;
+  bool IsBad(int h) const;
+  void Improve(std::vector<int>& edges);
+
+  Point2 First;  // from corner 0 of the face to corner 1
+  Point2 Second; // and to corner 2
   std::vector<GridPoint> Points;
-  std::vector<Point2> Places;
   std::vector<std::array<int, 3>> Triangles;
-  std::vector<std::pair<int, int>> Segments; // smaller index first
+  std::vector<int> Twins;      // per half-edge; -1 on the rim
+  std::vector<char> IsSegment; // per half-edge
+  std::vector<int> Starts;     // per point, a half-edge that starts there
+  int LastTriangle = 0;        // where the last point came in
 };
+
+/// An order of points in which FaceTriangulation::AddPoint() takes the same time for each, however
+/// many there are: rounds of points picked at random, each one twice as large as the one before and
+/// in the order of a curve that fills the triangle (Amenta, Choi and Rote, "Incremental
+/// constructions con BRIO", 2003). Depends on the points only. Segments are added fast in the order
+/// of points on them.
+std::vector<std::size_t> MakeInsertionOrder(const std::vector<GridPoint>& points);
 }
 
 #endif

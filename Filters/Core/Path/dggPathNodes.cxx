@@ -10,14 +10,6 @@
 
 namespace dgg
 {
-namespace
-{
-std::int64_t Largest(const GridPoint& a, const GridPoint& b)
-{
-  return std::max(std::abs(a.X - b.X), std::abs(a.Y - b.Y));
-}
-}
-
 PathNodes::PathNodes(const SurfaceMesh& mesh)
   : Mesh(mesh)
   , NumberOfVertices(mesh.GetNumberOfVertices())
@@ -101,20 +93,29 @@ Id PathNodes::NodeOf(const SurfacePoint& point)
 
 Id PathNodes::AddCrossing(const GridPoint& place, Id face)
 {
-  std::vector<Id>& others = this->InFace[face];
-  for (const Id other : others)
+  Id first = NoId; // of those that are close
+  for (auto other = this->ByPlace.lower_bound({ face, place.X - MergeDistance, 0, 0 });
+       other != this->ByPlace.end() && std::get<0>(*other) == face &&
+       std::get<1>(*other) <= place.X + MergeDistance;
+       ++other)
   {
-    if (Largest(place, this->Nodes[other - this->NumberOfVertices].Place) <= MergeDistance)
+    if (std::abs(std::get<2>(*other) - place.Y) <= MergeDistance)
     {
-      return other;
+      first = first == NoId ? std::get<3>(*other) : std::min(first, std::get<3>(*other));
     }
+  }
+  if (first != NoId)
+  {
+    return first;
   }
   Node node;
   node.Face = face;
   node.Place = place;
-  others.push_back(this->NumberOfVertices + static_cast<Id>(this->Nodes.size()));
+  const Id number = this->NumberOfVertices + static_cast<Id>(this->Nodes.size());
   this->Nodes.push_back(node);
-  return others.back();
+  this->InFace[face].push_back(number);
+  this->ByPlace.emplace(face, place.X, place.Y, number);
+  return number;
 }
 
 GridPoint PathNodes::PlaceOf(Id node, Id face) const
@@ -173,7 +174,8 @@ int PathNodes::PositionOnSide(Id node, Id face, int side) const
   {
     return -1;
   }
-  const auto place = std::find(found->second.begin(), found->second.end(), node);
+  // Numbers grow along the edge.
+  const auto place = std::lower_bound(found->second.begin(), found->second.end(), node);
   const int position = static_cast<int>(place - found->second.begin());
   return this->Mesh.Origin(edge) == this->Mesh.Origin(h) ? position + 1 : count - position;
 }

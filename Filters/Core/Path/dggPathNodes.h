@@ -11,6 +11,8 @@
 #include <array>   // for corners
 #include <cstdint> // for places on edges
 #include <map>     // for nodes by edge and face
+#include <set>     // for nodes by place
+#include <tuple>   // for the same
 #include <utility> // for marks
 #include <vector>  // for nodes
 
@@ -83,6 +85,7 @@ private:
   std::vector<Id> MarkNodes;            // the nodes of the marks
   std::map<Id, std::vector<Id>> OnEdge; // per edge crossed, in order
   std::map<Id, std::vector<Id>> InFace; // nodes inside a face
+  std::set<std::tuple<Id, std::int64_t, std::int64_t, Id>> ByPlace; // the same: face, X, Y, node
 };
 }
 

@@ -7,11 +7,14 @@
 #include <cstdlib>
 #include <sstream>
 #include <tuple>
+#include <utility>
 
 namespace dgg
 {
 namespace
 {
+/// Segments between two reports.
+constexpr std::size_t ProgressInterval = 256;
 /// Rounds of splitting segments in one face before giving up. Two do, but for rounding.
 constexpr int MaximumRounds = 100;
 
@@ -27,13 +30,6 @@ bool IsBetween(const GridPoint& p, const GridPoint& a, const GridPoint& b)
   const double along = ux * vx + uy * vy;
   return along > 0.0 && along < square &&
     std::abs(ux * vy - uy * vx) <= real(PathNodes::MergeDistance) * std::sqrt(square);
-}
-
-/// Whether the boxes around two segments meet.
-bool MayMeet(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d)
-{
-  return std::max(a.X, b.X) >= std::min(c.X, d.X) && std::max(c.X, d.X) >= std::min(a.X, b.X) &&
-    std::max(a.Y, b.Y) >= std::min(c.Y, d.Y) && std::max(c.Y, d.Y) >= std::min(a.Y, b.Y);
 }
 
 /// How far along a segment a point is, in grid units squared.
@@ -60,22 +56,36 @@ GridPoint Intersection(
 }
 }
 
-Status PieceSplitter::Split(Id face, const std::vector<std::size_t>& places)
+Status PieceSplitter::Split(
+  Id face, const std::vector<std::size_t>& places, const ProgressCallback& progress)
 {
+  double begin = 0.0;
   for (int round = 0; round < MaximumRounds; ++round)
   {
+    // Each round gets half of what is left.
+    const double share = 0.25 * (1.0 - begin);
+    auto part = [&](double first) {
+      return [&, first](double done) { return !progress || progress(first + share * done); };
+    };
     for (const std::size_t p : places)
     {
-      while (this->SplitAtNodes(this->Pieces[p], face))
+      this->SplitAlongSides(this->Pieces[p], face);
+    }
+    bool found = true;
+    while (found)
+    {
+      this->CollectSegments(face, places);
+      if (!this->SplitAtNodes(face, part(begin), found))
       {
+        return Status::Abort();
       }
     }
-    bool found = false;
-    Status status = this->SplitAtCrossings(face, places, found);
+    Status status = this->SplitAtCrossings(face, part(begin + share), found);
     if (!status.IsOk() || !found)
     {
       return status;
     }
+    begin += 2.0 * share;
   }
   std::ostringstream message;
   message << "the crossings of paths in face " << face << " are too close together";
@@ -94,65 +104,119 @@ Id PieceSplitter::FindNextOnSide(Id a, Id b, Id face, int side) const
   return this->Nodes.NodeOnSide(face, side, from < to ? from + 1 : from - 1);
 }
 
-/// Make a piece run through one more node that it passes. False when there is none.
-bool PieceSplitter::SplitAtNodes(PathPiece& piece, Id face) const
+/// Make a piece run through all nodes that it passes on sides of the face.
+void PieceSplitter::SplitAlongSides(PathPiece& piece, Id face) const
 {
-  const std::vector<Id>* inside = this->Nodes.FindInFace(face);
-  for (std::size_t i = 0; i + 1 < piece.Nodes.size(); ++i)
+  std::vector<Id>& nodes = piece.Nodes;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
   {
-    const Id a = piece.Nodes[i];
-    const Id b = piece.Nodes[i + 1];
     int side = 0;
-    if (!this->Nodes.IsInside(a) && !this->Nodes.IsInside(b) &&
-      this->Nodes.AreOnOneSide(a, b, face, side))
+    if (this->IsOnSide(nodes[i], nodes[i + 1], face, side))
     {
-      const Id next = this->FindNextOnSide(a, b, face, side);
-      if (next != b)
+      const Id next = this->FindNextOnSide(nodes[i], nodes[i + 1], face, side);
+      if (next != nodes[i + 1])
       {
-        piece.Nodes.insert(piece.Nodes.begin() + static_cast<std::ptrdiff_t>(i) + 1, next);
-        return true;
-      }
-      continue;
-    }
-    if (!inside)
-    {
-      continue;
-    }
-    const GridPoint pa = this->Nodes.PlaceOf(a, face);
-    const GridPoint pb = this->Nodes.PlaceOf(b, face);
-    for (const Id node : *inside)
-    {
-      if (std::find(piece.Nodes.begin(), piece.Nodes.end(), node) == piece.Nodes.end() &&
-        IsBetween(this->Nodes.PlaceOf(node, face), pa, pb))
-      {
-        piece.Nodes.insert(piece.Nodes.begin() + static_cast<std::ptrdiff_t>(i) + 1, node);
-        return true;
+        nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(i) + 1, next);
       }
     }
   }
-  return false;
 }
 
-/// Look for pieces that cross, and insert nodes there, or fail.
-Status PieceSplitter::SplitAtCrossings(Id face, const std::vector<std::size_t>& places, bool& found)
+bool PieceSplitter::IsOnSide(Id a, Id b, Id face, int& side) const
 {
-  struct Segment
-  {
-    std::size_t Piece;
-    std::size_t Start; // among the nodes of the piece
-    GridPoint From;
-    GridPoint To;
-  };
-  std::vector<Segment> segments;
+  return !this->Nodes.IsInside(a) && !this->Nodes.IsInside(b) &&
+    this->Nodes.AreOnOneSide(a, b, face, side);
+}
+
+/// The segments of the pieces that are not on sides, where nothing crosses them.
+void PieceSplitter::CollectSegments(Id face, const std::vector<std::size_t>& places)
+{
+  this->Segments.clear();
+  this->Lines.clear();
   for (const std::size_t p : places)
   {
     const std::vector<Id>& nodes = this->Pieces[p].Nodes;
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     {
-      segments.push_back(
-        { p, i, this->Nodes.PlaceOf(nodes[i], face), this->Nodes.PlaceOf(nodes[i + 1], face) });
+      int side = 0;
+      if (!this->IsOnSide(nodes[i], nodes[i + 1], face, side))
+      {
+        this->Segments.push_back({ p, i });
+        this->Lines.push_back(
+          { this->Nodes.PlaceOf(nodes[i], face), this->Nodes.PlaceOf(nodes[i + 1], face) });
+      }
     }
   }
+  this->Tree.Build(this->Lines);
+}
+
+/// Make segments run through nodes inside the face that they pass. Tells whether there were any;
+/// then the segments are to be collected anew, as parts of them may pass others. False when
+/// stopped.
+bool PieceSplitter::SplitAtNodes(Id face, const ProgressCallback& progress, bool& found)
+{
+  found = false;
+  const std::vector<Id>* inside = this->Nodes.FindInFace(face);
+  std::vector<std::pair<std::size_t, Id>> passed; // segments, and nodes in their order
+  std::vector<std::size_t> close;
+  for (std::size_t i = 0; inside && i < inside->size(); ++i)
+  {
+    if (i % ProgressInterval == ProgressInterval - 1 &&
+      !progress(static_cast<double>(i) / static_cast<double>(inside->size())))
+    {
+      return false;
+    }
+    const GridPoint place = this->Nodes.PlaceOf((*inside)[i], face);
+    this->Tree.Find(GridBox::Around(place, PathNodes::MergeDistance), close);
+    for (const std::size_t s : close)
+    {
+      if (IsBetween(place, this->Lines[s].From, this->Lines[s].To))
+      {
+        passed.emplace_back(s, (*inside)[i]);
+      }
+    }
+  }
+  std::stable_sort(passed.begin(), passed.end(),
+    [](const auto& first, const auto& second) { return first.first > second.first; });
+  // From the back, so that places in the lists of nodes stay what they are.
+  for (std::size_t begin = 0; begin < passed.size();)
+  {
+    std::size_t end = begin + 1;
+    while (end < passed.size() && passed[end].first == passed[begin].first)
+    {
+      ++end;
+    }
+    const Segment& segment = this->Segments[passed[begin].first];
+    std::vector<Id>& nodes = this->Pieces[segment.Piece].Nodes;
+    std::size_t last = segment.Start + 1; // of the part of the list that was the segment
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const Id node = passed[i].second;
+      if (std::find(nodes.begin(), nodes.end(), node) != nodes.end())
+      {
+        continue;
+      }
+      const GridPoint place = this->Nodes.PlaceOf(node, face);
+      for (std::size_t n = segment.Start; n < last; ++n)
+      {
+        if (IsBetween(
+              place, this->Nodes.PlaceOf(nodes[n], face), this->Nodes.PlaceOf(nodes[n + 1], face)))
+        {
+          nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(n) + 1, node);
+          ++last;
+          found = true;
+          break;
+        }
+      }
+    }
+    begin = end;
+  }
+  return true;
+}
+
+/// Look for pieces that cross, and insert nodes there, or fail.
+Status PieceSplitter::SplitAtCrossings(Id face, const ProgressCallback& progress, bool& found)
+{
   struct Insertion
   {
     std::size_t Piece;
@@ -161,31 +225,39 @@ Status PieceSplitter::SplitAtCrossings(Id face, const std::vector<std::size_t>& 
     Id Node;
   };
   std::vector<Insertion> insertions;
-  for (std::size_t i = 0; i < segments.size(); ++i)
+  std::vector<std::size_t> close;
+  for (std::size_t i = 0; i < this->Segments.size(); ++i)
   {
-    for (std::size_t j = i + 1; j < segments.size(); ++j)
+    if (i % ProgressInterval == ProgressInterval - 1 &&
+      !progress(static_cast<double>(i) / static_cast<double>(this->Segments.size())))
     {
-      const Segment& p = segments[i];
-      const Segment& q = segments[j];
-      if (!MayMeet(p.From, p.To, q.From, q.To) || !CrossProperly(p.From, p.To, q.From, q.To))
+      return Status::Abort();
+    }
+    const GridSegment& p = this->Lines[i];
+    this->Tree.Find(GridBox::Around(p), close);
+    for (auto j = std::upper_bound(close.begin(), close.end(), i); j != close.end(); ++j)
+    {
+      const GridSegment& q = this->Lines[*j];
+      if (!CrossProperly(p.From, p.To, q.From, q.To))
       {
         continue;
       }
       if (!this->InsertCrossings)
       {
         std::ostringstream message;
-        message << "paths " << this->Pieces[p.Piece].Path << " and " << this->Pieces[q.Piece].Path
-                << " cross in face " << face;
+        message << "paths " << this->Pieces[this->Segments[i].Piece].Path << " and "
+                << this->Pieces[this->Segments[*j].Piece].Path << " cross in face " << face;
         return Status::Invalid(message.str());
       }
       const Id node = this->Nodes.AddCrossing(Intersection(p.From, p.To, q.From, q.To), face);
-      for (const Segment& segment : { p, q })
+      for (const std::size_t s : { i, *j })
       {
+        const Segment& segment = this->Segments[s];
         const std::vector<Id>& nodes = this->Pieces[segment.Piece].Nodes;
         if (std::find(nodes.begin(), nodes.end(), node) == nodes.end())
         {
           insertions.push_back({ segment.Piece, segment.Start,
-            Along(this->Nodes.PlaceOf(node, face), segment.From, segment.To), node });
+            Along(this->Nodes.PlaceOf(node, face), this->Lines[s].From, this->Lines[s].To), node });
         }
       }
     }

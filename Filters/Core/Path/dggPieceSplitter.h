@@ -5,7 +5,9 @@
 #ifndef dggPieceSplitter_h
 #define dggPieceSplitter_h
 
-#include "dggPathNodes.h" // for PathNodes
+#include "dggPathNodes.h"   // for PathNodes
+#include "dggSegmentTree.h" // for segments that are close to others
+#include "dggTypes.h"       // for ProgressCallback
 
 #include <cstddef> // for std::size_t
 #include <vector>  // for pieces
@@ -33,16 +35,29 @@ public:
 
   /// `places` are those of the pieces in the face. Fails when they cross and crossings are not to
   /// be inserted.
-  Status Split(Id face, const std::vector<std::size_t>& places);
+  Status Split(Id face, const std::vector<std::size_t>& places, const ProgressCallback& progress);
 
 private:
-  bool SplitAtNodes(PathPiece& piece, Id face) const;
+  /// A part of a piece.
+  struct Segment
+  {
+    std::size_t Piece;
+    std::size_t Start; // among the nodes of the piece
+  };
+
+  bool IsOnSide(Id a, Id b, Id face, int& side) const;
   Id FindNextOnSide(Id a, Id b, Id face, int side) const;
-  Status SplitAtCrossings(Id face, const std::vector<std::size_t>& places, bool& found);
+  void SplitAlongSides(PathPiece& piece, Id face) const;
+  void CollectSegments(Id face, const std::vector<std::size_t>& places);
+  bool SplitAtNodes(Id face, const ProgressCallback& progress, bool& found);
+  Status SplitAtCrossings(Id face, const ProgressCallback& progress, bool& found);
 
   PathNodes& Nodes;
   std::vector<PathPiece>& Pieces;
   const bool InsertCrossings;
+  std::vector<Segment> Segments;
+  std::vector<GridSegment> Lines; // where the segments lie
+  SegmentTree Tree;               // of the same
 };
 }
 

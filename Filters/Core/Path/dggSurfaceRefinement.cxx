@@ -11,14 +11,19 @@
 #include <map>
 #include <sstream>
 #include <tuple>
+#include <utility>
 
 namespace dgg
 {
 namespace
 {
-/// Faces between two reports, and the share of the progress when all are split.
+/// Faces between two reports, also points or segments in a face.
 constexpr Id ProgressInterval = 1024;
+/// Shares of the progress: of the whole when all faces are split, and of a face when its pieces are
+/// split and when its points are triangulated.
 constexpr double FacesDone = 0.8;
+constexpr double PiecesDone = 0.3;
+constexpr double PointsDone = 0.7;
 
 /// The points that paths pass become nodes, the paths chains of straight pieces between them, which
 /// are split where they meet; then each face with nodes is triangulated on its own.
@@ -32,19 +37,31 @@ public:
     , Options(options)
     , Refined(refined)
     , Nodes(mesh)
+    , Splitter(Nodes, Pieces, options.InsertCrossings)
   {
   }
 
   Status Run();
 
 private:
+  /// Of a path, by the numbers of the points of a triangulation.
+  struct Segment
+  {
+    int From;
+    int To;
+    Id Path;
+  };
+
   bool Goes(double done) const { return !this->Options.Progress || this->Options.Progress(done); }
+  bool GoesInFace(std::size_t work, double done) const;
   Status CheckPaths() const;
   void MakePieces();
   Status AddFace(Id f);
   bool IsWhole(Id f) const;
   void AddWholeFace(Id f);
-  Status Triangulate(Id f);
+  Status Triangulate(Id f, std::size_t work);
+  std::vector<Segment> SegmentsOf(
+    const std::vector<std::size_t>& places, Id f, const std::vector<Id>& nodes) const;
   void AddTriangle(Id f, const std::array<Id, 3>& nodes);
   void MakeTwinsAndLengths();
   void MakeChains();
@@ -57,6 +74,8 @@ private:
   PathNodes Nodes;
   std::vector<PathPiece> Pieces;                   // of the paths, one after the other
   std::map<Id, std::vector<std::size_t>> PiecesIn; // per face
+  PieceSplitter Splitter;
+  std::size_t WorkDone = 0; // faces, and pieces in them
 };
 
 Status Refiner::Run()
@@ -72,7 +91,7 @@ Status Refiner::Run()
   const Id faces = this->Mesh.GetNumberOfFaces();
   for (Id f = 0; f < faces; ++f)
   {
-    if (f % ProgressInterval == 0 && !this->Goes(FacesDone * f / faces))
+    if (f % ProgressInterval == 0 && !this->GoesInFace(0, 0.0))
     {
       status = Status::Abort();
     }
@@ -80,6 +99,7 @@ Status Refiner::Run()
     {
       status = this->AddFace(f);
     }
+    ++this->WorkDone;
     if (!status.IsOk())
     {
       this->Refined = RefinedSurface();
@@ -95,6 +115,15 @@ Status Refiner::Run()
   this->Refined.Points = this->Nodes.MakePoints();
   this->MakeChains();
   return Status::Success();
+}
+
+/// Tells how much is done when a part of the work of a face is.
+bool Refiner::GoesInFace(std::size_t work, double done) const
+{
+  const auto whole =
+    static_cast<double>(this->Pieces.size()) + static_cast<double>(this->Mesh.GetNumberOfFaces());
+  return this->Goes(
+    FacesDone * (static_cast<double>(this->WorkDone) + done * static_cast<double>(work)) / whole);
 }
 
 Status Refiner::CheckPaths() const
@@ -155,12 +184,15 @@ Status Refiner::AddFace(Id f)
   }
   const auto pieces = this->PiecesIn.find(f);
   Status status;
+  const std::size_t work = pieces == this->PiecesIn.end() ? 0 : pieces->second.size();
   if (pieces != this->PiecesIn.end())
   {
-    status = PieceSplitter(this->Nodes, this->Pieces, this->Options.InsertCrossings)
-               .Split(f, pieces->second);
+    status = this->Splitter.Split(
+      f, pieces->second, [&](double done) { return this->GoesInFace(work, PiecesDone * done); });
   }
-  return status.IsOk() ? this->Triangulate(f) : status;
+  status = status.IsOk() ? this->Triangulate(f, work) : status;
+  this->WorkDone += work;
+  return status;
 }
 
 /// Whether nothing passes it.
@@ -179,18 +211,15 @@ void Refiner::AddWholeFace(Id f)
   this->AddTriangle(f, this->Mesh.GetTriangle(f));
 }
 
-Status Refiner::Triangulate(Id f)
+Status Refiner::Triangulate(Id f, std::size_t work)
 {
   const Id h = 3 * f;
-  FaceTriangulation triangulation({ { { 0.0, 0.0 }, { this->Mesh.Length(h), 0.0 },
-    { this->Mesh.ApexX(h), this->Mesh.ApexY(h) } } });
-  std::vector<Id> nodes{ this->Mesh.Origin(h), this->Mesh.Origin(h + 1), this->Mesh.Origin(h + 2) };
+  // The nodes, and where they lie; the corners come first, the others as is fast.
+  std::vector<std::pair<GridPoint, Id>> found;
   auto add = [&](const std::vector<Id>* more) {
     for (std::size_t i = 0; more && i < more->size(); ++i)
     {
-      const Id node = (*more)[i];
-      triangulation.AddPoint(this->Nodes.PlaceOf(node, f));
-      nodes.push_back(node);
+      found.emplace_back(this->Nodes.PlaceOf((*more)[i], f), (*more)[i]);
     }
   };
   for (Id e = h; e < h + 3; ++e)
@@ -198,25 +227,43 @@ Status Refiner::Triangulate(Id f)
     add(this->Nodes.FindOnEdge(e));
   }
   add(this->Nodes.FindInFace(f));
+  std::vector<GridPoint> points;
+  for (const std::pair<GridPoint, Id>& node : found)
+  {
+    points.push_back(node.first);
+  }
+  FaceTriangulation triangulation({ { { 0.0, 0.0 }, { this->Mesh.Length(h), 0.0 },
+    { this->Mesh.ApexX(h), this->Mesh.ApexY(h) } } });
+  std::vector<Id> nodes{ this->Mesh.Origin(h), this->Mesh.Origin(h + 1), this->Mesh.Origin(h + 2) };
+  auto goes = [&](std::size_t i, std::size_t count, double from, double to) {
+    return i % ProgressInterval != ProgressInterval - 1 ||
+      this->GoesInFace(
+        work, from + (to - from) * static_cast<double>(i) / static_cast<double>(count));
+  };
+  for (const std::size_t i : MakeInsertionOrder(points))
+  {
+    if (!goes(nodes.size(), points.size() + 3, PiecesDone, PointsDone))
+    {
+      return Status::Abort();
+    }
+    triangulation.AddPoint(points[i]);
+    nodes.push_back(found[i].second);
+  }
   const auto pieces = this->PiecesIn.find(f);
   if (pieces != this->PiecesIn.end())
   {
-    std::map<Id, int> indices;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
+    const std::vector<Segment> segments = this->SegmentsOf(pieces->second, f, nodes);
+    for (std::size_t i = 0; i < segments.size(); ++i)
     {
-      indices[nodes[i]] = static_cast<int>(i);
-    }
-    for (const std::size_t p : pieces->second)
-    {
-      const std::vector<Id>& chain = this->Pieces[p].Nodes;
-      for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      if (!goes(i, segments.size(), PointsDone, 1.0))
       {
-        if (!triangulation.AddSegment(indices[chain[i]], indices[chain[i + 1]]))
-        {
-          std::ostringstream message;
-          message << "face " << f << " cannot be split along path " << this->Pieces[p].Path;
-          return Status::Invalid(message.str());
-        }
+        return Status::Abort();
+      }
+      if (!triangulation.AddSegment(segments[i].From, segments[i].To))
+      {
+        std::ostringstream message;
+        message << "face " << f << " cannot be split along path " << segments[i].Path;
+        return Status::Invalid(message.str());
       }
     }
   }
@@ -226,6 +273,41 @@ Status Refiner::Triangulate(Id f)
     this->AddTriangle(f, { { nodes[t[0]], nodes[t[1]], nodes[t[2]] } });
   }
   return Status::Success();
+}
+
+/// The segments of pieces in a face, in the order in which they are added fast; nodes are in that
+/// of the triangulation.
+std::vector<Refiner::Segment> Refiner::SegmentsOf(
+  const std::vector<std::size_t>& places, Id f, const std::vector<Id>& nodes) const
+{
+  std::vector<std::pair<Id, int>> indices;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    indices.emplace_back(nodes[i], static_cast<int>(i));
+  }
+  std::sort(indices.begin(), indices.end());
+  auto indexOf = [&](Id node) {
+    return std::lower_bound(indices.begin(), indices.end(), std::make_pair(node, 0))->second;
+  };
+  std::vector<Segment> segments;
+  std::vector<GridPoint> middles;
+  for (const std::size_t p : places)
+  {
+    const PathPiece& piece = this->Pieces[p];
+    for (std::size_t i = 0; i + 1 < piece.Nodes.size(); ++i)
+    {
+      segments.push_back({ indexOf(piece.Nodes[i]), indexOf(piece.Nodes[i + 1]), piece.Path });
+      const GridPoint from = this->Nodes.PlaceOf(piece.Nodes[i], f);
+      const GridPoint to = this->Nodes.PlaceOf(piece.Nodes[i + 1], f);
+      middles.push_back({ (from.X + to.X) / 2, (from.Y + to.Y) / 2 });
+    }
+  }
+  std::vector<Segment> ordered;
+  for (const std::size_t i : MakeInsertionOrder(middles))
+  {
+    ordered.push_back(segments[i]);
+  }
+  return ordered;
 }
 
 void Refiner::AddTriangle(Id f, const std::array<Id, 3>& nodes)
