@@ -175,11 +175,19 @@ void vtkDGGFieldInput::ReadSources(
 bool vtkDGGFieldInput::FitSources(
   const dgg::SurfaceMesh& mesh, const dgg::ProgressCallback& progress)
 {
-  const dgg::FieldReport report = dgg::TestField(mesh, this->Distances.data());
+  const double testDone = 0.5;
+  auto part = [&](double from, double to) {
+    return [&, from, to](double done) { return !progress || progress(from + (to - from) * done); };
+  };
+  dgg::FieldReport report;
+  if (!dgg::TestField(mesh, this->Distances.data(), part(0.0, testDone), report).IsOk())
+  {
+    return false; // stopped
+  }
   if (report.IsDistance())
   {
     return dgg::FitVirtualSources(
-      mesh, this->Distances.data(), vtkDGGMakeParallelFor(), this->Sources, progress);
+      mesh, this->Distances.data(), vtkDGGMakeParallelFor(), this->Sources, part(testDone, 1.0));
   }
   if (!report.Sentence.empty())
   {

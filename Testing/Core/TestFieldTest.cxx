@@ -29,6 +29,47 @@ std::vector<NamedMesh> SomeMeshes()
     { "plane", Plane(12, 12, 0.2) } };
 }
 
+FieldReport Tested(const SurfaceMesh& mesh, const std::vector<double>& values)
+{
+  FieldReport report;
+  const Status status = TestField(mesh, values.data(), {}, report);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  return report;
+}
+
+/// Few and large faces.
+std::vector<NamedMesh> CoarseMeshes()
+{
+  std::vector<NamedMesh> meshes{ { "cube", Cube(1) }, { "tetrahedron", Tetrahedron() },
+    { "octahedron", Octahedron() }, { "dodecahedron", Dodecahedron() },
+    { "triangle", SingleTriangle() }, { "fold", TwoTriangles(1.0) }, { "block", TwoHoledBlock() },
+    { "box", Box(1, 1, 1, 1.0, 2.0, 30.0) } };
+  for (const Id sides : { 3, 5, 12 })
+  {
+    meshes.push_back({ "prism" + std::to_string(sides), PrismSide(sides, sides, 1) });
+  }
+  const std::size_t count = meshes.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    for (const int times : { 1, 2 })
+    {
+      meshes.push_back(
+        { meshes[i].Name + std::to_string(times), Subdivided(meshes[i].Mesh, times) });
+    }
+  }
+  return meshes;
+}
+
+std::vector<double> Coordinate(const TestMesh& test, int axis)
+{
+  std::vector<double> values;
+  for (Id v = 0; v < test.GetNumberOfVertices(); ++v)
+  {
+    values.push_back(test.Point(v)[axis]);
+  }
+  return values;
+}
+
 template <typename Change>
 std::vector<double> Changed(std::vector<double> values, const Change& change)
 {
@@ -43,7 +84,7 @@ TEST(FieldTest, ExactDistancesPass)
   {
     const SurfaceMesh mesh = Build(named.Mesh);
     const std::vector<double> d = DistancesFrom(mesh, ExactEngine::Triangle, 0);
-    const FieldReport report = TestField(mesh, d.data());
+    const FieldReport report = Tested(mesh, d);
     EXPECT_TRUE(report.IsDistance()) << named.Name << ": " << report.Sentence;
     EXPECT_TRUE(report.Sentence.empty());
     EXPECT_LE(report.WorstSlope, 1.0 + 1e-9) << named.Name;
@@ -61,7 +102,128 @@ TEST(FieldTest, DistancesFromManySourcesAndWithinFacesPass)
     sources.push_back({ point, -0.5 });
   }
   const ExactResult result = Solve(mesh, ExactEngine::Triangle, sources);
-  EXPECT_TRUE(TestField(mesh, result.Distances.data()).IsDistance());
+  EXPECT_TRUE(Tested(mesh, result.Distances).IsDistance());
+}
+
+TEST(FieldTest, ExactDistancesOnCoarseMeshesPass)
+{
+  Random random(5);
+  for (const NamedMesh& named : CoarseMeshes())
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    for (const Id count : { 1, 2, 5, 40 })
+    {
+      for (int kind = 0; kind < 4; ++kind) // at vertices and not, with initial distances and not
+      {
+        std::vector<GeodesicSource> sources;
+        if (kind < 2)
+        {
+          for (Id i = 0; i < count; ++i)
+          {
+            sources.push_back(VertexSource(random.Index(mesh.GetNumberOfVertices())));
+          }
+        }
+        else
+        {
+          for (const SurfacePoint& point : RandomSurfacePoints(mesh, count, 7 * count + kind))
+          {
+            sources.push_back({ point, 0.0 });
+          }
+        }
+        for (GeodesicSource& source : sources)
+        {
+          source.InitialDistance =
+            kind % 2 == 0 ? 0.0 : random.Uniform(-1.0, 1.0) * mesh.GetMeanEdgeLength();
+        }
+        const ExactResult result = Solve(mesh, ExactEngine::Triangle, sources);
+        const FieldReport report = Tested(mesh, result.Distances);
+        EXPECT_TRUE(report.IsDistance()) << named.Name << ' ' << count << ' ' << kind << ": "
+                                         << report.ShareOfShortcuts << ' ' << report.Sentence;
+      }
+    }
+  }
+}
+
+TEST(FieldTest, ExactDistancesFromVerySparseAndVeryDenseSourcesPass)
+{
+  for (const NamedMesh& named : SomeMeshes())
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    const Id n = mesh.GetNumberOfVertices();
+    for (const Id count : { Id(1), n / 10, n / 2, n, 4 * n })
+    {
+      for (const double spread : { 0.0, 0.5, 3.0 })
+      {
+        Random random(count);
+        std::vector<GeodesicSource> sources;
+        for (const SurfacePoint& point : RandomSurfacePoints(mesh, count, 11))
+        {
+          sources.push_back({ point, spread * random.Uniform() * mesh.GetMeanEdgeLength() });
+        }
+        const ExactResult result = Solve(mesh, ExactEngine::Triangle, sources);
+        const FieldReport report = Tested(mesh, result.Distances);
+        EXPECT_TRUE(report.IsDistance())
+          << named.Name << ' ' << count << ' ' << spread << ": " << report.Sentence;
+      }
+    }
+  }
+}
+
+TEST(FieldTest, PartsOfDistancesPass)
+{
+  // Only what is near, and only what is far away: the distance comes in from what is not known.
+  for (const NamedMesh& named : SomeMeshes())
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    const std::vector<double> exact = DistancesFrom(mesh, ExactEngine::Triangle, 7);
+    const double limit = 0.4 * LargestFinite(exact);
+    for (const bool isNear : { true, false })
+    {
+      const FieldReport report = Tested(
+        mesh, Changed(exact, [=](double d) { return (d < limit) == isNear ? d : Infinity; }));
+      EXPECT_TRUE(report.IsDistance()) << named.Name << ": " << report.Sentence;
+      EXPECT_LT(report.NumberOfVertices, mesh.GetNumberOfVertices());
+    }
+  }
+}
+
+TEST(FieldTest, CoordinatesFail)
+{
+  // Half and more of the points of a block are on sides along which a coordinate grows as a
+  // distance does; the top is flat.
+  const std::vector<NamedMesh> meshes{ { "cube", Cube(12) },
+    { "flat", Box(16, 16, 8, 2.0, 2.0, 1.0) }, { "sphere", Icosphere(3) },
+    { "ellipsoid", Ellipsoid(4, 0.5) }, { "torus", Torus(100, 60) } };
+  for (const NamedMesh& named : meshes)
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const FieldReport report = Tested(mesh, Coordinate(named.Mesh, axis));
+      EXPECT_EQ(report.Verdict, FieldVerdict::NotADistance)
+        << named.Name << ' ' << axis << ' ' << report.ShareOfShortcuts;
+      EXPECT_EQ(report.ShareOfSteepEdges, 0.0);
+    }
+  }
+}
+
+TEST(FieldTest, CanBeStopped)
+{
+  const SurfaceMesh mesh = Build(Icosphere(4));
+  const std::vector<double> exact = DistancesFrom(mesh, ExactEngine::Triangle, 7);
+  double last = 0.0;
+  FieldReport report;
+  const ProgressCallback watch = [&](double done) {
+    EXPECT_GE(done, last);
+    EXPECT_LE(done, 1.0);
+    last = done;
+    return true;
+  };
+  EXPECT_TRUE(TestField(mesh, exact.data(), watch, report).IsOk());
+  EXPECT_GT(last, 0.0);
+  EXPECT_TRUE(TestField(
+    mesh, exact.data(), [](double) { return false; }, report)
+                .IsAborted());
 }
 
 TEST(FieldTest, DistancesOfGraphsPass)
@@ -79,9 +241,9 @@ TEST(FieldTest, DistancesOfGraphsPass)
       GraphSeed seed;
       seed.Vertex = 5;
       ASSERT_TRUE(search.Run({ seed }, options, result).IsOk());
-      const FieldReport raw = TestField(mesh, result.Distances.data());
+      const FieldReport raw = Tested(mesh, result.Distances);
       EXPECT_TRUE(raw.IsDistance()) << named.Name << ' ' << accuracy << ": " << raw.Sentence;
-      const FieldReport corrected = TestField(mesh, result.Corrected.data());
+      const FieldReport corrected = Tested(mesh, result.Corrected);
       EXPECT_TRUE(corrected.IsDistance()) << named.Name << ' ' << accuracy;
     }
   }
@@ -96,7 +258,7 @@ TEST(FieldTest, DistancesWithNoisePass)
   // As of fast marching and heat: too long or short by some percent, a little rough.
   const std::vector<double> values =
     Changed(exact, [&](double d) { return 1.03 * d + random.Uniform(-0.02, 0.02) * h; });
-  EXPECT_TRUE(TestField(mesh, values.data()).IsDistance());
+  EXPECT_TRUE(Tested(mesh, values).IsDistance());
 }
 
 TEST(FieldTest, UnitsAreNoticed)
@@ -107,8 +269,7 @@ TEST(FieldTest, UnitsAreNoticed)
     const std::vector<double> exact = DistancesFrom(mesh, ExactEngine::Triangle, 7);
     for (const double factor : { 3.0, 0.001 })
     {
-      const FieldReport report =
-        TestField(mesh, Changed(exact, [=](double d) { return factor * d; }).data());
+      const FieldReport report = Tested(mesh, Changed(exact, [=](double d) { return factor * d; }));
       EXPECT_EQ(report.Verdict, FieldVerdict::Scaled) << named.Name;
       EXPECT_NEAR(report.MedianSlope, factor, 0.05 * factor) << named.Name;
       EXPECT_FALSE(report.Sentence.empty());
@@ -133,7 +294,7 @@ TEST(FieldTest, OtherFieldsFail)
     };
     for (const auto& field : fields)
     {
-      const FieldReport report = TestField(mesh, field.second.data());
+      const FieldReport report = Tested(mesh, field.second);
       EXPECT_EQ(report.Verdict, FieldVerdict::NotADistance) << named.Name << ' ' << field.first;
       EXPECT_FALSE(report.Sentence.empty());
     }
@@ -151,7 +312,7 @@ TEST(FieldTest, ACoordinateIsADistanceInThePlaneOnly)
     {
       values.push_back(test.Point(v)[0]);
     }
-    EXPECT_EQ(TestField(mesh, values.data()).IsDistance(), isPlane);
+    EXPECT_EQ(Tested(mesh, values).IsDistance(), isPlane);
   }
 }
 
@@ -160,17 +321,16 @@ TEST(FieldTest, WhatIsNotReachedIsLeftOut)
   const SurfaceMesh mesh = Build(SeveralComponents());
   const std::vector<double> exact = DistancesFrom(mesh, ExactEngine::Triangle, 0);
   ASSERT_EQ(*std::max_element(exact.begin(), exact.end()), Infinity);
-  const FieldReport known = TestField(mesh, exact.data());
+  const FieldReport known = Tested(mesh, exact);
   EXPECT_TRUE(known.IsDistance());
-  const FieldReport same = TestField(mesh, Changed(exact, [](double d) {
+  const FieldReport same = Tested(mesh, Changed(exact, [](double d) {
     return d < Infinity ? d : std::numeric_limits<double>::quiet_NaN();
-  }).data());
+  }));
   EXPECT_TRUE(same.IsDistance());
   EXPECT_EQ(same.NumberOfVertices, known.NumberOfVertices);
   EXPECT_LT(known.NumberOfVertices, mesh.GetNumberOfVertices());
 
-  const FieldReport nothing =
-    TestField(mesh, Changed(exact, [](double) { return Infinity; }).data());
+  const FieldReport nothing = Tested(mesh, Changed(exact, [](double) { return Infinity; }));
   EXPECT_EQ(nothing.Verdict, FieldVerdict::NothingKnown);
   EXPECT_FALSE(nothing.Sentence.empty());
 }
@@ -181,7 +341,7 @@ TEST(FieldTest, DefectMeshesDoNotMatter)
   {
     const SurfaceMesh mesh = Build(named.Mesh);
     const std::vector<double> d = DistancesFrom(mesh, ExactEngine::Triangle, 0);
-    const FieldReport report = TestField(mesh, d.data());
+    const FieldReport report = Tested(mesh, d);
     EXPECT_NE(report.Verdict, FieldVerdict::Scaled) << named.Name;
     EXPECT_LE(report.WorstSlope, 1.0 + 1e-9) << named.Name;
   }

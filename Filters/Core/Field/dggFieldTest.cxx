@@ -2,28 +2,69 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggFieldTest.h"
 
+#include "dggDisjointSets.h"
+#include "dggExactGeodesics.h"
+#include "dggFastMarching.h"
+#include "dggGeodesicSource.h"
 #include "dggSteepestDescent.h"
+#include "dggUnfolding.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 namespace dgg
 {
 namespace
 {
-/// A slope within this part of the expected one is as expected.
-constexpr double SlopeTolerance = 0.1;
-/// Least part of the vertices with the expected slope. Measured: 0.83 and more for exact distances
-/// and those of graphs, fast marching and heat on scans, 0.70 for paths along edges of the mesh,
-/// 0.65 for exact ones on a terrain as rough as its cells are wide; a coordinate on a sphere has
-/// 0.43, the square of a distance 0.11.
+/// A slope within this part of the expected one is as expected; so is a way within this part of the
+/// distance.
+constexpr double Tolerance = 0.1;
+/// Most of the vertices that may be clearly nearer than their way from the minima. Measured: 0.09
+/// for exact distances on scans and CAD models from up to three sources per vertex, 0.17 on coarse
+/// ones, 0.09 for heat; 0.22 and more for coordinates, but for shapes along which a coordinate is
+/// nearly a distance.
+constexpr double LargestShortShare = 0.2;
+/// Most of them that may be clearly farther away. Measured: 0.37 for heat at its worst, and 0.22 to
+/// 0.8 for the root of a distance, which is told by its slopes.
+constexpr double LargestFarShare = 0.2;
+/// Part of the vertices with the expected slope from which on that counts as the slope of the
+/// field. Measured: 0.6 and more for distances from few sources, 0.1 for the root of a distance.
 constexpr double SmallestShare = 0.5;
-/// Most of the edges that may be steeper than that. Measured: 0.009 for heat.
-constexpr double LargestSteepShare = 0.05;
+/// Most of the edges that may be steeper than that. Measured: 0.074 for heat.
+constexpr double LargestSteepShare = 0.1;
 /// Differences below this part of the values are rounding, as of floats.
 constexpr double Rounding = 1e-6;
+/// As many vertices may be equally far away from sources in the faces between them.
+constexpr Offset FewVertices = 32;
+/// From so many vertices on the steepest edge of a distance tells its unit, and few minima that
+/// there are few sources.
+constexpr Offset ManyVertices = 100;
+/// Most of the vertices that may be equally far away as all their neighbours and yet no minima: as
+/// distances fall from everywhere, there are none but by rare chance, and many on CAD models when
+/// the field is a coordinate.
+constexpr double LargestFlatShare = 0.05;
+/// What the way from a minimum may be too long, as the source may be in a face beside it: where the
+/// minima are far from each other, in what the way to a neighbour is too long, and in edges; where
+/// they are not, so that another source may hide the minimum, in edges at the minimum and at the
+/// vertex.
+constexpr double SlackOfGap = 1.25;
+constexpr double SlackBesideGap = 0.1;
+constexpr double SlackAtMinimum = 2.0;
+constexpr double SlackAtVertex = 0.5;
+/// A distance that comes in from the boundary rises at least so steeply to some neighbour.
+constexpr double SlopeOfEntry = 0.5;
+/// Minima are far from each other when each has so many vertices.
+constexpr double VerticesOfMinimum = 25.0;
+/// And when not so many vertices must have sources in the faces around them. Measured: 0.2 for
+/// coordinates.
+constexpr double LargestHiddenShare = 0.4;
+/// Ways are exact on meshes with up to so many faces.
+constexpr Id FacesOfCoarseMesh = 2000;
+/// Share of the progress when slopes are known.
+constexpr double SlopesDone = 0.3;
 
 /// Slopes along edges and down from vertices.
 struct Slopes
@@ -35,12 +76,12 @@ struct Slopes
   double ShareNear(double slope) const
   {
     return Share(
-      this->FromVertices, [=](double s) { return std::abs(s - slope) <= SlopeTolerance * slope; });
+      this->FromVertices, [=](double s) { return std::abs(s - slope) <= Tolerance * slope; });
   }
   /// The part of the edges that are clearly steeper.
   double ShareAbove(double slope) const
   {
-    return Share(this->OfEdges, [=](double s) { return s > (1.0 + SlopeTolerance) * slope; });
+    return Share(this->OfEdges, [=](double s) { return s > (1.0 + Tolerance) * slope; });
   }
 
 private:
@@ -54,16 +95,30 @@ private:
   }
 };
 
-Slopes CollectSlopes(const SurfaceMesh& mesh, const double* values)
+/// The finite values.
+struct Range
 {
-  double largest = 0.0;
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  double Least = Infinity;
+  double Greatest = -Infinity;
+  double Largest = 0.0; // in magnitude
+
+  Range(const SurfaceMesh& mesh, const double* values)
   {
-    if (std::isfinite(values[v]))
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
     {
-      largest = std::max(largest, std::abs(values[v]));
+      if (std::isfinite(values[v]))
+      {
+        this->Least = std::min(this->Least, values[v]);
+        this->Greatest = std::max(this->Greatest, values[v]);
+        this->Largest = std::max(this->Largest, std::abs(values[v]));
+      }
     }
   }
+};
+
+Slopes CollectSlopes(const SurfaceMesh& mesh, const double* values)
+{
+  const double largest = Range(mesh, values).Largest;
   Slopes slopes;
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
@@ -84,6 +139,268 @@ Slopes CollectSlopes(const SurfaceMesh& mesh, const double* values)
   return slopes;
 }
 
+/// Where a distance with these values may start: at its minima, equal neighbours together, and
+/// where it comes in from what is not known or not there.
+class MinimumFinder
+{
+public:
+  MinimumFinder(const SurfaceMesh& mesh, const double* values)
+    : Mesh(mesh)
+    , Values(values)
+    , Known(mesh, values)
+    , Plateaus(mesh.GetNumberOfVertices())
+    , Longest(mesh.GetNumberOfVertices(), 0.0)
+    , Gaps(mesh.GetNumberOfVertices(), 0.0)
+    , IsRim(mesh.GetNumberOfVertices(), 0)
+    , Falls(mesh.GetNumberOfVertices(), 0)
+    , Rises(mesh.GetNumberOfVertices(), 0)
+    , IsEven(mesh.GetNumberOfVertices(), 1)
+  {
+    for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      if (!mesh.IsDropped(SurfaceMesh::Face(h)))
+      {
+        this->LookAt(h, mesh.Origin(h), mesh.Destination(h));
+        this->LookAt(h, mesh.Destination(h), mesh.Origin(h));
+      }
+    }
+  }
+
+  /// Their distances count from the least value on. `hasHidden` tells that sources may be so dense
+  /// that hardly any is seen.
+  std::vector<GeodesicSource> Find(bool hasHidden)
+  {
+    const Id n = this->Mesh.GetNumberOfVertices();
+    this->IsLow.assign(n, 1);
+    for (Id v = 0; v < n; ++v)
+    {
+      if (this->Falls[v])
+      {
+        this->IsLow[this->Plateaus.Find(v)] = 0;
+      }
+    }
+    std::vector<GeodesicSource> minima;
+    Offset groups = 0;
+    for (Id v = 0; v < n; ++v)
+    {
+      if (std::isfinite(this->Values[v]) && this->Longest[v] > 0.0 &&
+        (this->IsLow[this->Plateaus.Find(v)] || this->ComesIn(v)))
+      {
+        minima.push_back(this->SourceAt(v));
+        groups += this->Plateaus.Find(v) == v && this->IsLow[v] ? 1 : 0;
+      }
+    }
+    const std::vector<GeodesicSource> hidden = this->FindHidden(minima);
+    const bool areHidden = hasHidden &&
+      this->Known.Greatest - this->Known.Least <= this->Mesh.GetMaximumEdgeLength() &&
+      static_cast<double>(hidden.size()) >= LargestHiddenShare * n;
+    this->AreSparse =
+      n > ManyVertices && VerticesOfMinimum * static_cast<double>(groups) < n && !areHidden;
+    if (!this->AreSparse)
+    {
+      minima.insert(minima.end(), hidden.begin(), hidden.end());
+    }
+    return minima;
+  }
+
+  /// The part of the vertices with neighbours that are even with all of them, and no minima. After
+  /// Find().
+  double FindFlatShare()
+  {
+    Offset count = 0;
+    Offset flat = 0;
+    for (Id v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
+    {
+      if (std::isfinite(this->Values[v]) && this->Longest[v] > 0.0)
+      {
+        ++count;
+        flat += this->IsEven[v] && !this->IsLow[this->Plateaus.Find(v)] ? 1 : 0;
+      }
+    }
+    return static_cast<double>(flat) / static_cast<double>(std::max<Offset>(1, count));
+  }
+
+  /// By how much the way from a minimum may be too long.
+  double SlackOf(Id minimum, Id v) const
+  {
+    return this->AreSparse
+      ? SlackOfGap * this->Gaps[minimum] + SlackBesideGap * this->Longest[minimum]
+      : SlackAtMinimum * this->Longest[minimum] + SlackAtVertex * this->Longest[v];
+  }
+  bool IsSparse() const { return this->AreSparse; }
+  double GetLeast() const { return this->Known.Least; }
+
+private:
+  /// From one vertex to its neighbour.
+  void LookAt(Id h, Id from, Id to)
+  {
+    const double length = this->Mesh.Length(h);
+    this->Longest[from] = std::max(this->Longest[from], length);
+    if (this->Mesh.Twin(h) == NoId || !std::isfinite(this->Values[to]))
+    {
+      this->IsRim[from] = 1;
+    }
+    const double fall = this->Values[from] - this->Values[to];
+    if (!std::isfinite(fall))
+    {
+      return;
+    }
+    if (std::abs(fall) <= Rounding * this->Known.Largest)
+    {
+      this->Plateaus.Join(from, to);
+      return;
+    }
+    this->IsEven[from] = 0;
+    this->Gaps[from] = std::max(this->Gaps[from], std::min(2.0 * length, length + fall));
+    (fall > 0.0 ? this->Falls : this->Rises)[from] |=
+      fall > 0.0 || -fall >= SlopeOfEntry * length ? 1 : 0;
+  }
+
+  /// No way from beyond the faces around a vertex is as short as its value, if values on the rim of
+  /// these faces are as small as can be: there is a source in one of the faces.
+  std::vector<GeodesicSource> FindHidden(const std::vector<GeodesicSource>& minima) const
+  {
+    std::vector<double> reach(this->Longest.size(), Infinity);
+    std::vector<char> isKnown(this->Longest.size(), 1); // all around
+    for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      if (this->Mesh.IsDropped(SurfaceMesh::Face(h)))
+      {
+        continue;
+      }
+      const Id v = this->Mesh.Apex(h);
+      const double length = this->Mesh.Length(h);
+      const double first = this->Values[this->Mesh.Origin(h)];
+      const double second = this->Values[this->Mesh.Destination(h)];
+      if (!std::isfinite(first) || !std::isfinite(second))
+      {
+        isKnown[v] = 0;
+        continue;
+      }
+      // Values fall by 1 at most from either end; the best point is where both come down to the
+      // same.
+      const double x = std::max(0.0, std::min(length, 0.5 * (length + first - second)));
+      reach[v] = std::min(reach[v],
+        std::max(first - x, second - (length - x)) +
+          Norm(this->Mesh.ApexX(h) - x, this->Mesh.ApexY(h)));
+    }
+    std::vector<GeodesicSource> found;
+    for (const GeodesicSource& minimum : minima)
+    {
+      isKnown[minimum.Point.Vertex] = 0; // once is enough
+    }
+    for (Id v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
+    {
+      if (std::isfinite(this->Values[v]) && isKnown[v] && reach[v] < Infinity &&
+        reach[v] > this->Values[v] + Rounding * this->Known.Largest)
+      {
+        found.push_back(this->SourceAt(v));
+      }
+    }
+    return found;
+  }
+
+  GeodesicSource SourceAt(Id v) const
+  {
+    GeodesicSource source;
+    source.Point = SurfacePoint::AtVertex(v);
+    source.InitialDistance = this->Values[v] - this->Known.Least;
+    return source;
+  }
+
+  bool ComesIn(Id v) const
+  {
+    return this->IsRim[v] && this->Rises[v] &&
+      FindSteepestDescent(this->Mesh, this->Values, v).Slope < 1.0 - Tolerance;
+  }
+
+  const SurfaceMesh& Mesh;
+  const double* Values;
+  const Range Known;
+  DisjointSets Plateaus;
+  std::vector<double> Longest; // of the edges of a vertex
+  std::vector<double> Gaps;    // the way to a neighbour less the difference there
+  std::vector<char> IsRim;
+  std::vector<char> Falls;  // to a neighbour
+  std::vector<char> Rises;  // to a neighbour, clearly
+  std::vector<char> IsEven; // with all neighbours
+  std::vector<char> IsLow;  // per plateau: it falls nowhere
+  bool AreSparse = false;   // minima
+};
+
+/// How values compare to the ways from their minima.
+struct WayShares
+{
+  Offset Count = 0; // of vertices that are no minima
+  double Short = 0.0;
+  double Far = 0.0;
+  double Flat = 0.0; // of all vertices
+  bool IsSparse = false;
+};
+
+/// By fast marching, or exactly where that is as fast, as fast marching errs on coarse meshes.
+Status FindWays(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& minima,
+  const ProgressCallback& progress, std::vector<double>& ways, std::vector<Id>& sources)
+{
+  if (mesh.GetNumberOfFaces() <= FacesOfCoarseMesh)
+  {
+    ExactOptions options;
+    options.Progress = progress;
+    ExactResult result;
+    const Status status = ExactGeodesics(mesh).Run(minima, options, result);
+    ways = std::move(result.Distances);
+    sources = std::move(result.NearestSource);
+    return status;
+  }
+  MarchingOptions options;
+  options.Progress = progress;
+  MarchingResult result;
+  const Status status = FastMarching(mesh).Run(minima, options, result);
+  ways = std::move(result.Distances);
+  sources = std::move(result.NearestSource);
+  return status;
+}
+
+Status CompareWithWays(const SurfaceMesh& mesh, const double* values, bool hasHidden,
+  const ProgressCallback& progress, WayShares& shares)
+{
+  shares = WayShares();
+  MinimumFinder finder(mesh, values);
+  const std::vector<GeodesicSource> minima = finder.Find(hasHidden);
+  shares.Flat = finder.FindFlatShare();
+  shares.IsSparse = finder.IsSparse();
+  std::vector<double> ways;
+  std::vector<Id> sources;
+  const Status status = FindWays(mesh, minima, progress, ways, sources);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  Offset tooShort = 0;
+  Offset tooFar = 0;
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const Id nearest = sources[v];
+    if (!std::isfinite(values[v]) || nearest == NoId)
+    {
+      continue;
+    }
+    const double way = ways[v] - minima[nearest].InitialDistance;
+    if (way > 0.0)
+    {
+      const double difference = values[v] - finder.GetLeast() - ways[v];
+      const double slack = finder.SlackOf(minima[nearest].Point.Vertex, v) + Tolerance * way;
+      ++shares.Count;
+      tooShort += difference < -slack ? 1 : 0;
+      tooFar += difference > slack ? 1 : 0;
+    }
+  }
+  const auto count = static_cast<double>(std::max<Offset>(1, shares.Count));
+  shares.Short = static_cast<double>(tooShort) / count;
+  shares.Far = static_cast<double>(tooFar) / count;
+  return status;
+}
+
 std::string WithNumber(const char* format, double number)
 {
   char text[256];
@@ -92,16 +409,17 @@ std::string WithNumber(const char* format, double number)
 }
 }
 
-FieldReport TestField(const SurfaceMesh& mesh, const double* values)
+Status TestField(const SurfaceMesh& mesh, const double* values, const ProgressCallback& progress,
+  FieldReport& report)
 {
+  report = FieldReport();
   Slopes slopes = CollectSlopes(mesh, values);
-  FieldReport report;
   report.NumberOfEdges = static_cast<Offset>(slopes.OfEdges.size());
   report.NumberOfVertices = static_cast<Offset>(slopes.FromVertices.size());
   if (slopes.FromVertices.empty())
   {
     report.Sentence = "The field is not known at any two neighbouring points: pass finite values.";
-    return report;
+    return Status::Success();
   }
   const auto middle = slopes.FromVertices.begin() + report.NumberOfVertices / 2;
   std::nth_element(slopes.FromVertices.begin(), middle, slopes.FromVertices.end());
@@ -109,28 +427,74 @@ FieldReport TestField(const SurfaceMesh& mesh, const double* values)
   report.WorstSlope = *std::max_element(slopes.OfEdges.begin(), slopes.OfEdges.end());
   report.ShareOfSteepEdges = slopes.ShareAbove(1.0);
   report.ShareOfUnitSlopes = slopes.ShareNear(1.0);
+  if (progress && !progress(SlopesDone))
+  {
+    return Status::Abort();
+  }
+  const double halfWay = 0.5 * (1.0 + SlopesDone);
+  auto part = [&](double from, double to) {
+    return [&, from, to](double done) { return !progress || progress(from + (to - from) * done); };
+  };
   const double scale = report.MedianSlope;
-  if (report.ShareOfUnitSlopes >= SmallestShare && report.ShareOfSteepEdges <= LargestSteepShare)
+  const bool hasScale = slopes.ShareNear(scale) >= SmallestShare;
+  WayShares ways;
+  Status status = CompareWithWays(mesh, values, !hasScale, part(SlopesDone, halfWay), ways);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  report.ShareOfShortcuts = ways.Short;
+  report.ShareOfFlatVertices = ways.Flat;
+  // Nowhere steeper than what is usual, which is less than it should be.
+  const bool isGentle = scale < 1.0 - Tolerance &&
+    report.WorstSlope < (1.0 + 0.5 * Tolerance) * scale && ways.IsSparse &&
+    report.NumberOfVertices > ManyVertices && slopes.ShareNear(scale) >= SmallestShare;
+  const bool isConstant = ways.Count == 0 && report.NumberOfVertices > FewVertices;
+  if (!isConstant && !isGentle && ways.Flat <= LargestFlatShare &&
+    report.ShareOfSteepEdges <= LargestSteepShare && ways.Short <= LargestShortShare &&
+    (ways.Far <= LargestFarShare || report.ShareOfUnitSlopes >= SmallestShare))
   {
     report.Verdict = FieldVerdict::Distance;
+    return Status::Success();
   }
-  else if (scale > 0.0 && slopes.ShareNear(scale) >= SmallestShare &&
-    slopes.ShareAbove(scale) <= LargestSteepShare)
+  if (scale > 0.0 && hasScale && slopes.ShareAbove(scale) <= LargestSteepShare)
   {
-    report.Verdict = FieldVerdict::Scaled;
-    report.Sentence = WithNumber("The field seems to be a distance in other units than those of "
-                                 "the points: divide it by about %.3g.",
-      scale);
+    std::vector<double> scaled(values, values + mesh.GetNumberOfVertices());
+    std::for_each(scaled.begin(), scaled.end(), [=](double& value) { value /= scale; });
+    WayShares scaledWays;
+    status = CompareWithWays(mesh, scaled.data(), false, part(halfWay, 1.0), scaledWays);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    if (scaledWays.Short <= LargestShortShare && scaledWays.Flat <= LargestFlatShare &&
+      std::abs(scale - 1.0) > Tolerance)
+    {
+      report.Verdict = FieldVerdict::Scaled;
+      report.Sentence = WithNumber("The field seems to be a distance in other units than those of "
+                                   "the points: divide it by about %.3g.",
+        scale);
+      return Status::Success();
+    }
   }
-  else
-  {
-    report.Verdict = FieldVerdict::NotADistance;
-    report.Sentence = WithNumber(
-      "The field is hardly a distance: it should change by 1 per unit of length nearly everywhere, "
-      "and does so on %.0f %% of the points only. Pass the distance itself, in the units of the "
-      "points.",
-      100.0 * report.ShareOfUnitSlopes);
-  }
-  return report;
+  report.Verdict = FieldVerdict::NotADistance;
+  const char* const isFlatSentence =
+    "The field is hardly a distance: %.0f %% of the points are as far away as all their "
+    "neighbours. Pass the distance itself.";
+  const char* const isShortSentence =
+    "The field is hardly a distance: on %.0f %% of the points it is clearly less than the way from "
+    "its minima. Pass the distance itself, in the units of the points.";
+  const char* const slopeSentence =
+    "The field is hardly a distance: it should change by 1 per unit of length nearly everywhere, "
+    "and does so on %.0f %% of the points only. Pass the distance itself, in the units of the "
+    "points.";
+  const bool hasSlope =
+    report.ShareOfUnitSlopes >= SmallestShare && report.ShareOfSteepEdges <= LargestSteepShare;
+  report.Sentence = hasSlope && ways.Flat > LargestFlatShare
+    ? WithNumber(isFlatSentence, 100.0 * ways.Flat)
+    : hasSlope && ways.Short > LargestShortShare
+    ? WithNumber(isShortSentence, 100.0 * ways.Short)
+    : WithNumber(slopeSentence, 100.0 * report.ShareOfUnitSlopes);
+  return Status::Success();
 }
 }

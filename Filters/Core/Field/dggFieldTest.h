@@ -6,7 +6,7 @@
 #define dggFieldTest_h
 
 #include "dggSurfaceMesh.h" // for SurfaceMesh
-#include "dggTypes.h"       // for Offset
+#include "dggTypes.h"       // for Offset, Status
 
 #include <cstdint> // for FieldVerdict
 #include <string>  // for the sentence
@@ -34,16 +34,25 @@ struct FieldReport
   /// vertices where it is within 10 % of 1. All distances fall at slope 1 but at sources.
   double MedianSlope = 0.0;
   double ShareOfUnitSlopes = 0.0;
+  /// Part of the vertices that are clearly nearer than their way from the minima of the field.
+  double ShareOfShortcuts = 0.0;
+  /// Part of the vertices that are as far away as all their neighbours, and no minima.
+  double ShareOfFlatVertices = 0.0;
   /// What to tell the user; empty when it is a distance.
   std::string Sentence;
 
   bool IsDistance() const { return this->Verdict == FieldVerdict::Distance; }
 };
 
-/// Tell a distance from other fields by its slope, with tolerances that approximate distances pass:
-/// exact ones, those of graphs, fast marching and heat, from any sources and from within faces.
-/// `values` are per vertex; Infinity or NaN where nothing is known, which is left out.
-FieldReport TestField(const SurfaceMesh& mesh, const double* values);
+/// Tell a distance from other fields. A distance is the length of the shortest way from its minima,
+/// which start at its values there: the values are compared with those of fast marching from the
+/// minima, which nearly all must agree up to 10 % and to what sources in faces beside minima make.
+/// The field may also come in from the boundary and from what is not known. All exact distances
+/// pass, those of graphs, fast marching and heat too, from any sources and from within faces;
+/// coarse meshes tell little, so that more passes there. `values` are per vertex; Infinity or NaN
+/// where nothing is known, which is left out. Fails when stopped only.
+Status TestField(const SurfaceMesh& mesh, const double* values, const ProgressCallback& progress,
+  FieldReport& report);
 }
 
 #endif
