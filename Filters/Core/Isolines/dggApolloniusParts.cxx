@@ -3,21 +3,23 @@
 #include "dggApolloniusParts.h"
 
 #include "dggApolloniusFace.h"
+#include "dggBlockLoop.h"
 #include "dggEdges.h"
 #include "dggSourceFit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <string>
+#include <utility>
 
 namespace dgg
 {
 namespace
 {
-/// Edges or faces that one thread does in a row, and how many such blocks lie between two calls of
-/// the progress.
+/// Edges or faces that one thread does in a row.
 constexpr Offset BlockSize = 64;
-constexpr Offset BlocksAtOnce = 64;
 /// Where in the progress the fit and the edges are done.
 constexpr double FitDone = 0.1;
 constexpr double EdgesDone = 0.2;
@@ -106,45 +108,44 @@ private:
 };
 
 /// Runs `work(worker, index, pieces)` for all indices, in blocks, and joins the pieces in order.
-/// False when stopped.
 template <typename Worker, typename Piece, typename MakeWorker, typename Work>
-bool Collect(Offset size, const ParallelFor& parallel, const ProgressCallback& progress,
-  double begin, double end, const MakeWorker& makeWorker, const Work& work,
+Status Collect(Offset size, const ParallelFor& parallel, const ProgressCallback& progress,
+  double start, double stop, const MakeWorker& makeWorker, const Work& work,
   std::vector<Piece>& pieces)
 {
-  const Offset numberOfBlocks = (size + BlockSize - 1) / BlockSize;
   std::vector<std::vector<Piece>> blocks(
-    static_cast<std::size_t>(std::min(BlocksAtOnce, numberOfBlocks)));
-  for (Offset first = 0; first < numberOfBlocks; first += BlocksAtOnce)
-  {
-    const Offset count = std::min(BlocksAtOnce, numberOfBlocks - first);
-    if (progress &&
-      !progress(
-        begin + (end - begin) * static_cast<double>(first) / static_cast<double>(numberOfBlocks)))
-    {
-      return false;
-    }
-    ForRange(parallel, count, 1, [&](Offset from, Offset to) {
+    static_cast<std::size_t>((size + BlockSize - 1) / BlockSize));
+  Status status = LoopOverBlocks(
+    size, BlockSize, parallel, progress, start, stop, [&](Offset block, Offset begin, Offset end) {
       Worker worker = makeWorker();
-      for (Offset b = from; b < to; ++b)
+      for (Offset i = begin; i < end; ++i)
       {
-        std::vector<Piece>& block = blocks[static_cast<std::size_t>(b)];
-        block.clear();
-        const Offset last = std::min(size, (first + b + 1) * BlockSize);
-        for (Offset i = (first + b) * BlockSize; i < last; ++i)
-        {
-          work(worker, static_cast<Id>(i), block);
-        }
+        work(worker, static_cast<Id>(i), blocks[static_cast<std::size_t>(block)]);
       }
     });
-    for (Offset b = 0; b < count; ++b)
-    {
-      std::vector<Piece>& block = blocks[static_cast<std::size_t>(b)];
-      pieces.insert(
-        pieces.end(), std::make_move_iterator(block.begin()), std::make_move_iterator(block.end()));
-    }
+  if (!status.IsOk())
+  {
+    return status;
   }
-  return true;
+  std::size_t count = 0;
+  for (const std::vector<Piece>& block : blocks)
+  {
+    count += block.size();
+  }
+  if (count > static_cast<std::size_t>(std::numeric_limits<Id>::max()))
+  {
+    return Status::Invalid(
+      "there are more than 2^31 - 1 points where levels cross edges, or pieces "
+      "of isolines: use fewer levels");
+  }
+  pieces.reserve(count);
+  for (std::vector<Piece>& block : blocks)
+  {
+    pieces.insert(
+      pieces.end(), std::make_move_iterator(block.begin()), std::make_move_iterator(block.end()));
+    std::vector<Piece>().swap(block);
+  }
+  return status;
 }
 
 /// Whether the half-edge stands for an edge of a face that is reached.
@@ -222,19 +223,19 @@ Status CheckInput(const DistanceField& field, int steinerPoints, const std::vect
 {
   if (!field.Mesh || !field.Distances)
   {
-    return Status::Invalid("There is no distance field to draw isolines of.");
+    return Status::Invalid("there is no distance: set Mesh and Distances of the field");
   }
   if (steinerPoints < 0 || steinerPoints > MaximumSteinerPoints)
   {
-    return Status::Invalid("The number of Steiner points per edge is " +
-      std::to_string(steinerPoints) + "; it must be 0 to " + std::to_string(MaximumSteinerPoints) +
-      ".");
+    return Status::Invalid("the number of Steiner points per edge is " +
+      std::to_string(steinerPoints) + ": it must be 0 to " + std::to_string(MaximumSteinerPoints));
   }
   for (std::size_t i = 0; i < levels.size(); ++i)
   {
     if (!std::isfinite(levels[i]))
     {
-      return Status::Invalid("Level " + std::to_string(i) + " is not finite.");
+      return Status::Invalid(
+        "value " + std::to_string(i) + " of the isolines is not finite: give a number");
     }
   }
   return Status::Success();
@@ -247,7 +248,7 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
 {
   crossings.clear();
   curves.clear();
-  const Status status = CheckInput(field, steinerPoints, levels);
+  Status status = CheckInput(field, steinerPoints, levels);
   if (!status.IsOk())
   {
     return status;
@@ -269,7 +270,7 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
   }
   const SortedLevels sorted(levels);
   std::vector<FoundCrossing> found;
-  const bool isEdgesDone = Collect<HermiteEdge>(
+  status = Collect<HermiteEdge>(
     mesh.GetNumberOfHalfEdges(), parallel, progress, begin, EdgesDone,
     [&] { return HermiteEdge(used, steinerPoints); },
     [&](HermiteEdge& edge, Id h, std::vector<FoundCrossing>& block) {
@@ -280,12 +281,12 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
       }
     },
     found);
-  if (!isEdgesDone)
+  if (!status.IsOk())
   {
-    return Status::Abort();
+    return status;
   }
   const CrossingTable table(mesh, std::move(found));
-  const bool isFacesDone = Collect<ApolloniusFace>(
+  status = Collect<ApolloniusFace>(
     mesh.GetNumberOfFaces(), parallel, progress, EdgesDone, 1.0,
     [&] { return ApolloniusFace(used, steinerPoints); },
     [&](ApolloniusFace& face, Id f, std::vector<FaceCurve>& block) {
@@ -295,10 +296,9 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
       }
     },
     curves);
-  if (!isFacesDone)
+  if (!status.IsOk())
   {
-    curves.clear();
-    return Status::Abort();
+    return status;
   }
   table.Take(crossings);
   return Status::Success();

@@ -10,6 +10,9 @@ namespace dgg
 {
 namespace
 {
+/// Curves between two reports.
+constexpr std::size_t ProgressInterval = 4096;
+
 /// A curve as a line runs through it.
 struct Passage
 {
@@ -199,16 +202,23 @@ private:
 };
 }
 
-void JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,
-  const std::vector<FaceCurve>& curves, Isolines& lines)
+Status JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,
+  const std::vector<FaceCurve>& curves, const ProgressCallback& progress, Isolines& lines)
 {
   std::vector<Id> order(curves.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(
     order.begin(), order.end(), [&](Id a, Id b) { return curves[a].Level < curves[b].Level; });
   Joiner joiner(mesh, crossings, curves);
-  for (const Id curve : order)
+  for (std::size_t i = 0; i < order.size(); ++i)
   {
+    const Id curve = order[i];
+    if (i % ProgressInterval == 0 && progress &&
+      !progress(static_cast<double>(i) / static_cast<double>(order.size())))
+    {
+      lines = Isolines();
+      return Status::Abort();
+    }
     if (joiner.IsDone(curve))
     {
       continue;
@@ -222,5 +232,6 @@ void JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& c
       lines.IsClosed.push_back(isClosed);
     }
   }
+  return Status::Success();
 }
 }

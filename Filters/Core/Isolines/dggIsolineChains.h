@@ -15,9 +15,9 @@ namespace dgg
 /// Joins curves of faces where they share crossings, in order of levels, then curves. A line ends
 /// at a crossing that is not shared by exactly two curves: on the boundary, and on edges with more
 /// than two faces. It runs as the first one of its curves does. Lines that shrink to a point, by
-/// snapping to a vertex, are left out.
-void JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,
-  const std::vector<FaceCurve>& curves, Isolines& lines);
+/// snapping to a vertex, are left out. Fails when stopped; then there are no lines.
+Status JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,
+  const std::vector<FaceCurve>& curves, const ProgressCallback& progress, Isolines& lines);
 }
 
 #endif

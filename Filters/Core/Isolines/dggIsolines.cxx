@@ -135,7 +135,14 @@ Status TraceIsolines(const DistanceField& field, const std::vector<double>& leve
   {
     return status;
   }
-  JoinFaceCurves(*field.Mesh, crossings.Crossings, curves, lines);
+  status = JoinFaceCurves(
+    *field.Mesh, crossings.Crossings, curves,
+    [&](double done) { return !progress || progress(FacesDone + (1.0 - FacesDone) * done); },
+    lines);
+  if (!status.IsOk())
+  {
+    return status;
+  }
   for (Id& level : lines.Levels)
   {
     level = order[level];
