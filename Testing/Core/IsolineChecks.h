@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of isolines share.
+#ifndef IsolineChecks_h
+#define IsolineChecks_h
+
+#include "FieldChecks.h"
+
+#include "dggIsolines.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+dgg::Isolines Trace(const dgg::DistanceField& field, const std::vector<double>& levels,
+  double tolerance = 0.0, dgg::IsolineMethod method = dgg::IsolineMethod::LocalSources);
+
+/// `count` levels between the least and the largest distance.
+std::vector<double> EvenLevels(const dgg::DistanceField& field, dgg::Id count);
+
+/// Edges with two faces that are reached conduct isolines; they end on others.
+bool Conducts(const dgg::DistanceField& field, dgg::Id h);
+
+/// All edges around the vertex.
+template <typename Predicate>
+bool AllAround(const dgg::SurfaceMesh& mesh, dgg::Id v, Predicate&& holds)
+{
+  for (const dgg::Id* g = mesh.FanBegin(v); g != mesh.FanEnd(v); ++g)
+  {
+    if (!holds(*g) || !holds(dgg::SurfaceMesh::Previous(*g)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// What holds for isolines of any field on any mesh: they lie on the surface, end nowhere but where
+/// the surface does, and miss no edge.
+void ExpectSound(const dgg::DistanceField& field, const std::vector<double>& levels,
+  const dgg::Isolines& lines, const std::string& what);
+
+/// The points of all lines, with their levels.
+struct LevelPoints
+{
+  LevelPoints(const dgg::Isolines& lines, const std::vector<double>& levels)
+  {
+    for (std::size_t i = 0; i < lines.Lines.size(); ++i)
+    {
+      for (const dgg::SurfacePoint& point : lines.Lines[i].Points)
+      {
+        this->Points.push_back(point);
+        this->Levels.push_back(levels[lines.Levels[i]]);
+      }
+    }
+  }
+
+  std::vector<dgg::SurfacePoint> Points;
+  std::vector<double> Levels;
+};
+
+/// An exact run to all points of the lines finds them at their level.
+void ExpectAtLevel(const dgg::SurfaceMesh& mesh, const std::vector<dgg::GeodesicSource>& sources,
+  const std::vector<double>& levels, const dgg::Isolines& lines, double tolerance,
+  const std::string& what);
+
+std::map<dgg::Id, int> LinesPerLevel(const dgg::Isolines& lines);
+
+bool AllClosed(const dgg::Isolines& lines);
+
+std::array<double, 3> Middle(const std::array<double, 3>& a, const std::array<double, 3>& b);
+
+double DistanceTo(const std::array<double, 3>& p, double x, double y);
+
+double TotalLength(const dgg::Isolines& lines);
+
+dgg::GeodesicSource FaceSourceAt(
+  const dgg::SurfaceMesh& mesh, dgg::Id face, const std::array<double, 3>& barycentric);
+
+/// How far the middles of pieces are from their levels, on average along all lines.
+double MeanErrorOfPieces(const dgg::SurfaceMesh& mesh,
+  const std::vector<dgg::GeodesicSource>& sources, const std::vector<double>& levels,
+  const dgg::Isolines& lines);
+
+void ExpectSameLines(const dgg::Isolines& a, const dgg::Isolines& b, const std::string& what);
+}
+
+#endif

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Isolines: loops within faces, around sources and farthest points.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+#include "GraphChecks.h"
+#include "IsolineChecks.h"
+
+#include "dggFaceProfile.h"
+#include "dggIsolines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace dgg;
+using namespace dggtest;
+
+TEST(Isolines, LoopsAroundManySourcesInAFace)
+{
+  const TestMesh test = SingleTriangle();
+  const SurfaceMesh mesh = Build(test);
+  std::vector<GeodesicSource> sources;
+  double nearest = Infinity; // to one another
+  for (int i = 1; i < 20; ++i)
+  {
+    for (int j = 1; i + j < 20; ++j)
+    {
+      sources.push_back(FaceSourceAt(mesh, 0, { { i / 20.0, j / 20.0, (20 - i - j) / 20.0 } }));
+      // Starts too late to be nearest anywhere.
+      const std::array<double, 3> beside{ { (i + 0.1) / 20.0, j / 20.0, (19.9 - i - j) / 20.0 } };
+      sources.push_back(FaceSourceAt(mesh, 0, beside));
+      sources.back().InitialDistance = 0.2;
+    }
+  }
+  for (std::size_t i = 2; i < sources.size(); i += 2)
+  {
+    nearest = std::min(
+      nearest, DistanceInFace(mesh, 0, sources[0].Point.Barycentric, sources[i].Point.Barycentric));
+  }
+  sources.push_back(sources[0]); // again
+  const ExactField field(mesh, sources);
+  EXPECT_EQ(field.Result.Windows.Sources.size(), 171u);
+  const std::vector<double> levels{ 0.1 * nearest, 0.3 * nearest };
+  const Isolines lines = Trace(field.Exact, levels, 1e-5);
+  EXPECT_EQ(lines.Lines.size(), 2u * 171);
+  EXPECT_TRUE(AllClosed(lines));
+  EXPECT_EQ(lines.Fallbacks, 0);
+  for (std::size_t i = 0; i < lines.Lines.size(); ++i)
+  {
+    const double radius = levels[lines.Levels[i]];
+    EXPECT_NEAR(lines.Lines[i].Length, 2.0 * Pi * radius, 0.1 * radius);
+  }
+}
+
+TEST(Isolines, SmallLoopsAroundASourceInAFace)
+{
+  const TestMesh test = SingleTriangle();
+  const SurfaceMesh mesh = Build(test);
+  for (const std::array<double, 3>& b :
+    { std::array<double, 3>{ { 0.3, 0.3, 0.4 } }, std::array<double, 3>{ { 0.5, 0.25, 0.25 } },
+      std::array<double, 3>{ { 0.5, 0.3, 0.2 } }, std::array<double, 3>{ { 0.98, 0.01, 0.01 } } })
+  {
+    const GeodesicSource source = FaceSourceAt(mesh, 0, b);
+    const ExactField field(mesh, { source });
+    const auto at = PositionOf(mesh, source.Point, test.Points.data());
+    const std::vector<double> levels{ 1e-6, 1e-4, 0.01, 0.02 };
+    for (const DistanceField* f : { &field.Exact, &field.Local })
+    {
+      const Isolines lines = Trace(*f, levels, 1e-5);
+      ASSERT_EQ(lines.Lines.size(), levels.size()) << b[0] << " " << b[1] << (f == &field.Exact);
+      EXPECT_TRUE(AllClosed(lines));
+      EXPECT_EQ(lines.Fallbacks, 0);
+      for (std::size_t i = 0; i < levels.size(); ++i)
+      {
+        for (const SurfacePoint& point : lines.Lines[i].Points)
+        {
+          const auto p = PositionOf(mesh, point, test.Points.data());
+          EXPECT_NEAR(DistanceTo(p, at[0], at[1]), levels[i], 4e-12);
+        }
+        EXPECT_NEAR(lines.Lines[i].Length, 2.0 * Pi * levels[i], 0.1 * levels[i]);
+      }
+    }
+  }
+}
+
+/// Around the point of a face that is farthest from its corners.
+TEST(Isolines, SmallLoopsAroundAFarthestPoint)
+{
+  TestMesh test;
+  test.AddPoint(0.0, 0.0, 0.0);
+  test.AddPoint(2.0, 0.0, 0.0);
+  test.AddPoint(1.1, 1.6, 0.0);
+  test.AddTriangle(0, 1, 2);
+  const SurfaceMesh mesh = Build(test);
+  const std::vector<GeodesicSource> sources{ VertexSource(0), VertexSource(1), VertexSource(2) };
+  const ExactField field(mesh, sources);
+  const double y = (1.1 * 1.1 + 1.6 * 1.6 - 2.0 * 1.1) / (2.0 * 1.6);
+  const double farthest = std::hypot(1.0, y); // from the circumcentre
+  const std::vector<double> levels{ 0.2, 0.9, 1.0 + 0.5 * (farthest - 1.0), farthest - 1e-4,
+    farthest + 1e-6 };
+  for (const DistanceField* f : { &field.Exact, &field.Local })
+  {
+    const Isolines lines = Trace(*f, levels);
+    std::map<Id, int> counts = LinesPerLevel(lines);
+    EXPECT_EQ(counts[0], 3);
+    EXPECT_EQ(counts[2], 1);
+    EXPECT_EQ(counts[3], 1);
+    EXPECT_EQ(counts[4], 0);
+    ExpectSound(*f, levels, lines, "triangle");
+    ExpectAtLevel(mesh, sources, levels, lines, 1e-12, "triangle");
+    for (std::size_t i = 0; i < lines.Lines.size(); ++i)
+    {
+      EXPECT_EQ(lines.IsClosed[i], lines.Levels[i] >= 2);
+    }
+  }
+}
+
+TEST(Isolines, LoopsAroundFarthestPointsInFacesAreFound)
+{
+  // A third wave may be the last to come to the middle of a face of two others.
+  for (std::uint64_t seed = 0; seed < 40; ++seed)
+  {
+    const SurfaceMesh mesh = Build(WithNoise(Icosahedron(), 0.15, seed));
+    const ExactField field(mesh, { VertexSource(0) });
+    FaceProfile profile(field.Exact);
+    double farthest = 0.0;
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      profile.Enter(f);
+      for (int i = 0; i <= 60; ++i)
+      {
+        for (int j = 0; i + j <= 60; ++j)
+        {
+          farthest = std::max(
+            farthest, profile.At(profile.PlaceOf({ { i / 60.0, j / 60.0, (60 - i - j) / 60.0 } })));
+        }
+      }
+    }
+    for (const double below : { 0.005, 0.02, 0.1 })
+    {
+      const Isolines lines = Trace(field.Exact, { farthest - below * mesh.GetMeanEdgeLength() });
+      EXPECT_GE(lines.Lines.size(), 1u) << seed << " " << below;
+    }
+  }
+}
+
+TEST(Isolines, DoNotRunBack)
+{
+  const TestMesh test = WithNoise(Ellipsoid(4, 0.5), 0.01, 3);
+  const SurfaceMesh mesh = Build(test);
+  const ExactField field(mesh, { VertexSource(11) });
+  const double farthest =
+    *std::max_element(field.Result.Distances.begin(), field.Result.Distances.end());
+  std::vector<double> levels;
+  for (int i = 1; i < 20; ++i)
+  {
+    levels.push_back(0.05 * i * farthest);
+  }
+  std::vector<double> lengths;
+  for (const double tolerance : { 1e-2, 1e-4, 1e-6 })
+  {
+    const Isolines lines = Trace(field.Exact, levels, tolerance * mesh.GetMeanEdgeLength());
+    int turns = 0;
+    double length = 0.0;
+    for (const SurfacePath& line : lines.Lines)
+    {
+      length += line.Length;
+      for (std::size_t i = 1; i + 1 < line.Points.size(); ++i)
+      {
+        double cosine = 0.0;
+        const auto a = PositionOf(mesh, line.Points[i - 1], test.Points.data());
+        const auto b = PositionOf(mesh, line.Points[i], test.Points.data());
+        const auto c = PositionOf(mesh, line.Points[i + 1], test.Points.data());
+        double before = 0.0;
+        double after = 0.0;
+        for (int k = 0; k < 3; ++k)
+        {
+          cosine += (b[k] - a[k]) * (c[k] - b[k]);
+          before += (b[k] - a[k]) * (b[k] - a[k]);
+          after += (c[k] - b[k]) * (c[k] - b[k]);
+        }
+        const double least = 1e-7 * mesh.GetMeanEdgeLength();
+        turns +=
+          std::min(before, after) > least * least && cosine < -0.994 * std::sqrt(before * after);
+      }
+    }
+    EXPECT_EQ(turns, 0) << tolerance;
+    lengths.push_back(length);
+  }
+  // Finer chords are longer, by less and less.
+  EXPECT_LE(lengths[0], lengths[1] * (1.0 + 1e-9));
+  EXPECT_LE(lengths[1], lengths[2] * (1.0 + 1e-9));
+  EXPECT_NEAR(lengths[1], lengths[2], 1e-4 * lengths[2]);
+}
