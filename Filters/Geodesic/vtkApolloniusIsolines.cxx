@@ -10,20 +10,39 @@
 #include "vtkDGGProperties.h"
 
 #include "dggApolloniusParts.h"
+#include "dggProgressPart.h"
 
 #include "vtkContourValues.h"
-#include "vtkDataObject.h"
-#include "vtkInformation.h"
+#include "vtkDataArray.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 vtkStandardNewMacro(vtkApolloniusIsolines);
+
+/// What an update is to do. Observers may change the properties in the middle of it.
+struct vtkApolloniusIsolines::Request
+{
+  std::vector<double> Values;
+  dgg::IsolineOptions LineOptions;
+  dgg::RidgeOptions RidgeOptions;
+  bool IsLinear;
+  bool WantsRidges;
+  bool WantsBands;
+};
+
+/// What an update finds.
+struct vtkApolloniusIsolines::Curves
+{
+  dgg::Isolines Lines;
+  dgg::Ridges Ridges;
+  dgg::Bands Bands;
+};
 
 namespace
 {
@@ -37,11 +56,8 @@ constexpr double BandWork = 1.5;
 
 constexpr double RadiansPerDegree = dgg::Pi / 180.0;
 
-/// The part of a progress between two fractions of it.
-dgg::ProgressCallback PartOf(const dgg::ProgressCallback& progress, double begin, double end)
-{
-  return [=](double fraction) { return progress(begin + (end - begin) * fraction); };
-}
+/// Of ChordTolerance: time and memory grow without end as it gets smaller.
+constexpr double SmallestChordTolerance = 1e-6;
 }
 
 //------------------------------------------------------------------------------
@@ -54,6 +70,7 @@ vtkApolloniusIsolines::vtkApolloniusIsolines()
   , SteinerPoints(2)
   , DistanceArrayName("GeodesicDistance")
   , VirtualSourceArrayName("GeodesicVirtualSource")
+  , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , UsedWindows(false)
   , UsedVirtualSources(false)
   , NumberOfFallbacks(0)
@@ -76,6 +93,7 @@ void vtkApolloniusIsolines::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SteinerPoints: " << this->SteinerPoints << "\n";
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
   os << indent << "VirtualSourceArrayName: " << this->VirtualSourceArrayName << "\n";
+  os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
   os << indent << "UsedWindows: " << (this->UsedWindows ? "Yes" : "No") << "\n";
   os << indent << "UsedVirtualSources: " << (this->UsedVirtualSources ? "Yes" : "No") << "\n";
   os << indent << "NumberOfFallbacks: " << this->NumberOfFallbacks << "\n";
@@ -185,6 +203,15 @@ const char* vtkApolloniusIsolines::GetVirtualSourceArrayName() const
 }
 
 //------------------------------------------------------------------------------
+void vtkApolloniusIsolines::SetUnreachedValue(double value)
+{
+  if (vtkDGGChangeNumber(this->UnreachedValue, value))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 std::vector<double> vtkApolloniusIsolines::CopyValues() const
 {
   const int count = this->ContourValues->GetNumberOfContours();
@@ -205,10 +232,10 @@ dgg::Status vtkApolloniusIsolines::CheckProperties() const
     message << "SteinerPoints is " << this->SteinerPoints
             << ": call SetSteinerPoints() with a number from 0 to " << dgg::MaximumSteinerPoints;
   }
-  else if (!(this->ChordTolerance > 0.0))
+  else if (!(this->ChordTolerance >= SmallestChordTolerance))
   {
     message << "ChordTolerance is " << this->ChordTolerance
-            << ": call SetChordTolerance() with a positive number";
+            << ": call SetChordTolerance() with a number of at least " << SmallestChordTolerance;
   }
   else if (!(this->MinimumRidgeAngle >= 0.0 && this->MinimumRidgeAngle <= 180.0))
   {
@@ -228,35 +255,12 @@ dgg::Status vtkApolloniusIsolines::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkApolloniusIsolines::FindDistances(
-  vtkPolyData* surface, vtkDataArray*& distances) const
-{
-  vtkInformationVector* arrays = this->Information->Get(INPUT_ARRAYS_TO_PROCESS());
-  vtkInformation* array = arrays ? arrays->GetInformationObject(0) : nullptr;
-  if (array && array->Has(vtkDataObject::FIELD_ASSOCIATION()))
-  {
-    const int where = array->Get(vtkDataObject::FIELD_ASSOCIATION());
-    if (where != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
-      where != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
-    {
-      return dgg::Status::Invalid("the array to process is not one of points: call "
-                                  "SetInputArrayToProcess() with FIELD_ASSOCIATION_POINTS");
-    }
-    const char* name = array->Get(vtkDataObject::FIELD_NAME());
-    return vtkDGGFieldInput::FindDistances(surface, name ? name : "", distances);
-  }
-  vtkPointData* data = surface->GetPointData();
-  const bool isThere = data->HasArray(this->DistanceArrayName.c_str()) != 0;
-  return vtkDGGFieldInput::FindDistances(
-    surface, isThere || !data->GetScalars() ? this->DistanceArrayName : "", distances);
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkApolloniusIsolines::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** vtkNotUsed(inputVector)) const
 {
   vtkDataArray* distances = nullptr;
-  return this->FindDistances(surface, distances);
+  return vtkDGGFieldInput::FindDistances(
+    this->Information, this->DistanceArrayName, surface, distances);
 }
 
 //------------------------------------------------------------------------------
@@ -266,97 +270,123 @@ std::string vtkApolloniusIsolines::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
+vtkApolloniusIsolines::Request vtkApolloniusIsolines::TakeRequest() const
+{
+  Request request;
+  request.Values = this->CopyValues();
+  request.LineOptions.ChordTolerance =
+    this->ChordTolerance * this->GetMesh().GetMesh().GetMeanEdgeLength();
+  request.LineOptions.SteinerPoints = this->SteinerPoints;
+  request.LineOptions.Method =
+    this->Method == Apollonius ? dgg::IsolineMethod::Apollonius : dgg::IsolineMethod::LocalSources;
+  request.RidgeOptions.MinimumAngle = this->MinimumRidgeAngle * RadiansPerDegree;
+  request.RidgeOptions.ChordTolerance = request.LineOptions.ChordTolerance;
+  request.IsLinear = this->Method == Linear;
+  request.WantsRidges = this->GenerateRidges;
+  request.WantsBands = this->GenerateBands;
+  return request;
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   this->UsedWindows = false;
   this->UsedVirtualSources = false;
   this->NumberOfFallbacks = 0;
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
-  // Observers may change the input and the properties.
-  const std::vector<double> values = this->CopyValues();
-  dgg::IsolineOptions options;
-  options.ChordTolerance = this->ChordTolerance * mesh.GetMesh().GetMeanEdgeLength();
-  options.SteinerPoints = this->SteinerPoints;
-  options.Method =
-    this->Method == Apollonius ? dgg::IsolineMethod::Apollonius : dgg::IsolineMethod::LocalSources;
-  dgg::RidgeOptions ridgeOptions;
-  ridgeOptions.MinimumAngle = this->MinimumRidgeAngle * RadiansPerDegree;
-  ridgeOptions.ChordTolerance = options.ChordTolerance;
-  const bool isLinear = this->Method == Linear;
-  const bool wantsRidges = this->GenerateRidges;
-  const bool wantsBands = this->GenerateBands;
+  const Request request = this->TakeRequest();
   vtkDataArray* distances = nullptr;
-  vtkDGGFieldInput input;
   vtkDGGNewGeometry geometry;
-  dgg::Status status = this->FindDistances(surface, distances);
+  vtkDGGFieldInput input;
+  Curves curves;
+  dgg::Status status =
+    vtkDGGFieldInput::FindDistances(this->Information, this->DistanceArrayName, surface, distances);
   const std::string name = status.IsOk() && distances->GetName() ? distances->GetName() : "";
   if (status.IsOk())
   {
-    status = geometry.Take(surface, mesh, this->GetOutputPointsPrecision());
+    status = geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
   }
   if (status.IsOk())
   {
-    status = isLinear
-      ? input.ReadDistances(surface, distances, mesh)
-      : input.Read(surface, distances, this->VirtualSourceArrayName, mesh,
-          [this](double fraction) { return this->Advance(ReadingShare * fraction); });
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  if (!input.GetWarning().empty())
-  {
-    vtkWarningMacro(<< input.GetWarning() << ".");
-  }
-  const dgg::DistanceField& field = input.GetField();
-  if (!field.HasWindows() && !field.HasSources())
-  {
-    options.Method = dgg::IsolineMethod::LocalSources; // linear, as the warning says
-  }
-  const double work = LineWork + (wantsRidges ? RidgeWork : 0.0) + (wantsBands ? BandWork : 0.0);
-  const double atRidges = ReadingShare + (1.0 - ReadingShare) * LineWork / work;
-  const double atBands =
-    wantsRidges ? atRidges + (1.0 - ReadingShare) * RidgeWork / work : atRidges;
-  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
-  dgg::Isolines lines;
-  dgg::Ridges ridges;
-  dgg::Bands bands;
-  status = dgg::TraceIsolines(field, values, options, vtkDGGMakeParallelFor(),
-    PartOf(progress, ReadingShare, atRidges), lines);
-  if (status.IsOk() && wantsRidges)
-  {
-    status = this->FindRidges(field, ridgeOptions, PartOf(progress, atRidges, atBands), ridges);
-  }
-  if (status.IsOk() && wantsBands)
-  {
-    status = dgg::MakeBands(field, values, lines, PartOf(progress, atBands, 1.0), bands);
+    status = this->ReadField(surface, distances, request, input);
   }
   if (status.IsOk())
   {
-    this->UsedWindows = field.HasWindows();
-    this->UsedVirtualSources = field.HasSources();
-    this->NumberOfFallbacks = lines.Fallbacks + ridges.Fallbacks;
+    this->WarnAbout(input, request);
+    status = this->FindCurves(input.GetField(), request, curves);
+  }
+  if (status.IsOk())
+  {
+    this->UsedWindows = input.GetField().HasWindows();
+    this->UsedVirtualSources = input.GetField().HasSources();
+    this->NumberOfFallbacks = curves.Lines.Fallbacks + curves.Ridges.Fallbacks;
     const vtkDGGIsolineOutputs outputs(geometry, name);
-    outputs.WriteLines(lines, values, vtkPolyData::GetData(outputVector, 0));
-    outputs.WriteRidges(ridges, vtkPolyData::GetData(outputVector, 1));
-    outputs.WriteBands(bands, vtkPolyData::GetData(outputVector, 2));
+    outputs.WriteLines(curves.Lines, request.Values, vtkPolyData::GetData(outputVector, 0));
+    outputs.WriteRidges(curves.Ridges, vtkPolyData::GetData(outputVector, 1));
+    outputs.WriteBands(curves.Bands, vtkPolyData::GetData(outputVector, 2));
   }
   return status;
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkApolloniusIsolines::FindRidges(const dgg::DistanceField& field,
-  const dgg::RidgeOptions& options, const dgg::ProgressCallback& progress, dgg::Ridges& ridges)
+/// The distances, and, unless they are to be linear, what is known of them inside of triangles.
+dgg::Status vtkApolloniusIsolines::ReadField(
+  vtkPolyData* surface, vtkDataArray* distances, const Request& request, vtkDGGFieldInput& input)
 {
-  if (!field.HasWindows() && !field.HasSources())
+  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  input.SetUnreachedValue(this->UnreachedValue);
+  return request.IsLinear ? input.ReadDistances(surface, distances, mesh)
+                          : input.Read(surface, distances, this->VirtualSourceArrayName, mesh,
+                              [this](double done) { return this->Advance(ReadingShare * done); });
+}
+
+//------------------------------------------------------------------------------
+void vtkApolloniusIsolines::WarnAbout(const vtkDGGFieldInput& input, const Request& request)
+{
+  if (!input.GetWarning().empty())
+  {
+    vtkWarningMacro(<< input.GetWarning() << ".");
+  }
+  if (request.WantsRidges && !input.GetField().HasWindows() && !input.GetField().HasSources())
   {
     vtkWarningMacro(<< "there are no ridges in distances that are linear in each triangle: choose "
                        "another Method, and distances with windows or virtual sources.");
-    return dgg::Status::Success();
   }
-  return dgg::FindRidges(field, options, vtkDGGMakeParallelFor(), progress, ridges);
+  else if (request.WantsRidges && input.HasFittedSources())
+  {
+    vtkWarningMacro(<< "ridges of virtual sources that are fitted to distances alone are not to be "
+                       "relied on: call GenerateWindowsOn() of vtkExactGeodesicDistance or "
+                       "GenerateVirtualSourceOn() of any distance filter.");
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Lines, and ridges and bands as far as they are wanted.
+dgg::Status vtkApolloniusIsolines::FindCurves(
+  const dgg::DistanceField& field, const Request& request, Curves& curves)
+{
+  const bool isKnown = field.HasWindows() || field.HasSources(); // else linear, as a warning says
+  dgg::IsolineOptions options = request.LineOptions;
+  options.Method = isKnown ? options.Method : dgg::IsolineMethod::LocalSources;
+  const double work =
+    LineWork + (request.WantsRidges ? RidgeWork : 0.0) + (request.WantsBands ? BandWork : 0.0);
+  const double unit = (1.0 - ReadingShare) / work;
+  const double atRidges = ReadingShare + LineWork * unit;
+  const double atBands = atRidges + (request.WantsRidges ? RidgeWork * unit : 0.0);
+  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
+  dgg::Status status = dgg::TraceIsolines(field, request.Values, options, vtkDGGMakeParallelFor(),
+    dgg::ProgressPart(progress, ReadingShare, atRidges), curves.Lines);
+  if (status.IsOk() && request.WantsRidges && isKnown)
+  {
+    status = dgg::FindRidges(field, request.RidgeOptions, vtkDGGMakeParallelFor(),
+      dgg::ProgressPart(progress, atRidges, atBands), curves.Ridges);
+  }
+  if (status.IsOk() && request.WantsBands)
+  {
+    status = dgg::MakeBands(
+      field, request.Values, curves.Lines, dgg::ProgressPart(progress, atBands, 1.0), curves.Bands);
+  }
+  return status;
 }
 
 //------------------------------------------------------------------------------
@@ -380,7 +410,8 @@ void vtkApolloniusIsolines::MakeEmptyOutput(
   this->NumberOfFallbacks = 0;
   vtkDGGNewGeometry geometry;
   geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
-  const vtkDGGIsolineOutputs outputs(geometry, this->DistanceArrayName);
+  const vtkDGGIsolineOutputs outputs(
+    geometry, vtkDGGFieldInput::GetDistanceName(this->Information, this->DistanceArrayName));
   outputs.WriteLines(dgg::Isolines(), {}, vtkPolyData::GetData(outputVector, 0));
   outputs.WriteRidges(dgg::Ridges(), vtkPolyData::GetData(outputVector, 1));
   outputs.WriteBands(dgg::Bands(), vtkPolyData::GetData(outputVector, 2));

@@ -10,10 +10,10 @@
  * distance runs inside of triangles.
  *
  * Input port 0 takes a surface (vtkPolyData) with a point array of distances along it, as distance
- * filters give it: the one that SetInputArrayToProcess() names; else the one of
- * DistanceArrayName; else the active point scalars. NaN and infinity stand for points that are not
- * reached; lines end at triangles that have one. Leave UnreachedValue of distance filters NaN: any
- * other number would be taken for a distance.
+ * filters give it: the one that SetInputArrayToProcess() names, where it has been called, else the
+ * one of DistanceArrayName. Another one is never taken in its place. NaN, infinity and the
+ * UnreachedValue of a distance filter stand for points that are not reached; lines end at triangles
+ * that have one.
  *
  * How good the lines are depends on what the surface has besides the distances:
  *  - field data with windows (vtkExactGeodesicDistance::GenerateWindowsOn()): they are exact,
@@ -45,9 +45,9 @@
  * Values without a line, as those out of the range of the distances, are no error. A surface
  * without triangles gives an empty output.
  *
- * <b>Errors</b> besides those of vtkGeodesicAlgorithm: no array of distances, or one that does not
- * have one number per point; a distance of minus infinity; a value that is not finite; a
- * ChordTolerance that is not positive; SteinerPoints outside of 0 to 50; a MinimumRidgeAngle
+ * <b>Errors</b> besides those of vtkGeodesicAlgorithm: no array of the name of the distances, or
+ * one that does not have one number per point; a distance of minus infinity; a value that is not
+ * finite; a ChordTolerance below 1e-6; SteinerPoints outside of 0 to 50; a MinimumRidgeAngle
  * outside of 0 to 180.
  *
  * @code
@@ -76,17 +76,15 @@
 
 #include "vtkNew.h" // For the values
 
-#include <functional> // For progress
-#include <string>     // For array names
-#include <vector>     // For the values
+#include <string> // For array names
+#include <vector> // For the values
 
 class vtkContourValues;
+class vtkDGGFieldInput;
 class vtkDataArray;
 namespace dgg
 {
 struct DistanceField;
-struct RidgeOptions;
-struct Ridges;
 }
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkApolloniusIsolines : public vtkGeodesicAlgorithm
@@ -141,7 +139,9 @@ public:
   ///@{
   /**
    * How far the pieces of lines, which are straight, may be from the curves that they stand for, as
-   * a part of the mean edge length. Default 0.001; must be positive. Of Method LocalSources alone.
+   * a part of the mean edge length. Default 0.001; at least 1e-6, where a line has some hundred
+   * points in a triangle close to a source: their number grows like one over the square root of the
+   * tolerance. Of Method LocalSources and ridges alone.
    */
   vtkSetMacro(ChordTolerance, double);
   vtkGetMacro(ChordTolerance, double);
@@ -161,8 +161,9 @@ public:
   /**
    * Whether to find the ridges as well (the cut locus: points with two shortest paths or more), as
    * polylines of the second output. They are exact with windows, and come in pieces with virtual
-   * sources; those of sources that are fitted to distances alone are not to be relied on. Where
-   * distances are linear the second output is empty, with a warning. Default off.
+   * sources. Those of sources that are fitted to distances alone are not to be relied on, as a
+   * warning says: parts are missing, others are where no ridge is. Where distances are linear the
+   * second output is empty, with a warning. Default off.
    */
   vtkSetMacro(GenerateRidges, bool);
   vtkGetMacro(GenerateRidges, bool);
@@ -214,8 +215,9 @@ public:
   ///@{
   /**
    * Name of the point array with the distances, unless SetInputArrayToProcess() says another one.
-   * Default "GeodesicDistance". When there is none of this name, the active point scalars are
-   * taken.
+   * Default "GeodesicDistance"; when empty, the active point scalars. Unlike vtkContourFilter,
+   * which takes these by default, this filter does not take them in place of an array that is
+   * missing.
    */
   void SetDistanceArrayName(const char* name);
   const char* GetDistanceArrayName() const;
@@ -228,6 +230,16 @@ public:
    */
   void SetVirtualSourceArrayName(const char* name);
   const char* GetVirtualSourceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * The number that stands for points that are not reached, besides NaN and infinity. Default NaN:
+   * the UnreachedValue of the distance filter, which the field data tells. To be set where
+   * distances come from elsewhere.
+   */
+  void SetUnreachedValue(double value);
+  vtkGetMacro(UnreachedValue, double);
   ///@}
 
   ///@{
@@ -261,10 +273,15 @@ private:
   vtkApolloniusIsolines(const vtkApolloniusIsolines&) = delete;
   void operator=(const vtkApolloniusIsolines&) = delete;
 
-  dgg::Status FindDistances(vtkPolyData* surface, vtkDataArray*& distances) const;
+  struct Request;
+  struct Curves;
+
   std::vector<double> CopyValues() const;
-  dgg::Status FindRidges(const dgg::DistanceField& field, const dgg::RidgeOptions& options,
-    const std::function<bool(double)>& progress, dgg::Ridges& ridges);
+  Request TakeRequest() const;
+  dgg::Status ReadField(
+    vtkPolyData* surface, vtkDataArray* distances, const Request& request, vtkDGGFieldInput& input);
+  void WarnAbout(const vtkDGGFieldInput& input, const Request& request);
+  dgg::Status FindCurves(const dgg::DistanceField& field, const Request& request, Curves& curves);
 
   vtkNew<vtkContourValues> ContourValues;
   int Method;
@@ -275,6 +292,7 @@ private:
   int SteinerPoints;
   std::string DistanceArrayName;
   std::string VirtualSourceArrayName;
+  double UnreachedValue;
   bool UsedWindows;
   bool UsedVirtualSources;
   vtkIdType NumberOfFallbacks;

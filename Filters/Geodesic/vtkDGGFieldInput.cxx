@@ -4,13 +4,19 @@
 
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGParallel.h"
+#include "vtkDGGUnreachedArray.h"
 #include "vtkDGGWindowArrays.h"
 
 #include "dggCornerModel.h"
 #include "dggFieldTest.h"
 #include "dggSourceFit.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -43,12 +49,64 @@ std::string ListArrays(vtkPointData* data)
   return data->GetNumberOfArrays() > 0 ? "The point arrays are " + text.str()
                                        : "There are no point arrays";
 }
+
+/// What SetInputArrayToProcess() says; null when it was not called.
+vtkInformation* FindRequest(vtkInformation* filter)
+{
+  vtkInformationVector* arrays = filter->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
+  vtkInformation* request = arrays ? arrays->GetInformationObject(0) : nullptr;
+  return request && request->Has(vtkDataObject::FIELD_ASSOCIATION()) ? request : nullptr;
+}
+
+/// A request is for an array of the points of the surface, by its name or as the scalars.
+dgg::Status CheckRequest(vtkInformation* request)
+{
+  const int where = request->Get(vtkDataObject::FIELD_ASSOCIATION());
+  if (where != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
+    where != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
+  {
+    return dgg::Status::Invalid("the array to process is not one of points: call "
+                                "SetInputArrayToProcess() with FIELD_ASSOCIATION_POINTS");
+  }
+  if (request->Has(vtkAlgorithm::INPUT_PORT()) && request->Get(vtkAlgorithm::INPUT_PORT()) != 0)
+  {
+    return dgg::Status::Invalid("the array to process is not one of the surface: call "
+                                "SetInputArrayToProcess() with the port 0");
+  }
+  if (request->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()) &&
+    request->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()) != vtkDataSetAttributes::SCALARS)
+  {
+    return dgg::Status::Invalid("the array to process is not one of scalars: call "
+                                "SetInputArrayToProcess() with a name or SCALARS");
+  }
+  return dgg::Status::Success();
+}
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGFieldInput::FindDistances(
-  vtkPolyData* surface, const std::string& name, vtkDataArray*& distances)
+std::string vtkDGGFieldInput::GetDistanceName(vtkInformation* filter, const std::string& property)
 {
+  vtkInformation* request = FindRequest(filter);
+  if (!request)
+  {
+    return property;
+  }
+  const char* asked = request->Get(vtkDataObject::FIELD_NAME());
+  return asked ? asked : "";
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGFieldInput::FindDistances(vtkInformation* filter, const std::string& property,
+  vtkPolyData* surface, vtkDataArray*& distances)
+{
+  distances = nullptr;
+  vtkInformation* request = FindRequest(filter);
+  const dgg::Status status = request ? CheckRequest(request) : dgg::Status::Success();
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const std::string name = vtkDGGFieldInput::GetDistanceName(filter, property);
   vtkPointData* data = surface->GetPointData();
   vtkAbstractArray* found =
     name.empty() ? data->GetScalars() : data->GetAbstractArray(name.c_str());
@@ -59,7 +117,8 @@ dgg::Status vtkDGGFieldInput::FindDistances(
     message << (name.empty() ? std::string("there are no active point scalars")
                              : "there is no point array '" + name + "'")
             << " with distances. " << ListArrays(data)
-            << ": name one of them, or connect a distance filter";
+            << ": call SetDistanceArrayName() or SetInputArrayToProcess() with one of them, or "
+               "connect a distance filter";
     return dgg::Status::Invalid(message.str());
   }
   if (!distances || distances->GetNumberOfComponents() != 1 ||
@@ -80,17 +139,25 @@ dgg::Status vtkDGGFieldInput::ReadDistances(
   vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh)
 {
   this->Warning.clear();
+  this->IsFitted = false;
   this->Windows = dgg::EdgeWindows();
   this->Sources = dgg::VirtualSources();
   this->Distances.assign(mesh.GetMesh().GetNumberOfVertices(), dgg::Infinity);
+  const std::vector<bool> isUnreached =
+    vtkDGGUnreachedArray::Find(surface->GetFieldData(), distances, this->UnreachedValue);
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
+    if (!isUnreached.empty() && isUnreached[i])
+    {
+      continue;
+    }
     const double d = distances->GetComponent(i, 0);
     if (d == -dgg::Infinity)
     {
       std::ostringstream message;
       message << "the distance of point " << i
-              << " is minus infinity: points that are not reached have NaN or plus infinity";
+              << " is minus infinity: points that are not reached have NaN, plus infinity or the "
+                 "UnreachedValue";
       return dgg::Status::Invalid(message.str());
     }
     // Of points that share a vertex, the first is the vertex.
@@ -186,6 +253,7 @@ bool vtkDGGFieldInput::FitSources(
   }
   if (report.IsDistance())
   {
+    this->IsFitted = true;
     return dgg::FitVirtualSources(
       mesh, this->Distances.data(), vtkDGGMakeParallelFor(), this->Sources, part(testDone, 1.0));
   }

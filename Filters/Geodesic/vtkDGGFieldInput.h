@@ -7,11 +7,13 @@
 
 #include "dggDistanceField.h" // for DistanceField
 
+#include <limits> // for NaN
 #include <string> // for names and warnings
 #include <vector> // for the distances
 
 class vtkDGGMeshAdapter;
 class vtkDataArray;
+class vtkInformation;
 class vtkPolyData;
 
 /// Reads a point array of distances, and what there is beside it that tells the distance inside of
@@ -21,14 +23,21 @@ class vtkPolyData;
 class vtkDGGFieldInput
 {
 public:
-  /// The point array that filters take: the one of that name, or the active scalars when the name
-  /// is empty. Fails, with the names that there are, when it is missing or not of one number per
-  /// point.
-  static dgg::Status FindDistances(
-    vtkPolyData* surface, const std::string& name, vtkDataArray*& distances);
+  /// The point array that a filter takes: the one that its SetInputArrayToProcess() says, or else
+  /// the one that its property names; the active scalars when that name is empty. No other is taken
+  /// in its place: fails, with the names that there are, when it is missing, and when it is not of
+  /// one number per point. `filter` is the information of the filter.
+  static dgg::Status FindDistances(vtkInformation* filter, const std::string& property,
+    vtkPolyData* surface, vtkDataArray*& distances);
 
-  /// The distances alone, to be taken as linear. NaN and infinity stand for points that are not
-  /// reached. Fails when a distance is minus infinity.
+  /// The name that arrays of results have where FindDistances() was not asked.
+  static std::string GetDistanceName(vtkInformation* filter, const std::string& property);
+
+  /// The number that stands for points that are not reached, besides NaN and infinity; NaN for the
+  /// one that the field data tells (vtkDGGUnreachedArray), which is the default.
+  void SetUnreachedValue(double value) { this->UnreachedValue = value; }
+
+  /// The distances alone, to be taken as linear. Fails when a distance is minus infinity.
   dgg::Status ReadDistances(
     vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh);
 
@@ -36,6 +45,8 @@ public:
   dgg::Status Read(vtkPolyData* surface, vtkDataArray* distances, const std::string& virtualSources,
     const vtkDGGMeshAdapter& mesh, const dgg::ProgressCallback& progress = dgg::ProgressCallback());
 
+  /// Whether virtual sources are those that have been fitted.
+  bool HasFittedSources() const { return this->IsFitted; }
   /// Good as long as this and the mesh live.
   const dgg::DistanceField& GetField() const { return this->Field; }
   const std::vector<double>& GetDistances() const { return this->Distances; }
@@ -54,6 +65,8 @@ private:
   dgg::VirtualSources Sources;
   dgg::DistanceField Field;
   std::string Warning;
+  double UnreachedValue = std::numeric_limits<double>::quiet_NaN();
+  bool IsFitted = false;
 };
 
 #endif

@@ -5,6 +5,7 @@
 #include "vtkDGGGraphArrays.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGPointCoordinates.h"
+#include "vtkDGGUnreachedArray.h"
 #include "vtkDGGWindowArrays.h"
 
 #include "dggSurfacePath.h"
@@ -78,9 +79,10 @@ dgg::Status vtkDGGNewGeometry::Take(
   vtkPoints* points = surface->GetPoints();
   this->Fields->Initialize();
   this->Fields->PassData(surface->GetFieldData());
-  // The graph and the windows are those of other points.
+  // The graph, the windows and what is not reached are those of other points.
   vtkDGGGraphArrays::RemoveFrom(this->Fields);
   vtkDGGWindowArrays::RemoveAllFrom(this->Fields);
+  vtkDGGUnreachedArray::RemoveAllFrom(this->Fields);
   this->DataType = ChooseDataType(precision, points);
   this->Mesh = &mesh;
   const std::size_t size = 3 * static_cast<std::size_t>(surface->GetNumberOfPoints());

@@ -6,6 +6,7 @@
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGSourceCollector.h"
+#include "vtkDGGUnreachedArray.h"
 #include "vtkDGGWindowArrays.h"
 
 #include "dggSurfacePath.h"
@@ -99,6 +100,7 @@ void vtkDGGVoronoiOutputs::AddToSurface(const std::string& sourceName, vtkPolyDa
   const auto distances = vtkDGGAddArray<vtkDoubleArray>(data, this->DistanceName, n);
   // Those of the input belong to the array that has just been replaced.
   vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceName);
+  vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceName);
   const auto sites = vtkDGGAddArray<vtkIntArray>(data, sourceName, n);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {

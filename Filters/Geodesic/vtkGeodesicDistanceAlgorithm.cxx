@@ -7,6 +7,7 @@
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
+#include "vtkDGGUnreachedArray.h"
 #include "vtkDGGWindowArrays.h"
 
 #include "vtkDoubleArray.h"
@@ -400,6 +401,7 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
   vtkPointData* data = output->GetPointData();
   // What the input has of these belongs to the distances that are about to be replaced.
   vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);
+  vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);
   if (data->HasArray(this->DistanceArrayName.c_str()))
   {
     data->RemoveArray(this->SourceArrayName.c_str());
@@ -410,6 +412,13 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
     data, this->DistanceArrayName, { &task.Distances }, this->UnreachedValue);
   // Not SetScalars(), which would remove the scalars of the input.
   data->SetActiveScalars(this->DistanceArrayName.c_str());
+  std::vector<bool> isPointReached(static_cast<std::size_t>(maker.NumberOfPoints));
+  for (std::size_t i = 0; i < isPointReached.size(); ++i)
+  {
+    isPointReached[i] = isReached[this->GetMesh().GetVertex(static_cast<vtkIdType>(i))];
+  }
+  vtkDGGUnreachedArray::AddTo(output->GetFieldData(),
+    data->GetArray(this->DistanceArrayName.c_str()), this->UnreachedValue, isPointReached);
   if (!task.Windows.IsEmpty())
   {
     vtkDGGWindowArrays::AddTo(output->GetFieldData(),

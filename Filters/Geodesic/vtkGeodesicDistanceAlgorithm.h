@@ -128,6 +128,10 @@ public:
    * of VTK ignore. Contour filters do not: in triangles of which a part of the points is unreached,
    * as along the rim of a MaximumDistance, their lines have points that are NaN. Remove such
    * triangles first, with vtkThreshold.
+   *
+   * vtkApolloniusIsolines and vtkGeodesicProbe know what is not reached, whatever the value: where
+   * it is neither NaN nor plus infinity and stands for a point, it goes into the field data, as the
+   * array `GeodesicDistance.Unreached`.
    */
   virtual void SetUnreachedValue(double value);
   vtkGetMacro(UnreachedValue, double);

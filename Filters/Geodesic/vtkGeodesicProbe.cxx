@@ -8,8 +8,11 @@
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
+#include "vtkDGGUnreachedArray.h"
+#include "vtkDGGWindowArrays.h"
 
 #include "dggFaceProfile.h"
+#include "dggProgressPart.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformationVector.h"
@@ -61,6 +64,7 @@ double Probe(
 vtkGeodesicProbe::vtkGeodesicProbe()
   : DistanceArrayName("GeodesicDistance")
   , VirtualSourceArrayName("GeodesicVirtualSource")
+  , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , ProjectionTolerance(0.01)
   , Collector(new vtkDGGSourceCollector)
 {
@@ -76,6 +80,7 @@ void vtkGeodesicProbe::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
   os << indent << "VirtualSourceArrayName: " << this->VirtualSourceArrayName << "\n";
+  os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
 }
 
@@ -122,6 +127,15 @@ const char* vtkGeodesicProbe::GetVirtualSourceArrayName() const
 }
 
 //------------------------------------------------------------------------------
+void vtkGeodesicProbe::SetUnreachedValue(double value)
+{
+  if (vtkDGGChangeNumber(this->UnreachedValue, value))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkGeodesicProbe::CheckProperties() const
 {
   return vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
@@ -133,7 +147,7 @@ dgg::Status vtkGeodesicProbe::CheckInputs(
 {
   vtkDataArray* distances = nullptr;
   const dgg::Status status =
-    vtkDGGFieldInput::FindDistances(surface, this->DistanceArrayName, distances);
+    vtkDGGFieldInput::FindDistances(this->Information, this->DistanceArrayName, surface, distances);
   return status.IsOk()
     ? vtkDGGSourceCollector::Check(GetProbes(inputVector), surface->GetNumberOfPoints())
     : status;
@@ -148,11 +162,13 @@ dgg::Status vtkGeodesicProbe::Execute(
   std::vector<dgg::GeodesicSource> places;
   vtkDataArray* distances = nullptr;
   vtkDGGFieldInput input;
+  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
   dgg::Status status =
     this->Collector->Collect(probes, this->ProjectionTolerance, mesh, surface->GetPoints(), places);
   if (status.IsOk())
   {
-    status = vtkDGGFieldInput::FindDistances(surface, this->DistanceArrayName, distances);
+    status = vtkDGGFieldInput::FindDistances(
+      this->Information, this->DistanceArrayName, surface, distances);
   }
   // Observers may change the inputs.
   vtkNew<vtkPolyData> copy;
@@ -161,8 +177,9 @@ dgg::Status vtkGeodesicProbe::Execute(
   {
     copy->ShallowCopy(probes.Points);
     name = distances->GetName() ? distances->GetName() : name;
+    input.SetUnreachedValue(this->UnreachedValue);
     status = input.Read(surface, distances, this->VirtualSourceArrayName, mesh,
-      [this](double fraction) { return this->Advance(ReadDone * fraction); });
+      dgg::ProgressPart(progress, 0.0, ReadDone));
   }
   if (!status.IsOk())
   {
@@ -174,11 +191,8 @@ dgg::Status vtkGeodesicProbe::Execute(
   }
   const auto found = vtkDGGMakeArray<vtkDoubleArray>(name, places.size());
   double* values = found->GetPointer(0);
-  const auto progress = [this](double fraction) {
-    return this->Advance(ReadDone + (1.0 - ReadDone) * fraction);
-  };
   status = vtkDGGForBlocks((places.size() + BlockSize - 1) / BlockSize, BlocksBetweenReports,
-    progress, [&](std::size_t block) {
+    dgg::ProgressPart(progress, ReadDone, 1.0), [&](std::size_t block) {
       dgg::FaceProfile profile(input.GetField());
       const std::size_t end = std::min(places.size(), (block + 1) * BlockSize);
       for (std::size_t i = block * BlockSize; i < end; ++i)
@@ -196,6 +210,9 @@ dgg::Status vtkGeodesicProbe::Execute(
   {
     vtkPolyData* output = vtkPolyData::GetData(outputVector);
     output->ShallowCopy(copy);
+    // What belongs to an array of this name of the probe points goes with it.
+    vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), name);
+    vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), name);
     output->GetPointData()->AddArray(found);
     output->GetPointData()->SetActiveScalars(found->GetName());
   }
@@ -207,5 +224,6 @@ void vtkGeodesicProbe::MakeEmptyOutput(vtkPolyData*, vtkInformationVector* outpu
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
-  vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceArrayName, 0);
+  vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(),
+    vtkDGGFieldInput::GetDistanceName(this->Information, this->DistanceArrayName), 0);
 }

@@ -5,11 +5,12 @@
  * @brief   a distance that is known at the points of a surface, at any other point of it
  *
  * Input port 0 takes a surface (vtkPolyData) with a point array of distances along it, as distance
- * filters give it. Input port 1 takes a vtkPolyData whose points are the places that are asked for,
- * anywhere on the surface: each is projected to the closest point of it. The output is the input of
- * port 1, unchanged, plus a point array with the distances, of the name that they have on the
- * surface. NaN where the surface is not reached (UnreachedValue of the distance filter, NaN or
- * infinity): in all triangles that have a corner that is not reached.
+ * filters give it: the one that SetInputArrayToProcess() names, where it has been called, else the
+ * one of DistanceArrayName. Input port 1 takes a vtkPolyData whose points are the places that are
+ * asked for, anywhere on the surface: each is projected to the closest point of it. The output is
+ * the input of port 1, unchanged, plus a point array with the distances, of the name that they have
+ * on the surface. NaN where the surface is not reached, be the distance NaN, infinity or the
+ * UnreachedValue of the distance filter: in all triangles that have a corner that is not reached.
  *
  * How good the distances are depends on what the surface has besides them:
  *  - field data with windows (vtkExactGeodesicDistance::GenerateWindowsOn()): exact;
@@ -74,8 +75,8 @@ public:
 
   ///@{
   /**
-   * Name of the point array with the distances. Default "GeodesicDistance"; when empty, the active
-   * point scalars.
+   * Name of the point array with the distances, unless SetInputArrayToProcess() says another one.
+   * Default "GeodesicDistance"; when empty, the active point scalars.
    */
   void SetDistanceArrayName(const char* name);
   const char* GetDistanceArrayName() const;
@@ -88,6 +89,16 @@ public:
    */
   void SetVirtualSourceArrayName(const char* name);
   const char* GetVirtualSourceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * The number that stands for points that are not reached, besides NaN and infinity. Default NaN:
+   * the UnreachedValue of the distance filter, which the field data tells. To be set where
+   * distances come from elsewhere.
+   */
+  void SetUnreachedValue(double value);
+  vtkGetMacro(UnreachedValue, double);
   ///@}
 
   ///@{
@@ -116,6 +127,7 @@ private:
 
   std::string DistanceArrayName;
   std::string VirtualSourceArrayName;
+  double UnreachedValue;
   double ProjectionTolerance;
   std::unique_ptr<vtkDGGSourceCollector> Collector;
 };

@@ -219,6 +219,18 @@ TEST_F(ApolloniusIsolines, AreExactWithWindows)
   EXPECT_GT(output->GetNumberOfPoints(), 3 * points);
 }
 
+TEST_F(ApolloniusIsolines, SmallestChordTolerance)
+{
+  this->Distance->GenerateWindowsOn();
+  this->Isolines->SetChordTolerance(1e-6);
+  ExpectSuccess(this->Isolines);
+  EXPECT_EQ(this->Isolines->GetNumberOfFallbacks(), 0);
+  EXPECT_LT(this->GetErrors()[1], 1.3e-6);
+  EXPECT_GT(this->GetErrors()[1], 1e-7);
+  // A few hundred in each of some hundred triangles.
+  EXPECT_LT(this->Isolines->GetOutput()->GetNumberOfPoints(), 60000);
+}
+
 TEST_F(ApolloniusIsolines, AreGoodWithVirtualSources)
 {
   this->Distance->GenerateVirtualSourceOn();
@@ -311,36 +323,6 @@ TEST_F(ApolloniusIsolines, PointsAndCellsSayWhereTheyAre)
   EXPECT_EQ(found, (std::set<double>{ 31.0, 39.0, 41.0, 49.0 }));
 }
 
-TEST_F(ApolloniusIsolines, AnyArrayOfDistancesWillDo)
-{
-  auto surface = this->TakeSurface();
-  vtkDataArray* distances = surface->GetPointData()->GetArray("GeodesicDistance");
-  ExpectSuccess(this->Isolines);
-  const std::string expected = Describe(this->Isolines->GetOutput());
-  ASSERT_NE(expected, "");
-
-  distances->SetName("mine");
-  surface->GetPointData()->SetActiveScalars("mine");
-  ExpectSuccess(this->Isolines);
-  EXPECT_EQ(Describe(this->Isolines->GetOutput()), expected) << "active scalars";
-
-  surface->GetPointData()->SetActiveScalars(nullptr);
-  surface->Modified();
-  ExpectError(this->Isolines, { "GeodesicDistance", "'mine'" });
-
-  this->Isolines->SetDistanceArrayName("mine");
-  ExpectSuccess(this->Isolines);
-  EXPECT_EQ(Describe(this->Isolines->GetOutput()), expected) << "by name";
-
-  this->Isolines->SetDistanceArrayName("other");
-  this->Isolines->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "mine");
-  ExpectSuccess(this->Isolines);
-  EXPECT_EQ(Describe(this->Isolines->GetOutput()), expected) << "array to process";
-
-  this->Isolines->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "mine");
-  ExpectError(this->Isolines, { "FIELD_ASSOCIATION_POINTS" });
-}
-
 TEST_F(ApolloniusIsolines, LinesEndWhereNothingIsReached)
 {
   this->Distance->SetMaximumDistance(3.2);
@@ -377,10 +359,11 @@ TEST_F(ApolloniusIsolines, WrongInputIsAnError)
   ExpectError(this->Isolines, { "value 2", "inf" });
   this->Isolines->SetValue(2, 1.0);
   ExpectSuccess(this->Isolines);
-  for (const double tolerance : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
+  for (const double tolerance :
+    { 0.0, -1.0, 1e-300, 0.99e-6, std::numeric_limits<double>::quiet_NaN() })
   {
     this->Isolines->SetChordTolerance(tolerance);
-    ExpectError(this->Isolines, { "ChordTolerance" });
+    ExpectError(this->Isolines, { "ChordTolerance", "at least 1e-06" });
   }
   this->Isolines->SetChordTolerance(1e-3);
   for (const int points : { -1, 51 })
@@ -486,6 +469,7 @@ TEST_F(ApolloniusIsolines, ObserversMayEmptyThePoints)
 TEST_F(ApolloniusIsolines, ObserversMayChangeAnything)
 {
   this->Distance->SetSourceIds({ 10, 60 });
+  this->Distance->GenerateVirtualSourceOn();
   auto surface = this->TakeSurface();
   this->Isolines->GenerateRidgesOn();
   this->Isolines->GenerateBandsOn();

@@ -108,6 +108,23 @@ TEST_F(IsolineOutputs, RidgesNeedMoreThanDistances)
   }
 }
 
+TEST_F(IsolineOutputs, RidgesOfFittedSourcesAreNotReliedOn)
+{
+  this->Distance->SetSourceIds({ 4 * 9 + 2, 4 * 9 + 5 });
+  this->Distance->GenerateWindowsOff();
+  this->Isolines->GenerateRidgesOn();
+  ExpectWarning(this->Isolines, { "ridges", "fitted", "GenerateVirtualSourceOn()" });
+  EXPECT_TRUE(this->Isolines->GetUsedVirtualSources());
+  this->Isolines->GenerateRidgesOff();
+  ExpectSuccess(this->Isolines);
+  this->Isolines->GenerateRidgesOn();
+  this->Distance->GenerateVirtualSourceOn();
+  ExpectSuccess(this->Isolines);
+  this->Distance->GenerateVirtualSourceOff();
+  this->Distance->GenerateWindowsOn();
+  ExpectSuccess(this->Isolines);
+}
+
 TEST_F(IsolineOutputs, BandsAreRings)
 {
   this->Isolines->GenerateBandsOn();

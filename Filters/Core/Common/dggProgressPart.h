@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The progress of one step of many. Internal.
+#ifndef dggProgressPart_h
+#define dggProgressPart_h
+
+#include "dggTypes.h" // for ProgressCallback
+
+namespace dgg
+{
+/// What a step is given that makes the part [begin, end] of all: its fractions 0 and 1 are these
+/// ones of `progress`. Empty when `progress` is.
+inline ProgressCallback ProgressPart(const ProgressCallback& progress, double begin, double end)
+{
+  if (!progress)
+  {
+    return ProgressCallback();
+  }
+  return [progress, begin, end](double done) { return progress(begin + (end - begin) * done); };
+}
+}
+
+#endif

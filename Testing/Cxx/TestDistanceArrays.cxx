@@ -1,0 +1,366 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which array of distances isolines and probes read, and what they take for points that are not
+/// reached.
+#include "FilterTestTools.h"
+
+#include "vtkApolloniusIsolines.h"
+#include "vtkDGGDistance.h"
+#include "vtkExactGeodesicDistance.h"
+#include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkGeodesicProbe.h"
+#include "vtkGeodesicVoronoi.h"
+#include "vtkHeatGeodesicDistance.h"
+
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <type_traits>
+
+using namespace dggtest;
+
+namespace
+{
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+
+void Prepare(vtkApolloniusIsolines* filter)
+{
+  filter->GenerateValues(6, 0.55, 3.55);
+  filter->GenerateBandsOn();
+}
+
+void Prepare(vtkGeodesicProbe* filter)
+{
+  Points places;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double t = 0.137 * i;
+    places.push_back(
+      { { 8.0 * (t - std::floor(t)), 8.0 * (std::sqrt(t) - std::floor(std::sqrt(t))), 0.0 } });
+  }
+  filter->SetProbeData(MakeSourcePoints(places));
+}
+
+/// All points and the scalars of all outputs, as text.
+std::string Describe(vtkPolyDataAlgorithm* filter)
+{
+  std::ostringstream os;
+  os.precision(17);
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkPolyData* output = filter->GetOutput(port);
+    vtkDataArray* scalars = output->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const double* p = output->GetPoint(i);
+      os << p[0] << " " << p[1] << " " << p[2] << " "
+         << (scalars ? scalars->GetComponent(i, 0) : 0.0) << "\n";
+    }
+    os << output->GetNumberOfCells() << "\n";
+  }
+  return os.str();
+}
+
+vtkSmartPointer<vtkPolyData> Copy(vtkGeodesicDistanceAlgorithm* filter)
+{
+  filter->Update();
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(filter->GetOutput());
+  return copy;
+}
+}
+
+/// A grid with a source in its middle, and a filter that reads the distances.
+template <typename FilterType>
+class DistanceArrays : public ::testing::Test
+{
+protected:
+  DistanceArrays()
+  {
+    this->Distance->SetInputData(MakeGrid(8, 8));
+    this->Distance->AddSourceId(40);
+    this->Filter->SetInputConnection(this->Distance->GetOutputPort());
+    Prepare(this->Filter.Get());
+  }
+
+  /// What comes out with unreached points that are NaN.
+  std::string GetExpected()
+  {
+    this->Distance->SetUnreachedValue(NaN);
+    ExpectSuccess(this->Filter);
+    return Describe(this->Filter);
+  }
+
+  vtkNew<vtkExactGeodesicDistance> Distance;
+  vtkNew<FilterType> Filter;
+};
+using Readers = ::testing::Types<vtkApolloniusIsolines, vtkGeodesicProbe>;
+TYPED_TEST_SUITE(DistanceArrays, Readers);
+
+TYPED_TEST(DistanceArrays, AreThoseThatAreNamed)
+{
+  auto* filter = this->Filter.Get();
+  const std::string expected = this->GetExpected();
+  auto surface = Copy(this->Distance);
+  vtkPointData* data = surface->GetPointData();
+  data->GetArray("GeodesicDistance")->SetName("mine");
+  vtkNew<vtkDoubleArray> other;
+  other->SetName("other");
+  other->SetNumberOfTuples(surface->GetNumberOfPoints());
+  other->Fill(1.0);
+  data->AddArray(other);
+  data->SetActiveScalars("mine");
+  filter->SetInputData(surface);
+
+  // Not the active scalars instead, nor anything else.
+  ExpectError(filter, { "'GeodesicDistance'", "'mine'", "'other'", "SetDistanceArrayName()" });
+  filter->SetDistanceArrayName("Mine");
+  ExpectError(filter, { "'Mine'", "'mine'", "'other'" });
+  filter->SetDistanceArrayName("mine");
+  ExpectSuccess(filter);
+  EXPECT_EQ(Describe(filter), expected) << "by name";
+
+  filter->SetDistanceArrayName("");
+  ExpectSuccess(filter);
+  EXPECT_EQ(Describe(filter), expected) << "active scalars";
+  data->SetActiveScalars(nullptr);
+  surface->Modified();
+  ExpectError(filter, { "active point scalars", "'mine'" });
+}
+
+TYPED_TEST(DistanceArrays, MayBeSetToBeProcessed)
+{
+  auto* filter = this->Filter.Get();
+  const std::string expected = this->GetExpected();
+  auto surface = Copy(this->Distance);
+  vtkPointData* data = surface->GetPointData();
+  vtkNew<vtkDoubleArray> mine;
+  mine->DeepCopy(data->GetArray("GeodesicDistance"));
+  mine->SetName("mine");
+  data->AddArray(mine);
+  data->GetArray("GeodesicDistance")->Fill(0.5);
+  filter->SetInputData(surface);
+
+  // Before the name of the property.
+  const int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  filter->SetInputArrayToProcess(0, 0, 0, points, "mine");
+  ExpectSuccess(filter);
+  EXPECT_EQ(Describe(filter), expected) << "by name";
+  if (std::is_same<TypeParam, vtkGeodesicProbe>::value)
+  {
+    EXPECT_NE(filter->GetOutput()->GetPointData()->GetArray("mine"), nullptr);
+    EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("GeodesicDistance"), nullptr);
+  }
+  // Another one is not taken in its place.
+  filter->SetInputArrayToProcess(0, 0, 0, points, "Mine");
+  ExpectError(filter, { "'Mine'", "'mine'", "'GeodesicDistance'", "SetInputArrayToProcess()" });
+
+  data->SetActiveScalars("mine");
+  surface->Modified();
+  filter->SetInputArrayToProcess(0, 0, 0, points, vtkDataSetAttributes::SCALARS);
+  ExpectSuccess(filter);
+  EXPECT_EQ(Describe(filter), expected) << "scalars";
+  filter->SetInputArrayToProcess(0, 0, 0, points, vtkDataSetAttributes::VECTORS);
+  ExpectError(filter, { "SetInputArrayToProcess()", "SCALARS" });
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "mine");
+  ExpectError(filter, { "FIELD_ASSOCIATION_POINTS" });
+  filter->SetInputArrayToProcess(0, 1, 0, points, "mine");
+  ExpectError(filter, { "SetInputArrayToProcess()", "port 0" });
+  filter->SetInputArrayToProcess(0, 0, 0, points, "mine");
+  ExpectSuccess(filter);
+}
+
+TYPED_TEST(DistanceArrays, UnreachedPointsMayHaveAnyValue)
+{
+  this->Distance->SetMaximumDistance(3.2);
+  for (const int extra : { 0, 1, 2 })
+  {
+    this->Distance->SetGenerateVirtualSource(extra == 1);
+    this->Distance->SetGenerateWindows(extra == 2);
+    const std::string expected = this->GetExpected();
+    EXPECT_EQ(
+      this->Distance->GetOutput()->GetFieldData()->GetArray("GeodesicDistance.Unreached"), nullptr);
+    // Also those that are distances of points: 0 of the source, 1 of four points.
+    for (const double value : { -1.0, 0.0, -0.0, 1.0, 1e9, -std::numeric_limits<double>::infinity(),
+           std::numeric_limits<double>::infinity() })
+    {
+      this->Distance->SetUnreachedValue(value);
+      ExpectSuccess(this->Filter);
+      EXPECT_EQ(Describe(this->Filter), expected) << extra << " " << value;
+    }
+  }
+}
+
+TYPED_TEST(DistanceArrays, UnreachedPointsOfAnyDistanceFilter)
+{
+  vtkNew<vtkDGGDistance> graph;
+  vtkNew<vtkHeatGeodesicDistance> heat;
+  vtkNew<vtkFastMarchingGeodesicDistance> marching;
+  for (vtkGeodesicDistanceAlgorithm* distance : { static_cast<vtkGeodesicDistanceAlgorithm*>(graph),
+         static_cast<vtkGeodesicDistanceAlgorithm*>(heat),
+         static_cast<vtkGeodesicDistanceAlgorithm*>(marching) })
+  {
+    distance->SetInputData(MakeGrid(8, 8));
+    distance->AddSourceId(40);
+    distance->SetMaximumDistance(3.2);
+    distance->GenerateVirtualSourceOn();
+    this->Filter->SetInputConnection(distance->GetOutputPort());
+    ExpectSuccess(this->Filter);
+    const std::string expected = Describe(this->Filter);
+    distance->SetUnreachedValue(-1.0);
+    ExpectSuccess(this->Filter);
+    EXPECT_EQ(Describe(this->Filter), expected) << distance->GetClassName();
+  }
+}
+
+TYPED_TEST(DistanceArrays, UnreachedPointsOfCoincidentOnes)
+{
+  // A square and what is around two of its sides, which they share by coordinates only.
+  auto surface = MakeSurface(
+    { { { 0, 0, 0 } }, { { 4, 0, 0 } }, { { 4, 4, 0 } }, { { 0, 4, 0 } }, { { 4, 0, 0 } },
+      { { 8, 0, 0 } }, { { 8, 8, 0 } }, { { 0, 8, 0 } }, { { 0, 4, 0 } }, { { 4, 4, 0 } } },
+    { { 0, 1, 2, 3 }, { 4, 5, 6, 7, 8, 9 } });
+  this->Distance->SetInputData(surface);
+  this->Distance->SetSourceIds({ 0 });
+  this->Distance->SetMaximumDistance(6.0);
+  this->Distance->MergeCoincidentPointsOn();
+  this->Filter->MergeCoincidentPointsOn();
+  const std::string expected = this->GetExpected();
+  this->Distance->SetUnreachedValue(4.0);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(Describe(this->Filter), expected);
+}
+
+TYPED_TEST(DistanceArrays, UnreachedValueIsAProperty)
+{
+  auto* filter = this->Filter.Get();
+  EXPECT_TRUE(std::isnan(filter->GetUnreachedValue()));
+  this->Distance->SetMaximumDistance(3.2);
+  const std::string expected = this->GetExpected();
+  this->Distance->SetUnreachedValue(-0.1);
+  auto surface = Copy(this->Distance);
+  surface->GetFieldData()->Initialize(); // as if from another program
+  filter->SetInputData(surface);
+  Listener listener(filter);
+  filter->Update();
+  EXPECT_NE(Describe(filter), expected) << "taken for distances";
+  filter->SetUnreachedValue(-0.1);
+  ExpectSuccess(filter);
+  EXPECT_EQ(Describe(filter), expected);
+  const vtkMTimeType before = filter->GetMTime();
+  filter->SetUnreachedValue(-0.1);
+  EXPECT_EQ(filter->GetMTime(), before);
+
+  // It comes before that of the field data, and is rounded as the distances are.
+  surface = Copy(this->Distance);
+  vtkNew<vtkFloatArray> rounded;
+  rounded->DeepCopy(surface->GetPointData()->GetArray("GeodesicDistance"));
+  surface->GetPointData()->AddArray(rounded);
+  filter->SetInputData(surface);
+  ExpectSuccess(filter);
+  const std::string ofFloats = Describe(filter);
+  filter->SetUnreachedValue(NaN);
+  ExpectSuccess(filter);
+  EXPECT_EQ(Describe(filter), ofFloats);
+  filter->SetUnreachedValue(-5.0);
+  filter->Update();
+  EXPECT_NE(Describe(filter), ofFloats);
+}
+
+TYPED_TEST(DistanceArrays, UnreachedValueGoesWithItsDistances)
+{
+  const char* name = "GeodesicDistance.Unreached";
+  this->Distance->SetMaximumDistance(3.2);
+  this->Distance->SetUnreachedValue(0.0);
+  ExpectSuccess(this->Filter);
+  vtkDataArray* told = this->Distance->GetOutput()->GetFieldData()->GetArray(name);
+  ASSERT_NE(told, nullptr);
+  ASSERT_EQ(told->GetNumberOfTuples(), 3);
+  EXPECT_EQ(told->GetComponent(0, 0), 0.0);
+  EXPECT_EQ(told->GetComponent(1, 0), 81.0);
+  EXPECT_EQ(told->GetComponent(2, 0), 40.0);
+  for (int port = 0; port < this->Filter->GetNumberOfOutputPorts(); ++port)
+  {
+    EXPECT_EQ(this->Filter->GetOutput(port)->GetFieldData()->GetArray(name), nullptr) << port;
+  }
+  // Nor is it there where every point is reached, or where other distances replace those.
+  vtkNew<vtkExactGeodesicDistance> again;
+  again->SetInputConnection(this->Distance->GetOutputPort());
+  again->AddSourceId(3);
+  again->SetUnreachedValue(0.0);
+  again->Update();
+  EXPECT_EQ(again->GetOutput()->GetFieldData()->GetArray(name), nullptr);
+  again->SetDistanceArrayName("other");
+  again->Update();
+  EXPECT_NE(again->GetOutput()->GetFieldData()->GetArray(name), nullptr);
+}
+
+TYPED_TEST(DistanceArrays, DamagedUnreachedValues)
+{
+  this->Distance->SetMaximumDistance(3.2);
+  this->Distance->SetUnreachedValue(0.0);
+  auto surface = Copy(this->Distance);
+  vtkDataArray* told = surface->GetFieldData()->GetArray("GeodesicDistance.Unreached");
+  ASSERT_NE(told, nullptr);
+  this->Filter->SetInputData(surface);
+  for (const double id : { -1.0, 81.0, 1e300, NaN })
+  {
+    told->SetComponent(2, 0, id);
+    surface->Modified();
+    this->Filter->Modified();
+    ExpectSuccess(this->Filter); // the source counts as not reached
+    EXPECT_GT(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+  told->SetNumberOfTuples(1);
+  surface->Modified();
+  Listener listener(this->Filter.Get());
+  this->Filter->Update();
+  EXPECT_TRUE(listener.Errors.empty());
+}
+
+/// What port 1 of the probe has of another array of this name is not that of the result.
+TEST(GeodesicProbeArrays, ProbePointsMayHaveDistances)
+{
+  vtkNew<vtkExactGeodesicDistance> distance;
+  distance->SetInputData(MakeGrid(8, 8));
+  distance->AddSourceId(40);
+  distance->SetMaximumDistance(3.2);
+  distance->SetUnreachedValue(1.0);
+  distance->GenerateWindowsOn();
+  vtkNew<vtkGeodesicProbe> probe;
+  probe->SetInputConnection(distance->GetOutputPort());
+  probe->SetProbeConnection(distance->GetOutputPort());
+  ExpectSuccess(probe);
+  EXPECT_EQ(probe->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(distance->GetOutput()->GetFieldData()->GetNumberOfArrays(), 5);
+  vtkDataArray* found = probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->GetComponent(41, 0), 1.0);
+  EXPECT_TRUE(std::isnan(found->GetComponent(0, 0)));
+}
+
+TEST(GeodesicVoronoiArrays, UnreachedValueGoesWithItsDistances)
+{
+  vtkNew<vtkExactGeodesicDistance> distance;
+  distance->SetInputData(MakeGrid(8, 8));
+  distance->AddSourceId(40);
+  distance->SetMaximumDistance(3.2);
+  distance->SetUnreachedValue(1.0);
+  distance->GenerateWindowsOn();
+  vtkNew<vtkGeodesicVoronoi> voronoi;
+  voronoi->SetInputConnection(distance->GetOutputPort());
+  voronoi->SetSiteIds({ 0, 80 });
+  ExpectSuccess(voronoi);
+  EXPECT_EQ(voronoi->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(distance->GetOutput()->GetFieldData()->GetNumberOfArrays(), 5);
+}
