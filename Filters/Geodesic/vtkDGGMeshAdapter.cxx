@@ -86,6 +86,25 @@ dgg::Status vtkDGGMeshAdapter::CheckPoints(vtkPolyData* input) const
 }
 
 //------------------------------------------------------------------------------
+dgg::Status vtkDGGMeshAdapter::CheckUnchanged(vtkPolyData* input, vtkPolyData* copy) const
+{
+  const dgg::Status status = this->CheckPoints(copy);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const bool isMerged = this->BuiltFrom[MergeEntry] != 0;
+  const bool isTouched = MakeKey(copy, isMerged) != this->BuiltFrom ||
+    AddressOf(input) != this->Object || input->vtkObject::GetMTime() != this->ObjectTime;
+  if (isTouched && vtkDGGPreparedMesh::ComputeFingerprint(copy, isMerged) != this->Fingerprint)
+  {
+    return dgg::Status::Invalid("the points were changed during the update, or the cells: do not "
+                                "change them in observers, and update again");
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
 void vtkDGGMeshAdapter::Clear()
 {
   this->Prepared = GetNothing();

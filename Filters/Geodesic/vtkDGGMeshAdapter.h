@@ -10,9 +10,10 @@
 #include "vtkTimeStamp.h" // for the build time
 #include "vtkType.h"      // for vtkIdType
 
-#include <array>  // for the key
-#include <string> // for the warnings
-#include <vector> // for the warnings
+#include <array>   // for the key
+#include <cstddef> // for std::size_t
+#include <string>  // for the warnings
+#include <vector>  // for the warnings
 
 class vtkPolyData;
 
@@ -39,6 +40,11 @@ public:
   /// Fails when a surface no longer has as many points as the mesh was made of, as when an observer
   /// has added or removed some.
   dgg::Status CheckPoints(vtkPolyData* input) const;
+
+  /// Fails when points or cells are not those that the mesh was made of any more, as when an
+  /// observer has moved points: by time stamps, and where these have changed by the bits. `copy` is
+  /// a shallow copy of the input, made when the update started.
+  dgg::Status CheckUnchanged(vtkPolyData* input, vtkPolyData* copy) const;
 
   /// Forget the mesh.
   void Clear();
@@ -81,6 +87,7 @@ public:
 private:
   /// Identity and age of points, polygons and strips. Time stamps are unique in VTK.
   using Key = std::array<vtkMTimeType, 7>;
+  static constexpr std::size_t MergeEntry = 6; // whether coincident points are merged
   static Key MakeKey(vtkPolyData* input, bool mergeCoincidentPoints);
 
   vtkDGGPreparedMesh::Pointer Prepared; // never null

@@ -335,7 +335,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   {
     return status;
   }
-  status = adapter.CheckPoints(copy); // which has the very points of the input
+  status = adapter.CheckUnchanged(surface, copy); // which has the very points of the input
   if (!status.IsOk())
   {
     return status;
