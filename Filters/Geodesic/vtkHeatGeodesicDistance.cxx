@@ -6,10 +6,11 @@
 #include "vtkDGGMemory.h"
 
 #include "dggHeatMethod.h"
+#include "dggProgressPart.h"
 
 #include "vtkObjectFactory.h"
 
-#include <cmath>
+#include <sstream>
 #include <utility>
 
 vtkStandardNewMacro(vtkHeatGeodesicDistance);
@@ -26,11 +27,6 @@ namespace
 /// Parts of the progress: what comes before the factorizations, these, the query.
 constexpr double AnalyzedAt = 0.3;
 constexpr double FactorizedAt = 0.9;
-
-dgg::ProgressCallback GetPart(const dgg::ProgressCallback& progress, double from, double to)
-{
-  return [&progress, from, to](double fraction) { return progress(from + (to - from) * fraction); };
-}
 }
 
 //------------------------------------------------------------------------------
@@ -88,10 +84,14 @@ int vtkHeatGeodesicDistance::GetNumberOfFactorizations() const
 //------------------------------------------------------------------------------
 dgg::Status vtkHeatGeodesicDistance::CheckProperties() const
 {
-  if (!(this->TimeStepFactor > 0.0) || !std::isfinite(this->TimeStepFactor))
+  if (!(this->TimeStepFactor >= dgg::SmallestTimeStepFactor &&
+        this->TimeStepFactor <= dgg::LargestTimeStepFactor))
   {
-    return dgg::Status::Invalid("TimeStepFactor is " + std::to_string(this->TimeStepFactor) +
-      ": it must be a positive number, as 1");
+    std::ostringstream message;
+    message << "TimeStepFactor is " << this->TimeStepFactor
+            << ": call SetTimeStepFactor() with a number from " << dgg::SmallestTimeStepFactor
+            << " to " << dgg::LargestTimeStepFactor << ", as 1";
+    return dgg::Status::Invalid(message.str());
   }
   return this->Superclass::CheckProperties();
 }
@@ -120,7 +120,7 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
     this->Prepared.reset(new Preparation{ this->GetMeshBuildTime(), dgg::HeatMethod(task.Mesh) });
   }
   dgg::HeatMethod& method = this->Prepared->Method;
-  dgg::Status status = method.Analyze(options, GetPart(task.Progress, 0.0, AnalyzedAt));
+  dgg::Status status = method.Analyze(options, dgg::ProgressPart(task.Progress, 0.0, AnalyzedAt));
   const std::size_t missing = status.IsOk() ? method.GetMissingMemory() : 0;
   if (missing > 0)
   {
@@ -131,7 +131,7 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
   }
   if (status.IsOk())
   {
-    status = method.Factorize(GetPart(task.Progress, AnalyzedAt, FactorizedAt));
+    status = method.Factorize(dgg::ProgressPart(task.Progress, AnalyzedAt, FactorizedAt));
   }
   if (!status.IsOk())
   {
@@ -141,7 +141,7 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
   query.MaximumDistance = task.MaximumDistance;
   query.WantNearestSource = task.WantNearestSource;
   query.WantVirtualSource = task.WantVirtualSource;
-  query.Progress = GetPart(task.Progress, FactorizedAt, 1.0);
+  query.Progress = dgg::ProgressPart(task.Progress, FactorizedAt, 1.0);
   dgg::HeatResult result;
   status = method.Run(task.Sources, query, result);
   task.Distances = std::move(result.Distances);

@@ -542,7 +542,8 @@ TEST(HeatMethod, WrongInputAndAbort)
   EXPECT_FALSE(heat.Run({ VertexSource(0) }, query, result).IsOk()); // not prepared
   EXPECT_FALSE(heat.Factorize(nullptr).IsOk());
   dgg::HeatOptions options;
-  for (const double bad : { 0.0, -1.0, dgg::Infinity, std::numeric_limits<double>::quiet_NaN() })
+  for (const double bad : { 0.0, -1.0, 1e-300, 0.99e-6, 1.01e6, 1e300, dgg::Infinity,
+         std::numeric_limits<double>::quiet_NaN() })
   {
     options.TimeStepFactor = bad;
     EXPECT_FALSE(heat.Prepare(options, nullptr).IsOk()) << bad;

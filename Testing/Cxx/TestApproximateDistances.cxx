@@ -337,11 +337,11 @@ TEST(HeatGeodesicDistance, WrongProperties)
   vtkNew<vtkHeatGeodesicDistance> filter;
   filter->SetInputData(MakeGrid(10, 10));
   filter->AddSourceId(60);
-  for (const double bad : { 0.0, -1.0, std::numeric_limits<double>::infinity(),
-         std::numeric_limits<double>::quiet_NaN() })
+  for (const double bad : { 0.0, -1.0, 1e-300, 0.99e-6, 1.01e6, 1e300,
+         std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
   {
     filter->SetTimeStepFactor(bad);
-    ExpectError(filter, { "TimeStepFactor" });
+    ExpectError(filter, { "TimeStepFactor", "from 1e-06 to 1e+06" });
   }
   filter->SetTimeStepFactor(1.0);
   filter->SetMemoryLimit(1000);
@@ -353,6 +353,21 @@ TEST(HeatGeodesicDistance, WrongProperties)
   ExpectError(filter, { "boundary", "Neumann" });
   filter->SetBoundaryToNeumann();
   ExpectSuccess(filter);
+}
+
+TEST(HeatGeodesicDistance, ExtremeTimes)
+{
+  vtkNew<vtkHeatGeodesicDistance> filter;
+  filter->SetInputData(MakeGrid(10, 10));
+  filter->AddSourceId(60);
+  for (const double extreme : { 1e-6, 1e6 })
+  {
+    filter->SetTimeStepFactor(extreme);
+    ExpectSuccess(filter);
+    EXPECT_LT(GetMeanError(GetDistances(filter),
+                GetExactDistances(filter->GetOutput(), std::vector<vtkIdType>{ 60 })),
+      0.5);
+  }
 }
 
 TEST(HeatGeodesicDistance, MemoryLimitIsForWhatIsNotThere)

@@ -4,6 +4,7 @@
 
 #include "dggDescent.h"
 #include "dggHeatSystem.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,11 @@ namespace dgg
 {
 namespace
 {
+/// Shares of the progress: of the preparation that of its first part, of a query.
+constexpr double AnalysisDone = 0.4;
+constexpr double SystemsDone = 0.8;
+constexpr double SourcesDone = 0.9;
+
 /// A corner that a source heats.
 struct Corner
 {
@@ -32,6 +38,41 @@ std::vector<Corner> FindCorners(const SurfaceMesh& mesh, const std::vector<Geode
     });
   }
   return corners;
+}
+
+/// With Dirichlet conditions, a source whose corners all lie on the boundary heats nothing.
+Status CheckCorners(
+  const HeatSystem& system, std::size_t numberOfSources, const std::vector<Corner>& corners)
+{
+  if (system.GetOptions().Boundary != HeatBoundary::Dirichlet)
+  {
+    return Status::Success();
+  }
+  std::vector<bool> isHeated(numberOfSources, false);
+  for (const Corner& corner : corners)
+  {
+    isHeated[corner.Source] =
+      isHeated[corner.Source] || (corner.Weight > 0.0 && !system.IsOnBoundary(corner.Vertex));
+  }
+  const auto lost = std::find(isHeated.begin(), isHeated.end(), false);
+  return lost == isHeated.end()
+    ? Status::Success()
+    : Status::Invalid("source " + std::to_string(lost - isHeated.begin()) +
+        " lies on the boundary, where a Dirichlet condition takes its heat away: use Neumann or "
+        "Average");
+}
+
+/// The least initial distance in each component; Infinity without a source.
+std::vector<double> FindLeastOffsets(const HeatSystem& system,
+  const std::vector<GeodesicSource>& sources, const std::vector<Corner>& corners)
+{
+  std::vector<double> leastOffsets(system.GetNumberOfComponents(), Infinity);
+  for (const Corner& corner : corners)
+  {
+    double& least = leastOffsets[system.GetComponent(corner.Vertex)];
+    least = std::min(least, sources[corner.Source].InitialDistance);
+  }
+  return leastOffsets;
 }
 
 /// Heat of all sources. Initial distances count from the least one of the component.
@@ -100,6 +141,91 @@ std::vector<double> FindShifts(const HeatSystem& system, const std::vector<Geode
   }
   return sums;
 }
+
+/// Values that are known up to a constant per component become distances.
+void ShiftToDistances(const HeatSystem& system, const std::vector<GeodesicSource>& sources,
+  const std::vector<Corner>& corners, const std::vector<double>& leastOffsets,
+  std::vector<double>& values)
+{
+  const std::vector<double> shifts = FindShifts(system, sources, corners, leastOffsets, values);
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    const Id component = system.GetComponent(static_cast<Id>(v));
+    values[v] = shifts[component] < Infinity
+      ? std::max(values[v] + shifts[component], leastOffsets[component])
+      : Infinity;
+  }
+  for (const Corner& corner : corners)
+  {
+    values[corner.Vertex] =
+      std::min(values[corner.Vertex], sources[corner.Source].InitialDistance + corner.Distance);
+  }
+}
+
+/// The source that is met on the way down the distances.
+std::vector<Id> FindNearestSources(const SurfaceMesh& mesh,
+  const std::vector<GeodesicSource>& sources, const std::vector<Corner>& corners,
+  const std::vector<double>& distances)
+{
+  std::vector<DescentSeed> seeds;
+  seeds.reserve(corners.size());
+  for (const Corner& corner : corners)
+  {
+    seeds.push_back(
+      { corner.Vertex, corner.Source, sources[corner.Source].InitialDistance + corner.Distance });
+  }
+  return FindNearestByDescent(mesh, distances, seeds);
+}
+
+/// The nearest source, seen against the gradient.
+VirtualSources FindVirtualSources(
+  const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources, const HeatResult& result)
+{
+  const std::vector<double>& distances = result.Distances;
+  VirtualSources found;
+  found.Offsets.assign(distances.size(), Infinity);
+  for (std::size_t v = 0; v < distances.size(); ++v)
+  {
+    if (result.NearestSource[v] != NoId)
+    {
+      found.Offsets[v] = std::min(sources[result.NearestSource[v]].InitialDistance, distances[v]);
+    }
+  }
+  found.Angles = FindDirectionsOfDescent(mesh, distances, found.Offsets);
+  found.Lengths.assign(distances.size(), Infinity);
+  for (std::size_t v = 0; v < distances.size(); ++v)
+  {
+    if (distances[v] < Infinity)
+    {
+      found.Lengths[v] = distances[v] - found.Offsets[v];
+    }
+  }
+  return found;
+}
+
+/// Vertices beyond the maximum distance are not reached.
+void CutOff(double maximumDistance, HeatResult& result)
+{
+  for (std::size_t v = 0; v < result.Distances.size(); ++v)
+  {
+    if (!(result.Distances[v] > maximumDistance))
+    {
+      continue;
+    }
+    for (std::vector<double>* values :
+      { &result.Distances, &result.Virtual.Offsets, &result.Virtual.Lengths })
+    {
+      if (!values->empty())
+      {
+        (*values)[v] = Infinity;
+      }
+    }
+    if (!result.NearestSource.empty())
+    {
+      result.NearestSource[v] = NoId;
+    }
+  }
+}
 }
 
 HeatMethod::HeatMethod(const SurfaceMesh& mesh)
@@ -132,23 +258,13 @@ Status HeatMethod::Factorize(const ProgressCallback& progress)
 
 Status HeatMethod::Prepare(const HeatOptions& options, const ProgressCallback& progress)
 {
-  ProgressCallback first;
-  ProgressCallback second;
-  if (progress)
-  {
-    first = [&](double fraction) { return progress(0.4 * fraction); };
-    second = [&](double fraction) { return progress(0.4 + 0.6 * fraction); };
-  }
-  Status status = this->Analyze(options, first);
-  return status.IsOk() ? this->Factorize(second) : status;
+  Status status = this->Analyze(options, ProgressPart(progress, 0.0, AnalysisDone));
+  return status.IsOk() ? this->Factorize(ProgressPart(progress, AnalysisDone, 1.0)) : status;
 }
 
-Status HeatMethod::Run(
-  const std::vector<GeodesicSource>& sources, const HeatQuery& query, HeatResult& result) const
+Status HeatMethod::Check(const std::vector<GeodesicSource>& sources, const HeatQuery& query) const
 {
-  result = HeatResult();
-  const HeatSystem& system = *this->System;
-  Status status = CheckSources(this->Mesh, sources);
+  const Status status = CheckSources(this->Mesh, sources);
   if (!status.IsOk())
   {
     return status;
@@ -157,112 +273,51 @@ Status HeatMethod::Run(
   {
     return Status::Invalid("the maximum distance is not a number");
   }
-  if (!system.IsReady())
+  return this->System->IsReady()
+    ? status
+    : Status::Invalid("the systems have not been factorized: call Prepare() first");
+}
+
+Status HeatMethod::Run(
+  const std::vector<GeodesicSource>& sources, const HeatQuery& query, HeatResult& result) const
+{
+  result = HeatResult();
+  const HeatSystem& system = *this->System;
+  Status status = this->Check(sources, query);
+  if (!status.IsOk())
   {
-    return Status::Invalid("the systems have not been factorized: call Prepare() first");
+    return status;
   }
   const std::vector<Corner> corners = FindCorners(this->Mesh, sources);
-  if (system.GetOptions().Boundary == HeatBoundary::Dirichlet)
+  status = CheckCorners(system, sources.size(), corners);
+  if (!status.IsOk())
   {
-    std::vector<bool> isHeated(sources.size(), false);
-    for (const Corner& corner : corners)
-    {
-      isHeated[corner.Source] =
-        isHeated[corner.Source] || (corner.Weight > 0.0 && !system.IsOnBoundary(corner.Vertex));
-    }
-    const auto lost = std::find(isHeated.begin(), isHeated.end(), false);
-    if (lost != isHeated.end())
-    {
-      return Status::Invalid("source " + std::to_string(lost - isHeated.begin()) +
-        " lies on the boundary, where a Dirichlet condition takes its heat away: use Neumann or "
-        "Average");
-    }
+    return status;
   }
-
-  std::vector<double> leastOffsets(system.GetNumberOfComponents(), Infinity);
-  for (const Corner& corner : corners)
-  {
-    double& least = leastOffsets[system.GetComponent(corner.Vertex)];
-    least = std::min(least, sources[corner.Source].InitialDistance);
-  }
-  const auto solveProgress = [&](double fraction) {
-    return !query.Progress || query.Progress(0.8 * fraction);
-  };
-  std::vector<double>& distances = result.Distances;
-  distances = system.Solve(FindLoads(system, sources, corners, leastOffsets), solveProgress);
-  if (distances.empty())
+  // Heat flows; what has the direction of its gradient, made to be of length one, is the distance
+  // up to a constant per component.
+  const std::vector<double> leastOffsets = FindLeastOffsets(system, sources, corners);
+  result.Distances = system.Solve(FindLoads(system, sources, corners, leastOffsets),
+    ProgressPart(query.Progress, 0.0, SystemsDone));
+  if (result.Distances.empty())
   {
     return Status::Abort();
   }
-  const std::vector<double> shifts = FindShifts(system, sources, corners, leastOffsets, distances);
-  for (std::size_t v = 0; v < distances.size(); ++v)
-  {
-    const Id component = system.GetComponent(static_cast<Id>(v));
-    distances[v] = shifts[component] < Infinity
-      ? std::max(distances[v] + shifts[component], leastOffsets[component])
-      : Infinity;
-  }
-  for (const Corner& corner : corners)
-  {
-    distances[corner.Vertex] =
-      std::min(distances[corner.Vertex], sources[corner.Source].InitialDistance + corner.Distance);
-  }
-
+  ShiftToDistances(system, sources, corners, leastOffsets, result.Distances);
   if (query.WantNearestSource || query.WantVirtualSource)
   {
-    std::vector<DescentSeed> seeds;
-    seeds.reserve(corners.size());
-    for (const Corner& corner : corners)
-    {
-      seeds.push_back(
-        { corner.Vertex, corner.Source, sources[corner.Source].InitialDistance + corner.Distance });
-    }
-    result.NearestSource = FindNearestByDescent(this->Mesh, distances, seeds);
+    result.NearestSource = FindNearestSources(this->Mesh, sources, corners, result.Distances);
   }
-  if (query.Progress && !query.Progress(0.9))
+  if (query.Progress && !query.Progress(SourcesDone))
   {
     result = HeatResult();
     return Status::Abort();
   }
   if (query.WantVirtualSource)
   {
-    result.Virtual.Offsets.assign(distances.size(), Infinity);
-    for (std::size_t v = 0; v < distances.size(); ++v)
-    {
-      if (result.NearestSource[v] != NoId)
-      {
-        result.Virtual.Offsets[v] =
-          std::min(sources[result.NearestSource[v]].InitialDistance, distances[v]);
-      }
-    }
-    result.Virtual.Angles = FindDirectionsOfDescent(this->Mesh, distances, result.Virtual.Offsets);
-    result.Virtual.Lengths.assign(distances.size(), Infinity);
-    for (std::size_t v = 0; v < distances.size(); ++v)
-    {
-      if (distances[v] < Infinity)
-      {
-        result.Virtual.Lengths[v] = distances[v] - result.Virtual.Offsets[v];
-      }
-    }
+    result.Virtual = FindVirtualSources(this->Mesh, sources, result);
   }
-  for (std::size_t v = 0; v < distances.size(); ++v)
-  {
-    if (distances[v] > query.MaximumDistance)
-    {
-      distances[v] = Infinity;
-      for (std::vector<double>* values : { &result.Virtual.Offsets, &result.Virtual.Lengths })
-      {
-        if (!values->empty())
-        {
-          (*values)[v] = Infinity;
-        }
-      }
-      if (!result.NearestSource.empty())
-      {
-        result.NearestSource[v] = NoId;
-      }
-    }
-  }
+  CutOff(query.MaximumDistance, result);
   if (!query.WantNearestSource)
   {
     result.NearestSource.clear();

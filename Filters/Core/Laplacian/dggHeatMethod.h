@@ -24,6 +24,14 @@ enum class HeatBoundary
   Average    ///< the mean of both, as Crane, Weischedel and Wardetzky advise
 };
 
+/// The range of the time step factor. At either end the distances have little to do with the true
+/// ones any more: they are off by 15 % on average at the lower end, where heat goes along edges,
+/// and by 23 % at the upper, where it is nearly even. Beyond it rounding takes over.
+/// @{
+constexpr double SmallestTimeStepFactor = 1e-6;
+constexpr double LargestTimeStepFactor = 1e6;
+/// @}
+
 struct HeatOptions
 {
   /// Heat flows for the time c h^2 with this c and the mean edge length h, that of the component
@@ -57,9 +65,9 @@ struct HeatResult
 /// Crane, Weischedel and Wardetzky, "Geodesics in heat", 2013, on one mesh, which must outlive it:
 /// heat flows from the sources for a short time; its gradient, made to be of length one, is that of
 /// the distances up to what makes it a gradient. Two linear systems are factorized first; a query
-/// then is two substitutions. Nothing bounds the error: 0.5 to 3 % on average is usual, and more
-/// close to sources. Any triangle complex will do; vertices are reached in the components (through
-/// edges and shared vertices) that have a source.
+/// then is two substitutions. Nothing bounds the error: 0.5 to 2 % on average is usual on fine
+/// meshes, more on coarse ones and close to sources. Any triangle complex will do; vertices are
+/// reached in the components (through edges and shared vertices) that have a source.
 ///
 /// Where heat is too little for a double, as beyond some 500 edges from the sources, numbers with a
 /// larger range take its place, in which a query takes several times as long.
@@ -85,7 +93,8 @@ public:
 
   /// The steps before queries: what the options change is done anew, the rest is kept. Progress is
   /// told, and a stop heeded, between the parts of the work only: Eigen's factorizations cannot be
-  /// interrupted. After a failure or a stop, a later call starts where that one ended.
+  /// interrupted. After a failure or a stop, a later call starts where that one ended. Fails when
+  /// the time step factor is out of range.
   /// @{
   /// Triangulation, matrices, order of elimination.
   Status Analyze(const HeatOptions& options, const ProgressCallback& progress);
@@ -111,6 +120,8 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
+  Status Check(const std::vector<GeodesicSource>& sources, const HeatQuery& query) const;
+
   const SurfaceMesh& Mesh;
   std::unique_ptr<HeatSystem> System;
 };

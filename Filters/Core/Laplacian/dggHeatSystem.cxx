@@ -4,6 +4,7 @@
 
 #include "dggCotanLaplacian.h"
 #include "dggIntrinsicDelaunay.h"
+#include "dggProgressPart.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -17,6 +18,8 @@ namespace
 {
 /// Heat below this does not have the relative precision of a double any more, or soon will not.
 constexpr double LeastHeat = 1e-250;
+/// Share of the progress of the analysis.
+constexpr double FlipsDone = 0.4;
 /// Loads below this are not worth the attempt with doubles.
 constexpr double LeastLogarithm = -200.0;
 
@@ -75,9 +78,10 @@ HeatSystem::HeatSystem(const SurfaceMesh& mesh)
 
 Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& progress)
 {
-  if (!(options.TimeStepFactor > 0.0) || !std::isfinite(options.TimeStepFactor))
+  if (!(options.TimeStepFactor >= SmallestTimeStepFactor &&
+        options.TimeStepFactor <= LargestTimeStepFactor))
   {
-    return Status::Invalid("the time step factor must be positive and finite");
+    return Status::Invalid("the time step factor must be a number from 1e-6 to 1e6");
   }
   if (this->IsAnalyzed && this->Options.IntrinsicDelaunay == options.IntrinsicDelaunay)
   {
@@ -97,15 +101,14 @@ Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& p
   IntrinsicTriangulation triangulation(this->Mesh);
   if (options.IntrinsicDelaunay)
   {
-    const auto flips = [&](double fraction) { return Goes(progress, 0.4 * fraction); };
     DelaunayReport report;
-    Status status = MakeDelaunay(triangulation, -1, flips, report);
+    Status status = MakeDelaunay(triangulation, -1, ProgressPart(progress, 0.0, FlipsDone), report);
     if (!status.IsOk())
     {
       return status;
     }
   }
-  if (!Goes(progress, 0.4))
+  if (!Goes(progress, FlipsDone))
   {
     return Status::Abort();
   }
