@@ -7,6 +7,8 @@
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGParallel.h"
 
+#include "dggProgressPart.h"
+
 #include "vtkObject.h"
 #include "vtkPolyData.h"
 
@@ -176,7 +178,7 @@ dgg::Status vtkDGGGraphProvider::UseOwn(
     return dgg::Status::Success();
   }
   this->ForgetGraph();
-  options.Progress = [this](double fraction) { return this->Progress(BuildShare * fraction); };
+  options.Progress = dgg::ProgressPart(this->Progress, 0.0, BuildShare);
   this->Done = BuildShare;
   // Kept only if it is asked for again: it takes memory of its own.
   std::unique_ptr<dgg::GraphBuilder> temporary;
@@ -317,10 +319,8 @@ dgg::Status vtkDGGGraphProvider::LinkPlaces(const Points& places, const vtkDGGMe
   const double start = this->Done;
   const double share = LinkShare * (1.0 - start);
   store.Links.resize(places.size());
-  status = vtkDGGForBlocks(
-    places.size(), LinkBlock,
-    [&](double fraction) { return this->Progress(start + share * fraction); },
-    [&](std::size_t i) {
+  status = vtkDGGForBlocks(places.size(), LinkBlock,
+    dgg::ProgressPart(this->Progress, start, start + share), [&](std::size_t i) {
       std::vector<double> none;
       return this->Builder->Link(places[i], accuracy, {}, store.Links[i], none);
     });

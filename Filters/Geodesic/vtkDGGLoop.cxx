@@ -10,6 +10,8 @@
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 
+#include "dggProgressPart.h"
+
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -27,11 +29,6 @@ namespace
 /// Share of the progress after the graph that finding loops takes when there are tapes.
 constexpr double LoopShare = 0.5;
 constexpr std::size_t FewestPointsOfRope = 3;
-
-dgg::ProgressCallback PartOf(const dgg::ProgressCallback& progress, double from, double to)
-{
-  return [=](double fraction) { return progress(from + (to - from) * fraction); };
-}
 
 /// To as many digits as messages have.
 double RoundUp(double x)
@@ -249,7 +246,8 @@ dgg::Status vtkDGGLoop::Execute(
   const vtkDGGLoopSearch::Points points = vtkDGGGetPlaces(sources);
   const vtkDGGLoopSearch search(mesh);
   vtkDGGLoopSet set;
-  const dgg::ProgressCallback finding = PartOf(progress, 0.0, width > 0.0 ? LoopShare : 1.0);
+  const dgg::ProgressCallback finding =
+    dgg::ProgressPart(progress, 0.0, width > 0.0 ? LoopShare : 1.0);
   switch (mode)
   {
     case AroundHandles:
@@ -268,7 +266,7 @@ dgg::Status vtkDGGLoop::Execute(
   }
   if (status.IsOk() && width > 0.0)
   {
-    status = search.AddTapes(width, PartOf(progress, LoopShare, 1.0), set);
+    status = search.AddTapes(width, dgg::ProgressPart(progress, LoopShare, 1.0), set);
   }
   if (status.IsOk())
   {

@@ -6,6 +6,8 @@
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGParallel.h"
 
+#include "dggProgressPart.h"
+
 #include <algorithm>
 
 namespace
@@ -98,8 +100,8 @@ template <typename StepType>
 dgg::Status vtkDGGMatrixSearch::ForAll(std::size_t count, double end, StepType step)
 {
   const double start = this->Done;
-  const auto progress = [&](double done) { return this->Progress(start + (end - start) * done); };
-  const dgg::Status status = vtkDGGForBlocks(count, LinkBlock, progress, step);
+  const dgg::Status status =
+    vtkDGGForBlocks(count, LinkBlock, dgg::ProgressPart(this->Progress, start, end), step);
   this->Done = end;
   return status;
 }
@@ -186,10 +188,8 @@ dgg::Status vtkDGGMatrixSearch::Search()
       seeds[i].push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
     }
   }
-  const auto progress = [this](double done) {
-    return this->Progress(this->Done + (1.0 - this->Done) * done);
-  };
-  return this->Graph.GetSearch().Many(seeds, dgg::Infinity, vtkDGGMakeParallelFor(), progress,
+  return this->Graph.GetSearch().Many(seeds, dgg::Infinity, vtkDGGMakeParallelFor(),
+    dgg::ProgressPart(this->Progress, this->Done, 1.0),
     [this](std::size_t source, const double* field) { this->LookAtTargets(source, field); });
 }
 

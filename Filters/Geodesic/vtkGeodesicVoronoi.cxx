@@ -10,6 +10,7 @@
 #include "vtkDGGVoronoiOutputs.h"
 
 #include "dggCentroidal.h"
+#include "dggProgressPart.h"
 
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -256,7 +257,7 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
     start = MovingShare;
     std::vector<dgg::SurfacePoint> places = vtkDGGGetPlaces(result.Sites);
     dgg::CentroidalOptions options = result.Moving;
-    options.Progress = [&](double done) { return progress(MovingShare * done); };
+    options.Progress = dgg::ProgressPart(progress, 0.0, MovingShare);
     dgg::Status status = graph.PrepareBuilder(mesh);
     if (status.IsOk())
     {
@@ -286,9 +287,8 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
     return status;
   }
   input.Places = vtkDGGGetPlaces(result.Sites);
-  return dgg::ComputeVoronoi(
-    graph.GetSearch(), mesh.GetMesh(), input,
-    [&](double done) { return progress(start + (1.0 - start) * done); }, result.Diagram);
+  return dgg::ComputeVoronoi(graph.GetSearch(), mesh.GetMesh(), input,
+    dgg::ProgressPart(progress, start, 1.0), result.Diagram);
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 
 #include "dggLabelCorrection.h"
 #include "dggMinimumHeap.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -284,10 +285,7 @@ Status SiteDistances::Run(const GraphSearch& search, const SurfaceMesh& mesh,
   const std::vector<GraphSeed> kept = WithoutDuplicates(seeds);
   SearchOptions options;
   options.Correct = true;
-  if (progress)
-  {
-    options.Progress = [&progress](double done) { return progress(NearestShare * done); };
-  }
+  options.Progress = ProgressPart(progress, 0.0, NearestShare);
   SearchResult nearest;
   Status status = search.Run(kept, options, nearest);
   if (!status.IsOk())

@@ -4,6 +4,7 @@
 
 #include "dggFarthestPoints.h"
 #include "dggGraphSeeds.h"
+#include "dggProgressPart.h"
 #include "dggStraightWalk.h"
 
 #include <algorithm>
@@ -353,10 +354,7 @@ private:
     this->Inside = std::make_unique<InnerPlaces>(this->Graph, *this->Mesh, *this->Builder,
       this->Accuracy, std::min(MostPlaces, PlacesPerSample * count));
     this->ProgressAtStart = PlacesShare;
-    const auto progress = [this](double done) {
-      return !this->Options.Progress || this->Options.Progress(PlacesShare * done);
-    };
-    return this->Inside->LinkAll(progress);
+    return this->Inside->LinkAll(ProgressPart(this->Options.Progress, 0.0, PlacesShare));
   }
 
   /// How far the farthest vertex or place is from the samples.

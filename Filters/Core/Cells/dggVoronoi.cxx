@@ -6,6 +6,7 @@
 #include "dggBorderRefinement.h"
 #include "dggEdgeCuts.h"
 #include "dggFaceCells.h"
+#include "dggProgressPart.h"
 #include "dggSiteDistances.h"
 
 #include <memory>
@@ -20,14 +21,6 @@ constexpr double DistancesDone = 0.4;
 constexpr double CutsDone = 0.8;
 /// Faces between two reports: some milliseconds.
 constexpr Id ProgressInterval = 8192;
-
-/// A part of the progress.
-ProgressCallback Part(const ProgressCallback& progress, double begin, double end)
-{
-  return progress
-    ? [&progress, begin, end](double done) { return progress(begin + (end - begin) * done); }
-    : ProgressCallback();
-}
 
 Status CheckSites(const VoronoiInput& input)
 {
@@ -96,7 +89,7 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInp
   SiteDistances distances;
   if (status.IsOk())
   {
-    status = distances.Run(search, mesh, input.Seeds, Part(progress, 0.0, DistancesDone));
+    status = distances.Run(search, mesh, input.Seeds, ProgressPart(progress, 0.0, DistancesDone));
   }
   if (status.IsOk())
   {
@@ -119,13 +112,14 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInp
       mesh, distances, *input.Builder, input.Accuracy, input.Places);
   }
   EdgeCuts cuts(mesh);
-  if (!cuts.Run(distances, refinement.get(), Part(progress, DistancesDone, CutsDone), diagram))
+  if (!cuts.Run(
+        distances, refinement.get(), ProgressPart(progress, DistancesDone, CutsDone), diagram))
   {
     return Status::Abort();
   }
   FaceCells cells(mesh, distances, cuts, refinement.get(), diagram);
   diagram.PolygonOffsets.push_back(0);
-  const ProgressCallback rest = Part(progress, CutsDone, 1.0);
+  const ProgressCallback rest = ProgressPart(progress, CutsDone, 1.0);
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
     if (f % ProgressInterval == 0 && rest &&

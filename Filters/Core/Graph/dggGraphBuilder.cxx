@@ -7,6 +7,7 @@
 #include "dggGraphAssembly.h"
 #include "dggGraphPruning.h"
 #include "dggGraphRules.h"
+#include "dggProgressPart.h"
 #include "dggRowStore.h"
 #include "dggRowWaves.h"
 #include "dggSurfaceOrder.h"
@@ -50,13 +51,6 @@ ShareOfSteps SharesOf(GraphConstruction construction)
 {
   return construction == GraphConstruction::Indirect ? ShareOfSteps{ 0.6, 0.37 }
                                                      : ShareOfSteps{ 0.9, 0.0 };
-}
-
-/// The progress of one step, which makes [begin, begin + share] of all.
-ProgressCallback PartOf(const ProgressCallback& progress, double begin, double share)
-{
-  return progress ? [=](double done) { return progress(begin + share * done); }
-                  : ProgressCallback();
 }
 
 /// Edges of a graph by edges found, as measured on many meshes: uniting both directions adds some,
@@ -492,7 +486,7 @@ Status GraphBuilder::Implementation::Build(
   RowStore rows(wide);
   rows.ReserveRows(n);
   GraphOptions forRows = options;
-  forRows.Progress = PartOf(options.Progress, 0.0, shares.Rows);
+  forRows.Progress = ProgressPart(options.Progress, 0.0, shares.Rows);
   status = WithRule(options, [&](const auto& rule) {
     return this->BuildRows(rule, forRows, !isIndirect, rows, statistics);
   });
@@ -506,7 +500,7 @@ Status GraphBuilder::Implementation::Build(
     candidates = rows.GetMemorySize();
     std::size_t workspace = 0;
     status = PruneCandidates(rows, options.Accuracy, options.Parallel,
-      PartOf(options.Progress, shares.Rows, shares.Pruning), workspace);
+      ProgressPart(options.Progress, shares.Rows, shares.Rows + shares.Pruning), workspace);
     if (!status.IsOk())
     {
       return status;
@@ -523,7 +517,7 @@ Status GraphBuilder::Implementation::Build(
   }
   const double done = shares.Rows + shares.Pruning;
   status = AssembleGraph(rows, order, wide, options.Parallel,
-    PartOf(options.Progress, done, 1.0 - done), graph, statistics.PeakMemory);
+    ProgressPart(options.Progress, done, 1.0), graph, statistics.PeakMemory);
   if (!status.IsOk())
   {
     return status;

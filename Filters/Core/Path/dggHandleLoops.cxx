@@ -4,6 +4,7 @@
 
 #include "dggHomotopyBasis.h"
 #include "dggLoopShortener.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -86,11 +87,8 @@ public:
   /// Loops through the vertex `base`, and through places on them. False when it was stopped.
   bool Collect(Id base, const ProgressCallback& progress)
   {
-    return this->AddLoopsThrough(
-             base, [&](double fraction) { return progress(FirstShare * fraction); }) &&
-      this->AddLoopsThroughLoops([&](double fraction) {
-        return progress(FirstShare + (CollectShare - FirstShare) * fraction);
-      });
+    return this->AddLoopsThrough(base, ProgressPart(progress, 0.0, FirstShare)) &&
+      this->AddLoopsThroughLoops(ProgressPart(progress, FirstShare, CollectShare));
   }
 
   /// Independent ones, the shortest first, followed by empty ones for those that are missing. False

@@ -5,6 +5,7 @@
 #include "dggDisjointSets.h"
 #include "dggLayoutDrawing.h"
 #include "dggLayoutOrder.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -87,7 +88,6 @@ private:
   Status DrawAll(const std::vector<Id>& sequence);
   Status CheckPatches(int side) const;
   Status CompareParts() const;
-  ProgressCallback Share(double from, double to) const;
 
   const std::array<const PatchSurface*, 2> Surfaces;
   const PatchLayout& Layout;
@@ -101,17 +101,6 @@ private:
   bool PatchesAreMirrored = false;
   bool SecondIsMirrored = false; // with respect to the first surface
 };
-
-/// A part of the progress.
-ProgressCallback BoundaryTracer::Share(double from, double to) const
-{
-  if (!this->Progress)
-  {
-    return nullptr;
-  }
-  return
-    [this, from, to](double fraction) { return this->Progress(from + (to - from) * fraction); };
-}
 
 Status BoundaryTracer::Prepare()
 {
@@ -148,8 +137,8 @@ Status BoundaryTracer::Run(PatchBoundaries& boundaries)
   for (int side = 0; side < 2 && status.IsOk(); ++side)
   {
     status = this->Drawings[side].Survey(
-      this->Share(0.5 * SurveyShare * side, 0.5 * SurveyShare * (side + 1)), this->Lengths[side],
-      this->Surveys[side]);
+      ProgressPart(this->Progress, 0.5 * SurveyShare * side, 0.5 * SurveyShare * (side + 1)),
+      this->Lengths[side], this->Surveys[side]);
   }
   if (status.IsOk())
   {
@@ -285,14 +274,14 @@ Status BoundaryTracer::DrawAll(const std::vector<Id>& sequence)
     {
       return Status::Abort();
     }
-    Status status =
-      this->Drawings[0].Draw(sequence[i], this->Orders, this->Share(done, done + 0.5 * step));
+    Status status = this->Drawings[0].Draw(
+      sequence[i], this->Orders, ProgressPart(this->Progress, done, done + 0.5 * step));
     if (status.IsOk())
     {
       std::vector<EdgeOrder> imposed =
         this->SecondIsMirrored ? Reversed(this->Orders) : this->Orders;
-      status =
-        this->Drawings[1].Draw(sequence[i], imposed, this->Share(done + 0.5 * step, done + step));
+      status = this->Drawings[1].Draw(
+        sequence[i], imposed, ProgressPart(this->Progress, done + 0.5 * step, done + step));
     }
     if (!status.IsOk())
     {

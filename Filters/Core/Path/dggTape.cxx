@@ -4,6 +4,7 @@
 
 #include "dggEdgeSplitting.h"
 #include "dggExactGeodesics.h"
+#include "dggProgressPart.h"
 #include "dggSurfaceRefinement.h"
 
 #include <algorithm>
@@ -44,13 +45,6 @@ constexpr int MostSteps = 100;
 /// Places on each edge where the distance is measured, step by step closer to where a rim crosses
 /// it. The distance along an edge may have kinks, so that the first step is to find out roughly.
 constexpr int Samples[] = { 15, 1, 1 };
-
-ProgressCallback PartOf(const ProgressCallback& progress, double from, double to)
-{
-  return progress
-    ? [&progress, from, to](double done) { return progress(from + (to - from) * done); }
-    : ProgressCallback();
-}
 
 /// The curve at one distance from points on a mesh.
 class Isoline
@@ -95,7 +89,7 @@ public:
     double done = 0.0;
     for (const int samples : Samples)
     {
-      const ProgressCallback part = PartOf(progress, done, done + 1.0 / 3.0);
+      const ProgressCallback part = ProgressPart(progress, done, done + 1.0 / 3.0);
       status = status.IsOk() ? this->Refine(samples, part) : status;
       done += 1.0 / 3.0;
     }
@@ -385,11 +379,11 @@ public:
     }
     Isoline isoline(
       this->Part, this->Sample(Spacing * this->Distance), this->Distance, this->Longest);
-    status = isoline.Measure(PartOf(this->Progress, 0.6, 0.7));
+    status = isoline.Measure(ProgressPart(this->Progress, 0.6, 0.7));
     std::vector<SurfacePath> curves;
     if (status.IsOk())
     {
-      status = isoline.Find(PartOf(this->Progress, 0.7, 1.0), curves);
+      status = isoline.Find(ProgressPart(this->Progress, 0.7, 1.0), curves);
     }
     for (const SurfacePath& curve : curves)
     {
@@ -419,7 +413,7 @@ private:
       std::min(CoarseSpacing * this->Longest, CoarsestSpacing * this->Distance));
     Isoline isoline(this->Part, this->Sample(spacing), this->Distance, this->Longest + spacing);
     const double left = 0.6 - this->Done;
-    status = isoline.Measure(PartOf(this->Progress, this->Done, this->Done + 0.2 * left));
+    status = isoline.Measure(ProgressPart(this->Progress, this->Done, this->Done + 0.2 * left));
     this->Done += 0.2 * left;
     if (!status.IsOk())
     {

@@ -12,6 +12,7 @@
 #include "dggManySources.h"
 #include "dggMinimumHeap.h"
 #include "dggPointToPoint.h"
+#include "dggProgressPart.h"
 #include "dggSearchLabels.h"
 #include "dggSearchTree.h"
 #include "dggSourceGroups.h"
@@ -319,10 +320,9 @@ Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vecto
 Status GraphSearch::PrepareLandmarks(const ParallelFor& parallel, const ProgressCallback& progress)
 {
   Implementation& internals = *this->Internals;
-  const auto tell = [&](double fraction) { return !progress || progress(fraction); };
   auto marks = std::make_unique<Landmarks>();
   Status status = marks->Choose(internals.Graph, internals.Fans.get(), internals.BucketWidth,
-    [&](double fraction) { return tell(ChoiceShare * fraction); });
+    ProgressPart(progress, 0.0, ChoiceShare));
   if (!status.IsOk())
   {
     return status;
@@ -333,9 +333,7 @@ Status GraphSearch::PrepareLandmarks(const ParallelFor& parallel, const Progress
     sources.emplace_back(1);
     sources.back()[0].Vertex = v;
   }
-  status = this->Many(
-    sources, Infinity, parallel,
-    [&](double fraction) { return tell(ChoiceShare + (1.0 - ChoiceShare) * fraction); },
+  status = this->Many(sources, Infinity, parallel, ProgressPart(progress, ChoiceShare, 1.0),
     [&](std::size_t k, const double* distances) { marks->SetDistances(k, distances); });
   if (status.IsOk())
   {

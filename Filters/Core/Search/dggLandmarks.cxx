@@ -3,6 +3,7 @@
 #include "dggLandmarks.h"
 
 #include "dggBucketSearch.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -184,7 +185,7 @@ bool Landmarks::ChooseFrom(const GraphView& graph, const GraphFans* fans, double
   }
   // The first landmark of a component is a tip of it: farthest from any vertex.
   GrowingField field(graph, fans, bucketWidth);
-  if (!field.Start(starts, [&](double done) { return progress(SearchShare * done); }))
+  if (!field.Start(starts, ProgressPart(progress, 0.0, SearchShare)))
   {
     return false;
   }
@@ -198,8 +199,7 @@ bool Landmarks::ChooseFrom(const GraphView& graph, const GraphFans* fans, double
     }
     this->Vertices.push_back(tip);
   }
-  if (!field.Start(
-        this->Vertices, [&](double done) { return progress(SearchShare * (1.0 + done)); }))
+  if (!field.Start(this->Vertices, ProgressPart(progress, SearchShare, 2.0 * SearchShare)))
   {
     return false;
   }
