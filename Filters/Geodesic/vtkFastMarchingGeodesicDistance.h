@@ -9,8 +9,8 @@
  * but nothing bounds the error: with Spherical updates 0.1 to 0.6 % on average and some per cent
  * at most is usual on scans of 10 000 points and more, 0.5 to 2 % and up to 30 % on the same
  * surfaces with 1000 points, with Planar updates three to eight times as much. For distances within
- * a known error see vtkDGGDistance, for exact ones vtkExactGeodesicDistance, which often is not much
- * slower.
+ * a known error see vtkDGGDistance, for exact ones vtkExactGeodesicDistance, which often is not
+ * much slower.
  *
  * <b>Not for long thin triangles.</b> Where they are obtuse, no unfolding is far enough. On flat
  * sheets of triangles that are 5 to 100 times as long as wide, and lean, mean errors were 2 to 8 %

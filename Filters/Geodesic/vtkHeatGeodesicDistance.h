@@ -10,19 +10,21 @@
  * smoother than the true ones, with rounded ridges.
  *
  * Nothing bounds the error, which is as large as edges are long beside the features of the surface.
- * Mean relative errors against vtkExactGeodesicDistance, measured on eight surfaces, scans and parts
- * of machines: 0.8 to 2 % with 10 000 points and more, 1 to 5 % with 5000, 2 to 5 % with 1000, 3 to
- * 7 % with 600, 5 to 9 % with 150. The largest error on each of them was between 20 and 70 %, close
- * to the source. Long thin triangles may make it useless where no flip mends them: distances on flat
- * strips, six triangles wide, of triangles 100 to 200 times as long as wide were off by up to 95 % on
- * average, but by less than 3 % with a TimeStepFactor of 10. On coarse meshes vtkFastMarchingGeodesicDistance is several times
- * better, and vtkExactGeodesicDistance takes milliseconds. For distances within a known error, with
- * queries of about the same time, see vtkDGGDistance.
+ * Mean relative errors against vtkExactGeodesicDistance, measured on eight surfaces, scans and
+ * parts of machines: 0.8 to 2.2 % with 10 000 points and more, 1 to 5 % with 5000, 2 to 5 % with
+ * 1000, 3 to 7 % with 600, 5 to 9 % with 150. The largest error on each of them was between 20 and
+ * 70 %, close to the source. Long thin triangles may make it useless where no flip mends them:
+ * distances on flat strips, six triangles wide, of triangles 100 to 200 times as long as wide were
+ * off by up to 95 % on average, but by less than 3 % with a TimeStepFactor of 10. On coarse meshes
+ * vtkFastMarchingGeodesicDistance is several times better, and vtkExactGeodesicDistance takes
+ * milliseconds. For distances within a known error, with queries of about the same time, see
+ * vtkDGGDistance.
  *
  * Inputs, sources, results and errors are those of vtkGeodesicDistanceAlgorithm; an error besides
- * these is a TimeStepFactor outside of 1e-6 to 1e6, factorizations that would take more memory than MemoryLimit, and a source on the boundary when Boundary is Dirichlet. MaximumDistance
- * saves no time here. Sources inside faces and edges, and sources with different initial distances,
- * are allowed: the heat of a source falls with its initial distance o like exp(-o / sqrt(t)), t the
+ * these is a TimeStepFactor outside of 1e-6 to 1e6, factorizations that would take more memory than
+ * MemoryLimit, and a source on the boundary when Boundary is Dirichlet. MaximumDistance saves no
+ * time here. Sources inside faces and edges, and sources with different initial distances, are
+ * allowed: the heat of a source falls with its initial distance o like exp(-o / sqrt(t)), t the
  * time of the flow. The nearest source is found by going down the distances.
  *
  * The surface may be any set of triangles. An update can be stopped between the parts of the work
@@ -64,8 +66,8 @@ public:
   /**
    * The time of the flow, in units of the square of the mean edge length (of each component of the
    * surface, after flips). A larger one smooths the distances. Default 1; in [1e-6, 1e6], of which
-   * 0.5 to 10 is of use: on meshes with a mean error of 1.6 % at 1, it is 9 % at 0.01 and at 100,
-   * and 15 to 24 % at the ends.
+   * 0.5 to 10 is of use: on meshes with a mean error of 1.6 % at 1, it is 9 to 12 % at 0.01 and at
+   * 100, and 15 to 24 % at the ends.
    */
   vtkSetMacro(TimeStepFactor, double);
   vtkGetMacro(TimeStepFactor, double);
