@@ -52,6 +52,8 @@ dgg_add_consumer_test(KernelOnly 0 "loops: 1.*opposite corners: 1.41421.*along e
   "${consumer_dir}/KernelOnly")
 dgg_add_consumer_test(TenLines 0 ""
   "${consumer_dir}/TenLines")
+dgg_add_consumer_test(TenLines.MissingFile 1 "error: no distances of mesh.ply"
+  "${CMAKE_COMMAND}" -E chdir "${consumer_dir}" "${consumer_dir}/TenLines")
 foreach (extension IN ITEMS off ply)
   dgg_add_consumer_test("Pipeline.${extension}" 0 "points, distances 0 to [0-9.]+, ${extension}.png"
     "${consumer_dir}/ExactDistancePipeline" "mesh.${extension}" 0 "${extension}.png")

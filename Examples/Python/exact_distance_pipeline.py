@@ -6,10 +6,12 @@ Usage: exact_distance_pipeline.py MESH SOURCE_ID PICTURE.png
 """
 
 import sys
+from argparse import ArgumentTypeError
 
 import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from example_arguments import integer
 from mesh_file import MeshFileError, make_reader
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
@@ -69,6 +71,6 @@ if __name__ == "__main__":
     if len(sys.argv) != 4:
         sys.exit(__doc__)
     try:
-        main(sys.argv[1], int(sys.argv[2]), sys.argv[3])
-    except (MeshFileError, ValueError, vtkdgg.VTKError) as problem:
+        main(sys.argv[1], integer(0)(sys.argv[2]), sys.argv[3])
+    except (MeshFileError, ArgumentTypeError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

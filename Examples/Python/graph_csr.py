@@ -6,9 +6,11 @@ Usage: graph_csr.py MESH SOURCE_ID
 """
 
 import sys
+from argparse import ArgumentTypeError
 
 import numpy as np
 import vtkdgg
+from example_arguments import integer
 from mesh_file import MeshFileError, make_reader
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import dijkstra
@@ -57,6 +59,6 @@ if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
     try:
-        main(sys.argv[1], int(sys.argv[2]))
-    except (MeshFileError, ValueError, vtkdgg.VTKError) as problem:
+        main(sys.argv[1], integer(0)(sys.argv[2]))
+    except (MeshFileError, ArgumentTypeError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

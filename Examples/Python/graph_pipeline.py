@@ -6,10 +6,12 @@ Usage: graph_pipeline.py MESH SOURCE_ID SOURCE_ID PICTURE.png
 """
 
 import sys
+from argparse import ArgumentTypeError
 
 import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from example_arguments import integer
 from mesh_file import MeshFileError, make_reader
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersModeling import vtkBandedPolyDataContourFilter
@@ -107,6 +109,6 @@ if __name__ == "__main__":
     if len(sys.argv) != 5:
         sys.exit(__doc__)
     try:
-        main(sys.argv[1], (int(sys.argv[2]), int(sys.argv[3])), sys.argv[4])
-    except (MeshFileError, ValueError, vtkdgg.VTKError) as problem:
+        main(sys.argv[1], (integer(0)(sys.argv[2]), integer(0)(sys.argv[3])), sys.argv[4])
+    except (MeshFileError, ArgumentTypeError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

@@ -15,6 +15,7 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from example_arguments import integer, triple
 from mesh_file import MeshFileError, make_reader
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -245,19 +246,17 @@ def main(options):
     render(rows, options.picture)
 
 
-def triple(text):
-    """X,Y,Z as numbers."""
-    x, y, z = (float(number) for number in text.split(","))
-    return x, y, z
-
-
 def parse(arguments):
     """Options from the command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("picture", help="the picture to write, a .png")
     parser.add_argument("--mesh", help="a surface (.ply .obj .stl .vtp .vtk .off)")
-    parser.add_argument("--sources", type=int, nargs="+", help="point ids of it (default 0)")
-    parser.add_argument("--count", type=int, default=14, help="of isolines (%(default)s)")
+    parser.add_argument(
+        "--sources", type=integer(0), nargs="+", metavar="ID", help="point ids of it (default 0)"
+    )
+    parser.add_argument(
+        "--count", type=integer(1, 10000), default=14, help="of isolines (%(default)s)"
+    )
     parser.add_argument(
         "--view", type=triple, metavar="X,Y,Z", default=(1.0, -1.6, 1.1), help="where to look from"
     )

@@ -13,6 +13,7 @@ import numpy as np
 import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from example_arguments import triple
 from mesh_file import MeshFileError, make_reader
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
@@ -173,12 +174,6 @@ def main(options):
         actors.append(make_tubes(rope.GetOutputPort(), 0.005 * size, ROPE))
         actors.append(make_tubes(rope.GetTapePort(), 0.0025 * size, RIMS))
     render(actors, options.view, options.up, options.picture)
-
-
-def triple(text):
-    """X,Y,Z as numbers."""
-    x, y, z = (float(number) for number in text.split(","))
-    return x, y, z
 
 
 def places(text):

@@ -284,7 +284,14 @@ class Pipeline(unittest.TestCase):
         self.assertGreater(number_of_colours(picture), 500)
 
     def test_mistakes(self):
-        for arguments in ((), ("missing.ply", 0, "x.png"), (BUMPY, 642, "x.png")):
+        for arguments in (
+            (),
+            ("missing.ply", 0, "x.png"),
+            (BUMPY, 642, "x.png"),
+            (BUMPY, -1, "x.png"),
+            (BUMPY, "1.5", "x.png"),
+            (BUMPY, 10**30, "x.png"),
+        ):
             with self.subTest(arguments=arguments):
                 result = run("exact_distance_pipeline.py", *arguments)
                 self.assertEqual(result.returncode, 1)
@@ -336,7 +343,12 @@ class Graph(unittest.TestCase):
         self.assertGreater(differ[~background[0]].mean(), 0.5)
 
     def test_mistakes_of_two_queries(self):
-        for arguments in ((), ("missing.ply", 0, 1, "x.png"), (BUMPY, 0, 642, "x.png")):
+        for arguments in (
+            (),
+            ("missing.ply", 0, 1, "x.png"),
+            (BUMPY, 0, 642, "x.png"),
+            (BUMPY, 0, 10**30, "x.png"),
+        ):
             with self.subTest(arguments=arguments):
                 result = run("graph_pipeline.py", *arguments)
                 self.assertEqual(result.returncode, 1)
@@ -445,6 +457,13 @@ class Isolines(unittest.TestCase):
             ((), "picture"),
             (("x.png", "--mesh", "missing.ply"), "missing.ply"),
             (("x.png", "--mesh", BUMPY, "--sources", "-1"), "-1"),
+            (("x.png", "--mesh", BUMPY, "--sources", "642"), "642"),
+            (("x.png", "--mesh", BUMPY, "--sources", "9" * 30), "out of range"),
+            (("x.png", "--count", "-1"), "from 1 to 10000"),
+            (("x.png", "--count", "0"), "from 1 to 10000"),
+            (("x.png", "--count", "many"), "'many' is not an integer"),
+            (("x.png", "--view", "1,2"), "X,Y,Z"),
+            (("x.png", "--view", "1,2,nan"), "not finite"),
         ):
             with self.subTest(arguments=arguments):
                 result = run("isolines.py", *arguments)
@@ -489,6 +508,7 @@ class Loops(unittest.TestCase):
             ((), "picture"),
             (("x.png", "--mesh", "missing.ply"), "missing.ply"),
             (("x.png", "--rope", "1,2"), "--rope"),
+            (("x.png", "--view", "0,inf,1"), "not finite"),
             (("x.png", "--rope", "1,0,0 1,0.3,0"), "three points"),
             (("x.png", "--width", "-1"), "TapeWidth"),
         ):
@@ -590,7 +610,7 @@ class Readme(unittest.TestCase):
         for folder, ending in (("Python", ".py"), ("Cxx", ".cxx")):
             for file in os.listdir(os.path.join(support.EXAMPLES, folder)):
                 name, extension = os.path.splitext(file)
-                is_part = name.startswith("demo_") or name == "mesh_file"
+                is_part = name.startswith("demo_") or name in ("example_arguments", "mesh_file")
                 if extension == ending and not is_part:
                     self.assertIn(f"`{name}`", self.readme)
 
