@@ -5,6 +5,7 @@
 #include "dggApolloniusFace.h"
 #include "dggBlockLoop.h"
 #include "dggEdges.h"
+#include "dggProgressPart.h"
 #include "dggSourceFit.h"
 
 #include <algorithm>
@@ -259,9 +260,8 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
   double begin = 0.0;
   if (!field.Sources || field.Sources->Offsets.empty())
   {
-    const ProgressCallback part =
-      progress ? [&](double done) { return progress(FitDone * done); } : ProgressCallback();
-    if (!FitVirtualSources(mesh, field.Distances, parallel, fitted, part))
+    if (!FitVirtualSources(
+          mesh, field.Distances, parallel, fitted, ProgressPart(progress, 0.0, FitDone)))
     {
       return Status::Abort();
     }

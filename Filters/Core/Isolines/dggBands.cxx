@@ -3,6 +3,7 @@
 #include "dggBands.h"
 
 #include "dggFaceProfile.h"
+#include "dggProgressPart.h"
 #include "dggSurfaceRefinement.h"
 
 #include <algorithm>
@@ -250,7 +251,7 @@ Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   // Lines that touch may cross by rounding, and those of fields that jump do cross.
   RefinementOptions options;
   options.InsertCrossings = true;
-  options.Progress = [&](double done) { return !progress || progress(CutDone * done); };
+  options.Progress = ProgressPart(progress, 0.0, CutDone);
   status = RefineAlongPaths(*field.Mesh, lines.Lines, options, bands.Surface);
   if (!status.IsOk())
   {

@@ -7,6 +7,7 @@
 #include "dggFaceIsolines.h"
 #include "dggIsolineChains.h"
 #include "dggLevelCrossings.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,13 +24,6 @@ constexpr double DefaultTolerance = 1e-3; // in mean edge lengths
 /// Shares of the progress.
 constexpr double CrossingsDone = 0.3;
 constexpr double FacesDone = 0.9;
-
-/// That of the first part of a loop.
-ProgressCallback PartOf(const ProgressCallback& progress, double share)
-{
-  return progress ? [&progress, share](double done) { return progress(share * done); }
-                  : ProgressCallback();
-}
 
 Status CheckArguments(
   const DistanceField& field, const std::vector<double>& levels, const IsolineOptions& options)
@@ -119,12 +113,12 @@ Status TraceIsolines(const DistanceField& field, const std::vector<double>& leve
   if (options.Method == IsolineMethod::Apollonius)
   {
     status = FindApolloniusParts(field, options.SteinerPoints, sorted, parallel,
-      PartOf(progress, FacesDone), crossings.Crossings, curves);
+      ProgressPart(progress, 0.0, FacesDone), crossings.Crossings, curves);
   }
   else
   {
-    status =
-      FindLevelCrossings(field, sorted, parallel, PartOf(progress, CrossingsDone), crossings);
+    status = FindLevelCrossings(
+      field, sorted, parallel, ProgressPart(progress, 0.0, CrossingsDone), crossings);
     if (status.IsOk())
     {
       status =
