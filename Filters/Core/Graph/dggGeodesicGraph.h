@@ -28,7 +28,10 @@ enum class GraphConstruction : std::uint8_t
   Guaranteed = 0,       ///< progress rule: every path within the accuracy, a theorem
   OneRelay = 1,         ///< published direct rule: nothing bounds the maximum
   Indirect = 2,         ///< published two-step construction, pruned by progress; not proven
-  SaddleVertexGraph = 3 ///< a number of nearest neighbours (Ying, Wang and He 2013)
+  SaddleVertexGraph = 3, ///< a number of nearest neighbours (Ying, Wang and He 2013)
+  CloudCurvature = 4,    ///< clouds, scheme A: the reach of a point is the mean of its direct pairs
+  CloudConstant = 5,     ///< clouds, scheme B: all points reach equally far
+  CloudSpacing = 6       ///< clouds, scheme C: the reach is a multiple of the local spacing
 };
 
 /// 128 bits that tell a surface from another.

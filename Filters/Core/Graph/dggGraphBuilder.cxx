@@ -63,11 +63,9 @@ double UnitedShare(GraphConstruction construction)
       return 1.22;
     case GraphConstruction::Indirect:
       return 0.22;
-    case GraphConstruction::OneRelay:
-    case GraphConstruction::SaddleVertexGraph:
-      break;
+    default:
+      return 1.1;
   }
-  return 1.1;
 }
 
 /// `source` says whose light it is.
@@ -203,10 +201,9 @@ private:
         return use(CandidateRule(options.Accuracy));
       case GraphConstruction::SaddleVertexGraph:
         return use(NearestRule(options.NumberOfNeighbors));
-      case GraphConstruction::Guaranteed:
-        break;
+      default:
+        return use(ProgressRule(options.Accuracy));
     }
-    return use(ProgressRule(options.Accuracy));
   }
 
   /// Rows of some vertices: how many edges they have, and what a thread needs to find them.
@@ -244,6 +241,10 @@ GraphBuilder::~GraphBuilder() = default;
 Status GraphBuilder::Check(const GraphOptions& options)
 {
   std::ostringstream message;
+  if (options.Construction > GraphConstruction::SaddleVertexGraph)
+  {
+    return Status::Invalid("the construction is one for point clouds, not for meshes");
+  }
   if (options.Construction == GraphConstruction::SaddleVertexGraph)
   {
     if (options.NumberOfNeighbors < 1)

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Points and vectors in space.
+#ifndef dggPoint3_h
+#define dggPoint3_h
+
+#include <cmath> // for std::sqrt
+
+namespace dgg
+{
+struct Point3
+{
+  double X = 0.0;
+  double Y = 0.0;
+  double Z = 0.0;
+};
+
+inline Point3 operator+(const Point3& a, const Point3& b)
+{
+  return { a.X + b.X, a.Y + b.Y, a.Z + b.Z };
+}
+inline Point3 operator-(const Point3& a, const Point3& b)
+{
+  return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
+}
+inline Point3 operator*(double factor, const Point3& a)
+{
+  return { factor * a.X, factor * a.Y, factor * a.Z };
+}
+inline double Dot(const Point3& a, const Point3& b)
+{
+  return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+}
+inline Point3 Cross(const Point3& a, const Point3& b)
+{
+  return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
+}
+inline double Norm(const Point3& a)
+{
+  return std::sqrt(Dot(a, a));
+}
+}
+
+#endif

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggVoxelBand.h"
+
+#include "dggSegmentWalk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <tuple>
+
+namespace dgg
+{
+namespace
+{
+constexpr std::size_t WordsPerBrick = 8;
+/// Entries of the hash table by bricks, at least.
+constexpr std::size_t TablePerBrick = 2;
+constexpr Offset PointsPerTask = 4096;
+
+std::uint64_t Scramble(std::uint64_t key)
+{
+  key ^= key >> 31;
+  key *= 0x9e3779b97f4a7c15ULL;
+  return key ^ key >> 29;
+}
+
+/// The cells of size `size` that a ball reaches into, along one axis.
+struct Range
+{
+  std::int32_t First;
+  std::int32_t Last;
+};
+Range RangeOf(double centre, double radius, double size)
+{
+  return { static_cast<std::int32_t>(std::floor((centre - radius) / size)),
+    static_cast<std::int32_t>(std::floor((centre + radius) / size)) };
+}
+
+/// How far a number is from an interval.
+double Gap(double x, double low, double high)
+{
+  return x < low ? low - x : std::max(0.0, x - high);
+}
+}
+
+double VoxelBand::PredictMemory(double bricks)
+{
+  // The hash table doubles when it gets full.
+  return bricks *
+    (WordsPerBrick * sizeof(std::uint64_t) + sizeof(std::uint64_t) +
+      2.0 * TablePerBrick * sizeof(std::int32_t));
+}
+
+Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<float>& radii,
+  double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel)
+{
+  this->Keys.clear();
+  this->Table.clear();
+  this->Words.reset();
+  this->VoxelSize = voxelSize;
+  this->InverseSize = 1.0 / voxelSize;
+  this->Resolution = 0;
+  if (points.empty())
+  {
+    return Status::Success();
+  }
+  Point3 low{ Infinity, Infinity, Infinity };
+  Point3 high{ -Infinity, -Infinity, -Infinity };
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double r = radii[i];
+    low = { std::min(low.X, points[i].X - r), std::min(low.Y, points[i].Y - r),
+      std::min(low.Z, points[i].Z - r) };
+    high = { std::max(high.X, points[i].X + r), std::max(high.Y, points[i].Y + r),
+      std::max(high.Z, points[i].Z + r) };
+  }
+  // Two voxels more on each side, so that neighbours of marked voxels have places as well.
+  this->Origin = low - Point3{ 2.0 * voxelSize, 2.0 * voxelSize, 2.0 * voxelSize };
+  const double extent = std::max({ high.X - low.X, high.Y - low.Y, high.Z - low.Z });
+  const double resolution = std::ceil(extent / voxelSize) + 5.0;
+  if (!(resolution <= MaximumResolution))
+  {
+    std::ostringstream text;
+    text << "the band would have " << resolution << " voxels along its longest side, more than "
+         << MaximumResolution << ": use a smaller resolution";
+    return Status::Invalid(text.str());
+  }
+  this->Resolution = static_cast<std::int32_t>(resolution);
+
+  this->Rehash(1024);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Point3 centre = this->ToGrid(points[i]);
+    // A voxel more, for the neighbours that are marked in any case.
+    const double radius = std::max(1.0, radii[i] * this->InverseSize);
+    const Range x = RangeOf(centre.X, radius, 8.0);
+    const Range y = RangeOf(centre.Y, radius, 8.0);
+    const Range z = RangeOf(centre.Z, radius, 8.0);
+    for (std::int32_t bz = z.First; bz <= z.Last; ++bz)
+    {
+      const double gapZ = Gap(centre.Z, 8.0 * bz, 8.0 * bz + 8.0);
+      for (std::int32_t by = y.First; by <= y.Last; ++by)
+      {
+        const double gapY = Gap(centre.Y, 8.0 * by, 8.0 * by + 8.0);
+        for (std::int32_t bx = x.First; bx <= x.Last; ++bx)
+        {
+          const double gapX = Gap(centre.X, 8.0 * bx, 8.0 * bx + 8.0);
+          if (gapX * gapX + gapY * gapY + gapZ * gapZ <= radius * radius)
+          {
+            this->AddBrick(BrickKey({ 8 * bx, 8 * by, 8 * bz }));
+          }
+        }
+      }
+    }
+    if (memoryLimit > 0 &&
+      PredictMemory(static_cast<double>(this->Keys.size())) > static_cast<double>(memoryLimit))
+    {
+      std::ostringstream text;
+      text << "the band around the points takes more than " << memoryLimit
+           << " bytes: raise the limit of memory, or use a smaller resolution";
+      return Status::Invalid(text.str());
+    }
+  }
+  const std::size_t words = WordsPerBrick * this->Keys.size();
+  this->Words = std::make_unique<std::atomic<std::uint64_t>[]>(words);
+  for (std::size_t i = 0; i < words; ++i)
+  {
+    this->Words[i].store(0, std::memory_order_relaxed);
+  }
+  ForRange(
+    parallel, static_cast<Offset>(points.size()), PointsPerTask, [&](Offset begin, Offset end) {
+      for (Offset i = begin; i < end; ++i)
+      {
+        this->MarkBall(this->ToGrid(points[i]), radii[i] * this->InverseSize);
+      }
+    });
+  return Status::Success();
+}
+
+void VoxelBand::MarkBall(const Point3& centre, double radius)
+{
+  const Voxel own = VoxelOf(centre);
+  // Centres of voxels are at half numbers.
+  const auto firstZ = static_cast<std::int32_t>(std::ceil(centre.Z - radius - 0.5));
+  const auto lastZ = static_cast<std::int32_t>(std::floor(centre.Z + radius - 0.5));
+  for (std::int32_t z = firstZ; z <= lastZ; ++z)
+  {
+    const double dz = z + 0.5 - centre.Z;
+    const double inLayer = std::sqrt(std::max(0.0, radius * radius - dz * dz));
+    const auto firstY = static_cast<std::int32_t>(std::ceil(centre.Y - inLayer - 0.5));
+    const auto lastY = static_cast<std::int32_t>(std::floor(centre.Y + inLayer - 0.5));
+    for (std::int32_t y = firstY; y <= lastY; ++y)
+    {
+      const double dy = y + 0.5 - centre.Y;
+      const double inRow = std::sqrt(std::max(0.0, inLayer * inLayer - dy * dy));
+      const auto firstX = static_cast<std::int32_t>(std::ceil(centre.X - inRow - 0.5));
+      const auto lastX = static_cast<std::int32_t>(std::floor(centre.X + inRow - 0.5));
+      this->MarkRun(firstX, lastX, y, z);
+    }
+  }
+  if (radius < 0.9)
+  {
+    this->MarkRun(own[0] - 1, own[0] + 1, own[1], own[2]);
+    for (const std::int32_t side : { -1, 1 })
+    {
+      this->MarkRun(own[0], own[0], own[1] + side, own[2]);
+      this->MarkRun(own[0], own[0], own[1], own[2] + side);
+    }
+  }
+}
+
+void VoxelBand::MarkRun(std::int32_t x0, std::int32_t x1, std::int32_t y, std::int32_t z)
+{
+  for (std::int32_t x = x0; x <= x1;)
+  {
+    const std::int32_t end = std::min(x1, x | 7);
+    const std::int64_t brick = this->FindBrick(BrickKey({ x, y, z }));
+    // Rounding may lead a hair beyond the bricks of the ball.
+    if (brick >= 0)
+    {
+      const std::uint64_t run = (std::uint64_t{ 2 } << (end - x)) - 1;
+      this->Words[WordsPerBrick * static_cast<std::size_t>(brick) + (z & 7)].fetch_or(
+        run << (8 * (y & 7) + (x & 7)), std::memory_order_relaxed);
+    }
+    x = end + 1;
+  }
+}
+
+bool VoxelBand::ContainsSegment(const Point3& from, const Point3& to) const
+{
+  const bool isForward = std::tie(from.X, from.Y, from.Z) <= std::tie(to.X, to.Y, to.Z);
+  std::uint64_t key = ~std::uint64_t{ 0 };
+  std::int64_t brick = -1;
+  return WalkSegment(isForward ? from : to, isForward ? to : from,
+    [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+      const Voxel voxel{ x, y, z };
+      const std::uint64_t here = BrickKey(voxel);
+      if (here != key)
+      {
+        key = here;
+        brick = this->FindBrick(here);
+      }
+      return brick >= 0 && this->IsMarked(brick, voxel);
+    });
+}
+
+std::int64_t VoxelBand::FindBrick(std::uint64_t key) const
+{
+  if (this->Table.empty())
+  {
+    return -1;
+  }
+  const std::size_t mask = this->Table.size() - 1;
+  for (std::size_t i = Scramble(key) & mask;; i = (i + 1) & mask)
+  {
+    const std::int32_t brick = this->Table[i];
+    if (brick < 0 || this->Keys[brick] == key)
+    {
+      return brick;
+    }
+  }
+}
+
+void VoxelBand::AddBrick(std::uint64_t key)
+{
+  if (this->FindBrick(key) >= 0)
+  {
+    return;
+  }
+  if (TablePerBrick * (this->Keys.size() + 1) > this->Table.size())
+  {
+    this->Rehash(2 * this->Table.size());
+  }
+  const std::size_t mask = this->Table.size() - 1;
+  std::size_t i = Scramble(key) & mask;
+  while (this->Table[i] >= 0)
+  {
+    i = (i + 1) & mask;
+  }
+  this->Table[i] = static_cast<std::int32_t>(this->Keys.size());
+  this->Keys.push_back(key);
+}
+
+void VoxelBand::Rehash(std::size_t size)
+{
+  this->Table.assign(size, -1);
+  const std::size_t mask = size - 1;
+  for (std::size_t brick = 0; brick < this->Keys.size(); ++brick)
+  {
+    std::size_t i = Scramble(this->Keys[brick]) & mask;
+    while (this->Table[i] >= 0)
+    {
+      i = (i + 1) & mask;
+    }
+    this->Table[i] = static_cast<std::int32_t>(brick);
+  }
+}
+
+Voxel VoxelBand::GetBrickVoxel(std::size_t brick) const
+{
+  const std::uint64_t key = this->Keys[brick];
+  constexpr std::uint64_t mask = (1 << 21) - 1;
+  return { static_cast<std::int32_t>(key >> 42 & mask) * 8,
+    static_cast<std::int32_t>(key >> 21 & mask) * 8, static_cast<std::int32_t>(key & mask) * 8 };
+}
+
+std::size_t VoxelBand::GetNumberOfVoxels() const
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < WordsPerBrick * this->Keys.size(); ++i)
+  {
+    std::uint64_t word = this->Words[i].load(std::memory_order_relaxed);
+    for (; word != 0; word &= word - 1)
+    {
+      ++count;
+    }
+  }
+  return count;
+}
+
+std::size_t VoxelBand::GetMemorySize() const
+{
+  return this->Keys.size() * WordsPerBrick * sizeof(std::uint64_t) +
+    this->Keys.capacity() * sizeof(std::uint64_t) + this->Table.capacity() * sizeof(std::int32_t);
+}
+}

@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggCloudGraphBuilder.h"
+
+#include "dggCloudAssembly.h"
+#include "dggCloudPruning.h"
+#include "dggCloudSetup.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <sstream>
+
+namespace dgg
+{
+namespace
+{
+constexpr Id RowsPerBlock = 64;
+/// Blocks between two reports of progress.
+constexpr Offset BlocksPerWave = 128;
+/// Rows built for an estimate.
+constexpr Id SampleSize = 512;
+constexpr double ShareOfSetup = 0.15;
+constexpr double ShareOfRows = 0.75;
+/// Edges of a graph by edges found, as measured: uniting both directions adds some.
+constexpr double UnitedShare = 1.3;
+constexpr double LargestAccuracy = 0.5;
+constexpr Id LargestResolution = 1 << 19;
+
+/// What one thread needs to build rows.
+struct RowWorkspace
+{
+  RowWorkspace(const CloudSetup& setup, double accuracy)
+    : Setup(setup)
+    , Pruning(setup.Pairs, accuracy)
+  {
+  }
+
+  /// Append the targets of a row.
+  void Build(Id node, std::vector<Id>& targets)
+  {
+    const CloudPairs& pairs = this->Setup.Pairs;
+    this->Setup.Neighbors->FindWithin(
+      pairs.Points[node], pairs.Reaches[node], this->Setup.MostNeighbors, this->Found);
+    this->Neighbors.clear();
+    this->Chords.clear();
+    for (const CloudNeighbor& neighbor : this->Found)
+    {
+      if (neighbor.Point != node)
+      {
+        this->Neighbors.push_back(neighbor.Point);
+        this->Chords.push_back(pairs.Chord(node, neighbor.Point));
+      }
+    }
+    this->Candidates += this->Neighbors.size();
+    this->Pruning.ChooseEdges(node, this->Neighbors, this->Chords, targets);
+  }
+
+  const CloudSetup& Setup;
+  CloudPruning Pruning;
+  std::vector<CloudNeighbor> Found;
+  std::vector<Id> Neighbors;
+  std::vector<double> Chords;
+  std::size_t Candidates = 0;
+};
+
+ProgressCallback PartOf(const ProgressCallback& progress, double begin, double share)
+{
+  return progress ? [=](double done) { return progress(begin + share * done); }
+                  : ProgressCallback();
+}
+
+GraphConstruction ConstructionOf(CloudScheme scheme)
+{
+  switch (scheme)
+  {
+    case CloudScheme::Curvature:
+      return GraphConstruction::CloudCurvature;
+    case CloudScheme::Constant:
+      return GraphConstruction::CloudConstant;
+    case CloudScheme::Spacing:
+      break;
+  }
+  return GraphConstruction::CloudSpacing;
+}
+
+/// Sums of lengths must stay within the range of float, and tiny edges above its denormals.
+bool NeedsWide(const CloudNodes& nodes, double accuracy)
+{
+  const double extent = nodes.Extent / nodes.Scale;
+  return NeedsWideLengths(accuracy) || extent > 1e30 || (extent > 0.0 && extent < 1e-20);
+}
+
+std::size_t BytesPerEdge(bool wide)
+{
+  return sizeof(Id) + (wide ? sizeof(double) : sizeof(float));
+}
+
+/// Of rows, graph and what is needed to unite them.
+double PredictPeak(double setup, double points, double edges, bool wide)
+{
+  const double rows = edges / UnitedShare * sizeof(Id);
+  const double arrays = points * (2.0 * sizeof(Offset) + 4.0 * sizeof(Id));
+  return setup + arrays + std::max(rows + edges * sizeof(Id), edges * BytesPerEdge(wide));
+}
+
+Status TooMuch(double bytes, std::size_t limit)
+{
+  std::ostringstream text;
+  text << "building the graph would take about " << bytes << " bytes, but the limit is " << limit
+       << ": raise the limit of memory, or use a larger accuracy or a smaller alpha";
+  return Status::Invalid(text.str());
+}
+
+/// Predict from the rows of some nodes, evenly spread.
+void PredictFrom(const CloudSetup& setup, const CloudGraphOptions& options, Id numberOfPoints,
+  CloudGraphEstimate& estimate)
+{
+  const auto nodes = static_cast<Id>(setup.Pairs.Points.size());
+  const Id sample = std::min(nodes, SampleSize);
+  RowWorkspace workspace(setup, options.Accuracy);
+  std::vector<Id> targets;
+  for (Id i = 0; i < sample; ++i)
+  {
+    workspace.Build(static_cast<Id>(static_cast<Offset>(i) * nodes / sample), targets);
+  }
+  const double degree = sample > 0 ? static_cast<double>(targets.size()) / sample : 0.0;
+  const bool wide = NeedsWide(setup.Nodes, options.Accuracy);
+  const double points = numberOfPoints;
+  estimate.Edges = UnitedShare * degree * nodes;
+  estimate.Memory = estimate.Edges * BytesPerEdge(wide) + (points + 1.0) * sizeof(Offset);
+  estimate.Peak =
+    PredictPeak(static_cast<double>(setup.GetMemorySize()), points, estimate.Edges, wide);
+}
+
+Status BuildRows(const CloudSetup& setup, const CloudGraphOptions& options,
+  const ProgressCallback& progress, std::vector<CloudRowBlock>& blocks,
+  CloudGraphStatistics& statistics)
+{
+  const auto nodes = static_cast<Id>(setup.Pairs.Points.size());
+  blocks = std::vector<CloudRowBlock>((nodes + RowsPerBlock - 1) / RowsPerBlock);
+  std::atomic<std::size_t> candidates{ 0 };
+  std::atomic<std::size_t> walks{ 0 };
+  std::atomic<std::size_t> edges{ 0 };
+  const auto count = static_cast<Offset>(blocks.size());
+  for (Offset first = 0; first < count; first += BlocksPerWave)
+  {
+    if (progress && !progress(static_cast<double>(first) / static_cast<double>(count)))
+    {
+      return Status::Abort();
+    }
+    const Offset size = std::min(BlocksPerWave, count - first);
+    ForRange(options.Parallel, size, 1, [&](Offset begin, Offset end) {
+      RowWorkspace workspace(setup, options.Accuracy);
+      std::vector<Id> targets;
+      for (Offset b = first + begin; b < first + end; ++b)
+      {
+        CloudRowBlock& block = blocks[static_cast<std::size_t>(b)];
+        targets.clear();
+        const auto firstRow = static_cast<Id>(b * RowsPerBlock);
+        const Id lastRow = std::min(nodes, firstRow + RowsPerBlock);
+        for (Id row = firstRow; row < lastRow; ++row)
+        {
+          const std::size_t before = targets.size();
+          workspace.Build(row, targets);
+          block.Sizes.push_back(static_cast<Id>(targets.size() - before));
+        }
+        block.Targets.assign(targets.begin(), targets.end()); // no larger than it has to be
+        edges += targets.size();
+      }
+      candidates += workspace.Candidates;
+      walks += workspace.Pruning.GetNumberOfWalks();
+    });
+  }
+  statistics.Candidates = candidates;
+  statistics.Walks = walks;
+  statistics.OutEdges = edges;
+  return Status::Success();
+}
+
+Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptions& options,
+  CloudGraph& result, CloudGraphStatistics& statistics)
+{
+  CloudSetup setup;
+  Status status = SetUpCloud(points, numberOfPoints, options,
+    PartOf(options.Progress, 0.0, ShareOfSetup), setup, statistics);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  if (options.MemoryLimit > 0)
+  {
+    CloudGraphEstimate estimate;
+    PredictFrom(setup, options, numberOfPoints, estimate);
+    if (estimate.Peak > static_cast<double>(options.MemoryLimit))
+    {
+      return TooMuch(estimate.Peak, options.MemoryLimit);
+    }
+  }
+  std::vector<CloudRowBlock> blocks;
+  status = BuildRows(
+    setup, options, PartOf(options.Progress, ShareOfSetup, ShareOfRows), blocks, statistics);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const bool wide = NeedsWide(setup.Nodes, options.Accuracy);
+  AssembleCloudGraph(
+    setup, numberOfPoints, RowsPerBlock, blocks, wide, options.Parallel, result.Graph);
+  statistics.PeakMemory =
+    static_cast<std::size_t>(PredictPeak(static_cast<double>(setup.GetMemorySize()), numberOfPoints,
+      static_cast<double>(result.Graph.Targets.Size()), wide));
+
+  const auto n = static_cast<std::size_t>(numberOfPoints);
+  std::vector<unsigned char> isUsed(n, 0);
+  result.Radii.assign(n, 0.0f);
+  const double toPoints = 1.0 / setup.Nodes.Scale;
+  for (std::size_t node = 0; node < setup.Nodes.Originals.size(); ++node)
+  {
+    isUsed[setup.Nodes.Originals[node]] = 1;
+    result.Radii[setup.Nodes.Originals[node]] =
+      static_cast<float>(toPoints * setup.Pairs.Radii[node]);
+  }
+  for (const auto& [point, node] : setup.Nodes.Coincident)
+  {
+    isUsed[point] = 1;
+    result.Radii[point] = static_cast<float>(toPoints * setup.Pairs.Radii[node]);
+  }
+  result.VoxelSize = toPoints * setup.Pairs.Band.GetVoxelSize();
+  FindCloudComponents(result.Graph, isUsed, result.Components, result.ComponentSizes);
+  result.Graph.Info.Kind = GraphKind::Cloud;
+  result.Graph.Info.Construction = ConstructionOf(options.Scheme);
+  result.Graph.Info.Accuracy = options.Accuracy;
+  return options.Progress && !options.Progress(1.0) ? Status::Abort() : Status::Success();
+}
+}
+
+CloudGraphBuilder::CloudGraphBuilder(const double* points, Id numberOfPoints)
+  : Points(points)
+  , NumberOfPoints(numberOfPoints)
+{
+}
+
+Status CloudGraphBuilder::Check(const CloudGraphOptions& options)
+{
+  std::ostringstream text;
+  if (!(options.OffsetInVoxels >= 0.0 && options.OffsetInVoxels <= 1000.0))
+  {
+    text << "the offset is " << options.OffsetInVoxels
+         << " voxels, but has to be 0 (automatic) or at most 1000";
+  }
+  else if (options.Resolution < 0 || options.Resolution > LargestResolution)
+  {
+    text << "the resolution is " << options.Resolution
+         << ", but has to be 0 (automatic) or at most " << LargestResolution;
+  }
+  else if (!(options.Alpha >= 0.0 && options.Alpha <= 1e6))
+  {
+    text << "alpha is " << options.Alpha << ", but has to be 0 (automatic) or at most 1e6";
+  }
+  else if (!(options.Accuracy == 0.0 ||
+             (options.Accuracy >= 1e-6 && options.Accuracy <= LargestAccuracy)))
+  {
+    text << "the accuracy is " << options.Accuracy
+         << ", but has to be 0 (all edges) or between 1e-6 and " << LargestAccuracy;
+  }
+  else if (options.HasOrientedNormals && !options.Normals)
+  {
+    text << "there are no normals that could be oriented";
+  }
+  return text.str().empty() ? Status::Success() : Status::Invalid(text.str());
+}
+
+Status CloudGraphBuilder::Estimate(
+  const CloudGraphOptions& options, CloudGraphEstimate& estimate) const
+{
+  estimate = CloudGraphEstimate();
+  Status status = Check(options);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  CloudSetup setup;
+  CloudGraphStatistics statistics;
+  status =
+    SetUpCloud(this->Points, this->NumberOfPoints, options, options.Progress, setup, statistics);
+  if (status.IsOk())
+  {
+    PredictFrom(setup, options, this->NumberOfPoints, estimate);
+  }
+  return status;
+}
+
+Status CloudGraphBuilder::Build(
+  const CloudGraphOptions& options, CloudGraph& result, CloudGraphStatistics* statistics) const
+{
+  result = CloudGraph();
+  CloudGraphStatistics local;
+  Status status = Check(options);
+  if (status.IsOk())
+  {
+    status = BuildGraph(this->Points, this->NumberOfPoints, options, result, local);
+  }
+  if (!status.IsOk())
+  {
+    result = CloudGraph();
+  }
+  if (statistics)
+  {
+    *statistics = local;
+  }
+  return status;
+}
+}

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggCloudNeighbors.h"
+
+#include <algorithm>
+
+#include <flann/algorithms/dist.h>
+#include <flann/algorithms/kdtree_single_index.h>
+
+namespace dgg
+{
+namespace
+{
+using Distance = flann::L2_3D<double>;
+
+static_assert(sizeof(Point3) == 3 * sizeof(double), "FLANN reads points as rows of numbers");
+
+bool IsCloser(const CloudNeighbor& a, const CloudNeighbor& b)
+{
+  return a.SquaredDistance != b.SquaredDistance ? a.SquaredDistance < b.SquaredDistance
+                                                : a.Point < b.Point;
+}
+
+/// The nearest points seen: a heap with the farthest of them on top.
+class NearestSet : public flann::ResultSet<double>
+{
+public:
+  NearestSet(std::size_t most, double squaredRadius, std::vector<CloudNeighbor>& neighbors)
+    : Most(most)
+    , SquaredRadius(squaredRadius)
+    , Neighbors(neighbors)
+  {
+    this->Neighbors.clear();
+  }
+
+  bool full() const override { return true; }
+
+  void addPoint(double squaredDistance, std::size_t index) override
+  {
+    const CloudNeighbor neighbor{ static_cast<Id>(index), squaredDistance };
+    if (this->Neighbors.size() < this->Most)
+    {
+      if (squaredDistance <= this->SquaredRadius)
+      {
+        this->Neighbors.push_back(neighbor);
+        if (this->Neighbors.size() == this->Most)
+        {
+          std::make_heap(this->Neighbors.begin(), this->Neighbors.end(), IsCloser);
+        }
+      }
+    }
+    else if (IsCloser(neighbor, this->Neighbors.front()))
+    {
+      std::pop_heap(this->Neighbors.begin(), this->Neighbors.end(), IsCloser);
+      this->Neighbors.back() = neighbor;
+      std::push_heap(this->Neighbors.begin(), this->Neighbors.end(), IsCloser);
+    }
+  }
+
+  /// FLANN looks at points closer than that only: a hair more finds those at that distance.
+  double worstDist() const override
+  {
+    const double farthest = this->Neighbors.size() < this->Most
+      ? this->SquaredRadius
+      : this->Neighbors.front().SquaredDistance;
+    return farthest * (1.0 + 1e-12) + std::numeric_limits<double>::min();
+  }
+
+private:
+  std::size_t Most;
+  double SquaredRadius;
+  std::vector<CloudNeighbor>& Neighbors;
+};
+}
+
+class CloudNeighbors::Tree
+{
+public:
+  explicit Tree(const std::vector<Point3>& points)
+    : Points(points)
+    , Index(flann::KDTreeSingleIndexParams(12, true))
+  {
+    // FLANN wants what it does not change to be changeable, and no empty sets.
+    if (!points.empty())
+    {
+      this->Index.buildIndex(
+        flann::Matrix<double>(const_cast<double*>(&points[0].X), points.size(), 3));
+    }
+  }
+
+  void Find(const Point3& place, std::size_t most, double squaredRadius,
+    std::vector<CloudNeighbor>& neighbors) const
+  {
+    NearestSet set(most, squaredRadius, neighbors);
+    if (!this->Points.empty() && most > 0)
+    {
+      this->Index.findNeighbors(set, &place.X, flann::SearchParams());
+    }
+    std::sort(neighbors.begin(), neighbors.end(), IsCloser);
+  }
+
+  const std::vector<Point3>& Points;
+
+private:
+  flann::KDTreeSingleIndex<Distance> Index;
+};
+
+CloudNeighbors::CloudNeighbors(const std::vector<Point3>& points)
+  : Index(std::make_unique<Tree>(points))
+{
+}
+
+CloudNeighbors::~CloudNeighbors() = default;
+
+void CloudNeighbors::FindNearest(
+  const Point3& place, std::size_t count, std::vector<CloudNeighbor>& neighbors) const
+{
+  this->Index->Find(place, count, std::numeric_limits<double>::max() / 4.0, neighbors);
+}
+
+void CloudNeighbors::FindWithin(
+  const Point3& place, double radius, std::size_t most, std::vector<CloudNeighbor>& neighbors) const
+{
+  this->Index->Find(place, most, radius * radius, neighbors);
+}
+
+std::size_t CloudNeighbors::GetMemorySize() const
+{
+  return PredictMemory(this->Index->Points.size());
+}
+
+std::size_t CloudNeighbors::PredictMemory(std::size_t points)
+{
+  // A copy of the points in the order of the tree, pointers to the originals, places in both, and
+  // nodes: two per leaf, and leaves are half full.
+  return points * (sizeof(Point3) + 2 * sizeof(void*) + sizeof(int) + 64 / 3);
+}
+}

@@ -1,0 +1,574 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggCloudSetup.h"
+
+#include "dggLocalFit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+#include <tuple>
+
+namespace dgg
+{
+namespace
+{
+constexpr Offset NodesPerTask = 256;
+
+/// The neighbour whose distance tells the local spacing.
+constexpr std::size_t SpacingNeighbors = 16;
+/// Neighbours that a surface is fitted to; more where points are noisy.
+constexpr std::size_t FitNeighbors = 32;
+constexpr std::size_t MostFitNeighbors = 256;
+/// Points are noisy when they lie off the fitted surface by that much of their spacing: then they
+/// are moved to it.
+constexpr double NoisyResidual = 0.1;
+/// The spacing of a point is at most that of its neighbours by this: a point on its own, far off
+/// the surface, must not get a ball that reaches it.
+constexpr double LargestSpacingRatio = 2.0;
+
+/// Radius of a ball by spacing: of random points, all but 1 in 1000 of the surface lie in balls.
+constexpr double BallBySpacing = 1.5;
+/// Scheme A takes its reach from pairs in overlapping balls, so they must be larger.
+constexpr double BallBySpacingOfCurvatureScheme = 4.0;
+constexpr double VoxelsPerSpacing = 2.0;
+/// Spacings that voxels are chosen for: that of the densest points are too small.
+constexpr double SpacingQuantile = 0.2;
+/// Voxels along the longest side when they are chosen automatically, at most.
+constexpr double LargestAutomaticResolution = 8192.0;
+/// Voxels in a ball on average, at most.
+constexpr double VoxelsPerBall = 2000.0;
+
+/// Reach by spacing, scheme C.
+constexpr double ReachBySpacing = 12.0;
+/// With chords, the reach at which zigzag and shortcut balance, by (s^2 / curvature)^(1/3).
+constexpr double BalancedReach = 1.67;
+constexpr double LeastReach = 3.5;
+constexpr double MostReach = 16.0;
+/// Turn of the surface along an edge, at most: beyond it arcs are guesses.
+constexpr double TurnOfReach = 0.8;
+/// Reach by spacing that B is given by default.
+constexpr double ConstantReach = 6.0;
+/// Direct neighbours that the reach is to include.
+constexpr std::size_t LeastNeighbors = 6;
+constexpr std::size_t NearNeighbors = 33;
+/// Neighbours looked at by those expected within reach, at most.
+constexpr double CrowdFactor = 4.0;
+
+/// The value below which lies that part of the values. Reorders them.
+template <typename T>
+T Quantile(std::vector<T>& values, double part)
+{
+  const auto place = static_cast<std::size_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(
+    values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
+  return values[place];
+}
+
+std::uint64_t SpreadBits(std::uint64_t x)
+{
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffffULL;
+  x = (x | x << 16) & 0x1f0000ff0000ffULL;
+  x = (x | x << 8) & 0x100f00f00f00f00fULL;
+  x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
+  return (x | x << 2) & 0x1249249249249249ULL;
+}
+
+/// Place along a curve that keeps together what is close.
+std::uint64_t MortonCode(const Point3& p)
+{
+  const auto cell = [](double x) {
+    return static_cast<std::uint64_t>(std::clamp((x + 1.0) * 1048576.0, 0.0, 2097151.0));
+  };
+  return SpreadBits(cell(p.X)) | SpreadBits(cell(p.Y)) << 1 | SpreadBits(cell(p.Z)) << 2;
+}
+
+double SpacingFrom(const std::vector<CloudNeighbor>& neighbors)
+{
+  const std::size_t k = std::min(SpacingNeighbors, neighbors.size() - 1);
+  return k == 0 ? 0.0 : std::sqrt(Pi * neighbors[k].SquaredDistance / static_cast<double>(k));
+}
+
+/// Steps of the setup, one after the other.
+class SetupBuilder
+{
+public:
+  SetupBuilder(const CloudGraphOptions& options, const ProgressCallback& progress,
+    CloudSetup& setup, CloudGraphStatistics& statistics)
+    : Options(options)
+    , Progress(progress)
+    , Setup(setup)
+    , Pairs(setup.Pairs)
+    , Statistics(statistics)
+  {
+  }
+
+  Status Run(const double* normals)
+  {
+    const std::size_t n = this->Pairs.Points.size();
+    this->Pairs.UsesArcs = this->Options.ArcLengthWeights;
+    this->Setup.Neighbors = std::make_unique<CloudNeighbors>(this->Pairs.Points);
+    if (!this->Tell(0.1))
+    {
+      return Status::Abort();
+    }
+    this->FitSurfaces(FitNeighbors);
+    if (!this->Tell(0.4))
+    {
+      return Status::Abort();
+    }
+    this->RemoveNoise();
+    this->SmoothSpacings();
+    if (!this->Tell(0.6))
+    {
+      return Status::Abort();
+    }
+    if (normals)
+    {
+      this->TakeNormals(normals);
+    }
+    Status status = this->BuildBand();
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    if (!this->Tell(0.8))
+    {
+      return Status::Abort();
+    }
+    this->Pairs.Reaches.assign(n, 0.0f);
+    this->ChooseReaches();
+    return this->Tell(1.0) ? Status::Success() : Status::Abort();
+  }
+
+private:
+  bool Tell(double done) const { return !this->Progress || this->Progress(done); }
+
+  template <typename Body>
+  void ForEachNode(Body&& body) const
+  {
+    ForRange(this->Options.Parallel, static_cast<Offset>(this->Pairs.Points.size()), NodesPerTask,
+      [&](Offset begin, Offset end) {
+        std::vector<CloudNeighbor> neighbors;
+        std::vector<Point3> places;
+        for (auto node = static_cast<Id>(begin); node < static_cast<Id>(end); ++node)
+        {
+          body(node, neighbors, places);
+        }
+      });
+  }
+
+  /// Spacings, normals, curvatures and how far points lie off the surface.
+  void FitSurfaces(std::size_t count)
+  {
+    const std::size_t n = this->Pairs.Points.size();
+    this->Pairs.Spacings.assign(n, 0.0f);
+    this->Pairs.Normals.assign(n, Point3());
+    this->Pairs.Noise.assign(n, 0.0f);
+    this->Curvatures.assign(n, 0.0f);
+    this->Residuals.assign(n, 0.0f);
+    this->ToSurface.assign(n, Point3());
+    this->ForEachNode([&](Id node, std::vector<CloudNeighbor>& neighbors,
+                        std::vector<Point3>& places) {
+      const Point3& point = this->Pairs.Points[node];
+      this->Setup.Neighbors->FindNearest(point, std::max(count, SpacingNeighbors) + 1, neighbors);
+      this->Pairs.Spacings[node] = static_cast<float>(SpacingFrom(neighbors));
+      places.clear();
+      for (const CloudNeighbor& neighbor : neighbors)
+      {
+        places.push_back(this->Pairs.Points[neighbor.Point]);
+      }
+      const LocalFit fit = FitSurface(point, places.data(), places.size());
+      this->Pairs.Normals[node] = fit.Normal;
+      this->Curvatures[node] = static_cast<float>(fit.Curvature);
+      this->Residuals[node] = static_cast<float>(fit.Residual);
+      this->ToSurface[node] = fit.ToSurface;
+      const double k = static_cast<double>(places.size());
+      const double square = neighbors.back().SquaredDistance;
+      this->Pairs.Noise[node] =
+        square > 0.0 ? static_cast<float>(10.0 * fit.Residual * fit.Residual / (k * square)) : 0.0f;
+    });
+  }
+
+  double MedianNoise() const
+  {
+    std::vector<float> ratios;
+    ratios.reserve(this->Residuals.size());
+    for (std::size_t i = 0; i < this->Residuals.size(); ++i)
+    {
+      ratios.push_back(
+        this->Pairs.Spacings[i] > 0.0f ? this->Residuals[i] / this->Pairs.Spacings[i] : 0.0f);
+    }
+    return Quantile(ratios, 0.5);
+  }
+
+  /// Move points to the surface where they are scattered about it.
+  void RemoveNoise()
+  {
+    std::vector<float> residuals = this->Residuals;
+    this->Statistics.Noise = Quantile(residuals, 0.5) / this->Setup.Nodes.Scale;
+    const double noise = this->MedianNoise();
+    if (!(noise > NoisyResidual))
+    {
+      return;
+    }
+    const auto count = static_cast<std::size_t>(std::min<double>(
+      MostFitNeighbors, static_cast<double>(FitNeighbors) * noise / NoisyResidual));
+    this->FitSurfaces(count);
+    for (std::size_t i = 0; i < this->Pairs.Points.size(); ++i)
+    {
+      this->Pairs.Points[i] = this->Pairs.Points[i] + this->ToSurface[i];
+    }
+    this->Setup.Neighbors = std::make_unique<CloudNeighbors>(this->Pairs.Points);
+    this->FitSurfaces(std::max(FitNeighbors, count / 2));
+  }
+
+  /// Values that single points far off cannot spoil.
+  void SmoothSpacings()
+  {
+    std::vector<float> spacings(this->Pairs.Spacings.size());
+    std::vector<float> curvatures(spacings.size());
+    this->ForEachNode([&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>&) {
+      this->Setup.Neighbors->FindNearest(this->Pairs.Points[node], SpacingNeighbors + 1, neighbors);
+      std::vector<float> around;
+      for (const CloudNeighbor& neighbor : neighbors)
+      {
+        around.push_back(this->Pairs.Spacings[neighbor.Point]);
+      }
+      spacings[node] = std::min(this->Pairs.Spacings[node],
+        static_cast<float>(LargestSpacingRatio) * Quantile(around, 0.5));
+      around.clear();
+      for (const CloudNeighbor& neighbor : neighbors)
+      {
+        around.push_back(this->Curvatures[neighbor.Point]);
+      }
+      curvatures[node] = Quantile(around, 0.5);
+    });
+    this->Pairs.Spacings.swap(spacings);
+    this->Curvatures.swap(curvatures);
+    spacings = this->Pairs.Spacings;
+    this->MedianSpacing = Quantile(spacings, 0.5);
+    this->Statistics.Spacing = this->MedianSpacing / this->Setup.Nodes.Scale;
+  }
+
+  void TakeNormals(const double* normals)
+  {
+    this->Pairs.HasOrientedNormals = this->Options.HasOrientedNormals;
+    for (std::size_t i = 0; i < this->Pairs.Points.size(); ++i)
+    {
+      const double* n = normals + 3 * static_cast<std::size_t>(this->Setup.Nodes.Originals[i]);
+      const double largest = std::max({ std::abs(n[0]), std::abs(n[1]), std::abs(n[2]) });
+      if (largest > 0.0 && std::isfinite(n[0]) && std::isfinite(n[1]) && std::isfinite(n[2]))
+      {
+        const Point3 normal{ n[0] / largest, n[1] / largest, n[2] / largest };
+        this->Pairs.Normals[i] = (1.0 / Norm(normal)) * normal;
+      }
+    }
+  }
+
+  Status BuildBand()
+  {
+    const std::size_t n = this->Pairs.Points.size();
+    const double extent = this->Setup.Nodes.Extent;
+    const double h = this->Options.OffsetInVoxels;
+    const double factor = this->Options.Scheme == CloudScheme::Curvature
+      ? BallBySpacingOfCurvatureScheme
+      : BallBySpacing;
+    std::vector<float>& radii = this->Pairs.Radii;
+    radii.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      radii[i] = static_cast<float>(factor * this->Pairs.Spacings[i]);
+    }
+    double size = 0.0;
+    std::vector<float> spacings = this->Pairs.Spacings;
+    if (this->Options.Resolution > 0)
+    {
+      // As published, with room for the balls.
+      const double pad = std::ceil(h > 0.0 ? h : 3.0) + 2.0;
+      size = extent / std::max(1.0, this->Options.Resolution - 2.0 * pad);
+    }
+    else if (h > 0.0)
+    {
+      size = factor * this->MedianSpacing / h;
+    }
+    else
+    {
+      size = std::max(Quantile(spacings, SpacingQuantile) / VoxelsPerSpacing,
+        extent / LargestAutomaticResolution);
+      double sum = 0.0;
+      for (const float radius : radii)
+      {
+        sum += std::pow(radius / size, 3.0);
+      }
+      const double voxels = 4.0 / 3.0 * Pi * sum / static_cast<double>(n);
+      size *= std::cbrt(std::max(1.0, voxels / VoxelsPerBall));
+    }
+    if (!(size > 0.0))
+    {
+      size = 1.0; // a single point
+    }
+    if (h > 0.0)
+    {
+      std::fill(radii.begin(), radii.end(), static_cast<float>(h * size));
+    }
+    std::vector<float> sorted = radii;
+    this->Statistics.OffsetInVoxels = Quantile(sorted, 0.5) / size;
+    this->Statistics.VoxelSize = size / this->Setup.Nodes.Scale;
+    this->Statistics.Resolution = static_cast<Id>(std::min(1e9, std::ceil(extent / size)));
+    std::size_t limit = 0;
+    if (this->Options.MemoryLimit > 0)
+    {
+      const std::size_t used = this->Setup.GetMemorySize();
+      if (used >= this->Options.MemoryLimit)
+      {
+        return this->TooMuch(used);
+      }
+      limit = this->Options.MemoryLimit - used;
+    }
+    const Status status =
+      this->Pairs.Band.Build(this->Pairs.Points, radii, size, limit, this->Options.Parallel);
+    this->Statistics.BandMemory = this->Pairs.Band.GetMemorySize();
+    return status;
+  }
+
+  Status TooMuch(std::size_t bytes) const
+  {
+    std::ostringstream text;
+    text << "what has to be known of the points takes " << bytes << " bytes, but the limit is "
+         << this->Options.MemoryLimit << ": raise the limit of memory";
+    return Status::Invalid(text.str());
+  }
+
+  void ChooseReaches()
+  {
+    const double size = this->Pairs.Band.GetVoxelSize();
+    const double h = this->Statistics.OffsetInVoxels;
+    double alpha = this->Options.Alpha;
+    const bool isAutomatic = !(alpha > 0.0);
+    switch (this->Options.Scheme)
+    {
+      case CloudScheme::Curvature:
+        alpha = isAutomatic ? 1.0 : alpha;
+        break;
+      case CloudScheme::Constant:
+        alpha = isAutomatic ? std::max(h, ConstantReach * this->MedianSpacing / size - h) : alpha;
+        break;
+      case CloudScheme::Spacing:
+        alpha = isAutomatic ? ReachBySpacing : alpha;
+        break;
+    }
+    this->Statistics.Alpha = alpha;
+    std::vector<float>& reaches = this->Pairs.Reaches;
+    this->ForEachNode([&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>&) {
+      const double s = this->Pairs.Spacings[node];
+      double reach = 0.0;
+      switch (this->Options.Scheme)
+      {
+        case CloudScheme::Curvature:
+          reach = this->MeanDirectLength(node, neighbors) / alpha;
+          break;
+        case CloudScheme::Constant:
+          reach = size * (h + alpha);
+          break;
+        case CloudScheme::Spacing:
+          reach = isAutomatic ? this->AutomaticReach(node) : alpha * s;
+          break;
+      }
+      if (reach < LeastReach * s)
+      {
+        reach = std::max(reach, this->ReachOfFew(node, neighbors));
+      }
+      reaches[node] = static_cast<float>(reach);
+    });
+    std::vector<float> sorted = reaches;
+    const double median = Quantile(sorted, 0.5);
+    this->Statistics.Reach = median / this->Setup.Nodes.Scale;
+    const double ratio =
+      this->MedianSpacing > 0.0 ? std::max(LeastReach, median / this->MedianSpacing) : LeastReach;
+    this->Setup.MostNeighbors = static_cast<std::size_t>(CrowdFactor * Pi * ratio * ratio) + 1;
+  }
+
+  double AutomaticReach(Id node) const
+  {
+    const double s = this->Pairs.Spacings[node];
+    const double curvature = this->Curvatures[node];
+    if (this->Options.ArcLengthWeights)
+    {
+      return std::max(LeastReach * s,
+        curvature > 0.0 ? std::min(ReachBySpacing * s, TurnOfReach / curvature)
+                        : ReachBySpacing * s);
+    }
+    const double balanced =
+      curvature > 0.0 ? BalancedReach * std::cbrt(s * s / curvature) : MostReach * s;
+    return std::clamp(balanced, LeastReach * s, MostReach * s);
+  }
+
+  /// Of pairs in overlapping balls.
+  double MeanDirectLength(Id node, std::vector<CloudNeighbor>& neighbors) const
+  {
+    this->Setup.Neighbors->FindWithin(this->Pairs.Points[node], 2.0 * this->Pairs.Radii[node],
+      static_cast<std::size_t>(
+        CrowdFactor * Pi * 4.0 * BallBySpacingOfCurvatureScheme * BallBySpacingOfCurvatureScheme),
+      neighbors);
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const CloudNeighbor& neighbor : neighbors)
+    {
+      const double chord = std::sqrt(neighbor.SquaredDistance);
+      if (neighbor.Point != node && this->Pairs.IsDirect(node, neighbor.Point, chord))
+      {
+        sum += chord;
+        ++count;
+      }
+    }
+    return count > 0 ? sum / static_cast<double>(count) : 0.0;
+  }
+
+  /// Reach that includes the nearest direct neighbours.
+  double ReachOfFew(Id node, std::vector<CloudNeighbor>& neighbors) const
+  {
+    this->Setup.Neighbors->FindNearest(this->Pairs.Points[node], NearNeighbors, neighbors);
+    double reach = 0.0;
+    std::size_t count = 0;
+    for (const CloudNeighbor& neighbor : neighbors)
+    {
+      const double chord = std::sqrt(neighbor.SquaredDistance);
+      if (neighbor.Point != node && this->Pairs.IsDirect(node, neighbor.Point, chord))
+      {
+        // A hair more, as reaches are floats.
+        reach = chord * (1.0 + 1e-6);
+        if (++count == LeastNeighbors)
+        {
+          break;
+        }
+      }
+    }
+    return reach;
+  }
+
+  const CloudGraphOptions& Options;
+  const ProgressCallback& Progress;
+  CloudSetup& Setup;
+  CloudPairs& Pairs;
+  CloudGraphStatistics& Statistics;
+  std::vector<float> Curvatures;
+  std::vector<float> Residuals;
+  std::vector<Point3> ToSurface;
+  double MedianSpacing = 0.0;
+};
+}
+
+Status FindNodes(
+  const double* points, Id numberOfPoints, CloudNodes& nodes, std::vector<Point3>& places)
+{
+  const auto isFinite = [&](Id i) {
+    const double* p = points + 3 * static_cast<std::size_t>(i);
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  };
+  double low[3] = { Infinity, Infinity, Infinity };
+  double high[3] = { -Infinity, -Infinity, -Infinity };
+  Id used = 0;
+  for (Id i = 0; i < numberOfPoints; ++i)
+  {
+    if (isFinite(i))
+    {
+      ++used;
+      for (int k = 0; k < 3; ++k)
+      {
+        const double x = points[3 * static_cast<std::size_t>(i) + k];
+        low[k] = std::min(low[k], x);
+        high[k] = std::max(high[k], x);
+      }
+    }
+  }
+  nodes = CloudNodes();
+  places.clear();
+  nodes.Unused = numberOfPoints - used;
+  if (used == 0)
+  {
+    return Status::Success();
+  }
+  double centre[3];
+  double half = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    centre[k] = 0.5 * low[k] + 0.5 * high[k];
+    half = std::max(half, 0.5 * high[k] - 0.5 * low[k]);
+  }
+  // Squares of lengths, and what the arithmetic of lengths needs besides, must stay in range.
+  if (half > 1e150 || (half > 0.0 && half < 1e-150))
+  {
+    std::ostringstream text;
+    text << "the points are spread over " << half
+         << " units to each side, out of the range of the arithmetic: scale them";
+    return Status::Invalid(text.str());
+  }
+  int exponent = 0;
+  std::frexp(half, &exponent);
+  nodes.Scale = half > 0.0 ? std::ldexp(1.0, -exponent) : 1.0;
+  nodes.Extent = 2.0 * half * nodes.Scale;
+
+  struct Entry
+  {
+    std::uint64_t Code;
+    Point3 Place;
+    Id Original;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(static_cast<std::size_t>(used));
+  for (Id i = 0; i < numberOfPoints; ++i)
+  {
+    if (isFinite(i))
+    {
+      const double* p = points + 3 * static_cast<std::size_t>(i);
+      const Point3 place{ (p[0] - centre[0]) * nodes.Scale, (p[1] - centre[1]) * nodes.Scale,
+        (p[2] - centre[2]) * nodes.Scale };
+      entries.push_back({ MortonCode(place), place, i });
+    }
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.Code, a.Place.X, a.Place.Y, a.Place.Z, a.Original) <
+      std::tie(b.Code, b.Place.X, b.Place.Y, b.Place.Z, b.Original);
+  });
+  for (const Entry& entry : entries)
+  {
+    const Point3& p = entry.Place;
+    if (!places.empty() && places.back().X == p.X && places.back().Y == p.Y &&
+      places.back().Z == p.Z)
+    {
+      nodes.Coincident.emplace_back(entry.Original, static_cast<Id>(places.size() - 1));
+    }
+    else
+    {
+      places.push_back(p);
+      nodes.Originals.push_back(entry.Original);
+    }
+  }
+  return Status::Success();
+}
+
+std::size_t CloudSetup::GetMemorySize() const
+{
+  const std::size_t n = this->Pairs.Points.size();
+  // Points, normals and what is fitted (with copies while it is smoothed), tree and band.
+  return n * (3 * sizeof(Point3) + 10 * sizeof(float) + sizeof(Id)) +
+    CloudNeighbors::PredictMemory(n) + this->Pairs.Band.GetMemorySize();
+}
+
+Status SetUpCloud(const double* points, Id numberOfPoints, const CloudGraphOptions& options,
+  const ProgressCallback& progress, CloudSetup& setup, CloudGraphStatistics& statistics)
+{
+  Status status = FindNodes(points, numberOfPoints, setup.Nodes, setup.Pairs.Points);
+  statistics.UnusedPoints = setup.Nodes.Unused;
+  statistics.CoincidentPoints = static_cast<Id>(setup.Nodes.Coincident.size());
+  if (!status.IsOk() || setup.Pairs.Points.empty())
+  {
+    return status;
+  }
+  SetupBuilder builder(options, progress, setup, statistics);
+  return builder.Run(options.Normals);
+}
+}
