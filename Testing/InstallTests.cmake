@@ -109,7 +109,7 @@ dgg_add_consumer_test(Pipeline.WrongSource 1 "source|point"
 if (DGG_WITH_PYTHON)
   add_test(NAME Install.Python
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/installed_package.py"
-      "${install_prefix}" "${PROJECT_VERSION}")
+      "${install_prefix}" "${PROJECT_VERSION}" "${DGG_WITH_PCL}")
   set_tests_properties(Install.Python PROPERTIES
     FIXTURES_REQUIRED dgg_install
     LABELS "Install"

@@ -102,6 +102,12 @@ dgg::Status vtkDGGDistance::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkDGGDistance::IsCloud(vtkPolyData* input) const
+{
+  return vtkDGGGraphUser::IsCloud(input);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkDGGDistance::GetMemoryRemedy() const
 {
   return "use a smaller mesh, a larger Accuracy or MaximumDistance";
@@ -121,7 +127,13 @@ std::vector<vtkDGGPointArray> vtkDGGDistance::DeclareArrays() const
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
 {
-  const bool correct = this->Correction; // observers may change it
+  const bool isCloud = this->GetMesh().IsCloud();
+  if (isCloud && task.WantVirtualSource)
+  {
+    return dgg::Status::Invalid("a virtual source is a direction on a surface, which a point cloud "
+                                "has not: turn GenerateVirtualSource off");
+  }
+  const bool correct = this->Correction && !isCloud; // observers may change it
   vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
   dgg::Status status = this->GraphUser->Update(task.Input, this->GetMesh(), task.Progress, this);
   std::vector<dgg::GraphSeed> seeds;

@@ -186,6 +186,7 @@ protected:
   dgg::Status CheckProperties() const override;
   dgg::Status ComputeDistances(vtkDGGDistanceTask& task) override;
   std::vector<vtkDGGPointArray> DeclareArrays() const override;
+  bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
 private:

@@ -7,6 +7,7 @@
 #include "vtkDGGParallel.h"
 
 #include "dggBitHash.h"
+#include "dggBuffer.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <sstream>
 
 namespace
@@ -33,9 +35,9 @@ enum InfoSlot
   Merged, // coincident points are one
   FirstSignature,
   SecondSignature,
+  VoxelSize, // of the band of a cloud, the bits of the double
   FirstReserved,
   SecondReserved,
-  ThirdReserved,
   Checksum, // of all of the above and of the other arrays
   InfoSize
 };
@@ -49,15 +51,6 @@ To CopyBits(From from)
   To to;
   std::memcpy(&to, &from, sizeof(to));
   return to;
-}
-
-std::int64_t Seal(const std::int64_t* info, const dgg::GraphView& view)
-{
-  const std::uint64_t arrays = dgg::ComputeChecksum(view, vtkDGGMakeParallelFor());
-  dgg::BitHash hash;
-  hash.Add(info, Checksum);
-  hash.Add(&arrays, 1);
-  return CopyBits<std::int64_t>(hash.Finish()[0]);
 }
 
 /// A VTK array that owns the memory of a buffer.
@@ -77,6 +70,27 @@ vtkSmartPointer<vtkAbstractArray> Own(dgg::Buffer<ValueType>& buffer, const char
   return array.Get();
 }
 
+/// Whether DGG.Info, which may be missing or anything, is that of a cloud.
+bool SaysCloud(vtkAbstractArray* info)
+{
+  const bool isReadable = info && vtkDGGIsInteger(info, 8) && info->HasStandardMemoryLayout() &&
+    info->GetNumberOfValues() > Kind;
+  return isReadable &&
+    static_cast<const std::int64_t*>(info->GetVoidPointer(0))[Kind] ==
+    static_cast<std::int64_t>(dgg::GraphKind::Cloud);
+}
+
+/// The constructions that a kind of graph has.
+bool IsConstructionOf(std::int64_t construction, dgg::GraphKind kind)
+{
+  using Construction = dgg::GraphConstruction;
+  const bool isCloud = kind == dgg::GraphKind::Cloud;
+  const auto first = isCloud ? Construction::CloudCurvature : Construction::Guaranteed;
+  const auto last = isCloud ? Construction::CloudSpacing : Construction::SaddleVertexGraph;
+  return construction >= static_cast<std::int64_t>(first) &&
+    construction <= static_cast<std::int64_t>(last);
+}
+
 dgg::Status Damaged(const std::string& what)
 {
   return dgg::Status::Invalid("is damaged: " + what);
@@ -89,6 +103,7 @@ const std::array<const char*, vtkDGGGraphArrays::NumberOfRoles> vtkDGGGraphArray
   "DGG.Lengths",
   "DGG.Angles",
   "DGG.ArrivalAngles",
+  "DGG.Radii",
   "DGG.Info",
 } };
 
@@ -134,8 +149,18 @@ void vtkDGGGraphArrays::Clear()
 //------------------------------------------------------------------------------
 void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const vtkDGGMeshAdapter& mesh)
 {
+  this->Adopt(graph, {}, 0.0, mesh);
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<float>& radii,
+  double voxelSize, const vtkDGGMeshAdapter& mesh)
+{
   this->Clear();
+  dgg::Buffer<float> ownRadii(radii.size());
+  std::copy(radii.begin(), radii.end(), ownRadii.begin());
   this->View = graph.View(); // memory keeps its place
+  this->Band = { voxelSize, ownRadii.Data() };
   vtkNew<vtkTypeInt64Array> info;
   info->SetName(Names[Info]);
   info->SetNumberOfValues(InfoSize);
@@ -149,21 +174,27 @@ void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const vtkDGGMeshAdapter
   slots[Merged] = mesh.IsMerged() ? 1 : 0;
   slots[FirstSignature] = CopyBits<std::int64_t>(graph.Info.Surface[0]);
   slots[SecondSignature] = CopyBits<std::int64_t>(graph.Info.Surface[1]);
-  slots[Checksum] = Seal(slots, this->View);
+  slots[VoxelSize] = CopyBits<std::int64_t>(voxelSize);
 
-  const std::array<vtkSmartPointer<vtkAbstractArray>, NumberOfRoles> arrays = { {
+  std::array<vtkSmartPointer<vtkAbstractArray>, NumberOfRoles> arrays = { {
     Own<vtkTypeInt64Array>(graph.Offsets, Names[Offsets]),
     Own<vtkTypeInt32Array>(graph.Targets, Names[Targets]),
     this->View.WideLengths ? Own<vtkDoubleArray>(graph.WideLengths, Names[Lengths])
                            : Own<vtkFloatArray>(graph.Lengths, Names[Lengths]),
     Own<vtkFloatArray>(graph.Angles, Names[Angles]),
     Own<vtkFloatArray>(graph.ArrivalAngles, Names[ArrivalAngles]),
+    Own<vtkFloatArray>(ownRadii, Names[Radii]),
     info.Get(),
   } };
-  for (int role = 0; role < NumberOfRoles; ++role)
+  for (int i = 0; i < NumberOfRoles; ++i)
   {
-    this->Arrays[role] = MakeEntry(arrays[role]);
+    const auto role = static_cast<Role>(i);
+    if (this->HasRole(role))
+    {
+      this->Arrays[role] = MakeEntry(arrays[role]);
+    }
   }
+  slots[Checksum] = this->Seal();
   this->Mesh = mesh.GetBuildTime();
   this->Summary = vtkDGGGraphSummary(this->View);
   this->IsGraph = true;
@@ -173,9 +204,36 @@ void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const vtkDGGMeshAdapter
 //------------------------------------------------------------------------------
 void vtkDGGGraphArrays::AddTo(vtkFieldData* data) const
 {
+  RemoveFrom(data); // a graph of the other kind has arrays that this one has not
   for (const Entry& entry : this->Arrays)
   {
-    data->AddArray(entry.Array);
+    if (entry.Array)
+    {
+      data->AddArray(entry.Array);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkDGGGraphArrays::AreOfCloud(vtkFieldData* data)
+{
+  return data && SaysCloud(data->GetAbstractArray(Names[Info]));
+}
+
+//------------------------------------------------------------------------------
+/// Whether graphs of this kind have such an array.
+bool vtkDGGGraphArrays::HasRole(Role role) const
+{
+  const bool isCloud = this->View.Info.Kind == dgg::GraphKind::Cloud;
+  switch (role)
+  {
+    case Angles:
+    case ArrivalAngles:
+      return !isCloud;
+    case Radii:
+      return isCloud;
+    default:
+      return true;
   }
 }
 
@@ -227,6 +285,7 @@ bool vtkDGGGraphArrays::Find(
   else
   {
     this->View = dgg::GraphView();
+    this->Band = vtkDGGCloudBand();
     complaint = "the graph on the input " + status.GetMessage();
   }
   return this->IsGraph;
@@ -241,10 +300,12 @@ bool vtkDGGGraphArrays::IsSame(vtkFieldData* data, const vtkDGGMeshAdapter& mesh
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGGraphArrays::Check(const vtkDGGMeshAdapter& mesh)
 {
+  this->View.Info.Kind =
+    SaysCloud(this->Arrays[Info].Array) ? dgg::GraphKind::Cloud : dgg::GraphKind::Mesh;
   dgg::Status status = this->CheckTypes();
   if (status.IsOk())
   {
-    status = this->ReadInfo(mesh.GetMesh().GetNumberOfVertices());
+    status = this->ReadInfo(mesh.GetMesh().GetNumberOfVertices(), mesh.IsCloud());
   }
   if (status.IsOk())
   {
@@ -278,6 +339,10 @@ dgg::Status vtkDGGGraphArrays::CheckTypes() const
   for (int i = 0; i < NumberOfRoles; ++i)
   {
     const auto role = static_cast<Role>(i);
+    if (!this->HasRole(role))
+    {
+      continue;
+    }
     vtkAbstractArray* array = this->Arrays[role].Array;
     const bool isPlain =
       array && array->HasStandardMemoryLayout() && array->GetNumberOfComponents() == 1;
@@ -321,7 +386,7 @@ const ValueType* vtkDGGGraphArrays::GetValues(Role role) const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphArrays::ReadInfo(vtkIdType numberOfPoints)
+dgg::Status vtkDGGGraphArrays::ReadInfo(vtkIdType numberOfPoints, bool isCloud)
 {
   const std::int64_t* info = this->GetValues<std::int64_t>(Info);
   const vtkIdType infoSize = this->Arrays[Info].Size;
@@ -339,21 +404,31 @@ dgg::Status vtkDGGGraphArrays::ReadInfo(vtkIdType numberOfPoints)
   this->View.Info.NumberOfNeighbors = static_cast<dgg::Id>(info[NumberOfNeighbors]);
   this->View.Info.Surface = { { CopyBits<std::uint64_t>(info[FirstSignature]),
     CopyBits<std::uint64_t>(info[SecondSignature]) } };
-  if (info[Kind] != static_cast<std::int64_t>(dgg::GraphKind::Mesh))
+  const dgg::GraphKind kind = this->View.Info.Kind;
+  if (info[Kind] != static_cast<std::int64_t>(kind))
   {
-    return dgg::Status::Invalid("is not that of a mesh");
+    return Damaged("its kind is " + std::to_string(info[Kind]));
   }
-  if (info[Construction] < 0 ||
-    info[Construction] > static_cast<std::int64_t>(dgg::GraphConstruction::SaddleVertexGraph))
+  if (kind != (isCloud ? dgg::GraphKind::Cloud : dgg::GraphKind::Mesh))
+  {
+    return dgg::Status::Invalid(isCloud ? "is that of a mesh, not of a point cloud"
+                                        : "is that of a point cloud, not of a mesh");
+  }
+  if (!IsConstructionOf(info[Construction], kind))
   {
     return Damaged("its construction is " + std::to_string(info[Construction]));
   }
   this->View.Info.Construction = static_cast<dgg::GraphConstruction>(info[Construction]);
+  return this->ReadSizes(numberOfPoints);
+}
 
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphArrays::ReadSizes(vtkIdType numberOfPoints)
+{
   const vtkIdType edges = this->Arrays[Targets].Size;
   for (const Role role : { Lengths, Angles, ArrivalAngles })
   {
-    if (this->Arrays[role].Size != edges)
+    if (this->HasRole(role) && this->Arrays[role].Size != edges)
     {
       return Damaged(std::string(Names[role]) + " has " + std::to_string(this->Arrays[role].Size) +
         " values, but DGG.Targets has " + std::to_string(edges));
@@ -364,6 +439,11 @@ dgg::Status vtkDGGGraphArrays::ReadInfo(vtkIdType numberOfPoints)
     return dgg::Status::Invalid("does not fit: DGG.Offsets has " +
       std::to_string(this->Arrays[Offsets].Size) + " values, not one more than the " +
       std::to_string(numberOfPoints) + " points");
+  }
+  if (this->HasRole(Radii) && this->Arrays[Radii].Size != numberOfPoints)
+  {
+    return Damaged("DGG.Radii has " + std::to_string(this->Arrays[Radii].Size) +
+      " values, but there are " + std::to_string(numberOfPoints) + " points");
   }
   this->View.NumberOfVertices = static_cast<dgg::Id>(numberOfPoints);
   this->View.Offsets = this->GetValues<dgg::Offset>(Offsets);
@@ -376,8 +456,16 @@ dgg::Status vtkDGGGraphArrays::ReadInfo(vtkIdType numberOfPoints)
   {
     this->View.WideLengths = this->GetValues<double>(Lengths);
   }
-  this->View.Angles = this->GetValues<float>(Angles);
-  this->View.ArrivalAngles = this->GetValues<float>(ArrivalAngles);
+  if (this->HasRole(Angles))
+  {
+    this->View.Angles = this->GetValues<float>(Angles);
+    this->View.ArrivalAngles = this->GetValues<float>(ArrivalAngles);
+  }
+  else
+  {
+    const std::int64_t* info = this->GetValues<std::int64_t>(Info);
+    this->Band = { CopyBits<double>(info[VoxelSize]), this->GetValues<float>(Radii) };
+  }
   return dgg::Status::Success();
 }
 
@@ -394,7 +482,8 @@ dgg::Status vtkDGGGraphArrays::CheckSurface(const vtkDGGMeshAdapter& mesh) const
     return dgg::Status::Invalid(std::string("was built with MergeCoincidentPoints ") +
       (merged ? "on, but it is off here" : "off, but it is on here"));
   }
-  return dgg::Status::Invalid("is out of date: points or cells have changed since it was built");
+  return dgg::Status::Invalid(std::string("is out of date: ") +
+    (mesh.IsCloud() ? "points" : "points or cells") + " have changed since it was built");
 }
 
 //------------------------------------------------------------------------------
@@ -406,9 +495,44 @@ dgg::Status vtkDGGGraphArrays::CheckContents() const
   {
     return dgg::Status::Invalid("is " + status.GetMessage());
   }
-  const std::int64_t* info = this->GetValues<std::int64_t>(Info);
-  return info[Checksum] == Seal(info, this->View)
-    ? dgg::Status::Success()
-    : Damaged(
-        "its checksum is wrong, so values have been altered, as by a text file that rounds them");
+  if (this->GetValues<std::int64_t>(Info)[Checksum] != this->Seal())
+  {
+    return Damaged(
+      "its checksum is wrong, so values have been altered, as by a text file that rounds them");
+  }
+  return this->HasRole(Radii) ? this->CheckBand() : dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+/// A sum of all that has been read. Only for a graph that has been checked.
+std::int64_t vtkDGGGraphArrays::Seal() const
+{
+  const std::uint64_t arrays = dgg::ComputeChecksum(this->View, vtkDGGMakeParallelFor());
+  dgg::BitHash hash;
+  hash.Add(this->GetValues<std::int64_t>(Info), Checksum);
+  hash.Add(&arrays, 1);
+  if (this->HasRole(Radii))
+  {
+    hash.Add(this->Band.Radii, static_cast<std::size_t>(this->View.NumberOfVertices));
+  }
+  return CopyBits<std::int64_t>(hash.Finish()[0]);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphArrays::CheckBand() const
+{
+  if (!(this->Band.VoxelSize > 0.0 && this->Band.VoxelSize < dgg::Infinity))
+  {
+    return Damaged("its voxels have the size " + std::to_string(this->Band.VoxelSize));
+  }
+  for (dgg::Id v = 0; v < this->View.NumberOfVertices; ++v)
+  {
+    const float radius = this->Band.Radii[v];
+    if (!(radius >= 0.0f && radius <= std::numeric_limits<float>::max()))
+    {
+      return Damaged(
+        "DGG.Radii gives point " + std::to_string(v) + " the radius " + std::to_string(radius));
+    }
+  }
+  return dgg::Status::Success();
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The graph of a surface as arrays in field data. Internal.
+/// The graph of a surface or a cloud as arrays in field data. Internal.
 #ifndef vtkDGGGraphArrays_h
 #define vtkDGGGraphArrays_h
 
@@ -14,14 +14,24 @@
 #include "vtkTimeStamp.h"     // for the time
 #include "vtkType.h"          // for vtkMTimeType
 
-#include <array>  // for the arrays
-#include <string> // for what is wrong
+#include <array>   // for the arrays
+#include <cstdint> // for the checksum
+#include <string>  // for what is wrong
+#include <vector>  // for radii
 
 class vtkDGGMeshAdapter;
 class vtkFieldData;
 
+/// The band around a cloud that its graph was built in: the space within a radius of each point,
+/// made of voxels.
+struct vtkDGGCloudBand
+{
+  double VoxelSize = 0.0;
+  const float* Radii = nullptr; ///< per point
+};
+
 /// Puts a graph of the kernel into field data, without a copy, and finds it there again. What the
-/// arrays hold is described in vtkDiscreteGeodesicGraph.
+/// arrays hold is described in vtkDiscreteGeodesicGraph, and in vtkPointCloudDGG for clouds.
 ///
 /// Nothing that is found is trusted: types, sizes, version, ids, the signature of the surface and a
 /// checksum are looked at, once for the same arrays.
@@ -30,10 +40,16 @@ class vtkDGGGraphArrays
 public:
   /// Make arrays of the memory of `graph`, which is empty afterwards.
   void Adopt(dgg::GeodesicGraph& graph, const vtkDGGMeshAdapter& mesh);
+  /// The same for the graph of a cloud, and of the radii of its band, one per point.
+  void Adopt(dgg::GeodesicGraph& graph, const std::vector<float>& radii, double voxelSize,
+    const vtkDGGMeshAdapter& cloud);
 
-  /// Look for a graph of the mesh in `data`, which may be null. Returns whether there is one.
-  /// `complaint` is what is wrong with arrays that are there but are not a graph of the mesh; it is
-  /// empty when they were complained about before.
+  /// Whether field data, which may be null, say that they have the graph of a cloud.
+  static bool AreOfCloud(vtkFieldData* data);
+
+  /// Look for a graph of the mesh or cloud in `data`, which may be null. Returns whether there is
+  /// one. `complaint` is what is wrong with arrays that are there but are not a graph of the mesh;
+  /// it is empty when they were complained about before.
   bool Find(vtkFieldData* data, const vtkDGGMeshAdapter& mesh, std::string& complaint);
 
   /// Whether Find() would give the same answer as the last time, without a new look at the arrays.
@@ -53,6 +69,8 @@ public:
 
   /// The graph, as long as these arrays live. Only for a valid graph.
   const dgg::GraphView& GetView() const { return this->View; }
+  /// The band of a cloud, as long as these arrays live. Only for a valid graph of a cloud.
+  const vtkDGGCloudBand& GetBand() const { return this->Band; }
   /// Its numbers; all zero when there is no graph. They stay what they were when the arrays are
   /// changed.
   const vtkDGGGraphSummary& GetSummary() const { return this->Summary; }
@@ -67,6 +85,7 @@ private:
     Lengths,
     Angles,
     ArrivalAngles,
+    Radii, // of the band of a cloud
     Info,
     NumberOfRoles
   };
@@ -88,16 +107,21 @@ private:
   static Entries MakeEntries(vtkFieldData* data);
 
   dgg::Status Check(const vtkDGGMeshAdapter& mesh);
+  bool HasRole(Role role) const;
   dgg::Status CheckTypes() const;
-  dgg::Status ReadInfo(vtkIdType numberOfPoints);
+  dgg::Status ReadInfo(vtkIdType numberOfPoints, bool isCloud);
+  dgg::Status ReadSizes(vtkIdType numberOfPoints);
   dgg::Status CheckSurface(const vtkDGGMeshAdapter& mesh) const;
   dgg::Status CheckContents() const;
+  dgg::Status CheckBand() const;
+  std::int64_t Seal() const;
   template <typename ValueType>
   const ValueType* GetValues(Role role) const;
 
   Entries Arrays;
   vtkMTimeType Mesh = 0; // build time of the mesh that they were compared with
   dgg::GraphView View;
+  vtkDGGCloudBand Band;
   vtkDGGGraphSummary Summary;
   bool IsGraph = false;
   vtkTimeStamp Time;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGGraphProvider.h"
 
+#include "vtkDGGCloudLinks.h"
 #include "vtkDGGGraphBuild.h"
 #include "vtkDGGMemory.h"
 #include "vtkDGGMeshAdapter.h"
@@ -52,9 +53,14 @@ dgg::Status vtkDGGGraphProvider::Update(const vtkDGGGraphRequest& request)
   {
     this->ForgetGraph(); // before its arrays are let go
   }
+  const bool isCloud = request.Mesh.IsCloud();
+  if (isCloud && !this->InputGraph.IsValid())
+  {
+    this->InputGraph.Clear(); // to be told again what is wrong with it
+  }
   std::string complaint;
   const bool found = this->InputGraph.Find(data, request.Mesh, complaint);
-  if (!complaint.empty())
+  if (!complaint.empty() && !isCloud)
   {
     vtkWarningWithObjectMacro(request.Filter, << complaint
                                               << ". It is not used; a graph with Accuracy "
@@ -64,6 +70,11 @@ dgg::Status vtkDGGGraphProvider::Update(const vtkDGGGraphRequest& request)
   {
     this->UseInput(request);
     status = this->CheckArrays(); // observers of warnings may have changed them
+  }
+  else if (isCloud)
+  {
+    status = dgg::Status::Invalid(
+      complaint + ". Run vtkPointCloudDGG on these points, or have this filter follow it");
   }
   else
   {
@@ -124,7 +135,8 @@ void vtkDGGGraphProvider::SearchIn(const dgg::GraphView& graph, const vtkDGGMesh
 {
   this->Finder.reset();
   this->Search.reset();
-  this->Search = std::make_unique<dgg::GraphSearch>(graph, &mesh.GetMesh());
+  this->Search =
+    std::make_unique<dgg::GraphSearch>(graph, mesh.IsCloud() ? nullptr : &mesh.GetMesh());
   this->NumberOfPairs = 0;
   this->Summary = vtkDGGGraphSummary(graph);
 }
@@ -140,7 +152,10 @@ void vtkDGGGraphProvider::UseInput(const vtkDGGGraphRequest& request)
     this->UsedInput = this->InputGraph.GetTime();
     this->WarnedAccuracy = 0.0;
   }
-  this->WarnAboutAccuracy(request);
+  if (!request.Mesh.IsCloud()) // another one could not be built here, and none has a guarantee
+  {
+    this->WarnAboutAccuracy(request);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -229,7 +244,7 @@ dgg::Status vtkDGGGraphProvider::PrepareForPairs(std::size_t count)
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGGraphProvider::PrepareBuilder(const vtkDGGMeshAdapter& mesh)
 {
-  if (this->Builder)
+  if (this->Builder || mesh.IsCloud())
   {
     return dgg::Status::Success();
   }
@@ -254,6 +269,25 @@ void vtkDGGGraphProvider::ReleaseBuilder()
   }
   this->Builder.reset();
   this->BuilderSize = 0;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphProvider::Link(const dgg::SurfacePoint& place, const Points& aims,
+  const vtkDGGMeshAdapter& mesh, std::vector<dgg::GraphLink>& links,
+  std::vector<double>& direct) const
+{
+  if (!mesh.IsCloud())
+  {
+    return this->Builder->Link(place, this->GetLinkAccuracy(), aims, links, direct);
+  }
+  const dgg::GraphView& graph = this->Search->GetGraph();
+  links = vtkDGGLinkToCloud(graph, mesh.GetPositions(), place);
+  direct.clear();
+  for (const dgg::SurfacePoint& aim : aims)
+  {
+    direct.push_back(vtkDGGMeasureDirectly(graph, mesh.GetPositions(), place, aim));
+  }
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -304,7 +338,8 @@ dgg::Status vtkDGGGraphProvider::LinkPlaces(const Points& places, const vtkDGGMe
     return dgg::Status::Success();
   }
   const double accuracy = this->GetLinkAccuracy();
-  if (store.Mesh == mesh.GetBuildTime() && store.Accuracy == accuracy &&
+  // Those of a cloud depend on its graph, and are found at once.
+  if (!mesh.IsCloud() && store.Mesh == mesh.GetBuildTime() && store.Accuracy == accuracy &&
     std::equal(
       places.begin(), places.end(), store.Places.begin(), store.Places.end(), dgg::IsSamePoint))
   {
@@ -322,7 +357,7 @@ dgg::Status vtkDGGGraphProvider::LinkPlaces(const Points& places, const vtkDGGMe
   status = vtkDGGForBlocks(places.size(), LinkBlock,
     dgg::ProgressPart(this->Progress, start, start + share), [&](std::size_t i) {
       std::vector<double> none;
-      return this->Builder->Link(places[i], accuracy, {}, store.Links[i], none);
+      return this->Link(places[i], {}, mesh, store.Links[i], none);
     });
   this->Done = start + share;
   if (!status.IsOk())

@@ -34,7 +34,8 @@ struct vtkDGGGraphRequest
 };
 
 /// Finds the graph on the input of a filter, or else builds one and keeps it until the mesh or the
-/// accuracy changes. All filters that search a graph get it from here.
+/// accuracy changes. All filters that search a graph get it from here. That of a cloud has to be on
+/// the input.
 class vtkDGGGraphProvider
 {
 public:
@@ -65,8 +66,13 @@ public:
   dgg::Status MakeSeeds(const std::vector<dgg::GeodesicSource>& sources,
     const vtkDGGMeshAdapter& mesh, std::vector<dgg::GraphSeed>& seeds);
   /// For links of points that are not vertices; kept until ReleaseBuilder() or another mesh. Fails
-  /// when it would take too much memory.
+  /// when it would take too much memory. Clouds need none, and have none.
   dgg::Status PrepareBuilder(const vtkDGGMeshAdapter& mesh);
+  /// Links of a place, and how far it is from each of `aims` besides the graph: those that a
+  /// straight way leads to. Needs PrepareBuilder() for places that are not vertices.
+  dgg::Status Link(const dgg::SurfacePoint& place, const std::vector<dgg::SurfacePoint>& aims,
+    const vtkDGGMeshAdapter& mesh, std::vector<dgg::GraphLink>& links,
+    std::vector<double>& direct) const;
   const dgg::GraphBuilder& GetBuilder() const { return *this->Builder; }
   void ReleaseBuilder();
   /// For paths in the graph, with links when there is a builder. Its memory is as large as the
@@ -75,6 +81,9 @@ public:
   const dgg::PathFinder& GetPathFinder(const vtkDGGMeshAdapter& mesh, const double* positions);
   /// The accuracy that links have to have: that of the graph, or that asked for when it has none.
   double GetLinkAccuracy() const;
+
+  /// The band of the graph of a cloud; only right after a successful Update().
+  const vtkDGGCloudBand& GetBand() const { return this->InputGraph.GetBand(); }
 
   /// Whether the graph is that on the input.
   bool IsFromInput() const { return this->UsedInput != 0; }

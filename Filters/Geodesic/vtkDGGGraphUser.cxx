@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGGraphUser.h"
 
+#include "vtkPolyData.h"
+
 namespace
 {
 template <typename ValueType>
@@ -56,6 +58,12 @@ dgg::Status vtkDGGGraphUser::Check() const
   dgg::GraphOptions options;
   options.Accuracy = this->Accuracy;
   return dgg::GraphBuilder::Check(options);
+}
+
+//------------------------------------------------------------------------------
+bool vtkDGGGraphUser::IsCloud(vtkPolyData* input)
+{
+  return vtkDGGGraphArrays::AreOfCloud(input->GetFieldData());
 }
 
 //------------------------------------------------------------------------------

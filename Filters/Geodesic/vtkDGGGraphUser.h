@@ -38,6 +38,9 @@ public:
   dgg::Status Update(vtkPolyData* input, const vtkDGGMeshAdapter& mesh,
     const dgg::ProgressCallback& progress, vtkObject* filter);
 
+  /// Whether such filters take an input for a cloud: when it says that it has the graph of one.
+  static bool IsCloud(vtkPolyData* input);
+
   vtkDGGGraphProvider& GetProvider() { return this->Provider; }
   const vtkDGGGraphProvider& GetProvider() const { return this->Provider; }
 

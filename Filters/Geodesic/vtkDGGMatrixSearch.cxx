@@ -122,12 +122,11 @@ dgg::Status vtkDGGMatrixSearch::LinkSources()
   {
     return prepared;
   }
-  const dgg::GraphBuilder& builder = this->Graph.GetBuilder();
   return this->ForAll(others.size(), SourcesLinked, [&](std::size_t k) {
     const std::size_t i = others[k];
     std::vector<double> direct;
-    const dgg::Status status = builder.Link(
-      this->Sources[i], this->Graph.GetLinkAccuracy(), aimPoints, this->SourceLinks[i], direct);
+    const dgg::Status status =
+      this->Graph.Link(this->Sources[i], aimPoints, this->Mesh, this->SourceLinks[i], direct);
     for (std::size_t a = 0; a < aims.size() && status.IsOk(); ++a)
     {
       this->Distances(i, aims[a]) = direct[a];
@@ -162,12 +161,11 @@ dgg::Status vtkDGGMatrixSearch::LinkTargets()
   {
     return prepared;
   }
-  const dgg::GraphBuilder& builder = this->Graph.GetBuilder();
   return this->ForAll(others.size(), TargetsLinked, [&](std::size_t k) {
     const std::size_t j = others[k];
     std::vector<double> direct;
-    const dgg::Status status = builder.Link(
-      this->Targets[j], this->Graph.GetLinkAccuracy(), aimPoints, this->TargetLinks[j], direct);
+    const dgg::Status status =
+      this->Graph.Link(this->Targets[j], aimPoints, this->Mesh, this->TargetLinks[j], direct);
     for (std::size_t a = 0; a < aims.size() && status.IsOk(); ++a)
     {
       double& distance = this->Distances(aims[a], j);

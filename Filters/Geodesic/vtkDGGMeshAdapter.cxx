@@ -40,16 +40,18 @@ vtkDGGMeshAdapter::vtkDGGMeshAdapter()
 }
 
 //------------------------------------------------------------------------------
-vtkDGGMeshAdapter::Key vtkDGGMeshAdapter::MakeKey(vtkPolyData* input, bool mergeCoincidentPoints)
+vtkDGGMeshAdapter::Key vtkDGGMeshAdapter::MakeKey(vtkPolyData* input, vtkDGGDomain domain)
 {
   vtkPoints* points = input->GetPoints();
-  return { { AddressOf(points), points ? points->GetMTime() : 0, AddressOf(input->GetPolys()),
-    TimeOf(input->GetPolys()), AddressOf(input->GetStrips()), TimeOf(input->GetStrips()),
-    static_cast<vtkMTimeType>(mergeCoincidentPoints) } };
+  const bool isCloud = domain == vtkDGGDomain::Cloud;
+  vtkCellArray* polygons = isCloud ? nullptr : input->GetPolys();
+  vtkCellArray* strips = isCloud ? nullptr : input->GetStrips();
+  return { { AddressOf(points), points ? points->GetMTime() : 0, AddressOf(polygons),
+    TimeOf(polygons), AddressOf(strips), TimeOf(strips), static_cast<vtkMTimeType>(domain) } };
 }
 
 //------------------------------------------------------------------------------
-bool vtkDGGMeshAdapter::IsUpToDate(vtkPolyData* input, bool mergeCoincidentPoints)
+bool vtkDGGMeshAdapter::IsUpToDate(vtkPolyData* input, vtkDGGDomain domain)
 {
   // After a change in place Modified() is often called on the data object alone. Another object
   // with the very same points and polygons is no change.
@@ -62,12 +64,12 @@ bool vtkDGGMeshAdapter::IsUpToDate(vtkPolyData* input, bool mergeCoincidentPoint
   {
     return false;
   }
-  const Key key = MakeKey(input, mergeCoincidentPoints);
+  const Key key = MakeKey(input, domain);
   if (modified || this->BuiltFrom != key)
   {
     // Time stamps say that something may have changed, as after any update upstream. Look whether
     // it has.
-    if (this->Fingerprint != vtkDGGPreparedMesh::ComputeFingerprint(input, mergeCoincidentPoints))
+    if (this->Fingerprint != vtkDGGPreparedMesh::ComputeFingerprint(input, domain))
     {
       return false;
     }
@@ -93,10 +95,10 @@ dgg::Status vtkDGGMeshAdapter::CheckUnchanged(vtkPolyData* input, vtkPolyData* c
   {
     return status;
   }
-  const bool isMerged = this->BuiltFrom[MergeEntry] != 0;
-  const bool isTouched = MakeKey(copy, isMerged) != this->BuiltFrom ||
+  const vtkDGGDomain domain = this->Prepared->Domain;
+  const bool isTouched = MakeKey(copy, domain) != this->BuiltFrom ||
     AddressOf(input) != this->Object || input->vtkObject::GetMTime() != this->ObjectTime;
-  if (isTouched && vtkDGGPreparedMesh::ComputeFingerprint(copy, isMerged) != this->Fingerprint)
+  if (isTouched && vtkDGGPreparedMesh::ComputeFingerprint(copy, domain) != this->Fingerprint)
   {
     return dgg::Status::Invalid("the points were changed during the update, or the cells: do not "
                                 "change them in observers, and update again");
@@ -112,17 +114,16 @@ void vtkDGGMeshAdapter::Clear()
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGMeshAdapter::Update(vtkPolyData* input, bool mergeCoincidentPoints)
+dgg::Status vtkDGGMeshAdapter::Update(vtkPolyData* input, vtkDGGDomain domain)
 {
   this->Clear();
-  this->Fingerprint = vtkDGGPreparedMesh::ComputeFingerprint(input, mergeCoincidentPoints);
+  this->Fingerprint = vtkDGGPreparedMesh::ComputeFingerprint(input, domain);
   vtkDGGPreparedMesh::Pointer prepared;
-  const dgg::Status status =
-    vtkDGGPreparedMesh::Make(input, mergeCoincidentPoints, this->Fingerprint, prepared);
+  const dgg::Status status = vtkDGGPreparedMesh::Make(input, domain, this->Fingerprint, prepared);
   if (status.IsOk())
   {
     this->Prepared = prepared;
-    this->BuiltFrom = MakeKey(input, mergeCoincidentPoints);
+    this->BuiltFrom = MakeKey(input, domain);
     this->IsBuilt = true;
     this->BuildTime.Modified();
   }

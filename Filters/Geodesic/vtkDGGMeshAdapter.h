@@ -19,7 +19,8 @@ class vtkPolyData;
 
 /// Keeps the kernel's mesh of a vtkPolyData until points, polygons or strips change. Every point of
 /// the input is a vertex of the mesh, with the same id. Polygons and strips are triangulated; verts
-/// and lines are not looked at.
+/// and lines are not looked at. The mesh of a cloud has no faces: what connects its points is a
+/// graph.
 class vtkDGGMeshAdapter
 {
 public:
@@ -28,14 +29,14 @@ public:
   /// Prepare the mesh, or share that of another filter with the same surface. Fails with a message
   /// that names the offending point or cell; then there is no mesh.
   ///
-  /// With `mergeCoincidentPoints`, triangles use the first one of all points that have the very
-  /// same coordinates; the others become vertices without faces, and GetVertex() tells which vertex
-  /// they share.
-  dgg::Status Update(vtkPolyData* input, bool mergeCoincidentPoints);
+  /// Of a MergedSurface, triangles use the first one of all points that have the very same
+  /// coordinates; the others become vertices without faces, and GetVertex() tells which vertex they
+  /// share.
+  dgg::Status Update(vtkPolyData* input, vtkDGGDomain domain);
 
   /// Whether Update() would give the same mesh again: by time stamps, and where these have changed
   /// by the bits of points and cells. Takes note of the object that it is asked about.
-  bool IsUpToDate(vtkPolyData* input, bool mergeCoincidentPoints);
+  bool IsUpToDate(vtkPolyData* input, vtkDGGDomain domain);
 
   /// Fails when a surface no longer has as many points as the mesh was made of, as when an observer
   /// has added or removed some.
@@ -54,7 +55,15 @@ public:
   /// Of the points as doubles and the triangles made of the cells.
   const dgg::Signature& GetSignature() const { return this->Prepared->Signature; }
   /// Whether coincident points have been taken as one.
-  bool IsMerged() const { return !this->Prepared->Vertices.empty(); }
+  bool IsMerged() const { return this->Prepared->Domain == vtkDGGDomain::MergedSurface; }
+  /// Whether only points have been looked at.
+  bool IsCloud() const { return this->Prepared->Domain == vtkDGGDomain::Cloud; }
+
+  /// Those of the points of a cloud, x y z each; null for meshes.
+  const double* GetPositions() const
+  {
+    return this->IsCloud() ? this->Prepared->Positions.data() : nullptr;
+  }
 
   /// The vertex that stands for a point of the input.
   dgg::Id GetVertex(vtkIdType point) const
@@ -87,8 +96,7 @@ public:
 private:
   /// Identity and age of points, polygons and strips. Time stamps are unique in VTK.
   using Key = std::array<vtkMTimeType, 7>;
-  static constexpr std::size_t MergeEntry = 6; // whether coincident points are merged
-  static Key MakeKey(vtkPolyData* input, bool mergeCoincidentPoints);
+  static Key MakeKey(vtkPolyData* input, vtkDGGDomain domain);
 
   vtkDGGPreparedMesh::Pointer Prepared; // never null
   dgg::Signature Fingerprint{};         // of what it was made from

@@ -155,6 +155,12 @@ dgg::Status vtkDGGPath::CheckInputs(vtkPolyData* surface, vtkInformationVector**
 }
 
 //------------------------------------------------------------------------------
+bool vtkDGGPath::IsCloud(vtkPolyData* input) const
+{
+  return vtkDGGGraphUser::IsCloud(input);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkDGGPath::GetMemoryRemedy() const
 {
   return "use a smaller mesh, a larger Accuracy or fewer pairs at a time";
@@ -166,6 +172,10 @@ dgg::Status vtkDGGPath::Execute(
 {
   this->NumberOfFallbacks = 0;
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  if (mesh.IsCloud() && this->Method == Exact)
+  {
+    return dgg::Status::Invalid("there is no exact path on a point cloud: call SetMethodToGraph()");
+  }
   // Observers may change properties.
   const std::vector<vtkIdType> ids = this->PairIds;
   const bool isExact = this->Method == Exact;
@@ -203,9 +213,16 @@ dgg::Status vtkDGGPath::Execute(
   const vtkDGGPathSearch::Pairs pairs = MakePairs(ends);
   const vtkDGGPathSearch search(mesh, pairs);
   vtkDGGPathSearch::Paths paths;
-  status = isExact ? search.RunExact(progress, paths)
-                   : search.RunInGraph(this->GraphUser->GetProvider(),
-                       this->Geometry->GetPositions(), options, paths);
+  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
+  if (mesh.IsCloud())
+  {
+    status = search.RunOnCloud(graph, paths);
+  }
+  else
+  {
+    status = isExact ? search.RunExact(progress, paths)
+                     : search.RunInGraph(graph, this->Geometry->GetPositions(), options, paths);
+  }
   if (!status.IsOk())
   {
     return status;

@@ -242,6 +242,7 @@ protected:
   dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
 private:

@@ -7,9 +7,11 @@
 #include "vtkDGGParallel.h"
 
 #include "dggExactPath.h"
+#include "dggSurfacePath.h"
 #include "dggWorkspacePool.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <string>
@@ -51,6 +53,30 @@ std::vector<std::vector<std::size_t>> GroupByStart(const vtkDGGPathSearch::Pairs
     groups[entry.first->second].push_back(i);
   }
   return groups;
+}
+
+/// The links of a place as seeds of a search.
+std::vector<dgg::GraphSeed> MakeSeeds(const std::vector<dgg::GraphLink>& links)
+{
+  std::vector<dgg::GraphSeed> seeds;
+  for (const dgg::GraphLink& link : links)
+  {
+    seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
+  }
+  return seeds;
+}
+
+/// Length of a polyline through points of a cloud, or near them.
+double MeasurePolyline(const dgg::SurfacePath& path, const vtkDGGMeshAdapter& cloud)
+{
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < path.Points.size(); ++i)
+  {
+    const auto p = dgg::PositionOf(cloud.GetMesh(), path.Points[i], cloud.GetPositions());
+    const auto q = dgg::PositionOf(cloud.GetMesh(), path.Points[i + 1], cloud.GetPositions());
+    length += std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+  }
+  return length;
 }
 
 /// An error with what it is about before it, and what to do after it.
@@ -97,6 +123,78 @@ dgg::Status vtkDGGPathSearch::RunInGraph(
     });
   const dgg::Status intact = graph.CheckArrays();
   return intact.IsOk() ? status : intact;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGPathSearch::RunOnCloud(vtkDGGGraphProvider& graph, Paths& paths) const
+{
+  const dgg::Status guided = graph.PrepareForPairs(this->PointPairs.size());
+  if (!guided.IsOk())
+  {
+    const dgg::Status intact = graph.CheckArrays();
+    return intact.IsOk() ? guided : intact;
+  }
+  paths.assign(this->PointPairs.size(), dgg::FoundPath());
+  const dgg::Status status =
+    vtkDGGForBlocks(paths.size(), PathBlock, graph.GetRemainingProgress(), [&](std::size_t i) {
+      return Explain(this->FindOnCloud(graph, this->PointPairs[i], paths[i]),
+        "pair " + std::to_string(i) + ": ", "");
+    });
+  const dgg::Status intact = graph.CheckArrays();
+  return intact.IsOk() ? status : intact;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGPathSearch::FindOnCloud(
+  const vtkDGGGraphProvider& graph, const vtkDGGPointPair& pair, dgg::FoundPath& found) const
+{
+  if (dgg::IsSamePoint(pair.From, pair.To))
+  {
+    found.Path.Points = { pair.From };
+    found.GraphLength = 0.0;
+    return dgg::Status::Success();
+  }
+  std::vector<dgg::GraphLink> from;
+  std::vector<dgg::GraphLink> to;
+  std::vector<double> direct;
+  std::vector<double> none;
+  dgg::Status status = graph.Link(pair.From, { pair.To }, this->Mesh, from, direct);
+  if (status.IsOk())
+  {
+    status = graph.Link(pair.To, {}, this->Mesh, to, none);
+  }
+  dgg::GraphPath path;
+  if (status.IsOk())
+  {
+    status = graph.GetSearch().Between(MakeSeeds(from), MakeSeeds(to), nullptr, path);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  found.GraphLength = std::min(path.Length, direct[0]);
+  if (!(found.GraphLength < dgg::Infinity))
+  {
+    return status;
+  }
+  std::vector<dgg::SurfacePoint>& points = found.Path.Points;
+  if (!dgg::IsVertex(pair.From))
+  {
+    points.push_back(pair.From);
+  }
+  if (path.Length <= direct[0])
+  {
+    for (const dgg::Id vertex : path.Vertices)
+    {
+      points.push_back(dgg::SurfacePoint::AtVertex(vertex));
+    }
+  }
+  if (!dgg::IsVertex(pair.To))
+  {
+    points.push_back(pair.To);
+  }
+  found.Path.Length = MeasurePolyline(found.Path, this->Mesh);
+  return status;
 }
 
 //------------------------------------------------------------------------------

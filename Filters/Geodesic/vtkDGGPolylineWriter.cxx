@@ -9,6 +9,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 
 //------------------------------------------------------------------------------
 vtkDGGPolylineWriter::vtkDGGPolylineWriter(const vtkDGGNewGeometry& geometry, vtkIdType size)
@@ -37,7 +38,7 @@ void vtkDGGPolylineWriter::Add(const dgg::SurfacePath& path, bool isClosed)
   this->Lines->InsertNextCell(isPoint ? 2 : static_cast<int>(path.Points.size()));
   for (std::size_t i = 0; i < count; ++i)
   {
-    arcLength += i > 0 ? dgg::MeasurePiece(this->Geometry.GetMesh(), path, i - 1) : 0.0;
+    arcLength += i > 0 ? this->MeasurePiece(path, i - 1) : 0.0;
     const dgg::SurfacePoint& point = path.Points[i];
     this->Geometry.SetPoint(this->Points, this->Next, point);
     this->Faces->SetValue(this->Next, this->FindCell(path, i));
@@ -60,6 +61,20 @@ void vtkDGGPolylineWriter::AddTo(vtkPolyData* output) const
   output->GetPointData()->AddArray(this->Faces);
   output->GetPointData()->AddArray(this->PointIds);
   output->GetPointData()->AddArray(this->ArcLengths);
+}
+
+//------------------------------------------------------------------------------
+double vtkDGGPolylineWriter::MeasurePiece(const dgg::SurfacePath& path, std::size_t piece) const
+{
+  const dgg::SurfaceMesh& mesh = this->Geometry.GetMesh();
+  if (!path.Faces.empty())
+  {
+    return dgg::MeasurePiece(mesh, path, piece);
+  }
+  const double* positions = this->Geometry.GetPositions();
+  const auto p = dgg::PositionOf(mesh, path.Points[piece], positions);
+  const auto q = dgg::PositionOf(mesh, path.Points[piece + 1], positions);
+  return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
 }
 
 //------------------------------------------------------------------------------

@@ -19,7 +19,7 @@ class vtkDGGNewGeometry;
 class vtkPolyData;
 
 /// Fills points and polylines, curve by curve, with the point data FaceId, vtkOriginalPointIds and
-/// ArcLength.
+/// ArcLength. Curves without faces are those of a cloud, straight in space from point to point.
 class vtkDGGPolylineWriter
 {
 public:
@@ -35,6 +35,7 @@ public:
   void AddTo(vtkPolyData* output) const;
 
 private:
+  double MeasurePiece(const dgg::SurfacePath& path, std::size_t piece) const;
   vtkIdType FindCell(const dgg::SurfacePath& path, std::size_t i) const;
 
   const vtkDGGNewGeometry& Geometry;

@@ -136,16 +136,22 @@ private:
 }
 
 //------------------------------------------------------------------------------
-dgg::Signature vtkDGGPreparedMesh::ComputeFingerprint(
-  vtkPolyData* input, bool mergeCoincidentPoints)
+dgg::Signature vtkDGGPreparedMesh::ComputeFingerprint(vtkPolyData* input, vtkDGGDomain domain)
 {
-  const std::array<vtkIdType, 6> sizes = { { input->GetNumberOfPoints(), input->GetNumberOfVerts(),
-    input->GetNumberOfLines(), input->GetNumberOfPolys(), input->GetNumberOfStrips(),
-    mergeCoincidentPoints ? 1 : 0 } };
+  const bool isCloud = domain == vtkDGGDomain::Cloud;
+  const auto countCells = [isCloud](vtkIdType count) { return isCloud ? 0 : count; };
+  const std::array<vtkIdType, 6> sizes = { { input->GetNumberOfPoints(),
+    countCells(input->GetNumberOfVerts()), countCells(input->GetNumberOfLines()),
+    countCells(input->GetNumberOfPolys()), countCells(input->GetNumberOfStrips()),
+    static_cast<vtkIdType>(domain) } };
   dgg::BitHash hash;
   hash.Add(sizes.data(), sizes.size());
   const vtkDGGPointCoordinates coordinates(input->GetPoints());
   hash.Add(coordinates.GetData(), 3 * static_cast<std::size_t>(input->GetNumberOfPoints()));
+  if (isCloud)
+  {
+    return hash.Finish();
+  }
   for (vtkCellArray* cells : { input->GetPolys(), input->GetStrips() })
   {
     if (cells && cells->GetNumberOfCells() > 0)
@@ -158,8 +164,8 @@ dgg::Signature vtkDGGPreparedMesh::ComputeFingerprint(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPreparedMesh::Make(vtkPolyData* input, bool mergeCoincidentPoints,
-  const dgg::Signature& fingerprint, Pointer& prepared)
+dgg::Status vtkDGGPreparedMesh::Make(
+  vtkPolyData* input, vtkDGGDomain domain, const dgg::Signature& fingerprint, Pointer& prepared)
 {
   prepared = MeshesInUse::Get().Find(fingerprint);
   if (prepared)
@@ -167,7 +173,8 @@ dgg::Status vtkDGGPreparedMesh::Make(vtkPolyData* input, bool mergeCoincidentPoi
     return dgg::Status::Success();
   }
   const auto made = std::make_shared<vtkDGGPreparedMesh>();
-  const dgg::Status status = made->Build(input, mergeCoincidentPoints);
+  made->Domain = domain;
+  const dgg::Status status = made->Build(input);
   if (status.IsOk())
   {
     prepared = made;
@@ -177,7 +184,7 @@ dgg::Status vtkDGGPreparedMesh::Make(vtkPolyData* input, bool mergeCoincidentPoi
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input, bool mergeCoincidentPoints)
+dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input)
 {
   const vtkIdType n = input->GetNumberOfPoints();
   if (n > std::numeric_limits<dgg::Id>::max())
@@ -187,14 +194,21 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input, bool mergeCoincidentPo
             << " are supported: decimate or split it";
     return dgg::Status::Invalid(message.str());
   }
+  if (this->Domain == vtkDGGDomain::Cloud)
+  {
+    return this->BuildCloud(input);
+  }
   if (input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
     std::ostringstream message;
     message << "the input has " << n << (n == 1 ? " point" : " points")
-            << " but no polygons or triangle strips: connect a surface mesh";
+            << " but no polygons or triangle strips: connect a surface mesh. Distances on a point "
+            << "cloud need the graph that vtkPointCloudDGG makes, and a filter that searches it, "
+            << "as vtkDGGDistance or vtkDGGPath";
     return dgg::Status::Invalid(message.str());
   }
 
+  const bool mergeCoincidentPoints = this->Domain == vtkDGGDomain::MergedSurface;
   const vtkDGGPointCoordinates coordinates(input->GetPoints());
   if (mergeCoincidentPoints)
   {
@@ -221,6 +235,18 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input, bool mergeCoincidentPo
   }
   this->CollectWarnings();
   return status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGPreparedMesh::BuildCloud(vtkPolyData* input)
+{
+  const vtkIdType n = input->GetNumberOfPoints();
+  const vtkDGGPointCoordinates coordinates(input->GetPoints());
+  this->Signature = dgg::ComputeSignature(coordinates.GetData(), n, nullptr, 0);
+  this->Report.Vertices = n;
+  this->Report.IsolatedVertices = n;
+  this->Positions.assign(coordinates.GetData(), coordinates.GetData() + 3 * n);
+  return dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, nullptr, 0, this->Mesh);
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,8 @@
 #ifndef vtkDGGPreparedMesh_h
 #define vtkDGGPreparedMesh_h
 
+#include "vtkDGGDomain.h" // for what it is made of
+
 #include "dggGeodesicGraph.h" // for Signature
 #include "dggMeshReport.h"    // for MeshReport
 #include "dggSurfaceMesh.h"   // for SurfaceMesh
@@ -17,25 +19,29 @@
 
 class vtkPolyData;
 
-/// What vtkDGGMeshAdapter keeps. It does not change any more once it is made, so that filters with
-/// the same surface share it, in any threads: in a chain of filters the mesh is prepared once.
+/// What vtkDGGMeshAdapter keeps. The mesh of a cloud has all of its points as vertices, and no
+/// face. It does not change any more once it is made, so that filters with the same surface share
+/// it, in any threads: in a chain of filters the mesh is prepared once.
 class vtkDGGPreparedMesh
 {
 public:
   using Pointer = std::shared_ptr<const vtkDGGPreparedMesh>;
 
-  /// 128 bits that tell the points, cells and treatment of coincident points from others. Equal
-  /// ones give equal meshes. Much cheaper than to prepare a mesh.
-  static dgg::Signature ComputeFingerprint(vtkPolyData* input, bool mergeCoincidentPoints);
+  /// 128 bits that tell the domain, its points and its cells from others. Equal ones give equal
+  /// meshes. Much cheaper than to prepare a mesh.
+  static dgg::Signature ComputeFingerprint(vtkPolyData* input, vtkDGGDomain domain);
 
-  /// The mesh of a surface: one that is in use already where there is one of this fingerprint, else
+  /// The mesh of a domain: one that is in use already where there is one of this fingerprint, else
   /// a new one. Fails with a message that names the offending point or cell.
-  static dgg::Status Make(vtkPolyData* input, bool mergeCoincidentPoints,
-    const dgg::Signature& fingerprint, Pointer& prepared);
+  static dgg::Status Make(
+    vtkPolyData* input, vtkDGGDomain domain, const dgg::Signature& fingerprint, Pointer& prepared);
+
+  vtkDGGDomain Domain = vtkDGGDomain::Surface;
 
   dgg::SurfaceMesh Mesh;
   dgg::MeshReport Report;
   dgg::Signature Signature{};
+  std::vector<double> Positions; ///< of a cloud, x y z per point; else empty
   std::vector<dgg::Id> Vertices; ///< per point; empty unless coincident points are merged
   std::vector<vtkIdType> Cells;  ///< per face
   vtkIdType NumberOfDroppedCells = 0;
@@ -45,7 +51,8 @@ public:
   std::vector<std::string> Warnings;
 
 private:
-  dgg::Status Build(vtkPolyData* input, bool mergeCoincidentPoints);
+  dgg::Status Build(vtkPolyData* input);
+  dgg::Status BuildCloud(vtkPolyData* input);
   dgg::Status Triangulate(
     vtkPolyData* input, const double* points, std::vector<dgg::Id>& triangles);
   void MergeCoincidentPoints(const double* points, vtkIdType numberOfPoints);

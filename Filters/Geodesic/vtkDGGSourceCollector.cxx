@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGSourceCollector.h"
 
+#include "vtkDGGCloudLocator.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGSurfaceLocator.h"
 
@@ -184,12 +185,8 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
     return dgg::Status::Success();
   }
 
-  if (!this->Locator || this->LocatedMesh != adapter.GetBuildTime())
-  {
-    this->Locator = std::make_unique<vtkDGGSurfaceLocator>(adapter.GetMesh(), coordinates);
-    this->LocatedMesh = adapter.GetBuildTime();
-  }
-  const double farthest = tolerance * this->Locator->GetDiagonal();
+  this->PrepareLocator(adapter, coordinates);
+  const double farthest = tolerance * this->GetDiagonal();
   vtkDataArray* offsets = set.InitialDistanceArray.empty()
     ? nullptr
     : set.Points->GetPointData()->GetArray(set.InitialDistanceArray.c_str());
@@ -201,15 +198,17 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
     dgg::GeodesicSource source;
     source.InitialDistance = offsets ? offsets->GetComponent(id, 0) : 0.0;
     double distance = dgg::Infinity;
-    const bool found = this->Locator->FindClosestPoint(p, source.Point, distance);
-    if (!found || !(distance <= farthest))
+    const bool found = this->FindClosestPoint(p, source.Point, distance);
+    if (!found || !(distance <= farthest || this->IsAmongPoints(source.Point, distance)))
     {
       std::ostringstream message;
       message << Describe(set, id, p) << " is " << distance << " away from the "
-              << (set.Surface == "input" ? "surface" : set.Surface) << ", farther than " << farthest
-              << " (ProjectionTolerance " << tolerance << " times the diagonal "
-              << this->Locator->GetDiagonal()
-              << "): move it to the surface, or raise ProjectionTolerance";
+              << (adapter.IsCloud()           ? "cloud"
+                     : set.Surface == "input" ? "surface"
+                                              : set.Surface)
+              << ", farther than " << farthest << " (ProjectionTolerance " << tolerance
+              << " times the diagonal " << this->GetDiagonal()
+              << "): move it there, or raise ProjectionTolerance";
       return dgg::Status::Invalid(message.str());
     }
     sources.push_back(source);
@@ -218,9 +217,54 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
 }
 
 //------------------------------------------------------------------------------
+void vtkDGGSourceCollector::PrepareLocator(const vtkDGGMeshAdapter& adapter, vtkPoints* coordinates)
+{
+  if ((this->Locator || this->CloudLocator) && this->LocatedMesh == adapter.GetBuildTime())
+  {
+    return;
+  }
+  this->Locator.reset();
+  this->CloudLocator.reset();
+  if (adapter.IsCloud())
+  {
+    this->CloudLocator = std::make_unique<vtkDGGCloudLocator>(
+      adapter.GetPositions(), adapter.GetMesh().GetNumberOfVertices());
+  }
+  else
+  {
+    this->Locator = std::make_unique<vtkDGGSurfaceLocator>(adapter.GetMesh(), coordinates);
+  }
+  this->LocatedMesh = adapter.GetBuildTime();
+}
+
+//------------------------------------------------------------------------------
+double vtkDGGSourceCollector::GetDiagonal() const
+{
+  return this->CloudLocator ? this->CloudLocator->GetDiagonal() : this->Locator->GetDiagonal();
+}
+
+//------------------------------------------------------------------------------
+bool vtkDGGSourceCollector::FindClosestPoint(
+  const double position[3], Place& place, double& distance)
+{
+  return this->CloudLocator ? this->CloudLocator->FindClosestPoint(position, place, distance)
+                            : this->Locator->FindClosestPoint(position, place, distance);
+}
+
+//------------------------------------------------------------------------------
+bool vtkDGGSourceCollector::IsAmongPoints(const Place& place, double distance)
+{
+  return this->CloudLocator && distance <= this->CloudLocator->GetReach(place);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkDGGSourceCollector::DescribeIsolatedIds(
   const vtkDGGSourceSet& set, const vtkDGGMeshAdapter& adapter)
 {
+  if (adapter.IsCloud())
+  {
+    return "";
+  }
   vtkIdType count = 0;
   vtkIdType example = 0;
   for (const vtkIdType id : set.Ids)

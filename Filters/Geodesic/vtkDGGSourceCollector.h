@@ -5,7 +5,8 @@
 #ifndef vtkDGGSourceCollector_h
 #define vtkDGGSourceCollector_h
 
-#include "dggExactGeodesics.h" // for GeodesicSource
+#include "dggGeodesicSource.h" // for GeodesicSource
+#include "dggSurfacePoint.h"   // for places
 
 #include "vtkType.h" // for vtkIdType
 
@@ -13,12 +14,14 @@
 #include <string> // for the names
 #include <vector> // for the sources
 
+class vtkDGGCloudLocator;
 class vtkDGGMeshAdapter;
 class vtkDGGSurfaceLocator;
 class vtkPoints;
 class vtkPolyData;
 
-/// Points of the surface as a user gives them: ids first, then the points of an input port.
+/// Points of a surface or a cloud as a user gives them: ids first, then the points of an input
+/// port.
 struct vtkDGGSourceSet
 {
   const std::vector<vtkIdType>& Ids;
@@ -52,20 +55,28 @@ public:
   /// coordinates and initial distances finite.
   static dgg::Status Check(const vtkDGGSourceSet& set, vtkIdType numberOfPoints);
 
-  /// The points on a mesh; checked once more. `coordinates` are those of the mesh;
-  /// `tolerance` is how far from the surface a point may be, as a fraction of the diagonal.
+  /// The points on a mesh, or near those of a cloud; checked once more. `coordinates` are those of
+  /// the mesh; `tolerance` is how far from the surface a point may be, as a fraction of the
+  /// diagonal. Where a cloud is sparser than that, places between its points are close enough.
   dgg::Status Collect(const vtkDGGSourceSet& set, double tolerance,
     const vtkDGGMeshAdapter& adapter, vtkPoints* coordinates,
     std::vector<dgg::GeodesicSource>& sources);
 
   /// What to warn of: ids of points that no polygon uses. Empty when there are none. The set must
-  /// have been checked.
+  /// have been checked. Nothing is said of clouds, of which polygons connect no points.
   static std::string DescribeIsolatedIds(
     const vtkDGGSourceSet& set, const vtkDGGMeshAdapter& adapter);
 
 private:
+  using Place = dgg::SurfacePoint;
+  void PrepareLocator(const vtkDGGMeshAdapter& adapter, vtkPoints* coordinates);
+  double GetDiagonal() const;
+  bool FindClosestPoint(const double position[3], Place& place, double& distance);
+  bool IsAmongPoints(const Place& place, double distance);
+
   std::unique_ptr<vtkDGGSurfaceLocator> Locator;
-  vtkMTimeType LocatedMesh = 0; // its build time
+  std::unique_ptr<vtkDGGCloudLocator> CloudLocator; // or this one
+  vtkMTimeType LocatedMesh = 0;                     // its build time
 };
 
 #endif

@@ -376,6 +376,12 @@ dgg::Status vtkGeodesicAlgorithm::CheckInputs(
 }
 
 //------------------------------------------------------------------------------
+bool vtkGeodesicAlgorithm::IsCloud(vtkPolyData* vtkNotUsed(input)) const
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkGeodesicAlgorithm::GetMemoryRemedy() const
 {
   return "use a smaller mesh";
@@ -395,11 +401,14 @@ dgg::Status vtkGeodesicAlgorithm::PrepareMesh(vtkPolyData* surface)
     return dgg::Status::Invalid(
       "there is no input: call SetInputConnection() or SetInputData() with a surface");
   }
-  if (this->Adapter->IsUpToDate(surface, this->MergeCoincidentPoints))
+  const vtkDGGDomain domain = this->IsCloud(surface) ? vtkDGGDomain::Cloud
+    : this->MergeCoincidentPoints                    ? vtkDGGDomain::MergedSurface
+                                                     : vtkDGGDomain::Surface;
+  if (this->Adapter->IsUpToDate(surface, domain))
   {
     return dgg::Status::Success();
   }
-  const dgg::Status status = this->Adapter->Update(surface, this->MergeCoincidentPoints);
+  const dgg::Status status = this->Adapter->Update(surface, domain);
   for (const std::string& warning : this->Adapter->GetWarnings())
   {
     vtkWarningMacro(<< warning << ".");

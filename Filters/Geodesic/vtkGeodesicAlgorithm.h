@@ -16,6 +16,16 @@
  * triangles as they are glued by point ids. All of these are counted in warnings, once for each
  * mesh, and in the report (GetMeshReport()). Orientation does not matter.
  *
+ * <b>Point clouds.</b> An input with the graph of a point cloud, which vtkPointCloudDGG makes, is
+ * taken for one by the filters that search a graph: vtkDGGDistance, vtkDGGPath, vtkGeodesicSampler,
+ * vtkGeodesicVoronoi and vtkGeodesicDistanceMatrix. Only its points are looked at, also where it
+ * has polygons. Points to start from, or to go to, may be anywhere close to the cloud: as far as
+ * ProjectionTolerance says, or as far as the nearest six points around the closest one are from it.
+ * They are connected to the closest point and to those that this is connected to. A graph that
+ * is missing, damaged or out of date is an error there, as only vtkPointCloudDGG can build one; the
+ * mesh report is empty, and properties that concern cells or the accuracy of a graph do nothing.
+ * All other filters need a surface.
+ *
  * <b>New geometry.</b> Some outputs have the points of the input, with arrays added. Others have
  * new points that lie on the surface: paths, loops and tapes, samples, the cells of sites and their
  * borders, the boundaries of patches. These are the same for all of them:
@@ -34,9 +44,9 @@
  * correct call works. As long as nothing is changed, every update of this filter tells the error
  * again. These are errors of all filters:
  *  - no input;
- *  - points but no polygons; polygons that all have fewer than three distinct points; a cell that
- *    names a point that does not exist, or that is not finite; an extent outside [1e-70, 1e70];
- *    more than 2^31 - 1 points or 3 * triangles;
+ *  - points but no polygons, unless it is a cloud with its graph; polygons that all have fewer than
+ * three distinct points; a cell that names a point that does not exist, or that is not finite; an
+ * extent outside [1e-70, 1e70]; more than 2^31 - 1 points or 3 * triangles;
  *  - an update of one piece of several, as in a parallel pipeline: a part of the surface would
  *    give wrong distances. Gather the surface on one process first.
  *
@@ -88,7 +98,7 @@ public:
    * Whether points with the very same coordinates are taken as one, as along the seams of a
    * textured mesh or in a soup of triangles. The output keeps all points; coincident ones get equal
    * distances. Default off: then points of the boundary that coincide with others of the boundary
-   * are counted in a warning.
+   * are counted in a warning. Not used on point clouds, where such points are next to each other.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);
@@ -194,6 +204,13 @@ protected:
     vtkInformationVector* outputVector) = 0;
   virtual void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) = 0;
   ///@}
+
+  /**
+   * Whether the input is a cloud for this filter: then its points alone are looked at, and may be
+   * anywhere. Default false. Filters that search a graph take an input with the graph of a cloud
+   * for one.
+   */
+  virtual bool IsCloud(vtkPolyData* input) const;
 
   /**
    * What a user can do when memory is exhausted.

@@ -336,6 +336,12 @@ void vtkGeodesicDistanceMatrix::WarnAboutIsolatedIds(const vtkDGGSourceSet& set)
 }
 
 //------------------------------------------------------------------------------
+bool vtkGeodesicDistanceMatrix::IsCloud(vtkPolyData* input) const
+{
+  return vtkDGGGraphUser::IsCloud(input);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkGeodesicDistanceMatrix::GetMemoryRemedy() const
 {
   return "use a smaller mesh, a larger Accuracy or fewer points at a time";

@@ -360,11 +360,13 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckInputs(
 dgg::Status vtkGeodesicPatchBoundaries::PrepareSecondMesh(vtkPolyData* surface)
 {
   vtkDGGMeshAdapter& mesh = this->Internals->SecondMesh;
-  if (mesh.IsUpToDate(surface, this->GetMergeCoincidentPoints()))
+  const vtkDGGDomain domain =
+    this->GetMergeCoincidentPoints() ? vtkDGGDomain::MergedSurface : vtkDGGDomain::Surface;
+  if (mesh.IsUpToDate(surface, domain))
   {
     return dgg::Status::Success();
   }
-  const dgg::Status status = mesh.Update(surface, this->GetMergeCoincidentPoints());
+  const dgg::Status status = mesh.Update(surface, domain);
   for (const std::string& warning : mesh.GetWarnings())
   {
     vtkWarningMacro(<< "Second surface: " << warning << ".");

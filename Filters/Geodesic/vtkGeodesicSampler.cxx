@@ -131,6 +131,12 @@ dgg::Status vtkGeodesicSampler::CheckInputs(
 }
 
 //------------------------------------------------------------------------------
+bool vtkGeodesicSampler::IsCloud(vtkPolyData* input) const
+{
+  return vtkDGGGraphUser::IsCloud(input);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkGeodesicSampler::GetMemoryRemedy() const
 {
   return "use a smaller mesh or a larger Accuracy";
@@ -143,7 +149,7 @@ dgg::Status vtkGeodesicSampler::MakeOptions(
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
   options.NumberOfSamples = this->NumberOfSamples;
   options.CoveringRadius = this->CoveringRadius;
-  options.InFaces = this->InFaces;
+  options.InFaces = this->InFaces && !mesh.IsCloud();
   const vtkDGGSourceSet start = this->GetStart(inputVector);
   if (!start.Points)
   {
@@ -155,7 +161,9 @@ dgg::Status vtkGeodesicSampler::MakeOptions(
     this->Collector->Collect(start, this->ProjectionTolerance, mesh, surface->GetPoints(), points);
   for (const dgg::GeodesicSource& point : points)
   {
-    options.Given.push_back(point.Point);
+    // Samples of a cloud are points of it.
+    options.Given.push_back(
+      mesh.IsCloud() ? dgg::SurfacePoint::AtVertex(point.Point.Vertex) : point.Point);
   }
   return status;
 }
@@ -221,8 +229,9 @@ dgg::Status vtkGeodesicSampler::Execute(
   }
   options.Progress = graph.GetRemainingProgress();
   std::vector<dgg::SurfaceSample> samples;
-  status = dgg::SampleSurface(graph.GetSearch().GetGraph(), &mesh.GetMesh(),
-    needsLinks ? &graph.GetBuilder() : nullptr, graph.GetLinkAccuracy(), options, samples);
+  status =
+    dgg::SampleSurface(graph.GetSearch().GetGraph(), mesh.IsCloud() ? nullptr : &mesh.GetMesh(),
+      needsLinks ? &graph.GetBuilder() : nullptr, graph.GetLinkAccuracy(), options, samples);
   const dgg::Status intact = graph.CheckArrays();
   if (!status.IsOk() || !intact.IsOk())
   {

@@ -10,6 +10,7 @@
 #include "vtkDGGVoronoiOutputs.h"
 
 #include "dggCentroidal.h"
+#include "dggCloudCenters.h"
 #include "dggProgressPart.h"
 
 #include "vtkInformationVector.h"
@@ -239,6 +240,12 @@ dgg::Status vtkGeodesicVoronoi::CheckInputs(
 }
 
 //------------------------------------------------------------------------------
+bool vtkGeodesicVoronoi::IsCloud(vtkPolyData* input) const
+{
+  return vtkDGGGraphUser::IsCloud(input);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkGeodesicVoronoi::GetMemoryRemedy() const
 {
   return "use a smaller mesh, a larger Accuracy or fewer sites";
@@ -259,7 +266,12 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
     dgg::CentroidalOptions options = result.Moving;
     options.Progress = dgg::ProgressPart(progress, 0.0, MovingShare);
     dgg::Status status = graph.PrepareBuilder(mesh);
-    if (status.IsOk())
+    if (status.IsOk() && mesh.IsCloud())
+    {
+      status = dgg::MoveToCloudCenters(
+        graph.GetSearch(), mesh.GetPositions(), options, places, result.Energies);
+    }
+    else if (status.IsOk())
     {
       status = dgg::MoveToCenters(graph.GetSearch(), mesh.GetMesh(), graph.GetBuilder(),
         graph.GetLinkAccuracy(), options, places, result.Energies);
@@ -313,9 +325,9 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   // Observers may change the input and the properties.
   vtkNew<vtkPolyData> copy;
   copy->ShallowCopy(surface);
-  result.LabelsOnly = !this->GenerateCells;
+  result.LabelsOnly = !this->GenerateCells || mesh.IsCloud();
   result.IsCentroidal = this->Centroidal;
-  result.IsRefined = this->RefineBoundaries && this->GenerateCells;
+  result.IsRefined = this->RefineBoundaries && !result.LabelsOnly;
   result.Moving.NumberOfIterations = this->NumberOfIterations;
   result.Moving.Tolerance = this->Tolerance;
   const std::string warning = vtkDGGSourceCollector::DescribeIsolatedIds(set, mesh);

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The installed package works: installed_package.py PREFIX VERSION."""
+"""The installed package works: installed_package.py PREFIX VERSION WITH_PCL."""
 
 import os
 import sys
 
 import vtkdgg
 
-PREFIX, VERSION = sys.argv[1:]
+PREFIX, VERSION, WITH_PCL = sys.argv[1:]
 WHERE = os.path.realpath(vtkdgg.__file__)
 if not WHERE.startswith(os.path.realpath(PREFIX) + os.sep):
     sys.exit(f"imported from {WHERE}, not from {PREFIX}")
@@ -38,3 +38,5 @@ for name in (
 ):
     if not hasattr(vtkdgg, name):
         sys.exit(f"{name} is missing")
+if WITH_PCL.upper() in ("ON", "1", "TRUE", "YES") and not hasattr(vtkdgg, "vtkPointCloudDGG"):
+    sys.exit("vtkPointCloudDGG is missing")

@@ -74,6 +74,17 @@ SurfacePoint SurfacePoint::AtVertex(Id vertex)
   return point;
 }
 
+SurfacePoint SurfacePoint::NearVertex(Id vertex, const std::array<double, 3>& offset)
+{
+  SurfacePoint point = AtVertex(vertex);
+  if (offset[0] != 0.0 || offset[1] != 0.0 || offset[2] != 0.0)
+  {
+    point.On = Support::Near;
+    point.Barycentric = offset;
+  }
+  return point;
+}
+
 SurfacePoint SurfacePoint::InFace(
   const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric)
 {
@@ -109,6 +120,12 @@ Status SurfacePoint::Check(const SurfaceMesh& mesh) const
             << mesh.GetNumberOfVertices() - 1 << "]";
     return Status::Invalid(message.str());
   }
+  if (this->On == Support::Near)
+  {
+    message << "the point near vertex " << this->Vertex << " is not on the mesh: only clouds have "
+            << "such points";
+    return Status::Invalid(message.str());
+  }
   if (this->Face < 0 || this->Face >= mesh.GetNumberOfFaces() || mesh.IsDropped(this->Face))
   {
     message << "face " << this->Face << " does not exist or has no area";
@@ -140,7 +157,8 @@ bool IsSamePoint(const SurfacePoint& a, const SurfacePoint& b)
   {
     return a.On == b.On && a.Vertex == b.Vertex;
   }
-  return a.Face == b.Face && a.Barycentric == b.Barycentric; // On and HalfEdge follow from them
+  // On and HalfEdge follow from these.
+  return a.Vertex == b.Vertex && a.Face == b.Face && a.Barycentric == b.Barycentric;
 }
 
 double UnrollFactor(const SurfaceMesh& mesh, const SurfacePoint& point)

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A point anywhere on a mesh: at a vertex, on an edge or inside a face.
+/// A point anywhere on a mesh: at a vertex, on an edge or inside a face. Also a point of a cloud,
+/// or close to it.
 #ifndef dggSurfacePoint_h
 #define dggSurfacePoint_h
 
@@ -21,7 +22,8 @@ struct SurfacePoint
   {
     Vertex, ///< Vertex is set; Face may be NoId
     Edge,   ///< HalfEdge is set, and Barycentric in its face
-    Face    ///< Face and Barycentric are set
+    Face,   ///< Face and Barycentric are set
+    Near    ///< close to a point of a cloud: Vertex is set, and Barycentric is the offset from it
   };
 
   Support On = Support::Vertex;
@@ -29,10 +31,13 @@ struct SurfacePoint
   Id HalfEdge = NoId;
   Id Face = NoId;
   /// Coordinates with respect to the corners of SurfaceMesh::GetTriangle(Face); non-negative,
-  /// sum 1.
+  /// sum 1. Of a point near a vertex, the vector from the vertex to it in space.
   std::array<double, 3> Barycentric{ { 1.0, 0.0, 0.0 } };
 
   static SurfacePoint AtVertex(Id vertex);
+  /// Point in space at an offset from a point of a cloud; at it when the offset is zero. There is
+  /// no such point on a mesh.
+  static SurfacePoint NearVertex(Id vertex, const std::array<double, 3>& offset);
   /// Point at the given coordinates of a face, snapped. The coordinates refer to the corners of the
   /// face *in the order of the input*, so that callers need not know of re-oriented faces.
   static SurfacePoint InFace(

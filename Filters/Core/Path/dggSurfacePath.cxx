@@ -123,6 +123,12 @@ std::array<double, 3> PositionOf(
     const double* p = positions + 3 * static_cast<std::size_t>(point.Vertex);
     return { { p[0], p[1], p[2] } };
   }
+  if (point.On == SurfacePoint::Support::Near)
+  {
+    const double* p = positions + 3 * static_cast<std::size_t>(point.Vertex);
+    const std::array<double, 3>& offset = point.Barycentric;
+    return { { p[0] + offset[0], p[1] + offset[1], p[2] + offset[2] } };
+  }
   std::array<double, 3> sum{ { 0.0, 0.0, 0.0 } };
   for (int k = 0; k < 3; ++k)
   {

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDGGCloudLinks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+using Position = std::array<double, 3>;
+
+/// Directions that mean nothing: of a point of the cloud, which is its own link, and of others.
+constexpr double AtPoint = -1.0;
+constexpr double NearPoint = 0.0;
+
+Position At(const double* positions, dgg::Id vertex)
+{
+  const double* p = positions + 3 * static_cast<std::size_t>(vertex);
+  return { { p[0], p[1], p[2] } };
+}
+
+double Distance(const Position& a, const Position& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+Position At(const double* positions, const dgg::SurfacePoint& place)
+{
+  Position p = At(positions, place.Vertex);
+  if (place.On == dgg::SurfacePoint::Support::Near)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      p[c] += place.Barycentric[c];
+    }
+  }
+  return p;
+}
+
+/// How much longer the surface is than the straight line, on the edge from a vertex.
+double GetArcFactor(
+  const dgg::GraphView& graph, const double* positions, dgg::Id vertex, dgg::Offset edge)
+{
+  const double chord = Distance(At(positions, vertex), At(positions, graph.Targets[edge]));
+  // Edges between points at the same place have a length all the same.
+  return chord > 0.0 ? std::max(1.0, graph.Length(edge) / chord) : 1.0;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<dgg::GraphLink> vtkDGGLinkToCloud(
+  const dgg::GraphView& graph, const double* positions, const dgg::SurfacePoint& place)
+{
+  const dgg::Id nearest = place.Vertex;
+  if (dgg::IsVertex(place))
+  {
+    return { { nearest, 0.0, AtPoint, 0.0 } };
+  }
+  const Position p = At(positions, place);
+  std::vector<dgg::GraphLink> links;
+  links.push_back({ nearest, Distance(p, At(positions, nearest)), NearPoint, 0.0 });
+  for (dgg::Offset e = graph.Offsets[nearest]; e < graph.Offsets[nearest + 1]; ++e)
+  {
+    const dgg::Id target = graph.Targets[e];
+    const double straight = Distance(p, At(positions, target));
+    links.push_back(
+      { target, straight * GetArcFactor(graph, positions, nearest, e), NearPoint, 0.0 });
+  }
+  return links;
+}
+
+//------------------------------------------------------------------------------
+double vtkDGGMeasureDirectly(const dgg::GraphView& graph, const double* positions,
+  const dgg::SurfacePoint& a, const dgg::SurfacePoint& b)
+{
+  if (dgg::IsVertex(a) || dgg::IsVertex(b))
+  {
+    return dgg::Infinity; // the links of the other one see to that
+  }
+  const double straight = Distance(At(positions, a), At(positions, b));
+  if (a.Vertex == b.Vertex)
+  {
+    return straight;
+  }
+  // From the smaller id, so that both ways round give the same bits.
+  const dgg::Id from = std::min(a.Vertex, b.Vertex);
+  const dgg::Id to = std::max(a.Vertex, b.Vertex);
+  const dgg::Id* begin = graph.Targets + graph.Offsets[from];
+  const dgg::Id* end = graph.Targets + graph.Offsets[from + 1];
+  const dgg::Id* found = std::find(begin, end, to);
+  return found == end
+    ? dgg::Infinity
+    : straight * GetArcFactor(graph, positions, from, graph.Offsets[from] + (found - begin));
+}

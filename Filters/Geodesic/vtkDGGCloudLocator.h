@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The point of a cloud that is closest to a point in space. Internal.
+#ifndef vtkDGGCloudLocator_h
+#define vtkDGGCloudLocator_h
+
+#include "dggSurfacePoint.h" // for SurfacePoint
+
+#include "vtkIdList.h"             // for the search's workspace
+#include "vtkNew.h"                // for vtkNew
+#include "vtkPolyData.h"           // for the located points
+#include "vtkStaticPointLocator.h" // for the search
+
+#include <vector> // for the map
+
+/// Finds closest points of a cloud, of those that are finite. Coordinates are taken from the middle
+/// of the cloud and scaled by a power of two for the search, so that any scale gives the same
+/// answer, bit by bit.
+class vtkDGGCloudLocator
+{
+public:
+  /// `positions`, x y z per point, must outlive the locator.
+  vtkDGGCloudLocator(const double* positions, dgg::Id numberOfPoints);
+
+  /// The place as seen from the closest point of the cloud, of several the one with the smallest
+  /// id, and its distance from it in the units of the points. False when there is none.
+  bool FindClosestPoint(const double position[3], dgg::SurfacePoint& place, double& distance);
+
+  /// How far the nearest points of the cloud around a place are from its point: places that are not
+  /// farther from it are among the points of the cloud. 0 when there are too few.
+  double GetReach(const dgg::SurfacePoint& place);
+
+  /// Diagonal of the bounding box of the finite points.
+  double GetDiagonal() const { return this->Diagonal; }
+
+private:
+  void ToLocal(const double position[3], double local[3]) const;
+
+  const double* Positions;
+  double Diagonal = 0.0;
+  double Middle[3] = { 0.0, 0.0, 0.0 };
+  double Scale = 1.0;       // power of two
+  std::vector<dgg::Id> Ids; // of the cloud, per point of Points
+  vtkNew<vtkPolyData> Points;
+  vtkNew<vtkStaticPointLocator> Locator;
+  vtkNew<vtkIdList> Close;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGCloudLocator.h

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The graph of a cloud as data: files, other filters, damage, points that move.
+#include "CloudTestTools.h"
+
+#include "vtkDGGDistance.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataReader.h"
+#include "vtkPolyDataWriter.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace dggtest
+{
+namespace
+{
+class CloudInFieldData : public ::testing::Test
+{
+protected:
+  CloudInFieldData()
+    : Cloud(MakeCloudWithGraph(MakeFlatPoints(16, 0.2)))
+  {
+    this->Distance->SetSourceIds({ 0 });
+  }
+
+  std::vector<double> Measure(vtkPolyData* cloud)
+  {
+    this->Distance->SetInputData(cloud);
+    ExpectSuccess(this->Distance);
+    EXPECT_TRUE(this->Distance->GetUsedInputGraph());
+    return GetDistances(this->Distance);
+  }
+
+  std::string MakePath(const char* extension) const
+  {
+    const ::testing::TestInfo* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    return std::string(DGG_TEST_OUTPUT) + "/CloudInFieldData" + test->name() + extension;
+  }
+
+  /// Change a copy of the cloud, and expect an error that contains `parts`.
+  void ExpectRefused(
+    const std::function<void(vtkPolyData*)>& change, std::vector<std::string> parts)
+  {
+    vtkNew<vtkPolyData> changed;
+    changed->DeepCopy(this->Cloud);
+    change(changed);
+    parts.push_back("vtkPointCloudDGG");
+    this->Distance->SetInputData(changed);
+    ExpectError(this->Distance, parts);
+    this->Distance->Modified();
+    ExpectError(this->Distance, parts); // told again
+    EXPECT_FALSE(this->Distance->GetUsedInputGraph());
+  }
+
+  static vtkDataArray* Get(vtkPolyData* cloud, const char* name)
+  {
+    return cloud->GetFieldData()->GetArray(name);
+  }
+
+  vtkSmartPointer<vtkPolyData> Cloud;
+  vtkNew<vtkDGGDistance> Distance;
+};
+}
+
+TEST_F(CloudInFieldData, SurvivesFiles)
+{
+  const std::vector<double> distances = this->Measure(this->Cloud);
+  for (const int mode : { vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended })
+  {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetFileName(this->MakePath(".vtp").c_str());
+    writer->SetInputData(this->Cloud);
+    writer->SetDataMode(mode);
+    ASSERT_EQ(writer->Write(), 1);
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(this->MakePath(".vtp").c_str());
+    reader->Update();
+    EXPECT_EQ(GetCloudBytes(reader->GetOutput()), GetCloudBytes(this->Cloud)) << mode;
+    EXPECT_EQ(this->Measure(reader->GetOutput()), distances) << mode;
+    EXPECT_EQ(GetComponents(reader->GetOutput()), GetComponents(this->Cloud));
+  }
+  vtkNew<vtkPolyDataWriter> writer;
+  writer->SetFileName(this->MakePath(".vtk").c_str());
+  writer->SetInputData(this->Cloud);
+  writer->SetFileTypeToBinary();
+  ASSERT_EQ(writer->Write(), 1);
+  vtkNew<vtkPolyDataReader> reader;
+  reader->SetFileName(this->MakePath(".vtk").c_str());
+  reader->Update();
+  EXPECT_EQ(this->Measure(reader->GetOutput()), distances);
+}
+
+TEST_F(CloudInFieldData, ARigidMotion)
+{
+  vtkNew<vtkTransform> transform;
+  transform->Translate(1.0, 0.0, 0.0);
+  vtkNew<vtkTransformPolyDataFilter> mover;
+  mover->SetTransform(transform);
+  mover->SetInputData(this->Cloud);
+  mover->Update();
+  this->ExpectRefused(
+    [&](vtkPolyData* cloud) { cloud->SetPoints(mover->GetOutput()->GetPoints()); },
+    { "is out of date: points have changed" });
+  EXPECT_EQ(this->Measure(this->Cloud)[0], 0.0);
+}
+
+TEST_F(CloudInFieldData, AMovedPoint)
+{
+  EXPECT_EQ(this->Measure(this->Cloud)[0], 0.0);
+  this->Cloud->GetPoints()->SetPoint(9, 0.5, 0.5, 0.0);
+  this->Cloud->GetPoints()->Modified();
+  ExpectError(this->Distance, { "is out of date", "Run vtkPointCloudDGG on these points" });
+}
+
+TEST_F(CloudInFieldData, CellsDoNotMatter)
+{
+  const std::vector<double> distances = this->Measure(this->Cloud);
+  this->Cloud->SetPolys(MakeCells({ { 0, 1, 16 }, { 200, 201, 210 } }));
+  EXPECT_EQ(this->Measure(this->Cloud), distances);
+  this->Cloud->SetPolys(MakeCells({ { 0, 1, 999 } }));
+  EXPECT_EQ(this->Measure(this->Cloud), distances);
+}
+
+TEST_F(CloudInFieldData, MissingArrays)
+{
+  for (const char* name : { "DGG.Offsets", "DGG.Targets", "DGG.Lengths", "DGG.Radii" })
+  {
+    this->ExpectRefused([&](vtkPolyData* cloud) { cloud->GetFieldData()->RemoveArray(name); },
+      { "is damaged", name, "missing" });
+  }
+  // Without it nothing says that there is a graph.
+  this->ExpectRefused([](vtkPolyData* cloud) { cloud->GetFieldData()->RemoveArray("DGG.Info"); },
+    { "256 points but no polygons" });
+  this->ExpectRefused([](vtkPolyData* cloud) { cloud->GetFieldData()->Initialize(); },
+    { "256 points but no polygons" });
+}
+
+TEST_F(CloudInFieldData, DamagedArrays)
+{
+  const double inf = std::numeric_limits<double>::infinity();
+  this->ExpectRefused(
+    [](vtkPolyData* c) { Get(c, "DGG.Lengths")->SetTuple1(3, 0.7); }, { "checksum" });
+  this->ExpectRefused(
+    [](vtkPolyData* c) { Get(c, "DGG.Lengths")->SetTuple1(3, -0.7); }, { "length" });
+  this->ExpectRefused(
+    [](vtkPolyData* c) { Get(c, "DGG.Targets")->SetTuple1(3, 256); }, { "leads to vertex 256" });
+  this->ExpectRefused(
+    [](vtkPolyData* c) { Get(c, "DGG.Radii")->SetTuple1(3, 0.01); }, { "checksum" });
+  this->ExpectRefused(
+    [inf](vtkPolyData* c) { Get(c, "DGG.Radii")->SetTuple1(3, inf); }, { "checksum" });
+  this->ExpectRefused(
+    [](vtkPolyData* c) { Get(c, "DGG.Info")->SetTuple1(0, 2); }, { "format version 2" });
+  this->ExpectRefused(
+    [](vtkPolyData* c) { Get(c, "DGG.Info")->SetTuple1(2, 0); }, { "its construction is 0" });
+  this->ExpectRefused(
+    [](vtkPolyData* c) { Get(c, "DGG.Info")->SetTuple1(2, 7); }, { "its construction is 7" });
+  this->ExpectRefused([](vtkPolyData* c) { Get(c, "DGG.Info")->SetTuple1(8, 1); }, { "checksum" });
+  this->ExpectRefused(
+    [](vtkPolyData* c) {
+      vtkNew<vtkDoubleArray> wrong;
+      wrong->SetName("DGG.Radii");
+      wrong->SetNumberOfTuples(256);
+      wrong->Fill(0.1);
+      c->GetFieldData()->AddArray(wrong);
+    },
+    { "DGG.Radii is of type double" });
+  this->ExpectRefused([](vtkPolyData* c) { Get(c, "DGG.Radii")->SetNumberOfTuples(255); },
+    { "DGG.Radii has 255 values" });
+}
+
+TEST_F(CloudInFieldData, ArraysOfMeshesDoNotMatter)
+{
+  const std::vector<double> distances = this->Measure(this->Cloud);
+  vtkNew<vtkIntArray> stray;
+  stray->SetName("DGG.Angles");
+  stray->SetNumberOfTuples(3);
+  stray->Fill(7);
+  this->Cloud->GetFieldData()->AddArray(stray);
+  EXPECT_EQ(this->Measure(this->Cloud), distances);
+}
+
+TEST_F(CloudInFieldData, TheGraphOfAMeshIsNoneOfACloud)
+{
+  // Points without polygons, and the graph of a mesh.
+  const auto points = this->Cloud->GetPoints();
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  vtkNew<vtkTypeInt64Array> info;
+  info->SetName("DGG.Info");
+  info->SetNumberOfTuples(12);
+  info->Fill(0);
+  info->SetTuple1(0, 1);
+  cloud->GetFieldData()->AddArray(info);
+  this->Distance->SetInputData(cloud);
+  ExpectError(this->Distance, { "256 points but no polygons", "vtkPointCloudDGG" });
+}
+}
