@@ -8,51 +8,192 @@ namespace dgg
 {
 namespace
 {
-/// Sine of the steepest angle between a chord and the tangent planes at both of its ends.
-const double SteepestChord = std::sin(Pi / 3.0);
+/// The steepest angle between a chord and the tangent planes at both of its ends.
+constexpr double SteepestChord = Pi / 3.0;
 /// Sides that normals point to are opposite when the cosine between them is below that.
 const double OppositeNormals = std::cos(100.0 / 180.0 * Pi);
 /// Chords that sheets back to back are looked for at, by the radius of a ball.
 constexpr double SheetsReach = 4.0;
-/// A turn is too large for long chords: longer than that many spacings.
-constexpr double ShortChord = 3.0;
+/// The turn that an arc may make, in radians. Beyond it, points are followed.
+constexpr double LargestTurn = 0.35;
+/// How far the surface may be from where it is expected, by the local spacing.
+constexpr double Tolerance = 0.6;
+/// Pieces of a way that follows points, per local spacing, and at most: more would follow what is
+/// between the points, which is guessed, fewer would miss points.
+constexpr double PiecesPerSpacing = 1.2;
+constexpr int MostPieces = 64;
+/// Cosine between a normal and the direction that heights are measured in, at least.
+constexpr double LeastCosine = 0.35;
 }
+
+/// What a segment between two points looks like, seen from the point with the smaller number, so
+/// that it is the same, bit by bit, both ways round.
+struct CloudPairs::Seen
+{
+  Seen(const CloudPairs& pairs, Id first, Id second, double chord)
+    : P(std::min(first, second))
+    , Q(std::max(first, second))
+    , Chord(chord)
+    , Segment(pairs.Points[Q] - pairs.Points[P])
+  {
+    const Point3& a = pairs.Normals[P];
+    const Point3& b = pairs.Normals[Q];
+    this->Angles = MeasureChord(this->Segment, chord, a, b);
+    const bool isArc = pairs.IsSmooth[P] && pairs.IsSmooth[Q] && Angles.GetTurn() <= LargestTurn;
+    this->Follows = pairs.UsesArcs && !isArc;
+  }
+
+  /// The direction that heights are measured in: across the segment, away from the surface. False
+  /// when there is none.
+  bool FindUp(const CloudPairs& pairs)
+  {
+    const Point3& a = pairs.Normals[this->P];
+    const Point3& b = pairs.Normals[this->Q];
+    this->Up = Dot(a, b) < 0.0 ? a - b : a + b;
+    this->Up =
+      this->Up - (Dot(this->Up, this->Segment) / (this->Chord * this->Chord)) * this->Segment;
+    const double length = Norm(this->Up);
+    if (!(length > LeastCosine))
+    {
+      return false;
+    }
+    this->Up = (1.0 / length) * this->Up;
+    return true;
+  }
+
+  Id P;
+  Id Q;
+  double Chord;
+  Point3 Segment;
+  Point3 Up;
+  ChordAngles Angles;
+  bool Follows; ///< whether points are followed, rather than an arc
+};
 
 double CloudPairs::Length(Id p, Id q, double chord) const
 {
+  Seen seen(*this, p, q, chord);
+  if (!this->IsLikely(seen))
+  {
+    return Infinity;
+  }
   if (!this->UsesArcs)
   {
     return chord;
   }
-  if (p > q)
-  {
-    std::swap(p, q); // the same bits both ways round
-  }
-  const ChordAngles angles =
-    MeasureChord(this->Points[q] - this->Points[p], chord, this->Normals[p], this->Normals[q]);
-  return chord * ArcFactor(angles, static_cast<double>(this->Noise[p]) + this->Noise[q]);
+  return seen.Follows ? this->FollowPoints(seen) : chord * ArcFactor(seen.Angles);
 }
 
 bool CloudPairs::IsDirect(Id p, Id q, double chord) const
 {
-  const Point3 e = this->Points[q] - this->Points[p];
-  const double a = std::abs(Dot(this->Normals[p], e));
-  const double b = std::abs(Dot(this->Normals[q], e));
-  if (a > SteepestChord * chord && b > SteepestChord * chord)
+  Seen seen(*this, p, q, chord);
+  if (!this->IsLikely(seen))
   {
     return false;
   }
-  if (this->HasOrientedNormals && Dot(this->Normals[p], this->Normals[q]) < OppositeNormals &&
-    chord < SheetsReach * std::max(this->Radii[p], this->Radii[q]))
+  // Where points are followed, the length is infinite when they are not where they should be.
+  if (!seen.Follows && !this->Nearest.empty() &&
+    chord > std::min(this->Spacings[p], this->Spacings[q]) && seen.FindUp(*this))
   {
-    return false;
+    for (const double t : { 0.5, 0.25, 0.75 })
+    {
+      const Point3 place = this->Points[seen.P] + t * seen.Segment;
+      const Id nearest = this->FindNearest(place);
+      if (nearest != NoId &&
+        this->IsFarFrom(nearest, place, seen.Up, chord * ArcHeight(seen.Angles, t)))
+      {
+        return false;
+      }
+    }
   }
-  if (this->UsesArcs && chord > ShortChord * std::max(this->Spacings[p], this->Spacings[q]) &&
-    MeasureChord(e, chord, this->Normals[p], this->Normals[q]).IsTurnTooLarge())
+  return this->IsInBand(seen);
+}
+
+bool CloudPairs::IsInBand(const Seen& seen) const
+{
+  // What lies in the balls at both ends, a voxel less for what rounding does to them, is in the
+  // band.
+  const double size = this->Band.GetVoxelSize();
+  const double first = std::max(0.0, this->Radii[seen.P] - size);
+  const double second = std::max(0.0, this->Radii[seen.Q] - size);
+  if (first + second >= seen.Chord)
   {
-    return false;
+    return true;
   }
   return this->Band.ContainsSegment(
-    this->Band.ToGrid(this->Points[p]), this->Band.ToGrid(this->Points[q]));
+    this->Band.ToGrid(this->Points[seen.P] + (first / seen.Chord) * seen.Segment),
+    this->Band.ToGrid(this->Points[seen.Q] - (second / seen.Chord) * seen.Segment));
+}
+
+/// Whether normals do not speak against a way.
+bool CloudPairs::IsLikely(const Seen& seen) const
+{
+  if (std::abs(seen.Angles.First) > SteepestChord && std::abs(seen.Angles.Second) > SteepestChord)
+  {
+    return false;
+  }
+  return !(this->HasOrientedNormals &&
+    Dot(this->Normals[seen.P], this->Normals[seen.Q]) < OppositeNormals &&
+    seen.Chord < SheetsReach * std::max(this->Radii[seen.P], this->Radii[seen.Q]));
+}
+
+Id CloudPairs::FindNearest(const Point3& place) const
+{
+  const Voxel voxel = VoxelBand::VoxelOf(this->Band.ToGrid(place));
+  const std::int64_t brick = this->Band.FindBrick(VoxelBand::BrickKey(voxel));
+  return brick < 0 ? NoId : this->Nearest[VoxelBand::PlaceOf(brick, voxel)];
+}
+
+/// Whether the surface at a point near a place is not where it should be: at a height over it.
+bool CloudPairs::IsFarFrom(Id nearest, const Point3& place, const Point3& up, double height) const
+{
+  const Point3 expected = place + height * up;
+  const double off = Dot(this->Normals[nearest], this->Points[nearest] - expected);
+  return std::abs(off) > Tolerance * this->Spacings[nearest];
+}
+
+/// A polyline over the points that are nearest to the segment, each moved in its tangent plane to
+/// the plane of segment and up.
+double CloudPairs::FollowPoints(Seen& seen) const
+{
+  const double spacing =
+    0.5 * (static_cast<double>(this->Spacings[seen.P]) + this->Spacings[seen.Q]);
+  const int pieces = spacing > 0.0 ? static_cast<int>(std::min<double>(MostPieces,
+                                       std::round(PiecesPerSpacing * seen.Chord / spacing)))
+                                   : 1;
+  if (pieces < 2 || this->Nearest.empty() || !seen.FindUp(*this))
+  {
+    return seen.Chord;
+  }
+  const double piece = seen.Chord / pieces;
+  double last = 0.0;
+  int lastPiece = 0;
+  double sum = 0.0;
+  for (int i = 1; i < pieces; ++i)
+  {
+    const double t = static_cast<double>(i) / pieces;
+    const Point3 place = this->Points[seen.P] + t * seen.Segment;
+    const Id nearest = this->FindNearest(place);
+    if (nearest == NoId)
+    {
+      continue;
+    }
+    if (this->IsFarFrom(nearest, place, seen.Up, seen.Chord * ArcHeight(seen.Angles, t)))
+    {
+      return Infinity;
+    }
+    const double cosine = Dot(this->Normals[nearest], seen.Up);
+    if (std::abs(cosine) < LeastCosine)
+    {
+      continue;
+    }
+    const double height = Dot(this->Normals[nearest], this->Points[nearest] - place) / cosine;
+    const double along = (i - lastPiece) * piece;
+    sum += std::sqrt(along * along + (height - last) * (height - last));
+    last = height;
+    lastPiece = i;
+  }
+  const double along = (pieces - lastPiece) * piece;
+  return std::max(seen.Chord, sum + std::sqrt(along * along + last * last));
 }
 }

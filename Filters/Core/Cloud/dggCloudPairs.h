@@ -10,12 +10,15 @@
 #include "dggTypes.h"     // for Id
 #include "dggVoxelBand.h" // for VoxelBand
 
-#include <cstdint> // for flags
-#include <vector>  // for what is known of points
+#include <vector> // for what is known of points
 
 namespace dgg
 {
-/// What is known of the points of a cloud. Everything is the same for (p, q) and (q, p).
+/// What is known of the points of a cloud. All answers are the same for (p, q) and (q, p).
+///
+/// Two points are connected directly when the segment between them stays in the band, and close to
+/// the points that it passes: nearer than balls are large, measured along their normals. So sheets
+/// stay apart that are closer to each other than two balls.
 struct CloudPairs
 {
   std::vector<Point3> Points;
@@ -23,24 +26,39 @@ struct CloudPairs
   std::vector<float> Radii;    ///< of the balls of the band
   std::vector<float> Reaches;  ///< how long edges of a point may be
   std::vector<float> Spacings; ///< local distance between points: the root of the area of each
-  std::vector<float> Noise;    ///< variance of the direction of normals, radians squared
+  /// Whether neighbours lie on the surface that was fitted to them: then an arc tells all about the
+  /// way between two points.
+  std::vector<unsigned char> IsSmooth;
   VoxelBand Band;
+  /// Per voxel (VoxelBand::PlaceOf()), the point that is nearest to its centre, NoId if it is not
+  /// marked.
+  std::vector<Id> Nearest;
+  /// Whether a way is as long as the surface rather than the chord.
   bool UsesArcs = true;
   bool HasOrientedNormals = false;
 
   double Chord(Id p, Id q) const { return Norm(this->Points[q] - this->Points[p]); }
-
-  /// Length of the way between two points that are connected directly.
-  double Length(Id p, Id q, double chord) const;
-  double Length(Id p, Id q) const { return this->Length(p, q, this->Chord(p, q)); }
 
   bool IsInReach(Id p, Id q, double chord) const
   {
     return chord <= this->Reaches[p] || chord <= this->Reaches[q];
   }
 
-  /// Whether the segment stays in the band and looks like a way on the surface.
+  /// Length of the way between two points along the segment between them; Infinity when it does not
+  /// look like a way on the surface.
+  double Length(Id p, Id q, double chord) const;
+  double Length(Id p, Id q) const { return this->Length(p, q, this->Chord(p, q)); }
+
+  /// Whether points of finite Length() are connected directly.
   bool IsDirect(Id p, Id q, double chord) const;
+
+private:
+  struct Seen;
+  bool IsLikely(const Seen& seen) const;
+  bool IsInBand(const Seen& seen) const;
+  bool IsFarFrom(Id nearest, const Point3& place, const Point3& up, double height) const;
+  Id FindNearest(const Point3& place) const;
+  double FollowPoints(Seen& seen) const;
 };
 }
 

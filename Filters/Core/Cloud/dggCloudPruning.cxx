@@ -39,6 +39,11 @@ void CloudPruning::ChooseEdges(
   for (std::size_t i = 0; i < neighbors.size(); ++i)
   {
     const Id q = neighbors[i];
+    const double length = this->Pairs.Length(p, q, chords[i]);
+    if (length == Infinity)
+    {
+      continue;
+    }
     if (this->Kappa == Infinity)
     {
       ++this->Walks;
@@ -48,7 +53,6 @@ void CloudPruning::ChooseEdges(
       }
       continue;
     }
-    const double length = this->Pairs.Length(p, q, chords[i]);
     const int sector = this->SectorOf(this->Pairs.Points[q] - this->Pairs.Points[p]);
     if (this->IsCovered(q, length, sector))
     {

@@ -96,6 +96,12 @@ public:
         std::memory_order_relaxed);
     return word >> (8 * (voxel[1] & 7) + (voxel[0] & 7)) & 1;
   }
+  /// Place of a voxel in a list of all voxels, marked or not, of all bricks.
+  static std::size_t PlaceOf(std::int64_t brick, const Voxel& voxel)
+  {
+    return 512 * static_cast<std::size_t>(brick) +
+      static_cast<std::size_t>(64 * (voxel[2] & 7) + 8 * (voxel[1] & 7) + (voxel[0] & 7));
+  }
   /// Lowest voxel of a brick.
   Voxel GetBrickVoxel(std::size_t brick) const;
 

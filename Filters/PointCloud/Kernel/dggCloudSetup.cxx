@@ -19,11 +19,17 @@ constexpr Offset NodesPerTask = 256;
 /// The neighbour whose distance tells the local spacing.
 constexpr std::size_t SpacingNeighbors = 16;
 /// Neighbours that a surface is fitted to; more where points are noisy.
-constexpr std::size_t FitNeighbors = 32;
+constexpr std::size_t FitNeighbors = 16;
+constexpr std::size_t WideFitNeighbors = 32;
 constexpr std::size_t MostFitNeighbors = 256;
-/// Points are noisy when they lie off the fitted surface by that much of their spacing: then they
-/// are moved to it.
-constexpr double NoisyResidual = 0.1;
+/// Points are noisy when they lie off the fitted surface by that much of their spacing, and not by
+/// more when it is fitted to more neighbours: from shapes too fine for it they are off the more the
+/// wider it is (measured: 1.0 to 1.15 for noise, 1.35 to 1.6 for scans and terrain). Noisy points
+/// are moved to the surface.
+constexpr double NoisyResidual = 0.03;
+constexpr double LargestGrowthOfNoise = 1.2;
+/// Residual, by spacing, of surfaces that are smooth.
+constexpr double SmoothResidual = 0.004;
 /// The spacing of a point is at most that of its neighbours by this: a point on its own, far off
 /// the surface, must not get a ball that reaches it.
 constexpr double LargestSpacingRatio = 2.0;
@@ -41,7 +47,9 @@ constexpr double LargestAutomaticResolution = 8192.0;
 constexpr double VoxelsPerBall = 2000.0;
 
 /// Reach by spacing, scheme C.
-constexpr double ReachBySpacing = 12.0;
+constexpr double ReachBySpacing = 9.0;
+/// The same where points are followed: what is between them adds up.
+constexpr double RoughReachBySpacing = 6.0;
 /// With chords, the reach at which zigzag and shortcut balance, by (s^2 / curvature)^(1/3).
 constexpr double BalancedReach = 1.67;
 constexpr double LeastReach = 3.5;
@@ -108,6 +116,7 @@ public:
   Status Run(const double* normals)
   {
     const std::size_t n = this->Pairs.Points.size();
+    this->Pairs.IsSmooth.assign(n, 0);
     this->Pairs.UsesArcs = this->Options.ArcLengthWeights;
     this->Setup.Neighbors = std::make_unique<CloudNeighbors>(this->Pairs.Points);
     if (!this->Tell(0.1))
@@ -135,6 +144,11 @@ public:
       return status;
     }
     if (!this->Tell(0.8))
+    {
+      return Status::Abort();
+    }
+    this->FindNearest();
+    if (!this->Tell(0.9))
     {
       return Status::Abort();
     }
@@ -166,63 +180,87 @@ private:
     const std::size_t n = this->Pairs.Points.size();
     this->Pairs.Spacings.assign(n, 0.0f);
     this->Pairs.Normals.assign(n, Point3());
-    this->Pairs.Noise.assign(n, 0.0f);
     this->Curvatures.assign(n, 0.0f);
     this->Residuals.assign(n, 0.0f);
     this->ToSurface.assign(n, Point3());
-    this->ForEachNode([&](Id node, std::vector<CloudNeighbor>& neighbors,
-                        std::vector<Point3>& places) {
-      const Point3& point = this->Pairs.Points[node];
-      this->Setup.Neighbors->FindNearest(point, std::max(count, SpacingNeighbors) + 1, neighbors);
-      this->Pairs.Spacings[node] = static_cast<float>(SpacingFrom(neighbors));
-      places.clear();
-      for (const CloudNeighbor& neighbor : neighbors)
-      {
-        places.push_back(this->Pairs.Points[neighbor.Point]);
-      }
-      const LocalFit fit = FitSurface(point, places.data(), places.size());
-      this->Pairs.Normals[node] = fit.Normal;
-      this->Curvatures[node] = static_cast<float>(fit.Curvature);
-      this->Residuals[node] = static_cast<float>(fit.Residual);
-      this->ToSurface[node] = fit.ToSurface;
-      const double k = static_cast<double>(places.size());
-      const double square = neighbors.back().SquaredDistance;
-      this->Pairs.Noise[node] =
-        square > 0.0 ? static_cast<float>(10.0 * fit.Residual * fit.Residual / (k * square)) : 0.0f;
-    });
+    this->ForEachNode(
+      [&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>& places) {
+        const Point3& point = this->Pairs.Points[node];
+        this->FindPlaces(point, std::max(count, SpacingNeighbors) + 1, neighbors, places);
+        this->Pairs.Spacings[node] = static_cast<float>(SpacingFrom(neighbors));
+        const LocalFit fit = FitSurface(point, places.data(), std::min(count + 1, places.size()));
+        this->Pairs.Normals[node] = fit.Normal;
+        this->Curvatures[node] = static_cast<float>(fit.Curvature);
+        this->Residuals[node] = static_cast<float>(fit.Residual);
+        this->ToSurface[node] = fit.ToSurface;
+      });
   }
 
-  double MedianNoise() const
+  void FindPlaces(const Point3& point, std::size_t count, std::vector<CloudNeighbor>& neighbors,
+    std::vector<Point3>& places) const
   {
-    std::vector<float> ratios;
-    ratios.reserve(this->Residuals.size());
-    for (std::size_t i = 0; i < this->Residuals.size(); ++i)
+    this->Setup.Neighbors->FindNearest(point, count, neighbors);
+    places.clear();
+    for (const CloudNeighbor& neighbor : neighbors)
     {
-      ratios.push_back(
-        this->Pairs.Spacings[i] > 0.0f ? this->Residuals[i] / this->Pairs.Spacings[i] : 0.0f);
+      places.push_back(this->Pairs.Points[neighbor.Point]);
+    }
+  }
+
+  /// Median residual of surfaces that are fitted to twice as many neighbours, at some of the nodes.
+  double MeasureWideResidual() const
+  {
+    constexpr std::size_t sample = 2000;
+    const std::size_t n = this->Pairs.Points.size();
+    std::vector<float> ratios;
+    std::vector<CloudNeighbor> neighbors;
+    std::vector<Point3> places;
+    for (std::size_t i = 0; i < std::min(n, sample); ++i)
+    {
+      const std::size_t node = n <= sample ? i : i * n / sample;
+      const Point3& point = this->Pairs.Points[node];
+      this->FindPlaces(point, WideFitNeighbors + 1, neighbors, places);
+      const LocalFit fit = FitSurface(point, places.data(), places.size());
+      ratios.push_back(this->BySpacing(node, fit.Residual));
     }
     return Quantile(ratios, 0.5);
+  }
+
+  float BySpacing(std::size_t node, double length) const
+  {
+    const double spacing = this->Pairs.Spacings[node];
+    return spacing > 0.0 ? static_cast<float>(length / spacing) : 0.0f;
   }
 
   /// Move points to the surface where they are scattered about it.
   void RemoveNoise()
   {
-    std::vector<float> residuals = this->Residuals;
-    this->Statistics.Noise = Quantile(residuals, 0.5) / this->Setup.Nodes.Scale;
-    const double noise = this->MedianNoise();
-    if (!(noise > NoisyResidual))
+    const std::size_t n = this->Pairs.Points.size();
+    std::vector<float> residuals(n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      residuals[i] = this->BySpacing(i, this->Residuals[i]);
+      this->Pairs.IsSmooth[i] = residuals[i] < SmoothResidual ? 1 : 0;
+    }
+    const double residual = Quantile(residuals, 0.5);
+    if (!(residual > NoisyResidual &&
+          this->MeasureWideResidual() < LargestGrowthOfNoise * residual))
     {
       return;
     }
-    const auto count = static_cast<std::size_t>(std::min<double>(
-      MostFitNeighbors, static_cast<double>(FitNeighbors) * noise / NoisyResidual));
+    std::vector<float> lengths = this->Residuals;
+    this->Statistics.Noise = Quantile(lengths, 0.5) / this->Setup.Nodes.Scale;
+    const auto count = static_cast<std::size_t>(
+      std::clamp<double>(640.0 * residual, WideFitNeighbors, MostFitNeighbors));
     this->FitSurfaces(count);
-    for (std::size_t i = 0; i < this->Pairs.Points.size(); ++i)
+    for (std::size_t i = 0; i < n; ++i)
     {
       this->Pairs.Points[i] = this->Pairs.Points[i] + this->ToSurface[i];
     }
     this->Setup.Neighbors = std::make_unique<CloudNeighbors>(this->Pairs.Points);
-    this->FitSurfaces(std::max(FitNeighbors, count / 2));
+    this->FitSurfaces(count);
+    // What is left of the noise is not to be followed.
+    std::fill(this->Pairs.IsSmooth.begin(), this->Pairs.IsSmooth.end(), 1);
   }
 
   /// Values that single points far off cannot spoil.
@@ -391,19 +429,49 @@ private:
     this->Setup.MostNeighbors = static_cast<std::size_t>(CrowdFactor * Pi * ratio * ratio) + 1;
   }
 
+  /// The nearest point of every marked voxel.
+  void FindNearest()
+  {
+    const VoxelBand& band = this->Pairs.Band;
+    const std::size_t bricks = band.GetNumberOfBricks();
+    this->Pairs.Nearest.assign(512 * bricks, NoId);
+    ForRange(
+      this->Options.Parallel, static_cast<Offset>(bricks), 16, [&](Offset begin, Offset end) {
+        std::vector<CloudNeighbor> neighbors;
+        for (Offset brick = begin; brick < end; ++brick)
+        {
+          const Voxel first = band.GetBrickVoxel(static_cast<std::size_t>(brick));
+          for (std::int32_t i = 0; i < 512; ++i)
+          {
+            const Voxel voxel{ first[0] + (i & 7), first[1] + (i >> 3 & 7), first[2] + (i >> 6) };
+            if (band.IsMarked(brick, voxel))
+            {
+              this->Setup.Neighbors->FindNearest(band.GetCentre(voxel), 1, neighbors);
+              this->Pairs.Nearest[VoxelBand::PlaceOf(brick, voxel)] = neighbors[0].Point;
+            }
+          }
+        }
+      });
+  }
+
   double AutomaticReach(Id node) const
   {
     const double s = this->Pairs.Spacings[node];
     const double curvature = this->Curvatures[node];
     if (this->Options.ArcLengthWeights)
     {
-      return std::max(LeastReach * s,
-        curvature > 0.0 ? std::min(ReachBySpacing * s, TurnOfReach / curvature)
-                        : ReachBySpacing * s);
+      const double reach = this->Pairs.IsSmooth[node] ? ReachBySpacing : RoughReachBySpacing;
+      return std::max(
+        LeastReach * s, curvature > 0.0 ? std::min(reach * s, TurnOfReach / curvature) : reach * s);
     }
     const double balanced =
       curvature > 0.0 ? BalancedReach * std::cbrt(s * s / curvature) : MostReach * s;
     return std::clamp(balanced, LeastReach * s, MostReach * s);
+  }
+
+  bool IsDirect(Id p, Id q, double chord) const
+  {
+    return this->Pairs.Length(p, q, chord) < Infinity && this->Pairs.IsDirect(p, q, chord);
   }
 
   /// Of pairs in overlapping balls.
@@ -418,7 +486,7 @@ private:
     for (const CloudNeighbor& neighbor : neighbors)
     {
       const double chord = std::sqrt(neighbor.SquaredDistance);
-      if (neighbor.Point != node && this->Pairs.IsDirect(node, neighbor.Point, chord))
+      if (neighbor.Point != node && this->IsDirect(node, neighbor.Point, chord))
       {
         sum += chord;
         ++count;
@@ -436,7 +504,7 @@ private:
     for (const CloudNeighbor& neighbor : neighbors)
     {
       const double chord = std::sqrt(neighbor.SquaredDistance);
-      if (neighbor.Point != node && this->Pairs.IsDirect(node, neighbor.Point, chord))
+      if (neighbor.Point != node && this->IsDirect(node, neighbor.Point, chord))
       {
         // A hair more, as reaches are floats.
         reach = chord * (1.0 + 1e-6);
