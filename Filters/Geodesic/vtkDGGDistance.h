@@ -29,6 +29,10 @@
  * promise. That is done on all threads of vtkSMPTools; the links are kept as long as the graph and
  * the places are the same.
  *
+ * <b>Point clouds.</b> On a cloud with the graph of vtkPointCloudDGG, distances are those in that
+ * graph, see there for what they mean. Correction, Accuracy and AcceptCoarserGraph do nothing, and
+ * GeodesicUpperBound is the distance; GenerateVirtualSource is an error.
+ *
  * Inputs, sources, results and errors are those of vtkGeodesicDistanceAlgorithm; besides these, an
  * Accuracy outside [1e-6, 0.5] is an error, and a graph that would take more memory than
  * MemoryLimit. The arrays of a graph on the input may be changed at any time, marked by Modified();

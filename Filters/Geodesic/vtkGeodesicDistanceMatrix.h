@@ -25,6 +25,9 @@
  * with the triangle inequality, which corrected distances are not. That is why there is no
  * correction here.
  *
+ * <b>Point clouds.</b> On a cloud with the graph of vtkPointCloudDGG, distances are those in that
+ * graph; Accuracy and AcceptCoarserGraph do nothing.
+ *
  * <b>Time and memory.</b> There is one search over the whole surface for each point of the smaller
  * set, on all threads of vtkSMPTools; points close together are searched together, eight at a time.
  * Beside the matrix, and the table, which is as large, about 120 bytes are needed for each point of

@@ -29,6 +29,11 @@
  * distance is at least CoveringRadius / (1 + accuracy). Points that no polygon uses are left out.
  * The result does not depend on the number of threads.
  *
+ * <b>Point clouds.</b> On a cloud with the graph of vtkPointCloudDGG, samples are points of the
+ * cloud: those given on port 1 become the closest ones, InFaces does nothing, and `FaceId` is -1.
+ * Accuracy and AcceptCoarserGraph do nothing. Points that are connected to no other one are left
+ * out.
+ *
  * A thousand samples take about as long as twenty distance fields; with InFaces on meshes of fewer
  * points than samples, seconds.
  *

@@ -55,6 +55,14 @@
  * when the energy does not get smaller any more. The field array `Energy` has the energy at the
  * start and after each iteration; it decreases.
  *
+ * <b>Point clouds.</b> On a cloud with the graph of vtkPointCloudDGG, output 0 is as above, with
+ * the distances in that graph. There are no faces, so outputs 1 and 2 are empty and port 3 has no
+ * CellArea, whatever GenerateCells says. With Centroidal, sites are points of the cloud from the
+ * start on; the energy is the sum of the squared distances of all points, which count equally, so
+ * that sites gather where points do; each site moves to the point of its cell that is closest to
+ * the mean of the cell, as seen from the site. Tolerance, Accuracy and AcceptCoarserGraph do
+ * nothing.
+ *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
  *  - no site; a site id out of range; a site point that is not finite, or farther from the surface
  *    than ProjectionTolerance; a ProjectionTolerance or Tolerance that is negative or not a number;

@@ -51,6 +51,11 @@ class GraphInfo:
                 "polydata: its graph has a DGG.Info of another version, or is damaged; build it "
                 "anew by vtkDiscreteGeodesicGraph"
             )
+        if values[1] == 1:
+            raise ValueError(
+                "polydata: its graph is that of a point cloud; search it by vtkDGGDistance, "
+                "vtkDGGPath or vtkGeodesicDistanceMatrix"
+            )
         if values[1] != 0:
             raise damaged(f"its kind is {values[1]}, not that of a mesh")
         if not 0 <= values[2] < len(CONSTRUCTIONS):
