@@ -10,10 +10,12 @@
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> FindExtraMeshes()
+namespace
+{
+std::vector<std::string> FindFiles(const std::vector<std::string>& folders)
 {
   std::vector<std::string> files;
-  for (const char* folder : { "", "awkward" })
+  for (const std::string& folder : folders)
   {
     const fs::path path = fs::path(DGG_EXTRA_DATA) / folder;
     if (fs::is_directory(path))
@@ -29,6 +31,17 @@ std::vector<std::string> FindExtraMeshes()
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+}
+
+std::vector<std::string> FindExtraMeshes()
+{
+  return FindFiles({ "", "awkward" });
+}
+
+std::vector<std::string> FindExtraClouds()
+{
+  return FindFiles({ "clouds" });
 }
 
 std::string NameExtraMesh(const testing::TestParamInfo<std::string>& info)

@@ -78,4 +78,13 @@ if (DGG_EXTRA_DATA)
     "${core}/PathChecks.h")
   target_include_directories(dggExtraPathTests PRIVATE "${core}")
   target_link_libraries(dggExtraPathTests PRIVATE DGG::FiltersGeodesic)
+  if (DGG_WITH_PCL)
+    dgg_add_real_mesh_tests(dggExtraCloudTests
+      ExtraMeshes.cxx
+      ExtraMeshes.h
+      FilterTestTools.cxx
+      FilterTestTools.h
+      TestExtraClouds.cxx)
+    target_link_libraries(dggExtraCloudTests PRIVATE DGG::FiltersPointCloud)
+  endif ()
 endif ()

@@ -183,6 +183,17 @@ TEST_F(CloudInFieldData, DamagedArrays)
     { "DGG.Radii has 255 values" });
 }
 
+TEST_F(CloudInFieldData, AMeshWithADamagedGraphOfItsPoints)
+{
+  // It is not taken for a surface instead: distances would be others.
+  this->ExpectRefused(
+    [](vtkPolyData* c) {
+      c->SetPolys(MakeCells({ { 0, 1, 16 } }));
+      Get(c, "DGG.Lengths")->SetTuple1(3, 0.7);
+    },
+    { "checksum" });
+}
+
 TEST_F(CloudInFieldData, ArraysOfMeshesDoNotMatter)
 {
   const std::vector<double> distances = this->Measure(this->Cloud);

@@ -436,7 +436,7 @@ TEST_F(GraphInFieldData, ForeignFormats)
 {
   this->ExpectNoticed("DGG.Info", 0, 2, "has the format version 2");
   this->ExpectNoticed("DGG.Info", 0, 0, "has the format version 0");
-  this->ExpectNoticed("DGG.Info", 1, 1, "is not that of a mesh");
+  this->ExpectNoticed("DGG.Info", 1, 2, "its kind is 2"); // 1 would be that of a cloud
   this->ExpectNoticed("DGG.Info", 2, 4, "construction is 4");
   this->ExpectNoticed("DGG.Info", 2, -1, "construction is -1");
 }
