@@ -11,7 +11,6 @@
 #include "vtkType.h"      // for vtkIdType
 
 #include <array>   // for the key
-#include <cstddef> // for std::size_t
 #include <string>  // for the warnings
 #include <vector>  // for the warnings
 
