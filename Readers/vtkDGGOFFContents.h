@@ -5,19 +5,14 @@
 #ifndef vtkDGGOFFContents_h
 #define vtkDGGOFFContents_h
 
-#include "vtkType.h" // for vtkIdType
+#include "vtkDGGFileLoader.h" // for the error and the progress callback
+#include "vtkType.h"          // for vtkIdType
 
-#include <cstddef>    // for std::size_t
-#include <functional> // for the progress callback
-#include <string>     // for messages
-#include <vector>     // for the arrays
+#include <cstddef> // for std::size_t
+#include <string>  // for messages
+#include <vector>  // for the arrays
 
-/// What went wrong, and the place: a line of a text file or a byte of a binary one.
-struct vtkDGGOFFError
-{
-  unsigned long Code = 0; ///< of vtkErrorCode; 0 when all is well
-  std::string Message;
-};
+using vtkDGGOFFError = vtkDGGFileError;
 
 /// The keyword in the first line: [ST][C][N][4][n]OFF [BINARY].
 struct vtkDGGOFFHeader
@@ -74,8 +69,7 @@ struct vtkDGGOFFContents
   vtkDGGOFFColors FaceColors;          // per face, when any has one
 };
 
-/// Called now and then with the finished fraction; returns false to stop.
-using vtkDGGOFFProgress = std::function<bool(double)>;
+using vtkDGGOFFProgress = vtkDGGFileProgress;
 
 /// The common part of reading text and binary files: counts, records, progress.
 class vtkDGGOFFParser

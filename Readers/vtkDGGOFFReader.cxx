@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGOFFReader.h"
 
+#include "vtkDGGFileLoader.h"
 #include "vtkDGGOFFBinaryParser.h"
 #include "vtkDGGOFFContents.h"
 #include "vtkDGGOFFTextParser.h"
@@ -24,57 +25,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <vector>
 
 namespace
 {
 /// Enough of a file to find its keyword behind comments.
 constexpr std::size_t KeywordRange = 4096;
-
-/// The first bytes of a file, at most `limit`.
-bool LoadFile(const char* name, std::size_t limit, std::vector<char>& bytes, vtkDGGOFFError& error)
-{
-  namespace fs = std::filesystem;
-  std::error_code code;
-  const fs::file_status status = fs::status(name, code);
-  if (!fs::exists(status))
-  {
-    error = { vtkErrorCode::FileNotFoundError, "the file does not exist" };
-    return false;
-  }
-  if (fs::is_directory(status))
-  {
-    error = { vtkErrorCode::CannotOpenFileError, "it is a folder" };
-    return false;
-  }
-  if (!fs::is_regular_file(status))
-  {
-    error = { vtkErrorCode::CannotOpenFileError, "it is not an ordinary file" };
-    return false;
-  }
-  std::ifstream file(name, std::ios::binary);
-  if (!file)
-  {
-    error = { vtkErrorCode::CannotOpenFileError, "the file cannot be opened" };
-    return false;
-  }
-  const std::uintmax_t size = fs::file_size(name, code);
-  if (code)
-  {
-    error = { vtkErrorCode::CannotOpenFileError, "the size of the file is not known" };
-    return false;
-  }
-  bytes.resize(static_cast<std::size_t>(std::min<std::uintmax_t>(size, limit)));
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (static_cast<std::size_t>(file.gcount()) != bytes.size())
-  {
-    error = { vtkErrorCode::PrematureEndOfFileError, "the file cannot be read to its end" };
-    return false;
-  }
-  return true;
-}
 
 /// False on error, and when stopped by the callback (without an error).
 bool ParseFile(const std::vector<char>& bytes, const vtkDGGOFFProgress& progress,
@@ -223,7 +179,7 @@ int vtkDGGOFFReader::CanReadFile(const char* fileName)
 {
   std::vector<char> bytes;
   vtkDGGOFFError error;
-  if (!fileName || !LoadFile(fileName, KeywordRange, bytes, error) || bytes.empty())
+  if (!fileName || !vtkDGGLoadFile(fileName, KeywordRange, bytes, error) || bytes.empty())
   {
     return 0;
   }
@@ -254,7 +210,7 @@ int vtkDGGOFFReader::RequestData(
       this->UpdateProgress(0.9 * done);
       return this->GetAbortExecute() == 0;
     };
-    if (LoadFile(this->FileName, SIZE_MAX, bytes, error) &&
+    if (vtkDGGLoadFile(this->FileName, SIZE_MAX, bytes, error) &&
       ParseFile(bytes, progress, contents, error))
     {
       std::vector<char>().swap(bytes);

@@ -17,16 +17,6 @@ bool IsBlank(char c)
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/// A token as it can be shown: not too long, and printable.
-std::string Show(const char* first, const char* last)
-{
-  constexpr std::ptrdiff_t longest = 32;
-  std::string text(first, std::min(last, first + longest));
-  std::replace_if(
-    text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return "'" + text + (last - first > longest ? "...'" : "'");
-}
-
 /// std::from_chars does not know a leading plus.
 const char* SkipPlus(const char* first, const char* last)
 {
@@ -101,17 +91,17 @@ bool vtkDGGOFFTextParser::ToNumber(const Token& token, double& value)
       return true;
     }
     return this->Fail(
-      vtkErrorCode::FileFormatError, Show(token.First, token.Last) + " is too large");
+      vtkErrorCode::FileFormatError, vtkDGGQuote(token.First, token.Last) + " is too large");
   }
   if (!isNumber)
   {
     return this->Fail(
-      vtkErrorCode::FileFormatError, Show(token.First, token.Last) + " is not a number");
+      vtkErrorCode::FileFormatError, vtkDGGQuote(token.First, token.Last) + " is not a number");
   }
   if (!std::isfinite(value))
   {
     return this->Fail(
-      vtkErrorCode::FileFormatError, Show(token.First, token.Last) + " is not finite");
+      vtkErrorCode::FileFormatError, vtkDGGQuote(token.First, token.Last) + " is not finite");
   }
   return true;
 }
@@ -125,7 +115,7 @@ bool vtkDGGOFFTextParser::ToInteger(const Token& token, long long& value)
   }
   const bool isLarge = parsed.ptr == token.Last && parsed.ec == std::errc::result_out_of_range;
   return this->Fail(vtkErrorCode::FileFormatError,
-    Show(token.First, token.Last) + (isLarge ? " is too large" : " is not an integer"));
+    vtkDGGQuote(token.First, token.Last) + (isLarge ? " is too large" : " is not an integer"));
 }
 
 bool vtkDGGOFFTextParser::ReadNumber(const char* what, vtkIdType record, double& value)
@@ -162,13 +152,13 @@ bool vtkDGGOFFTextParser::ReadKeyword(const char*& binary)
   if (!this->Contents.Header.ParseKeyword(std::string(token.First, token.Last)))
   {
     return this->Fail(vtkErrorCode::UnrecognizedFileTypeError,
-      Show(token.First, token.Last) +
+      vtkDGGQuote(token.First, token.Last) +
         " is not the keyword of an OFF file: OFF, or OFF with the prefixes ST, C, N");
   }
   if (this->Contents.Header.IsHomogeneous || this->Contents.Header.IsAnyDimension)
   {
     return this->Fail(vtkErrorCode::UnrecognizedFileTypeError,
-      Show(token.First, token.Last) +
+      vtkDGGQuote(token.First, token.Last) +
         " has points of four or any number of coordinates: only points in space can be read, "
         "convert the file to OFF");
   }
@@ -370,7 +360,7 @@ bool vtkDGGOFFTextParser::ReadEnd()
   }
   const Token token = this->TakeToken();
   return this->Fail(vtkErrorCode::FileFormatError,
-    Show(token.First, token.Last) + " follows the last face: are the counts too small?");
+    vtkDGGQuote(token.First, token.Last) + " follows the last face: are the counts too small?");
 }
 
 std::string vtkDGGOFFTextParser::DescribePlace(std::size_t place) const

@@ -106,6 +106,14 @@ dgg_add_consumer_test(Pipeline.MissingFile 1 "missing.off"
 dgg_add_consumer_test(Pipeline.WrongSource 1 "source|point"
   "${consumer_dir}/ExactDistancePipeline" mesh.off 4 wrong.png)
 
+if (DGG_WITH_PCL)
+  dgg_add_consumer_test(PointCloud 0
+    "2[0-9]+ points with normals.*2[0-9]+ points of PCL, values from 0.*cloud.pcd: 2[0-9]+ points"
+    "${consumer_dir}/PointCloud" "cloud.pcd")
+  dgg_add_consumer_test(PointCloud.CannotWrite 1 "none/cloud.pcd.*cannot be opened"
+    "${consumer_dir}/PointCloud" "none/cloud.pcd")
+endif ()
+
 if (DGG_WITH_PYTHON)
   add_test(NAME Install.Python
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/installed_package.py"

@@ -35,6 +35,8 @@ for name in (
     "vtkGeodesicSampler",
     "vtkGeodesicVoronoi",
     "vtkHeatGeodesicDistance",
+    "vtkPCDReader",
+    "vtkPCDWriter",
 ):
     if not hasattr(vtkdgg, name):
         sys.exit(f"{name} is missing")

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The header of PCD files, read and written. Internal to the reader and the writer.
+#ifndef vtkDGGPCDHeader_h
+#define vtkDGGPCDHeader_h
+
+#include "vtkDGGFileLoader.h"  // for the error
+#include "vtkDGGPointFields.h" // for fields and viewpoint
+
+#include <cstddef> // for std::size_t
+#include <string>  // for the text
+#include <vector>  // for the fields
+
+enum class vtkDGGPCDData
+{
+  ASCII,
+  Binary,
+  BinaryCompressed
+};
+
+struct vtkDGGPCDHeader
+{
+  std::vector<vtkDGG::PointField> Fields; ///< padding (`_`) included
+  vtkIdType Width = 0;
+  vtkIdType Height = 1;
+  vtkDGG::Viewpoint Sensor = vtkDGG::PointCloudView().Sensor;
+  vtkDGGPCDData Data = vtkDGGPCDData::ASCII;
+  std::size_t BodyBegin = 0; ///< first byte after the header
+  std::size_t BodyLine = 0;  ///< its line
+  std::size_t CountLine = 0; ///< the line with the number of points
+
+  vtkIdType GetNumberOfPoints() const { return this->Width * this->Height; }
+  /// Bytes of a point in a binary file.
+  std::size_t GetPointBytes() const;
+  /// Numbers of a point in a text file.
+  std::size_t GetPointNumbers() const;
+
+  /// Understand the header of the file [begin, end). What it says is consistent then, but nothing
+  /// is known about the body. False on error.
+  bool Parse(const char* begin, const char* end, vtkDGGFileError& error);
+  /// The header as text, from the first line to the one with DATA.
+  std::string Format() const;
+};
+
+/// Whether the beginning of a file [begin, end) can be that of a PCD file.
+bool vtkDGGLooksLikePCD(const char* begin, const char* end);
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGPCDHeader.h

@@ -1,0 +1,371 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Clouds of the Point Cloud Library to vtkPolyData and back.
+///
+/// This is the only header that includes PCL (its headers of points and clouds, libpcl_common);
+/// whoever does not include it needs no PCL. From a cloud to a filter in one line:
+///
+///     filter->SetInputData(vtkDGG::ToPolyData(cloud)); // cloud: a pcl::PointCloud<T>::ConstPtr
+///
+/// Everything is copied, so that neither side depends on the life of the other. Fields become
+/// arrays, and arrays fields, as vtkDGGPointFields.h says: coordinates, normals and colours by
+/// their meaning, all others by name. Width, height, `sensor_origin_` and `sensor_orientation_`
+/// travel in the field data, `is_dense` is found out from the coordinates, and the header (time,
+/// frame) is lost. Points with NaN or infinite coordinates are kept, without a vertex.
+#ifndef vtkDGGPointCloudConversions_h
+#define vtkDGGPointCloudConversions_h
+
+#include "vtkDGGPointFields.h" // for what does the work
+
+#include "vtkObject.h"       // for vtkGenericWarningMacro
+#include "vtkPolyData.h"     // for the data
+#include "vtkSmartPointer.h" // for the result
+
+#include <pcl/PCLPointCloud2.h> // for clouds of any fields
+#include <pcl/PCLPointField.h>  // for fields
+#include <pcl/common/io.h>      // for pcl::getFields
+#include <pcl/memory.h>         // for pcl::shared_ptr
+#include <pcl/point_cloud.h>    // for clouds of points
+
+#include <cstddef> // for std::size_t
+#include <limits>  // for the range of a width
+#include <string>  // for messages
+#include <vector>  // for fields
+
+namespace vtkDGG
+{
+namespace Detail
+{
+/// False when PCL has a type that is not known here.
+inline bool FromPCLField(const pcl::PCLPointField& in, PointField& out)
+{
+  out.Name = in.name;
+  // PCL takes 0 for 1.
+  out.Count = in.count == 0 ? 1 : static_cast<int>(in.count);
+  switch (in.datatype)
+  {
+    case pcl::PCLPointField::INT8:
+      out.Kind = 'I';
+      out.Size = 1;
+      break;
+    case pcl::PCLPointField::UINT8:
+    case pcl::PCLPointField::BOOL:
+      out.Kind = 'U';
+      out.Size = 1;
+      break;
+    case pcl::PCLPointField::INT16:
+      out.Kind = 'I';
+      out.Size = 2;
+      break;
+    case pcl::PCLPointField::UINT16:
+      out.Kind = 'U';
+      out.Size = 2;
+      break;
+    case pcl::PCLPointField::INT32:
+      out.Kind = 'I';
+      out.Size = 4;
+      break;
+    case pcl::PCLPointField::UINT32:
+      out.Kind = 'U';
+      out.Size = 4;
+      break;
+    case pcl::PCLPointField::INT64:
+      out.Kind = 'I';
+      out.Size = 8;
+      break;
+    case pcl::PCLPointField::UINT64:
+      out.Kind = 'U';
+      out.Size = 8;
+      break;
+    case pcl::PCLPointField::FLOAT32:
+      out.Kind = 'F';
+      out.Size = 4;
+      break;
+    case pcl::PCLPointField::FLOAT64:
+      out.Kind = 'F';
+      out.Size = 8;
+      break;
+    default:
+      return false;
+  }
+  return true;
+}
+
+inline pcl::PCLPointField ToPCLField(const PointField& in, std::size_t offset)
+{
+  pcl::PCLPointField out;
+  out.name = in.Name;
+  out.offset = static_cast<pcl::uindex_t>(offset);
+  out.count = static_cast<pcl::uindex_t>(in.Count);
+  const int log = in.Size == 1 ? 0 : in.Size == 2 ? 1 : in.Size == 4 ? 2 : 3;
+  const int integers[2][4] = { { pcl::PCLPointField::INT8, pcl::PCLPointField::INT16,
+                                 pcl::PCLPointField::INT32, pcl::PCLPointField::INT64 },
+    { pcl::PCLPointField::UINT8, pcl::PCLPointField::UINT16, pcl::PCLPointField::UINT32,
+      pcl::PCLPointField::UINT64 } };
+  const int type = in.Kind == 'F'
+    ? (in.Size == 4 ? int(pcl::PCLPointField::FLOAT32) : int(pcl::PCLPointField::FLOAT64))
+    : integers[in.Kind == 'U'][log];
+  out.datatype = static_cast<decltype(out.datatype)>(type);
+  return out;
+}
+
+/// Add the fields of points that lie one after the other. False on error.
+inline bool AddFields(const std::vector<pcl::PCLPointField>& fields, const void* points,
+  std::size_t step, PointCloudView& view, std::string& error)
+{
+  for (const pcl::PCLPointField& in : fields)
+  {
+    PointFieldView out;
+    const bool isKnown = FromPCLField(in, out.Field);
+    if (in.name == "_")
+    {
+      continue; // padding
+    }
+    if (!isKnown || out.Field.Count < 1)
+    {
+      error = "the field '" + in.name + "' has numbers of no known type";
+      return false;
+    }
+    if (in.offset > step || out.Field.GetBytes() > step - in.offset)
+    {
+      error = "the field '" + in.name + "' reaches beyond the points, which have " +
+        std::to_string(step) + " bytes";
+      return false;
+    }
+    out.Data = points ? static_cast<const char*>(points) + in.offset : nullptr;
+    out.Stride = step;
+    view.Fields.push_back(out);
+  }
+  return true;
+}
+
+inline vtkSmartPointer<vtkPolyData> Finish(
+  const PointCloudView& view, bool isWell, std::string message, std::string* error)
+{
+  vtkSmartPointer<vtkPolyData> data = isWell ? MakePolyData(view, message) : nullptr;
+  if (error)
+  {
+    *error = data ? std::string() : message;
+  }
+  else if (!data)
+  {
+    vtkGenericWarningMacro("The point cloud cannot be converted: " << message);
+  }
+  return data;
+}
+
+/// The width and height of a cloud; PCL lets clouds in one row do without.
+template <typename Cloud>
+void SetSize(const Cloud& cloud, std::size_t count, PointCloudView& view)
+{
+  const bool fits =
+    cloud.height > 0 && cloud.width == count / cloud.height && count % cloud.height == 0;
+  view.Width = static_cast<vtkIdType>(fits ? cloud.width : count);
+  view.Height = static_cast<vtkIdType>(fits ? cloud.height : 1);
+}
+}
+
+/// A cloud of any fields. Null when it is malformed: `error` says why, and is empty when all is
+/// well; without it, the trouble goes to VTK's output window. The fields x, y and z must be there.
+inline vtkSmartPointer<vtkPolyData> ToPolyData(
+  const pcl::PCLPointCloud2& cloud, std::string* error = nullptr)
+{
+  PointCloudView view;
+  std::string message;
+  const std::size_t step = cloud.point_step;
+  const std::size_t width = cloud.width;
+  const std::size_t height = cloud.height;
+  // Rows may be longer than their points. A cloud of one row may say nothing of it.
+  const std::size_t row = cloud.row_step == 0 ? step * width : cloud.row_step;
+  bool isWell = width == 0 || height == 0 ||
+    (row >= step * width && cloud.data.size() >= step * width &&
+      height - 1 <= (cloud.data.size() - step * width) / (row == 0 ? 1 : row));
+  if (!isWell)
+  {
+    message = std::to_string(width) + " x " + std::to_string(height) + " points of " +
+      std::to_string(step) + " bytes are promised, but there are " +
+      std::to_string(cloud.data.size()) + " bytes";
+  }
+  const char* points = reinterpret_cast<const char*>(cloud.data.data());
+  std::vector<char> packed;
+  if (isWell && height > 1 && row != step * width)
+  {
+    packed.reserve(step * width * height);
+    for (std::size_t j = 0; j < height; ++j)
+    {
+      packed.insert(packed.end(), points + j * row, points + j * row + step * width);
+    }
+    points = packed.data();
+  }
+  view.Width = static_cast<vtkIdType>(width);
+  view.Height = static_cast<vtkIdType>(height);
+  isWell = isWell && Detail::AddFields(cloud.fields, points, step, view, message);
+  return Detail::Finish(view, isWell, message, error);
+}
+
+/// A cloud of any type of point that is registered with PCL and has x, y and z.
+template <typename Point>
+vtkSmartPointer<vtkPolyData> ToPolyData(
+  const pcl::PointCloud<Point>& cloud, std::string* error = nullptr)
+{
+  PointCloudView view;
+  std::string message;
+  Detail::SetSize(cloud, cloud.size(), view);
+  for (int i = 0; i < 3; ++i)
+  {
+    view.Sensor[static_cast<std::size_t>(i)] = cloud.sensor_origin_[i];
+    view.Sensor[static_cast<std::size_t>(i + 4)] = cloud.sensor_orientation_.vec()[i];
+  }
+  view.Sensor[3] = cloud.sensor_orientation_.w();
+  const bool isWell =
+    Detail::AddFields(pcl::getFields<Point>(), cloud.points.data(), sizeof(Point), view, message);
+  return Detail::Finish(view, isWell, message, error);
+}
+
+/// @{
+/// What clouds are mostly held by. Null in, null out.
+template <typename Point>
+vtkSmartPointer<vtkPolyData> ToPolyData(
+  const pcl::shared_ptr<const pcl::PointCloud<Point>>& cloud, std::string* error = nullptr)
+{
+  return cloud ? ToPolyData(*cloud, error)
+               : Detail::Finish(PointCloudView(), false, "there is no cloud", error);
+}
+template <typename Point>
+vtkSmartPointer<vtkPolyData> ToPolyData(
+  const pcl::shared_ptr<pcl::PointCloud<Point>>& cloud, std::string* error = nullptr)
+{
+  return ToPolyData(pcl::shared_ptr<const pcl::PointCloud<Point>>(cloud), error);
+}
+inline vtkSmartPointer<vtkPolyData> ToPolyData(
+  const pcl::PCLPointCloud2::ConstPtr& cloud, std::string* error = nullptr)
+{
+  return cloud ? ToPolyData(*cloud, error)
+               : Detail::Finish(PointCloudView(), false, "there is no cloud", error);
+}
+inline vtkSmartPointer<vtkPolyData> ToPolyData(
+  const pcl::PCLPointCloud2::Ptr& cloud, std::string* error = nullptr)
+{
+  return ToPolyData(pcl::PCLPointCloud2::ConstPtr(cloud), error);
+}
+/// @}
+
+/// All points and all arrays of numbers. False, and an empty cloud, without data or with more than
+/// PCL can count.
+inline bool FromPolyData(vtkPolyData* data, pcl::PCLPointCloud2& cloud)
+{
+  cloud = pcl::PCLPointCloud2();
+  if (!data)
+  {
+    return false;
+  }
+  PointCloudView layout;
+  GetPointCloudLayout(data, layout);
+  const std::vector<PointFieldSource> sources = ListPointFields(data);
+  std::size_t step = 0;
+  for (const PointFieldSource& source : sources)
+  {
+    step += source.GetField().GetBytes();
+  }
+  constexpr std::size_t most = std::numeric_limits<pcl::uindex_t>::max();
+  const auto width = static_cast<std::size_t>(layout.Width);
+  const auto height = static_cast<std::size_t>(layout.Height);
+  if (step > most || height > most || (step > 0 && width > most / step))
+  {
+    return false;
+  }
+  std::size_t offset = 0;
+  for (const PointFieldSource& source : sources)
+  {
+    cloud.fields.push_back(Detail::ToPCLField(source.GetField(), offset));
+    offset += source.GetField().GetBytes();
+  }
+  cloud.width = static_cast<pcl::uindex_t>(width);
+  cloud.height = static_cast<pcl::uindex_t>(height);
+  cloud.point_step = static_cast<pcl::uindex_t>(step);
+  cloud.row_step = static_cast<pcl::uindex_t>(step * width);
+  cloud.is_bigendian = false;
+  cloud.is_dense = IsPointCloudDense(data);
+  cloud.data.resize(step * width * height);
+  char* out = reinterpret_cast<char*>(cloud.data.data());
+  for (const PointFieldSource& source : sources)
+  {
+    if (cloud.data.empty())
+    {
+      break;
+    }
+    const PointField& field = source.GetField();
+    source.Copy(0, data->GetNumberOfPoints(), field.Kind, field.Size, out, step);
+    out += field.GetBytes();
+  }
+  return true;
+}
+
+/// The fields that the type of point has. Numbers are converted to the types of the fields; of the
+/// field `rgba` and `rgb`, each does for the other. What the data lack keeps the value of a new
+/// point, and `missing`, when given, lists it. False, and an empty cloud, without data or with more
+/// points than PCL can count.
+template <typename Point>
+bool FromPolyData(
+  vtkPolyData* data, pcl::PointCloud<Point>& cloud, std::vector<std::string>* missing = nullptr)
+{
+  cloud = pcl::PointCloud<Point>();
+  if (missing)
+  {
+    missing->clear();
+  }
+  PointCloudView layout;
+  if (data)
+  {
+    GetPointCloudLayout(data, layout);
+  }
+  if (!data ||
+    static_cast<std::size_t>(data->GetNumberOfPoints()) >
+      static_cast<std::size_t>(std::numeric_limits<pcl::index_t>::max()))
+  {
+    return false;
+  }
+  std::vector<PointField> wanted;
+  std::vector<std::size_t> offsets;
+  for (const pcl::PCLPointField& in : pcl::getFields<Point>())
+  {
+    PointField field;
+    if (Detail::FromPCLField(in, field))
+    {
+      wanted.push_back(field);
+      offsets.push_back(in.offset);
+    }
+  }
+  cloud.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  cloud.width = static_cast<decltype(cloud.width)>(layout.Width);
+  cloud.height = static_cast<decltype(cloud.height)>(layout.Height);
+  cloud.is_dense = IsPointCloudDense(data);
+  const Viewpoint& sensor = layout.Sensor;
+  for (int i = 0; i < 3; ++i)
+  {
+    cloud.sensor_origin_[i] = static_cast<float>(sensor[static_cast<std::size_t>(i)]);
+    cloud.sensor_orientation_.vec()[i] =
+      static_cast<float>(sensor[static_cast<std::size_t>(i + 4)]);
+  }
+  cloud.sensor_orientation_.w() = static_cast<float>(sensor[3]);
+
+  std::vector<PointFieldSource> storage;
+  const std::vector<const PointFieldSource*> sources = FindPointFields(data, wanted, storage);
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+  {
+    if (sources[i] && !cloud.empty())
+    {
+      sources[i]->Copy(0, data->GetNumberOfPoints(), wanted[i].Kind, wanted[i].Size,
+        reinterpret_cast<char*>(cloud.points.data()) + offsets[i], sizeof(Point));
+    }
+    else if (!sources[i] && missing)
+    {
+      missing->push_back(wanted[i].Name);
+    }
+  }
+  return true;
+}
+}
+
+#endif

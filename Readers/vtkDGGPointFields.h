@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Point clouds as fields (x, y, z, intensity and so on, as in PCL and in PCD files), to and from
+/// vtkPolyData.
+///
+/// This is what PCD files and vtkDGGPointCloudConversions.h share. It knows nothing of PCL. How
+/// fields and arrays belong together:
+///
+/// | fields | in vtkPolyData |
+/// |---|---|
+/// | `x`, `y`, `z` | the points: float or double as the fields are, double when they are neither |
+/// | `normal_x`, `normal_y`, `normal_z` (float or double) | `Normals`, the active normals |
+/// | `rgb` (four bytes) | `RGB`, three unsigned chars, the active scalars; the fourth byte is
+/// dropped | | `rgba` (four bytes) | `RGBA`, four unsigned chars, the active scalars unless there
+/// is `RGB` | | any other | an array of that name, type and number of components | | `_` (padding)
+/// | nothing |
+///
+/// Each point with finite coordinates has a vertex, so that it is seen; the others are points
+/// without a cell. Two arrays go to the field data: `PCD.Dimensions` (width and height, int64) and
+/// `PCD.Viewpoint` (translation x, y, z and quaternion w, x, y, z of the sensor, doubles).
+///
+/// Back to fields, colours are the active scalars or the array `RGB` or `RGBA`, when that is an
+/// array of three or four unsigned chars, and normals are the active normals. Other arrays become
+/// fields of their name, type and number of components; bits become bytes. As blanks end a name in
+/// a file, blanks and control characters become `_`, and a name that is taken already (`x` is),
+/// empty or `_` gets one more `_`. Arrays of strings are left out. The width and height of the
+/// field data hold as long as their product is the number of points.
+#ifndef vtkDGGPointFields_h
+#define vtkDGGPointFields_h
+
+#include "vtkDGGReadersModule.h" // for the export macro
+#include "vtkSmartPointer.h"     // for the array of a source
+#include "vtkType.h"             // for vtkIdType
+
+#include <array>   // for the viewpoint
+#include <cstddef> // for std::size_t
+#include <string>  // for names
+#include <vector>  // for fields
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace vtkDGG
+{
+/// A number of values that each point has.
+struct PointField
+{
+  std::string Name;
+  char Kind = 'F'; ///< of number: F (float), I (integer) or U (unsigned integer)
+  int Size = 4;    ///< bytes of a number: 1, 2, 4 or 8
+  int Count = 1;   ///< numbers per point
+
+  std::size_t GetBytes() const
+  {
+    return static_cast<std::size_t>(this->Size) * static_cast<std::size_t>(this->Count);
+  }
+};
+
+/// Whether there are numbers of that kind and size.
+VTKDGGREADERS_EXPORT bool IsPointFieldType(char kind, int size);
+
+/// Where the values of a field are: point i has them at Data + i * Stride. They need no alignment.
+struct PointFieldView
+{
+  PointField Field;
+  const char* Data = nullptr;
+  std::size_t Stride = 0;
+};
+
+/// Position of a sensor: translation x, y, z, then quaternion w, x, y, z.
+using Viewpoint = std::array<double, 7>;
+
+/// A point cloud in memory that belongs to somebody else.
+struct PointCloudView
+{
+  std::vector<PointFieldView> Fields;
+  vtkIdType Width = 0;
+  vtkIdType Height = 1;
+  Viewpoint Sensor = { { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 } };
+};
+
+/// A copy of the cloud. Nothing on error, when `error` says what is wrong.
+VTKDGGREADERS_EXPORT vtkSmartPointer<vtkPolyData> MakePolyData(
+  const PointCloudView& cloud, std::string& error);
+
+/// Where in a vtkPolyData the values of a field come from.
+class VTKDGGREADERS_EXPORT PointFieldSource
+{
+public:
+  PointFieldSource(const PointField& field, vtkDataArray* array, int firstComponent, bool isPacked);
+
+  const PointField& GetField() const { return this->Field; }
+  /// Write the values of the points [begin, end): those of point i to
+  /// destination + (i - begin) * stride, as numbers of that kind and size. Numbers out of range
+  /// become the nearest ones in it, and NaN becomes 0 where there is none.
+  void Copy(vtkIdType begin, vtkIdType end, char kind, int size, char* destination,
+    std::size_t stride) const;
+
+private:
+  PointField Field;
+  vtkSmartPointer<vtkDataArray> Array;
+  int FirstComponent = 0;
+  bool IsPacked = false; // a colour in four bytes
+};
+
+/// All fields of a vtkPolyData, in the order x, y, z, normals, colours, other arrays.
+VTKDGGREADERS_EXPORT std::vector<PointFieldSource> ListPointFields(vtkPolyData* data);
+
+/// The sources for fields of these names, and none (null) where the data have nothing of that name
+/// and number of values. Whoever has RGB has `rgba`, and the other way round. The caller frees
+/// nothing: the sources lie in `storage`.
+VTKDGGREADERS_EXPORT std::vector<const PointFieldSource*> FindPointFields(
+  vtkPolyData* data, const std::vector<PointField>& wanted, std::vector<PointFieldSource>& storage);
+
+/// Width, height and viewpoint in the field data, as far as they are there and fit; otherwise all
+/// points in one row, seen from the origin. Fields are left alone.
+VTKDGGREADERS_EXPORT void GetPointCloudLayout(vtkPolyData* data, PointCloudView& cloud);
+
+/// Whether all coordinates are finite.
+VTKDGGREADERS_EXPORT bool IsPointCloudDense(vtkPolyData* data);
+}
+
+#endif

@@ -1,0 +1,748 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkPCDReader: every flavour of the format, and every way to get it wrong.
+#include "FilterTestTools.h"
+#include "PCDTestTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkPCDWriter.h"
+#include "vtkPointData.h"
+
+#include <clocale>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <sys/resource.h>
+
+namespace
+{
+using dggtest::GoodPCD;
+using dggtest::PCDLines;
+
+class PCDReader : public dggtest::PCDTest
+{
+protected:
+  /// A small file of each mode with several kinds of fields.
+  std::string MakeFile(int mode)
+  {
+    vtkNew<vtkPCDWriter> writer;
+    writer->SetInputData(dggtest::MakeRichCloud(VTK_FLOAT));
+    writer->SetFileName(this->GetPath("rich.pcd").c_str());
+    writer->SetDataMode(mode);
+    EXPECT_EQ(writer->Write(), 1);
+    return this->Load("rich.pcd");
+  }
+
+  /// Whatever the file is, the reader answers; false when it is refused, with nothing left.
+  bool Survives(const std::string& content)
+  {
+    this->Reader->SetFileName(this->Write(content).c_str());
+    this->Reader->Modified();
+    dggtest::Listener listener(this->Reader);
+    this->Reader->Update();
+    const bool isRead = this->Reader->GetErrorCode() == vtkErrorCode::NoError;
+    EXPECT_EQ(listener.Errors.size(), isRead ? 0u : 1u);
+    if (!isRead)
+    {
+      dggtest::ExpectEmptyOutput(this->Reader);
+    }
+    return isRead;
+  }
+};
+
+std::string Floats(const std::vector<float>& values)
+{
+  return std::string(reinterpret_cast<const char*>(values.data()), 4 * values.size());
+}
+
+std::string Sizes(std::uint32_t compressed, std::uint32_t uncompressed)
+{
+  std::string text;
+  for (const std::uint32_t size : { compressed, uncompressed })
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      text += static_cast<char>(size >> 8 * i & 255);
+    }
+  }
+  return text;
+}
+
+void ExpectTuple(vtkDataArray* array, vtkIdType id, const std::vector<double>& expected)
+{
+  ASSERT_NE(array, nullptr);
+  ASSERT_EQ(array->GetNumberOfComponents(), static_cast<int>(expected.size()));
+  for (std::size_t c = 0; c < expected.size(); ++c)
+  {
+    EXPECT_EQ(array->GetComponent(id, static_cast<int>(c)), expected[c]) << array->GetName();
+  }
+}
+
+TEST_F(PCDReader, ReadsText)
+{
+  vtkPolyData* cloud = this->ReadWell(GoodPCD);
+  ASSERT_EQ(cloud->GetNumberOfPoints(), 2);
+  EXPECT_EQ(cloud->GetPoints()->GetDataType(), VTK_FLOAT);
+  ExpectTuple(cloud->GetPoints()->GetData(), 1, { 3, 4, 5 });
+  EXPECT_EQ(cloud->GetPointData()->GetNumberOfArrays(), 0);
+  // One vertex per point, so that they are seen.
+  ASSERT_EQ(cloud->GetNumberOfVerts(), 2);
+  vtkNew<vtkIdList> ids;
+  cloud->GetCellPoints(1, ids);
+  ASSERT_EQ(ids->GetNumberOfIds(), 1);
+  EXPECT_EQ(ids->GetId(0), 1);
+  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Viewpoint"), 3, { 1 });
+  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Dimensions"), 0, { 2 });
+  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Dimensions"), 1, { 1 });
+}
+
+TEST_F(PCDReader, ReadsBinary)
+{
+  PCDLines lines;
+  lines.Data = "binary";
+  const std::string content = lines.Format() + Floats({ 0, 1, 2, 3, 4.5f, 5 });
+  vtkPolyData* cloud = this->ReadWell(content);
+  ASSERT_EQ(cloud->GetNumberOfPoints(), 2);
+  ExpectTuple(cloud->GetPoints()->GetData(), 1, { 3, 4.5, 5 });
+  // PCL fills pages with zeros.
+  EXPECT_EQ(this->ReadWell(content + std::string(500, '\0'))->GetNumberOfPoints(), 2);
+}
+
+TEST_F(PCDReader, ReadsCompressed)
+{
+  // Two literals and a copy, made by hand: x x, y y, z z, of which all but the first four bytes are
+  // repetitions.
+  PCDLines lines;
+  lines.Data = "binary_compressed";
+  const std::string data = std::string("\x03") + Floats({ 1.5f }) + "\xE0\x0B\x03";
+  vtkPolyData* cloud =
+    this->ReadWell(lines.Format() + Sizes(static_cast<std::uint32_t>(data.size()), 24) + data);
+  ASSERT_EQ(cloud->GetNumberOfPoints(), 2);
+  ExpectTuple(cloud->GetPoints()->GetData(), 0, { 1.5, 1.5, 1.5 });
+  ExpectTuple(cloud->GetPoints()->GetData(), 1, { 1.5, 1.5, 1.5 });
+}
+
+TEST_F(PCDReader, KeepsTypesNamesAndCounts)
+{
+  PCDLines lines;
+  lines.Fields = "x y z a b c d e f g h i j";
+  lines.Size = "8 8 8 1 1 2 2 4 4 8 8 4 8";
+  lines.Type = "F F F I U I U I U I U F F";
+  lines.Count = "1 1 1 1 1 1 1 1 1 1 1 3 2";
+  lines.Width = lines.Points = "1";
+  vtkPolyData* cloud = this->ReadWell(lines.Format() +
+    "0.1 1e300 -0 -128 255 -32768 65535 -2147483648 4294967295 -9223372036854775808 "
+    "18446744073709551615 0.1 nan -inf 1e-310 +2.5\n");
+  EXPECT_EQ(cloud->GetPoints()->GetDataType(), VTK_DOUBLE);
+  ExpectTuple(cloud->GetPoints()->GetData(), 0, { 0.1, 1e300, 0 });
+  EXPECT_TRUE(std::signbit(cloud->GetPoint(0)[2]));
+  vtkPointData* data = cloud->GetPointData();
+  ASSERT_EQ(data->GetNumberOfArrays(), 10);
+  const int types[] = { VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT,
+    VTK_UNSIGNED_INT, VTK_TYPE_INT64, VTK_TYPE_UINT64, VTK_FLOAT, VTK_DOUBLE };
+  const double values[] = { -128, 255, -32768, 65535, -2147483648.0, 4294967295.0 };
+  for (int i = 0; i < 10; ++i)
+  {
+    vtkDataArray* array = data->GetArray(std::string(1, static_cast<char>('a' + i)).c_str());
+    ASSERT_NE(array, nullptr);
+    EXPECT_EQ(array->GetDataType(), types[i]);
+    EXPECT_EQ(array->GetNumberOfComponents(), i == 8 ? 3 : i == 9 ? 2 : 1);
+    if (i < 6)
+    {
+      EXPECT_EQ(array->GetTuple1(0), values[i]);
+    }
+  }
+  EXPECT_EQ(*static_cast<std::int64_t*>(data->GetArray("g")->GetVoidPointer(0)),
+    std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(*static_cast<std::uint64_t*>(data->GetArray("h")->GetVoidPointer(0)),
+    std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(data->GetArray("i")->GetComponent(0, 0), static_cast<double>(0.1f));
+  EXPECT_TRUE(std::isnan(data->GetArray("i")->GetComponent(0, 1)));
+  EXPECT_EQ(data->GetArray("i")->GetComponent(0, 2), -std::numeric_limits<double>::infinity());
+  ExpectTuple(data->GetArray("j"), 0, { 1e-310, 2.5 });
+}
+
+TEST_F(PCDReader, MakesDoublesOfOtherCoordinates)
+{
+  PCDLines lines;
+  lines.Size = "4 8 2";
+  lines.Type = "F F I";
+  vtkPolyData* cloud = this->ReadWell(lines.Format() + "0.5 0.1 -7\n1 2 3\n");
+  EXPECT_EQ(cloud->GetPoints()->GetDataType(), VTK_DOUBLE);
+  ExpectTuple(cloud->GetPoints()->GetData(), 0, { 0.5, 0.1, -7 });
+}
+
+TEST_F(PCDReader, MakesNormalsAndColors)
+{
+  PCDLines lines;
+  lines.Fields = "normal_x z y x rgb normal_z normal_y rgba curvature";
+  lines.Size = "4 4 4 4 4 4 4 4 4";
+  lines.Type = "F F F F U F F U F";
+  lines.Count = "1 1 1 1 1 1 1 1 1";
+  // 0xFF804020 and 0x01020304
+  vtkPolyData* cloud = this->ReadWell(
+    lines.Format() + "1 2 3 4 4286595104 6 5 16909060 7\n0 0 0 0 0 0 1 4294967295 0.5\n");
+  ExpectTuple(cloud->GetPoints()->GetData(), 0, { 4, 3, 2 });
+  vtkPointData* data = cloud->GetPointData();
+  ASSERT_EQ(data->GetNumberOfArrays(), 4);
+  ExpectTuple(data->GetNormals(), 0, { 1, 5, 6 });
+  EXPECT_STREQ(data->GetNormals()->GetName(), "Normals");
+  EXPECT_EQ(data->GetScalars(), data->GetArray("RGB"));
+  EXPECT_EQ(data->GetScalars()->GetDataType(), VTK_UNSIGNED_CHAR);
+  ExpectTuple(data->GetArray("RGB"), 0, { 128, 64, 32 });
+  ExpectTuple(data->GetArray("RGBA"), 0, { 2, 3, 4, 1 });
+  ExpectTuple(data->GetArray("RGBA"), 1, { 255, 255, 255, 255 });
+  ExpectTuple(data->GetArray("curvature"), 1, { 0.5 });
+}
+
+TEST_F(PCDReader, TakesFieldsOfOtherShapesAsTheyAre)
+{
+  PCDLines lines;
+  lines.Fields = "x y z rgb rgba normal_x normal_y";
+  lines.Size = "4 4 4 1 4 4 4";
+  lines.Type = "F F F U F F F";
+  lines.Count = "1 1 1 3 2 1 1";
+  vtkPolyData* cloud =
+    this->ReadWell(lines.Format() + "1 2 3 4 5 6 7 8 9 10\n0 0 0 0 0 0 0 0 0 0\n");
+  vtkPointData* data = cloud->GetPointData();
+  EXPECT_EQ(data->GetNormals(), nullptr);
+  EXPECT_EQ(data->GetScalars(), nullptr);
+  ExpectTuple(data->GetArray("rgb"), 0, { 4, 5, 6 });
+  ExpectTuple(data->GetArray("rgba"), 0, { 7, 8 });
+  ExpectTuple(data->GetArray("normal_y"), 0, { 10 });
+}
+
+TEST_F(PCDReader, ColorsInAFloat)
+{
+  PCDLines lines;
+  lines.Fields = "x y z rgb";
+  lines.Size = "4 4 4 4";
+  lines.Type = "F F F F";
+  lines.Count.clear();
+  lines.Data = "binary";
+  lines.Width = lines.Points = "1";
+  const std::uint32_t packed = 0xFFFFC080; // not a number as a float
+  float asFloat = 0.0f;
+  std::memcpy(&asFloat, &packed, 4);
+  ExpectTuple(this
+                ->ReadWell(lines.Format() + Floats({ 0, 0, 0 }) +
+                  std::string(reinterpret_cast<const char*>(&packed), 4))
+                ->GetPointData()
+                ->GetScalars(),
+    0, { 255, 192, 128 });
+  // Files of old have it as text: 0x00404080 is a tiny number.
+  lines.Data = "ascii";
+  ExpectTuple(
+    this->ReadWell(lines.Format() + "0 0 0 5.900609994354369e-39\n")->GetPointData()->GetScalars(),
+    0, { 64, 64, 128 });
+}
+
+TEST_F(PCDReader, PassesOverPadding)
+{
+  PCDLines lines;
+  lines.Fields = "x _ y z _ i";
+  lines.Size = "4 1 4 4 2 4";
+  lines.Type = "F U F F I F";
+  lines.Count = "1 3 1 1 2 1";
+  lines.Width = lines.Points = "1";
+  const auto check = [this](const std::string& content) {
+    vtkPolyData* cloud = this->ReadWell(content);
+    ExpectTuple(cloud->GetPoints()->GetData(), 0, { 1, 2, 3 });
+    ASSERT_EQ(cloud->GetPointData()->GetNumberOfArrays(), 1);
+    ExpectTuple(cloud->GetPointData()->GetArray("i"), 0, { 4 });
+  };
+  check(lines.Format() + "1 0 0 nothing 2 3 0 0 4\n");
+  lines.Data = "binary";
+  const std::string two("##", 2);
+  check(lines.Format() + Floats({ 1 }) + "###" + Floats({ 2, 3 }) + two + two + Floats({ 4 }));
+  // Compressed data do not have it with PCL, and may with others.
+  lines.Data = "binary_compressed";
+  check(lines.Format() + Sizes(17, 16) + "\x0F" + Floats({ 1, 2, 3, 4 }));
+  check(lines.Format() + Sizes(24, 23) + "\x16" + Floats({ 1 }) + "###" + Floats({ 2, 3 }) + two +
+    two + Floats({ 4 }));
+}
+
+TEST_F(PCDReader, KeepsPointsWithoutAPlace)
+{
+  vtkPolyData* cloud = this->ReadWell(
+    PCDLines{ "x y z i", "4 4 4 4", "F F F F", "1 1 1 1", "4", "1", "", "4" }.Format() +
+    "0 0 0 1\nnan 0 0 2\n0 NaN -nan 3\n1 1 inf 4\n");
+  ASSERT_EQ(cloud->GetNumberOfPoints(), 4);
+  EXPECT_TRUE(std::isnan(cloud->GetPoint(1)[0]));
+  EXPECT_TRUE(std::isnan(cloud->GetPoint(2)[2]));
+  EXPECT_TRUE(std::isinf(cloud->GetPoint(3)[2]));
+  ExpectTuple(cloud->GetPointData()->GetArray("i"), 3, { 4 });
+  ASSERT_EQ(cloud->GetNumberOfVerts(), 1);
+}
+
+TEST_F(PCDReader, KeepsTheLayout)
+{
+  PCDLines lines;
+  lines.Width = "1";
+  lines.Height = "2";
+  lines.Viewpoint = "1 2.5 -3 0.5 0.5 -0.5 0.1";
+  vtkPolyData* cloud = this->ReadWell(lines.Format() + "0 0 0\n1 1 1\n");
+  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Dimensions"), 0, { 1 });
+  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Dimensions"), 1, { 2 });
+  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Viewpoint"), 1, { 2.5 });
+  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Viewpoint"), 6, { 0.1 });
+}
+
+TEST_F(PCDReader, AcceptsWhatMayBeMissing)
+{
+  const std::string body = "0 1 2\n3 4 5\n";
+  const auto check = [this, &body](const std::string& header) {
+    SCOPED_TRACE(header);
+    vtkPolyData* cloud = this->ReadWell(header + body);
+    ASSERT_EQ(cloud->GetNumberOfPoints(), 2);
+    ExpectTuple(cloud->GetPoints()->GetData(), 1, { 3, 4, 5 });
+  };
+  check("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nDATA ascii\n");
+  check("FIELDS x y z\nPOINTS 2\nDATA ascii\n");
+  check("# .PCD v.5\nVERSION .5\nCOLUMNS x y z\nPOINTS 2\nDATA ascii\n");
+  check("FIELDS x y z\nWIDTH 0\nHEIGHT 0\nPOINTS 2\nDATA ascii\n");
+  check("WIDTH 2\nPOINTS 2\nTYPE F F F\nSIZE 4 4 4\nFIELDS x y z\nDATA ascii\n");
+  check("\n# comment\n\n  FIELDS\tx  y z \r\nPOINTS 2\r\n#\nDATA ascii\r\n");
+  // The shortest text of two points.
+  EXPECT_EQ(
+    this->ReadWell("FIELDS x y z\nPOINTS 2\nDATA ascii\n0 1 2\n3 4 5")->GetNumberOfPoints(), 2);
+  // Blank lines between points, no end of the last line, other line ends.
+  EXPECT_EQ(this->ReadWell("FIELDS x y z\nPOINTS 2\nDATA ascii\r\n\r\n0\t1 2 \r\n\n 3 4 5")
+              ->GetNumberOfPoints(),
+    2);
+}
+
+TEST_F(PCDReader, AcceptsNoPoints)
+{
+  PCDLines lines;
+  lines.Fields = "x y z intensity";
+  lines.Size = "4 4 4 4";
+  lines.Type = "F F F F";
+  lines.Count = "1 1 1 1";
+  for (const char* width : { "0", "5" })
+  {
+    lines.Width = width;
+    lines.Height = "0";
+    lines.Points = "0";
+    for (const char* data : { "ascii", "binary", "binary_compressed" })
+    {
+      lines.Data = data;
+      vtkPolyData* cloud = this->ReadWell(lines.Format());
+      EXPECT_EQ(cloud->GetNumberOfPoints(), 0);
+      ASSERT_NE(cloud->GetPointData()->GetArray("intensity"), nullptr) << data;
+    }
+    EXPECT_EQ(this->ReadWell(lines.Format() + Sizes(0, 0))->GetNumberOfPoints(), 0);
+  }
+}
+
+TEST_F(PCDReader, AcceptsManyFields)
+{
+  std::string names;
+  std::string values;
+  for (int i = 0; i < 3000; ++i)
+  {
+    names += " f" + std::to_string(i);
+    values += " " + std::to_string(i);
+  }
+  vtkPolyData* cloud = this->ReadWell("FIELDS" + names + " x y z\nPOINTS 2\nDATA ascii\n" + values +
+    " 1 2 3\n" + values + " 4 5 6\n");
+  ASSERT_EQ(cloud->GetPointData()->GetNumberOfArrays(), 3000);
+  ExpectTuple(cloud->GetPointData()->GetArray("f2999"), 1, { 2999 });
+  ExpectTuple(cloud->GetPoints()->GetData(), 1, { 4, 5, 6 });
+}
+
+TEST_F(PCDReader, RefusesOtherFiles)
+{
+  const auto code = vtkErrorCode::UnrecognizedFileTypeError;
+  this->ExpectRefused("ply\nformat ascii 1.0\n", code, { "line 1: 'ply'", "VERSION" });
+  this->ExpectRefused("# comment\nOFF 3 1 0\n", code, { "line 2: 'OFF'" });
+  this->ExpectRefused("version 0.7\n", code, { "line 1: 'version'" });
+  this->ExpectRefused(std::string("\x7f\x45\x4c\x46\x00\x01", 6), code, { "line 1: '?ELF?\?'" });
+  this->ExpectRefused(std::string(100, 'x'), code, { "...'" });
+}
+
+TEST_F(PCDReader, RefusesMalformedHeaders)
+{
+  const auto code = vtkErrorCode::FileFormatError;
+  const auto change = [](std::string PCDLines::*line, const std::string& value) {
+    PCDLines lines;
+    lines.*line = value;
+    return lines.Format() + "0 1 2\n3 4 5\n";
+  };
+  this->ExpectRefused(change(&PCDLines::Fields, "x y"), code, { "line 3: ", "no field 'z'" });
+  this->ExpectRefused(change(&PCDLines::Fields, "a b c"), code, { "line 3: ", "no field 'x'" });
+  this->ExpectRefused(change(&PCDLines::Fields, "x y z x"), code, { "line 3: two fields 'x'" });
+  this->ExpectRefused(change(&PCDLines::Fields, ""), code, { "no FIELDS" });
+  this->ExpectRefused(change(&PCDLines::Fields, " "), code, { "line 3: no FIELDS" });
+  this->ExpectRefused(
+    change(&PCDLines::Fields, "x y z i"), code, { "line 4: SIZE has 3 values for 4" });
+  this->ExpectRefused(change(&PCDLines::Size, "4 4"), code, { "line 4: SIZE has 2 values for 3" });
+  this->ExpectRefused(
+    change(&PCDLines::Size, "4 4 2"), code, { "line 4: SIZE '2'", "'z'", "4 or 8" });
+  this->ExpectRefused(change(&PCDLines::Size, "4 -4 4"), code, { "line 4: SIZE '-4'", "'y'" });
+  this->ExpectRefused(change(&PCDLines::Size, "4 4 0"), code, { "line 4: SIZE '0'" });
+  this->ExpectRefused(change(&PCDLines::Size, "4 4 4.0"), code, { "line 4: SIZE '4.0'" });
+  this->ExpectRefused(
+    change(&PCDLines::Size, "4 4 99999999999999999999"), code, { "line 4: SIZE '999" });
+  this->ExpectRefused(change(&PCDLines::Size, ""), code, { "TYPE without SIZE" });
+  this->ExpectRefused(change(&PCDLines::Type, ""), code, { "SIZE without TYPE" });
+  this->ExpectRefused(change(&PCDLines::Type, "F F"), code, { "line 5: TYPE has 2 values for 3" });
+  this->ExpectRefused(change(&PCDLines::Type, "F F D"), code, { "line 5: TYPE 'D'" });
+  this->ExpectRefused(change(&PCDLines::Type, "F F FF"), code, { "line 5: TYPE 'FF'" });
+  this->ExpectRefused(
+    change(&PCDLines::Count, "1 1"), code, { "line 6: COUNT has 2 values for 3" });
+  this->ExpectRefused(change(&PCDLines::Count, "1 1 0"), code, { "line 6: COUNT '0'", "'z'" });
+  this->ExpectRefused(change(&PCDLines::Count, "1 1 -1"), code, { "line 6: COUNT '-1'" });
+  this->ExpectRefused(
+    change(&PCDLines::Count, "1 1 2"), code, { "line 6: ", "'z' must have COUNT 1" });
+  this->ExpectRefused(change(&PCDLines::Count, "1 1 4294967297"), code, { "line 6: COUNT" });
+  this->ExpectRefused(change(&PCDLines::Width, "3"), code, { "line 10: POINTS 2", "WIDTH 3" });
+  this->ExpectRefused(change(&PCDLines::Width, "-2"), code, { "line 7: WIDTH '-2'" });
+  this->ExpectRefused(change(&PCDLines::Width, "two"), code, { "line 7: WIDTH 'two'" });
+  this->ExpectRefused(change(&PCDLines::Width, "2 2"), code, { "line 7: WIDTH", "2 values" });
+  this->ExpectRefused(change(&PCDLines::Width, " "), code, { "line 7: WIDTH", "0 values" });
+  this->ExpectRefused(
+    change(&PCDLines::Width, "99999999999999999999"), code, { "line 7: WIDTH '999" });
+  this->ExpectRefused(change(&PCDLines::Height, "2"), code, { "line 10: POINTS 2", "HEIGHT 2" });
+  this->ExpectRefused(
+    change(&PCDLines::Height, "9223372036854775807"), code, { "line 7: ", "too large" });
+  this->ExpectRefused(change(&PCDLines::Points, "5"), code, { "line 10: POINTS 5" });
+  this->ExpectRefused(change(&PCDLines::Points, "-1"), code, { "line 10: POINTS '-1'" });
+  this->ExpectRefused(change(&PCDLines::Viewpoint, "0 0 0"), code, { "line 9: VIEWPOINT has 3" });
+  this->ExpectRefused(
+    change(&PCDLines::Viewpoint, "0 0 0 1 0 0 up"), code, { "line 9: VIEWPOINT 'up'" });
+  this->ExpectRefused(
+    change(&PCDLines::Viewpoint, "0 0 nan 1 0 0 0"), code, { "line 9: VIEWPOINT 'nan'" });
+  this->ExpectRefused(change(&PCDLines::Data, "text"), code, { "line 11: DATA" });
+  this->ExpectRefused(change(&PCDLines::Data, "ascii binary"), code, { "line 11: DATA" });
+  this->ExpectRefused(change(&PCDLines::Data, " "), code, { "line 11: DATA" });
+  this->ExpectRefused(change(&PCDLines::Data, "binary_compress"), code, { "line 11: DATA" });
+  PCDLines lines;
+  lines.Width.clear();
+  lines.Height = "2";
+  this->ExpectRefused(lines.Format() + "0 1 2\n3 4 5\n", code, { "HEIGHT without WIDTH" });
+  lines.Height = "1";
+  lines.Points.clear();
+  this->ExpectRefused(lines.Format() + "0 1 2\n3 4 5\n", code, { "neither WIDTH nor POINTS" });
+  this->ExpectRefused("FIELDS x y z\nFIELDS x y z\nPOINTS 2\nDATA ascii\n0 0 0\n0 0 0\n", code,
+    { "line 2: a second FIELDS" });
+  std::string many;
+  for (int i = 0; i < 10000; ++i)
+  {
+    many += " f" + std::to_string(i);
+  }
+  this->ExpectRefused(
+    "FIELDS x y z" + many + "\nPOINTS 0\nDATA ascii\n", code, { "line 1: more than 10000 fields" });
+  this->ExpectRefused("FIELDS x y z\nCOLUMNS x y z\nPOINTS 1\nDATA ascii\n0 0 0\n", code,
+    { "both FIELDS and COLUMNS" });
+  this->ExpectRefused("VERSION 0.7\nFIELDS x y z\nUNITS m\nPOINTS 1\nDATA ascii\n0 0 0\n", code,
+    { "line 3: 'UNITS'" });
+  this->ExpectRefused("FIELDS x y z normal_x normal_y normal_z Normals\nPOINTS 1\nDATA ascii\n"
+                      "0 0 0 0 0 1 5\n",
+    code, { "both become the array Normals" });
+}
+
+TEST_F(PCDReader, RefusesBadText)
+{
+  const auto code = vtkErrorCode::FileFormatError;
+  const auto end = vtkErrorCode::PrematureEndOfFileError;
+  const std::string head = PCDLines().Format();
+  this->ExpectRefused(head + "0 0 0\n0 zero 0\n", code, { "line 13: ", "'y' of point 1: 'zero'" });
+  this->ExpectRefused(head + "0 0 0x1\n0 0 0\n", code, { "line 12: ", "'z' of point 0: '0x1'" });
+  this->ExpectRefused(head + "0 0 1,5\n0 0 0\n", code, { "line 12: ", "'1,5' is not a number" });
+  this->ExpectRefused(
+    head + "0 0 1e39\n0 0 0\n", code, { "line 12: ", "'1e39' is out of the range" });
+  this->ExpectRefused(
+    head + "0.5 0\n0 0 0\n", code, { "line 12: point 0 has 2 values, expected 3" });
+  this->ExpectRefused(
+    head + "0 0 0 0\n0 0 0\n", code, { "line 12: point 0 has more than 3 values" });
+  this->ExpectRefused(head + "0 0 0 0 0 0\n", code, { "line 12: point 0 has more than 3 values" });
+  this->ExpectRefused(head + "0 0 0\n\n0.25 0.25", end, { "line 14: point 1 has 2 values" });
+  this->ExpectRefused(head + "0.125 0.125 0.125\n", end, { "the file ends after 1 of 2 points" });
+  this->ExpectRefused(
+    head + "0 0 0\n1 1 1\n2 2 2\n", code, { "line 14: more follows the last of 2" });
+  this->ExpectRefused(head + "0 0 0\n1 1 1\nend\n", code, { "line 14: more follows" });
+  PCDLines lines;
+  lines.Fields = "x y z i";
+  lines.Size = "4 4 4 1";
+  lines.Type = "F F F U";
+  lines.Count = "1 1 1 1";
+  lines.Width = lines.Points = "1";
+  this->ExpectRefused(lines.Format() + "0 0 0 256\n", code, { "'i' of point 0: '256' is out of" });
+  this->ExpectRefused(lines.Format() + "0 0 0 -1\n", code, { "'-1' is not an integer" });
+  this->ExpectRefused(lines.Format() + "0 0 0 1.5\n", code, { "'1.5' is not an integer" });
+  this->ExpectRefused(lines.Format() + "0 0 0 nan\n", code, { "'nan' is not an integer" });
+  lines.Type = "F F F I";
+  this->ExpectRefused(lines.Format() + "0 0 0 128\n", code, { "'128' is out of" });
+}
+
+TEST_F(PCDReader, RefusesBadBinary)
+{
+  const auto code = vtkErrorCode::FileFormatError;
+  const auto end = vtkErrorCode::PrematureEndOfFileError;
+  PCDLines lines;
+  lines.Data = "binary";
+  const std::string head = lines.Format();
+  this->ExpectRefused(head + std::string(23, 'a'), end,
+    { "line 10: 2 points of at least 12 bytes are promised, but only 23 bytes follow" });
+  this->ExpectRefused(head + std::string(25, 'a'), code,
+    { "byte " + std::to_string(head.size() + 24) + ": more follows the last of 2" });
+}
+
+TEST_F(PCDReader, RefusesBadCompressedData)
+{
+  const auto code = vtkErrorCode::FileFormatError;
+  const auto end = vtkErrorCode::PrematureEndOfFileError;
+  PCDLines lines;
+  lines.Data = "binary_compressed";
+  const std::string head = lines.Format();
+  const std::string at = "byte " + std::to_string(head.size()) + ": ";
+  this->ExpectRefused(head + "1234567", end, { "before the sizes of the compressed data" });
+  this->ExpectRefused(head + Sizes(9, 24) + "12345678", end, { at + "9 bytes", "but 8 follow" });
+  this->ExpectRefused(
+    head + Sizes(4294967295u, 24) + "12345678", end, { at + "4294967295 bytes", "but 8 follow" });
+  this->ExpectRefused(
+    head + Sizes(8, 25) + "12345678", code, { at + "the compressed data promise 25 bytes" });
+  this->ExpectRefused(head + Sizes(8, 0) + "12345678", code, { "promise 0 bytes" });
+  const std::string damaged = "the compressed data are damaged";
+  this->ExpectRefused(head + Sizes(3, 24) +
+      "\x1F"
+      "ab",
+    code, { damaged }); // a literal too long
+  this->ExpectRefused(
+    head + Sizes(2, 24) + std::string("\x20\x00", 2), code, { damaged }); // no past
+  this->ExpectRefused(head + Sizes(1, 24) + "\x20", code, { damaged });   // no distance
+  this->ExpectRefused(head + Sizes(3, 24) + std::string("\x00\x61\xE0", 3), code, { damaged });
+  this->ExpectRefused(head + Sizes(4, 24) + std::string("\x00\x61\xE0\x00", 4), code, { damaged });
+  // Too much, too little.
+  this->ExpectRefused(
+    head + Sizes(5, 24) + std::string("\x00\x61\xE0\xFF\x00", 5), code, { damaged });
+  this->ExpectRefused(head + Sizes(4, 24) + std::string("\x00\x61\x20\x00", 4), code, { damaged });
+  const std::string whole = head + Sizes(5, 24) + std::string("\x00\x61\xE0\x0E\x00", 5);
+  EXPECT_EQ(this->ReadWell(whole)->GetNumberOfPoints(), 2);
+  this->ExpectRefused(whole + "!", code, { "more follows the last of 2 points" });
+}
+
+TEST_F(PCDReader, AllocatesNothingForEmptyPromises)
+{
+  // Would take gigabytes.
+  const auto peak = [] {
+    struct rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss; // kB
+  };
+  const long before = peak();
+  const auto end = vtkErrorCode::PrematureEndOfFileError;
+  PCDLines lines;
+  for (const char* count : { "10000000", "100000000", "4294967296", "1000000000000000000" })
+  {
+    lines.Width = lines.Points = count;
+    for (const char* data : { "ascii", "binary" })
+    {
+      lines.Data = data;
+      this->ExpectRefused(
+        lines.Format() + "0 0 0\n1 1 1\n", end, { "line 10: ", count, "only 12 bytes follow" });
+    }
+  }
+  // All counts agree, but so few bytes cannot hold so many.
+  lines.Width = lines.Points = "10000000";
+  lines.Data = "binary_compressed";
+  this->ExpectRefused(lines.Format() + Sizes(8, 120000000) + "12345678",
+    vtkErrorCode::FileFormatError, { "8 bytes of compressed data cannot hold 120000000 bytes" });
+  // Not many points, but huge ones.
+  PCDLines wide;
+  wide.Fields = "x y z h";
+  wide.Size = "4 4 4 8";
+  wide.Type = "F F F F";
+  wide.Count = "1 1 1 100000000";
+  this->ExpectRefused(wide.Format() + "0 0 0\n1 1 1\n", end, { "promised" });
+  wide.Count = "1 1 1 2000000000";
+  this->ExpectRefused(
+    wide.Format() + "0 0 0\n1 1 1\n", vtkErrorCode::FileFormatError, { "more than 2 GB" });
+  EXPECT_LT(peak() - before, 30000);
+}
+
+TEST_F(PCDReader, RefusesFilesCutAnywhere)
+{
+  for (int mode = 0; mode <= 2; ++mode)
+  {
+    const std::string whole = this->MakeFile(mode);
+    ASSERT_TRUE(this->Survives(whole));
+    int read = 0;
+    for (std::size_t length = 0; length < whole.size(); ++length)
+    {
+      read += this->Survives(whole.substr(0, length));
+    }
+    // In text, the last number may lose digits without a trace, and the last line its end.
+    const std::size_t lastWord = whole.size() - 1 - whole.rfind(' ');
+    EXPECT_LE(read, mode == 0 ? static_cast<int>(lastWord) : 0);
+    EXPECT_GE(read, mode == 0 ? 1 : 0);
+  }
+}
+
+TEST_F(PCDReader, SurvivesDamage)
+{
+  std::mt19937 random(7);
+  for (int mode = 0; mode <= 2; ++mode)
+  {
+    const std::string whole = this->MakeFile(mode);
+    const std::size_t header = whole.find('\n', whole.find("DATA")) + 1;
+    int refused = 0;
+    // Each byte of the header, and the sizes of the compressed data.
+    for (std::size_t i = 0; i < header + 8; ++i)
+    {
+      for (const char byte : { ' ', '\n', '9', '-', '\0', '\xFF' })
+      {
+        std::string damaged = whole;
+        damaged[i] = byte;
+        refused += !this->Survives(damaged);
+      }
+      std::string shorter = whole;
+      shorter.erase(i, 1);
+      refused += !this->Survives(shorter);
+    }
+    EXPECT_GT(refused, static_cast<int>(header));
+    for (int i = 0; i < 300; ++i)
+    {
+      std::string damaged = whole;
+      for (int k = 0; k < 3; ++k)
+      {
+        damaged[header + random() % (damaged.size() - header)] = static_cast<char>(random());
+      }
+      this->Survives(damaged);
+    }
+    // Lines that are missing, or there twice.
+    for (std::size_t begin = 0; begin < header;)
+    {
+      const std::size_t next = whole.find('\n', begin) + 1;
+      const std::string line = whole.substr(begin, next - begin);
+      const bool isTwice = this->Survives(whole.substr(0, next) + line + whole.substr(next));
+      EXPECT_EQ(isTwice, line[0] == '#') << line;
+      const bool isWithout = this->Survives(whole.substr(0, begin) + whole.substr(next));
+      const std::string word = line.substr(0, line.find(' '));
+      const bool mayLack =
+        word == "#" || word == "VERSION" || word == "VIEWPOINT" || word == "POINTS";
+      if (word != "WIDTH" && word != "COUNT")
+      {
+        EXPECT_EQ(isWithout, mayLack) << line;
+      }
+      begin = next;
+    }
+  }
+}
+
+TEST_F(PCDReader, ReportsFilesThatCannotBeRead)
+{
+  const auto expect = [this](const std::string& name, unsigned long code, const char* trouble) {
+    this->Reader->SetFileName(name.c_str());
+    dggtest::ExpectError(this->Reader, { name, trouble });
+    EXPECT_EQ(this->Reader->GetErrorCode(), code);
+  };
+  dggtest::ExpectError(this->Reader, { "SetFileName" });
+  EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::NoFileNameError);
+  expect("", vtkErrorCode::NoFileNameError, "SetFileName");
+  expect(this->GetPath("none.pcd"), vtkErrorCode::FileNotFoundError, "does not exist");
+  expect(this->Folder.string(), vtkErrorCode::CannotOpenFileError, "it is a folder");
+  expect("/dev/null", vtkErrorCode::CannotOpenFileError, "not an ordinary file");
+  expect(this->Write(""), vtkErrorCode::PrematureEndOfFileError, "the file is empty");
+  expect(this->Write("FIELDS x y z\n", "a.pcd"), vtkErrorCode::PrematureEndOfFileError,
+    "before the line DATA");
+  EXPECT_EQ(this->ReadWell(GoodPCD)->GetNumberOfPoints(), 2);
+}
+
+TEST_F(PCDReader, ReadsAgainWhenTheNameChanges)
+{
+  this->Write(GoodPCD, "a.pcd");
+  this->Write("FIELDS x y z\nPOINTS 1\nDATA ascii\n7 8 9\n", "b.pcd");
+  this->Reader->SetFileName(this->GetPath("a.pcd").c_str());
+  this->Reader->Update();
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 2);
+  this->Reader->SetFileName(this->GetPath("b.pcd").c_str());
+  this->Reader->Update();
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 1);
+  const vtkMTimeType time = this->Reader->GetOutput()->GetMTime();
+  this->Reader->Update();
+  EXPECT_EQ(this->Reader->GetOutput()->GetMTime(), time);
+}
+
+TEST_F(PCDReader, LeavesNothingOfAnEarlierFile)
+{
+  this->ReadWell("FIELDS x y z i normal_x normal_y normal_z rgb\nPOINTS 1\nDATA ascii\n"
+                 "1 2 3 4 0 0 1 0\n");
+  vtkPolyData* cloud = this->ReadWell(GoodPCD);
+  EXPECT_EQ(cloud->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(cloud->GetPointData()->GetNormals(), nullptr);
+}
+
+TEST_F(PCDReader, IgnoresTheLocale)
+{
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* locale : { "C", "de_DE.UTF-8", "fr_FR.UTF-8", "de_DE" })
+  {
+    if (std::setlocale(LC_ALL, locale))
+    {
+      vtkPolyData* cloud = this->ReadWell("FIELDS x y z\nPOINTS 1\nDATA ascii\n1.5 2.25 1000.5\n");
+      ExpectTuple(cloud->GetPoints()->GetData(), 0, { 1.5, 2.25, 1000.5 });
+    }
+  }
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST_F(PCDReader, TellsFilesApart)
+{
+  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write(GoodPCD).c_str()), 1);
+  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("COLUMNS x\n").c_str()), 1);
+  // Longer than the part that is looked at.
+  const std::string many(20000, ' ');
+  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("FIELDS x y z" + many + "a\n").c_str()), 1);
+  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("VERSION 0.7\n").c_str()), 0);
+  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("FIELDS x y z\nply\n").c_str()), 0);
+  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("OFF\n").c_str()), 0);
+  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("").c_str()), 0);
+  EXPECT_EQ(vtkPCDReader::CanReadFile(this->GetPath("none").c_str()), 0);
+  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Folder.string().c_str()), 0);
+  EXPECT_EQ(vtkPCDReader::CanReadFile(nullptr), 0);
+}
+
+TEST_F(PCDReader, ReportsProgressAndStops)
+{
+  std::ostringstream content;
+  constexpr int count = 200000;
+  content << "FIELDS x y z\nPOINTS " << count << "\nDATA ascii\n";
+  for (int i = 0; i < count; ++i)
+  {
+    content << i << " 0 0\n";
+  }
+  this->Reader->SetFileName(this->Write(content.str()).c_str());
+  dggtest::ProgressWatch watch(this->Reader);
+  dggtest::ExpectSuccess(this->Reader);
+  watch.ExpectGrowth(5);
+  this->Reader->Modified();
+  dggtest::ProgressWatch stop(this->Reader);
+  stop.StopAt = 0.3;
+  dggtest::ExpectSuccess(this->Reader);
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 0);
+  stop.StopAt = 2.0;
+  this->Reader->SetAbortExecute(0);
+  this->Reader->Update(); // nothing has changed, but nothing was read either
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), count);
+}
+
+TEST_F(PCDReader, PrintsItself)
+{
+  std::ostringstream text;
+  this->Reader->Print(text);
+  EXPECT_NE(text.str().find("FileName: (none)"), std::string::npos);
+  this->Reader->SetFileName("some.pcd");
+  text.str("");
+  this->Reader->Print(text);
+  EXPECT_NE(text.str().find("FileName: some.pcd"), std::string::npos);
+}
+}

@@ -1,0 +1,332 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkDGGPointCloudConversions.h: PCL's clouds to vtkPolyData and back.
+#include "PCDTestTools.h"
+
+#include "vtkDGGPointCloudConversions.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVertexGlyphFilter.h"
+
+#include <pcl/point_types.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace
+{
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using ColoredCloud = pcl::PointCloud<pcl::PointXYZRGB>;
+using NormalCloud = pcl::PointCloud<pcl::PointNormal>;
+
+Cloud::Ptr MakeCloud()
+{
+  Cloud::Ptr cloud(new Cloud);
+  cloud->push_back(pcl::PointXYZ(0.1f, 2.0f, 3.0f));
+  cloud->push_back(pcl::PointXYZ(std::nanf(""), 2.0f, 3.0f));
+  cloud->push_back(pcl::PointXYZ(4.0f, 5.0f, 6.0f));
+  return cloud;
+}
+
+void ExpectPoint(vtkPolyData* data, vtkIdType id, double x, double y, double z)
+{
+  double p[3];
+  data->GetPoint(id, p);
+  EXPECT_EQ(p[0], x);
+  EXPECT_EQ(p[1], y);
+  EXPECT_EQ(p[2], z);
+}
+
+TEST(PointCloudConversions, FromAConstPtrInOneLine)
+{
+  const Cloud::ConstPtr cloud = MakeCloud();
+  vtkNew<vtkVertexGlyphFilter> filter;
+  filter->SetInputData(vtkDGG::ToPolyData(cloud));
+  filter->Update();
+  ASSERT_EQ(filter->GetOutput()->GetNumberOfPoints(), 3);
+  ExpectPoint(filter->GetOutput(), 0, static_cast<double>(0.1f), 2, 3);
+}
+
+TEST(PointCloudConversions, Coordinates)
+{
+  Cloud::Ptr cloud = MakeCloud();
+  cloud->sensor_origin_ = Eigen::Vector4f(1.0f, 2.0f, 3.0f, 0.0f);
+  cloud->sensor_orientation_ = Eigen::Quaternionf(0.1f, 0.2f, 0.3f, 0.4f);
+  vtkSmartPointer<vtkPolyData> data = vtkDGG::ToPolyData(cloud);
+  ASSERT_NE(data, nullptr);
+  EXPECT_EQ(data->GetPoints()->GetDataType(), VTK_FLOAT);
+  ASSERT_EQ(data->GetNumberOfPoints(), 3);
+  EXPECT_TRUE(std::isnan(data->GetPoint(1)[0]));
+  EXPECT_EQ(data->GetNumberOfVerts(), 2);
+  ExpectPoint(data, 2, 4, 5, 6);
+  // A copy: the cloud may change or go.
+  (*cloud)[2].x = 7.0f;
+  ExpectPoint(data, 2, 4, 5, 6);
+
+  Cloud back;
+  back.push_back(pcl::PointXYZ(9.0f, 9.0f, 9.0f));
+  std::vector<std::string> missing = { "rubbish" };
+  ASSERT_TRUE(vtkDGG::FromPolyData(data, back, &missing));
+  EXPECT_TRUE(missing.empty());
+  ASSERT_EQ(back.size(), 3u);
+  EXPECT_EQ(back[0].x, 0.1f);
+  EXPECT_TRUE(std::isnan(back[1].x));
+  EXPECT_EQ(back[2].x, 4.0f);
+  EXPECT_EQ(back[2].data[3], 1.0f); // PCL's fourth coordinate
+  EXPECT_EQ(back.width, 3u);
+  EXPECT_EQ(back.height, 1u);
+  EXPECT_FALSE(back.is_dense);
+  EXPECT_EQ(back.sensor_origin_, cloud->sensor_origin_);
+  EXPECT_EQ(back.sensor_orientation_.coeffs(), cloud->sensor_orientation_.coeffs());
+}
+
+TEST(PointCloudConversions, Colors)
+{
+  ColoredCloud cloud;
+  pcl::PointXYZRGB point;
+  point.x = 1.0f;
+  point.r = 200;
+  point.g = 100;
+  point.b = 50;
+  cloud.push_back(point);
+  vtkSmartPointer<vtkPolyData> data = vtkDGG::ToPolyData(cloud);
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetScalars());
+  ASSERT_NE(colors, nullptr);
+  EXPECT_STREQ(colors->GetName(), "RGB");
+  EXPECT_EQ(colors->GetValue(0), 200);
+  EXPECT_EQ(colors->GetValue(2), 50);
+
+  ColoredCloud back;
+  ASSERT_TRUE(vtkDGG::FromPolyData(data, back));
+  EXPECT_EQ(back[0].rgba, cloud[0].rgba);
+  EXPECT_TRUE(back.is_dense);
+
+  // Each kind of colour does for the other.
+  pcl::PointCloud<pcl::PointXYZRGBA> opaque;
+  std::vector<std::string> missing;
+  ASSERT_TRUE(vtkDGG::FromPolyData(data, opaque, &missing));
+  EXPECT_TRUE(missing.empty());
+  EXPECT_EQ(opaque[0].r, 200);
+  EXPECT_EQ(opaque[0].a, 255);
+  opaque[0].a = 17;
+  ASSERT_TRUE(vtkDGG::FromPolyData(vtkDGG::ToPolyData(opaque), opaque));
+  EXPECT_EQ(opaque[0].a, 17);
+  ASSERT_TRUE(vtkDGG::FromPolyData(vtkDGG::ToPolyData(opaque), back));
+  EXPECT_EQ(back[0].r, 200);
+  EXPECT_EQ(back[0].b, 50);
+}
+
+TEST(PointCloudConversions, Normals)
+{
+  NormalCloud cloud;
+  cloud.push_back(pcl::PointNormal(1.0f, 2.0f, 3.0f, 0.6f, 0.0f, 0.8f));
+  cloud[0].curvature = 0.25f;
+  vtkSmartPointer<vtkPolyData> data = vtkDGG::ToPolyData(cloud);
+  vtkDataArray* normals = data->GetPointData()->GetNormals();
+  ASSERT_NE(normals, nullptr);
+  EXPECT_EQ(normals->GetComponent(0, 2), static_cast<double>(0.8f));
+  EXPECT_EQ(data->GetPointData()->GetArray("curvature")->GetTuple1(0), 0.25);
+  NormalCloud back;
+  ASSERT_TRUE(vtkDGG::FromPolyData(data, back));
+  EXPECT_EQ(back[0].normal_x, 0.6f);
+  EXPECT_EQ(back[0].curvature, 0.25f);
+  EXPECT_EQ(back[0].z, 3.0f);
+}
+
+TEST(PointCloudConversions, SaysWhatIsMissing)
+{
+  const vtkSmartPointer<vtkPolyData> data = vtkDGG::ToPolyData(MakeCloud());
+  std::vector<std::string> missing;
+  NormalCloud normals;
+  ASSERT_TRUE(vtkDGG::FromPolyData(data, normals, &missing));
+  EXPECT_EQ(missing, (std::vector<std::string>{ "normal_x", "normal_y", "normal_z", "curvature" }));
+  EXPECT_EQ(normals[2].y, 5.0f);
+  EXPECT_EQ(normals[2].normal_x, pcl::PointNormal().normal_x);
+  ColoredCloud colored;
+  ASSERT_TRUE(vtkDGG::FromPolyData(data, colored, &missing));
+  EXPECT_EQ(missing, (std::vector<std::string>{ "rgb" }));
+  EXPECT_EQ(colored[0].a, pcl::PointXYZRGB().a);
+}
+
+TEST(PointCloudConversions, ConvertsNumbers)
+{
+  // Doubles, and an array of another type, into a cloud of floats and integers.
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(0.1, 1e300, -3.0);
+  points->InsertNextPoint(1.0, 2.0, 3.0);
+  points->InsertNextPoint(1.0, 2.0, 3.0);
+  points->InsertNextPoint(1.0, 2.0, 3.0);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  vtkNew<vtkFloatArray> labels;
+  labels->SetName("label");
+  for (const float value : { 7.0f, -1.0f, 1e20f, std::nanf("") })
+  {
+    labels->InsertNextValue(value);
+  }
+  data->GetPointData()->AddArray(labels);
+  pcl::PointCloud<pcl::PointXYZL> cloud;
+  ASSERT_TRUE(vtkDGG::FromPolyData(data, cloud));
+  EXPECT_EQ(cloud[0].x, 0.1f);
+  EXPECT_EQ(cloud[0].y, std::numeric_limits<float>::infinity());
+  EXPECT_EQ(cloud[0].label, 7u);
+  EXPECT_EQ(cloud[1].label, 0u);
+  EXPECT_EQ(cloud[2].label, 4294967295u);
+  EXPECT_EQ(cloud[3].label, 0u);
+}
+
+TEST(PointCloudConversions, OrganizedClouds)
+{
+  Cloud cloud(2, 3, pcl::PointXYZ(1.0f, 2.0f, 3.0f));
+  cloud(1, 2).x = 8.0f;
+  vtkSmartPointer<vtkPolyData> data = vtkDGG::ToPolyData(cloud);
+  ExpectPoint(data, 5, 8, 2, 3);
+  Cloud back;
+  ASSERT_TRUE(vtkDGG::FromPolyData(data, back));
+  EXPECT_EQ(back.width, 2u);
+  EXPECT_EQ(back.height, 3u);
+  EXPECT_EQ(back(1, 2).x, 8.0f);
+  EXPECT_TRUE(back.is_dense);
+  // PCL lets a cloud disagree with itself after points are added; the points count.
+  cloud.points.resize(5);
+  data = vtkDGG::ToPolyData(cloud);
+  ASSERT_NE(data, nullptr);
+  EXPECT_EQ(data->GetNumberOfPoints(), 5);
+}
+
+TEST(PointCloudConversions, BlobsOfAnyFields)
+{
+  for (const int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    const vtkSmartPointer<vtkPolyData> data = dggtest::MakeRichCloud(type);
+    pcl::PCLPointCloud2::Ptr blob(new pcl::PCLPointCloud2);
+    ASSERT_TRUE(vtkDGG::FromPolyData(data, *blob));
+    EXPECT_EQ(blob->width, 3u);
+    EXPECT_EQ(blob->height, 2u);
+    EXPECT_FALSE(blob->is_dense);
+    EXPECT_EQ(blob->row_step, 3 * blob->point_step);
+    // Blobs have no viewpoint.
+    vtkSmartPointer<vtkPolyData> back = vtkDGG::ToPolyData(blob);
+    ASSERT_NE(back, nullptr);
+    data->GetFieldData()->RemoveArray("PCD.Viewpoint");
+    back->GetFieldData()->RemoveArray("PCD.Viewpoint");
+    dggtest::ExpectSameCloud(data, back);
+    back = vtkDGG::ToPolyData(pcl::PCLPointCloud2::ConstPtr(blob));
+    EXPECT_EQ(back->GetNumberOfPoints(), 6);
+  }
+}
+
+TEST(PointCloudConversions, BlobsOfTypedClouds)
+{
+  // With padding between the fields, and rows that are longer than their points.
+  Cloud cloud(2, 2, pcl::PointXYZ(1.0f, 2.0f, 3.0f));
+  cloud(1, 1).z = 9.0f;
+  pcl::PCLPointCloud2 blob;
+  pcl::toPCLPointCloud2(cloud, blob);
+  EXPECT_EQ(blob.point_step, 16u);
+  ExpectPoint(vtkDGG::ToPolyData(blob), 3, 1, 2, 9);
+  std::vector<std::uint8_t> wide(100, 77);
+  std::copy(blob.data.begin(), blob.data.begin() + 32, wide.begin());
+  std::copy(blob.data.begin() + 32, blob.data.end(), wide.begin() + 60);
+  blob.data.assign(wide.begin(), wide.begin() + 92); // the last row may end with its points
+  blob.row_step = 60;
+  ExpectPoint(vtkDGG::ToPolyData(blob), 3, 1, 2, 9);
+  ExpectPoint(vtkDGG::ToPolyData(blob), 1, 1, 2, 3);
+  // PCL understands our blobs.
+  ASSERT_TRUE(vtkDGG::FromPolyData(vtkDGG::ToPolyData(cloud), blob));
+  Cloud back;
+  pcl::fromPCLPointCloud2(blob, back);
+  EXPECT_EQ(back(1, 1).z, 9.0f);
+}
+
+TEST(PointCloudConversions, RefusesMalformedBlobs)
+{
+  const auto good = [] {
+    pcl::PCLPointCloud2 blob;
+    pcl::toPCLPointCloud2(*MakeCloud(), blob);
+    return blob;
+  };
+  std::string error = "rubbish";
+  EXPECT_NE(vtkDGG::ToPolyData(good(), &error), nullptr);
+  EXPECT_EQ(error, "");
+  const auto expect = [&error](const pcl::PCLPointCloud2& blob, const char* part) {
+    EXPECT_EQ(vtkDGG::ToPolyData(blob, &error), nullptr);
+    EXPECT_NE(error.find(part), std::string::npos) << error;
+  };
+  auto blob = good();
+  blob.data.pop_back();
+  expect(blob, "3 x 1 points of 16 bytes");
+  blob = good();
+  blob.width = 4294967295u;
+  expect(blob, "are promised");
+  blob = good();
+  blob.height = 4294967295u;
+  expect(blob, "are promised");
+  blob = good();
+  blob.row_step = 1;
+  expect(blob, "are promised");
+  blob = good();
+  blob.fields[2].offset = 13;
+  expect(blob, "'z' reaches beyond");
+  blob.fields[2].offset = 4294967295u;
+  expect(blob, "'z' reaches beyond");
+  blob = good();
+  blob.fields[1].count = 4294967295u;
+  expect(blob, "'y'");
+  blob = good();
+  blob.fields[1].count = 2;
+  expect(blob, "'y' has 2 values");
+  blob.fields[1].count = 0; // PCL's way to say 1
+  EXPECT_NE(vtkDGG::ToPolyData(blob, &error), nullptr);
+  blob = good();
+  blob.fields[1].datatype = 99;
+  expect(blob, "'y' has numbers of no known type");
+  blob = good();
+  blob.fields[1].name = "x";
+  expect(blob, "two fields 'x'");
+  blob.fields[1].name = "w";
+  expect(blob, "no field 'y'");
+  expect(pcl::PCLPointCloud2(), "no field 'x'");
+  // Points that are nowhere.
+  const pcl::PointCloud<pcl::Normal> normals;
+  EXPECT_EQ(vtkDGG::ToPolyData(normals, &error), nullptr);
+  EXPECT_NE(error.find("no field 'x'"), std::string::npos);
+}
+
+TEST(PointCloudConversions, NothingAtAll)
+{
+  std::string error;
+  EXPECT_EQ(vtkDGG::ToPolyData(Cloud::ConstPtr(), &error), nullptr);
+  EXPECT_NE(error, "");
+  error.clear();
+  EXPECT_EQ(vtkDGG::ToPolyData(pcl::PCLPointCloud2::Ptr(), &error), nullptr);
+  EXPECT_NE(error, "");
+  Cloud cloud = *MakeCloud();
+  EXPECT_FALSE(vtkDGG::FromPolyData(nullptr, cloud));
+  EXPECT_TRUE(cloud.empty());
+  pcl::PCLPointCloud2 blob;
+  EXPECT_FALSE(vtkDGG::FromPolyData(nullptr, blob));
+  // No points are well.
+  vtkSmartPointer<vtkPolyData> data = vtkDGG::ToPolyData(Cloud(), &error);
+  ASSERT_NE(data, nullptr);
+  EXPECT_EQ(error, "");
+  EXPECT_EQ(data->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(vtkDGG::FromPolyData(data, cloud));
+  EXPECT_TRUE(vtkDGG::FromPolyData(data, blob));
+  EXPECT_EQ(blob.fields.size(), 3u);
+  ASSERT_NE(vtkDGG::ToPolyData(blob), nullptr);
+  vtkNew<vtkPolyData> empty;
+  EXPECT_TRUE(vtkDGG::FromPolyData(empty, cloud));
+  EXPECT_TRUE(cloud.empty());
+}
+}
