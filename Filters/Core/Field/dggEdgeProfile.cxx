@@ -60,6 +60,7 @@ void EdgeProfile::Enter(Id h)
   else
   {
     this->SetUpModels();
+    this->SetUpOpposites();
     this->FindModelBreaks();
     this->AddCrests();
   }
@@ -244,8 +245,53 @@ void EdgeProfile::SetUpModels()
   {
     this->Missing[k] = this->Models[k].IsKnown
       ? std::max(0.0, this->Ends[1 - k] - this->Models[k].At(this->Length, this->PolarAngles[k]))
-      : 0.0;
+      : std::max(0.0, this->Ends[1 - k] - this->Ends[k] - this->Length);
   }
+}
+
+/// The faces of the edge: without the models of their opposite corners the edge would see a crest
+/// where a wave comes across, and faces would not.
+void EdgeProfile::SetUpOpposites()
+{
+  this->NumberOfOpposites = 0;
+  this->IsLinear = true;
+  if (!this->Field.HasSources())
+  {
+    return;
+  }
+  const SurfaceMesh& mesh = *this->Field.Mesh;
+  bool areModelled = true;
+  Id e = this->HalfEdge;
+  do
+  {
+    const Id f = SurfaceMesh::Face(e);
+    if (this->Field.IsReached(f))
+    {
+      if (this->NumberOfOpposites == this->Opposites.size())
+      {
+        this->Opposites.push_back({ FaceProfile(this->Field), 0, {}, {} });
+      }
+      Opposite& opposite = this->Opposites[this->NumberOfOpposites];
+      opposite.Profile.Enter(f);
+      if (opposite.Profile.IsModelled())
+      {
+        const int k = static_cast<int>(e - 3 * f);
+        const bool isSame = mesh.Origin(e) == mesh.Origin(this->HalfEdge);
+        const std::array<Point2, 3>& corners = opposite.Profile.GetCorners();
+        opposite.Corner = (k + 2) % 3;
+        opposite.From = corners[isSame ? k : (k + 1) % 3];
+        opposite.To = corners[isSame ? (k + 1) % 3 : k];
+        ++this->NumberOfOpposites;
+      }
+      else
+      {
+        areModelled = false;
+      }
+    }
+    e = mesh.Twin(e);
+  } while (e != NoId && e != this->HalfEdge);
+  this->IsLinear = !this->Models[0].IsKnown && !this->Models[1].IsKnown &&
+    (!areModelled || this->NumberOfOpposites == 0);
 }
 
 /// The raised model of an end (dggDistanceField.h).
@@ -255,7 +301,7 @@ double EdgeProfile::ModelAt(int end, double x) const
   const CornerModel& model = this->Models[end];
   if (!model.IsKnown)
   {
-    return this->Ends[end] + rho;
+    return this->Ends[end] + rho + this->Missing[end] * rho / this->Length;
   }
   return model.At(rho, this->PolarAngles[end]) + this->Missing[end] * rho / this->Length;
 }
@@ -312,12 +358,22 @@ double EdgeProfile::At(double x) const
     }
     return least;
   }
-  if (this->Models[0].IsKnown || this->Models[1].IsKnown)
-  {
-    return std::min(this->ModelAt(0, x), this->ModelAt(1, x));
-  }
+  return this->LeastOfModels(x);
+}
+
+double EdgeProfile::LeastOfModels(double x) const
+{
   const double t = x / this->Length;
-  return (1.0 - t) * this->Ends[0] + t * this->Ends[1];
+  double least = this->IsLinear ? (1.0 - t) * this->Ends[0] + t * this->Ends[1]
+                                : std::min(this->ModelAt(0, x), this->ModelAt(1, x));
+  for (std::size_t i = 0; i < this->NumberOfOpposites; ++i)
+  {
+    const Opposite& opposite = this->Opposites[i];
+    const Point2 p{ (1.0 - t) * opposite.From.X + t * opposite.To.X,
+      (1.0 - t) * opposite.From.Y + t * opposite.To.Y };
+    least = std::min(least, opposite.Profile.ModelAt(opposite.Corner, p));
+  }
+  return least;
 }
 
 void EdgeProfile::FindCrossings(double level, std::vector<double>& crossings) const

@@ -7,6 +7,7 @@
 
 #include "dggCornerModel.h"   // for the models of the ends
 #include "dggDistanceField.h" // for DistanceField
+#include "dggFaceProfile.h"   // for the faces of an edge
 
 #include <array>  // for the ends
 #include <vector> // for the windows
@@ -58,16 +59,27 @@ private:
     double Slack; // of the interval
   };
 
+  /// A face of the edge, through which the wave of the opposite corner may come.
+  struct Opposite
+  {
+    FaceProfile Profile;
+    int Corner = 0;
+    Point2 From; // the ends of the edge in its frame
+    Point2 To;
+  };
+
   void CollectWindows(Id h);
   void CollectSources(Id h);
   void CollectThroughFace(Id h);
   void FindWindowBreaks();
   void SplitByDirection(double begin, double end, double x, double& rising, double& falling) const;
   bool FindPeak(double begin, double end, double& peak) const;
+  void SetUpOpposites();
   void FindModelBreaks();
   void AddCrests();
   void SetUpModels();
   double ModelAt(int end, double x) const;
+  double LeastOfModels(double x) const;
   double Solve(double level, double begin, double end, bool beginIsAbove) const;
 
   const DistanceField& Field;
@@ -78,6 +90,9 @@ private:
   std::array<CornerModel, 2> Models;
   std::array<double, 2> PolarAngles{ { 0.0, 0.0 } }; // of the edge at its ends
   std::array<double, 2> Missing{ { 0.0, 0.0 } };     // of the model of an end at the other one
+  std::vector<Opposite> Opposites;
+  std::size_t NumberOfOpposites = 0; // the others are kept for their memory
+  bool IsLinear = false;             // neither end has a model, nor all faces
   std::vector<double> Breaks;
 };
 }

@@ -267,6 +267,27 @@ FieldSample FaceProfile::FromWindows(const Point2& p) const
   return best;
 }
 
+/// The way over a corner, raised where other corners are farther away than that, which happens to
+/// fields that are no distances.
+FieldSample FaceProfile::FromRaisedCorner(
+  int k, const Point2& p, const std::array<double, 3>& barycentric) const
+{
+  FieldSample sample = this->FromCorner(k, p);
+  for (int j = 0; j < 3; ++j)
+  {
+    const double missing =
+      this->Distances[j] - this->Distances[k] - Distance(this->Corners[j], this->Corners[k]);
+    if (missing > this->Negligible)
+    {
+      sample.Distance += missing * barycentric[j];
+      sample.Gradient.X += missing * this->Rises[j].X;
+      sample.Gradient.Y += missing * this->Rises[j].Y;
+      sample.HasImage = false;
+    }
+  }
+  return sample;
+}
+
 /// The raised model of a corner (dggDistanceField.h).
 FieldSample FaceProfile::FromModel(
   int k, const Point2& p, const std::array<double, 3>& barycentric) const
@@ -278,7 +299,7 @@ FieldSample FaceProfile::FromModel(
     model.IsKnown ? model.AngleFrom(this->Field.Mesh->PolarAngle(3 * this->Face + k) + phi) : Pi;
   if (std::abs(angle) >= Pi)
   {
-    return this->FromCorner(k, p);
+    return this->FromRaisedCorner(k, p, barycentric);
   }
   const double turned = phi + angle;
   const Point2 image{ model.Length * std::cos(turned), model.Length * std::sin(turned) };
@@ -296,7 +317,10 @@ FieldSample FaceProfile::FromModel(
     }
   }
   sample.Candidate = 3 + (angle < 0.0 ? 2 * k : 2 * k + 1);
-  return sample;
+  // No more than the way over the corner, which is all that there is where the source is behind it:
+  // what is missing must not end there at once.
+  FieldSample corner = this->FromRaisedCorner(k, p, barycentric);
+  return corner.Distance < sample.Distance ? corner : sample;
 }
 
 FieldSample FaceProfile::FromModels(const Point2& p) const

@@ -14,9 +14,9 @@
 namespace dgg
 {
 /// The distance inside a face as a function of the plane, in the frame of half-edge 3f. On the rim
-/// of the face it is that of EdgeProfile up to rounding when it comes from windows or is linear; a
-/// model of the opposite corner may be a little shorter. An object can be moved from face to face,
-/// which saves allocations.
+/// of the face it is that of EdgeProfile up to rounding when it comes from windows or is linear;
+/// with models, that of EdgeProfile may be shorter, through another face of the edge. An object can
+/// be moved from face to face, which saves allocations.
 class FaceProfile
 {
 public:
@@ -37,6 +37,16 @@ public:
   /// The distance at a point of the face.
   double At(const Point2& p) const { return this->SampleAt(p).Distance; }
   FieldSample SampleAt(const Point2& p) const;
+
+  /// Whether the distance comes from models of the corners, and that of one of them alone at a
+  /// point.
+  /// @{
+  bool IsModelled() const { return this->HasModels; }
+  double ModelAt(int k, const Point2& p) const
+  {
+    return this->FromModel(k, p, this->BarycentricOf(p)).Distance;
+  }
+  /// @}
 
   /// Whether the waves that reach the face come from all sides, so that a point inside it may be
   /// farther away than all around it. When in doubt, true.
@@ -61,6 +71,8 @@ private:
   void SetUpModels();
   FieldSample FromCorner(int k, const Point2& p) const;
   FieldSample FromWindows(const Point2& p) const;
+  FieldSample FromRaisedCorner(
+    int k, const Point2& p, const std::array<double, 3>& barycentric) const;
   FieldSample FromModel(int k, const Point2& p, const std::array<double, 3>& barycentric) const;
   FieldSample FromModels(const Point2& p) const;
   FieldSample Linear(const Point2& p) const;

@@ -347,7 +347,7 @@ Status FindWays(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& mini
     ExactOptions options;
     options.Progress = progress;
     ExactResult result;
-    const Status status = ExactGeodesics(mesh).Run(minima, options, result);
+    Status status = ExactGeodesics(mesh).Run(minima, options, result);
     ways = std::move(result.Distances);
     sources = std::move(result.NearestSource);
     return status;
@@ -355,7 +355,7 @@ Status FindWays(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& mini
   MarchingOptions options;
   options.Progress = progress;
   MarchingResult result;
-  const Status status = FastMarching(mesh).Run(minima, options, result);
+  Status status = FastMarching(mesh).Run(minima, options, result);
   ways = std::move(result.Distances);
   sources = std::move(result.NearestSource);
   return status;
@@ -371,7 +371,7 @@ Status CompareWithWays(const SurfaceMesh& mesh, const double* values, bool hasHi
   shares.IsSparse = finder.IsSparse();
   std::vector<double> ways;
   std::vector<Id> sources;
-  const Status status = FindWays(mesh, minima, progress, ways, sources);
+  Status status = FindWays(mesh, minima, progress, ways, sources);
   if (!status.IsOk())
   {
     return status;
