@@ -197,3 +197,19 @@ TEST(Isolines, DoNotRunBack)
   EXPECT_LE(lengths[1], lengths[2] * (1.0 + 1e-9));
   EXPECT_NEAR(lengths[1], lengths[2], 1e-4 * lengths[2]);
 }
+
+TEST(Isolines, WithoutWindowsThereAreHardlyMoreLoops)
+{
+  // Edges that saw crests where a wave comes across from a face had loops around them.
+  std::size_t exact = 0;
+  std::size_t local = 0;
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    const ExactField field(mesh, { VertexSource(0) });
+    const std::vector<double> levels = EvenLevels(field.Exact, 100);
+    exact += Trace(field.Exact, levels).Lines.size();
+    local += Trace(field.Local, levels).Lines.size();
+  }
+  EXPECT_NEAR(static_cast<double>(local), static_cast<double>(exact), 10.0);
+}

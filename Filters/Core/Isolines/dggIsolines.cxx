@@ -61,8 +61,8 @@ Status FindFaceCurves(const DistanceField& field, const std::vector<double>& lev
 {
   const Offset faces = field.Mesh->GetNumberOfFaces();
   std::vector<Block> blocks((faces + FacesInBlock - 1) / FacesInBlock);
-  const Status status = LoopOverBlocks(faces, FacesInBlock, parallel, progress, CrossingsDone,
-    FacesDone, [&](Offset block, Offset begin, Offset end) {
+  Status status = LoopOverBlocks(faces, FacesInBlock, parallel, progress, CrossingsDone, FacesDone,
+    [&](Offset block, Offset begin, Offset end) {
       FaceIsolines isolines(field, levels, tolerance, crossings);
       for (Id f = static_cast<Id>(begin); f < static_cast<Id>(end); ++f)
       {
@@ -99,6 +99,7 @@ Status TraceIsolines(const DistanceField& field, const std::vector<double>& leve
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](Id a, Id b) { return levels[a] < levels[b]; });
   std::vector<double> sorted;
+  sorted.reserve(levels.size());
   for (const Id level : order)
   {
     sorted.push_back(levels[level]);

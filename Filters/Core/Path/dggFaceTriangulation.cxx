@@ -424,6 +424,7 @@ bool FaceTriangulation::AddSegment(int a, int b)
     }
     this->Fix(h);
     std::vector<int> edges;
+    edges.reserve(changed.size());
     for (const std::pair<int, int>& edge : changed)
     {
       edges.push_back(this->FindEdge(edge.first, edge.second));
