@@ -20,7 +20,7 @@ constexpr double LargestTurn = 0.35;
 constexpr double Tolerance = 0.6;
 /// Pieces of a way that follows points, per local spacing, and at most: more would follow what is
 /// between the points, which is guessed, fewer would miss points.
-constexpr double PiecesPerSpacing = 1.2;
+constexpr double PiecesPerSpacing = 1.1;
 constexpr int MostPieces = 64;
 /// Cosine between a normal and the direction that heights are measured in, at least.
 constexpr double LeastCosine = 0.35;

@@ -54,6 +54,13 @@ public:
 
   /// In units of voxels from the origin.
   Point3 ToGrid(const Point3& point) const { return this->InverseSize * (point - this->Origin); }
+  /// Whether a place, in units of voxels, is where there may be voxels; not NaN.
+  bool IsInBox(const Point3& inGrid) const
+  {
+    const double size = this->Resolution;
+    return inGrid.X >= 0.0 && inGrid.Y >= 0.0 && inGrid.Z >= 0.0 && inGrid.X < size &&
+      inGrid.Y < size && inGrid.Z < size;
+  }
   Point3 GetCentre(const Voxel& voxel) const
   {
     return this->Origin +

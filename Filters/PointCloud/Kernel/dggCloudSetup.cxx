@@ -460,9 +460,13 @@ private:
     const double curvature = this->Curvatures[node];
     if (this->Options.ArcLengthWeights)
     {
-      const double reach = this->Pairs.IsSmooth[node] ? ReachBySpacing : RoughReachBySpacing;
-      return std::max(
-        LeastReach * s, curvature > 0.0 ? std::min(reach * s, TurnOfReach / curvature) : reach * s);
+      if (!this->Pairs.IsSmooth[node])
+      {
+        return RoughReachBySpacing * s; // the curvature is not that of a surface
+      }
+      return std::max(LeastReach * s,
+        curvature > 0.0 ? std::min(ReachBySpacing * s, TurnOfReach / curvature)
+                        : ReachBySpacing * s);
     }
     const double balanced =
       curvature > 0.0 ? BalancedReach * std::cbrt(s * s / curvature) : MostReach * s;
