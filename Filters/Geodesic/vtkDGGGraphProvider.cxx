@@ -123,6 +123,7 @@ void vtkDGGGraphProvider::FollowMesh(const vtkDGGMeshAdapter& mesh)
 void vtkDGGGraphProvider::ForgetGraph()
 {
   this->Finder.reset();
+  this->Shortener.reset();
   this->Search.reset();
   this->Summary = vtkDGGGraphSummary();
   this->OwnGraph = dgg::GeodesicGraph();
@@ -385,6 +386,24 @@ const dgg::PathFinder& vtkDGGGraphProvider::GetPathFinder(
       3 * sizeof(double) * static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices());
   }
   return *this->Finder;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphProvider::PrepareShortener(const vtkDGGMeshAdapter& cloud)
+{
+  if (this->Shortener)
+  {
+    return dgg::Status::Success();
+  }
+  const vtkDGGCloudBand& band = this->InputGraph.GetBand();
+  auto shortener = std::make_unique<dgg::BandPathShortener>(
+    cloud.GetPositions(), this->Search->GetGraph(), band.Radii);
+  const dgg::Status status = shortener->Prepare(band.VoxelSize, vtkDGGMakeParallelFor());
+  if (status.IsOk())
+  {
+    this->Shortener = std::move(shortener);
+  }
+  return status;
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 
 #include "vtkDGGGraphArrays.h" // for the graph on the input
 
+#include "dggBandPath.h"       // for BandPathShortener
 #include "dggExactGeodesics.h" // for GeodesicSource
 #include "dggGraphBuilder.h"   // for GraphBuilder
 #include "dggGraphSearch.h"    // for GraphSearch
@@ -82,8 +83,10 @@ public:
   /// The accuracy that links have to have: that of the graph, or that asked for when it has none.
   double GetLinkAccuracy() const;
 
-  /// The band of the graph of a cloud; only right after a successful Update().
-  const vtkDGGCloudBand& GetBand() const { return this->InputGraph.GetBand(); }
+  /// For smooth paths on a cloud: rebuild the band that its graph was built in, unless it is there
+  /// already. Kept as long as the graph is the same.
+  dgg::Status PrepareShortener(const vtkDGGMeshAdapter& cloud);
+  const dgg::BandPathShortener& GetShortener() const { return *this->Shortener; }
 
   /// Whether the graph is that on the input.
   bool IsFromInput() const { return this->UsedInput != 0; }
@@ -128,8 +131,9 @@ private:
   std::unique_ptr<dgg::GraphSearch> Search;
   std::size_t NumberOfPairs = 0; // that it has been asked for
   std::unique_ptr<dgg::GraphBuilder> Builder;
-  std::size_t BuilderSize = 0;             // bytes, about
-  std::unique_ptr<dgg::PathFinder> Finder; // in Search, with Builder
+  std::size_t BuilderSize = 0;                       // bytes, about
+  std::unique_ptr<dgg::PathFinder> Finder;           // in Search, with Builder
+  std::unique_ptr<dgg::BandPathShortener> Shortener; // on a cloud
   const double* FinderPositions = nullptr;
   std::size_t PositionsSize = 0; // bytes
   LinkStore Store;

@@ -216,7 +216,7 @@ dgg::Status vtkDGGPath::Execute(
   vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
   if (mesh.IsCloud())
   {
-    status = search.RunOnCloud(graph, paths);
+    status = search.RunOnCloud(graph, options.Straighten, paths);
   }
   else
   {

@@ -38,10 +38,10 @@
  * <b>Point clouds.</b> On a cloud with the graph of vtkPointCloudDGG, `GraphLength` is the distance
  * in that graph, and `Length` that of the polyline, which may be shorter, as edges are as long as
  * the surface below them. Without Straighten, polylines go from point to point of the cloud. With
- * it they are smoothed: their points are moved, and more are added, so that they get shorter but
- * stay close to the cloud, and `Straightened` is 1; they need not be shortest. They begin and end
- * where they are asked to, also beside the points of the cloud. `FaceId` is -1. Detour, Accuracy
- * and AcceptCoarserGraph do nothing, and Method Exact is an error.
+ * it they are smoothed: their points are moved, and more are added, so that they neither zigzag nor
+ * leave the surface that the points around tell of, and `Straightened` is 1; they need not be
+ * shortest. They begin and end where they are asked to, also beside the points of the cloud.
+ * `FaceId` is -1. Detour, Accuracy and AcceptCoarserGraph do nothing, and Method Exact is an error.
  *
  * <b>Time.</b> Pairs are worked on by all threads of vtkSMPTools; results do not depend on their
  * number. With the 256th pair that is looked for in one graph, distances from 32 landmarks are

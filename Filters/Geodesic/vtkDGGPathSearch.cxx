@@ -6,7 +6,9 @@
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGParallel.h"
 
+#include "dggBandPath.h"
 #include "dggExactPath.h"
+#include "dggPoint3.h"
 #include "dggSurfacePath.h"
 #include "dggWorkspacePool.h"
 
@@ -79,6 +81,48 @@ double MeasurePolyline(const dgg::SurfacePath& path, const vtkDGGMeshAdapter& cl
   return length;
 }
 
+dgg::Point3 GetPosition(const dgg::SurfacePoint& place, const vtkDGGMeshAdapter& cloud)
+{
+  const auto p = dgg::PositionOf(cloud.GetMesh(), place, cloud.GetPositions());
+  return { p[0], p[1], p[2] };
+}
+
+/// A path from place to place over points of a cloud.
+std::vector<dgg::SurfacePoint> MakePlaces(
+  const vtkDGGPointPair& pair, const std::vector<dgg::Id>& vertices)
+{
+  std::vector<dgg::SurfacePoint> places;
+  if (!dgg::IsVertex(pair.From))
+  {
+    places.push_back(pair.From);
+  }
+  for (const dgg::Id vertex : vertices)
+  {
+    places.push_back(dgg::SurfacePoint::AtVertex(vertex));
+  }
+  if (!dgg::IsVertex(pair.To))
+  {
+    places.push_back(pair.To);
+  }
+  return places;
+}
+
+/// A smooth path; its points beside those of the cloud as seen from a point of it, no matter which.
+std::vector<dgg::SurfacePoint> MakePlaces(
+  const dgg::BandPath& path, dgg::Id from, const vtkDGGMeshAdapter& cloud)
+{
+  const dgg::Point3 origin = GetPosition(dgg::SurfacePoint::AtVertex(from), cloud);
+  std::vector<dgg::SurfacePoint> places;
+  for (std::size_t i = 0; i < path.Points.size(); ++i)
+  {
+    const dgg::Point3 offset = path.Points[i] - origin;
+    places.push_back(path.Vertices[i] != dgg::NoId
+        ? dgg::SurfacePoint::AtVertex(path.Vertices[i])
+        : dgg::SurfacePoint::NearVertex(from, { { offset.X, offset.Y, offset.Z } }));
+  }
+  return places;
+}
+
 /// An error with what it is about before it, and what to do after it.
 dgg::Status Explain(const dgg::Status& status, const std::string& subject, const char* remedy)
 {
@@ -126,18 +170,23 @@ dgg::Status vtkDGGPathSearch::RunInGraph(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPathSearch::RunOnCloud(vtkDGGGraphProvider& graph, Paths& paths) const
+dgg::Status vtkDGGPathSearch::RunOnCloud(
+  vtkDGGGraphProvider& graph, bool smooth, Paths& paths) const
 {
-  const dgg::Status guided = graph.PrepareForPairs(this->PointPairs.size());
-  if (!guided.IsOk())
+  dgg::Status prepared = graph.PrepareForPairs(this->PointPairs.size());
+  if (prepared.IsOk() && smooth)
+  {
+    prepared = graph.PrepareShortener(this->Mesh);
+  }
+  if (!prepared.IsOk())
   {
     const dgg::Status intact = graph.CheckArrays();
-    return intact.IsOk() ? guided : intact;
+    return intact.IsOk() ? prepared : intact;
   }
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
   const dgg::Status status =
     vtkDGGForBlocks(paths.size(), PathBlock, graph.GetRemainingProgress(), [&](std::size_t i) {
-      return Explain(this->FindOnCloud(graph, this->PointPairs[i], paths[i]),
+      return Explain(this->FindOnCloud(graph, this->PointPairs[i], smooth, paths[i]),
         "pair " + std::to_string(i) + ": ", "");
     });
   const dgg::Status intact = graph.CheckArrays();
@@ -145,13 +194,14 @@ dgg::Status vtkDGGPathSearch::RunOnCloud(vtkDGGGraphProvider& graph, Paths& path
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPathSearch::FindOnCloud(
-  const vtkDGGGraphProvider& graph, const vtkDGGPointPair& pair, dgg::FoundPath& found) const
+dgg::Status vtkDGGPathSearch::FindOnCloud(const vtkDGGGraphProvider& graph,
+  const vtkDGGPointPair& pair, bool smooth, dgg::FoundPath& found) const
 {
   if (dgg::IsSamePoint(pair.From, pair.To))
   {
     found.Path.Points = { pair.From };
     found.GraphLength = 0.0;
+    found.IsStraightened = smooth;
     return dgg::Status::Success();
   }
   std::vector<dgg::GraphLink> from;
@@ -177,22 +227,24 @@ dgg::Status vtkDGGPathSearch::FindOnCloud(
   {
     return status;
   }
-  std::vector<dgg::SurfacePoint>& points = found.Path.Points;
-  if (!dgg::IsVertex(pair.From))
+  if (path.Length > direct[0])
   {
-    points.push_back(pair.From);
+    path.Vertices.clear(); // the straight way
   }
-  if (path.Length <= direct[0])
+  if (smooth && !path.Vertices.empty())
   {
-    for (const dgg::Id vertex : path.Vertices)
-    {
-      points.push_back(dgg::SurfacePoint::AtVertex(vertex));
-    }
+    const dgg::Point3 start = GetPosition(pair.From, this->Mesh);
+    const dgg::Point3 end = GetPosition(pair.To, this->Mesh);
+    dgg::BandPath band;
+    status = graph.GetShortener().Shorten(path.Vertices,
+      dgg::IsVertex(pair.From) ? nullptr : &start, dgg::IsVertex(pair.To) ? nullptr : &end, band);
+    found.Path.Points = MakePlaces(band, pair.From.Vertex, this->Mesh);
   }
-  if (!dgg::IsVertex(pair.To))
+  else
   {
-    points.push_back(pair.To);
+    found.Path.Points = MakePlaces(pair, path.Vertices);
   }
+  found.IsStraightened = smooth;
   found.Path.Length = MeasurePolyline(found.Path, this->Mesh);
   return status;
 }

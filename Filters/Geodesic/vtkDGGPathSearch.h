@@ -36,15 +36,16 @@ public:
   /// In a graph that has been provided for the mesh. `positions` are those of the vertices.
   dgg::Status RunInGraph(vtkDGGGraphProvider& graph, const double* positions,
     dgg::PathOptions options, Paths& paths) const;
-  /// The same in the graph of a cloud: from point to point of the cloud, without faces. The length
-  /// is that of the polyline, which is shorter than that in the graph where the surface is curved.
-  dgg::Status RunOnCloud(vtkDGGGraphProvider& graph, Paths& paths) const;
+  /// The same in the graph of a cloud, without faces: from point to point of the cloud, or with
+  /// `smooth` not. The length is that of the polyline, which is shorter than that in the graph
+  /// where the surface is curved.
+  dgg::Status RunOnCloud(vtkDGGGraphProvider& graph, bool smooth, Paths& paths) const;
   /// Exact ones. Their lengths in the graph are NaN.
   dgg::Status RunExact(const dgg::ProgressCallback& progress, Paths& paths) const;
 
 private:
-  dgg::Status FindOnCloud(
-    const vtkDGGGraphProvider& graph, const vtkDGGPointPair& pair, dgg::FoundPath& found) const;
+  dgg::Status FindOnCloud(const vtkDGGGraphProvider& graph, const vtkDGGPointPair& pair,
+    bool smooth, dgg::FoundPath& found) const;
 
   const vtkDGGMeshAdapter& Mesh;
   const Pairs& PointPairs;

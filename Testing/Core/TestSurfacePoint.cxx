@@ -4,6 +4,7 @@
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 
+#include "dggSurfacePath.h"
 #include "dggSurfacePoint.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace dggtest
 {
@@ -205,6 +207,28 @@ TEST(SurfacePoint, SamePoints)
   EXPECT_FALSE(dgg::IsSamePoint(SurfacePoint::AtVertex(v), onEdge));
   EXPECT_TRUE(dgg::IsVertex(SurfacePoint::OnEdge(mesh, 0, 0.0)));
   EXPECT_FALSE(dgg::IsVertex(onEdge));
+}
+
+TEST(SurfacePoint, PlacesNearPointsOfACloud)
+{
+  const SurfacePoint near = SurfacePoint::NearVertex(2, { { 0.5, 0.0, -1.0 } });
+  EXPECT_EQ(near.On, Support::Near);
+  EXPECT_EQ(near.Vertex, 2);
+  EXPECT_FALSE(dgg::IsVertex(near));
+  EXPECT_TRUE(dgg::IsVertex(SurfacePoint::NearVertex(2, { { 0.0, 0.0, 0.0 } })));
+  EXPECT_TRUE(dgg::IsSamePoint(near, SurfacePoint::NearVertex(2, { { 0.5, 0.0, -1.0 } })));
+  EXPECT_FALSE(dgg::IsSamePoint(near, SurfacePoint::NearVertex(1, { { 0.5, 0.0, -1.0 } })));
+  EXPECT_FALSE(dgg::IsSamePoint(near, SurfacePoint::NearVertex(2, { { 0.5, 0.0, 1.0 } })));
+  EXPECT_FALSE(dgg::IsSamePoint(near, SurfacePoint::AtVertex(2)));
+
+  const std::vector<double> cloud{ 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 3.0, 4.0 };
+  dgg::SurfaceMesh mesh;
+  ASSERT_TRUE(dgg::SurfaceMesh::FromPoints(cloud.data(), 3, nullptr, 0, mesh).IsOk());
+  EXPECT_EQ(mesh.GetNumberOfVertices(), 3);
+  const std::array<double, 3> expected{ { 2.5, 3.0, 3.0 } };
+  EXPECT_EQ(dgg::PositionOf(mesh, near, cloud.data()), expected);
+  EXPECT_EQ(dgg::FindFaceOf(mesh, near), NoId);
+  ExpectBad(near, mesh, "only clouds");
 }
 
 TEST(SurfacePoint, TangentPlanesOfInteriorVerticesAreUnrolled)

@@ -376,6 +376,54 @@ TEST_F(CloudConsumers, PathsBetweenPlacesNearTheCloud)
   EXPECT_EQ(Value(output->GetPointData(), "vtkOriginalPointIds", 0), -1.0);
 }
 
+TEST_F(CloudConsumers, SmoothPaths)
+{
+  this->Use(MakeSpherePoints(3000));
+  vtkNew<vtkDGGPath> path;
+  this->Connect(path);
+  path->AddPair(10, 1700);
+  path->AddPair(2500, 400);
+  double errors[2] = { 0.0, 0.0 };
+  double turns[2] = { 0.0, 0.0 };
+  for (const bool smooth : { false, true })
+  {
+    path->SetStraighten(smooth);
+    ExpectSuccess(path);
+    vtkPolyData* output = path->GetOutput();
+    ASSERT_EQ(output->GetNumberOfLines(), 2);
+    for (vtkIdType i = 0; i < 2; ++i)
+    {
+      const Points line = GetPolyline(output, i);
+      const auto& from = this->Cloud[path->GetPairStart(i)];
+      const auto& to = this->Cloud[path->GetPairEnd(i)];
+      EXPECT_EQ(Distance(line.front(), from), 0.0);
+      EXPECT_EQ(Distance(line.back(), to), 0.0);
+      const double exact = SphereDistance(from, to);
+      errors[smooth] += std::abs(Value(output->GetCellData(), "Length", i) / exact - 1.0);
+      EXPECT_EQ(Value(output->GetCellData(), "Straightened", i), smooth ? 1.0 : 0.0);
+      for (const auto& p : line)
+      {
+        EXPECT_NEAR(Distance(p, { { 0.0, 0.0, 0.0 } }), 1.0, 2e-3);
+      }
+      // How far it goes to and fro beside the great circle.
+      for (std::size_t k = 1; k + 1 < line.size(); ++k)
+      {
+        const double side = from[0] * (to[1] * line[k][2] - to[2] * line[k][1]) +
+          from[1] * (to[2] * line[k][0] - to[0] * line[k][2]) +
+          from[2] * (to[0] * line[k][1] - to[1] * line[k][0]);
+        turns[smooth] = std::max(turns[smooth], std::abs(side));
+      }
+    }
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints() && !smooth; ++i)
+    {
+      EXPECT_GE(Value(output->GetPointData(), "vtkOriginalPointIds", i), 0.0);
+    }
+  }
+  EXPECT_LT(errors[1], 0.5 * errors[0]);
+  EXPECT_LT(errors[1], 2e-3);
+  EXPECT_LT(turns[1], 0.5 * turns[0]);
+}
+
 TEST_F(CloudConsumers, PathsThatDoNotExist)
 {
   const Points part = MakeFlatPoints(12, 0.2);

@@ -82,7 +82,10 @@ TEST_P(ExtraClouds, DistancesAndPaths)
     ASSERT_EQ(std::isfinite(values[i]), this->IsMain[i]) << i;
     if (this->IsMain[i])
     {
-      ASSERT_GE(values[i], EuclideanDistance(this->Cloud, i, this->Start) * (1.0 - 1e-6)) << i;
+      // Noise is taken off lengths, which matters for points close together.
+      const double straight = EuclideanDistance(this->Cloud, i, this->Start);
+      const double slack = 2.0 * (this->Graph->GetSpacing() + this->Graph->GetNoise());
+      ASSERT_GE(values[i], straight * 0.99 - slack) << i;
       farthest = values[i] > values[farthest] ? i : farthest;
     }
   }
@@ -95,7 +98,7 @@ TEST_P(ExtraClouds, DistancesAndPaths)
   EXPECT_NEAR(
     data->GetArray("GraphLength")->GetTuple1(0), values[farthest], 1e-6 * values[farthest]);
   const double length = data->GetArray("Length")->GetTuple1(0);
-  EXPECT_LE(length, values[farthest] * (1.0 + 1e-6));
+  EXPECT_LE(length, values[farthest] * 1.05);
   EXPECT_GE(length, EuclideanDistance(this->Cloud, farthest, this->Start) * (1.0 - 1e-6));
 }
 
@@ -114,7 +117,7 @@ TEST_P(ExtraClouds, SamplesAndCells)
   vtkDataArray* energy = voronoi->GetOutput()->GetFieldData()->GetArray("Energy");
   ASSERT_NE(energy, nullptr);
   EXPECT_GT(energy->GetNumberOfTuples(), 2);
-  EXPECT_LT(energy->GetTuple1(energy->GetNumberOfTuples() - 1), 0.95 * energy->GetTuple1(0));
+  EXPECT_LT(energy->GetTuple1(energy->GetNumberOfTuples() - 1), 0.97 * energy->GetTuple1(0));
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, ExtraClouds, testing::ValuesIn(FindExtraClouds()), NameExtraMesh);

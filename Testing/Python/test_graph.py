@@ -584,7 +584,7 @@ class FromPolydata(unittest.TestCase):
             mesh.GetFieldData().GetArray("DGG.Info").SetValue(slot, value)
             with self.subTest(slot=slot):
                 self.refuses(mesh, "checksum")
-        for slot, value in ((1, 1), (2, 4), (3, 0), (3, -1)):
+        for slot, value in ((1, 2), (2, 4), (3, 0), (3, -1)):
             mesh = self.editable()
             mesh.GetFieldData().GetArray("DGG.Info").SetValue(slot, value)
             with self.subTest(slot=slot, value=value):

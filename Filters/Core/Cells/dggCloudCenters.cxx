@@ -94,6 +94,30 @@ public:
     return to.Sites != from.Sites;
   }
 
+  /// The moves from one state to the next that are good for the cells that the sites had: where the
+  /// points of the cell are closer to the new sites together. Returns whether there are any, but
+  /// not all.
+  bool SelectMoves(const State& from, const State& to, State& selected) const
+  {
+    std::vector<double> gains(from.Sites.size(), 0.0);
+    for (std::size_t v = 0; v < from.Result.Seeds.size(); ++v)
+    {
+      const Id site = from.Result.Seeds[v];
+      if (site != NoId)
+      {
+        const double before = from.Result.Distances[v] / this->Unit;
+        const double after = to.Result.Distances[v] / this->Unit;
+        gains[site] += before * before - after * after;
+      }
+    }
+    selected.Sites = from.Sites;
+    for (std::size_t i = 0; i < gains.size(); ++i)
+    {
+      selected.Sites[i] = gains[i] > 0.0 ? to.Sites[i] : from.Sites[i];
+    }
+    return selected.Sites != from.Sites && selected.Sites != to.Sites;
+  }
+
   double ToCloud(double energy) const { return energy * this->Unit * this->Unit; }
 
 private:
@@ -222,6 +246,13 @@ Status MoveToCloudCenters(const GraphSearch& search, const double* positions,
     if (moves)
     {
       status = centers.Look(next, within(i));
+    }
+    State selected;
+    if (moves && status.IsOk() && !(next.Energy < current.Energy) &&
+      centers.SelectMoves(current, next, selected))
+    {
+      status = centers.Look(selected, within(i));
+      std::swap(next, selected);
     }
     if (moves && status.IsOk() && next.Energy < current.Energy)
     {

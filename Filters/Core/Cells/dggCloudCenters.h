@@ -19,8 +19,9 @@ namespace dgg
 ///
 /// As seen from a site, a point of its cell stands at its distance in the direction of the first
 /// edge of the way to it. The site is to go to the mean of these, and becomes the point of its cell
-/// that is closest to it in space. When the energy does not decrease, all steps are halved; when
-/// that does not help, the iteration ends. Its Tolerance has no use.
+/// that is closest to it in space. When the energy does not decrease, only those sites move that
+/// are closer to the points of their cells then; when that does not help, all steps are halved, and
+/// at last the iteration ends. Its Tolerance has no use.
 ///
 /// `search` is that of the graph of a cloud, `positions` are those of its points, x y z each. Sites
 /// that are near points of the cloud start as these. `energies` receives the energy at the start
