@@ -112,6 +112,13 @@ if (DGG_WITH_PCL)
     "${consumer_dir}/PointCloud" "cloud.pcd")
   dgg_add_consumer_test(PointCloud.CannotWrite 1 "none/cloud.pcd.*cannot be opened"
     "${consumer_dir}/PointCloud" "none/cloud.pcd")
+  dgg_add_consumer_test(CloudPath 0
+    "642 points, [0-9]+ edges, 1 components.*farthest is point [0-9]+: [23][.][0-9]+ away"
+    "${consumer_dir}/CloudPath" "mesh.ply" 0 "path.vtp")
+  dgg_add_consumer_test(CloudPath.WrongSource 1 "source id 642"
+    "${consumer_dir}/CloudPath" "mesh.ply" 642 "wrong.vtp")
+  dgg_add_consumer_test(CloudPath.MissingFile 1 "missing.ply: no distances"
+    "${consumer_dir}/CloudPath" "missing.ply" 0 "wrong.vtp")
 endif ()
 
 if (DGG_WITH_PYTHON)
