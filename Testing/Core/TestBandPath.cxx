@@ -108,7 +108,10 @@ std::vector<double> SpherePoints(int count)
   {
     const Point3 p{ number(generator), number(generator), number(generator) };
     const double scale = 1.0 / dgg::Norm(p);
-    points.insert(points.end(), { scale * p.X, scale * p.Y, scale * p.Z });
+    for (const double x : { scale * p.X, scale * p.Y, scale * p.Z })
+    {
+      points.push_back(x);
+    }
   }
   return points;
 }
@@ -165,7 +168,10 @@ TEST(BandPath, StaysOnItsSideOfAHole)
     const double y = place(generator);
     if (std::hypot(x, y) > 0.5)
     {
-      points.insert(points.end(), { x, y, 0.0 });
+      for (const double x : { x, y, 0.0 })
+      {
+        points.push_back(x);
+      }
     }
   }
   const double s = std::sqrt((4.0 - 0.25 * dgg::Pi) / 3000.0);

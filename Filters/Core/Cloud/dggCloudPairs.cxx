@@ -22,6 +22,9 @@ constexpr double Tolerance = 0.6;
 /// between the points, which is guessed, fewer would miss points.
 constexpr double PiecesPerSpacing = 1.1;
 constexpr int MostPieces = 64;
+/// A way that is longer by that than its chord does not go along it. Over a right angle it is
+/// longer by 1.41.
+constexpr double LongestWay = 1.5;
 /// Cosine between a normal and the direction that heights are measured in, at least.
 constexpr double LeastCosine = 0.35;
 }
@@ -194,6 +197,7 @@ double CloudPairs::FollowPoints(Seen& seen) const
     lastPiece = i;
   }
   const double along = (pieces - lastPiece) * piece;
-  return std::max(seen.Chord, sum + std::sqrt(along * along + last * last));
+  const double length = sum + std::sqrt(along * along + last * last);
+  return length > LongestWay * seen.Chord ? Infinity : std::max(seen.Chord, length);
 }
 }

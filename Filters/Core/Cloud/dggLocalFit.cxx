@@ -15,7 +15,7 @@ namespace
 {
 /// Neighbours that a plane, and a quadratic height field, are fitted to at least.
 constexpr std::size_t LeastForPlane = 3;
-constexpr std::size_t LeastForQuadric = 9;
+constexpr std::size_t LeastForQuadric = 12;
 /// Neighbours that are thinner than that across a line have no plane, relative to their length.
 constexpr double ThinnestPlane = 1e-6;
 /// Where neighbours do not decide on a coefficient (all of them on a conic), it is 0. Relative to

@@ -21,6 +21,10 @@ constexpr std::size_t SpacingNeighbors = 16;
 /// Neighbours that a surface is fitted to; more where points are noisy.
 constexpr std::size_t FitNeighbors = 16;
 constexpr std::size_t WideFitNeighbors = 32;
+/// The plane of fewer neighbours is taken where the surface does not fit, by its residual in
+/// spacings, and the plane does twice as well: at sheets close together and sharp edges.
+constexpr std::size_t NarrowFitNeighbors = 8;
+constexpr double LargestResidual = 0.1;
 constexpr std::size_t MostFitNeighbors = 256;
 /// Points are noisy when they lie off the fitted surface by that much of their spacing, and not by
 /// more when it is fitted to more neighbours: from shapes too fine for it they are off the more the
@@ -31,10 +35,10 @@ constexpr double LargestGrowthOfNoise = 1.2;
 /// Residual, by spacing, of surfaces that are smooth.
 constexpr double SmoothResidual = 0.004;
 /// The spacing of a point is at most that of its neighbours by this: a point on its own, far off
-/// the surface, must not get a ball that reaches it.
-constexpr double LargestSpacingRatio = 2.0;
+/// the surface, must not get a ball that reaches it, nor one at a border a larger one.
+constexpr double LargestSpacingRatio = 1.25;
 
-/// Radius of a ball by spacing: of random points, all but 1 in 1000 of the surface lie in balls.
+/// Radius of a ball by spacing: of random points, all but 1 in 10000 of the surface lie in balls.
 constexpr double BallBySpacing = 1.5;
 /// Scheme A takes its reach from pairs in overlapping balls, so they must be larger.
 constexpr double BallBySpacingOfCurvatureScheme = 4.0;
@@ -190,6 +194,15 @@ private:
         this->Pairs.Spacings[node] = static_cast<float>(SpacingFrom(neighbors));
         const LocalFit fit = FitSurface(point, places.data(), std::min(count + 1, places.size()));
         this->Pairs.Normals[node] = fit.Normal;
+        if (fit.Residual > LargestResidual * this->Pairs.Spacings[node])
+        {
+          const LocalFit narrow =
+            FitSurface(point, places.data(), std::min(NarrowFitNeighbors + 1, places.size()));
+          if (2.0 * narrow.Residual < fit.Residual)
+          {
+            this->Pairs.Normals[node] = narrow.Normal;
+          }
+        }
         this->Curvatures[node] = static_cast<float>(fit.Curvature);
         this->Residuals[node] = static_cast<float>(fit.Residual);
         this->ToSurface[node] = fit.ToSurface;

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Point clouds with known distances, and what tests ask of graphs.
+#ifndef CloudShapes_h
+#define CloudShapes_h
+
+#include "dggCloudGraphBuilder.h"
+#include "dggPoint3.h"
+
+#include <functional>
+#include <vector>
+
+namespace cloudtest
+{
+using dgg::Id;
+using dgg::Point3;
+
+/// Points, x y z each, and the distance between two of them.
+struct Cloud
+{
+  std::vector<double> Points;
+  std::function<double(Id, Id)> Distance;
+
+  Id GetSize() const { return static_cast<Id>(this->Points.size() / 3); }
+  Point3 At(Id i) const
+  {
+    const std::size_t k = 3 * static_cast<std::size_t>(i);
+    return { this->Points[k], this->Points[k + 1], this->Points[k + 2] };
+  }
+  void Add(const Point3& p)
+  {
+    for (const double x : { p.X, p.Y, p.Z })
+    {
+      this->Points.push_back(x);
+    }
+  }
+};
+
+/// Random points of the unit sphere; `noise` moves them along each axis, but not what is known of
+/// their distances.
+Cloud Sphere(int count, unsigned seed, double noise = 0.0);
+/// Random points of a square with sides of length 1. With a `gradient` there are that many times as
+/// many per area on the right as on the left.
+Cloud Square(int count, unsigned seed, double gradient = 1.0);
+/// A regular grid of n x n points of the same.
+Cloud Grid(int n);
+/// Random points of a cylinder of radius 1 and height 3 around the z axis.
+Cloud Cylinder(int count, unsigned seed);
+
+/// Build; what the kernel refuses, and a graph that is not well formed, fails the test.
+dgg::CloudGraph BuildGraph(const Cloud& cloud,
+  const std::function<void(dgg::CloudGraphOptions&)>& change = nullptr,
+  dgg::CloudGraphStatistics* statistics = nullptr);
+
+/// A loop on so many threads.
+dgg::ParallelFor WithThreads(int count);
+
+/// Shortest paths from one vertex, by Dijkstra.
+std::vector<double> DistancesFrom(const dgg::GraphView& graph, Id source);
+
+struct Errors
+{
+  double Mean = 0.0; ///< of the absolute values
+  double Bias = 0.0;
+  double Max = 0.0;
+  int Unreached = 0;
+};
+
+/// Relative errors of distances from some vertices, of those that are farther than `least`.
+Errors MeasureErrors(const Cloud& cloud, const dgg::GraphView& graph, double least = 0.0);
+}
+
+#endif

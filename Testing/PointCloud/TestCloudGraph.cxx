@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CloudShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace
+{
+using namespace cloudtest;
+using dgg::CloudGraph;
+using dgg::CloudGraphBuilder;
+using dgg::CloudGraphEstimate;
+using dgg::CloudGraphOptions;
+using dgg::CloudGraphStatistics;
+using dgg::CloudScheme;
+using dgg::Status;
+
+template <typename T>
+bool AreSame(const dgg::Buffer<T>& a, const dgg::Buffer<T>& b)
+{
+  return a.Size() == b.Size() && std::equal(a.begin(), a.end(), b.begin());
+}
+}
+
+TEST(CloudGraph, SameForAnyThreads)
+{
+  Cloud cloud = Sphere(4000, 1);
+  cloud.Add(cloud.At(17));
+  cloud.Add(cloud.At(17));
+  for (const CloudScheme scheme : { CloudScheme::Curvature, CloudScheme::Spacing })
+  {
+    const auto build = [&](const dgg::ParallelFor& loop) {
+      return BuildGraph(cloud, [&](CloudGraphOptions& options) {
+        options.Scheme = scheme;
+        options.Parallel = loop;
+      });
+    };
+    const CloudGraph one = build({});
+    const CloudGraph many = build(WithThreads(5));
+    EXPECT_TRUE(AreSame(one.Graph.Offsets, many.Graph.Offsets));
+    EXPECT_TRUE(AreSame(one.Graph.Targets, many.Graph.Targets));
+    EXPECT_TRUE(AreSame(one.Graph.Lengths, many.Graph.Lengths));
+    EXPECT_EQ(one.Components, many.Components);
+    EXPECT_EQ(one.Radii, many.Radii);
+  }
+}
+
+TEST(CloudGraph, NumberingDoesNotMatter)
+{
+  const Cloud cloud = Sphere(2000, 2);
+  Cloud reversed;
+  for (Id i = cloud.GetSize(); i-- > 0;)
+  {
+    reversed.Add(cloud.At(i));
+  }
+  const CloudGraph a = BuildGraph(cloud);
+  const CloudGraph b = BuildGraph(reversed);
+  ASSERT_EQ(a.Graph.Targets.Size(), b.Graph.Targets.Size());
+  const std::vector<double> there = DistancesFrom(a.Graph.View(), 0);
+  const std::vector<double> back = DistancesFrom(b.Graph.View(), cloud.GetSize() - 1);
+  for (Id i = 0; i < cloud.GetSize(); ++i)
+  {
+    EXPECT_DOUBLE_EQ(there[i], back[cloud.GetSize() - 1 - i]);
+  }
+}
+
+TEST(CloudGraph, ComponentsAreThoseOfTheGraph)
+{
+  // Two spheres, the second one smaller, and a point far off.
+  Cloud cloud = Sphere(800, 3);
+  const Cloud small = Sphere(1500, 4);
+  for (Id i = 0; i < small.GetSize(); ++i)
+  {
+    cloud.Add(0.5 * small.At(i) + Point3{ 5.0, 0.0, 0.0 });
+  }
+  cloud.Add({ 0.0, 40.0, 0.0 });
+  const CloudGraph graph = BuildGraph(cloud);
+  ASSERT_EQ(graph.ComponentSizes, (std::vector<Id>{ 1500, 800, 1 }));
+  EXPECT_EQ(graph.Components[0], 1);
+  EXPECT_EQ(graph.Components[800], 0);
+  EXPECT_EQ(graph.Components[2300], 2);
+  const std::vector<double> distances = DistancesFrom(graph.Graph.View(), 0);
+  for (Id i = 0; i < cloud.GetSize(); ++i)
+  {
+    EXPECT_EQ(distances[i] < dgg::Infinity, graph.Components[i] == 1) << i;
+  }
+}
+
+TEST(CloudGraph, SaysWhatItIs)
+{
+  const Cloud cloud = Sphere(1000, 5);
+  CloudGraphStatistics statistics;
+  const CloudGraph graph = BuildGraph(
+    cloud,
+    [](CloudGraphOptions& options) {
+      options.Accuracy = 0.01;
+      options.Scheme = CloudScheme::Constant;
+    },
+    &statistics);
+  EXPECT_EQ(graph.Graph.Info.Construction, dgg::GraphConstruction::CloudConstant);
+  EXPECT_EQ(graph.Graph.Info.Accuracy, 0.01);
+  EXPECT_FALSE(graph.Graph.Info.IsGuaranteed());
+  EXPECT_TRUE(graph.Graph.Angles.IsEmpty());
+  const double spacing = std::sqrt(4.0 * dgg::Pi / 1000.0);
+  EXPECT_NEAR(statistics.Spacing, spacing, 0.1 * spacing);
+  EXPECT_GT(statistics.Candidates, statistics.OutEdges);
+  EXPECT_GT(statistics.PeakMemory, graph.Graph.GetMemorySize());
+  EXPECT_EQ(graph.VoxelSize, statistics.VoxelSize);
+  EXPECT_FALSE(graph.Graph.Lengths.IsEmpty());
+  const CloudGraph wide =
+    BuildGraph(cloud, [](CloudGraphOptions& options) { options.Accuracy = 2e-6; });
+  EXPECT_TRUE(wide.Graph.Lengths.IsEmpty());
+  EXPECT_FALSE(wide.Graph.WideLengths.IsEmpty());
+}
+
+TEST(CloudGraph, OptionsAreUsedAsGiven)
+{
+  const Cloud cloud = Sphere(2000, 6);
+  CloudGraphStatistics statistics;
+  const CloudGraph graph = BuildGraph(
+    cloud,
+    [](CloudGraphOptions& options) {
+      options.Scheme = CloudScheme::Constant;
+      options.Resolution = 100;
+      options.OffsetInVoxels = 3.0;
+      options.Alpha = 12.0;
+    },
+    &statistics);
+  // Two units, less the padding of 5 voxels on each side.
+  const double voxel = 2.0 / 90.0;
+  EXPECT_NEAR(statistics.VoxelSize, voxel, 0.01 * voxel);
+  EXPECT_NEAR(statistics.OffsetInVoxels, 3.0, 1e-6);
+  EXPECT_NEAR(statistics.Reach, 15.0 * statistics.VoxelSize, 1e-6);
+  EXPECT_EQ(statistics.Alpha, 12.0);
+  for (const float radius : graph.Radii)
+  {
+    EXPECT_NEAR(radius, 3.0 * statistics.VoxelSize, 1e-6);
+  }
+  const dgg::GraphView view = graph.Graph.View();
+  for (Id v = 0; v < view.NumberOfVertices; ++v)
+  {
+    for (dgg::Offset e = view.Offsets[v]; e < view.Offsets[v + 1]; ++e)
+    {
+      EXPECT_LE(
+        dgg::Norm(cloud.At(v) - cloud.At(view.Targets[e])), statistics.Reach * (1.0 + 1e-5));
+    }
+  }
+}
+
+TEST(CloudGraph, RefusesOptionsOutOfRange)
+{
+  const auto refuses = [](const std::function<void(CloudGraphOptions&)>& change) {
+    CloudGraphOptions options;
+    change(options);
+    const double point[3] = { 0.0, 0.0, 0.0 };
+    CloudGraph graph;
+    const Status status = CloudGraphBuilder(point, 1).Build(options, graph);
+    EXPECT_TRUE(graph.Graph.Offsets.IsEmpty());
+    return !status.IsOk() && !status.GetMessage().empty() &&
+      !CloudGraphBuilder::Check(options).IsOk();
+  };
+  const double nan = std::nan("");
+  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.OffsetInVoxels = -1.0; }));
+  EXPECT_TRUE(refuses([&](CloudGraphOptions& o) { o.OffsetInVoxels = nan; }));
+  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.Resolution = -5; }));
+  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.Resolution = 1 << 25; }));
+  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.Alpha = -1.0; }));
+  EXPECT_TRUE(refuses([&](CloudGraphOptions& o) { o.Alpha = nan; }));
+  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.Accuracy = 0.7; }));
+  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.Accuracy = 1e-9; }));
+  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.HasOrientedNormals = true; }));
+}
+
+TEST(CloudGraph, PredictsWhatItTakes)
+{
+  const Cloud cloud = Sphere(5000, 7);
+  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+  CloudGraphEstimate estimate;
+  ASSERT_TRUE(builder.Estimate(CloudGraphOptions(), estimate).IsOk());
+  const CloudGraph graph = BuildGraph(cloud);
+  const auto edges = static_cast<double>(graph.Graph.Targets.Size());
+  EXPECT_NEAR(estimate.Edges, edges, 0.15 * edges);
+  EXPECT_NEAR(
+    estimate.Memory, static_cast<double>(graph.Graph.GetMemorySize()), 0.15 * estimate.Memory);
+  EXPECT_GT(estimate.Peak, estimate.Memory);
+
+  CloudGraphOptions options;
+  options.MemoryLimit = static_cast<std::size_t>(0.7 * estimate.Peak);
+  CloudGraph refused;
+  Status status = builder.Build(options, refused);
+  EXPECT_FALSE(status.IsOk());
+  EXPECT_NE(status.GetMessage().find("limit"), std::string::npos) << status.GetMessage();
+  EXPECT_TRUE(refused.Graph.Offsets.IsEmpty());
+  options.MemoryLimit = 1000;
+  EXPECT_FALSE(builder.Build(options, refused).IsOk());
+  options.MemoryLimit = static_cast<std::size_t>(1.5 * estimate.Peak);
+  status = builder.Build(options, refused);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+}
+
+TEST(CloudGraph, TellsOfProgressAndStops)
+{
+  const Cloud cloud = Sphere(20000, 8);
+  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+  CloudGraphOptions options;
+  options.Accuracy = 0.1;
+  options.Alpha = 4.0;
+  std::vector<double> told;
+  options.Progress = [&](double done) {
+    told.push_back(done);
+    return true;
+  };
+  CloudGraph graph;
+  ASSERT_TRUE(builder.Build(options, graph).IsOk());
+  EXPECT_GT(told.size(), 6U);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GE(told.front(), 0.0);
+  EXPECT_EQ(told.back(), 1.0);
+  for (const std::size_t calls : { 1, 3, 6 })
+  {
+    std::size_t called = 0;
+    options.Progress = [&](double) { return ++called < calls; };
+    EXPECT_TRUE(builder.Build(options, graph).IsAborted());
+    EXPECT_EQ(called, calls);
+    EXPECT_TRUE(graph.Graph.Offsets.IsEmpty());
+  }
+}

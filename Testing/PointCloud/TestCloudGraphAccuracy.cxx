@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CloudShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+using namespace cloudtest;
+using dgg::CloudGraph;
+using dgg::CloudGraphOptions;
+using dgg::CloudScheme;
+
+Errors ErrorsOf(const Cloud& cloud, const std::function<void(CloudGraphOptions&)>& change = nullptr,
+  double least = 0.0)
+{
+  const CloudGraph graph = BuildGraph(cloud, change);
+  EXPECT_EQ(graph.ComponentSizes.size(), 1U);
+  return MeasureErrors(cloud, graph.Graph.View(), least);
+}
+}
+
+TEST(CloudGraphAccuracy, ClosedForms)
+{
+  const Errors sphere = ErrorsOf(Sphere(6000, 1), nullptr, 0.3);
+  EXPECT_LT(sphere.Mean, 4e-4);
+  EXPECT_LT(sphere.Max, 8e-3);
+  EXPECT_EQ(sphere.Unreached, 0);
+  const Errors square = ErrorsOf(Square(6000, 2), nullptr, 0.15);
+  EXPECT_LT(square.Mean, 4e-4);
+  EXPECT_LT(square.Max, 5e-3);
+  const Errors cylinder = ErrorsOf(Cylinder(8000, 3), nullptr, 0.3);
+  EXPECT_LT(cylinder.Mean, 5e-4);
+  // Random points leave holes that paths go around.
+  EXPECT_LT(cylinder.Max, 0.1);
+  const Errors grid = ErrorsOf(Grid(70), nullptr, 0.15);
+  EXPECT_LT(grid.Mean, 1e-3);
+}
+
+TEST(CloudGraphAccuracy, ArcsAreBetterThanChords)
+{
+  const Cloud cloud = Sphere(6000, 4);
+  const auto reach = [](CloudGraphOptions& options) { options.Alpha = 9.0; };
+  const Errors arcs = ErrorsOf(cloud, reach, 0.3);
+  const Errors chords = ErrorsOf(
+    cloud,
+    [&](CloudGraphOptions& options) {
+      reach(options);
+      options.ArcLengthWeights = false;
+    },
+    0.3);
+  EXPECT_LT(10.0 * arcs.Mean, chords.Mean);
+  EXPECT_LT(chords.Bias, 0.0);
+  // Zigzag only ever makes paths longer.
+  EXPECT_GT(arcs.Bias, 0.9 * arcs.Mean);
+}
+
+TEST(CloudGraphAccuracy, AllSchemes)
+{
+  const Cloud cloud = Sphere(6000, 5);
+  for (const CloudScheme scheme :
+    { CloudScheme::Curvature, CloudScheme::Constant, CloudScheme::Spacing })
+  {
+    for (const bool arcs : { false, true })
+    {
+      const Errors errors = ErrorsOf(
+        cloud,
+        [&](CloudGraphOptions& options) {
+          options.Scheme = scheme;
+          options.ArcLengthWeights = arcs;
+        },
+        0.3);
+      EXPECT_LT(errors.Mean, 5e-3) << static_cast<int>(scheme) << arcs;
+      EXPECT_EQ(errors.Unreached, 0);
+    }
+  }
+}
+
+TEST(CloudGraphAccuracy, ConvergesAsPointsGetDenser)
+{
+  // With chords the reach is where zigzag and shortcuts balance: n^(-1/3).
+  const auto chords = [](CloudGraphOptions& options) { options.ArcLengthWeights = false; };
+  const double coarse = ErrorsOf(Sphere(1500, 6), chords, 0.5).Mean;
+  const double fine = ErrorsOf(Sphere(12000, 7), chords, 0.5).Mean;
+  EXPECT_LT(fine, 0.6 * coarse);
+  EXPECT_LT(fine, 2e-3);
+}
+
+TEST(CloudGraphAccuracy, SparsificationStaysWithinItsBound)
+{
+  for (const Cloud& cloud : { Sphere(1500, 8), Square(1500, 9) })
+  {
+    const CloudGraph full =
+      BuildGraph(cloud, [](CloudGraphOptions& options) { options.Accuracy = 0.0; });
+    for (const double accuracy : { 0.1, 0.01, 0.001 })
+    {
+      const CloudGraph sparse =
+        BuildGraph(cloud, [&](CloudGraphOptions& options) { options.Accuracy = accuracy; });
+      EXPECT_LT(sparse.Graph.Targets.Size(), full.Graph.Targets.Size());
+      for (const Id source : { 0, 700 })
+      {
+        const std::vector<double> truth = DistancesFrom(full.Graph.View(), source);
+        const std::vector<double> found = DistancesFrom(sparse.Graph.View(), source);
+        double largest = 0.0;
+        for (std::size_t v = 0; v < truth.size(); ++v)
+        {
+          EXPECT_GE(found[v], truth[v] * (1.0 - 1e-12));
+          EXPECT_LE(found[v], truth[v] * (1.0 + accuracy) * (1.0 + 1e-6)) << accuracy;
+          largest = std::max(largest, truth[v] > 0.0 ? found[v] / truth[v] - 1.0 : 0.0);
+        }
+        EXPECT_GT(largest, 0.01 * accuracy); // something was left out
+      }
+    }
+  }
+}
+
+TEST(CloudGraphAccuracy, HoldsUnderRotation)
+{
+  const Cloud cloud = Sphere(3000, 10);
+  Cloud turned = cloud;
+  const double c = std::cos(0.7);
+  const double s = std::sin(0.7);
+  for (Id i = 0; i < cloud.GetSize(); ++i)
+  {
+    const Point3 p = cloud.At(i);
+    const Point3 q{ c * p.X - s * p.Y, s * p.X + c * p.Y, p.Z };
+    turned.Points[3 * i] = q.X;
+    turned.Points[3 * i + 1] = c * q.Y - s * q.Z;
+    turned.Points[3 * i + 2] = s * q.Y + c * q.Z;
+  }
+  const std::vector<double> a = DistancesFrom(BuildGraph(cloud).Graph.View(), 0);
+  const std::vector<double> b = DistancesFrom(BuildGraph(turned).Graph.View(), 0);
+  for (std::size_t v = 0; v < a.size(); ++v)
+  {
+    EXPECT_NEAR(a[v], b[v], 3e-3 * a[v]) << v;
+  }
+}
+
+TEST(CloudGraphAccuracy, GivenNormals)
+{
+  const Cloud cloud = Sphere(3000, 11);
+  // Those of a sphere around the origin are the points; some are missing.
+  std::vector<double> normals;
+  for (Id i = 0; i < cloud.GetSize(); ++i)
+  {
+    const double length = i % 2 == 0 ? 3.0 : -0.2;
+    const Point3 n = length * cloud.At(i);
+    for (const double x : { n.X, n.Y, n.Z })
+    {
+      normals.push_back(x);
+    }
+  }
+  normals[3 * 10] = std::nan("");
+  normals[3 * 11] = normals[3 * 11 + 1] = normals[3 * 11 + 2] = 0.0;
+  const Errors errors = ErrorsOf(
+    cloud, [&](CloudGraphOptions& options) { options.Normals = normals.data(); }, 0.3);
+  EXPECT_LT(errors.Mean, 7e-4);
+  EXPECT_LT(errors.Max, 6e-3);
+  // Wrong ones do harm: they are used.
+  for (double& x : normals)
+  {
+    x = 1.0;
+  }
+  const CloudGraph wrong =
+    BuildGraph(cloud, [&](CloudGraphOptions& options) { options.Normals = normals.data(); });
+  EXPECT_GT(MeasureErrors(cloud, wrong.Graph.View(), 0.3).Mean, 1e-3);
+}
+
+TEST(CloudGraphAccuracy, NoisyPointsAreMovedToTheSurface)
+{
+  for (const double noise : { 0.01, 0.02 }) // 0.5 % and 1 % of the box
+  {
+    const Cloud cloud = Sphere(8000, 12, noise);
+    dgg::CloudGraphStatistics statistics;
+    const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
+    EXPECT_NEAR(statistics.Noise, noise, 0.4 * noise);
+    const Errors errors = MeasureErrors(cloud, graph.Graph.View(), 0.5);
+    EXPECT_LT(errors.Mean, noise) << noise;
+    EXPECT_EQ(errors.Unreached, 0);
+  }
+  dgg::CloudGraphStatistics statistics;
+  BuildGraph(Sphere(3000, 13), nullptr, &statistics);
+  EXPECT_EQ(statistics.Noise, 0.0);
+}
+
+TEST(CloudGraphAccuracy, DensityThatVaries)
+{
+  const Cloud cloud = Square(8000, 14, 10.0);
+  const Errors errors = ErrorsOf(cloud, nullptr, 0.15);
+  EXPECT_LT(errors.Mean, 6e-4);
+  EXPECT_EQ(errors.Unreached, 0);
+}

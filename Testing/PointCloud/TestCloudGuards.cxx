@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CloudShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using namespace cloudtest;
+using dgg::CloudGraph;
+using dgg::CloudGraphOptions;
+using dgg::CloudGraphStatistics;
+using dgg::CloudScheme;
+
+/// Edges of the graph between points of which `first` is true for one only.
+template <typename Test>
+int EdgesBetween(const CloudGraph& graph, Test&& first)
+{
+  int count = 0;
+  const dgg::GraphView view = graph.Graph.View();
+  for (Id v = 0; v < view.NumberOfVertices; ++v)
+  {
+    for (dgg::Offset e = view.Offsets[v]; e < view.Offsets[v + 1]; ++e)
+    {
+      count += first(v) != first(view.Targets[e]) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+Cloud TwoSheets(int count, double gap, unsigned seed)
+{
+  Cloud cloud = Square(count, seed);
+  const Cloud other = Square(count, seed + 1);
+  for (Id i = 0; i < count; ++i)
+  {
+    cloud.Add(other.At(i) + Point3{ 0.0, 0.0, gap });
+  }
+  return cloud;
+}
+}
+
+TEST(CloudGuards, SheetsThreeOffsetsApart)
+{
+  // h given: two planes at a distance of 3 h voxels, in each scheme.
+  for (const CloudScheme scheme :
+    { CloudScheme::Curvature, CloudScheme::Constant, CloudScheme::Spacing })
+  {
+    const double h = 3.0;
+    const double voxel = 1.0 / 90.0;
+    const Cloud cloud = TwoSheets(4000, 3.0 * h * voxel, 1);
+    CloudGraphStatistics statistics;
+    const CloudGraph graph = BuildGraph(
+      cloud,
+      [&](CloudGraphOptions& options) {
+        options.Scheme = scheme;
+        options.OffsetInVoxels = h;
+        options.Resolution = 100;
+      },
+      &statistics);
+    EXPECT_NEAR(statistics.VoxelSize, voxel, 0.01 * voxel);
+    EXPECT_EQ(EdgesBetween(graph, [](Id v) { return v < 4000; }), 0);
+    ASSERT_GE(graph.ComponentSizes.size(), 2U);
+    EXPECT_GT(graph.ComponentSizes[1], 3900);
+  }
+}
+
+TEST(CloudGuards, SheetsCloserThanTwoBalls)
+{
+  // The balls overlap, but the points that segments pass are not where they should be.
+  const double spacing = 1.0 / std::sqrt(4000.0);
+  for (const double gap : { 3.5, 4.5 })
+  {
+    CloudGraphStatistics statistics;
+    const CloudGraph graph = BuildGraph(TwoSheets(4000, gap * spacing, 3), nullptr, &statistics);
+    EXPECT_EQ(EdgesBetween(graph, [](Id v) { return v < 4000; }), 0) << gap;
+    EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 4000, 4000 })) << gap;
+  }
+}
+
+TEST(CloudGuards, OrientedNormalsTellSheetsApart)
+{
+  const double spacing = 1.0 / std::sqrt(3000.0);
+  const Cloud cloud = TwoSheets(3000, 0.8 * spacing, 5);
+  std::vector<double> normals;
+  for (Id i = 0; i < cloud.GetSize(); ++i)
+  {
+    for (const double x : { 0.0, 0.0, i < 3000 ? -1.0 : 1.0 })
+    {
+      normals.push_back(x);
+    }
+  }
+  const auto edges = [&](bool oriented) {
+    return EdgesBetween(BuildGraph(cloud,
+                          [&](CloudGraphOptions& options) {
+                            options.Normals = normals.data();
+                            options.HasOrientedNormals = oriented;
+                            options.Alpha = 4.0;
+                          }),
+      [](Id v) { return v < 3000; });
+  };
+  EXPECT_GT(edges(false), 0);
+  EXPECT_EQ(edges(true), 0);
+}
+
+TEST(CloudGuards, PathsGoAroundHoles)
+{
+  // A square without a disc: distances around it are those of tangents and arcs.
+  const Cloud whole = Square(9000, 6);
+  Cloud cloud;
+  cloud.Add({ 0.15, 0.5, 0.0 });
+  cloud.Add({ 0.85, 0.5, 0.0 });
+  const double radius = 0.2;
+  for (Id i = 0; i < whole.GetSize(); ++i)
+  {
+    const Point3 p = whole.At(i);
+    if (std::hypot(p.X - 0.5, p.Y - 0.5) > radius)
+    {
+      cloud.Add(p);
+    }
+  }
+  const CloudGraph graph = BuildGraph(cloud);
+  EXPECT_EQ(graph.ComponentSizes.size(), 1U);
+  const double tangent = std::sqrt(0.35 * 0.35 - radius * radius);
+  const double truth = 2.0 * tangent + radius * (dgg::Pi - 2.0 * std::acos(radius / 0.35));
+  const double found = DistancesFrom(graph.Graph.View(), 0)[1];
+  EXPECT_GT(found, 0.75); // not straight through
+  EXPECT_NEAR(found, truth, 0.015 * truth);
+}
+
+TEST(CloudGuards, GapsAreNotCrossed)
+{
+  const Cloud whole = Square(5000, 7);
+  const double spacing = 1.0 / std::sqrt(5000.0);
+  Cloud cloud;
+  for (Id i = 0; i < whole.GetSize(); ++i)
+  {
+    if (std::abs(whole.At(i).X - 0.5) > 3.0 * spacing)
+    {
+      cloud.Add(whole.At(i));
+    }
+  }
+  const CloudGraph graph = BuildGraph(cloud);
+  EXPECT_EQ(EdgesBetween(graph, [&](Id v) { return cloud.At(v).X < 0.5; }), 0);
+  EXPECT_EQ(graph.ComponentSizes.size(), 2U);
+}
+
+TEST(CloudGuards, PointsFarOffStayAlone)
+{
+  // Birds over a square must not make bridges.
+  Cloud cloud = Square(3000, 8);
+  const double spacing = 1.0 / std::sqrt(3000.0);
+  cloud.Add({ 0.5, 0.5, 8.0 * spacing });
+  cloud.Add({ 0.52, 0.5, 9.0 * spacing });
+  cloud.Add({ 0.2, 0.3, 20.0 * spacing });
+  const CloudGraph graph = BuildGraph(cloud);
+  EXPECT_EQ(graph.ComponentSizes[0], 3000);
+  EXPECT_EQ(EdgesBetween(graph, [](Id v) { return v < 3000; }), 0);
+}
