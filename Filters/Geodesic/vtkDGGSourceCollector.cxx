@@ -261,15 +261,20 @@ bool vtkDGGSourceCollector::IsAmongPoints(const Place& place, double distance)
 std::string vtkDGGSourceCollector::DescribeIsolatedIds(
   const vtkDGGSourceSet& set, const vtkDGGMeshAdapter& adapter)
 {
-  if (adapter.IsCloud())
-  {
-    return "";
-  }
+  const double* positions = adapter.GetPositions(); // of a cloud
+  const auto isIsolated = [&](vtkIdType id) {
+    if (!positions)
+    {
+      return adapter.GetMesh().Kind(adapter.GetVertex(id)) == dgg::VertexKind::Isolated;
+    }
+    const double* p = positions + 3 * id;
+    return !std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]);
+  };
   vtkIdType count = 0;
   vtkIdType example = 0;
   for (const vtkIdType id : set.Ids)
   {
-    if (adapter.GetMesh().Kind(adapter.GetVertex(id)) == dgg::VertexKind::Isolated)
+    if (isIsolated(id))
     {
       example = count == 0 ? id : example;
       ++count;
@@ -281,6 +286,7 @@ std::string vtkDGGSourceCollector::DescribeIsolatedIds(
   }
   std::ostringstream text;
   text << count << " of the " << set.Role << " ids, the first of them " << example
-       << ", are points that no polygon uses. They reach no other point";
+       << (positions ? ", are points that are not finite" : ", are points that no polygon uses")
+       << ". They reach no other point";
   return text.str();
 }

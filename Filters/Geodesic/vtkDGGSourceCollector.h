@@ -63,7 +63,7 @@ public:
     std::vector<dgg::GeodesicSource>& sources);
 
   /// What to warn of: ids of points that no polygon uses. Empty when there are none. The set must
-  /// have been checked. Nothing is said of clouds, of which polygons connect no points.
+  /// have been checked. In clouds, ids of points that are not finite.
   static std::string DescribeIsolatedIds(
     const vtkDGGSourceSet& set, const vtkDGGMeshAdapter& adapter);
 

@@ -27,6 +27,7 @@
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
+#include <memory>
 #include <sstream>
 #include <vector>
 
@@ -72,26 +73,25 @@ dgg::Status CheckNumber(const char* name, double value)
 //------------------------------------------------------------------------------
 struct vtkPointCloudDGG::vtkInternals
 {
+  /// What there is to tell of a graph.
+  struct Findings
+  {
+    vtkDGGGraphSummary Graph;
+    std::vector<dgg::Id> ComponentSizes;
+    dgg::CloudGraphStatistics Statistics;
+  };
   vtkDGGGraphArrays Built;
   Key BuiltBy{};
-  std::vector<dgg::Id> Components;
-  std::vector<dgg::Id> ComponentSizes;
-  dgg::CloudGraphStatistics Statistics;
-  vtkDGGGraphSummary Current; // of the graph of the last update
+  std::vector<dgg::Id> Components; // of what was built
+  Findings BuiltFindings;
+  Findings Current; // of the last update
   dgg::CloudGraphEstimate Estimate;
   vtkTimeStamp BuildTime;
 
-  // Normals that the next graph is built with. Those by planes are kept while points are the same.
-  std::vector<double> Normals;
+  // By planes, kept while points are the same. Shared: an observer may have the filter forget them.
+  Normals PlaneNormals;
   vtkMTimeType NormalsMesh = 0;
-  int NormalsNeighbors = 0; // 0 when they are those of the input
-
-  void ForgetUpdate()
-  {
-    this->Current = vtkDGGGraphSummary();
-    this->ComponentSizes.clear();
-    this->Statistics = dgg::CloudGraphStatistics();
-  }
+  int NormalsNeighbors = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -216,14 +216,16 @@ dgg::Status vtkPointCloudDGG::Estimate()
     status = this->PrepareMesh(cloud);
   }
   dgg::CloudGraphOptions options;
+  Normals normals;
   double done = 0.0;
   if (status.IsOk())
   {
-    status = this->Advance(0.0) ? this->Prepare(cloud, options, done) : dgg::Status::Abort();
+    status = this->Advance(0.0) ? this->FindNormals(cloud, normals, done) : dgg::Status::Abort();
   }
   if (status.IsOk())
   {
     const vtkDGGMeshAdapter& mesh = this->GetMesh();
+    options = this->MakeOptions(cloud, normals);
     status = dgg::CloudGraphBuilder(mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices())
                .Estimate(options, this->Internals->Estimate);
   }
@@ -247,20 +249,19 @@ void vtkPointCloudDGG::ReleaseGraph()
 {
   this->Internals->Built.Clear();
   this->Internals->Components = {};
-  this->Internals->Normals = {};
-  this->Internals->NormalsMesh = 0;
+  this->Internals->PlaneNormals.reset();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointCloudDGG::GetNumberOfGraphEdges() const
 {
-  return this->Internals->Current.NumberOfEdges;
+  return this->Internals->Current.Graph.NumberOfEdges;
 }
 
 //------------------------------------------------------------------------------
 double vtkPointCloudDGG::GetMeanDegree() const
 {
-  const vtkDGGGraphSummary& graph = this->Internals->Current;
+  const vtkDGGGraphSummary& graph = this->Internals->Current.Graph;
   return graph.NumberOfVertices > 0
     ? static_cast<double>(graph.NumberOfEdges) / graph.NumberOfVertices
     : 0.0;
@@ -269,37 +270,38 @@ double vtkPointCloudDGG::GetMeanDegree() const
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkPointCloudDGG::GetMemorySize() const
 {
-  return this->Internals->Current.MemorySize;
+  return this->Internals->Current.Graph.MemorySize;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointCloudDGG::GetNumberOfComponents() const
 {
-  return static_cast<vtkIdType>(this->Internals->ComponentSizes.size());
+  return static_cast<vtkIdType>(this->Internals->Current.ComponentSizes.size());
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointCloudDGG::GetComponentSize(vtkIdType i) const
 {
-  return i >= 0 && i < this->GetNumberOfComponents() ? this->Internals->ComponentSizes[i] : 0;
+  return i >= 0 && i < this->GetNumberOfComponents() ? this->Internals->Current.ComponentSizes[i]
+                                                     : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointCloudDGG::GetNumberOfUnusedPoints() const
 {
-  return this->Internals->Statistics.UnusedPoints;
+  return this->Internals->Current.Statistics.UnusedPoints;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointCloudDGG::GetNumberOfCoincidentPoints() const
 {
-  return this->Internals->Statistics.CoincidentPoints;
+  return this->Internals->Current.Statistics.CoincidentPoints;
 }
 
 //------------------------------------------------------------------------------
 double vtkPointCloudDGG::GetUsedOffsetInVoxels() const
 {
-  return this->Internals->Statistics.OffsetInVoxels;
+  return this->Internals->Current.Statistics.OffsetInVoxels;
 }
 
 //------------------------------------------------------------------------------
@@ -311,37 +313,37 @@ double vtkPointCloudDGG::GetUsedOffset() const
 //------------------------------------------------------------------------------
 int vtkPointCloudDGG::GetUsedResolution() const
 {
-  return this->Internals->Statistics.Resolution;
+  return this->Internals->Current.Statistics.Resolution;
 }
 
 //------------------------------------------------------------------------------
 double vtkPointCloudDGG::GetUsedAlpha() const
 {
-  return this->Internals->Statistics.Alpha;
+  return this->Internals->Current.Statistics.Alpha;
 }
 
 //------------------------------------------------------------------------------
 double vtkPointCloudDGG::GetVoxelSize() const
 {
-  return this->Internals->Statistics.VoxelSize;
+  return this->Internals->Current.Statistics.VoxelSize;
 }
 
 //------------------------------------------------------------------------------
 double vtkPointCloudDGG::GetSpacing() const
 {
-  return this->Internals->Statistics.Spacing;
+  return this->Internals->Current.Statistics.Spacing;
 }
 
 //------------------------------------------------------------------------------
 double vtkPointCloudDGG::GetNoise() const
 {
-  return this->Internals->Statistics.Noise;
+  return this->Internals->Current.Statistics.Noise;
 }
 
 //------------------------------------------------------------------------------
 double vtkPointCloudDGG::GetReach() const
 {
-  return this->Internals->Statistics.Reach;
+  return this->Internals->Current.Statistics.Reach;
 }
 
 //------------------------------------------------------------------------------
@@ -351,7 +353,8 @@ vtkMTimeType vtkPointCloudDGG::GetGraphBuildTime() const
 }
 
 //------------------------------------------------------------------------------
-dgg::CloudGraphOptions vtkPointCloudDGG::MakeOptions() const
+dgg::CloudGraphOptions vtkPointCloudDGG::MakeOptions(
+  vtkPolyData* cloud, const Normals& normals) const
 {
   dgg::CloudGraphOptions options;
   options.Scheme = static_cast<dgg::CloudScheme>(this->Scheme);
@@ -360,6 +363,8 @@ dgg::CloudGraphOptions vtkPointCloudDGG::MakeOptions() const
   options.Alpha = this->Alpha;
   options.Accuracy = this->Accuracy;
   options.ArcLengthWeights = this->ArcLengthWeights;
+  options.HasOrientedNormals = this->OrientedNormals && cloud && this->GetInputNormals(cloud);
+  options.Normals = normals ? normals->data() : nullptr;
   options.MemoryLimit = vtkDGGGetMemoryLimit(this->MemoryLimit);
   options.Parallel = vtkDGGMakeParallelFor();
   return options;
@@ -369,13 +374,8 @@ dgg::CloudGraphOptions vtkPointCloudDGG::MakeOptions() const
 int vtkPointCloudDGG::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Internals->Current = vtkDGGGraphSummary();
-  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
-  if (this->Internals->Current.NumberOfVertices == 0)
-  {
-    this->Internals->ForgetUpdate();
-  }
-  return result;
+  this->Internals->Current = vtkInternals::Findings();
+  return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -401,7 +401,8 @@ dgg::Status vtkPointCloudDGG::CheckProperties() const
     status =
       dgg::Status::Invalid("ComponentArrayName is empty: call SetComponentArrayName() with a name");
   }
-  return status.IsOk() ? dgg::CloudGraphBuilder::Check(this->MakeOptions()) : status;
+  return status.IsOk() ? dgg::CloudGraphBuilder::Check(this->MakeOptions(nullptr, nullptr))
+                       : status;
 }
 
 //------------------------------------------------------------------------------
@@ -444,97 +445,85 @@ std::string vtkPointCloudDGG::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-/// The options, with normals. `done` is the share of the progress that these took.
-dgg::Status vtkPointCloudDGG::Prepare(
-  vtkPolyData* cloud, dgg::CloudGraphOptions& options, double& done)
+/// The normals to build with, null when the builder is to find them. `done` is the share of the
+/// progress that it took.
+dgg::Status vtkPointCloudDGG::FindNormals(vtkPolyData* cloud, Normals& normals, double& done)
 {
   vtkInternals& internals = *this->Internals;
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
-  options = this->MakeOptions();
+  normals.reset();
   done = 0.0;
-  vtkDataArray* given = this->GetInputNormals(cloud);
-  if (given)
+  if (vtkDataArray* given = this->GetInputNormals(cloud))
   {
     const vtkIdType n = given->GetNumberOfTuples();
-    internals.NormalsNeighbors = 0;
-    internals.Normals.resize(3 * static_cast<std::size_t>(n));
+    auto copy = std::make_shared<std::vector<double>>(3 * static_cast<std::size_t>(n));
     for (vtkIdType i = 0; i < n; ++i)
     {
-      given->GetTuple(i, &internals.Normals[3 * static_cast<std::size_t>(i)]);
+      given->GetTuple(i, copy->data() + 3 * i);
     }
-    options.HasOrientedNormals = this->OrientedNormals;
+    normals = copy;
+    return dgg::Status::Success();
   }
-  else if (this->EstimateNormals)
+  if (!this->EstimateNormals)
   {
-    const bool isKept = internals.NormalsNeighbors == this->NumberOfNeighbors &&
-      internals.NormalsMesh == mesh.GetBuildTime();
-    if (!isKept)
+    return dgg::Status::Success();
+  }
+  const bool isKept = internals.PlaneNormals &&
+    internals.NormalsNeighbors == this->NumberOfNeighbors &&
+    internals.NormalsMesh == mesh.GetBuildTime();
+  if (!isKept)
+  {
+    const int count = this->NumberOfNeighbors; // observers may change it
+    auto found = std::make_shared<std::vector<double>>();
+    const dgg::Status status = vtkDGGEstimateNormals(
+      mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices(), count,
+      [this](double fraction) { return this->Advance(NormalsShare * fraction); }, *found);
+    if (!status.IsOk())
     {
-      const int count = this->NumberOfNeighbors; // observers may change it
-      internals.NormalsNeighbors = 0;
-      const dgg::Status status = vtkDGGEstimateNormals(
-        mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices(), count,
-        [this](double fraction) { return this->Advance(NormalsShare * fraction); },
-        internals.Normals);
-      if (!status.IsOk())
-      {
-        return status;
-      }
-      internals.NormalsNeighbors = count;
-      internals.NormalsMesh = mesh.GetBuildTime();
-      done = NormalsShare;
+      return status;
     }
+    internals.PlaneNormals = found;
+    internals.NormalsNeighbors = count;
+    internals.NormalsMesh = mesh.GetBuildTime();
+    done = NormalsShare;
   }
-  else
-  {
-    internals.NormalsNeighbors = 0;
-    internals.Normals = {};
-  }
-  options.Normals = internals.Normals.empty() ? nullptr : internals.Normals.data();
+  normals = internals.PlaneNormals;
   return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPointCloudDGG::Build(vtkPolyData* cloud)
+/// Build a graph with these options, unless it is the one that is kept.
+dgg::Status vtkPointCloudDGG::Build(dgg::CloudGraphOptions options, double done)
 {
   vtkInternals& internals = *this->Internals;
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
   const dgg::Id n = mesh.GetMesh().GetNumberOfVertices();
-  dgg::CloudGraphOptions options;
-  double done = 0.0;
-  dgg::Status status = this->Prepare(cloud, options, done);
-  if (!status.IsOk())
-  {
-    return status;
-  }
   const Key key = MakeKey(options, n);
   const bool isKept = internals.Built.IsValid() && internals.BuiltBy == key &&
     internals.Built.GetSummary().Info.Surface == mesh.GetSignature();
   if (isKept)
   {
-    return status;
+    return dgg::Status::Success();
   }
   internals.Built.Clear();
-  internals.ForgetUpdate();
   options.Progress = [this, done](
                        double fraction) { return this->Advance(done + (1.0 - done) * fraction); };
   dgg::CloudGraph result;
-  status =
-    dgg::CloudGraphBuilder(mesh.GetPositions(), n).Build(options, result, &internals.Statistics);
-  if (status.IsOk())
+  vtkInternals::Findings findings;
+  const dgg::Status status =
+    dgg::CloudGraphBuilder(mesh.GetPositions(), n).Build(options, result, &findings.Statistics);
+  if (!status.IsOk())
   {
-    result.Graph.Info.Surface = mesh.GetSignature();
-    internals.Built.Adopt(result.Graph, result.Radii, result.VoxelSize, mesh);
-    internals.BuiltBy = key;
-    internals.Components = std::move(result.Components);
-    internals.ComponentSizes = std::move(result.ComponentSizes);
-    internals.BuildTime.Modified();
-    if (internals.Statistics.UnusedPoints > 0)
-    {
-      vtkWarningMacro(<< "the cloud has " << internals.Statistics.UnusedPoints
-                      << " points that are not finite. They are kept, and connected to nothing.");
-    }
+    return status;
   }
+  result.Graph.Info.Surface = mesh.GetSignature();
+  internals.Built.Adopt(result.Graph, result.Radii, result.VoxelSize, mesh);
+  internals.BuiltBy = key;
+  internals.Components = std::move(result.Components);
+  findings.ComponentSizes = std::move(result.ComponentSizes);
+  findings.Graph = internals.Built.GetSummary();
+  internals.BuiltFindings = findings;
+  internals.BuildTime.Modified();
   return status;
 }
 
@@ -548,7 +537,17 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
   copy->ShallowCopy(cloud);
   const bool addsNormals = this->EstimateNormals && !this->GetInputNormals(copy);
   const std::string name = this->ComponentArrayName;
-  dgg::Status status = this->Advance(0.0) ? this->Build(copy) : dgg::Status::Abort();
+  const vtkMTimeType built = this->GetGraphBuildTime();
+  dgg::CloudGraphOptions options = this->MakeOptions(copy, nullptr);
+  Normals normals;
+  double done = 0.0;
+  dgg::Status status =
+    this->Advance(0.0) ? this->FindNormals(copy, normals, done) : dgg::Status::Abort();
+  if (status.IsOk())
+  {
+    options.Normals = normals ? normals->data() : nullptr;
+    status = this->Build(options, done);
+  }
   if (status.IsOk())
   {
     status = this->GetMesh().CheckPoints(copy);
@@ -560,15 +559,21 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(copy);
   internals.Built.AddTo(output->GetFieldData());
-  internals.Current = internals.Built.GetSummary();
+  internals.Current = internals.BuiltFindings;
   const auto n = static_cast<std::size_t>(output->GetNumberOfPoints());
   const auto components = vtkDGGAddArray<vtkIntArray>(output->GetPointData(), name, n);
   std::copy(internals.Components.begin(), internals.Components.end(), components->GetPointer(0));
-  if (addsNormals)
+  if (addsNormals && normals)
   {
-    const auto normals = vtkDGGMakeArray<vtkDoubleArray>("Normals", n, 3);
-    std::copy(internals.Normals.begin(), internals.Normals.end(), normals->GetPointer(0));
-    output->GetPointData()->SetNormals(normals);
+    const auto array = vtkDGGMakeArray<vtkDoubleArray>("Normals", n, 3);
+    std::copy(normals->begin(), normals->end(), array->GetPointer(0));
+    output->GetPointData()->SetNormals(array);
+  }
+  const dgg::Id unused = internals.Current.Statistics.UnusedPoints;
+  if (unused > 0 && built != this->GetGraphBuildTime())
+  {
+    vtkWarningMacro(<< "the cloud has " << unused << " points that are not finite. They are kept, "
+                    << "and connected to nothing.");
   }
   return status;
 }

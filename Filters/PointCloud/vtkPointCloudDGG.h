@@ -44,7 +44,7 @@
  * |-------|--------------|---------|
  * | `DGG.Offsets` | int64, n + 1 | edges that leave point i: [Offsets[i], Offsets[i + 1]) |
  * | `DGG.Targets` | int32, m | point at the end of each edge, sorted within each row |
- * | `DGG.Lengths` | float32, m | length; float64 when Accuracy is below 1e-5 and above 0 |
+ * | `DGG.Lengths` | float32, m | length; float64 when Accuracy is below 1e-5 and above 0, and for extreme extents |
  * | `DGG.Radii` | float32, n | radius of the ball around each point, 0 where it is not finite |
  * | `DGG.Info` | int64, 12 | see below |
  *
@@ -101,6 +101,7 @@
 
 #include <memory> // For the internals
 #include <string> // For array names
+#include <vector> // For normals
 
 namespace dgg
 {
@@ -343,9 +344,10 @@ private:
   void operator=(const vtkPointCloudDGG&) = delete;
 
   vtkDataArray* GetInputNormals(vtkPolyData* cloud) const;
-  dgg::CloudGraphOptions MakeOptions() const;
-  dgg::Status Prepare(vtkPolyData* cloud, dgg::CloudGraphOptions& options, double& done);
-  dgg::Status Build(vtkPolyData* cloud);
+  using Normals = std::shared_ptr<const std::vector<double>>;
+  dgg::CloudGraphOptions MakeOptions(vtkPolyData* cloud, const Normals& normals) const;
+  dgg::Status FindNormals(vtkPolyData* cloud, Normals& normals, double& done);
+  dgg::Status Build(dgg::CloudGraphOptions options, double done);
   dgg::Status Estimate();
 
   int Scheme;

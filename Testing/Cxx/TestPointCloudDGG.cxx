@@ -188,6 +188,46 @@ TEST_F(PointCloudDGG, KeepsTheGraph)
   EXPECT_GT(this->Filter->GetGraphBuildTime(), third);
 }
 
+TEST_F(PointCloudDGG, TellsOfTheKeptGraphAfterAnError)
+{
+  this->Use(MakeFlatPoints(25, 0.2));
+  ExpectSuccess(this->Filter);
+  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
+  const double spacing = this->Filter->GetSpacing();
+  this->Filter->SetAlpha(-1.0);
+  ExpectError(this->Filter, { "Alpha" });
+  EXPECT_EQ(this->Filter->GetSpacing(), 0.0);
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 0);
+  this->Filter->SetAlpha(0.0);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
+  EXPECT_EQ(this->Filter->GetSpacing(), spacing);
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 1);
+  EXPECT_GT(this->Filter->GetNumberOfGraphEdges(), 0);
+}
+
+TEST_F(PointCloudDGG, ObserversMayReleaseTheGraph)
+{
+  // Which must not take away the normals that it is being built with.
+  const auto cloud = MakeCloud(MakeSpherePoints(3000));
+  vtkNew<vtkPointCloudDGG> filter;
+  filter->SetInputData(cloud);
+  filter->EstimateNormalsOn();
+  ExpectSuccess(filter);
+  const std::vector<std::string> bytes = GetCloudBytes(filter->GetOutput());
+  vtkNew<vtkPointCloudDGG> other;
+  other->SetInputData(cloud);
+  other->EstimateNormalsOn();
+  struct Releaser
+  {
+    vtkPointCloudDGG* Filter;
+    void Observe() { this->Filter->ReleaseGraph(); }
+  } releaser{ other };
+  other->AddObserver(vtkCommand::ProgressEvent, &releaser, &Releaser::Observe);
+  ExpectSuccess(other);
+  EXPECT_EQ(GetCloudBytes(other->GetOutput()), bytes);
+}
+
 TEST_F(PointCloudDGG, SeveralComponents)
 {
   const Points large = MakeFlatPoints(20, 0.2);
@@ -226,6 +266,11 @@ TEST_F(PointCloudDGG, PointsThatAreNotFinite)
   {
     EXPECT_EQ(std::isnan(distances[i]), i == 7 || i == 100) << i;
   }
+  distance->SetSourceIds({ 7 });
+  ExpectWarning(distance, { "first of them 7", "not finite", "reach no other point" });
+  const std::vector<double> nowhere = GetDistances(distance);
+  EXPECT_EQ(nowhere[7], 0.0);
+  EXPECT_TRUE(std::isnan(nowhere[8]));
 }
 
 TEST_F(PointCloudDGG, CoincidentPoints)
