@@ -188,6 +188,7 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
   {
     return status;
   }
+  statistics.BandMemory += setup.Pairs.Nearest.size() * sizeof(Id);
   if (options.MemoryLimit > 0)
   {
     CloudGraphEstimate estimate;

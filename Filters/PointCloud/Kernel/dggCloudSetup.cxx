@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <sstream>
 #include <tuple>
 
@@ -15,6 +16,9 @@ namespace dgg
 namespace
 {
 constexpr Offset NodesPerTask = 256;
+constexpr Offset BricksPerTask = 16;
+/// Tasks of a loop between two reports of progress.
+constexpr Offset PiecesPerReport = 32;
 
 /// The neighbour whose distance tells the local spacing.
 constexpr std::size_t SpacingNeighbors = 16;
@@ -123,18 +127,10 @@ public:
     this->Pairs.IsSmooth.assign(n, 0);
     this->Pairs.UsesArcs = this->Options.ArcLengthWeights;
     this->Setup.Neighbors = std::make_unique<CloudNeighbors>(this->Pairs.Points);
-    if (!this->Tell(0.1))
-    {
-      return Status::Abort();
-    }
-    this->FitSurfaces(FitNeighbors);
-    if (!this->Tell(0.4))
-    {
-      return Status::Abort();
-    }
+    this->FitSurfaces(FitNeighbors, 0.3);
     this->RemoveNoise();
     this->SmoothSpacings();
-    if (!this->Tell(0.6))
+    if (this->IsStopped)
     {
       return Status::Abort();
     }
@@ -147,27 +143,34 @@ public:
     {
       return status;
     }
-    if (!this->Tell(0.8))
-    {
-      return Status::Abort();
-    }
     this->FindNearest();
-    if (!this->Tell(0.9))
-    {
-      return Status::Abort();
-    }
     this->Pairs.Reaches.assign(n, 0.0f);
     this->ChooseReaches();
-    return this->Tell(1.0) ? Status::Success() : Status::Abort();
+    return this->IsStopped ? Status::Abort() : status;
   }
 
 private:
-  bool Tell(double done) const { return !this->Progress || this->Progress(done); }
+  /// Run a loop that takes a share of all steps, in pieces between which progress is told. Nothing
+  /// runs any more once the caller has asked to stop.
+  void ForPieces(
+    Offset size, Offset grain, double share, const std::function<void(Offset, Offset)>& body)
+  {
+    const Offset piece = PiecesPerReport * grain;
+    for (Offset first = 0; first < size && !this->IsStopped; first += piece)
+    {
+      const Offset count = std::min(piece, size - first);
+      ForRange(this->Options.Parallel, count, grain,
+        [&](Offset begin, Offset end) { body(first + begin, first + end); });
+      const double part = static_cast<double>(first + count) / static_cast<double>(size);
+      this->IsStopped = this->Progress && !this->Progress(std::min(1.0, this->Done + share * part));
+    }
+    this->Done += share;
+  }
 
   template <typename Body>
-  void ForEachNode(Body&& body) const
+  void ForEachNode(double share, Body&& body)
   {
-    ForRange(this->Options.Parallel, static_cast<Offset>(this->Pairs.Points.size()), NodesPerTask,
+    this->ForPieces(static_cast<Offset>(this->Pairs.Points.size()), NodesPerTask, share,
       [&](Offset begin, Offset end) {
         std::vector<CloudNeighbor> neighbors;
         std::vector<Point3> places;
@@ -179,7 +182,7 @@ private:
   }
 
   /// Spacings, normals, curvatures and how far points lie off the surface.
-  void FitSurfaces(std::size_t count)
+  void FitSurfaces(std::size_t count, double share)
   {
     const std::size_t n = this->Pairs.Points.size();
     this->Pairs.Spacings.assign(n, 0.0f);
@@ -188,7 +191,7 @@ private:
     this->Residuals.assign(n, 0.0f);
     this->ToSurface.assign(n, Point3());
     this->ForEachNode(
-      [&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>& places) {
+      share, [&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>& places) {
         const Point3& point = this->Pairs.Points[node];
         this->FindPlaces(point, std::max(count, SpacingNeighbors) + 1, neighbors, places);
         this->Pairs.Spacings[node] = static_cast<float>(SpacingFrom(neighbors));
@@ -256,8 +259,8 @@ private:
       this->Pairs.IsSmooth[i] = residuals[i] < SmoothResidual ? 1 : 0;
     }
     const double residual = Quantile(residuals, 0.5);
-    if (!(residual > NoisyResidual &&
-          this->MeasureWideResidual() < LargestGrowthOfNoise * residual))
+    if (this->IsStopped ||
+      !(residual > NoisyResidual && this->MeasureWideResidual() < LargestGrowthOfNoise * residual))
     {
       return;
     }
@@ -265,13 +268,13 @@ private:
     this->Statistics.Noise = Quantile(lengths, 0.5) / this->Setup.Nodes.Scale;
     const auto count = static_cast<std::size_t>(
       std::clamp<double>(640.0 * residual, WideFitNeighbors, MostFitNeighbors));
-    this->FitSurfaces(count);
+    this->FitSurfaces(count, 0.0);
     for (std::size_t i = 0; i < n; ++i)
     {
       this->Pairs.Points[i] = this->Pairs.Points[i] + this->ToSurface[i];
     }
     this->Setup.Neighbors = std::make_unique<CloudNeighbors>(this->Pairs.Points);
-    this->FitSurfaces(count);
+    this->FitSurfaces(count, 0.0);
     // What is left of the noise is not to be followed.
     std::fill(this->Pairs.IsSmooth.begin(), this->Pairs.IsSmooth.end(), 1);
   }
@@ -281,22 +284,24 @@ private:
   {
     std::vector<float> spacings(this->Pairs.Spacings.size());
     std::vector<float> curvatures(spacings.size());
-    this->ForEachNode([&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>&) {
-      this->Setup.Neighbors->FindNearest(this->Pairs.Points[node], SpacingNeighbors + 1, neighbors);
-      std::vector<float> around;
-      for (const CloudNeighbor& neighbor : neighbors)
-      {
-        around.push_back(this->Pairs.Spacings[neighbor.Point]);
-      }
-      spacings[node] = std::min(this->Pairs.Spacings[node],
-        static_cast<float>(LargestSpacingRatio) * Quantile(around, 0.5));
-      around.clear();
-      for (const CloudNeighbor& neighbor : neighbors)
-      {
-        around.push_back(this->Curvatures[neighbor.Point]);
-      }
-      curvatures[node] = Quantile(around, 0.5);
-    });
+    this->ForEachNode(
+      0.2, [&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>&) {
+        this->Setup.Neighbors->FindNearest(
+          this->Pairs.Points[node], SpacingNeighbors + 1, neighbors);
+        std::vector<float> around;
+        for (const CloudNeighbor& neighbor : neighbors)
+        {
+          around.push_back(this->Pairs.Spacings[neighbor.Point]);
+        }
+        spacings[node] = std::min(this->Pairs.Spacings[node],
+          static_cast<float>(LargestSpacingRatio) * Quantile(around, 0.5));
+        around.clear();
+        for (const CloudNeighbor& neighbor : neighbors)
+        {
+          around.push_back(this->Curvatures[neighbor.Point]);
+        }
+        curvatures[node] = Quantile(around, 0.5);
+      });
     this->Pairs.Spacings.swap(spacings);
     this->Curvatures.swap(curvatures);
     spacings = this->Pairs.Spacings;
@@ -377,7 +382,10 @@ private:
       {
         return this->TooMuch(used);
       }
-      limit = this->Options.MemoryLimit - used;
+      // The nearest points of its voxels come with it.
+      const double band = VoxelBand::PredictMemory(1.0);
+      limit = static_cast<std::size_t>(
+        static_cast<double>(this->Options.MemoryLimit - used) * band / (band + 512.0 * sizeof(Id)));
     }
     const Status status =
       this->Pairs.Band.Build(this->Pairs.Points, radii, size, limit, this->Options.Parallel);
@@ -413,27 +421,28 @@ private:
     }
     this->Statistics.Alpha = alpha;
     std::vector<float>& reaches = this->Pairs.Reaches;
-    this->ForEachNode([&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>&) {
-      const double s = this->Pairs.Spacings[node];
-      double reach = 0.0;
-      switch (this->Options.Scheme)
-      {
-        case CloudScheme::Curvature:
-          reach = this->MeanDirectLength(node, neighbors) / alpha;
-          break;
-        case CloudScheme::Constant:
-          reach = size * (h + alpha);
-          break;
-        case CloudScheme::Spacing:
-          reach = isAutomatic ? this->AutomaticReach(node) : alpha * s;
-          break;
-      }
-      if (reach < LeastReach * s)
-      {
-        reach = std::max(reach, this->ReachOfFew(node, neighbors));
-      }
-      reaches[node] = static_cast<float>(reach);
-    });
+    this->ForEachNode(
+      0.2, [&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>&) {
+        const double s = this->Pairs.Spacings[node];
+        double reach = 0.0;
+        switch (this->Options.Scheme)
+        {
+          case CloudScheme::Curvature:
+            reach = this->MeanDirectLength(node, neighbors) / alpha;
+            break;
+          case CloudScheme::Constant:
+            reach = size * (h + alpha);
+            break;
+          case CloudScheme::Spacing:
+            reach = isAutomatic ? this->AutomaticReach(node) : alpha * s;
+            break;
+        }
+        if (reach < LeastReach * s)
+        {
+          reach = std::max(reach, this->ReachOfFew(node, neighbors));
+        }
+        reaches[node] = static_cast<float>(reach);
+      });
     std::vector<float> sorted = reaches;
     const double median = Quantile(sorted, 0.5);
     this->Statistics.Reach = median / this->Setup.Nodes.Scale;
@@ -448,23 +457,22 @@ private:
     const VoxelBand& band = this->Pairs.Band;
     const std::size_t bricks = band.GetNumberOfBricks();
     this->Pairs.Nearest.assign(512 * bricks, NoId);
-    ForRange(
-      this->Options.Parallel, static_cast<Offset>(bricks), 16, [&](Offset begin, Offset end) {
-        std::vector<CloudNeighbor> neighbors;
-        for (Offset brick = begin; brick < end; ++brick)
+    this->ForPieces(static_cast<Offset>(bricks), BricksPerTask, 0.3, [&](Offset begin, Offset end) {
+      std::vector<CloudNeighbor> neighbors;
+      for (Offset brick = begin; brick < end; ++brick)
+      {
+        const Voxel first = band.GetBrickVoxel(static_cast<std::size_t>(brick));
+        for (std::int32_t i = 0; i < 512; ++i)
         {
-          const Voxel first = band.GetBrickVoxel(static_cast<std::size_t>(brick));
-          for (std::int32_t i = 0; i < 512; ++i)
+          const Voxel voxel{ first[0] + (i & 7), first[1] + (i >> 3 & 7), first[2] + (i >> 6) };
+          if (band.IsMarked(brick, voxel))
           {
-            const Voxel voxel{ first[0] + (i & 7), first[1] + (i >> 3 & 7), first[2] + (i >> 6) };
-            if (band.IsMarked(brick, voxel))
-            {
-              this->Setup.Neighbors->FindNearest(band.GetCentre(voxel), 1, neighbors);
-              this->Pairs.Nearest[VoxelBand::PlaceOf(brick, voxel)] = neighbors[0].Point;
-            }
+            this->Setup.Neighbors->FindNearest(band.GetCentre(voxel), 1, neighbors);
+            this->Pairs.Nearest[VoxelBand::PlaceOf(brick, voxel)] = neighbors[0].Point;
           }
         }
-      });
+      }
+    });
   }
 
   double AutomaticReach(Id node) const
@@ -543,6 +551,8 @@ private:
   std::vector<float> Residuals;
   std::vector<Point3> ToSurface;
   double MedianSpacing = 0.0;
+  double Done = 0.0;      ///< of all steps
+  bool IsStopped = false; ///< by the caller
 };
 }
 
@@ -640,7 +650,8 @@ std::size_t CloudSetup::GetMemorySize() const
   const std::size_t n = this->Pairs.Points.size();
   // Points, normals and what is fitted (with copies while it is smoothed), tree and band.
   return n * (3 * sizeof(Point3) + 10 * sizeof(float) + sizeof(Id)) +
-    CloudNeighbors::PredictMemory(n) + this->Pairs.Band.GetMemorySize();
+    CloudNeighbors::PredictMemory(n) + this->Pairs.Band.GetMemorySize() +
+    this->Pairs.Nearest.capacity() * sizeof(Id);
 }
 
 Status SetUpCloud(const double* points, Id numberOfPoints, const CloudGraphOptions& options,
