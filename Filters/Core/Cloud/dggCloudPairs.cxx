@@ -20,7 +20,7 @@ constexpr double LargestTurn = 0.35;
 constexpr double Tolerance = 0.6;
 /// Pieces of a way that follows points, per local spacing, and at most: more would follow what is
 /// between the points, which is guessed, fewer would miss points.
-constexpr double PiecesPerSpacing = 1.1;
+constexpr double PiecesPerSpacing = 1.15;
 constexpr int MostPieces = 64;
 /// A way that is longer by that than its chord does not go along it. Over a right angle it is
 /// longer by 1.41.

@@ -15,11 +15,11 @@ using Distance = flann::L2_3D<double>;
 
 static_assert(sizeof(Point3) == 3 * sizeof(double), "FLANN reads points as rows of numbers");
 
-bool IsCloser(const CloudNeighbor& a, const CloudNeighbor& b)
-{
+/// An object rather than a function: calls of it are inlined.
+constexpr auto IsCloser = [](const CloudNeighbor& a, const CloudNeighbor& b) {
   return a.SquaredDistance != b.SquaredDistance ? a.SquaredDistance < b.SquaredDistance
                                                 : a.Point < b.Point;
-}
+};
 
 /// The nearest points seen: a heap with the farthest of them on top.
 class NearestSet : public flann::ResultSet<double>

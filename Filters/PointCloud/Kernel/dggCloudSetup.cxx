@@ -55,9 +55,9 @@ constexpr double LargestAutomaticResolution = 8192.0;
 constexpr double VoxelsPerBall = 2000.0;
 
 /// Reach by spacing, scheme C.
-constexpr double ReachBySpacing = 9.0;
+constexpr double ReachBySpacing = 10.5;
 /// The same where points are followed: what is between them adds up.
-constexpr double RoughReachBySpacing = 6.0;
+constexpr double RoughReachBySpacing = 5.5;
 /// With chords, the reach at which zigzag and shortcut balance, by (s^2 / curvature)^(1/3).
 constexpr double BalancedReach = 1.67;
 constexpr double LeastReach = 3.5;
