@@ -9,6 +9,7 @@
 
 #include "dggCornerModel.h"
 #include "dggFieldTest.h"
+#include "dggProgressPart.h"
 #include "dggSourceFit.h"
 
 #include "vtkAlgorithm.h"
@@ -182,12 +183,9 @@ dgg::Status vtkDGGFieldInput::Read(vtkPolyData* surface, vtkDataArray* distances
   }
   this->ReadWindows(surface, distances, mesh);
   this->ReadSources(surface, virtualSources, mesh);
-  if (!this->Field.HasWindows() && !this->Field.HasSources() &&
-    !this->FitSources(mesh.GetMesh(), progress))
-  {
-    return dgg::Status::Abort();
-  }
-  return dgg::Status::Success();
+  return this->Field.HasWindows() || this->Field.HasSources()
+    ? dgg::Status::Success()
+    : this->FitSources(mesh.GetMesh(), progress);
 }
 
 //------------------------------------------------------------------------------
@@ -239,29 +237,30 @@ void vtkDGGFieldInput::ReadSources(
 }
 
 //------------------------------------------------------------------------------
-bool vtkDGGFieldInput::FitSources(
+dgg::Status vtkDGGFieldInput::FitSources(
   const dgg::SurfaceMesh& mesh, const dgg::ProgressCallback& progress)
 {
   const double testDone = 0.5;
-  auto part = [&](double from, double to) {
-    return [&, from, to](double done) { return !progress || progress(from + (to - from) * done); };
-  };
   dgg::FieldReport report;
-  if (!dgg::TestField(mesh, this->Distances.data(), part(0.0, testDone), report).IsOk())
+  const dgg::Status status = dgg::TestField(
+    mesh, this->Distances.data(), dgg::ProgressPart(progress, 0.0, testDone), report);
+  if (!status.IsOk())
   {
-    return false; // stopped
+    return status;
   }
   if (report.IsDistance())
   {
     this->IsFitted = true;
-    return dgg::FitVirtualSources(
-      mesh, this->Distances.data(), vtkDGGMakeParallelFor(), this->Sources, part(testDone, 1.0));
+    return dgg::FitVirtualSources(mesh, this->Distances.data(), vtkDGGMakeParallelFor(),
+             this->Sources, dgg::ProgressPart(progress, testDone, 1.0))
+      ? status
+      : dgg::Status::Abort();
   }
   if (!report.Sentence.empty())
   {
     this->Warn(report.Sentence + " It is taken as linear in each triangle");
   }
-  return true;
+  return status;
 }
 
 //------------------------------------------------------------------------------

@@ -57,7 +57,7 @@ private:
   void ReadWindows(vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh);
   void ReadSources(vtkPolyData* surface, const std::string& name, const vtkDGGMeshAdapter& mesh);
   bool FitsSources(const dgg::SurfaceMesh& mesh) const;
-  bool FitSources(const dgg::SurfaceMesh& mesh, const dgg::ProgressCallback& progress);
+  dgg::Status FitSources(const dgg::SurfaceMesh& mesh, const dgg::ProgressCallback& progress);
   void Warn(const std::string& text);
 
   std::vector<double> Distances; // per vertex

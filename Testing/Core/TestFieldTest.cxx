@@ -8,8 +8,10 @@
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 
+#include "dggFastMarching.h"
 #include "dggFieldTest.h"
 #include "dggGraphSearch.h"
+#include "dggHeatMethod.h"
 
 #include <gtest/gtest.h>
 
@@ -209,21 +211,116 @@ TEST(FieldTest, CoordinatesFail)
 
 TEST(FieldTest, CanBeStopped)
 {
-  const SurfaceMesh mesh = Build(Icosphere(4));
-  const std::vector<double> exact = DistancesFrom(mesh, ExactEngine::Triangle, 7);
-  double last = 0.0;
-  FieldReport report;
-  const ProgressCallback watch = [&](double done) {
-    EXPECT_GE(done, last);
-    EXPECT_LE(done, 1.0);
-    last = done;
-    return true;
-  };
-  EXPECT_TRUE(TestField(mesh, exact.data(), watch, report).IsOk());
-  EXPECT_GT(last, 0.0);
-  EXPECT_TRUE(TestField(
-    mesh, exact.data(), [](double) { return false; }, report)
-                .IsAborted());
+  // Exact ways, and those of fast marching; in other units, so that they are looked at twice.
+  for (const int level : { 3, 4 })
+  {
+    const SurfaceMesh mesh = Build(Icosphere(level));
+    const std::vector<double> values =
+      Changed(DistancesFrom(mesh, ExactEngine::Triangle, 7), [](double d) { return 3.0 * d; });
+    double last = 0.0;
+    FieldReport report;
+    const ProgressCallback watch = [&](double done) {
+      EXPECT_GE(done, last);
+      EXPECT_LE(done, 1.0);
+      last = done;
+      return true;
+    };
+    EXPECT_TRUE(TestField(mesh, values.data(), watch, report).IsOk());
+    EXPECT_EQ(report.Verdict, FieldVerdict::Scaled);
+    EXPECT_GT(last, 0.8);
+    for (const double stop : { 0.0, 0.4, 0.8 })
+    {
+      EXPECT_TRUE(TestField(
+        mesh, values.data(), [=](double done) { return done < stop; }, report)
+                    .IsAborted())
+        << level << ' ' << stop;
+    }
+  }
+}
+
+/// A constant that is large beside what changes along edges, as temperatures and pressures have.
+TEST(FieldTest, ConstantsAreNoMatter)
+{
+  const std::vector<NamedMesh> meshes = { { "sphere", Icosphere(4) },
+    { "ellipsoid", Ellipsoid(4, 0.4) }, { "torus", Torus(60, 30) }, { "cube", Cube(4) },
+    { "prism", PrismSide(12, 12, 6) } };
+  for (const NamedMesh& named : meshes)
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    const std::vector<double> exact = DistancesFrom(mesh, ExactEngine::Triangle, 7);
+    const std::vector<double> height = Coordinate(named.Mesh, 2);
+    for (const double constant : { 300.0, 3.8e4, 4.5e5, -1e6, 1e9 })
+    {
+      const FieldReport far = Tested(mesh, Changed(exact, [=](double d) { return d + constant; }));
+      EXPECT_TRUE(far.IsDistance()) << named.Name << ' ' << constant << ": " << far.Sentence;
+      for (const double slope : { 0.5, 3.0 })
+      {
+        const FieldReport other =
+          Tested(mesh, Changed(height, [=](double z) { return constant + slope * z; }));
+        EXPECT_FALSE(other.IsDistance()) << named.Name << ' ' << constant << ' ' << slope;
+        EXPECT_FALSE(other.Sentence.empty());
+      }
+    }
+    // As floats, far from 0: what is left of the slopes tells it still.
+    const FieldReport rounded =
+      Tested(mesh, Changed(exact, [](double d) { return static_cast<float>(d + 1000.0); }));
+    EXPECT_TRUE(rounded.IsDistance()) << named.Name << ": " << rounded.Sentence;
+  }
+}
+
+/// Edges along which a field changes by less than its rounding join points to one flat region,
+/// which may be all of the surface: then it is no distance, and that is told.
+TEST(FieldTest, FieldsOfGentleSlopesAreTold)
+{
+  const TestMesh test = Icosphere(5);
+  const SurfaceMesh mesh = Build(test);
+  for (const double constant : { 300.0, 101325.0, 1e12 })
+  {
+    const std::vector<double> values =
+      Changed(Coordinate(test, 2), [=](double z) { return static_cast<float>(constant + z); });
+    const FieldReport report = Tested(mesh, values);
+    EXPECT_EQ(report.Verdict, FieldVerdict::NotADistance) << constant;
+    EXPECT_FALSE(report.Sentence.empty());
+  }
+}
+
+TEST(FieldTest, HugeDifferencesAreNoDistance)
+{
+  const SurfaceMesh mesh = Build(Icosphere(3));
+  for (const double size : { 1e200, std::numeric_limits<double>::max() })
+  {
+    std::vector<double> values(mesh.GetNumberOfVertices(), 0.0);
+    values[3] = -size;
+    values[30] = size;
+    const FieldReport report = Tested(mesh, values);
+    EXPECT_EQ(report.Verdict, FieldVerdict::NotADistance);
+    EXPECT_FALSE(report.Sentence.empty());
+  }
+}
+
+TEST(FieldTest, DistancesOfHeatAndFastMarchingPass)
+{
+  for (const NamedMesh& named : SomeMeshes())
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    GeodesicSource source;
+    source.Point = SurfacePoint::AtVertex(5);
+    for (const double constant : { 0.0, 1000.0 })
+    {
+      source.InitialDistance = constant;
+      MarchingResult marched;
+      ASSERT_TRUE(FastMarching(mesh).Run({ source }, MarchingOptions(), marched).IsOk());
+      const FieldReport march = Tested(mesh, marched.Distances);
+      EXPECT_TRUE(march.IsDistance()) << named.Name << ' ' << constant << ": " << march.Sentence;
+    }
+    source.InitialDistance = 0.0;
+    HeatMethod heat(mesh);
+    ASSERT_TRUE(heat.Prepare(HeatOptions(), ProgressCallback()).IsOk());
+    HeatResult heated;
+    ASSERT_TRUE(heat.Run({ source }, HeatQuery(), heated).IsOk());
+    const FieldReport warm = Tested(mesh, heated.Distances);
+    EXPECT_TRUE(warm.IsDistance()) << named.Name << ": " << warm.Sentence;
+  }
 }
 
 TEST(FieldTest, DistancesOfGraphsPass)
@@ -342,7 +439,9 @@ TEST(FieldTest, DefectMeshesDoNotMatter)
     const SurfaceMesh mesh = Build(named.Mesh);
     const std::vector<double> d = DistancesFrom(mesh, ExactEngine::Triangle, 0);
     const FieldReport report = Tested(mesh, d);
-    EXPECT_NE(report.Verdict, FieldVerdict::Scaled) << named.Name;
+    const bool isNothing = named.Name == "IsolatedPoints";
+    EXPECT_EQ(report.Verdict, isNothing ? FieldVerdict::NothingKnown : FieldVerdict::Distance)
+      << named.Name << ": " << report.Sentence;
     EXPECT_LE(report.WorstSlope, 1.0 + 1e-9) << named.Name;
   }
 }

@@ -6,12 +6,14 @@
 #include "dggExactGeodesics.h"
 #include "dggFastMarching.h"
 #include "dggGeodesicSource.h"
+#include "dggProgressPart.h"
 #include "dggSteepestDescent.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -35,8 +37,12 @@ constexpr double LargestFarShare = 0.2;
 constexpr double SmallestShare = 0.5;
 /// Most of the edges that may be steeper than that. Measured: 0.074 for heat.
 constexpr double LargestSteepShare = 0.1;
-/// Differences below this part of the values are rounding, as of floats.
+/// Differences below this part of what the values span are rounding.
 constexpr double Rounding = 1e-6;
+/// And below these parts of the values themselves, which may be far from 0: of values that are all
+/// floats, and of others.
+constexpr double RoundingOfFloats = 2.4e-7;
+constexpr double RoundingOfDoubles = 1e-14;
 /// As many vertices may be equally far away from sources in the faces between them.
 constexpr Offset FewVertices = 32;
 /// From so many vertices on the steepest edge of a distance tells its unit, and few minima that
@@ -100,32 +106,37 @@ struct Range
 {
   double Least = Infinity;
   double Greatest = -Infinity;
-  double Largest = 0.0; // in magnitude
+  double Rounding = 0.0; // differences up to that mean nothing
 
   Range(const SurfaceMesh& mesh, const double* values)
   {
+    bool areFloats = true;
     for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
     {
       if (std::isfinite(values[v]))
       {
         this->Least = std::min(this->Least, values[v]);
         this->Greatest = std::max(this->Greatest, values[v]);
-        this->Largest = std::max(this->Largest, std::abs(values[v]));
+        areFloats = areFloats && std::abs(values[v]) <= std::numeric_limits<float>::max() &&
+          static_cast<double>(static_cast<float>(values[v])) == values[v];
       }
     }
+    const double largest = std::max(std::abs(this->Least), std::abs(this->Greatest));
+    this->Rounding = dgg::Rounding * (this->Greatest - this->Least) +
+      (areFloats ? RoundingOfFloats : RoundingOfDoubles) * largest;
   }
 };
 
 Slopes CollectSlopes(const SurfaceMesh& mesh, const double* values)
 {
-  const double largest = Range(mesh, values).Largest;
+  const double rounding = Range(mesh, values).Rounding;
   Slopes slopes;
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
     const double difference = std::abs(values[mesh.Destination(h)] - values[mesh.Origin(h)]);
     if (!mesh.IsDropped(SurfaceMesh::Face(h)) && std::isfinite(difference))
     {
-      slopes.OfEdges.push_back(std::max(0.0, difference - Rounding * largest) / mesh.Length(h));
+      slopes.OfEdges.push_back(std::max(0.0, difference - rounding) / mesh.Length(h));
     }
   }
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
@@ -152,7 +163,6 @@ public:
     , Longest(mesh.GetNumberOfVertices(), 0.0)
     , Gaps(mesh.GetNumberOfVertices(), 0.0)
     , IsRim(mesh.GetNumberOfVertices(), 0)
-    , Falls(mesh.GetNumberOfVertices(), 0)
     , Rises(mesh.GetNumberOfVertices(), 0)
     , IsEven(mesh.GetNumberOfVertices(), 1)
   {
@@ -171,14 +181,7 @@ public:
   std::vector<GeodesicSource> Find(bool hasHidden)
   {
     const Id n = this->Mesh.GetNumberOfVertices();
-    this->IsLow.assign(n, 1);
-    for (Id v = 0; v < n; ++v)
-    {
-      if (this->Falls[v])
-      {
-        this->IsLow[this->Plateaus.Find(v)] = 0;
-      }
-    }
+    this->FindLowPlateaus();
     std::vector<GeodesicSource> minima;
     Offset groups = 0;
     for (Id v = 0; v < n; ++v)
@@ -203,10 +206,12 @@ public:
     return minima;
   }
 
-  /// The part of the vertices with neighbours that are even with all of them, and no minima. After
-  /// Find().
+  /// The part of the vertices with neighbours that are even with all of them, and no minima: these
+  /// are as far away as each other, while gentle slopes may join any number of steps. After Find().
   double FindFlatShare()
   {
+    const double fewSteps = 4.0;
+    const double few = fewSteps * this->Known.Rounding;
     Offset count = 0;
     Offset flat = 0;
     for (Id v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
@@ -214,7 +219,10 @@ public:
       if (std::isfinite(this->Values[v]) && this->Longest[v] > 0.0)
       {
         ++count;
-        flat += this->IsEven[v] && !this->IsLow[this->Plateaus.Find(v)] ? 1 : 0;
+        const Id plateau = this->Plateaus.Find(v);
+        const bool isMinimum =
+          this->IsLow[plateau] && this->Values[v] <= this->Least[plateau] + few;
+        flat += this->IsEven[v] && !isMinimum ? 1 : 0;
       }
     }
     return static_cast<double>(flat) / static_cast<double>(std::max<Offset>(1, count));
@@ -231,6 +239,35 @@ public:
   double GetLeast() const { return this->Known.Least; }
 
 private:
+  /// Those from which no edge leads below their least value. There is one at least, as gentle
+  /// slopes may join what is far apart to a plateau, but the least value of all is nowhere below.
+  void FindLowPlateaus()
+  {
+    const Id n = this->Mesh.GetNumberOfVertices();
+    this->Least.assign(n, Infinity);
+    for (Id v = 0; v < n; ++v)
+    {
+      double& value = this->Least[this->Plateaus.Find(v)];
+      value = std::min(value, this->Values[v]);
+    }
+    this->IsLow.assign(n, 1);
+    auto compare = [&](Id from, Id to) {
+      const Id plateau = this->Plateaus.Find(from);
+      if (this->Plateaus.Find(to) != plateau && this->Values[to] < this->Least[plateau])
+      {
+        this->IsLow[plateau] = 0;
+      }
+    };
+    for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      if (!this->Mesh.IsDropped(SurfaceMesh::Face(h)))
+      {
+        compare(this->Mesh.Origin(h), this->Mesh.Destination(h));
+        compare(this->Mesh.Destination(h), this->Mesh.Origin(h));
+      }
+    }
+  }
+
   /// From one vertex to its neighbour.
   void LookAt(Id h, Id from, Id to)
   {
@@ -245,15 +282,14 @@ private:
     {
       return;
     }
-    if (std::abs(fall) <= Rounding * this->Known.Largest)
+    if (std::abs(fall) <= this->Known.Rounding)
     {
       this->Plateaus.Join(from, to);
       return;
     }
     this->IsEven[from] = 0;
     this->Gaps[from] = std::max(this->Gaps[from], std::min(2.0 * length, length + fall));
-    (fall > 0.0 ? this->Falls : this->Rises)[from] |=
-      fall > 0.0 || -fall >= SlopeOfEntry * length ? 1 : 0;
+    this->Rises[from] |= -fall >= SlopeOfEntry * length ? 1 : 0;
   }
 
   /// No way from beyond the faces around a vertex is as short as its value, if values on the rim of
@@ -292,7 +328,7 @@ private:
     for (Id v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
     {
       if (std::isfinite(this->Values[v]) && isKnown[v] && reach[v] < Infinity &&
-        reach[v] > this->Values[v] + Rounding * this->Known.Largest)
+        reach[v] > this->Values[v] + this->Known.Rounding)
       {
         found.push_back(this->SourceAt(v));
       }
@@ -321,11 +357,11 @@ private:
   std::vector<double> Longest; // of the edges of a vertex
   std::vector<double> Gaps;    // the way to a neighbour less the difference there
   std::vector<char> IsRim;
-  std::vector<char> Falls;  // to a neighbour
-  std::vector<char> Rises;  // to a neighbour, clearly
-  std::vector<char> IsEven; // with all neighbours
-  std::vector<char> IsLow;  // per plateau: it falls nowhere
-  bool AreSparse = false;   // minima
+  std::vector<char> Rises;   // to a neighbour, clearly
+  std::vector<char> IsEven;  // with all neighbours
+  std::vector<char> IsLow;   // per plateau
+  std::vector<double> Least; // per plateau
+  bool AreSparse = false;    // minima
 };
 
 /// How values compare to the ways from their minima.
@@ -365,6 +401,12 @@ Status CompareWithWays(const SurfaceMesh& mesh, const double* values, bool hasHi
   const ProgressCallback& progress, WayShares& shares)
 {
   shares = WayShares();
+  const Range known(mesh, values);
+  if (!std::isfinite(known.Greatest - known.Least))
+  {
+    shares.Short = 1.0; // farther apart than any way is long
+    return Status::Success();
+  }
   MinimumFinder finder(mesh, values);
   const std::vector<GeodesicSource> minima = finder.Find(hasHidden);
   shares.Flat = finder.FindFlatShare();
@@ -398,7 +440,7 @@ Status CompareWithWays(const SurfaceMesh& mesh, const double* values, bool hasHi
   const auto count = static_cast<double>(std::max<Offset>(1, shares.Count));
   shares.Short = static_cast<double>(tooShort) / count;
   shares.Far = static_cast<double>(tooFar) / count;
-  return status;
+  return progress && !progress(1.0) ? Status::Abort() : status;
 }
 
 std::string WithNumber(const char* format, double number)
@@ -406,6 +448,66 @@ std::string WithNumber(const char* format, double number)
   char text[256];
   std::snprintf(text, sizeof(text), format, number);
   return text;
+}
+/// Slopes of the whole field.
+void Summarize(Slopes& slopes, FieldReport& report)
+{
+  const auto middle = slopes.FromVertices.begin() + report.NumberOfVertices / 2;
+  std::nth_element(slopes.FromVertices.begin(), middle, slopes.FromVertices.end());
+  report.MedianSlope = *middle;
+  report.WorstSlope = *std::max_element(slopes.OfEdges.begin(), slopes.OfEdges.end());
+  report.ShareOfSteepEdges = slopes.ShareAbove(1.0);
+  report.ShareOfUnitSlopes = slopes.ShareNear(1.0);
+}
+
+/// Why a field is no distance; empty when it is one.
+std::string FindFault(const FieldReport& report, const WayShares& ways, bool hasScale)
+{
+  const std::string start = "The field is hardly a distance: ";
+  const std::string end = ". Pass the distance itself, in the units of the points.";
+  const double percent = 100.0;
+  const bool hasUnitSlopes = report.ShareOfUnitSlopes >= SmallestShare;
+  if (ways.Count == 0 && report.NumberOfVertices > FewVertices)
+  {
+    return start + "it is about the same at all points" + end;
+  }
+  if (report.ShareOfSteepEdges > LargestSteepShare)
+  {
+    return start +
+      WithNumber("along %.0f %% of the edges it changes by more than their length",
+        percent * report.ShareOfSteepEdges) +
+      end;
+  }
+  // Nowhere steeper than what is usual, which is less than it should be.
+  const double scale = report.MedianSlope;
+  if (hasScale && ways.IsSparse && report.NumberOfVertices > ManyVertices &&
+    scale < 1.0 - Tolerance && report.WorstSlope < (1.0 + 0.5 * Tolerance) * scale)
+  {
+    return start + WithNumber("it changes by %.2g per unit of length at most", report.WorstSlope) +
+      end;
+  }
+  if (ways.Flat > LargestFlatShare)
+  {
+    return start +
+      WithNumber(
+        "%.0f %% of the points are as far away as all their neighbours", percent * ways.Flat) +
+      end;
+  }
+  if (ways.Short > LargestShortShare)
+  {
+    return start +
+      WithNumber("on %.0f %% of the points it is clearly less than the way from its minima",
+        percent * ways.Short) +
+      end;
+  }
+  if (ways.Far > LargestFarShare && !hasUnitSlopes)
+  {
+    return start +
+      WithNumber("on %.0f %% of the points it is clearly more than the way from its minima",
+        percent * ways.Far) +
+      end;
+  }
+  return std::string();
 }
 }
 
@@ -421,80 +523,47 @@ Status TestField(const SurfaceMesh& mesh, const double* values, const ProgressCa
     report.Sentence = "The field is not known at any two neighbouring points: pass finite values.";
     return Status::Success();
   }
-  const auto middle = slopes.FromVertices.begin() + report.NumberOfVertices / 2;
-  std::nth_element(slopes.FromVertices.begin(), middle, slopes.FromVertices.end());
-  report.MedianSlope = *middle;
-  report.WorstSlope = *std::max_element(slopes.OfEdges.begin(), slopes.OfEdges.end());
-  report.ShareOfSteepEdges = slopes.ShareAbove(1.0);
-  report.ShareOfUnitSlopes = slopes.ShareNear(1.0);
+  Summarize(slopes, report);
   if (progress && !progress(SlopesDone))
   {
     return Status::Abort();
   }
   const double halfWay = 0.5 * (1.0 + SlopesDone);
-  auto part = [&](double from, double to) {
-    return [&, from, to](double done) { return !progress || progress(from + (to - from) * done); };
-  };
   const double scale = report.MedianSlope;
   const bool hasScale = slopes.ShareNear(scale) >= SmallestShare;
   WayShares ways;
-  Status status = CompareWithWays(mesh, values, !hasScale, part(SlopesDone, halfWay), ways);
+  Status status =
+    CompareWithWays(mesh, values, !hasScale, ProgressPart(progress, SlopesDone, halfWay), ways);
   if (!status.IsOk())
   {
     return status;
   }
   report.ShareOfShortcuts = ways.Short;
   report.ShareOfFlatVertices = ways.Flat;
-  // Nowhere steeper than what is usual, which is less than it should be.
-  const bool isGentle = scale < 1.0 - Tolerance &&
-    report.WorstSlope < (1.0 + 0.5 * Tolerance) * scale && ways.IsSparse &&
-    report.NumberOfVertices > ManyVertices && slopes.ShareNear(scale) >= SmallestShare;
-  const bool isConstant = ways.Count == 0 && report.NumberOfVertices > FewVertices;
-  if (!isConstant && !isGentle && ways.Flat <= LargestFlatShare &&
-    report.ShareOfSteepEdges <= LargestSteepShare && ways.Short <= LargestShortShare &&
-    (ways.Far <= LargestFarShare || report.ShareOfUnitSlopes >= SmallestShare))
+  report.Sentence = FindFault(report, ways, hasScale);
+  if (report.Sentence.empty())
   {
     report.Verdict = FieldVerdict::Distance;
-    return Status::Success();
+    return status;
   }
-  if (scale > 0.0 && hasScale && slopes.ShareAbove(scale) <= LargestSteepShare)
+  report.Verdict = FieldVerdict::NotADistance;
+  if (scale > 0.0 && hasScale && std::abs(scale - 1.0) > Tolerance &&
+    slopes.ShareAbove(scale) <= LargestSteepShare)
   {
     std::vector<double> scaled(values, values + mesh.GetNumberOfVertices());
     std::for_each(scaled.begin(), scaled.end(), [=](double& value) { value /= scale; });
     WayShares scaledWays;
-    status = CompareWithWays(mesh, scaled.data(), false, part(halfWay, 1.0), scaledWays);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-    if (scaledWays.Short <= LargestShortShare && scaledWays.Flat <= LargestFlatShare &&
-      std::abs(scale - 1.0) > Tolerance)
+    status =
+      CompareWithWays(mesh, scaled.data(), false, ProgressPart(progress, halfWay, 1.0), scaledWays);
+    if (status.IsOk() && scaledWays.Short <= LargestShortShare &&
+      scaledWays.Flat <= LargestFlatShare)
     {
       report.Verdict = FieldVerdict::Scaled;
       report.Sentence = WithNumber("The field seems to be a distance in other units than those of "
                                    "the points: divide it by about %.3g.",
         scale);
-      return Status::Success();
     }
   }
-  report.Verdict = FieldVerdict::NotADistance;
-  const char* const isFlatSentence =
-    "The field is hardly a distance: %.0f %% of the points are as far away as all their "
-    "neighbours. Pass the distance itself.";
-  const char* const isShortSentence =
-    "The field is hardly a distance: on %.0f %% of the points it is clearly less than the way from "
-    "its minima. Pass the distance itself, in the units of the points.";
-  const char* const slopeSentence =
-    "The field is hardly a distance: it should change by 1 per unit of length nearly everywhere, "
-    "and does so on %.0f %% of the points only. Pass the distance itself, in the units of the "
-    "points.";
-  const bool hasSlope =
-    report.ShareOfUnitSlopes >= SmallestShare && report.ShareOfSteepEdges <= LargestSteepShare;
-  report.Sentence = hasSlope && ways.Flat > LargestFlatShare
-    ? WithNumber(isFlatSentence, 100.0 * ways.Flat)
-    : hasSlope && ways.Short > LargestShortShare
-    ? WithNumber(isShortSentence, 100.0 * ways.Short)
-    : WithNumber(slopeSentence, 100.0 * report.ShareOfUnitSlopes);
-  return Status::Success();
+  return status;
 }
 }
