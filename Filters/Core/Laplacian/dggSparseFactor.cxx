@@ -18,6 +18,10 @@ bool IsZero(const ScaledNumber& value)
 {
   return value.IsZero();
 }
+bool IsZero(const SparseLanes& values)
+{
+  return (values == 0.0).all();
+}
 }
 
 std::vector<Id> FindEliminationOrder(const Eigen::SparseMatrix<double>& matrix)
@@ -64,6 +68,7 @@ bool SparseFactor::Compute(const Eigen::SparseMatrix<double>& upper)
     const double largest = upper.diagonal().cwiseAbs().maxCoeff();
     raised.diagonal().array() += 1e-10 * largest;
     this->Decomposition.compute(raised);
+    this->Raised = true;
   }
   this->Computed = this->Decomposition.info() == Eigen::Success;
   return this->Computed;
@@ -76,6 +81,7 @@ void SparseFactor::Clear()
     this->Decomposition.compute(Eigen::SparseMatrix<double>(0, 0));
   }
   this->Computed = false;
+  this->Raised = false;
 }
 
 template <typename Number>
@@ -112,6 +118,7 @@ void SparseFactor::Solve(std::vector<Number>& values) const
 
 template void SparseFactor::Solve(std::vector<double>& values) const;
 template void SparseFactor::Solve(std::vector<ScaledNumber>& values) const;
+template void SparseFactor::Solve(std::vector<SparseLanes>& values) const;
 
 std::size_t SparseFactor::GetMemorySize() const
 {

@@ -22,6 +22,9 @@ std::vector<Id> FindEliminationOrder(const Eigen::SparseMatrix<double>& matrix);
 /// (Liu, "The role of elimination trees in sparse factorization", 1990).
 Offset CountFactorEntries(const Eigen::SparseMatrix<double>& upper);
 
+/// The same unknown of several systems.
+using SparseLanes = Eigen::Array<double, 8, 1>;
+
 /// L D L^T of a positive definite matrix whose unknowns have been ordered already.
 class SparseFactor
 {
@@ -30,9 +33,12 @@ public:
   /// area, the diagonal is raised by 1e-10 of its largest entry. False when that fails, too.
   bool Compute(const Eigen::SparseMatrix<double>& upper);
   bool IsComputed() const { return this->Computed; }
+  /// Whether the diagonal was raised: solutions then are those of a system nearby.
+  bool IsRaised() const { return this->Raised; }
   void Clear();
 
-  /// Replace the right-hand side by the solution. `Number` is double or ScaledNumber. Nothing is
+  /// Replace the right-hand side by the solution. `Number` is double, ScaledNumber, or
+  /// SparseLanes for that many systems at once, which costs half as much for each. Nothing is
   /// subtracted from numbers of the same sign where the matrix is an M-matrix and the right-hand
   /// side not negative: then every value has a small relative error, however small it is.
   template <typename Number>
@@ -45,6 +51,7 @@ private:
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>;
   Factor Decomposition;
   bool Computed = false;
+  bool Raised = false;
 };
 }
 

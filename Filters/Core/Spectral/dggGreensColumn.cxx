@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggGreensColumn.h"
+
+#include "dggLocalizedGreens.h"
+#include "dggRidgeRadius.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+/// Least R, in mean edges.
+constexpr double LeastEdges = 4.0;
+/// Largest R, in square roots of the area.
+constexpr double LargestPart = 0.35;
+/// Part of the way to a ridge that R takes.
+constexpr double RidgeMargin = 0.9;
+/// How well distances to corners must fit the plane for a point to be in a triangle, relative to
+/// the sides.
+constexpr double FitTolerance = 1e-7;
+}
+
+double InterpolateAt(
+  const SurfaceMesh& mesh, const SurfacePoint& point, const std::vector<double>& values)
+{
+  if (IsVertex(point))
+  {
+    return values[point.Vertex];
+  }
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    sum += point.Barycentric[k] * values[mesh.Origin(3 * point.Face + k)];
+  }
+  return sum;
+}
+
+Status GreensColumn::Start(
+  const SurfacePoint& pole, const GreensQuery& query, GreensWorkspace& workspace)
+{
+  const SurfaceMesh& mesh = this->System.GetMesh();
+  this->Pole = pole;
+  this->Query = query;
+  this->Method = query.Method;
+  this->Remark = GreensRemark::None;
+  this->Mean = 0.0;
+  this->Sources.assign(this->System.GetNumberOfVertices(), 0.0);
+  this->Component =
+    this->System.GetComponent(IsVertex(pole) ? pole.Vertex : mesh.Origin(3 * pole.Face));
+  if (this->Method == GreensMethod::Vertex && !IsVertex(pole))
+  {
+    const auto& b = pole.Barycentric;
+    const auto k = static_cast<Id>(std::max_element(b.begin(), b.end()) - b.begin());
+    this->AddLoad(mesh.Origin(3 * pole.Face + k), 1.0);
+    return Status::Success();
+  }
+  if (this->Method == GreensMethod::SingularitySubtraction)
+  {
+    Status status = this->StartWithLogarithm(workspace);
+    if (!status.IsOk() || this->Method == GreensMethod::SingularitySubtraction)
+    {
+      return status;
+    }
+  }
+  ForEachCornerAround(mesh, pole, [&](Id v, double weight, double) { this->AddLoad(v, weight); });
+  for (Id v = 0; v < this->System.GetNumberOfVertices(); ++v)
+  {
+    this->Sources[v] = this->System.IsFixed(v) ? 0.0 : this->Sources[v];
+  }
+  return Status::Success();
+}
+
+Status GreensColumn::FindDistances(double radius, GreensWorkspace& workspace, ExactResult& result)
+{
+  ExactOptions options;
+  // All corners of a face that reaches into the disk.
+  options.MaximumDistance = radius + 2.0 * this->System.GetLongestEdge();
+  options.Targets = this->Query.Targets;
+  options.Progress = this->Query.Progress;
+  return workspace.Exact.Run({ { this->Pole, 0.0 } }, options, result);
+}
+
+double GreensColumn::GetPoleAngle() const
+{
+  const SurfaceMesh& mesh = this->System.GetMesh();
+  if (IsVertex(this->Pole))
+  {
+    return mesh.TotalAngle(this->Pole.Vertex);
+  }
+  if (this->Pole.On == SurfacePoint::Support::Face)
+  {
+    return 2.0 * Pi;
+  }
+  double angle = 0.0; // half a turn in each face of the edge
+  ForEachFaceAround(mesh, this->Pole, [&](Id, const std::array<double, 3>&) { angle += Pi; });
+  return angle;
+}
+
+/// The triangles with the pole. None when it is a vertex: then the distances say it all.
+bool GreensColumn::FindPoleFaces(std::vector<PoleFace>& faces) const
+{
+  if (IsVertex(this->Pole))
+  {
+    return true;
+  }
+  if (this->System.GetOptions().IntrinsicDelaunay)
+  {
+    return this->FindFlippedPoleFace(faces);
+  }
+  const SurfaceMesh& mesh = this->System.GetMesh();
+  ForEachFaceAround(mesh, this->Pole, [&](Id f, const std::array<double, 3>& b) {
+    PoleFace face{ this->System.GetTriangleOf(f), b, {} };
+    for (int k = 0; k < 3; ++k)
+    {
+      face.Distances[k] = DistanceToCorner(mesh, f, b, k);
+    }
+    faces.push_back(face);
+  });
+  return true;
+}
+
+/// After flips: the triangle whose corners, in the plane, are at the distances that they have from
+/// the pole, and that it lies in.
+bool GreensColumn::FindFlippedPoleFace(std::vector<PoleFace>& faces) const
+{
+  const IntrinsicTriangulation& triangulation = this->System.GetTriangulation();
+  double best = FitTolerance;
+  PoleFace found;
+  for (Id f = 0; f < triangulation.GetNumberOfFaces(); ++f)
+  {
+    PoleFace face;
+    face.Face = f;
+    double longest = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      face.Distances[k] = this->Distances[triangulation.Origin(3 * f + k)];
+      longest = std::max(longest, triangulation.Length(3 * f + k));
+    }
+    const auto& d = face.Distances;
+    if (!(std::max({ d[0], d[1], d[2] }) <= longest))
+    {
+      continue;
+    }
+    const double base = triangulation.Length(3 * f);
+    const Point2 apex =
+      LayOut(base, triangulation.Length(3 * f + 2), triangulation.Length(3 * f + 1));
+    const Point2 pole = LayOut(base, d[0], d[1]);
+    const double misfit = std::abs(Distance(pole, apex) - d[2]) / longest;
+    const double third = pole.Y / apex.Y;
+    const double second = (pole.X - third * apex.X) / base;
+    const double outside = -std::min({ third, second, 1.0 - second - third });
+    if (std::max(misfit, outside) < best)
+    {
+      best = std::max(misfit, outside);
+      const double b1 = std::max(0.0, second);
+      const double b2 = std::max(0.0, third);
+      const double b0 = std::max(0.0, 1.0 - second - third);
+      const double sum = b0 + b1 + b2;
+      face.Barycentric = { { b0 / sum, b1 / sum, b2 / sum } };
+      found = face;
+    }
+  }
+  if (found.Face != NoId)
+  {
+    faces.push_back(found);
+  }
+  return found.Face != NoId;
+}
+
+Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
+{
+  const PoissonSystem& system = this->System;
+  const double least = LeastEdges * system.GetMeanEdge(this->Component);
+  double radius = this->Query.Radius > 0.0
+    ? this->Query.Radius
+    : LargestPart * std::sqrt(system.GetComponentArea(this->Component));
+  ExactResult result;
+  Status status = this->FindDistances(radius, workspace, result);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  if (!(this->Query.Radius > 0.0))
+  {
+    radius = std::min(
+      radius, RidgeMargin * FindRidgeRadius(system.GetMesh(), { { this->Pole, 0.0 } }, result));
+    if (radius < least)
+    {
+      this->Method = GreensMethod::Interpolated;
+      this->Remark = GreensRemark::TooCoarse;
+      return Status::Success();
+    }
+  }
+  this->Distances = std::move(result.Distances);
+  this->TargetDistances = std::move(result.TargetDistances);
+  std::vector<PoleFace> faces;
+  if (!this->FindPoleFaces(faces))
+  {
+    this->Method = GreensMethod::Interpolated;
+    this->Remark = GreensRemark::NoTriangle;
+    return Status::Success();
+  }
+  this->Singular = Logarithm(radius, this->GetPoleAngle());
+  workspace.Singular.Assemble(this->Singular, this->Distances, faces);
+  this->Sources = workspace.Singular.GetLoads();
+  this->Integrals = workspace.Singular.GetIntegrals();
+  if (faces.empty())
+  {
+    this->AddLoad(this->Pole.Vertex, 1.0);
+  }
+  else
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      this->AddLoad(
+        system.GetTriangulation().Origin(3 * faces[0].Face + k), faces[0].Barycentric[k]);
+    }
+  }
+  const bool isFree = system.IsFree(this->Component);
+  for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+  {
+    if (system.IsFixed(v))
+    {
+      this->Sources[v] = -this->Singular.At(this->Distances[v]);
+    }
+    const double area = system.GetArea(v);
+    this->Mean += isFree && area > 0.0 ? system.GetWeight(v) / area * this->Integrals[v] : 0.0;
+  }
+  return Status::Success();
+}
+
+double GreensColumn::SingularAt(double distance, double area) const
+{
+  if (distance > 0.0 || this->Query.Pole == GreensPole::Infinite)
+  {
+    return this->Singular.At(distance);
+  }
+  return this->Singular.MeanOverDisk(std::sqrt(2.0 * area / this->Singular.GetAngle()));
+}
+
+Status GreensColumn::Finish(
+  std::vector<double>& solution, GreensWorkspace& workspace, GreensResult& result) const
+{
+  const PoissonSystem& system = this->System;
+  const SurfaceMesh& mesh = system.GetMesh();
+  result = GreensResult();
+  result.Method = this->Method;
+  result.Remark = this->Remark;
+  const Id n = system.GetNumberOfVertices();
+  const double sign = this->Query.Sign == GreensSign::Positive ? 1.0 : -1.0;
+  if (this->Method == GreensMethod::Localized && !IsVertex(this->Pole) &&
+    !Localize(system, this->Pole, workspace.Exact, solution))
+  {
+    result.Method = GreensMethod::Interpolated;
+    result.Remark = GreensRemark::NearGivenValues;
+  }
+  if (this->HasLogarithm())
+  {
+    result.Radius = this->Singular.GetRadius();
+    for (Id v = 0; v < n; ++v)
+    {
+      solution[v] -= system.GetComponent(v) == this->Component ? this->Mean : 0.0;
+    }
+  }
+  const std::vector<SurfacePoint>& targets = this->Query.Targets;
+  result.TargetValues.reserve(targets.size());
+  for (std::size_t k = 0; k < targets.size(); ++k)
+  {
+    double value = InterpolateAt(mesh, targets[k], solution);
+    if (this->HasLogarithm())
+    {
+      const double area = IsVertex(targets[k])
+        ? system.GetArea(targets[k].Vertex)
+        : system.GetTriangulation().Area(system.GetTriangleOf(targets[k].Face)) / 3.0;
+      value += this->SingularAt(this->TargetDistances[k], area);
+    }
+    result.TargetValues.push_back(sign * value);
+  }
+  if (this->Query.WantIntegrals)
+  {
+    result.Integrals.resize(n);
+    for (Id v = 0; v < n; ++v)
+    {
+      result.Integrals[v] = sign *
+        (system.GetArea(v) * solution[v] + (this->HasLogarithm() ? this->Integrals[v] : 0.0));
+    }
+  }
+  for (Id v = 0; v < n; ++v)
+  {
+    if (this->HasLogarithm() && this->Distances[v] < Infinity)
+    {
+      solution[v] += this->SingularAt(this->Distances[v], system.GetArea(v));
+    }
+    solution[v] *= sign;
+  }
+  result.Values.swap(solution);
+  return Status::Success();
+}
+}

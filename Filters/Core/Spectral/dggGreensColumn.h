@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// One Green's function: what is solved for, and what is made of the solution. Internal.
+#ifndef dggGreensColumn_h
+#define dggGreensColumn_h
+
+#include "dggExactGeodesics.h" // for distances
+#include "dggGreensFunction.h" // for queries and results
+#include "dggPoissonSystem.h"  // for the system
+#include "dggSingularPart.h"   // for the logarithm
+
+#include <vector> // for arrays
+
+namespace dgg
+{
+/// What threads do not share.
+struct GreensWorkspace
+{
+  explicit GreensWorkspace(const PoissonSystem& system)
+    : Exact(system.GetMesh())
+    , Singular(system)
+  {
+  }
+
+  ExactGeodesics Exact;
+  SingularPart Singular;
+};
+
+/// Usage: Start(), solve for GetSources(), Finish() with the solution.
+class GreensColumn
+{
+public:
+  explicit GreensColumn(const PoissonSystem& system)
+    : System(system)
+  {
+  }
+
+  Status Start(const SurfacePoint& pole, const GreensQuery& query, GreensWorkspace& workspace);
+  /// Per vertex: the load of the pole, and of the logarithm; values where they are given.
+  const std::vector<double>& GetSources() const { return this->Sources; }
+  /// `solution` is changed.
+  Status Finish(
+    std::vector<double>& solution, GreensWorkspace& workspace, GreensResult& result) const;
+
+  /// The parts of a result with a logarithm; sizes and meaning as in GreensResult.
+  /// @{
+  bool HasLogarithm() const { return this->Method == GreensMethod::SingularitySubtraction; }
+  const Logarithm& GetLogarithm() const { return this->Singular; }
+  const std::vector<double>& GetDistances() const { return this->Distances; }
+  /// Weighted mean of s.
+  double GetMean() const { return this->Mean; }
+  /// @}
+
+private:
+  void AddLoad(Id v, double weight) { this->Sources[v] += weight; }
+  Status StartWithLogarithm(GreensWorkspace& workspace);
+  Status FindDistances(double radius, GreensWorkspace& workspace, ExactResult& result);
+  bool FindPoleFaces(std::vector<PoleFace>& faces) const;
+  bool FindFlippedPoleFace(std::vector<PoleFace>& faces) const;
+  double GetPoleAngle() const;
+  double SingularAt(double distance, double area) const;
+
+  const PoissonSystem& System;
+  SurfacePoint Pole;
+  GreensQuery Query;
+  GreensMethod Method = GreensMethod::Vertex;
+  GreensRemark Remark = GreensRemark::None;
+  Id Component = NoId;
+  Logarithm Singular{ 1.0, 1.0 };
+  double Mean = 0.0;
+  std::vector<double> Sources;
+  std::vector<double> Distances;
+  std::vector<double> TargetDistances;
+  std::vector<double> Integrals;
+};
+
+/// Value of piecewise linear data at a point.
+double InterpolateAt(
+  const SurfaceMesh& mesh, const SurfacePoint& point, const std::vector<double>& values);
+}
+
+#endif

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Green's functions of the Laplacian on a surface.
+#ifndef dggGreensFunction_h
+#define dggGreensFunction_h
+
+#include "dggParallel.h"      // for ParallelFor
+#include "dggPoissonSolver.h" // for PoissonSolver
+#include "dggSurfacePoint.h"  // for poles and targets
+
+#include <vector> // for the results
+
+namespace dgg
+{
+/// How the Green's function of a point is found.
+enum class GreensMethod
+{
+  /// g = s(d) + r: the logarithm s of the geodesic distance, cut off at a radius, carries the pole
+  /// exactly; finite elements solve for r, which is smooth. Second order everywhere, the pole
+  /// included.
+  SingularitySubtraction,
+  /// Interpolated, corrected around the pole: of the values there that reproduce the geodesic
+  /// distances from points nearby in Green's identity, those next to the interpolated ones.
+  Localized,
+  /// The columns of the corners, weighted with barycentric coordinates: the finite element solution
+  /// with a point load. First order near the pole.
+  Interpolated,
+  /// The column of the corner with the largest barycentric coordinate (Lipman, Rustamov and
+  /// Funkhouser, "Biharmonic distance", 2010).
+  Vertex
+};
+
+/// Which sign Green's functions have next to the pole.
+enum class GreensSign
+{
+  Positive, ///< -Laplace g = delta - 1 / area
+  Negative  ///< Laplace g = delta - 1 / area
+};
+
+/// What SingularitySubtraction gives as value at the pole itself, where the function is infinite.
+enum class GreensPole
+{
+  CellAverage, ///< the mean over a disk as large as the cell of the vertex, or as a third of the
+               ///< face where the target is inside of one
+  Infinite
+};
+
+/// What became of a query besides its result.
+enum class GreensRemark
+{
+  None,
+  /// The disk that the logarithm could be taken out of is smaller than four mean edges:
+  /// Interpolated was used. Refine the mesh around the pole.
+  TooCoarse,
+  /// The triangle of the flipped mesh that the pole lies in was not found: Interpolated was used.
+  NoTriangle,
+  /// Localized needs all values around the pole to be free, and some are given: Interpolated was
+  /// used.
+  NearGivenValues
+};
+
+struct GreensQuery
+{
+  GreensMethod Method = GreensMethod::SingularitySubtraction;
+  GreensSign Sign = GreensSign::Positive;
+  GreensPole Pole = GreensPole::CellAverage;
+  /// Where s ends. 0: 0.35 times the square root of the component's area, but before shortest ways
+  /// meet from different sides.
+  double Radius = 0.0;
+  /// Points whose values are wanted besides those of the vertices.
+  std::vector<SurfacePoint> Targets;
+  bool WantIntegrals = false;
+  ProgressCallback Progress; ///< may be empty
+};
+
+struct GreensResult
+{
+  std::vector<double> Values;       ///< per vertex; 0 in other components
+  std::vector<double> TargetValues; ///< per target
+  /// Per vertex, the integral of g phi_i with the hat function of the vertex, lumped, if asked for.
+  /// sum Integrals[i] f_i + (mean of u) is the solution of -Laplace u = f at the pole.
+  std::vector<double> Integrals;
+  GreensMethod Method = GreensMethod::Vertex; ///< the one used
+  GreensRemark Remark = GreensRemark::None;
+  double Radius = 0.0; ///< where s ends; 0 without s
+};
+
+/// Green's functions on the mesh of a solver, which must be ready and outlive it. With Neumann
+/// conditions, or without boundary, g sums to 0 (weighted) in the component of its pole; in others
+/// it is 0. With Dirichlet conditions it is 0 on the boundary.
+///
+/// The formulae: L g = e_j - w for vertex j, with positive semidefinite L and weights w that sum to
+/// 1 per component, and w^T g = 0. Then G is symmetric, L G = I - w 1^T, and
+/// f_j = w^T f + sum_i G_ji (L f)_i for every f.
+class GreensFunction
+{
+public:
+  explicit GreensFunction(const PoissonSolver& solver)
+    : Solver(solver)
+  {
+  }
+
+  /// The Green's function of one point. Fails where PoissonSolver::CheckPole() does.
+  Status Run(const SurfacePoint& pole, const GreensQuery& query, GreensResult& result) const;
+  /// Those of several points: `results[k]` belongs to pole k. Eight right-hand sides are solved for
+  /// at a time. `parallel` may be empty.
+  Status Run(const std::vector<SurfacePoint>& poles, const GreensQuery& query,
+    const ParallelFor& parallel, std::vector<GreensResult>& results) const;
+
+private:
+  const PoissonSolver& Solver;
+};
+}
+
+#endif

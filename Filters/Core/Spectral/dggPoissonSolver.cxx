@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggPoissonSolver.h"
+
+#include "dggPoissonSystem.h"
+
+#include <cmath>
+#include <string>
+
+namespace dgg
+{
+namespace
+{
+Status CheckValues(const PoissonSystem& system, const std::vector<double>& values)
+{
+  if (!system.IsReady())
+  {
+    return Status::Invalid("the system has not been factorized: call Prepare() first");
+  }
+  if (values.size() != static_cast<std::size_t>(system.GetNumberOfVertices()))
+  {
+    return Status::Invalid("there are " + std::to_string(values.size()) + " values for " +
+      std::to_string(system.GetNumberOfVertices()) + " vertices: give one for each");
+  }
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    if (!std::isfinite(values[v]))
+    {
+      return Status::Invalid("the value of vertex " + std::to_string(v) + " is not finite");
+    }
+  }
+  return Status::Success();
+}
+}
+
+PoissonSolver::PoissonSolver(const SurfaceMesh& mesh)
+  : System(std::make_unique<PoissonSystem>(mesh))
+{
+}
+
+PoissonSolver::~PoissonSolver() = default;
+
+Status PoissonSolver::Analyze(const PoissonOptions& options, const ProgressCallback& progress)
+{
+  return this->System->Analyze(options, progress);
+}
+
+std::size_t PoissonSolver::GetEstimatedMemory() const
+{
+  return this->System->GetEstimatedMemory();
+}
+
+Status PoissonSolver::Factorize(const ProgressCallback& progress)
+{
+  if (progress && !progress(0.0))
+  {
+    return Status::Abort();
+  }
+  Status status = this->System->Factorize();
+  if (status.IsOk() && progress && !progress(1.0))
+  {
+    return Status::Abort();
+  }
+  return status;
+}
+
+Status PoissonSolver::Prepare(const PoissonOptions& options, const ProgressCallback& progress)
+{
+  const auto part = [&](double begin, double end) -> ProgressCallback {
+    if (!progress)
+    {
+      return nullptr;
+    }
+    return [&progress, begin, end](double f) { return progress(begin + (end - begin) * f); };
+  };
+  Status status = this->Analyze(options, part(0.0, 0.4));
+  return status.IsOk() ? this->Factorize(part(0.4, 1.0)) : status;
+}
+
+bool PoissonSolver::IsReady() const
+{
+  return this->System->IsReady();
+}
+
+Status PoissonSolver::Solve(std::vector<double>& values) const
+{
+  Status status = CheckValues(*this->System, values);
+  if (status.IsOk())
+  {
+    this->System->Solve(values);
+  }
+  return status;
+}
+
+Status PoissonSolver::Multiply(const std::vector<double>& f, std::vector<double>& result) const
+{
+  Status status = CheckValues(*this->System, f);
+  if (status.IsOk())
+  {
+    result = this->System->Multiply(f);
+  }
+  return status;
+}
+
+const SurfaceMesh& PoissonSolver::GetMesh() const
+{
+  return this->System->GetMesh();
+}
+
+const PoissonOptions& PoissonSolver::GetOptions() const
+{
+  return this->System->GetOptions();
+}
+
+const std::vector<double>& PoissonSolver::GetAreas() const
+{
+  return this->System->GetAreas();
+}
+
+double PoissonSolver::GetWeight(Id v) const
+{
+  return this->System->GetWeight(v);
+}
+
+bool PoissonSolver::IsFixed(Id v) const
+{
+  return this->System->IsFixed(v);
+}
+
+Status PoissonSolver::CheckPole(const SurfacePoint& point) const
+{
+  const SurfaceMesh& mesh = this->GetMesh();
+  Status status = point.Check(mesh);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const bool isVertex = IsVertex(point);
+  const Id v = isVertex ? point.Vertex : mesh.Origin(3 * point.Face);
+  const std::string where = isVertex ? "vertex " + std::to_string(point.Vertex)
+                                     : "a point of face " + std::to_string(point.Face);
+  if (isVertex && mesh.FanBegin(v) == mesh.FanEnd(v))
+  {
+    return Status::Invalid(where + " has no face: nothing is defined there");
+  }
+  if (this->GetOptions().Boundary != PoissonBoundary::Dirichlet)
+  {
+    return Status::Success();
+  }
+  if (!this->System->HasBoundary(this->System->GetComponent(v)))
+  {
+    return Status::Invalid(
+      where + " lies in a part of the surface without a boundary: use Neumann conditions");
+  }
+  const bool isOnRim = point.On == SurfacePoint::Support::Edge && mesh.Twin(point.HalfEdge) == NoId;
+  if ((isVertex && this->System->IsFixed(v)) || isOnRim)
+  {
+    return Status::Invalid(where +
+      " lies on the boundary, where values are given: move it inside, or use Neumann conditions");
+  }
+  return Status::Success();
+}
+
+int PoissonSolver::GetNumberOfFactorizations() const
+{
+  return this->System->GetNumberOfFactorizations();
+}
+
+Offset PoissonSolver::GetNumberOfFactorEntries() const
+{
+  return this->System->GetNumberOfFactorEntries();
+}
+
+std::size_t PoissonSolver::GetMemorySize() const
+{
+  return this->System->GetMemorySize();
+}
+}

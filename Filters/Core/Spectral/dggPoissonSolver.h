@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The Poisson equation on a surface: what Green's functions and their kin share.
+#ifndef dggPoissonSolver_h
+#define dggPoissonSolver_h
+
+#include "dggPoissonOptions.h" // for PoissonOptions
+#include "dggSurfaceMesh.h"    // for SurfaceMesh
+#include "dggSurfacePoint.h"   // for SurfacePoint
+
+#include <cstddef> // for std::size_t
+#include <memory>  // for the system
+#include <vector>  // for sources and solutions
+
+namespace dgg
+{
+class PoissonSystem;
+
+/// -Laplace u = f by linear finite elements (cotangents, lumped areas) on a mesh that must outlive
+/// it. The system is factorized once (Eigen, L D L^T with approximate minimum degree) and kept.
+///
+/// Any triangle complex will do: edges with more than two faces conduct between all of them,
+/// vertices with several fans between these, and orientation plays no part. Where nothing is
+/// given on a component's boundary, or it has none, sources are balanced (PoissonWeights), since
+/// what flows in must flow out, and the solution has mean 0. Vertices without a face get 0.
+/// Elements with cotangents beyond 1e6 are made softer, see MakeCotanLaplacian().
+class PoissonSolver
+{
+public:
+  explicit PoissonSolver(const SurfaceMesh& mesh);
+  ~PoissonSolver();
+  PoissonSolver(const PoissonSolver&) = delete;
+  PoissonSolver& operator=(const PoissonSolver&) = delete;
+
+  /// The steps before anything is solved; what the options do not change is kept. Progress is told,
+  /// and a stop heeded, between the parts of the work.
+  /// @{
+  Status Analyze(const PoissonOptions& options, const ProgressCallback& progress);
+  /// Bytes that all will take. After Analyze().
+  std::size_t GetEstimatedMemory() const;
+  /// After Analyze().
+  Status Factorize(const ProgressCallback& progress);
+  /// Both.
+  Status Prepare(const PoissonOptions& options, const ProgressCallback& progress);
+  /// @}
+  bool IsReady() const;
+
+  /// Replace integrated sources, b_i = integral of f phi_i with the hat function of vertex i, by
+  /// the solution; at boundary vertices of a Dirichlet problem, replace the given value by itself.
+  /// Fails when there are not as many as vertices, or some are not finite.
+  Status Solve(std::vector<double>& values) const;
+  /// L f: the integrated sources that have f as solution.
+  Status Multiply(const std::vector<double>& f, std::vector<double>& result) const;
+
+  const SurfaceMesh& GetMesh() const;
+  const PoissonOptions& GetOptions() const;
+  /// Per vertex, a third of the areas of its faces.
+  const std::vector<double>& GetAreas() const;
+  /// The part of a vertex in means over its component.
+  double GetWeight(Id v) const;
+  /// Whether the value of a vertex is given.
+  bool IsFixed(Id v) const;
+
+  /// Fails when a point is no place for a pole: not on the mesh, without a face, or on a boundary
+  /// where values are given, or in a closed component although Dirichlet conditions are asked for.
+  Status CheckPole(const SurfacePoint& point) const;
+
+  /// Factorizations done so far, for tests.
+  int GetNumberOfFactorizations() const;
+  Offset GetNumberOfFactorEntries() const;
+  /// Bytes held.
+  std::size_t GetMemorySize() const;
+
+  /// For the kernel.
+  const PoissonSystem& GetSystem() const { return *this->System; }
+
+private:
+  std::unique_ptr<PoissonSystem> System;
+};
+}
+
+#endif

@@ -1,0 +1,462 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggPoissonSystem.h"
+
+#include "dggCotanLaplacian.h"
+#include "dggIntrinsicDelaunay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace dgg
+{
+namespace
+{
+/// Beyond this, entries are so different that substitutions have to be repeated.
+constexpr double LargestHarmlessEntry = 1e3;
+constexpr int MostRefinements = 20;
+
+bool Goes(const ProgressCallback& progress, double fraction)
+{
+  return !progress || progress(fraction);
+}
+
+template <typename Number>
+Number MakeZero();
+template <>
+double MakeZero<double>()
+{
+  return 0.0;
+}
+template <>
+SparseLanes MakeZero<SparseLanes>()
+{
+  return SparseLanes::Zero();
+}
+
+double Largest(const std::vector<double>& values)
+{
+  double largest = 0.0;
+  for (const double value : values)
+  {
+    largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
+}
+
+PoissonSystem::PoissonSystem(const SurfaceMesh& mesh)
+  : Mesh(mesh)
+  , Triangulation(mesh)
+  , TriangleOfFace(mesh.GetNumberOfFaces(), NoId)
+{
+  Id count = 0;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    this->TriangleOfFace[f] = mesh.IsDropped(f) ? NoId : count++;
+  }
+}
+
+Status PoissonSystem::Analyze(const PoissonOptions& options, const ProgressCallback& progress)
+{
+  const bool isSameMatrix = this->IsAnalyzed &&
+    this->Options.IntrinsicDelaunay == options.IntrinsicDelaunay &&
+    this->Options.Boundary == options.Boundary;
+  if (isSameMatrix)
+  {
+    this->Options = options;
+    this->SetWeights();
+    return Status::Success();
+  }
+  this->Factor.Clear();
+  this->IsAnalyzed = false;
+  this->Options = options;
+  if (!Goes(progress, 0.0))
+  {
+    return Status::Abort();
+  }
+  this->Triangulation = IntrinsicTriangulation(this->Mesh);
+  if (options.IntrinsicDelaunay)
+  {
+    DelaunayReport report;
+    Status status = MakeDelaunay(
+      this->Triangulation, -1, [&](double f) { return Goes(progress, 0.4 * f); }, report);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
+  if (!Goes(progress, 0.4))
+  {
+    return Status::Abort();
+  }
+  CotanLaplacian laplacian = MakeCotanLaplacian(this->Triangulation, LargestCotangent);
+  this->Stiffness = std::move(laplacian.Stiffness);
+  this->Areas.assign(laplacian.Mass.data(), laplacian.Mass.data() + laplacian.Mass.size());
+  this->LargestEntry =
+    this->Stiffness.cols() > 0 ? this->Stiffness.diagonal().cwiseAbs().maxCoeff() : 0.0;
+  this->MeasureComponents();
+  this->SetWeights();
+  if (!Goes(progress, 0.5))
+  {
+    return Status::Abort();
+  }
+  this->Places = FindEliminationOrder(this->Stiffness);
+  this->PinnedPlaces.assign(this->ComponentAreas.size(), NoId);
+  for (std::size_t v = 0; v < this->Places.size(); ++v)
+  {
+    const Id c = this->Components[v];
+    if (this->IsFree(c))
+    {
+      this->PinnedPlaces[c] = std::max(this->PinnedPlaces[c], this->Places[v]);
+    }
+  }
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(this->Stiffness.cols());
+  std::copy(this->Places.begin(), this->Places.end(), permutation.indices().data());
+  Eigen::SparseMatrix<double> upper(this->Stiffness.rows(), this->Stiffness.cols());
+  upper.selfadjointView<Eigen::Upper>() =
+    this->Stiffness.selfadjointView<Eigen::Upper>().twistedBy(permutation);
+  this->FactorEntries = CountFactorEntries(upper);
+  this->IsAnalyzed = true;
+  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+}
+
+void PoissonSystem::MeasureComponents()
+{
+  Id count = 0;
+  this->Components = this->Mesh.ComputeComponents(count);
+  this->OnBoundary.assign(this->Components.size(), 0);
+  this->ComponentAreas.assign(count, 0.0);
+  this->MeanEdges.assign(count, 0.0);
+  this->ComponentHasBoundary.assign(count, 0);
+  this->LongestEdge = 0.0;
+  std::vector<Offset> sides(count, 0);
+  for (Id h = 0; h < this->Triangulation.GetNumberOfHalfEdges(); ++h)
+  {
+    const Id v = this->Triangulation.Origin(h);
+    const Id c = this->Components[v];
+    this->MeanEdges[c] += this->Triangulation.Length(h);
+    ++sides[c];
+    this->LongestEdge = std::max(this->LongestEdge, this->Triangulation.Length(h));
+    if (this->Triangulation.Twin(h) == NoId)
+    {
+      this->OnBoundary[v] = 1;
+      this->OnBoundary[this->Triangulation.Destination(h)] = 1;
+      this->ComponentHasBoundary[c] = 1;
+    }
+  }
+  for (std::size_t v = 0; v < this->Areas.size(); ++v)
+  {
+    this->ComponentAreas[this->Components[v]] += this->Areas[v];
+  }
+  for (Id c = 0; c < count; ++c)
+  {
+    this->MeanEdges[c] /= std::max(1.0, static_cast<double>(sides[c]));
+  }
+}
+
+void PoissonSystem::SetWeights()
+{
+  const std::size_t n = this->Areas.size();
+  const bool isByArea = this->Options.Weights == PoissonWeights::Area;
+  std::vector<double> totals(this->ComponentAreas.size(), 0.0);
+  this->Weights.resize(n);
+  for (std::size_t v = 0; v < n; ++v)
+  {
+    const Id c = this->Components[v];
+    // Vertices without a face are components that have no area.
+    const bool hasArea = this->ComponentAreas[c] > 0.0;
+    this->Weights[v] = isByArea && hasArea ? this->Areas[v] : 1.0;
+    totals[c] += this->Weights[v];
+  }
+  for (std::size_t v = 0; v < n; ++v)
+  {
+    this->Weights[v] /= totals[this->Components[v]];
+  }
+}
+
+std::array<double, 3> PoissonSystem::GetCotangents(Id face) const
+{
+  return dgg::GetCotangents(this->Triangulation, face, LargestCotangent);
+}
+
+Status PoissonSystem::Factorize()
+{
+  if (!this->IsAnalyzed)
+  {
+    return Status::Invalid("the system has not been analyzed: call Analyze() first");
+  }
+  if (this->Factor.IsComputed())
+  {
+    return Status::Success();
+  }
+  if (this->FactorEntries > std::numeric_limits<int>::max())
+  {
+    return Status::Invalid("the factor of the linear system would have " +
+      std::to_string(this->FactorEntries) +
+      " entries, more than can be numbered: use a smaller mesh");
+  }
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(this->Stiffness.cols());
+  std::copy(this->Places.begin(), this->Places.end(), permutation.indices().data());
+  Eigen::SparseMatrix<double> upper(this->Stiffness.rows(), this->Stiffness.cols());
+  upper.selfadjointView<Eigen::Upper>() =
+    this->Stiffness.selfadjointView<Eigen::Upper>().twistedBy(permutation);
+  std::vector<std::uint8_t> isKnown(this->Places.size(), 0);
+  for (std::size_t v = 0; v < this->Places.size(); ++v)
+  {
+    const Id place = this->Places[v];
+    isKnown[place] =
+      this->IsFixed(static_cast<Id>(v)) || this->PinnedPlaces[this->Components[v]] == place;
+  }
+  for (int column = 0; column < upper.cols(); ++column)
+  {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(upper, column); entry; ++entry)
+    {
+      if (isKnown[column] || isKnown[entry.row()])
+      {
+        entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
+      }
+    }
+  }
+  ++this->NumberOfFactorizations;
+  if (!this->Factor.Compute(upper))
+  {
+    return Status::Invalid(
+      "the linear system could not be factorized: remove triangles that have next to no area");
+  }
+  return Status::Success();
+}
+
+std::vector<double> PoissonSystem::Multiply(const std::vector<double>& f) const
+{
+  std::vector<double> result(f.size(), 0.0);
+  for (int column = 0; column < this->Stiffness.cols(); ++column)
+  {
+    // Differences, so that what is constant gives 0 to the last bit.
+    double sum = 0.0;
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(this->Stiffness, column); entry; ++entry)
+    {
+      sum += entry.value() * (f[entry.row()] - f[column]);
+    }
+    result[column] = sum;
+  }
+  return result;
+}
+
+template <typename Number>
+void PoissonSystem::Balance(std::vector<Number>& values) const
+{
+  std::vector<Number> sums(this->ComponentAreas.size(), MakeZero<Number>());
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    sums[this->Components[v]] += values[v];
+  }
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    const Id c = this->Components[v];
+    if (this->IsFree(c))
+    {
+      values[v] -= sums[c] * this->Weights[v];
+    }
+  }
+}
+
+template <typename Number>
+void PoissonSystem::CenterAll(std::vector<Number>& values) const
+{
+  std::vector<Number> means(this->ComponentAreas.size(), MakeZero<Number>());
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    means[this->Components[v]] += values[v] * this->Weights[v];
+  }
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    const Id c = this->Components[v];
+    if (this->IsFree(c))
+    {
+      values[v] -= means[c];
+    }
+  }
+}
+
+void PoissonSystem::Center(std::vector<double>& values) const
+{
+  this->CenterAll(values);
+}
+
+/// What flows from vertices whose values are given.
+template <typename Number>
+void PoissonSystem::TakeGivenValuesOff(std::vector<Number>& values) const
+{
+  for (int column = 0; column < this->Stiffness.cols(); ++column)
+  {
+    if (!this->IsFixed(column))
+    {
+      continue;
+    }
+    const Number value = values[column];
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(this->Stiffness, column); entry; ++entry)
+    {
+      if (!this->IsFixed(static_cast<Id>(entry.row())))
+      {
+        values[entry.row()] -= value * entry.value();
+      }
+    }
+  }
+}
+
+template <typename Number>
+void PoissonSystem::Substitute(std::vector<Number>& values) const
+{
+  std::vector<Number> inOrder(values.size());
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    inOrder[this->Places[v]] = values[v];
+  }
+  for (const Id place : this->PinnedPlaces)
+  {
+    if (place != NoId)
+    {
+      inOrder[place] = MakeZero<Number>();
+    }
+  }
+  this->Factor.Solve(inOrder);
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    values[v] = inOrder[this->Places[v]];
+  }
+}
+
+template <typename Number>
+void PoissonSystem::SolveOnce(std::vector<Number>& values) const
+{
+  this->Balance(values);
+  if (this->Options.Boundary == PoissonBoundary::Dirichlet)
+  {
+    this->TakeGivenValuesOff(values);
+  }
+  this->Substitute(values);
+  this->CenterAll(values);
+}
+
+/// Conjugate gradients with the factor as preconditioner: where the factor is good one step is
+/// enough, where it had to be raised a few are.
+void PoissonSystem::Refine(const std::vector<double>& sources, std::vector<double>& solution) const
+{
+  const std::size_t n = sources.size();
+  const auto findResidual = [&](std::vector<double>& residual) {
+    residual = this->Multiply(solution);
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      residual[v] = this->IsFixed(static_cast<Id>(v)) ? 0.0 : sources[v] - residual[v];
+    }
+  };
+  std::vector<double> residual;
+  findResidual(residual);
+  const double goal = 1e-13 * Largest(sources);
+  double best = Largest(residual);
+  std::vector<double> direction;
+  double previous = 0.0;
+  for (int step = 0; step < MostRefinements && best > goal; ++step)
+  {
+    std::vector<double> steepest = residual;
+    this->SolveOnce(steepest);
+    double product = 0.0;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      product += steepest[v] * residual[v];
+    }
+    if (direction.empty())
+    {
+      direction = steepest;
+    }
+    else
+    {
+      for (std::size_t v = 0; v < n; ++v)
+      {
+        direction[v] = steepest[v] + product / previous * direction[v];
+      }
+    }
+    const std::vector<double> change = this->Multiply(direction);
+    double curvature = 0.0;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      curvature += this->IsFixed(static_cast<Id>(v)) ? 0.0 : change[v] * direction[v];
+    }
+    if (!(curvature > 0.0) || !(product > 0.0))
+    {
+      break;
+    }
+    std::vector<double> before = solution;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      solution[v] += product / curvature * direction[v];
+    }
+    findResidual(residual);
+    const double size = Largest(residual);
+    if (!(size < best))
+    {
+      solution.swap(before);
+      break;
+    }
+    best = size;
+    previous = product;
+  }
+  this->CenterAll(solution);
+}
+
+void PoissonSystem::Solve(std::vector<double>& values) const
+{
+  if (this->LargestEntry <= LargestHarmlessEntry && !this->Factor.IsRaised())
+  {
+    this->SolveOnce(values);
+    return;
+  }
+  std::vector<double> sources = values;
+  this->Balance(sources);
+  this->SolveOnce(values);
+  this->Refine(sources, values);
+}
+
+void PoissonSystem::Solve(std::vector<SparseLanes>& values) const
+{
+  if (this->LargestEntry <= LargestHarmlessEntry && !this->Factor.IsRaised())
+  {
+    this->SolveOnce(values);
+    return;
+  }
+  std::vector<double> single(values.size());
+  for (int lane = 0; lane < SparseLanes::SizeAtCompileTime; ++lane)
+  {
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      single[v] = values[v][lane];
+    }
+    this->Solve(single);
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      values[v][lane] = single[v];
+    }
+  }
+}
+
+std::size_t PoissonSystem::GetEstimatedMemory() const
+{
+  const std::size_t n = this->Components.size();
+  const auto entries = static_cast<std::size_t>(this->Stiffness.nonZeros());
+  return entries * (sizeof(double) + sizeof(int)) + this->Triangulation.GetMemorySize() +
+    n * (2 * sizeof(Id) + 2 * sizeof(double) + sizeof(int) + 1) +
+    static_cast<std::size_t>(this->FactorEntries) * (sizeof(double) + sizeof(int)) +
+    n * (sizeof(double) + 3 * sizeof(int));
+}
+
+std::size_t PoissonSystem::GetMemorySize() const
+{
+  const std::size_t n = this->Components.size();
+  const auto entries = static_cast<std::size_t>(this->Stiffness.nonZeros());
+  return entries * (sizeof(double) + sizeof(int)) + this->Triangulation.GetMemorySize() +
+    n * (2 * sizeof(Id) + 2 * sizeof(double) + sizeof(int) + 1) + this->Factor.GetMemorySize();
+}
+}

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The Poisson equation on a surface, factorized once. Internal.
+#ifndef dggPoissonSystem_h
+#define dggPoissonSystem_h
+
+#include "dggIntrinsicTriangulation.h" // for the triangles
+#include "dggPoissonOptions.h"         // for the options
+#include "dggSparseFactor.h"           // for the factorization
+#include "dggSurfaceMesh.h"            // for SurfaceMesh
+
+#include <Eigen/SparseCore> // for the matrix
+
+#include <array>   // for cotangents
+#include <cstddef> // for std::size_t
+#include <cstdint> // for flags
+#include <vector>  // for arrays
+
+namespace dgg
+{
+/// L u = b with the cotangent Laplacian L, positive semidefinite, on a mesh that must outlive it.
+///
+/// In a component without given values, L has the constants as kernel. There b is balanced: what
+/// it sums to is taken off in proportion to the weights w. One value is held at 0, the rest is
+/// solved for, and the weighted mean of the solution is made 0. With P = I - 1 w^T, w summing to 1,
+/// that is P L^+ P^T, which is symmetric. Components (through edges and shared vertices) do not
+/// know of each other. Any triangle complex will do; orientation plays no part.
+class PoissonSystem
+{
+public:
+  /// Cotangents beyond this are scaled down (MakeCotanLaplacian()). Edges that short conduct so
+  /// well that values at their ends are the same either way.
+  static constexpr double LargestCotangent = 1e6;
+
+  explicit PoissonSystem(const SurfaceMesh& mesh);
+
+  /// Triangulation, matrices, order of elimination.
+  Status Analyze(const PoissonOptions& options, const ProgressCallback& progress);
+  /// After Analyze(). Eigen's factorization cannot be interrupted.
+  Status Factorize();
+  bool IsReady() const { return this->IsAnalyzed && this->Factor.IsComputed(); }
+
+  const PoissonOptions& GetOptions() const { return this->Options; }
+  const SurfaceMesh& GetMesh() const { return this->Mesh; }
+  /// The triangles whose hat functions are the elements; those of the mesh where nothing was
+  /// flipped, in the same order, without the dropped ones.
+  const IntrinsicTriangulation& GetTriangulation() const { return this->Triangulation; }
+  std::array<double, 3> GetCotangents(Id face) const;
+  /// Which triangle a face of the mesh is, as long as nothing is flipped; NoId for a dropped face.
+  Id GetTriangleOf(Id face) const { return this->TriangleOfFace[face]; }
+
+  Id GetNumberOfVertices() const { return static_cast<Id>(this->Components.size()); }
+  Id GetNumberOfComponents() const { return static_cast<Id>(this->ComponentAreas.size()); }
+  Id GetComponent(Id v) const { return this->Components[v]; }
+  /// A third of the areas of the faces around a vertex.
+  const std::vector<double>& GetAreas() const { return this->Areas; }
+  double GetArea(Id v) const { return this->Areas[v]; }
+  /// Part of the vertex in means over its component.
+  double GetWeight(Id v) const { return this->Weights[v]; }
+  double GetComponentArea(Id c) const { return this->ComponentAreas[c]; }
+  double GetMeanEdge(Id c) const { return this->MeanEdges[c]; }
+  /// The longest edge of all.
+  double GetLongestEdge() const { return this->LongestEdge; }
+  bool HasBoundary(Id c) const { return this->ComponentHasBoundary[c] != 0; }
+  bool IsOnBoundary(Id v) const { return this->OnBoundary[v] != 0; }
+  /// Whether the value of the vertex is given.
+  bool IsFixed(Id v) const
+  {
+    return this->Options.Boundary == PoissonBoundary::Dirichlet && this->OnBoundary[v] != 0;
+  }
+  /// Whether no value is given in the component.
+  bool IsFree(Id c) const
+  {
+    return this->Options.Boundary == PoissonBoundary::Neumann || !this->ComponentHasBoundary[c];
+  }
+
+  /// L f.
+  std::vector<double> Multiply(const std::vector<double>& f) const;
+  /// L, vertex by vertex.
+  const Eigen::SparseMatrix<double>& GetStiffness() const { return this->Stiffness; }
+
+  /// Replace integrated sources (at vertices with given values, these values) by the solution. May
+  /// be called by several threads at once.
+  void Solve(std::vector<double>& values) const;
+  /// Several right-hand sides at once, in about half the time for each.
+  void Solve(std::vector<SparseLanes>& values) const;
+
+  /// Take the weighted mean off in components without given values.
+  void Center(std::vector<double>& values) const;
+
+  /// Bytes, those of the factor included. After Analyze().
+  std::size_t GetEstimatedMemory() const;
+  std::size_t GetMemorySize() const;
+  Offset GetNumberOfFactorEntries() const { return this->FactorEntries; }
+  /// Factorizations done so far, for tests.
+  int GetNumberOfFactorizations() const { return this->NumberOfFactorizations; }
+
+private:
+  void MeasureComponents();
+  void SetWeights();
+  template <typename Number>
+  void Balance(std::vector<Number>& values) const;
+  template <typename Number>
+  void CenterAll(std::vector<Number>& values) const;
+  template <typename Number>
+  void TakeGivenValuesOff(std::vector<Number>& values) const;
+  template <typename Number>
+  void Substitute(std::vector<Number>& values) const;
+  template <typename Number>
+  void SolveOnce(std::vector<Number>& values) const;
+  void Refine(const std::vector<double>& sources, std::vector<double>& solution) const;
+
+  const SurfaceMesh& Mesh;
+  PoissonOptions Options;
+  bool IsAnalyzed = false;
+  int NumberOfFactorizations = 0;
+  Offset FactorEntries = 0;
+  double LargestEntry = 0.0;
+  double LongestEdge = 0.0;
+  IntrinsicTriangulation Triangulation;
+
+  std::vector<Id> TriangleOfFace;
+  std::vector<Id> Components;                     // per vertex
+  std::vector<double> Areas;                      // per vertex
+  std::vector<double> Weights;                    // per vertex
+  std::vector<std::uint8_t> OnBoundary;           // per vertex
+  std::vector<Id> Places;                         // per vertex, in the order of elimination
+  std::vector<double> ComponentAreas;             // per component
+  std::vector<double> MeanEdges;                  // per component
+  std::vector<std::uint8_t> ComponentHasBoundary; // per component
+  std::vector<Id> PinnedPlaces;                   // per component; NoId where values are given
+  Eigen::SparseMatrix<double> Stiffness;
+  SparseFactor Factor;
+};
+}
+
+#endif

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSingularPart.h"
+
+#include "dggUnfolding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+Id FirstOfEdge(const IntrinsicTriangulation& triangulation, Id h)
+{
+  Id first = h;
+  for (Id g = triangulation.Twin(h); g != NoId && g != h; g = triangulation.Twin(g))
+  {
+    first = std::min(first, g);
+  }
+  return first;
+}
+
+/// The integral of s over a triangle close to the pole. The triangle is laid out on its first side,
+/// the pole above or below it, whichever fits better.
+double IntegrateNear(const Logarithm& logarithm, const IntrinsicTriangulation& triangulation, Id f,
+  const std::array<double, 3>& d)
+{
+  const Id h = 3 * f;
+  const double base = triangulation.Length(h);
+  const std::array<Point2, 3> corners{ { { 0.0, 0.0 }, { base, 0.0 },
+    LayOut(base, triangulation.Length(h + 2), triangulation.Length(h + 1)) } };
+  Point2 pole = LayOut(base, d[0], d[1]);
+  const double above = std::abs(Distance(pole, corners[2]) - d[2]);
+  const double below = std::abs(Distance({ pole.X, -pole.Y }, corners[2]) - d[2]);
+  pole.Y = below < above ? -pole.Y : pole.Y;
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point2& a = corners[k];
+    const Point2& b = corners[(k + 1) % 3];
+    const double sector =
+      logarithm.IntegrateSector(triangulation.Length(h + k), Distance(pole, a), Distance(pole, b));
+    sum += Cross(Difference(b, a), Difference(pole, a)) < 0.0 ? -sector : sector;
+  }
+  return sum;
+}
+
+/// The same by three nodes: exact for quadratic functions, and far from the pole s is smooth. In
+/// the plane the squared distance from a point, with barycentric coordinates b, is sum b_i d_i^2 -
+/// sum b_i b_j l_ij^2.
+double IntegrateFar(const Logarithm& logarithm, const IntrinsicTriangulation& triangulation, Id f,
+  const std::array<double, 3>& d)
+{
+  double sum = 0.0;
+  for (int node = 0; node < 3; ++node)
+  {
+    double square = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double b = k == node ? 2.0 / 3.0 : 1.0 / 6.0;
+      const double next = (k + 1) % 3 == node ? 2.0 / 3.0 : 1.0 / 6.0;
+      const double length = triangulation.Length(3 * f + k);
+      square += b * d[k] * d[k] - b * next * length * length;
+    }
+    sum += square > 0.0 ? logarithm.At(std::sqrt(square)) : 0.0;
+  }
+  return sum / 3.0 * triangulation.Area(f);
+}
+
+/// From here on, in longest sides of a face, it is far.
+constexpr double FarSides = 4.0;
+}
+
+void SingularPart::Assemble(const Logarithm& logarithm, const std::vector<double>& distances,
+  const std::vector<PoleFace>& poleFaces)
+{
+  const IntrinsicTriangulation& triangulation = this->System.GetTriangulation();
+  const std::size_t n = distances.size();
+  this->Loads.assign(n, 0.0);
+  this->Integrals.assign(n, 0.0);
+  this->Means.resize(triangulation.GetNumberOfHalfEdges());
+  this->IsDone.assign(triangulation.GetNumberOfHalfEdges(), 0);
+  // The edges of faces with the pole, by their first half-edges.
+  struct PoleEdge
+  {
+    Id HalfEdge;
+    double FromOrigin;
+    double FromEnd;
+  };
+  std::vector<PoleEdge> poleEdges;
+  for (const PoleFace& pole : poleFaces)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id h = 3 * pole.Face + k;
+      poleEdges.push_back(
+        { FirstOfEdge(triangulation, h), pole.Distances[k], pole.Distances[(k + 1) % 3] });
+    }
+  }
+  const double radius = logarithm.GetRadius();
+  for (Id f = 0; f < triangulation.GetNumberOfFaces(); ++f)
+  {
+    std::array<double, 3> d;
+    std::array<Id, 3> v;
+    double least = Infinity;
+    for (int k = 0; k < 3; ++k)
+    {
+      v[k] = triangulation.Origin(3 * f + k);
+      d[k] = distances[v[k]];
+      least = std::min(least, d[k] - triangulation.Length(3 * f + k));
+    }
+    if (!(least < radius) || !(std::max({ d[0], d[1], d[2] }) < Infinity))
+    {
+      continue; // too far away
+    }
+    for (const PoleFace& pole : poleFaces)
+    {
+      d = pole.Face == f ? pole.Distances : d;
+    }
+    std::array<double, 3> means; // of s on the side across from corner k
+    double longest = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id h = 3 * f + k;
+      const double length = triangulation.Length(h);
+      const Id first = FirstOfEdge(triangulation, h);
+      longest = std::max(longest, length);
+      if (!this->IsDone[first])
+      {
+        this->IsDone[first] = 1;
+        double fromOrigin = distances[v[k]];
+        double fromEnd = distances[v[(k + 1) % 3]];
+        for (const PoleEdge& edge : poleEdges)
+        {
+          if (edge.HalfEdge == first)
+          {
+            fromOrigin = edge.FromOrigin;
+            fromEnd = edge.FromEnd;
+          }
+        }
+        this->Means[first] = logarithm.IntegrateAlong(length, fromOrigin, fromEnd) / length;
+      }
+      means[(k + 2) % 3] = this->Means[first];
+    }
+    const std::array<double, 3> cotangents = this->System.GetCotangents(f);
+    const bool isFar = std::min({ d[0], d[1], d[2] }) > FarSides * longest;
+    const double third = (isFar ? IntegrateFar(logarithm, triangulation, f, d)
+                                : IntegrateNear(logarithm, triangulation, f, d)) /
+      3.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3;
+      const int k = (i + 2) % 3;
+      this->Loads[v[i]] +=
+        cotangents[k] * (means[i] - means[j]) + cotangents[j] * (means[i] - means[k]);
+      this->Integrals[v[i]] += third;
+    }
+  }
+}
+}
