@@ -14,8 +14,16 @@ namespace
 {
 /// Least R, in mean edges.
 constexpr double LeastEdges = 4.0;
-/// Largest R, in square roots of the area.
-constexpr double LargestPart = 0.35;
+/// Largest R, in square roots of the area: about a radian on a sphere.
+constexpr double LargestPart = 0.28;
+/// Largest R, in mean edges: the error is well below that of the mesh then, and exact distances
+/// farther away would cost more than all the rest.
+constexpr double MostEdges = 48.0;
+/// How far beyond R distances are found first, in mean edges: enough but for long edges.
+constexpr double UsualMargin = 2.0;
+/// How far ridges are looked for first, in mean edges, and by how much farther in each step.
+constexpr double FirstEdges = 12.0;
+constexpr double Growth = 1.6;
 /// Part of the way to a ridge that R takes.
 constexpr double RidgeMargin = 0.9;
 /// How well distances to corners must fit the plane for a point to be in a triangle, relative to
@@ -73,14 +81,42 @@ Status GreensColumn::Start(
   return Status::Success();
 }
 
-Status GreensColumn::FindDistances(double radius, GreensWorkspace& workspace, ExactResult& result)
+Status GreensColumn::FindDistances(
+  double maximum, GreensWorkspace& workspace, ExactResult& result) const
 {
   ExactOptions options;
-  // All corners of a face that reaches into the disk.
-  options.MaximumDistance = radius + 2.0 * this->System.GetLongestEdge();
+  options.MaximumDistance = maximum;
   options.Targets = this->Query.Targets;
   options.Progress = this->Query.Progress;
   return workspace.Exact.Run({ { this->Pole, 0.0 } }, options, result);
+}
+
+/// Go on until all corners are reached of the faces that have one within the radius.
+Status GreensColumn::CompleteDistances(
+  double radius, double reached, GreensWorkspace& workspace, ExactResult& result) const
+{
+  const IntrinsicTriangulation& triangulation = this->System.GetTriangulation();
+  while (true)
+  {
+    double needed = 0.0;
+    for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
+    {
+      const double here = result.Distances[triangulation.Origin(h)];
+      const double there = result.Distances[triangulation.Destination(h)];
+      const bool isCut = std::min(here, there) < radius && !(std::max(here, there) < Infinity);
+      needed = isCut ? std::max(needed, std::min(here, there) + triangulation.Length(h)) : needed;
+    }
+    if (!(needed > reached))
+    {
+      return Status::Success();
+    }
+    reached = needed * (1.0 + 1e-9);
+    Status status = this->FindDistances(reached, workspace, result);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
 }
 
 double GreensColumn::GetPoleAngle() const
@@ -170,29 +206,56 @@ bool GreensColumn::FindFlippedPoleFace(std::vector<PoleFace>& faces) const
   return found.Face != NoId;
 }
 
+/// A radius with shortest ways up to it that do not meet from different sides, and these.
+Status GreensColumn::ChooseRadius(
+  GreensWorkspace& workspace, double& radius, double& reached, ExactResult& result) const
+{
+  const double edge = this->System.GetMeanEdge(this->Component);
+  const double most = std::min(
+    MostEdges * edge, LargestPart * std::sqrt(this->System.GetComponentArea(this->Component)));
+  // Ways are found step by step, as ridges may be near and ways cost more than their number.
+  double checked = 0.0;
+  reached = std::min(most, FirstEdges * edge);
+  while (true)
+  {
+    // What is needed beyond the radius, on most meshes, is found at once.
+    const bool isLast = reached >= most;
+    reached += isLast ? UsualMargin * edge : 0.0;
+    Status status = this->FindDistances(reached, workspace, result);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    const double ridge = RidgeMargin *
+      FindRidgeRadius(this->System.GetMesh(), { { this->Pole, 0.0 } }, result, checked);
+    radius = std::min(ridge, most);
+    if (isLast || ridge < reached)
+    {
+      return status;
+    }
+    checked = reached;
+    reached = std::min(most, Growth * reached);
+  }
+}
+
 Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
 {
   const PoissonSystem& system = this->System;
-  const double least = LeastEdges * system.GetMeanEdge(this->Component);
-  double radius = this->Query.Radius > 0.0
-    ? this->Query.Radius
-    : LargestPart * std::sqrt(system.GetComponentArea(this->Component));
+  double radius = this->Query.Radius;
+  double reached = radius + UsualMargin * system.GetMeanEdge(this->Component);
   ExactResult result;
-  Status status = this->FindDistances(radius, workspace, result);
+  Status status = radius > 0.0 ? this->FindDistances(reached, workspace, result)
+                               : this->ChooseRadius(workspace, radius, reached, result);
+  status = status.IsOk() ? this->CompleteDistances(radius, reached, workspace, result) : status;
   if (!status.IsOk())
   {
     return status;
   }
-  if (!(this->Query.Radius > 0.0))
+  if (radius < LeastEdges * system.GetMeanEdge(this->Component))
   {
-    radius = std::min(
-      radius, RidgeMargin * FindRidgeRadius(system.GetMesh(), { { this->Pole, 0.0 } }, result));
-    if (radius < least)
-    {
-      this->Method = GreensMethod::Interpolated;
-      this->Remark = GreensRemark::TooCoarse;
-      return Status::Success();
-    }
+    this->Method = GreensMethod::Interpolated;
+    this->Remark = GreensRemark::TooCoarse;
+    return Status::Success();
   }
   this->Distances = std::move(result.Distances);
   this->TargetDistances = std::move(result.TargetDistances);

@@ -55,7 +55,11 @@ public:
 private:
   void AddLoad(Id v, double weight) { this->Sources[v] += weight; }
   Status StartWithLogarithm(GreensWorkspace& workspace);
-  Status FindDistances(double radius, GreensWorkspace& workspace, ExactResult& result);
+  Status FindDistances(double maximum, GreensWorkspace& workspace, ExactResult& result) const;
+  Status CompleteDistances(
+    double radius, double reached, GreensWorkspace& workspace, ExactResult& result) const;
+  Status ChooseRadius(
+    GreensWorkspace& workspace, double& radius, double& reached, ExactResult& result) const;
   bool FindPoleFaces(std::vector<PoleFace>& faces) const;
   bool FindFlippedPoleFace(std::vector<PoleFace>& faces) const;
   double GetPoleAngle() const;

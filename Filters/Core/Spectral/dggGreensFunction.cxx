@@ -3,6 +3,7 @@
 #include "dggGreensFunction.h"
 
 #include "dggGreensColumn.h"
+#include "dggWorkspacePool.h"
 
 #include <algorithm>
 #include <mutex>
@@ -36,6 +37,18 @@ Status CheckQuery(const PoissonSolver& solver, const GreensQuery& query)
 }
 }
 
+class GreensFunction::Workspaces : public WorkspacePool<GreensWorkspace>
+{
+};
+
+GreensFunction::GreensFunction(const PoissonSolver& solver)
+  : Solver(solver)
+  , Pool(std::make_unique<Workspaces>())
+{
+}
+
+GreensFunction::~GreensFunction() = default;
+
 Status GreensFunction::Run(
   const SurfacePoint& pole, const GreensQuery& query, GreensResult& result) const
 {
@@ -47,16 +60,16 @@ Status GreensFunction::Run(
     return status;
   }
   const PoissonSystem& system = this->Solver.GetSystem();
-  GreensWorkspace workspace(system);
+  const auto workspace = this->Pool->Borrow(system);
   GreensColumn column(system);
-  status = column.Start(pole, query, workspace);
+  status = column.Start(pole, query, *workspace);
   if (!status.IsOk())
   {
     return status;
   }
   std::vector<double> solution = column.GetSources();
   system.Solve(solution);
-  return column.Finish(solution, workspace, result);
+  return column.Finish(solution, *workspace, result);
 }
 
 Status GreensFunction::Run(const std::vector<SurfacePoint>& poles, const GreensQuery& query,
@@ -88,7 +101,7 @@ Status GreensFunction::Run(const std::vector<SurfacePoint>& poles, const GreensQ
     status = status.IsOk() ? outcome : status;
   };
   ForRange(parallel, (count + Lanes - 1) / Lanes, 1, [&](Offset begin, Offset end) {
-    GreensWorkspace workspace(system);
+    const auto workspace = this->Pool->Borrow(system);
     std::vector<GreensColumn> columns(Lanes, GreensColumn(system));
     std::vector<SparseLanes> solutions(system.GetNumberOfVertices());
     std::vector<double> solution(solutions.size());
@@ -111,7 +124,7 @@ Status GreensFunction::Run(const std::vector<SurfacePoint>& poles, const GreensQ
       std::fill(solutions.begin(), solutions.end(), SparseLanes(SparseLanes::Zero()));
       for (Offset k = 0; k < size; ++k)
       {
-        const Status started = columns[k].Start(poles[first + k], quiet, workspace);
+        const Status started = columns[k].Start(poles[first + k], quiet, *workspace);
         if (!started.IsOk())
         {
           note(started);
@@ -130,7 +143,7 @@ Status GreensFunction::Run(const std::vector<SurfacePoint>& poles, const GreensQ
         {
           solution[v] = solutions[v][k];
         }
-        const Status finished = columns[k].Finish(solution, workspace, results[first + k]);
+        const Status finished = columns[k].Finish(solution, *workspace, results[first + k]);
         if (!finished.IsOk())
         {
           note(finished);

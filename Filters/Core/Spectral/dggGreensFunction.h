@@ -9,6 +9,7 @@
 #include "dggPoissonSolver.h" // for PoissonSolver
 #include "dggSurfacePoint.h"  // for poles and targets
 
+#include <memory> // for what is kept from run to run
 #include <vector> // for the results
 
 namespace dgg
@@ -65,8 +66,8 @@ struct GreensQuery
   GreensMethod Method = GreensMethod::SingularitySubtraction;
   GreensSign Sign = GreensSign::Positive;
   GreensPole Pole = GreensPole::CellAverage;
-  /// Where s ends. 0: 0.35 times the square root of the component's area, but before shortest ways
-  /// meet from different sides.
+  /// Where s ends. 0: 0.28 times the square root of the component's area or 48 mean edges, but
+  /// before shortest ways meet from different sides.
   double Radius = 0.0;
   /// Points whose values are wanted besides those of the vertices.
   std::vector<SurfacePoint> Targets;
@@ -96,12 +97,13 @@ struct GreensResult
 class GreensFunction
 {
 public:
-  explicit GreensFunction(const PoissonSolver& solver)
-    : Solver(solver)
-  {
-  }
+  explicit GreensFunction(const PoissonSolver& solver);
+  ~GreensFunction();
+  GreensFunction(const GreensFunction&) = delete;
+  GreensFunction& operator=(const GreensFunction&) = delete;
 
-  /// The Green's function of one point. Fails where PoissonSolver::CheckPole() does.
+  /// The Green's function of one point. Fails where PoissonSolver::CheckPole() does. May be called
+  /// by several threads at once.
   Status Run(const SurfacePoint& pole, const GreensQuery& query, GreensResult& result) const;
   /// Those of several points: `results[k]` belongs to pole k. Eight right-hand sides are solved for
   /// at a time. `parallel` may be empty.
@@ -109,7 +111,10 @@ public:
     const ParallelFor& parallel, std::vector<GreensResult>& results) const;
 
 private:
+  class Workspaces;
+
   const PoissonSolver& Solver;
+  std::unique_ptr<Workspaces> Pool;
 };
 }
 

@@ -36,8 +36,8 @@ double Misdirection(const SurfaceMesh& mesh, Id v, double polarAngle, double len
 }
 }
 
-double FindRidgeRadius(
-  const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources, const ExactResult& distances)
+double FindRidgeRadius(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources,
+  const ExactResult& distances, double checked)
 {
   VirtualSources found;
   FindVirtualSources(mesh, sources, distances, found);
@@ -56,7 +56,7 @@ double FindRidgeRadius(
     const double there = d[j];
     // Edges that end at the source are left out as well.
     if (!(std::max(here, there) < Infinity) || !(std::min(here, there) < radius) ||
-      !(std::min(here, there) > 0.0) || mesh.Origin(t) != j)
+      !(std::min(here, there) > 0.0) || std::max(here, there) < checked || mesh.Origin(t) != j)
     {
       continue;
     }

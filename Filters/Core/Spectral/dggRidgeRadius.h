@@ -14,9 +14,10 @@ namespace dgg
 /// The least distance of an edge at whose ends light from the source arrives in directions that
 /// differ by more than 60 degrees (once the edge and its ways are laid out in the plane), or
 /// Infinity. Behind every convex vertex ways meet from two sides, but hardly differ in direction:
-/// these ridges are not meant.
+/// these ridges are not meant. Edges within
+/// the distance `checked` are left out.
 double FindRidgeRadius(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources,
-  const ExactResult& distances);
+  const ExactResult& distances, double checked = 0.0);
 }
 
 #endif

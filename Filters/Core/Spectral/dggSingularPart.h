@@ -35,8 +35,9 @@ public:
   {
   }
 
-  /// `distances` per vertex, Infinity where they are beyond R and twice the
-  /// longest edge.
+  /// `distances` per vertex, those of all corners of faces that have one
+  /// within R; may be Infinity elsewhere. Faces that reach into the disk with their insides alone
+  /// do not count when a corner is not reached: s is next to nothing there.
   void Assemble(const Logarithm& logarithm, const std::vector<double>& distances,
     const std::vector<PoleFace>& poleFaces);
 
