@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGreensColumn.h"
 
+#include "dggGeodesicSource.h"
 #include "dggLocalizedGreens.h"
 #include "dggRidgeRadius.h"
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLocalizedGreens.h"
 
+#include "dggGeodesicSource.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>

@@ -1,0 +1,393 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggEigenpairs.h"
+
+#include "dggPoissonSystem.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace dgg
+{
+namespace
+{
+constexpr int Block = SparseLanes::SizeAtCompileTime;
+constexpr double Tolerance = 1e-8;
+/// Meshes with fewer vertices that count are left to a dense solver.
+constexpr Id DenseVertices = 300;
+/// Up to so many vertices, so are requests for more than a part of the spectrum.
+constexpr Id MostDenseVertices = 1000;
+constexpr Id DensePart = 5;
+/// Relative difference of eigenvalues that makes a gap.
+constexpr double Gap = 1e-4;
+constexpr int MostRestarts = 4;
+
+bool Goes(const ProgressCallback& progress, double fraction)
+{
+  return !progress || progress(std::min(1.0, fraction));
+}
+
+/// L and M, and the inverse of M^-1/2 L M^-1/2 off its kernel.
+class Operator
+{
+public:
+  explicit Operator(const PoissonSystem& system)
+    : System(system)
+    , Roots(system.GetNumberOfVertices())
+  {
+    std::vector<bool> isCounted(system.GetNumberOfComponents(), false);
+    for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+    {
+      this->Roots[v] = system.IsFixed(v) ? 0.0 : std::sqrt(system.GetArea(v));
+      if (this->Roots[v] > 0.0)
+      {
+        const Id c = system.GetComponent(v);
+        ++this->Rank;
+        if (system.IsFree(c) && !isCounted[c])
+        {
+          isCounted[c] = true;
+          ++this->Nullity;
+        }
+      }
+    }
+    this->Rank -= this->Nullity;
+  }
+
+  /// How many eigenvalues there are besides 0, and how often that is one.
+  Id GetRank() const { return this->Rank; }
+  Id GetNullity() const { return this->Nullity; }
+  const Eigen::VectorXd& GetRoots() const { return this->Roots; }
+  const PoissonSystem& GetSystem() const { return this->System; }
+
+  Eigen::MatrixXd Apply(const Eigen::MatrixXd& x) const
+  {
+    const Id n = this->System.GetNumberOfVertices();
+    std::vector<SparseLanes> values(n, SparseLanes(SparseLanes::Zero()));
+    for (Id v = 0; v < n; ++v)
+    {
+      for (int k = 0; k < x.cols(); ++k)
+      {
+        values[v][k] = x(v, k) * this->Roots[v];
+      }
+    }
+    this->System.Solve(values);
+    Eigen::MatrixXd result(n, x.cols());
+    for (Id v = 0; v < n; ++v)
+    {
+      for (int k = 0; k < x.cols(); ++k)
+      {
+        result(v, k) = values[v][k] * this->Roots[v];
+      }
+    }
+    return result;
+  }
+
+  /// How many eigenvalues of L v = lambda M v are below sigma, 0 included; -1 when that cannot be
+  /// told.
+  Id CountBelow(double sigma) const
+  {
+    Eigen::SparseMatrix<double> matrix = this->System.GetStiffness();
+    for (int column = 0; column < matrix.cols(); ++column)
+    {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry)
+      {
+        const bool isDiagonal = entry.row() == column;
+        if (!(this->Roots[column] > 0.0) || !(this->Roots[entry.row()] > 0.0))
+        {
+          entry.valueRef() = isDiagonal ? 1.0 : 0.0;
+        }
+        else if (isDiagonal)
+        {
+          entry.valueRef() -= sigma * this->Roots[column] * this->Roots[column];
+        }
+      }
+    }
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
+    if (factor.info() != Eigen::Success)
+    {
+      return -1;
+    }
+    return static_cast<Id>((factor.vectorD().array() < 0.0).count());
+  }
+
+private:
+  const PoissonSystem& System;
+  Eigen::VectorXd Roots;
+  Id Rank = 0;
+  Id Nullity = 0;
+};
+
+/// An orthonormal basis that grows, and the operator on it.
+class Krylov
+{
+public:
+  explicit Krylov(const Operator& op)
+    : Op(op)
+    , Generator(1)
+  {
+  }
+
+  /// Directions that may not have been seen yet.
+  void AddRandom()
+  {
+    Eigen::MatrixXd x(this->Op.GetRoots().size(), Block);
+    for (Eigen::Index k = 0; k < x.size(); ++k)
+    {
+      x.data()[k] = static_cast<double>(this->Generator() >> 11) * 0x1.0p-52 - 1.0;
+    }
+    this->Last = this->Orthonormal(this->Op.Apply(x));
+    this->Coupling.resize(0, 0);
+  }
+
+  /// Apply the operator to what was added last. False when there is nothing new to look at.
+  bool Grow()
+  {
+    const Eigen::Index size = this->Size;
+    const Eigen::Index added = this->Last.cols();
+    if (added == 0)
+    {
+      return false;
+    }
+    if (this->Basis.cols() < size + added)
+    {
+      this->Basis.conservativeResize(
+        this->Last.rows(), std::max<Eigen::Index>(2 * this->Basis.cols(), size + 8 * Block));
+    }
+    this->Basis.middleCols(size, added) = this->Last;
+    this->Size += added;
+    const Eigen::MatrixXd image = this->Op.Apply(this->Last);
+    const Eigen::MatrixXd column = this->Basis.leftCols(this->Size).transpose() * image;
+    this->Projection.conservativeResizeLike(Eigen::MatrixXd::Zero(this->Size, this->Size));
+    this->Projection.rightCols(added) = column;
+    this->Projection.bottomRows(added) = column.transpose();
+    this->Scale = std::max(this->Scale, column.cwiseAbs().maxCoeff());
+    Eigen::MatrixXd rest = image;
+    for (int pass = 0; pass < 2; ++pass)
+    {
+      rest -=
+        this->Basis.leftCols(this->Size) * (this->Basis.leftCols(this->Size).transpose() * rest);
+    }
+    this->LastAdded = added;
+    this->Last = this->Orthonormal(rest);
+    this->Coupling = this->Last.transpose() * rest;
+    return true;
+  }
+
+  /// Ritz values, the largest first, and how far the pairs are from being eigenpairs.
+  void Solve()
+  {
+    const Eigen::MatrixXd symmetric = 0.5 * (this->Projection + this->Projection.transpose());
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric);
+    this->Values = solver.eigenvalues().reverse();
+    this->Vectors = solver.eigenvectors().rowwise().reverse();
+    this->Residuals = Eigen::VectorXd::Zero(this->Size);
+    if (this->Coupling.rows() > 0)
+    {
+      this->Residuals =
+        (this->Coupling * this->Vectors.bottomRows(this->LastAdded)).colwise().norm().transpose();
+    }
+  }
+
+  Eigen::Index GetSize() const { return this->Size; }
+  const Eigen::VectorXd& GetValues() const { return this->Values; }
+  const Eigen::VectorXd& GetResiduals() const { return this->Residuals; }
+  Eigen::MatrixXd GetVectors(Eigen::Index count) const
+  {
+    return this->Basis.leftCols(this->Size) * this->Vectors.leftCols(count);
+  }
+
+private:
+  /// An orthonormal basis of the columns, orthogonal to what there is; those that add nothing are
+  /// left out.
+  Eigen::MatrixXd Orthonormal(Eigen::MatrixXd columns) const
+  {
+    Eigen::Index kept = 0;
+    for (Eigen::Index k = 0; k < columns.cols(); ++k)
+    {
+      Eigen::VectorXd x = columns.col(k);
+      const double before = x.norm();
+      for (int pass = 0; pass < 3; ++pass)
+      {
+        if (this->Size > 0)
+        {
+          x -=
+            this->Basis.leftCols(this->Size) * (this->Basis.leftCols(this->Size).transpose() * x);
+        }
+        x -= columns.leftCols(kept) * (columns.leftCols(kept).transpose() * x);
+      }
+      const double after = x.norm();
+      if (after > 1e-13 * this->Scale && after > 1e-10 * before && after > 0.0)
+      {
+        columns.col(kept++) = x / after;
+      }
+    }
+    return columns.leftCols(kept);
+  }
+
+  const Operator& Op;
+  std::mt19937_64 Generator;
+  Eigen::Index Size = 0;
+  Eigen::Index LastAdded = 0;
+  double Scale = 0.0;
+  Eigen::MatrixXd Basis;
+  Eigen::MatrixXd Last;
+  Eigen::MatrixXd Coupling;
+  Eigen::MatrixXd Projection;
+  Eigen::VectorXd Values;
+  Eigen::MatrixXd Vectors;
+  Eigen::VectorXd Residuals;
+};
+
+/// Eigenvalues of L v = lambda M v, increasing, and M^1/2 v.
+void Put(const Operator& op, const Eigen::VectorXd& values, const Eigen::MatrixXd& vectors,
+  Eigenpairs& pairs)
+{
+  const Eigen::VectorXd& roots = op.GetRoots();
+  const Eigen::Index n = roots.size();
+  pairs.Values.assign(values.data(), values.data() + values.size());
+  pairs.Functions.assign(static_cast<std::size_t>(n * values.size()), 0.0);
+  for (Eigen::Index k = 0; k < values.size(); ++k)
+  {
+    double* function = pairs.Functions.data() + k * n;
+    // The sign is that of the first value that is not small.
+    double largest = 0.0;
+    for (Eigen::Index v = 0; v < n; ++v)
+    {
+      function[v] = roots[v] > 0.0 ? vectors(v, k) / roots[v] : 0.0;
+      largest = std::max(largest, std::abs(function[v]));
+    }
+    Eigen::Index first = 0;
+    while (first < n - 1 && !(std::abs(function[first]) > 0.1 * largest))
+    {
+      ++first;
+    }
+    if (function[first] < 0.0)
+    {
+      std::transform(function, function + n, function, [](double x) { return -x; });
+    }
+  }
+}
+
+void SolveDense(const Operator& op, Id count, Eigenpairs& pairs)
+{
+  const Eigen::VectorXd& roots = op.GetRoots();
+  std::vector<Eigen::Index> active;
+  for (Eigen::Index v = 0; v < roots.size(); ++v)
+  {
+    if (roots[v] > 0.0)
+    {
+      active.push_back(v);
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(active.size());
+  Eigen::MatrixXd matrix(size, size);
+  const Eigen::MatrixXd stiffness = op.GetSystem().GetStiffness();
+  for (Eigen::Index i = 0; i < size; ++i)
+  {
+    for (Eigen::Index j = 0; j < size; ++j)
+    {
+      matrix(i, j) = stiffness(active[i], active[j]) / roots[active[i]] / roots[active[j]];
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+  Eigen::MatrixXd vectors = Eigen::MatrixXd::Zero(roots.size(), count);
+  for (Eigen::Index i = 0; i < size; ++i)
+  {
+    vectors.row(active[i]) = solver.eigenvectors().block(i, op.GetNullity(), 1, count);
+  }
+  Put(op, solver.eigenvalues().segment(op.GetNullity(), count), vectors, pairs);
+  pairs.IsComplete = true;
+}
+}
+
+Status FindEigenpairs(
+  const PoissonSolver& solver, Id count, const ProgressCallback& progress, Eigenpairs& pairs)
+{
+  pairs = Eigenpairs();
+  if (!solver.IsReady())
+  {
+    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+  }
+  if (count < 1)
+  {
+    return Status::Invalid("the number of eigenvalues must be positive");
+  }
+  const Operator op(solver.GetSystem());
+  count = std::min(count, op.GetRank());
+  if (count == 0)
+  {
+    pairs.IsComplete = true;
+    return Status::Success();
+  }
+  if (!Goes(progress, 0.0))
+  {
+    return Status::Abort();
+  }
+  if (op.GetRank() <= DenseVertices ||
+    (op.GetRank() <= MostDenseVertices && count > op.GetRank() / DensePart))
+  {
+    SolveDense(op, count, pairs);
+    return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+  }
+  Krylov krylov(op);
+  krylov.AddRandom();
+  // One more than asked for, to see the gap behind the last one.
+  const Eigen::Index wanted = std::min(count + 1, op.GetRank());
+  for (int restart = 0; restart <= MostRestarts; ++restart)
+  {
+    Eigen::Index converged = 0;
+    Eigen::Index next = wanted + wanted / 2 + Block;
+    while (krylov.Grow())
+    {
+      if (!Goes(progress, 0.9 * static_cast<double>(krylov.GetSize()) / (2.5 * wanted + 4 * Block)))
+      {
+        return Status::Abort();
+      }
+      if (krylov.GetSize() < next && krylov.GetSize() < op.GetRank())
+      {
+        continue;
+      }
+      next = krylov.GetSize() + std::max<Eigen::Index>(2 * Block, wanted / 8);
+      krylov.Solve();
+      converged = 0;
+      while (converged < wanted &&
+        krylov.GetResiduals()[converged] <= Tolerance * krylov.GetValues()[converged])
+      {
+        ++converged;
+      }
+      if (converged == wanted)
+      {
+        break;
+      }
+    }
+    if (converged < wanted)
+    {
+      krylov.Solve(); // the space is exhausted
+    }
+    const Eigen::Index found = std::min<Eigen::Index>(wanted, krylov.GetSize());
+    const Eigen::VectorXd values = krylov.GetValues().head(found).cwiseInverse();
+    Eigen::Index gap = found - 1;
+    while (gap > 0 && !(values[gap] > values[gap - 1] * (1.0 + Gap)))
+    {
+      --gap;
+    }
+    const double sigma = gap > 0 ? 0.5 * (values[gap - 1] + values[gap]) : 0.5 * values[0];
+    const Id below = op.CountBelow(sigma);
+    pairs.IsComplete = below == static_cast<Id>(gap) + op.GetNullity();
+    if (pairs.IsComplete || below < 0 || restart == MostRestarts)
+    {
+      const bool isComplete = pairs.IsComplete;
+      const Eigen::Index kept = std::min<Eigen::Index>(found, count);
+      Put(op, values.head(kept), krylov.GetVectors(kept), pairs);
+      pairs.IsComplete = isComplete;
+      break;
+    }
+    krylov.AddRandom();
+  }
+  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+}
+}

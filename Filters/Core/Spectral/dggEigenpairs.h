@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Eigenfunctions of the Laplacian on a surface.
+#ifndef dggEigenpairs_h
+#define dggEigenpairs_h
+
+#include "dggPoissonSolver.h" // for PoissonSolver
+
+#include <cstddef> // for std::size_t
+#include <vector>  // for the results
+
+namespace dgg
+{
+/// The smallest eigenvalues but 0 of L v = lambda M v, with the cotangent Laplacian L and lumped
+/// areas M, in increasing order, and their functions.
+struct Eigenpairs
+{
+  std::vector<double> Values; ///< one over square of length
+  /// Function k at vertex v is Functions[k * number of vertices + v]. They are orthonormal: the sum
+  /// of area times v_i v_j is 1 for i = j, else 0.
+  std::vector<double> Functions;
+  /// Whether it was checked (by the signs of the pivots of L - sigma M, Sylvester's law) that none
+  /// is missing below the last gap in the spectrum. Else those in clusters may be.
+  bool IsComplete = false;
+
+  Id GetCount() const { return static_cast<Id>(this->Values.size()); }
+  std::size_t GetMemorySize() const
+  {
+    return (this->Values.size() + this->Functions.size()) * sizeof(double);
+  }
+};
+
+/// Find `count` pairs, fewer where there are not as many, to a relative accuracy of 1e-8 of the
+/// values. By Lanczos' method with blocks and full orthogonalisation, applied to the inverse; the
+/// solver must be ready, and its options decide about the boundary. The memory is about that of
+/// 2.5 `count` functions. The same input gives the same result, signs included.
+Status FindEigenpairs(
+  const PoissonSolver& solver, Id count, const ProgressCallback& progress, Eigenpairs& pairs);
+}
+
+#endif

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The earth mover's distance on surfaces.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include "dggEarthMovers.h"
+
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+namespace dggtest
+{
+namespace
+{
+std::unique_ptr<dgg::PoissonSolver> Ready(
+  const dgg::SurfaceMesh& mesh, const dgg::PoissonOptions& options = {})
+{
+  auto solver = std::make_unique<dgg::PoissonSolver>(mesh);
+  const dgg::Status status = solver->Prepare(options, nullptr);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  return solver;
+}
+
+std::vector<double> PointMass(const dgg::SurfaceMesh& mesh, const dgg::SurfacePoint& point)
+{
+  std::vector<double> masses(mesh.GetNumberOfVertices(), 0.0);
+  EXPECT_TRUE(dgg::AddPointMass(mesh, point, 1.0, masses).IsOk());
+  return masses;
+}
+
+dgg::EarthMoversResult Move(const dgg::PoissonSolver& solver, const std::vector<double>& from,
+  const std::vector<double>& to, const dgg::EarthMoversOptions& options = {})
+{
+  dgg::EarthMoversResult result;
+  const dgg::Status status = dgg::EarthMovers(solver).Run(from, to, options, result);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_LE(result.LowerBound, result.Distance * (1.0 + 1e-9));
+  return result;
+}
+}
+
+TEST(EarthMovers, PointMassesAreTheirGeodesicDistanceApart)
+{
+  dgg::EarthMoversOptions options;
+  options.MostIterations = 2000;
+  options.Tolerance = 5e-3;
+  // On a torus the way has a part that is no gradient and no rotation of a function.
+  for (const bool isTorus : { false, true })
+  {
+    double previous = 0.0;
+    for (const int level : { 2, 3, 4 })
+    {
+      const dgg::SurfaceMesh mesh =
+        Build(isTorus ? Torus(6 << level, 3 << level) : Icosphere(level));
+      const auto solver = Ready(mesh);
+      const Id target = isTorus ? (6 << level) / 3 : 7;
+      const double expected = DistancesFrom(mesh, dgg::ExactEngine::Triangle, 0)[target];
+      const dgg::EarthMoversResult result =
+        Move(*solver, PointMass(mesh, dgg::SurfacePoint::AtVertex(0)),
+          PointMass(mesh, dgg::SurfacePoint::AtVertex(target)), options);
+      EXPECT_LE(result.LowerBound, expected * (1.0 + 1e-9));
+      const double error = std::abs(result.Distance / expected - 1.0);
+      if (level > 2)
+      {
+        EXPECT_LT(error, previous) << level;
+      }
+      previous = error;
+      if (level == 4)
+      {
+        EXPECT_LT(error, 0.06) << isTorus << " " << result.Iterations;
+      }
+    }
+  }
+}
+
+TEST(EarthMovers, TransportAlongAStripIsExact)
+{
+  // Everything moves by 8 along x: no other plan is cheaper.
+  const TestMesh plane = Plane(12, 4, 0.2);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  const auto solver = Ready(mesh);
+  std::vector<double> from(mesh.GetNumberOfVertices(), 0.0);
+  std::vector<double> to(from);
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const double weight = plane.Point(v)[1] == 0.0 || plane.Point(v)[1] == 4.0 ? 0.5 : 1.0;
+    from[v] = plane.Point(v)[0] == 0.0 ? weight / 4.0 : 0.0;
+    to[v] = plane.Point(v)[0] == 12.0 ? weight / 4.0 : 0.0;
+  }
+  const dgg::EarthMoversResult result = Move(*solver, from, to);
+  EXPECT_NEAR(result.Distance, 12.0, 1e-2);
+  EXPECT_NEAR(result.LowerBound, 12.0, 1e-2);
+  // The potential goes down along x, at slope 1.
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    EXPECT_NEAR(result.Potential[v] - result.Potential[0], -plane.Point(v)[0], 0.05) << v;
+  }
+}
+
+TEST(EarthMovers, MoreIterationsMoveForLess)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(3));
+  const auto solver = Ready(mesh);
+  const auto from = PointMass(mesh, dgg::SurfacePoint::InFace(mesh, 5, { { 0.3, 0.3, 0.4 } }));
+  const auto to = PointMass(mesh, dgg::SurfacePoint::InFace(mesh, 700, { { 0.2, 0.5, 0.3 } }));
+  double previous = dgg::Infinity;
+  double bound = 0.0;
+  for (const int iterations : { 0, 20, 100, 400 })
+  {
+    dgg::EarthMoversOptions options;
+    options.MostIterations = iterations;
+    options.Tolerance = 0.0;
+    const dgg::EarthMoversResult result = Move(*solver, from, to, options);
+    EXPECT_LE(result.Distance, previous);
+    EXPECT_GE(result.LowerBound, bound);
+    previous = result.Distance;
+    bound = result.LowerBound;
+    // Both directions cost the same.
+    EXPECT_NEAR(Move(*solver, to, from, options).Distance, result.Distance, 1e-6);
+  }
+  EXPECT_LT(previous - bound, 0.02 * previous);
+}
+
+TEST(EarthMovers, TriangleInequality)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(2, 0.2, 4));
+  const auto solver = Ready(mesh);
+  const std::vector<dgg::SurfacePoint> points = RandomSurfacePoints(mesh, 3, 8);
+  dgg::EarthMoversOptions options;
+  options.MostIterations = 3000;
+  const auto distance = [&](int i, int j) {
+    return Move(*solver, PointMass(mesh, points[i]), PointMass(mesh, points[j]), options).Distance;
+  };
+  const double a = distance(0, 1);
+  const double b = distance(1, 2);
+  const double c = distance(0, 2);
+  EXPECT_LE(c, (a + b) * 1.002);
+  EXPECT_LE(a, (b + c) * 1.002);
+  EXPECT_LE(b, (a + c) * 1.002);
+  EXPECT_EQ(distance(1, 1), 0.0);
+}
+
+TEST(EarthMovers, AnyTriangles)
+{
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    const auto solver = Ready(mesh);
+    Id count = 0;
+    const std::vector<Id> components = mesh.ComputeComponents(count);
+    // From the first vertex with others in its component to the last of these.
+    Id first = 0;
+    Id last = 0;
+    for (Id v = mesh.GetNumberOfVertices() - 1; v >= 0; --v)
+    {
+      const Id w = static_cast<Id>(
+        std::find(components.begin(), components.end(), components[v]) - components.begin());
+      if (w != v)
+      {
+        first = w;
+        last = v;
+        break;
+      }
+    }
+    dgg::EarthMoversOptions options;
+    options.MostIterations = 60;
+    const dgg::EarthMoversResult result =
+      Move(*solver, PointMass(mesh, dgg::SurfacePoint::AtVertex(first)),
+        PointMass(mesh, dgg::SurfacePoint::AtVertex(last)), options);
+    EXPECT_TRUE(std::isfinite(result.Distance)) << named.Name;
+    EXPECT_TRUE(std::isfinite(result.LowerBound)) << named.Name;
+    for (const double value : result.Potential)
+    {
+      ASSERT_TRUE(std::isfinite(value)) << named.Name;
+    }
+  }
+}
+
+TEST(EarthMovers, SaysWhatIsWrong)
+{
+  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
+  const auto solver = Ready(mesh);
+  const Id n = mesh.GetNumberOfVertices();
+  dgg::EarthMoversResult result;
+  const dgg::EarthMovers movers(*solver);
+  const auto first = PointMass(mesh, dgg::SurfacePoint::AtVertex(0));
+  const auto last = PointMass(mesh, dgg::SurfacePoint::AtVertex(n - 1));
+  EXPECT_NE(movers.Run(first, last, {}, result).GetMessage().find("nothing can get there"),
+    std::string::npos);
+  EXPECT_FALSE(movers.Run(first, {}, {}, result).IsOk());
+  dgg::EarthMoversOptions options;
+  options.Progress = [](double) { return false; };
+  EXPECT_TRUE(movers.Run(first, PointMass(mesh, dgg::SurfacePoint::AtVertex(9)), options, result)
+                .IsAborted());
+  std::vector<double> masses(n, 0.0);
+  EXPECT_FALSE(dgg::AddPointMass(mesh, dgg::SurfacePoint::AtVertex(n), 1.0, masses).IsOk());
+  dgg::PoissonOptions dirichlet;
+  dirichlet.Boundary = dgg::PoissonBoundary::Dirichlet;
+  const auto given = Ready(mesh, dirichlet);
+  EXPECT_NE(dgg::EarthMovers(*given).Run(first, first, {}, result).GetMessage().find("Neumann"),
+    std::string::npos);
+}
+}

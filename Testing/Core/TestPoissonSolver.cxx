@@ -1,0 +1,374 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Poisson equations on surfaces: closed forms, boundary conditions, any triangles, what is kept.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+
+#include "dggPoissonSolver.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace dggtest
+{
+namespace
+{
+/// A solver that is ready.
+class Poisson
+{
+public:
+  explicit Poisson(const dgg::SurfaceMesh& mesh, const dgg::PoissonOptions& options = {})
+    : Solver(mesh)
+  {
+    const dgg::Status status = this->Solver.Prepare(options, nullptr);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  }
+
+  std::vector<double> Solve(std::vector<double> values) const
+  {
+    const dgg::Status status = this->Solver.Solve(values);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    return values;
+  }
+  std::vector<double> Multiply(const std::vector<double>& f) const
+  {
+    std::vector<double> result;
+    const dgg::Status status = this->Solver.Multiply(f, result);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    return result;
+  }
+
+  dgg::PoissonSolver Solver;
+};
+
+dgg::PoissonOptions With(dgg::PoissonBoundary boundary, bool delaunay = false)
+{
+  dgg::PoissonOptions options;
+  options.Boundary = boundary;
+  options.IntrinsicDelaunay = delaunay;
+  return options;
+}
+
+std::vector<double> RandomValues(std::size_t count, std::uint64_t seed)
+{
+  Random random(seed);
+  std::vector<double> values(count);
+  for (double& value : values)
+  {
+    value = random.Uniform(-1.0, 1.0);
+  }
+  return values;
+}
+
+/// Weighted means of a function over the components, and how many of them.
+std::vector<double> Means(const dgg::PoissonSolver& solver, const std::vector<double>& f)
+{
+  Id count = 0;
+  const std::vector<Id> components = solver.GetMesh().ComputeComponents(count);
+  std::vector<double> means(count, 0.0);
+  for (std::size_t v = 0; v < f.size(); ++v)
+  {
+    means[components[v]] += solver.GetWeight(static_cast<Id>(v)) * f[v];
+  }
+  return means;
+}
+
+/// f solves the equation whose sources it has, up to means.
+void ExpectInverse(const Poisson& poisson, double tolerance, const std::string& what)
+{
+  const dgg::SurfaceMesh& mesh = poisson.Solver.GetMesh();
+  const std::vector<double> f = RandomValues(mesh.GetNumberOfVertices(), 3);
+  std::vector<double> sources = poisson.Multiply(f);
+  bool isFixedAnywhere = false;
+  for (std::size_t v = 0; v < f.size(); ++v)
+  {
+    if (poisson.Solver.IsFixed(static_cast<Id>(v)))
+    {
+      sources[v] = f[v];
+      isFixedAnywhere = true;
+    }
+  }
+  const std::vector<double> solution = poisson.Solve(sources);
+  Id count = 0;
+  const std::vector<Id> components = mesh.ComputeComponents(count);
+  std::vector<bool> isGiven(count, false);
+  for (std::size_t v = 0; v < f.size() && isFixedAnywhere; ++v)
+  {
+    isGiven[components[v]] = isGiven[components[v]] || poisson.Solver.IsFixed(static_cast<Id>(v));
+  }
+  const std::vector<double> means = Means(poisson.Solver, f);
+  for (std::size_t v = 0; v < f.size(); ++v)
+  {
+    const double expected = f[v] - (isGiven[components[v]] ? 0.0 : means[components[v]]);
+    ASSERT_NEAR(solution[v], expected, tolerance) << what << ", vertex " << v;
+  }
+}
+
+/// Root of the mean square over the area of a difference.
+double Error(const dgg::PoissonSolver& solver, const std::vector<double>& u,
+  const std::function<double(Id)>& expected)
+{
+  double sum = 0.0;
+  double area = 0.0;
+  for (std::size_t v = 0; v < u.size(); ++v)
+  {
+    const double difference = u[v] - expected(static_cast<Id>(v));
+    sum += solver.GetAreas()[v] * difference * difference;
+    area += solver.GetAreas()[v];
+  }
+  return std::sqrt(sum / area);
+}
+}
+
+TEST(PoissonSolver, InvertsTheLaplacian)
+{
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const bool delaunay : { false, true })
+    {
+      for (const auto boundary : { dgg::PoissonBoundary::Neumann, dgg::PoissonBoundary::Dirichlet })
+      {
+        const Poisson poisson(mesh, With(boundary, delaunay));
+        ExpectInverse(poisson, 1e-9, named.Name);
+      }
+    }
+  }
+}
+
+TEST(PoissonSolver, NeumannSquareConverges)
+{
+  double previous = 0.0;
+  for (const Id n : { 8, 16, 32, 64 })
+  {
+    const TestMesh plane = Scaled(Plane(n, n, 0.2), 1.0 / n);
+    const dgg::SurfaceMesh mesh = Build(plane);
+    const Poisson poisson(mesh);
+    const auto mode = [&](Id v) {
+      return std::cos(dgg::Pi * plane.Point(v)[0]) * std::cos(dgg::Pi * plane.Point(v)[1]);
+    };
+    std::vector<double> sources(mesh.GetNumberOfVertices());
+    for (std::size_t v = 0; v < sources.size(); ++v)
+    {
+      sources[v] =
+        2.0 * dgg::Pi * dgg::Pi * mode(static_cast<Id>(v)) * poisson.Solver.GetAreas()[v];
+    }
+    const double error = Error(poisson.Solver, poisson.Solve(sources), mode);
+    if (n > 8)
+    {
+      EXPECT_GT(std::log2(previous / error), 1.8) << n;
+    }
+    previous = error;
+  }
+  EXPECT_LT(previous, 1e-3);
+}
+
+TEST(PoissonSolver, GivenValuesOfLinearFunctionsAreContinuedLinearly)
+{
+  const TestMesh plane = Plane(12, 9, 0.25);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  const auto linear = [&](Id v) { return 1.0 + 2.0 * plane.Point(v)[0] - 3.0 * plane.Point(v)[1]; };
+  for (const bool delaunay : { false, true })
+  {
+    const Poisson poisson(mesh, With(dgg::PoissonBoundary::Dirichlet, delaunay));
+    std::vector<double> values(mesh.GetNumberOfVertices(), 0.0);
+    Id fixed = 0;
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      if (poisson.Solver.IsFixed(static_cast<Id>(v)))
+      {
+        values[v] = linear(static_cast<Id>(v));
+        ++fixed;
+      }
+    }
+    EXPECT_EQ(fixed, 2 * (12 + 9));
+    const std::vector<double> solution = poisson.Solve(values);
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      EXPECT_NEAR(solution[v], linear(v), 1e-10) << v;
+    }
+  }
+}
+
+TEST(PoissonSolver, SphericalHarmonicConverges)
+{
+  double previous = 0.0;
+  for (const int level : { 2, 3, 4 })
+  {
+    const TestMesh sphere = Icosphere(level);
+    const dgg::SurfaceMesh mesh = Build(sphere);
+    const Poisson poisson(mesh);
+    const auto harmonic = [&](Id v) { return sphere.Point(v)[0] * sphere.Point(v)[1]; }; // l = 2
+    std::vector<double> sources(mesh.GetNumberOfVertices());
+    for (std::size_t v = 0; v < sources.size(); ++v)
+    {
+      sources[v] = 6.0 * harmonic(static_cast<Id>(v)) * poisson.Solver.GetAreas()[v];
+    }
+    const double error = Error(poisson.Solver, poisson.Solve(sources), harmonic);
+    if (level > 2)
+    {
+      EXPECT_GT(std::log2(previous / error), 1.8) << level;
+    }
+    previous = error;
+  }
+}
+
+TEST(PoissonSolver, UnbalancedSourcesAreBalanced)
+{
+  // A unit at one vertex of the sphere, nothing on the torus and the plane beside it.
+  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
+  for (const auto weights : { dgg::PoissonWeights::Area, dgg::PoissonWeights::Uniform })
+  {
+    dgg::PoissonOptions options;
+    options.Weights = weights;
+    const Poisson poisson(mesh, options);
+    std::vector<double> sources(mesh.GetNumberOfVertices(), 0.0);
+    sources[5] = 1.0;
+    const std::vector<double> solution = poisson.Solve(sources);
+    const std::vector<double> product = poisson.Multiply(solution);
+    Id count = 0;
+    const std::vector<Id> components = mesh.ComputeComponents(count);
+    ASSERT_EQ(count, 3);
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      if (components[v] != components[5])
+      {
+        EXPECT_EQ(solution[v], 0.0);
+        continue;
+      }
+      EXPECT_NEAR(product[v], (v == 5 ? 1.0 : 0.0) - poisson.Solver.GetWeight(v), 1e-12);
+    }
+    for (const double mean : Means(poisson.Solver, solution))
+    {
+      EXPECT_NEAR(mean, 0.0, 1e-14);
+    }
+  }
+}
+
+TEST(PoissonSolver, AnyTrianglesGiveNumbers)
+{
+  std::vector<NamedMesh> meshes = DefectMeshes();
+  for (std::uint64_t seed = 1; seed <= 100; ++seed)
+  {
+    Random random(seed);
+    const Id vertices = 3 + random.Index(20);
+    meshes.push_back(
+      { "soup " + std::to_string(seed), RandomSoup(vertices, 1 + random.Index(50), seed) });
+  }
+  for (const NamedMesh& named : meshes)
+  {
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const auto boundary : { dgg::PoissonBoundary::Neumann, dgg::PoissonBoundary::Dirichlet })
+    {
+      for (const bool delaunay : { false, true })
+      {
+        const Poisson poisson(mesh, With(boundary, delaunay));
+        const std::string what = named.Name + (delaunay ? ", flipped" : "");
+        // Faces of next to no area are stiff in one direction and soft in the other one: condition
+        // numbers are up to 1e12.
+        ExpectInverse(poisson, 1e-3, what);
+        // Sources and their effect agree, too: what is stiff is not soft.
+        std::vector<double> sources = RandomValues(mesh.GetNumberOfVertices(), 9);
+        for (std::size_t v = 0; v < sources.size(); ++v)
+        {
+          sources[v] = poisson.Solver.IsFixed(static_cast<Id>(v)) ? 0.0 : sources[v];
+        }
+        const std::vector<double> solution = poisson.Solve(sources);
+        const std::vector<double> again = poisson.Solve([&] {
+          std::vector<double> product = poisson.Multiply(solution);
+          for (std::size_t v = 0; v < product.size(); ++v)
+          {
+            product[v] = poisson.Solver.IsFixed(static_cast<Id>(v)) ? 0.0 : product[v];
+          }
+          return product;
+        }());
+        double largest = 0.0;
+        for (const double value : solution)
+        {
+          ASSERT_TRUE(std::isfinite(value)) << what;
+          largest = std::max(largest, std::abs(value));
+        }
+        for (std::size_t v = 0; v < solution.size(); ++v)
+        {
+          ASSERT_NEAR(again[v], solution[v], 1e-3 * std::max(1.0, largest)) << what << " " << v;
+        }
+      }
+    }
+  }
+}
+
+TEST(PoissonSolver, DelaunayKeepsTheMaximumPrinciple)
+{
+  // Obtuse triangles: without flips, a source makes values below those on the boundary.
+  const TestMesh squeezed = [] {
+    TestMesh plane = Plane(20, 20, 0.29, 4);
+    for (std::size_t k = 0; k < plane.Points.size(); k += 3)
+    {
+      plane.Points[k] *= 6.0;
+    }
+    return plane;
+  }();
+  const dgg::SurfaceMesh mesh = Build(squeezed);
+  double least[2] = { 0.0, 0.0 };
+  for (const bool delaunay : { false, true })
+  {
+    const Poisson poisson(mesh, With(dgg::PoissonBoundary::Dirichlet, delaunay));
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      if (poisson.Solver.IsFixed(v))
+      {
+        continue;
+      }
+      std::vector<double> sources(mesh.GetNumberOfVertices(), 0.0);
+      sources[v] = 1.0;
+      for (const double value : poisson.Solve(sources))
+      {
+        least[delaunay] = std::min(least[delaunay], value);
+      }
+    }
+  }
+  EXPECT_LT(least[0], -1e-6);
+  EXPECT_GE(least[1], -1e-12);
+}
+
+TEST(PoissonSolver, IsFactorizedOnce)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(6, 6, 0.1));
+  Poisson poisson(mesh);
+  EXPECT_EQ(poisson.Solver.GetNumberOfFactorizations(), 1);
+  poisson.Solve(RandomValues(mesh.GetNumberOfVertices(), 1));
+  dgg::PoissonOptions uniform;
+  uniform.Weights = dgg::PoissonWeights::Uniform;
+  EXPECT_TRUE(poisson.Solver.Prepare(uniform, nullptr).IsOk());
+  EXPECT_EQ(poisson.Solver.GetNumberOfFactorizations(), 1);
+  EXPECT_TRUE(poisson.Solver.Prepare(With(dgg::PoissonBoundary::Dirichlet), nullptr).IsOk());
+  EXPECT_EQ(poisson.Solver.GetNumberOfFactorizations(), 2);
+  EXPECT_GT(poisson.Solver.GetMemorySize(), 0u);
+  EXPECT_LE(poisson.Solver.GetMemorySize(), poisson.Solver.GetEstimatedMemory());
+}
+
+TEST(PoissonSolver, SaysWhatIsWrong)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(3, 3));
+  dgg::PoissonSolver solver(mesh);
+  std::vector<double> values(mesh.GetNumberOfVertices(), 0.0);
+  EXPECT_NE(solver.Solve(values).GetMessage().find("Prepare()"), std::string::npos);
+  EXPECT_FALSE(solver.Factorize(nullptr).IsOk());
+  EXPECT_TRUE(solver.Prepare({}, nullptr).IsOk());
+  values[7] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(solver.Solve(values).GetMessage().find("vertex 7"), std::string::npos);
+  values.pop_back();
+  EXPECT_FALSE(solver.Solve(values).IsOk());
+  for (int step = 0; step < 6; ++step)
+  {
+    dgg::PoissonSolver stopped(mesh);
+    int calls = 0;
+    const dgg::Status status = stopped.Prepare({}, [&](double) { return calls++ < step; });
+    EXPECT_TRUE(status.IsAborted() || calls <= step) << step;
+  }
+}
+}

@@ -1,0 +1,354 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Eigenfunctions, biharmonic, commute-time and diffusion distances.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "GeodesicChecks.h"
+
+#include "dggSpectralDistance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace dggtest
+{
+namespace
+{
+std::unique_ptr<dgg::PoissonSolver> Ready(
+  const dgg::SurfaceMesh& mesh, const dgg::PoissonOptions& options = {})
+{
+  auto solver = std::make_unique<dgg::PoissonSolver>(mesh);
+  const dgg::Status status = solver->Prepare(options, nullptr);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  return solver;
+}
+
+dgg::Eigenpairs FindPairs(const dgg::PoissonSolver& solver, Id count)
+{
+  dgg::Eigenpairs pairs;
+  const dgg::Status status = dgg::FindEigenpairs(solver, count, nullptr, pairs);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  return pairs;
+}
+
+/// L v = lambda M v, and orthonormal.
+void ExpectEigenpairs(
+  const dgg::PoissonSolver& solver, const dgg::Eigenpairs& pairs, const std::string& what)
+{
+  const auto n = static_cast<std::size_t>(solver.GetMesh().GetNumberOfVertices());
+  const std::vector<double>& areas = solver.GetAreas();
+  for (Id i = 0; i < pairs.GetCount(); ++i)
+  {
+    const double* function = pairs.Functions.data() + i * n;
+    if (i > 0)
+    {
+      EXPECT_LE(pairs.Values[i - 1], pairs.Values[i] * (1.0 + 1e-12)) << what;
+    }
+    std::vector<double> product;
+    ASSERT_TRUE(solver.Multiply(std::vector<double>(function, function + n), product).IsOk());
+    double residual = 0.0;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      if (areas[v] > 0.0 && !solver.IsFixed(static_cast<Id>(v)))
+      {
+        const double r = product[v] - pairs.Values[i] * areas[v] * function[v];
+        residual += r * r / areas[v];
+      }
+    }
+    EXPECT_LT(std::sqrt(residual), 1e-4 * pairs.Values[i]) << what << " " << i;
+    for (Id j = 0; j <= i; ++j)
+    {
+      double sum = 0.0;
+      for (std::size_t v = 0; v < n; ++v)
+      {
+        sum += areas[v] * function[v] * pairs.Functions[j * n + v];
+      }
+      EXPECT_NEAR(sum, i == j ? 1.0 : 0.0, 1e-8) << what << " " << i << " " << j;
+    }
+  }
+}
+
+dgg::SpectralOptions Options(dgg::SpectralKind kind, dgg::SpectralMethod method, Id count = 150)
+{
+  dgg::SpectralOptions options;
+  options.Kind = kind;
+  options.Method = method;
+  options.NumberOfEigenvalues = count;
+  return options;
+}
+
+/// Green's function of the bi-Laplacian on the unit sphere.
+double SphereBiharmonic(double cosine)
+{
+  double sum = 0.0;
+  double previous = 1.0;
+  double legendre = cosine;
+  for (int l = 1; l < 4000; ++l)
+  {
+    const double size = static_cast<double>(l) * (l + 1);
+    sum += (2 * l + 1) / (4.0 * dgg::Pi) * legendre / (size * size);
+    const double next = ((2 * l + 1) * cosine * legendre - l * previous) / (l + 1);
+    previous = legendre;
+    legendre = next;
+  }
+  return sum;
+}
+}
+
+TEST(Eigenpairs, SphereHasItsMultiplicities)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(4));
+  const auto solver = Ready(mesh);
+  const dgg::Eigenpairs pairs = FindPairs(*solver, 35);
+  ASSERT_EQ(pairs.GetCount(), 35);
+  EXPECT_TRUE(pairs.IsComplete);
+  ExpectEigenpairs(*solver, pairs, "sphere");
+  Id k = 0;
+  for (int l = 1; l <= 5; ++l)
+  {
+    for (int m = 0; m < 2 * l + 1; ++m, ++k)
+    {
+      EXPECT_NEAR(pairs.Values[k], l * (l + 1.0), 0.02 * l * (l + 1.0)) << k;
+    }
+  }
+}
+
+TEST(Eigenpairs, FlatTorusConverges)
+{
+  double previous = 0.0;
+  for (const Id n : { 12, 24, 48 })
+  {
+    const dgg::SurfaceMesh mesh = Build(FlatTorus(1.0, 0.0, 1.0, n, n, false));
+    const auto solver = Ready(mesh);
+    const dgg::Eigenpairs pairs = FindPairs(*solver, 8);
+    double error = 0.0;
+    for (Id k = 0; k < 8; ++k)
+    {
+      const double expected = 4.0 * dgg::Pi * dgg::Pi * (k < 4 ? 1.0 : 2.0);
+      error = std::max(error, std::abs(pairs.Values[k] / expected - 1.0));
+    }
+    if (n > 12)
+    {
+      EXPECT_GT(std::log2(previous / error), 1.9) << n;
+    }
+    previous = error;
+  }
+}
+
+TEST(Eigenpairs, EqualPartsHaveEqualValues)
+{
+  // Twenty spheres: 60 functions with the same value, more than there are in a block.
+  TestMesh spheres;
+  for (int k = 0; k < 20; ++k)
+  {
+    Append(spheres, Translated(Icosphere(2), 3.0 * k, 0.0, 0.0));
+  }
+  const dgg::SurfaceMesh mesh = Build(spheres);
+  const auto solver = Ready(mesh);
+  const dgg::Eigenpairs pairs = FindPairs(*solver, 70);
+  ASSERT_EQ(pairs.GetCount(), 70);
+  EXPECT_TRUE(pairs.IsComplete);
+  EXPECT_NEAR(pairs.Values[59], pairs.Values[0], 1e-6);
+  EXPECT_GT(pairs.Values[60], 2.5 * pairs.Values[59]);
+  ExpectEigenpairs(*solver, pairs, "spheres");
+}
+
+TEST(Eigenpairs, GivenBoundaryAndAnyTriangles)
+{
+  dgg::PoissonOptions options;
+  options.Boundary = dgg::PoissonBoundary::Dirichlet;
+  const dgg::SurfaceMesh square = Build(Scaled(Plane(40, 40, 0.2), 1.0 / 40));
+  const auto solver = Ready(square, options);
+  const dgg::Eigenpairs pairs = FindPairs(*solver, 6);
+  ExpectEigenpairs(*solver, pairs, "square");
+  const double expected[6] = { 2, 5, 5, 8, 10, 10 };
+  for (Id k = 0; k < 6; ++k)
+  {
+    EXPECT_NEAR(pairs.Values[k] / (dgg::Pi * dgg::Pi) / expected[k], 1.0, 0.02) << k;
+  }
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    const auto any = Ready(mesh);
+    const dgg::Eigenpairs found = FindPairs(*any, 12);
+    for (const double value : found.Values)
+    {
+      EXPECT_TRUE(std::isfinite(value) && value > -1e-6) << named.Name << " " << value;
+    }
+    for (const double value : found.Functions)
+    {
+      ASSERT_TRUE(std::isfinite(value)) << named.Name;
+    }
+  }
+}
+
+TEST(SpectralDistance, BiharmonicOnTheSphere)
+{
+  const double pole = 1.0 / (4.0 * dgg::Pi);
+  const double antipode = -(dgg::Pi * dgg::Pi / 6.0 - 1.0) / (4.0 * dgg::Pi);
+  EXPECT_NEAR(SphereBiharmonic(1.0), pole, 1e-7);
+  EXPECT_NEAR(SphereBiharmonic(-1.0), antipode, 1e-7);
+  double previous[2] = { 0.0, 0.0 };
+  for (const int level : { 2, 3, 4, 5 })
+  {
+    const TestMesh sphere = Icosphere(level);
+    const dgg::SurfaceMesh mesh = Build(sphere);
+    const auto solver = Ready(mesh);
+    dgg::SpectralDistance distance(*solver);
+    ASSERT_TRUE(distance
+                  .Prepare(Options(dgg::SpectralKind::Biharmonic, dgg::SpectralMethod::Exact),
+                    dgg::ProgressCallback())
+                  .IsOk());
+    std::vector<double> column;
+    ASSERT_TRUE(distance.Column(dgg::SurfacePoint::AtVertex(0), column).IsOk());
+    double errors[2] = { std::abs(column[0] - pole), 0.0 };
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      double cosine = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        cosine += sphere.Point(0)[k] * sphere.Point(v)[k];
+      }
+      if (cosine < -1.0 + 1e-9)
+      {
+        errors[1] = std::abs(column[v] - antipode);
+      }
+    }
+    EXPECT_GT(errors[1], 0.0);
+    for (int k = 0; k < 2 && level > 2; ++k)
+    {
+      EXPECT_GT(std::log2(previous[k] / errors[k]), k == 0 ? 1.7 : 1.9) << level << " " << k;
+    }
+    previous[0] = errors[0];
+    previous[1] = errors[1];
+    RecordProperty("pole" + std::to_string(level), std::to_string(errors[0]));
+  }
+  EXPECT_LT(previous[0], 1e-4);
+  EXPECT_LT(previous[1], 1e-4);
+}
+
+TEST(SpectralDistance, MetricAxioms)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(2, 0.2, 3));
+  const auto solver = Ready(mesh);
+  const std::vector<dgg::SurfacePoint> points = RandomSurfacePoints(mesh, 14, 5);
+  for (const auto method : { dgg::SpectralMethod::Exact, dgg::SpectralMethod::Spectrum })
+  {
+    for (const auto kind : { dgg::SpectralKind::Biharmonic, dgg::SpectralKind::CommuteTime,
+           dgg::SpectralKind::Diffusion })
+    {
+      dgg::SpectralDistance distance(*solver);
+      const dgg::Status status = distance.Prepare(Options(kind, method, 20), nullptr);
+      if (kind == dgg::SpectralKind::Diffusion && method == dgg::SpectralMethod::Exact)
+      {
+        EXPECT_NE(status.GetMessage().find("Spectrum"), std::string::npos);
+        continue;
+      }
+      ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+      std::vector<double> d;
+      ASSERT_TRUE(distance.Between(points, points, nullptr, nullptr, d).IsOk());
+      const std::size_t n = points.size();
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        EXPECT_NEAR(d[i * n + i], 0.0, 1e-7);
+        for (std::size_t j = 0; j < n; ++j)
+        {
+          EXPECT_NEAR(d[i * n + j], d[j * n + i], 1e-10);
+          EXPECT_TRUE(i == j || d[i * n + j] > 1e-4);
+          for (std::size_t k = 0; k < n; ++k)
+          {
+            EXPECT_LE(d[i * n + k], (d[i * n + j] + d[j * n + k]) * (1.0 + 1e-9) + 1e-12);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(SpectralDistance, AllEigenvaluesAreExact)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(2));
+  const auto solver = Ready(mesh);
+  const dgg::SurfacePoint source = dgg::SurfacePoint::InFace(mesh, 11, { { 0.2, 0.3, 0.5 } });
+  for (const auto kind : { dgg::SpectralKind::Biharmonic, dgg::SpectralKind::CommuteTime })
+  {
+    std::vector<double> fields[3];
+    const Id counts[3] = { 161, 161, 30 };
+    for (int k = 0; k < 3; ++k)
+    {
+      dgg::SpectralDistance distance(*solver);
+      ASSERT_TRUE(distance
+                    .Prepare(Options(kind,
+                               k == 0 ? dgg::SpectralMethod::Exact : dgg::SpectralMethod::Spectrum,
+                               counts[k]),
+                      nullptr)
+                    .IsOk());
+      ASSERT_TRUE(distance.FromPoint(source, nullptr, nullptr, fields[k]).IsOk());
+      if (k == 0)
+      {
+        // The same, pair by pair.
+        std::vector<double> pair;
+        ASSERT_TRUE(
+          distance.Between({ source }, { dgg::SurfacePoint::AtVertex(40) }, nullptr, nullptr, pair)
+            .IsOk());
+        EXPECT_NEAR(pair[0], fields[0][40], 1e-10);
+      }
+    }
+    for (std::size_t v = 0; v < fields[0].size(); ++v)
+    {
+      EXPECT_NEAR(fields[1][v], fields[0][v], 1e-7) << v;
+      EXPECT_LE(fields[2][v], fields[0][v] + 1e-9) << v; // positive terms are missing
+      if (kind == dgg::SpectralKind::Biharmonic)
+      {
+        EXPECT_NEAR(fields[2][v], fields[0][v], 0.06) << v;
+      }
+    }
+  }
+}
+
+TEST(SpectralDistance, PartsAreInfinitelyFarApart)
+{
+  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
+  const auto solver = Ready(mesh);
+  Id count = 0;
+  const std::vector<Id> components = mesh.ComputeComponents(count);
+  for (const auto method : { dgg::SpectralMethod::Exact, dgg::SpectralMethod::Spectrum })
+  {
+    dgg::SpectralDistance distance(*solver);
+    ASSERT_TRUE(
+      distance.Prepare(Options(dgg::SpectralKind::Biharmonic, method, 20), nullptr).IsOk());
+    std::vector<double> d;
+    ASSERT_TRUE(distance.FromPoint(dgg::SurfacePoint::AtVertex(0), nullptr, nullptr, d).IsOk());
+    EXPECT_EQ(d[0], 0.0);
+    for (std::size_t v = 0; v < d.size(); ++v)
+    {
+      EXPECT_EQ(d[v] < dgg::Infinity, components[v] == components[0]);
+    }
+  }
+}
+
+TEST(SpectralDistance, SaysWhatIsWrong)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(3, 3));
+  dgg::PoissonSolver raw(mesh);
+  dgg::Eigenpairs pairs;
+  EXPECT_FALSE(dgg::FindEigenpairs(raw, 3, nullptr, pairs).IsOk());
+  const auto solver = Ready(mesh);
+  EXPECT_FALSE(dgg::FindEigenpairs(*solver, 0, nullptr, pairs).IsOk());
+  EXPECT_TRUE(dgg::FindEigenpairs(*solver, 1000, nullptr, pairs).IsOk());
+  EXPECT_EQ(pairs.GetCount(), 15);
+  EXPECT_TRUE(dgg::FindEigenpairs(
+    *solver, 3, [](double) { return false; }, pairs)
+                .IsAborted());
+  dgg::SpectralDistance distance(*solver);
+  std::vector<double> d;
+  EXPECT_FALSE(distance.FromPoint(dgg::SurfacePoint::AtVertex(0), nullptr, nullptr, d).IsOk());
+  ASSERT_TRUE(distance.Prepare({}, nullptr).IsOk());
+  EXPECT_FALSE(distance.FromPoint(dgg::SurfacePoint::AtVertex(99), nullptr, nullptr, d).IsOk());
+  dgg::SpectralOptions options;
+  options.Time = -1.0;
+  EXPECT_FALSE(distance.Prepare(options, nullptr).IsOk());
+}
+}
