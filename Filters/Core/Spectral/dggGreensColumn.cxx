@@ -15,8 +15,11 @@ namespace
 {
 /// Least R, in mean edges.
 constexpr double LeastEdges = 4.0;
-/// Largest R, in square roots of the area: about a radian on a sphere.
-constexpr double LargestPart = 0.28;
+/// R, in square roots of the area: about a radian on a sphere. A little more on coarse meshes, to
+/// make it that many mean edges.
+constexpr double UsualPart = 0.28;
+constexpr double LargestPart = 0.35;
+constexpr double CoarseEdges = 8.0;
 /// Largest R, in mean edges: the error is well below that of the mesh then, and exact distances
 /// farther away would cost more than all the rest.
 constexpr double MostEdges = 48.0;
@@ -212,8 +215,9 @@ Status GreensColumn::ChooseRadius(
   GreensWorkspace& workspace, double& radius, double& reached, ExactResult& result) const
 {
   const double edge = this->System.GetMeanEdge(this->Component);
+  const double size = std::sqrt(this->System.GetComponentArea(this->Component));
   const double most = std::min(
-    MostEdges * edge, LargestPart * std::sqrt(this->System.GetComponentArea(this->Component)));
+    MostEdges * edge, std::clamp(CoarseEdges * edge, UsualPart * size, LargestPart * size));
   // Ways are found step by step, as ridges may be near and ways cost more than their number.
   double checked = 0.0;
   reached = std::min(most, FirstEdges * edge);
@@ -319,7 +323,7 @@ Status GreensColumn::Finish(
     !Localize(system, this->Pole, workspace.Exact, solution))
   {
     result.Method = GreensMethod::Interpolated;
-    result.Remark = GreensRemark::NearGivenValues;
+    result.Remark = GreensRemark::NotLocalized;
   }
   if (this->HasLogarithm())
   {

@@ -19,10 +19,13 @@ enum class GreensMethod
 {
   /// g = s(d) + r: the logarithm s of the geodesic distance, cut off at a radius, carries the pole
   /// exactly; finite elements solve for r, which is smooth. Second order everywhere, the pole
-  /// included.
+  /// included; first order next to a pole that is not on a boundary but within a few edges of it,
+  /// since r has the mirror image of the pole.
   SingularitySubtraction,
   /// Interpolated, corrected around the pole: of the values there that reproduce the geodesic
-  /// distances from points nearby in Green's identity, those next to the interpolated ones.
+  /// distances from points nearby in Green's identity, those next to the interpolated ones. About
+  /// as good as these on average, better where the pole lies between the middle of its face and a
+  /// corner, worse close to the middle: for comparison.
   Localized,
   /// The columns of the corners, weighted with barycentric coordinates: the finite element solution
   /// with a point load. First order near the pole.
@@ -56,9 +59,9 @@ enum class GreensRemark
   TooCoarse,
   /// The triangle of the flipped mesh that the pole lies in was not found: Interpolated was used.
   NoTriangle,
-  /// Localized needs all values around the pole to be free, and some are given: Interpolated was
-  /// used.
-  NearGivenValues
+  /// Localized needs all values around the pole to be free, and distances there that make sense:
+  /// Interpolated was used.
+  NotLocalized
 };
 
 struct GreensQuery
@@ -66,7 +69,8 @@ struct GreensQuery
   GreensMethod Method = GreensMethod::SingularitySubtraction;
   GreensSign Sign = GreensSign::Positive;
   GreensPole Pole = GreensPole::CellAverage;
-  /// Where s ends. 0: 0.28 times the square root of the component's area or 48 mean edges, but
+  /// Where s ends. 0: 0.28 times the square root of the component's area (up to 0.35 on coarse
+  /// meshes), or 48 mean edges, but
   /// before shortest ways meet from different sides.
   double Radius = 0.0;
   /// Points whose values are wanted besides those of the vertices.

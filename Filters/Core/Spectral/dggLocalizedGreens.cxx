@@ -109,7 +109,14 @@ bool Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeodes
   decomposition.compute(distances.leftCols(near2) * laplacian);
   const Eigen::VectorXd change =
     decomposition.solve(distances.col(near2) - distances.leftCols(near2) * psi);
-  if (!change.allFinite())
+  double least = Infinity;
+  double largest = -Infinity;
+  for (const Id v : vertices)
+  {
+    least = std::min(least, values[v]);
+    largest = std::max(largest, values[v]);
+  }
+  if (!change.allFinite() || change.cwiseAbs().maxCoeff() > largest - least)
   {
     return false;
   }
@@ -117,6 +124,7 @@ bool Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeodes
   {
     values[vertices[k]] += change[k];
   }
+  system.Center(values);
   return true;
 }
 }

@@ -23,7 +23,7 @@ constexpr Id LocalizedVertices = 60;
 ///
 /// over the vertices next to those i that are near. The interpolation of g0 makes the distances
 /// linear in the face of x, which they are not. False, and nothing is changed, where a value nearby
-/// is given.
+/// is given, or a change would be larger than the values.
 bool Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeodesics& exact,
   std::vector<double>& values);
 }
