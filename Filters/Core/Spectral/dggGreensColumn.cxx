@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace dgg
 {
@@ -33,6 +34,27 @@ constexpr double RidgeMargin = 0.9;
 /// How well distances to corners must fit the plane for a point to be in a triangle, relative to
 /// the sides.
 constexpr double FitTolerance = 1e-7;
+}
+
+Status CheckGreensQuery(const PoissonSolver& solver, const GreensQuery& query)
+{
+  if (!solver.IsReady())
+  {
+    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+  }
+  if (!(query.Radius >= 0.0) || !(query.Radius < Infinity))
+  {
+    return Status::Invalid("the radius of the logarithm must not be negative, and finite");
+  }
+  for (std::size_t k = 0; k < query.Targets.size(); ++k)
+  {
+    const Status status = query.Targets[k].Check(solver.GetMesh());
+    if (!status.IsOk())
+    {
+      return Status::Invalid("target " + std::to_string(k) + ": " + status.GetMessage());
+    }
+  }
+  return Status::Success();
 }
 
 double InterpolateAt(
@@ -210,14 +232,25 @@ bool GreensColumn::FindFlippedPoleFace(std::vector<PoleFace>& faces) const
   return found.Face != NoId;
 }
 
+double GreensColumn::GetUsualRadius(const PoissonSystem& system, Id component)
+{
+  const double edge = system.GetMeanEdge(component);
+  const double size = std::sqrt(system.GetComponentArea(component));
+  return std::min(
+    MostEdges * edge, std::clamp(CoarseEdges * edge, UsualPart * size, LargestPart * size));
+}
+
+bool GreensColumn::IsTooCoarse(const PoissonSystem& system, Id component, double radius)
+{
+  return radius < LeastEdges * system.GetMeanEdge(component);
+}
+
 /// A radius with shortest ways up to it that do not meet from different sides, and these.
 Status GreensColumn::ChooseRadius(
   GreensWorkspace& workspace, double& radius, double& reached, ExactResult& result) const
 {
   const double edge = this->System.GetMeanEdge(this->Component);
-  const double size = std::sqrt(this->System.GetComponentArea(this->Component));
-  const double most = std::min(
-    MostEdges * edge, std::clamp(CoarseEdges * edge, UsualPart * size, LargestPart * size));
+  const double most = GetUsualRadius(this->System, this->Component);
   // Ways are found step by step, as ridges may be near and ways cost more than their number.
   double checked = 0.0;
   reached = std::min(most, FirstEdges * edge);
@@ -256,7 +289,7 @@ Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
   {
     return status;
   }
-  if (radius < LeastEdges * system.GetMeanEdge(this->Component))
+  if (IsTooCoarse(system, this->Component, radius))
   {
     this->Method = GreensMethod::Interpolated;
     this->Remark = GreensRemark::TooCoarse;
@@ -313,26 +346,35 @@ Status GreensColumn::Finish(
   std::vector<double>& solution, GreensWorkspace& workspace, GreensResult& result) const
 {
   const PoissonSystem& system = this->System;
-  const SurfaceMesh& mesh = system.GetMesh();
-  result = GreensResult();
-  result.Method = this->Method;
-  result.Remark = this->Remark;
-  const Id n = system.GetNumberOfVertices();
-  const double sign = this->Query.Sign == GreensSign::Positive ? 1.0 : -1.0;
+  bool isLocalized = true;
   if (this->Method == GreensMethod::Localized && !IsVertex(this->Pole) &&
     !Localize(system, this->Pole, workspace.Exact, solution))
+  {
+    isLocalized = false;
+  }
+  for (Id v = 0; v < system.GetNumberOfVertices() && this->HasLogarithm(); ++v)
+  {
+    solution[v] -= system.GetComponent(v) == this->Component ? this->Mean : 0.0;
+  }
+  this->AddLogarithm(solution, result);
+  if (!isLocalized)
   {
     result.Method = GreensMethod::Interpolated;
     result.Remark = GreensRemark::NotLocalized;
   }
-  if (this->HasLogarithm())
-  {
-    result.Radius = this->Singular.GetRadius();
-    for (Id v = 0; v < n; ++v)
-    {
-      solution[v] -= system.GetComponent(v) == this->Component ? this->Mean : 0.0;
-    }
-  }
+  return Status::Success();
+}
+
+void GreensColumn::AddLogarithm(std::vector<double>& solution, GreensResult& result) const
+{
+  const PoissonSystem& system = this->System;
+  const SurfaceMesh& mesh = system.GetMesh();
+  result = GreensResult();
+  result.Method = this->Method;
+  result.Remark = this->Remark;
+  result.Radius = this->HasLogarithm() ? this->Singular.GetRadius() : 0.0;
+  const Id n = system.GetNumberOfVertices();
+  const double sign = this->Query.Sign == GreensSign::Positive ? 1.0 : -1.0;
   const std::vector<SurfacePoint>& targets = this->Query.Targets;
   result.TargetValues.reserve(targets.size());
   for (std::size_t k = 0; k < targets.size(); ++k)
@@ -365,6 +407,5 @@ Status GreensColumn::Finish(
     solution[v] *= sign;
   }
   result.Values.swap(solution);
-  return Status::Success();
 }
 }

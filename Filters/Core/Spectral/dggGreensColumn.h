@@ -43,6 +43,13 @@ public:
   Status Finish(
     std::vector<double>& solution, GreensWorkspace& workspace, GreensResult& result) const;
 
+  /// Add the logarithm to the regular part, which is changed.
+  void AddLogarithm(std::vector<double>& regular, GreensResult& result) const;
+
+  /// Where the logarithm ends if nothing else is asked for and there are no ridges.
+  static double GetUsualRadius(const PoissonSystem& system, Id component);
+  static bool IsTooCoarse(const PoissonSystem& system, Id component, double radius);
+
   /// The parts of a result with a logarithm; sizes and meaning as in GreensResult.
   /// @{
   bool HasLogarithm() const { return this->Method == GreensMethod::SingularitySubtraction; }
@@ -78,6 +85,9 @@ private:
   std::vector<double> TargetDistances;
   std::vector<double> Integrals;
 };
+
+/// Fails when the solver is not ready or the query makes no sense.
+Status CheckGreensQuery(const PoissonSolver& solver, const GreensQuery& query);
 
 /// Value of piecewise linear data at a point.
 double InterpolateAt(

@@ -15,26 +15,6 @@ namespace
 {
 constexpr Offset Lanes = SparseLanes::SizeAtCompileTime;
 
-Status CheckQuery(const PoissonSolver& solver, const GreensQuery& query)
-{
-  if (!solver.IsReady())
-  {
-    return Status::Invalid("the solver has not been prepared: call Prepare() first");
-  }
-  if (!(query.Radius >= 0.0) || !(query.Radius < Infinity))
-  {
-    return Status::Invalid("the radius of the logarithm must not be negative, and finite");
-  }
-  for (std::size_t k = 0; k < query.Targets.size(); ++k)
-  {
-    const Status status = query.Targets[k].Check(solver.GetMesh());
-    if (!status.IsOk())
-    {
-      return Status::Invalid("target " + std::to_string(k) + ": " + status.GetMessage());
-    }
-  }
-  return Status::Success();
-}
 }
 
 class GreensFunction::Workspaces : public WorkspacePool<GreensWorkspace>
@@ -53,7 +33,7 @@ Status GreensFunction::Run(
   const SurfacePoint& pole, const GreensQuery& query, GreensResult& result) const
 {
   result = GreensResult();
-  Status status = CheckQuery(this->Solver, query);
+  Status status = CheckGreensQuery(this->Solver, query);
   status = status.IsOk() ? this->Solver.CheckPole(pole) : status;
   if (!status.IsOk())
   {
@@ -76,7 +56,7 @@ Status GreensFunction::Run(const std::vector<SurfacePoint>& poles, const GreensQ
   const ParallelFor& parallel, std::vector<GreensResult>& results) const
 {
   results.clear();
-  Status status = CheckQuery(this->Solver, query);
+  Status status = CheckGreensQuery(this->Solver, query);
   for (std::size_t k = 0; k < poles.size() && status.IsOk(); ++k)
   {
     status = this->Solver.CheckPole(poles[k]);
