@@ -14,6 +14,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <thread>
 
 namespace dggtest
 {
@@ -488,7 +489,9 @@ TEST(GreensFunction, DiskWithZeroOnItsRim)
       {
         continue;
       }
-      const dgg::GreensResult result = greens.Run(pole);
+      dgg::GreensQuery query;
+      query.Radius = 0.5; // the same on all meshes
+      const dgg::GreensResult result = greens.Run(pole, query);
       EXPECT_EQ(result.Remark, dgg::GreensRemark::None);
       for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
       {
@@ -653,6 +656,71 @@ TEST(GreensFunction, ValueAtThePoleAndSigns)
   EXPECT_EQ(infinite.Values[3], -dgg::Infinity);
   EXPECT_EQ(infinite.TargetValues[0], -dgg::Infinity);
   EXPECT_EQ(infinite.Values[4], negative.Values[4]);
+}
+
+TEST(GreensFunction, RidgesNearThePole)
+{
+  // Behind the corners of a cube shortest ways meet from two sides. The truth is from a finer mesh.
+  const TestMesh cube = Cube(10);
+  const TestMesh fineCube = Subdivided(cube, 4);
+  const dgg::SurfaceMesh mesh = Build(cube);
+  const dgg::SurfaceMesh fine = Build(fineCube);
+  const Greens greens(mesh);
+  const Greens onFine(fine);
+  Random random(3);
+  int remarks = 0;
+  for (int k = 0; k < 8; ++k)
+  {
+    const Id face = random.Index(mesh.GetNumberOfFaces());
+    const std::array<double, 3> b{ { 0.25, 0.25, 0.5 } };
+    const dgg::SurfacePoint pole = dgg::SurfacePoint::InFace(mesh, face, b);
+    const std::array<double, 3> x = PositionOf(cube, mesh, pole);
+    dgg::GreensQuery query;
+    query.Radius = 0.3;
+    const auto truth =
+      onFine.Run(dgg::SurfacePoint::AtVertex(VertexAt(fineCube, x[0], x[1], x[2])), query).Values;
+    const dgg::GreensResult result = greens.Run(pole);
+    remarks += result.Remark == dgg::GreensRemark::NearRidge ? 1 : 0;
+    EXPECT_EQ(result.Method, dgg::GreensMethod::SingularitySubtraction);
+    const auto simple = greens.Run(pole, dgg::GreensMethod::Interpolated).Values;
+    Comparison good;
+    Comparison plain;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      good.Add(greens.Solver.GetAreas()[v], result.Values[v], truth[v]);
+      plain.Add(greens.Solver.GetAreas()[v], simple[v], truth[v]);
+    }
+    EXPECT_LT(good.Relative(), 5e-3) << k;
+    EXPECT_LT(good.Relative(), 0.3 * plain.Relative()) << k;
+  }
+  EXPECT_GT(remarks, 0);
+}
+
+TEST(GreensFunction, ThreadsChangeNothing)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.1, 5));
+  const Greens greens(mesh);
+  const std::vector<dgg::SurfacePoint> poles = RandomSurfacePoints(mesh, 35, 6);
+  const dgg::ParallelFor threads = [](dgg::Offset size, dgg::Offset,
+                                     const std::function<void(dgg::Offset, dgg::Offset)>& body) {
+    std::vector<std::thread> workers;
+    for (dgg::Offset k = 0; k < size; ++k)
+    {
+      workers.emplace_back([&body, k] { body(k, k + 1); });
+    }
+    for (std::thread& worker : workers)
+    {
+      worker.join();
+    }
+  };
+  std::vector<dgg::GreensResult> one;
+  std::vector<dgg::GreensResult> many;
+  ASSERT_TRUE(greens.Function.Run(poles, {}, nullptr, one).IsOk());
+  ASSERT_TRUE(greens.Function.Run(poles, {}, threads, many).IsOk());
+  for (std::size_t k = 0; k < poles.size(); ++k)
+  {
+    EXPECT_EQ(one[k].Values, many[k].Values);
+  }
 }
 
 TEST(GreensInterpolation, IsCloseToASolvePerPoint)

@@ -31,6 +31,14 @@ constexpr double FirstEdges = 12.0;
 constexpr double Growth = 1.6;
 /// Part of the way to a ridge that R takes.
 constexpr double RidgeMargin = 0.9;
+/// R in mean edges if ridges are nearer than that: r then has kinks there, which do less harm than
+/// a steep s, and much less than none.
+constexpr double RidgeEdges = 10.0;
+/// How much of R is kept in any case where long edges reach beyond the distances found.
+constexpr double CompletePart = 0.7;
+/// Windows of the ways, per vertex of the mesh, that may be expected for going on: more than that
+/// would cost several times the solve.
+constexpr double WindowsPerVertex = 8.0;
 /// How well distances to corners must fit the plane for a point to be in a triangle, relative to
 /// the sides.
 constexpr double FitTolerance = 1e-7;
@@ -55,6 +63,23 @@ Status CheckGreensQuery(const PoissonSolver& solver, const GreensQuery& query)
     }
   }
   return Status::Success();
+}
+
+namespace
+{
+/// Up to which distance all corners of faces with a corner that near are reached.
+double FindCompleteRadius(
+  const IntrinsicTriangulation& triangulation, const std::vector<double>& distances)
+{
+  double radius = Infinity;
+  for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
+  {
+    const double here = distances[triangulation.Origin(h)];
+    const double there = distances[triangulation.Destination(h)];
+    radius = std::max(here, there) < Infinity ? radius : std::min({ radius, here, there });
+  }
+  return radius;
+}
 }
 
 double InterpolateAt(
@@ -245,34 +270,44 @@ bool GreensColumn::IsTooCoarse(const PoissonSystem& system, Id component, double
   return radius < LeastEdges * system.GetMeanEdge(component);
 }
 
-/// A radius with shortest ways up to it that do not meet from different sides, and these.
+/// A radius with shortest ways up to it that do not meet from different sides, if it can be, and
+/// these ways.
 Status GreensColumn::ChooseRadius(
-  GreensWorkspace& workspace, double& radius, double& reached, ExactResult& result) const
+  GreensWorkspace& workspace, double& radius, double& reached, ExactResult& result)
 {
+  const SurfaceMesh& mesh = this->System.GetMesh();
   const double edge = this->System.GetMeanEdge(this->Component);
   const double most = GetUsualRadius(this->System, this->Component);
-  // Ways are found step by step, as ridges may be near and ways cost more than their number.
+  const double margin = UsualMargin * edge;
+  const double budget = WindowsPerVertex * mesh.GetNumberOfVertices();
+  // Step by step, as ridges may be near and ways cost more than their number. What is needed beyond
+  // the radius, on most meshes, is found at once.
   double checked = 0.0;
-  reached = std::min(most, FirstEdges * edge);
+  radius = std::min(most, FirstEdges * edge);
   while (true)
   {
-    // What is needed beyond the radius, on most meshes, is found at once.
-    const bool isLast = reached >= most;
-    reached += isLast ? UsualMargin * edge : 0.0;
+    reached = radius + margin;
     Status status = this->FindDistances(reached, workspace, result);
     if (!status.IsOk())
     {
       return status;
     }
-    const double ridge = RidgeMargin *
-      FindRidgeRadius(this->System.GetMesh(), { { this->Pole, 0.0 } }, result, checked);
-    radius = std::min(ridge, most);
-    if (isLast || ridge < reached)
+    const double ridge =
+      RidgeMargin * FindRidgeRadius(mesh, { { this->Pole, 0.0 } }, result, checked);
+    if (ridge < radius)
+    {
+      const double least = std::min(most, RidgeEdges * edge);
+      this->Remark = ridge < least ? GreensRemark::NearRidge : this->Remark;
+      radius = std::max(ridge, least);
+      return status;
+    }
+    const double cost = static_cast<double>(result.NumberOfWindows) * Growth * Growth;
+    if (radius >= most || cost > budget)
     {
       return status;
     }
     checked = reached;
-    reached = std::min(most, Growth * reached);
+    radius = std::min(most, Growth * radius);
   }
 }
 
@@ -284,6 +319,12 @@ Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
   ExactResult result;
   Status status = radius > 0.0 ? this->FindDistances(reached, workspace, result)
                                : this->ChooseRadius(workspace, radius, reached, result);
+  if (status.IsOk() && !(this->Query.Radius > 0.0))
+  {
+    // A little less is better than to find all ways again because of a long edge.
+    const double complete = FindCompleteRadius(system.GetTriangulation(), result.Distances);
+    radius = complete > CompletePart * radius ? std::min(radius, complete) : radius;
+  }
   status = status.IsOk() ? this->CompleteDistances(radius, reached, workspace, result) : status;
   if (!status.IsOk())
   {

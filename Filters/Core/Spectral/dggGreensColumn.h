@@ -66,7 +66,7 @@ private:
   Status CompleteDistances(
     double radius, double reached, GreensWorkspace& workspace, ExactResult& result) const;
   Status ChooseRadius(
-    GreensWorkspace& workspace, double& radius, double& reached, ExactResult& result) const;
+    GreensWorkspace& workspace, double& radius, double& reached, ExactResult& result);
   bool FindPoleFaces(std::vector<PoleFace>& faces) const;
   bool FindFlippedPoleFace(std::vector<PoleFace>& faces) const;
   double GetPoleAngle() const;

@@ -57,6 +57,10 @@ enum class GreensRemark
   /// The disk that the logarithm could be taken out of is smaller than four mean edges:
   /// Interpolated was used. Refine the mesh around the pole.
   TooCoarse,
+  /// Within ten mean edges of the pole, shortest ways meet from different sides, as behind a spike
+  /// or a sharp corner: the regular part has kinks there. Errors are still a fraction of those of
+  /// Interpolated.
+  NearRidge,
   /// The triangle of the flipped mesh that the pole lies in was not found: Interpolated was used.
   NoTriangle,
   /// Localized needs all values around the pole to be free, and distances there that make sense:
@@ -70,8 +74,8 @@ struct GreensQuery
   GreensSign Sign = GreensSign::Positive;
   GreensPole Pole = GreensPole::CellAverage;
   /// Where s ends. 0: 0.28 times the square root of the component's area (up to 0.35 on coarse
-  /// meshes), or 48 mean edges, but
-  /// before shortest ways meet from different sides.
+  /// meshes), or 48 mean edges; less where shortest ways meet from different sides before, or are
+  /// so many that they would cost more than the solve.
   double Radius = 0.0;
   /// Points whose values are wanted besides those of the vertices.
   std::vector<SurfacePoint> Targets;
