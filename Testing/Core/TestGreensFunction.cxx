@@ -633,6 +633,38 @@ TEST(GreensFunction, SolvesPoissonEquations)
   }
 }
 
+TEST(GreensFunction, SolvesPoissonEquationsWithGivenValues)
+{
+  // u_j = sum of g b inside - sum of given values times the flux of g there.
+  const dgg::SurfaceMesh mesh = Build(Plane(14, 11, 0.25));
+  const Greens greens(mesh, With(dgg::PoissonBoundary::Dirichlet));
+  const Id n = mesh.GetNumberOfVertices();
+  Random random(6);
+  std::vector<double> values(n);
+  for (double& value : values)
+  {
+    value = random.Uniform(-1.0, 1.0);
+  }
+  std::vector<double> u = values;
+  ASSERT_TRUE(greens.Solver.Solve(u).IsOk());
+  for (Id j = 0; j < n; ++j)
+  {
+    if (greens.Solver.IsFixed(j))
+    {
+      continue;
+    }
+    const auto g = greens.Run(dgg::SurfacePoint::AtVertex(j), dgg::GreensMethod::Vertex).Values;
+    std::vector<double> flux;
+    ASSERT_TRUE(greens.Solver.Multiply(g, flux).IsOk());
+    double sum = 0.0;
+    for (Id v = 0; v < n; ++v)
+    {
+      sum += greens.Solver.IsFixed(v) ? -values[v] * flux[v] : values[v] * g[v];
+    }
+    EXPECT_NEAR(sum, u[j], 1e-10) << j;
+  }
+}
+
 TEST(GreensFunction, ValueAtThePoleAndSigns)
 {
   const dgg::SurfaceMesh mesh = Build(Icosphere(3));

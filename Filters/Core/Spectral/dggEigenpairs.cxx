@@ -165,12 +165,7 @@ public:
     this->Projection.rightCols(added) = column;
     this->Projection.bottomRows(added) = column.transpose();
     this->Scale = std::max(this->Scale, column.cwiseAbs().maxCoeff());
-    Eigen::MatrixXd rest = image;
-    for (int pass = 0; pass < 2; ++pass)
-    {
-      rest -=
-        this->Basis.leftCols(this->Size) * (this->Basis.leftCols(this->Size).transpose() * rest);
-    }
+    const Eigen::MatrixXd rest = this->Project(image);
     this->LastAdded = added;
     this->Last = this->Orthonormal(rest);
     this->Coupling = this->Last.transpose() * rest;
@@ -201,31 +196,44 @@ public:
   }
 
 private:
-  /// An orthonormal basis of the columns, orthogonal to what there is; those that add nothing are
-  /// left out.
-  Eigen::MatrixXd Orthonormal(Eigen::MatrixXd columns) const
+  /// What is orthogonal to the basis.
+  Eigen::MatrixXd Project(const Eigen::MatrixXd& columns) const
   {
-    Eigen::Index kept = 0;
-    for (Eigen::Index k = 0; k < columns.cols(); ++k)
+    if (this->Size == 0)
     {
-      Eigen::VectorXd x = columns.col(k);
-      const double before = x.norm();
-      for (int pass = 0; pass < 3; ++pass)
-      {
-        if (this->Size > 0)
-        {
-          x -=
-            this->Basis.leftCols(this->Size) * (this->Basis.leftCols(this->Size).transpose() * x);
-        }
-        x -= columns.leftCols(kept) * (columns.leftCols(kept).transpose() * x);
-      }
-      const double after = x.norm();
-      if (after > 1e-13 * this->Scale && after > 1e-10 * before && after > 0.0)
-      {
-        columns.col(kept++) = x / after;
-      }
+      return columns;
     }
-    return columns.leftCols(kept);
+    const auto basis = this->Basis.leftCols(this->Size);
+    return columns - basis * (basis.transpose() * columns);
+  }
+
+  /// An orthonormal basis of the columns, orthogonal to what there is; those that add nothing are
+  /// left out. Twice is enough (Parlett, "The symmetric eigenvalue problem", 1980).
+  Eigen::MatrixXd Orthonormal(const Eigen::MatrixXd& columns) const
+  {
+    Eigen::MatrixXd result = columns;
+    for (int pass = 0; pass < 2; ++pass)
+    {
+      result = this->Project(result);
+      Eigen::Index kept = 0;
+      for (Eigen::Index k = 0; k < result.cols(); ++k)
+      {
+        Eigen::VectorXd x = result.col(k);
+        const double before = x.norm();
+        for (int again = 0; again < 2; ++again)
+        {
+          x -= result.leftCols(kept) * (result.leftCols(kept).transpose() * x);
+        }
+        const double after = x.norm();
+        const double least = pass == 0 ? 1e-13 * this->Scale : 0.5;
+        if (after > least && after > 1e-10 * before && after > 0.0)
+        {
+          result.col(kept++) = x / after;
+        }
+      }
+      result.conservativeResize(Eigen::NoChange, kept);
+    }
+    return result;
   }
 
   const Operator& Op;
