@@ -690,6 +690,55 @@ TEST(GreensFunction, ValueAtThePoleAndSigns)
   EXPECT_EQ(infinite.Values[4], negative.Values[4]);
 }
 
+TEST(GreensFunction, UniformWeights)
+{
+  // On a mesh that is finer on one side: what is taken off, and the mean, go by vertices.
+  TestMesh plane = Plane(30, 30);
+  for (std::size_t k = 0; k < plane.Points.size(); k += 3)
+  {
+    plane.Points[k] = plane.Points[k] * (1.0 + plane.Points[k] / 60.0);
+  }
+  const dgg::SurfaceMesh mesh = Build(plane);
+  dgg::PoissonOptions options;
+  options.Weights = dgg::PoissonWeights::Uniform;
+  const Greens greens(mesh, options);
+  const dgg::SurfacePoint pole = dgg::SurfacePoint::InFace(mesh, 930, { { 0.2, 0.3, 0.5 } });
+  std::vector<double> values[2];
+  for (const bool isSubtracted : { false, true })
+  {
+    dgg::GreensQuery query;
+    query.Method =
+      isSubtracted ? dgg::GreensMethod::SingularitySubtraction : dgg::GreensMethod::Interpolated;
+    query.WantIntegrals = true;
+    const dgg::GreensResult result = greens.Run(pole, query);
+    EXPECT_EQ(result.Method, query.Method);
+    double mean = 0.0;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      EXPECT_DOUBLE_EQ(greens.Solver.GetWeight(v), 1.0 / 961.0);
+      mean += result.Integrals[v] / greens.Solver.GetAreas()[v] / 961.0;
+    }
+    EXPECT_NEAR(mean, 0.0, 1e-12);
+    values[isSubtracted] = result.Values;
+  }
+  // Away from the pole both methods agree.
+  const auto distances = DistancesTo(mesh, dgg::ExactEngine::Triangle, pole, [&] {
+    std::vector<dgg::SurfacePoint> all;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      all.push_back(dgg::SurfacePoint::AtVertex(v));
+    }
+    return all;
+  }());
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (distances[v] > 8.0)
+    {
+      EXPECT_NEAR(values[0][v], values[1][v], 3e-3) << v;
+    }
+  }
+}
+
 TEST(GreensFunction, RidgesNearThePole)
 {
   // Behind the corners of a cube shortest ways meet from two sides. The truth is from a finer mesh.

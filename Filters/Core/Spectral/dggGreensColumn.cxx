@@ -42,6 +42,20 @@ constexpr double WindowsPerVertex = 8.0;
 /// How well distances to corners must fit the plane for a point to be in a triangle, relative to
 /// the sides.
 constexpr double FitTolerance = 1e-7;
+
+/// Up to which distance all corners of faces with a corner that near are reached.
+double FindCompleteRadius(
+  const IntrinsicTriangulation& triangulation, const std::vector<double>& distances)
+{
+  double radius = Infinity;
+  for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
+  {
+    const double here = distances[triangulation.Origin(h)];
+    const double there = distances[triangulation.Destination(h)];
+    radius = std::max(here, there) < Infinity ? radius : std::min({ radius, here, there });
+  }
+  return radius;
+}
 }
 
 Status CheckGreensQuery(const PoissonSolver& solver, const GreensQuery& query)
@@ -63,23 +77,6 @@ Status CheckGreensQuery(const PoissonSolver& solver, const GreensQuery& query)
     }
   }
   return Status::Success();
-}
-
-namespace
-{
-/// Up to which distance all corners of faces with a corner that near are reached.
-double FindCompleteRadius(
-  const IntrinsicTriangulation& triangulation, const std::vector<double>& distances)
-{
-  double radius = Infinity;
-  for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
-  {
-    const double here = distances[triangulation.Origin(h)];
-    const double there = distances[triangulation.Destination(h)];
-    radius = std::max(here, there) < Infinity ? radius : std::min({ radius, here, there });
-  }
-  return radius;
-}
 }
 
 double InterpolateAt(
@@ -423,9 +420,10 @@ void GreensColumn::AddLogarithm(std::vector<double>& solution, GreensResult& res
     double value = InterpolateAt(mesh, targets[k], solution);
     if (this->HasLogarithm())
     {
+      const Id h = 3 * targets[k].Face;
       const double area = IsVertex(targets[k])
         ? system.GetArea(targets[k].Vertex)
-        : system.GetTriangulation().Area(system.GetTriangleOf(targets[k].Face)) / 3.0;
+        : TriangleArea(mesh.Length(h), mesh.Length(h + 1), mesh.Length(h + 2)) / 3.0;
       value += this->SingularAt(this->TargetDistances[k], area);
     }
     result.TargetValues.push_back(sign * value);

@@ -50,14 +50,9 @@ public:
   static double GetUsualRadius(const PoissonSystem& system, Id component);
   static bool IsTooCoarse(const PoissonSystem& system, Id component, double radius);
 
-  /// The parts of a result with a logarithm; sizes and meaning as in GreensResult.
-  /// @{
   bool HasLogarithm() const { return this->Method == GreensMethod::SingularitySubtraction; }
-  const Logarithm& GetLogarithm() const { return this->Singular; }
-  const std::vector<double>& GetDistances() const { return this->Distances; }
-  /// Weighted mean of s.
+  /// Weighted mean of the logarithm.
   double GetMean() const { return this->Mean; }
-  /// @}
 
 private:
   void AddLoad(Id v, double weight) { this->Sources[v] += weight; }

@@ -14,7 +14,6 @@ namespace dgg
 namespace
 {
 constexpr Offset Lanes = SparseLanes::SizeAtCompileTime;
-
 }
 
 class GreensFunction::Workspaces : public WorkspacePool<GreensWorkspace>
