@@ -27,8 +27,8 @@ constexpr double MostEdges = 48.0;
 /// How far beyond R distances are found first, in mean edges: enough but for long edges.
 constexpr double UsualMargin = 2.0;
 /// How far ridges are looked for first, in mean edges, and by how much farther in each step.
-constexpr double FirstEdges = 12.0;
-constexpr double Growth = 1.6;
+constexpr double FirstEdges = 18.0;
+constexpr double Growth = 1.7;
 /// Part of the way to a ridge that R takes.
 constexpr double RidgeMargin = 0.9;
 /// R in mean edges if ridges are nearer than that: r then has kinks there, which do less harm than
