@@ -24,7 +24,8 @@ constexpr int MostNewtonSteps = 6;
 /// How far they may lead away from the middle of a chord, in its lengths: not to its ends.
 constexpr double NewtonReach = 0.8;
 /// How far from a chord its isoline is looked for, in its lengths.
-constexpr double FarthestSearch = 1024.0;
+constexpr double NearestSearch = 1.0 / 16.0;
+constexpr int StepsOfSearch = 15; // each twice as far
 constexpr int MostRootSteps = 80;
 constexpr int MostCornerSteps = 40;
 /// Of pieces that are found one below the other where a corner is looked for.
@@ -395,8 +396,9 @@ LevelPoint LevelArc::Project(const LevelPoint& from, const LevelPoint& to) const
   const bool isBelow = start.Sample.Distance < this->Level;
   const double side = isBelow ? -1.0 : 1.0;
   const Point2 way = Difference(to.Place, from.Place);
-  for (double t = 1.0 / 16.0; t <= FarthestSearch; t *= 2.0)
+  for (int step = 0; step < StepsOfSearch; ++step)
   {
+    const double t = std::ldexp(NearestSearch, step);
     const Point2 place{ start.Place.X - side * t * way.Y, start.Place.Y + side * t * way.X };
     if (!this->IsInside(place))
     {

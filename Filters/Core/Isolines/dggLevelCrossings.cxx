@@ -67,7 +67,7 @@ Status FindLevelCrossings(const DistanceField& field, const std::vector<double>&
   const SurfaceMesh& mesh = *field.Mesh;
   const Id halfEdges = mesh.GetNumberOfHalfEdges();
   std::vector<std::vector<LevelCrossing>> blocks((halfEdges + BlockSize - 1) / BlockSize);
-  const Status status = LoopOverBlocks(halfEdges, BlockSize, parallel, progress, 0.0, 1.0,
+  Status status = LoopOverBlocks(halfEdges, BlockSize, parallel, progress, 0.0, 1.0,
     [&](Offset block, Offset begin, Offset end) {
       EdgeProfile profile(field);
       std::vector<double> roots;

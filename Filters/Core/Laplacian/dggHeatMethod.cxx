@@ -264,7 +264,7 @@ Status HeatMethod::Prepare(const HeatOptions& options, const ProgressCallback& p
 
 Status HeatMethod::Check(const std::vector<GeodesicSource>& sources, const HeatQuery& query) const
 {
-  const Status status = CheckSources(this->Mesh, sources);
+  Status status = CheckSources(this->Mesh, sources);
   if (!status.IsOk())
   {
     return status;

@@ -228,6 +228,7 @@ Status Refiner::Triangulate(Id f, std::size_t work)
   }
   add(this->Nodes.FindInFace(f));
   std::vector<GridPoint> points;
+  points.reserve(found.size());
   for (const std::pair<GridPoint, Id>& node : found)
   {
     points.push_back(node.first);
