@@ -15,10 +15,127 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 using namespace dgg;
 using namespace dggtest;
+
+namespace
+{
+/// A piece of a circle that is in no other disc.
+struct FreeArc
+{
+  std::array<double, 2> Begin;
+  std::array<double, 2> End;
+};
+
+/// Closed curves around the union of equal discs, none of which is within others.
+std::size_t CountLoopsOfDiscs(const std::vector<std::array<double, 3>>& centers, double radius)
+{
+  std::size_t loops = 0;
+  std::vector<FreeArc> arcs;
+  for (const std::array<double, 3>& center : centers)
+  {
+    std::vector<std::pair<double, double>> covered; // angles, from 0 to a turn
+    for (const std::array<double, 3>& other : centers)
+    {
+      const double distance = DistanceTo(other, center[0], center[1]);
+      if (&other == &center || distance >= 2.0 * radius)
+      {
+        continue;
+      }
+      const double half = std::acos(distance / (2.0 * radius));
+      double begin = std::atan2(other[1] - center[1], other[0] - center[0]) - half;
+      begin += begin < 0.0 ? 2.0 * Pi : 0.0;
+      begin += begin < 0.0 ? 2.0 * Pi : 0.0;
+      covered.emplace_back(begin, begin + 2.0 * half);
+      covered.emplace_back(begin - 2.0 * Pi, begin + 2.0 * half - 2.0 * Pi);
+    }
+    if (covered.empty())
+    {
+      ++loops;
+      continue;
+    }
+    std::sort(covered.begin(), covered.end());
+    // From one that begins in the turn to the same one, a turn later.
+    const auto first = std::lower_bound(covered.begin(), covered.end(), std::make_pair(0.0, 0.0));
+    const double turn = first->first + 2.0 * Pi;
+    double reached = first->first;
+    const auto at = [&](double angle) {
+      return std::array<double, 2>{ { center[0] + radius * std::cos(angle),
+        center[1] + radius * std::sin(angle) } };
+    };
+    const auto leave = [&](double until) {
+      if (until > reached)
+      {
+        arcs.push_back({ at(reached), at(until) });
+      }
+    };
+    for (const std::pair<double, double>& c : covered)
+    {
+      leave(std::min(c.first, turn));
+      reached = std::max(reached, c.second);
+    }
+    leave(turn);
+  }
+  std::vector<bool> isDone(arcs.size(), false);
+  for (std::size_t i = 0; i < arcs.size(); ++i)
+  {
+    loops += isDone[i] ? 0 : 1;
+    for (std::size_t k = i; !isDone[k];)
+    {
+      isDone[k] = true;
+      const std::array<double, 2> end = arcs[k].End;
+      const auto miss = [&](const FreeArc& arc) {
+        return std::hypot(arc.Begin[0] - end[0], arc.Begin[1] - end[1]);
+      };
+      k = std::min_element(arcs.begin(), arcs.end(),
+            [&](const FreeArc& a, const FreeArc& b) { return miss(a) < miss(b); }) -
+        arcs.begin();
+    }
+  }
+  return loops;
+}
+}
+
+/// Waves that meet in strips narrower than the lattice that isolines are looked for with.
+TEST(Isolines, LoopsAroundManySourcesThatMeetInAFace)
+{
+  const TestMesh test = SingleTriangle();
+  const SurfaceMesh mesh = Build(test);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed)
+  {
+    Random random(seed);
+    std::vector<GeodesicSource> sources;
+    std::vector<std::array<double, 3>> centers;
+    for (int i = 0; i < 300; ++i)
+    {
+      double s = random.Uniform(0.0, 1.0);
+      double t = random.Uniform(0.0, 1.0);
+      if (s + t > 1.0)
+      {
+        s = 1.0 - s;
+        t = 1.0 - t;
+      }
+      // Away from the rim, so that all loops are closed.
+      s = 0.1 + 0.7 * s;
+      t = 0.1 + 0.7 * t;
+      sources.push_back(FaceSourceAt(mesh, 0, { { 1.0 - s - t, s, t } }));
+      centers.push_back(PositionOf(mesh, sources.back().Point, test.Points.data()));
+    }
+    const ExactField field(mesh, sources);
+    for (const double radius : { 0.002, 0.004, 0.006 })
+    {
+      const double level = radius * mesh.GetMeanEdgeLength();
+      const Isolines lines = Trace(field.Exact, { level });
+      EXPECT_TRUE(AllClosed(lines));
+      EXPECT_EQ(lines.Lines.size(), CountLoopsOfDiscs(centers, level)) << seed << " " << radius;
+    }
+  }
+}
 
 TEST(Isolines, LoopsAroundManySourcesInAFace)
 {

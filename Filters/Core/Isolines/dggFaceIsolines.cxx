@@ -14,6 +14,9 @@ namespace
 {
 /// Lattices that are tried one after the other.
 constexpr std::array<int, 5> CellsOfLattices{ { 4, 8, 16, 32, 64 } };
+/// Twice the cells that a lattice has for each place around which lines may be closed, but for the
+/// finest lattice.
+constexpr double CellsPerSeed = 4.0;
 /// A source this close to the rim is on it, in barycentric coordinates.
 constexpr double OnRim = 1e-9;
 /// Where the field is looked at to see what is in the face.
@@ -310,8 +313,13 @@ void FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
     return;
   }
   Id failures = 0;
+  const auto seeds = static_cast<double>(this->SeedsOfLevel.size());
   for (const int cells : CellsOfLattices)
   {
+    if (cells < CellsOfLattices.back() && cells * cells < CellsPerSeed * seeds)
+    {
+      continue; // triangles between seeds would be long and thin
+    }
     failures = 0;
     curves.resize(size);
     this->Lattice.Build(this->Profile, arc, value, this->Rim, cells, this->SeedsOfLevel);
@@ -378,7 +386,7 @@ bool FaceIsolines::TraceChain(
   else if (!this->Way.empty())
   {
     this->Points.push_back(this->Way.front().Place);
-    this->Way.push_back(LevelPoint(this->Way.front()));
+    this->Way.emplace_back(this->Way.front());
   }
   bool isGood = true;
   for (std::size_t i = 1; i < this->Way.size(); ++i)

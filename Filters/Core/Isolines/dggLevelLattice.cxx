@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLevelLattice.h"
 
+#include "dggLevelTurns.h"
+
 #include <algorithm>
 
 namespace dgg
@@ -15,6 +17,10 @@ constexpr int StepsOfDip = 12;
 /// A point this close to a side of a triangle is on it, relative to the largest part of the
 /// triangle.
 constexpr double OnSide = 1e-12;
+/// How often all triangles are looked at for waves between their nodes, and how many nodes these
+/// may cost, in nodes that there are.
+constexpr int RoundsOfTurns = 12;
+constexpr std::size_t MostNodes = 20;
 
 double SignedArea(const Point2& a, const Point2& b, const Point2& c)
 {
@@ -47,6 +53,10 @@ void LevelLattice::Build(const FaceProfile& profile, const LevelArc& arc, double
   for (const Point2& seed : seeds)
   {
     this->InsertSeed(arc, level, seed);
+  }
+  if (profile.GetSources().size() > 1)
+  {
+    this->AddTurns(arc, level);
   }
   this->AddCrests(arc, level);
   this->March();
@@ -254,6 +264,78 @@ void LevelLattice::CutSide(Id a, Id b, Id node)
       }
     }
   }
+}
+
+/// Waves of several sources in the face may be narrower than its small triangles: cut these until
+/// no side is crossed more than once, and where three waves meet. All sides come before those that
+/// are new, which may lead to slivers along a side that is to be cut itself.
+void LevelLattice::AddTurns(const LevelArc& arc, double level)
+{
+  this->Looked.clear();
+  const std::size_t most = MostNodes * this->Nodes.size();
+  bool isCut = true;
+  for (int round = 0; round < RoundsOfTurns && isCut; ++round)
+  {
+    isCut = false;
+    std::vector<Side> sides;
+    sides.reserve(3 * this->Triangles.size());
+    for (const Triangle& triangle : this->Triangles)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        sides.emplace_back(std::minmax(triangle[k], triangle[(k + 1) % 3]));
+      }
+    }
+    for (std::size_t i = 0; i < sides.size() && this->Nodes.size() < most; ++i)
+    {
+      isCut = this->CutAtTurns(arc, level, sides[i].first, sides[i].second) || isCut;
+    }
+    const std::size_t count = this->Triangles.size();
+    for (std::size_t t = 0; t < count && this->Nodes.size() < most; ++t)
+    {
+      isCut = this->CutAtMeeting(arc, level, t) || isCut;
+    }
+  }
+}
+
+bool LevelLattice::CutAtTurns(const LevelArc& arc, double level, Id a, Id b)
+{
+  if (this->IsOnRim(a, b) || !this->Looked.insert(std::minmax(a, b)).second)
+  {
+    return false;
+  }
+  this->Turns.clear();
+  FindTurns(arc, level, { this->Nodes[a].Point, this->Nodes[a].IsAbove },
+    { this->Nodes[b].Point, this->Nodes[b].IsAbove }, this->Turns);
+  Id previous = a;
+  for (const LevelPoint& turn : this->Turns)
+  {
+    const Id node = this->AddNode(arc, level, turn.Place);
+    this->CutSide(previous, b, node);
+    this->Looked.insert(std::minmax(previous, node));
+    previous = node;
+  }
+  this->Looked.insert(std::minmax(previous, b));
+  return !this->Turns.empty();
+}
+
+bool LevelLattice::CutAtMeeting(const LevelArc& arc, double level, std::size_t t)
+{
+  const Triangle triangle = this->Triangles[t];
+  const std::array<const Node*, 3> nodes{ { &this->Nodes[triangle[0]], &this->Nodes[triangle[1]],
+    &this->Nodes[triangle[2]] } };
+  Point2 meeting;
+  if ((nodes[0]->IsAbove && nodes[1]->IsAbove && nodes[2]->IsAbove) ||
+    !FindMeeting({ { &nodes[0]->Point, &nodes[1]->Point, &nodes[2]->Point } }, meeting) ||
+    !(arc.Look(meeting).Sample.Distance >= level))
+  {
+    return false;
+  }
+  const Id node = this->AddNode(arc, level, meeting);
+  this->Triangles[t] = { { triangle[0], triangle[1], node } };
+  this->Triangles.push_back({ { triangle[1], triangle[2], node } });
+  this->Triangles.push_back({ { triangle[2], triangle[0], node } });
+  return true;
 }
 
 /// Cut small triangles where a ridge crosses their sides, so that the narrow strip above the level

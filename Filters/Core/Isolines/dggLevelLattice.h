@@ -7,8 +7,11 @@
 
 #include "dggLevelArc.h" // for LevelPoint
 
-#include <array>  // for the sides
-#include <vector> // for the nodes
+#include <array>   // for the sides
+#include <cstddef> // for std::size_t
+#include <set>     // for the sides that have been looked at
+#include <utility> // for std::pair
+#include <vector>  // for the nodes
 
 namespace dgg
 {
@@ -38,9 +41,11 @@ struct LevelChain
 };
 
 /// Marching triangles on a fine triangulation of one face, which has nodes between any two
-/// crossings on the rim, and on ridges that lie above the level. On the rim the crossings tell
-/// which side of the level nodes are on, and inside the field does, so that every crossing belongs
-/// to exactly one curve, and curves do not cross, whatever the field is like.
+/// crossings on the rim, and on ridges that lie above the level, and, where there are several
+/// sources in the face, wherever their waves are lowest or meet on sides of its triangles. On the
+/// rim the crossings tell which side of the level nodes are on, and inside the field does, so that
+/// every crossing belongs to exactly one curve, and curves do not cross, whatever the field is
+/// like.
 class LevelLattice
 {
 public:
@@ -69,6 +74,7 @@ private:
     bool IsReached = false;
   };
   using Triangle = std::array<Id, 3>;
+  using Side = std::pair<Id, Id>; // between two nodes, the lower one first
 
   Id AddNode(const LevelArc& arc, double level, const Point2& place);
   void AddRim(const FaceProfile& profile, const LevelArc& arc, const LevelRim& rim, int cells);
@@ -77,6 +83,9 @@ private:
     const std::array<const std::vector<Id>*, 3>& between);
   void InsertSeed(const LevelArc& arc, double level, const Point2& seed);
   void CutSide(Id a, Id b, Id node);
+  void AddTurns(const LevelArc& arc, double level);
+  bool CutAtTurns(const LevelArc& arc, double level, Id a, Id b);
+  bool CutAtMeeting(const LevelArc& arc, double level, std::size_t t);
   void AddCrests(const LevelArc& arc, double level);
   Id FindCrest(const LevelArc& arc, double level, Id a, Id b);
   Id FindDip(const LevelArc& arc, double level, Id a, Id b);
@@ -101,6 +110,8 @@ private:
   std::array<std::vector<Id>, 3> RimNodes;             // at the cuts of each side
   std::array<std::vector<std::vector<Id>>, 3> Between; // further nodes between two of them
   std::vector<Id> Polygon;
+  std::set<Side> Looked;
+  std::vector<LevelPoint> Turns;
   std::vector<LevelChain> Chains;
 };
 }

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggLevelTurns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace dgg
+{
+namespace
+{
+/// Waves between two others are looked for this deep.
+constexpr int MostDepth = 12;
+/// Halvings until two waves meet.
+constexpr int StepsOfTie = 40;
+/// Steps of Newton's method until three waves meet.
+constexpr int StepsOfMeeting = 20;
+/// What is nearer to an end than that is at the end, relative.
+constexpr double AtEnd = 1e-7;
+
+double FromWave(const FieldSample& wave, const Point2& p)
+{
+  return wave.Offset + Distance(wave.Image, p);
+}
+
+/// Points of a line at which the field may turn.
+class Line
+{
+public:
+  Line(const LevelArc& arc, const LevelPoint& from, const LevelPoint& to)
+    : Arc(arc)
+    , From(from.Place)
+    , Way(Difference(to.Place, from.Place))
+  {
+    this->Collect(0.0, from.Sample, 1.0, to.Sample, 0);
+  }
+
+  const std::vector<LevelPoint>& GetPoints() const { return this->Points; }
+
+private:
+  Point2 At(double t) const
+  {
+    return { this->From.X + t * this->Way.X, this->From.Y + t * this->Way.Y };
+  }
+
+  void Add(double t)
+  {
+    if (t > AtEnd && t < 1.0 - AtEnd)
+    {
+      this->Points.push_back(this->Arc.Look(this->At(t)));
+    }
+  }
+
+  /// Where a wave is lowest.
+  void AddFoot(const FieldSample& wave, double begin, double end)
+  {
+    const double t = Dot(Difference(wave.Image, this->From), this->Way) / Dot(this->Way, this->Way);
+    if (t > begin && t < end)
+    {
+      this->Add(t);
+    }
+  }
+
+  /// In order, from one place to another, and what is nearest there.
+  void Collect(
+    double begin, const FieldSample& first, double end, const FieldSample& last, int depth)
+  {
+    if (first.Candidate == last.Candidate)
+    {
+      this->AddFoot(first, begin, end);
+      return;
+    }
+    double low = begin;
+    double high = end;
+    for (int step = 0; step < StepsOfTie; ++step)
+    {
+      const double middle = 0.5 * (low + high);
+      const Point2 p = this->At(middle);
+      (FromWave(first, p) < FromWave(last, p) ? low : high) = middle;
+    }
+    const double tie = 0.5 * (low + high);
+    const FieldSample sample = this->Arc.Look(this->At(tie)).Sample;
+    const bool isOther = sample.HasImage && sample.Candidate != first.Candidate &&
+      sample.Candidate != last.Candidate && depth < MostDepth;
+    if (isOther)
+    {
+      this->Collect(begin, first, tie, sample, depth + 1);
+      this->Add(tie);
+      this->Collect(tie, sample, end, last, depth + 1);
+      return;
+    }
+    this->AddFoot(first, begin, tie);
+    this->Add(tie);
+    this->AddFoot(last, tie, end);
+  }
+
+  const LevelArc& Arc;
+  Point2 From;
+  Point2 Way;
+  std::vector<LevelPoint> Points;
+};
+}
+
+void FindTurns(const LevelArc& arc, double level, const LevelEnd& from, const LevelEnd& to,
+  std::vector<LevelPoint>& turns)
+{
+  if (!from.Point.Sample.HasImage || !to.Point.Sample.HasImage ||
+    !(Distance(from.Point.Place, to.Point.Place) > 0.0))
+  {
+    return;
+  }
+  const Line line(arc, from.Point, to.Point);
+  const LevelPoint* best = nullptr; // of those on one side of the level, the farthest from it
+  bool isAbove = from.IsAbove;
+  const auto finish = [&] {
+    if (best)
+    {
+      turns.push_back(*best);
+    }
+  };
+  bool isFirst = true; // these go with the first end
+  for (const LevelPoint& point : line.GetPoints())
+  {
+    const bool isPointAbove = point.Sample.Distance >= level;
+    if (isPointAbove != isAbove)
+    {
+      finish();
+      best = nullptr;
+      isAbove = isPointAbove;
+      isFirst = false;
+    }
+    if (!isFirst && (!best || (point.Sample.Distance > best->Sample.Distance) == isAbove))
+    {
+      best = &point;
+    }
+  }
+  if (isAbove != to.IsAbove)
+  {
+    finish();
+  }
+}
+
+bool FindMeeting(const std::array<const LevelPoint*, 3>& points, Point2& meeting)
+{
+  std::array<Point2, 3> corners;
+  meeting = {};
+  for (int k = 0; k < 3; ++k)
+  {
+    const FieldSample& wave = points[k]->Sample;
+    if (!wave.HasImage || wave.Candidate == points[(k + 1) % 3]->Sample.Candidate)
+    {
+      return false;
+    }
+    corners[k] = points[k]->Place;
+    meeting.X += corners[k].X / 3.0;
+    meeting.Y += corners[k].Y / 3.0;
+  }
+  for (int step = 0; step < StepsOfMeeting; ++step)
+  {
+    std::array<double, 3> values{};
+    std::array<Point2, 3> gradients;
+    for (int k = 0; k < 3; ++k)
+    {
+      const FieldSample& wave = points[k]->Sample;
+      const Point2 way = Difference(meeting, wave.Image);
+      const double length = Norm(way.X, way.Y);
+      if (!(length > 0.0))
+      {
+        return false;
+      }
+      values[k] = wave.Offset + length;
+      gradients[k] = { way.X / length, way.Y / length };
+    }
+    const Point2 one = Difference(gradients[1], gradients[0]);
+    const Point2 two = Difference(gradients[2], gradients[0]);
+    const double a = values[1] - values[0];
+    const double b = values[2] - values[0];
+    const double determinant = Cross(one, two);
+    if (determinant == 0.0)
+    {
+      return false;
+    }
+    meeting.X -= (a * two.Y - b * one.Y) / determinant;
+    meeting.Y -= (b * one.X - a * two.X) / determinant;
+  }
+  const double area = Cross(Difference(corners[1], corners[0]), Difference(corners[2], corners[0]));
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point2& from = corners[k];
+    const Point2& to = corners[(k + 1) % 3];
+    if (!(Cross(Difference(to, from), Difference(meeting, from)) > AtEnd * area))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
