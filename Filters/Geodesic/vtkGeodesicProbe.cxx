@@ -13,6 +13,7 @@
 
 #include "dggFaceProfile.h"
 #include "dggProgressPart.h"
+#include "dggSurfacePoint.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformationVector.h"
@@ -22,6 +23,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 
@@ -42,7 +44,8 @@ vtkDGGSourceSet GetProbes(vtkInformationVector** inputVector)
     "" };
 }
 
-/// The distance at a place; NaN where it is not known.
+/// The distance at a place; NaN where it is not known. On an edge it is the least of all faces of
+/// the edge that are reached, as isolines have it: a wave may come through any of them.
 double Probe(
   const dgg::DistanceField& field, const dgg::SurfacePoint& place, dgg::FaceProfile& profile)
 {
@@ -51,10 +54,16 @@ double Probe(
   {
     distance = field.Distances[place.Vertex];
   }
-  else if (field.IsReached(place.Face))
+  else
   {
-    profile.Enter(place.Face);
-    distance = profile.At(profile.PlaceOf(place.Barycentric));
+    dgg::ForEachFaceAround(
+      *field.Mesh, place, [&](dgg::Id f, const std::array<double, 3>& barycentric) {
+        if (field.IsReached(f))
+        {
+          profile.Enter(f);
+          distance = std::min(distance, profile.At(profile.PlaceOf(barycentric)));
+        }
+      });
   }
   return distance < dgg::Infinity ? distance : std::numeric_limits<double>::quiet_NaN();
 }

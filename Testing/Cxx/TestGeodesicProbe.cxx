@@ -5,14 +5,17 @@
 /// distance filters to vtkGeodesicProbe.
 #include "FilterTestTools.h"
 
+#include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicProbe.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkXMLPolyDataReader.h"
@@ -411,6 +414,50 @@ TEST_F(GeodesicProbe, SourcesGoWithTheirDistances)
   again->Update();
   ASSERT_NE(data->GetArray("GeodesicVirtualSource"), nullptr);
   EXPECT_EQ(data->GetArray("GeodesicVirtualSource")->GetNumberOfComponents(), 1);
+}
+
+TEST_F(GeodesicProbe, IsTheLevelOnIsolines)
+{
+  // Edges see what comes through either of their faces; at the rim of what is reached there is one.
+  this->Distance->SetInputData(MakeTerrain(20));
+  this->Distance->SetSourceIds({ 30 });
+  vtkNew<vtkApolloniusIsolines> isolines;
+  isolines->SetInputConnection(this->Distance->GetOutputPort());
+  isolines->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  isolines->GenerateValues(25, 0.02, 0.6);
+  for (const double maximum : { VTK_DOUBLE_MAX, 0.55 })
+  {
+    this->Distance->SetMaximumDistance(maximum);
+    for (const int extra : { 0, 1, 2 })
+    {
+      this->Distance->SetGenerateVirtualSource(extra == 1);
+      this->Distance->SetGenerateWindows(extra == 2);
+      ExpectSuccess(isolines);
+      vtkPolyData* lines = isolines->GetOutput();
+      this->Probe->SetProbeData(lines);
+      ExpectSuccess(this->Probe);
+      vtkDataArray* found = this->Probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
+      vtkDataArray* levels = lines->GetCellData()->GetArray("IsoValue");
+      ASSERT_NE(found, nullptr);
+      ASSERT_NE(levels, nullptr);
+      EXPECT_GT(found->GetNumberOfTuples(), 1000);
+      double largest = 0.0;
+      vtkIdType unknown = 0;
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
+      {
+        lines->GetCellPoints(line, ids);
+        for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+        {
+          const double d = found->GetComponent(ids->GetId(k), 0);
+          unknown += std::isnan(d) ? 1 : 0;
+          largest = std::max(largest, std::abs(d - levels->GetComponent(line, 0)));
+        }
+      }
+      EXPECT_EQ(unknown, 0) << extra << " " << maximum;
+      EXPECT_LT(largest, 1e-9) << extra << " " << maximum;
+    }
+  }
 }
 
 TEST_F(GeodesicProbe, UnreachedIsNaN)
