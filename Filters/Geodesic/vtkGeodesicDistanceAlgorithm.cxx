@@ -443,5 +443,13 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
       components.push_back(&component);
     }
     maker.Add<vtkDoubleArray, double>(data, array.Name, components, this->UnreachedValue);
+    // They can be read in place of the distances.
+    vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), array.Name);
+    vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), array.Name);
+    if (components.size() == 1)
+    {
+      vtkDGGUnreachedArray::AddTo(output->GetFieldData(), data->GetArray(array.Name.c_str()),
+        this->UnreachedValue, isPointReached);
+    }
   }
 }

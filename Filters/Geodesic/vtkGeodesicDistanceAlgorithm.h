@@ -131,7 +131,7 @@ public:
    *
    * vtkApolloniusIsolines and vtkGeodesicProbe know what is not reached, whatever the value: where
    * it is neither NaN nor plus infinity and stands for a point, it goes into the field data, as the
-   * array `GeodesicDistance.Unreached`.
+   * array `GeodesicDistance.Unreached`; that of upper bounds, as `GeodesicUpperBound.Unreached`.
    */
   virtual void SetUnreachedValue(double value);
   vtkGetMacro(UnreachedValue, double);

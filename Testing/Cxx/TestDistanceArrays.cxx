@@ -223,6 +223,34 @@ TYPED_TEST(DistanceArrays, UnreachedPointsOfAnyDistanceFilter)
   }
 }
 
+/// Upper bounds may be read in place of the distances.
+TYPED_TEST(DistanceArrays, UnreachedPointsOfUpperBounds)
+{
+  vtkNew<vtkDGGDistance> graph;
+  graph->SetInputData(MakeGrid(8, 8));
+  graph->AddSourceId(40);
+  graph->SetMaximumDistance(3.2);
+  graph->GenerateUpperBoundOn();
+  auto* filter = this->Filter.Get();
+  filter->SetInputConnection(graph->GetOutputPort());
+  filter->SetDistanceArrayName("GeodesicUpperBound");
+  ExpectSuccess(filter);
+  const std::string expected = Describe(filter);
+  for (const double value : { -1.0, 0.0 })
+  {
+    graph->SetUnreachedValue(value);
+    ExpectSuccess(filter);
+    EXPECT_EQ(Describe(filter), expected) << value;
+  }
+  // What the input has of them goes with the array that is replaced.
+  vtkNew<vtkDGGDistance> again;
+  again->SetInputConnection(graph->GetOutputPort());
+  again->AddSourceId(40);
+  again->GenerateUpperBoundOn();
+  again->Update();
+  EXPECT_EQ(again->GetOutput()->GetFieldData()->GetArray("GeodesicUpperBound.Unreached"), nullptr);
+}
+
 TYPED_TEST(DistanceArrays, UnreachedPointsOfCoincidentOnes)
 {
   // A square and what is around two of its sides, which they share by coordinates only.
