@@ -61,11 +61,18 @@ vtkDGGVoronoiOutputs::vtkDGGVoronoiOutputs(const vtkDGGVoronoiResult& result,
 }
 
 //------------------------------------------------------------------------------
-double vtkDGGVoronoiOutputs::GetDistance(dgg::Id point) const
+/// Infinity where no site reaches.
+double vtkDGGVoronoiOutputs::GetTrueDistance(dgg::Id point) const
 {
   const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
   const auto n = static_cast<dgg::Id>(diagram.Distances.size());
-  const double distance = point < n ? diagram.Distances[point] : diagram.BorderDistances[point - n];
+  return point < n ? diagram.Distances[point] : diagram.BorderDistances[point - n];
+}
+
+//------------------------------------------------------------------------------
+double vtkDGGVoronoiOutputs::GetDistance(dgg::Id point) const
+{
+  const double distance = this->GetTrueDistance(point);
   return distance < dgg::Infinity ? distance : this->UnreachedValue;
 }
 
@@ -102,12 +109,15 @@ void vtkDGGVoronoiOutputs::AddToSurface(const std::string& sourceName, vtkPolyDa
   vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceName);
   vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceName);
   const auto sites = vtkDGGAddArray<vtkIntArray>(data, sourceName, n);
+  std::vector<bool> isReached(n);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
     const dgg::Id vertex = this->Mesh.GetVertex(i);
     distances->SetValue(i, this->GetDistance(vertex));
     sites->SetValue(i, diagram.NearestSites[vertex]);
+    isReached[static_cast<std::size_t>(i)] = this->GetTrueDistance(vertex) < dgg::Infinity;
   }
+  vtkDGGUnreachedArray::AddTo(output->GetFieldData(), distances, this->UnreachedValue, isReached);
   // Not SetScalars(), which would remove the scalars of the input.
   data->SetActiveScalars(sourceName.c_str());
   if (!this->Result.Energies.empty())
@@ -167,13 +177,16 @@ void vtkDGGVoronoiOutputs::FillCells(vtkPolyData* output) const
   const auto points = this->Geometry.MakePoints(n);
   const auto distances =
     vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, n);
+  std::vector<bool> isReached(n);
   for (std::size_t k = 0; k < n; ++k)
   {
     const auto i = static_cast<vtkIdType>(k);
     const auto point = static_cast<dgg::Id>(k);
     this->Geometry.SetPoint(points, i, this->GetPlace(point));
     distances->SetValue(i, this->GetDistance(point));
+    isReached[k] = this->GetTrueDistance(point) < dgg::Infinity;
   }
+  vtkDGGUnreachedArray::AddTo(output->GetFieldData(), distances, this->UnreachedValue, isReached);
   const std::vector<double> areas = this->SumAreas();
   vtkNew<vtkCellArray> polygons;
   vtkCellData* data = output->GetCellData();

@@ -52,6 +52,7 @@ public:
 
 private:
   std::vector<double> SumAreas() const;
+  double GetTrueDistance(dgg::Id point) const;
   double GetDistance(dgg::Id point) const;
   dgg::SurfacePoint GetPlace(dgg::Id point) const;
 

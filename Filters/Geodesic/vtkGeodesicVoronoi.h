@@ -191,7 +191,8 @@ public:
 
   ///@{
   /**
-   * Distance given to points that no site reaches. Default NaN.
+   * Distance given to points that no site reaches. Default NaN. Another number goes into the field
+   * data, as that of distance filters does (vtkGeodesicDistanceAlgorithm::SetUnreachedValue()).
    */
   virtual void SetUnreachedValue(double value);
   vtkGetMacro(UnreachedValue, double);

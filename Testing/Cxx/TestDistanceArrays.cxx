@@ -13,12 +13,14 @@
 #include "vtkGeodesicVoronoi.h"
 #include "vtkHeatGeodesicDistance.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 
 #include <gtest/gtest.h>
 
@@ -391,4 +393,32 @@ TEST(GeodesicVoronoiArrays, UnreachedValueGoesWithItsDistances)
   ExpectSuccess(voronoi);
   EXPECT_EQ(voronoi->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
   EXPECT_EQ(distance->GetOutput()->GetFieldData()->GetNumberOfArrays(), 5);
+}
+
+/// Voronoi diagrams tell what no site reaches, as distance filters do.
+TYPED_TEST(DistanceArrays, UnreachedPointsOfVoronoiDiagrams)
+{
+  // Two halves that do not hang together.
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(MakeGrid(4, 8));
+  auto other = MakeGrid(4, 8);
+  for (vtkIdType i = 0; i < other->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    other->GetPoint(i, p);
+    other->GetPoints()->SetPoint(i, p[0] + 4.05, p[1], p[2]);
+  }
+  both->AddInputData(other);
+  vtkNew<vtkGeodesicVoronoi> voronoi;
+  voronoi->SetInputConnection(both->GetOutputPort());
+  voronoi->SetSiteIds({ 0, 21 });
+  this->Filter->SetInputConnection(voronoi->GetOutputPort());
+  ExpectSuccess(this->Filter);
+  const std::string expected = Describe(this->Filter);
+  for (const double value : { -1.0, 0.0 })
+  {
+    voronoi->SetUnreachedValue(value);
+    ExpectSuccess(this->Filter);
+    EXPECT_EQ(Describe(this->Filter), expected) << value;
+  }
 }

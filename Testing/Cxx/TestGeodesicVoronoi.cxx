@@ -443,6 +443,13 @@ TEST_F(GeodesicVoronoi, UnreachedPoints)
     this->Filter->GetOutput()->GetPointData()->GetArray("GeodesicDistance")->GetComponent(20, 0),
     -7.0);
   vtkPolyData* cells = this->Filter->GetCells();
+  for (vtkPolyData* output : { this->Filter->GetOutput(), cells })
+  {
+    vtkDataArray* told = output->GetFieldData()->GetArray("GeodesicDistance.Unreached");
+    ASSERT_NE(told, nullptr);
+    EXPECT_EQ(told->GetComponent(0, 0), -7.0);
+    EXPECT_EQ(told->GetComponent(1, 0), static_cast<double>(output->GetNumberOfPoints()));
+  }
   const std::vector<double> sites = ToVector(cells->GetCellData()->GetArray("SiteId"));
   EXPECT_EQ(std::count(sites.begin(), sites.end(), -1.0), 8);
   const auto areas = ToVector(cells->GetCellData()->GetArray("CellArea"));
