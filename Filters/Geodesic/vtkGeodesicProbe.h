@@ -17,8 +17,8 @@
  *  - virtual sources (GenerateVirtualSourceOn() of any distance filter): several times better than
  *    linear interpolation, see dggDistanceField.h;
  *  - else virtual sources are fitted to the distances, which is a little worse;
- *  - values that are no distances at all, as their slope tells, are linear in each triangle, with a
- *    warning.
+ *  - values that are no distances at all, as the ways from their minima tell (dggFieldTest.h), are
+ *    linear in each triangle, with a warning.
  *
  * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
  * warning.
