@@ -11,7 +11,7 @@
  *
  * Nothing bounds the error, which is as large as edges are long beside the features of the surface.
  * Mean relative errors against vtkExactGeodesicDistance, measured on eight surfaces, scans and
- * parts of machines: 0.8 to 2.2 % with 10 000 points and more, 1 to 5 % with 5000, 2 to 5 % with
+ * parts of machines: 0.5 to 2.2 % with 10 000 points and more, 1 to 5 % with 5000, 2 to 5 % with
  * 1000, 3 to 7 % with 600, 5 to 9 % with 150. The largest error on each of them was between 20 and
  * 70 %, close to the source. Long thin triangles may make it useless where no flip mends them:
  * distances on flat strips, six triangles wide, of triangles 100 to 200 times as long as wide were
