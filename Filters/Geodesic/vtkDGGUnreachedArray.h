@@ -17,7 +17,8 @@ class vtkFieldData;
 /// filter. NaN and plus infinity speak for themselves. Any other number could be a distance, so
 /// that those who read the distances must be told: for distances named D by the field data array
 /// `D.Unreached` (double), with the number, how many points there are, and the ids of points whose
-/// distance just happens to be that number, as sources when it is 0.
+/// distance just happens to be that number, as sources when it is 0. The ids count for as many
+/// points only: those of fewer or more points may be those of others.
 class vtkDGGUnreachedArray
 {
 public:

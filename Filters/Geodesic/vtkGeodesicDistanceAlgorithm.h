@@ -132,6 +132,9 @@ public:
    * vtkApolloniusIsolines and vtkGeodesicProbe know what is not reached, whatever the value: where
    * it is neither NaN nor plus infinity and stands for a point, it goes into the field data, as the
    * array `GeodesicDistance.Unreached`; that of upper bounds, as `GeodesicUpperBound.Unreached`.
+   * Points at just that distance are told from those by their ids, unless points have been removed
+   * since: then all points of that value count as not reached. Choose one that is no distance, such
+   * as -1.
    */
   virtual void SetUnreachedValue(double value);
   vtkGetMacro(UnreachedValue, double);
