@@ -36,6 +36,8 @@ constexpr std::size_t BlockSize = 1024;
 constexpr std::size_t BlocksBetweenReports = 64;
 /// The share of the progress when the distances have been read, which may take a fit.
 constexpr double ReadDone = 0.5;
+/// What the distances are called where they have no name.
+const char* const DefaultName = "GeodesicDistance";
 
 vtkDGGSourceSet GetProbes(vtkInformationVector** inputVector)
 {
@@ -71,7 +73,7 @@ double Probe(
 
 //------------------------------------------------------------------------------
 vtkGeodesicProbe::vtkGeodesicProbe()
-  : DistanceArrayName("GeodesicDistance")
+  : DistanceArrayName(DefaultName)
   , VirtualSourceArrayName("GeodesicVirtualSource")
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , ProjectionTolerance(0.01)
@@ -181,7 +183,7 @@ dgg::Status vtkGeodesicProbe::Execute(
   }
   // Observers may change the inputs.
   vtkNew<vtkPolyData> copy;
-  std::string name = "GeodesicDistance";
+  std::string name = DefaultName;
   if (status.IsOk())
   {
     copy->ShallowCopy(probes.Points);
@@ -233,6 +235,7 @@ void vtkGeodesicProbe::MakeEmptyOutput(vtkPolyData*, vtkInformationVector* outpu
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
-  vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(),
-    vtkDGGFieldInput::GetDistanceName(this->Information, this->DistanceArrayName), 0);
+  const std::string name =
+    vtkDGGFieldInput::GetDistanceName(this->Information, this->DistanceArrayName);
+  vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), name.empty() ? DefaultName : name, 0);
 }

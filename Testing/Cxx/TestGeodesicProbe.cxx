@@ -515,6 +515,20 @@ TEST_F(GeodesicProbe, FitsCanBeFollowedAndStopped)
   EXPECT_EQ(this->Probe->GetOutput()->GetNumberOfPoints(), 0);
 }
 
+TEST_F(GeodesicProbe, EmptySurfaces)
+{
+  vtkNew<vtkPolyData> empty;
+  this->Probe->SetInputData(empty);
+  vtkPointData* data = this->Probe->GetOutput()->GetPointData();
+  for (const char* name : { "mine", "GeodesicDistance", "" })
+  {
+    this->Probe->SetDistanceArrayName(name);
+    ExpectWarning(this->Probe, { "input is empty" });
+    ASSERT_EQ(data->GetNumberOfArrays(), 1) << name;
+    EXPECT_STREQ(data->GetArrayName(0), *name ? name : "GeodesicDistance");
+  }
+}
+
 TEST_F(GeodesicProbe, Errors)
 {
   this->Probe->SetDistanceArrayName("nothing");
