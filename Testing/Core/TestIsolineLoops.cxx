@@ -318,15 +318,19 @@ TEST(Isolines, DoNotRunBack)
 TEST(Isolines, WithoutWindowsThereAreHardlyMoreLoops)
 {
   // Edges that saw crests where a wave comes across from a face had loops around them.
-  std::size_t exact = 0;
-  std::size_t local = 0;
+  // Apart, so that meshes do not make up for each other.
+  double surplus = 0.0;
+  double missing = 0.0;
   for (const NamedMesh& named : SoundMeshes())
   {
     const SurfaceMesh mesh = Build(named.Mesh);
     const ExactField field(mesh, { VertexSource(0) });
     const std::vector<double> levels = EvenLevels(field.Exact, 100);
-    exact += Trace(field.Exact, levels).Lines.size();
-    local += Trace(field.Local, levels).Lines.size();
+    const auto exact = static_cast<double>(Trace(field.Exact, levels).Lines.size());
+    const auto local = static_cast<double>(Trace(field.Local, levels).Lines.size());
+    surplus += std::max(0.0, local - exact);
+    missing += std::max(0.0, exact - local);
   }
-  EXPECT_NEAR(static_cast<double>(local), static_cast<double>(exact), 10.0);
+  EXPECT_LE(surplus, 10.0);
+  EXPECT_LE(missing, 15.0);
 }
