@@ -131,9 +131,7 @@ Status TraceIsolines(const DistanceField& field, const std::vector<double>& leve
     return status;
   }
   status = JoinFaceCurves(
-    *field.Mesh, crossings.Crossings, curves,
-    [&](double done) { return !progress || progress(FacesDone + (1.0 - FacesDone) * done); },
-    lines);
+    *field.Mesh, crossings.Crossings, curves, ProgressPart(progress, FacesDone, 1.0), lines);
   if (!status.IsOk())
   {
     return status;
