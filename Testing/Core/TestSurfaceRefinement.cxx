@@ -410,6 +410,50 @@ TEST(SurfaceRefinement, PointsGoBackToTheOldMesh)
   }
 }
 
+TEST(SurfaceRefinement, ProgressGrows)
+{
+  // A straight line, one that goes back and forth to points of it, and one that crosses it often:
+  // pieces are split at nodes and at crossings, both more than once.
+  const dgg::SurfaceMesh mesh = Build(SingleTriangle());
+  constexpr int Count = 600;
+  std::vector<SurfacePath> paths(3);
+  auto at = [&](double x, double y) {
+    return SurfacePoint::InFace(mesh, 0, { { 1.0 - x - y, x, y } });
+  };
+  paths[0].Points = { at(0.1, 0.3), at(0.6, 0.3) };
+  for (int i = 0; i < Count; ++i)
+  {
+    const double x = 0.1 + 0.5 * (i + 0.5) / Count;
+    paths[1].Points.push_back(at(x, 0.3));
+    paths[2].Points.push_back(at(x + 0.1 / Count, i % 2 == 0 ? 0.2 : 0.4));
+  }
+  for (SurfacePath& path : paths)
+  {
+    path.Faces.assign(path.Points.size() - 1, 0);
+    for (std::size_t i = 0; i < path.Faces.size(); ++i)
+    {
+      path.Length += dgg::MeasurePiece(mesh, path, i);
+    }
+  }
+  std::vector<double> reports;
+  dgg::RefinementOptions options;
+  options.InsertCrossings = true;
+  options.Progress = [&](double done) {
+    reports.push_back(done);
+    return true;
+  };
+  RefinedSurface refined;
+  const dgg::Status status = dgg::RefineAlongPaths(mesh, paths, options, refined);
+  ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_GT(refined.GetNumberOfVertices(), 3 + 2 + 3 * (Count - 1));
+  EXPECT_GT(reports.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+  EXPECT_GE(reports.front(), 0.0);
+  EXPECT_LE(reports.back(), 1.0);
+  // Without a listener the result is the same.
+  EXPECT_EQ(Refine(mesh, paths, true).Triangles, refined.Triangles);
+}
+
 TEST(SurfaceRefinement, SaysWhatIsWrong)
 {
   const dgg::SurfaceMesh mesh = Build(Icosphere(1));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggPieceSplitter.h"
 
+#include "dggProgressPart.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -62,11 +64,9 @@ Status PieceSplitter::Split(
   double begin = 0.0;
   for (int round = 0; round < MaximumRounds; ++round)
   {
-    // Each round gets half of what is left.
+    // Each round gets half of what is left, and so does each turn of its first half.
     const double share = 0.25 * (1.0 - begin);
-    auto part = [&](double first) {
-      return [&, first](double done) { return !progress || progress(first + share * done); };
-    };
+    const double middle = begin + share;
     for (const std::size_t p : places)
     {
       this->SplitAlongSides(this->Pieces[p], face);
@@ -75,17 +75,20 @@ Status PieceSplitter::Split(
     while (found)
     {
       this->CollectSegments(face, places);
-      if (!this->SplitAtNodes(face, part(begin), found))
+      const double end = 0.5 * (begin + middle);
+      if (!this->SplitAtNodes(face, ProgressPart(progress, begin, end), found))
       {
         return Status::Abort();
       }
+      begin = end;
     }
-    Status status = this->SplitAtCrossings(face, part(begin + share), found);
+    Status status =
+      this->SplitAtCrossings(face, ProgressPart(progress, middle, middle + share), found);
     if (!status.IsOk() || !found)
     {
       return status;
     }
-    begin += 2.0 * share;
+    begin = middle + share;
   }
   std::ostringstream message;
   message << "the crossings of paths in face " << face << " are too close together";
@@ -161,7 +164,7 @@ bool PieceSplitter::SplitAtNodes(Id face, const ProgressCallback& progress, bool
   std::vector<std::size_t> close;
   for (std::size_t i = 0; inside && i < inside->size(); ++i)
   {
-    if (i % ProgressInterval == ProgressInterval - 1 &&
+    if (i % ProgressInterval == ProgressInterval - 1 && progress &&
       !progress(static_cast<double>(i) / static_cast<double>(inside->size())))
     {
       return false;
@@ -228,7 +231,7 @@ Status PieceSplitter::SplitAtCrossings(Id face, const ProgressCallback& progress
   std::vector<std::size_t> close;
   for (std::size_t i = 0; i < this->Segments.size(); ++i)
   {
-    if (i % ProgressInterval == ProgressInterval - 1 &&
+    if (i % ProgressInterval == ProgressInterval - 1 && progress &&
       !progress(static_cast<double>(i) / static_cast<double>(this->Segments.size())))
     {
       return Status::Abort();
