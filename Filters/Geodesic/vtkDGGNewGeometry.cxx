@@ -12,6 +12,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkFieldData.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -82,7 +83,7 @@ dgg::Status vtkDGGNewGeometry::Take(
   // The graph, the windows and what is not reached are those of other points.
   vtkDGGGraphArrays::RemoveFrom(this->Fields);
   vtkDGGWindowArrays::RemoveAllFrom(this->Fields);
-  vtkDGGUnreachedArray::RemoveAllFrom(this->Fields);
+  vtkDGGUnreachedArray::RemoveAllFrom(this->Fields, surface->GetPointData());
   this->DataType = ChooseDataType(precision, points);
   this->Mesh = &mesh;
   const std::size_t size = 3 * static_cast<std::size_t>(surface->GetNumberOfPoints());

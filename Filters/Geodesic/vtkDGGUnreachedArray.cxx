@@ -27,14 +27,22 @@ double Round(vtkDataArray* distances, double number)
                                                : number;
 }
 
+bool HasLayout(vtkDataArray* array)
+{
+  if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() < FirstId)
+  {
+    return false;
+  }
+  const double count = array->GetComponent(NumberOfPoints, 0);
+  return count >= 0.0 && count == std::floor(count);
+}
+
 vtkDataArray* FindArray(vtkFieldData* data, vtkDataArray* distances)
 {
   const char* name = distances->GetName();
   vtkDataArray* array =
     data && name ? data->GetArray((name + std::string(Suffix)).c_str()) : nullptr;
-  return array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() >= FirstId
-    ? array
-    : nullptr;
+  return HasLayout(array) ? array : nullptr;
 }
 }
 
@@ -68,14 +76,20 @@ void vtkDGGUnreachedArray::RemoveFrom(vtkFieldData* data, const std::string& dis
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGUnreachedArray::RemoveAllFrom(vtkFieldData* data)
+void vtkDGGUnreachedArray::RemoveAllFrom(vtkFieldData* data, vtkFieldData* points)
 {
   const std::string suffix = Suffix;
   for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
   {
     const std::string name = data->GetArrayName(i) ? data->GetArrayName(i) : "";
-    if (name.size() > suffix.size() &&
-      name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0)
+    if (name.size() <= suffix.size() ||
+      name.compare(name.size() - suffix.size(), suffix.size(), suffix) != 0 ||
+      !HasLayout(data->GetArray(i)))
+    {
+      continue;
+    }
+    vtkDataArray* distances = points->GetArray(name.substr(0, name.size() - suffix.size()).c_str());
+    if (distances && distances->GetNumberOfComponents() == 1)
     {
       data->RemoveArray(i);
     }

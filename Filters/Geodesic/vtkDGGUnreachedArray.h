@@ -28,8 +28,9 @@ public:
 
   static void RemoveFrom(vtkFieldData* data, const std::string& distances);
 
-  /// Remove those of all distances, whatever their names.
-  static void RemoveAllFrom(vtkFieldData* data);
+  /// Remove those of all distances, whatever their names: arrays that look so and have the name of
+  /// one of `points`, the point data. Others may be anything.
+  static void RemoveAllFrom(vtkFieldData* data, vtkFieldData* points);
 
   /// Which points are not reached as the number `unreachedValue` stands for that, or, when it is
   /// NaN, that of the field data. Empty when none is by either. NaN and infinity among the

@@ -140,6 +140,7 @@ void vtkDGGVoronoiOutputs::FillBoundaries(vtkPolyData* output) const
   const auto points = this->Geometry.MakePoints(used.size());
   const auto distances =
     vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, used.size());
+  vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceName);
   for (std::size_t k = 0; k < used.size(); ++k)
   {
     const auto i = static_cast<vtkIdType>(k);
@@ -177,6 +178,7 @@ void vtkDGGVoronoiOutputs::FillCells(vtkPolyData* output) const
   const auto points = this->Geometry.MakePoints(n);
   const auto distances =
     vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, n);
+  vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceName);
   std::vector<bool> isReached(n);
   for (std::size_t k = 0; k < n; ++k)
   {
