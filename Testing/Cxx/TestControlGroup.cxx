@@ -37,7 +37,9 @@ protected:
     return vtkDGGGetFreeInControlGroup(this->Root + "/cgroup", this->Root + "/mount");
   }
 
-  std::string Root = std::string(DGG_TEST_OUTPUT) + "/ControlGroup";
+  /// A folder for each test, as they may run at the same time.
+  std::string Root = std::string(DGG_TEST_OUTPUT) + "/ControlGroup." +
+    testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 }
 

@@ -48,6 +48,8 @@ constexpr Offset FewVertices = 32;
 /// From so many vertices on the steepest edge of a distance tells its unit, and few minima that
 /// there are few sources.
 constexpr Offset ManyVertices = 100;
+/// With fewer, it is at least so steep somewhere.
+constexpr double SmallestCoarseSlope = 0.5;
 /// Most of the vertices that may be equally far away as all their neighbours and yet no minima: as
 /// distances fall from everywhere, there are none but by rare chance, and many on CAD models when
 /// the field is a coordinate.
@@ -197,8 +199,8 @@ public:
     const bool areHidden = hasHidden &&
       this->Known.Greatest - this->Known.Least <= this->Mesh.GetMaximumEdgeLength() &&
       static_cast<double>(hidden.size()) >= LargestHiddenShare * n;
-    this->AreSparse =
-      n > ManyVertices && VerticesOfMinimum * static_cast<double>(groups) < n && !areHidden;
+    this->AreFew = VerticesOfMinimum * static_cast<double>(groups) < n && !areHidden;
+    this->AreSparse = this->AreFew && n > ManyVertices;
     if (!this->AreSparse)
     {
       minima.insert(minima.end(), hidden.begin(), hidden.end());
@@ -235,7 +237,8 @@ public:
       ? SlackOfGap * this->Gaps[minimum] + SlackBesideGap * this->Longest[minimum]
       : SlackAtMinimum * this->Longest[minimum] + SlackAtVertex * this->Longest[v];
   }
-  bool IsSparse() const { return this->AreSparse; }
+  /// Whether there are few minima for the number of vertices.
+  bool HasFew() const { return this->AreFew; }
   double GetLeast() const { return this->Known.Least; }
 
 private:
@@ -361,7 +364,8 @@ private:
   std::vector<char> IsEven;  // with all neighbours
   std::vector<char> IsLow;   // per plateau
   std::vector<double> Least; // per plateau
-  bool AreSparse = false;    // minima
+  bool AreFew = false;
+  bool AreSparse = false; // minima
 };
 
 /// How values compare to the ways from their minima.
@@ -371,7 +375,7 @@ struct WayShares
   double Short = 0.0;
   double Far = 0.0;
   double Flat = 0.0; // of all vertices
-  bool IsSparse = false;
+  bool HasFewMinima = false;
 };
 
 /// By fast marching, or exactly where that is as fast, as fast marching errs on coarse meshes.
@@ -410,7 +414,7 @@ Status CompareWithWays(const SurfaceMesh& mesh, const double* values, bool hasHi
   MinimumFinder finder(mesh, values);
   const std::vector<GeodesicSource> minima = finder.Find(hasHidden);
   shares.Flat = finder.FindFlatShare();
-  shares.IsSparse = finder.IsSparse();
+  shares.HasFewMinima = finder.HasFew();
   std::vector<double> ways;
   std::vector<Id> sources;
   Status status = FindWays(mesh, minima, progress, ways, sources);
@@ -478,10 +482,13 @@ std::string FindFault(const FieldReport& report, const WayShares& ways, bool has
         percent * report.ShareOfSteepEdges) +
       end;
   }
-  // Nowhere steeper than what is usual, which is less than it should be.
+  // Nowhere steeper than what is usual, which is less than it should be; by far less on coarse
+  // meshes.
   const double scale = report.MedianSlope;
-  if (hasScale && ways.IsSparse && report.NumberOfVertices > ManyVertices &&
-    scale < 1.0 - Tolerance && report.WorstSlope < (1.0 + 0.5 * Tolerance) * scale)
+  const bool isCoarse = report.NumberOfVertices <= ManyVertices;
+  if (hasScale && ways.HasFewMinima && report.NumberOfVertices > FewVertices &&
+    scale < (isCoarse ? SmallestCoarseSlope : 1.0 - Tolerance) &&
+    report.WorstSlope < (1.0 + 0.5 * Tolerance) * scale)
   {
     return start + WithNumber("it changes by %.2g per unit of length at most", report.WorstSlope) +
       end;
