@@ -6,16 +6,20 @@
 # mesh; queries the graph, measures the error against the exact solver, and prints a table of sizes,
 # times and errors. Writes distance.vtp, distance.png (distances with isolines) and error.png (where
 # the errors are). Missing Debian packages are installed first.
+# A file that holds points and no polygons is a point cloud: then there is no promise and no exact
+# solver; a graph of the cloud is built, and distances and the path to the farthest point are found.
+# Writes distance.vtp, path.vtp and distance.png.
 #
-# Usage: Examples/demo.sh [MESH] [--accuracy E] [--source ID | --source X,Y,Z [--tolerance T]]
-#                         [--merge] [--out DIR]
-#   MESH        .ply .obj .stl .vtp .vtk .off (default: the bunny of Debian's glmark2-data)
-#   --accuracy  largest relative error of a distance, 1e-6 to 0.5 (default: 0.01)
+# Usage: Examples/demo.sh [FILE] [--accuracy E] [--source ID | --source X,Y,Z [--tolerance T]]
+#                         [--merge] [--cloud] [--out DIR]
+#   FILE        .ply .obj .stl .vtp .vtk .off .pcd .xyz
+#               (default: the bunny of Debian's glmark2-data)
+#   --accuracy  largest relative error of a distance on a mesh, 1e-6 to 0.5 (default: 0.01)
 #   --source    where distances start: a point id, or coordinates on the surface
-#               (default: the point farthest from the centre of the mesh)
-#   --tolerance how far X,Y,Z may be from the surface, as a fraction of the diagonal of the mesh
-#               (default: 0.01)
-#   --merge     treat points with equal coordinates as one (texture seams)
+#               (default: the point farthest from the centre)
+#   --tolerance how far X,Y,Z may be from the surface, as a fraction of the diagonal (default: 0.01)
+#   --merge     treat points of a mesh with equal coordinates as one (texture seams)
+#   --cloud     look at points only, also where the file has polygons
 #   --out       folder of the results (default: ./out)
 
 set -euo pipefail

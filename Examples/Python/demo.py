@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Geodesic distances on a mesh file within a promised error: builds a graph, queries it, and
 measures the error against the exact solver. Prints a table; writes distance.vtp, distance.png,
-error.png."""
+error.png. A file that holds points and no polygons is a point cloud: then there are distances, and
+the path to the farthest point."""
 
 import argparse
 import os
@@ -10,22 +11,23 @@ import sys
 import time
 import warnings
 
+import cloud_file
 import demo_bounds
+import demo_cloud
 import demo_picture
 import demo_source
 import numpy as np
 import vtkdgg
 from demo_errors import Errors
+from demo_output import print_table, save, with_arrays
 from demo_size import floor_of, notes
 from demo_solve import Exact, Graph, Query
 from demo_words import counted, in_options
-from mesh_file import READERS, MeshFileError, read_triangles
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from mesh_file import MeshFileError, triangles_of
 from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 DEFAULT_MESH = "/usr/share/glmark2/models/bunny.obj"
+DEFAULT_ACCURACY = 0.01
 
 
 class UsageError(Exception):
@@ -46,7 +48,7 @@ def parse(arguments):
         "mesh",
         nargs="?",
         default=DEFAULT_MESH,
-        help=f"{' '.join(sorted(READERS))} (default: %(default)s)",
+        help=f"{' '.join(cloud_file.EXTENSIONS)} (default: %(default)s)",
     )
     parser.add_argument(
         "--source",
@@ -65,14 +67,19 @@ def parse(arguments):
     parser.add_argument(
         "--accuracy",
         type=float,
-        default=0.01,
         metavar="E",
-        help="largest relative error of a distance, 1e-6 to 0.5 (default: %(default)s)",
+        help="largest relative error of a distance on a mesh, 1e-6 to 0.5 "
+        f"(default: {DEFAULT_ACCURACY})",
     )
     parser.add_argument(
         "--merge",
         action="store_true",
-        help="treat points with equal coordinates as one (texture seams)",
+        help="treat points of a mesh with equal coordinates as one (texture seams)",
+    )
+    parser.add_argument(
+        "--cloud",
+        action="store_true",
+        help="look at points only, also where the file has polygons",
     )
     parser.add_argument(
         "--out", metavar="DIR", default="out", help="folder of the results (default: ./%(default)s)"
@@ -175,23 +182,11 @@ def graph_rows(graph, query, exact):
     )
 
 
-def result_mesh(mesh, arrays):
-    """The mesh with these arrays at its points besides its own, coloured by the first."""
-    result = vtkPolyData()
-    result.ShallowCopy(mesh)
-    for name, values in arrays.items():
-        array = numpy_to_vtk(values, deep=True)
-        array.SetName(name)
-        result.GetPointData().AddArray(array)
-    result.GetPointData().SetActiveScalars(next(iter(arrays)))
-    return result
-
-
 def write(folder, mesh, source, query, exact, errors, accuracy):
     """The data file and both pictures; returns their paths and the step of the isolines."""
     os.makedirs(folder, exist_ok=True)
     paths = [os.path.join(folder, name) for name in ("distance.vtp", "distance.png", "error.png")]
-    result = result_mesh(
+    result = with_arrays(
         mesh,
         {
             "GeodesicDistance": query.distances,
@@ -200,10 +195,7 @@ def write(folder, mesh, source, query, exact, errors, accuracy):
             "RelativeError": errors.signed,
         },
     )
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(paths[0])
-    writer.SetInputData(result)
-    vtkdgg.check(writer)
+    save(paths[0], result)
     step = demo_picture.save_distances(paths[1], result, "GeodesicDistance", source)
     note = (
         f"promised  {percent(accuracy)}",
@@ -219,14 +211,30 @@ def main(arguments):
     """Run the demo; returns the exit code."""
     options = parse(arguments)
     start = time.perf_counter()
-    mesh = read_triangles(options.mesh)
-    source = demo_source.choose(options.source, mesh)
+    contents = cloud_file.read(options.mesh)
     read_time = time.perf_counter() - start
+    if not options.cloud and not cloud_file.is_cloud(contents):
+        return on_mesh(options, contents, read_time)
+    for option, given in (("--accuracy", options.accuracy is not None), ("--merge", options.merge)):
+        if given:
+            raise UsageError(f"{option}: not on a point cloud, only on a mesh (--help explains)")
+    return demo_cloud.run(options, contents, read_time)
+
+
+def on_mesh(options, contents, read_time):
+    """Run the demo on a mesh; returns the exit code."""
+    start = time.perf_counter()
+    mesh = triangles_of(contents, options.mesh)
+    read_time += time.perf_counter() - start
+    source = demo_source.choose(options.source, mesh)
+    if source is None:
+        source = demo_source.far_point(mesh)
+    accuracy = DEFAULT_ACCURACY if options.accuracy is None else options.accuracy
     location, corners = demo_source.locate(mesh, source)
 
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        graph = Graph(mesh, options.accuracy, options.merge)
+        graph = Graph(mesh, accuracy, options.merge)
         query = Query(graph, source, options.merge, options.tolerance)
         exact = Exact(mesh, source, options.merge, options.tolerance)
     floor = floor_of(mesh)
@@ -237,7 +245,7 @@ def main(arguments):
         demo_bounds.upper_bound(mesh, location, corners),
         demo_bounds.lower_bound(mesh, location),
     )
-    paths, step = write(options.out, mesh, location, query, exact, corrected, options.accuracy)
+    paths, step = write(options.out, mesh, location, query, exact, corrected, accuracy)
 
     place = ", ".join(f"{x:.6g}" for x in location)
     which = f"point {source} at " if isinstance(source, int) else ""
@@ -251,7 +259,7 @@ def main(arguments):
         ("reading", f"{read_time:.3f} s"),
         ("source", f"{which}({place})"),
         *graph_rows(graph, query, exact),
-        *error_rows(raw, corrected, options.accuracy),
+        *error_rows(raw, corrected, accuracy),
         *near_rows(corrected, floor),
         ("reached", f"{reached.sum()} of {reached.size} vertices"),
         ("range", f"0 to {np.nanmax(np.append(query.distances, 0.0)):.6g} model units"),
@@ -260,13 +268,8 @@ def main(arguments):
         ("isolines", f"every {step:g} model units"),
         ("written", ", ".join(paths)),
     )
-    for key, value in rows:
-        print(f"{key:<12} {value}")
-    # Each filter reads the mesh, and says the same of it.
-    warned = [str(warning.message).split(": ", 1)[-1] for warning in caught]
-    for note in dict.fromkeys(notes(mesh) + warned):
-        print(f"{'note':<12} {in_options(note)}")
-    return verdict(raw, corrected, options.accuracy, bounds)
+    print_table(rows, notes(mesh), caught)
+    return verdict(raw, corrected, accuracy, bounds)
 
 
 def verdict(raw, corrected, accuracy, bounds):

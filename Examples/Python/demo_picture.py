@@ -77,24 +77,23 @@ def save_distances(path, mesh, array_name, source, unit="model units"):
     finite = distances[np.isfinite(distances)]
     high = float(finite.max()) if finite.size and finite.max() > 0 else 1.0
     step = nice_step(high)
-    table = _lookup_table(DISTANCE_COLOURS, 0.0, high, UNREACHED_DISTANCE)
-    labels = _labels(0.0, high)
-    bar = _scalar_bar(table, f"Geodesic distance\n({unit})", labels, "%-.6g")
+    table = lookup_table(DISTANCE_COLOURS, 0.0, high, UNREACHED_DISTANCE)
+    bar = scalar_bar(table, f"Geodesic distance\n({unit})", labels(0.0, high), "%-.6g")
     props = [
         _surface(mesh, array_name, table),
         _isolines(mesh, array_name, step, 0.0011),
         bar,
-        *_unreached(bar, distances),
+        *unreached(bar, distances),
     ]
-    _save(path, mesh, source, props)
+    save(path, mesh, source, props)
     return step
 
 
-def save_errors(path, mesh, array_name, promised, isolines, source, note):
+def save_errors(path, mesh, array_name, promised, isolines, source, lines):
     """Render the mesh with the sizes of its relative errors and write the PNG.
 
     The colours span three powers of ten up to what is promised; `isolines` are the name of the
-    array of distances and the step, `note` lines below the scalar bar.
+    array of distances and the step, `lines` what is said below the scalar bar.
     """
     name = "Size of " + array_name
     sized = vtkPolyData()
@@ -104,30 +103,31 @@ def save_errors(path, mesh, array_name, promised, isolines, source, note):
     )
     sizes.SetName(name)
     sized.GetPointData().AddArray(sizes)
-    labels = [100.0 * promised * 10.0**power for power in range(-3, 1)]
-    table = _lookup_table(ERROR_COLOURS, labels[0], labels[-1], UNREACHED_ERROR)
+    powers = [100.0 * promised * 10.0**power for power in range(-3, 1)]
+    table = lookup_table(ERROR_COLOURS, powers[0], powers[-1], UNREACHED_ERROR)
     table.SetScaleToLog10()
-    bar = _scalar_bar(table, "Relative error\n(%)", labels, "%-.4g")
+    bar = scalar_bar(table, "Relative error\n(%)", powers, "%-.4g")
     props = [
         _surface(sized, name, table, shine=0.0),
         _isolines(mesh, *isolines, 0.0006),
         bar,
-        *_unreached(bar, vtk_to_numpy(sizes)),
-        *_note(note),
+        *unreached(bar, vtk_to_numpy(sizes)),
+        *note(lines),
     ]
-    _save(path, mesh, source, props)
+    save(path, mesh, source, props)
 
 
-def _save(path, mesh, source, props):
+def save(path, mesh, source, props, direction=None):
+    """Render these and the source and write the PNG; looks from the best or a given direction."""
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
     renderer.SetBackground2(0.86, 0.89, 0.93)
     renderer.GradientBackgroundOn()
     for prop in props:
         renderer.AddViewProp(prop)
-    renderer.AddActor(_marker(source, mesh.GetLength()))
+    renderer.AddActor(marker(source, size_of(mesh)))
     _light(renderer)
-    _aim(renderer, mesh, source)
+    _aim(renderer, mesh, source, direction)
 
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
@@ -144,7 +144,8 @@ def _save(path, mesh, source, props):
     vtkdgg.check(writer)
 
 
-def _lookup_table(colours, low, high, unreached):
+def lookup_table(colours, low, high, unreached):
+    """Colours of equal widths in between."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
     place = np.linspace(0.0, 1.0, len(colours))
@@ -222,7 +223,8 @@ def _reached_part(mesh, array_name):
     return part
 
 
-def _marker(source, size):
+def marker(source, size, colour=(0.86, 0.12, 0.16)):
+    """A ball; the size is that of all that is drawn."""
     ball = vtkSphereSource()
     ball.SetCenter(*source)
     ball.SetRadius(0.011 * size)
@@ -232,52 +234,55 @@ def _marker(source, size):
     mapper.SetInputConnection(ball.GetOutputPort())
     actor = vtkActor()
     actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(0.86, 0.12, 0.16)
+    actor.GetProperty().SetColor(*colour)
     actor.GetProperty().SetSpecular(0.5)
     actor.GetProperty().SetSpecularPower(40.0)
     return actor
 
 
-def _labels(low, high):
+def labels(low, high):
+    """Round numbers for a scalar bar."""
     step = nice_step(high - low, wanted=6)
     slack = 1e-9 * (high - low) / step
     return [i * step for i in range(math.ceil(low / step - slack), int(high / step + slack) + 1)]
 
 
-def _scalar_bar(table, title, values, form):
+def scalar_bar(table, title, values, form, bottom=0.18):
+    """The legend of colours, from this height up to a fixed one."""
     bar = vtkScalarBarActor()
     bar.SetLookupTable(table)
     bar.SetTitle(title)
-    labels = vtkDoubleArray()
+    custom = vtkDoubleArray()
     for value in values:
-        labels.InsertNextValue(value)
-    bar.SetCustomLabels(labels)
+        custom.InsertNextValue(value)
+    bar.SetCustomLabels(custom)
     bar.UseCustomLabelsOn()
     bar.SetLabelFormat(form)
     bar.UnconstrainedFontSizeOn()
     bar.SetTextPad(6)
     bar.SetVerticalTitleSeparation(24)
     bar.SetBarRatio(0.22)
-    bar.GetPositionCoordinate().SetValue(0.84, 0.18)
+    bar.GetPositionCoordinate().SetValue(0.84, bottom)
     bar.SetWidth(0.14)
-    bar.SetHeight(0.66)
+    bar.SetHeight(0.84 - bottom)
     _style(bar.GetTitleTextProperty(), 28)
     _style(bar.GetLabelTextProperty(), 26)
     return bar
 
 
-def _unreached(bar, values):
+def unreached(bar, values):
     """The colour of points without a value in the legend, and its name, when there are some."""
     if np.isnan(values).any():
         bar.DrawNanAnnotationOn()
         bar.SetNanAnnotation("")  # it would be on the left, where the mesh is
-        yield _text("unreached", 0.879, 0.185)
+        place = bar.GetPositionCoordinate().GetValue()
+        yield _text("unreached", 0.879, place[1] + 0.005)
 
 
-def _note(lines):
-    """Text below the scalar bar, one actor per line."""
+def note(lines, top=0.12):
+    """Text below the scalar bar, one actor per line, from this height down."""
     for i, line in enumerate(lines):
-        yield _text(line, 0.815, 0.12 - 0.032 * i)
+        yield _text(line, 0.815, top - 0.032 * i)
 
 
 def _text(line, x, y):
@@ -308,24 +313,26 @@ def _light(renderer):
     kit.AddLightsToRenderer(renderer)
 
 
-def _aim(renderer, mesh, source):
-    """Look from where much of the surface is seen, and the source with it."""
+def _aim(renderer, mesh, source, direction):
+    """Look from this direction, or from where much of the surface is seen and the source with it."""
     centre = np.array(mesh.GetCenter())
-    up = _up(mesh)
-    direction = _best_direction(mesh, np.array(source), up)
-    away = 2.0 * mesh.GetLength()
+    up = up_of(mesh)
+    if direction is None:
+        direction = _best_direction(mesh, np.array(source), up)
+    away = 2.0 * size_of(mesh)
     right = np.cross(up, direction)
     right /= np.linalg.norm(right)
     top = np.cross(direction, right)
 
     # Where the points are in the view, as tangents of angles; the source's ball comes along.
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
-    points = np.vstack([points, np.array(source) + 0.02 * mesh.GetLength() * direction]) - centre
+    points = np.vstack([points, np.array(source) + 0.02 * size_of(mesh) * direction]) - centre
     depth = away - points @ direction
     x, y = points @ right / depth, points @ top / depth
     # The picture leaves a margin, and room for the scalar bar on the right.
     aspect = SIZE[0] / SIZE[1]
-    tangent = 0.5 * max(np.ptp(y) / 0.92, np.ptp(x) / (0.77 * aspect))
+    # Points all in one place are looked at from far enough for the ball.
+    tangent = 0.5 * max(np.ptp(y) / 0.92, np.ptp(x) / (0.77 * aspect), 0.05)
 
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(*centre)
@@ -338,7 +345,12 @@ def _aim(renderer, mesh, source):
     renderer.ResetCameraClippingRange()
 
 
-def _up(mesh):
+def size_of(mesh):
+    """The diagonal; 1 for points that are all in the same place."""
+    return mesh.GetLength() or 1.0
+
+
+def up_of(mesh):
     """The y axis, as most models have it; the z axis for flat ones, such as terrain."""
     bounds = np.array(mesh.GetBounds()).reshape(3, 2)
     x, y, z = bounds[:, 1] - bounds[:, 0]
@@ -354,20 +366,23 @@ def _best_direction(mesh, source, up):
     locator = vtkStaticCellLocator()
     locator.SetDataSet(mesh)
     locator.BuildLocator()
+    size = mesh.GetLength()
+
+    def score(direction):
+        seen = 1.0 if _is_seen(locator, source, direction, size) else 0.3
+        return np.abs(areas @ direction).sum() * seen
+
+    return max(directions(up), key=score)
+
+
+def directions(up):
+    """Where to look from: all around, from a little above to far above."""
     side = np.cross(up, (1.0, 0.0, 0.0) if abs(up[0]) < 0.5 else (0.0, 1.0, 0.0))
     front = np.cross(side, up)
-    size = mesh.GetLength()
-    best, best_score = None, -1.0
     for elevation in (12.0, 25.0, 40.0):
         for azimuth in range(0, 360, 15):
             e, t = math.radians(elevation), math.radians(azimuth)
-            direction = math.sin(e) * up + math.cos(e) * (math.cos(t) * side + math.sin(t) * front)
-            score = np.abs(areas @ direction).sum() * (
-                1.0 if _is_seen(locator, source, direction, size) else 0.3
-            )
-            if score > best_score:
-                best, best_score = direction, score
-    return best
+            yield math.sin(e) * up + math.cos(e) * (math.cos(t) * side + math.sin(t) * front)
 
 
 def _is_seen(locator, source, direction, size):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The filters of the demo: a graph, queries of it, and the exact solver to compare with."""
+"""The filters of the demo: graphs, queries of them, and the exact solver to compare with."""
 
 import statistics
 import time
@@ -8,7 +8,7 @@ import time
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 NUMBER_OF_QUERIES = 9
 
@@ -29,6 +29,15 @@ class Graph:
         self.filter.SetAccuracy(accuracy)
         self.filter.SetMergeCoincidentPoints(merge)
         _, self.build_time = update(self.filter)
+
+
+class CloudGraph:
+    """A point cloud with its graph; all parameters are automatic."""
+
+    def __init__(self, cloud):
+        self.filter = vtkdgg.vtkPointCloudDGG()
+        self.filter.SetInputData(cloud)
+        self.output, self.build_time = update(self.filter)
 
 
 class Query:
@@ -64,6 +73,30 @@ class Exact:
         output, self.time = update(self.filter)
         name = self.filter.GetDistanceArrayName()
         self.distances = vtk_to_numpy(output.GetPointData().GetArray(name))
+
+
+class Path:
+    """The shortest path in the graph of a cloud, smoothed, from the source to one of its points."""
+
+    def __init__(self, graph, source, point, tolerance):
+        self.filter = vtkdgg.vtkDGGPath()
+        self.filter.SetInputConnection(graph.filter.GetOutputPort())
+        self.filter.SetProjectionTolerance(tolerance)
+        if isinstance(source, int):
+            self.filter.AddPair(source, point)
+        else:
+            points = vtkPoints()
+            points.SetDataTypeToDouble()
+            points.InsertNextPoint(source)
+            points.InsertNextPoint(graph.output.GetPoint(point))
+            line = vtkCellArray()
+            line.InsertNextCell(2, (0, 1))
+            pair = vtkPolyData()
+            pair.SetPoints(points)
+            pair.SetLines(line)
+            self.filter.SetPairData(pair)
+        self.output, self.time = update(self.filter)
+        self.length = self.output.GetCellData().GetArray("Length").GetValue(0)
 
 
 def _add_source(distance, source, tolerance):

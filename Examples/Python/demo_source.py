@@ -17,9 +17,9 @@ class SourceError(Exception):
 
 
 def choose(text, mesh):
-    """A point id (int) or coordinates (list of 3 floats)."""
+    """A point id (int) or coordinates (list of 3 floats); None for no text."""
     if text is None:
-        return far_point(mesh)
+        return None
     try:
         if "," not in text:
             source = int(text)
@@ -31,7 +31,7 @@ def choose(text, mesh):
         raise SourceError(f"--source {text}: neither a point id nor X,Y,Z") from None
     count = mesh.GetNumberOfPoints()
     if isinstance(source, int) and not 0 <= source < count:
-        raise SourceError(f"--source {source}: the mesh has points 0 to {count - 1}")
+        raise SourceError(f"--source {source}: there are points 0 to {count - 1}")
     return source
 
 

@@ -39,18 +39,22 @@ def make_reader(path):
     return reader
 
 
-def read_triangles(path):
-    """The triangles of the file; polygons and strips are triangulated, lines and verts left out."""
-    reader = make_reader(path)
-    triangulate = vtkTriangleFilter()
-    triangulate.PassLinesOff()
-    triangulate.PassVertsOff()
-    triangulate.SetInputConnection(reader.GetOutputPort())
+def read_all(path, reader=None):
+    """All that the file holds, by this reader or the one that its extension asks for."""
     try:
-        mesh = vtkdgg.check(triangulate)
+        return vtkdgg.check(reader or make_reader(path))
     except vtkdgg.VTKError as error:
         reason = " ".join(str(error).split())
         raise MeshFileError(f"{path}: cannot be read ({reason})") from None
+
+
+def triangles_of(contents, path):
+    """The triangles in it; polygons and strips are triangulated, lines and verts left out."""
+    triangulate = vtkTriangleFilter()
+    triangulate.PassLinesOff()
+    triangulate.PassVertsOff()
+    triangulate.SetInputData(contents)
+    mesh = vtkdgg.check(triangulate)
     ids = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())
     if len(ids) > 0 and not 0 <= ids.min() <= ids.max() < mesh.GetNumberOfPoints():
         wrong = ids.min() if ids.min() < 0 else ids.max()

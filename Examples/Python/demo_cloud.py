@@ -1,0 +1,177 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The demo on a point cloud: distances, and the path to the farthest point."""
+
+import os
+import sys
+import warnings
+
+import demo_cloud_picture
+import demo_source
+import numpy as np
+from demo_output import print_table, save, with_arrays
+from demo_solve import CloudGraph, Path, Query
+from demo_words import counted
+from mesh_file import MeshFileError
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+# Rounding of the lengths of edges, relative.
+ROUNDING = 1e-6
+
+
+def points_of(contents):
+    """The points alone, with their normals if there are any."""
+    cloud = vtkPolyData()
+    cloud.SetPoints(contents.GetPoints())
+    cloud.GetPointData().SetNormals(contents.GetPointData().GetNormals())
+    return cloud
+
+
+def far_point(points, component):
+    """The point of the largest component that is farthest from the middle of it."""
+    ids = np.flatnonzero(component == 0)
+    offset = points[ids] - 0.5 * (points[ids].min(axis=0) + points[ids].max(axis=0))
+    return int(ids[np.argmax((offset * offset).sum(axis=1))])
+
+
+def place(location):
+    """Coordinates as text."""
+    return "(" + ", ".join(f"{x:.6g}" for x in location) + ")"
+
+
+def run(options, contents, read_time):
+    """Run the demo on the points of this data; returns the exit code."""
+    cloud = points_of(contents)
+    points = vtk_to_numpy(cloud.GetPoints().GetData()).astype(float)
+    finite = np.isfinite(points).all(axis=1)
+    if not finite.any():
+        raise MeshFileError(f"{options.mesh}: none of its points is finite")
+    source = demo_source.choose(options.source, cloud)
+    if isinstance(source, int) and not finite[source]:
+        raise demo_source.SourceError(f"--source {source}: this point is not finite")
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        graph = CloudGraph(cloud)
+        component = vtk_to_numpy(
+            graph.output.GetPointData().GetArray(graph.filter.GetComponentArrayName())
+        )
+        if source is None:
+            source = far_point(points, component)
+        query = Query(graph, source, False, options.tolerance)
+        farthest = int(np.nanargmax(query.distances))
+        path = Path(graph, source, farthest, options.tolerance)
+    location = points[source] if isinstance(source, int) else np.array(source)
+
+    os.makedirs(options.out, exist_ok=True)
+    names = ("distance.vtp", "path.vtp", "distance.png")
+    paths = [os.path.join(options.out, name) for name in names]
+    arrays = {"GeodesicDistance": query.distances, "Component": component}
+    save(paths[0], with_arrays(cloud, arrays))
+    save(paths[1], path.output)
+    demo_cloud_picture.save_distances(
+        paths[2],
+        points[finite],
+        query.distances[finite],
+        spacings_of(graph)[finite],
+        vtk_to_numpy(path.output.GetPoints().GetData()).astype(float),
+        note(graph, query, path),
+    )
+
+    reached = np.isfinite(query.distances)
+    noise = graph.filter.GetNoise()
+    shorter = 0 if noise > 0.0 else number_too_short(query.distances, points, location)
+    which = f"point {source} at " if isinstance(source, int) else ""
+    rows = (
+        ("cloud", options.mesh),
+        ("points", len(points)),
+        ("defects", defects(graph.filter)),
+        ("reading", f"{read_time:.3f} s"),
+        ("source", which + place(location)),
+        *graph_rows(graph, query),
+        ("components", component_text(graph.filter)),
+        ("reached", f"{reached.sum()} of {reached.size} points"),
+        ("range", f"0 to {query.distances[farthest]:.6g} model units"),
+        (
+            "lower bound",
+            "not compared: lengths are those between points freed of noise"
+            if noise > 0.0
+            else f"{counted(shorter, 'violation')} at {counted(reached.sum(), 'point')}",
+        ),
+        ("farthest", f"point {farthest} at {place(points[farthest])}"),
+        ("path", f"{path.length:.6g} model units long, found in {1e3 * path.time:.1f} ms"),
+        ("written", ", ".join(paths)),
+    )
+    print_table(rows, [], caught)
+    if shorter:
+        print(f"error: {shorter} distances are shorter than a straight line", file=sys.stderr)
+    return 1 if shorter else 0
+
+
+def number_too_short(distances, points, location):
+    """How many distances are shorter than the straight line, up to rounding."""
+    straight = np.linalg.norm(points - location, axis=1)
+    slack = ROUNDING * np.nanmax(distances)
+    with np.errstate(invalid="ignore"):
+        return int((distances < straight * (1.0 - ROUNDING) - slack).sum())
+
+
+def spacings_of(graph):
+    """How far points are from each other around each: the radii of the balls follow that."""
+    radii = vtk_to_numpy(graph.output.GetFieldData().GetArray("DGG.Radii")).astype(float)
+    median = float(np.median(radii[radii > 0.0])) if (radii > 0.0).any() else 1.0
+    return radii * (graph.filter.GetSpacing() / median)
+
+
+def defects(graph):
+    """One line on points that are not as they should be."""
+    counts = (
+        (graph.GetNumberOfUnusedPoints(), "point that is not finite", "points that are not finite"),
+        (graph.GetNumberOfCoincidentPoints(), "coincident point"),
+    )
+    return ", ".join(counted(*what) for what in counts if what[0]) or "none"
+
+
+def component_text(graph):
+    """How many components there are, and how large the largest are."""
+    count = graph.GetNumberOfComponents()
+    sizes = [str(graph.GetComponentSize(i)) for i in range(min(count, 4))]
+    more = ", ..." if count > len(sizes) else ""
+    return f"{count}, with {', '.join(sizes)}{more} {'point' if sizes == ['1'] else 'points'}"
+
+
+def graph_rows(graph, query):
+    """What was found of the cloud, and what the graph is and costs, as lines of the table."""
+    size = graph.filter.GetMemorySize() / 1e6
+    threads = vtkSMPTools.GetEstimatedNumberOfThreads()
+    return (
+        (
+            "sampling",
+            f"spacing {graph.filter.GetSpacing():.4g}, noise {graph.filter.GetNoise():.2g}, "
+            f"edges reach {graph.filter.GetReach():.4g} model units",
+        ),
+        ("build", f"{graph.build_time:.3f} s on {counted(threads, 'thread')}"),
+        (
+            "graph",
+            f"degree {graph.filter.GetMeanDegree():.1f}, "
+            f"{graph.filter.GetNumberOfGraphEdges()} edges, {size:.1f} MB",
+        ),
+        (
+            "query",
+            f"{1e3 * query.time:.1f} ms for all distances "
+            f"(the first: {1e3 * query.first_time:.1f} ms)",
+        ),
+    )
+
+
+def note(graph, query, path):
+    """What the picture says of them, as lines."""
+    return (
+        counted(graph.output.GetNumberOfPoints(), "point"),
+        counted(graph.filter.GetNumberOfGraphEdges(), "edge"),
+        counted(graph.filter.GetNumberOfComponents(), "component"),
+        f"build  {graph.build_time:.2f} s",
+        f"query  {1e3 * query.time:.1f} ms",
+        f"path  {path.length:.4g}",
+    )

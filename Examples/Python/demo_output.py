@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the demo prints and writes, on meshes and on clouds."""
+
+import vtkdgg
+from demo_words import in_options
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+
+def with_arrays(data, arrays):
+    """The data with these arrays at its points besides its own, coloured by the first."""
+    result = vtkPolyData()
+    result.ShallowCopy(data)
+    for name, values in arrays.items():
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        result.GetPointData().AddArray(array)
+    result.GetPointData().SetActiveScalars(next(iter(arrays)))
+    return result
+
+
+def save(path, data):
+    """Write a .vtp file."""
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(data)
+    vtkdgg.check(writer)
+
+
+def print_table(rows, notes, warnings):
+    """Print the rows; then the notes and the warnings of filters, each once."""
+    for key, value in rows:
+        print(f"{key:<12} {value}")
+    # Each filter reads the input, and says the same of it.
+    warned = [str(warning.message).split(": ", 1)[-1] for warning in warnings]
+    for note in dict.fromkeys([*notes, *warned]):
+        print(f"{'note':<12} {in_options(note)}")
