@@ -96,7 +96,10 @@ struct ArrayTable
       this->Coordinates = vtkSmartPointer<vtkFloatArray>::New();
       this->Coordinates->SetNumberOfComponents(3);
     }
-    vtkDataArray* normals = pointData->GetNormals();
+    const vtkIdType count = this->Coordinates->GetNumberOfTuples();
+    auto isWhole = [=](
+                     vtkDataArray* array) { return array && array->GetNumberOfTuples() == count; };
+    vtkDataArray* normals = isWhole(pointData->GetNormals()) ? pointData->GetNormals() : nullptr;
     this->Normals = vtkFloatArray::SafeDownCast(normals) || vtkDoubleArray::SafeDownCast(normals)
       ? normals
       : nullptr;
@@ -105,13 +108,15 @@ struct ArrayTable
     {
       vtkDataArray* named = pointData->GetArray(names[i]);
       vtkDataArray* scalars = pointData->GetScalars();
-      this->Colors[i] = IsColor(named, 3 + i) ? named : IsColor(scalars, 3 + i) ? scalars : nullptr;
+      this->Colors[i] = isWhole(named) && IsColor(named, 3 + i) ? named
+        : isWhole(scalars) && IsColor(scalars, 3 + i)           ? scalars
+                                                                : nullptr;
     }
     for (int i = 0; i < pointData->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = pointData->GetArray(i); // null for strings
-      if (array && array != this->Normals && array != this->Colors[0] && array != this->Colors[1] &&
-        array->GetNumberOfComponents() > 0)
+      if (isWhole(array) && array != this->Normals && array != this->Colors[0] &&
+        array != this->Colors[1] && array->GetNumberOfComponents() > 0)
       {
         this->Others.push_back(array);
       }

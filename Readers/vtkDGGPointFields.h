@@ -104,7 +104,8 @@ private:
   bool IsPacked = false; // a colour in four bytes
 };
 
-/// All fields of a vtkPolyData, in the order x, y, z, normals, colours, other arrays.
+/// All fields of a vtkPolyData, in the order x, y, z, normals, colours, other arrays. Arrays that
+/// do not have a value for each point are left out.
 VTKDGGREADERS_EXPORT std::vector<PointFieldSource> ListPointFields(vtkPolyData* data);
 
 /// The sources for fields of these names, and none (null) where the data have nothing of that name

@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -244,11 +245,19 @@ void vtkPCDWriter::WriteData()
   }
   for (int i = 0; i < input->GetPointData()->GetNumberOfArrays(); ++i)
   {
-    if (!input->GetPointData()->GetArray(i))
+    vtkAbstractArray* array = input->GetPointData()->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "(without a name)";
+    if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
     {
-      const char* name = input->GetPointData()->GetAbstractArray(i)->GetName();
-      vtkWarningMacro("The array " << (name ? name : "(without a name)")
-                                   << " is left out: it does not hold numbers.");
+      std::ostringstream message;
+      message << "the point array " << name << " has " << array->GetNumberOfTuples()
+              << " values for " << input->GetNumberOfPoints() << " points";
+      this->Fail(vtkErrorCode::FileFormatError, message.str().c_str());
+      return;
+    }
+    if (!vtkDataArray::SafeDownCast(array))
+    {
+      vtkWarningMacro("The array " << name << " is left out: it does not hold numbers.");
     }
   }
   try

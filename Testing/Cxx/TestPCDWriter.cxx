@@ -369,6 +369,49 @@ TEST_F(PCDWriter, ReportsWhatCannotBeWritten)
   this->WriteWell(MakeRow(2));
 }
 
+/// Arrays that are shorter or longer than the points are an error, and nothing beyond their end is
+/// read.
+TEST_F(PCDWriter, ReportsArraysOfAnotherLength)
+{
+  for (const vtkIdType length : { 0, 2, 1000 })
+  {
+    for (const char* name : { "values", "RGB", "Normals" })
+    {
+      auto cloud = vtkSmartPointer<vtkPolyData>::New();
+      vtkNew<vtkPoints> points;
+      points->SetNumberOfPoints(100);
+      points->GetData()->Fill(1.0);
+      cloud->SetPoints(points);
+      vtkSmartPointer<vtkDataArray> array;
+      if (std::string(name) == "RGB")
+      {
+        array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+      }
+      else
+      {
+        array = vtkSmartPointer<vtkFloatArray>::New();
+      }
+      array->SetName(name);
+      array->SetNumberOfComponents(3);
+      array->SetNumberOfTuples(length);
+      array->Fill(1.0);
+      cloud->GetPointData()->AddArray(array);
+      if (std::string(name) == "Normals")
+      {
+        cloud->GetPointData()->SetNormals(array);
+      }
+      this->Writer->SetInputData(cloud);
+      this->Writer->SetFileName(this->GetPath("cloud.pcd").c_str());
+      dggtest::Listener listener(this->Writer);
+      EXPECT_EQ(this->Writer->Write(), 0) << name << ' ' << length;
+      ASSERT_EQ(listener.Errors.size(), 1u);
+      EXPECT_NE(listener.Errors[0].find(name), std::string::npos);
+      EXPECT_NE(listener.Errors[0].find("for 100 points"), std::string::npos);
+      EXPECT_FALSE(std::filesystem::exists(this->GetPath("cloud.pcd")));
+    }
+  }
+}
+
 TEST_F(PCDWriter, ReportsMissingInput)
 {
   this->Writer->SetFileName(this->GetPath("cloud.pcd").c_str());
