@@ -48,12 +48,13 @@ struct FieldReport
 /// which start at its values there. So the values are compared with such ways, exact ones on meshes
 /// of up to 2000 faces, else those of fast marching: what differs by more than 10 %, and by more
 /// than sources in faces beside the minima explain, may be nearer on 20 % of the vertices, and, but
-/// where half of all slopes are about 1, farther on 20 %. At most 10 % of the edges may be too steep
-/// and 5 % of the vertices even with all neighbours. The field may also come in from the boundary
-/// and from what is not known. These limits are measured: exact distances pass, those of graphs,
-/// fast marching and heat too, from any sources, from within faces and with any initial distances;
-/// coarse meshes tell little, so that more passes there. `values` are per vertex; Infinity or NaN
-/// where nothing is known, which is left out. Fails when stopped, and where the solvers fail.
+/// where half of all slopes are about 1, farther on 20 %. At most 10 % of the edges may be too
+/// steep and 5 % of the vertices even with all neighbours. The field may also come in from the
+/// boundary and from what is not known. These limits are measured: exact distances pass, those of
+/// graphs, fast marching and heat too, from any sources, from within faces and with any initial
+/// distances; coarse meshes tell little, so that more passes there. `values` are per vertex;
+/// Infinity or NaN where nothing is known, which is left out. Fails when stopped, and where the
+/// solvers fail.
 Status TestField(const SurfaceMesh& mesh, const double* values, const ProgressCallback& progress,
   FieldReport& report);
 }

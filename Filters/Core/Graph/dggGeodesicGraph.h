@@ -25,9 +25,9 @@ enum class GraphKind : std::uint8_t
 /// Which rule chose the edges.
 enum class GraphConstruction : std::uint8_t
 {
-  Guaranteed = 0,       ///< progress rule: every path within the accuracy, a theorem
-  OneRelay = 1,         ///< published direct rule: nothing bounds the maximum
-  Indirect = 2,         ///< published two-step construction, pruned by progress; not proven
+  Guaranteed = 0,        ///< progress rule: every path within the accuracy, a theorem
+  OneRelay = 1,          ///< published direct rule: nothing bounds the maximum
+  Indirect = 2,          ///< published two-step construction, pruned by progress; not proven
   SaddleVertexGraph = 3, ///< a number of nearest neighbours (Ying, Wang and He 2013)
   CloudCurvature = 4,    ///< clouds, scheme A: the reach of a point is the mean of its direct pairs
   CloudConstant = 5,     ///< clouds, scheme B: all points reach equally far
