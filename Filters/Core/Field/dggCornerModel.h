@@ -43,7 +43,13 @@ struct CornerModel
   double AngleFrom(double phi) const
   {
     const double angle = this->Angle - phi;
-    return this->IsOpen ? angle : std::remainder(angle, this->Total);
+    if (this->IsOpen || 2.0 * std::abs(angle) <= this->Total)
+    {
+      return angle;
+    }
+    // Within one turn, what std::remainder gives, bit for bit, but faster: the sum is exact.
+    return 2.0 * std::abs(angle) < 3.0 * this->Total ? angle - std::copysign(this->Total, angle)
+                                                     : std::remainder(angle, this->Total);
   }
 
   /// The distance at polar coordinates (rho, phi).

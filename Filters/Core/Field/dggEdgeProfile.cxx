@@ -21,6 +21,9 @@ constexpr int NumberOfModelBreaks = 8;
 /// interval that is as good as the crest itself, in the length of the edge.
 constexpr double SlopeStep = 1e-3;
 constexpr double NarrowestCrest = 1e-10;
+/// Rounding of a model, with much to spare: of the length of the edge, and of the distance.
+constexpr double SlackOfLength = 1e-9;
+constexpr double SlackOfDistance = 1e-12;
 /// A root is found when the distance is this close to the level, relative, or after that many
 /// steps, as bisection alone would take.
 constexpr double Rounding = 4e-16;
@@ -62,7 +65,7 @@ void EdgeProfile::Enter(Id h)
     this->SetUpModels();
     this->SetUpOpposites();
     this->FindModelBreaks();
-    this->AddCrests();
+    this->FindSteepness();
   }
 }
 
@@ -313,31 +316,63 @@ void EdgeProfile::FindModelBreaks()
   {
     this->Breaks.push_back(i == count ? this->Length : this->Length * i / count);
   }
+  this->BreakStates.assign(this->Breaks.size(), {});
 }
 
-/// Where the models of both ends meet on the edge, the distance rises from either side.
-void EdgeProfile::AddCrests()
+/// No model changes faster than the distance from its source and what it is raised by.
+void EdgeProfile::FindSteepness()
 {
-  const std::size_t count = this->Breaks.size();
-  for (std::size_t i = 1; i < count; ++i)
+  double raise = std::abs(this->Ends[1] - this->Ends[0]) - this->Length; // of what is linear
+  if (this->Field.HasSources())
   {
-    double begin = this->Breaks[i - 1];
-    double end = this->Breaks[i];
-    const auto rises = [&](double x, double step) { return this->At(x + step) > this->At(x); };
-    const double first = SlopeStep * (end - begin);
-    if (!(first > NarrowestCrest * this->Length) || !rises(begin, first) || !rises(end, -first))
+    raise = std::max({ raise, this->Missing[0], this->Missing[1] });
+    for (std::size_t i = 0; i < this->NumberOfOpposites; ++i)
     {
-      continue;
+      const Opposite& opposite = this->Opposites[i];
+      raise = std::max(raise, opposite.Profile.GetLargestRaise(opposite.Corner));
     }
-    while (end - begin > NarrowestCrest * this->Length)
-    {
-      const double middle = 0.5 * (begin + end);
-      (rises(middle, SlopeStep * (end - begin)) ? begin : end) = middle;
-    }
-    this->Breaks.push_back(0.5 * (begin + end));
   }
-  std::inplace_merge(this->Breaks.begin(),
-    this->Breaks.begin() + static_cast<std::ptrdiff_t>(count), this->Breaks.end());
+  this->Steepness = 1.0 + std::max(0.0, raise) / this->Length;
+}
+
+double EdgeProfile::AtBreak(std::size_t i)
+{
+  BreakState& state = this->BreakStates[i];
+  if (!state.HasDistance)
+  {
+    state.Distance = this->At(this->Breaks[i]);
+    state.HasDistance = true;
+  }
+  return state.Distance;
+}
+
+/// Where the models of both ends meet on the edge, the distance rises from either side. Looks
+/// between a break and the next one.
+const EdgeProfile::BreakState& EdgeProfile::FindCrest(std::size_t i)
+{
+  BreakState& state = this->BreakStates[i];
+  if (state.IsSearched)
+  {
+    return state;
+  }
+  state.IsSearched = true;
+  double begin = this->Breaks[i];
+  double end = this->Breaks[i + 1];
+  const double first = SlopeStep * (end - begin);
+  if (!(first > NarrowestCrest * this->Length) || !(this->At(begin + first) > this->AtBreak(i)) ||
+    !(this->At(end - first) > this->AtBreak(i + 1)))
+  {
+    return state;
+  }
+  while (end - begin > NarrowestCrest * this->Length)
+  {
+    const double middle = 0.5 * (begin + end);
+    const bool isRising = this->At(middle + SlopeStep * (end - begin)) > this->At(middle);
+    (isRising ? begin : end) = middle;
+  }
+  state.Crest = 0.5 * (begin + end);
+  state.HasCrest = true;
+  return state;
 }
 
 double EdgeProfile::At(double x) const
@@ -376,55 +411,92 @@ double EdgeProfile::LeastOfModels(double x) const
   return least;
 }
 
-void EdgeProfile::FindCrossings(double level, std::vector<double>& crossings) const
+void EdgeProfile::FindCrossings(double level, std::vector<double>& crossings)
 {
-  double begin = 0.0;
-  bool beginIsAbove = this->Ends[0] >= level;
+  if (!this->Field.HasWindows())
+  {
+    this->CrossBetweenBreaks(level, 0, this->Breaks.size() - 1, crossings);
+    return;
+  }
+  Probe begin{ 0.0, this->Ends[0] - level };
   for (std::size_t i = 1; i < this->Breaks.size(); ++i)
   {
-    const double end = this->Breaks[i];
-    const bool endIsAbove = this->At(end) >= level;
-    if (beginIsAbove != endIsAbove)
-    {
-      crossings.push_back(this->Solve(level, begin, end, beginIsAbove));
-    }
+    const Probe end{ this->Breaks[i], this->At(this->Breaks[i]) - level };
+    this->Cross(level, begin, end, crossings);
     begin = end;
-    beginIsAbove = endIsAbove;
+  }
+}
+
+/// Halves the way between two breaks of models, and leaves out what does not come near the level:
+/// most of an edge.
+void EdgeProfile::CrossBetweenBreaks(
+  double level, std::size_t first, std::size_t last, std::vector<double>& crossings)
+{
+  const Probe begin{ this->Breaks[first], this->AtBreak(first) - level };
+  const Probe end{ this->Breaks[last], this->AtBreak(last) - level };
+  const double change = this->Steepness * (end.X - begin.X) + SlackOfLength * this->Length +
+    SlackOfDistance * std::abs(level);
+  if ((begin.Height >= 0.0) == (end.Height >= 0.0) && std::abs(begin.Height + end.Height) > change)
+  {
+    return;
+  }
+  if (last - first > 1)
+  {
+    const std::size_t middle = (first + last) / 2;
+    this->CrossBetweenBreaks(level, first, middle, crossings);
+    this->CrossBetweenBreaks(level, middle, last, crossings);
+    return;
+  }
+  const BreakState& state = this->FindCrest(first);
+  if (!state.HasCrest)
+  {
+    this->Cross(level, begin, end, crossings);
+    return;
+  }
+  const Probe crest{ state.Crest, this->At(state.Crest) - level };
+  this->Cross(level, begin, crest, crossings);
+  this->Cross(level, crest, end, crossings);
+}
+
+void EdgeProfile::Cross(
+  double level, const Probe& begin, const Probe& end, std::vector<double>& crossings) const
+{
+  if ((begin.Height >= 0.0) != (end.Height >= 0.0))
+  {
+    crossings.push_back(this->Solve(level, begin, end));
   }
 }
 
 /// Regula falsi in its Illinois form, which a kink does not harm.
-double EdgeProfile::Solve(double level, double begin, double end, bool beginIsAbove) const
+double EdgeProfile::Solve(double level, Probe begin, Probe end) const
 {
   const double close = Rounding * std::abs(level);
-  double atBegin = this->At(begin) - level;
-  double atEnd = this->At(end) - level;
-  double best = std::abs(atBegin) < std::abs(atEnd) ? begin : end;
-  double bestMiss = std::min(std::abs(atBegin), std::abs(atEnd));
+  const bool beginIsAbove = begin.Height >= 0.0;
+  double best = std::abs(begin.Height) < std::abs(end.Height) ? begin.X : end.X;
+  double bestMiss = std::min(std::abs(begin.Height), std::abs(end.Height));
   int lastSide = 0;
   for (int step = 0; step < MostSteps && bestMiss > close; ++step)
   {
-    double x = begin - atBegin * ((end - begin) / (atEnd - atBegin));
-    if (!(x > begin && x < end))
+    double x = begin.X - begin.Height * ((end.X - begin.X) / (end.Height - begin.Height));
+    if (!(x > begin.X && x < end.X))
     {
-      x = 0.5 * (begin + end);
+      x = 0.5 * (begin.X + end.X);
     }
-    if (!(x > begin && x < end))
+    if (!(x > begin.X && x < end.X))
     {
       break; // neighbours among the doubles
     }
-    const double miss = this->At(x) - level;
-    if (std::abs(miss) < bestMiss)
+    const double height = this->At(x) - level;
+    if (std::abs(height) < bestMiss)
     {
       best = x;
-      bestMiss = std::abs(miss);
+      bestMiss = std::abs(height);
     }
-    const int side = (miss >= 0.0) == beginIsAbove ? -1 : 1;
-    (side < 0 ? begin : end) = x;
-    (side < 0 ? atBegin : atEnd) = miss;
+    const int side = (height >= 0.0) == beginIsAbove ? -1 : 1;
+    (side < 0 ? begin : end) = { x, height };
     if (side == lastSide)
     {
-      (side < 0 ? atEnd : atBegin) *= 0.5;
+      (side < 0 ? end : begin).Height *= 0.5;
     }
     lastSide = side;
   }

@@ -9,8 +9,9 @@
 #include "dggDistanceField.h" // for DistanceField
 #include "dggFaceProfile.h"   // for the faces of an edge
 
-#include <array>  // for the ends
-#include <vector> // for the windows
+#include <array>   // for the ends
+#include <cstddef> // for std::size_t
+#include <vector>  // for the windows
 
 namespace dgg
 {
@@ -41,12 +42,13 @@ public:
 
   /// Abscissae from 0 to the length between which the distance has no extremum, up to rounding
   /// (windows), or such that between two of them there is hardly more than one.
+  /// FindCrossings() looks for that one, where it matters.
   const std::vector<double>& GetBreaks() const { return this->Breaks; }
 
   /// Append the abscissae, in increasing order, at which the distance crosses `level` (points at
   /// the level count as above it). Their number is even exactly when both ends are on the same
   /// side.
-  void FindCrossings(double level, std::vector<double>& crossings) const;
+  void FindCrossings(double level, std::vector<double>& crossings);
 
 private:
   /// A window or a source, seen from this edge.
@@ -75,12 +77,35 @@ private:
   void SplitByDirection(double begin, double end, double x, double& rising, double& falling) const;
   bool FindPeak(double begin, double end, double& peak) const;
   void SetUpOpposites();
+  /// How far the distance at an abscissa is above a level.
+  struct Probe
+  {
+    double X;
+    double Height;
+  };
+
+  /// The distance at a break, and on the way from there to the next one, once they are asked for.
+  struct BreakState
+  {
+    double Distance = 0.0;
+    double Crest = 0.0;
+    bool HasDistance = false;
+    bool HasCrest = false; // not only looked for
+    bool IsSearched = false;
+  };
+
   void FindModelBreaks();
-  void AddCrests();
+  void FindSteepness();
+  double AtBreak(std::size_t i);
+  const BreakState& FindCrest(std::size_t i);
   void SetUpModels();
   double ModelAt(int end, double x) const;
   double LeastOfModels(double x) const;
-  double Solve(double level, double begin, double end, bool beginIsAbove) const;
+  void CrossBetweenBreaks(
+    double level, std::size_t first, std::size_t last, std::vector<double>& crossings);
+  void Cross(
+    double level, const Probe& begin, const Probe& end, std::vector<double>& crossings) const;
+  double Solve(double level, Probe begin, Probe end) const;
 
   const DistanceField& Field;
   Id HalfEdge = NoId;
@@ -93,7 +118,9 @@ private:
   std::vector<Opposite> Opposites;
   std::size_t NumberOfOpposites = 0; // the others are kept for their memory
   bool IsLinear = false;             // neither end has a model, nor all faces
+  double Steepness = 1.0;            // how much models change at most, per length
   std::vector<double> Breaks;
+  std::vector<BreakState> BreakStates; // of models
 };
 }
 

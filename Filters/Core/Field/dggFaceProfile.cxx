@@ -38,6 +38,17 @@ FieldSample FromSource(const Point2& image, double offset, const Point2& p)
   sample.HasImage = true;
   return sample;
 }
+
+/// A distance, and what is missing at the corners in proportion to barycentric coordinates.
+double Raised(
+  double distance, const std::array<double, 3>& missing, const std::array<double, 3>& barycentric)
+{
+  for (int j = 0; j < 3; ++j)
+  {
+    distance += missing[j] * barycentric[j];
+  }
+  return distance;
+}
 }
 
 void FaceProfile::Enter(Id f)
@@ -149,6 +160,13 @@ void FaceProfile::SetUpModels()
   for (int k = 0; k < 3; ++k)
   {
     this->Missing[k] = { { 0.0, 0.0, 0.0 } };
+    for (int j = 0; j < 3; ++j)
+    {
+      // Ways over corners miss something in fields that are no distances.
+      const double missing =
+        this->Distances[j] - this->Distances[k] - Distance(this->Corners[j], this->Corners[k]);
+      this->MissingOver[k][j] = missing > this->Negligible ? missing : 0.0;
+    }
     if (!this->Models[k].IsKnown)
     {
       continue;
@@ -164,6 +182,11 @@ void FaceProfile::SetUpModels()
       this->Missing[k][j] = std::max(0.0, this->Distances[j] - predicted[i]);
     }
   }
+}
+
+double FaceProfile::GetLargestRaise(int k) const
+{
+  return std::max(LargestOf(this->Missing[k]), LargestOf(this->MissingOver[k]));
 }
 
 bool FaceProfile::MayHavePeak() const
@@ -184,7 +207,7 @@ bool FaceProfile::MayHavePeak() const
   {
     if (this->HasModels)
     {
-      gradients.push_back(this->FromModel(k, middle, b).Gradient);
+      gradients.push_back(this->SampleOf(this->FromModel(k, middle, b), middle, b).Gradient);
     }
     else if (this->Distances[k] <=
       std::min(this->Distances[(k + 1) % 3], this->Distances[(k + 2) % 3]))
@@ -267,75 +290,73 @@ FieldSample FaceProfile::FromWindows(const Point2& p) const
   return best;
 }
 
-/// The way over a corner, raised where other corners are farther away than that, which happens to
-/// fields that are no distances.
-FieldSample FaceProfile::FromRaisedCorner(
-  int k, const Point2& p, const std::array<double, 3>& barycentric) const
-{
-  FieldSample sample = this->FromCorner(k, p);
-  for (int j = 0; j < 3; ++j)
-  {
-    const double missing =
-      this->Distances[j] - this->Distances[k] - Distance(this->Corners[j], this->Corners[k]);
-    if (missing > this->Negligible)
-    {
-      sample.Distance += missing * barycentric[j];
-      sample.Gradient.X += missing * this->Rises[j].X;
-      sample.Gradient.Y += missing * this->Rises[j].Y;
-      sample.HasImage = false;
-    }
-  }
-  return sample;
-}
-
-/// The raised model of a corner (dggDistanceField.h).
-FieldSample FaceProfile::FromModel(
+/// The model of a corner, raised, or the way over the corner, raised (dggDistanceField.h).
+FaceProfile::Wave FaceProfile::FromModel(
   int k, const Point2& p, const std::array<double, 3>& barycentric) const
 {
   const CornerModel& model = this->Models[k];
+  Wave over;
+  over.Distance =
+    Raised(this->Distances[k] + Distance(p, this->Corners[k]), this->MissingOver[k], barycentric);
+  over.Corner = k;
+  over.IsOverCorner = true;
+  over.Image = this->Corners[k];
+  over.Candidate = k;
+  if (!model.IsKnown)
+  {
+    return over;
+  }
   const Point2 here = this->InFrameOf(k, p);
   const double phi = std::atan2(here.Y, here.X);
-  const double angle =
-    model.IsKnown ? model.AngleFrom(this->Field.Mesh->PolarAngle(3 * this->Face + k) + phi) : Pi;
+  const double angle = model.AngleFrom(this->Field.Mesh->PolarAngle(3 * this->Face + k) + phi);
   if (std::abs(angle) >= Pi)
   {
-    return this->FromRaisedCorner(k, p, barycentric);
+    return over;
   }
   const double turned = phi + angle;
   const Point2 image{ model.Length * std::cos(turned), model.Length * std::sin(turned) };
-  FieldSample sample =
-    FromSource(FromFrame(this->Corners[k], this->Axes[k], image), model.Offset, p);
-  for (int j = 0; j < 3; ++j)
-  {
-    const double missing = this->Missing[k][j];
-    if (missing > 0.0)
-    {
-      sample.Distance += missing * barycentric[j];
-      sample.Gradient.X += missing * this->Rises[j].X;
-      sample.Gradient.Y += missing * this->Rises[j].Y;
-      sample.HasImage = sample.HasImage && missing <= this->Negligible;
-    }
-  }
-  sample.Candidate = 3 + (angle < 0.0 ? 2 * k : 2 * k + 1);
+  Wave wave;
+  wave.Image = FromFrame(this->Corners[k], this->Axes[k], image);
+  wave.Distance = Raised(model.Offset + Distance(p, wave.Image), this->Missing[k], barycentric);
+  wave.Corner = k;
+  wave.Candidate = 3 + (angle < 0.0 ? 2 * k : 2 * k + 1);
   // No more than the way over the corner, which is all that there is where the source is behind it:
   // what is missing must not end there at once.
-  FieldSample corner = this->FromRaisedCorner(k, p, barycentric);
-  return corner.Distance < sample.Distance ? corner : sample;
+  return over.Distance < wave.Distance ? over : wave;
+}
+
+FieldSample FaceProfile::SampleOf(
+  const Wave& wave, const Point2& p, const std::array<double, 3>& b) const
+{
+  const int k = wave.Corner;
+  FieldSample sample =
+    FromSource(wave.Image, wave.IsOverCorner ? this->Distances[k] : this->Models[k].Offset, p);
+  const std::array<double, 3>& missing =
+    wave.IsOverCorner ? this->MissingOver[k] : this->Missing[k];
+  sample.Distance = Raised(sample.Distance, missing, b);
+  for (int j = 0; j < 3; ++j)
+  {
+    sample.Gradient.X += missing[j] * this->Rises[j].X;
+    sample.Gradient.Y += missing[j] * this->Rises[j].Y;
+    sample.HasImage = sample.HasImage && missing[j] <= this->Negligible;
+  }
+  sample.Candidate = wave.Candidate;
+  return sample;
 }
 
 FieldSample FaceProfile::FromModels(const Point2& p) const
 {
   const std::array<double, 3> b = this->BarycentricOf(p);
-  FieldSample best;
+  Wave best;
   for (int k = 0; k < 3; ++k)
   {
-    const FieldSample sample = this->FromModel(k, p, b);
-    if (sample.Distance < best.Distance)
+    const Wave wave = this->FromModel(k, p, b);
+    if (wave.Distance < best.Distance)
     {
-      best = sample;
+      best = wave;
     }
   }
-  return best;
+  return best.Candidate == NoId ? FieldSample() : this->SampleOf(best, p, b);
 }
 
 FieldSample FaceProfile::Linear(const Point2& p) const

@@ -47,6 +47,8 @@ public:
     return this->FromModel(k, p, this->BarycentricOf(p)).Distance;
   }
   /// @}
+  /// The most that the model of a corner is raised by at another corner.
+  double GetLargestRaise(int k) const;
 
   /// Whether the waves that reach the face come from all sides, so that a point inside it may be
   /// farther away than all around it. When in doubt, true.
@@ -66,14 +68,24 @@ private:
     double Offset;
   };
 
+  /// What a corner knows of a point: most of a sample, but for its gradient, which only the least
+  /// of three is asked for.
+  struct Wave
+  {
+    double Distance = Infinity;
+    int Corner = 0;
+    bool IsOverCorner = false;
+    Point2 Image;
+    Id Candidate = NoId;
+  };
+
   void CollectWindows();
   void CollectSources();
   void SetUpModels();
   FieldSample FromCorner(int k, const Point2& p) const;
   FieldSample FromWindows(const Point2& p) const;
-  FieldSample FromRaisedCorner(
-    int k, const Point2& p, const std::array<double, 3>& barycentric) const;
-  FieldSample FromModel(int k, const Point2& p, const std::array<double, 3>& barycentric) const;
+  Wave FromModel(int k, const Point2& p, const std::array<double, 3>& barycentric) const;
+  FieldSample SampleOf(const Wave& wave, const Point2& p, const std::array<double, 3>& b) const;
   FieldSample FromModels(const Point2& p) const;
   FieldSample Linear(const Point2& p) const;
   Point2 InFrameOf(int k, const Point2& p) const;
@@ -88,8 +100,9 @@ private:
   std::array<std::size_t, 4> FirstWindows{ { 0, 0, 0, 0 } };
   std::vector<FieldSample> Sources;
   std::array<CornerModel, 3> Models;
-  std::array<std::array<double, 3>, 3> Missing{}; // of the model of a corner at another one
-  double Negligible = 0.0;                        // of what is missing
+  std::array<std::array<double, 3>, 3> Missing{};     // of the model of a corner at another one
+  std::array<std::array<double, 3>, 3> MissingOver{}; // of the way over a corner at another one
+  double Negligible = 0.0;                            // of what is missing
   bool HasModels = false;
 };
 }
