@@ -8,6 +8,7 @@
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
 
+#include "dggCornerModel.h"
 #include "dggDistanceField.h"
 #include "dggEdgeProfile.h"
 #include "dggExactGeodesics.h"
@@ -219,6 +220,60 @@ TEST(DistanceField, CrossingsOfEdgesAreAtTheLevelAndAlternate)
       }
     }
     EXPECT_GT(found, mesh.GetNumberOfHalfEdges() / 2);
+  }
+}
+
+/// What does not come near a level is left out, however steep a field is that is no distance.
+TEST(DistanceField, NoCrossingOfSteepModelsIsLost)
+{
+  const SurfaceMesh mesh = Build(Terrain(14, 0.6, 3));
+  const ExactField field(mesh, VertexAndFaceSources(mesh));
+  std::vector<double> distances = field.Result.Distances;
+  for (std::size_t v = 0; v < distances.size(); ++v)
+  {
+    distances[v] *= v % 3 == 0 ? 4.0 : 1.0;
+  }
+  DistanceField steep = field.Local;
+  steep.Distances = distances.data();
+  for (const DistanceField* f : { &field.Local, static_cast<const DistanceField*>(&steep) })
+  {
+    EdgeProfile edge(*f);
+    for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      edge.Enter(h);
+      const std::vector<double>& breaks = edge.GetBreaks();
+      for (double t = 0.03; t < 1.0; t += 0.1)
+      {
+        const double level = edge.At(t * edge.GetLength());
+        std::vector<double> crossings;
+        edge.FindCrossings(level, crossings);
+        for (std::size_t i = 1; i < breaks.size(); ++i)
+        {
+          const auto inside = [&](double x) { return x >= breaks[i - 1] && x <= breaks[i]; };
+          const bool isCrossed = (edge.At(breaks[i - 1]) >= level) != (edge.At(breaks[i]) >= level);
+          ASSERT_TRUE(!isCrossed || std::any_of(crossings.begin(), crossings.end(), inside))
+            << "half-edge " << h << ", level " << level;
+        }
+      }
+    }
+  }
+}
+
+TEST(CornerModel, AnglesAreReducedByWholeTurns)
+{
+  const SurfaceMesh mesh = Build(Terrain(14, 0.6, 3));
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    for (int i = -40; i <= 40; ++i)
+    {
+      for (const double phi : { 0.0, 0.1 * mesh.TotalAngle(v), 1.0 })
+      {
+        const CornerModel model(mesh, v, 0.0, 1.0, 0.125 * i * mesh.TotalAngle(v));
+        const double angle = model.Angle - phi;
+        EXPECT_EQ(
+          model.AngleFrom(phi), model.IsOpen ? angle : std::remainder(angle, mesh.TotalAngle(v)));
+      }
+    }
   }
 }
 

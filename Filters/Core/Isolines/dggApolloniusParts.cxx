@@ -109,16 +109,15 @@ private:
 };
 
 /// Runs `work(worker, index, pieces)` for all indices, in blocks, and joins the pieces in order.
-template <typename Worker, typename Piece, typename MakeWorker, typename Work>
+template <typename Piece, typename MakeWorker, typename Work>
 Status Collect(Offset size, const ParallelFor& parallel, const ProgressCallback& progress,
   double start, double stop, const MakeWorker& makeWorker, const Work& work,
   std::vector<Piece>& pieces)
 {
   std::vector<std::vector<Piece>> blocks(
     static_cast<std::size_t>((size + BlockSize - 1) / BlockSize));
-  Status status = LoopOverBlocks(
-    size, BlockSize, parallel, progress, start, stop, [&](Offset block, Offset begin, Offset end) {
-      Worker worker = makeWorker();
+  Status status = LoopOverBlocks(size, BlockSize, parallel, progress, start, stop, makeWorker,
+    [&](auto& worker, Offset block, Offset begin, Offset end) {
       for (Offset i = begin; i < end; ++i)
       {
         work(worker, static_cast<Id>(i), blocks[static_cast<std::size_t>(block)]);
@@ -270,7 +269,7 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
   }
   const SortedLevels sorted(levels);
   std::vector<FoundCrossing> found;
-  status = Collect<HermiteEdge>(
+  status = Collect(
     mesh.GetNumberOfHalfEdges(), parallel, progress, begin, EdgesDone,
     [&] { return HermiteEdge(used, steinerPoints); },
     [&](HermiteEdge& edge, Id h, std::vector<FoundCrossing>& block) {
@@ -286,7 +285,7 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
     return status;
   }
   const CrossingTable table(mesh, std::move(found));
-  status = Collect<ApolloniusFace>(
+  status = Collect(
     mesh.GetNumberOfFaces(), parallel, progress, EdgesDone, 1.0,
     [&] { return ApolloniusFace(used, steinerPoints); },
     [&](ApolloniusFace& face, Id f, std::vector<FaceCurve>& block) {

@@ -11,11 +11,13 @@
 
 namespace dgg
 {
-/// Calls `step(block, begin, end)` for all blocks of `size` elements, several at once, and tells
-/// the progress from `start` to `stop` now and then.
-template <typename Step>
+/// Calls `step(worker, block, begin, end)` for all blocks of `size` elements, several at once, and
+/// tells the progress from `start` to `stop` now and then. Blocks that are done in a row share what
+/// `makeWorker` returns, so that its memory is used again; results must not depend on which these
+/// are.
+template <typename MakeWorker, typename Step>
 Status LoopOverBlocks(Offset count, Offset size, const ParallelFor& parallel,
-  const ProgressCallback& progress, double start, double stop, Step&& step)
+  const ProgressCallback& progress, double start, double stop, MakeWorker&& makeWorker, Step&& step)
 {
   constexpr Offset BlocksAtOnce = 32; // between two looks at the progress
   const Offset blocks = (count + size - 1) / size;
@@ -27,9 +29,10 @@ Status LoopOverBlocks(Offset count, Offset size, const ParallelFor& parallel,
       return Status::Abort();
     }
     ForRange(parallel, std::min(BlocksAtOnce, blocks - first), 1, [&](Offset begin, Offset end) {
+      auto worker = makeWorker();
       for (Offset b = first + begin; b < first + end; ++b)
       {
-        step(b, b * size, std::min(count, (b + 1) * size));
+        step(worker, b, b * size, std::min(count, (b + 1) * size));
       }
     });
   }

@@ -61,9 +61,11 @@ Status FindFaceCurves(const DistanceField& field, const std::vector<double>& lev
 {
   const Offset faces = field.Mesh->GetNumberOfFaces();
   std::vector<Block> blocks((faces + FacesInBlock - 1) / FacesInBlock);
-  Status status = LoopOverBlocks(faces, FacesInBlock, parallel, progress, CrossingsDone, FacesDone,
-    [&](Offset block, Offset begin, Offset end) {
-      FaceIsolines isolines(field, levels, tolerance, crossings);
+  Status status = LoopOverBlocks(
+    faces, FacesInBlock, parallel, progress, CrossingsDone, FacesDone,
+    [&] { return FaceIsolines(field, levels, tolerance, crossings); },
+    [&](FaceIsolines& isolines, Offset block, Offset begin, Offset end) {
+      const Id before = isolines.GetNumberOfFallbacks();
       for (Id f = static_cast<Id>(begin); f < static_cast<Id>(end); ++f)
       {
         if (field.IsReached(f))
@@ -71,7 +73,7 @@ Status FindFaceCurves(const DistanceField& field, const std::vector<double>& lev
           isolines.Trace(f, blocks[block].Curves);
         }
       }
-      blocks[block].Fallbacks = isolines.GetNumberOfFallbacks();
+      blocks[block].Fallbacks = isolines.GetNumberOfFallbacks() - before;
     });
   if (status.IsOk())
   {

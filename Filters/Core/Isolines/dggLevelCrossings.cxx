@@ -30,9 +30,16 @@ bool IsLooked(const DistanceField& field, Id h)
   return false;
 }
 
+/// What is used again from edge to edge.
+struct Worker
+{
+  EdgeProfile Profile;
+  std::vector<double> Roots;
+};
+
 /// Appends the crossings of one edge, level by level.
-void FindOnEdge(const DistanceField& field, const std::vector<double>& levels, Id h,
-  EdgeProfile& profile, std::vector<double>& roots, std::vector<LevelCrossing>& crossings)
+void FindOnEdge(const DistanceField& field, const std::vector<double>& levels, Id h, Worker& worker,
+  std::vector<LevelCrossing>& crossings)
 {
   const SurfaceMesh& mesh = *field.Mesh;
   const double a = field.Distances[mesh.Origin(h)];
@@ -48,12 +55,12 @@ void FindOnEdge(const DistanceField& field, const std::vector<double>& levels, I
   {
     return;
   }
-  profile.Enter(h);
+  worker.Profile.Enter(h);
   for (; level != levels.end() && *level <= highest; ++level)
   {
-    roots.clear();
-    profile.FindCrossings(*level, roots);
-    for (const double x : roots)
+    worker.Roots.clear();
+    worker.Profile.FindCrossings(*level, worker.Roots);
+    for (const double x : worker.Roots)
     {
       crossings.push_back({ h, x, static_cast<Id>(level - levels.begin()) });
     }
@@ -67,16 +74,18 @@ Status FindLevelCrossings(const DistanceField& field, const std::vector<double>&
   const SurfaceMesh& mesh = *field.Mesh;
   const Id halfEdges = mesh.GetNumberOfHalfEdges();
   std::vector<std::vector<LevelCrossing>> blocks((halfEdges + BlockSize - 1) / BlockSize);
-  Status status = LoopOverBlocks(halfEdges, BlockSize, parallel, progress, 0.0, 1.0,
-    [&](Offset block, Offset begin, Offset end) {
-      EdgeProfile profile(field);
-      std::vector<double> roots;
+  Status status = LoopOverBlocks(
+    halfEdges, BlockSize, parallel, progress, 0.0, 1.0,
+    [&] {
+      return Worker{ EdgeProfile(field), {} };
+    },
+    [&](Worker& worker, Offset block, Offset begin, Offset end) {
       for (Id h = static_cast<Id>(begin); h < static_cast<Id>(end); ++h)
       {
         const Id twin = mesh.Twin(h);
         if ((twin == NoId || h < twin) && FindEdge(mesh, h) == h)
         {
-          FindOnEdge(field, levels, h, profile, roots, blocks[block]);
+          FindOnEdge(field, levels, h, worker, blocks[block]);
         }
       }
     });

@@ -322,9 +322,11 @@ Status FindRidges(const DistanceField& field, const RidgeOptions& options,
   const Offset count = field.Mesh->GetNumberOfFaces();
   std::vector<FaceRidges> faces(count);
   std::vector<Id> fallbacks((count + FacesInBlock - 1) / FacesInBlock, 0);
-  status = LoopOverBlocks(count, FacesInBlock, parallel, progress, 0.0, FacesDone,
-    [&](Offset block, Offset begin, Offset end) {
-      FaceRidgeFinder finder(field, angle, tolerance);
+  status = LoopOverBlocks(
+    count, FacesInBlock, parallel, progress, 0.0, FacesDone,
+    [&] { return FaceRidgeFinder(field, angle, tolerance); },
+    [&](FaceRidgeFinder& finder, Offset block, Offset begin, Offset end) {
+      const Id before = finder.GetNumberOfFallbacks();
       for (Id f = static_cast<Id>(begin); f < static_cast<Id>(end); ++f)
       {
         if (field.IsReached(f))
@@ -332,7 +334,7 @@ Status FindRidges(const DistanceField& field, const RidgeOptions& options,
           finder.Find(f, faces[f]);
         }
       }
-      fallbacks[block] = finder.GetNumberOfFallbacks();
+      fallbacks[block] = finder.GetNumberOfFallbacks() - before;
     });
   if (!status.IsOk())
   {
