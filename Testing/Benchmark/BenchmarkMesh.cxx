@@ -14,10 +14,15 @@
 
 namespace
 {
+constexpr double HoleRadius = 0.3;
+
 vtkSmartPointer<vtkPolyData> Generated(const MeshRecipe& recipe)
 {
-  return ToPolyData(
-    recipe.Rings > 0 ? Torus(recipe.Rings, recipe.Rings / 2) : BumpySphere(recipe.Level));
+  if (recipe.Rings > 0)
+  {
+    return ToPolyData(Torus(recipe.Rings, recipe.Rings / 2));
+  }
+  return ToPolyData(WithHoles(BumpySphere(recipe.Level), recipe.Holes, HoleRadius));
 }
 
 /// Drop points without a face; merge nothing.

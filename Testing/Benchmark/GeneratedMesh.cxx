@@ -120,6 +120,38 @@ MeshArrays BumpySphere(int level, double amplitude)
   return mesh;
 }
 
+MeshArrays WithHoles(const MeshArrays& mesh, int count, double radius)
+{
+  const auto isInHole = [&](dgg::Id id) {
+    const Vector p = PointOf(mesh, id);
+    for (int hole = 0; hole < count; ++hole)
+    {
+      const Vector centre = PointOf(mesh, hole);
+      if (std::hypot(p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]) < radius)
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  std::vector<char> isRemoved;
+  for (std::size_t id = 0; id < mesh.GetNumberOfVertices(); ++id)
+  {
+    isRemoved.push_back(isInHole(static_cast<dgg::Id>(id)) ? 1 : 0);
+  }
+  MeshArrays rest;
+  rest.Points = mesh.Points;
+  for (std::size_t h = 0; h < mesh.Triangles.size(); h += 3)
+  {
+    const dgg::Id* face = mesh.Triangles.data() + h;
+    if (!isRemoved[face[0]] && !isRemoved[face[1]] && !isRemoved[face[2]])
+    {
+      AddTriangle(rest, face[0], face[1], face[2]);
+    }
+  }
+  return rest;
+}
+
 MeshArrays Torus(int rings, int sides)
 {
   MeshArrays mesh;

@@ -11,6 +11,10 @@
 /// waves of relative height `amplitude` and vertices shifted at random by up to 0.2 edge lengths.
 MeshArrays BumpySphere(int level, double amplitude = 0.1);
 
+/// Without the faces that have a corner within `radius` of one of the first `count` vertices: those
+/// of a BumpySphere() are spread out evenly, up to 12.
+MeshArrays WithHoles(const MeshArrays& mesh, int count, double radius);
+
 /// Torus of radii 1 and 0.4 with `rings` x `sides` vertices, shifted at random along the surface by
 /// up to 0.2 steps.
 MeshArrays Torus(int rings, int sides);

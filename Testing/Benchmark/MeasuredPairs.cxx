@@ -3,35 +3,20 @@
 #include "MeasuredPairs.h"
 
 #include "BenchmarkTools.h"
+#include "RandomNumbers.h"
 #include "SampleStatistics.h"
 #include "dggExactGeodesics.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace
 {
 constexpr unsigned int StartSeed = 20190521u;
 constexpr unsigned int EndSeed = 20190522u;
 
-/// Random numbers that are the same with every standard library (distributions are not).
-class Uniform
-{
-public:
-  explicit Uniform(unsigned int seed)
-    : Engine(seed)
-  {
-  }
-  /// In [0, 1).
-  double operator()() { return static_cast<double>(this->Engine()) / 4294967296.0; }
-
-private:
-  std::mt19937 Engine;
-};
-
-dgg::SurfacePoint RandomVertex(const dgg::SurfaceMesh& surface, Uniform& random)
+dgg::SurfacePoint RandomVertex(const dgg::SurfaceMesh& surface, RandomNumbers& random)
 {
   const dgg::Id count = surface.GetNumberOfVertices();
   auto vertex = static_cast<dgg::Id>(random() * count);
@@ -59,7 +44,7 @@ std::vector<double> SumAreas(const dgg::SurfaceMesh& surface)
 }
 
 dgg::SurfacePoint RandomPoint(
-  const dgg::SurfaceMesh& surface, const std::vector<double>& areas, Uniform& random)
+  const dgg::SurfaceMesh& surface, const std::vector<double>& areas, RandomNumbers& random)
 {
   const auto found = std::upper_bound(areas.begin(), areas.end(), random() * areas.back());
   const double root = std::sqrt(random());
@@ -72,7 +57,7 @@ dgg::SurfacePoint RandomPoint(
 std::vector<dgg::SurfacePoint> RandomPoints(
   const dgg::SurfaceMesh& surface, int count, bool atVertices, unsigned int seed)
 {
-  Uniform random(seed);
+  RandomNumbers random(seed);
   const std::vector<double> areas = atVertices ? std::vector<double>() : SumAreas(surface);
   std::vector<dgg::SurfacePoint> points;
   for (int i = 0; i < count; ++i)

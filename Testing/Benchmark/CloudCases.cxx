@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CloudCases.h"
+
+#include "BenchmarkTools.h"
+#include "ErrorStatistics.h"
+#include "OpenedGraph.h"
+#include "ThreadedLoop.h"
+#include "dggBandMarching.h"
+
+namespace
+{
+/// The cloud of a recipe; null, with the state closed, when it cannot be used.
+MeasuredCloud* OpenCloud(benchmark::State& state, const CloudRecipe& recipe)
+{
+  MeasuredCloud& cloud = GetMeasuredCloud(recipe);
+  if (!cloud.GetError().empty())
+  {
+    state.SkipWithError(cloud.GetError().c_str());
+    return nullptr;
+  }
+  return &cloud;
+}
+
+/// The same, with its graph.
+MeasuredCloud* OpenCloudWithGraph(benchmark::State& state, const CloudGraphRecipe& recipe)
+{
+  MeasuredCloud* cloud = OpenCloud(state, recipe.Cloud);
+  if (!cloud)
+  {
+    return nullptr;
+  }
+  cloud->NeedGraph(recipe);
+  if (!cloud->GetGraphError().empty())
+  {
+    state.SkipWithError(cloud->GetGraphError().c_str());
+    return nullptr;
+  }
+  return cloud;
+}
+
+void ReportCloudErrors(benchmark::State& state, MeasuredCloud& cloud, dgg::Id source,
+  const std::vector<double>& distances)
+{
+  const auto errors = ErrorStatistics::Of(distances, cloud.GetTruth(source));
+  state.counters["error_mean"] = errors.Mean;
+  state.counters["error_p999"] = errors.Percentile999;
+  state.counters["error_max"] = errors.Maximum;
+  state.counters["unreached"] = static_cast<double>(errors.Unreached);
+}
+
+void ReportCloudGraph(benchmark::State& state, const MeasuredCloud& cloud)
+{
+  const dgg::CloudGraph& graph = cloud.GetGraph();
+  const dgg::CloudGraphStatistics& used = cloud.GetStatistics();
+  const auto edges = static_cast<double>(graph.Graph.Targets.Size());
+  state.counters["points"] = cloud.GetSize();
+  state.counters["degree"] = edges / cloud.GetSize();
+  state.counters["graph_bytes"] = static_cast<double>(graph.Graph.GetMemorySize());
+  state.counters["false_edges"] = static_cast<double>(cloud.CountFalseEdges(graph.Graph.View()));
+  state.counters["components"] = static_cast<double>(graph.ComponentSizes.size());
+  state.counters["spacing"] = used.Spacing;
+  state.counters["noise"] = used.Noise;
+  state.counters["offset_in_voxels"] = used.OffsetInVoxels;
+  state.counters["resolution"] = used.Resolution;
+  state.counters["alpha"] = used.Alpha;
+  state.counters["reach"] = used.Reach;
+}
+
+std::vector<dgg::Point3> PlacesOf(const MeasuredCloud& cloud)
+{
+  const std::vector<double>& points = cloud.GetPoints();
+  std::vector<dgg::Point3> places;
+  for (std::size_t i = 0; i < points.size(); i += 3)
+  {
+    places.push_back({ points[i], points[i + 1], points[i + 2] });
+  }
+  return places;
+}
+}
+
+void MeasureCloudBuild(benchmark::State& state, const CloudGraphRecipe& recipe)
+{
+  MeasuredCloud* cloud = OpenCloud(state, recipe.Cloud);
+  if (!cloud)
+  {
+    return;
+  }
+  double seconds = 0.0;
+  std::size_t peak = 0;
+  Measure(
+    state, [&] { cloud->Clear(); },
+    [&] {
+      const MemoryProbe probe;
+      const double start = CPUSeconds();
+      cloud->Build(recipe);
+      seconds += CPUSeconds() - start;
+      peak = probe.GetResidentPeak();
+    },
+    WallSeconds);
+  if (!cloud->GetGraphError().empty())
+  {
+    state.SkipWithError(cloud->GetGraphError().c_str());
+    return;
+  }
+  state.counters["threads"] = recipe.Threads;
+  state.counters["cpu_seconds"] = benchmark::Counter(seconds, benchmark::Counter::kAvgIterations);
+  state.counters["resident_bytes"] = static_cast<double>(peak);
+  ReportCloudGraph(state, *cloud);
+}
+
+void MeasureCloudEstimate(benchmark::State& state, const CloudGraphRecipe& recipe)
+{
+  MeasuredCloud* cloud = OpenCloud(state, recipe.Cloud);
+  if (!cloud)
+  {
+    return;
+  }
+  dgg::CloudGraphOptions options = recipe.Options;
+  options.Parallel = ThreadedLoop(recipe.Threads);
+  dgg::CloudGraphEstimate estimate;
+  dgg::Status status;
+  Measure(
+    state, [] {}, [&] { status = cloud->GetBuilder().Estimate(options, estimate); }, WallSeconds);
+  if (Succeeded(state, status))
+  {
+    state.counters["estimated_graph_bytes"] = estimate.Memory;
+    state.counters["estimated_peak_bytes"] = estimate.Peak;
+  }
+}
+
+void MeasureCloudQuery(
+  benchmark::State& state, const CloudGraphRecipe& recipe, int k, int numberOfSources)
+{
+  MeasuredCloud* cloud = OpenCloudWithGraph(state, recipe);
+  if (!cloud)
+  {
+    return;
+  }
+  dgg::GraphSeed seed;
+  seed.Vertex = cloud->GetSource(k, numberOfSources);
+  const dgg::GraphSearch& search = cloud->GetSearch();
+  dgg::SearchResult result;
+  dgg::Status status = search.Run({ seed }, {}, result); // not the first query
+  Measure(
+    state, [] {}, [&] { status = search.Run({ seed }, {}, result); });
+  if (Succeeded(state, status))
+  {
+    ReportCloudErrors(state, *cloud, seed.Vertex, result.Distances);
+  }
+}
+
+void MeasureBandMarching(
+  benchmark::State& state, const CloudGraphRecipe& recipe, int k, int numberOfSources)
+{
+  MeasuredCloud* cloud = OpenCloudWithGraph(state, recipe);
+  if (!cloud)
+  {
+    return;
+  }
+  const dgg::CloudGraph& graph = cloud->GetGraph();
+  const std::vector<dgg::Point3> places = PlacesOf(*cloud);
+  const dgg::Id source = cloud->GetSource(k, numberOfSources);
+  dgg::VoxelBand band;
+  dgg::Status status =
+    band.Build(places, graph.Radii, graph.VoxelSize, 0, ThreadedLoop(recipe.Threads));
+  if (!Succeeded(state, status))
+  {
+    return;
+  }
+  const dgg::BandMarching marching(band);
+  std::vector<double> distances;
+  Measure(
+    state, [] {},
+    [&] {
+      status = marching.Run({ { places[source], 0.0 } }, places, {}, distances);
+    });
+  if (Succeeded(state, status))
+  {
+    state.counters["voxels"] = static_cast<double>(band.GetNumberOfVoxels());
+    state.counters["resolution"] = band.GetResolution();
+    ReportCloudErrors(state, *cloud, source, distances);
+  }
+}
