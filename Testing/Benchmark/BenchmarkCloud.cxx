@@ -8,6 +8,8 @@
 /// Usage: BenchmarkCloud [--benchmark_...] [--name=value...] [mesh...]
 ///   --clouds=square:40000,cylinder:40000,sphere:10000,sphere:40000,torus:57000
 ///                        random points: shape and number
+///   --torus=600          rings of the torus that points are taken from: many, so that it is smooth
+///   --large=             the same of which only scheme C is measured
 ///   --schemes=A,B,C
 ///   --accuracy=0.001     of the graphs
 ///   --fine_accuracy=0    scheme C with arcs is measured with that accuracy as well; 0 leaves it
@@ -51,9 +53,7 @@ using dgg::CloudScheme;
 
 /// One run is all that is timed.
 constexpr double Once = 1e-9;
-/// Rings of the torus that points are taken from: so fine that it is smooth to them.
-constexpr int TorusRings = 600;
-/// The same of the sphere with holes, and their number.
+/// A sphere that random points are taken from: so fine that it is smooth to them.
 constexpr int HolesLevel = 7;
 constexpr int NumberOfHoles = 12;
 /// Sheets are 3 h apart.
@@ -64,6 +64,8 @@ constexpr int SpeedSources = 3;
 struct Settings
 {
   std::vector<CloudRecipe> Clouds;
+  std::vector<CloudRecipe> LargeClouds;
+  int TorusRings = 0;
   std::vector<CloudScheme> Schemes;
   double Accuracy = 0.0;
   double FineAccuracy = 0.0;
@@ -108,8 +110,9 @@ MeshRecipe TorusMesh(int rings)
   return mesh;
 }
 
-/// False when there is no such shape.
-bool MakeCloud(const std::string& shape, int points, CloudRecipe& cloud)
+/// A torus that random points are taken from, made of so many rings. False when there is no such
+/// shape.
+bool MakeCloud(const std::string& shape, int points, int rings, CloudRecipe& cloud)
 {
   static const std::map<std::string, CloudShape> shapes = { { "square", CloudShape::Square },
     { "cylinder", CloudShape::Cylinder }, { "sphere", CloudShape::Sphere },
@@ -125,7 +128,7 @@ bool MakeCloud(const std::string& shape, int points, CloudRecipe& cloud)
   cloud.Points = points;
   if (cloud.Shape == CloudShape::Samples)
   {
-    cloud.Mesh = TorusMesh(TorusRings);
+    cloud.Mesh = TorusMesh(rings);
   }
   return true;
 }
@@ -311,7 +314,7 @@ void RegisterSpeedOfMesh(const std::string& prefix, const MeshRecipe& mesh)
 void RegisterSpeed(const Settings& settings)
 {
   std::vector<CloudRecipe> clouds(1);
-  MakeCloud("sphere", settings.Speed, clouds[0]);
+  MakeCloud("sphere", settings.Speed, 0, clouds[0]);
   MeshRecipe torus = TorusMesh(static_cast<int>(std::lround(std::sqrt(2.0 * settings.Speed))));
   torus.Name = Labelled("torus", settings.Speed);
   clouds.push_back(VerticesOf(torus));
@@ -337,24 +340,41 @@ void RegisterSpeed(const Settings& settings)
   }
 }
 
-/// False, with a message, when the arguments make no sense.
-bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
+/// False, with a message, when one of the texts is not a shape, a colon and a number.
+bool ReadClouds(const std::vector<std::string>& texts, int rings, std::vector<CloudRecipe>& clouds)
 {
-  const auto number = [&arguments](
-                        const char* name) { return static_cast<int>(arguments.GetNumber(name)); };
-  for (const std::string& text : arguments.GetList("clouds"))
+  for (const std::string& text : texts)
   {
     const auto colon = text.find(':');
     CloudRecipe cloud;
     if (colon == std::string::npos ||
-      !MakeCloud(text.substr(0, colon), std::atoi(text.c_str() + colon + 1), cloud))
+      !MakeCloud(text.substr(0, colon), std::atoi(text.c_str() + colon + 1), rings, cloud))
     {
       std::cerr << "clouds are square, cylinder, sphere or torus, a colon and a number of points, "
                    "at least 10: not "
                 << text << "\n";
       return false;
     }
-    settings.Clouds.push_back(cloud);
+    clouds.push_back(cloud);
+  }
+  return true;
+}
+
+/// False, with a message, when the arguments make no sense.
+bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
+{
+  const auto number = [&arguments](
+                        const char* name) { return static_cast<int>(arguments.GetNumber(name)); };
+  settings.TorusRings = number("torus");
+  if (settings.TorusRings < 6)
+  {
+    std::cerr << "a torus has at least 6 rings\n";
+    return false;
+  }
+  if (!ReadClouds(arguments.GetList("clouds"), settings.TorusRings, settings.Clouds) ||
+    !ReadClouds(arguments.GetList("large"), settings.TorusRings, settings.LargeClouds))
+  {
+    return false;
   }
   for (const MeshRecipe& mesh : arguments.GetMeshes())
   {
@@ -411,9 +431,9 @@ int main(int argc, char** argv)
   benchmark::Initialize(&argc, argv);
   BenchmarkArguments arguments(
     { { "clouds", "square:40000,cylinder:40000,sphere:10000,sphere:40000,torus:57000" },
-      { "schemes", "A,B,C" }, { "accuracy", "0.001" }, { "fine_accuracy", "0" }, { "sources", "5" },
-      { "curves", "10000" }, { "guards", "20000" }, { "speed", "200000" }, { "speed_mesh", "" },
-      { "threads", "2" } });
+      { "large", "" }, { "torus", "600" }, { "schemes", "A,B,C" }, { "accuracy", "0.001" },
+      { "fine_accuracy", "0.0001" }, { "sources", "5" }, { "curves", "10000" },
+      { "guards", "20000" }, { "speed", "200000" }, { "speed_mesh", "" }, { "threads", "2" } });
   Settings settings;
   if (!arguments.Parse(argc, argv) || !ReadSettings(arguments, settings))
   {
@@ -423,6 +443,12 @@ int main(int argc, char** argv)
   {
     RegisterCloud(cloud, settings);
   }
+  Settings spacing = settings;
+  spacing.Schemes = { CloudScheme::Spacing };
+  for (const CloudRecipe& cloud : settings.LargeClouds)
+  {
+    RegisterCloud(cloud, spacing);
+  }
   if (settings.Guards > 0)
   {
     RegisterGuards(settings);
@@ -430,7 +456,7 @@ int main(int argc, char** argv)
   for (const char* shape : { "sphere", "torus" })
   {
     CloudRecipe cloud;
-    if (settings.Curves > 0 && MakeCloud(shape, settings.Curves, cloud))
+    if (settings.Curves > 0 && MakeCloud(shape, settings.Curves, settings.TorusRings, cloud))
     {
       RegisterCurves(cloud, settings);
     }

@@ -104,6 +104,7 @@ void MeasureCloudBuild(benchmark::State& state, const CloudGraphRecipe& recipe)
     return;
   }
   state.counters["threads"] = recipe.Threads;
+  state.counters["accuracy"] = recipe.Options.Accuracy;
   state.counters["cpu_seconds"] = benchmark::Counter(seconds, benchmark::Counter::kAvgIterations);
   state.counters["resident_bytes"] = static_cast<double>(peak);
   ReportCloudGraph(state, *cloud);

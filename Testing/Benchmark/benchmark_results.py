@@ -37,6 +37,34 @@ def median(figures, key):
     return statistics.median(values) if values else None
 
 
+def mean(figures, key):
+    """Mean over the sources."""
+    values = (figures or {}).get(key)
+    return statistics.fmean(values) if values else None
+
+
+def largest(figures, key):
+    """Largest of all sources."""
+    values = (figures or {}).get(key)
+    return max(values) if values else None
+
+
+def errors(figures):
+    """Mean, 99.9th percentile and maximum; None where not measured."""
+    return (
+        mean(figures, "error_mean"),
+        mean(figures, "error_p999"),
+        largest(figures, "error_max"),
+    )
+
+
+def errors_text(figures):
+    parts = errors(figures)
+    if None in parts:
+        return DASH
+    return " / ".join(digits(100.0 * part) for part in parts) + " %"
+
+
 def seconds_text(value):
     return f"{value:.3g} s" if value >= 1.0 else f"{1000.0 * value:.3g} ms"
 

@@ -11,8 +11,8 @@ dashed ones corrected distances.
 
 import sys
 
-from benchmark_results import count_text, median
-from summarize_graph import Run, errors
+from benchmark_results import count_text, errors, median
+from summarize_graph import Run
 
 # Colours that differ in lightness too, for those who do not see hues.
 STYLES = {

@@ -10,22 +10,31 @@
 #        Testing/Benchmark/run.sh path [--out DIR] [--data DIR] [MESH...] [OPTIONS OF BenchmarkPath]
 #        Testing/Benchmark/run.sh isolines [--out DIR] [--data DIR] [MESH...]
 #                                 [OPTIONS OF BenchmarkIsolines]
+#        Testing/Benchmark/run.sh cloud [--out DIR] [--data DIR] [--full] [--readme] [MESH...]
+#                                 [OPTIONS OF BenchmarkCloud]
 #   exact     the exact solver: writes exact.json and exact.md
 #   graph     graphs of all rules and accuracies, and queries of them: writes graph.json, graph.md
 #             and error_against_degree.png (needs matplotlib)
 #   path      what a graph gives: paths, samples, Voronoi cells, a matrix, loops: writes path.json
 #             and path.md
 #   isolines  isolines and approximate distances: writes isolines.json and isolines.md
+#   cloud     graphs of point clouds: their errors with all schemes, fast marching beside, clouds
+#             that are not easy, parameters varied, and what 200K points take; the vertices of
+#             meshes are measured as clouds: writes cloud.json, cloud.md and cloud_error.png (needs
+#             matplotlib)
 #   --out     folder of the results (default: out/benchmark in the source tree)
 #   --data    folder with bunny, armadillo, fertility, kitten and gargoyle (.ply), for isolines igea
-#             as well, to be measured
-#   --readme  put the tables and the plot into README.md and Examples/Images as well
+#             as well, to be measured; for clouds with bunny, igea, terrain_andes and
+#             awkward/terrain_alps_voids
+#   --full    of clouds: a sphere of 655K points as well, which takes about 15 minutes
+#   --readme  put the tables and the plot into README.md and Examples/Images as well: graph, cloud
 # For example:
 #   Testing/Benchmark/run.sh
 #   Testing/Benchmark/run.sh scan.ply --growth=none --benchmark_filter=/T/
 #   Testing/Benchmark/run.sh graph --readme
 #   Testing/Benchmark/run.sh path scan.ply --pairs=100 --matrix=0
 #   Testing/Benchmark/run.sh isolines scan.ply --sizes=1000,10000 --sources=0
+#   Testing/Benchmark/run.sh cloud scan.ply --clouds= --curves=0 --guards=0 --speed=0
 #   Testing/Benchmark/run.sh graph scan.ply --rules=Guaranteed,SVG --accuracies=0.02 --many=0
 
 set -euo pipefail
@@ -40,7 +49,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 here="$DGG_ROOT/Testing/Benchmark"
 mode=exact
 case "${1:-}" in
-  exact | graph | isolines | path)
+  cloud | exact | graph | isolines | path)
     mode="$1"
     shift
     ;;
@@ -57,19 +66,29 @@ while [ $# -gt 0 ]; do
       ;;
     --data)
       names=(bunny armadillo fertility kitten gargoyle)
+      [ $# -ge 2 ] || dgg_fail "--data needs a folder"
       case "$mode" in
+        cloud)
+          names=(bunny awkward/terrain_alps_voids igea)
+          arguments+=("--speed_mesh=$2/terrain_andes.ply")
+          ;;
         isolines) names+=(igea) ;;
         path) ;;
-        *) dgg_fail "--data is for the modes isolines and path" ;;
+        *) dgg_fail "--data is for the modes cloud, isolines and path" ;;
       esac
-      [ $# -ge 2 ] || dgg_fail "--data needs a folder"
       for name in "${names[@]}"; do
         arguments+=("$2/$name.ply")
       done
       shift 2
       ;;
+    --full)
+      [ "$mode" = cloud ] || dgg_fail "--full is for the mode cloud"
+      arguments+=("--large=sphere:655362")
+      shift
+      ;;
     --readme)
-      [ "$mode" = graph ] || dgg_fail "--readme is for the mode graph"
+      [ "$mode" = cloud ] || [ "$mode" = graph ] ||
+        dgg_fail "--readme is for the modes cloud and graph"
       readme=yes
       shift
       ;;
@@ -118,8 +137,29 @@ measure_isolines() {
   echo "Written: $out/isolines.json and $out/isolines.md"
 }
 
+measure_cloud() {
+  local plot="$out/cloud_error.png"
+  measure BenchmarkCloud "$out/cloud.json"
+  "$python" "$here/summarize_cloud.py" "$out/cloud.json" "$out/cloud.md"
+  echo "Written: $out/cloud.json and $out/cloud.md"
+  if [ -n "$readme" ]; then
+    "$python" "$here/insert_table.py" "$DGG_ROOT/README.md" cloud "$out/cloud.md"
+    echo "Written: README.md"
+  fi
+  # There is nothing to plot without curves.
+  if "$python" "$here/plot_cloud.py" "$out/cloud.json" "$plot"; then
+    echo "Written: $plot"
+    if [ -n "$readme" ]; then
+      cp "$plot" "$DGG_ROOT/Examples/Images/cloud_error.png"
+      echo "Written: Examples/Images/cloud_error.png"
+    fi
+  fi
+}
+
 packages=("${DGG_PACKAGES[@]}" libbenchmark-dev libcgal-dev libeigen3-dev glmark2-data)
-[ "$mode" = graph ] && packages+=(python3-matplotlib)
+case "$mode" in
+  cloud | graph) packages+=(python3-matplotlib) ;;
+esac
 dgg_install "${packages[@]}"
 
 build="$DGG_ROOT/build/benchmark"

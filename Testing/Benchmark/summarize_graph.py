@@ -10,15 +10,16 @@ over the sources, the maximum is the largest of all. Ratios are times better tha
 """
 
 import re
-import statistics
 
 from benchmark_results import (
     DASH,
     collect,
     count_text,
-    digits,
     environment,
+    errors_text,
+    largest,
     load,
+    mean,
     median,
     ratio_text,
     run_as_script,
@@ -75,38 +76,12 @@ def seconds(cases, case):
     return median(cases.get(case), "seconds")
 
 
-def mean(figures, key):
-    values = (figures or {}).get(key)
-    return statistics.fmean(values) if values else None
-
-
-def largest(figures, key):
-    values = (figures or {}).get(key)
-    return max(values) if values else None
-
-
 def speed_up_text(cases, case):
     """What threads gain, wall against wall: a busy machine disturbs both."""
     parallel = cases.get("Parallel" + case)
     gain = ratio_text(median(cases.get(case), "wall_seconds"), median(parallel, "wall_seconds"))
     threads = median(parallel, "threads")
     return DASH if threads is None else f"{gain} on {threads:.0f}"
-
-
-def errors(figures):
-    """Mean, 99.9th percentile and maximum; None where not measured."""
-    return (
-        mean(figures, "error_mean"),
-        mean(figures, "error_p999"),
-        largest(figures, "error_max"),
-    )
-
-
-def errors_text(figures):
-    parts = errors(figures)
-    if None in parts:
-        return DASH
-    return " / ".join(digits(100.0 * part) for part in parts) + " %"
 
 
 def title_of(rule, parameter):

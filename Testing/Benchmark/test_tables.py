@@ -10,6 +10,7 @@ import sys
 import unittest
 
 import insert_table
+import summarize_cloud
 import summarize_graph
 import summarize_isolines
 import summarize_path
@@ -318,6 +319,102 @@ class IsolineTables(unittest.TestCase):
         self.assertEqual((cells["error: mean, %"], cells["max, %"]), ("2", "10"))
         cells = self.cells("ball | 500 | heat (CGAL)", "before queries")
         self.assertEqual((cells["before queries"], cells["query"]), ("–", "20 ms"))
+
+
+class CloudTables(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        def graph(prefix, points, error, milliseconds=500.0, **more):
+            size = {"points": points, "degree": 80.4, "spacing": 0.02, "reach": 0.21}
+            size.update({"graph_bytes": 6.4e6, "false_edges": 0, "components": 1, "noise": 0.0})
+            size.update({"cpu_seconds": 0.9, "threads": 2, "resident_bytes": 9e6, **more})
+            return [
+                entry(prefix + "Build/manual_time", milliseconds, **size),
+                entry(prefix + "Query/0/manual_time", 4.0, unreached=0, **errors(error)),
+                entry(prefix + "Query/1/manual_time", 6.0, unreached=3, **errors(3.0 * error)),
+            ]
+
+        results = (
+            graph("Cloud/torus-57K/C/chord/", 57000, 4e-4)
+            + graph("Cloud/torus-57K/C/arc/", 57000, 1e-4)
+            + graph("Cloud/torus-57K/C/fine/", 57000, 1e-5, accuracy=1e-4)
+            + [entry("Cloud/torus-57K/Band/march/Query/0/x", 50.0, **errors(0.02))]
+            + graph("Cloud/square-40K/A/arc/", 40000, 1e-4)
+            + graph("Guard/sheets/B/arc/", 2000, 1e-3, components=2, false_edges=7)
+            + graph("Guard/noise_0.5/C/arc/", 2000, 2e-3, noise=0.0101)
+            + graph("Speed/ball/C/arc/", 200000, 1e-4, milliseconds=25000.0)
+            + [
+                entry("Speed/ball/C/arc/Estimate/x", 80.0, estimated_peak_bytes=1.2e7),
+                entry("Speed/ball/Mesh/Build/manual_time", 2000.0, vertices=200000),
+                entry("Speed/ball/Mesh/Query/0/manual_time", 60.0, **errors(1e-3)),
+            ]
+            + graph("Speed/sphere/C/arc/", 200000, 1e-4)
+        )
+        for alpha, error in (("2.5", 2e-3), ("10.5", 1e-4)):
+            results += graph(f"Curve/sphere-10K/C/arc/Alpha/{alpha}/", 10000, error)
+        results += graph("Curve/sphere-10K/A/chord/Offset/3/", 10000, 5e-4)
+        cls.path = os.path.join(OUTPUT, "clouds.json")
+        with open(cls.path, "w", encoding="utf-8") as file:
+            json.dump({"context": {"vtk_version": "9"}, "benchmarks": results}, file)
+        cls.lines = summarize_cloud.summarize(cls.path).splitlines()
+
+    def cells(self, start, header):
+        return cells_of(self.lines, start, header)
+
+    def test_errors(self):
+        cells = self.cells("torus-57K | 57K | C, arcs (default)", "published mean")
+        self.assertEqual(cells["error: mean / 99.9 % / max"], "0.02 / 0.06 / 0.15 %")
+        self.assertEqual((cells["degree"], cells["reach, spacings"]), ("80", "10"))
+        self.assertEqual((cells["unreached"], cells["query"]), ("3", "5 ms"))
+        # The better of the published ones counts.
+        self.assertEqual(cells["published mean"], "0.12 to 0.17 %")
+        self.assertEqual(cells["published / ours"], "6x")
+        cells = self.cells("torus-57K | 57K | C, chords", "published mean")
+        self.assertEqual(cells["published / ours"], "1.5x")
+        cells = self.cells("torus-57K | 57K | C, arcs, accuracy 0.0001", "published mean")
+        self.assertEqual(cells["published / ours"], "60x")
+        cells = self.cells("torus-57K | 57K | fast marching", "published mean")
+        self.assertEqual(cells["published mean"], "1.8 to 3.7 %")
+        self.assertEqual((cells["published / ours"], cells["degree"]), ("0.9x", "–"))
+        cells = self.cells("square-40K | 40K | A, arcs", "published mean")
+        self.assertEqual((cells["published mean"], cells["published / ours"]), ("–", "–"))
+
+    def test_guards(self):
+        header = "edges between sheets"
+        cells = self.cells("two sheets, 3 h apart | B, arcs", header)
+        self.assertEqual((cells[header], cells["components"]), ("7", "2"))
+        cells = self.cells("noise, 0.5 % of the box | C, arcs (default)", header)
+        self.assertEqual(cells["noise found"], "0.01")
+        self.assertEqual(cells["error: mean / 99.9 % / max"], "0.4 / 1.2 / 3 %")
+
+    def test_speed(self):
+        cells = self.cells("ball", "query there")
+        self.assertEqual((cells["graph (wall)"], cells["CPU"]), ("25 s", "900 ms"))
+        self.assertEqual(cells["peak: predicted / measured"], "12MB / 9MB")
+        self.assertEqual((cells["query"], cells["query there"]), ("5 ms", "60 ms"))
+        self.assertEqual(cells["graph of the mesh (CPU)"], "2 s")
+        cells = self.cells("sphere", "query there")
+        self.assertEqual((cells["query there"], cells["error there"]), ("–", "–"))
+        self.assertEqual(cells["peak: predicted / measured"], "– / 9MB")
+
+    def test_curves(self):
+        import plot_cloud
+
+        graphs = summarize_cloud.Run(self.path).curves["sphere-10K"]
+        self.assertEqual(plot_cloud.name_of("sphere-10K", graphs), "sphere, 10K points")
+        points = plot_cloud.curve(graphs, "C/arc", "Alpha")
+        self.assertEqual([value for value, _ in points], [2.5, 10.5])
+        self.assertAlmostEqual(points[1][1], 0.02)
+        self.assertEqual(plot_cloud.curve(graphs, "C/arc", "Offset"), [])
+        self.assertEqual(len(plot_cloud.curve(graphs, "A/chord", "Offset")), 1)
+
+    @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs matplotlib")
+    def test_plot(self):
+        picture = os.path.join(OUTPUT, "clouds.png")
+        command = [sys.executable, "-B", os.path.join(HERE, "plot_cloud.py"), self.path, picture]
+        subprocess.run(command, check=True)
+        with open(picture, "rb") as file:
+            self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
 
 
 class Insert(unittest.TestCase):

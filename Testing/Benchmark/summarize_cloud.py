@@ -1,0 +1,257 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables (Markdown) from the JSON of BenchmarkCloud.
+
+Usage: summarize_cloud.py RESULT.json [TABLE.md]
+
+Published are the mean errors of Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological
+University, 2019, chapter 5, at a resolution of 512 voxels, for models of the same kind and size.
+"""
+
+import re
+
+from benchmark_results import (
+    DASH,
+    collect,
+    count_text,
+    digits,
+    environment,
+    errors_text,
+    largest,
+    load,
+    mean,
+    median,
+    ratio_text,
+    run_as_script,
+    table,
+    text,
+    time_text,
+)
+
+NAME = re.compile(
+    r"^(?P<group>Cloud|Guard|Speed|Curve)/(?P<cloud>[^/]+)/"
+    r"(?P<graph>[ABC]/(?:chord|arc|fine)|Band/march|Mesh)/"
+    r"(?:(?P<parameter>Alpha|Offset)/(?P<value>[0-9.]+)/)?"
+    r"(?P<case>Build|Estimate|Query)(?:/|$)"
+)
+METHODS = {
+    "A/chord": "A, chords",
+    "A/arc": "A, arcs",
+    "B/chord": "B, chords",
+    "B/arc": "B, arcs",
+    "C/chord": "C, chords",
+    "C/arc": "C, arcs (default)",
+    "C/fine": "C, arcs",
+    "Band/march": "fast marching",
+}
+# Mean errors, least and largest, of graphs, by the beginning of the name of a cloud: what was
+# published for a sphere, a torus, a terrain, the bunny and, for igea, another statue (a dragon).
+PUBLISHED = {
+    "sphere-655K": (7e-5, 7e-5),
+    "torus-57K": (1.2e-3, 1.7e-3),
+    "terrain": (3.1e-3, 3.8e-3),
+    "bunny": (1.7e-3, 2.3e-3),
+    "igea": (2.8e-3, 6.6e-3),
+}
+PUBLISHED_MARCHING = (1.8e-2, 3.7e-2)
+GUARDS = {
+    "noise_0.5": "noise, 0.5 % of the box",
+    "noise_1": "noise, 1 % of the box",
+    "density_10": "density 10 : 1",
+    "holes": "holes",
+    "sheets": "two sheets, 3 h apart",
+}
+
+
+class Run:
+    """groups[group][cloud][graph][case]: {figure: [values]}, and those of curves by parameter and
+    value: curves[cloud][graph][parameter][value][case]."""
+
+    def __init__(self, path):
+        self.context, results = load(path)
+        self.groups = {"Cloud": {}, "Guard": {}, "Speed": {}}
+        self.curves = {}
+        for entry in results:
+            match = NAME.match(entry["name"])
+            if not match:
+                continue
+            if match["group"] == "Curve":
+                cases = self.curves.setdefault(match["cloud"], {}).setdefault(match["graph"], {})
+                cases = cases.setdefault(match["parameter"], {})
+                cases = cases.setdefault(float(match["value"]), {})
+            else:
+                clouds = self.groups[match["group"]]
+                cases = clouds.setdefault(match["cloud"], {}).setdefault(match["graph"], {})
+            collect(entry, cases.setdefault(match["case"], {}))
+
+    def graphs(self, group, names):
+        """Cloud, graph and cases of a group, in the order of the names."""
+        for cloud, graphs in self.groups[group].items():
+            for name in names:
+                if name in graphs:
+                    yield cloud, name, graphs[name]
+
+
+def percent(value):
+    return digits(100.0 * value)
+
+
+def method_of(graph, cases):
+    """The method, and the accuracy of those that are not built with the default."""
+    accuracy = median(cases.get("Build"), "accuracy") if graph == "C/fine" else None
+    return METHODS[graph] + ("" if accuracy is None else f", accuracy {accuracy:g}")
+
+
+def number(value):
+    return text(value, "{:.0f}")
+
+
+def published_of(cloud, graph):
+    found = next((errors for name, errors in PUBLISHED.items() if cloud.startswith(name)), None)
+    return PUBLISHED_MARCHING if found and graph == "Band/march" else found
+
+
+def range_text(values):
+    if values is None:
+        return DASH
+    return " to ".join(percent(value) for value in sorted(set(values))) + " %"
+
+
+def points_of(graphs):
+    """The number of points of a cloud; marching does not tell it."""
+    found = (median(cases.get("Build"), "points") for cases in graphs.values())
+    return next((points for points in found if points is not None), None)
+
+
+def error_table(run):
+    rows = []
+    for cloud, graph, cases in run.graphs("Cloud", METHODS):
+        build, query = cases.get("Build"), cases.get("Query")
+        points = points_of(run.groups["Cloud"][cloud])
+        spacing, reach = median(build, "spacing"), median(build, "reach")
+        published = published_of(cloud, graph)
+        rows.append(
+            [
+                cloud,
+                DASH if points is None else count_text(points),
+                method_of(graph, cases),
+                text(median(build, "degree"), "{:.0f}"),
+                DASH if not spacing else digits(reach / spacing),
+                errors_text(query),
+                number(largest(query, "unreached")),
+                range_text(published),
+                ratio_text(published[0], mean(query, "error_mean")) if published else DASH,
+                time_text(median(query, "seconds")),
+            ]
+        )
+    header = [
+        "cloud",
+        "points",
+        "method",
+        "degree",
+        "reach, spacings",
+        "error: mean / 99.9 % / max",
+        "unreached",
+        "published mean",
+        "published / ours",
+        "query",
+    ]
+    return table(header, rows) if rows else None
+
+
+def guard_table(run):
+    rows = []
+    for cloud, graph, cases in run.graphs("Guard", METHODS):
+        build, query = cases.get("Build"), cases.get("Query")
+        components = median(build, "components")
+        rows.append(
+            [
+                GUARDS.get(cloud, cloud),
+                method_of(graph, cases),
+                text(median(build, "noise"), "{:.2g}"),
+                errors_text(query),
+                number(largest(query, "unreached")),
+                number(median(build, "false_edges")),
+                number(components),
+            ]
+        )
+    header = [
+        "cloud",
+        "method",
+        "noise found",
+        "error: mean / 99.9 % / max",
+        "unreached",
+        "edges between sheets",
+        "components",
+    ]
+    return table(header, rows) if rows else None
+
+
+def bytes_text(value):
+    return DASH if value is None else count_text(value) + "B"
+
+
+def speed_table(run):
+    rows = []
+    for cloud, _, cases in run.graphs("Speed", ["C/arc"]):
+        build, estimate, query = (cases.get(case) for case in ("Build", "Estimate", "Query"))
+        mesh = run.groups["Speed"][cloud].get("Mesh", {})
+        predicted = median(estimate, "estimated_peak_bytes")
+        measured = median(build, "resident_bytes")
+        points = median(build, "points")
+        rows.append(
+            [
+                cloud,
+                DASH if points is None else count_text(points),
+                time_text(median(build, "seconds")),
+                time_text(median(build, "cpu_seconds")),
+                number(median(build, "threads")),
+                text(median(build, "degree"), "{:.0f}"),
+                bytes_text(median(build, "graph_bytes")),
+                f"{bytes_text(predicted)} / {bytes_text(measured)}",
+                time_text(median(query, "seconds")),
+                errors_text(query),
+                time_text(median(mesh.get("Build"), "seconds")),
+                time_text(median(mesh.get("Query"), "seconds")),
+                errors_text(mesh.get("Query")),
+            ]
+        )
+    header = [
+        "cloud",
+        "points",
+        "graph (wall)",
+        "CPU",
+        "threads",
+        "degree",
+        "its size",
+        "peak: predicted / measured",
+        "query",
+        "error: mean / 99.9 % / max",
+        "graph of the mesh (CPU)",
+        "query there",
+        "error there",
+    ]
+    return table(header, rows) if rows else None
+
+
+def summarize(path):
+    run = Run(path)
+    parts = [
+        f"Graphs are built on threads, timed on the wall; all other times are CPU seconds on one "
+        f"thread ({environment(run.context)}).\n"
+    ]
+    titles = {
+        "Errors against true distances along the surface": error_table,
+        "Clouds that are not easy": guard_table,
+        "What large clouds take, and meshes with the same points": speed_table,
+    }
+    for title, make in titles.items():
+        made = make(run)
+        if made:
+            parts += [f"**{title}**\n", made]
+    return "\n".join(parts)
+
+
+if __name__ == "__main__":
+    run_as_script(summarize, __doc__)
