@@ -2,40 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGCloudLinks.h"
 
+#include "dggCloudFrame.h"
+
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace
 {
-using Position = std::array<double, 3>;
-
 /// Directions that mean nothing: of a point of the cloud, which is its own link, and of others.
 constexpr double AtPoint = -1.0;
 constexpr double NearPoint = 0.0;
 
-Position At(const double* positions, dgg::Id vertex)
+double Distance(const dgg::Point3& a, const dgg::Point3& b)
 {
-  const double* p = positions + 3 * static_cast<std::size_t>(vertex);
-  return { { p[0], p[1], p[2] } };
+  return dgg::Norm(a - b);
 }
 
-double Distance(const Position& a, const Position& b)
+dgg::Point3 At(const double* positions, dgg::Id vertex)
 {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  return dgg::PointAt(positions, vertex);
 }
 
-Position At(const double* positions, const dgg::SurfacePoint& place)
+dgg::Point3 At(const double* positions, const dgg::SurfacePoint& place)
 {
-  Position p = At(positions, place.Vertex);
-  if (place.On == dgg::SurfacePoint::Support::Near)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      p[c] += place.Barycentric[c];
-    }
-  }
-  return p;
+  const dgg::Point3 p = At(positions, place.Vertex);
+  const auto& offset = place.Barycentric;
+  return place.On == dgg::SurfacePoint::Support::Near
+    ? p + dgg::Point3{ offset[0], offset[1], offset[2] }
+    : p;
 }
 
 /// How much longer the surface is than the straight line, on the edge from a vertex.
@@ -57,7 +50,7 @@ std::vector<dgg::GraphLink> vtkDGGLinkToCloud(
   {
     return { { nearest, 0.0, AtPoint, 0.0 } };
   }
-  const Position p = At(positions, place);
+  const dgg::Point3 p = At(positions, place);
   std::vector<dgg::GraphLink> links;
   links.push_back({ nearest, Distance(p, At(positions, nearest)), NearPoint, 0.0 });
   for (dgg::Offset e = graph.Offsets[nearest]; e < graph.Offsets[nearest + 1]; ++e)

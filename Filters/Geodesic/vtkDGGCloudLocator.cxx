@@ -5,7 +5,6 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace
@@ -16,11 +15,6 @@ constexpr int NeighborCount = 6;
 /// What is looked at again around the distance of the point that was found: rounding of it.
 constexpr double Slack = 1.0 + 1e-12;
 
-bool IsFinite(const double* p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 double Distance(const double* a, const double* b)
 {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -30,35 +24,19 @@ double Distance(const double* a, const double* b)
 //------------------------------------------------------------------------------
 vtkDGGCloudLocator::vtkDGGCloudLocator(const double* positions, dgg::Id numberOfPoints)
   : Positions(positions)
+  , Frame(positions, numberOfPoints)
 {
-  std::array<double, 3> low;
-  std::array<double, 3> high;
-  low.fill(dgg::Infinity);
-  high.fill(-dgg::Infinity);
   for (dgg::Id v = 0; v < numberOfPoints; ++v)
   {
-    const double* p = positions + 3 * static_cast<std::size_t>(v);
-    if (IsFinite(p))
+    if (dgg::IsFinite(dgg::PointAt(positions, v)))
     {
       this->Ids.push_back(v);
-      for (int c = 0; c < 3; ++c)
-      {
-        low[c] = std::min(low[c], p[c]);
-        high[c] = std::max(high[c], p[c]);
-      }
     }
   }
   if (this->Ids.empty())
   {
     return;
   }
-  this->Diagonal = Distance(low.data(), high.data());
-  for (int c = 0; c < 3; ++c)
-  {
-    this->Middle[c] = 0.5 * low[c] + 0.5 * high[c];
-  }
-  this->Scale = this->Diagonal > 0.0 ? std::ldexp(1.0, -std::ilogb(this->Diagonal)) : 1.0;
-
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(this->Ids.size()));
@@ -76,10 +54,10 @@ vtkDGGCloudLocator::vtkDGGCloudLocator(const double* positions, dgg::Id numberOf
 //------------------------------------------------------------------------------
 void vtkDGGCloudLocator::ToLocal(const double position[3], double local[3]) const
 {
-  for (int c = 0; c < 3; ++c)
-  {
-    local[c] = this->Scale * (position[c] - this->Middle[c]);
-  }
+  const dgg::Point3 p = this->Frame.ToLocal({ position[0], position[1], position[2] });
+  local[0] = p.X;
+  local[1] = p.Y;
+  local[2] = p.Z;
 }
 
 //------------------------------------------------------------------------------

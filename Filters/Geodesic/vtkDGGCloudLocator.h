@@ -5,6 +5,7 @@
 #ifndef vtkDGGCloudLocator_h
 #define vtkDGGCloudLocator_h
 
+#include "dggCloudFrame.h"   // for CloudFrame
 #include "dggSurfacePoint.h" // for SurfacePoint
 
 #include "vtkIdList.h"             // for the search's workspace
@@ -32,15 +33,13 @@ public:
   double GetReach(const dgg::SurfacePoint& place);
 
   /// Diagonal of the bounding box of the finite points.
-  double GetDiagonal() const { return this->Diagonal; }
+  double GetDiagonal() const { return this->Frame.GetDiagonal(); }
 
 private:
   void ToLocal(const double position[3], double local[3]) const;
 
   const double* Positions;
-  double Diagonal = 0.0;
-  double Middle[3] = { 0.0, 0.0, 0.0 };
-  double Scale = 1.0;       // power of two
+  dgg::CloudFrame Frame;
   std::vector<dgg::Id> Ids; // of the cloud, per point of Points
   vtkNew<vtkPolyData> Points;
   vtkNew<vtkStaticPointLocator> Locator;

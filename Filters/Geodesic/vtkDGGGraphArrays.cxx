@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 #include <sstream>
 
 namespace
@@ -153,11 +152,11 @@ void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const vtkDGGMeshAdapter
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<float>& radii,
+void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>& radii,
   double voxelSize, const vtkDGGMeshAdapter& mesh)
 {
   this->Clear();
-  dgg::Buffer<float> ownRadii(radii.size());
+  dgg::Buffer<double> ownRadii(radii.size());
   std::copy(radii.begin(), radii.end(), ownRadii.begin());
   this->View = graph.View(); // memory keeps its place
   this->Band = { voxelSize, ownRadii.Data() };
@@ -183,7 +182,7 @@ void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<float
                            : Own<vtkFloatArray>(graph.Lengths, Names[Lengths]),
     Own<vtkFloatArray>(graph.Angles, Names[Angles]),
     Own<vtkFloatArray>(graph.ArrivalAngles, Names[ArrivalAngles]),
-    Own<vtkFloatArray>(ownRadii, Names[Radii]),
+    Own<vtkDoubleArray>(ownRadii, Names[Radii]),
     info.Get(),
   } };
   for (int i = 0; i < NumberOfRoles; ++i)
@@ -368,6 +367,12 @@ dgg::Status vtkDGGGraphArrays::CheckTypes() const
           return mismatch(role, "single floats or doubles");
         }
         break;
+      case Radii:
+        if (type != VTK_DOUBLE)
+        {
+          return mismatch(role, "single doubles");
+        }
+        break;
       default:
         if (type != VTK_FLOAT)
         {
@@ -464,7 +469,7 @@ dgg::Status vtkDGGGraphArrays::ReadSizes(vtkIdType numberOfPoints)
   else
   {
     const std::int64_t* info = this->GetValues<std::int64_t>(Info);
-    this->Band = { CopyBits<double>(info[VoxelSize]), this->GetValues<float>(Radii) };
+    this->Band = { CopyBits<double>(info[VoxelSize]), this->GetValues<double>(Radii) };
   }
   return dgg::Status::Success();
 }
@@ -527,8 +532,8 @@ dgg::Status vtkDGGGraphArrays::CheckBand() const
   }
   for (dgg::Id v = 0; v < this->View.NumberOfVertices; ++v)
   {
-    const float radius = this->Band.Radii[v];
-    if (!(radius >= 0.0f && radius <= std::numeric_limits<float>::max()))
+    const double radius = this->Band.Radii[v];
+    if (!(radius >= 0.0 && radius < dgg::Infinity))
     {
       return Damaged(
         "DGG.Radii gives point " + std::to_string(v) + " the radius " + std::to_string(radius));

@@ -27,7 +27,7 @@ class vtkFieldData;
 struct vtkDGGCloudBand
 {
   double VoxelSize = 0.0;
-  const float* Radii = nullptr; ///< per point
+  const double* Radii = nullptr; ///< per point
 };
 
 /// Puts a graph of the kernel into field data, without a copy, and finds it there again. What the
@@ -41,7 +41,7 @@ public:
   /// Make arrays of the memory of `graph`, which is empty afterwards.
   void Adopt(dgg::GeodesicGraph& graph, const vtkDGGMeshAdapter& mesh);
   /// The same for the graph of a cloud, and of the radii of its band, one per point.
-  void Adopt(dgg::GeodesicGraph& graph, const std::vector<float>& radii, double voxelSize,
+  void Adopt(dgg::GeodesicGraph& graph, const std::vector<double>& radii, double voxelSize,
     const vtkDGGMeshAdapter& cloud);
 
   /// Whether field data, which may be null, say that they have the graph of a cloud.

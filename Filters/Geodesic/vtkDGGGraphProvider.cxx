@@ -27,6 +27,8 @@ constexpr double LinkShare = 0.5;
 constexpr std::size_t FewestPairsForLandmarks = 256;
 /// Share of the rest that goes to landmarks.
 constexpr double LandmarkShare = 0.3;
+/// The same for the band around a cloud.
+constexpr double BandShare = 0.2;
 
 /// Links between two looks at the progress.
 constexpr std::size_t LinkBlock = 64;
@@ -398,7 +400,14 @@ dgg::Status vtkDGGGraphProvider::PrepareShortener(const vtkDGGMeshAdapter& cloud
   const vtkDGGCloudBand& band = this->InputGraph.GetBand();
   auto shortener = std::make_unique<dgg::BandPathShortener>(
     cloud.GetPositions(), this->Search->GetGraph(), band.Radii);
-  const dgg::Status status = shortener->Prepare(band.VoxelSize, vtkDGGMakeParallelFor());
+  const double start = this->Done;
+  const double share = BandShare * (1.0 - start);
+  // It has copied what it needs of the arrays when it looks at the progress.
+  const dgg::Status status = shortener->Prepare(band.VoxelSize,
+    vtkDGGGetMemoryLimit(this->MemoryLimit), vtkDGGMakeParallelFor(), [&](double fraction) {
+      return this->Progress(start + share * fraction) && this->CheckArrays().IsOk();
+    });
+  this->Done = start + share;
   if (status.IsOk())
   {
     this->Shortener = std::move(shortener);
@@ -429,6 +438,7 @@ std::size_t vtkDGGGraphProvider::GetMemorySize() const
 {
   return this->Search ? this->Summary.MemorySize + this->Search->GetMemorySize() +
       this->BuilderSize + this->Store.GetMemorySize() +
-      (this->Finder ? this->Finder->GetMemorySize() + this->PositionsSize : 0)
+      (this->Finder ? this->Finder->GetMemorySize() + this->PositionsSize : 0) +
+      (this->Shortener ? this->Shortener->GetMemorySize() : 0)
                       : 0;
 }

@@ -84,7 +84,7 @@ public:
   double GetLinkAccuracy() const;
 
   /// For smooth paths on a cloud: rebuild the band that its graph was built in, unless it is there
-  /// already. Kept as long as the graph is the same.
+  /// already. Kept as long as the graph is the same. Fails when it would take too much memory.
   dgg::Status PrepareShortener(const vtkDGGMeshAdapter& cloud);
   const dgg::BandPathShortener& GetShortener() const { return *this->Shortener; }
 

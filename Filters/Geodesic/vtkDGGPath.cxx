@@ -245,7 +245,8 @@ void vtkDGGPath::WarnAboutUnconnectedPairs(const std::vector<vtkIdType>& pairs, 
     const bool isOne = pairs.size() == 1;
     vtkWarningMacro(<< pairs.size() << " of " << count << (count == 1 ? " pair" : " pairs")
                     << " of points, " << (isOne ? "" : "the first of them ") << "pair " << pairs[0]
-                    << (isOne ? ", is" : ", are") << " not connected by the surface: "
+                    << (isOne ? ", is" : ", are") << " not connected by the "
+                    << (this->GetMesh().IsCloud() ? "graph of the cloud: " : "surface: ")
                     << (isOne ? "it has" : "they have") << " no polyline, and 1 in the "
                     << "field array PathStatus.");
   }

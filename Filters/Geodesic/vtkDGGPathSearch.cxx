@@ -24,6 +24,8 @@ namespace
 {
 /// Paths at least between two looks at the progress.
 constexpr std::size_t PathBlock = 16;
+/// Length of a smooth path by that in the graph, at most.
+constexpr double LargestDetour = 1.005;
 
 bool NeedsLinks(const vtkDGGPointPair& pair)
 {
@@ -184,18 +186,22 @@ dgg::Status vtkDGGPathSearch::RunOnCloud(
     return intact.IsOk() ? prepared : intact;
   }
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
-  const dgg::Status status =
-    vtkDGGForBlocks(paths.size(), PathBlock, graph.GetRemainingProgress(), [&](std::size_t i) {
-      return Explain(this->FindOnCloud(graph, this->PointPairs[i], smooth, paths[i]),
-        "pair " + std::to_string(i) + ": ", "");
-    });
+  // While several threads search there is no look at the progress: an observer may empty the arrays
+  // of the graph.
+  const dgg::ProgressCallback progress = graph.GetRemainingProgress();
+  const dgg::ProgressCallback within = paths.size() == 1 ? progress : dgg::ProgressCallback();
+  const dgg::Status status = vtkDGGForBlocks(paths.size(), PathBlock, progress, [&](std::size_t i) {
+    return Explain(this->FindOnCloud(graph, this->PointPairs[i], smooth, within, paths[i]),
+      "pair " + std::to_string(i) + ": ", "");
+  });
   const dgg::Status intact = graph.CheckArrays();
   return intact.IsOk() ? status : intact;
 }
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGPathSearch::FindOnCloud(const vtkDGGGraphProvider& graph,
-  const vtkDGGPointPair& pair, bool smooth, dgg::FoundPath& found) const
+  const vtkDGGPointPair& pair, bool smooth, const dgg::ProgressCallback& progress,
+  dgg::FoundPath& found) const
 {
   if (dgg::IsSamePoint(pair.From, pair.To))
   {
@@ -231,21 +237,28 @@ dgg::Status vtkDGGPathSearch::FindOnCloud(const vtkDGGGraphProvider& graph,
   {
     path.Vertices.clear(); // the straight way
   }
+  found.Path.Points = MakePlaces(pair, path.Vertices);
+  found.Path.Length = MeasurePolyline(found.Path, this->Mesh);
+  found.IsStraightened = smooth;
   if (smooth && !path.Vertices.empty())
   {
     const dgg::Point3 start = GetPosition(pair.From, this->Mesh);
     const dgg::Point3 end = GetPosition(pair.To, this->Mesh);
     dgg::BandPath band;
-    status = graph.GetShortener().Shorten(path.Vertices,
-      dgg::IsVertex(pair.From) ? nullptr : &start, dgg::IsVertex(pair.To) ? nullptr : &end, band);
-    found.Path.Points = MakePlaces(band, pair.From.Vertex, this->Mesh);
+    status =
+      graph.GetShortener().Shorten(path.Vertices, dgg::IsVertex(pair.From) ? nullptr : &start,
+        dgg::IsVertex(pair.To) ? nullptr : &end, band, progress);
+    // A smooth path follows the surface, so that it is longer than straight lines from point to
+    // point; but one that is longer than the way in the graph as well has gone astray.
+    const bool isUseful =
+      band.Length <= LargestDetour * found.GraphLength || band.Length <= found.Path.Length;
+    if (status.IsOk() && isUseful)
+    {
+      found.Path.Points = MakePlaces(band, pair.From.Vertex, this->Mesh);
+      found.Path.Length = MeasurePolyline(found.Path, this->Mesh);
+    }
+    found.IsStraightened = isUseful;
   }
-  else
-  {
-    found.Path.Points = MakePlaces(pair, path.Vertices);
-  }
-  found.IsStraightened = smooth;
-  found.Path.Length = MeasurePolyline(found.Path, this->Mesh);
   return status;
 }
 

@@ -37,15 +37,15 @@ public:
   dgg::Status RunInGraph(vtkDGGGraphProvider& graph, const double* positions,
     dgg::PathOptions options, Paths& paths) const;
   /// The same in the graph of a cloud, without faces: from point to point of the cloud, or with
-  /// `smooth` not. The length is that of the polyline, which is shorter than that in the graph
-  /// where the surface is curved.
+  /// `smooth` not, unless that is longer than the way in the graph. The length is that of the
+  /// polyline, which is shorter than that in the graph where the surface is curved.
   dgg::Status RunOnCloud(vtkDGGGraphProvider& graph, bool smooth, Paths& paths) const;
   /// Exact ones. Their lengths in the graph are NaN.
   dgg::Status RunExact(const dgg::ProgressCallback& progress, Paths& paths) const;
 
 private:
   dgg::Status FindOnCloud(const vtkDGGGraphProvider& graph, const vtkDGGPointPair& pair,
-    bool smooth, dgg::FoundPath& found) const;
+    bool smooth, const dgg::ProgressCallback& progress, dgg::FoundPath& found) const;
 
   const vtkDGGMeshAdapter& Mesh;
   const Pairs& PointPairs;

@@ -4,14 +4,14 @@
 
 #include "vtkDGGParallel.h"
 
+#include "dggCloudFrame.h"
+
 #include <pcl/features/normal_3d.h>
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace
 {
@@ -22,52 +22,24 @@ constexpr int FewestPoints = 3;
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-bool IsFinite(const double* p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
-/// The finite points as floats: from the middle of their box, and scaled to it, as floats have few
-/// digits and a small range.
+/// The finite points as floats: in the frame of the cloud, as floats have few digits and a small
+/// range.
 Cloud::Ptr MakeCloud(const double* positions, dgg::Id numberOfPoints, std::vector<dgg::Id>& ids)
 {
-  std::array<double, 3> low;
-  std::array<double, 3> high;
-  low.fill(dgg::Infinity);
-  high.fill(-dgg::Infinity);
+  const dgg::CloudFrame frame(positions, numberOfPoints);
+  Cloud::Ptr cloud(new Cloud);
+  cloud->reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
+  ids.reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
   for (dgg::Id v = 0; v < numberOfPoints; ++v)
   {
-    const double* p = positions + 3 * static_cast<std::size_t>(v);
-    if (IsFinite(p))
+    const dgg::Point3 point = dgg::PointAt(positions, v);
+    if (dgg::IsFinite(point))
     {
+      const dgg::Point3 p = frame.ToLocal(point);
       ids.push_back(v);
-      for (int c = 0; c < 3; ++c)
-      {
-        low[c] = std::min(low[c], p[c]);
-        high[c] = std::max(high[c], p[c]);
-      }
+      cloud->push_back(
+        pcl::PointXYZ(static_cast<float>(p.X), static_cast<float>(p.Y), static_cast<float>(p.Z)));
     }
-  }
-  // Halves first: the box of large numbers may have an extent beyond the range of double.
-  double halfExtent = 0.0;
-  std::array<double, 3> middle;
-  for (int c = 0; c < 3; ++c)
-  {
-    middle[c] = 0.5 * low[c] + 0.5 * high[c];
-    halfExtent = std::max(halfExtent, 0.5 * high[c] - 0.5 * low[c]);
-  }
-  const int exponent = halfExtent > 0.0 ? -std::ilogb(halfExtent) : 0;
-  Cloud::Ptr cloud(new Cloud);
-  cloud->reserve(ids.size());
-  for (const dgg::Id v : ids)
-  {
-    const double* p = positions + 3 * static_cast<std::size_t>(v);
-    std::array<float, 3> local;
-    for (int c = 0; c < 3; ++c)
-    {
-      local[c] = static_cast<float>(std::ldexp(p[c] - middle[c], exponent));
-    }
-    cloud->push_back(pcl::PointXYZ(local[0], local[1], local[2]));
   }
   return cloud;
 }

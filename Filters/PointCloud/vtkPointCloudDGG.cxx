@@ -226,6 +226,8 @@ dgg::Status vtkPointCloudDGG::Estimate()
   {
     const vtkDGGMeshAdapter& mesh = this->GetMesh();
     options = this->MakeOptions(cloud, normals);
+    options.Progress = [this, done](
+                         double fraction) { return this->Advance(done + (1.0 - done) * fraction); };
     status = dgg::CloudGraphBuilder(mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices())
                .Estimate(options, this->Internals->Estimate);
   }
@@ -536,6 +538,7 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
   vtkNew<vtkPolyData> copy;
   copy->ShallowCopy(cloud);
   const bool addsNormals = this->EstimateNormals && !this->GetInputNormals(copy);
+  const bool lacksNormals = this->OrientedNormals && !this->GetInputNormals(copy);
   const std::string name = this->ComponentArrayName;
   const vtkMTimeType built = this->GetGraphBuildTime();
   dgg::CloudGraphOptions options = this->MakeOptions(copy, nullptr);
@@ -569,13 +572,31 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
     std::copy(normals->begin(), normals->end(), array->GetPointer(0));
     output->GetPointData()->SetNormals(array);
   }
-  const dgg::Id unused = internals.Current.Statistics.UnusedPoints;
-  if (unused > 0 && built != this->GetGraphBuildTime())
+  if (built != this->GetGraphBuildTime())
   {
-    vtkWarningMacro(<< "the cloud has " << unused << " points that are not finite. They are kept, "
-                    << "and connected to nothing.");
+    this->WarnAboutPoints(lacksNormals);
   }
   return status;
+}
+
+//------------------------------------------------------------------------------
+/// Of a graph that has just been built.
+void vtkPointCloudDGG::WarnAboutPoints(bool lacksNormals)
+{
+  const dgg::Id unused = this->Internals->Current.Statistics.UnusedPoints;
+  if (unused > 0)
+  {
+    const bool isOne = unused == 1;
+    vtkWarningMacro(<< "the cloud has " << unused << (isOne ? " point that is" : " points that are")
+                    << " not finite. " << (isOne ? "It is" : "They are")
+                    << " kept, and connected to nothing.");
+  }
+  if (lacksNormals)
+  {
+    vtkWarningMacro("OrientedNormals is on, but the input has no point normals that are used: it "
+                    "has no effect, and sheets back to back may be connected. Give the input "
+                    "normals, or turn UseInputNormals on or OrientedNormals off.");
+  }
 }
 
 //------------------------------------------------------------------------------

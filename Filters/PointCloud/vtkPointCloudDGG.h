@@ -45,7 +45,7 @@
  * | `DGG.Offsets` | int64, n + 1 | edges that leave point i: [Offsets[i], Offsets[i + 1]) |
  * | `DGG.Targets` | int32, m | point at the end of each edge, sorted within each row |
  * | `DGG.Lengths` | float32, m | length; float64 when Accuracy is below 1e-5 and above 0, and for extreme extents |
- * | `DGG.Radii` | float32, n | radius of the ball around each point, 0 where it is not finite |
+ * | `DGG.Radii` | float64, n | radius of the ball around each point, 0 where it is not finite |
  * | `DGG.Info` | int64, 12 | see below |
  *
  * `DGG.Info` is as in vtkDiscreteGeodesicGraph: the version of the format (1); the kind (1: cloud);
@@ -148,8 +148,8 @@ public:
 
   ///@{
   /**
-   * Number of voxels along the longest side of the bounding box. Default 0, automatic: it follows
-   * from the spacing.
+   * Number of voxels along the longest side of the bounding box of the points, without those
+   * around it that balls reach into. Default 0, automatic: it follows from the spacing.
    */
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int);
@@ -197,7 +197,9 @@ public:
   /**
    * Whether the normals of the input all point to the same side of the surface, as those of a
    * scanner do. Then sheets that lie back to back, as the two sides of a thin plate, are not
-   * connected. Default off.
+   * connected: no two points are whose normals make an angle of more than 100 degrees. Points
+   * without a normal, where it is 0 or not finite, are connected as if this were off. Without
+   * normals of the input that are used there is a warning, and no effect. Default off.
    */
   vtkSetMacro(OrientedNormals, bool);
   vtkGetMacro(OrientedNormals, bool);
@@ -349,6 +351,7 @@ private:
   dgg::Status FindNormals(vtkPolyData* cloud, Normals& normals, double& done);
   dgg::Status Build(dgg::CloudGraphOptions options, double done);
   dgg::Status Estimate();
+  void WarnAboutPoints(bool lacksNormals);
 
   int Scheme;
   double OffsetInVoxels;

@@ -18,11 +18,11 @@ using dgg::VoxelBand;
 struct Cloud
 {
   std::vector<Point3> Points;
-  std::vector<float> Radii;
+  std::vector<double> Radii;
 };
 
 /// A square of n x n points with sides of length 1, in a slanted plane, at a height.
-void AddSquare(Cloud& cloud, int n, double height, float radius)
+void AddSquare(Cloud& cloud, int n, double height, double radius)
 {
   for (int i = 0; i < n; ++i)
   {
@@ -63,7 +63,7 @@ double MeanError(const Cloud& cloud, double voxelSize)
 TEST(BandMarching, PlaneConvergesToFirstOrder)
 {
   Cloud cloud;
-  AddSquare(cloud, 60, 0.0, 0.03f);
+  AddSquare(cloud, 60, 0.0, 0.03);
   const double coarse = MeanError(cloud, 0.02);
   const double fine = MeanError(cloud, 0.01);
   EXPECT_LT(coarse, 0.08);
@@ -73,8 +73,8 @@ TEST(BandMarching, PlaneConvergesToFirstOrder)
 TEST(BandMarching, SheetsThatDoNotTouchStayApart)
 {
   Cloud cloud;
-  AddSquare(cloud, 40, 0.0, 0.04f);
-  AddSquare(cloud, 40, 0.12, 0.04f);
+  AddSquare(cloud, 40, 0.0, 0.04);
+  AddSquare(cloud, 40, 0.12, 0.04);
   VoxelBand band;
   ASSERT_TRUE(band.Build(cloud.Points, cloud.Radii, 0.01, 0, {}).IsOk());
   const BandMarching marching(band);
@@ -89,7 +89,7 @@ TEST(BandMarching, SheetsThatDoNotTouchStayApart)
 TEST(BandMarching, OffsetsAndTheNearestSource)
 {
   Cloud cloud;
-  AddSquare(cloud, 40, 0.0, 0.05f);
+  AddSquare(cloud, 40, 0.0, 0.05);
   VoxelBand band;
   ASSERT_TRUE(band.Build(cloud.Points, cloud.Radii, 0.02, 0, {}).IsOk());
   const BandMarching marching(band);
@@ -111,7 +111,7 @@ TEST(BandMarching, OffsetsAndTheNearestSource)
 TEST(BandMarching, RefusesBadSources)
 {
   Cloud cloud;
-  AddSquare(cloud, 10, 0.0, 0.1f);
+  AddSquare(cloud, 10, 0.0, 0.1);
   VoxelBand band;
   ASSERT_TRUE(band.Build(cloud.Points, cloud.Radii, 0.05, 0, {}).IsOk());
   const BandMarching marching(band);

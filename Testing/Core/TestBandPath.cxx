@@ -21,7 +21,7 @@ using dgg::Point3;
 /// A cloud with the graph of all pairs that are closer than a reach.
 struct NearGraph
 {
-  NearGraph(std::vector<double> points, double reach, float radius)
+  NearGraph(std::vector<double> points, double reach, double radius)
     : Points(std::move(points))
     , Radii(this->Points.size() / 3, radius)
   {
@@ -93,7 +93,7 @@ struct NearGraph
   }
 
   std::vector<double> Points;
-  std::vector<float> Radii;
+  std::vector<double> Radii;
   std::vector<Offset> Offsets;
   std::vector<Id> Targets;
   std::vector<float> Lengths;
@@ -121,10 +121,10 @@ constexpr double Spacing = 0.0793; // of 2000 points on a sphere
 
 TEST(BandPath, GreatCircles)
 {
-  const NearGraph cloud(SpherePoints(2000), 3.0 * Spacing, static_cast<float>(1.5 * Spacing));
+  const NearGraph cloud(SpherePoints(2000), 3.0 * Spacing, 1.5 * Spacing);
   const dgg::GraphView view = cloud.View();
   BandPathShortener shortener(cloud.Points.data(), view, cloud.Radii.data());
-  ASSERT_TRUE(shortener.Prepare(0.4 * Spacing, {}).IsOk());
+  ASSERT_TRUE(shortener.Prepare(0.4 * Spacing, 0, {}).IsOk());
   int found = 0;
   for (Id to = 1; to < 40; ++to)
   {
@@ -175,7 +175,7 @@ TEST(BandPath, StaysOnItsSideOfAHole)
     }
   }
   const double s = std::sqrt((4.0 - 0.25 * dgg::Pi) / 3000.0);
-  const NearGraph cloud(points, 3.0 * s, static_cast<float>(1.5 * s));
+  const NearGraph cloud(points, 3.0 * s, 1.5 * s);
   const dgg::GraphView view = cloud.View();
   // Along the upper half.
   std::vector<Id> vertices{ 0 };
@@ -192,7 +192,7 @@ TEST(BandPath, StaysOnItsSideOfAHole)
   }
   vertices.push_back(1);
   BandPathShortener shortener(cloud.Points.data(), view, cloud.Radii.data());
-  ASSERT_TRUE(shortener.Prepare(0.4 * s, {}).IsOk());
+  ASSERT_TRUE(shortener.Prepare(0.4 * s, 0, {}).IsOk());
   BandPath path;
   ASSERT_TRUE(shortener.Shorten(vertices, nullptr, nullptr, path).IsOk());
   EXPECT_LT(path.Length, cloud.LengthOf(vertices));
@@ -210,10 +210,10 @@ TEST(BandPath, StaysOnItsSideOfAHole)
 
 TEST(BandPath, EndsOffTheCloudAndTrivialPaths)
 {
-  const NearGraph cloud(SpherePoints(500), 0.5, 0.24f);
+  const NearGraph cloud(SpherePoints(500), 0.5, 0.24);
   const dgg::GraphView view = cloud.View();
   BandPathShortener shortener(cloud.Points.data(), view, cloud.Radii.data());
-  ASSERT_TRUE(shortener.Prepare(0.06, {}).IsOk());
+  ASSERT_TRUE(shortener.Prepare(0.06, 0, {}).IsOk());
   BandPath path;
   ASSERT_TRUE(shortener.Shorten({}, nullptr, nullptr, path).IsOk());
   EXPECT_TRUE(path.Points.empty());
@@ -232,6 +232,6 @@ TEST(BandPath, EndsOffTheCloudAndTrivialPaths)
   EXPECT_EQ(path.Vertices.back(), dgg::NoId);
   EXPECT_FALSE(shortener.Shorten({ 7, 500 }, nullptr, nullptr, path).IsOk());
   EXPECT_FALSE(shortener.Shorten({ -1 }, nullptr, nullptr, path).IsOk());
-  EXPECT_FALSE(shortener.Prepare(0.0, {}).IsOk());
-  EXPECT_FALSE(shortener.Prepare(std::numeric_limits<double>::quiet_NaN(), {}).IsOk());
+  EXPECT_FALSE(shortener.Prepare(0.0, 0, {}).IsOk());
+  EXPECT_FALSE(shortener.Prepare(std::numeric_limits<double>::quiet_NaN(), 0, {}).IsOk());
 }

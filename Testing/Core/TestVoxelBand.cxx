@@ -19,14 +19,14 @@ using dgg::VoxelBand;
 struct Balls
 {
   std::vector<Point3> Centres;
-  std::vector<float> Radii;
+  std::vector<double> Radii;
 };
 
-Balls RandomBalls(int count, double extent, float least, float most)
+Balls RandomBalls(int count, double extent, double least, double most)
 {
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> place(-extent, extent);
-  std::uniform_real_distribution<float> radius(least, most);
+  std::uniform_real_distribution<double> radius(least, most);
   Balls balls;
   for (int i = 0; i < count; ++i)
   {
@@ -51,7 +51,7 @@ bool IsInBall(const Balls& balls, const Point3& place, double margin)
 
 TEST(VoxelBand, MarksVoxelsWithCentresInBalls)
 {
-  const Balls balls = RandomBalls(40, 3.0, 0.1f, 0.9f);
+  const Balls balls = RandomBalls(40, 3.0, 0.1, 0.9);
   VoxelBand band;
   ASSERT_TRUE(band.Build(balls.Centres, balls.Radii, 0.1, 0, {}).IsOk());
   std::size_t marked = 0;
@@ -84,15 +84,15 @@ TEST(VoxelBand, MarksVoxelsWithCentresInBalls)
 TEST(VoxelBand, SmallBallsMarkTheirVoxelAndItsNeighbours)
 {
   VoxelBand band;
-  ASSERT_TRUE(band.Build({ { 0.5, 0.5, 0.5 } }, { 0.01f }, 1.0, 0, {}).IsOk());
+  ASSERT_TRUE(band.Build({ { 0.5, 0.5, 0.5 } }, { 0.01 }, 1.0, 0, {}).IsOk());
   EXPECT_EQ(band.GetNumberOfVoxels(), 7U);
-  ASSERT_TRUE(band.Build({ { 0.5, 0.5, 0.5 } }, { 0.0f }, 1.0, 0, {}).IsOk());
+  ASSERT_TRUE(band.Build({ { 0.5, 0.5, 0.5 } }, { 0.0 }, 1.0, 0, {}).IsOk());
   EXPECT_EQ(band.GetNumberOfVoxels(), 7U);
 }
 
 TEST(VoxelBand, SameForAnyThreads)
 {
-  const Balls balls = RandomBalls(2000, 1.0, 0.02f, 0.1f);
+  const Balls balls = RandomBalls(2000, 1.0, 0.02, 0.1);
   VoxelBand one;
   VoxelBand many;
   ASSERT_TRUE(one.Build(balls.Centres, balls.Radii, 0.02, 0, {}).IsOk());
@@ -116,13 +116,13 @@ TEST(VoxelBand, SegmentsStayInside)
 {
   // Two groups of balls, 3 radii apart.
   std::vector<Point3> centres;
-  std::vector<float> radii;
+  std::vector<double> radii;
   for (int i = 0; i <= 20; ++i)
   {
     centres.push_back({ 0.1 * i, 0.0, 0.0 });
     centres.push_back({ 0.1 * i, 0.0, 0.9 });
   }
-  radii.assign(centres.size(), 0.3f);
+  radii.assign(centres.size(), 0.3);
   VoxelBand band;
   ASSERT_TRUE(band.Build(centres, radii, 0.05, 0, {}).IsOk());
   const auto has = [&](const Point3& a, const Point3& b) {
@@ -139,8 +139,8 @@ TEST(VoxelBand, SegmentsStayInside)
 TEST(VoxelBand, RefusesTooMuch)
 {
   VoxelBand band;
-  EXPECT_FALSE(band.Build({ { 0, 0, 0 }, { 1, 0, 0 } }, { 0.1f, 0.1f }, 1e-8, 0, {}).IsOk());
-  const Balls balls = RandomBalls(1000, 1.0, 0.1f, 0.2f);
+  EXPECT_FALSE(band.Build({ { 0, 0, 0 }, { 1, 0, 0 } }, { 0.1, 0.1 }, 1e-8, 0, {}).IsOk());
+  const Balls balls = RandomBalls(1000, 1.0, 0.1, 0.2);
   const dgg::Status status = band.Build(balls.Centres, balls.Radii, 0.01, 10000, {});
   EXPECT_FALSE(status.IsOk());
   EXPECT_NE(status.GetMessage().find("10000 bytes"), std::string::npos) << status.GetMessage();
@@ -148,9 +148,49 @@ TEST(VoxelBand, RefusesTooMuch)
   EXPECT_FALSE(band.Contains({ { 0, 0, 0 } }));
 }
 
+TEST(VoxelBand, RefusesTooMuchBeforeItIsTaken)
+{
+  // A single ball of 1e8 bricks.
+  VoxelBand band;
+  const dgg::Status status = band.Build({ { 0, 0, 0 } }, { 1.0 }, 1.0 / 2300.0, 100000, {});
+  EXPECT_FALSE(status.IsOk());
+  EXPECT_EQ(band.GetNumberOfBricks(), 0U);
+  EXPECT_EQ(band.GetMemorySize(), 0U);
+  EXPECT_EQ(band.GetResolution(), 0);
+}
+
+TEST(VoxelBand, TellsOfProgressAndStops)
+{
+  const Balls balls = RandomBalls(30, 1.0, 0.8, 1.0);
+  std::vector<double> told;
+  VoxelBand band;
+  ASSERT_TRUE(band
+                .Build(balls.Centres, balls.Radii, 0.003, 0, {},
+                  [&](double done) {
+                    told.push_back(done);
+                    return true;
+                  })
+                .IsOk());
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GE(told.front(), 0.0);
+  EXPECT_LE(told.back(), 1.0);
+  EXPECT_GT(std::count_if(told.begin(), told.end(), [](double d) { return d < 0.5; }), 1);
+  EXPECT_GT(std::count_if(told.begin(), told.end(), [](double d) { return d >= 0.5; }), 1);
+  for (const std::size_t calls : { std::size_t{ 1 }, told.size() / 2, told.size() })
+  {
+    std::size_t called = 0;
+    const dgg::Status status = band.Build(
+      balls.Centres, balls.Radii, 0.003, 0, {}, [&](double) { return ++called < calls; });
+    EXPECT_TRUE(status.IsAborted());
+    EXPECT_EQ(called, calls);
+    EXPECT_EQ(band.GetNumberOfBricks(), 0U);
+    EXPECT_FALSE(band.Contains({ { 100, 100, 100 } }));
+  }
+}
+
 TEST(VoxelBand, MemoryIsAsPredicted)
 {
-  const Balls balls = RandomBalls(3000, 1.0, 0.02f, 0.05f);
+  const Balls balls = RandomBalls(3000, 1.0, 0.02, 0.05);
   VoxelBand band;
   ASSERT_TRUE(band.Build(balls.Centres, balls.Radii, 0.01, 0, {}).IsOk());
   EXPECT_LE(static_cast<double>(band.GetMemorySize()),

@@ -424,6 +424,37 @@ TEST_F(CloudConsumers, SmoothPaths)
   EXPECT_LT(turns[1], 0.5 * turns[0]);
 }
 
+TEST_F(CloudConsumers, SmoothPathsAreBoundedAndStop)
+{
+  this->Use(MakeSpherePoints(3000));
+  vtkNew<vtkDGGPath> path;
+  this->Connect(path);
+  path->AddPair(10, 1700);
+  path->SetMemoryLimit(100000);
+  ExpectError(path, { "limit" });
+  path->StraightenOff(); // takes no band
+  ExpectSuccess(path);
+  path->StraightenOn();
+  path->SetMemoryLimit(0);
+  this->Graph->Update();
+  for (const double stop : { 0.1, 0.25 }) // while the band is made, and the path is moved
+  {
+    vtkNew<vtkDGGPath> stopped; // outlived by its observer
+    stopped->SetInputData(this->Graph->GetOutput());
+    stopped->AddPair(10, 1700);
+    ProgressWatch watch(stopped);
+    watch.StopAt = stop;
+    stopped->Update();
+    EXPECT_EQ(stopped->GetErrorCode(), 0u);
+    EXPECT_EQ(stopped->GetOutput()->GetNumberOfLines(), 0);
+    EXPECT_LT(watch.Progress.back(), stop + 0.1);
+    watch.StopAt = 2.0;
+    ExpectSuccess(stopped);
+    EXPECT_EQ(stopped->GetOutput()->GetNumberOfLines(), 1);
+  }
+  ExpectSuccess(path);
+}
+
 TEST_F(CloudConsumers, PathsThatDoNotExist)
 {
   const Points part = MakeFlatPoints(12, 0.2);
@@ -432,7 +463,7 @@ TEST_F(CloudConsumers, PathsThatDoNotExist)
   this->Connect(path);
   path->AddPair(0, 200);
   path->AddPair(0, 100);
-  ExpectWarning(path, { "not connected" });
+  ExpectWarning(path, { "not connected by the graph of the cloud" });
   EXPECT_EQ(path->GetOutput()->GetNumberOfLines(), 1);
   path->SetMethodToExact();
   ExpectError(path, { "no exact path on a point cloud", "SetMethodToGraph" });

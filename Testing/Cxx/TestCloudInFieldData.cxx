@@ -172,13 +172,13 @@ TEST_F(CloudInFieldData, DamagedArrays)
   this->ExpectRefused([](vtkPolyData* c) { Get(c, "DGG.Info")->SetTuple1(8, 1); }, { "checksum" });
   this->ExpectRefused(
     [](vtkPolyData* c) {
-      vtkNew<vtkDoubleArray> wrong;
+      vtkNew<vtkFloatArray> wrong;
       wrong->SetName("DGG.Radii");
       wrong->SetNumberOfTuples(256);
       wrong->Fill(0.1);
       c->GetFieldData()->AddArray(wrong);
     },
-    { "DGG.Radii is of type double" });
+    { "DGG.Radii is of type float" });
   this->ExpectRefused([](vtkPolyData* c) { Get(c, "DGG.Radii")->SetNumberOfTuples(255); },
     { "DGG.Radii has 255 values" });
 }

@@ -100,8 +100,7 @@ TEST_F(PointCloudDGG, TellsWhatItUsed)
   this->Filter->SetAlpha(3.5);
   ExpectSuccess(this->Filter);
   EXPECT_NEAR(this->Filter->GetUsedOffsetInVoxels(), 2.5, 1e-6);
-  EXPECT_LE(this->Filter->GetUsedResolution(), 100);
-  EXPECT_GE(this->Filter->GetUsedResolution(), 88); // without what lies around the cloud
+  EXPECT_EQ(this->Filter->GetUsedResolution(), 100);
   EXPECT_EQ(this->Filter->GetUsedAlpha(), 3.5);
   EXPECT_NEAR(this->Filter->GetReach(), 6.0 * this->Filter->GetVoxelSize(), 1e-6);
 }
@@ -436,6 +435,19 @@ TEST_F(PointCloudDGG, OrientedNormalsTellSheetsApart)
   EXPECT_EQ(this->Filter->GetNumberOfComponents(), 2);
 }
 
+TEST_F(PointCloudDGG, OrientedNormalsThatAreNotThere)
+{
+  this->Use(MakeFlatPoints(15, 0.2));
+  this->Filter->OrientedNormalsOn();
+  ExpectWarning(this->Filter, { "OrientedNormals", "no effect" });
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 1);
+  // What is estimated points to either side.
+  this->Filter->EstimateNormalsOn();
+  ExpectWarning(this->Filter, { "OrientedNormals", "no effect" });
+  this->Filter->OrientedNormalsOff();
+  ExpectSuccess(this->Filter);
+}
+
 TEST_F(PointCloudDGG, ThreadsDoNotMatter)
 {
   this->Use(MakeSpherePoints(700));
@@ -472,6 +484,58 @@ TEST_F(PointCloudDGG, EstimatesMemory)
   EXPECT_EQ(this->Filter->GetNumberOfComponents(), 0);
   this->Filter->SetMemoryLimit(0);
   ExpectSuccess(this->Filter);
+}
+
+TEST_F(PointCloudDGG, EstimatesTellOfProgressAndStop)
+{
+  const auto cloud = MakeCloud(MakeSpherePoints(20000));
+  for (const double stop : { 2.0, 0.2, 0.9 })
+  {
+    vtkNew<vtkPointCloudDGG> filter; // outlived by its observer
+    filter->SetInputData(cloud);
+    ProgressWatch watch(filter);
+    watch.StopAt = stop;
+    const vtkTypeUInt64 estimate = filter->EstimateMemory();
+    EXPECT_EQ(filter->GetErrorCode(), 0u);
+    if (stop > 1.0)
+    {
+      watch.ExpectGrowth(10);
+      EXPECT_GT(estimate, 0u);
+    }
+    else
+    {
+      EXPECT_EQ(estimate, 0u);
+      EXPECT_LT(watch.Progress.back(), stop + 0.1);
+    }
+  }
+}
+
+TEST_F(PointCloudDGG, ExtremeExtents)
+{
+  // Radii are within the range of double, not of float.
+  for (const double scale : { 1e-60, 1e60 })
+  {
+    Points points = MakeSpherePoints(500);
+    for (auto& p : points)
+    {
+      for (double& x : p)
+      {
+        x *= scale;
+      }
+    }
+    this->Use(points);
+    vtkNew<vtkDGGPath> path;
+    path->SetInputConnection(this->Filter->GetOutputPort());
+    path->AddPair(0, 400);
+    ExpectSuccess(path);
+    ASSERT_EQ(path->GetOutput()->GetNumberOfLines(), 1);
+    const double length = path->GetOutput()->GetCellData()->GetArray("Length")->GetTuple1(0);
+    const double exact = SphereDistance(points[0], points[400]);
+    EXPECT_NEAR(length / scale, std::atan2(std::sin(exact), std::cos(exact)), 0.02) << scale;
+    vtkDataArray* radii = this->Filter->GetOutput()->GetFieldData()->GetArray("DGG.Radii");
+    EXPECT_GT(radii->GetTuple1(0) / scale, 0.1);
+    EXPECT_LT(radii->GetTuple1(0) / scale, 0.5);
+  }
 }
 
 TEST_F(PointCloudDGG, ProgressAndAbort)

@@ -130,13 +130,14 @@ TEST(CloudGraph, OptionsAreUsedAsGiven)
       options.Alpha = 12.0;
     },
     &statistics);
-  // Two units, less the padding of 5 voxels on each side.
-  const double voxel = 2.0 / 90.0;
+  // Of two units.
+  const double voxel = 2.0 / 100.0;
   EXPECT_NEAR(statistics.VoxelSize, voxel, 0.01 * voxel);
+  EXPECT_EQ(statistics.Resolution, 100);
   EXPECT_NEAR(statistics.OffsetInVoxels, 3.0, 1e-6);
   EXPECT_NEAR(statistics.Reach, 15.0 * statistics.VoxelSize, 1e-6);
   EXPECT_EQ(statistics.Alpha, 12.0);
-  for (const float radius : graph.Radii)
+  for (const double radius : graph.Radii)
   {
     EXPECT_NEAR(radius, 3.0 * statistics.VoxelSize, 1e-6);
   }
@@ -200,6 +201,88 @@ TEST(CloudGraph, PredictsWhatItTakes)
   options.MemoryLimit = static_cast<std::size_t>(1.5 * estimate.Peak);
   status = builder.Build(options, refused);
   EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+}
+
+TEST(CloudGraph, AllPointsWithinReachAreNeighbours)
+{
+  // A spot of the square has 200 times as many points as the rest per area: points there have far
+  // more neighbours than others.
+  Cloud cloud = Square(2000, 9);
+  const Cloud spot = Square(1000, 10);
+  for (Id i = 0; i < spot.GetSize(); ++i)
+  {
+    cloud.Add(Point3{ 0.5, 0.5, 0.0 } + 0.05 * spot.At(i));
+  }
+  CloudGraphStatistics statistics;
+  const CloudGraph graph = BuildGraph(
+    cloud,
+    [](CloudGraphOptions& options) {
+      options.Scheme = CloudScheme::Constant;
+      options.ArcLengthWeights = false;
+      options.Accuracy = 0.0;
+      options.Resolution = 100;
+      options.OffsetInVoxels = 4.0;
+      options.Alpha = 6.0;
+    },
+    &statistics);
+  const double reach = 10.0 * statistics.VoxelSize;
+  std::size_t pairs = 0;
+  for (Id p = 0; p < cloud.GetSize(); ++p)
+  {
+    for (Id q = 0; q < cloud.GetSize(); ++q)
+    {
+      pairs += p != q && dgg::Norm(cloud.At(p) - cloud.At(q)) <= reach ? 1 : 0;
+    }
+  }
+  // All but some that would leave the band at the border.
+  EXPECT_GT(static_cast<double>(graph.Graph.Targets.Size()), 0.99 * static_cast<double>(pairs));
+}
+
+TEST(CloudGraph, PredictsCoincidentPoints)
+{
+  Cloud cloud;
+  const Cloud few = Sphere(300, 11);
+  for (Id i = 0; i < 100 * few.GetSize(); ++i)
+  {
+    cloud.Add(few.At(i % few.GetSize()));
+  }
+  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+  CloudGraphEstimate estimate;
+  ASSERT_TRUE(builder.Estimate(CloudGraphOptions(), estimate).IsOk());
+  const CloudGraph graph = BuildGraph(cloud);
+  const auto edges = static_cast<double>(graph.Graph.Targets.Size());
+  EXPECT_NEAR(estimate.Edges, edges, 0.2 * edges);
+  // Each point is copied and sorted before it is known which are in the same place.
+  EXPECT_GT(estimate.Peak, 64.0 * cloud.GetSize());
+  CloudGraphOptions options;
+  options.MemoryLimit = 40 * static_cast<std::size_t>(cloud.GetSize());
+  CloudGraph refused;
+  EXPECT_FALSE(builder.Build(options, refused).IsOk());
+}
+
+TEST(CloudGraph, PredictionsTellOfProgressAndStop)
+{
+  const Cloud cloud = Sphere(20000, 12);
+  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+  CloudGraphOptions options;
+  std::vector<double> told;
+  options.Progress = [&](double done) {
+    told.push_back(done);
+    return true;
+  };
+  CloudGraphEstimate estimate;
+  ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
+  EXPECT_GT(told.size(), 20U);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GT(told.back(), 0.9);
+  EXPECT_LE(told.back(), 1.0);
+  for (std::size_t calls = 1; calls < told.size(); calls += 3)
+  {
+    std::size_t called = 0;
+    options.Progress = [&](double) { return ++called < calls; };
+    EXPECT_TRUE(builder.Estimate(options, estimate).IsAborted());
+    EXPECT_EQ(called, calls);
+  }
 }
 
 TEST(CloudGraph, TellsOfProgressAndStops)

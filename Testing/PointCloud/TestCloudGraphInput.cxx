@@ -66,7 +66,7 @@ TEST(CloudGraphInput, PointsThatAreNotFiniteAreLeftOut)
   for (const Id v : { 3, 504, 1005 })
   {
     EXPECT_EQ(graph.Components[v], NoId);
-    EXPECT_EQ(graph.Radii[v], 0.0f);
+    EXPECT_EQ(graph.Radii[v], 0.0);
     EXPECT_EQ(graph.Graph.Offsets[v], graph.Graph.Offsets[v + 1]);
   }
   // The others are connected as if there were nothing else.
@@ -167,7 +167,8 @@ TEST(CloudGraphInput, ScaleAndPlaceDoNotMatter)
 {
   const Cloud cloud = Sphere(1200, 5);
   const std::vector<double> truth = DistancesFrom(BuildGraph(cloud).Graph.View(), 0);
-  for (const double scale : { 1e-30, 1e-6, 1e6, 1e30 })
+  const CloudGraph unscaled = BuildGraph(cloud);
+  for (const double scale : { 1e-70, 1e-40, 1e-30, 1e-6, 1e6, 1e30, 1e40, 1e70 })
   {
     Cloud scaled;
     for (Id i = 0; i < cloud.GetSize(); ++i)
@@ -182,6 +183,10 @@ TEST(CloudGraphInput, ScaleAndPlaceDoNotMatter)
       EXPECT_NEAR(found[i] / scale, truth[i], 5e-3 * truth[i]) << scale;
     }
     EXPECT_NEAR(statistics.Spacing / scale, 0.1023, 0.01);
+    for (std::size_t i = 0; i < truth.size(); ++i)
+    {
+      EXPECT_NEAR(graph.Radii[i] / scale, unscaled.Radii[i], 0.01 * unscaled.Radii[i]) << scale;
+    }
   }
   Cloud far;
   for (Id i = 0; i < cloud.GetSize(); ++i)

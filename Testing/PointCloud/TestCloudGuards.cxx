@@ -58,7 +58,7 @@ TEST(CloudGuards, SheetsThreeOffsetsApart)
       [&](CloudGraphOptions& options) {
         options.Scheme = scheme;
         options.OffsetInVoxels = h;
-        options.Resolution = 100;
+        options.Resolution = 90;
       },
       &statistics);
     EXPECT_NEAR(statistics.VoxelSize, voxel, 0.01 * voxel);
@@ -72,7 +72,7 @@ TEST(CloudGuards, SheetsCloserThanTwoBalls)
 {
   // The balls overlap, but the points that segments pass are not where they should be.
   const double spacing = 1.0 / std::sqrt(4000.0);
-  for (const double gap : { 3.5, 4.5 })
+  for (const double gap : { 2.2, 2.5, 2.8, 3.5, 4.5 })
   {
     CloudGraphStatistics statistics;
     const CloudGraph graph = BuildGraph(TwoSheets(4000, gap * spacing, 3), nullptr, &statistics);
@@ -104,6 +104,47 @@ TEST(CloudGuards, OrientedNormalsTellSheetsApart)
   };
   EXPECT_GT(edges(false), 0);
   EXPECT_EQ(edges(true), 0);
+}
+
+TEST(CloudGuards, OrientedNormalsTellSheetsApartAtAnyReach)
+{
+  // With the default reach, chords from sheet to sheet are up to 13 gaps long.
+  const double spacing = 1.0 / std::sqrt(3000.0);
+  const Cloud cloud = TwoSheets(3000, 0.8 * spacing, 5);
+  std::vector<double> normals;
+  for (Id i = 0; i < cloud.GetSize(); ++i)
+  {
+    normals.insert(normals.end(), { 0.0, 0.0, i < 3000 ? -1.0 : 1.0 });
+  }
+  const CloudGraph graph = BuildGraph(cloud, [&](CloudGraphOptions& options) {
+    options.Normals = normals.data();
+    options.HasOrientedNormals = true;
+  });
+  EXPECT_EQ(EdgesBetween(graph, [](Id v) { return v < 3000; }), 0);
+  EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 3000, 3000 }));
+}
+
+TEST(CloudGuards, PointsWithoutAnOrientedNormalAreConnectedAsUsual)
+{
+  // What is fitted to them points to either side.
+  const Cloud cloud = Sphere(3000, 15);
+  std::vector<double> normals = cloud.Points;
+  for (Id i = 0; i < cloud.GetSize(); ++i)
+  {
+    if (i % 3 != 0)
+    {
+      std::fill_n(normals.begin() + 3 * i, 3, i % 3 == 1 ? 0.0 : std::nan(""));
+    }
+  }
+  const auto build = [&](bool oriented) {
+    return BuildGraph(cloud, [&](CloudGraphOptions& options) {
+      options.Normals = normals.data();
+      options.HasOrientedNormals = oriented;
+    });
+  };
+  const CloudGraph oriented = build(true);
+  EXPECT_EQ(oriented.ComponentSizes, (std::vector<Id>{ 3000 }));
+  EXPECT_EQ(DistancesFrom(oriented.Graph.View(), 0), DistancesFrom(build(false).Graph.View(), 0));
 }
 
 TEST(CloudGuards, PathsGoAroundHoles)

@@ -62,12 +62,10 @@ TEST(CloudNeighbors, AreTheNearest)
     const std::vector<CloudNeighbor> truth = Sorted(points, p);
     tree.FindNearest(p, 17, found);
     ExpectSame(found, truth, 17);
-    tree.FindWithin(p, 0.3, 100000, found);
+    tree.FindWithin(p, 0.3, found);
     const auto within = static_cast<std::size_t>(std::count_if(truth.begin(), truth.end(),
       [](const CloudNeighbor& n) { return n.SquaredDistance <= 0.3 * 0.3; }));
     ExpectSame(found, truth, within);
-    tree.FindWithin(p, 0.3, 5, found);
-    ExpectSame(found, truth, std::min<std::size_t>(5, within));
   }
 }
 
@@ -84,7 +82,7 @@ TEST(CloudNeighbors, TiesOfRegularPoints)
   }
   const CloudNeighbors tree(points);
   std::vector<CloudNeighbor> found;
-  tree.FindWithin(points[10 * 20 + 10], 2.0, 1000, found);
+  tree.FindWithin(points[10 * 20 + 10], 2.0, found);
   ExpectSame(found, Sorted(points, points[10 * 20 + 10]), 13);
 }
 
@@ -101,6 +99,6 @@ TEST(CloudNeighbors, FewPoints)
   EXPECT_EQ(found[0].SquaredDistance, 1.0);
   tree.FindNearest({ 0.0, 0.0, 0.0 }, 0, found);
   EXPECT_TRUE(found.empty());
-  tree.FindWithin({ 0.0, 0.0, 0.0 }, 0.5, 4, found);
+  tree.FindWithin({ 0.0, 0.0, 0.0 }, 0.5, found);
   EXPECT_TRUE(found.empty());
 }

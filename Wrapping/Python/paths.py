@@ -16,7 +16,7 @@ from .vtkDGGFiltersGeodesic import vtkDGGPath
 __all__ = ["Path", "path"]
 
 # What the filter says of points in different components.
-_UNCONNECTED = re.compile(r"not connected by the surface")
+_UNCONNECTED = re.compile(r"not connected by the (surface|graph of the cloud)")
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -138,11 +138,12 @@ def find(finder, ends, points, heard=None):
     try:
         output = run(finder, heard, _UNCONNECTED)
     except VTKError as error:
-        if not _UNCONNECTED.search(str(error)):
+        unconnected = _UNCONNECTED.search(str(error))
+        if not unconnected:
             raise
+        remedy = "; where its parts only touch, merge_coincident_points may join them"
         raise ValueError(
-            "start and end are not connected by the surface; where its parts only touch, "
-            "merge_coincident_points may join them"
+            f"start and end are {unconnected[0]}{remedy if unconnected[1] == 'surface' else ''}"
         ) from None
     result = _path(output)
     for end, name, found in zip(ends, ("start", "end"), result.point_ids[[0, -1]]):

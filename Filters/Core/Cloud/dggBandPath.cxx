@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggBandPath.h"
 
+#include "dggCloudFrame.h"
 #include "dggLocalFit.h"
 
 #include <algorithm>
@@ -71,7 +72,8 @@ public:
     this->Add(to, owner);
   }
 
-  void Run()
+  /// Returns false when the caller asks to stop.
+  bool Run(const ProgressCallback& progress)
   {
     for (std::size_t i = 1; i + 1 < this->Points.size(); ++i)
     {
@@ -85,6 +87,10 @@ public:
       // steps would take very many rounds for.
       for (std::size_t stride = LongestStride; stride >= 1; stride /= 2)
       {
+        if (progress && !progress(static_cast<double>(round) / (MostRounds + 1)))
+        {
+          return false;
+        }
         for (std::size_t i = 1; i + 1 < this->Points.size(); ++i)
         {
           const std::size_t k = std::min({ stride, i, this->Points.size() - 1 - i });
@@ -109,6 +115,7 @@ public:
       }
     }
     this->Points.swap(best);
+    return true;
   }
 
   std::vector<Point3> Points;
@@ -121,7 +128,7 @@ private:
     this->Around.clear();
     const double radius = FitByRadius * this->Tables.Radii[owner];
     const auto add = [&](Id v) {
-      const Point3 point = this->Tables.PointAt(v);
+      const Point3 point = dgg::PointAt(this->Tables.Points, v);
       const Point3 d = point - place;
       if (Dot(d, d) <= radius * radius)
       {
@@ -159,13 +166,13 @@ private:
   Id FindOwner(Id owner, const Point3& place) const
   {
     const GraphView& graph = this->Tables.Graph;
-    double least = Norm(this->Tables.PointAt(owner) - place);
+    double least = Norm(dgg::PointAt(this->Tables.Points, owner) - place);
     for (;;)
     {
       Id next = owner;
       for (Offset e = graph.Offsets[owner]; e < graph.Offsets[owner + 1]; ++e)
       {
-        const double distance = Norm(this->Tables.PointAt(graph.Targets[e]) - place);
+        const double distance = Norm(dgg::PointAt(this->Tables.Points, graph.Targets[e]) - place);
         if (distance < least)
         {
           least = distance;
@@ -186,36 +193,46 @@ private:
 };
 
 BandPathShortener::BandPathShortener(
-  const double* points, const GraphView& graph, const float* radii)
+  const double* points, const GraphView& graph, const double* radii)
   : Points(points)
   , Graph(graph)
   , Radii(radii)
 {
 }
 
-Status BandPathShortener::Prepare(double voxelSize, const ParallelFor& parallel)
+Status BandPathShortener::Prepare(double voxelSize, std::size_t memoryLimit,
+  const ParallelFor& parallel, const ProgressCallback& progress)
 {
+  if (!(voxelSize > 0.0 && std::isfinite(voxelSize)))
+  {
+    return Status::Invalid("the size of voxels is not positive");
+  }
+  const std::size_t copies =
+    static_cast<std::size_t>(this->Graph.NumberOfVertices) * (sizeof(Point3) + sizeof(double));
+  if (memoryLimit > 0 && copies >= memoryLimit)
+  {
+    return Status::Invalid("the points of the band would take " + std::to_string(copies) +
+      " bytes, but the limit is " + std::to_string(memoryLimit) + ": raise the limit of memory");
+  }
   std::vector<Point3> points;
-  std::vector<float> radii;
+  std::vector<double> radii;
+  points.reserve(static_cast<std::size_t>(this->Graph.NumberOfVertices));
+  radii.reserve(points.capacity());
   for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
   {
-    const Point3 p = this->PointAt(v);
-    if (std::isfinite(p.X) && std::isfinite(p.Y) && std::isfinite(p.Z) &&
-      std::isfinite(this->Radii[v]) && this->Radii[v] >= 0.0f)
+    const Point3 p = dgg::PointAt(this->Points, v);
+    if (IsFinite(p) && std::isfinite(this->Radii[v]) && this->Radii[v] >= 0.0)
     {
       points.push_back(p);
       radii.push_back(this->Radii[v]);
     }
   }
-  if (!(voxelSize > 0.0 && std::isfinite(voxelSize)))
-  {
-    return Status::Invalid("the size of voxels is not positive");
-  }
-  return this->Band.Build(points, radii, voxelSize, 0, parallel);
+  return this->Band.Build(
+    points, radii, voxelSize, memoryLimit > 0 ? memoryLimit - copies : 0, parallel, progress);
 }
 
-Status BandPathShortener::Shorten(
-  const std::vector<Id>& vertices, const Point3* start, const Point3* end, BandPath& path) const
+Status BandPathShortener::Shorten(const std::vector<Id>& vertices, const Point3* start,
+  const Point3* end, BandPath& path, const ProgressCallback& progress) const
 {
   path = BandPath();
   if (vertices.empty())
@@ -230,16 +247,19 @@ Status BandPathShortener::Shorten(
     }
   }
   Relaxation relaxation(*this);
-  relaxation.Add(start ? *start : this->PointAt(vertices.front()), vertices.front());
+  relaxation.Add(start ? *start : dgg::PointAt(this->Points, vertices.front()), vertices.front());
   for (std::size_t i = start ? 0 : 1; i + (end ? 0 : 1) < vertices.size(); ++i)
   {
-    relaxation.AddHop(this->PointAt(vertices[i]), vertices[i]);
+    relaxation.AddHop(dgg::PointAt(this->Points, vertices[i]), vertices[i]);
   }
   if (start || end || vertices.size() > 1)
   {
-    relaxation.AddHop(end ? *end : this->PointAt(vertices.back()), vertices.back());
+    relaxation.AddHop(end ? *end : dgg::PointAt(this->Points, vertices.back()), vertices.back());
   }
-  relaxation.Run();
+  if (!relaxation.Run(progress))
+  {
+    return Status::Abort();
+  }
   path.Points.swap(relaxation.Points);
   path.Vertices.assign(path.Points.size(), NoId);
   path.Vertices.front() = start ? NoId : vertices.front();

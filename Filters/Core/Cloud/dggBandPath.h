@@ -10,7 +10,8 @@
 #include "dggPoint3.h"        // for Point3
 #include "dggVoxelBand.h"     // for VoxelBand
 
-#include <vector> // for the path
+#include <cstddef> // for std::size_t
+#include <vector>  // for the path
 
 namespace dgg
 {
@@ -30,29 +31,27 @@ class BandPathShortener
 {
 public:
   /// `points` (x y z each), the graph of the cloud and `radii` (CloudGraph::Radii) must outlive it.
-  BandPathShortener(const double* points, const GraphView& graph, const float* radii);
+  BandPathShortener(const double* points, const GraphView& graph, const double* radii);
 
-  /// Rebuild the band. Fails as VoxelBand::Build() does.
-  Status Prepare(double voxelSize, const ParallelFor& parallel);
+  /// Rebuild the band, in at most `memoryLimit` bytes (0: no limit). Fails as VoxelBand::Build()
+  /// does.
+  Status Prepare(double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel,
+    const ProgressCallback& progress = {});
+  std::size_t GetMemorySize() const { return this->Band.GetMemorySize(); }
 
   /// Shorten a path, `vertices` from start to end. With `start` or `end`, which may be null, the
   /// path begins or ends there rather than at its first or last vertex. Fails when a vertex does
-  /// not exist. May be called by several threads at once.
-  Status Shorten(
-    const std::vector<Id>& vertices, const Point3* start, const Point3* end, BandPath& path) const;
+  /// not exist; `path` is empty then, and when `progress` asks to stop. May be called by several
+  /// threads at once.
+  Status Shorten(const std::vector<Id>& vertices, const Point3* start, const Point3* end,
+    BandPath& path, const ProgressCallback& progress = {}) const;
 
 private:
   class Relaxation;
 
-  Point3 PointAt(Id vertex) const
-  {
-    const double* p = this->Points + 3 * static_cast<std::size_t>(vertex);
-    return { p[0], p[1], p[2] };
-  }
-
   const double* Points;
   GraphView Graph;
-  const float* Radii;
+  const double* Radii;
   VoxelBand Band;
 };
 }

@@ -12,8 +12,6 @@ namespace
 constexpr double SteepestChord = Pi / 3.0;
 /// Sides that normals point to are opposite when the cosine between them is below that.
 const double OppositeNormals = std::cos(100.0 / 180.0 * Pi);
-/// Chords that sheets back to back are looked for at, by the radius of a ball.
-constexpr double SheetsReach = 4.0;
 /// The turn that an arc may make, in radians. Beyond it, points are followed.
 constexpr double LargestTurn = 0.35;
 /// How far the surface may be from where it is expected, by the local spacing.
@@ -135,9 +133,8 @@ bool CloudPairs::IsLikely(const Seen& seen) const
   {
     return false;
   }
-  return !(this->HasOrientedNormals &&
-    Dot(this->Normals[seen.P], this->Normals[seen.Q]) < OppositeNormals &&
-    seen.Chord < SheetsReach * std::max(this->Radii[seen.P], this->Radii[seen.Q]));
+  return this->IsOriented.empty() || !this->IsOriented[seen.P] || !this->IsOriented[seen.Q] ||
+    !(Dot(this->Normals[seen.P], this->Normals[seen.Q]) < OppositeNormals);
 }
 
 Id CloudPairs::FindNearest(const Point3& place) const

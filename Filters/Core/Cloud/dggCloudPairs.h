@@ -18,12 +18,13 @@ namespace dgg
 ///
 /// Two points are connected directly when the segment between them stays in the band, and close to
 /// the points that it passes: nearer than balls are large, measured along their normals. So sheets
-/// stay apart that are closer to each other than two balls.
+/// stay apart that are closer to each other than two balls. Points whose normals are oriented, and
+/// opposite, are on sheets back to back, however far from each other.
 struct CloudPairs
 {
   std::vector<Point3> Points;
   std::vector<Point3> Normals; ///< of length 1, or 0 where unknown
-  std::vector<float> Radii;    ///< of the balls of the band
+  std::vector<double> Radii;   ///< of the balls of the band
   std::vector<float> Reaches;  ///< how long edges of a point may be
   std::vector<float> Spacings; ///< local distance between points: the root of the area of each
   /// Whether neighbours lie on the surface that was fitted to them: then an arc tells all about the
@@ -35,7 +36,9 @@ struct CloudPairs
   std::vector<Id> Nearest;
   /// Whether a way is as long as the surface rather than the chord.
   bool UsesArcs = true;
-  bool HasOrientedNormals = false;
+  /// Whether a normal is known to point to the same side of the surface as those of others; empty
+  /// when none is.
+  std::vector<unsigned char> IsOriented;
 
   double Chord(Id p, Id q) const { return Norm(this->Points[q] - this->Points[p]); }
 

@@ -40,6 +40,10 @@ inline double Norm(const Point3& a)
 {
   return std::sqrt(Dot(a, a));
 }
+inline bool IsFinite(const Point3& a)
+{
+  return std::isfinite(a.X) && std::isfinite(a.Y) && std::isfinite(a.Z);
+}
 }
 
 #endif

@@ -17,6 +17,11 @@ constexpr std::size_t WordsPerBrick = 8;
 /// Entries of the hash table by bricks, at least.
 constexpr std::size_t TablePerBrick = 2;
 constexpr Offset PointsPerTask = 4096;
+/// Work between two reports of progress: places of bricks looked at, voxels in boxes around balls,
+/// and the tasks that these are divided into.
+constexpr std::size_t LooksPerReport = 1 << 22;
+constexpr double VoxelsPerReport = 1 << 30;
+constexpr Offset TasksPerReport = 256;
 
 std::uint64_t Scramble(std::uint64_t key)
 {
@@ -52,19 +57,35 @@ double VoxelBand::PredictMemory(double bricks)
       2.0 * TablePerBrick * sizeof(std::int32_t));
 }
 
-Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<float>& radii,
-  double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel)
+Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<double>& radii,
+  double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel,
+  const ProgressCallback& progress)
 {
-  this->Keys.clear();
-  this->Table.clear();
-  this->Words.reset();
+  *this = VoxelBand();
   this->VoxelSize = voxelSize;
   this->InverseSize = 1.0 / voxelSize;
-  this->Resolution = 0;
   if (points.empty())
   {
     return Status::Success();
   }
+  Status status = this->ChooseBox(points, radii);
+  if (status.IsOk())
+  {
+    status = this->FindBricks(points, radii, memoryLimit, progress);
+  }
+  if (status.IsOk())
+  {
+    status = this->MarkBalls(points, radii, parallel, progress);
+  }
+  if (!status.IsOk())
+  {
+    *this = VoxelBand();
+  }
+  return status;
+}
+
+Status VoxelBand::ChooseBox(const std::vector<Point3>& points, const std::vector<double>& radii)
+{
   Point3 low{ Infinity, Infinity, Infinity };
   Point3 high{ -Infinity, -Infinity, -Infinity };
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -76,9 +97,10 @@ Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<flo
       std::max(high.Z, points[i].Z + r) };
   }
   // Two voxels more on each side, so that neighbours of marked voxels have places as well.
-  this->Origin = low - Point3{ 2.0 * voxelSize, 2.0 * voxelSize, 2.0 * voxelSize };
+  const double margin = 2.0 * this->VoxelSize;
+  this->Origin = low - Point3{ margin, margin, margin };
   const double extent = std::max({ high.X - low.X, high.Y - low.Y, high.Z - low.Z });
-  const double resolution = std::ceil(extent / voxelSize) + 5.0;
+  const double resolution = std::ceil(extent / this->VoxelSize) + 5.0;
   if (!(resolution <= MaximumResolution))
   {
     std::ostringstream text;
@@ -87,8 +109,17 @@ Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<flo
     return Status::Invalid(text.str());
   }
   this->Resolution = static_cast<std::int32_t>(resolution);
+  return Status::Success();
+}
 
+/// The bricks that balls meet.
+Status VoxelBand::FindBricks(const std::vector<Point3>& points, const std::vector<double>& radii,
+  std::size_t memoryLimit, const ProgressCallback& progress)
+{
+  const double most =
+    memoryLimit > 0 ? static_cast<double>(memoryLimit) / PredictMemory(1.0) : Infinity;
   this->Rehash(1024);
+  std::size_t looks = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const Point3 centre = this->ToGrid(points[i]);
@@ -111,30 +142,63 @@ Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<flo
             this->AddBrick(BrickKey({ 8 * bx, 8 * by, 8 * bz }));
           }
         }
+        if (static_cast<double>(this->Keys.size()) > most)
+        {
+          std::ostringstream text;
+          text << "the band around the points would take more than " << memoryLimit
+               << " bytes: raise the limit of memory, or use a smaller resolution";
+          return Status::Invalid(text.str());
+        }
+        looks += static_cast<std::size_t>(x.Last - x.First) + 1;
+        if (looks > LooksPerReport)
+        {
+          looks = 0;
+          if (progress &&
+            !progress(0.5 * static_cast<double>(i) / static_cast<double>(points.size())))
+          {
+            return Status::Abort();
+          }
+        }
       }
     }
-    if (memoryLimit > 0 &&
-      PredictMemory(static_cast<double>(this->Keys.size())) > static_cast<double>(memoryLimit))
-    {
-      std::ostringstream text;
-      text << "the band around the points takes more than " << memoryLimit
-           << " bytes: raise the limit of memory, or use a smaller resolution";
-      return Status::Invalid(text.str());
-    }
   }
+  this->Keys.shrink_to_fit(); // before the larger part is taken
+  return Status::Success();
+}
+
+Status VoxelBand::MarkBalls(const std::vector<Point3>& points, const std::vector<double>& radii,
+  const ParallelFor& parallel, const ProgressCallback& progress)
+{
   const std::size_t words = WordsPerBrick * this->Keys.size();
   this->Words = std::make_unique<std::atomic<std::uint64_t>[]>(words);
   for (std::size_t i = 0; i < words; ++i)
   {
     this->Words[i].store(0, std::memory_order_relaxed);
   }
-  ForRange(
-    parallel, static_cast<Offset>(points.size()), PointsPerTask, [&](Offset begin, Offset end) {
-      for (Offset i = begin; i < end; ++i)
+  const auto count = static_cast<Offset>(points.size());
+  for (Offset first = 0; first < count;)
+  {
+    if (progress && !progress(0.5 + 0.5 * static_cast<double>(first) / static_cast<double>(count)))
+    {
+      return Status::Abort();
+    }
+    // As many balls as take some time together.
+    Offset last = first;
+    for (double voxels = 0.0; last < count && voxels < VoxelsPerReport; ++last)
+    {
+      voxels +=
+        std::pow(1.0 + 2.0 * radii[static_cast<std::size_t>(last)] * this->InverseSize, 3.0);
+    }
+    const Offset grain = std::clamp<Offset>((last - first) / TasksPerReport, 1, PointsPerTask);
+    ForRange(parallel, last - first, grain, [&](Offset begin, Offset end) {
+      for (Offset i = first + begin; i < first + end; ++i)
       {
-        this->MarkBall(this->ToGrid(points[i]), radii[i] * this->InverseSize);
+        const auto ball = static_cast<std::size_t>(i);
+        this->MarkBall(this->ToGrid(points[ball]), radii[ball] * this->InverseSize);
       }
     });
+    first = last;
+  }
   return Status::Success();
 }
 

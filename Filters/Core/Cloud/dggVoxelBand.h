@@ -37,10 +37,12 @@ public:
 
   /// Mark the balls. `radii` holds one radius per point. Balls that are too small for any voxel
   /// mark the voxel of their point and its six neighbours. Fails when the voxels are so small that
-  /// there are too many, or when the band would take more than `memoryLimit` bytes (0: no limit).
-  /// Points and radii have to be finite. The same for any `parallel`.
-  Status Build(const std::vector<Point3>& points, const std::vector<float>& radii, double voxelSize,
-    std::size_t memoryLimit, const ParallelFor& parallel);
+  /// there are too many, or when the band would take more than `memoryLimit` bytes (0: no limit),
+  /// before it takes them. Points and radii have to be finite. The same for any `parallel`. The
+  /// band is empty when it fails, or when `progress` asks to stop.
+  Status Build(const std::vector<Point3>& points, const std::vector<double>& radii,
+    double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel,
+    const ProgressCallback& progress = {});
 
   double GetVoxelSize() const { return this->VoxelSize; }
   const Point3& GetOrigin() const { return this->Origin; }
@@ -113,6 +115,11 @@ public:
   Voxel GetBrickVoxel(std::size_t brick) const;
 
 private:
+  Status ChooseBox(const std::vector<Point3>& points, const std::vector<double>& radii);
+  Status FindBricks(const std::vector<Point3>& points, const std::vector<double>& radii,
+    std::size_t memoryLimit, const ProgressCallback& progress);
+  Status MarkBalls(const std::vector<Point3>& points, const std::vector<double>& radii,
+    const ParallelFor& parallel, const ProgressCallback& progress);
   void AddBrick(std::uint64_t key);
   void Rehash(std::size_t size);
   void MarkBall(const Point3& centre, double radius);

@@ -5,6 +5,7 @@
 #include "dggCloudAssembly.h"
 #include "dggCloudPruning.h"
 #include "dggCloudSetup.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
 #include <atomic>
@@ -20,8 +21,12 @@ constexpr Id RowsPerBlock = 64;
 constexpr Offset BlocksPerWave = 128;
 /// Rows built for an estimate.
 constexpr Id SampleSize = 512;
+constexpr Id SamplesPerReport = 16;
 constexpr double ShareOfSetup = 0.15;
-constexpr double ShareOfRows = 0.75;
+constexpr double EndOfPrediction = 0.16;
+constexpr double EndOfRows = 0.9;
+/// Share of the setup when there is nothing but a prediction.
+constexpr double ShareOfSetupToPredict = 0.8;
 /// Edges of a graph by edges found, as measured: uniting both directions adds some.
 constexpr double UnitedShare = 1.3;
 constexpr double LargestAccuracy = 0.5;
@@ -40,8 +45,7 @@ struct RowWorkspace
   void Build(Id node, std::vector<Id>& targets)
   {
     const CloudPairs& pairs = this->Setup.Pairs;
-    this->Setup.Neighbors->FindWithin(
-      pairs.Points[node], pairs.Reaches[node], this->Setup.MostNeighbors, this->Found);
+    this->Setup.Neighbors->FindWithin(pairs.Points[node], pairs.Reaches[node], this->Found);
     this->Neighbors.clear();
     this->Chords.clear();
     for (const CloudNeighbor& neighbor : this->Found)
@@ -63,12 +67,6 @@ struct RowWorkspace
   std::vector<double> Chords;
   std::size_t Candidates = 0;
 };
-
-ProgressCallback PartOf(const ProgressCallback& progress, double begin, double share)
-{
-  return progress ? [=](double done) { return progress(begin + share * done); }
-                  : ProgressCallback();
-}
 
 GraphConstruction ConstructionOf(CloudScheme scheme)
 {
@@ -96,12 +94,16 @@ std::size_t BytesPerEdge(bool wide)
   return sizeof(Id) + (wide ? sizeof(double) : sizeof(float));
 }
 
-/// Of rows, graph and what is needed to unite them.
-double PredictPeak(double setup, double points, double edges, bool wide)
+/// Of what comes before rows, or of rows, graph and what is needed to unite them.
+double PredictPeak(const CloudSetup& setup, Id numberOfPoints, double edges, bool wide)
 {
+  const double points = numberOfPoints;
   const double rows = edges / UnitedShare * sizeof(Id);
-  const double arrays = points * (2.0 * sizeof(Offset) + 4.0 * sizeof(Id));
-  return setup + arrays + std::max(rows + edges * sizeof(Id), edges * BytesPerEdge(wide));
+  const double arrays = points * (2.0 * sizeof(Offset) + 4.0 * sizeof(Id) + sizeof(double));
+  const double graph =
+    arrays + std::max(rows + edges * sizeof(Id), edges * static_cast<double>(BytesPerEdge(wide)));
+  return std::max(static_cast<double>(CloudNodes::PredictMemory(numberOfPoints)),
+    static_cast<double>(setup.GetMemorySize()) + graph);
 }
 
 Status TooMuch(double bytes, std::size_t limit)
@@ -113,8 +115,8 @@ Status TooMuch(double bytes, std::size_t limit)
 }
 
 /// Predict from the rows of some nodes, evenly spread.
-void PredictFrom(const CloudSetup& setup, const CloudGraphOptions& options, Id numberOfPoints,
-  CloudGraphEstimate& estimate)
+Status PredictFrom(const CloudSetup& setup, const CloudGraphOptions& options, Id numberOfPoints,
+  const ProgressCallback& progress, CloudGraphEstimate& estimate)
 {
   const auto nodes = static_cast<Id>(setup.Pairs.Points.size());
   const Id sample = std::min(nodes, SampleSize);
@@ -122,15 +124,20 @@ void PredictFrom(const CloudSetup& setup, const CloudGraphOptions& options, Id n
   std::vector<Id> targets;
   for (Id i = 0; i < sample; ++i)
   {
+    if (i % SamplesPerReport == 0 && progress && !progress(static_cast<double>(i) / sample))
+    {
+      return Status::Abort();
+    }
     workspace.Build(static_cast<Id>(static_cast<Offset>(i) * nodes / sample), targets);
   }
   const double degree = sample > 0 ? static_cast<double>(targets.size()) / sample : 0.0;
   const bool wide = NeedsWide(setup.Nodes, options.Accuracy);
-  const double points = numberOfPoints;
-  estimate.Edges = UnitedShare * degree * nodes;
-  estimate.Memory = estimate.Edges * BytesPerEdge(wide) + (points + 1.0) * sizeof(Offset);
-  estimate.Peak =
-    PredictPeak(static_cast<double>(setup.GetMemorySize()), points, estimate.Edges, wide);
+  const auto coincident = static_cast<double>(setup.Nodes.Coincident.size());
+  estimate.Edges = UnitedShare * degree * nodes + 2.0 * coincident;
+  estimate.Memory = estimate.Edges * static_cast<double>(BytesPerEdge(wide)) +
+    (numberOfPoints + 1.0) * sizeof(Offset);
+  estimate.Peak = PredictPeak(setup, numberOfPoints, estimate.Edges, wide);
+  return Status::Success();
 }
 
 Status BuildRows(const CloudSetup& setup, const CloudGraphOptions& options,
@@ -183,7 +190,7 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
 {
   CloudSetup setup;
   Status status = SetUpCloud(points, numberOfPoints, options,
-    PartOf(options.Progress, 0.0, ShareOfSetup), setup, statistics);
+    ProgressPart(options.Progress, 0.0, ShareOfSetup), setup, statistics);
   if (!status.IsOk())
   {
     return status;
@@ -192,7 +199,12 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
   if (options.MemoryLimit > 0)
   {
     CloudGraphEstimate estimate;
-    PredictFrom(setup, options, numberOfPoints, estimate);
+    status = PredictFrom(setup, options, numberOfPoints,
+      ProgressPart(options.Progress, ShareOfSetup, EndOfPrediction), estimate);
+    if (!status.IsOk())
+    {
+      return status;
+    }
     if (estimate.Peak > static_cast<double>(options.MemoryLimit))
     {
       return TooMuch(estimate.Peak, options.MemoryLimit);
@@ -200,7 +212,7 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
   }
   std::vector<CloudRowBlock> blocks;
   status = BuildRows(
-    setup, options, PartOf(options.Progress, ShareOfSetup, ShareOfRows), blocks, statistics);
+    setup, options, ProgressPart(options.Progress, EndOfPrediction, EndOfRows), blocks, statistics);
   if (!status.IsOk())
   {
     return status;
@@ -208,24 +220,22 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
   const bool wide = NeedsWide(setup.Nodes, options.Accuracy);
   AssembleCloudGraph(
     setup, numberOfPoints, RowsPerBlock, blocks, wide, options.Parallel, result.Graph);
-  statistics.PeakMemory =
-    static_cast<std::size_t>(PredictPeak(static_cast<double>(setup.GetMemorySize()), numberOfPoints,
-      static_cast<double>(result.Graph.Targets.Size()), wide));
+  statistics.PeakMemory = static_cast<std::size_t>(
+    PredictPeak(setup, numberOfPoints, static_cast<double>(result.Graph.Targets.Size()), wide));
 
   const auto n = static_cast<std::size_t>(numberOfPoints);
   std::vector<unsigned char> isUsed(n, 0);
-  result.Radii.assign(n, 0.0f);
+  result.Radii.assign(n, 0.0);
   const double toPoints = 1.0 / setup.Nodes.Scale;
   for (std::size_t node = 0; node < setup.Nodes.Originals.size(); ++node)
   {
     isUsed[setup.Nodes.Originals[node]] = 1;
-    result.Radii[setup.Nodes.Originals[node]] =
-      static_cast<float>(toPoints * setup.Pairs.Radii[node]);
+    result.Radii[setup.Nodes.Originals[node]] = toPoints * setup.Pairs.Radii[node];
   }
   for (const auto& [point, node] : setup.Nodes.Coincident)
   {
     isUsed[point] = 1;
-    result.Radii[point] = static_cast<float>(toPoints * setup.Pairs.Radii[node]);
+    result.Radii[point] = toPoints * setup.Pairs.Radii[node];
   }
   result.VoxelSize = toPoints * setup.Pairs.Band.GetVoxelSize();
   FindCloudComponents(result.Graph, isUsed, result.Components, result.ComponentSizes);
@@ -283,13 +293,12 @@ Status CloudGraphBuilder::Estimate(
   }
   CloudSetup setup;
   CloudGraphStatistics statistics;
-  status =
-    SetUpCloud(this->Points, this->NumberOfPoints, options, options.Progress, setup, statistics);
-  if (status.IsOk())
-  {
-    PredictFrom(setup, options, this->NumberOfPoints, estimate);
-  }
-  return status;
+  const ProgressCallback& progress = options.Progress;
+  status = SetUpCloud(this->Points, this->NumberOfPoints, options,
+    ProgressPart(progress, 0.0, ShareOfSetupToPredict), setup, statistics);
+  return status.IsOk() ? PredictFrom(setup, options, this->NumberOfPoints,
+                           ProgressPart(progress, ShareOfSetupToPredict, 1.0), estimate)
+                       : status;
 }
 
 Status CloudGraphBuilder::Build(

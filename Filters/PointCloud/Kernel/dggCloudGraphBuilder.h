@@ -29,7 +29,8 @@ struct CloudGraphOptions
   /// Radius h of the balls that make the band, in voxels. 0: from the local spacing of the points,
   /// so that it may differ from point to point.
   double OffsetInVoxels = 0.0;
-  /// Voxels along the longest side of the points. 0: from the spacing of the points.
+  /// Voxels along the longest side of the box of the points, without those around it that balls
+  /// reach into. 0: from the spacing of the points.
   Id Resolution = 0;
   /// What it means depends on the scheme. 0: the default of the scheme.
   double Alpha = 0.0;
@@ -43,7 +44,7 @@ struct CloudGraphOptions
   /// they are not finite, or 0, they are fitted too.
   const double* Normals = nullptr;
   /// Whether Normals all point to the same side of the surface, which tells sheets apart that are
-  /// back to back.
+  /// back to back. Points without a normal are treated as if it were false.
   bool HasOrientedNormals = false;
   /// Bytes that building may take. 0: no limit.
   std::size_t MemoryLimit = 0;
@@ -61,7 +62,7 @@ struct CloudGraph
   std::vector<Id> Components;
   std::vector<Id> ComponentSizes;
   /// Per point, the radius of its ball; 0 where it is not finite.
-  std::vector<float> Radii;
+  std::vector<double> Radii;
   double VoxelSize = 0.0;
 };
 
@@ -105,7 +106,8 @@ public:
   /// Fails with a message when an option is out of range.
   static Status Check(const CloudGraphOptions& options);
 
-  /// Predict what Build() will take: prepares it and builds the rows of some points.
+  /// Predict what Build() will take: prepares it and builds the rows of some points. Tells the
+  /// progress of that.
   Status Estimate(const CloudGraphOptions& options, CloudGraphEstimate& estimate) const;
 
   /// Build the graph: the same, bit by bit, for any Parallel. `result` is empty on failure. The

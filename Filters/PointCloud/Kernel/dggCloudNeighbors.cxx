@@ -3,6 +3,7 @@
 #include "dggCloudNeighbors.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <flann/algorithms/dist.h>
 #include <flann/algorithms/kdtree_single_index.h>
@@ -119,9 +120,9 @@ void CloudNeighbors::FindNearest(
 }
 
 void CloudNeighbors::FindWithin(
-  const Point3& place, double radius, std::size_t most, std::vector<CloudNeighbor>& neighbors) const
+  const Point3& place, double radius, std::vector<CloudNeighbor>& neighbors) const
 {
-  this->Index->Find(place, most, radius * radius, neighbors);
+  this->Index->Find(place, std::numeric_limits<std::size_t>::max(), radius * radius, neighbors);
 }
 
 std::size_t CloudNeighbors::GetMemorySize() const

@@ -36,9 +36,8 @@ public:
   void FindNearest(
     const Point3& place, std::size_t count, std::vector<CloudNeighbor>& neighbors) const;
 
-  /// All points not farther than a radius, but the nearest `most` of them only.
-  void FindWithin(const Point3& place, double radius, std::size_t most,
-    std::vector<CloudNeighbor>& neighbors) const;
+  /// All points not farther than a radius.
+  void FindWithin(const Point3& place, double radius, std::vector<CloudNeighbor>& neighbors) const;
 
   std::size_t GetMemorySize() const;
   /// Bytes of a tree of that many points.

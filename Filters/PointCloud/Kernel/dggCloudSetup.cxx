@@ -6,10 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <sstream>
-#include <tuple>
 
 namespace dgg
 {
@@ -19,6 +17,8 @@ constexpr Offset NodesPerTask = 256;
 constexpr Offset BricksPerTask = 16;
 /// Tasks of a loop between two reports of progress.
 constexpr Offset PiecesPerReport = 32;
+/// Share of the progress that goes to the band.
+constexpr double ShareOfBand = 0.1;
 
 /// The neighbour whose distance tells the local spacing.
 constexpr std::size_t SpacingNeighbors = 16;
@@ -69,8 +69,6 @@ constexpr double ConstantReach = 6.0;
 /// Direct neighbours that the reach is to include.
 constexpr std::size_t LeastNeighbors = 6;
 constexpr std::size_t NearNeighbors = 33;
-/// Neighbours looked at by those expected within reach, at most.
-constexpr double CrowdFactor = 4.0;
 
 /// The value below which lies that part of the values. Reorders them.
 template <typename T>
@@ -82,29 +80,18 @@ T Quantile(std::vector<T>& values, double part)
   return values[place];
 }
 
-std::uint64_t SpreadBits(std::uint64_t x)
-{
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffffULL;
-  x = (x | x << 16) & 0x1f0000ff0000ffULL;
-  x = (x | x << 8) & 0x100f00f00f00f00fULL;
-  x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
-  return (x | x << 2) & 0x1249249249249249ULL;
-}
-
-/// Place along a curve that keeps together what is close.
-std::uint64_t MortonCode(const Point3& p)
-{
-  const auto cell = [](double x) {
-    return static_cast<std::uint64_t>(std::clamp((x + 1.0) * 1048576.0, 0.0, 2097151.0));
-  };
-  return SpreadBits(cell(p.X)) | SpreadBits(cell(p.Y)) << 1 | SpreadBits(cell(p.Z)) << 2;
-}
-
 double SpacingFrom(const std::vector<CloudNeighbor>& neighbors)
 {
   const std::size_t k = std::min(SpacingNeighbors, neighbors.size() - 1);
   return k == 0 ? 0.0 : std::sqrt(Pi * neighbors[k].SquaredDistance / static_cast<double>(k));
+}
+
+Status TooMuch(std::size_t bytes, std::size_t limit)
+{
+  std::ostringstream text;
+  text << "what has to be known of the points takes " << bytes << " bytes, but the limit is "
+       << limit << ": raise the limit of memory";
+  return Status::Invalid(text.str());
 }
 
 /// Steps of the setup, one after the other.
@@ -311,7 +298,8 @@ private:
 
   void TakeNormals(const double* normals)
   {
-    this->Pairs.HasOrientedNormals = this->Options.HasOrientedNormals;
+    const std::size_t oriented = this->Options.HasOrientedNormals ? this->Pairs.Points.size() : 0;
+    this->Pairs.IsOriented.assign(oriented, 0);
     for (std::size_t i = 0; i < this->Pairs.Points.size(); ++i)
     {
       const double* n = normals + 3 * static_cast<std::size_t>(this->Setup.Nodes.Originals[i]);
@@ -320,6 +308,10 @@ private:
       {
         const Point3 normal{ n[0] / largest, n[1] / largest, n[2] / largest };
         this->Pairs.Normals[i] = (1.0 / Norm(normal)) * normal;
+        if (this->Options.HasOrientedNormals)
+        {
+          this->Pairs.IsOriented[i] = 1; // fitted ones point to either side
+        }
       }
     }
   }
@@ -332,19 +324,17 @@ private:
     const double factor = this->Options.Scheme == CloudScheme::Curvature
       ? BallBySpacingOfCurvatureScheme
       : BallBySpacing;
-    std::vector<float>& radii = this->Pairs.Radii;
+    std::vector<double>& radii = this->Pairs.Radii;
     radii.resize(n);
     for (std::size_t i = 0; i < n; ++i)
     {
-      radii[i] = static_cast<float>(factor * this->Pairs.Spacings[i]);
+      radii[i] = factor * this->Pairs.Spacings[i];
     }
     double size = 0.0;
     std::vector<float> spacings = this->Pairs.Spacings;
     if (this->Options.Resolution > 0)
     {
-      // As published, with room for the balls.
-      const double pad = std::ceil(h > 0.0 ? h : 3.0) + 2.0;
-      size = extent / std::max(1.0, this->Options.Resolution - 2.0 * pad);
+      size = extent / this->Options.Resolution;
     }
     else if (h > 0.0)
     {
@@ -355,7 +345,7 @@ private:
       size = std::max(Quantile(spacings, SpacingQuantile) / VoxelsPerSpacing,
         extent / LargestAutomaticResolution);
       double sum = 0.0;
-      for (const float radius : radii)
+      for (const double radius : radii)
       {
         sum += std::pow(radius / size, 3.0);
       }
@@ -368,37 +358,37 @@ private:
     }
     if (h > 0.0)
     {
-      std::fill(radii.begin(), radii.end(), static_cast<float>(h * size));
+      std::fill(radii.begin(), radii.end(), h * size);
     }
-    std::vector<float> sorted = radii;
+    std::vector<double> sorted = radii;
     this->Statistics.OffsetInVoxels = Quantile(sorted, 0.5) / size;
     this->Statistics.VoxelSize = size / this->Setup.Nodes.Scale;
-    this->Statistics.Resolution = static_cast<Id>(std::min(1e9, std::ceil(extent / size)));
+    // A hair less, so that rounding does not make one more of those that are asked for.
+    this->Statistics.Resolution =
+      static_cast<Id>(std::min(1e9, std::ceil((1.0 - 1e-12) * extent / size)));
     std::size_t limit = 0;
     if (this->Options.MemoryLimit > 0)
     {
       const std::size_t used = this->Setup.GetMemorySize();
       if (used >= this->Options.MemoryLimit)
       {
-        return this->TooMuch(used);
+        return TooMuch(used, this->Options.MemoryLimit);
       }
       // The nearest points of its voxels come with it.
       const double band = VoxelBand::PredictMemory(1.0);
       limit = static_cast<std::size_t>(
         static_cast<double>(this->Options.MemoryLimit - used) * band / (band + 512.0 * sizeof(Id)));
     }
-    const Status status =
-      this->Pairs.Band.Build(this->Pairs.Points, radii, size, limit, this->Options.Parallel);
+    const auto progress = [this](double part) {
+      this->IsStopped =
+        this->Progress && !this->Progress(std::min(1.0, this->Done + ShareOfBand * part));
+      return !this->IsStopped;
+    };
+    const Status status = this->Pairs.Band.Build(
+      this->Pairs.Points, radii, size, limit, this->Options.Parallel, progress);
+    this->Done += ShareOfBand;
     this->Statistics.BandMemory = this->Pairs.Band.GetMemorySize();
     return status;
-  }
-
-  Status TooMuch(std::size_t bytes) const
-  {
-    std::ostringstream text;
-    text << "what has to be known of the points takes " << bytes << " bytes, but the limit is "
-         << this->Options.MemoryLimit << ": raise the limit of memory";
-    return Status::Invalid(text.str());
   }
 
   void ChooseReaches()
@@ -444,11 +434,7 @@ private:
         reaches[node] = static_cast<float>(reach);
       });
     std::vector<float> sorted = reaches;
-    const double median = Quantile(sorted, 0.5);
-    this->Statistics.Reach = median / this->Setup.Nodes.Scale;
-    const double ratio =
-      this->MedianSpacing > 0.0 ? std::max(LeastReach, median / this->MedianSpacing) : LeastReach;
-    this->Setup.MostNeighbors = static_cast<std::size_t>(CrowdFactor * Pi * ratio * ratio) + 1;
+    this->Statistics.Reach = Quantile(sorted, 0.5) / this->Setup.Nodes.Scale;
   }
 
   /// The nearest point of every marked voxel.
@@ -457,7 +443,7 @@ private:
     const VoxelBand& band = this->Pairs.Band;
     const std::size_t bricks = band.GetNumberOfBricks();
     this->Pairs.Nearest.assign(512 * bricks, NoId);
-    this->ForPieces(static_cast<Offset>(bricks), BricksPerTask, 0.3, [&](Offset begin, Offset end) {
+    this->ForPieces(static_cast<Offset>(bricks), BricksPerTask, 0.2, [&](Offset begin, Offset end) {
       std::vector<CloudNeighbor> neighbors;
       for (Offset brick = begin; brick < end; ++brick)
       {
@@ -502,10 +488,8 @@ private:
   /// Of pairs in overlapping balls.
   double MeanDirectLength(Id node, std::vector<CloudNeighbor>& neighbors) const
   {
-    this->Setup.Neighbors->FindWithin(this->Pairs.Points[node], 2.0 * this->Pairs.Radii[node],
-      static_cast<std::size_t>(
-        CrowdFactor * Pi * 4.0 * BallBySpacingOfCurvatureScheme * BallBySpacingOfCurvatureScheme),
-      neighbors);
+    this->Setup.Neighbors->FindWithin(
+      this->Pairs.Points[node], 2.0 * this->Pairs.Radii[node], neighbors);
     double sum = 0.0;
     std::size_t count = 0;
     for (const CloudNeighbor& neighbor : neighbors)
@@ -556,100 +540,12 @@ private:
 };
 }
 
-Status FindNodes(
-  const double* points, Id numberOfPoints, CloudNodes& nodes, std::vector<Point3>& places)
-{
-  const auto isFinite = [&](Id i) {
-    const double* p = points + 3 * static_cast<std::size_t>(i);
-    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-  };
-  double low[3] = { Infinity, Infinity, Infinity };
-  double high[3] = { -Infinity, -Infinity, -Infinity };
-  Id used = 0;
-  for (Id i = 0; i < numberOfPoints; ++i)
-  {
-    if (isFinite(i))
-    {
-      ++used;
-      for (int k = 0; k < 3; ++k)
-      {
-        const double x = points[3 * static_cast<std::size_t>(i) + k];
-        low[k] = std::min(low[k], x);
-        high[k] = std::max(high[k], x);
-      }
-    }
-  }
-  nodes = CloudNodes();
-  places.clear();
-  nodes.Unused = numberOfPoints - used;
-  if (used == 0)
-  {
-    return Status::Success();
-  }
-  double centre[3];
-  double half = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    centre[k] = 0.5 * low[k] + 0.5 * high[k];
-    half = std::max(half, 0.5 * high[k] - 0.5 * low[k]);
-  }
-  // Squares of lengths, and what the arithmetic of lengths needs besides, must stay in range.
-  if (half > 1e150 || (half > 0.0 && half < 1e-150))
-  {
-    std::ostringstream text;
-    text << "the points are spread over " << half
-         << " units to each side, out of the range of the arithmetic: scale them";
-    return Status::Invalid(text.str());
-  }
-  int exponent = 0;
-  std::frexp(half, &exponent);
-  nodes.Scale = half > 0.0 ? std::ldexp(1.0, -exponent) : 1.0;
-  nodes.Extent = 2.0 * half * nodes.Scale;
-
-  struct Entry
-  {
-    std::uint64_t Code;
-    Point3 Place;
-    Id Original;
-  };
-  std::vector<Entry> entries;
-  entries.reserve(static_cast<std::size_t>(used));
-  for (Id i = 0; i < numberOfPoints; ++i)
-  {
-    if (isFinite(i))
-    {
-      const double* p = points + 3 * static_cast<std::size_t>(i);
-      const Point3 place{ (p[0] - centre[0]) * nodes.Scale, (p[1] - centre[1]) * nodes.Scale,
-        (p[2] - centre[2]) * nodes.Scale };
-      entries.push_back({ MortonCode(place), place, i });
-    }
-  }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return std::tie(a.Code, a.Place.X, a.Place.Y, a.Place.Z, a.Original) <
-      std::tie(b.Code, b.Place.X, b.Place.Y, b.Place.Z, b.Original);
-  });
-  for (const Entry& entry : entries)
-  {
-    const Point3& p = entry.Place;
-    if (!places.empty() && places.back().X == p.X && places.back().Y == p.Y &&
-      places.back().Z == p.Z)
-    {
-      nodes.Coincident.emplace_back(entry.Original, static_cast<Id>(places.size() - 1));
-    }
-    else
-    {
-      places.push_back(p);
-      nodes.Originals.push_back(entry.Original);
-    }
-  }
-  return Status::Success();
-}
-
 std::size_t CloudSetup::GetMemorySize() const
 {
   const std::size_t n = this->Pairs.Points.size();
   // Points, normals and what is fitted (with copies while it is smoothed), tree and band.
-  return n * (3 * sizeof(Point3) + 10 * sizeof(float) + sizeof(Id)) +
+  return n * (3 * sizeof(Point3) + 2 * sizeof(double) + 8 * sizeof(float) + sizeof(Id) + 2) +
+    this->Nodes.Coincident.capacity() * sizeof(this->Nodes.Coincident[0]) +
     CloudNeighbors::PredictMemory(n) + this->Pairs.Band.GetMemorySize() +
     this->Pairs.Nearest.capacity() * sizeof(Id);
 }
@@ -657,6 +553,11 @@ std::size_t CloudSetup::GetMemorySize() const
 Status SetUpCloud(const double* points, Id numberOfPoints, const CloudGraphOptions& options,
   const ProgressCallback& progress, CloudSetup& setup, CloudGraphStatistics& statistics)
 {
+  const std::size_t bytes = CloudNodes::PredictMemory(numberOfPoints);
+  if (options.MemoryLimit > 0 && bytes > options.MemoryLimit)
+  {
+    return TooMuch(bytes, options.MemoryLimit);
+  }
   Status status = FindNodes(points, numberOfPoints, setup.Nodes, setup.Pairs.Points);
   statistics.UnusedPoints = setup.Nodes.Unused;
   statistics.CoincidentPoints = static_cast<Id>(setup.Nodes.Coincident.size());

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggCloudNodes.h"
+
+#include "dggCloudFrame.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <sstream>
+#include <tuple>
+
+namespace dgg
+{
+namespace
+{
+std::uint64_t SpreadBits(std::uint64_t x)
+{
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffffULL;
+  x = (x | x << 16) & 0x1f0000ff0000ffULL;
+  x = (x | x << 8) & 0x100f00f00f00f00fULL;
+  x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
+  return (x | x << 2) & 0x1249249249249249ULL;
+}
+
+/// Place along a curve that keeps together what is close.
+std::uint64_t MortonCode(const Point3& p)
+{
+  const auto cell = [](double x) {
+    return static_cast<std::uint64_t>(std::clamp((x + 1.0) * 1048576.0, 0.0, 2097151.0));
+  };
+  return SpreadBits(cell(p.X)) | SpreadBits(cell(p.Y)) << 1 | SpreadBits(cell(p.Z)) << 2;
+}
+
+/// A point on its way to become a node.
+struct NodeEntry
+{
+  std::uint64_t Code;
+  Point3 Place;
+  Id Original;
+};
+}
+
+std::size_t CloudNodes::PredictMemory(Id numberOfPoints)
+{
+  return static_cast<std::size_t>(numberOfPoints) *
+    (sizeof(NodeEntry) + sizeof(Point3) + std::max(sizeof(Id), sizeof(std::pair<Id, Id>)));
+}
+
+Status FindNodes(
+  const double* points, Id numberOfPoints, CloudNodes& nodes, std::vector<Point3>& places)
+{
+  const CloudFrame frame(points, numberOfPoints);
+  nodes = CloudNodes();
+  places.clear();
+  nodes.Unused = numberOfPoints - frame.GetNumberOfPoints();
+  if (frame.GetNumberOfPoints() == 0)
+  {
+    return Status::Success();
+  }
+  // Squares of lengths, and what the arithmetic of lengths needs besides, must stay in range.
+  const double half = frame.GetHalfExtent();
+  if (half > 1e150 || (half > 0.0 && half < 1e-150))
+  {
+    std::ostringstream text;
+    text << "the points are spread over " << half
+         << " units to each side, out of the range of the arithmetic: scale them";
+    return Status::Invalid(text.str());
+  }
+  nodes.Scale = frame.GetScale();
+  nodes.Extent = 2.0 * half * nodes.Scale;
+
+  std::vector<NodeEntry> entries;
+  entries.reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
+  for (Id i = 0; i < numberOfPoints; ++i)
+  {
+    const Point3 point = PointAt(points, i);
+    if (IsFinite(point))
+    {
+      const Point3 place = frame.ToLocal(point);
+      entries.push_back({ MortonCode(place), place, i });
+    }
+  }
+  std::sort(entries.begin(), entries.end(), [](const NodeEntry& a, const NodeEntry& b) {
+    return std::tie(a.Code, a.Place.X, a.Place.Y, a.Place.Z, a.Original) <
+      std::tie(b.Code, b.Place.X, b.Place.Y, b.Place.Z, b.Original);
+  });
+  for (const NodeEntry& entry : entries)
+  {
+    const Point3& p = entry.Place;
+    if (!places.empty() && places.back().X == p.X && places.back().Y == p.Y &&
+      places.back().Z == p.Z)
+    {
+      nodes.Coincident.emplace_back(entry.Original, static_cast<Id>(places.size() - 1));
+    }
+    else
+    {
+      places.push_back(p);
+      nodes.Originals.push_back(entry.Original);
+    }
+  }
+  return Status::Success();
+}
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The points that the graph of a cloud is built of. Internal.
+#ifndef dggCloudNodes_h
+#define dggCloudNodes_h
+
+#include "dggPoint3.h" // for Point3
+#include "dggTypes.h"  // for Id, Status
+
+#include <cstddef> // for std::size_t
+#include <utility> // for std::pair
+#include <vector>  // for nodes
+
+namespace dgg
+{
+/// The points that a graph is built of, the nodes: finite, no two in the same place, those that are
+/// close to each other close in memory. Their coordinates are centred and scaled by a power of two
+/// to [-1, 1].
+struct CloudNodes
+{
+  /// Per node, the point with the smallest number that is there.
+  std::vector<Id> Originals;
+  /// Other points: their number, and the node in the same place.
+  std::vector<std::pair<Id, Id>> Coincident;
+  Id Unused = 0;
+  double Scale = 1.0;  ///< from units of the points to units of nodes
+  double Extent = 0.0; ///< longest side of the box of the nodes
+
+  /// Most bytes while the nodes of that many points are found.
+  static std::size_t PredictMemory(Id numberOfPoints);
+};
+
+/// Find the nodes of a cloud. Fails where coordinates are too large for double arithmetic.
+Status FindNodes(
+  const double* points, Id numberOfPoints, CloudNodes& nodes, std::vector<Point3>& places);
+}
+
+#endif
