@@ -26,8 +26,9 @@ using Entries = std::map<std::string, Entry>;
 const char* const Keywords[] = { "VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT", "WIDTH",
   "HEIGHT", "VIEWPOINT", "POINTS", "DATA" };
 
-/// VTK seeks arrays one by one, so that many more would take forever.
-constexpr std::size_t MostFields = 10000;
+/// Words of a line that are kept, at most: one more than there may be, so that it is told that
+/// there are too many. A word takes many times the memory of its text.
+constexpr std::size_t MostWords = vtkDGGPCDHeader::MostFields + 2;
 
 bool IsKeyword(const std::string& text)
 {
@@ -35,12 +36,12 @@ bool IsKeyword(const std::string& text)
 }
 
 /// The words of the line that begins at `cursor`, which moves behind the line end. No words when it
-/// is blank or a comment.
+/// is blank or a comment, and never more than MostWords.
 std::vector<std::string> TakeLine(const char*& cursor, const char* end)
 {
   const char* const last = std::find(cursor, end, '\n');
   std::vector<std::string> words;
-  while (cursor != last)
+  while (cursor != last && words.size() < MostWords)
   {
     const auto isBlank = [](char c) {
       return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
@@ -51,13 +52,12 @@ std::vector<std::string> TakeLine(const char*& cursor, const char* end)
     {
       if (words.empty() && *first == '#')
       {
-        cursor = last;
         break;
       }
       words.emplace_back(first, cursor);
     }
   }
-  cursor += last != end;
+  cursor = last + (last != end ? 1 : 0);
   return words;
 }
 
@@ -123,9 +123,10 @@ private:
     {
       return this->Fail(names ? *names : this->GetEnd(), "no FIELDS before the data");
     }
-    if (names->Values.size() > MostFields)
+    if (names->Values.size() > vtkDGGPCDHeader::MostFields)
     {
-      return this->Fail(*names, "more than " + std::to_string(MostFields) + " fields");
+      return this->Fail(
+        *names, "more than " + std::to_string(vtkDGGPCDHeader::MostFields) + " fields");
     }
     std::set<std::string> seen;
     for (const std::string& name : names->Values)

@@ -21,6 +21,9 @@ enum class vtkDGGPCDData
 
 struct vtkDGGPCDHeader
 {
+  /// VTK seeks arrays one by one, so that many more would take forever.
+  static constexpr std::size_t MostFields = 10000;
+
   std::vector<vtkDGG::PointField> Fields; ///< padding (`_`) included
   vtkIdType Width = 0;
   vtkIdType Height = 1;

@@ -59,6 +59,13 @@ public:
   /// False when stopped, or when GetError() is not empty.
   bool Write()
   {
+    if (this->Header.Fields.size() > vtkDGGPCDHeader::MostFields)
+    {
+      this->Error = "there would be " + std::to_string(this->Header.Fields.size()) +
+        " fields, but a file has " + std::to_string(vtkDGGPCDHeader::MostFields) +
+        " at most: remove point arrays";
+      return false;
+    }
     const std::string header = this->Header.Format();
     this->Stream.write(header.data(), static_cast<std::streamsize>(header.size()));
     return this->Header.Data == vtkDGGPCDData::BinaryCompressed ? this->WriteCompressed()

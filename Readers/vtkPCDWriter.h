@@ -20,7 +20,8 @@
  *
  * Text files hold the fewest digits that give the same numbers again, so no mode loses anything.
  * NaN and infinity are `nan` and `inf`. A cloud without points makes a file without points.
- * Compressed data may take no more than 4 GB, a limit of the format.
+ * Compressed data may take no more than 4 GB, a limit of the format. A file has 10000 fields at
+ * most, as vtkPCDReader refuses more.
  *
  * Errors: no input, no file name, a file that cannot be written or does not fit on the disk are
  * reported with the name of the file; Write() returns 0 and GetErrorCode() says of what kind the

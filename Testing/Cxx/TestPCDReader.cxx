@@ -440,6 +440,21 @@ TEST_F(PCDReader, RefusesMalformedHeaders)
   }
   this->ExpectRefused(
     "FIELDS x y z" + many + "\nPOINTS 0\nDATA ascii\n", code, { "line 1: more than 10000 fields" });
+  // Words take many times the memory of their text, so that those of a long line are not kept.
+  const auto getPeak = [] {
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss; // KiB
+  };
+  std::string endless = "FIELDS x y z";
+  for (int i = 0; i < 8000000; ++i)
+  {
+    endless += " a";
+  }
+  const auto before = getPeak();
+  this->ExpectRefused(endless + "\nPOINTS 0\nDATA ascii\n", code, { "line 1: more than 10000" });
+  this->ExpectRefused(endless, vtkErrorCode::PrematureEndOfFileError, { "before the line DATA" });
+  EXPECT_LT(getPeak() - before, 5 * static_cast<long>(endless.size() / 1024));
   this->ExpectRefused("FIELDS x y z\nCOLUMNS x y z\nPOINTS 1\nDATA ascii\n0 0 0\n", code,
     { "both FIELDS and COLUMNS" });
   this->ExpectRefused("VERSION 0.7\nFIELDS x y z\nUNITS m\nPOINTS 1\nDATA ascii\n0 0 0\n", code,

@@ -369,6 +369,23 @@ TEST_F(PCDWriter, ReportsWhatCannotBeWritten)
   this->WriteWell(MakeRow(2));
 }
 
+TEST_F(PCDWriter, RefusesMoreFieldsThanTheReaderTakes)
+{
+  const vtkSmartPointer<vtkPolyData> cloud = MakeRow(1);
+  for (int i = 0; i < 9998; ++i)
+  {
+    vtkNew<vtkUnsignedCharArray> array;
+    array->SetName(("a" + std::to_string(i)).c_str());
+    array->InsertNextValue(1);
+    cloud->GetPointData()->AddArray(array);
+  }
+  const std::string name = this->GetPath("many.pcd");
+  this->Writer->SetFileName(name.c_str());
+  this->Writer->SetInputData(cloud);
+  this->ExpectFailure(vtkErrorCode::FileFormatError, { name, "10001 fields", "10000 at most" });
+  EXPECT_FALSE(std::filesystem::exists(name));
+}
+
 /// Arrays that are shorter or longer than the points are an error, and nothing beyond their end is
 /// read.
 TEST_F(PCDWriter, ReportsArraysOfAnotherLength)
