@@ -28,10 +28,11 @@
 #include <pcl/memory.h>         // for pcl::shared_ptr
 #include <pcl/point_cloud.h>    // for clouds of points
 
-#include <cstddef> // for std::size_t
-#include <limits>  // for the range of a width
-#include <string>  // for messages
-#include <vector>  // for fields
+#include <algorithm> // for std::reverse
+#include <cstddef>   // for std::size_t
+#include <limits>    // for the range of a width
+#include <string>    // for messages
+#include <vector>    // for fields
 
 namespace vtkDGG
 {
@@ -140,6 +141,31 @@ inline bool AddFields(const std::vector<pcl::PCLPointField>& fields, const void*
   return true;
 }
 
+/// Whether this machine stores the most significant byte of a number first.
+inline bool IsHostBigEndian()
+{
+  const unsigned short one = 1;
+  return *reinterpret_cast<const unsigned char*>(&one) == 0;
+}
+
+/// Turn the bytes of all numbers round, of points that fill `bytes`.
+inline void SwapBytes(const PointCloudView& view, std::size_t step, std::vector<char>& bytes)
+{
+  for (const PointFieldView& in : view.Fields)
+  {
+    const auto size = static_cast<std::size_t>(in.Field.Size);
+    const auto offset = static_cast<std::size_t>(in.Data - bytes.data());
+    for (std::size_t point = 0; size > 1 && point + step <= bytes.size(); point += step)
+    {
+      char* number = bytes.data() + point + offset;
+      for (int i = 0; i < in.Field.Count; ++i, number += size)
+      {
+        std::reverse(number, number + size);
+      }
+    }
+  }
+}
+
 inline vtkSmartPointer<vtkPolyData> Finish(
   const PointCloudView& view, bool isWell, std::string message, std::string* error)
 {
@@ -189,7 +215,9 @@ inline vtkSmartPointer<vtkPolyData> ToPolyData(
   }
   const char* points = reinterpret_cast<const char*>(cloud.data.data());
   std::vector<char> packed;
-  if (isWell && height > 1 && row != step * width)
+  // Numbers may be those of another machine.
+  const bool isSwapped = static_cast<bool>(cloud.is_bigendian) != Detail::IsHostBigEndian();
+  if (isWell && width > 0 && (isSwapped || (height > 1 && row != step * width)))
   {
     packed.reserve(step * width * height);
     for (std::size_t j = 0; j < height; ++j)
@@ -201,6 +229,10 @@ inline vtkSmartPointer<vtkPolyData> ToPolyData(
   view.Width = static_cast<vtkIdType>(width);
   view.Height = static_cast<vtkIdType>(height);
   isWell = isWell && Detail::AddFields(cloud.fields, points, step, view, message);
+  if (isWell && isSwapped && !packed.empty())
+  {
+    Detail::SwapBytes(view, step, packed);
+  }
   return Detail::Finish(view, isWell, message, error);
 }
 
@@ -285,7 +317,7 @@ inline bool FromPolyData(vtkPolyData* data, pcl::PCLPointCloud2& cloud)
   cloud.height = static_cast<pcl::uindex_t>(height);
   cloud.point_step = static_cast<pcl::uindex_t>(step);
   cloud.row_step = static_cast<pcl::uindex_t>(step * width);
-  cloud.is_bigendian = false;
+  cloud.is_bigendian = Detail::IsHostBigEndian();
   cloud.is_dense = IsPointCloudDense(data);
   cloud.data.resize(step * width * height);
   char* out = reinterpret_cast<char*>(cloud.data.data());

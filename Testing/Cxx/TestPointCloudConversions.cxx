@@ -223,6 +223,31 @@ TEST(PointCloudConversions, BlobsOfAnyFields)
     dggtest::ExpectSameCloud(data, back);
     back = vtkDGG::ToPolyData(pcl::PCLPointCloud2::ConstPtr(blob));
     EXPECT_EQ(back->GetNumberOfPoints(), 6);
+    // From a machine that stores numbers the other way round, also with rows that are longer.
+    blob->is_bigendian = !blob->is_bigendian;
+    for (std::size_t point = 0; point < blob->data.size(); point += blob->point_step)
+    {
+      for (const pcl::PCLPointField& field : blob->fields)
+      {
+        const auto size = static_cast<std::size_t>(pcl::getFieldSize(field.datatype));
+        for (std::size_t i = 0; i < field.count; ++i)
+        {
+          const auto number =
+            blob->data.begin() + static_cast<std::ptrdiff_t>(point + field.offset + i * size);
+          std::reverse(number, number + static_cast<std::ptrdiff_t>(size));
+        }
+      }
+    }
+    back = vtkDGG::ToPolyData(blob);
+    ASSERT_NE(back, nullptr);
+    back->GetFieldData()->RemoveArray("PCD.Viewpoint");
+    dggtest::ExpectSameCloud(data, back);
+    blob->data.insert(blob->data.begin() + blob->row_step, 5, 77);
+    blob->row_step += 5;
+    back = vtkDGG::ToPolyData(blob);
+    ASSERT_NE(back, nullptr);
+    back->GetFieldData()->RemoveArray("PCD.Viewpoint");
+    dggtest::ExpectSameCloud(data, back);
   }
 }
 
