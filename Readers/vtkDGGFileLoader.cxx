@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGFileLoader.h"
 
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -51,6 +56,43 @@ bool vtkDGGLoadFile(
     return false;
   }
   return true;
+}
+
+int vtkDGGReadFile(const char* fileName, vtkInformationVector* outputVector,
+  const std::function<bool(vtkPolyData* output, vtkDGGFileError& error)>& read,
+  vtkDGGFileError& error)
+{
+  error = vtkDGGFileError();
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (!fileName || !fileName[0])
+  {
+    error = { vtkErrorCode::NoFileNameError, "There is no file name: call SetFileName() first." };
+    return 0;
+  }
+  try
+  {
+    if (read(output, error))
+    {
+      return 1;
+    }
+  }
+  catch (const std::exception& exception) // out of memory
+  {
+    error = { vtkErrorCode::UnknownError, exception.what() };
+  }
+  catch (...)
+  {
+    error = { vtkErrorCode::UnknownError, "unexpected failure" };
+  }
+  output->Initialize();
+  if (error.Code == vtkErrorCode::NoError)
+  {
+    // Aborted: nothing to complain about, but an empty output does not count as up to date.
+    outputVector->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    return 1;
+  }
+  error.Message = std::string("Cannot read ") + fileName + ": " + error.Message;
+  return 0;
 }
 
 std::string vtkDGGQuote(const char* first, const char* last)

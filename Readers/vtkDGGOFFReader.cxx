@@ -9,12 +9,9 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -24,7 +21,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <exception>
 #include <vector>
 
 namespace
@@ -193,51 +189,32 @@ int vtkDGGOFFReader::CanReadFile(const char* fileName)
 int vtkDGGOFFReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->SetErrorCode(vtkErrorCode::NoError);
-  if (!this->FileName || !this->FileName[0])
-  {
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro("There is no file name: call SetFileName() first.");
-    return 0;
-  }
-  vtkDGGOFFError error;
-  try
-  {
+  const vtkDGGFileProgress progress = [this](double done) {
+    this->UpdateProgress(0.9 * done);
+    return this->GetAbortExecute() == 0;
+  };
+  const auto read = [&](vtkPolyData* output, vtkDGGFileError& error) {
     std::vector<char> bytes;
     vtkDGGOFFContents contents;
-    const vtkDGGOFFProgress progress = [this](double done) {
-      this->UpdateProgress(0.9 * done);
-      return this->GetAbortExecute() == 0;
-    };
-    if (vtkDGGLoadFile(this->FileName, SIZE_MAX, bytes, error) &&
-      ParseFile(bytes, progress, contents, error))
+    if (!vtkDGGLoadFile(this->FileName, SIZE_MAX, bytes, error) ||
+      !ParseFile(bytes, progress, contents, error))
     {
-      std::vector<char>().swap(bytes);
-      MakePoints(contents, output);
-      MakeCells(contents, output);
-      this->UpdateProgress(1.0);
-      return 1;
+      return false;
     }
-  }
-  catch (const std::exception& exception) // out of memory
-  {
-    error = { vtkErrorCode::UnknownError, exception.what() };
-  }
-  catch (...)
-  {
-    error = { vtkErrorCode::UnknownError, "unexpected failure" };
-  }
-  output->Initialize();
-  if (error.Code == vtkErrorCode::NoError)
-  {
-    // Aborted: nothing to complain about, but an empty output does not count as up to date.
-    outputVector->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-    return 1;
-  }
+    std::vector<char>().swap(bytes);
+    MakePoints(contents, output);
+    MakeCells(contents, output);
+    this->UpdateProgress(1.0);
+    return true;
+  };
+  vtkDGGFileError error;
+  const int done = vtkDGGReadFile(this->FileName, outputVector, read, error);
   this->SetErrorCode(error.Code);
-  vtkErrorMacro("Cannot read " << this->FileName << ": " << error.Message);
-  return 0;
+  if (error.Code != vtkErrorCode::NoError)
+  {
+    vtkErrorMacro(<< error.Message);
+  }
+  return done;
 }
 
 void vtkDGGOFFReader::PrintSelf(ostream& os, vtkIndent indent)

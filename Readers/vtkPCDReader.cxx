@@ -7,15 +7,11 @@
 #include "vtkDGGPCDHeader.h"
 #include "vtkDGGPointFields.h"
 
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 #include <cstdint>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -74,46 +70,27 @@ int vtkPCDReader::CanReadFile(const char* fileName)
 int vtkPCDReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->SetErrorCode(vtkErrorCode::NoError);
-  if (!this->FileName || !this->FileName[0])
-  {
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro("There is no file name: call SetFileName() first.");
-    return 0;
-  }
-  vtkDGGFileError error;
-  try
-  {
-    const vtkDGGFileProgress progress = [this](double done) {
-      this->UpdateProgress(0.9 * done);
-      return this->GetAbortExecute() == 0;
-    };
-    if (vtkSmartPointer<vtkPolyData> cloud = ReadFile(this->FileName, progress, error))
+  const vtkDGGFileProgress progress = [this](double done) {
+    this->UpdateProgress(0.9 * done);
+    return this->GetAbortExecute() == 0;
+  };
+  const auto read = [&](vtkPolyData* output, vtkDGGFileError& error) {
+    const vtkSmartPointer<vtkPolyData> cloud = ReadFile(this->FileName, progress, error);
+    if (cloud)
     {
       output->ShallowCopy(cloud);
       this->UpdateProgress(1.0);
-      return 1;
     }
-  }
-  catch (const std::exception& exception) // out of memory
-  {
-    error = { vtkErrorCode::UnknownError, exception.what() };
-  }
-  catch (...)
-  {
-    error = { vtkErrorCode::UnknownError, "unexpected failure" };
-  }
-  output->Initialize();
-  if (error.Code == vtkErrorCode::NoError)
-  {
-    // Aborted: nothing to complain about, but an empty output does not count as up to date.
-    outputVector->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-    return 1;
-  }
+    return cloud != nullptr;
+  };
+  vtkDGGFileError error;
+  const int done = vtkDGGReadFile(this->FileName, outputVector, read, error);
   this->SetErrorCode(error.Code);
-  vtkErrorMacro("Cannot read " << this->FileName << ": " << error.Message);
-  return 0;
+  if (error.Code != vtkErrorCode::NoError)
+  {
+    vtkErrorMacro(<< error.Message);
+  }
+  return done;
 }
 
 void vtkPCDReader::PrintSelf(ostream& os, vtkIndent indent)
