@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -108,8 +109,10 @@ TEST(CloudCenters, TheEnergyIsThatOfTheSites)
 
 TEST(CloudCenters, ScaleDoesNotMatter)
 {
+  // Powers of two change no digit.
   std::vector<Id> first;
-  for (const double scale : { 1.0, 1e-30, 1e30 })
+  std::vector<double> energies;
+  for (const double scale : { 1.0, std::ldexp(1.0, -100), std::ldexp(1.0, 100) })
   {
     TestMesh mesh = Icosphere(3);
     for (double& x : mesh.Points)
@@ -124,14 +127,19 @@ TEST(CloudCenters, ScaleDoesNotMatter)
     {
       found.push_back(site.Vertex);
     }
-    first = first.empty() ? found : first;
     if (scale == 1.0)
     {
+      first = found;
+      energies = c.Energies;
+      EXPECT_NE(first, (std::vector<Id>{ 0, 7, 30 }));
       continue;
     }
-    EXPECT_EQ(found.size(), first.size());
-    EXPECT_TRUE(std::isfinite(c.Energies.back()));
-    EXPECT_LT(c.Energies.back(), c.Energies.front());
+    EXPECT_EQ(found, first) << scale;
+    ASSERT_EQ(c.Energies.size(), energies.size()) << scale;
+    for (std::size_t i = 0; i < energies.size(); ++i)
+    {
+      EXPECT_NEAR(c.Energies[i] / scale / scale, energies[i], 1e-6 * energies[i]) << scale;
+    }
   }
 }
 
@@ -155,6 +163,23 @@ TEST(CloudCenters, IterationsAndAbort)
   EXPECT_TRUE(c.Move(options, sites).IsAborted());
   EXPECT_EQ(sites[0].Vertex, 0);
   EXPECT_TRUE(c.Energies.empty());
+}
+
+TEST(CloudCenters, ProgressDoesNotGoBack)
+{
+  CloudCase c(Plane(20, 14), 0.01);
+  Sites sites = At({ 0, 1, 2, 3, 4 });
+  std::vector<double> told;
+  CentroidalOptions options;
+  options.NumberOfIterations = 50;
+  options.Progress = [&](double done) {
+    told.push_back(done);
+    return true;
+  };
+  ASSERT_TRUE(c.Move(options, sites).IsOk());
+  EXPECT_GT(told.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_LE(told.back(), 1.0);
 }
 
 TEST(CloudCenters, SitesWithoutACell)

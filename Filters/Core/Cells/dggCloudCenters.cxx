@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggCloudCenters.h"
 
+#include "dggCloudFrame.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -11,8 +12,6 @@ namespace dgg
 {
 namespace
 {
-using Position = std::array<double, 3>;
-
 /// Steps that are smaller than this part of what the means ask for are of no use.
 constexpr int MostHalvings = 5;
 
@@ -72,7 +71,7 @@ public:
   /// Move all sites by a part of the way to the means of their cells. Returns whether any moves.
   bool Move(const State& from, double part, State& to) const
   {
-    const std::vector<Position> aims = this->FindAims(from, part);
+    const std::vector<Point3> aims = this->FindAims(from, part);
     to.Sites = from.Sites;
     std::vector<double> closest(aims.size());
     for (std::size_t i = 0; i < aims.size(); ++i)
@@ -121,23 +120,14 @@ public:
   double ToCloud(double energy) const { return energy * this->Unit * this->Unit; }
 
 private:
-  Position At(Id v) const
-  {
-    const double* p = this->Positions + 3 * static_cast<std::size_t>(v);
-    return { { p[0], p[1], p[2] } };
-  }
+  Point3 At(Id v) const { return PointAt(this->Positions, v); }
 
   /// In units.
-  double SquaredDistance(const Position& p, Id v) const
+  double SquaredDistance(const Point3& p, Id v) const
   {
-    const Position q = this->At(v);
-    double sum = 0.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      const double difference = (p[c] - q[c]) / this->Unit;
-      sum += difference * difference;
-    }
-    return sum;
+    const Point3 d = p - this->At(v);
+    const Point3 inUnits{ d.X / this->Unit, d.Y / this->Unit, d.Z / this->Unit };
+    return Dot(inUnits, inUnits);
   }
 
   /// Per vertex, the first vertex after its site on the way to it; NoId for sites and where no site
@@ -167,10 +157,10 @@ private:
   }
 
   /// Where the sites are to go.
-  std::vector<Position> FindAims(const State& state, double part) const
+  std::vector<Point3> FindAims(const State& state, double part) const
   {
     const std::vector<Id> departures = this->FindDepartures(state);
-    std::vector<Position> sums(state.Sites.size(), Position{ { 0.0, 0.0, 0.0 } });
+    std::vector<Point3> sums(state.Sites.size());
     std::vector<double> counts(state.Sites.size(), 0.0);
     for (Id v = 0; v < static_cast<Id>(departures.size()); ++v)
     {
@@ -184,25 +174,19 @@ private:
       {
         continue;
       }
-      const Position from = this->At(state.Sites[site]);
-      const Position to = this->At(departures[v]);
-      const double length = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+      const Point3 way = this->At(departures[v]) - this->At(state.Sites[site]);
+      const double length = std::hypot(way.X, way.Y, way.Z);
       if (length > 0.0) // not so for points in the same place
       {
         const double distance = state.Result.Distances[v];
-        for (int c = 0; c < 3; ++c)
-        {
-          sums[site][c] += distance * ((to[c] - from[c]) / length);
-        }
+        sums[site] =
+          sums[site] + distance * Point3{ way.X / length, way.Y / length, way.Z / length };
       }
     }
     for (std::size_t i = 0; i < sums.size(); ++i)
     {
-      const Position from = this->At(state.Sites[i]);
-      for (int c = 0; c < 3; ++c)
-      {
-        sums[i][c] = from[c] + (counts[i] > 0.0 ? part * (sums[i][c] / counts[i]) : 0.0);
-      }
+      const Point3 mean = counts[i] > 0.0 ? (part / counts[i]) * sums[i] : Point3();
+      sums[i] = this->At(state.Sites[i]) + mean;
     }
     return sums;
   }
@@ -217,9 +201,11 @@ Status MoveToCloudCenters(const GraphSearch& search, const double* positions,
   const CentroidalOptions& options, std::vector<SurfacePoint>& sites, std::vector<double>& energies)
 {
   energies.clear();
-  const auto report = [&options](double done) {
-    return !options.Progress ||
-      options.Progress(std::min(1.0, done / (options.NumberOfIterations + 1)));
+  // An iteration may search several times, and does not go back then.
+  double told = 0.0;
+  const auto report = [&options, &told](double done) {
+    told = std::max(told, std::min(1.0, done / (options.NumberOfIterations + 1)));
+    return !options.Progress || options.Progress(told);
   };
   const auto within = [&report](double start) {
     return [&report, start](double part) { return report(start + 0.99 * part); };
