@@ -16,6 +16,13 @@ set_tests_properties(Install.Install PROPERTIES
   FIXTURES_SETUP dgg_install
   LABELS "Install")
 
+add_test(NAME Install.IsRelocatable
+  COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${install_prefix}/${dgg_cmake_destination}"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/CheckRelocatable.cmake")
+set_tests_properties(Install.IsRelocatable PROPERTIES
+  FIXTURES_REQUIRED dgg_install
+  LABELS "Install")
+
 # A fresh configure each time, so that an old cache hides nothing.
 add_test(NAME Install.CleanConsumer
   COMMAND "${CMAKE_COMMAND}" -E rm -rf "${consumer_dir}")
