@@ -87,3 +87,25 @@ TEST(HermiteEdge, KeepsRidgesSharp)
   }
   EXPECT_GT(ridges, 30);
 }
+
+TEST(HermiteEdge, NumbersThatOverflowStayFinite)
+{
+  const SurfaceMesh mesh = Build(Plane(2, 2));
+  const double huge = 1.7e308;
+  std::vector<double> values;
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    values.push_back(v % 3 == 0 ? huge : v % 3 == 1 ? -huge : 1.0);
+  }
+  const DistanceField field{ &mesh, values.data(), nullptr, nullptr };
+  HermiteEdge edge(field, 3);
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    edge.Enter(h);
+    for (const RimNode& node : edge.GetNodes())
+    {
+      EXPECT_TRUE(std::isfinite(node.Value));
+      EXPECT_TRUE(node.X >= 0.0 && node.X <= edge.GetLength());
+    }
+  }
+}

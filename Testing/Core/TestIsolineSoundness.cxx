@@ -80,6 +80,39 @@ TEST(Isolines, OfAnyNumbersAreSound)
   }
 }
 
+TEST(Isolines, OfNumbersThatOverflowLieOnTheSurface)
+{
+  const SurfaceMesh mesh = Build(Plane(3, 3, 0.2));
+  for (const double huge : { 1e17, 1e150, 1e300, 1.7e308 })
+  {
+    Random random(3);
+    std::vector<double> values;
+    VirtualSources sources;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      values.push_back(huge * random.Uniform(-1.0, 1.0));
+      sources.Lengths.push_back(v % 2 == 0 ? huge : 1.0);
+      sources.Offsets.push_back(values.back());
+      sources.Angles.push_back(random.Uniform(0.0, 6.0));
+    }
+    const DistanceField linear{ &mesh, values.data(), nullptr, nullptr };
+    const DistanceField local{ &mesh, values.data(), nullptr, &sources };
+    for (const DistanceField& field : { linear, local })
+    {
+      for (const IsolineMethod method : { IsolineMethod::LocalSources, IsolineMethod::Apollonius })
+      {
+        const Isolines lines = Trace(field, { -0.5 * huge, 0.0, 0.5 * huge }, 0.0, method);
+        EXPECT_FALSE(lines.Lines.empty());
+        for (const SurfacePath& line : lines.Lines)
+        {
+          const Status status = CheckPath(mesh, line);
+          EXPECT_TRUE(status.IsOk()) << huge << ": " << status.GetMessage();
+        }
+      }
+    }
+  }
+}
+
 TEST(Isolines, LevelsOfVerticesAreNoTrouble)
 {
   const TestMesh test = Plane(8, 8);

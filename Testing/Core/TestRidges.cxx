@@ -460,6 +460,35 @@ TEST(Ridges, DefectsAreSurvived)
   }
 }
 
+TEST(Ridges, OfRoundingAloneComeToAnEnd)
+{
+  // So far from the sources that gradients are rounding, or numbers overflow.
+  const SurfaceMesh mesh = Build(Plane(3, 3));
+  for (const double far : { 1e17, 1.7e308 })
+  {
+    Random random(3);
+    std::vector<double> values;
+    VirtualSources sources;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const bool isFar = far > 1e300;
+      values.push_back(isFar ? far * random.Uniform(-1.0, 1.0) : random.Uniform(0.0, 2.0));
+      sources.Lengths.push_back(isFar ? random.Uniform(0.0, 2.0) : far);
+      sources.Offsets.push_back(values.back() - sources.Lengths.back());
+      sources.Angles.push_back(random.Uniform(0.0, 6.0));
+    }
+    Ridges ridges;
+    const DistanceField field{ &mesh, values.data(), nullptr, &sources };
+    EXPECT_TRUE(FindRidges(field, {}, {}, {}, ridges).IsOk());
+    EXPECT_TRUE(far > 1e300 || ridges.Fallbacks > 0);
+    for (const SurfacePath& line : ridges.Lines)
+    {
+      const Status path = CheckPath(mesh, line);
+      EXPECT_TRUE(path.IsOk()) << path.GetMessage();
+    }
+  }
+}
+
 TEST(Ridges, DoNotDependOnThreadsAndCanBeStopped)
 {
   const RidgeCase test(Torus(24, 14), { VertexSource(3) }, 5.0);

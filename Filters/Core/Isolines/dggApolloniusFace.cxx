@@ -157,12 +157,13 @@ void ApolloniusFace::AddDiagram(FaceTriangulation& triangulation)
     else
     {
       const std::array<double, 3> b = this->Profile.BarycentricOf(node.Place);
-      if (std::min(b[0], std::min(b[1], b[2])) > InnerDistance)
+      const double value = this->Profile.At(node.Place); // not finite where numbers overflow
+      if (std::min(b[0], std::min(b[1], b[2])) > InnerDistance && std::isfinite(value))
       {
         number = static_cast<int>(this->Values.size());
         triangulation.AddPoint(GridPoint::FromBarycentric(b));
         this->Places.push_back(b);
-        this->Values.push_back(this->Profile.At(node.Place));
+        this->Values.push_back(value);
       }
     }
     numbers.push_back(number);

@@ -57,6 +57,7 @@ void FaceRidgeFinder::Find(Id f, FaceRidges& found)
   this->Found = &found;
   this->Profile.Enter(f);
   this->Crossings.clear();
+  this->Jumps.Restart();
   this->Size = std::max({ this->Field.Mesh->Length(3 * f), this->Field.Mesh->Length(3 * f + 1),
     this->Field.Mesh->Length(3 * f + 2) });
   this->Connect(this->MakeRim());
@@ -194,6 +195,11 @@ void FaceRidgeFinder::Connect(const Rim& rim)
 /// Cut a part in two across its longest diagonal.
 void FaceRidgeFinder::Divide(const Rim& rim)
 {
+  if (this->Jumps.IsExhausted())
+  {
+    ++this->Fallbacks;
+    return;
+  }
   std::size_t first = 0;
   std::size_t second = 0;
   double longest = 0.0;

@@ -132,7 +132,8 @@ void FieldJumpFinder::Search(const Way& way, double begin, const FieldSample& at
   const FieldSample& atEnd) const
 {
   const double angle = AngleBetween(atBegin, atEnd);
-  if (angle < 0.5 * this->Angle || HaveOneSource(atBegin, atEnd, way.Length))
+  // Where numbers overflow there is no angle, and nothing that halving would find.
+  if (!(angle >= 0.5 * this->Angle) || HaveOneSource(atBegin, atEnd, way.Length))
   {
     return;
   }
@@ -143,6 +144,11 @@ void FieldJumpFinder::Search(const Way& way, double begin, const FieldSample& at
   const double middle = 0.5 * (begin + end);
   if (end - begin > way.Width)
   {
+    if (this->IsExhausted())
+    {
+      return;
+    }
+    --this->SamplesLeft;
     const FieldSample atMiddle = this->Profile.SampleAt(way.At(middle));
     this->Search(way, begin, atBegin, middle, atMiddle);
     this->Search(way, middle, atMiddle, end, atEnd);

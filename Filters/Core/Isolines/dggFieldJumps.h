@@ -50,6 +50,12 @@ public:
   {
   }
 
+  /// Look at so many places only until the next call, as for a face: where numbers are so large
+  /// that the gradient is rounding there would be jumps everywhere.
+  void Restart() const { this->SamplesLeft = MostSamples; }
+  /// Whether that has been too few, and jumps may be missing.
+  bool IsExhausted() const { return this->SamplesLeft <= 0; }
+
   /// Append the jumps on the way from p to q, first seen in samples at `count` + 1 places and then
   /// bisected until they are found to `width`, a part of the way. The gradients point at each
   /// other: where they point apart, there is a source.
@@ -77,8 +83,12 @@ private:
     const FieldSample& atEnd) const;
   void Add(const Way& way, double t, const FieldSample& before, const FieldSample& after) const;
 
+  /// A jump takes some 40 of them, a face with ridges some thousand.
+  static constexpr int MostSamples = 20000;
+
   const FaceProfile& Profile;
   const double Angle;
+  mutable int SamplesLeft = MostSamples;
 };
 }
 

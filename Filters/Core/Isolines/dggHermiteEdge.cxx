@@ -73,15 +73,15 @@ double HermiteEdge::At(double x) const
   {
     return this->Ends[x > 0.0 ? 1 : 0];
   }
-  if (this->IsSplit)
-  {
-    return std::min(this->Models[0].At(x, this->PolarAngles[0]),
-      this->Models[1].At(this->Length - x, this->PolarAngles[1]));
-  }
   const double t = x / this->Length;
   const double s = 1.0 - t;
-  return s * s * ((1.0 + 2.0 * t) * this->Ends[0] + t * this->Rises[0]) +
-    t * t * ((1.0 + 2.0 * s) * this->Ends[1] - s * this->Rises[1]);
+  const double value = this->IsSplit
+    ? std::min(this->Models[0].At(x, this->PolarAngles[0]),
+        this->Models[1].At(this->Length - x, this->PolarAngles[1]))
+    : s * s * ((1.0 + 2.0 * t) * this->Ends[0] + t * this->Rises[0]) +
+      t * t * ((1.0 + 2.0 * s) * this->Ends[1] - s * this->Rises[1]);
+  // Of numbers so large that these overflow, a straight line is left.
+  return std::isfinite(value) ? value : s * this->Ends[0] + t * this->Ends[1];
 }
 
 void HermiteEdge::PlaceNodes()
