@@ -22,7 +22,7 @@
 ///   --speed_mesh=FILE    a mesh that is decimated to as many points for that
 ///   --threads=2          of graphs; queries and marches are on one
 /// Meshes as for BenchmarkExact: their vertices are the points, and exact distances along their
-/// faces the truth.
+/// faces the truth; faces with an edge longer than three median ones are left out.
 ///
 /// Names of the results are
 ///   Cloud/CLOUD/SCHEME/WEIGHTS/CASE   CloudCases.h; WEIGHTS are arc, chord, or fine for arcs with
@@ -56,6 +56,8 @@ constexpr double Once = 1e-9;
 /// A sphere that random points are taken from: so fine that it is smooth to them.
 constexpr int HolesLevel = 7;
 constexpr int NumberOfHoles = 12;
+/// Longer edges, in median ones, are of faces over gaps between points that are not bridged.
+constexpr double LongestEdge = 3.0;
 /// Sheets are 3 h apart.
 constexpr int SheetsOffset = 3;
 constexpr int CurveSources = 3;
@@ -378,7 +380,9 @@ bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
   }
   for (const MeshRecipe& mesh : arguments.GetMeshes())
   {
-    settings.Clouds.push_back(VerticesOf(mesh));
+    CloudRecipe cloud = VerticesOf(mesh);
+    cloud.Mesh.LongestEdge = LongestEdge;
+    settings.Clouds.push_back(cloud);
   }
   for (const std::string& name : arguments.GetList("schemes"))
   {

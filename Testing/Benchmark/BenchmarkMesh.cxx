@@ -59,6 +59,10 @@ vtkSmartPointer<vtkPolyData> MeshRecipe::Make() const
 {
   vtkSmartPointer<vtkPolyData> mesh =
     this->File.empty() ? Generated(*this) : ReadPolyData(this->File);
+  if (this->LongestEdge > 0.0)
+  {
+    mesh = ToPolyData(WithoutLongEdges(ToArrays(mesh), this->LongestEdge));
+  }
   if (this->Vertices > 0)
   {
     mesh = Decimated(mesh, this->Vertices);

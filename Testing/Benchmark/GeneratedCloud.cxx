@@ -70,18 +70,16 @@ GeneratedCloud RandomSphere(int count, double noise, double density)
       continue;
     }
     const double r = std::sqrt(1.0 - z * z);
-    const double x = r * std::cos(angle);
-    const double y = r * std::sin(angle);
-    places->push_back({ x, y, z });
+    std::array<double, 3> p = { { r * std::cos(angle), r * std::sin(angle), z } };
     if (noise > 0.0)
     {
-      const double shift[3] = { random.GetNormal(), random.GetNormal(), random.GetNormal() };
-      AddPoint(cloud, x + noise * shift[0], y + noise * shift[1], z + noise * shift[2]);
+      for (double& x : p)
+      {
+        x += noise * random.GetNormal();
+      }
     }
-    else
-    {
-      AddPoint(cloud, x, y, z);
-    }
+    AddPoint(cloud, p[0], p[1], p[2]);
+    places->push_back(p);
   }
   cloud.Distance = [places](dgg::Id a, dgg::Id b) {
     const auto& p = (*places)[a];

@@ -24,7 +24,8 @@ GeneratedCloud RandomSquare(int count);
 GeneratedCloud RandomCylinder(int count);
 
 /// Of the unit sphere, at its top so many times denser than at its bottom. `noise` is the deviation
-/// of normal numbers that are added to each coordinate; distances are those without it.
+/// of normal numbers that are added to each coordinate; distances are those between the nearest
+/// points of the sphere.
 GeneratedCloud RandomSphere(int count, double noise = 0.0, double density = 1.0);
 
 /// Of two unit squares, one above the other by a gap; half of the points on each.

@@ -152,6 +152,39 @@ MeshArrays WithHoles(const MeshArrays& mesh, int count, double radius)
   return rest;
 }
 
+MeshArrays WithoutLongEdges(const MeshArrays& mesh, double factor)
+{
+  const auto edge = [&](std::size_t h) {
+    const std::size_t next = h % 3 == 2 ? h - 2 : h + 1;
+    const Vector p = PointOf(mesh, mesh.Triangles[h]);
+    const Vector q = PointOf(mesh, mesh.Triangles[next]);
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  };
+  std::vector<double> lengths;
+  for (std::size_t h = 0; h < mesh.Triangles.size(); ++h)
+  {
+    lengths.push_back(edge(h));
+  }
+  if (lengths.empty())
+  {
+    return mesh;
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  const double longest = factor * *middle;
+  MeshArrays rest;
+  rest.Points = mesh.Points;
+  for (std::size_t h = 0; h < mesh.Triangles.size(); h += 3)
+  {
+    if (std::max({ edge(h), edge(h + 1), edge(h + 2) }) <= longest)
+    {
+      const dgg::Id* face = mesh.Triangles.data() + h;
+      AddTriangle(rest, face[0], face[1], face[2]);
+    }
+  }
+  return rest;
+}
+
 MeshArrays Torus(int rings, int sides)
 {
   MeshArrays mesh;

@@ -15,6 +15,9 @@ MeshArrays BumpySphere(int level, double amplitude = 0.1);
 /// of a BumpySphere() are spread out evenly, up to 12.
 MeshArrays WithHoles(const MeshArrays& mesh, int count, double radius);
 
+/// Without the faces that have an edge longer than `factor` times the median.
+MeshArrays WithoutLongEdges(const MeshArrays& mesh, double factor);
+
 /// Torus of radii 1 and 0.4 with `rings` x `sides` vertices, shifted at random along the surface by
 /// up to 0.2 steps.
 MeshArrays Torus(int rings, int sides);

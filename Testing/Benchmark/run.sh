@@ -24,8 +24,8 @@
 #             matplotlib)
 #   --out     folder of the results (default: out/benchmark in the source tree)
 #   --data    folder with bunny, armadillo, fertility, kitten and gargoyle (.ply), for isolines igea
-#             as well, to be measured; for clouds with bunny, igea, terrain_andes and
-#             awkward/terrain_alps_voids
+#             as well, to be measured; for clouds with igea, terrain_andes,
+#             awkward/bunny_raw_5holes and awkward/terrain_alps_voids
 #   --full    of clouds: a sphere of 655K points as well, which takes about 15 minutes
 #   --readme  put the tables and the plot into README.md and Examples/Images as well: graph, cloud
 # For example:
@@ -69,7 +69,7 @@ while [ $# -gt 0 ]; do
       [ $# -ge 2 ] || dgg_fail "--data needs a folder"
       case "$mode" in
         cloud)
-          names=(bunny awkward/terrain_alps_voids igea)
+          names=(awkward/bunny_raw_5holes awkward/terrain_alps_voids igea)
           arguments+=("--speed_mesh=$2/terrain_andes.ply")
           ;;
         isolines) names+=(igea) ;;

@@ -1,0 +1,177 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Distances on point clouds that are not easy: with noise, of uneven density, with holes, and of two
+sheets that are close to each other.
+
+Usage: cloud_guards.py PICTURE.png
+"""
+
+import sys
+
+import numpy as np
+import vtkdgg
+import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from cloud_discs import discs, spacings_of
+from cloud_file import cloud_of
+from demo_picture import DISTANCE_COLOURS, INK, marker
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkLightKit,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkTextActor,
+    vtkWindowToImageFilter,
+)
+
+SIZE = (1600, 1200)
+UNREACHED = (0.62, 0.62, 0.62)
+# Every other band is darker by this factor.
+SHADE = 0.8
+BANDS = 24
+# Radius of the discs, of the spacing: small enough for single points to be seen.
+RADIUS = 0.6
+
+
+def sphere(count, random, noise=0.0, density=1.0):
+    """Points of the unit sphere: so many times denser on one side, and shifted by normal numbers."""
+    points = random.normal(size=(4 * count, 3))
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    chance = (1.0 + (density - 1.0) * 0.5 * (1.0 - points[:, 0])) / density
+    points = points[random.uniform(size=len(points)) < chance][:count]
+    return points + noise * random.normal(size=points.shape)
+
+
+def perforated(count, random):
+    """Points of a torus outside of round holes."""
+    u = 2.0 * np.pi * random.uniform(size=4 * count)
+    v = 2.0 * np.pi * random.uniform(size=4 * count)
+    r = 1.0 + 0.45 * np.cos(v)
+    even = 1.45 * random.uniform(size=len(r)) < r  # as many per area everywhere
+    points = np.column_stack([r * np.cos(u), r * np.sin(u), 0.45 * np.sin(v)])[even]
+    angle = np.arange(10) * 2.0 * np.pi / 10.0
+    tube = np.where(np.arange(10) % 2 == 0, 0.6, 1.9)
+    r = 1.0 + 0.45 * np.cos(tube)
+    centres = np.column_stack([r * np.cos(angle), r * np.sin(angle), 0.45 * np.sin(tube)])
+    gaps = np.linalg.norm(points[:, None] - centres, axis=2) < 0.17
+    return points[~gaps.any(axis=1)][:count]
+
+
+def sheets(count, random):
+    """Points of two wavy sheets: three radii of balls, of one and a half spacings, apart."""
+    x, y = random.uniform(size=(2, count))
+    gap = 3.0 * 1.5 * np.sqrt(2.0 / count)
+    z = 0.06 * np.sin(7.0 * x + 0.5) * np.cos(5.0 * y) + gap * (np.arange(count) % 2)
+    # The upper one is cut off, so that the lower one can be seen.
+    return np.column_stack([x, y, z])[(np.arange(count) % 2 == 0) | (x + 0.4 * y > 0.62)]
+
+
+def distances_on(points, source):
+    """The graph of the points, and distances from one of them."""
+    graph = vtkdgg.vtkPointCloudDGG()
+    graph.SetInputData(cloud_of(points))
+    distance = vtkdgg.vtkDGGDistance()
+    distance.SetInputConnection(graph.GetOutputPort())
+    distance.AddSourceId(source)
+    output = vtkdgg.check(distance)
+    return graph, vtk_to_numpy(output.GetPointData().GetArray("GeodesicDistance"))
+
+
+def band_table(high):
+    """One colour for each band of distance, lighter and darker ones in turn."""
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(BANDS)
+    place = np.linspace(0.0, 1.0, len(DISTANCE_COLOURS))
+    channels = np.array(DISTANCE_COLOURS).T
+    for i in range(BANDS):
+        colour = np.array([np.interp(i / (BANDS - 1.0), place, c) for c in channels])
+        table.SetTableValue(i, *(colour * (SHADE if i % 2 else 1.0)), 1.0)
+    table.SetRange(0.0, high)
+    table.SetNanColor(*UNREACHED, 1.0)
+    return table
+
+
+def panel(title, points, towards, up, zoom):
+    """A renderer with the points, coloured by the distance from the one that is nearest to the
+    viewer, who looks from this direction."""
+    direction = np.array(towards, dtype=float)
+    direction /= np.linalg.norm(direction)
+    source = int(np.argmax(points @ direction))
+    graph, distances = distances_on(points, source)
+    cloud = cloud_of(points)
+    size = cloud.GetLength()
+    renderer = vtkRenderer()
+    renderer.SetBackground(1.0, 1.0, 1.0)
+    radii = RADIUS * spacings_of(graph)
+    renderer.AddActor(discs(cloud, radii, distances, band_table(np.nanmax(distances))))
+    renderer.AddActor(marker(points[source], size))
+    renderer.AddViewProp(caption(title))
+    kit = vtkLightKit()
+    kit.SetKeyLightIntensity(0.95)
+    kit.SetKeyToFillRatio(2.0)
+    kit.AddLightsToRenderer(renderer)
+
+    camera = renderer.GetActiveCamera()
+    centre = np.array(cloud.GetCenter())
+    camera.SetFocalPoint(*centre)
+    camera.SetPosition(*(centre + 3.0 * size * direction))
+    camera.SetViewUp(*up)
+    renderer.ResetCamera()
+    camera.Zoom(zoom)
+    camera.SetWindowCenter(0.0, 0.05)  # room for the caption
+    renderer.ResetCameraClippingRange()
+    return renderer
+
+
+def caption(title):
+    """Text at the top."""
+    text = vtkTextActor()
+    text.SetInput(title)
+    text.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    text.SetPosition(0.5, 0.935)
+    style = text.GetTextProperty()
+    style.SetJustificationToCentered()
+    style.SetColor(*INK)
+    style.SetFontSize(28)
+    style.SetFontFamilyToArial()
+    return text
+
+
+def panels():
+    """The four of them, from the top left on, row by row."""
+    random = np.random.default_rng(20190525)
+    yield panel("noise, 1 % of the box", sphere(20000, random, noise=0.02), (1, 1, 0.5), (0, 0, 1), 1.5)
+    yield panel(
+        "density 10 : 1", sphere(6000, random, density=10.0), (0.1, -1, 0.2), (0, 0, 1), 1.5
+    )
+    yield panel("holes", perforated(14000, random), (0.4, -1, 1.1), (0, 0, 1), 1.5)
+    yield panel("two sheets, 3 h apart", sheets(16000, random), (-1, -0.8, 0.75), (0, 0, 1), 1.5)
+
+
+def main(picture):
+    """Render all of them into one picture."""
+    window = vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetMultiSamples(8)
+    window.SetSize(*SIZE)
+    for i, renderer in enumerate(panels()):
+        left, bottom = 0.5 * (i % 2), 0.5 - 0.5 * (i // 2)
+        renderer.SetViewport(left, bottom, left + 0.5, bottom + 0.5)
+        window.AddRenderer(renderer)
+    window.Render()
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    grabber.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetFileName(picture)
+    writer.SetInputConnection(grabber.GetOutputPort())
+    vtkdgg.check(writer)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    main(sys.argv[1])
