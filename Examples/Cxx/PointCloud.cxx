@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From a cloud of the Point Cloud Library to VTK's filters, back to PCL, and to a PCD file.
+// From a cloud of the Point Cloud Library to distances along what it samples, back to PCL, and to a
+// PCD file.
 //
 // Usage: PointCloud RESULT.pcd
+#include "vtkDGGDistance.h"
 #include "vtkDGGPointCloudConversions.h"
-#include "vtkDataArray.h"
-#include "vtkElevationFilter.h"
 #include "vtkNew.h"
 #include "vtkPCDReader.h"
 #include "vtkPCDWriter.h"
-#include "vtkPointData.h"
+#include "vtkPointCloudDGG.h"
 #include "vtkPolyData.h"
 
 #include <pcl/filters/voxel_grid.h>
@@ -18,31 +18,45 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 
 namespace
 {
-/// What a pipeline of PCL gives: a rolled sheet with normals, thinned out.
+/// What a pipeline of PCL gives: a sheet rolled up one and a half times, with normals, thinned out.
 pcl::PointCloud<pcl::PointNormal>::ConstPtr MakeCloud()
 {
   pcl::PointCloud<pcl::PointNormal>::Ptr cloud(new pcl::PointCloud<pcl::PointNormal>);
-  for (int i = 0; i < 100; ++i)
+  const float slope = 0.1f;
+  for (int i = 0; i < 300; ++i)
   {
-    const float angle = 0.09f * static_cast<float>(i);
-    const float radius = 1.0f + 0.1f * angle;
-    for (int j = 0; j < 40; ++j)
+    const float angle = 0.03f * static_cast<float>(i);
+    const float radius = 1.0f + slope * angle;
+    const float c = std::cos(angle);
+    const float s = std::sin(angle);
+    const float length = std::hypot(radius, slope);
+    for (int j = 0; j < 80; ++j)
     {
-      cloud->push_back(pcl::PointNormal(radius * std::cos(angle), radius * std::sin(angle),
-        0.1f * static_cast<float>(j), std::cos(angle), std::sin(angle), 0.0f));
+      cloud->push_back(pcl::PointNormal(radius * c, radius * s, 0.05f * static_cast<float>(j),
+        (radius * c + slope * s) / length, (radius * s - slope * c) / length, 0.0f));
     }
   }
   pcl::PointCloud<pcl::PointNormal>::Ptr thinned(new pcl::PointCloud<pcl::PointNormal>);
   pcl::VoxelGrid<pcl::PointNormal> grid;
   grid.setInputCloud(cloud);
-  grid.setLeafSize(0.15f, 0.15f, 0.15f);
+  grid.setLeafSize(0.1f, 0.1f, 0.1f);
   grid.filter(*thinned);
   return thinned;
+}
+
+/// The point where the sheet starts: the one that is nearest to the inner end of its lower rim.
+vtkIdType FindStart(const pcl::PointCloud<pcl::PointNormal>& cloud)
+{
+  const auto distance = [](const pcl::PointNormal& p) { return std::hypot(p.x - 1.0f, p.y, p.z); };
+  const auto nearest = std::min_element(cloud.begin(), cloud.end(),
+    [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  return nearest - cloud.begin();
 }
 }
 
@@ -55,26 +69,35 @@ int main(int argc, char* argv[])
   }
   const pcl::PointCloud<pcl::PointNormal>::ConstPtr cloud = MakeCloud();
 
-  // Into a filter, in one line. Any filter for points may stand here.
-  vtkNew<vtkElevationFilter> filter;
-  filter->SetInputData(vtkDGG::ToPolyData(cloud));
-  filter->SetHighPoint(0.0, 0.0, 3.9);
-  filter->Update();
-  vtkPolyData* result = filter->GetPolyDataOutput();
-  std::cout << result->GetNumberOfPoints() << " points "
-            << (result->GetPointData()->GetNormals() ? "with" : "without") << " normals\n";
+  // The graph of the cloud, whose normals come along, and distances in it.
+  vtkNew<vtkPointCloudDGG> graph;
+  graph->SetInputData(vtkDGG::ToPolyData(cloud));
+  vtkNew<vtkDGGDistance> distance;
+  distance->SetInputConnection(graph->GetOutputPort());
+  const vtkIdType start = FindStart(*cloud);
+  distance->AddSourceId(start);
+  distance->SetDistanceArrayName("intensity"); // a field that PCL knows
+  distance->Update();
+  if (distance->GetErrorCode() != 0)
+  {
+    return EXIT_FAILURE; // VTK has said why.
+  }
+  vtkPolyData* result = distance->GetOutput();
+  std::cout << result->GetNumberOfPoints() << " points, " << graph->GetNumberOfGraphEdges()
+            << " edges, " << graph->GetNumberOfComponents() << " components\n";
 
   // Back to PCL: arrays go to the fields of the same name.
-  result->GetPointData()->GetArray("Elevation")->SetName("intensity");
   pcl::PointCloud<pcl::PointXYZINormal> back;
   if (!vtkDGG::FromPolyData(result, back) || back.empty())
   {
     return EXIT_FAILURE;
   }
-  const auto range = std::minmax_element(back.begin(), back.end(),
+  const auto farthest = std::max_element(back.begin(), back.end(),
     [](const auto& a, const auto& b) { return a.intensity < b.intensity; });
-  std::cout << back.size() << " points of PCL, values from " << range.first->intensity << " to "
-            << range.second->intensity << "\n";
+  const Eigen::Vector3f straight =
+    farthest->getVector3fMap() - (*cloud)[static_cast<std::size_t>(start)].getVector3fMap();
+  std::cout << "farthest point: " << farthest->intensity << " along the sheet, " << straight.norm()
+            << " in a straight line\n";
 
   // To a file that PCL's programs read, and from one.
   vtkNew<vtkPCDWriter> writer;
