@@ -44,6 +44,15 @@ def is_cloud(contents):
     return polygons == 0
 
 
+def make_graph(contents):
+    """The filter that makes a graph of these points."""
+    if not hasattr(vtkdgg, "vtkPointCloudDGG"):
+        raise MeshFileError("this vtkDGG has no graphs of point clouds: build it with DGG_WITH_PCL")
+    graph = vtkdgg.vtkPointCloudDGG()
+    graph.SetInputData(contents)
+    return graph
+
+
 def cloud_of(points):
     """Points without cells."""
     vtk_points = vtkPoints()

@@ -9,6 +9,7 @@ import warnings
 import demo_cloud_picture
 import demo_source
 import numpy as np
+from cloud_discs import spacings_of
 from demo_output import print_table, save, with_arrays
 from demo_solve import CloudGraph, Path, Query
 from demo_words import counted
@@ -74,7 +75,7 @@ def run(options, contents, read_time):
         paths[2],
         points[finite],
         query.distances[finite],
-        spacings_of(graph)[finite],
+        spacings_of(graph.filter)[finite],
         vtk_to_numpy(path.output.GetPoints().GetData()).astype(float),
         note(graph, query, path),
     )
@@ -115,13 +116,6 @@ def number_too_short(distances, points, location):
     slack = ROUNDING * np.nanmax(distances)
     with np.errstate(invalid="ignore"):
         return int((distances < straight * (1.0 - ROUNDING) - slack).sum())
-
-
-def spacings_of(graph):
-    """How far points are from each other around each: the radii of the balls follow that."""
-    radii = vtk_to_numpy(graph.output.GetFieldData().GetArray("DGG.Radii")).astype(float)
-    median = float(np.median(radii[radii > 0.0])) if (radii > 0.0).any() else 1.0
-    return radii * (graph.filter.GetSpacing() / median)
 
 
 def defects(graph):

@@ -5,6 +5,7 @@
 import math
 
 import numpy as np
+from cloud_discs import RADIUS, disc_radii, discs
 from cloud_file import cloud_of
 from demo_picture import (
     DISTANCE_COLOURS,
@@ -26,14 +27,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
-from vtkmodules.vtkFiltersPoints import vtkPCANormalEstimation
-from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper, vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
-# Radius of discs, of the spacing there: neighbours overlap, so that there are no gaps between them.
-RADIUS = 0.85
-# How many times larger or smaller than the median a disc may be.
-LARGER = 2.5
 # A disc has no fewer pixels than this across.
 PIXELS = 3.0
 # Every other band is darker by this factor.
@@ -57,10 +52,9 @@ def save_distances(path, points, distances, spacings, way, lines):
     _make_bands(table, nice_step(high) / high)
     bar = scalar_bar(table, "Geodesic distance\n(model units)", labels(0.0, high), "%-.6g", 0.3)
     spacing = float(np.median(spacings))
-    radii = RADIUS * np.clip(spacings, spacing / LARGER, spacing * LARGER)
-    radii = np.maximum(radii, 0.5 * PIXELS * size / SIZE[1])
+    radii = np.maximum(disc_radii(spacings), 0.5 * PIXELS * size / SIZE[1])
     props = [
-        _discs(cloud, distances, radii, table),
+        discs(cloud, radii, distances, table),
         _tube(way, max(WIDTH * size, 0.5 * RADIUS * spacing)),
         marker(way[-1], size, INK),
         bar,
@@ -81,49 +75,6 @@ def _make_bands(table, width):
         colour = colours[round(middle * (len(colours) - 1))].copy()
         colour[:3] *= SHADE if band % 2 else 1.0
         table.SetTableValue(i, *colour)
-
-
-def _discs(cloud, distances, radii, table):
-    # Which side the normals point to does not matter: discs are lit on both.
-    estimate = vtkPCANormalEstimation()
-    estimate.SetInputData(cloud)
-    estimate.SetSampleSize(min(16, cloud.GetNumberOfPoints()))
-    estimate.SetNormalOrientationToPoint()
-    estimate.Update()
-    oriented = vtkPolyData()
-    oriented.ShallowCopy(estimate.GetOutput())
-    for name, values in (("Distance", distances), ("Radius", radii)):
-        array = numpy_to_vtk(values, deep=True)
-        array.SetName(name)
-        oriented.GetPointData().AddArray(array)
-
-    disc = vtkRegularPolygonSource()
-    disc.SetNumberOfSides(10)
-    disc.SetRadius(1.0)
-    disc.SetNormal(1.0, 0.0, 0.0)  # what glyphs turn into the direction of the normal
-    disc.GeneratePolylineOff()
-    mapper = vtkGlyph3DMapper()
-    mapper.SetInputData(oriented)
-    mapper.SetSourceConnection(disc.GetOutputPort())
-    mapper.OrientOn()
-    mapper.SetOrientationArray(oriented.GetPointData().GetNormals().GetName())
-    mapper.SetOrientationModeToDirection()
-    mapper.ScalingOn()
-    mapper.SetScaleModeToScaleByMagnitude()
-    mapper.SetScaleArray("Radius")
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectColorArray("Distance")
-    mapper.SetLookupTable(table)
-    mapper.SetScalarRange(*table.GetRange())
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    look = actor.GetProperty()
-    look.SetInterpolationToFlat()
-    look.SetAmbient(0.18)
-    look.SetDiffuse(0.85)
-    look.SetSpecular(0.1)
-    look.SetSpecularPower(25.0)
-    return actor
 
 
 def _tube(way, radius):

@@ -6,6 +6,7 @@ import statistics
 import time
 
 import vtkdgg
+from cloud_file import make_graph
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -35,8 +36,7 @@ class CloudGraph:
     """A point cloud with its graph; all parameters are automatic."""
 
     def __init__(self, cloud):
-        self.filter = vtkdgg.vtkPointCloudDGG()
-        self.filter.SetInputData(cloud)
+        self.filter = make_graph(cloud)
         self.output, self.build_time = update(self.filter)
 
 
