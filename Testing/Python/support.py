@@ -1,8 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What several tests need: folders, small meshes, a strict comparison of images."""
+"""What several tests need: folders, small meshes, a strict comparison of images, examples that run."""
 
+import importlib.util
 import os
+import subprocess
+import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
@@ -18,6 +21,8 @@ DATA = os.path.join(TESTING, "Data")
 BASELINE = os.path.join(TESTING, "Baseline")
 EXAMPLES = os.path.join(ROOT, "Examples")
 OUTPUT = os.environ["DGG_TEST_OUTPUT"]
+BUMPY = os.path.join(DATA, "bumpy.ply")
+TETRAHEDRON = os.path.join(DATA, "tetrahedron.off")
 
 
 def output_folder(name):
@@ -138,3 +143,37 @@ def write_image(path, image):
     writer.SetFileName(path)
     writer.SetInputData(image)
     writer.Write()
+
+
+def run(script, *arguments, cwd=None):
+    """Run an example as a user does."""
+    return subprocess.run(
+        [sys.executable, os.path.join(EXAMPLES, "Python", script), *map(str, arguments)],
+        cwd=cwd or OUTPUT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def example(name):
+    """A module of the examples."""
+    folder = os.path.join(EXAMPLES, "Python")
+    if folder not in sys.path:
+        sys.path.append(folder)  # what it imports is beside it
+    path = os.path.join(folder, f"{name}.py")
+    specification = importlib.util.spec_from_file_location(name, path)
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    return module
+
+
+def table(result):
+    """The table that the demo prints."""
+    return dict(line.split(None, 1) for line in result.stdout.splitlines() if " " in line)
+
+
+def number_of_colours(path):
+    """How many colours a picture has."""
+    array = pixels(read_image(path))[:, :, :3]
+    return len(np.unique(array.reshape(-1, 3), axis=0))

@@ -1,60 +1,22 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo, the examples, and the code in the README."""
+"""The demo and the examples on meshes."""
 
-import contextlib
 import importlib.util
-import io
 import os
 import re
 import shutil
-import subprocess
-import sys
 import unittest
 
 import numpy as np
 import support
 import vtkdgg
+from support import BUMPY, TETRAHEDRON, number_of_colours, run, table
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
-from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
-
-PYTHON_EXAMPLES = os.path.join(support.EXAMPLES, "Python")
-BUMPY = os.path.join(support.DATA, "bumpy.ply")
-TETRAHEDRON = os.path.join(support.DATA, "tetrahedron.off")
-
-
-def run(script, *arguments, cwd=None):
-    """Run an example as a user does."""
-    return subprocess.run(
-        [sys.executable, os.path.join(PYTHON_EXAMPLES, script), *map(str, arguments)],
-        cwd=cwd or support.OUTPUT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-
-
-def example(name):
-    """A module of the examples."""
-    path = os.path.join(PYTHON_EXAMPLES, f"{name}.py")
-    specification = importlib.util.spec_from_file_location(name, path)
-    module = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(module)
-    return module
-
-
-def table(result):
-    """The table that the demo prints."""
-    return dict(line.split(None, 1) for line in result.stdout.splitlines() if " " in line)
-
-
-def number_of_colours(path):
-    """How many colours a picture has."""
-    array = support.pixels(support.read_image(path))[:, :, :3]
-    return len(np.unique(array.reshape(-1, 3), axis=0))
 
 
 class Demo(unittest.TestCase):
@@ -128,7 +90,7 @@ class Demo(unittest.TestCase):
 
     def test_broken_promise(self):
         # What the table's last line of defence says of distances that are off.
-        errors = example("demo_errors").Errors
+        errors = support.example("demo_errors").Errors
         exact = np.array([0.0, 1.0, 2.0, np.nan])
         self.assertTrue(errors(exact * 1.01, exact).keeps(0.01))
         self.assertFalse(errors(exact * 1.02, exact).keeps(0.01))
@@ -140,7 +102,7 @@ class Demo(unittest.TestCase):
 
     def test_no_relative_errors_near_the_source(self):
         # Such distances consist of the length added to triangles without area.
-        errors = example("demo_errors").Errors
+        errors = support.example("demo_errors").Errors
         exact = np.array([0.0, 1e-14, 3e-14, 1.0, np.nan])
         distances = np.array([0.0, 2e-14, 1e-14, 1.01, np.nan])
         self.assertFalse(errors(distances, exact).keeps(0.01))
@@ -275,183 +237,6 @@ class Demo(unittest.TestCase):
             self.assertIn(word, result.stdout)
 
 
-def plane(n):
-    """n x n points of the unit square, in double precision."""
-    x, y = np.meshgrid(np.linspace(0.0, 1.0, n), np.linspace(0.0, 1.0, n))
-    return np.column_stack([x.ravel(), y.ravel(), np.zeros(n * n)])
-
-
-def is_red(picture):
-    """Where a picture shows the source and the path."""
-    red, green, blue = (picture[:, :, i].astype(int) for i in range(3))
-    return (red > 120) & (green < 70) & (blue < 80)
-
-
-def is_grey(picture):
-    """Where a picture shows points that are not reached; its background is lighter."""
-    array = picture[:, :, :3].astype(int)
-    return (np.ptp(array, axis=2) <= 8) & (array[:, :, 0] > 100) & (array[:, :, 0] < 210)
-
-
-class DemoOnClouds(unittest.TestCase):
-    def demo(self, name, *arguments):
-        """The table, the distances, the length of the path, and the picture."""
-        folder = support.output_folder(os.path.join("demo_cloud", name))
-        shutil.rmtree(folder)
-        result = run("demo.py", *arguments, "--out", folder)
-        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-        self.assertEqual(result.stderr, "")
-        self.assertFalse(os.path.exists(os.path.join(folder, "error.png")))
-        arrays = []
-        for file in ("distance.vtp", "path.vtp"):
-            reader = vtkXMLPolyDataReader()
-            reader.SetFileName(os.path.join(folder, file))
-            arrays.append(vtkdgg.check(reader))
-        distances = support.point_array(arrays[0], "GeodesicDistance")
-        length = arrays[1].GetCellData().GetArray("Length").GetValue(0)
-        picture = support.pixels(support.read_image(os.path.join(folder, "distance.png")))
-        self.assertEqual(picture.shape[:2], (1200, 1600))
-        return table(result), distances, length, picture
-
-    def text(self, name, points, header="", ending=""):
-        """Write an .xyz file, and return its path."""
-        path = os.path.join(support.output_folder("formats"), name)
-        with open(path, "w", encoding="ascii") as file:
-            file.write(header)
-            for point in points:
-                file.write(" ".join(repr(float(x)) for x in point) + ending + "\n")
-        return path
-
-    def check_plane(self, distances, source):
-        expected = np.linalg.norm(plane(30) - source, axis=1)
-        np.testing.assert_allclose(distances, expected, rtol=0.01, atol=1e-9)
-
-    def test_results(self):
-        # With a count, a comment, and colours behind the points.
-        path = self.text("plane.xyz", plane(30), "900\n# x y z r g b\n", " 10 20 30")
-        rows, distances, length, picture = self.demo("plane", path, "--source", 0)
-        self.assertEqual(rows["points"], "900")
-        self.assertEqual(rows["defects"], "none")
-        self.assertEqual(rows["components"], "1, with 900 points")
-        self.assertEqual(rows["reached"], "900 of 900 points")
-        self.assertRegex(rows["lower"], r"\Abound +0 violations at 900 points\Z")
-        self.assertEqual(rows["farthest"], "point 899 at (1, 1, 0)")
-        self.check_plane(distances, [0.0, 0.0, 0.0])
-        self.assertAlmostEqual(length, np.sqrt(2.0), delta=0.01)
-        for row, pattern in (
-            ("build", r"\A\d+\.\d+ s on \d+ threads?\Z"),
-            ("graph", r"\Adegree \d+\.\d, \d+ edges, \d+\.\d MB\Z"),
-            ("query", r"\A\d+\.\d ms for all distances "),
-            ("path", r"\A1\.4\d* model units long"),
-        ):
-            self.assertRegex(rows[row], pattern)
-        # The path and both ends of the range of colours are seen, and nothing that is not reached.
-        array = picture.astype(int)
-        red, green, blue = (array[:, :, i] for i in range(3))
-        self.assertGreater(is_red(picture).sum(), 3000)
-        self.assertGreater(np.sum((red > 150) & (green > 150) & (blue < 100)), 3000)
-        self.assertGreater(np.sum((blue > red + 30) & (blue > green + 30)), 3000)
-        self.assertLess(is_grey(picture).mean(), 0.01)
-
-    def test_source_by_coordinates(self):
-        path = self.text("plane.xyz", plane(30))
-        place = "0.51,0.49,0"
-        rows, distances, _, _ = self.demo("place", path, "--source", place)
-        self.assertEqual(rows["source"], "(0.51, 0.49, 0)")
-        near = np.linalg.norm(plane(30) - [0.51, 0.49, 0.0], axis=1)
-        np.testing.assert_allclose(distances, near, rtol=0.02, atol=0.004)
-
-    def test_every_format(self):
-        folder = support.output_folder("formats")
-        cloud = support.polydata(plane(30), np.empty((0, 3), dtype=int))
-        for extension, writer in (
-            ("vtp", vtkXMLPolyDataWriter()),
-            ("vtk", vtkPolyDataWriter()),
-            ("ply", vtkPLYWriter()),
-            ("pcd", vtkdgg.vtkPCDWriter()),
-        ):
-            with self.subTest(extension=extension):
-                path = os.path.join(folder, f"plane.{extension}")
-                writer.SetFileName(path)
-                writer.SetInputData(cloud)
-                writer.Write()
-                _, distances, _, _ = self.demo(extension, path, "--source", 0)
-                self.check_plane(distances, [0.0, 0.0, 0.0])
-
-    def test_points_of_a_mesh(self):
-        rows, distances, _, _ = self.demo("bumpy", BUMPY, "--cloud", "--source", 5)
-        self.assertEqual(rows["points"], "642")
-        self.assertNotIn("triangles", rows)
-        exact = vtkdgg.distance(*support.bumpy(), 5)
-        error = np.abs(distances - exact)[exact > 0.0] / exact[exact > 0.0]
-        self.assertLess(error.mean(), 0.03)
-        # It is not the distance on the mesh.
-        self.assertGreater(error.max(), 1e-4)
-
-    def test_points_that_are_not_reached(self):
-        # Two squares, and two points that are not finite.
-        points = np.vstack([plane(20), plane(10) / 2.0 + [2.0, 0.0, 0.0]])
-        points = np.vstack([[np.nan, 0.0, 0.0], points, [0.0, np.inf, 0.0]])
-        rows, distances, _, picture = self.demo("two", self.text("two.xyz", points))
-        self.assertEqual(rows["points"], "502")
-        self.assertEqual(rows["defects"], "2 points that are not finite")
-        self.assertEqual(rows["components"], "2, with 400, 100 points")
-        self.assertEqual(rows["reached"], "400 of 502 points")
-        self.assertTrue(np.isfinite(distances[1:401]).all())
-        self.assertTrue(np.isnan(distances[[0, *range(401, 502)]]).all())
-        # The source is chosen in the larger square, the other one is grey.
-        self.assertLess(int(rows["source"].split()[1]), 401)
-        self.assertGreater(is_grey(picture).mean(), 0.01)
-
-    def test_few_points(self):
-        for name, points, longest in (
-            ("one", [[1.0, 2.0, 3.0]], 0.0),
-            ("same", [[1.0, 1.0, 1.0]] * 3, 0.0),
-            ("pair", [[1.0, 2.0, 3.0], [1.0, 2.0, 4.0]], 1.0),
-            ("row", [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], 2.0),
-        ):
-            with self.subTest(name):
-                rows, distances, length, picture = self.demo(name, self.text(name + ".xyz", points))
-                self.assertEqual(rows["points"], str(len(points)))
-                self.assertAlmostEqual(np.max(distances), longest, delta=1e-6)
-                self.assertAlmostEqual(length, longest, delta=1e-6)
-                # The farthest point is dark, and may be all that is seen where it is the source.
-                dark = (picture[:, :, :3].max(axis=2) < 60).sum()
-                self.assertGreater(is_red(picture).sum() + dark, 500)
-
-    def test_mistakes(self):
-        good = self.text("plane.xyz", plane(30))
-        bad = self.text("bad.xyz", [[0.0, 0.0, 0.0]], ending="\n1 x 0")
-        short = self.text("short.xyz", [[0.0, 0.0, 0.0]], ending="\n\n1 2")
-        unfinite = self.text("unfinite.xyz", [[np.nan, 0.0, 0.0], [0.0, 0.0, np.inf]])
-        empty = self.text("empty.xyz", [], "# nothing\n")
-        garbage = os.path.join(support.output_folder("formats"), "garbage.pcd")
-        with open(garbage, "w", encoding="ascii") as file:
-            file.write("x y z\n")
-        unseen = self.text("unseen.xyz", [[0.0, 0.0, 0.0], [np.nan, 0.0, 0.0]])
-        for arguments, pattern in (
-            (("missing.pcd",), "missing.pcd: no such file"),
-            (("missing.xyz",), "missing.xyz: no such file"),
-            ((empty,), "holds no points"),
-            ((unfinite,), "none of its points is finite"),
-            ((bad,), "line 2: '1 x 0' does not start with X Y Z"),
-            ((short,), "line 3: '1 2' does not start with X Y Z"),
-            ((garbage,), "garbage.pcd: cannot be read"),
-            ((good, "--source", "900"), "points 0 to 899"),
-            ((good, "--source", "9,9,9"), r"raise ProjectionTolerance \(--tolerance\)"),
-            ((good, "--accuracy", "0.01"), "--accuracy: not on a point cloud"),
-            ((good, "--merge"), "--merge: not on a point cloud"),
-            ((BUMPY, "--cloud", "--merge"), "--merge: not on a point cloud"),
-            ((unseen, "--source", "1"), "--source 1: this point is not finite"),
-        ):
-            with self.subTest(arguments=arguments):
-                result = run("demo.py", *arguments)
-                self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
-                self.assertRegex(result.stderr, r"\Aerror: [^\n]+\n\Z")
-                self.assertRegex(result.stderr, pattern)
-                self.assertEqual(result.stdout, "")
-
-
 class Pipeline(unittest.TestCase):
     def test_picture(self):
         picture = os.path.join(support.output_folder("pipeline"), "bumpy.png")
@@ -559,7 +344,7 @@ class Terrain(unittest.TestCase):
         length, edges, excess = map(float, lengths.groups())
         self.assertAlmostEqual(100.0 * (edges / length - 1.0), excess, delta=0.06)
         self.assertGreater(excess, 4.0)
-        module = example("terrain_path")
+        module = support.example("terrain_path")
         terrain = module.make_terrain()
         path = vtkdgg.vtkDGGPath()
         path.SetInputData(terrain)
@@ -694,121 +479,6 @@ class Loops(unittest.TestCase):
                 self.assertNotEqual(result.returncode, 0)
                 self.assertIn(message, result.stderr)
                 self.assertNotIn("Traceback", result.stderr)
-
-
-class Readme(unittest.TestCase):
-    """What the README shows is what is tested."""
-
-    @classmethod
-    def setUpClass(cls):
-        with open(os.path.join(support.ROOT, "README.md"), encoding="utf-8") as file:
-            cls.readme = file.read()
-
-    def blocks(self, language):
-        return re.findall(rf"^```{language}\n(.*?)^```$", self.readme, re.M | re.S)
-
-    def code(self, *path):
-        """A source file without its licence lines."""
-        with open(os.path.join(support.EXAMPLES, *path), encoding="utf-8") as file:
-            return "".join(line for line in file if "SPDX-" not in line)
-
-    def test_ten_lines_of_python(self):
-        self.assertIn(self.code("Python", "ten_lines.py"), self.blocks("python"))
-        folder = support.output_folder("readme")
-        shutil.copy(BUMPY, os.path.join(folder, "mesh.ply"))
-        result = run("ten_lines.py", cwd=folder)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertRegex(result.stdout, r"farthest point: \d\.\d+ model units away")
-
-    def test_ten_lines_of_cxx(self):
-        # Built and run by the tests of the install tree.
-        self.assertIn(self.code("Cxx", "TenLines.cxx"), self.blocks("cpp"))
-
-    def test_one_liner(self):
-        blocks = [block for block in self.blocks("python") if "vtkdgg.distance(" in block]
-        self.assertEqual(len(blocks), 1)
-        names = {}
-        exec(blocks[0], names)  # noqa: S102
-        np.testing.assert_allclose(names["d"], [0.0, 3.0, 4.0], rtol=1e-12)
-
-    def test_many_queries(self):
-        blocks = [block for block in self.blocks("python") if "vtkdgg.Graph(" in block]
-        self.assertEqual(len(blocks), 1)
-        points, triangles = support.bumpy()
-        names = {"points": points, "triangles": triangles}
-        exec(blocks[0], names)  # noqa: S102
-        exact = vtkdgg.distance(points, triangles, [0, 10, 20])
-        self.assertTrue((np.abs(names["d"] - exact) <= 0.01 * exact * (1 + 1e-6)).all())
-        self.assertEqual(names["m"].shape, (2, 3))
-        exact = vtkdgg.path(points, triangles, 0, 10)
-        self.assertLessEqual(names["p"].length, exact.length * 1.01)
-        self.assertGreaterEqual(names["p"].length, exact.length * (1 - 1e-9))
-
-    def test_ten_lines_of_paths(self):
-        blocks = [block for block in self.blocks("python") if "vtkDGGPath()" in block]
-        self.assertEqual(len(blocks), 1)
-        self.assertLessEqual(len([line for line in blocks[0].splitlines() if line]), 10)
-        names = {}
-        with contextlib.redirect_stdout(io.StringIO()) as printed:
-            exec(blocks[0].replace("mesh.ply", BUMPY), names)  # noqa: S102
-        exact = vtkdgg.distance(*support.bumpy(), 0)[20]
-        said = re.fullmatch(r"from 0 to 20: (\S+) model units\n", printed.getvalue())
-        self.assertAlmostEqual(float(said[1]), exact, delta=1e-6)
-
-    def test_ten_lines_of_loops(self):
-        blocks = [block for block in self.blocks("python") if "vtkDGGLoop()" in block]
-        self.assertEqual(len(blocks), 1)
-        path = os.path.join(support.output_folder("pipeline"), "prism.ply")
-        writer = vtkPLYWriter()
-        writer.SetInputData(support.polydata(*support.prism(9, 6)))
-        writer.SetFileName(path)
-        vtkdgg.check(writer)
-        names = {}
-        with contextlib.redirect_stdout(io.StringIO()) as printed:
-            exec(blocks[0].replace("mesh.ply", path), names)  # noqa: S102
-        self.assertEqual(printed.getvalue(), "1 loops, the shortest one 9 model units long\n")
-
-    def test_other_blocks_run(self):
-        for name, said in (
-            ("vtkGeodesicSampler()", r"no point of the mesh is farther than 0\.\d+ model units .*"),
-            ("vtkGeodesicVoronoi()", r"the cells have areas of \d\S* \d\S* \d\S*"),
-            ("vtkGeodesicPatchBoundaries()", r"6 curves on each surface; .*"),
-            ("vtkGeodesicProbe()", r"farthest triangle: \d\.\d+ model units away"),
-            ("GeodesicDistance\")()", r"(\w+: farthest point \d\.\d+ model units away\n?){3}"),
-        ):
-            with self.subTest(name):
-                blocks = [block for block in self.blocks("python") if name in block]
-                self.assertEqual(len(blocks), 1)
-                with contextlib.redirect_stdout(io.StringIO()) as printed:
-                    exec(blocks[0].replace("mesh.ply", BUMPY), {})  # noqa: S102
-                self.assertRegex(printed.getvalue().strip(), rf"\A{said}\Z")
-
-    def test_examples_are_listed(self):
-        for folder, ending in (("Python", ".py"), ("Cxx", ".cxx")):
-            for file in os.listdir(os.path.join(support.EXAMPLES, folder)):
-                name, extension = os.path.splitext(file)
-                is_part = name.startswith("demo_") or name in (
-                    "cloud_file",
-                    "example_arguments",
-                    "mesh_file",
-                )
-                if extension == ending and not is_part:
-                    self.assertIn(f"`{name}`", self.readme)
-
-    def test_isolines(self):
-        blocks = [block for block in self.blocks("python") if "vtkApolloniusIsolines()" in block]
-        self.assertEqual(len(blocks), 1)
-        with contextlib.redirect_stdout(io.StringIO()) as printed:
-            exec(blocks[0].replace("mesh.ply", BUMPY), {})  # noqa: S102
-        self.assertEqual(printed.getvalue(), "True True\n")
-
-    def test_matrix_in_one_line(self):
-        line = self.blocks("py")[0].strip()
-        self.assertIn(line, self.code("Python", "graph_csr.py"))
-
-    def test_links(self):
-        for target in re.findall(r"\]\((?!https?:|#)([^)]+)\)", self.readme):
-            self.assertTrue(os.path.exists(os.path.join(support.ROOT, target)), target)
 
 
 if __name__ == "__main__":

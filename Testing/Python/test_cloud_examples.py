@@ -1,0 +1,281 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The demo and the examples on point clouds."""
+
+import os
+import re
+import shutil
+import unittest
+
+import numpy as np
+import support
+import vtkdgg
+from support import BUMPY, run, table
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+from vtkmodules.vtkIOPLY import vtkPLYWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+
+
+def plane(n):
+    """n x n points of the unit square, in double precision."""
+    x, y = np.meshgrid(np.linspace(0.0, 1.0, n), np.linspace(0.0, 1.0, n))
+    return np.column_stack([x.ravel(), y.ravel(), np.zeros(n * n)])
+
+
+def is_red(picture):
+    """Where a picture shows the source and the path."""
+    red, green, blue = (picture[:, :, i].astype(int) for i in range(3))
+    return (red > 120) & (green < 70) & (blue < 80)
+
+
+def is_grey(picture):
+    """Where a picture shows points that are not reached; its background is lighter."""
+    array = picture[:, :, :3].astype(int)
+    return (np.ptp(array, axis=2) <= 8) & (array[:, :, 0] > 100) & (array[:, :, 0] < 210)
+
+
+class DemoOnClouds(unittest.TestCase):
+    def demo(self, name, *arguments):
+        """The table, the distances, the length of the path, and the picture."""
+        folder = support.output_folder(os.path.join("demo_cloud", name))
+        shutil.rmtree(folder)
+        result = run("demo.py", *arguments, "--out", folder)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertEqual(result.stderr, "")
+        self.assertFalse(os.path.exists(os.path.join(folder, "error.png")))
+        arrays = []
+        for file in ("distance.vtp", "path.vtp"):
+            reader = vtkXMLPolyDataReader()
+            reader.SetFileName(os.path.join(folder, file))
+            arrays.append(vtkdgg.check(reader))
+        distances = support.point_array(arrays[0], "GeodesicDistance")
+        length = arrays[1].GetCellData().GetArray("Length").GetValue(0)
+        picture = support.pixels(support.read_image(os.path.join(folder, "distance.png")))
+        self.assertEqual(picture.shape[:2], (1200, 1600))
+        return table(result), distances, length, picture
+
+    def text(self, name, points, header="", ending=""):
+        """Write an .xyz file, and return its path."""
+        path = os.path.join(support.output_folder("formats"), name)
+        with open(path, "w", encoding="ascii") as file:
+            file.write(header)
+            for point in points:
+                file.write(" ".join(repr(float(x)) for x in point) + ending + "\n")
+        return path
+
+    def check_plane(self, distances, source):
+        expected = np.linalg.norm(plane(30) - source, axis=1)
+        np.testing.assert_allclose(distances, expected, rtol=0.01, atol=1e-9)
+
+    def test_results(self):
+        # With a count, a comment, and colours behind the points.
+        path = self.text("plane.xyz", plane(30), "900\n# x y z r g b\n", " 10 20 30")
+        rows, distances, length, picture = self.demo("plane", path, "--source", 0)
+        self.assertEqual(rows["points"], "900")
+        self.assertEqual(rows["defects"], "none")
+        self.assertEqual(rows["components"], "1, with 900 points")
+        self.assertEqual(rows["reached"], "900 of 900 points")
+        self.assertRegex(rows["lower"], r"\Abound +0 violations at 900 points\Z")
+        self.assertEqual(rows["farthest"], "point 899 at (1, 1, 0)")
+        self.check_plane(distances, [0.0, 0.0, 0.0])
+        self.assertAlmostEqual(length, np.sqrt(2.0), delta=0.01)
+        for row, pattern in (
+            ("build", r"\A\d+\.\d+ s on \d+ threads?\Z"),
+            ("graph", r"\Adegree \d+\.\d, \d+ edges, \d+\.\d MB\Z"),
+            ("query", r"\A\d+\.\d ms for all distances "),
+            ("path", r"\A1\.4\d* model units long"),
+        ):
+            self.assertRegex(rows[row], pattern)
+        # The path and both ends of the range of colours are seen, and nothing that is not reached.
+        array = picture.astype(int)
+        red, green, blue = (array[:, :, i] for i in range(3))
+        self.assertGreater(is_red(picture).sum(), 3000)
+        self.assertGreater(np.sum((red > 150) & (green > 150) & (blue < 100)), 3000)
+        self.assertGreater(np.sum((blue > red + 30) & (blue > green + 30)), 3000)
+        self.assertLess(is_grey(picture).mean(), 0.01)
+
+    def test_source_by_coordinates(self):
+        path = self.text("plane.xyz", plane(30))
+        place = "0.51,0.49,0"
+        rows, distances, _, _ = self.demo("place", path, "--source", place)
+        self.assertEqual(rows["source"], "(0.51, 0.49, 0)")
+        near = np.linalg.norm(plane(30) - [0.51, 0.49, 0.0], axis=1)
+        np.testing.assert_allclose(distances, near, rtol=0.02, atol=0.004)
+
+    def test_every_format(self):
+        folder = support.output_folder("formats")
+        cloud = support.polydata(plane(30), np.empty((0, 3), dtype=int))
+        for extension, writer in (
+            ("vtp", vtkXMLPolyDataWriter()),
+            ("vtk", vtkPolyDataWriter()),
+            ("ply", vtkPLYWriter()),
+            ("pcd", vtkdgg.vtkPCDWriter()),
+        ):
+            with self.subTest(extension=extension):
+                path = os.path.join(folder, f"plane.{extension}")
+                writer.SetFileName(path)
+                writer.SetInputData(cloud)
+                writer.Write()
+                _, distances, _, _ = self.demo(extension, path, "--source", 0)
+                self.check_plane(distances, [0.0, 0.0, 0.0])
+
+    def test_points_of_a_mesh(self):
+        rows, distances, _, _ = self.demo("bumpy", BUMPY, "--cloud", "--source", 5)
+        self.assertEqual(rows["points"], "642")
+        self.assertNotIn("triangles", rows)
+        exact = vtkdgg.distance(*support.bumpy(), 5)
+        error = np.abs(distances - exact)[exact > 0.0] / exact[exact > 0.0]
+        self.assertLess(error.mean(), 0.03)
+        # It is not the distance on the mesh.
+        self.assertGreater(error.max(), 1e-4)
+
+    def test_points_that_are_not_reached(self):
+        # Two squares, and two points that are not finite.
+        points = np.vstack([plane(20), plane(10) / 2.0 + [2.0, 0.0, 0.0]])
+        points = np.vstack([[np.nan, 0.0, 0.0], points, [0.0, np.inf, 0.0]])
+        rows, distances, _, picture = self.demo("two", self.text("two.xyz", points))
+        self.assertEqual(rows["points"], "502")
+        self.assertEqual(rows["defects"], "2 points that are not finite")
+        self.assertEqual(rows["components"], "2, with 400, 100 points")
+        self.assertEqual(rows["reached"], "400 of 502 points")
+        self.assertTrue(np.isfinite(distances[1:401]).all())
+        self.assertTrue(np.isnan(distances[[0, *range(401, 502)]]).all())
+        # The source is chosen in the larger square, the other one is grey.
+        self.assertLess(int(rows["source"].split()[1]), 401)
+        self.assertGreater(is_grey(picture).mean(), 0.01)
+
+    def test_few_points(self):
+        for name, points, longest in (
+            ("one", [[1.0, 2.0, 3.0]], 0.0),
+            ("same", [[1.0, 1.0, 1.0]] * 3, 0.0),
+            ("pair", [[1.0, 2.0, 3.0], [1.0, 2.0, 4.0]], 1.0),
+            ("row", [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], 2.0),
+        ):
+            with self.subTest(name):
+                rows, distances, length, picture = self.demo(name, self.text(name + ".xyz", points))
+                self.assertEqual(rows["points"], str(len(points)))
+                self.assertAlmostEqual(np.max(distances), longest, delta=1e-6)
+                self.assertAlmostEqual(length, longest, delta=1e-6)
+                # The farthest point is dark, and may be all that is seen where it is the source.
+                dark = (picture[:, :, :3].max(axis=2) < 60).sum()
+                self.assertGreater(is_red(picture).sum() + dark, 500)
+
+    def test_mistakes(self):
+        good = self.text("plane.xyz", plane(30))
+        bad = self.text("bad.xyz", [[0.0, 0.0, 0.0]], ending="\n1 x 0")
+        short = self.text("short.xyz", [[0.0, 0.0, 0.0]], ending="\n\n1 2")
+        unfinite = self.text("unfinite.xyz", [[np.nan, 0.0, 0.0], [0.0, 0.0, np.inf]])
+        empty = self.text("empty.xyz", [], "# nothing\n")
+        garbage = os.path.join(support.output_folder("formats"), "garbage.pcd")
+        with open(garbage, "w", encoding="ascii") as file:
+            file.write("x y z\n")
+        unseen = self.text("unseen.xyz", [[0.0, 0.0, 0.0], [np.nan, 0.0, 0.0]])
+        for arguments, pattern in (
+            (("missing.pcd",), "missing.pcd: no such file"),
+            (("missing.xyz",), "missing.xyz: no such file"),
+            ((empty,), "holds no points"),
+            ((unfinite,), "none of its points is finite"),
+            ((bad,), "line 2: '1 x 0' does not start with X Y Z"),
+            ((short,), "line 3: '1 2' does not start with X Y Z"),
+            ((garbage,), "garbage.pcd: cannot be read"),
+            ((good, "--source", "900"), "points 0 to 899"),
+            ((good, "--source", "9,9,9"), r"raise ProjectionTolerance \(--tolerance\)"),
+            ((good, "--accuracy", "0.01"), "--accuracy: not on a point cloud"),
+            ((good, "--merge"), "--merge: not on a point cloud"),
+            ((BUMPY, "--cloud", "--merge"), "--merge: not on a point cloud"),
+            ((unseen, "--source", "1"), "--source 1: this point is not finite"),
+        ):
+            with self.subTest(arguments=arguments):
+                result = run("demo.py", *arguments)
+                self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+                self.assertRegex(result.stderr, r"\Aerror: [^\n]+\n\Z")
+                self.assertRegex(result.stderr, pattern)
+                self.assertEqual(result.stdout, "")
+
+
+class Cells(unittest.TestCase):
+    def cells(self, name, points, count):
+        """What the example says, and the colours of its picture."""
+        folder = support.output_folder("cloud_cells")
+        cloud = os.path.join(folder, f"{name}.vtp")
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(cloud)
+        writer.SetInputData(support.polydata(points, np.empty((0, 3), dtype=int)))
+        vtkdgg.check(writer)
+        picture = os.path.join(folder, f"{name}.png")
+        result = run("cloud_cells.py", cloud, count, picture)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr, "")
+        return result.stdout, support.pixels(support.read_image(picture))[:, :, :3].astype(int)
+
+    def test_even_cells(self):
+        i = np.arange(4000)
+        z = 1.0 - (2.0 * i + 1.0) / 4000
+        angle = np.pi * (3.0 - np.sqrt(5.0)) * i
+        radius = np.sqrt(1.0 - z * z)
+        sphere = np.column_stack([radius * np.cos(angle), radius * np.sin(angle), z])
+        said, picture = self.cells("sphere", sphere, 20)
+        sizes = re.match(r"20 cells, with (\d+) to (\d+) of 4000 points\n", said)
+        self.assertTrue(sizes, said)
+        self.assertGreater(int(sizes[1]), 0.7 * 200)
+        self.assertLess(int(sizes[2]), 1.3 * 200)
+        energy = re.search(r"energy (\S+), after \d+ iterations (\S+)", said)
+        self.assertLess(float(energy[2]), 0.97 * float(energy[1]))
+        # Sites are dark; cells have no gaps, and at least four colours, as any map may need.
+        self.assertGreater((picture.max(axis=2) < 70).sum(), 300)
+        middle = picture[350:450, 350:450]
+        self.assertLess((middle.min(axis=2) > 240).sum(), 10)
+        shown = picture[(picture.min(axis=2) < 240) & (picture.max(axis=2) > 70)] / 255.0
+        hues = np.round(shown / shown.max(axis=1, keepdims=True), 1)
+        _, counts = np.unique(hues, axis=0, return_counts=True)
+        self.assertGreaterEqual((counts > 0.04 * len(hues)).sum(), 4)
+
+    def test_neighbours_differ(self):
+        # A tube of 24 cells, each beside the one before and the one after it, whose numbers often
+        # end in the same digit.
+        count = 24
+        x, t = np.meshgrid(np.arange(20 * count) / 10.0, np.arange(12) * np.pi / 6.0)
+        tube = np.column_stack([x.ravel(), 0.2 * np.cos(t).ravel(), 0.2 * np.sin(t).ravel()])
+        graph = vtkdgg.vtkPointCloudDGG()
+        graph.SetInputData(support.polydata(tube, np.empty((0, 3), dtype=int)))
+        cloud = vtkdgg.check(graph)
+        order = np.array(sorted(range(count), key=lambda cell: cell % 10))
+        labels = order[(tube[:, 0] / 2.0).astype(int)]
+        module = support.example("cloud_cells")
+        colours = module.choose_colours(cloud, labels, count)
+        self.assertTrue((colours[order[1:]] != colours[order[:-1]]).all())
+        self.assertTrue((0 <= colours).all() and (colours < len(module.COLOURS)).all())
+        # All of them are used, and about equally often.
+        self.assertLessEqual(np.ptp(np.bincount(colours, minlength=len(module.COLOURS))), 1)
+        # Points that no site reaches have no part in it.
+        labels[labels == 5] = -1
+        np.testing.assert_array_equal(np.sort(module.choose_colours(cloud, labels, count)) >= 0, True)
+
+    def test_points_without_a_place_and_parts_without_a_site(self):
+        points = np.vstack([plane(20), plane(10) / 2.0 + [2.0, 0.0, 0.0], [[np.nan, 0.0, 0.0]]])
+        folder = support.output_folder("cloud_cells")
+        path = os.path.join(folder, "parts.xyz")
+        np.savetxt(path, points)
+        picture = os.path.join(folder, "parts.png")
+        result = run("cloud_cells.py", path, 1, picture)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stdout, r"\A1 cells, with [1-4]00 to [1-4]00 of 501 points\n")
+        self.assertIn("components", result.stderr)
+        self.assertGreater(is_grey(support.pixels(support.read_image(picture))).mean(), 0.005)
+
+    def test_mistakes(self):
+        for arguments, message in (
+            ((), "Usage"),
+            (("missing.pcd", 5, "x.png"), "missing.pcd: no such file"),
+            ((BUMPY, 0, "x.png"), "at least 1"),
+            ((BUMPY, "a", "x.png"), "not an integer"),
+        ):
+            with self.subTest(arguments=arguments):
+                result = run("cloud_cells.py", *arguments)
+                self.assertEqual(result.returncode, 1)
+                self.assertIn(message, result.stderr)
+                self.assertNotIn("Traceback", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
