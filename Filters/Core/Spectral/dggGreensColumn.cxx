@@ -4,6 +4,7 @@
 
 #include "dggGeodesicSource.h"
 #include "dggLocalizedGreens.h"
+#include "dggProgressPart.h"
 #include "dggRidgeRadius.h"
 
 #include <algorithm>
@@ -94,12 +95,13 @@ double InterpolateAt(
   return sum;
 }
 
-Status GreensColumn::Start(
-  const SurfacePoint& pole, const GreensQuery& query, GreensWorkspace& workspace)
+Status GreensColumn::Start(const SurfacePoint& pole, const GreensQuery& query,
+  const ProgressCallback& progress, GreensWorkspace& workspace)
 {
   const SurfaceMesh& mesh = this->System.GetMesh();
   this->Pole = pole;
   this->Query = query;
+  this->Progress = progress;
   this->Method = query.Method;
   this->Remark = GreensRemark::None;
   this->Mean = 0.0;
@@ -108,10 +110,13 @@ Status GreensColumn::Start(
     this->System.GetComponent(IsVertex(pole) ? pole.Vertex : mesh.Origin(3 * pole.Face));
   if (this->Method == GreensMethod::Vertex && !IsVertex(pole))
   {
-    const auto& b = pole.Barycentric;
-    const auto k = static_cast<Id>(std::max_element(b.begin(), b.end()) - b.begin());
-    this->AddLoad(mesh.Origin(3 * pole.Face + k), 1.0);
-    return Status::Success();
+    const Id corner = this->FindNearestFreeCorner();
+    if (corner != NoId)
+    {
+      this->AddLoad(corner, 1.0);
+      return Status::Success();
+    }
+    this->Method = GreensMethod::Interpolated;
   }
   if (this->Method == GreensMethod::SingularitySubtraction)
   {
@@ -121,27 +126,47 @@ Status GreensColumn::Start(
       return status;
     }
   }
-  ForEachCornerAround(mesh, pole, [&](Id v, double weight, double) { this->AddLoad(v, weight); });
-  for (Id v = 0; v < this->System.GetNumberOfVertices(); ++v)
-  {
-    this->Sources[v] = this->System.IsFixed(v) ? 0.0 : this->Sources[v];
-  }
+  bool isLoaded = false;
+  ForEachCornerAround(mesh, pole, [&](Id v, double weight, double) {
+    const bool isFree = weight > 0.0 && !this->System.IsFixed(v);
+    this->AddLoad(v, isFree ? weight : 0.0);
+    isLoaded = isLoaded || isFree;
+  });
+  // All corners have given values: finite elements know nothing of the pole.
+  this->Remark = isLoaded ? this->Remark : GreensRemark::TooCoarse;
   return Status::Success();
 }
 
-Status GreensColumn::FindDistances(
-  double maximum, GreensWorkspace& workspace, ExactResult& result) const
+/// The corner of the pole's face that has the largest barycentric coordinate and no given value;
+/// NoId when there is none.
+Id GreensColumn::FindNearestFreeCorner() const
+{
+  Id corner = NoId;
+  double largest = 0.0;
+  ForEachCornerAround(this->System.GetMesh(), this->Pole, [&](Id v, double weight, double) {
+    if (weight > largest && !this->System.IsFixed(v))
+    {
+      corner = v;
+      largest = weight;
+    }
+  });
+  return corner;
+}
+
+Status GreensColumn::FindDistances(double maximum, GreensWorkspace& workspace, ExactResult& result)
 {
   ExactOptions options;
   options.MaximumDistance = maximum;
   options.Targets = this->Query.Targets;
-  options.Progress = this->Query.Progress;
+  // How often there is more to find is not known: half of what is left each time.
+  options.Progress = ProgressPart(this->Progress, 0.0, 0.5);
+  this->Progress = ProgressPart(this->Progress, 0.5, 1.0);
   return workspace.Exact.Run({ { this->Pole, 0.0 } }, options, result);
 }
 
 /// Go on until all corners are reached of the faces that have one within the radius.
 Status GreensColumn::CompleteDistances(
-  double radius, double reached, GreensWorkspace& workspace, ExactResult& result) const
+  double radius, double reached, GreensWorkspace& workspace, ExactResult& result)
 {
   const IntrinsicTriangulation& triangulation = this->System.GetTriangulation();
   while (true)
@@ -316,7 +341,12 @@ Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
   ExactResult result;
   Status status = radius > 0.0 ? this->FindDistances(reached, workspace, result)
                                : this->ChooseRadius(workspace, radius, reached, result);
-  if (status.IsOk() && !(this->Query.Radius > 0.0))
+  if (status.IsOk() && this->Query.Radius > 0.0)
+  {
+    const double ridge = FindRidgeRadius(system.GetMesh(), { { this->Pole, 0.0 } }, result);
+    this->Remark = ridge < radius ? GreensRemark::NearRidge : this->Remark;
+  }
+  else if (status.IsOk())
   {
     // A little less is better than to find all ways again because of a long edge.
     const double complete = FindCompleteRadius(system.GetTriangulation(), result.Distances);
@@ -380,15 +410,19 @@ double GreensColumn::SingularAt(double distance, double area) const
   return this->Singular.MeanOverDisk(std::sqrt(2.0 * area / this->Singular.GetAngle()));
 }
 
-Status GreensColumn::Finish(
-  std::vector<double>& solution, GreensWorkspace& workspace, GreensResult& result) const
+Status GreensColumn::Finish(std::vector<double>& solution, const ProgressCallback& progress,
+  GreensWorkspace& workspace, GreensResult& result) const
 {
   const PoissonSystem& system = this->System;
   bool isLocalized = true;
-  if (this->Method == GreensMethod::Localized && !IsVertex(this->Pole) &&
-    !Localize(system, this->Pole, workspace.Exact, solution))
+  if (this->Method == GreensMethod::Localized && !IsVertex(this->Pole))
   {
-    isLocalized = false;
+    const Status status =
+      Localize(system, this->Pole, workspace.Exact, progress, solution, isLocalized);
+    if (!status.IsOk())
+    {
+      return status;
+    }
   }
   for (Id v = 0; v < system.GetNumberOfVertices() && this->HasLogarithm(); ++v)
   {

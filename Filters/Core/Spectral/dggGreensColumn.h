@@ -36,12 +36,14 @@ public:
   {
   }
 
-  Status Start(const SurfacePoint& pole, const GreensQuery& query, GreensWorkspace& workspace);
+  /// `progress` takes the place of the query's.
+  Status Start(const SurfacePoint& pole, const GreensQuery& query, const ProgressCallback& progress,
+    GreensWorkspace& workspace);
   /// Per vertex: the load of the pole, and of the logarithm; values where they are given.
   const std::vector<double>& GetSources() const { return this->Sources; }
   /// `solution` is changed.
-  Status Finish(
-    std::vector<double>& solution, GreensWorkspace& workspace, GreensResult& result) const;
+  Status Finish(std::vector<double>& solution, const ProgressCallback& progress,
+    GreensWorkspace& workspace, GreensResult& result) const;
 
   /// Add the logarithm to the regular part, which is changed.
   void AddLogarithm(std::vector<double>& regular, GreensResult& result) const;
@@ -56,10 +58,11 @@ public:
 
 private:
   void AddLoad(Id v, double weight) { this->Sources[v] += weight; }
+  Id FindNearestFreeCorner() const;
   Status StartWithLogarithm(GreensWorkspace& workspace);
-  Status FindDistances(double maximum, GreensWorkspace& workspace, ExactResult& result) const;
+  Status FindDistances(double maximum, GreensWorkspace& workspace, ExactResult& result);
   Status CompleteDistances(
-    double radius, double reached, GreensWorkspace& workspace, ExactResult& result) const;
+    double radius, double reached, GreensWorkspace& workspace, ExactResult& result);
   Status ChooseRadius(
     GreensWorkspace& workspace, double& radius, double& reached, ExactResult& result);
   bool FindPoleFaces(std::vector<PoleFace>& faces) const;
@@ -70,6 +73,7 @@ private:
   const PoissonSystem& System;
   SurfacePoint Pole;
   GreensQuery Query;
+  ProgressCallback Progress; // of what is left of Start()
   GreensMethod Method = GreensMethod::Vertex;
   GreensRemark Remark = GreensRemark::None;
   Id Component = NoId;

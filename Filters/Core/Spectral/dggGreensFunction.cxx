@@ -3,17 +3,21 @@
 #include "dggGreensFunction.h"
 
 #include "dggGreensColumn.h"
+#include "dggProgressPart.h"
 #include "dggWorkspacePool.h"
 
 #include <algorithm>
-#include <mutex>
 #include <string>
 
 namespace dgg
 {
 namespace
 {
-constexpr Offset Lanes = SparseLanes::SizeAtCompileTime;
+constexpr std::size_t Lanes = SparseLanes::SizeAtCompileTime;
+static_assert(Lanes == GreensFunction::PolesInBlock, "blocks are as wide as lanes");
+/// Parts of the progress: distances and loads, the solve, what is made of it.
+constexpr double StartDone = 0.6;
+constexpr double SolveDone = 0.8;
 }
 
 class GreensFunction::Workspaces : public WorkspacePool<GreensWorkspace>
@@ -41,18 +45,32 @@ Status GreensFunction::Run(
   const PoissonSystem& system = this->Solver.GetSystem();
   const auto workspace = this->Pool->Borrow(system);
   GreensColumn column(system);
-  status = column.Start(pole, query, *workspace);
+  status = column.Start(pole, query, ProgressPart(query.Progress, 0.0, StartDone), *workspace);
   if (!status.IsOk())
   {
     return status;
   }
   std::vector<double> solution = column.GetSources();
   system.Solve(solution);
-  return column.Finish(solution, *workspace, result);
+  if (query.Progress && !query.Progress(SolveDone))
+  {
+    return Status::Abort();
+  }
+  status =
+    column.Finish(solution, ProgressPart(query.Progress, SolveDone, 1.0), *workspace, result);
+  if (status.IsOk() && query.Progress && !query.Progress(1.0))
+  {
+    status = Status::Abort();
+  }
+  if (!status.IsOk())
+  {
+    result = GreensResult();
+  }
+  return status;
 }
 
 Status GreensFunction::Run(const std::vector<SurfacePoint>& poles, const GreensQuery& query,
-  const ParallelFor& parallel, std::vector<GreensResult>& results) const
+  std::vector<GreensResult>& results) const
 {
   results.clear();
   Status status = CheckGreensQuery(this->Solver, query);
@@ -68,75 +86,84 @@ Status GreensFunction::Run(const std::vector<SurfacePoint>& poles, const GreensQ
   {
     return status;
   }
-  const PoissonSystem& system = this->Solver.GetSystem();
-  const auto count = static_cast<Offset>(poles.size());
   results.resize(poles.size());
-  std::mutex mutex;
-  Offset done = 0;
-  GreensQuery quiet = query;
-  quiet.Progress = nullptr; // it is told here
-  const auto note = [&](const Status& outcome) {
-    const std::lock_guard<std::mutex> lock(mutex);
-    status = status.IsOk() ? outcome : status;
-  };
-  ForRange(parallel, (count + Lanes - 1) / Lanes, 1, [&](Offset begin, Offset end) {
-    const auto workspace = this->Pool->Borrow(system);
-    std::vector<GreensColumn> columns(Lanes, GreensColumn(system));
-    std::vector<SparseLanes> solutions(system.GetNumberOfVertices());
-    std::vector<double> solution(solutions.size());
-    for (Offset block = begin; block < end; ++block)
-    {
-      {
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (status.IsOk() && query.Progress &&
-          !query.Progress(static_cast<double>(done) / static_cast<double>(count)))
-        {
-          status = Status::Abort();
-        }
-        if (!status.IsOk())
-        {
-          return;
-        }
-      }
-      const Offset first = block * Lanes;
-      const Offset size = std::min(Lanes, count - first);
-      std::fill(solutions.begin(), solutions.end(), SparseLanes(SparseLanes::Zero()));
-      for (Offset k = 0; k < size; ++k)
-      {
-        const Status started = columns[k].Start(poles[first + k], quiet, *workspace);
-        if (!started.IsOk())
-        {
-          note(started);
-          return;
-        }
-        for (std::size_t v = 0; v < solutions.size(); ++v)
-        {
-          solutions[v][k] = columns[k].GetSources()[v];
-        }
-      }
-      system.Solve(solutions);
-      for (Offset k = 0; k < size; ++k)
-      {
-        solution.resize(solutions.size());
-        for (std::size_t v = 0; v < solutions.size(); ++v)
-        {
-          solution[v] = solutions[v][k];
-        }
-        const Status finished = columns[k].Finish(solution, *workspace, results[first + k]);
-        if (!finished.IsOk())
-        {
-          note(finished);
-          return;
-        }
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      done += size;
-    }
-  });
+  const auto count = static_cast<double>(poles.size());
+  const auto workspace = this->Pool->Borrow(this->Solver.GetSystem());
+  for (std::size_t first = 0; first < poles.size() && status.IsOk(); first += Lanes)
+  {
+    const std::size_t end = std::min(poles.size(), first + Lanes);
+    status = this->RunBlock(poles, first, end, query,
+      ProgressPart(
+        query.Progress, static_cast<double>(first) / count, static_cast<double>(end) / count),
+      *workspace, results);
+  }
   if (!status.IsOk())
   {
     results.clear();
   }
   return status;
+}
+
+Status GreensFunction::RunBlock(const std::vector<SurfacePoint>& poles, std::size_t first,
+  std::size_t end, const GreensQuery& query, const ProgressCallback& progress,
+  GreensWorkspace& workspace, std::vector<GreensResult>& results) const
+{
+  const PoissonSystem& system = this->Solver.GetSystem();
+  const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
+  const auto count = static_cast<double>(end - first);
+  std::vector<GreensColumn> columns(end - first, GreensColumn(system));
+  std::vector<SparseLanes> solutions(n, SparseLanes(SparseLanes::Zero()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+  {
+    const auto begin = static_cast<double>(k);
+    const Status status = columns[k].Start(poles[first + k], query,
+      ProgressPart(progress, StartDone * begin / count, StartDone * (begin + 1.0) / count),
+      workspace);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      solutions[v][k] = columns[k].GetSources()[v];
+    }
+  }
+  system.Solve(solutions);
+  if (progress && !progress(SolveDone))
+  {
+    return Status::Abort();
+  }
+  std::vector<double> solution;
+  for (std::size_t k = 0; k < columns.size(); ++k)
+  {
+    solution.resize(n);
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      solution[v] = solutions[v][k];
+    }
+    const auto begin = static_cast<double>(k);
+    const Status status = columns[k].Finish(solution,
+      ProgressPart(progress, SolveDone + (1.0 - SolveDone) * begin / count,
+        SolveDone + (1.0 - SolveDone) * (begin + 1.0) / count),
+      workspace, results[first + k]);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
+  return progress && !progress(1.0) ? Status::Abort() : Status::Success();
+}
+
+std::size_t GreensFunction::GetWorkingMemory(std::size_t numberOfTargets) const
+{
+  const PoissonSystem& system = this->Solver.GetSystem();
+  const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
+  const auto sides = static_cast<std::size_t>(system.GetTriangulation().GetNumberOfHalfEdges());
+  // Sources, distances, integrals per vertex and per target of each column; the lanes, twice in the
+  // substitution; one solution; the logarithm's integrals.
+  const std::size_t columns = Lanes * (3 * n + numberOfTargets) * sizeof(double);
+  const std::size_t lanes = 2 * n * sizeof(SparseLanes) + n * sizeof(double);
+  const std::size_t singular = 2 * n * sizeof(double) + sides * (sizeof(double) + 1);
+  return columns + lanes + singular;
 }
 }

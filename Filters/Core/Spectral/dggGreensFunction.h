@@ -5,22 +5,28 @@
 #ifndef dggGreensFunction_h
 #define dggGreensFunction_h
 
-#include "dggParallel.h"      // for ParallelFor
 #include "dggPoissonSolver.h" // for PoissonSolver
 #include "dggSurfacePoint.h"  // for poles and targets
 
-#include <memory> // for what is kept from run to run
-#include <vector> // for the results
+#include <cstddef> // for std::size_t
+#include <memory>  // for what is kept from run to run
+#include <vector>  // for the results
 
 namespace dgg
 {
+struct GreensWorkspace;
+
 /// How the Green's function of a point is found.
 enum class GreensMethod
 {
   /// g = s(d) + r: the logarithm s of the geodesic distance, cut off at a radius, carries the pole
-  /// exactly; finite elements solve for r, which is smooth. Second order everywhere, the pole
-  /// included; first order next to a pole that is not on a boundary but within a few edges of it,
-  /// since r has the mirror image of the pole.
+  /// exactly; finite elements solve for r, which is smooth. Second order for a radius that is held.
+  /// The usual radius is not more than 48 mean edges, which some 30 000 vertices of a sphere have:
+  /// beyond that errors fall more slowly. On the unit sphere with 10 242, 40 962 and 163 842
+  /// vertices the relative L2 error within 0.2 of the pole was 4.9e-5, 1.7e-5 and 7.0e-6 (4.6e-6
+  /// with a radius of 0.85), the largest error 3.5e-5, 1.3e-5 and 9.8e-6. First order next to a
+  /// pole that is not on a boundary but within a few edges of it, since r has the mirror image of
+  /// the pole.
   SingularitySubtraction,
   /// Interpolated, corrected around the pole: of the values there that reproduce the geodesic
   /// distances from points nearby in Green's identity, those next to the interpolated ones. About
@@ -30,7 +36,8 @@ enum class GreensMethod
   /// The columns of the corners, weighted with barycentric coordinates: the finite element solution
   /// with a point load. First order near the pole.
   Interpolated,
-  /// The column of the corner with the largest barycentric coordinate (Lipman, Rustamov and
+  /// The column of the corner with the largest barycentric coordinate of those without a given
+  /// value (Lipman, Rustamov and
   /// Funkhouser, "Biharmonic distance", 2010).
   Vertex
 };
@@ -54,17 +61,18 @@ enum class GreensPole
 enum class GreensRemark
 {
   None,
-  /// The disk that the logarithm could be taken out of is smaller than four mean edges:
-  /// Interpolated was used. Refine the mesh around the pole.
+  /// The disk that the logarithm could be taken out of is smaller than four mean edges, or all
+  /// corners of the pole's face have given values, which makes finite elements 0: Interpolated was
+  /// used. Refine the mesh around the pole.
   TooCoarse,
-  /// Within ten mean edges of the pole, shortest ways meet from different sides, as behind a spike
-  /// or a sharp corner: the regular part has kinks there. Errors are still a fraction of those of
-  /// Interpolated.
+  /// Within ten mean edges of the pole, or the Radius that was asked for, shortest ways meet from
+  /// different sides, as behind a spike or a sharp corner: the regular part has kinks there. Errors
+  /// are still a fraction of those of Interpolated.
   NearRidge,
   /// The triangle of the flipped mesh that the pole lies in was not found: Interpolated was used.
   NoTriangle,
-  /// Localized needs all values around the pole to be free, and distances there that make sense:
-  /// Interpolated was used.
+  /// Localized needs all values around the pole to be free, distances there that make sense, and
+  /// not more than a few hundred neighbours: Interpolated was used.
   NotLocalized
 };
 
@@ -113,13 +121,21 @@ public:
   /// The Green's function of one point. Fails where PoissonSolver::CheckPole() does. May be called
   /// by several threads at once.
   Status Run(const SurfacePoint& pole, const GreensQuery& query, GreensResult& result) const;
-  /// Those of several points: `results[k]` belongs to pole k. Eight right-hand sides are solved for
-  /// at a time. `parallel` may be empty.
+  /// Those of several points: `results[k]` belongs to pole k. Blocks of eight from the first one on
+  /// are solved for together, in about half the time. May be called by several threads at once, for
+  /// blocks of their own; progress is told by the thread that calls.
   Status Run(const std::vector<SurfacePoint>& poles, const GreensQuery& query,
-    const ParallelFor& parallel, std::vector<GreensResult>& results) const;
+    std::vector<GreensResult>& results) const;
+  static constexpr Id PolesInBlock = 8;
+  /// Bytes that one thread takes while it runs, at most, besides results and exact distances.
+  std::size_t GetWorkingMemory(std::size_t numberOfTargets) const;
 
 private:
   class Workspaces;
+
+  Status RunBlock(const std::vector<SurfacePoint>& poles, std::size_t first, std::size_t end,
+    const GreensQuery& query, const ProgressCallback& progress, GreensWorkspace& workspace,
+    std::vector<GreensResult>& results) const;
 
   const PoissonSolver& Solver;
   std::unique_ptr<Workspaces> Pool;

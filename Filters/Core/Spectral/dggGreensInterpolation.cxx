@@ -4,30 +4,38 @@
 
 #include "dggGeodesicSource.h"
 #include "dggGreensColumn.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <list>
 #include <map>
 #include <utility>
 
 namespace dgg
 {
+namespace
+{
+/// Parts of the progress: columns of vertices, distances from the pole, the rest.
+constexpr double ColumnsDone = 0.6;
+constexpr double LastPart = 0.1;
+}
+
 /// Regular parts of vertices, those used last in front.
 class GreensInterpolation::Cache
 {
 public:
-  Cache(const PoissonSolver& solver, std::size_t memoryLimit)
+  explicit Cache(const PoissonSolver& solver)
     : Function(solver)
     , Workspace(solver.GetSystem())
     , Column(solver.GetSystem())
-    , MemoryLimit(memoryLimit)
   {
   }
 
   /// Regular part of a vertex, for a radius; valid until three others have been asked for.
-  Status Find(
-    const PoissonSystem& system, Id v, const GreensQuery& query, const std::vector<float>*& values)
+  Status Find(const PoissonSystem& system, Id v, const GreensQuery& query,
+    const ProgressCallback& progress, const std::vector<float>*& values)
   {
     const auto key = std::make_pair(v, query.Radius);
     const auto found = this->Places.find(key);
@@ -39,8 +47,7 @@ public:
     }
     GreensQuery plain;
     plain.Radius = query.Radius;
-    plain.Progress = query.Progress;
-    Status status = this->Column.Start(SurfacePoint::AtVertex(v), plain, this->Workspace);
+    Status status = this->Column.Start(SurfacePoint::AtVertex(v), plain, progress, this->Workspace);
     if (!status.IsOk())
     {
       return status;
@@ -55,12 +62,7 @@ public:
       const bool isHere = system.GetComponent(static_cast<Id>(i)) == component;
       part[i] = static_cast<float>(solution[i] - (isHere ? this->Column.GetMean() : 0.0));
     }
-    const std::size_t size = part.size() * sizeof(float);
-    while (this->Entries.size() > 2 && (this->Entries.size() + 1) * size > this->MemoryLimit)
-    {
-      this->Places.erase(this->Entries.back().first);
-      this->Entries.pop_back();
-    }
+    this->Shrink(1);
     this->Entries.emplace_front(key, std::move(part));
     this->Places[key] = this->Entries.begin();
     values = &this->Entries.front().second;
@@ -74,6 +76,19 @@ public:
       : this->Entries.size() * this->Entries.front().second.size() * sizeof(float);
   }
 
+  /// Forget columns of a system that is no more, and those beyond the limit.
+  void Update(const PoissonSystem& system, std::size_t memoryLimit)
+  {
+    this->MemoryLimit = memoryLimit;
+    if (this->Revision != system.GetRevision())
+    {
+      this->Entries.clear();
+      this->Places.clear();
+      this->Revision = system.GetRevision();
+    }
+    this->Shrink(0);
+  }
+
   GreensFunction Function; ///< where columns of vertices will not do
   GreensWorkspace Workspace;
   GreensColumn Column;
@@ -82,14 +97,28 @@ public:
 private:
   using Key = std::pair<Id, double>;
 
-  std::size_t MemoryLimit;
+  /// Make room for some more columns; three in all are kept in any case.
+  void Shrink(std::size_t more)
+  {
+    while (this->Entries.size() + more > 3 &&
+      (this->Entries.size() + more) * this->Entries.front().second.size() * sizeof(float) >
+        this->MemoryLimit)
+    {
+      this->Places.erase(this->Entries.back().first);
+      this->Entries.pop_back();
+    }
+  }
+
+  std::uint64_t Revision = 0; // of the system that the columns are of
+  std::size_t MemoryLimit = 0;
   std::list<std::pair<Key, std::vector<float>>> Entries;
   std::map<Key, std::list<std::pair<Key, std::vector<float>>>::iterator> Places;
 };
 
 GreensInterpolation::GreensInterpolation(const PoissonSolver& solver, std::size_t memoryLimit)
   : Solver(solver)
-  , Columns(std::make_unique<Cache>(solver, memoryLimit))
+  , MemoryLimit(memoryLimit)
+  , Columns(std::make_unique<Cache>(solver))
 {
 }
 
@@ -109,8 +138,16 @@ Status GreensInterpolation::Run(
   }
   const PoissonSystem& system = this->Solver.GetSystem();
   const SurfaceMesh& mesh = system.GetMesh();
+  this->Columns->Update(system, this->MemoryLimit);
   const Id component =
     system.GetComponent(IsVertex(pole) ? pole.Vertex : mesh.Origin(3 * pole.Face));
+  // Where columns of vertices will not do.
+  const auto runFunction = [&](double begin) {
+    GreensQuery other = query;
+    other.Method = GreensMethod::SingularitySubtraction;
+    other.Progress = ProgressPart(query.Progress, begin, 1.0);
+    return this->Columns->Function.Run(pole, other, result);
+  };
   if (!(same.Radius > 0.0))
   {
     same.Radius = GreensColumn::GetUsualRadius(system, component);
@@ -126,13 +163,21 @@ Status GreensInterpolation::Run(
   });
   if (!isFree || GreensColumn::IsTooCoarse(system, component, same.Radius))
   {
-    return this->Columns->Function.Run(pole, query, result);
+    return runFunction(0.0);
   }
   std::vector<double> regular(system.GetNumberOfVertices(), 0.0);
+  const double part = ColumnsDone / static_cast<double>(corners.size());
+  double done = 0.0;
   for (const auto& [v, weight] : corners)
   {
     const std::vector<float>* values = nullptr;
-    status = this->Columns->Find(system, v, same, values);
+    status =
+      this->Columns->Find(system, v, same, ProgressPart(query.Progress, done, done + part), values);
+    done += part;
+    if (status.IsOk() && query.Progress && !query.Progress(done))
+    {
+      status = Status::Abort();
+    }
     if (!status.IsOk())
     {
       return status;
@@ -143,16 +188,22 @@ Status GreensInterpolation::Run(
     }
   }
   GreensColumn& column = this->Columns->Column;
-  status = column.Start(pole, same, this->Columns->Workspace);
+  status = column.Start(pole, same, ProgressPart(query.Progress, ColumnsDone, 1.0 - LastPart),
+    this->Columns->Workspace);
   if (!status.IsOk())
   {
     return status;
   }
-  if (!column.HasLogarithm())
+  if (!column.HasLogarithm()) // its triangle was not found
   {
-    return this->Columns->Function.Run(pole, query, result);
+    return runFunction(1.0 - LastPart);
   }
   column.AddLogarithm(regular, result);
+  if (query.Progress && !query.Progress(1.0))
+  {
+    result = GreensResult();
+    status = Status::Abort();
+  }
   return status;
 }
 

@@ -25,12 +25,16 @@ class GreensInterpolation
 {
 public:
   /// The solver must be ready and outlive this. Columns beyond the limit of memory push out those
-  /// that have not been used for longest; those of one face are kept in any case.
+  /// that have not been used for longest; those of one face are kept in any case. All are found
+  /// again after the solver has been prepared with other options.
   explicit GreensInterpolation(
     const PoissonSolver& solver, std::size_t memoryLimit = std::size_t(1) << 28);
   ~GreensInterpolation();
   GreensInterpolation(const GreensInterpolation&) = delete;
   GreensInterpolation& operator=(const GreensInterpolation&) = delete;
+
+  /// From the next run on.
+  void SetMemoryLimit(std::size_t bytes) { this->MemoryLimit = bytes; }
 
   /// The Green's function of one point. The query's method plays no part, and integrals are those
   /// of the interpolation. Where the mesh is too coarse, or given values are corners of the face,
@@ -46,6 +50,7 @@ private:
   class Cache;
 
   const PoissonSolver& Solver;
+  std::size_t MemoryLimit;
   std::unique_ptr<Cache> Columns;
 };
 }

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
+#include <utility>
 
 namespace dgg
 {
@@ -17,98 +19,161 @@ namespace
 constexpr double Cutoff = 1e-8;
 constexpr int LeastRings = 2;
 
-/// Add the neighbours of vertices [begin, end) of the list.
-void AddRing(const PoissonSystem& system, std::size_t begin, std::size_t end,
-  std::vector<Id>& vertices, std::map<Id, int>& places)
+/// Vertices with their places in the list.
+class Neighbourhood
 {
-  for (std::size_t k = begin; k < end; ++k)
+public:
+  explicit Neighbourhood(const PoissonSystem& system)
+    : System(system)
   {
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(system.GetStiffness(), vertices[k]);
-         entry; ++entry)
+  }
+
+  void Add(Id v)
+  {
+    if (this->Places.emplace(v, this->Vertices.size()).second)
     {
-      const auto v = static_cast<Id>(entry.row());
-      if (places.emplace(v, static_cast<int>(vertices.size())).second)
+      this->Vertices.push_back(v);
+    }
+  }
+  /// Add the neighbours of those in the list. False when there would be too many.
+  bool AddRing()
+  {
+    const std::size_t end = this->Vertices.size();
+    for (std::size_t k = 0; k < end; ++k)
+    {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(
+             this->System.GetStiffness(), this->Vertices[k]);
+           entry; ++entry)
       {
-        vertices.push_back(v);
+        this->Add(static_cast<Id>(entry.row()));
+      }
+      if (this->Vertices.size() > static_cast<std::size_t>(MostLocalizedVertices))
+      {
+        return false;
       }
     }
+    return true;
   }
-}
-}
+  const std::vector<Id>& GetVertices() const { return this->Vertices; }
+  std::size_t PlaceOf(Id v) const { return this->Places.at(v); }
 
-bool Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeodesics& exact,
-  std::vector<double>& values)
+private:
+  const PoissonSystem& System;
+  std::vector<Id> Vertices;
+  std::map<Id, std::size_t> Places;
+};
+
+/// Distances from a point to vertices. False when there is no way to some.
+bool FindDistances(ExactGeodesics& exact, const SurfacePoint& source, const std::vector<Id>& to,
+  std::vector<double>& distances)
 {
-  // The vertices whose weights are looked at come first, then those next to them.
-  std::vector<Id> vertices;
-  std::map<Id, int> places;
-  ForEachCornerAround(system.GetMesh(), pole, [&](Id v, double, double) {
-    if (places.emplace(v, static_cast<int>(vertices.size())).second)
-    {
-      vertices.push_back(v);
-    }
-  });
-  std::size_t begin = 0;
-  for (int ring = 0; ring < LeastRings || vertices.size() < LocalizedVertices; ++ring)
-  {
-    const std::size_t end = vertices.size();
-    AddRing(system, begin, end, vertices, places);
-    begin = end;
-    if (vertices.size() == end)
-    {
-      break;
-    }
-  }
-  const std::size_t near = vertices.size();
-  AddRing(system, begin, near, vertices, places);
-  const std::size_t all = vertices.size();
-  for (std::size_t i = 0; i < near; ++i)
-  {
-    if (system.IsFixed(vertices[i]))
-    {
-      return false;
-    }
-  }
-  // Distances from all to those near, and to the pole in the last column.
-  Eigen::MatrixXd distances(all, near + 1);
   ExactOptions options;
   options.StopAtTargets = true;
-  for (const Id v : vertices)
+  for (const Id v : to)
   {
     options.Targets.push_back(SurfacePoint::AtVertex(v));
   }
   ExactResult result;
-  for (std::size_t i = 0; i <= near; ++i)
+  if (!exact.Run({ { source, 0.0 } }, options, result).IsOk())
   {
+    return false;
+  }
+  distances = std::move(result.TargetDistances);
+  return std::all_of(distances.begin(), distances.end(), [](double d) { return d < Infinity; });
+}
+
+/// The vertices nearest to the pole, out of whole rings around it, and then their neighbours.
+/// Returns how many are near; none when there are too many neighbours.
+std::size_t FindNeighbours(const PoissonSystem& system, const SurfacePoint& pole,
+  ExactGeodesics& exact, std::unique_ptr<Neighbourhood>& all)
+{
+  Neighbourhood rings(system);
+  ForEachCornerAround(system.GetMesh(), pole, [&](Id v, double, double) { rings.Add(v); });
+  std::size_t before = 0;
+  for (int ring = 0; ring < LeastRings || rings.GetVertices().size() < LocalizedVertices; ++ring)
+  {
+    before = rings.GetVertices().size();
+    if (!rings.AddRing())
+    {
+      return 0;
+    }
+    if (rings.GetVertices().size() == before)
+    {
+      break; // that is all of the component
+    }
+  }
+  std::vector<double> distances;
+  if (!FindDistances(exact, pole, rings.GetVertices(), distances))
+  {
+    return 0;
+  }
+  std::vector<std::pair<double, Id>> order;
+  for (std::size_t k = 0; k < distances.size(); ++k)
+  {
+    order.emplace_back(distances[k], rings.GetVertices()[k]);
+  }
+  std::sort(order.begin(), order.end());
+  const std::size_t near = std::min<std::size_t>(order.size(), LocalizedVertices);
+  all = std::make_unique<Neighbourhood>(system);
+  for (std::size_t k = 0; k < near; ++k)
+  {
+    all->Add(order[k].second);
+  }
+  return all->AddRing() ? near : 0;
+}
+}
+
+Status Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeodesics& exact,
+  const ProgressCallback& progress, std::vector<double>& values, bool& isLocalized)
+{
+  isLocalized = false;
+  std::unique_ptr<Neighbourhood> neighbourhood;
+  const auto near = static_cast<Eigen::Index>(FindNeighbours(system, pole, exact, neighbourhood));
+  if (near == 0)
+  {
+    return Status::Success();
+  }
+  const std::vector<Id>& vertices = neighbourhood->GetVertices();
+  const auto all = static_cast<Eigen::Index>(vertices.size());
+  if (std::any_of(
+        vertices.begin(), vertices.begin() + near, [&](Id v) { return system.IsFixed(v); }))
+  {
+    return Status::Success();
+  }
+  // Distances from all to those near, and to the pole in the last column.
+  Eigen::MatrixXd distances(all, near + 1);
+  std::vector<double> column;
+  for (Eigen::Index i = 0; i <= near; ++i)
+  {
+    if (progress && !progress(static_cast<double>(i) / static_cast<double>(near + 2)))
+    {
+      return Status::Abort();
+    }
     const SurfacePoint source = i < near ? SurfacePoint::AtVertex(vertices[i]) : pole;
-    if (!exact.Run({ { source, 0.0 } }, options, result).IsOk())
+    if (!FindDistances(exact, source, vertices, column))
     {
-      return false;
+      return Status::Success();
     }
-    for (std::size_t s = 0; s < all; ++s)
-    {
-      distances(s, i) = result.TargetDistances[s];
-    }
+    distances.col(i) = Eigen::Map<const Eigen::VectorXd>(column.data(), all);
   }
   Eigen::MatrixXd laplacian = Eigen::MatrixXd::Zero(near, all);
   Eigen::VectorXd psi(near);
-  for (std::size_t i = 0; i < near; ++i)
+  for (Eigen::Index i = 0; i < near; ++i)
   {
     const Id v = vertices[i];
     psi[i] = system.IsFree(system.GetComponent(v)) ? system.GetWeight(v) : 0.0;
     for (Eigen::SparseMatrix<double>::InnerIterator entry(system.GetStiffness(), v); entry; ++entry)
     {
       const auto u = static_cast<Id>(entry.row());
-      laplacian(i, places.at(u)) = entry.value();
+      laplacian(i, static_cast<Eigen::Index>(neighbourhood->PlaceOf(u))) = entry.value();
       psi[i] += entry.value() * values[u];
     }
   }
-  const auto near2 = static_cast<Eigen::Index>(near);
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
   decomposition.setThreshold(Cutoff);
-  decomposition.compute(distances.leftCols(near2) * laplacian);
+  decomposition.compute(distances.leftCols(near) * laplacian);
   const Eigen::VectorXd change =
-    decomposition.solve(distances.col(near2) - distances.leftCols(near2) * psi);
+    decomposition.solve(distances.col(near) - distances.leftCols(near) * psi);
   double least = Infinity;
   double largest = -Infinity;
   for (const Id v : vertices)
@@ -118,13 +183,14 @@ bool Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeodes
   }
   if (!change.allFinite() || change.cwiseAbs().maxCoeff() > largest - least)
   {
-    return false;
+    return Status::Success();
   }
-  for (std::size_t k = 0; k < all; ++k)
+  for (Eigen::Index k = 0; k < all; ++k)
   {
     values[vertices[k]] += change[k];
   }
   system.Center(values);
-  return true;
+  isLocalized = true;
+  return progress && !progress(1.0) ? Status::Abort() : Status::Success();
 }
 }

@@ -12,8 +12,11 @@
 
 namespace dgg
 {
-/// Least vertices around the pole whose spline weights are looked at.
+/// Vertices around the pole whose spline weights are looked at: the nearest ones.
 constexpr Id LocalizedVertices = 60;
+/// Most vertices that these and their neighbours may be. On meshes of usual triangles there are
+/// about 110; many more are there where fans have hundreds of triangles.
+constexpr Id MostLocalizedVertices = 400;
 
 /// Change an interpolated Green's function around its pole x, which is not a vertex. In Green's
 /// identity the numbers psi_i(x) = w_i + sum_j L_ij g_j weight the vertices i; here they are made
@@ -22,10 +25,11 @@ constexpr Id LocalizedVertices = 60;
 ///     minimise |g - g0|  subject to  sum_i d(s, i) psi_i(x) = d(s, x),
 ///
 /// over the vertices next to those i that are near. The interpolation of g0 makes the distances
-/// linear in the face of x, which they are not. False, and nothing is changed, where a value nearby
-/// is given, or a change would be larger than the values.
-bool Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeodesics& exact,
-  std::vector<double>& values);
+/// linear in the face of x, which they are not. `isLocalized` is false, and nothing is changed,
+/// where a value nearby is given, or there are too many neighbours, or a change would be larger
+/// than the values. Fails when it is stopped only.
+Status Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeodesics& exact,
+  const ProgressCallback& progress, std::vector<double>& values, bool& isLocalized);
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "dggPoissonSolver.h"
 
 #include "dggPoissonSystem.h"
+#include "dggProgressPart.h"
 
 #include <cmath>
 #include <string>
@@ -11,6 +12,9 @@ namespace dgg
 {
 namespace
 {
+/// Part of the progress of Prepare().
+constexpr double AnalysisDone = 0.4;
+
 Status CheckValues(const PoissonSystem& system, const std::vector<double>& values)
 {
   if (!system.IsReady())
@@ -50,6 +54,11 @@ std::size_t PoissonSolver::GetEstimatedMemory() const
   return this->System->GetEstimatedMemory();
 }
 
+std::size_t PoissonSolver::GetMissingMemory() const
+{
+  return this->System->GetMissingMemory();
+}
+
 Status PoissonSolver::Factorize(const ProgressCallback& progress)
 {
   if (progress && !progress(0.0))
@@ -66,15 +75,8 @@ Status PoissonSolver::Factorize(const ProgressCallback& progress)
 
 Status PoissonSolver::Prepare(const PoissonOptions& options, const ProgressCallback& progress)
 {
-  const auto part = [&](double begin, double end) -> ProgressCallback {
-    if (!progress)
-    {
-      return nullptr;
-    }
-    return [&progress, begin, end](double f) { return progress(begin + (end - begin) * f); };
-  };
-  Status status = this->Analyze(options, part(0.0, 0.4));
-  return status.IsOk() ? this->Factorize(part(0.4, 1.0)) : status;
+  Status status = this->Analyze(options, ProgressPart(progress, 0.0, AnalysisDone));
+  return status.IsOk() ? this->Factorize(ProgressPart(progress, AnalysisDone, 1.0)) : status;
 }
 
 bool PoissonSolver::IsReady() const
@@ -159,6 +161,11 @@ Status PoissonSolver::CheckPole(const SurfacePoint& point) const
       " lies on the boundary, where values are given: move it inside, or use Neumann conditions");
   }
   return Status::Success();
+}
+
+std::uint64_t PoissonSolver::GetRevision() const
+{
+  return this->System->GetRevision();
 }
 
 int PoissonSolver::GetNumberOfFactorizations() const

@@ -10,6 +10,7 @@
 #include "dggSurfacePoint.h"   // for SurfacePoint
 
 #include <cstddef> // for std::size_t
+#include <cstdint> // for the revision
 #include <memory>  // for the system
 #include <vector>  // for sources and solutions
 
@@ -37,8 +38,10 @@ public:
   /// and a stop heeded, between the parts of the work.
   /// @{
   Status Analyze(const PoissonOptions& options, const ProgressCallback& progress);
-  /// Bytes that all will take. After Analyze().
+  /// Bytes that all takes at the time when there are most, while it is factorized. After Analyze().
   std::size_t GetEstimatedMemory() const;
+  /// Those of them that are not there yet: 0 once it is factorized.
+  std::size_t GetMissingMemory() const;
   /// After Analyze().
   Status Factorize(const ProgressCallback& progress);
   /// Both.
@@ -66,6 +69,8 @@ public:
   /// where values are given, or in a closed component although Dirichlet conditions are asked for.
   Status CheckPole(const SurfacePoint& point) const;
 
+  /// Another number when Prepare() has made other solutions of the same sources.
+  std::uint64_t GetRevision() const;
   /// Factorizations done so far, for tests.
   int GetNumberOfFactorizations() const;
   Offset GetNumberOfFactorEntries() const;

@@ -66,12 +66,14 @@ Status PoissonSystem::Analyze(const PoissonOptions& options, const ProgressCallb
     this->Options.Boundary == options.Boundary;
   if (isSameMatrix)
   {
+    this->Revision += this->Options.Weights == options.Weights ? 0 : 1;
     this->Options = options;
     this->SetWeights();
     return Status::Success();
   }
   this->Factor.Clear();
   this->IsAnalyzed = false;
+  ++this->Revision;
   this->Options = options;
   if (!Goes(progress, 0.0))
   {
@@ -442,21 +444,36 @@ void PoissonSystem::Solve(std::vector<SparseLanes>& values) const
   }
 }
 
-std::size_t PoissonSystem::GetEstimatedMemory() const
+std::size_t PoissonSystem::GetBaseMemory() const
 {
   const std::size_t n = this->Components.size();
   const auto entries = static_cast<std::size_t>(this->Stiffness.nonZeros());
   return entries * (sizeof(double) + sizeof(int)) + this->Triangulation.GetMemorySize() +
-    n * (2 * sizeof(Id) + 2 * sizeof(double) + sizeof(int) + 1) +
-    static_cast<std::size_t>(this->FactorEntries) * (sizeof(double) + sizeof(int)) +
-    n * (sizeof(double) + 3 * sizeof(int));
+    this->TriangleOfFace.size() * sizeof(Id) + n * (2 * sizeof(Id) + 2 * sizeof(double) + 1) +
+    n * sizeof(int);
+}
+
+/// The factor, and the matrix that it is made of, of which it makes a copy.
+std::size_t PoissonSystem::GetMissingMemory() const
+{
+  if (this->Factor.IsComputed())
+  {
+    return 0;
+  }
+  const std::size_t n = this->Components.size();
+  const std::size_t upper = (static_cast<std::size_t>(this->Stiffness.nonZeros()) + n) / 2;
+  const std::size_t entry = sizeof(double) + sizeof(int);
+  return static_cast<std::size_t>(this->FactorEntries) * entry +
+    n * (sizeof(double) + 3 * sizeof(int)) + 2 * upper * entry + n * entry;
+}
+
+std::size_t PoissonSystem::GetEstimatedMemory() const
+{
+  return this->GetMemorySize() + this->GetMissingMemory();
 }
 
 std::size_t PoissonSystem::GetMemorySize() const
 {
-  const std::size_t n = this->Components.size();
-  const auto entries = static_cast<std::size_t>(this->Stiffness.nonZeros());
-  return entries * (sizeof(double) + sizeof(int)) + this->Triangulation.GetMemorySize() +
-    n * (2 * sizeof(Id) + 2 * sizeof(double) + sizeof(int) + 1) + this->Factor.GetMemorySize();
+  return this->GetBaseMemory() + this->Factor.GetMemorySize();
 }
 }

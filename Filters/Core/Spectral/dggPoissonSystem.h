@@ -39,6 +39,9 @@ public:
   Status Analyze(const PoissonOptions& options, const ProgressCallback& progress);
   /// After Analyze(). Eigen's factorization cannot be interrupted.
   Status Factorize();
+  /// Grows whenever other options change the matrix or the weights, which makes what was computed
+  /// with them out of date.
+  std::uint64_t GetRevision() const { return this->Revision; }
   bool IsReady() const { return this->IsAnalyzed && this->Factor.IsComputed(); }
 
   const PoissonOptions& GetOptions() const { return this->Options; }
@@ -89,14 +92,17 @@ public:
   /// Take the weighted mean off in components without given values.
   void Center(std::vector<double>& values) const;
 
-  /// Bytes, those of the factor included. After Analyze().
+  /// Bytes, those of the factor included, at the time when there are most. After Analyze().
   std::size_t GetEstimatedMemory() const;
+  /// Those of them that are not there yet.
+  std::size_t GetMissingMemory() const;
   std::size_t GetMemorySize() const;
   Offset GetNumberOfFactorEntries() const { return this->FactorEntries; }
   /// Factorizations done so far, for tests.
   int GetNumberOfFactorizations() const { return this->NumberOfFactorizations; }
 
 private:
+  std::size_t GetBaseMemory() const;
   void MeasureComponents();
   void SetWeights();
   template <typename Number>
@@ -115,6 +121,7 @@ private:
   PoissonOptions Options;
   bool IsAnalyzed = false;
   int NumberOfFactorizations = 0;
+  std::uint64_t Revision = 0;
   Offset FactorEntries = 0;
   double LargestEntry = 0.0;
   double LongestEdge = 0.0;
