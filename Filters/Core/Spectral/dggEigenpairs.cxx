@@ -25,6 +25,8 @@ constexpr Id DensePart = 5;
 /// Relative difference of eigenvalues that makes a gap.
 constexpr double Gap = 1e-4;
 constexpr int MostRestarts = 4;
+/// Eigenvalues of the inverse below this part of the largest are rounding.
+constexpr double Rounding = 1e-13;
 
 bool Goes(const ProgressCallback& progress, double fraction)
 {
@@ -280,7 +282,21 @@ void Put(const Operator& op, const Eigen::VectorXd& values, const Eigen::MatrixX
   }
 }
 
-void SolveDense(const Operator& op, Id count, Eigenpairs& pairs)
+/// How many of the largest eigenvalues of the inverse stand out of rounding. Those below belong to
+/// eigenvalues that are as good as infinite: they can have any sign.
+Eigen::Index CountDefinite(const Eigen::VectorXd& inverses)
+{
+  Eigen::Index count = 0;
+  while (count < inverses.size() && inverses[count] > Rounding * inverses[0])
+  {
+    ++count;
+  }
+  return count;
+}
+
+/// All of the inverse, of which the largest eigenvalues are accurate, as those of the matrix itself
+/// are not where it has entries of very different size.
+Status SolveDense(const Operator& op, Id count, const ProgressCallback& progress, Eigenpairs& pairs)
 {
   const Eigen::VectorXd& roots = op.GetRoots();
   std::vector<Eigen::Index> active;
@@ -292,23 +308,40 @@ void SolveDense(const Operator& op, Id count, Eigenpairs& pairs)
     }
   }
   const auto size = static_cast<Eigen::Index>(active.size());
-  Eigen::MatrixXd matrix(size, size);
-  const Eigen::MatrixXd stiffness = op.GetSystem().GetStiffness();
-  for (Eigen::Index i = 0; i < size; ++i)
+  Eigen::MatrixXd inverse(size, size);
+  for (Eigen::Index first = 0; first < size; first += Block)
   {
-    for (Eigen::Index j = 0; j < size; ++j)
+    if (!Goes(progress, 0.5 * static_cast<double>(first) / static_cast<double>(size)))
     {
-      matrix(i, j) = stiffness(active[i], active[j]) / roots[active[i]] / roots[active[j]];
+      return Status::Abort();
+    }
+    const Eigen::Index width = std::min<Eigen::Index>(Block, size - first);
+    Eigen::MatrixXd units = Eigen::MatrixXd::Zero(roots.size(), width);
+    for (Eigen::Index k = 0; k < width; ++k)
+    {
+      units(active[first + k], k) = 1.0;
+    }
+    const Eigen::MatrixXd columns = op.Apply(units);
+    for (Eigen::Index i = 0; i < size; ++i)
+    {
+      inverse.block(i, first, 1, width) = columns.row(active[i]);
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
-  Eigen::MatrixXd vectors = Eigen::MatrixXd::Zero(roots.size(), count);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+    0.5 * (inverse + inverse.transpose()));
+  const Eigen::VectorXd inverses = solver.eigenvalues().reverse();
+  const Eigen::Index kept = std::min<Eigen::Index>(count, CountDefinite(inverses));
+  Eigen::MatrixXd vectors = Eigen::MatrixXd::Zero(roots.size(), kept);
   for (Eigen::Index i = 0; i < size; ++i)
   {
-    vectors.row(active[i]) = solver.eigenvectors().block(i, op.GetNullity(), 1, count);
+    for (Eigen::Index k = 0; k < kept; ++k)
+    {
+      vectors(active[i], k) = solver.eigenvectors()(i, size - 1 - k);
+    }
   }
-  Put(op, solver.eigenvalues().segment(op.GetNullity(), count), vectors, pairs);
+  Put(op, inverses.head(kept).cwiseInverse(), vectors, pairs);
   pairs.IsComplete = true;
+  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
 }
 }
 
@@ -338,8 +371,7 @@ Status FindEigenpairs(
   if (op.GetRank() <= DenseVertices ||
     (op.GetRank() <= MostDenseVertices && count > op.GetRank() / DensePart))
   {
-    SolveDense(op, count, pairs);
-    return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+    return SolveDense(op, count, progress, pairs);
   }
   Krylov krylov(op);
   krylov.AddRandom();
@@ -351,7 +383,10 @@ Status FindEigenpairs(
     Eigen::Index next = wanted + wanted / 2 + Block;
     while (krylov.Grow())
     {
-      if (!Goes(progress, 0.9 * static_cast<double>(krylov.GetSize()) / (2.5 * wanted + 4 * Block)))
+      if (!Goes(progress,
+            std::min(0.9,
+              0.9 * static_cast<double>(krylov.GetSize()) /
+                (2.5 * static_cast<double>(wanted) + 4.0 * Block))))
       {
         return Status::Abort();
       }
@@ -376,7 +411,11 @@ Status FindEigenpairs(
     {
       krylov.Solve(); // the space is exhausted
     }
-    const Eigen::Index found = std::min<Eigen::Index>(wanted, krylov.GetSize());
+    const Eigen::Index found = std::min<Eigen::Index>(wanted, CountDefinite(krylov.GetValues()));
+    if (found == 0)
+    {
+      break;
+    }
     const Eigen::VectorXd values = krylov.GetValues().head(found).cwiseInverse();
     Eigen::Index gap = found - 1;
     while (gap > 0 && !(values[gap] > values[gap - 1] * (1.0 + Gap)))

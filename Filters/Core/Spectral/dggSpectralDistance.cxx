@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSpectralDistance.h"
 
+#include "dggBlockLoop.h"
 #include "dggGreensColumn.h"
 #include "dggGeodesicSource.h"
 #include "dggPoissonSystem.h"
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <string>
 #include <utility>
 
@@ -17,6 +17,8 @@ namespace dgg
 namespace
 {
 constexpr Offset Lanes = SparseLanes::SizeAtCompileTime;
+/// Part of the progress of distances between points.
+constexpr double SolvesDone = 0.9;
 
 /// Differences of squares, never below 0 by rounding.
 double Root(double square)
@@ -52,11 +54,19 @@ Status SpectralDistance::Prepare(const SpectralOptions& options, Eigenpairs pair
   {
     return Status::Invalid("the eigenfunctions do not have one value for each vertex");
   }
+  for (const double value : pairs.Values)
+  {
+    if (!(value > 0.0) || !(value < Infinity))
+    {
+      return Status::Invalid("eigenvalues must be positive and finite: leave out the others");
+    }
+  }
   this->Options = options;
   this->Pairs = std::move(pairs);
   this->Time = options.Time > 0.0 || this->Pairs.Values.empty() ? options.Time
                                                                 : 0.1 / this->Pairs.Values.front();
   this->IsPrepared = true;
+  this->Revision = this->Solver.GetSystem().GetRevision();
   return Status::Success();
 }
 
@@ -99,6 +109,11 @@ Status SpectralDistance::CheckPoint(const SurfacePoint& point) const
   if (!this->IsPrepared)
   {
     return Status::Invalid("the distance has not been prepared: call Prepare() first");
+  }
+  if (this->Revision != this->Solver.GetSystem().GetRevision() || !this->Solver.IsReady())
+  {
+    return Status::Invalid(
+      "the solver has been prepared with other options since: call Prepare() again");
   }
   return point.Check(this->Solver.GetMesh());
 }
@@ -153,62 +168,46 @@ Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const Progres
 {
   const PoissonSystem& system = this->Solver.GetSystem();
   const Offset n = system.GetNumberOfVertices();
+  const bool isBiharmonic = this->Options.Kind == SpectralKind::Biharmonic;
   std::vector<double> diagonal(n, 0.0);
-  Status status;
-  std::mutex mutex;
-  Offset done = 0;
-  ForRange(parallel, (n + Lanes - 1) / Lanes, 1, [&](Offset begin, Offset end) {
-    std::vector<SparseLanes> values(n);
-    for (Offset block = begin; block < end; ++block)
+  const auto solveBlock = [&](Offset, Offset begin, Offset end) {
+    std::vector<SparseLanes> values(n, SparseLanes(SparseLanes::Zero()));
+    for (Offset v = begin; v < end; ++v)
     {
-      {
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (status.IsOk() && progress &&
-          !progress(static_cast<double>(done) / static_cast<double>(n)))
-        {
-          status = Status::Abort();
-        }
-        if (!status.IsOk())
-        {
-          return;
-        }
-      }
-      const Offset first = block * Lanes;
-      const Offset size = std::min(Lanes, n - first);
-      std::fill(values.begin(), values.end(), SparseLanes(SparseLanes::Zero()));
-      for (Offset k = 0; k < size; ++k)
-      {
-        values[first + k][k] = system.IsFixed(static_cast<Id>(first + k)) ? 0.0 : 1.0;
-      }
-      system.Solve(values);
-      if (this->Options.Kind == SpectralKind::Biharmonic)
-      {
-        SparseLanes sum = SparseLanes::Zero();
-        for (Offset v = 0; v < n; ++v)
-        {
-          sum += values[v].square() * system.GetArea(static_cast<Id>(v));
-        }
-        for (Offset k = 0; k < size; ++k)
-        {
-          diagonal[first + k] = sum[k];
-        }
-      }
-      else
-      {
-        for (Offset k = 0; k < size; ++k)
-        {
-          diagonal[first + k] = values[first + k][k];
-        }
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      done += size;
+      values[v][v - begin] = system.IsFixed(static_cast<Id>(v)) ? 0.0 : 1.0;
     }
-  });
+    system.Solve(values);
+    SparseLanes sum = SparseLanes::Zero();
+    for (Offset v = 0; v < n && isBiharmonic; ++v)
+    {
+      sum += values[v].square() * system.GetArea(static_cast<Id>(v));
+    }
+    for (Offset v = begin; v < end; ++v)
+    {
+      diagonal[v] = isBiharmonic ? sum[v - begin] : values[v][v - begin];
+    }
+  };
+  const Status status = LoopOverBlocks(n, Lanes, parallel, progress, 0.0, 1.0, solveBlock);
   if (status.IsOk())
   {
     this->Diagonal.swap(diagonal);
   }
   return status;
+}
+
+/// The Green's function of a point from its potential.
+std::vector<double> SpectralDistance::ColumnOf(std::vector<double> potential) const
+{
+  const PoissonSystem& system = this->Solver.GetSystem();
+  if (this->Options.Kind == SpectralKind::Biharmonic)
+  {
+    for (std::size_t v = 0; v < potential.size(); ++v)
+    {
+      potential[v] *= system.IsFixed(static_cast<Id>(v)) ? 0.0 : this->Solver.GetAreas()[v];
+    }
+    system.Solve(potential);
+  }
+  return potential;
 }
 
 Status SpectralDistance::Column(const SurfacePoint& source, std::vector<double>& values) const
@@ -219,22 +218,13 @@ Status SpectralDistance::Column(const SurfacePoint& source, std::vector<double>&
   {
     return status;
   }
-  const PoissonSystem& system = this->Solver.GetSystem();
   if (this->Options.Method == SpectralMethod::Exact)
   {
-    values = this->PotentialOf(source);
-    if (this->Options.Kind == SpectralKind::Biharmonic)
-    {
-      for (std::size_t v = 0; v < values.size(); ++v)
-      {
-        values[v] *= system.IsFixed(static_cast<Id>(v)) ? 0.0 : this->Solver.GetAreas()[v];
-      }
-      system.Solve(values);
-    }
+    values = this->ColumnOf(this->PotentialOf(source));
     return status;
   }
   const std::vector<double> embedding = this->EmbeddingOf(source);
-  const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
+  const auto n = static_cast<std::size_t>(this->Solver.GetMesh().GetNumberOfVertices());
   values.assign(n, 0.0);
   for (std::size_t k = 0; k < embedding.size(); ++k)
   {
@@ -266,13 +256,12 @@ Status SpectralDistance::FromPoint(const SurfacePoint& source, const ParallelFor
     {
       status = this->FindDiagonal(parallel, progress);
     }
-    std::vector<double> column;
-    status = status.IsOk() ? this->Column(source, column) : status;
     if (!status.IsOk())
     {
       return status;
     }
     const std::vector<double> potential = this->PotentialOf(source);
+    const std::vector<double> column = this->ColumnOf(potential);
     const double self = this->Product(this->LoadOf(source), potential, potential);
     for (std::size_t v = 0; v < n; ++v)
     {
@@ -325,60 +314,64 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
   }
   // Vectors whose distances are the distances: potentials, with areas as weights, or embeddings.
   const bool isExact = this->Options.Method == SpectralMethod::Exact;
-  const auto vectorsOf = [&](const std::vector<SurfacePoint>& points) {
-    std::vector<std::vector<double>> vectors(points.size());
-    ForRange(parallel, static_cast<Offset>(points.size()), 1, [&](Offset begin, Offset end) {
-      for (Offset k = begin; k < end; ++k)
-      {
+  const auto findVectors = [&](const std::vector<SurfacePoint>& points, double begin, double end,
+                             std::vector<std::vector<double>>& vectors) {
+    vectors.resize(points.size());
+    return LoopOverBlocks(static_cast<Offset>(points.size()), 1, parallel, progress, begin, end,
+      [&](Offset k, Offset, Offset) {
         vectors[k] = isExact ? this->PotentialOf(points[k]) : this->EmbeddingOf(points[k]);
-      }
-    });
-    return vectors;
+      });
   };
-  const std::vector<std::vector<double>> rows = vectorsOf(first);
-  if (progress && !progress(0.4))
+  const bool isSame = &first == &second;
+  std::vector<std::vector<double>> found[2];
+  Status status = findVectors(first, 0.0, isSame ? SolvesDone : 0.5 * SolvesDone, found[0]);
+  if (status.IsOk() && !isSame)
   {
-    return Status::Abort();
+    status = findVectors(second, 0.5 * SolvesDone, SolvesDone, found[1]);
   }
-  const std::vector<std::vector<double>> columns = vectorsOf(second);
-  if (progress && !progress(0.8))
+  if (!status.IsOk())
   {
-    return Status::Abort();
+    return status;
   }
+  const std::vector<std::vector<double>>& rows = found[0];
+  const std::vector<std::vector<double>>& columns = found[isSame ? 0 : 1];
   distances.assign(first.size() * second.size(), Infinity);
   const std::vector<double>& areas = this->Solver.GetAreas();
   const bool isBiharmonic = this->Options.Kind == SpectralKind::Biharmonic;
-  ForRange(parallel, static_cast<Offset>(first.size()), 1, [&](Offset begin, Offset end) {
-    for (Offset i = begin; i < end; ++i)
+  const auto fillRow = [&](Offset i, Offset, Offset) {
+    for (std::size_t j = 0; j < second.size(); ++j)
     {
-      for (std::size_t j = 0; j < second.size(); ++j)
+      if (this->ComponentOf(first[i]) != this->ComponentOf(second[j]))
       {
-        if (this->ComponentOf(first[i]) != this->ComponentOf(second[j]))
-        {
-          continue;
-        }
-        const std::vector<double>& a = rows[i];
-        const std::vector<double>& b = columns[j];
-        double square = 0.0;
-        if (isExact && !isBiharmonic)
-        {
-          // Potential difference of the two points while a unit flows from one to the other.
-          const SurfaceMesh& mesh = this->Solver.GetMesh();
-          square = InterpolateAt(mesh, first[i], a) - InterpolateAt(mesh, second[j], a) -
-            InterpolateAt(mesh, first[i], b) + InterpolateAt(mesh, second[j], b);
-        }
-        else
-        {
-          for (std::size_t v = 0; v < a.size(); ++v)
-          {
-            square += (isExact ? areas[v] : 1.0) * (a[v] - b[v]) * (a[v] - b[v]);
-          }
-        }
-        distances[i * second.size() + j] = Root(square);
+        continue;
       }
+      const std::vector<double>& a = rows[i];
+      const std::vector<double>& b = columns[j];
+      double square = 0.0;
+      if (isExact && !isBiharmonic)
+      {
+        // Potential difference of the two points while a unit flows from one to the other.
+        const SurfaceMesh& mesh = this->Solver.GetMesh();
+        square = InterpolateAt(mesh, first[i], a) - InterpolateAt(mesh, second[j], a) -
+          InterpolateAt(mesh, first[i], b) + InterpolateAt(mesh, second[j], b);
+      }
+      else
+      {
+        for (std::size_t v = 0; v < a.size(); ++v)
+        {
+          square += (isExact ? areas[v] : 1.0) * (a[v] - b[v]) * (a[v] - b[v]);
+        }
+      }
+      distances[i * second.size() + j] = Root(square);
     }
-  });
-  return progress && !progress(1.0) ? Status::Abort() : Status::Success();
+  };
+  status = LoopOverBlocks(
+    static_cast<Offset>(first.size()), 1, parallel, progress, SolvesDone, 1.0, fillRow);
+  if (!status.IsOk())
+  {
+    distances.clear();
+  }
+  return status;
 }
 
 std::size_t SpectralDistance::GetMemorySize() const

@@ -11,6 +11,7 @@
 #include "dggSurfacePoint.h"  // for points
 
 #include <cstddef> // for std::size_t
+#include <cstdint> // for the revision
 #include <vector>  // for the results
 
 namespace dgg
@@ -55,7 +56,7 @@ public:
   explicit SpectralDistance(const PoissonSolver& solver);
 
   /// Find eigenvalues where they are needed, or take those that are given (they must be those of
-  /// the solver).
+  /// the solver, and positive). To be done again when the solver is prepared with other options.
   /// @{
   Status Prepare(const SpectralOptions& options, const ProgressCallback& progress);
   Status Prepare(const SpectralOptions& options, Eigenpairs pairs);
@@ -68,7 +69,8 @@ public:
   Status FromPoint(const SurfacePoint& source, const ParallelFor& parallel,
     const ProgressCallback& progress, std::vector<double>& distances);
   /// Between all of the first and all of the second points, row by row: the exact method solves
-  /// for each point once.
+  /// for each point once, also when the second are the first (the same object), and holds the
+  /// solutions, one number for each point and vertex.
   Status Between(const std::vector<SurfacePoint>& first, const std::vector<SurfacePoint>& second,
     const ParallelFor& parallel, const ProgressCallback& progress,
     std::vector<double>& distances) const;
@@ -81,6 +83,7 @@ public:
 private:
   std::vector<double> LoadOf(const SurfacePoint& point) const;
   std::vector<double> PotentialOf(const SurfacePoint& point) const;
+  std::vector<double> ColumnOf(std::vector<double> potential) const;
   double Product(const std::vector<double>& load, const std::vector<double>& a,
     const std::vector<double>& b) const;
   double Filter(double eigenvalue) const;
@@ -92,6 +95,7 @@ private:
   const PoissonSolver& Solver;
   SpectralOptions Options;
   bool IsPrepared = false;
+  std::uint64_t Revision = 0; // of the system that all was made of
   double Time = 0.0;
   Eigenpairs Pairs;
   std::vector<double> Diagonal; // per vertex, of the Green's function
