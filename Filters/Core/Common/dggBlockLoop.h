@@ -38,6 +38,19 @@ Status LoopOverBlocks(Offset count, Offset size, const ParallelFor& parallel,
   }
   return progress && !progress(stop) ? Status::Abort() : Status::Success();
 }
+
+/// The same for a `step(block, begin, end)` that needs no worker.
+template <typename Step>
+Status LoopOverBlocks(Offset count, Offset size, const ParallelFor& parallel,
+  const ProgressCallback& progress, double start, double stop, Step&& step)
+{
+  struct None
+  {
+  };
+  return LoopOverBlocks(
+    count, size, parallel, progress, start, stop, [] { return None(); },
+    [&step](None&, Offset block, Offset begin, Offset end) { step(block, begin, end); });
+}
 }
 
 #endif
