@@ -72,12 +72,53 @@ TEST(CloudGuards, SheetsCloserThanTwoBalls)
 {
   // The balls overlap, but the points that segments pass are not where they should be.
   const double spacing = 1.0 / std::sqrt(4000.0);
-  for (const double gap : { 2.2, 2.5, 2.8, 3.5, 4.5 })
+  for (const double gap : { 3.2, 3.5, 4.5 })
   {
     CloudGraphStatistics statistics;
     const CloudGraph graph = BuildGraph(TwoSheets(4000, gap * spacing, 3), nullptr, &statistics);
     EXPECT_EQ(EdgesBetween(graph, [](Id v) { return v < 4000; }), 0) << gap;
     EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 4000, 4000 })) << gap;
+  }
+}
+
+TEST(CloudGuards, SheetsTwoSpacingsApart)
+{
+  // As close as that, random points leave no room for balls of the default size: with balls of a
+  // third of the gap, or with oriented normals, sheets stay apart, and each stays in one piece.
+  const double spacing = 1.0 / 60.0;
+  for (const double gap : { 2.2, 2.5, 2.8 })
+  {
+    Cloud cloud;
+    for (int side = 0; side < 2; ++side)
+    {
+      const Cloud shifts = Square(3600, 20 + side);
+      for (Id i = 0; i < 3600; ++i)
+      {
+        const Point3 p{ i % 60 + 0.8 * shifts.At(i).X, i / 60 + 0.8 * shifts.At(i).Y, gap * side };
+        cloud.Add(spacing * p);
+      }
+    }
+    const auto first = [](Id v) { return v < 3600; };
+    const double h = 4.0;
+    const CloudGraph given = BuildGraph(cloud, [&](CloudGraphOptions& options) {
+      options.OffsetInVoxels = h;
+      options.Resolution = static_cast<Id>(std::ceil(3.0 * h / (gap * spacing)));
+    });
+    EXPECT_EQ(EdgesBetween(given, first), 0) << gap;
+    ASSERT_GE(given.ComponentSizes.size(), 2U) << gap;
+    EXPECT_GT(given.ComponentSizes[1], 3500) << gap;
+
+    std::vector<double> normals;
+    for (Id i = 0; i < cloud.GetSize(); ++i)
+    {
+      normals.insert(normals.end(), { 0.0, 0.0, first(i) ? -1.0 : 1.0 });
+    }
+    const CloudGraph oriented = BuildGraph(cloud, [&](CloudGraphOptions& options) {
+      options.Normals = normals.data();
+      options.HasOrientedNormals = true;
+    });
+    EXPECT_EQ(EdgesBetween(oriented, first), 0) << gap;
+    EXPECT_EQ(oriented.ComponentSizes, (std::vector<Id>{ 3600, 3600 })) << gap;
   }
 }
 
