@@ -68,11 +68,33 @@
  * that fits the surface. Then pairs are left out that shorter ones stand in for: distances become
  * longer by Accuracy at most, relatively.
  *
- * Gaps narrower than about twice the radius are bridged, holes of a scan as well as the space
- * between two sheets; sheets are told apart by their normals where these are oriented (see
- * OrientedNormals). <b>Nothing is promised</b> of the difference between distances in the graph and
- * on the surface that was sampled: it depends on the sampling. For smooth surfaces and even
- * sampling it is below 1 % on average, and often below 0.1 %.
+ * Gaps narrower than about twice the radius are bridged, as the holes of a scan. What else could be
+ * bridged is guarded against:
+ *  - sheets close to each other: two points are not connected when the line between them makes more
+ *    than 60 degrees with the tangent planes at both ends, or passes points that are not where the
+ *    surface should be, along their normals. So sheets stay apart that are 3 spacings apart or
+ *    more; closer ones do with OrientedNormals, or with balls of a third of the gap, given by
+ *    OffsetInVoxels and Resolution;
+ *  - noise: where points scatter about the surface by more than 3 % of their spacing (GetNoise()),
+ *    they are moved to the surface before lengths are measured;
+ *  - uneven density: balls and, in scheme C, reaches follow the local spacing; points on their own
+ *    far off the surface do not get larger balls;
+ *  - holes that are wider are gone around; points in the same place count once.
+ *
+ * <b>Nothing is promised</b> of the difference between distances in the graph and on the surface
+ * that was sampled: it depends on the sampling. Mean relative errors that were measured with all
+ * parameters automatic, against the exact distances on the surfaces:
+ *
+ * | cloud | mean error |
+ * |-------|------------|
+ * | sphere, 655 000 points | 3.65e-5 |
+ * | torus, 57 000 points | 1.45e-4 |
+ * | Stanford bunny, 35 000 points | 1.69e-3 |
+ * | terrain with voids | 3e-3 |
+ * | noise of 1 %, 20 000 points | 8.5e-3 |
+ *
+ * On noisy clouds a distance may be shorter than the straight line between two points, by as much
+ * as the noise: it is that of points that have been moved to the surface.
  *
  * The graph is kept between updates: it is built anew only when points, normals that are used or a
  * parameter change (GetGraphBuildTime()). The work is spread over the threads of vtkSMPTools; the
