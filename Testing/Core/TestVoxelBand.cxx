@@ -165,7 +165,7 @@ TEST(VoxelBand, TellsOfProgressAndStops)
   std::vector<double> told;
   VoxelBand band;
   ASSERT_TRUE(band
-                .Build(balls.Centres, balls.Radii, 0.003, 0, {},
+                .Build(balls.Centres, balls.Radii, 0.006, 0, {},
                   [&](double done) {
                     told.push_back(done);
                     return true;
@@ -180,7 +180,7 @@ TEST(VoxelBand, TellsOfProgressAndStops)
   {
     std::size_t called = 0;
     const dgg::Status status = band.Build(
-      balls.Centres, balls.Radii, 0.003, 0, {}, [&](double) { return ++called < calls; });
+      balls.Centres, balls.Radii, 0.006, 0, {}, [&](double) { return ++called < calls; });
     EXPECT_TRUE(status.IsAborted());
     EXPECT_EQ(called, calls);
     EXPECT_EQ(band.GetNumberOfBricks(), 0U);

@@ -19,8 +19,8 @@ constexpr std::size_t TablePerBrick = 2;
 constexpr Offset PointsPerTask = 4096;
 /// Work between two reports of progress: places of bricks looked at, voxels in boxes around balls,
 /// and the tasks that these are divided into.
-constexpr std::size_t LooksPerReport = 1 << 22;
-constexpr double VoxelsPerReport = 1 << 30;
+constexpr std::size_t LooksPerReport = 1 << 18;
+constexpr double VoxelsPerReport = 1 << 28;
 constexpr Offset TasksPerReport = 256;
 
 std::uint64_t Scramble(std::uint64_t key)
