@@ -43,6 +43,19 @@ std::string PCDLines::Format() const
   return text;
 }
 
+std::string Sizes(std::uint32_t compressed, std::uint32_t uncompressed)
+{
+  std::string text;
+  for (const std::uint32_t size : { compressed, uncompressed })
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      text += static_cast<char>(size >> 8 * i & 255);
+    }
+  }
+  return text;
+}
+
 PCDTest::PCDTest()
 {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();

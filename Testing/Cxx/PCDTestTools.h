@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -38,6 +39,9 @@ struct PCDLines
 
 /// A file of two points that is well.
 extern const char* const GoodPCD;
+
+/// The two numbers before compressed data.
+std::string Sizes(std::uint32_t compressed, std::uint32_t uncompressed);
 
 /// Tests that read and write in a folder of their own.
 class PCDTest : public testing::Test

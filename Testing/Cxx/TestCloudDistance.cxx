@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkDGGDistance on point clouds.
+#include "CloudFixture.h"
+
+#include "vtkDGGDistance.h"
+#include "vtkGeodesicSampler.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+class CloudDistance : public CloudFixture
+{
+};
+}
+
+TEST_F(CloudDistance, DistanceInThePlane)
+{
+  this->Use(MakeFlatPoints(50, 0.25));
+  vtkNew<vtkDGGDistance> distance;
+  this->Connect(distance);
+  distance->SetSourceIds({ 1275 });
+  ExpectSuccess(distance);
+  EXPECT_TRUE(distance->GetUsedInputGraph());
+  EXPECT_FALSE(distance->GetGraphIsGuaranteed());
+  EXPECT_EQ(distance->GetNumberOfGraphEdges(), this->Graph->GetNumberOfGraphEdges());
+  const std::vector<double> values = GetDistances(distance);
+  std::vector<double> exact;
+  for (const auto& p : this->Cloud)
+  {
+    exact.push_back(Distance(p, this->Cloud[1275]));
+  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    EXPECT_GE(values[i], exact[i] * (1.0 - 1e-6)) << i;
+    EXPECT_LE(values[i], exact[i] * 1.02 + 1e-12) << i;
+  }
+  EXPECT_LT(GetMeanCloudError(values, exact), 2e-3);
+}
+
+TEST_F(CloudDistance, DistanceOnTheSphere)
+{
+  this->Use(MakeSpherePoints(5000));
+  vtkNew<vtkDGGDistance> distance;
+  this->Connect(distance);
+  distance->SetSourceIds({ 17, 3000 });
+  distance->GenerateNearestSourceOn();
+  ExpectSuccess(distance);
+  std::vector<double> exact;
+  const std::vector<int> nearest = GetNearestSources(distance);
+  const std::vector<double> values = GetDistances(distance);
+  for (std::size_t i = 0; i < this->Cloud.size(); ++i)
+  {
+    const double first = SphereDistance(this->Cloud[i], this->Cloud[17]);
+    const double second = SphereDistance(this->Cloud[i], this->Cloud[3000]);
+    exact.push_back(std::min(first, second));
+    if (std::abs(first - second) > 0.02)
+    {
+      EXPECT_EQ(nearest[i], first < second ? 0 : 1) << i;
+    }
+  }
+  EXPECT_LT(GetMeanCloudError(values, exact), 1e-3);
+}
+
+TEST_F(CloudDistance, AllSearchesAgree)
+{
+  this->Use(MakeSpherePoints(1500));
+  vtkNew<vtkDGGDistance> distance;
+  this->Connect(distance);
+  distance->AddSourceId(5, 0.25);
+  distance->AddSourceId(900);
+  distance->GenerateUpperBoundOn();
+  std::vector<double> first;
+  for (const int search :
+    { vtkDGGDistance::Dijkstra, vtkDGGDistance::LabelCorrecting, vtkDGGDistance::Certified })
+  {
+    for (const bool correction : { false, true })
+    {
+      distance->SetSearch(search);
+      distance->SetCorrection(correction);
+      ExpectSuccess(distance);
+      const std::vector<double> values = GetDistances(distance);
+      first = first.empty() ? values : first;
+      for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        EXPECT_NEAR(values[i], first[i], 1e-9) << i;
+        EXPECT_NEAR(
+          Value(distance->GetOutput()->GetPointData(), "GeodesicUpperBound", i), values[i], 1e-12);
+      }
+    }
+  }
+}
+
+TEST_F(CloudDistance, MaximumDistanceAndComponents)
+{
+  const Points part = MakeFlatPoints(20, 0.2);
+  this->Use(Join(part, Move(part, { { 3.0, 0.0, 0.0 } })));
+  vtkNew<vtkDGGDistance> distance;
+  this->Connect(distance);
+  distance->SetSourceIds({ 0 });
+  distance->GenerateNearestSourceOn();
+  distance->SetMaximumDistance(0.5);
+  distance->SetUnreachedValue(-7.0);
+  ExpectSuccess(distance);
+  const std::vector<double> values = GetDistances(distance);
+  const std::vector<int> nearest = GetNearestSources(distance);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const double exact = Distance(this->Cloud[i], this->Cloud[0]);
+    EXPECT_EQ(values[i] == -7.0, nearest[i] == -1);
+    if (exact < 0.49)
+    {
+      EXPECT_GE(values[i], 0.0) << i;
+    }
+    if (exact > 0.5)
+    {
+      EXPECT_EQ(values[i], -7.0) << i;
+    }
+  }
+}
+
+TEST_F(CloudDistance, AccuracyIsNotUsed)
+{
+  this->Use(MakeFlatPoints(15, 0.2));
+  vtkNew<vtkDGGDistance> distance;
+  this->Connect(distance);
+  distance->SetSourceIds({ 0 });
+  distance->SetAccuracy(1e-5);
+  distance->MergeCoincidentPointsOn();
+  ExpectSuccess(distance);
+}
+
+TEST_F(CloudDistance, SourcesNearTheCloud)
+{
+  this->Use(MakeFlatPoints(40, 0.2));
+  const std::array<double, 3> place{ { 0.4321, 0.5678, 0.0 } };
+  vtkNew<vtkDGGDistance> distance;
+  this->Connect(distance);
+  distance->SetSourceData(MakeSourcePoints({ place }));
+  ExpectSuccess(distance);
+  std::vector<double> exact;
+  for (const auto& p : this->Cloud)
+  {
+    exact.push_back(Distance(p, place));
+  }
+  const std::vector<double> values = GetDistances(distance);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    EXPECT_GE(values[i], exact[i] * (1.0 - 1e-6)) << i;
+    EXPECT_LE(values[i], exact[i] * 1.02 + 1e-12) << i;
+  }
+  EXPECT_LT(GetMeanCloudError(values, exact), 2e-3);
+
+  // At a point of the cloud it is that point.
+  distance->SetSourceData(MakeSourcePoints({ this->Cloud[77] }));
+  ExpectSuccess(distance);
+  const std::vector<double> atPoint = GetDistances(distance);
+  distance->RemoveAllSources();
+  distance->SetSourceIds({ 77 });
+  ExpectSuccess(distance);
+  EXPECT_EQ(GetDistances(distance), atPoint);
+}
+
+TEST_F(CloudDistance, SourcesFarFromTheCloud)
+{
+  this->Use(MakeFlatPoints(20, 0.2));
+  vtkNew<vtkDGGDistance> distance;
+  this->Connect(distance);
+  distance->SetSourceData(MakeSourcePoints({ { { 0.5, 0.5, 0.0 } }, { { 0.5, 0.5, 0.3 } } }));
+  ExpectError(distance,
+    { "source point 1 of input port 1", "away from the cloud", "0.3", "ProjectionTolerance" });
+  // Between the points of a sparse cloud, but a little above it.
+  distance->SetProjectionTolerance(0.0);
+  distance->SetSourceData(MakeSourcePoints({ { { 0.5, 0.5, 0.01 } } }));
+  ExpectSuccess(distance);
+  distance->SetSourceData(MakeSourcePoints({ { { 0.5, 0.5, 0.1 } } }));
+  ExpectError(distance, { "source point 0", "ProjectionTolerance 0 times" });
+  distance->SetSourceData(MakeSourcePoints({ { { 0.5, 0.5, 0.0 } }, { { 0.5, 0.5, 0.3 } } }));
+  distance->SetProjectionTolerance(0.5);
+  ExpectSuccess(distance);
+}
+
+TEST_F(CloudDistance, NearestPointsAreTheNearest)
+{
+  // Against a search of all points, also far outside and with points in the same place.
+  Points points = MakeSpherePoints(300);
+  points = Join(points, { points[10], points[20], points[10] });
+  this->Use(points);
+  vtkNew<vtkGeodesicSampler> sampler;
+  this->Connect(sampler);
+  sampler->SetProjectionTolerance(10.0);
+  sampler->SetNumberOfSamples(1);
+  Points places = { points[302], points[301], { { 3.0, 0.1, 0.2 } }, { { -2.0, -2.5, 4.0 } },
+    { { 0.0, 0.01, 0.02 } }, { { 0.3, -0.8, 0.4 } } };
+  for (const auto& place : places)
+  {
+    sampler->SetStartData(MakeSourcePoints({ place }));
+    ExpectSuccess(sampler);
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+    {
+      nearest = Distance(points[i], place) < Distance(points[nearest], place) ? i : nearest;
+    }
+    EXPECT_EQ(
+      Value(sampler->GetOutput()->GetPointData(), "vtkOriginalPointIds", 0), double(nearest));
+  }
+}
+
+TEST_F(CloudDistance, VirtualSourcesNeedASurface)
+{
+  this->Use(MakeFlatPoints(10));
+  vtkNew<vtkDGGDistance> distance;
+  this->Connect(distance);
+  distance->SetSourceIds({ 0 });
+  distance->GenerateVirtualSourceOn();
+  ExpectError(distance, { "point cloud", "turn GenerateVirtualSource off" });
+}
+}

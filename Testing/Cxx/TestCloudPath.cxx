@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkDGGPath on point clouds.
+#include "CloudFixture.h"
+#include "GraphTestTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDGGDistance.h"
+#include "vtkDGGPath.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+class CloudPath : public CloudFixture
+{
+};
+
+/// The polyline of a path as points.
+Points GetPolyline(vtkPolyData* paths, vtkIdType line)
+{
+  vtkNew<vtkIdList> ids;
+  paths->GetLines()->GetCellAtId(line, ids);
+  Points points;
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    points.emplace_back();
+    paths->GetPoint(ids->GetId(i), points.back().data());
+  }
+  return points;
+}
+}
+
+TEST_F(CloudPath, PathsInThePlane)
+{
+  this->Use(MakeFlatPoints(40, 0.2));
+  vtkNew<vtkDGGPath> path;
+  this->Connect(path);
+  path->AddPair(0, 1599);
+  path->AddPair(39, 800);
+  path->AddPair(5, 5);
+  ExpectSuccess(path);
+  vtkPolyData* output = path->GetOutput();
+  ASSERT_EQ(output->GetNumberOfLines(), 3);
+  const vtkIdType ends[3][2] = { { 0, 1599 }, { 39, 800 }, { 5, 5 } };
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    const Points line = GetPolyline(output, i);
+    const auto& from = this->Cloud[ends[i][0]];
+    const auto& to = this->Cloud[ends[i][1]];
+    EXPECT_EQ(Distance(line.front(), from), 0.0);
+    EXPECT_EQ(Distance(line.back(), to), 0.0);
+    double length = 0.0;
+    for (std::size_t k = 0; k + 1 < line.size(); ++k)
+    {
+      length += Distance(line[k], line[k + 1]);
+    }
+    const double exact = Distance(from, to);
+    EXPECT_NEAR(Value(output->GetCellData(), "Length", i), length, 1e-12);
+    EXPECT_GE(length, exact - 1e-12);
+    EXPECT_LE(length, 1.02 * exact + 1e-12);
+    EXPECT_NEAR(Value(output->GetCellData(), "GraphLength", i), exact, 0.02 * exact + 1e-12);
+    EXPECT_EQ(Value(output->GetCellData(), "PairId", i), static_cast<double>(i));
+  }
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(Value(output->GetPointData(), "FaceId", i), -1.0);
+  }
+  EXPECT_EQ(output->GetFieldData()->GetAbstractArray("DGG.Info"), nullptr);
+  EXPECT_EQ(output->GetFieldData()->GetAbstractArray("DGG.Radii"), nullptr);
+}
+
+TEST_F(CloudPath, PathLengthsAreDistances)
+{
+  this->Use(MakeSpherePoints(2000));
+  vtkNew<vtkDGGDistance> distance;
+  this->Connect(distance);
+  distance->SetSourceIds({ 3 });
+  ExpectSuccess(distance);
+  const std::vector<double> distances = GetDistances(distance);
+  vtkNew<vtkDGGPath> path;
+  this->Connect(path);
+  for (vtkIdType id = 10; id < 2000; id += 5) // enough of them for landmarks
+  {
+    path->AddPair(3, id);
+  }
+  ExpectSuccess(path);
+  vtkPolyData* output = path->GetOutput();
+  ASSERT_EQ(output->GetNumberOfLines(), path->GetNumberOfPairs());
+  for (vtkIdType i = 0; i < path->GetNumberOfPairs(); ++i)
+  {
+    EXPECT_NEAR(Value(output->GetCellData(), "GraphLength", i), distances[path->GetPairEnd(i)],
+      1e-6 * distances[path->GetPairEnd(i)]);
+    EXPECT_LE(Value(output->GetCellData(), "Length", i),
+      Value(output->GetCellData(), "GraphLength", i) * (1.0 + 1e-6));
+  }
+}
+
+TEST_F(CloudPath, PathsBetweenPlacesNearTheCloud)
+{
+  this->Use(MakeFlatPoints(40, 0.2));
+  const Points ends = { { { 0.111, 0.222, 0.0 } }, { { 0.9, 0.8, 0.0 } }, // far from each other
+    { { 0.501, 0.5, 0.0 } }, { { 0.506, 0.504, 0.0 } } };                 // within a spacing
+  const auto lines = MakeSourcePoints(ends);
+  lines->SetLines(MakeCells({ { 0, 1 }, { 2, 3 } }));
+  vtkNew<vtkDGGPath> path;
+  this->Connect(path);
+  path->SetPairData(lines);
+  ExpectSuccess(path);
+  vtkPolyData* output = path->GetOutput();
+  ASSERT_EQ(output->GetNumberOfLines(), 2);
+  for (vtkIdType i = 0; i < 2; ++i)
+  {
+    const double exact = Distance(ends[2 * i], ends[2 * i + 1]);
+    const Points line = GetPolyline(output, i);
+    EXPECT_NEAR(Distance(line.front(), ends[2 * i]), 0.0, 1e-12);
+    EXPECT_NEAR(Distance(line.back(), ends[2 * i + 1]), 0.0, 1e-12);
+    EXPECT_NEAR(Value(output->GetCellData(), "Length", i), exact, 0.02 * exact);
+    EXPECT_NEAR(Value(output->GetCellData(), "GraphLength", i), exact, 0.02 * exact);
+  }
+  EXPECT_EQ(GetPolyline(output, 1).size(), 2u);
+  EXPECT_EQ(Value(output->GetPointData(), "vtkOriginalPointIds", 0), -1.0);
+}
+
+TEST_F(CloudPath, SmoothPaths)
+{
+  this->Use(MakeSpherePoints(3000));
+  vtkNew<vtkDGGPath> path;
+  this->Connect(path);
+  path->AddPair(10, 1700);
+  path->AddPair(2500, 400);
+  double errors[2] = { 0.0, 0.0 };
+  double turns[2] = { 0.0, 0.0 };
+  for (const bool smooth : { false, true })
+  {
+    path->SetStraighten(smooth);
+    ExpectSuccess(path);
+    vtkPolyData* output = path->GetOutput();
+    ASSERT_EQ(output->GetNumberOfLines(), 2);
+    for (vtkIdType i = 0; i < 2; ++i)
+    {
+      const Points line = GetPolyline(output, i);
+      const auto& from = this->Cloud[path->GetPairStart(i)];
+      const auto& to = this->Cloud[path->GetPairEnd(i)];
+      EXPECT_EQ(Distance(line.front(), from), 0.0);
+      EXPECT_EQ(Distance(line.back(), to), 0.0);
+      const double exact = SphereDistance(from, to);
+      errors[smooth] += std::abs(Value(output->GetCellData(), "Length", i) / exact - 1.0);
+      EXPECT_EQ(Value(output->GetCellData(), "Straightened", i), smooth ? 1.0 : 0.0);
+      for (const auto& p : line)
+      {
+        EXPECT_NEAR(Distance(p, { { 0.0, 0.0, 0.0 } }), 1.0, 2e-3);
+      }
+      // How far it goes to and fro beside the great circle.
+      for (std::size_t k = 1; k + 1 < line.size(); ++k)
+      {
+        const double side = from[0] * (to[1] * line[k][2] - to[2] * line[k][1]) +
+          from[1] * (to[2] * line[k][0] - to[0] * line[k][2]) +
+          from[2] * (to[0] * line[k][1] - to[1] * line[k][0]);
+        turns[smooth] = std::max(turns[smooth], std::abs(side));
+      }
+    }
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints() && !smooth; ++i)
+    {
+      EXPECT_GE(Value(output->GetPointData(), "vtkOriginalPointIds", i), 0.0);
+    }
+  }
+  EXPECT_LT(errors[1], 0.5 * errors[0]);
+  EXPECT_LT(errors[1], 2e-3);
+  EXPECT_LT(turns[1], 0.5 * turns[0]);
+}
+
+TEST_F(CloudPath, SmoothPathsAreBoundedAndStop)
+{
+  this->Use(MakeSpherePoints(3000));
+  vtkNew<vtkDGGPath> path;
+  this->Connect(path);
+  path->AddPair(10, 1700);
+  path->SetMemoryLimit(100000);
+  ExpectError(path, { "limit" });
+  path->StraightenOff(); // takes no band
+  ExpectSuccess(path);
+  path->StraightenOn();
+  path->SetMemoryLimit(0);
+  this->Graph->Update();
+  for (const double stop : { 0.1, 0.25 }) // while the band is made, and the path is moved
+  {
+    vtkNew<vtkDGGPath> stopped; // outlived by its observer
+    stopped->SetInputData(this->Graph->GetOutput());
+    stopped->AddPair(10, 1700);
+    ProgressWatch watch(stopped);
+    watch.StopAt = stop;
+    stopped->Update();
+    EXPECT_EQ(stopped->GetErrorCode(), 0u);
+    EXPECT_EQ(stopped->GetOutput()->GetNumberOfLines(), 0);
+    EXPECT_LT(watch.Progress.back(), stop + 0.1);
+    watch.StopAt = 2.0;
+    ExpectSuccess(stopped);
+    EXPECT_EQ(stopped->GetOutput()->GetNumberOfLines(), 1);
+  }
+  ExpectSuccess(path);
+}
+
+TEST_F(CloudPath, PathsThatDoNotExist)
+{
+  const Points part = MakeFlatPoints(12, 0.2);
+  this->Use(Join(part, Move(part, { { 3.0, 0.0, 0.0 } })));
+  vtkNew<vtkDGGPath> path;
+  this->Connect(path);
+  path->AddPair(0, 200);
+  path->AddPair(0, 100);
+  ExpectWarning(path, { "not connected by the graph of the cloud" });
+  EXPECT_EQ(path->GetOutput()->GetNumberOfLines(), 1);
+  path->SetMethodToExact();
+  ExpectError(path, { "no exact path on a point cloud", "SetMethodToGraph" });
+}
+}
