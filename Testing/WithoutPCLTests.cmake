@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # The project where there is no PCL, in a build tree of its own: it is configured with tests and
-# Python, all that would be built is known how to make, and the readers, which offer conversions of
-# PCL's clouds, are built. The kernel and the other filters are compiled by the same commands as with
+# Python, there is a rule for every file that it would build, and the readers are built, which offer
+# to convert PCL's clouds. The kernel and the other filters are compiled by the same commands as with
 # PCL, and need not be compiled again.
 set(without_pcl_dir "${CMAKE_BINARY_DIR}/Testing/WithoutPCL")
 
