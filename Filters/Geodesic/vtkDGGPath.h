@@ -42,10 +42,10 @@
  * leave the surface that the points around tell of, and `Straightened` is 1; they need not be
  * shortest. Where one is longer than `GraphLength` by more than 0.5 %, as on rough clouds, the
  * polyline from point to point is kept, unless it is even longer, and `Straightened` is 0. Smooth
- * ones that are longer by less are taken: the graph is not more exact than that. Smoothing needs the
- * band around the cloud, in MemoryLimit bytes at most. Paths begin and end where they are asked to,
- * also beside the points of the cloud. `FaceId` is -1. Detour, Accuracy and AcceptCoarserGraph do
- * nothing, and Method Exact is an error.
+ * ones that are longer by less are taken: the graph is not more exact than that. Smoothing needs
+ * the band around the cloud, in MemoryLimit bytes at most. Paths begin and end where they are asked
+ * to, also beside the points of the cloud. `FaceId` is -1. Detour, Accuracy and AcceptCoarserGraph
+ * do nothing, and Method Exact is an error.
  *
  * <b>Time.</b> Pairs are worked on by all threads of vtkSMPTools; results do not depend on their
  * number. With the 256th pair that is looked for in one graph, distances from 32 landmarks are
