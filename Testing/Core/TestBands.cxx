@@ -341,6 +341,20 @@ TEST(Bands, ManyLevelsInOneFace)
   }
 }
 
+TEST(Bands, RepeatedLevelsChangeNothing)
+{
+  const SurfaceMesh mesh = Build(Plane(6, 6, 0.3));
+  const ExactField field(mesh, { VertexSource(0) });
+  const BandCase once(field.Exact, { 3.0, 0.0, 1.5 });
+  const BandCase often(field.Exact, { 3.0, 0.0, -0.0, 1.5, 3.0, 1.5, 3.0 });
+  EXPECT_GT(often.Lines.Lines.size(), once.Lines.Lines.size());
+  EXPECT_EQ(often.Found.Levels, once.Found.Levels);
+  EXPECT_EQ(often.Found.BandOf, once.Found.BandOf);
+  EXPECT_EQ(often.Found.Distances, once.Found.Distances);
+  EXPECT_EQ(often.Found.Surface.Triangles, once.Found.Surface.Triangles);
+  EXPECT_EQ(often.Found.Surface.Paths, once.Found.Surface.Paths) << "each is cut along once";
+}
+
 TEST(Bands, CanBeStoppedAndRefuseBadArguments)
 {
   const SurfaceMesh mesh = Build(Icosphere(1));

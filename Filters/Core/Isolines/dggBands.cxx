@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -46,6 +47,27 @@ Status CheckArguments(
     return Status::Invalid("the isolines are not those of these values: trace them anew");
   }
   return Status::Success();
+}
+
+/// The lines of the first of equal levels. Those of the others lie upon them, and would all be cut
+/// with each other.
+Isolines WithoutRepeatedLevels(const std::vector<double>& levels, const Isolines& lines)
+{
+  std::map<double, Id> firstOf;
+  for (std::size_t i = 0; i < levels.size(); ++i)
+  {
+    firstOf.emplace(levels[i], static_cast<Id>(i));
+  }
+  Isolines distinct;
+  for (std::size_t p = 0; p < lines.Lines.size(); ++p)
+  {
+    if (firstOf[levels[lines.Levels[p]]] == lines.Levels[p])
+    {
+      distinct.Lines.push_back(lines.Lines[p]);
+      distinct.Levels.push_back(lines.Levels[p]);
+    }
+  }
+  return distinct;
 }
 
 class BandFinder
@@ -248,11 +270,17 @@ Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   {
     return Status::Abort();
   }
+  bands.Levels = levels;
+  std::sort(bands.Levels.begin(), bands.Levels.end());
+  bands.Levels.erase(std::unique(bands.Levels.begin(), bands.Levels.end()), bands.Levels.end());
+  const bool isRepeated = bands.Levels.size() < levels.size();
+  const Isolines distinct = isRepeated ? WithoutRepeatedLevels(levels, lines) : Isolines();
+  const Isolines& cuts = isRepeated ? distinct : lines;
   // Lines that touch may cross by rounding, and those of fields that jump do cross.
   RefinementOptions options;
   options.InsertCrossings = true;
   options.Progress = ProgressPart(progress, 0.0, CutDone);
-  status = RefineAlongPaths(*field.Mesh, lines.Lines, options, bands.Surface);
+  status = RefineAlongPaths(*field.Mesh, cuts.Lines, options, bands.Surface);
   if (!status.IsOk())
   {
     bands = Bands();
@@ -262,11 +290,8 @@ Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   {
     return Status::Abort();
   }
-  bands.Levels = levels;
-  std::sort(bands.Levels.begin(), bands.Levels.end());
-  bands.Levels.erase(std::unique(bands.Levels.begin(), bands.Levels.end()), bands.Levels.end());
   BandFinder finder(field, bands);
-  finder.FindDistances(levels, lines.Levels);
+  finder.FindDistances(levels, cuts.Levels);
   if (stop(CornersDone))
   {
     return Status::Abort();

@@ -25,7 +25,8 @@ struct Bands
 };
 
 /// Cut a mesh along isolines, those of TraceIsolines() for these levels. Points at a level count as
-/// farther away than it. Faces with corners that are not reached are in no band.
+/// farther away than it. Faces with corners that are not reached are in no band. Of levels that are
+/// equal, the lines of the first one cut; the others change nothing.
 ///
 /// Bands change across isolines and nowhere else, where these are complete; faces of which the
 /// corners do not tell go with their neighbours.
