@@ -95,6 +95,21 @@ TEST(FieldTest, ExactDistancesPass)
   }
 }
 
+TEST(FieldTest, DistancesThatAreNearlyNothingAreTold)
+{
+  for (const NamedMesh& named : SomeMeshes())
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    const std::vector<double> d = DistancesFrom(mesh, ExactEngine::Triangle, 0);
+    for (const double factor : { 1e-16, 1e-100, 1e-300, 1e-310, 1e-320, 5e-324 })
+    {
+      const FieldReport report = Tested(mesh, Changed(d, [=](double v) { return factor * v; }));
+      EXPECT_FALSE(report.IsDistance()) << named.Name << " " << factor;
+      EXPECT_FALSE(report.Sentence.empty()) << named.Name << " " << factor;
+    }
+  }
+}
+
 TEST(FieldTest, DistancesFromManySourcesAndWithinFacesPass)
 {
   const SurfaceMesh mesh = Build(Icosphere(3));

@@ -40,7 +40,8 @@ constexpr double LargestSteepShare = 0.1;
 /// Differences below this part of what the values span are rounding.
 constexpr double Rounding = 1e-6;
 /// And below these parts of the values themselves, which may be far from 0: of values that are all
-/// floats, and of others.
+/// floats, and of others. So are those below the latter part of the longest edge, as distances are
+/// sums of lengths; values that small may have lost all their digits.
 constexpr double RoundingOfFloats = 2.4e-7;
 constexpr double RoundingOfDoubles = 1e-14;
 /// As many vertices may be equally far away from sources in the faces between them.
@@ -124,8 +125,9 @@ struct Range
       }
     }
     const double largest = std::max(std::abs(this->Least), std::abs(this->Greatest));
-    this->Rounding = dgg::Rounding * (this->Greatest - this->Least) +
-      (areFloats ? RoundingOfFloats : RoundingOfDoubles) * largest;
+    this->Rounding = std::max(RoundingOfDoubles * mesh.GetMaximumEdgeLength(),
+      dgg::Rounding * (this->Greatest - this->Least) +
+        (areFloats ? RoundingOfFloats : RoundingOfDoubles) * largest);
   }
 };
 
