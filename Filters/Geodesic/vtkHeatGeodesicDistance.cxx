@@ -128,6 +128,11 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
     const std::size_t bytes = limit == 0 ? missing : method.GetEstimatedMemory();
     status = vtkDGGCheckMemory("the factorizations of the heat method", static_cast<double>(bytes),
       limit, this->GetMemoryRemedy());
+    if (!status.IsOk() && method.GetNumberOfFactorizations() == 0)
+    {
+      this->Prepared.reset(); // nothing was made from it yet
+      return status;
+    }
   }
   if (status.IsOk())
   {

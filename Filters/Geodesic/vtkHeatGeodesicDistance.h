@@ -109,7 +109,8 @@ public:
   ///@}
 
   /**
-   * Bytes held by the factorizations; zero when there are none.
+   * Bytes held by the factorizations and what they are made from. Zero before there are any, but
+   * after an update that was stopped in the middle of them.
    */
   vtkTypeUInt64 GetMemorySize() const;
 

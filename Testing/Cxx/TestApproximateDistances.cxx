@@ -385,6 +385,27 @@ TEST(HeatGeodesicDistance, MemoryLimitIsForWhatIsNotThere)
   ExpectSuccess(filter);
 }
 
+TEST(HeatGeodesicDistance, NoMemoryIsHeldWithoutFactorizations)
+{
+  vtkNew<vtkHeatGeodesicDistance> filter;
+  filter->SetInputData(MakeTerrain(20));
+  filter->AddSourceId(60);
+  filter->SetMemoryLimit(1000);
+  ExpectError(filter, { "MemoryLimit", "heat" });
+  EXPECT_EQ(filter->GetNumberOfFactorizations(), 0);
+  EXPECT_EQ(filter->GetMemorySize(), 0u);
+  filter->SetMemoryLimit(0);
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetNumberOfFactorizations(), 2);
+  const vtkTypeUInt64 size = filter->GetMemorySize();
+  EXPECT_GT(size, 0u);
+  // What is there stays.
+  filter->SetBoundaryToAverage();
+  filter->SetMemoryLimit(1000);
+  ExpectError(filter, { "MemoryLimit", "heat" });
+  EXPECT_GE(filter->GetMemorySize(), size);
+}
+
 TEST(HeatGeodesicDistance, ALongerTimeSmooths)
 {
   auto terrain = MakeTerrain(40);
