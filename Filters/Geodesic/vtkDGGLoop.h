@@ -204,8 +204,8 @@ public:
   ///@{
   /**
    * How far from the surface a point of port 1 may be, as a fraction of the diagonal of the
-   * surface's bounding box. A point farther away is an error that names it. Default 0.01; must not
-   * be negative.
+   * surface's bounding box. A point farther away is an error that names it. Default 0.01; not
+   * negative; 0 takes points of the surface alone, up to rounding.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);

@@ -187,6 +187,7 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
 
   this->PrepareLocator(adapter, coordinates);
   const double farthest = tolerance * this->GetDiagonal();
+  const double rounding = this->Locator ? this->Locator->GetRounding() : 0.0;
   vtkDataArray* offsets = set.InitialDistanceArray.empty()
     ? nullptr
     : set.Points->GetPointData()->GetArray(set.InitialDistanceArray.c_str());
@@ -199,7 +200,7 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
     source.InitialDistance = offsets ? offsets->GetComponent(id, 0) : 0.0;
     double distance = dgg::Infinity;
     const bool found = this->FindClosestPoint(p, source.Point, distance);
-    if (!found || !(distance <= farthest || this->IsAmongPoints(source.Point, distance)))
+    if (!found || !(distance <= farthest + rounding || this->IsAmongPoints(source.Point, distance)))
     {
       std::ostringstream message;
       message << Describe(set, id, p) << " is " << distance << " away from the "

@@ -8,10 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace
 {
+/// In units in the last place of the largest coordinate.
+constexpr double UnitsOfRounding = 8.0;
+
 using Vector = std::array<double, 3>;
 
 Vector operator-(const Vector& a, const Vector& b)
@@ -75,6 +79,12 @@ void vtkDGGSurfaceLocator::MeasureExtent(vtkPoints* points)
       high[i] = std::max(high[i], p[i]);
     }
   }
+  double largest = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    largest = std::max({ largest, -low[i], high[i] });
+  }
+  this->Rounding = UnitsOfRounding * std::numeric_limits<double>::epsilon() * largest;
   const Vector size = high - low;
   const double extent = *std::max_element(size.begin(), size.end());
   this->Scale = std::ldexp(1.0, -std::ilogb(extent));

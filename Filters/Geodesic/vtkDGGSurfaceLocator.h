@@ -34,6 +34,9 @@ public:
 
   /// Diagonal of the bounding box of the faces.
   double GetDiagonal() const { return this->Diagonal; }
+  /// What points of the surface may be away from it by rounding: a few units in the last place of
+  /// the largest coordinate.
+  double GetRounding() const { return this->Rounding; }
 
 private:
   using Vector = std::array<double, 3>;
@@ -47,6 +50,7 @@ private:
 
   const dgg::SurfaceMesh& Mesh;
   double Diagonal = 0.0;
+  double Rounding = 0.0;
   double Scale = 1.0; // power of two
   vtkNew<vtkPolyData> Surface;
   std::vector<dgg::Id> Faces; // of the mesh, per cell of Surface

@@ -178,8 +178,8 @@ public:
   ///@{
   /**
    * How far from the surface a landmark of port 2 or 3 may be, as a fraction of the diagonal of the
-   * bounding box of its surface. A point farther away is an error that names it. Default 0.01; must
-   * not be negative.
+   * bounding box of its surface. A point farther away is an error that names it. Default 0.01; not
+   * negative; 0 takes points of the surface alone, up to rounding.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
