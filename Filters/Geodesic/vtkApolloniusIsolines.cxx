@@ -224,6 +224,17 @@ std::vector<double> vtkApolloniusIsolines::CopyValues() const
 }
 
 //------------------------------------------------------------------------------
+int vtkApolloniusIsolines::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // An update that fails before Execute() must not show those of the one before it.
+  this->UsedWindows = false;
+  this->UsedVirtualSources = false;
+  this->NumberOfFallbacks = 0;
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkApolloniusIsolines::CheckProperties() const
 {
   std::ostringstream message;
@@ -291,9 +302,6 @@ vtkApolloniusIsolines::Request vtkApolloniusIsolines::TakeRequest() const
 dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  this->UsedWindows = false;
-  this->UsedVirtualSources = false;
-  this->NumberOfFallbacks = 0;
   const Request request = this->TakeRequest();
   vtkDataArray* distances = nullptr;
   vtkDGGNewGeometry geometry;
@@ -301,7 +309,7 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
   Curves curves;
   dgg::Status status =
     vtkDGGFieldInput::FindDistances(this->Information, this->DistanceArrayName, surface, distances);
-  const std::string name = status.IsOk() && distances->GetName() ? distances->GetName() : "";
+  const std::string name = status.IsOk() ? vtkDGGFieldInput::GetName(distances) : "";
   if (status.IsOk())
   {
     status = geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
@@ -355,8 +363,8 @@ void vtkApolloniusIsolines::WarnAbout(const vtkDGGFieldInput& input, const Reque
   else if (request.WantsRidges && input.HasFittedSources())
   {
     vtkWarningMacro(<< "ridges of virtual sources that are fitted to distances alone are not to be "
-                       "relied on: call GenerateWindowsOn() of vtkExactGeodesicDistance or "
-                       "GenerateVirtualSourceOn() of any distance filter.");
+                       "relied on: call GenerateWindowsOn() of vtkExactGeodesicDistance, or "
+                       "GenerateVirtualSourceOn() of it or of vtkDGGDistance.");
   }
 }
 
@@ -405,13 +413,10 @@ vtkPolyData* vtkApolloniusIsolines::GetBands()
 void vtkApolloniusIsolines::MakeEmptyOutput(
   vtkPolyData* surface, vtkInformationVector* outputVector)
 {
-  this->UsedWindows = false;
-  this->UsedVirtualSources = false;
-  this->NumberOfFallbacks = 0;
   vtkDGGNewGeometry geometry;
   geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
   const vtkDGGIsolineOutputs outputs(
-    geometry, vtkDGGFieldInput::GetDistanceName(this->Information, this->DistanceArrayName));
+    geometry, vtkDGGFieldInput::GetName(this->Information, this->DistanceArrayName));
   outputs.WriteLines(dgg::Isolines(), {}, vtkPolyData::GetData(outputVector, 0));
   outputs.WriteRidges(dgg::Ridges(), vtkPolyData::GetData(outputVector, 1));
   outputs.WriteBands(dgg::Bands(), vtkPolyData::GetData(outputVector, 2));

@@ -28,6 +28,8 @@
 
 namespace
 {
+/// The name of results where distances have none: the default one of distance filters.
+constexpr const char* DefaultName = "GeodesicDistance";
 /// Virtual sources are those of the distances when they explain those of the neighbours better than
 /// the same ones turned about the points: the misfit is at most this part of that of the turned
 /// ones.
@@ -59,6 +61,13 @@ vtkInformation* FindRequest(vtkInformation* filter)
   return request && request->Has(vtkDataObject::FIELD_ASSOCIATION()) ? request : nullptr;
 }
 
+/// The name in a request, or else that of the property; empty for the active scalars.
+std::string GetAskedName(vtkInformation* request, const std::string& property)
+{
+  const char* asked = request ? request->Get(vtkDataObject::FIELD_NAME()) : property.c_str();
+  return asked ? asked : "";
+}
+
 /// A request is for an array of the points of the surface, by its name or as the scalars.
 dgg::Status CheckRequest(vtkInformation* request)
 {
@@ -85,15 +94,17 @@ dgg::Status CheckRequest(vtkInformation* request)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkDGGFieldInput::GetDistanceName(vtkInformation* filter, const std::string& property)
+std::string vtkDGGFieldInput::GetName(vtkDataArray* distances)
 {
-  vtkInformation* request = FindRequest(filter);
-  if (!request)
-  {
-    return property;
-  }
-  const char* asked = request->Get(vtkDataObject::FIELD_NAME());
-  return asked ? asked : "";
+  const char* name = distances->GetName();
+  return name && *name ? name : DefaultName;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDGGFieldInput::GetName(vtkInformation* filter, const std::string& property)
+{
+  const std::string name = GetAskedName(FindRequest(filter), property);
+  return name.empty() ? DefaultName : name;
 }
 
 //------------------------------------------------------------------------------
@@ -107,7 +118,7 @@ dgg::Status vtkDGGFieldInput::FindDistances(vtkInformation* filter, const std::s
   {
     return status;
   }
-  const std::string name = vtkDGGFieldInput::GetDistanceName(filter, property);
+  const std::string name = GetAskedName(request, property);
   vtkPointData* data = surface->GetPointData();
   vtkAbstractArray* found =
     name.empty() ? data->GetScalars() : data->GetAbstractArray(name.c_str());

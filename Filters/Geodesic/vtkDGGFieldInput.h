@@ -30,8 +30,11 @@ public:
   static dgg::Status FindDistances(vtkInformation* filter, const std::string& property,
     vtkPolyData* surface, vtkDataArray*& distances);
 
-  /// The name that arrays of results have where FindDistances() was not asked.
-  static std::string GetDistanceName(vtkInformation* filter, const std::string& property);
+  /// The name that arrays of results have: that of the distances, or "GeodesicDistance" when they
+  /// have none.
+  static std::string GetName(vtkDataArray* distances);
+  /// The same where FindDistances() was not asked.
+  static std::string GetName(vtkInformation* filter, const std::string& property);
 
   /// The number that stands for points that are not reached, besides NaN and infinity; NaN for the
   /// one that the field data tells (vtkDGGUnreachedArray), which is the default.

@@ -36,8 +36,6 @@ constexpr std::size_t BlockSize = 1024;
 constexpr std::size_t BlocksBetweenReports = 64;
 /// The share of the progress when the distances have been read, which may take a fit.
 constexpr double ReadDone = 0.5;
-/// What the distances are called where they have no name.
-const char* const DefaultName = "GeodesicDistance";
 
 vtkDGGSourceSet GetProbes(vtkInformationVector** inputVector)
 {
@@ -73,7 +71,7 @@ double Probe(
 
 //------------------------------------------------------------------------------
 vtkGeodesicProbe::vtkGeodesicProbe()
-  : DistanceArrayName(DefaultName)
+  : DistanceArrayName("GeodesicDistance")
   , VirtualSourceArrayName("GeodesicVirtualSource")
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , ProjectionTolerance(0.01)
@@ -183,11 +181,11 @@ dgg::Status vtkGeodesicProbe::Execute(
   }
   // Observers may change the inputs.
   vtkNew<vtkPolyData> copy;
-  std::string name = DefaultName;
+  std::string name;
   if (status.IsOk())
   {
     copy->ShallowCopy(probes.Points);
-    name = distances->GetName() ? distances->GetName() : name;
+    name = vtkDGGFieldInput::GetName(distances);
     input.SetUnreachedValue(this->UnreachedValue);
     status = input.Read(surface, distances, this->VirtualSourceArrayName, mesh,
       dgg::ProgressPart(progress, 0.0, ReadDone));
@@ -235,7 +233,6 @@ void vtkGeodesicProbe::MakeEmptyOutput(vtkPolyData*, vtkInformationVector* outpu
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
-  const std::string name =
-    vtkDGGFieldInput::GetDistanceName(this->Information, this->DistanceArrayName);
-  vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), name.empty() ? DefaultName : name, 0);
+  vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(),
+    vtkDGGFieldInput::GetName(this->Information, this->DistanceArrayName), 0);
 }

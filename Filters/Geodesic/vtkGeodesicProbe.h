@@ -18,7 +18,9 @@
  *    linear interpolation, see dggDistanceField.h;
  *  - else virtual sources are fitted to the distances, which is a little worse;
  *  - values that are no distances at all, as the ways from their minima tell (dggFieldTest.h), are
- *    linear in each triangle, with a warning.
+ *    linear in each triangle, with a warning. Coarse surfaces tell little of that: on some hundred
+ *    triangles, such as those of a grid of 8 x 8 squares, such values may be taken for distances,
+ *    without a warning.
  *
  * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
  * warning.
@@ -76,7 +78,8 @@ public:
   ///@{
   /**
    * Name of the point array with the distances, unless SetInputArrayToProcess() says another one.
-   * Default "GeodesicDistance"; when empty, the active point scalars.
+   * Default "GeodesicDistance"; when empty, the active point scalars. Distances whose array has no
+   * name are called "GeodesicDistance" in the output.
    */
   void SetDistanceArrayName(const char* name);
   const char* GetDistanceArrayName() const;
@@ -104,8 +107,8 @@ public:
   ///@{
   /**
    * How far from the surface a point may be, as a fraction of the diagonal of the surface's
-   * bounding box. A point farther away is an error that names it. Default 0.01; must not be
-   * negative.
+   * bounding box. A point farther away is an error that names it. Default 0.01; not
+   * negative; 0 takes points of the surface alone, up to rounding.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);

@@ -389,6 +389,62 @@ TEST_F(ApolloniusIsolines, WrongInputIsAnError)
   EXPECT_EQ(surface->GetNumberOfPoints(), 81) << "the input is untouched";
 }
 
+TEST_F(ApolloniusIsolines, AnErrorLeavesNothingOfTheUpdateBefore)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(60);
+  sphere->SetPhiResolution(30);
+  vtkNew<vtkDGGDistance> coarse;
+  coarse->SetInputConnection(sphere->GetOutputPort());
+  coarse->SetAccuracy(0.4);
+  coarse->SetSourceIds({ 3, 400, 900, 1200 });
+  coarse->GenerateVirtualSourceOn();
+  this->Isolines->SetInputConnection(coarse->GetOutputPort());
+  this->Isolines->GenerateValues(40, 0.0, 1.0);
+  const auto expectReset = [this](const std::vector<std::string>& parts) {
+    ExpectSuccess(this->Isolines);
+    EXPECT_TRUE(this->Isolines->GetUsedVirtualSources());
+    EXPECT_GT(this->Isolines->GetNumberOfFallbacks(), 0);
+    this->Isolines->SetDistanceArrayName(parts[0] == "none" ? "none" : "GeodesicDistance");
+    this->Isolines->SetChordTolerance(parts[0] == "none" ? 1e-3 : -1.0);
+    ExpectError(this->Isolines, parts);
+    EXPECT_FALSE(this->Isolines->GetUsedVirtualSources());
+    EXPECT_EQ(this->Isolines->GetNumberOfFallbacks(), 0);
+    this->Isolines->SetDistanceArrayName("GeodesicDistance");
+    this->Isolines->SetChordTolerance(1e-3);
+  };
+  expectReset({ "none" });
+  expectReset({ "ChordTolerance" });
+  this->Distance->GenerateWindowsOn();
+  this->Isolines->SetInputConnection(this->Distance->GetOutputPort());
+  ExpectSuccess(this->Isolines);
+  EXPECT_TRUE(this->Isolines->GetUsedWindows());
+  this->Isolines->SetSteinerPoints(-1);
+  ExpectError(this->Isolines, { "SteinerPoints" });
+  EXPECT_FALSE(this->Isolines->GetUsedWindows());
+}
+
+TEST_F(ApolloniusIsolines, DistancesWithoutANameHaveTheUsualOneInTheOutputs)
+{
+  auto surface = this->TakeSurface();
+  auto distances = vtkSmartPointer<vtkDataArray>(surface->GetPointData()->GetArray(0));
+  surface->GetPointData()->Initialize();
+  this->Isolines->SetDistanceArrayName("");
+  this->Isolines->GenerateBandsOn();
+  for (const char* name : { static_cast<const char*>(nullptr), "" })
+  {
+    distances->SetName(name);
+    surface->GetPointData()->SetScalars(distances);
+    surface->Modified();
+    ExpectSuccess(this->Isolines);
+    EXPECT_NE(this->Isolines->GetBands()->GetPointData()->GetArray("GeodesicDistance"), nullptr);
+  }
+  vtkNew<vtkPolyData> empty;
+  this->Isolines->SetInputData(empty);
+  ExpectWarning(this->Isolines, { "empty" });
+  EXPECT_NE(this->Isolines->GetBands()->GetPointData()->GetArray("GeodesicDistance"), nullptr);
+}
+
 TEST_F(ApolloniusIsolines, ForeignVirtualSourcesAreIgnored)
 {
   this->Distance->GenerateVirtualSourceOn();

@@ -107,6 +107,44 @@ TEST_F(GeodesicProbe, WhatIsNoDistanceIsLinear)
   }
 }
 
+TEST_F(GeodesicProbe, PointsOfTheSurfaceNeedNoTolerance)
+{
+  // Of a surface that is not flat, and far from the origin.
+  auto terrain = MakeTerrain(12);
+  vtkPoints* points = terrain->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0] + 1000.0, p[1] / 3.0, p[2] - 700.0);
+  }
+  Points places;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < terrain->GetNumberOfCells(); ++cell)
+  {
+    terrain->GetCellPoints(cell, ids);
+    std::array<double, 3> place{ { 0.0, 0.0, 0.0 } };
+    const double weights[3] = { 0.3, 0.6, 0.1 };
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      double p[3];
+      points->GetPoint(ids->GetId(k), p);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        place[axis] += weights[k] * p[axis];
+      }
+    }
+    places.push_back(place);
+  }
+  this->Distance->SetInputData(terrain);
+  this->Probe->SetProjectionTolerance(0.0);
+  this->Probe->SetProbeData(MakeSourcePoints(places));
+  ExpectSuccess(this->Probe);
+  places[7][2] += 1e-9;
+  this->Probe->SetProbeData(MakeSourcePoints(places));
+  ExpectError(this->Probe, { "probe point 7", "farther than 0 (" });
+}
+
 TEST_F(GeodesicProbe, IsExactWithWindows)
 {
   this->Distance->GenerateWindowsOn();
