@@ -355,6 +355,33 @@ TEST_F(GeodesicProbe, VirtualSourcesOfHugeNumbersAreRefused)
   EXPECT_LT(this->GetError(), 1e-6); // fitted anew
 }
 
+TEST_F(GeodesicProbe, VirtualSourcesOfASurfaceThatWasScaledAreRefused)
+{
+  this->Distance->SetInputData(MakeTerrain(30));
+  this->Distance->GenerateVirtualSourceOn();
+  this->Distance->Update();
+  for (const double factor : { 0.3, 0.8, 1.0, 1.2, 2.0, 3.0 })
+  {
+    vtkNew<vtkPolyData> changed;
+    changed->DeepCopy(this->Distance->GetOutput());
+    vtkPoints* points = changed->GetPoints();
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      points->GetPoint(i, p);
+      points->SetPoint(i, factor * p[0], factor * p[1], factor * p[2]);
+    }
+    this->Probe->SetInputData(changed);
+    this->Probe->SetProbeData(changed);
+    Listener listener(this->Probe);
+    this->Probe->Update();
+    EXPECT_TRUE(listener.Errors.empty());
+    const bool isRefused = !listener.Warnings.empty() &&
+      listener.Warnings[0].find("not those of the distances") != std::string::npos;
+    EXPECT_EQ(isRefused, factor != 1.0) << factor;
+  }
+}
+
 TEST_F(GeodesicProbe, WindowsOfDistancesThatWereRoundedAreIgnoredWithAWarning)
 {
   this->Distance->GenerateWindowsOn();
