@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Distances on point clouds that are not easy: with noise, of uneven density, with holes, and of two
+"""Distances on point clouds that are not easy: with noise, of uneven density, with holes, and two
 sheets that are close to each other.
 
 Usage: cloud_guards.py PICTURE.png
@@ -13,7 +13,7 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from cloud_discs import discs, spacings_of
+from cloud_discs import disc_radii, discs, spacings_of
 from cloud_file import cloud_of
 from demo_picture import DISTANCE_COLOURS, INK, marker
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -32,12 +32,12 @@ UNREACHED = (0.62, 0.62, 0.62)
 # Every other band is darker by this factor.
 SHADE = 0.8
 BANDS = 24
-# Radius of the discs, of the spacing: small enough for single points to be seen.
-RADIUS = 0.6
+# How much larger discs are than usual, as the points are at random, with gaps between them.
+LARGER = 1.2
 
 
 def sphere(count, random, noise=0.0, density=1.0):
-    """Points of the unit sphere: so many times denser on one side, and shifted by normal numbers."""
+    """Points of the unit sphere: denser on one side, and shifted by normal numbers."""
     points = random.normal(size=(4 * count, 3))
     points /= np.linalg.norm(points, axis=1)[:, None]
     chance = (1.0 + (density - 1.0) * 0.5 * (1.0 - points[:, 0])) / density
@@ -94,19 +94,22 @@ def band_table(high):
     return table
 
 
-def panel(title, points, towards, up, zoom):
-    """A renderer with the points, coloured by the distance from the one that is nearest to the
-    viewer, who looks from this direction."""
+def panel(title, points, start, towards, zoom, outwards=None):
+    """A renderer with the points, coloured by the distance from the one that is farthest in the
+    direction `start`, seen from the direction `towards`. Where it is known which way is outwards,
+    what faces away is left out, so that it is not seen through gaps."""
     direction = np.array(towards, dtype=float)
     direction /= np.linalg.norm(direction)
-    source = int(np.argmax(points @ direction))
+    source = int(np.argmax(points @ np.array(start)))
     graph, distances = distances_on(points, source)
-    cloud = cloud_of(points)
-    size = cloud.GetLength()
+    shown = np.ones(len(points), bool) if outwards is None else outwards @ direction > -0.1
+    cloud = cloud_of(points[shown])
+    size = cloud_of(points).GetLength()
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
-    radii = RADIUS * spacings_of(graph)
-    renderer.AddActor(discs(cloud, radii, distances, band_table(np.nanmax(distances))))
+    table = band_table(np.nanmax(distances))
+    radii = LARGER * disc_radii(spacings_of(graph))
+    renderer.AddActor(discs(cloud, radii[shown], distances[shown], table))
     renderer.AddActor(marker(points[source], size))
     renderer.AddViewProp(caption(title))
     kit = vtkLightKit()
@@ -118,7 +121,7 @@ def panel(title, points, towards, up, zoom):
     centre = np.array(cloud.GetCenter())
     camera.SetFocalPoint(*centre)
     camera.SetPosition(*(centre + 3.0 * size * direction))
-    camera.SetViewUp(*up)
+    camera.SetViewUp(0.0, 0.0, 1.0)
     renderer.ResetCamera()
     camera.Zoom(zoom)
     camera.SetWindowCenter(0.0, 0.05)  # room for the caption
@@ -143,12 +146,15 @@ def caption(title):
 def panels():
     """The four of them, from the top left on, row by row."""
     random = np.random.default_rng(20190525)
-    yield panel("noise, 1 % of the box", sphere(20000, random, noise=0.02), (1, 1, 0.5), (0, 0, 1), 1.5)
-    yield panel(
-        "density 10 : 1", sphere(6000, random, density=10.0), (0.1, -1, 0.2), (0, 0, 1), 1.5
-    )
-    yield panel("holes", perforated(14000, random), (0.4, -1, 1.1), (0, 0, 1), 1.5)
-    yield panel("two sheets, 3 h apart", sheets(16000, random), (-1, -0.8, 0.75), (0, 0, 1), 1.5)
+    noisy = sphere(20000, random, noise=0.02)
+    yield panel("noise, 1 % of the box", noisy, (-0.3, -1, 0.8), (0.3, -1, 0.4), 1.4, noisy)
+    uneven = sphere(4000, random, density=10.0)
+    yield panel("density 10 : 1", uneven, (-0.3, -1, 0.8), (0.3, -1, 0.4), 1.4, uneven)
+    torus = perforated(14000, random)
+    middle = torus * (1.0, 1.0, 0.0)
+    middle /= np.linalg.norm(middle, axis=1)[:, None]
+    yield panel("holes", torus, (-0.7, -1, 0.4), (0.1, -1, 1.1), 1.6, torus - middle)
+    yield panel("two sheets, 3 h apart", sheets(16000, random), (-1, 0.2, 0), (-0.8, -1, 0.7), 1.35)
 
 
 def main(picture):

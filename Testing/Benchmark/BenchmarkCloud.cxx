@@ -287,7 +287,7 @@ void RegisterCurves(const CloudRecipe& cloud, const Settings& settings)
         recipe.Options.Alpha = alpha;
         add("Alpha", alpha, recipe);
       }
-      for (const double offset : { 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0 })
+      for (const double offset : { 1.5, 2.0, 3.0, 4.0, 6.0, 8.0 })
       {
         CloudGraphRecipe recipe = base;
         recipe.Options.OffsetInVoxels = offset;

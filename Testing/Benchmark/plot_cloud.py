@@ -6,12 +6,13 @@
 Usage: plot_cloud.py RESULT.json PLOT.png
 
 One column per scheme; above the mean error against alpha, below against the radius of the balls in
-voxels. Full lines are lengths of arcs, dashed ones of chords.
+voxels. Full lines are lengths of arcs, dashed ones of chords. Where more than one point in a hundred
+is not reached, nothing is drawn.
 """
 
 import sys
 
-from benchmark_results import count_text, mean, median
+from benchmark_results import count_text, largest, mean, median
 from summarize_cloud import Run
 
 # Colours that differ in lightness too, for those who do not see hues.
@@ -35,8 +36,10 @@ def curve(graphs, graph, parameter):
     points = []
     for value, cases in graphs.get(graph, {}).get(parameter, {}).items():
         error = mean(cases.get("Query"), "error_mean")
+        unreached = largest(cases.get("Query"), "unreached") or 0
+        reaches_all = unreached <= 0.01 * (median(cases.get("Build"), "points") or 0)
         # An error of zero has no place on a logarithmic axis.
-        if error:
+        if error and reaches_all:
             points.append((value, 100.0 * error))
     return sorted(points)
 
@@ -92,7 +95,7 @@ def plot(run, path):
     curves = list(run.curves.items())
     if not curves:
         raise PlotError("no curves in the result")
-    figure, grid = subplots(2, 3, figsize=(13, 8.4), sharey=True)
+    figure, grid = subplots(2, 3, figsize=(13, 8.4), sharey="row")
     for row, parameter in zip(grid, ("Alpha", "Offset")):
         for axes, scheme in zip(row, SCHEMES):
             draw(axes, curves, scheme, parameter)

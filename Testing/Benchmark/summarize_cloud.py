@@ -115,13 +115,56 @@ def published_of(cloud, graph):
 def range_text(values):
     if values is None:
         return DASH
-    return " to ".join(percent(value) for value in sorted(set(values))) + " %"
+    return " to ".join(percent(value) for value in sorted(set(values)))
 
 
 def points_of(graphs):
     """The number of points of a cloud; marching does not tell it."""
     found = (median(cases.get("Build"), "points") for cases in graphs.values())
     return next((points for points in found if points is not None), None)
+
+
+def mean_text(graphs, graph, published=None):
+    """Mean error in percent, and how many times smaller it is than the published one."""
+    error = mean(graphs.get(graph, {}).get("Query"), "error_mean")
+    if error is None:
+        return DASH
+    better = f" ({ratio_text(published[0], error)})" if published else ""
+    return percent(error) + better
+
+
+def mean_table(run):
+    rows = []
+    for cloud, graphs in run.groups["Cloud"].items():
+        points, published = points_of(graphs), published_of(cloud, "C/arc")
+        schemes = [
+            f"{mean_text(graphs, scheme + '/chord')} / {mean_text(graphs, scheme + '/arc')}"
+            for scheme in "AB"
+        ]
+        rows.append(
+            [
+                cloud,
+                DASH if points is None else count_text(points),
+                range_text(published),
+                *schemes,
+                mean_text(graphs, "C/chord"),
+                mean_text(graphs, "C/arc", published),
+                mean_text(graphs, "C/fine", published),
+                mean_text(graphs, "Band/march"),
+            ]
+        )
+    header = [
+        "cloud",
+        "points",
+        "published",
+        "A: chords / arcs",
+        "B: chords / arcs",
+        "C: chords",
+        "C: arcs (default)",
+        "C: arcs, finer",
+        "fast marching",
+    ]
+    return table(header, rows) if rows else None
 
 
 def error_table(run):
@@ -140,7 +183,7 @@ def error_table(run):
                 DASH if not spacing else digits(reach / spacing),
                 errors_text(query),
                 number(largest(query, "unreached")),
-                range_text(published),
+                range_text(published) + ("" if published is None else " %"),
                 ratio_text(published[0], mean(query, "error_mean")) if published else DASH,
                 time_text(median(query, "seconds")),
             ]
@@ -242,7 +285,7 @@ def summarize(path):
         f"thread ({environment(run.context)}).\n"
     ]
     titles = {
-        "Errors against true distances along the surface": error_table,
+        "Mean errors, % (times better than published)": mean_table,
         "Clouds that are not easy": guard_table,
         "What large clouds take, and meshes with the same points": speed_table,
     }
@@ -250,6 +293,9 @@ def summarize(path):
         made = make(run)
         if made:
             parts += [f"**{title}**\n", made]
+    made = error_table(run)
+    if made:
+        parts += ["<details><summary>Errors in detail</summary>\n", made, "</details>\n"]
     return "\n".join(parts)
 
 

@@ -353,6 +353,8 @@ class CloudTables(unittest.TestCase):
         for alpha, error in (("2.5", 2e-3), ("10.5", 1e-4)):
             results += graph(f"Curve/sphere-10K/C/arc/Alpha/{alpha}/", 10000, error)
         results += graph("Curve/sphere-10K/A/chord/Offset/3/", 10000, 5e-4)
+        results += graph("Curve/sphere-10K/A/chord/Offset/1/", 10000, 0.5)
+        results[-1]["unreached"] = 5000
         cls.path = os.path.join(OUTPUT, "clouds.json")
         with open(cls.path, "w", encoding="utf-8") as file:
             json.dump({"context": {"vtk_version": "9"}, "benchmarks": results}, file)
@@ -360,6 +362,16 @@ class CloudTables(unittest.TestCase):
 
     def cells(self, start, header):
         return cells_of(self.lines, start, header)
+
+    def test_means(self):
+        cells = self.cells("torus-57K", "C: arcs (default)")
+        self.assertEqual((cells["points"], cells["published"]), ("57K", "0.12 to 0.17"))
+        self.assertEqual(cells["C: arcs (default)"], "0.02 (6x)")
+        self.assertEqual(cells["C: arcs, finer"], "0.002 (60x)")
+        self.assertEqual((cells["C: chords"], cells["fast marching"]), ("0.08", "2"))
+        self.assertEqual(cells["A: chords / arcs"], "– / –")
+        cells = self.cells("square-40K", "C: arcs (default)")
+        self.assertEqual((cells["A: chords / arcs"], cells["published"]), ("– / 0.02", "–"))
 
     def test_errors(self):
         cells = self.cells("torus-57K | 57K | C, arcs (default)", "published mean")
@@ -406,7 +418,8 @@ class CloudTables(unittest.TestCase):
         self.assertEqual([value for value, _ in points], [2.5, 10.5])
         self.assertAlmostEqual(points[1][1], 0.02)
         self.assertEqual(plot_cloud.curve(graphs, "C/arc", "Offset"), [])
-        self.assertEqual(len(plot_cloud.curve(graphs, "A/chord", "Offset")), 1)
+        # Where half of the points is not reached, the others tell nothing.
+        self.assertEqual([x for x, _ in plot_cloud.curve(graphs, "A/chord", "Offset")], [3.0])
 
     @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs matplotlib")
     def test_plot(self):
