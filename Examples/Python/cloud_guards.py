@@ -143,27 +143,28 @@ def caption(title):
     return text
 
 
-def panels():
-    """The four of them, from the top left on, row by row."""
+def panels(share):
+    """The four of them, from the top left on, row by row, with a share of the points."""
     random = np.random.default_rng(20190525)
-    noisy = sphere(20000, random, noise=0.02)
+    noisy = sphere(int(20000 * share), random, noise=0.02)
     yield panel("noise, 1 % of the box", noisy, (-0.3, -1, 0.8), (0.3, -1, 0.4), 1.4, noisy)
-    uneven = sphere(4000, random, density=10.0)
+    uneven = sphere(int(4000 * share), random, density=10.0)
     yield panel("density 10 : 1", uneven, (-0.3, -1, 0.8), (0.3, -1, 0.4), 1.4, uneven)
-    torus = perforated(14000, random)
+    torus = perforated(int(14000 * share), random)
     middle = torus * (1.0, 1.0, 0.0)
     middle /= np.linalg.norm(middle, axis=1)[:, None]
     yield panel("holes", torus, (-0.7, -1, 0.4), (0.1, -1, 1.1), 1.6, torus - middle)
-    yield panel("two sheets, 3 h apart", sheets(16000, random), (-1, 0.2, 0), (-0.8, -1, 0.7), 1.35)
+    pair = sheets(int(16000 * share), random)
+    yield panel("two sheets, 3 h apart", pair, (-1, 0.2, 0), (-0.8, -1, 0.7), 1.35)
 
 
-def main(picture):
+def main(picture, share=1.0):
     """Render all of them into one picture."""
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(8)
     window.SetSize(*SIZE)
-    for i, renderer in enumerate(panels()):
+    for i, renderer in enumerate(panels(share)):
         left, bottom = 0.5 * (i % 2), 0.5 - 0.5 * (i // 2)
         renderer.SetViewport(left, bottom, left + 0.5, bottom + 0.5)
         window.AddRenderer(renderer)

@@ -15,7 +15,7 @@
 ///   --fine_accuracy=0    scheme C with arcs is measured with that accuracy as well; 0 leaves it
 ///   out
 ///   --sources=5          of queries and marches
-///   --curves=10000       points of a sphere and a torus on which alpha and the radius of balls are
+///   --curves=5000        points of a sphere and a torus on which alpha and the radius of balls are
 ///                        varied; 0 leaves this out
 ///   --guards=20000       points of the clouds that are not easy; 0 leaves them out
 ///   --speed=200000       points of the clouds whose graphs are timed; 0 leaves them out
@@ -436,7 +436,7 @@ int main(int argc, char** argv)
   BenchmarkArguments arguments(
     { { "clouds", "square:40000,cylinder:40000,sphere:10000,sphere:40000,torus:57000" },
       { "large", "" }, { "torus", "600" }, { "schemes", "A,B,C" }, { "accuracy", "0.001" },
-      { "fine_accuracy", "0.0001" }, { "sources", "5" }, { "curves", "10000" },
+      { "fine_accuracy", "0.0001" }, { "sources", "5" }, { "curves", "5000" },
       { "guards", "20000" }, { "speed", "200000" }, { "speed_mesh", "" }, { "threads", "2" } });
   Settings settings;
   if (!arguments.Parse(argc, argv) || !ReadSettings(arguments, settings))
