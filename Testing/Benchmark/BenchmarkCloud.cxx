@@ -12,8 +12,8 @@
 ///   --large=             the same of which only scheme C is measured
 ///   --schemes=A,B,C
 ///   --accuracy=0.001     of the graphs
-///   --fine_accuracy=0    scheme C with arcs is measured with that accuracy as well; 0 leaves it
-///   out
+///   --fine_accuracy=0.0001  scheme C with arcs is measured with that accuracy as well; 0 leaves
+///                        it out
 ///   --sources=5          of queries and marches
 ///   --curves=5000        points of a sphere and a torus on which alpha and the radius of balls are
 ///                        varied; 0 leaves this out

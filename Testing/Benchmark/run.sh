@@ -26,7 +26,7 @@
 #   --data    folder with bunny, armadillo, fertility, kitten and gargoyle (.ply), for isolines igea
 #             as well, to be measured; for clouds with igea, terrain_andes,
 #             awkward/bunny_raw_5holes and awkward/terrain_alps_voids
-#   --full    of clouds: a sphere of 655K points as well, which takes about 15 minutes
+#   --full    of clouds: a sphere of 655K points as well, which takes about ten minutes more
 #   --readme  put the tables and the plot into README.md and Examples/Images as well: graph, cloud
 # For example:
 #   Testing/Benchmark/run.sh
