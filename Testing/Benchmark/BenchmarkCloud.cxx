@@ -20,6 +20,8 @@
 ///   --guards=20000       points of the clouds that are not easy; 0 leaves them out
 ///   --speed=200000       points of the clouds whose graphs are timed; 0 leaves them out
 ///   --speed_mesh=FILE    a mesh that is decimated to as many points for that
+///   --terrain=FILE       a terrain on a grid: the vertices of 257 by 257 lines are measured as
+///   well
 ///   --threads=2          of graphs; queries and marches are on one
 /// Meshes as for BenchmarkExact: their vertices are the points, and exact distances along their
 /// faces the truth; faces with an edge longer than three median ones are left out.
@@ -58,6 +60,8 @@ constexpr int HolesLevel = 7;
 constexpr int NumberOfHoles = 12;
 /// Longer edges, in median ones, are of faces over gaps between points that are not bridged.
 constexpr double LongestEdge = 3.0;
+/// Grid lines of a terrain, both ways.
+constexpr int TerrainLines = 257;
 /// Sheets are 3 h apart.
 constexpr int SheetsOffset = 3;
 constexpr int CurveSources = 3;
@@ -384,6 +388,13 @@ bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
     cloud.Mesh.LongestEdge = LongestEdge;
     settings.Clouds.push_back(cloud);
   }
+  if (!arguments.Get("terrain").empty())
+  {
+    MeshRecipe terrain = MeshFromFile(arguments.Get("terrain"));
+    terrain.Name = Labelled(terrain.Name, TerrainLines * TerrainLines);
+    terrain.GridLines = TerrainLines;
+    settings.Clouds.push_back(VerticesOf(terrain));
+  }
   for (const std::string& name : arguments.GetList("schemes"))
   {
     const auto found = SchemesByName.find(name);
@@ -437,7 +448,8 @@ int main(int argc, char** argv)
     { { "clouds", "square:40000,cylinder:40000,sphere:10000,sphere:40000,torus:57000" },
       { "large", "" }, { "torus", "600" }, { "schemes", "A,B,C" }, { "accuracy", "0.001" },
       { "fine_accuracy", "0.0001" }, { "sources", "5" }, { "curves", "5000" },
-      { "guards", "20000" }, { "speed", "200000" }, { "speed_mesh", "" }, { "threads", "2" } });
+      { "guards", "20000" }, { "speed", "200000" }, { "speed_mesh", "" }, { "terrain", "" },
+      { "threads", "2" } });
   Settings settings;
   if (!arguments.Parse(argc, argv) || !ReadSettings(arguments, settings))
   {

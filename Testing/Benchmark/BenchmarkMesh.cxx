@@ -59,6 +59,10 @@ vtkSmartPointer<vtkPolyData> MeshRecipe::Make() const
 {
   vtkSmartPointer<vtkPolyData> mesh =
     this->File.empty() ? Generated(*this) : ReadPolyData(this->File);
+  if (this->GridLines > 0)
+  {
+    mesh = ToPolyData(CornerOfGrid(ToArrays(mesh), this->GridLines));
+  }
   if (this->LongestEdge > 0.0)
   {
     mesh = ToPolyData(WithoutLongEdges(ToArrays(mesh), this->LongestEdge));

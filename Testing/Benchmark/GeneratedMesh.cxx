@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <random>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -183,6 +185,40 @@ MeshArrays WithoutLongEdges(const MeshArrays& mesh, double factor)
     }
   }
   return rest;
+}
+
+MeshArrays CornerOfGrid(const MeshArrays& mesh, int lines)
+{
+  // The last of the lines along each axis.
+  std::array<double, 2> last;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    std::set<double> places;
+    for (std::size_t i = axis; i < mesh.Points.size(); i += 3)
+    {
+      places.insert(mesh.Points[i]);
+    }
+    const auto kept = std::min(places.size(), static_cast<std::size_t>(lines));
+    last[axis] = kept > 0 ? *std::next(places.begin(), static_cast<std::ptrdiff_t>(kept) - 1) : 0.0;
+  }
+  MeshArrays corner;
+  std::vector<dgg::Id> ids;
+  for (std::size_t id = 0; id < mesh.GetNumberOfVertices(); ++id)
+  {
+    const Vector p = PointOf(mesh, static_cast<dgg::Id>(id));
+    ids.push_back(p[0] <= last[0] && p[1] <= last[1] ? AddPoint(corner, p) : dgg::NoId);
+  }
+  for (std::size_t h = 0; h < mesh.Triangles.size(); h += 3)
+  {
+    const dgg::Id a = ids[mesh.Triangles[h]];
+    const dgg::Id b = ids[mesh.Triangles[h + 1]];
+    const dgg::Id c = ids[mesh.Triangles[h + 2]];
+    if (a != dgg::NoId && b != dgg::NoId && c != dgg::NoId)
+    {
+      AddTriangle(corner, a, b, c);
+    }
+  }
+  return corner;
 }
 
 MeshArrays Torus(int rings, int sides)

@@ -24,8 +24,8 @@
 #             matplotlib)
 #   --out     folder of the results (default: out/benchmark in the source tree)
 #   --data    folder with bunny, armadillo, fertility, kitten and gargoyle (.ply), for isolines igea
-#             as well, to be measured; for clouds with igea, terrain_andes,
-#             awkward/bunny_raw_5holes and awkward/terrain_alps_voids
+#             as well, to be measured; for clouds with igea, terrain_andes (a
+#             grid) and awkward/bunny_raw_5holes
 #   --full    of clouds: a sphere of 655K points as well, which takes about ten minutes more
 #   --readme  put the tables and the plot into README.md and Examples/Images as well: graph, cloud
 # For example:
@@ -69,8 +69,8 @@ while [ $# -gt 0 ]; do
       [ $# -ge 2 ] || dgg_fail "--data needs a folder"
       case "$mode" in
         cloud)
-          names=(awkward/bunny_raw_5holes awkward/terrain_alps_voids igea)
-          arguments+=("--speed_mesh=$2/terrain_andes.ply")
+          names=(awkward/bunny_raw_5holes igea)
+          arguments+=("--terrain=$2/terrain_andes.ply" "--speed_mesh=$2/terrain_andes.ply")
           ;;
         isolines) names+=(igea) ;;
         path) ;;
