@@ -25,6 +25,7 @@ for name in (
     "vtkDGGOFFReader",
     "vtkDGGPath",
     "vtkDiscreteGeodesicGraph",
+    "vtkDiscreteGreensFunction",
     "vtkExactGeodesicDistance",
     "vtkFastMarchingGeodesicDistance",
     "vtkGeodesicAlgorithm",

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDGGPoissonKeeper.h"
+
+#include "vtkDGGMemory.h"
+#include "vtkDGGMeshAdapter.h"
+
+#include "dggProgressPart.h"
+
+namespace
+{
+/// Part of the progress of a preparation.
+constexpr double AnalysisDone = 0.4;
+}
+
+//------------------------------------------------------------------------------
+int vtkDGGPoissonKeeper::GetNumberOfFactorizations() const
+{
+  return this->EarlierFactorizations +
+    (this->Solver ? this->Solver->GetNumberOfFactorizations() : 0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkDGGPoissonKeeper::IsPrepared(
+  const vtkDGGMeshAdapter& mesh, const dgg::PoissonOptions& options) const
+{
+  return this->Solver && this->MeshTime == mesh.GetBuildTime() && this->Solver->IsReady() &&
+    this->Solver->GetOptions().Boundary == options.Boundary &&
+    this->Solver->GetOptions().IntrinsicDelaunay == options.IntrinsicDelaunay;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGPoissonKeeper::Prepare(const vtkDGGMeshAdapter& mesh,
+  const dgg::PoissonOptions& options, const OtherMemory& others, vtkTypeUInt64 memoryLimit,
+  const std::string& remedy, const dgg::ProgressCallback& progress)
+{
+  if (!this->Solver || this->MeshTime != mesh.GetBuildTime())
+  {
+    this->EarlierFactorizations = this->GetNumberOfFactorizations();
+    this->Solver.reset(); // before there are two
+    this->Solver = std::make_unique<dgg::PoissonSolver>(mesh.GetMesh());
+    this->MeshTime = mesh.GetBuildTime();
+  }
+  dgg::Status status =
+    this->Solver->Analyze(options, dgg::ProgressPart(progress, 0.0, AnalysisDone));
+  if (status.IsOk())
+  {
+    // What is held already is not free any more, so it must not count against what is free.
+    const std::size_t own =
+      memoryLimit == 0 ? this->Solver->GetMissingMemory() : this->Solver->GetEstimatedMemory();
+    status = vtkDGGCheckMemory("the factorization and the results",
+      static_cast<double>(own) + others(*this->Solver), memoryLimit, remedy);
+  }
+  return status.IsOk() ? this->Solver->Factorize(dgg::ProgressPart(progress, AnalysisDone, 1.0))
+                       : status;
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Point arrays with one component per source. Internal.
+#ifndef vtkDGGSpectralOutputs_h
+#define vtkDGGSpectralOutputs_h
+
+#include "vtkDoubleArray.h"  // for the arrays
+#include "vtkSmartPointer.h" // to hold them
+
+#include <cstddef> // for std::size_t
+#include <string>  // for the name
+#include <vector>  // for values
+
+class vtkDGGMeshAdapter;
+
+/// The results of a vtkSpectralAlgorithm, for the points of the surface and those of evaluation.
+class vtkDGGSpectralOutputs
+{
+public:
+  /// Bytes of both arrays.
+  static double EstimateMemory(
+    std::size_t numberOfPoints, std::size_t numberOfTargets, std::size_t numberOfSources);
+
+  vtkDGGSpectralOutputs(const vtkDGGMeshAdapter& mesh, std::size_t numberOfPoints,
+    std::size_t numberOfTargets, std::size_t numberOfSources, const std::string& name);
+  ~vtkDGGSpectralOutputs();
+  vtkDGGSpectralOutputs(const vtkDGGSpectralOutputs&) = delete;
+  vtkDGGSpectralOutputs& operator=(const vtkDGGSpectralOutputs&) = delete;
+
+  /// The values of one source, per vertex of the mesh and per target. Several threads may set those
+  /// of different sources at once.
+  void Set(
+    std::size_t source, const std::vector<double>& values, const std::vector<double>& targetValues);
+
+  vtkDoubleArray* GetPointArray() const { return this->AtPoints; }
+  vtkDoubleArray* GetTargetArray() const { return this->AtTargets; }
+
+private:
+  const vtkDGGMeshAdapter& Mesh;
+  vtkSmartPointer<vtkDoubleArray> AtPoints;
+  vtkSmartPointer<vtkDoubleArray> AtTargets;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGSpectralOutputs.h

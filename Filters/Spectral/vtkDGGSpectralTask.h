@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a filter of functions of the Laplacian is given to compute. Internal.
+#ifndef vtkDGGSpectralTask_h
+#define vtkDGGSpectralTask_h
+
+#include "dggPoissonSolver.h" // for PoissonSolver
+#include "dggSurfacePoint.h"  // for places
+
+#include "vtkType.h" // for vtkMTimeType
+
+#include <vector> // for places
+
+class vtkDGGSpectralOutputs;
+
+/// One call of vtkSpectralAlgorithm::ComputeValues(). Everything in it has been checked.
+struct vtkDGGSpectralTask
+{
+  const dgg::PoissonSolver& Solver;              ///< ready
+  vtkMTimeType MeshTime;                         ///< another one when the solver is another one
+  const std::vector<dgg::SurfacePoint>& Sources; ///< at least one
+  const std::vector<dgg::SurfacePoint>& Targets; ///< may be none
+  double FreeMemory;                             ///< bytes of the limit that are left for caches
+  dgg::ProgressCallback Progress;                ///< never empty; false means stop
+  vtkDGGSpectralOutputs& Outputs;                ///< to be set for each source
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGSpectralTask.h

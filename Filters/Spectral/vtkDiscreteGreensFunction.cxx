@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDiscreteGreensFunction.h"
+
+#include "vtkDGGParallel.h"
+#include "vtkDGGSpectralOutputs.h"
+#include "vtkDGGSpectralTask.h"
+
+#include "dggGreensFunction.h"
+#include "dggGreensInterpolation.h"
+#include "dggProgressPart.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkDiscreteGreensFunction);
+
+namespace
+{
+constexpr std::size_t BlockSize = dgg::GreensFunction::PolesInBlock;
+
+struct NamedRemark
+{
+  dgg::GreensRemark Remark;
+  const char* Text;
+};
+
+/// Why another method was used than the one asked for.
+const NamedRemark Remarks[] = {
+  { dgg::GreensRemark::TooCoarse,
+    "the mesh is too coarse around them for the method, Interpolated was used: refine it there" },
+  { dgg::GreensRemark::NoTriangle,
+    "they were not found on the flipped mesh, Interpolated was used: turn IntrinsicDelaunay off" },
+  { dgg::GreensRemark::NotLocalized,
+    "the boundary or long triangles are too close to them for the method, Interpolated was "
+    "used" }
+};
+
+/// What became of a source.
+struct UsedMethod
+{
+  dgg::GreensMethod Method = dgg::GreensMethod::Vertex;
+  dgg::GreensRemark Remark = dgg::GreensRemark::None;
+  double Radius = 0.0;
+};
+
+/// What is kept for a mesh.
+struct Functions
+{
+  Functions(const dgg::PoissonSolver& solver, vtkMTimeType meshTime)
+    : MeshTime(meshTime)
+    , Function(solver)
+    , Interpolation(solver)
+  {
+  }
+
+  vtkMTimeType MeshTime;
+  dgg::GreensFunction Function;
+  dgg::GreensInterpolation Interpolation;
+};
+
+/// Finds the functions of the sources of a task.
+class Run
+{
+public:
+  Run(vtkDGGSpectralTask& task, const dgg::GreensQuery& query, std::vector<UsedMethod>& used)
+    : Task(task)
+    , Query(query)
+    , Used(used)
+  {
+    used.assign(task.Sources.size(), UsedMethod());
+  }
+
+  dgg::Status Check() const
+  {
+    for (std::size_t k = 0; k < this->Task.Sources.size(); ++k)
+    {
+      const dgg::Status status = this->Task.Solver.CheckPole(this->Task.Sources[k]);
+      if (!status.IsOk())
+      {
+        return dgg::Status::Invalid("source " + std::to_string(k) + ": " + status.GetMessage());
+      }
+    }
+    return dgg::Status::Success();
+  }
+
+  /// A block of sources at a time, several at once.
+  dgg::Status InBlocks(const dgg::GreensFunction& function)
+  {
+    const std::vector<dgg::SurfacePoint>& sources = this->Task.Sources;
+    return vtkDGGForLongSteps((sources.size() + BlockSize - 1) / BlockSize, this->Task.Progress,
+      [&](std::size_t block, const dgg::ProgressCallback& progress) {
+        const std::size_t first = block * BlockSize;
+        const std::size_t end = std::min(sources.size(), first + BlockSize);
+        dgg::GreensQuery query = this->Query;
+        query.Progress = progress;
+        std::vector<dgg::GreensResult> results;
+        const dgg::Status status =
+          function.Run({ sources.begin() + first, sources.begin() + end }, query, results);
+        for (std::size_t k = 0; k < results.size(); ++k)
+        {
+          this->Store(first + k, results[k]);
+        }
+        return status;
+      });
+  }
+
+  /// One after the other, as the columns of one are those of the next.
+  dgg::Status OneByOne(dgg::GreensInterpolation& interpolation)
+  {
+    const auto count = static_cast<double>(this->Task.Sources.size());
+    dgg::Status status;
+    for (std::size_t k = 0; k < this->Task.Sources.size() && status.IsOk(); ++k)
+    {
+      const auto done = static_cast<double>(k);
+      dgg::GreensQuery query = this->Query;
+      query.Progress = dgg::ProgressPart(this->Task.Progress, done / count, (done + 1.0) / count);
+      dgg::GreensResult result;
+      status = interpolation.Run(this->Task.Sources[k], query, result);
+      if (status.IsOk())
+      {
+        this->Store(k, result);
+      }
+    }
+    return status.IsOk() && !this->Task.Progress(1.0) ? dgg::Status::Abort() : status;
+  }
+
+private:
+  void Store(std::size_t source, const dgg::GreensResult& result)
+  {
+    this->Task.Outputs.Set(source, result.Values, result.TargetValues);
+    this->Used[source] = { result.Method, result.Remark, result.Radius };
+  }
+
+  vtkDGGSpectralTask& Task;
+  const dgg::GreensQuery& Query;
+  std::vector<UsedMethod>& Used;
+};
+}
+
+//------------------------------------------------------------------------------
+struct vtkDiscreteGreensFunction::vtkInternals
+{
+  std::unique_ptr<Functions> Kept;
+  std::vector<UsedMethod> Used; // per source
+};
+
+//------------------------------------------------------------------------------
+vtkDiscreteGreensFunction::vtkDiscreteGreensFunction()
+  : vtkSpectralAlgorithm("GreensFunction")
+  , Method(SingularitySubtraction)
+  , SignConvention(PositiveAtSource)
+  , PoleValue(CellAverage)
+  , Weighting(Area)
+  , Radius(0.0)
+  , InterpolateRegularPart(false)
+  , Internals(new vtkInternals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkDiscreteGreensFunction::~vtkDiscreteGreensFunction() = default;
+
+//------------------------------------------------------------------------------
+void vtkDiscreteGreensFunction::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->GetMethodAsString() << "\n";
+  os << indent << "SignConvention: " << this->GetSignConventionAsString() << "\n";
+  os << indent << "PoleValue: " << this->GetPoleValueAsString() << "\n";
+  os << indent << "Weighting: " << this->GetWeightingAsString() << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "InterpolateRegularPart: " << (this->InterpolateRegularPart ? "On" : "Off")
+     << "\n";
+  os << indent << "NumberOfColumns: " << this->GetNumberOfColumns() << "\n";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkDiscreteGreensFunction::GetMethodAsString() const
+{
+  switch (this->Method)
+  {
+    case Localized:
+      return "Localized";
+    case Interpolated:
+      return "Interpolated";
+    case Vertex:
+      return "Vertex";
+    default:
+      return "SingularitySubtraction";
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkDiscreteGreensFunction::GetSignConventionAsString() const
+{
+  return this->SignConvention == NegativeAtSource ? "NegativeAtSource" : "PositiveAtSource";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkDiscreteGreensFunction::GetPoleValueAsString() const
+{
+  return this->PoleValue == InfiniteValue ? "Infinite" : "CellAverage";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkDiscreteGreensFunction::GetWeightingAsString() const
+{
+  return this->Weighting == Uniform ? "Uniform" : "Area";
+}
+
+//------------------------------------------------------------------------------
+int vtkDiscreteGreensFunction::GetUsedMethod(vtkIdType source) const
+{
+  const std::vector<UsedMethod>& used = this->Internals->Used;
+  return source >= 0 && source < static_cast<vtkIdType>(used.size())
+    ? static_cast<int>(used[source].Method)
+    : -1;
+}
+
+//------------------------------------------------------------------------------
+double vtkDiscreteGreensFunction::GetUsedRadius(vtkIdType source) const
+{
+  const std::vector<UsedMethod>& used = this->Internals->Used;
+  return source >= 0 && source < static_cast<vtkIdType>(used.size()) ? used[source].Radius : 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDiscreteGreensFunction::IsNearRidge(vtkIdType source) const
+{
+  const std::vector<UsedMethod>& used = this->Internals->Used;
+  return source >= 0 && source < static_cast<vtkIdType>(used.size()) &&
+    used[source].Remark == dgg::GreensRemark::NearRidge;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkDiscreteGreensFunction::GetNumberOfColumns() const
+{
+  return this->Internals->Kept ? this->Internals->Kept->Interpolation.GetNumberOfColumns() : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkDiscreteGreensFunction::GetMemorySize() const
+{
+  return this->Superclass::GetMemorySize() +
+    (this->Internals->Kept ? this->Internals->Kept->Interpolation.GetMemorySize() : 0);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDiscreteGreensFunction::CheckProperties() const
+{
+  if (!(this->Radius >= 0.0) || !std::isfinite(this->Radius))
+  {
+    std::ostringstream message;
+    message << "Radius is " << this->Radius
+            << ": call SetRadius() with a positive number, or 0 for the usual one";
+    return dgg::Status::Invalid(message.str());
+  }
+  return this->Superclass::CheckProperties();
+}
+
+//------------------------------------------------------------------------------
+dgg::PoissonOptions vtkDiscreteGreensFunction::GetPoissonOptions() const
+{
+  dgg::PoissonOptions options = this->Superclass::GetPoissonOptions();
+  options.Weights =
+    this->Weighting == Uniform ? dgg::PoissonWeights::Uniform : dgg::PoissonWeights::Area;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+double vtkDiscreteGreensFunction::EstimateWorkingMemory(
+  const dgg::PoissonSolver& solver, std::size_t numberOfSources, std::size_t numberOfTargets) const
+{
+  const dgg::GreensFunction function(solver);
+  const std::size_t n = solver.GetAreas().size();
+  const auto results = static_cast<double>(BlockSize * (n + numberOfTargets) * sizeof(double));
+  const std::size_t blocks = (numberOfSources + BlockSize - 1) / BlockSize;
+  return std::min<double>(vtkSMPTools::GetEstimatedNumberOfThreads(), static_cast<double>(blocks)) *
+    (static_cast<double>(function.GetWorkingMemory(numberOfTargets)) + results);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDiscreteGreensFunction::ComputeValues(vtkDGGSpectralTask& task)
+{
+  const dgg::GreensMethod methods[] = { dgg::GreensMethod::SingularitySubtraction,
+    dgg::GreensMethod::Localized, dgg::GreensMethod::Interpolated, dgg::GreensMethod::Vertex };
+  dgg::GreensQuery query;
+  query.Method = methods[this->Method];
+  query.Sign = this->SignConvention == NegativeAtSource ? dgg::GreensSign::Negative
+                                                        : dgg::GreensSign::Positive;
+  query.Pole =
+    this->PoleValue == InfiniteValue ? dgg::GreensPole::Infinite : dgg::GreensPole::CellAverage;
+  query.Radius = this->Radius;
+  query.Targets = task.Targets;
+  const bool isInterpolated =
+    this->InterpolateRegularPart && this->Method == SingularitySubtraction;
+
+  vtkInternals& internals = *this->Internals;
+  if (!internals.Kept || internals.Kept->MeshTime != task.MeshTime)
+  {
+    internals.Kept.reset(); // before there are two
+    internals.Kept = std::make_unique<Functions>(task.Solver, task.MeshTime);
+  }
+  internals.Used.clear();
+  std::vector<UsedMethod> used;
+  Run run(task, query, used);
+  dgg::Status status = run.Check();
+  if (status.IsOk() && isInterpolated)
+  {
+    const double most = 0.5 * static_cast<double>(std::numeric_limits<std::size_t>::max());
+    internals.Kept->Interpolation.SetMemoryLimit(
+      static_cast<std::size_t>(std::min(most, task.FreeMemory)));
+    status = run.OneByOne(internals.Kept->Interpolation);
+  }
+  else if (status.IsOk())
+  {
+    status = run.InBlocks(internals.Kept->Function);
+  }
+  if (status.IsOk())
+  {
+    internals.Used.swap(used);
+    this->WarnOfRemarks();
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkDiscreteGreensFunction::WarnOfRemarks()
+{
+  const std::vector<UsedMethod> used = this->Internals->Used; // observers may change it
+  for (const NamedRemark& remark : Remarks)
+  {
+    const auto has = [&](const UsedMethod& of) { return of.Remark == remark.Remark; };
+    const auto count = std::count_if(used.begin(), used.end(), has);
+    if (count > 0)
+    {
+      const auto first = std::find_if(used.begin(), used.end(), has) - used.begin();
+      vtkWarningMacro(<< count << " of the " << used.size() << " sources, the first of them "
+                      << first << ": " << remark.Text << ".");
+    }
+  }
+}

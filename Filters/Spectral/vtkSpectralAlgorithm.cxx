@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSpectralAlgorithm.h"
+
+#include "vtkDGGMemory.h"
+#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPoissonKeeper.h"
+#include "vtkDGGProperties.h"
+#include "vtkDGGSourceCollector.h"
+#include "vtkDGGSpectralOutputs.h"
+#include "vtkDGGSpectralTask.h"
+
+#include "dggProgressPart.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace
+{
+/// Part of the progress when the system is ready: if it has to be factorized, or only looked at.
+constexpr double FactorizedAt = 0.4;
+constexpr double FoundAt = 0.01;
+
+/// The points of a port with the results as active scalars.
+void AddResult(vtkPolyData* output, vtkPolyData* points, vtkDoubleArray* array)
+{
+  output->ShallowCopy(points);
+  output->GetPointData()->AddArray(array);
+  output->GetPointData()->SetActiveScalars(array->GetName());
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkSpectralAlgorithm::vtkInternals
+{
+  vtkDGGSourceCollector Collector;
+  vtkDGGPoissonKeeper Keeper;
+};
+
+//------------------------------------------------------------------------------
+vtkSpectralAlgorithm::vtkSpectralAlgorithm(const std::string& resultArrayName)
+  : ProjectionTolerance(0.01)
+  , Boundary(Neumann)
+  , IntrinsicDelaunay(false)
+  , MemoryLimit(0)
+  , ResultArrayName(resultArrayName)
+  , Internals(new vtkInternals)
+{
+  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkSpectralAlgorithm::~vtkSpectralAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+void vtkSpectralAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  vtkDGGPrintIds(os, indent, "SourceIds", this->SourceIds);
+  os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
+  os << indent << "Boundary: " << this->GetBoundaryAsString() << "\n";
+  os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "ResultArrayName: " << this->ResultArrayName << "\n";
+  os << indent << "NumberOfFactorizations: " << this->GetNumberOfFactorizations() << "\n";
+  os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkSpectralAlgorithm::AddSourceId(vtkIdType id)
+{
+  this->SourceIds.push_back(id);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSpectralAlgorithm::SetSourceIds(vtkIdList* ids)
+{
+  this->SetSourceIds(vtkDGGGetIds(ids));
+}
+
+//------------------------------------------------------------------------------
+void vtkSpectralAlgorithm::SetSourceIds(const std::vector<vtkIdType>& ids)
+{
+  if (this->SourceIds != ids)
+  {
+    this->SourceIds = ids;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSpectralAlgorithm::SetSourceIds(std::initializer_list<vtkIdType> ids)
+{
+  this->SetSourceIds(std::vector<vtkIdType>(ids));
+}
+
+//------------------------------------------------------------------------------
+void vtkSpectralAlgorithm::RemoveAllSourceIds()
+{
+  this->SetSourceIds(std::vector<vtkIdType>());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSpectralAlgorithm::GetNumberOfSourceIds() const
+{
+  return static_cast<vtkIdType>(this->SourceIds.size());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSpectralAlgorithm::GetSourceId(vtkIdType i) const
+{
+  return vtkDGGGetId(this->SourceIds, i);
+}
+
+//------------------------------------------------------------------------------
+void vtkSpectralAlgorithm::RemoveAllSources()
+{
+  this->RemoveAllSourceIds();
+  this->SetInputConnection(1, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkSpectralAlgorithm::SetSourceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkSpectralAlgorithm::SetSourceData(vtkPolyData* points)
+{
+  this->SetInputData(1, points);
+}
+
+//------------------------------------------------------------------------------
+void vtkSpectralAlgorithm::SetEvaluationConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(2, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkSpectralAlgorithm::SetEvaluationData(vtkPolyData* points)
+{
+  this->SetInputData(2, points);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkSpectralAlgorithm::GetEvaluation()
+{
+  return this->GetOutput(1);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSpectralAlgorithm::GetBoundaryAsString() const
+{
+  return this->Boundary == Dirichlet ? "Dirichlet" : "Neumann";
+}
+
+//------------------------------------------------------------------------------
+void vtkSpectralAlgorithm::SetResultArrayName(const char* name)
+{
+  if (vtkDGGChangeName(this->ResultArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSpectralAlgorithm::GetResultArrayName() const
+{
+  return this->ResultArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+int vtkSpectralAlgorithm::GetNumberOfFactorizations() const
+{
+  return this->Internals->Keeper.GetNumberOfFactorizations();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkSpectralAlgorithm::GetMemorySize() const
+{
+  return this->Internals->Keeper.GetMemorySize();
+}
+
+//------------------------------------------------------------------------------
+int vtkSpectralAlgorithm::FillOutputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkSpectralAlgorithm::CheckProperties() const
+{
+  if (this->ResultArrayName.empty())
+  {
+    return dgg::Status::Invalid("ResultArrayName is empty: call SetResultArrayName() with a name");
+  }
+  return vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkSpectralAlgorithm::CheckInputs(
+  vtkPolyData* surface, vtkInformationVector** inputVector) const
+{
+  const vtkIdType n = surface->GetNumberOfPoints();
+  const dgg::Status status = vtkDGGSourceCollector::Check(this->GetSources(inputVector), n);
+  const vtkDGGSourceSet targets = GetTargets(inputVector);
+  return status.IsOk() && targets.Points && targets.Points->GetNumberOfPoints() > 0
+    ? vtkDGGSourceCollector::Check(targets, n)
+    : status;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSpectralAlgorithm::GetMemoryRemedy() const
+{
+  return "use a smaller mesh or fewer sources at a time";
+}
+
+//------------------------------------------------------------------------------
+dgg::PoissonOptions vtkSpectralAlgorithm::GetPoissonOptions() const
+{
+  dgg::PoissonOptions options;
+  options.Boundary =
+    this->Boundary == Dirichlet ? dgg::PoissonBoundary::Dirichlet : dgg::PoissonBoundary::Neumann;
+  options.IntrinsicDelaunay = this->IntrinsicDelaunay;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+vtkDGGSourceSet vtkSpectralAlgorithm::GetSources(vtkInformationVector** inputVector) const
+{
+  return { this->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source",
+    "call AddSourceId() or SetSourceIds()", "" };
+}
+
+//------------------------------------------------------------------------------
+vtkDGGSourceSet vtkSpectralAlgorithm::GetTargets(vtkInformationVector** inputVector)
+{
+  static const std::vector<vtkIdType> none;
+  return { none, vtkPolyData::GetData(inputVector[2]), 2, "evaluation point",
+    "call SetEvaluationData()", "" };
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkSpectralAlgorithm::Execute(
+  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  vtkDGGPoissonKeeper& keeper = this->Internals->Keeper;
+  const vtkDGGSourceSet targetSet = GetTargets(inputVector);
+  const bool hasTargets = targetSet.Points && targetSet.Points->GetNumberOfPoints() > 0;
+  std::vector<dgg::GeodesicSource> found[2];
+  dgg::Status status = this->Internals->Collector.Collect(
+    this->GetSources(inputVector), this->ProjectionTolerance, mesh, surface->GetPoints(), found[0]);
+  if (status.IsOk() && hasTargets)
+  {
+    status = this->Internals->Collector.Collect(
+      targetSet, this->ProjectionTolerance, mesh, surface->GetPoints(), found[1]);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const std::vector<dgg::SurfacePoint> sources = vtkDGGGetPlaces(found[0]);
+  const std::vector<dgg::SurfacePoint> targets = vtkDGGGetPlaces(found[1]);
+
+  // Observers may change inputs and properties.
+  vtkNew<vtkPolyData> copy;
+  copy->ShallowCopy(surface);
+  vtkNew<vtkPolyData> targetCopy;
+  if (targetSet.Points)
+  {
+    targetCopy->ShallowCopy(targetSet.Points);
+  }
+  const auto numberOfPoints = static_cast<std::size_t>(copy->GetNumberOfPoints());
+  const vtkTypeUInt64 limit = this->MemoryLimit;
+  const std::string name = this->ResultArrayName;
+  const dgg::PoissonOptions options = this->GetPoissonOptions();
+  double needed = 0.0;
+  const auto others = [&](const dgg::PoissonSolver& solver) {
+    needed = vtkDGGSpectralOutputs::EstimateMemory(numberOfPoints, targets.size(), sources.size()) +
+      this->EstimateWorkingMemory(solver, sources.size(), targets.size());
+    return needed;
+  };
+  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
+  const double prepared = keeper.IsPrepared(mesh, options) ? FoundAt : FactorizedAt;
+  status = this->Advance(0.0)
+    ? keeper.Prepare(mesh, options, others, limit, this->GetMemoryRemedy(),
+        dgg::ProgressPart(progress, 0.0, prepared))
+    : dgg::Status::Abort();
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const double held = limit == 0 ? 0.0 : static_cast<double>(keeper.GetSolver().GetMemorySize());
+  const double left = static_cast<double>(vtkDGGGetMemoryLimit(limit)) - held - needed;
+  vtkDGGSpectralOutputs outputs(mesh, numberOfPoints, targets.size(), sources.size(), name);
+  vtkDGGSpectralTask task{ keeper.GetSolver(), mesh.GetBuildTime(), sources, targets,
+    std::max(0.0, left), dgg::ProgressPart(progress, prepared, 1.0), outputs };
+  status = this->ComputeValues(task);
+  if (status.IsOk())
+  {
+    status = mesh.CheckUnchanged(surface, copy); // which has the very points of the input
+  }
+  if (status.IsOk() && hasTargets &&
+    targetCopy->GetNumberOfPoints() != static_cast<vtkIdType>(targets.size()))
+  {
+    status = dgg::Status::Invalid("the evaluation points were changed during the update: do not "
+                                  "change them in observers, and update again");
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  AddResult(vtkPolyData::GetData(outputVector, 0), copy, outputs.GetPointArray());
+  AddResult(vtkPolyData::GetData(outputVector, 1), targetCopy, outputs.GetTargetArray());
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpectralAlgorithm::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
+{
+  const vtkDGGSpectralOutputs outputs(this->GetMesh(), 0, 0, 0, this->ResultArrayName);
+  AddResult(vtkPolyData::GetData(outputVector, 0), surface, outputs.GetPointArray());
+  vtkNew<vtkPolyData> none;
+  AddResult(vtkPolyData::GetData(outputVector, 1), none, outputs.GetTargetArray());
+}
