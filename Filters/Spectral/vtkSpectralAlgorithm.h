@@ -35,7 +35,7 @@
  *
  * This class is not for subclassing outside of its module, see vtkGeodesicAlgorithm.
  *
- * @sa vtkDiscreteGreensFunction
+ * @sa vtkDiscreteGreensFunction vtkBiharmonicDistance
  */
 
 #ifndef vtkSpectralAlgorithm_h

@@ -21,6 +21,7 @@ if not abs(FAR - 5.0) < 1e-6:
     sys.exit(f"distance in the graph is {FAR}, not 5")
 for name in (
     "vtkApolloniusIsolines",
+    "vtkBiharmonicDistance",
     "vtkDGGDistance",
     "vtkDGGOFFReader",
     "vtkDGGPath",

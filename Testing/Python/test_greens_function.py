@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Green's functions from Python."""
+"""Green's functions and biharmonic distances from Python."""
 
 import unittest
 
@@ -91,6 +91,23 @@ class GreensFunction(unittest.TestCase):
             vtkdgg.check(self.greens)
         self.greens.SetSourceIds([5])
         vtkdgg.check(self.greens)
+
+
+class BiharmonicDistance(unittest.TestCase):
+    def test_sphere(self):
+        points, triangles = sphere(24, 48)
+        distance = vtkdgg.vtkBiharmonicDistance()
+        distance.SetInputData(support.polydata(points, triangles))
+        distance.SetSourceIds([0])
+        vtkdgg.check(distance)
+        d = vtk_to_numpy(distance.GetOutput().GetPointData().GetArray("BiharmonicDistance"))
+        self.assertEqual(d[0], 0.0)
+        # The sum over l of (2l + 1) / (2 pi) (1 - (-1)^l) / (l (l + 1))^2 at the antipode.
+        self.assertAlmostEqual(d[-1], np.sqrt(np.pi / 12.0), delta=0.01)
+        distance.SetKindToDiffusion()
+        distance.SetMethodToExact()
+        with self.assertRaisesRegex(vtkdgg.VTKError, "SetMethodToSpectrum"):
+            vtkdgg.check(distance)
 
 
 if __name__ == "__main__":

@@ -75,6 +75,20 @@ class Readme(unittest.TestCase):
         said = re.fullmatch(r"from 0 to 20: (\S+) model units\n", printed.getvalue())
         self.assertAlmostEqual(float(said[1]), exact, delta=1e-6)
 
+    def test_greens_functions(self):
+        blocks = [block for block in self.blocks("python") if "vtkDiscreteGreensFunction()" in block]
+        self.assertEqual(len(blocks), 1)
+        names = {}
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            exec(blocks[0].replace("mesh.ply", BUMPY), names)  # noqa: S102
+        said = re.fullmatch(
+            r"from 0 to 10: (\S+)\nfarthest point: (\S+) model units away\n", printed.getvalue()
+        )
+        greens = names["greens"].GetOutput().GetPointData().GetArray("GreensFunction")
+        self.assertAlmostEqual(float(said[1]), greens.GetComponent(0, 1), 2)
+        farthest = vtkdgg.distance(*support.bumpy(), 0).max()
+        self.assertTrue(0.05 * farthest < float(said[2]) < farthest)
+
     def test_ten_lines_of_loops(self):
         blocks = [block for block in self.blocks("python") if "vtkDGGLoop()" in block]
         self.assertEqual(len(blocks), 1)
