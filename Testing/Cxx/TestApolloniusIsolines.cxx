@@ -7,6 +7,7 @@
 #include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
+#include "vtkFastMarchingGeodesicDistance.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -394,12 +395,11 @@ TEST_F(ApolloniusIsolines, AnErrorLeavesNothingOfTheUpdateBefore)
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(60);
   sphere->SetPhiResolution(30);
-  vtkNew<vtkDGGDistance> coarse;
-  coarse->SetInputConnection(sphere->GetOutputPort());
-  coarse->SetAccuracy(0.4);
-  coarse->SetSourceIds({ 3, 400, 900, 1200 });
-  coarse->GenerateVirtualSourceOn();
-  this->Isolines->SetInputConnection(coarse->GetOutputPort());
+  vtkNew<vtkFastMarchingGeodesicDistance> rough;
+  rough->SetInputConnection(sphere->GetOutputPort());
+  rough->SetSourceIds({ 3, 400, 900, 1200 });
+  rough->GenerateVirtualSourceOn();
+  this->Isolines->SetInputConnection(rough->GetOutputPort());
   this->Isolines->GenerateValues(40, 0.0, 1.0);
   const auto expectReset = [this](const std::vector<std::string>& parts) {
     ExpectSuccess(this->Isolines);
