@@ -27,7 +27,8 @@
  *    ways meet from different sides not far from the source, as behind a spike, they fall like the
  *    edge length.
  *  - Localized corrects Interpolated around the source by exact distances, as in the thesis named
- *    below. For comparison.
+ *    below. For comparison: on the sphere its mean error there was 1 to 3 % larger, 50 % in the
+ *    middle of faces and 10 % smaller between there and the corners.
  *  - Interpolated weights the functions of the corners of the face with barycentric coordinates:
  *    the finite element solution. Errors next to the source fall like the edge length.
  *  - Vertex takes that of the corner with the largest barycentric coordinate that is not on a

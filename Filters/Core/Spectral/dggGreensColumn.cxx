@@ -417,8 +417,7 @@ Status GreensColumn::Finish(std::vector<double>& solution, const ProgressCallbac
   bool isLocalized = true;
   if (this->Method == GreensMethod::Localized && !IsVertex(this->Pole))
   {
-    const Status status =
-      Localize(system, this->Pole, workspace.Exact, progress, solution, isLocalized);
+    Status status = Localize(system, this->Pole, workspace.Exact, progress, solution, isLocalized);
     if (!status.IsOk())
     {
       return status;

@@ -45,8 +45,8 @@ public:
   Status Finish(std::vector<double>& solution, const ProgressCallback& progress,
     GreensWorkspace& workspace, GreensResult& result) const;
 
-  /// Add the logarithm to the regular part, which is changed.
-  void AddLogarithm(std::vector<double>& regular, GreensResult& result) const;
+  /// Add the logarithm to the regular part, which is changed and given away.
+  void AddLogarithm(std::vector<double>& solution, GreensResult& result) const;
 
   /// Where the logarithm ends if nothing else is asked for and there are no ridges.
   static double GetUsualRadius(const PoissonSystem& system, Id component);

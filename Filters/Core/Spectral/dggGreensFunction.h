@@ -29,9 +29,11 @@ enum class GreensMethod
   /// the pole.
   SingularitySubtraction,
   /// Interpolated, corrected around the pole: of the values there that reproduce the geodesic
-  /// distances from points nearby in Green's identity, those next to the interpolated ones. About
-  /// as good as these on average, better where the pole lies between the middle of its face and a
-  /// corner, worse close to the middle: for comparison.
+  /// distances from points nearby in Green's identity, those next to the interpolated ones. No
+  /// better than these: the relative L2 error over the vertices that are changed, on unit spheres
+  /// with 642, 2562 and 10 242 vertices and in the mean over 1020 poles in faces of each,
+  /// is 1.01 to 1.03 times as large: 1.5 times in the middle of faces (all coordinates above 0.2),
+  /// 0.9 times between there and the corners. For comparison.
   Localized,
   /// The columns of the corners, weighted with barycentric coordinates: the finite element solution
   /// with a point load. First order near the pole.

@@ -187,7 +187,7 @@ Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const Progres
       diagonal[v] = isBiharmonic ? sum[v - begin] : values[v][v - begin];
     }
   };
-  const Status status = LoopOverBlocks(n, Lanes, parallel, progress, 0.0, 1.0, solveBlock);
+  Status status = LoopOverBlocks(n, Lanes, parallel, progress, 0.0, 1.0, solveBlock);
   if (status.IsOk())
   {
     this->Diagonal.swap(diagonal);
