@@ -107,8 +107,8 @@ void LevelLattice::AddRim(
     auto connect = [&](Id node, const RimCrossing* crossing) {
       if (crossing)
       {
-        this->Links.push_back({ std::min(previous, node), std::max(previous, node) });
-        this->Links.back().Crossing = crossing->Index;
+        const Id link = this->AddLink(std::min(previous, node), std::max(previous, node));
+        this->Links[link].Crossing = crossing->Index;
       }
       previous = node;
     };
@@ -411,11 +411,11 @@ Id LevelLattice::FindCrest(const LevelArc& arc, double level, Id a, Id b)
   }
   const Id low = std::min(a, b);
   const Id high = std::max(a, b);
-  for (const Crest& crest : this->Crests)
+  for (Id i = this->Nodes[low].LastCrest; i != NoId; i = this->Crests[i].Before)
   {
-    if (crest.Low == low && crest.High == high)
+    if (this->Crests[i].High == high)
     {
-      return crest.Node;
+      return this->Crests[i].Node;
     }
   }
   Point2 begin = this->Nodes[low].Point.Place;
@@ -443,7 +443,8 @@ Id LevelLattice::FindCrest(const LevelArc& arc, double level, Id a, Id b)
       (Dot(point.Sample.Gradient, way) > 0.0 ? begin : end) = middle;
     }
   }
-  this->Crests.push_back({ low, high, found });
+  this->Crests.push_back({ high, this->Nodes[low].LastCrest, found });
+  this->Nodes[low].LastCrest = static_cast<Id>(this->Crests.size()) - 1;
   return found;
 }
 
@@ -503,20 +504,26 @@ bool LevelLattice::IsOnRim(Id a, Id b) const
   return false;
 }
 
-/// The link between two nodes; there are few.
+Id LevelLattice::AddLink(Id low, Id high)
+{
+  this->Links.push_back({ low, high, this->Nodes[low].LastLink });
+  this->Nodes[low].LastLink = static_cast<Id>(this->Links.size()) - 1;
+  return this->Nodes[low].LastLink;
+}
+
+/// The link between two nodes.
 Id LevelLattice::FindLink(Id a, Id b)
 {
   const Id low = std::min(a, b);
   const Id high = std::max(a, b);
-  for (std::size_t i = 0; i < this->Links.size(); ++i)
+  for (Id i = this->Nodes[low].LastLink; i != NoId; i = this->Links[i].Before)
   {
-    if (this->Links[i].Low == low && this->Links[i].High == high)
+    if (this->Links[i].High == high)
     {
-      return static_cast<Id>(i);
+      return i;
     }
   }
-  this->Links.push_back({ low, high });
-  return static_cast<Id>(this->Links.size()) - 1;
+  return this->AddLink(low, high);
 }
 
 void LevelLattice::March()

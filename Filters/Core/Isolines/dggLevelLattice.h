@@ -63,12 +63,16 @@ private:
     LevelPoint Point;
     bool IsAbove = false;
     std::array<bool, 3> IsOnSide{ { false, false, false } }; // of the face
+    // The last link and crest whose lower node this is; those before are behind them.
+    Id LastLink = NoId;
+    Id LastCrest = NoId;
   };
   /// A side of small triangles that the isoline crosses.
   struct Link
   {
     Id Low; // nodes
     Id High;
+    Id Before = NoId;   // link of the same lower node
     Id Crossing = NoId; // on the rim
     Id Next = NoId;     // that the isoline goes to
     bool IsReached = false;
@@ -90,6 +94,7 @@ private:
   Id FindCrest(const LevelArc& arc, double level, Id a, Id b);
   Id FindDip(const LevelArc& arc, double level, Id a, Id b);
   bool IsOnRim(Id a, Id b) const;
+  Id AddLink(Id low, Id high);
   Id FindLink(Id a, Id b);
   void March();
   void Follow(const LevelArc& arc);
@@ -98,9 +103,9 @@ private:
   /// A side of small triangles that a ridge crosses above the level, though both ends are below it.
   struct Crest
   {
-    Id Low; // nodes
-    Id High;
-    Id Node; // on the ridge; NoId when there is none
+    Id High;   // node; the lower one knows its crests
+    Id Before; // crest of the same lower node
+    Id Node;   // on the ridge; NoId when there is none
   };
 
   std::vector<Node> Nodes;
