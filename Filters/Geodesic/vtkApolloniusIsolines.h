@@ -23,9 +23,12 @@
  *  - else virtual sources are fitted to the distances, which is better than straight lines as well.
  *
  * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
- * warning. So are values that are no distances on the surface: they are taken as linear in each
- * triangle. Coarse surfaces tell little of that: on some hundred triangles, such as those of a grid
- * of 8 x 8 squares, values that are no distances may be taken for some, without a warning.
+ * warning. Windows are compared bit by bit. Virtual sources are ignored when most of them point
+ * elsewhere, or tell of a surface of another size; of points that were moved by a few percent of
+ * an edge, or of a surface that was stretched along one axis, they know little: compute distances
+ * after such changes. Values that are no distances on the surface are taken as linear in each
+ * triangle, with a warning, too. Coarse surfaces tell little of that: on some hundred triangles,
+ * such as those of a grid of 8 x 8 squares, values that are no distances may be taken for some.
  *
  * <b>Output 0</b> is new geometry, see vtkGeodesicAlgorithm: polylines, in order of increasing
  * values. Each of their pieces lies in one triangle of the surface. Lines are continuous across

@@ -23,7 +23,7 @@
  *    without a warning.
  *
  * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
- * warning.
+ * warning; for what is noticed of virtual sources, see vtkApolloniusIsolines.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm: no points on port 1; a point that is not
  * finite, or farther from the surface than ProjectionTolerance; no array of distances, or one that
