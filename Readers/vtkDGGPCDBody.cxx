@@ -15,6 +15,9 @@
 namespace
 {
 constexpr vtkIdType ProgressInterval = 1 << 14;
+/// In files without points, as many values of a point are believed whatever the size of the file
+/// is: these tell what fields there would be.
+constexpr std::size_t MostNumbersOfNothing = 1000000;
 
 bool IsBlank(char c)
 {
@@ -48,6 +51,15 @@ bool vtkDGGPCDBody::Read()
   this->View.Width = this->Header.Width;
   this->View.Height = this->Header.Height;
   this->View.Sensor = this->Header.Sensor;
+  // Arrays take memory for their components even where there are no points.
+  const std::size_t numbers = this->Header.GetPointNumbers();
+  if (this->Header.GetNumberOfPoints() == 0 && numbers > MostNumbersOfNothing &&
+    numbers > static_cast<std::size_t>(this->End - this->Begin))
+  {
+    return this->FailAtLine(vtkErrorCode::FileFormatError, this->Header.CountLine,
+      "the COUNTs promise points of " + std::to_string(numbers) +
+        " values, more than the file has bytes");
+  }
   switch (this->Header.Data)
   {
     case vtkDGGPCDData::ASCII:

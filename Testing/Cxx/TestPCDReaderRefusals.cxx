@@ -144,6 +144,9 @@ TEST_F(PCDReaderRefusals, RefusesMalformedHeaders)
   this->ExpectRefused(endless + "\nPOINTS 0\nDATA ascii\n", code, { "line 1: more than 10000" });
   this->ExpectRefused(endless, vtkErrorCode::PrematureEndOfFileError, { "before the line DATA" });
   EXPECT_LT(getPeak() - before, 5 * static_cast<long>(endless.size() / 1024));
+  this->ExpectRefused("FIELDS x y z q\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 100000000\n"
+                      "POINTS 0\nDATA binary\n",
+    code, { "line 5: the COUNTs promise points of 100000003 values" });
   this->ExpectRefused("FIELDS x y z\nCOLUMNS x y z\nPOINTS 1\nDATA ascii\n0 0 0\n", code,
     { "both FIELDS and COLUMNS" });
   this->ExpectRefused("VERSION 0.7\nFIELDS x y z\nUNITS m\nPOINTS 1\nDATA ascii\n0 0 0\n", code,
