@@ -101,6 +101,47 @@ TEST(EarthMovers, TransportAlongAStripIsExact)
   }
 }
 
+TEST(EarthMovers, FlowBringsEveryMassThereAndCostsTheDistance)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.2, 4));
+  const auto solver = Ready(mesh);
+  const auto from = PointMass(mesh, dgg::SurfacePoint::InFace(mesh, 5, { { 0.3, 0.3, 0.4 } }));
+  const auto to = PointMass(mesh, dgg::SurfacePoint::AtVertex(40));
+  for (const int iterations : { 0, 95 })
+  {
+    dgg::EarthMoversOptions options;
+    options.MostIterations = iterations;
+    options.Tolerance = 0.0;
+    const dgg::EarthMoversResult result = Move(*solver, from, to, options);
+    ASSERT_EQ(result.Flow.size(), static_cast<std::size_t>(mesh.GetNumberOfFaces()));
+    // What flows into the corners of a face, by the gradients of their hat functions.
+    std::vector<double> arrived(from);
+    double cost = 0.0;
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      const dgg::Point2 flow = result.Flow[f];
+      const double length = mesh.Length(3 * f);
+      const double x = mesh.ApexX(3 * f);
+      const double y = mesh.ApexY(3 * f);
+      const double area = 0.5 * length * y;
+      const double third = area * flow.Y / y;
+      const double second = (area * flow.X - third * x) / length;
+      arrived[mesh.GetTriangle(f)[0]] -= second + third;
+      arrived[mesh.GetTriangle(f)[1]] += second;
+      arrived[mesh.GetTriangle(f)[2]] += third;
+      cost += area * dgg::Norm(flow.X, flow.Y);
+    }
+    EXPECT_NEAR(cost, result.Distance, 1e-9);
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      EXPECT_NEAR(arrived[v], to[v], 1e-8) << v;
+    }
+  }
+  dgg::PoissonOptions delaunay;
+  delaunay.IntrinsicDelaunay = true;
+  EXPECT_TRUE(Move(*Ready(mesh, delaunay), from, to).Flow.empty());
+}
+
 TEST(EarthMovers, MoreIterationsMoveForLess)
 {
   const dgg::SurfaceMesh mesh = Build(Icosphere(3));

@@ -39,6 +39,7 @@ for name in (
     "vtkHeatGeodesicDistance",
     "vtkPCDReader",
     "vtkPCDWriter",
+    "vtkSurfaceEarthMoversDistance",
 ):
     if not hasattr(vtkdgg, name):
         sys.exit(f"{name} is missing")

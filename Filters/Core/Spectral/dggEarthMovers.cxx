@@ -112,6 +112,23 @@ double SteepestOf(const Flows& flows, const std::vector<double>& values)
   return steepest;
 }
 
+/// Per face of the mesh; nothing where the elements are others.
+std::vector<Point2> FlowInFaces(const PoissonSystem& system, const std::vector<Point2>& flow)
+{
+  const SurfaceMesh& mesh = system.GetMesh();
+  std::vector<Point2> result;
+  if (!system.GetOptions().IntrinsicDelaunay)
+  {
+    result.resize(mesh.GetNumberOfFaces());
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      const Id t = system.GetTriangleOf(f);
+      result[f] = t == NoId ? Point2{ 0.0, 0.0 } : flow[t];
+    }
+  }
+  return result;
+}
+
 Status CheckMasses(
   const PoissonSystem& system, const std::vector<double>& from, const std::vector<double>& to)
 {
@@ -223,7 +240,20 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
   {
     exact[f] = flows.GradientOf(f, potential);
   }
-  result.Distance = flows.CostOf(exact);
+  result.Distance = Infinity;
+  const auto keepFlow = [&] {
+    const double cost = flows.CostOf(exact);
+    if (cost < result.Distance)
+    {
+      result.Distance = cost;
+      result.Flow = FlowInFaces(system, exact);
+    }
+  };
+  keepFlow();
+  if (!std::isfinite(result.Distance))
+  {
+    return Status::Invalid("the cost of moving the masses is too large for a number: scale them");
+  }
   result.Potential.assign(n, 0.0);
   keepPotential(potential);
   double area = 0.0;
@@ -282,7 +312,7 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
     result.Iterations = k + 1;
     if ((k + 1) % Interval == 0)
     {
-      result.Distance = std::min(result.Distance, flows.CostOf(exact));
+      keepFlow();
       keepPotential(potential);
       const double ratio = std::sqrt(primal / std::max(dual, 1e-300));
       const double scale =
@@ -294,7 +324,7 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
       }
     }
   }
-  result.Distance = std::min(result.Distance, flows.CostOf(exact));
+  keepFlow();
   keepPotential(potential);
   return options.Progress && !options.Progress(1.0) ? Status::Abort() : status;
 }

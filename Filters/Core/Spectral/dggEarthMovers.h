@@ -7,6 +7,7 @@
 
 #include "dggPoissonSolver.h" // for PoissonSolver
 #include "dggSurfacePoint.h"  // for point masses
+#include "dggUnfolding.h"     // for vectors in faces
 
 #include <vector> // for masses
 
@@ -30,6 +31,9 @@ struct EarthMoversResult
   int Iterations = 0;
   /// The potential of the lower bound, per vertex; mass goes down it.
   std::vector<double> Potential;
+  /// The best flow, mass per length, per face of the mesh in the frame of its first half-edge (x
+  /// along it, y to the apex). Empty with IntrinsicDelaunay, where elements are not the faces.
+  std::vector<Point2> Flow;
 };
 
 /// Add a point mass to masses per vertex, by barycentric coordinates.

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A distribution of mass on a surface as a user gives it. Internal.
+#ifndef vtkDGGDistribution_h
+#define vtkDGGDistribution_h
+
+#include "vtkDGGSourceCollector.h" // for sets of points
+
+#include <string> // for names
+#include <vector> // for masses
+
+class vtkDGGMeshAdapter;
+class vtkPolyData;
+
+/// Where a distribution comes from; empty names and null stand for nothing.
+struct vtkDGGMassOrigin
+{
+  std::string Name;      ///< "from" or "to"
+  std::string Array;     ///< of the surface
+  std::string Setter;    ///< of that array's name
+  vtkPolyData* Points;   ///< may be null
+  int Port;              ///< of these
+  std::string MassArray; ///< of these
+};
+
+/// One number per point of the surface, masses at other points, or both.
+class vtkDGGDistribution
+{
+public:
+  /// Copy the numbers. Fails, with a message that names what is wrong, when nothing is given, when
+  /// arrays are missing or of another size, when numbers are negative or not finite.
+  dgg::Status Read(const vtkDGGMassOrigin& origin, vtkPolyData* surface);
+
+  /// Find the places of the points, if any, on the mesh.
+  dgg::Status Collect(const vtkDGGMassOrigin& origin, double tolerance,
+    const vtkDGGMeshAdapter& mesh, vtkPolyData* surface, vtkDGGSourceCollector& collector);
+
+  /// Masses per vertex. `areas`, per vertex, is null when the numbers are masses themselves.
+  dgg::Status Integrate(const vtkDGGMeshAdapter& mesh, const std::vector<double>* areas,
+    std::vector<double>& masses) const;
+
+private:
+  std::vector<double> Values; // per point of the surface; may be empty
+  std::vector<double> Masses; // per other point
+  std::vector<dgg::SurfacePoint> Places;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGDistribution.h

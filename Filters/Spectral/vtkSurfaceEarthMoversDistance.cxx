@@ -1,0 +1,412 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSurfaceEarthMoversDistance.h"
+
+#include "vtkDGGDistribution.h"
+#include "vtkDGGMakeArray.h"
+#include "vtkDGGMemory.h"
+#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPoissonKeeper.h"
+#include "vtkDGGProperties.h"
+
+#include "dggEarthMovers.h"
+#include "dggMassBalance.h"
+#include "dggProgressPart.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+vtkStandardNewMacro(vtkSurfaceEarthMoversDistance);
+
+namespace
+{
+/// Part of the progress when the system is ready: if it has to be factorized, or only looked at.
+constexpr double FactorizedAt = 0.4;
+constexpr double FoundAt = 0.01;
+/// Memory of the search for the flow, in numbers for each vertex and face.
+constexpr double NumbersPerVertex = 16.0;
+constexpr double NumbersPerFace = 20.0;
+
+constexpr const char* DistanceName = "EarthMoversDistance";
+constexpr const char* BoundName = "EarthMoversLowerBound";
+constexpr const char* PotentialName = "EarthMoversPotential";
+constexpr const char* FlowName = "EarthMoversFlow";
+
+/// The vector in space of one that is given in the frame of a face: x along its first side, y
+/// towards its apex. Where corners coincide, there is no such side.
+std::array<double, 3> InSpace(
+  const std::array<dgg::Id, 3>& corners, vtkPolyData* surface, const dgg::Point2& vector)
+{
+  double p[3][3];
+  for (int k = 0; k < 3; ++k)
+  {
+    surface->GetPoint(corners[k], p[k]);
+  }
+  double x[3];
+  double y[3];
+  vtkMath::Subtract(p[1], p[0], x);
+  vtkMath::Subtract(p[2], p[0], y);
+  vtkMath::Normalize(x);
+  const double along = vtkMath::Dot(x, y);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    y[axis] -= along * x[axis];
+  }
+  vtkMath::Normalize(y);
+  return { { vector.X * x[0] + vector.Y * y[0], vector.X * x[1] + vector.Y * y[1],
+    vector.X * x[2] + vector.Y * y[2] } };
+}
+
+/// Per cell, the mean of its triangles.
+vtkSmartPointer<vtkDoubleArray> MakeFlow(const vtkDGGMeshAdapter& adapter, vtkPolyData* surface,
+  const std::vector<dgg::Point2>& flow, double total)
+{
+  const auto n = static_cast<std::size_t>(surface->GetNumberOfCells());
+  auto array = vtkDGGMakeArray<vtkDoubleArray>(FlowName, n, 3);
+  array->Fill(0.0);
+  const dgg::SurfaceMesh& mesh = adapter.GetMesh();
+  const auto areaOf = [&](dgg::Id f) { return 0.5 * mesh.Length(3 * f) * mesh.ApexY(3 * f); };
+  std::vector<double> areas(n, 0.0);
+  for (dgg::Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    areas[static_cast<std::size_t>(adapter.GetCell(f))] += mesh.IsDropped(f) ? 0.0 : areaOf(f);
+  }
+  for (dgg::Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    const vtkIdType cell = adapter.GetCell(f);
+    const double area = areas[static_cast<std::size_t>(cell)];
+    if (mesh.IsDropped(f) || !(area > 0.0))
+    {
+      continue;
+    }
+    const std::array<double, 3> vector = InSpace(mesh.GetTriangle(f), surface, flow[f]);
+    const double part = areaOf(f) / area * total;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      array->SetComponent(cell, axis, array->GetComponent(cell, axis) + part * vector[axis]);
+    }
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkDoubleArray> MakePotential(
+  const vtkDGGMeshAdapter& adapter, vtkIdType numberOfPoints, const std::vector<double>& potential)
+{
+  auto array =
+    vtkDGGMakeArray<vtkDoubleArray>(PotentialName, static_cast<std::size_t>(numberOfPoints));
+  for (vtkIdType i = 0; i < numberOfPoints; ++i)
+  {
+    array->SetValue(i, potential[adapter.GetVertex(i)]);
+  }
+  return array;
+}
+
+void AddNumber(vtkPolyData* output, const char* name, double value)
+{
+  vtkDGGAddArray<vtkDoubleArray>(output->GetFieldData(), name, 1)->SetValue(0, value);
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkSurfaceEarthMoversDistance::vtkInternals
+{
+  vtkDGGSourceCollector Collector;
+  vtkDGGPoissonKeeper Keeper;
+};
+
+//------------------------------------------------------------------------------
+vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
+  : ArrayMeaning(Density)
+  , Normalize(true)
+  , MaximumNumberOfIterations(500)
+  , Tolerance(1e-3)
+  , ProjectionTolerance(0.01)
+  , IntrinsicDelaunay(false)
+  , MemoryLimit(0)
+  , Internals(new vtkInternals)
+{
+  this->SetNumberOfInputPorts(3);
+  this->ForgetResults();
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceEarthMoversDistance::~vtkSurfaceEarthMoversDistance() = default;
+
+//------------------------------------------------------------------------------
+void vtkSurfaceEarthMoversDistance::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FromArrayName: " << this->FromArrayName << "\n";
+  os << indent << "ToArrayName: " << this->ToArrayName << "\n";
+  os << indent << "ArrayMeaning: " << this->GetArrayMeaningAsString() << "\n";
+  os << indent << "MassArrayName: " << this->MassArrayName << "\n";
+  os << indent << "Normalize: " << (this->Normalize ? "On" : "Off") << "\n";
+  os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
+  os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "Distance: " << this->Distance << "\n";
+  os << indent << "LowerBound: " << this->LowerBound << "\n";
+  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
+  os << indent << "NumberOfFactorizations: " << this->GetNumberOfFactorizations() << "\n";
+  os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceEarthMoversDistance::SetFromArrayName(const char* name)
+{
+  if (vtkDGGChangeName(this->FromArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSurfaceEarthMoversDistance::GetFromArrayName() const
+{
+  return this->FromArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceEarthMoversDistance::SetToArrayName(const char* name)
+{
+  if (vtkDGGChangeName(this->ToArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSurfaceEarthMoversDistance::GetToArrayName() const
+{
+  return this->ToArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSurfaceEarthMoversDistance::GetArrayMeaningAsString() const
+{
+  return this->ArrayMeaning == Mass ? "Mass" : "Density";
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceEarthMoversDistance::SetFromConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceEarthMoversDistance::SetFromData(vtkPolyData* points)
+{
+  this->SetInputData(1, points);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceEarthMoversDistance::SetToConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(2, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceEarthMoversDistance::SetToData(vtkPolyData* points)
+{
+  this->SetInputData(2, points);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceEarthMoversDistance::SetMassArrayName(const char* name)
+{
+  if (vtkDGGChangeName(this->MassArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSurfaceEarthMoversDistance::GetMassArrayName() const
+{
+  return this->MassArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceEarthMoversDistance::GetNumberOfFactorizations() const
+{
+  return this->Internals->Keeper.GetNumberOfFactorizations();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkSurfaceEarthMoversDistance::GetMemorySize() const
+{
+  return this->Internals->Keeper.GetMemorySize();
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceEarthMoversDistance::ForgetResults()
+{
+  this->Distance = std::numeric_limits<double>::quiet_NaN();
+  this->LowerBound = std::numeric_limits<double>::quiet_NaN();
+  this->NumberOfIterations = 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceEarthMoversDistance::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->ForgetResults(); // also where nothing is executed
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkSurfaceEarthMoversDistance::CheckProperties() const
+{
+  const dgg::Status status = vtkDGGCheckLength("Tolerance", this->Tolerance);
+  return status.IsOk() ? vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance)
+                       : status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkSurfaceEarthMoversDistance::CheckInputs(
+  vtkPolyData* surface, vtkInformationVector** inputVector) const
+{
+  dgg::Status status;
+  vtkDGGDistribution distribution;
+  for (int k = 0; k < 2 && status.IsOk(); ++k)
+  {
+    status = distribution.Read(this->GetOrigin(k, inputVector), surface);
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+vtkDGGMassOrigin vtkSurfaceEarthMoversDistance::GetOrigin(
+  int which, vtkInformationVector** inputVector) const
+{
+  vtkPolyData* points = vtkPolyData::GetData(inputVector[1 + which]);
+  return which == 0 ? vtkDGGMassOrigin{ "from", this->FromArrayName, "SetFromArrayName()", points,
+    1, this->MassArrayName }
+                    : vtkDGGMassOrigin{ "to", this->ToArrayName, "SetToArrayName()", points, 2,
+                        this->MassArrayName };
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSurfaceEarthMoversDistance::GetMemoryRemedy() const
+{
+  return "use a smaller mesh";
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkSurfaceEarthMoversDistance::Execute(
+  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  vtkDGGPoissonKeeper& keeper = this->Internals->Keeper;
+  vtkDGGDistribution distributions[2];
+  dgg::Status status;
+  for (int k = 0; k < 2 && status.IsOk(); ++k)
+  {
+    const vtkDGGMassOrigin origin = this->GetOrigin(k, inputVector);
+    status = distributions[k].Read(origin, surface);
+    if (status.IsOk())
+    {
+      status = distributions[k].Collect(
+        origin, this->ProjectionTolerance, mesh, surface, this->Internals->Collector);
+    }
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  // Observers may change inputs and properties.
+  vtkNew<vtkPolyData> copy;
+  copy->ShallowCopy(surface);
+  const vtkTypeUInt64 limit = this->MemoryLimit;
+  const bool isDensity = this->ArrayMeaning == Density;
+  const bool normalize = this->Normalize;
+  dgg::PoissonOptions poisson;
+  poisson.IntrinsicDelaunay = this->IntrinsicDelaunay;
+  dgg::EarthMoversOptions options;
+  options.MostIterations = this->MaximumNumberOfIterations;
+  options.Tolerance = this->Tolerance;
+
+  const double needed = sizeof(double) *
+    (NumbersPerVertex * static_cast<double>(mesh.GetMesh().GetNumberOfVertices()) +
+      NumbersPerFace * static_cast<double>(mesh.GetMesh().GetNumberOfFaces()) +
+      4.0 * static_cast<double>(copy->GetNumberOfCells()));
+  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
+  const double prepared = keeper.IsPrepared(mesh, poisson) ? FoundAt : FactorizedAt;
+  const auto others = [&](const dgg::PoissonSolver&) { return needed; };
+  status = this->Advance(0.0)
+    ? keeper.Prepare(mesh, poisson, others, limit, this->GetMemoryRemedy(),
+        dgg::ProgressPart(progress, 0.0, prepared))
+    : dgg::Status::Abort();
+  const std::vector<double>* areas =
+    status.IsOk() && isDensity ? &keeper.GetSolver().GetAreas() : nullptr;
+  std::vector<double> masses[2];
+  for (int k = 0; k < 2 && status.IsOk(); ++k)
+  {
+    status = distributions[k].Integrate(mesh, areas, masses[k]);
+  }
+  double total = 1.0;
+  if (status.IsOk())
+  {
+    status = dgg::BalanceMasses(mesh.GetMesh(), normalize, masses[0], masses[1], total);
+  }
+  dgg::EarthMoversResult result;
+  if (status.IsOk())
+  {
+    options.Progress = dgg::ProgressPart(progress, prepared, 1.0);
+    status = dgg::EarthMovers(keeper.GetSolver()).Run(masses[0], masses[1], options, result);
+  }
+  if (status.IsOk() && !progress(1.0))
+  {
+    status = dgg::Status::Abort();
+  }
+  if (status.IsOk())
+  {
+    status = mesh.CheckUnchanged(surface, copy); // which has the very points of the input
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  this->NumberOfIterations = result.Iterations;
+  this->SetResults(vtkPolyData::GetData(outputVector), copy, total, result);
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceEarthMoversDistance::SetResults(
+  vtkPolyData* output, vtkPolyData* surface, double total, const dgg::EarthMoversResult& result)
+{
+  this->Distance = total * result.Distance;
+  this->LowerBound = total * result.LowerBound;
+  output->ShallowCopy(surface);
+  AddNumber(output, DistanceName, this->Distance);
+  AddNumber(output, BoundName, this->LowerBound);
+  output->GetPointData()->SetScalars(
+    MakePotential(this->GetMesh(), surface->GetNumberOfPoints(), result.Potential));
+  if (!result.Flow.empty())
+  {
+    output->GetCellData()->SetVectors(MakeFlow(this->GetMesh(), surface, result.Flow, total));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceEarthMoversDistance::MakeEmptyOutput(
+  vtkPolyData* surface, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->ShallowCopy(surface);
+  output->GetPointData()->SetScalars(vtkDGGMakeArray<vtkDoubleArray>(PotentialName, 0));
+}

@@ -1,0 +1,489 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// vtkSurfaceEarthMoversDistance: known distances, flows, distributions given in several ways,
+/// components, what is kept, wrong input.
+#include "SpectralTestTools.h"
+
+#include "vtkExactGeodesicDistance.h"
+#include "vtkSurfaceEarthMoversDistance.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <sstream>
+
+using namespace dggtest;
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+template <typename ArrayType = vtkDoubleArray>
+void AddArray(vtkPolyData* data, const std::string& name, const std::vector<double>& values)
+{
+  vtkNew<ArrayType> array;
+  array->SetName(name.c_str());
+  for (const double value : values)
+  {
+    array->InsertNextValue(static_cast<typename ArrayType::ValueType>(value));
+  }
+  data->GetPointData()->AddArray(array);
+}
+
+/// A filter on a surface, with the arrays "from" and "to".
+struct Fixture
+{
+  explicit Fixture(vtkPolyData* surface)
+    : Surface(surface)
+  {
+    this->Filter->SetInputData(surface);
+  }
+  Fixture(vtkPolyData* surface, const std::vector<double>& from, const std::vector<double>& to)
+    : Fixture(surface)
+  {
+    AddArray(surface, "from", from);
+    AddArray(surface, "to", to);
+    this->Filter->SetFromArrayName("from");
+    this->Filter->SetToArrayName("to");
+  }
+  double Distance()
+  {
+    ExpectSuccess(this->Filter);
+    const double distance = this->Field("EarthMoversDistance");
+    EXPECT_EQ(distance, this->Filter->GetDistance());
+    EXPECT_EQ(this->Field("EarthMoversLowerBound"), this->Filter->GetLowerBound());
+    EXPECT_LE(this->Filter->GetLowerBound(), distance * (1.0 + 1e-9));
+    return distance;
+  }
+  double Field(const char* name)
+  {
+    vtkDataArray* array = this->Filter->GetOutput()->GetFieldData()->GetArray(name);
+    return array && array->GetNumberOfTuples() == 1 ? array->GetComponent(0, 0) : NaN;
+  }
+  vtkDataArray* Flow() { return this->Filter->GetOutput()->GetCellData()->GetVectors(); }
+
+  vtkSmartPointer<vtkPolyData> Surface;
+  vtkNew<vtkSurfaceEarthMoversDistance> Filter;
+};
+
+/// Densities around a place, in double precision.
+std::vector<double> Bump(vtkPolyData* surface, double x, double y, double width)
+{
+  std::vector<double> values;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    const double* p = surface->GetPoint(i);
+    const double square = (p[0] - x) * (p[0] - x) + (p[1] - y) * (p[1] - y);
+    values.push_back(std::exp(-square / (width * width)));
+  }
+  return values;
+}
+
+/// The end of a strip of the given length and four units: masses that everything has to leave, or
+/// to reach, along straight lines.
+std::vector<double> EndOfStrip(vtkPolyData* strip, double x, double height)
+{
+  std::vector<double> masses;
+  for (vtkIdType i = 0; i < strip->GetNumberOfPoints(); ++i)
+  {
+    const double* p = strip->GetPoint(i);
+    const double weight = p[1] == 0.0 || p[1] == height ? 0.5 : 1.0;
+    masses.push_back(p[0] == x ? weight : 0.0);
+  }
+  return masses;
+}
+}
+
+TEST(SurfaceEarthMoversDistance, FlowAlongAStripIsStraight)
+{
+  for (const GridCells cells : { GridCells::Triangles, GridCells::Quads, GridCells::Strips })
+  {
+    auto strip = MakeGrid(12, 4, cells);
+    Fixture moved(strip, EndOfStrip(strip, 0.0, 4.0), EndOfStrip(strip, 12.0, 4.0));
+    moved.Filter->SetArrayMeaningToMass();
+    moved.Filter->NormalizeOff();
+    EXPECT_NEAR(moved.Distance(), 4.0 * 12.0, 0.05);
+    EXPECT_NEAR(moved.Filter->GetLowerBound(), 4.0 * 12.0, 0.05);
+    // Four units of mass go through a width of four.
+    vtkDataArray* flow = moved.Flow();
+    ASSERT_NE(flow, nullptr);
+    ASSERT_EQ(flow->GetNumberOfTuples(), strip->GetNumberOfCells());
+    ASSERT_STREQ(flow->GetName(), "EarthMoversFlow");
+    for (vtkIdType c = 0; c < flow->GetNumberOfTuples(); ++c)
+    {
+      const double* vector = flow->GetTuple3(c);
+      EXPECT_NEAR(vector[0], 1.0, 0.02) << c;
+      EXPECT_NEAR(vector[1], 0.0, 0.02) << c;
+      EXPECT_EQ(vector[2], 0.0) << c;
+    }
+    const std::vector<double> potential =
+      GetValues(moved.Filter->GetOutput(), "EarthMoversPotential");
+    ASSERT_EQ(potential.size(), static_cast<std::size_t>(strip->GetNumberOfPoints()));
+    for (std::size_t i = 0; i < potential.size(); ++i)
+    {
+      EXPECT_NEAR(
+        potential[i] - potential[0], -strip->GetPoint(static_cast<vtkIdType>(i))[0], 0.05);
+    }
+    moved.Filter->NormalizeOn();
+    EXPECT_NEAR(moved.Distance(), 12.0, 0.0125);
+    EXPECT_NEAR(moved.Flow()->GetComponent(0, 0), 0.25, 0.005);
+  }
+}
+
+TEST(SurfaceEarthMoversDistance, FlowOnASphereIsTangentAndCostsTheDistance)
+{
+  auto sphere = MakeSphere(3);
+  std::vector<double> from;
+  std::vector<double> to;
+  for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
+  {
+    const double z = sphere->GetPoint(i)[2];
+    from.push_back(1.0 + z);
+    to.push_back(1.0 - z);
+  }
+  Fixture moved(sphere, from, to);
+  const double distance = moved.Distance();
+  // Along meridians: the integral of the mass that passes a parallel, sin^2(t) / 2, over t.
+  EXPECT_NEAR(distance, 0.25 * vtkMath::Pi(), 0.01);
+  double cost = 0.0;
+  double moment[3] = { 0.0, 0.0, 0.0 };
+  for (vtkIdType c = 0; c < sphere->GetNumberOfCells(); ++c)
+  {
+    const auto a = PointInCell(sphere, c, { 1.0, 0.0, 0.0 });
+    const auto b = PointInCell(sphere, c, { 0.0, 1.0, 0.0 });
+    const auto d = PointInCell(sphere, c, { 0.0, 0.0, 1.0 });
+    double u[3];
+    double v[3];
+    double normal[3];
+    vtkMath::Subtract(b.data(), a.data(), u);
+    vtkMath::Subtract(d.data(), a.data(), v);
+    vtkMath::Cross(u, v, normal);
+    const double* flow = moved.Flow()->GetTuple3(c);
+    EXPECT_NEAR(vtkMath::Dot(flow, normal), 0.0, 1e-12);
+    cost += 0.5 * vtkMath::Norm(normal) * vtkMath::Norm(flow);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      moment[axis] += 0.5 * vtkMath::Norm(normal) * flow[axis];
+    }
+  }
+  EXPECT_NEAR(cost, distance, 1e-9);
+  // By parts, the integral of the flow is how far the centre of the masses moves.
+  double shift[3] = { 0.0, 0.0, 0.0 };
+  const std::vector<double> areas = GetPointAreas(sphere);
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  for (std::size_t i = 0; i < areas.size(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      shift[axis] +=
+        (to[i] - from[i]) * areas[i] / area * sphere->GetPoint(static_cast<vtkIdType>(i))[axis];
+    }
+  }
+  EXPECT_NEAR(shift[2], -2.0 / 3.0, 0.02);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_NEAR(moment[axis], shift[axis], 1e-6) << axis;
+  }
+}
+
+TEST(SurfaceEarthMoversDistance, PointMassesAreTheirGeodesicDistanceApart)
+{
+  auto terrain = MakeTerrain(30);
+  const auto a = PointInCell(terrain, 210, { 0.2, 0.3, 0.5 });
+  const auto b = PointInCell(terrain, 1400, { 0.6, 0.3, 0.1 });
+  vtkNew<vtkExactGeodesicDistance> exact;
+  exact->SetInputData(terrain);
+  exact->SetSourceData(MakeSourcePoints({ a }));
+  exact->Update();
+  const std::vector<double> distances = GetDistances(exact);
+  vtkNew<vtkIdList> ids;
+  terrain->GetCellPoints(1400, ids);
+  const double expected = 0.6 * distances[ids->GetId(0)] + 0.3 * distances[ids->GetId(1)] +
+    0.1 * distances[ids->GetId(2)];
+  Fixture moved(terrain);
+  moved.Filter->SetFromData(MakeSourcePoints({ a }));
+  moved.Filter->SetToData(MakeSourcePoints({ b }));
+  const double distance = moved.Distance();
+  EXPECT_NEAR(distance, expected, 0.06 * expected);
+  EXPECT_LT(moved.Filter->GetLowerBound(), expected);
+  EXPECT_GT(moved.Filter->GetLowerBound(), 0.9 * expected);
+  moved.Filter->SetMaximumNumberOfIterations(0);
+  EXPECT_GT(moved.Distance(), 1.1 * distance);
+  EXPECT_EQ(moved.Filter->GetNumberOfIterations(), 0);
+}
+
+TEST(SurfaceEarthMoversDistance, DistributionsInSeveralWays)
+{
+  auto terrain = MakeTerrain(20);
+  const std::vector<double> from = Bump(terrain, 0.3, 0.3, 0.15);
+  const std::vector<double> to = Bump(terrain, 0.7, 0.5, 0.2);
+  Fixture densities(terrain, from, to);
+  const double expected = densities.Distance();
+  EXPECT_GT(expected, 0.35);
+  EXPECT_LT(expected, 0.7);
+  // As masses, which need not be normalized before.
+  const std::vector<double> areas = GetPointAreas(terrain);
+  std::vector<double> fromMasses(from);
+  std::vector<double> toMasses(to);
+  for (std::size_t i = 0; i < areas.size(); ++i)
+  {
+    fromMasses[i] *= 1e200 * areas[i];
+    toMasses[i] *= 1e-200 * areas[i];
+  }
+  Fixture masses(MakeTerrain(20), fromMasses, toMasses);
+  masses.Filter->SetArrayMeaningToMass();
+  EXPECT_NEAR(masses.Distance(), expected, 1e-9);
+  // As points with masses, and half of it in an array.
+  auto points = MakeSourcePoints({});
+  points->SetPoints(terrain->GetPoints());
+  for (double& mass : fromMasses)
+  {
+    mass *= 0.25e-200;
+  }
+  AddArray(points, "half", fromMasses);
+  for (double& mass : fromMasses)
+  {
+    mass *= 3.0;
+  }
+  Fixture both(MakeTerrain(20), fromMasses, toMasses);
+  both.Filter->SetArrayMeaningToMass();
+  both.Filter->SetFromData(points);
+  both.Filter->SetMassArrayName("half");
+  EXPECT_NEAR(both.Distance(), expected, 1e-9);
+  // Without a name, each point has the mass 1: another distribution.
+  both.Filter->SetMassArrayName(nullptr);
+  EXPECT_GT(std::abs(both.Distance() - expected), 0.01);
+}
+
+TEST(SurfaceEarthMoversDistance, PartsNeedTheSameMass)
+{
+  auto sphere = MakeSphere(2);
+  const auto n = static_cast<std::size_t>(sphere->GetNumberOfPoints());
+  Fixture single(sphere);
+  single.Filter->SetFromData(MakeSourcePoints({ { 1.0, 0.0, 0.0 } }));
+  single.Filter->SetToData(MakeSourcePoints({ { 0.0, 0.0, 1.0 } }));
+  single.Filter->SetProjectionTolerance(0.1);
+  const double expected = single.Distance();
+  Fixture pair(MakePair(sphere, sphere, 4.0));
+  pair.Filter->SetProjectionTolerance(0.1);
+  pair.Filter->SetFromData(MakeSourcePoints({ { 1.0, 0.0, 0.0 }, { 5.0, 0.0, 0.0 } }));
+  pair.Filter->SetToData(MakeSourcePoints({ { 0.0, 0.0, 1.0 }, { 4.0, 0.0, 1.0 } }));
+  EXPECT_NEAR(pair.Distance(), expected, 0.02 * expected);
+  pair.Filter->NormalizeOff();
+  EXPECT_NEAR(pair.Distance(), 2.0 * expected, 0.04 * expected);
+  pair.Filter->SetToData(MakeSourcePoints({ { 0.0, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } }));
+  ExpectError(pair.Filter, { "nothing can get there" });
+  // Sums of floats are close enough.
+  std::vector<double> from(2 * n);
+  std::vector<double> to(2 * n);
+  for (std::size_t i = 0; i < 2 * n; ++i)
+  {
+    from[i] = 1.0 / 3.0 + static_cast<double>(i % 7);
+    to[i] = 3e-8 * static_cast<double>(i % 5) + from[i];
+  }
+  AddArray<vtkFloatArray>(pair.Surface, "from", from);
+  AddArray<vtkFloatArray>(pair.Surface, "to", to);
+  Fixture floats(pair.Surface);
+  floats.Filter->SetFromArrayName("from");
+  floats.Filter->SetToArrayName("to");
+  EXPECT_LT(floats.Distance(), 1e-6);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    to[i] *= 1.001;
+  }
+  AddArray(pair.Surface, "to", to);
+  ExpectError(floats.Filter, { "nothing can get there" });
+  floats.Filter->NormalizeOff();
+  ExpectError(floats.Filter, { "has the mass", "normalized" });
+}
+
+TEST(SurfaceEarthMoversDistance, PointsThatCoincideAreOne)
+{
+  // Two halves of a strip that meet along x = 6 with points of their own.
+  auto strip = MakePair(MakeGrid(6, 4), MakeGrid(6, 4), 6.0);
+  Fixture moved(strip, EndOfStrip(strip, 0.0, 4.0), EndOfStrip(strip, 12.0, 4.0));
+  moved.Filter->SetArrayMeaningToMass();
+  moved.Filter->MergeCoincidentPointsOn();
+  EXPECT_NEAR(moved.Distance(), 12.0, 0.0125);
+  const std::vector<double> potential =
+    GetValues(moved.Filter->GetOutput(), "EarthMoversPotential");
+  EXPECT_EQ(potential[6], potential[35]);
+  // Masses of both are added up, densities are those of the first.
+  AddArray(strip, "to", EndOfStrip(strip, 6.0, 4.0));
+  EXPECT_NEAR(moved.Distance(), 6.0, 0.0125);
+  moved.Filter->NormalizeOff();
+  ExpectError(moved.Filter, { "has the mass 4 and the second one 8" });
+}
+
+TEST(SurfaceEarthMoversDistance, AnySize)
+{
+  double expected = 0.0;
+  for (const double size : { 1.0, 1e-60, 1e60 })
+  {
+    auto terrain = MakeTerrain(12);
+    const std::vector<double> from = Bump(terrain, 0.3, 0.3, 0.15);
+    const std::vector<double> to = Bump(terrain, 0.7, 0.5, 0.2);
+    for (vtkIdType i = 0; i < terrain->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      terrain->GetPoint(i, p);
+      terrain->GetPoints()->SetPoint(i, size * p[0], size * p[1], size * p[2]);
+    }
+    Fixture moved(terrain, from, to);
+    const double distance = moved.Distance();
+    expected = size == 1.0 ? distance : expected;
+    EXPECT_NEAR(distance / size, expected, 2e-3 * expected) << size;
+  }
+}
+
+TEST(SurfaceEarthMoversDistance, OtherTrianglesHaveNoFlow)
+{
+  auto terrain = MakeTerrain(20);
+  Fixture moved(terrain, Bump(terrain, 0.3, 0.3, 0.15), Bump(terrain, 0.7, 0.5, 0.2));
+  const double expected = moved.Distance();
+  EXPECT_NE(moved.Flow(), nullptr);
+  moved.Filter->IntrinsicDelaunayOn();
+  EXPECT_NEAR(moved.Distance(), expected, 0.01 * expected);
+  EXPECT_EQ(moved.Flow(), nullptr);
+  EXPECT_EQ(moved.Filter->GetNumberOfFactorizations(), 2);
+  // The input is as it was.
+  EXPECT_EQ(terrain->GetPointData()->GetNumberOfArrays(), 2);
+  EXPECT_EQ(terrain->GetCellData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(terrain->GetFieldData()->GetNumberOfArrays(), 0);
+}
+
+TEST(SurfaceEarthMoversDistance, KeepsTheFactorization)
+{
+  auto terrain = MakeTerrain(20);
+  Fixture moved(terrain, Bump(terrain, 0.3, 0.3, 0.15), Bump(terrain, 0.7, 0.5, 0.2));
+  EXPECT_EQ(moved.Filter->GetMemorySize(), 0u);
+  const double there = moved.Distance();
+  moved.Filter->SetFromArrayName("to");
+  EXPECT_EQ(moved.Distance(), 0.0);
+  moved.Filter->SetToArrayName("from");
+  EXPECT_NEAR(moved.Distance(), there, 2e-3 * there);
+  EXPECT_EQ(moved.Filter->GetNumberOfFactorizations(), 1);
+  EXPECT_GT(moved.Filter->GetMemorySize(), 1000u);
+  moved.Filter->SetInputData(MakeTerrain(5));
+  ExpectError(moved.Filter, { "no point array 'to'" });
+  EXPECT_TRUE(std::isnan(moved.Filter->GetDistance()));
+  EXPECT_TRUE(std::isnan(moved.Filter->GetLowerBound()));
+}
+
+TEST(SurfaceEarthMoversDistance, WrongDistributions)
+{
+  auto terrain = MakeTerrain(10);
+  const std::vector<double> ones(100, 1.0);
+  Fixture moved(terrain, ones, ones);
+  moved.Filter->SetFromArrayName(nullptr);
+  ExpectError(moved.Filter, { "nothing to move from", "SetFromArrayName()", "input port 1" });
+  moved.Filter->SetFromArrayName("from");
+  moved.Filter->SetToArrayName("");
+  ExpectError(moved.Filter, { "nothing to move to", "SetToArrayName()", "input port 2" });
+  moved.Filter->SetToArrayName("else");
+  ExpectError(moved.Filter, { "no point array 'else'", "SetToArrayName()" });
+  moved.Filter->SetToArrayName("to");
+  for (const double wrong : { -1.0, NaN, std::numeric_limits<double>::infinity() })
+  {
+    std::vector<double> values(ones);
+    values[37] = wrong;
+    AddArray(terrain, "to", values);
+    ExpectError(moved.Filter, { "'to'", "at point 37" });
+  }
+  AddArray(terrain, "to", { 1.0, 2.0 });
+  ExpectError(moved.Filter, { "2 tuples", "one number per point" });
+  vtkNew<vtkStringArray> words;
+  words->SetName("to");
+  words->SetNumberOfValues(100);
+  terrain->GetPointData()->AddArray(words);
+  ExpectError(moved.Filter, { "type string" });
+  AddArray(terrain, "to", std::vector<double>(100, 0.0));
+  ExpectError(moved.Filter, { "second distribution has no mass" });
+  AddArray(terrain, "to", std::vector<double>(100, 1.7e308));
+  moved.Filter->SetArrayMeaningToMass();
+  ExpectError(moved.Filter, { "sum of the masses is not finite" });
+  AddArray(terrain, "to", std::vector<double>(100, 2.0));
+  moved.Filter->NormalizeOff();
+  ExpectError(moved.Filter, { "has the mass 100 and the second one 200" });
+  AddArray(terrain, "from", std::vector<double>(100, 0.0));
+  AddArray(terrain, "to", std::vector<double>(100, 0.0));
+  EXPECT_EQ(moved.Distance(), 0.0); // nothing is moved
+}
+
+TEST(SurfaceEarthMoversDistance, WrongPointsAndProperties)
+{
+  auto terrain = MakeTerrain(10);
+  const std::vector<double> ones(100, 1.0);
+  Fixture moved(terrain, ones, ones);
+  moved.Filter->SetFromArrayName(nullptr);
+  double place[3];
+  terrain->GetPoint(55, place);
+  const auto there = MakeSourcePoints({ { place[0], place[1], place[2] } });
+  moved.Filter->SetFromData(MakeSourcePoints({ { 0.5, 0.5, 9.0 } }));
+  ExpectError(moved.Filter, { "point to move from", "input port 1" });
+  moved.Filter->SetFromData(MakeSourcePoints({ { 0.5, NaN, 0.0 } }));
+  ExpectError(moved.Filter, { "not finite" });
+  moved.Filter->SetFromData(there);
+  moved.Filter->SetMassArrayName("mass");
+  ExpectError(moved.Filter, { "input port 1 has no point array 'mass'", "SetMassArrayName()" });
+  AddArray(there, "mass", { -2.0 });
+  ExpectError(moved.Filter, { "'mass'", "-2" });
+  AddArray(there, "mass", { 2.0 });
+  for (const double wrong : { -1.0, NaN })
+  {
+    moved.Filter->SetTolerance(wrong);
+    ExpectError(moved.Filter, { "Tolerance" });
+    moved.Filter->SetTolerance(1e-3);
+    moved.Filter->SetProjectionTolerance(wrong);
+    ExpectError(moved.Filter, { "ProjectionTolerance" });
+    moved.Filter->SetProjectionTolerance(0.01);
+  }
+  moved.Filter->SetMemoryLimit(1000);
+  ExpectError(moved.Filter, { "MemoryLimit" });
+  moved.Filter->SetMemoryLimit(0);
+  EXPECT_GT(moved.Distance(), 0.3);
+  vtkNew<vtkPolyData> none;
+  moved.Filter->SetInputData(none);
+  ExpectWarning(moved.Filter, { "empty" });
+  EXPECT_TRUE(std::isnan(moved.Filter->GetDistance()));
+  moved.Filter->SetInputData(static_cast<vtkPolyData*>(nullptr));
+  ExpectError(moved.Filter, { "no input" });
+  std::ostringstream os;
+  moved.Filter->Print(os);
+  EXPECT_NE(os.str().find("ArrayMeaning: Density"), std::string::npos);
+}
+
+TEST(SurfaceEarthMoversDistance, ProgressGrowsAndStops)
+{
+  auto terrain = MakeTerrain(25);
+  Fixture moved(terrain, Bump(terrain, 0.3, 0.3, 0.15), Bump(terrain, 0.7, 0.5, 0.2));
+  ProgressWatch watch(moved.Filter);
+  const double expected = moved.Distance();
+  watch.ExpectGrowth();
+  for (const double stop : { 0.05, 0.12, 0.15 })
+  {
+    watch.StopAt = stop;
+    watch.Progress.clear();
+    moved.Filter->Modified();
+    ExpectSuccess(moved.Filter); // not an error
+    EXPECT_LT(watch.Progress.back(), 1.0);
+    ExpectEmptyOutput(moved.Filter);
+    EXPECT_TRUE(std::isnan(moved.Filter->GetDistance()));
+    watch.StopAt = 2.0;
+    EXPECT_EQ(moved.Distance(), expected);
+  }
+  ExpectErrorWhenPointsChange(moved.Filter, terrain, { "points" });
+}
