@@ -434,6 +434,38 @@ class Isolines(unittest.TestCase):
                 self.assertNotIn("Traceback", result.stderr)
 
 
+class GreensFunction(unittest.TestCase):
+    def test_errors_and_bands(self):
+        picture = os.path.join(support.output_folder("pipeline"), "greens_function.png")
+        errors = {}
+        for level in (4, 3):
+            result = run("greens_function.py", picture, "--level", str(level))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            said = re.findall(r"(.*): error (\S+) %\n", result.stdout)
+            self.assertEqual(len(said), 4, result.stdout)
+            errors[level] = {name: float(error) for name, error in said}
+            self.assertGreater(errors[level]["vertex"], errors[level]["interpolated"])
+            self.assertLess(
+                20.0 * errors[level]["singularity subtraction"], errors[level]["localized"]
+            )
+        for name in ("vertex", "singularity subtraction"):
+            self.assertLess(errors[4][name], 0.7 * errors[3][name])
+        # Above the captions, the last panel is nearly the first one; the others are not.
+        array = support.pixels(support.read_image(picture)).astype(int)
+        self.assertEqual(array.shape[:2], (364, 1500))
+        panels = [array[:, 300 * k + 1 : 300 * k + 299, :3] for k in range(5)]
+        differences = [np.abs(panel[64:] - panels[0][64:]).mean() for panel in panels]
+        self.assertLess(5.0 * differences[4], min(differences[1:4]))
+
+    def test_mistakes(self):
+        for level in ("0", "7", "many"):
+            with self.subTest(level=level):
+                result = run("greens_function.py", "--level", level)
+                self.assertNotEqual(result.returncode, 0)
+                self.assertIn(level, result.stderr)
+                self.assertNotIn("Traceback", result.stderr)
+
+
 class Loops(unittest.TestCase):
     def test_two_rings(self):
         picture = os.path.join(support.output_folder("pipeline"), "loops.png")
