@@ -20,7 +20,7 @@ std::vector<Point3> Samples(
 {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> place(-radius, radius);
-  std::normal_distribution<double> error(0.0, noise);
+  std::normal_distribution<double> error;
   std::vector<Point3> points;
   while (static_cast<int>(points.size()) < count)
   {
@@ -28,7 +28,7 @@ std::vector<Point3> Samples(
     const double y = place(generator);
     if (x * x + y * y <= radius * radius)
     {
-      const double z = a * x * x + b * y * y + (noise > 0.0 ? error(generator) : 0.0);
+      const double z = a * x * x + b * y * y + noise * error(generator);
       // The z axis becomes (0, 0.6, 0.8).
       points.push_back({ x, 0.8 * y + 0.6 * z, -0.6 * y + 0.8 * z });
     }
