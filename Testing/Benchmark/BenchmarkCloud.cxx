@@ -21,7 +21,7 @@
 ///   --speed=200000       points of the clouds whose graphs are timed; 0 leaves them out
 ///   --speed_mesh=FILE    a mesh that is decimated to as many points for that
 ///   --terrain=FILE       a terrain on a grid: the vertices of 257 by 257 lines are measured as
-///   well
+///                        well
 ///   --threads=2          of graphs; queries and marches are on one
 /// Meshes as for BenchmarkExact: their vertices are the points, and exact distances along their
 /// faces the truth; faces with an edge longer than three median ones are left out.
@@ -64,6 +64,7 @@ constexpr double LongestEdge = 3.0;
 constexpr int TerrainLines = 257;
 /// Sheets are 3 h apart.
 constexpr int SheetsOffset = 3;
+constexpr const char* CurveShapes[] = { "sphere", "torus" };
 constexpr int CurveSources = 3;
 constexpr int SpeedSources = 3;
 
@@ -226,7 +227,7 @@ std::vector<CloudRecipe> ListGuards(int points)
   return clouds;
 }
 
-/// Two voxels per spacing, and sheets that are three radii of balls apart, as a number of voxels.
+/// Two voxels per spacing, and unit squares that are three radii of balls apart.
 void RegisterSheets(const Settings& settings)
 {
   const int voxels = static_cast<int>(std::lround(2.0 * std::sqrt(0.5 * settings.Guards)));
@@ -239,7 +240,8 @@ void RegisterSheets(const Settings& settings)
   {
     CloudGraphRecipe recipe = GraphOf(cloud, scheme, "arc", settings);
     recipe.Options.OffsetInVoxels = SheetsOffset;
-    recipe.Options.Resolution = voxels + 2 * (SheetsOffset + 2); // with room around the points
+    recipe.Options.Resolution = voxels;
+    recipe.VoxelSize = 1.0 / voxels;
     RegisterGraph("Guard/sheets/" + recipe.Name, recipe, settings.Sources);
   }
 }
@@ -366,6 +368,33 @@ bool ReadClouds(const std::vector<std::string>& texts, int rings, std::vector<Cl
   return true;
 }
 
+/// False, with a message, when two clouds share a name, by which they are kept.
+bool HaveOwnNames(const Settings& settings)
+{
+  std::vector<CloudRecipe> clouds = settings.Clouds;
+  clouds.insert(clouds.end(), settings.LargeClouds.begin(), settings.LargeClouds.end());
+  std::map<std::string, int> points;
+  for (const CloudRecipe& cloud : clouds)
+  {
+    if (!points.insert({ cloud.Name, cloud.Points }).second)
+    {
+      std::cerr << "two clouds have the name " << cloud.Name
+                << ": numbers of points differ by 1000 at least\n";
+      return false;
+    }
+  }
+  for (const char* shape : CurveShapes)
+  {
+    const auto found = points.find(Labelled(shape, settings.Curves));
+    if (settings.Curves > 0 && found != points.end() && found->second != settings.Curves)
+    {
+      std::cerr << "curves are of another cloud with the name " << found->first << "\n";
+      return false;
+    }
+  }
+  return true;
+}
+
 /// False, with a message, when the arguments make no sense.
 bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
 {
@@ -437,7 +466,7 @@ bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
       return false;
     }
   }
-  return true;
+  return HaveOwnNames(settings);
 }
 }
 
@@ -469,7 +498,7 @@ int main(int argc, char** argv)
   {
     RegisterGuards(settings);
   }
-  for (const char* shape : { "sphere", "torus" })
+  for (const char* shape : CurveShapes)
   {
     CloudRecipe cloud;
     if (settings.Curves > 0 && MakeCloud(shape, settings.Curves, settings.TorusRings, cloud))

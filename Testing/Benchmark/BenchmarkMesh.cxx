@@ -55,7 +55,7 @@ vtkSmartPointer<vtkPolyData> Subdivided(vtkPolyData* mesh, int steps)
 }
 }
 
-vtkSmartPointer<vtkPolyData> MeshRecipe::Make() const
+vtkSmartPointer<vtkPolyData> MeshRecipe::Make(std::size_t* dropped) const
 {
   vtkSmartPointer<vtkPolyData> mesh =
     this->File.empty() ? Generated(*this) : ReadPolyData(this->File);
@@ -65,7 +65,13 @@ vtkSmartPointer<vtkPolyData> MeshRecipe::Make() const
   }
   if (this->LongestEdge > 0.0)
   {
-    mesh = ToPolyData(WithoutLongEdges(ToArrays(mesh), this->LongestEdge));
+    const MeshArrays whole = ToArrays(mesh);
+    const MeshArrays rest = WithoutLongEdges(whole, this->LongestEdge);
+    if (dropped)
+    {
+      *dropped = whole.GetNumberOfFaces() - rest.GetNumberOfFaces();
+    }
+    mesh = ToPolyData(rest);
   }
   if (this->Vertices > 0)
   {
@@ -79,7 +85,7 @@ vtkSmartPointer<vtkPolyData> MeshRecipe::Make() const
 }
 
 BenchmarkMesh::BenchmarkMesh(const MeshRecipe& recipe)
-  : PolyData(recipe.Make())
+  : PolyData(recipe.Make(&DroppedFaces))
 {
   this->Arrays = ToArrays(this->PolyData);
   if (this->Arrays.Triangles.empty())

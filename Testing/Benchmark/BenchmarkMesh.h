@@ -41,7 +41,8 @@ struct MeshRecipe
   int Vertices = 0;     ///< when positive: decimate to about this many
   int Subdivisions = 0; ///< steps of Loop subdivision, each with four times the vertices
 
-  vtkSmartPointer<vtkPolyData> Make() const;
+  /// The mesh; where it is asked for, with the number of faces that LongestEdge leaves out.
+  vtkSmartPointer<vtkPolyData> Make(std::size_t* dropped = nullptr) const;
 };
 
 /// Which graph of which mesh.
@@ -61,6 +62,8 @@ public:
   const std::string& GetError() const { return this->Error; }
   const MeshArrays& GetArrays() const { return this->Arrays; }
   const dgg::SurfaceMesh& GetSurface() const { return this->Surface; }
+  /// Faces with an edge that is longer than the recipe wants.
+  std::size_t GetNumberOfDroppedFaces() const { return this->DroppedFaces; }
   double GetNumberOfVertices() const
   {
     return static_cast<double>(this->Arrays.GetNumberOfVertices());
@@ -91,6 +94,7 @@ public:
 
 private:
   std::string Error;
+  std::size_t DroppedFaces = 0;
   vtkSmartPointer<vtkPolyData> PolyData;
   MeshArrays Arrays;
   dgg::SurfaceMesh Surface;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkTools.h"
 
-#include "ErrorStatistics.h"
-
 #include <chrono>
 #include <ctime>
 #include <utility>
@@ -90,9 +88,19 @@ void ReportMemory(benchmark::State& state, const BenchmarkMesh& mesh, const Memo
 void ReportErrors(benchmark::State& state, BenchmarkMesh& mesh, dgg::Id source,
   const std::vector<double>& distances)
 {
-  const auto errors = ErrorStatistics::Of(distances, mesh.GetExactDistances(source));
+  ReportErrors(state, ErrorStatistics::Of(distances, mesh.GetExactDistances(source)));
+}
+
+void ReportErrors(benchmark::State& state, const ErrorStatistics& errors)
+{
+  if (errors.IsEmpty())
+  {
+    state.SkipWithError("no vertex with a true distance is reached");
+    return;
+  }
   state.counters["error_mean"] = errors.Mean;
   state.counters["error_p999"] = errors.Percentile999;
   state.counters["error_max"] = errors.Maximum;
   state.counters["unreached"] = static_cast<double>(errors.Unreached);
+  state.counters["reached_beyond"] = static_cast<double>(errors.Beyond);
 }

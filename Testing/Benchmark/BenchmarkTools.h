@@ -5,8 +5,9 @@
 #ifndef BenchmarkTools_h
 #define BenchmarkTools_h
 
-#include "BenchmarkMesh.h" // for BenchmarkMesh
-#include "MemoryProbe.h"   // for MemoryProbe
+#include "BenchmarkMesh.h"   // for BenchmarkMesh
+#include "ErrorStatistics.h" // for ErrorStatistics
+#include "MemoryProbe.h"     // for MemoryProbe
 
 #include <benchmark/benchmark.h> // for State
 
@@ -41,5 +42,7 @@ void ReportMemory(benchmark::State& state, const BenchmarkMesh& mesh, const Memo
 /// Errors against the exact distances of the mesh.
 void ReportErrors(benchmark::State& state, BenchmarkMesh& mesh, dgg::Id source,
   const std::vector<double>& distances);
+/// An error of the case when there are none.
+void ReportErrors(benchmark::State& state, const ErrorStatistics& errors);
 
 #endif

@@ -3,13 +3,18 @@
 #include "CloudCases.h"
 
 #include "BenchmarkTools.h"
-#include "ErrorStatistics.h"
 #include "OpenedGraph.h"
 #include "ThreadedLoop.h"
 #include "dggBandMarching.h"
 
+#include <cmath>
+
 namespace
 {
+/// How far the size of voxels may be from what a case asks for: random points do not quite reach
+/// the sides of what they sample.
+constexpr double VoxelTolerance = 0.01;
+
 /// The cloud of a recipe; null, with the state closed, when it cannot be used.
 MeasuredCloud* OpenCloud(benchmark::State& state, const CloudRecipe& recipe)
 {
@@ -42,11 +47,13 @@ MeasuredCloud* OpenCloudWithGraph(benchmark::State& state, const CloudGraphRecip
 void ReportCloudErrors(benchmark::State& state, MeasuredCloud& cloud, dgg::Id source,
   const std::vector<double>& distances)
 {
-  const auto errors = ErrorStatistics::Of(distances, cloud.GetTruth(source));
-  state.counters["error_mean"] = errors.Mean;
-  state.counters["error_p999"] = errors.Percentile999;
-  state.counters["error_max"] = errors.Maximum;
-  state.counters["unreached"] = static_cast<double>(errors.Unreached);
+  const std::vector<double>& truth = cloud.GetTruth(source);
+  if (!cloud.GetError().empty())
+  {
+    state.SkipWithError(cloud.GetError().c_str());
+    return;
+  }
+  ReportErrors(state, ErrorStatistics::Of(distances, truth));
 }
 
 void ReportCloudGraph(benchmark::State& state, const MeasuredCloud& cloud)
@@ -59,6 +66,7 @@ void ReportCloudGraph(benchmark::State& state, const MeasuredCloud& cloud)
   state.counters["graph_bytes"] = static_cast<double>(graph.Graph.GetMemorySize());
   state.counters["false_edges"] = static_cast<double>(cloud.CountFalseEdges(graph.Graph.View()));
   state.counters["components"] = static_cast<double>(graph.ComponentSizes.size());
+  state.counters["dropped_faces"] = static_cast<double>(cloud.CountDroppedFaces());
   state.counters["spacing"] = used.Spacing;
   state.counters["noise"] = used.Noise;
   state.counters["offset_in_voxels"] = used.OffsetInVoxels;
@@ -101,6 +109,12 @@ void MeasureCloudBuild(benchmark::State& state, const CloudGraphRecipe& recipe)
   if (!cloud->GetGraphError().empty())
   {
     state.SkipWithError(cloud->GetGraphError().c_str());
+    return;
+  }
+  const double size = recipe.VoxelSize;
+  if (std::abs(cloud->GetStatistics().VoxelSize - size) > VoxelTolerance * size && size > 0.0)
+  {
+    state.SkipWithError("the voxels are not of the size that the case is about");
     return;
   }
   state.counters["threads"] = recipe.Threads;

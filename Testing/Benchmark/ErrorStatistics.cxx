@@ -4,20 +4,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+}
+
+bool ErrorStatistics::IsEmpty() const
+{
+  return std::isnan(this->Mean);
+}
 
 ErrorStatistics ErrorStatistics::Of(
   const std::vector<double>& approximate, const std::vector<double>& exact)
 {
-  ErrorStatistics statistics;
+  ErrorStatistics statistics{ NaN, NaN, NaN };
   std::vector<double> errors;
   for (std::size_t i = 0; i < exact.size(); ++i)
   {
+    const bool isReached = std::isfinite(approximate[i]) && approximate[i] >= 0.0;
     if (!std::isfinite(exact[i]) || exact[i] <= 0.0)
     {
+      statistics.Beyond += isReached && exact[i] > 0.0 ? 1 : 0;
       continue;
     }
-    if (std::isfinite(approximate[i]) && approximate[i] >= 0.0)
+    if (isReached)
     {
       errors.push_back(std::abs(approximate[i] - exact[i]) / exact[i]);
     }

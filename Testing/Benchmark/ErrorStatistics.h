@@ -10,12 +10,15 @@
 
 struct ErrorStatistics
 {
-  double Mean = 0.0;          ///< mean of |a - d| / d
-  double Percentile999 = 0.0; ///< 99.9 % of the vertices are no worse
-  double Maximum = 0.0;
+  // NaN when there is no vertex with both distances, so that nothing looks like no error.
+  double Mean;          ///< mean of |a - d| / d
+  double Percentile999; ///< 99.9 % of the vertices are no worse
+  double Maximum;
   std::size_t Unreached = 0; ///< vertices with an exact distance but no approximate one
+  std::size_t Beyond = 0;    ///< vertices with an approximate distance that cannot be reached
 
-  /// Vertices with exact distance 0 or infinity are left out.
+  bool IsEmpty() const;
+  /// Vertices with exact distance 0 or infinity have no error.
   static ErrorStatistics Of(
     const std::vector<double>& approximate, const std::vector<double>& exact);
 };

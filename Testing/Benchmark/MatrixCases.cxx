@@ -86,6 +86,11 @@ void MeasureMatrix(
     return;
   }
   const ErrorStatistics errors = CheckFirstRow(*mesh, rows[0], columns, filter->GetMatrix());
+  if (errors.IsEmpty())
+  {
+    state.SkipWithError("no column is reached from the first row");
+    return;
+  }
   ReportMesh(state, *mesh);
   state.counters["size"] = size;
   state.counters["threads"] = threads;

@@ -101,12 +101,21 @@ const std::vector<double>& MeasuredCloud::GetTruth(dgg::Id source)
   dgg::ExactOptions options;
   options.Targets = this->Places;
   dgg::ExactResult result;
-  // Points of the surface: it cannot fail.
-  solver.Run(
+  const dgg::Status status = solver.Run(
     { { this->Places.empty() ? dgg::SurfacePoint::AtVertex(source) : this->Places[source], 0.0 } },
     options, result);
+  this->Error = status.GetMessage();
+  if (!status.IsOk())
+  {
+    return truth;
+  }
   truth = std::move(this->Places.empty() ? result.Distances : result.TargetDistances);
   return truth;
+}
+
+std::size_t MeasuredCloud::CountDroppedFaces() const
+{
+  return this->Mesh.LongestEdge > 0.0 ? GetBenchmarkMesh(this->Mesh).GetNumberOfDroppedFaces() : 0;
 }
 
 std::size_t MeasuredCloud::CountFalseEdges(const dgg::GraphView& graph) const

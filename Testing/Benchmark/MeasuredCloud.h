@@ -44,6 +44,8 @@ struct CloudGraphRecipe
   CloudRecipe Cloud;
   std::string Name; ///< tells the graphs of one cloud apart
   dgg::CloudGraphOptions Options;
+  /// When positive: the size of voxels that makes the case what its name says, up to 1 %.
+  double VoxelSize = 0.0;
   int Threads = 1;
 };
 
@@ -59,8 +61,10 @@ public:
   dgg::CloudGraphBuilder GetBuilder() const { return { this->Points.data(), this->GetSize() }; }
   /// The k-th of so many fixed sources.
   dgg::Id GetSource(int k, int numberOfSources) const;
-  /// Distances along the surface from a point, found once.
+  /// Distances along the surface from a point, found once. Empty, with an error, when that fails.
   const std::vector<double>& GetTruth(dgg::Id source);
+  /// Of faces of the mesh, those with an edge that is too long to be of the surface.
+  std::size_t CountDroppedFaces() const;
   /// Of directed edges of a graph, those between points of different parts of the surface; those
   /// of a mesh are one part.
   std::size_t CountFalseEdges(const dgg::GraphView& graph) const;

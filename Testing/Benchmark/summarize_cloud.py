@@ -45,15 +45,18 @@ METHODS = {
     "C/fine": "C, arcs",
     "Band/march": "fast marching",
 }
-# Mean errors, least and largest, of graphs, by the beginning of the name of a cloud: what was
-# published for a sphere, a torus, a terrain, the bunny and, for igea, another statue (a dragon).
-PUBLISHED = {
-    "sphere-655K": (7e-5, 7e-5),
-    "torus-57K": (1.2e-3, 1.7e-3),
-    "terrain": (3.1e-3, 3.8e-3),
-    "bunny": (1.7e-3, 2.3e-3),
-    "igea": (2.8e-3, 6.6e-3),
-}
+# What was published for models of the same kind: beginning of the name of a cloud, number of
+# points, and the least and largest mean error of graphs.
+PUBLISHED = (
+    ("sphere", 655000, (7e-5, 7e-5)),
+    ("torus", 57000, (1.2e-3, 1.7e-3)),
+    ("terrain", 66000, (3.1e-3, 3.8e-3)),
+    ("bunny", 30000, (1.7e-3, 2.3e-3)),
+)
+# How many times as many points, or as few, still make a model of the same size.
+SAME_SIZE = 1.25
+# Above this share of points that are not reached there is no mean error.
+MOST_UNREACHED = 0.01
 PUBLISHED_MARCHING = (1.8e-2, 3.7e-2)
 GUARDS = {
     "noise_0.5": "noise, 0.5 % of the box",
@@ -62,6 +65,8 @@ GUARDS = {
     "holes": "holes",
     "sheets": "two sheets, 3 h apart",
 }
+# Clouds that are measured with balls of a given radius, only to see whether parts stay apart.
+FORCED = {"sheets"}
 
 
 class Run:
@@ -107,9 +112,24 @@ def number(value):
     return text(value, "{:.0f}")
 
 
-def published_of(cloud, graph):
-    found = next((errors for name, errors in PUBLISHED.items() if cloud.startswith(name)), None)
+def published_of(cloud, graph, points):
+    """None when there is no such model, or it is of another size."""
+    found = next(
+        (
+            errors
+            for name, size, errors in PUBLISHED
+            if cloud.startswith(name) and points and 1 / SAME_SIZE < points / size < SAME_SIZE
+        ),
+        None,
+    )
     return PUBLISHED_MARCHING if found and graph == "Band/march" else found
+
+
+def unreached_text(query):
+    """Points that are not reached, and those that are reached without a way on the surface."""
+    beyond = largest(query, "reached_beyond")
+    wrong = f", {beyond:.0f} wrongly reached" if beyond else ""
+    return number(largest(query, "unreached")) + wrong
 
 
 def range_text(values):
@@ -126,8 +146,11 @@ def points_of(graphs):
 
 def mean_text(graphs, graph, published=None):
     """Mean error in percent, and how many times smaller it is than the published one."""
-    error = mean(graphs.get(graph, {}).get("Query"), "error_mean")
-    if error is None:
+    query = graphs.get(graph, {}).get("Query")
+    error, unreached = mean(query, "error_mean"), largest(query, "unreached")
+    points = points_of(graphs)
+    # Of a part only, it says nothing of the method.
+    if error is None or (unreached and points and unreached > MOST_UNREACHED * points):
         return DASH
     better = f" ({ratio_text(published[0], error)})" if published else ""
     return percent(error) + better
@@ -136,7 +159,8 @@ def mean_text(graphs, graph, published=None):
 def mean_table(run):
     rows = []
     for cloud, graphs in run.groups["Cloud"].items():
-        points, published = points_of(graphs), published_of(cloud, "C/arc")
+        points = points_of(graphs)
+        published = published_of(cloud, "C/arc", points)
         schemes = [
             f"{mean_text(graphs, scheme + '/chord')} / {mean_text(graphs, scheme + '/arc')}"
             for scheme in "AB"
@@ -173,7 +197,7 @@ def error_table(run):
         build, query = cases.get("Build"), cases.get("Query")
         points = points_of(run.groups["Cloud"][cloud])
         spacing, reach = median(build, "spacing"), median(build, "reach")
-        published = published_of(cloud, graph)
+        published = published_of(cloud, graph, points)
         rows.append(
             [
                 cloud,
@@ -182,7 +206,7 @@ def error_table(run):
                 text(median(build, "degree"), "{:.0f}"),
                 DASH if not spacing else digits(reach / spacing),
                 errors_text(query),
-                number(largest(query, "unreached")),
+                unreached_text(query),
                 range_text(published) + ("" if published is None else " %"),
                 ratio_text(published[0], mean(query, "error_mean")) if published else DASH,
                 time_text(median(query, "seconds")),
@@ -213,8 +237,8 @@ def guard_table(run):
                 GUARDS.get(cloud, cloud),
                 method_of(graph, cases),
                 text(median(build, "noise"), "{:.2g}"),
-                errors_text(query),
-                number(largest(query, "unreached")),
+                DASH if cloud in FORCED else errors_text(query),
+                unreached_text(query),
                 number(median(build, "false_edges")),
                 number(components),
             ]

@@ -340,8 +340,14 @@ class CloudTables(unittest.TestCase):
             + graph("Cloud/torus-57K/C/fine/", 57000, 1e-5, accuracy=1e-4)
             + [entry("Cloud/torus-57K/Band/march/Query/0/x", 50.0, **errors(0.02))]
             + graph("Cloud/square-40K/A/arc/", 40000, 1e-4)
+            + graph("Cloud/torus-57K_few/C/arc/", 9000, 1e-4)
+            + graph("Cloud/igea/C/arc/", 134000, 1e-4)
+            + graph("Cloud/half/C/arc/", 100, 1e-4)
+            + graph("Cloud/none/C/arc/", 100, 1e-4)[:1]
+            + [entry("Cloud/none/C/arc/Query/0/x", 1.0, error_occurred=True, **errors(0.0))]
             + graph("Guard/sheets/B/arc/", 2000, 1e-3, components=2, false_edges=7)
             + graph("Guard/noise_0.5/C/arc/", 2000, 2e-3, noise=0.0101)
+            + [entry("Guard/noise_0.5/C/arc/Query/2/x", 5.0, reached_beyond=4)]
             + graph("Speed/ball/C/arc/", 200000, 1e-4, milliseconds=25000.0)
             + [
                 entry("Speed/ball/C/arc/Estimate/x", 80.0, estimated_peak_bytes=1.2e7),
@@ -373,6 +379,21 @@ class CloudTables(unittest.TestCase):
         cells = self.cells("square-40K", "C: arcs (default)")
         self.assertEqual((cells["A: chords / arcs"], cells["published"]), ("– / 0.02", "–"))
 
+    def test_means_of_other_sizes(self):
+        for cloud in ("torus-57K_few", "igea"):
+            cells = self.cells(cloud, "C: arcs (default)")
+            self.assertEqual((cells["published"], cells["C: arcs (default)"]), ("–", "0.02"))
+
+    def test_means_of_what_is_not_reached(self):
+        # 3 of 100 points, and all of them.
+        for cloud in ("half", "none"):
+            self.assertEqual(self.cells(cloud, "C: arcs (default)")["C: arcs (default)"], "–")
+        self.assertEqual(self.cells("half | 100", "published mean")["unreached"], "3")
+
+    def test_wrongly_reached(self):
+        cells = self.cells("noise, 0.5 % of the box | C, arcs (default)", "unreached")
+        self.assertEqual(cells["unreached"], "3, 4 wrongly reached")
+
     def test_errors(self):
         cells = self.cells("torus-57K | 57K | C, arcs (default)", "published mean")
         self.assertEqual(cells["error: mean / 99.9 % / max"], "0.02 / 0.06 / 0.15 %")
@@ -395,6 +416,7 @@ class CloudTables(unittest.TestCase):
         header = "edges between sheets"
         cells = self.cells("two sheets, 3 h apart | B, arcs", header)
         self.assertEqual((cells[header], cells["components"]), ("7", "2"))
+        self.assertEqual(cells["error: mean / 99.9 % / max"], "–")
         cells = self.cells("noise, 0.5 % of the box | C, arcs (default)", header)
         self.assertEqual(cells["noise found"], "0.01")
         self.assertEqual(cells["error: mean / 99.9 % / max"], "0.4 / 1.2 / 3 %")
