@@ -215,17 +215,22 @@ dgg::Status vtkPointCloudDGG::Estimate()
   {
     status = this->PrepareMesh(cloud);
   }
-  dgg::CloudGraphOptions options;
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  // Observers may change the input and the properties.
+  vtkNew<vtkPolyData> copy;
+  copy->ShallowCopy(cloud);
+  dgg::CloudGraphOptions options = this->MakeOptions(copy);
+  const NormalsSource source = this->MakeNormalsSource(copy);
   Normals normals;
   double done = 0.0;
-  if (status.IsOk())
-  {
-    status = this->Advance(0.0) ? this->FindNormals(cloud, normals, done) : dgg::Status::Abort();
-  }
+  status = this->Advance(0.0) ? this->FindNormals(source, normals, done) : dgg::Status::Abort();
   if (status.IsOk())
   {
     const vtkDGGMeshAdapter& mesh = this->GetMesh();
-    options = this->MakeOptions(cloud, normals);
+    options.Normals = normals ? normals->data() : nullptr;
     options.Progress = [this, done](
                          double fraction) { return this->Advance(done + (1.0 - done) * fraction); };
     status = dgg::CloudGraphBuilder(mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices())
@@ -355,8 +360,8 @@ vtkMTimeType vtkPointCloudDGG::GetGraphBuildTime() const
 }
 
 //------------------------------------------------------------------------------
-dgg::CloudGraphOptions vtkPointCloudDGG::MakeOptions(
-  vtkPolyData* cloud, const Normals& normals) const
+/// Without normals.
+dgg::CloudGraphOptions vtkPointCloudDGG::MakeOptions(vtkPolyData* cloud) const
 {
   dgg::CloudGraphOptions options;
   options.Scheme = static_cast<dgg::CloudScheme>(this->Scheme);
@@ -366,7 +371,6 @@ dgg::CloudGraphOptions vtkPointCloudDGG::MakeOptions(
   options.Accuracy = this->Accuracy;
   options.ArcLengthWeights = this->ArcLengthWeights;
   options.HasOrientedNormals = this->OrientedNormals && cloud && this->GetInputNormals(cloud);
-  options.Normals = normals ? normals->data() : nullptr;
   options.MemoryLimit = vtkDGGGetMemoryLimit(this->MemoryLimit);
   options.Parallel = vtkDGGMakeParallelFor();
   return options;
@@ -403,8 +407,7 @@ dgg::Status vtkPointCloudDGG::CheckProperties() const
     status =
       dgg::Status::Invalid("ComponentArrayName is empty: call SetComponentArrayName() with a name");
   }
-  return status.IsOk() ? dgg::CloudGraphBuilder::Check(this->MakeOptions(nullptr, nullptr))
-                       : status;
+  return status.IsOk() ? dgg::CloudGraphBuilder::Check(this->MakeOptions(nullptr)) : status;
 }
 
 //------------------------------------------------------------------------------
@@ -447,15 +450,23 @@ std::string vtkPointCloudDGG::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
+vtkPointCloudDGG::NormalsSource vtkPointCloudDGG::MakeNormalsSource(vtkPolyData* cloud) const
+{
+  vtkDataArray* given = this->GetInputNormals(cloud);
+  return { given, this->EstimateNormals && !given, this->NumberOfNeighbors };
+}
+
+//------------------------------------------------------------------------------
 /// The normals to build with, null when the builder is to find them. `done` is the share of the
 /// progress that it took.
-dgg::Status vtkPointCloudDGG::FindNormals(vtkPolyData* cloud, Normals& normals, double& done)
+dgg::Status vtkPointCloudDGG::FindNormals(
+  const NormalsSource& source, Normals& normals, double& done)
 {
   vtkInternals& internals = *this->Internals;
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
   normals.reset();
   done = 0.0;
-  if (vtkDataArray* given = this->GetInputNormals(cloud))
+  if (vtkDataArray* given = source.Given)
   {
     const vtkIdType n = given->GetNumberOfTuples();
     auto copy = std::make_shared<std::vector<double>>(3 * static_cast<std::size_t>(n));
@@ -466,26 +477,25 @@ dgg::Status vtkPointCloudDGG::FindNormals(vtkPolyData* cloud, Normals& normals, 
     normals = copy;
     return dgg::Status::Success();
   }
-  if (!this->EstimateNormals)
+  if (!source.ByPlanes)
   {
     return dgg::Status::Success();
   }
   const bool isKept = internals.PlaneNormals &&
-    internals.NormalsNeighbors == this->NumberOfNeighbors &&
+    internals.NormalsNeighbors == source.NumberOfNeighbors &&
     internals.NormalsMesh == mesh.GetBuildTime();
   if (!isKept)
   {
-    const int count = this->NumberOfNeighbors; // observers may change it
     auto found = std::make_shared<std::vector<double>>();
     const dgg::Status status = vtkDGGEstimateNormals(
-      mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices(), count,
+      mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices(), source.NumberOfNeighbors,
       [this](double fraction) { return this->Advance(NormalsShare * fraction); }, *found);
     if (!status.IsOk())
     {
       return status;
     }
     internals.PlaneNormals = found;
-    internals.NormalsNeighbors = count;
+    internals.NormalsNeighbors = source.NumberOfNeighbors;
     internals.NormalsMesh = mesh.GetBuildTime();
     done = NormalsShare;
   }
@@ -537,15 +547,15 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
   // Observers may change the input and the properties.
   vtkNew<vtkPolyData> copy;
   copy->ShallowCopy(cloud);
-  const bool addsNormals = this->EstimateNormals && !this->GetInputNormals(copy);
-  const bool lacksNormals = this->OrientedNormals && !this->GetInputNormals(copy);
+  const NormalsSource source = this->MakeNormalsSource(copy);
+  const bool lacksNormals = this->OrientedNormals && !source.Given;
   const std::string name = this->ComponentArrayName;
   const vtkMTimeType built = this->GetGraphBuildTime();
-  dgg::CloudGraphOptions options = this->MakeOptions(copy, nullptr);
+  dgg::CloudGraphOptions options = this->MakeOptions(copy);
   Normals normals;
   double done = 0.0;
   dgg::Status status =
-    this->Advance(0.0) ? this->FindNormals(copy, normals, done) : dgg::Status::Abort();
+    this->Advance(0.0) ? this->FindNormals(source, normals, done) : dgg::Status::Abort();
   if (status.IsOk())
   {
     options.Normals = normals ? normals->data() : nullptr;
@@ -566,7 +576,7 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
   const auto n = static_cast<std::size_t>(output->GetNumberOfPoints());
   const auto components = vtkDGGAddArray<vtkIntArray>(output->GetPointData(), name, n);
   std::copy(internals.Components.begin(), internals.Components.end(), components->GetPointer(0));
-  if (addsNormals && normals)
+  if (source.ByPlanes && normals)
   {
     const auto array = vtkDGGMakeArray<vtkDoubleArray>("Normals", n, 3);
     std::copy(normals->begin(), normals->end(), array->GetPointer(0));
@@ -574,14 +584,20 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
   }
   if (built != this->GetGraphBuildTime())
   {
-    this->WarnAboutPoints(lacksNormals);
+    this->WarnAboutPoints();
+  }
+  if (lacksNormals)
+  {
+    vtkWarningMacro("OrientedNormals is on, but the input has no point normals that are used: it "
+                    "has no effect, and sheets back to back may be connected. Give the input "
+                    "normals, or turn UseInputNormals on or OrientedNormals off.");
   }
   return status;
 }
 
 //------------------------------------------------------------------------------
 /// Of a graph that has just been built.
-void vtkPointCloudDGG::WarnAboutPoints(bool lacksNormals)
+void vtkPointCloudDGG::WarnAboutPoints()
 {
   const dgg::Id unused = this->Internals->Current.Statistics.UnusedPoints;
   if (unused > 0)
@@ -590,12 +606,6 @@ void vtkPointCloudDGG::WarnAboutPoints(bool lacksNormals)
     vtkWarningMacro(<< "the cloud has " << unused << (isOne ? " point that is" : " points that are")
                     << " not finite. " << (isOne ? "It is" : "They are")
                     << " kept, and connected to nothing.");
-  }
-  if (lacksNormals)
-  {
-    vtkWarningMacro("OrientedNormals is on, but the input has no point normals that are used: it "
-                    "has no effect, and sheets back to back may be connected. Give the input "
-                    "normals, or turn UseInputNormals on or OrientedNormals off.");
   }
 }
 

@@ -72,7 +72,7 @@
  * bridged is guarded against:
  *  - sheets close to each other: two points are not connected when the line between them makes more
  *    than 60 degrees with the tangent planes at both ends, or passes points that are not where the
- *    surface should be, along their normals. So sheets stay apart that are 3 spacings apart or
+ *    surface should be, along their normals. So sheets stay apart that are 3.2 spacings apart or
  *    more; closer ones do with OrientedNormals, or with balls of a third of the gap, given by
  *    OffsetInVoxels and Resolution;
  *  - noise: where points scatter about the surface by more than 3 % of their spacing (GetNoise()),
@@ -82,16 +82,9 @@
  *  - holes that are wider are gone around; points in the same place count once.
  *
  * <b>Nothing is promised</b> of the difference between distances in the graph and on the surface
- * that was sampled: it depends on the sampling. Mean relative errors that were measured with all
- * parameters automatic, against the exact distances on the surfaces:
- *
- * | cloud | mean error |
- * |-------|------------|
- * | sphere, 655 000 points | 3.65e-5 |
- * | torus, 57 000 points | 1.45e-4 |
- * | Stanford bunny, 35 000 points | 1.69e-3 |
- * | terrain with voids | 3e-3 |
- * | noise of 1 %, 20 000 points | 8.5e-3 |
+ * that was sampled: it depends on the sampling. Mean relative errors that were measured, by
+ * BenchmarkCloud, are in the tables of README.md: with all parameters automatic about 1e-4 on smooth
+ * surfaces, and 2e-3 on scans.
  *
  * On noisy clouds a distance may be shorter than the straight line between two points, by as much
  * as the noise: it is that of points that have been moved to the surface.
@@ -102,8 +95,9 @@
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm, of which all that concern cells do not occur
  * here:
- *  - an OffsetInVoxels, Resolution or Alpha that is negative or not a number; a Resolution above
- *    524288; an Accuracy outside [0, 0.5]; a NumberOfNeighbors below 3; an empty name of an array;
+ *  - an OffsetInVoxels, Resolution or Alpha that is negative or not a number; an OffsetInVoxels
+ *    above 1000, a Resolution above 524288, an Alpha above 1e6; an Accuracy that is neither 0 nor in
+ *    [1e-6, 0.5]; a NumberOfNeighbors below 3; an empty name of an array;
  *  - normals of another number of components or tuples than there should be;
  *  - a graph, or a band, that would take more memory than MemoryLimit.
  *
@@ -161,8 +155,9 @@ public:
 
   ///@{
   /**
-   * Radius of the balls that make the band, as a number of voxels. Default 0, automatic: it follows
-   * from the spacing around each point, so that the radius differs from point to point.
+   * Radius of the balls that make the band, as a number of voxels, at most 1000. Default 0,
+   * automatic: it follows from the spacing around each point, so that the radius differs from point
+   * to point.
    */
   vtkSetMacro(OffsetInVoxels, double);
   vtkGetMacro(OffsetInVoxels, double);
@@ -171,7 +166,8 @@ public:
   ///@{
   /**
    * Number of voxels along the longest side of the bounding box of the points, without those
-   * around it that balls reach into. Default 0, automatic: it follows from the spacing.
+   * around it that balls reach into; at most 524288. Default 0, automatic: it follows from the
+   * spacing.
    */
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int);
@@ -179,7 +175,8 @@ public:
 
   ///@{
   /**
-   * What sets the reach, see above; it means another thing in each scheme. Default 0, automatic.
+   * What sets the reach, see above, at most 1e6; it means another thing in each scheme. Default 0,
+   * automatic.
    */
   vtkSetMacro(Alpha, double);
   vtkGetMacro(Alpha, double);
@@ -187,8 +184,8 @@ public:
 
   ///@{
   /**
-   * How much longer distances may become, relatively, by leaving out edges, in [0, 0.5]. Default
-   * 0.001. With 0 all edges are kept, which takes many times the memory.
+   * How much longer distances may become, relatively, by leaving out edges: in [1e-6, 0.5], or 0.
+   * Default 0.001. With 0 all edges are kept, which takes many times the memory.
    */
   vtkSetMacro(Accuracy, double);
   vtkGetMacro(Accuracy, double);
@@ -221,7 +218,8 @@ public:
    * scanner do. Then sheets that lie back to back, as the two sides of a thin plate, are not
    * connected: no two points are whose normals make an angle of more than 100 degrees. Points
    * without a normal, where it is 0 or not finite, are connected as if this were off. Without
-   * normals of the input that are used there is a warning, and no effect. Default off.
+   * normals of the input that are used there is a warning at every update, and no effect. Default
+   * off.
    */
   vtkSetMacro(OrientedNormals, bool);
   vtkGetMacro(OrientedNormals, bool);
@@ -369,11 +367,19 @@ private:
 
   vtkDataArray* GetInputNormals(vtkPolyData* cloud) const;
   using Normals = std::shared_ptr<const std::vector<double>>;
-  dgg::CloudGraphOptions MakeOptions(vtkPolyData* cloud, const Normals& normals) const;
-  dgg::Status FindNormals(vtkPolyData* cloud, Normals& normals, double& done);
+  /// Where normals come from.
+  struct NormalsSource
+  {
+    vtkDataArray* Given = nullptr; ///< of the input
+    bool ByPlanes = false;
+    int NumberOfNeighbors = 0; ///< for planes
+  };
+  NormalsSource MakeNormalsSource(vtkPolyData* cloud) const;
+  dgg::CloudGraphOptions MakeOptions(vtkPolyData* cloud) const;
+  dgg::Status FindNormals(const NormalsSource& source, Normals& normals, double& done);
   dgg::Status Build(dgg::CloudGraphOptions options, double done);
   dgg::Status Estimate();
-  void WarnAboutPoints(bool lacksNormals);
+  void WarnAboutPoints();
 
   int Scheme;
   double OffsetInVoxels;
