@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -24,28 +27,56 @@ bool AreSame(const dgg::Buffer<T>& a, const dgg::Buffer<T>& b)
 {
   return a.Size() == b.Size() && std::equal(a.begin(), a.end(), b.begin());
 }
+
+void ExpectSameForAnyThreads(
+  const Cloud& cloud, const std::function<void(CloudGraphOptions&)>& change, bool isNoisy)
+{
+  CloudGraphStatistics statistics;
+  const auto build = [&](const dgg::ParallelFor& loop) {
+    return BuildGraph(
+      cloud,
+      [&](CloudGraphOptions& options) {
+        change(options);
+        options.Parallel = loop;
+      },
+      &statistics);
+  };
+  const CloudGraph one = build({});
+  const CloudGraph many = build(WithThreads(5));
+  EXPECT_EQ(statistics.Noise > 0.0, isNoisy);
+  EXPECT_TRUE(AreSame(one.Graph.Offsets, many.Graph.Offsets));
+  EXPECT_TRUE(AreSame(one.Graph.Targets, many.Graph.Targets));
+  EXPECT_TRUE(AreSame(one.Graph.Lengths, many.Graph.Lengths));
+  EXPECT_TRUE(AreSame(one.Graph.WideLengths, many.Graph.WideLengths));
+  EXPECT_EQ(one.Components, many.Components);
+  EXPECT_EQ(one.Radii, many.Radii);
+}
 }
 
 TEST(CloudGraph, SameForAnyThreads)
 {
-  Cloud cloud = Sphere(4000, 1);
-  cloud.Add(cloud.At(17));
-  cloud.Add(cloud.At(17));
-  for (const CloudScheme scheme : { CloudScheme::Curvature, CloudScheme::Spacing })
+  // A clean sphere and a noisy one; in each way that a graph is built.
+  for (const double noise : { 0.0, 0.02 })
   {
-    const auto build = [&](const dgg::ParallelFor& loop) {
-      return BuildGraph(cloud, [&](CloudGraphOptions& options) {
-        options.Scheme = scheme;
-        options.Parallel = loop;
-      });
+    Cloud cloud = Sphere(1000, 1, noise);
+    cloud.Add(cloud.At(17));
+    cloud.Add(cloud.At(17));
+    const std::vector<std::pair<const char*, std::function<void(CloudGraphOptions&)>>> changes = {
+      { "A", [](CloudGraphOptions& options) { options.Scheme = CloudScheme::Curvature; } },
+      { "B", [](CloudGraphOptions& options) { options.Scheme = CloudScheme::Constant; } },
+      { "C", [](CloudGraphOptions& options) { options.Scheme = CloudScheme::Spacing; } },
+      { "oriented normals",
+        [&](CloudGraphOptions& options) {
+          options.Normals = cloud.Points.data(); // of a sphere around the origin
+          options.HasOrientedNormals = true;
+        } },
+      { "all edges", [](CloudGraphOptions& options) { options.Accuracy = 0.0; } },
     };
-    const CloudGraph one = build({});
-    const CloudGraph many = build(WithThreads(5));
-    EXPECT_TRUE(AreSame(one.Graph.Offsets, many.Graph.Offsets));
-    EXPECT_TRUE(AreSame(one.Graph.Targets, many.Graph.Targets));
-    EXPECT_TRUE(AreSame(one.Graph.Lengths, many.Graph.Lengths));
-    EXPECT_EQ(one.Components, many.Components);
-    EXPECT_EQ(one.Radii, many.Radii);
+    for (const auto& change : changes)
+    {
+      SCOPED_TRACE(change.first);
+      ExpectSameForAnyThreads(cloud, change.second, noise > 0.0);
+    }
   }
 }
 
