@@ -124,6 +124,8 @@ if (DGG_WITH_PCL)
     "${consumer_dir}/CloudPath" "mesh.ply" 0 "path.vtp")
   dgg_add_consumer_test(CloudPath.WrongSource 1 "source id 642"
     "${consumer_dir}/CloudPath" "mesh.ply" 642 "wrong.vtp")
+  dgg_add_consumer_test(CloudPath.NoNumber 1 "abc: not the number of a point"
+    "${consumer_dir}/CloudPath" "mesh.ply" abc "wrong.vtp")
   dgg_add_consumer_test(CloudPath.MissingFile 1 "missing.ply: no distances"
     "${consumer_dir}/CloudPath" "missing.ply" 0 "wrong.vtp")
 endif ()

@@ -38,11 +38,17 @@ int main(int argc, char* argv[])
     std::cerr << "usage: " << argv[0] << " CLOUD.ply SOURCE_ID PATH.vtp\n";
     return 1;
   }
+  char* end = nullptr;
+  const vtkIdType source = std::strtoll(argv[2], &end, 10);
+  if (end == argv[2] || *end != '\0')
+  {
+    std::cerr << argv[2] << ": not the number of a point\n";
+    return 1;
+  }
   vtkNew<vtkPLYReader> reader;
   reader->SetFileName(argv[1]);
   vtkNew<vtkPointCloudDGG> graph;
   graph->SetInputConnection(reader->GetOutputPort());
-  const vtkIdType source = std::atoll(argv[2]);
   vtkNew<vtkDGGDistance> distance;
   distance->SetInputConnection(graph->GetOutputPort());
   distance->AddSourceId(source);

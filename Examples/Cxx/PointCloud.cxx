@@ -92,8 +92,12 @@ int main(int argc, char* argv[])
   {
     return EXIT_FAILURE;
   }
+  // Points that are not reached have NaN, which would upset the order.
+  const auto distanceOf = [](const auto& point) {
+    return std::isnan(point.intensity) ? -1.0f : point.intensity;
+  };
   const auto farthest = std::max_element(back.begin(), back.end(),
-    [](const auto& a, const auto& b) { return a.intensity < b.intensity; });
+    [&](const auto& a, const auto& b) { return distanceOf(a) < distanceOf(b); });
   const Eigen::Vector3f straight =
     farthest->getVector3fMap() - (*cloud)[static_cast<std::size_t>(start)].getVector3fMap();
   std::cout << "farthest point: " << farthest->intensity << " along the sheet, " << straight.norm()

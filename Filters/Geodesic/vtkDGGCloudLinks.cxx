@@ -12,19 +12,9 @@ namespace
 constexpr double AtPoint = -1.0;
 constexpr double NearPoint = 0.0;
 
-double Distance(const dgg::Point3& a, const dgg::Point3& b)
+dgg::Point3 PlaceAt(const double* positions, const dgg::SurfacePoint& place)
 {
-  return dgg::Norm(a - b);
-}
-
-dgg::Point3 At(const double* positions, dgg::Id vertex)
-{
-  return dgg::PointAt(positions, vertex);
-}
-
-dgg::Point3 At(const double* positions, const dgg::SurfacePoint& place)
-{
-  const dgg::Point3 p = At(positions, place.Vertex);
+  const dgg::Point3 p = dgg::PointAt(positions, place.Vertex);
   const auto& offset = place.Barycentric;
   return place.On == dgg::SurfacePoint::Support::Near
     ? p + dgg::Point3{ offset[0], offset[1], offset[2] }
@@ -35,7 +25,8 @@ dgg::Point3 At(const double* positions, const dgg::SurfacePoint& place)
 double GetArcFactor(
   const dgg::GraphView& graph, const double* positions, dgg::Id vertex, dgg::Offset edge)
 {
-  const double chord = Distance(At(positions, vertex), At(positions, graph.Targets[edge]));
+  const double chord =
+    dgg::Norm(dgg::PointAt(positions, vertex) - dgg::PointAt(positions, graph.Targets[edge]));
   // Edges between points at the same place have a length all the same.
   return chord > 0.0 ? std::max(1.0, graph.Length(edge) / chord) : 1.0;
 }
@@ -50,13 +41,13 @@ std::vector<dgg::GraphLink> vtkDGGLinkToCloud(
   {
     return { { nearest, 0.0, AtPoint, 0.0 } };
   }
-  const dgg::Point3 p = At(positions, place);
+  const dgg::Point3 p = PlaceAt(positions, place);
   std::vector<dgg::GraphLink> links;
-  links.push_back({ nearest, Distance(p, At(positions, nearest)), NearPoint, 0.0 });
+  links.push_back({ nearest, dgg::Norm(p - dgg::PointAt(positions, nearest)), NearPoint, 0.0 });
   for (dgg::Offset e = graph.Offsets[nearest]; e < graph.Offsets[nearest + 1]; ++e)
   {
     const dgg::Id target = graph.Targets[e];
-    const double straight = Distance(p, At(positions, target));
+    const double straight = dgg::Norm(p - dgg::PointAt(positions, target));
     links.push_back(
       { target, straight * GetArcFactor(graph, positions, nearest, e), NearPoint, 0.0 });
   }
@@ -71,7 +62,7 @@ double vtkDGGMeasureDirectly(const dgg::GraphView& graph, const double* position
   {
     return dgg::Infinity; // the links of the other one see to that
   }
-  const double straight = Distance(At(positions, a), At(positions, b));
+  const double straight = dgg::Norm(PlaceAt(positions, a) - PlaceAt(positions, b));
   if (a.Vertex == b.Vertex)
   {
     return straight;
