@@ -27,6 +27,7 @@
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <sstream>
 #include <vector>
@@ -248,7 +249,7 @@ vtkTypeUInt64 vtkPointCloudDGG::GetEstimatedMemory() const
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkPointCloudDGG::GetEstimatedPeakMemory() const
 {
-  return static_cast<vtkTypeUInt64>(this->Internals->Estimate.Peak);
+  return static_cast<vtkTypeUInt64>(std::ceil(this->Internals->Estimate.Peak)); // a limit that does
 }
 
 //------------------------------------------------------------------------------

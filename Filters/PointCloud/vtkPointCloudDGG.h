@@ -95,9 +95,9 @@
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm, of which all that concern cells do not occur
  * here:
- *  - an OffsetInVoxels, Resolution or Alpha that is negative or not a number; an OffsetInVoxels
- *    above 1000, a Resolution above 524288, an Alpha above 1e6; an Accuracy that is neither 0 nor in
- *    [1e-6, 0.5]; a NumberOfNeighbors below 3; an empty name of an array;
+ *  - an OffsetInVoxels that is neither 0 nor in [0.5, 1000], an Alpha that is neither 0 nor in
+ *    [1e-3, 1e6], an Accuracy that is neither 0 nor in [1e-6, 0.5]; a Resolution that is negative or
+ *    above 524288; a NumberOfNeighbors below 3; an empty name of an array;
  *  - normals of another number of components or tuples than there should be;
  *  - a graph, or a band, that would take more memory than MemoryLimit.
  *
@@ -155,7 +155,7 @@ public:
 
   ///@{
   /**
-   * Radius of the balls that make the band, as a number of voxels, at most 1000. Default 0,
+   * Radius of the balls that make the band, as a number of voxels, in [0.5, 1000]. Default 0,
    * automatic: it follows from the spacing around each point, so that the radius differs from point
    * to point.
    */
@@ -175,8 +175,8 @@ public:
 
   ///@{
   /**
-   * What sets the reach, see above, at most 1e6; it means another thing in each scheme. Default 0,
-   * automatic.
+   * What sets the reach, see above, in [1e-3, 1e6]; it means another thing in each scheme. Default
+   * 0, automatic.
    */
   vtkSetMacro(Alpha, double);
   vtkGetMacro(Alpha, double);

@@ -464,6 +464,10 @@ TEST_F(PointCloudDGG, EstimatesMemory)
   EXPECT_LT(static_cast<double>(estimate), 1.8 * taken);
   EXPECT_GE(this->Filter->GetEstimatedPeakMemory(), estimate);
 
+  this->Filter->EstimateMemory();
+  this->Filter->SetMemoryLimit(this->Filter->GetEstimatedPeakMemory());
+  this->Filter->ReleaseGraph();
+  ExpectSuccess(this->Filter);
   this->Filter->SetMemoryLimit(10000);
   this->Filter->SetAccuracy(0.002);
   ExpectError(this->Filter, { "limit" });
@@ -574,6 +578,8 @@ TEST_F(PointCloudDGG, BadProperties)
   ExpectError(this->Filter, { "OffsetInVoxels", "nan" });
   this->Filter->SetOffsetInVoxels(1000.5);
   ExpectError(this->Filter, { "offset is 1000.5 voxels", "at most 1000" });
+  this->Filter->SetOffsetInVoxels(1e-300);
+  ExpectError(this->Filter, { "offset is 1e-300 voxels", "at least 0.5" });
   this->Filter->SetOffsetInVoxels(0.0);
   this->Filter->SetResolution(-5);
   ExpectError(this->Filter, { "Resolution", "-5" });
@@ -584,6 +590,8 @@ TEST_F(PointCloudDGG, BadProperties)
   ExpectError(this->Filter, { "Alpha", "-0.5" });
   this->Filter->SetAlpha(2e6);
   ExpectError(this->Filter, { "alpha is 2e+06", "at most 1e6" });
+  this->Filter->SetAlpha(1e-300);
+  ExpectError(this->Filter, { "alpha is 1e-300", "at least 1e-3" });
   this->Filter->SetAlpha(0.0);
   for (const double accuracy : { -0.1, 1e-7, 0.6, NaN })
   {

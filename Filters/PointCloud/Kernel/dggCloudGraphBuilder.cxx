@@ -255,19 +255,22 @@ CloudGraphBuilder::CloudGraphBuilder(const double* points, Id numberOfPoints)
 Status CloudGraphBuilder::Check(const CloudGraphOptions& options)
 {
   std::ostringstream text;
-  if (!(options.OffsetInVoxels >= 0.0 && options.OffsetInVoxels <= 1000.0))
+  if (!(options.OffsetInVoxels == 0.0 ||
+        (options.OffsetInVoxels >= 0.5 && options.OffsetInVoxels <= 1000.0)))
   {
+    // Smaller balls may have no centre of a voxel in them.
     text << "the offset is " << options.OffsetInVoxels
-         << " voxels, but has to be 0 (automatic) or at most 1000";
+         << " voxels, but has to be 0 (automatic), or at least 0.5 and at most 1000";
   }
   else if (options.Resolution < 0 || options.Resolution > LargestResolution)
   {
     text << "the resolution is " << options.Resolution
          << ", but has to be 0 (automatic) or at most " << LargestResolution;
   }
-  else if (!(options.Alpha >= 0.0 && options.Alpha <= 1e6))
+  else if (!(options.Alpha == 0.0 || (options.Alpha >= 1e-3 && options.Alpha <= 1e6)))
   {
-    text << "alpha is " << options.Alpha << ", but has to be 0 (automatic) or at most 1e6";
+    text << "alpha is " << options.Alpha
+         << ", but has to be 0 (automatic), or at least 1e-3 and at most 1e6";
   }
   else if (!(options.Accuracy == 0.0 ||
              (options.Accuracy >= 1e-6 && options.Accuracy <= LargestAccuracy)))
