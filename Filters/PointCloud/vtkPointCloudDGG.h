@@ -76,10 +76,7 @@
  *    more; closer ones do with OrientedNormals, or with balls of a third of the gap, given by
  *    OffsetInVoxels and Resolution;
  *  - noise: where points scatter about the surface by more than 3 % of their spacing (GetNoise()),
- *    they are moved to the surface before lengths are measured, each by a few times the noise around
- *    it at most; what is clean beside them stays. Noisy sheets stay apart when 3.5 spacings apart
- *    with noise of up to 0.1 spacings, or 5 with up to 0.2, and may be connected with more. Noise in
- *    less than a tenth of the points is not looked for;
+ *    they are moved to the surface before lengths are measured;
  *  - uneven density: balls and, in scheme C, reaches follow the local spacing; points on their own
  *    far off the surface do not get larger balls;
  *  - holes that are wider are gone around; points in the same place count once.

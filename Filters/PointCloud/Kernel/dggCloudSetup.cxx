@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <sstream>
 
@@ -37,14 +36,6 @@ constexpr std::size_t MostFitNeighbors = 256;
 /// are moved to the surface.
 constexpr double NoisyResidual = 0.03;
 constexpr double LargestGrowthOfNoise = 1.2;
-/// The same from one fit at a point to the next, to twice as many neighbours, where chance counts:
-/// creases reach 1.4, other sheets more.
-constexpr double LargestGrowthOfFit = 1.3;
-/// Part of the points that is off their surfaces by as much, at least, for noise to be looked for.
-constexpr double LeastNoisyPart = 0.1;
-/// How far points are moved, by the noise around them, at most: what is farther off is no noise.
-/// Noise as thick as the spacing is measured by 0.7 of its deviation, so this is 4 of these.
-constexpr double FarthestMove = 6.0;
 /// Residual, by spacing, of surfaces that are smooth.
 constexpr double SmoothResidual = 0.004;
 /// The spacing of a point is at most that of its neighbours by this: a point on its own, far off
@@ -123,7 +114,7 @@ public:
     this->Pairs.IsSmooth.assign(n, 0);
     this->Pairs.UsesArcs = this->Options.ArcLengthWeights;
     this->Setup.Neighbors = std::make_unique<CloudNeighbors>(this->Pairs.Points);
-    this->FitSurfaces(0.3);
+    this->FitSurfaces(FitNeighbors, 0.3);
     this->RemoveNoise();
     this->SmoothSpacings();
     if (this->IsStopped)
@@ -178,17 +169,17 @@ private:
   }
 
   /// Spacings, normals, curvatures and how far points lie off the surface.
-  void FitSurfaces(double share)
+  void FitSurfaces(std::size_t count, double share)
   {
     const std::size_t n = this->Pairs.Points.size();
     this->Pairs.Spacings.assign(n, 0.0f);
     this->Pairs.Normals.assign(n, Point3());
     this->Curvatures.assign(n, 0.0f);
     this->Residuals.assign(n, 0.0f);
+    this->ToSurface.assign(n, Point3());
     this->ForEachNode(
       share, [&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>& places) {
         const Point3& point = this->Pairs.Points[node];
-        const std::size_t count = this->FitCounts.empty() ? FitNeighbors : this->FitCounts[node];
         this->FindPlaces(point, std::max(count, SpacingNeighbors) + 1, neighbors, places);
         this->Pairs.Spacings[node] = static_cast<float>(SpacingFrom(neighbors));
         const LocalFit fit = FitSurface(point, places.data(), std::min(count + 1, places.size()));
@@ -204,6 +195,7 @@ private:
         }
         this->Curvatures[node] = static_cast<float>(fit.Curvature);
         this->Residuals[node] = static_cast<float>(fit.Residual);
+        this->ToSurface[node] = fit.ToSurface;
       });
   }
 
@@ -218,154 +210,60 @@ private:
     }
   }
 
+  /// Median residual of surfaces that are fitted to twice as many neighbours, at some of the nodes.
+  double MeasureWideResidual() const
+  {
+    constexpr std::size_t sample = 2000;
+    const std::size_t n = this->Pairs.Points.size();
+    std::vector<float> ratios;
+    std::vector<CloudNeighbor> neighbors;
+    std::vector<Point3> places;
+    for (std::size_t i = 0; i < std::min(n, sample); ++i)
+    {
+      const std::size_t node = n <= sample ? i : i * n / sample;
+      const Point3& point = this->Pairs.Points[node];
+      this->FindPlaces(point, WideFitNeighbors + 1, neighbors, places);
+      const LocalFit fit = FitSurface(point, places.data(), places.size());
+      ratios.push_back(this->BySpacing(node, fit.Residual));
+    }
+    return Quantile(ratios, 0.5);
+  }
+
   float BySpacing(std::size_t node, double length) const
   {
     const double spacing = this->Pairs.Spacings[node];
     return spacing > 0.0 ? static_cast<float>(length / spacing) : 0.0f;
   }
 
-  /// Move points to the surface where they are scattered about it. Each is judged by itself and its
-  /// neighbours, so that what is clean stays as it is beside noise.
+  /// Move points to the surface where they are scattered about it.
   void RemoveNoise()
   {
     const std::size_t n = this->Pairs.Points.size();
-    std::vector<Id> rough;
+    std::vector<float> residuals(n);
     for (std::size_t i = 0; i < n; ++i)
     {
-      const float residual = this->BySpacing(i, this->Residuals[i]);
-      this->Pairs.IsSmooth[i] = residual < SmoothResidual ? 1 : 0;
-      if (residual > NoisyResidual)
-      {
-        rough.push_back(static_cast<Id>(i));
-      }
+      residuals[i] = this->BySpacing(i, this->Residuals[i]);
+      this->Pairs.IsSmooth[i] = residuals[i] < SmoothResidual ? 1 : 0;
     }
-    if (this->IsStopped || static_cast<double>(rough.size()) < LeastNoisyPart * n ||
-      !(this->MeasureGrowth(rough) < LargestGrowthOfNoise))
+    const double residual = Quantile(residuals, 0.5);
+    if (this->IsStopped ||
+      !(residual > NoisyResidual && this->MeasureWideResidual() < LargestGrowthOfNoise * residual))
     {
       return;
     }
-    this->MeasureLocalNoise();
-    this->MoveNoisyPoints();
-    this->FitSurfaces(0.0);
+    std::vector<float> lengths = this->Residuals;
+    this->Statistics.Noise = Quantile(lengths, 0.5) / this->Setup.Nodes.Scale;
+    const auto count = static_cast<std::size_t>(
+      std::clamp<double>(640.0 * residual, WideFitNeighbors, MostFitNeighbors));
+    this->FitSurfaces(count, 0.0);
     for (std::size_t i = 0; i < n; ++i)
     {
-      if (this->LocalNoise[i] > 0.0f)
-      {
-        this->Pairs.IsSmooth[i] = 1; // what is left of the noise is not to be followed
-      }
+      this->Pairs.Points[i] = this->Pairs.Points[i] + this->ToSurface[i];
     }
-    this->LocalNoise = {};
-    this->FitCounts = {};
-  }
-
-  /// Median growth of the residual when twice as many neighbours are fitted, at some of the nodes.
-  double MeasureGrowth(const std::vector<Id>& nodes) const
-  {
-    constexpr std::size_t sample = 2000;
-    const std::size_t count = std::min(nodes.size(), sample);
-    std::vector<float> narrow;
-    std::vector<float> wide;
-    std::vector<CloudNeighbor> neighbors;
-    std::vector<Point3> places;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const Id node = nodes[i * nodes.size() / count];
-      const Point3& point = this->Pairs.Points[node];
-      this->FindPlaces(point, WideFitNeighbors + 1, neighbors, places);
-      const LocalFit fit = FitSurface(point, places.data(), places.size());
-      narrow.push_back(this->BySpacing(node, this->Residuals[node]));
-      wide.push_back(this->BySpacing(node, fit.Residual));
-    }
-    return Quantile(wide, 0.5) / Quantile(narrow, 0.5);
-  }
-
-  /// Noise of a point: the median of its neighbours, 0 where they are not noisy.
-  void MeasureLocalNoise()
-  {
-    this->LocalNoise.assign(this->Pairs.Points.size(), 0.0f);
-    this->ForEachNode(
-      0.0, [&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>&) {
-        this->Setup.Neighbors->FindNearest(
-          this->Pairs.Points[node], SpacingNeighbors + 1, neighbors);
-        std::vector<float> lengths;
-        std::vector<float> ratios;
-        for (const CloudNeighbor& neighbor : neighbors)
-        {
-          lengths.push_back(this->Residuals[neighbor.Point]);
-          ratios.push_back(this->BySpacing(neighbor.Point, lengths.back()));
-        }
-        if (Quantile(ratios, 0.5) > NoisyResidual)
-        {
-          this->LocalNoise[node] = Quantile(lengths, 0.5);
-        }
-      });
-  }
-
-  /// Move noisy points to surfaces of as many neighbours as average the noise out, but no more than
-  /// lie on the same one. Others are no longer noisy after that.
-  void MoveNoisyPoints()
-  {
-    const std::size_t n = this->Pairs.Points.size();
-    this->FitCounts.assign(n, FitNeighbors);
-    std::vector<Point3> moved = this->Pairs.Points;
-    this->ForEachNode(
-      0.0, [&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>& places) {
-        float& noise = this->LocalNoise[node];
-        if (noise > 0.0f)
-        {
-          const LocalFit fit = this->FitWidely(node, neighbors, places);
-          const bool isNoise = Norm(fit.ToSurface) <= FarthestMove * noise;
-          if (this->FitCounts[node] > FitNeighbors && isNoise)
-          {
-            moved[node] = moved[node] + fit.ToSurface;
-          }
-          else
-          {
-            noise = 0.0f;
-            this->FitCounts[node] = FitNeighbors;
-          }
-        }
-      });
-    this->Pairs.Points.swap(moved);
-    this->Setup.Neighbors.reset();
     this->Setup.Neighbors = std::make_unique<CloudNeighbors>(this->Pairs.Points);
-    std::vector<float> lengths;
-    for (const float noise : this->LocalNoise)
-    {
-      if (noise > 0.0f)
-      {
-        lengths.push_back(noise);
-      }
-    }
-    this->Statistics.Noise =
-      lengths.empty() ? 0.0 : Quantile(lengths, 0.5) / this->Setup.Nodes.Scale;
-  }
-
-  /// The surface of the most neighbours that are no farther off it than fewer were.
-  LocalFit FitWidely(Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>& places)
-  {
-    const double noise = this->LocalNoise[node];
-    const auto most = static_cast<std::size_t>(
-      std::clamp<double>(640.0 * this->BySpacing(node, noise), WideFitNeighbors, MostFitNeighbors));
-    const Point3& point = this->Pairs.Points[node];
-    this->FindPlaces(point, most + 1, neighbors, places);
-    LocalFit best;
-    double residual = std::max<double>(noise, this->Residuals[node]);
-    for (std::size_t count = WideFitNeighbors;; count = std::min(2 * count, most))
-    {
-      const LocalFit fit = FitSurface(point, places.data(), std::min(count + 1, places.size()));
-      if (fit.Residual > LargestGrowthOfFit * residual)
-      {
-        return best;
-      }
-      best = fit;
-      this->FitCounts[node] = static_cast<std::uint16_t>(count);
-      residual = std::max(residual, fit.Residual);
-      if (count == most)
-      {
-        return best;
-      }
-    }
+    this->FitSurfaces(count, 0.0);
+    // What is left of the noise is not to be followed.
+    std::fill(this->Pairs.IsSmooth.begin(), this->Pairs.IsSmooth.end(), 1);
   }
 
   /// Values that single points far off cannot spoil.
@@ -635,8 +533,7 @@ private:
   CloudGraphStatistics& Statistics;
   std::vector<float> Curvatures;
   std::vector<float> Residuals;
-  std::vector<std::uint16_t> FitCounts; ///< neighbours that surfaces are fitted to; empty: as usual
-  std::vector<float> LocalNoise;        ///< of points that are noisy, else 0
+  std::vector<Point3> ToSurface;
   double MedianSpacing = 0.0;
   double Done = 0.0;      ///< of all steps
   bool IsStopped = false; ///< by the caller
