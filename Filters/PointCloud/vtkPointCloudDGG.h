@@ -76,7 +76,9 @@
  *    more; closer ones do with OrientedNormals, or with balls of a third of the gap, given by
  *    OffsetInVoxels and Resolution;
  *  - noise: where points scatter about the surface by more than 3 % of their spacing (GetNoise()),
- *    they are moved to the surface before lengths are measured;
+ *    they are moved to the surface before lengths are measured. This is decided for the whole
+ *    cloud: clean detail beside much noise is smoothed as well, single points above a noisy surface
+ *    are moved to it, noisy sheets less than about six spacings apart may be joined;
  *  - uneven density: balls and, in scheme C, reaches follow the local spacing; points on their own
  *    far off the surface do not get larger balls;
  *  - holes that are wider are gone around; points in the same place count once.
