@@ -1,0 +1,239 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The demo on meshes."""
+
+import os
+import shutil
+import unittest
+
+import numpy as np
+import support
+import vtkdgg
+from support import BUMPY, TETRAHEDRON, number_of_colours, run, table
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+
+
+class Demo(unittest.TestCase):
+    def demo(self, name, *arguments):
+        """The finished program and the arrays that it wrote."""
+        folder = support.output_folder(os.path.join("demo", name))
+        shutil.rmtree(folder)
+        result = run("demo.py", *arguments, "--out", folder)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        for file, colours in (("distance.png", 1000), ("error.png", 500)):
+            picture = os.path.join(folder, file)
+            self.assertEqual(support.read_image(picture).GetDimensions(), (1600, 1200, 1))
+            self.assertGreater(number_of_colours(picture), colours)
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(os.path.join(folder, "distance.vtp"))
+        output = vtkdgg.check(reader)
+        names = ("GeodesicDistance", "GeodesicUpperBound", "ExactDistance", "RelativeError")
+        return result, {name: support.point_array(output, name) for name in names}
+
+    def check_errors(self, result, arrays, accuracy):
+        """The errors in the table are those of the arrays, and within what is promised."""
+        rows = table(result)
+        exact = arrays["ExactDistance"]
+        compared = exact > 0.0
+        for row, name in (("raw", "GeodesicUpperBound"), ("corrected", "GeodesicDistance")):
+            error = np.abs(arrays[name] - exact)[compared] / exact[compared]
+            self.assertLessEqual(error.max(), accuracy * (1.0 + 1e-6))
+            printed = [float(text) for text in rows[row].split()[0::2]]
+            measured = (error.mean(), np.percentile(error, 99.9), error.max())
+            np.testing.assert_allclose(printed, 100.0 * np.array(measured), rtol=0.06, atol=1e-12)
+        self.assertTrue((arrays["GeodesicUpperBound"] >= exact * (1.0 - 1e-9))[compared].all())
+        self.assertIn(f"{100.0 * accuracy:.2g} %", rows["promised"])
+
+    def test_results(self):
+        result, arrays = self.demo("bumpy", BUMPY, "--source", 5)
+        rows = table(result)
+        distances = arrays["GeodesicDistance"]
+        self.assertEqual(rows["vertices"], "642")
+        self.assertEqual(rows["triangles"], "1280")
+        self.assertEqual(rows["defects"], "none")
+        self.assertIn("0 violations at 642 points", result.stdout)
+        self.assertEqual(result.stdout.count(" 0 violations"), 2)
+        self.assertEqual(distances.shape, (642,))
+        self.assertEqual(distances[5], 0.0)
+        self.assertIn(f"0 to {distances.max():.6g} model units", rows["range"])
+        self.check_errors(result, arrays, 0.01)
+        self.assertGreater(np.abs(arrays["RelativeError"]).max(), 1e-6)
+        for row, pattern in (
+            ("build", r"\A\d+\.\d+ s on \d+ threads?\Z"),
+            ("graph", r"\Adegree \d+\.\d, \d+ edges, \d+\.\d MB"),
+            ("query", r"\A\d+\.\d ms "),
+        ):
+            self.assertRegex(rows[row], pattern)
+
+    def test_accuracy(self):
+        degrees = []
+        for accuracy in (0.1, 0.001):
+            result, arrays = self.demo(f"accuracy{accuracy}", BUMPY, "--accuracy", accuracy)
+            self.check_errors(result, arrays, accuracy)
+            degrees.append(float(table(result)["graph"].split()[1].rstrip(",")))
+        self.assertGreater(degrees[1], 2.0 * degrees[0])
+
+    def test_source_by_coordinates(self):
+        # On an edge of the tetrahedron, with a minus sign first.
+        result, arrays = self.demo("coordinates", TETRAHEDRON, "--source", "-1,0,0")
+        expected = np.sqrt([2.0, 2.0, 6.0, 6.0])
+        np.testing.assert_allclose(np.sort(arrays["ExactDistance"]), expected, rtol=1e-12)
+        np.testing.assert_allclose(np.sort(arrays["GeodesicDistance"]), expected, rtol=0.01)
+        self.assertIn("(-1, 0, 0)", table(result)["source"])
+        self.assertEqual(result.stdout.count(" 0 violations"), 2)
+
+    def test_broken_promise(self):
+        # What the table's last line of defence says of distances that are off.
+        errors = support.example("demo_errors").Errors
+        exact = np.array([0.0, 1.0, 2.0, np.nan])
+        self.assertTrue(errors(exact * 1.01, exact).keeps(0.01))
+        self.assertFalse(errors(exact * 1.02, exact).keeps(0.01))
+        self.assertFalse(errors(exact * 0.98, exact).keeps(0.01))
+        self.assertFalse(errors(exact * 0.999, exact).is_upper_bound)
+        self.assertTrue(errors(exact * 1.001, exact).is_upper_bound)
+        self.assertFalse(errors(np.array([0.0, 1.0, np.nan, np.nan]), exact).keeps(0.5))
+        self.assertFalse(errors(np.array([0.1, 1.0, 2.0, np.nan]), exact).keeps(0.5))
+
+    def test_no_relative_errors_near_the_source(self):
+        # Such distances consist of the length added to triangles without area.
+        errors = support.example("demo_errors").Errors
+        exact = np.array([0.0, 1e-14, 3e-14, 1.0, np.nan])
+        distances = np.array([0.0, 2e-14, 1e-14, 1.01, np.nan])
+        self.assertFalse(errors(distances, exact).keeps(0.01))
+        result = errors(distances, exact, 1e-7)
+        self.assertTrue(result.keeps(0.01) and result.is_upper_bound)
+        self.assertEqual(result.number_near, 2)
+        np.testing.assert_array_equal(result.signed[:3], 0.0)
+        self.assertAlmostEqual(result.mean, 0.01, delta=1e-12)
+        distances[1] = 2e-7
+        self.assertFalse(errors(distances, exact, 1e-7).keeps(0.01))
+        self.assertFalse(errors(exact + 2e-7, exact, 1e-7).keeps(0.01))
+
+    def test_points_that_coincide(self):
+        # A square with a side of no width, as if two points had not been merged.
+        points = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 0], [0, 1, 0]]
+        triangles = [[4, 1, 2], [4, 2, 5], [0, 4, 5], [0, 5, 3]]
+        path = os.path.join(support.output_folder("formats"), "coincide.vtp")
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(path)
+        writer.SetInputData(support.polydata(points, triangles))
+        writer.Write()
+        result, arrays = self.demo("coincide", path, "--source", 0)
+        self.assertGreater(arrays["ExactDistance"][4], 0.0)
+        self.assertRegex(table(result)["too"], r"near +1 point within \S+e-07 of the source")
+        self.assertIn("2 triangles without area, 2 coincident points", table(result)["defects"])
+        self.assertIn("turn MergeCoincidentPoints on (--merge)", result.stdout)
+
+    def test_large_triangles(self):
+        result, _ = self.demo("large", TETRAHEDRON)
+        self.assertRegex(result.stdout, r"note +triangles are large \(.* 82 % of the diagonal\)")
+        result, _ = self.demo("small", BUMPY)
+        self.assertNotIn("triangles are large", result.stdout)
+
+    def test_tolerance(self):
+        arguments = (TETRAHEDRON, "--source", "2,1,1", "--tolerance", "1")
+        result, _ = self.demo("tolerance", *arguments)
+        self.assertIn("(1, 1, 1)", table(result)["source"])
+
+    def test_every_format(self):
+        folder = support.output_folder("formats")
+        reader = vtkPLYReader()
+        reader.SetFileName(BUMPY)
+        triangulate = vtkTriangleFilter()
+        triangulate.SetInputConnection(reader.GetOutputPort())
+        for extension, writer in (
+            ("vtp", vtkXMLPolyDataWriter()),
+            ("vtk", vtkPolyDataWriter()),
+            ("stl", vtkSTLWriter()),
+            ("obj", vtkOBJWriter()),
+        ):
+            with self.subTest(extension=extension):
+                path = os.path.join(folder, f"bumpy.{extension}")
+                writer.SetFileName(path)
+                writer.SetInputConnection(triangulate.GetOutputPort())
+                writer.Write()
+                _, arrays = self.demo(extension, path)
+                self.assertEqual(arrays["GeodesicDistance"].shape, (642,))
+
+    def test_unreached_points(self):
+        # Two triangles without a common point.
+        points, triangles = support.grid(1, 1)
+        points = np.vstack([points, points + [3.0, 0.0, 0.0]])
+        mesh = support.polydata(points, np.vstack([triangles, triangles + 4]))
+        path = os.path.join(support.output_folder("formats"), "two.vtp")
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(path)
+        writer.SetInputData(mesh)
+        writer.Write()
+        result, arrays = self.demo("two", path, "--source", 0)
+        self.assertEqual(table(result)["reached"], "4 of 8 vertices")
+        for values in arrays.values():
+            self.assertEqual(np.isnan(values).sum(), 4)
+        # What is not reached has a colour of its own: in the error picture, a blue one.
+        folder = support.output_folder(os.path.join("demo", "two"))
+        picture = support.pixels(support.read_image(os.path.join(folder, "error.png"))).astype(int)
+        bluish = picture[:, :, 2] - picture[:, :, 0] > 40
+        self.assertGreater(bluish.mean(), 0.02)
+
+    def test_seams(self):
+        # Two squares along a common side whose points exist twice.
+        points, triangles = support.grid(1, 1)
+        points = np.vstack([points, points + [1.0, 0.0, 0.0]])
+        mesh = support.polydata(points, np.vstack([triangles, triangles + 4]))
+        path = os.path.join(support.output_folder("formats"), "seam.vtp")
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(path)
+        writer.SetInputData(mesh)
+        writer.Write()
+        result, arrays = self.demo("seam", path, "--source", 0)
+        self.assertEqual(np.isnan(arrays["GeodesicDistance"]).sum(), 4)
+        self.assertEqual(result.stdout.count("MergeCoincidentPoints"), 1)
+        result, arrays = self.demo("merged", path, "--source", 0, "--merge")
+        np.testing.assert_allclose(arrays["GeodesicDistance"][7], np.sqrt(5.0), rtol=0.01)
+        np.testing.assert_allclose(arrays["ExactDistance"][7], np.sqrt(5.0), rtol=1e-12)
+
+    def test_mistakes(self):
+        text = os.path.join(support.output_folder("formats"), "empty.off")
+        with open(text, "w", encoding="ascii") as file:
+            file.write("OFF\n0 0 0\n")
+        garbage = os.path.join(support.output_folder("formats"), "garbage.off")
+        with open(garbage, "w", encoding="ascii") as file:
+            file.write("OFF\n3 1 0\n0 0 0\nx y z\n")
+        for arguments, pattern in (
+            (("missing.ply",), "missing.ply: no such file"),
+            (("mesh.abc",), "unknown extension '.abc'"),
+            ((text,), "holds no points|empty"),
+            ((garbage,), "line"),
+            ((TETRAHEDRON, "--source", "4"), "points 0 to 3"),
+            ((TETRAHEDRON, "--source", "-1"), "points 0 to 3"),
+            ((TETRAHEDRON, "--source", "ear"), "neither a point id nor X,Y,Z"),
+            ((TETRAHEDRON, "--source", "1,2"), "neither a point id nor X,Y,Z"),
+            ((TETRAHEDRON, "--source", "nan,0,0"), "neither a point id nor X,Y,Z"),
+            ((TETRAHEDRON, "--source", "9,9,9"), r"raise ProjectionTolerance \(--tolerance\)"),
+            ((TETRAHEDRON, "--source", "1,1,1", "--tolerance", "-1"), "ProjectionTolerance is -1"),
+            ((TETRAHEDRON, "--colour", "red"), "unrecognized arguments"),
+            ((TETRAHEDRON, "--accuracy", "fine"), "--accuracy: invalid float value"),
+            ((TETRAHEDRON, "--accuracy", "0"), "1e-0?6"),
+            ((TETRAHEDRON, "--accuracy", "0.6"), "0.5"),
+            ((TETRAHEDRON, "--accuracy", "nan"), "0.5"),
+        ):
+            with self.subTest(arguments=arguments):
+                result = run("demo.py", *arguments)
+                self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+                self.assertRegex(result.stderr, r"\Aerror: [^\n]+\n\Z")
+                self.assertRegex(result.stderr, pattern)
+                self.assertEqual(result.stdout, "")
+
+    def test_help(self):
+        result = run("demo.py", "--help")
+        self.assertEqual(result.returncode, 0)
+        for word in ("--source", "--accuracy", "--tolerance", "--out", "--merge", "--cloud", ".off", ".pcd", ".xyz"):
+            self.assertIn(word, result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
