@@ -33,7 +33,9 @@ UNREACHED = (0.62, 0.62, 0.62)
 SHADE = 0.8
 BANDS = 24
 # How much larger discs are than usual, as the points are at random, with gaps between them.
-LARGER = 1.2
+LARGER = 1.7
+# The same where single points are to be seen.
+SEPARATE = 0.6
 
 
 def sphere(count, random, noise=0.0, density=1.0):
@@ -94,7 +96,7 @@ def band_table(high):
     return table
 
 
-def panel(title, points, start, towards, zoom, outwards=None):
+def panel(title, points, start, towards, zoom, outwards=None, larger=LARGER):
     """A renderer with the points, coloured by the distance from the one that is farthest in the
     direction `start`, seen from the direction `towards`. Where it is known which way is outwards,
     what faces away is left out, so that it is not seen through gaps."""
@@ -108,7 +110,7 @@ def panel(title, points, start, towards, zoom, outwards=None):
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
     table = band_table(np.nanmax(distances))
-    radii = LARGER * disc_radii(spacings_of(graph))
+    radii = larger * disc_radii(spacings_of(graph))
     renderer.AddActor(discs(cloud, radii[shown], distances[shown], table))
     renderer.AddActor(marker(points[source], size))
     renderer.AddViewProp(caption(title))
@@ -147,15 +149,16 @@ def panels(share):
     """The four of them, from the top left on, row by row, with a share of the points."""
     random = np.random.default_rng(20190525)
     noisy = sphere(int(20000 * share), random, noise=0.02)
-    yield panel("noise, 1 % of the box", noisy, (-0.3, -1, 0.8), (0.3, -1, 0.4), 1.4, noisy)
-    uneven = sphere(int(4000 * share), random, density=10.0)
-    yield panel("density 10 : 1", uneven, (-0.3, -1, 0.8), (0.3, -1, 0.4), 1.4, uneven)
+    yield panel("noise of 1 % of the box", noisy, (-0.3, -1, 0.8), (0.3, -1, 0.4), 1.4, noisy)
+    uneven = sphere(int(8000 * share), random, density=10.0)
+    title = "ten times as dense on the left as on the right"
+    yield panel(title, uneven, (-0.3, -1, 0.8), (0.3, -1, 0.4), 1.4, uneven, SEPARATE)
     torus = perforated(int(14000 * share), random)
     middle = torus * (1.0, 1.0, 0.0)
     middle /= np.linalg.norm(middle, axis=1)[:, None]
     yield panel("holes", torus, (-0.7, -1, 0.4), (0.1, -1, 1.1), 1.6, torus - middle)
     pair = sheets(int(16000 * share), random)
-    yield panel("two sheets, 3 h apart", pair, (-1, 0.2, 0), (-0.8, -1, 0.7), 1.35)
+    yield panel("two sheets, three radii of balls apart: grey is not reached", pair, (-1, 0.2, 0), (-0.8, -1, 0.7), 1.35)
 
 
 def main(picture, share=1.0):
