@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGCloudLocator.h"
 
+#include "dggStrayPoints.h"
+
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -19,12 +21,20 @@ double Distance(const double* a, const double* b)
 {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
+
+double MeasureDiagonal(const double* positions, dgg::Id numberOfPoints)
+{
+  const dgg::StrayPoints stray(positions, numberOfPoints);
+  const auto isStray = [&](const dgg::Point3& p) { return stray.IsStray(p); };
+  return dgg::CloudFrame(positions, numberOfPoints, isStray).GetDiagonal();
+}
 }
 
 //------------------------------------------------------------------------------
 vtkDGGCloudLocator::vtkDGGCloudLocator(const double* positions, dgg::Id numberOfPoints)
   : Positions(positions)
   , Frame(positions, numberOfPoints)
+  , Diagonal(MeasureDiagonal(positions, numberOfPoints))
 {
   for (dgg::Id v = 0; v < numberOfPoints; ++v)
   {

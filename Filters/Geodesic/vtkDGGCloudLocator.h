@@ -32,14 +32,15 @@ public:
   /// farther from it are among the points of the cloud. 0 when there are too few.
   double GetReach(const dgg::SurfacePoint& place);
 
-  /// Diagonal of the bounding box of the finite points.
-  double GetDiagonal() const { return this->Frame.GetDiagonal(); }
+  /// Diagonal of the bounding box of the finite points, without stray ones (dggStrayPoints.h).
+  double GetDiagonal() const { return this->Diagonal; }
 
 private:
   void ToLocal(const double position[3], double local[3]) const;
 
   const double* Positions;
-  dgg::CloudFrame Frame;
+  dgg::CloudFrame Frame; // of all finite points: they are all searched
+  double Diagonal;
   std::vector<dgg::Id> Ids; // of the cloud, per point of Points
   vtkNew<vtkPolyData> Points;
   vtkNew<vtkStaticPointLocator> Locator;

@@ -5,6 +5,7 @@
 #include "vtkDGGParallel.h"
 
 #include "dggCloudFrame.h"
+#include "dggStrayPoints.h"
 
 #include <pcl/features/normal_3d.h>
 #include <pcl/kdtree/kdtree_flann.h>
@@ -23,17 +24,19 @@ constexpr int FewestPoints = 3;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 /// The finite points as floats: in the frame of the cloud, as floats have few digits and a small
-/// range.
+/// range. Stray points would leave none of these digits.
 Cloud::Ptr MakeCloud(const double* positions, dgg::Id numberOfPoints, std::vector<dgg::Id>& ids)
 {
-  const dgg::CloudFrame frame(positions, numberOfPoints);
+  const dgg::StrayPoints stray(positions, numberOfPoints);
+  const dgg::CloudFrame frame(
+    positions, numberOfPoints, [&](const dgg::Point3& p) { return stray.IsStray(p); });
   Cloud::Ptr cloud(new Cloud);
   cloud->reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
   ids.reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
   for (dgg::Id v = 0; v < numberOfPoints; ++v)
   {
     const dgg::Point3 point = dgg::PointAt(positions, v);
-    if (dgg::IsFinite(point))
+    if (dgg::IsFinite(point) && !stray.IsStray(point))
     {
       const dgg::Point3 p = frame.ToLocal(point);
       ids.push_back(v);

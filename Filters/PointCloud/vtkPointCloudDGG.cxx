@@ -139,6 +139,7 @@ void vtkPointCloudDGG::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
   os << indent << "NumberOfComponents: " << this->GetNumberOfComponents() << "\n";
   os << indent << "NumberOfUnusedPoints: " << this->GetNumberOfUnusedPoints() << "\n";
+  os << indent << "NumberOfStrayPoints: " << this->GetNumberOfStrayPoints() << "\n";
   os << indent << "NumberOfCoincidentPoints: " << this->GetNumberOfCoincidentPoints() << "\n";
   os << indent << "UsedOffsetInVoxels: " << this->GetUsedOffsetInVoxels() << "\n";
   os << indent << "UsedOffset: " << this->GetUsedOffset() << "\n";
@@ -298,6 +299,12 @@ vtkIdType vtkPointCloudDGG::GetComponentSize(vtkIdType i) const
 vtkIdType vtkPointCloudDGG::GetNumberOfUnusedPoints() const
 {
   return this->Internals->Current.Statistics.UnusedPoints;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointCloudDGG::GetNumberOfStrayPoints() const
+{
+  return this->Internals->Current.Statistics.StrayPoints;
 }
 
 //------------------------------------------------------------------------------
@@ -607,6 +614,14 @@ void vtkPointCloudDGG::WarnAboutPoints()
     vtkWarningMacro(<< "the cloud has " << unused << (isOne ? " point that is" : " points that are")
                     << " not finite. " << (isOne ? "It is" : "They are")
                     << " kept, and connected to nothing.");
+  }
+  const dgg::Id stray = this->Internals->Current.Statistics.StrayPoints;
+  if (stray > 0)
+  {
+    const bool isOne = stray == 1;
+    vtkWarningMacro(<< "the cloud has " << stray << (isOne ? " point that is" : " points that are")
+                    << " more than four times as far off as all others. "
+                    << (isOne ? "It is" : "They are") << " kept, and connected to nothing.");
   }
 }
 

@@ -36,6 +36,13 @@
  * Points that are not finite are kept, with a warning that counts them; they are connected to
  * nothing. Points in the same place are connected by edges that have next to no length.
  *
+ * Stray points, as readings gone wrong or numbers that stand for none, are kept as well, with a
+ * warning that counts them. Each is a component of its own, and nothing else changes by it: the graph
+ * of the other points is, bit by bit, the one without it. Points are stray when they are in fewer
+ * than 17 places, each more than four times as far from the middle of the cloud (its median along
+ * each axis; distances are the largest of those along the axes) as any other point. Larger parts may
+ * be as far from each other as 8388608 voxels reach; beyond that is an error that names a point.
+ *
  * <b>The graph</b> is in the field data. n is the number of points, m the number of directed edges;
  * each edge is there in both directions, with the same length. It takes the place of any graph that
  * the input has.
@@ -45,7 +52,7 @@
  * | `DGG.Offsets` | int64, n + 1 | edges that leave point i: [Offsets[i], Offsets[i + 1]) |
  * | `DGG.Targets` | int32, m | point at the end of each edge, sorted within each row |
  * | `DGG.Lengths` | float32, m | length; float64 when Accuracy is below 1e-5 and above 0, and for extreme extents |
- * | `DGG.Radii` | float64, n | radius of the ball around each point, 0 where it is not finite |
+ * | `DGG.Radii` | float64, n | radius of the ball around each point, 0 where it is not finite, or stray |
  * | `DGG.Info` | int64, 12 | see below |
  *
  * `DGG.Info` is as in vtkDiscreteGeodesicGraph: the version of the format (1); the kind (1: cloud);
@@ -101,6 +108,7 @@
  *    [1e-3, 1e6], an Accuracy that is neither 0 nor in [1e-6, 0.5]; a Resolution that is negative or
  *    above 524288; a NumberOfNeighbors below 3; an empty name of an array;
  *  - normals of another number of components or tuples than there should be;
+ *  - parts of the cloud that are too far apart, see above, when Resolution is automatic;
  *  - a graph, or a band, that would take more memory than MemoryLimit.
  *
  * The mesh report is empty, and MergeCoincidentPoints and OutputPointsPrecision are not used.
@@ -167,9 +175,9 @@ public:
 
   ///@{
   /**
-   * Number of voxels along the longest side of the bounding box of the points, without those
-   * around it that balls reach into; at most 524288. Default 0, automatic: it follows from the
-   * spacing.
+   * Number of voxels along the longest side of the bounding box of the points, stray ones left out,
+   * without those around it that balls reach into; at most 524288. Default 0, automatic: it follows
+   * from the spacing.
    */
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int);
@@ -310,9 +318,11 @@ public:
 
   ///@{
   /**
-   * Points of the last update that are not finite, and points in the very place of another one.
+   * Points of the last update that are not finite, stray points, which are far off all others, and
+   * points in the very place of another one.
    */
   vtkIdType GetNumberOfUnusedPoints() const;
+  vtkIdType GetNumberOfStrayPoints() const;
   vtkIdType GetNumberOfCoincidentPoints() const;
   ///@}
 

@@ -188,6 +188,26 @@ TEST_F(CloudDistance, SourcesFarFromTheCloud)
   ExpectSuccess(distance);
 }
 
+TEST_F(CloudDistance, StrayPointsDoNotBringSourcesCloser)
+{
+  // The tolerance is that of the cloud without them; they are places for sources all the same.
+  const Points part = MakeFlatPoints(20, 0.2);
+  this->Use(Join(part, { { { 1e6, 0.0, 0.0 } } }));
+  vtkNew<vtkDGGDistance> distance;
+  this->Connect(distance);
+  this->Graph->Update(); // warns
+  distance->SetSourceData(MakeSourcePoints({ { { 0.5, 0.5, 0.3 } } }));
+  ExpectError(distance, { "source point 0", "away from the cloud", "ProjectionTolerance" });
+  distance->SetSourceData(MakeSourcePoints({ { { 1e6, 0.0, 0.0 } } }));
+  ExpectSuccess(distance);
+  EXPECT_EQ(GetDistances(distance)[400], 0.0);
+  distance->SetSourceData(MakeSourcePoints({ part[7] }));
+  ExpectSuccess(distance);
+  EXPECT_EQ(GetDistances(distance)[7], 0.0);
+  EXPECT_GT(GetDistances(distance)[8], 0.0);
+  EXPECT_TRUE(std::isnan(GetDistances(distance)[400]));
+}
+
 TEST_F(CloudDistance, NearestPointsAreTheNearest)
 {
   // Against a search of all points, also far outside and with points in the same place.

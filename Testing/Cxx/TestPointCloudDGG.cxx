@@ -253,6 +253,55 @@ TEST_F(PointCloudDGG, PointsThatAreNotFinite)
   EXPECT_TRUE(std::isnan(nowhere[8]));
 }
 
+TEST_F(PointCloudDGG, StrayPoints)
+{
+  const Points clean = MakeSpherePoints(600);
+  vtkNew<vtkDGGPath> path;
+  path->SetInputConnection(this->Filter->GetOutputPort());
+  path->StraightenOn();
+  path->AddPair(0, 400);
+  const auto getLength = [&] {
+    EXPECT_EQ(path->GetOutput()->GetNumberOfLines(), 1);
+    return path->GetOutput()->GetCellData()->GetArray("Length")->GetTuple1(0);
+  };
+  for (const bool byPlanes : { false, true })
+  {
+    this->Filter->SetEstimateNormals(byPlanes);
+    this->Use(clean);
+    ExpectSuccess(path);
+    const double length = getLength();
+    const double voxel = this->Filter->GetVoxelSize();
+    for (const double off : { 10.0, 1e3, 1e6, 1e9 })
+    {
+      this->Use(Join(clean, { { { off, 0.5 * off, -off } } }));
+      ExpectWarning(this->Filter, { "1 point that is more than four times as far off" });
+      EXPECT_EQ(this->Filter->GetNumberOfStrayPoints(), 1);
+      EXPECT_EQ(this->Filter->GetNumberOfComponents(), 2);
+      EXPECT_EQ(this->Filter->GetComponentSize(0), 600);
+      EXPECT_EQ(GetComponents(this->GetOutput())[600], 1);
+      EXPECT_EQ(this->Filter->GetVoxelSize(), voxel);
+      ExpectSuccess(path);
+      EXPECT_EQ(getLength(), length) << off;
+    }
+  }
+  path->RemoveAllPairs();
+  path->AddPair(0, 600);
+  ExpectWarning(path, { "not connected by the graph of the cloud" });
+}
+
+TEST_F(PointCloudDGG, PartsThatAreTooFarApart)
+{
+  const Points part = MakeSpherePoints(300);
+  this->Use(Join(part, Move(part, { { 1e9, 0.0, 0.0 } })));
+  ExpectError(
+    this->Filter, { "too far apart", "1e+09 from the middle", "one graph for each part" });
+  ExpectEmptyOutput(this->Filter);
+  this->Use(Join(part, Move(part, { { 1e4, 0.0, 0.0 } })));
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 2);
+  EXPECT_EQ(this->Filter->GetComponentSize(1), 300);
+}
+
 TEST_F(PointCloudDGG, CoincidentPoints)
 {
   const Points once = MakeFlatPoints(12, 0.2);

@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <vector>
 
 namespace
 {
@@ -215,4 +217,135 @@ TEST(CloudGraphInput, CoordinatesOutOfRange)
     EXPECT_FALSE(status.IsOk());
     EXPECT_NE(status.GetMessage().find("scale them"), std::string::npos);
   }
+}
+
+TEST(CloudGraphInput, StrayPointsChangeNothing)
+{
+  // As far off as that, they would leave no digits, no voxels and no short edges to the others.
+  const Cloud clean = Sphere(800, 21);
+  const CloudGraph expected = BuildGraph(clean);
+  const std::vector<double> truth = DistancesFrom(expected.Graph.View(), 7);
+  const auto check = [&](const std::vector<Point3>& stray, std::size_t places) {
+    Cloud cloud;
+    const auto half = static_cast<Id>(stray.size() / 2);
+    for (Id i = 0; i < half; ++i)
+    {
+      cloud.Add(stray[i]);
+    }
+    cloud.Points.insert(cloud.Points.end(), clean.Points.begin(), clean.Points.end());
+    for (std::size_t i = half; i < stray.size(); ++i)
+    {
+      cloud.Add(stray[i]);
+    }
+    CloudGraphStatistics statistics;
+    const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
+    EXPECT_EQ(statistics.StrayPoints, static_cast<Id>(stray.size()));
+    EXPECT_EQ(statistics.CoincidentPoints, static_cast<Id>(stray.size() - places));
+    EXPECT_EQ(graph.ComponentSizes.size(), 1 + places);
+    EXPECT_EQ(graph.ComponentSizes[0], 800);
+    EXPECT_EQ(graph.VoxelSize, expected.VoxelSize);
+    const std::vector<double> found = DistancesFrom(graph.Graph.View(), half + 7);
+    for (Id i = 0; i < 800; ++i)
+    {
+      ASSERT_EQ(found[half + i], truth[i]) << i;
+    }
+    for (Id i = 0; i < cloud.GetSize(); ++i)
+    {
+      const bool isStray = i < half || i >= half + 800;
+      EXPECT_EQ(graph.Components[i] != 0, isStray);
+      EXPECT_EQ(graph.Radii[i] == 0.0, isStray);
+    }
+  };
+  for (const double off : { 20.0, 2e3, 2e6, 2e9, 1e200 })
+  {
+    check({ { off, 0.3, -0.2 } }, 1);
+    check({ { -0.1, off, -off }, { -off, off, -off }, { -off, off, -off } }, 2);
+  }
+  check({ { 0.0, 0.0, 20.0 }, { 0.0, 2e3, 0.0 }, { 2e6, 0.0, 0.0 }, { 0.0, -2e9, 0.0 } }, 4);
+  // A number that stands for no reading, at many points.
+  check(std::vector<Point3>(500, { -9999.0, -9999.0, -9999.0 }), 1);
+}
+
+TEST(CloudGraphInput, PartsThatAreFarApart)
+{
+  // Too many points to be stray: each part is as it would be on its own, but for the accuracy.
+  const Cloud clean = Sphere(1000, 22);
+  const std::vector<double> truth = DistancesFrom(BuildGraph(clean).Graph.View(), 0);
+  const auto add = [&](double off, Id count) {
+    Cloud cloud = clean;
+    for (Id i = 0; i < count; ++i)
+    {
+      cloud.Add(clean.At(i) + Point3{ off, 0.0, 0.0 });
+    }
+    return cloud;
+  };
+  for (const double off : { 10.0, 1e3, 1e5 })
+  {
+    const CloudGraph graph = BuildGraph(add(off, 1000));
+    EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 1000, 1000 })) << off;
+    const std::vector<double> found = DistancesFrom(graph.Graph.View(), 0);
+    for (Id i = 1; i < 1000; ++i)
+    {
+      EXPECT_NEAR(found[i], truth[i], 2e-3 * truth[i]) << off;
+    }
+  }
+  for (const double off : { 1e8, 1e12 })
+  {
+    const Cloud cloud = add(off, 500);
+    CloudGraph graph;
+    const dgg::Status status = dgg::CloudGraphBuilder(cloud.Points.data(), cloud.GetSize())
+                                 .Build(CloudGraphOptions(), graph);
+    EXPECT_FALSE(status.IsOk());
+    std::ostringstream distance;
+    distance << off;
+    EXPECT_NE(status.GetMessage().find("too far apart"), std::string::npos);
+    EXPECT_NE(status.GetMessage().find(distance.str()), std::string::npos) << status.GetMessage();
+    EXPECT_TRUE(graph.Components.empty());
+  }
+}
+
+TEST(CloudGraphInput, AFewPointsTogetherOffTheOthers)
+{
+  // Each has more of its own kind around it than of the others. They must not get balls as large as
+  // the way to those, nor make all voxels large.
+  const Cloud clean = Square(1500, 23);
+  const double spacing = 1.0 / std::sqrt(1500.0);
+  CloudGraphStatistics expected;
+  const std::vector<double> truth =
+    DistancesFrom(BuildGraph(clean, nullptr, &expected).Graph.View(), 0);
+  for (const Id count : { 3, 9, 12, 16 })
+  {
+    Cloud cloud = clean;
+    for (Id i = 0; i < count; ++i)
+    {
+      cloud.Add({ 0.5 + spacing * (i % 4), 0.5 + spacing * (i / 4), 1.2 });
+    }
+    CloudGraphStatistics statistics;
+    const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
+    EXPECT_EQ(statistics.StrayPoints, 0);
+    EXPECT_NEAR(statistics.VoxelSize, expected.VoxelSize, 0.01 * expected.VoxelSize) << count;
+    EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 1500, count }));
+    const std::vector<double> found = DistancesFrom(graph.Graph.View(), 0);
+    for (Id i = 1; i < 1500; ++i)
+    {
+      EXPECT_NEAR(found[i], truth[i], 2e-3 * truth[i]) << count; // both are that accurate
+    }
+  }
+}
+
+TEST(CloudGraphInput, ShortEdgesAreAsLongAsTheyAre)
+{
+  // Shorter than what joins points in the same place; stray points do not make that longer either.
+  Cloud cloud = Sphere(1000, 24);
+  cloud.Points[0] = cloud.Points[1] = cloud.Points[2] = 0.0;
+  cloud.Points[3] = 1e-14;
+  cloud.Points[4] = cloud.Points[5] = 0.0;
+  const CloudGraph graph = BuildGraph(cloud);
+  const dgg::GraphView view = graph.Graph.View();
+  double found = 0.0;
+  for (dgg::Offset e = view.Offsets[0]; e < view.Offsets[1]; ++e)
+  {
+    found = view.Targets[e] == 1 ? view.Length(e) : found;
+  }
+  EXPECT_NEAR(found, 1e-14, 1e-19);
 }

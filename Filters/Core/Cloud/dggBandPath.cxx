@@ -221,7 +221,8 @@ Status BandPathShortener::Prepare(double voxelSize, std::size_t memoryLimit,
   for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
   {
     const Point3 p = dgg::PointAt(this->Points, v);
-    if (IsFinite(p) && std::isfinite(this->Radii[v]) && this->Radii[v] >= 0.0)
+    // Points without a ball are not in the band: stray ones would make its box very large.
+    if (IsFinite(p) && std::isfinite(this->Radii[v]) && this->Radii[v] > 0.0)
     {
       points.push_back(p);
       radii.push_back(this->Radii[v]);

@@ -27,15 +27,17 @@ class CloudFrame
 {
 public:
   CloudFrame() = default;
-  /// `points` are x y z per point.
-  CloudFrame(const double* points, Id numberOfPoints)
+  /// `points` are x y z per point. Those of which `isLeftOut` is true, of finite ones, do not
+  /// count.
+  template <typename Test>
+  CloudFrame(const double* points, Id numberOfPoints, Test&& isLeftOut)
   {
     Point3 low{ Infinity, Infinity, Infinity };
     Point3 high{ -Infinity, -Infinity, -Infinity };
     for (Id i = 0; i < numberOfPoints; ++i)
     {
       const Point3 p = PointAt(points, i);
-      if (IsFinite(p))
+      if (IsFinite(p) && !isLeftOut(p))
       {
         ++this->NumberOfPoints;
         low = { std::min(low.X, p.X), std::min(low.Y, p.Y), std::min(low.Z, p.Z) };
@@ -52,8 +54,12 @@ public:
     std::frexp(this->GetHalfExtent(), &exponent);
     this->Scale = this->GetHalfExtent() > 0.0 ? std::ldexp(1.0, -exponent) : 1.0;
   }
+  CloudFrame(const double* points, Id numberOfPoints)
+    : CloudFrame(points, numberOfPoints, [](const Point3&) { return false; })
+  {
+  }
 
-  /// Of those that are finite.
+  /// Of those that are finite, and not left out.
   Id GetNumberOfPoints() const { return this->NumberOfPoints; }
   /// Half of the longest side of the box.
   double GetHalfExtent() const { return std::max({ this->Half.X, this->Half.Y, this->Half.Z }); }

@@ -28,8 +28,9 @@ using Voxel = std::array<std::int32_t, 3>;
 class VoxelBand
 {
 public:
-  /// Voxels along one axis, at most.
-  static constexpr std::int32_t MaximumResolution = 1 << 20;
+  /// Voxels along one axis, at most: as many as the 21 bits of a key tell apart in bricks, but for
+  /// one brick on each side.
+  static constexpr std::int32_t MaximumResolution = (1 << 24) - 16;
 
   VoxelBand() = default;
   VoxelBand(VoxelBand&&) = default;

@@ -113,10 +113,10 @@ void AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPerBl
         }
       }
     });
-    for (const auto& [point, node] : setup.Nodes.Coincident)
+    for (const auto& [point, original] : setup.Nodes.Coincident)
     {
       degrees[point].fetch_add(1, std::memory_order_relaxed);
-      degrees[originals[node]].fetch_add(1, std::memory_order_relaxed);
+      degrees[original].fetch_add(1, std::memory_order_relaxed);
     }
     graph.Offsets = Buffer<Offset>(n + 1);
     graph.Offsets[0] = 0;
@@ -140,10 +140,10 @@ void AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPerBl
         }
       }
     });
-    for (const auto& [point, node] : setup.Nodes.Coincident)
+    for (const auto& [point, original] : setup.Nodes.Coincident)
     {
-      write(point, originals[node]);
-      write(originals[node], point);
+      write(point, original);
+      write(original, point);
     }
   }
   blocks.clear();
@@ -153,8 +153,8 @@ void AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPerBl
   graph.Lengths = Buffer<float>(wide ? 0 : edges);
   graph.WideLengths = Buffer<double>(wide ? edges : 0);
   const double toPoints = 1.0 / setup.Nodes.Scale;
-  const double extent = setup.Nodes.Extent > 0.0 ? setup.Nodes.Extent : 1.0;
-  const double least = CoincidentLength * extent;
+  const double coincident =
+    CoincidentLength * (setup.Nodes.Extent > 0.0 ? setup.Nodes.Extent : 1.0);
   ForRange(parallel, static_cast<Offset>(n), RowsPerTask, [&](Offset begin, Offset end) {
     for (Offset row = begin; row < end; ++row)
     {
@@ -165,8 +165,11 @@ void AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPerBl
       for (Offset e = graph.Offsets[row]; e < graph.Offsets[row + 1]; ++e)
       {
         const Id to = nodeOf[graph.Targets[e]];
-        const double length =
-          from == NoId || to == NoId ? least : std::max(least, setup.Pairs.Length(from, to));
+        double length = from == NoId || to == NoId ? 0.0 : setup.Pairs.Length(from, to);
+        if (!(length > 0.0))
+        {
+          length = coincident; // so are points whose distance is below the range of double
+        }
         if (wide)
         {
           graph.WideLengths[e] = toPoints * length;

@@ -232,10 +232,14 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
     isUsed[setup.Nodes.Originals[node]] = 1;
     result.Radii[setup.Nodes.Originals[node]] = toPoints * setup.Pairs.Radii[node];
   }
-  for (const auto& [point, node] : setup.Nodes.Coincident)
+  for (const Id point : setup.Nodes.Stray)
   {
     isUsed[point] = 1;
-    result.Radii[point] = toPoints * setup.Pairs.Radii[node];
+  }
+  for (const auto& [point, original] : setup.Nodes.Coincident)
+  {
+    isUsed[point] = 1;
+    result.Radii[point] = result.Radii[original];
   }
   result.VoxelSize = toPoints * setup.Pairs.Band.GetVoxelSize();
   FindCloudComponents(result.Graph, isUsed, result.Components, result.ComponentSizes);

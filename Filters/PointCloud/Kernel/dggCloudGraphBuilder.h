@@ -29,8 +29,8 @@ struct CloudGraphOptions
   /// Radius h of the balls that make the band, in voxels. 0: from the local spacing of the points,
   /// so that it may differ from point to point.
   double OffsetInVoxels = 0.0;
-  /// Voxels along the longest side of the box of the points, without those around it that balls
-  /// reach into. 0: from the spacing of the points.
+  /// Voxels along the longest side of the box of the points, stray ones left out, without those
+  /// around it that balls reach into. 0: from the spacing of the points.
   Id Resolution = 0;
   /// What it means depends on the scheme. 0: the default of the scheme.
   double Alpha = 0.0;
@@ -61,7 +61,7 @@ struct CloudGraph
   /// numbered from the largest on.
   std::vector<Id> Components;
   std::vector<Id> ComponentSizes;
-  /// Per point, the radius of its ball; 0 where it is not finite.
+  /// Per point, the radius of its ball; 0 where it is not finite, or stray.
   std::vector<double> Radii;
   double VoxelSize = 0.0;
 };
@@ -70,6 +70,7 @@ struct CloudGraph
 struct CloudGraphStatistics
 {
   Id UnusedPoints = 0;     ///< not finite
+  Id StrayPoints = 0;      ///< far off all others: connected to none but those in the same place
   Id CoincidentPoints = 0; ///< exactly where another point is: joined to it by a tiny edge
   double Spacing = 0.0;    ///< median of the roots of the area per point
   double Noise = 0.0;      ///< median distance of points from the surfaces fitted to neighbours
@@ -97,7 +98,9 @@ struct CloudGraphEstimate
 ///
 /// Two points are connected directly when the segment between them stays in the band, the union of
 /// balls around all points. Direct pairs within reach are the full graph, of which the progress
-/// rule keeps what is needed for the accuracy.
+/// rule keeps what is needed for the accuracy. Stray points, in fewer than 17 places and more than
+/// four times as far from the middle (the median along each axis) as all others, are components of
+/// their own: the graph of the others is as if they were not there.
 class CloudGraphBuilder
 {
 public:

@@ -3,6 +3,7 @@
 #include "dggCloudNodes.h"
 
 #include "dggCloudFrame.h"
+#include "dggStrayPoints.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -39,6 +40,22 @@ struct NodeEntry
   Point3 Place;
   Id Original;
 };
+
+/// Sort points, and call `visit` with each and whether it is the first in its place.
+template <typename Visitor>
+void ForEachInOrder(std::vector<NodeEntry>& entries, Visitor&& visit)
+{
+  std::sort(entries.begin(), entries.end(), [](const NodeEntry& a, const NodeEntry& b) {
+    return std::tie(a.Code, a.Place.X, a.Place.Y, a.Place.Z, a.Original) <
+      std::tie(b.Code, b.Place.X, b.Place.Y, b.Place.Z, b.Original);
+  });
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    const Point3& p = entries[i].Place;
+    const Point3& before = entries[i > 0 ? i - 1 : 0].Place;
+    visit(entries[i], i == 0 || before.X != p.X || before.Y != p.Y || before.Z != p.Z);
+  }
+}
 }
 
 std::size_t CloudNodes::PredictMemory(Id numberOfPoints)
@@ -50,10 +67,12 @@ std::size_t CloudNodes::PredictMemory(Id numberOfPoints)
 Status FindNodes(
   const double* points, Id numberOfPoints, CloudNodes& nodes, std::vector<Point3>& places)
 {
-  const CloudFrame frame(points, numberOfPoints);
+  const StrayPoints stray(points, numberOfPoints);
+  const CloudFrame frame(points, numberOfPoints, [&](const Point3& p) { return stray.IsStray(p); });
   nodes = CloudNodes();
   places.clear();
-  nodes.Unused = numberOfPoints - frame.GetNumberOfPoints();
+  nodes.NumberOfStray = stray.GetNumberOfPoints();
+  nodes.Unused = numberOfPoints - frame.GetNumberOfPoints() - stray.GetNumberOfPoints();
   if (frame.GetNumberOfPoints() == 0)
   {
     return Status::Success();
@@ -71,34 +90,42 @@ Status FindNodes(
   nodes.Extent = 2.0 * half * nodes.Scale;
 
   std::vector<NodeEntry> entries;
+  std::vector<NodeEntry> strayEntries;
   entries.reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
   for (Id i = 0; i < numberOfPoints; ++i)
   {
     const Point3 point = PointAt(points, i);
-    if (IsFinite(point))
+    if (IsFinite(point) && stray.IsStray(point))
+    {
+      strayEntries.push_back({ 0, point, i });
+    }
+    else if (IsFinite(point))
     {
       const Point3 place = frame.ToLocal(point);
       entries.push_back({ MortonCode(place), place, i });
     }
   }
-  std::sort(entries.begin(), entries.end(), [](const NodeEntry& a, const NodeEntry& b) {
-    return std::tie(a.Code, a.Place.X, a.Place.Y, a.Place.Z, a.Original) <
-      std::tie(b.Code, b.Place.X, b.Place.Y, b.Place.Z, b.Original);
-  });
-  for (const NodeEntry& entry : entries)
-  {
-    const Point3& p = entry.Place;
-    if (!places.empty() && places.back().X == p.X && places.back().Y == p.Y &&
-      places.back().Z == p.Z)
+  ForEachInOrder(entries, [&](const NodeEntry& entry, bool isFirst) {
+    if (isFirst)
     {
-      nodes.Coincident.emplace_back(entry.Original, static_cast<Id>(places.size() - 1));
+      places.push_back(entry.Place);
+      nodes.Originals.push_back(entry.Original);
     }
     else
     {
-      places.push_back(p);
-      nodes.Originals.push_back(entry.Original);
+      nodes.Coincident.emplace_back(entry.Original, nodes.Originals.back());
     }
-  }
+  });
+  ForEachInOrder(strayEntries, [&](const NodeEntry& entry, bool isFirst) {
+    if (isFirst)
+    {
+      nodes.Stray.push_back(entry.Original);
+    }
+    else
+    {
+      nodes.Coincident.emplace_back(entry.Original, nodes.Stray.back());
+    }
+  });
   return Status::Success();
 }
 }

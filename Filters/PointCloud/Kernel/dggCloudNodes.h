@@ -14,18 +14,22 @@
 
 namespace dgg
 {
-/// The points that a graph is built of, the nodes: finite, no two in the same place, those that are
-/// close to each other close in memory. Their coordinates are centred and scaled by a power of two
-/// to [-1, 1].
+/// The points that a graph is built of, the nodes: finite, not stray, no two in the same place,
+/// those that are close to each other close in memory. Their coordinates are centred and scaled by
+/// a power of two to [-1, 1].
 struct CloudNodes
 {
   /// Per node, the point with the smallest number that is there.
   std::vector<Id> Originals;
-  /// Other points: their number, and the node in the same place.
+  /// Points that are far off all others (StrayPoints), those with the smallest numbers in their
+  /// places.
+  std::vector<Id> Stray;
+  /// Other points: their number, and that of the point above in the same place.
   std::vector<std::pair<Id, Id>> Coincident;
   Id Unused = 0;
-  double Scale = 1.0;  ///< from units of the points to units of nodes
-  double Extent = 0.0; ///< longest side of the box of the nodes
+  Id NumberOfStray = 0; ///< points, copies included
+  double Scale = 1.0;   ///< from units of the points to units of nodes
+  double Extent = 0.0;  ///< longest side of the box of the nodes
 
   /// Most bytes while the nodes of that many points are found.
   static std::size_t PredictMemory(Id numberOfPoints);

@@ -41,6 +41,11 @@ constexpr double SmoothResidual = 0.004;
 /// The spacing of a point is at most that of its neighbours by this: a point on its own, far off
 /// the surface, must not get a ball that reaches it, nor one at a border a larger one.
 constexpr double LargestSpacingRatio = 1.25;
+/// A group of fewer points than there are neighbours has a gap among the distances of them, the
+/// next one being that many times as far. Then only those beyond the gap tell the spacing: the
+/// others would tell how far off the group is, when they are the larger part.
+constexpr double LeastGap = 4.0;
+constexpr std::size_t LeastGroup = SpacingNeighbors / 2 + 1;
 
 /// Radius of a ball by spacing: of random points, all but 1 in 10000 of the surface lie in balls.
 constexpr double BallBySpacing = 1.5;
@@ -49,10 +54,11 @@ constexpr double BallBySpacingOfCurvatureScheme = 4.0;
 constexpr double VoxelsPerSpacing = 2.0;
 /// Spacings that voxels are chosen for: that of the densest points are too small.
 constexpr double SpacingQuantile = 0.2;
-/// Voxels along the longest side when they are chosen automatically, at most.
-constexpr double LargestAutomaticResolution = 8192.0;
-/// Voxels in a ball on average, at most.
+/// Voxels in a ball on average, at most, unless voxels became larger for it than the balls of the
+/// densest points are.
 constexpr double VoxelsPerBall = 2000.0;
+/// Voxels along the longest side when they are chosen automatically, at most.
+constexpr double LargestAutomaticResolution = 1 << 23;
 
 /// Reach by spacing, scheme C.
 constexpr double ReachBySpacing = 10.5;
@@ -84,6 +90,19 @@ double SpacingFrom(const std::vector<CloudNeighbor>& neighbors)
 {
   const std::size_t k = std::min(SpacingNeighbors, neighbors.size() - 1);
   return k == 0 ? 0.0 : std::sqrt(Pi * neighbors[k].SquaredDistance / static_cast<double>(k));
+}
+
+/// How many of the nearest points are a group on their own, far off the next ones; 0 when none are.
+std::size_t CountBeforeGap(const std::vector<CloudNeighbor>& neighbors)
+{
+  for (std::size_t i = neighbors.size(); i-- > LeastGroup;)
+  {
+    if (neighbors[i].SquaredDistance > LeastGap * LeastGap * neighbors[i - 1].SquaredDistance)
+    {
+      return i;
+    }
+  }
+  return 0;
 }
 
 Status TooMuch(std::size_t bytes, std::size_t limit)
@@ -280,6 +299,8 @@ private:
         {
           around.push_back(this->Pairs.Spacings[neighbor.Point]);
         }
+        around.erase(
+          around.begin(), around.begin() + static_cast<std::ptrdiff_t>(CountBeforeGap(neighbors)));
         spacings[node] = std::min(this->Pairs.Spacings[node],
           static_cast<float>(LargestSpacingRatio) * Quantile(around, 0.5));
         around.clear();
@@ -316,6 +337,48 @@ private:
     }
   }
 
+  /// Small enough for the balls of the densest points, and no smaller than the others allow. Radii
+  /// are spacings times a factor.
+  double ChooseVoxelSize(double factor) const
+  {
+    std::vector<float> spacings = this->Pairs.Spacings;
+    const double dense = Quantile(spacings, SpacingQuantile);
+    double sum = 0.0;
+    for (const double radius : this->Pairs.Radii)
+    {
+      sum += radius * radius * radius;
+    }
+    const double meanVolume = 4.0 / 3.0 * Pi * sum / static_cast<double>(spacings.size());
+    return std::clamp(
+      std::cbrt(meanVolume / VoxelsPerBall), dense / VoxelsPerSpacing, factor * dense);
+  }
+
+  /// Names the point that is farthest from the middle of the cloud.
+  Status TooFarApart() const
+  {
+    const std::vector<Point3>& points = this->Pairs.Points;
+    Point3 middle;
+    std::vector<double> values(points.size());
+    for (double Point3::*const axis : { &Point3::X, &Point3::Y, &Point3::Z })
+    {
+      std::transform(
+        points.begin(), points.end(), values.begin(), [&](const Point3& p) { return p.*axis; });
+      middle.*axis = Quantile(values, 0.5);
+    }
+    std::transform(points.begin(), points.end(), values.begin(),
+      [&](const Point3& p) { return Norm(p - middle); });
+    const auto farthest =
+      static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+    const double toPoints = 1.0 / this->Setup.Nodes.Scale;
+    std::ostringstream text;
+    text << "parts of the cloud are too far apart for one band of voxels: its points are "
+         << toPoints * this->MedianSpacing << " from each other, but point "
+         << this->Setup.Nodes.Originals[farthest] << " is " << toPoints * values[farthest]
+         << " from the middle. Leave out points that are wrong, build one graph for each part, or "
+            "set a resolution";
+    return Status::Invalid(text.str());
+  }
+
   Status BuildBand()
   {
     const std::size_t n = this->Pairs.Points.size();
@@ -331,26 +394,17 @@ private:
       radii[i] = factor * this->Pairs.Spacings[i];
     }
     double size = 0.0;
-    std::vector<float> spacings = this->Pairs.Spacings;
     if (this->Options.Resolution > 0)
     {
       size = extent / this->Options.Resolution;
     }
-    else if (h > 0.0)
-    {
-      size = factor * this->MedianSpacing / h;
-    }
     else
     {
-      size = std::max(Quantile(spacings, SpacingQuantile) / VoxelsPerSpacing,
-        extent / LargestAutomaticResolution);
-      double sum = 0.0;
-      for (const double radius : radii)
+      size = h > 0.0 ? factor * this->MedianSpacing / h : this->ChooseVoxelSize(factor);
+      if (extent > LargestAutomaticResolution * size)
       {
-        sum += std::pow(radius / size, 3.0);
+        return this->TooFarApart();
       }
-      const double voxels = 4.0 / 3.0 * Pi * sum / static_cast<double>(n);
-      size *= std::cbrt(std::max(1.0, voxels / VoxelsPerBall));
     }
     if (!(size > 0.0))
     {
@@ -560,6 +614,7 @@ Status SetUpCloud(const double* points, Id numberOfPoints, const CloudGraphOptio
   }
   Status status = FindNodes(points, numberOfPoints, setup.Nodes, setup.Pairs.Points);
   statistics.UnusedPoints = setup.Nodes.Unused;
+  statistics.StrayPoints = setup.Nodes.NumberOfStray;
   statistics.CoincidentPoints = static_cast<Id>(setup.Nodes.Coincident.size());
   if (!status.IsOk() || setup.Pairs.Points.empty())
   {
