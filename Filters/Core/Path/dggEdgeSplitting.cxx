@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <tuple>
@@ -230,9 +231,12 @@ private:
         middles.emplace(std::make_pair(std::min(a, b), std::max(a, b)), this->Middles[h]);
       }
     }
-    for (std::vector<Id>& chain : this->New.Paths)
+    for (std::size_t p = 0; p < this->New.Paths.size(); ++p)
     {
+      std::vector<Id>& chain = this->New.Paths[p];
+      std::vector<double>& places = this->New.Places[p];
       std::vector<Id> longer;
+      std::vector<double> longerPlaces;
       for (std::size_t i = 0; i < chain.size(); ++i)
       {
         if (i > 0)
@@ -242,11 +246,16 @@ private:
           if (middle != middles.end())
           {
             longer.push_back(middle->second);
+            // The piece may start after the first place, when those before it have no length.
+            const double start = std::max(places[i - 1], std::ceil(places[i]) - 1.0);
+            longerPlaces.push_back(0.5 * (start + places[i]));
           }
         }
         longer.push_back(chain[i]);
+        longerPlaces.push_back(places[i]);
       }
       chain.swap(longer);
+      places.swap(longerPlaces);
     }
   }
 

@@ -105,6 +105,15 @@ FaceTriangulation::FaceTriangulation(const std::array<Point2, 3>& corners)
   , IsSegment{ 0, 0, 0 }
   , Starts{ 0, 1, 2 }
 {
+  // Products of four lengths in grid units have to stay finite. A power of two rounds nothing.
+  int exponent = 0;
+  std::frexp(std::max({ std::abs(this->First.X), std::abs(this->First.Y), std::abs(this->Second.X),
+               std::abs(this->Second.Y) }),
+    &exponent);
+  for (double* x : { &this->First.X, &this->First.Y, &this->Second.X, &this->Second.Y })
+  {
+    *x = std::ldexp(*x, -exponent);
+  }
 }
 
 /// Put a triangle in its place, and tell its corners and its neighbours where it is.

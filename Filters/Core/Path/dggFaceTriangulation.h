@@ -87,7 +87,7 @@ private:
   bool IsBad(int h) const;
   void Improve(std::vector<int>& edges);
 
-  Point2 First;  // from corner 0 of the face to corner 1
+  Point2 First;  // from corner 0 of the face to corner 1, scaled
   Point2 Second; // and to corner 2
   std::vector<GridPoint> Points;
   std::vector<std::array<int, 3>> Triangles;

@@ -18,7 +18,8 @@ namespace dgg
 struct PathPiece
 {
   Id Path = NoId;
-  std::vector<Id> Nodes; ///< its ends, and between them what it passes
+  std::vector<Id> Nodes;  ///< its ends, and between them what it passes
+  std::size_t Number = 0; ///< among the pieces of the path
 };
 
 /// Splits the pieces in a face at nodes that they pass and where they cross each other, which adds

@@ -26,6 +26,10 @@ struct RefinedSurface
   std::vector<Id> Faces;       ///< per face, the old face that it is part of
   /// Per path, the vertices that it runs through; each is a neighbour of the next.
   std::vector<std::vector<Id>> Paths;
+  /// Per path, where its vertices are along it: the number of the piece of the path, plus the part
+  /// of the piece that lies behind. Vertex i + 1 is in the same piece as vertex i, or at its end.
+  /// Where pieces are so short that both ends became one vertex, it has the place of the first.
+  std::vector<std::vector<double>> Places;
 
   Id GetNumberOfVertices() const { return static_cast<Id>(this->Points.size()); }
   Id GetNumberOfFaces() const { return static_cast<Id>(this->Faces.size()); }

@@ -31,6 +31,7 @@ public:
     this->Cut = CutSurface();
     static_cast<RefinedSurface&>(this->Cut) = this->Surface;
     this->Cut.Paths.clear();
+    this->Cut.Places.clear();
     this->CollectEdges(chains);
     Status status = this->OpenEdges();
     if (!status.IsOk())

@@ -13,7 +13,8 @@ namespace dgg
 {
 /// A surface cut open: its faces are those of the surface that was cut, in the same order. A vertex
 /// has one copy for each sector that the cuts leave of the faces around it; the first copy has the
-/// id of the vertex, further ones follow after all vertices. Paths is empty.
+/// id of the vertex, further ones follow after all vertices. Paths and Places are
+/// empty.
 struct CutSurface : RefinedSurface
 {
   std::vector<Id> VertexOf; ///< per vertex, the one that it is a copy of

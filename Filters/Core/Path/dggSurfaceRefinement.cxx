@@ -65,6 +65,7 @@ private:
   void AddTriangle(Id f, const std::array<Id, 3>& nodes);
   void MakeTwinsAndLengths();
   void MakeChains();
+  void AddPlaces(const PathPiece& piece, std::vector<double>& places) const;
 
   const SurfaceMesh& Mesh;
   const std::vector<SurfacePath>& Paths;
@@ -168,7 +169,7 @@ void Refiner::MakePieces()
       if (to != from)
       {
         this->PiecesIn[path.Faces[i]].push_back(this->Pieces.size());
-        this->Pieces.push_back({ static_cast<Id>(p), { from, to } });
+        this->Pieces.push_back({ static_cast<Id>(p), { from, to }, i });
       }
       from = to;
     }
@@ -360,19 +361,45 @@ void Refiner::MakeTwinsAndLengths()
 void Refiner::MakeChains()
 {
   std::vector<std::vector<Id>>& chains = this->Refined.Paths;
+  std::vector<std::vector<double>>& places = this->Refined.Places;
   chains.resize(this->Paths.size());
+  places.resize(this->Paths.size());
   for (const PathPiece& piece : this->Pieces)
   {
     std::vector<Id>& chain = chains[piece.Path];
-    chain.insert(chain.end(), piece.Nodes.begin() + (chain.empty() ? 0 : 1), piece.Nodes.end());
+    if (chain.empty())
+    {
+      chain.push_back(piece.Nodes.front());
+      places[piece.Path].push_back(0.0);
+    }
+    chain.insert(chain.end(), piece.Nodes.begin() + 1, piece.Nodes.end());
+    this->AddPlaces(piece, places[piece.Path]);
   }
   for (std::size_t p = 0; p < this->Paths.size(); ++p)
   {
     if (chains[p].empty() && !this->Paths[p].Points.empty())
     {
       chains[p].push_back(this->Nodes.NodeOf(this->Paths[p].Points[0])); // a single point
+      places[p].push_back(0.0);
     }
   }
+}
+
+/// Where the nodes of a piece are along the path, all but the first. Measured where they came to
+/// lie, so that places grow even where nodes were moved together.
+void Refiner::AddPlaces(const PathPiece& piece, std::vector<double>& places) const
+{
+  const Id face = this->Paths[piece.Path].Faces[piece.Number];
+  std::vector<double> behind{ 0.0 };
+  for (std::size_t i = 0; i + 1 < piece.Nodes.size(); ++i)
+  {
+    behind.push_back(behind.back() + this->Nodes.Measure(piece.Nodes[i], piece.Nodes[i + 1], face));
+  }
+  for (std::size_t i = 1; i + 1 < behind.size(); ++i)
+  {
+    places.push_back(static_cast<double>(piece.Number) + behind[i] / behind.back());
+  }
+  places.push_back(static_cast<double>(piece.Number + 1));
 }
 }
 
