@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggCurveCut.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// An edge of a path in its direction.
+using DirectedEdge = std::pair<Id, Id>;
+
+/// Looks up the half-edges of the edges of paths, before and after the cut.
+class SideFinder
+{
+public:
+  explicit SideFinder(const RefinedSurface& surface)
+    : Surface(surface)
+  {
+  }
+
+  Status CheckEdges() const;
+  void Run(CurveCut& cut);
+
+private:
+  std::vector<char> MarkVertices() const;
+  void CollectHalfEdges();
+  EdgeSide FindSide(const CutSurface& cut, const DirectedEdge& edge, bool isLeft) const;
+
+  Id Origin(Id h) const { return this->Surface.Triangles[h]; }
+  Id Destination(Id h) const { return this->Surface.Triangles[SurfaceMesh::Next(h)]; }
+
+  const RefinedSurface& Surface;
+  std::vector<std::pair<DirectedEdge, Id>> HalfEdges; // at vertices of paths, sorted
+};
+
+std::vector<char> SideFinder::MarkVertices() const
+{
+  std::vector<char> isPassed(this->Surface.GetNumberOfVertices(), 0);
+  for (const std::vector<Id>& path : this->Surface.Paths)
+  {
+    for (std::size_t i = 0; i < path.size() && path.size() > 1; ++i)
+    {
+      isPassed[path[i]] = 1;
+    }
+  }
+  return isPassed;
+}
+
+/// Whether there are two sides wherever a path passes.
+Status SideFinder::CheckEdges() const
+{
+  const std::vector<char> isPassed = this->MarkVertices();
+  const std::vector<Id>& twins = this->Surface.Twins;
+  Offset crowded = 0;
+  Offset twisted = 0;
+  for (Id h = 0; h < static_cast<Id>(twins.size()); ++h)
+  {
+    const Id twin = twins[h];
+    if (twin == NoId || (!isPassed[this->Origin(h)] && !isPassed[this->Destination(h)]))
+    {
+      continue;
+    }
+    Id smallest = h;
+    int faces = 1;
+    for (Id e = twin; e != h; e = twins[e])
+    {
+      smallest = std::min(smallest, e);
+      ++faces;
+    }
+    crowded += smallest == h && faces > 2 ? 1 : 0;
+    twisted += smallest == h && faces == 2 && this->Origin(h) == this->Origin(twin) ? 1 : 0;
+  }
+  if (crowded == 0 && twisted == 0)
+  {
+    return Status::Success();
+  }
+  std::ostringstream message;
+  message << "curves have no sides where they meet " << crowded
+          << " edges of more than two faces and " << twisted
+          << " edges of two faces that are oriented differently. Remove duplicate faces and sheets"
+             " that stand on others, orient the faces alike, and do not draw curves across the seam"
+             " of a one-sided surface";
+  return Status::Invalid(message.str());
+}
+
+void SideFinder::CollectHalfEdges()
+{
+  const std::vector<char> isPassed = this->MarkVertices();
+  for (Id h = 0; h < static_cast<Id>(this->Surface.Triangles.size()); ++h)
+  {
+    if (isPassed[this->Origin(h)] && isPassed[this->Destination(h)])
+    {
+      this->HalfEdges.push_back({ { this->Origin(h), this->Destination(h) }, h });
+    }
+  }
+  std::sort(this->HalfEdges.begin(), this->HalfEdges.end());
+}
+
+/// The face to the left of an edge has it in its own direction.
+EdgeSide SideFinder::FindSide(const CutSurface& cut, const DirectedEdge& edge, bool isLeft) const
+{
+  const DirectedEdge inFace = isLeft ? edge : DirectedEdge(edge.second, edge.first);
+  const auto found =
+    std::lower_bound(this->HalfEdges.begin(), this->HalfEdges.end(), std::make_pair(inFace, Id(0)));
+  EdgeSide side;
+  if (found != this->HalfEdges.end() && found->first == inFace)
+  {
+    const Id h = found->second;
+    side.Face = SurfaceMesh::Face(h);
+    side.From = cut.Triangles[isLeft ? h : SurfaceMesh::Next(h)];
+    side.To = cut.Triangles[isLeft ? SurfaceMesh::Next(h) : h];
+  }
+  return side;
+}
+
+void SideFinder::Run(CurveCut& cut)
+{
+  this->CollectHalfEdges();
+  cut.Sides.resize(this->Surface.Paths.size());
+  for (std::size_t p = 0; p < cut.Sides.size(); ++p)
+  {
+    const std::vector<Id>& path = this->Surface.Paths[p];
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    {
+      const DirectedEdge edge{ path[i], path[i + 1] };
+      cut.Sides[p].Left.push_back(this->FindSide(cut.Surface, edge, true));
+      cut.Sides[p].Right.push_back(this->FindSide(cut.Surface, edge, false));
+    }
+  }
+}
+}
+
+Status CutAlongCurves(const RefinedSurface& surface, CurveCut& cut)
+{
+  cut = CurveCut();
+  SideFinder finder(surface);
+  Status status = finder.CheckEdges();
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  status = CutAlongChains(surface, surface.Paths, cut.Surface);
+  if (status.IsOk())
+  {
+    finder.Run(cut);
+  }
+  return status;
+}
+
+std::array<Id, 2> FindCopies(const std::vector<EdgeSide>& side, std::size_t vertex, bool isClosed)
+{
+  const std::size_t edges = side.size();
+  std::array<Id, 2> copies{ { NoId, NoId } };
+  if (edges > 0 && (vertex > 0 || isClosed))
+  {
+    copies[0] = side[(vertex + edges - 1) % edges].To;
+  }
+  if (edges > 0 && (vertex < edges || isClosed))
+  {
+    copies[1] = side[vertex % edges].From;
+  }
+  return copies;
+}
+}
