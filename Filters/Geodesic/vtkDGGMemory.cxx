@@ -4,12 +4,12 @@
 
 #include "vtkDGGControlGroup.h"
 
+#include "dggMemoryLimit.h"
+
 #include "vtksys/SystemInformation.hxx"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
-#include <sstream>
 
 namespace
 {
@@ -53,29 +53,12 @@ vtkTypeUInt64 vtkDGGGetMemoryLimit(vtkTypeUInt64 property)
 //------------------------------------------------------------------------------
 std::string vtkDGGFormatBytes(double bytes)
 {
-  const char* const units[] = { "bytes", "KiB", "MiB", "GiB", "TiB" };
-  std::size_t unit = 0;
-  while (bytes >= 1024.0 && unit + 1 < sizeof(units) / sizeof(units[0]))
-  {
-    bytes /= 1024.0;
-    ++unit;
-  }
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g %s", bytes, units[unit]);
-  return text;
+  return dgg::FormatBytes(bytes);
 }
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGCheckMemory(
   const std::string& what, double bytes, vtkTypeUInt64 property, const std::string& remedy)
 {
-  const auto limit = static_cast<double>(vtkDGGGetMemoryLimit(property));
-  if (bytes <= limit)
-  {
-    return dgg::Status::Success();
-  }
-  std::ostringstream message;
-  message << what << " would take about " << vtkDGGFormatBytes(bytes) << ", more than the limit of "
-          << vtkDGGFormatBytes(limit) << ": " << remedy << ", or set a higher MemoryLimit";
-  return dgg::Status::Invalid(message.str());
+  return dgg::CheckMemory(what, bytes, static_cast<double>(vtkDGGGetMemoryLimit(property)), remedy);
 }

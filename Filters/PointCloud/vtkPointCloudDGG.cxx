@@ -474,8 +474,15 @@ dgg::Status vtkPointCloudDGG::FindNormals(
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
   normals.reset();
   done = 0.0;
+  const dgg::Id points = mesh.GetMesh().GetNumberOfVertices();
   if (vtkDataArray* given = source.Given)
   {
+    const dgg::Status status = vtkDGGCheckMemory("a copy of the normals",
+      3.0 * sizeof(double) * points, this->MemoryLimit, "use fewer points");
+    if (!status.IsOk())
+    {
+      return status;
+    }
     const vtkIdType n = given->GetNumberOfTuples();
     auto copy = std::make_shared<std::vector<double>>(3 * static_cast<std::size_t>(n));
     for (vtkIdType i = 0; i < n; ++i)
@@ -494,9 +501,15 @@ dgg::Status vtkPointCloudDGG::FindNormals(
     internals.NormalsMesh == mesh.GetBuildTime();
   if (!isKept)
   {
+    dgg::Status status = vtkDGGCheckMemory("finding normals", vtkDGGPredictNormalsMemory(points),
+      this->MemoryLimit, "use fewer points, or turn EstimateNormals off");
+    if (!status.IsOk())
+    {
+      return status;
+    }
     auto found = std::make_shared<std::vector<double>>();
-    const dgg::Status status = vtkDGGEstimateNormals(
-      mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices(), source.NumberOfNeighbors,
+    status = vtkDGGEstimateNormals(
+      mesh.GetPositions(), points, source.NumberOfNeighbors,
       [this](double fraction) { return this->Advance(NormalsShare * fraction); }, *found);
     if (!status.IsOk())
     {

@@ -143,7 +143,8 @@ TEST(VoxelBand, RefusesTooMuch)
   const Balls balls = RandomBalls(1000, 1.0, 0.1, 0.2);
   const dgg::Status status = band.Build(balls.Centres, balls.Radii, 0.01, 10000, {});
   EXPECT_FALSE(status.IsOk());
-  EXPECT_NE(status.GetMessage().find("10000 bytes"), std::string::npos) << status.GetMessage();
+  EXPECT_NE(status.GetMessage().find("9.766 KiB"), std::string::npos) << status.GetMessage();
+  EXPECT_NE(status.GetMessage().find("MemoryLimit"), std::string::npos) << status.GetMessage();
   EXPECT_TRUE(band.Build({}, {}, 0.1, 0, {}).IsOk());
   EXPECT_FALSE(band.Contains({ { 0, 0, 0 } }));
 }
@@ -159,13 +160,54 @@ TEST(VoxelBand, RefusesTooMuchBeforeItIsTaken)
   EXPECT_EQ(band.GetResolution(), 0);
 }
 
+TEST(VoxelBand, RefusesTooMuchSoon)
+{
+  // Balls of 2e9 bricks in all, which take minutes to look at one by one.
+  const Balls balls = RandomBalls(500, 1.0, 0.1, 0.2);
+  VoxelBand band;
+  int told = 0;
+  const dgg::Status status =
+    band.Build(balls.Centres, balls.Radii, 1e-4, std::size_t{ 1 } << 36, {}, [&](double done) {
+      EXPECT_LE(done, 0.05);
+      return ++told < 100;
+    });
+  EXPECT_FALSE(status.IsOk());
+  EXPECT_FALSE(status.IsAborted());
+  EXPECT_NE(status.GetMessage().find("64 GiB"), std::string::npos) << status.GetMessage();
+}
+
+TEST(VoxelBand, ReachesAsFarAsItSays)
+{
+  // At both ends of the longest axis there is, bricks are told apart.
+  const double far = VoxelBand::MaximumResolution - 12.0;
+  const std::vector<Point3> centres{ { 0.0, 0.0, 0.0 }, { far, 0.0, 0.0 }, { 0.0, far, far } };
+  VoxelBand band;
+  ASSERT_TRUE(band.Build(centres, { 3.0, 3.0, 3.0 }, 1.0, 0, {}).IsOk());
+  EXPECT_LE(band.GetResolution(), VoxelBand::MaximumResolution);
+  VoxelBand one;
+  ASSERT_TRUE(one.Build({ centres[0] }, { 3.0 }, 1.0, 0, {}).IsOk());
+  EXPECT_EQ(band.GetNumberOfVoxels(), 3 * one.GetNumberOfVoxels());
+  for (const Point3& centre : centres)
+  {
+    for (int i = -10; i <= 10; ++i)
+    {
+      for (const Point3& axis : { Point3{ 1, 0, 0 }, Point3{ 0, 1, 0 }, Point3{ 0, 0, 1 } })
+      {
+        const Point3 p = band.ToGrid(centre + (i + 0.5) * axis);
+        EXPECT_EQ(band.IsInBox(p) && band.Contains(VoxelBand::VoxelOf(p)), std::abs(i + 0.5) < 3.1);
+      }
+    }
+  }
+  EXPECT_FALSE(band.Build({ { 0, 0, 0 }, { far + 20.0, 0, 0 } }, { 3.0, 3.0 }, 1.0, 0, {}).IsOk());
+}
+
 TEST(VoxelBand, TellsOfProgressAndStops)
 {
   const Balls balls = RandomBalls(30, 1.0, 0.8, 1.0);
   std::vector<double> told;
   VoxelBand band;
   ASSERT_TRUE(band
-                .Build(balls.Centres, balls.Radii, 0.006, 0, {},
+                .Build(balls.Centres, balls.Radii, 0.015, 0, {},
                   [&](double done) {
                     told.push_back(done);
                     return true;
@@ -180,7 +222,7 @@ TEST(VoxelBand, TellsOfProgressAndStops)
   {
     std::size_t called = 0;
     const dgg::Status status = band.Build(
-      balls.Centres, balls.Radii, 0.006, 0, {}, [&](double) { return ++called < calls; });
+      balls.Centres, balls.Radii, 0.015, 0, {}, [&](double) { return ++called < calls; });
     EXPECT_TRUE(status.IsAborted());
     EXPECT_EQ(called, calls);
     EXPECT_EQ(band.GetNumberOfBricks(), 0U);

@@ -4,6 +4,7 @@
 
 #include "dggCloudFrame.h"
 #include "dggLocalFit.h"
+#include "dggMemoryLimit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -211,8 +212,8 @@ Status BandPathShortener::Prepare(double voxelSize, std::size_t memoryLimit,
     static_cast<std::size_t>(this->Graph.NumberOfVertices) * (sizeof(Point3) + sizeof(double));
   if (memoryLimit > 0 && copies >= memoryLimit)
   {
-    return Status::Invalid("the points of the band would take " + std::to_string(copies) +
-      " bytes, but the limit is " + std::to_string(memoryLimit) + ": raise the limit of memory");
+    return CheckMemory("the points of the band alone", static_cast<double>(copies) + 1.0,
+      static_cast<double>(memoryLimit), "use fewer points");
   }
   std::vector<Point3> points;
   std::vector<double> radii;

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggVoxelBand.h"
 
+#include "dggMemoryLimit.h"
+#include "dggProgressPart.h"
 #include "dggSegmentWalk.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <tuple>
 
@@ -19,9 +22,11 @@ constexpr std::size_t TablePerBrick = 2;
 constexpr Offset PointsPerTask = 4096;
 /// Work between two reports of progress: places of bricks looked at, voxels in boxes around balls,
 /// and the tasks that these are divided into.
-constexpr std::size_t LooksPerReport = 1 << 18;
-constexpr double VoxelsPerReport = 1 << 28;
+constexpr std::size_t LooksPerReport = 1 << 15;
+constexpr double VoxelsPerReport = 1 << 24;
 constexpr Offset TasksPerReport = 256;
+/// Bricks that the hash table can tell apart.
+constexpr double MostBricks = std::numeric_limits<std::int32_t>::max();
 
 std::uint64_t Scramble(std::uint64_t key)
 {
@@ -42,10 +47,45 @@ Range RangeOf(double centre, double radius, double size)
     static_cast<std::int32_t>(std::floor((centre + radius) / size)) };
 }
 
-/// How far a number is from an interval.
+/// How far a number is from the nearest, and the farthest, of an interval.
 double Gap(double x, double low, double high)
 {
   return x < low ? low - x : std::max(0.0, x - high);
+}
+double Span(double x, double low, double high)
+{
+  return std::max(std::abs(x - low), std::abs(x - high));
+}
+
+/// Cells of 2^level bricks along each axis, as large as fit into balls on average. Larger ones lie
+/// in no ball; 0 when bricks do not either.
+int ChooseLevel(const std::vector<double>& radii, double inverseSize)
+{
+  double sum = 0.0;
+  for (const double radius : radii)
+  {
+    sum += radius;
+  }
+  // The one that the middle of a ball is in reaches by its diagonal at most.
+  const double cell =
+    sum / static_cast<double>(radii.size()) * inverseSize / (std::sqrt(3.0) * 8.0);
+  return cell > 1.0 ? std::ilogb(cell) : 0;
+}
+
+/// Of bricks that have been found so far.
+Status CheckBricks(double bricks, double memoryLimit)
+{
+  const double bytes = VoxelBand::PredictMemory(bricks);
+  if (bytes <= memoryLimit && bricks <= MostBricks)
+  {
+    return Status::Success();
+  }
+  const char* const remedy = "use a smaller Resolution";
+  return bytes > memoryLimit
+    ? CheckMemory(
+        "a part of the band of voxels around the points alone", bytes, memoryLimit, remedy)
+    : Status::Invalid(
+        std::string("the band would have more than 2^31 bricks of voxels: ") + remedy);
 }
 }
 
@@ -69,9 +109,15 @@ Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<dou
     return Status::Success();
   }
   Status status = this->ChooseBox(points, radii);
+  // Where there are very many bricks, fewer cells tell that there are too many.
+  const int level = ChooseLevel(radii, this->InverseSize);
+  if (status.IsOk() && level > 0)
+  {
+    status = this->FindCells(points, radii, level, memoryLimit, ProgressPart(progress, 0.0, 0.1));
+  }
   if (status.IsOk())
   {
-    status = this->FindBricks(points, radii, memoryLimit, progress);
+    status = this->FindCells(points, radii, 0, memoryLimit, ProgressPart(progress, 0.1, 0.5));
   }
   if (status.IsOk())
   {
@@ -105,56 +151,61 @@ Status VoxelBand::ChooseBox(const std::vector<Point3>& points, const std::vector
   {
     std::ostringstream text;
     text << "the band would have " << resolution << " voxels along its longest side, more than "
-         << MaximumResolution << ": use a smaller resolution";
+         << MaximumResolution << ": use a smaller Resolution";
     return Status::Invalid(text.str());
   }
   this->Resolution = static_cast<std::int32_t>(resolution);
   return Status::Success();
 }
 
-/// The bricks that balls meet.
-Status VoxelBand::FindBricks(const std::vector<Point3>& points, const std::vector<double>& radii,
-  std::size_t memoryLimit, const ProgressCallback& progress)
+/// The bricks that balls meet. At a level above 0, cells of 2^level bricks along each axis, those
+/// that lie in a ball altogether: only to see whether their bricks are too many already.
+Status VoxelBand::FindCells(const std::vector<Point3>& points, const std::vector<double>& radii,
+  int level, std::size_t memoryLimit, const ProgressCallback& progress)
 {
-  const double most =
-    memoryLimit > 0 ? static_cast<double>(memoryLimit) / PredictMemory(1.0) : Infinity;
+  const double size = std::ldexp(8.0, level);
+  const double bricksPerCell = std::ldexp(1.0, 3 * level);
+  const double limit = memoryLimit > 0 ? static_cast<double>(memoryLimit) : Infinity;
+  const auto meets = [&](double x, std::int32_t cell) {
+    return level > 0 ? Span(x, size * cell, size * (cell + 1.0))
+                     : Gap(x, size * cell, size * (cell + 1.0));
+  };
+  this->Keys.clear();
   this->Rehash(1024);
   std::size_t looks = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const Point3 centre = this->ToGrid(points[i]);
     // A voxel more, for the neighbours that are marked in any case.
-    const double radius = std::max(1.0, radii[i] * this->InverseSize);
-    const Range x = RangeOf(centre.X, radius, 8.0);
-    const Range y = RangeOf(centre.Y, radius, 8.0);
-    const Range z = RangeOf(centre.Z, radius, 8.0);
-    for (std::int32_t bz = z.First; bz <= z.Last; ++bz)
+    const double radius = std::max(level > 0 ? 0.0 : 1.0, radii[i] * this->InverseSize);
+    const Range x = RangeOf(centre.X, radius, size);
+    const Range y = RangeOf(centre.Y, radius, size);
+    const Range z = RangeOf(centre.Z, radius, size);
+    for (std::int32_t cz = z.First; cz <= z.Last; ++cz)
     {
-      const double gapZ = Gap(centre.Z, 8.0 * bz, 8.0 * bz + 8.0);
-      for (std::int32_t by = y.First; by <= y.Last; ++by)
+      const double byZ = meets(centre.Z, cz);
+      for (std::int32_t cy = y.First; cy <= y.Last; ++cy)
       {
-        const double gapY = Gap(centre.Y, 8.0 * by, 8.0 * by + 8.0);
-        for (std::int32_t bx = x.First; bx <= x.Last; ++bx)
+        const double byY = meets(centre.Y, cy);
+        for (std::int32_t cx = x.First; cx <= x.Last; ++cx)
         {
-          const double gapX = Gap(centre.X, 8.0 * bx, 8.0 * bx + 8.0);
-          if (gapX * gapX + gapY * gapY + gapZ * gapZ <= radius * radius)
+          const double byX = meets(centre.X, cx);
+          if (byX * byX + byY * byY + byZ * byZ <= radius * radius)
           {
-            this->AddBrick(BrickKey({ 8 * bx, 8 * by, 8 * bz }));
+            this->AddBrick(BrickKey({ 8 * cx, 8 * cy, 8 * cz }));
           }
         }
-        if (static_cast<double>(this->Keys.size()) > most)
+        const double bricks = bricksPerCell * static_cast<double>(this->Keys.size());
+        const Status status = CheckBricks(bricks, limit);
+        if (!status.IsOk())
         {
-          std::ostringstream text;
-          text << "the band around the points would take more than " << memoryLimit
-               << " bytes: raise the limit of memory, or use a smaller resolution";
-          return Status::Invalid(text.str());
+          return status;
         }
         looks += static_cast<std::size_t>(x.Last - x.First) + 1;
         if (looks > LooksPerReport)
         {
           looks = 0;
-          if (progress &&
-            !progress(0.5 * static_cast<double>(i) / static_cast<double>(points.size())))
+          if (progress && !progress(static_cast<double>(i) / static_cast<double>(points.size())))
           {
             return Status::Abort();
           }

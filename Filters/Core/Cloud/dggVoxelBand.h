@@ -39,8 +39,8 @@ public:
   /// Mark the balls. `radii` holds one radius per point. Balls that are too small for any voxel
   /// mark the voxel of their point and its six neighbours. Fails when the voxels are so small that
   /// there are too many, or when the band would take more than `memoryLimit` bytes (0: no limit),
-  /// before it takes them. Points and radii have to be finite. The same for any `parallel`. The
-  /// band is empty when it fails, or when `progress` asks to stop.
+  /// before it takes them, and soon where balls are large. Points and radii have to be finite. The
+  /// same for any `parallel`. The band is empty when it fails, or when `progress` asks to stop.
   Status Build(const std::vector<Point3>& points, const std::vector<double>& radii,
     double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel,
     const ProgressCallback& progress = {});
@@ -117,7 +117,7 @@ public:
 
 private:
   Status ChooseBox(const std::vector<Point3>& points, const std::vector<double>& radii);
-  Status FindBricks(const std::vector<Point3>& points, const std::vector<double>& radii,
+  Status FindCells(const std::vector<Point3>& points, const std::vector<double>& radii, int level,
     std::size_t memoryLimit, const ProgressCallback& progress);
   Status MarkBalls(const std::vector<Point3>& points, const std::vector<double>& radii,
     const ParallelFor& parallel, const ProgressCallback& progress);

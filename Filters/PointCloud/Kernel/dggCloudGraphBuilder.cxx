@@ -5,6 +5,7 @@
 #include "dggCloudAssembly.h"
 #include "dggCloudPruning.h"
 #include "dggCloudSetup.h"
+#include "dggMemoryLimit.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
@@ -102,16 +103,9 @@ double PredictPeak(const CloudSetup& setup, Id numberOfPoints, double edges, boo
   const double arrays = points * (2.0 * sizeof(Offset) + 4.0 * sizeof(Id) + sizeof(double));
   const double graph =
     arrays + std::max(rows + edges * sizeof(Id), edges * static_cast<double>(BytesPerEdge(wide)));
-  return std::max(static_cast<double>(CloudNodes::PredictMemory(numberOfPoints)),
+  return std::max(
+    static_cast<double>(setup.NormalsMemory + CloudNodes::PredictMemory(numberOfPoints)),
     static_cast<double>(setup.GetMemorySize()) + graph);
-}
-
-Status TooMuch(double bytes, std::size_t limit)
-{
-  std::ostringstream text;
-  text << "building the graph would take about " << bytes << " bytes, but the limit is " << limit
-       << ": raise the limit of memory, or use a larger accuracy or a smaller alpha";
-  return Status::Invalid(text.str());
 }
 
 /// Predict from the rows of some nodes, evenly spread.
@@ -205,9 +199,11 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
     {
       return status;
     }
-    if (estimate.Peak > static_cast<double>(options.MemoryLimit))
+    status = CheckMemory("building the graph of the cloud", estimate.Peak,
+      static_cast<double>(options.MemoryLimit), "use a larger Accuracy or a smaller Alpha");
+    if (!status.IsOk())
     {
-      return TooMuch(estimate.Peak, options.MemoryLimit);
+      return status;
     }
   }
   std::vector<CloudRowBlock> blocks;

@@ -46,7 +46,7 @@ struct CloudGraphOptions
   /// Whether Normals all point to the same side of the surface, which tells sheets apart that are
   /// back to back. Points without a normal are treated as if it were false.
   bool HasOrientedNormals = false;
-  /// Bytes that building may take. 0: no limit.
+  /// Bytes that building may take, with Normals, which are there already. 0: no limit.
   std::size_t MemoryLimit = 0;
   ParallelFor Parallel;      ///< may be empty
   ProgressCallback Progress; ///< may be empty; called from the thread that called Build()

@@ -3,6 +3,7 @@
 #include "dggCloudSetup.h"
 
 #include "dggLocalFit.h"
+#include "dggMemoryLimit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,12 +106,12 @@ std::size_t CountBeforeGap(const std::vector<CloudNeighbor>& neighbors)
   return 0;
 }
 
-Status TooMuch(std::size_t bytes, std::size_t limit)
+Status CheckSetup(std::size_t bytes, const CloudGraphOptions& options)
 {
-  std::ostringstream text;
-  text << "what has to be known of the points takes " << bytes << " bytes, but the limit is "
-       << limit << ": raise the limit of memory";
-  return Status::Invalid(text.str());
+  return options.MemoryLimit > 0
+    ? CheckMemory("what has to be known of the points of the cloud", static_cast<double>(bytes),
+        static_cast<double>(options.MemoryLimit), "use fewer points")
+    : Status::Success();
 }
 
 /// Steps of the setup, one after the other.
@@ -279,6 +280,7 @@ private:
     {
       this->Pairs.Points[i] = this->Pairs.Points[i] + this->ToSurface[i];
     }
+    this->Setup.Neighbors.reset(); // before another one is taken
     this->Setup.Neighbors = std::make_unique<CloudNeighbors>(this->Pairs.Points);
     this->FitSurfaces(count, 0.0);
     // What is left of the noise is not to be followed.
@@ -424,9 +426,10 @@ private:
     if (this->Options.MemoryLimit > 0)
     {
       const std::size_t used = this->Setup.GetMemorySize();
-      if (used >= this->Options.MemoryLimit)
+      const Status status = CheckSetup(used + 1, this->Options); // and something for the band
+      if (!status.IsOk())
       {
-        return TooMuch(used, this->Options.MemoryLimit);
+        return status;
       }
       // The nearest points of its voxels come with it.
       const double band = VoxelBand::PredictMemory(1.0);
@@ -594,31 +597,47 @@ private:
 };
 }
 
+std::size_t CloudSetup::PredictMemory(std::size_t nodes)
+{
+  // Points, normals and what is fitted (with copies while it is smoothed), and the tree.
+  return nodes * (3 * sizeof(Point3) + 2 * sizeof(double) + 8 * sizeof(float) + sizeof(Id) + 2) +
+    CloudNeighbors::PredictMemory(nodes);
+}
+
 std::size_t CloudSetup::GetMemorySize() const
 {
-  const std::size_t n = this->Pairs.Points.size();
-  // Points, normals and what is fitted (with copies while it is smoothed), tree and band.
-  return n * (3 * sizeof(Point3) + 2 * sizeof(double) + 8 * sizeof(float) + sizeof(Id) + 2) +
+  return this->NormalsMemory + PredictMemory(this->Pairs.Points.size()) +
     this->Nodes.Coincident.capacity() * sizeof(this->Nodes.Coincident[0]) +
-    CloudNeighbors::PredictMemory(n) + this->Pairs.Band.GetMemorySize() +
-    this->Pairs.Nearest.capacity() * sizeof(Id);
+    this->Pairs.Band.GetMemorySize() + this->Pairs.Nearest.capacity() * sizeof(Id);
 }
 
 Status SetUpCloud(const double* points, Id numberOfPoints, const CloudGraphOptions& options,
   const ProgressCallback& progress, CloudSetup& setup, CloudGraphStatistics& statistics)
 {
-  const std::size_t bytes = CloudNodes::PredictMemory(numberOfPoints);
-  if (options.MemoryLimit > 0 && bytes > options.MemoryLimit)
+  setup.NormalsMemory =
+    options.Normals ? static_cast<std::size_t>(numberOfPoints) * sizeof(Point3) : 0;
+  Status status =
+    CheckSetup(setup.NormalsMemory + CloudNodes::PredictMemory(numberOfPoints), options);
+  if (!status.IsOk())
   {
-    return TooMuch(bytes, options.MemoryLimit);
+    return status;
   }
-  Status status = FindNodes(points, numberOfPoints, setup.Nodes, setup.Pairs.Points);
+  status = FindNodes(points, numberOfPoints, setup.Nodes, setup.Pairs.Points);
   statistics.UnusedPoints = setup.Nodes.Unused;
   statistics.StrayPoints = setup.Nodes.NumberOfStray;
   statistics.CoincidentPoints = static_cast<Id>(setup.Nodes.Coincident.size());
   if (!status.IsOk() || setup.Pairs.Points.empty())
   {
     return status;
+  }
+  status = CheckSetup(setup.GetMemorySize(), options);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  if (progress && !progress(0.0))
+  {
+    return Status::Abort();
   }
   SetupBuilder builder(options, progress, setup, statistics);
   return builder.Run(options.Normals);

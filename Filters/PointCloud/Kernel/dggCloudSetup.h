@@ -21,8 +21,11 @@ struct CloudSetup
   CloudNodes Nodes;
   CloudPairs Pairs;
   std::unique_ptr<CloudNeighbors> Neighbors;
+  std::size_t NormalsMemory = 0; ///< bytes of those that were given
 
   std::size_t GetMemorySize() const;
+  /// Bytes for so many nodes, but for the band.
+  static std::size_t PredictMemory(std::size_t nodes);
 };
 
 /// `progress` is told of the fraction of this step.

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggMemoryLimit.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+
+namespace dgg
+{
+std::string FormatBytes(double bytes)
+{
+  constexpr std::array<const char*, 5> units{ { "bytes", "KiB", "MiB", "GiB", "TiB" } };
+  std::size_t unit = 0;
+  while (bytes >= 1024.0 && unit + 1 < units.size())
+  {
+    bytes /= 1024.0;
+    ++unit;
+  }
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.4g %s", bytes, units[unit]);
+  return text.data();
+}
+
+Status CheckMemory(const std::string& what, double bytes, double limit, const std::string& remedy)
+{
+  return bytes <= limit ? Status::Success()
+                        : Status::Invalid(what + " would take about " + FormatBytes(bytes) +
+                            ", more than the limit of " + FormatBytes(limit) + ": " + remedy +
+                            ", or set a higher MemoryLimit");
+}
+}
