@@ -103,6 +103,16 @@ std::vector<std::string> BenchmarkArguments::GetList(const std::string& name) co
   return Split(this->Get(name), ',');
 }
 
+std::vector<int> BenchmarkArguments::GetIntegers(const std::string& name) const
+{
+  std::vector<int> values;
+  for (const std::string& value : this->GetList(name))
+  {
+    values.push_back(std::atoi(value.c_str()));
+  }
+  return values;
+}
+
 void AddBenchmarkContext()
 {
   benchmark::AddCustomContext("vtk_version", vtkVersion::GetVTKVersion());

@@ -28,6 +28,7 @@ public:
   double GetNumber(const std::string& name) const;
   /// The parts of a value, separated by commas.
   std::vector<std::string> GetList(const std::string& name) const;
+  std::vector<int> GetIntegers(const std::string& name) const;
 
   /// The meshes named on the command line, else those of the environment (DGG_BENCHMARK_MESHES,
   /// separated by ':'), else a generated surface and, when it is installed, the bunny of Debian's

@@ -11,7 +11,8 @@
 ///                       and subdivided (Loop); empty leaves isolines out
 ///   --levels=20         isolines, evenly over the range of the exact distances
 ///   --chord=0.00001     how far lines may be from level sets where errors are measured, in mean
-///                       edge lengths; half of that is measured as well, to show how much it matters
+///                       edge lengths; half of that is measured as well, to show how much it
+///                       matters
 ///   --drawn=0.001       the same for isolines of exact distances to be looked at: times are those
 ///   --steiner=0,2       points per edge of the published method
 ///   --more_steiner=1,5,10,20,50  the same in addition, on the first mesh at its smallest and its
@@ -40,7 +41,6 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -236,22 +236,12 @@ void RegisterMesh(const MeshRecipe& mesh, const Settings& settings,
   }
 }
 
-std::vector<int> ReadIntegers(const BenchmarkArguments& arguments, const char* name)
-{
-  std::vector<int> values;
-  for (const std::string& value : arguments.GetList(name))
-  {
-    values.push_back(std::atoi(value.c_str()));
-  }
-  return values;
-}
-
 /// False, with a message, when the arguments make no sense.
 bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
 {
-  settings.Sizes = ReadIntegers(arguments, "sizes");
-  settings.SteinerPoints = ReadIntegers(arguments, "steiner");
-  settings.MoreSteinerPoints = ReadIntegers(arguments, "more_steiner");
+  settings.Sizes = arguments.GetIntegers("sizes");
+  settings.SteinerPoints = arguments.GetIntegers("steiner");
+  settings.MoreSteinerPoints = arguments.GetIntegers("more_steiner");
   settings.Levels = static_cast<int>(arguments.GetNumber("levels"));
   settings.Chord = arguments.GetNumber("chord");
   settings.Drawn = arguments.GetNumber("drawn");
@@ -284,8 +274,8 @@ int main(int argc, char** argv)
   benchmark::Initialize(&argc, argv);
   BenchmarkArguments arguments({ { "sizes", "600,1000,5000,10000,50000" }, { "levels", "20" },
     { "chord", "0.00001" }, { "drawn", "0.001" }, { "steiner", "0,2" },
-    { "more_steiner", "1,5,10,20,50" }, { "accuracy", "0.01" }, { "sources", "3" }, { "torus", "100" },
-    { "subdivided", "armadillo" } });
+    { "more_steiner", "1,5,10,20,50" }, { "accuracy", "0.01" }, { "sources", "3" },
+    { "torus", "100" }, { "subdivided", "armadillo" } });
   Settings settings;
   if (!arguments.Parse(argc, argv) || !ReadSettings(arguments, settings))
   {

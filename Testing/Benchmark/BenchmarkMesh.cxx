@@ -22,7 +22,8 @@ vtkSmartPointer<vtkPolyData> Generated(const MeshRecipe& recipe)
   {
     return ToPolyData(Torus(recipe.Rings, recipe.Rings / 2));
   }
-  return ToPolyData(WithHoles(BumpySphere(recipe.Level), recipe.Holes, HoleRadius));
+  const MeshArrays sphere = recipe.IsRound ? Icosphere(recipe.Level) : BumpySphere(recipe.Level);
+  return ToPolyData(WithHoles(sphere, recipe.Holes, HoleRadius));
 }
 
 /// Drop points without a face; merge nothing.

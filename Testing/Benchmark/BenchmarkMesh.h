@@ -31,11 +31,12 @@ class vtkPolyData;
 struct MeshRecipe
 {
   std::string Name;
-  std::string File;  ///< empty: a generated surface
-  int Level = 0;     ///< refinement of the generated surface, a sphere
-  int Holes = 0;     ///< in that sphere, of radius 0.3
-  int Rings = 0;     ///< when positive: the generated surface is a torus of so many rings
-  int GridLines = 0; ///< when positive: the corner of a grid with so many lines both ways
+  std::string File;     ///< empty: a generated surface
+  int Level = 0;        ///< refinement of the generated surface, a sphere
+  bool IsRound = false; ///< that sphere is one of radius 1, else it has waves
+  int Holes = 0;        ///< in that sphere, of radius 0.3
+  int Rings = 0;        ///< when positive: the generated surface is a torus of so many rings
+  int GridLines = 0;    ///< when positive: the corner of a grid with so many lines both ways
   /// When positive: without faces that have an edge longer than so many median ones.
   double LongestEdge = 0.0;
   int Vertices = 0;     ///< when positive: decimate to about this many

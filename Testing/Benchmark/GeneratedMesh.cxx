@@ -94,19 +94,30 @@ void Split(MeshArrays& mesh)
 }
 }
 
-MeshArrays BumpySphere(int level, double amplitude)
+MeshArrays Icosphere(int level)
 {
   MeshArrays mesh = Icosahedron();
   for (int i = 0; i < level; ++i)
   {
     Split(mesh);
   }
+  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
+  {
+    Vector p = { mesh.Points[i], mesh.Points[i + 1], mesh.Points[i + 2] };
+    Normalize(p);
+    std::copy(p.begin(), p.end(), mesh.Points.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return mesh;
+}
+
+MeshArrays BumpySphere(int level, double amplitude)
+{
+  MeshArrays mesh = Icosphere(level);
   const double edge = 1.1 / static_cast<double>(1 << level);
   Shift shift;
   for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
   {
     Vector p = { mesh.Points[i], mesh.Points[i + 1], mesh.Points[i + 2] };
-    Normalize(p);
     for (double& c : p)
     {
       c += 0.2 * edge * shift();

@@ -7,8 +7,12 @@
 
 #include "MeshArrays.h" // for MeshArrays
 
-/// Sphere of radius 1 from an icosahedron split `level` times (10 * 4^level + 2 vertices), with
-/// waves of relative height `amplitude` and vertices shifted at random by up to 0.2 edge lengths.
+/// Sphere of radius 1 from an icosahedron split `level` times: 10 * 4^level + 2 vertices. Face f of
+/// one level is split into the faces 4 f to 4 f + 3 of the next.
+MeshArrays Icosphere(int level);
+
+/// The same with waves of relative height `amplitude` and vertices shifted at random by up to 0.2
+/// edge lengths.
 MeshArrays BumpySphere(int level, double amplitude = 0.1);
 
 /// Without the faces that have a corner within `radius` of one of the first `count` vertices: those

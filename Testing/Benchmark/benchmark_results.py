@@ -80,6 +80,18 @@ def text(value, form):
     return DASH if value is None else form.format(value)
 
 
+def number(value):
+    return text(value, "{:.0f}")
+
+
+def percent(value):
+    return DASH if value is None else digits(100.0 * value)
+
+
+def bytes_text(value):
+    return DASH if value is None else count_text(value) + "B"
+
+
 def time_text(value):
     return DASH if value is None else seconds_text(value)
 
@@ -99,7 +111,7 @@ def environment(context):
     """What a run was compiled with."""
     return ", ".join(
         f"{key.split('_')[0]} {context[key].strip()}"
-        for key in ("compiler", "vtk_version", "cgal_version")
+        for key in ("compiler", "vtk_version", "cgal_version", "cholmod_version")
         if key in context
     )
 
@@ -108,6 +120,16 @@ def table(header, rows):
     lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
     lines += ["| " + " | ".join(row) + " |" for row in rows]
     return "\n".join(lines) + "\n"
+
+
+def titled(run, makers):
+    """The tables that there is something for, each below its title; {title: function of the run}."""
+    parts = []
+    for title, make in makers.items():
+        made = make(run)
+        if made:
+            parts += [f"**{title}**\n", made]
+    return parts
 
 
 def run_as_script(summarize, usage):

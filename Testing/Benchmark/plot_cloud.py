@@ -10,13 +10,18 @@ voxels. Full lines are lengths of arcs, dashed ones of chords. Where more than o
 is not reached, nothing is drawn.
 """
 
-import sys
-
 from benchmark_results import count_text, largest, mean, median
+from plot_tools import (
+    STYLES,
+    PlotError,
+    add_legend,
+    draw_curve,
+    load_matplotlib,
+    run_as_script,
+    style_axes,
+)
 from summarize_cloud import Run
 
-# Colours that differ in lightness too, for those who do not see hues.
-STYLES = (("#0b5fa5", "o"), ("#e08214", "s"), ("#2d9a5f", "^"))
 WEIGHTS = (("arc", "-", "arcs"), ("chord", "--", "chords"))
 SCHEMES = ("A", "B", "C")
 ALPHAS = {
@@ -25,10 +30,6 @@ ALPHAS = {
     "C": "alpha: reach / spacing",
 }
 OFFSET = "h: radius of the balls in voxels"
-
-
-class PlotError(Exception):
-    """There is nothing to plot with, or nothing to plot."""
 
 
 def curve(graphs, graph, parameter):
@@ -56,80 +57,42 @@ def name_of(cloud, graphs):
 
 
 def draw(axes, curves, scheme, parameter):
-    for (_, graphs), (colour, marker) in zip(curves, STYLES):
+    for (_, graphs), style in zip(curves, STYLES):
         for weights, line, _ in WEIGHTS:
             points = curve(graphs, f"{scheme}/{weights}", parameter)
-            if points:
-                axes.plot(
-                    *zip(*points),
-                    color=colour,
-                    marker=marker,
-                    markersize=6,
-                    markerfacecolor=colour if weights == "arc" else "white",
-                    linestyle=line,
-                    linewidth=1.8,
-                )
+            draw_curve(axes, points, style, line, weights == "arc")
 
 
-def legend(figure, handle, curves):
-    """Clouds by colour and marker, lengths by line; one legend for all."""
-    lines = [
-        handle([], [], color=colour, marker=marker, linewidth=1.8, label=name_of(cloud, graphs))
-        for (cloud, graphs), (colour, marker) in zip(curves, STYLES)
-    ]
-    for _, line, label in WEIGHTS:
-        lines.append(handle([], [], color="#444444", linestyle=line, linewidth=1.8, label=label))
-    figure.legend(handles=lines, loc="lower center", ncol=6, frameon=False, fontsize=11)
+def values_of(curves, scheme, parameter):
+    """Where the curves of a scheme have points."""
+    return sorted(
+        {
+            value
+            for _, graphs in curves
+            for weights, _, _ in WEIGHTS
+            for value, _ in curve(graphs, f"{scheme}/{weights}", parameter)
+        }
+    )
 
 
-def plot(run, path):
-    try:
-        import matplotlib
-    except ImportError:
-        raise PlotError("needs matplotlib (Debian: python3-matplotlib)") from None
-    matplotlib.use("Agg")
-    from matplotlib.lines import Line2D
-    from matplotlib.pyplot import subplots
-    from matplotlib.ticker import FuncFormatter, NullFormatter
-
-    curves = list(run.curves.items())
+def plot(path, picture):
+    subplots, handle = load_matplotlib()
+    curves = list(Run(path).curves.items())
     if not curves:
         raise PlotError("no curves in the result")
     figure, grid = subplots(2, 3, figsize=(13, 8.4), sharey="row")
     for row, parameter in zip(grid, ("Alpha", "Offset")):
         for axes, scheme in zip(row, SCHEMES):
             draw(axes, curves, scheme, parameter)
-            axes.set_xscale("log")
-            axes.set_yscale("log")
-            axes.set_title(f"scheme {scheme}", fontsize=12)
-            axes.set_xlabel(ALPHAS[scheme] if parameter == "Alpha" else OFFSET, fontsize=11)
-            values = {
-                value
-                for _, graphs in curves
-                for weights, _, _ in WEIGHTS
-                for value, _ in curve(graphs, f"{scheme}/{weights}", parameter)
-            }
-            axes.set_xticks(sorted(values))
-            axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
-            axes.xaxis.set_minor_formatter(NullFormatter())
-            axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: f"{y:g}"))
-            axes.tick_params(which="both", labelsize=10, pad=5)
-            axes.grid(True, which="major", color="#cccccc", linewidth=0.8)
-            axes.grid(True, which="minor", color="#eeeeee", linewidth=0.6)
+            label = ALPHAS[scheme] if parameter == "Alpha" else OFFSET
+            style_axes(axes, f"scheme {scheme}", label)
+            axes.set_xticks(values_of(curves, scheme, parameter))
         row[0].set_ylabel("mean relative error (%)", fontsize=11)
-    legend(figure, Line2D, curves)
+    clouds = [(name_of(*cloud), style) for cloud, style in zip(curves, STYLES)]
+    add_legend(figure, handle, clouds, [(label, line) for _, line, label in WEIGHTS])
     figure.tight_layout(rect=(0.0, 0.04, 1.0, 1.0))
-    figure.savefig(path, dpi=110)
-
-
-def main():
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    try:
-        plot(Run(sys.argv[1]), sys.argv[2])
-    except PlotError as error:
-        sys.exit(f"error: {error}")
+    figure.savefig(picture, dpi=110)
 
 
 if __name__ == "__main__":
-    main()
+    run_as_script(plot, __doc__)

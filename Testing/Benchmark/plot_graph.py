@@ -9,24 +9,24 @@ One row per mesh; left the mean error, right the largest. Full lines are distanc
 dashed ones corrected distances.
 """
 
-import sys
-
 from benchmark_results import count_text, errors, median
+from plot_tools import (
+    STYLES,
+    PlotError,
+    add_legend,
+    draw_curve,
+    load_matplotlib,
+    run_as_script,
+    style_axes,
+)
 from summarize_graph import Run
 
-# Colours that differ in lightness too, for those who do not see hues.
-STYLES = {
-    "Guaranteed": ("#0b5fa5", "o"),
-    "OneRelay": ("#e08214", "s"),
-    "Indirect": ("#2d9a5f", "^"),
-    "SVG": ("#8c2d6b", "D"),
-}
-KINDS = (("Certified", "-"), ("Corrected", "--"))
+RULES = dict(zip(("Guaranteed", "OneRelay", "Indirect", "SVG"), STYLES))
+KINDS = (
+    ("Certified", "-", "distance in the graph"),
+    ("Corrected", "--", "corrected distance"),
+)
 COLUMNS = ((0, "mean error"), (2, "largest error"))
-
-
-class PlotError(Exception):
-    """There is nothing to plot with, or nothing to plot."""
 
 
 def curve(graphs, rule, case, figure):
@@ -42,42 +42,14 @@ def curve(graphs, rule, case, figure):
 
 
 def draw(axes, graphs, figure):
-    for rule, (colour, marker) in STYLES.items():
-        for case, line in KINDS:
-            points = curve(graphs, rule, case, figure)
-            if points:
-                axes.plot(
-                    *zip(*points),
-                    color=colour,
-                    marker=marker,
-                    markersize=7,
-                    markerfacecolor=colour if case == "Certified" else "white",
-                    linestyle=line,
-                    linewidth=1.8,
-                )
+    for rule, style in RULES.items():
+        for case, line, _ in KINDS:
+            draw_curve(axes, curve(graphs, rule, case, figure), style, line, case == "Certified")
 
 
-def legend(figure, handle):
-    """Rules by colour and marker, kinds of distance by line; one legend for all."""
-    lines = [
-        handle([], [], color=colour, marker=marker, markersize=7, linewidth=1.8, label=rule)
-        for rule, (colour, marker) in STYLES.items()
-    ]
-    for (_, line), label in zip(KINDS, ("distance in the graph", "corrected distance")):
-        lines.append(handle([], [], color="#444444", linestyle=line, linewidth=1.8, label=label))
-    figure.legend(handles=lines, loc="lower center", ncol=6, frameon=False, fontsize=11)
-
-
-def plot(run, path):
-    try:
-        import matplotlib
-    except ImportError:
-        raise PlotError("needs matplotlib (Debian: python3-matplotlib)") from None
-    matplotlib.use("Agg")
-    from matplotlib.lines import Line2D
-    from matplotlib.pyplot import subplots
-    from matplotlib.ticker import FuncFormatter
-
+def plot(path, picture):
+    run = Run(path)
+    subplots, handle = load_matplotlib()
     meshes = [mesh for mesh, graphs in run.graphs.items() if graphs]
     if not meshes:
         raise PlotError("no graphs in the result")
@@ -89,20 +61,16 @@ def plot(run, path):
         size = "" if vertices is None else f", {count_text(vertices)} vertices"
         for axes, (index, title) in zip(row, COLUMNS):
             draw(axes, graphs, index)
-            axes.set_xscale("log")
-            axes.set_yscale("log")
-            axes.set_title(f"{mesh}{size}: {title}", fontsize=12)
-            axes.set_xlabel("edges per vertex", fontsize=11)
-            axes.set_ylabel("relative error (%)", fontsize=11)
-            axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
-            axes.xaxis.set_minor_formatter(FuncFormatter(_minor))
-            axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: f"{y:g}"))
-            axes.tick_params(which="both", labelsize=10, pad=5)
-            axes.grid(True, which="major", color="#cccccc", linewidth=0.8)
-            axes.grid(True, which="minor", color="#eeeeee", linewidth=0.6)
-    legend(figure, Line2D)
+            style_axes(
+                axes,
+                f"{mesh}{size}: {title}",
+                "edges per vertex",
+                "relative error (%)",
+                minor=_minor,
+            )
+    add_legend(figure, handle, RULES.items(), [(label, line) for _, line, label in KINDS])
     figure.tight_layout(rect=(0.0, 0.45 / height, 1.0, 1.0))
-    figure.savefig(path, dpi=110)
+    figure.savefig(picture, dpi=110)
 
 
 def _minor(value, _):
@@ -111,14 +79,5 @@ def _minor(value, _):
     return f"{value:g}" if digit in "25" else ""
 
 
-def main():
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    try:
-        plot(Run(sys.argv[1]), sys.argv[2])
-    except PlotError as error:
-        sys.exit(f"error: {error}")
-
-
 if __name__ == "__main__":
-    main()
+    run_as_script(plot, __doc__)

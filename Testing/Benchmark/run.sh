@@ -12,6 +12,8 @@
 #                                 [OPTIONS OF BenchmarkIsolines]
 #        Testing/Benchmark/run.sh cloud [--out DIR] [--data DIR] [--full] [--readme] [MESH...]
 #                                 [OPTIONS OF BenchmarkCloud]
+#        Testing/Benchmark/run.sh spectral [--out DIR] [--data DIR] [--libigl DIR] [--readme]
+#                                 [MESH...] [OPTIONS OF BenchmarkSpectral]
 #   exact     the exact solver: writes exact.json and exact.md
 #   graph     graphs of all rules and accuracies, and queries of them: writes graph.json, graph.md
 #             and error_against_degree.png (needs matplotlib)
@@ -22,12 +24,17 @@
 #             that are not easy, parameters varied, and what 200K points take; the vertices of
 #             meshes are measured as clouds: writes cloud.json, cloud.md and cloud_error.png (needs
 #             matplotlib)
+#   spectral  Green's functions and what is made of them: times and memory beside other libraries,
+#             errors on spheres: writes spectral.json, spectral.md and greens_convergence.png (needs
+#             matplotlib)
 #   --out     folder of the results (default: out/benchmark in the source tree)
 #   --data    folder with bunny, armadillo, fertility, kitten and gargoyle (.ply), for isolines igea
 #             as well, to be measured; for clouds with igea, terrain_andes (a
-#             grid) and awkward/bunny_raw_5holes
+#             grid) and awkward/bunny_raw_5holes; for spectral with bunny and igea
 #   --full    of clouds: a sphere of 655K points as well, which takes about ten minutes more
-#   --readme  put the tables and the plot into README.md and Examples/Images as well: graph, cloud
+#   --libigl  folder with the headers of libigl, as a further peer of spectral
+#   --readme  put the tables and the plot into README.md and Examples/Images as well: graph, cloud,
+#             spectral; for spectral, draw Examples/Images/greens_function.png as well
 # For example:
 #   Testing/Benchmark/run.sh
 #   Testing/Benchmark/run.sh scan.ply --growth=none --benchmark_filter=/T/
@@ -35,6 +42,7 @@
 #   Testing/Benchmark/run.sh path scan.ply --pairs=100 --matrix=0
 #   Testing/Benchmark/run.sh isolines scan.ply --sizes=1000,10000 --sources=0
 #   Testing/Benchmark/run.sh cloud scan.ply --clouds= --curves=0 --guards=0 --speed=0
+#   Testing/Benchmark/run.sh spectral scan.ply --sizes= --levels=
 #   Testing/Benchmark/run.sh graph scan.ply --rules=Guaranteed,SVG --accuracies=0.02 --many=0
 
 set -euo pipefail
@@ -49,13 +57,14 @@ source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 here="$DGG_ROOT/Testing/Benchmark"
 mode=exact
 case "${1:-}" in
-  cloud | exact | graph | isolines | path)
+  cloud | exact | graph | isolines | path | spectral)
     mode="$1"
     shift
     ;;
 esac
 out="$DGG_ROOT/out/benchmark"
 readme=
+libigl=
 arguments=()
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -74,7 +83,8 @@ while [ $# -gt 0 ]; do
           ;;
         isolines) names+=(igea) ;;
         path) ;;
-        *) dgg_fail "--data is for the modes cloud, isolines and path" ;;
+        spectral) names=(bunny igea) ;;
+        *) dgg_fail "--data is for the modes cloud, isolines, path and spectral" ;;
       esac
       for name in "${names[@]}"; do
         arguments+=("$2/$name.ply")
@@ -86,10 +96,17 @@ while [ $# -gt 0 ]; do
       arguments+=("--large=sphere:655362")
       shift
       ;;
+    --libigl)
+      [ $# -ge 2 ] || dgg_fail "--libigl needs a folder"
+      [ "$mode" = spectral ] || dgg_fail "--libigl is for the mode spectral"
+      libigl="$(cd "$2" && pwd)"
+      shift 2
+      ;;
     --readme)
-      [ "$mode" = cloud ] || [ "$mode" = graph ] ||
-        dgg_fail "--readme is for the modes cloud and graph"
-      readme=yes
+      case "$mode" in
+        cloud | graph | spectral) readme=yes ;;
+        *) dgg_fail "--readme is for the modes cloud, graph and spectral" ;;
+      esac
       shift
       ;;
     *)
@@ -156,17 +173,43 @@ measure_cloud() {
   fi
 }
 
+measure_spectral() {
+  local plot="$out/greens_convergence.png"
+  # BLAS below CHOLMOD: one thread, as all others have.
+  OPENBLAS_NUM_THREADS=1 measure BenchmarkSpectral "$out/spectral.json"
+  "$python" "$here/summarize_spectral.py" "$out/spectral.json" "$out/spectral.md"
+  echo "Written: $out/spectral.json and $out/spectral.md"
+  if [ -n "$readme" ]; then
+    "$python" "$here/insert_table.py" "$DGG_ROOT/README.md" spectral "$out/spectral.md"
+    dgg_with_display "$build/bin/vtkdgg-python" "$DGG_ROOT/Examples/Python/greens_function.py" \
+      "$DGG_ROOT/Examples/Images/greens_function.png"
+    echo "Written: README.md and Examples/Images/greens_function.png"
+  fi
+  # There is nothing to plot without spheres.
+  if "$python" "$here/plot_spectral.py" "$out/spectral.json" "$plot"; then
+    echo "Written: $plot"
+    if [ -n "$readme" ]; then
+      cp "$plot" "$DGG_ROOT/Examples/Images/greens_convergence.png"
+      echo "Written: Examples/Images/greens_convergence.png"
+    fi
+  fi
+}
+
 packages=("${DGG_PACKAGES[@]}" libbenchmark-dev libcgal-dev libeigen3-dev glmark2-data)
 case "$mode" in
   cloud | graph) packages+=(python3-matplotlib) ;;
+  spectral) packages+=(python3-matplotlib libsuitesparse-dev) ;;
 esac
+with_python=OFF
+[ "$mode" = spectral ] && [ -n "$readme" ] && with_python=ON
 dgg_install "${packages[@]}"
 
 build="$DGG_ROOT/build/benchmark"
 dgg_build "$build" \
   -DCMAKE_BUILD_TYPE=Release \
   -DBUILD_TESTING=OFF \
-  -DDGG_WITH_PYTHON=OFF \
+  -DDGG_WITH_PYTHON="$with_python" \
+  -DDGG_PEER_LIBIGL_DIR="$libigl" \
   -DDGG_BUILD_BENCHMARKS=ON
 
 # The Python that apt's packages are for, if there is one.

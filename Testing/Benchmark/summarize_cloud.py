@@ -13,6 +13,7 @@ import re
 
 from benchmark_results import (
     DASH,
+    bytes_text,
     collect,
     count_text,
     digits,
@@ -22,11 +23,14 @@ from benchmark_results import (
     load,
     mean,
     median,
+    number,
+    percent,
     ratio_text,
     run_as_script,
     table,
     text,
     time_text,
+    titled,
 )
 
 NAME = re.compile(
@@ -98,18 +102,10 @@ class Run:
                     yield cloud, name, graphs[name]
 
 
-def percent(value):
-    return digits(100.0 * value)
-
-
 def method_of(graph, cases):
     """The method, and the accuracy of those that are not built with the default."""
     accuracy = median(cases.get("Build"), "accuracy") if graph == "C/fine" else None
     return METHODS[graph] + ("" if accuracy is None else f", accuracy {accuracy:g}")
-
-
-def number(value):
-    return text(value, "{:.0f}")
 
 
 def published_of(cloud, graph, points):
@@ -255,10 +251,6 @@ def guard_table(run):
     return table(header, rows) if rows else None
 
 
-def bytes_text(value):
-    return DASH if value is None else count_text(value) + "B"
-
-
 def speed_table(run):
     rows = []
     for cloud, _, cases in run.graphs("Speed", ["C/arc"]):
@@ -313,10 +305,7 @@ def summarize(path):
         "Clouds that are not easy": guard_table,
         "What large clouds take, and meshes with the same points": speed_table,
     }
-    for title, make in titles.items():
-        made = make(run)
-        if made:
-            parts += [f"**{title}**\n", made]
+    parts += titled(run, titles)
     made = error_table(run)
     if made:
         parts += ["<details><summary>Errors in detail</summary>\n", made, "</details>\n"]

@@ -20,11 +20,13 @@ from benchmark_results import (
     environment,
     load,
     median,
+    percent,
     ratio_text,
     run_as_script,
     table,
     text,
     time_text,
+    titled,
 )
 
 LINES = re.compile(
@@ -76,10 +78,6 @@ class Run:
 
 def size_of(cases):
     return median(cases["Contour"], "vertices")
-
-
-def percent(value):
-    return DASH if value is None else digits(100.0 * value)
 
 
 def measured(run, methods):
@@ -293,11 +291,7 @@ def summarize(path):
         "Times": time_table,
         "Approximate distances": field_table,
     }
-    for title, make in titles.items():
-        made = make(run)
-        if made:
-            parts += [f"**{title}**\n", made]
-    return "\n".join(parts)
+    return "\n".join(parts + titled(run, titles))
 
 
 if __name__ == "__main__":

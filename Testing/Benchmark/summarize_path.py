@@ -12,17 +12,20 @@ import re
 
 from benchmark_results import (
     DASH,
+    bytes_text,
     collect,
     count_text,
     digits,
     environment,
     load,
     median,
+    number,
     ratio_text,
     run_as_script,
     table,
     text,
     time_text,
+    titled,
 )
 
 NAME = re.compile(r"^(?P<group>Path|Cells|Matrix|Loop)/(?P<mesh>[^/]+)/(?P<case>[A-Za-z]+)(?:/|$)")
@@ -47,10 +50,6 @@ class Run:
         for mesh, found in self.groups.get(group, {}).items():
             if any(case in found for case in cases):
                 yield mesh, found
-
-
-def number(value):
-    return text(value, "{:.0f}")
 
 
 def small(value):
@@ -149,10 +148,10 @@ def before_table(run):
                 mesh,
                 time_text(median(graph, "seconds")),
                 number(median(graph, "threads")),
-                DASH if size is None else count_text(size) + "B",
+                bytes_text(size),
                 time_text(median(cases.get("FirstPath"), "seconds")),
                 time_text(median(landmarks, "seconds")),
-                DASH if marks is None else count_text(marks) + "B",
+                bytes_text(marks),
                 time_text(median(cases.get("Exact"), "seconds")),
             ]
         )
@@ -180,7 +179,7 @@ def peer_table(run):
                 text(median(theirs, "ms_mean"), "{:.3g} ms"),
                 text(median(ours, "ms_mean"), "{:.3g} ms"),
                 ratio_text(median(theirs, "ms_mean"), median(ours, "ms_mean")),
-                percent(theirs),
+                excess_percent(theirs),
                 joined(ours, ("excess_mean", "excess_max"), small),
             ]
         )
@@ -196,7 +195,7 @@ def peer_table(run):
     return table(header, rows) if rows else None
 
 
-def percent(figures):
+def excess_percent(figures):
     both = joined(figures, ("excess_mean", "excess_max"), lambda value: digits(100.0 * value))
     return both if both == DASH else both + " %"
 
@@ -299,11 +298,7 @@ def summarize(path):
         "Matrices": matrix_table,
         "Loops (median times)": loop_table,
     }
-    for title, make in titles.items():
-        made = make(run)
-        if made:
-            parts += [f"**{title}**\n", made]
-    return "\n".join(parts)
+    return "\n".join(parts + titled(run, titles))
 
 
 if __name__ == "__main__":

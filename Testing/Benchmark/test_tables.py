@@ -3,10 +3,6 @@
 """What becomes of results of the benchmarks: tables, a plot, a section of a Markdown file."""
 
 import importlib.util
-import json
-import os
-import subprocess
-import sys
 import unittest
 
 import insert_table
@@ -14,18 +10,7 @@ import summarize_cloud
 import summarize_graph
 import summarize_isolines
 import summarize_path
-
-HERE = os.path.dirname(os.path.abspath(__file__))
-OUTPUT = os.environ["DGG_TEST_OUTPUT"]
-
-
-def entry(name, milliseconds, **figures):
-    """One result, as Google Benchmark writes it."""
-    return {"name": name, "real_time": milliseconds, "time_unit": "ms", **figures}
-
-
-def errors(mean):
-    return {"error_mean": mean, "error_p999": 3.0 * mean, "error_max": 5.0 * mean}
+from table_support import PNG, cells_of, draw, entry, errors, write_results
 
 
 def graph(rule, parameter, degree, error):
@@ -52,14 +37,6 @@ def thorough(rule, parameter):
     ]
 
 
-def cells_of(lines, start, header):
-    """The first row that starts so, by the columns of the first table with this header."""
-    first = next(i for i, line in enumerate(lines) if f"| {header} |" in line)
-    names = [name.strip() for name in lines[first].split("|")[1:-1]]
-    row = next(line for line in lines[first:] if line.startswith(f"| {start} |"))
-    return dict(zip(names, (cell.strip() for cell in row.split("|")[1:-1])))
-
-
 def path(case, excess, **more):
     """A result with many paths, of which 25 are beyond 1e-6."""
     figures = {"ms_median": 0.5, "ms_p90": 0.75, "ms_p99": 2.0, "ms_mean": 0.625}
@@ -83,9 +60,7 @@ class Tables(unittest.TestCase):
             + graph("SVG", "30", 30.0, 0.01)
             + [entry("Peer/ball/VTK/Query/0", 28.0, vertices=10000, **errors(0.08))]
         )
-        cls.path = os.path.join(OUTPUT, "tables.json")
-        with open(cls.path, "w", encoding="utf-8") as file:
-            json.dump({"context": {"vtk_version": "9"}, "benchmarks": results}, file)
+        cls.path = write_results("tables.json", results)
         cls.lines = summarize_graph.summarize(cls.path).splitlines()
 
     def cells(self, start, header):
@@ -119,11 +94,7 @@ class Tables(unittest.TestCase):
 
     @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs matplotlib")
     def test_plot(self):
-        picture = os.path.join(OUTPUT, "tables.png")
-        command = [sys.executable, "-B", os.path.join(HERE, "plot_graph.py"), self.path, picture]
-        subprocess.run(command, check=True)
-        with open(picture, "rb") as file:
-            self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(draw("plot_graph.py", self.path, "tables.png"), PNG)
 
     def test_curves(self):
         import plot_graph
@@ -163,9 +134,7 @@ class PathTables(unittest.TestCase):
 
     @staticmethod
     def summarize(name, results):
-        path = os.path.join(OUTPUT, name)
-        with open(path, "w", encoding="utf-8") as file:
-            json.dump({"context": {"vtk_version": "9"}, "benchmarks": results}, file)
+        path = write_results(name, results)
         return summarize_path.summarize(path).splitlines()
 
     def cells(self, header, start="ball"):
@@ -261,9 +230,7 @@ class IsolineTables(unittest.TestCase):
                 entry("Peer/ball/Heat/Query/0/x", 20.0, vertices=500, **errors(0.02)),
             ]
         )
-        path = os.path.join(OUTPUT, "isolines.json")
-        with open(path, "w", encoding="utf-8") as file:
-            json.dump({"context": {"vtk_version": "9"}, "benchmarks": results}, file)
+        path = write_results("isolines.json", results)
         cls.lines = summarize_isolines.summarize(path).splitlines()
 
     def cells(self, start, header):
@@ -361,9 +328,7 @@ class CloudTables(unittest.TestCase):
         results += graph("Curve/sphere-10K/A/chord/Offset/3/", 10000, 5e-4)
         results += graph("Curve/sphere-10K/A/chord/Offset/1/", 10000, 0.5)
         results[-1]["unreached"] = 5000
-        cls.path = os.path.join(OUTPUT, "clouds.json")
-        with open(cls.path, "w", encoding="utf-8") as file:
-            json.dump({"context": {"vtk_version": "9"}, "benchmarks": results}, file)
+        cls.path = write_results("clouds.json", results)
         cls.lines = summarize_cloud.summarize(cls.path).splitlines()
 
     def cells(self, start, header):
@@ -445,11 +410,7 @@ class CloudTables(unittest.TestCase):
 
     @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs matplotlib")
     def test_plot(self):
-        picture = os.path.join(OUTPUT, "clouds.png")
-        command = [sys.executable, "-B", os.path.join(HERE, "plot_cloud.py"), self.path, picture]
-        subprocess.run(command, check=True)
-        with open(picture, "rb") as file:
-            self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(draw("plot_cloud.py", self.path, "clouds.png"), PNG)
 
 
 class Insert(unittest.TestCase):

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Errors of Green's functions on spheres of radius 1, where there is a closed form.
+#ifndef ConvergenceCases_h
+#define ConvergenceCases_h
+
+#include "MeasuredGreens.h" // for GreensWay
+
+#include <benchmark/benchmark.h> // for State
+
+/// With the icosahedron split `level` times: relative L2 errors over the vertices within 0.2 of the
+/// pole and over all, means over so many poles inside of faces, and the largest error of all. The
+/// poles are the same at each level, but for what the faces differ from the sphere: within a face
+/// of the level before, at the same barycentric coordinates.
+void MeasureConvergence(benchmark::State& state, int level, const GreensWay& way, int poles);
+
+#endif

@@ -1,0 +1,14 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# dgg_add_peer(NAME LIBRARY SOURCES...): another library's answer to what the kernel does, for tests
+# and benchmarks. A static library of its own, so that compiler flags and licences of LIBRARY stay
+# away from what is installed.
+function (dgg_add_peer name library)
+  list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/")
+  add_library(${name} STATIC EXCLUDE_FROM_ALL ${ARGN}
+    "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/MeshArrays.h")
+  target_include_directories(${name} PUBLIC "${CMAKE_CURRENT_FUNCTION_LIST_DIR}")
+  target_compile_options(${name} PRIVATE ${dgg_warning_flags})
+  target_link_libraries(${name} PUBLIC dggCore PRIVATE ${library})
+endfunction ()
