@@ -526,10 +526,7 @@ std::int64_t vtkDGGGraphArrays::Seal() const
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGGraphArrays::CheckBand() const
 {
-  if (!(this->Band.VoxelSize > 0.0 && this->Band.VoxelSize < dgg::Infinity))
-  {
-    return Damaged("its voxels have the size " + std::to_string(this->Band.VoxelSize));
-  }
+  bool hasBalls = false;
   for (dgg::Id v = 0; v < this->View.NumberOfVertices; ++v)
   {
     const double radius = this->Band.Radii[v];
@@ -538,6 +535,13 @@ dgg::Status vtkDGGGraphArrays::CheckBand() const
       return Damaged(
         "DGG.Radii gives point " + std::to_string(v) + " the radius " + std::to_string(radius));
     }
+    hasBalls = hasBalls || radius > 0.0;
+  }
+  // Where no point is finite there are neither balls nor voxels.
+  const double size = this->Band.VoxelSize;
+  if (!(size > 0.0 && size < dgg::Infinity) && (hasBalls || size != 0.0))
+  {
+    return Damaged("its voxels have the size " + std::to_string(size));
   }
   return dgg::Status::Success();
 }

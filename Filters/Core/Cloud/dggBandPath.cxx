@@ -204,10 +204,6 @@ BandPathShortener::BandPathShortener(
 Status BandPathShortener::Prepare(double voxelSize, std::size_t memoryLimit,
   const ParallelFor& parallel, const ProgressCallback& progress)
 {
-  if (!(voxelSize > 0.0 && std::isfinite(voxelSize)))
-  {
-    return Status::Invalid("the size of voxels is not positive");
-  }
   const std::size_t copies =
     static_cast<std::size_t>(this->Graph.NumberOfVertices) * (sizeof(Point3) + sizeof(double));
   if (memoryLimit > 0 && copies >= memoryLimit)
@@ -228,6 +224,15 @@ Status BandPathShortener::Prepare(double voxelSize, std::size_t memoryLimit,
       points.push_back(p);
       radii.push_back(this->Radii[v]);
     }
+  }
+  if (points.empty())
+  {
+    this->Band = VoxelBand();
+    return Status::Success();
+  }
+  if (!(voxelSize > 0.0 && std::isfinite(voxelSize)))
+  {
+    return Status::Invalid("the size of voxels is not positive");
   }
   return this->Band.Build(
     points, radii, voxelSize, memoryLimit > 0 ? memoryLimit - copies : 0, parallel, progress);

@@ -17,6 +17,8 @@ namespace
 {
 constexpr Offset BlocksPerTask = 4;
 constexpr Offset RowsPerTask = 512;
+/// Edges measured between two reports of progress.
+constexpr Offset EdgesPerReport = 1 << 19;
 /// Length of an edge between points in the same place, by the size of the cloud.
 constexpr double CoincidentLength = 1e-12;
 
@@ -76,9 +78,11 @@ private:
 };
 }
 
-void AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPerBlock,
-  std::vector<CloudRowBlock>& blocks, bool wide, const ParallelFor& parallel, GeodesicGraph& graph)
+Status AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPerBlock,
+  std::vector<CloudRowBlock>& blocks, bool wide, const ParallelFor& parallel,
+  const ProgressCallback& progress, GeodesicGraph& graph)
 {
+  const auto isStopped = [&](double done) { return progress && !progress(done); };
   const std::vector<Id>& originals = setup.Nodes.Originals;
   const auto nodes = static_cast<Id>(originals.size());
   const auto n = static_cast<std::size_t>(numberOfPoints);
@@ -118,6 +122,10 @@ void AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPerBl
       degrees[point].fetch_add(1, std::memory_order_relaxed);
       degrees[original].fetch_add(1, std::memory_order_relaxed);
     }
+    if (isStopped(0.1))
+    {
+      return Status::Abort();
+    }
     graph.Offsets = Buffer<Offset>(n + 1);
     graph.Offsets[0] = 0;
     for (std::size_t i = 0; i < n; ++i)
@@ -155,7 +163,7 @@ void AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPerBl
   const double toPoints = 1.0 / setup.Nodes.Scale;
   const double coincident =
     CoincidentLength * (setup.Nodes.Extent > 0.0 ? setup.Nodes.Extent : 1.0);
-  ForRange(parallel, static_cast<Offset>(n), RowsPerTask, [&](Offset begin, Offset end) {
+  const auto measureRows = [&](Offset begin, Offset end) {
     for (Offset row = begin; row < end; ++row)
     {
       // Threads have written in any order.
@@ -180,7 +188,24 @@ void AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPerBl
         }
       }
     }
-  });
+  };
+  const auto count = static_cast<Offset>(n);
+  for (Offset first = 0; first < count;)
+  {
+    if (isStopped(0.2 + 0.8 * static_cast<double>(first) / static_cast<double>(count)))
+    {
+      return Status::Abort();
+    }
+    Offset last = first;
+    while (last < count && graph.Offsets[last] - graph.Offsets[first] < EdgesPerReport)
+    {
+      last = std::min(count, last + RowsPerTask);
+    }
+    ForRange(parallel, last - first, RowsPerTask,
+      [&](Offset begin, Offset end) { measureRows(first + begin, first + end); });
+    first = last;
+  }
+  return Status::Success();
 }
 
 void FindCloudComponents(const GeodesicGraph& graph, const std::vector<unsigned char>& isUsed,

@@ -23,9 +23,10 @@ struct CloudRowBlock
 
 /// Write the graph, each edge in both directions, in the numbering of the points, rows sorted by
 /// target. The blocks hold `rowsPerBlock` rows each and are given up. Lengths are measured only
-/// now, so that rows are half as large.
-void AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPerBlock,
-  std::vector<CloudRowBlock>& blocks, bool wide, const ParallelFor& parallel, GeodesicGraph& graph);
+/// now, so that rows are half as large. Fails when `progress` asks to stop.
+Status AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPerBlock,
+  std::vector<CloudRowBlock>& blocks, bool wide, const ParallelFor& parallel,
+  const ProgressCallback& progress, GeodesicGraph& graph);
 
 /// Components of a graph, numbered from the largest on, by the first vertex where sizes are equal.
 /// Vertices whose `isUsed` is 0 belong to none.

@@ -18,14 +18,18 @@ namespace dgg
 namespace
 {
 constexpr Id RowsPerBlock = 64;
-/// Blocks between two reports of progress.
-constexpr Offset BlocksPerWave = 128;
+/// Blocks between two reports of progress: as many as look at that many neighbours, judged by those
+/// before them.
+constexpr std::size_t CandidatesPerWave = 1 << 20;
+constexpr Offset LeastBlocksPerWave = 16;
+constexpr Offset MostBlocksPerWave = 512;
 /// Rows built for an estimate.
 constexpr Id SampleSize = 512;
 constexpr Id SamplesPerReport = 16;
 constexpr double ShareOfSetup = 0.15;
 constexpr double EndOfPrediction = 0.16;
 constexpr double EndOfRows = 0.9;
+constexpr double EndOfGraph = 0.99;
 /// Share of the setup when there is nothing but a prediction.
 constexpr double ShareOfSetupToPredict = 0.8;
 /// Edges of a graph by edges found, as measured: uniting both directions adds some.
@@ -144,13 +148,20 @@ Status BuildRows(const CloudSetup& setup, const CloudGraphOptions& options,
   std::atomic<std::size_t> walks{ 0 };
   std::atomic<std::size_t> edges{ 0 };
   const auto count = static_cast<Offset>(blocks.size());
-  for (Offset first = 0; first < count; first += BlocksPerWave)
+  Offset size = LeastBlocksPerWave;
+  for (Offset first = 0; first < count; first += size)
   {
     if (progress && !progress(static_cast<double>(first) / static_cast<double>(count)))
     {
       return Status::Abort();
     }
-    const Offset size = std::min(BlocksPerWave, count - first);
+    if (first > 0)
+    {
+      const double perBlock = static_cast<double>(candidates) / static_cast<double>(first);
+      size = static_cast<Offset>(std::clamp(CandidatesPerWave / std::max(1.0, perBlock),
+        static_cast<double>(LeastBlocksPerWave), static_cast<double>(MostBlocksPerWave)));
+    }
+    size = std::min(size, count - first);
     ForRange(options.Parallel, size, 1, [&](Offset begin, Offset end) {
       RowWorkspace workspace(setup, options.Accuracy);
       std::vector<Id> targets;
@@ -214,8 +225,12 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
     return status;
   }
   const bool wide = NeedsWide(setup.Nodes, options.Accuracy);
-  AssembleCloudGraph(
-    setup, numberOfPoints, RowsPerBlock, blocks, wide, options.Parallel, result.Graph);
+  status = AssembleCloudGraph(setup, numberOfPoints, RowsPerBlock, blocks, wide, options.Parallel,
+    ProgressPart(options.Progress, EndOfRows, EndOfGraph), result.Graph);
+  if (!status.IsOk())
+  {
+    return status;
+  }
   statistics.PeakMemory = static_cast<std::size_t>(
     PredictPeak(setup, numberOfPoints, static_cast<double>(result.Graph.Targets.Size()), wide));
 
@@ -238,6 +253,10 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
     result.Radii[point] = result.Radii[original];
   }
   result.VoxelSize = toPoints * setup.Pairs.Band.GetVoxelSize();
+  if (options.Progress && !options.Progress(EndOfGraph))
+  {
+    return Status::Abort();
+  }
   FindCloudComponents(result.Graph, isUsed, result.Components, result.ComponentSizes);
   result.Graph.Info.Kind = GraphKind::Cloud;
   result.Graph.Info.Construction = ConstructionOf(options.Scheme);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggCloudSetup.h"
 
-#include "dggLocalFit.h"
+#include "dggCloudNoise.h"
 #include "dggMemoryLimit.h"
+#include "dggQuantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,31 +15,13 @@ namespace dgg
 {
 namespace
 {
-constexpr Offset NodesPerTask = 256;
+constexpr Offset NodesPerTask = 64;
 constexpr Offset BricksPerTask = 16;
 /// Tasks of a loop between two reports of progress.
-constexpr Offset PiecesPerReport = 32;
+constexpr Offset PiecesPerReport = 64;
 /// Share of the progress that goes to the band.
 constexpr double ShareOfBand = 0.1;
 
-/// The neighbour whose distance tells the local spacing.
-constexpr std::size_t SpacingNeighbors = 16;
-/// Neighbours that a surface is fitted to; more where points are noisy.
-constexpr std::size_t FitNeighbors = 16;
-constexpr std::size_t WideFitNeighbors = 32;
-/// The plane of fewer neighbours is taken where the surface does not fit, by its residual in
-/// spacings, and the plane does twice as well: at sheets close together and sharp edges.
-constexpr std::size_t NarrowFitNeighbors = 8;
-constexpr double LargestResidual = 0.1;
-constexpr std::size_t MostFitNeighbors = 256;
-/// Points are noisy when they lie off the fitted surface by that much of their spacing, and not by
-/// more when it is fitted to more neighbours: from shapes too fine for it they are off the more the
-/// wider it is (measured: 1.0 to 1.15 for noise, 1.35 to 1.6 for scans and terrain). Noisy points
-/// are moved to the surface.
-constexpr double NoisyResidual = 0.03;
-constexpr double LargestGrowthOfNoise = 1.2;
-/// Residual, by spacing, of surfaces that are smooth.
-constexpr double SmoothResidual = 0.004;
 /// The spacing of a point is at most that of its neighbours by this: a point on its own, far off
 /// the surface, must not get a ball that reaches it, nor one at a border a larger one.
 constexpr double LargestSpacingRatio = 1.25;
@@ -76,22 +59,6 @@ constexpr double ConstantReach = 6.0;
 /// Direct neighbours that the reach is to include.
 constexpr std::size_t LeastNeighbors = 6;
 constexpr std::size_t NearNeighbors = 33;
-
-/// The value below which lies that part of the values. Reorders them.
-template <typename T>
-T Quantile(std::vector<T>& values, double part)
-{
-  const auto place = static_cast<std::size_t>(part * static_cast<double>(values.size() - 1));
-  std::nth_element(
-    values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
-  return values[place];
-}
-
-double SpacingFrom(const std::vector<CloudNeighbor>& neighbors)
-{
-  const std::size_t k = std::min(SpacingNeighbors, neighbors.size() - 1);
-  return k == 0 ? 0.0 : std::sqrt(Pi * neighbors[k].SquaredDistance / static_cast<double>(k));
-}
 
 /// How many of the nearest points are a group on their own, far off the next ones; 0 when none are.
 std::size_t CountBeforeGap(const std::vector<CloudNeighbor>& neighbors)
@@ -134,8 +101,21 @@ public:
     this->Pairs.IsSmooth.assign(n, 0);
     this->Pairs.UsesArcs = this->Options.ArcLengthWeights;
     this->Setup.Neighbors = std::make_unique<CloudNeighbors>(this->Pairs.Points);
-    this->FitSurfaces(FitNeighbors, 0.3);
-    this->RemoveNoise();
+    if (this->Progress && !this->Progress(0.0))
+    {
+      return Status::Abort();
+    }
+    const NodeLoop loop = [this](double share, const std::function<void(Id, Id)>& body) {
+      this->ForNodes(share, body);
+      return !this->IsStopped;
+    };
+    double noise = 0.0;
+    if (!FitSurfaces(this->Setup, 0.3, loop, this->Fits) ||
+      !RemoveNoise(this->Setup, loop, this->Fits, noise))
+    {
+      return Status::Abort();
+    }
+    this->Statistics.Noise = noise / this->Setup.Nodes.Scale;
     this->SmoothSpacings();
     if (this->IsStopped)
     {
@@ -174,117 +154,22 @@ private:
     this->Done += share;
   }
 
+  void ForNodes(double share, const std::function<void(Id, Id)>& body)
+  {
+    this->ForPieces(static_cast<Offset>(this->Pairs.Points.size()), NodesPerTask, share,
+      [&](Offset begin, Offset end) { body(static_cast<Id>(begin), static_cast<Id>(end)); });
+  }
+
   template <typename Body>
   void ForEachNode(double share, Body&& body)
   {
-    this->ForPieces(static_cast<Offset>(this->Pairs.Points.size()), NodesPerTask, share,
-      [&](Offset begin, Offset end) {
-        std::vector<CloudNeighbor> neighbors;
-        std::vector<Point3> places;
-        for (auto node = static_cast<Id>(begin); node < static_cast<Id>(end); ++node)
-        {
-          body(node, neighbors, places);
-        }
-      });
-  }
-
-  /// Spacings, normals, curvatures and how far points lie off the surface.
-  void FitSurfaces(std::size_t count, double share)
-  {
-    const std::size_t n = this->Pairs.Points.size();
-    this->Pairs.Spacings.assign(n, 0.0f);
-    this->Pairs.Normals.assign(n, Point3());
-    this->Curvatures.assign(n, 0.0f);
-    this->Residuals.assign(n, 0.0f);
-    this->ToSurface.assign(n, Point3());
-    this->ForEachNode(
-      share, [&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>& places) {
-        const Point3& point = this->Pairs.Points[node];
-        this->FindPlaces(point, std::max(count, SpacingNeighbors) + 1, neighbors, places);
-        this->Pairs.Spacings[node] = static_cast<float>(SpacingFrom(neighbors));
-        const LocalFit fit = FitSurface(point, places.data(), std::min(count + 1, places.size()));
-        this->Pairs.Normals[node] = fit.Normal;
-        if (fit.Residual > LargestResidual * this->Pairs.Spacings[node])
-        {
-          const LocalFit narrow =
-            FitSurface(point, places.data(), std::min(NarrowFitNeighbors + 1, places.size()));
-          if (2.0 * narrow.Residual < fit.Residual)
-          {
-            this->Pairs.Normals[node] = narrow.Normal;
-          }
-        }
-        this->Curvatures[node] = static_cast<float>(fit.Curvature);
-        this->Residuals[node] = static_cast<float>(fit.Residual);
-        this->ToSurface[node] = fit.ToSurface;
-      });
-  }
-
-  void FindPlaces(const Point3& point, std::size_t count, std::vector<CloudNeighbor>& neighbors,
-    std::vector<Point3>& places) const
-  {
-    this->Setup.Neighbors->FindNearest(point, count, neighbors);
-    places.clear();
-    for (const CloudNeighbor& neighbor : neighbors)
-    {
-      places.push_back(this->Pairs.Points[neighbor.Point]);
-    }
-  }
-
-  /// Median residual of surfaces that are fitted to twice as many neighbours, at some of the nodes.
-  double MeasureWideResidual() const
-  {
-    constexpr std::size_t sample = 2000;
-    const std::size_t n = this->Pairs.Points.size();
-    std::vector<float> ratios;
-    std::vector<CloudNeighbor> neighbors;
-    std::vector<Point3> places;
-    for (std::size_t i = 0; i < std::min(n, sample); ++i)
-    {
-      const std::size_t node = n <= sample ? i : i * n / sample;
-      const Point3& point = this->Pairs.Points[node];
-      this->FindPlaces(point, WideFitNeighbors + 1, neighbors, places);
-      const LocalFit fit = FitSurface(point, places.data(), places.size());
-      ratios.push_back(this->BySpacing(node, fit.Residual));
-    }
-    return Quantile(ratios, 0.5);
-  }
-
-  float BySpacing(std::size_t node, double length) const
-  {
-    const double spacing = this->Pairs.Spacings[node];
-    return spacing > 0.0 ? static_cast<float>(length / spacing) : 0.0f;
-  }
-
-  /// Move points to the surface where they are scattered about it.
-  void RemoveNoise()
-  {
-    const std::size_t n = this->Pairs.Points.size();
-    std::vector<float> residuals(n);
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      residuals[i] = this->BySpacing(i, this->Residuals[i]);
-      this->Pairs.IsSmooth[i] = residuals[i] < SmoothResidual ? 1 : 0;
-    }
-    const double residual = Quantile(residuals, 0.5);
-    if (this->IsStopped ||
-      !(residual > NoisyResidual && this->MeasureWideResidual() < LargestGrowthOfNoise * residual))
-    {
-      return;
-    }
-    std::vector<float> lengths = this->Residuals;
-    this->Statistics.Noise = Quantile(lengths, 0.5) / this->Setup.Nodes.Scale;
-    const auto count = static_cast<std::size_t>(
-      std::clamp<double>(640.0 * residual, WideFitNeighbors, MostFitNeighbors));
-    this->FitSurfaces(count, 0.0);
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      this->Pairs.Points[i] = this->Pairs.Points[i] + this->ToSurface[i];
-    }
-    this->Setup.Neighbors.reset(); // before another one is taken
-    this->Setup.Neighbors = std::make_unique<CloudNeighbors>(this->Pairs.Points);
-    this->FitSurfaces(count, 0.0);
-    // What is left of the noise is not to be followed.
-    std::fill(this->Pairs.IsSmooth.begin(), this->Pairs.IsSmooth.end(), 1);
+    this->ForNodes(share, [&](Id begin, Id end) {
+      std::vector<CloudNeighbor> neighbors;
+      for (Id node = begin; node < end; ++node)
+      {
+        body(node, neighbors);
+      }
+    });
   }
 
   /// Values that single points far off cannot spoil.
@@ -292,28 +177,26 @@ private:
   {
     std::vector<float> spacings(this->Pairs.Spacings.size());
     std::vector<float> curvatures(spacings.size());
-    this->ForEachNode(
-      0.2, [&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>&) {
-        this->Setup.Neighbors->FindNearest(
-          this->Pairs.Points[node], SpacingNeighbors + 1, neighbors);
-        std::vector<float> around;
-        for (const CloudNeighbor& neighbor : neighbors)
-        {
-          around.push_back(this->Pairs.Spacings[neighbor.Point]);
-        }
-        around.erase(
-          around.begin(), around.begin() + static_cast<std::ptrdiff_t>(CountBeforeGap(neighbors)));
-        spacings[node] = std::min(this->Pairs.Spacings[node],
-          static_cast<float>(LargestSpacingRatio) * Quantile(around, 0.5));
-        around.clear();
-        for (const CloudNeighbor& neighbor : neighbors)
-        {
-          around.push_back(this->Curvatures[neighbor.Point]);
-        }
-        curvatures[node] = Quantile(around, 0.5);
-      });
+    this->ForEachNode(0.2, [&](Id node, std::vector<CloudNeighbor>& neighbors) {
+      this->Setup.Neighbors->FindNearest(this->Pairs.Points[node], SpacingNeighbors + 1, neighbors);
+      std::vector<float> around;
+      for (const CloudNeighbor& neighbor : neighbors)
+      {
+        around.push_back(this->Pairs.Spacings[neighbor.Point]);
+      }
+      around.erase(
+        around.begin(), around.begin() + static_cast<std::ptrdiff_t>(CountBeforeGap(neighbors)));
+      spacings[node] = std::min(this->Pairs.Spacings[node],
+        static_cast<float>(LargestSpacingRatio) * Quantile(around, 0.5));
+      around.clear();
+      for (const CloudNeighbor& neighbor : neighbors)
+      {
+        around.push_back(this->Fits.Curvatures[neighbor.Point]);
+      }
+      curvatures[node] = Quantile(around, 0.5);
+    });
     this->Pairs.Spacings.swap(spacings);
-    this->Curvatures.swap(curvatures);
+    this->Fits.Curvatures.swap(curvatures);
     spacings = this->Pairs.Spacings;
     this->MedianSpacing = Quantile(spacings, 0.5);
     this->Statistics.Spacing = this->MedianSpacing / this->Setup.Nodes.Scale;
@@ -468,28 +351,27 @@ private:
     }
     this->Statistics.Alpha = alpha;
     std::vector<float>& reaches = this->Pairs.Reaches;
-    this->ForEachNode(
-      0.2, [&](Id node, std::vector<CloudNeighbor>& neighbors, std::vector<Point3>&) {
-        const double s = this->Pairs.Spacings[node];
-        double reach = 0.0;
-        switch (this->Options.Scheme)
-        {
-          case CloudScheme::Curvature:
-            reach = this->MeanDirectLength(node, neighbors) / alpha;
-            break;
-          case CloudScheme::Constant:
-            reach = size * (h + alpha);
-            break;
-          case CloudScheme::Spacing:
-            reach = isAutomatic ? this->AutomaticReach(node) : alpha * s;
-            break;
-        }
-        if (reach < LeastReach * s)
-        {
-          reach = std::max(reach, this->ReachOfFew(node, neighbors));
-        }
-        reaches[node] = static_cast<float>(reach);
-      });
+    this->ForEachNode(0.2, [&](Id node, std::vector<CloudNeighbor>& neighbors) {
+      const double s = this->Pairs.Spacings[node];
+      double reach = 0.0;
+      switch (this->Options.Scheme)
+      {
+        case CloudScheme::Curvature:
+          reach = this->MeanDirectLength(node, neighbors) / alpha;
+          break;
+        case CloudScheme::Constant:
+          reach = size * (h + alpha);
+          break;
+        case CloudScheme::Spacing:
+          reach = isAutomatic ? this->AutomaticReach(node) : alpha * s;
+          break;
+      }
+      if (reach < LeastReach * s)
+      {
+        reach = std::max(reach, this->ReachOfFew(node, neighbors));
+      }
+      reaches[node] = static_cast<float>(reach);
+    });
     std::vector<float> sorted = reaches;
     this->Statistics.Reach = Quantile(sorted, 0.5) / this->Setup.Nodes.Scale;
   }
@@ -521,7 +403,7 @@ private:
   double AutomaticReach(Id node) const
   {
     const double s = this->Pairs.Spacings[node];
-    const double curvature = this->Curvatures[node];
+    const double curvature = this->Fits.Curvatures[node];
     if (this->Options.ArcLengthWeights)
     {
       if (!this->Pairs.IsSmooth[node])
@@ -588,9 +470,7 @@ private:
   CloudSetup& Setup;
   CloudPairs& Pairs;
   CloudGraphStatistics& Statistics;
-  std::vector<float> Curvatures;
-  std::vector<float> Residuals;
-  std::vector<Point3> ToSurface;
+  CloudFits Fits;
   double MedianSpacing = 0.0;
   double Done = 0.0;      ///< of all steps
   bool IsStopped = false; ///< by the caller

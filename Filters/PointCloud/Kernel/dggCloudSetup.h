@@ -15,6 +15,9 @@
 
 namespace dgg
 {
+/// The neighbour whose distance tells the local spacing.
+constexpr std::size_t SpacingNeighbors = 16;
+
 /// Everything up to the rows.
 struct CloudSetup
 {

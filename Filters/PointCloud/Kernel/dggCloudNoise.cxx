@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggCloudNoise.h"
+
+#include "dggLocalFit.h"
+#include "dggQuantile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+/// Neighbours that a surface is fitted to; more where points are noisy.
+constexpr std::size_t FitNeighbors = 16;
+constexpr std::size_t WideFitNeighbors = 32;
+constexpr std::size_t MostFitNeighbors = 256;
+/// The plane of fewer neighbours is taken where the surface does not fit, by its residual in
+/// spacings, and the plane does twice as well: at sheets close together and sharp edges.
+constexpr std::size_t NarrowFitNeighbors = 8;
+constexpr double LargestResidual = 0.1;
+/// Points are noisy when they lie off the fitted surface by that much of their spacing, and not by
+/// more when it is fitted to more neighbours: from shapes too fine for it they are off the more the
+/// wider it is (measured: 1.0 to 1.15 for noise, 1.35 to 1.6 for scans and terrain). Noisy points
+/// are moved to the surface.
+constexpr double NoisyResidual = 0.03;
+constexpr double LargestGrowthOfNoise = 1.2;
+/// Nodes at which the growth is measured.
+constexpr std::size_t SampleSize = 2000;
+/// Residual, by spacing, of surfaces that are smooth.
+constexpr double SmoothResidual = 0.004;
+
+double SpacingFrom(const std::vector<CloudNeighbor>& neighbors)
+{
+  const std::size_t k = std::min(SpacingNeighbors, neighbors.size() - 1);
+  return k == 0 ? 0.0 : std::sqrt(Pi * neighbors[k].SquaredDistance / static_cast<double>(k));
+}
+
+void FindPlaces(const CloudSetup& setup, const Point3& point, std::size_t count,
+  std::vector<CloudNeighbor>& neighbors, std::vector<Point3>& places)
+{
+  setup.Neighbors->FindNearest(point, count, neighbors);
+  places.clear();
+  for (const CloudNeighbor& neighbor : neighbors)
+  {
+    places.push_back(setup.Pairs.Points[neighbor.Point]);
+  }
+}
+
+float BySpacing(const CloudPairs& pairs, std::size_t node, double length)
+{
+  const double spacing = pairs.Spacings[node];
+  return spacing > 0.0 ? static_cast<float>(length / spacing) : 0.0f;
+}
+
+bool FitTo(
+  std::size_t count, CloudSetup& setup, double share, const NodeLoop& loop, CloudFits& fits)
+{
+  CloudPairs& pairs = setup.Pairs;
+  const std::size_t n = pairs.Points.size();
+  pairs.Spacings.assign(n, 0.0f);
+  pairs.Normals.assign(n, Point3());
+  fits.Curvatures.assign(n, 0.0f);
+  fits.Residuals.assign(n, 0.0f);
+  fits.ToSurface.assign(n, Point3());
+  return loop(share, [&](Id begin, Id end) {
+    std::vector<CloudNeighbor> neighbors;
+    std::vector<Point3> places;
+    for (Id node = begin; node < end; ++node)
+    {
+      const Point3& point = pairs.Points[node];
+      FindPlaces(setup, point, std::max(count, SpacingNeighbors) + 1, neighbors, places);
+      pairs.Spacings[node] = static_cast<float>(SpacingFrom(neighbors));
+      const LocalFit fit = FitSurface(point, places.data(), std::min(count + 1, places.size()));
+      pairs.Normals[node] = fit.Normal;
+      if (fit.Residual > LargestResidual * pairs.Spacings[node])
+      {
+        const LocalFit narrow =
+          FitSurface(point, places.data(), std::min(NarrowFitNeighbors + 1, places.size()));
+        if (2.0 * narrow.Residual < fit.Residual)
+        {
+          pairs.Normals[node] = narrow.Normal;
+        }
+      }
+      fits.Curvatures[node] = static_cast<float>(fit.Curvature);
+      fits.Residuals[node] = static_cast<float>(fit.Residual);
+      fits.ToSurface[node] = fit.ToSurface;
+    }
+  });
+}
+
+/// Median residual of surfaces that are fitted to twice as many neighbours, at some of the nodes.
+double MeasureWideResidual(const CloudSetup& setup)
+{
+  const CloudPairs& pairs = setup.Pairs;
+  const std::size_t n = pairs.Points.size();
+  std::vector<float> ratios;
+  std::vector<CloudNeighbor> neighbors;
+  std::vector<Point3> places;
+  for (std::size_t i = 0; i < std::min(n, SampleSize); ++i)
+  {
+    const std::size_t node = n <= SampleSize ? i : i * n / SampleSize;
+    const Point3& point = pairs.Points[node];
+    FindPlaces(setup, point, WideFitNeighbors + 1, neighbors, places);
+    const LocalFit fit = FitSurface(point, places.data(), places.size());
+    ratios.push_back(BySpacing(pairs, node, fit.Residual));
+  }
+  return Quantile(ratios, 0.5);
+}
+}
+
+bool FitSurfaces(CloudSetup& setup, double share, const NodeLoop& loop, CloudFits& fits)
+{
+  return FitTo(FitNeighbors, setup, share, loop, fits);
+}
+
+bool RemoveNoise(CloudSetup& setup, const NodeLoop& loop, CloudFits& fits, double& noise)
+{
+  CloudPairs& pairs = setup.Pairs;
+  const std::size_t n = pairs.Points.size();
+  noise = 0.0;
+  std::vector<float> residuals(n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    residuals[i] = BySpacing(pairs, i, fits.Residuals[i]);
+    pairs.IsSmooth[i] = residuals[i] < SmoothResidual ? 1 : 0;
+  }
+  const double residual = Quantile(residuals, 0.5);
+  if (!(residual > NoisyResidual && MeasureWideResidual(setup) < LargestGrowthOfNoise * residual))
+  {
+    return true;
+  }
+  std::vector<float> lengths = fits.Residuals;
+  noise = Quantile(lengths, 0.5);
+  const auto count = static_cast<std::size_t>(
+    std::clamp<double>(640.0 * residual, WideFitNeighbors, MostFitNeighbors));
+  if (!FitTo(count, setup, 0.0, loop, fits))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    pairs.Points[i] = pairs.Points[i] + fits.ToSurface[i];
+  }
+  setup.Neighbors.reset(); // before another one is taken
+  setup.Neighbors = std::make_unique<CloudNeighbors>(pairs.Points);
+  // What is left of the noise is not to be followed.
+  std::fill(pairs.IsSmooth.begin(), pairs.IsSmooth.end(), 1);
+  return FitTo(count, setup, 0.0, loop, fits);
+}
+}
