@@ -72,8 +72,8 @@ double vtkDGGMeasureDirectly(const dgg::GraphView& graph, const double* position
   const dgg::Id to = std::max(a.Vertex, b.Vertex);
   const dgg::Id* begin = graph.Targets + graph.Offsets[from];
   const dgg::Id* end = graph.Targets + graph.Offsets[from + 1];
-  const dgg::Id* found = std::find(begin, end, to);
-  return found == end
+  const dgg::Id* found = std::lower_bound(begin, end, to); // rows are sorted
+  return found == end || *found != to
     ? dgg::Infinity
     : straight * GetArcFactor(graph, positions, from, graph.Offsets[from] + (found - begin));
 }

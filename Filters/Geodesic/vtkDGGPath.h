@@ -45,7 +45,8 @@
  * ones that are longer by less are taken: the graph is not more exact than that. Smoothing needs
  * the band around the cloud, in MemoryLimit bytes at most. Paths begin and end where they are asked
  * to, also beside the points of the cloud. `FaceId` is -1. Detour, Accuracy and AcceptCoarserGraph
- * do nothing, and Method Exact is an error.
+ * do nothing, and Method Exact is an error. A point that is not finite has
+ * no path, not to itself either.
  *
  * <b>Time.</b> Pairs are worked on by all threads of vtkSMPTools; results do not depend on their
  * number. With the 256th pair that is looked for in one graph, distances from 32 landmarks are

@@ -203,6 +203,10 @@ dgg::Status vtkDGGPathSearch::FindOnCloud(const vtkDGGGraphProvider& graph,
   const vtkDGGPointPair& pair, bool smooth, const dgg::ProgressCallback& progress,
   dgg::FoundPath& found) const
 {
+  if (!dgg::IsFinite(GetPosition(pair.From, this->Mesh)))
+  {
+    return dgg::Status::Success(); // it is nowhere, so not even at itself
+  }
   if (dgg::IsSamePoint(pair.From, pair.To))
   {
     found.Path.Points = { pair.From };

@@ -12,7 +12,10 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
+#include <limits>
 
 namespace
 {
@@ -20,17 +23,25 @@ namespace
 constexpr std::size_t NormalBlock = 4096;
 /// Points that make a plane.
 constexpr int FewestPoints = 3;
+/// Points that are thinner than that across a line make none, relative to their length.
+constexpr double ThinnestPlane = 1e-5;
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 /// The finite points as floats: in the frame of the cloud, as floats have few digits and a small
 /// range. Stray points would leave none of these digits.
-Cloud::Ptr MakeCloud(const double* positions, dgg::Id numberOfPoints, std::vector<dgg::Id>& ids)
+dgg::Status MakeCloud(
+  const double* positions, dgg::Id numberOfPoints, std::vector<dgg::Id>& ids, Cloud::Ptr& cloud)
 {
   const dgg::StrayPoints stray(positions, numberOfPoints);
   const dgg::CloudFrame frame(
     positions, numberOfPoints, [&](const dgg::Point3& p) { return stray.IsStray(p); });
-  Cloud::Ptr cloud(new Cloud);
+  const dgg::Status status = frame.CheckRange();
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  cloud.reset(new Cloud);
   cloud->reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
   ids.reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
   for (dgg::Id v = 0; v < numberOfPoints; ++v)
@@ -44,7 +55,29 @@ Cloud::Ptr MakeCloud(const double* positions, dgg::Id numberOfPoints, std::vecto
         pcl::PointXYZ(static_cast<float>(p.X), static_cast<float>(p.Y), static_cast<float>(p.Z)));
     }
   }
-  return cloud;
+  return status;
+}
+
+/// Whether points are in a line, or in one place: any plane through it would fit them.
+bool IsLine(const Cloud& cloud, const pcl::Indices& points)
+{
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const int i : points)
+  {
+    mean += cloud[i].getVector3fMap().cast<double>();
+  }
+  mean /= static_cast<double>(points.size());
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (const int i : points)
+  {
+    const Eigen::Vector3d d = cloud[i].getVector3fMap().cast<double>() - mean;
+    moments += d * d.transpose();
+  }
+  moments /= static_cast<double>(points.size());
+  const Eigen::Vector3d values =
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly).eigenvalues();
+  constexpr double rounding = std::numeric_limits<float>::epsilon(); // of coordinates up to 1
+  return !(values[1] > ThinnestPlane * ThinnestPlane * values[2] + rounding * rounding);
 }
 }
 
@@ -54,7 +87,12 @@ dgg::Status vtkDGGEstimateNormals(const double* positions, dgg::Id numberOfPoint
 {
   normals.assign(3 * static_cast<std::size_t>(numberOfPoints), 0.0);
   std::vector<dgg::Id> ids;
-  const Cloud::Ptr cloud = MakeCloud(positions, numberOfPoints, ids);
+  Cloud::Ptr cloud;
+  const dgg::Status status = MakeCloud(positions, numberOfPoints, ids, cloud);
+  if (!status.IsOk())
+  {
+    return status;
+  }
   const int count = std::min(numberOfNeighbors, static_cast<int>(ids.size()));
   if (count < FewestPoints)
   {
@@ -68,7 +106,8 @@ dgg::Status vtkDGGEstimateNormals(const double* positions, dgg::Id numberOfPoint
     tree.nearestKSearch((*cloud)[i], count, found, distances);
     Eigen::Vector4f plane;
     float curvature = 0.0f;
-    if (pcl::computePointNormal(*cloud, found, plane, curvature) && plane.head<3>().allFinite())
+    if (!IsLine(*cloud, found) && pcl::computePointNormal(*cloud, found, plane, curvature) &&
+      plane.head<3>().allFinite())
     {
       const Eigen::Vector3d normal = plane.head<3>().cast<double>().normalized();
       std::copy(normal.data(), normal.data() + 3, &normals[3 * static_cast<std::size_t>(ids[i])]);

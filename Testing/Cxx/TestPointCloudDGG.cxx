@@ -253,6 +253,37 @@ TEST_F(PointCloudDGG, PointsThatAreNotFinite)
   EXPECT_TRUE(std::isnan(nowhere[8]));
 }
 
+TEST_F(PointCloudDGG, NoPointIsFinite)
+{
+  this->Use(Points(5, { { NaN, 0.0, NaN } }));
+  ExpectWarning(this->Filter, { "5 points that are not finite" });
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 0);
+  EXPECT_EQ(GetComponents(this->GetOutput()), std::vector<int>(5, -1));
+  vtkNew<vtkDGGDistance> distance;
+  distance->SetInputData(this->GetOutput());
+  distance->SetSourceIds({ 1 });
+  ExpectWarning(distance, { "not finite", "reach no other point" });
+  const std::vector<double> distances = GetDistances(distance);
+  for (std::size_t i = 0; i < 5; ++i)
+  {
+    EXPECT_EQ(std::isnan(distances[i]), i != 1) << i;
+  }
+  for (const bool smooth : { false, true })
+  {
+    vtkNew<vtkDGGPath> path;
+    path->SetInputData(this->GetOutput());
+    path->SetStraighten(smooth);
+    path->AddPair(0, 1);
+    path->AddPair(2, 2); // not connected to itself either
+    ExpectWarning(path, { "2 of 2 pairs", "not connected by the graph of the cloud" });
+    EXPECT_EQ(path->GetOutput()->GetNumberOfLines(), 0);
+    vtkDataArray* status = path->GetOutput()->GetFieldData()->GetArray("PathStatus");
+    ASSERT_NE(status, nullptr);
+    EXPECT_EQ(status->GetTuple1(0), 1);
+    EXPECT_EQ(status->GetTuple1(1), 1);
+  }
+}
+
 TEST_F(PointCloudDGG, StrayPoints)
 {
   const Points clean = MakeSpherePoints(600);
@@ -401,6 +432,47 @@ TEST_F(PointCloudDGG, NormalsByPlanes)
       others->GetTuple(i, n);
       const double along = n[0] * points[i][0] + n[1] * points[i][1] + n[2] * points[i][2];
       EXPECT_GT(std::abs(along), 0.99) << scale << " " << i;
+    }
+  }
+}
+
+TEST_F(PointCloudDGG, NoNormalsByPlanesWhereThereAreNone)
+{
+  // A square, and a line far from it that leans to no plane. Rounded to floats, too.
+  Points points = MakeFlatPoints(20, 0.2);
+  for (int i = 0; i < 60; ++i)
+  {
+    points.push_back({ { 3.0 + 0.01 * i, 0.3 + 0.007 * i, 0.013 * i } });
+  }
+  this->Use(points);
+  this->Filter->EstimateNormalsOn();
+  ExpectSuccess(this->Filter);
+  vtkDataArray* normals = this->GetOutput()->GetPointData()->GetNormals();
+  ASSERT_NE(normals, nullptr);
+  for (vtkIdType i = 0; i < 460; ++i)
+  {
+    double n[3];
+    normals->GetTuple(i, n);
+    EXPECT_NEAR(std::abs(n[2]), i < 400 ? 1.0 : 0.0, 1e-6) << i;
+    EXPECT_NEAR(std::abs(n[0]) + std::abs(n[1]), 0.0, 1e-5) << i;
+  }
+}
+
+TEST_F(PointCloudDGG, ExtentsOutOfRange)
+{
+  // Also where the extent itself is below the normal range of double.
+  for (const double scale : { 1e-320, 1e-200, 1e200, 1e308 })
+  {
+    Points points = MakeSpherePoints(100);
+    for (auto& p : points)
+    {
+      p = { { scale * p[0], scale * p[1], scale * p[2] } };
+    }
+    this->Use(points);
+    for (const bool byPlanes : { false, true })
+    {
+      this->Filter->SetEstimateNormals(byPlanes);
+      ExpectError(this->Filter, { "scale them" });
     }
   }
 }

@@ -71,13 +71,13 @@ TEST(CloudGuards, SheetsThreeOffsetsApart)
 TEST(CloudGuards, SheetsCloserThanTwoBalls)
 {
   // The balls overlap, but the points that segments pass are not where they should be.
-  const double spacing = 1.0 / std::sqrt(4000.0);
+  const double spacing = 1.0 / std::sqrt(1500.0);
   for (const double gap : { 3.2, 3.5, 4.5 })
   {
     CloudGraphStatistics statistics;
-    const CloudGraph graph = BuildGraph(TwoSheets(4000, gap * spacing, 3), nullptr, &statistics);
-    EXPECT_EQ(EdgesBetween(graph, [](Id v) { return v < 4000; }), 0) << gap;
-    EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 4000, 4000 })) << gap;
+    const CloudGraph graph = BuildGraph(TwoSheets(1500, gap * spacing, 3), nullptr, &statistics);
+    EXPECT_EQ(EdgesBetween(graph, [](Id v) { return v < 1500; }), 0) << gap;
+    EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 1500, 1500 })) << gap;
   }
 }
 
@@ -85,20 +85,20 @@ TEST(CloudGuards, SheetsTwoSpacingsApart)
 {
   // As close as that, random points leave no room for balls of the default size: with balls of a
   // third of the gap, or with oriented normals, sheets stay apart, and each stays in one piece.
-  const double spacing = 1.0 / 60.0;
+  const double spacing = 1.0 / 30.0;
   for (const double gap : { 2.2, 2.5, 2.8 })
   {
     Cloud cloud;
     for (int side = 0; side < 2; ++side)
     {
-      const Cloud shifts = Square(3600, 20 + side);
-      for (Id i = 0; i < 3600; ++i)
+      const Cloud shifts = Square(900, 20 + side);
+      for (Id i = 0; i < 900; ++i)
       {
-        const Point3 p{ i % 60 + 0.8 * shifts.At(i).X, i / 60 + 0.8 * shifts.At(i).Y, gap * side };
+        const Point3 p{ i % 30 + 0.8 * shifts.At(i).X, i / 30 + 0.8 * shifts.At(i).Y, gap * side };
         cloud.Add(spacing * p);
       }
     }
-    const auto first = [](Id v) { return v < 3600; };
+    const auto first = [](Id v) { return v < 900; };
     const double h = 4.0;
     const CloudGraph given = BuildGraph(cloud, [&](CloudGraphOptions& options) {
       options.OffsetInVoxels = h;
@@ -106,7 +106,7 @@ TEST(CloudGuards, SheetsTwoSpacingsApart)
     });
     EXPECT_EQ(EdgesBetween(given, first), 0) << gap;
     ASSERT_GE(given.ComponentSizes.size(), 2U) << gap;
-    EXPECT_GT(given.ComponentSizes[1], 3500) << gap;
+    EXPECT_GT(given.ComponentSizes[1], 870) << gap;
 
     std::vector<double> normals;
     for (Id i = 0; i < cloud.GetSize(); ++i)
@@ -118,7 +118,7 @@ TEST(CloudGuards, SheetsTwoSpacingsApart)
       options.HasOrientedNormals = true;
     });
     EXPECT_EQ(EdgesBetween(oriented, first), 0) << gap;
-    EXPECT_EQ(oriented.ComponentSizes, (std::vector<Id>{ 3600, 3600 })) << gap;
+    EXPECT_EQ(oriented.ComponentSizes, (std::vector<Id>{ 900, 900 })) << gap;
   }
 }
 

@@ -6,7 +6,7 @@
 #define dggCloudFrame_h
 
 #include "dggPoint3.h" // for Point3
-#include "dggTypes.h"  // for Id
+#include "dggTypes.h"  // for Id, Status
 
 #include <algorithm> // for std::min
 #include <cmath>     // for std::frexp
@@ -61,6 +61,9 @@ public:
 
   /// Of those that are finite, and not left out.
   Id GetNumberOfPoints() const { return this->NumberOfPoints; }
+  /// Fails when squares of lengths, and what the arithmetic of lengths needs besides, are not in
+  /// the range of double.
+  Status CheckRange() const;
   /// Half of the longest side of the box.
   double GetHalfExtent() const { return std::max({ this->Half.X, this->Half.Y, this->Half.Z }); }
   double GetDiagonal() const { return 2.0 * std::hypot(this->Half.X, this->Half.Y, this->Half.Z); }

@@ -18,7 +18,7 @@ namespace
 constexpr Offset BlocksPerTask = 4;
 constexpr Offset RowsPerTask = 512;
 /// Edges measured between two reports of progress.
-constexpr Offset EdgesPerReport = 1 << 19;
+constexpr Offset EdgesPerReport = 1 << 17;
 /// Length of an edge between points in the same place, by the size of the cloud.
 constexpr double CoincidentLength = 1e-12;
 

@@ -20,8 +20,8 @@ namespace
 constexpr Id RowsPerBlock = 64;
 /// Blocks between two reports of progress: as many as look at that many neighbours, judged by those
 /// before them.
-constexpr std::size_t CandidatesPerWave = 1 << 20;
-constexpr Offset LeastBlocksPerWave = 16;
+constexpr std::size_t CandidatesPerWave = 1 << 19;
+constexpr Offset LeastBlocksPerWave = 8;
 constexpr Offset MostBlocksPerWave = 512;
 /// Rows built for an estimate.
 constexpr Id SampleSize = 512;

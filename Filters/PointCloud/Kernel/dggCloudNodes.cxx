@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <sstream>
 #include <tuple>
 
 namespace dgg
@@ -77,17 +76,13 @@ Status FindNodes(
   {
     return Status::Success();
   }
-  // Squares of lengths, and what the arithmetic of lengths needs besides, must stay in range.
-  const double half = frame.GetHalfExtent();
-  if (half > 1e150 || (half > 0.0 && half < 1e-150))
+  const Status status = frame.CheckRange();
+  if (!status.IsOk())
   {
-    std::ostringstream text;
-    text << "the points are spread over " << half
-         << " units to each side, out of the range of the arithmetic: scale them";
-    return Status::Invalid(text.str());
+    return status;
   }
   nodes.Scale = frame.GetScale();
-  nodes.Extent = 2.0 * half * nodes.Scale;
+  nodes.Extent = 2.0 * frame.GetHalfExtent() * nodes.Scale;
 
   std::vector<NodeEntry> entries;
   std::vector<NodeEntry> strayEntries;
