@@ -159,6 +159,25 @@ TEST(CurveEmbedding, CrossingsAndTouchesAreShared)
   EXPECT_EQ(surface.Paths[3], (std::vector<Id>{ surface.Paths[0][1], surface.Paths[0][2] }));
 }
 
+TEST(CurveEmbedding, CurvesThatPassVerticesClosely)
+{
+  // The second curve passes the foot of the first one, and the fourth its end, at less than
+  // 1e-9: they run through them, rather than to cross just beside them. The third one stays.
+  const TestMesh input = SingleTriangle();
+  const dgg::SurfaceMesh mesh = Build(input);
+  const auto at = [&](double b, double c) { return PointIn(mesh, 0, { { 1.0 - b - c, b, c } }); };
+  const std::vector<SurfaceCurve> curves{ Curve(mesh, { at(0.5, 0.0), at(0.5, 0.375) }),
+    Curve(mesh, { at(0.25, 1.5e-9), at(0.75, 0.0) }), Curve(mesh, { at(0.0, 3e-9), at(0.25, 0.0) }),
+    Curve(mesh, { at(0.25, 0.375 + 5e-10), at(0.625, 0.375) }) };
+  const RefinedSurface surface = Embed(mesh, curves);
+  ExpectSoundEmbedding(input, mesh, curves, surface);
+  EXPECT_EQ(surface.GetNumberOfVertices(), 3 + 2 + 2 + 2 + 2);
+  ASSERT_EQ(surface.Paths[1].size(), 3u);
+  EXPECT_EQ(surface.Paths[1][1], surface.Paths[0][0]);
+  ASSERT_EQ(surface.Paths[3].size(), 3u);
+  EXPECT_EQ(surface.Paths[3][1], surface.Paths[0][1]);
+}
+
 TEST(CurveEmbedding, SoundMeshes)
 {
   for (const NamedMesh& named : SoundMeshes())

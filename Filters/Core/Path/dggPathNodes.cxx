@@ -29,6 +29,24 @@ const std::vector<Id>* PathNodes::FindInFace(Id face) const
   return found == this->InFace.end() ? nullptr : &found->second;
 }
 
+std::vector<Id> PathNodes::CollectNodes(Id face) const
+{
+  std::vector<Id> nodes;
+  for (Id h = 3 * face; h < 3 * face + 3; ++h)
+  {
+    nodes.push_back(this->Mesh.Origin(h));
+    if (const std::vector<Id>* onEdge = this->FindOnEdge(h))
+    {
+      nodes.insert(nodes.end(), onEdge->begin(), onEdge->end());
+    }
+  }
+  if (const std::vector<Id>* inside = this->FindInFace(face))
+  {
+    nodes.insert(nodes.end(), inside->begin(), inside->end());
+  }
+  return nodes;
+}
+
 PathNodes::EdgeMark PathNodes::MarkOf(const SurfacePoint& point) const
 {
   const Id edge = FindEdge(this->Mesh, point.HalfEdge);

@@ -47,6 +47,8 @@ public:
   const std::vector<Id>* FindOnEdge(Id h) const;
   /// Nodes inside a face, in the order in which they came. Null when there are none.
   const std::vector<Id>* FindInFace(Id face) const;
+  /// All nodes of a face: its corners, those on its sides, those inside.
+  std::vector<Id> CollectNodes(Id face) const;
 
   /// Where a node lies in one of its faces.
   GridPoint PlaceOf(Id node, Id face) const;

@@ -67,13 +67,13 @@ Status PieceSplitter::Split(
     // Each round gets half of what is left, and so does each turn of its first half.
     const double share = 0.25 * (1.0 - begin);
     const double middle = begin + share;
-    for (const std::size_t p : places)
-    {
-      this->SplitAlongSides(this->Pieces[p], face);
-    }
     bool found = true;
     while (found)
     {
+      for (const std::size_t p : places)
+      {
+        this->SplitAlongSides(this->Pieces[p], face);
+      }
       this->CollectSegments(face, places);
       const double end = 0.5 * (begin + middle);
       if (!this->SplitAtNodes(face, ProgressPart(progress, begin, end), found))
@@ -153,29 +153,29 @@ void PieceSplitter::CollectSegments(Id face, const std::vector<std::size_t>& pla
   this->Tree.Build(this->Lines);
 }
 
-/// Make segments run through nodes inside the face that they pass. Tells whether there were any;
-/// then the segments are to be collected anew, as parts of them may pass others. False when
-/// stopped.
+/// Make segments run through nodes that they pass, also those on sides: otherwise crossings would
+/// come closer to these than nodes may be. Tells whether there were any; then the segments are to
+/// be collected anew, as parts of them may pass others. False when stopped.
 bool PieceSplitter::SplitAtNodes(Id face, const ProgressCallback& progress, bool& found)
 {
   found = false;
-  const std::vector<Id>* inside = this->Nodes.FindInFace(face);
+  const std::vector<Id> candidates = this->Nodes.CollectNodes(face);
   std::vector<std::pair<std::size_t, Id>> passed; // segments, and nodes in their order
   std::vector<std::size_t> close;
-  for (std::size_t i = 0; inside && i < inside->size(); ++i)
+  for (std::size_t i = 0; i < candidates.size(); ++i)
   {
     if (i % ProgressInterval == ProgressInterval - 1 && progress &&
-      !progress(static_cast<double>(i) / static_cast<double>(inside->size())))
+      !progress(static_cast<double>(i) / static_cast<double>(candidates.size())))
     {
       return false;
     }
-    const GridPoint place = this->Nodes.PlaceOf((*inside)[i], face);
+    const GridPoint place = this->Nodes.PlaceOf(candidates[i], face);
     this->Tree.Find(GridBox::Around(place, PathNodes::MergeDistance), close);
     for (const std::size_t s : close)
     {
       if (IsBetween(place, this->Lines[s].From, this->Lines[s].To))
       {
-        passed.emplace_back(s, (*inside)[i]);
+        passed.emplace_back(s, candidates[i]);
       }
     }
   }

@@ -385,15 +385,20 @@ void Refiner::MakeChains()
   }
 }
 
-/// Where the nodes of a piece are along the path, all but the first. Measured where they came to
-/// lie, so that places grow even where nodes were moved together.
+/// Where the nodes of a piece are along the path, all but the first. Parts of a straight line are
+/// the same in grid units as in lengths, which may vanish in needles; measured from node to node,
+/// so that places grow however they were moved.
 void Refiner::AddPlaces(const PathPiece& piece, std::vector<double>& places) const
 {
   const Id face = this->Paths[piece.Path].Faces[piece.Number];
   std::vector<double> behind{ 0.0 };
-  for (std::size_t i = 0; i + 1 < piece.Nodes.size(); ++i)
+  GridPoint last = this->Nodes.PlaceOf(piece.Nodes[0], face);
+  for (std::size_t i = 1; i < piece.Nodes.size(); ++i)
   {
-    behind.push_back(behind.back() + this->Nodes.Measure(piece.Nodes[i], piece.Nodes[i + 1], face));
+    const GridPoint next = this->Nodes.PlaceOf(piece.Nodes[i], face);
+    behind.push_back(behind.back() +
+      Norm(static_cast<double>(next.X - last.X), static_cast<double>(next.Y - last.Y)));
+    last = next;
   }
   for (std::size_t i = 1; i + 1 < behind.size(); ++i)
   {
