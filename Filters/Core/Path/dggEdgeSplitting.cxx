@@ -38,7 +38,7 @@ public:
     }
   }
 
-  void Run(RefinedSurface& surface)
+  void Run(RefinedSurface& surface, std::vector<Id>* parents)
   {
     for (Id f = 0; f < this->Old.GetNumberOfFaces(); ++f)
     {
@@ -47,6 +47,10 @@ public:
     this->Glue();
     this->SplitPaths();
     surface = std::move(this->New);
+    if (parents)
+    {
+      *parents = std::move(this->Parents);
+    }
   }
 
 private:
@@ -198,6 +202,7 @@ private:
       this->New.Lengths.push_back(length);
     }
     this->New.Faces.push_back(this->Old.Faces[f]);
+    this->Parents.push_back(f);
   }
 
   void Glue()
@@ -263,14 +268,15 @@ private:
   const RefinedSurface Old; // a copy: the surface itself is replaced
   RefinedSurface New;
   std::vector<Id> Middles;        // per half-edge
+  std::vector<Id> Parents;        // per new face
   std::vector<Key> Keys;          // per new half-edge
   std::array<Point2, 6> Places{}; // of the nodes of the face at work
 };
 }
 
-void SplitEdges(
-  const SurfaceMesh& oldMesh, const std::vector<char>& isSplit, RefinedSurface& surface)
+void SplitEdges(const SurfaceMesh& oldMesh, const std::vector<char>& isSplit,
+  RefinedSurface& surface, std::vector<Id>* parents)
 {
-  EdgeSplitter(oldMesh, isSplit, surface).Run(surface);
+  EdgeSplitter(oldMesh, isSplit, surface).Run(surface, parents);
 }
 }

@@ -13,9 +13,9 @@ namespace dgg
 {
 /// Split edges in the middle, and faces into two to four parts accordingly: the same surface with
 /// more vertices. Paths get the new vertices, too. `isSplit`, per half-edge: one half of an edge is
-/// enough.
-void SplitEdges(
-  const SurfaceMesh& oldMesh, const std::vector<char>& isSplit, RefinedSurface& surface);
+/// enough. `parents` gets, per face, the one that it was a part of; may be null.
+void SplitEdges(const SurfaceMesh& oldMesh, const std::vector<char>& isSplit,
+  RefinedSurface& surface, std::vector<Id>* parents = nullptr);
 }
 
 #endif

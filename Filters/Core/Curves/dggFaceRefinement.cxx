@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggFaceRefinement.h"
+
+#include "dggEdgeSplitting.h"
+
+#include <array>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// Middles stay this far from sides: twice the distance at which points snap to them.
+constexpr double SmallestCoordinate = 2e-9;
+
+/// Splits the chosen faces level by level.
+class LevelRefiner
+{
+public:
+  LevelRefiner(const SurfaceMesh& mesh, RefinedSurface& surface, std::vector<Id>& parents)
+    : Mesh(mesh)
+    , Surface(surface)
+    , Parents(parents)
+    , IsChosen(surface.Faces.size(), 0)
+  {
+    this->Parents.resize(surface.Faces.size());
+    std::iota(this->Parents.begin(), this->Parents.end(), 0);
+  }
+
+  Status Choose(const std::vector<Id>& faces);
+  Status SplitOnce(int rings);
+
+private:
+  std::vector<char> Grow(int rings) const;
+  bool HasMiddle(Id h) const;
+
+  const SurfaceMesh& Mesh;
+  RefinedSurface& Surface;
+  std::vector<Id>& Parents;
+  std::vector<char> IsChosen; // per face
+};
+
+Status LevelRefiner::Choose(const std::vector<Id>& faces)
+{
+  for (const Id face : faces)
+  {
+    if (face < 0 || face >= this->Surface.GetNumberOfFaces())
+    {
+      std::ostringstream message;
+      message << "face " << face << " does not exist: ids must be in [0, "
+              << this->Surface.GetNumberOfFaces() - 1 << "]";
+      return Status::Invalid(message.str());
+    }
+    this->IsChosen[face] = 1;
+  }
+  return Status::Success();
+}
+
+/// The chosen faces with rings of faces around them.
+std::vector<char> LevelRefiner::Grow(int rings) const
+{
+  std::vector<char> isIn = this->IsChosen;
+  std::vector<char> isTouched(this->Surface.Points.size());
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    for (std::size_t h = 0; h < this->Surface.Triangles.size(); ++h)
+    {
+      isTouched[this->Surface.Triangles[h]] |= isIn[h / 3];
+    }
+    for (std::size_t h = 0; h < this->Surface.Triangles.size(); ++h)
+    {
+      isIn[h / 3] |= isTouched[this->Surface.Triangles[h]];
+    }
+  }
+  return isIn;
+}
+
+/// Whether the middle of an edge is a point of its own, and on a side only where the edge is.
+bool LevelRefiner::HasMiddle(Id h) const
+{
+  const Id face = this->Surface.Faces[SurfaceMesh::Face(h)];
+  std::array<double, 3> p{};
+  std::array<double, 3> q{};
+  FindInFace(this->Mesh, this->Surface.Points[this->Surface.Triangles[h]], face, p);
+  FindInFace(
+    this->Mesh, this->Surface.Points[this->Surface.Triangles[SurfaceMesh::Next(h)]], face, q);
+  bool isClear = true;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double sum = p[k] + q[k];
+    isClear = isClear && (sum == 0.0 || sum >= 2.0 * SmallestCoordinate);
+  }
+  return isClear;
+}
+
+Status LevelRefiner::SplitOnce(int rings)
+{
+  const std::vector<char> isIn = this->Grow(rings);
+  const std::vector<Id>& twins = this->Surface.Twins;
+  std::vector<char> isSplit(twins.size(), 0);
+  for (Id h = 0; h < static_cast<Id>(twins.size()); ++h)
+  {
+    if (isIn[SurfaceMesh::Face(h)] && !isSplit[h] && this->HasMiddle(h))
+    {
+      isSplit[h] = 1;
+      for (Id e = twins[h]; e != NoId && e != h; e = twins[e])
+      {
+        isSplit[e] = 1;
+      }
+    }
+  }
+  // Each split side is one part more.
+  Offset faces = static_cast<Offset>(this->Surface.Faces.size());
+  faces = std::accumulate(isSplit.begin(), isSplit.end(), faces);
+  if (3 * faces > std::numeric_limits<Id>::max())
+  {
+    std::ostringstream message;
+    message << "refinement would make " << faces << " faces, more than "
+            << std::numeric_limits<Id>::max() / 3 << ": choose fewer faces or levels";
+    return Status::Invalid(message.str());
+  }
+  std::vector<Id> parts;
+  SplitEdges(this->Mesh, isSplit, this->Surface, &parts);
+  std::vector<char> isChosen;
+  std::vector<Id> parents;
+  isChosen.reserve(parts.size());
+  parents.reserve(parts.size());
+  for (const Id face : parts)
+  {
+    isChosen.push_back(this->IsChosen[face]);
+    parents.push_back(this->Parents[face]);
+  }
+  this->IsChosen.swap(isChosen);
+  this->Parents.swap(parents);
+  return Status::Success();
+}
+}
+
+Status RefineFaces(const SurfaceMesh& mesh, const std::vector<Id>& faces, int levels,
+  const ProgressCallback& progress, RefinedSurface& surface, std::vector<Id>& parents)
+{
+  parents.clear();
+  if (levels < 0)
+  {
+    return Status::Invalid("the number of levels must not be negative");
+  }
+  RefinedSurface refined = surface;
+  std::vector<Id> refinedParents;
+  LevelRefiner refiner(mesh, refined, refinedParents);
+  Status status = refiner.Choose(faces);
+  for (int level = 0; level < levels && status.IsOk(); ++level)
+  {
+    if (progress && !progress(static_cast<double>(level) / levels))
+    {
+      return Status::Abort();
+    }
+    status = refiner.SplitOnce(levels - 1 - level);
+  }
+  if (status.IsOk())
+  {
+    surface = std::move(refined);
+    parents = std::move(refinedParents);
+  }
+  return status;
+}
+}
