@@ -14,27 +14,6 @@ namespace
 {
 /// Part of the progress of Prepare().
 constexpr double AnalysisDone = 0.4;
-
-Status CheckValues(const PoissonSystem& system, const std::vector<double>& values)
-{
-  if (!system.IsReady())
-  {
-    return Status::Invalid("the system has not been factorized: call Prepare() first");
-  }
-  if (values.size() != static_cast<std::size_t>(system.GetNumberOfVertices()))
-  {
-    return Status::Invalid("there are " + std::to_string(values.size()) + " values for " +
-      std::to_string(system.GetNumberOfVertices()) + " vertices: give one for each");
-  }
-  for (std::size_t v = 0; v < values.size(); ++v)
-  {
-    if (!std::isfinite(values[v]))
-    {
-      return Status::Invalid("the value of vertex " + std::to_string(v) + " is not finite");
-    }
-  }
-  return Status::Success();
-}
 }
 
 PoissonSolver::PoissonSolver(const SurfaceMesh& mesh)
@@ -84,9 +63,31 @@ bool PoissonSolver::IsReady() const
   return this->System->IsReady();
 }
 
+Status PoissonSolver::CheckValues(const std::vector<double>& values) const
+{
+  const PoissonSystem& system = *this->System;
+  if (!system.IsReady())
+  {
+    return Status::Invalid("the system has not been factorized: call Prepare() first");
+  }
+  if (values.size() != static_cast<std::size_t>(system.GetNumberOfVertices()))
+  {
+    return Status::Invalid("there are " + std::to_string(values.size()) + " values for " +
+      std::to_string(system.GetNumberOfVertices()) + " vertices: give one for each");
+  }
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    if (!std::isfinite(values[v]))
+    {
+      return Status::Invalid("the value of vertex " + std::to_string(v) + " is not finite");
+    }
+  }
+  return Status::Success();
+}
+
 Status PoissonSolver::Solve(std::vector<double>& values) const
 {
-  Status status = CheckValues(*this->System, values);
+  Status status = this->CheckValues(values);
   if (status.IsOk())
   {
     this->System->Solve(values);
@@ -96,7 +97,7 @@ Status PoissonSolver::Solve(std::vector<double>& values) const
 
 Status PoissonSolver::Multiply(const std::vector<double>& f, std::vector<double>& result) const
 {
-  Status status = CheckValues(*this->System, f);
+  Status status = this->CheckValues(f);
   if (status.IsOk())
   {
     result = this->System->Multiply(f);

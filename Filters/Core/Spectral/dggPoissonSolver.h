@@ -53,6 +53,8 @@ public:
   /// the solution; at boundary vertices of a Dirichlet problem, replace the given value by itself.
   /// Fails when there are not as many as vertices, or some are not finite.
   Status Solve(std::vector<double>& values) const;
+  /// What Solve() and Multiply() fail for.
+  Status CheckValues(const std::vector<double>& values) const;
   /// L f: the integrated sources that have f as solution.
   Status Multiply(const std::vector<double>& f, std::vector<double>& result) const;
 

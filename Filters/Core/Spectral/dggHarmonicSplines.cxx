@@ -1,0 +1,416 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggHarmonicSplines.h"
+
+#include "dggBlockLoop.h"
+#include "dggGeodesicSource.h"
+#include "dggPoissonIntegral.h"
+#include "dggPoissonSystem.h"
+#include "dggSplineCells.h"
+#include "dggSplineSites.h"
+
+#include <Eigen/SparseCholesky> // for the factorization
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+namespace dgg
+{
+namespace
+{
+constexpr int Lanes = SparseLanes::SizeAtCompileTime;
+using Entries = Eigen::SparseMatrix<double>::InnerIterator;
+}
+
+class HarmonicSplines::Implementation
+{
+public:
+  explicit Implementation(const PoissonSolver& solver)
+    : Solver(solver)
+    , System(solver.GetSystem())
+    , Integral(solver)
+  {
+  }
+
+  Id GetNumberOfSites() const { return static_cast<Id>(this->Sites.size()); }
+
+  Status Check() const
+  {
+    if (this->Sites.empty())
+    {
+      return Status::Invalid("there are no sites: call Prepare() first");
+    }
+    return this->Revision == this->System.GetRevision()
+      ? Status::Success()
+      : Status::Invalid("the solver has been prepared anew: call Prepare() again");
+  }
+
+  /// The part of a vertex in what its cell gives off.
+  double ShareOf(Id v) const
+  {
+    return this->System.GetWeight(v) / this->Cells.Weights[this->Cells.Cells[v]];
+  }
+
+  /// Mean of a basis function; 0 where values are given.
+  double MeanOf(Id site) const
+  {
+    return this->System.IsFree(this->Cells.Components[site]) ? this->Cells.Weights[site] : 0.0;
+  }
+
+  /// Sources of cells, spread over their vertices, and the solution for these. `Number` is double
+  /// or SparseLanes.
+  template <typename Number>
+  void SolveForCells(
+    const std::vector<Number>& charges, const Number& zero, std::vector<Number>& values) const
+  {
+    const Id n = this->System.GetNumberOfVertices();
+    for (Id v = 0; v < n; ++v)
+    {
+      if (this->Cells.Cells[v] != NoId)
+      {
+        values[v] = charges[this->Cells.Cells[v]] * this->ShareOf(v);
+      }
+      else if (!this->System.IsFixed(v))
+      {
+        values[v] = zero;
+      }
+    }
+    this->System.Solve(values);
+  }
+
+  /// Solve for a function of each site, from sources per cell: `setCharges(site, charges, lane)`.
+  template <typename SetCharges>
+  Status SolveForSites(const ParallelFor& parallel, const ProgressCallback& progress, bool hasMean,
+    const Consumer& consume, SetCharges&& setCharges) const
+  {
+    Status status = this->Check();
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    const auto n = static_cast<std::size_t>(this->System.GetNumberOfVertices());
+    const SparseLanes zero = SparseLanes::Zero();
+    const auto runBlock = [&](Offset, Offset begin, Offset end) {
+      std::vector<SparseLanes> charges(this->Sites.size(), zero);
+      std::vector<SparseLanes> solutions(n, zero);
+      for (Offset site = begin; site < end; ++site)
+      {
+        setCharges(static_cast<Id>(site), charges, static_cast<int>(site - begin));
+      }
+      this->SolveForCells(charges, zero, solutions);
+      std::vector<double> values(n);
+      for (Offset site = begin; site < end; ++site)
+      {
+        const Id component = this->Cells.Components[site];
+        const double mean = hasMean ? this->MeanOf(static_cast<Id>(site)) : 0.0;
+        for (std::size_t v = 0; v < n; ++v)
+        {
+          const bool isHere = this->System.GetComponent(static_cast<Id>(v)) == component;
+          values[v] = isHere ? mean + solutions[v][site - begin] : 0.0;
+        }
+        consume(static_cast<Id>(site), values);
+      }
+    };
+    return LoopOverBlocks(
+      static_cast<Offset>(this->Sites.size()), Lanes, parallel, progress, 0.0, 1.0, runBlock);
+  }
+
+  const PoissonSolver& Solver;
+  const PoissonSystem& System;
+  PoissonIntegral Integral;
+  std::vector<Id> Sites;
+  SplineCells Cells;
+  std::uint64_t Revision = 0; // of the system that the cells were made for
+};
+
+HarmonicSplines::HarmonicSplines(const PoissonSolver& solver)
+  : Internals(std::make_unique<Implementation>(solver))
+{
+}
+
+HarmonicSplines::~HarmonicSplines() = default;
+
+Status HarmonicSplines::Prepare(
+  const std::vector<Id>& sites, const ParallelFor& parallel, const ProgressCallback& progress)
+{
+  Implementation& internals = *this->Internals;
+  internals.Sites.clear();
+  internals.Cells = SplineCells();
+  if (!internals.Solver.IsReady())
+  {
+    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+  }
+  if (sites.empty())
+  {
+    return Status::Invalid("there is no site: give one at least");
+  }
+  Status status = CheckSplineSites(internals.Solver, sites);
+  if (status.IsOk())
+  {
+    status = FindSplineCells(internals.System, sites, parallel, progress, internals.Cells);
+  }
+  if (status.IsOk())
+  {
+    internals.Sites = sites;
+    internals.Revision = internals.System.GetRevision();
+  }
+  return status;
+}
+
+const std::vector<Id>& HarmonicSplines::GetSites() const
+{
+  return this->Internals->Sites;
+}
+
+const std::vector<Id>& HarmonicSplines::GetCells() const
+{
+  return this->Internals->Cells.Cells;
+}
+
+double HarmonicSplines::GetCellArea(Id site) const
+{
+  return this->Internals->Cells.Areas[site];
+}
+
+double HarmonicSplines::GetCellWeight(Id site) const
+{
+  return this->Internals->Cells.Weights[site];
+}
+
+double HarmonicSplines::GetCoefficient(Id i, Id j) const
+{
+  return this->Internals->Cells.Stiffness.coeff(i, j);
+}
+
+Status HarmonicSplines::FindBasis(
+  const ParallelFor& parallel, const ProgressCallback& progress, const Consumer& consume) const
+{
+  const Implementation& internals = *this->Internals;
+  return internals.SolveForSites(
+    parallel, progress, true, consume, [&](Id site, std::vector<SparseLanes>& charges, int lane) {
+      for (Entries entry(internals.Cells.Stiffness, site); entry; ++entry)
+      {
+        charges[entry.row()][lane] = entry.value();
+      }
+    });
+}
+
+Status HarmonicSplines::FindGreens(
+  const ParallelFor& parallel, const ProgressCallback& progress, const Consumer& consume) const
+{
+  return this->Internals->SolveForSites(parallel, progress, false, consume,
+    [](Id site, std::vector<SparseLanes>& charges, int lane) { charges[site][lane] = 1.0; });
+}
+
+Status HarmonicSplines::Evaluate(const std::vector<SurfacePoint>& points, GreensMethod method,
+  const ParallelFor& parallel, const ProgressCallback& progress, std::vector<double>& values) const
+{
+  values.clear();
+  const Implementation& internals = *this->Internals;
+  Status status = internals.Check();
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const std::size_t count = internals.Sites.size();
+  const PoissonSystem& system = internals.System;
+  std::vector<double> found(points.size() * count, 0.0);
+  status = internals.Integral.ForEachPoint(
+    points, method, parallel, progress, [&](std::size_t k, const std::vector<double>& greens) {
+      const SurfacePoint& point = points[k];
+      const Id component = system.GetComponent(
+        IsVertex(point) ? point.Vertex : system.GetMesh().Origin(3 * point.Face));
+      std::vector<double> means(count, 0.0); // of the Green's function, over the cells
+      for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+      {
+        if (internals.Cells.Cells[v] != NoId)
+        {
+          means[internals.Cells.Cells[v]] += internals.ShareOf(v) * greens[v];
+        }
+      }
+      for (Id j = 0; j < static_cast<Id>(count); ++j)
+      {
+        double sum = 0.0;
+        for (Entries entry(internals.Cells.Stiffness, j); entry; ++entry)
+        {
+          sum += entry.value() * means[entry.row()];
+        }
+        const bool isHere = internals.Cells.Components[j] == component;
+        found[k * count + j] = isHere ? internals.MeanOf(j) + sum : 0.0;
+      }
+    });
+  if (status.IsOk())
+  {
+    values.swap(found);
+  }
+  return status;
+}
+
+Status HarmonicSplines::Solve(const std::vector<double>& rightHandSide,
+  const std::vector<Id>& given, std::vector<double>& coefficients) const
+{
+  const Implementation& internals = *this->Internals;
+  const PoissonSystem& system = internals.System;
+  Status status = internals.Check();
+  status = status.IsOk() ? internals.Solver.CheckValues(rightHandSide) : status;
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const Id count = internals.GetNumberOfSites();
+  const SplineCells& cells = internals.Cells;
+  Eigen::VectorXd sources = Eigen::VectorXd::Zero(count);
+  for (std::size_t v = 0; v < rightHandSide.size(); ++v)
+  {
+    if (cells.Cells[v] != NoId)
+    {
+      sources[cells.Cells[v]] += rightHandSide[v];
+    }
+  }
+  for (const SplineCells::Rim& rim : cells.Rims)
+  {
+    sources[rim.Site] += rim.Coefficient * rightHandSide[rim.Vertex];
+  }
+
+  // Components without a given value get one, 0, for a while.
+  std::vector<double> values(count, 0.0);
+  std::vector<std::uint8_t> isKnown(count, 0);
+  std::vector<std::uint8_t> isFloating(system.GetNumberOfComponents(), 0);
+  for (Id c = 0; c < system.GetNumberOfComponents(); ++c)
+  {
+    isFloating[c] = system.IsFree(c) ? 1 : 0;
+  }
+  for (const Id site : given)
+  {
+    if (site < 0 || site >= count || coefficients.size() != static_cast<std::size_t>(count) ||
+      !std::isfinite(coefficients[site]))
+    {
+      return Status::Invalid("there is no finite value for the given site " + std::to_string(site) +
+        " of " + std::to_string(count));
+    }
+    values[site] = coefficients[site];
+    isKnown[site] = 1;
+    isFloating[cells.Components[site]] = 0;
+  }
+  std::vector<double> totals(isFloating.size(), 0.0);
+  std::vector<std::uint8_t> isPinned(isFloating.size(), 0);
+  for (Id i = 0; i < count; ++i)
+  {
+    totals[cells.Components[i]] += sources[i];
+  }
+  for (Id i = 0; i < count; ++i)
+  {
+    const Id c = cells.Components[i];
+    sources[i] -= isFloating[c] ? totals[c] * cells.Weights[i] : 0.0;
+    isKnown[i] = isKnown[i] || (isFloating[c] && !isPinned[c]) ? 1 : 0;
+    isPinned[c] = 1;
+  }
+
+  Eigen::SparseMatrix<double> matrix = cells.Stiffness;
+  for (int column = 0; column < matrix.cols(); ++column)
+  {
+    for (Entries entry(matrix, column); entry; ++entry)
+    {
+      const auto row = entry.row();
+      if (isKnown[column] && !isKnown[row])
+      {
+        sources[row] -= entry.value() * values[column];
+      }
+      if (isKnown[column] || isKnown[row])
+      {
+        entry.valueRef() = row == column ? 1.0 : 0.0;
+      }
+    }
+  }
+  for (Id i = 0; i < count; ++i)
+  {
+    sources[i] = isKnown[i] ? values[i] : sources[i];
+  }
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
+  const Eigen::VectorXd solution =
+    factor.info() == Eigen::Success ? Eigen::VectorXd(factor.solve(sources)) : Eigen::VectorXd();
+  if (solution.size() != count || !solution.allFinite())
+  {
+    return Status::Invalid("the equations of the sites could not be solved: some cells do not "
+                           "conduct, choose other sites or flip edges (IntrinsicDelaunay)");
+  }
+
+  coefficients.assign(solution.data(), solution.data() + count);
+  std::vector<double> means(isFloating.size(), 0.0);
+  for (Id i = 0; i < count; ++i)
+  {
+    means[cells.Components[i]] += cells.Weights[i] * coefficients[i];
+  }
+  for (Id i = 0; i < count; ++i)
+  {
+    coefficients[i] -= isFloating[cells.Components[i]] ? means[cells.Components[i]] : 0.0;
+  }
+  return status;
+}
+
+Status HarmonicSplines::Combine(const std::vector<double>& coefficients,
+  const std::vector<double>& givenValues, std::vector<double>& values) const
+{
+  values.clear();
+  const Implementation& internals = *this->Internals;
+  const PoissonSystem& system = internals.System;
+  const SplineCells& cells = internals.Cells;
+  Status status = internals.Check();
+  status =
+    status.IsOk() && !givenValues.empty() ? internals.Solver.CheckValues(givenValues) : status;
+  if (status.IsOk() && coefficients.size() != internals.Sites.size())
+  {
+    status = Status::Invalid("there are " + std::to_string(coefficients.size()) +
+      " coefficients for " + std::to_string(internals.Sites.size()) + " sites: give one for each");
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  std::vector<double> means(system.GetNumberOfComponents(), 0.0);
+  std::vector<double> charges(coefficients.size(), 0.0);
+  for (Id j = 0; j < internals.GetNumberOfSites(); ++j)
+  {
+    means[cells.Components[j]] += internals.MeanOf(j) * coefficients[j];
+    // Differences, so that constants give 0 to the last bit.
+    for (Entries entry(cells.Stiffness, j); entry; ++entry)
+    {
+      charges[j] += entry.value() * (coefficients[entry.row()] - coefficients[j]);
+    }
+  }
+  for (const SplineCells::Rim& rim : cells.Rims)
+  {
+    const double value = givenValues.empty() ? 0.0 : givenValues[rim.Vertex];
+    charges[rim.Site] += rim.Coefficient * (coefficients[rim.Site] - value);
+  }
+  values.assign(system.GetNumberOfVertices(), 0.0);
+  for (Id v = 0; v < system.GetNumberOfVertices() && !givenValues.empty(); ++v)
+  {
+    values[v] = system.IsFixed(v) ? givenValues[v] : 0.0;
+  }
+  internals.SolveForCells(charges, 0.0, values);
+  for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+  {
+    values[v] += cells.Cells[v] == NoId ? 0.0 : means[system.GetComponent(v)];
+  }
+  return status;
+}
+
+std::size_t HarmonicSplines::GetBasisMemory(std::size_t numberOfSites) const
+{
+  // Solutions, twice in the substitution, the charges, and one function.
+  const auto n = static_cast<std::size_t>(this->Internals->System.GetNumberOfVertices());
+  return (2 * n + numberOfSites) * sizeof(SparseLanes) + n * sizeof(double);
+}
+
+std::size_t HarmonicSplines::GetEvaluationMemory() const
+{
+  return this->Internals->Integral.GetWorkingMemory();
+}
+
+std::size_t HarmonicSplines::GetMemorySize() const
+{
+  return this->Internals->Cells.GetMemorySize() + this->Internals->Sites.size() * sizeof(Id);
+}
+}

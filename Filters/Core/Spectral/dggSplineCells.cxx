@@ -1,0 +1,364 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSplineCells.h"
+
+#include "dggBlockLoop.h"
+#include "dggExactGeodesics.h"
+#include "dggProgressPart.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+namespace dgg
+{
+namespace
+{
+/// Parts of the progress: the partition, what flows to given values, the rest.
+constexpr double PartitionDone = 0.25;
+constexpr double RimsDone = 0.35;
+
+using Entries = Eigen::SparseMatrix<double>::InnerIterator;
+using Triplets = std::vector<Eigen::Triplet<double, int>>;
+
+bool IsInACell(const PoissonSystem& system, Id v)
+{
+  const SurfaceMesh& mesh = system.GetMesh();
+  return mesh.FanBegin(v) != mesh.FanEnd(v) && !system.IsFixed(v);
+}
+
+/// What is found from one site: other sites, perhaps several times, and parts of coefficients.
+using SiteRow = std::vector<std::pair<Id, double>>;
+
+/// Finds what one cell contributes to the coefficients, with distances from its site alone.
+class CellFluxes
+{
+public:
+  CellFluxes(
+    const PoissonSystem& system, const std::vector<Id>& sites, const std::vector<Id>& cells)
+    : System(system)
+    , Sites(sites)
+    , Cells(cells)
+    , Offsets(sites.size() + 1, 0)
+    , Radii(sites.size(), 0.0)
+  {
+    for (const Id cell : cells)
+    {
+      this->Offsets[cell == NoId ? 0 : cell + 1] += cell == NoId ? 0 : 1;
+    }
+    for (std::size_t i = 0; i < sites.size(); ++i)
+    {
+      this->Offsets[i + 1] += this->Offsets[i];
+    }
+    this->Vertices.resize(static_cast<std::size_t>(this->Offsets.back()));
+    std::vector<Offset> next(this->Offsets.begin(), this->Offsets.end() - 1);
+    for (std::size_t v = 0; v < cells.size(); ++v)
+    {
+      if (cells[v] != NoId)
+      {
+        this->Vertices[next[cells[v]]++] = static_cast<Id>(v);
+      }
+    }
+  }
+
+  /// How far distances are needed from each site: to the vertices next to its cell and the sites
+  /// of these. `distances` are those of the nearest sites.
+  void FindRadii(const std::vector<double>& distances)
+  {
+    const IntrinsicTriangulation& triangulation = this->System.GetTriangulation();
+    for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
+    {
+      const Id ends[] = { triangulation.Origin(h), triangulation.Destination(h) };
+      for (int k = 0; k < 2; ++k)
+      {
+        const Id cell = this->Cells[ends[k]];
+        const Id other = this->Cells[ends[1 - k]];
+        if (cell != NoId && cell != other)
+        {
+          const double beyond = other == NoId ? 0.0 : distances[ends[1 - k]];
+          this->Radii[cell] =
+            std::max(this->Radii[cell], distances[ends[k]] + triangulation.Length(h) + beyond);
+        }
+      }
+    }
+  }
+
+  Status Run(std::size_t site, ExactGeodesics& exact, SiteRow& row) const
+  {
+    // Rounding must not leave out the last one.
+    const double radius = this->Radii[site] * (1.0 + 1e-9);
+    ExactOptions options;
+    options.MaximumDistance = radius;
+    ExactResult result;
+    const Status status =
+      exact.Run({ { SurfacePoint::AtVertex(this->Sites[site]), 0.0 } }, options, result);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    const auto distance = [&](Id v) { return std::min(result.Distances[v], radius); };
+    for (Offset k = this->Offsets[site]; k < this->Offsets[site + 1]; ++k)
+    {
+      const Id u = this->Vertices[k];
+      const double near = distance(u);
+      for (Entries entry(this->System.GetStiffness(), u); entry; ++entry)
+      {
+        const Id v = static_cast<Id>(entry.row());
+        const Id other = this->Cells[v];
+        const double weight = -entry.value();
+        if (other != static_cast<Id>(site) && other != NoId)
+        {
+          const double far = distance(v);
+          const double between = distance(this->Sites[other]);
+          row.emplace_back(other, 0.5 * weight * (far * far - near * near) / (between * between));
+        }
+      }
+    }
+    return status;
+  }
+
+private:
+  const PoissonSystem& System;
+  const std::vector<Id>& Sites;
+  const std::vector<Id>& Cells;
+  std::vector<Offset> Offsets; // per site, where its vertices start
+  std::vector<Id> Vertices;    // cell by cell
+  std::vector<double> Radii;   // per site
+};
+
+Status FindDistances(const PoissonSystem& system, const std::vector<Id>& vertices,
+  const ProgressCallback& progress, ExactResult& result)
+{
+  std::vector<GeodesicSource> sources;
+  sources.reserve(vertices.size());
+  for (const Id v : vertices)
+  {
+    sources.push_back({ SurfacePoint::AtVertex(v), 0.0 });
+  }
+  ExactOptions options;
+  options.Progress = progress;
+  ExactGeodesics exact(system.GetMesh());
+  return exact.Run(sources, options, result);
+}
+
+/// The nearest site of each vertex, and the distance from it.
+Status FindPartition(const PoissonSystem& system, const std::vector<Id>& sites,
+  const ProgressCallback& progress, std::vector<Id>& cells, std::vector<double>& distances)
+{
+  ExactResult result;
+  const Status status = FindDistances(system, sites, progress, result);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  cells = std::move(result.NearestSource);
+  distances = std::move(result.Distances);
+  for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+  {
+    if (!IsInACell(system, v))
+    {
+      cells[v] = NoId;
+    }
+    else if (cells[v] == NoId)
+    {
+      return Status::Invalid("no site reaches vertex " + std::to_string(v) + ": add one there");
+    }
+  }
+  return status;
+}
+
+/// What flows to given values.
+Status FindRims(const PoissonSystem& system, const ProgressCallback& progress, SplineCells& cells)
+{
+  std::vector<Id> given;
+  for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+  {
+    if (system.IsFixed(v))
+    {
+      given.push_back(v);
+    }
+  }
+  ExactResult result;
+  const Status status =
+    given.empty() ? Status::Success() : FindDistances(system, given, progress, result);
+  if (!status.IsOk() || given.empty())
+  {
+    return status;
+  }
+  std::vector<double> means(cells.Weights.size(), 0.0);
+  for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+  {
+    const Id cell = cells.Cells[v];
+    if (cell != NoId)
+    {
+      means[cell] += system.GetWeight(v) / cells.Weights[cell] * result.Distances[v];
+    }
+  }
+  for (const Id v : given)
+  {
+    for (Entries entry(system.GetStiffness(), v); entry; ++entry)
+    {
+      const Id u = static_cast<Id>(entry.row());
+      const Id cell = cells.Cells[u];
+      if (cell != NoId)
+      {
+        cells.Rims.push_back({ cell, v, -entry.value() * result.Distances[u] / means[cell] });
+      }
+    }
+  }
+  return status;
+}
+
+/// The matrix of coefficients, with the sums of rows on the diagonal.
+void Assemble(std::size_t count, Triplets& conductances, SplineCells& cells)
+{
+  std::vector<double> sums(count, 0.0);
+  Eigen::SparseMatrix<double>& matrix = cells.Stiffness;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    conductances.emplace_back(static_cast<int>(i), static_cast<int>(i), 0.0);
+  }
+  matrix.resize(static_cast<int>(count), static_cast<int>(count));
+  matrix.setFromTriplets(conductances.begin(), conductances.end());
+  for (int column = 0; column < matrix.cols(); ++column)
+  {
+    for (Entries entry(matrix, column); entry; ++entry)
+    {
+      sums[column] -= entry.value();
+    }
+  }
+  for (const SplineCells::Rim& rim : cells.Rims)
+  {
+    sums[rim.Site] += rim.Coefficient;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    matrix.coeffRef(static_cast<int>(i), static_cast<int>(i)) = sums[i];
+  }
+}
+
+/// Every vertex is a site: coefficients are the weights of the edges.
+void TakeWeights(const PoissonSystem& system, const SplineCells& cells, Triplets& conductances)
+{
+  const Eigen::SparseMatrix<double>& stiffness = system.GetStiffness();
+  for (int u = 0; u < stiffness.cols(); ++u)
+  {
+    for (Entries entry(stiffness, u); entry && cells.Cells[u] != NoId; ++entry)
+    {
+      const auto v = entry.row();
+      if (v != u && cells.Cells[v] != NoId)
+      {
+        conductances.emplace_back(cells.Cells[u], cells.Cells[v], entry.value());
+      }
+    }
+  }
+}
+
+void Measure(const PoissonSystem& system, const std::vector<Id>& sites, SplineCells& cells)
+{
+  cells.Weights.assign(sites.size(), 0.0);
+  cells.Areas.assign(sites.size(), 0.0);
+  for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+  {
+    if (cells.Cells[v] != NoId)
+    {
+      cells.Weights[cells.Cells[v]] += system.GetWeight(v);
+      cells.Areas[cells.Cells[v]] += system.GetArea(v);
+    }
+  }
+  for (const Id site : sites)
+  {
+    cells.Components.push_back(system.GetComponent(site));
+  }
+}
+
+Status FindCoefficients(const PoissonSystem& system, const std::vector<Id>& sites,
+  const std::vector<Id>& cells, const std::vector<double>& distances, const ParallelFor& parallel,
+  const ProgressCallback& progress, Triplets& conductances)
+{
+  CellFluxes fluxes(system, sites, cells);
+  fluxes.FindRadii(distances);
+  std::vector<SiteRow> rows(sites.size());
+  std::vector<Status> failures(sites.size());
+  const Status status = LoopOverBlocks(
+    static_cast<Offset>(sites.size()), 1, parallel, progress, RimsDone, 1.0,
+    [&] { return ExactGeodesics(system.GetMesh()); },
+    [&](ExactGeodesics& exact, Offset site, Offset, Offset) {
+      failures[site] = fluxes.Run(static_cast<std::size_t>(site), exact, rows[site]);
+    });
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    if (!failures[i].IsOk())
+    {
+      return failures[i];
+    }
+    for (const auto& [j, value] : rows[i])
+    {
+      conductances.emplace_back(static_cast<int>(i), j, -value);
+      conductances.emplace_back(j, static_cast<int>(i), -value);
+    }
+  }
+  return status;
+}
+}
+
+std::size_t SplineCells::GetMemorySize() const
+{
+  return (this->Cells.size() + this->Components.size()) * sizeof(Id) +
+    (this->Weights.size() + this->Areas.size()) * sizeof(double) + this->Rims.size() * sizeof(Rim) +
+    static_cast<std::size_t>(this->Stiffness.nonZeros()) * (sizeof(double) + sizeof(int));
+}
+
+Status FindSplineCells(const PoissonSystem& system, const std::vector<Id>& sites,
+  const ParallelFor& parallel, const ProgressCallback& progress, SplineCells& cells)
+{
+  cells = SplineCells();
+  std::size_t inCells = 0;
+  for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+  {
+    inCells += IsInACell(system, v) ? 1 : 0;
+  }
+  Triplets conductances;
+  std::vector<double> distances;
+  const bool isWhole = sites.size() == inCells; // every vertex is a site
+  Status status;
+  if (isWhole)
+  {
+    cells.Cells.assign(system.GetNumberOfVertices(), NoId);
+    for (std::size_t i = 0; i < sites.size(); ++i)
+    {
+      cells.Cells[sites[i]] = static_cast<Id>(i);
+    }
+  }
+  else
+  {
+    status = FindPartition(
+      system, sites, ProgressPart(progress, 0.0, PartitionDone), cells.Cells, distances);
+  }
+  if (status.IsOk())
+  {
+    Measure(system, sites, cells);
+    status = FindRims(system, ProgressPart(progress, PartitionDone, RimsDone), cells);
+  }
+  if (status.IsOk() && isWhole)
+  {
+    TakeWeights(system, cells, conductances);
+  }
+  else if (status.IsOk())
+  {
+    status =
+      FindCoefficients(system, sites, cells.Cells, distances, parallel, progress, conductances);
+  }
+  if (!status.IsOk())
+  {
+    cells = SplineCells();
+    return status;
+  }
+  Assemble(sites.size(), conductances, cells);
+  return progress && !progress(1.0) ? Status::Abort() : status;
+}
+}

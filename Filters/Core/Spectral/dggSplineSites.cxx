@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSplineSites.h"
+
+#include "dggFarthestPoints.h"
+#include "dggPoissonSystem.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+namespace dgg
+{
+namespace
+{
+/// The edges of the triangles, from both ends.
+struct EdgeRows
+{
+  explicit EdgeRows(const IntrinsicTriangulation& triangulation, Id numberOfVertices)
+    : Offsets(static_cast<std::size_t>(numberOfVertices) + 1, 0)
+  {
+    const Id sides = triangulation.GetNumberOfHalfEdges();
+    for (Id h = 0; h < sides; ++h)
+    {
+      ++this->Offsets[triangulation.Origin(h) + 1];
+      ++this->Offsets[triangulation.Destination(h) + 1];
+    }
+    for (Id v = 0; v < numberOfVertices; ++v)
+    {
+      this->Offsets[v + 1] += this->Offsets[v];
+    }
+    this->Targets.resize(2 * static_cast<std::size_t>(sides));
+    this->Lengths.resize(this->Targets.size());
+    std::vector<Offset> next(this->Offsets.begin(), this->Offsets.end() - 1);
+    for (Id h = 0; h < sides; ++h)
+    {
+      const Id ends[] = { triangulation.Origin(h), triangulation.Destination(h) };
+      for (int k = 0; k < 2; ++k)
+      {
+        const Offset place = next[ends[k]]++;
+        this->Targets[place] = ends[1 - k];
+        this->Lengths[place] = triangulation.Length(h);
+      }
+    }
+  }
+
+  GraphView View() const
+  {
+    GraphView view;
+    view.NumberOfVertices = static_cast<Id>(this->Offsets.size() - 1);
+    view.Offsets = this->Offsets.data();
+    view.Targets = this->Targets.data();
+    view.WideLengths = this->Lengths.data();
+    return view;
+  }
+
+  std::vector<Offset> Offsets;
+  std::vector<Id> Targets;
+  std::vector<double> Lengths;
+};
+
+bool HasFace(const SurfaceMesh& mesh, Id v)
+{
+  return mesh.FanBegin(v) != mesh.FanEnd(v);
+}
+
+/// Of each component with a free vertex, the one of these that is farthest away.
+std::vector<Id> FindFarthest(const PoissonSystem& system, const std::vector<double>& distances)
+{
+  std::vector<Id> farthest(system.GetNumberOfComponents(), NoId);
+  for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+  {
+    Id& best = farthest[system.GetComponent(v)];
+    const bool isFree = HasFace(system.GetMesh(), v) && !system.IsFixed(v);
+    if (isFree && (best == NoId || distances[v] > distances[best]))
+    {
+      best = v;
+    }
+  }
+  farthest.erase(std::remove(farthest.begin(), farthest.end(), NoId), farthest.end());
+  return farthest;
+}
+
+/// Per component, whether it has a vertex that splines are about.
+std::vector<std::uint8_t> FindSplineComponents(const PoissonSystem& system)
+{
+  std::vector<std::uint8_t> has(system.GetNumberOfComponents(), 0);
+  for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+  {
+    if (HasFace(system.GetMesh(), v) && !system.IsFixed(v))
+    {
+      has[system.GetComponent(v)] = 1;
+    }
+  }
+  return has;
+}
+}
+
+Id CountSplineComponents(const PoissonSolver& solver)
+{
+  const std::vector<std::uint8_t> has = FindSplineComponents(solver.GetSystem());
+  return static_cast<Id>(std::count(has.begin(), has.end(), std::uint8_t(1)));
+}
+
+Status ChooseSplineSites(
+  const PoissonSolver& solver, Id count, const ProgressCallback& progress, std::vector<Id>& sites)
+{
+  sites.clear();
+  if (!solver.IsReady())
+  {
+    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+  }
+  const PoissonSystem& system = solver.GetSystem();
+  const EdgeRows rows(system.GetTriangulation(), system.GetNumberOfVertices());
+  FarthestPoints points(rows.View(), nullptr);
+  std::vector<GraphSeed> given;
+  for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+  {
+    if (system.IsFixed(v))
+    {
+      given.push_back({ v });
+    }
+  }
+  Status status = given.empty() ? Status::Success() : points.Add(given, nullptr);
+  // One in each component first: farther ones in others may be there before.
+  std::vector<Id> found = FindFarthest(system, points.GetDistances());
+  const Id wanted = std::max(count, static_cast<Id>(found.size()));
+  while (status.IsOk() && static_cast<Id>(sites.size()) < wanted)
+  {
+    const bool isFirst = sites.size() < found.size();
+    const Id farthest = isFirst ? found[sites.size()] : points.Find().Vertex;
+    if (farthest == NoId)
+    {
+      break;
+    }
+    sites.push_back(farthest);
+    status = points.Add({ { farthest } }, nullptr);
+    const double done = static_cast<double>(sites.size()) / static_cast<double>(wanted);
+    if (status.IsOk() && progress && !progress(done))
+    {
+      status = Status::Abort();
+    }
+  }
+  if (!status.IsOk())
+  {
+    sites.clear();
+  }
+  return status;
+}
+
+Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& sites)
+{
+  const PoissonSystem& system = solver.GetSystem();
+  std::vector<std::uint8_t> needed = FindSplineComponents(system);
+  std::vector<Id> numbers(system.GetNumberOfVertices(), NoId);
+  for (std::size_t k = 0; k < sites.size(); ++k)
+  {
+    const Id v = sites[k];
+    const std::string what = "site " + std::to_string(k) + " (vertex " + std::to_string(v) + ")";
+    if (v < 0 || v >= system.GetNumberOfVertices())
+    {
+      return Status::Invalid(what + " does not exist: there are " +
+        std::to_string(system.GetNumberOfVertices()) + " vertices");
+    }
+    if (!HasFace(system.GetMesh(), v))
+    {
+      return Status::Invalid(what + " has no face: nothing is defined there");
+    }
+    if (system.IsFixed(v))
+    {
+      return Status::Invalid(what +
+        " lies on the boundary, where values are given: move it inside, or use Neumann conditions");
+    }
+    if (numbers[v] != NoId)
+    {
+      return Status::Invalid(
+        what + " is the same as site " + std::to_string(numbers[v]) + ": leave one of them out");
+    }
+    numbers[v] = static_cast<Id>(k);
+    needed[system.GetComponent(v)] = 0;
+  }
+  for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+  {
+    if (needed[system.GetComponent(v)] != 0 && HasFace(system.GetMesh(), v) && !system.IsFixed(v))
+    {
+      return Status::Invalid("the part of the surface with vertex " + std::to_string(v) +
+        " has no site: add one for each part that is not connected with others");
+    }
+  }
+  return Status::Success();
+}
+}

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Sites of harmonic B-splines.
+#ifndef dggSplineSites_h
+#define dggSplineSites_h
+
+#include "dggPoissonSolver.h" // for PoissonSolver
+
+#include <vector> // for the sites
+
+namespace dgg
+{
+/// Vertices that are far from each other and from those with given values, one after the other the
+/// farthest one along the edges of the mesh (FarthestPoints). Every component that has a vertex
+/// without a given value gets a site, so there may be more than asked for; there are fewer when the
+/// mesh has fewer such vertices. The solver must be ready.
+Status ChooseSplineSites(
+  const PoissonSolver& solver, Id count, const ProgressCallback& progress, std::vector<Id>& sites);
+
+/// The components that have a vertex without a given value: how many sites there are at least.
+Id CountSplineComponents(const PoissonSolver& solver);
+
+/// Fails, with a message that names the site by its number, when there is none, or one does not
+/// exist, has no face, has a given value, or is the same as an earlier one; when a component with a
+/// vertex without given value has no site.
+Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& sites);
+}
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of harmonic B-splines and integrals of Green's functions share.
+#ifndef SplineTestTools_h
+#define SplineTestTools_h
+
+#include "GreensTestTools.h"
+
+#include "dggHarmonicSplines.h"
+#include "dggSplineSites.h"
+
+#include <functional>
+#include <vector>
+
+namespace dggtest
+{
+inline std::vector<Id> AllFreeVertices(const dgg::PoissonSolver& solver)
+{
+  std::vector<Id> vertices;
+  const dgg::SurfaceMesh& mesh = solver.GetMesh();
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (!solver.IsFixed(v) && mesh.FanBegin(v) != mesh.FanEnd(v))
+    {
+      vertices.push_back(v);
+    }
+  }
+  return vertices;
+}
+
+/// A density, integrated over the cells of vertices; at vertices with given values 0.
+inline std::vector<double> Integrated(
+  const dgg::PoissonSolver& solver, const std::function<double(Id)>& density)
+{
+  std::vector<double> sources(solver.GetAreas().size());
+  for (std::size_t v = 0; v < sources.size(); ++v)
+  {
+    const Id id = static_cast<Id>(v);
+    sources[v] = solver.IsFixed(id) ? 0.0 : solver.GetAreas()[v] * density(id);
+  }
+  return sources;
+}
+
+/// A solver and splines of sites that are ready.
+class Splines : public Greens
+{
+public:
+  explicit Splines(const dgg::SurfaceMesh& mesh, const dgg::PoissonOptions& options = {})
+    : Greens(mesh, options)
+    , Functions(Solver)
+  {
+  }
+  void Prepare(const std::vector<Id>& sites, const dgg::ParallelFor& parallel = nullptr)
+  {
+    const dgg::Status status = this->Functions.Prepare(sites, parallel, nullptr);
+    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+  }
+  void PrepareAll() { this->Prepare(AllFreeVertices(this->Solver)); }
+  void PrepareSome(Id count)
+  {
+    std::vector<Id> sites;
+    ASSERT_TRUE(dgg::ChooseSplineSites(this->Solver, count, nullptr, sites).IsOk());
+    this->Prepare(sites);
+  }
+
+  /// Basis functions, per site.
+  std::vector<std::vector<double>> Basis(const dgg::ParallelFor& parallel = nullptr) const
+  {
+    std::vector<std::vector<double>> all(this->Functions.GetSites().size());
+    EXPECT_TRUE(this->Functions
+                  .FindBasis(parallel, nullptr,
+                    [&](Id site, const std::vector<double>& values) { all[site] = values; })
+                  .IsOk());
+    return all;
+  }
+  std::vector<double> Evaluate(
+    const std::vector<dgg::SurfacePoint>& points, dgg::GreensMethod method) const
+  {
+    std::vector<double> values;
+    const dgg::Status status = this->Functions.Evaluate(points, method, nullptr, nullptr, values);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    return values;
+  }
+  std::vector<double> SolveSites(const std::vector<double>& sources) const
+  {
+    std::vector<double> coefficients;
+    const dgg::Status status = this->Functions.Solve(sources, {}, coefficients);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    return coefficients;
+  }
+  std::vector<double> Combine(
+    const std::vector<double>& coefficients, const std::vector<double>& given = {}) const
+  {
+    std::vector<double> values;
+    const dgg::Status status = this->Functions.Combine(coefficients, given, values);
+    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    return values;
+  }
+
+  dgg::HarmonicSplines Functions;
+};
+}
+
+#endif
