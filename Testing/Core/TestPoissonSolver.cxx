@@ -194,6 +194,120 @@ TEST(PoissonSolver, GivenValuesOfLinearFunctionsAreContinuedLinearly)
   }
 }
 
+TEST(PoissonSolver, ValuesAreGivenAtAnyVertices)
+{
+  // On the sides x = 0 and x = 7, through which nothing flows elsewhere: linear in x.
+  const TestMesh plane = Plane(7, 5, 0.25);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  dgg::PoissonOptions options;
+  for (Id v = mesh.GetNumberOfVertices() - 1; v >= 0; --v)
+  {
+    const double x = plane.Point(v)[0];
+    if (x == 0.0 || x == 7.0)
+    {
+      options.GivenVertices.push_back(v);
+    }
+  }
+  options.GivenVertices.push_back(options.GivenVertices.front()); // twice
+  for (const bool delaunay : { false, true })
+  {
+    options.IntrinsicDelaunay = delaunay;
+    const Poisson poisson(mesh, options);
+    std::vector<double> values(mesh.GetNumberOfVertices(), 0.0);
+    for (const Id v : options.GivenVertices)
+    {
+      EXPECT_TRUE(poisson.Solver.IsFixed(v)) << v;
+      values[v] = 3.0 - 2.0 * plane.Point(v)[0];
+    }
+    const std::vector<double> solution = poisson.Solve(values);
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      EXPECT_NEAR(solution[v], 3.0 - 2.0 * plane.Point(v)[0], 1e-10) << v;
+    }
+    ExpectInverse(poisson, 1e-10, "plane");
+  }
+}
+
+TEST(PoissonSolver, OneGivenValueTakesInWhatFlows)
+{
+  // Of a closed surface: sources that do not sum to 0 flow out where the value is given. The other
+  // component has none, and is balanced.
+  TestMesh two = Icosphere(2);
+  const Id n = two.GetNumberOfVertices();
+  Append(two, Translated(Icosphere(1), 5.0, 0.0, 0.0));
+  const dgg::SurfaceMesh mesh = Build(two);
+  dgg::PoissonOptions options;
+  options.GivenVertices = { 5 };
+  const Poisson poisson(mesh, options);
+  ExpectInverse(poisson, 1e-10, "two spheres");
+  std::vector<double> values(mesh.GetNumberOfVertices(), 0.25);
+  values[5] = 7.0;
+  const std::vector<double> flow = poisson.Multiply(poisson.Solve(values));
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const double expected = v == 5 ? -0.25 * (n - 1) : v < n ? 0.25 : flow[v];
+    EXPECT_NEAR(flow[v], expected, 1e-10) << v;
+  }
+  EXPECT_EQ(poisson.Solve(values)[5], 7.0);
+}
+
+TEST(PoissonSolver, GivenVerticesAreCheckedAndRemembered)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
+  dgg::PoissonSolver solver(mesh);
+  dgg::PoissonOptions options;
+  for (const Id wrong : { -1, mesh.GetNumberOfVertices() })
+  {
+    options.GivenVertices = { 0, wrong };
+    const dgg::Status status = solver.Prepare(options, nullptr);
+    EXPECT_FALSE(status.IsOk());
+    EXPECT_NE(status.GetMessage().find("vertex " + std::to_string(wrong)), std::string::npos)
+      << status.GetMessage();
+  }
+  options.GivenVertices = { 4 };
+  ASSERT_TRUE(solver.Prepare(options, nullptr).IsOk());
+  ASSERT_TRUE(solver.Prepare(options, nullptr).IsOk());
+  EXPECT_EQ(solver.GetNumberOfFactorizations(), 1);
+  EXPECT_FALSE(solver.CheckPole(dgg::SurfacePoint::AtVertex(4)).IsOk());
+  EXPECT_TRUE(solver.CheckPole(dgg::SurfacePoint::AtVertex(3)).IsOk());
+  options.GivenVertices = { 3 };
+  ASSERT_TRUE(solver.Prepare(options, nullptr).IsOk());
+  EXPECT_EQ(solver.GetNumberOfFactorizations(), 2);
+  EXPECT_TRUE(solver.IsFixed(3));
+  EXPECT_FALSE(solver.IsFixed(4));
+}
+
+TEST(PoissonSolver, ChannelsAreSolvedForAsSingleOnesAre)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(6, 5, 0.2));
+  dgg::PoissonOptions options;
+  options.GivenVertices = { 3, 8 };
+  const Poisson poisson(mesh, options);
+  for (const std::size_t count : { 0, 1, 3, 8, 13 })
+  {
+    std::vector<std::vector<double>> columns;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      columns.push_back(RandomValues(mesh.GetNumberOfVertices(), 20 + k));
+    }
+    const std::vector<std::vector<double>> sources = columns;
+    ASSERT_TRUE(poisson.Solver.Solve(columns).IsOk());
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const std::vector<double> expected = poisson.Solve(sources[k]);
+      for (std::size_t v = 0; v < expected.size(); ++v)
+      {
+        ASSERT_NEAR(columns[k][v], expected[v], 1e-12) << count << ", column " << k;
+      }
+    }
+  }
+  std::vector<std::vector<double>> wrong(2, RandomValues(mesh.GetNumberOfVertices(), 3));
+  wrong[1][2] = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> untouched = wrong[0];
+  EXPECT_FALSE(poisson.Solver.Solve(wrong).IsOk());
+  EXPECT_EQ(wrong[0], untouched);
+}
+
 TEST(PoissonSolver, SphericalHarmonicConverges)
 {
   double previous = 0.0;

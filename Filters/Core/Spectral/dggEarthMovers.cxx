@@ -192,7 +192,8 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
     return Status::Invalid("the solver has not been prepared: call Prepare() first");
   }
   const PoissonSystem& system = this->Solver.GetSystem();
-  if (system.GetOptions().Boundary != PoissonBoundary::Neumann)
+  if (system.GetOptions().Boundary != PoissonBoundary::Neumann ||
+    !system.GetOptions().GivenVertices.empty())
   {
     return Status::Invalid("mass must not leave through boundaries: use Neumann conditions");
   }

@@ -5,6 +5,10 @@
 #ifndef dggPoissonOptions_h
 #define dggPoissonOptions_h
 
+#include "dggTypes.h" // for Id
+
+#include <vector> // for vertices
+
 namespace dgg
 {
 /// What happens at the boundary of the surface.
@@ -26,6 +30,9 @@ struct PoissonOptions
 {
   PoissonBoundary Boundary = PoissonBoundary::Neumann;
   PoissonWeights Weights = PoissonWeights::Area;
+  /// Vertices whose values are given besides those of a Dirichlet boundary, in any order; they may
+  /// repeat.
+  std::vector<Id> GivenVertices;
   /// Flip edges until they are Delaunay first: then there are no negative weights, and the maximum
   /// principle holds. For meshes with obtuse triangles.
   bool IntrinsicDelaunay = false;

@@ -5,6 +5,7 @@
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -14,6 +15,8 @@ namespace
 {
 /// Part of the progress of Prepare().
 constexpr double AnalysisDone = 0.4;
+/// As many right-hand sides take no longer one by one than eight do at once.
+constexpr std::size_t MostSingles = 4;
 }
 
 PoissonSolver::PoissonSolver(const SurfaceMesh& mesh)
@@ -95,6 +98,48 @@ Status PoissonSolver::Solve(std::vector<double>& values) const
   return status;
 }
 
+Status PoissonSolver::Solve(std::vector<std::vector<double>>& columns) const
+{
+  for (const std::vector<double>& column : columns)
+  {
+    Status status = this->CheckValues(column);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
+  constexpr std::size_t lanes = SparseLanes::SizeAtCompileTime;
+  for (std::size_t begin = 0; begin < columns.size(); begin += lanes)
+  {
+    const std::size_t count = std::min(lanes, columns.size() - begin);
+    if (count <= MostSingles)
+    {
+      for (std::size_t k = begin; k < begin + count; ++k)
+      {
+        this->System->Solve(columns[k]);
+      }
+      continue;
+    }
+    std::vector<SparseLanes> block(columns[begin].size(), SparseLanes::Zero());
+    for (std::size_t v = 0; v < block.size(); ++v)
+    {
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        block[v][static_cast<int>(k)] = columns[begin + k][v];
+      }
+    }
+    this->System->Solve(block);
+    for (std::size_t v = 0; v < block.size(); ++v)
+    {
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        columns[begin + k][v] = block[v][static_cast<int>(k)];
+      }
+    }
+  }
+  return Status::Success();
+}
+
 Status PoissonSolver::Multiply(const std::vector<double>& f, std::vector<double>& result) const
 {
   Status status = this->CheckValues(f);
@@ -145,6 +190,11 @@ Status PoissonSolver::CheckPole(const SurfacePoint& point) const
   if (isVertex && mesh.FanBegin(v) == mesh.FanEnd(v))
   {
     return Status::Invalid(where + " has no face: nothing is defined there");
+  }
+  if (isVertex && this->GetOptions().Boundary == PoissonBoundary::Neumann &&
+    this->System->IsFixed(v))
+  {
+    return Status::Invalid(where + " has a given value: move the pole elsewhere");
   }
   if (this->GetOptions().Boundary != PoissonBoundary::Dirichlet)
   {

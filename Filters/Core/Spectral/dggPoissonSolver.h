@@ -23,7 +23,7 @@ class PoissonSystem;
 ///
 /// Any triangle complex will do: edges with more than two faces conduct between all of them,
 /// vertices with several fans between these, and orientation plays no part. Where nothing is
-/// given on a component's boundary, or it has none, sources are balanced (PoissonWeights), since
+/// given in a component, sources are balanced (PoissonWeights), since
 /// what flows in must flow out, and the solution has mean 0. Vertices without a face get 0.
 /// Elements with cotangents beyond 1e6 are made softer, see MakeCotanLaplacian().
 class PoissonSolver
@@ -50,9 +50,12 @@ public:
   bool IsReady() const;
 
   /// Replace integrated sources, b_i = integral of f phi_i with the hat function of vertex i, by
-  /// the solution; at boundary vertices of a Dirichlet problem, replace the given value by itself.
+  /// the solution; where values are given, replace the given value by itself.
   /// Fails when there are not as many as vertices, or some are not finite.
   Status Solve(std::vector<double>& values) const;
+  /// Several right-hand sides, such as the channels of a colour: all or, where one is wrong, none.
+  /// More than four are solved for together, eight at a time.
+  Status Solve(std::vector<std::vector<double>>& columns) const;
   /// What Solve() and Multiply() fail for.
   Status CheckValues(const std::vector<double>& values) const;
   /// L f: the integrated sources that have f as solution.

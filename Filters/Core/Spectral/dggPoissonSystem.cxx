@@ -63,13 +63,19 @@ Status PoissonSystem::Analyze(const PoissonOptions& options, const ProgressCallb
 {
   const bool isSameMatrix = this->IsAnalyzed &&
     this->Options.IntrinsicDelaunay == options.IntrinsicDelaunay &&
-    this->Options.Boundary == options.Boundary;
+    this->Options.Boundary == options.Boundary &&
+    this->Options.GivenVertices == options.GivenVertices;
   if (isSameMatrix)
   {
     this->Revision += this->Options.Weights == options.Weights ? 0 : 1;
     this->Options = options;
     this->SetWeights();
     return Status::Success();
+  }
+  Status given = this->CheckGivenVertices(options.GivenVertices);
+  if (!given.IsOk())
+  {
+    return given;
   }
   this->Factor.Clear();
   this->IsAnalyzed = false;
@@ -100,6 +106,7 @@ Status PoissonSystem::Analyze(const PoissonOptions& options, const ProgressCallb
   this->LargestEntry =
     this->Stiffness.cols() > 0 ? this->Stiffness.diagonal().cwiseAbs().maxCoeff() : 0.0;
   this->MeasureComponents();
+  this->MarkGivenVertices();
   this->SetWeights();
   if (!Goes(progress, 0.5))
   {
@@ -156,6 +163,40 @@ void PoissonSystem::MeasureComponents()
   for (Id c = 0; c < count; ++c)
   {
     this->MeanEdges[c] /= std::max(1.0, static_cast<double>(sides[c]));
+  }
+}
+
+Status PoissonSystem::CheckGivenVertices(const std::vector<Id>& vertices) const
+{
+  const Id n = this->Mesh.GetNumberOfVertices();
+  for (const Id v : vertices)
+  {
+    if (v < 0 || v >= n)
+    {
+      return Status::Invalid("a value is given at vertex " + std::to_string(v) +
+        ", which does not exist: ids must be in [0, " + std::to_string(n - 1) + "]");
+    }
+  }
+  return Status::Success();
+}
+
+void PoissonSystem::MarkGivenVertices()
+{
+  const bool isDirichlet = this->Options.Boundary == PoissonBoundary::Dirichlet;
+  this->Fixed.assign(this->Components.size(), 0);
+  if (isDirichlet)
+  {
+    this->Fixed = this->OnBoundary;
+  }
+  for (const Id v : this->Options.GivenVertices)
+  {
+    this->Fixed[v] = 1;
+  }
+  this->ComponentHasGiven.assign(this->ComponentAreas.size(), 0);
+  for (std::size_t v = 0; v < this->Fixed.size(); ++v)
+  {
+    std::uint8_t& hasGiven = this->ComponentHasGiven[this->Components[v]];
+    hasGiven = hasGiven | this->Fixed[v];
   }
 }
 
@@ -335,10 +376,7 @@ template <typename Number>
 void PoissonSystem::SolveOnce(std::vector<Number>& values) const
 {
   this->Balance(values);
-  if (this->Options.Boundary == PoissonBoundary::Dirichlet)
-  {
-    this->TakeGivenValuesOff(values);
-  }
+  this->TakeGivenValuesOff(values);
   this->Substitute(values);
   this->CenterAll(values);
 }
@@ -449,7 +487,7 @@ std::size_t PoissonSystem::GetBaseMemory() const
   const std::size_t n = this->Components.size();
   const auto entries = static_cast<std::size_t>(this->Stiffness.nonZeros());
   return entries * (sizeof(double) + sizeof(int)) + this->Triangulation.GetMemorySize() +
-    this->TriangleOfFace.size() * sizeof(Id) + n * (2 * sizeof(Id) + 2 * sizeof(double) + 1) +
+    this->TriangleOfFace.size() * sizeof(Id) + n * (2 * sizeof(Id) + 2 * sizeof(double) + 2) +
     n * sizeof(int);
 }
 

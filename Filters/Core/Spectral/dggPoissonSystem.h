@@ -68,15 +68,9 @@ public:
   bool HasBoundary(Id c) const { return this->ComponentHasBoundary[c] != 0; }
   bool IsOnBoundary(Id v) const { return this->OnBoundary[v] != 0; }
   /// Whether the value of the vertex is given.
-  bool IsFixed(Id v) const
-  {
-    return this->Options.Boundary == PoissonBoundary::Dirichlet && this->OnBoundary[v] != 0;
-  }
+  bool IsFixed(Id v) const { return this->Fixed[v] != 0; }
   /// Whether no value is given in the component.
-  bool IsFree(Id c) const
-  {
-    return this->Options.Boundary == PoissonBoundary::Neumann || !this->ComponentHasBoundary[c];
-  }
+  bool IsFree(Id c) const { return this->ComponentHasGiven[c] == 0; }
 
   /// L f.
   std::vector<double> Multiply(const std::vector<double>& f) const;
@@ -103,7 +97,9 @@ public:
 
 private:
   std::size_t GetBaseMemory() const;
+  Status CheckGivenVertices(const std::vector<Id>& vertices) const;
   void MeasureComponents();
+  void MarkGivenVertices();
   void SetWeights();
   template <typename Number>
   void Balance(std::vector<Number>& values) const;
@@ -132,10 +128,12 @@ private:
   std::vector<double> Areas;                      // per vertex
   std::vector<double> Weights;                    // per vertex
   std::vector<std::uint8_t> OnBoundary;           // per vertex
+  std::vector<std::uint8_t> Fixed;                // per vertex
   std::vector<Id> Places;                         // per vertex, in the order of elimination
   std::vector<double> ComponentAreas;             // per component
   std::vector<double> MeanEdges;                  // per component
   std::vector<std::uint8_t> ComponentHasBoundary; // per component
+  std::vector<std::uint8_t> ComponentHasGiven;    // per component
   std::vector<Id> PinnedPlaces;                   // per component; NoId where values are given
   Eigen::SparseMatrix<double> Stiffness;
   SparseFactor Factor;
