@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a Poisson curve adds to the colours around it. Internal.
+#ifndef dggGraphicsBand_h
+#define dggGraphicsBand_h
+
+#include "dggExactGeodesics.h" // for distances
+#include "dggGraphicsDomain.h" // for sides
+
+#include <vector> // for values
+
+namespace dgg
+{
+/// b(d) = (1 - (d / width)^2)^2, 0 from the width on: flat at the curve, and it ends smoothly.
+double FadeWithDistance(double distance, double width);
+
+/// Add B, see VectorGraphics, of one curve with sides on a mesh to values per vertex, all channels
+/// of one after each other. The distances of points from a side are those from its vertices and
+/// three points in between on each edge; since b is flat at the curve, that there is not a point
+/// everywhere costs less than 1e-3 of the colour as long as the width is not below three edges.
+Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChain& chain,
+  const GraphicsCurve& curve, int channels, ExactGeodesics& exact, const ProgressCallback& progress,
+  std::vector<double>& values);
+}
+
+#endif

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggGraphicsDomain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace dgg
+{
+namespace
+{
+/// Cut along the curves of which `isMeant` holds.
+template <typename Predicate>
+Status CutAlong(const RefinedSurface& surface, const std::vector<CurveChain>& chains,
+  const std::vector<GraphicsCurve>& curves, const Predicate& isMeant, CurveCut& cut,
+  std::vector<std::size_t>& numbers)
+{
+  RefinedSurface uncut = surface;
+  uncut.Paths.clear();
+  uncut.Places.clear();
+  numbers.assign(curves.size(), 0);
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    numbers[k] = uncut.Paths.size();
+    if (isMeant(curves[k].Type))
+    {
+      uncut.Paths.push_back(chains[k].Vertices);
+    }
+  }
+  return CutAlongCurves(uncut, cut);
+}
+
+std::size_t SizeOf(const CurveCut& cut)
+{
+  std::size_t bytes = cut.Surface.Points.size() * sizeof(SurfacePoint) +
+    (cut.Surface.Triangles.size() + cut.Surface.Twins.size() + cut.Surface.Faces.size() +
+      cut.Surface.VertexOf.size()) *
+      sizeof(Id) +
+    cut.Surface.Lengths.size() * sizeof(double);
+  for (const CurveSides& sides : cut.Sides)
+  {
+    bytes += (sides.Left.size() + sides.Right.size()) * sizeof(EdgeSide);
+  }
+  return bytes;
+}
+}
+
+std::size_t GraphicsDomain::GetMemorySize() const
+{
+  return SizeOf(this->Solved) + SizeOf(this->Drawn) + this->SolvedMesh.GetMemorySize() +
+    this->DrawnMesh.GetMemorySize() + this->SolvedVertexOf.size() * sizeof(Id);
+}
+
+Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
+  const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
+  GraphicsDomain& domain)
+{
+  domain = GraphicsDomain();
+  bool hasPoisson = false;
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    if (chains[k].Vertices.size() < 2)
+    {
+      return Status::Invalid(
+        "curve " + std::to_string(k) + " has no length: give it two points in different places");
+    }
+    hasPoisson = hasPoisson || curves[k].Type == GraphicsCurveType::Poisson;
+  }
+  const auto isDiffusion = [](GraphicsCurveType type) {
+    return type == GraphicsCurveType::Diffusion;
+  };
+  const auto isCut = [](GraphicsCurveType type) {
+    return type == GraphicsCurveType::Diffusion || type == GraphicsCurveType::Poisson;
+  };
+  Status status =
+    CutAlong(surface, chains, curves, isDiffusion, domain.Solved, domain.SidesInSolved);
+  status = status.IsOk() ? domain.Solved.Surface.Build(mesh, domain.SolvedMesh) : status;
+  if (status.IsOk())
+  {
+    status = CutAlong(surface, chains, curves, isCut, domain.Drawn, domain.SidesInDrawn);
+  }
+  if (status.IsOk() && hasPoisson)
+  {
+    status = domain.Drawn.Surface.Build(mesh, domain.DrawnMesh);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  domain.SolvedVertexOf.assign(domain.Drawn.Surface.Points.size(), NoId);
+  for (std::size_t v = 0; v < surface.Points.size(); ++v)
+  {
+    domain.SolvedVertexOf[v] = static_cast<Id>(v); // also where there is no face
+  }
+  for (std::size_t h = 0; h < domain.Drawn.Surface.Triangles.size(); ++h)
+  {
+    domain.SolvedVertexOf[domain.Drawn.Surface.Triangles[h]] = domain.Solved.Surface.Triangles[h];
+  }
+  return status;
+}
+
+void InterpolateOnCurve(
+  const std::vector<double>& values, int channels, bool isClosed, double parameter, double* result)
+{
+  const auto count = static_cast<double>(values.size() / static_cast<std::size_t>(channels));
+  const double first = std::min(std::max(0.0, std::floor(parameter)), count);
+  const double part = parameter - first;
+  // A closed curve ends with the point that it starts with.
+  const auto indexOf = [&](double i) {
+    return static_cast<std::size_t>(i < count ? i : isClosed ? i - count : count - 1.0);
+  };
+  const std::size_t a = indexOf(first) * static_cast<std::size_t>(channels);
+  const std::size_t b = indexOf(first + 1.0) * static_cast<std::size_t>(channels);
+  for (int k = 0; k < channels; ++k)
+  {
+    result[k] = (1.0 - part) * values[a + k] + part * values[b + k];
+  }
+}
+}

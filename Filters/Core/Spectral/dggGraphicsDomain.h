@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A surface cut open along the curves of a drawing. Internal.
+#ifndef dggGraphicsDomain_h
+#define dggGraphicsDomain_h
+
+#include "dggCurveCut.h"       // for CurveCut
+#include "dggVectorGraphics.h" // for curves
+
+#include <cstddef> // for std::size_t
+#include <vector>  // for maps
+
+namespace dgg
+{
+/// Two cuts of the same surface. Faces are the same ones in both, in the same order.
+struct GraphicsDomain
+{
+  /// Along diffusion curves: what the equation is solved on.
+  CurveCut Solved;
+  SurfaceMesh SolvedMesh;
+  /// Along Poisson curves as well: where colours are.
+  CurveCut Drawn;
+  SurfaceMesh DrawnMesh;          ///< made only if there is a Poisson curve
+  std::vector<Id> SolvedVertexOf; ///< per vertex of Drawn
+  /// Per curve, the numbers of its sides in Solved (of diffusion curves) and in Drawn (of both).
+  std::vector<std::size_t> SidesInSolved;
+  std::vector<std::size_t> SidesInDrawn;
+
+  std::size_t GetMemorySize() const;
+};
+
+/// Fails when a curve has no length, or no sides.
+Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
+  const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
+  GraphicsDomain& domain);
+
+/// The numbers of a curve at a place among its given points (CurveChain::Parameters).
+void InterpolateOnCurve(
+  const std::vector<double>& values, int channels, bool isClosed, double parameter, double* result);
+}
+
+#endif

@@ -1,0 +1,457 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggVectorGraphics.h"
+
+#include "dggGraphicsBand.h"
+#include "dggGraphicsDomain.h"
+#include "dggGraphicsSources.h"
+#include "dggPoissonSolver.h"
+#include "dggPoissonSystem.h"
+#include "dggProgressPart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace dgg
+{
+namespace
+{
+/// Parts of the progress: of Prepare() when the surface is cut, of Run() when bands are found.
+constexpr double CutDone = 0.3;
+constexpr double BandsDone = 0.7;
+
+bool Goes(const ProgressCallback& progress, double fraction)
+{
+  return !progress || progress(fraction);
+}
+
+Status CheckNumbers(const std::vector<double>& values, std::size_t count, const std::string& what)
+{
+  if (values.size() != count)
+  {
+    return Status::Invalid(what + " has " + std::to_string(values.size()) + " numbers where " +
+      std::to_string(count) + " are needed");
+  }
+  if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); }))
+  {
+    return Status::Invalid(what + " has numbers that are not finite");
+  }
+  return Status::Success();
+}
+
+bool HasRight(GraphicsCurveType type)
+{
+  return type == GraphicsCurveType::Diffusion || type == GraphicsCurveType::Poisson;
+}
+
+Status CheckOptions(const GraphicsOptions& options)
+{
+  if (options.NumberOfChannels < 1)
+  {
+    return Status::Invalid("there are no channels: ask for at least one");
+  }
+  return options.Background.empty()
+    ? Status::Success()
+    : CheckNumbers(options.Background, options.NumberOfChannels, "the background");
+}
+
+Status CheckCurve(const GraphicsCurve& curve, std::size_t number, std::size_t count)
+{
+  const std::string name = "curve " + std::to_string(number);
+  Status status = CheckNumbers(curve.Left, count, name + ", on its left,");
+  if (status.IsOk() && HasRight(curve.Type))
+  {
+    status = CheckNumbers(curve.Right, count, name + ", on its right,");
+  }
+  const bool isPoisson = curve.Type == GraphicsCurveType::Poisson;
+  if (status.IsOk() && isPoisson && !(curve.Width > 0.0 && std::isfinite(curve.Width)))
+  {
+    status = Status::Invalid(name + " has the width " + std::to_string(curve.Width) +
+      ": a Poisson curve needs a positive one");
+  }
+  return status;
+}
+}
+
+class VectorGraphics::Implementation
+{
+public:
+  Status Prepare(const SurfaceMesh& mesh, const RefinedSurface& surface,
+    const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
+    const GraphicsOptions& options);
+  Status Run(const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
+    const GraphicsOptions& options, GraphicsResult& result);
+
+  GraphicsDomain Domain;
+  std::unique_ptr<PoissonSolver> Solver; // of the domain's mesh
+
+private:
+  Status CheckRun(const std::vector<GraphicsCurve>& curves,
+    const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options) const;
+  Status MeasureCurves(const RefinedSurface& surface, const std::vector<GraphicsCurve>& curves);
+  void FindGivenVertices(const std::vector<GraphicsCurve>& curves, PoissonOptions& options) const;
+  Status AddBands(const std::vector<GraphicsCurve>& curves, int channels,
+    const ProgressCallback& progress, std::vector<double>& values) const;
+  void AddSources(const std::vector<GraphicsCurve>& curves,
+    const std::vector<GraphicsRegion>& regions, std::vector<std::vector<double>>& columns) const;
+  void MeasureNet(
+    const std::vector<std::vector<double>>& columns, std::vector<double>& netSources) const;
+  void SetGivenValues(const std::vector<GraphicsCurve>& curves, const std::vector<double>& bands,
+    std::vector<std::vector<double>>& columns) const;
+  template <typename Visitor>
+  void ForEachGiven(const std::vector<GraphicsCurve>& curves, Visitor&& visit) const;
+
+  std::vector<CurveChain> Chains;
+  std::vector<std::vector<Id>> RegionFaces;      // per curve, where it is a region
+  std::vector<std::vector<double>> ChainLengths; // per curve, where it is a source
+  bool IsReady = false;
+};
+
+Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
+  const RefinedSurface& surface, const std::vector<CurveChain>& chains,
+  const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options)
+{
+  this->IsReady = false;
+  this->Solver.reset();
+  if (chains.size() != curves.size())
+  {
+    return Status::Invalid("there are " + std::to_string(chains.size()) + " chains for " +
+      std::to_string(curves.size()) + " curves: give one for each");
+  }
+  if (!Goes(options.Progress, 0.0))
+  {
+    return Status::Abort();
+  }
+  this->Chains = chains;
+  Status status = CutForGraphics(mesh, surface, chains, curves, this->Domain);
+  status = status.IsOk() ? this->MeasureCurves(surface, curves) : status;
+  if (status.IsOk() && !Goes(options.Progress, CutDone))
+  {
+    status = Status::Abort();
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  PoissonOptions poisson;
+  poisson.IntrinsicDelaunay = options.IntrinsicDelaunay;
+  this->FindGivenVertices(curves, poisson);
+  this->Solver = std::make_unique<PoissonSolver>(this->Domain.SolvedMesh);
+  const double middle = 0.5 * (CutDone + 1.0);
+  status = this->Solver->Analyze(poisson, ProgressPart(options.Progress, CutDone, middle));
+  if (status.IsOk() && options.CheckMemory)
+  {
+    const double numbers = 2.0 * options.NumberOfChannels *
+      static_cast<double>(this->Domain.Drawn.Surface.Points.size());
+    status = options.CheckMemory(static_cast<double>(this->Solver->GetEstimatedMemory()) +
+      static_cast<double>(this->Domain.GetMemorySize()) + numbers * sizeof(double));
+  }
+  if (status.IsOk())
+  {
+    status = this->Solver->Factorize(ProgressPart(options.Progress, middle, 1.0));
+  }
+  this->IsReady = status.IsOk();
+  return status;
+}
+
+Status VectorGraphics::Implementation::MeasureCurves(
+  const RefinedSurface& surface, const std::vector<GraphicsCurve>& curves)
+{
+  this->RegionFaces.assign(curves.size(), {});
+  this->ChainLengths.assign(curves.size(), {});
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    if (curves[k].Type == GraphicsCurveType::Source)
+    {
+      this->ChainLengths[k] = MeasureChain(surface, this->Chains[k]);
+    }
+    if (curves[k].Type != GraphicsCurveType::Region)
+    {
+      continue;
+    }
+    Status status =
+      FindFacesOnLeft(surface, this->Chains[k], curves[k].IsClosed, this->RegionFaces[k]);
+    if (!status.IsOk())
+    {
+      return status.IsAborted()
+        ? status
+        : Status::Invalid("curve " + std::to_string(k) + ": " + status.GetMessage());
+    }
+  }
+  return Status::Success();
+}
+
+/// Call `visit(vertex, curve, values, parameter)` for every end of an edge of a diffusion curve, on
+/// both sides.
+template <typename Visitor>
+void VectorGraphics::Implementation::ForEachGiven(
+  const std::vector<GraphicsCurve>& curves, Visitor&& visit) const
+{
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    if (curves[k].Type != GraphicsCurveType::Diffusion)
+    {
+      continue;
+    }
+    const CurveSides& sides = this->Domain.Solved.Sides[this->Domain.SidesInSolved[k]];
+    const std::vector<double>& parameters = this->Chains[k].Parameters;
+    for (const bool isLeft : { true, false })
+    {
+      const std::vector<EdgeSide>& edges = isLeft ? sides.Left : sides.Right;
+      for (std::size_t i = 0; i < edges.size(); ++i)
+      {
+        if (edges[i].Face != NoId)
+        {
+          visit(edges[i].From, curves[k], isLeft, parameters[i]);
+          visit(edges[i].To, curves[k], isLeft, parameters[i + 1]);
+        }
+      }
+    }
+  }
+}
+
+void VectorGraphics::Implementation::FindGivenVertices(
+  const std::vector<GraphicsCurve>& curves, PoissonOptions& options) const
+{
+  std::vector<Id>& vertices = options.GivenVertices;
+  this->ForEachGiven(
+    curves, [&](Id v, const GraphicsCurve&, bool, double) { vertices.push_back(v); });
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+}
+
+Status VectorGraphics::Implementation::CheckRun(const std::vector<GraphicsCurve>& curves,
+  const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options) const
+{
+  if (!this->IsReady || curves.size() != this->Chains.size())
+  {
+    return Status::Invalid("the surface is not prepared for these curves: call Prepare() first");
+  }
+  Status status = CheckOptions(options);
+  const auto channels = static_cast<std::size_t>(std::max(0, options.NumberOfChannels));
+  for (std::size_t k = 0; k < curves.size() && status.IsOk(); ++k)
+  {
+    status = CheckCurve(curves[k], k, channels * this->Chains[k].GivenPoints.size());
+  }
+  const Id faces = this->Domain.Solved.Surface.Faces.empty()
+    ? 0
+    : *std::max_element(
+        this->Domain.Solved.Surface.Faces.begin(), this->Domain.Solved.Surface.Faces.end()) +
+      1;
+  for (std::size_t r = 0; r < regions.size() && status.IsOk(); ++r)
+  {
+    const std::string name = "region " + std::to_string(r);
+    status = CheckNumbers(regions[r].Strength, channels, name);
+    if (status.IsOk() && regions[r].Faces.empty())
+    {
+      status = Status::Invalid(name + " has no faces");
+    }
+    for (const Id f : regions[r].Faces)
+    {
+      if (status.IsOk() && (f < 0 || f >= faces))
+      {
+        status = Status::Invalid(name + " has the face " + std::to_string(f) +
+          ", which does not exist: ids must be in [0, " + std::to_string(faces - 1) + "]");
+      }
+    }
+  }
+  return status;
+}
+
+Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>& curves,
+  int channels, const ProgressCallback& progress, std::vector<double>& values) const
+{
+  std::unique_ptr<ExactGeodesics> exact;
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    if (curves[k].Type != GraphicsCurveType::Poisson)
+    {
+      continue;
+    }
+    if (!exact)
+    {
+      exact = std::make_unique<ExactGeodesics>(this->Domain.DrawnMesh);
+    }
+    const auto count = static_cast<double>(curves.size());
+    const double begin = static_cast<double>(k) / count;
+    Status status = AddBand(this->Domain.DrawnMesh,
+      this->Domain.Drawn.Sides[this->Domain.SidesInDrawn[k]], this->Chains[k], curves[k], channels,
+      *exact, ProgressPart(progress, begin, begin + 1.0 / count), values);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
+  return Status::Success();
+}
+
+void VectorGraphics::Implementation::AddSources(const std::vector<GraphicsCurve>& curves,
+  const std::vector<GraphicsRegion>& regions, std::vector<std::vector<double>>& columns) const
+{
+  const SurfaceMesh& mesh = this->Domain.SolvedMesh;
+  const CutSurface& surface = this->Domain.Solved.Surface;
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    if (curves[k].Type == GraphicsCurveType::Source)
+    {
+      AddLineSource(this->Chains[k], this->ChainLengths[k], curves[k], columns);
+    }
+    if (curves[k].Type == GraphicsCurveType::Region)
+    {
+      AddRegion(mesh, surface, this->RegionFaces[k], curves[k].Left, columns);
+    }
+  }
+  for (const GraphicsRegion& region : regions)
+  {
+    std::vector<Id> meant = region.Faces;
+    std::sort(meant.begin(), meant.end());
+    std::vector<Id> faces;
+    for (std::size_t f = 0; f < surface.Faces.size(); ++f)
+    {
+      if (std::binary_search(meant.begin(), meant.end(), surface.Faces[f]))
+      {
+        faces.push_back(static_cast<Id>(f));
+      }
+    }
+    AddRegion(mesh, surface, faces, region.Strength, columns);
+  }
+}
+
+void VectorGraphics::Implementation::MeasureNet(
+  const std::vector<std::vector<double>>& columns, std::vector<double>& netSources) const
+{
+  const PoissonSystem& system = this->Solver->GetSystem();
+  const std::size_t channels = columns.size();
+  netSources.assign(channels * static_cast<std::size_t>(system.GetNumberOfComponents()), 0.0);
+  for (std::size_t v = 0; v < this->Domain.Solved.Surface.Points.size(); ++v)
+  {
+    const Id component = system.GetComponent(static_cast<Id>(v));
+    for (std::size_t c = 0; c < channels && system.IsFree(component); ++c)
+    {
+      netSources[channels * static_cast<std::size_t>(component) + c] += columns[c][v];
+    }
+  }
+}
+
+/// Where colours are given, what the bands have not made of them already. A vertex that bands have
+/// cut has several values of theirs, of which the mean counts.
+void VectorGraphics::Implementation::SetGivenValues(const std::vector<GraphicsCurve>& curves,
+  const std::vector<double>& bands, std::vector<std::vector<double>>& columns) const
+{
+  const std::size_t channels = columns.size();
+  const std::size_t n = this->Domain.Solved.Surface.Points.size();
+  std::vector<double> counts(n, 0.0);
+  std::vector<double> color(channels);
+  this->ForEachGiven(curves, [&](Id v, const GraphicsCurve& curve, bool isLeft, double parameter) {
+    InterpolateOnCurve(isLeft ? curve.Left : curve.Right, static_cast<int>(channels),
+      curve.IsClosed, parameter, color.data());
+    for (std::size_t c = 0; c < channels; ++c)
+    {
+      columns[c][v] = (counts[v] == 0.0 ? 0.0 : columns[c][v]) + color[c];
+    }
+    counts[v] += 1.0;
+  });
+  std::vector<double> copies(n, 0.0);
+  for (const Id v : this->Domain.SolvedVertexOf)
+  {
+    copies[v] += 1.0;
+  }
+  for (std::size_t c = 0; c < channels; ++c)
+  {
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      columns[c][v] /= std::max(1.0, counts[v]);
+    }
+    for (std::size_t d = 0; d < this->Domain.SolvedVertexOf.size(); ++d)
+    {
+      const Id v = this->Domain.SolvedVertexOf[d];
+      columns[c][v] -= counts[v] > 0.0 ? bands[channels * d + c] / copies[v] : 0.0;
+    }
+  }
+}
+
+Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& curves,
+  const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options,
+  GraphicsResult& result)
+{
+  result = GraphicsResult();
+  Status status = this->CheckRun(curves, regions, options);
+  if (status.IsOk() && !Goes(options.Progress, 0.0))
+  {
+    status = Status::Abort();
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const auto channels = static_cast<std::size_t>(options.NumberOfChannels);
+  const std::size_t drawn = this->Domain.Drawn.Surface.Points.size();
+  std::vector<double> bands(channels * drawn, 0.0);
+  status = this->AddBands(
+    curves, options.NumberOfChannels, ProgressPart(options.Progress, 0.0, BandsDone), bands);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  std::vector<std::vector<double>> columns(
+    channels, std::vector<double>(this->Domain.Solved.Surface.Points.size(), 0.0));
+  this->AddSources(curves, regions, columns);
+  this->MeasureNet(columns, result.NetSources);
+  this->SetGivenValues(curves, bands, columns);
+  status = this->Solver->Solve(columns);
+  if (status.IsOk() && !Goes(options.Progress, 1.0))
+  {
+    status = Status::Abort();
+  }
+  if (!status.IsOk())
+  {
+    result = GraphicsResult();
+    return status;
+  }
+  const PoissonSystem& system = this->Solver->GetSystem();
+  result.Values = std::move(bands);
+  for (std::size_t d = 0; d < drawn; ++d)
+  {
+    const Id v = this->Domain.SolvedVertexOf[d];
+    const bool isFree = !options.Background.empty() && system.IsFree(system.GetComponent(v));
+    for (std::size_t c = 0; c < channels; ++c)
+    {
+      result.Values[channels * d + c] += columns[c][v] + (isFree ? options.Background[c] : 0.0);
+    }
+  }
+  return status;
+}
+
+VectorGraphics::VectorGraphics()
+  : Internals(std::make_unique<Implementation>())
+{
+}
+
+VectorGraphics::~VectorGraphics() = default;
+
+Status VectorGraphics::Prepare(const SurfaceMesh& mesh, const RefinedSurface& surface,
+  const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
+  const GraphicsOptions& options)
+{
+  return this->Internals->Prepare(mesh, surface, chains, curves, options);
+}
+
+Status VectorGraphics::Run(const std::vector<GraphicsCurve>& curves,
+  const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options,
+  GraphicsResult& result)
+{
+  return this->Internals->Run(curves, regions, options, result);
+}
+
+const CutSurface& VectorGraphics::GetSurface() const
+{
+  return this->Internals->Domain.Drawn.Surface;
+}
+
+std::size_t VectorGraphics::GetMemorySize() const
+{
+  return this->Internals->Domain.GetMemorySize() +
+    (this->Internals->Solver ? this->Internals->Solver->GetMemorySize() : 0);
+}
+}

@@ -1,0 +1,719 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Colours from curves and regions: closed forms, what is far stays as it is, what is refused.
+#include "CurveChecks.h"
+#include "CurvedMeshes.h"
+#include "FlatMeshes.h"
+
+#include "dggExactGeodesics.h"
+#include "dggFaceSubdivision.h"
+#include "dggPoissonSolver.h"
+#include "dggVectorGraphics.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::GraphicsCurve;
+using dgg::GraphicsCurveType;
+using dgg::GraphicsRegion;
+using dgg::RefinedSurface;
+using dgg::SurfaceCurve;
+using dgg::SurfaceMesh;
+using dgg::SurfacePoint;
+
+using Position = std::array<double, 3>;
+
+/// A drawing on a mesh with points.
+class Drawing
+{
+public:
+  explicit Drawing(const TestMesh& input)
+    : Input(input)
+    , Mesh(Build(input))
+  {
+    this->Options.NumberOfChannels = 1;
+  }
+
+  /// Points of the plane z = 0.
+  SurfacePoint Find(double x, double y) const
+  {
+    for (Id f = 0; f < this->Mesh.GetNumberOfFaces(); ++f)
+    {
+      const std::array<Id, 3> corners = this->Mesh.GetTriangle(f);
+      const double* a = this->Input.Point(corners[0]);
+      const double* b = this->Input.Point(corners[1]);
+      const double* c = this->Input.Point(corners[2]);
+      const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+      const double s = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area;
+      const double t = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
+      if (s >= -1e-12 && t >= -1e-12 && s + t <= 1.0 + 1e-12)
+      {
+        return PointIn(this->Mesh, f, { { 1.0 - s - t, s, t } });
+      }
+    }
+    throw std::runtime_error("no such point");
+  }
+
+  /// `left` and `right` per given point.
+  GraphicsCurve& Add(GraphicsCurveType type, const std::vector<SurfacePoint>& points,
+    const std::vector<double>& left, const std::vector<double>& right, bool isClosed = false)
+  {
+    this->Lines.push_back(dggtest::Curve(this->Mesh, points, isClosed));
+    GraphicsCurve curve;
+    curve.Type = type;
+    curve.IsClosed = isClosed;
+    curve.Left = left;
+    curve.Right = right;
+    this->Curves.push_back(curve);
+    return this->Curves.back();
+  }
+
+  dgg::Status Prepare(int levels = 0)
+  {
+    this->Surface = Embed(this->Mesh, this->Lines);
+    for (int level = 0; level < levels; ++level)
+    {
+      const std::vector<std::uint8_t> all(this->Surface.Faces.size(), 1);
+      const dgg::Status status = dgg::SubdivideFaces(this->Mesh, all, 10000000, this->Surface);
+      EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    }
+    std::vector<dgg::CurveChain> chains;
+    for (std::size_t k = 0; k < this->Lines.size(); ++k)
+    {
+      chains.push_back(dgg::FollowCurve(this->Surface, this->Lines, k));
+    }
+    return this->Graphics.Prepare(this->Mesh, this->Surface, chains, this->Curves, this->Options);
+  }
+  dgg::Status Solve()
+  {
+    return this->Graphics.Run(this->Curves, this->Regions, this->Options, this->Result);
+  }
+  void Run(int levels = 0)
+  {
+    dgg::Status status = this->Prepare(levels);
+    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+    status = this->Solve();
+    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+  }
+
+  std::size_t GetNumberOfValues() const { return this->Graphics.GetSurface().Points.size(); }
+  double Value(std::size_t v, int channel = 0) const
+  {
+    return this->Result.Values[v * this->Options.NumberOfChannels + channel];
+  }
+  Position Place(Id v) const
+  {
+    return dgg::PositionOf(
+      this->Mesh, this->Graphics.GetSurface().Points[v], this->Input.Points.data());
+  }
+  /// Call `visit(vertex, position, middle of one of its faces)`: which side of a curve a copy is
+  /// on.
+  void ForEachCorner(const std::function<void(Id, const Position&, const Position&)>& visit) const
+  {
+    const std::vector<Id>& triangles = this->Graphics.GetSurface().Triangles;
+    for (std::size_t f = 0; f < triangles.size() / 3; ++f)
+    {
+      Position places[3];
+      Position middle{ { 0.0, 0.0, 0.0 } };
+      for (int k = 0; k < 3; ++k)
+      {
+        places[k] = this->Place(triangles[3 * f + k]);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          middle[axis] += places[k][axis] / 3.0;
+        }
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        visit(triangles[3 * f + k], places[k], middle);
+      }
+    }
+  }
+
+  TestMesh Input;
+  SurfaceMesh Mesh;
+  std::vector<SurfaceCurve> Lines;
+  std::vector<GraphicsCurve> Curves;
+  std::vector<GraphicsRegion> Regions;
+  dgg::GraphicsOptions Options;
+  RefinedSurface Surface;
+  dgg::VectorGraphics Graphics;
+  dgg::GraphicsResult Result;
+};
+
+constexpr auto Diffusion = GraphicsCurveType::Diffusion;
+constexpr auto Poisson = GraphicsCurveType::Poisson;
+constexpr auto Region = GraphicsCurveType::Region;
+constexpr auto Source = GraphicsCurveType::Source;
+}
+
+TEST(VectorGraphics, ConstantsAreReproduced)
+{
+  for (const bool delaunay : { false, true })
+  {
+    Drawing drawing(Icosphere(2));
+    drawing.Options.NumberOfChannels = 3;
+    drawing.Options.IntrinsicDelaunay = delaunay;
+    const std::vector<double> two = { 0.2, 0.5, -3.0, 0.2, 0.5, -3.0 };
+    drawing.Add(Diffusion,
+      { PointIn(drawing.Mesh, 3, { { 0.3, 0.3, 0.4 } }), SurfacePoint::AtVertex(40) }, two, two);
+    drawing.Add(Diffusion,
+      { SurfacePoint::AtVertex(7), PointIn(drawing.Mesh, 99, { { 0.1, 0.8, 0.1 } }) }, two, two);
+    drawing.Run();
+    for (std::size_t v = 0; v < drawing.GetNumberOfValues(); ++v)
+    {
+      EXPECT_NEAR(drawing.Value(v, 0), 0.2, 1e-12);
+      EXPECT_NEAR(drawing.Value(v, 1), 0.5, 1e-12);
+      EXPECT_NEAR(drawing.Value(v, 2), -3.0, 1e-12);
+    }
+    ASSERT_EQ(drawing.Result.NetSources.size(), 3u);
+    EXPECT_EQ(drawing.Result.NetSources[0], 0.0);
+  }
+}
+
+TEST(VectorGraphics, CurvesAcrossASquareHaveALinearFunctionOnEachSide)
+{
+  // Curves through all of a square at x = 1, 2.35 and 5, which go upwards: their left is where x
+  // is smaller. Between two curves colours are linear in x, beyond the outer ones constant.
+  for (const bool delaunay : { false, true })
+  {
+    Drawing drawing(Plane(6, 5, 0.25));
+    drawing.Options.IntrinsicDelaunay = delaunay;
+    const double xs[] = { 1.0, 2.35, 5.0 };
+    const double lefts[] = { 0.1, 0.9, 0.3 };
+    const double rights[] = { 0.7, -0.4, 2.0 };
+    for (int k = 0; k < 3; ++k)
+    {
+      drawing.Add(Diffusion, { drawing.Find(xs[k], 0.0), drawing.Find(xs[k], 5.0) },
+        { lefts[k], lefts[k] }, { rights[k], rights[k] });
+    }
+    drawing.Run();
+    Id corners = 0;
+    drawing.ForEachCorner([&](Id v, const Position& p, const Position& middle) {
+      const double x = middle[0];
+      double expected = x < xs[0] ? lefts[0] : rights[2];
+      for (int k = 0; k < 2; ++k)
+      {
+        const double t = (p[0] - xs[k]) / (xs[k + 1] - xs[k]);
+        expected = x > xs[k] && x < xs[k + 1] ? (1.0 - t) * rights[k] + t * lefts[k + 1] : expected;
+      }
+      EXPECT_NEAR(drawing.Value(v), expected, 1e-10) << p[0] << ", " << p[1];
+      ++corners;
+    });
+    EXPECT_GT(corners, 180);
+  }
+}
+
+TEST(VectorGraphics, ColorsAreLinearAlongCurves)
+{
+  // Around a square, with colours linear in x and y at its corners: linear inside. The curve is
+  // closed and has its inside on the left.
+  Drawing drawing(Plane(7, 7, 0.25));
+  const double corners[4][2] = { { 1.0, 1.5 }, { 6.0, 1.5 }, { 6.0, 5.0 }, { 1.0, 5.0 } };
+  const auto linear = [](double x, double y) { return 2.0 + 0.5 * x - 0.25 * y; };
+  std::vector<SurfacePoint> points;
+  std::vector<double> left;
+  for (const auto& c : corners)
+  {
+    points.push_back(drawing.Find(c[0], c[1]));
+    left.push_back(linear(c[0], c[1]));
+  }
+  drawing.Add(Diffusion, points, left, { 8.0, 8.0, 8.0, 8.0 }, true);
+  drawing.Run();
+  Id inside = 0;
+  drawing.ForEachCorner([&](Id v, const Position& p, const Position& m) {
+    const bool isInside = m[0] > 1.0 && m[0] < 6.0 && m[1] > 1.5 && m[1] < 5.0;
+    inside += isInside ? 1 : 0;
+    EXPECT_NEAR(drawing.Value(v), isInside ? linear(p[0], p[1]) : 8.0, 1e-9);
+  });
+  EXPECT_GT(inside, 90);
+}
+
+TEST(VectorGraphics, EndsOfCurvesHaveTheMeanOfBothSides)
+{
+  // A slit from (-1, 0) to (1, 0) of a disk-like square, with f on the left and -f on the right:
+  // odd in y, and so 0 on the rest of the axis. In elliptic coordinates x = cosh m cos n,
+  // y = sinh m sin n the slit is m = 0, and the first function of that kind is exp(-m) sin n.
+  const Id n = 16;
+  double previous = 0.0;
+  for (const int level : { 0, 1, 2 })
+  {
+    Drawing drawing(Translated(Scaled(Plane(n, n), 6.0 / n), -3.0, -3.0, 0.0));
+    const auto exact = [](double x, double y) {
+      // sinh^2 m is the larger root of s^2 - (r^2 - 1) s - y^2 = 0.
+      const double q = x * x + y * y - 1.0;
+      const double s = 0.5 * (q + std::sqrt(q * q + 4.0 * y * y));
+      const double sinh = std::sqrt(std::max(0.0, s));
+      const double m = std::asinh(sinh);
+      const double sine = sinh > 1e-9 ? y / sinh : std::sqrt(std::max(0.0, 1.0 - x * x));
+      return std::exp(-m) * std::abs(sine);
+    };
+    std::vector<SurfacePoint> points;
+    std::vector<double> left;
+    std::vector<double> right;
+    for (int i = 0; i <= 128; ++i)
+    {
+      const double x = -std::cos(dgg::Pi * i / 128.0);
+      points.push_back(drawing.Find(x, 0.0));
+      left.push_back(exact(x, 0.0));
+      right.push_back(-exact(x, 0.0));
+    }
+    drawing.Add(Diffusion, points, left, right);
+    // The rim, too: given on the inside, which is on its left.
+    std::vector<SurfacePoint> rim;
+    std::vector<double> values;
+    const double at[4][2] = { { -3.0, -3.0 }, { 3.0, -3.0 }, { 3.0, 3.0 }, { -3.0, 3.0 } };
+    for (int side = 0; side < 4; ++side)
+    {
+      for (int i = 0; i < 64; ++i)
+      {
+        const double t = i / 64.0;
+        const double x = (1.0 - t) * at[side][0] + t * at[(side + 1) % 4][0];
+        const double y = (1.0 - t) * at[side][1] + t * at[(side + 1) % 4][1];
+        rim.push_back(drawing.Find(x, y));
+        values.push_back(y < 0.0 ? -exact(x, y) : exact(x, y));
+      }
+    }
+    drawing.Add(Diffusion, rim, values, values, true);
+    drawing.Run(level);
+    double worst = 0.0;
+    drawing.ForEachCorner([&](Id v, const Position& p, const Position& m) {
+      const double expected = m[1] > 0.0 ? exact(p[0], p[1]) : -exact(p[0], p[1]);
+      // There is a root of the distance at the ends, which elements do not like.
+      const bool isNearEnd = std::hypot(std::abs(p[0]) - 1.0, p[1]) < 0.4;
+      worst = isNearEnd ? worst : std::max(worst, std::abs(drawing.Value(v) - expected));
+      if (std::abs(p[1]) < 1e-12 && std::abs(std::abs(p[0]) - 1.0) < 1e-12)
+      {
+        EXPECT_NEAR(drawing.Value(v), 0.0, 1e-12); // the ends
+      }
+    });
+    if (level > 0)
+    {
+      EXPECT_LT(worst, 0.6 * previous) << level;
+    }
+    previous = worst;
+  }
+}
+
+TEST(VectorGraphics, PoissonCurveFadesAsItSays)
+{
+  // Upwards along x = 3.3, from side to side: B is known.
+  Drawing drawing(Plane(7, 5, 0.2));
+  drawing.Options.NumberOfChannels = 2;
+  const std::vector<double> left = { 0.3, 1.0, 0.3, 1.0 };
+  const std::vector<double> right = { -0.3, 0.25, -0.3, 0.25 };
+  drawing.Add(Poisson, { drawing.Find(3.3, 0.0), drawing.Find(3.3, 5.0) }, left, right).Width = 2.0;
+  drawing.Options.Background = { 0.5, 0.125 };
+  drawing.Run(1);
+  Id copies = 0;
+  drawing.ForEachCorner([&](Id v, const Position& p, const Position& m) {
+    const double t = std::abs(p[0] - 3.3) / 2.0;
+    const double fade = t < 1.0 ? (1.0 - t * t) * (1.0 - t * t) : 0.0;
+    const int side = m[0] < 3.3 ? 0 : 2;
+    for (int c = 0; c < 2; ++c)
+    {
+      const double expected =
+        drawing.Options.Background[c] + fade * (side == 0 ? left[c] : right[c]);
+      EXPECT_NEAR(drawing.Value(v, c), expected, 2e-3) << p[0] << ", " << p[1];
+    }
+    copies += t < 1e-12 ? 1 : 0;
+  });
+  EXPECT_GT(copies, 20);
+}
+
+TEST(VectorGraphics, FarColorsStayWhereAPoissonCurveIsAdded)
+{
+  // On a sphere with a diffusion curve and a region, in between a Poisson curve that bends and ends
+  // inside: farther from it than its width, nothing changes, to rounding.
+  Drawing before(Icosphere(3));
+  const auto near = [&](double x, double y, double z) {
+    Id best = 0;
+    for (Id v = 0; v < before.Mesh.GetNumberOfVertices(); ++v)
+    {
+      const double* p = before.Input.Point(v);
+      const double* q = before.Input.Point(best);
+      best = p[0] * x + p[1] * y + p[2] * z > q[0] * x + q[1] * y + q[2] * z ? v : best;
+    }
+    return SurfacePoint::AtVertex(best);
+  };
+  const std::vector<SurfacePoint> far = { near(0, 0, -1), near(1, 0, -1), near(1, 1, -1) };
+  const std::vector<SurfacePoint> bent = { near(1, 0.1, 0.5), near(0, 0, 1), near(0, 1, 0.6) };
+  const double width = 0.35;
+  before.Add(Diffusion, far, { 0.0, 0.5, 1.0 }, { 1.0, 0.75, 0.5 });
+  // The same mesh, with a curve that does nothing.
+  before.Add(Poisson, bent, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }).Width = width;
+  before.Regions.push_back({ { 5, 6, 7, 100 }, { 0.5 } });
+  before.Run(1);
+  Drawing after(Icosphere(3));
+  after.Add(Diffusion, far, { 0.0, 0.5, 1.0 }, { 1.0, 0.75, 0.5 });
+  after.Add(Poisson, bent, { 0.6, 0.8, 0.6 }, { -0.6, -0.8, -0.6 }).Width = width;
+  after.Regions = before.Regions;
+  after.Run(1);
+  ASSERT_EQ(before.GetNumberOfValues(), after.GetNumberOfValues());
+  // How far vertices are from the curve.
+  SurfaceMesh fine;
+  ASSERT_TRUE(after.Surface.Build(after.Mesh, fine).IsOk());
+  std::vector<dgg::GeodesicSource> sources;
+  for (const Id v : after.Surface.Paths[1])
+  {
+    sources.push_back({ SurfacePoint::AtVertex(v) });
+  }
+  dgg::ExactResult distances;
+  ASSERT_TRUE(dgg::ExactGeodesics(fine).Run(sources, {}, distances).IsOk());
+  double largest = 0.0;
+  double largestFar = 0.0;
+  for (std::size_t v = 0; v < after.GetNumberOfValues(); ++v)
+  {
+    const double change = std::abs(after.Value(v) - before.Value(v));
+    largest = std::max(largest, change);
+    const Id uncut = after.Graphics.GetSurface().VertexOf[v];
+    largestFar = std::max(largestFar, distances.Distances[uncut] > width ? change : 0.0);
+  }
+  EXPECT_NEAR(largest, 0.8, 1e-3);
+  EXPECT_LT(largestFar, 1e-12);
+}
+
+TEST(VectorGraphics, PoissonCurveIsContinuousAroundItsEnds)
+{
+  // A highlight beside a shadow, and a glow: across edges that the curve does not cut, colours
+  // change by no more than the slope allows.
+  for (const double sign : { -1.0, 1.0 })
+  {
+    Drawing drawing(Plane(40, 40, 0.2));
+    drawing
+      .Add(Poisson, { drawing.Find(11.0, 20.3), drawing.Find(29.0, 20.3) }, { 1.0, 1.0 },
+        { sign, sign })
+      .Width = 8.0;
+    drawing.Run();
+    const dgg::CutSurface& surface = drawing.Graphics.GetSurface();
+    const double steepest = 1.54 / 8.0 * (sign < 0.0 ? 1.0 : 0.5) * 2.0; // of b, twice for l - r
+    for (std::size_t h = 0; h < surface.Triangles.size(); ++h)
+    {
+      const Id a = surface.Triangles[h];
+      const Id b = surface.Triangles[SurfaceMesh::Next(static_cast<Id>(h))];
+      EXPECT_LE(
+        std::abs(drawing.Value(a) - drawing.Value(b)), 1.01 * steepest * surface.Lengths[h] + 0.01);
+    }
+    // In the middle of the curve all of it is there.
+    double largest = 0.0;
+    double smallest = 0.0;
+    for (std::size_t v = 0; v < drawing.GetNumberOfValues(); ++v)
+    {
+      largest = std::max(largest, drawing.Value(v));
+      smallest = std::min(smallest, drawing.Value(v));
+    }
+    EXPECT_NEAR(largest, 1.0, 0.03);
+    EXPECT_NEAR(smallest, sign < 0.0 ? -1.0 : 0.0, 0.03);
+  }
+}
+
+TEST(VectorGraphics, GivenColorsHoldInsideOfBands)
+{
+  // The band of a Poisson curve runs over a diffusion curve.
+  Drawing drawing(Plane(20, 20, 0.2));
+  drawing.Add(
+    Diffusion, { drawing.Find(4.0, 12.0), drawing.Find(16.0, 12.0) }, { 0.2, 0.2 }, { 0.6, 0.6 });
+  drawing
+    .Add(
+      Poisson, { drawing.Find(5.0, 10.0), drawing.Find(15.0, 10.0) }, { 1.0, 1.0 }, { -1.0, -1.0 })
+    .Width = 5.0;
+  drawing.Run();
+  Id given = 0;
+  drawing.ForEachCorner([&](Id v, const Position& p, const Position& m) {
+    if (std::abs(p[1] - 12.0) < 1e-9 && p[0] > 4.01 && p[0] < 15.99)
+    {
+      EXPECT_NEAR(drawing.Value(v), m[1] > 12.0 ? 0.2 : 0.6, 1e-12);
+      ++given;
+    }
+  });
+  EXPECT_GT(given, 60);
+}
+
+TEST(VectorGraphics, RoundRegionBrightensItsMiddleAndNothingElse)
+{
+  // -Laplace u = c in a disk and a sink as strong on its rim: u = c (R^2 - r^2) / 4 inside, 0
+  // outside, so that Strength is what its middle gains.
+  double previous = 0.0;
+  for (const int level : { 1, 2, 3 })
+  {
+    Drawing drawing(Translated(Plane(10, 10, 0.2), -5.0, -5.0, 0.0));
+    std::vector<SurfacePoint> circle;
+    const double radius = 3.0;
+    for (int k = 0; k < 96; ++k)
+    {
+      const double angle = 2.0 * dgg::Pi * k / 96.0;
+      circle.push_back(drawing.Find(radius * std::cos(angle), radius * std::sin(angle)));
+    }
+    drawing.Add(Region, circle, std::vector<double>(96, 0.8), {}, true);
+    drawing.Run(level);
+    ASSERT_EQ(drawing.Result.NetSources.size(), 1u);
+    EXPECT_NEAR(drawing.Result.NetSources[0], 0.0, 1e-12);
+    double corner = 0.0; // means differ
+    double worst = 0.0;
+    for (const bool isLast : { false, true })
+    {
+      for (std::size_t v = 0; v < drawing.GetNumberOfValues(); ++v)
+      {
+        const Position p = drawing.Place(static_cast<Id>(v));
+        const double r = std::hypot(p[0], p[1]);
+        const double expected = r < radius ? 0.8 * (1.0 - r * r / (radius * radius)) : 0.0;
+        corner = r > 7.0 ? drawing.Value(v) : corner;
+        worst = isLast ? std::max(worst, std::abs(drawing.Value(v) - corner - expected)) : 0.0;
+      }
+    }
+    if (level > 1)
+    {
+      EXPECT_LT(worst, 0.4 * previous);
+    }
+    previous = worst;
+  }
+  EXPECT_LT(previous, 5e-3);
+}
+
+TEST(VectorGraphics, SetsOfFacesHaveTheSameSourceAsTheCurveAroundThem)
+{
+  Drawing byCurve(Plane(8, 6));
+  byCurve.Add(Region,
+    { byCurve.Find(2, 1), byCurve.Find(5, 1), byCurve.Find(5, 4), byCurve.Find(2, 4) },
+    { 0.7, 0, 0, 0 }, {}, true);
+  byCurve.Run(1);
+  Drawing byFaces(Plane(8, 6));
+  GraphicsRegion region;
+  region.Strength = { 0.7 };
+  for (Id f = 0; f < byFaces.Mesh.GetNumberOfFaces(); ++f)
+  {
+    double x = 0.0;
+    double y = 0.0;
+    for (const Id v : byFaces.Mesh.GetTriangle(f))
+    {
+      x += byFaces.Input.Point(v)[0] / 3.0;
+      y += byFaces.Input.Point(v)[1] / 3.0;
+    }
+    if (x > 2.0 && x < 5.0 && y > 1.0 && y < 4.0)
+    {
+      region.Faces.push_back(f);
+    }
+  }
+  ASSERT_EQ(region.Faces.size(), 18u);
+  byFaces.Regions = { region };
+  byFaces.Run(1);
+  ASSERT_EQ(byCurve.GetNumberOfValues(), byFaces.GetNumberOfValues());
+  for (std::size_t v = 0; v < byFaces.GetNumberOfValues(); ++v)
+  {
+    EXPECT_NEAR(byFaces.Value(v), byCurve.Value(v), 1e-12);
+  }
+}
+
+TEST(VectorGraphics, WhatSourcesSumToIsTakenOffAndTold)
+{
+  // A source of 0.5 to 1.5 per length along a curve of length 4, on a square without anything that
+  // takes it in; in the second drawing, a diffusion curve does.
+  Drawing drawing(Plane(8, 6, 0.2));
+  drawing.Add(Source, { drawing.Find(2.2, 3.3), drawing.Find(6.2, 3.3) }, { 0.5, 1.5 }, {});
+  drawing.Options.Background = { 0.25 };
+  drawing.Run(1);
+  ASSERT_EQ(drawing.Result.NetSources.size(), 1u);
+  EXPECT_NEAR(drawing.Result.NetSources[0], 4.0, 1e-12);
+  dgg::SurfaceMesh fine;
+  ASSERT_TRUE(drawing.Surface.Build(drawing.Mesh, fine).IsOk());
+  dgg::PoissonSolver solver(fine);
+  ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
+  std::vector<double> flow;
+  ASSERT_TRUE(solver.Multiply(drawing.Result.Values, flow).IsOk());
+  double mean = 0.0;
+  double moment = 0.0;
+  for (Id v = 0; v < fine.GetNumberOfVertices(); ++v)
+  {
+    mean += drawing.Value(v) * solver.GetAreas()[v] / 48.0;
+    const double taken = flow[v] + 4.0 * solver.GetAreas()[v] / 48.0;
+    const Position p = drawing.Place(v);
+    EXPECT_TRUE(std::abs(p[1] - 3.3) < 1e-9 || std::abs(taken) < 1e-10);
+    moment += taken * (p[0] - 4.2);
+  }
+  EXPECT_NEAR(mean, 0.25, 1e-12);
+  EXPECT_NEAR(moment, 16.0 / 12.0, 1e-9); // of a density 1 + x / 4, x from -2 to 2
+
+  Drawing taken(Plane(8, 6, 0.2));
+  taken.Add(Source, { taken.Find(2.0, 0.0), taken.Find(2.0, 6.0) }, { 1.0, 1.0 }, {});
+  taken.Add(Diffusion, { taken.Find(5.0, 0.0), taken.Find(5.0, 6.0) }, { 0.5, 0.5 }, { 0.5, 0.5 });
+  taken.Run();
+  EXPECT_EQ(*std::max_element(taken.Result.NetSources.begin(), taken.Result.NetSources.end()), 0.0);
+  taken.ForEachCorner([&](Id v, const Position& p, const Position&) {
+    // All of it flows to the right.
+    const double expected = p[0] < 2.0 ? 3.5 : p[0] < 5.0 ? 0.5 + 5.0 - p[0] : 0.5;
+    EXPECT_NEAR(taken.Value(v), expected, 1e-10);
+  });
+}
+
+TEST(VectorGraphics, OrderTwoBesideCurves)
+{
+  // x^2 - y^2 is harmonic: given on a closed curve whose points are dense, on both of its sides,
+  // with another constant outside, errors are those of elements and of the polygon's colours.
+  double previous = 0.0;
+  for (const int level : { 0, 1, 2 })
+  {
+    const Id n = 12;
+    Drawing drawing(Translated(Scaled(Plane(n, n, 0.2), 4.0 / n), -2.0, -2.0, 0.0));
+    std::vector<SurfacePoint> points;
+    std::vector<double> left;
+    for (int k = 0; k < 720; ++k)
+    {
+      const double angle = 2.0 * dgg::Pi * k / 720.0;
+      const double x = 1.7 * std::cos(angle);
+      const double y = 1.4 * std::sin(angle);
+      points.push_back(drawing.Find(x, y));
+      left.push_back(x * x - y * y);
+    }
+    drawing.Add(Diffusion, points, left, std::vector<double>(720, 3.0), true);
+    drawing.Run(level);
+    double sum = 0.0;
+    Id count = 0;
+    for (std::size_t v = 0; v < drawing.GetNumberOfValues(); ++v)
+    {
+      const Position p = drawing.Place(static_cast<Id>(v));
+      if (std::hypot(p[0] / 1.7, p[1] / 1.4) < 0.9)
+      {
+        const double error = drawing.Value(v) - (p[0] * p[0] - p[1] * p[1]);
+        sum += error * error;
+        ++count;
+      }
+    }
+    const double error = std::sqrt(sum / count);
+    if (level > 0)
+    {
+      EXPECT_GT(std::log2(previous / error), 1.7) << level;
+    }
+    previous = error;
+  }
+  EXPECT_LT(previous, 1e-3);
+}
+
+TEST(VectorGraphics, RefusesWhatItCannotDraw)
+{
+  const auto fails = [](Drawing& drawing, const std::string& word, bool whenPrepared) {
+    dgg::Status status = drawing.Prepare();
+    EXPECT_EQ(status.IsOk(), whenPrepared) << word;
+    status = status.IsOk() ? drawing.Solve() : status;
+    EXPECT_FALSE(status.IsOk()) << word;
+    EXPECT_NE(status.GetMessage().find(word), std::string::npos) << status.GetMessage();
+    EXPECT_TRUE(drawing.Result.Values.empty());
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto across = [](Drawing& drawing) {
+    return std::vector<SurfacePoint>{ drawing.Find(1.5, 0.5), drawing.Find(1.5, 3.5) };
+  };
+  {
+    Drawing drawing(Plane(4, 4));
+    drawing.Add(Diffusion, across(drawing), { 1.0 }, { 1.0, 2.0 });
+    fails(drawing, "curve 0, on its left, has 1 numbers where 2", true);
+  }
+  {
+    Drawing drawing(Plane(4, 4));
+    drawing.Add(Diffusion, across(drawing), { 1.0, 2.0 }, { 1.0, nan });
+    fails(drawing, "curve 0, on its right, has numbers that are not finite", true);
+  }
+  for (const double width : { 0.0, -1.0, nan, dgg::Infinity })
+  {
+    Drawing drawing(Plane(4, 4));
+    drawing.Add(Poisson, across(drawing), { 1.0, 2.0 }, { 1.0, 1.0 }).Width = width;
+    fails(drawing, "width", true);
+  }
+  {
+    Drawing drawing(Plane(4, 4));
+    drawing.Add(Diffusion, { drawing.Find(1, 1), drawing.Find(1, 1) }, { 1, 1 }, { 1, 1 });
+    fails(drawing, "no length", false);
+  }
+  {
+    Drawing drawing(Plane(4, 4));
+    drawing.Add(Region, across(drawing), { 1, 1 }, {});
+    fails(drawing, "open", false);
+  }
+  {
+    // Around a torus: the left is the right.
+    Drawing drawing(Torus(12, 8));
+    drawing.Add(Region,
+      { SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(32), SurfacePoint::AtVertex(64) },
+      { 1, 1, 1 }, {}, true);
+    fails(drawing, "does not separate", false);
+  }
+  {
+    Drawing drawing(Plane(4, 4));
+    drawing.Regions = { { { 3, 32 }, { 1.0 } } };
+    fails(drawing, "face 32", true);
+    drawing.Regions = { { {}, { 1.0 } } };
+    fails(drawing, "no faces", true);
+    drawing.Regions.clear();
+    drawing.Options.Background = { 1.0, 2.0 };
+    fails(drawing, "background", true);
+    drawing.Options.Background.clear();
+    drawing.Options.NumberOfChannels = 0;
+    fails(drawing, "channel", true);
+  }
+  {
+    // A curve over an edge of three faces has no sides.
+    TestMesh book = Plane(4, 4);
+    const Id top = book.AddPoint(1.5, 1.5, 3.0);
+    book.AddTriangle(6, 7, top); // on the edge from (1, 1) to (2, 1)
+    Drawing drawing(book);
+    drawing.Add(Diffusion, across(drawing), { 1, 1 }, { 1, 1 });
+    fails(drawing, "more than two faces", false);
+  }
+  dgg::VectorGraphics graphics;
+  dgg::GraphicsResult result;
+  EXPECT_FALSE(graphics.Run({}, {}, {}, result).IsOk());
+}
+
+TEST(VectorGraphics, StopsWhenAskedTo)
+{
+  Drawing drawing(Plane(10, 10));
+  drawing.Add(Poisson, { drawing.Find(2.5, 2.5), drawing.Find(7.5, 7.5) }, { 1, 1 }, { 0, 0 })
+    .Width = 3.0;
+  int calls = 0;
+  drawing.Options.Progress = [&](double) {
+    ++calls;
+    return true;
+  };
+  ASSERT_TRUE(drawing.Prepare().IsOk());
+  const int whilePreparing = calls;
+  ASSERT_TRUE(drawing.Solve().IsOk());
+  const int all = calls;
+  EXPECT_GT(whilePreparing, 3);
+  EXPECT_GE(all, whilePreparing + 2);
+  for (int stop = 0; stop < all; ++stop)
+  {
+    calls = 0;
+    double last = 0.0;
+    drawing.Options.Progress = [&](double done) {
+      last = done;
+      return calls++ < stop;
+    };
+    dgg::Status status = drawing.Prepare();
+    status = status.IsOk() ? drawing.Solve() : status;
+    EXPECT_TRUE(status.IsAborted()) << stop;
+    EXPECT_LE(last, 1.0);
+  }
+}
+
+TEST(VectorGraphics, MemoryIsAskedForBeforeTheFactorization)
+{
+  Drawing drawing(Icosphere(3));
+  double asked = 0.0;
+  drawing.Options.CheckMemory = [&](double bytes) {
+    asked = bytes;
+    return dgg::Status::Invalid("too much");
+  };
+  EXPECT_EQ(drawing.Prepare().GetMessage(), "too much");
+  EXPECT_FALSE(drawing.Solve().IsOk());
+  drawing.Options.CheckMemory = nullptr;
+  drawing.Run();
+  EXPECT_GE(asked, static_cast<double>(drawing.Graphics.GetMemorySize()));
+}
+}
