@@ -105,8 +105,8 @@ bool vtkDGGPCDBody::ReadText()
       return false;
     }
     ++point;
-    if (point % ProgressInterval == 0 && this->Progress &&
-      !this->Progress(
+    if (point % ProgressInterval == 0 &&
+      !this->Tell(
         static_cast<double>(cursor - this->Body) / static_cast<double>(this->End - this->Body)))
     {
       return false;
@@ -167,7 +167,7 @@ bool vtkDGGPCDBody::ReadBinary()
     return this->FailCount(std::to_string(bytes));
   }
   this->SetView(this->Body, false, true);
-  return this->CheckRest(this->Body + count * bytes);
+  return this->Tell(0.5) && this->CheckRest(this->Body + count * bytes) && this->Tell(1.0);
 }
 
 bool vtkDGGPCDBody::ReadCompressed()
@@ -211,12 +211,18 @@ bool vtkDGGPCDBody::ReadCompressed()
       "the compressed data promise " + std::to_string(uncompressed) + " bytes, which are not " +
         std::to_string(count) + " points of " + std::to_string(whole - padding) + " bytes");
   }
-  if (!this->Decompress(compressed, uncompressed))
+  if (!this->Tell(0.1) || !this->Decompress(compressed, uncompressed))
   {
     return false;
   }
   this->SetView(this->Buffer.data(), true, hasPadding);
-  return this->CheckRest(this->Body + 8 + compressed);
+  return this->Tell(0.9) && this->CheckRest(this->Body + 8 + compressed) && this->Tell(1.0);
+}
+
+/// False when the caller has asked to stop.
+bool vtkDGGPCDBody::Tell(double done) const
+{
+  return !this->Progress || this->Progress(done);
 }
 
 bool vtkDGGPCDBody::Decompress(std::size_t compressed, std::size_t uncompressed)

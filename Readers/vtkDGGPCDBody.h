@@ -32,6 +32,7 @@ private:
   bool ReadLine(const char*& cursor, std::size_t line, vtkIdType point);
   bool ReadBinary();
   bool ReadCompressed();
+  bool Tell(double done) const;
   bool Decompress(std::size_t compressed, std::size_t uncompressed);
 
   /// Points one after the other, each with all of its fields, or (`isByField`) fields one after the

@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <string_view>
 #include <system_error>
 
 namespace
@@ -59,6 +60,14 @@ std::vector<std::string> TakeLine(const char*& cursor, const char* end)
   }
   cursor = last + (last != end ? 1 : 0);
   return words;
+}
+
+/// Behind the mark that some editors put before texts in UTF-8.
+const char* SkipMark(const char* begin, const char* end)
+{
+  const std::string_view mark = "\xEF\xBB\xBF";
+  const std::string_view text(begin, static_cast<std::size_t>(end - begin));
+  return text.substr(0, mark.size()) == mark ? begin + mark.size() : begin;
 }
 
 template <typename Number>
@@ -359,7 +368,7 @@ std::size_t vtkDGGPCDHeader::GetPointNumbers() const
 bool vtkDGGPCDHeader::Parse(const char* begin, const char* end, vtkDGGFileError& error)
 {
   Entries entries;
-  const char* cursor = begin;
+  const char* cursor = SkipMark(begin, end);
   std::size_t line = 0;
   const auto fail = [&line, &error](unsigned long code, const std::string& message) {
     error = { code, "line " + std::to_string(line) + ": " + message };
@@ -438,7 +447,7 @@ std::string vtkDGGPCDHeader::Format() const
 bool vtkDGGLooksLikePCD(const char* begin, const char* end)
 {
   bool hasFields = false;
-  for (const char* cursor = begin; cursor != end;)
+  for (const char* cursor = SkipMark(begin, end); cursor != end;)
   {
     const bool isWhole = std::find(cursor, end, '\n') != end;
     const std::vector<std::string> words = TakeLine(cursor, end);

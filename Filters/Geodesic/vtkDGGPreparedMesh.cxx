@@ -184,6 +184,22 @@ dgg::Status vtkDGGPreparedMesh::Make(
 }
 
 //------------------------------------------------------------------------------
+dgg::Status vtkDGGPreparedMesh::CheckSurface(vtkPolyData* input)
+{
+  if (input->GetNumberOfPolys() + input->GetNumberOfStrips() > 0)
+  {
+    return dgg::Status::Success();
+  }
+  const vtkIdType n = input->GetNumberOfPoints();
+  std::ostringstream message;
+  message << "the input has " << n << (n == 1 ? " point" : " points")
+          << " but no polygons or triangle strips: connect a surface mesh. Distances on a point "
+          << "cloud need the graph that vtkPointCloudDGG makes, and a filter that searches it, "
+          << "as vtkDGGDistance or vtkDGGPath";
+  return dgg::Status::Invalid(message.str());
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input)
 {
   const vtkIdType n = input->GetNumberOfPoints();
@@ -198,16 +214,11 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input)
   {
     return this->BuildCloud(input);
   }
-  if (input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  dgg::Status status = CheckSurface(input);
+  if (!status.IsOk())
   {
-    std::ostringstream message;
-    message << "the input has " << n << (n == 1 ? " point" : " points")
-            << " but no polygons or triangle strips: connect a surface mesh. Distances on a point "
-            << "cloud need the graph that vtkPointCloudDGG makes, and a filter that searches it, "
-            << "as vtkDGGDistance or vtkDGGPath";
-    return dgg::Status::Invalid(message.str());
+    return status;
   }
-
   const bool mergeCoincidentPoints = this->Domain == vtkDGGDomain::MergedSurface;
   const vtkDGGPointCoordinates coordinates(input->GetPoints());
   if (mergeCoincidentPoints)
@@ -215,7 +226,7 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input)
     this->MergeCoincidentPoints(coordinates.GetData(), n);
   }
   std::vector<dgg::Id> triangles;
-  dgg::Status status = this->Triangulate(input, coordinates.GetData(), triangles);
+  status = this->Triangulate(input, coordinates.GetData(), triangles);
   if (!status.IsOk())
   {
     return status;

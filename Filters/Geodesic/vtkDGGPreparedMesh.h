@@ -36,6 +36,9 @@ public:
   static dgg::Status Make(
     vtkPolyData* input, vtkDGGDomain domain, const dgg::Signature& fingerprint, Pointer& prepared);
 
+  /// Fails when there is nothing that a surface could be made of.
+  static dgg::Status CheckSurface(vtkPolyData* input);
+
   vtkDGGDomain Domain = vtkDGGDomain::Surface;
 
   dgg::SurfaceMesh Mesh;

@@ -329,6 +329,16 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   dgg::Status status = CheckPieces(request, outputVector);
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  if (status.IsOk() && input && input->GetNumberOfPoints() > 0 && !this->IsCloud(input))
+  {
+    // Before all else: other remedies would not help.
+    status = vtkDGGPreparedMesh::CheckSurface(input);
+    if (!status.IsOk())
+    {
+      this->Adapter->Clear(); // the report is not that of another surface
+    }
+  }
   if (status.IsOk())
   {
     status = this->CheckProperties();

@@ -92,6 +92,25 @@ TEST_F(CloudConsumers, OtherFiltersNeedASurface)
   ExpectError(probe, { "no polygons", "vtkPointCloudDGG" });
 }
 
+TEST_F(CloudConsumers, ThatASurfaceIsNeededIsToldFirst)
+{
+  // Nothing else is set, nor would it help.
+  const auto cloud = MakeCloud(MakeFlatPoints(5));
+  vtkNew<vtkExactGeodesicDistance> exact;
+  vtkNew<vtkHeatGeodesicDistance> heat;
+  vtkNew<vtkFastMarchingGeodesicDistance> marching;
+  vtkNew<vtkDGGLoop> loop;
+  vtkNew<vtkApolloniusIsolines> isolines;
+  vtkNew<vtkGeodesicProbe> probe;
+  vtkNew<vtkDGGDistance> distance;
+  for (vtkGeodesicAlgorithm* filter :
+    std::vector<vtkGeodesicAlgorithm*>{ exact, heat, marching, loop, isolines, probe, distance })
+  {
+    filter->SetInputData(cloud);
+    ExpectError(filter, { "25 points but no polygons", "vtkPointCloudDGG" });
+  }
+}
+
 TEST_F(CloudConsumers, CloudsWithoutAGraph)
 {
   const auto cloud = MakeCloud(MakeFlatPoints(10));

@@ -393,6 +393,44 @@ TEST_F(PCDReader, ReportsProgressAndStops)
   EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), count);
 }
 
+TEST_F(PCDReader, ReportsProgressOfBinaryDataAndStops)
+{
+  std::string points(12 * 1000, '\0');
+  const std::string head = "FIELDS x y z\nPOINTS 1000\nDATA binary";
+  std::string compressed;
+  for (int i = 0; i < 6000; ++i)
+  {
+    compressed += std::string("\1\0\0", 3); // two literal bytes
+  }
+  const auto size = [](std::size_t bytes) {
+    return std::string{ static_cast<char>(bytes & 255), static_cast<char>(bytes >> 8 & 255), 0, 0 };
+  };
+  for (const std::string& file : { head + "\n" + points,
+         head + "_compressed\n" + size(compressed.size()) + size(points.size()) + compressed })
+  {
+    this->Reader->SetFileName(this->Write(file).c_str());
+    this->Reader->Modified();
+    dggtest::ProgressWatch watch(this->Reader);
+    dggtest::ExpectSuccess(this->Reader);
+    EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 1000);
+    watch.ExpectGrowth(1);
+    this->Reader->Modified();
+    watch.StopAt = 0.3;
+    dggtest::ExpectSuccess(this->Reader);
+    EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 0);
+    this->Reader->SetAbortExecute(0);
+  }
+}
+
+TEST_F(PCDReader, SkipsTheMarkOfUTF8)
+{
+  const std::string file = "\xEF\xBB\xBF"
+                           "FIELDS x y z\nPOINTS 1\nDATA ascii\n1 2 3\n";
+  ExpectTuple(this->ReadWell(file)->GetPoints()->GetData(), 0, { 1.0, 2.0, 3.0 });
+  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write(file).c_str()), 1);
+  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("\xEF\xBB\xBF").c_str()), 0);
+}
+
 TEST_F(PCDReader, PrintsItself)
 {
   std::ostringstream text;
