@@ -176,6 +176,13 @@ TEST(CurveEmbedding, CurvesThatPassVerticesClosely)
   EXPECT_EQ(surface.Paths[1][1], surface.Paths[0][0]);
   ASSERT_EQ(surface.Paths[3].size(), 3u);
   EXPECT_EQ(surface.Paths[3][1], surface.Paths[0][1]);
+  // Across a corner, closer to it than to both of its ends.
+  const std::vector<SurfaceCurve> corner{ Curve(mesh, { at(1.2e-9, 0.0), at(0.0, 1.2e-9) }) };
+  const RefinedSurface around = Embed(mesh, corner);
+  ExpectSoundEmbedding(input, mesh, corner, around);
+  EXPECT_EQ(around.GetNumberOfVertices(), 5);
+  ASSERT_EQ(around.Paths[0].size(), 3u);
+  EXPECT_EQ(around.Paths[0][1], mesh.Origin(0));
 }
 
 TEST(CurveEmbedding, SoundMeshes)
