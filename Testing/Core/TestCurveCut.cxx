@@ -115,6 +115,35 @@ TEST(CurveCut, SlitHasOneRim)
   EXPECT_NE(left[0], right[0]);
 }
 
+TEST(CurveCut, SingleEdgeOpens)
+{
+  // Along an edge, and inside a face; the third curve starts at the end of the second one.
+  const TestMesh input = Plane(4, 4);
+  const dgg::SurfaceMesh mesh = Build(input);
+  const auto at = [&](double b, double c) { return PointIn(mesh, 20, { { 1.0 - b - c, b, c } }); };
+  std::vector<SurfaceCurve> curves{ Curve(mesh, AtVertices({ 6, 7 })),
+    Curve(mesh, { at(0.25, 0.25), at(0.5, 0.25) }) };
+  RefinedSurface surface = Embed(mesh, curves);
+  ExpectSoundEmbedding(input, mesh, curves, surface);
+  CurveCut cut = CutOpen(surface);
+  ExpectSoundCut(surface, cut);
+  for (std::size_t c = 0; c < curves.size(); ++c)
+  {
+    const dgg::CurveChain chain = dgg::FollowCurve(surface, curves, c);
+    EXPECT_EQ(chain.Parameters, (std::vector<double>{ 0.0, 0.5, 1.0 }));
+    EXPECT_EQ(chain.GivenPoints, (std::vector<dgg::Offset>{ 0, 2 }));
+    EXPECT_EQ(CountCopies(cut, chain.Vertices[1]), 2);
+  }
+  curves.push_back(Curve(mesh, { at(0.5, 0.25), at(0.5, 0.375) }));
+  surface = Embed(mesh, curves);
+  EXPECT_EQ(surface.Paths[0].size(), 3u);
+  EXPECT_EQ(surface.Paths[1].size(), 2u);
+  EXPECT_EQ(surface.Paths[2].size(), 2u);
+  cut = CutOpen(surface);
+  ExpectSoundCut(surface, cut);
+  EXPECT_EQ(CountCopies(cut, surface.Paths[2][0]), 2);
+}
+
 TEST(CurveCut, FromTheRim)
 {
   // From the middle to the rim: no new loop. From rim to rim: two parts.

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggCurveEmbedding.h"
 
+#include "dggEdgeSplitting.h"
 #include "dggSurfaceRefinement.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace dgg
 {
@@ -22,6 +24,60 @@ double ParameterAt(const SurfaceCurve& curve, double place)
   }
   const double from = curve.Parameters[piece];
   return from + (curve.Parameters[piece + 1] - from) * (place - std::floor(place));
+}
+/// Edges of paths, smaller vertex first, each once.
+std::vector<std::pair<Id, Id>> CollectEdges(const RefinedSurface& surface)
+{
+  std::vector<std::pair<Id, Id>> edges;
+  for (const std::vector<Id>& path : surface.Paths)
+  {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    {
+      edges.emplace_back(std::minmax(path[i], path[i + 1]));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+/// Split edges of paths that would not open when the surface is cut: no other edge, and no
+/// boundary, is at their ends.
+void SplitLoneEdges(const SurfaceMesh& mesh, RefinedSurface& surface)
+{
+  std::vector<Id> cutsAt(surface.Points.size(), 0);
+  const std::vector<std::pair<Id, Id>> edges = CollectEdges(surface);
+  for (const std::pair<Id, Id>& edge : edges)
+  {
+    ++cutsAt[edge.first];
+    ++cutsAt[edge.second];
+  }
+  const auto halfEdges = static_cast<Id>(surface.Triangles.size());
+  const auto destination = [&](Id h) { return surface.Triangles[SurfaceMesh::Next(h)]; };
+  for (Id h = 0; h < halfEdges; ++h)
+  {
+    if (surface.Twins[h] == NoId)
+    {
+      ++cutsAt[surface.Triangles[h]];
+      ++cutsAt[destination(h)];
+    }
+  }
+  std::vector<char> isSplit(halfEdges, 0);
+  bool isAny = false;
+  for (Id h = 0; h < halfEdges; ++h)
+  {
+    const std::pair<Id, Id> ends = std::minmax(surface.Triangles[h], destination(h));
+    if (cutsAt[ends.first] == 1 && cutsAt[ends.second] == 1 &&
+      std::binary_search(edges.begin(), edges.end(), ends) && HasMiddle(mesh, surface, h))
+    {
+      isSplit[h] = 1;
+      isAny = true;
+    }
+  }
+  if (isAny)
+  {
+    SplitEdges(mesh, isSplit, surface);
+  }
 }
 }
 
@@ -45,7 +101,12 @@ Status EmbedCurves(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& cur
   RefinementOptions options;
   options.InsertCrossings = true;
   options.Progress = progress;
-  return RefineAlongPaths(mesh, paths, options, surface);
+  Status status = RefineAlongPaths(mesh, paths, options, surface);
+  if (status.IsOk())
+  {
+    SplitLoneEdges(mesh, surface);
+  }
+  return status;
 }
 
 CurveChain FollowCurve(

@@ -4,7 +4,6 @@
 
 #include "dggEdgeSplitting.h"
 
-#include <array>
 #include <limits>
 #include <numeric>
 #include <sstream>
@@ -14,9 +13,6 @@ namespace dgg
 {
 namespace
 {
-/// Middles stay this far from sides: twice the distance at which points snap to them.
-constexpr double SmallestCoordinate = 2e-9;
-
 /// Splits the chosen faces level by level.
 class LevelRefiner
 {
@@ -36,7 +32,6 @@ public:
 
 private:
   std::vector<char> Grow(int rings) const;
-  bool HasMiddle(Id h) const;
 
   const SurfaceMesh& Mesh;
   RefinedSurface& Surface;
@@ -79,24 +74,6 @@ std::vector<char> LevelRefiner::Grow(int rings) const
   return isIn;
 }
 
-/// Whether the middle of an edge is a point of its own, and on a side only where the edge is.
-bool LevelRefiner::HasMiddle(Id h) const
-{
-  const Id face = this->Surface.Faces[SurfaceMesh::Face(h)];
-  std::array<double, 3> p{};
-  std::array<double, 3> q{};
-  FindInFace(this->Mesh, this->Surface.Points[this->Surface.Triangles[h]], face, p);
-  FindInFace(
-    this->Mesh, this->Surface.Points[this->Surface.Triangles[SurfaceMesh::Next(h)]], face, q);
-  bool isClear = true;
-  for (int k = 0; k < 3; ++k)
-  {
-    const double sum = p[k] + q[k];
-    isClear = isClear && (sum == 0.0 || sum >= 2.0 * SmallestCoordinate);
-  }
-  return isClear;
-}
-
 Status LevelRefiner::SplitOnce(int rings)
 {
   const std::vector<char> isIn = this->Grow(rings);
@@ -104,7 +81,7 @@ Status LevelRefiner::SplitOnce(int rings)
   std::vector<char> isSplit(twins.size(), 0);
   for (Id h = 0; h < static_cast<Id>(twins.size()); ++h)
   {
-    if (isIn[SurfaceMesh::Face(h)] && !isSplit[h] && this->HasMiddle(h))
+    if (isIn[SurfaceMesh::Face(h)] && !isSplit[h] && HasMiddle(this->Mesh, this->Surface, h))
     {
       isSplit[h] = 1;
       for (Id e = twins[h]; e != NoId && e != h; e = twins[e])

@@ -16,6 +16,9 @@ namespace dgg
 {
 namespace
 {
+/// Middles stay this far from sides: twice the distance at which points snap to them.
+constexpr double SmallestCoordinate = 2e-9;
+
 class EdgeSplitter
 {
 public:
@@ -272,6 +275,22 @@ private:
   std::vector<Key> Keys;          // per new half-edge
   std::array<Point2, 6> Places{}; // of the nodes of the face at work
 };
+}
+
+bool HasMiddle(const SurfaceMesh& oldMesh, const RefinedSurface& surface, Id halfEdge)
+{
+  const Id face = surface.Faces[SurfaceMesh::Face(halfEdge)];
+  std::array<double, 3> p{};
+  std::array<double, 3> q{};
+  FindInFace(oldMesh, surface.Points[surface.Triangles[halfEdge]], face, p);
+  FindInFace(oldMesh, surface.Points[surface.Triangles[SurfaceMesh::Next(halfEdge)]], face, q);
+  bool isClear = true;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double sum = p[k] + q[k];
+    isClear = isClear && (sum == 0.0 || sum >= 2.0 * SmallestCoordinate);
+  }
+  return isClear;
 }
 
 void SplitEdges(const SurfaceMesh& oldMesh, const std::vector<char>& isSplit,
