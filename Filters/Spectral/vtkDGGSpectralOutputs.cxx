@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGSpectralOutputs.h"
 
+#include "vtkDGGMakeArray.h"
 #include "vtkDGGMeshAdapter.h"
 
 #include "dggBuffer.h"
+
+#include "vtkIdTypeArray.h"
 
 #include <algorithm>
 
@@ -27,6 +30,17 @@ private:
   std::size_t Stride;
   std::size_t Component;
 };
+
+template <typename ArrayType, typename Function>
+vtkSmartPointer<ArrayType> ArrayOf(const std::string& name, vtkIdType count, Function&& valueOf)
+{
+  auto array = vtkDGGMakeArray<ArrayType>(name, static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    array->SetValue(i, valueOf(i));
+  }
+  return array;
+}
 
 vtkSmartPointer<vtkDoubleArray> MakeArray(
   const std::string& name, std::size_t tuples, std::size_t components)
@@ -81,4 +95,24 @@ void vtkDGGSpectralOutputs::Set(
   {
     atTargets[i] = targetValues[i];
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGSpectralOutputs::Add(const std::string& name, const std::vector<double>& values,
+  const std::vector<double>& targetValues)
+{
+  this->Further[0].push_back(ArrayOf<vtkDoubleArray>(name, this->AtPoints->GetNumberOfTuples(),
+    [&](vtkIdType i) { return values[this->Mesh.GetVertex(i)]; }));
+  this->Further[1].push_back(ArrayOf<vtkDoubleArray>(
+    name, this->AtTargets->GetNumberOfTuples(), [&](vtkIdType i) { return targetValues[i]; }));
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGSpectralOutputs::AddNumbers(const std::string& name, const std::vector<dgg::Id>& values,
+  const std::vector<dgg::Id>& targetValues)
+{
+  this->Further[0].push_back(ArrayOf<vtkIdTypeArray>(name, this->AtPoints->GetNumberOfTuples(),
+    [&](vtkIdType i) { return values[this->Mesh.GetVertex(i)]; }));
+  this->Further[1].push_back(ArrayOf<vtkIdTypeArray>(
+    name, this->AtTargets->GetNumberOfTuples(), [&](vtkIdType i) { return targetValues[i]; }));
 }

@@ -5,6 +5,8 @@
 #ifndef vtkDGGSpectralOutputs_h
 #define vtkDGGSpectralOutputs_h
 
+#include "dggTypes.h" // for numbers
+
 #include "vtkDoubleArray.h"  // for the arrays
 #include "vtkSmartPointer.h" // to hold them
 
@@ -33,6 +35,18 @@ public:
   void Set(
     std::size_t source, const std::vector<double>& values, const std::vector<double>& targetValues);
 
+  /// Further arrays besides those of results, per vertex of the mesh and per target.
+  void Add(const std::string& name, const std::vector<double>& values,
+    const std::vector<double>& targetValues);
+  void AddNumbers(const std::string& name, const std::vector<dgg::Id>& values,
+    const std::vector<dgg::Id>& targetValues);
+
+  /// Further arrays of the points, and of the targets.
+  const std::vector<vtkSmartPointer<vtkDataArray>>& GetFurtherArrays(int port) const
+  {
+    return this->Further[port];
+  }
+
   vtkDoubleArray* GetPointArray() const { return this->AtPoints; }
   vtkDoubleArray* GetTargetArray() const { return this->AtTargets; }
 
@@ -40,6 +54,7 @@ private:
   const vtkDGGMeshAdapter& Mesh;
   vtkSmartPointer<vtkDoubleArray> AtPoints;
   vtkSmartPointer<vtkDoubleArray> AtTargets;
+  std::vector<vtkSmartPointer<vtkDataArray>> Further[2];
 };
 
 #endif

@@ -13,11 +13,13 @@
 #include <vector> // for places
 
 class vtkDGGSpectralOutputs;
+class vtkPolyData;
 
 /// One call of vtkSpectralAlgorithm::ComputeValues(). Everything in it has been checked.
 struct vtkDGGSpectralTask
 {
   const dgg::PoissonSolver& Solver;              ///< ready
+  vtkPolyData* Surface;                          ///< the input as it was, not to be changed
   vtkMTimeType MeshTime;                         ///< another one when the solver is another one
   const std::vector<dgg::SurfacePoint>& Sources; ///< at least one
   const std::vector<dgg::SurfacePoint>& Targets; ///< may be none

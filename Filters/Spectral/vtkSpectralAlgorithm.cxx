@@ -20,6 +20,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace
 {
@@ -27,10 +28,20 @@ namespace
 constexpr double FactorizedAt = 0.4;
 constexpr double FoundAt = 0.01;
 
+bool IsEmpty(const vtkDGGSourceSet& set)
+{
+  return set.Ids.empty() && (!set.Points || set.Points->GetNumberOfPoints() == 0);
+}
+
 /// The points of a port with the results as active scalars.
-void AddResult(vtkPolyData* output, vtkPolyData* points, vtkDoubleArray* array)
+void AddResult(vtkPolyData* output, vtkPolyData* points, vtkDoubleArray* array,
+  const std::vector<vtkSmartPointer<vtkDataArray>>& further)
 {
   output->ShallowCopy(points);
+  for (vtkDataArray* other : further)
+  {
+    output->GetPointData()->AddArray(other);
+  }
   output->GetPointData()->AddArray(array);
   output->GetPointData()->SetActiveScalars(array->GetName());
 }
@@ -212,11 +223,12 @@ dgg::Status vtkSpectralAlgorithm::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   const vtkIdType n = surface->GetNumberOfPoints();
-  const dgg::Status status = vtkDGGSourceCollector::Check(this->GetSources(inputVector), n);
+  const vtkDGGSourceSet sources = this->GetSources(inputVector);
+  const dgg::Status status = this->CanChooseSources() && IsEmpty(sources)
+    ? dgg::Status::Success()
+    : vtkDGGSourceCollector::Check(sources, n);
   const vtkDGGSourceSet targets = GetTargets(inputVector);
-  return status.IsOk() && targets.Points && targets.Points->GetNumberOfPoints() > 0
-    ? vtkDGGSourceCollector::Check(targets, n)
-    : status;
+  return status.IsOk() && !IsEmpty(targets) ? vtkDGGSourceCollector::Check(targets, n) : status;
 }
 
 //------------------------------------------------------------------------------
@@ -233,6 +245,21 @@ dgg::PoissonOptions vtkSpectralAlgorithm::GetPoissonOptions() const
     this->Boundary == Dirichlet ? dgg::PoissonBoundary::Dirichlet : dgg::PoissonBoundary::Neumann;
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   return options;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkSpectralAlgorithm::CountSources(
+  const dgg::PoissonSolver& vtkNotUsed(solver), std::size_t given) const
+{
+  return given;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkSpectralAlgorithm::ChooseSources(const dgg::PoissonSolver& vtkNotUsed(solver),
+  const std::function<bool(double)>& vtkNotUsed(progress),
+  std::vector<dgg::SurfacePoint>& vtkNotUsed(sources)) const
+{
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -257,10 +284,15 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
   vtkDGGPoissonKeeper& keeper = this->Internals->Keeper;
   const vtkDGGSourceSet targetSet = GetTargets(inputVector);
-  const bool hasTargets = targetSet.Points && targetSet.Points->GetNumberOfPoints() > 0;
+  const vtkDGGSourceSet sourceSet = this->GetSources(inputVector);
+  const bool hasTargets = !IsEmpty(targetSet);
   std::vector<dgg::GeodesicSource> found[2];
-  dgg::Status status = this->Internals->Collector.Collect(
-    this->GetSources(inputVector), this->ProjectionTolerance, mesh, surface->GetPoints(), found[0]);
+  dgg::Status status;
+  if (!this->CanChooseSources() || !IsEmpty(sourceSet))
+  {
+    status = this->Internals->Collector.Collect(
+      sourceSet, this->ProjectionTolerance, mesh, surface->GetPoints(), found[0]);
+  }
   if (status.IsOk() && hasTargets)
   {
     status = this->Internals->Collector.Collect(
@@ -270,7 +302,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   {
     return status;
   }
-  const std::vector<dgg::SurfacePoint> sources = vtkDGGGetPlaces(found[0]);
+  std::vector<dgg::SurfacePoint> sources = vtkDGGGetPlaces(found[0]);
   const std::vector<dgg::SurfacePoint> targets = vtkDGGGetPlaces(found[1]);
 
   // Observers may change inputs and properties.
@@ -287,8 +319,9 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   const dgg::PoissonOptions options = this->GetPoissonOptions();
   double needed = 0.0;
   const auto others = [&](const dgg::PoissonSolver& solver) {
-    needed = vtkDGGSpectralOutputs::EstimateMemory(numberOfPoints, targets.size(), sources.size()) +
-      this->EstimateWorkingMemory(solver, sources.size(), targets.size());
+    const std::size_t count = this->CountSources(solver, sources.size());
+    needed = vtkDGGSpectralOutputs::EstimateMemory(numberOfPoints, targets.size(), count) +
+      this->EstimateWorkingMemory(solver, count, targets.size());
     return needed;
   };
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
@@ -297,6 +330,11 @@ dgg::Status vtkSpectralAlgorithm::Execute(
     ? keeper.Prepare(mesh, options, others, limit, this->GetMemoryRemedy(),
         dgg::ProgressPart(progress, 0.0, prepared))
     : dgg::Status::Abort();
+  if (status.IsOk())
+  {
+    status = this->ChooseSources(
+      keeper.GetSolver(), [&](double) { return this->Advance(prepared); }, sources);
+  }
   if (!status.IsOk())
   {
     return status;
@@ -304,7 +342,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   const double held = limit == 0 ? 0.0 : static_cast<double>(keeper.GetSolver().GetMemorySize());
   const double left = static_cast<double>(vtkDGGGetMemoryLimit(limit)) - held - needed;
   vtkDGGSpectralOutputs outputs(mesh, numberOfPoints, targets.size(), sources.size(), name);
-  vtkDGGSpectralTask task{ keeper.GetSolver(), mesh.GetBuildTime(), sources, targets,
+  vtkDGGSpectralTask task{ keeper.GetSolver(), copy, mesh.GetBuildTime(), sources, targets,
     std::max(0.0, left), dgg::ProgressPart(progress, prepared, 1.0), outputs };
   status = this->ComputeValues(task);
   if (status.IsOk())
@@ -321,8 +359,10 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   {
     return status;
   }
-  AddResult(vtkPolyData::GetData(outputVector, 0), copy, outputs.GetPointArray());
-  AddResult(vtkPolyData::GetData(outputVector, 1), targetCopy, outputs.GetTargetArray());
+  AddResult(vtkPolyData::GetData(outputVector, 0), copy, outputs.GetPointArray(),
+    outputs.GetFurtherArrays(0));
+  AddResult(vtkPolyData::GetData(outputVector, 1), targetCopy, outputs.GetTargetArray(),
+    outputs.GetFurtherArrays(1));
   return status;
 }
 
@@ -330,7 +370,9 @@ dgg::Status vtkSpectralAlgorithm::Execute(
 void vtkSpectralAlgorithm::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
 {
   const vtkDGGSpectralOutputs outputs(this->GetMesh(), 0, 0, 0, this->ResultArrayName);
-  AddResult(vtkPolyData::GetData(outputVector, 0), surface, outputs.GetPointArray());
+  AddResult(vtkPolyData::GetData(outputVector, 0), surface, outputs.GetPointArray(),
+    outputs.GetFurtherArrays(0));
   vtkNew<vtkPolyData> none;
-  AddResult(vtkPolyData::GetData(outputVector, 1), none, outputs.GetTargetArray());
+  AddResult(vtkPolyData::GetData(outputVector, 1), none, outputs.GetTargetArray(),
+    outputs.GetFurtherArrays(1));
 }

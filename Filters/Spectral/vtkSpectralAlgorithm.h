@@ -44,6 +44,7 @@
 #include "vtkDGGFiltersSpectralModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
+#include <functional>       // For progress
 #include <initializer_list> // For source ids
 #include <memory>           // For the internals
 #include <string>           // For array names
@@ -53,6 +54,7 @@ namespace dgg
 {
 struct PoissonOptions;
 class PoissonSolver;
+struct SurfacePoint;
 }
 struct vtkDGGSourceSet;
 struct vtkDGGSpectralTask;
@@ -211,6 +213,22 @@ protected:
    * What is to be factorized.
    */
   virtual dgg::PoissonOptions GetPoissonOptions() const;
+
+  ///@{
+  /**
+   * For filters that can choose sources themselves, or need them elsewhere than they are given:
+   * whether there may be none, how many there will be on a surface that is ready to be factorized,
+   * and which (told the progress, and whether to stop, by the callback). By default sources are
+   * needed, and used as they are.
+   */
+  virtual bool CanChooseSources() const
+  {
+    return false;
+  }
+  virtual std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const;
+  virtual dgg::Status ChooseSources(const dgg::PoissonSolver& solver,
+    const std::function<bool(double)>& progress, std::vector<dgg::SurfacePoint>& sources) const;
+  ///@}
 
   /**
    * Bytes that ComputeValues() takes at one time, besides its results.

@@ -36,6 +36,7 @@ for name in (
     "vtkGeodesicProbe",
     "vtkGeodesicSampler",
     "vtkGeodesicVoronoi",
+    "vtkHarmonicBSpline",
     "vtkHeatGeodesicDistance",
     "vtkPCDReader",
     "vtkPCDWriter",

@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHarmonicBSpline.h"
+
+#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGParallel.h"
+#include "vtkDGGProperties.h"
+#include "vtkDGGSpectralOutputs.h"
+#include "vtkDGGSpectralTask.h"
+
+#include "dggGeodesicSource.h"
+#include "dggHarmonicSplines.h"
+#include "dggProgressPart.h"
+#include "dggSplineSites.h"
+
+#include "vtkDataArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+vtkStandardNewMacro(vtkHarmonicBSpline);
+
+namespace
+{
+constexpr const char* CellName = "Cell";
+constexpr const char* SolutionName = "PoissonSolution";
+/// Parts of the progress: cells, functions at evaluation points, functions at points.
+constexpr double CellsDone = 0.3;
+constexpr double EvaluationDone = 0.5;
+constexpr double BasisDone = 0.95;
+/// What sources may sum to without a warning, relative to the sum of their sizes. Sums of densities
+/// in single precision differ by less.
+constexpr double BalanceTolerance = 1e-6;
+
+/// The corner that a point is nearest to, a free one if there is one.
+dgg::Id FindNearestCorner(const dgg::PoissonSolver& solver, const dgg::SurfacePoint& point)
+{
+  dgg::Id nearest = dgg::NoId;
+  double least = 0.0;
+  bool isFree = false;
+  dgg::ForEachCornerAround(solver.GetMesh(), point, [&](dgg::Id v, double, double distance) {
+    const bool isBetter = !solver.IsFixed(v) && !isFree;
+    const bool isWorse = solver.IsFixed(v) && isFree;
+    if (nearest == dgg::NoId || isBetter || (!isWorse && distance < least))
+    {
+      nearest = v;
+      least = distance;
+      isFree = !solver.IsFixed(v);
+    }
+  });
+  return nearest;
+}
+
+/// Piecewise linear functions at points.
+std::vector<double> Interpolate(const dgg::SurfaceMesh& mesh,
+  const std::vector<dgg::SurfacePoint>& points, const std::vector<double>& values)
+{
+  std::vector<double> found(points.size(), 0.0);
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    dgg::ForEachCornerAround(
+      mesh, points[k], [&](dgg::Id v, double weight, double) { found[k] += weight * values[v]; });
+  }
+  return found;
+}
+
+/// The numbers of a point array.
+dgg::Status ReadArray(vtkPolyData* surface, const std::string& name, std::vector<double>& values)
+{
+  vtkAbstractArray* found = surface->GetPointData()->GetAbstractArray(name.c_str());
+  vtkDataArray* array = vtkDataArray::SafeDownCast(found);
+  const vtkIdType n = surface->GetNumberOfPoints();
+  std::ostringstream message;
+  if (!found)
+  {
+    message << "the surface has no point array '" << name
+            << "': call SetSourceArrayName() with the name of one";
+  }
+  else if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != n)
+  {
+    message << "the point array '" << name << "' has " << found->GetNumberOfComponents()
+            << " components and " << found->GetNumberOfTuples() << " tuples of type "
+            << found->GetDataTypeAsString() << " for " << n
+            << " points: one number per point is needed";
+  }
+  values.clear();
+  for (vtkIdType i = 0; i < n && message.str().empty(); ++i)
+  {
+    values.push_back(array->GetComponent(i, 0));
+    if (!std::isfinite(values.back()))
+    {
+      message << "the point array '" << name << "' has the value " << values.back() << " at point "
+              << i << ": sources must be finite";
+    }
+  }
+  return message.str().empty() ? dgg::Status::Success() : dgg::Status::Invalid(message.str());
+}
+
+/// Sources per vertex from numbers per point; none where values are given. `imbalance` is the
+/// largest sum that has to be balanced in a component, relative to the sum of sizes.
+std::vector<double> Integrate(const vtkDGGMeshAdapter& adapter, const dgg::PoissonSolver& solver,
+  const std::vector<double>& numbers, bool isDensity, double& imbalance)
+{
+  const std::size_t n = solver.GetAreas().size();
+  std::vector<double> sources(n, 0.0);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    const dgg::Id v = adapter.GetVertex(static_cast<vtkIdType>(i));
+    const bool isFirst = v == static_cast<dgg::Id>(i);
+    if (!solver.IsFixed(v) && (isFirst || !isDensity))
+    {
+      sources[v] += isDensity ? numbers[i] * solver.GetAreas()[v] : numbers[i];
+    }
+  }
+  dgg::Id count = 0;
+  const std::vector<dgg::Id> components = solver.GetMesh().ComputeComponents(count);
+  std::vector<double> sums(count, 0.0);
+  std::vector<double> sizes(count, 0.0);
+  std::vector<char> isGiven(count, 0);
+  for (std::size_t v = 0; v < n; ++v)
+  {
+    const bool hasFace = solver.GetAreas()[v] > 0.0;
+    sums[components[v]] += hasFace ? sources[v] : 0.0;
+    sizes[components[v]] += std::abs(sources[v]);
+    isGiven[components[v]] |= solver.IsFixed(static_cast<dgg::Id>(v)) ? 1 : 0;
+  }
+  imbalance = 0.0;
+  for (dgg::Id c = 0; c < count; ++c)
+  {
+    const bool counts = !isGiven[c] && sizes[c] > 0.0;
+    imbalance = counts ? std::max(imbalance, std::abs(sums[c]) / sizes[c]) : imbalance;
+  }
+  return sources;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkHarmonicBSpline::vtkHarmonicBSpline()
+  : vtkSpectralAlgorithm("HarmonicBSpline")
+  , NumberOfSites(20)
+  , SourceMeaning(Density)
+  , SmoothEvaluation(false)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkHarmonicBSpline::~vtkHarmonicBSpline() = default;
+
+//------------------------------------------------------------------------------
+void vtkHarmonicBSpline::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSites: " << this->NumberOfSites << "\n";
+  os << indent << "SourceArrayName: " << this->SourceArrayName << "\n";
+  os << indent << "SourceMeaning: " << this->GetSourceMeaningAsString() << "\n";
+  os << indent << "SmoothEvaluation: " << (this->SmoothEvaluation ? "On" : "Off") << "\n";
+  os << indent << "NumberOfUsedSites: " << this->GetNumberOfUsedSites() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicBSpline::SetSourceArrayName(const char* name)
+{
+  if (vtkDGGChangeName(this->SourceArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHarmonicBSpline::GetSourceArrayName() const
+{
+  return this->SourceArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHarmonicBSpline::GetSourceMeaningAsString() const
+{
+  return this->SourceMeaning == Integrated ? "Integrated" : "Density";
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHarmonicBSpline::GetNumberOfUsedSites() const
+{
+  return static_cast<vtkIdType>(this->UsedSites.size());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHarmonicBSpline::GetUsedSite(vtkIdType site) const
+{
+  return vtkDGGGetId(this->UsedSites, site);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkHarmonicBSpline::CheckInputs(
+  vtkPolyData* surface, vtkInformationVector** inputVector) const
+{
+  const dgg::Status status = this->Superclass::CheckInputs(surface, inputVector);
+  std::vector<double> values;
+  return status.IsOk() && !this->SourceArrayName.empty()
+    ? ReadArray(surface, this->SourceArrayName, values)
+    : status;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkHarmonicBSpline::CountSources(
+  const dgg::PoissonSolver& solver, std::size_t given) const
+{
+  const auto wanted =
+    std::max<std::size_t>(this->NumberOfSites, dgg::CountSplineComponents(solver));
+  return given > 0 ? given : std::min(wanted, solver.GetAreas().size());
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkHarmonicBSpline::ChooseSources(const dgg::PoissonSolver& solver,
+  const std::function<bool(double)>& progress, std::vector<dgg::SurfacePoint>& sources) const
+{
+  if (!sources.empty())
+  {
+    for (dgg::SurfacePoint& source : sources)
+    {
+      source = dgg::SurfacePoint::AtVertex(FindNearestCorner(solver, source));
+    }
+    return dgg::Status::Success();
+  }
+  std::vector<dgg::Id> sites;
+  const dgg::Status status = dgg::ChooseSplineSites(solver, this->NumberOfSites, progress, sites);
+  for (const dgg::Id site : sites)
+  {
+    sources.push_back(dgg::SurfacePoint::AtVertex(site));
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+double vtkHarmonicBSpline::EstimateWorkingMemory(
+  const dgg::PoissonSolver& solver, std::size_t numberOfSources, std::size_t numberOfTargets) const
+{
+  const dgg::HarmonicSplines splines(solver);
+  const auto threads = static_cast<double>(vtkSMPTools::GetEstimatedNumberOfThreads());
+  const bool isSmooth = this->SmoothEvaluation && numberOfTargets > 0;
+  const double basis = threads * static_cast<double>(splines.GetBasisMemory(numberOfSources));
+  const double evaluation = threads * static_cast<double>(splines.GetEvaluationMemory());
+  const double held = static_cast<double>(numberOfSources) * static_cast<double>(numberOfTargets) *
+    static_cast<double>(sizeof(double));
+  return isSmooth ? std::max(basis, evaluation) + held : basis;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkHarmonicBSpline::ComputeValues(vtkDGGSpectralTask& task)
+{
+  // Observers of the progress may change properties.
+  const std::string sourceName = this->SourceArrayName;
+  const bool isDensity = this->SourceMeaning == Density;
+  const bool isSmooth = this->SmoothEvaluation && !task.Targets.empty();
+  const dgg::ParallelFor parallel = vtkDGGMakeParallelFor();
+  const dgg::SurfaceMesh& mesh = task.Solver.GetMesh();
+  const std::size_t targets = task.Targets.size();
+  const std::size_t count = task.Sources.size();
+  this->UsedSites.clear();
+  if (count == 0)
+  {
+    return dgg::Status::Invalid(
+      "values are given at all points: there is no place for a site, use Neumann conditions");
+  }
+  std::vector<dgg::Id> sites;
+  for (const dgg::SurfacePoint& source : task.Sources)
+  {
+    sites.push_back(source.Vertex);
+  }
+  dgg::HarmonicSplines splines(task.Solver);
+  dgg::Status status =
+    splines.Prepare(sites, parallel, dgg::ProgressPart(task.Progress, 0.0, CellsDone));
+  std::vector<double> evaluated; // per target and site
+  if (status.IsOk() && isSmooth)
+  {
+    status = splines.Evaluate(task.Targets, dgg::GreensMethod::SingularitySubtraction, parallel,
+      dgg::ProgressPart(task.Progress, CellsDone, EvaluationDone), evaluated);
+  }
+  if (status.IsOk())
+  {
+    status = splines.FindBasis(parallel,
+      dgg::ProgressPart(task.Progress, isSmooth ? EvaluationDone : CellsDone, BasisDone),
+      [&](dgg::Id site, const std::vector<double>& values) {
+        std::vector<double> atTargets;
+        for (std::size_t k = 0; k < targets && isSmooth; ++k)
+        {
+          atTargets.push_back(evaluated[k * count + site]);
+        }
+        task.Outputs.Set(static_cast<std::size_t>(site), values,
+          isSmooth ? atTargets : Interpolate(mesh, task.Targets, values));
+      });
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  std::vector<dgg::Id> targetCells;
+  for (const dgg::SurfacePoint& target : task.Targets)
+  {
+    targetCells.push_back(splines.GetCells()[FindNearestCorner(task.Solver, target)]);
+  }
+  task.Outputs.AddNumbers(CellName, splines.GetCells(), targetCells);
+
+  if (!sourceName.empty())
+  {
+    std::vector<double> numbers;
+    std::vector<double> coefficients;
+    std::vector<double> solution;
+    double imbalance = 0.0;
+    status = ReadArray(task.Surface, sourceName, numbers);
+    if (status.IsOk())
+    {
+      status = splines.Solve(
+        Integrate(this->GetMesh(), task.Solver, numbers, isDensity, imbalance), {}, coefficients);
+    }
+    status = status.IsOk() ? splines.Combine(coefficients, {}, solution) : status;
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    std::vector<double> atTargets = Interpolate(mesh, task.Targets, solution);
+    for (std::size_t k = 0; k < targets && isSmooth; ++k)
+    {
+      atTargets[k] = 0.0;
+      for (std::size_t j = 0; j < count; ++j)
+      {
+        atTargets[k] += coefficients[j] * evaluated[k * count + j];
+      }
+    }
+    task.Outputs.Add(SolutionName, solution, atTargets);
+    if (imbalance > BalanceTolerance)
+    {
+      vtkWarningMacro(<< "the sources in a part of the surface sum to a fraction of " << imbalance
+                      << " of their sizes, with nothing given that this could flow to: they were "
+                         "balanced in proportion to area. Make their sum 0.");
+    }
+  }
+  if (!task.Progress(1.0))
+  {
+    return dgg::Status::Abort();
+  }
+  this->UsedSites.assign(sites.begin(), sites.end());
+  return status;
+}

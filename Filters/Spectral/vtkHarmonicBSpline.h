@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHarmonicBSpline
+ * @brief   smooth basis functions of sites on a surface, made of Green's functions, and Poisson
+ *          equations solved with them
+ *
+ * The points of the surface are parted into the geodesic Voronoi cells of some sites. The basis
+ * function of site j is
+ *
+ * psi_j(x) = A_j / A + sum over cells i of c_ij (g_j(x) - g_i(x)),
+ *
+ * with areas A_j of cells and A of the component, g_j the mean of the Green's function (see
+ * vtkDiscreteGreensFunction) over cell j, and c_ij = length of the border between two cells /
+ * distance of their sites. Its Laplacian is constant in each cell. The functions sum to 1 at every
+ * point, each has the mean A_j / A, and dies away within a few cells. When every point is a site,
+ * each is 1 at its site and 0 at other points; with fewer sites it is about 0.6 at its site, and
+ * small but not 0 at others. They have no unit and do not change with the size of the surface.
+ *
+ * <b>Sites.</b> Inputs, outputs, the factorization and errors are those of vtkSpectralAlgorithm,
+ * whose sources are the sites; they must be points of the surface, so those of input port 1 that
+ * lie elsewhere move to the nearest corner of their triangle. Without any, NumberOfSites of them
+ * are chosen, each as far as possible from those before along the edges. Every component needs a
+ * site; chosen ones are one in each at least. Sites may have no cell in common: two at the same
+ * point are an error.
+ *
+ * <b>Outputs</b> besides `HarmonicBSpline`, which has one component per site (8 bytes per point and
+ * site; use few sites, or smaller meshes, for thousands of them):
+ *  - `Cell` (vtkIdType), the site of each point; -1 at points without a polygon, or with a given
+ *    value; of an evaluation point, that of the nearest corner of its triangle;
+ *  - `PoissonSolution`, when SourceArrayName is set: u = sum_j lambda_j psi_j with -Laplace u = f,
+ *    f averaged over cells. lambda solves the equations of the cells (finite volumes). Errors fall
+ *    like the square of the size of cells; when all points are sites, u is the solution of finite
+ *    elements. Mean 0 in each component where nothing is given.
+ *
+ * Output port 1 (GetEvaluation()) has the same arrays, by default linear in triangles, see
+ * SmoothEvaluation.
+ *
+ * <b>Boundaries.</b> With Neumann conditions nothing flows through the boundary, and sources whose
+ * sum in a component is not 0 are balanced in proportion to area, with a warning. With Dirichlet
+ * conditions all functions and solutions are 0 on the boundary, points there are in no cell and are
+ * no sites, the term A_j / A is left out, and the functions sum to about 1 only away from the
+ * boundary. Components without a boundary do not care.
+ *
+ * Edges with more than two triangles conduct between all of them. On meshes with triangles next to
+ * flat, where cotangents are large, sums are off 1 by 1e-10 times the largest coefficient;
+ * IntrinsicDelaunay helps, and makes all c_ij positive.
+ *
+ * <b>Errors</b> besides those of vtkSpectralAlgorithm: two sites at the same point; a component
+ * without a site; Dirichlet conditions and a site on the boundary; a source array that is missing,
+ * has more than one component, or is not finite.
+ *
+ * @code
+ * vtkNew<vtkHarmonicBSpline> spline;
+ * spline->SetInputConnection(reader->GetOutputPort());
+ * spline->SetNumberOfSites(100);
+ * spline->SetSourceArrayName("heating"); // per area
+ * spline->Update();
+ * vtkPointData* data = spline->GetOutput()->GetPointData();
+ * double u = data->GetArray("PoissonSolution")->GetComponent(7, 0);
+ * double psi3 = data->GetArray("HarmonicBSpline")->GetComponent(7, 3);
+ * @endcode
+ *
+ * P. Feng, J. Warren, "Discrete bi-Laplacians and biharmonic b-splines", ACM Trans. Graph. 31(4),
+ * 2012; Z. Fang, "Discrete Geodesic Graphs", PhD thesis, Nanyang Technological University, 2019,
+ * chapter 4. There coefficients have the sign of a Green's function that is negative at its pole.
+ *
+ * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ *
+ * @sa vtkDiscreteGreensFunction vtkGeodesicVoronoi vtkGeodesicSampler
+ */
+
+#ifndef vtkHarmonicBSpline_h
+#define vtkHarmonicBSpline_h
+
+#include "vtkDGGFiltersSpectralModule.h" // For export macro
+#include "vtkSpectralAlgorithm.h"
+
+#include <string> // For array names
+#include <vector> // For sites
+
+class VTKDGGFILTERSSPECTRAL_EXPORT vtkHarmonicBSpline : public vtkSpectralAlgorithm
+{
+public:
+  static vtkHarmonicBSpline* New();
+  vtkTypeMacro(vtkHarmonicBSpline, vtkSpectralAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * How many sites are chosen when none is given. Default 20, at least 1. There are as many as
+   * components at least, and as points with a polygon, and without a given value, at most.
+   */
+  vtkSetClampMacro(NumberOfSites, int, 1, VTK_INT_MAX);
+  vtkGetMacro(NumberOfSites, int);
+  ///@}
+
+  ///@{
+  /**
+   * The point array of the surface with the right-hand side f of -Laplace u = f. Default none; null
+   * and "" stand for none.
+   */
+  void SetSourceArrayName(const char* name);
+  const char* GetSourceArrayName() const;
+  ///@}
+
+  /**
+   * What the numbers in the source array are.
+   */
+  enum SourceMeaningType
+  {
+    Density = 0,   ///< per area
+    Integrated = 1 ///< the integral over the surroundings of each point
+  };
+
+  ///@{
+  /**
+   * What the numbers in the source array are. Default Density. With MergeCoincidentPoints,
+   * integrated sources of coincident points are added up, and the density is that of the first one.
+   */
+  vtkSetClampMacro(SourceMeaning, int, Density, Integrated);
+  vtkGetMacro(SourceMeaning, int);
+  void SetSourceMeaningToDensity() { this->SetSourceMeaning(Density); }
+  void SetSourceMeaningToIntegrated() { this->SetSourceMeaning(Integrated); }
+  const char* GetSourceMeaningAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * Whether values at evaluation points are made of their own Green's functions, with the logarithm
+   * integrated over cells, instead of linear in triangles: without kinks at edges, at the cost of a
+   * Green's function for each point. Errors are of the same size. Where cells are single points it
+   * makes a difference: functions then do not interpolate. Default off.
+   */
+  vtkSetMacro(SmoothEvaluation, bool);
+  vtkGetMacro(SmoothEvaluation, bool);
+  vtkBooleanMacro(SmoothEvaluation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The sites of the last update, as ids of points of the surface; -1 when there is no such site.
+   */
+  vtkIdType GetNumberOfUsedSites() const;
+  vtkIdType GetUsedSite(vtkIdType site) const;
+  ///@}
+
+protected:
+  vtkHarmonicBSpline();
+  ~vtkHarmonicBSpline() override;
+
+  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
+  bool CanChooseSources() const override { return true; }
+  std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const override;
+  dgg::Status ChooseSources(const dgg::PoissonSolver& solver,
+    const std::function<bool(double)>& progress,
+    std::vector<dgg::SurfacePoint>& sources) const override;
+  double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
+    std::size_t numberOfTargets) const override;
+  dgg::Status ComputeValues(vtkDGGSpectralTask& task) override;
+
+private:
+  vtkHarmonicBSpline(const vtkHarmonicBSpline&) = delete;
+  void operator=(const vtkHarmonicBSpline&) = delete;
+
+  int NumberOfSites;
+  std::string SourceArrayName;
+  int SourceMeaning;
+  bool SmoothEvaluation;
+  std::vector<vtkIdType> UsedSites;
+};
+
+#endif
