@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggStrayPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+using dgg::Id;
+using dgg::Point3;
+using dgg::StrayPoints;
+
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+
+/// An 11 x 11 grid over [-1, 1] x [-1, 1]: its middle is the origin, its farthest points are at 1.
+std::vector<double> Grid()
+{
+  std::vector<double> points;
+  for (int i = -5; i <= 5; ++i)
+  {
+    for (int j = -5; j <= 5; ++j)
+    {
+      points.insert(points.end(), { 0.2 * i, 0.2 * j, 0.0 });
+    }
+  }
+  return points;
+}
+
+void Add(std::vector<double>& points, const Point3& p)
+{
+  points.insert(points.end(), { p.X, p.Y, p.Z });
+}
+
+Id CountStray(const std::vector<double>& points)
+{
+  return StrayPoints(points.data(), static_cast<Id>(points.size() / 3)).GetNumberOfPoints();
+}
+}
+
+TEST(StrayPoints, AreFourTimesAsFarAsAllOthers)
+{
+  std::vector<double> points = Grid();
+  EXPECT_EQ(CountStray(points), 0);
+  Add(points, { 0.0, 0.0, 3.9 });
+  EXPECT_EQ(CountStray(points), 0);
+  points.back() = 4.1;
+  const StrayPoints stray(points.data(), static_cast<Id>(points.size() / 3));
+  EXPECT_EQ(stray.GetNumberOfPoints(), 1);
+  EXPECT_TRUE(stray.IsStray({ 0.0, 0.0, 4.1 }));
+  EXPECT_TRUE(stray.IsStray({ -4.1, 0.0, 0.0 }));
+  EXPECT_FALSE(stray.IsStray({ 1.0, -1.0, 0.0 }));
+  // From the gap on all are stray, however close to each other.
+  Add(points, { 0.0, 0.0, 5.0 });
+  Add(points, { 0.0, -1e300, 5.0 });
+  EXPECT_EQ(CountStray(points), 3);
+  // One between them and the others closes the gap.
+  Add(points, { 2.0, 0.0, 0.0 });
+  EXPECT_EQ(CountStray(points), 1);
+}
+
+TEST(StrayPoints, AreInFewPlaces)
+{
+  std::vector<double> points = Grid();
+  for (int i = 0; i < 16; ++i)
+  {
+    Add(points, { 1e6, 1.0 * i, 0.0 });
+  }
+  EXPECT_EQ(CountStray(points), 16);
+  for (int i = 0; i < 40; ++i)
+  {
+    Add(points, { 1e6, 3.0, 0.0 });
+  }
+  EXPECT_EQ(CountStray(points), 56);
+  Add(points, { 1e6, -1.0, 0.0 });
+  EXPECT_EQ(CountStray(points), 0);
+}
+
+TEST(StrayPoints, NeedACloudToBeFarFrom)
+{
+  std::vector<double> points;
+  EXPECT_EQ(CountStray(points), 0);
+  for (int i = 0; i < 16; ++i)
+  {
+    Add(points, { 0.1 * i, 0.0, 0.0 });
+  }
+  Add(points, { 1e6, 0.0, 0.0 });
+  Add(points, { 2e6, 0.0, 0.0 });
+  EXPECT_EQ(CountStray(points), 0); // 16 places
+  for (int i = 0; i < 30; ++i)
+  {
+    Add(points, { 0.5, 0.0, 0.0 });
+  }
+  EXPECT_EQ(CountStray(points), 0); // they still are
+  Add(points, { 0.55, 0.0, 0.0 });
+  EXPECT_EQ(CountStray(points), 2);
+}
+
+TEST(StrayPoints, PointsThatAreNotFiniteDoNotCount)
+{
+  std::vector<double> points = Grid();
+  for (int i = 0; i < 200; ++i)
+  {
+    Add(points, { std::nan(""), 0.0, 0.0 });
+    Add(points, { 0.0, i % 2 == 0 ? Infinite : -Infinite, 0.0 });
+  }
+  EXPECT_EQ(CountStray(points), 0);
+  Add(points, { 0.0, 1e308, -1e308 });
+  EXPECT_EQ(CountStray(points), 1);
+}
