@@ -3,12 +3,12 @@
 #include "MemoryProbe.h"
 
 #include <atomic>
+#include <cerrno>
 #include <cstdlib>
 #include <fstream>
-#include <new>
 #include <string>
 
-#ifdef __linux__
+#ifdef __GLIBC__ // as <cstdlib> says
 #include <malloc.h>
 #endif
 
@@ -16,16 +16,6 @@ namespace
 {
 std::atomic<std::size_t> Held{ 0 };
 std::atomic<std::size_t> Peak{ 0 };
-
-std::size_t SizeOf(void* block)
-{
-#ifdef __linux__
-  return malloc_usable_size(block);
-#else
-  (void)block;
-  return 0;
-#endif
-}
 
 /// An entry of /proc/self/status in bytes; 0 when there is none.
 std::size_t ReadStatus(const std::string& key)
@@ -50,15 +40,23 @@ void ResetResidentPeak()
 }
 }
 
-void* operator new(std::size_t size)
+#ifdef __GLIBC__
+// glibc lets programs put their own functions in the place of these, and keeps its own ones under
+// other names. Whatever asks for memory then comes here: operator new, Eigen, VTK's arrays.
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* block, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+void __libc_free(void* block);
+}
+
+namespace
 {
-  void* block = std::malloc(size > 0 ? size : 1);
-  if (!block)
-  {
-    throw std::bad_alloc();
-  }
-  // Not exact when threads race for the peak; the benchmarks run on one.
-  const std::size_t held = Held += SizeOf(block);
+/// Not exact when threads race for the peak; the benchmarks run on one.
+void* Took(void* block)
+{
+  const std::size_t held = Held += block ? malloc_usable_size(block) : 0;
   if (held > Peak)
   {
     Peak = held;
@@ -66,38 +64,59 @@ void* operator new(std::size_t size)
   return block;
 }
 
-void operator delete(void* block) noexcept
+void Gives(void* block)
 {
-  if (block)
-  {
-    Held -= SizeOf(block);
-    std::free(block);
-  }
+  Held -= block ? malloc_usable_size(block) : 0;
+}
 }
 
-void* operator new[](std::size_t size)
+extern "C" {
+void* malloc(std::size_t size) noexcept
 {
-  return operator new(size);
+  return Took(__libc_malloc(size));
 }
 
-void operator delete[](void* block) noexcept
+void* calloc(std::size_t count, std::size_t size) noexcept
 {
-  operator delete(block);
+  return Took(__libc_calloc(count, size));
 }
 
-void operator delete(void* block, std::size_t) noexcept
+void* realloc(void* block, std::size_t size) noexcept
 {
-  operator delete(block);
+  const std::size_t before = block ? malloc_usable_size(block) : 0;
+  void* moved = __libc_realloc(block, size);
+  // On failure the block stays; with size 0 it is gone.
+  Held -= moved || size == 0 ? before : 0;
+  return Took(moved);
 }
 
-void operator delete[](void* block, std::size_t) noexcept
+void free(void* block) noexcept
 {
-  operator delete(block);
+  Gives(block);
+  __libc_free(block);
 }
+
+void* memalign(std::size_t alignment, std::size_t size) noexcept
+{
+  return Took(__libc_memalign(alignment, size));
+}
+
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept
+{
+  return Took(__libc_memalign(alignment, size));
+}
+
+int posix_memalign(void** block, std::size_t alignment, std::size_t size) noexcept
+{
+  *block = Took(__libc_memalign(alignment, size));
+  return *block ? 0 : ENOMEM;
+}
+}
+#endif
 
 MemoryProbe::MemoryProbe()
 {
-#ifdef __linux__
+#ifdef __GLIBC__
   // Free blocks kept by the allocator would hide growth of the resident set.
   malloc_trim(0);
 #endif
@@ -110,6 +129,12 @@ MemoryProbe::MemoryProbe()
 std::size_t MemoryProbe::GetHeapPeak() const
 {
   return Peak - this->HeapBefore;
+}
+
+std::size_t MemoryProbe::GetHeapGrowth() const
+{
+  const std::size_t held = Held;
+  return held > this->HeapBefore ? held - this->HeapBefore : 0;
 }
 
 std::size_t MemoryProbe::GetResidentPeak() const

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Peak memory of a piece of code. Linking this file replaces the global operator new, so that
-/// every peer is measured alike.
+/// Peak memory of a piece of code. Linking this file replaces malloc() and its kin, so that every
+/// peer is measured alike.
 #ifndef MemoryProbe_h
 #define MemoryProbe_h
 
@@ -13,11 +13,13 @@ class MemoryProbe
 {
 public:
   MemoryProbe();
-  /// Most bytes held through operator new since construction, above those held then. 0 where the
-  /// size of an allocation is not known (outside Linux).
+  /// Most bytes held in blocks of the allocator since construction, above those held then. 0 where
+  /// its functions cannot be replaced (without glibc).
   std::size_t GetHeapPeak() const;
-  /// Growth of the resident set to its peak since construction, bytes: also counts what is taken
-  /// through malloc, as VTK's arrays do. 0 where the system does not tell.
+  /// Those held now, above those held then.
+  std::size_t GetHeapGrowth() const;
+  /// Growth of the resident set to its peak since construction, bytes: also counts what the
+  /// allocator keeps, or takes in between blocks. 0 where the system does not tell.
   std::size_t GetResidentPeak() const;
 
 private:

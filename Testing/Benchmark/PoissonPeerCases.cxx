@@ -108,7 +108,7 @@ void MeasurePeerFactor(benchmark::State& state, const MeshRecipe& recipe, const 
   solver = peer.Make(mesh->GetArrays());
   const MemoryProbe probe;
   solver->Prepare();
-  state.counters["resident_bytes"] = static_cast<double>(probe.GetResidentPeak());
+  state.counters["peak_bytes"] = static_cast<double>(probe.GetHeapPeak());
 }
 
 void MeasurePeerColumn(benchmark::State& state, const MeshRecipe& recipe, const PoissonPeer& peer,

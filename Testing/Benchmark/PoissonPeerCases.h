@@ -24,9 +24,8 @@ struct PoissonPeer
 /// Those that there are.
 std::vector<PoissonPeer> ListPoissonPeers();
 
-/// Matrix and factorization, and how much the resident set grows for them.
-void MeasurePeerFactor(
-  benchmark::State& state, const MeshRecipe& recipe, const PoissonPeer& peer);
+/// Matrix and factorization, and the memory that they take at most.
+void MeasurePeerFactor(benchmark::State& state, const MeshRecipe& recipe, const PoissonPeer& peer);
 
 /// One solve for the k-th of so many vertices, and how far the solution is from ours.
 void MeasurePeerColumn(benchmark::State& state, const MeshRecipe& recipe, const PoissonPeer& peer,

@@ -11,7 +11,7 @@
 #include <benchmark/benchmark.h> // for State
 
 /// Matrix, order of elimination and factorization; the memory that was predicted after the order
-/// was known, and what was taken, as growth of the resident set.
+/// was known, and what was taken.
 void MeasureFactor(benchmark::State& state, const MeshRecipe& recipe);
 
 /// The Green's function of the k-th of so many vertices: one solve.

@@ -122,7 +122,7 @@ def factor_table(run):
         entries, vertices = median(factor, "factor_entries"), median(factor, "vertices")
         together, columns = seconds(cases, "Block"), median(block, "columns")
         predicted, measured = (
-            bytes_text(median(factor, key)) for key in ("predicted_bytes", "resident_bytes")
+            bytes_text(median(factor, key)) for key in ("predicted_bytes", "peak_bytes")
         )
         rows.append(
             [
@@ -214,7 +214,7 @@ def peer_table(run):
     rows = []
     for mesh, peers in run.peers.items():
         ours = run.meshes.get(mesh, {})
-        memory = median(ours.get("Factor"), "resident_bytes")
+        memory = median(ours.get("Factor"), "peak_bytes")
         for peer, title in PEERS.items():
             cases = peers.get(peer, {})
             factor, column = cases.get("Factor"), cases.get("Column")
@@ -222,7 +222,7 @@ def peer_table(run):
                 continue
             is_biharmonic = peer == "LibiglBiharmonic"
             mine = seconds(ours, "Biharmonic" if is_biharmonic else "Column")
-            taken = median(factor, "resident_bytes")
+            taken = median(factor, "peak_bytes")
             difference = largest(column, "difference")
             rows.append(
                 [

@@ -34,7 +34,7 @@ class SpectralTables(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         results = [
-            mesh("Factor", 1000.0, resident_bytes=2.5e7, **FACTOR),
+            mesh("Factor", 1000.0, peak_bytes=2.5e7, **FACTOR),
             mesh("Column/0", 4.0),
             mesh("Column/1", 5.0),
             mesh("Column/2", 9.0),
@@ -46,10 +46,10 @@ class SpectralTables(unittest.TestCase):
             mesh("Eigenpairs", 2000.0, **PAIRS),
             mesh("EarthMovers", 3000.0, **MOVERS),
             entry("Spectral/failed/Factor/min_time:0.1", 1.0, error_occurred=True),
-            peer("Cholmod/Factor", 500.0, resident_bytes=5e7),
+            peer("Cholmod/Factor", 500.0, peak_bytes=5e7),
             peer("Cholmod/Column/0", 10.0, difference=1e-13),
             peer("Cholmod/Column/1", 10.0, difference=4e-13),
-            peer("LibiglBiharmonic/Factor", 6000.0, resident_bytes=1e8),
+            peer("LibiglBiharmonic/Factor", 6000.0, peak_bytes=1e8),
             peer("LibiglBiharmonic/Column/0", 20.0, difference=2e-7),
         ]
         for level in (3, 4, 5):

@@ -6,9 +6,11 @@
 #include "FlatMeshes.h"
 
 #include "dggPoissonSolver.h"
+#include "dggPoissonSystem.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -138,6 +140,53 @@ TEST(PoissonSolver, InvertsTheLaplacian)
       }
     }
   }
+}
+
+/// The largest source that a solution leaves over, for a unit source at a vertex of a connected
+/// mesh without given values.
+double ResidualOf(const Poisson& poisson, Id vertex, const std::vector<double>& solution)
+{
+  const std::vector<double> product = poisson.Multiply(solution);
+  double largest = 0.0;
+  for (std::size_t v = 0; v < product.size(); ++v)
+  {
+    const Id id = static_cast<Id>(v);
+    const double source = (id == vertex ? 1.0 : 0.0) - poisson.Solver.GetWeight(id);
+    largest = std::max(largest, std::abs(product[v] - source));
+  }
+  return largest;
+}
+
+TEST(PoissonSolver, SolutionsAmongNeedlesAreRefined)
+{
+  // One substitution leaves up to 5e-9; so do those of several systems at once.
+  const dgg::SurfaceMesh mesh = Build(NeedlePlane(12, 1e-6));
+  const Poisson poisson(mesh);
+  const Id n = mesh.GetNumberOfVertices();
+  constexpr Id Lanes = dgg::SparseLanes::SizeAtCompileTime;
+  double single = 0.0;
+  double together = 0.0;
+  for (Id first = 0; first + Lanes <= n; first += Lanes)
+  {
+    std::vector<dgg::SparseLanes> values(n, dgg::SparseLanes(dgg::SparseLanes::Zero()));
+    for (Id k = 0; k < Lanes; ++k)
+    {
+      std::vector<double> load(n, 0.0);
+      load[first + k] = 1.0;
+      values[first + k][k] = 1.0;
+      single = std::max(single, ResidualOf(poisson, first + k, poisson.Solve(load)));
+    }
+    poisson.Solver.GetSystem().Solve(values);
+    for (Id k = 0; k < Lanes; ++k)
+    {
+      std::vector<double> solution(n);
+      std::transform(values.begin(), values.end(), solution.begin(),
+        [k](const dgg::SparseLanes& lanes) { return lanes[k]; });
+      together = std::max(together, ResidualOf(poisson, first + k, solution));
+    }
+  }
+  EXPECT_LT(single, 2e-9);
+  EXPECT_LT(together, 2e-9);
 }
 
 TEST(PoissonSolver, NeumannSquareConverges)

@@ -17,6 +17,11 @@ namespace
 /// Beyond this, entries are so different that substitutions have to be repeated.
 constexpr double LargestHarmlessEntry = 1e3;
 constexpr int MostRefinements = 20;
+/// What may be left of the sources, relative to the largest of them and of the solution: both have
+/// the same unit, and sources of 1 make values of about 1.
+constexpr double GoodResidual = 1e-12;
+/// What rounding may do to a solution besides, relative to its largest value: its last four bits.
+constexpr double LastBits = 16.0 * std::numeric_limits<double>::epsilon();
 
 bool Goes(const ProgressCallback& progress, double fraction)
 {
@@ -103,8 +108,9 @@ Status PoissonSystem::Analyze(const PoissonOptions& options, const ProgressCallb
   CotanLaplacian laplacian = MakeCotanLaplacian(this->Triangulation, LargestCotangent);
   this->Stiffness = std::move(laplacian.Stiffness);
   this->Areas.assign(laplacian.Mass.data(), laplacian.Mass.data() + laplacian.Mass.size());
-  this->LargestEntry =
-    this->Stiffness.cols() > 0 ? this->Stiffness.diagonal().cwiseAbs().maxCoeff() : 0.0;
+  const Eigen::VectorXd diagonal = this->Stiffness.diagonal().cwiseAbs();
+  this->Diagonal.assign(diagonal.data(), diagonal.data() + diagonal.size());
+  this->LargestEntry = Largest(this->Diagonal);
   this->MeasureComponents();
   this->MarkGivenVertices();
   this->SetWeights();
@@ -382,7 +388,8 @@ void PoissonSystem::SolveOnce(std::vector<Number>& values) const
 }
 
 /// Conjugate gradients with the factor as preconditioner: where the factor is good one step is
-/// enough, where it had to be raised a few are.
+/// enough, where it had to be raised a few are. Residuals that the last bits of the solution make
+/// are no reason for a step.
 void PoissonSystem::Refine(const std::vector<double>& sources, std::vector<double>& solution) const
 {
   const std::size_t n = sources.size();
@@ -395,11 +402,22 @@ void PoissonSystem::Refine(const std::vector<double>& sources, std::vector<doubl
   };
   std::vector<double> residual;
   findResidual(residual);
-  const double goal = 1e-13 * Largest(sources);
-  double best = Largest(residual);
+  const double largest = Largest(solution);
+  const double negligible = GoodResidual * std::max(Largest(sources), largest);
+  const double rounding = LastBits * largest;
+  const auto sizeOf = [&](const std::vector<double>& values) {
+    double size = 0.0;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      const double allowed = negligible + rounding * this->Diagonal[v];
+      size = std::max(size, allowed > 0.0 ? std::abs(values[v]) / allowed : 0.0);
+    }
+    return size;
+  };
+  double best = sizeOf(residual);
   std::vector<double> direction;
   double previous = 0.0;
-  for (int step = 0; step < MostRefinements && best > goal; ++step)
+  for (int step = 0; step < MostRefinements && best > 1.0; ++step)
   {
     std::vector<double> steepest = residual;
     this->SolveOnce(steepest);
@@ -435,7 +453,7 @@ void PoissonSystem::Refine(const std::vector<double>& sources, std::vector<doubl
       solution[v] += product / curvature * direction[v];
     }
     findResidual(residual);
-    const double size = Largest(residual);
+    const double size = sizeOf(residual);
     if (!(size < best))
     {
       solution.swap(before);
@@ -467,17 +485,22 @@ void PoissonSystem::Solve(std::vector<SparseLanes>& values) const
     this->SolveOnce(values);
     return;
   }
-  std::vector<double> single(values.size());
+  std::vector<SparseLanes> sources = values;
+  this->Balance(sources);
+  this->SolveOnce(values);
+  std::vector<double> source(values.size());
+  std::vector<double> solution(values.size());
   for (int lane = 0; lane < SparseLanes::SizeAtCompileTime; ++lane)
   {
     for (std::size_t v = 0; v < values.size(); ++v)
     {
-      single[v] = values[v][lane];
+      source[v] = sources[v][lane];
+      solution[v] = values[v][lane];
     }
-    this->Solve(single);
+    this->Refine(source, solution);
     for (std::size_t v = 0; v < values.size(); ++v)
     {
-      values[v][lane] = single[v];
+      values[v][lane] = solution[v];
     }
   }
 }
@@ -487,11 +510,12 @@ std::size_t PoissonSystem::GetBaseMemory() const
   const std::size_t n = this->Components.size();
   const auto entries = static_cast<std::size_t>(this->Stiffness.nonZeros());
   return entries * (sizeof(double) + sizeof(int)) + this->Triangulation.GetMemorySize() +
-    this->TriangleOfFace.size() * sizeof(Id) + n * (2 * sizeof(Id) + 2 * sizeof(double) + 2) +
+    this->TriangleOfFace.size() * sizeof(Id) + n * (2 * sizeof(Id) + 3 * sizeof(double) + 2) +
     n * sizeof(int);
 }
 
-/// The factor, and the matrix that it is made of, of which it makes a copy.
+/// The factor, and the matrix that it is made of, of which it makes a copy; which values are known,
+/// and three arrays that Eigen works with.
 std::size_t PoissonSystem::GetMissingMemory() const
 {
   if (this->Factor.IsComputed())
@@ -501,8 +525,9 @@ std::size_t PoissonSystem::GetMissingMemory() const
   const std::size_t n = this->Components.size();
   const std::size_t upper = (static_cast<std::size_t>(this->Stiffness.nonZeros()) + n) / 2;
   const std::size_t entry = sizeof(double) + sizeof(int);
+  const std::size_t working = n * (sizeof(std::uint8_t) + sizeof(double) + 2 * sizeof(int));
   return static_cast<std::size_t>(this->FactorEntries) * entry +
-    n * (sizeof(double) + 3 * sizeof(int)) + 2 * upper * entry + n * entry;
+    n * (sizeof(double) + 3 * sizeof(int)) + 2 * upper * entry + n * entry + working;
 }
 
 std::size_t PoissonSystem::GetEstimatedMemory() const

@@ -127,6 +127,7 @@ private:
   std::vector<Id> Components;                     // per vertex
   std::vector<double> Areas;                      // per vertex
   std::vector<double> Weights;                    // per vertex
+  std::vector<double> Diagonal;                   // per vertex, of the stiffness
   std::vector<std::uint8_t> OnBoundary;           // per vertex
   std::vector<std::uint8_t> Fixed;                // per vertex
   std::vector<Id> Places;                         // per vertex, in the order of elimination
