@@ -276,7 +276,7 @@ Status Subdivider::Run(
   if (faces > mostFaces)
   {
     return Status::Invalid("there would be " + std::to_string(faces) + " faces, and at most " +
-      std::to_string(mostFaces) + " are wanted: refine less, or fewer faces");
+      std::to_string(mostFaces) + " are wanted");
   }
   for (Id f = 0; f < this->Old.GetNumberOfFaces(); ++f)
   {

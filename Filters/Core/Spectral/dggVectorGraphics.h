@@ -75,10 +75,10 @@ struct GraphicsResult
   std::vector<double> NetSources;
 };
 
-/// Poisson vector graphics on a surface (Hou, Sun, Fu, Yang, He, "Poisson vector graphics", IEEE
-/// TVCG 26(2), 2020; diffusion curves: Orzan et al. 2008): -Laplace u = f, one equation for each
-/// channel of colour, with natural conditions on the boundary of the surface, by linear finite
-/// elements on a mesh in which the curves are chains of edges.
+/// Poisson vector graphics on a surface (Hou, Sun, Fang, Liu, Hu, Qin, Hao, He, "Poisson vector
+/// graphics", IEEE TVCG 26(2), 2020; diffusion curves: Orzan et al. 2008): -Laplace u = f, one
+/// equation for each channel of colour, with natural conditions on the boundary of the surface, by
+/// linear finite elements on a mesh in which the curves are chains of edges.
 ///
 /// Diffusion curves cut the surface open; the colours on both sides are given there. At the ends
 /// of open ones, where there are no sides, and where curves meet, a vertex gets the mean of the

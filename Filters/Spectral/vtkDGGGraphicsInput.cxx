@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDGGGraphicsInput.h"
+
+#include "vtkDGGMeshAdapter.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+
+namespace
+{
+constexpr std::size_t NoRegion = std::numeric_limits<std::size_t>::max();
+/// Values of CurveType.
+constexpr dgg::GraphicsCurveType Types[] = { dgg::GraphicsCurveType::Diffusion,
+  dgg::GraphicsCurveType::Poisson, dgg::GraphicsCurveType::Region, dgg::GraphicsCurveType::Source };
+constexpr int NumberOfTypes = 4;
+
+/// An array of points, or else one of cells.
+vtkDataArray* FindArray(vtkPolyData* data, const std::string& name, bool& isOfPoints)
+{
+  vtkDataArray* array = data->GetPointData()->GetArray(name.c_str());
+  isOfPoints = array != nullptr;
+  return isOfPoints ? array : data->GetCellData()->GetArray(name.c_str());
+}
+
+/// Colours in bytes are from 0 to 1.
+double ScaleOf(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
+}
+
+std::string Name(vtkIdType cell)
+{
+  return "line " + std::to_string(cell) + " of input port 1";
+}
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphicsInput::Read(
+  vtkPolyData* curves, vtkPolyData* surface, const vtkDGGGraphicsNames& names)
+{
+  *this = vtkDGGGraphicsInput();
+  dgg::Status status;
+  if (curves)
+  {
+    status = this->CollectLines(curves);
+  }
+  status = status.IsOk() ? this->ChooseChannels(curves, surface, names) : status;
+  for (std::size_t k = 0; k < this->Curves.size() && status.IsOk(); ++k)
+  {
+    status = this->ReadType(curves, names, k);
+    status = status.IsOk() ? this->ReadCurve(curves, names, k) : status;
+  }
+  return status.IsOk() ? this->ReadRegions(surface, names) : status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphicsInput::CollectLines(vtkPolyData* curves)
+{
+  vtkIdType cell = curves->GetNumberOfVerts(); // cells are numbered from verts on
+  const auto lines = vtk::TakeSmartPointer(curves->GetLines()->NewIterator());
+  for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    lines->GetCurrentCell(size, ids);
+    dgg::GraphicsCurve curve;
+    curve.IsClosed = size > 2 && ids[0] == ids[size - 1];
+    std::vector<vtkIdType> points(ids, ids + (curve.IsClosed ? size - 1 : size));
+    for (const vtkIdType id : points)
+    {
+      if (id < 0 || id >= curves->GetNumberOfPoints())
+      {
+        return dgg::Status::Invalid(
+          Name(cell) + " has the point " + std::to_string(id) + ", which does not exist");
+      }
+    }
+    if (points.size() < 2)
+    {
+      return dgg::Status::Invalid(
+        Name(cell) + " has no length: give it two points in different places");
+    }
+    this->Curves.push_back(curve);
+    this->PointIds.push_back(points);
+    this->Cells.push_back(cell++);
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+/// As many as the arrays have components, those with a single strength for all channels apart.
+dgg::Status vtkDGGGraphicsInput::ChooseChannels(
+  vtkPolyData* curves, vtkPolyData* surface, const vtkDGGGraphicsNames& names)
+{
+  int channels = 0;
+  std::string first;
+  for (const std::string& name :
+    { names.LeftColor, names.RightColor, names.Strength, names.RightStrength })
+  {
+    bool isOfPoints = false;
+    vtkDataArray* array = curves ? FindArray(curves, name, isOfPoints) : nullptr;
+    const bool isColor = name == names.LeftColor || name == names.RightColor;
+    const int count = array ? array->GetNumberOfComponents() : 0;
+    if (count == 0 || (count == 1 && !isColor))
+    {
+      continue;
+    }
+    if (channels > 0 && count != channels)
+    {
+      std::ostringstream message;
+      message << "the array '" << first << "' of input port 1 has " << channels
+              << " components and '" << name << "' has " << count
+              << ": give both as many as there are channels";
+      return dgg::Status::Invalid(message.str());
+    }
+    channels = count;
+    first = name;
+  }
+  vtkDataArray* strength = surface->GetCellData()->GetArray(names.RegionStrength.c_str());
+  if (channels == 0 && !names.Region.empty() && strength)
+  {
+    channels = strength->GetNumberOfComponents();
+  }
+  bool isOfPoints = false;
+  if (channels == 0 && curves && FindArray(curves, names.Strength, isOfPoints))
+  {
+    channels = 1;
+  }
+  this->NumberOfChannels = channels == 0 ? 3 : channels;
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphicsInput::ReadType(
+  vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k)
+{
+  vtkDataArray* array = curves->GetCellData()->GetArray(names.CurveType.c_str());
+  if (!array)
+  {
+    return dgg::Status::Success(); // diffusion
+  }
+  const double value = this->Cells[k] < array->GetNumberOfTuples()
+    ? array->GetComponent(this->Cells[k], 0)
+    : std::numeric_limits<double>::quiet_NaN();
+  for (int type = 0; type < NumberOfTypes; ++type)
+  {
+    if (value == type)
+    {
+      this->Curves[k].Type = Types[type];
+      return dgg::Status::Success();
+    }
+  }
+  std::ostringstream message;
+  message << Name(this->Cells[k]) << " has the type " << value << " in the cell array '"
+          << names.CurveType << "': use 0 (Diffusion), 1 (Poisson), 2 (Region) or 3 (Source)";
+  return dgg::Status::Invalid(message.str());
+}
+
+//------------------------------------------------------------------------------
+/// The numbers of all points of a curve; those of its cell for each where the array is of cells.
+dgg::Status vtkDGGGraphicsInput::ReadTuples(vtkPolyData* curves, const std::string& name,
+  std::size_t k, bool mayBeSingle, std::vector<double>& values) const
+{
+  bool isOfPoints = false;
+  vtkDataArray* array = FindArray(curves, name, isOfPoints);
+  std::ostringstream message;
+  const int channels = this->NumberOfChannels;
+  const int components = array ? array->GetNumberOfComponents() : 0;
+  const vtkIdType tuples = isOfPoints ? curves->GetNumberOfPoints() : curves->GetNumberOfCells();
+  if (!array)
+  {
+    message << Name(this->Cells[k]) << " needs a point or cell array '" << name
+            << "': add it, or set the name of another one";
+  }
+  else if (array->GetNumberOfTuples() != tuples)
+  {
+    message << "the array '" << name << "' of input port 1 has " << array->GetNumberOfTuples()
+            << " tuples where " << tuples << " are needed";
+  }
+  else if (components != channels && !(mayBeSingle && components == 1))
+  {
+    message << "the array '" << name << "' of input port 1 has " << components
+            << " components where there are " << channels << " channels";
+  }
+  if (!message.str().empty())
+  {
+    return dgg::Status::Invalid(message.str());
+  }
+  const double scale = ScaleOf(array);
+  values.clear();
+  for (const vtkIdType id : this->PointIds[k])
+  {
+    for (int c = 0; c < channels; ++c)
+    {
+      const vtkIdType tuple = isOfPoints ? id : this->Cells[k];
+      const double value = array->GetComponent(tuple, components == 1 ? 0 : c);
+      if (!std::isfinite(value))
+      {
+        message << "the array '" << name << "' of input port 1 has the value " << value << " at "
+                << (isOfPoints ? "point " : "cell ") << tuple << ": numbers must be finite";
+        return dgg::Status::Invalid(message.str());
+      }
+      values.push_back(scale * value);
+    }
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphicsInput::ReadCurve(
+  vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k)
+{
+  dgg::GraphicsCurve& curve = this->Curves[k];
+  if (curve.Type == dgg::GraphicsCurveType::Diffusion)
+  {
+    const dgg::Status status = this->ReadTuples(curves, names.LeftColor, k, false, curve.Left);
+    return status.IsOk() ? this->ReadTuples(curves, names.RightColor, k, false, curve.Right)
+                         : status;
+  }
+  dgg::Status status = this->ReadTuples(curves, names.Strength, k, true, curve.Left);
+  if (!status.IsOk() || curve.Type != dgg::GraphicsCurveType::Poisson)
+  {
+    return status;
+  }
+  bool isOfPoints = false;
+  if (FindArray(curves, names.RightStrength, isOfPoints))
+  {
+    status = this->ReadTuples(curves, names.RightStrength, k, true, curve.Right);
+  }
+  else
+  {
+    curve.Right = curve.Left;
+    for (double& value : curve.Right)
+    {
+      value = -value;
+    }
+  }
+  vtkDataArray* width = FindArray(curves, names.Width, isOfPoints);
+  const vtkIdType tuple = isOfPoints ? this->PointIds[k].front() : this->Cells[k];
+  curve.Width = width && tuple < width->GetNumberOfTuples() ? width->GetComponent(tuple, 0)
+                                                            : names.DefaultWidth;
+  if (status.IsOk() && !(curve.Width > 0.0 && std::isfinite(curve.Width)))
+  {
+    std::ostringstream message;
+    message << Name(this->Cells[k]) << " has the width " << curve.Width
+            << ": a Poisson curve needs a positive one";
+    status = dgg::Status::Invalid(message.str());
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphicsInput::ReadRegions(vtkPolyData* surface, const vtkDGGGraphicsNames& names)
+{
+  if (names.Region.empty())
+  {
+    return dgg::Status::Success();
+  }
+  vtkDataArray* regions = surface->GetCellData()->GetArray(names.Region.c_str());
+  vtkDataArray* strength = surface->GetCellData()->GetArray(names.RegionStrength.c_str());
+  const vtkIdType cells = surface->GetNumberOfCells();
+  const int components = strength ? strength->GetNumberOfComponents() : 0;
+  std::ostringstream message;
+  if (!regions || regions->GetNumberOfComponents() != 1 || regions->GetNumberOfTuples() != cells)
+  {
+    message << "the surface has no cell array '" << names.Region
+            << "' with one number per cell: call SetRegionArrayName() with the name of one";
+  }
+  else if (!strength || strength->GetNumberOfTuples() != cells ||
+    (components != 1 && components != this->NumberOfChannels))
+  {
+    message << "the surface has no cell array '" << names.RegionStrength << "' with 1 or "
+            << this->NumberOfChannels
+            << " components: call SetRegionStrengthArrayName() with the name of one";
+  }
+  if (!message.str().empty())
+  {
+    return dgg::Status::Invalid(message.str());
+  }
+  std::map<double, std::size_t> found;
+  this->RegionOfCell.assign(static_cast<std::size_t>(cells), NoRegion);
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    const double id = regions->GetComponent(cell, 0);
+    if (id == 0.0 || std::isnan(id))
+    {
+      continue;
+    }
+    const auto [region, isNew] = found.emplace(id, found.size());
+    this->RegionOfCell[static_cast<std::size_t>(cell)] = region->second;
+    if (isNew)
+    {
+      std::vector<double> values;
+      for (int c = 0; c < this->NumberOfChannels; ++c)
+      {
+        values.push_back(ScaleOf(strength) * strength->GetComponent(cell, components == 1 ? 0 : c));
+      }
+      if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); }))
+      {
+        message << "the cell array '" << names.RegionStrength << "' is not finite at cell " << cell;
+        return dgg::Status::Invalid(message.str());
+      }
+      this->RegionStrengths.push_back(values);
+    }
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+std::vector<dgg::GraphicsRegion> vtkDGGGraphicsInput::MakeRegions(
+  const vtkDGGMeshAdapter& mesh) const
+{
+  std::vector<dgg::GraphicsRegion> regions;
+  for (const std::vector<double>& strength : this->RegionStrengths)
+  {
+    regions.push_back({ {}, strength });
+  }
+  for (dgg::Id f = 0; f < mesh.GetMesh().GetNumberOfFaces() && !regions.empty(); ++f)
+  {
+    const std::size_t region = this->RegionOfCell[static_cast<std::size_t>(mesh.GetCell(f))];
+    if (region != NoRegion)
+    {
+      regions[region].Faces.push_back(f);
+    }
+  }
+  regions.erase(std::remove_if(regions.begin(), regions.end(),
+                  [](const dgg::GraphicsRegion& region) { return region.Faces.empty(); }),
+    regions.end()); // of lines or verts
+  return regions;
+}

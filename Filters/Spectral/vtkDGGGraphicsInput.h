@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The curves and regions of a drawing as a user gives them. Internal.
+#ifndef vtkDGGGraphicsInput_h
+#define vtkDGGGraphicsInput_h
+
+#include "dggVectorGraphics.h" // for curves and regions
+
+#include "vtkType.h" // for vtkIdType
+
+#include <string> // for names
+#include <vector> // for curves
+
+class vtkDGGMeshAdapter;
+class vtkPolyData;
+
+/// Names of arrays, and what counts where there is none.
+struct vtkDGGGraphicsNames
+{
+  std::string CurveType;
+  std::string LeftColor;
+  std::string RightColor;
+  std::string Strength;
+  std::string RightStrength;
+  std::string Width;
+  std::string Region;         ///< of the surface
+  std::string RegionStrength; ///< of the surface
+  double DefaultWidth = 0.0;
+};
+
+/// Lines with their numbers, and sets of cells with theirs.
+class vtkDGGGraphicsInput
+{
+public:
+  /// Copy what is given; `curves` may be null. Fails, with a message that names what is wrong, when
+  /// an array is missing or has the wrong number of components, or a number is not finite.
+  dgg::Status Read(vtkPolyData* curves, vtkPolyData* surface, const vtkDGGGraphicsNames& names);
+
+  /// The cells of regions as faces of the mesh.
+  std::vector<dgg::GraphicsRegion> MakeRegions(const vtkDGGMeshAdapter& mesh) const;
+
+  int GetNumberOfChannels() const { return this->NumberOfChannels; }
+  const std::vector<dgg::GraphicsCurve>& GetCurves() const { return this->Curves; }
+  /// Per curve, its points; of a closed one, the last is not the first again.
+  const std::vector<std::vector<vtkIdType>>& GetPointIds() const { return this->PointIds; }
+
+private:
+  dgg::Status CollectLines(vtkPolyData* curves);
+  dgg::Status ReadType(vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k);
+  dgg::Status ReadCurve(vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k);
+  dgg::Status ReadRegions(vtkPolyData* surface, const vtkDGGGraphicsNames& names);
+  dgg::Status ReadTuples(vtkPolyData* curves, const std::string& name, std::size_t k,
+    bool mayBeSingle, std::vector<double>& values) const;
+  dgg::Status ChooseChannels(
+    vtkPolyData* curves, vtkPolyData* surface, const vtkDGGGraphicsNames& names);
+
+  int NumberOfChannels = 3;
+  std::vector<dgg::GraphicsCurve> Curves;
+  std::vector<std::vector<vtkIdType>> PointIds;
+  std::vector<vtkIdType> Cells; // per curve
+  std::vector<std::size_t> RegionOfCell;
+  std::vector<std::vector<double>> RegionStrengths;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGGraphicsInput.h

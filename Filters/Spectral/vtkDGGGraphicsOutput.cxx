@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDGGGraphicsOutput.h"
+
+#include "vtkDGGMakeArray.h"
+#include "vtkDGGMeshAdapter.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+constexpr const char* ShownName = "RGB";
+constexpr const char* NetName = "NetSource";
+
+/// Leave out arrays that do not have a tuple for everything.
+void RemoveBrokenArrays(vtkFieldData* data, vtkIdType tuples)
+{
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (data->GetAbstractArray(i)->GetNumberOfTuples() != tuples)
+    {
+      data->RemoveArray(i);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphicsOutput::Take(
+  vtkPolyData* surface, const vtkDGGMeshAdapter& mesh, int precision)
+{
+  this->Surface = surface;
+  return this->Geometry.Take(surface, mesh, precision);
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGGraphicsOutput::Fill(const dgg::CutSurface& cut, const dgg::GraphicsResult& result,
+  int channels, vtkPolyData* output) const
+{
+  this->Geometry.Begin(output);
+  this->AddPoints(cut, output);
+  this->AddTriangles(cut, output);
+  this->AddColors(result.Values, channels, output);
+  auto net = vtkDGGAddArray<vtkDoubleArray>(output->GetFieldData(), NetName,
+    result.NetSources.size() / static_cast<std::size_t>(channels), channels);
+  std::copy(result.NetSources.begin(), result.NetSources.end(), net->GetPointer(0));
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGGraphicsOutput::AddPoints(const dgg::CutSurface& cut, vtkPolyData* output) const
+{
+  const std::size_t n = cut.Points.size();
+  vtkSmartPointer<vtkPoints> points = this->Geometry.MakePoints(n);
+  vtkNew<vtkPointData> from;
+  from->ShallowCopy(this->Surface->GetPointData());
+  RemoveBrokenArrays(from, this->Surface->GetNumberOfPoints());
+  vtkPointData* to = output->GetPointData();
+  to->InterpolateAllocate(from, static_cast<vtkIdType>(n));
+  vtkNew<vtkIdList> corners;
+  for (std::size_t v = 0; v < n; ++v)
+  {
+    const dgg::SurfacePoint& place = cut.Points[v];
+    const auto id = static_cast<vtkIdType>(v);
+    this->Geometry.SetPoint(points, id, place);
+    if (dgg::IsVertex(place))
+    {
+      to->CopyData(from, place.Vertex, id);
+      continue;
+    }
+    std::array<double, 3> weights = place.Barycentric;
+    corners->Reset();
+    for (const dgg::Id corner : this->Geometry.GetMesh().GetTriangle(place.Face))
+    {
+      corners->InsertNextId(corner);
+    }
+    to->InterpolatePoint(from, id, corners, weights.data());
+  }
+  output->SetPoints(points);
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGGraphicsOutput::AddTriangles(const dgg::CutSurface& cut, vtkPolyData* output) const
+{
+  const auto faces = static_cast<vtkIdType>(cut.Faces.size());
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(faces, 3 * faces);
+  vtkNew<vtkCellData> from;
+  from->ShallowCopy(this->Surface->GetCellData());
+  RemoveBrokenArrays(from, this->Surface->GetNumberOfCells());
+  vtkCellData* to = output->GetCellData();
+  to->CopyAllocate(from, faces);
+  for (vtkIdType f = 0; f < faces; ++f)
+  {
+    const dgg::Id old = cut.Faces[static_cast<std::size_t>(f)];
+    vtkIdType corners[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[k] = cut.Triangles[static_cast<std::size_t>(3 * f + k)];
+    }
+    if (this->Geometry.GetMesh().IsFlipped(old))
+    {
+      std::swap(corners[1], corners[2]); // as in the input
+    }
+    cells->InsertNextCell(3, corners);
+    to->CopyData(from, this->Geometry.GetCell(old), f);
+  }
+  output->SetPolys(cells);
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGGraphicsOutput::AddColors(
+  const std::vector<double>& values, int channels, vtkPolyData* output) const
+{
+  const std::size_t n = values.size() / static_cast<std::size_t>(channels);
+  auto colors = vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->Name, n, channels);
+  std::copy(values.begin(), values.end(), colors->GetPointer(0));
+  if (channels < 3)
+  {
+    output->GetPointData()->SetActiveScalars(this->Name.c_str());
+    return;
+  }
+  auto shown = vtkDGGAddArray<vtkUnsignedCharArray>(output->GetPointData(), ShownName, n, 3);
+  for (std::size_t v = 0; v < n; ++v)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const double value = values[v * static_cast<std::size_t>(channels) + c];
+      const double byte = std::min(255.0, std::max(0.0, std::round(255.0 * value)));
+      shown->SetComponent(static_cast<vtkIdType>(v), c, byte);
+    }
+  }
+  output->GetPointData()->SetActiveScalars(ShownName);
+}

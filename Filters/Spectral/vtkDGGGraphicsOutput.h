@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A coloured surface as vtkPolyData. Internal.
+#ifndef vtkDGGGraphicsOutput_h
+#define vtkDGGGraphicsOutput_h
+
+#include "vtkDGGNewGeometry.h" // for points
+
+#include "dggVectorGraphics.h" // for the results
+
+#include <string> // for the name
+#include <vector> // for values
+
+class vtkDGGMeshAdapter;
+class vtkPolyData;
+
+/// The output of vtkPoissonVectorGraphics.
+class vtkDGGGraphicsOutput
+{
+public:
+  /// `name` is that of the array with the values.
+  explicit vtkDGGGraphicsOutput(const std::string& name)
+    : Name(name)
+  {
+  }
+
+  /// What is kept of a surface, which must live on, as must its mesh.
+  dgg::Status Take(vtkPolyData* surface, const vtkDGGMeshAdapter& mesh, int precision);
+
+  /// Points, triangles and all arrays.
+  void Fill(const dgg::CutSurface& cut, const dgg::GraphicsResult& result, int channels,
+    vtkPolyData* output) const;
+
+  /// Values of points, all channels of one after each other, and what is shown of them.
+  void AddColors(const std::vector<double>& values, int channels, vtkPolyData* output) const;
+
+private:
+  void AddPoints(const dgg::CutSurface& cut, vtkPolyData* output) const;
+  void AddTriangles(const dgg::CutSurface& cut, vtkPolyData* output) const;
+
+  std::string Name;
+  vtkPolyData* Surface = nullptr;
+  vtkDGGNewGeometry Geometry;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGGraphicsOutput.h

@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPoissonVectorGraphics
+ * @brief   smooth colours on a surface from few curves and regions
+ *
+ * Input port 0 takes the surface (vtkPolyData), the optional port 1 curves: each line or polyline
+ * of a vtkPolyData is one. Its points may lie anywhere on the surface; each is projected to the
+ * closest point of it, and they are joined by exact geodesics. A polyline that ends with the point
+ * that it starts with, by id, is closed. Other cells are not used.
+ *
+ * <b>Curves.</b> Left and right are those of someone who walks along the curve on the side of the
+ * surface from which triangles are seen counter-clockwise. Numbers are in arrays of port 1, of
+ * points (linear along the curve in between, by length) or of cells (the same all along; used where
+ * there is no point array of that name). All have one component per channel: 3 for colours, but any
+ * number will do, such as 1 for a displacement. Unsigned char stands for 0 to 255 as 0 to 1. The
+ * cell array `CurveType` tells what a curve does:
+ *  - 0, Diffusion, and where there is no array: the colour is `LeftColor` on the left of the curve
+ *    and `RightColor` on the right, and in between curves it is as smooth as it can be (harmonic).
+ *    At the ends of an open curve, which have no sides, and where curves meet, a point has the mean
+ *    of the colours given for it.
+ *  - 1, Poisson: adds `Strength` right at the curve on its left and takes it off on its right,
+ *    fading to nothing at the geodesic distance `Width` (one component; default: the property
+ *    Width): a highlight beside a shadow. With an array `RightStrength`, that is added on the right
+ *    instead: 0 for a highlight alone, the same as Strength for a glow. `Strength` and
+ *    `RightStrength` may have a single component for all channels. Colours farther away do not
+ *    change, unless a diffusion curve runs through the band, whose colours stay as they are given.
+ *    Bands do not reach through diffusion and other Poisson curves.
+ *  - 2, Region: a closed curve; what is on its left gets brighter by `Strength` (that of the first
+ *    point) in its middle, if it is flat and round, fading towards the rim. It is a source of
+ *    constant density, 4 pi Strength / area, with a sink along the curve that takes in as much.
+ *  - 3, Source: `Strength` flows in per length of the curve; the slope changes by that across it.
+ *
+ * <b>Regions of cells.</b> The cells of the surface that have the same number, not 0, in the cell
+ * array that RegionArrayName names are a region as well. Its strength is in the cell array
+ * `RegionStrength`, at its first cell.
+ *
+ * <b>Output.</b> The surface as triangles, refined and cut open so that curves are edges: points on
+ * diffusion and Poisson curves exist once for each side. Point arrays:
+ *  - `Colors` (double, one component per channel), see SetResultArrayName();
+ *  - `RGB` (unsigned char), for 3 channels or more, the first three, from 0 to 1, as 0 to 255,
+ *    clamped: the active scalars, so that a mapper shows them as they are. For other numbers of
+ *    channels, `Colors` is active;
+ *  - those of the input, interpolated linearly.
+ *
+ * Cell arrays are those of the input, of the polygon that a triangle is a part of. The field data
+ * has `NetSource`: one tuple per component of the surface, cut open along diffusion curves, with
+ * what the sources sum to where no diffusion curve takes it in; it was taken off, evenly. Regions
+ * and Poisson curves sum to 0. Such a component has the mean BackgroundColor, before Poisson curves
+ * are added.
+ *
+ * <b>Method.</b> -Laplace u = f for each channel, nothing flows through the boundary of the
+ * surface; linear finite elements on the refined mesh, one factorization, see dgg::VectorGraphics.
+ * Triangles are split in four RefinementLevel times, everywhere or around curves, and the equation
+ * is solved on what comes out: errors are of second order, but for the ends of curves.
+ *
+ * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
+ *  - neither a line nor a region; a line with fewer than two different points;
+ *  - a point of a line that is not finite, or farther from the surface than ProjectionTolerance, or
+ *    not connected with the next one;
+ *  - curves where edges have more than two triangles, or two that are oriented differently, as on a
+ *    one-sided surface: there are no sides. Curves elsewhere on such a surface are fine;
+ *  - an array that is needed but missing, or has the wrong number of components or tuples; a number
+ *    that is not finite; an unknown type; a width that is not positive;
+ *  - a region's curve that is open, or does not separate its left from its right;
+ *  - a ProjectionTolerance or Width that is negative or not a number;
+ *  - a mesh, factorization and colours that would take more memory than MemoryLimit.
+ *
+ * An update can be stopped between the parts of the work; the factorization is one of them.
+ *
+ * @code
+ * vtkNew<vtkPoissonVectorGraphics> graphics;
+ * graphics->SetInputConnection(reader->GetOutputPort());
+ * graphics->SetCurveData(curves); // with the arrays LeftColor and RightColor
+ * graphics->SetRefinementLevel(2);
+ * vtkNew<vtkPolyDataMapper> mapper;
+ * mapper->SetInputConnection(graphics->GetOutputPort()); // shows RGB as it is
+ * @endcode
+ *
+ * F. Hou, Q. Sun, Z. Fang, Y.-J. Liu, S.-M. Hu, H. Qin, A. Hao, Y. He, "Poisson vector graphics
+ * (PVG)", IEEE Trans. Vis. Comput. Graph. 26(2), 2020; A. Orzan et al., "Diffusion curves", ACM
+ * Trans. Graph. 27(3), 2008.
+ *
+ * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ *
+ * @sa vtkDiscreteGreensFunction vtkDGGPath
+ */
+
+#ifndef vtkPoissonVectorGraphics_h
+#define vtkPoissonVectorGraphics_h
+
+#include "vtkDGGFiltersSpectralModule.h" // For export macro
+#include "vtkGeodesicAlgorithm.h"
+
+#include <memory> // For the internals
+#include <string> // For array names
+
+class VTKDGGFILTERSSPECTRAL_EXPORT vtkPoissonVectorGraphics : public vtkGeodesicAlgorithm
+{
+public:
+  static vtkPoissonVectorGraphics* New();
+  vtkTypeMacro(vtkPoissonVectorGraphics, vtkGeodesicAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The curves, on input port 1. Null removes them.
+   */
+  void SetCurveConnection(vtkAlgorithmOutput* output);
+  void SetCurveData(vtkPolyData* curves);
+  ///@}
+
+  /**
+   * Values of the cell array `CurveType`.
+   */
+  enum CurveTypeType
+  {
+    Diffusion = 0, ///< colours on both sides
+    Poisson = 1,   ///< highlight and shadow that fade
+    Region = 2,    ///< brightens what is on the left
+    Source = 3     ///< flow per length
+  };
+
+  ///@{
+  /**
+   * Names of arrays of port 1. Defaults `CurveType`, `LeftColor`, `RightColor`, `Strength`,
+   * `RightStrength`, `Width`.
+   */
+  void SetCurveTypeArrayName(const char* name);
+  const char* GetCurveTypeArrayName() const;
+  void SetLeftColorArrayName(const char* name);
+  const char* GetLeftColorArrayName() const;
+  void SetRightColorArrayName(const char* name);
+  const char* GetRightColorArrayName() const;
+  void SetStrengthArrayName(const char* name);
+  const char* GetStrengthArrayName() const;
+  void SetRightStrengthArrayName(const char* name);
+  const char* GetRightStrengthArrayName() const;
+  void SetWidthArrayName(const char* name);
+  const char* GetWidthArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * The cell array of the surface that tells regions apart, and that with their strengths. Null and
+   * "" for no regions, which is the default, and `RegionStrength`.
+   */
+  void SetRegionArrayName(const char* name);
+  const char* GetRegionArrayName() const;
+  void SetRegionStrengthArrayName(const char* name);
+  const char* GetRegionStrengthArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * The width of Poisson curves where there is no array, in units of the surface. Default 0, which
+   * stands for 5 % of the diagonal of its bounding box; must not be negative.
+   */
+  vtkSetMacro(Width, double);
+  vtkGetMacro(Width, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of the first three channels, the mean where no diffusion curve is; that of others is 0. Default
+   * 0.
+   */
+  vtkSetVector3Macro(BackgroundColor, double);
+  vtkGetVector3Macro(BackgroundColor, double);
+  ///@}
+
+  /**
+   * Which triangles are refined.
+   */
+  enum RefinementRegionType
+  {
+    Everywhere = 0, ///< all
+    NearCurves = 1  ///< those that touch a curve and two rings around them, anew at each level
+  };
+
+  ///@{
+  /**
+   * How often triangles are split in four, from 0 to 8, and which. Default 1, Everywhere.
+   * Neighbours are split as needed for edges to fit; angles stay above half of the smallest one.
+   */
+  vtkSetClampMacro(RefinementLevel, int, 0, 8);
+  vtkGetMacro(RefinementLevel, int);
+  vtkSetClampMacro(RefinementRegion, int, Everywhere, NearCurves);
+  vtkGetMacro(RefinementRegion, int);
+  void SetRefinementRegionToEverywhere() { this->SetRefinementRegion(Everywhere); }
+  void SetRefinementRegionToNearCurves() { this->SetRefinementRegion(NearCurves); }
+  const char* GetRefinementRegionAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * How far from the surface a point of a curve may be, as a fraction of the diagonal of the
+   * surface's bounding box. A point farther away is an error that names it. Default 0.01; must not
+   * be negative.
+   */
+  vtkSetMacro(ProjectionTolerance, double);
+  vtkGetMacro(ProjectionTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to flip edges until they are Delaunay before the equation is solved, without a change
+   * of the output's triangles: then no colour lies outside of those that diffusion curves give. For
+   * meshes with obtuse triangles, as curves make them where they run close to points. Default on.
+   */
+  vtkSetMacro(IntrinsicDelaunay, bool);
+  vtkGetMacro(IntrinsicDelaunay, bool);
+  vtkBooleanMacro(IntrinsicDelaunay, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Most bytes that the refined mesh, the factorization and the colours may take. Default 0, which
+   * stands for 70 % of the memory that is free at that time. Some 3 KiB per point of the output are
+   * usual.
+   */
+  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
+  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
+  ///@}
+
+  ///@{
+  /**
+   * The name of the point array with the result. Default `Colors`. Null and "" are an error.
+   */
+  void SetResultArrayName(const char* name);
+  const char* GetResultArrayName() const;
+  ///@}
+
+protected:
+  vtkPoissonVectorGraphics();
+  ~vtkPoissonVectorGraphics() override;
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
+  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  vtkPoissonVectorGraphics(const vtkPoissonVectorGraphics&) = delete;
+  void operator=(const vtkPoissonVectorGraphics&) = delete;
+
+  struct vtkInternals;
+
+  void SetName(std::string& property, const char* name);
+
+  double Width;
+  double BackgroundColor[3];
+  int RefinementLevel;
+  int RefinementRegion;
+  double ProjectionTolerance;
+  bool IntrinsicDelaunay;
+  vtkTypeUInt64 MemoryLimit;
+  std::string ResultArrayName;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,490 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// vtkPoissonVectorGraphics: colours that are known, what comes with them, wrong input.
+#include "SpectralTestTools.h"
+
+#include "vtkPoissonVectorGraphics.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+using namespace dggtest;
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+template <typename ArrayType = vtkDoubleArray>
+void AddArray(
+  vtkFieldData* data, const std::string& name, const std::vector<double>& values, int components)
+{
+  vtkNew<ArrayType> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  for (const double value : values)
+  {
+    array->InsertNextValue(static_cast<typename ArrayType::ValueType>(value));
+  }
+  data->AddArray(array);
+}
+
+/// A square [0, 6] x [0, 4] and polylines on it.
+struct Fixture
+{
+  Fixture(const Points& points, const Cells& lines)
+    : Surface(MakeGrid(6, 4, GridCells::Quads))
+    , Curves(MakeSourcePoints(points))
+  {
+    this->Curves->SetVerts(nullptr);
+    this->Curves->SetLines(MakeCells(lines));
+    this->Filter->SetInputData(this->Surface);
+    this->Filter->SetCurveData(this->Curves);
+  }
+  vtkPolyData* Run()
+  {
+    ExpectSuccess(this->Filter);
+    return this->Filter->GetOutput();
+  }
+  vtkPointData* OfPoints() { return this->Curves->GetPointData(); }
+  vtkCellData* OfCells() { return this->Curves->GetCellData(); }
+
+  vtkSmartPointer<vtkPolyData> Surface;
+  vtkSmartPointer<vtkPolyData> Curves;
+  vtkNew<vtkPoissonVectorGraphics> Filter;
+};
+
+/// Two curves across, upwards: at x = 1.5 and x = 4.
+Fixture MakeTwoAcross()
+{
+  return Fixture(
+    { { 1.5, 0, 0 }, { 1.5, 4, 0 }, { 4, 0, 0 }, { 4, 4, 0 } }, { { 0, 1 }, { 2, 3 } });
+}
+
+double MiddleOfCell(vtkPolyData* surface, vtkIdType cell)
+{
+  double bounds[6];
+  surface->GetCellBounds(cell, bounds);
+  return 0.5 * (bounds[0] + bounds[1]);
+}
+}
+
+TEST(PoissonVectorGraphics, ColorsBetweenTwoCurvesAreLinear)
+{
+  for (const bool isInBytes : { false, true })
+  {
+    for (const bool isOfCells : { false, true })
+    {
+      Fixture drawing = MakeTwoAcross();
+      const std::vector<double> left = { 51, 0, 0, 255, 0, 102 };
+      const std::vector<double> right = { 0, 255, 0, 0, 0, 255 };
+      const auto add = [&](const std::string& name, std::vector<double> values) {
+        for (double& value : values)
+        {
+          value = isInBytes ? value : value / 255.0;
+        }
+        if (!isOfCells) // two points each
+        {
+          values.insert(values.begin() + 3, values.begin(), values.begin() + 3);
+          values.insert(values.end(), values.end() - 3, values.end());
+        }
+        vtkFieldData* data = isOfCells ? static_cast<vtkFieldData*>(drawing.OfCells())
+                                       : static_cast<vtkFieldData*>(drawing.OfPoints());
+        isInBytes ? AddArray<vtkUnsignedCharArray>(data, name, values, 3)
+                  : AddArray(data, name, values, 3);
+      };
+      add("LeftColor", left);
+      add("RightColor", right);
+      vtkPolyData* output = drawing.Run();
+      vtkDataArray* colors = output->GetPointData()->GetArray("Colors");
+      ASSERT_EQ(colors->GetDataType(), VTK_DOUBLE);
+      vtkDataArray* shown = output->GetPointData()->GetScalars();
+      ASSERT_EQ(shown->GetDataType(), VTK_UNSIGNED_CHAR);
+      ASSERT_STREQ(shown->GetName(), "RGB");
+      for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+      {
+        const double x = MiddleOfCell(output, cell);
+        vtkNew<vtkIdList> corners;
+        output->GetCellPoints(cell, corners);
+        ASSERT_EQ(corners->GetNumberOfIds(), 3);
+        for (int k = 0; k < 3; ++k)
+        {
+          const vtkIdType id = corners->GetId(k);
+          const double t = (output->GetPoint(id)[0] - 1.5) / 2.5;
+          for (int c = 0; c < 3; ++c)
+          {
+            const double expected = x < 1.5 ? left[c]
+              : x > 4.0                     ? right[3 + c]
+                                            : (1.0 - t) * right[c] + t * left[3 + c];
+            EXPECT_NEAR(colors->GetComponent(id, c), expected / 255.0, 1e-9) << x;
+            EXPECT_NEAR(shown->GetComponent(id, c), expected, 0.5 + 1e-6);
+          }
+        }
+      }
+      EXPECT_EQ(output->GetFieldData()->GetArray("NetSource")->GetNumberOfComponents(), 3);
+    }
+  }
+}
+
+TEST(PoissonVectorGraphics, DataOfTheSurfaceComeAlong)
+{
+  Fixture drawing = MakeTwoAcross();
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  std::vector<double> xs;
+  for (vtkIdType i = 0; i < drawing.Surface->GetNumberOfPoints(); ++i)
+  {
+    xs.push_back(3.0 * drawing.Surface->GetPoint(i)[0] - drawing.Surface->GetPoint(i)[1]);
+  }
+  AddArray(drawing.Surface->GetPointData(), "linear", xs, 1);
+  AddArray(drawing.Surface->GetPointData(), "broken", { 1, 2, 3 }, 1);
+  std::vector<double> cells;
+  for (vtkIdType i = 0; i < drawing.Surface->GetNumberOfCells(); ++i)
+  {
+    cells.push_back(std::floor(MiddleOfCell(drawing.Surface, i)));
+  }
+  AddArray(drawing.Surface->GetCellData(), "column", cells, 1);
+  AddArray(drawing.Surface->GetFieldData(), "note", { 7 }, 1);
+  for (const int level : { 0, 1, 2 })
+  {
+    drawing.Filter->SetRefinementLevel(level);
+    vtkPolyData* output = drawing.Run();
+    EXPECT_STREQ(output->GetPointData()->GetScalars()->GetName(), "Colors"); // of one channel
+    EXPECT_EQ(output->GetFieldData()->GetArray("note")->GetComponent(0, 0), 7.0);
+    EXPECT_EQ(output->GetPointData()->GetArray("broken"), nullptr);
+    vtkDataArray* linear = output->GetPointData()->GetArray("linear");
+    vtkDataArray* column = output->GetCellData()->GetArray("column");
+    double area = 0.0;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const double* p = output->GetPoint(i);
+      EXPECT_NEAR(linear->GetComponent(i, 0), 3.0 * p[0] - p[1], 1e-12);
+    }
+    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+    {
+      EXPECT_EQ(column->GetComponent(cell, 0), std::floor(MiddleOfCell(output, cell)));
+      vtkNew<vtkIdList> ids;
+      output->GetCellPoints(cell, ids);
+      double p[3][3];
+      for (int k = 0; k < 3; ++k)
+      {
+        output->GetPoint(ids->GetId(k), p[k]);
+      }
+      const double twice =
+        (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
+      EXPECT_GT(twice, 0.0); // oriented as in the input
+      area += 0.5 * twice;
+    }
+    EXPECT_NEAR(area, 24.0, 1e-9);
+    EXPECT_GE(output->GetNumberOfCells(), 48 * (1 << (2 * level)));
+  }
+  drawing.Filter->SetRefinementLevel(3);
+  drawing.Filter->SetRefinementRegionToNearCurves();
+  const vtkIdType near = drawing.Run()->GetNumberOfCells();
+  drawing.Filter->SetRefinementRegionToEverywhere();
+  EXPECT_LT(near, drawing.Run()->GetNumberOfCells());
+}
+
+TEST(PoissonVectorGraphics, PoissonCurvesAddWithinTheirWidth)
+{
+  Fixture drawing({ { 3, 0, 0 }, { 3, 4, 0 } }, { { 0, 1 } });
+  AddArray<vtkIntArray>(drawing.OfCells(), "CurveType", { 1 }, 1);
+  AddArray(drawing.OfCells(), "Strength", { 0.5 }, 1);
+  AddArray(drawing.OfPoints(), "LeftColor", { 0, 0, 0, 0, 0, 0 }, 3); // says how many channels
+  drawing.Filter->SetBackgroundColor(0.1, 0.2, 0.3);
+  drawing.Filter->SetRefinementLevel(3);
+  const auto check = [&](double width, double onRight) {
+    vtkPolyData* output = drawing.Run();
+    vtkDataArray* colors = output->GetPointData()->GetArray("Colors");
+    double largest = -9.0;
+    double smallest = 9.0;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const double x = output->GetPoint(i)[0];
+      const double t = std::min(1.0, std::abs(x - 3.0) / width);
+      const double fade = (1.0 - t * t) * (1.0 - t * t);
+      for (int c = 0; c < 3; ++c)
+      {
+        const double added = colors->GetComponent(i, c) - 0.1 * (c + 1);
+        largest = std::max(largest, added);
+        smallest = std::min(smallest, added);
+        if (x != 3.0)
+        {
+          EXPECT_NEAR(added, fade * (x < 3.0 ? 0.5 : onRight), 2e-3) << x;
+        }
+      }
+    }
+    EXPECT_NEAR(largest, std::max(0.5, onRight), 1e-12);
+    EXPECT_NEAR(smallest, std::min(0.0, onRight), 1e-12);
+  };
+  check(0.05 * std::hypot(6.0, 4.0), -0.5);
+  drawing.Filter->SetWidth(2.0);
+  check(2.0, -0.5);
+  AddArray(drawing.OfCells(), "Width", { 1.5 }, 1);
+  check(1.5, -0.5);
+  AddArray(drawing.OfPoints(), "RightStrength", { 0.25, 0.25 }, 1);
+  check(1.5, 0.25);
+}
+
+TEST(PoissonVectorGraphics, RegionsOfCurvesAndCellsAreTheSame)
+{
+  Fixture byCurve({ { 1, 1, 0 }, { 4, 1, 0 }, { 4, 3, 0 }, { 1, 3, 0 } }, { { 0, 1, 2, 3, 0 } });
+  AddArray<vtkIntArray>(byCurve.OfCells(), "CurveType", { 2 }, 1);
+  AddArray(byCurve.OfCells(), "Strength", { 0.5, 0.25, 1.0 }, 3);
+  Fixture byCells({ { 0, 0, 0 } }, {});
+  byCells.Filter->SetCurveData(nullptr);
+  std::vector<double> regions;
+  std::vector<double> strengths;
+  for (vtkIdType cell = 0; cell < byCells.Surface->GetNumberOfCells(); ++cell)
+  {
+    const double x = MiddleOfCell(byCells.Surface, cell);
+    double bounds[6];
+    byCells.Surface->GetCellBounds(cell, bounds);
+    const bool isInside = x > 1.0 && x < 4.0 && bounds[2] >= 1.0 && bounds[3] <= 3.0;
+    regions.push_back(isInside ? 3.0 : 0.0);
+    const double strength[] = { 0.5, 0.25, 1.0 };
+    for (const double number : strength)
+    {
+      strengths.push_back(isInside ? number : 0.0);
+    }
+  }
+  AddArray(byCells.Surface->GetCellData(), "region", regions, 1);
+  AddArray(byCells.Surface->GetCellData(), "RegionStrength", strengths, 3);
+  byCells.Filter->SetRegionArrayName("region");
+  vtkPolyData* outputs[] = { byCurve.Run(), byCells.Run() };
+  ASSERT_EQ(outputs[0]->GetNumberOfPoints(), outputs[1]->GetNumberOfPoints());
+  for (int c = 0; c < 3; ++c)
+  {
+    const std::vector<double> values[] = { GetValues(outputs[0], "Colors", c),
+      GetValues(outputs[1], "Colors", c) };
+    for (std::size_t i = 0; i < values[0].size(); ++i)
+    {
+      EXPECT_NEAR(values[0][i], values[1][i], 1e-12);
+    }
+    EXPECT_GT(*std::max_element(values[0].begin(), values[0].end()), c == 2 ? 0.5 : 0.1);
+    for (vtkPolyData* output : outputs)
+    {
+      vtkDataArray* net = output->GetFieldData()->GetArray("NetSource");
+      ASSERT_EQ(net->GetNumberOfTuples(), 1);
+      EXPECT_NEAR(net->GetComponent(0, c), 0.0, 1e-12);
+    }
+  }
+}
+
+TEST(PoissonVectorGraphics, SourcesAreTold)
+{
+  Fixture drawing({ { 1, 2, 0 }, { 5, 2, 0 } }, { { 0, 1 } });
+  AddArray<vtkIntArray>(drawing.OfCells(), "CurveType", { 3 }, 1);
+  AddArray(drawing.OfPoints(), "Strength", { 1.0, 2.0 }, 1);
+  EXPECT_NEAR(drawing.Run()->GetFieldData()->GetArray("NetSource")->GetComponent(0, 0), 6.0, 1e-12);
+}
+
+TEST(PoissonVectorGraphics, WrongCurves)
+{
+  Fixture drawing = MakeTwoAcross();
+  auto* filter = drawing.Filter.Get();
+  ExpectError(filter, { "line 0 of input port 1", "'LeftColor'" });
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  ExpectError(filter, { "'RightColor'" });
+  AddArray(drawing.OfCells(), "RightColor", { 1, 2, 3, 4 }, 2);
+  ExpectError(filter, { "'LeftColor'", "1 components", "'RightColor' has 2" });
+  AddArray(drawing.OfCells(), "RightColor", { 1 }, 1);
+  ExpectError(filter, { "'RightColor'", "1 tuples where 2" });
+  for (const double wrong : { NaN, std::numeric_limits<double>::infinity() })
+  {
+    AddArray(drawing.OfCells(), "RightColor", { 1, wrong }, 1);
+    ExpectError(filter, { "'RightColor'", "at cell 1", "finite" });
+  }
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  for (const double wrong : { -1.0, 4.0, 0.5, NaN })
+  {
+    AddArray(drawing.OfCells(), "CurveType", { 0, wrong }, 1);
+    ExpectError(filter, { "line 1", "type", "'CurveType'" });
+  }
+  AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
+  ExpectError(filter, { "line 1", "'Strength'" });
+  AddArray(drawing.OfCells(), "Strength", { 0, 1 }, 1);
+  for (const double wrong : { 0.0, -1.0, NaN, std::numeric_limits<double>::infinity() })
+  {
+    AddArray(drawing.OfCells(), "Width", { 0, wrong }, 1);
+    ExpectError(filter, { "line 1", "width" });
+  }
+  AddArray(drawing.OfCells(), "Width", { 0, 1 }, 1);
+  drawing.Run();
+  AddArray(drawing.OfCells(), "CurveType", { 0, 2 }, 1);
+  ExpectError(filter, { "curve 1", "open" });
+  AddArray(drawing.OfCells(), "CurveType", { 0, 0 }, 1);
+  drawing.Curves->GetPoints()->SetPoint(2, 1, 1, 3.0);
+  drawing.Curves->GetPoints()->Modified();
+  ExpectError(filter, { "curve point 2", "input port 1", "ProjectionTolerance" });
+  drawing.Curves->GetPoints()->SetPoint(2, 1, NaN, 0.0);
+  drawing.Curves->GetPoints()->Modified();
+  ExpectError(filter, { "point 2", "finite" });
+  drawing.Curves->GetPoints()->SetPoint(2, 4, 4, 0.0); // where it ends
+  drawing.Curves->GetPoints()->Modified();
+  ExpectError(filter, { "curve 1", "no length" });
+  drawing.Curves->SetLines(MakeCells({ { 1 } }));
+  ExpectError(filter, { "line 0", "no length" });
+  drawing.Curves->SetLines(nullptr);
+  ExpectError(filter, { "nothing to draw", "SetCurveData()", "SetRegionArrayName()" });
+  filter->SetRegionArrayName("region");
+  ExpectError(filter, { "'region'", "SetRegionArrayName()" });
+  AddArray(drawing.Surface->GetCellData(), "region", std::vector<double>(24, 1.0), 1);
+  ExpectError(filter, { "'RegionStrength'", "SetRegionStrengthArrayName()" });
+}
+
+TEST(PoissonVectorGraphics, WrongSurfacesAndProperties)
+{
+  Fixture drawing = MakeTwoAcross();
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  auto* filter = drawing.Filter.Get();
+  for (const double wrong : { -1.0, NaN })
+  {
+    filter->SetWidth(wrong);
+    ExpectError(filter, { "Width" });
+    filter->SetWidth(0.0);
+    filter->SetProjectionTolerance(wrong);
+    ExpectError(filter, { "ProjectionTolerance" });
+    filter->SetProjectionTolerance(0.01);
+  }
+  filter->SetResultArrayName("");
+  ExpectError(filter, { "ResultArrayName" });
+  filter->SetResultArrayName("Colors");
+  filter->SetMemoryLimit(1000);
+  ExpectError(filter, { "MemoryLimit", "RefinementLevel" });
+  filter->SetMemoryLimit(100000);
+  ExpectError(filter, { "MemoryLimit" });
+  filter->SetMemoryLimit(0);
+  drawing.Run();
+  // A page on the square that a curve crosses: edges of three triangles.
+  vtkSmartPointer<vtkPolyData> book = MakeSurface(
+    { { 0, 0, 0 }, { 6, 0, 0 }, { 6, 4, 0 }, { 0, 4, 0 }, { 0, 2, 0 }, { 6, 2, 0 }, { 3, 2, 5 } },
+    { { 0, 1, 5, 4 }, { 4, 5, 2, 3 }, { 4, 5, 6 } });
+  filter->SetInputData(book);
+  ExpectError(filter, { "edges of more than two faces", "Remove" });
+  // One side of a Moebius band: across the seam there are no sides, elsewhere there are.
+  Points points;
+  Cells cells;
+  for (int i = 0; i < 8; ++i)
+  {
+    const double angle = 0.25 * vtkMath::Pi() * i;
+    for (const double s : { -0.4, 0.4 })
+    {
+      const double r = 2.0 + s * std::cos(0.5 * angle);
+      points.push_back({ r * std::cos(angle), r * std::sin(angle), s * std::sin(0.5 * angle) });
+    }
+    const vtkIdType a = 2 * i;
+    i < 7 ? cells.push_back({ a, a + 2, a + 3, a + 1 }) : cells.push_back({ a, 1, 0, a + 1 });
+  }
+  vtkSmartPointer<vtkPolyData> band = MakeSurface(points, cells);
+  vtkNew<vtkPolyData> around;
+  vtkNew<vtkPoints> places;
+  for (int i = 0; i < 8; ++i)
+  {
+    const double angle = 0.25 * vtkMath::Pi() * i;
+    places->InsertNextPoint(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
+  }
+  around->SetPoints(places);
+  around->SetLines(MakeCells({ { 0, 1, 2, 3, 4, 5, 6, 7, 0 } }));
+  AddArray(around->GetCellData(), "LeftColor", { 1 }, 1);
+  AddArray(around->GetCellData(), "RightColor", { 2 }, 1);
+  filter->SetInputData(band);
+  filter->SetCurveData(around);
+  ExpectError(filter, { "oriented differently", "one-sided" });
+
+  vtkNew<vtkPolyData> none;
+  filter->SetInputData(none);
+  ExpectWarning(filter, { "empty" });
+  EXPECT_NE(filter->GetOutput()->GetPointData()->GetArray("Colors"), nullptr);
+  filter->SetInputData(static_cast<vtkPolyData*>(nullptr));
+  ExpectError(filter, { "no input" });
+  std::ostringstream os;
+  filter->Print(os);
+  EXPECT_NE(os.str().find("RefinementRegion: Everywhere"), std::string::npos);
+}
+
+TEST(PoissonVectorGraphics, AwkwardSurfaces)
+{
+  // Several components, isolated points, degenerate and duplicate cells away from the curve, huge
+  // and tiny scales.
+  for (const double scale : { 1.0, 1e-12, 1e12 })
+  {
+    Points points = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 9, 9, 9 }, { 5, 0, 0 },
+      { 6, 0, 0 }, { 5, 1, 0 }, { 7, 0, 0 } };
+    for (auto& p : points)
+    {
+      for (double& x : p)
+      {
+        x *= scale;
+      }
+    }
+    auto surface =
+      MakeSurface(points, { { 0, 1, 2, 3 }, { 5, 6, 7 }, { 5, 6, 7 }, { 5, 6, 8 }, { 5, 5, 6 } });
+    vtkNew<vtkPolyData> curve;
+    vtkNew<vtkPoints> places;
+    places->SetDataTypeToDouble();
+    places->InsertNextPoint(0.5 * scale, 0.5 * scale, 0);
+    places->InsertNextPoint(1.5 * scale, 1.25 * scale, 0);
+    curve->SetPoints(places);
+    curve->SetLines(MakeCells({ { 0, 1 } }));
+    AddArray(curve->GetCellData(), "LeftColor", { 1, 0.5, 0 }, 3);
+    AddArray(curve->GetCellData(), "RightColor", { 0, 0.5, 1 }, 3);
+    vtkNew<vtkPoissonVectorGraphics> filter;
+    filter->SetInputData(surface);
+    filter->SetCurveData(curve);
+    filter->SetBackgroundColor(0.25, 0.5, 0.75);
+    Listener listener(filter); // warnings are as for other filters
+    filter->Update();
+    EXPECT_EQ(filter->GetErrorCode(), 0u) << scale;
+    vtkDataArray* colors = filter->GetOutput()->GetPointData()->GetArray("Colors");
+    ASSERT_NE(colors, nullptr) << scale;
+    double range[2];
+    colors->GetRange(range, 1);
+    EXPECT_NEAR(range[0], 0.5, 1e-9) << scale;
+    EXPECT_NEAR(range[1], 0.5, 1e-9) << scale;
+    colors->GetRange(range, 0);
+    EXPECT_NEAR(range[0], 0.0, 1e-9) << scale;
+    EXPECT_NEAR(range[1], 1.0, 1e-9) << scale;
+    EXPECT_NEAR(colors->GetComponent(4, 2), 0.75, 1e-9) << scale; // isolated
+    EXPECT_NEAR(colors->GetComponent(5, 2), 0.75, 1e-9) << scale; // another component
+  }
+}
+
+TEST(PoissonVectorGraphics, ProgressGrowsAndStops)
+{
+  Fixture drawing = MakeTwoAcross();
+  AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  AddArray(drawing.OfCells(), "Strength", { 3, 4 }, 1);
+  drawing.Filter->SetRefinementLevel(3);
+  ProgressWatch watch(drawing.Filter);
+  const std::vector<double> expected = GetValues(drawing.Run(), "Colors");
+  watch.ExpectGrowth();
+  for (const double stop : { 0.05, 0.15, 0.3, 0.5, 0.7 })
+  {
+    watch.StopAt = stop;
+    watch.Progress.clear();
+    drawing.Filter->Modified();
+    ExpectSuccess(drawing.Filter); // not an error
+    EXPECT_LT(watch.Progress.back(), 1.0);
+    ExpectEmptyOutput(drawing.Filter);
+    watch.StopAt = 2.0;
+    EXPECT_EQ(GetValues(drawing.Run(), "Colors"), expected);
+  }
+  ExpectErrorWhenPointsChange(drawing.Filter, drawing.Surface, { "points" });
+}
