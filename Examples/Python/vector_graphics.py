@@ -20,6 +20,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
+from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -219,7 +220,7 @@ def make_skyline(ridge):
     """Fir trees on a ridge."""
     random = np.random.RandomState(5)
     step = 2.0 * np.pi / TREES
-    middle = step * (np.arange(TREES) + random.uniform(-0.2, 0.2, TREES))
+    middle = step * (np.arange(TREES) + random.uniform(-0.07, 0.07, TREES))
     height = random.uniform(0.016, 0.040, TREES) * (0.75 + 0.25 * np.sin(5.0 * middle))
     angles = np.stack([middle - 0.42 * step, middle, middle + 0.42 * step], axis=1).ravel()
     rises = np.stack([0.0 * height, height, 0.0 * height], axis=1).ravel()
@@ -256,7 +257,7 @@ def draw():
 
     # The sun.
     angle, height, radius = SUN
-    around = make_ellipse(angle, height, radius, radius)
+    around = make_ellipse(angle, height, radius, 0.9 * radius)
     drawing.add(DIFFUSION, around, True, LeftColor=color("fffbe8"), RightColor=color("ffd08a"))
     # Banks of mist.
     for angle, height, width in ((0.45, 0.300, 0.10), (-0.55, 0.185, 0.09), (0.10, 0.440, 0.07)):
@@ -355,10 +356,14 @@ def write_picture(vase, painted, curves, path):
     window.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(window)
+    image.SetScale(2)
     image.ReadFrontBufferOff()
+    smooth = vtkImageShrink3D()
+    smooth.SetShrinkFactors(2, 2, 1)
+    smooth.SetInputConnection(image.GetOutputPort())
     writer = vtkPNGWriter()
     writer.SetFileName(path)
-    writer.SetInputConnection(image.GetOutputPort())
+    writer.SetInputConnection(smooth.GetOutputPort())
     vtkdgg.check(writer)
 
 

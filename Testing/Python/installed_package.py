@@ -40,6 +40,7 @@ for name in (
     "vtkHeatGeodesicDistance",
     "vtkPCDReader",
     "vtkPCDWriter",
+    "vtkPoissonVectorGraphics",
     "vtkSurfaceEarthMoversDistance",
 ):
     if not hasattr(vtkdgg, name):

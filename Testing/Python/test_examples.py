@@ -243,6 +243,37 @@ class GreensFunction(unittest.TestCase):
                 self.assertNotIn("Traceback", result.stderr)
 
 
+class VectorGraphics(unittest.TestCase):
+    def test_painted_vase(self):
+        picture = os.path.join(support.output_folder("pipeline"), "vector_graphics.png")
+        result = run("vector_graphics.py", picture, "--columns", "60", "--level", "1")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        said = re.fullmatch(r"(\d+) curves on (\d+) points, colours at (\d+)\n", result.stdout)
+        self.assertTrue(said, result.stdout)
+        curves, before, after = map(int, said.groups())
+        self.assertEqual((curves, before), (96, 60 * 34))
+        self.assertGreater(after, 10 * before)
+        array = support.pixels(support.read_image(picture)).astype(int)
+        self.assertEqual(array.shape[:2], (760, 1280))
+        # Rows from the bottom, as support.pixels() has them: the sun, the glaze and the last forest
+        # of the painted vase, where plain clay is light in the left half.
+        sun = array[400:480, 860:930, :3].reshape(-1, 3)
+        self.assertGreater((sun.min(axis=1) > 220).sum(), 1500)
+        for low, high in ((645, 655), (80, 90)):
+            dark = array[low:high, 940:980, :3].mean(axis=(0, 1))
+            self.assertGreater(dark[2], 1.2 * dark[0])
+            self.assertLess(dark.max(), 110)
+            self.assertGreater(array[low:high, 300:340, :3].mean(), 1.5 * dark.max())
+
+    def test_mistakes(self):
+        for option, wrong in (("--columns", "3"), ("--level", "many")):
+            with self.subTest(option=option):
+                result = run("vector_graphics.py", option, wrong)
+                self.assertNotEqual(result.returncode, 0)
+                self.assertIn(wrong, result.stderr)
+                self.assertNotIn("Traceback", result.stderr)
+
+
 class Loops(unittest.TestCase):
     def test_two_rings(self):
         picture = os.path.join(support.output_folder("pipeline"), "loops.png")

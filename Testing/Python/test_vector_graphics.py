@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Poisson vector graphics from Python."""
+
+import unittest
+
+import numpy as np
+import support
+import vtkdgg
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+
+
+def add_array(data, name, values):
+    """An array with a copy of the values."""
+    array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+    array.SetName(name)
+    data.AddArray(array)
+
+
+def make_curve(points):
+    """One polyline."""
+    curve = support.polydata(points, np.zeros((0, 3)))
+    lines = vtkCellArray()
+    lines.InsertNextCell(len(points))
+    for i in range(len(points)):
+        lines.InsertCellPoint(i)
+    curve.SetLines(lines)
+    return curve
+
+
+class PoissonVectorGraphics(unittest.TestCase):
+    def setUp(self):
+        self.points, triangles = support.bumpy()
+        self.mesh = support.polydata(self.points, triangles)
+        self.graphics = vtkdgg.vtkPoissonVectorGraphics()
+        self.graphics.SetInputData(self.mesh)
+        far = int(vtkdgg.distance(self.points, triangles, 0).argmax())
+        self.curve = make_curve(self.points[[0, far]])
+        self.graphics.SetCurveData(self.curve)
+
+    def values(self):
+        return vtk_to_numpy(vtkdgg.check(self.graphics).GetPointData().GetArray("Colors"))
+
+    def test_diffusion_curve(self):
+        left = np.array([[255, 0, 51], [255, 102, 51]], dtype=np.uint8)
+        right = np.array([[0, 255, 51], [0, 204, 51]], dtype=np.uint8)
+        add_array(self.curve.GetPointData(), "LeftColor", left)
+        add_array(self.curve.GetPointData(), "RightColor", right)
+        values = self.values()
+        self.assertEqual(values.shape[1], 3)
+        self.assertAlmostEqual(values[:, 0].min(), 0.0, delta=1e-9)
+        self.assertAlmostEqual(values[:, 0].max(), 1.0, delta=1e-9)
+        self.assertLess(np.abs(values[:, 2] - 0.2).max(), 1e-9)
+        shown = vtk_to_numpy(self.graphics.GetOutput().GetPointData().GetScalars())
+        self.assertEqual(shown.dtype, np.uint8)
+        self.assertLessEqual(np.abs(shown - 255.0 * values).max(), 0.5 + 1e-6)
+        # Edges of the output reach across the curve nowhere, but points on it are there twice.
+        points = vtk_to_numpy(self.graphics.GetOutput().GetPoints().GetData())
+        self.assertLess(len(np.unique(points, axis=0)), len(points))
+
+    def test_poisson_curve(self):
+        add_array(self.curve.GetCellData(), "CurveType", np.array([1], dtype=np.int32))
+        add_array(self.curve.GetCellData(), "Strength", np.array([0.5]))
+        self.graphics.SetBackgroundColor(0.25, 0.0, 0.0)
+        self.graphics.SetWidth(0.3)
+        values = self.values()
+        self.assertEqual(values.ndim, 1)  # one channel
+        self.assertAlmostEqual(values.max(), 0.75, delta=1e-9)
+        self.assertAlmostEqual(values.min(), -0.25, delta=1e-9)
+        self.assertGreater((np.abs(values - 0.25) < 1e-9).mean(), 0.3)
+
+    def test_mistakes(self):
+        with self.assertRaisesRegex(vtkdgg.VTKError, "LeftColor"):
+            vtkdgg.check(self.graphics)
+        self.graphics.SetCurveData(None)
+        with self.assertRaisesRegex(vtkdgg.VTKError, "nothing to draw"):
+            vtkdgg.check(self.graphics)
+
+
+if __name__ == "__main__":
+    unittest.main()
