@@ -17,7 +17,8 @@ namespace
 {
 constexpr Offset BlocksPerTask = 4;
 constexpr Offset RowsPerTask = 512;
-/// Edges measured between two reports of progress.
+/// Nodes whose edges are counted or written, and edges measured, between two reports of progress.
+constexpr Offset NodesPerReport = 1 << 14;
 constexpr Offset EdgesPerReport = 1 << 17;
 /// Length of an edge between points in the same place, by the size of the cloud.
 constexpr double CoincidentLength = 1e-12;
@@ -99,15 +100,25 @@ Status AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPer
   }
   {
     const BlockRows rows(blocks, rowsPerBlock, nodes, parallel);
-    const auto forEachNode = [&](const auto& body) {
-      ForRange(parallel, nodes, RowsPerTask, [&](Offset begin, Offset end) {
-        for (auto node = static_cast<Id>(begin); node < static_cast<Id>(end); ++node)
+    // False when stopped; from `done` of the progress on.
+    const auto forEachNode = [&](double done, const auto& body) {
+      for (Offset first = 0; first < nodes; first += NodesPerReport)
+      {
+        if (isStopped(done + 0.1 * static_cast<double>(first) / nodes))
         {
-          body(node);
+          return false;
         }
-      });
+        const Offset count = std::min(NodesPerReport, nodes - first);
+        ForRange(parallel, count, RowsPerTask, [&](Offset begin, Offset end) {
+          for (Offset node = first + begin; node < first + end; ++node)
+          {
+            body(static_cast<Id>(node));
+          }
+        });
+      }
+      return true;
     };
-    forEachNode([&](Id node) {
+    const bool isCounted = forEachNode(0.0, [&](Id node) {
       degrees[originals[node]].fetch_add(rows.Size(node), std::memory_order_relaxed);
       for (const Id* t = rows.Begin(node); t != rows.End(node); ++t)
       {
@@ -122,7 +133,7 @@ Status AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPer
       degrees[point].fetch_add(1, std::memory_order_relaxed);
       degrees[original].fetch_add(1, std::memory_order_relaxed);
     }
-    if (isStopped(0.1))
+    if (!isCounted)
     {
       return Status::Abort();
     }
@@ -138,7 +149,7 @@ Status AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPer
     const auto write = [&](Id from, Id to) {
       graph.Targets[degrees[from].fetch_add(1, std::memory_order_relaxed)] = to;
     };
-    forEachNode([&](Id node) {
+    const bool isWritten = forEachNode(0.1, [&](Id node) {
       for (const Id* t = rows.Begin(node); t != rows.End(node); ++t)
       {
         write(originals[node], originals[*t]);
@@ -148,6 +159,10 @@ Status AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPer
         }
       }
     });
+    if (!isWritten)
+    {
+      return Status::Abort();
+    }
     for (const auto& [point, original] : setup.Nodes.Coincident)
     {
       write(point, original);
