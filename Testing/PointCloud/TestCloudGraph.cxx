@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../Benchmark/MemoryProbe.h"
 #include "CloudShapes.h"
 
 #include <gtest/gtest.h>
@@ -267,6 +268,31 @@ TEST(CloudGraph, AllPointsWithinReachAreNeighbours)
   }
   // All but some that would leave the band at the border.
   EXPECT_GT(static_cast<double>(graph.Graph.Targets.Size()), 0.99 * static_cast<double>(pairs));
+}
+
+TEST(CloudGraph, TakesNoMoreThanPredicted)
+{
+  // Memory through operator new, which is all but the nodes of trees.
+  for (const double noise : { 0.0, 0.01 })
+  {
+    const Cloud cloud = Sphere(4000, 17, noise);
+    const std::vector<double> normals = cloud.Points;
+    CloudGraphOptions options;
+    options.Normals = normals.data();
+    const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+    CloudGraphEstimate estimate;
+    ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
+    const double given = 24.0 * cloud.GetSize(); // there already
+    const MemoryProbe probe;
+    CloudGraph graph;
+    ASSERT_TRUE(builder.Build(options, graph).IsOk());
+    const auto peak = static_cast<double>(probe.GetHeapPeak()); // 0 where it cannot be measured
+    EXPECT_LE(peak, estimate.Peak - given) << noise;
+    if (peak > 0.0)
+    {
+      EXPECT_GE(peak, 0.5 * (estimate.Peak - given)) << noise;
+    }
+  }
 }
 
 TEST(CloudGraph, PredictsCoincidentPoints)
