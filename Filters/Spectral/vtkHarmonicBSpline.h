@@ -21,8 +21,7 @@
  * whose sources are the sites; they must be points of the surface, so those of input port 1 that
  * lie elsewhere move to the nearest corner of their triangle. Without any, NumberOfSites of them
  * are chosen, each as far as possible from those before along the edges. Every component needs a
- * site; chosen ones are one in each at least. Sites may have no cell in common: two at the same
- * point are an error.
+ * site; where they are chosen, it gets one.
  *
  * <b>Outputs</b> besides `HarmonicBSpline`, which has one component per site (8 bytes per point and
  * site; use few sites, or smaller meshes, for thousands of them):
@@ -37,18 +36,21 @@
  * SmoothEvaluation.
  *
  * <b>Boundaries.</b> With Neumann conditions nothing flows through the boundary, and sources whose
- * sum in a component is not 0 are balanced in proportion to area, with a warning. With Dirichlet
- * conditions all functions and solutions are 0 on the boundary, points there are in no cell and are
- * no sites, the term A_j / A is left out, and the functions sum to about 1 only away from the
- * boundary. Components without a boundary do not care.
+ * sum in a component is not 0 are balanced in proportion to area. There is a warning where the sum
+ * is more than 1e-6 of the sum of their sizes, for densities 1e-2. With Dirichlet conditions all
+ * functions and solutions are 0 on the boundary, points there are in no cell and are no sites, the
+ * term A_j / A is left out, and the functions sum to about 1 only away from the boundary.
+ * Components without a boundary do not care.
  *
- * Edges with more than two triangles conduct between all of them. On meshes with triangles next to
- * flat, where cotangents are large, sums are off 1 by 1e-10 times the largest coefficient;
- * IntrinsicDelaunay helps, and makes all c_ij positive.
+ * Edges with more than two triangles conduct between all of them. Among triangles that are next to
+ * flat, where cotangents are very large, sums are 1 only as far as the linear system can be solved
+ * (1e-5 on a plane with triangles of relative height 1e-6); results are finite. IntrinsicDelaunay
+ * helps, and makes no c_ij negative.
  *
  * <b>Errors</b> besides those of vtkSpectralAlgorithm: two sites at the same point; a component
  * without a site; Dirichlet conditions and a site on the boundary; a source array that is missing,
- * has more than one component, or is not finite.
+ * has more than one component, or is not finite; Dirichlet conditions, SmoothEvaluation and an
+ * evaluation point in a component without a boundary.
  *
  * @code
  * vtkNew<vtkHarmonicBSpline> spline;

@@ -26,8 +26,9 @@
  * number of threads.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
- *  - no source; a source id out of range, or of a point that no polygon uses; a source or
- *    evaluation point that is not finite, or farther from the surface than ProjectionTolerance;
+ *  - no source, but for filters that choose sources; a source id out of range, or of a point that
+ * no polygon uses; a source or evaluation point that is not finite, or farther from the surface
+ * than ProjectionTolerance;
  *  - a ProjectionTolerance that is negative or not a number; an empty ResultArrayName;
  *  - a factorization and results that would take more memory than MemoryLimit.
  *
@@ -35,7 +36,7 @@
  *
  * This class is not for subclassing outside of its module, see vtkGeodesicAlgorithm.
  *
- * @sa vtkDiscreteGreensFunction vtkBiharmonicDistance
+ * @sa vtkDiscreteGreensFunction vtkBiharmonicDistance vtkHarmonicBSpline
  */
 
 #ifndef vtkSpectralAlgorithm_h

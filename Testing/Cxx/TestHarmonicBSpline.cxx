@@ -322,6 +322,22 @@ TEST_F(HarmonicBSpline, UnbalancedSourcesAreBalanced)
   {
     EXPECT_NEAR(value, 0.0, 1e-12);
   }
+  // A thousandth is what integrals of densities may be off.
+  AddArray(
+    this->Surface, "few", [](vtkIdType i) { return i == 50 ? 1.001 : (i == 90 ? -1.0 : 0.0); });
+  const std::vector<double> areas = GetPointAreas(this->Surface);
+  AddArray(this->Surface, "even",
+    [&](vtkIdType i) { return i == 50 ? 1.001 / areas[50] : (i == 90 ? -1.0 / areas[90] : 0.0); });
+  this->Filter->SetSourceArrayName("even");
+  ExpectSuccess(this->Filter);
+  const std::vector<double> expected = this->Solution();
+  this->Filter->SetSourceArrayName("few");
+  this->Filter->SetSourceMeaningToIntegrated();
+  ExpectWarning(this->Filter, { "fraction of 0.0004997" });
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    EXPECT_NEAR(this->Solution()[i], expected[i], 1e-12);
+  }
 }
 
 TEST_F(HarmonicBSpline, NonManifoldEdgesConduct)
@@ -435,8 +451,7 @@ TEST_F(HarmonicBSpline, CoincidentPointsMayBeOne)
     doubled, "b", [&](vtkIdType i) { return i % n == 0 ? 1.0 : (i % n == n - 1 ? -1.0 : 0.0); });
   this->Filter->SetInputData(doubled);
   this->Filter->MergeCoincidentPointsOn();
-  this->Filter->Update();
-  ASSERT_EQ(this->Filter->GetErrorCode(), 0u);
+  ExpectWarning(this->Filter, { "edges with more than two triangles" });
   const std::vector<double> values = this->Solution();
   for (vtkIdType i = 0; i < 2 * n; ++i)
   {
