@@ -138,6 +138,106 @@ std::vector<double> Integrate(const vtkDGGMeshAdapter& adapter, const dgg::Poiss
   }
   return sources;
 }
+
+/// Finds what a task asks for.
+class Run
+{
+public:
+  explicit Run(vtkDGGSpectralTask& task)
+    : Task(task)
+    , Mesh(task.Solver.GetMesh())
+    , Splines(task.Solver)
+  {
+  }
+
+  /// Cells and functions of sites.
+  dgg::Status FindBasis(const std::vector<dgg::Id>& sites, bool isSmooth)
+  {
+    const dgg::ParallelFor parallel = vtkDGGMakeParallelFor();
+    const dgg::ProgressCallback& progress = this->Task.Progress;
+    dgg::Status status =
+      this->Splines.Prepare(sites, parallel, dgg::ProgressPart(progress, 0.0, CellsDone));
+    if (status.IsOk() && isSmooth)
+    {
+      status = this->Splines.Evaluate(this->Task.Targets, dgg::GreensMethod::SingularitySubtraction,
+        parallel, dgg::ProgressPart(progress, CellsDone, EvaluationDone), this->Evaluated);
+    }
+    if (status.IsOk())
+    {
+      status = this->Splines.FindBasis(parallel,
+        dgg::ProgressPart(progress, isSmooth ? EvaluationDone : CellsDone, BasisDone),
+        [this](dgg::Id site, const std::vector<double>& values) {
+          this->Task.Outputs.Set(static_cast<std::size_t>(site), values,
+            this->Evaluated.empty() ? Interpolate(this->Mesh, this->Task.Targets, values)
+                                    : this->EvaluatedOf(static_cast<std::size_t>(site)));
+        });
+    }
+    if (status.IsOk())
+    {
+      const std::vector<dgg::Id>& cells = this->Splines.GetCells();
+      std::vector<dgg::Id> targetCells;
+      for (const dgg::SurfacePoint& target : this->Task.Targets)
+      {
+        targetCells.push_back(cells[FindNearestCorner(this->Task.Solver, target)]);
+      }
+      this->Task.Outputs.AddNumbers(CellName, cells, targetCells);
+    }
+    return status;
+  }
+
+  /// The solution for the sources of an array.
+  dgg::Status FindSolution(const std::string& sourceName, bool isDensity,
+    const vtkDGGMeshAdapter& adapter, double& imbalance)
+  {
+    std::vector<double> numbers;
+    std::vector<double> coefficients;
+    std::vector<double> solution;
+    dgg::Status status = ReadArray(this->Task.Surface, sourceName, numbers);
+    if (status.IsOk())
+    {
+      const std::vector<double> sources =
+        Integrate(adapter, this->Task.Solver, numbers, isDensity, imbalance);
+      status = this->Splines.Solve(sources, {}, coefficients);
+    }
+    status = status.IsOk() ? this->Splines.Combine(coefficients, {}, solution) : status;
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    std::vector<double> atTargets = Interpolate(this->Mesh, this->Task.Targets, solution);
+    if (!this->Evaluated.empty())
+    {
+      std::fill(atTargets.begin(), atTargets.end(), 0.0);
+      for (std::size_t site = 0; site < coefficients.size(); ++site)
+      {
+        const std::vector<double> function = this->EvaluatedOf(site);
+        for (std::size_t k = 0; k < function.size(); ++k)
+        {
+          atTargets[k] += coefficients[site] * function[k];
+        }
+      }
+    }
+    this->Task.Outputs.Add(SolutionName, solution, atTargets);
+    return status;
+  }
+
+private:
+  /// The function of a site at the targets.
+  std::vector<double> EvaluatedOf(std::size_t site) const
+  {
+    std::vector<double> values;
+    for (std::size_t k = site; k < this->Evaluated.size(); k += this->Task.Sources.size())
+    {
+      values.push_back(this->Evaluated[k]);
+    }
+    return values;
+  }
+
+  vtkDGGSpectralTask& Task;
+  const dgg::SurfaceMesh& Mesh;
+  dgg::HarmonicSplines Splines;
+  std::vector<double> Evaluated; // per target and site, if they are to be smooth
+};
 }
 
 //------------------------------------------------------------------------------
@@ -258,93 +358,37 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(vtkDGGSpectralTask& task)
   const std::string sourceName = this->SourceArrayName;
   const bool isDensity = this->SourceMeaning == Density;
   const bool isSmooth = this->SmoothEvaluation && !task.Targets.empty();
-  const dgg::ParallelFor parallel = vtkDGGMakeParallelFor();
-  const dgg::SurfaceMesh& mesh = task.Solver.GetMesh();
-  const std::size_t targets = task.Targets.size();
-  const std::size_t count = task.Sources.size();
   this->UsedSites.clear();
-  if (count == 0)
-  {
-    return dgg::Status::Invalid(
-      "values are given at all points: there is no place for a site, use Neumann conditions");
-  }
   std::vector<dgg::Id> sites;
   for (const dgg::SurfacePoint& source : task.Sources)
   {
     sites.push_back(source.Vertex);
   }
-  dgg::HarmonicSplines splines(task.Solver);
-  dgg::Status status =
-    splines.Prepare(sites, parallel, dgg::ProgressPart(task.Progress, 0.0, CellsDone));
-  std::vector<double> evaluated; // per target and site
-  if (status.IsOk() && isSmooth)
+  if (sites.empty())
   {
-    status = splines.Evaluate(task.Targets, dgg::GreensMethod::SingularitySubtraction, parallel,
-      dgg::ProgressPart(task.Progress, CellsDone, EvaluationDone), evaluated);
+    return dgg::Status::Invalid(
+      "values are given at all points: there is no place for a site, use Neumann conditions");
+  }
+  Run run(task);
+  dgg::Status status = run.FindBasis(sites, isSmooth);
+  double imbalance = 0.0;
+  if (status.IsOk() && !sourceName.empty())
+  {
+    status = run.FindSolution(sourceName, isDensity, this->GetMesh(), imbalance);
+  }
+  if (status.IsOk() && imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
+  {
+    vtkWarningMacro(<< "the sources in a part of the surface sum to a fraction of " << imbalance
+                    << " of their sizes, with nothing given that this could flow to: they were "
+                       "balanced in proportion to area. Make their sum 0.");
+  }
+  if (status.IsOk() && !task.Progress(1.0))
+  {
+    status = dgg::Status::Abort();
   }
   if (status.IsOk())
   {
-    status = splines.FindBasis(parallel,
-      dgg::ProgressPart(task.Progress, isSmooth ? EvaluationDone : CellsDone, BasisDone),
-      [&](dgg::Id site, const std::vector<double>& values) {
-        std::vector<double> atTargets;
-        for (std::size_t k = 0; k < targets && isSmooth; ++k)
-        {
-          atTargets.push_back(evaluated[k * count + site]);
-        }
-        task.Outputs.Set(static_cast<std::size_t>(site), values,
-          isSmooth ? atTargets : Interpolate(mesh, task.Targets, values));
-      });
+    this->UsedSites.assign(sites.begin(), sites.end());
   }
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  std::vector<dgg::Id> targetCells;
-  for (const dgg::SurfacePoint& target : task.Targets)
-  {
-    targetCells.push_back(splines.GetCells()[FindNearestCorner(task.Solver, target)]);
-  }
-  task.Outputs.AddNumbers(CellName, splines.GetCells(), targetCells);
-
-  if (!sourceName.empty())
-  {
-    std::vector<double> numbers;
-    std::vector<double> coefficients;
-    std::vector<double> solution;
-    double imbalance = 0.0;
-    status = ReadArray(task.Surface, sourceName, numbers);
-    if (status.IsOk())
-    {
-      status = splines.Solve(
-        Integrate(this->GetMesh(), task.Solver, numbers, isDensity, imbalance), {}, coefficients);
-    }
-    status = status.IsOk() ? splines.Combine(coefficients, {}, solution) : status;
-    if (!status.IsOk())
-    {
-      return status;
-    }
-    std::vector<double> atTargets = Interpolate(mesh, task.Targets, solution);
-    for (std::size_t k = 0; k < targets && isSmooth; ++k)
-    {
-      atTargets[k] = 0.0;
-      for (std::size_t j = 0; j < count; ++j)
-      {
-        atTargets[k] += coefficients[j] * evaluated[k * count + j];
-      }
-    }
-    task.Outputs.Add(SolutionName, solution, atTargets);
-    if (imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
-    {
-      vtkWarningMacro(<< "the sources in a part of the surface sum to a fraction of " << imbalance
-                      << " of their sizes, with nothing given that this could flow to: they were "
-                         "balanced in proportion to area. Make their sum 0.");
-    }
-  }
-  if (!task.Progress(1.0))
-  {
-    return dgg::Status::Abort();
-  }
-  this->UsedSites.assign(sites.begin(), sites.end());
   return status;
 }

@@ -6,10 +6,9 @@
 #include "dggGeodesicSource.h"
 #include "dggPoissonIntegral.h"
 #include "dggPoissonSystem.h"
+#include "dggSiteEquations.h"
 #include "dggSplineCells.h"
 #include "dggSplineSites.h"
-
-#include <Eigen/SparseCholesky> // for the factorization
 
 #include <cmath>
 #include <cstdint>
@@ -251,7 +250,6 @@ Status HarmonicSplines::Solve(const std::vector<double>& rightHandSide,
   const std::vector<Id>& given, std::vector<double>& coefficients) const
 {
   const Implementation& internals = *this->Internals;
-  const PoissonSystem& system = internals.System;
   Status status = internals.Check();
   status = status.IsOk() ? internals.Solver.CheckValues(rightHandSide) : status;
   if (!status.IsOk())
@@ -259,28 +257,7 @@ Status HarmonicSplines::Solve(const std::vector<double>& rightHandSide,
     return status;
   }
   const Id count = internals.GetNumberOfSites();
-  const SplineCells& cells = internals.Cells;
-  Eigen::VectorXd sources = Eigen::VectorXd::Zero(count);
-  for (std::size_t v = 0; v < rightHandSide.size(); ++v)
-  {
-    if (cells.Cells[v] != NoId)
-    {
-      sources[cells.Cells[v]] += rightHandSide[v];
-    }
-  }
-  for (const SplineCells::Rim& rim : cells.Rims)
-  {
-    sources[rim.Site] += rim.Coefficient * rightHandSide[rim.Vertex];
-  }
-
-  // Components without a given value get one, 0, for a while.
-  std::vector<double> values(count, 0.0);
-  std::vector<std::uint8_t> isKnown(count, 0);
-  std::vector<std::uint8_t> isFloating(system.GetNumberOfComponents(), 0);
-  for (Id c = 0; c < system.GetNumberOfComponents(); ++c)
-  {
-    isFloating[c] = system.IsFree(c) ? 1 : 0;
-  }
+  SiteEquations equations(internals.System, internals.Cells, rightHandSide);
   for (const Id site : given)
   {
     if (site < 0 || site >= count || coefficients.size() != static_cast<std::size_t>(count) ||
@@ -289,63 +266,15 @@ Status HarmonicSplines::Solve(const std::vector<double>& rightHandSide,
       return Status::Invalid("there is no finite value for the given site " + std::to_string(site) +
         " of " + std::to_string(count));
     }
-    values[site] = coefficients[site];
-    isKnown[site] = 1;
-    isFloating[cells.Components[site]] = 0;
+    equations.Give(site, coefficients[site]);
   }
-  std::vector<double> totals(isFloating.size(), 0.0);
-  std::vector<std::uint8_t> isPinned(isFloating.size(), 0);
-  for (Id i = 0; i < count; ++i)
-  {
-    totals[cells.Components[i]] += sources[i];
-  }
-  for (Id i = 0; i < count; ++i)
-  {
-    const Id c = cells.Components[i];
-    sources[i] -= isFloating[c] ? totals[c] * cells.Weights[i] : 0.0;
-    isKnown[i] = isKnown[i] || (isFloating[c] && !isPinned[c]) ? 1 : 0;
-    isPinned[c] = 1;
-  }
-
-  Eigen::SparseMatrix<double> matrix = cells.Stiffness;
-  for (int column = 0; column < matrix.cols(); ++column)
-  {
-    for (Entries entry(matrix, column); entry; ++entry)
-    {
-      const auto row = entry.row();
-      if (isKnown[column] && !isKnown[row])
-      {
-        sources[row] -= entry.value() * values[column];
-      }
-      if (isKnown[column] || isKnown[row])
-      {
-        entry.valueRef() = row == column ? 1.0 : 0.0;
-      }
-    }
-  }
-  for (Id i = 0; i < count; ++i)
-  {
-    sources[i] = isKnown[i] ? values[i] : sources[i];
-  }
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
-  const Eigen::VectorXd solution =
-    factor.info() == Eigen::Success ? Eigen::VectorXd(factor.solve(sources)) : Eigen::VectorXd();
-  if (solution.size() != count || !solution.allFinite())
+  std::vector<double> solution;
+  if (!equations.Solve(solution))
   {
     return Status::Invalid("the equations of the sites could not be solved: some cells do not "
                            "conduct, choose other sites or flip edges (IntrinsicDelaunay)");
   }
-
-  coefficients.assign(solution.data(), solution.data() + count);
-  std::vector<double> means(isFloating.size(), 0.0);
-  for (Id i = 0; i < count; ++i)
-  {
-    means[cells.Components[i]] += cells.Weights[i] * coefficients[i];
-  }
-  for (Id i = 0; i < count; ++i)
-  {
-    coefficients[i] -= isFloating[cells.Components[i]] ? means[cells.Components[i]] : 0.0;
-  }
+  coefficients.swap(solution);
   return status;
 }
 
