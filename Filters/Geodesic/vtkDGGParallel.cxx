@@ -59,39 +59,45 @@ public:
   {
   }
 
-  /// Of the steps done, between them.
+  /// Part of all steps that is done, between them.
   bool Tell(double done)
   {
-    this->Done = done;
-    this->Within = 0.0;
+    this->Sum = done * this->Count;
     return !this->IsStopped && this->Progress(done);
   }
-  /// Of one step, in any thread.
-  bool TellWithin(double fraction)
+  /// Of one step, in its thread, which keeps what it has `told`.
+  bool TellWithin(double fraction, double& told)
   {
-    this->Within = fraction;
+    this->Add(fraction - told);
+    told = std::max(told, fraction);
     if (std::this_thread::get_id() == this->Teller)
     {
       this->Poll();
     }
     return !this->IsStopped;
   }
-  /// What steps have told last. They run in any order, so that it counts as if there were only one.
+  /// What all steps together have told.
   void Poll()
   {
     if (!this->IsStopped)
     {
-      this->IsStopped =
-        !this->Progress(this->Done + (1.0 - this->Done) * this->Within / this->Count);
+      this->IsStopped = !this->Progress(std::min(1.0, this->Sum / this->Count));
     }
   }
 
 private:
+  void Add(double part)
+  {
+    double sum = this->Sum;
+    while (part > 0.0 && !this->Sum.compare_exchange_weak(sum, sum + part))
+    {
+    }
+  }
+
   const dgg::ProgressCallback& Progress;
   double Count;
   std::thread::id Teller;
-  double Done = 0.0; // changes only while no step runs
-  std::atomic<double> Within{ 0.0 };
+  std::atomic<double> Sum{ 0.0 }; // of the parts of all steps that are done
   std::atomic<bool> IsStopped{ false };
 };
 
@@ -197,8 +203,16 @@ dgg::Status vtkDGGForLongSteps(std::size_t count, const dgg::ProgressCallback& p
   const std::function<dgg::Status(std::size_t, const dgg::ProgressCallback&)>& step)
 {
   SharedProgress shared(progress, count);
-  const dgg::ProgressCallback within = [&](double fraction) { return shared.TellWithin(fraction); };
   return RunBlocks(
     count, 1, [&](double done) { return shared.Tell(done); }, [&] { shared.Poll(); },
-    [&](std::size_t number) { return step(number, within); });
+    [&](std::size_t number) {
+      double told = 0.0;
+      const dgg::Status status =
+        step(number, [&](double fraction) { return shared.TellWithin(fraction, told); });
+      if (status.IsOk())
+      {
+        shared.TellWithin(1.0, told);
+      }
+      return status;
+    });
 }

@@ -21,9 +21,9 @@ dgg::ParallelFor vtkDGGMakeParallelFor();
 dgg::Status vtkDGGForBlocks(std::size_t count, std::size_t block,
   const dgg::ProgressCallback& progress, const std::function<dgg::Status(std::size_t)>& step);
 
-/// The same for steps that take long, and tell a progress of their own. Only the calling thread
-/// tells it; the others learn whether to go on. Steps run while observers of the progress do what
-/// they like: they must not depend on it.
+/// The same for steps that take long, and tell a progress of their own: that of all is the mean of
+/// theirs. Only the calling thread tells it; the others learn whether to go on. Steps run while
+/// observers of the progress do what they like: they must not depend on it.
 dgg::Status vtkDGGForLongSteps(std::size_t count, const dgg::ProgressCallback& progress,
   const std::function<dgg::Status(std::size_t, const dgg::ProgressCallback&)>& step);
 

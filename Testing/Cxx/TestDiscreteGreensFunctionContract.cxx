@@ -8,9 +8,11 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"
+#include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <sstream>
@@ -205,6 +207,30 @@ TEST_F(DiscreteGreensFunctionContract, ProgressGrowsAndStops)
       EXPECT_EQ(GetValues(this->Filter->GetOutput(), Name, 30), expected);
     }
   }
+}
+
+TEST_F(DiscreteGreensFunctionContract, ProgressIsThatOfAllBlocks)
+{
+  // Four blocks of sources, which are one batch. In one thread, each tells all of its progress.
+  const std::string backend = vtkSMPTools::GetBackend();
+  ASSERT_TRUE(vtkSMPTools::SetBackend("Sequential"));
+  this->Filter->SetInputData(MakeTerrain(30));
+  for (vtkIdType id = 100; id < 130; ++id)
+  {
+    this->Filter->AddSourceId(id);
+  }
+  ProgressWatch watch(this->Filter);
+  ExpectSuccess(this->Filter);
+  vtkSMPTools::SetBackend(backend.c_str());
+  watch.ExpectGrowth();
+  double jump = 0.0;
+  for (std::size_t k = 1; k < watch.Progress.size(); ++k)
+  {
+    // The factorization, up to a half, cannot be interrupted.
+    const double before = watch.Progress[k - 1];
+    jump = before > 0.4 ? std::max(jump, watch.Progress[k] - before) : jump;
+  }
+  EXPECT_LT(jump, 0.1);
 }
 
 TEST_F(DiscreteGreensFunctionContract, ObserversMayChangeTheInputs)

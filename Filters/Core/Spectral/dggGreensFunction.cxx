@@ -116,9 +116,13 @@ Status GreensFunction::RunBlock(const std::vector<SurfacePoint>& poles, std::siz
   for (std::size_t k = 0; k < columns.size(); ++k)
   {
     const auto begin = static_cast<double>(k);
-    const Status status = columns[k].Start(poles[first + k], query,
+    Status status = columns[k].Start(poles[first + k], query,
       ProgressPart(progress, StartDone * begin / count, StartDone * (begin + 1.0) / count),
       workspace);
+    if (status.IsOk() && progress && !progress(StartDone * (begin + 1.0) / count))
+    {
+      status = Status::Abort();
+    }
     if (!status.IsOk())
     {
       return status;
@@ -142,7 +146,7 @@ Status GreensFunction::RunBlock(const std::vector<SurfacePoint>& poles, std::siz
       solution[v] = solutions[v][k];
     }
     const auto begin = static_cast<double>(k);
-    const Status status = columns[k].Finish(solution,
+    Status status = columns[k].Finish(solution,
       ProgressPart(progress, SolveDone + (1.0 - SolveDone) * begin / count,
         SolveDone + (1.0 - SolveDone) * (begin + 1.0) / count),
       workspace, results[first + k]);

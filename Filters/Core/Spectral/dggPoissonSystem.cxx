@@ -106,7 +106,7 @@ Status PoissonSystem::Analyze(const PoissonOptions& options, const ProgressCallb
     return Status::Abort();
   }
   CotanLaplacian laplacian = MakeCotanLaplacian(this->Triangulation, LargestCotangent);
-  this->Stiffness = std::move(laplacian.Stiffness);
+  this->Stiffness.swap(laplacian.Stiffness);
   this->Areas.assign(laplacian.Mass.data(), laplacian.Mass.data() + laplacian.Mass.size());
   const Eigen::VectorXd diagonal = this->Stiffness.diagonal().cwiseAbs();
   this->Diagonal.assign(diagonal.data(), diagonal.data() + diagonal.size());
