@@ -275,7 +275,7 @@ def fallback_text(run):
         for levels in run.spheres.values()
         for figures in levels.values()
     )
-    return f"At {count:.0f} poles another method was used.\n" if count else ""
+    return f"At {count:.0f} poles another method was used.\n\n" if count else ""
 
 
 def summarize(path):
@@ -286,10 +286,13 @@ def summarize(path):
         "Green's functions of points anywhere": point_table,
         "Eigenpairs, earth mover's distance of two vertices": long_table,
         "Peers": peer_table,
-        "Errors on spheres of radius 1": convergence_table,
     }
     parts += titled(run, titles)
-    return "\n".join(parts) + fallback_text(run)
+    made = convergence_table(run)
+    if made:
+        parts += ["<details><summary>Errors on spheres of radius 1</summary>\n", made]
+        parts += [fallback_text(run) + "</details>\n"]
+    return "\n".join(parts)
 
 
 if __name__ == "__main__":

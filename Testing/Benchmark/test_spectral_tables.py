@@ -105,7 +105,8 @@ class SpectralTables(unittest.TestCase):
             cells = self.cells("error", f"{title} | order")
             found = [cells[way].lstrip("-") for way in ("singularity subtraction", "vertex")]
             self.assertEqual(found, [order, order], title)
-        self.assertEqual(self.lines[-1], "At 6 poles another method was used.")
+        self.assertIn("At 6 poles another method was used.", self.lines)
+        self.assertEqual(self.lines[-1], "</details>")
 
     def test_order(self):
         # A line through points that are not on one: by hand, over edges 1, 1/2, 1/4.
@@ -117,8 +118,7 @@ class SpectralTables(unittest.TestCase):
         """What was not measured has no table."""
         path = write_results("spheres.json", [sphere(3, "Vertex", 0.5)])
         lines = summarize_spectral.summarize(path).splitlines()
-        titles = [line for line in lines if line.startswith("**")]
-        self.assertEqual(titles, ["**Errors on spheres of radius 1**"])
+        self.assertEqual([line for line in lines if line.startswith("**")], [])
         self.assertEqual(cells_of(lines, "within 0.2 | order", "vertex")["vertex"], "–")
 
     @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs matplotlib")
