@@ -30,19 +30,16 @@ vtkStandardNewMacro(vtkPoissonVectorGraphics);
 
 namespace
 {
-/// Parts of the progress: when curves are joined, the surface is refined, the system factorized.
-constexpr double JoinedAt = 0.1;
-constexpr double EmbeddedAt = 0.15;
-constexpr double RefinedAt = 0.2;
+/// Parts of the preparation: when curves are joined and the surface is refined.
+constexpr double JoinedAt = 0.15;
+constexpr double EmbeddedAt = 0.22;
+constexpr double RefinedAt = 0.3;
+/// Part of the progress when all is prepared: if it has to be, or only looked at.
 constexpr double FactorizedAt = 0.7;
+constexpr double FoundAt = 0.01;
 /// Bytes that a face takes at least while it is refined.
 constexpr double BytesPerFace = 256.0;
 constexpr double UsualWidth = 0.05; // of the diagonal
-
-dgg::ProgressCallback PartOf(const dgg::ProgressCallback& progress, double begin, double end)
-{
-  return dgg::ProgressPart(progress, begin, end);
-}
 
 dgg::Status NameCurve(const dgg::Status& status, std::size_t k)
 {
@@ -53,10 +50,43 @@ dgg::Status NameCurve(const dgg::Status& status, std::size_t k)
 }
 
 //------------------------------------------------------------------------------
+/// What a factorization depends on.
+struct vtkDGGDrawing
+{
+  vtkMTimeType MeshTime = 0;
+  std::vector<std::vector<dgg::SurfacePoint>> Places; // per curve
+  std::vector<dgg::GraphicsCurve> Curves;             // types and whether they are closed
+  int RefinementLevel = 0;
+  int RefinementRegion = 0;
+  bool IntrinsicDelaunay = false;
+  vtkTypeUInt64 MemoryLimit = 0; // does not matter
+
+  bool IsSame(const vtkDGGDrawing& other) const
+  {
+    bool isSame = this->MeshTime == other.MeshTime && this->Places.size() == other.Places.size() &&
+      this->RefinementLevel == other.RefinementLevel &&
+      this->RefinementRegion == other.RefinementRegion &&
+      this->IntrinsicDelaunay == other.IntrinsicDelaunay;
+    for (std::size_t k = 0; k < this->Places.size() && isSame; ++k)
+    {
+      isSame = this->Curves[k].Type == other.Curves[k].Type &&
+        this->Curves[k].IsClosed == other.Curves[k].IsClosed &&
+        std::equal(this->Places[k].begin(), this->Places[k].end(), other.Places[k].begin(),
+          other.Places[k].end(), dgg::IsSamePoint);
+    }
+    return isSame;
+  }
+};
+
+//------------------------------------------------------------------------------
 struct vtkPoissonVectorGraphics::vtkInternals
 {
   vtkDGGSourceCollector Collector;
   vtkDGGGraphicsNames Names;
+  dgg::VectorGraphics Graphics;
+  vtkDGGDrawing Kept; // what Graphics was prepared for
+  bool IsKept = false;
+  int NumberOfFactorizations = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -107,6 +137,8 @@ void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "ResultArrayName: " << this->ResultArrayName << "\n";
+  os << indent << "NumberOfFactorizations: " << this->GetNumberOfFactorizations() << "\n";
+  os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -169,6 +201,18 @@ const char* vtkPoissonVectorGraphics::GetResultArrayName() const
 }
 
 //------------------------------------------------------------------------------
+int vtkPoissonVectorGraphics::GetNumberOfFactorizations() const
+{
+  return this->Internals->NumberOfFactorizations;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkPoissonVectorGraphics::GetMemorySize() const
+{
+  return this->Internals->IsKept ? this->Internals->Graphics.GetMemorySize() : 0;
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkPoissonVectorGraphics::CheckProperties() const
 {
   if (this->ResultArrayName.empty())
@@ -203,13 +247,71 @@ std::string vtkPoissonVectorGraphics::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
+/// Draw the curves, refine and cut the surface, factorize the matrix.
+dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawing,
+  const dgg::GraphicsOptions& options, const std::function<bool(double)>& progress)
+{
+  const dgg::SurfaceMesh& mesh = this->GetMesh().GetMesh();
+  vtkInternals& internals = *this->Internals;
+  internals.IsKept = false;
+  const std::size_t count = drawing.Curves.size();
+  dgg::Status status;
+  std::vector<dgg::SurfaceCurve> joined(count);
+  for (std::size_t k = 0; k < count && status.IsOk(); ++k)
+  {
+    const double part = JoinedAt / static_cast<double>(count);
+    const double begin = static_cast<double>(k) * part;
+    status = NameCurve(dgg::JoinPoints(mesh, drawing.Places[k], drawing.Curves[k].IsClosed,
+                         dgg::ProgressPart(progress, begin, begin + part), joined[k]),
+      k);
+  }
+  dgg::RefinedSurface refined;
+  if (status.IsOk())
+  {
+    status =
+      dgg::EmbedCurves(mesh, joined, dgg::ProgressPart(progress, JoinedAt, EmbeddedAt), refined);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  dgg::GraphicsRefinement refinement;
+  refinement.Levels = drawing.RefinementLevel;
+  refinement.IsEverywhere = drawing.RefinementRegion == Everywhere;
+  refinement.MostFaces = static_cast<dgg::Offset>(
+    std::min(static_cast<double>(vtkDGGGetMemoryLimit(drawing.MemoryLimit)) / BytesPerFace,
+      static_cast<double>(refinement.MostFaces)));
+  refinement.Progress = dgg::ProgressPart(progress, EmbeddedAt, RefinedAt);
+  status = dgg::RefineForGraphics(mesh, refinement, refined);
+  if (!status.IsOk())
+  {
+    return status.IsAborted()
+      ? status
+      : dgg::Status::Invalid(status.GetMessage() +
+          ", for memory to suffice: raise MemoryLimit, or " + this->GetMemoryRemedy());
+  }
+  std::vector<dgg::CurveChain> chains;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    chains.push_back(dgg::FollowCurve(refined, joined, k));
+  }
+  dgg::GraphicsOptions own = options;
+  own.Progress = dgg::ProgressPart(progress, RefinedAt, 1.0);
+  status = internals.Graphics.Prepare(mesh, refined, chains, drawing.Curves, own);
+  internals.NumberOfFactorizations += status.IsOk() ? 1 : 0;
+  internals.IsKept = status.IsOk();
+  internals.Kept = drawing;
+  return status;
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkPoissonVectorGraphics::Execute(
   vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const vtkDGGMeshAdapter& adapter = this->GetMesh();
-  const dgg::SurfaceMesh& mesh = adapter.GetMesh();
+  vtkInternals& internals = *this->Internals;
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
-  vtkDGGGraphicsNames names = this->Internals->Names;
+  vtkDGGGraphicsNames names = internals.Names;
   double bounds[6];
   surface->GetPoints()->GetBounds(bounds);
   const double diagonal =
@@ -218,7 +320,10 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   vtkDGGGraphicsInput input;
   dgg::Status status = input.Read(lines, surface, names);
   const std::vector<dgg::GraphicsCurve>& curves = input.GetCurves();
-  std::vector<std::vector<dgg::SurfacePoint>> places(curves.size());
+  vtkDGGDrawing drawing;
+  drawing.MeshTime = adapter.GetBuildTime();
+  drawing.Curves = curves;
+  drawing.Places.resize(curves.size());
   static const std::vector<vtkIdType> none;
   for (std::size_t k = 0; k < curves.size() && status.IsOk(); ++k)
   {
@@ -228,10 +333,10 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
     std::vector<dgg::GeodesicSource> found;
     if (status.IsOk())
     {
-      status = this->Internals->Collector.Collect(
+      status = internals.Collector.Collect(
         set, this->ProjectionTolerance, adapter, surface->GetPoints(), found);
     }
-    places[k] = vtkDGGGetPlaces(found);
+    drawing.Places[k] = vtkDGGGetPlaces(found);
   }
   if (!status.IsOk())
   {
@@ -243,69 +348,36 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   copy->ShallowCopy(surface);
   vtkDGGGraphicsOutput output(this->ResultArrayName);
   status = output.Take(copy, adapter, this->GetOutputPointsPrecision());
-  const vtkTypeUInt64 limit = this->MemoryLimit;
-  const auto channels = static_cast<std::size_t>(input.GetNumberOfChannels());
+  drawing.RefinementLevel = this->RefinementLevel;
+  drawing.RefinementRegion = this->RefinementRegion;
+  drawing.IntrinsicDelaunay = this->IntrinsicDelaunay;
+  drawing.MemoryLimit = this->MemoryLimit;
   dgg::GraphicsOptions options;
   options.NumberOfChannels = input.GetNumberOfChannels();
   options.Background.assign(this->BackgroundColor, this->BackgroundColor + 3);
-  options.Background.resize(channels, 0.0);
+  options.Background.resize(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.CheckMemory = [&](double bytes) {
     return vtkDGGCheckMemory(
-      "the factorization and the colours", bytes, limit, this->GetMemoryRemedy());
+      "the factorization and the colours", bytes, drawing.MemoryLimit, this->GetMemoryRemedy());
   };
-  dgg::GraphicsRefinement refinement;
-  refinement.Levels = this->RefinementLevel;
-  refinement.IsEverywhere = this->RefinementRegion == Everywhere;
-  refinement.MostFaces = static_cast<dgg::Offset>(
-    std::min(static_cast<double>(vtkDGGGetMemoryLimit(limit)) / BytesPerFace,
-      static_cast<double>(refinement.MostFaces)));
+  const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(adapter);
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
-
   if (status.IsOk() && !progress(0.0))
   {
     status = dgg::Status::Abort();
   }
-  std::vector<dgg::SurfaceCurve> joined(curves.size());
-  for (std::size_t k = 0; k < curves.size() && status.IsOk(); ++k)
+  const bool isKept = internals.IsKept && internals.Kept.IsSame(drawing);
+  const double preparedAt = isKept ? FoundAt : FactorizedAt;
+  if (status.IsOk() && !isKept)
   {
-    const double part = JoinedAt / static_cast<double>(curves.size());
-    const double begin = static_cast<double>(k) * part;
-    status = NameCurve(dgg::JoinPoints(mesh, places[k], curves[k].IsClosed,
-                         PartOf(progress, begin, begin + part), joined[k]),
-      k);
-  }
-  dgg::RefinedSurface refined;
-  if (status.IsOk())
-  {
-    status = dgg::EmbedCurves(mesh, joined, PartOf(progress, JoinedAt, EmbeddedAt), refined);
-  }
-  if (status.IsOk())
-  {
-    refinement.Progress = PartOf(progress, EmbeddedAt, RefinedAt);
-    status = dgg::RefineForGraphics(mesh, refinement, refined);
-    if (!status.IsOk() && !status.IsAborted())
-    {
-      status = dgg::Status::Invalid(status.GetMessage() +
-        ", for memory to suffice: raise MemoryLimit, or " + this->GetMemoryRemedy());
-    }
-  }
-  std::vector<dgg::CurveChain> chains;
-  for (std::size_t k = 0; k < curves.size() && status.IsOk(); ++k)
-  {
-    chains.push_back(dgg::FollowCurve(refined, joined, k));
-  }
-  dgg::VectorGraphics graphics;
-  if (status.IsOk())
-  {
-    options.Progress = PartOf(progress, RefinedAt, FactorizedAt);
-    status = graphics.Prepare(mesh, refined, chains, curves, options);
+    status = this->PrepareDrawing(drawing, options, dgg::ProgressPart(progress, 0.0, preparedAt));
   }
   dgg::GraphicsResult result;
   if (status.IsOk())
   {
-    options.Progress = PartOf(progress, FactorizedAt, 1.0);
-    status = graphics.Run(curves, input.MakeRegions(adapter), options, result);
+    options.Progress = dgg::ProgressPart(progress, preparedAt, 1.0);
+    status = internals.Graphics.Run(curves, regions, options, result);
   }
   if (status.IsOk())
   {
@@ -313,8 +385,8 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   }
   if (status.IsOk())
   {
-    output.Fill(
-      graphics.GetSurface(), result, options.NumberOfChannels, vtkPolyData::GetData(outputVector));
+    output.Fill(internals.Graphics.GetSurface(), result, options.NumberOfChannels,
+      vtkPolyData::GetData(outputVector));
   }
   return status;
 }

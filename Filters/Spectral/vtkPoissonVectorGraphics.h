@@ -50,9 +50,10 @@
  * are added.
  *
  * <b>Method.</b> -Laplace u = f for each channel, nothing flows through the boundary of the
- * surface; linear finite elements on the refined mesh, one factorization, see dgg::VectorGraphics.
- * Triangles are split in four RefinementLevel times, everywhere or around curves, and the equation
- * is solved on what comes out: errors are of second order, but for the ends of curves.
+ * surface; linear finite elements on the refined mesh, one factorization, which is kept for other
+ * colours, see dgg::VectorGraphics. Triangles are split in four RefinementLevel times, everywhere
+ * or around curves, and the equation is solved on what comes out: errors are of second order, but
+ * for the ends of curves.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
  *  - neither a line nor a region; a line with fewer than two different points;
@@ -92,8 +93,15 @@
 #include "vtkDGGFiltersSpectralModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the internals
-#include <string> // For array names
+#include <functional> // For progress
+#include <memory>     // For the internals
+#include <string>     // For array names
+
+namespace dgg
+{
+struct GraphicsOptions;
+}
+struct vtkDGGDrawing;
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkPoissonVectorGraphics : public vtkGeodesicAlgorithm
 {
@@ -175,13 +183,13 @@ public:
   enum RefinementRegionType
   {
     Everywhere = 0, ///< all
-    NearCurves = 1  ///< those that touch a curve and two rings around them, anew at each level
+    NearCurves = 1  ///< those that touch a curve, with a ring around them for each further level
   };
 
   ///@{
   /**
    * How often triangles are split in four, from 0 to 8, and which. Default 1, Everywhere.
-   * Neighbours are split as needed for edges to fit; angles stay above half of the smallest one.
+   * Neighbours are split once as needed for edges to fit.
    */
   vtkSetClampMacro(RefinementLevel, int, 0, 8);
   vtkGetMacro(RefinementLevel, int);
@@ -231,6 +239,18 @@ public:
   const char* GetResultArrayName() const;
   ///@}
 
+  /**
+   * How many factorizations this filter has done: one for a new surface, new places or types of
+   * curves, other refinement or IntrinsicDelaunay; none for other colours, strengths, widths or
+   * regions of cells.
+   */
+  int GetNumberOfFactorizations() const;
+
+  /**
+   * Bytes that are kept between updates; zero before the first one.
+   */
+  vtkTypeUInt64 GetMemorySize() const;
+
 protected:
   vtkPoissonVectorGraphics();
   ~vtkPoissonVectorGraphics() override;
@@ -249,6 +269,8 @@ private:
   struct vtkInternals;
 
   void SetName(std::string& property, const char* name);
+  dgg::Status PrepareDrawing(const vtkDGGDrawing& drawing, const dgg::GraphicsOptions& options,
+    const std::function<bool(double)>& progress);
 
   double Width;
   double BackgroundColor[3];

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Colours from curves and regions: closed forms, what is far stays as it is, what is refused.
-#include "CurveChecks.h"
+#include "CurveInputs.h"
 #include "CurvedMeshes.h"
 #include "FlatMeshes.h"
 
 #include "dggExactGeodesics.h"
-#include "dggFaceSubdivision.h"
+#include "dggGraphicsRefinement.h"
+#include "dggGreensInterpolation.h"
 #include "dggPoissonSolver.h"
 #include "dggVectorGraphics.h"
 
@@ -30,6 +31,14 @@ using dgg::SurfaceMesh;
 using dgg::SurfacePoint;
 
 using Position = std::array<double, 3>;
+
+void RefineAll(const SurfaceMesh& mesh, int levels, RefinedSurface& surface)
+{
+  dgg::GraphicsRefinement refinement;
+  refinement.Levels = levels;
+  const dgg::Status status = dgg::RefineForGraphics(mesh, refinement, surface);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+}
 
 /// A drawing on a mesh with points.
 class Drawing
@@ -79,12 +88,7 @@ public:
   dgg::Status Prepare(int levels = 0)
   {
     this->Surface = Embed(this->Mesh, this->Lines);
-    for (int level = 0; level < levels; ++level)
-    {
-      const std::vector<std::uint8_t> all(this->Surface.Faces.size(), 1);
-      const dgg::Status status = dgg::SubdivideFaces(this->Mesh, all, 10000000, this->Surface);
-      EXPECT_TRUE(status.IsOk()) << status.GetMessage();
-    }
+    RefineAll(this->Mesh, levels, this->Surface);
     std::vector<dgg::CurveChain> chains;
     for (std::size_t k = 0; k < this->Lines.size(); ++k)
     {
@@ -596,6 +600,160 @@ TEST(VectorGraphics, OrderTwoBesideCurves)
   EXPECT_LT(previous, 1e-3);
 }
 
+TEST(VectorGraphics, SolvedAgainIsBetterThanGreensIdentity)
+{
+  // Values inside of faces, of a spherical harmonic of degree 5: by linear interpolation, by
+  // Green's identity, and by linear interpolation one level finer.
+  const TestMesh sphere = Icosphere(3);
+  const SurfaceMesh mesh = Build(sphere);
+  const auto harmonic = [](const std::array<double, 3>& p) {
+    const double r = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    const double x = p[0] / r;
+    const double y = p[1] / r;
+    return 4.0 * (x * x * x * x - 6.0 * x * x * y * y + y * y * y * y) * p[2] / r;
+  };
+  const auto placeOf = [&](const SurfacePoint& point) {
+    return dgg::PositionOf(mesh, point, sphere.Points.data());
+  };
+  RefinedSurface surface = Embed(mesh, {});
+  RefineAll(mesh, 1, surface);
+  SurfaceMesh fine;
+  ASSERT_TRUE(surface.Build(mesh, fine).IsOk());
+  const auto solve = [&](const dgg::PoissonSolver& solver, const RefinedSurface* refined) {
+    std::vector<double> u(solver.GetAreas());
+    for (std::size_t v = 0; v < u.size(); ++v)
+    {
+      const SurfacePoint point =
+        refined ? refined->Points[v] : SurfacePoint::AtVertex(static_cast<Id>(v));
+      u[v] *= 30.0 * harmonic(placeOf(point));
+    }
+    EXPECT_TRUE(solver.Solve(u).IsOk());
+    return u;
+  };
+  dgg::PoissonSolver coarseSolver(mesh);
+  dgg::PoissonSolver fineSolver(fine);
+  ASSERT_TRUE(coarseSolver.Prepare({}, nullptr).IsOk());
+  ASSERT_TRUE(fineSolver.Prepare({}, nullptr).IsOk());
+  const std::vector<double> coarse = solve(coarseSolver, nullptr);
+  const std::vector<double> solvedAgain = solve(fineSolver, &surface);
+  std::vector<double> flow;
+  ASSERT_TRUE(coarseSolver.Multiply(coarse, flow).IsOk());
+  dgg::GreensInterpolation greens(coarseSolver);
+  Random random(3);
+  double errors[3] = { 0.0, 0.0, 0.0 };
+  for (int i = 0; i < 60; ++i)
+  {
+    const Id f = random.Index(fine.GetNumberOfFaces());
+    const std::array<double, 3> b{ { 0.25, 0.35, 0.4 } };
+    double again = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      again += b[k] * solvedAgain[surface.Triangles[3 * f + k]];
+    }
+    const SurfacePoint point = surface.ToOldMesh(mesh, f, b);
+    const double exact = harmonic(placeOf(point));
+    double linear = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      linear += point.Barycentric[k] * coarse[mesh.Origin(3 * point.Face + k)];
+    }
+    dgg::GreensResult result;
+    ASSERT_TRUE(greens.Run(point, {}, result).IsOk());
+    double identity = 0.0;
+    for (std::size_t v = 0; v < flow.size(); ++v)
+    {
+      identity += result.Values[v] * flow[v];
+    }
+    errors[0] += (linear - exact) * (linear - exact);
+    errors[1] += (identity - exact) * (identity - exact);
+    errors[2] += (again - exact) * (again - exact);
+  }
+  EXPECT_LT(std::sqrt(errors[1] / 60.0), 0.04);
+  EXPECT_GT(errors[1], errors[0]);
+  EXPECT_LT(std::sqrt(errors[2]), 0.4 * std::sqrt(std::min(errors[0], errors[1])));
+}
+
+TEST(VectorGraphics, AnyCurvesOnAnySurface)
+{
+  // Curves that run along edges and boundaries, cross each other and themselves, come back. With
+  // diffusion curves alone, no colour lies outside of those that are given.
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    Id count = 0;
+    Build(named.Mesh).ComputeComponents(count);
+    if (named.Mesh.Points.empty() || count > 1)
+    {
+      continue;
+    }
+    for (const bool isDiffusion : { true, false })
+    {
+      SCOPED_TRACE(named.Name);
+      Random random(isDiffusion ? 17 : 18);
+      Drawing drawing(named.Mesh);
+      drawing.Options.IntrinsicDelaunay = true;
+      drawing.Options.NumberOfChannels = 2;
+      for (int k = 0; k < 4; ++k)
+      {
+        const bool isClosed = k % 2 == 1;
+        const std::vector<SurfacePoint> points = RandomCurvePoints(drawing.Mesh, 6, random);
+        std::vector<double> colors[2];
+        for (std::size_t i = 0; i < 2 * points.size(); ++i)
+        {
+          colors[0].push_back(random.Uniform(-1.0, 1.0));
+          colors[1].push_back(random.Uniform(-1.0, 1.0));
+        }
+        const GraphicsCurveType type = isDiffusion || k == 0 ? Diffusion
+          : k == 3                                           ? Source
+                                                             : Poisson;
+        drawing.Add(type, points, colors[0], colors[1], isClosed).Width =
+          2.0 * drawing.Mesh.GetMeanEdgeLength();
+      }
+      drawing.Run(random.Index(2));
+      ASSERT_FALSE(HasFatalFailure());
+      for (const double value : drawing.Result.Values)
+      {
+        ASSERT_TRUE(std::isfinite(value));
+        ASSERT_TRUE(!isDiffusion || std::abs(value) <= 1.0 + 1e-9) << value;
+      }
+    }
+  }
+}
+
+TEST(VectorGraphics, FacesAroundCurvesAreRefined)
+{
+  const TestMesh plane = Plane(30, 30, 0.2);
+  const SurfaceMesh mesh = Build(plane);
+  const SurfacePoint a = PointIn(mesh, 30 * 60 / 2 + 20, { { 0.3, 0.3, 0.4 } });
+  const SurfacePoint b = PointIn(mesh, 30 * 60 / 2 + 25, { { 0.3, 0.3, 0.4 } });
+  const RefinedSurface before = Embed(mesh, { Curve(mesh, { a, b }) });
+  dgg::GraphicsRefinement refinement;
+  refinement.Levels = 2;
+  refinement.IsEverywhere = false;
+  Id faces[2];
+  for (const int rings : { 0, 3 })
+  {
+    RefinedSurface surface = before;
+    refinement.Rings = rings;
+    ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
+    EXPECT_EQ(surface.Paths[0].size(), 4 * before.Paths[0].size() - 3);
+    faces[rings / 3] = surface.GetNumberOfFaces();
+    // Some faces are as they were.
+    Id whole = 0;
+    for (const double length : surface.Lengths)
+    {
+      whole += length > 0.6 ? 1 : 0;
+    }
+    EXPECT_GT(whole, 1000);
+    refinement.MostFaces = before.GetNumberOfFaces() + 10;
+    EXPECT_FALSE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
+    refinement.MostFaces = dgg::GraphicsRefinement().MostFaces;
+  }
+  EXPECT_GT(faces[1], faces[0] + 100);
+  RefinedSurface surface = before;
+  refinement.Progress = [](double) { return false; };
+  EXPECT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsAborted());
+}
+
 TEST(VectorGraphics, RefusesWhatItCannotDraw)
 {
   const auto fails = [](Drawing& drawing, const std::string& word, bool whenPrepared) {
@@ -665,6 +823,19 @@ TEST(VectorGraphics, RefusesWhatItCannotDraw)
     Drawing drawing(book);
     drawing.Add(Diffusion, across(drawing), { 1, 1 }, { 1, 1 });
     fails(drawing, "more than two faces", false);
+  }
+  {
+    // Prepared for other curves.
+    Drawing drawing(Plane(4, 4));
+    drawing.Add(Diffusion, across(drawing), { 1, 1 }, { 1, 1 });
+    ASSERT_TRUE(drawing.Prepare().IsOk());
+    drawing.Curves[0].Type = Source;
+    EXPECT_FALSE(drawing.Solve().IsOk());
+    drawing.Curves[0].Type = Diffusion;
+    drawing.Curves[0].IsClosed = true;
+    EXPECT_FALSE(drawing.Solve().IsOk());
+    drawing.Curves.clear();
+    EXPECT_FALSE(drawing.Solve().IsOk());
   }
   dgg::VectorGraphics graphics;
   dgg::GraphicsResult result;

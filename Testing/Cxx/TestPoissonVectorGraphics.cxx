@@ -292,6 +292,56 @@ TEST(PoissonVectorGraphics, SourcesAreTold)
   EXPECT_NEAR(drawing.Run()->GetFieldData()->GetArray("NetSource")->GetComponent(0, 0), 6.0, 1e-12);
 }
 
+TEST(PoissonVectorGraphics, FactorizationIsKeptForOtherColors)
+{
+  Fixture drawing = MakeTwoAcross();
+  auto* filter = drawing.Filter.Get();
+  EXPECT_EQ(filter->GetMemorySize(), 0u);
+  const auto valuesWith = [&](const std::vector<double>& right) {
+    AddArray(drawing.OfCells(), "RightColor", right, 1);
+    return GetValues(drawing.Run(), "Colors");
+  };
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  const std::vector<double> first = valuesWith({ 3, 4 });
+  const std::vector<double> second = valuesWith({ 5, 6 });
+  EXPECT_NE(first, second);
+  EXPECT_EQ(valuesWith({ 3, 4 }), first);
+  filter->SetBackgroundColor(1, 1, 1);
+  drawing.Run();
+  EXPECT_EQ(filter->GetNumberOfFactorizations(), 1);
+  EXPECT_GT(filter->GetMemorySize(), 1000u);
+  int expected = 1;
+  const auto expectAnother = [&](const char* what) {
+    drawing.Run();
+    EXPECT_EQ(filter->GetNumberOfFactorizations(), ++expected) << what;
+  };
+  drawing.Curves->GetPoints()->SetPoint(2, 4.5, 0.0, 0.0);
+  drawing.Curves->GetPoints()->Modified();
+  expectAnother("places");
+  filter->IntrinsicDelaunayOff();
+  expectAnother("IntrinsicDelaunay");
+  filter->SetRefinementLevel(2);
+  expectAnother("RefinementLevel");
+  filter->SetRefinementRegionToNearCurves();
+  expectAnother("RefinementRegion");
+  AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
+  AddArray(drawing.OfCells(), "Strength", { 0, 1 }, 1);
+  expectAnother("types");
+  drawing.Surface->GetPoints()->SetPoint(0, -0.5, 0.0, 0.0);
+  drawing.Surface->GetPoints()->Modified();
+  expectAnother("the surface");
+  // What is kept is what a new filter finds.
+  vtkNew<vtkPoissonVectorGraphics> other;
+  other->SetInputData(drawing.Surface);
+  other->SetCurveData(drawing.Curves);
+  other->IntrinsicDelaunayOff();
+  other->SetRefinementLevel(2);
+  other->SetRefinementRegionToNearCurves();
+  other->SetBackgroundColor(1, 1, 1);
+  ExpectSuccess(other);
+  EXPECT_EQ(GetValues(filter->GetOutput(), "Colors"), GetValues(other->GetOutput(), "Colors"));
+}
+
 TEST(PoissonVectorGraphics, WrongCurves)
 {
   Fixture drawing = MakeTwoAcross();
@@ -477,9 +527,12 @@ TEST(PoissonVectorGraphics, ProgressGrowsAndStops)
   watch.ExpectGrowth();
   for (const double stop : { 0.05, 0.15, 0.3, 0.5, 0.7 })
   {
+    watch.StopAt = 2.0;
+    drawing.Filter->IntrinsicDelaunayOff(); // so that nothing of it is kept
+    drawing.Run();
+    drawing.Filter->IntrinsicDelaunayOn();
     watch.StopAt = stop;
     watch.Progress.clear();
-    drawing.Filter->Modified();
     ExpectSuccess(drawing.Filter); // not an error
     EXPECT_LT(watch.Progress.back(), 1.0);
     ExpectEmptyOutput(drawing.Filter);

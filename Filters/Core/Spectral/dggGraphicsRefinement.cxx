@@ -2,92 +2,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphicsRefinement.h"
 
-#include "dggFaceSubdivision.h"
+#include "dggFaceRefinement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <numeric>
+#include <string>
 #include <vector>
 
 namespace dgg
 {
 namespace
 {
-using Flags = std::vector<std::uint8_t>;
-
-/// The faces with a vertex that is meant.
-Flags FindFacesAt(const RefinedSurface& surface, const Flags& isMeant)
+/// The faces with a vertex on a path, and rings of faces around them.
+std::vector<Id> FindFacesAroundCurves(const RefinedSurface& surface, int rings)
 {
-  Flags faces(surface.Faces.size(), 0);
-  for (std::size_t h = 0; h < surface.Triangles.size(); ++h)
-  {
-    faces[h / 3] = faces[h / 3] | isMeant[surface.Triangles[h]];
-  }
-  return faces;
-}
-
-Flags FindFacesAroundCurves(const RefinedSurface& surface, int rings)
-{
-  Flags vertices(surface.Points.size(), 0);
+  std::vector<char> isTouched(surface.Points.size(), 0);
   for (const std::vector<Id>& path : surface.Paths)
   {
     for (const Id v : path)
     {
-      vertices[v] = 1;
+      isTouched[v] = 1;
     }
   }
-  Flags faces = FindFacesAt(surface, vertices);
-  for (int ring = 0; ring < rings; ++ring)
+  std::vector<char> isIn(surface.Faces.size(), 0);
+  for (int ring = 0; ring <= rings; ++ring)
   {
     for (std::size_t h = 0; h < surface.Triangles.size(); ++h)
     {
-      vertices[surface.Triangles[h]] = vertices[surface.Triangles[h]] | faces[h / 3];
+      isIn[h / 3] |= isTouched[surface.Triangles[h]];
     }
-    faces = FindFacesAt(surface, vertices);
+    for (std::size_t h = 0; h < surface.Triangles.size(); ++h)
+    {
+      isTouched[surface.Triangles[h]] |= isIn[h / 3];
+    }
+  }
+  std::vector<Id> faces;
+  for (std::size_t f = 0; f < isIn.size(); ++f)
+  {
+    if (isIn[f])
+    {
+      faces.push_back(static_cast<Id>(f));
+    }
   }
   return faces;
-}
-
-/// Those at the ends of curves of one edge.
-Flags FindFacesAtSingleEdges(const RefinedSurface& surface)
-{
-  Flags vertices(surface.Points.size(), 0);
-  for (const std::vector<Id>& path : surface.Paths)
-  {
-    if (path.size() == 2)
-    {
-      vertices[path[0]] = 1;
-      vertices[path[1]] = 1;
-    }
-  }
-  return FindFacesAt(surface, vertices);
-}
-
-bool IsAny(const Flags& flags)
-{
-  return std::find(flags.begin(), flags.end(), 1) != flags.end();
 }
 }
 
 Status RefineForGraphics(
   const SurfaceMesh& mesh, const GraphicsRefinement& refinement, RefinedSurface& surface)
 {
-  Status status;
-  const Flags singles = FindFacesAtSingleEdges(surface);
-  if (IsAny(singles))
+  std::vector<Id> faces;
+  if (refinement.IsEverywhere)
   {
-    status = SubdivideFaces(mesh, singles, refinement.MostFaces, surface);
+    faces.resize(surface.Faces.size());
+    std::iota(faces.begin(), faces.end(), 0);
   }
-  for (int level = 0; level < refinement.Levels && status.IsOk(); ++level)
+  else
   {
-    if (refinement.Progress && !refinement.Progress(static_cast<double>(level) / refinement.Levels))
-    {
-      return Status::Abort();
-    }
-    const Flags faces = refinement.IsEverywhere ? Flags(surface.Faces.size(), 1)
-                                                : FindFacesAroundCurves(surface, refinement.Rings);
-    status = SubdivideFaces(mesh, faces, refinement.MostFaces, surface);
+    faces = FindFacesAroundCurves(surface, refinement.Rings);
   }
-  return status;
+  const double parts = std::pow(4.0, refinement.Levels);
+  const double count =
+    static_cast<double>(surface.Faces.size()) + (parts - 1.0) * static_cast<double>(faces.size());
+  if (count > static_cast<double>(refinement.MostFaces))
+  {
+    return Status::Invalid("refinement would make " +
+      std::to_string(static_cast<Offset>(std::min(count, 1e18))) + " faces or more, and at most " +
+      std::to_string(refinement.MostFaces) + " are wanted");
+  }
+  std::vector<Id> parents;
+  return RefineFaces(mesh, faces, refinement.Levels, refinement.Progress, surface, parents);
 }
 }

@@ -12,23 +12,27 @@
 namespace dgg
 {
 /// Where faces are made finer, and by how much, before the colours are solved for. The solution on
-/// the finer mesh takes the place of evaluations of the coarse one between its vertices.
+/// the finer mesh takes the place of evaluations of the coarse one between its vertices by Green's
+/// identity, u(x) = mean + sum_y g(x, y) (L u)_y: these cost one Green's function each, and are no
+/// better than linear interpolation, since the values at the vertices have errors as large. For a
+/// spherical harmonic of degree 5 on the unit sphere with 10 242 vertices, errors inside of faces
+/// (root of the mean square) were 1.6e-3 by linear interpolation and 1.9e-3 by Green's identity, at
+/// 18 ms for each point; one level finer they were 4.9e-4 after 0.3 s for all of the sphere.
 struct GraphicsRefinement
 {
   /// How often faces are split in four.
   int Levels = 0;
-  /// All of them; otherwise those around curves, fewer with each level.
+  /// All of them; otherwise those around curves.
   bool IsEverywhere = true;
-  /// Around curves: how many rings of faces besides those that touch a curve.
-  int Rings = 2;
-  /// More faces are an error.
+  /// Around curves: how many rings of faces besides those that touch a curve. RefineFaces() takes
+  /// more along for all levels but the last.
+  int Rings = 0;
+  /// More faces are an error, before they are made.
   Offset MostFaces = std::numeric_limits<Id>::max() / 3;
   ProgressCallback Progress; ///< may be empty
 };
 
-/// Refine a surface that EmbedCurves() has made of a mesh. An open curve that is a single edge is
-/// split in any case: its ends have one value each, so that it needs a vertex between them to have
-/// two sides.
+/// Refine a surface that EmbedCurves() has made of a mesh.
 Status RefineForGraphics(
   const SurfaceMesh& mesh, const GraphicsRefinement& refinement, RefinedSurface& surface);
 }

@@ -103,6 +103,8 @@ private:
   void ForEachGiven(const std::vector<GraphicsCurve>& curves, Visitor&& visit) const;
 
   std::vector<CurveChain> Chains;
+  std::vector<GraphicsCurveType> Types;          // per curve
+  std::vector<bool> AreClosed;                   // per curve
   std::vector<std::vector<Id>> RegionFaces;      // per curve, where it is a region
   std::vector<std::vector<double>> ChainLengths; // per curve, where it is a source
   bool IsReady = false;
@@ -124,6 +126,13 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
     return Status::Abort();
   }
   this->Chains = chains;
+  this->Types.clear();
+  this->AreClosed.clear();
+  for (const GraphicsCurve& curve : curves)
+  {
+    this->Types.push_back(curve.Type);
+    this->AreClosed.push_back(curve.IsClosed);
+  }
   Status status = CutForGraphics(mesh, surface, chains, curves, this->Domain);
   status = status.IsOk() ? this->MeasureCurves(surface, curves) : status;
   if (status.IsOk() && !Goes(options.Progress, CutDone))
@@ -227,6 +236,14 @@ Status VectorGraphics::Implementation::CheckRun(const std::vector<GraphicsCurve>
   if (!this->IsReady || curves.size() != this->Chains.size())
   {
     return Status::Invalid("the surface is not prepared for these curves: call Prepare() first");
+  }
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    if (curves[k].Type != this->Types[k] || curves[k].IsClosed != this->AreClosed[k])
+    {
+      return Status::Invalid("curve " + std::to_string(k) +
+        " is not of the type that the surface was prepared for: call Prepare() again");
+    }
   }
   Status status = CheckOptions(options);
   const auto channels = static_cast<std::size_t>(std::max(0, options.NumberOfChannels));

@@ -123,8 +123,8 @@ public:
     const GraphicsOptions& options);
 
   /// Find the colours. Curves are those of Prepare(), but may have other colours and widths.
-  /// Fails when there are not as many numbers as needed, or some are not finite; a width that is
-  /// not positive; a region without faces.
+  /// Fails when they are of other types; when there are not as many numbers as needed, or some are
+  /// not finite; with a width that is not positive; with a region without faces.
   Status Run(const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
     const GraphicsOptions& options, GraphicsResult& result);
 
