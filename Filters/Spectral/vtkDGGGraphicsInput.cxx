@@ -339,3 +339,31 @@ std::vector<dgg::GraphicsRegion> vtkDGGGraphicsInput::MakeRegions(
     regions.end()); // of lines or verts
   return regions;
 }
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphicsInput::CheckRefinement(
+  vtkPolyData* surface, const vtkDGGGraphicsNames& names)
+{
+  vtkDataArray* array = surface->GetCellData()->GetArray(names.Refinement.c_str());
+  return array && array->GetNumberOfComponents() == 1 &&
+      array->GetNumberOfTuples() == surface->GetNumberOfCells()
+    ? dgg::Status::Success()
+    : dgg::Status::Invalid("the surface has no cell array '" + names.Refinement +
+        "' with one number per cell: call SetRefinementArrayName() with the name of one");
+}
+
+//------------------------------------------------------------------------------
+std::vector<dgg::Id> vtkDGGGraphicsInput::FindRefinedFaces(
+  vtkPolyData* surface, const vtkDGGGraphicsNames& names, const vtkDGGMeshAdapter& mesh)
+{
+  vtkDataArray* array = surface->GetCellData()->GetArray(names.Refinement.c_str());
+  std::vector<dgg::Id> faces;
+  for (dgg::Id f = 0; f < mesh.GetMesh().GetNumberOfFaces(); ++f)
+  {
+    if (array->GetComponent(mesh.GetCell(f), 0) != 0.0)
+    {
+      faces.push_back(f);
+    }
+  }
+  return faces;
+}

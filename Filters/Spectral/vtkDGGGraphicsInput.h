@@ -26,6 +26,7 @@ struct vtkDGGGraphicsNames
   std::string Width;
   std::string Region;         ///< of the surface
   std::string RegionStrength; ///< of the surface
+  std::string Refinement;     ///< of the surface
   double DefaultWidth = 0.0;
 };
 
@@ -39,6 +40,12 @@ public:
 
   /// The cells of regions as faces of the mesh.
   std::vector<dgg::GraphicsRegion> MakeRegions(const vtkDGGMeshAdapter& mesh) const;
+
+  /// Fails when there is no array that tells which cells are refined.
+  static dgg::Status CheckRefinement(vtkPolyData* surface, const vtkDGGGraphicsNames& names);
+  /// The faces of these cells; the array must have been checked.
+  static std::vector<dgg::Id> FindRefinedFaces(
+    vtkPolyData* surface, const vtkDGGGraphicsNames& names, const vtkDGGMeshAdapter& mesh);
 
   int GetNumberOfChannels() const { return this->NumberOfChannels; }
   const std::vector<dgg::GraphicsCurve>& GetCurves() const { return this->Curves; }

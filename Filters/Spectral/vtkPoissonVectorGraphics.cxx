@@ -58,6 +58,7 @@ struct vtkDGGDrawing
   std::vector<dgg::GraphicsCurve> Curves;             // types and whether they are closed
   int RefinementLevel = 0;
   int RefinementRegion = 0;
+  std::vector<dgg::Id> RefinedFaces;
   bool IntrinsicDelaunay = false;
   vtkTypeUInt64 MemoryLimit = 0; // does not matter
 
@@ -66,6 +67,7 @@ struct vtkDGGDrawing
     bool isSame = this->MeshTime == other.MeshTime && this->Places.size() == other.Places.size() &&
       this->RefinementLevel == other.RefinementLevel &&
       this->RefinementRegion == other.RefinementRegion &&
+      this->RefinedFaces == other.RefinedFaces &&
       this->IntrinsicDelaunay == other.IntrinsicDelaunay;
     for (std::size_t k = 0; k < this->Places.size() && isSame; ++k)
     {
@@ -110,6 +112,7 @@ vtkPoissonVectorGraphics::vtkPoissonVectorGraphics()
   names.RightStrength = "RightStrength";
   names.Width = "Width";
   names.RegionStrength = "RegionStrength";
+  names.Refinement = "Refine";
 }
 
 //------------------------------------------------------------------------------
@@ -133,6 +136,7 @@ void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
      << " " << this->BackgroundColor[2] << "\n";
   os << indent << "RefinementLevel: " << this->RefinementLevel << "\n";
   os << indent << "RefinementRegion: " << this->GetRefinementRegionAsString() << "\n";
+  os << indent << "RefinementArrayName: " << names.Refinement << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
   os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
@@ -180,12 +184,15 @@ vtkDGGNameMacro(RightStrength);
 vtkDGGNameMacro(Width);
 vtkDGGNameMacro(Region);
 vtkDGGNameMacro(RegionStrength);
+vtkDGGNameMacro(Refinement);
 #undef vtkDGGNameMacro
 
 //------------------------------------------------------------------------------
 const char* vtkPoissonVectorGraphics::GetRefinementRegionAsString() const
 {
-  return this->RefinementRegion == NearCurves ? "NearCurves" : "Everywhere";
+  return this->RefinementRegion == NearCurves ? "NearCurves"
+    : this->RefinementRegion == Cells         ? "Cells"
+                                              : "Everywhere";
 }
 
 //------------------------------------------------------------------------------
@@ -237,7 +244,9 @@ dgg::Status vtkPoissonVectorGraphics::CheckInputs(
     return dgg::Status::Invalid("there is nothing to draw: connect lines to input port 1 with "
                                 "SetCurveData(), or call SetRegionArrayName()");
   }
-  return status;
+  return status.IsOk() && this->RefinementRegion == Cells
+    ? vtkDGGGraphicsInput::CheckRefinement(surface, names)
+    : status;
 }
 
 //------------------------------------------------------------------------------
@@ -277,7 +286,10 @@ dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawin
   }
   dgg::GraphicsRefinement refinement;
   refinement.Levels = drawing.RefinementLevel;
-  refinement.IsEverywhere = drawing.RefinementRegion == Everywhere;
+  refinement.Part = drawing.RefinementRegion == NearCurves ? dgg::RefinedPart::AroundCurves
+    : drawing.RefinementRegion == Cells                    ? dgg::RefinedPart::Faces
+                                                           : dgg::RefinedPart::Everything;
+  refinement.Faces = drawing.RefinedFaces;
   refinement.MostFaces = static_cast<dgg::Offset>(
     std::min(static_cast<double>(vtkDGGGetMemoryLimit(drawing.MemoryLimit)) / BytesPerFace,
       static_cast<double>(refinement.MostFaces)));
@@ -350,6 +362,10 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   status = output.Take(copy, adapter, this->GetOutputPointsPrecision());
   drawing.RefinementLevel = this->RefinementLevel;
   drawing.RefinementRegion = this->RefinementRegion;
+  if (drawing.RefinementRegion == Cells)
+  {
+    drawing.RefinedFaces = vtkDGGGraphicsInput::FindRefinedFaces(surface, names, adapter);
+  }
   drawing.IntrinsicDelaunay = this->IntrinsicDelaunay;
   drawing.MemoryLimit = this->MemoryLimit;
   dgg::GraphicsOptions options;

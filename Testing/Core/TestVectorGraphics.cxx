@@ -728,7 +728,7 @@ TEST(VectorGraphics, FacesAroundCurvesAreRefined)
   const RefinedSurface before = Embed(mesh, { Curve(mesh, { a, b }) });
   dgg::GraphicsRefinement refinement;
   refinement.Levels = 2;
-  refinement.IsEverywhere = false;
+  refinement.Part = dgg::RefinedPart::AroundCurves;
   Id faces[2];
   for (const int rings : { 0, 3 })
   {
@@ -750,6 +750,15 @@ TEST(VectorGraphics, FacesAroundCurvesAreRefined)
   }
   EXPECT_GT(faces[1], faces[0] + 100);
   RefinedSurface surface = before;
+  refinement.Part = dgg::RefinedPart::Faces;
+  refinement.Faces = { 3, 900, 3, 1799 }; // far from the curve
+  refinement.Levels = 1;
+  ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
+  EXPECT_EQ(std::count(surface.Faces.begin(), surface.Faces.end(), 3), 4);
+  EXPECT_EQ(std::count(surface.Faces.begin(), surface.Faces.end(), 1799), 4);
+  EXPECT_EQ(std::count(surface.Faces.begin(), surface.Faces.end(), 600), 1);
+  EXPECT_EQ(surface.Paths[0].size(), before.Paths[0].size());
+  surface = before;
   refinement.Progress = [](double) { return false; };
   EXPECT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsAborted());
 }

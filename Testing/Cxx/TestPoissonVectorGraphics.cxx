@@ -196,6 +196,37 @@ TEST(PoissonVectorGraphics, DataOfTheSurfaceComeAlong)
   const vtkIdType near = drawing.Run()->GetNumberOfCells();
   drawing.Filter->SetRefinementRegionToEverywhere();
   EXPECT_LT(near, drawing.Run()->GetNumberOfCells());
+  // In the last column alone: triangles of the others are not smaller than before.
+  drawing.Filter->SetRefinementLevel(1);
+  drawing.Filter->SetRefinementRegionToCells();
+  ExpectError(drawing.Filter, { "'Refine'", "SetRefinementArrayName()" });
+  for (double& cell : cells)
+  {
+    cell = cell == 5.0 ? 1.0 : 0.0;
+  }
+  AddArray(drawing.Surface->GetCellData(), "fine", cells, 1);
+  drawing.Filter->SetRefinementArrayName("fine");
+  const auto countColumn = [&](double number) {
+    const std::vector<double> columns = [&] {
+      std::vector<double> values;
+      vtkDataArray* array = drawing.Run()->GetCellData()->GetArray("column");
+      for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
+      {
+        values.push_back(array->GetComponent(cell, 0));
+      }
+      return values;
+    }();
+    return std::count(columns.begin(), columns.end(), number);
+  };
+  EXPECT_EQ(countColumn(5.0), 4 * 2 * 4);
+  EXPECT_EQ(countColumn(2.0), 4 * 2);
+  // Another choice is another drawing.
+  for (double& cell : cells)
+  {
+    cell = 1.0 - cell;
+  }
+  AddArray(drawing.Surface->GetCellData(), "fine", cells, 1);
+  EXPECT_EQ(countColumn(2.0), 4 * 2 * 4);
 }
 
 TEST(PoissonVectorGraphics, PoissonCurvesAddWithinTheirWidth)

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -48,21 +47,32 @@ std::vector<Id> FindFacesAroundCurves(const RefinedSurface& surface, int rings)
   }
   return faces;
 }
+
+std::vector<Id> ChooseFaces(const GraphicsRefinement& refinement, const RefinedSurface& surface)
+{
+  if (refinement.Part == RefinedPart::AroundCurves)
+  {
+    return FindFacesAroundCurves(surface, refinement.Rings);
+  }
+  std::vector<Id> meant = refinement.Faces;
+  std::sort(meant.begin(), meant.end());
+  std::vector<Id> faces;
+  for (std::size_t f = 0; f < surface.Faces.size(); ++f)
+  {
+    if (refinement.Part == RefinedPart::Everything ||
+      std::binary_search(meant.begin(), meant.end(), surface.Faces[f]))
+    {
+      faces.push_back(static_cast<Id>(f));
+    }
+  }
+  return faces;
+}
 }
 
 Status RefineForGraphics(
   const SurfaceMesh& mesh, const GraphicsRefinement& refinement, RefinedSurface& surface)
 {
-  std::vector<Id> faces;
-  if (refinement.IsEverywhere)
-  {
-    faces.resize(surface.Faces.size());
-    std::iota(faces.begin(), faces.end(), 0);
-  }
-  else
-  {
-    faces = FindFacesAroundCurves(surface, refinement.Rings);
-  }
+  const std::vector<Id> faces = ChooseFaces(refinement, surface);
   const double parts = std::pow(4.0, refinement.Levels);
   const double count =
     static_cast<double>(surface.Faces.size()) + (parts - 1.0) * static_cast<double>(faces.size());

@@ -8,9 +8,18 @@
 #include "dggRefinedSurface.h" // for RefinedSurface
 
 #include <limits> // for the most faces
+#include <vector> // for faces
 
 namespace dgg
 {
+/// Which faces are made finer.
+enum class RefinedPart
+{
+  Everything,
+  AroundCurves,
+  Faces ///< those that are given
+};
+
 /// Where faces are made finer, and by how much, before the colours are solved for. The solution on
 /// the finer mesh takes the place of evaluations of the coarse one between its vertices by Green's
 /// identity, u(x) = mean + sum_y g(x, y) (L u)_y: these cost one Green's function each, and are no
@@ -22,8 +31,9 @@ struct GraphicsRefinement
 {
   /// How often faces are split in four.
   int Levels = 0;
-  /// All of them; otherwise those around curves.
-  bool IsEverywhere = true;
+  RefinedPart Part = RefinedPart::Everything;
+  /// Of the mesh that curves were drawn on, for RefinedPart::Faces.
+  std::vector<Id> Faces;
   /// Around curves: how many rings of faces besides those that touch a curve. RefineFaces() takes
   /// more along for all levels but the last.
   int Rings = 0;
