@@ -3,6 +3,7 @@
 #include "dggVectorGraphics.h"
 
 #include "dggGraphicsBand.h"
+#include "dggGraphicsChecks.h"
 #include "dggGraphicsDomain.h"
 #include "dggGraphicsSources.h"
 #include "dggPoissonSolver.h"
@@ -24,53 +25,6 @@ constexpr double BandsDone = 0.7;
 bool Goes(const ProgressCallback& progress, double fraction)
 {
   return !progress || progress(fraction);
-}
-
-Status CheckNumbers(const std::vector<double>& values, std::size_t count, const std::string& what)
-{
-  if (values.size() != count)
-  {
-    return Status::Invalid(what + " has " + std::to_string(values.size()) + " numbers where " +
-      std::to_string(count) + " are needed");
-  }
-  if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); }))
-  {
-    return Status::Invalid(what + " has numbers that are not finite");
-  }
-  return Status::Success();
-}
-
-bool HasRight(GraphicsCurveType type)
-{
-  return type == GraphicsCurveType::Diffusion || type == GraphicsCurveType::Poisson;
-}
-
-Status CheckOptions(const GraphicsOptions& options)
-{
-  if (options.NumberOfChannels < 1)
-  {
-    return Status::Invalid("there are no channels: ask for at least one");
-  }
-  return options.Background.empty()
-    ? Status::Success()
-    : CheckNumbers(options.Background, options.NumberOfChannels, "the background");
-}
-
-Status CheckCurve(const GraphicsCurve& curve, std::size_t number, std::size_t count)
-{
-  const std::string name = "curve " + std::to_string(number);
-  Status status = CheckNumbers(curve.Left, count, name + ", on its left,");
-  if (status.IsOk() && HasRight(curve.Type))
-  {
-    status = CheckNumbers(curve.Right, count, name + ", on its right,");
-  }
-  const bool isPoisson = curve.Type == GraphicsCurveType::Poisson;
-  if (status.IsOk() && isPoisson && !(curve.Width > 0.0 && std::isfinite(curve.Width)))
-  {
-    status = Status::Invalid(name + " has the width " + std::to_string(curve.Width) +
-      ": a Poisson curve needs a positive one");
-  }
-  return status;
 }
 }
 
@@ -102,6 +56,7 @@ private:
   template <typename Visitor>
   void ForEachGiven(const std::vector<GraphicsCurve>& curves, Visitor&& visit) const;
 
+  Id NumberOfFaces = 0; // of the mesh
   std::vector<CurveChain> Chains;
   std::vector<GraphicsCurveType> Types;          // per curve
   std::vector<bool> AreClosed;                   // per curve
@@ -126,6 +81,7 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
     return Status::Abort();
   }
   this->Chains = chains;
+  this->NumberOfFaces = mesh.GetNumberOfFaces();
   this->Types.clear();
   this->AreClosed.clear();
   for (const GraphicsCurve& curve : curves)
@@ -245,33 +201,15 @@ Status VectorGraphics::Implementation::CheckRun(const std::vector<GraphicsCurve>
         " is not of the type that the surface was prepared for: call Prepare() again");
     }
   }
-  Status status = CheckOptions(options);
+  Status status = CheckGraphicsOptions(options);
   const auto channels = static_cast<std::size_t>(std::max(0, options.NumberOfChannels));
   for (std::size_t k = 0; k < curves.size() && status.IsOk(); ++k)
   {
-    status = CheckCurve(curves[k], k, channels * this->Chains[k].GivenPoints.size());
+    status = CheckGraphicsCurve(curves[k], k, channels * this->Chains[k].GivenPoints.size());
   }
-  const Id faces = this->Domain.Solved.Surface.Faces.empty()
-    ? 0
-    : *std::max_element(
-        this->Domain.Solved.Surface.Faces.begin(), this->Domain.Solved.Surface.Faces.end()) +
-      1;
   for (std::size_t r = 0; r < regions.size() && status.IsOk(); ++r)
   {
-    const std::string name = "region " + std::to_string(r);
-    status = CheckNumbers(regions[r].Strength, channels, name);
-    if (status.IsOk() && regions[r].Faces.empty())
-    {
-      status = Status::Invalid(name + " has no faces");
-    }
-    for (const Id f : regions[r].Faces)
-    {
-      if (status.IsOk() && (f < 0 || f >= faces))
-      {
-        status = Status::Invalid(name + " has the face " + std::to_string(f) +
-          ", which does not exist: ids must be in [0, " + std::to_string(faces - 1) + "]");
-      }
-    }
+    status = CheckGraphicsRegion(regions[r], r, channels, this->NumberOfFaces);
   }
   return status;
 }

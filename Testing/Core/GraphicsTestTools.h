@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of vector graphics share: drawings on surfaces.
+#ifndef GraphicsTestTools_h
+#define GraphicsTestTools_h
+
+#include "CurveInputs.h"
+
+#include "dggGraphicsRefinement.h"
+#include "dggVectorGraphics.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <stdexcept>
+
+namespace dggtest
+{
+using dgg::GraphicsCurve;
+using dgg::GraphicsCurveType;
+using dgg::GraphicsRegion;
+using dgg::RefinedSurface;
+using dgg::SurfaceCurve;
+using dgg::SurfaceMesh;
+using dgg::SurfacePoint;
+
+using Position = std::array<double, 3>;
+
+inline void RefineAll(const SurfaceMesh& mesh, int levels, RefinedSurface& surface)
+{
+  dgg::GraphicsRefinement refinement;
+  refinement.Levels = levels;
+  const dgg::Status status = dgg::RefineForGraphics(mesh, refinement, surface);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+}
+
+/// A drawing on a mesh with points.
+class Drawing
+{
+public:
+  explicit Drawing(const TestMesh& input)
+    : Input(input)
+    , Mesh(Build(input))
+  {
+    this->Options.NumberOfChannels = 1;
+  }
+
+  /// Points of the plane z = 0.
+  SurfacePoint Find(double x, double y) const
+  {
+    for (Id f = 0; f < this->Mesh.GetNumberOfFaces(); ++f)
+    {
+      const std::array<Id, 3> corners = this->Mesh.GetTriangle(f);
+      const double* a = this->Input.Point(corners[0]);
+      const double* b = this->Input.Point(corners[1]);
+      const double* c = this->Input.Point(corners[2]);
+      const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+      const double s = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area;
+      const double t = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
+      if (s >= -1e-12 && t >= -1e-12 && s + t <= 1.0 + 1e-12)
+      {
+        return PointIn(this->Mesh, f, { { 1.0 - s - t, s, t } });
+      }
+    }
+    throw std::runtime_error("no such point");
+  }
+
+  /// `left` and `right` per given point.
+  GraphicsCurve& Add(GraphicsCurveType type, const std::vector<SurfacePoint>& points,
+    const std::vector<double>& left, const std::vector<double>& right, bool isClosed = false)
+  {
+    this->Lines.push_back(dggtest::Curve(this->Mesh, points, isClosed));
+    GraphicsCurve curve;
+    curve.Type = type;
+    curve.IsClosed = isClosed;
+    curve.Left = left;
+    curve.Right = right;
+    this->Curves.push_back(curve);
+    return this->Curves.back();
+  }
+
+  dgg::Status Prepare(int levels = 0)
+  {
+    this->Surface = Embed(this->Mesh, this->Lines);
+    RefineAll(this->Mesh, levels, this->Surface);
+    std::vector<dgg::CurveChain> chains;
+    for (std::size_t k = 0; k < this->Lines.size(); ++k)
+    {
+      chains.push_back(dgg::FollowCurve(this->Surface, this->Lines, k));
+    }
+    return this->Graphics.Prepare(this->Mesh, this->Surface, chains, this->Curves, this->Options);
+  }
+  dgg::Status Solve()
+  {
+    return this->Graphics.Run(this->Curves, this->Regions, this->Options, this->Result);
+  }
+  void Run(int levels = 0)
+  {
+    dgg::Status status = this->Prepare(levels);
+    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+    status = this->Solve();
+    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+  }
+
+  std::size_t GetNumberOfValues() const { return this->Graphics.GetSurface().Points.size(); }
+  double Value(std::size_t v, int channel = 0) const
+  {
+    return this->Result.Values[v * this->Options.NumberOfChannels + channel];
+  }
+  Position Place(Id v) const
+  {
+    return dgg::PositionOf(
+      this->Mesh, this->Graphics.GetSurface().Points[v], this->Input.Points.data());
+  }
+  /// Call `visit(vertex, position, middle of one of its faces)`: which side of a curve a copy is
+  /// on.
+  void ForEachCorner(const std::function<void(Id, const Position&, const Position&)>& visit) const
+  {
+    const std::vector<Id>& triangles = this->Graphics.GetSurface().Triangles;
+    for (std::size_t f = 0; f < triangles.size() / 3; ++f)
+    {
+      Position places[3];
+      Position middle{ { 0.0, 0.0, 0.0 } };
+      for (int k = 0; k < 3; ++k)
+      {
+        places[k] = this->Place(triangles[3 * f + k]);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          middle[axis] += places[k][axis] / 3.0;
+        }
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        visit(triangles[3 * f + k], places[k], middle);
+      }
+    }
+  }
+
+  TestMesh Input;
+  SurfaceMesh Mesh;
+  std::vector<SurfaceCurve> Lines;
+  std::vector<GraphicsCurve> Curves;
+  std::vector<GraphicsRegion> Regions;
+  dgg::GraphicsOptions Options;
+  RefinedSurface Surface;
+  dgg::VectorGraphics Graphics;
+  dgg::GraphicsResult Result;
+};
+
+inline constexpr auto Diffusion = GraphicsCurveType::Diffusion;
+inline constexpr auto Poisson = GraphicsCurveType::Poisson;
+inline constexpr auto Region = GraphicsCurveType::Region;
+inline constexpr auto Source = GraphicsCurveType::Source;
+}
+
+#endif

@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Vector graphics: finer faces, any curves, what is refused, when it stops.
+#include "CurvedMeshes.h"
+#include "FlatMeshes.h"
+#include "GraphicsTestTools.h"
+
+#include "dggGreensInterpolation.h"
+#include "dggPoissonSolver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace dggtest
+{
+TEST(VectorGraphics, SolvedAgainIsBetterThanGreensIdentity)
+{
+  // Values inside of faces, of a spherical harmonic of degree 5: by linear interpolation, by
+  // Green's identity, and by linear interpolation one level finer.
+  const TestMesh sphere = Icosphere(3);
+  const SurfaceMesh mesh = Build(sphere);
+  const auto harmonic = [](const std::array<double, 3>& p) {
+    const double r = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    const double x = p[0] / r;
+    const double y = p[1] / r;
+    return 4.0 * (x * x * x * x - 6.0 * x * x * y * y + y * y * y * y) * p[2] / r;
+  };
+  const auto placeOf = [&](const SurfacePoint& point) {
+    return dgg::PositionOf(mesh, point, sphere.Points.data());
+  };
+  RefinedSurface surface = Embed(mesh, {});
+  RefineAll(mesh, 1, surface);
+  SurfaceMesh fine;
+  ASSERT_TRUE(surface.Build(mesh, fine).IsOk());
+  const auto solve = [&](const dgg::PoissonSolver& solver, const RefinedSurface* refined) {
+    std::vector<double> u(solver.GetAreas());
+    for (std::size_t v = 0; v < u.size(); ++v)
+    {
+      const SurfacePoint point =
+        refined ? refined->Points[v] : SurfacePoint::AtVertex(static_cast<Id>(v));
+      u[v] *= 30.0 * harmonic(placeOf(point));
+    }
+    EXPECT_TRUE(solver.Solve(u).IsOk());
+    return u;
+  };
+  dgg::PoissonSolver coarseSolver(mesh);
+  dgg::PoissonSolver fineSolver(fine);
+  ASSERT_TRUE(coarseSolver.Prepare({}, nullptr).IsOk());
+  ASSERT_TRUE(fineSolver.Prepare({}, nullptr).IsOk());
+  const std::vector<double> coarse = solve(coarseSolver, nullptr);
+  const std::vector<double> solvedAgain = solve(fineSolver, &surface);
+  std::vector<double> flow;
+  ASSERT_TRUE(coarseSolver.Multiply(coarse, flow).IsOk());
+  dgg::GreensInterpolation greens(coarseSolver);
+  Random random(3);
+  double errors[3] = { 0.0, 0.0, 0.0 };
+  for (int i = 0; i < 60; ++i)
+  {
+    const Id f = random.Index(fine.GetNumberOfFaces());
+    const std::array<double, 3> b{ { 0.25, 0.35, 0.4 } };
+    double again = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      again += b[k] * solvedAgain[surface.Triangles[3 * f + k]];
+    }
+    const SurfacePoint point = surface.ToOldMesh(mesh, f, b);
+    const double exact = harmonic(placeOf(point));
+    double linear = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      linear += point.Barycentric[k] * coarse[mesh.Origin(3 * point.Face + k)];
+    }
+    dgg::GreensResult result;
+    ASSERT_TRUE(greens.Run(point, {}, result).IsOk());
+    double identity = 0.0;
+    for (std::size_t v = 0; v < flow.size(); ++v)
+    {
+      identity += result.Values[v] * flow[v];
+    }
+    errors[0] += (linear - exact) * (linear - exact);
+    errors[1] += (identity - exact) * (identity - exact);
+    errors[2] += (again - exact) * (again - exact);
+  }
+  EXPECT_LT(std::sqrt(errors[1] / 60.0), 0.04);
+  EXPECT_GT(errors[1], errors[0]);
+  EXPECT_LT(std::sqrt(errors[2]), 0.4 * std::sqrt(std::min(errors[0], errors[1])));
+}
+
+TEST(VectorGraphics, AnyCurvesOnAnySurface)
+{
+  // Curves that run along edges and boundaries, cross each other and themselves, come back. With
+  // diffusion curves alone, no colour lies outside of those that are given.
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    Id count = 0;
+    Build(named.Mesh).ComputeComponents(count);
+    if (named.Mesh.Points.empty() || count > 1)
+    {
+      continue;
+    }
+    for (const bool isDiffusion : { true, false })
+    {
+      SCOPED_TRACE(named.Name);
+      Random random(isDiffusion ? 17 : 18);
+      Drawing drawing(named.Mesh);
+      drawing.Options.IntrinsicDelaunay = true;
+      drawing.Options.NumberOfChannels = 2;
+      for (int k = 0; k < 4; ++k)
+      {
+        const bool isClosed = k % 2 == 1;
+        const std::vector<SurfacePoint> points = RandomCurvePoints(drawing.Mesh, 6, random);
+        std::vector<double> colors[2];
+        for (std::size_t i = 0; i < 2 * points.size(); ++i)
+        {
+          colors[0].push_back(random.Uniform(-1.0, 1.0));
+          colors[1].push_back(random.Uniform(-1.0, 1.0));
+        }
+        const GraphicsCurveType type = isDiffusion || k == 0 ? Diffusion
+          : k == 3                                           ? Source
+                                                             : Poisson;
+        drawing.Add(type, points, colors[0], colors[1], isClosed).Width =
+          2.0 * drawing.Mesh.GetMeanEdgeLength();
+      }
+      drawing.Run(random.Index(2));
+      ASSERT_FALSE(HasFatalFailure());
+      for (const double value : drawing.Result.Values)
+      {
+        ASSERT_TRUE(std::isfinite(value));
+        ASSERT_TRUE(!isDiffusion || std::abs(value) <= 1.0 + 1e-9) << value;
+      }
+    }
+  }
+}
+
+TEST(VectorGraphics, FacesAroundCurvesAreRefined)
+{
+  const TestMesh plane = Plane(30, 30, 0.2);
+  const SurfaceMesh mesh = Build(plane);
+  const SurfacePoint a = PointIn(mesh, 30 * 60 / 2 + 20, { { 0.3, 0.3, 0.4 } });
+  const SurfacePoint b = PointIn(mesh, 30 * 60 / 2 + 25, { { 0.3, 0.3, 0.4 } });
+  const RefinedSurface before = Embed(mesh, { Curve(mesh, { a, b }) });
+  dgg::GraphicsRefinement refinement;
+  refinement.Levels = 2;
+  refinement.Part = dgg::RefinedPart::AroundCurves;
+  Id faces[2];
+  for (const int rings : { 0, 3 })
+  {
+    RefinedSurface surface = before;
+    refinement.Rings = rings;
+    ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
+    EXPECT_EQ(surface.Paths[0].size(), 4 * before.Paths[0].size() - 3);
+    faces[rings / 3] = surface.GetNumberOfFaces();
+    // Some faces are as they were.
+    Id whole = 0;
+    for (const double length : surface.Lengths)
+    {
+      whole += length > 0.6 ? 1 : 0;
+    }
+    EXPECT_GT(whole, 1000);
+    refinement.MostFaces = before.GetNumberOfFaces() + 10;
+    EXPECT_FALSE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
+    refinement.MostFaces = dgg::GraphicsRefinement().MostFaces;
+  }
+  EXPECT_GT(faces[1], faces[0] + 100);
+  RefinedSurface surface = before;
+  refinement.Part = dgg::RefinedPart::Faces;
+  refinement.Faces = { 3, 900, 3, 1799 }; // far from the curve
+  refinement.Levels = 1;
+  ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
+  EXPECT_EQ(std::count(surface.Faces.begin(), surface.Faces.end(), 3), 4);
+  EXPECT_EQ(std::count(surface.Faces.begin(), surface.Faces.end(), 1799), 4);
+  EXPECT_EQ(std::count(surface.Faces.begin(), surface.Faces.end(), 600), 1);
+  EXPECT_EQ(surface.Paths[0].size(), before.Paths[0].size());
+  surface = before;
+  refinement.Progress = [](double) { return false; };
+  EXPECT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsAborted());
+}
+
+TEST(VectorGraphics, RefusesWhatItCannotDraw)
+{
+  const auto fails = [](Drawing& drawing, const std::string& word, bool whenPrepared) {
+    dgg::Status status = drawing.Prepare();
+    EXPECT_EQ(status.IsOk(), whenPrepared) << word;
+    status = status.IsOk() ? drawing.Solve() : status;
+    EXPECT_FALSE(status.IsOk()) << word;
+    EXPECT_NE(status.GetMessage().find(word), std::string::npos) << status.GetMessage();
+    EXPECT_TRUE(drawing.Result.Values.empty());
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto across = [](Drawing& drawing) {
+    return std::vector<SurfacePoint>{ drawing.Find(1.5, 0.5), drawing.Find(1.5, 3.5) };
+  };
+  {
+    Drawing drawing(Plane(4, 4));
+    drawing.Add(Diffusion, across(drawing), { 1.0 }, { 1.0, 2.0 });
+    fails(drawing, "curve 0, on its left, has 1 numbers where 2", true);
+  }
+  {
+    Drawing drawing(Plane(4, 4));
+    drawing.Add(Diffusion, across(drawing), { 1.0, 2.0 }, { 1.0, nan });
+    fails(drawing, "curve 0, on its right, has numbers that are not finite", true);
+  }
+  for (const double width : { 0.0, -1.0, nan, dgg::Infinity })
+  {
+    Drawing drawing(Plane(4, 4));
+    drawing.Add(Poisson, across(drawing), { 1.0, 2.0 }, { 1.0, 1.0 }).Width = width;
+    fails(drawing, "width", true);
+  }
+  {
+    Drawing drawing(Plane(4, 4));
+    drawing.Add(Diffusion, { drawing.Find(1, 1), drawing.Find(1, 1) }, { 1, 1 }, { 1, 1 });
+    fails(drawing, "no length", false);
+  }
+  {
+    Drawing drawing(Plane(4, 4));
+    drawing.Add(Region, across(drawing), { 1, 1 }, {});
+    fails(drawing, "open", false);
+  }
+  {
+    // Around a torus: the left is the right.
+    Drawing drawing(Torus(12, 8));
+    drawing.Add(Region,
+      { SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(32), SurfacePoint::AtVertex(64) },
+      { 1, 1, 1 }, {}, true);
+    fails(drawing, "does not separate", false);
+  }
+  {
+    Drawing drawing(Plane(4, 4));
+    drawing.Regions = { { { 3, 32 }, { 1.0 } } };
+    fails(drawing, "face 32", true);
+    drawing.Regions = { { { 3, 31 }, { std::numeric_limits<double>::quiet_NaN() } } };
+    fails(drawing, "region 0 has numbers that are not finite", true);
+    drawing.Regions = { { {}, { 1.0 } } };
+    fails(drawing, "no faces", true);
+    drawing.Regions.clear();
+    drawing.Options.Background = { 1.0, 2.0 };
+    fails(drawing, "background", true);
+    drawing.Options.Background.clear();
+    drawing.Options.NumberOfChannels = 0;
+    fails(drawing, "channel", true);
+  }
+  {
+    // Faces that name a point twice are left out, also as the last ones.
+    TestMesh plane = Plane(4, 4);
+    plane.AddTriangle(3, 3, 4);
+    Drawing drawing(plane);
+    drawing.Regions = { { { 3, 32 }, { 1.0 } } };
+    drawing.Run();
+  }
+  {
+    // A curve over an edge of three faces has no sides.
+    TestMesh book = Plane(4, 4);
+    const Id top = book.AddPoint(1.5, 1.5, 3.0);
+    book.AddTriangle(6, 7, top); // on the edge from (1, 1) to (2, 1)
+    Drawing drawing(book);
+    drawing.Add(Diffusion, across(drawing), { 1, 1 }, { 1, 1 });
+    fails(drawing, "more than two faces", false);
+  }
+  {
+    // Prepared for other curves.
+    Drawing drawing(Plane(4, 4));
+    drawing.Add(Diffusion, across(drawing), { 1, 1 }, { 1, 1 });
+    ASSERT_TRUE(drawing.Prepare().IsOk());
+    drawing.Curves[0].Type = Source;
+    EXPECT_FALSE(drawing.Solve().IsOk());
+    drawing.Curves[0].Type = Diffusion;
+    drawing.Curves[0].IsClosed = true;
+    EXPECT_FALSE(drawing.Solve().IsOk());
+    drawing.Curves.clear();
+    EXPECT_FALSE(drawing.Solve().IsOk());
+  }
+  dgg::VectorGraphics graphics;
+  dgg::GraphicsResult result;
+  EXPECT_FALSE(graphics.Run({}, {}, {}, result).IsOk());
+}
+
+TEST(VectorGraphics, StopsWhenAskedTo)
+{
+  Drawing drawing(Plane(10, 10));
+  drawing.Add(Poisson, { drawing.Find(2.5, 2.5), drawing.Find(7.5, 7.5) }, { 1, 1 }, { 0, 0 })
+    .Width = 3.0;
+  int calls = 0;
+  drawing.Options.Progress = [&](double) {
+    ++calls;
+    return true;
+  };
+  ASSERT_TRUE(drawing.Prepare().IsOk());
+  const int whilePreparing = calls;
+  ASSERT_TRUE(drawing.Solve().IsOk());
+  const int all = calls;
+  EXPECT_GT(whilePreparing, 3);
+  EXPECT_GE(all, whilePreparing + 2);
+  for (int stop = 0; stop < all; ++stop)
+  {
+    calls = 0;
+    double last = 0.0;
+    drawing.Options.Progress = [&](double done) {
+      last = done;
+      return calls++ < stop;
+    };
+    dgg::Status status = drawing.Prepare();
+    status = status.IsOk() ? drawing.Solve() : status;
+    EXPECT_TRUE(status.IsAborted()) << stop;
+    EXPECT_LE(last, 1.0);
+  }
+}
+
+TEST(VectorGraphics, MemoryIsAskedForBeforeTheFactorization)
+{
+  Drawing drawing(Icosphere(3));
+  double asked = 0.0;
+  drawing.Options.CheckMemory = [&](double bytes) {
+    asked = bytes;
+    return dgg::Status::Invalid("too much");
+  };
+  EXPECT_EQ(drawing.Prepare().GetMessage(), "too much");
+  EXPECT_FALSE(drawing.Solve().IsOk());
+  drawing.Options.CheckMemory = nullptr;
+  drawing.Run();
+  EXPECT_GE(asked, static_cast<double>(drawing.Graphics.GetMemorySize()));
+}
+}
