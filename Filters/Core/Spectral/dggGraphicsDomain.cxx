@@ -103,7 +103,8 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
 void InterpolateOnCurve(
   const std::vector<double>& values, int channels, bool isClosed, double parameter, double* result)
 {
-  const auto count = static_cast<double>(values.size() / static_cast<std::size_t>(channels));
+  const std::size_t given = values.size() / static_cast<std::size_t>(channels);
+  const auto count = static_cast<double>(given);
   const double first = std::min(std::max(0.0, std::floor(parameter)), count);
   const double part = parameter - first;
   // A closed curve ends with the point that it starts with.

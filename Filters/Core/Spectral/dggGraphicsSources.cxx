@@ -62,20 +62,24 @@ Status FindFacesOnLeft(
     return status;
   }
   std::vector<char> isFound(surface.Faces.size(), 0);
+  std::vector<Id> waiting;
   const auto find = [&](Id f) {
     if (f != NoId && !isFound[f])
     {
       isFound[f] = 1;
       faces.push_back(f);
+      waiting.push_back(f);
     }
   };
   for (const EdgeSide& edge : cut.Sides[0].Left)
   {
     find(edge.Face);
   }
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  while (!waiting.empty())
   {
-    for (Id h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h)
+    const Id f = waiting.back();
+    waiting.pop_back();
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
     {
       for (Id e = cut.Surface.Twins[h]; e != NoId && e != h; e = cut.Surface.Twins[e])
       {
