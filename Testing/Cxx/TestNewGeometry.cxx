@@ -12,6 +12,7 @@
 #include "vtkGeodesicPatchBoundaries.h"
 #include "vtkGeodesicSampler.h"
 #include "vtkGeodesicVoronoi.h"
+#include "vtkPoissonVectorGraphics.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -108,6 +109,39 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeSampler(vtkPolyData* surface)
   sampler->SetNumberOfSamples(15);
   sampler->InFacesOn();
   return sampler;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeGraphics(vtkPolyData* surface)
+{
+  vtkNew<vtkPoints> places;
+  places->SetDataTypeToDouble();
+  for (const vtkIdType id : { 11, 15, 69 })
+  {
+    double p[3] = { 0.0, 0.0, 0.0 };
+    double q[3] = { 0.0, 0.0, 0.0 };
+    if (id + 1 < surface->GetNumberOfPoints())
+    {
+      surface->GetPoint(id, p);
+      surface->GetPoint(id + 1, q);
+    }
+    // On the edge between them.
+    places->InsertNextPoint(
+      (2.0 * p[0] + q[0]) / 3.0, (2.0 * p[1] + q[1]) / 3.0, (2.0 * p[2] + q[2]) / 3.0);
+  }
+  vtkNew<vtkPolyData> curves;
+  curves->SetPoints(places);
+  curves->SetLines(MakeCells({ { 0, 1, 2 } }));
+  for (const char* name : { "LeftColor", "RightColor" })
+  {
+    vtkNew<vtkDoubleArray> colors;
+    colors->SetName(name);
+    colors->SetNumberOfComponents(3);
+    colors->InsertNextTuple3(0.25, 0.5, name[0] == 'L' ? 1.0 : 0.0);
+    curves->GetCellData()->AddArray(colors);
+  }
+  auto graphics = MakeFilter<vtkPoissonVectorGraphics>(surface);
+  graphics->SetCurveData(curves);
+  return graphics;
 }
 
 vtkSmartPointer<vtkGeodesicAlgorithm> MakeVoronoi(vtkPolyData* surface)
@@ -430,6 +464,7 @@ INSTANTIATE_TEST_SUITE_P(Filters, NewGeometry,
     Case{ "Isolines", MakeIsolines, { 0 }, { "FaceId", "vtkOriginalPointIds", "ArcLength" } },
     Case{ "Sampler", MakeSampler, { 0 }, { "FaceId", "vtkOriginalPointIds", "CoveringRadius" } },
     Case{ "Voronoi", MakeVoronoi, { 1, 2, 3 }, {} },
+    Case{ "Graphics", MakeGraphics, { 0 }, { "Colors", "RGB" } },
     Case{ "PatchBoundaries", MakeBoundaries, { 0, 1 },
       { "FaceId", "vtkOriginalPointIds", "ArcLength", "ArcFraction" } }),
   [](const ::testing::TestParamInfo<Case>& tested) { return tested.param.Name; });
