@@ -225,8 +225,9 @@ public:
   ///@{
   /**
    * Whether to flip edges until they are Delaunay before the equation is solved, without a change
-   * of the output's triangles: then no colour lies outside of those that diffusion curves give. For
-   * meshes with obtuse triangles, as curves make them where they run close to points. Default on.
+   * of the output's triangles: then, with diffusion curves alone, no colour lies outside of those
+   * that are given. For meshes with obtuse triangles, as curves make them where they run close to
+   * points. Default on.
    */
   vtkSetMacro(IntrinsicDelaunay, bool);
   vtkGetMacro(IntrinsicDelaunay, bool);
