@@ -21,26 +21,31 @@ double Distance(const double* a, const double* b)
 {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
-
-double MeasureDiagonal(const double* positions, dgg::Id numberOfPoints)
-{
-  const dgg::StrayPoints stray(positions, numberOfPoints);
-  const auto isStray = [&](const dgg::Point3& p) { return stray.IsStray(p); };
-  return dgg::CloudFrame(positions, numberOfPoints, isStray).GetDiagonal();
-}
 }
 
 //------------------------------------------------------------------------------
 vtkDGGCloudLocator::vtkDGGCloudLocator(const double* positions, dgg::Id numberOfPoints)
   : Positions(positions)
-  , Frame(positions, numberOfPoints)
-  , Diagonal(MeasureDiagonal(positions, numberOfPoints))
 {
+  const dgg::StrayPoints far(positions, numberOfPoints, dgg::StrayPoints::RatioOfFar);
+  this->Frame = dgg::CloudFrame(
+    positions, numberOfPoints, [&](const dgg::Point3& p) { return far.IsStray(p); });
   for (dgg::Id v = 0; v < numberOfPoints; ++v)
   {
-    if (dgg::IsFinite(dgg::PointAt(positions, v)))
+    const dgg::Point3 p = dgg::PointAt(positions, v);
+    if (dgg::IsFinite(p))
     {
-      this->Ids.push_back(v);
+      if (!far.IsStray(p))
+      {
+        this->Ids.push_back(v);
+      }
+      else if (std::none_of(this->Far.begin(), this->Far.end(), [&](dgg::Id other) {
+                 return this->GetDistance(other, positions + 3 * static_cast<std::size_t>(v)) ==
+                   0.0;
+               }))
+      {
+        this->Far.push_back(v); // the first in its place
+      }
     }
   }
   if (this->Ids.empty())
@@ -71,6 +76,36 @@ void vtkDGGCloudLocator::ToLocal(const double position[3], double local[3]) cons
 }
 
 //------------------------------------------------------------------------------
+double vtkDGGCloudLocator::GetDistance(dgg::Id point, const double position[3]) const
+{
+  return Distance(position, this->Positions + 3 * static_cast<std::size_t>(point));
+}
+
+//------------------------------------------------------------------------------
+/// Points of the search that may be the closest one, all when it cannot tell: squares of distances
+/// may be out of its range.
+void vtkDGGCloudLocator::FindCandidates(const double position[3])
+{
+  this->Candidates.clear();
+  double local[3];
+  this->ToLocal(position, local);
+  const vtkIdType first = this->Locator->FindClosestPoint(local);
+  if (first < 0)
+  {
+    this->Candidates = this->Ids;
+    return;
+  }
+  double found[3];
+  this->Points->GetPoint(first, found);
+  this->Locator->FindPointsWithinRadius(Slack * Distance(local, found), local, this->Close);
+  this->Close->InsertUniqueId(first);
+  for (vtkIdType i = 0; i < this->Close->GetNumberOfIds(); ++i)
+  {
+    this->Candidates.push_back(this->Ids[this->Close->GetId(i)]);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkDGGCloudLocator::FindClosestPoint(
   const double position[3], dgg::SurfacePoint& place, double& distance)
 {
@@ -78,30 +113,24 @@ bool vtkDGGCloudLocator::FindClosestPoint(
   {
     return false;
   }
-  double local[3];
-  this->ToLocal(position, local);
-  const vtkIdType first = this->Locator->FindClosestPoint(local);
-  if (first < 0)
-  {
-    return false;
-  }
-  double found[3];
-  this->Points->GetPoint(first, found);
-  this->Locator->FindPointsWithinRadius(Slack * Distance(local, found), local, this->Close);
-  this->Close->InsertUniqueId(first);
+  this->FindCandidates(position);
+  this->Candidates.insert(this->Candidates.end(), this->Far.begin(), this->Far.end());
 
   // By the coordinates as they are: those of the search have been rounded.
   dgg::Id closest = dgg::NoId;
   distance = dgg::Infinity;
-  for (vtkIdType i = 0; i < this->Close->GetNumberOfIds(); ++i)
+  for (const dgg::Id candidate : this->Candidates)
   {
-    const dgg::Id candidate = this->Ids[this->Close->GetId(i)];
-    const double d = Distance(position, this->Positions + 3 * static_cast<std::size_t>(candidate));
+    const double d = this->GetDistance(candidate, position);
     if (d < distance || (d == distance && candidate < closest))
     {
       closest = candidate;
       distance = d;
     }
+  }
+  if (closest == dgg::NoId)
+  {
+    return false; // beyond the range of double
   }
   const double* p = this->Positions + 3 * static_cast<std::size_t>(closest);
   place = dgg::SurfacePoint::NearVertex(
@@ -113,14 +142,26 @@ bool vtkDGGCloudLocator::FindClosestPoint(
 double vtkDGGCloudLocator::GetReach(const dgg::SurfacePoint& place)
 {
   const double* p = this->Positions + 3 * static_cast<std::size_t>(place.Vertex);
-  double local[3];
-  this->ToLocal(p, local);
-  this->Locator->FindClosestNPoints(NeighborCount + 1, local, this->Close); // with itself
-  double reach = 0.0;
-  for (vtkIdType i = 0; i < this->Close->GetNumberOfIds(); ++i)
+  std::vector<double> distances;
+  if (std::any_of(this->Far.begin(), this->Far.end(),
+        [&](dgg::Id v) { return this->GetDistance(v, p) == 0.0; }))
   {
-    const dgg::Id neighbor = this->Ids[this->Close->GetId(i)];
-    reach = std::max(reach, Distance(p, this->Positions + 3 * static_cast<std::size_t>(neighbor)));
+    // The others are no neighbours of it.
+    for (const dgg::Id v : this->Far)
+    {
+      distances.push_back(this->GetDistance(v, p));
+    }
   }
-  return this->Close->GetNumberOfIds() > NeighborCount ? reach : 0.0;
+  else
+  {
+    double local[3];
+    this->ToLocal(p, local);
+    this->Locator->FindClosestNPoints(NeighborCount + 1, local, this->Close); // with itself
+    for (vtkIdType i = 0; i < this->Close->GetNumberOfIds(); ++i)
+    {
+      distances.push_back(this->GetDistance(this->Ids[this->Close->GetId(i)], p));
+    }
+  }
+  std::sort(distances.begin(), distances.end());
+  return distances.size() > NeighborCount ? distances[NeighborCount] : 0.0;
 }

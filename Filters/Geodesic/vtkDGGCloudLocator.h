@@ -17,7 +17,9 @@
 
 /// Finds closest points of a cloud, of those that are finite. Coordinates are taken from the middle
 /// of the cloud and scaled by a power of two for the search, so that any scale gives the same
-/// answer, bit by bit.
+/// answer, bit by bit. The few that are far off all others (dggStrayPoints.h, by four times) are
+/// looked at one by one: in the frame of all points the others would lose their digits, and share
+/// one bucket of the search.
 class vtkDGGCloudLocator
 {
 public:
@@ -25,23 +27,28 @@ public:
   vtkDGGCloudLocator(const double* positions, dgg::Id numberOfPoints);
 
   /// The place as seen from the closest point of the cloud, of several the one with the smallest
-  /// id, and its distance from it in the units of the points. False when there is none.
+  /// id, and its distance from it in the units of the points. False when there is none, or none
+  /// at a distance in the range of double.
   bool FindClosestPoint(const double position[3], dgg::SurfacePoint& place, double& distance);
 
   /// How far the nearest points of the cloud around a place are from its point: places that are not
-  /// farther from it are among the points of the cloud. 0 when there are too few.
+  /// farther from it are among the points of the cloud. 0 when there are too few. Points far off
+  /// all others have only each other around them.
   double GetReach(const dgg::SurfacePoint& place);
 
-  /// Diagonal of the bounding box of the finite points, without stray ones (dggStrayPoints.h).
-  double GetDiagonal() const { return this->Diagonal; }
+  /// Diagonal of the bounding box of the finite points, without those far off all others.
+  double GetDiagonal() const { return this->Frame.GetDiagonal(); }
 
 private:
   void ToLocal(const double position[3], double local[3]) const;
+  double GetDistance(dgg::Id point, const double position[3]) const;
+  void FindCandidates(const double position[3]);
 
   const double* Positions;
-  dgg::CloudFrame Frame; // of all finite points: they are all searched
-  double Diagonal;
+  dgg::CloudFrame Frame;    // of the points that are searched
   std::vector<dgg::Id> Ids; // of the cloud, per point of Points
+  std::vector<dgg::Id> Far; // of the cloud, one in each place
+  std::vector<dgg::Id> Candidates;
   vtkNew<vtkPolyData> Points;
   vtkNew<vtkStaticPointLocator> Locator;
   vtkNew<vtkIdList> Close;

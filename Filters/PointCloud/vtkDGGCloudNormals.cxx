@@ -29,13 +29,15 @@ constexpr double ThinnestPlane = 1e-5;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 /// The finite points as floats: in the frame of the cloud, as floats have few digits and a small
-/// range. Stray points would leave none of these digits.
+/// range. Those far off all others would leave few of these digits: they are outside of the frame,
+/// stray ones are left out.
 dgg::Status MakeCloud(
   const double* positions, dgg::Id numberOfPoints, std::vector<dgg::Id>& ids, Cloud::Ptr& cloud)
 {
   const dgg::StrayPoints stray(positions, numberOfPoints);
+  const dgg::StrayPoints far(positions, numberOfPoints, dgg::StrayPoints::RatioOfFar);
   const dgg::CloudFrame frame(
-    positions, numberOfPoints, [&](const dgg::Point3& p) { return stray.IsStray(p); });
+    positions, numberOfPoints, [&](const dgg::Point3& p) { return far.IsStray(p); });
   const dgg::Status status = frame.CheckRange();
   if (!status.IsOk())
   {
@@ -76,7 +78,9 @@ bool IsLine(const Cloud& cloud, const pcl::Indices& points)
   moments /= static_cast<double>(points.size());
   const Eigen::Vector3d values =
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly).eigenvalues();
-  constexpr double rounding = std::numeric_limits<float>::epsilon(); // of coordinates up to 1
+  // Of coordinates up to 1, in the frame.
+  const double rounding =
+    std::numeric_limits<float>::epsilon() * std::max(1.0, mean.lpNorm<Eigen::Infinity>());
   return !(values[1] > ThinnestPlane * ThinnestPlane * values[2] + rounding * rounding);
 }
 }

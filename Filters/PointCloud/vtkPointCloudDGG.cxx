@@ -633,8 +633,9 @@ void vtkPointCloudDGG::WarnAboutPoints()
   {
     const bool isOne = stray == 1;
     vtkWarningMacro(<< "the cloud has " << stray << (isOne ? " point that is" : " points that are")
-                    << " more than four times as far off as all others. "
-                    << (isOne ? "It is" : "They are") << " kept, and connected to nothing.");
+                    << " more than 1000 times as far off as all others. "
+                    << (isOne ? "It is" : "They are")
+                    << " kept, and connected to nothing but points in the same place.");
   }
 }
 

@@ -37,11 +37,18 @@
  * nothing. Points in the same place are connected by edges that have next to no length.
  *
  * Stray points, as readings gone wrong or numbers that stand for none, are kept as well, with a
- * warning that counts them. Each is a component of its own, and nothing else changes by it: the graph
- * of the other points is, bit by bit, the one without it. Points are stray when they are in fewer
- * than 17 places, each more than four times as far from the middle of the cloud (its median along
- * each axis; distances are the largest of those along the axes) as any other point. Larger parts may
- * be as far from each other as 8388608 voxels reach; beyond that is an error that names a point.
+ * warning that counts them. Each place of them is a component of its own, of the points that are in
+ * it, and nothing else changes by it: the graph of the other points is, bit by bit, the one without
+ * them. The rule: points are stray when each of them is more than 1000 times as far from the middle
+ * of the cloud (its median along each axis) as any other point, when they are in fewer than 17
+ * places, and the others in 17 places at least. Places count, not points: copies in one place are
+ * one. Stray points may be as far from each other as from the cloud; the nearest such gap that leaves
+ * enough places counts.
+ *
+ * Points that are nearer than that are a part of the cloud, however few, and so are larger parts at
+ * any distance. They may be as far from each other as 8388608 voxels reach when Resolution is 0, and
+ * 2^30 (1e9) spacings in any case, as coordinates have no more digits; beyond that is an error that
+ * names a point.
  *
  * <b>The graph</b> is in the field data. n is the number of points, m the number of directed edges;
  * each edge is there in both directions, with the same length. It takes the place of any graph that
@@ -108,7 +115,7 @@
  *    [1e-3, 1e6], an Accuracy that is neither 0 nor in [1e-6, 0.5]; a Resolution that is negative or
  *    above 524288; a NumberOfNeighbors below 3; an empty name of an array;
  *  - normals of another number of components or tuples than there should be;
- *  - parts of the cloud that are too far apart, see above, when Resolution is automatic;
+ *  - parts of the cloud that are too far apart, see above;
  *  - a graph, or a band, that would take more memory than MemoryLimit.
  *
  * The mesh report is empty, and MergeCoincidentPoints and OutputPointsPrecision are not used.

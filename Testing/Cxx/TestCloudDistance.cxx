@@ -208,6 +208,44 @@ TEST_F(CloudDistance, StrayPointsDoNotBringSourcesCloser)
   EXPECT_TRUE(std::isnan(GetDistances(distance)[400]));
 }
 
+TEST_F(CloudDistance, SourcesAreFoundWhereverStrayPointsAre)
+{
+  // In a frame with points that far off, all others would be in one place.
+  const Points part = MakeFlatPoints(20, 0.2);
+  for (const double off : { 20.0, 1e6, 1e16, 3.4e38, 1e200 })
+  {
+    SCOPED_TRACE(off);
+    const Points stray = { { { off, 0.0, -off } }, { { off, 0.0, -off } }, { { 0.0, -off, 0.0 } } };
+    this->Use(Join(part, stray));
+    this->Graph->Update(); // warns
+    vtkNew<vtkGeodesicSampler> sampler;
+    this->Connect(sampler);
+    sampler->SetNumberOfSamples(1);
+    const auto find = [&](const std::array<double, 3>& place) {
+      sampler->SetStartData(MakeSourcePoints({ place }));
+      ExpectWarning(sampler, { "more components than there are samples" });
+      return Value(sampler->GetOutput()->GetPointData(), "vtkOriginalPointIds", 0);
+    };
+    for (const std::size_t i : { 7, 123, 399 })
+    {
+      EXPECT_EQ(find({ { part[i][0] + 1e-3, part[i][1] - 1e-3, 1e-3 } }), double(i));
+    }
+    EXPECT_EQ(find(stray[0]), 400);
+    EXPECT_EQ(find(stray[2]), 402);
+    // Above the cloud, and near a stray point but not at it.
+    for (const std::array<double, 3>& place :
+      { std::array<double, 3>{ { 0.5, 0.5, 0.3 } }, { { 0.9 * off, 0.0, -off } } })
+    {
+      sampler->SetStartData(MakeSourcePoints({ place }));
+      ExpectError(sampler, { "start point 0", "away from the cloud", "ProjectionTolerance" });
+    }
+    // What is far from all is nearest to the cloud all the same.
+    sampler->SetProjectionTolerance(1e300);
+    const double farthest = find({ { -off, 0.5 * off, off } });
+    EXPECT_LT(farthest, 400) << off;
+  }
+}
+
 TEST_F(CloudDistance, NearestPointsAreTheNearest)
 {
   // Against a search of all points, also far outside and with points in the same place.

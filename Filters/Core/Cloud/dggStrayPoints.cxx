@@ -3,6 +3,7 @@
 #include "dggStrayPoints.h"
 
 #include "dggCloudFrame.h"
+#include "dggQuantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace dgg
 namespace
 {
 constexpr std::size_t MostPlaces = 16;
-constexpr double LargestRatio = 4.0;
 
 /// Distinct places, a few of them.
 class Places
@@ -49,21 +49,14 @@ void ForEachFinite(const double* points, Id numberOfPoints, Visitor&& visit)
   }
 }
 
-double Median(std::vector<double>& values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 struct FarPoint
 {
-  double HalfDistance;
+  double QuarterDistance;
   Point3 Place;
 };
 }
 
-StrayPoints::StrayPoints(const double* points, Id numberOfPoints)
+StrayPoints::StrayPoints(const double* points, Id numberOfPoints, double ratio)
 {
   std::vector<double> values;
   for (double Point3::*const axis : { &Point3::X, &Point3::Y, &Point3::Z })
@@ -74,19 +67,19 @@ StrayPoints::StrayPoints(const double* points, Id numberOfPoints)
     {
       return;
     }
-    this->HalfMiddle.*axis = 0.5 * Median(values);
+    this->QuarterMiddle.*axis = 0.25 * Quantile(values, 0.5);
   }
   values.clear();
   ForEachFinite(
-    points, numberOfPoints, [&](const Point3& p) { values.push_back(this->HalfDistance(p)); });
-  const double median = Median(values);
+    points, numberOfPoints, [&](const Point3& p) { values.push_back(this->QuarterDistance(p)); });
+  const double median = Quantile(values, 0.5);
 
   // At least half of the points are not farther than the median, so stray ones are by that much.
   std::vector<FarPoint> far;
   double inner = 0.0;
   ForEachFinite(points, numberOfPoints, [&](const Point3& p) {
-    const double distance = this->HalfDistance(p);
-    if (distance / LargestRatio > median)
+    const double distance = this->QuarterDistance(p);
+    if (distance / ratio > median)
     {
       far.push_back({ distance, p });
     }
@@ -96,21 +89,28 @@ StrayPoints::StrayPoints(const double* points, Id numberOfPoints)
     }
   });
   std::sort(far.begin(), far.end(),
-    [](const FarPoint& a, const FarPoint& b) { return a.HalfDistance > b.HalfDistance; });
+    [](const FarPoint& a, const FarPoint& b) { return a.QuarterDistance > b.QuarterDistance; });
   Places places;
+  std::vector<std::size_t> gaps; // points beyond each
   for (std::size_t i = 0; i < far.size() && places.Add(far[i].Place); ++i)
   {
-    const double next = i + 1 < far.size() ? far[i + 1].HalfDistance : inner;
-    if (next > 0.0 && far[i].HalfDistance / LargestRatio > next)
+    const double next = i + 1 < far.size() ? far[i + 1].QuarterDistance : inner;
+    if (next > 0.0 && far[i].QuarterDistance / ratio > next)
     {
-      this->NumberOfPoints = static_cast<Id>(i + 1);
-      this->Limit = next;
+      gaps.push_back(i + 1);
     }
   }
-  if (this->NumberOfPoints > 0 && !this->HasManyPlaces(points, numberOfPoints))
+  // The nearest gap that leaves enough.
+  for (auto gap = gaps.rbegin(); gap != gaps.rend(); ++gap)
   {
-    this->NumberOfPoints = 0;
+    this->NumberOfPoints = static_cast<Id>(*gap);
+    this->Limit = *gap < far.size() ? far[*gap].QuarterDistance : inner;
+    if (this->HasManyPlaces(points, numberOfPoints))
+    {
+      return;
+    }
   }
+  this->NumberOfPoints = 0;
 }
 
 /// Whether the points that are not stray are enough to be a cloud.
@@ -128,9 +128,10 @@ bool StrayPoints::HasManyPlaces(const double* points, Id numberOfPoints) const
   return false;
 }
 
-double StrayPoints::HalfDistance(const Point3& point) const
+double StrayPoints::QuarterDistance(const Point3& point) const
 {
-  return std::max({ std::abs(0.5 * point.X - this->HalfMiddle.X),
-    std::abs(0.5 * point.Y - this->HalfMiddle.Y), std::abs(0.5 * point.Z - this->HalfMiddle.Z) });
+  const Point3& middle = this->QuarterMiddle;
+  return std::hypot(
+    0.25 * point.X - middle.X, 0.25 * point.Y - middle.Y, 0.25 * point.Z - middle.Z);
 }
 }

@@ -14,31 +14,38 @@ namespace dgg
 /// numbers that stand for no reading. Such points must not decide how large the cloud is, nor where
 /// its middle is: nothing would be left of its digits, or of its voxels.
 ///
-/// Distances are the largest of those along the axes, from the middle of the cloud, its median
-/// along each axis. Points are stray when they are more than four times as far as any of the
-/// others, and in fewer than 17 places: a spacing needs 16 neighbours, so that more than these are
-/// a part of the cloud, however far. The rest has to be in 17 places at least.
+/// Distances are from the middle of the cloud, its median along each axis. Points are stray when
+/// each of them is more than `ratio` times as far as any of the others, when they are in fewer than
+/// 17 places, and the others in 17 places at least: a spacing needs 16 neighbours, so that more
+/// places are a part of the cloud, however far. Places count, not points. Stray points may be as
+/// far from each other as from the cloud: it is the nearest gap that counts, of those that leave
+/// enough places.
 class StrayPoints
 {
 public:
+  /// Nearer ones may be objects of few points: they cost a cloud less than 10 bits of its digits.
+  static constexpr double LargestRatio = 1000.0;
+  /// For what all points are looked for in anyway, those that are left out one by one.
+  static constexpr double RatioOfFar = 4.0;
+
   /// `points` are x y z per point. Those that are not finite do not count.
-  StrayPoints(const double* points, Id numberOfPoints);
+  StrayPoints(const double* points, Id numberOfPoints, double ratio = LargestRatio);
 
   Id GetNumberOfPoints() const { return this->NumberOfPoints; }
   /// Of a point that is finite.
   bool IsStray(const Point3& point) const
   {
-    return this->NumberOfPoints > 0 && this->HalfDistance(point) > this->Limit;
+    return this->NumberOfPoints > 0 && this->QuarterDistance(point) > this->Limit;
   }
 
 private:
-  /// From the middle. Half of it: that of large numbers may be beyond the range of double.
-  double HalfDistance(const Point3& point) const;
+  /// From the middle. A quarter of it: that of large numbers may be beyond the range of double.
+  double QuarterDistance(const Point3& point) const;
   bool HasManyPlaces(const double* points, Id numberOfPoints) const;
 
   Id NumberOfPoints = 0;
-  Point3 HalfMiddle;
-  double Limit = Infinity; ///< half the distance of the farthest of the others
+  Point3 QuarterMiddle;
+  double Limit = Infinity; ///< a quarter of the distance of the farthest of the others
 };
 }
 
