@@ -6,6 +6,9 @@
 
 #include <Eigen/OrderingMethods>
 
+#include <algorithm>
+#include <cmath>
+
 namespace dgg
 {
 namespace
@@ -21,6 +24,23 @@ bool IsZero(const ScaledNumber& value)
 bool IsZero(const SparseLanes& values)
 {
   return (values == 0.0).all();
+}
+
+/// Call `visit` with each entry of the diagonal. The entries of a column need not be in the order
+/// of rows, as those of permuted matrices are not: SparseMatrix::diagonal() would search for them.
+template <typename Visitor>
+void ForEachOnDiagonal(Eigen::SparseMatrix<double>& matrix, Visitor&& visit)
+{
+  for (int column = 0; column < matrix.cols(); ++column)
+  {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry)
+    {
+      if (entry.row() == column)
+      {
+        visit(entry.valueRef());
+      }
+    }
+  }
 }
 }
 
@@ -65,8 +85,9 @@ bool SparseFactor::Compute(const Eigen::SparseMatrix<double>& upper)
   if (this->Decomposition.info() != Eigen::Success)
   {
     Eigen::SparseMatrix<double> raised = upper;
-    const double largest = upper.diagonal().cwiseAbs().maxCoeff();
-    raised.diagonal().array() += 1e-10 * largest;
+    double largest = 0.0;
+    ForEachOnDiagonal(raised, [&](double& d) { largest = std::max(largest, std::abs(d)); });
+    ForEachOnDiagonal(raised, [&](double& d) { d += 1e-10 * largest; });
     this->Decomposition.compute(raised);
     this->Raised = true;
   }

@@ -29,8 +29,9 @@ using SparseLanes = Eigen::Array<double, 8, 1>;
 class SparseFactor
 {
 public:
-  /// From the upper triangle. Where rounding leaves a pivot of 0, as among faces with next to no
-  /// area, the diagonal is raised by 1e-10 of its largest entry. False when that fails, too.
+  /// From the upper triangle, with all entries of the diagonal, in any order. Where rounding leaves
+  /// a pivot of 0, as among faces with next to no area, the diagonal is raised by 1e-10 of its
+  /// largest entry. False when that fails, too.
   bool Compute(const Eigen::SparseMatrix<double>& upper);
   bool IsComputed() const { return this->Computed; }
   /// Whether the diagonal was raised: solutions then are those of a system nearby.

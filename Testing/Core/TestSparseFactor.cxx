@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Factors of sparse matrices, of those without an inverse as well.
+#include "CurvedMeshes.h"
+
+#include "dggPoissonSolver.h"
+#include "dggSparseFactor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::Id;
+using dgg::SurfaceMesh;
+using Matrix = Eigen::SparseMatrix<double>;
+
+/// The Laplacian of a path of vertices, permuted as systems are before they are factorized, so that
+/// entries are not in order. Constants are its kernel: the last pivot is 0.
+Matrix PermutedPath(int n, std::vector<int>& places)
+{
+  Matrix laplacian(n, n);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i + 1 < n; ++i)
+  {
+    entries.emplace_back(i, i, 1.0);
+    entries.emplace_back(i + 1, i + 1, 1.0);
+    entries.emplace_back(i, i + 1, -1.0);
+    entries.emplace_back(i + 1, i, -1.0);
+  }
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(n);
+  places.resize(n);
+  for (int i = 0; i < n; ++i)
+  {
+    places[i] = i * 7 % n;
+    permutation.indices()[i] = places[i];
+  }
+  Matrix upper(n, n);
+  upper.selfadjointView<Eigen::Upper>() =
+    laplacian.selfadjointView<Eigen::Upper>().twistedBy(permutation);
+  return upper;
+}
+
+bool HasUnorderedColumn(const Matrix& matrix)
+{
+  for (int column = 0; column < matrix.cols(); ++column)
+  {
+    int last = -1;
+    for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
+    {
+      if (entry.row() < last)
+      {
+        return true;
+      }
+      last = static_cast<int>(entry.row());
+    }
+  }
+  return false;
+}
+
+TEST(SparseFactor, SingularMatricesInAnyOrderAreRaised)
+{
+  constexpr int Size = 32; // so that pivots are exact
+  std::vector<int> places;
+  const Matrix upper = PermutedPath(Size, places);
+  ASSERT_TRUE(HasUnorderedColumn(upper));
+  dgg::SparseFactor factor;
+  ASSERT_TRUE(factor.Compute(upper));
+  EXPECT_TRUE(factor.IsRaised());
+  // In at one end, out at the other: the values fall by 1 from vertex to vertex.
+  std::vector<double> values(Size, 0.0);
+  values[places[0]] = 1.0;
+  values[places[Size - 1]] = -1.0;
+  factor.Solve(values);
+  for (int i = 0; i + 1 < Size; ++i)
+  {
+    EXPECT_NEAR(values[places[i]] - values[places[i + 1]], 1.0, 1e-5) << i;
+  }
+}
+
+TEST(SparseFactor, MeshesWithNeedles)
+{
+  // A triangle that hangs on a vertex of a sphere, and gets ever thinner.
+  for (const double width : { 1e-3, 1e-9, 1e-15, 0.0 })
+  {
+    TestMesh sphere = Icosphere(2);
+    const Id n = static_cast<Id>(sphere.Points.size() / 3);
+    const double r = 1.5;
+    const std::vector<double> tip(sphere.Points.begin(), sphere.Points.begin() + 3);
+    for (const double shift : { 0.0, width })
+    {
+      sphere.Points.insert(
+        sphere.Points.end(), { r * tip[0] + shift, r * tip[1] - shift, r * tip[2] });
+    }
+    sphere.Triangles.insert(sphere.Triangles.end(), { 0, n, n + 1 });
+    for (const bool isDelaunay : { false, true })
+    {
+      SCOPED_TRACE(testing::Message() << width << (isDelaunay ? ", flipped" : ""));
+      const SurfaceMesh mesh = Build(sphere);
+      dgg::PoissonSolver solver(mesh);
+      dgg::PoissonOptions options;
+      options.IntrinsicDelaunay = isDelaunay;
+      ASSERT_TRUE(solver.Prepare(options, nullptr).IsOk());
+      std::vector<double> values(mesh.GetNumberOfVertices(), 0.0);
+      values[1] = 1.0;
+      values[2] = -1.0;
+      ASSERT_TRUE(solver.Solve(values).IsOk());
+      std::vector<double> sources;
+      ASSERT_TRUE(solver.Multiply(values, sources).IsOk());
+      for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        EXPECT_NEAR(sources[v], v == 1 ? 1.0 : v == 2 ? -1.0 : 0.0, 1e-8) << v;
+      }
+    }
+  }
+}
+}
+}
