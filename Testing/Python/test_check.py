@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkdgg.check(): VTK errors as exceptions."""
 
+import gc
 import os
 import subprocess
 import sys
 import unittest
 import warnings
+import weakref
 
 import numpy as np
 import support
@@ -178,6 +180,23 @@ class Check(unittest.TestCase):
         distance.RemoveObserver(tag)
         self.assertEqual(vtkdgg.check(distance).GetNumberOfPoints(), 16)
         self.assertFalse(distance.GetAbortExecute())
+
+    def test_keeps_nothing(self):
+        gone = []
+        gc.disable()
+        try:
+            mesh = support.polydata(*support.grid(1, 1))
+            for _ in range(3):
+                triangles = vtkTriangleFilter()
+                triangles.SetInputData(mesh)
+                last = vtkTriangleFilter()
+                last.SetInputConnection(triangles.GetOutputPort())
+                gone += [weakref.ref(triangles), weakref.ref(last)]
+                vtkdgg.check(last)
+            del triangles, last
+            self.assertEqual([reference() for reference in gone], [None] * 6)
+        finally:
+            gc.enable()
 
     def test_not_an_algorithm(self):
         for thing in (None, 3, "reader", vtkPolyData()):

@@ -117,17 +117,24 @@ class _Reports:
 
 def _upstream(algorithm):
     """The algorithm and all that it depends on, sources first."""
+    # Without recursion: a function inside that calls itself is a cycle, which would keep the
+    # algorithms and their data until the garbage collector runs.
     found = []
-
-    def visit(node):
+    waiting = [(algorithm, False)]
+    while waiting:
+        node, inputs_are_found = waiting.pop()
         if node in found:
-            return
-        for port in range(node.GetNumberOfInputPorts()):
-            for connection in range(node.GetNumberOfInputConnections(port)):
-                visit(node.GetInputAlgorithm(port, connection))
-        found.append(node)
-
-    visit(algorithm)
+            continue
+        if inputs_are_found:
+            found.append(node)
+            continue
+        waiting.append((node, True))
+        inputs = [
+            node.GetInputAlgorithm(port, connection)
+            for port in range(node.GetNumberOfInputPorts())
+            for connection in range(node.GetNumberOfInputConnections(port))
+        ]
+        waiting.extend((source, False) for source in reversed(inputs))
     return found
 
 
