@@ -303,11 +303,18 @@ def make_shaded(data):
     return actor
 
 
-def make_curves(curves, name, shift):
+def make_clay(data):
+    """Before it is painted."""
+    actor = make_shaded(data)
+    actor.GetProperty().SetColor(0.95, 0.94, 0.92)
+    return actor
+
+
+def make_curves(curves, name, radius=0.0021):
     """Tubes in the colours of one side."""
     tubes = vtkTubeFilter()
     tubes.SetInputData(curves)
-    tubes.SetRadius(0.0021)
+    tubes.SetRadius(radius)
     tubes.SetNumberOfSides(10)
     actor = make_actor(vtkdgg.check(tubes))
     mapper = actor.GetMapper()
@@ -315,11 +322,11 @@ def make_curves(curves, name, shift):
     mapper.SelectColorArray(name)
     mapper.SetColorModeToDirectScalars()
     actor.GetProperty().LightingOff()
-    actor.SetPosition(0.0, 0.0, shift)
     return actor
 
 
 def make_scene(actors, viewport):
+    """One panel of the picture."""
     renderer = vtkRenderer()
     renderer.SetViewport(*viewport)
     renderer.GradientBackgroundOn()
@@ -327,6 +334,11 @@ def make_scene(actors, viewport):
     renderer.SetBackground2(0.96, 0.955, 0.945)
     for actor in actors:
         renderer.AddActor(actor)
+    return renderer
+
+
+def look_at_vase(renderer):
+    """Put the camera in front of it, and lights."""
     for position, strength in (((-2.5, -3.0, 3.0), 0.80), ((3.0, -2.5, 0.5), 0.35)):
         light = vtkLight()
         light.SetPosition(*position)
@@ -338,21 +350,19 @@ def make_scene(actors, viewport):
     camera.SetPosition(0.0, -4.0, 1.35)
     camera.SetViewUp(0.0, 0.0, 1.0)
     camera.SetViewAngle(17.5)
-    renderer.ResetCameraClippingRange()
-    return renderer
 
 
-def write_picture(vase, painted, curves, path):
-    """The curves on plain clay, and the painted vase."""
-    plain = make_shaded(vase)
-    plain.GetProperty().SetColor(0.95, 0.94, 0.92)
-    shown = [plain, make_curves(curves, "Above", 0.002), make_curves(curves, "Below", -0.002)]
+def write_picture(left, right, look, path):
+    """Two panels of actors, side by side; look puts cameras and lights."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
     window.SetSize(1280, 760)
-    window.AddRenderer(make_scene(shown, (0.0, 0.0, 0.5, 1.0)))
-    window.AddRenderer(make_scene([make_shaded(painted)], (0.5, 0.0, 1.0, 1.0)))
+    for actors, viewport in ((left, (0.0, 0.0, 0.5, 1.0)), (right, (0.5, 0.0, 1.0, 1.0))):
+        renderer = make_scene(actors, viewport)
+        look(renderer)
+        renderer.ResetCameraClippingRange()
+        window.AddRenderer(renderer)
     window.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(window)
@@ -406,7 +416,11 @@ def main():
     )
     if arguments.picture:
         add_shown(curves)
-        write_picture(vase, painted, curves, arguments.picture)
+        above, below = make_curves(curves, "Above"), make_curves(curves, "Below")
+        above.SetPosition(0.0, 0.0, 0.002)
+        below.SetPosition(0.0, 0.0, -0.002)
+        clay = [make_clay(vase), above, below]
+        write_picture(clay, [make_shaded(painted)], look_at_vase, arguments.picture)
 
 
 if __name__ == "__main__":

@@ -192,6 +192,7 @@ class Readme(unittest.TestCase):
                     "cloud_file",
                     "example_arguments",
                     "mesh_file",
+                    "surface_canvas",
                 )
                 if extension == ending and not is_part:
                     self.assertIn(f"`{name}`", self.readme)
