@@ -148,6 +148,7 @@ void vtkPointCloudDGG::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VoxelSize: " << this->GetVoxelSize() << "\n";
   os << indent << "Spacing: " << this->GetSpacing() << "\n";
   os << indent << "Noise: " << this->GetNoise() << "\n";
+  os << indent << "OffSurfaceShare: " << this->GetOffSurfaceShare() << "\n";
   os << indent << "Reach: " << this->GetReach() << "\n";
   os << indent << "GraphBuildTime: " << this->GetGraphBuildTime() << "\n";
 }
@@ -353,6 +354,12 @@ double vtkPointCloudDGG::GetSpacing() const
 double vtkPointCloudDGG::GetNoise() const
 {
   return this->Internals->Current.Statistics.Noise;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointCloudDGG::GetOffSurfaceShare() const
+{
+  return this->Internals->Current.Statistics.OffSurface;
 }
 
 //------------------------------------------------------------------------------
@@ -636,6 +643,16 @@ void vtkPointCloudDGG::WarnAboutPoints()
                     << " more than 1000 times as far off as all others. "
                     << (isOne ? "It is" : "They are")
                     << " kept, and connected to nothing but points in the same place.");
+  }
+  const dgg::CloudGraphStatistics& statistics = this->Internals->Current.Statistics;
+  if (statistics.Scatter > 0.0)
+  {
+    vtkWarningMacro(<< "the neighbours of " << 100.0 * statistics.OffSurface
+                    << " % of the points do not lie on a surface: points typically scatter by "
+                    << statistics.Scatter
+                    << " times their spacing. That much is not taken off, and distances may be "
+                       "wrong by far. Thin the cloud out, to every tenth point for example or to "
+                       "averages of points, until points scatter by less than their spacing.");
   }
 }
 

@@ -92,7 +92,11 @@
  *  - noise: where points scatter about the surface by more than 3 % of their spacing (GetNoise()),
  *    they are moved to the surface before lengths are measured. This is decided for the whole
  *    cloud: clean detail beside much noise is smoothed as well, single points above a noisy surface
- *    are moved to it, noisy sheets less than about six spacings apart may be joined;
+ *    are moved to it, noisy sheets less than about six spacings apart may be joined. It holds for
+ *    noise, as a standard deviation, of up to 0.8 spacings. When more than a tenth of the points lie
+ *    on no surface with their neighbours (GetOffSurfaceShare()), as for more noise, and in volumes,
+ *    there is a warning that tells how far they scatter: then thin the cloud out until that is less
+ *    than the spacing, which grows with the root of the thinning;
  *  - uneven density: balls and, in scheme C, reaches follow the local spacing; points on their own
  *    far off the surface do not get larger balls;
  *  - holes that are wider are gone around; points in the same place count once.
@@ -360,6 +364,13 @@ public:
   double GetNoise() const;
   double GetReach() const;
   ///@}
+
+  /**
+   * Share of the points, in [0, 1], whose neighbours lie on no surface even after noise has been
+   * looked for: what is fitted to them misses them by more than a quarter of the radius that they
+   * are in. Above 0.1 there is a warning, and distances are not to be relied on.
+   */
+  double GetOffSurfaceShare() const;
 
   /**
    * Time stamp of the last time that a graph was built.

@@ -186,6 +186,39 @@ TEST(CloudGraphAccuracy, NoisyPointsAreMovedToTheSurface)
   EXPECT_EQ(statistics.Noise, 0.0);
 }
 
+TEST(CloudGraphAccuracy, PointsOnNoSurfaceAreTold)
+{
+  const auto measure = [](const Cloud& cloud) {
+    dgg::CloudGraphStatistics statistics;
+    BuildGraph(
+      cloud, [](CloudGraphOptions& options) { options.Accuracy = 0.1; }, &statistics);
+    return statistics;
+  };
+  // A volume.
+  Cloud box = Square(3000, 21);
+  const Cloud heights = Square(3000, 22);
+  for (Id i = 0; i < box.GetSize(); ++i)
+  {
+    box.Points[3 * i + 2] = heights.At(i).X;
+  }
+  const dgg::CloudGraphStatistics volume = measure(box);
+  EXPECT_GT(volume.OffSurface, 0.5);
+  EXPECT_GT(volume.Scatter, 1.0);
+  EXPECT_EQ(volume.Noise, 0.0);
+  // Surfaces with a crease, clean and noisy ones; too few points to tell.
+  Cloud roof = Square(3000, 23);
+  for (Id i = 0; i < roof.GetSize(); ++i)
+  {
+    roof.Points[3 * i + 2] = std::abs(roof.At(i).X - 0.5);
+  }
+  for (const Cloud& cloud : { roof, Sphere(3000, 24), Sphere(3000, 25, 0.03), Sphere(16, 26) })
+  {
+    const dgg::CloudGraphStatistics surface = measure(cloud);
+    EXPECT_LT(surface.OffSurface, 0.03);
+    EXPECT_EQ(surface.Scatter, 0.0);
+  }
+}
+
 TEST(CloudGraphAccuracy, DensityThatVaries)
 {
   const Cloud cloud = Square(8000, 14, 10.0);

@@ -74,6 +74,10 @@ struct CloudGraphStatistics
   Id CoincidentPoints = 0; ///< exactly where another point is: joined to it by a tiny edge
   double Spacing = 0.0;    ///< median of the roots of the area per point
   double Noise = 0.0;      ///< median distance of points from the surfaces fitted to neighbours
+  double OffSurface = 0.0; ///< share of points whose neighbours lie on no surface
+  /// When these are more than a tenth, how far points typically lie off a surface, in spacings.
+  /// Such noise is left as it is, and the graph is of little use. Otherwise 0.
+  double Scatter = 0.0;
   double VoxelSize = 0.0;
   double OffsetInVoxels = 0.0; ///< median radius of a ball by the size of a voxel
   Id Resolution = 0;           ///< voxels along the longest side of the points

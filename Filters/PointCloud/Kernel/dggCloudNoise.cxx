@@ -6,6 +6,7 @@
 #include "dggQuantile.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace dgg
@@ -28,6 +29,15 @@ constexpr double NoisyResidual = 0.03;
 constexpr double LargestGrowthOfNoise = 1.2;
 /// Nodes at which the growth is measured.
 constexpr std::size_t SampleSize = 2000;
+/// Neighbours lie on no surface when the fitted one misses them by more than that part of the
+/// radius that they are in. In a volume it is 0.27 at 16 neighbours, and 0.3 at more; for noise of
+/// 1, 2 and 3 spacings it falls below at 32, 128 and 256.
+constexpr double MissOfNoSurface = 0.25;
+/// Share of such nodes that is too large to be single points and edges (measured: below 0.05 on
+/// scans, 0.43 for noise of one spacing at 16 neighbours).
+constexpr double LargestShareOffSurface = 0.1;
+/// Noise is looked for with as many neighbours as that at most.
+constexpr std::size_t WidestFitNeighbors = 512;
 /// Residual, by spacing, of surfaces that are smooth.
 constexpr double SmoothResidual = 0.004;
 
@@ -64,15 +74,22 @@ bool FitTo(
   fits.Curvatures.assign(n, 0.0f);
   fits.Residuals.assign(n, 0.0f);
   fits.ToSurface.assign(n, Point3());
-  return loop(share, [&](Id begin, Id end) {
+  std::atomic<std::size_t> off{ 0 };
+  const bool goesOn = loop(share, [&](Id begin, Id end) {
     std::vector<CloudNeighbor> neighbors;
     std::vector<Point3> places;
+    std::size_t misses = 0;
     for (Id node = begin; node < end; ++node)
     {
       const Point3& point = pairs.Points[node];
       FindPlaces(setup, point, std::max(count, SpacingNeighbors) + 1, neighbors, places);
       pairs.Spacings[node] = static_cast<float>(SpacingFrom(neighbors));
       const LocalFit fit = FitSurface(point, places.data(), std::min(count + 1, places.size()));
+      // Of fewer points nothing can be said.
+      misses += places.size() > count &&
+          fit.Residual > MissOfNoSurface * std::sqrt(neighbors[count].SquaredDistance)
+        ? 1
+        : 0;
       pairs.Normals[node] = fit.Normal;
       if (fit.Residual > LargestResidual * pairs.Spacings[node])
       {
@@ -87,26 +104,51 @@ bool FitTo(
       fits.Residuals[node] = static_cast<float>(fit.Residual);
       fits.ToSurface[node] = fit.ToSurface;
     }
+    off += misses;
   });
+  fits.OffSurface = n > 0 ? static_cast<double>(off) / static_cast<double>(n) : 0.0;
+  return goesOn;
 }
 
-/// Median residual of surfaces that are fitted to twice as many neighbours, at some of the nodes.
-double MeasureWideResidual(const CloudSetup& setup)
+/// Median residual of surfaces that are fitted to so many neighbours, at some of the nodes.
+struct TypicalResidual
+{
+  double BySpacing = 0.0;
+  double ByRadius = 0.0; ///< that the neighbours are in
+};
+
+TypicalResidual MeasureResidual(const CloudSetup& setup, std::size_t count)
 {
   const CloudPairs& pairs = setup.Pairs;
   const std::size_t n = pairs.Points.size();
-  std::vector<float> ratios;
+  std::vector<float> bySpacing;
+  std::vector<float> byRadius;
   std::vector<CloudNeighbor> neighbors;
   std::vector<Point3> places;
   for (std::size_t i = 0; i < std::min(n, SampleSize); ++i)
   {
     const std::size_t node = n <= SampleSize ? i : i * n / SampleSize;
     const Point3& point = pairs.Points[node];
-    FindPlaces(setup, point, WideFitNeighbors + 1, neighbors, places);
+    FindPlaces(setup, point, count + 1, neighbors, places);
     const LocalFit fit = FitSurface(point, places.data(), places.size());
-    ratios.push_back(BySpacing(pairs, node, fit.Residual));
+    bySpacing.push_back(BySpacing(pairs, node, fit.Residual));
+    const double radius = std::sqrt(neighbors.back().SquaredDistance);
+    byRadius.push_back(radius > 0.0 ? static_cast<float>(fit.Residual / radius) : 0.0f);
   }
-  return Quantile(ratios, 0.5);
+  return { Quantile(bySpacing, 0.5), Quantile(byRadius, 0.5) };
+}
+
+/// How far points scatter about what surface there may be, in spacings: by the widest fits, whose
+/// neighbours tell the spacing as well, as a part of a plane would have it.
+/// 0 when most nodes lie on one.
+double MeasureScatter(const CloudSetup& setup, double offSurface)
+{
+  if (!(offSurface > LargestShareOffSurface))
+  {
+    return 0.0;
+  }
+  const std::size_t count = std::min(WidestFitNeighbors, setup.Pairs.Points.size() - 1);
+  return MeasureResidual(setup, count).ByRadius * std::sqrt(static_cast<double>(count) / Pi);
 }
 }
 
@@ -115,11 +157,12 @@ bool FitSurfaces(CloudSetup& setup, double share, const NodeLoop& loop, CloudFit
   return FitTo(FitNeighbors, setup, share, loop, fits);
 }
 
-bool RemoveNoise(CloudSetup& setup, const NodeLoop& loop, CloudFits& fits, double& noise)
+bool RemoveNoise(CloudSetup& setup, const NodeLoop& loop, CloudFits& fits, CloudNoise& noise)
 {
   CloudPairs& pairs = setup.Pairs;
   const std::size_t n = pairs.Points.size();
-  noise = 0.0;
+  noise = CloudNoise();
+  noise.OffSurface = fits.OffSurface;
   std::vector<float> residuals(n);
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -127,18 +170,22 @@ bool RemoveNoise(CloudSetup& setup, const NodeLoop& loop, CloudFits& fits, doubl
     pairs.IsSmooth[i] = residuals[i] < SmoothResidual ? 1 : 0;
   }
   const double residual = Quantile(residuals, 0.5);
-  if (!(residual > NoisyResidual && MeasureWideResidual(setup) < LargestGrowthOfNoise * residual))
+  if (!(residual > NoisyResidual &&
+        MeasureResidual(setup, WideFitNeighbors).BySpacing < LargestGrowthOfNoise * residual))
   {
+    noise.Scatter = MeasureScatter(setup, noise.OffSurface);
     return true;
   }
   std::vector<float> lengths = fits.Residuals;
-  noise = Quantile(lengths, 0.5);
+  noise.Removed = Quantile(lengths, 0.5);
   const auto count = static_cast<std::size_t>(
     std::clamp<double>(640.0 * residual, WideFitNeighbors, MostFitNeighbors));
   if (!FitTo(count, setup, 0.0, loop, fits))
   {
     return false;
   }
+  noise.OffSurface = fits.OffSurface;
+  noise.Scatter = MeasureScatter(setup, noise.OffSurface);
   for (std::size_t i = 0; i < n; ++i)
   {
     pairs.Points[i] = pairs.Points[i] + fits.ToSurface[i];

@@ -19,6 +19,21 @@ struct CloudFits
   std::vector<float> Curvatures; ///< the largest of each
   std::vector<float> Residuals;  ///< how far neighbours lie off
   std::vector<Point3> ToSurface; ///< from the node
+  double OffSurface = 0.0;       ///< share of nodes whose neighbours lie on no surface
+};
+
+/// How noisy a cloud is.
+struct CloudNoise
+{
+  /// Median distance of nodes from the surface that they were moved to, in units of nodes; 0 when
+  /// they were not.
+  double Removed = 0.0;
+  /// Share of nodes whose neighbours lie on no surface, as many as were looked at: the fitted one
+  /// misses them by more than a quarter of the radius that they are in.
+  double OffSurface = 0.0;
+  /// When more than a tenth are such nodes, how far nodes typically lie off a surface, in spacings;
+  /// otherwise 0.
+  double Scatter = 0.0;
 };
 
 /// Calls `body(begin, end)` with ranges of all nodes, in several threads, and takes a share of the
@@ -30,9 +45,8 @@ using NodeLoop = std::function<bool(double share, const std::function<void(Id, I
 bool FitSurfaces(CloudSetup& setup, double share, const NodeLoop& loop, CloudFits& fits);
 
 /// See whether the surface is smooth at each node. When the cloud as a whole is noisy, move nodes
-/// to the surface, fit anew, and tell the median distance that they had from it in `noise`, in
-/// units of nodes. False when stopped.
-bool RemoveNoise(CloudSetup& setup, const NodeLoop& loop, CloudFits& fits, double& noise);
+/// to the surface, and fit anew. False when stopped.
+bool RemoveNoise(CloudSetup& setup, const NodeLoop& loop, CloudFits& fits, CloudNoise& noise);
 }
 
 #endif

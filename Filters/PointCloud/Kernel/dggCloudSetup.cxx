@@ -109,13 +109,15 @@ public:
       this->ForNodes(share, body);
       return !this->IsStopped;
     };
-    double noise = 0.0;
+    CloudNoise noise;
     if (!FitSurfaces(this->Setup, 0.3, loop, this->Fits) ||
       !RemoveNoise(this->Setup, loop, this->Fits, noise))
     {
       return Status::Abort();
     }
-    this->Statistics.Noise = noise / this->Setup.Nodes.Scale;
+    this->Statistics.Noise = noise.Removed / this->Setup.Nodes.Scale;
+    this->Statistics.OffSurface = noise.OffSurface;
+    this->Statistics.Scatter = noise.Scatter;
     this->SmoothSpacings();
     if (this->IsStopped)
     {
