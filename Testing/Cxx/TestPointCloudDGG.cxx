@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <sstream>
 
 namespace dggtest
@@ -318,6 +319,28 @@ TEST_F(PointCloudDGG, StrayPoints)
   path->RemoveAllPairs();
   path->AddPair(0, 600);
   ExpectWarning(path, { "not connected by the graph of the cloud" });
+}
+
+TEST_F(PointCloudDGG, WarnsOfPointsOnNoSurface)
+{
+  // A volume.
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> number;
+  Points points;
+  for (int i = 0; i < 1500; ++i)
+  {
+    const double x = number(generator);
+    const double y = number(generator);
+    points.push_back({ x, y, number(generator) });
+  }
+  this->Use(points);
+  ExpectWarning(this->Filter,
+    { "% of the points do not lie on a surface", "times their spacing", "Thin the cloud out" });
+  EXPECT_GT(this->Filter->GetOffSurfaceShare(), 0.5);
+  EXPECT_EQ(this->Filter->GetNoise(), 0.0);
+  this->Use(MakeSpherePoints(600));
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetOffSurfaceShare(), 0.0);
 }
 
 TEST_F(PointCloudDGG, PartsThatAreTooFarApart)
