@@ -136,9 +136,10 @@ TEST(CurveCut, SingleEdgeOpens)
   }
   curves.push_back(Curve(mesh, { at(0.5, 0.25), at(0.5, 0.375) }));
   surface = Embed(mesh, curves);
-  EXPECT_EQ(surface.Paths[0].size(), 3u);
-  EXPECT_EQ(surface.Paths[1].size(), 2u);
-  EXPECT_EQ(surface.Paths[2].size(), 2u);
+  for (const std::vector<Id>& path : surface.Paths) // each may be cut along without the others
+  {
+    EXPECT_EQ(path.size(), 3u);
+  }
   cut = CutOpen(surface);
   ExpectSoundCut(surface, cut);
   EXPECT_EQ(CountCopies(cut, surface.Paths[2][0]), 2);
@@ -220,8 +221,9 @@ TEST(CurveCut, EndOnACurve)
   EXPECT_EQ(left[0], left[1]);
   const std::array<Id, 2> right = dgg::FindCopies(cut.Sides[0].Right, 1, false);
   EXPECT_NE(right[0], right[1]);
-  EXPECT_EQ(right[0], dgg::FindCopies(cut.Sides[1].Left, 1, false)[0]);
-  EXPECT_EQ(right[1], dgg::FindCopies(cut.Sides[1].Right, 1, false)[0]);
+  ASSERT_EQ(surface.Paths[1].size(), 3u); // with a middle
+  EXPECT_EQ(right[0], dgg::FindCopies(cut.Sides[1].Left, 2, false)[0]);
+  EXPECT_EQ(right[1], dgg::FindCopies(cut.Sides[1].Right, 2, false)[0]);
 }
 
 TEST(CurveCut, ClosedCurves)

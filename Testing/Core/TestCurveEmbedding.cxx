@@ -151,12 +151,15 @@ TEST(CurveEmbedding, CrossingsAndTouchesAreShared)
     Curve(mesh, { at(0.25, 0.25), at(0.375, 0.25) }) };
   const RefinedSurface surface = Embed(mesh, curves);
   ExpectSoundEmbedding(input, mesh, curves, surface);
-  EXPECT_EQ(surface.GetNumberOfVertices(), 3 + 2 + 2 + 2 + 2); // the fourth curve adds one
-  EXPECT_EQ(surface.Paths[0].size(), 5u);
+  // The fourth curve adds one; it and the third one have a single edge, which gets a middle.
+  EXPECT_EQ(surface.GetNumberOfVertices(), 3 + 2 + 2 + 2 + 2 + 2);
+  EXPECT_EQ(surface.Paths[0].size(), 6u);
   EXPECT_EQ(surface.Paths[1].size(), 3u);
+  EXPECT_EQ(surface.Paths[2].size(), 3u);
   EXPECT_EQ(surface.Paths[0][1], surface.Paths[1][1]);
-  EXPECT_EQ(surface.Paths[0][3], surface.Paths[2][0]);
-  EXPECT_EQ(surface.Paths[3], (std::vector<Id>{ surface.Paths[0][1], surface.Paths[0][2] }));
+  EXPECT_EQ(surface.Paths[0][4], surface.Paths[2][0]);
+  EXPECT_EQ(surface.Paths[3],
+    (std::vector<Id>{ surface.Paths[0][1], surface.Paths[0][2], surface.Paths[0][3] }));
 }
 
 TEST(CurveEmbedding, CurvesThatPassVerticesClosely)

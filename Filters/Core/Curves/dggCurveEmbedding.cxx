@@ -25,41 +25,51 @@ double ParameterAt(const SurfaceCurve& curve, double place)
   const double from = curve.Parameters[piece];
   return from + (curve.Parameters[piece + 1] - from) * (place - std::floor(place));
 }
-/// Edges of paths, smaller vertex first, each once.
-std::vector<std::pair<Id, Id>> CollectEdges(const RefinedSurface& surface)
+
+/// The edge, smaller vertex first, of a path that has no other one; no edge otherwise.
+std::pair<Id, Id> FindOnlyEdge(const std::vector<Id>& path)
+{
+  const std::pair<Id, Id> none(NoId, NoId);
+  std::pair<Id, Id> only = none;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    const std::pair<Id, Id> edge = std::minmax(path[i], path[i + 1]);
+    if (i > 0 && edge != only)
+    {
+      return none;
+    }
+    only = edge;
+  }
+  return only;
+}
+
+/// Split edges that are all of a path: cut along them, the surface would not open. Whether other
+/// paths continue them does not matter, since one need not cut along all paths.
+void SplitLoneEdges(const SurfaceMesh& mesh, RefinedSurface& surface)
 {
   std::vector<std::pair<Id, Id>> edges;
   for (const std::vector<Id>& path : surface.Paths)
   {
-    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    const std::pair<Id, Id> edge = FindOnlyEdge(path);
+    if (edge.first != NoId)
     {
-      edges.emplace_back(std::minmax(path[i], path[i + 1]));
+      edges.push_back(edge);
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
-
-/// Split edges of paths that would not open when the surface is cut: no other edge, and no
-/// boundary, is at their ends.
-void SplitLoneEdges(const SurfaceMesh& mesh, RefinedSurface& surface)
-{
-  std::vector<Id> cutsAt(surface.Points.size(), 0);
-  const std::vector<std::pair<Id, Id>> edges = CollectEdges(surface);
-  for (const std::pair<Id, Id>& edge : edges)
+  if (edges.empty())
   {
-    ++cutsAt[edge.first];
-    ++cutsAt[edge.second];
+    return;
   }
+  std::sort(edges.begin(), edges.end());
   const auto halfEdges = static_cast<Id>(surface.Triangles.size());
   const auto destination = [&](Id h) { return surface.Triangles[SurfaceMesh::Next(h)]; };
+  std::vector<char> isOnBoundary(surface.Points.size(), 0);
   for (Id h = 0; h < halfEdges; ++h)
   {
     if (surface.Twins[h] == NoId)
     {
-      ++cutsAt[surface.Triangles[h]];
-      ++cutsAt[destination(h)];
+      isOnBoundary[surface.Triangles[h]] = 1; // where one edge is enough to open the surface
+      isOnBoundary[destination(h)] = 1;
     }
   }
   std::vector<char> isSplit(halfEdges, 0);
@@ -67,7 +77,7 @@ void SplitLoneEdges(const SurfaceMesh& mesh, RefinedSurface& surface)
   for (Id h = 0; h < halfEdges; ++h)
   {
     const std::pair<Id, Id> ends = std::minmax(surface.Triangles[h], destination(h));
-    if (cutsAt[ends.first] == 1 && cutsAt[ends.second] == 1 &&
+    if (!isOnBoundary[ends.first] && !isOnBoundary[ends.second] &&
       std::binary_search(edges.begin(), edges.end(), ends) && HasMiddle(mesh, surface, h))
     {
       isSplit[h] = 1;

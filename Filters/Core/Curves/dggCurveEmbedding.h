@@ -29,11 +29,10 @@ struct CurveChain
 /// Split the faces of a mesh so that every curve is a chain of edges: RefineAlongPaths() with
 /// crossings. Path i of the surface is curve i. Curves may share points, cross, run along edges of
 /// the mesh or each other, and do so with themselves; whatever is within 1e-9, in barycentric
-/// coordinates, becomes one vertex. An edge inside the surface that no other edge of a curve
-/// continues gets a vertex in its middle: cut open it would have no vertex with two sides. The
-/// surface is the same one: each face lies in a face of the
-/// mesh and is oriented as that one, and edges are split in all of their faces, however many they
-/// have.
+/// coordinates, becomes one vertex. A curve that has a single edge, which does not touch the
+/// boundary, gets a vertex in its middle: cut open it would have no vertex with two sides. The
+/// surface is the same one: each face lies in a face of the mesh and is oriented as that one, and
+/// edges are split in all of their faces, however many they have.
 Status EmbedCurves(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& curves,
   const ProgressCallback& progress, RefinedSurface& surface);
 

@@ -3,9 +3,6 @@
 #include "dggGraphicsSources.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <map>
-#include <utility>
 
 namespace dgg
 {
@@ -16,81 +13,133 @@ std::pair<Id, Id> Unordered(Id a, Id b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// Half-edges of faces of a set that have another face on the other side.
-std::vector<Id> FindRim(const RefinedSurface& surface, const std::vector<Id>& faces)
+/// Call `visit` for the other half-edges of the same edge.
+template <typename Visitor>
+void ForEachTwin(const RefinedSurface& surface, Id h, Visitor&& visit)
 {
-  std::vector<char> isInside(surface.Faces.size(), 0);
-  for (const Id f : faces)
+  for (Id e = surface.Twins[h]; e != NoId && e != h; e = surface.Twins[e])
   {
-    isInside[f] = 1;
+    visit(e);
   }
-  std::vector<Id> rim;
-  for (const Id f : faces)
+}
+}
+
+ChainEdges::ChainEdges(const RefinedSurface& surface, const std::vector<CurveChain>& chains,
+  const std::vector<char>& isMeant)
+  : Surface(surface)
+{
+  std::vector<char> isPassed(surface.Points.size(), 0);
+  for (std::size_t k = 0; k < chains.size(); ++k)
   {
-    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    for (std::size_t i = 0; i < chains[k].Vertices.size() && isMeant[k]; ++i)
     {
-      bool isRim = false;
-      for (Id e = surface.Twins[h]; e != NoId && e != h; e = surface.Twins[e])
-      {
-        isRim = isRim || !isInside[SurfaceMesh::Face(e)];
-      }
-      if (isRim)
-      {
-        rim.push_back(h);
-      }
+      isPassed[chains[k].Vertices[i]] = 1;
     }
   }
-  return rim;
+  for (Id h = 0; h < static_cast<Id>(surface.Triangles.size()); ++h)
+  {
+    const Id a = surface.Triangles[h];
+    const Id b = surface.Triangles[SurfaceMesh::Next(h)];
+    if (isPassed[a] && isPassed[b])
+    {
+      this->HalfEdges.emplace_back(Unordered(a, b), h);
+    }
+  }
+  std::sort(this->HalfEdges.begin(), this->HalfEdges.end());
+}
+
+std::vector<Id> ChainEdges::Find(Id a, Id b) const
+{
+  const std::pair<Id, Id> edge = Unordered(a, b);
+  std::vector<Id> found;
+  for (auto i =
+         std::lower_bound(this->HalfEdges.begin(), this->HalfEdges.end(), std::make_pair(edge, 0));
+       i != this->HalfEdges.end() && i->first == edge; ++i)
+  {
+    found.push_back(i->second);
+  }
+  return found;
+}
+
+namespace
+{
+/// The half-edges of a chain on its left and on its right.
+struct ChainSides
+{
+  std::vector<Id> Left;
+  std::vector<Id> Right;
+};
+
+Status FindSides(const ChainEdges& edges, const CurveChain& chain, ChainSides& sides)
+{
+  for (std::size_t i = 0; i + 1 < chain.Vertices.size(); ++i)
+  {
+    const Id from = chain.Vertices[i];
+    const std::vector<Id> halves = edges.Find(from, chain.Vertices[i + 1]);
+    const auto isOnLeft = [&](Id h) { return edges.GetSurface().Triangles[h] == from; };
+    if (halves.size() > 2 || (halves.size() == 2 && isOnLeft(halves[0]) == isOnLeft(halves[1])))
+    {
+      return Status::Invalid("it has no sides where it runs along an edge of more than two faces, "
+                             "or of two that are oriented differently");
+    }
+    for (const Id h : halves)
+    {
+      (isOnLeft(h) ? sides.Left : sides.Right).push_back(h);
+    }
+  }
+  return Status::Success();
 }
 }
 
 Status FindFacesOnLeft(
-  const RefinedSurface& surface, const CurveChain& chain, bool isClosed, std::vector<Id>& faces)
+  const ChainEdges& edges, const CurveChain& chain, bool isClosed, std::vector<Id>& faces)
 {
   faces.clear();
   if (!isClosed)
   {
     return Status::Invalid("it is open, but a region needs a closed one: close it");
   }
-  RefinedSurface uncut = surface;
-  uncut.Paths = { chain.Vertices };
-  uncut.Places.clear();
-  CurveCut cut;
-  Status status = CutAlongCurves(uncut, cut);
+  ChainSides sides;
+  Status status = FindSides(edges, chain, sides);
   if (!status.IsOk())
   {
     return status;
   }
+  const RefinedSurface& surface = edges.GetSurface();
   std::vector<char> isFound(surface.Faces.size(), 0);
-  std::vector<Id> waiting;
-  const auto find = [&](Id f) {
-    if (f != NoId && !isFound[f])
+  std::vector<char> isWall(surface.Triangles.size(), 0);
+  const auto find = [&](Id h) {
+    const Id f = SurfaceMesh::Face(h);
+    if (!isFound[f])
     {
       isFound[f] = 1;
       faces.push_back(f);
-      waiting.push_back(f);
     }
   };
-  for (const EdgeSide& edge : cut.Sides[0].Left)
+  for (const Id h : sides.Right)
   {
-    find(edge.Face);
+    isWall[h] = 1;
   }
-  while (!waiting.empty())
+  for (const Id h : sides.Left)
   {
-    const Id f = waiting.back();
-    waiting.pop_back();
-    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    isWall[h] = 1;
+    find(h);
+  }
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    for (Id h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h)
     {
-      for (Id e = cut.Surface.Twins[h]; e != NoId && e != h; e = cut.Surface.Twins[e])
+      if (!isWall[h])
       {
-        find(SurfaceMesh::Face(e));
+        ForEachTwin(surface, h, find);
       }
     }
   }
-  for (const EdgeSide& edge : cut.Sides[0].Right)
+  for (const Id h : sides.Right)
   {
-    if (edge.Face != NoId && isFound[edge.Face])
+    if (isFound[SurfaceMesh::Face(h)])
     {
+      faces.clear();
       return Status::Invalid("it does not separate its left from its right, so that there is no "
                              "region on its left: close it around one, without crossing itself");
     }
@@ -98,78 +147,159 @@ Status FindFacesOnLeft(
   return status;
 }
 
-void AddRegion(const SurfaceMesh& mesh, const CutSurface& surface, const std::vector<Id>& faces,
-  const std::vector<double>& strength, std::vector<std::vector<double>>& loads)
+RegionSources::RegionSources(const SurfaceMesh& mesh, const CutSurface& surface)
+  : Mesh(mesh)
+  , Surface(surface)
+  , States(surface.Faces.size(), State::Outside)
 {
-  const auto areaOf = [&](Id f) { return 0.5 * mesh.Length(3 * f) * mesh.ApexY(3 * f); };
-  double area = 0.0;
-  for (const Id f : faces)
+}
+
+double RegionSources::GetArea(Id face) const
+{
+  return 0.5 * this->Mesh.Length(3 * face) * this->Mesh.ApexY(3 * face);
+}
+
+/// The faces of the region that can be reached from one of them through edges.
+void RegionSources::FindPatch(Id face)
+{
+  this->Patch.assign(1, face);
+  this->States[face] = State::Found;
+  for (std::size_t i = 0; i < this->Patch.size(); ++i)
   {
-    area += areaOf(f);
+    for (Id h = 3 * this->Patch[i]; h < 3 * this->Patch[i] + 3; ++h)
+    {
+      ForEachTwin(this->Surface, h, [&](Id e) {
+        State& state = this->States[SurfaceMesh::Face(e)];
+        if (state == State::Waiting)
+        {
+          state = State::Found;
+          this->Patch.push_back(SurfaceMesh::Face(e));
+        }
+      });
+    }
   }
-  const std::vector<Id> rim = FindRim(surface, faces);
-  double length = 0.0;
-  for (const Id h : rim)
+}
+
+/// Edges of the patch with a face that is not of the region. Where it has several of the faces at
+/// such an edge, the smallest half-edge stands for it.
+void RegionSources::FindRim()
+{
+  this->Rim.clear();
+  for (const Id f : this->Patch)
   {
-    length += surface.Lengths[h];
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      bool isRim = false;
+      bool isFirst = true;
+      ForEachTwin(this->Surface, h, [&](Id e) {
+        const bool isInside = this->States[SurfaceMesh::Face(e)] != State::Outside;
+        isRim = isRim || !isInside;
+        isFirst = isFirst && (!isInside || h < e);
+      });
+      if (isRim && isFirst)
+      {
+        this->Rim.push_back(h);
+      }
+    }
+  }
+}
+
+void RegionSources::AddPatch(
+  const std::vector<double>& strength, std::vector<std::vector<double>>& loads) const
+{
+  double area = 0.0;
+  for (const Id f : this->Patch)
+  {
+    area += this->GetArea(f);
+  }
+  double length = 0.0;
+  for (const Id h : this->Rim)
+  {
+    length += this->Surface.Lengths[h];
   }
   for (std::size_t c = 0; c < loads.size() && area > 0.0; ++c)
   {
-    const double density = 4.0 * Pi * strength[c] / area;
-    for (const Id f : faces)
+    const double whole = 4.0 * Pi * strength[c];
+    for (const Id f : this->Patch)
     {
       for (int k = 0; k < 3; ++k)
       {
-        loads[c][surface.Triangles[3 * f + k]] += density * areaOf(f) / 3.0;
+        loads[c][this->Surface.Triangles[3 * f + k]] += whole * (this->GetArea(f) / area) / 3.0;
       }
     }
-    for (const Id h : rim)
+    for (const Id h : this->Rim)
     {
-      const double half = 0.5 * density * area * surface.Lengths[h] / length;
-      loads[c][surface.Triangles[h]] -= half;
-      loads[c][surface.Triangles[SurfaceMesh::Next(h)]] -= half;
+      const double part = length > 0.0 ? this->Surface.Lengths[h] / length
+                                       : 1.0 / static_cast<double>(this->Rim.size());
+      loads[c][this->Surface.Triangles[h]] -= 0.5 * whole * part;
+      loads[c][this->Surface.Triangles[SurfaceMesh::Next(h)]] -= 0.5 * whole * part;
     }
   }
 }
 
-std::vector<double> MeasureChain(const RefinedSurface& surface, const CurveChain& chain)
+void RegionSources::Add(const std::vector<Id>& faces, const std::vector<double>& strength,
+  std::vector<std::vector<double>>& loads)
 {
-  std::map<std::pair<Id, Id>, double> lengths;
-  for (std::size_t i = 0; i + 1 < chain.Vertices.size(); ++i)
+  for (const Id f : faces)
   {
-    lengths[Unordered(chain.Vertices[i], chain.Vertices[i + 1])] = 0.0;
+    this->States[f] = State::Waiting;
   }
-  for (std::size_t h = 0; h < surface.Triangles.size(); ++h)
+  for (const Id f : faces)
   {
-    const auto edge = lengths.find(
-      Unordered(surface.Triangles[h], surface.Triangles[SurfaceMesh::Next(static_cast<Id>(h))]));
-    if (edge != lengths.end())
+    if (this->States[f] == State::Waiting)
     {
-      edge->second = surface.Lengths[h];
+      this->FindPatch(f);
+      this->FindRim();
+      this->AddPatch(strength, loads);
     }
   }
-  std::vector<double> result;
-  for (std::size_t i = 0; i + 1 < chain.Vertices.size(); ++i)
+  for (const Id f : faces)
   {
-    result.push_back(lengths[Unordered(chain.Vertices[i], chain.Vertices[i + 1])]);
+    this->States[f] = State::Outside;
   }
-  return result;
 }
 
-void AddLineSource(const CurveChain& chain, const std::vector<double>& lengths,
-  const GraphicsCurve& curve, std::vector<std::vector<double>>& loads)
+std::vector<ChainPart> SplitChain(const ChainEdges& edges, const CurveChain& chain)
+{
+  std::vector<ChainPart> parts;
+  for (std::size_t i = 0; i + 1 < chain.Vertices.size(); ++i)
+  {
+    const std::vector<Id> halves = edges.Find(chain.Vertices[i], chain.Vertices[i + 1]);
+    for (const Id h : halves)
+    {
+      ChainPart part;
+      part.Edge = i;
+      part.HalfEdge = h;
+      part.IsBackward = edges.GetSurface().Triangles[h] != chain.Vertices[i];
+      part.Length = edges.GetSurface().Lengths[h] / static_cast<double>(halves.size());
+      parts.push_back(part);
+    }
+  }
+  return parts;
+}
+
+void AddLineSource(const CutSurface& surface, const CurveChain& chain,
+  const std::vector<ChainPart>& parts, const GraphicsCurve& curve,
+  std::vector<std::vector<double>>& loads)
 {
   const auto channels = static_cast<int>(loads.size());
   std::vector<double> begin(loads.size());
   std::vector<double> end(loads.size());
-  for (std::size_t i = 0; i < lengths.size(); ++i)
+  for (const ChainPart& part : parts)
   {
-    InterpolateOnCurve(curve.Left, channels, curve.IsClosed, chain.Parameters[i], begin.data());
-    InterpolateOnCurve(curve.Left, channels, curve.IsClosed, chain.Parameters[i + 1], end.data());
+    const double* parameters = &chain.Parameters[part.Edge];
+    InterpolateOnCurve(curve.Left, channels, curve.IsClosed, parameters[0], begin.data());
+    InterpolateOnCurve(curve.Left, channels, curve.IsClosed, parameters[1], end.data());
+    Id from = surface.Triangles[part.HalfEdge];
+    Id to = surface.Triangles[SurfaceMesh::Next(part.HalfEdge)];
+    if (part.IsBackward)
+    {
+      std::swap(from, to);
+    }
     for (std::size_t c = 0; c < loads.size(); ++c)
     {
-      loads[c][chain.Vertices[i]] += lengths[i] / 6.0 * (2.0 * begin[c] + end[c]);
-      loads[c][chain.Vertices[i + 1]] += lengths[i] / 6.0 * (begin[c] + 2.0 * end[c]);
+      loads[c][from] += part.Length / 6.0 * (2.0 * begin[c] + end[c]);
+      loads[c][to] += part.Length / 6.0 * (begin[c] + 2.0 * end[c]);
     }
   }
 }

@@ -7,28 +7,85 @@
 
 #include "dggGraphicsDomain.h" // for the surface
 
-#include <vector> // for loads
+#include <cstddef> // for std::size_t
+#include <cstdint> // for flags
+#include <utility> // for edges
+#include <vector>  // for loads
 
 namespace dgg
 {
-/// The faces on the left of a closed curve. Fails when the curve is open, has no sides, or one can
-/// walk from its left to its right.
+/// The half-edges of the edges of chains, looked up once for all of them.
+class ChainEdges
+{
+public:
+  /// Of the chains for which `isMeant`.
+  ChainEdges(const RefinedSurface& surface, const std::vector<CurveChain>& chains,
+    const std::vector<char>& isMeant);
+
+  /// All half-edges between two vertices, in either direction.
+  std::vector<Id> Find(Id a, Id b) const;
+  const RefinedSurface& GetSurface() const { return this->Surface; }
+
+private:
+  const RefinedSurface& Surface;
+  std::vector<std::pair<std::pair<Id, Id>, Id>> HalfEdges; // by ends, smaller vertex first; sorted
+};
+
+/// The faces on the left of a closed curve. Fails when the curve is open, runs along edges without
+/// two sides, or one can walk from its left to its right.
 Status FindFacesOnLeft(
-  const RefinedSurface& surface, const CurveChain& chain, bool isClosed, std::vector<Id>& faces);
+  const ChainEdges& edges, const CurveChain& chain, bool isClosed, std::vector<Id>& faces);
 
-/// Add the integrals of the sources of a region against hat functions, see GraphicsRegion. Faces
-/// are those of the surface. Nothing is added when they have no area. Loads are those of vertices,
-/// one array per channel; they sum to 0 to rounding where there is a rim.
-void AddRegion(const SurfaceMesh& mesh, const CutSurface& surface, const std::vector<Id>& faces,
-  const std::vector<double>& strength, std::vector<std::vector<double>>& loads);
+/// Adds the sources of regions, see GraphicsRegion. One region costs as much as it has faces.
+class RegionSources
+{
+public:
+  RegionSources(const SurfaceMesh& mesh, const CutSurface& surface);
 
-/// The lengths of the edges of a chain.
-std::vector<double> MeasureChain(const RefinedSurface& surface, const CurveChain& chain);
+  /// Add the integrals of the sources of a region against hat functions. Faces are those of the
+  /// surface and may repeat. Loads are those of vertices, one array per channel; those of a patch
+  /// sum to 0 to rounding if it has a rim.
+  void Add(const std::vector<Id>& faces, const std::vector<double>& strength,
+    std::vector<std::vector<double>>& loads);
+
+private:
+  enum class State : std::uint8_t
+  {
+    Outside,
+    Waiting, ///< in the region
+    Found    ///< in one of its patches
+  };
+
+  void FindPatch(Id face);
+  void FindRim();
+  void AddPatch(const std::vector<double>& strength, std::vector<std::vector<double>>& loads) const;
+  double GetArea(Id face) const;
+
+  const SurfaceMesh& Mesh;
+  const CutSurface& Surface;
+  std::vector<State> States; // per face
+  std::vector<Id> Patch;     // faces
+  std::vector<Id> Rim;       // half-edges, one per edge
+};
+
+/// A half-edge of a chain, which gets a part of what flows in along its edge.
+struct ChainPart
+{
+  std::size_t Edge = 0; ///< of the chain
+  Id HalfEdge = NoId;
+  bool IsBackward = false; ///< against the chain
+  double Length = 0.0;     ///< of the edge, shared evenly by its faces
+};
+
+/// The parts of a chain.
+std::vector<ChainPart> SplitChain(const ChainEdges& edges, const CurveChain& chain);
 
 /// Add the integrals of a flow per length along a curve, linear in between, against hat functions.
-/// `lengths` are those of MeasureChain().
-void AddLineSource(const CurveChain& chain, const std::vector<double>& lengths,
-  const GraphicsCurve& curve, std::vector<std::vector<double>>& loads);
+/// `parts` are those of SplitChain(). What flows into a face goes to its own corners: where the
+/// surface is cut at a vertex of the curve, to the copy of this face.
+void AddLineSource(const CutSurface& surface, const CurveChain& chain,
+  const std::vector<ChainPart>& parts, const GraphicsCurve& curve,
+  std::vector<std::vector<double>>& loads);
 }
 
 #endif

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace dgg
@@ -21,6 +22,39 @@ namespace
 /// Parts of the progress: of Prepare() when the surface is cut, of Run() when bands are found.
 constexpr double CutDone = 0.3;
 constexpr double BandsDone = 0.7;
+
+/// The parts of the faces of the mesh that was refined.
+class FaceParts
+{
+public:
+  FaceParts(const RefinedSurface& surface, Id numberOfFaces)
+    : Begins(static_cast<std::size_t>(numberOfFaces) + 1, 0)
+    , Parts(numberOfFaces > 0 ? surface.Faces.size() : 0)
+  {
+    if (numberOfFaces == 0)
+    {
+      return;
+    }
+    for (const Id f : surface.Faces)
+    {
+      ++this->Begins[f];
+    }
+    std::partial_sum(this->Begins.begin(), this->Begins.end(), this->Begins.begin());
+    for (auto part = static_cast<Id>(surface.Faces.size()); part-- > 0;)
+    {
+      this->Parts[--this->Begins[surface.Faces[part]]] = part;
+    }
+  }
+  void Append(Id face, std::vector<Id>& parts) const
+  {
+    parts.insert(parts.end(), this->Parts.begin() + this->Begins[face],
+      this->Parts.begin() + this->Begins[face + 1]);
+  }
+
+private:
+  std::vector<Id> Begins; // per face; one more at the end
+  std::vector<Id> Parts;
+};
 
 bool Goes(const ProgressCallback& progress, double fraction)
 {
@@ -58,10 +92,10 @@ private:
 
   Id NumberOfFaces = 0; // of the mesh
   std::vector<CurveChain> Chains;
-  std::vector<GraphicsCurveType> Types;          // per curve
-  std::vector<bool> AreClosed;                   // per curve
-  std::vector<std::vector<Id>> RegionFaces;      // per curve, where it is a region
-  std::vector<std::vector<double>> ChainLengths; // per curve, where it is a source
+  std::vector<GraphicsCurveType> Types;           // per curve
+  std::vector<bool> AreClosed;                    // per curve
+  std::vector<std::vector<Id>> RegionFaces;       // per curve, where it is a region
+  std::vector<std::vector<ChainPart>> ChainParts; // per curve, where it is a source
   bool IsReady = false;
 };
 
@@ -124,24 +158,29 @@ Status VectorGraphics::Implementation::MeasureCurves(
   const RefinedSurface& surface, const std::vector<GraphicsCurve>& curves)
 {
   this->RegionFaces.assign(curves.size(), {});
-  this->ChainLengths.assign(curves.size(), {});
+  this->ChainParts.assign(curves.size(), {});
+  std::vector<char> isMeant;
+  for (const GraphicsCurve& curve : curves)
+  {
+    isMeant.push_back(
+      curve.Type == GraphicsCurveType::Source || curve.Type == GraphicsCurveType::Region);
+  }
+  const ChainEdges edges(surface, this->Chains, isMeant);
   for (std::size_t k = 0; k < curves.size(); ++k)
   {
     if (curves[k].Type == GraphicsCurveType::Source)
     {
-      this->ChainLengths[k] = MeasureChain(surface, this->Chains[k]);
+      this->ChainParts[k] = SplitChain(edges, this->Chains[k]);
     }
     if (curves[k].Type != GraphicsCurveType::Region)
     {
       continue;
     }
     Status status =
-      FindFacesOnLeft(surface, this->Chains[k], curves[k].IsClosed, this->RegionFaces[k]);
+      FindFacesOnLeft(edges, this->Chains[k], curves[k].IsClosed, this->RegionFaces[k]);
     if (!status.IsOk())
     {
-      return status.IsAborted()
-        ? status
-        : Status::Invalid("curve " + std::to_string(k) + ": " + status.GetMessage());
+      return Status::Invalid("curve " + std::to_string(k) + ": " + status.GetMessage());
     }
   }
   return Status::Success();
@@ -244,32 +283,28 @@ Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>
 void VectorGraphics::Implementation::AddSources(const std::vector<GraphicsCurve>& curves,
   const std::vector<GraphicsRegion>& regions, std::vector<std::vector<double>>& columns) const
 {
-  const SurfaceMesh& mesh = this->Domain.SolvedMesh;
   const CutSurface& surface = this->Domain.Solved.Surface;
+  RegionSources adder(this->Domain.SolvedMesh, surface);
   for (std::size_t k = 0; k < curves.size(); ++k)
   {
     if (curves[k].Type == GraphicsCurveType::Source)
     {
-      AddLineSource(this->Chains[k], this->ChainLengths[k], curves[k], columns);
+      AddLineSource(surface, this->Chains[k], this->ChainParts[k], curves[k], columns);
     }
     if (curves[k].Type == GraphicsCurveType::Region)
     {
-      AddRegion(mesh, surface, this->RegionFaces[k], curves[k].Left, columns);
+      adder.Add(this->RegionFaces[k], curves[k].Left, columns);
     }
   }
+  const FaceParts parts(surface, regions.empty() ? 0 : this->NumberOfFaces);
   for (const GraphicsRegion& region : regions)
   {
-    std::vector<Id> meant = region.Faces;
-    std::sort(meant.begin(), meant.end());
     std::vector<Id> faces;
-    for (std::size_t f = 0; f < surface.Faces.size(); ++f)
+    for (const Id f : region.Faces)
     {
-      if (std::binary_search(meant.begin(), meant.end(), surface.Faces[f]))
-      {
-        faces.push_back(static_cast<Id>(f));
-      }
+      parts.Append(f, faces);
     }
-    AddRegion(mesh, surface, faces, region.Strength, columns);
+    adder.Add(faces, region.Strength, columns);
   }
 }
 

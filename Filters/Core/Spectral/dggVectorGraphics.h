@@ -42,13 +42,17 @@ struct GraphicsCurve
   double Width = 0.0;
 };
 
-/// A set of faces with a source of constant density inside, and a sink as strong, constant per
-/// length, on its rim. Edges on the boundary of the surface or on diffusion curves are no rim.
+/// A set of faces with sources. Each of its patches, connected through edges that are not on
+/// diffusion curves, has a source of constant density, and a sink as strong, constant per length,
+/// on its rim, so that colours far away stay as they are. Edges on the boundary of the surface or
+/// on diffusion curves are no rim. A patch without a rim has no sink: all flows to the diffusion
+/// curves around it; if there are none, it is all of a component, where a constant source does
+/// nothing but show in NetSources.
 struct GraphicsRegion
 {
   std::vector<Id> Faces; ///< of the mesh that curves were drawn on
-  /// Per channel: the colour that a flat, round region gains in its middle. The density is 4 pi
-  /// Strength / area.
+  /// Per channel: the colour that a flat, round patch gains in its middle. Its density is 4 pi
+  /// Strength / area, with its own area.
   std::vector<double> Strength;
 };
 

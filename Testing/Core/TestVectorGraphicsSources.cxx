@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Vector graphics: what flows in where, from regions of any shape and curves that touch others.
+#include "FlatMeshes.h"
+#include "GraphicsTestTools.h"
+
+#include "dggGraphicsSources.h"
+#include "dggPoissonSolver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace dggtest
+{
+namespace
+{
+/// Two squares with `n` cells each way, 20 apart.
+TestMesh TwoPlanes(Id n)
+{
+  TestMesh both = Plane(n, n);
+  const TestMesh other = Translated(Plane(n, n), 20.0, 0.0, 0.0);
+  const Id offset = both.AddPoint(other.Point(0)[0], other.Point(0)[1], 0.0);
+  for (std::size_t v = 1; v < other.Points.size() / 3; ++v)
+  {
+    const double* p = other.Point(static_cast<Id>(v));
+    both.AddPoint(p[0], p[1], p[2]);
+  }
+  for (std::size_t f = 0; f < other.Triangles.size() / 3; ++f)
+  {
+    const Id* t = &other.Triangles[3 * f];
+    both.AddTriangle(t[0] + offset, t[1] + offset, t[2] + offset);
+  }
+  return both;
+}
+
+/// The faces with their middle in one of some boxes: x from, x to, y from, y to.
+std::vector<Id> FacesIn(const Drawing& drawing, const std::vector<std::array<double, 4>>& boxes)
+{
+  std::vector<Id> faces;
+  for (Id f = 0; f < drawing.Mesh.GetNumberOfFaces(); ++f)
+  {
+    double x = 0.0;
+    double y = 0.0;
+    for (const Id v : drawing.Mesh.GetTriangle(f))
+    {
+      x += drawing.Input.Point(v)[0] / 3.0;
+      y += drawing.Input.Point(v)[1] / 3.0;
+    }
+    if (std::any_of(boxes.begin(), boxes.end(), [&](const std::array<double, 4>& box) {
+          return x > box[0] && x < box[1] && y > box[2] && y < box[3];
+        }))
+    {
+      faces.push_back(f);
+    }
+  }
+  return faces;
+}
+}
+
+TEST(VectorGraphicsSources, EachPatchOfARegionIsBalanced)
+{
+  // A small and a large square of one region: what flows into one flows out at its own rim.
+  Drawing drawing(Plane(30, 12));
+  drawing.Regions = { { FacesIn(drawing, { { 1, 3, 1, 3 }, { 20, 26, 3, 9 } }), { 0.75 } } };
+  drawing.Run();
+  EXPECT_NEAR(drawing.Result.NetSources[0], 0.0, 1e-12);
+  dgg::PoissonSolver solver(drawing.Mesh);
+  ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
+  std::vector<double> flow;
+  ASSERT_TRUE(solver.Multiply(drawing.Result.Values, flow).IsOk());
+  double sums[2] = { 0.0, 0.0 };
+  Id inside = 0;
+  for (Id v = 0; v < drawing.Mesh.GetNumberOfVertices(); ++v)
+  {
+    const double* p = drawing.Input.Point(v);
+    sums[p[0] < 10.0 ? 0 : 1] += flow[v];
+    const bool isInSmall = p[0] > 1.5 && p[0] < 2.5 && p[1] > 1.5 && p[1] < 2.5;
+    const bool isInLarge = p[0] > 20.5 && p[0] < 25.5 && p[1] > 3.5 && p[1] < 8.5;
+    if (isInSmall || isInLarge)
+    {
+      const double density = 4.0 * dgg::Pi * 0.75 / (isInSmall ? 4.0 : 36.0);
+      EXPECT_NEAR(flow[v], density * solver.GetAreas()[v], 1e-9);
+      ++inside;
+    }
+  }
+  EXPECT_EQ(inside, 1 + 25);
+  EXPECT_NEAR(sums[0], 0.0, 1e-9);
+  EXPECT_NEAR(sums[1], 0.0, 1e-9);
+}
+
+TEST(VectorGraphicsSources, RegionsOnSeveralComponents)
+{
+  // Patches on two components; then all of the second one, which has no rim.
+  Drawing drawing(TwoPlanes(8));
+  drawing.Regions = { { FacesIn(drawing, { { 1, 3, 1, 3 }, { 21, 27, 1, 7 } }), { 1.0 } } };
+  drawing.Run();
+  ASSERT_EQ(drawing.Result.NetSources.size(), 2u);
+  EXPECT_NEAR(drawing.Result.NetSources[0], 0.0, 1e-12);
+  EXPECT_NEAR(drawing.Result.NetSources[1], 0.0, 1e-12);
+  drawing.Regions = { { FacesIn(drawing, { { 1, 3, 1, 3 }, { 20, 28, 0, 8 } }), { 1.0 } } };
+  drawing.Options.Background = { 0.5 };
+  drawing.Run();
+  EXPECT_NEAR(drawing.Result.NetSources[0], 0.0, 1e-12);
+  EXPECT_NEAR(drawing.Result.NetSources[1], 4.0 * dgg::Pi, 1e-12);
+  double brightest = 0.0;
+  for (std::size_t v = 0; v < drawing.GetNumberOfValues(); ++v)
+  {
+    brightest = std::max(brightest, drawing.Value(v));
+    if (drawing.Place(static_cast<Id>(v))[0] > 10.0)
+    {
+      EXPECT_NEAR(drawing.Value(v), 0.5, 1e-12);
+    }
+  }
+  EXPECT_GT(brightest, 1.0);
+}
+
+TEST(VectorGraphicsSources, DiffusionCurvesTakePatchesApart)
+{
+  // A region from x = 2 to 6 with a curve at x = 3 through it and one at x = 5: the patch in the
+  // middle has rims above and below, the outer ones on three sides.
+  Drawing drawing(Plane(8, 8));
+  for (const double x : { 3.0, 5.0 })
+  {
+    drawing.Add(
+      Diffusion, { drawing.Find(x, 0.0), drawing.Find(x, 8.0) }, { 0.0, 0.0 }, { 0.0, 0.0 });
+  }
+  drawing.Regions = { { FacesIn(drawing, { { 2, 6, 0, 8 } }), { 1.0 } } };
+  drawing.Run(2);
+  // Between the curves -u'' = 4 pi / 16 with no rim at all.
+  drawing.ForEachCorner([&](Id v, const Position& p, const Position& m) {
+    if (m[0] > 3.0 && m[0] < 5.0)
+    {
+      const double density = 4.0 * dgg::Pi / 16.0;
+      EXPECT_NEAR(drawing.Value(v), 0.5 * density * (p[0] - 3.0) * (5.0 - p[0]), 1e-9);
+    }
+    // All that flows into a patch on the left flows out at x = 2, and nothing beyond.
+    if (m[0] < 2.0)
+    {
+      const double density = 4.0 * dgg::Pi / 8.0;
+      EXPECT_NEAR(drawing.Value(v), -0.5 * density, 5e-3); // of elements at the boundary
+    }
+  });
+}
+
+TEST(VectorGraphicsSources, RimsHaveTheSameSinkPerLength)
+{
+  // The four faces at the middle of a square are a region; a fin stands on one of its inner edges,
+  // and is not in the region.
+  TestMesh input = Plane(2, 2);
+  const Id top = input.AddPoint(1.0, 0.5, 1.0);
+  input.AddTriangle(1, 4, top);
+  const SurfaceMesh mesh = Build(input);
+  dgg::CurveCut cut = CutOpen(Embed(mesh, {}));
+  std::vector<Id> faces(8);
+  std::iota(faces.begin(), faces.end(), 0);
+  std::vector<std::vector<double>> loads(2, std::vector<double>(input.Points.size() / 3, 0.0));
+  dgg::RegionSources sources(mesh, cut.Surface);
+  sources.Add(faces, { 1.0, -2.0 }, loads);
+  // The whole sink is at that one edge.
+  const auto expectSinks = [&](double sign) {
+    double sum = 0.0;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      double area = 0.0;
+      for (const Id f : faces)
+      {
+        const std::array<Id, 3> corners = mesh.GetTriangle(f);
+        area += std::count(corners.begin(), corners.end(), v) > 0 ? 0.5 / 3.0 : 0.0;
+      }
+      const double source = 4.0 * dgg::Pi * area / 4.0;
+      const double sink = v == 1 || v == 4 ? 2.0 * dgg::Pi : 0.0;
+      EXPECT_NEAR(loads[0][v], sign * (source - sink), 1e-12) << v;
+      EXPECT_NEAR(loads[1][v], -2.0 * loads[0][v], 1e-12);
+      sum += loads[0][v];
+    }
+    EXPECT_NEAR(sum, 0.0, 1e-12);
+  };
+  expectSinks(1.0);
+  // Also where it has no length; and a region may be added again, and name faces twice.
+  std::fill(cut.Surface.Lengths.begin(), cut.Surface.Lengths.end(), 0.0);
+  for (std::vector<double>& channel : loads)
+  {
+    std::fill(channel.begin(), channel.end(), 0.0);
+  }
+  faces.push_back(3);
+  sources.Add(faces, { 1.0, -2.0 }, loads);
+  faces.pop_back();
+  expectSinks(1.0);
+}
+
+TEST(VectorGraphicsSources, EdgesOfThreeFacesCountOnce)
+{
+  // Two faces at the edge of a fin are a region of their own: four sides and the edge below the
+  // fin, each with the same sink per length.
+  TestMesh input = Plane(2, 2);
+  const Id top = input.AddPoint(1.0, 0.5, 1.0);
+  input.AddTriangle(1, 4, top);
+  const SurfaceMesh mesh = Build(input);
+  const dgg::CurveCut cut = CutOpen(Embed(mesh, {}));
+  std::vector<Id> faces;
+  double rim = 0.0;
+  std::vector<double> expected(input.Points.size() / 3, 0.0);
+  for (Id f = 0; f < 8; ++f)
+  {
+    const std::array<Id, 3> corners = mesh.GetTriangle(f);
+    if (std::count(corners.begin(), corners.end(), 1) &&
+      std::count(corners.begin(), corners.end(), 4))
+    {
+      faces.push_back(f);
+    }
+  }
+  ASSERT_EQ(faces.size(), 2u);
+  std::vector<std::array<Id, 2>> edges;
+  for (const Id f : faces)
+  {
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const Id a = mesh.Origin(h);
+      const Id b = mesh.Destination(h);
+      const bool isShared = std::min(a, b) == 1 && std::max(a, b) == 4;
+      const bool isBoundary = mesh.Twin(h) == dgg::NoId;
+      if (!isBoundary && (!isShared || f == faces[0]))
+      {
+        edges.push_back({ { a, b } });
+        rim += mesh.Length(h);
+      }
+      expected[a] += 4.0 * dgg::Pi / 2.0 / 3.0;
+    }
+  }
+  for (const std::array<Id, 2>& edge : edges)
+  {
+    const double* a = input.Point(edge[0]);
+    const double* b = input.Point(edge[1]);
+    for (const Id v : edge)
+    {
+      expected[v] -= 0.5 * 4.0 * dgg::Pi * std::hypot(a[0] - b[0], a[1] - b[1]) / rim;
+    }
+  }
+  std::vector<std::vector<double>> loads(1, std::vector<double>(input.Points.size() / 3, 0.0));
+  dgg::RegionSources(mesh, cut.Surface).Add(faces, { 1.0 }, loads);
+  for (std::size_t v = 0; v < expected.size(); ++v)
+  {
+    EXPECT_NEAR(loads[0][v], expected[v], 1e-12) << v;
+  }
+}
+
+TEST(VectorGraphicsSources, SourcesFlowIntoTheirOwnSheet)
+{
+  // Two sheets touch in one point. A diffusion curve runs through it on one, a source ends there on
+  // the other, which nothing flows out of, whichever comes first.
+  for (const bool isSourceFirst : { false, true })
+  {
+    TestMesh input;
+    for (const double x : { 0.0, 1.0, 2.0 })
+    {
+      for (const double y : { 0.0, 1.0, 2.0 })
+      {
+        input.AddPoint(x - 1.0, y - 1.0, 0.0);
+      }
+    }
+    const Id other = input.AddPoint(3.0, 0.0, 4.0);
+    for (const auto& p : { Position{ { 0, 3, 4 } }, { { -3, 0, 4 } }, { { 0, -3, 4 } } })
+    {
+      input.AddPoint(p[0], p[1], p[2]);
+    }
+    const auto addFlat = [&] {
+      const Id around[] = { 0, 3, 6, 7, 8, 5, 2, 1 };
+      for (int k = 0; k < 8; ++k)
+      {
+        input.AddTriangle(4, around[k], around[(k + 1) % 8]);
+      }
+    };
+    const auto addCone = [&] {
+      for (int k = 0; k < 4; ++k)
+      {
+        input.AddTriangle(4, other + k, other + (k + 1) % 4);
+      }
+    };
+    isSourceFirst ? addCone() : addFlat();
+    isSourceFirst ? addFlat() : addCone();
+    Drawing drawing(input);
+    const auto at = [](Id v) { return SurfacePoint::AtVertex(v); };
+    drawing.Add(Diffusion, { at(3), at(4), at(5) }, { 1, 1, 1 }, { 2, 2, 2 });
+    drawing.Add(Source, { at(other), at(4) }, { 0.5, 0.5 }, {});
+    drawing.Run();
+    std::vector<double> net = drawing.Result.NetSources;
+    std::sort(net.begin(), net.end());
+    EXPECT_NEAR(net.back(), 2.5, 1e-12) << isSourceFirst; // 5 long
+    EXPECT_EQ(net.front(), 0.0);
+  }
+}
+
+TEST(VectorGraphicsSources, CurvesOfOneEdgeOpenWhateverTouchesThem)
+{
+  for (const GraphicsCurveType type : { Source, Region })
+  {
+    Drawing drawing(Plane(4, 4));
+    const auto at = [](Id v) { return SurfacePoint::AtVertex(v); };
+    drawing.Add(Diffusion, { at(6), at(7) }, { 0.25, 0.25 }, { 0.75, 0.75 });
+    type == Source ? drawing.Add(Source, { at(7), at(8) }, { 0, 0 }, {})
+                   : drawing.Add(Region, { at(7), at(8), at(13) }, { 0, 0, 0 }, {}, true);
+    drawing.Run();
+    double least = 1.0;
+    double most = 0.0;
+    for (std::size_t v = 0; v < drawing.GetNumberOfValues(); ++v)
+    {
+      least = std::min(least, drawing.Value(v));
+      most = std::max(most, drawing.Value(v));
+    }
+    EXPECT_NEAR(least, 0.25, 1e-12);
+    EXPECT_NEAR(most, 0.75, 1e-12);
+  }
+}
+}
