@@ -274,6 +274,68 @@ TEST(VectorGraphics, PoissonCurveIsContinuousAroundItsEnds)
   }
 }
 
+TEST(VectorGraphics, StrengthsThatChangeAreBlended)
+{
+  // A closed glow, 1 on one half and 0 on the other, as wide as its own radius twice: beside the
+  // line where both halves are as near, colours are continuous, and none is outside of [0, 1].
+  const double radius = 4.0;
+  double previous = 0.0;
+  for (const int level : { 0, 1, 2 })
+  {
+    Drawing drawing(Translated(Plane(20, 20, 0.2), -10.0, -10.0, 0.0));
+    std::vector<SurfacePoint> circle;
+    std::vector<double> strengths;
+    for (int k = 0; k < 64; ++k)
+    {
+      const double angle = 2.0 * dgg::Pi * (k + 0.5) / 64.0;
+      circle.push_back(drawing.Find(radius * std::cos(angle), radius * std::sin(angle)));
+      strengths.push_back(std::cos(angle) > 0.0 ? 1.0 : 0.0);
+    }
+    drawing.Add(Poisson, circle, strengths, strengths, true).Width = 2.0 * radius;
+    drawing.Run(level);
+    ASSERT_FALSE(HasFatalFailure());
+    const dgg::CutSurface& surface = drawing.Graphics.GetSurface();
+    const double background = [&] { // that of v, since B is added to it
+      double far = 0.0;
+      for (std::size_t v = 0; v < drawing.GetNumberOfValues(); ++v)
+      {
+        const Position p = drawing.Place(static_cast<Id>(v));
+        far = std::hypot(p[0], p[1]) > 13.5 ? drawing.Value(v) : far;
+      }
+      return far;
+    }();
+    const auto radiusOf = [&](
+                            Id v) { return std::hypot(drawing.Place(v)[0], drawing.Place(v)[1]); };
+    double largest = 0.0; // change along an edge, not near the curve
+    for (std::size_t h = 0; h < surface.Triangles.size(); ++h)
+    {
+      const Id a = surface.Triangles[h];
+      const Id b = surface.Triangles[SurfaceMesh::Next(static_cast<Id>(h))];
+      const double change = std::abs(drawing.Value(a) - drawing.Value(b));
+      largest = radiusOf(a) < 0.5 * radius && radiusOf(b) < 0.5 * radius ? std::max(largest, change)
+                                                                         : largest;
+      EXPECT_GE(drawing.Value(a) - background, -1e-9);
+      EXPECT_LE(drawing.Value(a) - background, 1.0 + 1e-9);
+    }
+    EXPECT_LT(largest, level == 0 ? 0.3 : 0.7 * previous) << level;
+    previous = largest;
+    // Right at the curve it is what is given, on both sides.
+    int given = 0;
+    drawing.ForEachCorner([&](Id v, const Position& p, const Position&) {
+      for (int k = 0; k < 64; ++k)
+      {
+        const Position q = dgg::PositionOf(drawing.Mesh, circle[k], drawing.Input.Points.data());
+        if (std::hypot(p[0] - q[0], p[1] - q[1]) < 1e-9)
+        {
+          EXPECT_NEAR(drawing.Value(v) - background, strengths[k], 1e-9);
+          ++given;
+        }
+      }
+    });
+    EXPECT_GT(given, 250);
+  }
+}
+
 TEST(VectorGraphics, GivenColorsHoldInsideOfBands)
 {
   // The band of a Poisson curve runs over a diffusion curve.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphicsBand.h"
 
+#include "dggGraphicsBlend.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
@@ -13,6 +14,8 @@ namespace
 {
 /// Sources per edge, its start included.
 constexpr int SourcesPerEdge = 4;
+/// Part of the progress when distances are known.
+constexpr double MeasuredAt = 0.8;
 
 /// How far vertices are from one side of a curve, and from which place of it.
 struct SideDistances
@@ -93,11 +96,13 @@ double FadeWithDistance(double distance, double width)
 }
 
 Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChain& chain,
-  const GraphicsCurve& curve, int channels, ExactGeodesics& exact, const ProgressCallback& progress,
+  const GraphicsCurve& curve, int channels, ExactGeodesics& exact,
+  const std::function<Status(double)>& checkMemory, const ProgressCallback& progress,
   std::vector<double>& values)
 {
   SideDistances distances[2];
-  for (int k = 0; k < 2; ++k)
+  Status status;
+  for (int k = 0; k < 2 && status.IsOk(); ++k)
   {
     AddSources(mesh, k == 0 ? sides.Left : sides.Right, chain, distances[k]);
     if (distances[k].Sources.empty())
@@ -106,20 +111,34 @@ Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChai
     }
     ExactOptions options;
     options.MaximumDistance = curve.Width;
-    options.Progress = ProgressPart(progress, 0.5 * k, 0.5 * (k + 1));
-    Status status = exact.Run(distances[k].Sources, options, distances[k].Result);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    options.Progress = ProgressPart(progress, 0.5 * MeasuredAt * k, 0.5 * MeasuredAt * (k + 1));
+    status = exact.Run(distances[k].Sources, options, distances[k].Result);
   }
-  const auto colorAt = [&](int side, double parameter, std::vector<double>& color) {
-    InterpolateOnCurve(
-      side == 0 ? curve.Left : curve.Right, channels, curve.IsClosed, parameter, color.data());
-  };
+  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
+  StrengthBlend blend;
+  if (status.IsOk() && StrengthBlend::IsNeeded(curve, channels))
+  {
+    std::vector<char> isInBand(n);
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      isInBand[v] = distances[0].IsReached(v) || distances[1].IsReached(v) ? 1 : 0;
+    }
+    status = blend.Spread(mesh, isInBand, sides, chain, curve, channels, checkMemory,
+      ProgressPart(progress, MeasuredAt, 1.0));
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
   std::vector<double> left(channels);
   std::vector<double> right(channels);
-  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
+  const auto findStrengths = [&](std::size_t v, double parameter) {
+    if (!blend.Get(static_cast<Id>(v), left, right))
+    {
+      InterpolateOnCurve(curve.Left, channels, curve.IsClosed, parameter, left.data());
+      InterpolateOnCurve(curve.Right, channels, curve.IsClosed, parameter, right.data());
+    }
+  };
   for (std::size_t v = 0; v < n; ++v)
   {
     const bool isNearestLeft = distances[0].GetDistance(v) <= distances[1].GetDistance(v);
@@ -129,9 +148,7 @@ Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChai
       {
         continue;
       }
-      const double parameter = distances[k].GetParameter(v);
-      colorAt(0, parameter, left);
-      colorAt(1, parameter, right);
+      findStrengths(v, distances[k].GetParameter(v));
       const double fade = FadeWithDistance(distances[k].GetDistance(v), curve.Width);
       const double even = (k == 0) == isNearestLeft ? 0.5 * fade : 0.0;
       const double odd = k == 0 ? 0.5 * fade : -0.5 * fade;
@@ -141,6 +158,6 @@ Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChai
       }
     }
   }
-  return Status::Success();
+  return status;
 }
 }

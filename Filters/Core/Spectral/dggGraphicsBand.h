@@ -8,7 +8,8 @@
 #include "dggExactGeodesics.h" // for distances
 #include "dggGraphicsDomain.h" // for sides
 
-#include <vector> // for values
+#include <functional> // for checks of memory
+#include <vector>     // for values
 
 namespace dgg
 {
@@ -17,10 +18,15 @@ double FadeWithDistance(double distance, double width);
 
 /// Add B, see VectorGraphics, of one curve with sides on a mesh to values per vertex, all channels
 /// of one after each other. The distances of points from a side are those from its vertices and
-/// three points in between on each edge; since b is flat at the curve, that there is not a point
-/// everywhere costs less than 1e-3 of the colour as long as the width is not below three edges.
+/// three points in between on each edge, of length L. At the curve, a distance is up to L/8 too
+/// long; since b is flat there, that costs up to 2 (L/8w)^2 of the colour: 3.5e-3 for a width w of
+/// three edges, and a quarter as much for each level of refinement.
+///
+/// Where strengths change along the curve, they are blended, see StrengthBlend; `checkMemory`,
+/// which may be empty, is asked with the bytes that this takes.
 Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChain& chain,
-  const GraphicsCurve& curve, int channels, ExactGeodesics& exact, const ProgressCallback& progress,
+  const GraphicsCurve& curve, int channels, ExactGeodesics& exact,
+  const std::function<Status(double)>& checkMemory, const ProgressCallback& progress,
   std::vector<double>& values);
 }
 

@@ -79,8 +79,9 @@ private:
     const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options) const;
   Status MeasureCurves(const RefinedSurface& surface, const std::vector<GraphicsCurve>& curves);
   void FindGivenVertices(const std::vector<GraphicsCurve>& curves, PoissonOptions& options) const;
-  Status AddBands(const std::vector<GraphicsCurve>& curves, int channels,
+  Status AddBands(const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options,
     const ProgressCallback& progress, std::vector<double>& values) const;
+  double GetRunMemory(const GraphicsOptions& options) const;
   void AddSources(const std::vector<GraphicsCurve>& curves,
     const std::vector<GraphicsRegion>& regions, std::vector<std::vector<double>>& columns) const;
   void MeasureNet(
@@ -141,10 +142,8 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   status = this->Solver->Analyze(poisson, ProgressPart(options.Progress, CutDone, middle));
   if (status.IsOk() && options.CheckMemory)
   {
-    const double numbers = 2.0 * options.NumberOfChannels *
-      static_cast<double>(this->Domain.Drawn.Surface.Points.size());
-    status = options.CheckMemory(static_cast<double>(this->Solver->GetEstimatedMemory()) +
-      static_cast<double>(this->Domain.GetMemorySize()) + numbers * sizeof(double));
+    status = options.CheckMemory(
+      this->GetRunMemory(options) + static_cast<double>(this->Solver->GetMissingMemory()));
   }
   if (status.IsOk())
   {
@@ -253,9 +252,34 @@ Status VectorGraphics::Implementation::CheckRun(const std::vector<GraphicsCurve>
   return status;
 }
 
-Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>& curves,
-  int channels, const ProgressCallback& progress, std::vector<double>& values) const
+/// What is held, and the colours while they are found: bands, sources, what Solve() works with and,
+/// of Poisson curves, distances from both sides.
+double VectorGraphics::Implementation::GetRunMemory(const GraphicsOptions& options) const
 {
+  const auto solved = static_cast<double>(this->Domain.Solved.Surface.Points.size());
+  const auto drawn = static_cast<double>(this->Domain.Drawn.Surface.Points.size());
+  const bool hasPoisson =
+    std::count(this->Types.begin(), this->Types.end(), GraphicsCurveType::Poisson) > 0;
+  const double columns = options.NumberOfChannels * sizeof(double) * (drawn + solved);
+  const double lanes = solved * sizeof(double) * (options.NumberOfChannels > 4 ? 24.0 : 4.0);
+  const double distances =
+    hasPoisson ? drawn * 2.0 * (sizeof(double) + sizeof(Id) + sizeof(Predecessor)) : 0.0;
+  const double held = static_cast<double>(this->Domain.GetMemorySize()) +
+    static_cast<double>(this->Solver->GetMemorySize());
+  return held + columns + std::max(lanes, distances);
+}
+
+Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>& curves,
+  const GraphicsOptions& options, const ProgressCallback& progress,
+  std::vector<double>& values) const
+{
+  const int channels = options.NumberOfChannels;
+  std::function<Status(double)> checkMore;
+  if (options.CheckMemory)
+  {
+    const double others = this->GetRunMemory(options);
+    checkMore = [&options, others](double bytes) { return options.CheckMemory(others + bytes); };
+  }
   std::unique_ptr<ExactGeodesics> exact;
   for (std::size_t k = 0; k < curves.size(); ++k)
   {
@@ -271,7 +295,7 @@ Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>
     const double begin = static_cast<double>(k) / count;
     Status status = AddBand(this->Domain.DrawnMesh,
       this->Domain.Drawn.Sides[this->Domain.SidesInDrawn[k]], this->Chains[k], curves[k], channels,
-      *exact, ProgressPart(progress, begin, begin + 1.0 / count), values);
+      *exact, checkMore, ProgressPart(progress, begin, begin + 1.0 / count), values);
     if (!status.IsOk())
     {
       return status;
@@ -367,6 +391,10 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
 {
   result = GraphicsResult();
   Status status = this->CheckRun(curves, regions, options);
+  if (status.IsOk() && options.CheckMemory)
+  {
+    status = options.CheckMemory(this->GetRunMemory(options)); // other numbers of channels
+  }
   if (status.IsOk() && !Goes(options.Progress, 0.0))
   {
     status = Status::Abort();
@@ -378,8 +406,7 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
   const auto channels = static_cast<std::size_t>(options.NumberOfChannels);
   const std::size_t drawn = this->Domain.Drawn.Surface.Points.size();
   std::vector<double> bands(channels * drawn, 0.0);
-  status = this->AddBands(
-    curves, options.NumberOfChannels, ProgressPart(options.Progress, 0.0, BandsDone), bands);
+  status = this->AddBands(curves, options, ProgressPart(options.Progress, 0.0, BandsDone), bands);
   if (!status.IsOk())
   {
     return status;

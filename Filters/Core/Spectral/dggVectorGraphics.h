@@ -65,7 +65,8 @@ struct GraphicsOptions
   /// Flip edges until they are Delaunay before the equation is solved, for meshes with obtuse
   /// triangles: then no colour lies outside of those that are given.
   bool IntrinsicDelaunay = false;
-  /// Asked before the factorization, with the bytes that all will take; may be empty.
+  /// Asked with the bytes that all will take: before the factorization, whenever colours are found,
+  /// and before strengths are blended; may be empty.
   std::function<Status(double)> CheckMemory;
   ProgressCallback Progress; ///< may be empty
 };
@@ -95,7 +96,11 @@ struct GraphicsResult
 /// to the right-hand side, where d_l and d_r are the geodesic distances from its left and its right
 /// side on the surface cut open along all diffusion and Poisson curves, and b is 0 from the width w
 /// on. So B jumps from r to l across the curve, fades within the width, and is continuous
-/// everywhere else, also around ends, where d_l and d_r are the same. Since B and its slope end at
+/// everywhere else, also around ends, where d_l and d_r are the same. Where l and r change along
+/// the curve, they are continued into the band as harmonic functions that have their values at both
+/// sides of the curve (and natural conditions elsewhere): those of the nearest place would jump
+/// where two places of the curve are as near. That is one more small system for such a curve,
+/// solved whenever colours are found. Since B and its slope end at
 /// 0, the sources on each side have the sum 0, not only those of both sides together, and no first
 /// moment is left either: a layer of sources h on one side and -h on the other, which is what a
 /// shadow beside a highlight is at first sight, is a layer of dipoles, whose colours reach far

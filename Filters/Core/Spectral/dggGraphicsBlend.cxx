@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggGraphicsBlend.h"
+
+#include "dggPoissonSolver.h"
+#include "dggPoissonSystem.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace dgg
+{
+namespace
+{
+bool IsSameAllAlong(const std::vector<double>& values, std::size_t channels)
+{
+  for (std::size_t i = channels; i < values.size(); ++i)
+  {
+    if (values[i] != values[i - channels])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Call `visit(vertex, parameter)` for every end of an edge on both sides.
+template <typename Visitor>
+void ForEachEnd(const CurveSides& sides, const CurveChain& chain, Visitor&& visit)
+{
+  for (const std::vector<EdgeSide>* side : { &sides.Left, &sides.Right })
+  {
+    for (std::size_t i = 0; i < side->size(); ++i)
+    {
+      const EdgeSide& edge = (*side)[i];
+      if (edge.Face != NoId)
+      {
+        visit(edge.From, chain.Parameters[i]);
+        visit(edge.To, chain.Parameters[i + 1]);
+      }
+    }
+  }
+}
+}
+
+bool StrengthBlend::IsNeeded(const GraphicsCurve& curve, int channels)
+{
+  const auto count = static_cast<std::size_t>(channels);
+  return !IsSameAllAlong(curve.Left, count) || !IsSameAllAlong(curve.Right, count);
+}
+
+Status StrengthBlend::BuildBand(
+  const SurfaceMesh& mesh, const std::vector<char>& isInBand, SurfaceMesh& band)
+{
+  std::vector<Id> faces;
+  std::vector<Id> placeOfFace(static_cast<std::size_t>(mesh.GetNumberOfFaces()), NoId);
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    const std::array<Id, 3> corners = mesh.GetTriangle(f);
+    if (!mesh.IsDropped(f) &&
+      (isInBand[corners[0]] || isInBand[corners[1]] || isInBand[corners[2]]))
+    {
+      placeOfFace[f] = static_cast<Id>(faces.size());
+      faces.push_back(f);
+    }
+  }
+  this->Places.assign(isInBand.size(), NoId);
+  Id count = 0;
+  std::vector<Id> triangles;
+  std::vector<double> lengths;
+  std::vector<Id> twins;
+  for (const Id f : faces)
+  {
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      Id& place = this->Places[mesh.Origin(h)];
+      place = place == NoId ? count++ : place;
+      triangles.push_back(place);
+      lengths.push_back(mesh.Length(h));
+      Id twin = mesh.Twin(h); // the next one in the band
+      while (twin != NoId && twin != h && placeOfFace[SurfaceMesh::Face(twin)] == NoId)
+      {
+        twin = mesh.Twin(twin);
+      }
+      twins.push_back(
+        twin == NoId || twin == h ? NoId : 3 * placeOfFace[SurfaceMesh::Face(twin)] + twin % 3);
+    }
+  }
+  return SurfaceMesh::FromGluedLengths(count, triangles.data(), static_cast<Offset>(faces.size()),
+    lengths.data(), twins.data(), band, { &mesh, faces.data() });
+}
+
+Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand,
+  const CurveSides& sides, const CurveChain& chain, const GraphicsCurve& curve, int channels,
+  const std::function<Status(double)>& checkMemory, const ProgressCallback& progress)
+{
+  SurfaceMesh band;
+  Status status = this->BuildBand(mesh, isInBand, band);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const auto n = static_cast<std::size_t>(band.GetNumberOfVertices());
+  const auto count = static_cast<std::size_t>(channels);
+  std::vector<double> given(n, 0.0); // how often
+  PoissonOptions options;
+  options.IntrinsicDelaunay = true;
+  ForEachEnd(sides, chain, [&](Id v, double) {
+    options.GivenVertices.push_back(this->Places[v]);
+    given[this->Places[v]] += 1.0;
+  });
+  PoissonSolver solver(band);
+  status = solver.Analyze(options, progress);
+  if (status.IsOk() && checkMemory)
+  {
+    status = checkMemory(static_cast<double>(band.GetMemorySize()) +
+      static_cast<double>(solver.GetEstimatedMemory()) +
+      2.0 * channels * static_cast<double>(n * sizeof(double)));
+  }
+  status = status.IsOk() ? solver.Factorize(nullptr) : status;
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  this->Columns.assign(2 * count, std::vector<double>(n, 0.0));
+  std::vector<double> strength(count);
+  for (const std::size_t side : { 0, 1 })
+  {
+    ForEachEnd(sides, chain, [&](Id v, double parameter) {
+      InterpolateOnCurve(
+        side == 0 ? curve.Left : curve.Right, channels, curve.IsClosed, parameter, strength.data());
+      for (std::size_t c = 0; c < count; ++c)
+      {
+        this->Columns[side * count + c][this->Places[v]] += strength[c] / given[this->Places[v]];
+      }
+    });
+  }
+  status = solver.Solve(this->Columns);
+  const PoissonSystem& system = solver.GetSystem();
+  for (Id& place : this->Places)
+  {
+    place = place != NoId && system.IsFree(system.GetComponent(place)) ? NoId : place;
+  }
+  return status;
+}
+
+bool StrengthBlend::Get(Id vertex, std::vector<double>& left, std::vector<double>& right) const
+{
+  const Id place = this->Places.empty() ? NoId : this->Places[vertex];
+  for (std::size_t c = 0; c < left.size() && place != NoId; ++c)
+  {
+    left[c] = this->Columns[c][place];
+    right[c] = this->Columns[left.size() + c][place];
+  }
+  return place != NoId;
+}
+}

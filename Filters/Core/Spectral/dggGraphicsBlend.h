@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The strengths of a Poisson curve beside it. Internal.
+#ifndef dggGraphicsBlend_h
+#define dggGraphicsBlend_h
+
+#include "dggGraphicsDomain.h" // for sides
+
+#include <functional> // for checks of memory
+#include <vector>     // for values
+
+namespace dgg
+{
+/// The strengths on the left and on the right of a Poisson curve as continuous functions around it:
+/// each is harmonic in the band and has, at both sides of the curve, the strength of the curve
+/// there. Those of the nearest place of the curve would jump where two places are as near.
+class StrengthBlend
+{
+public:
+  /// Whether strengths change along a curve; where they do not, there is nothing to blend.
+  static bool IsNeeded(const GraphicsCurve& curve, int channels);
+
+  /// Solve for them on the faces of a mesh that have a vertex in the band, on the intrinsic
+  /// Delaunay triangulation of these, so that no strength lies outside of those of the curve.
+  /// `checkMemory`, which may be empty, is asked with the bytes for that.
+  Status Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand, const CurveSides& sides,
+    const CurveChain& chain, const GraphicsCurve& curve, int channels,
+    const std::function<Status(double)>& checkMemory, const ProgressCallback& progress);
+
+  /// The strengths at a vertex, one per channel. False, and nothing, where faces of the band do not
+  /// lead to the curve.
+  bool Get(Id vertex, std::vector<double>& left, std::vector<double>& right) const;
+
+private:
+  Status BuildBand(const SurfaceMesh& mesh, const std::vector<char>& isInBand, SurfaceMesh& band);
+
+  std::vector<Id> Places;                   // per vertex, its id in the band, or NoId
+  std::vector<std::vector<double>> Columns; // channels of the left, then those of the right
+};
+}
+
+#endif
