@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -50,7 +51,7 @@ void vtkDGGGraphicsOutput::Fill(const dgg::CutSurface& cut, const dgg::GraphicsR
   int channels, vtkPolyData* output) const
 {
   this->Geometry.Begin(output);
-  this->AddPoints(cut, output);
+  this->AddPoints(cut.Points, output);
   this->AddTriangles(cut, output);
   this->AddColors(result.Values, channels, output);
   auto net = vtkDGGAddArray<vtkDoubleArray>(output->GetFieldData(), NetName,
@@ -59,9 +60,30 @@ void vtkDGGGraphicsOutput::Fill(const dgg::CutSurface& cut, const dgg::GraphicsR
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGGraphicsOutput::AddPoints(const dgg::CutSurface& cut, vtkPolyData* output) const
+void vtkDGGGraphicsOutput::FillFragments(
+  const dgg::GraphicsFragments& fragments, int channels, vtkPolyData* output) const
 {
-  const std::size_t n = cut.Points.size();
+  const std::size_t n = fragments.Places.size();
+  this->Geometry.Begin(output);
+  this->AddPoints(fragments.Places, output);
+  vtkNew<vtkCellArray> verts;
+  verts->AllocateExact(static_cast<vtkIdType>(n), static_cast<vtkIdType>(n));
+  const auto faces = vtkDGGAddArray<vtkIdTypeArray>(output->GetPointData(), "FaceId", n);
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const auto i = static_cast<vtkIdType>(k);
+    verts->InsertNextCell(1, &i);
+    faces->SetValue(i, this->Geometry.GetCell(fragments.Faces[k]));
+  }
+  output->SetVerts(verts);
+  this->AddColors(fragments.Values, channels, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGGraphicsOutput::AddPoints(
+  const std::vector<dgg::SurfacePoint>& places, vtkPolyData* output) const
+{
+  const std::size_t n = places.size();
   vtkSmartPointer<vtkPoints> points = this->Geometry.MakePoints(n);
   vtkNew<vtkPointData> from;
   from->ShallowCopy(this->Surface->GetPointData());
@@ -71,7 +93,7 @@ void vtkDGGGraphicsOutput::AddPoints(const dgg::CutSurface& cut, vtkPolyData* ou
   vtkNew<vtkIdList> corners;
   for (std::size_t v = 0; v < n; ++v)
   {
-    const dgg::SurfacePoint& place = cut.Points[v];
+    const dgg::SurfacePoint& place = places[v];
     const auto id = static_cast<vtkIdType>(v);
     this->Geometry.SetPoint(points, id, place);
     if (dgg::IsVertex(place))

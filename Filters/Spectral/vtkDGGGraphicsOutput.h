@@ -7,7 +7,8 @@
 
 #include "vtkDGGNewGeometry.h" // for points
 
-#include "dggVectorGraphics.h" // for the results
+#include "dggGraphicsFragments.h" // for fragments
+#include "dggVectorGraphics.h"    // for the results
 
 #include <string> // for the name
 #include <vector> // for values
@@ -15,7 +16,7 @@
 class vtkDGGMeshAdapter;
 class vtkPolyData;
 
-/// The output of vtkPoissonVectorGraphics.
+/// The outputs of vtkPoissonVectorGraphics.
 class vtkDGGGraphicsOutput
 {
 public:
@@ -32,11 +33,15 @@ public:
   void Fill(const dgg::CutSurface& cut, const dgg::GraphicsResult& result, int channels,
     vtkPolyData* output) const;
 
+  /// Fragments as points with all arrays.
+  void FillFragments(
+    const dgg::GraphicsFragments& fragments, int channels, vtkPolyData* output) const;
+
   /// Values of points, all channels of one after each other, and what is shown of them.
   void AddColors(const std::vector<double>& values, int channels, vtkPolyData* output) const;
 
 private:
-  void AddPoints(const dgg::CutSurface& cut, vtkPolyData* output) const;
+  void AddPoints(const std::vector<dgg::SurfacePoint>& places, vtkPolyData* output) const;
   void AddTriangles(const dgg::CutSurface& cut, vtkPolyData* output) const;
 
   std::string Name;

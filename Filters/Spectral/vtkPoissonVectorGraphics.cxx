@@ -9,6 +9,7 @@
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 
+#include "dggGraphicsFragments.h"
 #include "dggGraphicsRefinement.h"
 #include "dggProgressPart.h"
 #include "dggVectorGraphics.h"
@@ -39,6 +40,8 @@ constexpr double FactorizedAt = 0.7;
 constexpr double FoundAt = 0.01;
 /// Bytes that a face takes at least while it is refined.
 constexpr double BytesPerFace = 256.0;
+/// Bytes that a fragment takes, besides its colours.
+constexpr double BytesPerFragment = sizeof(dgg::SurfacePoint) + 64.0;
 constexpr double UsualWidth = 0.05; // of the diagonal
 
 dgg::Status NameCurve(const dgg::Status& status, std::size_t k)
@@ -86,7 +89,8 @@ struct vtkPoissonVectorGraphics::vtkInternals
   vtkDGGSourceCollector Collector;
   vtkDGGGraphicsNames Names;
   dgg::VectorGraphics Graphics;
-  vtkDGGDrawing Kept; // what Graphics was prepared for
+  vtkDGGDrawing Kept;                // what Graphics was prepared for
+  std::vector<dgg::Id> RefinedFaces; // those of its surface that are parts of chosen ones
   bool IsKept = false;
   int NumberOfFactorizations = 0;
 };
@@ -100,10 +104,13 @@ vtkPoissonVectorGraphics::vtkPoissonVectorGraphics()
   , ProjectionTolerance(0.01)
   , IntrinsicDelaunay(true)
   , MemoryLimit(0)
+  , GenerateFragments(false)
+  , FragmentDivision(1)
   , ResultArrayName("Colors")
   , Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
   vtkDGGGraphicsNames& names = this->Internals->Names;
   names.CurveType = "CurveType";
   names.LeftColor = "LeftColor";
@@ -140,6 +147,8 @@ void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
   os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "GenerateFragments: " << (this->GenerateFragments ? "On" : "Off") << "\n";
+  os << indent << "FragmentDivision: " << this->FragmentDivision << "\n";
   os << indent << "ResultArrayName: " << this->ResultArrayName << "\n";
   os << indent << "NumberOfFactorizations: " << this->GetNumberOfFactorizations() << "\n";
   os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
@@ -196,6 +205,12 @@ const char* vtkPoissonVectorGraphics::GetRefinementRegionAsString() const
 }
 
 //------------------------------------------------------------------------------
+vtkPolyData* vtkPoissonVectorGraphics::GetFragments()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+//------------------------------------------------------------------------------
 void vtkPoissonVectorGraphics::SetResultArrayName(const char* name)
 {
   this->SetName(this->ResultArrayName, name);
@@ -216,7 +231,10 @@ int vtkPoissonVectorGraphics::GetNumberOfFactorizations() const
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkPoissonVectorGraphics::GetMemorySize() const
 {
-  return this->Internals->IsKept ? this->Internals->Graphics.GetMemorySize() : 0;
+  const vtkInternals& internals = *this->Internals;
+  return internals.IsKept
+    ? internals.Graphics.GetMemorySize() + internals.RefinedFaces.size() * sizeof(dgg::Id)
+    : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -294,7 +312,7 @@ dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawin
     std::min(static_cast<double>(vtkDGGGetMemoryLimit(drawing.MemoryLimit)) / BytesPerFace,
       static_cast<double>(refinement.MostFaces)));
   refinement.Progress = dgg::ProgressPart(progress, EmbeddedAt, RefinedAt);
-  status = dgg::RefineForGraphics(mesh, refinement, refined);
+  status = dgg::RefineForGraphics(mesh, refinement, refined, &internals.RefinedFaces);
   if (!status.IsOk())
   {
     return status.IsAborted()
@@ -314,6 +332,23 @@ dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawin
   internals.IsKept = status.IsOk();
   internals.Kept = drawing;
   return status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkPoissonVectorGraphics::FindFragments(const dgg::GraphicsResult& result, int channels,
+  int division, vtkTypeUInt64 memoryLimit, dgg::GraphicsFragments& fragments) const
+{
+  const vtkInternals& internals = *this->Internals;
+  const double count =
+    static_cast<double>(internals.RefinedFaces.size()) * std::pow(static_cast<double>(division), 2);
+  // Here and as arrays.
+  const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
+  const dgg::Status status = vtkDGGCheckMemory("fragments", count * bytes, memoryLimit,
+    "use a smaller FragmentDivision, or refine NearCurves only");
+  return status.IsOk()
+    ? dgg::MakeFragments(this->GetMesh().GetMesh(), internals.Graphics.GetSurface(),
+        internals.RefinedFaces, result.Values, channels, division, fragments)
+    : status;
 }
 
 //------------------------------------------------------------------------------
@@ -368,6 +403,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   }
   drawing.IntrinsicDelaunay = this->IntrinsicDelaunay;
   drawing.MemoryLimit = this->MemoryLimit;
+  const int division = this->GenerateFragments ? this->FragmentDivision : 0;
   dgg::GraphicsOptions options;
   options.NumberOfChannels = input.GetNumberOfChannels();
   options.Background.assign(this->BackgroundColor, this->BackgroundColor + 3);
@@ -399,10 +435,21 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   {
     status = adapter.CheckUnchanged(surface, copy); // which has the very points of the input
   }
+  dgg::GraphicsFragments fragments;
+  if (status.IsOk() && division > 0)
+  {
+    status = this->FindFragments(
+      result, options.NumberOfChannels, division, drawing.MemoryLimit, fragments);
+  }
   if (status.IsOk())
   {
     output.Fill(internals.Graphics.GetSurface(), result, options.NumberOfChannels,
       vtkPolyData::GetData(outputVector));
+    if (division > 0)
+    {
+      output.FillFragments(
+        fragments, options.NumberOfChannels, vtkPolyData::GetData(outputVector, 1));
+    }
   }
   return status;
 }

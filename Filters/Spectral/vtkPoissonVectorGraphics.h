@@ -35,8 +35,8 @@
  * array that RegionArrayName names are a region as well. Its strength is in the cell array
  * `RegionStrength`, at its first cell.
  *
- * <b>Output.</b> The surface as triangles, refined and cut open so that curves are edges: points on
- * diffusion and Poisson curves exist once for each side. Point arrays:
+ * <b>Output 0.</b> The surface as triangles, refined and cut open so that curves are edges: points
+ * on diffusion and Poisson curves exist once for each side. Point arrays:
  *  - `Colors` (double, one component per channel), see SetResultArrayName();
  *  - `RGB` (unsigned char), for 3 channels or more, the first three, from 0 to 1, as 0 to 255,
  *    clamped: the active scalars, so that a mapper shows them as they are. For other numbers of
@@ -49,11 +49,23 @@
  * and Poisson curves sum to 0. Such a component has the mean BackgroundColor, before Poisson curves
  * are added.
  *
+ * <b>Output 1</b> (GetFragments()) has fragments, when GenerateFragments is on: points spread over
+ * the surface with their colours, a texture that needs no parametrization. Each triangle of output
+ * 0 has FragmentDivision^2 of them, in the middles of as many parts of one size, so that none is on
+ * a curve. Where RefinementRegion is not Everywhere, only triangles have some that are parts of
+ * those that were chosen. One vertex cell each. Point arrays are those of output 0, at that place,
+ * texture coordinates of the input among them, and `FaceId` (vtkIdType), the cell of the input that
+ * it lies in; as cells may have any number of corners, there are no barycentric coordinates.
+ *
  * <b>Method.</b> -Laplace u = f for each channel, nothing flows through the boundary of the
  * surface; linear finite elements on the refined mesh, one factorization, which is kept for other
  * colours, see dgg::VectorGraphics. Triangles are split in four RefinementLevel times, everywhere
  * or around curves, and the equation is solved on what comes out: errors are of second order, but
- * for the ends of curves.
+ * for the ends of curves. Green's identity would give values between the points of the mesh as it
+ * is, u(x) = mean + sum_y g(x, y) (L u)_y, but those at the points have errors as large: for a
+ * spherical harmonic of degree 5 on a sphere of 10 242 points errors inside of faces (root of the
+ * mean square) were 1.6e-3 by linear interpolation and 1.9e-3 by Green's identity, at 18 ms for
+ * each place. Refined once and solved again, they were 4.9e-4 after 0.3 s for the whole sphere.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
  *  - neither a line nor a region; a line with fewer than two different points;
@@ -66,7 +78,8 @@
  *  - no such cell array although RefinementRegion is Cells;
  *  - a region's curve that is open, or does not separate its left from its right;
  *  - a ProjectionTolerance or Width that is negative or not a number;
- *  - a mesh, factorization and colours that would take more memory than MemoryLimit.
+ *  - a mesh, factorization and colours, or fragments, that would take more memory than
+ *    MemoryLimit.
  *
  * An update can be stopped between the parts of the work; the factorization is one of them.
  *
@@ -100,7 +113,9 @@
 
 namespace dgg
 {
+struct GraphicsFragments;
 struct GraphicsOptions;
+struct GraphicsResult;
 }
 struct vtkDGGDrawing;
 
@@ -246,6 +261,33 @@ public:
 
   ///@{
   /**
+   * Whether the second output has fragments. Default off.
+   */
+  vtkSetMacro(GenerateFragments, bool);
+  vtkGetMacro(GenerateFragments, bool);
+  vtkBooleanMacro(GenerateFragments, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Into how many parts sides of triangles are divided for fragments, from 1 to 256: each triangle
+   * has the square of it. Colours are linear in a triangle; what RefinementLevel adds is better
+   * than that. Default 1.
+   */
+  vtkSetClampMacro(FragmentDivision, int, 1, 256);
+  vtkGetMacro(FragmentDivision, int);
+  ///@}
+
+  ///@{
+  /**
+   * The second output: fragments, see above; empty unless GenerateFragments is on.
+   */
+  vtkPolyData* GetFragments();
+  vtkAlgorithmOutput* GetFragmentPort() { return this->GetOutputPort(1); }
+  ///@}
+
+  ///@{
+  /**
    * The name of the point array with the result. Default `Colors`. Null and "" are an error.
    */
   void SetResultArrayName(const char* name);
@@ -284,6 +326,8 @@ private:
   void SetName(std::string& property, const char* name);
   dgg::Status PrepareDrawing(const vtkDGGDrawing& drawing, const dgg::GraphicsOptions& options,
     const std::function<bool(double)>& progress);
+  dgg::Status FindFragments(const dgg::GraphicsResult& result, int channels, int division,
+    vtkTypeUInt64 memoryLimit, dgg::GraphicsFragments& fragments) const;
 
   double Width;
   double BackgroundColor[3];
@@ -292,6 +336,8 @@ private:
   double ProjectionTolerance;
   bool IntrinsicDelaunay;
   vtkTypeUInt64 MemoryLimit;
+  bool GenerateFragments;
+  int FragmentDivision;
   std::string ResultArrayName;
   std::unique_ptr<vtkInternals> Internals;
 };

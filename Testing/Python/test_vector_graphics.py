@@ -70,6 +70,32 @@ class PoissonVectorGraphics(unittest.TestCase):
         self.assertAlmostEqual(values.min(), -0.25, delta=1e-9)
         self.assertGreater((np.abs(values - 0.25) < 1e-9).mean(), 0.3)
 
+    def test_fragments(self):
+        left = np.array([[0.25, 0.4, 1.0], [0.25, 0.4, 1.0]])
+        add_array(self.curve.GetPointData(), "LeftColor", left)
+        add_array(self.curve.GetPointData(), "RightColor", left)
+        self.values()
+        self.assertEqual(self.graphics.GetFragments().GetNumberOfPoints(), 0)
+        self.graphics.GenerateFragmentsOn()
+        self.graphics.SetFragmentDivision(2)
+        self.values()
+        fragments = self.graphics.GetFragments()
+        surface = self.graphics.GetOutput()
+        self.assertEqual(fragments.GetNumberOfPoints(), 4 * surface.GetNumberOfCells())
+        data = fragments.GetPointData()
+        self.assertLess(np.abs(vtk_to_numpy(data.GetArray("Colors")) - left[0]).max(), 1e-9)
+        self.assertTrue((vtk_to_numpy(data.GetScalars()) == [64, 102, 255]).all())
+        # Those of a triangle of the output are in the same cell of the input as it is.
+        faces = vtk_to_numpy(data.GetArray("FaceId")).reshape(-1, 4)
+        self.assertTrue((faces == faces[:, :1]).all())
+        self.assertTrue((np.unique(faces) == np.arange(self.mesh.GetNumberOfCells())).all())
+        # They have its middle.
+        corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        points = vtk_to_numpy(surface.GetPoints().GetData())
+        places = vtk_to_numpy(fragments.GetPoints().GetData()).reshape(-1, 4, 3)
+        difference = places.mean(axis=1) - points[corners].mean(axis=1)
+        self.assertLess(np.abs(difference).max(), 1e-6)
+
     def test_mistakes(self):
         with self.assertRaisesRegex(vtkdgg.VTKError, "LeftColor"):
             vtkdgg.check(self.graphics)

@@ -67,15 +67,28 @@ std::vector<Id> ChooseFaces(const GraphicsRefinement& refinement, const RefinedS
   }
   return faces;
 }
+
+/// The faces whose parents are among the given ones, which are sorted.
+void FindParts(const std::vector<Id>& faces, const std::vector<Id>& parents, std::vector<Id>& parts)
+{
+  parts.clear();
+  for (std::size_t f = 0; f < parents.size(); ++f)
+  {
+    if (std::binary_search(faces.begin(), faces.end(), parents[f]))
+    {
+      parts.push_back(static_cast<Id>(f));
+    }
+  }
+}
 }
 
-Status RefineForGraphics(
-  const SurfaceMesh& mesh, const GraphicsRefinement& refinement, RefinedSurface& surface)
+Status RefineForGraphics(const SurfaceMesh& mesh, const GraphicsRefinement& refinement,
+  RefinedSurface& surface, std::vector<Id>* parts)
 {
   const std::vector<Id> faces = ChooseFaces(refinement, surface);
-  const double parts = std::pow(4.0, refinement.Levels);
-  const double count =
-    static_cast<double>(surface.Faces.size()) + (parts - 1.0) * static_cast<double>(faces.size());
+  const double partsPerFace = std::pow(4.0, refinement.Levels);
+  const double count = static_cast<double>(surface.Faces.size()) +
+    (partsPerFace - 1.0) * static_cast<double>(faces.size());
   if (count > static_cast<double>(refinement.MostFaces))
   {
     return Status::Invalid("refinement would make " +
@@ -83,6 +96,12 @@ Status RefineForGraphics(
       std::to_string(refinement.MostFaces) + " are wanted");
   }
   std::vector<Id> parents;
-  return RefineFaces(mesh, faces, refinement.Levels, refinement.Progress, surface, parents);
+  const Status status =
+    RefineFaces(mesh, faces, refinement.Levels, refinement.Progress, surface, parents);
+  if (status.IsOk() && parts)
+  {
+    FindParts(faces, parents, *parts);
+  }
+  return status;
 }
 }

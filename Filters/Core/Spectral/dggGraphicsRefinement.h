@@ -42,9 +42,11 @@ struct GraphicsRefinement
   ProgressCallback Progress; ///< may be empty
 };
 
-/// Refine a surface that EmbedCurves() has made of a mesh.
-Status RefineForGraphics(
-  const SurfaceMesh& mesh, const GraphicsRefinement& refinement, RefinedSurface& surface);
+/// Refine a surface that EmbedCurves() has made of a mesh. `parts` gets the faces of the refined
+/// surface that lie in faces that were chosen, not those that neighbours were split into; may be
+/// null.
+Status RefineForGraphics(const SurfaceMesh& mesh, const GraphicsRefinement& refinement,
+  RefinedSurface& surface, std::vector<Id>* parts = nullptr);
 }
 
 #endif

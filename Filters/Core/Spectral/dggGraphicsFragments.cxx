@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggGraphicsFragments.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace dgg
+{
+namespace
+{
+Status CheckFragments(const CutSurface& surface, const std::vector<Id>& faces,
+  const std::vector<double>& values, int channels, int division)
+{
+  if (channels < 1 || division < 1)
+  {
+    return Status::Invalid("there must be a channel, and parts of faces");
+  }
+  if (values.size() != surface.Points.size() * static_cast<std::size_t>(channels))
+  {
+    return Status::Invalid("there are " + std::to_string(values.size()) + " values for " +
+      std::to_string(surface.Points.size()) + " points with " + std::to_string(channels) +
+      " channels");
+  }
+  for (const Id face : faces)
+  {
+    if (face < 0 || face >= surface.GetNumberOfFaces())
+    {
+      return Status::Invalid("face " + std::to_string(face) +
+        " does not exist: ids must be in [0, " + std::to_string(surface.GetNumberOfFaces() - 1) +
+        "]");
+    }
+  }
+  return Status::Success();
+}
+
+/// The middles of the parts of a triangle divided by lines parallel to its sides, in barycentric
+/// coordinates: those of parts that lie as the triangle does, then those of the others.
+std::vector<std::array<double, 3>> FindMiddles(int division)
+{
+  std::vector<std::array<double, 3>> middles;
+  for (const int third : { 1, 2 })
+  {
+    const int sum = division - third;
+    for (int i = 0; i <= sum; ++i)
+    {
+      for (int j = 0; i + j <= sum; ++j)
+      {
+        const double scale = 1.0 / (3.0 * division);
+        middles.push_back({ { scale * (3 * i + third), scale * (3 * j + third),
+          scale * (3 * (sum - i - j) + third) } });
+      }
+    }
+  }
+  return middles;
+}
+}
+
+Status MakeFragments(const SurfaceMesh& mesh, const CutSurface& surface,
+  const std::vector<Id>& faces, const std::vector<double>& values, int channels, int division,
+  GraphicsFragments& fragments)
+{
+  fragments = GraphicsFragments();
+  const Status status = CheckFragments(surface, faces, values, channels, division);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const std::vector<std::array<double, 3>> middles = FindMiddles(division);
+  const std::size_t count = faces.size() * middles.size();
+  const auto width = static_cast<std::size_t>(channels);
+  fragments.Places.reserve(count);
+  fragments.Faces.reserve(count);
+  fragments.Values.reserve(count * width);
+  for (const Id face : faces)
+  {
+    for (const std::array<double, 3>& middle : middles)
+    {
+      fragments.Places.push_back(surface.ToOldMesh(mesh, face, middle));
+      fragments.Faces.push_back(surface.Faces[face]);
+      for (std::size_t c = 0; c < width; ++c)
+      {
+        double value = 0.0;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          const auto corner = static_cast<std::size_t>(surface.Triangles[3 * face + k]);
+          value += middle[k] * values[width * corner + c];
+        }
+        fragments.Values.push_back(value);
+      }
+    }
+  }
+  return status;
+}
+}
