@@ -654,6 +654,14 @@ void vtkPointCloudDGG::WarnAboutPoints()
                        "wrong by far. Thin the cloud out, to every tenth point for example or to "
                        "averages of points, until points scatter by less than their spacing.");
   }
+  if (this->Resolution > 0 && statistics.VoxelSize > statistics.Spacing)
+  {
+    vtkWarningMacro(<< "with the Resolution of " << this->Resolution << " voxels are "
+                    << statistics.VoxelSize << " large, more than the spacing of the points, "
+                    << statistics.Spacing
+                    << ": gaps that are wider than the spacing are bridged. Raise it, or set it to "
+                       "0.");
+  }
 }
 
 //------------------------------------------------------------------------------

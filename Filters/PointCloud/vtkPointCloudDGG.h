@@ -188,7 +188,7 @@ public:
   /**
    * Number of voxels along the longest side of the bounding box of the points, stray ones left out,
    * without those around it that balls reach into; at most 524288. Default 0, automatic: it follows
-   * from the spacing.
+   * from the spacing. There is a warning when voxels are larger than the spacing of the points.
    */
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int);
@@ -272,7 +272,8 @@ public:
   /**
    * Most bytes that building the graph may take, the band included. A graph that would take more is
    * an error, before it is built. Default 0, which stands for 70 % of the memory that is free at
-   * that time.
+   * that time. These are bytes of the blocks that are asked for: the process grows by more, as the
+   * allocator keeps and rounds up some (by up to 15 % where it was measured).
    */
   vtkSetMacro(MemoryLimit, vtkTypeUInt64);
   vtkGetMacro(MemoryLimit, vtkTypeUInt64);

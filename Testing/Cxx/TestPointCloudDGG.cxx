@@ -343,6 +343,16 @@ TEST_F(PointCloudDGG, WarnsOfPointsOnNoSurface)
   EXPECT_EQ(this->Filter->GetOffSurfaceShare(), 0.0);
 }
 
+TEST_F(PointCloudDGG, VoxelsLargerThanTheSpacing)
+{
+  this->Use(MakeSpherePoints(600)); // 0.14 apart
+  this->Filter->SetResolution(10);
+  ExpectWarning(
+    this->Filter, { "Resolution of 10 voxels are 0.19", "the spacing of the points, 0.1" });
+  this->Filter->SetResolution(20);
+  ExpectSuccess(this->Filter);
+}
+
 TEST_F(PointCloudDGG, PartsThatAreTooFarApart)
 {
   const Points part = MakeSpherePoints(300);

@@ -354,6 +354,49 @@ TEST(CloudGraphInput, PartsThatAreFarApart)
   }
 }
 
+TEST(CloudGraphInput, PartsThatAreFarApartHaveTheirDigits)
+{
+  // Whatever the resolution: edges are those of each part on its own, or there is an error.
+  const Cloud clean = Square(300, 26);
+  const auto change = [](CloudGraphOptions& options) {
+    options.Resolution = 1000;
+    options.Accuracy = 0.0;
+  };
+  const auto add = [&](double off) {
+    Cloud cloud = clean;
+    for (Id i = 0; i < clean.GetSize(); ++i)
+    {
+      cloud.Add(clean.At(i) + Point3{ off, 0.0, 0.0 });
+    }
+    return cloud;
+  };
+  const CloudGraph graph = BuildGraph(add(1e7), change);
+  const dgg::GraphView view = graph.Graph.View();
+  int edges = 0;
+  for (Id v = 0; v < clean.GetSize(); ++v)
+  {
+    for (dgg::Offset e = view.Offsets[v]; e < view.Offsets[v + 1]; ++e)
+    {
+      const double length = dgg::Norm(clean.At(v) - clean.At(view.Targets[e]));
+      EXPECT_NEAR(view.Length(e), length, 2e-7 * length + 1e-9);
+      ++edges;
+    }
+  }
+  EXPECT_GT(edges, 300);
+  for (const double off : { 1e9, 1e12, 1e14 })
+  {
+    const Cloud cloud = add(off);
+    CloudGraphOptions options;
+    change(options);
+    CloudGraph refused;
+    const dgg::Status status =
+      dgg::CloudGraphBuilder(cloud.Points.data(), cloud.GetSize()).Build(options, refused);
+    EXPECT_FALSE(status.IsOk()) << off;
+    EXPECT_NE(status.GetMessage().find("too far apart for the digits"), std::string::npos);
+    EXPECT_EQ(status.GetMessage().find("esolution"), std::string::npos) << status.GetMessage();
+  }
+}
+
 TEST(CloudGraphInput, AFewPointsTogetherOffTheOthers)
 {
   // Each has more of its own kind around it than of the others. They must not get balls as large as

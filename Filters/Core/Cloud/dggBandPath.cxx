@@ -234,8 +234,8 @@ Status BandPathShortener::Prepare(double voxelSize, std::size_t memoryLimit,
   {
     return Status::Invalid("the size of voxels is not positive");
   }
-  return this->Band.Build(
-    points, radii, voxelSize, memoryLimit > 0 ? memoryLimit - copies : 0, parallel, progress);
+  return this->Band.Build(points, radii, voxelSize, memoryLimit > 0 ? memoryLimit - copies : 0,
+    parallel, progress, "build the graph of the cloud with larger voxels, or turn Straighten off");
 }
 
 Status BandPathShortener::Shorten(const std::vector<Id>& vertices, const Point3* start,

@@ -59,6 +59,7 @@ struct FarPoint
 StrayPoints::StrayPoints(const double* points, Id numberOfPoints, double ratio)
 {
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(numberOfPoints));
   for (double Point3::*const axis : { &Point3::X, &Point3::Y, &Point3::Z })
   {
     values.clear();

@@ -73,19 +73,17 @@ int ChooseLevel(const std::vector<double>& radii, double inverseSize)
 }
 
 /// Of bricks that have been found so far.
-Status CheckBricks(double bricks, double memoryLimit)
+Status CheckBricks(double bricks, double memoryLimit, const std::string& remedy)
 {
   const double bytes = VoxelBand::PredictMemory(bricks);
   if (bytes <= memoryLimit && bricks <= MostBricks)
   {
     return Status::Success();
   }
-  const char* const remedy = "use a smaller Resolution";
   return bytes > memoryLimit
     ? CheckMemory(
         "a part of the band of voxels around the points alone", bytes, memoryLimit, remedy)
-    : Status::Invalid(
-        std::string("the band would have more than 2^31 bricks of voxels: ") + remedy);
+    : Status::Invalid("the band would have more than 2^31 bricks of voxels: " + remedy);
 }
 }
 
@@ -99,7 +97,7 @@ double VoxelBand::PredictMemory(double bricks)
 
 Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<double>& radii,
   double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel,
-  const ProgressCallback& progress)
+  const ProgressCallback& progress, const std::string& remedy)
 {
   *this = VoxelBand();
   this->VoxelSize = voxelSize;
@@ -108,16 +106,18 @@ Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<dou
   {
     return Status::Success();
   }
-  Status status = this->ChooseBox(points, radii);
+  Status status = this->ChooseBox(points, radii, remedy);
   // Where there are very many bricks, fewer cells tell that there are too many.
   const int level = ChooseLevel(radii, this->InverseSize);
   if (status.IsOk() && level > 0)
   {
-    status = this->FindCells(points, radii, level, memoryLimit, ProgressPart(progress, 0.0, 0.1));
+    status =
+      this->FindCells(points, radii, level, memoryLimit, ProgressPart(progress, 0.0, 0.1), remedy);
   }
   if (status.IsOk())
   {
-    status = this->FindCells(points, radii, 0, memoryLimit, ProgressPart(progress, 0.1, 0.5));
+    status =
+      this->FindCells(points, radii, 0, memoryLimit, ProgressPart(progress, 0.1, 0.5), remedy);
   }
   if (status.IsOk())
   {
@@ -130,7 +130,8 @@ Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<dou
   return status;
 }
 
-Status VoxelBand::ChooseBox(const std::vector<Point3>& points, const std::vector<double>& radii)
+Status VoxelBand::ChooseBox(
+  const std::vector<Point3>& points, const std::vector<double>& radii, const std::string& remedy)
 {
   Point3 low{ Infinity, Infinity, Infinity };
   Point3 high{ -Infinity, -Infinity, -Infinity };
@@ -151,7 +152,7 @@ Status VoxelBand::ChooseBox(const std::vector<Point3>& points, const std::vector
   {
     std::ostringstream text;
     text << "the band would have " << resolution << " voxels along its longest side, more than "
-         << MaximumResolution << ": use a smaller Resolution";
+         << MaximumResolution << ": " << remedy;
     return Status::Invalid(text.str());
   }
   this->Resolution = static_cast<std::int32_t>(resolution);
@@ -161,7 +162,7 @@ Status VoxelBand::ChooseBox(const std::vector<Point3>& points, const std::vector
 /// The bricks that balls meet. At a level above 0, cells of 2^level bricks along each axis, those
 /// that lie in a ball altogether: only to see whether their bricks are too many already.
 Status VoxelBand::FindCells(const std::vector<Point3>& points, const std::vector<double>& radii,
-  int level, std::size_t memoryLimit, const ProgressCallback& progress)
+  int level, std::size_t memoryLimit, const ProgressCallback& progress, const std::string& remedy)
 {
   const double size = std::ldexp(8.0, level);
   const double bricksPerCell = std::ldexp(1.0, 3 * level);
@@ -196,7 +197,7 @@ Status VoxelBand::FindCells(const std::vector<Point3>& points, const std::vector
           }
         }
         const double bricks = bricksPerCell * static_cast<double>(this->Keys.size());
-        const Status status = CheckBricks(bricks, limit);
+        const Status status = CheckBricks(bricks, limit, remedy);
         if (!status.IsOk())
         {
           return status;

@@ -14,6 +14,7 @@
 #include <cstddef> // for std::size_t
 #include <cstdint> // for words
 #include <memory>  // for words
+#include <string>  // for messages
 #include <vector>  // for bricks
 
 namespace dgg
@@ -41,9 +42,10 @@ public:
   /// there are too many, or when the band would take more than `memoryLimit` bytes (0: no limit),
   /// before it takes them, and soon where balls are large. Points and radii have to be finite. The
   /// same for any `parallel`. The band is empty when it fails, or when `progress` asks to stop.
+  /// `remedy` is what messages tell to do when there would be too many voxels.
   Status Build(const std::vector<Point3>& points, const std::vector<double>& radii,
     double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel,
-    const ProgressCallback& progress = {});
+    const ProgressCallback& progress = {}, const std::string& remedy = "use larger voxels");
 
   double GetVoxelSize() const { return this->VoxelSize; }
   const Point3& GetOrigin() const { return this->Origin; }
@@ -116,9 +118,10 @@ public:
   Voxel GetBrickVoxel(std::size_t brick) const;
 
 private:
-  Status ChooseBox(const std::vector<Point3>& points, const std::vector<double>& radii);
+  Status ChooseBox(
+    const std::vector<Point3>& points, const std::vector<double>& radii, const std::string& remedy);
   Status FindCells(const std::vector<Point3>& points, const std::vector<double>& radii, int level,
-    std::size_t memoryLimit, const ProgressCallback& progress);
+    std::size_t memoryLimit, const ProgressCallback& progress, const std::string& remedy);
   Status MarkBalls(const std::vector<Point3>& points, const std::vector<double>& radii,
     const ParallelFor& parallel, const ProgressCallback& progress);
   void AddBrick(std::uint64_t key);

@@ -35,7 +35,6 @@ constexpr double ShareOfSetupToPredict = 0.8;
 /// Edges of a graph by edges found, as measured: uniting both directions adds some.
 constexpr double UnitedShare = 1.3;
 constexpr double LargestAccuracy = 0.5;
-constexpr Id LargestResolution = 1 << 19;
 
 /// What one thread needs to build rows.
 struct RowWorkspace

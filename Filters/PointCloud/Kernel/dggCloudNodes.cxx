@@ -40,19 +40,43 @@ struct NodeEntry
   Id Original;
 };
 
-/// Sort points, and call `visit` with each and whether it is the first in its place.
-template <typename Visitor>
-void ForEachInOrder(std::vector<NodeEntry>& entries, Visitor&& visit)
+bool IsFirst(const std::vector<NodeEntry>& entries, std::size_t i)
+{
+  const Point3& p = entries[i].Place;
+  const Point3& before = entries[i > 0 ? i - 1 : 0].Place;
+  return i == 0 || before.X != p.X || before.Y != p.Y || before.Z != p.Z;
+}
+
+/// Sort points, and count the places that they are in.
+std::size_t SortEntries(std::vector<NodeEntry>& entries)
 {
   std::sort(entries.begin(), entries.end(), [](const NodeEntry& a, const NodeEntry& b) {
     return std::tie(a.Code, a.Place.X, a.Place.Y, a.Place.Z, a.Original) <
       std::tie(b.Code, b.Place.X, b.Place.Y, b.Place.Z, b.Original);
   });
+  std::size_t places = 0;
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
-    const Point3& p = entries[i].Place;
-    const Point3& before = entries[i > 0 ? i - 1 : 0].Place;
-    visit(entries[i], i == 0 || before.X != p.X || before.Y != p.Y || before.Z != p.Z);
+    places += IsFirst(entries, i) ? 1 : 0;
+  }
+  return places;
+}
+
+/// The first point of each place, and the others with it. Nothing has to grow.
+void TellPlaces(const std::vector<NodeEntry>& entries, std::size_t places,
+  std::vector<Id>& originals, std::vector<std::pair<Id, Id>>& coincident)
+{
+  originals.reserve(places);
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    if (IsFirst(entries, i))
+    {
+      originals.push_back(entries[i].Original);
+    }
+    else
+    {
+      coincident.emplace_back(entries[i].Original, originals.back());
+    }
   }
 }
 }
@@ -87,6 +111,7 @@ Status FindNodes(
   std::vector<NodeEntry> entries;
   std::vector<NodeEntry> strayEntries;
   entries.reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
+  strayEntries.reserve(static_cast<std::size_t>(stray.GetNumberOfPoints()));
   for (Id i = 0; i < numberOfPoints; ++i)
   {
     const Point3 point = PointAt(points, i);
@@ -100,27 +125,19 @@ Status FindNodes(
       entries.push_back({ MortonCode(place), place, i });
     }
   }
-  ForEachInOrder(entries, [&](const NodeEntry& entry, bool isFirst) {
-    if (isFirst)
+  const std::size_t count = SortEntries(entries);
+  const std::size_t strayCount = SortEntries(strayEntries);
+  nodes.Coincident.reserve(entries.size() - count + strayEntries.size() - strayCount);
+  TellPlaces(entries, count, nodes.Originals, nodes.Coincident);
+  TellPlaces(strayEntries, strayCount, nodes.Stray, nodes.Coincident);
+  places.reserve(count);
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    if (IsFirst(entries, i))
     {
-      places.push_back(entry.Place);
-      nodes.Originals.push_back(entry.Original);
+      places.push_back(entries[i].Place);
     }
-    else
-    {
-      nodes.Coincident.emplace_back(entry.Original, nodes.Originals.back());
-    }
-  });
-  ForEachInOrder(strayEntries, [&](const NodeEntry& entry, bool isFirst) {
-    if (isFirst)
-    {
-      nodes.Stray.push_back(entry.Original);
-    }
-    else
-    {
-      nodes.Coincident.emplace_back(entry.Original, nodes.Stray.back());
-    }
-  });
+  }
   return Status::Success();
 }
 }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <sstream>
+#include <string>
 
 namespace dgg
 {
@@ -43,6 +44,9 @@ constexpr double SpacingQuantile = 0.2;
 constexpr double VoxelsPerBall = 2000.0;
 /// Voxels along the longest side when they are chosen automatically, at most.
 constexpr double LargestAutomaticResolution = 1 << 23;
+/// Spacings along the longest side, at most. Coordinates are rounded by 2^-54 of it, so that edges
+/// as long as a spacing keep the digits of a float.
+constexpr double MostSpacings = 1 << 30;
 
 /// Reach by spacing, scheme C.
 constexpr double ReachBySpacing = 10.5;
@@ -241,7 +245,7 @@ private:
   }
 
   /// Names the point that is farthest from the middle of the cloud.
-  Status TooFarApart() const
+  Status TooFarApart(const char* limit) const
   {
     const std::vector<Point3>& points = this->Pairs.Points;
     Point3 middle;
@@ -258,12 +262,20 @@ private:
       static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
     const double toPoints = 1.0 / this->Setup.Nodes.Scale;
     std::ostringstream text;
-    text << "parts of the cloud are too far apart for one band of voxels: its points are "
+    text << "parts of the cloud are too far apart for " << limit << ": its points are "
          << toPoints * this->MedianSpacing << " from each other, but point "
          << this->Setup.Nodes.Originals[farthest] << " is " << toPoints * values[farthest]
-         << " from the middle. Leave out points that are wrong, build one graph for each part, or "
-            "set a resolution";
+         << " from the middle. Leave out points that are wrong, or build one graph for each part";
     return Status::Invalid(text.str());
+  }
+
+  /// What helps when there are too many voxels.
+  std::string RemedyOfBand() const
+  {
+    const std::string below =
+      " below " + std::to_string(std::min(this->Statistics.Resolution, LargestResolution));
+    return this->Options.Resolution > 0 ? "use a Resolution" + below
+                                        : "set a Resolution" + below + ", that of now";
   }
 
   Status BuildBand()
@@ -280,6 +292,11 @@ private:
     {
       radii[i] = factor * this->Pairs.Spacings[i];
     }
+    std::vector<float> spacings = this->Pairs.Spacings;
+    if (extent > MostSpacings * Quantile(spacings, SpacingQuantile))
+    {
+      return this->TooFarApart("the digits of coordinates");
+    }
     double size = 0.0;
     if (this->Options.Resolution > 0)
     {
@@ -290,7 +307,7 @@ private:
       size = h > 0.0 ? factor * this->MedianSpacing / h : this->ChooseVoxelSize(factor);
       if (extent > LargestAutomaticResolution * size)
       {
-        return this->TooFarApart();
+        return this->TooFarApart("one band of voxels");
       }
     }
     if (!(size > 0.0))
@@ -318,16 +335,17 @@ private:
       }
       // The nearest points of its voxels come with it.
       const double band = VoxelBand::PredictMemory(1.0);
-      limit = static_cast<std::size_t>(
-        static_cast<double>(this->Options.MemoryLimit - used) * band / (band + 512.0 * sizeof(Id)));
+      const double left = static_cast<double>(this->Options.MemoryLimit - used);
+      limit = std::max<std::size_t>(
+        1, static_cast<std::size_t>(left * band / (band + 512.0 * sizeof(Id)))); // 0: no limit
     }
     const auto progress = [this](double part) {
       this->IsStopped =
         this->Progress && !this->Progress(std::min(1.0, this->Done + ShareOfBand * part));
       return !this->IsStopped;
     };
-    const Status status = this->Pairs.Band.Build(
-      this->Pairs.Points, radii, size, limit, this->Options.Parallel, progress);
+    const Status status = this->Pairs.Band.Build(this->Pairs.Points, radii, size, limit,
+      this->Options.Parallel, progress, this->RemedyOfBand());
     this->Done += ShareOfBand;
     this->Statistics.BandMemory = this->Pairs.Band.GetMemorySize();
     return status;

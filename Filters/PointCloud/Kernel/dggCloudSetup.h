@@ -17,6 +17,8 @@ namespace dgg
 {
 /// The neighbour whose distance tells the local spacing.
 constexpr std::size_t SpacingNeighbors = 16;
+/// That can be asked for.
+constexpr Id LargestResolution = 1 << 19;
 
 /// Everything up to the rows.
 struct CloudSetup
