@@ -216,3 +216,24 @@ dgg::Status vtkDGGForLongSteps(std::size_t count, const dgg::ProgressCallback& p
       return status;
     });
 }
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGRunTold(const dgg::ProgressCallback& progress,
+  const std::function<dgg::Status(const dgg::ProgressCallback&)>& work)
+{
+  SharedProgress shared(progress, 1);
+  double told = 0.0; // by one thread at a time
+  const auto run = [&] {
+    return work([&](double fraction) { return shared.TellWithin(fraction, told); });
+  };
+  if (!IsCallerIdle())
+  {
+    return run();
+  }
+  std::future<dgg::Status> done = std::async(std::launch::async, run);
+  while (done.wait_for(PollInterval) != std::future_status::ready)
+  {
+    shared.Poll();
+  }
+  return done.get();
+}

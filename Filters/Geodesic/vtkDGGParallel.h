@@ -27,5 +27,11 @@ dgg::Status vtkDGGForBlocks(std::size_t count, std::size_t block,
 dgg::Status vtkDGGForLongSteps(std::size_t count, const dgg::ProgressCallback& progress,
   const std::function<dgg::Status(std::size_t, const dgg::ProgressCallback&)>& step);
 
+/// Run work whose `progress` other threads may tell, one at a time: it is passed on by the calling
+/// thread alone, also where that waits while others do the work. The work runs while observers of
+/// the progress do what they like: it must not depend on it.
+dgg::Status vtkDGGRunTold(const dgg::ProgressCallback& progress,
+  const std::function<dgg::Status(const dgg::ProgressCallback&)>& work);
+
 #endif
 // VTK-HeaderTest-Exclude: vtkDGGParallel.h

@@ -29,7 +29,7 @@
  *  - Exact has all of them, by solving for Green's functions: once for every point of the surface,
  *    in several threads, when the surface, Kind or an option of the factorization changes; later
  *    sources take two substitutions. For meshes of up to some ten thousand points. Not for
- * Diffusion, which needs eigenvalues.
+ *    Diffusion, which needs eigenvalues.
  *
  * <b>Errors</b> besides those of vtkSpectralAlgorithm: Diffusion by the Exact method; a
  * DiffusionTime that is negative or not finite; a NumberOfEigenvalues below 1.

@@ -15,13 +15,14 @@
 class vtkDGGSpectralOutputs;
 class vtkPolyData;
 
-/// One call of vtkSpectralAlgorithm::ComputeValues(). Everything in it has been checked.
+/// One call of vtkSpectralAlgorithm::ComputeValues(). Places exist on the mesh, the solver is
+/// ready; what a filter adds to inputs and properties of its own, it has checked or checks itself.
 struct vtkDGGSpectralTask
 {
   const dgg::PoissonSolver& Solver;              ///< ready
   vtkPolyData* Surface;                          ///< the input as it was, not to be changed
   vtkMTimeType MeshTime;                         ///< another one when the solver is another one
-  const std::vector<dgg::SurfacePoint>& Sources; ///< at least one
+  const std::vector<dgg::SurfacePoint>& Sources; ///< none only where the filter may choose them
   const std::vector<dgg::SurfacePoint>& Targets; ///< may be none
   double FreeMemory;                             ///< bytes of the limit that are left for caches
   dgg::ProgressCallback Progress;                ///< never empty; false means stop

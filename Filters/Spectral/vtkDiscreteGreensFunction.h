@@ -23,9 +23,9 @@
  *    solves for the rest, which is smooth. Errors fall like the square of the edge length, for
  *    sources inside of faces and on edges as at points, as long as the radius stays the same. On
  *    meshes with more than about 30 000 points it is 48 mean edges, see Radius, and errors fall
- * more slowly. Next to a boundary that the source is not on, within a few edges, and where shortest
- *    ways meet from different sides not far from the source, as behind a spike, they fall like the
- *    edge length.
+ *    more slowly. Next to a boundary that the source is not on, within a few edges, and where
+ *    shortest ways meet from different sides not far from the source, as behind a spike, they fall
+ *    like the edge length.
  *  - Localized corrects Interpolated around the source by exact distances, as in the thesis named
  *    below. For comparison: on the sphere its mean error there was 1 to 3 % larger, 50 % in the
  *    middle of faces and 10 % smaller between there and the corners.

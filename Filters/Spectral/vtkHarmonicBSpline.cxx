@@ -14,6 +14,10 @@
 #include "dggSplineSites.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -27,8 +31,6 @@ vtkStandardNewMacro(vtkHarmonicBSpline);
 
 namespace
 {
-constexpr const char* CellName = "Cell";
-constexpr const char* SolutionName = "PoissonSolution";
 /// Parts of the progress: cells, functions at evaluation points, functions at points.
 constexpr double CellsDone = 0.3;
 constexpr double EvaluationDone = 0.5;
@@ -80,7 +82,7 @@ dgg::Status ReadArray(vtkPolyData* surface, const std::string& name, std::vector
   if (!found)
   {
     message << "the surface has no point array '" << name
-            << "': call SetSourceArrayName() with the name of one";
+            << "': call SetRightHandSideArrayName() with the name of one";
   }
   else if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != n)
   {
@@ -151,10 +153,10 @@ public:
   }
 
   /// Cells and functions of sites.
-  dgg::Status FindBasis(const std::vector<dgg::Id>& sites, bool isSmooth)
+  dgg::Status FindBasis(const std::vector<dgg::Id>& sites, bool isSmooth,
+    const std::string& cellName, const dgg::ProgressCallback& progress)
   {
     const dgg::ParallelFor parallel = vtkDGGMakeParallelFor();
-    const dgg::ProgressCallback& progress = this->Task.Progress;
     dgg::Status status =
       this->Splines.Prepare(sites, parallel, dgg::ProgressPart(progress, 0.0, CellsDone));
     if (status.IsOk() && isSmooth)
@@ -180,14 +182,14 @@ public:
       {
         targetCells.push_back(cells[FindNearestCorner(this->Task.Solver, target)]);
       }
-      this->Task.Outputs.AddNumbers(CellName, cells, targetCells);
+      this->Task.Outputs.AddNumbers(cellName, cells, targetCells);
     }
     return status;
   }
 
   /// The solution for the sources of an array.
   dgg::Status FindSolution(const std::string& sourceName, bool isDensity,
-    const vtkDGGMeshAdapter& adapter, double& imbalance)
+    const std::string& solutionName, const vtkDGGMeshAdapter& adapter, double& imbalance)
   {
     std::vector<double> numbers;
     std::vector<double> coefficients;
@@ -217,7 +219,7 @@ public:
         }
       }
     }
-    this->Task.Outputs.Add(SolutionName, solution, atTargets);
+    this->Task.Outputs.Add(solutionName, solution, atTargets);
     return status;
   }
 
@@ -244,7 +246,9 @@ private:
 vtkHarmonicBSpline::vtkHarmonicBSpline()
   : vtkSpectralAlgorithm("HarmonicBSpline")
   , NumberOfSites(20)
-  , SourceMeaning(Density)
+  , RightHandSideMeaning(Density)
+  , CellArrayName("Cell")
+  , SolutionArrayName("PoissonSolution")
   , SmoothEvaluation(false)
 {
 }
@@ -257,31 +261,63 @@ void vtkHarmonicBSpline::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfSites: " << this->NumberOfSites << "\n";
-  os << indent << "SourceArrayName: " << this->SourceArrayName << "\n";
-  os << indent << "SourceMeaning: " << this->GetSourceMeaningAsString() << "\n";
+  os << indent << "RightHandSideArrayName: " << this->RightHandSideArrayName << "\n";
+  os << indent << "RightHandSideMeaning: " << this->GetRightHandSideMeaningAsString() << "\n";
+  os << indent << "CellArrayName: " << this->CellArrayName << "\n";
+  os << indent << "SolutionArrayName: " << this->SolutionArrayName << "\n";
   os << indent << "SmoothEvaluation: " << (this->SmoothEvaluation ? "On" : "Off") << "\n";
   os << indent << "NumberOfUsedSites: " << this->GetNumberOfUsedSites() << "\n";
 }
 
 //------------------------------------------------------------------------------
-void vtkHarmonicBSpline::SetSourceArrayName(const char* name)
+void vtkHarmonicBSpline::SetRightHandSideArrayName(const char* name)
 {
-  if (vtkDGGChangeName(this->SourceArrayName, name))
+  if (vtkDGGChangeName(this->RightHandSideArrayName, name))
   {
     this->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
-const char* vtkHarmonicBSpline::GetSourceArrayName() const
+const char* vtkHarmonicBSpline::GetRightHandSideArrayName() const
 {
-  return this->SourceArrayName.c_str();
+  return this->RightHandSideArrayName.c_str();
 }
 
 //------------------------------------------------------------------------------
-const char* vtkHarmonicBSpline::GetSourceMeaningAsString() const
+const char* vtkHarmonicBSpline::GetRightHandSideMeaningAsString() const
 {
-  return this->SourceMeaning == Integrated ? "Integrated" : "Density";
+  return this->RightHandSideMeaning == Integrated ? "Integrated" : "Density";
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicBSpline::SetCellArrayName(const char* name)
+{
+  if (vtkDGGChangeName(this->CellArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHarmonicBSpline::GetCellArrayName() const
+{
+  return this->CellArrayName.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicBSpline::SetSolutionArrayName(const char* name)
+{
+  if (vtkDGGChangeName(this->SolutionArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHarmonicBSpline::GetSolutionArrayName() const
+{
+  return this->SolutionArrayName.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -297,13 +333,61 @@ vtkIdType vtkHarmonicBSpline::GetUsedSite(vtkIdType site) const
 }
 
 //------------------------------------------------------------------------------
+int vtkHarmonicBSpline::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->UsedSites.clear(); // whatever goes wrong
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkHarmonicBSpline::CheckProperties() const
+{
+  const dgg::Status status = this->Superclass::CheckProperties();
+  const std::string result = this->GetResultArrayName();
+  const std::string& cell = this->CellArrayName;
+  const std::string& solution = this->SolutionArrayName;
+  if (status.IsOk() && (cell.empty() || solution.empty()))
+  {
+    return dgg::Status::Invalid(
+      "CellArrayName or SolutionArrayName is empty: call SetCellArrayName() and "
+      "SetSolutionArrayName() with a name");
+  }
+  if (status.IsOk() && (result == cell || result == solution || cell == solution))
+  {
+    return dgg::Status::Invalid("ResultArrayName '" + result + "', CellArrayName '" + cell +
+      "' and SolutionArrayName '" + solution + "' must be different: change one of them");
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicBSpline::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
+{
+  this->Superclass::MakeEmptyOutput(surface, outputVector);
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkPointData* data = vtkPolyData::GetData(outputVector, port)->GetPointData();
+    vtkNew<vtkIdTypeArray> cells;
+    cells->SetName(this->CellArrayName.c_str());
+    data->AddArray(cells);
+    if (!this->RightHandSideArrayName.empty())
+    {
+      vtkNew<vtkDoubleArray> solution;
+      solution->SetName(this->SolutionArrayName.c_str());
+      data->AddArray(solution);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkHarmonicBSpline::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   const dgg::Status status = this->Superclass::CheckInputs(surface, inputVector);
   std::vector<double> values;
-  return status.IsOk() && !this->SourceArrayName.empty()
-    ? ReadArray(surface, this->SourceArrayName, values)
+  return status.IsOk() && !this->RightHandSideArrayName.empty()
+    ? ReadArray(surface, this->RightHandSideArrayName, values)
     : status;
 }
 
@@ -342,23 +426,38 @@ double vtkHarmonicBSpline::EstimateWorkingMemory(
   const dgg::PoissonSolver& solver, std::size_t numberOfSources, std::size_t numberOfTargets) const
 {
   const dgg::HarmonicSplines splines(solver);
-  const auto threads = static_cast<double>(vtkSMPTools::GetEstimatedNumberOfThreads());
-  const bool isSmooth = this->SmoothEvaluation && numberOfTargets > 0;
-  const double basis = threads * static_cast<double>(splines.GetBasisMemory(numberOfSources));
-  const double evaluation = threads * static_cast<double>(splines.GetEvaluationMemory());
-  const double held = static_cast<double>(numberOfSources) * static_cast<double>(numberOfTargets) *
-    static_cast<double>(sizeof(double));
-  return isSmooth ? std::max(basis, evaluation) + held : basis;
+  const auto n = static_cast<double>(solver.GetAreas().size());
+  const auto sites = static_cast<double>(numberOfSources);
+  const auto targets = static_cast<double>(numberOfTargets);
+  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  const auto several = static_cast<double>(threads);
+  double most = static_cast<double>(
+    splines.GetPreparationMemory(numberOfSources, static_cast<std::size_t>(threads)));
+  most = std::max(most, several * static_cast<double>(splines.GetBasisMemory(numberOfSources)));
+  double held = (n + targets) * static_cast<double>(sizeof(vtkIdType)); // cells
+  if (!this->RightHandSideArrayName.empty())
+  {
+    // Numbers, sources and two solutions.
+    held += (4.0 * n + 2.0 * targets) * static_cast<double>(sizeof(double));
+    most = std::max(most, static_cast<double>(splines.GetSolutionMemory(numberOfSources)));
+  }
+  if (this->SmoothEvaluation && numberOfTargets > 0)
+  {
+    held += sites * targets * static_cast<double>(sizeof(double));
+    most = std::max(most, several * static_cast<double>(splines.GetEvaluationMemory()));
+  }
+  return most + held;
 }
 
 //------------------------------------------------------------------------------
 dgg::Status vtkHarmonicBSpline::ComputeValues(vtkDGGSpectralTask& task)
 {
   // Observers of the progress may change properties.
-  const std::string sourceName = this->SourceArrayName;
-  const bool isDensity = this->SourceMeaning == Density;
+  const std::string sourceName = this->RightHandSideArrayName;
+  const std::string cellName = this->CellArrayName;
+  const std::string solutionName = this->SolutionArrayName;
+  const bool isDensity = this->RightHandSideMeaning == Density;
   const bool isSmooth = this->SmoothEvaluation && !task.Targets.empty();
-  this->UsedSites.clear();
   std::vector<dgg::Id> sites;
   for (const dgg::SurfacePoint& source : task.Sources)
   {
@@ -370,11 +469,13 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(vtkDGGSpectralTask& task)
       "values are given at all points: there is no place for a site, use Neumann conditions");
   }
   Run run(task);
-  dgg::Status status = run.FindBasis(sites, isSmooth);
+  dgg::Status status = vtkDGGRunTold(task.Progress, [&](const dgg::ProgressCallback& progress) {
+    return run.FindBasis(sites, isSmooth, cellName, progress);
+  });
   double imbalance = 0.0;
   if (status.IsOk() && !sourceName.empty())
   {
-    status = run.FindSolution(sourceName, isDensity, this->GetMesh(), imbalance);
+    status = run.FindSolution(sourceName, isDensity, solutionName, this->GetMesh(), imbalance);
   }
   if (status.IsOk() && imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
   {

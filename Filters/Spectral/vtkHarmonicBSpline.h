@@ -14,8 +14,10 @@
  * vtkDiscreteGreensFunction) over cell j, and c_ij = length of the border between two cells /
  * distance of their sites. Its Laplacian is constant in each cell. The functions sum to 1 at every
  * point, each has the mean A_j / A, and dies away within a few cells. When every point is a site,
- * each is 1 at its site and 0 at other points; with fewer sites it is about 0.6 at its site, and
- * small but not 0 at others. They have no unit and do not change with the size of the surface.
+ * each is 1 at its site and 0 at other points. With fewer sites and round cells it is about 0.6 at
+ * its site, and small but not 0 at others; where triangles are sheared or obtuse, cells conduct
+ * unevenly, and values may be below 0 or above 1 by half (IntrinsicDelaunay). They have no unit and
+ * do not change with the size of the surface.
  *
  * <b>Sites.</b> Inputs, outputs, the factorization and errors are those of vtkSpectralAlgorithm,
  * whose sources are the sites; they must be points of the surface, so those of input port 1 that
@@ -25,12 +27,13 @@
  *
  * <b>Outputs</b> besides `HarmonicBSpline`, which has one component per site (8 bytes per point and
  * site; use few sites, or smaller meshes, for thousands of them):
- *  - `Cell` (vtkIdType), the site of each point; -1 at points without a polygon, or with a given
- *    value; of an evaluation point, that of the nearest corner of its triangle;
- *  - `PoissonSolution`, when SourceArrayName is set: u = sum_j lambda_j psi_j with -Laplace u = f,
- *    f averaged over cells. lambda solves the equations of the cells (finite volumes). Errors fall
- *    like the square of the size of cells; when all points are sites, u is the solution of finite
- *    elements. Mean 0 in each component where nothing is given.
+ *  - `Cell` (vtkIdType, see CellArrayName), the site of each point; -1 at points without a polygon,
+ *    or with a given value; of an evaluation point, that of the nearest corner of its triangle;
+ *  - `PoissonSolution` (see SolutionArrayName), when RightHandSideArrayName is set: the function
+ *    u = sum_j lambda_j psi_j with -Laplace u = f, f averaged over cells. lambda solves the
+ *    equations of the cells (finite volumes). Errors fall like the square of the size of cells;
+ *    when all points are sites, u is the solution of finite elements. Mean 0 in each component
+ *    where nothing is given.
  *
  * Output port 1 (GetEvaluation()) has the same arrays, by default linear in triangles, see
  * SmoothEvaluation.
@@ -48,15 +51,17 @@
  * helps, and makes no c_ij negative.
  *
  * <b>Errors</b> besides those of vtkSpectralAlgorithm: two sites at the same point; a component
- * without a site; Dirichlet conditions and a site on the boundary; a source array that is missing,
- * has more than one component, or is not finite; Dirichlet conditions, SmoothEvaluation and an
- * evaluation point in a component without a boundary.
+ * without a site; Dirichlet conditions and a site on the boundary; a right-hand side that is
+ * missing, has more than one component, or is not finite; array names that are empty or the same;
+ * equations of cells that cannot be solved to 1e-8 (some c_ij may be negative among obtuse
+ * triangles); Dirichlet conditions, SmoothEvaluation and an evaluation point in a component without
+ * a boundary.
  *
  * @code
  * vtkNew<vtkHarmonicBSpline> spline;
  * spline->SetInputConnection(reader->GetOutputPort());
  * spline->SetNumberOfSites(100);
- * spline->SetSourceArrayName("heating"); // per area
+ * spline->SetRightHandSideArrayName("heating"); // per area
  * spline->Update();
  * vtkPointData* data = spline->GetOutput()->GetPointData();
  * double u = data->GetArray("PoissonSolution")->GetComponent(7, 0);
@@ -102,14 +107,14 @@ public:
    * The point array of the surface with the right-hand side f of -Laplace u = f. Default none; null
    * and "" stand for none.
    */
-  void SetSourceArrayName(const char* name);
-  const char* GetSourceArrayName() const;
+  void SetRightHandSideArrayName(const char* name);
+  const char* GetRightHandSideArrayName() const;
   ///@}
 
   /**
-   * What the numbers in the source array are.
+   * What the numbers of the right-hand side are.
    */
-  enum SourceMeaningType
+  enum RightHandSideMeaningType
   {
     Density = 0,   ///< per area
     Integrated = 1 ///< the integral over the surroundings of each point
@@ -117,14 +122,25 @@ public:
 
   ///@{
   /**
-   * What the numbers in the source array are. Default Density. With MergeCoincidentPoints,
+   * What the numbers of the right-hand side are. Default Density. With MergeCoincidentPoints,
    * integrated sources of coincident points are added up, and the density is that of the first one.
    */
-  vtkSetClampMacro(SourceMeaning, int, Density, Integrated);
-  vtkGetMacro(SourceMeaning, int);
-  void SetSourceMeaningToDensity() { this->SetSourceMeaning(Density); }
-  void SetSourceMeaningToIntegrated() { this->SetSourceMeaning(Integrated); }
-  const char* GetSourceMeaningAsString() const;
+  vtkSetClampMacro(RightHandSideMeaning, int, Density, Integrated);
+  vtkGetMacro(RightHandSideMeaning, int);
+  void SetRightHandSideMeaningToDensity() { this->SetRightHandSideMeaning(Density); }
+  void SetRightHandSideMeaningToIntegrated() { this->SetRightHandSideMeaning(Integrated); }
+  const char* GetRightHandSideMeaningAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * Names of the point arrays with the site of each point, default "Cell", and with the solution,
+   * default "PoissonSolution". They must differ from each other and from ResultArrayName.
+   */
+  void SetCellArrayName(const char* name);
+  const char* GetCellArrayName() const;
+  void SetSolutionArrayName(const char* name);
+  const char* GetSolutionArrayName() const;
   ///@}
 
   ///@{
@@ -142,6 +158,7 @@ public:
   ///@{
   /**
    * The sites of the last update, as ids of points of the surface; -1 when there is no such site.
+   * None after an error or an abort.
    */
   vtkIdType GetNumberOfUsedSites() const;
   vtkIdType GetUsedSite(vtkIdType site) const;
@@ -151,6 +168,10 @@ protected:
   vtkHarmonicBSpline();
   ~vtkHarmonicBSpline() override;
 
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  dgg::Status CheckProperties() const override;
+  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
   bool CanChooseSources() const override { return true; }
   std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const override;
@@ -166,8 +187,10 @@ private:
   void operator=(const vtkHarmonicBSpline&) = delete;
 
   int NumberOfSites;
-  std::string SourceArrayName;
-  int SourceMeaning;
+  std::string RightHandSideArrayName;
+  int RightHandSideMeaning;
+  std::string CellArrayName;
+  std::string SolutionArrayName;
   bool SmoothEvaluation;
   std::vector<vtkIdType> UsedSites;
 };

@@ -27,6 +27,8 @@ namespace
 /// Part of the progress when the system is ready: if it has to be factorized, or only looked at.
 constexpr double FactorizedAt = 0.4;
 constexpr double FoundAt = 0.01;
+/// Part of what is left then, in which sources are chosen.
+constexpr double ChoosingPart = 0.1;
 
 bool IsEmpty(const vtkDGGSourceSet& set)
 {
@@ -326,6 +328,8 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   };
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
   const double prepared = keeper.IsPrepared(mesh, options) ? FoundAt : FactorizedAt;
+  const double chosen =
+    prepared + (this->CanChooseSources() ? ChoosingPart * (1.0 - prepared) : 0.0);
   status = this->Advance(0.0)
     ? keeper.Prepare(mesh, options, others, limit, this->GetMemoryRemedy(),
         dgg::ProgressPart(progress, 0.0, prepared))
@@ -333,7 +337,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   if (status.IsOk())
   {
     status = this->ChooseSources(
-      keeper.GetSolver(), [&](double) { return this->Advance(prepared); }, sources);
+      keeper.GetSolver(), dgg::ProgressPart(progress, prepared, chosen), sources);
   }
   if (!status.IsOk())
   {
@@ -343,7 +347,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   const double left = static_cast<double>(vtkDGGGetMemoryLimit(limit)) - held - needed;
   vtkDGGSpectralOutputs outputs(mesh, numberOfPoints, targets.size(), sources.size(), name);
   vtkDGGSpectralTask task{ keeper.GetSolver(), copy, mesh.GetBuildTime(), sources, targets,
-    std::max(0.0, left), dgg::ProgressPart(progress, prepared, 1.0), outputs };
+    std::max(0.0, left), dgg::ProgressPart(progress, chosen, 1.0), outputs };
   status = this->ComputeValues(task);
   if (status.IsOk())
   {

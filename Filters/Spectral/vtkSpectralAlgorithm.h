@@ -27,8 +27,8 @@
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
  *  - no source, but for filters that choose sources; a source id out of range, or of a point that
- * no polygon uses; a source or evaluation point that is not finite, or farther from the surface
- * than ProjectionTolerance;
+ *    no polygon uses; a source or evaluation point that is not finite, or farther from the surface
+ *    than ProjectionTolerance;
  *  - a ProjectionTolerance that is negative or not a number; an empty ResultArrayName;
  *  - a factorization and results that would take more memory than MemoryLimit.
  *

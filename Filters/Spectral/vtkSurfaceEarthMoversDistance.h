@@ -15,8 +15,8 @@
  *    which are integrated over the surface, or masses of points (ArrayMeaning);
  *  - masses at the points of a vtkPolyData on the optional input port 1 (SetFromData()) or 2
  *    (SetToData()), which may lie anywhere on the surface: each is projected to the closest point
- * of the surface, and shared by the corners of its face. Their masses are in the point array that
- *    MassArrayName names; without a name each is 1.
+ *    of the surface, and shared by the corners of its face. Their masses are in the point array
+ *    that MassArrayName names; without a name each is 1.
  *
  * With Normalize, which is the default, both are scaled to the mass 1 first, and the distance is a
  * length: how far mass is moved on average. Otherwise both must have the same mass, to 1e-6 of it,

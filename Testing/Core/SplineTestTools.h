@@ -5,6 +5,9 @@
 #ifndef SplineTestTools_h
 #define SplineTestTools_h
 
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
 #include "GreensTestTools.h"
 
 #include "dggHarmonicSplines.h"
@@ -15,6 +18,12 @@
 
 namespace dggtest
 {
+inline std::vector<NamedMesh> SmallMeshes()
+{
+  return { { "sphere", NoisySphere(2, 0.02, 3) }, { "plane", Scaled(Plane(9, 7, 0.3), 0.1) },
+    { "torus", Torus(14, 9) }, { "several", SeveralComponents() } };
+}
+
 inline std::vector<Id> AllFreeVertices(const dgg::PoissonSolver& solver)
 {
   std::vector<Id> vertices;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Harmonic B-splines: cells, coefficients, the basis, Poisson equations on sites.
+// Harmonic B-splines: cells, coefficients, the basis.
 #include "CurvedMeshes.h"
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
@@ -8,8 +8,8 @@
 #include "SplineTestTools.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,12 +17,6 @@ namespace dggtest
 {
 namespace
 {
-std::vector<NamedMesh> SmallMeshes()
-{
-  return { { "sphere", NoisySphere(2, 0.02, 3) }, { "plane", Scaled(Plane(9, 7, 0.3), 0.1) },
-    { "torus", Torus(14, 9) }, { "several", SeveralComponents() } };
-}
-
 /// L, vertex by vertex, as columns.
 std::vector<double> LaplacianOf(const dgg::PoissonSolver& solver, Id vertex)
 {
@@ -43,18 +37,6 @@ double ToleranceOfSums(const Splines& splines)
     largest = std::max(largest, std::abs(splines.Functions.GetCoefficient(j, j)));
   }
   return largest < 1e3 ? 1e-10 : 1e-10 * largest;
-}
-
-/// Relative error over all vertices.
-double RelativeL2(const dgg::PoissonSolver& solver, const std::vector<double>& values,
-  const std::function<double(Id)>& truth)
-{
-  Comparison comparison;
-  for (std::size_t v = 0; v < values.size(); ++v)
-  {
-    comparison.Add(solver.GetAreas()[v], values[v], truth(static_cast<Id>(v)));
-  }
-  return comparison.Relative();
 }
 }
 
@@ -337,197 +319,6 @@ TEST(HarmonicSplines, PointsInsideFaces)
   }
 }
 
-TEST(HarmonicSplines, AllVerticesAsSitesSolveAsFiniteElementsDo)
-{
-  for (const NamedMesh& named : SmallMeshes())
-  {
-    const dgg::SurfaceMesh mesh = Build(named.Mesh);
-    for (const auto boundary : { dgg::PoissonBoundary::Neumann, dgg::PoissonBoundary::Dirichlet })
-    {
-      Splines splines(mesh, With(boundary));
-      splines.PrepareAll();
-      Random random(9);
-      std::vector<double> sources(mesh.GetNumberOfVertices());
-      for (double& source : sources)
-      {
-        source = random.Uniform(-1.0, 1.0);
-      }
-      std::vector<double> solution = sources;
-      ASSERT_TRUE(splines.Solver.Solve(solution).IsOk());
-      const std::vector<double> coefficients = splines.SolveSites(sources);
-      for (std::size_t i = 0; i < coefficients.size(); ++i)
-      {
-        ASSERT_NEAR(coefficients[i], solution[splines.Functions.GetSites()[i]], 1e-9) << named.Name;
-      }
-      ExpectSameField(solution, splines.Combine(coefficients, sources), 1e-9, named.Name);
-    }
-  }
-}
-
-TEST(HarmonicSplines, CombinationsAreSumsOfTheBasis)
-{
-  for (const auto boundary : { dgg::PoissonBoundary::Neumann, dgg::PoissonBoundary::Dirichlet })
-  {
-    const dgg::SurfaceMesh mesh = Build(SeveralComponents());
-    Splines splines(mesh, With(boundary));
-    splines.PrepareSome(11);
-    const auto basis = splines.Basis();
-    std::vector<double> expected(mesh.GetNumberOfVertices(), 0.0);
-    std::vector<double> coefficients(basis.size());
-    Random random(4);
-    for (std::size_t j = 0; j < basis.size(); ++j)
-    {
-      coefficients[j] = random.Uniform(-1.0, 1.0);
-      for (std::size_t v = 0; v < expected.size(); ++v)
-      {
-        expected[v] += coefficients[j] * basis[j][v];
-      }
-    }
-    ExpectSameField(expected, splines.Combine(coefficients), 1e-10, "sum");
-  }
-}
-
-TEST(HarmonicSplines, ErrorsFallLikeTheSquareOfTheCells)
-{
-  const TestMesh sphere = Icosphere(4);
-  const dgg::SurfaceMesh mesh = Build(sphere);
-  Splines splines(mesh);
-  const auto truth = [&](Id v) { return sphere.Point(v)[0] * sphere.Point(v)[2]; }; // l = 2
-  const std::vector<double> sources =
-    Integrated(splines.Solver, [&](Id v) { return 6.0 * truth(v); });
-  double previous = 0.0;
-  for (const Id count : { 24, 96, 384 })
-  {
-    splines.PrepareSome(count);
-    const std::vector<double> solution = splines.Combine(splines.SolveSites(sources));
-    const double error = RelativeL2(splines.Solver, solution, truth);
-    RecordProperty("error" + std::to_string(count), std::to_string(error));
-    if (count > 24)
-    {
-      EXPECT_GT(std::log2(previous / error), 1.7) << count;
-    }
-    previous = error;
-  }
-  EXPECT_LT(previous, 0.02);
-}
-
-TEST(HarmonicSplines, GivenValuesOnTheBoundary)
-{
-  // sin sin vanishes on the boundary, functions of sites do.
-  const Id n = 48;
-  const TestMesh plane = Scaled(Plane(n, n, 0.2), 1.0 / n);
-  const dgg::SurfaceMesh mesh = Build(plane);
-  Splines splines(mesh, With(dgg::PoissonBoundary::Dirichlet));
-  const auto truth = [&](Id v) {
-    return std::sin(dgg::Pi * plane.Point(v)[0]) * std::sin(dgg::Pi * plane.Point(v)[1]);
-  };
-  const std::vector<double> sources =
-    Integrated(splines.Solver, [&](Id v) { return 2.0 * dgg::Pi * dgg::Pi * truth(v); });
-  double previous = 0.0;
-  for (const Id count : { 12, 48, 192 })
-  {
-    splines.PrepareSome(count);
-    const std::vector<double> solution = splines.Combine(splines.SolveSites(sources));
-    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-    {
-      if (splines.Solver.IsFixed(v))
-      {
-        ASSERT_EQ(solution[v], 0.0);
-        ASSERT_EQ(splines.Functions.GetCells()[v], dgg::NoId);
-      }
-    }
-    const double error = RelativeL2(splines.Solver, solution, truth);
-    RecordProperty("error" + std::to_string(count), std::to_string(error));
-    if (count > 12)
-    {
-      EXPECT_GT(std::log2(previous / error), 1.5) << count;
-    }
-    previous = error;
-  }
-  EXPECT_LT(previous, 0.02);
-
-  // Away from the boundary the functions sum to 1.
-  const auto basis = splines.Basis();
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    double sum = 0.0;
-    for (const std::vector<double>& function : basis)
-    {
-      sum += function[v];
-    }
-    const double x = plane.Point(v)[0];
-    const double y = plane.Point(v)[1];
-    const double inside = std::min({ x, y, 1.0 - x, 1.0 - y });
-    ASSERT_LT(sum, 1.35);
-    ASSERT_NEAR(sum, 1.0, inside > 0.3 ? 0.06 : 1.0) << x << " " << y;
-  }
-}
-
-TEST(HarmonicSplines, GivenSitesOfLinearFunctionsAreContinuedLinearly)
-{
-  // Natural conditions; values are given at sites on the boundary.
-  const TestMesh plane = Plane(11, 8, 0.25);
-  const dgg::SurfaceMesh mesh = Build(plane);
-  Splines splines(mesh);
-  splines.PrepareAll();
-  const auto linear = [&](Id v) { return 1.0 + 2.0 * plane.Point(v)[0] - 3.0 * plane.Point(v)[1]; };
-  std::vector<double> coefficients(mesh.GetNumberOfVertices(), 0.0);
-  std::vector<Id> given;
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    if (mesh.Kind(v) == dgg::VertexKind::Boundary)
-    {
-      given.push_back(v);
-      coefficients[v] = linear(v);
-    }
-  }
-  const std::vector<double> nothing(mesh.GetNumberOfVertices(), 0.0);
-  const dgg::Status status = splines.Functions.Solve(nothing, given, coefficients);
-  ASSERT_TRUE(status.IsOk()) << status.GetMessage();
-  const std::vector<double> values = splines.Combine(coefficients);
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    EXPECT_NEAR(coefficients[v], linear(v), 1e-10);
-    EXPECT_NEAR(values[v], linear(v), 1e-10);
-  }
-}
-
-TEST(HarmonicSplines, GivenSitesOfCellsContinueLinearFunctions)
-{
-  // 81 sites in a lattice, 32 of them on the boundary with given values. The error is that of the
-  // coefficients, which borders along edges of the mesh make.
-  double previous = 0.0;
-  for (const Id n : { 32, 128 })
-  {
-    const TestMesh plane = Scaled(Plane(n, n, 0.25, 5), 1.0 / n);
-    const dgg::SurfaceMesh mesh = Build(plane);
-    const auto linear = [&](
-                          Id v) { return 1.0 + 2.0 * plane.Point(v)[0] - 3.0 * plane.Point(v)[1]; };
-    Splines splines(mesh);
-    std::vector<Id> sites;
-    std::vector<Id> given;
-    std::vector<double> coefficients;
-    for (Id k = 0; k < 81; ++k)
-    {
-      sites.push_back((k / 9) * (n / 8) * (n + 1) + (k % 9) * (n / 8));
-      const bool onRim = k % 9 == 0 || k % 9 == 8 || k / 9 == 0 || k / 9 == 8;
-      coefficients.push_back(onRim ? linear(sites.back()) : 0.0);
-      given.resize(given.size() + (onRim ? 1 : 0), k);
-    }
-    splines.Prepare(sites);
-    const std::vector<double> nothing(mesh.GetNumberOfVertices(), 0.0);
-    ASSERT_TRUE(splines.Functions.Solve(nothing, given, coefficients).IsOk());
-    double error = 0.0;
-    for (Id k = 0; k < 81; ++k)
-    {
-      error = std::max(error, std::abs(coefficients[k] - linear(sites[k])));
-    }
-    EXPECT_LT(error, 4.0 / n); // of a range of 5
-    previous = n == 32 ? error : previous;
-    EXPECT_TRUE(n == 32 || error < 0.5 * previous);
-  }
-}
-
 TEST(HarmonicSplines, AnyTrianglesWillDo)
 {
   // Among triangles that are next to flat, equations may be singular up to rounding: then results
@@ -592,6 +383,64 @@ TEST(HarmonicSplines, UnitsDoNotMatter)
   }
 }
 
+TEST(HarmonicSplines, SmoothOnesOfSingleVerticesDoNotInterpolate)
+{
+  const TestMesh sphere = Icosphere(3);
+  const dgg::SurfaceMesh mesh = Build(sphere);
+  Splines splines(mesh);
+  splines.PrepareAll();
+  const Id site = 300; // six neighbours, as nearly all
+  std::vector<dgg::SurfacePoint> points{ dgg::SurfacePoint::AtVertex(site) };
+  for (const Id* h = mesh.FanBegin(site); h != mesh.FanEnd(site); ++h)
+  {
+    points.push_back(dgg::SurfacePoint::AtVertex(mesh.Destination(*h)));
+  }
+  ASSERT_EQ(points.size(), 7u);
+  const std::size_t count = splines.Functions.GetSites().size();
+  const std::vector<double> values =
+    splines.Evaluate(points, dgg::GreensMethod::SingularitySubtraction);
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    EXPECT_NEAR(values[k * count + site], k == 0 ? 0.32 : 0.11, 0.015) << k;
+  }
+}
+
+TEST(HarmonicSplines, SmoothOnesHaveNoKinksAtEdges)
+{
+  // Second differences across edges: of piecewise linear functions they are kinks alone.
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.01, 2));
+  Splines splines(mesh);
+  splines.PrepareSome(40);
+  std::vector<dgg::SurfacePoint> points;
+  const double off = 0.1;
+  for (Id h = 7; h < mesh.GetNumberOfHalfEdges() && points.size() < 60; h += 97)
+  {
+    points.push_back(dgg::SurfacePoint::OnEdge(mesh, h, 0.5));
+    for (const Id side : { h, mesh.Twin(h) })
+    {
+      std::array<double, 3> weights;
+      weights.fill(0.5 * (1.0 - off));
+      weights[(side + 2) % 3] = off;
+      points.push_back(dgg::SurfacePoint::InFace(mesh, side / 3, weights));
+    }
+  }
+  double kinks[] = { 0.0, 0.0 };
+  for (const bool isSmooth : { false, true })
+  {
+    const std::vector<double> values = splines.Evaluate(points,
+      isSmooth ? dgg::GreensMethod::SingularitySubtraction : dgg::GreensMethod::Interpolated);
+    for (std::size_t k = 0; k < points.size(); k += 3)
+    {
+      for (std::size_t j = 0; j < 40; ++j)
+      {
+        kinks[isSmooth ? 1 : 0] +=
+          std::abs(values[(k + 1) * 40 + j] + values[(k + 2) * 40 + j] - 2.0 * values[k * 40 + j]);
+      }
+    }
+  }
+  EXPECT_LT(kinks[1], 0.2 * kinks[0]);
+}
+
 TEST(HarmonicSplines, ThreadsDoNotMatter)
 {
   const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.02, 3));
@@ -609,107 +458,5 @@ TEST(HarmonicSplines, ThreadsDoNotMatter)
       .Evaluate(points, dgg::GreensMethod::SingularitySubtraction, WithThreads(3), nullptr, values)
       .IsOk());
   EXPECT_EQ(alone.Evaluate(points, dgg::GreensMethod::SingularitySubtraction), values);
-}
-
-TEST(HarmonicSplines, RefusesWhatMakesNoSense)
-{
-  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
-  dgg::PoissonSolver solver(mesh);
-  dgg::HarmonicSplines splines(solver);
-  const auto messageOf = [&](const std::vector<Id>& sites) {
-    return splines.Prepare(sites, nullptr, nullptr).GetMessage();
-  };
-  const auto says = [](const std::string& message, const std::string& part) {
-    return message.find(part) != std::string::npos;
-  };
-  const auto ignore = [](Id, const std::vector<double>&) {};
-  EXPECT_TRUE(says(messageOf({ 0 }), "has not been prepared"));
-  ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
-  EXPECT_TRUE(says(splines.FindBasis(nullptr, nullptr, ignore).GetMessage(), "no sites"));
-  EXPECT_TRUE(says(messageOf({}), "there is no site"));
-  EXPECT_TRUE(says(messageOf({ 0, -1 }), "site 1 (vertex -1) does not exist"));
-  EXPECT_TRUE(says(messageOf({ mesh.GetNumberOfVertices() }), "does not exist"));
-  EXPECT_TRUE(says(messageOf({ 5, 7, 5 }), "site 2 (vertex 5) is the same as site 0"));
-  EXPECT_TRUE(says(messageOf({ 0 }), "has no site"));
-  std::vector<double> values;
-  EXPECT_FALSE(splines.Solve({}, {}, values).IsOk());
-
-  std::vector<Id> sites;
-  ASSERT_TRUE(dgg::ChooseSplineSites(solver, 6, nullptr, sites).IsOk());
-  ASSERT_EQ(messageOf(sites), "");
-  std::vector<double> sources(mesh.GetNumberOfVertices(), 0.0);
-  EXPECT_TRUE(says(splines.Solve({ 1.0 }, {}, values).GetMessage(), "1 values"));
-  EXPECT_FALSE(splines.Solve(sources, { 0 }, values).IsOk()); // no value for it
-  values.assign(6, 0.0);
-  EXPECT_FALSE(splines.Solve(sources, { 6 }, values).IsOk());
-  EXPECT_FALSE(splines.Solve(sources, { -1 }, values).IsOk());
-  sources[3] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(says(splines.Solve(sources, {}, values).GetMessage(), "vertex 3"));
-  EXPECT_FALSE(splines.Combine({ 1.0 }, {}, values).IsOk());
-  EXPECT_FALSE(splines.Combine(std::vector<double>(6, 0.0), sources, values).IsOk());
-  EXPECT_TRUE(says(splines
-                     .Evaluate({ dgg::SurfacePoint::AtVertex(-3) }, dgg::GreensMethod::Interpolated,
-                       nullptr, nullptr, values)
-                     .GetMessage(),
-    "point 0"));
-  // Another system.
-  ASSERT_TRUE(solver.Prepare(With(dgg::PoissonBoundary::Dirichlet), nullptr).IsOk());
-  EXPECT_TRUE(says(splines.FindBasis(nullptr, nullptr, ignore).GetMessage(), "anew"));
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    if (solver.IsFixed(v))
-    {
-      EXPECT_TRUE(says(messageOf({ v }), "lies on the boundary"));
-      break;
-    }
-  }
-
-  const dgg::SurfaceMesh isolated = Build(SphereWithIsolatedPoints(1));
-  dgg::PoissonSolver other(isolated);
-  ASSERT_TRUE(other.Prepare({}, nullptr).IsOk());
-  for (Id v = 0; v < isolated.GetNumberOfVertices(); ++v)
-  {
-    if (isolated.FanBegin(v) == isolated.FanEnd(v))
-    {
-      EXPECT_TRUE(says(dgg::CheckSplineSites(other, { v }).GetMessage(), "has no face"));
-    }
-  }
-}
-
-TEST(HarmonicSplines, StopsWhenAsked)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.02, 3));
-  Splines splines(mesh);
-  std::vector<Id> sites;
-  const auto ignore = [](Id, const std::vector<double>&) {};
-  const std::vector<std::function<dgg::Status(const dgg::ProgressCallback&)>> steps = {
-    [&](const dgg::ProgressCallback& progress) {
-      return dgg::ChooseSplineSites(splines.Solver, 100, progress, sites);
-    },
-    [&](const dgg::ProgressCallback& progress) {
-      return splines.Functions.Prepare(sites, nullptr, progress);
-    },
-    [&](const dgg::ProgressCallback& progress) {
-      return splines.Functions.FindBasis(nullptr, progress, ignore);
-    }
-  };
-  for (std::size_t k = 0; k < steps.size(); ++k)
-  {
-    int calls = 0;
-    double last = 0.0;
-    EXPECT_TRUE(steps[k]([&](double done) {
-      EXPECT_GE(done, last);
-      last = done;
-      ++calls;
-      return true;
-    }).IsOk());
-    EXPECT_EQ(last, 1.0) << k;
-    for (int stop = 0; stop < calls; stop += 1 + calls / 5)
-    {
-      int left = stop;
-      EXPECT_TRUE(steps[k]([&](double) { return left-- > 0; }).IsAborted()) << k;
-    }
-    EXPECT_TRUE(steps[k](nullptr).IsOk());
-  }
 }
 }

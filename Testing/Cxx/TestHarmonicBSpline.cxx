@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
+#include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
 
@@ -96,7 +97,7 @@ protected:
   {
     this->Filter->RemoveAllSources();
     this->Filter->SetSourceIds({ 45, 200, 321 });
-    this->Filter->SetSourceArrayName(nullptr);
+    this->Filter->SetRightHandSideArrayName(nullptr);
     this->Filter->SetBoundaryToNeumann();
     this->Filter->SetInputData(this->Surface);
     ExpectSuccess(this->Filter);
@@ -179,7 +180,7 @@ TEST_F(HarmonicBSpline, PoissonEquationOnTheSphere)
   const std::vector<double> areas = GetPointAreas(sphere);
   AddArray(sphere, "b", [&](vtkIdType i) { return 6.0 * areas[i] * Harmonic(sphere, i); });
   this->Filter->SetInputData(sphere);
-  this->Filter->SetSourceArrayName("f");
+  this->Filter->SetRightHandSideArrayName("f");
   double previous = 0.0;
   for (const int count : { 30, 120, 480 })
   {
@@ -194,8 +195,8 @@ TEST_F(HarmonicBSpline, PoissonEquationOnTheSphere)
   }
   EXPECT_LT(previous, 0.015);
   const std::vector<double> densities = this->Solution();
-  this->Filter->SetSourceArrayName("b");
-  this->Filter->SetSourceMeaningToIntegrated();
+  this->Filter->SetRightHandSideArrayName("b");
+  this->Filter->SetRightHandSideMeaningToIntegrated();
   ExpectSuccess(this->Filter);
   const std::vector<double> integrated = this->Solution();
   for (std::size_t i = 0; i < areas.size(); ++i)
@@ -209,7 +210,7 @@ TEST_F(HarmonicBSpline, EvaluationPoints)
   auto sphere = MakeSphere(3);
   AddArray(sphere, "f", [&](vtkIdType i) { return 6.0 * Harmonic(sphere, i); });
   this->Filter->SetInputData(sphere);
-  this->Filter->SetSourceArrayName("f");
+  this->Filter->SetRightHandSideArrayName("f");
   this->Filter->SetNumberOfSites(10);
   double place[3];
   sphere->GetPoint(33, place);
@@ -289,7 +290,7 @@ TEST_F(HarmonicBSpline, DirichletBoundary)
   AddArray(grid, "other", [&](vtkIdType i) { return isOnRim(i) ? 1e4 : 1.0; });
   this->Filter->SetInputData(grid);
   this->Filter->SetBoundaryToDirichlet();
-  this->Filter->SetSourceArrayName("f");
+  this->Filter->SetRightHandSideArrayName("f");
   this->Filter->SetNumberOfSites(100000);
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetNumberOfUsedSites(), 22 * 22);
@@ -311,7 +312,7 @@ TEST_F(HarmonicBSpline, DirichletBoundary)
     }
     EXPECT_NEAR(coarse[i], fine[i], 0.02 * highest);
   }
-  this->Filter->SetSourceArrayName("other");
+  this->Filter->SetRightHandSideArrayName("other");
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Solution(), coarse);
   this->Filter->SetSourceIds({ 3 });
@@ -322,7 +323,7 @@ TEST_F(HarmonicBSpline, DirichletBoundary)
 TEST_F(HarmonicBSpline, UnbalancedSourcesAreBalanced)
 {
   AddArray(this->Surface, "one", [](vtkIdType) { return 1.0; });
-  this->Filter->SetSourceArrayName("one");
+  this->Filter->SetRightHandSideArrayName("one");
   ExpectWarning(this->Filter, { "balanced", "sum 0" });
   for (const double value : this->Solution())
   {
@@ -334,11 +335,11 @@ TEST_F(HarmonicBSpline, UnbalancedSourcesAreBalanced)
   const std::vector<double> areas = GetPointAreas(this->Surface);
   AddArray(this->Surface, "even",
     [&](vtkIdType i) { return i == 50 ? 1.001 / areas[50] : (i == 90 ? -1.0 / areas[90] : 0.0); });
-  this->Filter->SetSourceArrayName("even");
+  this->Filter->SetRightHandSideArrayName("even");
   ExpectSuccess(this->Filter);
   const std::vector<double> expected = this->Solution();
-  this->Filter->SetSourceArrayName("few");
-  this->Filter->SetSourceMeaningToIntegrated();
+  this->Filter->SetRightHandSideArrayName("few");
+  this->Filter->SetRightHandSideMeaningToIntegrated();
   ExpectWarning(this->Filter, { "fraction of 0.0004997" });
   for (std::size_t i = 0; i < expected.size(); ++i)
   {
@@ -380,11 +381,11 @@ TEST_F(HarmonicBSpline, WrongInput)
   this->Filter->AddSourceId(400);
   ExpectError(this->Filter, { "source id 400", "out of range" });
   this->ExpectUnharmed();
-  this->Filter->SetSourceArrayName("missing");
-  ExpectError(this->Filter, { "no point array 'missing'", "SetSourceArrayName()" });
+  this->Filter->SetRightHandSideArrayName("missing");
+  ExpectError(this->Filter, { "no point array 'missing'", "SetRightHandSideArrayName()" });
   this->ExpectUnharmed();
   AddArray(this->Surface, "f", [](vtkIdType i) { return i == 7 ? NaN : 0.0; });
-  this->Filter->SetSourceArrayName("f");
+  this->Filter->SetRightHandSideArrayName("f");
   ExpectError(this->Filter, { "'f'", "point 7", "finite" });
   this->ExpectUnharmed();
   vtkNew<vtkDoubleArray> vectors;
@@ -393,7 +394,7 @@ TEST_F(HarmonicBSpline, WrongInput)
   vectors->SetNumberOfTuples(400);
   vectors->Fill(0.0);
   this->Surface->GetPointData()->AddArray(vectors);
-  this->Filter->SetSourceArrayName("v");
+  this->Filter->SetRightHandSideArrayName("v");
   ExpectError(this->Filter, { "3 components", "one number per point" });
   this->ExpectUnharmed();
   this->Filter->SetInputData(nullptr);
@@ -447,8 +448,8 @@ TEST_F(HarmonicBSpline, CoincidentPointsMayBeOne)
   const vtkIdType n = whole->GetNumberOfPoints();
   AddArray(whole, "b", [&](vtkIdType i) { return i == 0 ? 2.0 : (i == n - 1 ? -2.0 : 0.0); });
   this->Filter->SetInputData(whole);
-  this->Filter->SetSourceArrayName("b");
-  this->Filter->SetSourceMeaningToIntegrated();
+  this->Filter->SetRightHandSideArrayName("b");
+  this->Filter->SetRightHandSideMeaningToIntegrated();
   this->Filter->SetNumberOfSites(1000);
   ExpectSuccess(this->Filter);
   const std::vector<double> expected = this->Solution();
@@ -466,14 +467,86 @@ TEST_F(HarmonicBSpline, CoincidentPointsMayBeOne)
   }
 }
 
+TEST_F(HarmonicBSpline, ArrayNames)
+{
+  AddArray(this->Surface, "f", [](vtkIdType i) { return i == 50 ? 1.0 : (i == 90 ? -1.0 : 0.0); });
+  this->Filter->SetRightHandSideArrayName("f");
+  this->Filter->SetRightHandSideMeaningToIntegrated();
+  ExpectSuccess(this->Filter);
+  const std::vector<double> expected = this->Solution();
+  this->Filter->SetCellArrayName("Site");
+  this->Filter->SetSolutionArrayName("Heat");
+  ExpectSuccess(this->Filter);
+  vtkPointData* data = this->Filter->GetOutput()->GetPointData();
+  EXPECT_TRUE(data->HasArray("Site"));
+  EXPECT_FALSE(data->HasArray("Cell"));
+  EXPECT_FALSE(data->HasArray("PoissonSolution"));
+  EXPECT_EQ(GetValues(this->Filter->GetOutput(), "Heat"), expected);
+  this->Filter->SetCellArrayName("Heat");
+  ExpectError(this->Filter, { "'Heat'", "different" });
+  EXPECT_EQ(this->Filter->GetNumberOfUsedSites(), 0); // not those of the update before
+  this->Filter->SetCellArrayName("Cell");
+  for (const char* name : { "Cell", "Heat" })
+  {
+    this->Filter->SetResultArrayName(name);
+    ExpectError(this->Filter, { "ResultArrayName", "different" });
+  }
+  this->Filter->SetResultArrayName(Name);
+  this->Filter->SetSolutionArrayName("");
+  ExpectError(this->Filter, { "SolutionArrayName is empty" });
+  this->Filter->SetSolutionArrayName("Heat");
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetNumberOfUsedSites(), 20);
+  this->Filter->SetRightHandSideArrayName("missing");
+  ExpectError(this->Filter, { "no point array" });
+  EXPECT_EQ(this->Filter->GetNumberOfUsedSites(), 0);
+  this->ExpectUnharmed();
+}
+
+TEST_F(HarmonicBSpline, EmptyOutputsHaveAllArrays)
+{
+  vtkNew<vtkPolyData> none;
+  this->Filter->SetInputData(none);
+  this->Filter->SetRightHandSideArrayName("f");
+  ExpectWarning(this->Filter, { "empty" });
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkPointData* data = this->Filter->GetOutput(port)->GetPointData();
+    EXPECT_NE(vtkIdTypeArray::SafeDownCast(data->GetArray("Cell")), nullptr);
+    EXPECT_NE(vtkDoubleArray::SafeDownCast(data->GetArray("PoissonSolution")), nullptr);
+    EXPECT_NE(data->GetArray(Name), nullptr);
+  }
+}
+
+TEST_F(HarmonicBSpline, StopsWhileFewSitesTakeLong)
+{
+  const std::string backend = vtkSMPTools::GetBackend();
+  for (const char* name : { "Sequential", "STDThread" })
+  {
+    ASSERT_TRUE(vtkSMPTools::SetBackend(name));
+    this->Filter->SetInputData(MakeSphere(5));
+    this->Filter->SetNumberOfSites(2);
+    ProgressWatch watch(this->Filter);
+    ExpectSuccess(this->Filter);
+    watch.ExpectGrowth();
+    watch.StopAt = 0.65; // within the distances from sites
+    watch.Progress.clear();
+    this->Filter->Modified();
+    ExpectSuccess(this->Filter);
+    ExpectEmptyOutput(this->Filter);
+  }
+  vtkSMPTools::SetBackend(backend.c_str());
+}
+
 TEST_F(HarmonicBSpline, PrintsItself)
 {
-  this->Filter->SetSourceArrayName("heat");
-  this->Filter->SetSourceMeaning(77);
+  this->Filter->SetRightHandSideArrayName("heat");
+  this->Filter->SetRightHandSideMeaning(77);
   std::ostringstream os;
   this->Filter->Print(os);
-  for (const char* part : { "NumberOfSites: 20", "SourceArrayName: heat",
-         "SourceMeaning: Integrated", "SmoothEvaluation: Off", "ResultArrayName: HarmonicBSpline" })
+  for (const char* part :
+    { "NumberOfSites: 20", "RightHandSideArrayName: heat", "RightHandSideMeaning: Integrated",
+      "SmoothEvaluation: Off", "ResultArrayName: HarmonicBSpline" })
   {
     EXPECT_NE(os.str().find(part), std::string::npos) << part;
   }

@@ -49,7 +49,7 @@ class HarmonicBSpline(unittest.TestCase):
         array = numpy_to_vtk(2.0 * np.pi**2 * mode, deep=True)
         array.SetName("f")
         self.mesh.GetPointData().AddArray(array)
-        self.spline.SetSourceArrayName("f")
+        self.spline.SetRightHandSideArrayName("f")
         self.spline.SetNumberOfSites(len(self.points))  # finite elements
         self.spline.SetEvaluationData(support.polydata(np.array([[0.21, 0.37, 0.0]]), np.zeros((0, 3))))
         vtkdgg.check(self.spline)
@@ -58,10 +58,10 @@ class HarmonicBSpline(unittest.TestCase):
         self.assertAlmostEqual(there, np.cos(0.21 * np.pi) * np.cos(0.37 * np.pi), 2)
 
     def test_errors(self):
-        self.spline.SetSourceArrayName("missing")
+        self.spline.SetRightHandSideArrayName("missing")
         with self.assertRaisesRegex(vtkdgg.VTKError, "no point array 'missing'"):
             vtkdgg.check(self.spline)
-        self.spline.SetSourceArrayName(None)
+        self.spline.SetRightHandSideArrayName(None)
         self.spline.SetSourceIds([3, 3])
         with self.assertRaisesRegex(vtkdgg.VTKError, "same as site 0"):
             vtkdgg.check(self.spline)

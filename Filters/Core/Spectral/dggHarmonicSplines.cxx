@@ -19,6 +19,8 @@ namespace dgg
 namespace
 {
 constexpr int Lanes = SparseLanes::SizeAtCompileTime;
+/// Part of the progress of a few functions when they are solved for.
+constexpr double SolvedAt = 0.8;
 using Entries = Eigen::SparseMatrix<double>::InnerIterator;
 }
 
@@ -90,7 +92,7 @@ public:
     }
     const auto n = static_cast<std::size_t>(this->System.GetNumberOfVertices());
     const SparseLanes zero = SparseLanes::Zero();
-    const auto runBlock = [&](Offset, Offset begin, Offset end) {
+    const auto runBlock = [&](Offset, Offset begin, Offset end, const ProgressCallback& within) {
       std::vector<SparseLanes> charges(this->Sites.size(), zero);
       std::vector<SparseLanes> solutions(n, zero);
       for (Offset site = begin; site < end; ++site)
@@ -98,6 +100,10 @@ public:
         setCharges(static_cast<Id>(site), charges, static_cast<int>(site - begin));
       }
       this->SolveForCells(charges, zero, solutions);
+      if (!within(SolvedAt))
+      {
+        return Status::Abort();
+      }
       std::vector<double> values(n);
       for (Offset site = begin; site < end; ++site)
       {
@@ -110,9 +116,10 @@ public:
         }
         consume(static_cast<Id>(site), values);
       }
+      return Status::Success();
     };
-    return LoopOverBlocks(
-      static_cast<Offset>(this->Sites.size()), Lanes, parallel, progress, 0.0, 1.0, runBlock);
+    return LoopOverLongBlocks(
+      static_cast<Offset>(this->Sites.size()), Lanes, parallel, progress, runBlock);
   }
 
   const PoissonSolver& Solver;
@@ -328,14 +335,25 @@ Status HarmonicSplines::Combine(const std::vector<double>& coefficients,
 
 std::size_t HarmonicSplines::GetBasisMemory(std::size_t numberOfSites) const
 {
-  // Solutions, twice in the substitution, the charges, and one function.
+  // Solutions, twice more in the substitution, the charges, and one function.
   const auto n = static_cast<std::size_t>(this->Internals->System.GetNumberOfVertices());
-  return (2 * n + numberOfSites) * sizeof(SparseLanes) + n * sizeof(double);
+  return (3 * n + numberOfSites) * sizeof(SparseLanes) + n * sizeof(double);
 }
 
 std::size_t HarmonicSplines::GetEvaluationMemory() const
 {
   return this->Internals->Integral.GetWorkingMemory();
+}
+
+std::size_t HarmonicSplines::GetPreparationMemory(
+  std::size_t numberOfSites, std::size_t numberOfThreads) const
+{
+  return EstimateSplineCells(this->Internals->System, numberOfSites, numberOfThreads);
+}
+
+std::size_t HarmonicSplines::GetSolutionMemory(std::size_t numberOfSites) const
+{
+  return SiteEquations::EstimateMemory(this->Internals->System, numberOfSites);
 }
 
 std::size_t HarmonicSplines::GetMemorySize() const

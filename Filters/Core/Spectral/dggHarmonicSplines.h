@@ -42,6 +42,8 @@ namespace dgg
 /// given values). Then u = sum_j lambda_j psi_j is what finite elements make of f, averaged over
 /// cells, whatever the c_ij are: K is symmetric, so u = mean + sum_i b_i gbar_i. The error falls
 /// like the square of the size of cells.
+///
+/// Progress is told by the threads of `parallel`, one at a time.
 class HarmonicSplines
 {
 public:
@@ -59,6 +61,7 @@ public:
   const std::vector<Id>& GetSites() const;
   /// Per vertex, the number of its site; NoId with given values or without a face.
   const std::vector<Id>& GetCells() const;
+  /// Of a site that must exist, as in the two below: numbers are not checked.
   double GetCellArea(Id site) const;
   /// The mean of psi_j in its component: A_j / A.
   double GetCellWeight(Id site) const;
@@ -90,7 +93,8 @@ public:
   /// The coefficients lambda of a solution. `rightHandSide` is what PoissonSolver::Solve() takes:
   /// per vertex, integrated sources, or given values. Those of the sites in `given` are given: they
   /// are read from `coefficients`, which is filled. In components where nothing is given, sources
-  /// are balanced and the mean of lambda is 0.
+  /// are balanced and the mean of lambda is 0. Fails where the equations cannot be solved to 1e-8:
+  /// in cells of obtuse triangles some c_ij may be negative.
   Status Solve(const std::vector<double>& rightHandSide, const std::vector<Id>& given,
     std::vector<double>& coefficients) const;
 
@@ -99,6 +103,11 @@ public:
   Status Combine(const std::vector<double>& coefficients, const std::vector<double>& givenValues,
     std::vector<double>& values) const;
 
+  /// About how many bytes Prepare() takes with so many threads, what is held afterwards included.
+  /// The solver must have been analyzed.
+  std::size_t GetPreparationMemory(std::size_t numberOfSites, std::size_t numberOfThreads) const;
+  /// About how many bytes Solve() takes besides its results.
+  std::size_t GetSolutionMemory(std::size_t numberOfSites) const;
   /// Bytes that one thread takes in FindBasis() and FindGreens(), with that many sites.
   std::size_t GetBasisMemory(std::size_t numberOfSites) const;
   /// Bytes that one thread takes in Evaluate(), besides exact distances.

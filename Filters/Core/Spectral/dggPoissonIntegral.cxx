@@ -8,7 +8,6 @@
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
 
-#include <algorithm>
 #include <string>
 
 namespace dgg
@@ -69,21 +68,21 @@ Status PoissonIntegral::ForEachPoint(const std::vector<SurfacePoint>& points, Gr
     }
     free.push_back(k);
   }
-  GreensQuery query;
-  query.Method = method;
-  query.WantIntegrals = true;
   constexpr Offset BlockSize = GreensFunction::PolesInBlock;
   const auto count = static_cast<Offset>(free.size());
-  std::vector<Status> failures(static_cast<std::size_t>((count + BlockSize - 1) / BlockSize));
-  const auto runBlock = [&](Offset block, Offset begin, Offset end) {
+  const auto runBlock = [&](Offset, Offset begin, Offset end, const ProgressCallback& within) {
     std::vector<SurfacePoint> poles;
     for (Offset k = begin; k < end; ++k)
     {
       poles.push_back(points[free[k]]);
     }
+    GreensQuery query;
+    query.Method = method;
+    query.WantIntegrals = true;
+    query.Progress = within;
     std::vector<GreensResult> results;
-    failures[block] = this->Function.Run(poles, query, results);
-    for (std::size_t k = 0; k < results.size(); ++k)
+    const Status status = this->Function.Run(poles, query, results);
+    for (std::size_t k = 0; k < results.size() && status.IsOk(); ++k)
     {
       std::vector<double>& greens = results[k].Integrals;
       for (std::size_t v = 0; v < n; ++v)
@@ -94,11 +93,9 @@ Status PoissonIntegral::ForEachPoint(const std::vector<SurfacePoint>& points, Gr
       }
       visit(free[begin + static_cast<Offset>(k)], greens);
     }
+    return status;
   };
-  const Status status = LoopOverBlocks(count, BlockSize, parallel, progress, 0.0, 1.0, runBlock);
-  const auto failed =
-    std::find_if(failures.begin(), failures.end(), [](const Status& s) { return !s.IsOk(); });
-  return status.IsOk() && failed != failures.end() ? *failed : status;
+  return LoopOverLongBlocks(count, BlockSize, parallel, progress, runBlock);
 }
 
 Status PoissonIntegral::Run(const std::vector<SurfacePoint>& points,

@@ -29,6 +29,8 @@ namespace dgg
 /// PoissonSolver::Solve(), linear in faces. With GreensMethod::SingularitySubtraction, it is of the
 /// same order, without the kinks at edges. A point costs one Green's function, so this is for few
 /// points and many right-hand sides.
+///
+/// Progress is told by the threads of `parallel`, one at a time.
 class PoissonIntegral
 {
 public:

@@ -4,13 +4,20 @@
 
 #include <Eigen/SparseCholesky> // for the factorization
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace dgg
 {
 namespace
 {
 using Entries = Eigen::SparseMatrix<double>::InnerIterator;
+
+/// Largest residual of a solution, relative to the right-hand side, and what rounding may do.
+constexpr double Tolerance = 1e-8;
+/// Of all vectors, per site.
+constexpr double VectorBytes = 16.0 * sizeof(double);
 }
 
 SiteEquations::SiteEquations(
@@ -56,10 +63,32 @@ bool SiteEquations::Solve(std::vector<double>& coefficients)
   {
     return false;
   }
-  const Eigen::VectorXd solution = factor.solve(this->Sources);
+  // Borders through obtuse triangles may have negative lengths, so that K is indefinite. There are
+  // no pivots: what small ones spoil, a step of refinement mends, or else it is told.
+  Eigen::VectorXd solution = factor.solve(this->Sources);
+  Eigen::VectorXd residual = this->Sources - matrix * solution;
+  solution += factor.solve(residual);
+  residual = this->Sources - matrix * solution;
+  // Where the matrix is singular up to rounding, values are so large that they cancel.
+  const Eigen::VectorXd sizes = matrix.cwiseAbs() * solution.cwiseAbs();
+  const double rounding = std::numeric_limits<double>::epsilon() * sizes.lpNorm<Eigen::Infinity>();
+  const bool isSolved = solution.allFinite() &&
+    residual.lpNorm<Eigen::Infinity>() <= Tolerance * this->Sources.lpNorm<Eigen::Infinity>() &&
+    rounding <= Tolerance * this->Sources.lpNorm<1>();
   coefficients.assign(solution.data(), solution.data() + solution.size());
   this->Center(coefficients);
-  return solution.allFinite();
+  return isSolved;
+}
+
+std::size_t SiteEquations::EstimateMemory(const PoissonSystem& system, std::size_t numberOfSites)
+{
+  const double n = std::max(1.0, static_cast<double>(system.GetNumberOfVertices()));
+  constexpr double Entry = sizeof(double) + sizeof(int);
+  const double factor = static_cast<double>(system.GetNumberOfFactorEntries()) / n;
+  const double row = static_cast<double>(system.GetStiffness().nonZeros()) / n;
+  // The matrix, twice more for the order of elimination, the factor, vectors.
+  return static_cast<std::size_t>(
+    static_cast<double>(numberOfSites) * ((factor + 3.0 * row) * Entry + VectorBytes));
 }
 
 void SiteEquations::Balance()

@@ -7,6 +7,7 @@
 #include "dggProgressPart.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -17,6 +18,11 @@ namespace
 /// Parts of the progress: the partition, what flows to given values, the rest.
 constexpr double PartitionDone = 0.25;
 constexpr double RimsDone = 0.35;
+/// What exact distances from one vertex, or from all sites, take.
+constexpr double BytesPerVertex = 100.0;
+constexpr double BytesPerFace = 60.0;
+/// Edges between round cells, over the root of vertices times sites.
+constexpr double CutsPerRoot = 10.0;
 
 using Entries = Eigen::SparseMatrix<double>::InnerIterator;
 using Triplets = std::vector<Eigen::Triplet<double, int>>;
@@ -83,12 +89,14 @@ public:
     }
   }
 
-  Status Run(std::size_t site, ExactGeodesics& exact, SiteRow& row) const
+  Status Run(
+    std::size_t site, const ProgressCallback& progress, ExactGeodesics& exact, SiteRow& row) const
   {
     // Rounding must not leave out the last one.
     const double radius = this->Radii[site] * (1.0 + 1e-9);
     ExactOptions options;
     options.MaximumDistance = radius;
+    options.Progress = progress;
     ExactResult result;
     const Status status =
       exact.Run({ { SurfacePoint::AtVertex(this->Sites[site]), 0.0 } }, options, result);
@@ -279,23 +287,24 @@ Status FindCoefficients(const PoissonSystem& system, const std::vector<Id>& site
   CellFluxes fluxes(system, sites, cells);
   fluxes.FindRadii(distances);
   std::vector<SiteRow> rows(sites.size());
-  std::vector<Status> failures(sites.size());
-  const Status status = LoopOverBlocks(
-    static_cast<Offset>(sites.size()), 1, parallel, progress, RimsDone, 1.0,
+  const Status status = LoopOverLongBlocks(
+    static_cast<Offset>(sites.size()), 1, parallel, progress,
     [&] { return ExactGeodesics(system.GetMesh()); },
-    [&](ExactGeodesics& exact, Offset site, Offset, Offset) {
-      failures[site] = fluxes.Run(static_cast<std::size_t>(site), exact, rows[site]);
+    [&](ExactGeodesics& exact, Offset site, Offset, Offset, const ProgressCallback& within) {
+      return fluxes.Run(static_cast<std::size_t>(site), within, exact, rows[site]);
     });
   if (!status.IsOk())
   {
     return status;
   }
+  std::size_t count = 0;
+  for (const SiteRow& row : rows)
+  {
+    count += row.size();
+  }
+  conductances.reserve(2 * count + sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
-    if (!failures[i].IsOk())
-    {
-      return failures[i];
-    }
     for (const auto& [j, value] : rows[i])
     {
       conductances.emplace_back(static_cast<int>(i), j, -value);
@@ -310,7 +319,30 @@ std::size_t SplineCells::GetMemorySize() const
 {
   return (this->Cells.size() + this->Components.size()) * sizeof(Id) +
     (this->Weights.size() + this->Areas.size()) * sizeof(double) + this->Rims.size() * sizeof(Rim) +
-    static_cast<std::size_t>(this->Stiffness.nonZeros()) * (sizeof(double) + sizeof(int));
+    static_cast<std::size_t>(this->Stiffness.nonZeros()) * (sizeof(double) + sizeof(int)) +
+    static_cast<std::size_t>(this->Stiffness.outerSize() + 1) * sizeof(int);
+}
+
+std::size_t EstimateSplineCells(
+  const PoissonSystem& system, std::size_t numberOfSites, std::size_t numberOfThreads)
+{
+  const auto n = static_cast<double>(system.GetNumberOfVertices());
+  const auto faces = static_cast<double>(system.GetMesh().GetNumberOfFaces());
+  const auto entries = static_cast<double>(system.GetStiffness().nonZeros());
+  const auto sites = static_cast<double>(numberOfSites);
+  const double exact = BytesPerVertex * n + BytesPerFace * faces;
+  const double workers =
+    std::min(static_cast<double>(std::max<std::size_t>(numberOfThreads, 1)), sites);
+  // Edges between cells, from both sides: round cells have about so many, and there are no more
+  // than edges.
+  const double cuts = std::min(entries, CutsPerRoot * std::sqrt(n * sites));
+  const double rows = 2.0 * cuts * sizeof(SiteRow::value_type); // as they grow
+  const double triplets = (2.0 * cuts + sites) * sizeof(Triplets::value_type);
+  const double matrix = (2.0 * cuts + sites) * (sizeof(double) + sizeof(int));
+  const double held = n * (2.0 * sizeof(Id) + sizeof(double)) +
+    sites * (sizeof(Id) + 3.0 * sizeof(double) + sizeof(Offset) + sizeof(SiteRow));
+  return static_cast<std::size_t>(
+    held + std::max({ rows + workers * exact, rows + triplets, triplets + 2.0 * matrix }));
 }
 
 Status FindSplineCells(const PoissonSystem& system, const std::vector<Id>& sites,
@@ -350,8 +382,8 @@ Status FindSplineCells(const PoissonSystem& system, const std::vector<Id>& sites
   }
   else if (status.IsOk())
   {
-    status =
-      FindCoefficients(system, sites, cells.Cells, distances, parallel, progress, conductances);
+    status = FindCoefficients(system, sites, cells.Cells, distances, parallel,
+      ProgressPart(progress, RimsDone, 1.0), conductances);
   }
   if (!status.IsOk())
   {

@@ -10,7 +10,8 @@
 
 #include <Eigen/SparseCore> // for the matrix
 
-#include <vector> // for arrays
+#include <cstddef> // for std::size_t
+#include <vector>  // for arrays
 
 namespace dgg
 {
@@ -62,6 +63,10 @@ struct SplineCells
 /// of them, always the same.
 Status FindSplineCells(const PoissonSystem& system, const std::vector<Id>& sites,
   const ParallelFor& parallel, const ProgressCallback& progress, SplineCells& cells);
+
+/// About how many bytes FindSplineCells() takes at one time, its results included.
+std::size_t EstimateSplineCells(
+  const PoissonSystem& system, std::size_t numberOfSites, std::size_t numberOfThreads);
 }
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "dggFarthestPoints.h"
 #include "dggPoissonSystem.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -13,6 +14,9 @@ namespace dgg
 {
 namespace
 {
+/// Part of the progress when it is known how far all vertices are from given values.
+constexpr double GivenDone = 0.2;
+
 /// The edges of the triangles, from both ends.
 struct EdgeRows
 {
@@ -121,7 +125,8 @@ Status ChooseSplineSites(
       given.push_back({ v });
     }
   }
-  Status status = given.empty() ? Status::Success() : points.Add(given, nullptr);
+  const auto part = [&](double begin, double end) { return ProgressPart(progress, begin, end); };
+  Status status = given.empty() ? Status::Success() : points.Add(given, part(0.0, GivenDone));
   // One in each component first: farther ones in others may be there before.
   std::vector<Id> found = FindFarthest(system, points.GetDistances());
   const Id wanted = std::max(count, static_cast<Id>(found.size()));
@@ -134,12 +139,17 @@ Status ChooseSplineSites(
       break;
     }
     sites.push_back(farthest);
-    status = points.Add({ { farthest } }, nullptr);
-    const double done = static_cast<double>(sites.size()) / static_cast<double>(wanted);
-    if (status.IsOk() && progress && !progress(done))
+    const double step = (1.0 - GivenDone) / static_cast<double>(wanted);
+    const double done = GivenDone + step * static_cast<double>(sites.size());
+    status = points.Add({ { farthest } }, part(done - step, done));
+    if (status.IsOk() && progress && !progress(std::min(1.0, done)))
     {
       status = Status::Abort();
     }
+  }
+  if (status.IsOk() && progress && !progress(1.0))
+  {
+    status = Status::Abort();
   }
   if (!status.IsOk())
   {

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Harmonic B-splines: Poisson equations on sites.
+#include "CurvedMeshes.h"
+#include "DefectMeshes.h"
+#include "FlatMeshes.h"
+#include "SplineTestTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+/// Relative error over all vertices.
+double RelativeL2(const dgg::PoissonSolver& solver, const std::vector<double>& values,
+  const std::function<double(Id)>& truth)
+{
+  Comparison comparison;
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    comparison.Add(solver.GetAreas()[v], values[v], truth(static_cast<Id>(v)));
+  }
+  return comparison.Relative();
+}
+}
+
+TEST(HarmonicSplines, AllVerticesAsSitesSolveAsFiniteElementsDo)
+{
+  for (const NamedMesh& named : SmallMeshes())
+  {
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const auto boundary : { dgg::PoissonBoundary::Neumann, dgg::PoissonBoundary::Dirichlet })
+    {
+      Splines splines(mesh, With(boundary));
+      splines.PrepareAll();
+      Random random(9);
+      std::vector<double> sources(mesh.GetNumberOfVertices());
+      for (double& source : sources)
+      {
+        source = random.Uniform(-1.0, 1.0);
+      }
+      std::vector<double> solution = sources;
+      ASSERT_TRUE(splines.Solver.Solve(solution).IsOk());
+      const std::vector<double> coefficients = splines.SolveSites(sources);
+      for (std::size_t i = 0; i < coefficients.size(); ++i)
+      {
+        ASSERT_NEAR(coefficients[i], solution[splines.Functions.GetSites()[i]], 1e-9) << named.Name;
+      }
+      ExpectSameField(solution, splines.Combine(coefficients, sources), 1e-9, named.Name);
+    }
+  }
+}
+
+TEST(HarmonicSplines, CombinationsAreSumsOfTheBasis)
+{
+  for (const auto boundary : { dgg::PoissonBoundary::Neumann, dgg::PoissonBoundary::Dirichlet })
+  {
+    const dgg::SurfaceMesh mesh = Build(SeveralComponents());
+    Splines splines(mesh, With(boundary));
+    splines.PrepareSome(11);
+    const auto basis = splines.Basis();
+    std::vector<double> expected(mesh.GetNumberOfVertices(), 0.0);
+    std::vector<double> coefficients(basis.size());
+    Random random(4);
+    for (std::size_t j = 0; j < basis.size(); ++j)
+    {
+      coefficients[j] = random.Uniform(-1.0, 1.0);
+      for (std::size_t v = 0; v < expected.size(); ++v)
+      {
+        expected[v] += coefficients[j] * basis[j][v];
+      }
+    }
+    ExpectSameField(expected, splines.Combine(coefficients), 1e-10, "sum");
+  }
+}
+
+TEST(HarmonicSplines, ErrorsFallLikeTheSquareOfTheCells)
+{
+  const TestMesh sphere = Icosphere(4);
+  const dgg::SurfaceMesh mesh = Build(sphere);
+  Splines splines(mesh);
+  const auto truth = [&](Id v) { return sphere.Point(v)[0] * sphere.Point(v)[2]; }; // l = 2
+  const std::vector<double> sources =
+    Integrated(splines.Solver, [&](Id v) { return 6.0 * truth(v); });
+  double previous = 0.0;
+  for (const Id count : { 24, 96, 384 })
+  {
+    splines.PrepareSome(count);
+    const std::vector<double> solution = splines.Combine(splines.SolveSites(sources));
+    const double error = RelativeL2(splines.Solver, solution, truth);
+    RecordProperty("error" + std::to_string(count), std::to_string(error));
+    if (count > 24)
+    {
+      EXPECT_GT(std::log2(previous / error), 1.7) << count;
+    }
+    previous = error;
+  }
+  EXPECT_LT(previous, 0.02);
+}
+
+TEST(HarmonicSplines, NothingFlowsThroughTheBoundary)
+{
+  const Id n = 48;
+  const TestMesh plane = Scaled(Plane(n, n, 0.2), 1.0 / n);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  Splines splines(mesh);
+  const auto truth = [&](Id v) {
+    return std::cos(dgg::Pi * plane.Point(v)[0]) * std::cos(dgg::Pi * plane.Point(v)[1]);
+  };
+  const std::vector<double> sources =
+    Integrated(splines.Solver, [&](Id v) { return 2.0 * dgg::Pi * dgg::Pi * truth(v); });
+  double previous = 0.0;
+  for (const Id count : { 12, 48, 192 })
+  {
+    splines.PrepareSome(count);
+    const std::vector<double> solution = splines.Combine(splines.SolveSites(sources));
+    const double error = RelativeL2(splines.Solver, solution, truth);
+    RecordProperty("error" + std::to_string(count), std::to_string(error));
+    if (count > 12)
+    {
+      EXPECT_GT(std::log2(previous / error), 1.7) << count;
+    }
+    previous = error;
+  }
+  EXPECT_LT(previous, 0.02);
+}
+
+TEST(HarmonicSplines, GivenValuesOnTheBoundary)
+{
+  // sin sin vanishes on the boundary, functions of sites do.
+  const Id n = 48;
+  const TestMesh plane = Scaled(Plane(n, n, 0.2), 1.0 / n);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  Splines splines(mesh, With(dgg::PoissonBoundary::Dirichlet));
+  const auto truth = [&](Id v) {
+    return std::sin(dgg::Pi * plane.Point(v)[0]) * std::sin(dgg::Pi * plane.Point(v)[1]);
+  };
+  const std::vector<double> sources =
+    Integrated(splines.Solver, [&](Id v) { return 2.0 * dgg::Pi * dgg::Pi * truth(v); });
+  double previous = 0.0;
+  for (const Id count : { 12, 48, 192 })
+  {
+    splines.PrepareSome(count);
+    const std::vector<double> solution = splines.Combine(splines.SolveSites(sources));
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      if (splines.Solver.IsFixed(v))
+      {
+        ASSERT_EQ(solution[v], 0.0);
+        ASSERT_EQ(splines.Functions.GetCells()[v], dgg::NoId);
+      }
+    }
+    const double error = RelativeL2(splines.Solver, solution, truth);
+    RecordProperty("error" + std::to_string(count), std::to_string(error));
+    if (count > 12)
+    {
+      EXPECT_GT(std::log2(previous / error), 1.5) << count;
+    }
+    previous = error;
+  }
+  EXPECT_LT(previous, 0.02);
+
+  // Away from the boundary the functions sum to 1.
+  const auto basis = splines.Basis();
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    double sum = 0.0;
+    for (const std::vector<double>& function : basis)
+    {
+      sum += function[v];
+    }
+    const double x = plane.Point(v)[0];
+    const double y = plane.Point(v)[1];
+    const double inside = std::min({ x, y, 1.0 - x, 1.0 - y });
+    ASSERT_LT(sum, 1.35);
+    if (inside > 0.3)
+    {
+      ASSERT_NEAR(sum, 1.0, 0.06) << x << " " << y;
+    }
+  }
+}
+
+TEST(HarmonicSplines, GivenSitesOfLinearFunctionsAreContinuedLinearly)
+{
+  // Natural conditions; values are given at sites on the boundary.
+  const TestMesh plane = Plane(11, 8, 0.25);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  Splines splines(mesh);
+  splines.PrepareAll();
+  const auto linear = [&](Id v) { return 1.0 + 2.0 * plane.Point(v)[0] - 3.0 * plane.Point(v)[1]; };
+  std::vector<double> coefficients(mesh.GetNumberOfVertices(), 0.0);
+  std::vector<Id> given;
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (mesh.Kind(v) == dgg::VertexKind::Boundary)
+    {
+      given.push_back(v);
+      coefficients[v] = linear(v);
+    }
+  }
+  const std::vector<double> nothing(mesh.GetNumberOfVertices(), 0.0);
+  const dgg::Status status = splines.Functions.Solve(nothing, given, coefficients);
+  ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+  const std::vector<double> values = splines.Combine(coefficients);
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    EXPECT_NEAR(coefficients[v], linear(v), 1e-10);
+    EXPECT_NEAR(values[v], linear(v), 1e-10);
+  }
+}
+
+TEST(HarmonicSplines, GivenSitesOfCellsContinueLinearFunctions)
+{
+  // 81 sites in a lattice, 32 of them on the boundary with given values. The error is that of the
+  // coefficients, which borders along edges of the mesh make.
+  double previous = 0.0;
+  for (const Id n : { 32, 128 })
+  {
+    const TestMesh plane = Scaled(Plane(n, n, 0.25, 5), 1.0 / n);
+    const dgg::SurfaceMesh mesh = Build(plane);
+    const auto linear = [&](
+                          Id v) { return 1.0 + 2.0 * plane.Point(v)[0] - 3.0 * plane.Point(v)[1]; };
+    Splines splines(mesh);
+    std::vector<Id> sites;
+    std::vector<Id> given;
+    std::vector<double> coefficients;
+    for (Id k = 0; k < 81; ++k)
+    {
+      sites.push_back((k / 9) * (n / 8) * (n + 1) + (k % 9) * (n / 8));
+      const bool onRim = k % 9 == 0 || k % 9 == 8 || k / 9 == 0 || k / 9 == 8;
+      coefficients.push_back(onRim ? linear(sites.back()) : 0.0);
+      given.resize(given.size() + (onRim ? 1 : 0), k);
+    }
+    splines.Prepare(sites);
+    const std::vector<double> nothing(mesh.GetNumberOfVertices(), 0.0);
+    ASSERT_TRUE(splines.Functions.Solve(nothing, given, coefficients).IsOk());
+    double error = 0.0;
+    for (Id k = 0; k < 81; ++k)
+    {
+      error = std::max(error, std::abs(coefficients[k] - linear(sites[k])));
+    }
+    EXPECT_LT(error, 4.0 / n); // of a range of 5
+    previous = n == 32 ? error : previous;
+    EXPECT_TRUE(n == 32 || error < 0.5 * previous);
+  }
+}
+}
