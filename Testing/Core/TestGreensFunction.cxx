@@ -7,6 +7,7 @@
 #include "GeodesicChecks.h"
 #include "GreensTestTools.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <string>
@@ -127,6 +128,27 @@ TEST(GreensFunction, SphereConverges)
   }
   EXPECT_GT(std::log2(first / last) / 3.0, 1.8);
   EXPECT_GT(std::log2(firstGlobal / lastGlobal) / 3.0, 1.9);
+}
+
+TEST(GreensFunction, RadiiBeyondTheSurface)
+{
+  const TestMesh sphere = Icosphere(3);
+  const dgg::SurfaceMesh mesh = Build(sphere);
+  const Greens greens(mesh);
+  const dgg::SurfacePoint pole = dgg::SurfacePoint::AtVertex(0);
+  const std::array<double, 3> x = PositionOf(sphere, mesh, pole);
+  for (const double radius : { 10.0, 1e150, 1e300 })
+  {
+    dgg::GreensQuery query;
+    query.Radius = radius;
+    const dgg::GreensResult result = greens.Run(pole, query);
+    for (Id v = 1; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const double* y = sphere.Point(v);
+      const double cosine = std::max(-1.0, x[0] * y[0] + x[1] * y[1] + x[2] * y[2]);
+      EXPECT_NEAR(result.Values[v], SphereGreens(cosine), 5e-3) << radius << " " << v;
+    }
+  }
 }
 
 TEST(GreensFunction, FlatTorus)

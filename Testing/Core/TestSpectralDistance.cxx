@@ -385,6 +385,22 @@ TEST(SpectralDistance, ProgressIsToldByTheCaller)
   EXPECT_EQ(same, d);
 }
 
+TEST(SpectralDistance, VerticesWithoutFacesAreNoSources)
+{
+  TestMesh plane = Plane(3, 3);
+  const auto isolated = static_cast<dgg::Id>(plane.Points.size() / 3);
+  plane.Points.insert(plane.Points.end(), { 0.5, 0.5, 2.0 });
+  const dgg::SurfaceMesh mesh = Build(plane);
+  const auto solver = Ready(mesh);
+  dgg::SpectralDistance distance(*solver);
+  ASSERT_TRUE(distance.Prepare({}, nullptr).IsOk());
+  std::vector<double> d;
+  const dgg::SurfacePoint point = dgg::SurfacePoint::AtVertex(isolated);
+  EXPECT_NE(distance.FromPoint(point, nullptr, nullptr, d).GetMessage().find("has no face"),
+    std::string::npos);
+  EXPECT_TRUE(distance.FromPoint(dgg::SurfacePoint::AtVertex(0), nullptr, nullptr, d).IsOk());
+}
+
 TEST(SpectralDistance, SaysWhatIsWrong)
 {
   const dgg::SurfaceMesh mesh = Build(Plane(3, 3));
@@ -405,8 +421,8 @@ TEST(SpectralDistance, SaysWhatIsWrong)
   EXPECT_FALSE(distance.FromPoint(dgg::SurfacePoint::AtVertex(99), nullptr, nullptr, d).IsOk());
   dgg::SpectralOptions options;
   options.Time = -1.0;
-  EXPECT_FALSE(distance.Prepare(options, nullptr)
-                 .IsOk()); // Eigenvalues that make no sense, and those of another system.
+  EXPECT_FALSE(distance.Prepare(options, nullptr).IsOk());
+  // Eigenvalues that make no sense, and those of another system.
   dgg::Eigenpairs some;
   ASSERT_TRUE(dgg::FindEigenpairs(*solver, 3, nullptr, some).IsOk());
   for (const double wrong : { 0.0, -1e-9, std::numeric_limits<double>::quiet_NaN() })

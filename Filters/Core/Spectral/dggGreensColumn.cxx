@@ -35,6 +35,8 @@ constexpr double RidgeMargin = 0.9;
 /// R in mean edges if ridges are nearer than that: r then has kinks there, which do less harm than
 /// a steep s, and much less than none.
 constexpr double RidgeEdges = 10.0;
+/// Largest R that is asked for, in square roots of the area. No surface is that large.
+constexpr double LargestMultiple = 1e6;
 /// How much of R is kept in any case where long edges reach beyond the distances found.
 constexpr double CompletePart = 0.7;
 /// Windows of the ways, per vertex of the mesh, that may be expected for going on: more than that
@@ -336,7 +338,9 @@ Status GreensColumn::ChooseRadius(
 Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
 {
   const PoissonSystem& system = this->System;
-  double radius = this->Query.Radius;
+  // Beyond all of the surface, another radius adds a constant, which is taken off in the end.
+  const double size = std::sqrt(system.GetComponentArea(this->Component));
+  double radius = std::min(this->Query.Radius, LargestMultiple * size);
   double reached = radius + UsualMargin * system.GetMeanEdge(this->Component);
   ExactResult result;
   Status status = radius > 0.0 ? this->FindDistances(reached, workspace, result)

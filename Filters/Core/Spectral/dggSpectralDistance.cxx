@@ -115,7 +115,14 @@ Status SpectralDistance::CheckPoint(const SurfacePoint& point) const
     return Status::Invalid(
       "the solver has been prepared with other options since: call Prepare() again");
   }
-  return point.Check(this->Solver.GetMesh());
+  const SurfaceMesh& mesh = this->Solver.GetMesh();
+  Status status = point.Check(mesh);
+  if (status.IsOk() && IsVertex(point) && mesh.FanBegin(point.Vertex) == mesh.FanEnd(point.Vertex))
+  {
+    status = Status::Invalid(
+      "vertex " + std::to_string(point.Vertex) + " has no face: nothing is defined there");
+  }
+  return status;
 }
 
 /// Unit load, 0 where values are given.
