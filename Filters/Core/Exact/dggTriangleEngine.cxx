@@ -11,6 +11,9 @@ namespace
 {
 /// Windows and vertices between two reports: some milliseconds.
 constexpr std::size_t ProgressInterval = 20000;
+/// Windows and vertices between two looks at the radius, at least: few, so that targets close to
+/// the source end the run soon.
+constexpr std::size_t RadiusInterval = 64;
 }
 
 void TriangleEngine::Reset()
@@ -30,6 +33,7 @@ void TriangleEngine::Reset()
   this->Memory.Clear();
   this->NumberOfVisited = 0;
   this->WorkSinceReport = 0;
+  this->WorkSinceRadius = 0;
 }
 
 void TriangleEngine::Release()
@@ -90,12 +94,17 @@ bool TriangleEngine::IsFinished() const
 bool TriangleEngine::Report(std::size_t work)
 {
   this->WorkSinceReport += work;
+  this->WorkSinceRadius += work;
+  if (this->WorkSinceRadius >= std::max(RadiusInterval, this->Options->Targets.size()))
+  {
+    this->WorkSinceRadius = 0;
+    this->UpdateRadius();
+  }
   if (this->WorkSinceReport < ProgressInterval)
   {
     return true;
   }
   this->WorkSinceReport = 0;
-  this->UpdateRadius();
   return this->MeasureMemory() &&
     (!this->Options->Progress ||
       this->Options->Progress(

@@ -67,6 +67,7 @@ private:
   WindowList Scratch;
   Id NumberOfVisited = 0;
   std::size_t WorkSinceReport = 0;
+  std::size_t WorkSinceRadius = 0;
 };
 }
 
