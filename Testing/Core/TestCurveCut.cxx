@@ -7,9 +7,12 @@
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
 
+#include "dggFaceRefinement.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace dggtest
@@ -372,6 +375,18 @@ TEST(CurveCut, RefusesWhatHasNoSides)
         SurfacePoint::InFace(book, 0, { { 0.4, 0.4, 0.2 } }) }) });
   CurveCut cut;
   EXPECT_TRUE(dgg::CutAlongCurves(beside, cut).IsOk());
+  // Edges of the mesh are counted, not the parts that they were split into.
+  RefinedSurface along = EmbedVertices(book, { { spine, inside } });
+  message = ErrorOf(along);
+  std::vector<Id> parents;
+  std::vector<Id> all(along.Faces.size());
+  std::iota(all.begin(), all.end(), 0);
+  along.Paths.push_back({ spine, spine + 1, spine + 2 });
+  const std::string whole = ErrorOf(along);
+  EXPECT_NE(whole, message);
+  along.Places.push_back({ 0.0, 1.0, 2.0 });
+  ASSERT_TRUE(dgg::RefineFaces(book, all, 2, nullptr, along, parents).IsOk());
+  EXPECT_EQ(ErrorOf(along), whole);
   // Once around a strip with one side: left becomes right somewhere.
   const dgg::SurfaceMesh strip = Build(MoebiusStrip(6, 4));
   std::vector<Id> around;

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggCurveCut.h"
 
+#include "dggDisjointSets.h"
+
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -26,6 +29,15 @@ public:
   void Run(CurveCut& cut);
 
 private:
+  enum class Defect
+  {
+    None,
+    Crowded, ///< more than two faces
+    Twisted  ///< two faces that are oriented differently
+  };
+
+  Defect FindDefect(Id h) const;
+  Offset CountDefects(Defect defect, const std::vector<char>& isPassed) const;
   std::vector<char> MarkVertices() const;
   void CollectHalfEdges();
   EdgeSide FindSide(const CutSurface& cut, const DirectedEdge& edge, bool isLeft) const;
@@ -50,37 +62,74 @@ std::vector<char> SideFinder::MarkVertices() const
   return isPassed;
 }
 
+/// What is wrong with the edge of a half-edge.
+SideFinder::Defect SideFinder::FindDefect(Id h) const
+{
+  const Id twin = this->Surface.Twins[h];
+  if (twin == NoId)
+  {
+    return Defect::None;
+  }
+  if (this->Surface.Twins[twin] != h)
+  {
+    return Defect::Crowded;
+  }
+  return this->Origin(h) == this->Origin(twin) ? Defect::Twisted : Defect::None;
+}
+
+/// How many edges of the old mesh have a defect, and a part that a path touches. Parts of one edge
+/// meet in points inside of it, which are on no other edge.
+Offset SideFinder::CountDefects(Defect defect, const std::vector<char>& isPassed) const
+{
+  const auto halfEdges = static_cast<Id>(this->Surface.Triangles.size());
+  DisjointSets edges(this->Surface.Triangles.size());
+  std::vector<Id> partAt(this->Surface.Points.size(), NoId);
+  for (Id h = 0; h < halfEdges; ++h)
+  {
+    if (this->FindDefect(h) != defect)
+    {
+      continue;
+    }
+    edges.Join(h, this->Surface.Twins[h]);
+    for (const Id v : { this->Origin(h), this->Destination(h) })
+    {
+      if (this->Surface.Points[v].On == SurfacePoint::Support::Edge)
+      {
+        edges.Join(h, partAt[v] == NoId ? h : partAt[v]);
+        partAt[v] = h;
+      }
+    }
+  }
+  std::set<Id> touched;
+  for (Id h = 0; h < halfEdges; ++h)
+  {
+    if (this->FindDefect(h) == defect &&
+      (isPassed[this->Origin(h)] || isPassed[this->Destination(h)]))
+    {
+      touched.insert(edges.Find(h));
+    }
+  }
+  return static_cast<Offset>(touched.size());
+}
+
 /// Whether there are two sides wherever a path passes.
 Status SideFinder::CheckEdges() const
 {
   const std::vector<char> isPassed = this->MarkVertices();
-  const std::vector<Id>& twins = this->Surface.Twins;
-  Offset crowded = 0;
-  Offset twisted = 0;
-  for (Id h = 0; h < static_cast<Id>(twins.size()); ++h)
+  bool isSound = true;
+  for (Id h = 0; h < static_cast<Id>(this->Surface.Twins.size()) && isSound; ++h)
   {
-    const Id twin = twins[h];
-    if (twin == NoId || (!isPassed[this->Origin(h)] && !isPassed[this->Destination(h)]))
-    {
-      continue;
-    }
-    Id smallest = h;
-    int faces = 1;
-    for (Id e = twin; e != h; e = twins[e])
-    {
-      smallest = std::min(smallest, e);
-      ++faces;
-    }
-    crowded += smallest == h && faces > 2 ? 1 : 0;
-    twisted += smallest == h && faces == 2 && this->Origin(h) == this->Origin(twin) ? 1 : 0;
+    isSound = (!isPassed[this->Origin(h)] && !isPassed[this->Destination(h)]) ||
+      this->FindDefect(h) == Defect::None;
   }
-  if (crowded == 0 && twisted == 0)
+  if (isSound)
   {
     return Status::Success();
   }
   std::ostringstream message;
-  message << "curves have no sides where they meet " << crowded
-          << " edges of more than two faces and " << twisted
+  message << "curves have no sides where they meet "
+          << this->CountDefects(Defect::Crowded, isPassed) << " edges of more than two faces and "
+          << this->CountDefects(Defect::Twisted, isPassed)
           << " edges of two faces that are oriented differently. Remove duplicate faces and sheets"
              " that stand on others, orient the faces alike, and do not draw curves across the seam"
              " of a one-sided surface";
