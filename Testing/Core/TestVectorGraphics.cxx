@@ -474,6 +474,42 @@ TEST(VectorGraphics, WhatSourcesSumToIsTakenOffAndTold)
   });
 }
 
+TEST(VectorGraphics, NetSourcesAreThoseOfEachComponent)
+{
+  // Three squares, each with a source of two channels; a diffusion curve in the second takes in
+  // what flows there.
+  TestMesh two = Plane(4, 4);
+  const TestMesh other = Translated(Plane(4, 4), 10.0, 0.0, 0.0);
+  const auto first = static_cast<Id>(two.Points.size() / 3);
+  two.Points.insert(two.Points.end(), other.Points.begin(), other.Points.end());
+  const TestMesh third = Translated(Plane(4, 4), 20.0, 0.0, 0.0);
+  two.Points.insert(two.Points.end(), third.Points.begin(), third.Points.end());
+  for (const Id shift : { first, 2 * first })
+  {
+    for (const Id v : other.Triangles)
+    {
+      two.Triangles.push_back(v + shift);
+    }
+  }
+  Drawing drawing(two);
+  drawing.Options.NumberOfChannels = 2;
+  drawing.Add(
+    Source, { drawing.Find(1.0, 2.0), drawing.Find(3.0, 2.0) }, { 0.5, 2.0, 0.5, 2.0 }, {});
+  drawing.Add(
+    Source, { drawing.Find(11.0, 1.0), drawing.Find(11.0, 3.5) }, { 1.0, -4.0, 1.0, -4.0 }, {});
+  drawing.Add(
+    Source, { drawing.Find(21.0, 1.0), drawing.Find(24.0, 1.0) }, { 3.0, 5.0, 3.0, 5.0 }, {});
+  drawing.Add(Diffusion, { drawing.Find(11.0, 2.0), drawing.Find(13.0, 2.0) }, { 1, 1, 1, 1 },
+    { 0, 0, 0, 0 });
+  drawing.Run(1);
+  const std::vector<double> expected = { 1.0, 4.0, 0.0, 0.0, 9.0, 15.0 };
+  ASSERT_EQ(drawing.Result.NetSources.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    EXPECT_NEAR(drawing.Result.NetSources[i], expected[i], 1e-12) << i;
+  }
+}
+
 TEST(VectorGraphics, OrderTwoBesideCurves)
 {
   // x^2 - y^2 is harmonic: given on a closed curve whose points are dense, on both of its sides,
