@@ -379,4 +379,17 @@ TEST(ExactPath, StopsWhenAsked)
   EXPECT_TRUE(status.IsAborted());
   EXPECT_TRUE(paths.empty());
 }
+
+TEST(ExactPath, NearbyTargetsTakeFewWindows)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(5));
+  const Id center = 5000;
+  const Id neighbour = mesh.Destination(*mesh.FanBegin(center));
+  dgg::ExactPathFinder finder(mesh);
+  std::vector<dgg::SurfacePath> paths;
+  const dgg::Status status = finder.Find(dgg::SurfacePoint::AtVertex(center),
+    { dgg::SurfacePoint::AtVertex(neighbour) }, nullptr, paths);
+  ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_LT(finder.GetNumberOfWindows(), 500u);
+}
 }
