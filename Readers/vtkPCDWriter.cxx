@@ -32,11 +32,9 @@ constexpr std::size_t BlockBytes = std::size_t(1) << 22;
 class CloudWriter
 {
 public:
-  CloudWriter(
-    vtkPolyData* data, vtkDGGPCDData mode, std::ostream& stream, const vtkDGGFileProgress& progress)
+  CloudWriter(vtkPolyData* data, vtkDGGPCDData mode, const vtkDGGFileProgress& progress)
     : Sources(vtkDGG::ListPointFields(data))
     , Count(data->GetNumberOfPoints())
-    , Stream(stream)
     , Progress(progress)
   {
     vtkDGG::PointCloudView layout;
@@ -56,8 +54,8 @@ public:
     }
   }
 
-  /// False when stopped, or when GetError() is not empty.
-  bool Write()
+  /// What a file cannot hold, to be seen before one is opened. False when GetError() is not empty.
+  bool Check()
   {
     if (this->Header.Fields.size() > vtkDGGPCDHeader::MostFields)
     {
@@ -66,11 +64,41 @@ public:
         " at most: remove point arrays";
       return false;
     }
+    if (this->Header.Data == vtkDGGPCDData::BinaryCompressed)
+    {
+      // Compressed data may be longer by one byte in 32.
+      constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / 33 * 32;
+      if (static_cast<std::size_t>(this->Count) > most / this->Header.GetPointBytes())
+      {
+        this->Error = "compressed data cannot be larger than 4 GB: set the data mode to binary";
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// What was there is lost. False when it cannot be opened.
+  bool Open(const char* name)
+  {
+    this->Stream.open(name, std::ios::binary);
+    return static_cast<bool>(this->Stream);
+  }
+
+  /// False when stopped, or when IsBroken().
+  bool Write()
+  {
     const std::string header = this->Header.Format();
     this->Stream.write(header.data(), static_cast<std::streamsize>(header.size()));
     return this->Header.Data == vtkDGGPCDData::BinaryCompressed ? this->WriteCompressed()
                                                                 : this->WriteBlocks();
   }
+  /// False when not all has come to the file.
+  bool Close()
+  {
+    this->Stream.close();
+    return static_cast<bool>(this->Stream);
+  }
+  bool IsBroken() const { return !this->Stream; }
   const std::string& GetError() const { return this->Error; }
 
 private:
@@ -139,13 +167,6 @@ private:
   {
     const std::size_t step = this->Header.GetPointBytes();
     const auto count = static_cast<std::size_t>(this->Count);
-    // Compressed data may be longer by one byte in 32.
-    constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / 33 * 32;
-    if (count > most / step)
-    {
-      this->Error = "compressed data cannot be larger than 4 GB: set the data mode to binary";
-      return false;
-    }
     std::vector<char> fields(count * step);
     char* out = fields.data();
     for (const vtkDGG::PointFieldSource& source : this->Sources)
@@ -177,7 +198,7 @@ private:
 
   const std::vector<vtkDGG::PointFieldSource> Sources;
   const vtkIdType Count;
-  std::ostream& Stream;
+  std::ofstream Stream;
   const vtkDGGFileProgress& Progress;
   vtkDGGPCDHeader Header;
   std::string Error;
@@ -267,35 +288,33 @@ void vtkPCDWriter::WriteData()
       vtkWarningMacro("The array " << name << " is left out: it does not hold numbers.");
     }
   }
+  bool isOpened = false;
   try
   {
-    std::ofstream stream(this->FileName, std::ios::binary);
-    if (!stream)
-    {
-      this->Fail(vtkErrorCode::CannotOpenFileError, "the file cannot be opened for writing");
-      return;
-    }
     const vtkDGGFileProgress progress = [this](double done) {
       this->UpdateProgress(done);
       return this->GetAbortExecute() == 0;
     };
     const auto mode = static_cast<vtkDGGPCDData>(this->DataMode);
-    CloudWriter writer(input, mode, stream, progress);
-    const bool isWhole = writer.Write();
-    const bool isBroken = !stream;
-    stream.close();
-    this->IsWritten = isWhole && stream;
-    if (!this->IsWritten)
+    CloudWriter writer(input, mode, progress);
+    if (!writer.Check())
     {
-      if (!writer.GetError().empty())
-      {
-        this->Fail(vtkErrorCode::FileFormatError, writer.GetError().c_str());
-      }
-      else if (isBroken || isWhole) // otherwise aborted
-      {
-        this->Fail(
-          vtkErrorCode::OutOfDiskSpaceError, "the data cannot be written, is the disk full?");
-      }
+      this->Fail(vtkErrorCode::FileFormatError, writer.GetError().c_str());
+      return;
+    }
+    if (!writer.Open(this->FileName))
+    {
+      this->Fail(vtkErrorCode::CannotOpenFileError, "the file cannot be opened for writing");
+      return;
+    }
+    isOpened = true;
+    const bool isWhole = writer.Write();
+    const bool isBroken = writer.IsBroken();
+    this->IsWritten = writer.Close() && isWhole;
+    if (!this->IsWritten && (isBroken || isWhole)) // otherwise aborted
+    {
+      this->Fail(
+        vtkErrorCode::OutOfDiskSpaceError, "the data cannot be written, is the disk full?");
     }
   }
   catch (const std::exception& exception) // out of memory
@@ -308,7 +327,7 @@ void vtkPCDWriter::WriteData()
     this->IsWritten = false;
     this->Fail(vtkErrorCode::UnknownError, "unexpected failure");
   }
-  if (!this->IsWritten)
+  if (isOpened && !this->IsWritten)
   {
     RemoveFile(this->FileName);
   }

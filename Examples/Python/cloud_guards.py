@@ -158,7 +158,8 @@ def panels(share):
     middle /= np.linalg.norm(middle, axis=1)[:, None]
     yield panel("holes", torus, (-0.7, -1, 0.4), (0.1, -1, 1.1), 1.6, torus - middle)
     pair = sheets(int(16000 * share), random)
-    yield panel("two sheets, three radii of balls apart: grey is not reached", pair, (-1, 0.2, 0), (-0.8, -1, 0.7), 1.35)
+    title = "two sheets, three radii of balls apart: grey is not reached"
+    yield panel(title, pair, (-1, 0.2, 0), (-0.8, -1, 0.7), 1.35)
 
 
 def main(picture, share=1.0):

@@ -298,7 +298,8 @@ def summarize(path):
     run = Run(path)
     parts = [
         f"Graphs are built on threads, timed on the wall; all other times are CPU seconds on one "
-        f"thread ({environment(run.context)}).\n"
+        f"thread ({environment(run.context)}). Predicted peaks are bytes that the allocator is asked "
+        f"for, measured ones the growth of the process, with what the allocator keeps besides.\n"
     ]
     titles = {
         "Mean errors, % (times better than published)": mean_table,

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <random>
 #include <sstream>
@@ -384,6 +385,12 @@ TEST_F(PCDWriter, RefusesMoreFieldsThanTheReaderTakes)
   this->Writer->SetInputData(cloud);
   this->ExpectFailure(vtkErrorCode::FileFormatError, { name, "10001 fields", "10000 at most" });
   EXPECT_FALSE(std::filesystem::exists(name));
+  // A file that was there before stays as it is.
+  std::ofstream(name) << "what was there before";
+  this->ExpectFailure(vtkErrorCode::FileFormatError, { name, "10001 fields", "10000 at most" });
+  std::string left;
+  std::getline(std::ifstream(name), left);
+  EXPECT_EQ(left, "what was there before");
 }
 
 /// Arrays that are shorter or longer than the points are an error, and nothing beyond their end is
