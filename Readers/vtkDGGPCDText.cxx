@@ -2,22 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPCDText.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <system_error>
 #include <type_traits>
 
 namespace
 {
-/// std::from_chars does not say whether a float was too large or too small.
+/// std::from_chars does not say whether a float was too large or too small: by its power of ten.
 bool IsTooSmall(const char* first, const char* last)
 {
   const std::string text(first, last);
-  const std::size_t exponent = text.find_first_of("eE");
-  return exponent == std::string::npos
-    ? text.find_first_of("123456789") > text.find('.') // 0.000...
-    : text.compare(exponent + 1, 1, "-") == 0;
+  const std::size_t end = std::min(text.find_first_of("eE"), text.size());
+  const std::size_t point = std::min(text.find('.'), end);
+  const std::size_t digit = std::min(text.find_first_of("123456789"), end);
+  double power = static_cast<double>(point) - static_cast<double>(digit);
+  if (end < text.size())
+  {
+    power += std::strtod(text.c_str() + end + 1, nullptr); // digits and a sign, however many
+  }
+  return power < 0.0;
 }
 
 template <typename Number>

@@ -78,6 +78,10 @@ int vtkPCDReader::RequestData(
     const vtkSmartPointer<vtkPolyData> cloud = ReadFile(this->FileName, progress, error);
     if (cloud)
     {
+      if (!progress(1.0)) // the last look: what follows takes no time
+      {
+        return false;
+      }
       output->ShallowCopy(cloud);
       this->UpdateProgress(1.0);
     }

@@ -126,6 +126,21 @@ TEST_F(PCDReader, KeepsTypesNamesAndCounts)
   ExpectTuple(data->GetArray("j"), 0, { 1e-310, 2.5 });
 }
 
+TEST_F(PCDReader, TellsTooSmallFromTooLarge)
+{
+  // Numbers with many zeros, whose exponents have the other sign.
+  const std::string zeros(400, '0');
+  const std::string head = "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nPOINTS 1\nDATA ascii\n";
+  vtkPolyData* cloud = this->ReadWell(head + "0." + zeros + "1e+10 -1e-400 0." + zeros + "1\n");
+  ExpectTuple(cloud->GetPoints()->GetData(), 0, { 0.0, 0.0, 0.0 });
+  for (const std::string& number : { "1" + zeros + "e-10", "1" + zeros, std::string("-1e+400") })
+  {
+    this->Reader->SetFileName(this->Write(head + number + " 0 0\n").c_str());
+    this->Reader->Modified();
+    dggtest::ExpectError(this->Reader, { "is out of the range" });
+  }
+}
+
 TEST_F(PCDReader, MakesDoublesOfOtherCoordinates)
 {
   PCDLines lines;
@@ -385,6 +400,12 @@ TEST_F(PCDReader, ReportsProgressAndStops)
   this->Reader->Modified();
   dggtest::ProgressWatch stop(this->Reader);
   stop.StopAt = 0.3;
+  dggtest::ExpectSuccess(this->Reader);
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 0);
+  // When all has been read, too.
+  stop.StopAt = 0.9;
+  this->Reader->SetAbortExecute(0);
+  this->Reader->Modified();
   dggtest::ExpectSuccess(this->Reader);
   EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 0);
   stop.StopAt = 2.0;
