@@ -76,6 +76,7 @@ dgg::Status vtkDGGGraphicsInput::CollectLines(vtkPolyData* curves)
     const vtkIdType* ids = nullptr;
     lines->GetCurrentCell(size, ids);
     dgg::GraphicsCurve curve;
+    curve.Name = Name(cell);
     curve.IsClosed = size > 2 && ids[0] == ids[size - 1];
     std::vector<vtkIdType> points(ids, ids + (curve.IsClosed ? size - 1 : size));
     for (const vtkIdType id : points)
@@ -150,6 +151,11 @@ dgg::Status vtkDGGGraphicsInput::ReadType(
   {
     return dgg::Status::Success(); // diffusion
   }
+  if (array->GetNumberOfComponents() != 1)
+  {
+    return dgg::Status::Invalid("the cell array '" + names.CurveType + "' of input port 1 has " +
+      std::to_string(array->GetNumberOfComponents()) + " components where 1 is needed");
+  }
   const double value = this->Cells[k] < array->GetNumberOfTuples()
     ? array->GetComponent(this->Cells[k], 0)
     : std::numeric_limits<double>::quiet_NaN();
@@ -170,12 +176,11 @@ dgg::Status vtkDGGGraphicsInput::ReadType(
 //------------------------------------------------------------------------------
 /// The numbers of all points of a curve; those of its cell for each where the array is of cells.
 dgg::Status vtkDGGGraphicsInput::ReadTuples(vtkPolyData* curves, const std::string& name,
-  std::size_t k, bool mayBeSingle, std::vector<double>& values) const
+  std::size_t k, int channels, bool mayBeSingle, std::vector<double>& values) const
 {
   bool isOfPoints = false;
   vtkDataArray* array = FindArray(curves, name, isOfPoints);
   std::ostringstream message;
-  const int channels = this->NumberOfChannels;
   const int components = array ? array->GetNumberOfComponents() : 0;
   const vtkIdType tuples = isOfPoints ? curves->GetNumberOfPoints() : curves->GetNumberOfCells();
   if (!array)
@@ -191,7 +196,8 @@ dgg::Status vtkDGGGraphicsInput::ReadTuples(vtkPolyData* curves, const std::stri
   else if (components != channels && !(mayBeSingle && components == 1))
   {
     message << "the array '" << name << "' of input port 1 has " << components
-            << " components where there are " << channels << " channels";
+            << " components where " << channels
+            << (mayBeSingle && channels > 1 ? " or 1 are needed" : " are needed");
   }
   if (!message.str().empty())
   {
@@ -224,11 +230,14 @@ dgg::Status vtkDGGGraphicsInput::ReadCurve(
   dgg::GraphicsCurve& curve = this->Curves[k];
   if (curve.Type == dgg::GraphicsCurveType::Diffusion)
   {
-    const dgg::Status status = this->ReadTuples(curves, names.LeftColor, k, false, curve.Left);
-    return status.IsOk() ? this->ReadTuples(curves, names.RightColor, k, false, curve.Right)
-                         : status;
+    const dgg::Status status =
+      this->ReadTuples(curves, names.LeftColor, k, this->NumberOfChannels, false, curve.Left);
+    return status.IsOk()
+      ? this->ReadTuples(curves, names.RightColor, k, this->NumberOfChannels, false, curve.Right)
+      : status;
   }
-  dgg::Status status = this->ReadTuples(curves, names.Strength, k, true, curve.Left);
+  dgg::Status status =
+    this->ReadTuples(curves, names.Strength, k, this->NumberOfChannels, true, curve.Left);
   if (!status.IsOk() || curve.Type != dgg::GraphicsCurveType::Poisson)
   {
     return status;
@@ -236,7 +245,8 @@ dgg::Status vtkDGGGraphicsInput::ReadCurve(
   bool isOfPoints = false;
   if (FindArray(curves, names.RightStrength, isOfPoints))
   {
-    status = this->ReadTuples(curves, names.RightStrength, k, true, curve.Right);
+    status =
+      this->ReadTuples(curves, names.RightStrength, k, this->NumberOfChannels, true, curve.Right);
   }
   else
   {
@@ -246,18 +256,36 @@ dgg::Status vtkDGGGraphicsInput::ReadCurve(
       value = -value;
     }
   }
-  vtkDataArray* width = FindArray(curves, names.Width, isOfPoints);
-  const vtkIdType tuple = isOfPoints ? this->PointIds[k].front() : this->Cells[k];
-  curve.Width = width && tuple < width->GetNumberOfTuples() ? width->GetComponent(tuple, 0)
-                                                            : names.DefaultWidth;
-  if (status.IsOk() && !(curve.Width > 0.0 && std::isfinite(curve.Width)))
+  return status.IsOk() ? this->ReadWidth(curves, names, k) : status;
+}
+
+//------------------------------------------------------------------------------
+/// One number for the whole curve: that of its cell, or of its first point.
+dgg::Status vtkDGGGraphicsInput::ReadWidth(
+  vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k)
+{
+  bool isOfPoints = false;
+  vtkDataArray* array = FindArray(curves, names.Width, isOfPoints);
+  double& width = this->Curves[k].Width;
+  width = names.DefaultWidth;
+  if (array)
   {
-    std::ostringstream message;
-    message << Name(this->Cells[k]) << " has the width " << curve.Width
-            << ": a Poisson curve needs a positive one";
-    status = dgg::Status::Invalid(message.str());
+    std::vector<double> widths;
+    const dgg::Status status = this->ReadTuples(curves, names.Width, k, 1, false, widths);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    width = array->GetComponent(isOfPoints ? this->PointIds[k].front() : this->Cells[k], 0);
   }
-  return status;
+  if (width > 0.0)
+  {
+    return dgg::Status::Success();
+  }
+  std::ostringstream message;
+  message << Name(this->Cells[k]) << " has the width " << width
+          << ": a Poisson curve needs a positive one";
+  return dgg::Status::Invalid(message.str());
 }
 
 //------------------------------------------------------------------------------
@@ -328,7 +356,9 @@ std::vector<dgg::GraphicsRegion> vtkDGGGraphicsInput::MakeRegions(
   }
   for (dgg::Id f = 0; f < mesh.GetMesh().GetNumberOfFaces() && !regions.empty(); ++f)
   {
-    const std::size_t region = this->RegionOfCell[static_cast<std::size_t>(mesh.GetCell(f))];
+    const auto cell = static_cast<std::size_t>(mesh.GetCell(f));
+    const std::size_t region =
+      cell < this->RegionOfCell.size() ? this->RegionOfCell[cell] : NoRegion;
     if (region != NoRegion)
     {
       regions[region].Faces.push_back(f);
@@ -345,25 +375,42 @@ dgg::Status vtkDGGGraphicsInput::CheckRefinement(
   vtkPolyData* surface, const vtkDGGGraphicsNames& names)
 {
   vtkDataArray* array = surface->GetCellData()->GetArray(names.Refinement.c_str());
-  return array && array->GetNumberOfComponents() == 1 &&
-      array->GetNumberOfTuples() == surface->GetNumberOfCells()
-    ? dgg::Status::Success()
-    : dgg::Status::Invalid("the surface has no cell array '" + names.Refinement +
-        "' with one number per cell: call SetRefinementArrayName() with the name of one");
+  if (!array || array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != surface->GetNumberOfCells())
+  {
+    return dgg::Status::Invalid("the surface has no cell array '" + names.Refinement +
+      "' with one number per cell: call SetRefinementArrayName() with the name of one");
+  }
+  for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
+  {
+    if (std::isnan(array->GetComponent(cell, 0)))
+    {
+      return dgg::Status::Invalid("the cell array '" + names.Refinement +
+        "' has no number at cell " + std::to_string(cell) +
+        ": use 0, or another number for cells to refine");
+    }
+  }
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
-std::vector<dgg::Id> vtkDGGGraphicsInput::FindRefinedFaces(
-  vtkPolyData* surface, const vtkDGGGraphicsNames& names, const vtkDGGMeshAdapter& mesh)
+dgg::Status vtkDGGGraphicsInput::FindRefinedFaces(vtkPolyData* surface,
+  const vtkDGGGraphicsNames& names, const vtkDGGMeshAdapter& mesh, std::vector<dgg::Id>& faces)
 {
+  faces.clear();
+  const dgg::Status status = CheckRefinement(surface, names);
+  if (!status.IsOk())
+  {
+    return status;
+  }
   vtkDataArray* array = surface->GetCellData()->GetArray(names.Refinement.c_str());
-  std::vector<dgg::Id> faces;
   for (dgg::Id f = 0; f < mesh.GetMesh().GetNumberOfFaces(); ++f)
   {
-    if (array->GetComponent(mesh.GetCell(f), 0) != 0.0)
+    const vtkIdType cell = mesh.GetCell(f);
+    if (cell < array->GetNumberOfTuples() && array->GetComponent(cell, 0) != 0.0)
     {
       faces.push_back(f);
     }
   }
-  return faces;
+  return status;
 }

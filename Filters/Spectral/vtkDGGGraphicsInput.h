@@ -41,11 +41,11 @@ public:
   /// The cells of regions as faces of the mesh.
   std::vector<dgg::GraphicsRegion> MakeRegions(const vtkDGGMeshAdapter& mesh) const;
 
-  /// Fails when there is no array that tells which cells are refined.
+  /// Fails when there is no array that tells which cells are refined, or a number of it is not one.
   static dgg::Status CheckRefinement(vtkPolyData* surface, const vtkDGGGraphicsNames& names);
-  /// The faces of these cells; the array must have been checked.
-  static std::vector<dgg::Id> FindRefinedFaces(
-    vtkPolyData* surface, const vtkDGGGraphicsNames& names, const vtkDGGMeshAdapter& mesh);
+  /// The faces of these cells. Fails as CheckRefinement() does: observers may have changed things.
+  static dgg::Status FindRefinedFaces(vtkPolyData* surface, const vtkDGGGraphicsNames& names,
+    const vtkDGGMeshAdapter& mesh, std::vector<dgg::Id>& faces);
 
   int GetNumberOfChannels() const { return this->NumberOfChannels; }
   const std::vector<dgg::GraphicsCurve>& GetCurves() const { return this->Curves; }
@@ -56,8 +56,9 @@ private:
   dgg::Status CollectLines(vtkPolyData* curves);
   dgg::Status ReadType(vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k);
   dgg::Status ReadCurve(vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k);
+  dgg::Status ReadWidth(vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k);
   dgg::Status ReadRegions(vtkPolyData* surface, const vtkDGGGraphicsNames& names);
-  dgg::Status ReadTuples(vtkPolyData* curves, const std::string& name, std::size_t k,
+  dgg::Status ReadTuples(vtkPolyData* curves, const std::string& name, std::size_t k, int channels,
     bool mayBeSingle, std::vector<double>& values) const;
   dgg::Status ChooseChannels(
     vtkPolyData* curves, vtkPolyData* surface, const vtkDGGGraphicsNames& names);

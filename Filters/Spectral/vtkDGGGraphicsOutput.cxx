@@ -24,6 +24,7 @@ namespace
 {
 constexpr const char* ShownName = "RGB";
 constexpr const char* NetName = "NetSource";
+constexpr const char* ComponentName = "Component"; // of points, a tuple of NetName
 
 /// Leave out arrays that do not have a tuple for everything.
 void RemoveBrokenArrays(vtkFieldData* data, vtkIdType tuples)
@@ -54,9 +55,37 @@ void vtkDGGGraphicsOutput::Fill(const dgg::CutSurface& cut, const dgg::GraphicsR
   this->AddPoints(cut.Points, output);
   this->AddTriangles(cut, output);
   this->AddColors(result.Values, channels, output);
-  auto net = vtkDGGAddArray<vtkDoubleArray>(output->GetFieldData(), NetName,
-    result.NetSources.size() / static_cast<std::size_t>(channels), channels);
-  std::copy(result.NetSources.begin(), result.NetSources.end(), net->GetPointer(0));
+  this->AddNetSources(result.NetSources, channels, output);
+  auto components = vtkDGGAddArray<vtkIdTypeArray>(
+    output->GetPointData(), ComponentName, result.Components.size(), 1);
+  std::copy(result.Components.begin(), result.Components.end(), components->GetPointer(0));
+}
+
+//------------------------------------------------------------------------------
+bool vtkDGGGraphicsOutput::IsTaken(const std::string& name)
+{
+  return name == ShownName || name == ComponentName;
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGGraphicsOutput::AddNetSources(
+  const std::vector<double>& values, int channels, vtkPolyData* output) const
+{
+  auto net = vtkDGGAddArray<vtkDoubleArray>(
+    output->GetFieldData(), NetName, values.size() / static_cast<std::size_t>(channels), channels);
+  std::copy(values.begin(), values.end(), net->GetPointer(0));
+}
+
+//------------------------------------------------------------------------------
+double vtkDGGGraphicsOutput::GetBytesPerPoint(int channels) const
+{
+  const auto bytesOf = [](vtkFieldData* data, vtkIdType tuples) {
+    return tuples > 0 ? 1024.0 * data->GetActualMemorySize() / static_cast<double>(tuples) : 0.0;
+  };
+  constexpr double triangle = 4.0 * sizeof(vtkIdType);
+  return 3.0 * sizeof(double) + channels * sizeof(double) + 3.0 + sizeof(vtkIdType) +
+    bytesOf(this->Surface->GetPointData(), this->Surface->GetNumberOfPoints()) +
+    2.0 * (triangle + bytesOf(this->Surface->GetCellData(), this->Surface->GetNumberOfCells()));
 }
 
 //------------------------------------------------------------------------------

@@ -26,8 +26,15 @@ public:
   {
   }
 
+  /// Whether an array of the output has a name besides that of the values.
+  static bool IsTaken(const std::string& name);
+
   /// What is kept of a surface, which must live on, as must its mesh.
   dgg::Status Take(vtkPolyData* surface, const vtkDGGMeshAdapter& mesh, int precision);
+
+  /// About what a point of the output takes, with the two triangles that there are for it. After
+  /// Take().
+  double GetBytesPerPoint(int channels) const;
 
   /// Points, triangles and all arrays.
   void Fill(const dgg::CutSurface& cut, const dgg::GraphicsResult& result, int channels,
@@ -39,6 +46,8 @@ public:
 
   /// Values of points, all channels of one after each other, and what is shown of them.
   void AddColors(const std::vector<double>& values, int channels, vtkPolyData* output) const;
+  /// What sources sum to, per component.
+  void AddNetSources(const std::vector<double>& values, int channels, vtkPolyData* output) const;
 
 private:
   void AddPoints(const std::vector<dgg::SurfacePoint>& places, vtkPolyData* output) const;

@@ -38,17 +38,17 @@ constexpr double RefinedAt = 0.3;
 /// Part of the progress when all is prepared: if it has to be, or only looked at.
 constexpr double FactorizedAt = 0.7;
 constexpr double FoundAt = 0.01;
-/// Bytes that a face takes at least while it is refined.
-constexpr double BytesPerFace = 256.0;
+/// Bytes that a face takes at least until the matrix is factorized.
+constexpr double BytesPerFace = 480.0;
 /// Bytes that a fragment takes, besides its colours.
 constexpr double BytesPerFragment = sizeof(dgg::SurfacePoint) + 64.0;
 constexpr double UsualWidth = 0.05; // of the diagonal
 
-dgg::Status NameCurve(const dgg::Status& status, std::size_t k)
+dgg::Status NameCurve(const dgg::Status& status, const dgg::GraphicsCurve& curve)
 {
   return status.IsOk() || status.IsAborted()
     ? status
-    : dgg::Status::Invalid("curve " + std::to_string(k) + ": " + status.GetMessage());
+    : dgg::Status::Invalid(curve.Name + ": " + status.GetMessage());
 }
 }
 
@@ -232,9 +232,7 @@ int vtkPoissonVectorGraphics::GetNumberOfFactorizations() const
 vtkTypeUInt64 vtkPoissonVectorGraphics::GetMemorySize() const
 {
   const vtkInternals& internals = *this->Internals;
-  return internals.IsKept
-    ? internals.Graphics.GetMemorySize() + internals.RefinedFaces.size() * sizeof(dgg::Id)
-    : 0;
+  return internals.Graphics.GetMemorySize() + internals.RefinedFaces.size() * sizeof(dgg::Id);
 }
 
 //------------------------------------------------------------------------------
@@ -243,6 +241,11 @@ dgg::Status vtkPoissonVectorGraphics::CheckProperties() const
   if (this->ResultArrayName.empty())
   {
     return dgg::Status::Invalid("ResultArrayName is empty: call SetResultArrayName() with a name");
+  }
+  if (vtkDGGGraphicsOutput::IsTaken(this->ResultArrayName))
+  {
+    return dgg::Status::Invalid("ResultArrayName is '" + this->ResultArrayName +
+      "', which another array of the output has: call SetResultArrayName() with another name");
   }
   const dgg::Status status = vtkDGGCheckLength("Width", this->Width);
   return status.IsOk() ? vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance)
@@ -281,6 +284,7 @@ dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawin
   const dgg::SurfaceMesh& mesh = this->GetMesh().GetMesh();
   vtkInternals& internals = *this->Internals;
   internals.IsKept = false;
+  internals.Graphics.Clear();
   const std::size_t count = drawing.Curves.size();
   dgg::Status status;
   std::vector<dgg::SurfaceCurve> joined(count);
@@ -290,7 +294,7 @@ dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawin
     const double begin = static_cast<double>(k) * part;
     status = NameCurve(dgg::JoinPoints(mesh, drawing.Places[k], drawing.Curves[k].IsClosed,
                          dgg::ProgressPart(progress, begin, begin + part), joined[k]),
-      k);
+      drawing.Curves[k]);
   }
   dgg::RefinedSurface refined;
   if (status.IsOk())
@@ -399,7 +403,9 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   drawing.RefinementRegion = this->RefinementRegion;
   if (drawing.RefinementRegion == Cells)
   {
-    drawing.RefinedFaces = vtkDGGGraphicsInput::FindRefinedFaces(surface, names, adapter);
+    const dgg::Status found =
+      vtkDGGGraphicsInput::FindRefinedFaces(surface, names, adapter, drawing.RefinedFaces);
+    status = status.IsOk() ? found : status;
   }
   drawing.IntrinsicDelaunay = this->IntrinsicDelaunay;
   drawing.MemoryLimit = this->MemoryLimit;
@@ -410,8 +416,10 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   options.Background.resize(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.CheckMemory = [&](double bytes) {
-    return vtkDGGCheckMemory(
-      "the factorization and the colours", bytes, drawing.MemoryLimit, this->GetMemoryRemedy());
+    const double points = static_cast<double>(internals.Graphics.GetSurface().Points.size());
+    return vtkDGGCheckMemory("the factorization and the colours",
+      bytes + points * output.GetBytesPerPoint(options.NumberOfChannels), drawing.MemoryLimit,
+      this->GetMemoryRemedy());
   };
   const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(adapter);
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
@@ -460,5 +468,7 @@ void vtkPoissonVectorGraphics::MakeEmptyOutput(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(surface);
-  vtkDGGGraphicsOutput(this->ResultArrayName).AddColors({}, 3, output);
+  const vtkDGGGraphicsOutput arrays(this->ResultArrayName);
+  arrays.AddColors({}, 3, output);
+  arrays.AddNetSources({}, 3, output);
 }

@@ -307,18 +307,53 @@ TEST(VectorGraphics, StopsWhenAskedTo)
   }
 }
 
-TEST(VectorGraphics, MemoryIsAskedForBeforeTheFactorization)
+TEST(VectorGraphics, MemoryIsAskedForBeforeItIsTaken)
 {
-  Drawing drawing(Icosphere(3));
-  double asked = 0.0;
-  drawing.Options.CheckMemory = [&](double bytes) {
-    asked = bytes;
-    return dgg::Status::Invalid("too much");
-  };
-  EXPECT_EQ(drawing.Prepare().GetMessage(), "too much");
-  EXPECT_FALSE(drawing.Solve().IsOk());
-  drawing.Options.CheckMemory = nullptr;
-  drawing.Run();
-  EXPECT_GE(asked, static_cast<double>(drawing.Graphics.GetMemorySize()));
+  for (const bool hasPoisson : { false, true })
+  {
+    Drawing drawing(Icosphere(4));
+    const std::vector<double> two = { 0.0, 1.0 };
+    drawing
+      .Add(hasPoisson ? Poisson : Diffusion,
+        { SurfacePoint::AtVertex(3), SurfacePoint::AtVertex(40) }, two, two)
+      .Width = 0.5;
+    std::vector<double> asked;
+    double done = 0.0;
+    std::size_t allowed = 0;
+    drawing.Options.Progress = [&](double now) {
+      done = now;
+      return true;
+    };
+    drawing.Options.CheckMemory = [&](double bytes) {
+      asked.push_back(bytes);
+      return asked.size() <= allowed ? dgg::Status::Success() : dgg::Status::Invalid("too much");
+    };
+    // Before anything is cut.
+    EXPECT_EQ(drawing.Prepare().GetMessage(), "too much");
+    EXPECT_EQ(asked.size(), 1u);
+    EXPECT_EQ(done, 0.0);
+    EXPECT_LT(drawing.Graphics.GetMemorySize(), 100u);
+    // Before it is factorized; by then, no more is there than was asked for.
+    asked.clear();
+    allowed = 1;
+    EXPECT_EQ(drawing.Prepare().GetMessage(), "too much");
+    ASSERT_EQ(asked.size(), 2u);
+    const auto there = static_cast<double>(drawing.Graphics.GetMemorySize());
+    EXPECT_LE(there, asked[0]);
+    EXPECT_GE(there, 0.4 * asked[0]); // which has the surface and a copy in it as well
+    EXPECT_FALSE(drawing.Solve().IsOk());
+    // When colours are found, and for the blend of two strengths.
+    asked.clear();
+    allowed = 2;
+    ASSERT_TRUE(drawing.Prepare().IsOk());
+    EXPECT_GE(asked[1], static_cast<double>(drawing.Graphics.GetMemorySize()));
+    EXPECT_EQ(drawing.Solve().GetMessage(), "too much");
+    allowed = 4;
+    EXPECT_EQ(drawing.Solve().GetMessage(), hasPoisson ? "too much" : "");
+    EXPECT_EQ(drawing.Result.Values.empty(), hasPoisson);
+    allowed = 100;
+    ASSERT_TRUE(drawing.Solve().IsOk());
+    EXPECT_LT(static_cast<double>(drawing.Graphics.GetMemorySize()), asked[2]);
+  }
 }
 }

@@ -8,6 +8,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
@@ -398,15 +399,27 @@ TEST(PoissonVectorGraphics, WrongCurves)
   AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
   ExpectError(filter, { "line 1", "'Strength'" });
   AddArray(drawing.OfCells(), "Strength", { 0, 1 }, 1);
-  for (const double wrong : { 0.0, -1.0, NaN, std::numeric_limits<double>::infinity() })
+  AddArray(drawing.OfCells(), "CurveType", { 0, 9, 1, 9 }, 2);
+  ExpectError(filter, { "'CurveType'", "2 components where 1" });
+  AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
+  for (const double wrong : { 0.0, -1.0 })
   {
     AddArray(drawing.OfCells(), "Width", { 0, wrong }, 1);
     ExpectError(filter, { "line 1", "width" });
   }
+  for (const double wrong : { NaN, std::numeric_limits<double>::infinity() })
+  {
+    AddArray(drawing.OfCells(), "Width", { 0, wrong }, 1);
+    ExpectError(filter, { "'Width'", "at cell 1", "finite" });
+  }
+  AddArray(drawing.OfCells(), "Width", { 1 }, 1);
+  ExpectError(filter, { "'Width'", "1 tuples where 2" });
+  AddArray(drawing.OfCells(), "Width", { 1, 1, 1, 1 }, 2);
+  ExpectError(filter, { "'Width'", "2 components where 1" });
   AddArray(drawing.OfCells(), "Width", { 0, 1 }, 1);
   drawing.Run();
   AddArray(drawing.OfCells(), "CurveType", { 0, 2 }, 1);
-  ExpectError(filter, { "curve 1", "open" });
+  ExpectError(filter, { "line 1 of input port 1", "open" });
   AddArray(drawing.OfCells(), "CurveType", { 0, 0 }, 1);
   drawing.Curves->GetPoints()->SetPoint(2, 1, 1, 3.0);
   drawing.Curves->GetPoints()->Modified();
@@ -416,7 +429,7 @@ TEST(PoissonVectorGraphics, WrongCurves)
   ExpectError(filter, { "point 2", "finite" });
   drawing.Curves->GetPoints()->SetPoint(2, 4, 4, 0.0); // where it ends
   drawing.Curves->GetPoints()->Modified();
-  ExpectError(filter, { "curve 1", "no length" });
+  ExpectError(filter, { "line 1 of input port 1", "no length" });
   drawing.Curves->SetLines(MakeCells({ { 1 } }));
   ExpectError(filter, { "line 0", "no length" });
   drawing.Curves->SetLines(nullptr);
@@ -444,6 +457,11 @@ TEST(PoissonVectorGraphics, WrongSurfacesAndProperties)
   }
   filter->SetResultArrayName("");
   ExpectError(filter, { "ResultArrayName" });
+  for (const char* taken : { "RGB", "Component" })
+  {
+    filter->SetResultArrayName(taken);
+    ExpectError(filter, { "ResultArrayName", taken });
+  }
   filter->SetResultArrayName("Colors");
   filter->SetMemoryLimit(1000);
   ExpectError(filter, { "MemoryLimit", "RefinementLevel" });
@@ -456,7 +474,8 @@ TEST(PoissonVectorGraphics, WrongSurfacesAndProperties)
     { { 0, 0, 0 }, { 6, 0, 0 }, { 6, 4, 0 }, { 0, 4, 0 }, { 0, 2, 0 }, { 6, 2, 0 }, { 3, 2, 5 } },
     { { 0, 1, 5, 4 }, { 4, 5, 2, 3 }, { 4, 5, 6 } });
   filter->SetInputData(book);
-  ExpectError(filter, { "edges of more than two faces", "Remove" });
+  ExpectError(filter, { "line 0 of input port 1", "edges of more than two faces", "Remove" });
+  EXPECT_EQ(filter->GetMemorySize(), 0u); // nothing is kept of what failed
   // One side of a Moebius band: across the seam there are no sides, elsewhere there are.
   Points points;
   Cells cells;
@@ -491,6 +510,7 @@ TEST(PoissonVectorGraphics, WrongSurfacesAndProperties)
   filter->SetInputData(none);
   ExpectWarning(filter, { "empty" });
   EXPECT_NE(filter->GetOutput()->GetPointData()->GetArray("Colors"), nullptr);
+  EXPECT_NE(filter->GetOutput()->GetFieldData()->GetArray("NetSource"), nullptr);
   filter->SetInputData(static_cast<vtkPolyData*>(nullptr));
   ExpectError(filter, { "no input" });
   std::ostringstream os;
@@ -542,6 +562,86 @@ TEST(PoissonVectorGraphics, AwkwardSurfaces)
     EXPECT_NEAR(range[1], 1.0, 1e-9) << scale;
     EXPECT_NEAR(colors->GetComponent(4, 2), 0.75, 1e-9) << scale; // isolated
     EXPECT_NEAR(colors->GetComponent(5, 2), 0.75, 1e-9) << scale; // another component
+  }
+}
+
+TEST(PoissonVectorGraphics, ObserversMayChangeWhatIsRefined)
+{
+  // When a warning is told, all has been checked already.
+  for (const bool removes : { false, true })
+  {
+    Fixture drawing = MakeTwoAcross();
+    AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+    AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+    AddArray(drawing.Surface->GetCellData(), "Refine", std::vector<double>(24, 1.0), 1);
+    drawing.Filter->SetRefinementRegion(
+      removes ? vtkPoissonVectorGraphics::Cells : vtkPoissonVectorGraphics::Everywhere);
+    struct Change
+    {
+      Fixture& Of;
+      void Run()
+      {
+        this->Of.Surface->GetCellData()->RemoveArray("Refine");
+        this->Of.Filter->SetRefinementRegionToCells();
+      }
+    } change{ drawing };
+    drawing.Filter->AddObserver(vtkCommand::ProgressEvent, &change, &Change::Run);
+    ExpectError(drawing.Filter, { "'Refine'" });
+  }
+}
+
+TEST(PoissonVectorGraphics, NumbersOfTheRefinementAreChecked)
+{
+  Fixture drawing = MakeTwoAcross();
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  std::vector<double> numbers(24, 0.0);
+  numbers[7] = NaN;
+  AddArray(drawing.Surface->GetCellData(), "Refine", numbers, 1);
+  drawing.Filter->SetRefinementRegionToCells();
+  ExpectError(drawing.Filter, { "'Refine'", "cell 7" });
+}
+
+TEST(PoissonVectorGraphics, MemoryIsCheckedEarlyAndAlways)
+{
+  Fixture drawing = MakeTwoAcross();
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  auto* filter = drawing.Filter.Get();
+  filter->SetRefinementLevel(3);
+  drawing.Run();
+  const vtkTypeUInt64 kept = filter->GetMemorySize();
+  // A factorization that is kept does not go beyond the limit either.
+  filter->SetMemoryLimit(kept);
+  ExpectError(filter, { "MemoryLimit" });
+  filter->SetMemoryLimit(0);
+  drawing.Run();
+  EXPECT_EQ(filter->GetNumberOfFactorizations(), 1);
+  // Nothing stays of what did not fit.
+  filter->SetMemoryLimit(kept / 2);
+  filter->SetRefinementLevel(4);
+  ExpectError(filter, { "MemoryLimit" });
+  EXPECT_EQ(filter->GetMemorySize(), 0u);
+}
+
+TEST(PoissonVectorGraphics, PointsKnowTheirComponents)
+{
+  // A curve through all of the square: two parts, and a point without a cell.
+  Fixture drawing({ { 3, 0, 0 }, { 3, 4, 0 }, { 1, 1, 0 }, { 2, 1, 0 } }, { { 0, 1 }, { 2, 3 } });
+  drawing.Surface->GetPoints()->InsertNextPoint(50.0, 0.0, 0.0);
+  AddArray<vtkIntArray>(drawing.OfCells(), "CurveType", { 1, 3 }, 1);
+  AddArray(drawing.OfCells(), "Strength", { 0.0, 2.0 }, 1);
+  drawing.Filter->SetWidth(1.0);
+  vtkPolyData* output = drawing.Run();
+  vtkDataArray* net = output->GetFieldData()->GetArray("NetSource");
+  vtkDataArray* components = output->GetPointData()->GetArray("Component");
+  ASSERT_NE(components, nullptr);
+  ASSERT_EQ(net->GetNumberOfTuples(), 2);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const bool isAlone = output->GetPoint(i)[0] > 40.0;
+    EXPECT_NEAR(net->GetComponent(static_cast<vtkIdType>(components->GetComponent(i, 0)), 0),
+      isAlone ? 0.0 : 2.0, 1e-12);
   }
 }
 

@@ -20,8 +20,9 @@ using DirectedEdge = std::pair<Id, Id>;
 class SideFinder
 {
 public:
-  explicit SideFinder(const RefinedSurface& surface)
+  SideFinder(const RefinedSurface& surface, const std::vector<std::vector<Id>>& paths)
     : Surface(surface)
+    , Paths(paths)
   {
   }
 
@@ -46,13 +47,14 @@ private:
   Id Destination(Id h) const { return this->Surface.Triangles[SurfaceMesh::Next(h)]; }
 
   const RefinedSurface& Surface;
+  const std::vector<std::vector<Id>>& Paths;
   std::vector<std::pair<DirectedEdge, Id>> HalfEdges; // at vertices of paths, sorted
 };
 
 std::vector<char> SideFinder::MarkVertices() const
 {
   std::vector<char> isPassed(this->Surface.GetNumberOfVertices(), 0);
-  for (const std::vector<Id>& path : this->Surface.Paths)
+  for (const std::vector<Id>& path : this->Paths)
   {
     for (std::size_t i = 0; i < path.size() && path.size() > 1; ++i)
     {
@@ -169,10 +171,10 @@ EdgeSide SideFinder::FindSide(const CutSurface& cut, const DirectedEdge& edge, b
 void SideFinder::Run(CurveCut& cut)
 {
   this->CollectHalfEdges();
-  cut.Sides.resize(this->Surface.Paths.size());
+  cut.Sides.resize(this->Paths.size());
   for (std::size_t p = 0; p < cut.Sides.size(); ++p)
   {
-    const std::vector<Id>& path = this->Surface.Paths[p];
+    const std::vector<Id>& path = this->Paths[p];
     for (std::size_t i = 0; i + 1 < path.size(); ++i)
     {
       const DirectedEdge edge{ path[i], path[i + 1] };
@@ -185,19 +187,30 @@ void SideFinder::Run(CurveCut& cut)
 
 Status CutAlongCurves(const RefinedSurface& surface, CurveCut& cut)
 {
+  return CutAlongCurves(surface, surface.Paths, cut);
+}
+
+Status CutAlongCurves(
+  const RefinedSurface& surface, const std::vector<std::vector<Id>>& paths, CurveCut& cut)
+{
   cut = CurveCut();
-  SideFinder finder(surface);
+  SideFinder finder(surface, paths);
   Status status = finder.CheckEdges();
   if (!status.IsOk())
   {
     return status;
   }
-  status = CutAlongChains(surface, surface.Paths, cut.Surface);
+  status = CutAlongChains(surface, paths, cut.Surface);
   if (status.IsOk())
   {
     finder.Run(cut);
   }
   return status;
+}
+
+Status CheckSides(const RefinedSurface& surface, const std::vector<std::vector<Id>>& paths)
+{
+  return SideFinder(surface, paths).CheckEdges();
 }
 
 std::array<Id, 2> FindCopies(const std::vector<EdgeSide>& side, std::size_t vertex, bool isClosed)

@@ -49,6 +49,11 @@ struct CurveCut
 /// has more than two faces, or two of opposite orientation, as on one-sided surfaces: there would
 /// be no sides.
 Status CutAlongCurves(const RefinedSurface& surface, CurveCut& cut);
+/// Cut along other paths than its own.
+Status CutAlongCurves(
+  const RefinedSurface& surface, const std::vector<std::vector<Id>>& paths, CurveCut& cut);
+/// Whether one can cut along paths: what CutAlongCurves() fails for.
+Status CheckSides(const RefinedSurface& surface, const std::vector<std::vector<Id>>& paths);
 
 /// The copies of a vertex of a chain on one side: where the edge before it arrives, and where the
 /// one after it leaves. They differ when another curve comes in on this side. NoId where there is

@@ -31,6 +31,11 @@ bool HasRight(GraphicsCurveType type)
 }
 }
 
+std::string NameOf(const GraphicsCurve& curve, std::size_t number)
+{
+  return curve.Name.empty() ? "curve " + std::to_string(number) : curve.Name;
+}
+
 Status CheckGraphicsOptions(const GraphicsOptions& options)
 {
   if (options.NumberOfChannels < 1)
@@ -44,7 +49,7 @@ Status CheckGraphicsOptions(const GraphicsOptions& options)
 
 Status CheckGraphicsCurve(const GraphicsCurve& curve, std::size_t number, std::size_t count)
 {
-  const std::string name = "curve " + std::to_string(number);
+  const std::string name = NameOf(curve, number);
   Status status = CheckNumbers(curve.Left, count, name + ", on its left,");
   if (status.IsOk() && HasRight(curve.Type))
   {

@@ -8,9 +8,13 @@
 #include "dggVectorGraphics.h" // for curves and regions
 
 #include <cstddef> // for std::size_t
+#include <string>  // for names
 
 namespace dgg
 {
+/// How messages name a curve of that number.
+std::string NameOf(const GraphicsCurve& curve, std::size_t number);
+
 Status CheckGraphicsOptions(const GraphicsOptions& options);
 
 /// A curve of that number, with as many values on a side as are told.

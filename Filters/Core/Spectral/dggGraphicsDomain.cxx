@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphicsDomain.h"
 
+#include "dggGraphicsChecks.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -16,19 +18,27 @@ Status CutAlong(const RefinedSurface& surface, const std::vector<CurveChain>& ch
   const std::vector<GraphicsCurve>& curves, const Predicate& isMeant, CurveCut& cut,
   std::vector<std::size_t>& numbers)
 {
-  RefinedSurface uncut = surface;
-  uncut.Paths.clear();
-  uncut.Places.clear();
+  std::vector<std::vector<Id>> paths;
   numbers.assign(curves.size(), 0);
   for (std::size_t k = 0; k < curves.size(); ++k)
   {
-    numbers[k] = uncut.Paths.size();
+    numbers[k] = paths.size();
     if (isMeant(curves[k].Type))
     {
-      uncut.Paths.push_back(chains[k].Vertices);
+      paths.push_back(chains[k].Vertices);
     }
   }
-  return CutAlongCurves(uncut, cut);
+  const Status status = CutAlongCurves(surface, paths, cut);
+  for (std::size_t k = 0; k < curves.size() && !status.IsOk(); ++k)
+  {
+    const Status own =
+      isMeant(curves[k].Type) ? CheckSides(surface, { chains[k].Vertices }) : Status::Success();
+    if (!own.IsOk())
+    {
+      return Status::Invalid(NameOf(curves[k], k) + ": " + own.GetMessage());
+    }
+  }
+  return status;
 }
 
 std::size_t SizeOf(const CurveCut& cut)
@@ -63,7 +73,7 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
     if (chains[k].Vertices.size() < 2)
     {
       return Status::Invalid(
-        "curve " + std::to_string(k) + " has no length: give it two points in different places");
+        NameOf(curves[k], k) + " has no length: give it two points in different places");
     }
     hasPoisson = hasPoisson || curves[k].Type == GraphicsCurveType::Poisson;
   }
@@ -78,7 +88,15 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
   status = status.IsOk() ? domain.Solved.Surface.Build(mesh, domain.SolvedMesh) : status;
   if (status.IsOk())
   {
-    status = CutAlong(surface, chains, curves, isCut, domain.Drawn, domain.SidesInDrawn);
+    if (hasPoisson)
+    {
+      status = CutAlong(surface, chains, curves, isCut, domain.Drawn, domain.SidesInDrawn);
+    }
+    else
+    {
+      domain.Drawn = domain.Solved;
+      domain.SidesInDrawn = domain.SidesInSolved;
+    }
   }
   if (status.IsOk() && hasPoisson)
   {
@@ -98,6 +116,25 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
     domain.SolvedVertexOf[domain.Drawn.Surface.Triangles[h]] = domain.Solved.Surface.Triangles[h];
   }
   return status;
+}
+
+double PredictGraphicsMemory(const RefinedSurface& surface, bool hasPoisson)
+{
+  constexpr double id = sizeof(Id);
+  constexpr double number = sizeof(double);
+  const auto faces = static_cast<double>(surface.Faces.size());
+  const auto vertices = static_cast<double>(surface.Points.size());
+  const double cut = faces * (7.0 * id + 3.0 * number) + vertices * (sizeof(SurfacePoint) + id);
+  // Half-edges with origin, twin, place in a fan, length, apex and angle; vertices with an angle, a
+  // fan and a kind.
+  const double mesh = faces * (9.0 * id + 12.0 * number + 1.0) + vertices * (2.0 * number + 1.0);
+  // The triangulation; a matrix of seven entries per vertex and, for the order of elimination, its
+  // pattern and half of it again; arrays per vertex.
+  const double entries = 7.0 * vertices;
+  const double analysis = faces * (7.0 * id + 3.0 * number) + entries * (number + id) +
+    1.5 * entries * (number + id) + vertices * (8.0 * id + 4.0 * number);
+  const double copies = hasPoisson ? 2.0 : 1.0;
+  return 2.0 * cut + cut + copies * mesh + analysis;
 }
 
 void InterpolateOnCurve(

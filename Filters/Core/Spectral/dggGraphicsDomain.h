@@ -35,6 +35,10 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
   const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
   GraphicsDomain& domain);
 
+/// Bytes that the surface, its cuts with their meshes, and the analysis of the equation on one of
+/// them take, from the numbers of faces and vertices; the factor and colours not included.
+double PredictGraphicsMemory(const RefinedSurface& surface, bool hasPoisson);
+
 /// The numbers of a curve at a place among its given points (CurveChain::Parameters).
 void InterpolateOnCurve(
   const std::vector<double>& values, int channels, bool isClosed, double parameter, double* result);

@@ -124,7 +124,14 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
     this->Types.push_back(curve.Type);
     this->AreClosed.push_back(curve.IsClosed);
   }
-  Status status = CutForGraphics(mesh, surface, chains, curves, this->Domain);
+  const bool hasPoisson =
+    std::count(this->Types.begin(), this->Types.end(), GraphicsCurveType::Poisson) > 0;
+  Status status;
+  if (options.CheckMemory)
+  {
+    status = options.CheckMemory(PredictGraphicsMemory(surface, hasPoisson));
+  }
+  status = status.IsOk() ? CutForGraphics(mesh, surface, chains, curves, this->Domain) : status;
   status = status.IsOk() ? this->MeasureCurves(surface, curves) : status;
   if (status.IsOk() && !Goes(options.Progress, CutDone))
   {
@@ -179,7 +186,7 @@ Status VectorGraphics::Implementation::MeasureCurves(
       FindFacesOnLeft(edges, this->Chains[k], curves[k].IsClosed, this->RegionFaces[k]);
     if (!status.IsOk())
     {
-      return Status::Invalid("curve " + std::to_string(k) + ": " + status.GetMessage());
+      return Status::Invalid(NameOf(curves[k], k) + ": " + status.GetMessage());
     }
   }
   return Status::Success();
@@ -235,7 +242,7 @@ Status VectorGraphics::Implementation::CheckRun(const std::vector<GraphicsCurve>
   {
     if (curves[k].Type != this->Types[k] || curves[k].IsClosed != this->AreClosed[k])
     {
-      return Status::Invalid("curve " + std::to_string(k) +
+      return Status::Invalid(NameOf(curves[k], k) +
         " is not of the type that the surface was prepared for: call Prepare() again");
     }
   }
@@ -428,9 +435,11 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
   }
   const PoissonSystem& system = this->Solver->GetSystem();
   result.Values = std::move(bands);
+  result.Components.resize(drawn);
   for (std::size_t d = 0; d < drawn; ++d)
   {
     const Id v = this->Domain.SolvedVertexOf[d];
+    result.Components[d] = system.GetComponent(v);
     const bool isFree = !options.Background.empty() && system.IsFree(system.GetComponent(v));
     for (std::size_t c = 0; c < channels; ++c)
     {
@@ -464,6 +473,11 @@ Status VectorGraphics::Run(const std::vector<GraphicsCurve>& curves,
 const CutSurface& VectorGraphics::GetSurface() const
 {
   return this->Internals->Domain.Drawn.Surface;
+}
+
+void VectorGraphics::Clear()
+{
+  this->Internals = std::make_unique<Implementation>();
 }
 
 std::size_t VectorGraphics::GetMemorySize() const

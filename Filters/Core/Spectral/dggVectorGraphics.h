@@ -13,6 +13,7 @@
 #include <cstddef>    // for std::size_t
 #include <functional> // for checks of memory
 #include <memory>     // for what is prepared
+#include <string>     // for names
 #include <vector>     // for curves and values
 
 namespace dgg
@@ -40,6 +41,8 @@ struct GraphicsCurve
   std::vector<double> Right;
   /// Of a Poisson curve, the geodesic distance at which nothing is added any more.
   double Width = 0.0;
+  /// In messages; empty for "curve" and its number.
+  std::string Name;
 };
 
 /// A set of faces with sources. Each of its patches, connected through edges that are not on
@@ -65,8 +68,8 @@ struct GraphicsOptions
   /// Flip edges until they are Delaunay before the equation is solved, for meshes with obtuse
   /// triangles: then no colour lies outside of those that are given.
   bool IntrinsicDelaunay = false;
-  /// Asked with the bytes that all will take: before the factorization, whenever colours are found,
-  /// and before strengths are blended; may be empty.
+  /// Asked with the bytes that all will take: before the surface is cut, before the factorization,
+  /// whenever colours are found, and before strengths are blended; may be empty.
   std::function<Status(double)> CheckMemory;
   ProgressCallback Progress; ///< may be empty
 };
@@ -78,6 +81,9 @@ struct GraphicsResult
   /// Per component of the surface, cut open along diffusion curves, and per channel: what sources
   /// summed to where no diffusion curve takes it in. It was taken off, evenly over the component.
   std::vector<double> NetSources;
+  /// Per vertex of GetSurface(), the component that it is in: smallest vertices first. Vertices
+  /// without a face, which have the background, have components of their own.
+  std::vector<Id> Components;
 };
 
 /// Poisson vector graphics on a surface (Hou, Sun, Fang, Liu, Hu, Qin, Hao, He, "Poisson vector
@@ -139,6 +145,8 @@ public:
 
   /// The surface cut open along diffusion and Poisson curves, which the values belong to.
   const CutSurface& GetSurface() const;
+  /// Forget what is prepared.
+  void Clear();
   /// Bytes held.
   std::size_t GetMemorySize() const;
 
