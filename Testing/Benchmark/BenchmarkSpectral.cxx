@@ -13,6 +13,7 @@
 ///   --movers=1          earth mover's distances; 0 leaves them out
 ///   --levels=3,4,5,6    of icospheres for errors; empty leaves these out
 ///   --poles=10          on each of them
+///   --splines=80,320,1280  sites of B-splines on a sphere; empty leaves these out
 /// Meshes as for BenchmarkExact, but without its generated surface. Peers need connected ones.
 ///
 /// Names of the results are
@@ -21,6 +22,7 @@
 ///   Peer/MESH/PEER/CASE[/K]         PoissonPeerCases.h; HeatCases.h for the peer Heat, which has
 ///                                   two matrices
 ///   Convergence/LEVEL/WAY           ConvergenceCases.h
+///   Splines/SITES                   ConvergenceCases.h
 /// Times are CPU seconds on one thread. summarize_spectral.py makes tables of it, plot_spectral.py
 /// a plot.
 
@@ -47,6 +49,7 @@ using State = benchmark::State;
 /// One run is all that is timed of what takes long.
 constexpr double Once = 1e-9;
 constexpr int FinestLevel = 8;
+constexpr int LevelOfSplines = 5;
 
 struct Settings
 {
@@ -56,6 +59,7 @@ struct Settings
   int Movers = 0;
   std::vector<int> Levels;
   int Poles = 0;
+  std::vector<int> Splines;
 };
 
 /// Run a case for each of the sources.
@@ -128,6 +132,16 @@ void RegisterConvergence(const Settings& settings)
   }
 }
 
+void RegisterSplines(const Settings& settings)
+{
+  for (const int sites : settings.Splines)
+  {
+    RegisterCase(
+      "Splines/" + std::to_string(sites),
+      [=](State& state) { MeasureSplines(state, LevelOfSplines, sites); }, Once);
+  }
+}
+
 /// A torus of about so many vertices.
 MeshRecipe TorusOf(int size)
 {
@@ -161,14 +175,17 @@ bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
   settings.Movers = static_cast<int>(arguments.GetNumber("movers"));
   settings.Levels = arguments.GetIntegers("levels");
   settings.Poles = static_cast<int>(arguments.GetNumber("poles"));
+  settings.Splines = arguments.GetIntegers("splines");
+  const auto isNone = [](int count) { return count < 1; };
   const auto isSmall = [](int size) { return size < 100; };
   const auto isNoLevel = [](int level) { return level < 0 || level > FinestLevel; };
   if (std::any_of(settings.Sizes.begin(), settings.Sizes.end(), isSmall) ||
     std::any_of(settings.Levels.begin(), settings.Levels.end(), isNoLevel) ||
-    settings.Sources < 1 || settings.Poles < 1)
+    std::any_of(settings.Splines.begin(), settings.Splines.end(), isNone) || settings.Sources < 1 ||
+    settings.Poles < 1)
   {
     std::cerr << "sizes must be at least 100, levels from 0 to " << FinestLevel
-              << ", sources and poles at least 1\n";
+              << ", sources, poles and splines at least 1\n";
     return false;
   }
   return true;
@@ -178,8 +195,9 @@ bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
 int main(int argc, char** argv)
 {
   benchmark::Initialize(&argc, argv);
-  BenchmarkArguments arguments({ { "sizes", "35000,100000" }, { "sources", "5" },
-    { "eigenpairs", "100" }, { "movers", "1" }, { "levels", "3,4,5,6" }, { "poles", "10" } });
+  BenchmarkArguments arguments(
+    { { "sizes", "35000,100000" }, { "sources", "5" }, { "eigenpairs", "100" }, { "movers", "1" },
+      { "levels", "3,4,5,6" }, { "poles", "10" }, { "splines", "80,320,1280" } });
   Settings settings;
   if (!arguments.Parse(argc, argv) || !ReadSettings(arguments, settings))
   {
@@ -191,6 +209,7 @@ int main(int argc, char** argv)
     RegisterPeers(mesh, settings.Sources);
   }
   RegisterConvergence(settings);
+  RegisterSplines(settings);
   AddBenchmarkContext();
 #ifdef DGG_WITH_CHOLMOD
   benchmark::AddCustomContext("cholmod_version", DGG_BENCHMARK_CHOLMOD);

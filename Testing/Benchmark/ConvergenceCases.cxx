@@ -6,6 +6,8 @@
 #include "OpenedGraph.h"
 #include "OpenedSolver.h"
 #include "RandomNumbers.h"
+#include "dggHarmonicSplines.h"
+#include "dggSplineSites.h"
 #include "dggSurfacePath.h"
 
 #include <algorithm>
@@ -45,6 +47,15 @@ std::vector<dgg::SurfacePoint> PolesOf(const dgg::SurfaceMesh& surface, int coun
   return poles;
 }
 
+MeshRecipe SphereOf(int level)
+{
+  MeshRecipe recipe;
+  recipe.Name = "icosphere-" + std::to_string(level);
+  recipe.Level = level;
+  recipe.IsRound = true;
+  return recipe;
+}
+
 /// Squares of differences and of values, weighted with areas.
 struct SquareError
 {
@@ -62,11 +73,7 @@ struct SquareError
 
 void MeasureConvergence(benchmark::State& state, int level, const GreensWay& way, int poles)
 {
-  MeshRecipe recipe;
-  recipe.Name = "icosphere-" + std::to_string(level);
-  recipe.Level = level;
-  recipe.IsRound = true;
-  const OpenedSolver opened = OpenSolver(state, recipe);
+  const OpenedSolver opened = OpenSolver(state, SphereOf(level));
   if (!opened.Solver)
   {
     return;
@@ -124,4 +131,47 @@ void MeasureConvergence(benchmark::State& state, int level, const GreensWay& way
   state.counters["error_local"] = local;
   state.counters["error_global"] = global;
   state.counters["error_largest"] = largest;
+}
+
+void MeasureSplines(benchmark::State& state, int level, int sites)
+{
+  const OpenedSolver opened = OpenSolver(state, SphereOf(level));
+  if (!opened.Solver)
+  {
+    return;
+  }
+  const std::vector<double>& points = opened.Mesh->GetArrays().Points;
+  const std::vector<double>& areas = opened.Solver->GetAreas();
+  std::vector<double> truth;
+  std::vector<double> sources;
+  for (std::size_t v = 0; v < areas.size(); ++v)
+  {
+    truth.push_back(points[3 * v] * points[3 * v + 2]);
+    sources.push_back(6.0 * areas[v] * truth.back());
+  }
+  dgg::HarmonicSplines splines(*opened.Solver);
+  std::vector<double> solution;
+  dgg::Status status;
+  Measure(
+    state, [] {},
+    [&] {
+      std::vector<dgg::Id> places;
+      std::vector<double> coefficients;
+      status = dgg::ChooseSplineSites(*opened.Solver, sites, nullptr, places);
+      status = status.IsOk() ? splines.Prepare(places, nullptr, nullptr) : status;
+      status = status.IsOk() ? splines.Solve(sources, {}, coefficients) : status;
+      status = status.IsOk() ? splines.Combine(coefficients, {}, solution) : status;
+    });
+  if (!Succeeded(state, status))
+  {
+    return;
+  }
+  SquareError error;
+  for (std::size_t v = 0; v < areas.size(); ++v)
+  {
+    error.Add(areas[v], solution[v], truth[v]);
+  }
+  ReportMesh(state, *opened.Mesh);
+  state.counters["sites"] = static_cast<double>(splines.GetSites().size());
+  state.counters["error"] = error.GetRelative();
 }

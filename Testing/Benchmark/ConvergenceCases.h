@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Errors of Green's functions on spheres of radius 1, where there is a closed form.
+/// Errors of Green's functions and B-splines on spheres of radius 1, where there is a closed form.
 #ifndef ConvergenceCases_h
 #define ConvergenceCases_h
 
@@ -14,5 +14,9 @@
 /// poles are the same at each level, but for what the faces differ from the sphere: within a face
 /// of the level before, at the same barycentric coordinates.
 void MeasureConvergence(benchmark::State& state, int level, const GreensWay& way, int poles);
+
+/// Harmonic B-splines of so many sites on such a sphere: the relative L2 error of the solution of
+/// -Laplace u = 6 x z, which is x z. The time is that of sites, cells, equations and solution.
+void MeasureSplines(benchmark::State& state, int level, int sites);
 
 #endif

@@ -37,6 +37,7 @@ MESH = re.compile(
 )
 PEER = re.compile(r"^Peer/(?P<mesh>[^/]+)/(?P<peer>[A-Za-z]+)/(?P<case>[A-Za-z]+)(?:/|$)")
 SPHERE = re.compile(r"^Convergence/(?P<level>[0-9]+)/(?P<way>[A-Za-z]+)(?:/|$)")
+SPLINES = re.compile(r"^Splines/(?P<sites>[0-9]+)(?:/|$)")
 WAYS = {
     "SingularitySubtraction": "singularity subtraction",
     "RegularPart": "regular parts interpolated",
@@ -58,13 +59,15 @@ ERRORS = {
 
 
 class Run:
-    """meshes[mesh][case], peers[mesh][peer][case] and spheres[way][level]: {figure: [values]}."""
+    """meshes[mesh][case], peers[mesh][peer][case], spheres[way][level] and splines[sites]:
+    {figure: [values]}."""
 
     def __init__(self, path):
         self.context, results = load(path)
         self.meshes = {}
         self.peers = {}
         self.spheres = {}
+        self.splines = {}
         for entry in results:
             figures = self.figures(entry["name"])
             if figures is not None:
@@ -83,6 +86,9 @@ class Run:
         if match:
             levels = self.spheres.setdefault(match["way"], {})
             return levels.setdefault(int(match["level"]), {})
+        match = SPLINES.match(name)
+        if match:
+            return self.splines.setdefault(int(match["sites"]), {})
         return None
 
     def curve(self, way, error):
@@ -268,6 +274,15 @@ def convergence_table(run):
     return table(["error", "vertices"] + [WAYS[way] for way in ways], rows) if rows else None
 
 
+def spline_table(run):
+    rows = []
+    for sites, figures in sorted(run.splines.items()):
+        error, time = median(figures, "error"), median(figures, "seconds")
+        rows.append([vertices_text(figures), number(sites), percent(error), time_text(time)])
+    header = ["vertices of a sphere", "sites of B-splines", "error of a solution, %", "time"]
+    return table(header, rows) if rows else None
+
+
 def fallback_text(run):
     """Something to say about poles on spheres where another method was used."""
     count = sum(
@@ -285,6 +300,7 @@ def summarize(path):
         "Factorizations and columns": factor_table,
         "Green's functions of points anywhere": point_table,
         "Eigenpairs, earth mover's distance of two vertices": long_table,
+        "Harmonic B-splines": spline_table,
         "Peers": peer_table,
     }
     parts += titled(run, titles)

@@ -55,6 +55,9 @@ class SpectralTables(unittest.TestCase):
         for level in (3, 4, 5):
             results.append(sphere(level, "SingularitySubtraction", 8e-4))
             results.append(sphere(level, "Vertex", 0.5))
+        for sites, error in ((320, 0.02), (80, 0.08)):
+            figures = {"vertices": 10242, "sites": sites, "error": error}
+            results.append(entry(f"Splines/{sites}/min_time:0.000", 50.0, **figures))
         cls.path = write_results("spectral.json", results)
         cls.lines = summarize_spectral.summarize(cls.path).splitlines()
 
@@ -87,6 +90,10 @@ class SpectralTables(unittest.TestCase):
         self.assertEqual((cells["earth mover's distance"], cells["iterations"]), ("3 s", "500"))
         self.assertEqual(cells["gap of its bounds, %"], "2")
         self.assertEqual(cells["distance / geodesic one"], "0.9998")
+
+    def test_splines(self):
+        rows = [line for line in self.lines if line.startswith("| 10.2K |")]
+        self.assertEqual(rows, ["| 10.2K | 80 | 8 | 50 ms |", "| 10.2K | 320 | 2 | 50 ms |"])
 
     def test_peers(self):
         start = "ball | CHOLMOD"
