@@ -407,6 +407,26 @@ TEST(CloudGraph, PredictionsTellOfProgressAndStop)
   }
 }
 
+TEST(CloudGraph, ProgressGrowsWhileNoiseIsRemoved)
+{
+  const Cloud cloud = Sphere(20000, 12, 0.01);
+  CloudGraphOptions options;
+  std::vector<double> told;
+  options.Progress = [&](double done) {
+    told.push_back(done);
+    return done < 0.3; // fits come first
+  };
+  CloudGraphEstimate estimate;
+  EXPECT_TRUE(CloudGraphBuilder(cloud.Points.data(), cloud.GetSize())
+                .Estimate(options, estimate)
+                .IsAborted());
+  EXPECT_GT(told.size(), 12U); // five of each of three fits
+  for (std::size_t i = 3; i < told.size(); ++i)
+  {
+    EXPECT_GT(told[i], told[i - 1]) << i;
+  }
+}
+
 TEST(CloudGraph, TellsOfProgressAndStops)
 {
   const Cloud cloud = Sphere(20000, 8);

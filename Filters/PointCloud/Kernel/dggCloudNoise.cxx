@@ -157,7 +157,8 @@ bool FitSurfaces(CloudSetup& setup, double share, const NodeLoop& loop, CloudFit
   return FitTo(FitNeighbors, setup, share, loop, fits);
 }
 
-bool RemoveNoise(CloudSetup& setup, const NodeLoop& loop, CloudFits& fits, CloudNoise& noise)
+bool RemoveNoise(
+  CloudSetup& setup, double share, const NodeLoop& loop, CloudFits& fits, CloudNoise& noise)
 {
   CloudPairs& pairs = setup.Pairs;
   const std::size_t n = pairs.Points.size();
@@ -180,7 +181,7 @@ bool RemoveNoise(CloudSetup& setup, const NodeLoop& loop, CloudFits& fits, Cloud
   noise.Removed = Quantile(lengths, 0.5);
   const auto count = static_cast<std::size_t>(
     std::clamp<double>(640.0 * residual, WideFitNeighbors, MostFitNeighbors));
-  if (!FitTo(count, setup, 0.0, loop, fits))
+  if (!FitTo(count, setup, 0.5 * share, loop, fits))
   {
     return false;
   }
@@ -194,6 +195,6 @@ bool RemoveNoise(CloudSetup& setup, const NodeLoop& loop, CloudFits& fits, Cloud
   setup.Neighbors = std::make_unique<CloudNeighbors>(pairs.Points);
   // What is left of the noise is not to be followed.
   std::fill(pairs.IsSmooth.begin(), pairs.IsSmooth.end(), 1);
-  return FitTo(count, setup, 0.0, loop, fits);
+  return FitTo(count, setup, 0.5 * share, loop, fits);
 }
 }

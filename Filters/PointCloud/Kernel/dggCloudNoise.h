@@ -45,8 +45,9 @@ using NodeLoop = std::function<bool(double share, const std::function<void(Id, I
 bool FitSurfaces(CloudSetup& setup, double share, const NodeLoop& loop, CloudFits& fits);
 
 /// See whether the surface is smooth at each node. When the cloud as a whole is noisy, move nodes
-/// to the surface, and fit anew. False when stopped.
-bool RemoveNoise(CloudSetup& setup, const NodeLoop& loop, CloudFits& fits, CloudNoise& noise);
+/// to the surface, and fit anew. Takes that share of the progress when it does. False when stopped.
+bool RemoveNoise(
+  CloudSetup& setup, double share, const NodeLoop& loop, CloudFits& fits, CloudNoise& noise);
 }
 
 #endif

@@ -22,6 +22,9 @@ constexpr Offset BricksPerTask = 16;
 constexpr Offset PiecesPerReport = 64;
 /// Share of the progress that goes to the band.
 constexpr double ShareOfBand = 0.1;
+constexpr double ShareOfFits = 0.1;
+/// Of fitting surfaces to more neighbours, and once more when points have been moved.
+constexpr double ShareOfNoise = 0.2;
 
 /// The spacing of a point is at most that of its neighbours by this: a point on its own, far off
 /// the surface, must not get a ball that reaches it, nor one at a border a larger one.
@@ -114,11 +117,12 @@ public:
       return !this->IsStopped;
     };
     CloudNoise noise;
-    if (!FitSurfaces(this->Setup, 0.3, loop, this->Fits) ||
-      !RemoveNoise(this->Setup, loop, this->Fits, noise))
+    if (!FitSurfaces(this->Setup, ShareOfFits, loop, this->Fits) ||
+      !RemoveNoise(this->Setup, ShareOfNoise, loop, this->Fits, noise))
     {
       return Status::Abort();
     }
+    this->Done = ShareOfFits + ShareOfNoise; // whether there was noise or not
     this->Statistics.Noise = noise.Removed / this->Setup.Nodes.Scale;
     this->Statistics.OffSurface = noise.OffSurface;
     this->Statistics.Scatter = noise.Scatter;
