@@ -20,11 +20,12 @@
  *    At the ends of an open curve, which have no sides, and where curves meet, a point has the mean
  *    of the colours given for it.
  *  - 1, Poisson: adds `Strength` right at the curve on its left and takes it off on its right,
- *    fading to nothing at the geodesic distance `Width` (one component; default: the property
- *    Width): a highlight beside a shadow. With an array `RightStrength`, that is added on the right
- *    instead: 0 for a highlight alone, the same as Strength for a glow. `Strength` and
- *    `RightStrength` may have a single component for all channels. Colours farther away do not
- *    change, unless a diffusion curve runs through the band, whose colours stay as they are given.
+ *    fading to nothing at the geodesic distance `Width` (one component; that of the first point
+ *    where the array is of points; default: the property Width): a highlight beside a shadow. With
+ * an array `RightStrength`, that is added on the right instead: 0 for a highlight alone, the same
+ * as Strength for a glow. `Strength` and `RightStrength` may have a single component for all
+ * channels. Where they change along the curve, they are harmonic beside it. Colours farther away do
+ * not change, unless a diffusion curve runs through the band, whose colours stay as they are given.
  *    Bands do not reach through diffusion and other Poisson curves.
  *  - 2, Region: a closed curve; what is on its left gets brighter by `Strength` (that of the first
  *    point) in its middle, if it is flat and round, fading towards the rim. It is a source of
@@ -32,7 +33,8 @@
  *  - 3, Source: `Strength` flows in per length of the curve; the slope changes by that across it.
  *
  * <b>Regions of cells.</b> The cells of the surface that have the same number, not 0, in the cell
- * array that RegionArrayName names are a region as well. Its strength is in the cell array
+ * array that RegionArrayName names are a region as well; where it has several patches, each gets
+ * brighter by its strength, with a sink on its own rim. Its strength is in the cell array
  * `RegionStrength`, at its first cell.
  *
  * <b>Output 0.</b> The surface as triangles, refined and cut open so that curves are edges: points
@@ -41,13 +43,15 @@
  *  - `RGB` (unsigned char), for 3 channels or more, the first three, from 0 to 1, as 0 to 255,
  *    clamped: the active scalars, so that a mapper shows them as they are. For other numbers of
  *    channels, `Colors` is active;
+ *  - `Component` (vtkIdType), the number of the component that a point is in: a tuple of NetSource;
  *  - those of the input, interpolated linearly.
  *
  * Cell arrays are those of the input, of the polygon that a triangle is a part of. The field data
  * has `NetSource`: one tuple per component of the surface, cut open along diffusion curves, with
- * what the sources sum to where no diffusion curve takes it in; it was taken off, evenly. Regions
- * and Poisson curves sum to 0. Such a component has the mean BackgroundColor, before Poisson curves
- * are added.
+ * what the sources sum to where no diffusion curve takes it in; it was taken off, evenly. Points
+ * without a cell are components of their own, with 0. Regions and Poisson curves sum to 0, but for
+ * regions of all of a component: they have no rim, and do nothing. Such a component has the mean
+ * BackgroundColor, before Poisson curves are added.
  *
  * <b>Output 1</b> (GetFragments()) has fragments, when GenerateFragments is on: points spread over
  * the surface with their colours, a texture that needs no parametrization. Each triangle of output
@@ -60,12 +64,14 @@
  * <b>Method.</b> -Laplace u = f for each channel, nothing flows through the boundary of the
  * surface; linear finite elements on the refined mesh, one factorization, which is kept for other
  * colours, see dgg::VectorGraphics. Triangles are split in four RefinementLevel times, everywhere
- * or around curves, and the equation is solved on what comes out: errors are of second order, but
- * for the ends of curves. Green's identity would give values between the points of the mesh as it
- * is, u(x) = mean + sum_y g(x, y) (L u)_y, but those at the points have errors as large: for a
+ * or around curves, and the equation is solved on what comes out: errors are of second order where
+ * curves are closed or end at the boundary, and of first order everywhere as soon as a diffusion
+ * curve has an open end with two colours, where the solution is like the root of the distance.
+ * Green's identity would give values between the points of the mesh as it is,
+ * u(x) = mean + sum_y g(x, y) (L u)_y, but those at the points have errors as large: for a
  * spherical harmonic of degree 5 on a sphere of 10 242 points errors inside of faces (root of the
- * mean square) were 1.6e-3 by linear interpolation and 1.9e-3 by Green's identity, at 18 ms for
- * each place. Refined once and solved again, they were 4.9e-4 after 0.3 s for the whole sphere.
+ * mean square) were 1.6e-3 by linear interpolation and 1.9e-3 by Green's identity. Refined once and
+ * solved again, they were 4.9e-4, in a fraction of the time.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
  *  - neither a line nor a region; a line with fewer than two different points;
@@ -73,9 +79,10 @@
  *    not connected with the next one;
  *  - curves where edges have more than two triangles, or two that are oriented differently, as on a
  *    one-sided surface: there are no sides. Curves elsewhere on such a surface are fine;
+ *  - a ResultArrayName that is empty, or `RGB` or `Component`;
  *  - an array that is needed but missing, or has the wrong number of components or tuples; a number
  *    that is not finite; an unknown type; a width that is not positive;
- *  - no such cell array although RefinementRegion is Cells;
+ *  - no such cell array although RefinementRegion is Cells, or one with NaN;
  *  - a region's curve that is open, or does not separate its left from its right;
  *  - a ProjectionTolerance or Width that is negative or not a number;
  *  - a mesh, factorization and colours, or fragments, that would take more memory than
@@ -252,8 +259,9 @@ public:
   ///@{
   /**
    * Most bytes that the refined mesh, the factorization and the colours may take. Default 0, which
-   * stands for 70 % of the memory that is free at that time. Some 1.2 KiB per point of the output
-   * are usual.
+   * stands for 70 % of the memory that is free at that time. Some 2 KiB per point of the output are
+   * usual, and 2.7 KiB with Poisson curves. It is asked before triangles are split, before the
+   * surface is cut, before the factorization, and in every update.
    */
   vtkSetMacro(MemoryLimit, vtkTypeUInt64);
   vtkGetMacro(MemoryLimit, vtkTypeUInt64);

@@ -173,6 +173,25 @@ TEST(VectorGraphics, FacesAroundCurvesAreRefined)
   EXPECT_EQ(std::count(surface.Faces.begin(), surface.Faces.end(), 1799), 4);
   EXPECT_EQ(std::count(surface.Faces.begin(), surface.Faces.end(), 600), 1);
   EXPECT_EQ(surface.Paths[0].size(), before.Paths[0].size());
+  // Ids that do not exist, and rings that are more faces than allowed.
+  for (const Id wrong : { -1, 1800 })
+  {
+    surface = before;
+    refinement.Faces = { 3, wrong };
+    const dgg::Status status = dgg::RefineForGraphics(mesh, refinement, surface);
+    EXPECT_NE(status.GetMessage().find("face " + std::to_string(wrong)), std::string::npos);
+  }
+  refinement.Faces = { 900 };
+  refinement.Levels = 3;
+  ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
+  const Id made = surface.GetNumberOfFaces();
+  EXPECT_GT(made, before.GetNumberOfFaces() + 63);
+  surface = before;
+  refinement.MostFaces = made - 1;
+  EXPECT_FALSE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
+  EXPECT_EQ(surface.GetNumberOfFaces(), before.GetNumberOfFaces());
+  refinement.MostFaces = made;
+  EXPECT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
   surface = before;
   refinement.Progress = [](double) { return false; };
   EXPECT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsAborted());

@@ -4,6 +4,7 @@
 
 #include "dggEdgeSplitting.h"
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <sstream>
@@ -28,7 +29,7 @@ public:
   }
 
   Status Choose(const std::vector<Id>& faces);
-  Status SplitOnce(int rings);
+  Status SplitOnce(int rings, Offset mostFaces);
 
 private:
   std::vector<char> Grow(int rings) const;
@@ -74,7 +75,7 @@ std::vector<char> LevelRefiner::Grow(int rings) const
   return isIn;
 }
 
-Status LevelRefiner::SplitOnce(int rings)
+Status LevelRefiner::SplitOnce(int rings, Offset mostFaces)
 {
   const std::vector<char> isIn = this->Grow(rings);
   const std::vector<Id>& twins = this->Surface.Twins;
@@ -93,11 +94,12 @@ Status LevelRefiner::SplitOnce(int rings)
   // Each split side is one part more.
   Offset faces = static_cast<Offset>(this->Surface.Faces.size());
   faces = std::accumulate(isSplit.begin(), isSplit.end(), faces);
-  if (3 * faces > std::numeric_limits<Id>::max())
+  mostFaces = std::min<Offset>(mostFaces, std::numeric_limits<Id>::max() / 3);
+  if (faces > mostFaces)
   {
     std::ostringstream message;
-    message << "refinement would make " << faces << " faces, more than "
-            << std::numeric_limits<Id>::max() / 3 << ": choose fewer faces or levels";
+    message << "refinement would make " << faces << " faces, more than " << mostFaces
+            << ": choose fewer faces or levels";
     return Status::Invalid(message.str());
   }
   std::vector<Id> parts;
@@ -118,7 +120,8 @@ Status LevelRefiner::SplitOnce(int rings)
 }
 
 Status RefineFaces(const SurfaceMesh& mesh, const std::vector<Id>& faces, int levels,
-  const ProgressCallback& progress, RefinedSurface& surface, std::vector<Id>& parents)
+  const ProgressCallback& progress, RefinedSurface& surface, std::vector<Id>& parents,
+  Offset mostFaces)
 {
   parents.clear();
   if (levels < 0)
@@ -135,7 +138,7 @@ Status RefineFaces(const SurfaceMesh& mesh, const std::vector<Id>& faces, int le
     {
       return Status::Abort();
     }
-    status = refiner.SplitOnce(levels - 1 - level);
+    status = refiner.SplitOnce(levels - 1 - level, mostFaces);
   }
   if (status.IsOk())
   {

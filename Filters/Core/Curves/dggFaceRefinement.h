@@ -7,6 +7,7 @@
 
 #include "dggRefinedSurface.h" // for RefinedSurface
 
+#include <limits> // for the most faces
 #include <vector> // for faces
 
 namespace dgg
@@ -24,9 +25,10 @@ namespace dgg
 /// within 2e-9, in barycentric coordinates, of a side of a face of the mesh, as points do there.
 ///
 /// Fails, and leaves the surface as it was, when a face does not exist, `levels` is negative, or
-/// there would be more than 2^31 - 1 half-edges; when stopped as well.
+/// there would be more than `mostFaces` faces, or 2^31 - 1 half-edges; when stopped as well.
 Status RefineFaces(const SurfaceMesh& mesh, const std::vector<Id>& faces, int levels,
-  const ProgressCallback& progress, RefinedSurface& surface, std::vector<Id>& parents);
+  const ProgressCallback& progress, RefinedSurface& surface, std::vector<Id>& parents,
+  Offset mostFaces = std::numeric_limits<Id>::max() / 3);
 }
 
 #endif

@@ -85,6 +85,14 @@ void FindParts(const std::vector<Id>& faces, const std::vector<Id>& parents, std
 Status RefineForGraphics(const SurfaceMesh& mesh, const GraphicsRefinement& refinement,
   RefinedSurface& surface, std::vector<Id>* parts)
 {
+  for (const Id f : refinement.Faces)
+  {
+    if (refinement.Part == RefinedPart::Faces && (f < 0 || f >= mesh.GetNumberOfFaces()))
+    {
+      return Status::Invalid("face " + std::to_string(f) + " does not exist: ids must be in [0, " +
+        std::to_string(mesh.GetNumberOfFaces() - 1) + "]");
+    }
+  }
   const std::vector<Id> faces = ChooseFaces(refinement, surface);
   const double partsPerFace = std::pow(4.0, refinement.Levels);
   const double count = static_cast<double>(surface.Faces.size()) +
@@ -96,8 +104,8 @@ Status RefineForGraphics(const SurfaceMesh& mesh, const GraphicsRefinement& refi
       std::to_string(refinement.MostFaces) + " are wanted");
   }
   std::vector<Id> parents;
-  const Status status =
-    RefineFaces(mesh, faces, refinement.Levels, refinement.Progress, surface, parents);
+  const Status status = RefineFaces(mesh, faces, refinement.Levels, refinement.Progress, surface,
+    parents, refinement.MostFaces); // with the rings that it takes along
   if (status.IsOk() && parts)
   {
     FindParts(faces, parents, *parts);
