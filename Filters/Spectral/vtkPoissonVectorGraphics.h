@@ -22,11 +22,14 @@
  *  - 1, Poisson: adds `Strength` right at the curve on its left and takes it off on its right,
  *    fading to nothing at the geodesic distance `Width` (one component; that of the first point
  *    where the array is of points; default: the property Width): a highlight beside a shadow. With
- * an array `RightStrength`, that is added on the right instead: 0 for a highlight alone, the same
- * as Strength for a glow. `Strength` and `RightStrength` may have a single component for all
- * channels. Where they change along the curve, they are harmonic beside it. Colours farther away do
- * not change, unless a diffusion curve runs through the band, whose colours stay as they are given.
- *    Bands do not reach through diffusion and other Poisson curves.
+ *    an array `RightStrength`, that is added on the right instead: 0 for a highlight alone, the
+ *    same as Strength for a glow. At the ends of an open curve, where its sides meet, the mean of
+ *    both is added; colours go over to that within about `Width`, so that a curve that is shorter
+ *    than twice its width nowhere adds all of its strength. `Strength` and `RightStrength` may have
+ *    a single component for all channels. Where they change along the curve, they are harmonic
+ *    beside it. Colours farther away do not change, unless a diffusion curve runs through the band,
+ *    whose colours stay as they are given. Bands do not reach through diffusion and other Poisson
+ *    curves.
  *  - 2, Region: a closed curve; what is on its left gets brighter by `Strength` (that of the first
  *    point) in its middle, if it is flat and round, fading towards the rim. It is a source of
  *    constant density, 4 pi Strength / area, with a sink along the curve that takes in as much.
@@ -247,9 +250,11 @@ public:
   ///@{
   /**
    * Whether to flip edges until they are Delaunay before the equation is solved, without a change
-   * of the output's triangles: then, with diffusion curves alone, no colour lies outside of those
-   * that are given. For meshes with obtuse triangles, as curves make them where they run close to
-   * points. Default on.
+   * of the output's triangles: then, with diffusion curves alone on a surface without a boundary,
+   * no colour lies outside of those that are given. Edges on a boundary cannot be flipped: where
+   * curves run close to one, colours were outside by a few percent of the range, by 22 % for a
+   * scribble of 100 random points. For meshes with obtuse triangles, as curves make them where they
+   * run close to points. Default on.
    */
   vtkSetMacro(IntrinsicDelaunay, bool);
   vtkGetMacro(IntrinsicDelaunay, bool);

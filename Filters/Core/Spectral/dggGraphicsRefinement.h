@@ -25,8 +25,8 @@ enum class RefinedPart
 /// identity, u(x) = mean + sum_y g(x, y) (L u)_y: these cost one Green's function each, and are no
 /// better than linear interpolation, since the values at the vertices have errors as large. For a
 /// spherical harmonic of degree 5 on the unit sphere with 10 242 vertices, errors inside of faces
-/// (root of the mean square) were 1.6e-3 by linear interpolation and 1.9e-3 by Green's identity, at
-/// 18 ms for each point; one level finer they were 4.9e-4 after 0.3 s for all of the sphere.
+/// (root of the mean square) were 1.6e-3 by linear interpolation and 1.9e-3 by Green's identity;
+/// one level finer they were 4.9e-4.
 struct GraphicsRefinement
 {
   /// How often faces are split in four.

@@ -66,7 +66,8 @@ struct GraphicsOptions
   /// curves are added; empty for 0.
   std::vector<double> Background;
   /// Flip edges until they are Delaunay before the equation is solved, for meshes with obtuse
-  /// triangles: then no colour lies outside of those that are given.
+  /// triangles: then no colour lies outside of those that are given, but next to obtuse triangles
+  /// on the boundary of the surface, whose edges cannot be flipped.
   bool IntrinsicDelaunay = false;
   /// Asked with the bytes that all will take: before the surface is cut, before the factorization,
   /// whenever colours are found, and before strengths are blended; may be empty.
