@@ -10,9 +10,9 @@
 #include "vtkTimeStamp.h" // for the build time
 #include "vtkType.h"      // for vtkIdType
 
-#include <array>   // for the key
-#include <string>  // for the warnings
-#include <vector>  // for the warnings
+#include <array>  // for the key
+#include <string> // for the warnings
+#include <vector> // for the warnings
 
 class vtkPolyData;
 

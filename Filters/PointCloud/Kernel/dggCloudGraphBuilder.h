@@ -102,9 +102,9 @@ struct CloudGraphEstimate
 ///
 /// Two points are connected directly when the segment between them stays in the band, the union of
 /// balls around all points. Direct pairs within reach are the full graph, of which the progress
-/// rule keeps what is needed for the accuracy. Stray points (dggStrayPoints.h tells which these are)
-/// are connected to none but those in the same place: the graph of the others is as if they were not
-/// there.
+/// rule keeps what is needed for the accuracy. Stray points (dggStrayPoints.h tells which these
+/// are) are connected to none but those in the same place: the graph of the others is as if they
+/// were not there.
 class CloudGraphBuilder
 {
 public:
