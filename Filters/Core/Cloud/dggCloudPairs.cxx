@@ -23,6 +23,9 @@ constexpr int MostPieces = 64;
 /// A way that is longer by that than its chord does not go along it. Over a right angle it is
 /// longer by 1.41.
 constexpr double LongestWay = 1.5;
+/// A way leaves a ball, rather than going through it, when what is left of it is that short, by the
+/// radius.
+constexpr double LeastStep = 1e-3;
 /// Cosine between a normal and the direction that heights are measured in, at least.
 constexpr double LeastCosine = 0.35;
 }
@@ -42,6 +45,7 @@ struct CloudPairs::Seen
     this->Angles = MeasureChord(this->Segment, chord, a, b);
     const bool isArc = pairs.IsSmooth[P] && pairs.IsSmooth[Q] && Angles.GetTurn() <= LargestTurn;
     this->Follows = pairs.UsesArcs && !isArc;
+    this->IsFine = pairs.FindNearestPoint && (pairs.IsFine(P) || pairs.IsFine(Q));
   }
 
   /// The direction that heights are measured in: across the segment, away from the surface. False
@@ -69,6 +73,7 @@ struct CloudPairs::Seen
   Point3 Up;
   ChordAngles Angles;
   bool Follows; ///< whether points are followed, rather than an arc
+  bool IsFine;  ///< whether voxels are too coarse for it
 };
 
 double CloudPairs::Length(Id p, Id q, double chord) const
@@ -99,7 +104,7 @@ bool CloudPairs::IsDirect(Id p, Id q, double chord) const
     for (const double t : { 0.5, 0.25, 0.75 })
     {
       const Point3 place = this->Points[seen.P] + t * seen.Segment;
-      const Id nearest = this->FindNearest(place);
+      const Id nearest = this->FindNearest(seen, place);
       if (nearest != NoId &&
         this->IsFarFrom(nearest, place, seen.Up, chord * ArcHeight(seen.Angles, t)))
       {
@@ -107,7 +112,7 @@ bool CloudPairs::IsDirect(Id p, Id q, double chord) const
       }
     }
   }
-  return this->IsInBand(seen);
+  return seen.IsFine ? this->IsInBalls(seen) : this->IsInBand(seen);
 }
 
 bool CloudPairs::IsInBand(const Seen& seen) const
@@ -126,6 +131,31 @@ bool CloudPairs::IsInBand(const Seen& seen) const
     this->Band.ToGrid(this->Points[seen.Q] - (second / seen.Chord) * seen.Segment));
 }
 
+/// The same without voxels: from the ball of the point that is nearest to where the last one ends
+/// to that of the next, until the other end is reached.
+bool CloudPairs::IsInBalls(const Seen& seen) const
+{
+  const Point3 direction = (1.0 / seen.Chord) * seen.Segment;
+  const double end = seen.Chord - this->Radii[seen.Q];
+  double along = this->Radii[seen.P];
+  while (along < end)
+  {
+    const Point3 place = this->Points[seen.P] + along * direction;
+    const Id nearest = this->FindNearestPoint(place);
+    const Point3 toCentre = this->Points[nearest] - place;
+    const double radius = this->Radii[nearest];
+    const double across = Dot(toCentre, direction);
+    const double half = radius * radius - Dot(toCentre, toCentre) + across * across;
+    const double step = across + std::sqrt(std::max(0.0, half));
+    if (Dot(toCentre, toCentre) > radius * radius || !(step > LeastStep * radius))
+    {
+      return false;
+    }
+    along += step;
+  }
+  return true;
+}
+
 /// Whether normals do not speak against a way.
 bool CloudPairs::IsLikely(const Seen& seen) const
 {
@@ -137,11 +167,18 @@ bool CloudPairs::IsLikely(const Seen& seen) const
     !(Dot(this->Normals[seen.P], this->Normals[seen.Q]) < OppositeNormals);
 }
 
-Id CloudPairs::FindNearest(const Point3& place) const
+Id CloudPairs::FindNearest(const Seen& seen, const Point3& place) const
 {
+  if (seen.IsFine)
+  {
+    return this->FindNearestPoint(place);
+  }
   const Voxel voxel = VoxelBand::VoxelOf(this->Band.ToGrid(place));
   const std::int64_t brick = this->Band.FindBrick(VoxelBand::BrickKey(voxel));
-  return brick < 0 ? NoId : this->Nearest[VoxelBand::PlaceOf(brick, voxel)];
+  const Id nearest = brick < 0 ? NoId : this->Nearest[VoxelBand::PlaceOf(brick, voxel)];
+  return nearest != NoId && this->FindNearestPoint && this->IsFine(nearest)
+    ? this->FindNearestPoint(place)
+    : nearest;
 }
 
 /// Whether the surface at a point near a place is not where it should be: at a height over it.
@@ -173,7 +210,7 @@ double CloudPairs::FollowPoints(Seen& seen) const
   {
     const double t = static_cast<double>(i) / pieces;
     const Point3 place = this->Points[seen.P] + t * seen.Segment;
-    const Id nearest = this->FindNearest(place);
+    const Id nearest = this->FindNearest(seen, place);
     if (nearest == NoId)
     {
       continue;

@@ -10,7 +10,8 @@
 #include "dggTypes.h"     // for Id
 #include "dggVoxelBand.h" // for VoxelBand
 
-#include <vector> // for what is known of points
+#include <functional> // for FindNearestPoint
+#include <vector>     // for what is known of points
 
 namespace dgg
 {
@@ -22,6 +23,9 @@ namespace dgg
 /// opposite, are on sheets back to back, however far from each other.
 struct CloudPairs
 {
+  /// Radius of a ball by the size of voxels: those of smaller ones are looked at themselves.
+  static constexpr double LeastRadiusInVoxels = 0.5;
+
   std::vector<Point3> Points;
   std::vector<Point3> Normals; ///< of length 1, or 0 where unknown
   std::vector<double> Radii;   ///< of the balls of the band
@@ -34,6 +38,9 @@ struct CloudPairs
   /// Per voxel (VoxelBand::PlaceOf()), the point that is nearest to its centre, NoId if it is not
   /// marked.
   std::vector<Id> Nearest;
+  /// Asks for the nearest point to any place. Voxels tell nothing of balls that are much smaller
+  /// than they are: between the points of these, it takes the place of Band and Nearest.
+  std::function<Id(const Point3&)> FindNearestPoint;
   /// Whether a way is as long as the surface rather than the chord.
   bool UsesArcs = true;
   /// Whether a normal is known to point to the same side of the surface as those of others; empty
@@ -59,8 +66,13 @@ private:
   struct Seen;
   bool IsLikely(const Seen& seen) const;
   bool IsInBand(const Seen& seen) const;
+  bool IsInBalls(const Seen& seen) const;
+  bool IsFine(Id p) const
+  {
+    return this->Radii[p] < LeastRadiusInVoxels * this->Band.GetVoxelSize();
+  }
   bool IsFarFrom(Id nearest, const Point3& place, const Point3& up, double height) const;
-  Id FindNearest(const Point3& place) const;
+  Id FindNearest(const Seen& seen, const Point3& place) const;
   double FollowPoints(Seen& seen) const;
 };
 }

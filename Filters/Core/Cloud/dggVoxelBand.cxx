@@ -125,7 +125,9 @@ Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<dou
   }
   if (!status.IsOk())
   {
+    const bool isTooLarge = this->TooLarge;
     *this = VoxelBand();
+    this->TooLarge = isTooLarge;
   }
   return status;
 }
@@ -200,6 +202,7 @@ Status VoxelBand::FindCells(const std::vector<Point3>& points, const std::vector
         const Status status = CheckBricks(bricks, limit, remedy);
         if (!status.IsOk())
         {
+          this->TooLarge = PredictMemory(bricks) > limit;
           return status;
         }
         looks += static_cast<std::size_t>(x.Last - x.First) + 1;

@@ -47,6 +47,9 @@ public:
     double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel,
     const ProgressCallback& progress = {}, const std::string& remedy = "use larger voxels");
 
+  /// Whether Build() failed for `memoryLimit`.
+  bool IsTooLarge() const { return this->TooLarge; }
+
   double GetVoxelSize() const { return this->VoxelSize; }
   const Point3& GetOrigin() const { return this->Origin; }
   /// Voxels along the longest side of the box of the band.
@@ -133,6 +136,7 @@ private:
   double VoxelSize = 0.0;
   double InverseSize = 0.0;
   std::int32_t Resolution = 0;
+  bool TooLarge = false;
   std::vector<std::uint64_t> Keys;                     ///< per brick
   std::vector<std::int32_t> Table;                     ///< open hash: index of a brick or -1
   std::unique_ptr<std::atomic<std::uint64_t>[]> Words; ///< eight per brick, one per layer in z

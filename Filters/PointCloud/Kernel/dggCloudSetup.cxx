@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggCloudSetup.h"
 
+#include "dggBandBudget.h"
 #include "dggCloudNoise.h"
 #include "dggMemoryLimit.h"
 #include "dggQuantile.h"
@@ -141,6 +142,11 @@ public:
       return status;
     }
     this->FindNearest();
+    this->Pairs.FindNearestPoint = [&neighbors = *this->Setup.Neighbors](const Point3& place) {
+      thread_local std::vector<CloudNeighbor> found;
+      neighbors.FindNearest(place, 1, found);
+      return found[0].Point;
+    };
     this->Pairs.Reaches.assign(n, 0.0f);
     this->ChooseReaches();
     return this->IsStopped ? Status::Abort() : status;
@@ -282,6 +288,19 @@ private:
                                         : "set a Resolution" + below + ", that of now";
   }
 
+  Status RefuseBand(double voxelSize) const
+  {
+    BandInNumbers numbers;
+    numbers.Resolution = this->Statistics.Resolution;
+    numbers.IsAutomatic = this->Options.Resolution <= 0;
+    numbers.VoxelSize = this->Statistics.VoxelSize;
+    numbers.Spacing = this->Statistics.Spacing;
+    numbers.Used = static_cast<double>(this->Setup.GetMemorySize());
+    numbers.Needed = PredictBandMemory(this->Pairs.Spacings, this->Pairs.Radii, voxelSize);
+    numbers.MemoryLimit = static_cast<double>(this->Options.MemoryLimit);
+    return dgg::RefuseBand(numbers);
+  }
+
   Status BuildBand()
   {
     const std::size_t n = this->Pairs.Points.size();
@@ -313,6 +332,9 @@ private:
       {
         return this->TooFarApart("one band of voxels");
       }
+      // Voxels may be too large for the balls of the densest points then: CloudPairs looks at
+      // these.
+      size = h > 0.0 ? size : std::max(size, FindLeastVoxelSize(radii));
     }
     if (!(size > 0.0))
     {
@@ -337,19 +359,20 @@ private:
       {
         return status;
       }
-      // The nearest points of its voxels come with it.
-      const double band = VoxelBand::PredictMemory(1.0);
-      const double left = static_cast<double>(this->Options.MemoryLimit - used);
-      limit = std::max<std::size_t>(
-        1, static_cast<std::size_t>(left * band / (band + 512.0 * sizeof(Id)))); // 0: no limit
+      limit =
+        std::max<std::size_t>(1, GetShareOfBricks(this->Options.MemoryLimit - used)); // 0: none
     }
     const auto progress = [this](double part) {
       this->IsStopped =
         this->Progress && !this->Progress(std::min(1.0, this->Done + ShareOfBand * part));
       return !this->IsStopped;
     };
-    const Status status = this->Pairs.Band.Build(this->Pairs.Points, radii, size, limit,
+    Status status = this->Pairs.Band.Build(this->Pairs.Points, radii, size, limit,
       this->Options.Parallel, progress, this->RemedyOfBand());
+    if (this->Pairs.Band.IsTooLarge())
+    {
+      status = this->RefuseBand(size);
+    }
     this->Done += ShareOfBand;
     this->Statistics.BandMemory = this->Pairs.Band.GetMemorySize();
     return status;
