@@ -613,6 +613,7 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
   if (built != this->GetGraphBuildTime())
   {
     this->WarnAboutPoints();
+    this->WarnAboutVoxels(options);
   }
   if (lacksNormals)
   {
@@ -654,13 +655,29 @@ void vtkPointCloudDGG::WarnAboutPoints()
                        "wrong by far. Thin the cloud out, to every tenth point for example or to "
                        "averages of points, until points scatter by less than their spacing.");
   }
-  if (this->Resolution > 0 && statistics.VoxelSize > statistics.Spacing)
+}
+
+//------------------------------------------------------------------------------
+/// Of a graph that has just been built: voxels that tell less than the points do.
+void vtkPointCloudDGG::WarnAboutVoxels(const dgg::CloudGraphOptions& options)
+{
+  const dgg::CloudGraphStatistics& used = this->Internals->Current.Statistics;
+  if (used.Spacing > 0.0 && used.VoxelSize > used.Spacing)
   {
-    vtkWarningMacro(<< "with the Resolution of " << this->Resolution << " voxels are "
-                    << statistics.VoxelSize << " large, more than the spacing of the points, "
-                    << statistics.Spacing
-                    << ": gaps that are wider than the spacing are bridged. Raise it, or set it to "
-                       "0.");
+    const bool isGiven = options.OffsetInVoxels > 0.0;
+    vtkWarningMacro(
+      << "the voxels of the band, of size " << used.VoxelSize << " (Resolution " << used.Resolution
+      << (options.Resolution > 0 ? "" : ", automatic")
+      << "), are larger than the spacing of the points, which is " << used.Spacing << ". "
+      << (isGiven ? "The graph bridges gaps and holes, and may connect or tear apart "
+                    "what it should not"
+                  : "Building is slower, and paths that vtkDGGPath straightens may "
+                    "cross gaps as narrow as a voxel")
+      << ". "
+      << (options.Resolution > 0 || isGiven
+             ? "Use a larger Resolution."
+             : "Parts of the cloud are very much sparser than others: leave them out, "
+               "or build graphs of their own, if that matters."));
   }
 }
 

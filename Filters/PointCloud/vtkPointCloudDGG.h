@@ -98,7 +98,12 @@
  *    there is a warning that tells how far they scatter: then thin the cloud out until that is less
  *    than the spacing, which grows with the root of the thinning;
  *  - uneven density: balls and, in scheme C, reaches follow the local spacing; points on their own
- *    far off the surface do not get larger balls;
+ *    far off the surface do not get larger balls. Where few points are very much sparser than the rest, automatic voxels become larger than the
+ *    balls of the dense ones, so that balls have 4000 voxels at most on average. Balls with a radius
+ *    below half a voxel are looked at one by one rather than by voxels: distances are as good, and
+ *    building takes a few times longer. There is a warning when voxels, given or automatic, are
+ *    larger than the median spacing, as paths that vtkDGGPath straightens still go by voxels, and as
+ *    an OffsetInVoxels that is given makes the balls as large;
  *  - holes that are wider are gone around; points in the same place count once.
  *
  * <b>Nothing is promised</b> of the difference between distances in the graph and on the surface
@@ -120,7 +125,8 @@
  *    above 524288; a NumberOfNeighbors below 3; an empty name of an array;
  *  - normals of another number of components or tuples than there should be;
  *  - parts of the cloud that are too far apart, see above;
- *  - a graph, or a band, that would take more memory than MemoryLimit.
+ *  - a graph, or a band, that would take more memory than MemoryLimit: the message tells the limit,
+ *    about what is needed, and for a band the Resolution that it has.
  *
  * The mesh report is empty, and MergeCoincidentPoints and OutputPointsPrecision are not used.
  *
@@ -411,6 +417,7 @@ private:
   dgg::Status Build(dgg::CloudGraphOptions options, double done);
   dgg::Status Estimate();
   void WarnAboutPoints();
+  void WarnAboutVoxels(const dgg::CloudGraphOptions& options);
 
   int Scheme;
   double OffsetInVoxels;

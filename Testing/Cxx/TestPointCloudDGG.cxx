@@ -343,16 +343,6 @@ TEST_F(PointCloudDGG, WarnsOfPointsOnNoSurface)
   EXPECT_EQ(this->Filter->GetOffSurfaceShare(), 0.0);
 }
 
-TEST_F(PointCloudDGG, VoxelsLargerThanTheSpacing)
-{
-  this->Use(MakeSpherePoints(600)); // 0.14 apart
-  this->Filter->SetResolution(10);
-  ExpectWarning(
-    this->Filter, { "Resolution of 10 voxels are 0.19", "the spacing of the points, 0.1" });
-  this->Filter->SetResolution(20);
-  ExpectSuccess(this->Filter);
-}
-
 TEST_F(PointCloudDGG, PartsThatAreTooFarApart)
 {
   const Points part = MakeSpherePoints(300);
@@ -364,6 +354,33 @@ TEST_F(PointCloudDGG, PartsThatAreTooFarApart)
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetNumberOfComponents(), 2);
   EXPECT_EQ(this->Filter->GetComponentSize(1), 300);
+}
+
+TEST_F(PointCloudDGG, VoxelsLargerThanTheSpacing)
+{
+  const Points clean = MakeSpherePoints(400);
+  this->Use(clean);
+  this->Filter->SetResolution(4);
+  ExpectWarning(this->Filter,
+    { "(Resolution 4), are larger than the spacing", "vtkDGGPath straightens",
+      "Use a larger Resolution" });
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 1);
+  this->Filter->SetOffsetInVoxels(1.0);
+  ExpectWarning(this->Filter, { "(Resolution 4), are larger", "The graph bridges gaps" });
+  this->Filter->SetOffsetInVoxels(0.0);
+  this->Filter->SetResolution(0);
+  ExpectSuccess(this->Filter);
+
+  // Points far off that are too many to be stray.
+  Points few = MakeSpherePoints(30);
+  for (auto& point : few)
+  {
+    point = { { 5e3 + 2e3 * point[0], 2e3 * point[1], 2e3 * point[2] } };
+  }
+  this->Use(Join(clean, few));
+  ExpectWarning(
+    this->Filter, { ", automatic), are larger than the spacing", "sparser than others" });
+  EXPECT_EQ(this->Filter->GetComponentSize(0), 400);
 }
 
 TEST_F(PointCloudDGG, CoincidentPoints)
