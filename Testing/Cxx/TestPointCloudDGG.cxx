@@ -370,6 +370,15 @@ TEST_F(PointCloudDGG, VoxelsLargerThanTheSpacing)
   this->Filter->SetOffsetInVoxels(0.0);
   this->Filter->SetResolution(0);
   ExpectSuccess(this->Filter);
+  vtkNew<vtkDGGPath> path;
+  path->SetInputConnection(this->Filter->GetOutputPort());
+  path->StraightenOn();
+  path->AddPair(0, 300);
+  ExpectSuccess(path);
+  const auto getLength = [&] {
+    return path->GetOutput()->GetCellData()->GetArray("Length")->GetTuple1(0);
+  };
+  const double length = getLength();
 
   // Points far off that are too many to be stray.
   Points few = MakeSpherePoints(30);
@@ -381,6 +390,8 @@ TEST_F(PointCloudDGG, VoxelsLargerThanTheSpacing)
   ExpectWarning(
     this->Filter, { ", automatic), are larger than the spacing", "sparser than others" });
   EXPECT_EQ(this->Filter->GetComponentSize(0), 400);
+  ExpectSuccess(path);
+  EXPECT_NEAR(getLength(), length, 0.01 * length); // not through the sphere
 }
 
 TEST_F(PointCloudDGG, CoincidentPoints)
