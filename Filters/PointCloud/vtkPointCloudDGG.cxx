@@ -651,7 +651,7 @@ void vtkPointCloudDGG::WarnAboutPoints()
     vtkWarningMacro(<< "the neighbours of " << 100.0 * statistics.OffSurface
                     << " % of the points do not lie on a surface: points typically scatter by "
                     << statistics.Scatter
-                    << " times their spacing. That much is not taken off, and distances may be "
+                    << " times their spacing. That much is not all taken off: distances may be "
                        "wrong by far. Thin the cloud out, to every tenth point for example or to "
                        "averages of points, until points scatter by less than their spacing.");
   }

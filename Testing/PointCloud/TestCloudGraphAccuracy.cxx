@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 
 namespace
@@ -186,6 +188,45 @@ TEST(CloudGraphAccuracy, NoisyPointsAreMovedToTheSurface)
   EXPECT_EQ(statistics.Noise, 0.0);
 }
 
+TEST(CloudGraphAccuracy, NoiseAboveTheSpacing)
+{
+  // To 16 neighbours it seems a volume. Noise is along the normal, so that distances stay what they
+  // are.
+  struct Case
+  {
+    bool IsRound;
+    double Spacings;
+    double Error;
+  };
+  const int n = 4000;
+  std::mt19937 generator(31);
+  std::normal_distribution<double> number;
+  for (const Case& test : { Case{ false, 1.0, 0.002 }, { false, 2.0, 0.006 }, { true, 1.0, 0.01 } })
+  {
+    Cloud cloud = test.IsRound ? Sphere(n, 33) : Square(n, 32);
+    const double noise = test.Spacings * std::sqrt((test.IsRound ? 4.0 * dgg::Pi : 1.0) / n);
+    for (Id i = 0; i < n; ++i)
+    {
+      const double off = noise * number(generator);
+      const Point3 p = cloud.At(i);
+      const Point3 moved = test.IsRound ? (1.0 + off) * p : p + Point3{ 0.0, 0.0, off };
+      cloud.Points[3 * i] = moved.X;
+      cloud.Points[3 * i + 1] = moved.Y;
+      cloud.Points[3 * i + 2] = moved.Z;
+    }
+    dgg::CloudGraphStatistics statistics;
+    const CloudGraph graph = BuildGraph(
+      cloud, [](CloudGraphOptions& options) { options.Accuracy = 0.01; }, &statistics);
+    EXPECT_NEAR(statistics.Noise, noise, 0.12 * noise) << test.Spacings;
+    EXPECT_LT(statistics.OffSurface, 0.02) << test.Spacings;
+    EXPECT_EQ(statistics.Scatter, 0.0) << test.Spacings;
+    const Errors errors = MeasureErrors(cloud, graph.Graph.View(), 0.3);
+    EXPECT_LT(errors.Mean, test.Error) << test.Spacings;
+    EXPECT_LT(errors.Max, 0.05) << test.Spacings;
+    EXPECT_EQ(errors.Unreached, 0);
+  }
+}
+
 TEST(CloudGraphAccuracy, PointsOnNoSurfaceAreTold)
 {
   const auto measure = [](const Cloud& cloud) {
@@ -195,8 +236,8 @@ TEST(CloudGraphAccuracy, PointsOnNoSurfaceAreTold)
     return statistics;
   };
   // A volume.
-  Cloud box = Square(3000, 21);
-  const Cloud heights = Square(3000, 22);
+  Cloud box = Square(1500, 21);
+  const Cloud heights = Square(1500, 22);
   for (Id i = 0; i < box.GetSize(); ++i)
   {
     box.Points[3 * i + 2] = heights.At(i).X;
@@ -205,13 +246,17 @@ TEST(CloudGraphAccuracy, PointsOnNoSurfaceAreTold)
   EXPECT_GT(volume.OffSurface, 0.5);
   EXPECT_GT(volume.Scatter, 1.0);
   EXPECT_EQ(volume.Noise, 0.0);
+  // Noise that is too much for so few points.
+  const dgg::CloudGraphStatistics noisy = measure(Sphere(1500, 27, 0.25));
+  EXPECT_GT(noisy.OffSurface, 0.1);
+  EXPECT_GT(noisy.Scatter, 1.0);
   // Surfaces with a crease, clean and noisy ones; too few points to tell.
-  Cloud roof = Square(3000, 23);
+  Cloud roof = Square(1500, 23);
   for (Id i = 0; i < roof.GetSize(); ++i)
   {
     roof.Points[3 * i + 2] = std::abs(roof.At(i).X - 0.5);
   }
-  for (const Cloud& cloud : { roof, Sphere(3000, 24), Sphere(3000, 25, 0.03), Sphere(16, 26) })
+  for (const Cloud& cloud : { roof, Sphere(1500, 24), Sphere(1500, 25, 0.03), Sphere(16, 26) })
   {
     const dgg::CloudGraphStatistics surface = measure(cloud);
     EXPECT_LT(surface.OffSurface, 0.03);

@@ -33,6 +33,14 @@ constexpr std::size_t SampleSize = 2000;
 /// radius that they are in. In a volume it is 0.27 at 16 neighbours, and 0.3 at more; for noise of
 /// 1, 2 and 3 spacings it falls below at 32, 128 and 256.
 constexpr double MissOfNoSurface = 0.25;
+/// From that part on, more neighbours may tell more noise from a volume.
+constexpr double MissOfMuchNoise = 0.2;
+/// Once they do, the residual grows by less than that with each doubling, unless the shape is
+/// finer (measured: 1.02 to 1.1 on planes, at noise of 1 to 3 spacings).
+constexpr double LargestGrowthOfMuchNoise = 1.12;
+/// Fits are for no more than that part of the cloud.
+constexpr std::size_t LeastPartsOfCloud = 8;
+constexpr std::size_t WideSampleSize = 500;
 /// Share of such nodes that is too large to be single points and edges (measured: below 0.05 on
 /// scans, 0.43 for noise of one spacing at 16 neighbours).
 constexpr double LargestShareOffSurface = 0.1;
@@ -64,8 +72,16 @@ float BySpacing(const CloudPairs& pairs, std::size_t node, double length)
   return spacing > 0.0 ? static_cast<float>(length / spacing) : 0.0f;
 }
 
-bool FitTo(
-  std::size_t count, CloudSetup& setup, double share, const NodeLoop& loop, CloudFits& fits)
+/// How often surfaces are fitted: to the nearest points, and to those nearest to the first surface
+/// then. A node far off has fewer of those on the other side of the surface among its nearest.
+enum class FitPasses
+{
+  One,
+  Two
+};
+
+bool FitTo(std::size_t count, FitPasses passes, CloudSetup& setup, double share,
+  const NodeLoop& loop, CloudFits& fits)
 {
   CloudPairs& pairs = setup.Pairs;
   const std::size_t n = pairs.Points.size();
@@ -84,7 +100,14 @@ bool FitTo(
       const Point3& point = pairs.Points[node];
       FindPlaces(setup, point, std::max(count, SpacingNeighbors) + 1, neighbors, places);
       pairs.Spacings[node] = static_cast<float>(SpacingFrom(neighbors));
-      const LocalFit fit = FitSurface(point, places.data(), std::min(count + 1, places.size()));
+      LocalFit fit = FitSurface(point, places.data(), std::min(count + 1, places.size()));
+      if (passes == FitPasses::Two)
+      {
+        const Point3 first = fit.ToSurface;
+        FindPlaces(setup, point + first, count + 1, neighbors, places);
+        fit = FitSurface(point + first, places.data(), places.size());
+        fit.ToSurface = first + fit.ToSurface;
+      }
       // Of fewer points nothing can be said.
       misses += places.size() > count &&
           fit.Residual > MissOfNoSurface * std::sqrt(neighbors[count].SquaredDistance)
@@ -117,7 +140,8 @@ struct TypicalResidual
   double ByRadius = 0.0; ///< that the neighbours are in
 };
 
-TypicalResidual MeasureResidual(const CloudSetup& setup, std::size_t count)
+TypicalResidual MeasureResidual(
+  const CloudSetup& setup, std::size_t count, std::size_t sampleSize = SampleSize)
 {
   const CloudPairs& pairs = setup.Pairs;
   const std::size_t n = pairs.Points.size();
@@ -125,9 +149,9 @@ TypicalResidual MeasureResidual(const CloudSetup& setup, std::size_t count)
   std::vector<float> byRadius;
   std::vector<CloudNeighbor> neighbors;
   std::vector<Point3> places;
-  for (std::size_t i = 0; i < std::min(n, SampleSize); ++i)
+  for (std::size_t i = 0; i < std::min(n, sampleSize); ++i)
   {
-    const std::size_t node = n <= SampleSize ? i : i * n / SampleSize;
+    const std::size_t node = n <= sampleSize ? i : i * n / sampleSize;
     const Point3& point = pairs.Points[node];
     FindPlaces(setup, point, count + 1, neighbors, places);
     const LocalFit fit = FitSurface(point, places.data(), places.size());
@@ -136,6 +160,51 @@ TypicalResidual MeasureResidual(const CloudSetup& setup, std::size_t count)
     byRadius.push_back(radius > 0.0 ? static_cast<float>(fit.Residual / radius) : 0.0f);
   }
   return { Quantile(bySpacing, 0.5), Quantile(byRadius, 0.5) };
+}
+
+/// As many neighbours as tell the surface where noise is so large that few of them seem to lie in a
+/// volume: the residual is a small part of the radius that they are in, and hardly grows with it. 0
+/// when there is no such number. `residual` is the one of FitNeighbors, by spacing.
+std::size_t FindNeighborsForMuchNoise(const CloudSetup& setup, double residual)
+{
+  if (residual < MissOfMuchNoise * std::sqrt(static_cast<double>(FitNeighbors) / Pi))
+  {
+    return 0;
+  }
+  const std::size_t most =
+    std::min(WidestFitNeighbors, setup.Pairs.Points.size() / LeastPartsOfCloud);
+  std::size_t found = 0;
+  for (std::size_t count = WideFitNeighbors; count <= most; count *= 2)
+  {
+    const TypicalResidual wide = MeasureResidual(setup, count, WideSampleSize);
+    const double growth = wide.BySpacing / residual;
+    if (growth < (found > 0 ? LargestGrowthOfMuchNoise : LargestGrowthOfNoise) &&
+      wide.ByRadius < MissOfNoSurface)
+    {
+      found = count;
+    }
+    else if (found > 0)
+    {
+      break; // the shape is finer
+    }
+    residual = wide.BySpacing;
+  }
+  return found;
+}
+
+/// As many neighbours as noise is taken off with; 0 when there is none, or more than few tell.
+std::size_t FindNeighborsForNoise(const CloudSetup& setup, double residual)
+{
+  if (!(residual > NoisyResidual))
+  {
+    return 0;
+  }
+  if (!(MeasureResidual(setup, WideFitNeighbors).BySpacing < LargestGrowthOfNoise * residual))
+  {
+    return 0;
+  }
+  return static_cast<std::size_t>(
+    std::clamp<double>(640.0 * residual, WideFitNeighbors, MostFitNeighbors));
 }
 
 /// How far points scatter about what surface there may be, in spacings: by the widest fits, whose
@@ -148,13 +217,14 @@ double MeasureScatter(const CloudSetup& setup, double offSurface)
     return 0.0;
   }
   const std::size_t count = std::min(WidestFitNeighbors, setup.Pairs.Points.size() - 1);
-  return MeasureResidual(setup, count).ByRadius * std::sqrt(static_cast<double>(count) / Pi);
+  return MeasureResidual(setup, count, WideSampleSize).ByRadius *
+    std::sqrt(static_cast<double>(count) / Pi);
 }
 }
 
 bool FitSurfaces(CloudSetup& setup, double share, const NodeLoop& loop, CloudFits& fits)
 {
-  return FitTo(FitNeighbors, setup, share, loop, fits);
+  return FitTo(FitNeighbors, FitPasses::One, setup, share, loop, fits);
 }
 
 bool RemoveNoise(
@@ -171,20 +241,27 @@ bool RemoveNoise(
     pairs.IsSmooth[i] = residuals[i] < SmoothResidual ? 1 : 0;
   }
   const double residual = Quantile(residuals, 0.5);
-  if (!(residual > NoisyResidual &&
-        MeasureResidual(setup, WideFitNeighbors).BySpacing < LargestGrowthOfNoise * residual))
+  std::size_t count = FindNeighborsForNoise(setup, residual);
+  const bool isMuch = count == 0;
+  if (isMuch)
+  {
+    count = FindNeighborsForMuchNoise(setup, residual);
+  }
+  if (count == 0)
   {
     noise.Scatter = MeasureScatter(setup, noise.OffSurface);
     return true;
   }
   std::vector<float> lengths = fits.Residuals;
-  noise.Removed = Quantile(lengths, 0.5);
-  const auto count = static_cast<std::size_t>(
-    std::clamp<double>(640.0 * residual, WideFitNeighbors, MostFitNeighbors));
-  if (!FitTo(count, setup, 0.5 * share, loop, fits))
+  if (!FitTo(count, isMuch ? FitPasses::Two : FitPasses::One, setup, 0.5 * share, loop, fits))
   {
     return false;
   }
+  if (isMuch)
+  {
+    lengths = fits.Residuals; // fits to few neighbours have followed it
+  }
+  noise.Removed = Quantile(lengths, 0.5);
   noise.OffSurface = fits.OffSurface;
   noise.Scatter = MeasureScatter(setup, noise.OffSurface);
   for (std::size_t i = 0; i < n; ++i)
@@ -195,6 +272,6 @@ bool RemoveNoise(
   setup.Neighbors = std::make_unique<CloudNeighbors>(pairs.Points);
   // What is left of the noise is not to be followed.
   std::fill(pairs.IsSmooth.begin(), pairs.IsSmooth.end(), 1);
-  return FitTo(count, setup, 0.5 * share, loop, fits);
+  return FitTo(count, FitPasses::One, setup, 0.5 * share, loop, fits);
 }
 }
