@@ -35,9 +35,10 @@ constexpr std::size_t SampleSize = 2000;
 constexpr double MissOfNoSurface = 0.25;
 /// From that part on, more neighbours may tell more noise from a volume.
 constexpr double MissOfMuchNoise = 0.2;
-/// Once they do, the residual grows by less than that with each doubling, unless the shape is
-/// finer (measured: 1.02 to 1.1 on planes, at noise of 1 to 3 spacings).
-constexpr double LargestGrowthOfMuchNoise = 1.12;
+/// Once they do, the residual of a noisy plane grows with each doubling by twice the square of its
+/// part of the radius (measured: within 0.01, for 1 to 3 spacings), and by more than this besides
+/// where the shape is finer.
+constexpr double GrowthOfFineShape = 0.02;
 /// Fits are for no more than that part of the cloud.
 constexpr std::size_t LeastPartsOfCloud = 8;
 constexpr std::size_t WideSampleSize = 500;
@@ -174,14 +175,15 @@ std::size_t FindNeighborsForMuchNoise(const CloudSetup& setup, double residual)
   const std::size_t most =
     std::min(WidestFitNeighbors, setup.Pairs.Points.size() / LeastPartsOfCloud);
   std::size_t found = 0;
+  double largestGrowth = LargestGrowthOfNoise;
   for (std::size_t count = WideFitNeighbors; count <= most; count *= 2)
   {
     const TypicalResidual wide = MeasureResidual(setup, count, WideSampleSize);
     const double growth = wide.BySpacing / residual;
-    if (growth < (found > 0 ? LargestGrowthOfMuchNoise : LargestGrowthOfNoise) &&
-      wide.ByRadius < MissOfNoSurface)
+    if (growth < largestGrowth && wide.ByRadius < MissOfNoSurface)
     {
       found = count;
+      largestGrowth = 1.0 + 2.0 * wide.ByRadius * wide.ByRadius + GrowthOfFineShape;
     }
     else if (found > 0)
     {
