@@ -23,9 +23,9 @@ constexpr Offset BricksPerTask = 16;
 constexpr Offset PiecesPerReport = 64;
 /// Share of the progress that goes to the band.
 constexpr double ShareOfBand = 0.1;
-constexpr double ShareOfFits = 0.1;
+constexpr double ShareOfFits = 0.22;
 /// Of fitting surfaces to more neighbours, and once more when points have been moved.
-constexpr double ShareOfNoise = 0.2;
+constexpr double ShareOfNoise = 0.08;
 
 /// The spacing of a point is at most that of its neighbours by this: a point on its own, far off
 /// the surface, must not get a ball that reaches it, nor one at a border a larger one.
