@@ -86,27 +86,29 @@
  * bridged is guarded against:
  *  - sheets close to each other: two points are not connected when the line between them makes more
  *    than 60 degrees with the tangent planes at both ends, or passes points that are not where the
- *    surface should be, along their normals. So sheets stay apart that are 3.2 spacings apart or
- *    more; closer ones do with OrientedNormals, or with balls of a third of the gap, given by
- *    OffsetInVoxels and Resolution;
+ *    surface should be, along their normals. So sheets stay apart that are about 3.2 spacings apart
+ *    or more (points at random that leave gaps need a little more); closer ones do with
+ *    OrientedNormals, or with balls of a third of the gap, given by OffsetInVoxels and Resolution;
  *  - noise: where points scatter about the surface by more than 3 % of their spacing (GetNoise()),
  *    they are moved to the surface before lengths are measured. This is decided for the whole
  *    cloud: clean detail beside much noise is smoothed as well, single points above a noisy surface
- *    are moved to it, noisy sheets less than about six spacings apart may be joined, and sheets
- *    less than 1.5 of the spacings of a single one apart may be taken for one noisy surface. Noise
- *    of a spacing or more, as a standard deviation, looks like a volume to the nearest points. It is
+ *    are moved to it, noisy sheets less than about six spacings apart may be joined, and sheets less
+ *    than 1.5 of the spacings of a single one apart may be taken for one noisy surface. Noise of a
+ *    spacing or more, as a standard deviation, looks like a volume to the nearest points. It is
  *    looked for with up to 512 of them, and no more than an eighth of the cloud, and taken off up to
- *    2 spacings where the surface is smooth at that scale; finer detail goes with it. When more than a tenth of the points lie on no surface with their neighbours
- *    (GetOffSurfaceShare()), as for more noise than that, and in volumes, there is a warning that
- *    tells how far they scatter: then thin the cloud out until that is less than the spacing, which
- *    grows with the root of the thinning;
+ *    2 spacings where the surface is smooth at that scale; finer detail goes with it. When more than
+ *    a tenth of the points lie on no surface with their neighbours (GetOffSurfaceShare()), as for
+ *    more noise than that, and in volumes, there is a warning that tells how far they scatter: then
+ *    thin the cloud out until that is less than the spacing, which grows with the root of the
+ *    thinning;
  *  - uneven density: balls and, in scheme C, reaches follow the local spacing; points on their own
- *    far off the surface do not get larger balls. Where few points are very much sparser than the rest, automatic voxels become larger than the
- *    balls of the dense ones, so that balls have 4000 voxels at most on average. Balls with a radius
- *    below half a voxel are looked at one by one rather than by voxels: distances are as good, and
- *    building takes a few times longer. There is a warning when voxels, given or automatic, are
- *    larger than the median spacing, as paths that vtkDGGPath straightens still go by voxels, and as
- *    an OffsetInVoxels that is given makes the balls as large;
+ *    far off the surface do not get larger balls. Where few points are very much sparser than the
+ *    rest, automatic voxels become larger than the balls of the dense ones, so that balls have 4000
+ *    voxels at most on average. Balls with a radius below half a voxel are looked at one by one
+ *    rather than by voxels: distances are as good, and building takes a few times longer. There is a
+ *    warning when voxels, given or automatic, are larger than the median spacing, as paths that
+ *    vtkDGGPath straightens still go by voxels, and as an OffsetInVoxels that is given makes the
+ *    balls as large;
  *  - holes that are wider are gone around; points in the same place count once.
  *
  * <b>Nothing is promised</b> of the difference between distances in the graph and on the surface
