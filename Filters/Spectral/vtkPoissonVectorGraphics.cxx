@@ -285,6 +285,7 @@ dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawin
   vtkInternals& internals = *this->Internals;
   internals.IsKept = false;
   internals.Graphics.Clear();
+  internals.RefinedFaces = std::vector<dgg::Id>();
   const std::size_t count = drawing.Curves.size();
   dgg::Status status;
   std::vector<dgg::SurfaceCurve> joined(count);
@@ -316,7 +317,8 @@ dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawin
     std::min(static_cast<double>(vtkDGGGetMemoryLimit(drawing.MemoryLimit)) / BytesPerFace,
       static_cast<double>(refinement.MostFaces)));
   refinement.Progress = dgg::ProgressPart(progress, EmbeddedAt, RefinedAt);
-  status = dgg::RefineForGraphics(mesh, refinement, refined, &internals.RefinedFaces);
+  std::vector<dgg::Id> refinedFaces;
+  status = dgg::RefineForGraphics(mesh, refinement, refined, &refinedFaces);
   if (!status.IsOk())
   {
     return status.IsAborted()
@@ -332,7 +334,11 @@ dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawin
   dgg::GraphicsOptions own = options;
   own.Progress = dgg::ProgressPart(progress, RefinedAt, 1.0);
   status = internals.Graphics.Prepare(mesh, refined, chains, drawing.Curves, own);
-  internals.NumberOfFactorizations += status.IsOk() ? 1 : 0;
+  if (status.IsOk())
+  {
+    ++internals.NumberOfFactorizations;
+    internals.RefinedFaces = std::move(refinedFaces);
+  }
   internals.IsKept = status.IsOk();
   internals.Kept = drawing;
   return status;
