@@ -40,7 +40,7 @@ void ResetResidentPeak()
 }
 }
 
-#ifdef __GLIBC__
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) // which has its own
 // glibc lets programs put their own functions in the place of these, and keeps its own ones under
 // other names. Whatever asks for memory then comes here: operator new, Eigen, VTK's arrays.
 extern "C" {
@@ -116,7 +116,7 @@ int posix_memalign(void** block, std::size_t alignment, std::size_t size) noexce
 
 MemoryProbe::MemoryProbe()
 {
-#ifdef __GLIBC__
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) // which has its own
   // Free blocks kept by the allocator would hide growth of the resident set.
   malloc_trim(0);
 #endif
