@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 namespace dggtest
@@ -323,6 +324,81 @@ TEST(VectorGraphics, StopsWhenAskedTo)
     status = status.IsOk() ? drawing.Solve() : status;
     EXPECT_TRUE(status.IsAborted()) << stop;
     EXPECT_LE(last, 1.0);
+  }
+}
+
+TEST(VectorGraphics, StopsWithinRegions)
+{
+  // A large region, and many small ones, of faces and on the left of a curve: progress is told
+  // again and again while their faces are looked at, and each time the work can be stopped.
+  enum class Kind
+  {
+    None,
+    Large,
+    Many,
+    OfCurve
+  };
+  std::size_t without[2] = { 0, 0 };
+  for (const Kind kind : { Kind::None, Kind::Large, Kind::Many, Kind::OfCurve })
+  {
+    SCOPED_TRACE(static_cast<int>(kind));
+    Drawing drawing(Icosphere(6));
+    const Id faces = drawing.Mesh.GetNumberOfFaces();
+    if (kind == Kind::OfCurve) // around a triangle, with all others on its left
+    {
+      const std::array<Id, 3> corners = drawing.Mesh.GetTriangle(77);
+      drawing.Add(Region,
+        { SurfacePoint::AtVertex(corners[0]), SurfacePoint::AtVertex(corners[2]),
+          SurfacePoint::AtVertex(corners[1]) },
+        { 1.0, 0.0, 0.0 }, {}, true);
+    }
+    const Id size = kind == Kind::Large ? faces - 4 : 16;
+    for (Id first = 0; first + size <= faces && (kind == Kind::Large || kind == Kind::Many);
+         first += size)
+    {
+      GraphicsRegion region{ std::vector<Id>(static_cast<std::size_t>(size)), { 1.0 } };
+      std::iota(region.Faces.begin(), region.Faces.end(), first);
+      drawing.Regions.push_back(region);
+    }
+    std::size_t told = 0;
+    std::size_t stopAt = 1000;
+    double last = 0.0;
+    drawing.Options.Progress = [&](double done) {
+      EXPECT_GE(done, last);
+      last = done;
+      return told++ < stopAt;
+    };
+    const auto run = [&](std::size_t stop, bool isPreparing) {
+      told = 0;
+      last = 0.0;
+      stopAt = stop;
+      return isPreparing ? drawing.Prepare() : drawing.Solve();
+    };
+    ASSERT_TRUE(run(1000, true).IsOk());
+    const std::size_t preparing = told;
+    ASSERT_TRUE(run(1000, false).IsOk());
+    const std::size_t solving = told;
+    if (kind == Kind::None)
+    {
+      without[0] = preparing;
+      without[1] = solving;
+      continue;
+    }
+    // Each face is looked at once when it is found, and three times when its source is added.
+    EXPECT_GE(preparing, without[0] + (kind == Kind::OfCurve ? 2 : 0));
+    EXPECT_GE(solving, without[1] + 6);
+    const std::vector<double> expected = drawing.Result.Values;
+    for (std::size_t stop = 0; stop < solving; ++stop)
+    {
+      EXPECT_TRUE(run(stop, false).IsAborted()) << stop;
+      EXPECT_TRUE(drawing.Result.Values.empty());
+    }
+    ASSERT_TRUE(run(1000, false).IsOk());
+    EXPECT_EQ(drawing.Result.Values, expected);
+    for (std::size_t stop = 0; stop < 4; ++stop) // the rest of it is as without regions
+    {
+      EXPECT_TRUE(run(stop, true).IsAborted()) << stop;
+    }
   }
 }
 

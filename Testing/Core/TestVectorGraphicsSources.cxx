@@ -156,7 +156,8 @@ TEST(VectorGraphicsSources, RimsHaveTheSameSinkPerLength)
   std::iota(faces.begin(), faces.end(), 0);
   std::vector<std::vector<double>> loads(2, std::vector<double>(input.Points.size() / 3, 0.0));
   dgg::RegionSources sources(mesh, cut.Surface);
-  sources.Add(faces, { 1.0, -2.0 }, loads);
+  dgg::WorkProgress work(nullptr, 0.0);
+  ASSERT_TRUE(sources.Add(faces, { 1.0, -2.0 }, work, loads).IsOk());
   // The whole sink is at that one edge.
   const auto expectSinks = [&](double sign) {
     double sum = 0.0;
@@ -184,7 +185,7 @@ TEST(VectorGraphicsSources, RimsHaveTheSameSinkPerLength)
     std::fill(channel.begin(), channel.end(), 0.0);
   }
   faces.push_back(3);
-  sources.Add(faces, { 1.0, -2.0 }, loads);
+  ASSERT_TRUE(sources.Add(faces, { 1.0, -2.0 }, work, loads).IsOk());
   faces.pop_back();
   expectSinks(1.0);
 }
@@ -238,7 +239,8 @@ TEST(VectorGraphicsSources, EdgesOfThreeFacesCountOnce)
     }
   }
   std::vector<std::vector<double>> loads(1, std::vector<double>(input.Points.size() / 3, 0.0));
-  dgg::RegionSources(mesh, cut.Surface).Add(faces, { 1.0 }, loads);
+  dgg::WorkProgress work(nullptr, 0.0);
+  ASSERT_TRUE(dgg::RegionSources(mesh, cut.Surface).Add(faces, { 1.0 }, work, loads).IsOk());
   for (std::size_t v = 0; v < expected.size(); ++v)
   {
     EXPECT_NEAR(loads[0][v], expected[v], 1e-12) << v;

@@ -39,6 +39,7 @@ public:
         this->AddMiddle(static_cast<Id>(h));
       }
     }
+    this->Reserve();
   }
 
   void Run(RefinedSurface& surface, std::vector<Id>* parents)
@@ -90,6 +91,20 @@ private:
     {
       this->Middles[e] = middle;
     }
+  }
+
+  /// Each split side is one part more. Arrays that grow as they are filled would take up to three
+  /// times as much.
+  void Reserve()
+  {
+    const auto whole = std::count(this->Middles.begin(), this->Middles.end(), NoId);
+    const std::size_t faces =
+      this->Old.Faces.size() + this->Middles.size() - static_cast<std::size_t>(whole);
+    this->New.Triangles.reserve(3 * faces);
+    this->New.Lengths.reserve(3 * faces);
+    this->New.Faces.reserve(faces);
+    this->Keys.reserve(3 * faces);
+    this->Parents.reserve(faces);
   }
 
   void SplitFace(Id f)

@@ -43,6 +43,30 @@ void ForEachEnd(const CurveSides& sides, const CurveChain& chain, Visitor&& visi
 }
 }
 
+namespace
+{
+bool IsFaceInBand(const SurfaceMesh& mesh, Id face, const std::vector<char>& isInBand)
+{
+  const std::array<Id, 3> corners = mesh.GetTriangle(face);
+  return !mesh.IsDropped(face) &&
+    (isInBand[corners[0]] || isInBand[corners[1]] || isInBand[corners[2]]);
+}
+
+/// Bytes that the band takes until its factor is known.
+double PredictBand(const SurfaceMesh& mesh, const std::vector<char>& isInBand)
+{
+  double faces = 0.0;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    faces += IsFaceInBand(mesh, f, isInBand) ? 1.0 : 0.0;
+  }
+  // Vertices are about half as many, but for a band a face wide.
+  const auto places = static_cast<double>(mesh.GetNumberOfFaces() + mesh.GetNumberOfVertices());
+  return (places + faces) * sizeof(Id) + faces * 3.0 * (2.0 * sizeof(Id) + sizeof(double)) +
+    PredictSolverMemory(faces, faces);
+}
+}
+
 bool StrengthBlend::IsNeeded(const GraphicsCurve& curve, int channels)
 {
   const auto count = static_cast<std::size_t>(channels);
@@ -56,9 +80,7 @@ Status StrengthBlend::BuildBand(
   std::vector<Id> placeOfFace(static_cast<std::size_t>(mesh.GetNumberOfFaces()), NoId);
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
-    const std::array<Id, 3> corners = mesh.GetTriangle(f);
-    if (!mesh.IsDropped(f) &&
-      (isInBand[corners[0]] || isInBand[corners[1]] || isInBand[corners[2]]))
+    if (IsFaceInBand(mesh, f, isInBand))
     {
       placeOfFace[f] = static_cast<Id>(faces.size());
       faces.push_back(f);
@@ -94,8 +116,9 @@ Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& i
   const CurveSides& sides, const CurveChain& chain, const GraphicsCurve& curve, int channels,
   const std::function<Status(double)>& checkMemory, const ProgressCallback& progress)
 {
+  Status status = checkMemory ? checkMemory(PredictBand(mesh, isInBand)) : Status::Success();
   SurfaceMesh band;
-  Status status = this->BuildBand(mesh, isInBand, band);
+  status = status.IsOk() ? this->BuildBand(mesh, isInBand, band) : status;
   if (!status.IsOk())
   {
     return status;
@@ -113,9 +136,11 @@ Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& i
   status = solver.Analyze(options, progress);
   if (status.IsOk() && checkMemory)
   {
+    // Columns, and what Solve() works with.
+    const double numbers = (2.0 * channels + 12.0) * static_cast<double>(n);
     status = checkMemory(static_cast<double>(band.GetMemorySize()) +
-      static_cast<double>(solver.GetEstimatedMemory()) +
-      2.0 * channels * static_cast<double>(n * sizeof(double)));
+      static_cast<double>(solver.GetEstimatedMemory()) + numbers * sizeof(double) +
+      static_cast<double>(isInBand.size()) * (sizeof(Id) + 1.0));
   }
   status = status.IsOk() ? solver.Factorize(nullptr) : status;
   if (!status.IsOk())

@@ -23,7 +23,8 @@ public:
 
   /// Solve for them on the faces of a mesh that have a vertex in the band, on the intrinsic
   /// Delaunay triangulation of these, so that no strength lies outside of those of the curve.
-  /// `checkMemory`, which may be empty, is asked with the bytes for that.
+  /// `checkMemory`, which may be empty, is asked with the bytes for that: before the band is made,
+  /// and before the factorization.
   Status Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand, const CurveSides& sides,
     const CurveChain& chain, const GraphicsCurve& curve, int channels,
     const std::function<Status(double)>& checkMemory, const ProgressCallback& progress);

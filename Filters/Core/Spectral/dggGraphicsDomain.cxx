@@ -118,23 +118,31 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
   return status;
 }
 
-double PredictGraphicsMemory(const RefinedSurface& surface, bool hasPoisson)
+double PredictSolverMemory(double faces, double vertices)
 {
   constexpr double id = sizeof(Id);
   constexpr double number = sizeof(double);
-  const auto faces = static_cast<double>(surface.Faces.size());
-  const auto vertices = static_cast<double>(surface.Points.size());
-  const double cut = faces * (7.0 * id + 3.0 * number) + vertices * (sizeof(SurfacePoint) + id);
   // Half-edges with origin, twin, place in a fan, length, apex and angle; vertices with an angle, a
   // fan and a kind.
   const double mesh = faces * (9.0 * id + 12.0 * number + 1.0) + vertices * (2.0 * number + 1.0);
-  // The triangulation; a matrix of seven entries per vertex and, for the order of elimination, its
-  // pattern and half of it again; arrays per vertex.
-  const double entries = 7.0 * vertices;
-  const double analysis = faces * (7.0 * id + 3.0 * number) + entries * (number + id) +
-    1.5 * entries * (number + id) + vertices * (8.0 * id + 4.0 * number);
-  const double copies = hasPoisson ? 2.0 : 1.0;
-  return 2.0 * cut + cut + copies * mesh + analysis;
+  const double triangulation = faces * (6.0 * id + 3.0 * number + 3.0);
+  const double arrays = vertices * (8.0 * id + 6.0 * number);
+  // The matrix of seven entries per vertex; while it is put together, what each half-edge adds to
+  // it, in triplets and in rows; then, for the order of elimination, its pattern and half of it.
+  const double matrix = 7.0 * vertices * (number + id);
+  const double added = 12.0 * faces + vertices;
+  const double assembly = added * ((number + 2.0 * id) + (number + id)) + 4.0 * vertices * id;
+  const double ordering = 1.5 * matrix;
+  return mesh + triangulation + arrays + matrix + std::max(assembly, ordering);
+}
+
+double PredictGraphicsMemory(double faces, double vertices, bool hasPoisson)
+{
+  constexpr double id = sizeof(Id);
+  constexpr double number = sizeof(double);
+  const double cut = faces * (7.0 * id + 3.0 * number) + vertices * (sizeof(SurfacePoint) + id);
+  const double mesh = faces * (9.0 * id + 12.0 * number + 1.0) + vertices * (2.0 * number + 1.0);
+  return 3.0 * cut + (hasPoisson ? mesh : 0.0) + PredictSolverMemory(faces, vertices);
 }
 
 void InterpolateOnCurve(

@@ -35,9 +35,14 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
   const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
   GraphicsDomain& domain);
 
-/// Bytes that the surface, its cuts with their meshes, and the analysis of the equation on one of
-/// them take, from the numbers of faces and vertices; the factor and colours not included.
-double PredictGraphicsMemory(const RefinedSurface& surface, bool hasPoisson);
+/// Bytes that a mesh with so many faces and vertices takes, and the analysis of an equation on it;
+/// the factor not included.
+double PredictSolverMemory(double faces, double vertices);
+
+/// Bytes that a surface with so many faces and vertices, its cuts with their meshes, and the
+/// analysis of the equation on one of them take; the factor and colours not included. Making such a
+/// surface, by splitting the faces of another one, takes less.
+double PredictGraphicsMemory(double faces, double vertices, bool hasPoisson);
 
 /// The numbers of a curve at a place among its given points (CurveChain::Parameters).
 void InterpolateOnCurve(

@@ -61,22 +61,21 @@ std::vector<Id> ChainEdges::Find(Id a, Id b) const
   return found;
 }
 
-namespace
+LeftFaces::LeftFaces(const ChainEdges& edges)
+  : Edges(edges)
+  , Surface(edges.GetSurface())
+  , IsFound(Surface.Faces.size(), 0)
+  , IsWall(Surface.Triangles.size(), 0)
 {
-/// The half-edges of a chain on its left and on its right.
-struct ChainSides
-{
-  std::vector<Id> Left;
-  std::vector<Id> Right;
-};
+}
 
-Status FindSides(const ChainEdges& edges, const CurveChain& chain, ChainSides& sides)
+Status LeftFaces::FindSides(const CurveChain& chain, ChainSides& sides) const
 {
   for (std::size_t i = 0; i + 1 < chain.Vertices.size(); ++i)
   {
     const Id from = chain.Vertices[i];
-    const std::vector<Id> halves = edges.Find(from, chain.Vertices[i + 1]);
-    const auto isOnLeft = [&](Id h) { return edges.GetSurface().Triangles[h] == from; };
+    const std::vector<Id> halves = this->Edges.Find(from, chain.Vertices[i + 1]);
+    const auto isOnLeft = [&](Id h) { return this->Surface.Triangles[h] == from; };
     if (halves.size() > 2 || (halves.size() == 2 && isOnLeft(halves[0]) == isOnLeft(halves[1])))
     {
       return Status::Invalid("it has no sides where it runs along an edge of more than two faces, "
@@ -89,10 +88,49 @@ Status FindSides(const ChainEdges& edges, const CurveChain& chain, ChainSides& s
   }
   return Status::Success();
 }
+
+/// Walk from the left of the curve, which is a wall, to all faces there.
+Status LeftFaces::Spread(const ChainSides& sides, WorkProgress& work, std::vector<Id>& faces)
+{
+  const auto find = [&](Id h) {
+    const Id f = SurfaceMesh::Face(h);
+    if (!this->IsFound[f])
+    {
+      this->IsFound[f] = 1;
+      faces.push_back(f);
+    }
+  };
+  for (const Id h : sides.Left)
+  {
+    find(h);
+  }
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (!work.Add(1.0))
+    {
+      return Status::Abort();
+    }
+    for (Id h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h)
+    {
+      if (!this->IsWall[h])
+      {
+        ForEachTwin(this->Surface, h, find);
+      }
+    }
+  }
+  for (const Id h : sides.Right)
+  {
+    if (this->IsFound[SurfaceMesh::Face(h)])
+    {
+      return Status::Invalid("it does not separate its left from its right, so that there is no "
+                             "region on its left: close it around one, without crossing itself");
+    }
+  }
+  return Status::Success();
 }
 
-Status FindFacesOnLeft(
-  const ChainEdges& edges, const CurveChain& chain, bool isClosed, std::vector<Id>& faces)
+Status LeftFaces::Find(
+  const CurveChain& chain, bool isClosed, WorkProgress& work, std::vector<Id>& faces)
 {
   faces.clear();
   if (!isClosed)
@@ -100,49 +138,30 @@ Status FindFacesOnLeft(
     return Status::Invalid("it is open, but a region needs a closed one: close it");
   }
   ChainSides sides;
-  Status status = FindSides(edges, chain, sides);
+  Status status = this->FindSides(chain, sides);
   if (!status.IsOk())
   {
     return status;
   }
-  const RefinedSurface& surface = edges.GetSurface();
-  std::vector<char> isFound(surface.Faces.size(), 0);
-  std::vector<char> isWall(surface.Triangles.size(), 0);
-  const auto find = [&](Id h) {
-    const Id f = SurfaceMesh::Face(h);
-    if (!isFound[f])
+  const auto setWalls = [&](char value) {
+    for (const std::vector<Id>* side : { &sides.Left, &sides.Right })
     {
-      isFound[f] = 1;
-      faces.push_back(f);
-    }
-  };
-  for (const Id h : sides.Right)
-  {
-    isWall[h] = 1;
-  }
-  for (const Id h : sides.Left)
-  {
-    isWall[h] = 1;
-    find(h);
-  }
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    for (Id h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h)
-    {
-      if (!isWall[h])
+      for (const Id h : *side)
       {
-        ForEachTwin(surface, h, find);
+        this->IsWall[h] = value;
       }
     }
-  }
-  for (const Id h : sides.Right)
+  };
+  setWalls(1);
+  status = this->Spread(sides, work, faces);
+  setWalls(0);
+  for (const Id f : faces)
   {
-    if (isFound[SurfaceMesh::Face(h)])
-    {
-      faces.clear();
-      return Status::Invalid("it does not separate its left from its right, so that there is no "
-                             "region on its left: close it around one, without crossing itself");
-    }
+    this->IsFound[f] = 0;
+  }
+  if (!status.IsOk())
+  {
+    faces.clear();
   }
   return status;
 }
@@ -159,13 +178,17 @@ double RegionSources::GetArea(Id face) const
   return 0.5 * this->Mesh.Length(3 * face) * this->Mesh.ApexY(3 * face);
 }
 
-/// The faces of the region that can be reached from one of them through edges.
-void RegionSources::FindPatch(Id face)
+/// The faces of the region that can be reached from one of them through edges. False when stopped.
+bool RegionSources::FindPatch(Id face, WorkProgress& work)
 {
   this->Patch.assign(1, face);
   this->States[face] = State::Found;
   for (std::size_t i = 0; i < this->Patch.size(); ++i)
   {
+    if (!work.Add(1.0))
+    {
+      return false;
+    }
     for (Id h = 3 * this->Patch[i]; h < 3 * this->Patch[i] + 3; ++h)
     {
       ForEachTwin(this->Surface, h, [&](Id e) {
@@ -178,15 +201,20 @@ void RegionSources::FindPatch(Id face)
       });
     }
   }
+  return true;
 }
 
 /// Edges of the patch with a face that is not of the region. Where it has several of the faces at
-/// such an edge, the smallest half-edge stands for it.
-void RegionSources::FindRim()
+/// such an edge, the smallest half-edge stands for it. False when stopped.
+bool RegionSources::FindRim(WorkProgress& work)
 {
   this->Rim.clear();
   for (const Id f : this->Patch)
   {
+    if (!work.Add(1.0))
+    {
+      return false;
+    }
     for (Id h = 3 * f; h < 3 * f + 3; ++h)
     {
       bool isRim = false;
@@ -202,10 +230,12 @@ void RegionSources::FindRim()
       }
     }
   }
+  return true;
 }
 
-void RegionSources::AddPatch(
-  const std::vector<double>& strength, std::vector<std::vector<double>>& loads) const
+/// False when stopped.
+bool RegionSources::AddPatch(const std::vector<double>& strength, WorkProgress& work,
+  std::vector<std::vector<double>>& loads) const
 {
   double area = 0.0;
   for (const Id f : this->Patch)
@@ -217,28 +247,37 @@ void RegionSources::AddPatch(
   {
     length += this->Surface.Lengths[h];
   }
-  for (std::size_t c = 0; c < loads.size() && area > 0.0; ++c)
+  for (const Id f : this->Patch)
   {
-    const double whole = 4.0 * Pi * strength[c];
-    for (const Id f : this->Patch)
+    if (!work.Add(1.0))
+    {
+      return false;
+    }
+    const double part = area > 0.0 ? this->GetArea(f) / area : 0.0;
+    for (std::size_t c = 0; c < loads.size(); ++c)
     {
       for (int k = 0; k < 3; ++k)
       {
-        loads[c][this->Surface.Triangles[3 * f + k]] += whole * (this->GetArea(f) / area) / 3.0;
+        loads[c][this->Surface.Triangles[3 * f + k]] += 4.0 * Pi * strength[c] * part / 3.0;
       }
     }
-    for (const Id h : this->Rim)
+  }
+  for (const Id h : this->Rim)
+  {
+    const double part = length > 0.0 ? this->Surface.Lengths[h] / length
+                                     : 1.0 / static_cast<double>(this->Rim.size());
+    for (std::size_t c = 0; c < loads.size() && area > 0.0; ++c)
     {
-      const double part = length > 0.0 ? this->Surface.Lengths[h] / length
-                                       : 1.0 / static_cast<double>(this->Rim.size());
-      loads[c][this->Surface.Triangles[h]] -= 0.5 * whole * part;
-      loads[c][this->Surface.Triangles[SurfaceMesh::Next(h)]] -= 0.5 * whole * part;
+      const double sink = 0.5 * 4.0 * Pi * strength[c] * part;
+      loads[c][this->Surface.Triangles[h]] -= sink;
+      loads[c][this->Surface.Triangles[SurfaceMesh::Next(h)]] -= sink;
     }
   }
+  return true;
 }
 
-void RegionSources::Add(const std::vector<Id>& faces, const std::vector<double>& strength,
-  std::vector<std::vector<double>>& loads)
+Status RegionSources::Add(const std::vector<Id>& faces, const std::vector<double>& strength,
+  WorkProgress& work, std::vector<std::vector<double>>& loads)
 {
   for (const Id f : faces)
   {
@@ -248,15 +287,18 @@ void RegionSources::Add(const std::vector<Id>& faces, const std::vector<double>&
   {
     if (this->States[f] == State::Waiting)
     {
-      this->FindPatch(f);
-      this->FindRim();
-      this->AddPatch(strength, loads);
+      if (!this->FindPatch(f, work) || !this->FindRim(work) ||
+        !this->AddPatch(strength, work, loads))
+      {
+        return Status::Abort();
+      }
     }
   }
   for (const Id f : faces)
   {
     this->States[f] = State::Outside;
   }
+  return Status::Success();
 }
 
 std::vector<ChainPart> SplitChain(const ChainEdges& edges, const CurveChain& chain)

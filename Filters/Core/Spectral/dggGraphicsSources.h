@@ -6,6 +6,7 @@
 #define dggGraphicsSources_h
 
 #include "dggGraphicsDomain.h" // for the surface
+#include "dggWorkProgress.h"   // for progress
 
 #include <cstddef> // for std::size_t
 #include <cstdint> // for flags
@@ -31,21 +32,47 @@ private:
   std::vector<std::pair<std::pair<Id, Id>, Id>> HalfEdges; // by ends, smaller vertex first; sorted
 };
 
-/// The faces on the left of a closed curve. Fails when the curve is open, runs along edges without
-/// two sides, or one can walk from its left to its right.
-Status FindFacesOnLeft(
-  const ChainEdges& edges, const CurveChain& chain, bool isClosed, std::vector<Id>& faces);
+/// Finds the faces on the left of closed curves. One curve costs as much as it has edges and faces.
+class LeftFaces
+{
+public:
+  /// The edges, and their surface, must live on.
+  explicit LeftFaces(const ChainEdges& edges);
+
+  /// Fails when the curve is open, runs along edges without two sides, or one can walk from its
+  /// left to its right; when stopped as well. `work` is told of faces.
+  Status Find(const CurveChain& chain, bool isClosed, WorkProgress& work, std::vector<Id>& faces);
+
+private:
+  /// The half-edges of a chain on its left and on its right.
+  struct ChainSides
+  {
+    std::vector<Id> Left;
+    std::vector<Id> Right;
+  };
+
+  Status FindSides(const CurveChain& chain, ChainSides& sides) const;
+  Status Spread(const ChainSides& sides, WorkProgress& work, std::vector<Id>& faces);
+
+  const ChainEdges& Edges;
+  const RefinedSurface& Surface;
+  std::vector<char> IsFound; // per face; all 0 between two curves
+  std::vector<char> IsWall;  // per half-edge; likewise
+};
 
 /// Adds the sources of regions, see GraphicsRegion. One region costs as much as it has faces.
 class RegionSources
 {
 public:
+  static constexpr double WorkPerFace = 3.0;
+
   RegionSources(const SurfaceMesh& mesh, const CutSurface& surface);
 
   /// Add the integrals of the sources of a region against hat functions. Faces are those of the
   /// surface and may repeat. Loads are those of vertices, one array per channel; those of a patch
-  /// sum to 0 to rounding if it has a rim.
-  void Add(const std::vector<Id>& faces, const std::vector<double>& strength,
+  /// sum to 0 to rounding if it has a rim. `work` is told of each face WorkPerFace times; when
+  /// it stops, no more regions can be added.
+  Status Add(const std::vector<Id>& faces, const std::vector<double>& strength, WorkProgress& work,
     std::vector<std::vector<double>>& loads);
 
 private:
@@ -56,9 +83,10 @@ private:
     Found    ///< in one of its patches
   };
 
-  void FindPatch(Id face);
-  void FindRim();
-  void AddPatch(const std::vector<double>& strength, std::vector<std::vector<double>>& loads) const;
+  bool FindPatch(Id face, WorkProgress& work);
+  bool FindRim(WorkProgress& work);
+  bool AddPatch(const std::vector<double>& strength, WorkProgress& work,
+    std::vector<std::vector<double>>& loads) const;
   double GetArea(Id face) const;
 
   const SurfaceMesh& Mesh;

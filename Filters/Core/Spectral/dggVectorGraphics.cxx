@@ -5,6 +5,7 @@
 #include "dggGraphicsBand.h"
 #include "dggGraphicsChecks.h"
 #include "dggGraphicsDomain.h"
+#include "dggGraphicsScale.h"
 #include "dggGraphicsSources.h"
 #include "dggPoissonSolver.h"
 #include "dggPoissonSystem.h"
@@ -19,9 +20,12 @@ namespace dgg
 {
 namespace
 {
-/// Parts of the progress: of Prepare() when the surface is cut, of Run() when bands are found.
-constexpr double CutDone = 0.3;
-constexpr double BandsDone = 0.7;
+/// Parts of the progress: of Prepare() when the surface is cut and curves are measured, of Run()
+/// when bands are found and sources are added.
+constexpr double CutDone = 0.2;
+constexpr double MeasuredDone = 0.3;
+constexpr double BandsDone = 0.6;
+constexpr double SourcesDone = 0.8;
 
 /// The parts of the faces of the mesh that was refined.
 class FaceParts
@@ -45,6 +49,7 @@ public:
       this->Parts[--this->Begins[surface.Faces[part]]] = part;
     }
   }
+  Id Count(Id face) const { return this->Begins[face + 1] - this->Begins[face]; }
   void Append(Id face, std::vector<Id>& parts) const
   {
     parts.insert(parts.end(), this->Parts.begin() + this->Begins[face],
@@ -60,6 +65,12 @@ bool Goes(const ProgressCallback& progress, double fraction)
 {
   return !progress || progress(fraction);
 }
+
+double GetCutMemory(const RefinedSurface& surface, bool hasPoisson)
+{
+  return PredictGraphicsMemory(static_cast<double>(surface.Faces.size()),
+    static_cast<double>(surface.Points.size()), hasPoisson);
+}
 }
 
 class VectorGraphics::Implementation
@@ -71,19 +82,27 @@ public:
   Status Run(const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
     const GraphicsOptions& options, GraphicsResult& result);
 
+  std::size_t GetMemorySize() const;
+
   GraphicsDomain Domain;
   std::unique_ptr<PoissonSolver> Solver; // of the domain's mesh
 
 private:
   Status CheckRun(const std::vector<GraphicsCurve>& curves,
     const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options) const;
-  Status MeasureCurves(const RefinedSurface& surface, const std::vector<GraphicsCurve>& curves);
+  bool HasPoisson() const;
+  Status MeasureCurves(const RefinedSurface& surface, const std::vector<GraphicsCurve>& curves,
+    const GraphicsOptions& options);
+  Status FindRegions(const ChainEdges& edges, const std::vector<GraphicsCurve>& curves,
+    const GraphicsOptions& options);
   void FindGivenVertices(const std::vector<GraphicsCurve>& curves, PoissonOptions& options) const;
   Status AddBands(const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options,
     const ProgressCallback& progress, std::vector<double>& values) const;
   double GetRunMemory(const GraphicsOptions& options) const;
-  void AddSources(const std::vector<GraphicsCurve>& curves,
-    const std::vector<GraphicsRegion>& regions, std::vector<std::vector<double>>& columns) const;
+  Status AddSources(const std::vector<GraphicsCurve>& curves,
+    const std::vector<GraphicsRegion>& regions, const ChannelScale& scale,
+    const ProgressCallback& progress, std::vector<std::vector<double>>& columns) const;
+  double CountWork(const std::vector<GraphicsRegion>& regions, const FaceParts& parts) const;
   void MeasureNet(
     const std::vector<std::vector<double>>& columns, std::vector<double>& netSources) const;
   void SetGivenValues(const std::vector<GraphicsCurve>& curves, const std::vector<double>& bands,
@@ -124,19 +143,17 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
     this->Types.push_back(curve.Type);
     this->AreClosed.push_back(curve.IsClosed);
   }
-  const bool hasPoisson =
-    std::count(this->Types.begin(), this->Types.end(), GraphicsCurveType::Poisson) > 0;
   Status status;
   if (options.CheckMemory)
   {
-    status = options.CheckMemory(PredictGraphicsMemory(surface, hasPoisson));
+    status = options.CheckMemory(GetCutMemory(surface, this->HasPoisson()));
   }
   status = status.IsOk() ? CutForGraphics(mesh, surface, chains, curves, this->Domain) : status;
-  status = status.IsOk() ? this->MeasureCurves(surface, curves) : status;
   if (status.IsOk() && !Goes(options.Progress, CutDone))
   {
     status = Status::Abort();
   }
+  status = status.IsOk() ? this->MeasureCurves(surface, curves, options) : status;
   if (!status.IsOk())
   {
     return status;
@@ -145,8 +162,8 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   poisson.IntrinsicDelaunay = options.IntrinsicDelaunay;
   this->FindGivenVertices(curves, poisson);
   this->Solver = std::make_unique<PoissonSolver>(this->Domain.SolvedMesh);
-  const double middle = 0.5 * (CutDone + 1.0);
-  status = this->Solver->Analyze(poisson, ProgressPart(options.Progress, CutDone, middle));
+  const double middle = 0.5 * (MeasuredDone + 1.0);
+  status = this->Solver->Analyze(poisson, ProgressPart(options.Progress, MeasuredDone, middle));
   if (status.IsOk() && options.CheckMemory)
   {
     status = options.CheckMemory(
@@ -160,10 +177,14 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   return status;
 }
 
-Status VectorGraphics::Implementation::MeasureCurves(
-  const RefinedSurface& surface, const std::vector<GraphicsCurve>& curves)
+bool VectorGraphics::Implementation::HasPoisson() const
 {
-  this->RegionFaces.assign(curves.size(), {});
+  return std::count(this->Types.begin(), this->Types.end(), GraphicsCurveType::Poisson) > 0;
+}
+
+Status VectorGraphics::Implementation::MeasureCurves(const RefinedSurface& surface,
+  const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options)
+{
   this->ChainParts.assign(curves.size(), {});
   std::vector<char> isMeant;
   for (const GraphicsCurve& curve : curves)
@@ -178,16 +199,48 @@ Status VectorGraphics::Implementation::MeasureCurves(
     {
       this->ChainParts[k] = SplitChain(edges, this->Chains[k]);
     }
+  }
+  return this->FindRegions(edges, curves, options);
+}
+
+/// The faces on the left of regions; of many regions they may be many more than the surface has.
+Status VectorGraphics::Implementation::FindRegions(
+  const ChainEdges& edges, const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options)
+{
+  const RefinedSurface& surface = edges.GetSurface();
+  this->RegionFaces.assign(curves.size(), {});
+  LeftFaces left(edges);
+  const auto faces = static_cast<double>(surface.Faces.size());
+  const auto regions = static_cast<double>(
+    std::count(this->Types.begin(), this->Types.end(), GraphicsCurveType::Region));
+  WorkProgress work(ProgressPart(options.Progress, CutDone, MeasuredDone), regions * faces);
+  double found = 0.0;
+  double asked = 0.0; // for how many faces
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
     if (curves[k].Type != GraphicsCurveType::Region)
     {
       continue;
     }
-    Status status =
-      FindFacesOnLeft(edges, this->Chains[k], curves[k].IsClosed, this->RegionFaces[k]);
+    if (options.CheckMemory && found + 3.0 * faces > asked) // this one may have them all, and grows
+    {
+      asked = found + 4.0 * faces;
+      Status status =
+        options.CheckMemory(GetCutMemory(surface, this->HasPoisson()) + asked * sizeof(Id));
+      if (!status.IsOk())
+      {
+        return status;
+      }
+    }
+    Status status = left.Find(this->Chains[k], curves[k].IsClosed, work, this->RegionFaces[k]);
     if (!status.IsOk())
     {
-      return Status::Invalid(NameOf(curves[k], k) + ": " + status.GetMessage());
+      return status.IsAborted()
+        ? status
+        : Status::Invalid(NameOf(curves[k], k) + ": " + status.GetMessage());
     }
+    this->RegionFaces[k].shrink_to_fit();
+    found += static_cast<double>(this->RegionFaces[k].size());
   }
   return Status::Success();
 }
@@ -265,15 +318,19 @@ double VectorGraphics::Implementation::GetRunMemory(const GraphicsOptions& optio
 {
   const auto solved = static_cast<double>(this->Domain.Solved.Surface.Points.size());
   const auto drawn = static_cast<double>(this->Domain.Drawn.Surface.Points.size());
-  const bool hasPoisson =
-    std::count(this->Types.begin(), this->Types.end(), GraphicsCurveType::Poisson) > 0;
   const double columns = options.NumberOfChannels * sizeof(double) * (drawn + solved);
   const double lanes = solved * sizeof(double) * (options.NumberOfChannels > 4 ? 24.0 : 4.0);
-  const double distances =
-    hasPoisson ? drawn * 2.0 * (sizeof(double) + sizeof(Id) + sizeof(Predecessor)) : 0.0;
-  const double held = static_cast<double>(this->Domain.GetMemorySize()) +
-    static_cast<double>(this->Solver->GetMemorySize());
-  return held + columns + std::max(lanes, distances);
+  // Of both sides, and what the distances are found with.
+  const double distances = this->HasPoisson()
+    ? drawn * (2.0 * (sizeof(double) + sizeof(Id) + sizeof(Predecessor)) + 32.0) +
+      static_cast<double>(this->Domain.Drawn.Surface.Faces.size()) * 20.0
+    : 0.0;
+  // Marks, a patch and its rim; for sets of faces also their parts.
+  const double sources =
+    static_cast<double>(this->Domain.Solved.Surface.Faces.size()) * (1.0 + 4.0 * sizeof(Id)) +
+    this->NumberOfFaces * sizeof(Id);
+  return static_cast<double>(this->GetMemorySize()) + columns +
+    std::max({ lanes, distances, sources });
 }
 
 Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>& curves,
@@ -300,6 +357,10 @@ Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>
     }
     const auto count = static_cast<double>(curves.size());
     const double begin = static_cast<double>(k) / count;
+    if (!Goes(progress, begin))
+    {
+      return Status::Abort();
+    }
     Status status = AddBand(this->Domain.DrawnMesh,
       this->Domain.Drawn.Sides[this->Domain.SidesInDrawn[k]], this->Chains[k], curves[k], channels,
       *exact, checkMore, ProgressPart(progress, begin, begin + 1.0 / count), values);
@@ -311,12 +372,16 @@ Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>
   return Status::Success();
 }
 
-void VectorGraphics::Implementation::AddSources(const std::vector<GraphicsCurve>& curves,
-  const std::vector<GraphicsRegion>& regions, std::vector<std::vector<double>>& columns) const
+Status VectorGraphics::Implementation::AddSources(const std::vector<GraphicsCurve>& curves,
+  const std::vector<GraphicsRegion>& regions, const ChannelScale& scale,
+  const ProgressCallback& progress, std::vector<std::vector<double>>& columns) const
 {
   const CutSurface& surface = this->Domain.Solved.Surface;
+  const FaceParts parts(surface, regions.empty() ? 0 : this->NumberOfFaces);
+  WorkProgress work(progress, this->CountWork(regions, parts));
   RegionSources adder(this->Domain.SolvedMesh, surface);
-  for (std::size_t k = 0; k < curves.size(); ++k)
+  Status status;
+  for (std::size_t k = 0; k < curves.size() && status.IsOk(); ++k)
   {
     if (curves[k].Type == GraphicsCurveType::Source)
     {
@@ -324,19 +389,38 @@ void VectorGraphics::Implementation::AddSources(const std::vector<GraphicsCurve>
     }
     if (curves[k].Type == GraphicsCurveType::Region)
     {
-      adder.Add(this->RegionFaces[k], curves[k].Left, columns);
+      status = adder.Add(this->RegionFaces[k], curves[k].Left, work, columns);
     }
   }
-  const FaceParts parts(surface, regions.empty() ? 0 : this->NumberOfFaces);
-  for (const GraphicsRegion& region : regions)
+  for (std::size_t r = 0; r < regions.size() && status.IsOk(); ++r)
   {
     std::vector<Id> faces;
-    for (const Id f : region.Faces)
+    for (const Id f : regions[r].Faces)
     {
       parts.Append(f, faces);
     }
-    adder.Add(faces, region.Strength, columns);
+    status = adder.Add(faces, scale.Apply(regions[r].Strength), work, columns);
   }
+  return status;
+}
+
+/// What sources of regions take, as WorkProgress is told.
+double VectorGraphics::Implementation::CountWork(
+  const std::vector<GraphicsRegion>& regions, const FaceParts& parts) const
+{
+  double faces = 0.0;
+  for (const std::vector<Id>& found : this->RegionFaces)
+  {
+    faces += static_cast<double>(found.size());
+  }
+  for (const GraphicsRegion& region : regions)
+  {
+    for (const Id f : region.Faces)
+    {
+      faces += parts.Count(f);
+    }
+  }
+  return RegionSources::WorkPerFace * faces;
 }
 
 void VectorGraphics::Implementation::MeasureNet(
@@ -412,17 +496,29 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
   }
   const auto channels = static_cast<std::size_t>(options.NumberOfChannels);
   const std::size_t drawn = this->Domain.Drawn.Surface.Points.size();
+  const ChannelScale scale(curves, regions, options);
+  const std::vector<GraphicsCurve> scaled = scale.Apply(curves);
+  const std::vector<double> background = scale.Apply(options.Background);
   std::vector<double> bands(channels * drawn, 0.0);
-  status = this->AddBands(curves, options, ProgressPart(options.Progress, 0.0, BandsDone), bands);
+  status = this->AddBands(scaled, options, ProgressPart(options.Progress, 0.0, BandsDone), bands);
   if (!status.IsOk())
   {
     return status;
   }
   std::vector<std::vector<double>> columns(
     channels, std::vector<double>(this->Domain.Solved.Surface.Points.size(), 0.0));
-  this->AddSources(curves, regions, columns);
+  status = this->AddSources(
+    scaled, regions, scale, ProgressPart(options.Progress, BandsDone, SourcesDone), columns);
+  if (status.IsOk() && !Goes(options.Progress, SourcesDone))
+  {
+    status = Status::Abort();
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
   this->MeasureNet(columns, result.NetSources);
-  this->SetGivenValues(curves, bands, columns);
+  this->SetGivenValues(scaled, bands, columns);
   status = this->Solver->Solve(columns);
   if (status.IsOk() && !Goes(options.Progress, 1.0))
   {
@@ -440,13 +536,34 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
   {
     const Id v = this->Domain.SolvedVertexOf[d];
     result.Components[d] = system.GetComponent(v);
-    const bool isFree = !options.Background.empty() && system.IsFree(system.GetComponent(v));
+    const bool isFree = !background.empty() && system.IsFree(system.GetComponent(v));
     for (std::size_t c = 0; c < channels; ++c)
     {
-      result.Values[channels * d + c] += columns[c][v] + (isFree ? options.Background[c] : 0.0);
+      result.Values[channels * d + c] += columns[c][v] + (isFree ? background[c] : 0.0);
     }
   }
+  status = scale.Undo(result.Values, "colours");
+  status = status.IsOk() ? scale.Undo(result.NetSources, "net sources") : status;
+  if (!status.IsOk())
+  {
+    result = GraphicsResult();
+  }
   return status;
+}
+
+std::size_t VectorGraphics::Implementation::GetMemorySize() const
+{
+  std::size_t bytes =
+    this->Domain.GetMemorySize() + (this->Solver ? this->Solver->GetMemorySize() : 0);
+  for (const std::vector<Id>& faces : this->RegionFaces)
+  {
+    bytes += faces.size() * sizeof(Id);
+  }
+  for (const std::vector<ChainPart>& parts : this->ChainParts)
+  {
+    bytes += parts.size() * sizeof(ChainPart);
+  }
+  return bytes;
 }
 
 VectorGraphics::VectorGraphics()
@@ -482,7 +599,11 @@ void VectorGraphics::Clear()
 
 std::size_t VectorGraphics::GetMemorySize() const
 {
-  return this->Internals->Domain.GetMemorySize() +
-    (this->Internals->Solver ? this->Internals->Solver->GetMemorySize() : 0);
+  return this->Internals->GetMemorySize();
+}
+
+double VectorGraphics::PredictMemory(double faces, double vertices, bool hasPoisson)
+{
+  return PredictGraphicsMemory(faces, vertices, hasPoisson);
 }
 }

@@ -69,8 +69,9 @@ struct GraphicsOptions
   /// triangles: then no colour lies outside of those that are given, but next to obtuse triangles
   /// on the boundary of the surface, whose edges cannot be flipped.
   bool IntrinsicDelaunay = false;
-  /// Asked with the bytes that all will take: before the surface is cut, before the factorization,
-  /// whenever colours are found, and before strengths are blended; may be empty.
+  /// Asked with the bytes that all will take: before the surface is cut, while the faces on the
+  /// left of regions are found, before the factorization, whenever colours are found, and before
+  /// strengths are blended; may be empty.
   std::function<Status(double)> CheckMemory;
   ProgressCallback Progress; ///< may be empty
 };
@@ -128,6 +129,10 @@ public:
   VectorGraphics(const VectorGraphics&) = delete;
   VectorGraphics& operator=(const VectorGraphics&) = delete;
 
+  /// Bytes that Prepare() asks for first, for a surface with so many faces and vertices, itself
+  /// included. To ask before that is made: refining takes less.
+  static double PredictMemory(double faces, double vertices, bool hasPoisson);
+
   /// Cut the surface, and factorize the matrix. `surface` is what EmbedCurves() made of `mesh`, or
   /// a refinement of it; chain k belongs to curve k. Numbers of curves do not matter yet. The mesh
   /// must outlive this object.
@@ -140,7 +145,9 @@ public:
 
   /// Find the colours. Curves are those of Prepare(), but may have other colours and widths.
   /// Fails when they are of other types; when there are not as many numbers as needed, or some are
-  /// not finite; with a width that is not positive; with a region without faces.
+  /// not finite; with a width that is not positive; with a region without faces; when a colour or a
+  /// net source is beyond the largest number. Numbers that are finite may be of any size otherwise:
+  /// channels are scaled while they are solved for.
   Status Run(const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
     const GraphicsOptions& options, GraphicsResult& result);
 

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Vector graphics take no more memory than is asked for, at any time.
+#include "../Benchmark/MemoryProbe.h"
+#include "CurvedMeshes.h"
+#include "FlatMeshes.h"
+#include "GraphicsTestTools.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+double PredictFor(const RefinedSurface& surface, bool hasPoisson)
+{
+  return dgg::VectorGraphics::PredictMemory(
+    surface.GetNumberOfFaces(), surface.GetNumberOfVertices(), hasPoisson);
+}
+}
+
+TEST(GraphicsMemory, RefiningTakesLessThanIsAskedFor)
+{
+  // Also of what is refined in a part, and not at all.
+  const std::vector<NamedMesh> meshes = { { "sphere", NoisySphere(4, 0.03, 3) },
+    { "plane", Plane(60, 60, 0.3) } };
+  for (const NamedMesh& named : meshes)
+  {
+    const SurfaceMesh mesh = Build(named.Mesh);
+    Random random(7);
+    const std::vector<SurfaceCurve> curves = { dggtest::Curve(
+      mesh, RandomCurvePoints(mesh, 6, random)) };
+    for (const int levels : { 0, 1, 2, 3 })
+    {
+      for (const bool isNearCurves : { false, true })
+      {
+        const MemoryProbe probe;
+        RefinedSurface surface;
+        ASSERT_TRUE(dgg::EmbedCurves(mesh, curves, nullptr, surface).IsOk());
+        dgg::GraphicsRefinement refinement;
+        refinement.Levels = levels;
+        refinement.Part =
+          isNearCurves ? dgg::RefinedPart::AroundCurves : dgg::RefinedPart::Everything;
+        std::vector<Id> parts;
+        ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface, &parts).IsOk());
+        const double predicted = PredictFor(surface, false);
+        const auto peak = static_cast<double>(probe.GetHeapPeak());
+        EXPECT_LE(peak, 0.6 * predicted) << named.Name << " " << levels; // no near miss
+      }
+    }
+  }
+}
+
+TEST(GraphicsMemory, IsAskedForBeforeItIsTaken)
+{
+  // What has been asked for is never exceeded: while the surface is refined and cut, while the
+  // equation is prepared, and while colours are found. Many regions that have nearly everything on
+  // their left, too.
+  const TestMesh sphere = Icosphere(4);
+  for (const bool hasPoisson : { false, true })
+  {
+    for (const int regions : { 0, 100 })
+    {
+      Drawing drawing(sphere);
+      const std::vector<double> two = { 0.0, 1.0 };
+      drawing
+        .Add(hasPoisson ? Poisson : Diffusion,
+          { SurfacePoint::AtVertex(3), SurfacePoint::AtVertex(40) }, two, two)
+        .Width = 0.5;
+      for (int k = 0; k < regions; ++k)
+      {
+        const std::array<Id, 3> corners = drawing.Mesh.GetTriangle(50 + 31 * k);
+        drawing.Add(Region,
+          { SurfacePoint::AtVertex(corners[0]), SurfacePoint::AtVertex(corners[2]),
+            SurfacePoint::AtVertex(corners[1]) },
+          { 0.1, 0.0, 0.0 }, {}, true);
+      }
+      drawing.Regions = { { { 1, 2, 3 }, { 0.5 } } };
+      drawing.Options.IntrinsicDelaunay = hasPoisson;
+      double asked = dgg::VectorGraphics::PredictMemory(
+        4.0 * drawing.Mesh.GetNumberOfFaces(), 2.0 * drawing.Mesh.GetNumberOfFaces(), hasPoisson);
+      const MemoryProbe probe;
+      const auto expectEnough = [&](const char* when) {
+        EXPECT_LE(static_cast<double>(probe.GetHeapPeak()), asked)
+          << when << " " << hasPoisson << " " << regions;
+      };
+      int count = 0;
+      drawing.Options.CheckMemory = [&](double bytes) {
+        expectEnough("meanwhile");
+        asked = std::max(asked, bytes);
+        ++count;
+        return dgg::Status::Success();
+      };
+      ASSERT_TRUE(drawing.Prepare(1).IsOk());
+      expectEnough("prepared");
+      EXPECT_GE(count, 2);
+      drawing.Surface = RefinedSurface(); // it is not needed any more
+      ASSERT_TRUE(drawing.Solve().IsOk());
+      expectEnough("solved");
+      EXPECT_GE(count, 3);
+      EXPECT_LE(asked, 1.5 * static_cast<double>(probe.GetHeapPeak())); // nor far too much
+    }
+  }
+}
+}
