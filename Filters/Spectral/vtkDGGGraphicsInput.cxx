@@ -15,8 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <sstream>
+#include <unordered_map>
 
 namespace
 {
@@ -316,7 +316,7 @@ dgg::Status vtkDGGGraphicsInput::ReadRegions(vtkPolyData* surface, const vtkDGGG
   {
     return dgg::Status::Invalid(message.str());
   }
-  std::map<double, std::size_t> found;
+  std::unordered_map<double, std::size_t> found;
   this->RegionOfCell.assign(static_cast<std::size_t>(cells), NoRegion);
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {

@@ -38,11 +38,10 @@ constexpr double RefinedAt = 0.3;
 /// Part of the progress when all is prepared: if it has to be, or only looked at.
 constexpr double FactorizedAt = 0.7;
 constexpr double FoundAt = 0.01;
-/// Bytes that a face takes at least until the matrix is factorized.
-constexpr double BytesPerFace = 480.0;
 /// Bytes that a fragment takes, besides its colours.
 constexpr double BytesPerFragment = sizeof(dgg::SurfacePoint) + 64.0;
-constexpr double UsualWidth = 0.05; // of the diagonal
+constexpr double UsualWidth = 0.05;     // of the diagonal
+constexpr double VerticesPerFace = 0.5; // at least, but for a handful
 
 dgg::Status NameCurve(const dgg::Status& status, const dgg::GraphicsCurve& curve)
 {
@@ -65,6 +64,13 @@ struct vtkDGGDrawing
   bool IntrinsicDelaunay = false;
   vtkTypeUInt64 MemoryLimit = 0; // does not matter
 
+  bool HasPoisson() const
+  {
+    return std::any_of(
+      this->Curves.begin(), this->Curves.end(), [](const dgg::GraphicsCurve& curve) {
+        return curve.Type == dgg::GraphicsCurveType::Poisson;
+      });
+  }
   bool IsSame(const vtkDGGDrawing& other) const
   {
     bool isSame = this->MeshTime == other.MeshTime && this->Places.size() == other.Places.size() &&
@@ -176,6 +182,7 @@ void vtkPoissonVectorGraphics::SetName(std::string& property, const char* name)
 }
 
 //------------------------------------------------------------------------------
+/// The assertion is there for the semicolon.
 #define vtkDGGNameMacro(Property)                                           \
   void vtkPoissonVectorGraphics::Set##Property##ArrayName(const char* name) \
   {                                                                         \
@@ -184,7 +191,8 @@ void vtkPoissonVectorGraphics::SetName(std::string& property, const char* name)
   const char* vtkPoissonVectorGraphics::Get##Property##ArrayName() const    \
   {                                                                         \
     return this->Internals->Names.Property.c_str();                         \
-  }
+  }                                                                         \
+  static_assert(true, #Property)
 vtkDGGNameMacro(CurveType);
 vtkDGGNameMacro(LeftColor);
 vtkDGGNameMacro(RightColor);
@@ -277,6 +285,25 @@ std::string vtkPoissonVectorGraphics::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
+/// Whether there is memory for the faces of the surface, refined once they are, before any is
+/// taken. Curves make some more.
+dgg::Status vtkPoissonVectorGraphics::CheckMemory(const vtkDGGDrawing& drawing) const
+{
+  const dgg::SurfaceMesh& mesh = this->GetMesh().GetMesh();
+  double faces = 0.0;
+  for (dgg::Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    faces += mesh.IsDropped(f) ? 0.0 : 1.0;
+  }
+  faces *= drawing.RefinementRegion == Everywhere ? std::pow(4.0, drawing.RefinementLevel) : 1.0;
+  const double vertices =
+    std::max(static_cast<double>(mesh.GetNumberOfVertices()), VerticesPerFace * faces);
+  return vtkDGGCheckMemory("the refined mesh",
+    dgg::VectorGraphics::PredictMemory(faces, vertices, drawing.HasPoisson()), drawing.MemoryLimit,
+    this->GetMemoryRemedy());
+}
+
+//------------------------------------------------------------------------------
 /// Draw the curves, refine and cut the surface, factorize the matrix.
 dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawing,
   const dgg::GraphicsOptions& options, const std::function<bool(double)>& progress)
@@ -287,7 +314,7 @@ dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawin
   internals.Graphics.Clear();
   internals.RefinedFaces = std::vector<dgg::Id>();
   const std::size_t count = drawing.Curves.size();
-  dgg::Status status;
+  dgg::Status status = this->CheckMemory(drawing);
   std::vector<dgg::SurfaceCurve> joined(count);
   for (std::size_t k = 0; k < count && status.IsOk(); ++k)
   {
@@ -313,8 +340,10 @@ dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawin
     : drawing.RefinementRegion == Cells                    ? dgg::RefinedPart::Faces
                                                            : dgg::RefinedPart::Everything;
   refinement.Faces = drawing.RefinedFaces;
+  const double bytesPerFace =
+    dgg::VectorGraphics::PredictMemory(1.0, VerticesPerFace, drawing.HasPoisson());
   refinement.MostFaces = static_cast<dgg::Offset>(
-    std::min(static_cast<double>(vtkDGGGetMemoryLimit(drawing.MemoryLimit)) / BytesPerFace,
+    std::min(static_cast<double>(vtkDGGGetMemoryLimit(drawing.MemoryLimit)) / bytesPerFace,
       static_cast<double>(refinement.MostFaces)));
   refinement.Progress = dgg::ProgressPart(progress, EmbeddedAt, RefinedAt);
   std::vector<dgg::Id> refinedFaces;
@@ -338,6 +367,10 @@ dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawin
   {
     ++internals.NumberOfFactorizations;
     internals.RefinedFaces = std::move(refinedFaces);
+  }
+  else
+  {
+    internals.Graphics.Clear();
   }
   internals.IsKept = status.IsOk();
   internals.Kept = drawing;

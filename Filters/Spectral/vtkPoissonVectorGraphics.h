@@ -49,7 +49,8 @@
  *  - `Component` (vtkIdType), the number of the component that a point is in: a tuple of NetSource;
  *  - those of the input, interpolated linearly.
  *
- * Cell arrays are those of the input, of the polygon that a triangle is a part of. The field data
+ * Cell arrays are those of the input, of the polygon that a triangle is a part of. Verts and lines
+ * of the input are left out; points that no polygon uses stay, with BackgroundColor. The field data
  * has `NetSource`: one tuple per component of the surface, cut open along diffusion curves, with
  * what the sources sum to where no diffusion curve takes it in; it was taken off, evenly. Points
  * without a cell are components of their own, with 0. Regions and Poisson curves sum to 0, but for
@@ -88,10 +89,13 @@
  *  - no such cell array although RefinementRegion is Cells, or one with NaN;
  *  - a region's curve that is open, or does not separate its left from its right;
  *  - a ProjectionTolerance or Width that is negative or not a number;
+ *  - a colour or net source of the result beyond the largest number, 1.8e308. Numbers of the input
+ *    may be of any size otherwise;
  *  - a mesh, factorization and colours, or fragments, that would take more memory than
  *    MemoryLimit.
  *
- * An update can be stopped between the parts of the work; the factorization is one of them.
+ * An update can be stopped between the parts of the work; the factorization is one of them. Sources
+ * of regions are added in parts of some thousand triangles.
  *
  * @code
  * vtkNew<vtkPoissonVectorGraphics> graphics;
@@ -265,8 +269,9 @@ public:
   /**
    * Most bytes that the refined mesh, the factorization and the colours may take. Default 0, which
    * stands for 70 % of the memory that is free at that time. Some 2 KiB per point of the output are
-   * usual, and 2.7 KiB with Poisson curves. It is asked before triangles are split, before the
-   * surface is cut, before the factorization, and in every update.
+   * usual, and 2.7 KiB with Poisson curves. It is asked before curves are drawn, with what the
+   * surface takes when it is refined Everywhere, before triangles are split, before the surface is
+   * cut, before the factorization, and in every update.
    */
   vtkSetMacro(MemoryLimit, vtkTypeUInt64);
   vtkGetMacro(MemoryLimit, vtkTypeUInt64);
@@ -337,6 +342,7 @@ private:
   struct vtkInternals;
 
   void SetName(std::string& property, const char* name);
+  dgg::Status CheckMemory(const vtkDGGDrawing& drawing) const;
   dgg::Status PrepareDrawing(const vtkDGGDrawing& drawing, const dgg::GraphicsOptions& options,
     const std::function<bool(double)>& progress);
   dgg::Status FindFragments(const dgg::GraphicsResult& result, int channels, int division,

@@ -2,15 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The second output of vtkPoissonVectorGraphics: coloured points.
-#include "SpectralTestTools.h"
-
-#include "vtkPoissonVectorGraphics.h"
+#include "VectorGraphicsTestTools.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkPointData.h"
 
 #include <gtest/gtest.h>
 
@@ -21,19 +15,6 @@ using namespace dggtest;
 
 namespace
 {
-void AddArray(
-  vtkFieldData* data, const std::string& name, const std::vector<double>& values, int components)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name.c_str());
-  array->SetNumberOfComponents(components);
-  for (const double value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  data->AddArray(array);
-}
-
 /// A square [0, 6] x [0, 4] of squares, and a curve upwards at x = 1.5 between two colours.
 struct Fixture
 {

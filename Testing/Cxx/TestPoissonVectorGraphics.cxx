@@ -1,87 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// vtkPoissonVectorGraphics: colours that are known, what comes with them, wrong input.
-#include "SpectralTestTools.h"
+/// vtkPoissonVectorGraphics: colours that are known, what comes with them.
+#include "VectorGraphicsTestTools.h"
 
-#include "vtkPoissonVectorGraphics.h"
-
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkCommand.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkIntArray.h"
-#include "vtkMath.h"
-#include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <sstream>
 
 using namespace dggtest;
-
-namespace
-{
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
-template <typename ArrayType = vtkDoubleArray>
-void AddArray(
-  vtkFieldData* data, const std::string& name, const std::vector<double>& values, int components)
-{
-  vtkNew<ArrayType> array;
-  array->SetName(name.c_str());
-  array->SetNumberOfComponents(components);
-  for (const double value : values)
-  {
-    array->InsertNextValue(static_cast<typename ArrayType::ValueType>(value));
-  }
-  data->AddArray(array);
-}
-
-/// A square [0, 6] x [0, 4] and polylines on it.
-struct Fixture
-{
-  Fixture(const Points& points, const Cells& lines)
-    : Surface(MakeGrid(6, 4, GridCells::Quads))
-    , Curves(MakeSourcePoints(points))
-  {
-    this->Curves->SetVerts(nullptr);
-    this->Curves->SetLines(MakeCells(lines));
-    this->Filter->SetInputData(this->Surface);
-    this->Filter->SetCurveData(this->Curves);
-  }
-  vtkPolyData* Run()
-  {
-    ExpectSuccess(this->Filter);
-    return this->Filter->GetOutput();
-  }
-  vtkPointData* OfPoints() { return this->Curves->GetPointData(); }
-  vtkCellData* OfCells() { return this->Curves->GetCellData(); }
-
-  vtkSmartPointer<vtkPolyData> Surface;
-  vtkSmartPointer<vtkPolyData> Curves;
-  vtkNew<vtkPoissonVectorGraphics> Filter;
-};
-
-/// Two curves across, upwards: at x = 1.5 and x = 4.
-Fixture MakeTwoAcross()
-{
-  return Fixture(
-    { { 1.5, 0, 0 }, { 1.5, 4, 0 }, { 4, 0, 0 }, { 4, 4, 0 } }, { { 0, 1 }, { 2, 3 } });
-}
-
-double MiddleOfCell(vtkPolyData* surface, vtkIdType cell)
-{
-  double bounds[6];
-  surface->GetCellBounds(cell, bounds);
-  return 0.5 * (bounds[0] + bounds[1]);
-}
-}
 
 TEST(PoissonVectorGraphics, ColorsBetweenTwoCurvesAreLinear)
 {
@@ -89,7 +20,7 @@ TEST(PoissonVectorGraphics, ColorsBetweenTwoCurvesAreLinear)
   {
     for (const bool isOfCells : { false, true })
     {
-      Fixture drawing = MakeTwoAcross();
+      GraphicsFixture drawing = MakeTwoAcross();
       const std::vector<double> left = { 51, 0, 0, 255, 0, 102 };
       const std::vector<double> right = { 0, 255, 0, 0, 0, 255 };
       const auto add = [&](const std::string& name, std::vector<double> values) {
@@ -142,7 +73,7 @@ TEST(PoissonVectorGraphics, ColorsBetweenTwoCurvesAreLinear)
 
 TEST(PoissonVectorGraphics, DataOfTheSurfaceComeAlong)
 {
-  Fixture drawing = MakeTwoAcross();
+  GraphicsFixture drawing = MakeTwoAcross();
   AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
   AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
   std::vector<double> xs;
@@ -232,7 +163,7 @@ TEST(PoissonVectorGraphics, DataOfTheSurfaceComeAlong)
 
 TEST(PoissonVectorGraphics, PoissonCurvesAddWithinTheirWidth)
 {
-  Fixture drawing({ { 3, 0, 0 }, { 3, 4, 0 } }, { { 0, 1 } });
+  GraphicsFixture drawing({ { 3, 0, 0 }, { 3, 4, 0 } }, { { 0, 1 } });
   AddArray<vtkIntArray>(drawing.OfCells(), "CurveType", { 1 }, 1);
   AddArray(drawing.OfCells(), "Strength", { 0.5 }, 1);
   AddArray(drawing.OfPoints(), "LeftColor", { 0, 0, 0, 0, 0, 0 }, 3); // says how many channels
@@ -273,10 +204,11 @@ TEST(PoissonVectorGraphics, PoissonCurvesAddWithinTheirWidth)
 
 TEST(PoissonVectorGraphics, RegionsOfCurvesAndCellsAreTheSame)
 {
-  Fixture byCurve({ { 1, 1, 0 }, { 4, 1, 0 }, { 4, 3, 0 }, { 1, 3, 0 } }, { { 0, 1, 2, 3, 0 } });
+  GraphicsFixture byCurve(
+    { { 1, 1, 0 }, { 4, 1, 0 }, { 4, 3, 0 }, { 1, 3, 0 } }, { { 0, 1, 2, 3, 0 } });
   AddArray<vtkIntArray>(byCurve.OfCells(), "CurveType", { 2 }, 1);
   AddArray(byCurve.OfCells(), "Strength", { 0.5, 0.25, 1.0 }, 3);
-  Fixture byCells({ { 0, 0, 0 } }, {});
+  GraphicsFixture byCells({ { 0, 0, 0 } }, {});
   byCells.Filter->SetCurveData(nullptr);
   std::vector<double> regions;
   std::vector<double> strengths;
@@ -318,7 +250,7 @@ TEST(PoissonVectorGraphics, RegionsOfCurvesAndCellsAreTheSame)
 
 TEST(PoissonVectorGraphics, SourcesAreTold)
 {
-  Fixture drawing({ { 1, 2, 0 }, { 5, 2, 0 } }, { { 0, 1 } });
+  GraphicsFixture drawing({ { 1, 2, 0 }, { 5, 2, 0 } }, { { 0, 1 } });
   AddArray<vtkIntArray>(drawing.OfCells(), "CurveType", { 3 }, 1);
   AddArray(drawing.OfPoints(), "Strength", { 1.0, 2.0 }, 1);
   EXPECT_NEAR(drawing.Run()->GetFieldData()->GetArray("NetSource")->GetComponent(0, 0), 6.0, 1e-12);
@@ -326,7 +258,7 @@ TEST(PoissonVectorGraphics, SourcesAreTold)
 
 TEST(PoissonVectorGraphics, FactorizationIsKeptForOtherColors)
 {
-  Fixture drawing = MakeTwoAcross();
+  GraphicsFixture drawing = MakeTwoAcross();
   auto* filter = drawing.Filter.Get();
   EXPECT_EQ(filter->GetMemorySize(), 0u);
   const auto valuesWith = [&](const std::vector<double>& right) {
@@ -374,263 +306,11 @@ TEST(PoissonVectorGraphics, FactorizationIsKeptForOtherColors)
   EXPECT_EQ(GetValues(filter->GetOutput(), "Colors"), GetValues(other->GetOutput(), "Colors"));
 }
 
-TEST(PoissonVectorGraphics, WrongCurves)
-{
-  Fixture drawing = MakeTwoAcross();
-  auto* filter = drawing.Filter.Get();
-  ExpectError(filter, { "line 0 of input port 1", "'LeftColor'" });
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  ExpectError(filter, { "'RightColor'" });
-  AddArray(drawing.OfCells(), "RightColor", { 1, 2, 3, 4 }, 2);
-  ExpectError(filter, { "'LeftColor'", "1 components", "'RightColor' has 2" });
-  AddArray(drawing.OfCells(), "RightColor", { 1 }, 1);
-  ExpectError(filter, { "'RightColor'", "1 tuples where 2" });
-  for (const double wrong : { NaN, std::numeric_limits<double>::infinity() })
-  {
-    AddArray(drawing.OfCells(), "RightColor", { 1, wrong }, 1);
-    ExpectError(filter, { "'RightColor'", "at cell 1", "finite" });
-  }
-  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
-  for (const double wrong : { -1.0, 4.0, 0.5, NaN })
-  {
-    AddArray(drawing.OfCells(), "CurveType", { 0, wrong }, 1);
-    ExpectError(filter, { "line 1", "type", "'CurveType'" });
-  }
-  AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
-  ExpectError(filter, { "line 1", "'Strength'" });
-  AddArray(drawing.OfCells(), "Strength", { 0, 1 }, 1);
-  AddArray(drawing.OfCells(), "CurveType", { 0, 9, 1, 9 }, 2);
-  ExpectError(filter, { "'CurveType'", "2 components where 1" });
-  AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
-  for (const double wrong : { 0.0, -1.0 })
-  {
-    AddArray(drawing.OfCells(), "Width", { 0, wrong }, 1);
-    ExpectError(filter, { "line 1", "width" });
-  }
-  for (const double wrong : { NaN, std::numeric_limits<double>::infinity() })
-  {
-    AddArray(drawing.OfCells(), "Width", { 0, wrong }, 1);
-    ExpectError(filter, { "'Width'", "at cell 1", "finite" });
-  }
-  AddArray(drawing.OfCells(), "Width", { 1 }, 1);
-  ExpectError(filter, { "'Width'", "1 tuples where 2" });
-  AddArray(drawing.OfCells(), "Width", { 1, 1, 1, 1 }, 2);
-  ExpectError(filter, { "'Width'", "2 components where 1" });
-  AddArray(drawing.OfCells(), "Width", { 0, 1 }, 1);
-  drawing.Run();
-  AddArray(drawing.OfCells(), "CurveType", { 0, 2 }, 1);
-  ExpectError(filter, { "line 1 of input port 1", "open" });
-  AddArray(drawing.OfCells(), "CurveType", { 0, 0 }, 1);
-  drawing.Curves->GetPoints()->SetPoint(2, 1, 1, 3.0);
-  drawing.Curves->GetPoints()->Modified();
-  ExpectError(filter, { "curve point 2", "input port 1", "ProjectionTolerance" });
-  drawing.Curves->GetPoints()->SetPoint(2, 1, NaN, 0.0);
-  drawing.Curves->GetPoints()->Modified();
-  ExpectError(filter, { "point 2", "finite" });
-  drawing.Curves->GetPoints()->SetPoint(2, 4, 4, 0.0); // where it ends
-  drawing.Curves->GetPoints()->Modified();
-  ExpectError(filter, { "line 1 of input port 1", "no length" });
-  drawing.Curves->SetLines(MakeCells({ { 1 } }));
-  ExpectError(filter, { "line 0", "no length" });
-  drawing.Curves->SetLines(nullptr);
-  ExpectError(filter, { "nothing to draw", "SetCurveData()", "SetRegionArrayName()" });
-  filter->SetRegionArrayName("region");
-  ExpectError(filter, { "'region'", "SetRegionArrayName()" });
-  AddArray(drawing.Surface->GetCellData(), "region", std::vector<double>(24, 1.0), 1);
-  ExpectError(filter, { "'RegionStrength'", "SetRegionStrengthArrayName()" });
-}
-
-TEST(PoissonVectorGraphics, WrongSurfacesAndProperties)
-{
-  Fixture drawing = MakeTwoAcross();
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
-  auto* filter = drawing.Filter.Get();
-  for (const double wrong : { -1.0, NaN })
-  {
-    filter->SetWidth(wrong);
-    ExpectError(filter, { "Width" });
-    filter->SetWidth(0.0);
-    filter->SetProjectionTolerance(wrong);
-    ExpectError(filter, { "ProjectionTolerance" });
-    filter->SetProjectionTolerance(0.01);
-  }
-  filter->SetResultArrayName("");
-  ExpectError(filter, { "ResultArrayName" });
-  for (const char* taken : { "RGB", "Component" })
-  {
-    filter->SetResultArrayName(taken);
-    ExpectError(filter, { "ResultArrayName", taken });
-  }
-  filter->SetResultArrayName("Colors");
-  filter->SetMemoryLimit(1000);
-  ExpectError(filter, { "MemoryLimit", "RefinementLevel" });
-  filter->SetMemoryLimit(100000);
-  ExpectError(filter, { "MemoryLimit" });
-  filter->SetMemoryLimit(0);
-  drawing.Run();
-  // A page on the square that a curve crosses: edges of three triangles.
-  vtkSmartPointer<vtkPolyData> book = MakeSurface(
-    { { 0, 0, 0 }, { 6, 0, 0 }, { 6, 4, 0 }, { 0, 4, 0 }, { 0, 2, 0 }, { 6, 2, 0 }, { 3, 2, 5 } },
-    { { 0, 1, 5, 4 }, { 4, 5, 2, 3 }, { 4, 5, 6 } });
-  filter->SetInputData(book);
-  ExpectError(filter, { "line 0 of input port 1", "edges of more than two faces", "Remove" });
-  EXPECT_EQ(filter->GetMemorySize(), 0u); // nothing is kept of what failed
-  // One side of a Moebius band: across the seam there are no sides, elsewhere there are.
-  Points points;
-  Cells cells;
-  for (int i = 0; i < 8; ++i)
-  {
-    const double angle = 0.25 * vtkMath::Pi() * i;
-    for (const double s : { -0.4, 0.4 })
-    {
-      const double r = 2.0 + s * std::cos(0.5 * angle);
-      points.push_back({ r * std::cos(angle), r * std::sin(angle), s * std::sin(0.5 * angle) });
-    }
-    const vtkIdType a = 2 * i;
-    i < 7 ? cells.push_back({ a, a + 2, a + 3, a + 1 }) : cells.push_back({ a, 1, 0, a + 1 });
-  }
-  vtkSmartPointer<vtkPolyData> band = MakeSurface(points, cells);
-  vtkNew<vtkPolyData> around;
-  vtkNew<vtkPoints> places;
-  for (int i = 0; i < 8; ++i)
-  {
-    const double angle = 0.25 * vtkMath::Pi() * i;
-    places->InsertNextPoint(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
-  }
-  around->SetPoints(places);
-  around->SetLines(MakeCells({ { 0, 1, 2, 3, 4, 5, 6, 7, 0 } }));
-  AddArray(around->GetCellData(), "LeftColor", { 1 }, 1);
-  AddArray(around->GetCellData(), "RightColor", { 2 }, 1);
-  filter->SetInputData(band);
-  filter->SetCurveData(around);
-  ExpectError(filter, { "oriented differently", "one-sided" });
-
-  vtkNew<vtkPolyData> none;
-  filter->SetInputData(none);
-  ExpectWarning(filter, { "empty" });
-  EXPECT_NE(filter->GetOutput()->GetPointData()->GetArray("Colors"), nullptr);
-  EXPECT_NE(filter->GetOutput()->GetFieldData()->GetArray("NetSource"), nullptr);
-  filter->SetInputData(static_cast<vtkPolyData*>(nullptr));
-  ExpectError(filter, { "no input" });
-  std::ostringstream os;
-  filter->Print(os);
-  EXPECT_NE(os.str().find("RefinementRegion: Everywhere"), std::string::npos);
-}
-
-TEST(PoissonVectorGraphics, AwkwardSurfaces)
-{
-  // Several components, isolated points, degenerate and duplicate cells away from the curve, huge
-  // and tiny scales.
-  for (const double scale : { 1.0, 1e-12, 1e12 })
-  {
-    Points points = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 9, 9, 9 }, { 5, 0, 0 },
-      { 6, 0, 0 }, { 5, 1, 0 }, { 7, 0, 0 } };
-    for (auto& p : points)
-    {
-      for (double& x : p)
-      {
-        x *= scale;
-      }
-    }
-    auto surface =
-      MakeSurface(points, { { 0, 1, 2, 3 }, { 5, 6, 7 }, { 5, 6, 7 }, { 5, 6, 8 }, { 5, 5, 6 } });
-    vtkNew<vtkPolyData> curve;
-    vtkNew<vtkPoints> places;
-    places->SetDataTypeToDouble();
-    places->InsertNextPoint(0.5 * scale, 0.5 * scale, 0);
-    places->InsertNextPoint(1.5 * scale, 1.25 * scale, 0);
-    curve->SetPoints(places);
-    curve->SetLines(MakeCells({ { 0, 1 } }));
-    AddArray(curve->GetCellData(), "LeftColor", { 1, 0.5, 0 }, 3);
-    AddArray(curve->GetCellData(), "RightColor", { 0, 0.5, 1 }, 3);
-    vtkNew<vtkPoissonVectorGraphics> filter;
-    filter->SetInputData(surface);
-    filter->SetCurveData(curve);
-    filter->SetBackgroundColor(0.25, 0.5, 0.75);
-    Listener listener(filter); // warnings are as for other filters
-    filter->Update();
-    EXPECT_EQ(filter->GetErrorCode(), 0u) << scale;
-    vtkDataArray* colors = filter->GetOutput()->GetPointData()->GetArray("Colors");
-    ASSERT_NE(colors, nullptr) << scale;
-    double range[2];
-    colors->GetRange(range, 1);
-    EXPECT_NEAR(range[0], 0.5, 1e-9) << scale;
-    EXPECT_NEAR(range[1], 0.5, 1e-9) << scale;
-    colors->GetRange(range, 0);
-    EXPECT_NEAR(range[0], 0.0, 1e-9) << scale;
-    EXPECT_NEAR(range[1], 1.0, 1e-9) << scale;
-    EXPECT_NEAR(colors->GetComponent(4, 2), 0.75, 1e-9) << scale; // isolated
-    EXPECT_NEAR(colors->GetComponent(5, 2), 0.75, 1e-9) << scale; // another component
-  }
-}
-
-TEST(PoissonVectorGraphics, ObserversMayChangeWhatIsRefined)
-{
-  // When the warning of a cell that names a point twice is told, inputs have been checked already.
-  Fixture drawing = MakeTwoAcross();
-  const vtkIdType twice[] = { 0, 0, 1 };
-  drawing.Surface->GetPolys()->InsertNextCell(3, twice);
-  drawing.Surface->Modified();
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
-  struct Change
-  {
-    vtkPoissonVectorGraphics* Of;
-    int Warnings = 0;
-    void Run()
-    {
-      this->Of->SetRefinementRegionToCells(); // there is no array
-      ++this->Warnings;
-    }
-  } change{ drawing.Filter };
-  drawing.Filter->AddObserver(vtkCommand::WarningEvent, &change, &Change::Run);
-  Listener listener(drawing.Filter);
-  drawing.Filter->Update();
-  EXPECT_EQ(change.Warnings, 1);
-  ASSERT_EQ(listener.Errors.size(), 1u);
-  EXPECT_NE(listener.Errors[0].find("'Refine'"), std::string::npos);
-  ExpectEmptyOutput(drawing.Filter);
-}
-
-TEST(PoissonVectorGraphics, NumbersOfTheRefinementAreChecked)
-{
-  Fixture drawing = MakeTwoAcross();
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
-  std::vector<double> numbers(24, 0.0);
-  numbers[7] = NaN;
-  AddArray(drawing.Surface->GetCellData(), "Refine", numbers, 1);
-  drawing.Filter->SetRefinementRegionToCells();
-  ExpectError(drawing.Filter, { "'Refine'", "cell 7" });
-}
-
-TEST(PoissonVectorGraphics, MemoryIsCheckedEarlyAndAlways)
-{
-  Fixture drawing = MakeTwoAcross();
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
-  auto* filter = drawing.Filter.Get();
-  filter->SetRefinementLevel(3);
-  drawing.Run();
-  const vtkTypeUInt64 kept = filter->GetMemorySize();
-  // A factorization that is kept does not go beyond the limit either.
-  filter->SetMemoryLimit(kept);
-  ExpectError(filter, { "MemoryLimit" });
-  filter->SetMemoryLimit(0);
-  drawing.Run();
-  EXPECT_EQ(filter->GetNumberOfFactorizations(), 1);
-  // Nothing stays of what did not fit.
-  filter->SetMemoryLimit(kept / 2);
-  filter->SetRefinementLevel(4);
-  ExpectError(filter, { "MemoryLimit" });
-  EXPECT_EQ(filter->GetMemorySize(), 0u);
-}
-
 TEST(PoissonVectorGraphics, PointsKnowTheirComponents)
 {
   // A curve through all of the square: two parts, and a point without a cell.
-  Fixture drawing({ { 3, 0, 0 }, { 3, 4, 0 }, { 1, 1, 0 }, { 2, 1, 0 } }, { { 0, 1 }, { 2, 3 } });
+  GraphicsFixture drawing(
+    { { 3, 0, 0 }, { 3, 4, 0 }, { 1, 1, 0 }, { 2, 1, 0 } }, { { 0, 1 }, { 2, 3 } });
   drawing.Surface->GetPoints()->InsertNextPoint(50.0, 0.0, 0.0);
   AddArray<vtkIntArray>(drawing.OfCells(), "CurveType", { 1, 3 }, 1);
   AddArray(drawing.OfCells(), "Strength", { 0.0, 2.0 }, 1);
@@ -646,32 +326,4 @@ TEST(PoissonVectorGraphics, PointsKnowTheirComponents)
     EXPECT_NEAR(net->GetComponent(static_cast<vtkIdType>(components->GetComponent(i, 0)), 0),
       isAlone ? 0.0 : 2.0, 1e-12);
   }
-}
-
-TEST(PoissonVectorGraphics, ProgressGrowsAndStops)
-{
-  Fixture drawing = MakeTwoAcross();
-  AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
-  AddArray(drawing.OfCells(), "Strength", { 3, 4 }, 1);
-  drawing.Filter->SetRefinementLevel(3);
-  ProgressWatch watch(drawing.Filter);
-  const std::vector<double> expected = GetValues(drawing.Run(), "Colors");
-  watch.ExpectGrowth();
-  for (const double stop : { 0.05, 0.15, 0.3, 0.5, 0.7 })
-  {
-    watch.StopAt = 2.0;
-    drawing.Filter->IntrinsicDelaunayOff(); // so that nothing of it is kept
-    drawing.Run();
-    drawing.Filter->IntrinsicDelaunayOn();
-    watch.StopAt = stop;
-    watch.Progress.clear();
-    ExpectSuccess(drawing.Filter); // not an error
-    EXPECT_LT(watch.Progress.back(), 1.0);
-    ExpectEmptyOutput(drawing.Filter);
-    watch.StopAt = 2.0;
-    EXPECT_EQ(GetValues(drawing.Run(), "Colors"), expected);
-  }
-  ExpectErrorWhenPointsChange(drawing.Filter, drawing.Surface, { "points" });
 }

@@ -1,0 +1,422 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// vtkPoissonVectorGraphics: wrong and awkward input, colours of any size, memory, progress.
+#include "VectorGraphicsTestTools.h"
+
+#include "vtkCommand.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+using namespace dggtest;
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+}
+
+TEST(PoissonVectorGraphics, WrongCurves)
+{
+  GraphicsFixture drawing = MakeTwoAcross();
+  auto* filter = drawing.Filter.Get();
+  ExpectError(filter, { "line 0 of input port 1", "'LeftColor'" });
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  ExpectError(filter, { "'RightColor'" });
+  AddArray(drawing.OfCells(), "RightColor", { 1, 2, 3, 4 }, 2);
+  ExpectError(filter, { "'LeftColor'", "1 components", "'RightColor' has 2" });
+  AddArray(drawing.OfCells(), "RightColor", { 1 }, 1);
+  ExpectError(filter, { "'RightColor'", "1 tuples where 2" });
+  for (const double wrong : { NaN, std::numeric_limits<double>::infinity() })
+  {
+    AddArray(drawing.OfCells(), "RightColor", { 1, wrong }, 1);
+    ExpectError(filter, { "'RightColor'", "at cell 1", "finite" });
+  }
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  for (const double wrong : { -1.0, 4.0, 0.5, NaN })
+  {
+    AddArray(drawing.OfCells(), "CurveType", { 0, wrong }, 1);
+    ExpectError(filter, { "line 1", "type", "'CurveType'" });
+  }
+  AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
+  ExpectError(filter, { "line 1", "'Strength'" });
+  AddArray(drawing.OfCells(), "Strength", { 0, 1 }, 1);
+  AddArray(drawing.OfCells(), "CurveType", { 0, 9, 1, 9 }, 2);
+  ExpectError(filter, { "'CurveType'", "2 components where 1" });
+  AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
+  for (const double wrong : { 0.0, -1.0 })
+  {
+    AddArray(drawing.OfCells(), "Width", { 0, wrong }, 1);
+    ExpectError(filter, { "line 1", "width" });
+  }
+  for (const double wrong : { NaN, std::numeric_limits<double>::infinity() })
+  {
+    AddArray(drawing.OfCells(), "Width", { 0, wrong }, 1);
+    ExpectError(filter, { "'Width'", "at cell 1", "finite" });
+  }
+  AddArray(drawing.OfCells(), "Width", { 1 }, 1);
+  ExpectError(filter, { "'Width'", "1 tuples where 2" });
+  AddArray(drawing.OfCells(), "Width", { 1, 1, 1, 1 }, 2);
+  ExpectError(filter, { "'Width'", "2 components where 1" });
+  AddArray(drawing.OfCells(), "Width", { 0, 1 }, 1);
+  drawing.Run();
+  AddArray(drawing.OfCells(), "CurveType", { 0, 2 }, 1);
+  ExpectError(filter, { "line 1 of input port 1", "open" });
+  AddArray(drawing.OfCells(), "CurveType", { 0, 0 }, 1);
+  drawing.Curves->GetPoints()->SetPoint(2, 1, 1, 3.0);
+  drawing.Curves->GetPoints()->Modified();
+  ExpectError(filter, { "curve point 2", "input port 1", "ProjectionTolerance" });
+  drawing.Curves->GetPoints()->SetPoint(2, 1, NaN, 0.0);
+  drawing.Curves->GetPoints()->Modified();
+  ExpectError(filter, { "point 2", "finite" });
+  drawing.Curves->GetPoints()->SetPoint(2, 4, 4, 0.0); // where it ends
+  drawing.Curves->GetPoints()->Modified();
+  ExpectError(filter, { "line 1 of input port 1", "no length" });
+  drawing.Curves->SetLines(MakeCells({ { 1 } }));
+  ExpectError(filter, { "line 0", "no length" });
+  drawing.Curves->SetLines(nullptr);
+  ExpectError(filter, { "nothing to draw", "SetCurveData()", "SetRegionArrayName()" });
+  filter->SetRegionArrayName("region");
+  ExpectError(filter, { "'region'", "SetRegionArrayName()" });
+  AddArray(drawing.Surface->GetCellData(), "region", std::vector<double>(24, 1.0), 1);
+  ExpectError(filter, { "'RegionStrength'", "SetRegionStrengthArrayName()" });
+}
+
+TEST(PoissonVectorGraphics, WrongSurfacesAndProperties)
+{
+  GraphicsFixture drawing = MakeTwoAcross();
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  auto* filter = drawing.Filter.Get();
+  for (const double wrong : { -1.0, NaN })
+  {
+    filter->SetWidth(wrong);
+    ExpectError(filter, { "Width" });
+    filter->SetWidth(0.0);
+    filter->SetProjectionTolerance(wrong);
+    ExpectError(filter, { "ProjectionTolerance" });
+    filter->SetProjectionTolerance(0.01);
+  }
+  filter->SetResultArrayName("");
+  ExpectError(filter, { "ResultArrayName" });
+  for (const char* taken : { "RGB", "Component" })
+  {
+    filter->SetResultArrayName(taken);
+    ExpectError(filter, { "ResultArrayName", taken });
+  }
+  filter->SetResultArrayName("Colors");
+  filter->SetMemoryLimit(1000);
+  ExpectError(filter, { "MemoryLimit", "RefinementLevel" });
+  filter->SetMemoryLimit(100000);
+  ExpectError(filter, { "MemoryLimit" });
+  filter->SetMemoryLimit(0);
+  drawing.Run();
+  // A page on the square that a curve crosses: edges of three triangles.
+  vtkSmartPointer<vtkPolyData> book = MakeSurface(
+    { { 0, 0, 0 }, { 6, 0, 0 }, { 6, 4, 0 }, { 0, 4, 0 }, { 0, 2, 0 }, { 6, 2, 0 }, { 3, 2, 5 } },
+    { { 0, 1, 5, 4 }, { 4, 5, 2, 3 }, { 4, 5, 6 } });
+  filter->SetInputData(book);
+  ExpectError(filter, { "line 0 of input port 1", "edges of more than two faces", "Remove" });
+  EXPECT_EQ(filter->GetMemorySize(), 0u); // nothing is kept of what failed
+  // One side of a Moebius band: across the seam there are no sides, elsewhere there are.
+  Points points;
+  Cells cells;
+  for (int i = 0; i < 8; ++i)
+  {
+    const double angle = 0.25 * vtkMath::Pi() * i;
+    for (const double s : { -0.4, 0.4 })
+    {
+      const double r = 2.0 + s * std::cos(0.5 * angle);
+      points.push_back({ r * std::cos(angle), r * std::sin(angle), s * std::sin(0.5 * angle) });
+    }
+    const vtkIdType a = 2 * i;
+    i < 7 ? cells.push_back({ a, a + 2, a + 3, a + 1 }) : cells.push_back({ a, 1, 0, a + 1 });
+  }
+  vtkSmartPointer<vtkPolyData> band = MakeSurface(points, cells);
+  vtkNew<vtkPolyData> around;
+  vtkNew<vtkPoints> places;
+  for (int i = 0; i < 8; ++i)
+  {
+    const double angle = 0.25 * vtkMath::Pi() * i;
+    places->InsertNextPoint(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
+  }
+  around->SetPoints(places);
+  around->SetLines(MakeCells({ { 0, 1, 2, 3, 4, 5, 6, 7, 0 } }));
+  AddArray(around->GetCellData(), "LeftColor", { 1 }, 1);
+  AddArray(around->GetCellData(), "RightColor", { 2 }, 1);
+  filter->SetInputData(band);
+  filter->SetCurveData(around);
+  ExpectError(filter, { "oriented differently", "one-sided" });
+
+  vtkNew<vtkPolyData> none;
+  filter->SetInputData(none);
+  ExpectWarning(filter, { "empty" });
+  EXPECT_NE(filter->GetOutput()->GetPointData()->GetArray("Colors"), nullptr);
+  EXPECT_NE(filter->GetOutput()->GetFieldData()->GetArray("NetSource"), nullptr);
+  filter->SetInputData(static_cast<vtkPolyData*>(nullptr));
+  ExpectError(filter, { "no input" });
+  std::ostringstream os;
+  filter->Print(os);
+  EXPECT_NE(os.str().find("RefinementRegion: Everywhere"), std::string::npos);
+}
+
+TEST(PoissonVectorGraphics, AwkwardSurfaces)
+{
+  // Several components, isolated points, degenerate and duplicate cells away from the curve, huge
+  // and tiny scales.
+  for (const double scale : { 1.0, 1e-12, 1e12 })
+  {
+    Points points = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 9, 9, 9 }, { 5, 0, 0 },
+      { 6, 0, 0 }, { 5, 1, 0 }, { 7, 0, 0 } };
+    for (auto& p : points)
+    {
+      for (double& x : p)
+      {
+        x *= scale;
+      }
+    }
+    auto surface =
+      MakeSurface(points, { { 0, 1, 2, 3 }, { 5, 6, 7 }, { 5, 6, 7 }, { 5, 6, 8 }, { 5, 5, 6 } });
+    vtkNew<vtkPolyData> curve;
+    vtkNew<vtkPoints> places;
+    places->SetDataTypeToDouble();
+    places->InsertNextPoint(0.5 * scale, 0.5 * scale, 0);
+    places->InsertNextPoint(1.5 * scale, 1.25 * scale, 0);
+    curve->SetPoints(places);
+    curve->SetLines(MakeCells({ { 0, 1 } }));
+    AddArray(curve->GetCellData(), "LeftColor", { 1, 0.5, 0 }, 3);
+    AddArray(curve->GetCellData(), "RightColor", { 0, 0.5, 1 }, 3);
+    vtkNew<vtkPoissonVectorGraphics> filter;
+    filter->SetInputData(surface);
+    filter->SetCurveData(curve);
+    filter->SetBackgroundColor(0.25, 0.5, 0.75);
+    Listener listener(filter); // warnings are as for other filters
+    filter->Update();
+    EXPECT_EQ(filter->GetErrorCode(), 0u) << scale;
+    vtkDataArray* colors = filter->GetOutput()->GetPointData()->GetArray("Colors");
+    ASSERT_NE(colors, nullptr) << scale;
+    double range[2];
+    colors->GetRange(range, 1);
+    EXPECT_NEAR(range[0], 0.5, 1e-9) << scale;
+    EXPECT_NEAR(range[1], 0.5, 1e-9) << scale;
+    colors->GetRange(range, 0);
+    EXPECT_NEAR(range[0], 0.0, 1e-9) << scale;
+    EXPECT_NEAR(range[1], 1.0, 1e-9) << scale;
+    EXPECT_NEAR(colors->GetComponent(4, 2), 0.75, 1e-9) << scale; // isolated
+    EXPECT_NEAR(colors->GetComponent(5, 2), 0.75, 1e-9) << scale; // another component
+  }
+}
+
+TEST(PoissonVectorGraphics, ObserversMayChangeWhatIsRefined)
+{
+  // When the warning of a cell that names a point twice is told, inputs have been checked already.
+  GraphicsFixture drawing = MakeTwoAcross();
+  const vtkIdType twice[] = { 0, 0, 1 };
+  drawing.Surface->GetPolys()->InsertNextCell(3, twice);
+  drawing.Surface->Modified();
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  struct Change
+  {
+    vtkPoissonVectorGraphics* Of;
+    int Warnings = 0;
+    void Run()
+    {
+      this->Of->SetRefinementRegionToCells(); // there is no array
+      ++this->Warnings;
+    }
+  } change{ drawing.Filter };
+  drawing.Filter->AddObserver(vtkCommand::WarningEvent, &change, &Change::Run);
+  Listener listener(drawing.Filter);
+  drawing.Filter->Update();
+  EXPECT_EQ(change.Warnings, 1);
+  ASSERT_EQ(listener.Errors.size(), 1u);
+  EXPECT_NE(listener.Errors[0].find("'Refine'"), std::string::npos);
+  ExpectEmptyOutput(drawing.Filter);
+}
+
+TEST(PoissonVectorGraphics, NumbersOfTheRefinementAreChecked)
+{
+  GraphicsFixture drawing = MakeTwoAcross();
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  std::vector<double> numbers(24, 0.0);
+  numbers[7] = NaN;
+  AddArray(drawing.Surface->GetCellData(), "Refine", numbers, 1);
+  drawing.Filter->SetRefinementRegionToCells();
+  ExpectError(drawing.Filter, { "'Refine'", "cell 7" });
+}
+
+TEST(PoissonVectorGraphics, MemoryIsCheckedEarlyAndAlways)
+{
+  GraphicsFixture drawing = MakeTwoAcross();
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  auto* filter = drawing.Filter.Get();
+  filter->SetRefinementLevel(3);
+  drawing.Run();
+  const vtkTypeUInt64 kept = filter->GetMemorySize();
+  // A factorization that is kept does not go beyond the limit either.
+  filter->SetMemoryLimit(kept);
+  ExpectError(filter, { "MemoryLimit" });
+  filter->SetMemoryLimit(0);
+  drawing.Run();
+  EXPECT_EQ(filter->GetNumberOfFactorizations(), 1);
+  // Nothing stays of what did not fit.
+  filter->SetMemoryLimit(kept / 2);
+  filter->SetRefinementLevel(4);
+  ExpectError(filter, { "MemoryLimit" });
+  EXPECT_EQ(filter->GetMemorySize(), 0u);
+  // Wherever it was refused.
+  filter->SetRefinementLevel(3);
+  for (const double part : { 0.2, 0.4, 0.6, 0.8, 1.0 })
+  {
+    filter->SetMemoryLimit(static_cast<vtkTypeUInt64>(part * static_cast<double>(kept)));
+    ExpectError(filter, { "MemoryLimit" });
+    EXPECT_EQ(filter->GetMemorySize(), 0u) << part;
+  }
+}
+
+TEST(PoissonVectorGraphics, ProgressGrowsAndStops)
+{
+  GraphicsFixture drawing = MakeTwoAcross();
+  AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  AddArray(drawing.OfCells(), "Strength", { 3, 4 }, 1);
+  drawing.Filter->SetRefinementLevel(3);
+  ProgressWatch watch(drawing.Filter);
+  const std::vector<double> expected = GetValues(drawing.Run(), "Colors");
+  watch.ExpectGrowth();
+  for (const double stop : { 0.05, 0.15, 0.3, 0.5, 0.7 })
+  {
+    watch.StopAt = 2.0;
+    drawing.Filter->IntrinsicDelaunayOff(); // so that nothing of it is kept
+    drawing.Run();
+    drawing.Filter->IntrinsicDelaunayOn();
+    watch.StopAt = stop;
+    watch.Progress.clear();
+    ExpectSuccess(drawing.Filter); // not an error
+    EXPECT_LT(watch.Progress.back(), 1.0);
+    ExpectEmptyOutput(drawing.Filter);
+    watch.StopAt = 2.0;
+    EXPECT_EQ(GetValues(drawing.Run(), "Colors"), expected);
+  }
+  ExpectErrorWhenPointsChange(drawing.Filter, drawing.Surface, { "points" });
+}
+
+TEST(PoissonVectorGraphics, ColorsOfAnySize)
+{
+  // A highlight and a region as bright as numbers go are solved for; two highlights on each other
+  // are too much, and an error.
+  GraphicsFixture drawing({ { 2, 1, 0 }, { 4, 1, 0 }, { 2, 1.5, 0 }, { 4, 1.5, 0 }, { 1, 2, 0 },
+                            { 4, 2, 0 }, { 3, 3, 0 } },
+    { { 0, 1 }, { 2, 3 }, { 4, 5, 6, 4 } });
+  AddArray<vtkIntArray>(drawing.OfCells(), "CurveType", { 1, 1, 2 }, 1);
+  AddArray(drawing.OfPoints(), "LeftColor", std::vector<double>(21, 0.0), 3); // three channels
+  drawing.Filter->SetWidth(0.75);
+  const auto setStrengths = [&](double first, double second, double third) {
+    AddArray(drawing.OfCells(), "Strength", { first, second, third }, 1);
+    AddArray(drawing.OfCells(), "RightStrength", { first, second, third }, 1);
+  };
+  setStrengths(0.75, 0.125, 0.5);
+  drawing.Filter->SetBackgroundColor(0.25, 0.0, -1.0);
+  const std::vector<double> usual = GetValues(drawing.Run(), "Colors", 0);
+  setStrengths(0.75e308, 0.125e308, 0.5e308);
+  drawing.Filter->SetBackgroundColor(0.25e308, 0.0, -1.0e308);
+  const std::vector<double> huge = GetValues(drawing.Run(), "Colors", 0);
+  ASSERT_EQ(huge.size(), usual.size());
+  for (std::size_t i = 0; i < huge.size(); ++i)
+  {
+    EXPECT_NEAR(huge[i] / 1e308, usual[i], 1e-12);
+  }
+  vtkDataArray* shown = drawing.Filter->GetOutput()->GetPointData()->GetScalars();
+  EXPECT_EQ(shown->GetRange(0)[1], 255.0);
+  EXPECT_EQ(shown->GetRange(2)[0], 0.0);
+  setStrengths(1.2e308, 1.2e308, 0.0);
+  drawing.Filter->SetBackgroundColor(0.0, 0.0, 0.0);
+  ExpectError(drawing.Filter, { "channel 0", "1.8e308", "divide" });
+  setStrengths(0.75, 0.125, 0.5);
+  drawing.Filter->SetBackgroundColor(0.25, 0.0, -1.0);
+  EXPECT_EQ(GetValues(drawing.Run(), "Colors", 0), usual);
+}
+
+TEST(PoissonVectorGraphics, WidthsAreThoseOfFirstPoints)
+{
+  GraphicsFixture drawing({ { 3, 0, 0 }, { 3, 4, 0 } }, { { 0, 1 } });
+  AddArray<vtkIntArray>(drawing.OfCells(), "CurveType", { 1 }, 1);
+  AddArray(drawing.OfCells(), "Strength", { 1.0 }, 1);
+  drawing.Filter->SetRefinementLevel(2);
+  AddArray(drawing.OfCells(), "Width", { 1.25 }, 1);
+  const std::vector<double> expected = GetValues(drawing.Run(), "Colors");
+  drawing.OfCells()->RemoveArray("Width");
+  AddArray(drawing.OfPoints(), "Width", { 1.25, 0.5 }, 1);
+  EXPECT_EQ(GetValues(drawing.Run(), "Colors"), expected);
+  AddArray(drawing.OfPoints(), "Width", { 0.5, 1.25 }, 1);
+  EXPECT_NE(GetValues(drawing.Run(), "Colors"), expected);
+  AddArray(drawing.OfPoints(), "Width", { 0.0, 1.25 }, 1);
+  ExpectError(drawing.Filter, { "line 0 of input port 1", "width 0" });
+}
+
+TEST(PoissonVectorGraphics, MemoryIsPredictedBeforeCurvesAreDrawn)
+{
+  // The refined mesh would be too much: no progress is told before the error, as there would be for
+  // curves that are drawn.
+  GraphicsFixture drawing = MakeTwoAcross();
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  drawing.Filter->SetRefinementLevel(6);
+  drawing.Filter->SetMemoryLimit(20 << 20);
+  ProgressWatch watch(drawing.Filter);
+  ExpectError(drawing.Filter, { "the refined mesh", "MemoryLimit", "RefinementLevel" });
+  for (const double told : watch.Progress)
+  {
+    EXPECT_TRUE(told <= 0.1 + 1e-12 || told == 1.0) << told; // of the mesh, and at the end
+  }
+  // Nor is more refined near curves than there is memory for.
+  drawing.Filter->SetRefinementRegionToNearCurves();
+  ExpectError(drawing.Filter, { "refinement", "MemoryLimit", "RefinementLevel" });
+  drawing.Filter->SetRefinementLevel(2);
+  drawing.Run();
+}
+
+TEST(PoissonVectorGraphics, StopsWithinRegions)
+{
+  // More faces than are looked at between two reports of the progress.
+  GraphicsFixture drawing({ { 0, 0, 0 } }, {});
+  drawing.Filter->SetCurveData(nullptr);
+  AddArray(drawing.Surface->GetCellData(), "region",
+    { 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 4, 5, 6, 7, 8, 0, 0, 0, 0, 0, 0 }, 1);
+  AddArray(drawing.Surface->GetCellData(), "RegionStrength", std::vector<double>(24, 0.5), 1);
+  drawing.Filter->SetRegionArrayName("region");
+  drawing.Filter->SetRefinementLevel(5);
+  ProgressWatch watch(drawing.Filter);
+  const std::vector<double> expected = GetValues(drawing.Run(), "Colors");
+  const std::vector<double> first = watch.Progress;
+  watch.Progress.clear();
+  drawing.Filter->Modified(); // the factorization is kept: the rest is solving
+  drawing.Run();
+  std::vector<double> told = watch.Progress;
+  EXPECT_LT(told.size(), first.size());
+  // The pipeline tells the first and the last.
+  ASSERT_GE(told.size(), 8u);
+  told.pop_back();
+  told.erase(told.begin());
+  for (const double stop : told)
+  {
+    watch.Progress.clear();
+    watch.StopAt = stop;
+    drawing.Filter->Modified();
+    ExpectSuccess(drawing.Filter); // not an error
+    ExpectEmptyOutput(drawing.Filter);
+    ASSERT_FALSE(watch.Progress.empty());
+    EXPECT_EQ(watch.Progress.back(), stop);
+  }
+  watch.StopAt = 2.0;
+  EXPECT_EQ(GetValues(drawing.Run(), "Colors"), expected);
+}
