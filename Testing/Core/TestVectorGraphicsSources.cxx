@@ -115,6 +115,51 @@ TEST(VectorGraphicsSources, RegionsOnSeveralComponents)
   EXPECT_GT(brightest, 1.0);
 }
 
+TEST(VectorGraphicsSources, EachCurveFindsItsOwnLeft)
+{
+  // Squares in each other, one that crosses them, one that runs clockwise; an open curve, and one
+  // that was stopped: what was found before does not matter.
+  const SurfaceMesh mesh = Build(Plane(8, 8));
+  const auto square = [&](Id from, Id to, bool isClockwise) {
+    std::vector<SurfacePoint> corners;
+    for (const std::array<Id, 2>& c :
+      { std::array<Id, 2>{ { from, from } }, { { to, from } }, { { to, to } }, { { from, to } } })
+    {
+      corners.push_back(SurfacePoint::AtVertex(9 * c[1] + c[0]));
+    }
+    if (isClockwise)
+    {
+      std::reverse(corners.begin(), corners.end());
+    }
+    return Curve(mesh, corners, true);
+  };
+  const std::vector<SurfaceCurve> curves = { square(1, 7, false), square(2, 6, false),
+    square(3, 5, true), square(1, 4, false), square(2, 6, false) };
+  const std::size_t counts[] = { 72, 32, 128 - 8, 18, 32 };
+  const RefinedSurface surface = Embed(mesh, curves);
+  std::vector<dgg::CurveChain> chains;
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    chains.push_back(dgg::FollowCurve(surface, curves, k));
+  }
+  const dgg::ChainEdges edges(surface, chains, std::vector<char>(curves.size(), 1));
+  dgg::LeftFaces left(edges);
+  dgg::WorkProgress work(nullptr, 1.0);
+  std::vector<Id> faces;
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    EXPECT_FALSE(left.Find(chains[k], false, work, faces).IsOk());
+    dgg::WorkProgress stopped([](double) { return false; }, 1.0);
+    stopped.Add(1e9);
+    EXPECT_TRUE(left.Find(chains[k], true, stopped, faces).IsAborted());
+    EXPECT_TRUE(faces.empty());
+    ASSERT_TRUE(left.Find(chains[k], true, work, faces).IsOk());
+    std::sort(faces.begin(), faces.end());
+    EXPECT_EQ(faces.size(), counts[k]) << k;
+    EXPECT_EQ(std::unique(faces.begin(), faces.end()), faces.end());
+  }
+}
+
 TEST(VectorGraphicsSources, DiffusionCurvesTakePatchesApart)
 {
   // A region from x = 2 to 6 with a curve at x = 3 through it and one at x = 5: the patch in the
