@@ -304,6 +304,7 @@ TEST(PoissonVectorGraphics, ProgressGrowsAndStops)
     ExpectSuccess(drawing.Filter); // not an error
     EXPECT_LT(watch.Progress.back(), 1.0);
     ExpectEmptyOutput(drawing.Filter);
+    EXPECT_EQ(drawing.Filter->GetMemorySize() == 0, stop > 0.1); // from when it is drawn anew
     watch.StopAt = 2.0;
     EXPECT_EQ(GetValues(drawing.Run(), "Colors"), expected);
   }
@@ -360,7 +361,7 @@ TEST(PoissonVectorGraphics, WidthsAreThoseOfFirstPoints)
   AddArray(drawing.OfPoints(), "Width", { 0.5, 1.25 }, 1);
   EXPECT_NE(GetValues(drawing.Run(), "Colors"), expected);
   AddArray(drawing.OfPoints(), "Width", { 0.0, 1.25 }, 1);
-  ExpectError(drawing.Filter, { "line 0 of input port 1", "width 0" });
+  ExpectError(drawing.Filter, { "line 0 of input port 1", "width 0:" }); // before it is drawn
 }
 
 TEST(PoissonVectorGraphics, MemoryIsPredictedBeforeCurvesAreDrawn)
