@@ -81,8 +81,8 @@ enum class FitPasses
   Two
 };
 
-bool FitTo(std::size_t count, FitPasses passes, CloudSetup& setup, double share,
-  const NodeLoop& loop, CloudFits& fits)
+bool FitTo(std::size_t count, FitPasses passes, CloudSetup& setup, double share, SetupLoop& loop,
+  CloudFits& fits)
 {
   CloudPairs& pairs = setup.Pairs;
   const std::size_t n = pairs.Points.size();
@@ -92,7 +92,7 @@ bool FitTo(std::size_t count, FitPasses passes, CloudSetup& setup, double share,
   fits.Residuals.assign(n, 0.0f);
   fits.ToSurface.assign(n, Point3());
   std::atomic<std::size_t> off{ 0 };
-  const bool goesOn = loop(share, [&](Id begin, Id end) {
+  const bool goesOn = loop.ForNodes(n, share, [&](Id begin, Id end) {
     std::vector<CloudNeighbor> neighbors;
     std::vector<Point3> places;
     std::size_t misses = 0;
@@ -224,13 +224,13 @@ double MeasureScatter(const CloudSetup& setup, double offSurface)
 }
 }
 
-bool FitSurfaces(CloudSetup& setup, double share, const NodeLoop& loop, CloudFits& fits)
+bool FitSurfaces(CloudSetup& setup, double share, SetupLoop& loop, CloudFits& fits)
 {
   return FitTo(FitNeighbors, FitPasses::One, setup, share, loop, fits);
 }
 
 bool RemoveNoise(
-  CloudSetup& setup, double share, const NodeLoop& loop, CloudFits& fits, CloudNoise& noise)
+  CloudSetup& setup, double share, SetupLoop& loop, CloudFits& fits, CloudNoise& noise)
 {
   CloudPairs& pairs = setup.Pairs;
   const std::size_t n = pairs.Points.size();

@@ -6,10 +6,9 @@
 #define dggCloudNoise_h
 
 #include "dggCloudSetup.h" // for CloudSetup
+#include "dggSetupLoop.h"  // for SetupLoop
 
-#include <cstddef>    // for std::size_t
-#include <functional> // for NodeLoop
-#include <vector>     // for what is told of nodes
+#include <vector> // for what is told of nodes
 
 namespace dgg
 {
@@ -36,18 +35,14 @@ struct CloudNoise
   double Scatter = 0.0;
 };
 
-/// Calls `body(begin, end)` with ranges of all nodes, in several threads, and takes a share of the
-/// progress of all steps. False when the caller has asked to stop.
-using NodeLoop = std::function<bool(double share, const std::function<void(Id, Id)>& body)>;
-
 /// Fit surfaces to the nearest points of all nodes: spacings and normals of the pairs, and `fits`.
 /// False when stopped.
-bool FitSurfaces(CloudSetup& setup, double share, const NodeLoop& loop, CloudFits& fits);
+bool FitSurfaces(CloudSetup& setup, double share, SetupLoop& loop, CloudFits& fits);
 
 /// See whether the surface is smooth at each node. When the cloud as a whole is noisy, move nodes
 /// to the surface, and fit anew. Takes that share of the progress when it does. False when stopped.
 bool RemoveNoise(
-  CloudSetup& setup, double share, const NodeLoop& loop, CloudFits& fits, CloudNoise& noise);
+  CloudSetup& setup, double share, SetupLoop& loop, CloudFits& fits, CloudNoise& noise);
 }
 
 #endif

@@ -33,6 +33,9 @@ struct CloudSetup
   static std::size_t PredictMemory(std::size_t nodes);
 };
 
+/// Fails when that many bytes are more than the limit.
+Status CheckSetupMemory(std::size_t bytes, const CloudGraphOptions& options);
+
 /// `progress` is told of the fraction of this step.
 Status SetUpCloud(const double* points, Id numberOfPoints, const CloudGraphOptions& options,
   const ProgressCallback& progress, CloudSetup& setup, CloudGraphStatistics& statistics);

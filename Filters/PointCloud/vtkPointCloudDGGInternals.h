@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a vtkPointCloudDGG keeps between updates. Internal.
+#ifndef vtkPointCloudDGGInternals_h
+#define vtkPointCloudDGGInternals_h
+
+#include "vtkPointCloudDGG.h"
+
+#include "vtkDGGGraphArrays.h" // for the graph
+
+#include "dggCloudGraphBuilder.h" // for what graphs are known by, and tell
+
+#include "vtkTimeStamp.h" // for the time of the build
+
+#include <vector> // for components
+
+struct vtkPointCloudDGG::vtkInternals
+{
+  /// What there is to tell of a graph.
+  struct Findings
+  {
+    vtkDGGGraphSummary Graph;
+    std::vector<dgg::Id> ComponentSizes;
+    dgg::CloudGraphStatistics Statistics;
+  };
+  vtkDGGGraphArrays Built;
+  dgg::Signature BuiltBy{};        ///< options and normals
+  std::vector<dgg::Id> Components; // of what was built
+  Findings BuiltFindings;
+  Findings Current; // of the last update
+  dgg::CloudGraphEstimate Estimate;
+  vtkTimeStamp BuildTime;
+
+  // By planes, kept while points are the same. Shared: an observer may have the filter forget them.
+  Normals PlaneNormals;
+  vtkMTimeType NormalsMesh = 0;
+  int NormalsNeighbors = 0;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkPointCloudDGGInternals.h

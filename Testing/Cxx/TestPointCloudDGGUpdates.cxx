@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkPointCloudDGG: what is kept between updates, memory, progress.
+#include "GraphTestTools.h"
+#include "PointCloudDGGFixture.h"
+
+#include "vtkElevationFilter.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+TEST_F(PointCloudDGG, KeepsTheGraph)
+{
+  const Points points = MakeFlatPoints(25, 0.2);
+  const auto cloud = MakeCloud(points);
+  vtkNew<vtkElevationFilter> elevation; // changes something upstream, but not the points
+  elevation->SetInputData(cloud);
+  this->Filter->SetInputConnection(elevation->GetOutputPort());
+  ExpectSuccess(this->Filter);
+  const vtkMTimeType first = this->Filter->GetGraphBuildTime();
+  elevation->SetHighPoint(0.0, 0.0, 3.0);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), first);
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 1);
+  EXPECT_GT(this->Filter->GetSpacing(), 0.0);
+  this->Filter->SetMemoryLimit(1u << 30);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), first);
+
+  this->Filter->SetAccuracy(0.01);
+  ExpectSuccess(this->Filter);
+  const vtkMTimeType second = this->Filter->GetGraphBuildTime();
+  EXPECT_GT(second, first);
+
+  cloud->GetPoints()->SetPoint(3, 0.1, 0.02, 0.001);
+  cloud->GetPoints()->Modified();
+  ExpectSuccess(this->Filter);
+  const vtkMTimeType third = this->Filter->GetGraphBuildTime();
+  EXPECT_GT(third, second);
+
+  this->Filter->ReleaseGraph();
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter);
+  EXPECT_GT(this->Filter->GetGraphBuildTime(), third);
+}
+
+TEST_F(PointCloudDGG, TellsOfTheKeptGraphAfterAnError)
+{
+  this->Use(MakeFlatPoints(25, 0.2));
+  ExpectSuccess(this->Filter);
+  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
+  const double spacing = this->Filter->GetSpacing();
+  this->Filter->SetAlpha(-1.0);
+  ExpectError(this->Filter, { "Alpha" });
+  EXPECT_EQ(this->Filter->GetSpacing(), 0.0);
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 0);
+  this->Filter->SetAlpha(0.0);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
+  EXPECT_EQ(this->Filter->GetSpacing(), spacing);
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 1);
+  EXPECT_GT(this->Filter->GetNumberOfGraphEdges(), 0);
+}
+
+TEST_F(PointCloudDGG, ThreadsDoNotMatter)
+{
+  this->Use(MakeSpherePoints(700));
+  this->Filter->EstimateNormalsOn();
+  std::vector<std::string> first;
+  ForEachThreading([&](const std::string& name) {
+    this->Filter->ReleaseGraph();
+    this->Filter->Modified();
+    ExpectSuccess(this->Filter);
+    const std::vector<std::string> bytes = GetCloudBytes(this->GetOutput());
+    first = first.empty() ? bytes : first;
+    EXPECT_EQ(bytes, first) << name;
+  });
+}
+
+TEST_F(PointCloudDGG, EstimatesMemory)
+{
+  EXPECT_EQ(this->Filter->GetEstimatedMemory(), 0u);
+  this->Use(MakeFlatPoints(60, 0.3));
+  const vtkTypeUInt64 estimate = this->Filter->EstimateMemory();
+  EXPECT_EQ(this->Filter->GetErrorCode(), 0u);
+  EXPECT_EQ(estimate, this->Filter->GetEstimatedMemory());
+  ExpectSuccess(this->Filter);
+  const auto taken = static_cast<double>(this->Filter->GetMemorySize());
+  EXPECT_GT(static_cast<double>(estimate), 0.6 * taken);
+  EXPECT_LT(static_cast<double>(estimate), 1.8 * taken);
+  EXPECT_GE(this->Filter->GetEstimatedPeakMemory(), estimate);
+
+  this->Filter->EstimateMemory();
+  this->Filter->SetMemoryLimit(this->Filter->GetEstimatedPeakMemory());
+  this->Filter->ReleaseGraph();
+  ExpectSuccess(this->Filter);
+  this->Filter->SetMemoryLimit(10000);
+  this->Filter->SetAccuracy(0.002);
+  ExpectError(this->Filter, { "limit" });
+  EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(), 0);
+  EXPECT_EQ(this->Filter->GetSpacing(), 0.0);
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 0);
+  this->Filter->SetMemoryLimit(0);
+  ExpectSuccess(this->Filter);
+}
+
+TEST_F(PointCloudDGG, EstimatesTellOfProgressAndStop)
+{
+  const auto cloud = MakeCloud(MakeSpherePoints(20000));
+  for (const double stop : { 2.0, 0.2, 0.9 })
+  {
+    vtkNew<vtkPointCloudDGG> filter; // outlived by its observer
+    filter->SetInputData(cloud);
+    ProgressWatch watch(filter);
+    watch.StopAt = stop;
+    const vtkTypeUInt64 estimate = filter->EstimateMemory();
+    EXPECT_EQ(filter->GetErrorCode(), 0u);
+    if (stop > 1.0)
+    {
+      EXPECT_GT(watch.Progress.size(), 10u);
+      EXPECT_TRUE(std::is_sorted(watch.Progress.begin(), watch.Progress.end()));
+      EXPECT_EQ(watch.Progress.back(), 1.0);
+      EXPECT_GT(estimate, 0u);
+    }
+    else
+    {
+      EXPECT_EQ(estimate, 0u);
+      EXPECT_LT(watch.Progress.back(), stop + 0.1);
+    }
+  }
+}
+
+TEST_F(PointCloudDGG, ProgressAndAbort)
+{
+  const auto cloud = MakeCloud(MakeSpherePoints(20000));
+  for (const double stop : { 2.0, 0.12, 0.5 })
+  {
+    vtkNew<vtkPointCloudDGG> filter; // outlived by its observer
+    filter->SetInputData(cloud);
+    filter->EstimateNormalsOn();
+    ProgressWatch watch(filter);
+    watch.StopAt = stop;
+    filter->Update();
+    EXPECT_EQ(filter->GetErrorCode(), 0u);
+    if (stop > 1.0)
+    {
+      watch.ExpectGrowth();
+      EXPECT_GT(filter->GetNumberOfGraphEdges(), 0);
+      continue;
+    }
+    ExpectEmptyOutput(filter);
+    EXPECT_EQ(filter->GetNumberOfGraphEdges(), 0);
+    EXPECT_EQ(filter->GetNumberOfComponents(), 0);
+    watch.StopAt = 2.0;
+    ExpectSuccess(filter);
+    EXPECT_GT(filter->GetNumberOfGraphEdges(), 0);
+  }
+}
+}
