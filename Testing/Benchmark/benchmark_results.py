@@ -37,6 +37,12 @@ def median(figures, key):
     return statistics.median(values) if values else None
 
 
+def first_median(parts, key):
+    """That of the first of several measurements that has it."""
+    found = (median(figures, key) for figures in parts)
+    return next((value for value in found if value is not None), None)
+
+
 def mean(figures, key):
     """Mean over the sources."""
     values = (figures or {}).get(key)
@@ -76,6 +82,10 @@ def count_text(value):
     return f"{value:.0f}"
 
 
+def size_text(value):
+    return DASH if value is None else count_text(value)
+
+
 def text(value, form):
     return DASH if value is None else form.format(value)
 
@@ -107,6 +117,14 @@ def ratio_text(numerator, denominator):
     return f"{digits(numerator / denominator)}x"
 
 
+def quotient_text(numerator, denominator):
+    return DASH if numerator is None or not denominator else digits(numerator / denominator)
+
+
+def peak_text(predicted, measured):
+    return f"{bytes_text(predicted)} / {bytes_text(measured)}"
+
+
 def environment(context):
     """What a run was compiled with."""
     return ", ".join(
@@ -117,6 +135,9 @@ def environment(context):
 
 
 def table(header, rows):
+    """Empty without rows."""
+    if not rows:
+        return ""
     lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
     lines += ["| " + " | ".join(row) + " |" for row in rows]
     return "\n".join(lines) + "\n"
@@ -130,6 +151,11 @@ def titled(run, makers):
         if made:
             parts += [f"**{title}**\n", made]
     return parts
+
+
+def folded(summary, made):
+    """What is seen only when one asks for it; nothing of nothing."""
+    return [f"<details><summary>{summary}</summary>\n", made + "\n</details>\n"] if made else []
 
 
 def run_as_script(summarize, usage):

@@ -15,18 +15,21 @@ from benchmark_results import (
     DASH,
     bytes_text,
     collect,
-    count_text,
-    digits,
     environment,
     errors_text,
+    first_median,
+    folded,
     largest,
     load,
     mean,
     median,
     number,
+    peak_text,
     percent,
+    quotient_text,
     ratio_text,
     run_as_script,
+    size_text,
     table,
     text,
     time_text,
@@ -136,8 +139,7 @@ def range_text(values):
 
 def points_of(graphs):
     """The number of points of a cloud; marching does not tell it."""
-    found = (median(cases.get("Build"), "points") for cases in graphs.values())
-    return next((points for points in found if points is not None), None)
+    return first_median((cases.get("Build") for cases in graphs.values()), "points")
 
 
 def mean_text(graphs, graph, published=None):
@@ -164,7 +166,7 @@ def mean_table(run):
         rows.append(
             [
                 cloud,
-                DASH if points is None else count_text(points),
+                size_text(points),
                 range_text(published),
                 *schemes,
                 mean_text(graphs, "C/chord"),
@@ -184,7 +186,7 @@ def mean_table(run):
         "C: arcs, finer",
         "fast marching",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def error_table(run):
@@ -197,10 +199,10 @@ def error_table(run):
         rows.append(
             [
                 cloud,
-                DASH if points is None else count_text(points),
+                size_text(points),
                 method_of(graph, cases),
                 text(median(build, "degree"), "{:.0f}"),
-                DASH if not spacing else digits(reach / spacing),
+                quotient_text(reach, spacing),
                 errors_text(query),
                 unreached_text(query),
                 range_text(published) + ("" if published is None else " %"),
@@ -220,7 +222,7 @@ def error_table(run):
         "published / ours",
         "query",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def guard_table(run):
@@ -248,7 +250,7 @@ def guard_table(run):
         "edges between sheets",
         "components",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def speed_table(run):
@@ -262,13 +264,13 @@ def speed_table(run):
         rows.append(
             [
                 cloud,
-                DASH if points is None else count_text(points),
+                size_text(points),
                 time_text(median(build, "seconds")),
                 time_text(median(build, "cpu_seconds")),
                 number(median(build, "threads")),
                 text(median(build, "degree"), "{:.0f}"),
                 bytes_text(median(build, "graph_bytes")),
-                f"{bytes_text(predicted)} / {bytes_text(measured)}",
+                peak_text(predicted, measured),
                 time_text(median(query, "seconds")),
                 errors_text(query),
                 time_text(median(mesh.get("Build"), "seconds")),
@@ -291,7 +293,7 @@ def speed_table(run):
         "query there",
         "error there",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def summarize(path):
@@ -307,9 +309,7 @@ def summarize(path):
         "What large clouds take, and meshes with the same points": speed_table,
     }
     parts += titled(run, titles)
-    made = error_table(run)
-    if made:
-        parts += ["<details><summary>Errors in detail</summary>\n", made, "</details>\n"]
+    parts += folded("Errors in detail", error_table(run))
     return "\n".join(parts)
 
 

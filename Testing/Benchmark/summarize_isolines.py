@@ -136,7 +136,7 @@ def tail_table(run):
         )
         rows.append(row)
     header = ["mesh"] + [METHODS[name] + ", %" for name in methods]
-    return table(header + ["fallbacks: virtual / windows"], rows) if rows else None
+    return table(header + ["fallbacks: virtual / windows"], rows)
 
 
 def chord_table(run):
@@ -157,7 +157,7 @@ def chord_table(run):
         chords[name] = next((text(value, "{:g}") for value in found if value), DASH)
     header = ["mesh"]
     header += [f"{kind}, {chords[name]} h, %" for kind in ("windows", "virtual") for name in names]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def input_table(run):
@@ -189,7 +189,7 @@ def input_table(run):
         "virtual sources, %",
         "gain",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def steiner_table(run):
@@ -217,7 +217,7 @@ def steiner_table(run):
                     ]
                 )
     header = ["mesh", "method", "error, %", "gain", "time", "peak memory, MB"]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def time_table(run):
@@ -241,7 +241,7 @@ def time_table(run):
         rows.append(row)
     header = ["mesh", "faces"] + list(names.values())
     header += ["virtual, µs per face", "windows, µs per face", "segments: linear / windows"]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def field_table(run):
@@ -273,7 +273,7 @@ def field_table(run):
             )
     header = ["mesh", "vertices", "method", "before queries", "peak bytes per vertex", "query"]
     header += ["error: mean, %", "99.9 %", "max, %"]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def summarize(path):

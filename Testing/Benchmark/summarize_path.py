@@ -112,7 +112,7 @@ def path_table(run):
         "excess: median / mean / 99 % / max",
         "beyond 1e-6: median / max",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def check_table(run):
@@ -134,7 +134,7 @@ def check_table(run):
                 if kind == "Raw":
                     figures[list(columns).index("unstraightened")] = DASH
                 rows.append([mesh, title] + figures)
-    return table(["mesh", "path"] + list(columns.values()), rows) if rows else None
+    return table(["mesh", "path"] + list(columns.values()), rows)
 
 
 def before_table(run):
@@ -165,7 +165,7 @@ def before_table(run):
         "held after them",
         "exact propagation",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def peer_table(run):
@@ -192,7 +192,7 @@ def peer_table(run):
         "excess of VTK's: mean / max",
         "of the default: mean / max",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def excess_percent(figures):
@@ -233,7 +233,7 @@ def cell_table(run):
         "whole diagram, in queries",
         "with refined borders",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def matrix_table(run):
@@ -251,7 +251,7 @@ def matrix_table(run):
             ]
         )
     header = ["mesh", "matrix", "threads", "update (wall)", "error of a row: mean / max"]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def loop_table(run):
@@ -280,7 +280,7 @@ def loop_table(run):
         "let go there",
         "invalid",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def summarize(path):

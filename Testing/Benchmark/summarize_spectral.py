@@ -16,16 +16,19 @@ from benchmark_results import (
     DASH,
     bytes_text,
     collect,
-    count_text,
-    digits,
     environment,
+    first_median,
+    folded,
     largest,
     load,
     median,
     number,
+    peak_text,
     percent,
+    quotient_text,
     ratio_text,
     run_as_script,
+    size_text,
     table,
     text,
     time_text,
@@ -116,28 +119,21 @@ def seconds(cases, case):
     return median(cases.get(case), "seconds")
 
 
-def vertices_text(*figures):
-    values = [median(part, "vertices") for part in figures]
-    return next((count_text(value) for value in values if value is not None), DASH)
-
-
 def factor_table(run):
     rows = []
     for mesh, cases in run.meshes.items():
         factor, block = cases.get("Factor"), cases.get("Block")
         entries, vertices = median(factor, "factor_entries"), median(factor, "vertices")
         together, columns = seconds(cases, "Block"), median(block, "columns")
-        predicted, measured = (
-            bytes_text(median(factor, key)) for key in ("predicted_bytes", "peak_bytes")
-        )
+        predicted, measured = (median(factor, key) for key in ("predicted_bytes", "peak_bytes"))
         rows.append(
             [
                 mesh,
-                vertices_text(*cases.values()),
+                size_text(first_median(cases.values(), "vertices")),
                 time_text(seconds(cases, "Factor")),
                 time_text(median(factor, "analysis_seconds")),
-                DASH if entries is None else digits(entries / vertices),
-                f"{predicted} / {measured}",
+                quotient_text(entries, vertices),
+                peak_text(predicted, measured),
                 time_text(seconds(cases, "Column")),
                 time_text(None if together is None else together / columns),
                 time_text(seconds(cases, "Biharmonic")),
@@ -154,7 +150,7 @@ def factor_table(run):
         "in blocks of eight, each",
         "biharmonic column",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def point_table(run):
@@ -182,7 +178,7 @@ def point_table(run):
         "radius, mean edges",
         "by another method",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def long_table(run):
@@ -213,7 +209,7 @@ def long_table(run):
         "gap of its bounds, %",
         "distance / geodesic one",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def peer_table(run):
@@ -254,7 +250,7 @@ def peer_table(run):
         "/ ours",
         "largest difference to ours",
     ]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def convergence_table(run):
@@ -271,16 +267,16 @@ def convergence_table(run):
             rows.append(row)
         if sizes:
             rows.append([title, "order"] + [text(order(curves[way]), "{:.2f}") for way in ways])
-    return table(["error", "vertices"] + [WAYS[way] for way in ways], rows) if rows else None
+    return table(["error", "vertices"] + [WAYS[way] for way in ways], rows)
 
 
 def spline_table(run):
     rows = []
     for sites, figures in sorted(run.splines.items()):
         error, time = median(figures, "error"), median(figures, "seconds")
-        rows.append([vertices_text(figures), number(sites), percent(error), time_text(time)])
+        rows.append([size_text(median(figures, "vertices")), number(sites), percent(error), time_text(time)])
     header = ["vertices of a sphere", "sites of B-splines", "error of a solution, %", "time"]
-    return table(header, rows) if rows else None
+    return table(header, rows)
 
 
 def fallback_text(run):
@@ -290,7 +286,7 @@ def fallback_text(run):
         for levels in run.spheres.values()
         for figures in levels.values()
     )
-    return f"At {count:.0f} poles another method was used.\n\n" if count else ""
+    return f"\nAt {count:.0f} poles another method was used.\n" if count else ""
 
 
 def summarize(path):
@@ -306,8 +302,8 @@ def summarize(path):
     parts += titled(run, titles)
     made = convergence_table(run)
     if made:
-        parts += ["<details><summary>Errors on spheres of radius 1</summary>\n", made]
-        parts += [fallback_text(run) + "</details>\n"]
+        made += fallback_text(run)
+    parts += folded("Errors on spheres of radius 1", made)
     return "\n".join(parts)
 
 
