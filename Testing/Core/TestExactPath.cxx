@@ -12,7 +12,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <string>
 
 namespace dggtest
 {
@@ -378,6 +381,105 @@ TEST(ExactPath, StopsWhenAsked)
     SurfacePoint::AtVertex(0), { SurfacePoint::AtVertex(3) }, [](double) { return false; }, paths);
   EXPECT_TRUE(status.IsAborted());
   EXPECT_TRUE(paths.empty());
+}
+
+/// What a finder has done before makes no difference.
+TEST(ExactPath, MayBeAskedAgain)
+{
+  std::vector<NamedMesh> meshes = DefectMeshes();
+  meshes.push_back({ "parts", SeveralComponents() });
+  meshes.push_back({ "sphere", NoisySphere(3, 0.1, 3) });
+  meshes.push_back({ "terrain", Terrain(20, 0.8, 5) });
+  for (const NamedMesh& named : meshes)
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 30, 5);
+    for (const Id v : SomeVertices(mesh, 10, 7))
+    {
+      points.push_back(SurfacePoint::AtVertex(v));
+    }
+    dgg::ExactPathFinder again(mesh);
+    const double limits[] = { dgg::Infinity, 3.0 * mesh.GetMaximumEdgeLength(), 0.0 };
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      // Targets in plenty now and then, a stop, a point that does not exist.
+      const auto end = points.begin() + static_cast<std::ptrdiff_t>(k % 7 == 0 ? points.size() : 1);
+      std::vector<SurfacePoint> to(points.begin(), end);
+      to.push_back(points[(7 * k + 1) % points.size()]);
+      const double limit = limits[k % 5 == 3 ? 1 : (k % 11 == 5 ? 2 : 0)];
+      std::vector<SurfacePath> found;
+      if (k % 4 == 1)
+      {
+        again.Find(
+          points[k], to, [](double) { return false; }, found, limit);
+      }
+      else if (k % 4 == 2)
+      {
+        EXPECT_FALSE(again.Find(points[k], { SurfacePoint::AtVertex(-4) }, nullptr, found).IsOk());
+      }
+      dgg::ExactPathFinder fresh(mesh);
+      std::vector<SurfacePath> expected;
+      ASSERT_EQ(again.Find(points[k], to, nullptr, found, limit).GetMessage(),
+        fresh.Find(points[k], to, nullptr, expected, limit).GetMessage());
+      ASSERT_EQ(again.GetNumberOfWindows(), fresh.GetNumberOfWindows()) << k;
+      ASSERT_EQ(found.size(), expected.size());
+      for (std::size_t t = 0; t < found.size(); ++t)
+      {
+        ASSERT_EQ(found[t].Length, expected[t].Length) << k << " " << t;
+        ASSERT_EQ(found[t].Faces, expected[t].Faces);
+        ASSERT_EQ(found[t].Points.size(), expected[t].Points.size());
+        for (std::size_t i = 0; i < found[t].Points.size(); ++i)
+        {
+          const SurfacePoint& a = found[t].Points[i];
+          const SurfacePoint& b = expected[t].Points[i];
+          ASSERT_TRUE(a.On == b.On && a.Vertex == b.Vertex && a.Face == b.Face &&
+            a.Barycentric == b.Barycentric);
+        }
+      }
+    }
+  }
+}
+
+/// The time of a run to a target nearby is that of what it reaches, not of the mesh.
+TEST(ExactPath, KeptRunsTakeTheTimeOfWhatTheyReach)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(6));
+  dgg::ExactOptions options;
+  options.StopAtTargets = true;
+  dgg::ExactGeodesics geodesics(mesh);
+  dgg::ExactResult result;
+  double least[2] = { dgg::Infinity, dgg::Infinity };
+  for (Id v = 20000; v < 20030; ++v)
+  {
+    const auto neighbourOf = [&](Id of) {
+      return SurfacePoint::AtVertex(mesh.Destination(*mesh.FanBegin(of)));
+    };
+    // After another kind of run all is made anew; this reaches other vertices.
+    options.Targets = { neighbourOf(v + 5000) };
+    geodesics.RunKept({ { SurfacePoint::AtVertex(v + 5000), 0.0 } }, options);
+    options.Targets = { neighbourOf(v) };
+    const std::vector<dgg::GeodesicSource> sources{ { SurfacePoint::AtVertex(v), 0.0 } };
+    for (const bool isKept : { true, false })
+    {
+      const auto begin = std::chrono::steady_clock::now();
+      const dgg::Status status =
+        isKept ? geodesics.RunKept(sources, options) : geodesics.Run(sources, options, result);
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+      ASSERT_TRUE(status.IsOk());
+      least[isKept] = std::min(least[isKept], taken.count());
+    }
+    EXPECT_EQ(geodesics.GetKept().Distances, result.Distances);
+    EXPECT_EQ(geodesics.GetKept().NearestSource, result.NearestSource);
+    for (std::size_t k = 0; k < result.Predecessors.size(); ++k)
+    {
+      ASSERT_EQ(geodesics.GetKept().Predecessors[k].Root, result.Predecessors[k].Root);
+    }
+    EXPECT_EQ(geodesics.GetKept().TargetDistances, result.TargetDistances);
+  }
+  RecordProperty("kept", std::to_string(least[1]));
+  RecordProperty("anew", std::to_string(least[0]));
+  EXPECT_LT(least[1], 0.25 * least[0]);
 }
 
 TEST(ExactPath, NearbyTargetsTakeFewWindows)

@@ -14,13 +14,12 @@ ExactGeodesics::ExactGeodesics(const SurfaceMesh& mesh)
 
 ExactGeodesics::~ExactGeodesics() = default;
 
-Status ExactGeodesics::Run(
-  const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result)
+/// It keeps its arrays from run to run.
+WindowPropagation& ExactGeodesics::GetEngine(ExactEngine kind)
 {
-  // The engine keeps its arrays from run to run.
-  if (!this->Engine || this->EngineKind != options.Engine)
+  if (!this->Engine || this->EngineKind != kind)
   {
-    if (options.Engine == ExactEngine::Reference)
+    if (kind == ExactEngine::Reference)
     {
       this->Engine = std::make_unique<ReferenceEngine>(this->Mesh);
     }
@@ -28,8 +27,20 @@ Status ExactGeodesics::Run(
     {
       this->Engine = std::make_unique<TriangleEngine>(this->Mesh);
     }
-    this->EngineKind = options.Engine;
+    this->EngineKind = kind;
   }
-  return this->Engine->Run(sources, options, result);
+  return *this->Engine;
+}
+
+Status ExactGeodesics::Run(
+  const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result)
+{
+  return this->GetEngine(options.Engine).Run(sources, options, result);
+}
+
+Status ExactGeodesics::RunKept(
+  const std::vector<GeodesicSource>& sources, const ExactOptions& options)
+{
+  return this->GetEngine(options.Engine).RunAgain(sources, options, this->Kept);
 }
 }

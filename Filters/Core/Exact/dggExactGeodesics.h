@@ -98,10 +98,19 @@ public:
   Status Run(
     const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result);
 
+  /// The same into a result that stays here, valid until the next run: for many runs that each
+  /// reach few vertices, as to targets nearby. Such a run takes the time of what it reaches, where
+  /// Run() also takes some for each vertex of the mesh.
+  Status RunKept(const std::vector<GeodesicSource>& sources, const ExactOptions& options);
+  const ExactResult& GetKept() const { return this->Kept; }
+
 private:
+  WindowPropagation& GetEngine(ExactEngine kind);
+
   const SurfaceMesh& Mesh;
   std::unique_ptr<WindowPropagation> Engine;
   ExactEngine EngineKind = ExactEngine::Triangle;
+  ExactResult Kept;
 };
 }
 

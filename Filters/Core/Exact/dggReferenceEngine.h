@@ -25,6 +25,7 @@ protected:
   void LabelDropped(Id v) override;
   bool Propagate() override;
   void Reset() override;
+  void ResetReached(const std::vector<Id>&) override { this->Reset(); }
   void Release() override;
 
 private:

@@ -20,14 +20,40 @@ void TriangleEngine::Reset()
 {
   const auto n = static_cast<std::size_t>(this->Mesh.GetNumberOfVertices());
   const auto halfEdges = static_cast<std::size_t>(this->Mesh.GetNumberOfHalfEdges());
-  this->Heap.clear();
   this->IsOpen.assign(halfEdges / 3, 0);
   this->IsQueued.assign(halfEdges, 0);
   this->IsVisited.assign(n, 0);
   this->Emitted.assign(n, Infinity);
+  this->ListOf.assign(halfEdges, NoId);
+  this->ResetRun();
+}
+
+/// Vertices without a label have had no turn, and open no faces. Nothing is queued at the end.
+void TriangleEngine::ResetReached(const std::vector<Id>& vertices)
+{
+  if (this->FreeLists.size() != this->Pool.size() || this->Emitted.empty())
+  {
+    this->Reset(); // a list waits on an edge, or the arrays were given back
+    return;
+  }
+  for (const Id v : vertices)
+  {
+    this->IsVisited[v] = 0;
+    this->Emitted[v] = Infinity;
+    for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+    {
+      this->IsOpen[SurfaceMesh::Face(*g)] = 0;
+    }
+  }
+  this->ResetRun();
+}
+
+/// What does not grow with the mesh.
+void TriangleEngine::ResetRun()
+{
+  this->Heap.clear();
   this->Queue.clear();
   this->QueueHead = 0;
-  this->ListOf.assign(halfEdges, NoId);
   this->Pool.clear();
   this->FreeLists.clear();
   this->Memory.Clear();

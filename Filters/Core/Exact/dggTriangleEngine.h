@@ -29,9 +29,11 @@ protected:
   void LabelDropped(Id v) override;
   bool Propagate() override;
   void Reset() override;
+  void ResetReached(const std::vector<Id>& vertices) override;
   void Release() override;
 
 private:
+  void ResetRun();
   bool IsFinished() const;
   bool Report(std::size_t work);
   bool ProcessVertex(Id v);

@@ -105,7 +105,25 @@ Status CheckOptions(const SurfaceMesh& mesh, const ExactOptions& options)
 Status WindowPropagation::Run(
   const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result)
 {
-  result = ExactResult();
+  return this->RunInto(sources, options, result, false);
+}
+
+Status WindowPropagation::RunAgain(
+  const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result)
+{
+  return this->RunInto(sources, options, result, true);
+}
+
+Status WindowPropagation::RunInto(const std::vector<GeodesicSource>& sources,
+  const ExactOptions& options, ExactResult& result, bool isAgain)
+{
+  const bool isPart = isAgain && this->KnowsReached;
+  this->KnowsReached = false; // until all has gone well
+  this->NotesReached = isAgain;
+  if (!isPart)
+  {
+    result = ExactResult();
+  }
   Status status = CheckSources(this->Mesh, sources);
   if (status.IsOk())
   {
@@ -113,6 +131,7 @@ Status WindowPropagation::Run(
   }
   if (!status.IsOk())
   {
+    result = ExactResult();
     return status;
   }
 
@@ -129,13 +148,6 @@ Status WindowPropagation::Run(
     source.InitialDistance -= shift;
   }
 
-  const auto n = static_cast<std::size_t>(this->Mesh.GetNumberOfVertices());
-  result.Distances.assign(n, Infinity);
-  result.NearestSource.assign(n, NoId);
-  result.Predecessors.assign(n, Predecessor());
-  result.TargetDistances.assign(options.Targets.size(), Infinity);
-  result.TargetNearestSource.assign(options.Targets.size(), NoId);
-  result.TargetPredecessors.assign(options.Targets.size(), Predecessor());
   this->Options = &options;
   this->Result = &result;
   this->Sources = &shifted;
@@ -146,7 +158,16 @@ Status WindowPropagation::Run(
   this->IsOutOfMemory = false;
 
   this->Store.Start(options.KeepWindows);
-  this->Reset();
+  this->ResetResult(isPart);
+  if (isPart)
+  {
+    this->ResetReached(this->Reached);
+  }
+  else
+  {
+    this->Reset();
+  }
+  this->Reached.clear();
   this->RegisterTargets();
   this->Start(shifted);
   const bool finished = this->Propagate() && this->FinishWindows(shifted, shift);
@@ -154,10 +175,7 @@ Status WindowPropagation::Run(
   {
     this->FinishTargets();
     this->ForgetBeyondRadius();
-    for (double& d : result.Distances)
-    {
-      d += shift;
-    }
+    this->ForEachReached([&](std::size_t v) { result.Distances[v] += shift; });
     for (double& d : result.TargetDistances)
     {
       d += shift;
@@ -180,7 +198,52 @@ Status WindowPropagation::Run(
     }
     return Status::Abort();
   }
+  this->KnowsReached = isAgain;
   return Status::Success();
+}
+
+/// Nothing is reached. Where it `isPart`, all but what the last run has reached is so already.
+void WindowPropagation::ResetResult(bool isPart)
+{
+  ExactResult& result = *this->Result;
+  if (isPart)
+  {
+    for (const Id v : this->Reached)
+    {
+      result.Distances[v] = Infinity;
+      result.NearestSource[v] = NoId;
+      result.Predecessors[v] = Predecessor();
+    }
+    result.Windows = EdgeWindows();
+    result.NumberOfWindows = 0;
+    result.PeakMemory = 0;
+  }
+  else
+  {
+    const auto n = static_cast<std::size_t>(this->Mesh.GetNumberOfVertices());
+    result.Distances.assign(n, Infinity);
+    result.NearestSource.assign(n, NoId);
+    result.Predecessors.assign(n, Predecessor());
+  }
+  const std::size_t targets = this->Options->Targets.size();
+  result.TargetDistances.assign(targets, Infinity);
+  result.TargetNearestSource.assign(targets, NoId);
+  result.TargetPredecessors.assign(targets, Predecessor());
+}
+
+/// Calls `visit(v)` for all vertices that may have a label.
+template <typename Function>
+void WindowPropagation::ForEachReached(Function&& visit) const
+{
+  if (this->NotesReached)
+  {
+    std::for_each(this->Reached.begin(), this->Reached.end(), visit);
+    return;
+  }
+  for (std::size_t v = 0; v < this->Labels->size(); ++v)
+  {
+    visit(v);
+  }
 }
 
 bool WindowPropagation::Lower(Id v, double distance, const Predecessor& predecessor, Id source)
@@ -189,6 +252,10 @@ bool WindowPropagation::Lower(Id v, double distance, const Predecessor& predeces
   if (!(distance < label))
   {
     return false;
+  }
+  if (this->NotesReached && label == Infinity)
+  {
+    this->Reached.push_back(v);
   }
   label = distance;
   (*this->Predecessors)[v] = predecessor;
@@ -385,8 +452,11 @@ void WindowPropagation::StartInFace(Id f, const std::array<double, 3>& b, double
 
 void WindowPropagation::RegisterTargets()
 {
+  for (const Target& target : this->Targets) // those of the last run
+  {
+    this->TargetFlags[target.Face] = 0;
+  }
   this->Targets.clear();
-  this->TargetFlags.clear();
   const std::vector<SurfacePoint>& points = this->Options->Targets;
   for (std::size_t t = 0; t < points.size(); ++t)
   {
@@ -527,15 +597,14 @@ void WindowPropagation::ForgetBeyondRadius()
 {
   this->UpdateRadius();
   const double limit = this->Radius;
-  for (std::size_t v = 0; v < this->Labels->size(); ++v)
-  {
+  this->ForEachReached([&](std::size_t v) {
     if ((*this->Labels)[v] > limit)
     {
       (*this->Labels)[v] = Infinity;
       (*this->Nearest)[v] = NoId;
       (*this->Predecessors)[v] = Predecessor();
     }
-  }
+  });
   for (std::size_t t = 0; t < this->Result->TargetDistances.size(); ++t)
   {
     if (this->Result->TargetDistances[t] > limit)

@@ -32,6 +32,10 @@ public:
 
   Status Run(
     const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result);
+  /// The same where `result` is always the same one, which nobody else changes: only what the last
+  /// run has reached is reset.
+  Status RunAgain(
+    const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result);
 
 protected:
   /// A window is about to enter the face of half-edge h, in its frame.
@@ -41,6 +45,8 @@ protected:
   /// Propagate until nothing is left within the radius; false when aborted or out of memory.
   virtual bool Propagate() = 0;
   virtual void Reset() = 0;
+  /// The same after a run that was finished, given the vertices that it has reached.
+  virtual void ResetReached(const std::vector<Id>& vertices) = 0;
   /// Give back the memory of a finished propagation.
   virtual void Release() = 0;
 
@@ -102,7 +108,7 @@ protected:
     return window.Root >= 0 && window.Sigma > this->Label(window.Root) * (1.0 + LengthTolerance);
   }
 
-  bool HasTargets(Id f) const { return !this->TargetFlags.empty() && this->TargetFlags[f] != 0; }
+  bool HasTargets(Id f) const { return !this->Targets.empty() && this->TargetFlags[f] != 0; }
   /// Let a window that enters the face of h reach the targets inside it.
   void OfferTargets(Id h, const Window& window);
   /// Windows and labels beyond this are of no interest. Shrinks as targets are reached.
@@ -112,7 +118,8 @@ protected:
   /// are too many together.
   bool NoteMemory(std::size_t bytes)
   {
-    return this->NoteAllMemory(bytes + this->Store.GetMemorySize());
+    return this->NoteAllMemory(
+      bytes + this->Reached.capacity() * sizeof(Id) + this->Store.GetMemorySize());
   }
 
   const SurfaceMesh& Mesh;
@@ -128,11 +135,16 @@ private:
     std::array<double, 3> Barycentric;
   };
 
+  Status RunInto(const std::vector<GeodesicSource>& sources, const ExactOptions& options,
+    ExactResult& result, bool isAgain);
+  void ResetResult(bool isPart);
   void Start(const std::vector<GeodesicSource>& sources);
   void StartInFace(Id f, const std::array<double, 3>& barycentric, double offset, Id source);
   void RegisterTargets();
   void FinishTargets();
   bool FinishWindows(const std::vector<GeodesicSource>& sources, double shift);
+  template <typename Function>
+  void ForEachReached(Function&& visit) const;
   bool NoteAllMemory(std::size_t bytes);
   void ForgetBeyondRadius();
   /// Window of pseudo-source v onto the edge opposite to it in the face of its outgoing half-edge
@@ -147,7 +159,10 @@ private:
   std::vector<Predecessor>* Predecessors = nullptr;
   double Radius = Infinity;
   bool IsOutOfMemory = false;
-  std::vector<Target> Targets;           // sorted by face; those at vertices are not in it
+  bool NotesReached = false;   // in Reached
+  bool KnowsReached = false;   // those of the last run, which was finished, are in Reached
+  std::vector<Id> Reached;     // vertices that have got a label
+  std::vector<Target> Targets; // sorted by face; those at vertices are not in it
   std::vector<std::uint8_t> TargetFlags; // per face
 };
 }

@@ -18,6 +18,13 @@ ExactPathFinder::ExactPathFinder(const SurfaceMesh& mesh)
 
 ExactPathFinder::~ExactPathFinder() = default;
 
+std::size_t ExactPathFinder::GetMemorySize() const
+{
+  const ExactResult& kept = this->Solver->GetKept();
+  return this->MemorySize + kept.Distances.capacity() * sizeof(double) +
+    kept.NearestSource.capacity() * sizeof(Id) + kept.Predecessors.capacity() * sizeof(Predecessor);
+}
+
 Status ExactPathFinder::Find(const SurfacePoint& from, const std::vector<SurfacePoint>& to,
   const ProgressCallback& progress, std::vector<SurfacePath>& paths, double maximumDistance)
 {
@@ -32,8 +39,8 @@ Status ExactPathFinder::Find(const SurfacePoint& from, const std::vector<Surface
   options.StopAtTargets = true;
   options.MaximumDistance = maximumDistance;
   options.Progress = progress;
-  ExactResult result;
-  Status status = this->Solver->Run({ { from, 0.0 } }, options, result);
+  Status status = this->Solver->RunKept({ { from, 0.0 } }, options);
+  const ExactResult& result = this->Solver->GetKept();
   this->MemorySize = std::max(this->MemorySize, result.PeakMemory);
   if (!status.IsOk())
   {

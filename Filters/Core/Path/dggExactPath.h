@@ -35,8 +35,9 @@ public:
   /// Windows that the last call propagated; none when the solver failed.
   std::size_t GetNumberOfWindows() const { return this->NumberOfWindows; }
 
-  /// Bytes that are kept for the next calls: as many as the call with most of them has taken.
-  std::size_t GetMemorySize() const { return this->MemorySize; }
+  /// Bytes that are kept for the next calls: as many as the call with most of them has taken, and
+  /// the distances of the last one.
+  std::size_t GetMemorySize() const;
 
 private:
   const SurfaceMesh& Mesh;
