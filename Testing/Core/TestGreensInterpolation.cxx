@@ -64,6 +64,30 @@ TEST(GreensInterpolation, IsCloseToASolvePerPoint)
   EXPECT_LT(previous, 1e-3);
 }
 
+TEST(GreensInterpolation, RadiiBeyondTheSurface)
+{
+  const TestMesh sphere = Icosphere(3);
+  const dgg::SurfaceMesh mesh = Build(sphere);
+  const Greens greens(mesh);
+  const dgg::SurfacePoint pole = dgg::SurfacePoint::InFace(mesh, 8, { { 0.2, 0.3, 0.5 } });
+  const std::array<double, 3> x = PositionOf(sphere, mesh, pole);
+  const double norm = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+  dgg::GreensInterpolation interpolation(greens.Solver);
+  for (const double radius : { 10.0, 1e150, 1e300 })
+  {
+    dgg::GreensQuery query;
+    query.Radius = radius;
+    dgg::GreensResult result;
+    ASSERT_TRUE(interpolation.Run(pole, query, result).IsOk());
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const double* y = sphere.Point(v);
+      const double cosine = (x[0] * y[0] + x[1] * y[1] + x[2] * y[2]) / norm;
+      EXPECT_NEAR(result.Values[v], SphereGreens(cosine), 2e-2) << radius << " " << v;
+    }
+  }
+}
+
 TEST(GreensInterpolation, KeepsColumns)
 {
   const dgg::SurfaceMesh mesh = Build(Icosphere(3));
