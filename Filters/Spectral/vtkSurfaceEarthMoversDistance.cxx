@@ -34,9 +34,9 @@ namespace
 /// Part of the progress when the system is ready: if it has to be factorized, or only looked at.
 constexpr double FactorizedAt = 0.4;
 constexpr double FoundAt = 0.01;
-/// Memory of the search for the flow, in numbers for each vertex and face.
-constexpr double NumbersPerVertex = 16.0;
-constexpr double NumbersPerFace = 20.0;
+/// Numbers for each vertex that are held besides the search for the flow: both distributions, as
+/// they are given and as masses of vertices.
+constexpr double NumbersPerVertex = 4.0;
 
 constexpr const char* DistanceName = "EarthMoversDistance";
 constexpr const char* BoundName = "EarthMoversLowerBound";
@@ -339,13 +339,12 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   options.MostIterations = this->MaximumNumberOfIterations;
   options.Tolerance = this->Tolerance;
 
-  const double needed = sizeof(double) *
-    (NumbersPerVertex * static_cast<double>(mesh.GetMesh().GetNumberOfVertices()) +
-      NumbersPerFace * static_cast<double>(mesh.GetMesh().GetNumberOfFaces()) +
-      4.0 * static_cast<double>(copy->GetNumberOfCells()));
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
   const double prepared = keeper.IsPrepared(mesh, poisson) ? FoundAt : FactorizedAt;
-  const auto others = [&](const dgg::PoissonSolver&) { return needed; };
+  const auto others = [&](const dgg::PoissonSolver& solver) {
+    return NumbersPerVertex * sizeof(double) * static_cast<double>(solver.GetAreas().size()) +
+      static_cast<double>(dgg::EarthMovers(solver).GetWorkingMemory());
+  };
   status = this->Advance(0.0)
     ? keeper.Prepare(mesh, poisson, others, limit, this->GetMemoryRemedy(),
         dgg::ProgressPart(progress, 0.0, prepared))

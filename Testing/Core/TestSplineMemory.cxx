@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Harmonic B-splines take no more memory than is predicted.
-#include "../Benchmark/MemoryProbe.h"
 #include "CurvedMeshes.h"
 #include "FlatMeshes.h"
+#include "MemoryChecks.h"
 #include "SplineTestTools.h"
 
 #include <algorithm>
@@ -13,20 +13,6 @@
 
 namespace dggtest
 {
-namespace
-{
-/// What was predicted is enough, and not far too much. A peak of 0 could not be measured.
-void ExpectPrediction(
-  std::size_t peak, std::size_t predicted, double slack, const std::string& context)
-{
-  EXPECT_LE(peak, predicted) << context;
-  if (peak > 0)
-  {
-    EXPECT_LE(predicted, slack * static_cast<double>(peak)) << context << ": " << peak;
-  }
-}
-}
-
 TEST(SplineMemory, IsPredicted)
 {
   const std::vector<NamedMesh> meshes = { { "sphere", NoisySphere(4, 0.03, 3) },

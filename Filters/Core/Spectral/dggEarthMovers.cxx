@@ -54,6 +54,8 @@ public:
     }
   }
 
+  static std::size_t GetMemoryPerFace() { return sizeof(Face); }
+
   std::size_t GetSize() const { return this->Faces.size(); }
   double GetArea(std::size_t f) const { return this->Faces[f].Area; }
 
@@ -181,6 +183,20 @@ Status AddPointMass(
   ForEachCornerAround(
     mesh, point, [&](Id v, double weight, double) { masses[v] += mass * weight; });
   return status;
+}
+
+std::size_t EarthMovers::GetWorkingMemory() const
+{
+  const PoissonSystem& system = this->Solver.GetSystem();
+  const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
+  const auto m = static_cast<std::size_t>(system.GetTriangulation().GetNumberOfFaces());
+  // The best flow of before is there until the better one is.
+  const std::size_t flow = system.GetOptions().IntrinsicDelaunay
+    ? 0
+    : static_cast<std::size_t>(system.GetMesh().GetNumberOfFaces()) * sizeof(Point2);
+  // Sources, potential and the best potential; flows that are exact, cheap, tried, and multipliers.
+  return 3 * n * sizeof(double) + m * (Flows::GetMemoryPerFace() + 4 * sizeof(Point2)) + flow +
+    std::max(flow, system.GetSolvingMemory());
 }
 
 Status EarthMovers::Run(const std::vector<double>& from, const std::vector<double>& to,

@@ -9,7 +9,8 @@
 #include "dggSurfacePoint.h"  // for point masses
 #include "dggUnfolding.h"     // for vectors in faces
 
-#include <vector> // for masses
+#include <cstddef> // for std::size_t
+#include <vector>  // for masses
 
 namespace dgg
 {
@@ -64,6 +65,10 @@ public:
   /// Masses per vertex, integrated.
   Status Run(const std::vector<double>& from, const std::vector<double>& to,
     const EarthMoversOptions& options, EarthMoversResult& result) const;
+
+  /// Most bytes that Run() takes at one time, the result included. The solver need only be
+  /// analyzed.
+  std::size_t GetWorkingMemory() const;
 
 private:
   const PoissonSolver& Solver;

@@ -41,6 +41,11 @@ std::size_t PoissonSolver::GetMissingMemory() const
   return this->System->GetMissingMemory();
 }
 
+std::size_t PoissonSolver::GetFactorizingMemory() const
+{
+  return this->System->GetFactorizingMemory();
+}
+
 Status PoissonSolver::Factorize(const ProgressCallback& progress)
 {
   if (progress && !progress(0.0))

@@ -42,6 +42,8 @@ public:
   std::size_t GetEstimatedMemory() const;
   /// Those of them that are not there yet: 0 once it is factorized.
   std::size_t GetMissingMemory() const;
+  /// Those of the missing ones that are given back once it is factorized.
+  std::size_t GetFactorizingMemory() const;
   /// After Analyze().
   Status Factorize(const ProgressCallback& progress);
   /// Both.

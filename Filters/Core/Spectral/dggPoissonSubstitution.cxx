@@ -231,9 +231,23 @@ void PoissonSystem::Refine(const std::vector<double>& sources, std::vector<doubl
   this->CenterAll(solution);
 }
 
+bool PoissonSystem::NeedsRefinement() const
+{
+  return this->LargestEntry > LargestHarmlessEntry || this->Factor.IsRaised();
+}
+
+/// Values in the order of elimination, and a copy that Eigen makes of the diagonal; where they are
+/// refined, two residuals, sources, steepest descent, direction, the change along it, and the
+/// solution before.
+std::size_t PoissonSystem::GetSolvingMemory() const
+{
+  const std::size_t n = this->Components.size();
+  return (this->NeedsRefinement() ? 7 : 2) * n * sizeof(double);
+}
+
 void PoissonSystem::Solve(std::vector<double>& values) const
 {
-  if (this->LargestEntry <= LargestHarmlessEntry && !this->Factor.IsRaised())
+  if (!this->NeedsRefinement())
   {
     this->SolveOnce(values);
     return;
@@ -246,7 +260,7 @@ void PoissonSystem::Solve(std::vector<double>& values) const
 
 void PoissonSystem::Solve(std::vector<SparseLanes>& values) const
 {
-  if (this->LargestEntry <= LargestHarmlessEntry && !this->Factor.IsRaised())
+  if (!this->NeedsRefinement())
   {
     this->SolveOnce(values);
     return;

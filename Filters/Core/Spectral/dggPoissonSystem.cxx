@@ -254,9 +254,21 @@ std::size_t PoissonSystem::GetBaseMemory() const
     n * sizeof(int);
 }
 
-/// The factor, and the matrix that it is made of, of which it makes a copy; which values are known,
-/// and three arrays that Eigen works with.
 std::size_t PoissonSystem::GetMissingMemory() const
+{
+  if (this->Factor.IsComputed())
+  {
+    return 0;
+  }
+  const std::size_t n = this->Components.size();
+  const std::size_t entry = sizeof(double) + sizeof(int);
+  return static_cast<std::size_t>(this->FactorEntries) * entry +
+    n * (sizeof(double) + 3 * sizeof(int)) + this->GetFactorizingMemory();
+}
+
+/// The matrix that the factor is made of, of which it makes a copy; which values are known, and
+/// three arrays that Eigen works with.
+std::size_t PoissonSystem::GetFactorizingMemory() const
 {
   if (this->Factor.IsComputed())
   {
@@ -266,8 +278,7 @@ std::size_t PoissonSystem::GetMissingMemory() const
   const std::size_t upper = (static_cast<std::size_t>(this->Stiffness.nonZeros()) + n) / 2;
   const std::size_t entry = sizeof(double) + sizeof(int);
   const std::size_t working = n * (sizeof(std::uint8_t) + sizeof(double) + 2 * sizeof(int));
-  return static_cast<std::size_t>(this->FactorEntries) * entry +
-    n * (sizeof(double) + 3 * sizeof(int)) + 2 * upper * entry + n * entry + working;
+  return 2 * upper * entry + n * entry + working;
 }
 
 std::size_t PoissonSystem::GetEstimatedMemory() const

@@ -90,12 +90,17 @@ public:
   std::size_t GetEstimatedMemory() const;
   /// Those of them that are not there yet.
   std::size_t GetMissingMemory() const;
+  /// Those of the missing ones that are given back once it is factorized.
+  std::size_t GetFactorizingMemory() const;
+  /// Bytes that a solution takes, at the time when there are most.
+  std::size_t GetSolvingMemory() const;
   std::size_t GetMemorySize() const;
   Offset GetNumberOfFactorEntries() const { return this->FactorEntries; }
   /// Factorizations done so far, for tests.
   int GetNumberOfFactorizations() const { return this->NumberOfFactorizations; }
 
 private:
+  bool NeedsRefinement() const;
   std::size_t GetBaseMemory() const;
   Status CheckGivenVertices(const std::vector<Id>& vertices) const;
   void MeasureComponents();

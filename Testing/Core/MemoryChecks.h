@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of memory share.
+#ifndef MemoryChecks_h
+#define MemoryChecks_h
+
+#include "../Benchmark/MemoryProbe.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+
+namespace dggtest
+{
+/// What was predicted is enough, and not far too much. A peak of 0 could not be measured.
+inline void ExpectPrediction(
+  std::size_t peak, std::size_t predicted, double slack, const std::string& context)
+{
+  EXPECT_LE(peak, predicted) << context;
+  if (peak > 0)
+  {
+    EXPECT_LE(predicted, slack * static_cast<double>(peak)) << context << ": " << peak;
+  }
+}
+}
+
+#endif

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// vtkSurfaceEarthMoversDistance takes the memory that is predicted.
+#include "../Benchmark/MemoryProbe.h"
+#include "FilterTestTools.h"
+
+#include "vtkSurfaceEarthMoversDistance.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+using namespace dggtest;
+
+namespace
+{
+/// Mass everywhere, most of it at one point.
+void AddMasses(vtkPolyData* surface, const char* name, vtkIdType most)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    array->InsertNextValue(i == most ? 1000.0 : 1.0);
+  }
+  surface->GetPointData()->AddArray(array);
+}
+
+/// The least limit that is no error, to a hundredth.
+double FindLeastLimit(vtkSurfaceEarthMoversDistance* filter)
+{
+  double refused = 1000.0;
+  double accepted = 1e9;
+  while (accepted > 1.01 * refused)
+  {
+    const double limit = 0.5 * (refused + accepted);
+    filter->SetMemoryLimit(static_cast<vtkTypeUInt64>(limit));
+    Listener listener(filter);
+    filter->Update();
+    (filter->GetErrorCode() == vtkErrorCode::NoError ? accepted : refused) = limit;
+  }
+  return accepted;
+}
+}
+
+TEST(EarthMoversMemory, IsPredicted)
+{
+  const auto surface = MakeTerrain(100);
+  AddMasses(surface, "from", 700);
+  AddMasses(surface, "to", 9000);
+  for (const bool isDelaunay : { false, true })
+  {
+    vtkNew<vtkSurfaceEarthMoversDistance> filter;
+    filter->SetInputData(surface);
+    filter->SetFromArrayName("from");
+    filter->SetToArrayName("to");
+    filter->SetIntrinsicDelaunay(isDelaunay);
+    filter->SetTolerance(0.0);
+    filter->SetMaximumNumberOfIterations(25);
+    filter->SetMemoryLimit(1000);
+    ExpectError(filter, { "MemoryLimit" }); // the mesh is there then, and the matrix
+    const auto before = static_cast<double>(filter->GetMemorySize());
+    filter->SetMemoryLimit(0);
+    double peak = 0.0;
+    {
+      const MemoryProbe probe;
+      ExpectSuccess(filter);
+      peak = static_cast<double>(probe.GetHeapPeak()); // 0 where it cannot be measured
+    }
+    filter->SetMaximumNumberOfIterations(0);
+    const double predicted = FindLeastLimit(filter) - before;
+    EXPECT_GE(predicted, peak) << isDelaunay;
+    if (peak > 0.0)
+    {
+      EXPECT_LE(predicted, 1.2 * peak) << isDelaunay;
+    }
+  }
+}
