@@ -23,7 +23,7 @@ vtkStandardNewMacro(vtkBiharmonicDistance);
 
 namespace
 {
-/// Parts of the progress: eigenvalues, distances to evaluation points.
+/// Parts of the progress: eigenvalues, or solutions for all points; distances to evaluation points.
 constexpr double SpectrumDone = 0.6;
 constexpr double TargetsDone = 0.7;
 /// Memory of the search for eigenvalues, in functions for each, and that of an exact solve, in
@@ -201,12 +201,24 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(vtkDGGSpectralTask& task)
     prepared.IsReady = status.IsOk();
     prepared.Options = options;
   }
+  const dgg::ParallelFor parallel = vtkDGGMakeParallelFor();
+  if (status.IsOk() && prepared.Distance.NeedsDiagonal())
+  {
+    std::vector<double> diagonal;
+    status = vtkDGGRunTold(dgg::ProgressPart(task.Progress, 0.0, SpectrumDone),
+      [&](const dgg::ProgressCallback& progress) {
+        return prepared.Distance.FindDiagonal(parallel, progress, diagonal);
+      });
+    prepared.Distance.KeepDiagonal(std::move(diagonal));
+  }
   // Between sources and evaluation points, row by row.
   std::vector<double> matrix;
   if (status.IsOk() && !task.Targets.empty())
   {
-    status = prepared.Distance.Between(task.Sources, task.Targets, vtkDGGMakeParallelFor(),
-      dgg::ProgressPart(task.Progress, SpectrumDone, TargetsDone), matrix);
+    status = vtkDGGRunTold(dgg::ProgressPart(task.Progress, SpectrumDone, TargetsDone),
+      [&](const dgg::ProgressCallback& progress) {
+        return prepared.Distance.Between(task.Sources, task.Targets, parallel, progress, matrix);
+      });
   }
   const auto count = static_cast<double>(task.Sources.size());
   for (std::size_t k = 0; k < task.Sources.size() && status.IsOk(); ++k)
@@ -215,8 +227,7 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(vtkDGGSpectralTask& task)
     const double end = begin + (1.0 - TargetsDone) / count;
     const dgg::ProgressCallback progress = dgg::ProgressPart(task.Progress, begin, end);
     std::vector<double> values;
-    status =
-      prepared.Distance.FromPoint(task.Sources[k], vtkDGGMakeParallelFor(), progress, values);
+    status = prepared.Distance.FromPoint(task.Sources[k], parallel, progress, values);
     if (status.IsOk() && !progress(1.0))
     {
       status = dgg::Status::Abort();

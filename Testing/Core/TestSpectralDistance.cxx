@@ -5,16 +5,16 @@
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
+#include "GraphChecks.h"
 
 #include "dggSpectralDistance.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <memory>
+#include <set>
 #include <string>
-#include <thread>
 
 namespace dggtest
 {
@@ -333,56 +333,56 @@ TEST(SpectralDistance, PartsAreInfinitelyFarApart)
   }
 }
 
-TEST(SpectralDistance, ProgressIsToldByTheCaller)
+TEST(SpectralDistance, ProgressIsToldForEachBlock)
 {
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.1, 3));
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(4, 0.03, 3));
   const auto solver = Ready(mesh);
-  const dgg::ParallelFor threads = [](dgg::Offset size, dgg::Offset,
-                                     const std::function<void(dgg::Offset, dgg::Offset)>& body) {
-    std::vector<std::thread> workers;
-    for (dgg::Offset k = 0; k < 3; ++k)
-    {
-      workers.emplace_back([&body, k, size] { body(k * size / 3, (k + 1) * size / 3); });
-    }
-    for (std::thread& worker : workers)
-    {
-      worker.join();
-    }
-  };
-  std::vector<double> told;
-  double stopAt = 2.0;
-  const auto progress = [&, caller = std::this_thread::get_id()](double done) {
-    EXPECT_EQ(std::this_thread::get_id(), caller);
-    told.push_back(done);
-    return done < stopAt;
-  };
   const std::vector<dgg::SurfacePoint> points = RandomSurfacePoints(mesh, 40, 5);
   const std::vector<dgg::SurfacePoint> others = points; // another object
-  dgg::SpectralDistance distance(*solver);
-  ASSERT_TRUE(distance
-                .Prepare(Options(dgg::SpectralKind::Biharmonic, dgg::SpectralMethod::Exact),
-                  dgg::ProgressCallback())
-                .IsOk());
-  std::vector<double> d;
-  stopAt = 0.3;
-  EXPECT_TRUE(distance.FromPoint(points[0], threads, progress, d).IsAborted());
-  EXPECT_TRUE(distance.Between(points, others, threads, progress, d).IsAborted());
-  EXPECT_TRUE(d.empty());
-  stopAt = 2.0;
-  for (const bool isBetween : { false, true })
+  std::vector<double> expected[2];
+  for (const int threads : { 1, 3 })
   {
-    told.clear();
-    ASSERT_TRUE((isBetween ? distance.Between(points, others, threads, progress, d)
-                           : distance.FromPoint(points[0], threads, progress, d))
-                  .IsOk());
-    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-    EXPECT_EQ(told.back(), 1.0);
-    EXPECT_GT(told.size(), 3u);
+    dgg::SpectralDistance distance(*solver);
+    const auto options = Options(dgg::SpectralKind::Biharmonic, dgg::SpectralMethod::Exact);
+    ASSERT_TRUE(distance.Prepare(options, nullptr).IsOk());
+    for (const bool isBetween : { false, true })
+    {
+      SCOPED_TRACE(std::to_string(threads) + (isBetween ? " between" : " from"));
+      std::set<double> told; // by one thread at a time
+      double last = 0.0;
+      double stopAt = 0.3;
+      const auto progress = [&](double done) {
+        EXPECT_GE(done, last);
+        last = done;
+        told.insert(done);
+        return done < stopAt;
+      };
+      std::vector<double> d;
+      const auto run = [&] {
+        last = 0.0;
+        told.clear();
+        return isBetween ? distance.Between(points, others, WithThreads(threads), progress, d)
+                         : distance.FromPoint(points[0], WithThreads(threads), progress, d);
+      };
+      EXPECT_TRUE(run().IsAborted());
+      EXPECT_LT(last, 0.35);
+      EXPECT_TRUE(d.empty());
+      stopAt = 2.0;
+      ASSERT_TRUE(run().IsOk());
+      EXPECT_EQ(last, 1.0);
+      // Eight vertices are solved for at once; a block of points is some milliseconds of work.
+      EXPECT_GE(static_cast<Id>(told.size()), isBetween ? 10 : mesh.GetNumberOfVertices() / 8);
+      if (threads == 1)
+      {
+        expected[isBetween] = d;
+      }
+      EXPECT_EQ(d, expected[isBetween]);
+    }
+    // From one set to itself it is the same.
+    std::vector<double> same;
+    ASSERT_TRUE(distance.Between(points, points, nullptr, nullptr, same).IsOk());
+    EXPECT_EQ(same, expected[1]);
   }
-  // Without threads, and from one set to itself, it is the same.
-  std::vector<double> same;
-  ASSERT_TRUE(distance.Between(points, points, nullptr, nullptr, same).IsOk());
-  EXPECT_EQ(same, d);
 }
 
 TEST(SpectralDistance, VerticesWithoutFacesAreNoSources)

@@ -6,6 +6,7 @@
 #include "dggGreensColumn.h"
 #include "dggGeodesicSource.h"
 #include "dggPoissonSystem.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,15 @@ namespace
 constexpr Offset Lanes = SparseLanes::SizeAtCompileTime;
 /// Part of the progress of distances between points.
 constexpr double SolvesDone = 0.9;
+/// Numbers that a block of points works on, about: some milliseconds. Larger ones take as long as a
+/// point does.
+constexpr double NumbersPerBlock = 1e6;
+
+/// How many points make a block when each works on so many numbers.
+Offset BlockOf(double numbers)
+{
+  return static_cast<Offset>(std::max(1.0, NumbersPerBlock / std::max(1.0, numbers)));
+}
 
 /// Differences of squares, never below 0 by rounding.
 double Root(double square)
@@ -104,7 +114,7 @@ Id SpectralDistance::ComponentOf(const SurfacePoint& point) const
   return this->Solver.GetSystem().GetComponent(v);
 }
 
-Status SpectralDistance::CheckPoint(const SurfacePoint& point) const
+Status SpectralDistance::CheckPrepared() const
 {
   if (!this->IsPrepared)
   {
@@ -115,8 +125,18 @@ Status SpectralDistance::CheckPoint(const SurfacePoint& point) const
     return Status::Invalid(
       "the solver has been prepared with other options since: call Prepare() again");
   }
+  return Status::Success();
+}
+
+Status SpectralDistance::CheckPoint(const SurfacePoint& point) const
+{
+  Status status = this->CheckPrepared();
+  if (!status.IsOk())
+  {
+    return status;
+  }
   const SurfaceMesh& mesh = this->Solver.GetMesh();
-  Status status = point.Check(mesh);
+  status = point.Check(mesh);
   if (status.IsOk() && IsVertex(point) && mesh.FanBegin(point.Vertex) == mesh.FanEnd(point.Vertex))
   {
     status = Status::Invalid(
@@ -171,14 +191,23 @@ std::vector<double> SpectralDistance::EmbeddingOf(const SurfacePoint& point) con
   return embedding;
 }
 
-Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const ProgressCallback& progress)
+Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const ProgressCallback& progress,
+  std::vector<double>& diagonal) const
 {
+  diagonal.clear();
+  Status status = this->CheckPrepared();
+  if (!status.IsOk() || !this->NeedsDiagonal())
+  {
+    return status;
+  }
   const PoissonSystem& system = this->Solver.GetSystem();
   const Offset n = system.GetNumberOfVertices();
   const bool isBiharmonic = this->Options.Kind == SpectralKind::Biharmonic;
-  std::vector<double> diagonal(n, 0.0);
-  const auto solveBlock = [&](Offset, Offset begin, Offset end) {
-    std::vector<SparseLanes> values(n, SparseLanes(SparseLanes::Zero()));
+  diagonal.assign(n, 0.0);
+  using Lots = std::vector<SparseLanes>;
+  const auto solveBlock = [&](Lots& values, Offset, Offset begin, Offset end,
+                            const ProgressCallback&) {
+    values.assign(n, SparseLanes(SparseLanes::Zero()));
     for (Offset v = begin; v < end; ++v)
     {
       values[v][v - begin] = system.IsFixed(static_cast<Id>(v)) ? 0.0 : 1.0;
@@ -193,11 +222,13 @@ Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const Progres
     {
       diagonal[v] = isBiharmonic ? sum[v - begin] : values[v][v - begin];
     }
+    return Status::Success();
   };
-  Status status = LoopOverBlocks(n, Lanes, parallel, progress, 0.0, 1.0, solveBlock);
-  if (status.IsOk())
+  status = LoopOverLongBlocks(
+    n, Lanes, parallel, progress, [] { return Lots(); }, solveBlock);
+  if (!status.IsOk())
   {
-    this->Diagonal.swap(diagonal);
+    diagonal.clear();
   }
   return status;
 }
@@ -259,9 +290,11 @@ Status SpectralDistance::FromPoint(const SurfacePoint& source, const ParallelFor
   std::vector<double> squares(n, 0.0);
   if (this->Options.Method == SpectralMethod::Exact)
   {
-    if (this->Diagonal.empty())
+    if (this->NeedsDiagonal())
     {
-      status = this->FindDiagonal(parallel, progress);
+      std::vector<double> diagonal;
+      status = this->FindDiagonal(parallel, progress, diagonal);
+      this->KeepDiagonal(std::move(diagonal));
     }
     if (!status.IsOk())
     {
@@ -324,9 +357,16 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
   const auto findVectors = [&](const std::vector<SurfacePoint>& points, double begin, double end,
                              std::vector<std::vector<double>>& vectors) {
     vectors.resize(points.size());
-    return LoopOverBlocks(static_cast<Offset>(points.size()), 1, parallel, progress, begin, end,
-      [&](Offset k, Offset, Offset) {
-        vectors[k] = isExact ? this->PotentialOf(points[k]) : this->EmbeddingOf(points[k]);
+    const double numbers =
+      isExact ? this->GetNumbersOfSolve() : static_cast<double>(this->Pairs.Values.size());
+    return LoopOverLongBlocks(static_cast<Offset>(points.size()), BlockOf(numbers), parallel,
+      ProgressPart(progress, begin, end),
+      [&](Offset, Offset first, Offset last, const ProgressCallback&) {
+        for (Offset k = first; k < last; ++k)
+        {
+          vectors[k] = isExact ? this->PotentialOf(points[k]) : this->EmbeddingOf(points[k]);
+        }
+        return Status::Success();
       });
   };
   const bool isSame = &first == &second;
@@ -345,40 +385,63 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
   distances.assign(first.size() * second.size(), Infinity);
   const std::vector<double>& areas = this->Solver.GetAreas();
   const bool isBiharmonic = this->Options.Kind == SpectralKind::Biharmonic;
-  const auto fillRow = [&](Offset i, Offset, Offset) {
-    for (std::size_t j = 0; j < second.size(); ++j)
+  const auto distanceOf = [&](std::size_t i, std::size_t j) {
+    if (this->ComponentOf(first[i]) != this->ComponentOf(second[j]))
     {
-      if (this->ComponentOf(first[i]) != this->ComponentOf(second[j]))
-      {
-        continue;
-      }
-      const std::vector<double>& a = rows[i];
-      const std::vector<double>& b = columns[j];
-      double square = 0.0;
-      if (isExact && !isBiharmonic)
-      {
-        // Potential difference of the two points while a unit flows from one to the other.
-        const SurfaceMesh& mesh = this->Solver.GetMesh();
-        square = InterpolateAt(mesh, first[i], a) - InterpolateAt(mesh, second[j], a) -
-          InterpolateAt(mesh, first[i], b) + InterpolateAt(mesh, second[j], b);
-      }
-      else
-      {
-        for (std::size_t v = 0; v < a.size(); ++v)
-        {
-          square += (isExact ? areas[v] : 1.0) * (a[v] - b[v]) * (a[v] - b[v]);
-        }
-      }
-      distances[i * second.size() + j] = Root(square);
+      return Infinity;
     }
+    const std::vector<double>& a = rows[i];
+    const std::vector<double>& b = columns[j];
+    double square = 0.0;
+    if (isExact && !isBiharmonic)
+    {
+      // Potential difference of the two points while a unit flows from one to the other.
+      const SurfaceMesh& mesh = this->Solver.GetMesh();
+      square = InterpolateAt(mesh, first[i], a) - InterpolateAt(mesh, second[j], a) -
+        InterpolateAt(mesh, first[i], b) + InterpolateAt(mesh, second[j], b);
+    }
+    else
+    {
+      for (std::size_t v = 0; v < a.size(); ++v)
+      {
+        square += (isExact ? areas[v] : 1.0) * (a[v] - b[v]) * (a[v] - b[v]);
+      }
+    }
+    return Root(square);
   };
-  status = LoopOverBlocks(
-    static_cast<Offset>(first.size()), 1, parallel, progress, SolvesDone, 1.0, fillRow);
+  const auto pairs = static_cast<Offset>(distances.size());
+  const double numbers = rows.empty() ? 1.0 : static_cast<double>(rows[0].size());
+  status =
+    LoopOverLongBlocks(pairs, BlockOf(numbers), parallel, ProgressPart(progress, SolvesDone, 1.0),
+      [&](Offset, Offset begin, Offset end, const ProgressCallback&) {
+        for (Offset k = begin; k < end; ++k)
+        {
+          const auto pair = static_cast<std::size_t>(k);
+          distances[pair] = distanceOf(pair / second.size(), pair % second.size());
+        }
+        return Status::Success();
+      });
   if (!status.IsOk())
   {
     distances.clear();
   }
   return status;
+}
+
+bool SpectralDistance::NeedsDiagonal() const
+{
+  return this->Options.Method == SpectralMethod::Exact && this->Diagonal.empty();
+}
+
+void SpectralDistance::KeepDiagonal(std::vector<double> diagonal)
+{
+  this->Diagonal = std::move(diagonal);
+}
+
+/// Of the factor, which is gone through twice.
+double SpectralDistance::GetNumbersOfSolve() const
+{
+  return 2.0 * static_cast<double>(this->Solver.GetSystem().GetNumberOfFactorEntries());
 }
 
 std::size_t SpectralDistance::GetMemorySize() const

@@ -50,6 +50,8 @@ struct SpectralOptions
 /// Distances on the mesh of a solver, which must be ready and outlive it. Inside of faces,
 /// functions are linear. All are distances of vectors, so metrics on each component; points in
 /// different components are at distance Infinity.
+///
+/// The threads of a parallel loop tell its progress, one at a time, so it must not care which.
 class SpectralDistance
 {
 public:
@@ -64,10 +66,20 @@ public:
   const Eigenpairs& GetEigenpairs() const { return this->Pairs; }
   double GetTime() const { return this->Time; }
 
-  /// From one point to all vertices. With the Exact method the first call solves for all vertices,
-  /// eight at a time, which takes as long as that many columns; the later ones for one.
+  /// From one point to all vertices. With the Exact method the first call finds the diagonal,
+  /// unless there is one; the later ones solve for one column.
   Status FromPoint(const SurfacePoint& source, const ParallelFor& parallel,
     const ProgressCallback& progress, std::vector<double>& distances);
+  /// What FromPoint() needs of the Green's function with the Exact method, its value at each vertex
+  /// for a pole there: solves for all vertices, eight at a time, which takes as long as that many
+  /// columns. To be kept by KeepDiagonal() until Prepare() is called again. Nothing where none is
+  /// needed, or there is one.
+  /// @{
+  Status FindDiagonal(const ParallelFor& parallel, const ProgressCallback& progress,
+    std::vector<double>& diagonal) const;
+  void KeepDiagonal(std::vector<double> diagonal);
+  bool NeedsDiagonal() const;
+  /// @}
   /// Between all of the first and all of the second points, row by row: the exact method solves
   /// for each point once, also when the second are the first (the same object), and holds the
   /// solutions, one number for each point and vertex.
@@ -89,8 +101,9 @@ private:
   double Filter(double eigenvalue) const;
   std::vector<double> EmbeddingOf(const SurfacePoint& point) const;
   Id ComponentOf(const SurfacePoint& point) const;
+  Status CheckPrepared() const;
   Status CheckPoint(const SurfacePoint& point) const;
-  Status FindDiagonal(const ParallelFor& parallel, const ProgressCallback& progress);
+  double GetNumbersOfSolve() const;
 
   const PoissonSolver& Solver;
   SpectralOptions Options;
