@@ -108,31 +108,79 @@ bool IsCallerIdle()
   return backend && std::string(backend) == "STDThread";
 }
 
-/// Steps from `first` to before `end`, several at once. `poll`, unless null, is called now and then
-/// in this thread when it has nothing else to do.
-void RunBlock(std::size_t first, std::size_t end, const std::function<void()>& poll,
-  const std::function<void(std::size_t)>& step)
+/// Steps that threads take one after the other.
+class StepQueue
+{
+public:
+  StepQueue(std::size_t first, std::size_t end, const std::function<void(std::size_t)>& step)
+    : Next(first)
+    , End(end)
+    , Step(step)
+  {
+  }
+
+  /// Do steps until none is left. What one throws ends all.
+  void Run()
+  {
+    try
+    {
+      for (std::size_t number = this->Next++; number < this->End; number = this->Next++)
+      {
+        this->Step(number);
+      }
+    }
+    catch (...)
+    {
+      this->Next = this->End;
+      throw;
+    }
+  }
+
+private:
+  std::atomic<std::size_t> Next;
+  const std::size_t End;
+  const std::function<void(std::size_t)>& Step;
+};
+
+/// Steps from `first` to before `end`, several at once.
+void RunBlock(std::size_t first, std::size_t end, const std::function<void(std::size_t)>& step)
 {
   if (end - first == 1)
   {
     step(first);
     return;
   }
-  const auto run = [&] {
-    vtkDGGMakeParallelFor()(
-      static_cast<dgg::Offset>(end - first), 1, [&](dgg::Offset begin, dgg::Offset stop) {
-        for (dgg::Offset i = begin; i < stop; ++i)
-        {
-          step(first + static_cast<std::size_t>(i));
-        }
-      });
-  };
-  if (!poll || !IsCallerIdle())
+  vtkDGGMakeParallelFor()(
+    static_cast<dgg::Offset>(end - first), 1, [&](dgg::Offset begin, dgg::Offset stop) {
+      for (dgg::Offset i = begin; i < stop; ++i)
+      {
+        step(first + static_cast<std::size_t>(i));
+      }
+    });
+}
+
+/// The same where this thread calls `poll` now and then while it has nothing else to do: it does
+/// steps as the others do, but need not wait for the last of these without a word.
+void RunPolledBlock(std::size_t first, std::size_t end, const std::function<void()>& poll,
+  const std::function<void(std::size_t)>& step)
+{
+  const auto others = std::min<dgg::Offset>(
+    vtkSMPTools::GetEstimatedNumberOfThreads() - 1, static_cast<dgg::Offset>(end - first) - 1);
+  StepQueue queue(first, end, step);
+  if (others < 1)
   {
-    run();
+    queue.Run();
     return;
   }
-  std::future<void> done = std::async(std::launch::async, run);
+  std::future<void> done = std::async(std::launch::async, [&] {
+    vtkDGGMakeParallelFor()(others, 1, [&](dgg::Offset begin, dgg::Offset stop) {
+      for (dgg::Offset i = begin; i < stop; ++i)
+      {
+        queue.Run();
+      }
+    });
+  });
+  queue.Run(); // the future waits for the others even where this throws
   while (done.wait_for(PollInterval) != std::future_status::ready)
   {
     poll();
@@ -149,12 +197,20 @@ dgg::Status RunBlocks(std::size_t count, std::size_t block, const dgg::ProgressC
   for (std::size_t first = 0; first < count && failure.GetStatus().IsOk(); first += size)
   {
     const std::size_t end = std::min(count, first + size);
-    RunBlock(first, end, poll, [&](std::size_t number) {
+    const auto run = [&](std::size_t number) {
       if (failure.Allows(number))
       {
         failure.Add(number, step(number));
       }
-    });
+    };
+    if (poll)
+    {
+      RunPolledBlock(first, end, poll, run);
+    }
+    else
+    {
+      RunBlock(first, end, run);
+    }
     const double done = static_cast<double>(end) / static_cast<double>(count);
     if (failure.GetStatus().IsOk() && !progress(done))
     {
