@@ -91,6 +91,12 @@ void RegisterPaths(const GraphRecipe& recipe, const Settings& settings)
     prefix + "FirstPath", [=](State& state) { MeasureFirstPath(state, recipe, pairs); }, Once);
   RegisterCase(
     prefix + "Exact", [=](State& state) { MeasureExactPairs(state, recipe.Mesh, pairs); }, Once);
+  for (const bool isKept : { true, false })
+  {
+    RegisterCase(
+      prefix + (isKept ? "ShortKept" : "ShortAnew"),
+      [=](State& state) { MeasureShortPaths(state, recipe.Mesh, isKept); }, Once);
+  }
   for (const bool withLandmarks : { false, true })
   {
     if (withLandmarks)

@@ -153,6 +153,8 @@ def before_table(run):
                 time_text(median(landmarks, "seconds")),
                 bytes_text(marks),
                 time_text(median(cases.get("Exact"), "seconds")),
+                time_text(median(cases.get("ShortKept"), "seconds")),
+                time_text(median(cases.get("ShortAnew"), "seconds")),
             ]
         )
     header = [
@@ -164,6 +166,8 @@ def before_table(run):
         "landmarks (wall)",
         "held after them",
         "exact propagation",
+        "exact path of 3 edges",
+        "by a new finder",
     ]
     return table(header, rows)
 
