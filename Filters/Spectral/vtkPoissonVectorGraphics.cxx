@@ -3,6 +3,7 @@
 #include "vtkPoissonVectorGraphics.h"
 
 #include "vtkDGGGraphicsInput.h"
+#include "vtkDGGGraphicsKeeper.h"
 #include "vtkDGGGraphicsOutput.h"
 #include "vtkDGGMemory.h"
 #include "vtkDGGMeshAdapter.h"
@@ -10,9 +11,7 @@
 #include "vtkDGGSourceCollector.h"
 
 #include "dggGraphicsFragments.h"
-#include "dggGraphicsRefinement.h"
 #include "dggProgressPart.h"
-#include "dggVectorGraphics.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -23,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,74 +29,20 @@ vtkStandardNewMacro(vtkPoissonVectorGraphics);
 
 namespace
 {
-/// Parts of the preparation: when curves are joined and the surface is refined.
-constexpr double JoinedAt = 0.15;
-constexpr double EmbeddedAt = 0.22;
-constexpr double RefinedAt = 0.3;
 /// Part of the progress when all is prepared: if it has to be, or only looked at.
 constexpr double FactorizedAt = 0.7;
 constexpr double FoundAt = 0.01;
 /// Bytes that a fragment takes, besides its colours.
 constexpr double BytesPerFragment = sizeof(dgg::SurfacePoint) + 64.0;
-constexpr double UsualWidth = 0.05;     // of the diagonal
-constexpr double VerticesPerFace = 0.5; // at least, but for a handful
-
-dgg::Status NameCurve(const dgg::Status& status, const dgg::GraphicsCurve& curve)
-{
-  return status.IsOk() || status.IsAborted()
-    ? status
-    : dgg::Status::Invalid(curve.Name + ": " + status.GetMessage());
+constexpr double UsualWidth = 0.05; // of the diagonal
 }
-}
-
-//------------------------------------------------------------------------------
-/// What a factorization depends on.
-struct vtkDGGDrawing
-{
-  vtkMTimeType MeshTime = 0;
-  std::vector<std::vector<dgg::SurfacePoint>> Places; // per curve
-  std::vector<dgg::GraphicsCurve> Curves;             // types and whether they are closed
-  int RefinementLevel = 0;
-  int RefinementRegion = 0;
-  std::vector<dgg::Id> RefinedFaces;
-  bool IntrinsicDelaunay = false;
-  vtkTypeUInt64 MemoryLimit = 0; // does not matter
-
-  bool HasPoisson() const
-  {
-    return std::any_of(
-      this->Curves.begin(), this->Curves.end(), [](const dgg::GraphicsCurve& curve) {
-        return curve.Type == dgg::GraphicsCurveType::Poisson;
-      });
-  }
-  bool IsSame(const vtkDGGDrawing& other) const
-  {
-    bool isSame = this->MeshTime == other.MeshTime && this->Places.size() == other.Places.size() &&
-      this->RefinementLevel == other.RefinementLevel &&
-      this->RefinementRegion == other.RefinementRegion &&
-      this->RefinedFaces == other.RefinedFaces &&
-      this->IntrinsicDelaunay == other.IntrinsicDelaunay;
-    for (std::size_t k = 0; k < this->Places.size() && isSame; ++k)
-    {
-      isSame = this->Curves[k].Type == other.Curves[k].Type &&
-        this->Curves[k].IsClosed == other.Curves[k].IsClosed &&
-        std::equal(this->Places[k].begin(), this->Places[k].end(), other.Places[k].begin(),
-          other.Places[k].end(), dgg::IsSamePoint);
-    }
-    return isSame;
-  }
-};
 
 //------------------------------------------------------------------------------
 struct vtkPoissonVectorGraphics::vtkInternals
 {
   vtkDGGSourceCollector Collector;
   vtkDGGGraphicsNames Names;
-  dgg::VectorGraphics Graphics;
-  vtkDGGDrawing Kept;                // what Graphics was prepared for
-  std::vector<dgg::Id> RefinedFaces; // those of its surface that are parts of chosen ones
-  bool IsKept = false;
-  int NumberOfFactorizations = 0;
+  vtkDGGGraphicsKeeper Keeper;
 };
 
 //------------------------------------------------------------------------------
@@ -233,14 +177,13 @@ const char* vtkPoissonVectorGraphics::GetResultArrayName() const
 //------------------------------------------------------------------------------
 int vtkPoissonVectorGraphics::GetNumberOfFactorizations() const
 {
-  return this->Internals->NumberOfFactorizations;
+  return this->Internals->Keeper.GetNumberOfFactorizations();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkPoissonVectorGraphics::GetMemorySize() const
 {
-  const vtkInternals& internals = *this->Internals;
-  return internals.Graphics.GetMemorySize() + internals.RefinedFaces.size() * sizeof(dgg::Id);
+  return this->Internals->Keeper.GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -285,112 +228,19 @@ std::string vtkPoissonVectorGraphics::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-/// Whether there is memory for the faces of the surface, refined once they are, before any is
-/// taken. Curves make some more.
-dgg::Status vtkPoissonVectorGraphics::CheckMemory(const vtkDGGDrawing& drawing) const
-{
-  const dgg::SurfaceMesh& mesh = this->GetMesh().GetMesh();
-  double faces = 0.0;
-  for (dgg::Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-  {
-    faces += mesh.IsDropped(f) ? 0.0 : 1.0;
-  }
-  faces *= drawing.RefinementRegion == Everywhere ? std::pow(4.0, drawing.RefinementLevel) : 1.0;
-  const double vertices =
-    std::max(static_cast<double>(mesh.GetNumberOfVertices()), VerticesPerFace * faces);
-  return vtkDGGCheckMemory("the refined mesh",
-    dgg::VectorGraphics::PredictMemory(faces, vertices, drawing.HasPoisson()), drawing.MemoryLimit,
-    this->GetMemoryRemedy());
-}
-
-//------------------------------------------------------------------------------
-/// Draw the curves, refine and cut the surface, factorize the matrix.
-dgg::Status vtkPoissonVectorGraphics::PrepareDrawing(const vtkDGGDrawing& drawing,
-  const dgg::GraphicsOptions& options, const std::function<bool(double)>& progress)
-{
-  const dgg::SurfaceMesh& mesh = this->GetMesh().GetMesh();
-  vtkInternals& internals = *this->Internals;
-  internals.IsKept = false;
-  internals.Graphics.Clear();
-  internals.RefinedFaces = std::vector<dgg::Id>();
-  const std::size_t count = drawing.Curves.size();
-  dgg::Status status = this->CheckMemory(drawing);
-  std::vector<dgg::SurfaceCurve> joined(count);
-  for (std::size_t k = 0; k < count && status.IsOk(); ++k)
-  {
-    const double part = JoinedAt / static_cast<double>(count);
-    const double begin = static_cast<double>(k) * part;
-    status = NameCurve(dgg::JoinPoints(mesh, drawing.Places[k], drawing.Curves[k].IsClosed,
-                         dgg::ProgressPart(progress, begin, begin + part), joined[k]),
-      drawing.Curves[k]);
-  }
-  dgg::RefinedSurface refined;
-  if (status.IsOk())
-  {
-    status =
-      dgg::EmbedCurves(mesh, joined, dgg::ProgressPart(progress, JoinedAt, EmbeddedAt), refined);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  dgg::GraphicsRefinement refinement;
-  refinement.Levels = drawing.RefinementLevel;
-  refinement.Part = drawing.RefinementRegion == NearCurves ? dgg::RefinedPart::AroundCurves
-    : drawing.RefinementRegion == Cells                    ? dgg::RefinedPart::Faces
-                                                           : dgg::RefinedPart::Everything;
-  refinement.Faces = drawing.RefinedFaces;
-  const double bytesPerFace =
-    dgg::VectorGraphics::PredictMemory(1.0, VerticesPerFace, drawing.HasPoisson());
-  refinement.MostFaces = static_cast<dgg::Offset>(
-    std::min(static_cast<double>(vtkDGGGetMemoryLimit(drawing.MemoryLimit)) / bytesPerFace,
-      static_cast<double>(refinement.MostFaces)));
-  refinement.Progress = dgg::ProgressPart(progress, EmbeddedAt, RefinedAt);
-  std::vector<dgg::Id> refinedFaces;
-  status = dgg::RefineForGraphics(mesh, refinement, refined, &refinedFaces);
-  if (!status.IsOk())
-  {
-    return status.IsAborted()
-      ? status
-      : dgg::Status::Invalid(status.GetMessage() +
-          ", for memory to suffice: raise MemoryLimit, or " + this->GetMemoryRemedy());
-  }
-  std::vector<dgg::CurveChain> chains;
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    chains.push_back(dgg::FollowCurve(refined, joined, k));
-  }
-  dgg::GraphicsOptions own = options;
-  own.Progress = dgg::ProgressPart(progress, RefinedAt, 1.0);
-  status = internals.Graphics.Prepare(mesh, refined, chains, drawing.Curves, own);
-  if (status.IsOk())
-  {
-    ++internals.NumberOfFactorizations;
-    internals.RefinedFaces = std::move(refinedFaces);
-  }
-  else
-  {
-    internals.Graphics.Clear();
-  }
-  internals.IsKept = status.IsOk();
-  internals.Kept = drawing;
-  return status;
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkPoissonVectorGraphics::FindFragments(const dgg::GraphicsResult& result, int channels,
   int division, vtkTypeUInt64 memoryLimit, dgg::GraphicsFragments& fragments) const
 {
-  const vtkInternals& internals = *this->Internals;
-  const double count =
-    static_cast<double>(internals.RefinedFaces.size()) * std::pow(static_cast<double>(division), 2);
+  const vtkDGGGraphicsKeeper& keeper = this->Internals->Keeper;
+  const double count = static_cast<double>(keeper.GetRefinedFaces().size()) *
+    std::pow(static_cast<double>(division), 2);
   // Here and as arrays.
   const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
   const dgg::Status status = vtkDGGCheckMemory("fragments", count * bytes, memoryLimit,
     "use a smaller FragmentDivision, or refine NearCurves only");
   return status.IsOk()
-    ? dgg::MakeFragments(this->GetMesh().GetMesh(), internals.Graphics.GetSurface(),
-        internals.RefinedFaces, result.Values, channels, division, fragments)
+    ? dgg::MakeFragments(this->GetMesh().GetMesh(), keeper.GetGraphics().GetSurface(),
+        keeper.GetRefinedFaces(), result.Values, channels, division, fragments)
     : status;
 }
 
@@ -400,6 +250,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
 {
   const vtkDGGMeshAdapter& adapter = this->GetMesh();
   vtkInternals& internals = *this->Internals;
+  vtkDGGGraphicsKeeper& keeper = internals.Keeper;
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
   vtkDGGGraphicsNames names = internals.Names;
   double bounds[6];
@@ -439,8 +290,10 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   vtkDGGGraphicsOutput output(this->ResultArrayName);
   status = output.Take(copy, adapter, this->GetOutputPointsPrecision());
   drawing.RefinementLevel = this->RefinementLevel;
-  drawing.RefinementRegion = this->RefinementRegion;
-  if (drawing.RefinementRegion == Cells)
+  drawing.RefinedPart = this->RefinementRegion == NearCurves ? dgg::RefinedPart::AroundCurves
+    : this->RefinementRegion == Cells                        ? dgg::RefinedPart::Faces
+                                                             : dgg::RefinedPart::Everything;
+  if (drawing.RefinedPart == dgg::RefinedPart::Faces)
   {
     const dgg::Status found =
       vtkDGGGraphicsInput::FindRefinedFaces(surface, names, adapter, drawing.RefinedFaces);
@@ -455,7 +308,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   options.Background.resize(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.CheckMemory = [&](double bytes) {
-    const double points = static_cast<double>(internals.Graphics.GetSurface().Points.size());
+    const double points = static_cast<double>(keeper.GetGraphics().GetSurface().Points.size());
     return vtkDGGCheckMemory("the factorization and the colours",
       bytes + points * output.GetBytesPerPoint(options.NumberOfChannels), drawing.MemoryLimit,
       this->GetMemoryRemedy());
@@ -466,17 +319,18 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   {
     status = dgg::Status::Abort();
   }
-  const bool isKept = internals.IsKept && internals.Kept.IsSame(drawing);
+  const bool isKept = keeper.IsUpToDate(drawing);
   const double preparedAt = isKept ? FoundAt : FactorizedAt;
   if (status.IsOk() && !isKept)
   {
-    status = this->PrepareDrawing(drawing, options, dgg::ProgressPart(progress, 0.0, preparedAt));
+    status = keeper.Prepare(adapter.GetMesh(), drawing, options, this->GetMemoryRemedy(),
+      dgg::ProgressPart(progress, 0.0, preparedAt));
   }
   dgg::GraphicsResult result;
   if (status.IsOk())
   {
     options.Progress = dgg::ProgressPart(progress, preparedAt, 1.0);
-    status = internals.Graphics.Run(curves, regions, options, result);
+    status = keeper.GetGraphics().Run(curves, regions, options, result);
   }
   if (status.IsOk())
   {
@@ -490,7 +344,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   }
   if (status.IsOk())
   {
-    output.Fill(internals.Graphics.GetSurface(), result, options.NumberOfChannels,
+    output.Fill(keeper.GetGraphics().GetSurface(), result, options.NumberOfChannels,
       vtkPolyData::GetData(outputVector));
     if (division > 0)
     {

@@ -121,17 +121,14 @@
 #include "vtkDGGFiltersSpectralModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <functional> // For progress
-#include <memory>     // For the internals
-#include <string>     // For array names
+#include <memory> // For the internals
+#include <string> // For array names
 
 namespace dgg
 {
 struct GraphicsFragments;
-struct GraphicsOptions;
 struct GraphicsResult;
 }
-struct vtkDGGDrawing;
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkPoissonVectorGraphics : public vtkGeodesicAlgorithm
 {
@@ -342,9 +339,6 @@ private:
   struct vtkInternals;
 
   void SetName(std::string& property, const char* name);
-  dgg::Status CheckMemory(const vtkDGGDrawing& drawing) const;
-  dgg::Status PrepareDrawing(const vtkDGGDrawing& drawing, const dgg::GraphicsOptions& options,
-    const std::function<bool(double)>& progress);
   dgg::Status FindFragments(const dgg::GraphicsResult& result, int channels, int division,
     vtkTypeUInt64 memoryLimit, dgg::GraphicsFragments& fragments) const;
 

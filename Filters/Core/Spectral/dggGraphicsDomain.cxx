@@ -28,7 +28,7 @@ Status CutAlong(const RefinedSurface& surface, const std::vector<CurveChain>& ch
       paths.push_back(chains[k].Vertices);
     }
   }
-  const Status status = CutAlongCurves(surface, paths, cut);
+  Status status = CutAlongCurves(surface, paths, cut);
   for (std::size_t k = 0; k < curves.size() && !status.IsOk(); ++k)
   {
     const Status own =

@@ -104,13 +104,15 @@ Status LeftFaces::Spread(const ChainSides& sides, WorkProgress& work, std::vecto
   {
     find(h);
   }
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  std::size_t next = 0;
+  while (next < faces.size())
   {
+    const Id f = faces[next++];
     if (!work.Add(1.0))
     {
       return Status::Abort();
     }
-    for (Id h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h)
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
     {
       if (!this->IsWall[h])
       {

@@ -5,15 +5,15 @@
 #include "dggGraphicsBand.h"
 #include "dggGraphicsChecks.h"
 #include "dggGraphicsDomain.h"
+#include "dggGraphicsGiven.h"
+#include "dggGraphicsLoads.h"
 #include "dggGraphicsScale.h"
-#include "dggGraphicsSources.h"
 #include "dggPoissonSolver.h"
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 
 namespace dgg
@@ -27,49 +27,9 @@ constexpr double MeasuredDone = 0.3;
 constexpr double BandsDone = 0.6;
 constexpr double SourcesDone = 0.8;
 
-/// The parts of the faces of the mesh that was refined.
-class FaceParts
-{
-public:
-  FaceParts(const RefinedSurface& surface, Id numberOfFaces)
-    : Begins(static_cast<std::size_t>(numberOfFaces) + 1, 0)
-    , Parts(numberOfFaces > 0 ? surface.Faces.size() : 0)
-  {
-    if (numberOfFaces == 0)
-    {
-      return;
-    }
-    for (const Id f : surface.Faces)
-    {
-      ++this->Begins[f];
-    }
-    std::partial_sum(this->Begins.begin(), this->Begins.end(), this->Begins.begin());
-    for (auto part = static_cast<Id>(surface.Faces.size()); part-- > 0;)
-    {
-      this->Parts[--this->Begins[surface.Faces[part]]] = part;
-    }
-  }
-  Id Count(Id face) const { return this->Begins[face + 1] - this->Begins[face]; }
-  void Append(Id face, std::vector<Id>& parts) const
-  {
-    parts.insert(parts.end(), this->Parts.begin() + this->Begins[face],
-      this->Parts.begin() + this->Begins[face + 1]);
-  }
-
-private:
-  std::vector<Id> Begins; // per face; one more at the end
-  std::vector<Id> Parts;
-};
-
 bool Goes(const ProgressCallback& progress, double fraction)
 {
   return !progress || progress(fraction);
-}
-
-double GetCutMemory(const RefinedSurface& surface, bool hasPoisson)
-{
-  return PredictGraphicsMemory(static_cast<double>(surface.Faces.size()),
-    static_cast<double>(surface.Points.size()), hasPoisson);
 }
 }
 
@@ -91,31 +51,17 @@ private:
   Status CheckRun(const std::vector<GraphicsCurve>& curves,
     const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options) const;
   bool HasPoisson() const;
-  Status MeasureCurves(const RefinedSurface& surface, const std::vector<GraphicsCurve>& curves,
-    const GraphicsOptions& options);
-  Status FindRegions(const ChainEdges& edges, const std::vector<GraphicsCurve>& curves,
-    const GraphicsOptions& options);
-  void FindGivenVertices(const std::vector<GraphicsCurve>& curves, PoissonOptions& options) const;
   Status AddBands(const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options,
     const ProgressCallback& progress, std::vector<double>& values) const;
   double GetRunMemory(const GraphicsOptions& options) const;
-  Status AddSources(const std::vector<GraphicsCurve>& curves,
-    const std::vector<GraphicsRegion>& regions, const ChannelScale& scale,
-    const ProgressCallback& progress, std::vector<std::vector<double>>& columns) const;
-  double CountWork(const std::vector<GraphicsRegion>& regions, const FaceParts& parts) const;
   void MeasureNet(
     const std::vector<std::vector<double>>& columns, std::vector<double>& netSources) const;
-  void SetGivenValues(const std::vector<GraphicsCurve>& curves, const std::vector<double>& bands,
-    std::vector<std::vector<double>>& columns) const;
-  template <typename Visitor>
-  void ForEachGiven(const std::vector<GraphicsCurve>& curves, Visitor&& visit) const;
 
   Id NumberOfFaces = 0; // of the mesh
   std::vector<CurveChain> Chains;
-  std::vector<GraphicsCurveType> Types;           // per curve
-  std::vector<bool> AreClosed;                    // per curve
-  std::vector<std::vector<Id>> RegionFaces;       // per curve, where it is a region
-  std::vector<std::vector<ChainPart>> ChainParts; // per curve, where it is a source
+  GraphicsLoads Loads;
+  std::vector<GraphicsCurveType> Types; // per curve
+  std::vector<bool> AreClosed;          // per curve
   bool IsReady = false;
 };
 
@@ -143,24 +89,29 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
     this->Types.push_back(curve.Type);
     this->AreClosed.push_back(curve.IsClosed);
   }
-  Status status;
+  const double cut = PredictGraphicsMemory(static_cast<double>(surface.Faces.size()),
+    static_cast<double>(surface.Points.size()), this->HasPoisson());
+  std::function<Status(double)> checkMore;
   if (options.CheckMemory)
   {
-    status = options.CheckMemory(GetCutMemory(surface, this->HasPoisson()));
+    checkMore = [&options, cut](double bytes) { return options.CheckMemory(cut + bytes); };
   }
+  Status status = checkMore ? checkMore(0.0) : Status::Success();
   status = status.IsOk() ? CutForGraphics(mesh, surface, chains, curves, this->Domain) : status;
   if (status.IsOk() && !Goes(options.Progress, CutDone))
   {
     status = Status::Abort();
   }
-  status = status.IsOk() ? this->MeasureCurves(surface, curves, options) : status;
+  status = status.IsOk() ? this->Loads.Prepare(surface, this->NumberOfFaces, chains, curves,
+                             checkMore, ProgressPart(options.Progress, CutDone, MeasuredDone))
+                         : status;
   if (!status.IsOk())
   {
     return status;
   }
   PoissonOptions poisson;
   poisson.IntrinsicDelaunay = options.IntrinsicDelaunay;
-  this->FindGivenVertices(curves, poisson);
+  poisson.GivenVertices = FindGivenVertices(this->Domain, chains, curves);
   this->Solver = std::make_unique<PoissonSolver>(this->Domain.SolvedMesh);
   const double middle = 0.5 * (MeasuredDone + 1.0);
   status = this->Solver->Analyze(poisson, ProgressPart(options.Progress, MeasuredDone, middle));
@@ -180,108 +131,6 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
 bool VectorGraphics::Implementation::HasPoisson() const
 {
   return std::count(this->Types.begin(), this->Types.end(), GraphicsCurveType::Poisson) > 0;
-}
-
-Status VectorGraphics::Implementation::MeasureCurves(const RefinedSurface& surface,
-  const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options)
-{
-  this->ChainParts.assign(curves.size(), {});
-  std::vector<char> isMeant;
-  for (const GraphicsCurve& curve : curves)
-  {
-    isMeant.push_back(
-      curve.Type == GraphicsCurveType::Source || curve.Type == GraphicsCurveType::Region);
-  }
-  const ChainEdges edges(surface, this->Chains, isMeant);
-  for (std::size_t k = 0; k < curves.size(); ++k)
-  {
-    if (curves[k].Type == GraphicsCurveType::Source)
-    {
-      this->ChainParts[k] = SplitChain(edges, this->Chains[k]);
-    }
-  }
-  return this->FindRegions(edges, curves, options);
-}
-
-/// The faces on the left of regions; of many regions they may be many more than the surface has.
-Status VectorGraphics::Implementation::FindRegions(
-  const ChainEdges& edges, const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options)
-{
-  const RefinedSurface& surface = edges.GetSurface();
-  this->RegionFaces.assign(curves.size(), {});
-  LeftFaces left(edges);
-  const auto faces = static_cast<double>(surface.Faces.size());
-  const auto regions = static_cast<double>(
-    std::count(this->Types.begin(), this->Types.end(), GraphicsCurveType::Region));
-  WorkProgress work(ProgressPart(options.Progress, CutDone, MeasuredDone), regions * faces);
-  double found = 0.0;
-  double asked = 0.0; // for how many faces
-  for (std::size_t k = 0; k < curves.size(); ++k)
-  {
-    if (curves[k].Type != GraphicsCurveType::Region)
-    {
-      continue;
-    }
-    if (options.CheckMemory && found + 3.0 * faces > asked) // this one may have them all, and grows
-    {
-      asked = found + 4.0 * faces;
-      Status status =
-        options.CheckMemory(GetCutMemory(surface, this->HasPoisson()) + asked * sizeof(Id));
-      if (!status.IsOk())
-      {
-        return status;
-      }
-    }
-    Status status = left.Find(this->Chains[k], curves[k].IsClosed, work, this->RegionFaces[k]);
-    if (!status.IsOk())
-    {
-      return status.IsAborted()
-        ? status
-        : Status::Invalid(NameOf(curves[k], k) + ": " + status.GetMessage());
-    }
-    this->RegionFaces[k].shrink_to_fit();
-    found += static_cast<double>(this->RegionFaces[k].size());
-  }
-  return Status::Success();
-}
-
-/// Call `visit(vertex, curve, values, parameter)` for every end of an edge of a diffusion curve, on
-/// both sides.
-template <typename Visitor>
-void VectorGraphics::Implementation::ForEachGiven(
-  const std::vector<GraphicsCurve>& curves, Visitor&& visit) const
-{
-  for (std::size_t k = 0; k < curves.size(); ++k)
-  {
-    if (curves[k].Type != GraphicsCurveType::Diffusion)
-    {
-      continue;
-    }
-    const CurveSides& sides = this->Domain.Solved.Sides[this->Domain.SidesInSolved[k]];
-    const std::vector<double>& parameters = this->Chains[k].Parameters;
-    for (const bool isLeft : { true, false })
-    {
-      const std::vector<EdgeSide>& edges = isLeft ? sides.Left : sides.Right;
-      for (std::size_t i = 0; i < edges.size(); ++i)
-      {
-        if (edges[i].Face != NoId)
-        {
-          visit(edges[i].From, curves[k], isLeft, parameters[i]);
-          visit(edges[i].To, curves[k], isLeft, parameters[i + 1]);
-        }
-      }
-    }
-  }
-}
-
-void VectorGraphics::Implementation::FindGivenVertices(
-  const std::vector<GraphicsCurve>& curves, PoissonOptions& options) const
-{
-  std::vector<Id>& vertices = options.GivenVertices;
-  this->ForEachGiven(
-    curves, [&](Id v, const GraphicsCurve&, bool, double) { vertices.push_back(v); });
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
 Status VectorGraphics::Implementation::CheckRun(const std::vector<GraphicsCurve>& curves,
@@ -325,10 +174,7 @@ double VectorGraphics::Implementation::GetRunMemory(const GraphicsOptions& optio
     ? drawn * (2.0 * (sizeof(double) + sizeof(Id) + sizeof(Predecessor)) + 32.0) +
       static_cast<double>(this->Domain.Drawn.Surface.Faces.size()) * 20.0
     : 0.0;
-  // Marks, a patch and its rim; for sets of faces also their parts.
-  const double sources =
-    static_cast<double>(this->Domain.Solved.Surface.Faces.size()) * (1.0 + 4.0 * sizeof(Id)) +
-    this->NumberOfFaces * sizeof(Id);
+  const double sources = this->Loads.GetAddingMemory(this->Domain);
   return static_cast<double>(this->GetMemorySize()) + columns +
     std::max({ lanes, distances, sources });
 }
@@ -372,57 +218,6 @@ Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>
   return Status::Success();
 }
 
-Status VectorGraphics::Implementation::AddSources(const std::vector<GraphicsCurve>& curves,
-  const std::vector<GraphicsRegion>& regions, const ChannelScale& scale,
-  const ProgressCallback& progress, std::vector<std::vector<double>>& columns) const
-{
-  const CutSurface& surface = this->Domain.Solved.Surface;
-  const FaceParts parts(surface, regions.empty() ? 0 : this->NumberOfFaces);
-  WorkProgress work(progress, this->CountWork(regions, parts));
-  RegionSources adder(this->Domain.SolvedMesh, surface);
-  Status status;
-  for (std::size_t k = 0; k < curves.size() && status.IsOk(); ++k)
-  {
-    if (curves[k].Type == GraphicsCurveType::Source)
-    {
-      AddLineSource(surface, this->Chains[k], this->ChainParts[k], curves[k], columns);
-    }
-    if (curves[k].Type == GraphicsCurveType::Region)
-    {
-      status = adder.Add(this->RegionFaces[k], curves[k].Left, work, columns);
-    }
-  }
-  for (std::size_t r = 0; r < regions.size() && status.IsOk(); ++r)
-  {
-    std::vector<Id> faces;
-    for (const Id f : regions[r].Faces)
-    {
-      parts.Append(f, faces);
-    }
-    status = adder.Add(faces, scale.Apply(regions[r].Strength), work, columns);
-  }
-  return status;
-}
-
-/// What sources of regions take, as WorkProgress is told.
-double VectorGraphics::Implementation::CountWork(
-  const std::vector<GraphicsRegion>& regions, const FaceParts& parts) const
-{
-  double faces = 0.0;
-  for (const std::vector<Id>& found : this->RegionFaces)
-  {
-    faces += static_cast<double>(found.size());
-  }
-  for (const GraphicsRegion& region : regions)
-  {
-    for (const Id f : region.Faces)
-    {
-      faces += parts.Count(f);
-    }
-  }
-  return RegionSources::WorkPerFace * faces;
-}
-
 void VectorGraphics::Implementation::MeasureNet(
   const std::vector<std::vector<double>>& columns, std::vector<double>& netSources) const
 {
@@ -435,43 +230,6 @@ void VectorGraphics::Implementation::MeasureNet(
     for (std::size_t c = 0; c < channels && system.IsFree(component); ++c)
     {
       netSources[channels * static_cast<std::size_t>(component) + c] += columns[c][v];
-    }
-  }
-}
-
-/// Where colours are given, what the bands have not made of them already. A vertex that bands have
-/// cut has several values of theirs, of which the mean counts.
-void VectorGraphics::Implementation::SetGivenValues(const std::vector<GraphicsCurve>& curves,
-  const std::vector<double>& bands, std::vector<std::vector<double>>& columns) const
-{
-  const std::size_t channels = columns.size();
-  const std::size_t n = this->Domain.Solved.Surface.Points.size();
-  std::vector<double> counts(n, 0.0);
-  std::vector<double> color(channels);
-  this->ForEachGiven(curves, [&](Id v, const GraphicsCurve& curve, bool isLeft, double parameter) {
-    InterpolateOnCurve(isLeft ? curve.Left : curve.Right, static_cast<int>(channels),
-      curve.IsClosed, parameter, color.data());
-    for (std::size_t c = 0; c < channels; ++c)
-    {
-      columns[c][v] = (counts[v] == 0.0 ? 0.0 : columns[c][v]) + color[c];
-    }
-    counts[v] += 1.0;
-  });
-  std::vector<double> copies(n, 0.0);
-  for (const Id v : this->Domain.SolvedVertexOf)
-  {
-    copies[v] += 1.0;
-  }
-  for (std::size_t c = 0; c < channels; ++c)
-  {
-    for (std::size_t v = 0; v < n; ++v)
-    {
-      columns[c][v] /= std::max(1.0, counts[v]);
-    }
-    for (std::size_t d = 0; d < this->Domain.SolvedVertexOf.size(); ++d)
-    {
-      const Id v = this->Domain.SolvedVertexOf[d];
-      columns[c][v] -= counts[v] > 0.0 ? bands[channels * d + c] / copies[v] : 0.0;
     }
   }
 }
@@ -507,8 +265,8 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
   }
   std::vector<std::vector<double>> columns(
     channels, std::vector<double>(this->Domain.Solved.Surface.Points.size(), 0.0));
-  status = this->AddSources(
-    scaled, regions, scale, ProgressPart(options.Progress, BandsDone, SourcesDone), columns);
+  status = this->Loads.Add(this->Domain, this->Chains, scaled, regions, scale,
+    ProgressPart(options.Progress, BandsDone, SourcesDone), columns);
   if (status.IsOk() && !Goes(options.Progress, SourcesDone))
   {
     status = Status::Abort();
@@ -518,7 +276,7 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
     return status;
   }
   this->MeasureNet(columns, result.NetSources);
-  this->SetGivenValues(scaled, bands, columns);
+  SetGivenValues(this->Domain, this->Chains, scaled, bands, columns);
   status = this->Solver->Solve(columns);
   if (status.IsOk() && !Goes(options.Progress, 1.0))
   {
@@ -553,17 +311,8 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
 
 std::size_t VectorGraphics::Implementation::GetMemorySize() const
 {
-  std::size_t bytes =
-    this->Domain.GetMemorySize() + (this->Solver ? this->Solver->GetMemorySize() : 0);
-  for (const std::vector<Id>& faces : this->RegionFaces)
-  {
-    bytes += faces.size() * sizeof(Id);
-  }
-  for (const std::vector<ChainPart>& parts : this->ChainParts)
-  {
-    bytes += parts.size() * sizeof(ChainPart);
-  }
-  return bytes;
+  return this->Domain.GetMemorySize() + this->Loads.GetMemorySize() +
+    (this->Solver ? this->Solver->GetMemorySize() : 0);
 }
 
 VectorGraphics::VectorGraphics()
