@@ -35,8 +35,8 @@
  *    when all points are sites, u is the solution of finite elements. Mean 0 in each component
  *    where nothing is given.
  *
- * Output port 1 (GetEvaluation()) has the same arrays, by default linear in triangles, see
- * SmoothEvaluation.
+ * At points that no polygon uses, functions and solutions are 0. Output port 1 (GetEvaluation())
+ * has the same arrays, by default linear in triangles, see SmoothEvaluation.
  *
  * <b>Boundaries.</b> With Neumann conditions nothing flows through the boundary, and sources whose
  * sum in a component is not 0 are balanced in proportion to area. There is a warning where the sum
