@@ -495,6 +495,9 @@ TEST_F(HarmonicBSpline, ArrayNames)
   this->Filter->SetSolutionArrayName("");
   ExpectError(this->Filter, { "SolutionArrayName is empty" });
   this->Filter->SetSolutionArrayName("Heat");
+  this->Filter->SetCellArrayName("");
+  ExpectError(this->Filter, { "CellArrayName", "is empty", "SetCellArrayName()" });
+  this->Filter->SetCellArrayName("Cell");
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetNumberOfUsedSites(), 20);
   this->Filter->SetRightHandSideArrayName("missing");
@@ -507,14 +510,22 @@ TEST_F(HarmonicBSpline, EmptyOutputsHaveAllArrays)
 {
   vtkNew<vtkPolyData> none;
   this->Filter->SetInputData(none);
-  this->Filter->SetRightHandSideArrayName("f");
-  ExpectWarning(this->Filter, { "empty" });
-  for (int port = 0; port < 2; ++port)
+  this->Filter->SetCellArrayName("Site");
+  this->Filter->SetSolutionArrayName("Heat");
+  this->Filter->SetResultArrayName("Basis");
+  for (const char* source : { "f", "" }) // without one there is no solution
   {
-    vtkPointData* data = this->Filter->GetOutput(port)->GetPointData();
-    EXPECT_NE(vtkIdTypeArray::SafeDownCast(data->GetArray("Cell")), nullptr);
-    EXPECT_NE(vtkDoubleArray::SafeDownCast(data->GetArray("PoissonSolution")), nullptr);
-    EXPECT_NE(data->GetArray(Name), nullptr);
+    this->Filter->SetRightHandSideArrayName(source);
+    ExpectWarning(this->Filter, { "empty" });
+    const bool hasSolution = *source != '\0';
+    for (int port = 0; port < 2; ++port)
+    {
+      vtkPointData* data = this->Filter->GetOutput(port)->GetPointData();
+      EXPECT_EQ(data->GetNumberOfArrays(), hasSolution ? 3 : 2);
+      EXPECT_NE(vtkIdTypeArray::SafeDownCast(data->GetArray("Site")), nullptr);
+      EXPECT_NE(vtkDoubleArray::SafeDownCast(data->GetArray("Basis")), nullptr);
+      EXPECT_EQ(vtkDoubleArray::SafeDownCast(data->GetArray("Heat")) != nullptr, hasSolution);
+    }
   }
 }
 
