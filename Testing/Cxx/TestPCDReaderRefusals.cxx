@@ -71,10 +71,10 @@ TEST_F(PCDReaderRefusals, RefusesMalformedHeaders)
   this->ExpectRefused(change(&PCDLines::Fields, ""), code, { "no FIELDS" });
   this->ExpectRefused(change(&PCDLines::Fields, " "), code, { "line 3: no FIELDS" });
   this->ExpectRefused(
-    change(&PCDLines::Fields, "x y z i"), code, { "line 4: SIZE has 3 values for 4" });
+    change(&PCDLines::Fields, "x y z i"), code, { "line 4: SIZE has 3 values for 4 fields" });
   this->ExpectRefused(change(&PCDLines::Size, "4 4"), code, { "line 4: SIZE has 2 values for 3" });
-  this->ExpectRefused(
-    change(&PCDLines::Size, "4 4 2"), code, { "line 4: SIZE '2'", "'z'", "4 or 8" });
+  this->ExpectRefused(change(&PCDLines::Size, "4 4 2"), code,
+    { "line 4: SIZE '2' of the field 'z' is not one of a number of type F", "4 or 8" });
   this->ExpectRefused(change(&PCDLines::Size, "4 -4 4"), code, { "line 4: SIZE '-4'", "'y'" });
   this->ExpectRefused(change(&PCDLines::Size, "4 4 0"), code, { "line 4: SIZE '0'" });
   this->ExpectRefused(change(&PCDLines::Size, "4 4 4.0"), code, { "line 4: SIZE '4.0'" });
@@ -83,19 +83,23 @@ TEST_F(PCDReaderRefusals, RefusesMalformedHeaders)
   this->ExpectRefused(change(&PCDLines::Size, ""), code, { "TYPE without SIZE" });
   this->ExpectRefused(change(&PCDLines::Type, ""), code, { "SIZE without TYPE" });
   this->ExpectRefused(change(&PCDLines::Type, "F F"), code, { "line 5: TYPE has 2 values for 3" });
-  this->ExpectRefused(change(&PCDLines::Type, "F F D"), code, { "line 5: TYPE 'D'" });
+  this->ExpectRefused(
+    change(&PCDLines::Type, "F F D"), code, { "line 5: TYPE 'D' is none of F, I and U" });
   this->ExpectRefused(change(&PCDLines::Type, "F F FF"), code, { "line 5: TYPE 'FF'" });
   this->ExpectRefused(
     change(&PCDLines::Count, "1 1"), code, { "line 6: COUNT has 2 values for 3" });
-  this->ExpectRefused(change(&PCDLines::Count, "1 1 0"), code, { "line 6: COUNT '0'", "'z'" });
+  this->ExpectRefused(change(&PCDLines::Count, "1 1 0"), code,
+    { "line 6: COUNT '0' of the field 'z' is not a positive number" });
   this->ExpectRefused(change(&PCDLines::Count, "1 1 -1"), code, { "line 6: COUNT '-1'" });
   this->ExpectRefused(
     change(&PCDLines::Count, "1 1 2"), code, { "line 6: ", "'z' must have COUNT 1" });
   this->ExpectRefused(change(&PCDLines::Count, "1 1 4294967297"), code, { "line 6: COUNT" });
   this->ExpectRefused(change(&PCDLines::Width, "3"), code, { "line 10: POINTS 2", "WIDTH 3" });
   this->ExpectRefused(change(&PCDLines::Width, "-2"), code, { "line 7: WIDTH '-2'" });
-  this->ExpectRefused(change(&PCDLines::Width, "two"), code, { "line 7: WIDTH 'two'" });
-  this->ExpectRefused(change(&PCDLines::Width, "2 2"), code, { "line 7: WIDTH", "2 values" });
+  this->ExpectRefused(
+    change(&PCDLines::Width, "two"), code, { "line 7: WIDTH 'two' is not a number of points" });
+  this->ExpectRefused(change(&PCDLines::Width, "2 2"), code,
+    { "line 7: WIDTH is followed by 2 values, expected one" });
   this->ExpectRefused(change(&PCDLines::Width, " "), code, { "line 7: WIDTH", "0 values" });
   this->ExpectRefused(
     change(&PCDLines::Width, "99999999999999999999"), code, { "line 7: WIDTH '999" });
@@ -104,9 +108,10 @@ TEST_F(PCDReaderRefusals, RefusesMalformedHeaders)
     change(&PCDLines::Height, "9223372036854775807"), code, { "line 7: ", "too large" });
   this->ExpectRefused(change(&PCDLines::Points, "5"), code, { "line 10: POINTS 5" });
   this->ExpectRefused(change(&PCDLines::Points, "-1"), code, { "line 10: POINTS '-1'" });
-  this->ExpectRefused(change(&PCDLines::Viewpoint, "0 0 0"), code, { "line 9: VIEWPOINT has 3" });
-  this->ExpectRefused(
-    change(&PCDLines::Viewpoint, "0 0 0 1 0 0 up"), code, { "line 9: VIEWPOINT 'up'" });
+  this->ExpectRefused(change(&PCDLines::Viewpoint, "0 0 0"), code,
+    { "line 9: VIEWPOINT has 3 values, expected 7 (translation x y z, quaternion" });
+  this->ExpectRefused(change(&PCDLines::Viewpoint, "0 0 0 1 0 0 up"), code,
+    { "line 9: VIEWPOINT 'up' is not a finite number" });
   this->ExpectRefused(
     change(&PCDLines::Viewpoint, "0 0 nan 1 0 0 0"), code, { "line 9: VIEWPOINT 'nan'" });
   this->ExpectRefused(change(&PCDLines::Data, "text"), code, { "line 11: DATA" });
@@ -150,7 +155,7 @@ TEST_F(PCDReaderRefusals, RefusesMalformedHeaders)
   this->ExpectRefused("FIELDS x y z\nCOLUMNS x y z\nPOINTS 1\nDATA ascii\n0 0 0\n", code,
     { "both FIELDS and COLUMNS" });
   this->ExpectRefused("VERSION 0.7\nFIELDS x y z\nUNITS m\nPOINTS 1\nDATA ascii\n0 0 0\n", code,
-    { "line 3: 'UNITS'" });
+    { "line 3: 'UNITS' is not a keyword of the header of a PCD file" });
   this->ExpectRefused("FIELDS x y z normal_x normal_y normal_z Normals\nPOINTS 1\nDATA ascii\n"
                       "0 0 0 0 0 1 5\n",
     code, { "both become the array Normals" });
@@ -161,7 +166,8 @@ TEST_F(PCDReaderRefusals, RefusesBadText)
   const auto code = vtkErrorCode::FileFormatError;
   const auto end = vtkErrorCode::PrematureEndOfFileError;
   const std::string head = PCDLines().Format();
-  this->ExpectRefused(head + "0 0 0\n0 zero 0\n", code, { "line 13: ", "'y' of point 1: 'zero'" });
+  this->ExpectRefused(head + "0 0 0\n0 zero 0\n", code,
+    { "line 13: the field 'y' of point 1: 'zero' is not a number" });
   this->ExpectRefused(head + "0 0 0x1\n0 0 0\n", code, { "line 12: ", "'z' of point 0: '0x1'" });
   this->ExpectRefused(head + "0 0 1,5\n0 0 0\n", code, { "line 12: ", "'1,5' is not a number" });
   this->ExpectRefused(
@@ -173,8 +179,8 @@ TEST_F(PCDReaderRefusals, RefusesBadText)
   this->ExpectRefused(head + "0 0 0 0 0 0\n", code, { "line 12: point 0 has more than 3 values" });
   this->ExpectRefused(head + "0 0 0\n\n0.25 0.25", end, { "line 14: point 1 has 2 values" });
   this->ExpectRefused(head + "0.125 0.125 0.125\n", end, { "the file ends after 1 of 2 points" });
-  this->ExpectRefused(
-    head + "0 0 0\n1 1 1\n2 2 2\n", code, { "line 14: more follows the last of 2" });
+  this->ExpectRefused(head + "0 0 0\n1 1 1\n2 2 2\n", code,
+    { "line 14: more follows the last of 2 points: is their number too small?" });
   this->ExpectRefused(head + "0 0 0\n1 1 1\nend\n", code, { "line 14: more follows" });
   PCDLines lines;
   lines.Fields = "x y z i";
@@ -215,8 +221,8 @@ TEST_F(PCDReaderRefusals, RefusesBadCompressedData)
   this->ExpectRefused(head + Sizes(9, 24) + "12345678", end, { at + "9 bytes", "but 8 follow" });
   this->ExpectRefused(
     head + Sizes(4294967295u, 24) + "12345678", end, { at + "4294967295 bytes", "but 8 follow" });
-  this->ExpectRefused(
-    head + Sizes(8, 25) + "12345678", code, { at + "the compressed data promise 25 bytes" });
+  this->ExpectRefused(head + Sizes(8, 25) + "12345678", code,
+    { at + "the compressed data promise 25 bytes, which are not 2 points of 12 bytes" });
   this->ExpectRefused(head + Sizes(8, 0) + "12345678", code, { "promise 0 bytes" });
   const std::string damaged = "the compressed data are damaged";
   this->ExpectRefused(head + Sizes(3, 24) +
@@ -349,7 +355,8 @@ TEST_F(PCDReaderRefusals, ReportsFilesThatCannotBeRead)
 {
   const auto expect = [this](const std::string& name, unsigned long code, const char* trouble) {
     this->Reader->SetFileName(name.c_str());
-    dggtest::ExpectError(this->Reader, { name, trouble });
+    dggtest::ExpectError(
+      this->Reader, { name.empty() ? trouble : "Cannot read " + name + ": ", trouble });
     EXPECT_EQ(this->Reader->GetErrorCode(), code);
   };
   dggtest::ExpectError(this->Reader, { "SetFileName" });
