@@ -100,7 +100,10 @@
  *    a tenth of the points lie on no surface with their neighbours (GetOffSurfaceShare()), as for
  *    more noise than that, and in volumes, there is a warning that tells how far they scatter: then
  *    thin the cloud out until that is less than the spacing, which grows with the root of the
- *    thinning;
+ *    thinning. Where noise is large beside the shape, what is left when it has been taken off is
+ *    not quite the surface: there is a warning when it is more than 0.07 of the radius at which the
+ *    surface typically bends (GetNoiseByRadius()), as then distances on a sphere are about 1 % too
+ *    short;
  *  - uneven density: balls and, in scheme C, reaches follow the local spacing; points on their own
  *    far off the surface do not get larger balls. Where few points are very much sparser than the
  *    rest, automatic voxels become larger than the balls of the dense ones, so that balls have 4000
@@ -120,8 +123,11 @@
  * as the noise: it is that of points that have been moved to the surface.
  *
  * The graph is kept between updates: it is built anew only when points, normals that are used or a
- * parameter change (GetGraphBuildTime()). The work is spread over the threads of vtkSMPTools; the
- * graph is the same, bit by bit, for any number of them.
+ * parameter change (GetGraphBuildTime()). Warnings about its points, noise and voxels come when it is
+ * built, and not again while it is kept: GetNumberOfUnusedPoints(), GetNumberOfStrayPoints(),
+ * GetScatter(), GetNoiseByRadius(), and GetVoxelSize() beside GetSpacing(), tell what they were about
+ * after every update. The work is spread over the threads of vtkSMPTools; the graph is the same, bit
+ * by bit, for any number of them.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm, of which all that concern cells do not occur
  * here:
@@ -383,6 +389,19 @@ public:
    * are in. Above 0.1 there is a warning, and distances are not to be relied on.
    */
   double GetOffSurfaceShare() const;
+
+  /**
+   * Noise that was taken off, GetNoise(), by the median radius of curvature of the surface; 0 when
+   * none was. Distances are mostly too short by it, on a sphere by about twice its square. Above
+   * 0.07 there is a warning.
+   */
+  double GetNoiseByRadius() const;
+
+  /**
+   * How far points typically scatter about what surface there may be, in spacings, when
+   * GetOffSurfaceShare() is above 0.1: the number of the warning. Otherwise 0.
+   */
+  double GetScatter() const;
 
   /**
    * Time stamp of the last time that a graph was built.

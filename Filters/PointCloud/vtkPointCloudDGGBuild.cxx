@@ -13,7 +13,9 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 #include <memory>
 #include <vector>
@@ -114,6 +116,7 @@ dgg::CloudGraphOptions vtkPointCloudDGG::MakeOptions(vtkPolyData* cloud) const
   options.HasOrientedNormals = this->OrientedNormals && cloud && this->GetInputNormals(cloud);
   options.MemoryLimit = vtkDGGGetMemoryLimit(this->MemoryLimit);
   options.Parallel = vtkDGGMakeParallelFor();
+  options.NumberOfThreads = vtkSMPTools::GetEstimatedNumberOfThreads();
   return options;
 }
 

@@ -5,6 +5,12 @@
 
 #include <cmath>
 
+namespace
+{
+/// Noise by the radius of curvature that is warned of: distances on spheres are 1 % too short.
+constexpr double LargestNoiseByRadius = 0.07;
+}
+
 //------------------------------------------------------------------------------
 void vtkPointCloudDGG::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -38,6 +44,8 @@ void vtkPointCloudDGG::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Spacing: " << this->GetSpacing() << "\n";
   os << indent << "Noise: " << this->GetNoise() << "\n";
   os << indent << "OffSurfaceShare: " << this->GetOffSurfaceShare() << "\n";
+  os << indent << "NoiseByRadius: " << this->GetNoiseByRadius() << "\n";
+  os << indent << "Scatter: " << this->GetScatter() << "\n";
   os << indent << "Reach: " << this->GetReach() << "\n";
   os << indent << "GraphBuildTime: " << this->GetGraphBuildTime() << "\n";
 }
@@ -155,6 +163,18 @@ double vtkPointCloudDGG::GetOffSurfaceShare() const
 }
 
 //------------------------------------------------------------------------------
+double vtkPointCloudDGG::GetNoiseByRadius() const
+{
+  return this->Internals->Current.Statistics.NoiseByRadius;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointCloudDGG::GetScatter() const
+{
+  return this->Internals->Current.Statistics.Scatter;
+}
+
+//------------------------------------------------------------------------------
 double vtkPointCloudDGG::GetReach() const
 {
   return this->Internals->Current.Statistics.Reach;
@@ -196,6 +216,15 @@ void vtkPointCloudDGG::WarnAboutPoints()
                     << " times their spacing. That much is not all taken off: distances may be "
                        "wrong by far. Thin the cloud out, to every tenth point for example or to "
                        "averages of points, until points scatter by less than their spacing.");
+  }
+  else if (statistics.NoiseByRadius > LargestNoiseByRadius)
+  {
+    vtkWarningMacro(
+      << "the noise of the points, " << statistics.Noise << ", is " << statistics.NoiseByRadius
+      << " of the radius at which the surface typically bends. It has been taken "
+         "off, but what is left is not quite the surface: distances may be wrong by 1 % "
+         "or more, mostly too short. Use points that are less noisy if that "
+         "matters.");
   }
 }
 

@@ -51,6 +51,20 @@ Points MakeSpherePoints(int n)
   return points;
 }
 
+Points MakeVolumePoints(int n)
+{
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> number;
+  Points points;
+  for (int i = 0; i < n; ++i)
+  {
+    const double x = number(generator);
+    const double y = number(generator);
+    points.push_back({ x, y, number(generator) });
+  }
+  return points;
+}
+
 Points Move(Points points, const std::array<double, 3>& by)
 {
   for (std::array<double, 3>& p : points)

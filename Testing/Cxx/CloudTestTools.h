@@ -21,6 +21,8 @@ vtkSmartPointer<vtkPolyData> MakeCloud(const Points& points);
 Points MakeFlatPoints(int n, double jitter = 0.0);
 /// Points spread evenly over the unit sphere, along a spiral.
 Points MakeSpherePoints(int n);
+/// Random points of a unit cube: they lie on no surface.
+Points MakeVolumePoints(int n);
 /// All points moved by a vector.
 Points Move(Points points, const std::array<double, 3>& by);
 /// The points of both.

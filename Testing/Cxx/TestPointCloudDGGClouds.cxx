@@ -124,24 +124,44 @@ TEST_F(PointCloudDGG, StrayPoints)
 
 TEST_F(PointCloudDGG, WarnsOfPointsOnNoSurface)
 {
-  // A volume.
-  std::mt19937 generator(5);
-  std::uniform_real_distribution<double> number;
-  Points points;
-  for (int i = 0; i < 1500; ++i)
-  {
-    const double x = number(generator);
-    const double y = number(generator);
-    points.push_back({ x, y, number(generator) });
-  }
-  this->Use(points);
+  this->Use(MakeVolumePoints(1500));
   ExpectWarning(this->Filter,
     { "% of the points do not lie on a surface", "times their spacing", "Thin the cloud out" });
   EXPECT_GT(this->Filter->GetOffSurfaceShare(), 0.5);
+  EXPECT_GT(this->Filter->GetScatter(), 1.0);
   EXPECT_EQ(this->Filter->GetNoise(), 0.0);
   this->Use(MakeSpherePoints(600));
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetOffSurfaceShare(), 0.0);
+  EXPECT_EQ(this->Filter->GetScatter(), 0.0);
+}
+
+TEST_F(PointCloudDGG, WarnsOfNoiseThatIsLargeBesideTheShape)
+{
+  std::mt19937 generator(6);
+  std::normal_distribution<double> number;
+  for (const double noise : { 0.1, 0.03 })
+  {
+    Points points = MakeSpherePoints(1500);
+    for (auto& p : points)
+    {
+      const double radius = 1.0 + noise * number(generator);
+      p = { { radius * p[0], radius * p[1], radius * p[2] } };
+    }
+    this->Use(points);
+    if (noise > 0.05)
+    {
+      ExpectWarning(this->Filter,
+        { "the noise of the points", "of the radius at which the surface typically bends",
+          "distances may be wrong by 1 % or more", "less noisy" });
+      EXPECT_GT(this->Filter->GetNoiseByRadius(), 0.07);
+    }
+    else
+    {
+      ExpectSuccess(this->Filter);
+      EXPECT_GT(this->Filter->GetNoiseByRadius(), 0.01);
+    }
+  }
 }
 
 TEST_F(PointCloudDGG, PartsThatAreTooFarApart)

@@ -68,6 +68,22 @@ TEST_F(PointCloudDGG, TellsOfTheKeptGraphAfterAnError)
   EXPECT_GT(this->Filter->GetNumberOfGraphEdges(), 0);
 }
 
+TEST_F(PointCloudDGG, WarnsOncePerGraph)
+{
+  this->Use(MakeVolumePoints(1500));
+  ExpectWarning(this->Filter, { "do not lie on a surface" });
+  const double scatter = this->Filter->GetScatter();
+  EXPECT_GT(scatter, 1.0);
+  // The graph is kept: what there was to warn of can be asked.
+  this->Filter->SetMemoryLimit(1u << 30);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetScatter(), scatter);
+  EXPECT_GT(this->Filter->GetOffSurfaceShare(), 0.5);
+  this->Filter->ReleaseGraph();
+  this->Filter->Modified();
+  ExpectWarning(this->Filter, { "do not lie on a surface" });
+}
+
 TEST_F(PointCloudDGG, ThreadsDoNotMatter)
 {
   this->Use(MakeSpherePoints(700));
@@ -138,7 +154,7 @@ TEST_F(PointCloudDGG, EstimatesTellOfProgressAndStop)
 
 TEST_F(PointCloudDGG, ProgressAndAbort)
 {
-  const auto cloud = MakeCloud(MakeSpherePoints(20000));
+  const auto cloud = MakeCloud(MakeSpherePoints(8000));
   for (const double stop : { 2.0, 0.12, 0.5 })
   {
     vtkNew<vtkPointCloudDGG> filter; // outlived by its observer

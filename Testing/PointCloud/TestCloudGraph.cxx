@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../Benchmark/MemoryProbe.h"
 #include "CloudShapes.h"
-
-#include "dggCloudNodes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,7 +15,6 @@ namespace
 using namespace cloudtest;
 using dgg::CloudGraph;
 using dgg::CloudGraphBuilder;
-using dgg::CloudGraphEstimate;
 using dgg::CloudGraphOptions;
 using dgg::CloudGraphStatistics;
 using dgg::CloudScheme;
@@ -210,33 +205,6 @@ TEST(CloudGraph, RefusesOptionsOutOfRange)
   EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.HasOrientedNormals = true; }));
 }
 
-TEST(CloudGraph, PredictsWhatItTakes)
-{
-  const Cloud cloud = Sphere(5000, 7);
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
-  CloudGraphEstimate estimate;
-  ASSERT_TRUE(builder.Estimate(CloudGraphOptions(), estimate).IsOk());
-  const CloudGraph graph = BuildGraph(cloud);
-  const auto edges = static_cast<double>(graph.Graph.Targets.Size());
-  EXPECT_NEAR(estimate.Edges, edges, 0.15 * edges);
-  EXPECT_NEAR(
-    estimate.Memory, static_cast<double>(graph.Graph.GetMemorySize()), 0.15 * estimate.Memory);
-  EXPECT_GT(estimate.Peak, estimate.Memory);
-
-  CloudGraphOptions options;
-  options.MemoryLimit = static_cast<std::size_t>(0.7 * estimate.Peak);
-  CloudGraph refused;
-  Status status = builder.Build(options, refused);
-  EXPECT_FALSE(status.IsOk());
-  EXPECT_NE(status.GetMessage().find("limit"), std::string::npos) << status.GetMessage();
-  EXPECT_TRUE(refused.Graph.Offsets.IsEmpty());
-  options.MemoryLimit = 1000;
-  EXPECT_FALSE(builder.Build(options, refused).IsOk());
-  options.MemoryLimit = static_cast<std::size_t>(1.5 * estimate.Peak);
-  status = builder.Build(options, refused);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
-}
-
 TEST(CloudGraph, AllPointsWithinReachAreNeighbours)
 {
   // A spot of the square has 200 times as many points as the rest per area: points there have far
@@ -270,187 +238,4 @@ TEST(CloudGraph, AllPointsWithinReachAreNeighbours)
   }
   // All but some that would leave the band at the border.
   EXPECT_GT(static_cast<double>(graph.Graph.Targets.Size()), 0.99 * static_cast<double>(pairs));
-}
-
-TEST(CloudGraph, TakesNoMoreThanPredicted)
-{
-  // All blocks of the allocator: MemoryProbe replaces it. A little more points than a power of two:
-  // what grows by doubling would take most then.
-  struct Case
-  {
-    CloudScheme Scheme;
-    double Accuracy;
-    double Noise;
-  };
-  for (const Case& test : { Case{ CloudScheme::Curvature, 0.001, 0.0 },
-         Case{ CloudScheme::Constant, 0.001, 0.0 }, Case{ CloudScheme::Spacing, 0.001, 0.0 },
-         Case{ CloudScheme::Spacing, 0.001, 0.01 }, Case{ CloudScheme::Spacing, 0.0, 0.0 } })
-  {
-    const Cloud cloud = Sphere(2100, 17, test.Noise);
-    const std::vector<double> normals = cloud.Points;
-    CloudGraphOptions options;
-    options.Normals = normals.data();
-    options.Scheme = test.Scheme;
-    options.Accuracy = test.Accuracy;
-    const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
-    CloudGraphEstimate estimate;
-    ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
-    const double given = 24.0 * cloud.GetSize(); // there already
-    const MemoryProbe probe;
-    CloudGraph graph;
-    ASSERT_TRUE(builder.Build(options, graph).IsOk());
-    const auto peak = static_cast<double>(probe.GetHeapPeak()); // 0 where it cannot be measured
-    EXPECT_LE(peak, estimate.Peak - given)
-      << static_cast<int>(test.Scheme) << " " << test.Accuracy << " " << test.Noise;
-    if (peak > 0.0)
-    {
-      EXPECT_GE(peak, 0.8 * (estimate.Peak - given))
-        << static_cast<int>(test.Scheme) << " " << test.Accuracy << " " << test.Noise;
-    }
-  }
-}
-
-TEST(CloudGraph, FindingNodesTakesNoMoreThanPredicted)
-{
-  // No two in one place, pairs, one place, and a number that stands for no reading: the predicted
-  // memory is all that is taken, before anything else is built.
-  const Cloud few = Sphere(4200, 19);
-  for (const Id places : { 4200, 2100, 1, -1 })
-  {
-    Cloud cloud;
-    for (Id i = 0; i < few.GetSize(); ++i)
-    {
-      cloud.Add(places > 0 ? few.At(i % places) : i < 100 ? few.At(i) : Point3{ -1e4, 0.0, 0.0 });
-    }
-    const MemoryProbe probe;
-    dgg::CloudNodes nodes;
-    std::vector<Point3> found;
-    ASSERT_TRUE(dgg::FindNodes(cloud.Points.data(), cloud.GetSize(), nodes, found).IsOk());
-    EXPECT_EQ(static_cast<Id>(found.size()), places > 0 ? places : 101);
-    EXPECT_LE(probe.GetHeapPeak(), dgg::CloudNodes::PredictMemory(cloud.GetSize())) << places;
-  }
-}
-
-TEST(CloudGraph, LimitsMayLeaveNextToNothingForTheBand)
-{
-  // From the least limit on that what comes before the band fits into: none of them is no limit.
-  const Cloud cloud = Sphere(500, 20);
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
-  const auto refusal = [&](std::size_t limit) {
-    CloudGraphOptions options;
-    options.MemoryLimit = limit;
-    CloudGraph graph;
-    return builder.Build(options, graph).GetMessage();
-  };
-  const std::string before = "what has to be known";
-  std::size_t low = 1;
-  std::size_t high = 1000000;
-  ASSERT_NE(refusal(low).find(before), std::string::npos);
-  while (high - low > 1)
-  {
-    const std::size_t middle = (low + high) / 2;
-    (refusal(middle).find(before) != std::string::npos ? low : high) = middle;
-  }
-  for (std::size_t limit = high; limit < high + 5; ++limit)
-  {
-    const std::string message = refusal(limit);
-    EXPECT_NE(message.find("the band of voxels"), std::string::npos) << message;
-    // What is told to do can be done.
-    EXPECT_NE(message.find("set a Resolution below "), std::string::npos) << message;
-  }
-}
-
-TEST(CloudGraph, PredictsCoincidentPoints)
-{
-  Cloud cloud;
-  const Cloud few = Sphere(300, 11);
-  for (Id i = 0; i < 100 * few.GetSize(); ++i)
-  {
-    cloud.Add(few.At(i % few.GetSize()));
-  }
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
-  CloudGraphEstimate estimate;
-  ASSERT_TRUE(builder.Estimate(CloudGraphOptions(), estimate).IsOk());
-  const CloudGraph graph = BuildGraph(cloud);
-  const auto edges = static_cast<double>(graph.Graph.Targets.Size());
-  EXPECT_NEAR(estimate.Edges, edges, 0.2 * edges);
-  // Each point is copied and sorted before it is known which are in the same place.
-  EXPECT_GT(estimate.Peak, 64.0 * cloud.GetSize());
-  CloudGraphOptions options;
-  options.MemoryLimit = 40 * static_cast<std::size_t>(cloud.GetSize());
-  CloudGraph refused;
-  EXPECT_FALSE(builder.Build(options, refused).IsOk());
-}
-
-TEST(CloudGraph, PredictionsTellOfProgressAndStop)
-{
-  const Cloud cloud = Sphere(20000, 12);
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
-  CloudGraphOptions options;
-  std::vector<double> told;
-  options.Progress = [&](double done) {
-    told.push_back(done);
-    return true;
-  };
-  CloudGraphEstimate estimate;
-  ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
-  EXPECT_GT(told.size(), 20U);
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_GT(told.back(), 0.9);
-  EXPECT_LE(told.back(), 1.0);
-  for (std::size_t calls = 1; calls < told.size(); calls += 3)
-  {
-    std::size_t called = 0;
-    options.Progress = [&](double) { return ++called < calls; };
-    EXPECT_TRUE(builder.Estimate(options, estimate).IsAborted());
-    EXPECT_EQ(called, calls);
-  }
-}
-
-TEST(CloudGraph, ProgressGrowsWhileNoiseIsRemoved)
-{
-  const Cloud cloud = Sphere(20000, 12, 0.01);
-  CloudGraphOptions options;
-  std::vector<double> told;
-  options.Progress = [&](double done) {
-    told.push_back(done);
-    return done < 0.3; // fits come first
-  };
-  CloudGraphEstimate estimate;
-  EXPECT_TRUE(CloudGraphBuilder(cloud.Points.data(), cloud.GetSize())
-                .Estimate(options, estimate)
-                .IsAborted());
-  EXPECT_GT(told.size(), 12U); // five of each of three fits
-  for (std::size_t i = 3; i < told.size(); ++i)
-  {
-    EXPECT_GT(told[i], told[i - 1]) << i;
-  }
-}
-
-TEST(CloudGraph, TellsOfProgressAndStops)
-{
-  const Cloud cloud = Sphere(20000, 8);
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
-  CloudGraphOptions options;
-  options.Accuracy = 0.1;
-  options.Alpha = 4.0;
-  std::vector<double> told;
-  options.Progress = [&](double done) {
-    told.push_back(done);
-    return true;
-  };
-  CloudGraph graph;
-  ASSERT_TRUE(builder.Build(options, graph).IsOk());
-  EXPECT_GT(told.size(), 6U);
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_GE(told.front(), 0.0);
-  EXPECT_EQ(told.back(), 1.0);
-  for (const std::size_t calls : { 1, 3, 6 })
-  {
-    std::size_t called = 0;
-    options.Progress = [&](double) { return ++called < calls; };
-    EXPECT_TRUE(builder.Build(options, graph).IsAborted());
-    EXPECT_EQ(called, calls);
-    EXPECT_TRUE(graph.Graph.Offsets.IsEmpty());
-  }
 }

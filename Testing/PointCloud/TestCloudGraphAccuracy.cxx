@@ -177,7 +177,8 @@ TEST(CloudGraphAccuracy, NoisyPointsAreMovedToTheSurface)
   {
     const Cloud cloud = Sphere(8000, 12, noise);
     dgg::CloudGraphStatistics statistics;
-    const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
+    const CloudGraph graph = BuildGraph(
+      cloud, [](CloudGraphOptions& options) { options.Accuracy = 0.01; }, &statistics);
     EXPECT_NEAR(statistics.Noise, noise, 0.4 * noise);
     const Errors errors = MeasureErrors(cloud, graph.Graph.View(), 0.5);
     EXPECT_LT(errors.Mean, noise) << noise;
@@ -225,6 +226,76 @@ TEST(CloudGraphAccuracy, NoiseAboveTheSpacing)
     EXPECT_LT(errors.Max, 0.05) << test.Spacings;
     EXPECT_EQ(errors.Unreached, 0);
   }
+}
+
+TEST(CloudGraphAccuracy, ShapesFinerThanMuchNoise)
+{
+  // Waves: as many neighbours as noise is best taken off with where it is flat would flatten them.
+  const int n = 4000;
+  Cloud cloud = Square(n, 1);
+  std::mt19937 generator(101);
+  std::normal_distribution<double> number;
+  const double noise = std::sqrt(1.2 / n); // 1.05 spacings
+  std::vector<Point3> flat;                // the same, rolled out
+  for (Id i = 0; i < n; ++i)
+  {
+    const Point3 p = cloud.At(i);
+    double along = 0.0;
+    const int steps = 1000;
+    for (int k = 0; k < steps; ++k)
+    {
+      along += std::hypot(1.0, 0.6 * std::cos(12.0 * p.X * (k + 0.5) / steps)) * p.X / steps;
+    }
+    flat.push_back({ along, p.Y, 0.0 });
+    const Point3 up{ -0.6 * std::cos(12.0 * p.X), 0.0, 1.0 };
+    const double off = noise * number(generator) / dgg::Norm(up);
+    cloud.Points[3 * i] += off * up.X;
+    cloud.Points[3 * i + 2] = 0.05 * std::sin(12.0 * p.X) + off;
+  }
+  cloud.Distance = [&](Id a, Id b) { return dgg::Norm(flat[a] - flat[b]); };
+  dgg::CloudGraphStatistics statistics;
+  const CloudGraph graph = BuildGraph(
+    cloud, [](CloudGraphOptions& options) { options.Accuracy = 0.01; }, &statistics);
+  const Errors errors = MeasureErrors(cloud, graph.Graph.View(), 0.3);
+  EXPECT_LT(errors.Mean, 0.0095); // 0.0090, and 0.0100 with twice the neighbours
+  EXPECT_EQ(statistics.Scatter, 0.0);
+}
+
+TEST(CloudGraphAccuracy, NoiseThatIsLargeBesideTheShapeIsTold)
+{
+  // Fits to noise flatten what is curved. It is seen by the noise and the curvature.
+  struct Case
+  {
+    bool IsRound;
+    double Noise; ///< along the normal
+    bool IsTold;
+  };
+  const int n = 4000;
+  std::mt19937 generator(34);
+  std::normal_distribution<double> number;
+  for (const Case& test :
+    { Case{ true, 0.078, true }, { true, 0.03, false }, { false, 0.03, false } })
+  {
+    Cloud cloud = test.IsRound ? Sphere(n, 35) : Square(n, 36);
+    for (Id i = 0; i < n; ++i)
+    {
+      const Point3 up = test.IsRound ? cloud.At(i) : Point3{ 0.0, 0.0, 1.0 };
+      const Point3 moved = cloud.At(i) + test.Noise * number(generator) * up;
+      cloud.Points[3 * i] = moved.X;
+      cloud.Points[3 * i + 1] = moved.Y;
+      cloud.Points[3 * i + 2] = moved.Z;
+    }
+    dgg::CloudGraphStatistics statistics;
+    const CloudGraph graph = BuildGraph(
+      cloud, [](CloudGraphOptions& options) { options.Accuracy = 0.01; }, &statistics);
+    EXPECT_EQ(statistics.Scatter, 0.0);
+    EXPECT_EQ(statistics.NoiseByRadius > 0.07, test.IsTold) << statistics.NoiseByRadius;
+    const Errors errors = MeasureErrors(cloud, graph.Graph.View(), 0.3);
+    EXPECT_EQ(errors.Mean > 0.01, test.IsTold) << errors.Mean;
+  }
+  dgg::CloudGraphStatistics statistics;
+  BuildGraph(Sphere(1000, 37), nullptr, &statistics);
+  EXPECT_EQ(statistics.NoiseByRadius, 0.0);
 }
 
 TEST(CloudGraphAccuracy, PointsOnNoSurfaceAreTold)

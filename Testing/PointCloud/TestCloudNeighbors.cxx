@@ -66,6 +66,7 @@ TEST(CloudNeighbors, AreTheNearest)
     const auto within = static_cast<std::size_t>(std::count_if(truth.begin(), truth.end(),
       [](const CloudNeighbor& n) { return n.SquaredDistance <= 0.3 * 0.3; }));
     ExpectSame(found, truth, within);
+    EXPECT_EQ(tree.CountWithin(p, 0.3), within);
   }
 }
 
@@ -84,6 +85,7 @@ TEST(CloudNeighbors, TiesOfRegularPoints)
   std::vector<CloudNeighbor> found;
   tree.FindWithin(points[10 * 20 + 10], 2.0, found);
   ExpectSame(found, Sorted(points, points[10 * 20 + 10]), 13);
+  EXPECT_EQ(tree.CountWithin(points[10 * 20 + 10], 2.0), 13U);
 }
 
 TEST(CloudNeighbors, FewPoints)
@@ -92,6 +94,7 @@ TEST(CloudNeighbors, FewPoints)
   const std::vector<Point3> none;
   CloudNeighbors(none).FindNearest({ 0.0, 0.0, 0.0 }, 4, found);
   EXPECT_TRUE(found.empty());
+  EXPECT_EQ(CloudNeighbors(none).CountWithin({ 0.0, 0.0, 0.0 }, 4.0), 0U);
   const std::vector<Point3> one{ { 1.0, 0.0, 0.0 } };
   const CloudNeighbors tree(one);
   tree.FindNearest({ 0.0, 0.0, 0.0 }, 4, found);

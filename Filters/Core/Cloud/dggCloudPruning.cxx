@@ -127,8 +127,9 @@ void CloudPruning::ChooseFrame(const Point3& normal)
   this->AxisY = Cross(normal, this->AxisX);
 }
 
-std::size_t CloudPruning::GetMemorySize() const
+std::size_t CloudPruning::PredictMemory(std::size_t kept)
 {
-  return this->Relays.capacity() * sizeof(Relay) + this->Last.capacity() * sizeof(std::int32_t);
+  // A list that grows by doubling is there twice while it does: three times its final size.
+  return 3 * kept * sizeof(Relay) + MostSectors * sizeof(std::int32_t);
 }
 }

@@ -30,7 +30,8 @@ public:
 
   /// Segments that were looked up in the band.
   std::size_t GetNumberOfWalks() const { return this->Walks; }
-  std::size_t GetMemorySize() const;
+  /// Most bytes that one of these takes where that many neighbours of a point are kept.
+  static std::size_t PredictMemory(std::size_t kept);
 
 private:
   struct Relay

@@ -109,7 +109,7 @@ public:
     if (this->Options.MemoryLimit > 0)
     {
       const std::size_t used = this->Setup.GetMemorySize();
-      const Status status = CheckSetupMemory(used + 1, this->Options); // and something for the band
+      Status status = CheckSetupMemory(used + 1, this->Options); // and something for the band
       if (!status.IsOk())
       {
         return status;

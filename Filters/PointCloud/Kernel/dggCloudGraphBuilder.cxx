@@ -3,13 +3,11 @@
 #include "dggCloudGraphBuilder.h"
 
 #include "dggCloudAssembly.h"
-#include "dggCloudPruning.h"
+#include "dggCloudRows.h"
 #include "dggCloudSetup.h"
-#include "dggMemoryLimit.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <sstream>
 
@@ -17,15 +15,6 @@ namespace dgg
 {
 namespace
 {
-constexpr Id RowsPerBlock = 64;
-/// Blocks between two reports of progress: as many as look at that many neighbours, judged by those
-/// before them.
-constexpr std::size_t CandidatesPerWave = 1 << 19;
-constexpr Offset LeastBlocksPerWave = 8;
-constexpr Offset MostBlocksPerWave = 512;
-/// Rows built for an estimate.
-constexpr Id SampleSize = 512;
-constexpr Id SamplesPerReport = 16;
 constexpr double ShareOfSetup = 0.15;
 constexpr double EndOfPrediction = 0.16;
 constexpr double EndOfRows = 0.9;
@@ -35,42 +24,6 @@ constexpr double ShareOfSetupToPredict = 0.8;
 /// Edges of a graph by edges found, as measured: uniting both directions adds some.
 constexpr double UnitedShare = 1.3;
 constexpr double LargestAccuracy = 0.5;
-
-/// What one thread needs to build rows.
-struct RowWorkspace
-{
-  RowWorkspace(const CloudSetup& setup, double accuracy)
-    : Setup(setup)
-    , Pruning(setup.Pairs, accuracy)
-  {
-  }
-
-  /// Append the targets of a row.
-  void Build(Id node, std::vector<Id>& targets)
-  {
-    const CloudPairs& pairs = this->Setup.Pairs;
-    this->Setup.Neighbors->FindWithin(pairs.Points[node], pairs.Reaches[node], this->Found);
-    this->Neighbors.clear();
-    this->Chords.clear();
-    for (const CloudNeighbor& neighbor : this->Found)
-    {
-      if (neighbor.Point != node)
-      {
-        this->Neighbors.push_back(neighbor.Point);
-        this->Chords.push_back(pairs.Chord(node, neighbor.Point));
-      }
-    }
-    this->Candidates += this->Neighbors.size();
-    this->Pruning.ChooseEdges(node, this->Neighbors, this->Chords, targets);
-  }
-
-  const CloudSetup& Setup;
-  CloudPruning Pruning;
-  std::vector<CloudNeighbor> Found;
-  std::vector<Id> Neighbors;
-  std::vector<double> Chords;
-  std::size_t Candidates = 0;
-};
 
 GraphConstruction ConstructionOf(CloudScheme scheme)
 {
@@ -98,95 +51,38 @@ std::size_t BytesPerEdge(bool wide)
   return sizeof(Id) + (wide ? sizeof(double) : sizeof(float));
 }
 
-/// Of what comes before rows, or of rows, graph and what is needed to unite them.
-double PredictPeak(const CloudSetup& setup, Id numberOfPoints, double edges, bool wide)
+/// Of what comes before rows, of rows while they are built, or of rows, graph and what is needed to
+/// unite them.
+double PredictPeak(const CloudSetup& setup, const CloudGraphOptions& options, Id numberOfPoints,
+  const RowSample& sample, double edges, bool wide)
 {
   const double points = numberOfPoints;
+  const auto nodes = static_cast<Id>(setup.Pairs.Points.size());
+  const double held = static_cast<double>(setup.GetMemorySize()) + sample.GetBlockMemory(nodes);
   const double rows = edges / UnitedShare * sizeof(Id);
+  const double threads =
+    std::min<double>(std::max(1, options.NumberOfThreads), sample.CountBlocks(nodes));
   const double arrays = points * (2.0 * sizeof(Offset) + 4.0 * sizeof(Id) + sizeof(double));
   const double graph =
     arrays + std::max(rows + edges * sizeof(Id), edges * static_cast<double>(BytesPerEdge(wide)));
   return std::max(
-    static_cast<double>(setup.NormalsMemory + CloudNodes::PredictMemory(numberOfPoints)),
-    static_cast<double>(setup.GetMemorySize()) + graph);
+    { static_cast<double>(setup.NormalsMemory + CloudNodes::PredictMemory(numberOfPoints)),
+      held + rows + threads * sample.GetThreadMemory(), held + graph });
 }
 
-/// Predict from the rows of some nodes, evenly spread.
-Status PredictFrom(const CloudSetup& setup, const CloudGraphOptions& options, Id numberOfPoints,
-  const ProgressCallback& progress, CloudGraphEstimate& estimate)
+/// Predict from the rows of some nodes.
+CloudGraphEstimate PredictFrom(const CloudSetup& setup, const CloudGraphOptions& options,
+  Id numberOfPoints, const RowSample& sample)
 {
-  const auto nodes = static_cast<Id>(setup.Pairs.Points.size());
-  const Id sample = std::min(nodes, SampleSize);
-  RowWorkspace workspace(setup, options.Accuracy);
-  std::vector<Id> targets;
-  for (Id i = 0; i < sample; ++i)
-  {
-    if (i % SamplesPerReport == 0 && progress && !progress(static_cast<double>(i) / sample))
-    {
-      return Status::Abort();
-    }
-    workspace.Build(static_cast<Id>(static_cast<Offset>(i) * nodes / sample), targets);
-  }
-  const double degree = sample > 0 ? static_cast<double>(targets.size()) / sample : 0.0;
+  CloudGraphEstimate estimate;
+  const auto nodes = static_cast<double>(setup.Pairs.Points.size());
   const bool wide = NeedsWide(setup.Nodes, options.Accuracy);
   const auto coincident = static_cast<double>(setup.Nodes.Coincident.size());
-  estimate.Edges = UnitedShare * degree * nodes + 2.0 * coincident;
+  estimate.Edges = UnitedShare * sample.Targets * nodes + 2.0 * coincident;
   estimate.Memory = estimate.Edges * static_cast<double>(BytesPerEdge(wide)) +
     (numberOfPoints + 1.0) * sizeof(Offset);
-  estimate.Peak = PredictPeak(setup, numberOfPoints, estimate.Edges, wide);
-  return Status::Success();
-}
-
-Status BuildRows(const CloudSetup& setup, const CloudGraphOptions& options,
-  const ProgressCallback& progress, std::vector<CloudRowBlock>& blocks,
-  CloudGraphStatistics& statistics)
-{
-  const auto nodes = static_cast<Id>(setup.Pairs.Points.size());
-  blocks = std::vector<CloudRowBlock>((nodes + RowsPerBlock - 1) / RowsPerBlock);
-  std::atomic<std::size_t> candidates{ 0 };
-  std::atomic<std::size_t> walks{ 0 };
-  std::atomic<std::size_t> edges{ 0 };
-  const auto count = static_cast<Offset>(blocks.size());
-  Offset size = LeastBlocksPerWave;
-  for (Offset first = 0; first < count; first += size)
-  {
-    if (progress && !progress(static_cast<double>(first) / static_cast<double>(count)))
-    {
-      return Status::Abort();
-    }
-    if (first > 0)
-    {
-      const double perBlock = static_cast<double>(candidates) / static_cast<double>(first);
-      size = static_cast<Offset>(std::clamp(CandidatesPerWave / std::max(1.0, perBlock),
-        static_cast<double>(LeastBlocksPerWave), static_cast<double>(MostBlocksPerWave)));
-    }
-    size = std::min(size, count - first);
-    ForRange(options.Parallel, size, 1, [&](Offset begin, Offset end) {
-      RowWorkspace workspace(setup, options.Accuracy);
-      std::vector<Id> targets;
-      for (Offset b = first + begin; b < first + end; ++b)
-      {
-        CloudRowBlock& block = blocks[static_cast<std::size_t>(b)];
-        targets.clear();
-        const auto firstRow = static_cast<Id>(b * RowsPerBlock);
-        const Id lastRow = std::min(nodes, firstRow + RowsPerBlock);
-        for (Id row = firstRow; row < lastRow; ++row)
-        {
-          const std::size_t before = targets.size();
-          workspace.Build(row, targets);
-          block.Sizes.push_back(static_cast<Id>(targets.size() - before));
-        }
-        block.Targets.assign(targets.begin(), targets.end()); // no larger than it has to be
-        edges += targets.size();
-      }
-      candidates += workspace.Candidates;
-      walks += workspace.Pruning.GetNumberOfWalks();
-    });
-  }
-  statistics.Candidates = candidates;
-  statistics.Walks = walks;
-  statistics.OutEdges = edges;
-  return Status::Success();
+  estimate.Peak = PredictPeak(setup, options, numberOfPoints, sample, estimate.Edges, wide);
+  return estimate;
 }
 
 Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptions& options,
@@ -200,38 +96,35 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
     return status;
   }
   statistics.BandMemory += setup.Pairs.Nearest.size() * sizeof(Id);
-  if (options.MemoryLimit > 0)
+  RowSample sample;
+  status =
+    SampleRows(setup, options, options.MemoryLimit > 0 ? RowSample::All : RowSample::Candidates,
+      ProgressPart(options.Progress, ShareOfSetup, EndOfPrediction), sample);
+  if (status.IsOk() && options.MemoryLimit > 0)
   {
-    CloudGraphEstimate estimate;
-    status = PredictFrom(setup, options, numberOfPoints,
-      ProgressPart(options.Progress, ShareOfSetup, EndOfPrediction), estimate);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-    status = CheckMemory("building the graph of the cloud", estimate.Peak,
-      static_cast<double>(options.MemoryLimit), "use a larger Accuracy or a smaller Alpha");
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    status =
+      CheckRowMemory(PredictFrom(setup, options, numberOfPoints, sample).Peak, options.MemoryLimit);
+  }
+  if (!status.IsOk())
+  {
+    return status;
   }
   std::vector<CloudRowBlock> blocks;
-  status = BuildRows(
-    setup, options, ProgressPart(options.Progress, EndOfPrediction, EndOfRows), blocks, statistics);
+  status = BuildRows(setup, options, ProgressPart(options.Progress, EndOfPrediction, EndOfRows),
+    sample, blocks, statistics);
   if (!status.IsOk())
   {
     return status;
   }
   const bool wide = NeedsWide(setup.Nodes, options.Accuracy);
-  status = AssembleCloudGraph(setup, numberOfPoints, RowsPerBlock, blocks, wide, options.Parallel,
-    ProgressPart(options.Progress, EndOfRows, EndOfGraph), result.Graph);
+  status = AssembleCloudGraph(setup, numberOfPoints, sample.GetRowsPerBlock(), blocks, wide,
+    options.Parallel, ProgressPart(options.Progress, EndOfRows, EndOfGraph), result.Graph);
   if (!status.IsOk())
   {
     return status;
   }
-  statistics.PeakMemory = static_cast<std::size_t>(
-    PredictPeak(setup, numberOfPoints, static_cast<double>(result.Graph.Targets.Size()), wide));
+  statistics.PeakMemory = static_cast<std::size_t>(PredictPeak(setup, options, numberOfPoints,
+    sample, static_cast<double>(result.Graph.Targets.Size()), wide));
 
   const auto n = static_cast<std::size_t>(numberOfPoints);
   std::vector<unsigned char> isUsed(n, 0);
@@ -317,9 +210,17 @@ Status CloudGraphBuilder::Estimate(
   const ProgressCallback& progress = options.Progress;
   status = SetUpCloud(this->Points, this->NumberOfPoints, options,
     ProgressPart(progress, 0.0, ShareOfSetupToPredict), setup, statistics);
-  return status.IsOk() ? PredictFrom(setup, options, this->NumberOfPoints,
-                           ProgressPart(progress, ShareOfSetupToPredict, 1.0), estimate)
-                       : status;
+  RowSample sample;
+  if (status.IsOk())
+  {
+    status = SampleRows(
+      setup, options, RowSample::All, ProgressPart(progress, ShareOfSetupToPredict, 1.0), sample);
+  }
+  if (status.IsOk())
+  {
+    estimate = PredictFrom(setup, options, this->NumberOfPoints, sample);
+  }
+  return status;
 }
 
 Status CloudGraphBuilder::Build(

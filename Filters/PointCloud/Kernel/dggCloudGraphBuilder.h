@@ -46,9 +46,11 @@ struct CloudGraphOptions
   /// Whether Normals all point to the same side of the surface, which tells sheets apart that are
   /// back to back. Points without a normal are treated as if it were false.
   bool HasOrientedNormals = false;
-  /// Bytes that building may take, with Normals, which are there already. 0: no limit.
+  /// Bytes that building may take, with Normals, which are there already. 0: no limit. Fewer
+  /// threads are used where what they need for themselves would be more.
   std::size_t MemoryLimit = 0;
   ParallelFor Parallel;      ///< may be empty
+  int NumberOfThreads = 1;   ///< that Parallel may use, for the estimate of memory
   ProgressCallback Progress; ///< may be empty; called from the thread that called Build()
 };
 
@@ -74,6 +76,10 @@ struct CloudGraphStatistics
   Id CoincidentPoints = 0; ///< exactly where another point is: joined to it by a tiny edge
   double Spacing = 0.0;    ///< median of the roots of the area per point
   double Noise = 0.0;      ///< median distance of points from the surfaces fitted to neighbours
+  /// That by the median radius of curvature of the surface. Fits to noise flatten what is curved:
+  /// on spheres of 4000 points and more, distances come out shorter by about twice its square
+  /// (measured, from 0.06 to 0.1).
+  double NoiseByRadius = 0.0;
   double OffSurface = 0.0; ///< share of points whose neighbours lie on no surface
   /// When these are more than a tenth, how far points typically lie off a surface, in spacings.
   /// Such noise is left as it is, and the graph is of little use. Otherwise 0.

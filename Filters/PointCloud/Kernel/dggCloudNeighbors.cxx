@@ -22,6 +22,12 @@ constexpr auto IsCloser = [](const CloudNeighbor& a, const CloudNeighbor& b) {
                                                 : a.Point < b.Point;
 };
 
+/// FLANN looks at points closer than that only: a hair more finds those at that distance.
+double WithHair(double squaredDistance)
+{
+  return squaredDistance * (1.0 + 1e-12) + std::numeric_limits<double>::min();
+}
+
 /// The nearest points seen: a heap with the farthest of them on top.
 class NearestSet : public flann::ResultSet<double>
 {
@@ -58,19 +64,40 @@ public:
     }
   }
 
-  /// FLANN looks at points closer than that only: a hair more finds those at that distance.
   double worstDist() const override
   {
     const double farthest = this->Neighbors.size() < this->Most
       ? this->SquaredRadius
       : this->Neighbors.front().SquaredDistance;
-    return farthest * (1.0 + 1e-12) + std::numeric_limits<double>::min();
+    return WithHair(farthest);
   }
 
 private:
   std::size_t Most;
   double SquaredRadius;
   std::vector<CloudNeighbor>& Neighbors;
+};
+
+/// How many points there are within a radius.
+class Counter : public flann::ResultSet<double>
+{
+public:
+  explicit Counter(double squaredRadius)
+    : SquaredRadius(squaredRadius)
+  {
+  }
+
+  std::size_t GetCount() const { return this->Count; }
+  bool full() const override { return true; }
+  void addPoint(double squaredDistance, std::size_t) override
+  {
+    this->Count += squaredDistance <= this->SquaredRadius ? 1 : 0;
+  }
+  double worstDist() const override { return WithHair(this->SquaredRadius); }
+
+private:
+  double SquaredRadius;
+  std::size_t Count = 0;
 };
 }
 
@@ -100,6 +127,16 @@ public:
     std::sort(neighbors.begin(), neighbors.end(), IsCloser);
   }
 
+  std::size_t Count(const Point3& place, double squaredRadius) const
+  {
+    Counter counter(squaredRadius);
+    if (!this->Points.empty())
+    {
+      this->Index.findNeighbors(counter, &place.X, flann::SearchParams());
+    }
+    return counter.GetCount();
+  }
+
   const std::vector<Point3>& Points;
 
 private:
@@ -123,6 +160,11 @@ void CloudNeighbors::FindWithin(
   const Point3& place, double radius, std::vector<CloudNeighbor>& neighbors) const
 {
   this->Index->Find(place, std::numeric_limits<std::size_t>::max(), radius * radius, neighbors);
+}
+
+std::size_t CloudNeighbors::CountWithin(const Point3& place, double radius) const
+{
+  return this->Index->Count(place, radius * radius);
 }
 
 std::size_t CloudNeighbors::GetMemorySize() const

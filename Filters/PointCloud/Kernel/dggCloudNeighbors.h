@@ -39,6 +39,9 @@ public:
   /// All points not farther than a radius.
   void FindWithin(const Point3& place, double radius, std::vector<CloudNeighbor>& neighbors) const;
 
+  /// How many FindWithin() would find.
+  std::size_t CountWithin(const Point3& place, double radius) const;
+
   std::size_t GetMemorySize() const;
   /// Bytes of a tree of that many points.
   static std::size_t PredictMemory(std::size_t points);

@@ -50,6 +50,12 @@ constexpr std::size_t WidestFitNeighbors = 512;
 /// Residual, by spacing, of surfaces that are smooth.
 constexpr double SmoothResidual = 0.004;
 
+/// Shares of the progress of taking noise off: of each measurement (there are seven at most), of
+/// the tree of the points that have been moved, and of the fits before and after.
+constexpr double ShareOfMeasurement = 0.025;
+constexpr double ShareOfTree = 0.02;
+constexpr double ShareOfFit = 0.4;
+
 double SpacingFrom(const std::vector<CloudNeighbor>& neighbors)
 {
   const std::size_t k = std::min(SpacingNeighbors, neighbors.size() - 1);
@@ -92,7 +98,8 @@ bool FitTo(std::size_t count, FitPasses passes, CloudSetup& setup, double share,
   fits.Residuals.assign(n, 0.0f);
   fits.ToSurface.assign(n, Point3());
   std::atomic<std::size_t> off{ 0 };
-  const bool goesOn = loop.ForNodes(n, share, [&](Id begin, Id end) {
+  const std::size_t cost = count / FitNeighbors * (passes == FitPasses::Two ? 2 : 1);
+  const bool goesOn = loop.ForNodes(n, cost, share, [&](Id begin, Id end) {
     std::vector<CloudNeighbor> neighbors;
     std::vector<Point3> places;
     std::size_t misses = 0;
@@ -141,32 +148,38 @@ struct TypicalResidual
   double ByRadius = 0.0; ///< that the neighbours are in
 };
 
+/// Takes a measurement's part of the share. What it returns means nothing when stopped.
 TypicalResidual MeasureResidual(
-  const CloudSetup& setup, std::size_t count, std::size_t sampleSize = SampleSize)
+  const CloudSetup& setup, std::size_t count, std::size_t sampleSize, double share, SetupLoop& loop)
 {
   const CloudPairs& pairs = setup.Pairs;
   const std::size_t n = pairs.Points.size();
-  std::vector<float> bySpacing;
-  std::vector<float> byRadius;
-  std::vector<CloudNeighbor> neighbors;
-  std::vector<Point3> places;
-  for (std::size_t i = 0; i < std::min(n, sampleSize); ++i)
-  {
-    const std::size_t node = n <= sampleSize ? i : i * n / sampleSize;
-    const Point3& point = pairs.Points[node];
-    FindPlaces(setup, point, count + 1, neighbors, places);
-    const LocalFit fit = FitSurface(point, places.data(), places.size());
-    bySpacing.push_back(BySpacing(pairs, node, fit.Residual));
-    const double radius = std::sqrt(neighbors.back().SquaredDistance);
-    byRadius.push_back(radius > 0.0 ? static_cast<float>(fit.Residual / radius) : 0.0f);
-  }
+  const std::size_t size = std::min(n, sampleSize);
+  std::vector<float> bySpacing(size);
+  std::vector<float> byRadius(size);
+  const std::size_t cost = count / FitNeighbors;
+  loop.ForNodes(size, cost, ShareOfMeasurement * share, [&](Id begin, Id end) {
+    std::vector<CloudNeighbor> neighbors;
+    std::vector<Point3> places;
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+    {
+      const std::size_t node = i * n / size;
+      const Point3& point = pairs.Points[node];
+      FindPlaces(setup, point, count + 1, neighbors, places);
+      const LocalFit fit = FitSurface(point, places.data(), places.size());
+      bySpacing[i] = BySpacing(pairs, node, fit.Residual);
+      const double radius = std::sqrt(neighbors.back().SquaredDistance);
+      byRadius[i] = radius > 0.0 ? static_cast<float>(fit.Residual / radius) : 0.0f;
+    }
+  });
   return { Quantile(bySpacing, 0.5), Quantile(byRadius, 0.5) };
 }
 
 /// As many neighbours as tell the surface where noise is so large that few of them seem to lie in a
 /// volume: the residual is a small part of the radius that they are in, and hardly grows with it. 0
 /// when there is no such number. `residual` is the one of FitNeighbors, by spacing.
-std::size_t FindNeighborsForMuchNoise(const CloudSetup& setup, double residual)
+std::size_t FindNeighborsForMuchNoise(
+  const CloudSetup& setup, double residual, double share, SetupLoop& loop)
 {
   if (residual < MissOfMuchNoise * std::sqrt(static_cast<double>(FitNeighbors) / Pi))
   {
@@ -176,9 +189,9 @@ std::size_t FindNeighborsForMuchNoise(const CloudSetup& setup, double residual)
     std::min(WidestFitNeighbors, setup.Pairs.Points.size() / LeastPartsOfCloud);
   std::size_t found = 0;
   double largestGrowth = LargestGrowthOfNoise;
-  for (std::size_t count = WideFitNeighbors; count <= most; count *= 2)
+  for (std::size_t count = WideFitNeighbors; count <= most && !loop.IsStopped(); count *= 2)
   {
-    const TypicalResidual wide = MeasureResidual(setup, count, WideSampleSize);
+    const TypicalResidual wide = MeasureResidual(setup, count, WideSampleSize, share, loop);
     const double growth = wide.BySpacing / residual;
     if (growth < largestGrowth && wide.ByRadius < MissOfNoSurface)
     {
@@ -195,13 +208,15 @@ std::size_t FindNeighborsForMuchNoise(const CloudSetup& setup, double residual)
 }
 
 /// As many neighbours as noise is taken off with; 0 when there is none, or more than few tell.
-std::size_t FindNeighborsForNoise(const CloudSetup& setup, double residual)
+std::size_t FindNeighborsForNoise(
+  const CloudSetup& setup, double residual, double share, SetupLoop& loop)
 {
   if (!(residual > NoisyResidual))
   {
     return 0;
   }
-  if (!(MeasureResidual(setup, WideFitNeighbors).BySpacing < LargestGrowthOfNoise * residual))
+  const TypicalResidual wide = MeasureResidual(setup, WideFitNeighbors, SampleSize, share, loop);
+  if (!(wide.BySpacing < LargestGrowthOfNoise * residual))
   {
     return 0;
   }
@@ -212,14 +227,14 @@ std::size_t FindNeighborsForNoise(const CloudSetup& setup, double residual)
 /// How far points scatter about what surface there may be, in spacings: by the widest fits, whose
 /// neighbours tell the spacing as well, as a part of a plane would have it.
 /// 0 when most nodes lie on one.
-double MeasureScatter(const CloudSetup& setup, double offSurface)
+double MeasureScatter(const CloudSetup& setup, double offSurface, double share, SetupLoop& loop)
 {
   if (!(offSurface > LargestShareOffSurface))
   {
     return 0.0;
   }
   const std::size_t count = std::min(WidestFitNeighbors, setup.Pairs.Points.size() - 1);
-  return MeasureResidual(setup, count, WideSampleSize).ByRadius *
+  return MeasureResidual(setup, count, WideSampleSize, share, loop).ByRadius *
     std::sqrt(static_cast<double>(count) / Pi);
 }
 }
@@ -243,19 +258,20 @@ bool RemoveNoise(
     pairs.IsSmooth[i] = residuals[i] < SmoothResidual ? 1 : 0;
   }
   const double residual = Quantile(residuals, 0.5);
-  std::size_t count = FindNeighborsForNoise(setup, residual);
+  std::size_t count = FindNeighborsForNoise(setup, residual, share, loop);
   const bool isMuch = count == 0;
   if (isMuch)
   {
-    count = FindNeighborsForMuchNoise(setup, residual);
+    count = FindNeighborsForMuchNoise(setup, residual, share, loop);
   }
   if (count == 0)
   {
-    noise.Scatter = MeasureScatter(setup, noise.OffSurface);
-    return true;
+    noise.Scatter = MeasureScatter(setup, noise.OffSurface, share, loop);
+    return !loop.IsStopped();
   }
   std::vector<float> lengths = fits.Residuals;
-  if (!FitTo(count, isMuch ? FitPasses::Two : FitPasses::One, setup, 0.5 * share, loop, fits))
+  const FitPasses passes = isMuch ? FitPasses::Two : FitPasses::One;
+  if (!FitTo(count, passes, setup, ShareOfFit * share, loop, fits))
   {
     return false;
   }
@@ -265,15 +281,23 @@ bool RemoveNoise(
   }
   noise.Removed = Quantile(lengths, 0.5);
   noise.OffSurface = fits.OffSurface;
-  noise.Scatter = MeasureScatter(setup, noise.OffSurface);
+  noise.Scatter = MeasureScatter(setup, noise.OffSurface, share, loop);
   for (std::size_t i = 0; i < n; ++i)
   {
     pairs.Points[i] = pairs.Points[i] + fits.ToSurface[i];
   }
-  setup.Neighbors.reset(); // before another one is taken
-  setup.Neighbors = std::make_unique<CloudNeighbors>(pairs.Points);
+  const bool goesOn = loop.ForOne(ShareOfTree * share, [&] {
+    setup.Neighbors.reset(); // before another one is taken
+    setup.Neighbors = std::make_unique<CloudNeighbors>(pairs.Points);
+  });
   // What is left of the noise is not to be followed.
   std::fill(pairs.IsSmooth.begin(), pairs.IsSmooth.end(), 1);
-  return FitTo(count, FitPasses::One, setup, 0.5 * share, loop, fits);
+  if (!goesOn || !FitTo(count, FitPasses::One, setup, ShareOfFit * share, loop, fits))
+  {
+    return false;
+  }
+  std::vector<float> curvatures = fits.Curvatures;
+  noise.RemovedByRadius = noise.Removed * Quantile(curvatures, 0.5);
+  return true;
 }
 }

@@ -27,6 +27,8 @@ struct CloudNoise
   /// Median distance of nodes from the surface that they were moved to, in units of nodes; 0 when
   /// they were not.
   double Removed = 0.0;
+  /// That by the median radius of curvature of the surface.
+  double RemovedByRadius = 0.0;
   /// Share of nodes whose neighbours lie on no surface, as many as were looked at: the fitted one
   /// misses them by more than a quarter of the radius that they are in.
   double OffSurface = 0.0;

@@ -73,6 +73,7 @@ public:
     }
     this->Loop.FinishAt(ShareOfFits + ShareOfNoise); // whether there was noise or not
     this->Statistics.Noise = noise.Removed / this->Setup.Nodes.Scale;
+    this->Statistics.NoiseByRadius = noise.RemovedByRadius;
     this->Statistics.OffSurface = noise.OffSurface;
     this->Statistics.Scatter = noise.Scatter;
     this->SmoothSpacings();

@@ -9,6 +9,7 @@
 #include "dggTypes.h"    // for Id, Offset
 
 #include <algorithm> // for std::min
+#include <cstddef>   // for std::size_t
 
 namespace dgg
 {
@@ -54,12 +55,33 @@ public:
     return !this->Stopped;
   }
 
-  /// The same over nodes: `body(begin, end)` takes their numbers.
+  /// The same over nodes: `body(begin, end)` takes their numbers. Pieces are smaller where a node
+  /// takes `cost` times as long as in most loops.
+  template <typename Body>
+  bool ForNodes(std::size_t nodes, std::size_t cost, double share, Body&& body)
+  {
+    const Offset grain =
+      std::max<Offset>(1, NodesPerTask / std::max<Offset>(1, static_cast<Offset>(cost)));
+    return this->ForPieces(static_cast<Offset>(nodes), grain, share,
+      [&](Offset begin, Offset end) { body(static_cast<Id>(begin), static_cast<Id>(end)); });
+  }
   template <typename Body>
   bool ForNodes(std::size_t nodes, double share, Body&& body)
   {
-    return this->ForPieces(static_cast<Offset>(nodes), NodesPerTask, share,
-      [&](Offset begin, Offset end) { body(static_cast<Id>(begin), static_cast<Id>(end)); });
+    return this->ForNodes(nodes, 1, share, body);
+  }
+
+  /// Do a single thing that cannot be interrupted. False when stopped.
+  template <typename Body>
+  bool ForOne(double share, Body&& body)
+  {
+    if (!this->Stopped)
+    {
+      body();
+      this->Tell(share, 1.0);
+    }
+    this->Done += share;
+    return !this->Stopped;
   }
 
 private:

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What graphs of clouds take, what is predicted of it, and limits.
+#include "../Benchmark/MemoryProbe.h"
+#include "CloudShapes.h"
+
+#include "dggCloudNodes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace cloudtest;
+using dgg::CloudGraph;
+using dgg::CloudGraphBuilder;
+using dgg::CloudGraphEstimate;
+using dgg::CloudGraphOptions;
+using dgg::CloudScheme;
+using dgg::Status;
+}
+
+TEST(CloudGraph, PredictsWhatItTakes)
+{
+  const Cloud cloud = Sphere(5000, 7);
+  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+  CloudGraphEstimate estimate;
+  ASSERT_TRUE(builder.Estimate(CloudGraphOptions(), estimate).IsOk());
+  const CloudGraph graph = BuildGraph(cloud);
+  const auto edges = static_cast<double>(graph.Graph.Targets.Size());
+  EXPECT_NEAR(estimate.Edges, edges, 0.15 * edges);
+  EXPECT_NEAR(
+    estimate.Memory, static_cast<double>(graph.Graph.GetMemorySize()), 0.15 * estimate.Memory);
+  EXPECT_GT(estimate.Peak, estimate.Memory);
+
+  CloudGraphOptions options;
+  options.MemoryLimit = static_cast<std::size_t>(0.7 * estimate.Peak);
+  CloudGraph refused;
+  Status status = builder.Build(options, refused);
+  EXPECT_FALSE(status.IsOk());
+  EXPECT_NE(status.GetMessage().find("limit"), std::string::npos) << status.GetMessage();
+  EXPECT_TRUE(refused.Graph.Offsets.IsEmpty());
+  options.MemoryLimit = 1000;
+  EXPECT_FALSE(builder.Build(options, refused).IsOk());
+  options.MemoryLimit = static_cast<std::size_t>(1.5 * estimate.Peak);
+  status = builder.Build(options, refused);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+}
+
+TEST(CloudGraph, TakesNoMoreThanPredicted)
+{
+  // All blocks of the allocator: MemoryProbe replaces it. A little more points than a power of two:
+  // what grows by doubling would take most then.
+  struct Case
+  {
+    CloudScheme Scheme;
+    double Accuracy;
+    double Noise;
+  };
+  for (const Case& test : { Case{ CloudScheme::Curvature, 0.001, 0.0 },
+         Case{ CloudScheme::Constant, 0.001, 0.0 }, Case{ CloudScheme::Spacing, 0.001, 0.0 },
+         Case{ CloudScheme::Spacing, 0.001, 0.01 }, Case{ CloudScheme::Spacing, 0.0, 0.0 } })
+  {
+    const Cloud cloud = Sphere(2100, 17, test.Noise);
+    const std::vector<double> normals = cloud.Points;
+    CloudGraphOptions options;
+    options.Normals = normals.data();
+    options.Scheme = test.Scheme;
+    options.Accuracy = test.Accuracy;
+    const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+    CloudGraphEstimate estimate;
+    ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
+    const double given = 24.0 * cloud.GetSize(); // there already
+    const MemoryProbe probe;
+    CloudGraph graph;
+    ASSERT_TRUE(builder.Build(options, graph).IsOk());
+    const auto peak = static_cast<double>(probe.GetHeapPeak()); // 0 where it cannot be measured
+    EXPECT_LE(peak, estimate.Peak - given)
+      << static_cast<int>(test.Scheme) << " " << test.Accuracy << " " << test.Noise;
+    if (peak > 0.0)
+    {
+      EXPECT_GE(peak, 0.8 * (estimate.Peak - given))
+        << static_cast<int>(test.Scheme) << " " << test.Accuracy << " " << test.Noise;
+    }
+  }
+}
+
+TEST(CloudGraph, FindingNodesTakesNoMoreThanPredicted)
+{
+  // No two in one place, pairs, one place, and a number that stands for no reading: the predicted
+  // memory is all that is taken, before anything else is built.
+  const Cloud few = Sphere(4200, 19);
+  for (const Id places : { 4200, 2100, 1, -1 })
+  {
+    Cloud cloud;
+    for (Id i = 0; i < few.GetSize(); ++i)
+    {
+      cloud.Add(places > 0 ? few.At(i % places) : i < 100 ? few.At(i) : Point3{ -1e4, 0.0, 0.0 });
+    }
+    const MemoryProbe probe;
+    dgg::CloudNodes nodes;
+    std::vector<Point3> found;
+    ASSERT_TRUE(dgg::FindNodes(cloud.Points.data(), cloud.GetSize(), nodes, found).IsOk());
+    EXPECT_EQ(static_cast<Id>(found.size()), places > 0 ? places : 101);
+    EXPECT_LE(probe.GetHeapPeak(), dgg::CloudNodes::PredictMemory(cloud.GetSize())) << places;
+  }
+}
+
+TEST(CloudGraph, LimitsMayLeaveNextToNothingForTheBand)
+{
+  // From the least limit on that what comes before the band fits into: none of them is no limit.
+  const Cloud cloud = Sphere(500, 20);
+  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+  const auto refusal = [&](std::size_t limit) {
+    CloudGraphOptions options;
+    options.MemoryLimit = limit;
+    CloudGraph graph;
+    return builder.Build(options, graph).GetMessage();
+  };
+  const std::string before = "what has to be known";
+  std::size_t low = 1;
+  std::size_t high = 1000000;
+  ASSERT_NE(refusal(low).find(before), std::string::npos);
+  while (high - low > 1)
+  {
+    const std::size_t middle = (low + high) / 2;
+    (refusal(middle).find(before) != std::string::npos ? low : high) = middle;
+  }
+  for (std::size_t limit = high; limit < high + 5; ++limit)
+  {
+    const std::string message = refusal(limit);
+    EXPECT_NE(message.find("the band of voxels"), std::string::npos) << message;
+    // What is told to do can be done.
+    EXPECT_NE(message.find("set a Resolution below "), std::string::npos) << message;
+  }
+}
+
+TEST(CloudGraph, PredictsCoincidentPoints)
+{
+  Cloud cloud;
+  const Cloud few = Sphere(300, 11);
+  for (Id i = 0; i < 100 * few.GetSize(); ++i)
+  {
+    cloud.Add(few.At(i % few.GetSize()));
+  }
+  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+  CloudGraphEstimate estimate;
+  ASSERT_TRUE(builder.Estimate(CloudGraphOptions(), estimate).IsOk());
+  const CloudGraph graph = BuildGraph(cloud);
+  const auto edges = static_cast<double>(graph.Graph.Targets.Size());
+  EXPECT_NEAR(estimate.Edges, edges, 0.2 * edges);
+  // Each point is copied and sorted before it is known which are in the same place.
+  EXPECT_GT(estimate.Peak, 64.0 * cloud.GetSize());
+  CloudGraphOptions options;
+  options.MemoryLimit = 40 * static_cast<std::size_t>(cloud.GetSize());
+  CloudGraph refused;
+  EXPECT_FALSE(builder.Build(options, refused).IsOk());
+}
+
+TEST(CloudGraph, HugeReachesTakeNoMoreThanPredicted)
+{
+  // Each row looks at all points, in each of several threads.
+  const Cloud cloud = Sphere(600, 30);
+  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+  for (const double accuracy : { 0.5, 0.0 })
+  {
+    CloudGraphOptions options;
+    options.Accuracy = accuracy;
+    options.Alpha = accuracy > 0.0 ? 1e6 : 12.0;
+    options.Parallel = WithThreads(6);
+    options.NumberOfThreads = 6;
+    CloudGraphEstimate estimate;
+    ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
+    const MemoryProbe probe;
+    CloudGraph graph;
+    ASSERT_TRUE(builder.Build(options, graph).IsOk());
+    EXPECT_LE(static_cast<double>(probe.GetHeapPeak()), estimate.Peak) << accuracy;
+  }
+}
+
+TEST(CloudGraph, LimitsAreKeptByFewerThreads)
+{
+  const Cloud cloud = Sphere(400, 31);
+  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+  CloudGraphOptions options;
+  options.Accuracy = 0.5;
+  options.Alpha = 1e6;
+  CloudGraphEstimate one;
+  ASSERT_TRUE(builder.Estimate(options, one).IsOk());
+  options.NumberOfThreads = 16;
+  CloudGraphEstimate many;
+  ASSERT_TRUE(builder.Estimate(options, many).IsOk());
+  EXPECT_GT(many.Peak, 1.2 * one.Peak); // or this is no test
+  const CloudGraph expected =
+    BuildGraph(cloud, [](CloudGraphOptions& o) { o.Accuracy = 0.5, o.Alpha = 1e6; });
+
+  // The prediction is that of one thread, but there are more of them.
+  options.NumberOfThreads = 1;
+  options.Parallel = WithThreads(16);
+  options.MemoryLimit = static_cast<std::size_t>(one.Peak) + 1;
+  const MemoryProbe probe;
+  CloudGraph graph;
+  const Status status = builder.Build(options, graph);
+  ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_LE(probe.GetHeapPeak(), options.MemoryLimit);
+  EXPECT_TRUE(std::equal(graph.Graph.Targets.begin(), graph.Graph.Targets.end(),
+    expected.Graph.Targets.begin(), expected.Graph.Targets.end()));
+}
+
+TEST(CloudGraph, RefusesRowsThatDoNotFit)
+{
+  // What comes before the rows just fits; but not what it takes to choose a single one.
+  const Cloud cloud = Sphere(1500, 32);
+  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+  CloudGraphOptions options;
+  options.Alpha = 1e6;
+  const auto refusal = [&] {
+    CloudGraph graph;
+    return builder.Build(options, graph).GetMessage();
+  };
+  options.MemoryLimit = 200000;
+  ASSERT_NE(refusal().find("what has to be known"), std::string::npos);
+  const auto isBefore = [](const std::string& message) {
+    return message.find("what has to be known") != std::string::npos ||
+      message.find("the band of voxels") != std::string::npos;
+  };
+  while (isBefore(refusal()))
+  {
+    options.MemoryLimit += options.MemoryLimit / 25;
+  }
+  const MemoryProbe probe;
+  const std::string message = refusal();
+  EXPECT_NE(message.find("building the graph of the cloud"), std::string::npos) << message;
+  EXPECT_LE(probe.GetHeapPeak(), options.MemoryLimit);
+}

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Progress of graphs of clouds, and requests to stop.
+#include "CloudShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+using namespace cloudtest;
+using dgg::CloudGraph;
+using dgg::CloudGraphBuilder;
+using dgg::CloudGraphEstimate;
+using dgg::CloudGraphOptions;
+}
+
+TEST(CloudGraph, PredictionsTellOfProgressAndStop)
+{
+  const Cloud cloud = Sphere(8000, 12);
+  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+  CloudGraphOptions options;
+  std::vector<double> told;
+  options.Progress = [&](double done) {
+    told.push_back(done);
+    return true;
+  };
+  CloudGraphEstimate estimate;
+  ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
+  EXPECT_GT(told.size(), 20U);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GT(told.back(), 0.9);
+  EXPECT_LE(told.back(), 1.0);
+  for (std::size_t calls = 1; calls < told.size(); calls += 3)
+  {
+    std::size_t called = 0;
+    options.Progress = [&](double) { return ++called < calls; };
+    EXPECT_TRUE(builder.Estimate(options, estimate).IsAborted());
+    EXPECT_EQ(called, calls);
+  }
+}
+
+TEST(CloudGraph, ProgressGrowsWhileNoiseIsRemoved)
+{
+  const Cloud cloud = Sphere(20000, 12, 0.01);
+  CloudGraphOptions options;
+  std::vector<double> told;
+  options.Progress = [&](double done) {
+    told.push_back(done);
+    return done < 0.3; // fits come first
+  };
+  CloudGraphEstimate estimate;
+  EXPECT_TRUE(CloudGraphBuilder(cloud.Points.data(), cloud.GetSize())
+                .Estimate(options, estimate)
+                .IsAborted());
+  EXPECT_GT(told.size(), 12U); // five of each of three fits
+  for (std::size_t i = 3; i < told.size(); ++i)
+  {
+    EXPECT_GT(told[i], told[i - 1]) << i;
+  }
+}
+
+TEST(CloudGraph, TellsOfProgressAndStops)
+{
+  const Cloud cloud = Sphere(20000, 8);
+  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+  CloudGraphOptions options;
+  options.Accuracy = 0.1;
+  options.Alpha = 4.0;
+  std::vector<double> told;
+  options.Progress = [&](double done) {
+    told.push_back(done);
+    return true;
+  };
+  CloudGraph graph;
+  ASSERT_TRUE(builder.Build(options, graph).IsOk());
+  EXPECT_GT(told.size(), 6U);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GE(told.front(), 0.0);
+  EXPECT_EQ(told.back(), 1.0);
+  for (const std::size_t calls : { 1, 3, 6 })
+  {
+    std::size_t called = 0;
+    options.Progress = [&](double) { return ++called < calls; };
+    EXPECT_TRUE(builder.Build(options, graph).IsAborted());
+    EXPECT_EQ(called, calls);
+    EXPECT_TRUE(graph.Graph.Offsets.IsEmpty());
+  }
+}
+
+TEST(CloudGraph, ProgressGrowsWhileMuchNoiseIsRemoved)
+{
+  // More neighbours take longer: there are as many looks at each of them.
+  const double spacing = std::sqrt(4.0 * dgg::Pi / 6000.0);
+  const Cloud cloud = Sphere(6000, 13, 1.3 * spacing);
+  CloudGraphOptions options;
+  std::vector<double> told;
+  options.Progress = [&](double done) {
+    told.push_back(done);
+    return done < 0.3;
+  };
+  CloudGraphEstimate estimate;
+  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
+  EXPECT_TRUE(builder.Estimate(options, estimate).IsAborted());
+  EXPECT_GT(told.size(), 25U);
+  for (std::size_t i = 3; i < told.size(); ++i)
+  {
+    EXPECT_GT(told[i], told[i - 1]) << i;
+  }
+  for (std::size_t calls = 1; calls < told.size(); calls += 5)
+  {
+    std::size_t called = 0;
+    options.Progress = [&](double) { return ++called < calls; };
+    EXPECT_TRUE(builder.Estimate(options, estimate).IsAborted());
+    EXPECT_EQ(called, calls);
+  }
+}
+
+TEST(CloudGraph, ProgressOfHugeReaches)
+{
+  // Each row looks at all points: there are few of them between two looks.
+  const Cloud cloud = Sphere(2000, 14);
+  CloudGraphOptions options;
+  options.Accuracy = 0.5;
+  options.Alpha = 1e6;
+  double first = 0.0; // after some rows
+  options.Progress = [&](double done) {
+    first = done;
+    return done < 0.17;
+  };
+  CloudGraph graph;
+  EXPECT_TRUE(
+    CloudGraphBuilder(cloud.Points.data(), cloud.GetSize()).Build(options, graph).IsAborted());
+  EXPECT_LT(first, 0.3);
+}
