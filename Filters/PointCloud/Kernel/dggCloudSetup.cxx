@@ -85,7 +85,7 @@ public:
     {
       this->TakeNormals();
     }
-    const Status status =
+    Status status =
       BuildCloudBand(this->Options, this->MedianSpacing, this->Loop, this->Setup, this->Statistics);
     if (!status.IsOk())
     {
