@@ -4,6 +4,7 @@
 
 #include "dggCotanLaplacian.h"
 #include "dggIntrinsicDelaunay.h"
+#include "dggThinTriangles.h"
 
 #include <algorithm>
 #include <limits>
@@ -242,7 +243,12 @@ Status PoissonSystem::Factorize()
     return Status::Invalid(
       "the linear system could not be factorized: remove triangles that have next to no area");
   }
-  return Status::Success();
+  Status status = this->NeedsRefinement() ? CheckThinTriangles(*this) : Status::Success();
+  if (!status.IsOk())
+  {
+    this->Factor.Clear();
+  }
+  return status;
 }
 
 std::size_t PoissonSystem::GetBaseMemory() const
