@@ -112,6 +112,21 @@ vtkSmartPointer<vtkDoubleArray> MakePotential(
   return array;
 }
 
+/// Not SetScalars() and SetVectors(), which would remove those of the input.
+/// @{
+void ShowPotential(vtkPolyData* output, vtkDoubleArray* potential)
+{
+  output->GetPointData()->AddArray(potential);
+  output->GetPointData()->SetActiveScalars(PotentialName);
+}
+
+void ShowFlow(vtkPolyData* output, vtkDoubleArray* flow)
+{
+  output->GetCellData()->AddArray(flow);
+  output->GetCellData()->SetActiveVectors(FlowName);
+}
+/// @}
+
 void AddNumber(vtkPolyData* output, const char* name, double value)
 {
   vtkDGGAddArray<vtkDoubleArray>(output->GetFieldData(), name, 1)->SetValue(0, value);
@@ -393,11 +408,11 @@ void vtkSurfaceEarthMoversDistance::SetResults(
   output->ShallowCopy(surface);
   AddNumber(output, DistanceName, this->Distance);
   AddNumber(output, BoundName, this->LowerBound);
-  output->GetPointData()->SetScalars(
-    MakePotential(this->GetMesh(), surface->GetNumberOfPoints(), result.Potential));
+  ShowPotential(
+    output, MakePotential(this->GetMesh(), surface->GetNumberOfPoints(), result.Potential));
   if (!result.Flow.empty())
   {
-    output->GetCellData()->SetVectors(MakeFlow(this->GetMesh(), surface, result.Flow, total));
+    ShowFlow(output, MakeFlow(this->GetMesh(), surface, result.Flow, total));
   }
 }
 
@@ -407,5 +422,5 @@ void vtkSurfaceEarthMoversDistance::MakeEmptyOutput(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(surface);
-  output->GetPointData()->SetScalars(vtkDGGMakeArray<vtkDoubleArray>(PotentialName, 0));
+  ShowPotential(output, vtkDGGMakeArray<vtkDoubleArray>(PotentialName, 0));
 }

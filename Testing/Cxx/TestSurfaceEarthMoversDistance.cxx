@@ -365,6 +365,33 @@ TEST(SurfaceEarthMoversDistance, OtherTrianglesHaveNoFlow)
   EXPECT_EQ(terrain->GetFieldData()->GetNumberOfArrays(), 0);
 }
 
+TEST(SurfaceEarthMoversDistance, KeepsActiveArraysOfTheInput)
+{
+  vtkSmartPointer<vtkPolyData> sphere = MakeSphere(2);
+  const auto n = static_cast<std::size_t>(sphere->GetNumberOfPoints());
+  AddArray(sphere, "temperature", std::vector<double>(n, 3.0));
+  sphere->GetPointData()->SetActiveScalars("temperature");
+  vtkNew<vtkDoubleArray> wind;
+  wind->SetName("wind");
+  wind->SetNumberOfComponents(3);
+  wind->SetNumberOfTuples(sphere->GetNumberOfCells());
+  wind->Fill(1.0);
+  sphere->GetCellData()->SetVectors(wind);
+  std::vector<double> from(n, 0.0);
+  std::vector<double> to(n, 0.0);
+  from[0] = 1.0;
+  to[5] = 1.0;
+  Fixture fixture(sphere, from, to);
+  fixture.Distance();
+  vtkPolyData* output = fixture.Filter->GetOutput();
+  EXPECT_TRUE(output->GetPointData()->HasArray("temperature"));
+  EXPECT_TRUE(output->GetCellData()->HasArray("wind"));
+  ASSERT_TRUE(output->GetPointData()->GetScalars());
+  EXPECT_STREQ(output->GetPointData()->GetScalars()->GetName(), "EarthMoversPotential");
+  ASSERT_TRUE(output->GetCellData()->GetVectors());
+  EXPECT_STREQ(output->GetCellData()->GetVectors()->GetName(), "EarthMoversFlow");
+}
+
 TEST(SurfaceEarthMoversDistance, KeepsTheFactorization)
 {
   auto terrain = MakeTerrain(20);
