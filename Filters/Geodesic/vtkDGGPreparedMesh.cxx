@@ -390,9 +390,8 @@ void vtkDGGPreparedMesh::CollectWarnings()
     }
   };
   warn(report.NonManifoldEdges,
-    "edges with more than two triangles. Distances pass through them into every triangle");
-  warn(report.NonManifoldVertices,
-    "points where separate sheets touch. Distances pass through them into every sheet");
+    "edges with more than two triangles, each of which is connected with every other one there");
+  warn(report.NonManifoldVertices, "points where separate sheets touch, which are connected there");
   warn(report.InconsistentEdges,
     "edges across which no choice of orientation is consistent, as on a Moebius strip. Distances "
     "do "

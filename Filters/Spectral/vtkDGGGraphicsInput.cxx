@@ -284,7 +284,7 @@ dgg::Status vtkDGGGraphicsInput::ReadWidth(
   }
   std::ostringstream message;
   message << Name(this->Cells[k]) << " has the width " << width
-          << ": a Poisson curve needs a positive one";
+          << ": a Poisson curve needs a positive, finite one";
   return dgg::Status::Invalid(message.str());
 }
 
@@ -321,7 +321,13 @@ dgg::Status vtkDGGGraphicsInput::ReadRegions(vtkPolyData* surface, const vtkDGGG
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
     const double id = regions->GetComponent(cell, 0);
-    if (id == 0.0 || std::isnan(id))
+    if (std::isnan(id))
+    {
+      message << "the cell array '" << names.Region << "' has no number at cell " << cell
+              << ": use 0 for cells without a region";
+      return dgg::Status::Invalid(message.str());
+    }
+    if (id == 0.0)
     {
       continue;
     }

@@ -33,15 +33,15 @@ struct NamedRemark
 };
 
 /// Why another method was used than the one asked for.
-const NamedRemark Remarks[] = {
-  { dgg::GreensRemark::TooCoarse,
-    "the mesh is too coarse around them for the method, Interpolated was used: refine it there" },
+const NamedRemark Remarks[] = { { dgg::GreensRemark::TooCoarse,
+                                  "the mesh is too coarse around them for the method, or Radius "
+                                  "too small, Interpolated was used: "
+                                  "refine it there, or raise Radius" },
   { dgg::GreensRemark::NoTriangle,
     "they were not found on the flipped mesh, Interpolated was used: turn IntrinsicDelaunay off" },
   { dgg::GreensRemark::NotLocalized,
     "the boundary or long triangles are too close to them for the method, Interpolated was "
-    "used" }
-};
+    "used" } };
 
 /// What became of a source.
 struct UsedMethod

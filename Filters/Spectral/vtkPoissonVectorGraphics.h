@@ -59,7 +59,7 @@
  *    clamped: the active scalars, so that a mapper shows them as they are. For other numbers of
  *    channels, `Colors` is active;
  *  - `Component` (vtkIdType), the number of the component that a point is in: a tuple of NetSource;
- *  - those of the input, interpolated linearly.
+ *  - those of the input, interpolated linearly, but for ids (vtkIdType), which VTK leaves out.
  *
  * Cell arrays are those of the input, of the polygon that a triangle is a part of. Verts and lines
  * of the input are left out; points that no polygon uses stay, with BackgroundColor. The field data
@@ -74,8 +74,9 @@
  * 0 has FragmentDivision^2 of them, in the middles of as many parts of one size, so that none is on
  * a curve. Where RefinementRegion is not Everywhere, only triangles have some that are parts of
  * those that were chosen. One vertex cell each. Point arrays are those of output 0, at that place,
- * texture coordinates of the input among them, and `FaceId` (vtkIdType), the cell of the input that
- * it lies in; as cells may have any number of corners, there are no barycentric coordinates.
+ * texture coordinates of the input among them, but for `Component`, and `FaceId` (vtkIdType), the
+ * cell of the input that it lies in; as cells may have any number of corners, there are no
+ * barycentric coordinates.
  *
  * <b>Method.</b> -Laplace u = f for each channel, nothing flows through the boundary of the
  * surface; linear finite elements on the refined mesh, one factorization, which is kept for other
@@ -98,7 +99,8 @@
  *  - a ResultArrayName that is empty, or `RGB` or `Component`;
  *  - an array that is needed but missing, or has the wrong number of components or tuples; a number
  *    that is not finite; an unknown type; a width that is not positive;
- *  - no such cell array although RefinementRegion is Cells, or one with NaN;
+ *  - no such cell array although RefinementRegion is Cells, or one with NaN; a cell array of
+ *    regions with NaN;
  *  - a region's curve that is open, or does not separate its left from its right;
  *  - a ProjectionTolerance or Width that is negative or not a number;
  *  - a colour or net source of the result beyond the largest number, 1.8e308. Numbers of the input

@@ -388,6 +388,10 @@ TEST_F(HarmonicBSpline, WrongInput)
   this->Filter->SetRightHandSideArrayName("f");
   ExpectError(this->Filter, { "'f'", "point 7", "finite" });
   this->ExpectUnharmed();
+  AddArray(this->Surface, "huge", [](vtkIdType i) { return i < 200 ? 1.7e308 : -1.7e308; });
+  this->Filter->SetRightHandSideArrayName("huge");
+  ExpectError(this->Filter, { "right-hand side", "1e290" });
+  this->ExpectUnharmed();
   vtkNew<vtkDoubleArray> vectors;
   vectors->SetName("v");
   vectors->SetNumberOfComponents(3);

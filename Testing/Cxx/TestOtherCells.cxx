@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Filters of the Laplacian: verts, lines, and points that no polygon uses.
+/// Filters of the Laplacian: verts, lines, points that no polygon uses; surfaces that are too thin.
 #include "VectorGraphicsTestTools.h"
 
 #include "vtkBiharmonicDistance.h"
@@ -190,4 +190,33 @@ TEST(OtherCells, AloneAreAnError)
     filter->SetInputDataObject(0, surface);
     ExpectError(filter, { "no polygons" });
   }
+}
+
+/// A square of 10 x 10 squashed to a strip of relative height 1e-8, where rounding leaves nothing.
+TEST(ThinSurfaces, AreRefused)
+{
+  vtkSmartPointer<vtkPolyData> surface = MakeGrid(10, 10, GridCells::Triangles);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    surface->GetPoints()->SetPoint(i, p[0], 1e-8 * p[1], p[2]);
+  }
+  const char* const said = "triangles are too thin";
+  vtkNew<vtkDiscreteGreensFunction> greens;
+  greens->SetInputData(surface);
+  greens->SetSourceIds({ 24 });
+  ExpectError(greens, { said });
+  for (const bool isExact : { false, true })
+  {
+    vtkNew<vtkBiharmonicDistance> biharmonic;
+    biharmonic->SetInputData(surface);
+    biharmonic->SetSourceIds({ 0 });
+    biharmonic->SetMethod(isExact ? vtkBiharmonicDistance::Exact : vtkBiharmonicDistance::Spectrum);
+    ExpectError(biharmonic, { said });
+  }
+  vtkNew<vtkHarmonicBSpline> splines;
+  splines->SetInputData(surface);
+  splines->SetNumberOfSites(8);
+  ExpectError(splines, { said });
 }

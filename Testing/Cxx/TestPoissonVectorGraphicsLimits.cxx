@@ -252,6 +252,19 @@ TEST(PoissonVectorGraphics, NumbersOfTheRefinementAreChecked)
   ExpectError(drawing.Filter, { "'Refine'", "cell 7" });
 }
 
+TEST(PoissonVectorGraphics, NumbersOfRegionsAreChecked)
+{
+  GraphicsFixture drawing = MakeTwoAcross();
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  std::vector<double> numbers(24, 0.0);
+  numbers[7] = NaN;
+  AddArray(drawing.Surface->GetCellData(), "Part", numbers, 1);
+  AddArray(drawing.Surface->GetCellData(), "RegionStrength", std::vector<double>(24, 1.0), 1);
+  drawing.Filter->SetRegionArrayName("Part");
+  ExpectError(drawing.Filter, { "'Part'", "no number", "cell 7" });
+}
+
 TEST(PoissonVectorGraphics, MemoryIsCheckedEarlyAndAlways)
 {
   GraphicsFixture drawing = MakeTwoAcross();

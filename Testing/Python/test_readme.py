@@ -89,6 +89,22 @@ class Readme(unittest.TestCase):
         farthest = vtkdgg.distance(*support.bumpy(), 0).max()
         self.assertTrue(0.05 * farthest < float(said[2]) < farthest)
 
+    def test_vector_graphics(self):
+        blocks = [
+            block for block in self.blocks("python") if "vtkPoissonVectorGraphics()" in block
+        ]
+        self.assertEqual(len(blocks), 1)
+        names = {}
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            exec(blocks[0].replace("mesh.ply", BUMPY), names)  # noqa: S102
+        painted = names["painted"]
+        self.assertEqual(printed.getvalue(), f"colours of {painted.GetNumberOfPoints()} points\n")
+        self.assertGreater(painted.GetNumberOfPoints(), names["surface"].GetNumberOfPoints())
+        self.assertEqual(painted.GetPointData().GetScalars().GetName(), "RGB")
+        colors = painted.GetPointData().GetArray("Colors")
+        self.assertAlmostEqual(colors.GetRange(0)[0], 0.1, 6)
+        self.assertAlmostEqual(colors.GetRange(0)[1], 1.0, 6)
+
     def test_ten_lines_of_loops(self):
         blocks = [block for block in self.blocks("python") if "vtkDGGLoop()" in block]
         self.assertEqual(len(blocks), 1)

@@ -59,7 +59,7 @@ Status CheckGraphicsCurve(const GraphicsCurve& curve, std::size_t number, std::s
   if (status.IsOk() && isPoisson && !(curve.Width > 0.0 && std::isfinite(curve.Width)))
   {
     status = Status::Invalid(name + " has the width " + std::to_string(curve.Width) +
-      ": a Poisson curve needs a positive one");
+      ": a Poisson curve needs a positive, finite one");
   }
   return status;
 }

@@ -137,7 +137,8 @@ Status LeftFaces::Find(
   faces.clear();
   if (!isClosed)
   {
-    return Status::Invalid("it is open, but a region needs a closed one: close it");
+    return Status::Invalid("it is open, but a region needs a closed one: let the line end with the "
+                           "id of its first point; a point at the same place is another one");
   }
   ChainSides sides;
   Status status = this->FindSides(chain, sides);

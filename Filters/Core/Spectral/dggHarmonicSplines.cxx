@@ -10,6 +10,7 @@
 #include "dggSplineCells.h"
 #include "dggSplineSites.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -21,6 +22,8 @@ namespace
 constexpr int Lanes = SparseLanes::SizeAtCompileTime;
 /// Part of the progress of a few functions when they are solved for.
 constexpr double SolvedAt = 0.8;
+/// Larger sources may overflow when they are summed and multiplied by conductances.
+constexpr double LargestSource = 1e290;
 using Entries = Eigen::SparseMatrix<double>::InnerIterator;
 }
 
@@ -278,8 +281,11 @@ Status HarmonicSplines::Solve(const std::vector<double>& rightHandSide,
   std::vector<double> solution;
   if (!equations.Solve(solution))
   {
-    return Status::Invalid("the equations of the sites could not be solved: some cells do not "
-                           "conduct, choose other sites or flip edges (IntrinsicDelaunay)");
+    const bool isHuge = std::any_of(rightHandSide.begin(), rightHandSide.end(),
+      [](double f) { return std::abs(f) > LargestSource; });
+    return Status::Invalid(std::string("the equations of the sites could not be solved: ") +
+      (isHuge ? "the right-hand side has values above 1e290, divide it by a number"
+              : "some cells do not conduct, choose other sites or flip edges (IntrinsicDelaunay)"));
   }
   coefficients.swap(solution);
   return status;

@@ -25,7 +25,8 @@ class PoissonSystem;
 /// vertices with several fans between these, and orientation plays no part. Where nothing is
 /// given in a component, sources are balanced (PoissonWeights), since
 /// what flows in must flow out, and the solution has mean 0. Vertices without a face get 0.
-/// Elements with cotangents beyond 1e6 are made softer, see MakeCotanLaplacian().
+/// Elements with cotangents beyond 1e6 are made softer, see MakeCotanLaplacian(); where these are
+/// not a few, but carry more than 1 % of the energy of a solution, Factorize() fails.
 class PoissonSolver
 {
 public:
