@@ -30,7 +30,7 @@
  *    no polygon uses; a source or evaluation point that is not finite, or farther from the surface
  *    than ProjectionTolerance;
  *  - a ProjectionTolerance that is negative or not a number; an empty ResultArrayName;
- *  - triangles that are too thin, next to everywhere, for double precision: about 100 000 times as
+ *  - triangles that are too thin, next to everywhere, for double precision: about a million times as
  *    long as high, as on a surface squashed along one axis. A few thin triangles do no harm;
  *  - a factorization and results that would take more memory than MemoryLimit.
  *

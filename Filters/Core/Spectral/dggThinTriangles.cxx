@@ -69,13 +69,23 @@ private:
   std::vector<double> Wholes;
 };
 
+/// What the conductances of a triangle were multiplied with: 1 for most.
+double GetSoftness(const IntrinsicTriangulation& triangles, Id f)
+{
+  double largest = PoissonSystem::LargestCotangent;
+  for (Id h = 3 * f; h < 3 * f + 3; ++h)
+  {
+    largest = std::max(largest, std::abs(triangles.Cotangent(h)));
+  }
+  return PoissonSystem::LargestCotangent / largest;
+}
+
 double MeasureSoftenedEnergy(const PoissonSystem& system, const std::vector<double>& u)
 {
   const IntrinsicTriangulation& triangles = system.GetTriangulation();
   Parts parts(system);
   for (Id f = 0; 3 * f < triangles.GetNumberOfHalfEdges(); ++f)
   {
-    double largest = 0.0;
     double energy = 0.0;
     const std::array<double, 3> cotangents = system.GetCotangents(f);
     for (int k = 0; k < 3; ++k)
@@ -83,10 +93,8 @@ double MeasureSoftenedEnergy(const PoissonSystem& system, const std::vector<doub
       const Id h = 3 * f + (k + 1) % 3; // opposite of the corner at the origin of 3 f + k
       const double change = u[triangles.Destination(h)] - u[triangles.Origin(h)];
       energy += cotangents[k] * change * change;
-      largest = std::max(largest, std::abs(cotangents[k]));
     }
-    const bool isSoftened = largest >= (1.0 - 1e-9) * PoissonSystem::LargestCotangent;
-    parts.Add(triangles.Origin(3 * f), isSoftened ? energy : 0.0, energy);
+    parts.Add(triangles.Origin(3 * f), (1.0 - GetSoftness(triangles, f)) * energy, energy);
   }
   return parts.GetMean([](double ratio) { return std::abs(ratio); });
 }
