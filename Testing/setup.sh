@@ -72,6 +72,7 @@ dgg_with_display() {
     "$@"
   else
     command -v xvfb-run >/dev/null || dgg_fail "no DISPLAY, and no xvfb-run to make one"
-    xvfb-run -a -s "-screen 0 1920x1440x24" "$@"
+    # Without -noreset it starts anew whenever the last client leaves, and refuses those that come then.
+    xvfb-run -a -s "-screen 0 1920x1440x24 -noreset" "$@"
   fi
 }
