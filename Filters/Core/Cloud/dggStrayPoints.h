@@ -23,9 +23,9 @@ namespace dgg
 class StrayPoints
 {
 public:
-  /// One rule, with a ratio for each of two ends. For graphs: stray points are connected to nothing,
-  /// so that they must be beyond doubt. Nearer ones may be objects of few points, and cost a cloud
-  /// less than 10 bits of its digits.
+  /// One rule, with a ratio for each of two ends. For graphs: stray points are connected to
+  /// nothing, so that they must be beyond doubt. Nearer ones may be objects of few points, and cost
+  /// a cloud less than 10 bits of its digits.
   static constexpr double LargestRatio = 1000.0;
   /// For searches and frames, which lose no point: those outside are looked at one by one, and the
   /// answers are the same. The smaller the ratio, the fewer digits and buckets are lost to them.
