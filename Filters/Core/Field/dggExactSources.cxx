@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace dgg
 {
@@ -105,19 +106,18 @@ void FindVirtualSources(const SurfaceMesh& mesh, const std::vector<GeodesicSourc
   found.Offsets.assign(n, Infinity);
   found.Lengths.assign(n, Infinity);
   found.Angles.assign(n, 0.0);
-  std::vector<Id> order(n);
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Id a, Id b) {
-    return result.Distances[a] != result.Distances[b] ? result.Distances[a] < result.Distances[b]
-                                                      : a < b;
-  });
-  for (const Id v : order)
+  // Those that are reached, which may be few, the nearest first.
+  std::vector<std::pair<double, Id>> order;
+  for (std::size_t v = 0; v < n; ++v)
   {
-    const double d = result.Distances[v];
-    if (!(d < Infinity))
+    if (result.Distances[v] < Infinity)
     {
-      break;
+      order.emplace_back(result.Distances[v], static_cast<Id>(v));
     }
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& [d, v] : order)
+  {
     const Predecessor& p = result.Predecessors[v];
     LastPiece piece = FindLastPiece(mesh, sources, v, p);
     // Behind a vertex that the way only passes by, it is the same light as before.

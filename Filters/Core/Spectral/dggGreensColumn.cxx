@@ -155,7 +155,7 @@ Id GreensColumn::FindNearestFreeCorner() const
   return corner;
 }
 
-Status GreensColumn::FindDistances(double maximum, GreensWorkspace& workspace, ExactResult& result)
+Status GreensColumn::FindDistances(double maximum, GreensWorkspace& workspace)
 {
   ExactOptions options;
   options.MaximumDistance = maximum;
@@ -163,13 +163,13 @@ Status GreensColumn::FindDistances(double maximum, GreensWorkspace& workspace, E
   // How often there is more to find is not known: half of what is left each time.
   options.Progress = ProgressPart(this->Progress, 0.0, 0.5);
   this->Progress = ProgressPart(this->Progress, 0.5, 1.0);
-  return workspace.Exact.Run({ { this->Pole, 0.0 } }, options, result);
+  return workspace.Exact.RunKept({ { this->Pole, 0.0 } }, options);
 }
 
 /// Go on until all corners are reached of the faces that have one within the radius.
-Status GreensColumn::CompleteDistances(
-  double radius, double reached, GreensWorkspace& workspace, ExactResult& result)
+Status GreensColumn::CompleteDistances(double radius, double reached, GreensWorkspace& workspace)
 {
+  const ExactResult& result = workspace.Exact.GetKept();
   const IntrinsicTriangulation& triangulation = this->System.GetTriangulation();
   while (true)
   {
@@ -186,7 +186,7 @@ Status GreensColumn::CompleteDistances(
       return Status::Success();
     }
     reached = needed * (1.0 + 1e-9);
-    Status status = this->FindDistances(reached, workspace, result);
+    Status status = this->FindDistances(reached, workspace);
     if (!status.IsOk())
     {
       return status;
@@ -296,9 +296,9 @@ bool GreensColumn::IsTooCoarse(const PoissonSystem& system, Id component, double
 
 /// A radius with shortest ways up to it that do not meet from different sides, if it can be, and
 /// these ways.
-Status GreensColumn::ChooseRadius(
-  GreensWorkspace& workspace, double& radius, double& reached, ExactResult& result)
+Status GreensColumn::ChooseRadius(GreensWorkspace& workspace, double& radius, double& reached)
 {
+  const ExactResult& result = workspace.Exact.GetKept();
   const SurfaceMesh& mesh = this->System.GetMesh();
   const double edge = this->System.GetMeanEdge(this->Component);
   const double most = GetUsualRadius(this->System, this->Component);
@@ -311,7 +311,7 @@ Status GreensColumn::ChooseRadius(
   while (true)
   {
     reached = radius + margin;
-    Status status = this->FindDistances(reached, workspace, result);
+    Status status = this->FindDistances(reached, workspace);
     if (!status.IsOk())
     {
       return status;
@@ -342,9 +342,9 @@ Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
   const double size = std::sqrt(system.GetComponentArea(this->Component));
   double radius = std::min(this->Query.Radius, LargestMultiple * size);
   double reached = radius + UsualMargin * system.GetMeanEdge(this->Component);
-  ExactResult result;
-  Status status = radius > 0.0 ? this->FindDistances(reached, workspace, result)
-                               : this->ChooseRadius(workspace, radius, reached, result);
+  const ExactResult& result = workspace.Exact.GetKept();
+  Status status = radius > 0.0 ? this->FindDistances(reached, workspace)
+                               : this->ChooseRadius(workspace, radius, reached);
   if (status.IsOk() && this->Query.Radius > 0.0)
   {
     const double ridge = FindRidgeRadius(system.GetMesh(), { { this->Pole, 0.0 } }, result);
@@ -356,7 +356,7 @@ Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
     const double complete = FindCompleteRadius(system.GetTriangulation(), result.Distances);
     radius = complete > CompletePart * radius ? std::min(radius, complete) : radius;
   }
-  status = status.IsOk() ? this->CompleteDistances(radius, reached, workspace, result) : status;
+  status = status.IsOk() ? this->CompleteDistances(radius, reached, workspace) : status;
   if (!status.IsOk())
   {
     return status;
@@ -367,8 +367,8 @@ Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
     this->Remark = GreensRemark::TooCoarse;
     return Status::Success();
   }
-  this->Distances = std::move(result.Distances);
-  this->TargetDistances = std::move(result.TargetDistances);
+  this->Distances = result.Distances;
+  this->TargetDistances = result.TargetDistances;
   std::vector<PoleFace> faces;
   if (!this->FindPoleFaces(faces))
   {

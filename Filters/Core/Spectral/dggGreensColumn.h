@@ -60,11 +60,9 @@ private:
   void AddLoad(Id v, double weight) { this->Sources[v] += weight; }
   Id FindNearestFreeCorner() const;
   Status StartWithLogarithm(GreensWorkspace& workspace);
-  Status FindDistances(double maximum, GreensWorkspace& workspace, ExactResult& result);
-  Status CompleteDistances(
-    double radius, double reached, GreensWorkspace& workspace, ExactResult& result);
-  Status ChooseRadius(
-    GreensWorkspace& workspace, double& radius, double& reached, ExactResult& result);
+  Status FindDistances(double maximum, GreensWorkspace& workspace);
+  Status CompleteDistances(double radius, double reached, GreensWorkspace& workspace);
+  Status ChooseRadius(GreensWorkspace& workspace, double& radius, double& reached);
   bool FindPoleFaces(std::vector<PoleFace>& faces) const;
   bool FindFlippedPoleFace(std::vector<PoleFace>& faces) const;
   double GetPoleAngle() const;
