@@ -84,6 +84,11 @@ set_tests_properties("Install.Isolines" PROPERTIES
   ENVIRONMENT "${dgg_rendering_environment}")
 dgg_add_consumer_test(Isolines.WrongNumber 1 "not a number of lines"
   "${consumer_dir}/Isolines" "mesh.ply" none "wrong.png")
+dgg_add_consumer_test(GreensPipeline 0
+  "Green's function from -[0-9.]+ to [0-9.]+, biharmonic distance up to [0-9.]+"
+  "${consumer_dir}/GreensPipeline" "mesh.ply" 3 "greens.vtp")
+dgg_add_consumer_test(GreensPipeline.WrongPoint 1 "source id 642"
+  "${consumer_dir}/GreensPipeline" "mesh.ply" 642 "wrong.vtp")
 dgg_add_consumer_test(VoronoiCells 0 "20 cells, areas from [0-9.]+.*iterations [0-9.]+"
   "${consumer_dir}/VoronoiCells" "mesh.ply" 20 "cells.png")
 set_tests_properties("Install.VoronoiCells" PROPERTIES

@@ -42,6 +42,21 @@ bool HasSameSpectrum(const dgg::SpectralOptions& a, const dgg::SpectralOptions& 
   return a.Method == dgg::SpectralMethod::Spectrum && b.Method == dgg::SpectralMethod::Spectrum &&
     a.NumberOfEigenvalues == b.NumberOfEigenvalues;
 }
+
+/// Before anything takes long.
+dgg::Status CheckPlaces(const dgg::SpectralDistance& distance,
+  const std::vector<dgg::SurfacePoint>& points, const std::string& name)
+{
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    const dgg::Status status = distance.CheckPlace(points[k]);
+    if (!status.IsOk())
+    {
+      return dgg::Status::Invalid(name + std::to_string(k) + ": " + status.GetMessage());
+    }
+  }
+  return dgg::Status::Success();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -187,7 +202,13 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(vtkDGGSpectralTask& task)
     this->Prepared.reset(new Preparation(task));
   }
   Preparation& prepared = *this->Prepared;
-  dgg::Status status;
+  dgg::Status status = CheckPlaces(prepared.Distance, task.Sources, "source ");
+  status =
+    status.IsOk() ? CheckPlaces(prepared.Distance, task.Targets, "evaluation point ") : status;
+  if (!status.IsOk())
+  {
+    return status;
+  }
   if (!prepared.IsReady || !IsSame(prepared.Options, options))
   {
     const bool hasSpectrum = prepared.IsReady && HasSameSpectrum(prepared.Options, options);

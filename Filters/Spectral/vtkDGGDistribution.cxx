@@ -23,7 +23,7 @@ bool HasPoints(const vtkDGGMassOrigin& origin)
 vtkDGGSourceSet GetSet(const vtkDGGMassOrigin& origin)
 {
   static const std::vector<vtkIdType> none;
-  return { none, origin.Points, origin.Port, "point to move " + origin.Name,
+  return { none, origin.Points, origin.Port, "'" + origin.Name + "' point",
     "call " + origin.Setter, "" };
 }
 

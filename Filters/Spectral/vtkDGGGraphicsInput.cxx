@@ -4,10 +4,12 @@
 
 #include "vtkDGGMeshAdapter.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -34,6 +36,35 @@ vtkDataArray* FindArray(vtkPolyData* data, const std::string& name, bool& isOfPo
   return isOfPoints ? array : data->GetCellData()->GetArray(name.c_str());
 }
 
+/// Fails when an array with one of the names holds something else than numbers. To pass over it
+/// would mean another picture.
+dgg::Status CheckHoldsNumbers(
+  vtkDataSetAttributes* data, const char* kind, const std::vector<std::string>& names)
+{
+  for (const std::string& name : names)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(name.c_str());
+    if (array && !vtkDataArray::SafeDownCast(array))
+    {
+      return dgg::Status::Invalid("the " + std::string(kind) + " array '" + name + "' is of type " +
+        array->GetDataTypeAsString() + " where numbers are needed");
+    }
+  }
+  return dgg::Status::Success();
+}
+
+/// Whether all points are in one place.
+bool HasNoLength(vtkPolyData* curves, const std::vector<vtkIdType>& points)
+{
+  double first[3];
+  curves->GetPoint(points[0], first);
+  return std::all_of(points.begin(), points.end(), [&](vtkIdType id) {
+    double place[3];
+    curves->GetPoint(id, place);
+    return std::equal(place, place + 3, first);
+  });
+}
+
 /// Colours in bytes are from 0 to 1.
 double ScaleOf(vtkDataArray* array)
 {
@@ -51,10 +82,18 @@ dgg::Status vtkDGGGraphicsInput::Read(
   vtkPolyData* curves, vtkPolyData* surface, const vtkDGGGraphicsNames& names)
 {
   *this = vtkDGGGraphicsInput();
-  dgg::Status status;
-  if (curves)
+  dgg::Status status = CheckHoldsNumbers(surface->GetCellData(), "cell",
+    names.Region.empty() ? std::vector<std::string>()
+                         : std::vector<std::string>{ names.Region, names.RegionStrength });
+  if (curves && status.IsOk())
   {
-    status = this->CollectLines(curves);
+    const std::vector<std::string> ofPoints = { names.LeftColor, names.RightColor, names.Strength,
+      names.RightStrength, names.Width };
+    std::vector<std::string> ofCells = ofPoints;
+    ofCells.push_back(names.CurveType);
+    status = CheckHoldsNumbers(curves->GetPointData(), "point", ofPoints);
+    status = status.IsOk() ? CheckHoldsNumbers(curves->GetCellData(), "cell", ofCells) : status;
+    status = status.IsOk() ? this->CollectLines(curves) : status;
   }
   status = status.IsOk() ? this->ChooseChannels(curves, surface, names) : status;
   for (std::size_t k = 0; k < this->Curves.size() && status.IsOk(); ++k)
@@ -87,7 +126,7 @@ dgg::Status vtkDGGGraphicsInput::CollectLines(vtkPolyData* curves)
           Name(cell) + " has the point " + std::to_string(id) + ", which does not exist");
       }
     }
-    if (points.size() < 2)
+    if (points.size() < 2 || HasNoLength(curves, points))
     {
       return dgg::Status::Invalid(
         Name(cell) + " has no length: give it two points in different places");
@@ -380,6 +419,12 @@ std::vector<dgg::GraphicsRegion> vtkDGGGraphicsInput::MakeRegions(
 dgg::Status vtkDGGGraphicsInput::CheckRefinement(
   vtkPolyData* surface, const vtkDGGGraphicsNames& names)
 {
+  const dgg::Status status =
+    CheckHoldsNumbers(surface->GetCellData(), "cell", { names.Refinement });
+  if (!status.IsOk())
+  {
+    return status;
+  }
   vtkDataArray* array = surface->GetCellData()->GetArray(names.Refinement.c_str());
   if (!array || array->GetNumberOfComponents() != 1 ||
     array->GetNumberOfTuples() != surface->GetNumberOfCells())

@@ -483,6 +483,15 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(vtkDGGSpectralTask& task)
                     << " of their sizes, with nothing given that this could flow to: they were "
                        "balanced in proportion to area. Make their sum 0.");
   }
+  const auto components = static_cast<std::size_t>(dgg::CountSplineComponents(task.Solver));
+  if (status.IsOk() && components > 1 && sites.size() == components &&
+    task.Solver.GetOptions().Boundary == dgg::PoissonBoundary::Neumann)
+  {
+    vtkWarningMacro(
+      << "the surface has " << components
+      << " components, each with a single site, whose function is 1 all over it: use "
+         "more sites (SetNumberOfSites()), or one component (vtkConnectivityFilter).");
+  }
   if (status.IsOk() && !task.Progress(1.0))
   {
     status = dgg::Status::Abort();

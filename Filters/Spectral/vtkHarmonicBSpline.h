@@ -24,7 +24,8 @@
  * whose sources are the sites; they must be points of the surface, so those of input port 1 that
  * lie elsewhere move to the nearest corner of their triangle. Without any, NumberOfSites of them
  * are chosen, each as far as possible from those before along the edges. Every component needs a
- * site; where they are chosen, it gets one.
+ * site; where they are chosen, it gets one. When no component has more than one, all functions are
+ * constant, and a warning says so.
  *
  * <b>Outputs</b> besides `HarmonicBSpline`, which has one component per site (8 bytes per point and
  * site; use few sites, or smaller meshes, for thousands of them):

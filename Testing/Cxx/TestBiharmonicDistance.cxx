@@ -207,6 +207,18 @@ TEST(BiharmonicDistance, KeepsWhatItCan)
   EXPECT_EQ(fresh.Values(), kept);
 }
 
+TEST(BiharmonicDistance, SourcesWithoutFacesAreNamed)
+{
+  Fixture terrain(MakeTerrain(10), 50);
+  terrain.Filter->SetMethodToSpectrum();
+  auto* surface = vtkPolyData::SafeDownCast(terrain.Filter->GetInput());
+  const vtkIdType lone = surface->GetPoints()->InsertNextPoint(0.5, 0.5, 5.0);
+  surface->Modified();
+  terrain.Filter->SetSourceIds({ 50, lone });
+  ExpectError(terrain.Filter, { "source 1: vertex 100 has no face" });
+  EXPECT_EQ(terrain.Filter->GetNumberOfSpectra(), 0); // said at once
+}
+
 TEST(BiharmonicDistance, WrongProperties)
 {
   Fixture terrain(MakeTerrain(10), 50);

@@ -260,8 +260,10 @@ TEST_F(HarmonicBSpline, ComponentsDoNotKnowOfEachOther)
   auto pair = MakePair(MakeSphere(2), MakeTerrain(12), 5.0);
   const vtkIdType alone = pair->GetPoints()->InsertNextPoint(9.0, 9.0, 9.0);
   this->Filter->SetInputData(pair);
-  this->Filter->SetNumberOfSites(1); // one in each
+  this->Filter->SetNumberOfSites(3);
   ExpectSuccess(this->Filter);
+  this->Filter->SetNumberOfSites(1); // one in each
+  ExpectWarning(this->Filter, { "2 components, each with a single site", "SetNumberOfSites()" });
   ASSERT_EQ(this->Filter->GetNumberOfUsedSites(), 2);
   for (vtkIdType i = 0; i < pair->GetNumberOfPoints(); ++i)
   {

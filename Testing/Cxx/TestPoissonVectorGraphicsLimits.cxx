@@ -7,6 +7,7 @@
 #include "vtkCommand.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
+#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
@@ -85,6 +86,42 @@ TEST(PoissonVectorGraphics, WrongCurves)
   ExpectError(filter, { "'region'", "SetRegionArrayName()" });
   AddArray(drawing.Surface->GetCellData(), "region", std::vector<double>(24, 1.0), 1);
   ExpectError(filter, { "'RegionStrength'", "SetRegionStrengthArrayName()" });
+}
+
+TEST(PoissonVectorGraphics, ArraysOfStringsAreNotPassedOver)
+{
+  GraphicsFixture drawing = MakeTwoAcross();
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 1, 2 }, 1);
+  drawing.Run();
+  vtkNew<vtkStringArray> words;
+  words->SetNumberOfTuples(24);
+  for (const char* name : { "CurveType", "RightColor", "Strength", "RightStrength", "Width" })
+  {
+    vtkDataSetAttributes* const data = drawing.OfCells();
+    const vtkSmartPointer<vtkAbstractArray> before = data->GetAbstractArray(name);
+    words->SetName(name);
+    data->AddArray(words);
+    ExpectError(drawing.Filter, { "the cell array '" + std::string(name) + "' is of type string" });
+    data->RemoveArray(name);
+    if (before)
+    {
+      data->AddArray(before);
+    }
+  }
+  words->SetName("Width");
+  drawing.Curves->GetPointData()->AddArray(words);
+  ExpectError(drawing.Filter, { "the point array 'Width' is of type string" });
+  drawing.Curves->GetPointData()->RemoveArray("Width");
+  drawing.Run();
+  words->SetName("region");
+  drawing.Surface->GetCellData()->AddArray(words);
+  drawing.Filter->SetRegionArrayName("region");
+  ExpectError(drawing.Filter, { "the cell array 'region' is of type string" });
+  drawing.Filter->SetRegionArrayName(nullptr);
+  drawing.Filter->SetRefinementArrayName("region");
+  drawing.Filter->SetRefinementRegionToCells();
+  ExpectError(drawing.Filter, { "the cell array 'region' is of type string" });
 }
 
 TEST(PoissonVectorGraphics, WrongSurfacesAndProperties)

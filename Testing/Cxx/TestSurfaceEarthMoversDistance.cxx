@@ -460,7 +460,7 @@ TEST(SurfaceEarthMoversDistance, WrongPointsAndProperties)
   terrain->GetPoint(55, place);
   const auto there = MakeSourcePoints({ { place[0], place[1], place[2] } });
   moved.Filter->SetFromData(MakeSourcePoints({ { 0.5, 0.5, 9.0 } }));
-  ExpectError(moved.Filter, { "point to move from", "input port 1" });
+  ExpectError(moved.Filter, { "'from' point 0 of input port 1" });
   moved.Filter->SetFromData(MakeSourcePoints({ { 0.5, NaN, 0.0 } }));
   ExpectError(moved.Filter, { "not finite" });
   moved.Filter->SetFromData(there);

@@ -130,13 +130,14 @@ Status SpectralDistance::CheckPrepared() const
 
 Status SpectralDistance::CheckPoint(const SurfacePoint& point) const
 {
-  Status status = this->CheckPrepared();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  const Status status = this->CheckPrepared();
+  return status.IsOk() ? this->CheckPlace(point) : status;
+}
+
+Status SpectralDistance::CheckPlace(const SurfacePoint& point) const
+{
   const SurfaceMesh& mesh = this->Solver.GetMesh();
-  status = point.Check(mesh);
+  Status status = point.Check(mesh);
   if (status.IsOk() && IsVertex(point) && mesh.FanBegin(point.Vertex) == mesh.FanEnd(point.Vertex))
   {
     status = Status::Invalid(
