@@ -7,13 +7,17 @@
 #include "TestMeshes.h"
 #include "ThinTriangleChecks.h"
 
+#include "dggEarthMovers.h"
 #include "dggPoissonSystem.h"
+#include "dggSpectralDistance.h"
+#include "dggSplineSites.h"
 #include "dggThinTriangles.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace dggtest
@@ -68,7 +72,27 @@ double Measure(const dgg::SurfaceMesh& mesh)
   dgg::PoissonSystem system(mesh);
   EXPECT_TRUE(system.Analyze({}, nullptr).IsOk());
   EXPECT_TRUE(system.Factorize().IsOk());
-  return dgg::MeasureThinTriangles(system);
+  return dgg::MeasureThinTriangles(system).front();
+}
+
+/// The second mesh beside the first one.
+TestMesh Beside(const TestMesh& first, const TestMesh& second)
+{
+  TestMesh both = first;
+  const auto n = static_cast<Id>(first.Points.size() / 3);
+  both.Points.insert(both.Points.end(), second.Points.begin(), second.Points.end());
+  for (const Id v : second.Triangles)
+  {
+    both.Triangles.push_back(n + v);
+  }
+  return both;
+}
+
+void ExpectThin(const dgg::Status& status, const std::string& where)
+{
+  ASSERT_FALSE(status.IsOk());
+  EXPECT_NE(status.GetMessage().find(where), std::string::npos) << status.GetMessage();
+  EXPECT_NE(status.GetMessage().find("too thin"), std::string::npos) << status.GetMessage();
 }
 }
 
@@ -124,13 +148,76 @@ TEST(ThinTriangles, PointsOnALineAreRefused)
   const TestMesh line = Strip(6, 0.0);
   EXPECT_TRUE(IsTooThin(Build(line)));
   // But not where there is a surface besides, of which such a part is next to nothing.
-  TestMesh both = Icosphere(2);
-  const auto first = static_cast<Id>(both.Points.size() / 3);
-  both.Points.insert(both.Points.end(), line.Points.begin(), line.Points.end());
-  for (const Id v : line.Triangles)
+  EXPECT_FALSE(IsTooThin(Build(Beside(Icosphere(2), line))));
+}
+
+/// One squashed square beside a good one: all is right on the good one, and nothing is said that is
+/// wrong on the other.
+TEST(ThinTriangles, PartsOfASurfaceAreRefused)
+{
+  const TestMesh square = Strip(12, 1.0);
+  const auto n = static_cast<Id>(square.Points.size() / 3);
+  const dgg::SurfaceMesh mesh = Build(Beside(square, Strip(12, 1e-8)));
+  dgg::PoissonSolver solver(mesh);
+  ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
+  const Id good = n / 2;
+  const Id bad = n + n / 2;
+  EXPECT_TRUE(solver.CheckPole(dgg::SurfacePoint::AtVertex(good)).IsOk());
+  ExpectThin(solver.CheckPole(dgg::SurfacePoint::AtVertex(bad)), std::to_string(bad));
+  const Id face = mesh.GetNumberOfFaces() - 1;
+  ExpectThin(solver.CheckPole(dgg::SurfacePoint::InFace(mesh, face, { 0.3, 0.3, 0.4 })),
+    "face " + std::to_string(face));
+  // Sources of equal density, of which next to nothing is there; then some that are.
+  std::vector<double> sources = solver.GetAreas();
+  EXPECT_TRUE(solver.Solve(sources).IsOk());
+  sources.assign(sources.size(), 0.0);
+  sources[good] = 1.0;
+  sources[bad] = 1e-4;
+  EXPECT_TRUE(solver.CheckValues(sources).IsOk());
+  sources[bad] = 1.0;
+  ExpectThin(solver.Solve(sources), "source at vertex " + std::to_string(bad));
+  // Dirichlet conditions are no help.
+  dgg::PoissonOptions held;
+  held.Boundary = dgg::PoissonBoundary::Dirichlet;
+  ASSERT_TRUE(solver.Prepare(held, nullptr).IsOk());
+  ExpectThin(solver.CheckPole(dgg::SurfacePoint::AtVertex(bad)), std::to_string(bad));
+  ExpectThin(solver.Solve(sources), "source at vertex " + std::to_string(bad));
+  // Values that are given in the middle are.
+  held.Boundary = dgg::PoissonBoundary::Neumann;
+  held.GivenVertices = { bad };
+  ASSERT_TRUE(solver.Prepare(held, nullptr).IsOk());
+  EXPECT_TRUE(solver.CheckValues(sources).IsOk());
+}
+
+TEST(ThinTriangles, WhatSolvesRefusesSourcesInThinParts)
+{
+  const TestMesh square = Strip(12, 1.0);
+  const auto n = static_cast<Id>(square.Points.size() / 3);
+  const dgg::SurfaceMesh mesh = Build(Beside(square, Strip(12, 1e-8)));
+  dgg::PoissonSolver solver(mesh);
+  ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
+  std::vector<double> from(2 * n, 0.0);
+  std::vector<double> to(from);
+  dgg::EarthMoversResult moved;
+  from[3] = to[n - 3] = 1.0;
+  EXPECT_TRUE(dgg::EarthMovers(solver).Run(from, to, {}, moved).IsOk());
+  from[n + 3] = to[2 * n - 3] = 1.0;
+  ExpectThin(dgg::EarthMovers(solver).Run(from, to, {}, moved), "vertex " + std::to_string(n + 3));
+  dgg::SpectralDistance distance(solver);
+  EXPECT_TRUE(distance.CheckPlace(dgg::SurfacePoint::AtVertex(3)).IsOk());
+  ExpectThin(
+    distance.CheckPlace(dgg::SurfacePoint::AtVertex(n + 3)), "vertex " + std::to_string(n + 3));
+  EXPECT_TRUE(dgg::CheckSplineSites(solver, { 3, 20, n + 3 }).IsOk()); // one is right anywhere
+  ExpectThin(dgg::CheckSplineSites(solver, { 3, n + 20, n + 3 }), "site 2");
+}
+
+TEST(ThinTriangles, ScaleDoesNotMatter)
+{
+  for (const double scale : { 1e-68, 1e-54, 1.0, 1e54, 1e68 })
   {
-    both.Triangles.push_back(first + v);
+    SCOPED_TRACE(scale);
+    EXPECT_LT(Measure(Build(Scaled(WithSlivers(Plane(8, 8), 1e-9), scale))), 1e-3);
+    EXPECT_TRUE(IsTooThin(Build(Scaled(Strip(8, 1e-9), scale))));
   }
-  EXPECT_FALSE(IsTooThin(Build(both)));
 }
 }

@@ -103,6 +103,8 @@ public:
   /// Run() also takes some for each vertex of the mesh.
   Status RunKept(const std::vector<GeodesicSource>& sources, const ExactOptions& options);
   const ExactResult& GetKept() const { return this->Kept; }
+  /// Bytes that a solver holds after such runs, the windows of the widest of them apart.
+  static std::size_t PredictKeptMemory(const SurfaceMesh& mesh);
 
 private:
   WindowPropagation& GetEngine(ExactEngine kind);

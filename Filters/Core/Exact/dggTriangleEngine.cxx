@@ -16,6 +16,14 @@ constexpr std::size_t ProgressInterval = 20000;
 constexpr std::size_t RadiusInterval = 64;
 }
 
+std::size_t TriangleEngine::PredictMemory(const SurfaceMesh& mesh)
+{
+  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
+  const auto faces = static_cast<std::size_t>(mesh.GetNumberOfFaces());
+  return n * (sizeof(std::uint8_t) + sizeof(double)) +
+    faces * (sizeof(std::uint8_t) + 3 * (sizeof(std::uint8_t) + sizeof(Id)));
+}
+
 void TriangleEngine::Reset()
 {
   const auto n = static_cast<std::size_t>(this->Mesh.GetNumberOfVertices());

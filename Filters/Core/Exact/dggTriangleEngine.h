@@ -24,6 +24,9 @@ class TriangleEngine : public WindowPropagation
 public:
   using WindowPropagation::WindowPropagation;
 
+  /// Bytes of the arrays that are as long as the mesh has vertices, faces and half-edges.
+  static std::size_t PredictMemory(const SurfaceMesh& mesh);
+
 protected:
   void Receive(Id h, const Window& window) override;
   void LabelDropped(Id v) override;

@@ -108,6 +108,8 @@ void FindVirtualSources(const SurfaceMesh& mesh, const std::vector<GeodesicSourc
   found.Angles.assign(n, 0.0);
   // Those that are reached, which may be few, the nearest first.
   std::vector<std::pair<double, Id>> order;
+  order.reserve(static_cast<std::size_t>(std::count_if(
+    result.Distances.begin(), result.Distances.end(), [](double d) { return d < Infinity; })));
   for (std::size_t v = 0; v < n; ++v)
   {
     if (result.Distances[v] < Infinity)

@@ -4,6 +4,7 @@
 
 #include "dggGeodesicSource.h"
 #include "dggPoissonSystem.h"
+#include "dggThinTriangles.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -164,7 +165,8 @@ Status CheckMasses(
         " more mass than the other: nothing can get there, so give both the same");
     }
   }
-  return Status::Success();
+  Status status = CheckThinSources(system, from);
+  return status.IsOk() ? CheckThinSources(system, to) : status;
 }
 }
 

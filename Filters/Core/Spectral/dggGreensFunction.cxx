@@ -164,10 +164,11 @@ std::size_t GreensFunction::GetWorkingMemory(std::size_t numberOfTargets) const
   const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
   const auto sides = static_cast<std::size_t>(system.GetTriangulation().GetNumberOfHalfEdges());
   // Sources, distances, integrals per vertex and per target of each column; the lanes, twice in the
-  // substitution, and once more where they are refined; one solution; the logarithm's integrals.
+  // substitution, and once more where they are refined; one solution; the logarithm's integrals;
+  // exact distances.
   const std::size_t columns = Lanes * (3 * n + numberOfTargets) * sizeof(double);
   const std::size_t lanes = 3 * n * sizeof(SparseLanes) + n * sizeof(double);
   const std::size_t singular = 2 * n * sizeof(double) + sides * (sizeof(double) + 1);
-  return columns + lanes + singular;
+  return columns + lanes + singular + ExactGeodesics::PredictKeptMemory(system.GetMesh());
 }
 }

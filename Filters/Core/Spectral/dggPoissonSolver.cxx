@@ -4,6 +4,7 @@
 
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
+#include "dggThinTriangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,9 +72,11 @@ bool PoissonSolver::IsReady() const
   return this->System->IsReady();
 }
 
-Status PoissonSolver::CheckValues(const std::vector<double>& values) const
+namespace
 {
-  const PoissonSystem& system = *this->System;
+/// One number for each vertex.
+Status CheckNumbers(const PoissonSystem& system, const std::vector<double>& values)
+{
   if (!system.IsReady())
   {
     return Status::Invalid("the system has not been factorized: call Prepare() first");
@@ -91,6 +94,13 @@ Status PoissonSolver::CheckValues(const std::vector<double>& values) const
     }
   }
   return Status::Success();
+}
+}
+
+Status PoissonSolver::CheckValues(const std::vector<double>& values) const
+{
+  const Status status = CheckNumbers(*this->System, values);
+  return status.IsOk() ? CheckThinSources(*this->System, values) : status;
 }
 
 Status PoissonSolver::Solve(std::vector<double>& values) const
@@ -147,7 +157,7 @@ Status PoissonSolver::Solve(std::vector<std::vector<double>>& columns) const
 
 Status PoissonSolver::Multiply(const std::vector<double>& f, std::vector<double>& result) const
 {
-  Status status = this->CheckValues(f);
+  Status status = CheckNumbers(*this->System, f);
   if (status.IsOk())
   {
     result = this->System->Multiply(f);
@@ -195,6 +205,11 @@ Status PoissonSolver::CheckPole(const SurfacePoint& point) const
   if (isVertex && mesh.FanBegin(v) == mesh.FanEnd(v))
   {
     return Status::Invalid(where + " has no face: nothing is defined there");
+  }
+  status = CheckThinPlace(*this->System, v, where);
+  if (!status.IsOk())
+  {
+    return status;
   }
   if (isVertex && this->GetOptions().Boundary == PoissonBoundary::Neumann &&
     this->System->IsFixed(v))

@@ -26,7 +26,8 @@ class PoissonSystem;
 /// given in a component, sources are balanced (PoissonWeights), since
 /// what flows in must flow out, and the solution has mean 0. Vertices without a face get 0.
 /// Elements with cotangents beyond 1e6 are made softer, see MakeCotanLaplacian(); where these are
-/// not a few, but carry more than 1 % of the energy of a solution, Factorize() fails.
+/// not a few, but carry more than 1 % of the energy of a solution, Factorize() fails; where that is
+/// so of a small component only, sources there are refused.
 class PoissonSolver
 {
 public:
@@ -54,12 +55,13 @@ public:
 
   /// Replace integrated sources, b_i = integral of f phi_i with the hat function of vertex i, by
   /// the solution; where values are given, replace the given value by itself.
-  /// Fails when there are not as many as vertices, or some are not finite.
+  /// Fails when there are not as many as vertices, or some are not finite, or a thousandth of them
+  /// is in components whose triangles are too thin (PoissonSystem::IsThin()).
   Status Solve(std::vector<double>& values) const;
   /// Several right-hand sides, such as the channels of a colour: all or, where one is wrong, none.
   /// More than four are solved for together, eight at a time.
   Status Solve(std::vector<std::vector<double>>& columns) const;
-  /// What Solve() and Multiply() fail for.
+  /// What Solve() fails for.
   Status CheckValues(const std::vector<double>& values) const;
   /// L f: the integrated sources that have f as solution.
   Status Multiply(const std::vector<double>& f, std::vector<double>& result) const;
@@ -74,7 +76,8 @@ public:
   bool IsFixed(Id v) const;
 
   /// Fails when a point is no place for a pole: not on the mesh, without a face, or on a boundary
-  /// where values are given, or in a closed component although Dirichlet conditions are asked for.
+  /// where values are given, or in a closed component although Dirichlet conditions are asked for,
+  /// or in a component whose triangles are too thin.
   Status CheckPole(const SurfacePoint& point) const;
 
   /// Another number when Prepare() has made other solutions of the same sources.

@@ -243,7 +243,9 @@ Status PoissonSystem::Factorize()
     return Status::Invalid(
       "the linear system could not be factorized: remove triangles that have next to no area");
   }
-  Status status = this->NeedsRefinement() ? CheckThinTriangles(*this) : Status::Success();
+  this->ComponentIsThin.assign(this->ComponentAreas.size(), 0);
+  Status status =
+    this->NeedsRefinement() ? CheckThinTriangles(*this, this->ComponentIsThin) : Status::Success();
   if (!status.IsOk())
   {
     this->Factor.Clear();

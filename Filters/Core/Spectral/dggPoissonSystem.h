@@ -72,6 +72,10 @@ public:
   /// Whether no value is given in the component.
   bool IsFree(Id c) const { return this->ComponentHasGiven[c] == 0; }
 
+  /// Whether the triangles of the component are too thin for solutions there to be right. A few
+  /// thin ones do no harm. After Factorize(), which fails when that is so of the whole surface.
+  bool IsThin(Id c) const { return this->ComponentIsThin[c] != 0; }
+
   /// L f.
   std::vector<double> Multiply(const std::vector<double>& f) const;
   /// L, vertex by vertex.
@@ -140,6 +144,7 @@ private:
   std::vector<double> MeanEdges;                  // per component
   std::vector<std::uint8_t> ComponentHasBoundary; // per component
   std::vector<std::uint8_t> ComponentHasGiven;    // per component
+  std::vector<std::uint8_t> ComponentIsThin;      // per component
   std::vector<Id> PinnedPlaces;                   // per component; NoId where values are given
   Eigen::SparseMatrix<double> Stiffness;
   SparseFactor Factor;

@@ -7,6 +7,7 @@
 #include "dggGeodesicSource.h"
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
+#include "dggThinTriangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,12 +139,19 @@ Status SpectralDistance::CheckPlace(const SurfacePoint& point) const
 {
   const SurfaceMesh& mesh = this->Solver.GetMesh();
   Status status = point.Check(mesh);
-  if (status.IsOk() && IsVertex(point) && mesh.FanBegin(point.Vertex) == mesh.FanEnd(point.Vertex))
+  if (!status.IsOk())
   {
-    status = Status::Invalid(
-      "vertex " + std::to_string(point.Vertex) + " has no face: nothing is defined there");
+    return status;
   }
-  return status;
+  const bool isVertex = IsVertex(point);
+  const Id v = isVertex ? point.Vertex : mesh.Origin(3 * point.Face);
+  const std::string where =
+    isVertex ? "vertex " + std::to_string(v) : "a point of face " + std::to_string(point.Face);
+  if (isVertex && mesh.FanBegin(v) == mesh.FanEnd(v))
+  {
+    return Status::Invalid(where + " has no face: nothing is defined there");
+  }
+  return CheckThinPlace(this->Solver.GetSystem(), v, where);
 }
 
 /// Unit load, 0 where values are given.

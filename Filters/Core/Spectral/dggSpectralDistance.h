@@ -63,7 +63,8 @@ public:
   Status Prepare(const SpectralOptions& options, const ProgressCallback& progress);
   Status Prepare(const SpectralOptions& options, Eigenpairs pairs);
   /// @}
-  /// Fails when the point does not exist, or has no face. May be asked before all else.
+  /// Fails when the point does not exist, has no face, or lies in a component whose triangles are
+  /// too thin. May be asked before all else.
   Status CheckPlace(const SurfacePoint& point) const;
   const Eigenpairs& GetEigenpairs() const { return this->Pairs; }
   double GetTime() const { return this->Time; }

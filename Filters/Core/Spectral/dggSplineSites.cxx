@@ -5,6 +5,7 @@
 #include "dggFarthestPoints.h"
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
+#include "dggThinTriangles.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -185,6 +186,15 @@ Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& site
     {
       return Status::Invalid(
         what + " is the same as site " + std::to_string(numbers[v]) + ": leave one of them out");
+    }
+    // A single site is right in any component: its function is 1.
+    const Status status =
+      needed[system.GetComponent(v)] == 0 || !system.IsFree(system.GetComponent(v))
+      ? CheckThinPlace(system, v, what)
+      : Status::Success();
+    if (!status.IsOk())
+    {
+      return status;
     }
     numbers[v] = static_cast<Id>(k);
     needed[system.GetComponent(v)] = 0;

@@ -23,7 +23,7 @@ Id CountSplineComponents(const PoissonSolver& solver);
 
 /// Fails, with a message that names the site by its number, when there is none, or one does not
 /// exist, has no face, has a given value, or is the same as an earlier one; when a component with a
-/// vertex without given value has no site.
+/// vertex without given value has no site, or one with triangles that are too thin has several.
 Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& sites);
 }
 

@@ -9,13 +9,16 @@
 #include <cstdint>
 #include <limits>
 #include <sstream>
+#include <string>
 #include <vector>
 
 namespace dgg
 {
 namespace
 {
-constexpr double LargestPart = 0.01;
+constexpr double LargestLoss = 0.01;
+/// Part of the sources that may be in components that lose more.
+constexpr double LargestThinSources = 1e-3;
 
 /// 1 or -1, as a hash of the vertex has it (the finalizer of MurmurHash3).
 double RandomSign(Id v)
@@ -24,6 +27,13 @@ double RandomSign(Id v)
   bits = (bits ^ (bits >> 33)) * 0xff51afd7ed558ccdULL;
   bits = (bits ^ (bits >> 33)) * 0xc4ceb9fe1a85ec53ULL;
   return (bits ^ (bits >> 33)) & 1 ? 1.0 : -1.0;
+}
+
+/// The part of a vertex in the area of its component, which no scale changes.
+double ShareOf(const PoissonSystem& system, Id v)
+{
+  const double area = system.GetComponentArea(system.GetComponent(v));
+  return area > 0.0 ? system.GetArea(v) / area : 1.0;
 }
 
 /// Sums of two quantities in each component, of which the first is a part of the second.
@@ -44,23 +54,11 @@ public:
     this->Wholes[c] += whole;
   }
 
-  /// `whole` of a component of which nothing is known counts as lost.
-  template <typename Function>
-  double GetMean(Function&& partOf) const
+  /// What is no number counts as all.
+  double Get(std::size_t c) const
   {
-    double mean = 0.0;
-    double area = 0.0;
-    for (std::size_t c = 0; c < this->Sums.size(); ++c)
-    {
-      const double a = this->System.GetComponentArea(static_cast<Id>(c));
-      if (this->Wholes[c] != 0.0)
-      {
-        const double part = partOf(this->Sums[c] / this->Wholes[c]);
-        mean += a * (part <= 1.0 ? part : 1.0);
-      }
-      area += a;
-    }
-    return area > 0.0 ? mean / area : 0.0;
+    const double part = this->Wholes[c] != 0.0 ? std::abs(this->Sums[c] / this->Wholes[c]) : 0.0;
+    return part <= 1.0 ? part : 1.0;
   }
 
 private:
@@ -80,7 +78,7 @@ double GetSoftness(const IntrinsicTriangulation& triangles, Id f)
   return PoissonSystem::LargestCotangent / largest;
 }
 
-double MeasureSoftenedEnergy(const PoissonSystem& system, const std::vector<double>& u)
+Parts MeasureSoftenedEnergy(const PoissonSystem& system, const std::vector<double>& u)
 {
   const IntrinsicTriangulation& triangles = system.GetTriangulation();
   Parts parts(system);
@@ -96,10 +94,11 @@ double MeasureSoftenedEnergy(const PoissonSystem& system, const std::vector<doub
     }
     parts.Add(triangles.Origin(3 * f), (1.0 - GetSoftness(triangles, f)) * energy, energy);
   }
-  return parts.GetMean([](double ratio) { return std::abs(ratio); });
+  return parts;
 }
 
-double MeasureRounding(const PoissonSystem& system, const std::vector<double>& u)
+/// Squares.
+Parts MeasureRounding(const PoissonSystem& system, const std::vector<double>& u)
 {
   constexpr double lastBit = std::numeric_limits<double>::epsilon();
   std::vector<double> change(u.size());
@@ -112,35 +111,87 @@ double MeasureRounding(const PoissonSystem& system, const std::vector<double>& u
   Parts parts(system);
   for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
   {
-    parts.Add(v, system.GetArea(v) * change[v] * change[v], system.GetArea(v) * u[v] * u[v]);
+    const double share = ShareOf(system, v);
+    parts.Add(v, share * change[v] * change[v], share * u[v] * u[v]);
   }
-  return parts.GetMean([](double ratio) { return std::sqrt(ratio); });
+  return parts;
 }
 }
 
-double MeasureThinTriangles(const PoissonSystem& system)
+std::vector<double> MeasureThinTriangles(const PoissonSystem& system)
 {
   std::vector<double> u(static_cast<std::size_t>(system.GetNumberOfVertices()));
   for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
   {
-    u[v] = system.IsFixed(v) ? 0.0 : RandomSign(v) * system.GetArea(v);
+    u[v] = system.IsFixed(v) ? 0.0 : RandomSign(v) * ShareOf(system, v);
   }
   system.Solve(u);
-  return std::max(MeasureSoftenedEnergy(system, u), MeasureRounding(system, u));
+  const Parts softened = MeasureSoftenedEnergy(system, u);
+  const Parts rounding = MeasureRounding(system, u);
+  std::vector<double> losses(static_cast<std::size_t>(system.GetNumberOfComponents()));
+  for (std::size_t c = 0; c < losses.size(); ++c)
+  {
+    losses[c] = std::max(softened.Get(c), std::sqrt(rounding.Get(c)));
+  }
+  return losses;
 }
 
-Status CheckThinTriangles(const PoissonSystem& system)
+Status CheckThinTriangles(const PoissonSystem& system, std::vector<std::uint8_t>& isThin)
 {
-  const double part = MeasureThinTriangles(system);
-  if (part <= LargestPart)
+  const std::vector<double> losses = MeasureThinTriangles(system);
+  isThin.assign(losses.size(), 0);
+  double lost = 0.0;
+  double area = 0.0;
+  double largest = 0.0;
+  for (std::size_t c = 0; c < losses.size(); ++c)
+  {
+    const double a = system.GetComponentArea(static_cast<Id>(c));
+    isThin[c] = losses[c] > LargestLoss ? 1 : 0;
+    lost += a * losses[c];
+    area += a;
+    largest = std::max(largest, losses[c]);
+  }
+  const double mean = area > 0.0 ? lost / area : largest;
+  if (mean <= LargestLoss)
   {
     return Status::Success();
   }
   std::ostringstream message;
-  message.precision(2);
-  message << "the triangles are too thin: about " << 100.0 * part
+  message << "the triangles are too thin: about " << std::lround(100.0 * mean)
           << " % of a solution would be lost. Make a surface of better triangles, less than some "
              "100 000 times as long as high, or scale it by the same factor in all directions";
   return Status::Invalid(message.str());
+}
+
+Status CheckThinPlace(const PoissonSystem& system, Id v, const std::string& where)
+{
+  return system.IsThin(system.GetComponent(v))
+    ? Status::Invalid(where +
+        " lies in a part of the surface whose triangles are too thin to solve equations there: "
+        "make better ones, or leave that part out")
+    : Status::Success();
+}
+
+Status CheckThinSources(const PoissonSystem& system, const std::vector<double>& sources)
+{
+  const bool isHeld = !system.GetOptions().GivenVertices.empty();
+  double thin = 0.0;
+  double all = 0.0;
+  Id largest = NoId;
+  for (std::size_t k = 0; k < sources.size(); ++k)
+  {
+    const auto v = static_cast<Id>(k);
+    const Id c = system.GetComponent(v);
+    const double size = system.IsFixed(v) ? 0.0 : std::abs(sources[k]);
+    all += size;
+    if (system.IsThin(c) && (system.IsFree(c) || !isHeld))
+    {
+      thin += size;
+      largest = largest == NoId || size > std::abs(sources[largest]) ? v : largest;
+    }
+  }
+  return thin > LargestThinSources * all
+    ? CheckThinPlace(system, largest, "the source at vertex " + std::to_string(largest))
+    : Status::Success();
 }
 }
