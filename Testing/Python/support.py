@@ -44,6 +44,14 @@ def grid(columns, rows):
     return points, triangles
 
 
+def folded(scale=1.0):
+    """Two squares along a common side, at a right angle."""
+    points = scale * np.array(
+        [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1]], dtype=float
+    )
+    return points, np.array([[0, 1, 3], [0, 3, 2], [0, 4, 5], [0, 5, 1]])
+
+
 def prism(sides, rows):
     """Points and triangles of the side of a prism, whose base has sides of length 1; point i of
     row j has id j sides + i."""

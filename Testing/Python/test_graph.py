@@ -1,40 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkdgg.Graph: a graph that is built once and asked often."""
+"""vtkdgg.Graph: a graph that is built once and asked often, and the meshes that it takes."""
 
-import copy
-import os
-import pickle
-import subprocess
-import sys
 import unittest
-import unittest.mock
 import warnings
 
 import numpy as np
 import support
 import vtkdgg
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
-
-try:
-    import scipy.sparse
-    import scipy.sparse.csgraph
-except ImportError:
-    scipy = None
 
 ROUNDING = 1e-6  # of lengths, relative
-
-
-def corner(scale=1.0):
-    """Two squares along a common side, at a right angle."""
-    points = scale * np.array(
-        [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1]], dtype=float
-    )
-    return points, np.array([[0, 1, 3], [0, 3, 2], [0, 4, 5], [0, 5, 1]])
 
 
 class Distance(unittest.TestCase):
@@ -176,200 +151,9 @@ class Distance(unittest.TestCase):
             self.assertEqual(search.GetGraphBuildTime(), 0)
 
 
-class Matrix(unittest.TestCase):
-    ACCURACY = 0.1
-
-    @classmethod
-    def setUpClass(cls):
-        cls.points, cls.triangles = support.grid(9, 7)
-        cls.graph = vtkdgg.Graph(cls.points, cls.triangles, accuracy=cls.ACCURACY)
-
-    def check(self, matrix, rows, columns):
-        straight = np.linalg.norm(np.array(rows)[:, None] - np.array(columns), axis=2)
-        self.assertEqual(matrix.shape, straight.shape)
-        self.assertEqual(matrix.dtype, np.float64)
-        self.assertTrue((matrix >= straight - 1e-9).all())
-        self.assertTrue((matrix <= straight * (1 + self.ACCURACY) * (1 + ROUNDING) + 1e-9).all())
-
-    def test_ids(self):
-        rows, columns = [0, 5, 33], [1, 2, 5, 79, 57]
-        matrix = self.graph.matrix(rows, columns)
-        self.check(matrix, self.points[rows], self.points[columns])
-        for i, row in enumerate(rows):
-            field = self.graph.distance(row, correction=False)
-            np.testing.assert_allclose(matrix[i], field[columns], rtol=1e-12)
-        np.testing.assert_allclose(self.graph.matrix(columns, rows), matrix.T, rtol=1e-12)
-        # Not exact distances.
-        self.assertGreater(matrix[0, 4], 1.0001 * np.linalg.norm(self.points[57]))
-
-    def test_one_set(self):
-        rows = np.arange(0, 80, 7)
-        matrix = self.graph.matrix(rows)
-        self.check(matrix, self.points[rows], self.points[rows])
-        np.testing.assert_array_equal(matrix, matrix.T)
-        np.testing.assert_array_equal(np.diag(matrix), 0.0)
-        detours = (matrix[:, :, None] + matrix[None]).min(axis=1)
-        np.testing.assert_array_less(matrix, detours * (1 + 1e-12) + 1e-12)
-
-    def test_single_points(self):
-        self.check(self.graph.matrix(3, 60), self.points[[3]], self.points[[60]])
-        self.check(self.graph.matrix([3, 4], 60), self.points[[3, 4]], self.points[[60]])
-        self.check(self.graph.matrix(3, [60, 4]), self.points[[3]], self.points[[60, 4]])
-        np.testing.assert_array_equal(self.graph.matrix(7), [[0.0]])
-
-    def test_coordinates(self):
-        places = np.array([[2.3, 1.1, 0.0], [2.4, 1.15, 0.0], [7.5, 6.0, 0.0]])
-        self.check(self.graph.matrix(places), places, places)
-        self.check(self.graph.matrix(places, [8, 9]), places, self.points[[8, 9]])
-        self.check(self.graph.matrix(50, places), self.points[[50]], places)
-        # Not those of the query before.
-        self.check(self.graph.matrix([1, 2], [8, 9]), self.points[[1, 2]], self.points[[8, 9]])
-
-    def test_results_are_copies(self):
-        kept = self.graph.matrix([1, 2], [3, 4]).copy()
-        self.graph.matrix([1, 2], [3, 4])[:] = 0.0
-        np.testing.assert_array_equal(self.graph.matrix([1, 2], [3, 4]), kept)
-
-    def test_unconnected(self):
-        points = np.vstack([self.points, self.points + [20.0, 0.0, 0.0]])
-        graph = vtkdgg.Graph(points, np.vstack([self.triangles, self.triangles + 80]))
-        matrix = graph.matrix([0, 80], [1, 81])
-        np.testing.assert_array_equal(np.isnan(matrix), [[False, True], [True, False]])
-        self.assertEqual(graph.matrix([0, 80], [1, 81], unreached=-1.0)[0, 1], -1.0)
-
-    def test_mistakes(self):
-        for arguments, pattern in (
-            (([],), "rows: at least one"),
-            ((80,), "rows: point id 80"),
-            ((0, [1, -1]), "columns: point id -1"),
-            ((0, []), "columns: at least one"),
-            ((0, [True]), "columns: numbers are wanted, not bool"),
-            (([[0.0, 0.0]],), "rows: the shape"),
-        ):
-            with self.subTest(arguments=arguments), self.assertRaisesRegex(ValueError, pattern):
-                self.graph.matrix(*arguments)
-        with self.assertRaisesRegex(vtkdgg.VTKError, "column point 0"):
-            self.graph.matrix(0, [[0.0, 0.0, 5.0]])
-        self.check(self.graph.matrix(0, 1), self.points[[0]], self.points[[1]])
-
-    def test_memory_limit(self):
-        limit = 2**20
-        graph = vtkdgg.Graph(self.points, self.triangles, 0.5, memory_limit=limit)
-        with self.assertRaisesRegex(vtkdgg.VTKError, "MemoryLimit"):
-            graph.matrix(np.zeros(1000, dtype=int), np.zeros(1000, dtype=int))
-        self.assertEqual(graph.matrix(0, 1).shape, (1, 1))
-
-
-class Arrays(unittest.TestCase):
-    def setUp(self):
-        self.points, self.triangles = support.grid(5, 5)
-        self.points = np.vstack([self.points, [[9.0, 9.0, 9.0]]])
-        self.graph = vtkdgg.Graph(self.points, self.triangles, accuracy=0.1)
-
-    def test_rows(self):
-        offsets, targets, lengths = self.graph.offsets, self.graph.targets, self.graph.lengths
-        types = (offsets.dtype, targets.dtype, lengths.dtype)
-        self.assertEqual(types, (np.int64, np.int32, np.float32))
-        self.assertEqual(offsets.shape, (38,))
-        self.assertEqual((offsets[0], offsets[-1]), (0, len(targets)))
-        self.assertEqual(offsets[-2], len(targets))  # the last point is in no triangle
-        tails = np.repeat(np.arange(37), np.diff(offsets))
-        straight = np.linalg.norm(self.points[tails] - self.points[targets], axis=1)
-        np.testing.assert_allclose(lengths, straight, rtol=2e-7)
-        self.assertTrue((lengths >= straight * (1 - 1e-15)).all())
-        edges = set(zip(tails, targets, lengths))
-        self.assertEqual(edges, {(b, a, length) for a, b, length in edges})
-        self.assertAlmostEqual(self.graph.degree, len(targets) / 37.0)
-
-    def test_wide_lengths(self):
-        graph = vtkdgg.Graph(*corner(), accuracy=5e-6)
-        self.assertEqual(graph.lengths.dtype, np.float64)
-        self.assertAlmostEqual(graph.lengths.max(), np.sqrt(5.0), delta=1e-12)
-
-    def test_views_cannot_be_written_to(self):
-        for view in (self.graph.offsets, self.graph.targets, self.graph.lengths):
-            with self.assertRaises(ValueError):
-                view[0] = 1
-        self.assertTrue(np.shares_memory(self.graph.lengths, self.graph.lengths))
-
-    def test_views_outlive_the_graph(self):
-        lengths = self.graph.lengths
-        kept = lengths.copy()
-        del self.graph
-        np.testing.assert_array_equal(lengths, kept)
-
-    def test_description(self):
-        graph = self.graph
-        self.assertEqual(graph.number_of_points, 37)
-        self.assertEqual(graph.accuracy, 0.1)
-        self.assertEqual(graph.construction, "Guaranteed")
-        edges = len(graph.targets)
-        self.assertEqual(graph.nbytes, 38 * 8 + edges * 16 + 12 * 8)
-        text = repr(graph)
-        for word in ("vtkdgg.Graph", "37 points", f"{edges} edges", "accuracy 0.1", "MiB"):
-            self.assertIn(word, text)
-        self.assertNotIn("\n", text)
-
-    def test_constructions(self):
-        edges = set()
-        for name in ("Guaranteed", "OneRelay", "Indirect"):
-            graph = vtkdgg.Graph(*support.bumpy(), accuracy=0.1, construction=name)
-            self.assertEqual(graph.construction, name)
-            self.assertEqual(graph.accuracy, 0.1)
-            self.assertIn(name, repr(graph))
-            edges.add(len(graph.targets))
-        for neighbors in (5, 10):
-            graph = vtkdgg.Graph(
-                *support.bumpy(), construction="SaddleVertexGraph", number_of_neighbors=neighbors
-            )
-            self.assertEqual(graph.construction, "SaddleVertexGraph")
-            self.assertIsNone(graph.accuracy)
-            self.assertNotIn("accuracy", repr(graph))
-            self.assertGreaterEqual(graph.degree, neighbors)
-            edges.add(len(graph.targets))
-        self.assertEqual(len(edges), 5)
-
-    def test_without_scipy(self):
-        hidden = {"scipy": None, "scipy.sparse": None}
-        with unittest.mock.patch.dict("sys.modules", hidden):
-            with self.assertRaisesRegex(ImportError, "Graph.csr needs SciPy"):
-                _ = self.graph.csr
-        self.assertEqual(self.graph.distance(0)[0], 0.0)
-
-
-@unittest.skipIf(scipy is None, "SciPy is not installed")
-class Csr(unittest.TestCase):
-    def setUp(self):
-        self.graph = vtkdgg.Graph(*support.bumpy(), accuracy=0.05)
-
-    def test_dijkstra(self):
-        matrix = self.graph.csr
-        self.assertIsInstance(matrix, scipy.sparse.csr_matrix)
-        self.assertEqual(matrix.shape, (642, 642))
-        self.assertEqual(matrix.nnz, len(self.graph.targets))
-        self.assertEqual(abs(matrix - matrix.T).max(), 0.0)
-        for source in (0, 77):
-            expected = scipy.sparse.csgraph.dijkstra(matrix, indices=source)
-            raw = self.graph.distance(source, correction=False)
-            np.testing.assert_allclose(raw, expected, rtol=1e-12)
-
-    def test_it_may_be_changed(self):
-        targets, lengths = self.graph.targets.copy(), self.graph.lengths.copy()
-        expected = self.graph.distance(3)
-        matrix = self.graph.csr
-        matrix.sort_indices()
-        matrix.data[:] = 0.0
-        matrix.eliminate_zeros()
-        np.testing.assert_array_equal(self.graph.targets, targets)
-        np.testing.assert_array_equal(self.graph.lengths, lengths)
-        self.assertEqual(self.graph.csr.nnz, len(targets))
-        self.graph.distance(4)
-        np.testing.assert_array_equal(self.graph.distance(3), expected)
-
-
 class Mesh(unittest.TestCase):
     def test_arrays_are_copied(self):
-        points, triangles = corner()
+        points, triangles = support.folded()
         kept = points.copy(), triangles.copy()
         graph = vtkdgg.Graph(points, triangles)
         np.testing.assert_array_equal(points, kept[0])
@@ -381,11 +165,11 @@ class Mesh(unittest.TestCase):
 
     def test_any_scale(self):
         for scale in (1e-9, 1e9):
-            graph = vtkdgg.Graph(*corner(scale))
+            graph = vtkdgg.Graph(*support.folded(scale))
             self.assertAlmostEqual(graph.distance(4)[3] / scale, np.sqrt(5.0), delta=1e-6)
 
     def test_components_and_points_without_triangles(self):
-        points, triangles = corner()
+        points, triangles = support.folded()
         points = np.vstack([points, points + [0.0, 5.0, 0.0], [[3.0, 3.0, 3.0]]])
         graph = vtkdgg.Graph(points, np.vstack([triangles, triangles + 6]))
         distances, nearest = graph.distance(0, return_source=True)
@@ -427,254 +211,15 @@ class Mesh(unittest.TestCase):
         np.testing.assert_array_equal(again.distance(0), graph.distance(0))
 
     def test_two_graphs(self):
-        one, two = vtkdgg.Graph(*corner()), vtkdgg.Graph(*corner(2.0))
+        one, two = vtkdgg.Graph(*support.folded()), vtkdgg.Graph(*support.folded(2.0))
         for _ in range(2):
             self.assertAlmostEqual(one.distance(4)[2], 2.0, delta=1e-6)
             self.assertAlmostEqual(two.distance(4)[2], 4.0, delta=1e-6)
 
 
-class Copies(unittest.TestCase):
-    def setUp(self):
-        self.graph = vtkdgg.Graph(*support.bumpy(), accuracy=0.03, memory_limit=2**28)
-
-    def check_equal(self, graph):
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            for source in (11, [[0.7, 0.1, 0.2]]):
-                expected = self.graph.distance(source, projection_tolerance=1.0)
-                distances = graph.distance(source, projection_tolerance=1.0)
-                np.testing.assert_array_equal(distances, expected)
-            np.testing.assert_array_equal(graph.matrix([1, 2]), self.graph.matrix([1, 2]))
-        search = graph._filters[vtkdgg.vtkDGGDistance]
-        self.assertTrue(search.GetUsedInputGraph())
-        self.assertEqual(search.GetMemoryLimit(), 2**28)
-        self.assertEqual(repr(graph), repr(self.graph))
-
-    def test_ways_to_copy(self):
-        for asked in (False, True):
-            if asked:
-                self.graph.distance(5)
-            self.check_equal(copy.copy(self.graph))
-            self.check_equal(copy.deepcopy(self.graph))
-            for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
-                text = pickle.dumps(self.graph, protocol)
-                self.check_equal(pickle.loads(text))  # noqa: S301
-
-    def test_another_process(self):
-        code = (
-            "import pickle, sys, vtkdgg\n"
-            "graph = pickle.load(sys.stdin.buffer)\n"
-            "pickle.dump((graph, graph.distance(11)), sys.stdout.buffer)\n"
-        )
-        self.graph.distance(11)
-        result = subprocess.run(
-            [sys.executable, "-c", code],
-            input=pickle.dumps(self.graph),
-            capture_output=True,
-            check=True,
-        )
-        graph, distances = pickle.loads(result.stdout)  # noqa: S301
-        np.testing.assert_array_equal(distances, self.graph.distance(11))
-        self.check_equal(graph)
-
-    def test_other_data(self):
-        mesh = self.graph.polydata
-        colours = numpy_to_vtk(np.arange(1926, dtype=np.uint8).reshape(-1, 3), deep=True)
-        colours.SetName("Colours")
-        mesh.GetPointData().AddArray(colours)
-        graph = vtkdgg.Graph.from_polydata(mesh, memory_limit=2**28)
-        graph = pickle.loads(pickle.dumps(graph))  # noqa: S301
-        kept = graph.polydata.GetPointData().GetArray("Colours")
-        self.assertEqual(kept.GetDataType(), colours.GetDataType())
-        np.testing.assert_array_equal(vtk_to_numpy(kept), vtk_to_numpy(colours))
-        self.check_equal(graph)
-
-
-class FromPolydata(unittest.TestCase):
-    def setUp(self):
-        self.points, self.triangles = support.bumpy()
-        self.graph = vtkdgg.Graph(self.points, self.triangles, accuracy=0.03)
-        self.expected = self.graph.distance(11)
-
-    def editable(self):
-        """The surface with its graph, none of it shared."""
-        mesh = vtkPolyData()
-        mesh.DeepCopy(self.graph.polydata)
-        return mesh
-
-    def check_equal(self, graph):
-        self.assertEqual(graph.accuracy, 0.03)
-        self.assertEqual(graph.construction, "Guaranteed")
-        np.testing.assert_array_equal(graph.targets, self.graph.targets)
-        np.testing.assert_array_equal(graph.distance(11), self.expected)
-
-    def test_shares_the_graph(self):
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            graph = vtkdgg.Graph.from_polydata(self.graph.polydata)
-        self.assertTrue(np.shares_memory(graph.lengths, self.graph.lengths))
-        self.check_equal(graph)
-
-    def test_through_a_file(self):
-        path = os.path.join(support.output_folder("graph"), "graph.vtp")
-        writer = vtkXMLPolyDataWriter()
-        writer.SetInputData(self.graph.polydata)
-        writer.SetFileName(path)
-        vtkdgg.check(writer)
-        reader = vtkXMLPolyDataReader()
-        reader.SetFileName(path)
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            self.check_equal(vtkdgg.Graph.from_polydata(vtkdgg.check(reader)))
-
-    def test_from_a_pipeline(self):
-        builder = vtkdgg.vtkDiscreteGeodesicGraph()
-        builder.SetInputData(support.polydata(self.points, self.triangles))
-        builder.SetAccuracy(0.03)
-        self.check_equal(vtkdgg.Graph.from_polydata(vtkdgg.check(builder)))
-        builder.SetConstructionToSaddleVertexGraph()
-        builder.SetNumberOfNeighbors(7)
-        graph = vtkdgg.Graph.from_polydata(vtkdgg.check(builder))
-        self.assertIsNone(graph.accuracy)
-        self.assertEqual(len(graph.targets), builder.GetNumberOfGraphEdges())
-
-    def test_the_surface_may_change_later(self):
-        mesh = self.editable()
-        graph = vtkdgg.Graph.from_polydata(mesh)
-        vtk_to_numpy(mesh.GetPoints().GetData())[:] = 0.0
-        mesh.GetPoints().Modified()
-        mesh.GetPolys().Reset()
-        self.check_equal(graph)
-        self.assertEqual(graph.polydata.GetNumberOfPolys(), len(self.triangles))
-
-    def test_out_of_date(self):
-        mesh = self.editable()
-        vtk_to_numpy(mesh.GetPoints().GetData())[:] *= 2.0
-        with self.assertWarnsRegex(RuntimeWarning, "out of date") as caught:
-            graph = vtkdgg.Graph.from_polydata(mesh)
-        self.assertEqual(caught.filename, __file__)
-        self.assertEqual(graph.accuracy, 0.03)
-        np.testing.assert_allclose(graph.distance(11), 2.0 * self.expected, rtol=1e-6)
-
-    def refuses(self, mesh, pattern):
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            with self.assertRaisesRegex(ValueError, f"polydata: its graph is damaged: .*{pattern}"):
-                vtkdgg.Graph.from_polydata(mesh)
-
-    def test_damaged(self):
-        mesh = self.editable()
-        vtk_to_numpy(mesh.GetFieldData().GetArray("DGG.Lengths"))[100] *= 0.5
-        self.refuses(mesh, "checksum is wrong.*a text file that rounds.*build it anew")
-        mesh = self.editable()
-        mesh.GetFieldData().GetArray("DGG.Targets").SetNumberOfTuples(100)
-        self.refuses(mesh, "DGG.Targets has 100")
-        mesh = self.editable()
-        vtk_to_numpy(mesh.GetFieldData().GetArray("DGG.Targets"))[100] = -1
-        self.refuses(mesh, "leads to vertex -1")
-        mesh = self.editable()
-        mesh.GetFieldData().RemoveArray("DGG.Angles")
-        self.refuses(mesh, "DGG.Angles is missing")
-
-    def test_damaged_parameters(self):
-        # They are not taken over, although each could be that of a graph.
-        half = int(np.array([0.5]).view(np.int64)[0])
-        for slot, value in ((2, 1), (3, half), (4, 7), (5, 1), (8, 1), (11, 0)):
-            mesh = self.editable()
-            mesh.GetFieldData().GetArray("DGG.Info").SetValue(slot, value)
-            with self.subTest(slot=slot):
-                self.refuses(mesh, "checksum")
-        for slot, value in ((1, 2), (2, 4), (3, 0), (3, -1)):
-            mesh = self.editable()
-            mesh.GetFieldData().GetArray("DGG.Info").SetValue(slot, value)
-            with self.subTest(slot=slot, value=value):
-                self.refuses(mesh, "its (kind|construction|accuracy) is")
-
-    def test_legacy_files(self):
-        path = os.path.join(support.output_folder("graph"), "graph.vtk")
-        for binary in (True, False):
-            writer = vtkPolyDataWriter()
-            writer.SetInputData(self.graph.polydata)
-            writer.SetFileName(path)
-            if binary:
-                writer.SetFileTypeToBinary()
-            vtkdgg.check(writer)
-            reader = vtkPolyDataReader()
-            reader.SetFileName(path)
-            mesh = vtkdgg.check(reader)
-            if binary:
-                self.check_equal(vtkdgg.Graph.from_polydata(mesh))
-            else:
-                self.refuses(mesh, "a text file that rounds")
-
-    def test_other_data(self):
-        mesh = self.editable()
-        for kind, cells in ((mesh.SetVerts, [[3]]), (mesh.SetLines, [[4, 5], [5, 6]])):
-            array = vtkCellArray()
-            for cell in cells:
-                array.InsertNextCell(len(cell), cell)
-            kind(array)
-        names = vtkStringArray()
-        names.SetName("Names")
-        names.SetNumberOfValues(3)
-        mesh.GetFieldData().AddArray(names)
-        for data, size in ((mesh.GetPointData(), 642), (mesh.GetCellData(), 1283)):
-            array = numpy_to_vtk(np.arange(size), deep=True)
-            array.SetName("Numbers")
-            data.SetScalars(array)
-        kept = vtkdgg.Graph.from_polydata(mesh)
-        self.check_equal(kept)
-        kept = kept.polydata
-        for get in ("GetPointData", "GetCellData"):
-            array = getattr(mesh, get)().GetScalars()
-            self.assertIs(getattr(kept, get)().GetScalars(), array)
-            self.assertEqual(getattr(kept, get)().GetNumberOfArrays(), 1)
-        self.assertIs(kept.GetFieldData().GetAbstractArray("Names"), names)
-        counts = (kept.GetNumberOfVerts(), kept.GetNumberOfLines(), kept.GetNumberOfCells())
-        self.assertEqual(counts, (1, 2, 1283))
-
-    def test_merged_points(self):
-        # Two squares along a common side whose points exist twice.
-        points, triangles = support.grid(1, 1)
-        points = np.vstack([points, points + [1.0, 0.0, 0.0]])
-        builder = vtkdgg.vtkDiscreteGeodesicGraph()
-        builder.SetInputData(support.polydata(points, np.vstack([triangles, triangles + 4])))
-        builder.MergeCoincidentPointsOn()
-        graph = vtkdgg.Graph.from_polydata(vtkdgg.check(builder))
-        self.assertAlmostEqual(graph.distance(0)[7], np.sqrt(5.0), delta=1e-6)
-        self.assertAlmostEqual(graph.matrix(0, 7)[0, 0], np.sqrt(5.0), delta=1e-6)
-        self.assertTrue(graph._filters[vtkdgg.vtkDGGDistance].GetUsedInputGraph())
-
-    def test_no_graph(self):
-        with self.assertRaisesRegex(ValueError, "no graph.*vtkDiscreteGeodesicGraph"):
-            vtkdgg.Graph.from_polydata(support.polydata(self.points, self.triangles))
-        for thing in (None, 3, self.points):
-            with self.assertRaisesRegex(TypeError, "a vtkPolyData is wanted"):
-                vtkdgg.Graph.from_polydata(thing)
-
-    def test_no_points(self):
-        empty = vtkPolyData()
-        with_graph = vtkPolyData()
-        with_graph.SetFieldData(self.graph.polydata.GetFieldData())
-        for mesh in (empty, with_graph):
-            with self.assertRaisesRegex(ValueError, "polydata: at least one point"):
-                vtkdgg.Graph.from_polydata(mesh)
-
-    def test_unreadable_parameters(self):
-        for slot, value in ((0, 2), (2, 4), (2, -1)):
-            mesh = self.editable()
-            mesh.GetFieldData().GetArray("DGG.Info").SetValue(slot, value)
-            with self.subTest(slot=slot, value=value), self.assertRaises(ValueError):
-                vtkdgg.Graph.from_polydata(mesh)
-        mesh = self.editable()
-        mesh.GetFieldData().GetArray("DGG.Info").SetNumberOfTuples(3)
-        with self.assertRaisesRegex(ValueError, "DGG.Info"):
-            vtkdgg.Graph.from_polydata(mesh)
-
-
 class WrongInput(unittest.TestCase):
     def setUp(self):
-        self.points, self.triangles = corner()
+        self.points, self.triangles = support.folded()
         self.graph = vtkdgg.Graph(self.points, self.triangles)
 
     def test_arrays(self):
