@@ -100,6 +100,25 @@ Cloud Cylinder(int count, unsigned seed)
   return cloud;
 }
 
+dgg::CloudGraphBuilder MakeBuilder(const Cloud& cloud)
+{
+  return { cloud.Points.data(), cloud.GetSize() };
+}
+
+dgg::CloudGraphEstimate Predict(const Cloud& cloud, const dgg::CloudGraphOptions& options)
+{
+  dgg::CloudGraphEstimate estimate;
+  const dgg::Status status = MakeBuilder(cloud).Estimate(options, estimate);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  return estimate;
+}
+
+std::string GetRefusal(const Cloud& cloud, const dgg::CloudGraphOptions& options)
+{
+  dgg::CloudGraph graph;
+  return MakeBuilder(cloud).Build(options, graph).GetMessage();
+}
+
 dgg::CloudGraph BuildGraph(const Cloud& cloud,
   const std::function<void(dgg::CloudGraphOptions&)>& change, dgg::CloudGraphStatistics* statistics)
 {
@@ -108,9 +127,8 @@ dgg::CloudGraph BuildGraph(const Cloud& cloud,
   {
     change(options);
   }
-  const dgg::CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
   dgg::CloudGraph graph;
-  dgg::Status status = builder.Build(options, graph, statistics);
+  dgg::Status status = MakeBuilder(cloud).Build(options, graph, statistics);
   EXPECT_TRUE(status.IsOk()) << status.GetMessage();
   const dgg::GraphView view = graph.Graph.View();
   status = dgg::CheckGraph(view, static_cast<dgg::Offset>(graph.Graph.Targets.Size()));

@@ -9,6 +9,7 @@
 #include "dggPoint3.h"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace cloudtest
@@ -47,6 +48,16 @@ Cloud Square(int count, unsigned seed, double gradient = 1.0);
 Cloud Grid(int n);
 /// Random points of a cylinder of radius 1 and height 3 around the z axis.
 Cloud Cylinder(int count, unsigned seed);
+
+/// A builder for the points of a cloud, which must stay.
+dgg::CloudGraphBuilder MakeBuilder(const Cloud& cloud);
+
+/// What is predicted; what the kernel refuses fails the test.
+dgg::CloudGraphEstimate Predict(
+  const Cloud& cloud, const dgg::CloudGraphOptions& options = dgg::CloudGraphOptions());
+
+/// The message with which a graph is refused; empty when it is built.
+std::string GetRefusal(const Cloud& cloud, const dgg::CloudGraphOptions& options);
 
 /// Build; what the kernel refuses, and a graph that is not well formed, fails the test.
 dgg::CloudGraph BuildGraph(const Cloud& cloud,

@@ -175,10 +175,7 @@ TEST(CloudDensity, RefusedBandsAreToldInNumbers)
     CloudGraphOptions options;
     options.Resolution = resolution;
     options.MemoryLimit = limit;
-    CloudGraph graph;
-    return dgg::CloudGraphBuilder(cloud.Points.data(), cloud.GetSize())
-      .Build(options, graph)
-      .GetMessage();
+    return GetRefusal(cloud, options);
   };
   const std::string given = build(4000, 50U << 20);
   for (const char* text : { "4000 along the longest side as Resolution says", "of size 0.000",

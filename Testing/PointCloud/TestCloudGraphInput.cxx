@@ -212,8 +212,7 @@ TEST(CloudGraphInput, CoordinatesOutOfRange)
       x *= scale;
     }
     CloudGraph graph;
-    const dgg::Status status = dgg::CloudGraphBuilder(cloud.Points.data(), cloud.GetSize())
-                                 .Build(CloudGraphOptions(), graph);
+    const dgg::Status status = MakeBuilder(cloud).Build(CloudGraphOptions(), graph);
     EXPECT_FALSE(status.IsOk());
     EXPECT_NE(status.GetMessage().find("scale them"), std::string::npos);
   }
@@ -343,8 +342,7 @@ TEST(CloudGraphInput, PartsThatAreFarApart)
   {
     const Cloud cloud = add(off, 500);
     CloudGraph graph;
-    const dgg::Status status = dgg::CloudGraphBuilder(cloud.Points.data(), cloud.GetSize())
-                                 .Build(CloudGraphOptions(), graph);
+    const dgg::Status status = MakeBuilder(cloud).Build(CloudGraphOptions(), graph);
     EXPECT_FALSE(status.IsOk());
     std::ostringstream distance;
     distance << off;
@@ -389,8 +387,7 @@ TEST(CloudGraphInput, PartsThatAreFarApartHaveTheirDigits)
     CloudGraphOptions options;
     change(options);
     CloudGraph refused;
-    const dgg::Status status =
-      dgg::CloudGraphBuilder(cloud.Points.data(), cloud.GetSize()).Build(options, refused);
+    const dgg::Status status = MakeBuilder(cloud).Build(options, refused);
     EXPECT_FALSE(status.IsOk()) << off;
     EXPECT_NE(status.GetMessage().find("too far apart for the digits"), std::string::npos);
     EXPECT_EQ(status.GetMessage().find("esolution"), std::string::npos) << status.GetMessage();

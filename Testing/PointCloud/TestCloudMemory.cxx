@@ -16,7 +16,6 @@ namespace
 {
 using namespace cloudtest;
 using dgg::CloudGraph;
-using dgg::CloudGraphBuilder;
 using dgg::CloudGraphEstimate;
 using dgg::CloudGraphOptions;
 using dgg::CloudScheme;
@@ -26,9 +25,7 @@ using dgg::Status;
 TEST(CloudGraph, PredictsWhatItTakes)
 {
   const Cloud cloud = Sphere(5000, 7);
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
-  CloudGraphEstimate estimate;
-  ASSERT_TRUE(builder.Estimate(CloudGraphOptions(), estimate).IsOk());
+  const CloudGraphEstimate estimate = Predict(cloud);
   const CloudGraph graph = BuildGraph(cloud);
   const auto edges = static_cast<double>(graph.Graph.Targets.Size());
   EXPECT_NEAR(estimate.Edges, edges, 0.15 * edges);
@@ -39,14 +36,14 @@ TEST(CloudGraph, PredictsWhatItTakes)
   CloudGraphOptions options;
   options.MemoryLimit = static_cast<std::size_t>(0.7 * estimate.Peak);
   CloudGraph refused;
-  Status status = builder.Build(options, refused);
+  Status status = MakeBuilder(cloud).Build(options, refused);
   EXPECT_FALSE(status.IsOk());
   EXPECT_NE(status.GetMessage().find("limit"), std::string::npos) << status.GetMessage();
   EXPECT_TRUE(refused.Graph.Offsets.IsEmpty());
   options.MemoryLimit = 1000;
-  EXPECT_FALSE(builder.Build(options, refused).IsOk());
+  EXPECT_FALSE(MakeBuilder(cloud).Build(options, refused).IsOk());
   options.MemoryLimit = static_cast<std::size_t>(1.5 * estimate.Peak);
-  status = builder.Build(options, refused);
+  status = MakeBuilder(cloud).Build(options, refused);
   EXPECT_TRUE(status.IsOk()) << status.GetMessage();
 }
 
@@ -70,13 +67,11 @@ TEST(CloudGraph, TakesNoMoreThanPredicted)
     options.Normals = normals.data();
     options.Scheme = test.Scheme;
     options.Accuracy = test.Accuracy;
-    const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
-    CloudGraphEstimate estimate;
-    ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
+    const CloudGraphEstimate estimate = Predict(cloud, options);
     const double given = 24.0 * cloud.GetSize(); // there already
     const MemoryProbe probe;
     CloudGraph graph;
-    ASSERT_TRUE(builder.Build(options, graph).IsOk());
+    ASSERT_TRUE(MakeBuilder(cloud).Build(options, graph).IsOk());
     const auto peak = static_cast<double>(probe.GetHeapPeak()); // 0 where it cannot be measured
     EXPECT_LE(peak, estimate.Peak - given)
       << static_cast<int>(test.Scheme) << " " << test.Accuracy << " " << test.Noise;
@@ -113,12 +108,10 @@ TEST(CloudGraph, LimitsMayLeaveNextToNothingForTheBand)
 {
   // From the least limit on that what comes before the band fits into: none of them is no limit.
   const Cloud cloud = Sphere(500, 20);
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
   const auto refusal = [&](std::size_t limit) {
     CloudGraphOptions options;
     options.MemoryLimit = limit;
-    CloudGraph graph;
-    return builder.Build(options, graph).GetMessage();
+    return GetRefusal(cloud, options);
   };
   const std::string before = "what has to be known";
   std::size_t low = 1;
@@ -146,9 +139,7 @@ TEST(CloudGraph, PredictsCoincidentPoints)
   {
     cloud.Add(few.At(i % few.GetSize()));
   }
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
-  CloudGraphEstimate estimate;
-  ASSERT_TRUE(builder.Estimate(CloudGraphOptions(), estimate).IsOk());
+  const CloudGraphEstimate estimate = Predict(cloud);
   const CloudGraph graph = BuildGraph(cloud);
   const auto edges = static_cast<double>(graph.Graph.Targets.Size());
   EXPECT_NEAR(estimate.Edges, edges, 0.2 * edges);
@@ -157,14 +148,13 @@ TEST(CloudGraph, PredictsCoincidentPoints)
   CloudGraphOptions options;
   options.MemoryLimit = 40 * static_cast<std::size_t>(cloud.GetSize());
   CloudGraph refused;
-  EXPECT_FALSE(builder.Build(options, refused).IsOk());
+  EXPECT_FALSE(MakeBuilder(cloud).Build(options, refused).IsOk());
 }
 
 TEST(CloudGraph, HugeReachesTakeNoMoreThanPredicted)
 {
   // Each row looks at all points, in each of several threads.
   const Cloud cloud = Sphere(600, 30);
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
   for (const double accuracy : { 0.5, 0.0 })
   {
     CloudGraphOptions options;
@@ -172,11 +162,10 @@ TEST(CloudGraph, HugeReachesTakeNoMoreThanPredicted)
     options.Alpha = accuracy > 0.0 ? 1e6 : 12.0;
     options.Parallel = WithThreads(6);
     options.NumberOfThreads = 6;
-    CloudGraphEstimate estimate;
-    ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
+    const CloudGraphEstimate estimate = Predict(cloud, options);
     const MemoryProbe probe;
     CloudGraph graph;
-    ASSERT_TRUE(builder.Build(options, graph).IsOk());
+    ASSERT_TRUE(MakeBuilder(cloud).Build(options, graph).IsOk());
     EXPECT_LE(static_cast<double>(probe.GetHeapPeak()), estimate.Peak) << accuracy;
   }
 }
@@ -184,15 +173,12 @@ TEST(CloudGraph, HugeReachesTakeNoMoreThanPredicted)
 TEST(CloudGraph, LimitsAreKeptByFewerThreads)
 {
   const Cloud cloud = Sphere(400, 31);
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
   CloudGraphOptions options;
   options.Accuracy = 0.5;
   options.Alpha = 1e6;
-  CloudGraphEstimate one;
-  ASSERT_TRUE(builder.Estimate(options, one).IsOk());
+  const CloudGraphEstimate one = Predict(cloud, options);
   options.NumberOfThreads = 16;
-  CloudGraphEstimate many;
-  ASSERT_TRUE(builder.Estimate(options, many).IsOk());
+  const CloudGraphEstimate many = Predict(cloud, options);
   EXPECT_GT(many.Peak, 1.2 * one.Peak); // or this is no test
   const CloudGraph expected =
     BuildGraph(cloud, [](CloudGraphOptions& o) { o.Accuracy = 0.5, o.Alpha = 1e6; });
@@ -203,7 +189,7 @@ TEST(CloudGraph, LimitsAreKeptByFewerThreads)
   options.MemoryLimit = static_cast<std::size_t>(one.Peak) + 1;
   const MemoryProbe probe;
   CloudGraph graph;
-  const Status status = builder.Build(options, graph);
+  const Status status = MakeBuilder(cloud).Build(options, graph);
   ASSERT_TRUE(status.IsOk()) << status.GetMessage();
   EXPECT_LE(probe.GetHeapPeak(), options.MemoryLimit);
   EXPECT_TRUE(std::equal(graph.Graph.Targets.begin(), graph.Graph.Targets.end(),
@@ -214,25 +200,20 @@ TEST(CloudGraph, RefusesRowsThatDoNotFit)
 {
   // What comes before the rows just fits; but not what it takes to choose a single one.
   const Cloud cloud = Sphere(1500, 32);
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
   CloudGraphOptions options;
   options.Alpha = 1e6;
-  const auto refusal = [&] {
-    CloudGraph graph;
-    return builder.Build(options, graph).GetMessage();
-  };
   options.MemoryLimit = 200000;
-  ASSERT_NE(refusal().find("what has to be known"), std::string::npos);
+  ASSERT_NE(GetRefusal(cloud, options).find("what has to be known"), std::string::npos);
   const auto isBefore = [](const std::string& message) {
     return message.find("what has to be known") != std::string::npos ||
       message.find("the band of voxels") != std::string::npos;
   };
-  while (isBefore(refusal()))
+  while (isBefore(GetRefusal(cloud, options)))
   {
     options.MemoryLimit += options.MemoryLimit / 25;
   }
   const MemoryProbe probe;
-  const std::string message = refusal();
+  const std::string message = GetRefusal(cloud, options);
   EXPECT_NE(message.find("building the graph of the cloud"), std::string::npos) << message;
   EXPECT_LE(probe.GetHeapPeak(), options.MemoryLimit);
 }

@@ -7,39 +7,68 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace
 {
 using namespace cloudtest;
 using dgg::CloudGraph;
-using dgg::CloudGraphBuilder;
 using dgg::CloudGraphEstimate;
 using dgg::CloudGraphOptions;
+
+/// Keeps what it is told, and goes on until `end` is reached.
+dgg::ProgressCallback Keep(std::vector<double>& told, double end = dgg::Infinity)
+{
+  return [&told, end](double done) {
+    told.push_back(done);
+    return done < end;
+  };
+}
+
+/// Each look but the first three tells of more than the one before.
+void ExpectGrowth(const std::vector<double>& told)
+{
+  for (std::size_t i = 3; i < told.size(); ++i)
+  {
+    EXPECT_GT(told[i], told[i - 1]) << i;
+  }
+}
+
+/// Asked to stop at look number `calls`, `work` does, and looks no more.
+void ExpectStop(std::size_t calls, CloudGraphOptions options,
+  const std::function<dgg::Status(const CloudGraphOptions&)>& work)
+{
+  std::size_t called = 0;
+  options.Progress = [&](double) { return ++called < calls; };
+  EXPECT_TRUE(work(options).IsAborted());
+  EXPECT_EQ(called, calls);
+}
+
+void ExpectStopOfPrediction(std::size_t calls, const Cloud& cloud)
+{
+  CloudGraphEstimate estimate;
+  ExpectStop(calls, CloudGraphOptions(), [&](const CloudGraphOptions& options) {
+    return MakeBuilder(cloud).Estimate(options, estimate);
+  });
+}
 }
 
 TEST(CloudGraph, PredictionsTellOfProgressAndStop)
 {
   const Cloud cloud = Sphere(8000, 12);
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
   CloudGraphOptions options;
   std::vector<double> told;
-  options.Progress = [&](double done) {
-    told.push_back(done);
-    return true;
-  };
+  options.Progress = Keep(told);
   CloudGraphEstimate estimate;
-  ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
+  ASSERT_TRUE(MakeBuilder(cloud).Estimate(options, estimate).IsOk());
   EXPECT_GT(told.size(), 20U);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_GT(told.back(), 0.9);
   EXPECT_LE(told.back(), 1.0);
   for (std::size_t calls = 1; calls < told.size(); calls += 3)
   {
-    std::size_t called = 0;
-    options.Progress = [&](double) { return ++called < calls; };
-    EXPECT_TRUE(builder.Estimate(options, estimate).IsAborted());
-    EXPECT_EQ(called, calls);
+    ExpectStopOfPrediction(calls, cloud);
   }
 }
 
@@ -48,45 +77,31 @@ TEST(CloudGraph, ProgressGrowsWhileNoiseIsRemoved)
   const Cloud cloud = Sphere(20000, 12, 0.01);
   CloudGraphOptions options;
   std::vector<double> told;
-  options.Progress = [&](double done) {
-    told.push_back(done);
-    return done < 0.3; // fits come first
-  };
+  options.Progress = Keep(told, 0.3); // fits come first
   CloudGraphEstimate estimate;
-  EXPECT_TRUE(CloudGraphBuilder(cloud.Points.data(), cloud.GetSize())
-                .Estimate(options, estimate)
-                .IsAborted());
+  EXPECT_TRUE(MakeBuilder(cloud).Estimate(options, estimate).IsAborted());
   EXPECT_GT(told.size(), 12U); // five of each of three fits
-  for (std::size_t i = 3; i < told.size(); ++i)
-  {
-    EXPECT_GT(told[i], told[i - 1]) << i;
-  }
+  ExpectGrowth(told);
 }
 
 TEST(CloudGraph, TellsOfProgressAndStops)
 {
   const Cloud cloud = Sphere(20000, 8);
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
   CloudGraphOptions options;
   options.Accuracy = 0.1;
   options.Alpha = 4.0;
   std::vector<double> told;
-  options.Progress = [&](double done) {
-    told.push_back(done);
-    return true;
-  };
+  options.Progress = Keep(told);
   CloudGraph graph;
-  ASSERT_TRUE(builder.Build(options, graph).IsOk());
+  ASSERT_TRUE(MakeBuilder(cloud).Build(options, graph).IsOk());
   EXPECT_GT(told.size(), 6U);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_GE(told.front(), 0.0);
   EXPECT_EQ(told.back(), 1.0);
   for (const std::size_t calls : { 1, 3, 6 })
   {
-    std::size_t called = 0;
-    options.Progress = [&](double) { return ++called < calls; };
-    EXPECT_TRUE(builder.Build(options, graph).IsAborted());
-    EXPECT_EQ(called, calls);
+    ExpectStop(calls, options,
+      [&](const CloudGraphOptions& stopping) { return MakeBuilder(cloud).Build(stopping, graph); });
     EXPECT_TRUE(graph.Graph.Offsets.IsEmpty());
   }
 }
@@ -98,24 +113,14 @@ TEST(CloudGraph, ProgressGrowsWhileMuchNoiseIsRemoved)
   const Cloud cloud = Sphere(6000, 13, 1.3 * spacing);
   CloudGraphOptions options;
   std::vector<double> told;
-  options.Progress = [&](double done) {
-    told.push_back(done);
-    return done < 0.3;
-  };
+  options.Progress = Keep(told, 0.3);
   CloudGraphEstimate estimate;
-  const CloudGraphBuilder builder(cloud.Points.data(), cloud.GetSize());
-  EXPECT_TRUE(builder.Estimate(options, estimate).IsAborted());
+  EXPECT_TRUE(MakeBuilder(cloud).Estimate(options, estimate).IsAborted());
   EXPECT_GT(told.size(), 25U);
-  for (std::size_t i = 3; i < told.size(); ++i)
-  {
-    EXPECT_GT(told[i], told[i - 1]) << i;
-  }
+  ExpectGrowth(told);
   for (std::size_t calls = 1; calls < told.size(); calls += 5)
   {
-    std::size_t called = 0;
-    options.Progress = [&](double) { return ++called < calls; };
-    EXPECT_TRUE(builder.Estimate(options, estimate).IsAborted());
-    EXPECT_EQ(called, calls);
+    ExpectStopOfPrediction(calls, cloud);
   }
 }
 
@@ -132,7 +137,6 @@ TEST(CloudGraph, ProgressOfHugeReaches)
     return done < 0.17;
   };
   CloudGraph graph;
-  EXPECT_TRUE(
-    CloudGraphBuilder(cloud.Points.data(), cloud.GetSize()).Build(options, graph).IsAborted());
+  EXPECT_TRUE(MakeBuilder(cloud).Build(options, graph).IsAborted());
   EXPECT_LT(first, 0.3);
 }
