@@ -23,6 +23,38 @@ Errors ErrorsOf(const Cloud& cloud, const std::function<void(CloudGraphOptions&)
   EXPECT_EQ(graph.ComponentSizes.size(), 1U);
   return MeasureErrors(cloud, graph.Graph.View(), least);
 }
+
+/// A coarser graph, what was found out about the noise, and its errors beyond `least`.
+struct NoisyGraph
+{
+  dgg::CloudGraphStatistics Statistics;
+  Errors Error;
+
+  NoisyGraph(const Cloud& cloud, double least)
+  {
+    const CloudGraph graph = BuildGraph(
+      cloud, [](CloudGraphOptions& options) { options.Accuracy = 0.01; }, &this->Statistics);
+    this->Error = MeasureErrors(cloud, graph.Graph.View(), least);
+  }
+};
+
+/// Random points of the sphere or of the square, with normal noise along the normals: so distances
+/// stay what they are.
+Cloud WithNoiseAlongNormals(
+  bool isRound, int count, double noise, unsigned seed, std::mt19937& generator)
+{
+  Cloud cloud = isRound ? Sphere(count, seed) : Square(count, seed);
+  std::normal_distribution<double> number;
+  for (Id i = 0; i < cloud.GetSize(); ++i)
+  {
+    const Point3 normal = isRound ? cloud.At(i) : Point3{ 0.0, 0.0, 1.0 };
+    const Point3 moved = cloud.At(i) + noise * number(generator) * normal;
+    cloud.Points[3 * i] = moved.X;
+    cloud.Points[3 * i + 1] = moved.Y;
+    cloud.Points[3 * i + 2] = moved.Z;
+  }
+  return cloud;
+}
 }
 
 TEST(CloudGraphAccuracy, ClosedForms)
@@ -176,13 +208,10 @@ TEST(CloudGraphAccuracy, NoisyPointsAreMovedToTheSurface)
   for (const double noise : { 0.01, 0.02 }) // 0.5 % and 1 % of the box
   {
     const Cloud cloud = Sphere(8000, 12, noise);
-    dgg::CloudGraphStatistics statistics;
-    const CloudGraph graph = BuildGraph(
-      cloud, [](CloudGraphOptions& options) { options.Accuracy = 0.01; }, &statistics);
-    EXPECT_NEAR(statistics.Noise, noise, 0.4 * noise);
-    const Errors errors = MeasureErrors(cloud, graph.Graph.View(), 0.5);
-    EXPECT_LT(errors.Mean, noise) << noise;
-    EXPECT_EQ(errors.Unreached, 0);
+    const NoisyGraph graph(cloud, 0.5);
+    EXPECT_NEAR(graph.Statistics.Noise, noise, 0.4 * noise);
+    EXPECT_LT(graph.Error.Mean, noise) << noise;
+    EXPECT_EQ(graph.Error.Unreached, 0);
   }
   dgg::CloudGraphStatistics statistics;
   BuildGraph(Sphere(3000, 13), nullptr, &statistics);
@@ -191,8 +220,7 @@ TEST(CloudGraphAccuracy, NoisyPointsAreMovedToTheSurface)
 
 TEST(CloudGraphAccuracy, NoiseAboveTheSpacing)
 {
-  // To 16 neighbours it seems a volume. Noise is along the normal, so that distances stay what they
-  // are.
+  // To 16 neighbours it seems a volume.
   struct Case
   {
     bool IsRound;
@@ -201,30 +229,18 @@ TEST(CloudGraphAccuracy, NoiseAboveTheSpacing)
   };
   const int n = 4000;
   std::mt19937 generator(31);
-  std::normal_distribution<double> number;
   for (const Case& test : { Case{ false, 1.0, 0.002 }, { false, 2.0, 0.006 }, { true, 1.0, 0.01 } })
   {
-    Cloud cloud = test.IsRound ? Sphere(n, 33) : Square(n, 32);
     const double noise = test.Spacings * std::sqrt((test.IsRound ? 4.0 * dgg::Pi : 1.0) / n);
-    for (Id i = 0; i < n; ++i)
-    {
-      const double off = noise * number(generator);
-      const Point3 p = cloud.At(i);
-      const Point3 moved = test.IsRound ? (1.0 + off) * p : p + Point3{ 0.0, 0.0, off };
-      cloud.Points[3 * i] = moved.X;
-      cloud.Points[3 * i + 1] = moved.Y;
-      cloud.Points[3 * i + 2] = moved.Z;
-    }
-    dgg::CloudGraphStatistics statistics;
-    const CloudGraph graph = BuildGraph(
-      cloud, [](CloudGraphOptions& options) { options.Accuracy = 0.01; }, &statistics);
-    EXPECT_NEAR(statistics.Noise, noise, 0.12 * noise) << test.Spacings;
-    EXPECT_LT(statistics.OffSurface, 0.02) << test.Spacings;
-    EXPECT_EQ(statistics.Scatter, 0.0) << test.Spacings;
-    const Errors errors = MeasureErrors(cloud, graph.Graph.View(), 0.3);
-    EXPECT_LT(errors.Mean, test.Error) << test.Spacings;
-    EXPECT_LT(errors.Max, 0.05) << test.Spacings;
-    EXPECT_EQ(errors.Unreached, 0);
+    const Cloud cloud =
+      WithNoiseAlongNormals(test.IsRound, n, noise, test.IsRound ? 33 : 32, generator);
+    const NoisyGraph graph(cloud, 0.3);
+    EXPECT_NEAR(graph.Statistics.Noise, noise, 0.12 * noise) << test.Spacings;
+    EXPECT_LT(graph.Statistics.OffSurface, 0.02) << test.Spacings;
+    EXPECT_EQ(graph.Statistics.Scatter, 0.0) << test.Spacings;
+    EXPECT_LT(graph.Error.Mean, test.Error) << test.Spacings;
+    EXPECT_LT(graph.Error.Max, 0.05) << test.Spacings;
+    EXPECT_EQ(graph.Error.Unreached, 0);
   }
 }
 
@@ -253,12 +269,9 @@ TEST(CloudGraphAccuracy, ShapesFinerThanMuchNoise)
     cloud.Points[3 * i + 2] = 0.05 * std::sin(12.0 * p.X) + off;
   }
   cloud.Distance = [&](Id a, Id b) { return dgg::Norm(flat[a] - flat[b]); };
-  dgg::CloudGraphStatistics statistics;
-  const CloudGraph graph = BuildGraph(
-    cloud, [](CloudGraphOptions& options) { options.Accuracy = 0.01; }, &statistics);
-  const Errors errors = MeasureErrors(cloud, graph.Graph.View(), 0.3);
-  EXPECT_LT(errors.Mean, 0.0095); // 0.0090, and 0.0100 with twice the neighbours
-  EXPECT_EQ(statistics.Scatter, 0.0);
+  const NoisyGraph graph(cloud, 0.3);
+  EXPECT_LT(graph.Error.Mean, 0.0095); // 0.0090, and 0.0100 with twice the neighbours
+  EXPECT_EQ(graph.Statistics.Scatter, 0.0);
 }
 
 TEST(CloudGraphAccuracy, NoiseThatIsLargeBesideTheShapeIsTold)
@@ -272,26 +285,15 @@ TEST(CloudGraphAccuracy, NoiseThatIsLargeBesideTheShapeIsTold)
   };
   const int n = 4000;
   std::mt19937 generator(34);
-  std::normal_distribution<double> number;
   for (const Case& test :
     { Case{ true, 0.078, true }, { true, 0.03, false }, { false, 0.03, false } })
   {
-    Cloud cloud = test.IsRound ? Sphere(n, 35) : Square(n, 36);
-    for (Id i = 0; i < n; ++i)
-    {
-      const Point3 up = test.IsRound ? cloud.At(i) : Point3{ 0.0, 0.0, 1.0 };
-      const Point3 moved = cloud.At(i) + test.Noise * number(generator) * up;
-      cloud.Points[3 * i] = moved.X;
-      cloud.Points[3 * i + 1] = moved.Y;
-      cloud.Points[3 * i + 2] = moved.Z;
-    }
-    dgg::CloudGraphStatistics statistics;
-    const CloudGraph graph = BuildGraph(
-      cloud, [](CloudGraphOptions& options) { options.Accuracy = 0.01; }, &statistics);
-    EXPECT_EQ(statistics.Scatter, 0.0);
-    EXPECT_EQ(statistics.NoiseByRadius > 0.07, test.IsTold) << statistics.NoiseByRadius;
-    const Errors errors = MeasureErrors(cloud, graph.Graph.View(), 0.3);
-    EXPECT_EQ(errors.Mean > 0.01, test.IsTold) << errors.Mean;
+    const Cloud cloud =
+      WithNoiseAlongNormals(test.IsRound, n, test.Noise, test.IsRound ? 35 : 36, generator);
+    const NoisyGraph graph(cloud, 0.3);
+    EXPECT_EQ(graph.Statistics.Scatter, 0.0);
+    EXPECT_EQ(graph.Statistics.NoiseByRadius > 0.07, test.IsTold) << graph.Statistics.NoiseByRadius;
+    EXPECT_EQ(graph.Error.Mean > 0.01, test.IsTold) << graph.Error.Mean;
   }
   dgg::CloudGraphStatistics statistics;
   BuildGraph(Sphere(1000, 37), nullptr, &statistics);
