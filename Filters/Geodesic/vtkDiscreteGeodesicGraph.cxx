@@ -7,11 +7,9 @@
 #include "vtkDGGMemory.h"
 #include "vtkDGGMeshAdapter.h"
 
-#include "vtkAlgorithmOutput.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -108,23 +106,13 @@ vtkPolyData* vtkDiscreteGeodesicGraph::GetGraphLines()
 vtkTypeUInt64 vtkDiscreteGeodesicGraph::EstimateMemory()
 {
   this->Internals->Estimate = dgg::GraphEstimate();
-  const unsigned long errorCode = this->GetErrorCode();
-  this->SetAbortExecute(0);
-  const bool done = this->Attempt([this] { return this->Estimate(); });
-  if (this->GetErrorCode() == vtkErrorCode::NoError)
-  {
-    this->SetErrorCode(errorCode); // that of the last update
-  }
+  const bool done = this->AttemptOutsideOfUpdate([this] { return this->Estimate(); });
   return done ? this->GetEstimatedMemory() : 0;
 }
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDiscreteGeodesicGraph::Estimate()
 {
-  if (this->GetNumberOfInputConnections(0) > 0)
-  {
-    this->GetInputAlgorithm()->Update(this->GetInputConnection(0, 0)->GetIndex());
-  }
   dgg::Status status = this->CheckProperties();
   if (!status.IsOk())
   {

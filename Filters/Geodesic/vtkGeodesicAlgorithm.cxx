@@ -5,6 +5,7 @@
 #include "vtkDGGCompatibility.h"
 #include "vtkDGGMeshAdapter.h"
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
@@ -322,6 +323,25 @@ bool vtkGeodesicAlgorithm::Attempt(const std::function<dgg::Status()>& step)
     vtkErrorMacro(<< status.GetMessage());
   }
   return status.IsOk();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGeodesicAlgorithm::AttemptOutsideOfUpdate(const std::function<dgg::Status()>& step)
+{
+  const unsigned long errorCode = this->GetErrorCode();
+  this->SetAbortExecute(0);
+  const bool done = this->Attempt([this, &step] {
+    if (this->GetNumberOfInputConnections(0) > 0)
+    {
+      this->GetInputAlgorithm()->Update(this->GetInputConnection(0, 0)->GetIndex());
+    }
+    return step();
+  });
+  if (this->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    this->SetErrorCode(errorCode); // that of the last update
+  }
+  return done;
 }
 
 //------------------------------------------------------------------------------

@@ -234,6 +234,12 @@ protected:
   bool Attempt(const std::function<dgg::Status()>& step);
 
   /**
+   * Attempt() outside of updates, as to predict one: with the input brought up to date. The
+   * error code stays that of the last update, but for an error.
+   */
+  bool AttemptOutsideOfUpdate(const std::function<dgg::Status()>& step);
+
+  /**
    * Tell the progress of Execute(), in [0, 1]; it never goes back. Returns whether to go on. An
    * observer may change any property meanwhile.
    */

@@ -10,9 +10,7 @@
 
 #include "dggBitHash.h"
 
-#include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
-#include "vtkErrorCode.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -46,23 +44,13 @@ dgg::Signature MakeKey(const dgg::CloudGraphOptions& options, dgg::Id numberOfPo
 vtkTypeUInt64 vtkPointCloudDGG::EstimateMemory()
 {
   this->Internals->Estimate = dgg::CloudGraphEstimate();
-  const unsigned long errorCode = this->GetErrorCode();
-  this->SetAbortExecute(0);
-  const bool done = this->Attempt([this] { return this->Estimate(); });
-  if (this->GetErrorCode() == vtkErrorCode::NoError)
-  {
-    this->SetErrorCode(errorCode); // that of the last update
-  }
+  const bool done = this->AttemptOutsideOfUpdate([this] { return this->Estimate(); });
   return done ? this->GetEstimatedMemory() : 0;
 }
 
 //------------------------------------------------------------------------------
 dgg::Status vtkPointCloudDGG::Estimate()
 {
-  if (this->GetNumberOfInputConnections(0) > 0)
-  {
-    this->GetInputAlgorithm()->Update(this->GetInputConnection(0, 0)->GetIndex());
-  }
   dgg::Status status = this->CheckProperties();
   vtkPolyData* cloud = vtkPolyData::SafeDownCast(this->GetInput());
   if (status.IsOk() && cloud && cloud->GetNumberOfPoints() == 0)
