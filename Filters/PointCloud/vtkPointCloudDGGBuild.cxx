@@ -128,15 +128,21 @@ dgg::Status vtkPointCloudDGG::FindNormals(
   const dgg::Id points = mesh.GetMesh().GetNumberOfVertices();
   if (vtkDataArray* given = source.Given)
   {
+    // They are those of the input, which observers may have changed since they were checked.
+    if (given->GetNumberOfComponents() != 3 || given->GetNumberOfTuples() != points)
+    {
+      return dgg::Status::Invalid("the point normals of the input were changed during the update, "
+                                  "or its points: do not change them in observers, and update "
+                                  "again");
+    }
     const dgg::Status status = vtkDGGCheckMemory("a copy of the normals",
       3.0 * sizeof(double) * points, this->MemoryLimit, "use fewer points");
     if (!status.IsOk())
     {
       return status;
     }
-    const vtkIdType n = given->GetNumberOfTuples();
-    auto copy = std::make_shared<std::vector<double>>(3 * static_cast<std::size_t>(n));
-    for (vtkIdType i = 0; i < n; ++i)
+    auto copy = std::make_shared<std::vector<double>>(3 * static_cast<std::size_t>(points));
+    for (vtkIdType i = 0; i < points; ++i)
     {
       given->GetTuple(i, copy->data() + 3 * i);
     }

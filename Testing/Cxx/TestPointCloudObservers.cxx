@@ -5,10 +5,13 @@
 #include "GraphTestTools.h"
 
 #include "vtkCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dggtest
@@ -41,6 +44,57 @@ TEST(PointCloudObservers, MayChangeThePoints)
   vtkNew<vtkPointCloudDGG> filter;
   filter->SetInputData(cloud);
   ExpectErrorWhenPointsChange(filter, cloud, { "points were changed" });
+}
+
+TEST(PointCloudObservers, MayChangeTheNormals)
+{
+  // In place, when it has been looked at whether they fit: an error, without anything read or
+  // written out of bounds.
+  const Points points = MakeSpherePoints(600);
+  struct Changer
+  {
+    vtkDoubleArray* Normals;
+    int Components;
+    vtkIdType Tuples;
+    void Observe(vtkObject* caller, unsigned long, void*)
+    {
+      if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() >= 0.1)
+      {
+        this->Normals->SetNumberOfComponents(this->Components);
+        this->Normals->SetNumberOfTuples(this->Tuples);
+        this->Normals->Squeeze();
+      }
+    }
+  };
+  const std::string expected = "normals of the input were changed";
+  for (const auto& [components, tuples] : std::vector<std::pair<int, vtkIdType>>{
+         { 3, 0 }, { 3, 1 }, { 3, 599 }, { 3, 100000 }, { 1, 600 }, { 2, 600 }, { 3000, 600 } })
+  {
+    for (const bool estimates : { false, true })
+    {
+      const auto cloud = MakeCloud(points);
+      vtkNew<vtkDoubleArray> normals;
+      normals->SetNumberOfComponents(3);
+      for (const auto& p : points)
+      {
+        normals->InsertNextTuple(p.data());
+      }
+      cloud->GetPointData()->SetNormals(normals);
+      vtkNew<vtkPointCloudDGG> filter;
+      filter->SetInputData(cloud);
+      Changer changer{ normals, components, tuples };
+      filter->AddObserver(vtkCommand::ProgressEvent, &changer, &Changer::Observe);
+      if (!estimates)
+      {
+        ExpectError(filter, { expected });
+        continue;
+      }
+      const Listener listener(filter);
+      EXPECT_EQ(filter->EstimateMemory(), 0u);
+      ASSERT_EQ(listener.Errors.size(), 1u);
+      EXPECT_NE(listener.Errors[0].find(expected), std::string::npos) << listener.Errors[0];
+    }
+  }
 }
 
 TEST(PointCloudObservers, MayChangeProperties)
