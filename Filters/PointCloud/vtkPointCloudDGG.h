@@ -289,8 +289,10 @@ public:
   /**
    * Most bytes that building the graph may take, the band included. A graph that would take more is
    * an error, before it is built. Default 0, which stands for 70 % of the memory that is free at
-   * that time. These are bytes of the blocks that are asked for: the process grows by more, as the
-   * allocator keeps and rounds up some (by up to 15 % where it was measured).
+   * that time. Where the threads would take more than that together, fewer of them build the graph:
+   * it is an error only when one would, whatever the number of threads. These are bytes of the
+   * blocks that are asked for: the process grows by more, as the allocator keeps and rounds up some
+   * (by up to 15 % where it was measured).
    */
   vtkSetMacro(MemoryLimit, vtkTypeUInt64);
   vtkGetMacro(MemoryLimit, vtkTypeUInt64);
@@ -315,7 +317,7 @@ public:
   ///@{
   /**
    * What EstimateMemory() predicted last, in bytes: for the graph, and most at one time while it is
-   * built. 0 before.
+   * built, by all threads. 0 before.
    */
   vtkTypeUInt64 GetEstimatedMemory() const;
   vtkTypeUInt64 GetEstimatedPeakMemory() const;

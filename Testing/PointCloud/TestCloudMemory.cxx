@@ -18,6 +18,7 @@ using namespace cloudtest;
 using dgg::CloudGraph;
 using dgg::CloudGraphEstimate;
 using dgg::CloudGraphOptions;
+using dgg::CloudGraphStatistics;
 using dgg::CloudScheme;
 using dgg::Status;
 }
@@ -183,17 +184,46 @@ TEST(CloudGraph, LimitsAreKeptByFewerThreads)
   const CloudGraph expected =
     BuildGraph(cloud, [](CloudGraphOptions& o) { o.Accuracy = 0.5, o.Alpha = 1e6; });
 
-  // The prediction is that of one thread, but there are more of them.
-  options.NumberOfThreads = 1;
+  // All threads would take more than the limit, but one does not.
   options.Parallel = WithThreads(16);
   options.MemoryLimit = static_cast<std::size_t>(one.Peak) + 1;
   const MemoryProbe probe;
   CloudGraph graph;
-  const Status status = MakeBuilder(cloud).Build(options, graph);
+  CloudGraphStatistics statistics;
+  const Status status = MakeBuilder(cloud).Build(options, graph, &statistics);
   ASSERT_TRUE(status.IsOk()) << status.GetMessage();
   EXPECT_LE(probe.GetHeapPeak(), options.MemoryLimit);
+  EXPECT_LE(statistics.PeakMemory, options.MemoryLimit);
   EXPECT_TRUE(std::equal(graph.Graph.Targets.begin(), graph.Graph.Targets.end(),
     expected.Graph.Targets.begin(), expected.Graph.Targets.end()));
+}
+
+TEST(CloudGraph, LimitsRefuseTheSameForAnyNumberOfThreads)
+{
+  const Cloud cloud = Sphere(400, 33);
+  CloudGraphOptions options;
+  options.Accuracy = 0.5;
+  options.Alpha = 1e6;
+  const CloudGraphEstimate estimate = Predict(cloud, options);
+  int refused = 0;
+  int built = 0;
+  for (const double share : { 0.7, 0.99, 1.01, 1.3 })
+  {
+    options.MemoryLimit = static_cast<std::size_t>(share * estimate.Peak);
+    std::vector<std::string> messages;
+    for (const int threads : { 1, 2, 16 })
+    {
+      options.NumberOfThreads = threads;
+      options.Parallel = WithThreads(threads);
+      CloudGraph graph;
+      messages.push_back(MakeBuilder(cloud).Build(options, graph).GetMessage());
+    }
+    EXPECT_EQ(messages[1], messages[0]) << share;
+    EXPECT_EQ(messages[2], messages[0]) << share;
+    ++(messages[0].empty() ? built : refused);
+  }
+  EXPECT_GE(refused, 2); // or this is no test
+  EXPECT_GE(built, 2);
 }
 
 TEST(CloudGraph, RefusesRowsThatDoNotFit)

@@ -53,15 +53,14 @@ std::size_t BytesPerEdge(bool wide)
 
 /// Of what comes before rows, of rows while they are built, or of rows, graph and what is needed to
 /// unite them.
-double PredictPeak(const CloudSetup& setup, const CloudGraphOptions& options, Id numberOfPoints,
+double PredictPeak(const CloudSetup& setup, int numberOfThreads, Id numberOfPoints,
   const RowSample& sample, double edges, bool wide)
 {
   const double points = numberOfPoints;
   const auto nodes = static_cast<Id>(setup.Pairs.Points.size());
   const double held = static_cast<double>(setup.GetMemorySize()) + sample.GetBlockMemory(nodes);
   const double rows = edges / UnitedShare * sizeof(Id);
-  const double threads =
-    std::min<double>(std::max(1, options.NumberOfThreads), sample.CountBlocks(nodes));
+  const double threads = std::min<double>(std::max(1, numberOfThreads), sample.CountBlocks(nodes));
   const double arrays = points * (2.0 * sizeof(Offset) + 4.0 * sizeof(Id) + sizeof(double));
   const double graph =
     arrays + std::max(rows + edges * sizeof(Id), edges * static_cast<double>(BytesPerEdge(wide)));
@@ -72,7 +71,7 @@ double PredictPeak(const CloudSetup& setup, const CloudGraphOptions& options, Id
 
 /// Predict from the rows of some nodes.
 CloudGraphEstimate PredictFrom(const CloudSetup& setup, const CloudGraphOptions& options,
-  Id numberOfPoints, const RowSample& sample)
+  int numberOfThreads, Id numberOfPoints, const RowSample& sample)
 {
   CloudGraphEstimate estimate;
   const auto nodes = static_cast<double>(setup.Pairs.Points.size());
@@ -81,8 +80,22 @@ CloudGraphEstimate PredictFrom(const CloudSetup& setup, const CloudGraphOptions&
   estimate.Edges = UnitedShare * sample.Targets * nodes + 2.0 * coincident;
   estimate.Memory = estimate.Edges * static_cast<double>(BytesPerEdge(wide)) +
     (numberOfPoints + 1.0) * sizeof(Offset);
-  estimate.Peak = PredictPeak(setup, options, numberOfPoints, sample, estimate.Edges, wide);
+  estimate.Peak = PredictPeak(setup, numberOfThreads, numberOfPoints, sample, estimate.Edges, wide);
   return estimate;
+}
+
+/// What was held when the graph has been built. With a limit no more threads worked at the same
+/// time than fit; one always did.
+double EstimatePeak(const CloudSetup& setup, const CloudGraphOptions& options, Id numberOfPoints,
+  const RowSample& sample, double edges, bool wide)
+{
+  const auto predict = [&](int threads) {
+    return PredictPeak(setup, threads, numberOfPoints, sample, edges, wide);
+  };
+  const double all = predict(options.NumberOfThreads);
+  return options.MemoryLimit > 0
+    ? std::min(all, std::max(predict(1), static_cast<double>(options.MemoryLimit)))
+    : all;
 }
 
 Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptions& options,
@@ -102,8 +115,9 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
       ProgressPart(options.Progress, ShareOfSetup, EndOfPrediction), sample);
   if (status.IsOk() && options.MemoryLimit > 0)
   {
-    status =
-      CheckRowMemory(PredictFrom(setup, options, numberOfPoints, sample).Peak, options.MemoryLimit);
+    // Rows are built by as many threads as fit: whether there is a graph does not depend on them.
+    const double least = PredictFrom(setup, options, 1, numberOfPoints, sample).Peak;
+    status = CheckRowMemory(least, options.MemoryLimit);
   }
   if (!status.IsOk())
   {
@@ -123,7 +137,7 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
   {
     return status;
   }
-  statistics.PeakMemory = static_cast<std::size_t>(PredictPeak(setup, options, numberOfPoints,
+  statistics.PeakMemory = static_cast<std::size_t>(EstimatePeak(setup, options, numberOfPoints,
     sample, static_cast<double>(result.Graph.Targets.Size()), wide));
 
   const auto n = static_cast<std::size_t>(numberOfPoints);
@@ -218,7 +232,7 @@ Status CloudGraphBuilder::Estimate(
   }
   if (status.IsOk())
   {
-    estimate = PredictFrom(setup, options, this->NumberOfPoints, sample);
+    estimate = PredictFrom(setup, options, options.NumberOfThreads, this->NumberOfPoints, sample);
   }
   return status;
 }

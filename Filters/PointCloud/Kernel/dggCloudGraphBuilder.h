@@ -47,7 +47,8 @@ struct CloudGraphOptions
   /// back to back. Points without a normal are treated as if it were false.
   bool HasOrientedNormals = false;
   /// Bytes that building may take, with Normals, which are there already. 0: no limit. Fewer
-  /// threads are used where what they need for themselves would be more.
+  /// threads are used where what they need for themselves would be more: it fails only where one
+  /// would need more, the same for any number of them.
   std::size_t MemoryLimit = 0;
   ParallelFor Parallel;      ///< may be empty
   int NumberOfThreads = 1;   ///< that Parallel may use, for the estimate of memory
