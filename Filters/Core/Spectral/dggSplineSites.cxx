@@ -188,8 +188,7 @@ Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& site
         what + " is the same as site " + std::to_string(numbers[v]) + ": leave one of them out");
     }
     // A single site is right in any component: its function is 1.
-    const Status status =
-      needed[system.GetComponent(v)] == 0 || !system.IsFree(system.GetComponent(v))
+    Status status = needed[system.GetComponent(v)] == 0 || !system.IsFree(system.GetComponent(v))
       ? CheckThinPlace(system, v, what)
       : Status::Success();
     if (!status.IsOk())
