@@ -27,9 +27,9 @@
  *    both is added; colours go over to that within about `Width`, so that a curve that is shorter
  *    than twice its width nowhere adds all of its strength. `Strength` and `RightStrength` may have
  *    a single component for all channels. Where they change along the curve, they are harmonic
- *    beside it. Colours farther away do not change, unless a diffusion curve runs through the band,
- *    whose colours stay as they are given. Bands do not reach through diffusion and other Poisson
- *    curves.
+ *    beside it; on triangles all too thin for that, those of the nearest place. Colours farther
+ *    away do not change, unless a diffusion curve runs through the band, whose colours stay as they
+ *    are given. Bands do not reach through diffusion and other Poisson curves.
  *  - 2, Region: a closed curve; what is on its left gets brighter by `Strength` (that of the first
  *    point) in its middle, if it is flat and round, fading towards the rim. It is a source of
  *    constant density, 4 pi Strength / area, with a sink along the curve that takes in as much.

@@ -142,10 +142,14 @@ Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& i
       static_cast<double>(solver.GetEstimatedMemory()) + numbers * sizeof(double) +
       static_cast<double>(isInBand.size()) * (sizeof(Id) + 1.0));
   }
-  status = status.IsOk() ? solver.Factorize(nullptr) : status;
   if (!status.IsOk())
   {
     return status;
+  }
+  if (!solver.Factorize(nullptr).IsOk()) // its triangles are too thin
+  {
+    this->Places.clear();
+    return Status::Success();
   }
   this->Columns.assign(2 * count, std::vector<double>(n, 0.0));
   std::vector<double> strength(count);

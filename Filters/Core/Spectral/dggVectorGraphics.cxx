@@ -212,7 +212,9 @@ Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>
       *exact, checkMore, ProgressPart(progress, begin, begin + 1.0 / count), values);
     if (!status.IsOk())
     {
-      return status;
+      return status.IsAborted()
+        ? status
+        : Status::Invalid(NameOf(curves[k], k) + ": " + status.GetMessage());
     }
   }
   return Status::Success();

@@ -111,10 +111,12 @@ struct GraphicsResult
 /// the curve, they are continued into the band as harmonic functions that have their values at both
 /// sides of the curve (and natural conditions elsewhere): those of the nearest place would jump
 /// where two places of the curve are as near. That is one more small system for such a curve,
-/// solved whenever colours are found. Since B and its slope end at
-/// 0, the sources on each side have the sum 0, not only those of both sides together, and no first
-/// moment is left either: a layer of sources h on one side and -h on the other, which is what a
-/// shadow beside a highlight is at first sight, is a layer of dipoles, whose colours reach far
+/// solved whenever colours are found. Where the triangles of the band are too thin for that system,
+/// as a whole, though those of the surface are not, the strengths of the nearest place are taken
+/// nevertheless: one such part of a surface does not spoil the drawing. Since B and its slope end
+/// at 0, the sources on each side have the sum 0, not only those of both sides together, and no
+/// first moment is left either: a layer of sources h on one side and -h on the other, which is what
+/// a shadow beside a highlight is at first sight, is a layer of dipoles, whose colours reach far
 /// beyond any width. Here nothing changes farther away than the width, to rounding, as long as no
 /// diffusion curve runs through the band; if one does, colours on it stay as they are given, and
 /// what B would have added there is missing around it, nowhere by more than the largest B on it.
