@@ -58,6 +58,7 @@ dgg::Status vtkDGGGraphicsKeeper::Prepare(const dgg::SurfaceMesh& mesh,
   this->IsKept = false;
   this->Graphics.Clear();
   this->RefinedFaces = std::vector<dgg::Id>();
+  this->Kept = vtkDGGDrawing();
   const std::size_t count = drawing.Curves.size();
   dgg::Status status = CheckMesh(mesh, drawing, remedy);
   std::vector<dgg::SurfaceCurve> joined(count);
@@ -109,18 +110,30 @@ dgg::Status vtkDGGGraphicsKeeper::Prepare(const dgg::SurfaceMesh& mesh,
   {
     ++this->NumberOfFactorizations;
     this->RefinedFaces = std::move(refinedFaces);
+    this->Kept = drawing;
+    for (dgg::GraphicsCurve& curve : this->Kept.Curves) // colours do not matter
+    {
+      curve.Left = std::vector<double>();
+      curve.Right = std::vector<double>();
+    }
   }
   else
   {
     this->Graphics.Clear();
   }
   this->IsKept = status.IsOk();
-  this->Kept = drawing;
   return status;
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkDGGGraphicsKeeper::GetMemorySize() const
 {
-  return this->Graphics.GetMemorySize() + this->RefinedFaces.size() * sizeof(dgg::Id);
+  std::size_t bytes = this->Graphics.GetMemorySize() +
+    this->Kept.Curves.size() * sizeof(dgg::GraphicsCurve) +
+    (this->RefinedFaces.size() + this->Kept.RefinedFaces.size()) * sizeof(dgg::Id);
+  for (const std::vector<dgg::SurfacePoint>& places : this->Kept.Places)
+  {
+    bytes += places.size() * sizeof(dgg::SurfacePoint);
+  }
+  return bytes;
 }

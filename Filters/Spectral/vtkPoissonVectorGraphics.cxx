@@ -307,10 +307,12 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   options.Background.assign(this->BackgroundColor, this->BackgroundColor + 3);
   options.Background.resize(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
-  options.CheckMemory = [&](double bytes) {
+  options.CheckMemory = [&](double bytes, double held) {
     const double points = static_cast<double>(keeper.GetGraphics().GetSurface().Points.size());
+    // What is held already is not free any more, so it must not count against what is free.
+    const double own = drawing.MemoryLimit == 0 ? bytes - held : bytes;
     return vtkDGGCheckMemory("the factorization and the colours",
-      bytes + points * output.GetBytesPerPoint(options.NumberOfChannels), drawing.MemoryLimit,
+      own + points * output.GetBytesPerPoint(options.NumberOfChannels), drawing.MemoryLimit,
       this->GetMemoryRemedy());
   };
   const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(adapter);

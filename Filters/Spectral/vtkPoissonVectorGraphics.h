@@ -279,10 +279,10 @@ public:
   ///@{
   /**
    * Most bytes that the refined mesh, the factorization and the colours may take. Default 0, which
-   * stands for 70 % of the memory that is free at that time. Some 2 KiB per point of the output are
-   * usual, and 2.7 KiB with Poisson curves. It is asked before curves are drawn, with what the
-   * surface takes when it is refined Everywhere, before triangles are split, before the surface is
-   * cut, before the factorization, and in every update.
+   * stands for 70 % of the memory that is free at that time, for what is not there yet. Some 2 KiB
+   * per point of the output are usual, and 2.7 KiB with Poisson curves. It is asked before curves
+   * are drawn, with what the surface takes when it is refined Everywhere, before triangles are
+   * split, before the surface is cut, before the factorization, and in every update.
    */
   vtkSetMacro(MemoryLimit, vtkTypeUInt64);
   vtkGetMacro(MemoryLimit, vtkTypeUInt64);

@@ -88,7 +88,7 @@ TEST(GraphicsMemory, IsAskedForBeforeItIsTaken)
           << when << " " << hasPoisson << " " << regions;
       };
       int count = 0;
-      drawing.Options.CheckMemory = [&](double bytes) {
+      drawing.Options.CheckMemory = [&](double bytes, double) {
         expectEnough("meanwhile");
         asked = std::max(asked, bytes);
         ++count;
@@ -103,6 +103,40 @@ TEST(GraphicsMemory, IsAskedForBeforeItIsTaken)
       EXPECT_GE(count, 3);
       EXPECT_LE(asked, 1.5 * static_cast<double>(probe.GetHeapPeak())); // nor far too much
     }
+  }
+}
+
+TEST(GraphicsMemory, WhatIsHeldIsTold)
+{
+  // Whoever subtracts what is held from what is asked for knows what will be taken from what is
+  // free: enough in any case, while it is factorized and whenever colours are found.
+  for (const bool hasPoisson : { false, true })
+  {
+    Drawing drawing(Icosphere(5));
+    const std::vector<double> two = { 0.0, 1.0 };
+    drawing
+      .Add(hasPoisson ? Poisson : Diffusion,
+        { SurfacePoint::AtVertex(3), SurfacePoint::AtVertex(40) }, two, two)
+      .Width = 0.5;
+    const MemoryProbe probe;
+    double surface = 0.0;
+    int count = 0;
+    drawing.Options.CheckMemory = [&](double bytes, double held) {
+      SCOPED_TRACE(std::to_string(hasPoisson) + " " + std::to_string(count));
+      auto there = static_cast<double>(probe.GetHeapGrowth());
+      surface = count == 0 ? there : surface;
+      there -= count == 1 ? surface : 0.0; // it is not asked for again
+      EXPECT_LE(held, 1.02 * there);
+      EXPECT_GE(held, 0.92 * there);
+      EXPECT_LE(held, bytes);
+      ++count;
+      return dgg::Status::Success();
+    };
+    ASSERT_TRUE(drawing.Prepare().IsOk());
+    drawing.Surface = RefinedSurface();
+    EXPECT_EQ(count, 2);
+    ASSERT_TRUE(drawing.Solve().IsOk());
+    EXPECT_EQ(count, hasPoisson ? 5 : 3);
   }
 }
 }

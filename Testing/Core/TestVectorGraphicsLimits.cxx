@@ -419,7 +419,9 @@ TEST(VectorGraphics, MemoryIsAskedForBeforeItIsTaken)
       done = now;
       return true;
     };
-    drawing.Options.CheckMemory = [&](double bytes) {
+    drawing.Options.CheckMemory = [&](double bytes, double held) {
+      EXPECT_GE(held, static_cast<double>(drawing.Graphics.GetMemorySize()));
+      EXPECT_LE(held, bytes);
       asked.push_back(bytes);
       return asked.size() <= allowed ? dgg::Status::Success() : dgg::Status::Invalid("too much");
     };

@@ -28,6 +28,11 @@ struct SideDistances
   {
     return !this->Sources.empty() && this->Result.NearestSource[v] != NoId;
   }
+  double GetMemorySize() const
+  {
+    return static_cast<double>(this->Result.Distances.size()) *
+      (sizeof(double) + sizeof(Id) + sizeof(Predecessor));
+  }
   double GetDistance(std::size_t v) const
   {
     return this->Sources.empty() ? Infinity : this->Result.Distances[v];
@@ -97,7 +102,7 @@ double FadeWithDistance(double distance, double width)
 
 Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChain& chain,
   const GraphicsCurve& curve, int channels, ExactGeodesics& exact,
-  const std::function<Status(double)>& checkMemory, const ProgressCallback& progress,
+  const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress,
   std::vector<double>& values)
 {
   SideDistances distances[2];
@@ -123,7 +128,14 @@ Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChai
     {
       isInBand[v] = distances[0].IsReached(v) || distances[1].IsReached(v) ? 1 : 0;
     }
-    status = blend.Spread(mesh, isInBand, sides, chain, curve, channels, checkMemory,
+    GraphicsMemoryCheck checkMore;
+    if (checkMemory)
+    {
+      const double there = distances[0].GetMemorySize() + distances[1].GetMemorySize();
+      checkMore = [&checkMemory, there](
+                    double bytes, double held) { return checkMemory(bytes, there + held); };
+    }
+    status = blend.Spread(mesh, isInBand, sides, chain, curve, channels, checkMore,
       ProgressPart(progress, MeasuredAt, 1.0));
   }
   if (!status.IsOk())

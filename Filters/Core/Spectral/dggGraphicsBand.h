@@ -8,8 +8,7 @@
 #include "dggExactGeodesics.h" // for distances
 #include "dggGraphicsDomain.h" // for sides
 
-#include <functional> // for checks of memory
-#include <vector>     // for values
+#include <vector> // for values
 
 namespace dgg
 {
@@ -23,10 +22,11 @@ double FadeWithDistance(double distance, double width);
 /// three edges, and a quarter as much for each level of refinement.
 ///
 /// Where strengths change along the curve, they are blended, see StrengthBlend; `checkMemory`,
-/// which may be empty, is asked with the bytes that this takes.
+/// which may be empty, is asked with the bytes that this takes besides the distances,
+/// and with those that are held, distances included.
 Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChain& chain,
   const GraphicsCurve& curve, int channels, ExactGeodesics& exact,
-  const std::function<Status(double)>& checkMemory, const ProgressCallback& progress,
+  const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress,
   std::vector<double>& values);
 }
 

@@ -114,9 +114,9 @@ Status StrengthBlend::BuildBand(
 
 Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand,
   const CurveSides& sides, const CurveChain& chain, const GraphicsCurve& curve, int channels,
-  const std::function<Status(double)>& checkMemory, const ProgressCallback& progress)
+  const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress)
 {
-  Status status = checkMemory ? checkMemory(PredictBand(mesh, isInBand)) : Status::Success();
+  Status status = checkMemory ? checkMemory(PredictBand(mesh, isInBand), 0.0) : Status::Success();
   SurfaceMesh band;
   status = status.IsOk() ? this->BuildBand(mesh, isInBand, band) : status;
   if (!status.IsOk())
@@ -138,9 +138,10 @@ Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& i
   {
     // Columns, and what Solve() works with.
     const double numbers = (2.0 * channels + 12.0) * static_cast<double>(n);
-    status = checkMemory(static_cast<double>(band.GetMemorySize()) +
-      static_cast<double>(solver.GetEstimatedMemory()) + numbers * sizeof(double) +
-      static_cast<double>(isInBand.size()) * (sizeof(Id) + 1.0));
+    const double held = static_cast<double>(band.GetMemorySize() + solver.GetMemorySize()) +
+      static_cast<double>(isInBand.size()) * (sizeof(Id) + 1.0);
+    status = checkMemory(
+      held + static_cast<double>(solver.GetMissingMemory()) + numbers * sizeof(double), held);
   }
   if (!status.IsOk())
   {

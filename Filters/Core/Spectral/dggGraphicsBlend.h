@@ -7,8 +7,7 @@
 
 #include "dggGraphicsDomain.h" // for sides
 
-#include <functional> // for checks of memory
-#include <vector>     // for values
+#include <vector> // for values
 
 namespace dgg
 {
@@ -28,7 +27,7 @@ public:
   /// and before the factorization.
   Status Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand, const CurveSides& sides,
     const CurveChain& chain, const GraphicsCurve& curve, int channels,
-    const std::function<Status(double)>& checkMemory, const ProgressCallback& progress);
+    const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress);
 
   /// The strengths at a vertex, one per channel. False, and nothing, where faces of the band do not
   /// lead to the curve, or are too thin.

@@ -43,11 +43,7 @@ Status CutAlong(const RefinedSurface& surface, const std::vector<CurveChain>& ch
 
 std::size_t SizeOf(const CurveCut& cut)
 {
-  std::size_t bytes = cut.Surface.Points.size() * sizeof(SurfacePoint) +
-    (cut.Surface.Triangles.size() + cut.Surface.Twins.size() + cut.Surface.Faces.size() +
-      cut.Surface.VertexOf.size()) *
-      sizeof(Id) +
-    cut.Surface.Lengths.size() * sizeof(double);
+  std::size_t bytes = GetSurfaceMemory(cut.Surface) + cut.Surface.VertexOf.size() * sizeof(Id);
   for (const CurveSides& sides : cut.Sides)
   {
     bytes += (sides.Left.size() + sides.Right.size()) * sizeof(EdgeSide);
@@ -116,6 +112,13 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
     domain.SolvedVertexOf[domain.Drawn.Surface.Triangles[h]] = domain.Solved.Surface.Triangles[h];
   }
   return status;
+}
+
+std::size_t GetSurfaceMemory(const RefinedSurface& surface)
+{
+  return surface.Points.size() * sizeof(SurfacePoint) +
+    (surface.Triangles.size() + surface.Twins.size() + surface.Faces.size()) * sizeof(Id) +
+    surface.Lengths.size() * sizeof(double);
 }
 
 double PredictSolverMemory(double faces, double vertices)

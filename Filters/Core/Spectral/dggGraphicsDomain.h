@@ -35,6 +35,9 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
   const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
   GraphicsDomain& domain);
 
+/// Bytes of a surface; of its paths, nothing.
+std::size_t GetSurfaceMemory(const RefinedSurface& surface);
+
 /// Bytes that a mesh with so many faces and vertices takes, and the analysis of an equation on it;
 /// the factor not included.
 double PredictSolverMemory(double faces, double vertices);

@@ -46,7 +46,7 @@ private:
 
 Status GraphicsLoads::Prepare(const RefinedSurface& surface, Id numberOfFaces,
   const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
-  const std::function<Status(double)>& checkMemory, const ProgressCallback& progress)
+  const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress)
 {
   this->NumberOfFaces = numberOfFaces;
   this->ChainParts.assign(curves.size(), {});
@@ -70,7 +70,7 @@ Status GraphicsLoads::Prepare(const RefinedSurface& surface, Id numberOfFaces,
 
 /// The faces on the left of regions; of many regions they may be many more than the surface has.
 Status GraphicsLoads::FindRegions(const ChainEdges& edges, const std::vector<CurveChain>& chains,
-  const std::vector<GraphicsCurve>& curves, const std::function<Status(double)>& checkMemory,
+  const std::vector<GraphicsCurve>& curves, const GraphicsMemoryCheck& checkMemory,
   const ProgressCallback& progress)
 {
   const RefinedSurface& surface = edges.GetSurface();
@@ -91,7 +91,7 @@ Status GraphicsLoads::FindRegions(const ChainEdges& edges, const std::vector<Cur
     if (checkMemory && found + 3.0 * faces > asked) // this one may have them all, and grows
     {
       asked = found + 4.0 * faces;
-      Status status = checkMemory(asked * sizeof(Id));
+      Status status = checkMemory(asked * sizeof(Id), 0.0);
       if (!status.IsOk())
       {
         return status;

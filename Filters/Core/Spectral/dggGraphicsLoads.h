@@ -8,9 +8,8 @@
 #include "dggGraphicsScale.h"   // for scales
 #include "dggGraphicsSources.h" // for parts of chains
 
-#include <cstddef>    // for std::size_t
-#include <functional> // for checks of memory
-#include <vector>     // for loads
+#include <cstddef> // for std::size_t
+#include <vector>  // for loads
 
 namespace dgg
 {
@@ -25,7 +24,7 @@ public:
   /// takes. Fails where a region's curve is open or does not separate its left from its right.
   Status Prepare(const RefinedSurface& surface, Id numberOfFaces,
     const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
-    const std::function<Status(double)>& checkMemory, const ProgressCallback& progress);
+    const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress);
 
   /// Add the integrals of all sources against hat functions to columns, one per channel. The
   /// strengths of regions are still to be scaled, those of curves are.
@@ -41,7 +40,7 @@ public:
 
 private:
   Status FindRegions(const ChainEdges& edges, const std::vector<CurveChain>& chains,
-    const std::vector<GraphicsCurve>& curves, const std::function<Status(double)>& checkMemory,
+    const std::vector<GraphicsCurve>& curves, const GraphicsMemoryCheck& checkMemory,
     const ProgressCallback& progress);
   double CountWork(const std::vector<GraphicsRegion>& regions, const FaceParts& parts) const;
 

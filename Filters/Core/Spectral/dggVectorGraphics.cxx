@@ -80,7 +80,7 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   {
     return Status::Abort();
   }
-  this->Chains = chains;
+  this->Chains.clear();
   this->NumberOfFaces = mesh.GetNumberOfFaces();
   this->Types.clear();
   this->AreClosed.clear();
@@ -91,12 +91,15 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   }
   const double cut = PredictGraphicsMemory(static_cast<double>(surface.Faces.size()),
     static_cast<double>(surface.Points.size()), this->HasPoisson());
-  std::function<Status(double)> checkMore;
+  GraphicsMemoryCheck checkMore;
   if (options.CheckMemory)
   {
-    checkMore = [&options, cut](double bytes) { return options.CheckMemory(cut + bytes); };
+    checkMore = [&, cut](double bytes, double held) {
+      const std::size_t there = GetSurfaceMemory(surface) + this->GetMemorySize();
+      return options.CheckMemory(cut + bytes, static_cast<double>(there) + held);
+    };
   }
-  Status status = checkMore ? checkMore(0.0) : Status::Success();
+  Status status = checkMore ? checkMore(0.0, 0.0) : Status::Success();
   status = status.IsOk() ? CutForGraphics(mesh, surface, chains, curves, this->Domain) : status;
   if (status.IsOk() && !Goes(options.Progress, CutDone))
   {
@@ -118,11 +121,16 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   if (status.IsOk() && options.CheckMemory)
   {
     status = options.CheckMemory(
-      this->GetRunMemory(options) + static_cast<double>(this->Solver->GetMissingMemory()));
+      this->GetRunMemory(options) + static_cast<double>(this->Solver->GetMissingMemory()),
+      static_cast<double>(this->GetMemorySize()));
   }
   if (status.IsOk())
   {
     status = this->Solver->Factorize(ProgressPart(options.Progress, middle, 1.0));
+  }
+  if (status.IsOk())
+  {
+    this->Chains = chains;
   }
   this->IsReady = status.IsOk();
   return status;
@@ -184,11 +192,15 @@ Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>
   std::vector<double>& values) const
 {
   const int channels = options.NumberOfChannels;
-  std::function<Status(double)> checkMore;
+  GraphicsMemoryCheck checkMore;
   if (options.CheckMemory)
   {
     const double others = this->GetRunMemory(options);
-    checkMore = [&options, others](double bytes) { return options.CheckMemory(others + bytes); };
+    const double there =
+      static_cast<double>(this->GetMemorySize() + values.size() * sizeof(double));
+    checkMore = [&options, others, there](double bytes, double held) {
+      return options.CheckMemory(others + bytes, there + held);
+    };
   }
   std::unique_ptr<ExactGeodesics> exact;
   for (std::size_t k = 0; k < curves.size(); ++k)
@@ -244,7 +256,9 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
   Status status = this->CheckRun(curves, regions, options);
   if (status.IsOk() && options.CheckMemory)
   {
-    status = options.CheckMemory(this->GetRunMemory(options)); // other numbers of channels
+    // Channels may be others than before.
+    status =
+      options.CheckMemory(this->GetRunMemory(options), static_cast<double>(this->GetMemorySize()));
   }
   if (status.IsOk() && !Goes(options.Progress, 0.0))
   {
@@ -313,8 +327,14 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
 
 std::size_t VectorGraphics::Implementation::GetMemorySize() const
 {
-  return this->Domain.GetMemorySize() + this->Loads.GetMemorySize() +
+  std::size_t bytes = this->Domain.GetMemorySize() + this->Loads.GetMemorySize() +
     (this->Solver ? this->Solver->GetMemorySize() : 0);
+  for (const CurveChain& chain : this->Chains)
+  {
+    bytes += chain.Vertices.size() * sizeof(Id) + chain.Parameters.size() * sizeof(double) +
+      chain.GivenPoints.size() * sizeof(Offset);
+  }
+  return bytes;
 }
 
 VectorGraphics::VectorGraphics()

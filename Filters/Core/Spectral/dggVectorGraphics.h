@@ -62,6 +62,10 @@ struct GraphicsRegion
   std::vector<double> Strength;
 };
 
+/// Asked with the bytes that all will take, and with those of them that are held already. What is
+/// held is not free any more, so it must not count against what is.
+using GraphicsMemoryCheck = std::function<Status(double bytes, double held)>;
+
 struct GraphicsOptions
 {
   int NumberOfChannels = 3;
@@ -72,10 +76,9 @@ struct GraphicsOptions
   /// triangles: then no colour lies outside of those that are given, but next to obtuse triangles
   /// on the boundary of the surface, whose edges cannot be flipped.
   bool IntrinsicDelaunay = false;
-  /// Asked with the bytes that all will take: before the surface is cut, while the faces on the
-  /// left of regions are found, before the factorization, whenever colours are found, and before
-  /// strengths are blended; may be empty.
-  std::function<Status(double)> CheckMemory;
+  /// Asked before the surface is cut, while the faces on the left of regions are found, before the
+  /// factorization, whenever colours are found, and before strengths are blended; may be empty.
+  GraphicsMemoryCheck CheckMemory;
   ProgressCallback Progress; ///< may be empty
 };
 
