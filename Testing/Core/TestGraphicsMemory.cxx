@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -137,6 +138,98 @@ TEST(GraphicsMemory, WhatIsHeldIsTold)
     EXPECT_EQ(count, 2);
     ASSERT_TRUE(drawing.Solve().IsOk());
     EXPECT_EQ(count, hasPoisson ? 5 : 3);
+  }
+}
+
+TEST(GraphicsMemory, OfSetsOfFaces)
+{
+  // All but a face, and then half as many: one patch that is as large as can be. A tree of faces,
+  // each with one neighbour at first: a rim that is as long as can be. Together, small ones first.
+  const TestMesh sphere = Icosphere(5);
+  for (const int level : { 0, 1 })
+  {
+    Drawing drawing(sphere);
+    const Id faces = drawing.Mesh.GetNumberOfFaces();
+    std::vector<Id> all(faces - 1);
+    std::iota(all.begin(), all.end(), 1);
+    const std::vector<Id> half(all.begin(), all.begin() + faces / 2);
+    std::vector<Id> tree = { 7 };
+    std::vector<char> isInTree(faces, 0);
+    isInTree[7] = 1;
+    for (std::size_t i = 0; i < tree.size(); ++i)
+    {
+      for (Id h = 3 * tree[i]; h < 3 * tree[i] + 3; ++h)
+      {
+        const Id f = SurfaceMesh::Face(drawing.Mesh.Twin(h));
+        int neighbours = 0;
+        for (Id e = 3 * f; e < 3 * f + 3; ++e)
+        {
+          neighbours += isInTree[SurfaceMesh::Face(drawing.Mesh.Twin(e))];
+        }
+        if (!isInTree[f] && neighbours == 1)
+        {
+          isInTree[f] = 1;
+          tree.push_back(f);
+        }
+      }
+    }
+    EXPECT_GT(static_cast<double>(tree.size()), 0.5 * faces);
+    const std::vector<std::vector<GraphicsRegion>> drawings = { { { all, { 0.5 } } },
+      { { tree, { 0.5 } } }, { { half, { 0.5 } }, { tree, { 0.25 } }, { all, { 0.5 } } } };
+    ASSERT_TRUE(drawing.Prepare(level).IsOk());
+    for (const std::vector<GraphicsRegion>& regions : drawings)
+    {
+      SCOPED_TRACE(std::to_string(level) + " " + std::to_string(&regions - drawings.data()));
+      drawing.Regions = regions;
+      drawing.Result = dgg::GraphicsResult();
+      double missing = 0.0;
+      drawing.Options.CheckMemory = [&](double bytes, double held) {
+        missing = bytes - held;
+        return dgg::Status::Success();
+      };
+      const MemoryProbe probe;
+      ASSERT_TRUE(drawing.Solve().IsOk());
+      const auto peak = static_cast<double>(probe.GetHeapPeak());
+      EXPECT_LE(peak, missing);
+      EXPECT_LE(missing, 1.5 * peak); // nor far too much
+    }
+  }
+}
+
+TEST(GraphicsMemory, OfCurvesThroughAllVertices)
+{
+  // So that all edges are looked up: that takes much less than what is asked for at first, the rest
+  // of which the equation needs. Several of them have sources on the same edges.
+  for (const std::size_t count : { 1, 8 })
+  {
+    SCOPED_TRACE(count);
+    Drawing drawing(Icosphere(4));
+    std::vector<SurfacePoint> points;
+    for (Id v = 0; v < drawing.Mesh.GetNumberOfVertices(); ++v)
+    {
+      points.push_back(SurfacePoint::AtVertex(v));
+    }
+    drawing.Add(Source, points, std::vector<double>(points.size(), 0.5), {});
+    drawing.Surface = Embed(drawing.Mesh, drawing.Lines);
+    const dgg::CurveChain chain = dgg::FollowCurve(drawing.Surface, drawing.Lines, 0);
+    const std::vector<dgg::CurveChain> chains(count, chain);
+    drawing.Curves.resize(count, drawing.Curves[0]);
+    double asked = 0.0;
+    drawing.Options.CheckMemory = [&](double bytes, double held) {
+      asked = asked == 0.0 ? bytes - held : asked;
+      return dgg::Status::Success();
+    };
+    const MemoryProbe probe;
+    double peak = 0.0; // before the equation is analyzed
+    drawing.Options.Progress = [&](double done) {
+      peak = done < 0.4 ? static_cast<double>(probe.GetHeapPeak()) : peak;
+      return true;
+    };
+    ASSERT_TRUE(drawing.Graphics
+                  .Prepare(drawing.Mesh, drawing.Surface, chains, drawing.Curves, drawing.Options)
+                  .IsOk());
+    EXPECT_LE(peak, count == 1 ? 0.475 * asked : asked);
+    EXPECT_LE(static_cast<double>(probe.GetHeapPeak()), asked);
   }
 }
 }

@@ -10,6 +10,11 @@
 
 namespace dgg
 {
+namespace
+{
+constexpr double Heads = 1000.0; // bytes, of a dozen arrays
+}
+
 /// The parts of the faces of the mesh that was refined.
 class FaceParts
 {
@@ -133,7 +138,13 @@ Status GraphicsLoads::Add(const GraphicsDomain& domain, const std::vector<CurveC
   }
   for (std::size_t r = 0; r < regions.size() && status.IsOk(); ++r)
   {
+    std::size_t count = 0;
+    for (const Id f : regions[r].Faces)
+    {
+      count += static_cast<std::size_t>(parts.Count(f));
+    }
     std::vector<Id> faces;
+    faces.reserve(count); // not up to three times as much, while it grows
     for (const Id f : regions[r].Faces)
     {
       parts.Append(f, faces);
@@ -164,9 +175,21 @@ double GraphicsLoads::CountWork(
 
 double GraphicsLoads::GetAddingMemory(const GraphicsDomain& domain) const
 {
-  // Marks, a patch and its rim; for sets of faces also their parts.
+  // Marks, a patch and its rim; for sets of faces also the parts of all faces, and theirs.
   return static_cast<double>(domain.Solved.Surface.Faces.size()) * (1.0 + 4.0 * sizeof(Id)) +
-    static_cast<double>(this->NumberOfFaces) * sizeof(Id);
+    static_cast<double>(this->NumberOfFaces) * sizeof(Id) + Heads;
+}
+
+double GraphicsLoads::PredictMemory(
+  const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves)
+{
+  double parts = 0.0;
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    const bool isSource = curves[k].Type == GraphicsCurveType::Source;
+    parts += isSource ? 2.0 * static_cast<double>(chains[k].Vertices.size()) : 0.0;
+  }
+  return parts * sizeof(ChainPart);
 }
 
 std::size_t GraphicsLoads::GetMemorySize() const

@@ -35,6 +35,9 @@ public:
 
   /// Bytes that Add() takes besides.
   double GetAddingMemory(const GraphicsDomain& domain) const;
+  /// Bytes that the sources of curves take; those of regions are asked for when they are found.
+  static double PredictMemory(
+    const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves);
   /// Bytes held.
   std::size_t GetMemorySize() const;
 

@@ -13,6 +13,18 @@ std::pair<Id, Id> Unordered(Id a, Id b)
   return { std::min(a, b), std::max(a, b) };
 }
 
+/// Room for so many, without what was there. They would take up to three times as much while they
+/// grow.
+void MakeRoom(std::size_t count, std::vector<Id>& ids)
+{
+  if (ids.capacity() < count)
+  {
+    ids = std::vector<Id>();
+    ids.reserve(count);
+  }
+  ids.clear();
+}
+
 /// Call `visit` for the other half-edges of the same edge.
 template <typename Visitor>
 void ForEachTwin(const RefinedSurface& surface, Id h, Visitor&& visit)
@@ -36,13 +48,22 @@ ChainEdges::ChainEdges(const RefinedSurface& surface, const std::vector<CurveCha
       isPassed[chains[k].Vertices[i]] = 1;
     }
   }
-  for (Id h = 0; h < static_cast<Id>(surface.Triangles.size()); ++h)
+  const auto isBetween = [&](Id h) {
+    return isPassed[surface.Triangles[h]] && isPassed[surface.Triangles[SurfaceMesh::Next(h)]];
+  };
+  const auto end = static_cast<Id>(surface.Triangles.size());
+  std::size_t count = 0;
+  for (Id h = 0; h < end; ++h)
   {
-    const Id a = surface.Triangles[h];
-    const Id b = surface.Triangles[SurfaceMesh::Next(h)];
-    if (isPassed[a] && isPassed[b])
+    count += isBetween(h) ? 1 : 0;
+  }
+  this->HalfEdges.reserve(count); // not up to three times as much, while it grows
+  for (Id h = 0; h < end; ++h)
+  {
+    if (isBetween(h))
     {
-      this->HalfEdges.emplace_back(Unordered(a, b), h);
+      const Id a = surface.Triangles[h];
+      this->HalfEdges.emplace_back(Unordered(a, surface.Triangles[SurfaceMesh::Next(h)]), h);
     }
   }
   std::sort(this->HalfEdges.begin(), this->HalfEdges.end());
@@ -211,7 +232,9 @@ bool RegionSources::FindPatch(Id face, WorkProgress& work)
 /// such an edge, the smallest half-edge stands for it. False when stopped.
 bool RegionSources::FindRim(WorkProgress& work)
 {
-  this->Rim.clear();
+  // As many as a tree of triangles has. More have only patches with edges of several of their
+  // faces.
+  MakeRoom(this->Patch.size() + 2, this->Rim);
   for (const Id f : this->Patch)
   {
     if (!work.Add(1.0))
@@ -282,6 +305,7 @@ bool RegionSources::AddPatch(const std::vector<double>& strength, WorkProgress& 
 Status RegionSources::Add(const std::vector<Id>& faces, const std::vector<double>& strength,
   WorkProgress& work, std::vector<std::vector<double>>& loads)
 {
+  MakeRoom(std::min(faces.size(), this->States.size()), this->Patch);
   for (const Id f : faces)
   {
     this->States[f] = State::Waiting;
@@ -307,6 +331,7 @@ Status RegionSources::Add(const std::vector<Id>& faces, const std::vector<double
 std::vector<ChainPart> SplitChain(const ChainEdges& edges, const CurveChain& chain)
 {
   std::vector<ChainPart> parts;
+  parts.reserve(2 * chain.Vertices.size()); // more only where edges have more than two faces
   for (std::size_t i = 0; i + 1 < chain.Vertices.size(); ++i)
   {
     const std::vector<Id> halves = edges.Find(chain.Vertices[i], chain.Vertices[i + 1]);

@@ -31,6 +31,17 @@ bool Goes(const ProgressCallback& progress, double fraction)
 {
   return !progress || progress(fraction);
 }
+
+std::size_t GetChainMemory(const std::vector<CurveChain>& chains)
+{
+  std::size_t bytes = chains.size() * sizeof(CurveChain);
+  for (const CurveChain& chain : chains)
+  {
+    bytes += chain.Vertices.size() * sizeof(Id) + chain.Parameters.size() * sizeof(double) +
+      chain.GivenPoints.size() * sizeof(Offset);
+  }
+  return bytes;
+}
 }
 
 class VectorGraphics::Implementation
@@ -90,7 +101,10 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
     this->AreClosed.push_back(curve.IsClosed);
   }
   const double cut = PredictGraphicsMemory(static_cast<double>(surface.Faces.size()),
-    static_cast<double>(surface.Points.size()), this->HasPoisson());
+                       static_cast<double>(surface.Points.size()), this->HasPoisson()) +
+    GraphicsLoads::PredictMemory(chains, curves) + static_cast<double>(GetChainMemory(chains));
+  // What edges of chains are looked up with is gone before the equation is analyzed, which takes
+  // more.
   GraphicsMemoryCheck checkMore;
   if (options.CheckMemory)
   {
@@ -100,6 +114,10 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
     };
   }
   Status status = checkMore ? checkMore(0.0, 0.0) : Status::Success();
+  if (status.IsOk())
+  {
+    this->Chains = chains;
+  }
   status = status.IsOk() ? CutForGraphics(mesh, surface, chains, curves, this->Domain) : status;
   if (status.IsOk() && !Goes(options.Progress, CutDone))
   {
@@ -127,10 +145,6 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   if (status.IsOk())
   {
     status = this->Solver->Factorize(ProgressPart(options.Progress, middle, 1.0));
-  }
-  if (status.IsOk())
-  {
-    this->Chains = chains;
   }
   this->IsReady = status.IsOk();
   return status;
@@ -327,14 +341,8 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
 
 std::size_t VectorGraphics::Implementation::GetMemorySize() const
 {
-  std::size_t bytes = this->Domain.GetMemorySize() + this->Loads.GetMemorySize() +
+  return this->Domain.GetMemorySize() + this->Loads.GetMemorySize() + GetChainMemory(this->Chains) +
     (this->Solver ? this->Solver->GetMemorySize() : 0);
-  for (const CurveChain& chain : this->Chains)
-  {
-    bytes += chain.Vertices.size() * sizeof(Id) + chain.Parameters.size() * sizeof(double) +
-      chain.GivenPoints.size() * sizeof(Offset);
-  }
-  return bytes;
 }
 
 VectorGraphics::VectorGraphics()
