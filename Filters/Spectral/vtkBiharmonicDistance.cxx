@@ -43,13 +43,15 @@ bool HasSameSpectrum(const dgg::SpectralOptions& a, const dgg::SpectralOptions& 
     a.NumberOfEigenvalues == b.NumberOfEigenvalues;
 }
 
+using PlaceCheck = dgg::Status (dgg::SpectralDistance::*)(const dgg::SurfacePoint&) const;
+
 /// Before anything takes long.
-dgg::Status CheckPlaces(const dgg::SpectralDistance& distance,
+dgg::Status CheckAll(const dgg::SpectralDistance& distance, PlaceCheck check,
   const std::vector<dgg::SurfacePoint>& points, const std::string& name)
 {
   for (std::size_t k = 0; k < points.size(); ++k)
   {
-    const dgg::Status status = distance.CheckPlace(points[k]);
+    const dgg::Status status = (distance.*check)(points[k]);
     if (!status.IsOk())
     {
       return dgg::Status::Invalid(name + std::to_string(k) + ": " + status.GetMessage());
@@ -202,9 +204,11 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(vtkDGGSpectralTask& task)
     this->Prepared.reset(new Preparation(task));
   }
   Preparation& prepared = *this->Prepared;
-  dgg::Status status = CheckPlaces(prepared.Distance, task.Sources, "source ");
-  status =
-    status.IsOk() ? CheckPlaces(prepared.Distance, task.Targets, "evaluation point ") : status;
+  dgg::Status status =
+    CheckAll(prepared.Distance, &dgg::SpectralDistance::CheckSource, task.Sources, "source ");
+  status = status.IsOk() ? CheckAll(prepared.Distance, &dgg::SpectralDistance::CheckPlace,
+                             task.Targets, "evaluation point ")
+                         : status;
   if (!status.IsOk())
   {
     return status;

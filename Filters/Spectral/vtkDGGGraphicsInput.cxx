@@ -36,21 +36,27 @@ vtkDataArray* FindArray(vtkPolyData* data, const std::string& name, bool& isOfPo
   return isOfPoints ? array : data->GetCellData()->GetArray(name.c_str());
 }
 
-/// Fails when an array with one of the names holds something else than numbers. To pass over it
-/// would mean another picture.
-dgg::Status CheckHoldsNumbers(
-  vtkDataSetAttributes* data, const char* kind, const std::vector<std::string>& names)
+/// Fails when there is an array of another type than numbers by that name, and none of numbers. To
+/// pass over it would mean another picture.
+dgg::Status CheckHoldsNumbers(vtkDataSetAttributes* data, const char* kind, const std::string& name)
 {
-  for (const std::string& name : names)
+  vtkAbstractArray* array = data->GetAbstractArray(name.c_str());
+  return array && !vtkDataArray::SafeDownCast(array)
+    ? dgg::Status::Invalid("the " + std::string(kind) + " array '" + name + "' is of type " +
+        array->GetDataTypeAsString() + " where numbers are needed")
+    : dgg::Status::Success();
+}
+
+/// The same for an array of points or cells.
+dgg::Status CheckHoldsNumbers(vtkPolyData* data, const std::string& name)
+{
+  bool isOfPoints = false;
+  if (FindArray(data, name, isOfPoints))
   {
-    vtkAbstractArray* array = data->GetAbstractArray(name.c_str());
-    if (array && !vtkDataArray::SafeDownCast(array))
-    {
-      return dgg::Status::Invalid("the " + std::string(kind) + " array '" + name + "' is of type " +
-        array->GetDataTypeAsString() + " where numbers are needed");
-    }
+    return dgg::Status::Success();
   }
-  return dgg::Status::Success();
+  const dgg::Status status = CheckHoldsNumbers(data->GetPointData(), "point", name);
+  return status.IsOk() ? CheckHoldsNumbers(data->GetCellData(), "cell", name) : status;
 }
 
 /// Whether all points are in one place.
@@ -82,18 +88,10 @@ dgg::Status vtkDGGGraphicsInput::Read(
   vtkPolyData* curves, vtkPolyData* surface, const vtkDGGGraphicsNames& names)
 {
   *this = vtkDGGGraphicsInput();
-  dgg::Status status = CheckHoldsNumbers(surface->GetCellData(), "cell",
-    names.Region.empty() ? std::vector<std::string>()
-                         : std::vector<std::string>{ names.Region, names.RegionStrength });
-  if (curves && status.IsOk())
+  dgg::Status status;
+  if (curves)
   {
-    const std::vector<std::string> ofPoints = { names.LeftColor, names.RightColor, names.Strength,
-      names.RightStrength, names.Width };
-    std::vector<std::string> ofCells = ofPoints;
-    ofCells.push_back(names.CurveType);
-    status = CheckHoldsNumbers(curves->GetPointData(), "point", ofPoints);
-    status = status.IsOk() ? CheckHoldsNumbers(curves->GetCellData(), "cell", ofCells) : status;
-    status = status.IsOk() ? this->CollectLines(curves) : status;
+    status = this->CollectLines(curves);
   }
   status = status.IsOk() ? this->ChooseChannels(curves, surface, names) : status;
   for (std::size_t k = 0; k < this->Curves.size() && status.IsOk(); ++k)
@@ -188,7 +186,8 @@ dgg::Status vtkDGGGraphicsInput::ReadType(
   vtkDataArray* array = curves->GetCellData()->GetArray(names.CurveType.c_str());
   if (!array)
   {
-    return dgg::Status::Success(); // diffusion
+    // Diffusion, unless something else was meant.
+    return CheckHoldsNumbers(curves->GetCellData(), "cell", names.CurveType);
   }
   if (array->GetNumberOfComponents() != 1)
   {
@@ -217,6 +216,11 @@ dgg::Status vtkDGGGraphicsInput::ReadType(
 dgg::Status vtkDGGGraphicsInput::ReadTuples(vtkPolyData* curves, const std::string& name,
   std::size_t k, int channels, bool mayBeSingle, std::vector<double>& values) const
 {
+  const dgg::Status status = CheckHoldsNumbers(curves, name);
+  if (!status.IsOk())
+  {
+    return status;
+  }
   bool isOfPoints = false;
   vtkDataArray* array = FindArray(curves, name, isOfPoints);
   std::ostringstream message;
@@ -281,7 +285,12 @@ dgg::Status vtkDGGGraphicsInput::ReadCurve(
   {
     return status;
   }
+  status = CheckHoldsNumbers(curves, names.RightStrength);
   bool isOfPoints = false;
+  if (!status.IsOk())
+  {
+    return status;
+  }
   if (FindArray(curves, names.RightStrength, isOfPoints))
   {
     status =
@@ -317,6 +326,14 @@ dgg::Status vtkDGGGraphicsInput::ReadWidth(
     }
     width = array->GetComponent(isOfPoints ? this->PointIds[k].front() : this->Cells[k], 0);
   }
+  else
+  {
+    const dgg::Status status = CheckHoldsNumbers(curves, names.Width);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
   if (width > 0.0)
   {
     return dgg::Status::Success();
@@ -333,6 +350,14 @@ dgg::Status vtkDGGGraphicsInput::ReadRegions(vtkPolyData* surface, const vtkDGGG
   if (names.Region.empty())
   {
     return dgg::Status::Success();
+  }
+  for (const std::string& name : { names.Region, names.RegionStrength })
+  {
+    const dgg::Status status = CheckHoldsNumbers(surface->GetCellData(), "cell", name);
+    if (!status.IsOk())
+    {
+      return status;
+    }
   }
   vtkDataArray* regions = surface->GetCellData()->GetArray(names.Region.c_str());
   vtkDataArray* strength = surface->GetCellData()->GetArray(names.RegionStrength.c_str());
@@ -419,8 +444,7 @@ std::vector<dgg::GraphicsRegion> vtkDGGGraphicsInput::MakeRegions(
 dgg::Status vtkDGGGraphicsInput::CheckRefinement(
   vtkPolyData* surface, const vtkDGGGraphicsNames& names)
 {
-  const dgg::Status status =
-    CheckHoldsNumbers(surface->GetCellData(), "cell", { names.Refinement });
+  const dgg::Status status = CheckHoldsNumbers(surface->GetCellData(), "cell", names.Refinement);
   if (!status.IsOk())
   {
     return status;

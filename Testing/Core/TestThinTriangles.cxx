@@ -8,6 +8,8 @@
 #include "ThinTriangleChecks.h"
 
 #include "dggEarthMovers.h"
+#include "dggHarmonicSplines.h"
+#include "dggPoissonIntegral.h"
 #include "dggPoissonSystem.h"
 #include "dggSpectralDistance.h"
 #include "dggSplineSites.h"
@@ -201,14 +203,82 @@ TEST(ThinTriangles, WhatSolvesRefusesSourcesInThinParts)
   dgg::EarthMoversResult moved;
   from[3] = to[n - 3] = 1.0;
   EXPECT_TRUE(dgg::EarthMovers(solver).Run(from, to, {}, moved).IsOk());
-  from[n + 3] = to[2 * n - 3] = 1.0;
-  ExpectThin(dgg::EarthMovers(solver).Run(from, to, {}, moved), "vertex " + std::to_string(n + 3));
-  dgg::SpectralDistance distance(solver);
-  EXPECT_TRUE(distance.CheckPlace(dgg::SurfacePoint::AtVertex(3)).IsOk());
+  from[n + 3] = to[n + 3] = 1.0; // stays there
+  EXPECT_TRUE(dgg::EarthMovers(solver).Run(from, to, {}, moved).IsOk());
+  to[n + 3] = 0.0;
+  to[2 * n - 3] = 1.0;
   ExpectThin(
-    distance.CheckPlace(dgg::SurfacePoint::AtVertex(n + 3)), "vertex " + std::to_string(n + 3));
+    dgg::EarthMovers(solver).Run(from, to, {}, moved), "mass at vertex " + std::to_string(n + 3));
+
+  dgg::SpectralDistance distance(solver);
+  const dgg::SurfacePoint good = dgg::SurfacePoint::AtVertex(3);
+  const dgg::SurfacePoint bad = dgg::SurfacePoint::AtVertex(n + 3);
+  EXPECT_TRUE(distance.CheckSource(good).IsOk());
+  ExpectThin(distance.CheckSource(bad), "vertex " + std::to_string(n + 3));
+  dgg::SpectralOptions options;
+  options.Method = dgg::SpectralMethod::Exact;
+  ASSERT_TRUE(distance.Prepare(options, nullptr).IsOk());
+  std::vector<double> between;
+  ASSERT_TRUE(
+    distance.Between({ good }, { good, bad }, dgg::ParallelFor(), nullptr, between).IsOk());
+  EXPECT_EQ(between, (std::vector<double>{ 0.0, dgg::Infinity }));
+  ExpectThin(distance.Between({ bad }, { good }, dgg::ParallelFor(), nullptr, between), "point 0");
+}
+
+TEST(ThinTriangles, SplinesHaveOneSiteInThinParts)
+{
+  const TestMesh square = Strip(12, 1.0);
+  const auto n = static_cast<Id>(square.Points.size() / 3);
+  const dgg::SurfaceMesh mesh = Build(Beside(square, Strip(12, 1e-8)));
+  dgg::PoissonSolver solver(mesh);
+  ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
   EXPECT_TRUE(dgg::CheckSplineSites(solver, { 3, 20, n + 3 }).IsOk()); // one is right anywhere
   ExpectThin(dgg::CheckSplineSites(solver, { 3, n + 20, n + 3 }), "site 2");
+  std::vector<Id> sites;
+  ASSERT_TRUE(dgg::ChooseSplineSites(solver, 10, nullptr, sites).IsOk());
+  EXPECT_EQ(sites.size(), 10u);
+  EXPECT_EQ(std::count_if(sites.begin(), sites.end(), [&](Id v) { return v >= n; }), 1);
+
+  dgg::HarmonicSplines splines(solver);
+  ASSERT_TRUE(splines.Prepare({ 3, 20, n + 3 }, dgg::ParallelFor(), nullptr).IsOk());
+  std::vector<double> values;
+  ASSERT_TRUE(splines
+                .Evaluate({ dgg::SurfacePoint::AtVertex(n + 5), dgg::SurfacePoint::AtVertex(5) },
+                  dgg::GreensMethod::Vertex, dgg::ParallelFor(), nullptr, values)
+                .IsOk());
+  EXPECT_EQ((std::vector<double>(values.begin(), values.begin() + 3)),
+    (std::vector<double>{ 0.0, 0.0, 1.0 }));
+  EXPECT_NEAR(values[3] + values[4], 1.0, 1e-12);
+  EXPECT_EQ(values[5], 0.0);
+  // Solutions at points are not passed over there.
+  std::vector<std::vector<double>> solutions;
+  const std::vector<double> none(2 * n, 0.0);
+  ExpectThin(dgg::PoissonIntegral(solver).Run({ dgg::SurfacePoint::AtVertex(n + 5) }, { none },
+               dgg::GreensMethod::Vertex, dgg::ParallelFor(), nullptr, solutions),
+    "point 0");
+}
+
+/// Signs may be the same at the few vertices of a component.
+TEST(ThinTriangles, SmallPartsAreKnown)
+{
+  TestMesh mesh = Icosphere(2);
+  const auto n = static_cast<Id>(mesh.Points.size() / 3);
+  for (int k = 0; k < 40; ++k)
+  {
+    const double y = 3.0 + k;
+    TestMesh sliver;
+    sliver.Points = { 0.0, y, 0.0, 0.3, y, 0.0, 0.1, y + 1e-7, 0.0 };
+    sliver.Triangles = { 0, 1, 2 };
+    mesh = Beside(mesh, sliver);
+  }
+  const dgg::SurfaceMesh surface = Build(mesh);
+  dgg::PoissonSolver solver(surface);
+  ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
+  EXPECT_TRUE(solver.CheckPole(dgg::SurfacePoint::AtVertex(0)).IsOk());
+  for (Id v = n; v < n + 120; v += 3)
+  {
+    ExpectThin(solver.CheckPole(dgg::SurfacePoint::AtVertex(v)), std::to_string(v));
+  }
 }
 
 TEST(ThinTriangles, ScaleDoesNotMatter)

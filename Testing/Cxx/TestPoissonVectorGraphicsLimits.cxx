@@ -96,9 +96,20 @@ TEST(PoissonVectorGraphics, ArraysOfStringsAreNotPassedOver)
   drawing.Run();
   vtkNew<vtkStringArray> words;
   words->SetNumberOfTuples(24);
+  vtkDataSetAttributes* const data = drawing.OfCells();
+  for (const char* name : { "Strength", "RightStrength", "Width" })
+  {
+    words->SetName(name);
+    data->AddArray(words);
+    drawing.Run(); // diffusion curves have none
+    data->RemoveArray(name);
+  }
+  AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
+  AddArray(drawing.OfCells(), "Strength", { 0, 1 }, 1);
+  drawing.Filter->SetWidth(0.5);
+  drawing.Run();
   for (const char* name : { "CurveType", "RightColor", "Strength", "RightStrength", "Width" })
   {
-    vtkDataSetAttributes* const data = drawing.OfCells();
     const vtkSmartPointer<vtkAbstractArray> before = data->GetAbstractArray(name);
     words->SetName(name);
     data->AddArray(words);
@@ -112,8 +123,9 @@ TEST(PoissonVectorGraphics, ArraysOfStringsAreNotPassedOver)
   words->SetName("Width");
   drawing.Curves->GetPointData()->AddArray(words);
   ExpectError(drawing.Filter, { "the point array 'Width' is of type string" });
+  AddArray(drawing.OfCells(), "Width", { 0.5, 0.5 }, 1);
+  drawing.Run(); // there are numbers besides
   drawing.Curves->GetPointData()->RemoveArray("Width");
-  drawing.Run();
   words->SetName("region");
   drawing.Surface->GetCellData()->AddArray(words);
   drawing.Filter->SetRegionArrayName("region");

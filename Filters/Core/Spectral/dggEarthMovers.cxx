@@ -165,8 +165,12 @@ Status CheckMasses(
         " more mass than the other: nothing can get there, so give both the same");
     }
   }
-  Status status = CheckThinSources(system, from);
-  return status.IsOk() ? CheckThinSources(system, to) : status;
+  std::vector<double> moved(n);
+  for (std::size_t v = 0; v < n; ++v)
+  {
+    moved[v] = to[v] - from[v];
+  }
+  return CheckThinSources(system, moved, "mass");
 }
 }
 

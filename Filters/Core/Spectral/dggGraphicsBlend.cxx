@@ -147,10 +147,11 @@ Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& i
   {
     return status;
   }
-  if (!solver.Factorize(nullptr).IsOk()) // its triangles are too thin
+  status = solver.Factorize(nullptr);
+  if (!status.IsOk())
   {
     this->Places.clear();
-    return Status::Success();
+    return solver.GetSystem().HasThin() ? Status::Success() : status;
   }
   this->Columns.assign(2 * count, std::vector<double>(n, 0.0));
   std::vector<double> strength(count);

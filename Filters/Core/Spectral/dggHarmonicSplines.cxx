@@ -227,9 +227,7 @@ Status HarmonicSplines::Evaluate(const std::vector<SurfacePoint>& points, Greens
   std::vector<double> found(points.size() * count, 0.0);
   status = internals.Integral.ForEachPoint(
     points, method, parallel, progress, [&](std::size_t k, const std::vector<double>& greens) {
-      const SurfacePoint& point = points[k];
-      const Id component = system.GetComponent(
-        IsVertex(point) ? point.Vertex : system.GetMesh().Origin(3 * point.Face));
+      const Id component = system.GetComponent(points[k]);
       std::vector<double> means(count, 0.0); // of the Green's function, over the cells
       for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
       {
@@ -249,6 +247,16 @@ Status HarmonicSplines::Evaluate(const std::vector<SurfacePoint>& points, Greens
         found[k * count + j] = isHere ? internals.MeanOf(j) + sum : 0.0;
       }
     });
+  for (std::size_t k = 0; k < points.size() && status.IsOk(); ++k)
+  {
+    const Id component = system.GetComponent(points[k]);
+    for (std::size_t j = 0; j < count && system.IsThin(component); ++j)
+    {
+      // It was passed over. There is a single site, see CheckSplineSites(), whose function is 1.
+      const bool isHere = system.IsFree(component) && internals.Cells.Components[j] == component;
+      found[k * count + j] = isHere ? 1.0 : 0.0;
+    }
+  }
   if (status.IsOk())
   {
     values.swap(found);
@@ -300,7 +308,7 @@ Status HarmonicSplines::Combine(const std::vector<double>& coefficients,
   const SplineCells& cells = internals.Cells;
   Status status = internals.Check();
   status =
-    status.IsOk() && !givenValues.empty() ? internals.Solver.CheckValues(givenValues) : status;
+    status.IsOk() && !givenValues.empty() ? internals.Solver.CheckNumbers(givenValues) : status;
   if (status.IsOk() && coefficients.size() != internals.Sites.size())
   {
     status = Status::Invalid("there are " + std::to_string(coefficients.size()) +

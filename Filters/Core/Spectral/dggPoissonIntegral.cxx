@@ -27,6 +27,13 @@ bool IsGiven(const PoissonSystem& system, const SurfacePoint& point)
   return isGiven;
 }
 
+/// Whether a point lies in a thin component without given values.
+bool IsInThinPart(const PoissonSystem& system, const SurfacePoint& point)
+{
+  const Id c = system.GetComponent(point);
+  return system.IsThin(c) && system.IsFree(c);
+}
+
 bool HasGivenValues(const PoissonSystem& system)
 {
   bool has = false;
@@ -57,7 +64,7 @@ Status PoissonIntegral::ForEachPoint(const std::vector<SurfacePoint>& points, Gr
   for (std::size_t k = 0; k < points.size(); ++k)
   {
     Status status = points[k].Check(system.GetMesh());
-    if (status.IsOk() && IsGiven(system, points[k]))
+    if (status.IsOk() && (IsGiven(system, points[k]) || IsInThinPart(system, points[k])))
     {
       continue;
     }
@@ -81,7 +88,7 @@ Status PoissonIntegral::ForEachPoint(const std::vector<SurfacePoint>& points, Gr
     query.WantIntegrals = true;
     query.Progress = within;
     std::vector<GreensResult> results;
-    const Status status = this->Function.Run(poles, query, results);
+    Status status = this->Function.Run(poles, query, results);
     for (std::size_t k = 0; k < results.size() && status.IsOk(); ++k)
     {
       std::vector<double>& greens = results[k].Integrals;
@@ -110,7 +117,11 @@ Status PoissonIntegral::Run(const std::vector<SurfacePoint>& points,
     rightHandSides.size(), std::vector<double>(points.size(), 0.0));
   for (std::size_t k = 0; k < points.size(); ++k)
   {
-    const Status status = points[k].Check(system.GetMesh());
+    Status status = points[k].Check(system.GetMesh());
+    if (status.IsOk() && this->Solver.IsReady() && IsInThinPart(system, points[k]))
+    {
+      status = this->Solver.CheckPole(points[k]);
+    }
     if (!status.IsOk())
     {
       return Status::Invalid("point " + std::to_string(k) + ": " + status.GetMessage());
@@ -143,7 +154,7 @@ Status PoissonIntegral::Run(const std::vector<SurfacePoint>& points,
       return Status::Abort();
     }
   }
-  const Status status =
+  Status status =
     this->ForEachPoint(points, method, parallel, ProgressPart(progress, HarmonicDone, 1.0),
       [&](std::size_t point, const std::vector<double>& greens) {
         for (std::size_t r = 0; r < rightHandSides.size(); ++r)

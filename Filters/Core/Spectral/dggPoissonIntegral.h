@@ -52,7 +52,8 @@ public:
   /// face. Called in any order, by several threads at once.
   using PointVisitor = std::function<void(std::size_t point, const std::vector<double>& greens)>;
 
-  /// The Green's functions alone. At points with given values they are 0.
+  /// The Green's functions alone. Points with given values, where they are 0, and in components
+  /// that are thin (PoissonSystem::IsThin()) and without given values, are passed over.
   Status ForEachPoint(const std::vector<SurfacePoint>& points, GreensMethod method,
     const ParallelFor& parallel, const ProgressCallback& progress, const PointVisitor& visit) const;
 

@@ -72,11 +72,9 @@ bool PoissonSolver::IsReady() const
   return this->System->IsReady();
 }
 
-namespace
+Status PoissonSolver::CheckNumbers(const std::vector<double>& values) const
 {
-/// One number for each vertex.
-Status CheckNumbers(const PoissonSystem& system, const std::vector<double>& values)
-{
+  const PoissonSystem& system = *this->System;
   if (!system.IsReady())
   {
     return Status::Invalid("the system has not been factorized: call Prepare() first");
@@ -95,12 +93,11 @@ Status CheckNumbers(const PoissonSystem& system, const std::vector<double>& valu
   }
   return Status::Success();
 }
-}
 
 Status PoissonSolver::CheckValues(const std::vector<double>& values) const
 {
-  const Status status = CheckNumbers(*this->System, values);
-  return status.IsOk() ? CheckThinSources(*this->System, values) : status;
+  Status status = this->CheckNumbers(values);
+  return status.IsOk() ? CheckThinSources(*this->System, values, "source") : status;
 }
 
 Status PoissonSolver::Solve(std::vector<double>& values) const
@@ -157,7 +154,7 @@ Status PoissonSolver::Solve(std::vector<std::vector<double>>& columns) const
 
 Status PoissonSolver::Multiply(const std::vector<double>& f, std::vector<double>& result) const
 {
-  Status status = CheckNumbers(*this->System, f);
+  Status status = this->CheckNumbers(f);
   if (status.IsOk())
   {
     result = this->System->Multiply(f);
@@ -206,7 +203,7 @@ Status PoissonSolver::CheckPole(const SurfacePoint& point) const
   {
     return Status::Invalid(where + " has no face: nothing is defined there");
   }
-  status = CheckThinPlace(*this->System, v, where);
+  status = CheckThinPlace(*this->System, this->System->GetComponent(v), where);
   if (!status.IsOk())
   {
     return status;

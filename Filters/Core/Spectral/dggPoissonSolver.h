@@ -61,6 +61,8 @@ public:
   /// Several right-hand sides, such as the channels of a colour: all or, where one is wrong, none.
   /// More than four are solved for together, eight at a time.
   Status Solve(std::vector<std::vector<double>>& columns) const;
+  /// Fails when there are not as many as vertices, or some are not finite.
+  Status CheckNumbers(const std::vector<double>& values) const;
   /// What Solve() fails for.
   Status CheckValues(const std::vector<double>& values) const;
   /// L f: the integrated sources that have f as solution.

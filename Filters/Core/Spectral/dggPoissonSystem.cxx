@@ -112,6 +112,7 @@ void PoissonSystem::MeasureComponents()
   this->Components = this->Mesh.ComputeComponents(count);
   this->OnBoundary.assign(this->Components.size(), 0);
   this->ComponentAreas.assign(count, 0.0);
+  this->ComponentIsThin.assign(count, 0);
   this->MeanEdges.assign(count, 0.0);
   this->ComponentHasBoundary.assign(count, 0);
   this->LongestEdge = 0.0;
@@ -243,7 +244,6 @@ Status PoissonSystem::Factorize()
     return Status::Invalid(
       "the linear system could not be factorized: remove triangles that have next to no area");
   }
-  this->ComponentIsThin.assign(this->ComponentAreas.size(), 0);
   Status status =
     this->NeedsRefinement() ? CheckThinTriangles(*this, this->ComponentIsThin) : Status::Success();
   if (!status.IsOk())
@@ -251,6 +251,12 @@ Status PoissonSystem::Factorize()
     this->Factor.Clear();
   }
   return status;
+}
+
+bool PoissonSystem::HasThin() const
+{
+  return std::find(this->ComponentIsThin.begin(), this->ComponentIsThin.end(), 1) !=
+    this->ComponentIsThin.end();
 }
 
 std::size_t PoissonSystem::GetBaseMemory() const

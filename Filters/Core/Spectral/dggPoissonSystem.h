@@ -9,6 +9,7 @@
 #include "dggPoissonOptions.h"         // for the options
 #include "dggSparseFactor.h"           // for the factorization
 #include "dggSurfaceMesh.h"            // for SurfaceMesh
+#include "dggSurfacePoint.h"           // for SurfacePoint
 
 #include <Eigen/SparseCore> // for the matrix
 
@@ -56,6 +57,11 @@ public:
   Id GetNumberOfVertices() const { return static_cast<Id>(this->Components.size()); }
   Id GetNumberOfComponents() const { return static_cast<Id>(this->ComponentAreas.size()); }
   Id GetComponent(Id v) const { return this->Components[v]; }
+  /// Of a point that is on the mesh.
+  Id GetComponent(const SurfacePoint& point) const
+  {
+    return this->Components[IsVertex(point) ? point.Vertex : this->Mesh.Origin(3 * point.Face)];
+  }
   /// A third of the areas of the faces around a vertex.
   const std::vector<double>& GetAreas() const { return this->Areas; }
   double GetArea(Id v) const { return this->Areas[v]; }
@@ -75,6 +81,8 @@ public:
   /// Whether the triangles of the component are too thin for solutions there to be right. A few
   /// thin ones do no harm. After Factorize(), which fails when that is so of the whole surface.
   bool IsThin(Id c) const { return this->ComponentIsThin[c] != 0; }
+  /// Whether that is so of any component, also where it is what Factorize() failed for.
+  bool HasThin() const;
 
   /// L f.
   std::vector<double> Multiply(const std::vector<double>& f) const;

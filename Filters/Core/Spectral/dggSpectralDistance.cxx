@@ -109,12 +109,6 @@ double SpectralDistance::Filter(double eigenvalue) const
   return std::exp(-2.0 * this->Time * eigenvalue);
 }
 
-Id SpectralDistance::ComponentOf(const SurfacePoint& point) const
-{
-  const Id v = IsVertex(point) ? point.Vertex : this->Solver.GetMesh().Origin(3 * point.Face);
-  return this->Solver.GetSystem().GetComponent(v);
-}
-
 Status SpectralDistance::CheckPrepared() const
 {
   if (!this->IsPrepared)
@@ -129,29 +123,35 @@ Status SpectralDistance::CheckPrepared() const
   return Status::Success();
 }
 
-Status SpectralDistance::CheckPoint(const SurfacePoint& point) const
+namespace
 {
-  const Status status = this->CheckPrepared();
-  return status.IsOk() ? this->CheckPlace(point) : status;
+std::string NameOf(const SurfacePoint& point)
+{
+  return IsVertex(point) ? "vertex " + std::to_string(point.Vertex)
+                         : "a point of face " + std::to_string(point.Face);
+}
 }
 
 Status SpectralDistance::CheckPlace(const SurfacePoint& point) const
 {
+  if (!this->Solver.IsReady())
+  {
+    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+  }
   const SurfaceMesh& mesh = this->Solver.GetMesh();
   Status status = point.Check(mesh);
-  if (!status.IsOk())
+  if (status.IsOk() && IsVertex(point) && mesh.FanBegin(point.Vertex) == mesh.FanEnd(point.Vertex))
   {
-    return status;
+    return Status::Invalid(NameOf(point) + " has no face: nothing is defined there");
   }
-  const bool isVertex = IsVertex(point);
-  const Id v = isVertex ? point.Vertex : mesh.Origin(3 * point.Face);
-  const std::string where =
-    isVertex ? "vertex " + std::to_string(v) : "a point of face " + std::to_string(point.Face);
-  if (isVertex && mesh.FanBegin(v) == mesh.FanEnd(v))
-  {
-    return Status::Invalid(where + " has no face: nothing is defined there");
-  }
-  return CheckThinPlace(this->Solver.GetSystem(), v, where);
+  return status;
+}
+
+Status SpectralDistance::CheckSource(const SurfacePoint& point) const
+{
+  const PoissonSystem& system = this->Solver.GetSystem();
+  Status status = this->CheckPlace(point);
+  return status.IsOk() ? CheckThinPlace(system, system.GetComponent(point), NameOf(point)) : status;
 }
 
 /// Unit load, 0 where values are given.
@@ -260,7 +260,8 @@ std::vector<double> SpectralDistance::ColumnOf(std::vector<double> potential) co
 Status SpectralDistance::Column(const SurfacePoint& source, std::vector<double>& values) const
 {
   values.clear();
-  Status status = this->CheckPoint(source);
+  Status status = this->CheckPrepared();
+  status = status.IsOk() ? this->CheckSource(source) : status;
   if (!status.IsOk())
   {
     return status;
@@ -289,7 +290,8 @@ Status SpectralDistance::FromPoint(const SurfacePoint& source, const ParallelFor
   const ProgressCallback& progress, std::vector<double>& distances)
 {
   distances.clear();
-  Status status = this->CheckPoint(source);
+  Status status = this->CheckPrepared();
+  status = status.IsOk() ? this->CheckSource(source) : status;
   if (!status.IsOk())
   {
     return status;
@@ -336,7 +338,7 @@ Status SpectralDistance::FromPoint(const SurfacePoint& source, const ParallelFor
     }
   }
   distances.resize(n);
-  const Id component = this->ComponentOf(source);
+  const Id component = system.GetComponent(source);
   for (std::size_t v = 0; v < n; ++v)
   {
     distances[v] =
@@ -350,11 +352,18 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
   const ProgressCallback& progress, std::vector<double>& distances) const
 {
   distances.clear();
+  Status status = this->CheckPrepared();
+  if (!status.IsOk())
+  {
+    return status;
+  }
   for (const std::vector<SurfacePoint>* points : { &first, &second })
   {
     for (std::size_t k = 0; k < points->size(); ++k)
     {
-      const Status status = this->CheckPoint((*points)[k]);
+      const SurfacePoint& point = (*points)[k];
+      // In a thin component the distance is not known, but to those in others it is Infinity.
+      status = points == &first ? this->CheckSource(point) : this->CheckPlace(point);
       if (!status.IsOk())
       {
         return Status::Invalid("point " + std::to_string(k) + ": " + status.GetMessage());
@@ -380,7 +389,7 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
   };
   const bool isSame = &first == &second;
   std::vector<std::vector<double>> found[2];
-  Status status = findVectors(first, 0.0, isSame ? SolvesDone : 0.5 * SolvesDone, found[0]);
+  status = findVectors(first, 0.0, isSame ? SolvesDone : 0.5 * SolvesDone, found[0]);
   if (status.IsOk() && !isSame)
   {
     status = findVectors(second, 0.5 * SolvesDone, SolvesDone, found[1]);
@@ -393,9 +402,10 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
   const std::vector<std::vector<double>>& columns = found[isSame ? 0 : 1];
   distances.assign(first.size() * second.size(), Infinity);
   const std::vector<double>& areas = this->Solver.GetAreas();
+  const PoissonSystem& system = this->Solver.GetSystem();
   const bool isBiharmonic = this->Options.Kind == SpectralKind::Biharmonic;
   const auto distanceOf = [&](std::size_t i, std::size_t j) {
-    if (this->ComponentOf(first[i]) != this->ComponentOf(second[j]))
+    if (system.GetComponent(first[i]) != system.GetComponent(second[j]))
     {
       return Infinity;
     }

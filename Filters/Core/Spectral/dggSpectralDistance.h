@@ -63,9 +63,12 @@ public:
   Status Prepare(const SpectralOptions& options, const ProgressCallback& progress);
   Status Prepare(const SpectralOptions& options, Eigenpairs pairs);
   /// @}
-  /// Fails when the point does not exist, has no face, or lies in a component whose triangles are
-  /// too thin. May be asked before all else.
+  /// Fail when the point does not exist, or has no face; a source, as well when it lies in a
+  /// component whose triangles are too thin. May be asked before Prepare().
+  /// @{
   Status CheckPlace(const SurfacePoint& point) const;
+  Status CheckSource(const SurfacePoint& point) const;
+  /// @}
   const Eigenpairs& GetEigenpairs() const { return this->Pairs; }
   double GetTime() const { return this->Time; }
 
@@ -103,9 +106,7 @@ private:
     const std::vector<double>& b) const;
   double Filter(double eigenvalue) const;
   std::vector<double> EmbeddingOf(const SurfacePoint& point) const;
-  Id ComponentOf(const SurfacePoint& point) const;
   Status CheckPrepared() const;
-  Status CheckPoint(const SurfacePoint& point) const;
   double GetNumbersOfSolve() const;
 
   const PoissonSolver& Solver;

@@ -69,6 +69,26 @@ bool HasFace(const SurfaceMesh& mesh, Id v)
   return mesh.FanBegin(v) != mesh.FanEnd(v);
 }
 
+/// What is not to be chosen any more, nor what is near: a site; in a thin component, which may have
+/// a single one, all vertices.
+std::vector<GraphSeed> SeedsOf(const PoissonSystem& system, Id site)
+{
+  const Id component = system.GetComponent(site);
+  if (!system.IsThin(component))
+  {
+    return { { site } };
+  }
+  std::vector<GraphSeed> seeds;
+  for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+  {
+    if (system.GetComponent(v) == component)
+    {
+      seeds.push_back({ v });
+    }
+  }
+  return seeds;
+}
+
 /// Of each component with a free vertex, the one of these that is farthest away.
 std::vector<Id> FindFarthest(const PoissonSystem& system, const std::vector<double>& distances)
 {
@@ -142,7 +162,7 @@ Status ChooseSplineSites(
     sites.push_back(farthest);
     const double step = (1.0 - GivenDone) / static_cast<double>(wanted);
     const double done = GivenDone + step * static_cast<double>(sites.size());
-    status = points.Add({ { farthest } }, part(done - step, done));
+    status = points.Add(SeedsOf(system, farthest), part(done - step, done));
     if (status.IsOk() && progress && !progress(std::min(1.0, done)))
     {
       status = Status::Abort();
@@ -187,16 +207,17 @@ Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& site
       return Status::Invalid(
         what + " is the same as site " + std::to_string(numbers[v]) + ": leave one of them out");
     }
-    // A single site is right in any component: its function is 1.
-    Status status = needed[system.GetComponent(v)] == 0 || !system.IsFree(system.GetComponent(v))
-      ? CheckThinPlace(system, v, what)
+    // A single site is right in any component without given values: its function is 1.
+    const Id component = system.GetComponent(v);
+    Status status = needed[component] == 0 || !system.IsFree(component)
+      ? CheckThinPlace(system, component, what)
       : Status::Success();
     if (!status.IsOk())
     {
       return status;
     }
     numbers[v] = static_cast<Id>(k);
-    needed[system.GetComponent(v)] = 0;
+    needed[component] = 0;
   }
   for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
   {

@@ -14,7 +14,8 @@ namespace dgg
 /// Vertices that are far from each other and from those with given values, one after the other the
 /// farthest one along the edges of the mesh (FarthestPoints). Every component that has a vertex
 /// without a given value gets a site, so there may be more than asked for; there are fewer when the
-/// mesh has fewer such vertices. The solver must be ready.
+/// mesh has fewer such vertices. Where triangles are too thin, a component has no more than one.
+/// The solver must be ready.
 Status ChooseSplineSites(
   const PoissonSolver& solver, Id count, const ProgressCallback& progress, std::vector<Id>& sites);
 

@@ -20,13 +20,15 @@ constexpr double LargestLoss = 0.01;
 /// Part of the sources that may be in components that lose more.
 constexpr double LargestThinSources = 1e-3;
 
-/// 1 or -1, as a hash of the vertex has it (the finalizer of MurmurHash3).
-double RandomSign(Id v)
+/// Between 1 and -1, as a hash of the vertex has it (the finalizer of MurmurHash3). Signs alone may
+/// be the same all over a small component, where sources in proportion to area are none.
+double RandomNumber(Id v)
 {
   auto bits = static_cast<std::uint64_t>(v) + 1;
   bits = (bits ^ (bits >> 33)) * 0xff51afd7ed558ccdULL;
   bits = (bits ^ (bits >> 33)) * 0xc4ceb9fe1a85ec53ULL;
-  return (bits ^ (bits >> 33)) & 1 ? 1.0 : -1.0;
+  bits ^= bits >> 33;
+  return static_cast<double>(bits >> 11) * 0x1p-52 - 1.0; // 53 bits
 }
 
 /// The part of a vertex in the area of its component, which no scale changes.
@@ -105,7 +107,7 @@ Parts MeasureRounding(const PoissonSystem& system, const std::vector<double>& u)
   for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
   {
     const double flow = system.GetStiffness().coeff(v, v) * u[v];
-    change[v] = system.IsFixed(v) ? 0.0 : RandomSign(v) * lastBit * flow;
+    change[v] = system.IsFixed(v) ? 0.0 : RandomNumber(v) * lastBit * flow;
   }
   system.Solve(change);
   Parts parts(system);
@@ -123,7 +125,7 @@ std::vector<double> MeasureThinTriangles(const PoissonSystem& system)
   std::vector<double> u(static_cast<std::size_t>(system.GetNumberOfVertices()));
   for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
   {
-    u[v] = system.IsFixed(v) ? 0.0 : RandomSign(v) * ShareOf(system, v);
+    u[v] = system.IsFixed(v) ? 0.0 : RandomNumber(v) * ShareOf(system, v);
   }
   system.Solve(u);
   const Parts softened = MeasureSoftenedEnergy(system, u);
@@ -163,18 +165,23 @@ Status CheckThinTriangles(const PoissonSystem& system, std::vector<std::uint8_t>
   return Status::Invalid(message.str());
 }
 
-Status CheckThinPlace(const PoissonSystem& system, Id v, const std::string& where)
+Status CheckThinPlace(const PoissonSystem& system, Id component, const std::string& where)
 {
-  return system.IsThin(system.GetComponent(v))
+  return system.IsThin(component)
     ? Status::Invalid(where +
         " lies in a part of the surface whose triangles are too thin to solve equations there: "
         "make better ones, or leave that part out")
     : Status::Success();
 }
 
-Status CheckThinSources(const PoissonSystem& system, const std::vector<double>& sources)
+Status CheckThinSources(
+  const PoissonSystem& system, const std::vector<double>& sources, const std::string& noun)
 {
-  const bool isHeld = !system.GetOptions().GivenVertices.empty();
+  std::vector<std::uint8_t> isHeld(static_cast<std::size_t>(system.GetNumberOfComponents()), 0);
+  for (const Id v : system.GetOptions().GivenVertices)
+  {
+    isHeld[system.GetComponent(v)] = 1;
+  }
   double thin = 0.0;
   double all = 0.0;
   Id largest = NoId;
@@ -184,14 +191,15 @@ Status CheckThinSources(const PoissonSystem& system, const std::vector<double>& 
     const Id c = system.GetComponent(v);
     const double size = system.IsFixed(v) ? 0.0 : std::abs(sources[k]);
     all += size;
-    if (system.IsThin(c) && (system.IsFree(c) || !isHeld))
+    if (system.IsThin(c) && !isHeld[c])
     {
       thin += size;
       largest = largest == NoId || size > std::abs(sources[largest]) ? v : largest;
     }
   }
   return thin > LargestThinSources * all
-    ? CheckThinPlace(system, largest, "the source at vertex " + std::to_string(largest))
+    ? CheckThinPlace(system, system.GetComponent(largest),
+        "the " + noun + " at vertex " + std::to_string(largest))
     : Status::Success();
 }
 }

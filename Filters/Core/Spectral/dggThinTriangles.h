@@ -30,12 +30,13 @@ Status CheckThinTriangles(const PoissonSystem& system, std::vector<std::uint8_t>
 
 /// What a part of a surface that is thin, beside others that are not, is refused for.
 /// @{
-/// Fails when the component of a vertex is thin. `where` is what messages begin with.
-Status CheckThinPlace(const PoissonSystem& system, Id v, const std::string& where);
-/// Fails when a thousandth of the integrated sources is in thin components. Densities that are
-/// everywhere put less than that into debris. Slivers that curves with given values cut off are not
-/// meant: these values hold the solution.
-Status CheckThinSources(const PoissonSystem& system, const std::vector<double>& sources);
+/// Fails when the component is thin. `where` is what messages begin with.
+Status CheckThinPlace(const PoissonSystem& system, Id component, const std::string& where);
+/// Fails when a thousandth of the integrated sources, which messages call by `noun`, is in thin
+/// components. Densities that are everywhere put less than that into debris. Slivers that curves
+/// with given values cut off are not meant: these values hold the solution.
+Status CheckThinSources(
+  const PoissonSystem& system, const std::vector<double>& sources, const std::string& noun);
 /// @}
 }
 
