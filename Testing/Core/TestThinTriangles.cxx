@@ -90,6 +90,15 @@ TestMesh Beside(const TestMesh& first, const TestMesh& second)
   return both;
 }
 
+/// One squashed square beside a good one: all is right on the good one, and nothing is said that is
+/// wrong on the other.
+struct TwoSquares
+{
+  dgg::SurfaceMesh Mesh = Build(Beside(Strip(12, 1.0), Strip(12, 1e-8)));
+  Id FirstBad = Mesh.GetNumberOfVertices() / 2;
+  dgg::PoissonSolver Solver{ Mesh };
+};
+
 void ExpectThin(const dgg::Status& status, const std::string& where)
 {
   ASSERT_FALSE(status.IsOk());
@@ -153,21 +162,18 @@ TEST(ThinTriangles, PointsOnALineAreRefused)
   EXPECT_FALSE(IsTooThin(Build(Beside(Icosphere(2), line))));
 }
 
-/// One squashed square beside a good one: all is right on the good one, and nothing is said that is
-/// wrong on the other.
 TEST(ThinTriangles, PartsOfASurfaceAreRefused)
 {
-  const TestMesh square = Strip(12, 1.0);
-  const auto n = static_cast<Id>(square.Points.size() / 3);
-  const dgg::SurfaceMesh mesh = Build(Beside(square, Strip(12, 1e-8)));
-  dgg::PoissonSolver solver(mesh);
+  TwoSquares squares;
+  const Id n = squares.FirstBad;
+  dgg::PoissonSolver& solver = squares.Solver;
   ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
   const Id good = n / 2;
   const Id bad = n + n / 2;
   EXPECT_TRUE(solver.CheckPole(dgg::SurfacePoint::AtVertex(good)).IsOk());
   ExpectThin(solver.CheckPole(dgg::SurfacePoint::AtVertex(bad)), std::to_string(bad));
-  const Id face = mesh.GetNumberOfFaces() - 1;
-  ExpectThin(solver.CheckPole(dgg::SurfacePoint::InFace(mesh, face, { 0.3, 0.3, 0.4 })),
+  const Id face = squares.Mesh.GetNumberOfFaces() - 1;
+  ExpectThin(solver.CheckPole(dgg::SurfacePoint::InFace(squares.Mesh, face, { 0.3, 0.3, 0.4 })),
     "face " + std::to_string(face));
   // Sources of equal density, of which next to nothing is there; then some that are.
   std::vector<double> sources = solver.GetAreas();
@@ -193,10 +199,9 @@ TEST(ThinTriangles, PartsOfASurfaceAreRefused)
 
 TEST(ThinTriangles, WhatSolvesRefusesSourcesInThinParts)
 {
-  const TestMesh square = Strip(12, 1.0);
-  const auto n = static_cast<Id>(square.Points.size() / 3);
-  const dgg::SurfaceMesh mesh = Build(Beside(square, Strip(12, 1e-8)));
-  dgg::PoissonSolver solver(mesh);
+  TwoSquares squares;
+  const Id n = squares.FirstBad;
+  dgg::PoissonSolver& solver = squares.Solver;
   ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
   std::vector<double> from(2 * n, 0.0);
   std::vector<double> to(from);
@@ -227,10 +232,9 @@ TEST(ThinTriangles, WhatSolvesRefusesSourcesInThinParts)
 
 TEST(ThinTriangles, SplinesHaveOneSiteInThinParts)
 {
-  const TestMesh square = Strip(12, 1.0);
-  const auto n = static_cast<Id>(square.Points.size() / 3);
-  const dgg::SurfaceMesh mesh = Build(Beside(square, Strip(12, 1e-8)));
-  dgg::PoissonSolver solver(mesh);
+  TwoSquares squares;
+  const Id n = squares.FirstBad;
+  dgg::PoissonSolver& solver = squares.Solver;
   ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
   EXPECT_TRUE(dgg::CheckSplineSites(solver, { 3, 20, n + 3 }).IsOk()); // one is right anywhere
   ExpectThin(dgg::CheckSplineSites(solver, { 3, n + 20, n + 3 }), "site 2");
