@@ -23,8 +23,8 @@ bool HasPoints(const vtkDGGMassOrigin& origin)
 vtkDGGSourceSet GetSet(const vtkDGGMassOrigin& origin)
 {
   static const std::vector<vtkIdType> none;
-  return { none, origin.Points, origin.Port, "'" + origin.Name + "' point",
-    "call " + origin.Setter, "" };
+  return { none, origin.Points, origin.Port, "'" + origin.Name + "' point", "call " + origin.Setter,
+    "" };
 }
 
 /// One number per point that is finite and not negative. `where` is what messages call the data.

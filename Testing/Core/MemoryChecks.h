@@ -5,6 +5,8 @@
 #ifndef MemoryChecks_h
 #define MemoryChecks_h
 
+#include "FlatMeshes.h"
+
 #include "../Benchmark/MemoryProbe.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +16,17 @@
 
 namespace dggtest
 {
+/// Unit cells made that high: cotangents so large that solutions may be refined, which takes more.
+inline TestMesh NarrowPlane(Id nx, Id ny, double height)
+{
+  TestMesh plane = Plane(nx, ny);
+  for (std::size_t i = 1; i < plane.Points.size(); i += 3)
+  {
+    plane.Points[i] *= height;
+  }
+  return plane;
+}
+
 /// What was predicted is enough, and not far too much. A peak of 0 could not be measured.
 inline void ExpectPrediction(
   std::size_t peak, std::size_t predicted, double slack, const std::string& context)

@@ -19,24 +19,13 @@ namespace
 {
 /// Bytes of arrays per component and the like, which are not predicted.
 constexpr std::size_t Small = 1000;
-
-/// Cotangents so large that solutions are refined.
-TestMesh NarrowPlane()
-{
-  TestMesh plane = Plane(60, 40);
-  for (std::size_t i = 1; i < plane.Points.size(); i += 3)
-  {
-    plane.Points[i] *= 1e-4;
-  }
-  return plane;
-}
 }
 
 TEST(EarthMoversMemory, IsPredicted)
 {
   const std::vector<NamedMesh> meshes = { { "sphere", NoisySphere(4, 0.03, 3) },
     { "plane", Scaled(Plane(50, 50, 0.3), 0.1) }, { "terrain", Terrain(50, 0.8, 5) },
-    { "needles", NarrowPlane() } };
+    { "needles", NarrowPlane(60, 40, 1e-4) } };
   for (const NamedMesh& named : meshes)
   {
     for (const bool isDelaunay : { false, true })

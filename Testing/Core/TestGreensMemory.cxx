@@ -18,23 +18,12 @@ namespace
 {
 /// Windows of a few hundred edges, arrays per component and the like, which are not predicted.
 constexpr std::size_t Small = 400000;
-
-/// Cotangents so large that solutions are refined, which takes more.
-TestMesh NarrowPlane()
-{
-  TestMesh plane = Plane(150, 80);
-  for (std::size_t i = 1; i < plane.Points.size(); i += 3)
-  {
-    plane.Points[i] *= 1e-3;
-  }
-  return plane;
-}
 }
 
 TEST(GreensMemory, IsPredicted)
 {
   const std::vector<NamedMesh> meshes = { { "sphere", NoisySphere(5, 0.01, 3) },
-    { "terrain", Terrain(110, 0.8, 5) }, { "needles", NarrowPlane() } };
+    { "terrain", Terrain(110, 0.8, 5) }, { "needles", NarrowPlane(150, 80, 1e-3) } };
   for (const NamedMesh& named : meshes)
   {
     const dgg::SurfaceMesh mesh = Build(named.Mesh);

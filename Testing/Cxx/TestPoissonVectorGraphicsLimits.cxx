@@ -20,6 +20,14 @@ using namespace dggtest;
 namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+GraphicsFixture MakeTwoColored()
+{
+  GraphicsFixture drawing = MakeTwoAcross();
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
+  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  return drawing;
+}
 }
 
 TEST(PoissonVectorGraphics, WrongCurves)
@@ -90,9 +98,7 @@ TEST(PoissonVectorGraphics, WrongCurves)
 
 TEST(PoissonVectorGraphics, ArraysOfStringsAreNotPassedOver)
 {
-  GraphicsFixture drawing = MakeTwoAcross();
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  AddArray(drawing.OfCells(), "RightColor", { 1, 2 }, 1);
+  GraphicsFixture drawing = MakeTwoColored();
   drawing.Run();
   vtkNew<vtkStringArray> words;
   words->SetNumberOfTuples(24);
@@ -138,9 +144,7 @@ TEST(PoissonVectorGraphics, ArraysOfStringsAreNotPassedOver)
 
 TEST(PoissonVectorGraphics, WrongSurfacesAndProperties)
 {
-  GraphicsFixture drawing = MakeTwoAcross();
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  GraphicsFixture drawing = MakeTwoColored();
   auto* filter = drawing.Filter.Get();
   for (const double wrong : { -1.0, NaN })
   {
@@ -291,9 +295,7 @@ TEST(PoissonVectorGraphics, ObserversMayChangeWhatIsRefined)
 
 TEST(PoissonVectorGraphics, NumbersOfTheRefinementAreChecked)
 {
-  GraphicsFixture drawing = MakeTwoAcross();
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  GraphicsFixture drawing = MakeTwoColored();
   std::vector<double> numbers(24, 0.0);
   numbers[7] = NaN;
   AddArray(drawing.Surface->GetCellData(), "Refine", numbers, 1);
@@ -303,9 +305,7 @@ TEST(PoissonVectorGraphics, NumbersOfTheRefinementAreChecked)
 
 TEST(PoissonVectorGraphics, NumbersOfRegionsAreChecked)
 {
-  GraphicsFixture drawing = MakeTwoAcross();
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  GraphicsFixture drawing = MakeTwoColored();
   std::vector<double> numbers(24, 0.0);
   numbers[7] = NaN;
   AddArray(drawing.Surface->GetCellData(), "Part", numbers, 1);
@@ -316,9 +316,7 @@ TEST(PoissonVectorGraphics, NumbersOfRegionsAreChecked)
 
 TEST(PoissonVectorGraphics, MemoryIsCheckedEarlyAndAlways)
 {
-  GraphicsFixture drawing = MakeTwoAcross();
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  GraphicsFixture drawing = MakeTwoColored();
   auto* filter = drawing.Filter.Get();
   filter->SetRefinementLevel(3);
   drawing.Run();
@@ -430,9 +428,7 @@ TEST(PoissonVectorGraphics, MemoryIsPredictedBeforeCurvesAreDrawn)
 {
   // The refined mesh would be too much: no progress is told before the error, as there would be for
   // curves that are drawn.
-  GraphicsFixture drawing = MakeTwoAcross();
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
+  GraphicsFixture drawing = MakeTwoColored();
   drawing.Filter->SetRefinementLevel(6);
   drawing.Filter->SetMemoryLimit(20 << 20);
   ProgressWatch watch(drawing.Filter);

@@ -165,12 +165,7 @@ Status CheckMasses(
         " more mass than the other: nothing can get there, so give both the same");
     }
   }
-  std::vector<double> moved(n);
-  for (std::size_t v = 0; v < n; ++v)
-  {
-    moved[v] = to[v] - from[v];
-  }
-  return CheckThinSources(system, moved, "mass");
+  return Status::Success();
 }
 }
 
@@ -230,6 +225,11 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
   for (std::size_t v = 0; v < n; ++v)
   {
     sources[v] = to[v] - from[v];
+  }
+  status = CheckThinSources(system, sources, "mass");
+  if (!status.IsOk())
+  {
+    return status;
   }
   const Flows flows(system);
   const std::size_t m = flows.GetSize();

@@ -250,11 +250,11 @@ Status HarmonicSplines::Evaluate(const std::vector<SurfacePoint>& points, Greens
   for (std::size_t k = 0; k < points.size() && status.IsOk(); ++k)
   {
     const Id component = system.GetComponent(points[k]);
-    for (std::size_t j = 0; j < count && system.IsThin(component); ++j)
+    const bool isPassedOver = system.IsThin(component) && system.IsFree(component);
+    for (std::size_t j = 0; j < count && isPassedOver; ++j)
     {
-      // It was passed over. There is a single site, see CheckSplineSites(), whose function is 1.
-      const bool isHere = system.IsFree(component) && internals.Cells.Components[j] == component;
-      found[k * count + j] = isHere ? 1.0 : 0.0;
+      // There is a single site, see CheckSplineSites(), whose function is 1.
+      found[k * count + j] = internals.Cells.Components[j] == component ? 1.0 : 0.0;
     }
   }
   if (status.IsOk())
