@@ -6,6 +6,7 @@
 #include "vtkDGGPolygonTriangulator.h"
 
 #include "dggBitHash.h"
+#include "dggCapSplitting.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -231,6 +232,12 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input)
   {
     return status;
   }
+  std::vector<dgg::Id> parents;
+  this->NumberOfCaps = dgg::SplitCaps(coordinates.GetData(), triangles, parents);
+  std::vector<vtkIdType> cells(parents.size());
+  std::transform(parents.begin(), parents.end(), cells.begin(),
+    [this](dgg::Id triangle) { return this->Cells[triangle]; });
+  this->Cells.swap(cells);
   status = dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, triangles.data(),
     static_cast<dgg::Offset>(triangles.size() / 3), this->Mesh);
   if (!status.IsOk())
@@ -240,6 +247,7 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input)
   this->Signature = dgg::ComputeSignature(
     coordinates.GetData(), n, triangles.data(), static_cast<dgg::Offset>(triangles.size() / 3));
   this->Report = dgg::InspectMesh(this->Mesh, coordinates.GetData());
+  this->Report.DegenerateFaces += this->NumberOfCaps;
   if (!mergeCoincidentPoints)
   {
     this->CountCoincidentBoundaryPoints(coordinates.GetData());
@@ -402,9 +410,13 @@ void vtkDGGPreparedMesh::CollectWarnings()
     "polygons that cross or touch themselves. They are cut into fans around their first points, "
     "which "
     "need not be what they are meant to be: triangulate them first");
+  warn(report.DuplicateFaces,
+    "triangles on the same three points as an earlier one, which are left out");
+  warn(this->NumberOfCaps,
+    "triangles without area that are left out: their neighbours are split where they meet");
   std::ostringstream length;
   length << report.Mollification;
-  warn(report.DegenerateFaces,
+  warn(report.DegenerateFaces - this->NumberOfCaps,
     "triangles without area, whose edges are taken to be longer by " + length.str());
   warn(this->NumberOfCoincidentBoundaryPoints,
     "points of the boundary with the same coordinates as another one. If they are the two sides of "

@@ -48,6 +48,7 @@ public:
   std::vector<dgg::Id> Vertices; ///< per point; empty unless coincident points are merged
   std::vector<vtkIdType> Cells;  ///< per face
   vtkIdType NumberOfDroppedCells = 0;
+  vtkIdType NumberOfCaps = 0; ///< triangles without area that were left out
   vtkIdType NumberOfFans = 0; ///< polygons that cross or touch themselves
   vtkIdType NumberOfMergedPoints = 0;
   vtkIdType NumberOfCoincidentBoundaryPoints = 0;

@@ -11,9 +11,13 @@
  * is cut along the shorter one of its diagonals, and larger polygons ear by ear; those that cross
  * or touch themselves become fans, with a warning. Verts and lines
  * are passed through and not used. Polygons with fewer than three distinct points are left out.
- * Triangles without area are used; their edges are lengthened a little (GetMollification()). Edges
+ * Of triangles on the same three points, either way round, the first one counts. Triangles without
+ * area whose apex lies on the opposite edge are left out, and the other triangles on that edge are
+ * split there, so that lengths and areas are those of the points; `FaceId` names the cell that was
+ * split. Edges of other triangles without area are lengthened a little (GetMollification()). Edges
  * with more than two triangles and points where sheets touch conduct: distances are those of the
- * triangles as they are glued by point ids. All of these are counted in warnings, once for each
+ * triangles as they are glued by point ids. Where the work on them grows beyond some twenty times
+ * that on a clean mesh of the same size, the filter fails with what to remove. All of these are counted in warnings, once for each
  * mesh, and in the report (GetMeshReport()). Orientation does not matter.
  *
  * <b>Point clouds.</b> An input with the graph of a point cloud, which vtkPointCloudDGG makes, is
@@ -171,8 +175,8 @@ public:
   ///@}
 
   /**
-   * Length added to the edges of triangles without area, in units of the coordinates; 0 when there
-   * are none.
+   * Length added to the edges of triangles without area that could not be left out, in units of the
+   * coordinates; 0 when there are none.
    */
   double GetMollification() const;
 

@@ -286,6 +286,90 @@ TestMesh DuplicateFaceCube(Id k)
   return mesh;
 }
 
+namespace
+{
+using Ring = std::vector<std::array<double, 2>>;
+
+Ring Ellipse(Id n, double a, double b)
+{
+  Ring ring;
+  for (Id i = 0; i < n; ++i)
+  {
+    const double angle = 2.0 * dgg::Pi * i / n;
+    ring.push_back({ { a * std::cos(angle), b * std::sin(angle) } });
+  }
+  return ring;
+}
+
+/// Triangles between two rings, a random choice of those that are possible; inner points follow the
+/// outer ones.
+void FillAnnulus(const Ring& outer, const Ring& inner, Id first, Random& random, TestMesh& mesh)
+{
+  const Id m = static_cast<Id>(outer.size());
+  const Id k = static_cast<Id>(inner.size());
+  const auto isBeyond = [&](Id o, Id i) {
+    const auto& p = outer[o % m];
+    const auto& a = inner[(i + k) % k];
+    const auto& b = inner[(i + 1) % k];
+    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) < -1e-9;
+  };
+  const std::vector<Id> before = mesh.Triangles;
+  for (Id o = 0, i = 0; o < m || i < k;)
+  {
+    const bool canOuter = o < m && (isBeyond(o + 1, i) || isBeyond(o + 1, i - 1));
+    const bool canInner = i < k && isBeyond(o, i);
+    const bool isOuter = canOuter && (!canInner || random.Uniform() < 0.5);
+    if (isOuter)
+    {
+      mesh.AddTriangle(first + o % m, first + (o + 1) % m, first + m + i % k);
+      ++o;
+    }
+    else if (canInner)
+    {
+      mesh.AddTriangle(first + o % m, first + m + (i + 1) % k, first + m + i % k);
+      ++i;
+    }
+    else
+    {
+      mesh.Triangles = before; // a dead end
+      o = i = 0;
+    }
+  }
+}
+}
+
+TestMesh WeldedPlates(Id layers, Id outer, Id inner, std::uint64_t seed)
+{
+  Random random(seed);
+  TestMesh mesh;
+  const Ring rings[2] = { Ellipse(outer, 2.2, 2.0), Ellipse(inner, 1.0, 1.0) };
+  const Id n = outer + inner;
+  for (Id layer = 0; layer <= layers; ++layer)
+  {
+    for (const Ring& ring : rings)
+    {
+      for (const auto& p : ring)
+      {
+        mesh.AddPoint(p[0], p[1], layer);
+      }
+    }
+  }
+  for (Id layer = 0; layer < layers; ++layer)
+  {
+    for (Id i = 0; i < n; ++i)
+    {
+      const Id next = i + 1 == outer ? 0 : i + 1 == n ? outer : i + 1;
+      const Id a = layer * n + i;
+      const Id b = layer * n + next;
+      mesh.AddTriangle(a, b, b + n);
+      mesh.AddTriangle(a, b + n, a + n);
+    }
+    FillAnnulus(rings[0], rings[1], layer * n, random, mesh);
+    FillAnnulus(rings[0], rings[1], (layer + 1) * n, random, mesh);
+  }
+  return mesh;
+}
+
 TestMesh SphereWithIsolatedPoints(int level)
 {
   TestMesh mesh;

@@ -55,6 +55,10 @@ TestMesh CollinearPlane(Id n);
 TestMesh RepeatedVertexPlane(Id n);
 /// A cube of which every third face exists twice, on the same three vertices.
 TestMesh DuplicateFaceCube(Id k);
+/// Plates with one hole, stacked and welded face to face: at each contact both plates keep their
+/// own triangulation, without points inside. `outer` and `inner` points on the rims.
+TestMesh WeldedPlates(Id layers, Id outer, Id inner, std::uint64_t seed);
+
 /// A sphere with isolated points: first, last and in between. Three in all.
 TestMesh SphereWithIsolatedPoints(int level);
 /// A sphere with about half of its faces turned over at random.

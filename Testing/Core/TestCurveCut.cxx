@@ -396,10 +396,6 @@ TEST(CurveCut, RefusesWhatHasNoSides)
   }
   message = ErrorOf(EmbedVertices(strip, { around }, true));
   EXPECT_NE(message.find("0 edges of more than two faces and"), std::string::npos) << message;
-  // Faces that are there twice.
-  const dgg::SurfaceMesh doubled = Build(DuplicateFaceCube(2));
-  message = ErrorOf(EmbedVertices(doubled, { { 0, doubled.GetNumberOfVertices() - 1 } }));
-  EXPECT_NE(message.find("duplicate faces"), std::string::npos) << message;
   // A path that is no chain.
   RefinedSurface broken = EmbedVertices(Build(Plane(3, 3)), { { 0, 1 } });
   broken.Paths[0] = { 0, 15 };

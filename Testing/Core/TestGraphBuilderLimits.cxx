@@ -71,10 +71,41 @@ TEST(GraphBuilderLimits, LightAmongNonManifoldEdges)
     { GraphConstruction::Guaranteed, GraphConstruction::OneRelay, GraphConstruction::Indirect })
   {
     ExpectOverwhelmed(mesh, 40, OptionsOf(construction),
-      { "vertex", "non-manifold", "larger accuracy (it is 0.004)" }, { "neighbours" });
+      { "vertex", "non-manifold edges", "larger accuracy (it is 0.004)" }, { "neighbours" });
   }
   ExpectOverwhelmed(mesh, 40, OptionsOf(GraphConstruction::SaddleVertexGraph),
-    { "vertex", "non-manifold", "smaller number of neighbours (it is 77)" }, { "accuracy" });
+    { "vertex", "non-manifold edges", "smaller number of neighbours (it is 77)" }, { "accuracy" });
+}
+
+// Copies of a cone that run over two sheets in one place do not add up: the work for a vertex stays
+// that of a few windows a face, and the theorem holds.
+TEST(GraphBuilderLimits, WorkAmongNonManifoldEdgesIsBounded)
+{
+  for (const auto& plates : { WeldedPlates(3, 12, 40, 3), WeldedPlates(4, 8, 24, 1) })
+  {
+    const SurfaceMesh mesh = Build(plates);
+    dgg::GraphOptions options;
+    options.Accuracy = 0.01;
+    dgg::GeodesicGraph graph;
+    dgg::GraphStatistics statistics;
+    ASSERT_TRUE(dgg::GraphBuilder(mesh).Build(options, graph, &statistics).IsOk());
+    const double size = static_cast<double>(mesh.GetNumberOfVertices()) * mesh.GetNumberOfFaces();
+    EXPECT_LT(static_cast<double>(statistics.Windows), 8.0 * size);
+    ExpectWithin(ExactTable(mesh), GraphTable(graph.View()), options.Accuracy, 0.0);
+  }
+}
+
+// So many ways around that no rule helps: refused after a bounded amount of work.
+TEST(GraphBuilderLimits, RefusesAfterBoundedWork)
+{
+  std::vector<Id> unused;
+  const SurfaceMesh mesh = Build(Book(400, 3, unused));
+  dgg::GraphOptions options;
+  options.Accuracy = 0.01;
+  const dgg::GraphBuilder builder(mesh);
+  dgg::GraphEstimate estimate;
+  ExpectMessage(builder.Estimate(options, estimate),
+    { "non-manifold edges", "twenty times", "inner walls", "larger accuracy (it is 0.01)" }, {});
 }
 
 TEST(GraphBuilderLimits, LightOnManifoldMeshes)

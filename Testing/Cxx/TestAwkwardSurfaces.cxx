@@ -176,8 +176,9 @@ TEST(AwkwardSurfaces, DuplicateTriangles)
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetInputData(surface);
   filter->AddSourceId(0);
-  ExpectWarning(filter, { "edges with more than two triangles" });
+  ExpectWarning(filter, { "1 triangles on the same three points as an earlier one" });
   EXPECT_EQ(filter->GetNumberOfDuplicateFaces(), 1);
+  EXPECT_EQ(filter->GetNumberOfNonManifoldEdges(), 0);
   ExpectEuclidean(filter, surface, 1e-12);
 }
 
@@ -208,10 +209,25 @@ TEST(AwkwardSurfaces, TrianglesWithoutArea)
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetInputData(surface);
   filter->AddSourceId(1);
-  ExpectWarning(filter, { "1 triangles without area" });
+  ExpectWarning(filter, { "1 triangles without area that are left out" });
+  EXPECT_EQ(filter->GetNumberOfDegenerateFaces(), 1);
+  EXPECT_EQ(filter->GetMollification(), 0.0);
+  ExpectEuclidean(filter, surface, 1e-14);
+}
+
+TEST(AwkwardSurfaces, EdgesWithoutLength)
+{
+  // A triangle between two points in one place is no cap: its edges are lengthened.
+  auto surface = MakeSurface(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 1, 0 } } },
+    { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 4, 3 } });
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(0);
+  ExpectWarning(filter, { "1 triangles without area, whose edges are taken to be longer" });
   EXPECT_EQ(filter->GetNumberOfDegenerateFaces(), 1);
   EXPECT_GT(filter->GetMollification(), 0.0);
-  EXPECT_LT(filter->GetMollification(), 1e-10);
+  EXPECT_LT(filter->GetMollification(), 1e-12);
   ExpectEuclidean(filter, surface, 1e-6);
 }
 

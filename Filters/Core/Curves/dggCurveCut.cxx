@@ -132,8 +132,8 @@ Status SideFinder::CheckEdges() const
   message << "curves have no sides where they meet "
           << this->CountDefects(Defect::Crowded, isPassed) << " edges of more than two faces and "
           << this->CountDefects(Defect::Twisted, isPassed)
-          << " edges of two faces that are oriented differently. Remove duplicate faces and sheets"
-             " that stand on others, orient the faces alike, and do not draw curves across the seam"
+          << " edges of two faces that are oriented differently. Remove sheets that stand on"
+             " others, orient the faces alike, and do not draw curves across the seam"
              " of a one-sided surface";
   return Status::Invalid(message.str());
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -16,6 +17,24 @@ namespace
 /// can do to an angle, and less than what makes a window of its own (PieceTolerance of the
 /// envelopes). With 1e-6 half of all windows were overlaps of this kind.
 constexpr double ShadowSlack = 1e-10;
+/// A manifold mesh of n faces takes 0.2 n^1.5 windows, as measured on finely divided spheres, which
+/// have most of them; one whose windows scatter may take some twenty times as many.
+constexpr double MostWindowsPerFace = 4.4; // by the root of the number of faces
+constexpr double FewWindows = 1e6;         // take no time anyhow
+
+std::size_t LimitWindows(const SurfaceMesh& mesh)
+{
+  bool scatters = mesh.GetNumberOfDegenerateFaces() > 0;
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges() && !scatters; ++h)
+  {
+    const Id t = mesh.Twin(h);
+    scatters = t != NoId && mesh.Twin(t) != h;
+  }
+  const double faces = mesh.GetNumberOfFaces();
+  return scatters
+    ? static_cast<std::size_t>(std::max(FewWindows, MostWindowsPerFace * faces * std::sqrt(faces)))
+    : std::numeric_limits<std::size_t>::max();
+}
 
 /// Which of the sources of one face are nowhere in it nearer than another one. Of those that start
 /// with the same distance only copies are, so that thousands of them take no time.
@@ -102,6 +121,13 @@ Status CheckOptions(const SurfaceMesh& mesh, const ExactOptions& options)
 }
 }
 
+WindowPropagation::WindowPropagation(const SurfaceMesh& mesh)
+  : Mesh(mesh)
+  , Store(mesh)
+  , MostWindows(LimitWindows(mesh))
+{
+}
+
 Status WindowPropagation::Run(
   const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result)
 {
@@ -156,6 +182,7 @@ Status WindowPropagation::RunInto(const std::vector<GeodesicSource>& sources,
   this->Predecessors = &result.Predecessors;
   this->Radius = options.MaximumDistance - shift;
   this->IsOutOfMemory = false;
+  this->IsOverwhelmed = false;
 
   this->Store.Start(options.KeepWindows);
   this->ResetResult(isPart);
@@ -196,7 +223,12 @@ Status WindowPropagation::RunInto(const std::vector<GeodesicSource>& sources,
         " bytes: use a mesh of fewer points, set a smaller MaximumDistance, keep no windows (turn "
         "GenerateWindows off), or raise the limit");
     }
-    return Status::Abort();
+    return this->IsOverwhelmed
+      ? Status::Invalid("the windows multiply among non-manifold edges or triangles without area, "
+                        "beyond some twenty times those of a clean mesh of this size: remove inner "
+                        "walls, doubled sheets and such triangles, or set a smaller "
+                        "MaximumDistance")
+      : Status::Abort();
   }
   this->KnowsReached = isAgain;
   return Status::Success();
@@ -590,7 +622,8 @@ bool WindowPropagation::NoteAllMemory(std::size_t bytes)
 {
   this->Result->PeakMemory = std::max(this->Result->PeakMemory, bytes);
   this->IsOutOfMemory |= this->Options->MemoryLimit != 0 && bytes > this->Options->MemoryLimit;
-  return !this->IsOutOfMemory;
+  this->IsOverwhelmed |= this->Result->NumberOfWindows > this->MostWindows;
+  return !this->IsOutOfMemory && !this->IsOverwhelmed;
 }
 
 void WindowPropagation::ForgetBeyondRadius()

@@ -21,11 +21,7 @@ namespace dgg
 class WindowPropagation
 {
 public:
-  explicit WindowPropagation(const SurfaceMesh& mesh)
-    : Mesh(mesh)
-    , Store(mesh)
-  {
-  }
+  explicit WindowPropagation(const SurfaceMesh& mesh);
   virtual ~WindowPropagation() = default;
   WindowPropagation(const WindowPropagation&) = delete;
   WindowPropagation& operator=(const WindowPropagation&) = delete;
@@ -115,7 +111,7 @@ protected:
   double GetRadius() const { return this->Radius; }
   void UpdateRadius();
   /// Take note of the bytes that the engine holds, the windows that are kept apart. False when they
-  /// are too many together.
+  /// are too many together, or the windows propagated are.
   bool NoteMemory(std::size_t bytes)
   {
     return this->NoteAllMemory(
@@ -158,7 +154,9 @@ private:
   std::vector<Id>* Nearest = nullptr;
   std::vector<Predecessor>* Predecessors = nullptr;
   double Radius = Infinity;
+  std::size_t MostWindows;
   bool IsOutOfMemory = false;
+  bool IsOverwhelmed = false;
   bool NotesReached = false;   // in Reached
   bool KnowsReached = false;   // those of the last run, which was finished, are in Reached
   std::vector<Id> Reached;     // vertices that have got a label

@@ -50,9 +50,9 @@ struct Cone
   /// A relay farther out on that side that covers the one on the ray, and is better wherever the
   /// latter does not hide the light from it; else NoId.
   Id Outer[2] = { NoId, NoId };
-  Id Entry = NoId;        ///< crossing of the face behind the edge
-  Id Frame = NoId;        ///< half-edge at the source along the x axis of the plane
-  Id DegenerateFaces = 0; ///< crossed one after the other
+  Id Entry = NoId;  ///< crossing of the face behind the edge
+  Id Frame = NoId;  ///< half-edge at the source along the x axis of the plane
+  Id Number = NoId; ///< in the memory of cones, where there is one
 };
 
 /// Where the ray through a point meets the edge of a cone.

@@ -9,63 +9,165 @@ namespace dgg
 {
 namespace
 {
-/// Relative; what is not longer than that counts as equally short.
+/// Relative; distances this close count as equal.
 constexpr double Tolerance = 1e-12;
+/// Gaps between intervals narrower than this are dark by rounding; relative.
+constexpr double LightTolerance = 1e-9;
+/// Steps to where two ways are equally long.
+constexpr int TieSteps = 10;
 }
 
-bool ConeMemory::Admit(Id h, bool reversed, const Relay& left, const Relay& right, const Cone& cone)
+Id ConeMemory::Admit(
+  const Passage& passage, const Relay& left, const Relay& right, const Cone& cone)
 {
-  const double length = Distance(cone.Ends[0], cone.Ends[1]);
-  const auto abscissa = [&](const Point2& p) {
-    const double x = Dot({ p.X - cone.Ends[0].X, p.Y - cone.Ends[0].Y }, cone.Axis);
-    return reversed ? length - x : x;
-  };
-  Light light;
-  light.Begin = abscissa(MeetEdge(cone, (reversed ? right : left).Position));
-  light.End = abscissa(MeetEdge(cone, (reversed ? left : right).Position));
-  light.Foot = abscissa({ 0.0, 0.0 });
-  light.Depth = Cross(cone.Ends[0], cone.Axis);
-  light.AtBegin = light.DistanceAt(light.Begin);
-  light.AtEnd = light.DistanceAt(light.End);
-
-  // Two images are equally far from one point of the line of the edge at most (or from all of it):
-  // whichever is nearer at both ends of an interval is so throughout.
-  std::vector<Light>& before = this->Entered[h];
-  const double slack = Tolerance * length;
-  const bool isUseless = std::any_of(before.begin(), before.end(), [&](const Light& other) {
-    return other.Begin <= light.Begin + slack && other.End >= light.End - slack &&
-      other.DistanceAt(light.Begin) <= light.AtBegin * (1.0 + Tolerance) &&
-      other.DistanceAt(light.End) <= light.AtEnd * (1.0 + Tolerance);
-  });
-  if (!isUseless)
+  const bool isReversed = passage.IsReversed;
+  Point2 rays[2] = { left.Position, right.Position };
+  if (cone.Number != NoId)
   {
-    before.push_back(light);
+    const Entry& parent = this->Entries[cone.Number];
+    const Point2& liveLeft = parent.IsReversed ? parent.AtEnd : parent.AtBegin;
+    const Point2& liveRight = parent.IsReversed ? parent.AtBegin : parent.AtEnd;
+    rays[0] = Cross(liveLeft, rays[0]) > 0.0 ? liveLeft : rays[0];
+    rays[1] = Cross(rays[1], liveRight) > 0.0 ? liveRight : rays[1];
   }
-  return !isUseless;
+  const double length = Distance(cone.Ends[0], cone.Ends[1]);
+  const auto imageOf = [&](const Point2& p) {
+    const Point2 way{ p.X - cone.Ends[0].X, p.Y - cone.Ends[0].Y };
+    const double x = Dot(way, cone.Axis);
+    return Image{ isReversed ? length - x : x, std::abs(Cross(way, cone.Axis)) };
+  };
+  Entry entry;
+  entry.HalfEdge = passage.HalfEdge;
+  entry.Before = this->Last[passage.HalfEdge];
+  entry.IsReversed = isReversed;
+  entry.AtBegin = MeetEdge(cone, rays[isReversed ? 1 : 0]);
+  entry.AtEnd = MeetEdge(cone, rays[isReversed ? 0 : 1]);
+  entry.Begin = imageOf(entry.AtBegin).Foot;
+  entry.End = imageOf(entry.AtEnd).Foot;
+  entry.Source = imageOf({ 0.0, 0.0 });
+  entry.Corners = { passage.Origin, passage.Destination, passage.Behind };
+  entry.CornersAt = { { { 0.0, 0.0 }, { length, 0.0 }, imageOf(passage.BehindAt) } };
+  if (!this->Trim(entry, NoId))
+  {
+    return NoId;
+  }
+  this->Last[entry.HalfEdge] = static_cast<Id>(this->Entries.size());
+  this->Entries.push_back(entry);
+  return this->Last[entry.HalfEdge];
+}
+
+/// Cut dominated parts off at both ends. False when nothing is left. A new entry, `number` NoId, is
+/// dominated by equal ones as well.
+bool ConeMemory::Trim(Entry& entry, Id number)
+{
+  this->FindDominated(entry, number);
+  const double slack = LightTolerance * (entry.Source.Depth + entry.End - entry.Begin);
+  double begin = entry.Begin;
+  double end = entry.End;
+  std::sort(this->Dominated.begin(), this->Dominated.end(),
+    [](const Interval& a, const Interval& b) { return a.Begin < b.Begin; });
+  for (const Interval& interval : this->Dominated)
+  {
+    begin = interval.Begin <= begin + slack ? std::max(begin, interval.End) : begin;
+  }
+  std::sort(this->Dominated.begin(), this->Dominated.end(),
+    [](const Interval& a, const Interval& b) { return a.End > b.End; });
+  for (const Interval& interval : this->Dominated)
+  {
+    end = interval.End >= end - slack ? std::min(end, interval.Begin) : end;
+  }
+  const Point2 way{ entry.AtEnd.X - entry.AtBegin.X, entry.AtEnd.Y - entry.AtBegin.Y };
+  const auto place = [&](double x) {
+    const double t = (x - entry.Begin) / (entry.End - entry.Begin);
+    return Point2{ entry.AtBegin.X + t * way.X, entry.AtBegin.Y + t * way.Y };
+  };
+  const Point2 first = begin > entry.Begin ? place(begin) : entry.AtBegin;
+  entry.AtEnd = end < entry.End ? place(end) : entry.AtEnd;
+  entry.AtBegin = first;
+  entry.Begin = begin;
+  entry.End = end;
+  return end - begin > slack;
+}
+
+/// Where other ways are as short or shorter.
+void ConeMemory::FindDominated(const Entry& entry, Id number)
+{
+  this->Dominated.clear();
+  const double longest =
+    std::max(entry.Source.DistanceAt(entry.Begin), entry.Source.DistanceAt(entry.End));
+  for (int k = 0; k < 3; ++k)
+  {
+    const double label =
+      entry.Corners[k] == NoId ? Infinity : this->Vertices[entry.Corners[k]].Label;
+    if (label > 0.0 && label < longest)
+    {
+      this->Compare(entry, { entry.CornersAt[k], label }, entry.Begin, entry.End, 1.0 - Tolerance);
+    }
+  }
+  const double factor = number == NoId ? 1.0 + Tolerance : 1.0 - Tolerance;
+  for (Id i = this->Last[entry.HalfEdge]; i != NoId; i = this->Entries[i].Before)
+  {
+    const Entry& other = this->Entries[i];
+    const double begin = std::max(entry.Begin, other.Begin);
+    const double end = std::min(entry.End, other.End);
+    ++this->Work;
+    if (i != number && begin < end)
+    {
+      this->Compare(entry, { other.Source, 0.0 }, begin, end, factor);
+    }
+  }
+}
+
+/// Points that are nearer to one focus than to another by a difference are on the inner side of a
+/// branch of a hyperbola, which is convex: another way is shorter on one interval. What is
+/// dominated between two points that are not is of no interest.
+void ConeMemory::Compare(
+  const Entry& entry, const Way& other, double begin, double end, double factor)
+{
+  const auto excessAt = [&](double x) {
+    return other.Label + other.From.DistanceAt(x) - factor * entry.Source.DistanceAt(x);
+  };
+  double atBegin = excessAt(begin);
+  double atEnd = excessAt(end);
+  if (atBegin > 0.0 && atEnd > 0.0)
+  {
+    return;
+  }
+  const bool fromBegin = atBegin <= 0.0;
+  double inside = fromBegin ? end : begin;
+  if (atBegin > 0.0 || atEnd > 0.0)
+  {
+    // The Illinois method.
+    inside = fromBegin ? begin : end;
+    double outside = fromBegin ? end : begin;
+    double atInside = fromBegin ? atBegin : atEnd;
+    double atOutside = fromBegin ? atEnd : atBegin;
+    for (int step = 0; step < TieSteps && atInside < 0.0; ++step)
+    {
+      const double x = inside + (outside - inside) * (atInside / (atInside - atOutside));
+      const double excess = excessAt(x);
+      const bool isInside = excess <= 0.0;
+      (isInside ? inside : outside) = x;
+      (isInside ? atInside : atOutside) = excess;
+      (isInside ? atOutside : atInside) *= 0.5;
+    }
+  }
+  this->Dominated.push_back(fromBegin ? Interval{ begin, inside } : Interval{ inside, end });
 }
 
 void ConeMemory::Clear()
 {
-  if (!this->Entered.empty())
+  for (const Entry& entry : this->Entries)
   {
-    this->LargestSize = this->GetMemorySize();
-    this->Entered.clear();
+    this->Last[entry.HalfEdge] = NoId;
   }
+  this->Entries.clear();
+  this->Work = 0;
 }
 
 std::size_t ConeMemory::GetMemorySize() const
 {
-  return std::max(this->LargestSize, this->GetCurrentSize());
-}
-
-std::size_t ConeMemory::GetCurrentSize() const
-{
-  // A node has a pointer to the next one, and is in a table of pointers.
-  std::size_t size = this->Entered.bucket_count() * sizeof(void*);
-  for (const auto& entry : this->Entered)
-  {
-    size += sizeof(entry) + sizeof(void*) + entry.second.capacity() * sizeof(Light);
-  }
-  return size;
+  return this->Last.capacity() * sizeof(Id) + this->Entries.capacity() * sizeof(Entry) +
+    this->Dominated.capacity() * sizeof(Interval);
 }
 }

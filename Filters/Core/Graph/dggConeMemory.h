@@ -1,50 +1,102 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Remembers the cones that have crossed non-manifold edges. Internal.
+/// Remembers which parts of which edges the cones of one source have entered. Internal.
 #ifndef dggConeMemory_h
 #define dggConeMemory_h
 
-#include "dggCone.h" // for Cone
+#include "dggCone.h"         // for Cone
+#include "dggVertexStates.h" // for labels
 
-#include <cstddef>       // for std::size_t
-#include <unordered_map> // for the lists
-#include <vector>        // for the lists
+#include <array>   // for corners
+#include <cstddef> // for std::size_t
+#include <vector>  // for the intervals
 
 namespace dgg
 {
-/// A non-manifold edge sends a copy of every cone into each further face. Copies meet again behind
-/// the next such edge, and would go on multiplying; but of cones from one source that enter the
-/// same face through the same part of an edge only the shortest can matter.
+/// A non-manifold edge sends a copy of every cone into each further face, and behind it copies meet
+/// again, as in two sheets that cover each other: their number doubles from edge to edge. But a
+/// cone can only matter where no other one of the same source enters the same face by the same
+/// edge on a shorter way, nor a way through a vertex of the face before is shorter: what it finds
+/// elsewhere is not at the end of a shortest path. The cone
+/// itself is not cut, since its relays count; but it is followed only while the part of it that
+/// may matter, its *live* part, lights anything.
 class ConeMemory
 {
 public:
-  /// Whether a cone that enters a face through half-edge h is anywhere shorter than each of those
-  /// that entered before; if so it is remembered. `reversed` when the edge of the cone runs against
-  /// the half-edge.
-  bool Admit(Id h, bool reversed, const Relay& left, const Relay& right, const Cone& cone);
+  ConeMemory(Id numberOfHalfEdges, const VertexStates& vertices)
+    : Vertices(vertices)
+    , Last(numberOfHalfEdges, NoId)
+  {
+  }
+
+  /// An edge through which a cone enters a face.
+  struct Passage
+  {
+    Id HalfEdge;     ///< of the face
+    bool IsReversed; ///< whether the edge of the cone runs against it
+    Id Origin;       ///< its ends, ids of the table
+    Id Destination;
+    Id Behind; ///< the third vertex of the face before, if not NoId
+    Point2 BehindAt;
+  };
+
+  /// Take note of a cone that enters a face. Returns a number for the cone, or NoId when nothing of
+  /// it is live.
+  Id Admit(const Passage& passage, const Relay& left, const Relay& right, const Cone& cone);
+  /// Whether anything of an admitted cone is still live.
+  bool IsLive(Id number) { return this->Trim(this->Entries[number], number); }
+
+  /// Comparisons with other ways since the last Clear(): what most of the time goes into.
+  std::size_t GetWork() const { return this->Work; }
 
   void Clear();
-  /// The most bytes it ever took: they are given back when it is cleared.
   std::size_t GetMemorySize() const;
 
 private:
-  struct Light
+  /// A point beside the line of a half-edge: its foot on the line, and its distance from it.
+  struct Image
   {
-    double Begin; ///< lit part of the half-edge, from its origin
-    double End;
-    double AtBegin; ///< distances there
-    double AtEnd;
-    double Foot; ///< image of the source: abscissa on the edge, distance from its line
+    double Foot;
     double Depth;
 
     double DistanceAt(double x) const { return Norm(x - this->Foot, this->Depth); }
   };
+  /// A way that starts with a distance at an image.
+  struct Way
+  {
+    Image From;
+    double Label;
+  };
+  /// The live part of a cone on a half-edge.
+  struct Entry
+  {
+    Id HalfEdge;
+    Id Before; ///< the entry before it on the same half-edge
+    bool IsReversed;
+    double Begin;
+    double End;
+    Point2 AtBegin; ///< in the plane of the cone
+    Point2 AtEnd;
+    Image Source;
+    std::array<Id, 3> Corners; ///< of the face before: ends of the half-edge, and the third
+    std::array<Image, 3> CornersAt;
+  };
+  struct Interval
+  {
+    double Begin;
+    double End;
+  };
 
-  std::size_t GetCurrentSize() const;
+  bool Trim(Entry& entry, Id number);
+  void FindDominated(const Entry& entry, Id number);
+  void Compare(const Entry& entry, const Way& other, double begin, double end, double factor);
 
-  std::unordered_map<Id, std::vector<Light>> Entered; // per half-edge
-  std::size_t LargestSize = 0;                        // before it was cleared
+  const VertexStates& Vertices;
+  std::vector<Id> Last; // per half-edge
+  std::vector<Entry> Entries;
+  std::vector<Interval> Dominated;
+  std::size_t Work = 0;
 };
 }
 

@@ -19,25 +19,43 @@
 #include <array>     // for barycentric coordinates
 #include <cmath>     // for std::abs
 #include <cstddef>   // for std::size_t
+#include <limits>    // for the largest number
 #include <utility>   // for std::pair
 #include <vector>    // for the workspace
 
 namespace dgg
 {
+/// When a source has gone far enough, or too far.
+struct ConeLimits
+{
+  /// Cones that a source may send out before it is given up.
+  std::size_t Cones;
+  /// Windows of a source that is traced without looking at what its own light has reached before,
+  /// where it may multiply: more than a manifold mesh has.
+  std::size_t CarelessWindows;
+  /// Work that a source may take after that; see ConeTracer::GetWork().
+  std::size_t Work;
+};
+
 /// Follows cones from one source at a time until the rule ends them.
+///
+/// Where an edge has more than two triangles, or triangles have no area, light can multiply or run
+/// around without end. Most sources do not meet such a place, or not often, and cones are then
+/// simply followed first in, first out. A source that has too many windows is traced again, with
+/// care: cones in order of distance, and only where no other one was there before on a shorter way
+/// (ConeMemory).
 template <typename Rule>
 class ConeTracer
 {
 public:
-  /// A source that sends out more than `mostCones` cones is given up.
-  ConeTracer(const UnfoldingTable& table, const Rule& rule, std::size_t mostCones)
+  ConeTracer(const UnfoldingTable& table, const Rule& rule, const ConeLimits& limits)
     : Table(table)
     , Mesh(table.GetMesh())
     , TheRule(rule)
-    , MostCones(mostCones)
+    , Limits(limits)
     , Vertices(table.GetNumberOfVertices())
-    , HasDegenerateFaces(table.HasDegenerateFaces())
-    , HasBranches(table.HasBranches())
+    , CanMultiply(table.HasBranches() || table.HasDegenerateFaces())
+    , Memory(CanMultiply ? table.GetMesh().GetNumberOfHalfEdges() : 0, Vertices)
   {
   }
 
@@ -46,17 +64,16 @@ public:
   /// The edges of a vertex, an id of the table.
   const std::vector<FoundEdge>& TraceVertex(Id source)
   {
-    this->Begin();
-    // No cost: where light meets its own source again, that is no progress.
-    this->Source = source;
-    this->Vertices.Touch(source).Label = 0.0;
-    const Id v = this->Table.OldVertex(source);
-    for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
-    {
-      this->StartAtCorner(*g);
-    }
-    this->Trace();
-    return this->Edges;
+    return this->TraceFrom([&] {
+      // No cost: where light meets its own source again, that is no progress.
+      this->Source = source;
+      this->Vertices.Touch(source).Label = 0.0;
+      const Id v = this->Table.OldVertex(source);
+      for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+      {
+        this->StartAtCorner(*g);
+      }
+    });
   }
 
   /// The edges that a point inside a face would have; for one on an edge, call it with all faces
@@ -64,13 +81,13 @@ public:
   const std::vector<FoundEdge>& TracePoint(
     const std::vector<std::pair<Id, std::array<double, 3>>>& positions, const ConeTargets& targets)
   {
-    this->Begin();
     this->Targets = &targets;
-    for (const auto& position : positions)
-    {
-      this->StartInFace(position.first, position.second);
-    }
-    this->Trace();
+    this->TraceFrom([&] {
+      for (const auto& position : positions)
+      {
+        this->StartInFace(position.first, position.second);
+      }
+    });
     this->Targets = nullptr;
     return this->Edges;
   }
@@ -78,6 +95,14 @@ public:
   /// Whether the last source had to be given up: its light went on and on.
   bool WasOverwhelmed() const { return this->IsOverwhelmed; }
   std::size_t GetNumberOfWindows() const { return this->NumberOfWindows; }
+  /// What the last source took if it was traced with care, in comparisons of one cone with another;
+  /// else 0.
+  std::size_t GetWork() const
+  {
+    return this->IsCareful
+      ? WorkOfWindow * (this->NumberOfWindows - this->WindowsBefore) + this->Memory.GetWork()
+      : 0;
+  }
   std::size_t GetMemorySize() const
   {
     return this->Vertices.GetMemorySize() + this->Memory.GetMemorySize() +
@@ -87,16 +112,30 @@ public:
   }
 
 private:
-  /// Light that has crossed this many degenerate faces one after the other is running around in
-  /// them.
-  static constexpr Id MaximumDegenerateFaces = 1000;
+  /// What a window takes besides comparisons, as measured.
+  static constexpr std::size_t WorkOfWindow = 30;
   /// Two path lengths this close, relatively, count as equal.
   static constexpr double LengthTolerance = 1e-12;
   /// Narrower cones are dropped: what they light is on the border of their neighbours, up to the
   /// square of this.
   static constexpr double NarrowestCone = 1e-12;
 
-  void Begin()
+  template <typename Starter>
+  const std::vector<FoundEdge>& TraceFrom(Starter start)
+  {
+    this->Begin(false);
+    start();
+    this->Trace();
+    if (this->HasTooManyWindows())
+    {
+      this->Begin(true);
+      start();
+      this->Trace();
+    }
+    return this->Edges;
+  }
+
+  void Begin(bool isCareful)
   {
     this->Vertices.Reset();
     this->Edges.clear();
@@ -105,10 +144,18 @@ private:
     this->Order.Clear();
     this->Reached.Clear();
     this->Memory.Clear();
+    this->Behind = NoId;
     this->Source = NoId;
-    this->HasOverlap = this->HasBranches;
+    this->HasOverlap = isCareful;
     this->IsOverwhelmed = false;
+    this->IsCareful = isCareful;
+    this->WindowsBefore = this->NumberOfWindows;
+    this->WindowLimit = this->CanMultiply && !isCareful
+      ? this->NumberOfWindows + this->Limits.CarelessWindows
+      : std::numeric_limits<std::size_t>::max();
   }
+
+  bool HasTooManyWindows() const { return this->NumberOfWindows > this->WindowLimit; }
 
   /// The face of an outgoing half-edge of the source: its far edge is lit, the two ends of that
   /// edge are the first relays.
@@ -203,18 +250,24 @@ private:
   /// Let a cone go on behind its edge.
   void Enter(Id code, Cone& cone)
   {
-    if (code >= 0)
+    if (!this->IsCareful)
     {
-      this->Push(code, cone);
+      this->Table.ForEach(code, [&](Id entry) { this->Push(entry, cone); });
       return;
     }
     const Relay& left = this->Relays[cone.Relays[0]];
     const Relay& right = this->Relays[cone.Relays[1]];
     this->Table.ForEach(code, [&](Id entry) {
       const FaceCrossing& face = this->Table[entry];
-      if (this->Memory.Admit(face.GetHalfEdge(), face.IsMirrored(), left, right, cone))
+      const Id h = face.GetHalfEdge();
+      Cone copy = cone;
+      copy.Number = this->Memory.Admit(
+        { h, face.IsMirrored(), this->Table.NewVertex(this->Mesh.Origin(h)),
+          this->Table.NewVertex(this->Mesh.Destination(h)), this->Behind, this->BehindAt },
+        left, right, cone);
+      if (copy.Number != NoId)
       {
-        this->Push(entry, cone);
+        this->Push(entry, copy);
       }
     });
   }
@@ -222,7 +275,7 @@ private:
   void Push(Id entry, Cone& cone)
   {
     cone.Entry = entry;
-    if constexpr (Rule::ByDistance)
+    if (Rule::ByDistance || this->IsCareful)
     {
       this->Order.Push(
         DistanceOfEdge(this->Relays[cone.Relays[0]], this->Relays[cone.Relays[1]], cone),
@@ -236,21 +289,38 @@ private:
   {
     if constexpr (Rule::ByDistance)
     {
+      this->TraceNearest();
+    }
+    else if (this->IsCareful)
+    {
       this->TraceByDistance();
     }
     else
     {
       // First in, first out: close to the order of distance, and much cheaper than a heap.
-      for (std::size_t next = 0; next < this->Queue.size(); ++next)
+      for (std::size_t next = 0; next < this->Queue.size() && !this->HasTooManyWindows(); ++next)
       {
         Cone cone = this->Queue[next];
         this->Follow(cone);
-        if (this->Queue.size() > this->MostCones)
+        if (this->Queue.size() > this->Limits.Cones)
         {
           this->GiveUp();
           return;
         }
       }
+    }
+  }
+
+  void FollowNext(Id next)
+  {
+    Cone cone = this->Queue[next];
+    if (!this->IsCareful || this->Memory.IsLive(cone.Number))
+    {
+      this->Follow(cone);
+    }
+    if (this->Queue.size() > this->Limits.Cones || this->GetWork() > this->Limits.Work)
+    {
+      this->GiveUp();
     }
   }
 
@@ -262,9 +332,28 @@ private:
     std::vector<Relay>().swap(this->Relays);
   }
 
+  /// Cones in order of distance: most of those that others dominate are so before their turn.
+  /// Vertices pass their labels on in the same order.
+  void TraceByDistance()
+  {
+    while (!this->Order.IsEmpty() && !this->IsOverwhelmed)
+    {
+      const DistanceHeap::Key key = this->Order.Pop();
+      while (!this->Reached.IsEmpty() && this->Reached.Top().Distance <= key.Distance)
+      {
+        const DistanceHeap::Key reached = this->Reached.Pop();
+        if (this->Vertices[reached.Index].Label == reached.Distance)
+        {
+          this->ReachNeighbours(reached.Index, reached.Distance);
+        }
+      }
+      this->FollowNext(key.Index);
+    }
+  }
+
   /// Cones in order of distance, until enough vertices are final. Edges are those of them that are
   /// reached straight.
-  void TraceByDistance()
+  void TraceNearest()
   {
     Id count = 0;
     double last = Infinity;
@@ -286,11 +375,9 @@ private:
         break;
       }
       last = Infinity;
-      Cone cone = this->Queue[key.Index];
-      this->Follow(cone);
-      if (this->Queue.size() > this->MostCones)
+      this->FollowNext(key.Index);
+      if (this->IsOverwhelmed)
       {
-        this->GiveUp();
         return;
       }
     }
@@ -314,7 +401,7 @@ private:
     {
       const FaceCrossing& face = this->Table[cone.Entry];
       ++this->NumberOfWindows;
-      if (this->IsRunningAround(cone, face))
+      if (this->HasTooManyWindows())
       {
         return;
       }
@@ -347,7 +434,7 @@ private:
         return;
       }
       isStarted = true;
-      if (code < 0 || Rule::ByDistance)
+      if (code < 0 || Rule::ByDistance || this->IsCareful)
       {
         this->Enter(code, cone);
         return;
@@ -358,9 +445,17 @@ private:
 
   /// Go on to the left or the right edge of a face: its apex is the right end of the left edge, and
   /// the left end of the right edge.
-  void Turn(Cone& cone, const FaceCrossing& face, FaceCrossing::Side side, const Point2& apex) const
+  void Turn(Cone& cone, const FaceCrossing& face, FaceCrossing::Side side, const Point2& apex)
   {
     const int end = 1 - side;
+    if (this->IsCareful)
+    {
+      const Id h = face.GetHalfEdge();
+      const bool isOrigin = (end == 0) != face.IsMirrored();
+      this->Behind =
+        this->Table.NewVertex(isOrigin ? this->Mesh.Origin(h) : this->Mesh.Destination(h));
+      this->BehindAt = cone.Ends[end];
+    }
     cone.Ends[end] = apex;
     cone.Axis = Turned(cone.Axis, face.Direction[side]);
     if (this->HasOverlap)
@@ -389,19 +484,6 @@ private:
     const Point2 x = MeetEdge(cone, this->Relays[cone.Relays[1 - end]].Position);
     return cone.Labels[end] + Distance(cone.Ends[end], x) <=
       Norm(x.X, x.Y) * (1.0 - LengthTolerance);
-  }
-
-  /// Whether light has gone through degenerate faces only for too long. Counted along all splits:
-  /// two such faces, one on top of the other, are lit in turns without end.
-  bool IsRunningAround(Cone& cone, const FaceCrossing& face) const
-  {
-    if (!this->HasDegenerateFaces)
-    {
-      return false;
-    }
-    cone.DegenerateFaces =
-      this->Mesh.IsDegenerate(SurfaceMesh::Face(face.GetHalfEdge())) ? cone.DegenerateFaces + 1 : 0;
-    return cone.DegenerateFaces > MaximumDegenerateFaces;
   }
 
   /// The best relay on one side of a cone for a vertex that it lights.
@@ -517,11 +599,11 @@ private:
       return;
     }
     state.Label = distance;
-    if constexpr (Rule::ByDistance)
+    if (Rule::ByDistance || this->IsCareful)
     {
       this->Reached.Push(distance, v);
     }
-    if (Rule::ByDistance || this->HasBranches)
+    if (Rule::ByDistance)
     {
       this->ReachNeighbours(v, distance);
     }
@@ -546,26 +628,25 @@ private:
     if (distance < state.Label)
     {
       state.Label = distance;
-      if constexpr (Rule::ByDistance)
-      {
-        this->Reached.Push(distance, v);
-      }
+      this->Reached.Push(distance, v);
     }
   }
 
   const UnfoldingTable& Table;
   const SurfaceMesh& Mesh;
   Rule TheRule;
-  std::size_t MostCones;
+  ConeLimits Limits;
   VertexStates Vertices;
-  bool HasDegenerateFaces;
-  bool HasBranches;
+  bool CanMultiply; ///< whether light can, on this mesh
+  bool IsCareful = false;
   /// Whether a vertex has been lit on a way longer than its label. Before that no light can be
   /// useless, and nobody looks at the labels.
   bool HasOverlap = false;
   bool IsOverwhelmed = false;
   Id Source = NoId;
   ConeMemory Memory;
+  Id Behind = NoId; // the vertex that a cone has just left behind, where there are such edges
+  Point2 BehindAt;
   std::vector<FoundEdge> Edges;
   std::vector<Relay> Relays;
   std::vector<Cone> Queue;
@@ -573,6 +654,8 @@ private:
   DistanceHeap Reached; // vertices by label, then
   const ConeTargets* Targets = nullptr;
   std::size_t NumberOfWindows = 0;
+  std::size_t WindowsBefore = 0; // of earlier sources
+  std::size_t WindowLimit = 0;   // of NumberOfWindows, see CarelessWindows
 };
 }
 

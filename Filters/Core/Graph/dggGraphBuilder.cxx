@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -40,6 +41,16 @@ constexpr Id SampleSize = 128;
 /// Bytes of rows and graph together, while one becomes the other, by those of the graph; measured,
 /// and some more.
 constexpr double PeakOfAssembly = 1.35;
+
+/// Where light can multiply no rule keeps its work from growing with the number of ways around. The
+/// work that a graph may take there, in units of ConeTracer::GetWork(), per face at an accuracy of
+/// 1 %: some twenty times what a manifold mesh of that size takes. One vertex may take a share of
+/// it.
+constexpr double MostWorkOfFace = 1e5;
+constexpr std::size_t ShareOfVertex = 16; // its inverse
+constexpr Id SmallestMesh = 1000;         // of fewer faces any takes little
+/// Windows of a vertex at an accuracy of 1 % that are more than those of manifold meshes.
+constexpr double CarelessWindows = 2000.0;
 
 /// What part of the progress a step takes: as measured.
 struct ShareOfSteps
@@ -69,14 +80,16 @@ double UnitedShare(GraphConstruction construction)
 }
 
 /// `source` says whose light it is.
-Status Overwhelmed(const std::string& source, bool hasBranches, const GraphOptions& options)
+Status Overwhelmed(const std::string& source, bool canMultiply, const GraphOptions& options)
 {
   std::ostringstream message;
   message << "the light of " << source;
-  if (hasBranches)
+  if (canMultiply)
   {
-    message << " multiplies without end, as it can among many non-manifold edges: make the mesh "
-               "manifold, or use ";
+    message
+      << " multiplies among non-manifold edges or triangles without area, beyond some twenty "
+         "times the work on a clean mesh of this size: remove inner walls, doubled sheets and "
+         "such triangles, use vtkExactGeodesicDistance, or ";
   }
   else
   {
@@ -217,12 +230,19 @@ private:
   Status VertexOverwhelmed(Id row, const GraphOptions& options) const
   {
     return Overwhelmed(
-      "vertex " + std::to_string(this->Table.OldVertex(row)), this->Table.HasBranches(), options);
+      "vertex " + std::to_string(this->Table.OldVertex(row)), this->CanMultiply(), options);
   }
+  Status MeshOverwhelmed(const GraphOptions& options) const
+  {
+    return Overwhelmed("the vertices", this->CanMultiply(), options);
+  }
+  bool CanMultiply() const { return this->Table.HasBranches() || this->Table.HasDegenerateFaces(); }
+  ConeLimits LimitCones(const GraphOptions& options) const;
   bool NeedsWide(const GraphOptions& options) const;
   /// Rows [begin, end).
   template <typename Tracer>
-  void FillBlock(Tracer& tracer, Id begin, Id end, RowBlock& block) const;
+  void FillBlock(Tracer& tracer, Id begin, Id end, std::size_t mostWork,
+    std::atomic<std::size_t>& work, RowBlock& block) const;
 
   const SurfaceMesh& Mesh;
   std::size_t ConeLimit;
@@ -311,6 +331,18 @@ Status GraphBuilder::Link(const SurfacePoint& point, double accuracy,
 }
 
 //------------------------------------------------------------------------------
+ConeLimits GraphBuilder::Implementation::LimitCones(const GraphOptions& options) const
+{
+  // The windows of a vertex of a manifold mesh grow by this power, or with its neighbours.
+  const double growth = options.Construction == GraphConstruction::SaddleVertexGraph
+    ? std::max(1.0, options.NumberOfNeighbors / 50.0)
+    : std::pow(0.01 / options.Accuracy, 2.0 / 3.0);
+  const double work =
+    MostWorkOfFace * growth * std::max<Id>(SmallestMesh, this->Mesh.GetNumberOfFaces());
+  return { this->ConeLimit, static_cast<std::size_t>(CarelessWindows * growth),
+    static_cast<std::size_t>(work) / ShareOfVertex };
+}
+
 bool GraphBuilder::Implementation::NeedsWide(const GraphOptions& options) const
 {
   // Sums of lengths must stay within the range of float as well, and lengths above its denormals.
@@ -374,15 +406,23 @@ Status GraphBuilder::Implementation::SampleRows(
   const Id n = this->Table.GetNumberOfVertices();
   // Every k-th vertex of an order in which neighbours are close together.
   const Id count = std::min(n, SampleSize);
-  ConeTracer<Rule> tracer(this->Table, rule, this->ConeLimit);
+  const ConeLimits limits = this->LimitCones(options);
+  ConeTracer<Rule> tracer(this->Table, rule, limits);
+  std::size_t work = 0;
+  const double fairShare = static_cast<double>(ShareOfVertex * limits.Work) / n * count;
   const auto fixed = static_cast<double>(tracer.GetMemorySize());
   for (Id i = 0; i < count; ++i)
   {
     const auto row = static_cast<Id>(static_cast<Offset>(n) * i / count);
     degrees.Add(static_cast<double>(tracer.TraceVertex(row).size()));
+    work += tracer.GetWork();
     if (tracer.WasOverwhelmed())
     {
       return this->VertexOverwhelmed(row, options);
+    }
+    if (static_cast<double>(work) > fairShare)
+    {
+      return this->MeshOverwhelmed(options);
     }
   }
   // Arrays that grow double their size, and some vertex will need more than those asked.
@@ -395,6 +435,9 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
   bool unite, RowStore& rows, GraphStatistics& statistics) const
 {
   const Id n = this->Table.GetNumberOfVertices();
+  const ConeLimits limits = this->LimitCones(options);
+  const std::size_t mostWork = ShareOfVertex * limits.Work;
+  std::atomic<std::size_t> work{ 0 };
   WorkspacePool<ConeTracer<Rule>> tracers;
   std::vector<RowBlock> blocks;
   DirectionUnion directions;
@@ -407,15 +450,21 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
     blocks.resize((static_cast<std::size_t>(last - first) + BlockSize - 1) / BlockSize);
     ForRange(
       options.Parallel, static_cast<Offset>(blocks.size()), 1, [&](Offset begin, Offset end) {
-        const auto tracer = tracers.Borrow(this->Table, rule, this->ConeLimit);
+        const auto tracer = tracers.Borrow(this->Table, rule, limits);
         const std::size_t before = tracer->GetNumberOfWindows();
         for (Offset b = begin; b < end; ++b)
         {
           const Id row = first + static_cast<Id>(b * BlockSize);
-          this->FillBlock(*tracer, row, row + std::min(last - row, BlockSize), blocks[b]);
+          this->FillBlock(
+            *tracer, row, row + std::min(last - row, BlockSize), mostWork, work, blocks[b]);
         }
         windows += tracer->GetNumberOfWindows() - before;
       });
+    // It only grows: with any number of threads the limit is exceeded, or it is not.
+    if (work > mostWork)
+    {
+      return this->MeshOverwhelmed(options);
+    }
     const Offset unitedBefore = rows.GetNumberOfEdges();
     std::size_t waiting = 0;
     for (const RowBlock& block : blocks)
@@ -448,15 +497,16 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
 }
 
 template <typename Tracer>
-void GraphBuilder::Implementation::FillBlock(
-  Tracer& tracer, Id begin, Id end, RowBlock& block) const
+void GraphBuilder::Implementation::FillBlock(Tracer& tracer, Id begin, Id end, std::size_t mostWork,
+  std::atomic<std::size_t>& work, RowBlock& block) const
 {
   block.Overwhelmed = NoId;
   block.Sizes.clear();
   block.Edges.clear();
-  for (Id row = begin; row < end; ++row)
+  for (Id row = begin; row < end && work <= mostWork; ++row)
   {
     const std::vector<FoundEdge>& edges = tracer.TraceVertex(row);
+    work += tracer.GetWork();
     if (tracer.WasOverwhelmed())
     {
       block.Overwhelmed = row;
@@ -574,13 +624,13 @@ Status GraphBuilder::Implementation::Link(const SurfacePoint& point, const Graph
     [](const ConeTarget& a, const ConeTarget& b) { return a.Face < b.Face; });
 
   const ProgressRule rule(options.Accuracy);
-  const auto tracer = this->Linkers.Borrow(this->Table, rule, this->ConeLimit);
+  const auto tracer = this->Linkers.Borrow(this->Table, rule, this->LimitCones(options));
   tracer->SetRule(rule);
   const std::vector<FoundEdge>& edges =
     tracer->TracePoint(positions, ConeTargets(this->Mesh, coneTargets, direct));
   if (tracer->WasOverwhelmed())
   {
-    return Overwhelmed("the surface point", this->Table.HasBranches(), options);
+    return Overwhelmed("the surface point", this->CanMultiply(), options);
   }
   for (const FoundEdge& edge : edges)
   {

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 
 namespace dgg
 {
@@ -130,23 +129,6 @@ Offset CountBoundaryLoops(const SurfaceMesh& mesh, FanCounter& fans)
   return std::count_if(boundary.begin(), boundary.end(), [&](Id h) { return loops.Find(h) == h; });
 }
 
-Offset CountDuplicateFaces(const SurfaceMesh& mesh)
-{
-  std::vector<std::array<Id, 3>> faces;
-  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-  {
-    if (!mesh.IsDropped(f))
-    {
-      auto t = mesh.GetTriangle(f);
-      std::sort(t.begin(), t.end());
-      faces.push_back(t);
-    }
-  }
-  std::sort(faces.begin(), faces.end());
-  const auto unique = std::unique(faces.begin(), faces.end());
-  return std::distance(unique, faces.end());
-}
-
 Offset CountCoincidentPoints(const double* points, Offset n)
 {
   std::vector<std::array<double, 3>> sorted;
@@ -208,7 +190,8 @@ MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
   report.Faces = mesh.GetNumberOfFaces();
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
-    report.RepeatedVertexFaces += mesh.IsDropped(f) ? 1 : 0;
+    report.RepeatedVertexFaces += mesh.IsDropped(f) && !mesh.IsDuplicate(f) ? 1 : 0;
+    report.DuplicateFaces += mesh.IsDuplicate(f) ? 1 : 0;
     report.ReorientedFaces += mesh.IsFlipped(f) ? 1 : 0;
   }
   Offset edges = 0;
@@ -225,7 +208,6 @@ MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
   }
   report.BoundaryLoops = CountBoundaryLoops(mesh, fanCounter);
   report.DegenerateFaces = mesh.GetNumberOfDegenerateFaces();
-  report.DuplicateFaces = CountDuplicateFaces(mesh);
   report.CoincidentPoints = points ? CountCoincidentPoints(points, report.Vertices) : 0;
   report.Mollification = mesh.GetMollification();
   MeasureAnisotropy(mesh, report);
@@ -269,7 +251,7 @@ MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
       }
     }
   }
-  const Offset faces = report.Faces - report.RepeatedVertexFaces;
+  const Offset faces = report.Faces - report.RepeatedVertexFaces - report.DuplicateFaces;
   const Offset characteristic = fans - edges + faces;
   report.Genus = (2 * sheets - report.BoundaryLoops - characteristic) / 2;
   return report;

@@ -22,7 +22,7 @@ struct MeshReport
   Offset NonManifoldVertices = 0; ///< vertices with several fans that are on no non-manifold edge
   Offset RepeatedVertexFaces = 0; ///< faces that name a vertex twice (dropped)
   Offset DegenerateFaces = 0;     ///< faces of zero area, up to rounding
-  Offset DuplicateFaces = 0;      ///< faces beyond the first on the same three vertices
+  Offset DuplicateFaces = 0;      ///< faces on the vertices of an earlier one (dropped)
   Offset CoincidentPoints = 0;    ///< points that have the very coordinates of an earlier one
   Offset InconsistentEdges = 0;   ///< manifold edges that no choice of orientation makes consistent
   Offset ReorientedFaces = 0;     ///< faces turned over to make orientation consistent

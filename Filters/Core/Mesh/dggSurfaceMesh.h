@@ -42,7 +42,8 @@ struct PartOfMesh
 ///
 /// Conventions. Half-edge `3f+k` starts at corner `k` of face `f`. Faces keep the ids of the input.
 /// A face with a repeated vertex is *dropped* (it has no area and no three edges): it keeps its id
-/// but takes no part. Faces are re-oriented component by component where that makes them consistent
+/// but takes no part. So is a *duplicate*, a face on the three vertices of an earlier one: it is
+/// congruent to that one and glued to it along all edges, so that no path gains by it. Faces are re-oriented component by component where that makes them consistent
 /// (distances do not depend on orientation); a re-oriented face has its corners 1 and 2 swapped, so
 /// always read corners from GetTriangle() or Origin().
 ///
@@ -100,8 +101,11 @@ public:
   {
     return { this->Origins[3 * f], this->Origins[3 * f + 1], this->Origins[3 * f + 2] };
   }
-  /// Whether the face was dropped because it repeats a vertex.
+  /// Whether the face takes no part, because it repeats a vertex or an earlier face.
   bool IsDropped(Id f) const { return (this->FaceFlags[f] & DroppedFlag) != 0; }
+  /// Whether the face was dropped because an earlier one has the same vertices. Faces that were
+  /// glued by hand have no duplicates.
+  bool IsDuplicate(Id f) const { return (this->FaceFlags[f] & DuplicateFlag) != 0; }
   /// Whether corners 1 and 2 were swapped with respect to the input.
   bool IsFlipped(Id f) const { return (this->FaceFlags[f] & FlippedFlag) != 0; }
   /// Whether the face had no area, up to rounding, before its edges were lengthened.
@@ -155,6 +159,7 @@ private:
   static constexpr std::uint8_t FlippedFlag = 2;
   static constexpr std::uint8_t DegenerateFlag = 4;
   static constexpr std::uint8_t MollifiedFlag = 8;
+  static constexpr std::uint8_t DuplicateFlag = 16;
 
   std::vector<Id> Origins;             // 3m
   std::vector<Id> Twins;               // 3m

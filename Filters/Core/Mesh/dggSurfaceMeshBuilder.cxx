@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSurfaceMeshBuilder.h"
 
+#include "dggCapSplitting.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace dgg
@@ -14,8 +16,6 @@ namespace
 {
 /// Total angles this close to 2 pi are flat, radians.
 constexpr double FlatTolerance = 1e-9 * 2.0 * Pi;
-/// Slack of the triangle inequality below which a face is degenerate, relative to its edges.
-constexpr double DegeneracySlack = 1e-13;
 /// Faces that have been lengthened as part of another mesh have that slack up to rounding: what
 /// they must have left of it.
 constexpr double LeastSlackOfParts = 0.5;
@@ -119,20 +119,34 @@ void SurfaceMeshBuilder::GlueByVertices()
       [&](Id g, Id h) { return larger(g) != larger(h) ? larger(g) < larger(h) : g < h; });
     for (auto run = begin; run != end;)
     {
-      auto stop = run + 1;
-      while (stop != end && larger(*stop) == larger(*run))
-      {
-        ++stop;
-      }
-      if (stop - run > 1)
-      {
-        for (auto it = run; it != stop; ++it)
-        {
-          this->Mesh.Twins[*it] = it + 1 == stop ? *run : *(it + 1);
-        }
-      }
+      const auto stop = std::find_if(run + 1, end, [&](Id h) { return larger(h) != larger(*run); });
+      this->GlueEdge(run, stop);
       run = stop;
     }
+  }
+}
+
+/// Link the half-edges of one edge, but those of duplicate faces.
+void SurfaceMeshBuilder::GlueEdge(std::vector<Id>::iterator begin, std::vector<Id>::iterator end)
+{
+  SurfaceMesh& mesh = this->Mesh;
+  // Faces on the same edge with the same apex have the same three vertices.
+  this->Apexes.clear();
+  std::transform(begin, end, std::back_inserter(this->Apexes),
+    [&](Id h) { return std::make_pair(mesh.Apex(h), h); });
+  std::sort(this->Apexes.begin(), this->Apexes.end());
+  for (std::size_t i = 1; i < this->Apexes.size(); ++i)
+  {
+    if (this->Apexes[i].first == this->Apexes[i - 1].first)
+    {
+      mesh.FaceFlags[SurfaceMesh::Face(this->Apexes[i].second)] |=
+        SurfaceMesh::DroppedFlag | SurfaceMesh::DuplicateFlag;
+    }
+  }
+  end = std::remove_if(begin, end, [&](Id h) { return mesh.IsDropped(SurfaceMesh::Face(h)); });
+  for (auto it = begin; end - begin > 1 && it != end; ++it)
+  {
+    mesh.Twins[*it] = it + 1 == end ? *begin : *(it + 1);
   }
 }
 

@@ -7,7 +7,8 @@
 
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 
-#include <vector> // for std::vector
+#include <utility> // for std::pair
+#include <vector>  // for std::vector
 
 namespace dgg
 {
@@ -22,7 +23,8 @@ public:
   Status TakeTriangles(Offset numberOfVertices, const Id* triangles, Offset numberOfTriangles);
   /// Faces that name a vertex twice take no part.
   void DropRepeatedVertexFaces();
-  /// Link the half-edges on equal vertex pairs.
+  /// Link the half-edges on equal vertex pairs. Faces with the three vertices of an earlier one
+  /// take no part.
   void GlueByVertices();
   Status GlueByTwins(const Id* twins);
   Status MeasureLengths(const double* points);
@@ -39,6 +41,7 @@ public:
   void Finish();
 
 private:
+  void GlueEdge(std::vector<Id>::iterator begin, std::vector<Id>::iterator end);
   bool IsLinkedConsistently(Id h) const;
   double MeasureLack(Id f) const;
   void MeasureEdges();
@@ -49,7 +52,8 @@ private:
   Status CheckExtent(double extent, const char* what) const;
 
   SurfaceMesh& Mesh;
-  const SurfaceMesh* Whole = nullptr; // what the mesh is a part of
+  const SurfaceMesh* Whole = nullptr;    // what the mesh is a part of
+  std::vector<std::pair<Id, Id>> Apexes; // of the faces on an edge, with their half-edges
 };
 }
 

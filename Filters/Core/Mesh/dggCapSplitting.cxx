@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggCapSplitting.h"
+
+#include "dggUnfolding.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+
+namespace dgg
+{
+namespace
+{
+/// New triangles, per triangle of the input, before the rest is left as it is.
+constexpr std::size_t MostParts = 4;
+/// A triangle with an edge this short, relative to the slack that makes it degenerate, is no cap:
+/// where its apex lies along the longest edge is rounding.
+constexpr double ShortestEdge = 10.0;
+
+class CapSplitter
+{
+public:
+  CapSplitter(const double* points, std::vector<Id>& triangles, std::vector<Id>& parents)
+    : Points(points)
+    , Triangles(triangles)
+    , Parents(parents)
+  {
+  }
+
+  Offset Run()
+  {
+    const Id input = this->GetNumberOfTriangles();
+    this->Parents.resize(input);
+    std::iota(this->Parents.begin(), this->Parents.end(), 0);
+    this->MeasureMeanEdge();
+    for (Id f = 0; f < input; ++f)
+    {
+      this->NoteCap(f);
+    }
+    if (this->Caps.empty())
+    {
+      return 0;
+    }
+    for (Id f = 0; f < input; ++f)
+    {
+      this->Link(f);
+    }
+    const std::size_t most = MostParts * static_cast<std::size_t>(input);
+    // NOLINTNEXTLINE(modernize-loop-convert): the list grows while it is worked on
+    for (std::size_t i = 0; i < this->Caps.size() && this->Parents.size() < most; ++i)
+    {
+      this->Remove(this->Caps[i]);
+    }
+    this->Compact();
+    return this->NumberOfRemoved;
+  }
+
+private:
+  using Triangle = std::array<Id, 3>;
+
+  Id GetNumberOfTriangles() const { return static_cast<Id>(this->Triangles.size() / 3); }
+  Triangle Get(Id f) const
+  {
+    return { { this->Triangles[3 * f], this->Triangles[3 * f + 1], this->Triangles[3 * f + 2] } };
+  }
+  void Set(Id f, const Triangle& t) { std::copy(t.begin(), t.end(), &this->Triangles[3 * f]); }
+  bool IsGone(Id f) const { return this->Parents[f] == NoId; }
+
+  double Length(Id a, Id b) const
+  {
+    const double* p = this->Points + 3 * static_cast<std::size_t>(a);
+    const double* q = this->Points + 3 * static_cast<std::size_t>(b);
+    return Norm(Norm(p[0] - q[0], p[1] - q[1]), p[2] - q[2]);
+  }
+
+  void MeasureMeanEdge()
+  {
+    double sum = 0.0;
+    for (Id f = 0; f < this->GetNumberOfTriangles(); ++f)
+    {
+      const Triangle t = this->Get(f);
+      sum += this->Length(t[0], t[1]) + this->Length(t[1], t[2]) + this->Length(t[2], t[0]);
+    }
+    this->MeanEdge = sum / static_cast<double>(std::max<std::size_t>(1, this->Triangles.size()));
+  }
+
+  /// The corner on the opposite edge; -1 when there is none.
+  int FindApex(Id f) const
+  {
+    const Triangle t = this->Get(f);
+    std::array<double, 3> opposite{};
+    for (int k = 0; k < 3; ++k)
+    {
+      opposite[k] = this->Length(t[(k + 1) % 3], t[(k + 2) % 3]);
+    }
+    const int apex =
+      static_cast<int>(std::max_element(opposite.begin(), opposite.end()) - opposite.begin());
+    const double longest = opposite[apex];
+    const auto others = std::minmax(opposite[(apex + 1) % 3], opposite[(apex + 2) % 3]);
+    const double tolerance = DegeneracySlack * std::max(this->MeanEdge, longest);
+    const bool isCap = others.first - (longest - others.second) < tolerance &&
+      others.first > ShortestEdge * tolerance;
+    return isCap ? apex : -1;
+  }
+
+  void NoteCap(Id f)
+  {
+    if (this->FindApex(f) >= 0)
+    {
+      this->Caps.push_back(f);
+    }
+  }
+
+  /// The triangles on the edge between two points.
+  std::vector<Id>& On(Id a, Id b)
+  {
+    const auto low = static_cast<std::uint64_t>(std::min(a, b));
+    return this->Edges[(low << 32) | static_cast<std::uint64_t>(std::max(a, b))];
+  }
+
+  void Link(Id f)
+  {
+    const Triangle t = this->Get(f);
+    for (int k = 0; k < 3; ++k)
+    {
+      this->On(t[k], t[(k + 1) % 3]).push_back(f);
+    }
+  }
+
+  void Unlink(Id f)
+  {
+    const Triangle t = this->Get(f);
+    for (int k = 0; k < 3; ++k)
+    {
+      std::vector<Id>& faces = this->On(t[k], t[(k + 1) % 3]);
+      faces.erase(std::remove(faces.begin(), faces.end(), f), faces.end());
+    }
+  }
+
+  void Discard(Id f)
+  {
+    this->Unlink(f);
+    this->Parents[f] = NoId;
+  }
+
+  void Remove(Id cap)
+  {
+    const int corner = this->IsGone(cap) ? -1 : this->FindApex(cap);
+    if (corner < 0)
+    {
+      return; // gone with another cap, or no cap any more
+    }
+    const Triangle t = this->Get(cap);
+    const Id apex = t[corner];
+    const Id a = t[(corner + 1) % 3];
+    const Id b = t[(corner + 2) % 3];
+    const std::vector<Id> faces = this->On(a, b);
+    if (faces.size() == 1 && (this->On(a, apex).size() == 1 || this->On(apex, b).size() == 1))
+    {
+      return; // it alone holds its apex to one of the ends
+    }
+    ++this->NumberOfRemoved;
+    this->Discard(cap);
+    for (const Id f : faces)
+    {
+      if (f != cap)
+      {
+        this->Split(f, a, b, apex);
+      }
+    }
+  }
+
+  /// Split a triangle on the edge from a to b at a point of the edge.
+  void Split(Id f, Id a, Id b, Id point)
+  {
+    Triangle first = this->Get(f);
+    if (std::find(first.begin(), first.end(), point) != first.end())
+    {
+      this->Discard(f); // a duplicate of the cap
+      return;
+    }
+    this->Unlink(f);
+    Triangle second = first;
+    std::replace(first.begin(), first.end(), b, point);
+    std::replace(second.begin(), second.end(), a, point);
+    this->Set(f, first);
+    const Id g = this->GetNumberOfTriangles();
+    this->Triangles.insert(this->Triangles.end(), second.begin(), second.end());
+    this->Parents.push_back(this->Parents[f]);
+    for (const Id part : { f, g })
+    {
+      this->Link(part);
+      this->NoteCap(part);
+    }
+  }
+
+  void Compact()
+  {
+    Id kept = 0;
+    for (Id f = 0; f < this->GetNumberOfTriangles(); ++f)
+    {
+      if (!this->IsGone(f))
+      {
+        this->Set(kept, this->Get(f));
+        this->Parents[kept++] = this->Parents[f];
+      }
+    }
+    this->Triangles.resize(3 * static_cast<std::size_t>(kept));
+    this->Parents.resize(kept);
+  }
+
+  const double* Points;
+  std::vector<Id>& Triangles;
+  std::vector<Id>& Parents; // NoId for triangles that are gone
+  double MeanEdge = 0.0;
+  std::vector<Id> Caps; // to be looked at, in the order in which they were found
+  std::unordered_map<std::uint64_t, std::vector<Id>> Edges;
+  Offset NumberOfRemoved = 0;
+};
+}
+
+Offset SplitCaps(const double* points, std::vector<Id>& triangles, std::vector<Id>& parents)
+{
+  return CapSplitter(points, triangles, parents).Run();
+}
+}
