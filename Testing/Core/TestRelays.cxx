@@ -99,7 +99,7 @@ struct FieldErrors
 };
 }
 
-/// With each vertex of a rim as the virtual source of the next one the largest errors are 14 and
+/// With each vertex of a rim as the virtual source of the next one the largest errors are 13 and
 /// 24 % of the largest distance.
 TEST(Relays, OfRimsDoNotHideTheSource)
 {
