@@ -5,16 +5,15 @@
 #include "dggCornerModel.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cstddef>
 
 namespace dgg
 {
 namespace
 {
 /// What a longer virtual source may predict too little, of what the shorter one predicts too much.
-/// Measured on scans and CAD models, with exact distances and those of graphs: with twice as much
-/// or half as much the mean error inside of faces is larger on some of them by up to a tenth; with
-/// a quarter some of the errors along rims stay.
+/// Measured on scans and CAD models, with exact distances and those of graphs: with less, some of
+/// the errors along rims stay; with more, the mean error inside of faces grows on coarse models.
 constexpr double LargestShortfall = 0.2;
 
 /// Whether the longer of two models of a vertex is the better one, as its neighbours tell.

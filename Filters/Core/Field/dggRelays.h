@@ -19,12 +19,14 @@ std::vector<Id> SortReached(const std::vector<double>& distances);
 /// Lengthen virtual sources to those before them.
 ///
 /// The last straight piece of a way to a vertex starts at its relay: a vertex at which the way
-/// bends, or which it only passes. What lies beside the narrow wedge behind the relay is lit from
-/// the virtual source of the relay itself, so around the vertex that one may explain more. Along
-/// the rim of a hole the wedges are as narrow as the pieces are short, and faces may be long.
-/// Distances of neighbours decide: where the model of the relay predicts too much, another wave may
-/// be the nearer one, but where that of the source before predicts too little, it is not visible.
-/// So the latter may miss little in exchange for what it explains.
+/// bends, or which it only passes. Ways over the relay reach no more than a narrow wedge behind it;
+/// beside that, distances are those from the virtual source of the relay itself, which may explain
+/// more of what is around the vertex. Along the rim of a hole the wedges are as narrow as the
+/// pieces are short, and faces may be long.
+///
+/// Distances of neighbours decide. Where the model with the relay predicts too much, another wave
+/// may be the nearer one; where that with the source before predicts too little, this source is not
+/// visible. So it may miss little in exchange for what it explains.
 ///
 /// `order` is that of the vertices, every relay before what lies behind it; `relays` has NoId where
 /// the virtual source is a source. Takes as long as to look at all neighbours.
