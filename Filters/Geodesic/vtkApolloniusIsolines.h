@@ -19,7 +19,7 @@
  *  - field data with windows (vtkExactGeodesicDistance::GenerateWindowsOn()): they are exact,
  *    points of the lines inside of triangles are at their value up to rounding;
  *  - virtual sources (GenerateVirtualSourceOn() of any distance filter): several times better than
- *    straight lines in triangles, see dggDistanceField.h;
+ *    straight lines in triangles, see dggDistanceField.h; for CAD models see vtkGeodesicProbe;
  *  - else virtual sources are fitted to the distances, which is better than straight lines as well.
  *
  * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a

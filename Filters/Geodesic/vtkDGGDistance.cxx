@@ -6,6 +6,8 @@
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMeshAdapter.h"
 
+#include "dggRelays.h"
+
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -168,7 +170,7 @@ dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
   }
   if (task.WantVirtualSource)
   {
-    task.VirtualSource = std::move(result.Virtual);
+    dgg::FindVirtualSources(task.Mesh, result, task.VirtualSource);
   }
   for (vtkDGGPointArray& array : task.Arrays)
   {

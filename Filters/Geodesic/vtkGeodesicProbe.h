@@ -15,12 +15,22 @@
  * How good the distances are depends on what the surface has besides them:
  *  - field data with windows (vtkExactGeodesicDistance::GenerateWindowsOn()): exact;
  *  - virtual sources (GenerateVirtualSourceOn() of any distance filter): several times better than
- *    linear interpolation, see dggDistanceField.h;
+ *    linear interpolation, see dggDistanceField.h and below;
  *  - else virtual sources are fitted to the distances, which is a little worse;
  *  - values that are no distances at all, as the ways from their minima tell (dggFieldTest.h), are
  *    linear in each triangle, with a warning. Coarse surfaces tell little of that: on some hundred
  *    triangles, such as those of a grid of 8 x 8 squares, such values may be taken for distances,
  *    without a warning.
+ *
+ * <b>Virtual sources on CAD models.</b> Long triangles may be reached from many sides, of which
+ * their three corners know little. Measured inside of triangles against exact distances, with those
+ * of vtkDGGDistance: on three models of 338 to 4408 points without any inside of their plane faces
+ * the mean error is 3 to 8 times smaller than that of linear interpolation, and the largest one 12
+ * to 18 % of the largest distance instead of 14 to 55 %. On four finely meshed models the mean
+ * error is at least 5 times smaller and the largest one below 1 %, on scans 2 to 5 times and 2 %.
+ * With virtual sources of exact distances means are up to 4 times smaller still. Where a virtual
+ * source contradicts the distance of a corner it is raised, not replaced by linear interpolation,
+ * which is worse there as well. Where that is not enough, take windows.
  *
  * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
  * warning; for what is noticed of virtual sources, see vtkApolloniusIsolines.

@@ -6,6 +6,7 @@
 #include "dggExactSources.h"
 #include "dggFastMarching.h"
 #include "dggHeatMethod.h"
+#include "dggRelays.h"
 
 #include <map>
 #include <memory>
@@ -75,8 +76,11 @@ dgg::Status MeasuredField::RunGraph(BenchmarkMesh& mesh, dgg::Id source, double 
   options.Correct = true;
   dgg::SearchResult result;
   const dgg::Status status = graph.GetSearch().Run({ seed }, options, result);
+  if (status.IsOk())
+  {
+    dgg::FindVirtualSources(this->Surface, result, this->Sources);
+  }
   this->Distances = std::move(result.Corrected);
-  this->Sources = std::move(result.Virtual);
   return status;
 }
 

@@ -4,6 +4,7 @@
 
 #include "FlatMeshes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -146,6 +147,76 @@ TestMesh VoxelSurface(Id nx, Id ny, Id nz, const std::function<bool(Id, Id, Id)>
 TestMesh TwoHoledBlock()
 {
   return VoxelSurface(5, 3, 1, [](Id i, Id j, Id) { return !(j == 1 && (i == 1 || i == 3)); });
+}
+
+TestMesh DrilledBar(std::uint64_t seed)
+{
+  Random random(seed);
+  const Id holes = 1 + random.Index(3);
+  const Id sides = 8 + random.Index(40);
+  const double pitch = random.Uniform(10.0, 40.0);
+  const double width = random.Uniform(1.0, 5.0);
+  const double radius = width * random.Uniform(0.1, 0.3);
+  const double thickness = random.Uniform(0.1, 1.1);
+  TestMesh mesh;
+  using Section = std::array<Id, 4>;
+  std::vector<Section> sections; // across the bar, between the holes
+  for (Id i = 0; i <= holes; ++i)
+  {
+    const double x = i * pitch;
+    sections.push_back({ { mesh.AddPoint(x, 0.0, 0.0), mesh.AddPoint(x, width, 0.0),
+      mesh.AddPoint(x, width, thickness), mesh.AddPoint(x, 0.0, thickness) } });
+  }
+  mesh.AddQuad(sections[0][0], sections[0][3], sections[0][2], sections[0][1]);
+  mesh.AddQuad(sections[holes][0], sections[holes][1], sections[holes][2], sections[holes][3]);
+  for (Id i = 0; i < holes; ++i)
+  {
+    const Section& a = sections[i];
+    const Section& b = sections[i + 1];
+    mesh.AddQuad(a[0], b[0], b[3], a[3]);
+    mesh.AddQuad(b[1], a[1], a[2], b[2]);
+    // Bottom and top around the hole.
+    const Section low{ { a[0], b[0], b[1], a[1] } };
+    const Section high{ { a[3], b[3], b[2], a[2] } };
+    const double x = (i + random.Uniform(0.3, 0.7)) * pitch;
+    const double y = 0.5 * width;
+    const double turn = random.Uniform();
+    std::array<double, 4> angles{};
+    for (int c = 0; c < 4; ++c)
+    {
+      angles[c] = std::atan2(mesh.Point(low[c])[1] - y, mesh.Point(low[c])[0] - x);
+    }
+    const Id first = mesh.GetNumberOfVertices();
+    std::vector<int> nearest; // corner, by its direction
+    for (Id k = 0; k < sides; ++k)
+    {
+      const double angle = 2.0 * dgg::Pi * (k + turn) / sides;
+      const double px = x + radius * std::cos(angle);
+      const double py = y + radius * std::sin(angle);
+      mesh.AddPoint(px, py, 0.0);
+      mesh.AddPoint(px, py, thickness);
+      auto isNearer = [&](double p, double q) {
+        return std::abs(std::remainder(angle - p, 2.0 * dgg::Pi)) <
+          std::abs(std::remainder(angle - q, 2.0 * dgg::Pi));
+      };
+      nearest.push_back(static_cast<int>(
+        std::min_element(angles.begin(), angles.end(), isNearer) - angles.begin()));
+    }
+    for (Id k = 0; k < sides; ++k)
+    {
+      const Id p = first + 2 * k;
+      const Id q = first + 2 * ((k + 1) % sides);
+      mesh.AddQuad(p, p + 1, q + 1, q);
+      mesh.AddTriangle(low[nearest[k]], p, q);
+      mesh.AddTriangle(high[nearest[k]], q + 1, p + 1);
+      for (int c = nearest[k]; c != nearest[(k + 1) % sides]; c = (c + 1) % 4)
+      {
+        mesh.AddTriangle(low[(c + 1) % 4], low[c], q);
+        mesh.AddTriangle(high[c], high[(c + 1) % 4], q + 1);
+      }
+    }
+  }
+  return mesh;
 }
 
 TestMesh SeveralComponents()

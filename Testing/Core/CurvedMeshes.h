@@ -31,6 +31,10 @@ TestMesh VoxelSurface(Id nx, Id ny, Id nz, const std::function<bool(Id, Id, Id)>
 /// Closed surface of genus 2: a block with two holes.
 TestMesh TwoHoledBlock();
 
+/// A long flat bar with one to three round holes in a row, as from CAD: closed, no points inside of
+/// its faces, which are long and thin.
+TestMesh DrilledBar(std::uint64_t seed);
+
 /// Three surfaces side by side: sphere, torus, plane.
 TestMesh SeveralComponents();
 

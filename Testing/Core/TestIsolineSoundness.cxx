@@ -9,7 +9,9 @@
 #include "GraphChecks.h"
 #include "IsolineChecks.h"
 
+#include "dggBands.h"
 #include "dggFaceProfile.h"
+#include "dggGraphSearch.h"
 #include "dggIsolines.h"
 
 #include <gtest/gtest.h>
@@ -47,6 +49,39 @@ TEST(Isolines, AreSoundOnAllMeshes)
           (f == &field.Exact      ? ""
               : f == &field.Local ? " (local)"
                                   : " (linear)"));
+    }
+  }
+}
+
+/// On long thin faces the ridges that are looked for between two nodes may leave the face; with the
+/// first three seeds they did.
+TEST(Isolines, StayInFacesThatAreLongAndThin)
+{
+  for (const std::uint64_t seed : { 922, 1039, 1997, 1, 2, 3 })
+  {
+    SCOPED_TRACE(seed);
+    const SurfaceMesh mesh = Build(DrilledBar(seed));
+    const GeodesicGraph graph = BuildGraph(mesh, 0.01);
+    const GraphSearch search(graph.View(), &mesh);
+    for (const Id source : { Id{ 1 }, mesh.GetNumberOfVertices() / 2 })
+    {
+      const ExactField exact(mesh, { VertexSource(source) });
+      GraphSeed start;
+      start.Vertex = source;
+      SearchOptions options;
+      options.Correct = true;
+      SearchResult result;
+      ASSERT_TRUE(search.Run({ start }, options, result).IsOk());
+      const DistanceField local{ &mesh, result.Corrected.data(), nullptr, &result.Virtual };
+      for (const DistanceField* field : { &exact.Exact, &local })
+      {
+        const std::vector<double> levels = EvenLevels(*field, 20);
+        const Isolines lines = Trace(*field, levels);
+        ExpectSound(*field, levels, lines, field == &local ? "graph" : "windows");
+        Bands bands;
+        const Status status = MakeBands(*field, levels, lines, nullptr, bands);
+        EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+      }
     }
   }
 }

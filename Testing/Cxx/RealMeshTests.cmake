@@ -68,10 +68,13 @@ if (DGG_EXTRA_DATA)
     ExtraMeshes.h
     FilterTestTools.cxx
     FilterTestTools.h
+    IsolineTestTools.cxx
+    IsolineTestTools.h
     LoopTestTools.cxx
     LoopTestTools.h
     PathTestTools.cxx
     PathTestTools.h
+    TestExtraIsolines.cxx
     TestExtraLoops.cxx
     TestExtraPaths.cxx
     "${core}/PathChecks.cxx"

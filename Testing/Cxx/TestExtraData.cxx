@@ -10,9 +10,12 @@
 
 #include "dggEdgeGraph.h"
 #include "dggExactGeodesics.h"
+#include "dggExactSources.h"
+#include "dggFaceProfile.h"
 #include "dggGraphBuilder.h"
 #include "dggGraphSearch.h"
 #include "dggMeshReport.h"
+#include "dggRelays.h"
 #include "dggSurfaceMesh.h"
 
 #include <gtest/gtest.h>
@@ -20,6 +23,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
@@ -355,6 +359,85 @@ TEST_P(ExtraData, CorrectionPays)
     }
     std::cout << "accuracy " << accuracy << ": corrected mean error " << raw / corrected
               << " times smaller" << (isRegular ? "" : " (not promised)") << "\n";
+  }
+}
+
+/// Virtual sources are no worse than linear interpolation, on coarse CAD models as well: by far
+/// better on the mean, and hardly worse at the worst point.
+TEST_P(ExtraData, VirtualSourcesBeatLinearInterpolation)
+{
+  const auto n = static_cast<dgg::Id>(this->GetNumberOfVertices());
+  if (n > 15000)
+  {
+    return;
+  }
+  dgg::GeodesicGraph graph;
+  ASSERT_TRUE(dgg::GraphBuilder(this->Surface).Build({}, graph).IsOk());
+  const dgg::GraphSearch search(graph.View(), &this->Surface);
+  const std::array<const char*, 3> names{ { "linear", "exact", "graph" } };
+  std::array<double, 3> sums{};
+  std::array<double, 3> largest{};
+  for (dgg::Id k = 0; k < 6; ++k)
+  {
+    dgg::Id source = static_cast<dgg::Id>(dgg::Offset(n) * (2 * k + 1) / 12);
+    while (this->Surface.Kind(source) == dgg::VertexKind::Isolated)
+    {
+      source = (source + 1) % n;
+    }
+    const dgg::GeodesicSource start{ dgg::SurfacePoint::AtVertex(source), 0.0 };
+    dgg::ExactOptions options;
+    options.KeepWindows = true;
+    dgg::ExactResult exact;
+    ASSERT_TRUE(dgg::ExactGeodesics(this->Surface).Run({ start }, options, exact).IsOk());
+    dgg::VirtualSources ofExact;
+    dgg::FindVirtualSources(this->Surface, { start }, exact, ofExact);
+    dgg::GraphSeed seed;
+    seed.Vertex = source;
+    dgg::SearchOptions searchOptions;
+    searchOptions.Correct = true;
+    dgg::SearchResult found;
+    ASSERT_TRUE(search.Run({ seed }, searchOptions, found).IsOk());
+    dgg::VirtualSources ofGraph;
+    dgg::FindVirtualSources(this->Surface, found, ofGraph);
+    const std::array<dgg::DistanceField, 4> fields{ {
+      { &this->Surface, exact.Distances.data(), nullptr, nullptr },
+      { &this->Surface, exact.Distances.data(), nullptr, &ofExact },
+      { &this->Surface, found.Corrected.data(), nullptr, &ofGraph },
+      { &this->Surface, exact.Distances.data(), &exact.Windows, nullptr },
+    } };
+    std::vector<dgg::FaceProfile> profiles(fields.begin(), fields.end());
+    for (dgg::Id f = 0; f < this->Surface.GetNumberOfFaces(); ++f)
+    {
+      if (!fields[3].IsReached(f) || !fields[2].IsReached(f))
+      {
+        continue;
+      }
+      for (dgg::FaceProfile& profile : profiles)
+      {
+        profile.Enter(f);
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        std::array<double, 3> b{ { 0.2, 0.2, 0.2 } };
+        b[i] = 0.6;
+        const dgg::Point2 p = profiles[3].PlaceOf(b);
+        const double d = profiles[3].At(p);
+        for (int m = 0; m < 3; ++m)
+        {
+          const double error = std::abs(profiles[m].At(p) - d);
+          sums[m] += error;
+          largest[m] = std::max(largest[m], error);
+        }
+      }
+    }
+  }
+  for (int m = 1; m < 3; ++m)
+  {
+    SCOPED_TRACE(names[m]);
+    EXPECT_LT(sums[m], 0.7 * sums[0]);
+    EXPECT_LT(largest[m], 1.1 * largest[0]);
+    std::cout << names[m] << ": mean error " << sums[m] / sums[0] << ", largest "
+              << largest[m] / largest[0] << " of that of linear interpolation\n";
   }
 }
 

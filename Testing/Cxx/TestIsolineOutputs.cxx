@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Ridges and bands, the further outputs of vtkApolloniusIsolines.
+#include "CurvedMeshes.h"
 #include "FilterTestTools.h"
+#include "IsolineTestTools.h"
 
 #include "vtkApolloniusIsolines.h"
+#include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
 
 #include "vtkCellData.h"
@@ -18,6 +21,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 using namespace dggtest;
 
@@ -175,4 +180,47 @@ TEST_F(IsolineOutputs, BandsLeaveOutWhatIsNotReached)
   }
   EXPECT_GT(area, 20.0);
   EXPECT_LT(area, 50.0);
+}
+
+/// Bars on which isolines have been off the surface (TestIsolineSoundness.cxx).
+TEST_F(IsolineOutputs, LieOnLongThinTriangles)
+{
+  const std::pair<int, vtkIdType> cases[] = { { 922, 1 }, { 1039, 21 }, { 1997, 122 } };
+  for (const auto& [seed, source] : cases)
+  {
+    SCOPED_TRACE(seed);
+    const TestMesh mesh = DrilledBar(seed);
+    Points points;
+    Cells triangles;
+    for (dgg::Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const double* p = mesh.Point(v);
+      points.push_back({ { p[0], p[1], p[2] } });
+    }
+    for (std::size_t i = 0; i < mesh.Triangles.size(); i += 3)
+    {
+      triangles.push_back({ mesh.Triangles[i], mesh.Triangles[i + 1], mesh.Triangles[i + 2] });
+    }
+    auto surface = MakeSurface(points, triangles);
+    vtkNew<vtkDGGDistance> graph;
+    graph->GenerateVirtualSourceOn();
+    for (vtkGeodesicDistanceAlgorithm* distance :
+      { static_cast<vtkGeodesicDistanceAlgorithm*>(this->Distance.Get()),
+        static_cast<vtkGeodesicDistanceAlgorithm*>(graph.Get()) })
+    {
+      distance->SetInputData(surface);
+      distance->SetSourceIds({ source });
+      distance->Update();
+      const std::vector<double> d = GetDistances(distance);
+      const double largest = *std::max_element(d.begin(), d.end());
+      this->Isolines->SetInputConnection(distance->GetOutputPort());
+      this->Isolines->GenerateValues(20, 0.025 * largest, 0.975 * largest);
+      for (const bool withBands : { false, true })
+      {
+        this->Isolines->SetGenerateBands(withBands);
+        ExpectSuccess(this->Isolines);
+        EXPECT_GT(ExpectPiecesInTheirFaces(surface, this->Isolines->GetOutput()), 0);
+      }
+    }
+  }
 }

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggExactSources.h"
 
-#include "dggCornerModel.h"
+#include "dggRelays.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace dgg
@@ -69,21 +67,6 @@ LastPiece WithinFace(const SurfaceMesh& mesh, Id v, const SurfacePoint& source)
   return piece;
 }
 
-/// How far a model is from the distances of the neighbours, on the whole.
-double Misfit(const SurfaceMesh& mesh, Id v, const CornerModel& model, const ExactResult& result)
-{
-  double misfit = 0.0;
-  for (const Id* g = mesh.FanBegin(v); g != mesh.FanEnd(v); ++g)
-  {
-    const double d = result.Distances[mesh.Destination(*g)];
-    if (d < Infinity)
-    {
-      misfit += std::abs(model.At(mesh.Length(*g), mesh.PolarAngle(*g)) - d);
-    }
-  }
-  return misfit;
-}
-
 LastPiece FindLastPiece(
   const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources, Id v, const Predecessor& p)
 {
@@ -106,36 +89,17 @@ void FindVirtualSources(const SurfaceMesh& mesh, const std::vector<GeodesicSourc
   found.Offsets.assign(n, Infinity);
   found.Lengths.assign(n, Infinity);
   found.Angles.assign(n, 0.0);
-  // Those that are reached, which may be few, the nearest first.
-  std::vector<std::pair<double, Id>> order;
-  order.reserve(static_cast<std::size_t>(std::count_if(
-    result.Distances.begin(), result.Distances.end(), [](double d) { return d < Infinity; })));
-  for (std::size_t v = 0; v < n; ++v)
-  {
-    if (result.Distances[v] < Infinity)
-    {
-      order.emplace_back(result.Distances[v], static_cast<Id>(v));
-    }
-  }
-  std::sort(order.begin(), order.end());
-  for (const auto& [d, v] : order)
+  std::vector<Id> relays(n, NoId);
+  const std::vector<Id> order = SortReached(result.Distances);
+  for (const Id v : order)
   {
     const Predecessor& p = result.Predecessors[v];
-    LastPiece piece = FindLastPiece(mesh, sources, v, p);
-    // Behind a vertex that the way only passes by, it is the same light as before.
-    if (p.Root >= 0 && p.Root != v && found.Lengths[p.Root] > 0.0)
-    {
-      const double longer = piece.Length + found.Lengths[p.Root];
-      const CornerModel here(mesh, v, d - piece.Length, piece.Length, piece.Angle);
-      const CornerModel before(mesh, v, d - longer, longer, piece.Angle);
-      if (here.IsKnown && Misfit(mesh, v, before, result) < Misfit(mesh, v, here, result))
-      {
-        piece.Length = longer;
-      }
-    }
-    found.Offsets[v] = d - piece.Length;
+    const LastPiece piece = FindLastPiece(mesh, sources, v, p);
+    relays[v] = p.Root >= 0 && p.Root != v ? p.Root : NoId;
+    found.Offsets[v] = result.Distances[v] - piece.Length;
     found.Lengths[v] = piece.Length;
     found.Angles[v] = piece.Angle;
   }
+  MergeRelays(mesh, result.Distances, order, relays, found);
 }
 }

@@ -14,8 +14,8 @@
 namespace dgg
 {
 /// The virtual sources of exact distances: the pseudo-source from which the last straight piece of
-/// the path to a vertex starts, and the one before where both pieces are in line, as behind flat
-/// vertices. `sources` are those of the run.
+/// the path to a vertex starts, or the one before where that explains more (MergeRelays()), as
+/// behind flat vertices. `sources` are those of the run.
 void FindVirtualSources(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources,
   const ExactResult& result, VirtualSources& found);
 }

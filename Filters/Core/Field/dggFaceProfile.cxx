@@ -171,6 +171,8 @@ void FaceProfile::SetUpModels()
     {
       continue;
     }
+    // Measured: without models that miss much, or with linear faces in their place, errors are
+    // larger on CAD models and on scans.
     const Id h = 3 * this->Face + k;
     const Id previous = SurfaceMesh::Previous(h);
     const double first = mesh.PolarAngle(h);

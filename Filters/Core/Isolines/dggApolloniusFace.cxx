@@ -191,7 +191,8 @@ int ApolloniusFace::TriangleOf(int begin, int end) const
 /// Where the distance has a level between two nodes.
 std::array<double, 3> ApolloniusFace::PlaceBetween(int a, int b, double level) const
 {
-  const double t = (level - this->Values[a]) / (this->Values[b] - this->Values[a]);
+  const double below = 0.5 * this->Values[a]; // halves, as differences may overflow
+  const double t = (0.5 * level - below) / (0.5 * this->Values[b] - below);
   std::array<double, 3> place{};
   for (int k = 0; k < 3; ++k)
   {

@@ -3,6 +3,7 @@
 #include "dggIsolineChains.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -137,15 +138,13 @@ private:
   /// The coordinates are those of the corners as the mesh has them.
   SurfacePoint PointOf(Id face, std::array<double, 3> b) const
   {
-    for (double& x : b)
-    {
-      x = std::min(1.0, std::max(0.0, x));
-    }
     if (this->Mesh.IsFlipped(face))
     {
       std::swap(b[1], b[2]);
     }
-    return SurfacePoint::InFace(this->Mesh, face, b);
+    const SurfacePoint point = SurfacePoint::InFace(this->Mesh, face, b);
+    assert(point.Check(this->Mesh).IsOk());
+    return point;
   }
 
   /// Append a point, unless it is where the line is.

@@ -455,20 +455,28 @@ Id LevelLattice::FindDip(const LevelArc& arc, double level, Id a, Id b)
 {
   const Point2 begin = this->Nodes[a].Point.Place;
   const Point2 way = Difference(this->Nodes[b].Point.Place, begin);
-  // The ridge beside the straight way.
+  const Point2 side{ -way.Y, way.X };
+  // The ridge beside the straight way, within the face: in a long one, the rim is near.
   const auto look = [&](double t) {
     const Point2 base{ begin.X + t * way.X, begin.Y + t * way.Y };
     double left = -0.5;
     double right = 0.5;
-    LevelPoint point = arc.Look(base);
-    LevelPoint best = point;
+    LevelPoint best = arc.Look(base);
+    double x = 0.0;
+    bool isRising = Dot(best.Sample.Gradient, side) > 0.0;
     for (int step = 0; step < StepsOfCrest; ++step)
     {
-      const bool isRising = Dot(point.Sample.Gradient, { -way.Y, way.X }) > 0.0;
-      (isRising ? left : right) = step == 0 ? 0.0 : 0.5 * (left + right);
-      const double x = 0.5 * (left + right);
-      point = arc.Look({ base.X - x * way.Y, base.Y + x * way.X });
+      (isRising ? left : right) = x;
+      x = 0.5 * (left + right);
+      const Point2 place{ base.X + x * side.X, base.Y + x * side.Y };
+      if (!arc.IsInside(place))
+      {
+        isRising = x < 0.0;
+        continue;
+      }
+      const LevelPoint point = arc.Look(place);
       best = point.Sample.Distance > best.Sample.Distance ? point : best;
+      isRising = Dot(point.Sample.Gradient, side) > 0.0;
     }
     return best;
   };
