@@ -29,9 +29,14 @@ constexpr double NarrowKink = 0.3;
 /// Once there is a loop, longer ones are tried that may become shorter than it.
 constexpr std::size_t MostRivals = 24;
 
-/// Let a loop go at the points that it was asked to go through.
+/// Let a loop go at the points that it was asked to go through. One that is straight there is taut:
+/// it may be one of many, side by side, of which rounding errors must not choose another.
 void LetGo(const SurfaceMesh& mesh, FoundLoop& loop)
 {
+  if (!loop.IsKinked())
+  {
+    return;
+  }
   SurfacePath tight;
   LoopShortener(mesh).PullTight(loop.Loop, tight);
   loop.Loop = std::move(tight);
@@ -318,15 +323,14 @@ Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, Foun
     return Status::Success();
   }
   loop.Loop = std::move(rope);
-  if (taut)
-  {
-    LetGo(this->Internals->Mesh, loop);
-    return Status::Success();
-  }
   for (const std::size_t stop : stops)
   {
     loop.Angle =
       std::min(loop.Angle, LoopShortener::AngleAt(this->Internals->Mesh, loop.Loop, stop));
+  }
+  if (taut)
+  {
+    LetGo(this->Internals->Mesh, loop);
   }
   return Status::Success();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLoopShortener.h"
 
+#include "dggFoundLoop.h"
 #include "dggStripChain.h"
 
 #include <algorithm>
@@ -110,10 +111,10 @@ bool LoopShortener::Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop)
       return false;
     }
     this->CutAt(ring);
-    const double t = this->Minimize();
+    double t = this->Minimize();
     std::size_t place = 0;
     const Id vertex = this->FindBend(ring, t, place);
-    if (vertex == NoId)
+    if (vertex == NoId || this->FindStraight(t))
     {
       this->AppendStraight(ring, t, loop);
       return true;
@@ -272,6 +273,37 @@ double LoopShortener::Minimize()
   const double t = 0.5 * (low + high);
   this->LayAt(t);
   return t;
+}
+
+/// Whether a straight path closes within the ring, and where it crosses the edge. Then the two ends
+/// are parallel, and so are all such paths: the one in their middle keeps clear of vertices, to
+/// which rounding errors might send others.
+bool LoopShortener::FindStraight(double& t)
+{
+  const Cut& cut = this->TheCut;
+  const Point2 edge = Difference(cut.Starts[1], cut.Starts[0]);
+  const Point2 end = Difference(cut.Ends[1], cut.Ends[0]);
+  const Point2 way = Difference(cut.Ends[0], cut.Starts[0]);
+  if (!(std::atan2(std::abs(Cross(edge, end)), Dot(edge, end)) < FoundLoop::KinkTolerance))
+  {
+    return false;
+  }
+  const auto across = [&](const Point2& p) { return Cross(way, Difference(p, cut.Starts[0])); };
+  const double span = across(cut.Starts[1]);
+  double low = std::min(0.0, span);
+  double high = std::max(0.0, span);
+  for (const Portal& portal : this->Plane.Portals)
+  {
+    low = std::max(low, across(portal.Ends[StripUnfolding::Right]));
+    high = std::min(high, across(portal.Ends[StripUnfolding::Left]));
+  }
+  if (!(high - low > EndTolerance * std::abs(span)))
+  {
+    return false;
+  }
+  t = 0.5 * (low + high) / span;
+  this->LayAt(t);
+  return this->Bends.empty();
 }
 
 /// A vertex that the path bends around, and a crossing of an edge there; NoId when there is none.

@@ -18,7 +18,8 @@ namespace dgg
 /// Shortens a closed path, which may move everywhere, to a closed geodesic, in turns: the shortest
 /// closed path in its ring of faces is found; it bends around vertices, unless it is straight all
 /// around. It is cut open at one of them, shortened with both ends there, and led around that
-/// vertex if it is shorter there.
+/// vertex if it is shorter there. Where straight closed paths lie side by side, as around a
+/// cylinder, all are as long: it ends at the one in the middle of its ring.
 class LoopShortener
 {
 public:
@@ -55,6 +56,7 @@ private:
   double LayAt(double t);
   double SlopeAt(double t);
   double Minimize();
+  bool FindStraight(double& t);
   Id FindBend(const std::vector<EdgeCrossing>& ring, double t, std::size_t& place) const;
   bool IsAt(Id vertex, const EdgeCrossing& crossing) const;
   bool OpenAt(
