@@ -29,16 +29,20 @@ constexpr double NarrowKink = 0.3;
 /// Once there is a loop, longer ones are tried that may become shorter than it.
 constexpr std::size_t MostRivals = 24;
 
-/// Let a loop go at the points that it was asked to go through. One that is straight there is taut:
-/// it may be one of many, side by side, of which rounding errors must not choose another.
+/// Let a loop go at the points that it was asked to go through. One that is straight there is taut.
+/// Up to the tolerance of kinks it may become a little shorter, but does not slip off.
 void LetGo(const SurfaceMesh& mesh, FoundLoop& loop)
 {
-  if (!loop.IsKinked())
+  if (loop.Angle >= Pi - LoopShortener::AngleTolerance)
   {
     return;
   }
   SurfacePath tight;
   LoopShortener(mesh).PullTight(loop.Loop, tight);
+  if (tight.IsEmpty() && !loop.IsKinked())
+  {
+    return;
+  }
   loop.Loop = std::move(tight);
   loop.Angle = Pi;
 }
