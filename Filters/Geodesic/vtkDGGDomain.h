@@ -6,11 +6,22 @@
 #define vtkDGGDomain_h
 
 /// What distances are measured along.
-enum class vtkDGGDomain
+struct vtkDGGDomain
 {
-  Surface,       ///< the polygons and strips, as they are glued by point ids
-  MergedSurface, ///< the same, with coincident points taken as one
-  Cloud          ///< the points alone: cells are not looked at
+  enum KindType
+  {
+    Surface,       ///< the polygons and strips, as they are glued by point ids
+    MergedSurface, ///< the same, with coincident points taken as one
+    Cloud          ///< the points alone: cells are not looked at
+  };
+
+  KindType Kind = Surface;
+  double MergeTolerance = 0.0; ///< of a MergedSurface, see vtkGeodesicAlgorithm; else 0
+
+  bool operator==(const vtkDGGDomain& other) const
+  {
+    return this->Kind == other.Kind && this->MergeTolerance == other.MergeTolerance;
+  }
 };
 
 #endif

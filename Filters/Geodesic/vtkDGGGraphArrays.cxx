@@ -34,9 +34,9 @@ enum InfoSlot
   Merged, // coincident points are one
   FirstSignature,
   SecondSignature,
-  VoxelSize, // of the band of a cloud, the bits of the double
-  FirstReserved,
-  SecondReserved,
+  VoxelSize,      // of the band of a cloud, the bits of the double
+  MergeTolerance, // the bits of the double
+  Reserved,
   Checksum, // of all of the above and of the other arrays
   InfoSize
 };
@@ -170,7 +170,8 @@ void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<doubl
   slots[Construction] = static_cast<std::int64_t>(graph.Info.Construction);
   slots[Accuracy] = CopyBits<std::int64_t>(graph.Info.Accuracy);
   slots[NumberOfNeighbors] = graph.Info.NumberOfNeighbors;
-  slots[Merged] = mesh.IsMerged() ? 1 : 0;
+  slots[Merged] = mesh.GetDomain().Kind == vtkDGGDomain::MergedSurface ? 1 : 0;
+  slots[MergeTolerance] = CopyBits<std::int64_t>(mesh.GetDomain().MergeTolerance);
   slots[FirstSignature] = CopyBits<std::int64_t>(graph.Info.Surface[0]);
   slots[SecondSignature] = CopyBits<std::int64_t>(graph.Info.Surface[1]);
   slots[VoxelSize] = CopyBits<std::int64_t>(voxelSize);
@@ -481,11 +482,20 @@ dgg::Status vtkDGGGraphArrays::CheckSurface(const vtkDGGMeshAdapter& mesh) const
   {
     return dgg::Status::Success();
   }
-  const bool merged = this->GetValues<std::int64_t>(Info)[Merged] != 0;
-  if (merged != mesh.IsMerged())
+  const std::int64_t* info = this->GetValues<std::int64_t>(Info);
+  const bool merged = info[Merged] != 0;
+  if (merged != (mesh.GetDomain().Kind == vtkDGGDomain::MergedSurface))
   {
     return dgg::Status::Invalid(std::string("was built with MergeCoincidentPoints ") +
       (merged ? "on, but it is off here" : "off, but it is on here"));
+  }
+  const double tolerance = CopyBits<double>(info[MergeTolerance]);
+  if (tolerance != mesh.GetDomain().MergeTolerance)
+  {
+    std::ostringstream message;
+    message << "was built with a MergeTolerance of " << tolerance << ", but it is "
+            << mesh.GetDomain().MergeTolerance << " here";
+    return dgg::Status::Invalid(message.str());
   }
   return dgg::Status::Invalid(std::string("is out of date: ") +
     (mesh.IsCloud() ? "points" : "points or cells") + " have changed since it was built");

@@ -108,7 +108,7 @@ void vtkDGGGraphProvider::FollowMesh(const vtkDGGMeshAdapter& mesh)
   this->Mesh = mesh.GetBuildTime();
   this->ReleaseBuilder();
   this->Store = LinkStore();
-  const bool isOwn = this->OwnAccuracy > 0.0 && this->OwnIsMerged == mesh.IsMerged() &&
+  const bool isOwn = this->OwnAccuracy > 0.0 && this->OwnDomain == mesh.GetDomain() &&
     this->OwnGraph.Info.Surface == mesh.GetSignature();
   if (isOwn)
   {
@@ -212,7 +212,7 @@ dgg::Status vtkDGGGraphProvider::UseOwn(
     temporary.reset();
     this->SearchIn(this->OwnGraph.View(), request.Mesh);
     this->OwnAccuracy = request.Accuracy;
-    this->OwnIsMerged = request.Mesh.IsMerged();
+    this->OwnDomain = request.Mesh.GetDomain();
     this->BuildTime.Modified();
   }
   return status;

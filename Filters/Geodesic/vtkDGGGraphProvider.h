@@ -5,6 +5,7 @@
 #ifndef vtkDGGGraphProvider_h
 #define vtkDGGGraphProvider_h
 
+#include "vtkDGGDomain.h"      // for what the graph is of
 #include "vtkDGGGraphArrays.h" // for the graph on the input
 
 #include "dggBandPath.h"       // for BandPathShortener
@@ -123,7 +124,7 @@ private:
   vtkMTimeType UsedInput = 0; // when the graph on the input was found, if it is searched
   dgg::GeodesicGraph OwnGraph;
   double OwnAccuracy = 0.0; // 0 when there is no own graph
-  bool OwnIsMerged = false;
+  vtkDGGDomain OwnDomain;
   double WantedAccuracy = 0.0;
   double WarnedAccuracy = 0.0; // about which the user knows
   vtkTypeUInt64 MemoryLimit = 0;

@@ -26,6 +26,10 @@
  *    rope is let go at the points and pulled tight: what stays is a closed geodesic, as around a
  *    neck, or nothing, when it slips off.
  *
+ * A loop that is straight everywhere (not `Kinked`) is taut: Taut returns it as it is. Others
+ * become shorter until they are straight. On cylinders and along other flat walls there are many
+ * straight loops side by side, all as long; a loop that is pulled tight there ends as one of them.
+ *
  * Both outputs are new geometry, see vtkGeodesicAlgorithm.
  *
  * <b>Output 0</b> has a closed polyline for each loop: it ends with the point that it begins with.
@@ -33,7 +37,7 @@
  *  - Cell data: `Length` (double, in units of the coordinates); `LoopId`, the number of the point
  *    that the loop goes through, or of the loop; `Angle` (double, radians), the smaller angle of
  *    the loop at the points that it goes through, the smallest when there are several: pi for a
- *    closed geodesic; `Kinked` (int), whether that is less than pi.
+ *    closed geodesic; `Kinked` (int), whether that is less than pi by more than 1e-5.
  *  - Point data: `FaceId`, the cell of the input that the piece after the point lies in;
  *    `vtkOriginalPointIds`, the point of the input where the loop is at one, else -1 (the first one
  *    of points that have been merged); `ArcLength`, the length of the loop up to the point.

@@ -16,9 +16,6 @@
 
 namespace
 {
-/// Radians by which an angle has to differ from pi to count as a kink.
-constexpr double KinkTolerance = 1e-5;
-
 /// A curve that goes into an output.
 struct Curve
 {
@@ -81,9 +78,9 @@ void vtkDGGWriteLoops(
   auto kinked = vtkDGGMakeArray<vtkIntArray>("Kinked", count);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const double angle = set.Loops[curves[i].Loop].Angle;
-    angles->SetValue(i, angle);
-    kinked->SetValue(i, angle < dgg::Pi - KinkTolerance ? 1 : 0);
+    const dgg::FoundLoop& loop = set.Loops[curves[i].Loop];
+    angles->SetValue(i, loop.Angle);
+    kinked->SetValue(i, loop.IsKinked() ? 1 : 0);
   }
   output->GetCellData()->AddArray(angles);
   output->GetCellData()->AddArray(kinked);

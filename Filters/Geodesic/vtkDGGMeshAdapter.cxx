@@ -40,18 +40,18 @@ vtkDGGMeshAdapter::vtkDGGMeshAdapter()
 }
 
 //------------------------------------------------------------------------------
-vtkDGGMeshAdapter::Key vtkDGGMeshAdapter::MakeKey(vtkPolyData* input, vtkDGGDomain domain)
+vtkDGGMeshAdapter::Key vtkDGGMeshAdapter::MakeKey(vtkPolyData* input, const vtkDGGDomain& domain)
 {
   vtkPoints* points = input->GetPoints();
-  const bool isCloud = domain == vtkDGGDomain::Cloud;
+  const bool isCloud = domain.Kind == vtkDGGDomain::Cloud;
   vtkCellArray* polygons = isCloud ? nullptr : input->GetPolys();
   vtkCellArray* strips = isCloud ? nullptr : input->GetStrips();
   return { { AddressOf(points), points ? points->GetMTime() : 0, AddressOf(polygons),
-    TimeOf(polygons), AddressOf(strips), TimeOf(strips), static_cast<vtkMTimeType>(domain) } };
+    TimeOf(polygons), AddressOf(strips), TimeOf(strips) } };
 }
 
 //------------------------------------------------------------------------------
-bool vtkDGGMeshAdapter::IsUpToDate(vtkPolyData* input, vtkDGGDomain domain)
+bool vtkDGGMeshAdapter::IsUpToDate(vtkPolyData* input, const vtkDGGDomain& domain)
 {
   // After a change in place Modified() is often called on the data object alone. Another object
   // with the very same points and polygons is no change.
@@ -65,7 +65,7 @@ bool vtkDGGMeshAdapter::IsUpToDate(vtkPolyData* input, vtkDGGDomain domain)
     return false;
   }
   const Key key = MakeKey(input, domain);
-  if (modified || this->BuiltFrom != key)
+  if (modified || this->BuiltFrom != key || !(this->GetDomain() == domain))
   {
     // Time stamps say that something may have changed, as after any update upstream. Look whether
     // it has.
@@ -95,7 +95,7 @@ dgg::Status vtkDGGMeshAdapter::CheckUnchanged(vtkPolyData* input, vtkPolyData* c
   {
     return status;
   }
-  const vtkDGGDomain domain = this->Prepared->Domain;
+  const vtkDGGDomain& domain = this->GetDomain();
   const bool isTouched = MakeKey(copy, domain) != this->BuiltFrom ||
     AddressOf(input) != this->Object || input->vtkObject::GetMTime() != this->ObjectTime;
   if (isTouched && vtkDGGPreparedMesh::ComputeFingerprint(copy, domain) != this->Fingerprint)
@@ -114,7 +114,7 @@ void vtkDGGMeshAdapter::Clear()
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGMeshAdapter::Update(vtkPolyData* input, vtkDGGDomain domain)
+dgg::Status vtkDGGMeshAdapter::Update(vtkPolyData* input, const vtkDGGDomain& domain)
 {
   this->Clear();
   this->Fingerprint = vtkDGGPreparedMesh::ComputeFingerprint(input, domain);

@@ -28,14 +28,13 @@ public:
   /// Prepare the mesh, or share that of another filter with the same surface. Fails with a message
   /// that names the offending point or cell; then there is no mesh.
   ///
-  /// Of a MergedSurface, triangles use the first one of all points that have the very same
-  /// coordinates; the others become vertices without faces, and GetVertex() tells which vertex they
-  /// share.
-  dgg::Status Update(vtkPolyData* input, vtkDGGDomain domain);
+  /// Of a MergedSurface, triangles use the first one of all points that are merged; the others
+  /// become vertices without faces, and GetVertex() tells which vertex they share.
+  dgg::Status Update(vtkPolyData* input, const vtkDGGDomain& domain);
 
   /// Whether Update() would give the same mesh again: by time stamps, and where these have changed
   /// by the bits of points and cells. Takes note of the object that it is asked about.
-  bool IsUpToDate(vtkPolyData* input, vtkDGGDomain domain);
+  bool IsUpToDate(vtkPolyData* input, const vtkDGGDomain& domain);
 
   /// Fails when a surface no longer has as many points as the mesh was made of, as when an observer
   /// has added or removed some.
@@ -53,10 +52,10 @@ public:
   const dgg::MeshReport& GetReport() const { return this->Prepared->Report; }
   /// Of the points as doubles and the triangles made of the cells.
   const dgg::Signature& GetSignature() const { return this->Prepared->Signature; }
-  /// Whether coincident points have been taken as one.
-  bool IsMerged() const { return this->Prepared->Domain == vtkDGGDomain::MergedSurface; }
+  /// What the input has been taken for.
+  const vtkDGGDomain& GetDomain() const { return this->Prepared->Domain; }
   /// Whether only points have been looked at.
-  bool IsCloud() const { return this->Prepared->Domain == vtkDGGDomain::Cloud; }
+  bool IsCloud() const { return this->GetDomain().Kind == vtkDGGDomain::Cloud; }
 
   /// Those of the points of a cloud, x y z each; null for meshes.
   const double* GetPositions() const
@@ -89,13 +88,18 @@ public:
   }
   /// What a user should be told about the mesh, one topic each.
   const std::vector<std::string>& GetWarnings() const { return this->Prepared->Warnings; }
+  /// See vtkDGGPreparedMesh.
+  std::string DescribeGaps(vtkPolyData* input, const std::vector<bool>& isReached) const
+  {
+    return this->Prepared->DescribeGaps(input, isReached);
+  }
   /// When this adapter last took another mesh. It changes with the mesh.
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
 
 private:
   /// Identity and age of points, polygons and strips. Time stamps are unique in VTK.
-  using Key = std::array<vtkMTimeType, 7>;
-  static Key MakeKey(vtkPolyData* input, vtkDGGDomain domain);
+  using Key = std::array<vtkMTimeType, 6>;
+  static Key MakeKey(vtkPolyData* input, const vtkDGGDomain& domain);
 
   vtkDGGPreparedMesh::Pointer Prepared; // never null
   dgg::Signature Fingerprint{};         // of what it was made from

@@ -8,9 +8,12 @@
 #include "dggBitHash.h"
 #include "dggCapSplitting.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
+#include "vtkIncrementalOctreePointLocator.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -22,10 +25,15 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <numeric>
 #include <sstream>
 
 namespace
 {
+/// Parts of a surface that are closer to each other than this fraction of the diagonal of the
+/// bounding box are likely to be meant as one.
+constexpr double SuspectGap = 1e-6;
+
 /// Lexicographic order by coordinates; -0 equals +0 in comparisons.
 struct ByCoordinates
 {
@@ -62,6 +70,61 @@ void ForEachCoincidentGroup(const double* points, std::vector<dgg::Id>& ids, Vis
     visit(first, last);
     first = last;
   }
+}
+
+/// The ids of points whose coordinates are finite.
+std::vector<dgg::Id> CollectFinite(const double* points, vtkIdType numberOfPoints)
+{
+  std::vector<dgg::Id> ids;
+  for (dgg::Id i = 0; i < numberOfPoints; ++i)
+  {
+    if (IsFinite(points + 3 * static_cast<std::size_t>(i)))
+    {
+      ids.push_back(i);
+    }
+  }
+  return ids;
+}
+
+vtkBoundingBox BoundsOf(const double* points, const std::vector<dgg::Id>& ids)
+{
+  vtkBoundingBox box;
+  for (const dgg::Id id : ids)
+  {
+    const double* p = points + 3 * static_cast<std::size_t>(id);
+    box.AddPoint(p[0], p[1], p[2]);
+  }
+  return box;
+}
+
+/// For each of some points the one that it is taken as: in their order, the closest one within the
+/// tolerance of those before it that are taken as themselves, else itself.
+std::vector<dgg::Id> FindClosePoints(
+  const double* points, const std::vector<dgg::Id>& ids, double tolerance)
+{
+  std::vector<dgg::Id> result;
+  if (ids.empty())
+  {
+    return result;
+  }
+  double bounds[6];
+  BoundsOf(points, ids).GetBounds(bounds);
+  vtkNew<vtkPoints> kept;
+  kept->SetDataTypeToDouble();
+  vtkNew<vtkIncrementalOctreePointLocator> locator;
+  locator->SetTolerance(tolerance);
+  locator->InitPointInsertion(kept, bounds);
+  std::vector<dgg::Id> keptIds;
+  for (const dgg::Id id : ids)
+  {
+    vtkIdType place = 0;
+    if (locator->InsertUniquePoint(points + 3 * static_cast<std::size_t>(id), place))
+    {
+      keptIds.push_back(id);
+    }
+    result.push_back(keptIds[place]);
+  }
+  return result;
 }
 
 /// The point of a cell is missing or not finite.
@@ -137,16 +200,18 @@ private:
 }
 
 //------------------------------------------------------------------------------
-dgg::Signature vtkDGGPreparedMesh::ComputeFingerprint(vtkPolyData* input, vtkDGGDomain domain)
+dgg::Signature vtkDGGPreparedMesh::ComputeFingerprint(
+  vtkPolyData* input, const vtkDGGDomain& domain)
 {
-  const bool isCloud = domain == vtkDGGDomain::Cloud;
+  const bool isCloud = domain.Kind == vtkDGGDomain::Cloud;
   const auto countCells = [isCloud](vtkIdType count) { return isCloud ? 0 : count; };
   const std::array<vtkIdType, 6> sizes = { { input->GetNumberOfPoints(),
     countCells(input->GetNumberOfVerts()), countCells(input->GetNumberOfLines()),
     countCells(input->GetNumberOfPolys()), countCells(input->GetNumberOfStrips()),
-    static_cast<vtkIdType>(domain) } };
+    static_cast<vtkIdType>(domain.Kind) } };
   dgg::BitHash hash;
   hash.Add(sizes.data(), sizes.size());
+  hash.Add(&domain.MergeTolerance, 1);
   const vtkDGGPointCoordinates coordinates(input->GetPoints());
   hash.Add(coordinates.GetData(), 3 * static_cast<std::size_t>(input->GetNumberOfPoints()));
   if (isCloud)
@@ -165,8 +230,8 @@ dgg::Signature vtkDGGPreparedMesh::ComputeFingerprint(vtkPolyData* input, vtkDGG
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPreparedMesh::Make(
-  vtkPolyData* input, vtkDGGDomain domain, const dgg::Signature& fingerprint, Pointer& prepared)
+dgg::Status vtkDGGPreparedMesh::Make(vtkPolyData* input, const vtkDGGDomain& domain,
+  const dgg::Signature& fingerprint, Pointer& prepared)
 {
   prepared = MeshesInUse::Get().Find(fingerprint);
   if (prepared)
@@ -211,7 +276,7 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input)
             << " are supported: decimate or split it";
     return dgg::Status::Invalid(message.str());
   }
-  if (this->Domain == vtkDGGDomain::Cloud)
+  if (this->Domain.Kind == vtkDGGDomain::Cloud)
   {
     return this->BuildCloud(input);
   }
@@ -220,7 +285,7 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input)
   {
     return status;
   }
-  const bool mergeCoincidentPoints = this->Domain == vtkDGGDomain::MergedSurface;
+  const bool mergeCoincidentPoints = this->Domain.Kind == vtkDGGDomain::MergedSurface;
   const vtkDGGPointCoordinates coordinates(input->GetPoints());
   if (mergeCoincidentPoints)
   {
@@ -342,15 +407,20 @@ dgg::Status vtkDGGPreparedMesh::Triangulate(
 //------------------------------------------------------------------------------
 void vtkDGGPreparedMesh::MergeCoincidentPoints(const double* points, vtkIdType numberOfPoints)
 {
-  std::vector<dgg::Id> ids;
+  std::vector<dgg::Id> ids = CollectFinite(points, numberOfPoints);
   this->Vertices.resize(numberOfPoints);
-  for (dgg::Id i = 0; i < numberOfPoints; ++i)
+  std::iota(this->Vertices.begin(), this->Vertices.end(), 0);
+  if (this->Domain.MergeTolerance > 0.0)
   {
-    this->Vertices[i] = i;
-    if (IsFinite(points + 3 * static_cast<std::size_t>(i)))
+    const double tolerance =
+      this->Domain.MergeTolerance * BoundsOf(points, ids).GetDiagonalLength();
+    const std::vector<dgg::Id> close = FindClosePoints(points, ids, tolerance);
+    for (std::size_t i = 0; i < ids.size(); ++i)
     {
-      ids.push_back(i);
+      this->Vertices[ids[i]] = close[i];
+      this->NumberOfMergedPoints += close[i] != ids[i] ? 1 : 0;
     }
+    return;
   }
   ForEachCoincidentGroup(points, ids, [this](auto first, auto last) {
     for (auto id = first + 1; id != last; ++id)
@@ -362,12 +432,8 @@ void vtkDGGPreparedMesh::MergeCoincidentPoints(const double* points, vtkIdType n
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGPreparedMesh::CountCoincidentBoundaryPoints(const double* points)
+std::vector<dgg::Id> vtkDGGPreparedMesh::CollectBoundary() const
 {
-  if (this->Report.CoincidentPoints == 0)
-  {
-    return;
-  }
   std::vector<dgg::Id> ids;
   for (dgg::Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
   {
@@ -379,6 +445,17 @@ void vtkDGGPreparedMesh::CountCoincidentBoundaryPoints(const double* points)
   }
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+void vtkDGGPreparedMesh::CountCoincidentBoundaryPoints(const double* points)
+{
+  if (this->Report.CoincidentPoints == 0)
+  {
+    return;
+  }
+  std::vector<dgg::Id> ids = this->CollectBoundary();
   ForEachCoincidentGroup(points, ids, [this](auto first, auto last) {
     if (last - first > 1)
     {
@@ -422,4 +499,67 @@ void vtkDGGPreparedMesh::CollectWarnings()
     "points of the boundary with the same coordinates as another one. If they are the two sides of "
     "a "
     "seam rather than of a slit, turn MergeCoincidentPoints on");
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDGGPreparedMesh::DescribeGaps(
+  vtkPolyData* input, const std::vector<bool>& isReached) const
+{
+  if (this->NumberOfCoincidentBoundaryPoints > 0 || this->Report.Components < 2)
+  {
+    return std::string(); // a warning of the mesh has named the remedy, or there are no parts
+  }
+  dgg::Id count = 0;
+  const std::vector<dgg::Id> components = this->Mesh.ComputeComponents(count);
+  std::vector<bool> isConnected(static_cast<std::size_t>(count));
+  for (std::size_t v = 0; v < isReached.size(); ++v)
+  {
+    isConnected[components[v]] = isConnected[components[v]] || isReached[v];
+  }
+  vtkIdType used = 0;
+  vtkIdType connected = 0;
+  for (dgg::Id v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
+  {
+    if (this->Mesh.FanBegin(v) != this->Mesh.FanEnd(v))
+    {
+      ++used;
+      connected += isConnected[components[v]] ? 1 : 0;
+    }
+  }
+  if (2 * connected >= used)
+  {
+    return std::string();
+  }
+  const vtkDGGPointCoordinates coordinates(input->GetPoints());
+  const double* points = coordinates.GetData();
+  const vtkBoundingBox box =
+    BoundsOf(points, CollectFinite(points, this->Mesh.GetNumberOfVertices()));
+  const std::vector<dgg::Id> boundary = this->CollectBoundary();
+  const std::vector<dgg::Id> close =
+    FindClosePoints(points, boundary, SuspectGap * box.GetDiagonalLength());
+  vtkIdType numberOfPoints = 0;
+  double gap = 0.0;
+  for (std::size_t i = 0; i < boundary.size(); ++i)
+  {
+    if (components[boundary[i]] != components[close[i]])
+    {
+      const double* p = points + 3 * static_cast<std::size_t>(boundary[i]);
+      const double* q = points + 3 * static_cast<std::size_t>(close[i]);
+      gap = std::max(gap, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+      ++numberOfPoints;
+    }
+  }
+  if (numberOfPoints == 0)
+  {
+    return std::string();
+  }
+  std::ostringstream message;
+  message << "only " << connected << " of " << used << " points are connected with a source, but "
+          << numberOfPoints << " points of the boundary are no more than " << gap
+          << " away from one of another part of the surface. If the parts belong together, "
+          << (this->Domain.Kind == vtkDGGDomain::MergedSurface
+                 ? "raise MergeTolerance to "
+                 : "turn MergeCoincidentPoints on, with a MergeTolerance of ")
+          << SuspectGap;
+  return message.str();
 }

@@ -29,17 +29,21 @@ public:
 
   /// 128 bits that tell the domain, its points and its cells from others. Equal ones give equal
   /// meshes. Much cheaper than to prepare a mesh.
-  static dgg::Signature ComputeFingerprint(vtkPolyData* input, vtkDGGDomain domain);
+  static dgg::Signature ComputeFingerprint(vtkPolyData* input, const vtkDGGDomain& domain);
 
   /// The mesh of a domain: one that is in use already where there is one of this fingerprint, else
   /// a new one. Fails with a message that names the offending point or cell.
-  static dgg::Status Make(
-    vtkPolyData* input, vtkDGGDomain domain, const dgg::Signature& fingerprint, Pointer& prepared);
+  static dgg::Status Make(vtkPolyData* input, const vtkDGGDomain& domain,
+    const dgg::Signature& fingerprint, Pointer& prepared);
 
   /// Fails when there is nothing that a surface could be made of.
   static dgg::Status CheckSurface(vtkPolyData* input);
 
-  vtkDGGDomain Domain = vtkDGGDomain::Surface;
+  /// What a user should be told when most of the surface is not connected with a vertex that is
+  /// reached, though its parts all but touch; else nothing. `input` is what the mesh was made from.
+  std::string DescribeGaps(vtkPolyData* input, const std::vector<bool>& isReached) const;
+
+  vtkDGGDomain Domain;
 
   dgg::SurfaceMesh Mesh;
   dgg::MeshReport Report;
@@ -60,6 +64,7 @@ private:
   dgg::Status Triangulate(
     vtkPolyData* input, const double* points, std::vector<dgg::Id>& triangles);
   void MergeCoincidentPoints(const double* points, vtkIdType numberOfPoints);
+  std::vector<dgg::Id> CollectBoundary() const;
   void CountCoincidentBoundaryPoints(const double* points);
   void CollectWarnings();
   dgg::Id GetVertex(vtkIdType point) const

@@ -42,7 +42,7 @@ struct vtkDiscreteGeodesicGraph::vtkInternals
 {
   vtkDGGGraphArrays OnInput;
   vtkDGGGraphArrays Built;
-  bool BuiltIsMerged = false;
+  vtkDGGDomain BuiltDomain;
   vtkDGGGraphSummary Current; // of the graph of the last update
   dgg::GraphEstimate Estimate;
   vtkTimeStamp BuildTime;
@@ -290,7 +290,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Build()
   dgg::GraphOptions options = this->MakeOptions();
   const dgg::GraphInfo& built = internals.Built.GetSummary().Info;
   const bool isKept = internals.Built.IsValid() && built.Surface == mesh.GetSignature() &&
-    internals.BuiltIsMerged == mesh.IsMerged() && IsMadeBy(built, options);
+    internals.BuiltDomain == mesh.GetDomain() && IsMadeBy(built, options);
   if (isKept)
   {
     return dgg::Status::Success();
@@ -305,7 +305,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Build()
   if (status.IsOk())
   {
     internals.Built.Adopt(graph, mesh);
-    internals.BuiltIsMerged = mesh.IsMerged();
+    internals.BuiltDomain = mesh.GetDomain();
     internals.BuildTime.Modified();
   }
   return status;

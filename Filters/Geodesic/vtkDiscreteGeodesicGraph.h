@@ -49,8 +49,8 @@
  * offsets))`. All together take 16 bytes per directed edge. Points that no polygon uses have empty rows.
  * `DGG.Info` holds: the version of this format (1); the kind (0: mesh); the construction; the bits
  * of the double Accuracy (0 for a SaddleVertexGraph); NumberOfNeighbors (0 for others); whether
- * coincident points were merged; a signature of the surface (2 values); three values that are 0; a
- * checksum of all arrays.
+ * coincident points were merged; a signature of the surface (2 values); 0; the bits of the double
+ * MergeTolerance; 0; a checksum of all arrays.
  *
  * The arrays go through other filters, and into files and back: by vtkXMLPolyDataWriter and reader
  * in any of its modes, and by vtkPolyDataWriter and reader in binary. A legacy file in ASCII, which

@@ -4,6 +4,7 @@
 
 #include "vtkDGGCompatibility.h"
 #include "vtkDGGMeshAdapter.h"
+#include "vtkDGGProperties.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -126,8 +127,10 @@ void Empty(vtkInformationVector* outputVector)
 //------------------------------------------------------------------------------
 vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
   : MergeCoincidentPoints(false)
+  , MergeTolerance(0.0)
   , OutputPointsPrecision(DOUBLE_PRECISION)
   , Reached(0.0)
+  , GapsBuildTime(0)
   , Adapter(new vtkDGGMeshAdapter)
 {
 }
@@ -140,6 +143,7 @@ void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
+  os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "MeshBuildTime: " << this->GetMeshBuildTime() << "\n";
   os << indent << "MeshReport:\n";
@@ -361,6 +365,10 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   }
   if (status.IsOk())
   {
+    status = vtkDGGCheckLength("MergeTolerance", this->MergeTolerance);
+  }
+  if (status.IsOk())
+  {
     status = this->CheckProperties();
   }
   if (!status.IsOk())
@@ -424,6 +432,35 @@ const vtkDGGMeshAdapter& vtkGeodesicAlgorithm::GetMesh() const
 }
 
 //------------------------------------------------------------------------------
+vtkDGGDomain vtkGeodesicAlgorithm::GetDomain(vtkPolyData* surface) const
+{
+  if (this->IsCloud(surface))
+  {
+    return { vtkDGGDomain::Cloud, 0.0 };
+  }
+  return this->MergeCoincidentPoints
+    ? vtkDGGDomain{ vtkDGGDomain::MergedSurface, this->MergeTolerance }
+    : vtkDGGDomain{ vtkDGGDomain::Surface, 0.0 };
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicAlgorithm::WarnAboutGaps(vtkPolyData* surface, const std::vector<bool>& isReached)
+{
+  const auto reached =
+    static_cast<std::size_t>(std::count(isReached.begin(), isReached.end(), true));
+  if (this->GapsBuildTime == this->GetMeshBuildTime() || 2 * reached > isReached.size())
+  {
+    return;
+  }
+  this->GapsBuildTime = this->GetMeshBuildTime();
+  const std::string warning = this->Adapter->DescribeGaps(surface, isReached);
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning << ".");
+  }
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkGeodesicAlgorithm::PrepareMesh(vtkPolyData* surface)
 {
   if (!surface)
@@ -431,9 +468,7 @@ dgg::Status vtkGeodesicAlgorithm::PrepareMesh(vtkPolyData* surface)
     return dgg::Status::Invalid(
       "there is no input: call SetInputConnection() or SetInputData() with a surface");
   }
-  const vtkDGGDomain domain = this->IsCloud(surface) ? vtkDGGDomain::Cloud
-    : this->MergeCoincidentPoints                    ? vtkDGGDomain::MergedSurface
-                                                     : vtkDGGDomain::Surface;
+  const vtkDGGDomain domain = this->GetDomain(surface);
   if (this->Adapter->IsUpToDate(surface, domain))
   {
     return dgg::Status::Success();

@@ -84,12 +84,14 @@
 #include <functional> // For Attempt()
 #include <memory>     // For the mesh
 #include <string>     // For the report
+#include <vector>     // For what is reached
 
 namespace dgg
 {
 class Status;
 }
 class vtkDGGMeshAdapter;
+struct vtkDGGDomain;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -103,10 +105,30 @@ public:
    * textured mesh or in a soup of triangles. The output keeps all points; coincident ones get equal
    * distances. Default off: then points of the boundary that coincide with others of the boundary
    * are counted in a warning. Not used on point clouds, where such points are next to each other.
+   *
+   * For gaps between points that should coincide, there is MergeTolerance. A distance that leaves
+   * more than half of the surface unconnected with its sources looks for them: a warning tells the
+   * tolerance that closes them when boundaries of different parts are within 1e-6 of the diagonal.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);
   vtkBooleanMacro(MergeCoincidentPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far from each other points may be that are taken as one, as a fraction of the diagonal of
+   * the bounding box of all points; only used with MergeCoincidentPoints. Default 0: coordinates
+   * are the very same. Must not be negative or NaN.
+   *
+   * Points are taken in the order of their ids: each becomes the closest one of those before it
+   * that stay themselves and are within the tolerance, or else stays itself. So triangles move by
+   * no more than the tolerance, and of a chain of points, each close to the next, one stays for
+   * every length of about the tolerance. Choose a tolerance larger than the gaps, but much smaller
+   * than the triangles: those that have two corners merged are left out.
+   */
+  vtkSetMacro(MergeTolerance, double);
+  vtkGetMacro(MergeTolerance, double);
   ///@}
 
   ///@{
@@ -232,6 +254,17 @@ protected:
   dgg::Status PrepareMesh(vtkPolyData* surface);
 
   /**
+   * What a surface is taken for.
+   */
+  vtkDGGDomain GetDomain(vtkPolyData* surface) const;
+
+  /**
+   * After a distance: warn, once for each mesh, when most of the surface is not connected with the
+   * vertices that are reached, though its parts all but touch.
+   */
+  void WarnAboutGaps(vtkPolyData* surface, const std::vector<bool>& isReached);
+
+  /**
    * Do something that may fail or throw, and tell the error to the user. Returns whether it went
    * well; not so when it was stopped, either.
    */
@@ -257,8 +290,10 @@ private:
     vtkInformationVector* outputVector);
 
   bool MergeCoincidentPoints;
+  double MergeTolerance;
   int OutputPointsPrecision;
-  double Reached; // progress of the update so far
+  double Reached;             // progress of the update so far
+  vtkMTimeType GapsBuildTime; // of the mesh whose gaps have been looked for
   std::unique_ptr<vtkDGGMeshAdapter> Adapter;
 };
 

@@ -23,6 +23,16 @@
 
 namespace
 {
+std::vector<bool> FindReached(const vtkDGGDistanceTask& task)
+{
+  std::vector<bool> isReached(task.Distances.size());
+  for (std::size_t v = 0; v < isReached.size(); ++v)
+  {
+    isReached[v] = task.Distances[v] <= task.MaximumDistance && task.Distances[v] < dgg::Infinity;
+  }
+  return isReached;
+}
+
 /// The point array of the given name with one value per point, taken from its vertex;
 /// `unreached` where there is none.
 struct PointArrayMaker
@@ -362,6 +372,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(copy);
   this->AddResults(task, output);
+  this->WarnAboutGaps(copy, FindReached(task));
   return status;
 }
 
@@ -393,11 +404,7 @@ std::vector<vtkDGGPointArray> vtkGeodesicDistanceAlgorithm::DeclareArrays() cons
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vtkPolyData* output)
 {
-  std::vector<bool> isReached(task.Distances.size());
-  for (std::size_t v = 0; v < isReached.size(); ++v)
-  {
-    isReached[v] = task.Distances[v] <= task.MaximumDistance && task.Distances[v] < dgg::Infinity;
-  }
+  const std::vector<bool> isReached = FindReached(task);
   vtkPointData* data = output->GetPointData();
   // What the input has of these belongs to the distances that are about to be replaced.
   vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);

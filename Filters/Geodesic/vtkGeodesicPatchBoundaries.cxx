@@ -360,8 +360,7 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckInputs(
 dgg::Status vtkGeodesicPatchBoundaries::PrepareSecondMesh(vtkPolyData* surface)
 {
   vtkDGGMeshAdapter& mesh = this->Internals->SecondMesh;
-  const vtkDGGDomain domain =
-    this->GetMergeCoincidentPoints() ? vtkDGGDomain::MergedSurface : vtkDGGDomain::Surface;
+  const vtkDGGDomain domain = this->GetDomain(surface);
   if (mesh.IsUpToDate(surface, domain))
   {
     return dgg::Status::Success();

@@ -5,10 +5,8 @@
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
+#include "LoopWorld.h"
 #include "PathChecks.h"
-
-#include "dggHandleLoops.h"
-#include "dggLoopFinder.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <memory>
 
 namespace dggtest
 {
@@ -104,74 +101,6 @@ std::array<char, 2> CountCrossings(
   }
   return counts;
 }
-
-/// A mesh, its graph, and loops on it.
-class LoopWorld
-{
-public:
-  explicit LoopWorld(const TestMesh& mesh, double accuracy = 0.02)
-    : Mesh(Build(mesh))
-    , Builder(Mesh)
-  {
-    dgg::GraphOptions options;
-    options.Accuracy = accuracy;
-    const dgg::Status status = this->Builder.Build(options, this->Graph);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
-    this->Search = std::make_unique<dgg::GraphSearch>(this->Graph.View(), &this->Mesh);
-    this->Finder =
-      std::make_unique<dgg::LoopFinder>(this->Mesh, *this->Search, &this->Builder, nullptr);
-  }
-
-  FoundLoop ThroughPoint(const SurfacePoint& point, bool taut = false) const
-  {
-    FoundLoop loop;
-    this->Expect(this->Finder->ThroughPoint(point, taut, loop), loop);
-    return loop;
-  }
-
-  FoundLoop Rope(const std::vector<SurfacePoint>& points, bool taut) const
-  {
-    FoundLoop loop;
-    this->Expect(this->Finder->Rope(points, taut, loop), loop);
-    return loop;
-  }
-
-  std::vector<FoundLoop> AroundHandles() const
-  {
-    std::vector<FoundLoop> loops;
-    const dgg::Status status = dgg::FindHandleLoops(this->Mesh, {}, loops);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
-    for (const FoundLoop& loop : loops)
-    {
-      this->Expect(status, loop);
-    }
-    return loops;
-  }
-
-  dgg::SurfaceMesh Mesh;
-  dgg::GraphBuilder Builder;
-  dgg::GeodesicGraph Graph;
-  std::unique_ptr<dgg::GraphSearch> Search;
-  std::unique_ptr<dgg::LoopFinder> Finder;
-
-private:
-  /// A closed path on the surface.
-  void Expect(const dgg::Status& status, const FoundLoop& loop) const
-  {
-    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
-    const dgg::Status path = dgg::CheckPath(this->Mesh, loop.Loop);
-    EXPECT_TRUE(path.IsOk()) << path.GetMessage();
-    if (!loop.Loop.IsEmpty())
-    {
-      const SurfacePoint& first = loop.Loop.Points.front();
-      const SurfacePoint& last = loop.Loop.Points.back();
-      EXPECT_EQ(first.On, last.On);
-      EXPECT_EQ(first.Vertex, last.Vertex);
-      EXPECT_GT(loop.Loop.Length, 0.0);
-      EXPECT_LE(loop.Angle, dgg::Pi);
-    }
-  }
-};
 
 SurfacePoint At(Id vertex)
 {

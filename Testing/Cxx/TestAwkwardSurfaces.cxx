@@ -4,7 +4,10 @@
 /// Surfaces with defects, which are answered and reported.
 #include "FilterTestTools.h"
 
+#include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
+#include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkHeatGeodesicDistance.h"
 
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -14,6 +17,8 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
+#include <string>
 
 using namespace dggtest;
 
@@ -27,6 +32,31 @@ void ExpectEuclidean(vtkGeodesicDistanceAlgorithm* filter, vtkPolyData* plate, d
   {
     EXPECT_NEAR(distances[i], EuclideanDistance(plate, filter->GetSourceId(0), i), tolerance) << i;
   }
+}
+
+/// A grid of 6 x 6 squares in which every triangle has its own three points, as in an STL file.
+/// They are moved at random by up to `jitter` along each axis.
+vtkSmartPointer<vtkPolyData> MakeSoup(double jitter)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> move(-jitter, jitter);
+  auto grid = MakeGrid(6, 6);
+  Points points;
+  Cells cells;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    vtkIdType n;
+    const vtkIdType* ids;
+    grid->GetPolys()->GetCellAtId(i, n, ids);
+    cells.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+    for (int k = 0; k < 3; ++k)
+    {
+      double p[3];
+      grid->GetPoint(ids[k], p);
+      points.push_back({ { p[0] + move(random), p[1] + move(random), p[2] + move(random) } });
+    }
+  }
+  return MakeSurface(points, cells);
 }
 
 /// Two grids side by side with a seam at x = 2: the points there exist twice.
@@ -315,26 +345,70 @@ TEST(AwkwardSurfaces, ZerosOfBothSignsCoincide)
   EXPECT_NEAR(GetDistances(filter)[5], 2.0, 1e-12);
 }
 
-TEST(AwkwardSurfaces, ASoupOfTriangles)
+/// Points that all but coincide leave the surface in pieces: not in silence.
+TEST(AwkwardSurfaces, GapsAreReportedAndMerged)
 {
-  // Every triangle has its own three points, as in an STL file.
-  auto grid = MakeGrid(6, 6);
+  auto soup = MakeSoup(1e-7);
+  const auto expectReport = [&soup](vtkGeodesicDistanceAlgorithm* filter) {
+    filter->SetInputData(soup);
+    filter->AddSourceId(100);
+    const std::string count = "only 3 of " + std::to_string(soup->GetNumberOfPoints()) + " points";
+    ExpectWarning(filter, { count, "MergeCoincidentPoints on, with a MergeTolerance of 1e-06" });
+    EXPECT_TRUE(std::isnan(GetDistances(filter)[0]));
+  };
+  expectReport(vtkNew<vtkDGGDistance>());
+  expectReport(vtkNew<vtkFastMarchingGeodesicDistance>());
+  expectReport(vtkNew<vtkHeatGeodesicDistance>());
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetMaximumDistance(1.0);
+  expectReport(filter);
+  filter->SetMaximumDistance(VTK_DOUBLE_MAX);
+  ExpectSuccess(filter); // once for each mesh
+  filter->MergeCoincidentPointsOn();
+  ExpectWarning(filter, { "only 3 of", "raise MergeTolerance to 1e-06" });
+  filter->SetMergeTolerance(1e-6);
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetNumberOfComponents(), 1);
+  EXPECT_EQ(filter->GetNumberOfBoundaryLoops(), 1);
+  EXPECT_EQ(filter->GetNumberOfIsolatedPoints(), 0);
+  ExpectEuclidean(filter, soup, 1e-5);
+  const vtkMTimeType built = filter->GetMeshBuildTime();
+  filter->SetMergeTolerance(1e-5);
+  ExpectSuccess(filter);
+  EXPECT_NE(filter->GetMeshBuildTime(), built);
+  filter->SetMergeTolerance(-1.0);
+  ExpectError(filter, { "MergeTolerance" });
+}
+
+/// The closest point before it that stays, so that no point moves by more than the tolerance.
+TEST(AwkwardSurfaces, ChainsOfClosePoints)
+{
   Points points;
   Cells cells;
-  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  for (int i = 0; i < 4; ++i)
   {
-    vtkIdType n;
-    const vtkIdType* ids;
-    grid->GetPolys()->GetCellAtId(i, n, ids);
+    points.push_back({ { 0.06 * i, 0.0, 0.0 } });
+    points.push_back({ { 3.0, 1.0 + i, 0.0 } });
+    points.push_back({ { 2.0, 4.0, 1.0 * i } });
     cells.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
-    for (int k = 0; k < 3; ++k)
-    {
-      double p[3];
-      grid->GetPoint(ids[k], p);
-      points.push_back({ { p[0], p[1], p[2] } });
-    }
   }
-  auto soup = MakeSurface(points, cells);
+  auto surface = MakeSurface(points, cells);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(0);
+  filter->MergeCoincidentPointsOn();
+  filter->SetMergeTolerance(0.1 / std::sqrt(9.0 + 16.0 + 9.0));
+  ExpectWarning(filter, { "2 points where separate sheets touch" });
+  EXPECT_NE(filter->GetMeshReport().find("merged points: 2\n"), std::string::npos);
+  const auto distances = GetDistances(filter);
+  EXPECT_EQ(distances[3], 0.0);
+  EXPECT_TRUE(std::isnan(distances[6])); // far from 0, which 3 became
+  EXPECT_TRUE(std::isnan(distances[9])); // became 6
+}
+
+TEST(AwkwardSurfaces, ASoupOfTriangles)
+{
+  auto soup = MakeSoup(0.0);
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetInputData(soup);
   filter->AddSourceId(100);

@@ -114,6 +114,20 @@ class Distance(unittest.TestCase):
             )
             self.assertAlmostEqual(distances[7], np.sqrt(5.0), delta=delta)
 
+    def test_gaps(self):
+        points, triangles = support.grid(1, 1)
+        points = np.vstack([points, points + [1.0 + 1e-7, 0.0, 0.0], points + [2.0, 1e-7, 0.0]])
+        triangles = np.vstack([triangles, triangles + 4, triangles + 8])
+        pattern = "only 4 of 12 points .* with a MergeTolerance of 1e-06"
+        with self.assertWarnsRegex(RuntimeWarning, pattern):
+            self.assertTrue(np.isnan(vtkdgg.distance(points, triangles, 0)[4]))
+        merged = {"merge_coincident_points": True, "merge_tolerance": 1e-6}
+        distances = vtkdgg.distance(points, triangles, 0, **merged)
+        self.assertAlmostEqual(distances[11], np.sqrt(10.0), delta=1e-6)
+        self.assertAlmostEqual(
+            vtkdgg.path(points, triangles, 0, 11, **merged).length, np.sqrt(10.0), delta=1e-6
+        )
+
     def test_projection_tolerance(self):
         above = [[2.0, 1.0, 0.5]]
         for accuracy in (None, 0.01):

@@ -232,6 +232,26 @@ class FromPolydata(unittest.TestCase):
         self.assertAlmostEqual(graph.matrix(0, 7)[0, 0], np.sqrt(5.0), delta=1e-6)
         self.assertTrue(graph._filters[vtkdgg.vtkDGGDistance].GetUsedInputGraph())
 
+    def test_merged_within_a_tolerance(self):
+        points, triangles = support.grid(1, 1)
+        points = np.vstack([points, points + [1.0 + 1e-7, 0.0, 0.0]])
+        triangles = np.vstack([triangles, triangles + 4])
+        graph = vtkdgg.Graph(
+            points, triangles, merge_coincident_points=True, merge_tolerance=1e-6
+        )
+        for same in (
+            graph,
+            pickle.loads(pickle.dumps(graph)),
+            vtkdgg.Graph.from_polydata(graph.polydata),
+        ):
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")  # nothing is built anew
+                self.assertAlmostEqual(same.distance(0)[7], np.sqrt(5.0), delta=1e-6)
+                self.assertEqual(same.path(0, 4).length, 1.0)
+                self.assertEqual(same.path([0.0, 0.0, 0.0], 4).point_ids[0], 0)
+        with self.assertRaisesRegex(ValueError, "merge_tolerance"):
+            vtkdgg.Graph(points, triangles, merge_tolerance=-1.0)
+
     def test_no_graph(self):
         with self.assertRaisesRegex(ValueError, "no graph.*vtkDiscreteGeodesicGraph"):
             vtkdgg.Graph.from_polydata(support.polydata(self.points, self.triangles))

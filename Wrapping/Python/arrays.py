@@ -21,6 +21,7 @@ def distance(
     accuracy=None,
     merge_coincident_points=False,
     projection_tolerance=None,
+    merge_tolerance=0.0,
 ):
     """Geodesic distance of every point of a triangle mesh from the nearest source.
 
@@ -43,6 +44,10 @@ def distance(
     merge_coincident_points : bool, optional
         Whether points with the very same coordinates are one, as along the seams of a textured
         mesh or in a soup of triangles. (MergeCoincidentPoints, in the messages of the filters.)
+    merge_tolerance : float, optional
+        How far from each other merged points may be, as a fraction of the diagonal of the bounding
+        box of all points. Default: 0, the very same coordinates. Only used with
+        `merge_coincident_points`. (MergeTolerance, in the messages of the filters.)
     projection_tolerance : float, optional
         How far coordinates of sources may be from the surface, as a fraction of the diagonal of
         its bounding box. Default: 0.01. (ProjectionTolerance, in the messages of the filters.)
@@ -91,6 +96,7 @@ def distance(
     else:
         distance_filter.SetSourceData(arguments.polydata(places))
     distance_filter.SetMergeCoincidentPoints(bool(merge_coincident_points))
+    distance_filter.SetMergeTolerance(arguments.limit(merge_tolerance, "merge_tolerance"))
     distance_filter.SetProjectionTolerance(tolerance)
     distance_filter.SetMaximumDistance(limit)
     distance_filter.SetUnreachedValue(unreached)

@@ -49,6 +49,10 @@ class Graph:
     merge_coincident_points : bool, optional
         Whether points with the very same coordinates are one, as along the seams of a textured
         mesh or in a soup of triangles. (MergeCoincidentPoints, in the messages of the filters.)
+    merge_tolerance : float, optional
+        How far from each other merged points may be, as a fraction of the diagonal of the bounding
+        box of all points. Default: 0, the very same coordinates. Only used with
+        `merge_coincident_points`. (MergeTolerance, in the messages of the filters.)
 
     Raises
     ------
@@ -86,6 +90,7 @@ class Graph:
         number_of_neighbors=30,
         memory_limit=None,
         merge_coincident_points=False,
+        merge_tolerance=0.0,
     ):
         points = arguments.coordinates(points, "points")
         if len(points) == 0:
@@ -100,6 +105,7 @@ class Graph:
         builder.SetNumberOfNeighbors(arguments.integer(number_of_neighbors, "number_of_neighbors"))
         builder.SetMemoryLimit(arguments.number_of_bytes(memory_limit, "memory_limit"))
         builder.SetMergeCoincidentPoints(bool(merge_coincident_points))
+        builder.SetMergeTolerance(arguments.limit(merge_tolerance, "merge_tolerance"))
         self._build(builder, arguments.polydata(points, triangles))
 
     @classmethod
@@ -135,6 +141,7 @@ class Graph:
         else:
             builder.SetNumberOfNeighbors(info.number_of_neighbors)
         builder.SetMergeCoincidentPoints(info.is_merged)
+        builder.SetMergeTolerance(info.merge_tolerance)
         builder.SetMemoryLimit(arguments.number_of_bytes(memory_limit, "memory_limit"))
         graph = cls.__new__(cls)
         try:
@@ -411,6 +418,7 @@ class Graph:
         if kind not in self._filters:
             consumer = kind()
             consumer.SetMergeCoincidentPoints(self._info.is_merged)
+            consumer.SetMergeTolerance(self._info.merge_tolerance)
             consumer.SetMemoryLimit(self._memory_limit)
             consumer.SetInputData(self._surface)
             self._filters[kind] = consumer

@@ -36,6 +36,8 @@ class GraphInfo:
         Of a SaddleVertexGraph.
     is_merged : bool
         Whether coincident points were one.
+    merge_tolerance : float
+        How far from each other they may have been, as a fraction of the diagonal.
     """
 
     def __init__(self, polydata):
@@ -69,3 +71,6 @@ class GraphInfo:
         if not (has_accuracy or 1 <= self.number_of_neighbors < 2**31):
             raise damaged(f"its number of neighbours is {self.number_of_neighbors}")
         self.is_merged = bool(values[5])
+        self.merge_tolerance = float(values[9:10].view(np.float64)[0])
+        if not self.merge_tolerance >= 0.0:
+            raise damaged(f"its merge tolerance is {self.merge_tolerance}")

@@ -62,6 +62,7 @@ def path(
     accuracy=None,
     merge_coincident_points=False,
     projection_tolerance=None,
+    merge_tolerance=0.0,
 ):
     """A shortest path on a triangle mesh.
 
@@ -81,6 +82,10 @@ def path(
     merge_coincident_points : bool, optional
         Whether points with the very same coordinates are one, as along the seams of a textured
         mesh or in a soup of triangles. (MergeCoincidentPoints, in the messages of the filters.)
+    merge_tolerance : float, optional
+        How far from each other merged points may be, as a fraction of the diagonal of the bounding
+        box of all points. Default: 0, the very same coordinates. Only used with
+        `merge_coincident_points`. (MergeTolerance, in the messages of the filters.)
     projection_tolerance : float, optional
         How far coordinates may be from the surface, as a fraction of the diagonal of its bounding
         box. Default: 0.01. (ProjectionTolerance, in the messages of the filters.)
@@ -120,6 +125,7 @@ def path(
         finder.SetAccuracy(arguments.number(accuracy, "accuracy"))
     finder.SetInputData(arguments.polydata(points, triangles))
     finder.SetMergeCoincidentPoints(bool(merge_coincident_points))
+    finder.SetMergeTolerance(arguments.limit(merge_tolerance, "merge_tolerance"))
     finder.SetProjectionTolerance(tolerance)
     return find(finder, ends, points)
 
@@ -146,8 +152,14 @@ def find(finder, ends, points, heard=None):
             f"start and end are {unconnected[0]}{remedy if unconnected[1] == 'surface' else ''}"
         ) from None
     result = _path(output)
-    for end, name, found in zip(ends, ("start", "end"), result.point_ids[[0, -1]]):
-        if isinstance(end, int) and (found < 0 or (points[found] != points[end]).any()):
+    tolerance = 0.0
+    if finder.GetMergeCoincidentPoints():
+        tolerance = finder.GetMergeTolerance() * np.linalg.norm(np.ptp(points, axis=0))
+    for i, end, name in zip((0, -1), ends, ("start", "end")):
+        if not isinstance(end, int):
+            continue
+        is_off = np.linalg.norm(result.points[i] - points[end]) > tolerance
+        if is_off or (tolerance == 0.0 and result.point_ids[i] < 0):
             raise ValueError(f"{name}: no triangle uses point {end}; it is connected with no other")
     return result
 

@@ -29,11 +29,20 @@ constexpr double NarrowKink = 0.3;
 /// Once there is a loop, longer ones are tried that may become shorter than it.
 constexpr std::size_t MostRivals = 24;
 
-/// Let a loop go at the points that it was asked to go through.
+/// Let a loop go at the points that it was asked to go through. One that is straight there is taut.
+/// Up to the tolerance of kinks it may become a little shorter, but does not slip off.
 void LetGo(const SurfaceMesh& mesh, FoundLoop& loop)
 {
+  if (loop.Angle >= Pi - LoopShortener::AngleTolerance)
+  {
+    return;
+  }
   SurfacePath tight;
   LoopShortener(mesh).PullTight(loop.Loop, tight);
+  if (tight.IsEmpty() && !loop.IsKinked())
+  {
+    return;
+  }
   loop.Loop = std::move(tight);
   loop.Angle = Pi;
 }
@@ -318,15 +327,14 @@ Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, Foun
     return Status::Success();
   }
   loop.Loop = std::move(rope);
-  if (taut)
-  {
-    LetGo(this->Internals->Mesh, loop);
-    return Status::Success();
-  }
   for (const std::size_t stop : stops)
   {
     loop.Angle =
       std::min(loop.Angle, LoopShortener::AngleAt(this->Internals->Mesh, loop.Loop, stop));
+  }
+  if (taut)
+  {
+    LetGo(this->Internals->Mesh, loop);
   }
   return Status::Success();
 }

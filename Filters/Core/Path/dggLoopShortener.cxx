@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLoopShortener.h"
 
+#include "dggFoundLoop.h"
 #include "dggStripChain.h"
 
 #include <algorithm>
@@ -13,9 +14,6 @@ namespace dgg
 {
 namespace
 {
-/// A closed path may be smaller than pi at a vertex by this much: what could be gained is the
-/// square.
-constexpr double AngleTolerance = 1e-9;
 /// Positions on the edge at which a ring is cut that count as its ends.
 constexpr double EndTolerance = 1e-12;
 /// Halvings of the edge.
@@ -90,15 +88,17 @@ bool LoopShortener::PullTight(const SurfacePath& path, SurfacePath& loop)
 
 bool LoopShortener::Shorten(std::vector<EdgeCrossing> ring, SurfacePath& loop)
 {
-  const bool isTight = this->Tighten(ring, loop);
-  if (!isTight)
+  SurfacePath spare;
+  if (!this->Tighten(ring, loop, spare))
   {
-    loop.Clear();
+    loop = std::move(spare);
   }
-  return isTight;
+  return !loop.IsEmpty();
 }
 
-bool LoopShortener::Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop)
+/// False when the path contracts to a point; then `spare` is the first one on the way that was all
+/// but straight, if there was one.
+bool LoopShortener::Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop, SurfacePath& spare)
 {
   double length = Infinity;
   int idle = 0; // rounds without a gain
@@ -113,10 +113,16 @@ bool LoopShortener::Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop)
     const double t = this->Minimize();
     std::size_t place = 0;
     const Id vertex = this->FindBend(ring, t, place);
-    if (vertex == NoId)
+    double straight = t;
+    const double kink = vertex == NoId ? 0.0 : this->FindStraight(straight);
+    if (kink < AngleTolerance)
     {
-      this->AppendStraight(ring, t, loop);
+      this->AppendStraight(ring, straight, loop);
       return true;
+    }
+    if (kink < FoundLoop::KinkTolerance && spare.IsEmpty())
+    {
+      this->AppendStraight(ring, straight, spare);
     }
     Strip open;
     if (!this->OpenAt(ring, vertex, place, open))
@@ -272,6 +278,39 @@ double LoopShortener::Minimize()
   const double t = 0.5 * (low + high);
   this->LayAt(t);
   return t;
+}
+
+/// Where a straight path that closes within the ring crosses the edge. Then the two ends are
+/// parallel, and so are all such paths: the one in their middle keeps clear of vertices, to which
+/// rounding errors might send others. Returns the angle between the ends, the kink of the path;
+/// Infinity when there is none that would not count as straight.
+double LoopShortener::FindStraight(double& t)
+{
+  const Cut& cut = this->TheCut;
+  const Point2 edge = Difference(cut.Starts[1], cut.Starts[0]);
+  const Point2 end = Difference(cut.Ends[1], cut.Ends[0]);
+  const Point2 way = Difference(cut.Ends[0], cut.Starts[0]);
+  const double kink = std::atan2(std::abs(Cross(edge, end)), Dot(edge, end));
+  if (!(kink < FoundLoop::KinkTolerance))
+  {
+    return Infinity;
+  }
+  const auto across = [&](const Point2& p) { return Cross(way, Difference(p, cut.Starts[0])); };
+  const double span = across(cut.Starts[1]);
+  double low = std::min(0.0, span);
+  double high = std::max(0.0, span);
+  for (const Portal& portal : this->Plane.Portals)
+  {
+    low = std::max(low, across(portal.Ends[StripUnfolding::Right]));
+    high = std::min(high, across(portal.Ends[StripUnfolding::Left]));
+  }
+  if (!(high - low > EndTolerance * std::abs(span)))
+  {
+    return Infinity;
+  }
+  t = 0.5 * (low + high) / span;
+  this->LayAt(t);
+  return this->Bends.empty() ? kink : Infinity;
 }
 
 /// A vertex that the path bends around, and a crossing of an edge there; NoId when there is none.

@@ -18,10 +18,17 @@ namespace dgg
 /// Shortens a closed path, which may move everywhere, to a closed geodesic, in turns: the shortest
 /// closed path in its ring of faces is found; it bends around vertices, unless it is straight all
 /// around. It is cut open at one of them, shortened with both ends there, and led around that
-/// vertex if it is shorter there.
+/// vertex if it is shorter there. Where straight closed paths lie side by side, as around a
+/// cylinder, all are as long: it ends at the one in the middle of its ring. Where they are parallel
+/// only up to FoundLoop::KinkTolerance, as with rounded coordinates, it ends there if it would
+/// contract to a point otherwise.
 class LoopShortener
 {
 public:
+  /// A closed path may be smaller than pi at a vertex by this much: what could be gained is the
+  /// square.
+  static constexpr double AngleTolerance = 1e-9;
+
   explicit LoopShortener(const SurfaceMesh& mesh)
     : Mesh(mesh)
     , Shortener(mesh)
@@ -49,12 +56,13 @@ private:
     Point2 Ends[2];   ///< and where it ends
   };
 
-  bool Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop);
+  bool Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop, SurfacePath& spare);
   static void CloseUp(std::vector<EdgeCrossing>& ring);
   void CutAt(const std::vector<EdgeCrossing>& ring);
   double LayAt(double t);
   double SlopeAt(double t);
   double Minimize();
+  double FindStraight(double& t);
   Id FindBend(const std::vector<EdgeCrossing>& ring, double t, std::size_t& place) const;
   bool IsAt(Id vertex, const EdgeCrossing& crossing) const;
   bool OpenAt(
