@@ -189,7 +189,8 @@ def run(surface, names, limit_of):
 
 
 def read(path):
-    """The mesh of a file, None when it has no triangles."""
+    """The mesh of a file, None when it has no triangles. Readers use no threads, which a process
+    that forks must not have."""
     reader = READERS[os.path.splitext(path)[1].lower()]()
     reader.SetFileName(path)
     triangles = vtkTriangleFilter()

@@ -114,7 +114,7 @@ class Trial:
             excess = np.where(values <= bounds, -np.inf, values - bounds)
         if excess.size and excess.max() != -np.inf:
             i = np.unravel_index(np.argmax(np.nan_to_num(excess, nan=np.inf)), excess.shape)
-            self.expect(excess == -np.inf, f"{text}: {values[i]:.7g} > {bounds[i]:.7g}")
+            self.expect(excess == -np.inf, f"{text}: {values[i]:.10g} > {bounds[i]:.10g}")
 
     def slack(self, distance):
         """What rounding and lengthened edges may do to an exact distance."""
