@@ -64,6 +64,7 @@ REFUSALS = [
     r"curves have no sides where they meet",
     r"points \d+ and \d+ of the curve are not connected",
     r"the layout edge between landmarks .* cannot be drawn on",
+    r"the faces that it crosses are too narrow\. Use Method Graph",
     r"has more than two faces: patches need a surface with two sides",
     r"the surface cannot be oriented: patches need a surface with two sides",
 ]
