@@ -86,14 +86,19 @@ def polydata(points, triangles):
     return mesh
 
 
+def triangles_of(mesh):
+    """A copy of the triangles of vtkPolyData, three ids each."""
+    ids = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())
+    return np.array(ids, dtype=np.int64).reshape(-1, 3)
+
+
 def bumpy():
     """Points and triangles of a bumpy sphere, from its file."""
     reader = vtkPLYReader()
     reader.SetFileName(os.path.join(DATA, "bumpy.ply"))
     reader.Update()
     mesh = reader.GetOutput()
-    points = np.array(vtk_to_numpy(mesh.GetPoints().GetData()), dtype=float)
-    return points, np.array(vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())).reshape(-1, 3)
+    return np.array(vtk_to_numpy(mesh.GetPoints().GetData()), dtype=float), triangles_of(mesh)
 
 
 def point_array(mesh, name):

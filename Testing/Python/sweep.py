@@ -1,0 +1,331 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Run every filter over any meshes, and check what must hold of each result and how long it took.
+
+Each filter runs in a process of its own, which ends when the filter has used 20 times the time
+that it takes on a clean mesh of that size, at least 2 s. A filter may refuse a mesh only with a
+message that its documentation announces. Times are those of the processors, in all threads, so
+that a busy machine makes no difference.
+
+    sweep.py FOLDER...                   all meshes in folders
+    sweep.py --generate 2000             meshes made at random, those of sweep_seeds.txt first
+    sweep.py --generate 1 --seed 1234    one of them again
+"""
+
+import argparse
+import functools
+import json
+import os
+import pickle
+import re
+import resource
+import signal
+import sys
+import tempfile
+import time
+import warnings
+
+os.environ.setdefault("DGG_TEST_OUTPUT", tempfile.gettempdir())
+
+# pylint: disable=wrong-import-position
+import numpy as np
+import support
+import sweep_meshes
+import vtkdgg
+from sweep_checks import CHECKS, LARGE, NEEDS
+from sweep_trial import Surface, Trial
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+RATIO, LEAST = 20.0, 2.0  # times a clean mesh, and seconds, that a filter may take
+SHORTEST = 0.01  # seconds; what takes less is not told apart
+PATIENCE = 60.0  # a process that waits, or checks, for so many seconds more hangs
+LARGEST = 70_000  # points, for filters that are not meant for more
+LADDER = [50, 200, 800, 3200, 12800]  # points of the clean meshes that are measured
+SEEDS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "sweep_seeds.txt")
+
+READERS = {
+    ".ply": vtkPLYReader,
+    ".stl": vtkSTLReader,
+    ".obj": vtkOBJReader,
+    ".vtp": vtkXMLPolyDataReader,
+    ".off": vtkdgg.vtkDGGOFFReader,
+}
+
+GOOD = ("ok", "refused")
+# What the documentation says that filters refuse.
+REFUSALS = [
+    r"the triangles are too thin: about",
+    r"has more than two triangles: loops around handles need a manifold",
+    r"curves have no sides where they meet",
+    r"points \d+ and \d+ of the curve are not connected",
+    r"the layout edge between landmarks .* cannot be drawn on",
+    r"the faces that it crosses are too narrow\. Use Method Graph",
+    r"has more than two faces: patches need a surface with two sides",
+    r"the surface cannot be oriented: patches need a surface with two sides",
+]
+
+
+class Timer:
+    """Ends this process when what is inside of it has taken too long in all."""
+
+    def __init__(self, limit):
+        self.limit = limit
+        self.used = 0.0
+
+    @staticmethod
+    def now():
+        usage = resource.getrusage(resource.RUSAGE_SELF)
+        return usage.ru_utime + usage.ru_stime
+
+    def __enter__(self):
+        self.start = self.now()
+        signal.setitimer(signal.ITIMER_PROF, max(self.limit - self.used, 1e-3))
+
+    def __exit__(self, *_):
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        self.used += self.now() - self.start
+
+
+def attempt(name, surface, results, folder, limit):
+    """The outcome of one filter on a surface: a dictionary."""
+    timer = Timer(limit)
+    outcome = {"status": "ok", "messages": [], "result": None}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        trial = Trial(surface, results, folder, timer)
+        try:
+            outcome["result"] = CHECKS[name](trial)
+        except vtkdgg.VTKError as error:
+            known = all(any(re.search(p, m) for p in REFUSALS) for m in error.messages)
+            outcome["status"] = "refused" if known else "error"
+            outcome["messages"] = [re.sub(r"\s+", " ", text) for text in error.messages]
+    if trial.failures:
+        outcome["status"] = "wrong"
+        outcome["messages"] = trial.failures + outcome["messages"]
+    outcome["seconds"] = timer.used
+    return outcome
+
+
+def in_process(name, surface, results, folder, limit):
+    """attempt() in a process of its own, which may crash or be ended."""
+    sys.stdout.flush()
+    sys.stderr.flush()
+    receiver, sender = os.pipe()
+    child = os.fork()
+    if child == 0:
+        try:
+            os.close(receiver)
+            signal.setitimer(signal.ITIMER_REAL, PATIENCE + 20 * limit)
+            with os.fdopen(sender, "wb") as pipe:
+                pickle.dump(attempt(name, surface, results, folder, limit), pipe)
+        except BaseException as error:  # pylint: disable=broad-except
+            sys.excepthook(type(error), error, error.__traceback__)
+            os._exit(1)
+        os._exit(0)
+    os.close(sender)
+    with os.fdopen(receiver, "rb") as pipe:
+        data = pipe.read()
+    _, status = os.waitpid(child, 0)
+    if os.WIFEXITED(status) and os.WEXITSTATUS(status) == 0:
+        return pickle.loads(data)
+    number = os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0
+    kind, message = {
+        0: ("crash", "the check failed"),
+        signal.SIGPROF: ("too slow", f"ended after {limit:.3g} s"),
+        signal.SIGALRM: ("hangs", "ended while it waited"),
+    }.get(number, ("crash", f"signal {number}"))
+    return {"status": kind, "messages": [message], "seconds": limit, "result": None}
+
+
+class CleanTimes:
+    """Seconds that filters take on clean meshes, measured when they are needed."""
+
+    def __init__(self, names):
+        self.names = names
+        self.times = {}
+
+    def measure(self, number):
+        surface = Surface(sweep_meshes.Mesh("clean", *sweep_meshes.clean(number)))
+        best = {}
+        for _ in range(3 if number < 1000 else 1):
+            for name, outcome in run(surface, self.names, lambda name: 600.0):
+                if outcome["status"] != "ok":
+                    raise RuntimeError(f"{name} on a clean mesh: {outcome['messages']}")
+                best[name] = min(best.get(name, np.inf), outcome["seconds"])
+        return best
+
+    def limit(self, number, name):
+        """How long a filter may take."""
+        return max(LEAST, RATIO * self(number, name))
+
+    def __call__(self, number, name):
+        """The time of a filter, linear in the logarithms between the rungs of the ladder."""
+        i = int(np.clip(np.searchsorted(LADDER, number), 1, len(LADDER) - 1))
+        low, high = LADDER[i - 1 : i + 1]
+        for rung in (low, high):
+            if rung not in self.times:
+                self.times[rung] = self.measure(rung)
+        part = max(np.log(number / low) / np.log(high / low), 0.0)
+        a, b = (max(self.times[rung][name], 1e-6) for rung in (low, high))
+        return max(float(a * (b / a) ** part), SHORTEST)
+
+
+def run(surface, names, limit_of):
+    """The outcomes of filters on a surface, one after the other."""
+    results = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for name in names:
+            if "graph" in NEEDS.get(name, []) and "graph" not in results:
+                continue
+            outcome = in_process(name, surface, results, folder, limit_of(name))
+            result = outcome.pop("result")
+            if result is not None:
+                results[name] = result
+            yield name, outcome
+
+
+def read(path):
+    """The mesh of a file, None when it has no triangles. Readers use no threads, which a process
+    that forks must not have."""
+    reader = READERS[os.path.splitext(path)[1].lower()]()
+    reader.SetFileName(path)
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(reader.GetOutputPort())
+    triangles.PassVertsOff()
+    triangles.PassLinesOff()
+    mesh = vtkdgg.check(triangles)
+    if mesh.GetNumberOfPolys() == 0:
+        return None
+    points = np.array(vtk_to_numpy(mesh.GetPoints().GetData()), dtype=float)
+    return sweep_meshes.Mesh(os.path.basename(path), points, support.triangles_of(mesh))
+
+
+def files_in(folders):
+    """Paths of the meshes in folders, small ones first."""
+    found = []
+    for folder in folders:
+        for place, _, names in os.walk(folder):
+            found += [
+                os.path.join(place, name)
+                for name in names
+                if os.path.splitext(name)[1].lower() in READERS
+            ]
+    return sorted(found, key=lambda path: (os.path.getsize(path), path))
+
+
+def kept_seeds():
+    with open(SEEDS, encoding="utf-8") as file:
+        return [int(line.split("#")[0]) for line in file if line.split("#")[0].strip()]
+
+
+def meshes(options):
+    """All meshes of a run: name, function that makes it, how to run it again."""
+    script = os.path.relpath(os.path.abspath(__file__))
+    if options.generate:
+        seeds = [] if options.generate == 1 else kept_seeds()
+        seeds += range(options.seed, options.seed + options.generate)
+        for seed in dict.fromkeys(seeds):
+            again = f"{script} --generate 1 --seed {seed}"
+            yield again, functools.partial(sweep_meshes.generate, seed)
+    for path in files_in(options.folders):
+        again = f"{script} {os.path.dirname(path)} --only-mesh {os.path.basename(path)}"
+        if options.only_mesh in path:
+            yield again, functools.partial(read, path)
+
+
+def sweep(options):
+    """Records of all runs, and of which meshes there was no time for."""
+    asked = options.filters.split(",") if options.filters else list(CHECKS)
+    names = [name for name in CHECKS if any(name in [a, *NEEDS.get(a, [])] for a in asked)]
+    clean = CleanTimes(names)
+    start, records, left = time.time(), [], []
+    for again, make in meshes(options):
+        if time.time() - start > options.time_budget:
+            left.append(again)
+            continue
+        mesh = make()
+        if mesh is None:
+            continue
+        number = len(mesh.points)
+        wanted = names if number <= LARGEST else [name for name in names if name in LARGE]
+        surface = Surface(mesh)
+        for name, outcome in run(surface, wanted, functools.partial(clean.limit, number)):
+            record = {"mesh": mesh.name, "seed": mesh.seed, "points": number, "filter": name}
+            record.update(outcome, ratio=outcome["seconds"] / clean(number, name))
+            records.append(record)
+            if outcome["status"] not in GOOD:
+                print(f"{mesh.name}, {surface}, {name}: {outcome['status']}")
+                print("\n".join(f"    {message}" for message in outcome["messages"]))
+                print(f"  again: {again} --filters {name}", flush=True)
+        if options.verbose:
+            print(f"{mesh.name}: {number} points, {time.time() - start:.0f} s", flush=True)
+    return records, left
+
+
+def summarize(records, left):
+    """Print what came out."""
+    print("\nfilter            runs    ok refused failed  slowest, times a clean mesh")
+    for name in dict.fromkeys(r["filter"] for r in records):
+        own = [r for r in records if r["filter"] == name]
+        good, refused = (sum(r["status"] == status for r in own) for status in GOOD)
+        slowest = max(own, key=lambda r: r["ratio"])
+        print(
+            f"{name:<16}{len(own):>6}{good:>6}{refused:>8}{len(own) - good - refused:>7}"
+            f"  {slowest['ratio']:.1f} x, {slowest['mesh']}"
+        )
+    refusals = {}
+    for record in records:
+        if record["status"] == "refused":
+            text = re.sub(r"[\d.]+|vtk\w+: ", "#", record["messages"][0])
+            refusals.setdefault(text, []).append(record["mesh"])
+    for text, names in refusals.items():
+        print(f"refused, {len(names)} times, as {names[0]}: {text}")
+    if left:
+        print(f"time is up: {len(left)} meshes left out, the first by: {left[0]}")
+    number = len({r["mesh"] for r in records})
+    failed = sum(r["status"] not in GOOD for r in records)
+    print(f"{number} meshes, {len(records)} runs, {failed} failures")
+
+
+def keep(records):
+    """Add the seeds that failed to those that are always run."""
+    failed = {}
+    for record in records:
+        if record["status"] not in GOOD and record["seed"] is not None:
+            failed.setdefault(record["seed"], []).append(f"{record['filter']} {record['status']}")
+    with open(SEEDS, "a", encoding="utf-8") as file:
+        for seed in sorted(set(failed) - set(kept_seeds())):
+            file.write(f"{seed}  # {', '.join(failed[seed])}\n")
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("folders", nargs="*", help="folders of meshes")
+    parser.add_argument("--generate", type=int, default=0, metavar="N", help="N generated meshes")
+    parser.add_argument("--seed", type=int, default=0, help="of the first of them")
+    parser.add_argument("--filters", default="", help=f"of {', '.join(CHECKS)}; default all")
+    parser.add_argument("--only-mesh", default="", help="files with this in their path only")
+    parser.add_argument("--json", help="file for all outcomes")
+    parser.add_argument("--time-budget", type=float, default=np.inf, help="begin no mesh after, s")
+    parser.add_argument("--keep", action="store_true", help="add failing seeds to sweep_seeds.txt")
+    parser.add_argument("-v", "--verbose", action="store_true", help="a line for each mesh")
+    options = parser.parse_args()
+    records, left = sweep(options)
+    summarize(records, left)
+    if options.keep:
+        keep(records)
+    if options.json:
+        with open(options.json, "w", encoding="utf-8") as file:
+            json.dump(records, file, indent=1)
+    return any(record["status"] not in GOOD for record in records)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

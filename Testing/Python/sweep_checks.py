@@ -1,0 +1,577 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What must hold of the result of each filter, on any mesh.
+
+A check takes a Trial, runs its filter by Trial.update() and reports what does not hold by
+Trial.expect(). What it returns is there for the checks after it, in Trial.results.
+"""
+
+import os
+
+import numpy as np
+import support
+import vtkdgg
+from sweep_trial import EXACT, ON_SURFACE
+from sweep_trial import pieces_of, polygon_areas, polyline, to_triangles, with_points
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+ACCURACY = 0.05  # of the graph
+ROUNDING = 1e-6  # relative error of lengths in the graph, beside its accuracy
+CHORD = 2e-3  # how far pieces of isolines may be from their curves, relative to the mean edge
+ZERO_MEAN = 2e-2  # mean of a Green's function, relative to its range
+SYMMETRY = {"Interpolated": 1e-3, "SingularitySubtraction": 2e-2}  # the same
+METRIC = 1e-6  # of biharmonic distances
+UNITY = 1e-3  # sum of splines
+EIGENVALUES = 40
+SLOW = 3200  # points, for what is there to compare with
+LEVELS = np.linspace(0.05, 0.95, 10)
+
+
+# --- Distances -----------------------------------------------------------------------------------
+
+
+def distances_from(trial, algorithm, sources):
+    """One row for each source; infinity where it does not reach."""
+    rows = []
+    for source in sources:
+        algorithm.SetSourceIds([int(source)])
+        found = support.point_array(trial.update(algorithm), "GeodesicDistance")
+        connected = trial.surface.component == trial.surface.component[source]
+        trial.expect(np.isfinite(found) == connected, "reached is not what is connected")
+        trial.expect_most(np.abs(found[source]), 0.0, "not 0 at the source")
+        rows.append(np.where(connected, found, np.inf))
+    return np.array(rows)
+
+
+def expect_not_below_straight(trial, rows, sources):
+    points = trial.surface.points
+    for row, source in zip(rows, sources):
+        straight = np.linalg.norm(points - points[source], axis=1)
+        trial.expect_most(straight, row + trial.slack(row), "distance below the straight one")
+
+
+def expect_shortest(trial, rows, sources):
+    """What holds of distances that are lengths of shortest ways."""
+    surface = trial.surface
+    a, b = np.concatenate([surface.triangles[surface.proper][:, [i, i - 1]] for i in range(3)]).T
+    edge = np.linalg.norm(surface.points[a] - surface.points[b], axis=1)
+    for row in rows:
+        there = np.isfinite(row)[a]
+        step = np.abs(row[a[there]] - row[b[there]])
+        trial.expect_most(
+            step, edge[there] + trial.slack(row[a[there]]), "distance grows by more than an edge"
+        )
+    expect_not_below_straight(trial, rows, sources)
+    expect_symmetry(trial, rows[:, sources])
+
+
+def expect_symmetry(trial, matrix):
+    with np.errstate(invalid="ignore"):
+        difference = np.abs(matrix - matrix.T)
+    finite = np.isfinite(matrix)
+    trial.expect_most(difference[finite], trial.slack(matrix[finite]), "not symmetric")
+
+
+def exact(trial):
+    algorithm = vtkdgg.vtkExactGeodesicDistance()
+    algorithm.SetInputData(trial.mesh)
+    sources = trial.surface.sources
+    rows = distances_from(trial, algorithm, sources)
+    expect_shortest(trial, rows, sources)
+    return rows
+
+
+def engines(trial):
+    """The slow way to propagate, on meshes for which it is not too slow, gives the same."""
+    if len(trial.surface.points) > SLOW or "exact" not in trial.results:
+        return
+    algorithm = vtkdgg.vtkExactGeodesicDistance()
+    algorithm.SetInputData(trial.mesh)
+    algorithm.SetEngineToReference()
+    sources = trial.surface.sources
+    rows = distances_from(trial, algorithm, sources)
+    true = trial.results["exact"]
+    reached = np.isfinite(true)
+    difference = np.abs(rows[reached] - true[reached])
+    trial.expect_most(difference, trial.slack(true[reached]), "distances of engines differ")
+
+
+def graph(trial):
+    builder = vtkdgg.vtkDiscreteGeodesicGraph()
+    builder.SetInputData(trial.mesh)
+    builder.SetAccuracy(ACCURACY)
+    output = trial.update(builder)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(output)
+    writer.SetFileName(os.path.join(trial.folder, "graph.vtp"))
+    writer.SetCompressorTypeToNone()
+    writer.EncodeAppendedDataOff()
+    vtkdgg.check(writer)
+    again = trial.graph()
+    for i in range(output.GetFieldData().GetNumberOfArrays()):
+        array = output.GetFieldData().GetArray(i)
+        copy = again.GetFieldData().GetArray(array.GetName())
+        same = copy is not None and np.array_equal(vtk_to_numpy(array), vtk_to_numpy(copy))
+        trial.expect(same, f"{array.GetName()} is another one after a file")
+    algorithm = vtkdgg.vtkDGGDistance()
+    algorithm.SetInputData(again)
+    algorithm.CorrectionOff()
+    sources = trial.surface.sources
+    raw = distances_from(trial, algorithm, sources)
+    trial.expect(algorithm.GetUsedInputGraph(), "the graph of the file is not used")
+    expect_not_below_straight(trial, raw, sources)
+    expect_symmetry(trial, raw[:, sources])
+    algorithm.CorrectionOn()
+    corrected = distances_from(trial, algorithm, sources)
+    if "exact" in trial.results:
+        expect_promise(trial, raw, trial.results["exact"])
+        true = trial.results["exact"]
+        reached = np.isfinite(true)
+        bound = ACCURACY * true * (1 + ROUNDING) + trial.slack(true)
+        trial.expect_most(
+            np.abs(corrected - true)[reached], bound[reached], "corrected distance beyond accuracy"
+        )
+    return True
+
+
+def expect_promise(trial, found, true):
+    reached = np.isfinite(true)
+    found, true = found[reached], true[reached]
+    slack = trial.slack(true)
+    trial.expect_most(true - slack, found, "distance in the graph below the exact one")
+    bound = (1 + ACCURACY) * true * (1 + ROUNDING) + slack
+    trial.expect_most(found, bound, "distance in the graph above the promise")
+
+
+def matrix(trial):
+    algorithm = vtkdgg.vtkGeodesicDistanceMatrix()
+    algorithm.SetInputData(trial.graph())
+    sources = trial.surface.sources
+    algorithm.SetRowIds(sources.tolist())
+    trial.update(algorithm)
+    found = np.array(vtk_to_numpy(algorithm.GetMatrix())).reshape(len(sources), len(sources))
+    found = np.where(np.isnan(found), np.inf, found)
+    trial.expect(found == found.T, "not symmetric")
+    trial.expect(np.diag(found) == 0.0, "not 0 on the diagonal")
+    if "exact" in trial.results:
+        expect_promise(trial, found, trial.results["exact"][:, sources])
+
+
+def approximate(make):
+    def check(trial):
+        algorithm = make()
+        algorithm.SetInputData(trial.mesh)
+        rows = distances_from(trial, algorithm, trial.surface.sources[:2])
+        trial.expect(rows >= 0.0, "negative distance")
+
+    return check
+
+
+# --- Curves --------------------------------------------------------------------------------------
+
+
+def expect_on_surface(trial, lines, what):
+    """Ends and middle of each piece lie in its face. Returns pieces, lines, middles and faces."""
+    pieces, line = pieces_of(lines)
+    points = vtk_to_numpy(lines.GetPoints().GetData()) if len(pieces) else np.empty((0, 3))
+    face = support.point_array(lines, "FaceId")[pieces[:, 0]] if len(pieces) else line
+    cells = trial.surface.cells
+    trial.expect((face >= 0) & (face < len(cells)), f"{what}: no such face")
+    face = np.clip(face, 0, len(cells) - 1)
+    corners = trial.surface.points[cells[face]]
+    bound = ON_SURFACE * trial.surface.sides[face].max(axis=1) + trial.surface.rounding
+    ends = points[pieces]
+    for place, text in ((ends[:, 0], "start"), (ends.mean(axis=1), "middle"), (ends[:, 1], "end")):
+        trial.expect(np.isfinite(place), f"{what}: {text} is not finite")
+        trial.expect_most(
+            to_triangles(place, corners), bound, f"{what}: {text} of a piece is off its face"
+        )
+    return pieces, line, ends, face
+
+
+def expect_lengths(trial, lines, what):
+    """The array of lengths is that of the polylines."""
+    _, line, ends, _ = expect_on_surface(trial, lines, what)
+    lengths = vtk_to_numpy(lines.GetCellData().GetArray("Length")) if len(ends) else np.empty(0)
+    step = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    summed = np.bincount(line, step, minlength=len(lengths))
+    slack = np.bincount(line, minlength=len(lengths)) * (trial.lengthened + trial.surface.rounding)
+    trial.expect_most(
+        np.abs(summed - lengths), EXACT * lengths + slack, f"{what}: Length is not of its points"
+    )
+    return lengths
+
+
+def paths(method):
+    def check(trial):
+        surface = trial.surface
+        sources = surface.sources
+        targets = surface.rng.choice(np.unique(surface.triangles[surface.proper]), 3)
+        algorithm = vtkdgg.vtkDGGPath()
+        algorithm.SetMethod(method)
+        algorithm.SetInputData(trial.mesh if method else trial.graph())
+        pairs = [(i, j) for i in range(len(sources)) for j in np.append(sources, targets)]
+        for i, j in pairs:
+            algorithm.AddPair(int(sources[i]), int(j))
+        output = trial.update(algorithm)
+        start, end = np.array([(sources[i], j) for i, j in pairs]).T
+        connected = surface.component[start] == surface.component[end]
+        status = vtk_to_numpy(output.GetFieldData().GetArray("PathStatus"))
+        trial.expect((status == 0) == connected, "PathStatus is not what is connected")
+        lengths = expect_lengths(trial, output, "path")
+        if len(lengths) == 0:
+            return
+        points = vtk_to_numpy(output.GetPoints().GetData())
+        offsets = vtk_to_numpy(output.GetLines().GetOffsetsArray())
+        ids = vtk_to_numpy(output.GetLines().GetConnectivityArray())
+        pair = vtk_to_numpy(output.GetCellData().GetArray("PairId"))
+        for place, wanted in ((offsets[:-1], start), (offsets[1:] - 1, end)):
+            gap = np.linalg.norm(points[ids[place]] - surface.points[wanted[pair]], axis=1)
+            trial.expect_most(gap, surface.rounding, "path does not end where it should")
+        if "exact" not in trial.results:
+            return
+        true = np.array([trial.results["exact"][i, j] for i, j in pairs])[pair]
+        # Paths that pass a point closely go through it.
+        slack = trial.slack(true) + ON_SURFACE * surface.sides.max()
+        trial.expect_most(true - slack, lengths, "path below the exact distance")
+        if method:
+            trial.expect_most(lengths, true + slack, "exact path too long")
+            return
+        bound = vtk_to_numpy(output.GetCellData().GetArray("GraphLength"))
+        trial.expect_most(lengths, bound + slack, "path above its bound")
+        expect_promise(trial, bound, true)
+
+    return check
+
+
+def loops(trial):
+    surface = trial.surface
+    algorithm = vtkdgg.vtkDGGLoop()
+    algorithm.SetInputData(trial.graph())
+    algorithm.SetPointIds([int(i) for i in surface.inner[:2]])
+    for taut in (False, True):
+        algorithm.SetTaut(taut)
+        expect_lengths(trial, trial.update(algorithm), "loop")
+    algorithm.SetModeToAroundHandles()
+    expect_lengths(trial, trial.update(algorithm), "loop around a handle")
+
+
+def isolines(make, accuracy):
+    """Isolines of what a distance filter gives, with an accuracy of 0 where it is exact."""
+
+    def check(trial):
+        source = int(trial.surface.inner[0])
+        distance = make(trial)
+        distance.SetSourceIds([source])
+        field = trial.update(distance)
+        values = support.point_array(field, "GeodesicDistance")
+        algorithm = vtkdgg.vtkApolloniusIsolines()
+        algorithm.SetInputData(field)
+        algorithm.GenerateBandsOn()
+        levels = LEVELS * np.nanmax(values)
+        for i, level in enumerate(levels):
+            algorithm.SetValue(i, level)
+        lines = trial.update(algorithm)
+        trial.expect(algorithm.GetUsedWindows() == (accuracy == 0.0), "windows are used, or not")
+        _, line, ends, face = expect_on_surface(trial, lines, "isoline")
+        inside = np.isfinite(values)[trial.surface.cells].all(axis=1)
+        expect_parts(trial, algorithm.GetBands(), inside, "bands")
+        if len(ends) == 0:
+            return
+        level = vtk_to_numpy(lines.GetCellData().GetArray("IsoValue"))[line]
+        expect_levels(trial, values, ends, face, level, accuracy)
+        if accuracy == 0.0:
+            expect_exact_levels(trial, source, ends, face, level)
+
+    return check
+
+
+def expect_levels(trial, values, ends, face, level, accuracy):
+    """A value is that of each corner, up to the way from there; where it is not exact, it may also
+    lie between those of the corners."""
+    corners = trial.surface.cells[face]
+    way = np.linalg.norm(ends[:, :1] - trial.surface.points[corners], axis=2)
+    excess = (np.abs(values[corners] - level[:, None]) - way).max(axis=1)
+    if accuracy > 0:
+        least, most = values[corners].min(axis=1), values[corners].max(axis=1)
+        excess[(least <= level) & (level <= most)] = 0.0
+    slack = trial.slack(level) + ON_SURFACE * trial.surface.sides[face].max(axis=1)
+    trial.expect_most(excess, accuracy * level + slack, "isoline where corners forbid its value")
+
+
+def expect_exact_levels(trial, source, ends, face, level):
+    """The middles of some pieces, made points of the mesh, have the value as exact distance."""
+    surface = trial.surface
+    long = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) > 1e-3 * surface.mean_edge
+    fat = surface.areas[face] > 1e-3 * surface.sides[face].max(axis=1) ** 2
+    chosen = np.flatnonzero(long & fat)
+    chosen = surface.rng.permutation(chosen)[:100]
+    _, first = np.unique(surface.first_copy[face[chosen]], return_index=True)
+    chosen = chosen[first]
+    middles = ends[chosen].mean(axis=1)
+    found = exact_inside(trial, source, middles, surface.first_copy[face[chosen]])
+    bound = CHORD * surface.mean_edge + trial.slack(level[chosen])
+    trial.expect_most(np.abs(found - level[chosen]), bound, "isoline is not at its level")
+
+
+def exact_inside(trial, source, places, faces):
+    """Exact distances of places inside of faces, one in each, which become points of the mesh."""
+    algorithm = vtkdgg.vtkExactGeodesicDistance()
+    algorithm.SetInputData(support.polydata(*with_points(trial.surface, places, faces)))
+    algorithm.SetSourceIds([source])
+    found = support.point_array(trial.update(algorithm), "GeodesicDistance")
+    return found[len(trial.surface.points) :]
+
+
+def probe(trial):
+    """Probes of windows inside of faces that no other face touches there."""
+    surface = trial.surface
+    source = int(surface.inner[0])
+    fat = surface.areas > 1e-3 * surface.sides.max(axis=1) ** 2
+    faces = surface.rng.permutation(np.flatnonzero(surface.once & fat))[:20]
+    corners = surface.points[surface.triangles]
+    places = np.einsum("ij,ijk->ik", surface.rng.dirichlet([3, 3, 3], len(faces)), corners[faces])
+    away = [to_triangles(np.broadcast_to(place, (len(corners), 3)), corners) for place in places]
+    alone = np.flatnonzero([(way < CHORD * surface.mean_edge).sum() == 1 for way in away])
+    reached = surface.component[surface.triangles[faces[alone], 0]] == surface.component[source]
+    alone = alone[reached]
+    if len(alone) == 0:
+        return
+    distance = with_windows(trial)
+    distance.SetSourceIds([source])
+    algorithm = vtkdgg.vtkGeodesicProbe()
+    algorithm.SetInputData(trial.update(distance))
+    algorithm.SetProbeData(support.polydata(places[alone], np.empty((0, 3))))
+    found = support.point_array(trial.update(algorithm), "GeodesicDistance")
+    true = exact_inside(trial, source, places[alone], faces[alone])
+    trial.expect_most(np.abs(found - true), trial.slack(true), "probe is not the exact distance")
+
+
+# --- Cells ---------------------------------------------------------------------------------------
+
+
+def expect_parts(trial, polygons, wanted, what):
+    """Polygons fill the triangles that they are parts of; of the wanted ones, a copy of each."""
+    surface = trial.surface
+    face = []
+    if polygons.GetNumberOfCells() > 0:
+        face = vtk_to_numpy(polygons.GetCellData().GetArray("FaceId"))
+    areas = np.bincount(face, polygon_areas(polygons), len(surface.cells)) if len(face) else None
+    there = np.zeros(len(surface.cells), dtype=bool)
+    there[face] = True
+    copies = np.zeros(len(surface.cells), dtype=bool)
+    copies[surface.first_copy[there]] = True
+    trial.expect(copies[surface.once & wanted], f"{what}: a triangle is left out")
+    if areas is not None:
+        bound = EXACT * surface.areas + surface.rounding * surface.sides.max(axis=1)
+        trial.expect_most(
+            np.abs(areas - surface.areas)[there], bound[there], f"{what}: a triangle is not filled"
+        )
+
+
+def voronoi(trial):
+    surface, sites = trial.surface, trial.surface.sources
+    algorithm = vtkdgg.vtkGeodesicVoronoi()
+    algorithm.SetInputData(trial.graph())
+    algorithm.SetSiteIds(sites.tolist())
+    output = trial.update(algorithm)
+    label = support.point_array(output, "GeodesicSource")
+    reached = np.isin(surface.component, surface.component[sites])
+    trial.expect((label >= 0) == reached, "labelled is not what is connected")
+    if "exact" in trial.results:
+        rows = trial.results["exact"]
+        points = np.flatnonzero(reached)
+        nearest = rows.min(axis=0)[points]
+        own = rows[label[points], points]
+        bound = nearest * (1 + ACCURACY) / (1 - ACCURACY) * (1 + ROUNDING) + trial.slack(nearest)
+        trial.expect_most(own, bound, "label is not that of the nearest site")
+    cells = algorithm.GetCells()
+    expect_parts(trial, cells, surface.proper, "cells")
+    site, index = np.unique(vtk_to_numpy(cells.GetCellData().GetArray("SiteId")), return_index=True)
+    area = vtk_to_numpy(cells.GetCellData().GetArray("CellArea"))[index][site >= 0].sum()
+    inside = reached[surface.cells].all(axis=1) & surface.once
+    whole = surface.areas[inside].sum()
+    trial.expect_most(abs(area - whole), EXACT * whole, f"areas of cells do not sum to {whole:.6g}")
+
+
+def sampler(trial):
+    algorithm = vtkdgg.vtkGeodesicSampler()
+    algorithm.SetInputData(trial.graph())
+    algorithm.SetNumberOfSamples(30)
+    output = trial.update(algorithm)
+    radius = support.point_array(output, "CoveringRadius")
+    ids = support.point_array(output, "vtkOriginalPointIds")
+    trial.expect(radius[1:] <= radius[:-1], "covering radius grows")
+    trial.expect(len(np.unique(ids)) == len(ids), "a sample is taken twice")
+    surface = trial.surface
+    pieces = len(np.unique(surface.component[surface.component >= 0]))
+    trial.expect(np.isfinite(radius[-1]) == (len(ids) >= pieces), "a component without a sample")
+
+
+# --- Spectral filters ----------------------------------------------------------------------------
+
+
+def greens(method):
+    def check(trial):
+        surface, sources = trial.surface, trial.surface.inner
+        algorithm = vtkdgg.vtkDiscreteGreensFunction()
+        algorithm.SetInputData(trial.mesh)
+        algorithm.SetSourceIds(sources.tolist())
+        getattr(algorithm, f"SetMethodTo{method}")()
+        values = support.point_array(trial.update(algorithm), "GreensFunction")
+        values = values.reshape(len(surface.points), len(sources))
+        trial.expect(np.isfinite(values), "not finite")
+        spread = np.ptp(values)
+        pairs = values[sources]
+        off = np.abs(pairs - pairs.T).max()
+        trial.expect_most(off / spread, SYMMETRY[method], "not symmetric, relative to the range")
+        thirds = np.repeat(surface.areas[surface.once] / 3, 3)
+        mass = np.bincount(surface.triangles[surface.once].ravel(), thirds, len(surface.points))
+        own = surface.component == surface.component[sources[0]]
+        mean = np.abs(mass[own] @ values[own]).max() / mass[own].sum()
+        trial.expect_most(mean / spread, ZERO_MEAN, "mean is not 0, relative to the range")
+
+    return check
+
+
+def biharmonic(trial):
+    sources = trial.surface.inner
+    algorithm = vtkdgg.vtkBiharmonicDistance()
+    algorithm.SetInputData(trial.mesh)
+    algorithm.SetSourceIds(sources.tolist())
+    algorithm.SetNumberOfEigenvalues(EIGENVALUES)
+    values = support.point_array(trial.update(algorithm), "BiharmonicDistance")
+    values = values.reshape(len(trial.surface.points), -1)
+    own = trial.surface.component == trial.surface.component[sources[0]]
+    trial.expect(np.isfinite(values) == own[:, None], "reached is not what is connected")
+    pairs = values[sources]
+    slack = METRIC * np.nanmax(values)
+    trial.expect_most(np.abs(pairs - pairs.T), slack, "not symmetric")
+    trial.expect_most(np.diag(pairs), slack, "not 0 at the source")
+    detour = (pairs[:, :, None] + pairs[None]).min(axis=1)
+    trial.expect_most(pairs, detour + slack, "longer than a detour")
+
+
+def splines(trial):
+    algorithm = vtkdgg.vtkHarmonicBSpline()
+    algorithm.SetInputData(trial.mesh)
+    algorithm.SetNumberOfSites(10)
+    values = support.point_array(trial.update(algorithm), "HarmonicBSpline")
+    used = trial.surface.component >= 0
+    sums = values.reshape(len(used), -1).sum(axis=1)[used]
+    trial.expect_most(np.abs(sums - 1.0), UNITY, "functions do not sum to 1")
+
+
+def movers(trial):
+    surface = trial.surface
+    start, end = surface.inner[:2]
+    algorithm = vtkdgg.vtkSurfaceEarthMoversDistance()
+    mass = np.zeros((2, len(surface.points)))
+    mass[0, start] = mass[1, end] = 1.0
+    for name, values in zip(("From", "To"), mass):
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        trial.mesh.GetPointData().AddArray(array)
+    algorithm.SetInputData(trial.mesh)
+    algorithm.SetFromArrayName("From")
+    algorithm.SetToArrayName("To")
+    algorithm.SetArrayMeaningToMass()
+    trial.update(algorithm)
+    cost, low = algorithm.GetDistance(), algorithm.GetLowerBound()
+    trial.expect(np.isfinite([cost, low]), "not finite")
+    trial.expect_most(low, cost * (1 + ROUNDING), "lower bound above the distance")
+
+
+def graphics(trial):
+    surface = trial.surface
+    ends = surface.inner[:2]
+    curve = polyline(surface.points[ends])
+    for name, color in (("LeftColor", [1.0, 0.0, 0.0]), ("RightColor", [0.0, 0.0, 1.0])):
+        array = numpy_to_vtk(np.array([color]), deep=True)
+        array.SetName(name)
+        curve.GetCellData().AddArray(array)
+    algorithm = vtkdgg.vtkPoissonVectorGraphics()
+    algorithm.SetInputData(trial.mesh)
+    algorithm.SetCurveData(curve)
+    colors = support.point_array(trial.update(algorithm), "Colors")
+    trial.expect(np.isfinite(colors), "colours are not finite")
+
+
+def patches(trial):
+    """The surface and a copy that is turned over."""
+    surface = trial.surface
+    landmarks = surface.inner[:3].tolist()
+    algorithm = vtkdgg.vtkGeodesicPatchBoundaries()
+    algorithm.SetInputData(trial.mesh)
+    algorithm.SetSecondSurfaceData(support.polydata(surface.points[:, [1, 2, 0]], surface.cells))
+    algorithm.SetFirstLandmarkIds(landmarks)
+    algorithm.SetSecondLandmarkIds(landmarks)
+    algorithm.SetLayoutData(polyline(surface.points[landmarks]))
+    curves = trial.update(algorithm)
+    lengths = expect_lengths(trial, curves, "curve")
+    trial.expect(np.isfinite(lengths), "not finite")
+    edges, others = (
+        vtk_to_numpy(algorithm.GetOutput(i).GetCellData().GetArray("LayoutEdge")) for i in (0, 1)
+    )
+    trial.expect(len(edges) == 2 and np.array_equal(edges, others), "curves do not correspond")
+
+
+def with_windows(trial):
+    algorithm = vtkdgg.vtkExactGeodesicDistance()
+    algorithm.SetInputData(trial.mesh)
+    algorithm.GenerateWindowsOn()
+    return algorithm
+
+
+def with_fit(trial):
+    algorithm = vtkdgg.vtkExactGeodesicDistance()
+    algorithm.SetInputData(trial.mesh)
+    return algorithm
+
+
+def with_virtual_sources(trial):
+    algorithm = vtkdgg.vtkDGGDistance()
+    algorithm.SetInputData(trial.graph())
+    algorithm.GenerateVirtualSourceOn()
+    return algorithm
+
+
+# In this order, as some need what earlier ones give. Those on all meshes come first.
+CHECKS = {
+    "exact": exact,
+    "engines": engines,
+    "graph": graph,
+    "path": paths(vtkdgg.vtkDGGPath.Graph),
+    "exact-path": paths(vtkdgg.vtkDGGPath.Exact),
+    "isolines": isolines(with_windows, 0.0),
+    "isolines-fit": isolines(with_fit, 2 * ACCURACY),
+    "isolines-graph": isolines(with_virtual_sources, 2 * ACCURACY),
+    "probe": probe,
+    "voronoi": voronoi,
+    "sampler": sampler,
+    "matrix": matrix,
+    "loop": loops,
+    "patches": patches,
+    "heat": approximate(vtkdgg.vtkHeatGeodesicDistance),
+    "marching": approximate(vtkdgg.vtkFastMarchingGeodesicDistance),
+    "greens": greens("SingularitySubtraction"),
+    "greens-linear": greens("Interpolated"),
+    "biharmonic": biharmonic,
+    "spline": splines,
+    "movers": movers,
+    "graphics": graphics,
+}
+LARGE = ["exact", "graph", "path"]  # what runs on meshes of any size
+# Which others a filter needs before it: the graph, or something to compare with.
+NEEDS = {
+    "engines": ["exact"],
+    "graph": ["exact"],
+    "path": ["exact", "graph"],
+    "exact-path": ["exact"],
+    "isolines-graph": ["graph"],
+    "voronoi": ["exact", "graph"],
+    "sampler": ["graph"],
+    "matrix": ["exact", "graph"],
+    "loop": ["graph"],
+}
