@@ -59,6 +59,7 @@ READERS = {
 GOOD = ("ok", "refused")
 # What the documentation says that filters refuse.
 REFUSALS = [
+    r"multipl(y|ies) among non-manifold edges or triangles without area",
     r"the triangles are too thin: about",
     r"has more than two triangles: loops around handles need a manifold",
     r"curves have no sides where they meet",
