@@ -144,7 +144,7 @@ struct vtkSurfaceEarthMoversDistance::vtkInternals
 vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
   : ArrayMeaning(Density)
   , Normalize(true)
-  , MaximumNumberOfIterations(500)
+  , MaximumNumberOfIterations(200)
   , Tolerance(1e-2)
   , ProjectionTolerance(0.01)
   , IntrinsicDelaunay(false)

@@ -18,7 +18,7 @@ struct EarthMoversOptions
 {
   /// Most iterations, each a factorization; 0 gives the cost of the flow that is a gradient, which
   /// is an upper bound. Some 10 to 100 are needed.
-  int MostIterations = 500;
+  int MostIterations = 200;
   /// Stop when the bounds are this close, relative to the upper one.
   double Tolerance = 1e-2;
   ProgressCallback Progress; ///< may be empty
