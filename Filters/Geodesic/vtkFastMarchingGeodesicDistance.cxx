@@ -3,6 +3,7 @@
 #include "vtkFastMarchingGeodesicDistance.h"
 
 #include "vtkDGGDistanceTask.h"
+#include "vtkDGGMeshQuality.h"
 
 #include "dggFastMarching.h"
 
@@ -22,6 +23,7 @@ struct vtkFastMarchingGeodesicDistance::Preparation
 //------------------------------------------------------------------------------
 vtkFastMarchingGeodesicDistance::vtkFastMarchingGeodesicDistance()
   : FrontShape(Spherical)
+  , QualityWarning(false)
 {
 }
 
@@ -33,6 +35,7 @@ void vtkFastMarchingGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FrontShape: " << this->GetFrontShapeAsString() << "\n";
+  os << indent << "QualityWarning: " << (this->QualityWarning ? "true" : "false") << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -55,6 +58,7 @@ dgg::Status vtkFastMarchingGeodesicDistance::ComputeDistances(vtkDGGDistanceTask
   {
     this->Prepared.reset(); // before there are two
     this->Prepared.reset(new Preparation{ this->GetMeshBuildTime(), dgg::FastMarching(task.Mesh) });
+    this->QualityWarning = vtkDGGWarnOfLongTriangles(this);
   }
   dgg::MarchingResult result;
   const dgg::Status status = this->Prepared->Solver.Run(task.Sources, options, result);

@@ -18,6 +18,23 @@
  * are close to each other, several times too long. Have such a surface remeshed, or take
  * vtkExactGeodesicDistance or vtkDGGDistance.
  *
+ * Errors relative to exact distances with Spherical updates, of all points from 10 of them, in
+ * percent; tau is the median anisotropy (GetMedianAnisotropy()):
+ *
+ * | surface                            | points | tau  | mean | 99.9 % | largest |
+ * |------------------------------------|-------:|-----:|-----:|-------:|--------:|
+ * | scan (bunny)                       | 34 835 | 1.42 | 0.26 |    1.6 |     4.8 |
+ * | scan (gargoyle)                    | 24 992 | 1.51 | 0.54 |    1.9 |     6.5 |
+ * | part, even triangles (fandisk)     |   6475 | 1.39 | 0.19 |    2.1 |     3.3 |
+ * | part, long triangles (TR12J_cad)   | 13 441 | 1.91 | 0.72 |    3.1 |      28 |
+ * | fine long triangles (blade_aniso)  |   8231 | 6.10 | 0.00 |    0.4 |     3.5 |
+ * | part, none inside (psu_cover)      |   1351 | 4.65 |  4.2 |     30 |      42 |
+ * | part, none inside (z_bar_clamp)    |    338 | 6.19 |  2.1 |     19 |     107 |
+ *
+ * On sheets of 400 and 3700 points with jitter, stretched to a tau of 2, the 99.9 % were at 3 to 8
+ * %, at 3 at 15 to 33 %, at 6 at 45 to 110 %, with means of 0.1 to 2 %. Above 3 there is a
+ * QualityWarning; a mesh may be good all the same, as the fifth of these.
+ *
  * Inputs, sources, results and errors are those of vtkGeodesicDistanceAlgorithm. Initial distances
  * are honoured.
  *
@@ -65,6 +82,13 @@ public:
   const char* GetFrontShapeAsString() const;
   ///@}
 
+  /**
+   * Whether most triangles of the last update's mesh are long, with a median of the anisotropy (see
+   * GetMedianAnisotropy()) above 3: then distances may be far off, see above. A warning says so
+   * once for each mesh.
+   */
+  vtkGetMacro(QualityWarning, bool);
+
 protected:
   vtkFastMarchingGeodesicDistance();
   ~vtkFastMarchingGeodesicDistance() override;
@@ -78,6 +102,7 @@ private:
   struct Preparation;
 
   int FrontShape;
+  bool QualityWarning;
   std::unique_ptr<Preparation> Prepared;
 };
 

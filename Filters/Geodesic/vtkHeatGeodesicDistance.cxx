@@ -4,6 +4,7 @@
 
 #include "vtkDGGDistanceTask.h"
 #include "vtkDGGMemory.h"
+#include "vtkDGGMeshQuality.h"
 
 #include "dggHeatMethod.h"
 #include "dggProgressPart.h"
@@ -35,6 +36,7 @@ vtkHeatGeodesicDistance::vtkHeatGeodesicDistance()
   , IntrinsicDelaunay(true)
   , Boundary(Neumann)
   , MemoryLimit(0)
+  , QualityWarning(false)
   , NumberOfFactorizations(0)
 {
 }
@@ -50,6 +52,7 @@ void vtkHeatGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
   os << indent << "Boundary: " << this->GetBoundaryAsString() << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "QualityWarning: " << (this->QualityWarning ? "true" : "false") << "\n";
   os << indent << "NumberOfFactorizations: " << this->GetNumberOfFactorizations() << "\n";
   os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
 }
@@ -118,6 +121,7 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
     this->NumberOfFactorizations = this->GetNumberOfFactorizations();
     this->Prepared.reset(); // before there are two
     this->Prepared.reset(new Preparation{ this->GetMeshBuildTime(), dgg::HeatMethod(task.Mesh) });
+    this->QualityWarning = vtkDGGWarnOfLongTriangles(this);
   }
   dgg::HeatMethod& method = this->Prepared->Method;
   dgg::Status status = method.Analyze(options, dgg::ProgressPart(task.Progress, 0.0, AnalyzedAt));

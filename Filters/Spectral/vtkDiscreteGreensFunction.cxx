@@ -34,9 +34,9 @@ struct NamedRemark
 
 /// Why another method was used than the one asked for.
 const NamedRemark Remarks[] = { { dgg::GreensRemark::TooCoarse,
-                                  "the mesh is too coarse around them for the method, or Radius "
-                                  "too small, Interpolated was used: "
-                                  "refine it there, or raise Radius" },
+                                  "the mesh is too coarse around them for the method, its "
+                                  "triangles too large beside the radius, or Radius too small, "
+                                  "Interpolated was used: refine it there, or set Radius" },
   { dgg::GreensRemark::NoTriangle,
     "they were not found on the flipped mesh, Interpolated was used: turn IntrinsicDelaunay off" },
   { dgg::GreensRemark::NotLocalized,

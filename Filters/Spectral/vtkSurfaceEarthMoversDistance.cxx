@@ -144,8 +144,8 @@ struct vtkSurfaceEarthMoversDistance::vtkInternals
 vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
   : ArrayMeaning(Density)
   , Normalize(true)
-  , MaximumNumberOfIterations(500)
-  , Tolerance(1e-3)
+  , MaximumNumberOfIterations(200)
+  , Tolerance(1e-2)
   , ProjectionTolerance(0.01)
   , IntrinsicDelaunay(false)
   , MemoryLimit(0)
@@ -174,6 +174,7 @@ void vtkSurfaceEarthMoversDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "Distance: " << this->Distance << "\n";
   os << indent << "LowerBound: " << this->LowerBound << "\n";
+  os << indent << "Gap: " << this->Gap << "\n";
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
   os << indent << "NumberOfFactorizations: " << this->GetNumberOfFactorizations() << "\n";
   os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
@@ -271,6 +272,7 @@ void vtkSurfaceEarthMoversDistance::ForgetResults()
 {
   this->Distance = std::numeric_limits<double>::quiet_NaN();
   this->LowerBound = std::numeric_limits<double>::quiet_NaN();
+  this->Gap = std::numeric_limits<double>::quiet_NaN();
   this->NumberOfIterations = 0;
 }
 
@@ -396,6 +398,13 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   }
   this->NumberOfIterations = result.Iterations;
   this->SetResults(vtkPolyData::GetData(outputVector), copy, total, result);
+  if (options.MostIterations > 0 && result.GetGap() > options.Tolerance)
+  {
+    vtkWarningMacro("The distance is between "
+      << this->LowerBound << " and " << this->Distance << ", a gap of " << 100.0 * this->Gap
+      << " %, after " << result.Iterations << " iterations: raise MaximumNumberOfIterations or "
+      << "Tolerance, or make better triangles.");
+  }
   return status;
 }
 
@@ -405,6 +414,7 @@ void vtkSurfaceEarthMoversDistance::SetResults(
 {
   this->Distance = total * result.Distance;
   this->LowerBound = total * result.LowerBound;
+  this->Gap = result.GetGap();
   output->ShallowCopy(surface);
   AddNumber(output, DistanceName, this->Distance);
   AddNumber(output, BoundName, this->LowerBound);

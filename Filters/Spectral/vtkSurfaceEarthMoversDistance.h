@@ -32,13 +32,24 @@
  *    cells. Not with IntrinsicDelaunay, whose triangles are not those of the surface.
  *
  * <b>Method.</b> The integral of the length of flows is minimized over all that are constant in
- * each triangle and have the right divergence, with nothing through boundaries, by alternating
- * directions (ADMM) with one solve of a Poisson equation in each iteration. It ends when cost and
- * lower bound differ by less than Tolerance of the cost, or after MaximumNumberOfIterations: then
- * the two tell how far from optimal it may be, some percent for point masses. The flow is one of
- * those that cost least, so it may go by one triangle and leave out the next one, as streams do.
- * The matrix is that of vtkSpectralAlgorithm: factorized once, kept until the mesh changes. It
- * takes any triangles. Results do not depend on the number of threads.
+ * each triangle and have the right divergence, with nothing through boundaries, by an interior
+ * point method: each iteration factorizes a matrix as large as that of a Poisson equation. It ends
+ * when cost and lower bound differ by not more than Tolerance of the cost, which takes 7 to 50
+ * iterations on most meshes. When it ends before, after MaximumNumberOfIterations, a warning says
+ * so; GetGap() is what is left: 1 to 2 %, seen between some points where triangles have no area,
+ * and once on a scan. The flow is one of those that cost least, so it may go by one triangle and
+ * leave out the next one, as streams do. The matrix of the Poisson equation is that of
+ * vtkSpectralAlgorithm: factorized once, kept until the mesh changes. It takes any triangles.
+ * Results do not depend on the number of threads.
+ *
+ * <b>Accuracy.</b> The bounds are those of flows that are constant in each triangle. How far their
+ * optimum is from the distance on the surface depends on the mesh, not on iterations. Between two
+ * points of the surface it is never above the geodesic distance. Of 30 pairs of points on each
+ * mesh, found to a gap of 0.001, the worst were 0.2 to 0.5 % below on fine parts of machines and
+ * scans (1500 to 6500 points), 1 to 3 % on meshes with 300 to 3600 points and on spheres with 12 to
+ * 642, 9 to 14 % on parts without points inside their sides, 15 % on a cube of 26 points; the means
+ * 0.1 to 0.7 %, and 2 to 4 % on these parts, of which IntrinsicDelaunay takes away a part.
+ * Masses inside of triangles are shared by the corners: nothing closer than that can be told apart.
  *
  * Components, connected through edges or shared points, must each have the same mass in both, to
  * 1e-6 of the whole. Differences below that, as of sums of floats, are taken off the second one.
@@ -158,8 +169,9 @@ public:
 
   ///@{
   /**
-   * Most iterations. Default 500. With 0, the flow is the gradient of a function, which is spread
-   * out: its cost is a quick upper bound.
+   * Most iterations. Default 200, a limit that is seldom reached: a warning says when it was before
+   * Tolerance. With 0, the flow is the gradient of a function, which is spread out: its cost is a
+   * quick upper bound, and there is no warning.
    */
   vtkSetClampMacro(MaximumNumberOfIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfIterations, int);
@@ -167,8 +179,8 @@ public:
 
   ///@{
   /**
-   * How close distance and lower bound are in the end, relative to the distance. Default 1e-3; must
-   * not be negative.
+   * How close distance and lower bound are in the end, relative to the distance. Default 0.01; must
+   * not be negative. Below 1e-8 it is as 1e-8.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -212,6 +224,12 @@ public:
   vtkGetMacro(Distance, double);
   vtkGetMacro(LowerBound, double);
   ///@}
+
+  /**
+   * How far Distance may be above the optimum, relative to it: (Distance - LowerBound) / Distance;
+   * 0 for nothing to move, NaN when the last update has not found anything.
+   */
+  vtkGetMacro(Gap, double);
 
   /**
    * How many iterations the last update has done.
@@ -265,6 +283,7 @@ private:
   vtkTypeUInt64 MemoryLimit;
   double Distance;
   double LowerBound;
+  double Gap;
   int NumberOfIterations;
   std::unique_ptr<vtkInternals> Internals;
 };

@@ -77,6 +77,34 @@ TEST(EarthMovers, PointMassesAreTheirGeodesicDistanceApart)
   }
 }
 
+TEST(EarthMovers, TheGapIsClosedOnAnyTriangles)
+{
+  // Sheets of needles, strips, blocks without points inside their sides, a rough sphere.
+  const NamedMesh meshes[] = { { "needles", NeedlePlane(20, 0.01) },
+    { "box", Box(30, 2, 1, 3.0, 20.0, 0.5) }, { "block", Box(12, 1, 12, 6.0, 5.0, 6.0, 0.2) },
+    { "rough", NoisySphere(3, 0.2, 4) }, { "collinear", CollinearPlane(12) } };
+  for (const NamedMesh& named : meshes)
+  {
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    const auto solver = Ready(mesh);
+    const std::vector<dgg::SurfacePoint> points = RandomSurfacePoints(mesh, 4, 8);
+    for (int k = 0; k < 4; k += 2)
+    {
+      const dgg::EarthMoversResult result =
+        Move(*solver, PointMass(mesh, points[k]), PointMass(mesh, points[k + 1]));
+      EXPECT_LE(result.Distance - result.LowerBound, 0.01 * result.Distance) << named.Name;
+      EXPECT_LE(result.Iterations, 200) << named.Name;
+    }
+    const Id last = mesh.GetNumberOfVertices() - 1;
+    const double expected = DistancesFrom(mesh, dgg::ExactEngine::Triangle, 0)[last];
+    const dgg::EarthMoversResult result =
+      Move(*solver, PointMass(mesh, dgg::SurfacePoint::AtVertex(0)),
+        PointMass(mesh, dgg::SurfacePoint::AtVertex(last)));
+    EXPECT_LE(result.LowerBound, expected * (1.0 + 1e-6)) << named.Name;
+    EXPECT_LE(result.Distance, expected * 1.0102) << named.Name;
+  }
+}
+
 TEST(EarthMovers, TransportAlongAStripIsExact)
 {
   // Everything moves by 8 along x: no other plan is cheaper.

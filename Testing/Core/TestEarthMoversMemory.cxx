@@ -50,6 +50,7 @@ TEST(EarthMoversMemory, IsPredicted)
       masses[1][mesh.GetNumberOfVertices() / 2] = 1.0;
       dgg::EarthMoversOptions search;
       search.MostIterations = 25;
+      search.Tolerance = 0.0;
       dgg::EarthMoversResult result;
       const MemoryProbe probe;
       ASSERT_TRUE(movers.Run(masses[0], masses[1], search, result).IsOk());

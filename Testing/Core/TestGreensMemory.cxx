@@ -36,9 +36,11 @@ TEST(GreensMemory, IsPredicted)
     {
       poles.push_back(dgg::SurfacePoint::AtVertex(static_cast<dgg::Id>(k * (n / 9) + 7)));
     }
+    dgg::GreensQuery query;
+    query.Radius = named.Name == "needles" ? 1.2 : 0.0; // or no distances would be found
     std::vector<dgg::GreensResult> results;
     const MemoryProbe probe;
-    ASSERT_TRUE(function.Run(poles, {}, results).IsOk());
+    ASSERT_TRUE(function.Run(poles, query, results).IsOk());
     const std::size_t peak = probe.GetHeapPeak();
     const std::size_t predicted = function.GetWorkingMemory(0) + poles.size() * n * sizeof(double);
     // Where solutions may be refined, not all are.

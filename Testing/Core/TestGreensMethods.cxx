@@ -326,6 +326,85 @@ TEST(GreensFunction, FlippedMeshes)
   EXPECT_LT(errors[1], 0.2 * errors[0]);
 }
 
+TEST(GreensFunction, SymmetricOnPartsOfMachines)
+{
+  // Two plates without points inside, and a tube of small triangles between them.
+  constexpr Id sides = 48;
+  constexpr Id rows = 8;
+  TestMesh part;
+  for (Id row = 0; row <= rows; ++row)
+  {
+    for (Id i = 0; i < sides; ++i)
+    {
+      const double angle = 2.0 * dgg::Pi * i / sides;
+      part.AddPoint(std::cos(angle), std::sin(angle), 1.0 * row / rows);
+    }
+  }
+  const Id corners = sides * (rows + 1);
+  for (const double z : { 0.0, 1.0 })
+  {
+    part.AddPoint(5.0, 5.0, z);
+    part.AddPoint(-5.0, 5.0, z);
+    part.AddPoint(-5.0, -5.0, z);
+    part.AddPoint(5.0, -5.0, z);
+  }
+  for (Id i = 0; i < sides; ++i)
+  {
+    const Id next = (i + 1) % sides;
+    for (Id row = 0; row < rows; ++row)
+    {
+      const Id below = row * sides;
+      part.AddTriangle(below + i, below + next, below + sides + i);
+      part.AddTriangle(below + next, below + sides + next, below + sides + i);
+    }
+    for (const Id plate : { 0, 1 })
+    {
+      const Id rim = plate * rows * sides;
+      const Id corner = corners + 4 * plate + i * 4 / sides;
+      part.AddTriangle(rim + i, rim + next, corner);
+      if (next % (sides / 4) == 0)
+      {
+        part.AddTriangle(rim + next, corner, corners + 4 * plate + next * 4 / sides);
+      }
+    }
+  }
+  // On a good mesh the method is used, and symmetric up to its errors.
+  for (const bool isPart : { true, false })
+  {
+    const dgg::SurfaceMesh mesh = Build(isPart ? part : NoisySphere(4, 0.02, 3));
+    const Greens greens(mesh);
+    dgg::GreensQuery query;
+    query.Targets = RandomSurfacePoints(mesh, 10, 5);
+    for (Id v = 0; v < 10; ++v)
+    {
+      query.Targets.push_back(dgg::SurfacePoint::AtVertex(v * (mesh.GetNumberOfVertices() / 10)));
+    }
+    std::vector<std::vector<double>> values;
+    double largest = 0.0;
+    for (const dgg::SurfacePoint& pole : query.Targets)
+    {
+      const dgg::GreensResult result = greens.Run(pole, query);
+      EXPECT_EQ(result.Method == dgg::GreensMethod::Interpolated, isPart);
+      EXPECT_EQ(result.Remark == dgg::GreensRemark::TooCoarse, isPart);
+      values.push_back(result.TargetValues);
+    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        largest = std::max(largest, std::abs(values[i][j]));
+      }
+    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        EXPECT_NEAR(values[i][j], values[j][i], (isPart ? 1e-9 : 0.01) * largest) << i << " " << j;
+      }
+    }
+  }
+}
+
 TEST(GreensFunction, CoarseMeshesSaySo)
 {
   const dgg::SurfaceMesh mesh = Build(Icosahedron());

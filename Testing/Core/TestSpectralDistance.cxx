@@ -159,6 +159,37 @@ TEST(Eigenpairs, EqualPartsHaveEqualValues)
   ExpectEigenpairs(*solver, pairs, "spheres");
 }
 
+TEST(Eigenpairs, WorkGrowsWithTheNumberOfPartsOnly)
+{
+  double solved[2];
+  int blocks[2] = { 0, 0 };
+  for (const int k : { 0, 1 })
+  {
+    TestMesh spheres;
+    for (int part = 0; part < (k == 0 ? 18 : 72); ++part)
+    {
+      Append(
+        spheres, Translated(NoisySphere(part % 9 == 0 ? 3 : 1, 0.1, part), 3.0 * part, 0.0, 0.0));
+    }
+    const dgg::SurfaceMesh mesh = Build(spheres);
+    const auto solver = Ready(mesh);
+    const dgg::Eigenpairs pairs = FindPairs(*solver, 40);
+    EXPECT_EQ(pairs.GetCount(), 40);
+    EXPECT_TRUE(pairs.IsComplete);
+    ExpectEigenpairs(*solver, pairs, "spheres");
+    solved[k] = static_cast<double>(pairs.Solved);
+    // By solutions for all vertices: of all parts at the same time.
+    dgg::SpectralDistance distance(*solver);
+    const auto options = Options(dgg::SpectralKind::Biharmonic, dgg::SpectralMethod::Exact);
+    ASSERT_TRUE(distance.Prepare(options, nullptr).IsOk());
+    std::vector<double> diagonal;
+    const auto count = [&](double) { return ++blocks[k] > 0; };
+    ASSERT_TRUE(distance.FindDiagonal(nullptr, count, diagonal).IsOk());
+  }
+  EXPECT_LT(solved[1], 4.4 * solved[0]);
+  EXPECT_EQ(blocks[1], blocks[0]);
+}
+
 TEST(Eigenpairs, GivenBoundaryAndAnyTriangles)
 {
   dgg::PoissonOptions options;

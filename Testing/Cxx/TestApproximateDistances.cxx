@@ -223,6 +223,37 @@ TYPED_TEST(ApproximateDistances, ProgressAndAbort)
   }
 }
 
+TYPED_TEST(ApproximateDistances, WarnOfLongTrianglesOnceForEachMesh)
+{
+  auto* filter = this->Distance.Get();
+  filter->AddSourceId(0);
+  EXPECT_FALSE(filter->GetQualityWarning());
+  for (const double stretch : { 1.0, 10.0, 2.0 })
+  {
+    auto grid = MakeGrid(12, 12);
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      grid->GetPoint(i, p);
+      grid->GetPoints()->SetPoint(i, stretch * p[0], p[1], 0.0);
+    }
+    // One sliver is no reason.
+    const vtkIdType corners[] = { 0, 1, grid->GetNumberOfPoints() };
+    grid->GetPoints()->InsertNextPoint(0.5 * stretch, -1e-4, 0.0);
+    grid->GetPolys()->InsertNextCell(3, corners);
+    filter->SetInputData(grid);
+    if (stretch == 10.0)
+    {
+      ExpectWarning(filter, { "triangles are long", "vtkExactGeodesicDistance" });
+      EXPECT_GT(filter->GetMedianAnisotropy(), 3.0);
+      filter->SetSourceIds({ 3 });
+    }
+    ExpectSuccess(filter);
+    EXPECT_EQ(filter->GetQualityWarning(), stretch == 10.0);
+    EXPECT_GT(filter->GetMeanAnisotropy(), 3.0);
+  }
+}
+
 TYPED_TEST(ApproximateDistances, FollowTheMesh)
 {
   auto grid = MakeGrid(8, 8);

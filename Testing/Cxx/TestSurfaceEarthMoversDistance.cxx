@@ -220,6 +220,11 @@ TEST(SurfaceEarthMoversDistance, PointMassesAreTheirGeodesicDistanceApart)
   EXPECT_NEAR(distance, expected, 0.06 * expected);
   EXPECT_LT(moved.Filter->GetLowerBound(), expected);
   EXPECT_GT(moved.Filter->GetLowerBound(), 0.9 * expected);
+  EXPECT_LE(moved.Filter->GetGap(), moved.Filter->GetTolerance());
+  EXPECT_EQ(moved.Filter->GetGap(), (distance - moved.Filter->GetLowerBound()) / distance);
+  moved.Filter->SetMaximumNumberOfIterations(2);
+  ExpectWarning(moved.Filter, { "gap", "2 iterations", "MaximumNumberOfIterations" });
+  EXPECT_GT(moved.Filter->GetGap(), moved.Filter->GetTolerance());
   moved.Filter->SetMaximumNumberOfIterations(0);
   EXPECT_GT(moved.Distance(), 1.1 * distance);
   EXPECT_EQ(moved.Filter->GetNumberOfIterations(), 0);

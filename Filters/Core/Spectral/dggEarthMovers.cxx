@@ -4,6 +4,7 @@
 
 #include "dggGeodesicSource.h"
 #include "dggPoissonSystem.h"
+#include "dggSparseFactor.h"
 #include "dggThinTriangles.h"
 #include "dggUnfolding.h"
 
@@ -15,13 +16,53 @@ namespace dgg
 {
 namespace
 {
-/// Over-relaxation (Eckstein and Bertsekas, 1992).
-constexpr double Relaxation = 1.6;
-/// How different the residuals may be before the penalty is adapted, and by how much it is.
-constexpr double Imbalance = 5.0;
-constexpr double Adaption = 2.0;
-/// Iterations between adaptions and checks of bounds.
-constexpr int Interval = 10;
+/// Where the gap cannot be seen any more for rounding.
+constexpr double LeastTolerance = 1e-8;
+/// What is aimed at in a step, as a part of the gap that there is: less after long steps, more
+/// after short ones, which were stopped by slopes that are near 1.
+constexpr double FirstAim = 0.4;
+constexpr double LeastAim = 0.1;
+constexpr double LongStep = 0.7;
+constexpr double ShortStep = 0.5;
+/// Part of the way to a slope of 1 that a step goes.
+constexpr double StepMargin = 0.8;
+/// Triangles with a larger cotangent are all but lines.
+constexpr double MostCotangent = 1e4;
+/// Slope of the first potential.
+constexpr double FirstSlope = 0.9;
+
+/// A flow as a linear function of the change of the slope: Flow + (XX, XY; XY, YY) * change.
+struct LinearFlow
+{
+  Point2 Flow;
+  double XX;
+  double XY;
+  double YY;
+
+  Point2 At(const Point2& change) const
+  {
+    return { this->Flow.X + this->XX * change.X + this->XY * change.Y,
+      this->Flow.Y + this->XY * change.X + this->YY * change.Y };
+  }
+};
+
+/// On the central path the flow is the slope times e + sqrt(e^2 + |flow|^2), with a small e: it
+/// goes up the slope, which is below 1, and near 1 where there is flow. This is Newton's linear
+/// model of that, made symmetric (Andersen, Christiansen, Conn and Overton, "An efficient
+/// primal-dual interior-point method for minimizing a sum of Euclidean norms", 2000).
+LinearFlow Linearize(const Point2& flow, const Point2& slope, double e)
+{
+  const double size = Norm(flow.X, flow.Y);
+  const double root = Norm(size, e);
+  const double factor = e + root;
+  // root - flow . slope, without cancellation.
+  const double rest = e * e / (root + size) + std::max(0.0, size - Dot(flow, slope));
+  const Point2 miss{ factor * slope.X - flow.X, factor * slope.Y - flow.Y };
+  const double along = factor + Dot(flow, miss) / rest;
+  const double half = 0.5 * factor / rest;
+  return { { along * slope.X, along * slope.Y }, factor + 2.0 * half * flow.X * slope.X,
+    half * (flow.X * slope.Y + flow.Y * slope.X), factor + 2.0 * half * flow.Y * slope.Y };
+}
 
 /// Vectors constant per triangle, in frames with the first side as x axis.
 class Flows
@@ -41,16 +82,23 @@ public:
       }
       face.Length = triangulation.Length(h);
       face.Apex = LayOut(face.Length, triangulation.Length(h + 2), triangulation.Length(h + 1));
-      // Where the element was made softer, so is the flow, for both to fit together.
+      // Where the element was made softer, so is the flow, for both to fit together. A triangle
+      // that is all but a line is made larger, which conducts the same: slopes across it would be
+      // noise.
       const std::array<double, 3> allowed = system.GetCotangents(f);
       double softness = 1.0;
+      double largest = 0.0;
       for (int k = 0; k < 3; ++k)
       {
-        const double cotangent = triangulation.Cotangent(h + k);
-        softness = std::abs(cotangent) > 1.0 ? std::min(softness, std::abs(allowed[k] / cotangent))
-                                             : softness;
+        const double cotangent = std::abs(triangulation.Cotangent(h + k));
+        largest = std::max(largest, cotangent);
+        softness =
+          cotangent > 1.0 ? std::min(softness, std::abs(allowed[k]) / cotangent) : softness;
       }
-      face.Area = softness * triangulation.Area(f);
+      face.Scale = std::sqrt(std::max(1.0, largest / MostCotangent));
+      face.Length *= face.Scale;
+      face.Apex = { face.Scale * face.Apex.X, face.Scale * face.Apex.Y };
+      face.Area = softness * face.Scale * face.Scale * triangulation.Area(f);
       this->Faces.push_back(face);
     }
   }
@@ -59,6 +107,7 @@ public:
 
   std::size_t GetSize() const { return this->Faces.size(); }
   double GetArea(std::size_t f) const { return this->Faces[f].Area; }
+  double GetScale(std::size_t f) const { return this->Faces[f].Scale; }
 
   Point2 GradientOf(std::size_t f, const std::vector<double>& values) const
   {
@@ -69,16 +118,33 @@ public:
   }
 
   /// Add, per vertex, the integral of the flow against the gradient of the hat function.
-  void AddDivergence(const std::vector<Point2>& flow, std::vector<double>& values) const
+  void AddDivergence(std::size_t f, const Point2& flow, std::vector<double>& values) const
   {
-    for (std::size_t f = 0; f < this->Faces.size(); ++f)
+    const Face& face = this->Faces[f];
+    const double third = face.Area * flow.Y / face.Apex.Y;
+    const double second = (face.Area * flow.X - third * face.Apex.X) / face.Length;
+    values[face.Corners[0]] -= second + third;
+    values[face.Corners[1]] += second;
+    values[face.Corners[2]] += third;
+  }
+
+  /// Call `visit(v, w, entry)` for all pairs of corners, with the integral of grad phi_v . A grad
+  /// phi_w of their hat functions, A symmetric.
+  template <typename Visitor>
+  void ForEachEntry(std::size_t f, const LinearFlow& a, Visitor&& visit) const
+  {
+    const Face& face = this->Faces[f];
+    const Point2 second{ 1.0 / face.Length, -face.Apex.X / (face.Length * face.Apex.Y) };
+    const Point2 third{ 0.0, 1.0 / face.Apex.Y };
+    const Point2 gradients[] = { { -second.X - third.X, -second.Y - third.Y }, second, third };
+    for (int i = 0; i < 3; ++i)
     {
-      const Face& face = this->Faces[f];
-      const double third = face.Area * flow[f].Y / face.Apex.Y;
-      const double second = (face.Area * flow[f].X - third * face.Apex.X) / face.Length;
-      values[face.Corners[0]] -= second + third;
-      values[face.Corners[1]] += second;
-      values[face.Corners[2]] += third;
+      const Point2& g = gradients[i];
+      const Point2 image{ a.XX * g.X + a.XY * g.Y, a.XY * g.X + a.YY * g.Y };
+      for (int j = 0; j < 3; ++j)
+      {
+        visit(face.Corners[i], face.Corners[j], face.Area * Dot(image, gradients[j]));
+      }
     }
   }
 
@@ -99,9 +165,81 @@ private:
     double Length = 0.0;
     Point2 Apex;
     double Area = 0.0;
+    double Scale = 1.0; // of the triangle that is laid out
   };
 
   std::vector<Face> Faces;
+};
+
+/// The stiffness with a matrix in each element, another one in each step. The pattern and the order
+/// of elimination are those of the system.
+class StepMatrix
+{
+public:
+  explicit StepMatrix(const PoissonSystem& system)
+    : System(system)
+    , Upper(system.GetStiffness().rows(), system.GetStiffness().cols())
+  {
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(this->Upper.cols());
+    for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+    {
+      permutation.indices()[v] = system.GetPlace(v);
+    }
+    Eigen::SparseMatrix<double> pattern(this->Upper.rows(), this->Upper.cols());
+    pattern.selfadjointView<Eigen::Upper>() =
+      system.GetStiffness().selfadjointView<Eigen::Upper>().twistedBy(permutation);
+    // Twice, which sorts the columns.
+    pattern = Eigen::SparseMatrix<double>(pattern.transpose());
+    this->Upper = pattern.transpose();
+  }
+
+  void Clear()
+  {
+    std::fill(this->Upper.valuePtr(), this->Upper.valuePtr() + this->Upper.nonZeros(), 0.0);
+    for (Id v = 0; v < this->System.GetNumberOfVertices(); ++v)
+    {
+      if (this->System.IsPinned(v))
+      {
+        this->Upper.coeffRef(this->System.GetPlace(v), this->System.GetPlace(v)) = 1.0;
+      }
+    }
+  }
+
+  void Add(Id v, Id w, double entry)
+  {
+    const Id row = this->System.GetPlace(v);
+    const Id column = this->System.GetPlace(w);
+    if (row <= column && !this->System.IsPinned(v) && !this->System.IsPinned(w))
+    {
+      this->Upper.coeffRef(row, column) += entry;
+    }
+  }
+
+  /// Replace sources by the solution, 0 where it is pinned.
+  bool Solve(std::vector<double>& values)
+  {
+    if (!this->Factor.Compute(this->Upper))
+    {
+      return false;
+    }
+    std::vector<double> inOrder(values.size());
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      const auto id = static_cast<Id>(v);
+      inOrder[this->System.GetPlace(id)] = this->System.IsPinned(id) ? 0.0 : values[v];
+    }
+    this->Factor.Solve(inOrder);
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      values[v] = inOrder[this->System.GetPlace(static_cast<Id>(v))];
+    }
+    return true;
+  }
+
+private:
+  const PoissonSystem& System;
+  Eigen::SparseMatrix<double> Upper;
+  SparseFactor Factor;
 };
 
 double SteepestOf(const Flows& flows, const std::vector<double>& values)
@@ -115,8 +253,20 @@ double SteepestOf(const Flows& flows, const std::vector<double>& values)
   return steepest;
 }
 
+/// How many times the change may be added to a slope until that is 1; 0 where it is more already.
+double FindLongestStep(const Point2& slope, const Point2& change)
+{
+  const double a = Dot(change, change);
+  const double b = Dot(slope, change);
+  const double c = std::max(0.0, 1.0 - Dot(slope, slope));
+  // The form without cancellation: b is positive where the step is short.
+  const double root = std::sqrt(b * b + a * c);
+  return b + root > 0.0 ? (b > 0.0 ? c / (b + root) : (root - b) / a) : Infinity;
+}
+
 /// Per face of the mesh; nothing where the elements are others.
-std::vector<Point2> FlowInFaces(const PoissonSystem& system, const std::vector<Point2>& flow)
+std::vector<Point2> FlowInFaces(
+  const PoissonSystem& system, const Flows& flows, const std::vector<Point2>& flow)
 {
   const SurfaceMesh& mesh = system.GetMesh();
   std::vector<Point2> result;
@@ -126,7 +276,8 @@ std::vector<Point2> FlowInFaces(const PoissonSystem& system, const std::vector<P
     for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
     {
       const Id t = system.GetTriangleOf(f);
-      result[f] = t == NoId ? Point2{ 0.0, 0.0 } : flow[t];
+      const double scale = t == NoId ? 0.0 : flows.GetScale(t);
+      result[f] = t == NoId ? Point2{ 0.0, 0.0 } : Point2{ scale * flow[t].X, scale * flow[t].Y };
     }
   }
   return result;
@@ -195,9 +346,9 @@ std::size_t EarthMovers::GetWorkingMemory() const
   const std::size_t flow = system.GetOptions().IntrinsicDelaunay
     ? 0
     : static_cast<std::size_t>(system.GetMesh().GetNumberOfFaces()) * sizeof(Point2);
-  // Sources, potential and the best potential; flows that are exact, cheap, tried, and multipliers.
-  return 3 * n * sizeof(double) + m * (Flows::GetMemoryPerFace() + 4 * sizeof(Point2)) + flow +
-    std::max(flow, system.GetSolvingMemory());
+  // Sources, potential, the best one, step and divergence; the flow; the matrix of the step.
+  return 5 * n * sizeof(double) + m * (Flows::GetMemoryPerFace() + sizeof(Point2)) + flow +
+    std::max(flow, system.GetSolvingMemory()) + system.GetFactorMemory();
 }
 
 Status EarthMovers::Run(const std::vector<double>& from, const std::vector<double>& to,
@@ -269,7 +420,7 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
     if (cost < result.Distance)
     {
       result.Distance = cost;
-      result.Flow = FlowInFaces(system, exact);
+      result.Flow = FlowInFaces(system, flows, exact);
     }
   };
   keepFlow();
@@ -288,67 +439,83 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
   {
     return status;
   }
-  // Flows shorter than 1 / penalty are cut off; to begin with, those below the mean.
-  double penalty = area / result.Distance;
-  std::vector<Point2> cheap(m);
-  std::vector<Point2> multiplier(m);
-  std::vector<Point2> trial(m);
-  for (int k = 0; k < options.MostIterations; ++k)
+  // An interior point method: slopes stay below 1, flows keep their divergence, and e goes to 0.
+  const double firstGap = result.Distance - result.LowerBound;
+  const double tolerance = std::max(options.Tolerance, LeastTolerance);
+  const double scale = FirstSlope / SteepestOf(flows, potential);
+  for (double& value : potential)
   {
-    if (options.Progress && !options.Progress(static_cast<double>(k) / options.MostIterations))
+    value *= scale;
+  }
+  StepMatrix matrix(system);
+  std::vector<double> step(n);
+  std::vector<double> rest(n);
+  double aim = FirstAim;
+  while (result.Iterations < options.MostIterations &&
+    result.Distance - result.LowerBound > tolerance * result.Distance)
+  {
+    const double gap = result.Distance - result.LowerBound;
+    const double done =
+      std::log(firstGap / gap) / std::log(firstGap / (tolerance * result.Distance));
+    if (options.Progress &&
+      !options.Progress(
+        std::max(done, static_cast<double>(result.Iterations) / options.MostIterations)))
     {
       return Status::Abort();
     }
-    if (result.Distance - result.LowerBound <= options.Tolerance * result.Distance)
+    const double e = aim * gap / area;
+    const auto linearFlow = [&](std::size_t f) {
+      return Linearize(exact[f], flows.GradientOf(f, potential), e);
+    };
+    matrix.Clear();
+    std::fill(rest.begin(), rest.end(), 0.0);
+    for (std::size_t f = 0; f < m; ++f)
+    {
+      const LinearFlow linear = linearFlow(f);
+      flows.AddDivergence(f, linear.Flow, rest);
+      flows.ForEachEntry(f, linear, [&](Id v, Id w, double entry) { matrix.Add(v, w, entry); });
+    }
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      step[v] = sources[v] - rest[v];
+    }
+    if (!matrix.Solve(step))
     {
       break;
     }
+    std::fill(rest.begin(), rest.end(), 0.0);
+    double longest = Infinity; // until a slope is 1
     for (std::size_t f = 0; f < m; ++f)
     {
-      const Point2 p{ exact[f].X - multiplier[f].X, exact[f].Y - multiplier[f].Y };
-      const double size = Norm(p.X, p.Y);
-      const double factor = size * penalty > 1.0 ? 1.0 - 1.0 / (size * penalty) : 0.0;
-      cheap[f] = { factor * p.X, factor * p.Y };
-      trial[f] = { Relaxation * cheap[f].X + (1.0 - Relaxation) * exact[f].X + multiplier[f].X,
-        Relaxation * cheap[f].Y + (1.0 - Relaxation) * exact[f].Y + multiplier[f].Y };
+      const LinearFlow linear = linearFlow(f);
+      const Point2 slope = flows.GradientOf(f, potential);
+      const Point2 change = flows.GradientOf(f, step);
+      exact[f] = linear.At(change);
+      flows.AddDivergence(f, exact[f], rest);
+      longest = std::min(longest, FindLongestStep(slope, change));
     }
-    std::fill(potential.begin(), potential.end(), 0.0);
-    flows.AddDivergence(trial, potential);
+    // What rounding has left of the divergence.
     for (std::size_t v = 0; v < n; ++v)
     {
-      potential[v] = sources[v] - potential[v];
+      rest[v] = sources[v] - rest[v];
     }
-    system.Solve(potential);
-    double primal = 0.0;
-    double dual = 0.0;
+    system.Solve(rest);
     for (std::size_t f = 0; f < m; ++f)
     {
-      const Point2 gradient = flows.GradientOf(f, potential);
-      const Point2 next{ trial[f].X + gradient.X, trial[f].Y + gradient.Y };
-      const double change = Distance(next, exact[f]);
-      const double gap = Distance(next, cheap[f]);
-      dual += flows.GetArea(f) * change * change;
-      primal += flows.GetArea(f) * gap * gap;
-      exact[f] = next;
-      multiplier[f] = { -gradient.X, -gradient.Y };
+      const Point2 change = flows.GradientOf(f, rest);
+      exact[f] = { exact[f].X + change.X, exact[f].Y + change.Y };
     }
-    result.Iterations = k + 1;
-    if ((k + 1) % Interval == 0)
+    const double length = std::min(1.0, StepMargin * longest);
+    for (std::size_t v = 0; v < n; ++v)
     {
-      keepFlow();
-      keepPotential(potential);
-      const double ratio = std::sqrt(primal / std::max(dual, 1e-300));
-      const double scale =
-        ratio > Imbalance ? Adaption : (ratio < 1.0 / Imbalance ? 1.0 / Adaption : 1.0);
-      penalty *= scale;
-      for (Point2& u : multiplier)
-      {
-        u = { u.X / scale, u.Y / scale };
-      }
+      potential[v] += length * step[v];
     }
+    aim = length < ShortStep ? std::min(1.0, 2.0 * aim)
+                             : (length > LongStep ? std::max(LeastAim, 0.5 * aim) : aim);
+    ++result.Iterations;
+    keepFlow();
+    keepPotential(potential);
   }
-  keepFlow();
-  keepPotential(potential);
   return options.Progress && !options.Progress(1.0) ? Status::Abort() : status;
 }
 }

@@ -3,11 +3,13 @@
 #include "dggEigenpairs.h"
 
 #include "dggPoissonSystem.h"
+#include "dggProgressPart.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -25,6 +27,10 @@ constexpr Id DensePart = 5;
 /// Relative difference of eigenvalues that makes a gap.
 constexpr double Gap = 1e-4;
 constexpr int MostRestarts = 4;
+/// Values that are asked for at first of a component, besides those that its area lets expect, and
+/// the part of the progress that takes.
+constexpr double LeastWanted = 8.0;
+constexpr double FirstPassDone = 0.9;
 /// Eigenvalues of the inverse below this part of the largest are rounding.
 constexpr double Rounding = 1e-13;
 
@@ -62,6 +68,7 @@ public:
   /// How many eigenvalues there are besides 0, and how often that is one.
   Id GetRank() const { return this->Rank; }
   Id GetNullity() const { return this->Nullity; }
+  Offset GetSolved() const { return this->Solved; }
   const Eigen::VectorXd& GetRoots() const { return this->Roots; }
   const PoissonSystem& GetSystem() const { return this->System; }
 
@@ -77,6 +84,7 @@ public:
       }
     }
     this->System.Solve(values);
+    this->Solved += static_cast<Offset>(n) * x.cols();
     Eigen::MatrixXd result(n, x.cols());
     for (Id v = 0; v < n; ++v)
     {
@@ -121,6 +129,7 @@ private:
   Eigen::VectorXd Roots;
   Id Rank = 0;
   Id Nullity = 0;
+  mutable Offset Solved = 0;
 };
 
 /// An orthonormal basis that grows, and the operator on it.
@@ -294,6 +303,63 @@ Eigen::Index CountDefinite(const Eigen::VectorXd& inverses)
   return count;
 }
 
+/// A component of a mesh as a mesh of its own.
+struct MeshPart
+{
+  std::vector<Id> Vertices; // of the whole
+  std::vector<Id> Faces;
+};
+
+/// The components that have faces. Places are those of vertices in their component.
+std::vector<MeshPart> FindParts(const PoissonSystem& system, std::vector<Id>& places)
+{
+  const SurfaceMesh& mesh = system.GetMesh();
+  std::vector<MeshPart> parts(static_cast<std::size_t>(system.GetNumberOfComponents()));
+  places.resize(static_cast<std::size_t>(mesh.GetNumberOfVertices()));
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    std::vector<Id>& vertices = parts[system.GetComponent(v)].Vertices;
+    places[v] = static_cast<Id>(vertices.size());
+    vertices.push_back(v);
+  }
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    if (!mesh.IsDropped(f))
+    {
+      parts[system.GetComponent(mesh.Origin(3 * f))].Faces.push_back(f);
+    }
+  }
+  parts.erase(std::remove_if(parts.begin(), parts.end(),
+                [](const MeshPart& part) { return part.Faces.empty(); }),
+    parts.end());
+  return parts;
+}
+
+Status BuildPart(const SurfaceMesh& mesh, const MeshPart& part, const std::vector<Id>& places,
+  std::vector<Id>& placeOfFace, SurfaceMesh& result)
+{
+  std::vector<Id> triangles;
+  std::vector<double> lengths;
+  std::vector<Id> twins;
+  for (std::size_t k = 0; k < part.Faces.size(); ++k)
+  {
+    placeOfFace[part.Faces[k]] = static_cast<Id>(k);
+  }
+  for (const Id f : part.Faces)
+  {
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const Id twin = mesh.Twin(h);
+      triangles.push_back(places[mesh.Origin(h)]);
+      lengths.push_back(mesh.Length(h));
+      twins.push_back(twin == NoId ? NoId : 3 * placeOfFace[SurfaceMesh::Face(twin)] + twin % 3);
+    }
+  }
+  return SurfaceMesh::FromGluedLengths(static_cast<Offset>(part.Vertices.size()), triangles.data(),
+    static_cast<Offset>(part.Faces.size()), lengths.data(), twins.data(), result,
+    { &mesh, part.Faces.data() });
+}
+
 /// All of the inverse, of which the largest eigenvalues are accurate, as those of the matrix itself
 /// are not where it has entries of very different size.
 Status SolveDense(const Operator& op, Id count, const ProgressCallback& progress, Eigenpairs& pairs)
@@ -343,21 +409,12 @@ Status SolveDense(const Operator& op, Id count, const ProgressCallback& progress
   pairs.IsComplete = true;
   return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
 }
-}
 
-Status FindEigenpairs(
-  const PoissonSolver& solver, Id count, const ProgressCallback& progress, Eigenpairs& pairs)
+/// As if the mesh was connected.
+Status FindAllAtOnce(
+  const PoissonSystem& system, Id count, const ProgressCallback& progress, Eigenpairs& pairs)
 {
-  pairs = Eigenpairs();
-  if (!solver.IsReady())
-  {
-    return Status::Invalid("the solver has not been prepared: call Prepare() first");
-  }
-  if (count < 1)
-  {
-    return Status::Invalid("the number of eigenvalues must be positive");
-  }
-  const Operator op(solver.GetSystem());
+  const Operator op(system);
   count = std::min(count, op.GetRank());
   if (count == 0)
   {
@@ -371,7 +428,9 @@ Status FindEigenpairs(
   if (op.GetRank() <= DenseVertices ||
     (op.GetRank() <= MostDenseVertices && count > op.GetRank() / DensePart))
   {
-    return SolveDense(op, count, progress, pairs);
+    const Status status = SolveDense(op, count, progress, pairs);
+    pairs.Solved = op.GetSolved();
+    return status;
   }
   Krylov krylov(op);
   krylov.AddRandom();
@@ -435,6 +494,147 @@ Status FindEigenpairs(
     }
     krylov.AddRandom();
   }
+  pairs.Solved = op.GetSolved();
+  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+}
+
+/// The options for a part.
+PoissonOptions OptionsOf(const PoissonSystem& system, const MeshPart& part)
+{
+  PoissonOptions options = system.GetOptions();
+  options.GivenVertices.clear();
+  for (std::size_t k = 0; k < part.Vertices.size(); ++k)
+  {
+    if (system.IsFixed(part.Vertices[k]))
+    {
+      options.GivenVertices.push_back(static_cast<Id>(k));
+    }
+  }
+  return options;
+}
+
+/// The largest of the values that would be taken of those found; Infinity where there are too few.
+double FindLimit(const std::vector<Eigenpairs>& found, Id count)
+{
+  std::vector<double> values;
+  for (const Eigenpairs& of : found)
+  {
+    values.insert(values.end(), of.Values.begin(), of.Values.end());
+  }
+  if (values.size() < static_cast<std::size_t>(count))
+  {
+    return Infinity;
+  }
+  std::nth_element(values.begin(), values.begin() + (count - 1), values.end());
+  return values[count - 1];
+}
+
+/// Of all parts, the smallest values.
+void Merge(const std::vector<MeshPart>& parts, const std::vector<Eigenpairs>& found, Id count,
+  std::size_t numberOfVertices, Eigenpairs& pairs)
+{
+  struct Place
+  {
+    double Value;
+    std::size_t Part;
+    std::size_t Index;
+  };
+  std::vector<Place> order;
+  pairs.IsComplete = true;
+  for (std::size_t p = 0; p < found.size(); ++p)
+  {
+    pairs.IsComplete = pairs.IsComplete && found[p].IsComplete;
+    for (std::size_t k = 0; k < found[p].Values.size(); ++k)
+    {
+      order.push_back({ found[p].Values[k], p, k });
+    }
+  }
+  std::stable_sort(
+    order.begin(), order.end(), [](const Place& a, const Place& b) { return a.Value < b.Value; });
+  order.resize(std::min(order.size(), static_cast<std::size_t>(count)));
+  pairs.Functions.assign(order.size() * numberOfVertices, 0.0);
+  for (std::size_t k = 0; k < order.size(); ++k)
+  {
+    const std::vector<Id>& vertices = parts[order[k].Part].Vertices;
+    const double* const values =
+      found[order[k].Part].Functions.data() + order[k].Index * vertices.size();
+    pairs.Values.push_back(order[k].Value);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      pairs.Functions[k * numberOfVertices + vertices[i]] = values[i];
+    }
+  }
+}
+}
+
+Status FindEigenpairs(
+  const PoissonSolver& solver, Id count, const ProgressCallback& progress, Eigenpairs& pairs)
+{
+  pairs = Eigenpairs();
+  if (!solver.IsReady())
+  {
+    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+  }
+  if (count < 1)
+  {
+    return Status::Invalid("the number of eigenvalues must be positive");
+  }
+  const PoissonSystem& system = solver.GetSystem();
+  std::vector<Id> places;
+  const std::vector<MeshPart> parts = FindParts(system, places);
+  if (parts.size() < 2)
+  {
+    return FindAllAtOnce(system, count, progress, pairs);
+  }
+  const SurfaceMesh& mesh = system.GetMesh();
+  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
+  std::vector<Id> placeOfFace(static_cast<std::size_t>(mesh.GetNumberOfFaces()), NoId);
+  std::vector<Eigenpairs> found(parts.size());
+  const auto findOf = [&](std::size_t p, Id wanted, const ProgressCallback& told) {
+    SurfaceMesh part;
+    Status status = BuildPart(mesh, parts[p], places, placeOfFace, part);
+    PoissonSystem own(part);
+    status = status.IsOk() ? own.Analyze(OptionsOf(system, parts[p]), nullptr) : status;
+    status = status.IsOk() ? own.Factorize() : status;
+    status = status.IsOk() ? FindAllAtOnce(own, wanted, told, found[p]) : status;
+    pairs.Solved += found[p].Solved;
+    return status;
+  };
+  // As many as the part should have by its area (Weyl's law), then more where the last one is not
+  // too large. Nothing is asked for where triangles are too thin.
+  const std::vector<double>& areas = system.GetAreas();
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  std::vector<Id> wanted(parts.size(), 0);
+  double limit = Infinity;
+  double done = 0.0;
+  bool isMore = true;
+  for (bool isFirst = true; isMore; isFirst = false)
+  {
+    isMore = false;
+    for (std::size_t p = 0; p < parts.size(); ++p)
+    {
+      const Id c = system.GetComponent(parts[p].Vertices[0]);
+      const bool hasAll = found[p].GetCount() < wanted[p] || wanted[p] >= count;
+      if (system.IsThin(c) || (!isFirst && (hasAll || found[p].Values.back() > limit)))
+      {
+        continue;
+      }
+      const double share = 2.0 * count * system.GetComponentArea(c) / area;
+      wanted[p] = isFirst ? static_cast<Id>(std::min<double>(count, LeastWanted + share))
+                          : std::min(count, 4 * wanted[p]);
+      const auto size = static_cast<double>(parts[p].Vertices.size());
+      const double end = isFirst ? done + FirstPassDone * size / static_cast<double>(n) : done;
+      Status status = findOf(p, wanted[p], ProgressPart(progress, done, end));
+      if (!status.IsOk())
+      {
+        return status;
+      }
+      done = end;
+      isMore = true;
+    }
+    limit = FindLimit(found, count);
+  }
+  Merge(parts, found, count, n, pairs);
   return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
 }
 }

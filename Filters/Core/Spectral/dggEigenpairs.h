@@ -23,6 +23,8 @@ struct Eigenpairs
   /// Whether it was checked (by the signs of the pivots of L - sigma M, Sylvester's law) that none
   /// is missing below the last gap in the spectrum. Else those in clusters may be.
   bool IsComplete = false;
+  /// Numbers solved for: vertices times right-hand sides. For tests.
+  Offset Solved = 0;
 
   Id GetCount() const { return static_cast<Id>(this->Values.size()); }
   std::size_t GetMemorySize() const
@@ -33,9 +35,11 @@ struct Eigenpairs
 
 /// Find `count` pairs, fewer where there are not as many (eigenvalues beyond 1e13 times the first
 /// one do not count, as on meshes with needles), to a relative accuracy of 1e-8 of the values. By
-/// Lanczos' method with blocks and full orthogonalisation, applied to the inverse; the solver must
-/// be ready, and its options decide about the boundary. The memory is about that of 2.5 `count`
-/// functions. The same input gives the same result, signs included.
+/// Lanczos' method with blocks and full orthogonalisation, applied to the inverse, for each
+/// component of the mesh by itself: together they would have as many equal values as there are
+/// components, and need a basis of as many functions. The solver must be ready, and its options
+/// decide about the boundary. The memory is about that of 2.5 `count` functions. The same input
+/// gives the same result, signs included.
 Status FindEigenpairs(
   const PoissonSolver& solver, Id count, const ProgressCallback& progress, Eigenpairs& pairs);
 }

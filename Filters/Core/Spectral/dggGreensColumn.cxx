@@ -17,6 +17,8 @@ namespace
 {
 /// Least R, in mean edges.
 constexpr double LeastEdges = 4.0;
+/// Least usual R, in longest sides of triangles.
+constexpr double LeastSides = 2.0;
 /// R, in square roots of the area: about a radian on a sphere. A little more on coarse meshes, to
 /// make it that many mean edges.
 constexpr double UsualPart = 0.28;
@@ -119,6 +121,12 @@ Status GreensColumn::Start(const SurfacePoint& pole, const GreensQuery& query,
       return Status::Success();
     }
     this->Method = GreensMethod::Interpolated;
+  }
+  if (this->Method == GreensMethod::SingularitySubtraction && !(query.Radius > 0.0) &&
+    HasLargeTriangles(this->System, this->Component))
+  {
+    this->Method = GreensMethod::Interpolated;
+    this->Remark = GreensRemark::TooCoarse;
   }
   if (this->Method == GreensMethod::SingularitySubtraction)
   {
@@ -292,6 +300,11 @@ double GreensColumn::GetUsualRadius(const PoissonSystem& system, Id component)
 bool GreensColumn::IsTooCoarse(const PoissonSystem& system, Id component, double radius)
 {
   return radius < LeastEdges * system.GetMeanEdge(component);
+}
+
+bool GreensColumn::HasLargeTriangles(const PoissonSystem& system, Id component)
+{
+  return GetUsualRadius(system, component) < LeastSides * system.GetMeanLongestSide(component);
 }
 
 /// A radius with shortest ways up to it that do not meet from different sides, if it can be, and

@@ -51,6 +51,10 @@ public:
   /// Where the logarithm ends if nothing else is asked for and there are no ridges.
   static double GetUsualRadius(const PoissonSystem& system, Id component);
   static bool IsTooCoarse(const PoissonSystem& system, Id component, double radius);
+  /// Whether triangles are so large beside the usual radius that functions of points in different
+  /// ones would not be symmetric. The same for all poles of a component, which have the same method
+  /// then.
+  static bool HasLargeTriangles(const PoissonSystem& system, Id component);
 
   bool HasLogarithm() const { return this->Method == GreensMethod::SingularitySubtraction; }
   /// Weighted mean of the logarithm.

@@ -63,7 +63,8 @@ enum class GreensPole
 enum class GreensRemark
 {
   None,
-  /// The disk that the logarithm could be taken out of is smaller than four mean edges, or all
+  /// The disk that the logarithm could be taken out of is smaller than four mean edges, or the
+  /// usual one smaller than two longest sides of triangles (in the mean over the area), or all
   /// corners of the pole's face have given values, which makes finite elements 0: Interpolated was
   /// used. Refine the mesh around the pole.
   TooCoarse,

@@ -148,8 +148,10 @@ Status GreensInterpolation::Run(
     other.Progress = ProgressPart(query.Progress, begin, 1.0);
     return this->Columns->Function.Run(pole, other, result);
   };
+  bool isCoarse = false;
   if (!(same.Radius > 0.0))
   {
+    isCoarse = GreensColumn::HasLargeTriangles(system, component);
     same.Radius = GreensColumn::GetUsualRadius(system, component);
   }
   std::vector<std::pair<Id, double>> corners;
@@ -161,7 +163,7 @@ Status GreensInterpolation::Run(
       isFree = isFree && !system.IsFixed(v);
     }
   });
-  if (!isFree || GreensColumn::IsTooCoarse(system, component, same.Radius))
+  if (!isFree || isCoarse || GreensColumn::IsTooCoarse(system, component, same.Radius))
   {
     return runFunction(0.0);
   }

@@ -114,6 +114,7 @@ void PoissonSystem::MeasureComponents()
   this->ComponentAreas.assign(count, 0.0);
   this->ComponentIsThin.assign(count, 0);
   this->MeanEdges.assign(count, 0.0);
+  this->MeanLongestSides.assign(count, 0.0);
   this->ComponentHasBoundary.assign(count, 0);
   this->LongestEdge = 0.0;
   std::vector<Offset> sides(count, 0);
@@ -134,6 +135,13 @@ void PoissonSystem::MeasureComponents()
   for (std::size_t v = 0; v < this->Areas.size(); ++v)
   {
     this->ComponentAreas[this->Components[v]] += this->Areas[v];
+  }
+  for (Id f = 0; f < this->Triangulation.GetNumberOfFaces(); ++f)
+  {
+    const double longest = std::max({ this->Triangulation.Length(3 * f),
+      this->Triangulation.Length(3 * f + 1), this->Triangulation.Length(3 * f + 2) });
+    const Id c = this->Components[this->Triangulation.Origin(3 * f)];
+    this->MeanLongestSides[c] += this->Triangulation.Area(f) / this->ComponentAreas[c] * longest;
   }
   for (Id c = 0; c < count; ++c)
   {
@@ -225,8 +233,7 @@ Status PoissonSystem::Factorize()
   for (std::size_t v = 0; v < this->Places.size(); ++v)
   {
     const Id place = this->Places[v];
-    isKnown[place] =
-      this->IsFixed(static_cast<Id>(v)) || this->PinnedPlaces[this->Components[v]] == place;
+    isKnown[place] = this->IsFixed(static_cast<Id>(v)) || this->IsPinned(static_cast<Id>(v));
   }
   for (int column = 0; column < upper.cols(); ++column)
   {
@@ -270,24 +277,26 @@ std::size_t PoissonSystem::GetBaseMemory() const
 
 std::size_t PoissonSystem::GetMissingMemory() const
 {
-  if (this->Factor.IsComputed())
-  {
-    return 0;
-  }
+  return this->Factor.IsComputed() ? 0 : this->GetFactorMemory();
+}
+
+std::size_t PoissonSystem::GetFactorMemory() const
+{
   const std::size_t n = this->Components.size();
   const std::size_t entry = sizeof(double) + sizeof(int);
   return static_cast<std::size_t>(this->FactorEntries) * entry +
-    n * (sizeof(double) + 3 * sizeof(int)) + this->GetFactorizingMemory();
+    n * (sizeof(double) + 3 * sizeof(int)) + this->GetMatrixMemory();
+}
+
+std::size_t PoissonSystem::GetFactorizingMemory() const
+{
+  return this->Factor.IsComputed() ? 0 : this->GetMatrixMemory();
 }
 
 /// The matrix that the factor is made of, of which it makes a copy; which values are known, and
 /// three arrays that Eigen works with.
-std::size_t PoissonSystem::GetFactorizingMemory() const
+std::size_t PoissonSystem::GetMatrixMemory() const
 {
-  if (this->Factor.IsComputed())
-  {
-    return 0;
-  }
   const std::size_t n = this->Components.size();
   const std::size_t upper = (static_cast<std::size_t>(this->Stiffness.nonZeros()) + n) / 2;
   const std::size_t entry = sizeof(double) + sizeof(int);

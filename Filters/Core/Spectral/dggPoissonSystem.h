@@ -69,6 +69,9 @@ public:
   double GetWeight(Id v) const { return this->Weights[v]; }
   double GetComponentArea(Id c) const { return this->ComponentAreas[c]; }
   double GetMeanEdge(Id c) const { return this->MeanEdges[c]; }
+  /// The longest sides of triangles, in the mean over the area: more than the mean edge where many
+  /// small triangles are beside large ones, as on parts of machines.
+  double GetMeanLongestSide(Id c) const { return this->MeanLongestSides[c]; }
   /// The longest edge of all.
   double GetLongestEdge() const { return this->LongestEdge; }
   bool HasBoundary(Id c) const { return this->ComponentHasBoundary[c] != 0; }
@@ -88,6 +91,10 @@ public:
   std::vector<double> Multiply(const std::vector<double>& f) const;
   /// L, vertex by vertex.
   const Eigen::SparseMatrix<double>& GetStiffness() const { return this->Stiffness; }
+  /// The place of a vertex in the order of elimination, and whether its value is the one that is
+  /// held at 0 in its component. After Analyze().
+  Id GetPlace(Id v) const { return this->Places[v]; }
+  bool IsPinned(Id v) const { return this->PinnedPlaces[this->Components[v]] == this->Places[v]; }
 
   /// Replace integrated sources (at vertices with given values, these values) by the solution. May
   /// be called by several threads at once.
@@ -104,6 +111,9 @@ public:
   std::size_t GetMissingMemory() const;
   /// Those of the missing ones that are given back once it is factorized.
   std::size_t GetFactorizingMemory() const;
+  /// Bytes that a factorization of a matrix with this pattern takes, at the time when there are
+  /// most.
+  std::size_t GetFactorMemory() const;
   /// Bytes that a solution takes, at the time when there are most.
   std::size_t GetSolvingMemory() const;
   std::size_t GetMemorySize() const;
@@ -114,6 +124,7 @@ public:
 private:
   bool NeedsRefinement() const;
   std::size_t GetBaseMemory() const;
+  std::size_t GetMatrixMemory() const;
   Status CheckGivenVertices(const std::vector<Id>& vertices) const;
   void MeasureComponents();
   void MarkGivenVertices();
@@ -150,6 +161,7 @@ private:
   std::vector<Id> Places;                         // per vertex, in the order of elimination
   std::vector<double> ComponentAreas;             // per component
   std::vector<double> MeanEdges;                  // per component
+  std::vector<double> MeanLongestSides;           // per component
   std::vector<std::uint8_t> ComponentHasBoundary; // per component
   std::vector<std::uint8_t> ComponentHasGiven;    // per component
   std::vector<std::uint8_t> ComponentIsThin;      // per component

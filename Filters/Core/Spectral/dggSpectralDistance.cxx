@@ -213,28 +213,46 @@ Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const Progres
   const Offset n = system.GetNumberOfVertices();
   const bool isBiharmonic = this->Options.Kind == SpectralKind::Biharmonic;
   diagonal.assign(n, 0.0);
+  // One vertex of each component at a time, which do not know of each other.
+  std::vector<std::vector<Id>> rounds;
+  std::vector<std::size_t> counts(static_cast<std::size_t>(system.GetNumberOfComponents()), 0);
+  for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+  {
+    const std::size_t round = counts[system.GetComponent(v)]++;
+    rounds.resize(std::max(rounds.size(), round + 1));
+    rounds[round].push_back(v);
+  }
   using Lots = std::vector<SparseLanes>;
   const auto solveBlock = [&](Lots& values, Offset, Offset begin, Offset end,
                             const ProgressCallback&) {
     values.assign(n, SparseLanes(SparseLanes::Zero()));
-    for (Offset v = begin; v < end; ++v)
+    for (Offset round = begin; round < end; ++round)
     {
-      values[v][v - begin] = system.IsFixed(static_cast<Id>(v)) ? 0.0 : 1.0;
+      for (const Id v : rounds[round])
+      {
+        values[v][round - begin] = system.IsFixed(v) ? 0.0 : 1.0;
+      }
     }
     system.Solve(values);
-    SparseLanes sum = SparseLanes::Zero();
+    Lots sums(counts.size(), SparseLanes(SparseLanes::Zero()));
     for (Offset v = 0; v < n && isBiharmonic; ++v)
     {
-      sum += values[v].square() * system.GetArea(static_cast<Id>(v));
+      sums[system.GetComponent(static_cast<Id>(v))] +=
+        values[v].square() * system.GetArea(static_cast<Id>(v));
     }
-    for (Offset v = begin; v < end; ++v)
+    for (Offset round = begin; round < end; ++round)
     {
-      diagonal[v] = isBiharmonic ? sum[v - begin] : values[v][v - begin];
+      for (const Id v : rounds[round])
+      {
+        const SparseLanes& from = isBiharmonic ? sums[system.GetComponent(v)] : values[v];
+        diagonal[v] = from[round - begin];
+      }
     }
     return Status::Success();
   };
   status = LoopOverLongBlocks(
-    n, Lanes, parallel, progress, [] { return Lots(); }, solveBlock);
+    static_cast<Offset>(rounds.size()), Lanes, parallel, progress, [] { return Lots(); },
+    solveBlock);
   if (!status.IsOk())
   {
     diagonal.clear();

@@ -79,7 +79,7 @@ public:
   /// What FromPoint() needs of the Green's function with the Exact method, its value at each vertex
   /// for a pole there: solves for all vertices, eight at a time, which takes as long as that many
   /// columns. To be kept by KeepDiagonal() until Prepare() is called again. Nothing where none is
-  /// needed, or there is one.
+  /// needed, or there is one. Components are solved for at the same time.
   /// @{
   Status FindDiagonal(const ParallelFor& parallel, const ProgressCallback& progress,
     std::vector<double>& diagonal) const;
