@@ -15,20 +15,22 @@
 namespace dgg
 {
 /// A non-manifold edge sends a copy of every cone into each further face, and behind it copies meet
-/// again, as in two sheets that cover each other: their number doubles from edge to edge. But a
-/// cone can only matter where no other one of the same source enters the same face by the same
-/// edge on a shorter way, nor a way through a vertex of the face before is shorter: what it finds
-/// elsewhere is not at the end of a shortest path. The cone
-/// itself is not cut, since its relays count; but it is followed only while the part of it that
-/// may matter, its *live* part, lights anything.
+/// again, as in two sheets that cover each other: their number doubles from edge to edge. Among
+/// triangles that are all but lines cones overlap in the same way. But a cone can only matter where
+/// no other one of the same source enters the same face by the same edge on a shorter way, and no
+/// way through a vertex of the face before is shorter: what it finds elsewhere is not at the end of
+/// a shortest path. The cone itself is not cut, since its relays count; but it is followed only
+/// while the part of it that may matter, its *live* part, lights anything.
 class ConeMemory
 {
 public:
-  ConeMemory(Id numberOfHalfEdges, const VertexStates& vertices)
+  explicit ConeMemory(const VertexStates& vertices)
     : Vertices(vertices)
-    , Last(numberOfHalfEdges, NoId)
   {
   }
+
+  /// To be called before the first cone of a source.
+  void Prepare(Id numberOfHalfEdges) { this->Last.resize(numberOfHalfEdges, NoId); }
 
   /// An edge through which a cone enters a face.
   struct Passage

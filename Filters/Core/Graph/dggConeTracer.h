@@ -30,8 +30,8 @@ struct ConeLimits
 {
   /// Cones that a source may send out before it is given up.
   std::size_t Cones;
-  /// Windows of a source that is traced without looking at what its own light has reached before,
-  /// where it may multiply: more than a manifold mesh has.
+  /// Windows of a source that is traced without looking at what its own light has reached before:
+  /// more than a source on an ordinary mesh has.
   std::size_t CarelessWindows;
   /// Work that a source may take after that; see ConeTracer::GetWork().
   std::size_t Work;
@@ -39,11 +39,11 @@ struct ConeLimits
 
 /// Follows cones from one source at a time until the rule ends them.
 ///
-/// Where an edge has more than two triangles, or triangles have no area, light can multiply or run
-/// around without end. Most sources do not meet such a place, or not often, and cones are then
-/// simply followed first in, first out. A source that has too many windows is traced again, with
-/// care: cones in order of distance, and only where no other one was there before on a shorter way
-/// (ConeMemory).
+/// Where an edge has more than two triangles, light can multiply; among triangles that are all but
+/// lines it can run around for long. Most sources meet no such place, or not often, and cones are
+/// then simply followed first in, first out. A source that has too many windows is traced again,
+/// with care: cones in order of distance, and only where no other one was there before on a shorter
+/// way (ConeMemory).
 template <typename Rule>
 class ConeTracer
 {
@@ -54,8 +54,7 @@ public:
     , TheRule(rule)
     , Limits(limits)
     , Vertices(table.GetNumberOfVertices())
-    , CanMultiply(table.HasBranches() || table.HasDegenerateFaces())
-    , Memory(CanMultiply ? table.GetMesh().GetNumberOfHalfEdges() : 0, Vertices)
+    , Memory(Vertices)
   {
   }
 
@@ -150,9 +149,12 @@ private:
     this->IsOverwhelmed = false;
     this->IsCareful = isCareful;
     this->WindowsBefore = this->NumberOfWindows;
-    this->WindowLimit = this->CanMultiply && !isCareful
-      ? this->NumberOfWindows + this->Limits.CarelessWindows
-      : std::numeric_limits<std::size_t>::max();
+    this->WindowLimit = isCareful ? std::numeric_limits<std::size_t>::max()
+                                  : this->NumberOfWindows + this->Limits.CarelessWindows;
+    if (isCareful)
+    {
+      this->Memory.Prepare(this->Mesh.GetNumberOfHalfEdges());
+    }
   }
 
   bool HasTooManyWindows() const { return this->NumberOfWindows > this->WindowLimit; }
@@ -637,7 +639,6 @@ private:
   Rule TheRule;
   ConeLimits Limits;
   VertexStates Vertices;
-  bool CanMultiply; ///< whether light can, on this mesh
   bool IsCareful = false;
   /// Whether a vertex has been lit on a way longer than its label. Before that no light can be
   /// useless, and nobody looks at the labels.

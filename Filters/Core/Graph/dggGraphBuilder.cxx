@@ -48,9 +48,13 @@ constexpr double PeakOfAssembly = 1.35;
 /// it.
 constexpr double MostWorkOfFace = 1e5;
 constexpr std::size_t ShareOfVertex = 16; // its inverse
-constexpr Id SmallestMesh = 1000;         // of fewer faces any takes little
-/// Windows of a vertex at an accuracy of 1 % that are more than those of manifold meshes.
+constexpr double SmallestMesh = 1000.0;   // of fewer faces any takes little
+/// Windows of a vertex at an accuracy of 1 % that are more than those of ordinary meshes; where
+/// light cannot multiply, those of a plate without points inside, where each vertex sees all faces.
 constexpr double CarelessWindows = 2000.0;
+constexpr double CarelessWindowsPerFace = 4.0;
+/// The other rules end cones later; as a factor.
+constexpr double WindowsOfOtherRules = 16.0;
 
 /// What part of the progress a step takes: as measured.
 struct ShareOfSteps
@@ -337,10 +341,23 @@ ConeLimits GraphBuilder::Implementation::LimitCones(const GraphOptions& options)
   const double growth = options.Construction == GraphConstruction::SaddleVertexGraph
     ? std::max(1.0, options.NumberOfNeighbors / 50.0)
     : std::pow(0.01 / options.Accuracy, 2.0 / 3.0);
-  const double work =
-    MostWorkOfFace * growth * std::max<Id>(SmallestMesh, this->Mesh.GetNumberOfFaces());
-  return { this->ConeLimit, static_cast<std::size_t>(CarelessWindows * growth),
-    static_cast<std::size_t>(work) / ShareOfVertex };
+  const double faces = this->Mesh.GetNumberOfFaces();
+  const double windows =
+    growth * (options.Construction == GraphConstruction::Guaranteed ? 1.0 : WindowsOfOtherRules);
+  ConeLimits limits{ this->ConeLimit, static_cast<std::size_t>(CarelessWindows * windows),
+    std::numeric_limits<std::size_t>::max() / ShareOfVertex };
+  if (this->CanMultiply())
+  {
+    limits.Work =
+      static_cast<std::size_t>(MostWorkOfFace * growth * std::max(SmallestMesh, faces)) /
+      ShareOfVertex;
+  }
+  else
+  {
+    limits.CarelessWindows = std::max(
+      limits.CarelessWindows, static_cast<std::size_t>(CarelessWindowsPerFace * windows * faces));
+  }
+  return limits;
 }
 
 bool GraphBuilder::Implementation::NeedsWide(const GraphOptions& options) const
