@@ -74,6 +74,8 @@ public:
 
   /// Polygons left out because fewer than three of their points are distinct.
   vtkIdType GetNumberOfDroppedCells() const { return this->Prepared->NumberOfDroppedCells; }
+  /// Of triangles without area that were left out.
+  double GetLargestCapHeight() const { return this->Prepared->Caps.LargestHeight; }
   /// Points that share the vertex of an earlier point.
   vtkIdType GetNumberOfMergedPoints() const { return this->Prepared->NumberOfMergedPoints; }
   /// Points without a face.

@@ -298,7 +298,7 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input)
     return status;
   }
   std::vector<dgg::Id> parents;
-  this->NumberOfCaps = dgg::SplitCaps(coordinates.GetData(), triangles, parents);
+  this->Caps = dgg::SplitCaps(coordinates.GetData(), triangles, parents);
   std::vector<vtkIdType> cells(parents.size());
   std::transform(parents.begin(), parents.end(), cells.begin(),
     [this](dgg::Id triangle) { return this->Cells[triangle]; });
@@ -312,7 +312,7 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input)
   this->Signature = dgg::ComputeSignature(
     coordinates.GetData(), n, triangles.data(), static_cast<dgg::Offset>(triangles.size() / 3));
   this->Report = dgg::InspectMesh(this->Mesh, coordinates.GetData());
-  this->Report.DegenerateFaces += this->NumberOfCaps;
+  this->Report.DegenerateFaces += this->Caps.NumberOfCaps;
   if (!mergeCoincidentPoints)
   {
     this->CountCoincidentBoundaryPoints(coordinates.GetData());
@@ -437,7 +437,7 @@ std::vector<dgg::Id> vtkDGGPreparedMesh::CollectBoundary() const
   std::vector<dgg::Id> ids;
   for (dgg::Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
   {
-    if (this->Mesh.Twin(h) == dgg::NoId)
+    if (this->Mesh.Twin(h) == dgg::NoId && !this->Mesh.IsDropped(dgg::SurfaceMesh::Face(h)))
     {
       ids.push_back(this->Mesh.Origin(h));
       ids.push_back(this->Mesh.Destination(h));
@@ -489,11 +489,14 @@ void vtkDGGPreparedMesh::CollectWarnings()
     "need not be what they are meant to be: triangulate them first");
   warn(report.DuplicateFaces,
     "triangles on the same three points as an earlier one, which are left out");
-  warn(this->NumberOfCaps,
-    "triangles without area that are left out: their neighbours are split where they meet");
+  std::ostringstream height;
+  height << this->Caps.LargestHeight;
+  warn(this->Caps.NumberOfCaps,
+    "triangles without area, no higher than " + height.str() +
+      ", that are left out: their neighbours are split where they meet");
   std::ostringstream length;
   length << report.Mollification;
-  warn(report.DegenerateFaces - this->NumberOfCaps,
+  warn(report.DegenerateFaces - this->Caps.NumberOfCaps,
     "triangles without area, whose edges are taken to be longer by " + length.str());
   warn(this->NumberOfCoincidentBoundaryPoints,
     "points of the boundary with the same coordinates as another one. If they are the two sides of "

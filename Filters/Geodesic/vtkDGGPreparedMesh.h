@@ -7,6 +7,7 @@
 
 #include "vtkDGGDomain.h" // for what it is made of
 
+#include "dggCapSplitting.h"  // for what was left out
 #include "dggGeodesicGraph.h" // for Signature
 #include "dggMeshReport.h"    // for MeshReport
 #include "dggSurfaceMesh.h"   // for SurfaceMesh
@@ -52,7 +53,7 @@ public:
   std::vector<dgg::Id> Vertices; ///< per point; empty unless coincident points are merged
   std::vector<vtkIdType> Cells;  ///< per face
   vtkIdType NumberOfDroppedCells = 0;
-  vtkIdType NumberOfCaps = 0; ///< triangles without area that were left out
+  dgg::CapSplitting Caps;     ///< triangles without area that were left out
   vtkIdType NumberOfFans = 0; ///< polygons that cross or touch themselves
   vtkIdType NumberOfMergedPoints = 0;
   vtkIdType NumberOfCoincidentBoundaryPoints = 0;

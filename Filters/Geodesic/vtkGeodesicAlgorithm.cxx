@@ -54,6 +54,7 @@ void WriteReport(std::ostream& os, const vtkDGGMeshAdapter& adapter)
   os << "coincident points: " << report.CoincidentPoints << "\n";
   os << "merged points: " << adapter.GetNumberOfMergedPoints() << "\n";
   os << "length added to degenerate faces: " << report.Mollification << "\n";
+  os << "height of degenerate faces left out: " << adapter.GetLargestCapHeight() << "\n";
   os << "anisotropy: mean " << report.MeanAnisotropy << ", median " << report.MedianAnisotropy
      << "\n";
 }
@@ -266,6 +267,12 @@ double vtkGeodesicAlgorithm::GetMedianAnisotropy() const
 double vtkGeodesicAlgorithm::GetMollification() const
 {
   return this->Adapter->GetReport().Mollification;
+}
+
+//------------------------------------------------------------------------------
+double vtkGeodesicAlgorithm::GetLargestCapHeight() const
+{
+  return this->Adapter->GetLargestCapHeight();
 }
 
 //------------------------------------------------------------------------------

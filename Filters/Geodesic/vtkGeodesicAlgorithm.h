@@ -17,8 +17,9 @@
  * split. Edges of other triangles without area are lengthened a little (GetMollification()). Edges
  * with more than two triangles and points where sheets touch conduct: distances are those of the
  * triangles as they are glued by point ids. Where the work on them grows beyond some twenty times
- * that on a clean mesh of the same size, the filter fails with what to remove. All of these are counted in warnings, once for each
- * mesh, and in the report (GetMeshReport()). Orientation does not matter.
+ * that on a clean mesh of the same size, the filter fails with what to remove. All of these are
+ * counted in warnings, once for each mesh, and in the report (GetMeshReport()). Orientation does
+ * not matter.
  *
  * <b>Point clouds.</b> An input with the graph of a point cloud, which vtkPointCloudDGG makes, is
  * taken for one by the filters that search a graph: vtkDGGDistance, vtkDGGPath, vtkGeodesicSampler,
@@ -201,6 +202,12 @@ public:
    * coordinates; 0 when there are none.
    */
   double GetMollification() const;
+
+  /**
+   * Largest height of the triangles without area that were left out, in units of the coordinates:
+   * the surface has moved by no more; 0 when there are none.
+   */
+  double GetLargestCapHeight() const;
 
   /**
    * Time stamp of the mesh that is kept between updates. It changes when another mesh takes its

@@ -424,15 +424,24 @@ std::vector<dgg::GraphicsRegion> vtkDGGGraphicsInput::MakeRegions(
   {
     regions.push_back({ {}, strength });
   }
+  const auto regionOf = [&](dgg::Id face) {
+    const auto cell = static_cast<std::size_t>(mesh.GetCell(face));
+    return cell < this->RegionOfCell.size() ? this->RegionOfCell[cell] : NoRegion;
+  };
   for (dgg::Id f = 0; f < mesh.GetMesh().GetNumberOfFaces() && !regions.empty(); ++f)
   {
-    const auto cell = static_cast<std::size_t>(mesh.GetCell(f));
-    const std::size_t region =
-      cell < this->RegionOfCell.size() ? this->RegionOfCell[cell] : NoRegion;
-    if (region != NoRegion)
+    // Of triangles on the same points, the region of the first one counts, if it has one.
+    const dgg::Id original = mesh.GetMesh().GetOriginal(f);
+    const std::size_t region = regionOf(f);
+    if (region != NoRegion && (f == original || regionOf(original) == NoRegion))
     {
-      regions[region].Faces.push_back(f);
+      regions[region].Faces.push_back(original);
     }
+  }
+  for (dgg::GraphicsRegion& region : regions)
+  {
+    std::sort(region.Faces.begin(), region.Faces.end());
+    region.Faces.erase(std::unique(region.Faces.begin(), region.Faces.end()), region.Faces.end());
   }
   regions.erase(std::remove_if(regions.begin(), regions.end(),
                   [](const dgg::GraphicsRegion& region) { return region.Faces.empty(); }),
@@ -484,8 +493,10 @@ dgg::Status vtkDGGGraphicsInput::FindRefinedFaces(vtkPolyData* surface,
     const vtkIdType cell = mesh.GetCell(f);
     if (cell < array->GetNumberOfTuples() && array->GetComponent(cell, 0) != 0.0)
     {
-      faces.push_back(f);
+      faces.push_back(mesh.GetMesh().GetOriginal(f));
     }
   }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return status;
 }

@@ -78,13 +78,15 @@ vtkSmartPointer<vtkDoubleArray> MakeFlow(const vtkDGGMeshAdapter& adapter, vtkPo
   const dgg::SurfaceMesh& mesh = adapter.GetMesh();
   const auto areaOf = [&](dgg::Id f) { return 0.5 * mesh.Length(3 * f) * mesh.ApexY(3 * f); };
   std::vector<double> areas(n, 0.0);
-  for (dgg::Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  for (dgg::Id k = 0; k < mesh.GetNumberOfFaces(); ++k)
   {
-    areas[static_cast<std::size_t>(adapter.GetCell(f))] += mesh.IsDropped(f) ? 0.0 : areaOf(f);
+    const dgg::Id f = mesh.GetOriginal(k);
+    areas[static_cast<std::size_t>(adapter.GetCell(k))] += mesh.IsDropped(f) ? 0.0 : areaOf(f);
   }
-  for (dgg::Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  for (dgg::Id k = 0; k < mesh.GetNumberOfFaces(); ++k)
   {
-    const vtkIdType cell = adapter.GetCell(f);
+    const dgg::Id f = mesh.GetOriginal(k);
+    const vtkIdType cell = adapter.GetCell(k);
     const double area = areas[static_cast<std::size_t>(cell)];
     if (mesh.IsDropped(f) || !(area > 0.0))
     {
@@ -398,7 +400,8 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   }
   this->NumberOfIterations = result.Iterations;
   this->SetResults(vtkPolyData::GetData(outputVector), copy, total, result);
-  if (options.MostIterations > 0 && result.GetGap() > options.Tolerance)
+  if (options.MostIterations > 0 &&
+    result.GetGap() > std::max(options.Tolerance, dgg::LeastEarthMoversGap))
   {
     vtkWarningMacro("The distance is between "
       << this->LowerBound << " and " << this->Distance << ", a gap of " << 100.0 * this->Gap

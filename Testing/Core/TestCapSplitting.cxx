@@ -22,13 +22,17 @@ struct Split
   TestMesh Mesh;
   std::vector<Id> Parents;
   dgg::Offset Caps = 0;
+  double Height = 0.0;
 };
 
 Split SplitMesh(const TestMesh& mesh)
 {
   Split split;
   split.Mesh = mesh;
-  split.Caps = dgg::SplitCaps(mesh.Points.data(), split.Mesh.Triangles, split.Parents);
+  const dgg::CapSplitting done =
+    dgg::SplitCaps(mesh.Points.data(), split.Mesh.Triangles, split.Parents);
+  split.Caps = done.NumberOfCaps;
+  split.Height = done.LargestHeight;
   return split;
 }
 
@@ -130,6 +134,7 @@ TEST(CapSplitting, SeamsOfAPlaneVanish)
       const TestMesh mesh = Seam(points, isFan, points);
       const Split split = SplitMesh(mesh);
       EXPECT_GE(split.Caps, points);
+      EXPECT_EQ(split.Height, 0.0);
       ExpectSameAreas(mesh, split);
       // A plane again, in which all distances are those of the plane, to the last digits.
       const dgg::SurfaceMesh plane = Build(split.Mesh);
@@ -145,6 +150,19 @@ TEST(CapSplitting, SeamsOfAPlaneVanish)
         1e-13);
     }
   }
+}
+
+TEST(CapSplitting, HeightsAreReported)
+{
+  TestMesh mesh;
+  const Id a = mesh.AddPoint(0.0, 0.0, 0.0);
+  const Id b = mesh.AddPoint(2.0, 0.0, 0.0);
+  const Id c = mesh.AddPoint(0.7, 0.0, 3e-8);
+  mesh.AddTriangle(a, b, c);
+  mesh.AddTriangle(b, a, mesh.AddPoint(1.0, 1.0, 0.0));
+  const Split split = SplitMesh(mesh);
+  EXPECT_EQ(split.Caps, 1);
+  EXPECT_NEAR(split.Height, 3e-8, 1e-20);
 }
 
 TEST(CapSplitting, AnyNumberOfSheetsOnTheLongEdge)
@@ -189,6 +207,11 @@ TEST(CapSplitting, NothingComesApart)
   line.AddTriangle(a, b, c);
   EXPECT_EQ(SplitMesh(line).Caps, 0);
   EXPECT_NEAR(DistancesFrom(Build(line), dgg::ExactEngine::Triangle, a)[b], 2.0, 1e-12);
+  // ... however often it is there.
+  line.AddTriangle(c, b, a);
+  line.AddTriangle(c, b, d);
+  line.AddTriangle(b, c, d);
+  EXPECT_EQ(SplitMesh(line).Caps, 0);
   // Copies of a cap go with it.
   mesh.AddTriangle(b, a, c);
   mesh.AddTriangle(a, b, c);

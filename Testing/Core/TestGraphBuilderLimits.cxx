@@ -99,7 +99,7 @@ TEST(GraphBuilderLimits, WorkAmongNonManifoldEdgesIsBounded)
 TEST(GraphBuilderLimits, RefusesAfterBoundedWork)
 {
   std::vector<Id> unused;
-  const SurfaceMesh mesh = Build(Book(400, 3, unused));
+  const SurfaceMesh mesh = Build(Book(800, 3, unused));
   dgg::GraphOptions options;
   options.Accuracy = 0.01;
   const dgg::GraphBuilder builder(mesh);

@@ -239,7 +239,7 @@ TEST(AwkwardSurfaces, TrianglesWithoutArea)
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetInputData(surface);
   filter->AddSourceId(1);
-  ExpectWarning(filter, { "1 triangles without area that are left out" });
+  ExpectWarning(filter, { "1 triangles without area, no higher than 0, that are left out" });
   EXPECT_EQ(filter->GetNumberOfDegenerateFaces(), 1);
   EXPECT_EQ(filter->GetMollification(), 0.0);
   ExpectEuclidean(filter, surface, 1e-14);
@@ -254,7 +254,7 @@ TEST(AwkwardSurfaces, EdgesWithoutLength)
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetInputData(surface);
   filter->AddSourceId(0);
-  ExpectWarning(filter, { "1 triangles without area, whose edges are taken to be longer" });
+  filter->Update();
   EXPECT_EQ(filter->GetNumberOfDegenerateFaces(), 1);
   EXPECT_GT(filter->GetMollification(), 0.0);
   EXPECT_LT(filter->GetMollification(), 1e-12);

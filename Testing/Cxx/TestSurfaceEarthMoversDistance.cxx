@@ -519,3 +519,32 @@ TEST(SurfaceEarthMoversDistance, ProgressGrowsAndStops)
   }
   ExpectErrorWhenPointsChange(moved.Filter, terrain, { "points" });
 }
+
+TEST(SurfaceEarthMoversDistance, CopiesOfTrianglesHaveTheirFlow)
+{
+  auto surface = MakeGrid(5, 4);
+  const vtkIdType m = surface->GetNumberOfPolys();
+  Fixture once(surface, Bump(surface, 0.0, 0.0, 1.0), Bump(surface, 4.0, 3.0, 1.0));
+  const double distance = once.Distance();
+  auto twice = MakeGrid(5, 4);
+  for (vtkIdType cell = 0; cell < m; ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    twice->GetPolys()->GetCellAtId(cell, size, ids);
+    const vtkIdType copy[3] = { ids[2], ids[1], ids[0] };
+    twice->GetPolys()->InsertNextCell(3, copy);
+  }
+  Fixture doubled(twice, Bump(twice, 0.0, 0.0, 1.0), Bump(twice, 4.0, 3.0, 1.0));
+  ExpectWarning(doubled.Filter, { "on the same three points as an earlier one" });
+  EXPECT_EQ(doubled.Filter->GetDistance(), distance);
+  for (vtkIdType cell = 0; cell < m; ++cell)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_EQ(doubled.Flow()->GetComponent(cell, axis), once.Flow()->GetComponent(cell, axis));
+      EXPECT_EQ(
+        doubled.Flow()->GetComponent(cell + m, axis), once.Flow()->GetComponent(cell, axis));
+    }
+  }
+}

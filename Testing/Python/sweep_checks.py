@@ -20,11 +20,11 @@ ACCURACY = 0.05  # of the graph
 ROUNDING = 1e-6  # relative error of lengths in the graph, beside its accuracy
 CHORD = 2e-3  # how far pieces of isolines may be from their curves, relative to the mean edge
 ZERO_MEAN = 2e-2  # mean of a Green's function, relative to its range
-SYMMETRY = {"Interpolated": 1e-3, "SingularitySubtraction": 2e-2}  # the same
+SYMMETRY = {"Interpolated": 1e-3, "SingularitySubtraction": 3e-2}  # the same
 METRIC = 1e-6  # of biharmonic distances
 UNITY = 1e-3  # sum of splines
 EIGENVALUES = 40
-SLOW = 3200  # points, for what is there to compare with
+SLOW = 1000  # points, for what takes much longer
 LEVELS = np.linspace(0.05, 0.95, 10)
 
 
@@ -181,6 +181,7 @@ def expect_on_surface(trial, lines, what):
     face = np.clip(face, 0, len(cells) - 1)
     corners = trial.surface.points[cells[face]]
     bound = ON_SURFACE * trial.surface.sides[face].max(axis=1) + trial.surface.rounding
+    bound += 2 * trial.moved
     ends = points[pieces]
     for place, text in ((ends[:, 0], "start"), (ends.mean(axis=1), "middle"), (ends[:, 1], "end")):
         trial.expect(np.isfinite(place), f"{what}: {text} is not finite")
@@ -362,9 +363,11 @@ def expect_parts(trial, polygons, wanted, what):
     there[face] = True
     copies = np.zeros(len(surface.cells), dtype=bool)
     copies[surface.first_copy[there]] = True
+    longest = surface.sides.max(axis=1)
+    wanted = wanted & (2 * surface.areas > 4 * trial.moved * longest)
     trial.expect(copies[surface.once & wanted], f"{what}: a triangle is left out")
     if areas is not None:
-        bound = EXACT * surface.areas + surface.rounding * surface.sides.max(axis=1)
+        bound = EXACT * surface.areas + (surface.rounding + 2 * trial.moved) * longest
         trial.expect_most(
             np.abs(areas - surface.areas)[there], bound[there], f"{what}: a triangle is not filled"
         )
@@ -392,7 +395,8 @@ def voronoi(trial):
     area = vtk_to_numpy(cells.GetCellData().GetArray("CellArea"))[index][site >= 0].sum()
     inside = reached[surface.cells].all(axis=1) & surface.once
     whole = surface.areas[inside].sum()
-    trial.expect_most(abs(area - whole), EXACT * whole, f"areas of cells do not sum to {whole:.6g}")
+    slack = EXACT * whole + trial.moved * surface.sides[inside].max(axis=1).sum()
+    trial.expect_most(abs(area - whole), slack, f"areas of cells do not sum to {whole:.6g}")
 
 
 def sampler(trial):

@@ -154,7 +154,9 @@ def find(finder, ends, points, heard=None):
     result = _path(output)
     tolerance = 0.0
     if finder.GetMergeCoincidentPoints():
-        tolerance = finder.GetMergeTolerance() * np.linalg.norm(np.ptp(points, axis=0))
+        tolerance = finder.GetMergeTolerance() * np.linalg.norm(
+            np.ptp(points[np.isfinite(points).all(axis=1)], axis=0)
+        )
     for i, end, name in zip((0, -1), ends, ("start", "end")):
         if not isinstance(end, int):
             continue

@@ -11,8 +11,8 @@ namespace
 {
 /// Relative; distances this close count as equal.
 constexpr double Tolerance = 1e-12;
-/// Gaps between intervals narrower than this are dark by rounding; relative.
-constexpr double LightTolerance = 1e-9;
+/// Gaps between intervals narrower than this are rounding; relative.
+constexpr double GapTolerance = 1e-9;
 /// Steps to where two ways are equally long.
 constexpr int TieSteps = 10;
 }
@@ -29,6 +29,10 @@ Id ConeMemory::Admit(
     const Point2& liveRight = parent.IsReversed ? parent.AtBegin : parent.AtEnd;
     rays[0] = Cross(liveLeft, rays[0]) > 0.0 ? liveLeft : rays[0];
     rays[1] = Cross(rays[1], liveRight) > 0.0 ? liveRight : rays[1];
+  }
+  if (!(Cross(rays[1], rays[0]) > 0.0))
+  {
+    return NoId; // the live part is on the other side of the apex
   }
   const double length = Distance(cone.Ends[0], cone.Ends[1]);
   const auto imageOf = [&](const Point2& p) {
@@ -61,7 +65,7 @@ Id ConeMemory::Admit(
 bool ConeMemory::Trim(Entry& entry, Id number)
 {
   this->FindDominated(entry, number);
-  const double slack = LightTolerance * (entry.Source.Depth + entry.End - entry.Begin);
+  const double slack = GapTolerance * (entry.Source.Depth + entry.End - entry.Begin);
   double begin = entry.Begin;
   double end = entry.End;
   std::sort(this->Dominated.begin(), this->Dominated.end(),
@@ -98,8 +102,8 @@ void ConeMemory::FindDominated(const Entry& entry, Id number)
   for (int k = 0; k < 3; ++k)
   {
     const double label =
-      entry.Corners[k] == NoId ? Infinity : this->Vertices[entry.Corners[k]].Label;
-    if (label > 0.0 && label < longest)
+      entry.Corners[k] == NoId ? Infinity : (*this->Vertices)[entry.Corners[k]].Label;
+    if (label > 0.0 && label < longest) // the source itself is no other way
     {
       this->Compare(entry, { entry.CornersAt[k], label }, entry.Begin, entry.End, 1.0 - Tolerance);
     }

@@ -25,7 +25,7 @@ class ConeMemory
 {
 public:
   explicit ConeMemory(const VertexStates& vertices)
-    : Vertices(vertices)
+    : Vertices(&vertices)
   {
   }
 
@@ -94,7 +94,7 @@ private:
   void FindDominated(const Entry& entry, Id number);
   void Compare(const Entry& entry, const Way& other, double begin, double end, double factor);
 
-  const VertexStates& Vertices;
+  const VertexStates* Vertices;
   std::vector<Id> Last; // per half-edge
   std::vector<Entry> Entries;
   std::vector<Interval> Dominated;

@@ -6,7 +6,7 @@
 #define dggConeTracer_h
 
 #include "dggCone.h"           // for Cone
-#include "dggConeMemory.h"     // for non-manifold edges
+#include "dggConeMemory.h"     // for tracing with care
 #include "dggConeTargets.h"    // for points that light meets
 #include "dggDistanceHeap.h"   // for cones by distance
 #include "dggFoundEdge.h"      // for what is found
@@ -145,7 +145,7 @@ private:
     this->Memory.Clear();
     this->Behind = NoId;
     this->Source = NoId;
-    this->HasOverlap = isCareful;
+    this->HasOverlap = false;
     this->IsOverwhelmed = false;
     this->IsCareful = isCareful;
     this->WindowsBefore = this->NumberOfWindows;
@@ -332,6 +332,9 @@ private:
     this->IsOverwhelmed = true;
     std::vector<Cone>().swap(this->Queue);
     std::vector<Relay>().swap(this->Relays);
+    this->Memory = ConeMemory(this->Vertices);
+    this->Order = DistanceHeap();
+    this->Reached = DistanceHeap();
   }
 
   /// Cones in order of distance: most of those that others dominate are so before their turn.
@@ -612,7 +615,7 @@ private:
   }
 
   /// Vertices that no straight light reaches count as well, at the distance along mesh edges; and
-  /// on a surface where light multiplies every label helps to end it.
+  /// with care every label helps to prune.
   void ReachNeighbours(Id v, double distance)
   {
     const Id old = this->Table.OldVertex(v);
@@ -646,7 +649,7 @@ private:
   bool IsOverwhelmed = false;
   Id Source = NoId;
   ConeMemory Memory;
-  Id Behind = NoId; // the vertex that a cone has just left behind, where there are such edges
+  Id Behind = NoId; // the vertex that a cone has just left behind, with care
   Point2 BehindAt;
   std::vector<FoundEdge> Edges;
   std::vector<Relay> Relays;

@@ -47,8 +47,9 @@ constexpr double PeakOfAssembly = 1.35;
 /// 1 %: some twenty times what a manifold mesh of that size takes. One vertex may take a share of
 /// it.
 constexpr double MostWorkOfFace = 1e5;
-constexpr std::size_t ShareOfVertex = 16; // its inverse
-constexpr double SmallestMesh = 1000.0;   // of fewer faces any takes little
+constexpr double LargestShareOfSample = 2.0; // by a fair one
+constexpr std::size_t ShareOfVertex = 16;    // its inverse
+constexpr double SmallestMesh = 1000.0;      // of fewer faces any takes little
 /// Windows of a vertex at an accuracy of 1 % that are more than those of ordinary meshes; where
 /// light cannot multiply, those of a plate without points inside, where each vertex sees all faces.
 constexpr double CarelessWindows = 2000.0;
@@ -93,7 +94,7 @@ Status Overwhelmed(const std::string& source, bool canMultiply, const GraphOptio
     message
       << " multiplies among non-manifold edges or triangles without area, beyond some twenty "
          "times the work on a clean mesh of this size: remove inner walls, doubled sheets and "
-         "such triangles, use vtkExactGeodesicDistance, or ";
+         "such triangles, use exact distances, or ";
   }
   else
   {
@@ -426,7 +427,9 @@ Status GraphBuilder::Implementation::SampleRows(
   const ConeLimits limits = this->LimitCones(options);
   ConeTracer<Rule> tracer(this->Table, rule, limits);
   std::size_t work = 0;
-  const double fairShare = static_cast<double>(ShareOfVertex * limits.Work) / n * count;
+  // Some of them may take most of what all take.
+  const double mostWork = static_cast<double>(ShareOfVertex * limits.Work) *
+    std::min(1.0, LargestShareOfSample * count / n);
   const auto fixed = static_cast<double>(tracer.GetMemorySize());
   for (Id i = 0; i < count; ++i)
   {
@@ -437,7 +440,7 @@ Status GraphBuilder::Implementation::SampleRows(
     {
       return this->VertexOverwhelmed(row, options);
     }
-    if (static_cast<double>(work) > fairShare)
+    if (static_cast<double>(work) > mostWork)
     {
       return this->MeshOverwhelmed(options);
     }

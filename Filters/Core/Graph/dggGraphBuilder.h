@@ -79,7 +79,8 @@ class GraphBuilder
 {
 public:
   /// Prepares tables of the mesh. With a vertex whose light takes more cones than `coneLimit` no
-  /// graph can be built.
+  /// graph can be built. Nor can one where non-manifold edges or triangles without area multiply
+  /// the work beyond some twenty times that on a clean mesh of the size.
   explicit GraphBuilder(const SurfaceMesh& mesh, std::size_t coneLimit = DefaultConeLimit);
   ~GraphBuilder();
   GraphBuilder(const GraphBuilder&) = delete;
@@ -89,7 +90,7 @@ public:
   static Status Check(const GraphOptions& options);
 
   /// Predict what Build() will take. Cheap: builds the rows of some vertices. Fails where Build()
-  /// is sure to fail.
+  /// fails, or where the sample takes several times its share of the work that is allowed.
   Status Estimate(const GraphOptions& options, GraphEstimate& estimate) const;
 
   /// Build the graph: the same, bit by bit, for any Parallel. `graph` is empty on failure. The

@@ -142,6 +142,17 @@ private:
     {
       std::swap(b[1], b[2]);
     }
+    // In a face that is all but a line, rounding of a place moves its coordinates by much more.
+    double sum = 0.0;
+    for (double& x : b)
+    {
+      x = std::max(0.0, x);
+      sum += x;
+    }
+    for (double& x : b)
+    {
+      x /= sum;
+    }
     const SurfacePoint point = SurfacePoint::InFace(this->Mesh, face, b);
     assert(point.Check(this->Mesh).IsOk());
     return point;

@@ -31,7 +31,7 @@ public:
   {
   }
 
-  Offset Run()
+  CapSplitting Run()
   {
     const Id input = this->GetNumberOfTriangles();
     this->Parents.resize(input);
@@ -43,7 +43,7 @@ public:
     }
     if (this->Caps.empty())
     {
-      return 0;
+      return this->Result;
     }
     for (Id f = 0; f < input; ++f)
     {
@@ -56,7 +56,7 @@ public:
       this->Remove(this->Caps[i]);
     }
     this->Compact();
-    return this->NumberOfRemoved;
+    return this->Result;
   }
 
 private:
@@ -68,6 +68,11 @@ private:
     return { { this->Triangles[3 * f], this->Triangles[3 * f + 1], this->Triangles[3 * f + 2] } };
   }
   void Set(Id f, const Triangle& t) { std::copy(t.begin(), t.end(), &this->Triangles[3 * f]); }
+  bool Has(Id f, Id point) const
+  {
+    const Triangle t = this->Get(f);
+    return std::find(t.begin(), t.end(), point) != t.end();
+  }
   bool IsGone(Id f) const { return this->Parents[f] == NoId; }
 
   double Length(Id a, Id b) const
@@ -75,6 +80,23 @@ private:
     const double* p = this->Points + 3 * static_cast<std::size_t>(a);
     const double* q = this->Points + 3 * static_cast<std::size_t>(b);
     return Norm(Norm(p[0] - q[0], p[1] - q[1]), p[2] - q[2]);
+  }
+
+  /// Of a point above the line through two others.
+  double Height(Id p, Id a, Id b) const
+  {
+    std::array<double, 3> u{};
+    std::array<double, 3> v{};
+    for (int k = 0; k < 3; ++k)
+    {
+      u[k] = this->Points[3 * static_cast<std::size_t>(p) + k] -
+        this->Points[3 * static_cast<std::size_t>(a) + k];
+      v[k] = this->Points[3 * static_cast<std::size_t>(b) + k] -
+        this->Points[3 * static_cast<std::size_t>(a) + k];
+    }
+    return Norm(Norm(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2]),
+             u[0] * v[1] - u[1] * v[0]) /
+      this->Length(a, b);
   }
 
   void MeasureMeanEdge()
@@ -159,11 +181,15 @@ private:
     const Id a = t[(corner + 1) % 3];
     const Id b = t[(corner + 2) % 3];
     const std::vector<Id> faces = this->On(a, b);
-    if (faces.size() == 1 && (this->On(a, apex).size() == 1 || this->On(apex, b).size() == 1))
+    const auto copies = static_cast<std::size_t>(
+      std::count_if(faces.begin(), faces.end(), [&](Id f) { return this->Has(f, apex); }));
+    if (faces.size() == copies &&
+      (this->On(a, apex).size() == copies || this->On(apex, b).size() == copies))
     {
       return; // it alone holds its apex to one of the ends
     }
-    ++this->NumberOfRemoved;
+    ++this->Result.NumberOfCaps;
+    this->Result.LargestHeight = std::max(this->Result.LargestHeight, this->Height(apex, a, b));
     this->Discard(cap);
     for (const Id f : faces)
     {
@@ -178,7 +204,7 @@ private:
   void Split(Id f, Id a, Id b, Id point)
   {
     Triangle first = this->Get(f);
-    if (std::find(first.begin(), first.end(), point) != first.end())
+    if (this->Has(f, point))
     {
       this->Discard(f); // a duplicate of the cap
       return;
@@ -219,11 +245,11 @@ private:
   double MeanEdge = 0.0;
   std::vector<Id> Caps; // to be looked at, in the order in which they were found
   std::unordered_map<std::uint64_t, std::vector<Id>> Edges;
-  Offset NumberOfRemoved = 0;
+  CapSplitting Result;
 };
 }
 
-Offset SplitCaps(const double* points, std::vector<Id>& triangles, std::vector<Id>& parents)
+CapSplitting SplitCaps(const double* points, std::vector<Id>& triangles, std::vector<Id>& parents)
 {
   return CapSplitter(points, triangles, parents).Run();
 }

@@ -11,6 +11,13 @@
 
 namespace dgg
 {
+/// What SplitCaps() has done.
+struct CapSplitting
+{
+  Offset NumberOfCaps = 0;    ///< left out
+  double LargestHeight = 0.0; ///< of these: the surface has moved by no more
+};
+
 /// A *cap* is a triangle whose apex lies on its longest edge, up to rounding: a doubled segment, as
 /// CAD programs leave it where a point of one face meets the middle of an edge of another. All
 /// other triangles on the long edge are split at the apex, and the cap is left out. A cap that is
@@ -23,8 +30,8 @@ namespace dgg
 /// triangles.
 ///
 /// `points` are x y z each, finite. `triangles` are triples of their ids. `parents[f]` becomes the
-/// input triangle that triangle f is, or is a part of. Returns the number of caps left out.
-Offset SplitCaps(const double* points, std::vector<Id>& triangles, std::vector<Id>& parents);
+/// input triangle that triangle f is, or is a part of.
+CapSplitting SplitCaps(const double* points, std::vector<Id>& triangles, std::vector<Id>& parents);
 
 /// Slack of the triangle inequality below which a triangle is degenerate, relative to the longest
 /// of its edges or the mean edge of the mesh, whichever is longer.

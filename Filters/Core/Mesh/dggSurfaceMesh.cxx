@@ -4,6 +4,7 @@
 
 #include "dggSurfaceMeshBuilder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -94,6 +95,13 @@ Status SurfaceMesh::FromGluedLengths(Offset numberOfVertices, const Id* triangle
     builder.Finish();
   }
   return Conclude(status, mesh);
+}
+
+Id SurfaceMesh::GetOriginal(Id f) const
+{
+  return this->IsDuplicate(f) ? (*std::lower_bound(this->Duplicates.begin(), this->Duplicates.end(),
+                                  std::array<Id, 2>{ { f, 0 } }))[1]
+                              : f;
 }
 
 bool SurfaceMesh::IsPassThrough(Id v) const

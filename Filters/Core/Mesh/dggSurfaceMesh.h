@@ -43,9 +43,10 @@ struct PartOfMesh
 /// Conventions. Half-edge `3f+k` starts at corner `k` of face `f`. Faces keep the ids of the input.
 /// A face with a repeated vertex is *dropped* (it has no area and no three edges): it keeps its id
 /// but takes no part. So is a *duplicate*, a face on the three vertices of an earlier one: it is
-/// congruent to that one and glued to it along all edges, so that no path gains by it. Faces are re-oriented component by component where that makes them consistent
-/// (distances do not depend on orientation); a re-oriented face has its corners 1 and 2 swapped, so
-/// always read corners from GetTriangle() or Origin().
+/// congruent to that one and glued to it along all edges, so that no path gains by it. Faces are
+/// re-oriented component by component where that makes them consistent (distances do not depend on
+/// orientation); a re-oriented face has its corners 1 and 2 swapped, so always read corners from
+/// GetTriangle() or Origin().
 ///
 /// Any triangle complex is accepted. The half-edges of one edge form a circular list through
 /// Twin(): one entry on the boundary (Twin is NoId), two on a manifold edge, more on a non-manifold
@@ -106,6 +107,8 @@ public:
   /// Whether the face was dropped because an earlier one has the same vertices. Faces that were
   /// glued by hand have no duplicates.
   bool IsDuplicate(Id f) const { return (this->FaceFlags[f] & DuplicateFlag) != 0; }
+  /// The face that a duplicate repeats; any other face itself.
+  Id GetOriginal(Id f) const;
   /// Whether corners 1 and 2 were swapped with respect to the input.
   bool IsFlipped(Id f) const { return (this->FaceFlags[f] & FlippedFlag) != 0; }
   /// Whether the face had no area, up to rounding, before its edges were lengthened.
@@ -161,17 +164,18 @@ private:
   static constexpr std::uint8_t MollifiedFlag = 8;
   static constexpr std::uint8_t DuplicateFlag = 16;
 
-  std::vector<Id> Origins;             // 3m
-  std::vector<Id> Twins;               // 3m
-  std::vector<double> Lengths;         // 3m
-  std::vector<double> ApexXs;          // 3m
-  std::vector<double> ApexYs;          // 3m
-  std::vector<double> PolarAngles;     // 3m
-  std::vector<Offset> FanOffsets;      // n+1
-  std::vector<Id> Fans;                // 3m, without dropped faces
-  std::vector<double> TotalAngles;     // n
-  std::vector<VertexKind> Kinds;       // n
-  std::vector<std::uint8_t> FaceFlags; // m
+  std::vector<Id> Origins;                   // 3m
+  std::vector<Id> Twins;                     // 3m
+  std::vector<double> Lengths;               // 3m
+  std::vector<double> ApexXs;                // 3m
+  std::vector<double> ApexYs;                // 3m
+  std::vector<double> PolarAngles;           // 3m
+  std::vector<Offset> FanOffsets;            // n+1
+  std::vector<Id> Fans;                      // 3m, without dropped faces
+  std::vector<double> TotalAngles;           // n
+  std::vector<VertexKind> Kinds;             // n
+  std::vector<std::uint8_t> FaceFlags;       // m
+  std::vector<std::array<Id, 2>> Duplicates; // with their originals, sorted
   double MeanEdgeLength = 0.0;
   double MaximumEdgeLength = 0.0;
   double Mollification = 0.0;

@@ -124,6 +124,7 @@ void SurfaceMeshBuilder::GlueByVertices()
       run = stop;
     }
   }
+  std::sort(this->Mesh.Duplicates.begin(), this->Mesh.Duplicates.end());
 }
 
 /// Link the half-edges of one edge, but those of duplicate faces.
@@ -135,12 +136,15 @@ void SurfaceMeshBuilder::GlueEdge(std::vector<Id>::iterator begin, std::vector<I
   std::transform(begin, end, std::back_inserter(this->Apexes),
     [&](Id h) { return std::make_pair(mesh.Apex(h), h); });
   std::sort(this->Apexes.begin(), this->Apexes.end());
+  std::size_t original = 0;
   for (std::size_t i = 1; i < this->Apexes.size(); ++i)
   {
-    if (this->Apexes[i].first == this->Apexes[i - 1].first)
+    original = this->Apexes[i].first == this->Apexes[original].first ? original : i;
+    const Id f = SurfaceMesh::Face(this->Apexes[i].second);
+    if (original != i && !mesh.IsDuplicate(f))
     {
-      mesh.FaceFlags[SurfaceMesh::Face(this->Apexes[i].second)] |=
-        SurfaceMesh::DroppedFlag | SurfaceMesh::DuplicateFlag;
+      mesh.FaceFlags[f] |= SurfaceMesh::DroppedFlag | SurfaceMesh::DuplicateFlag;
+      mesh.Duplicates.push_back({ { f, SurfaceMesh::Face(this->Apexes[original].second) } });
     }
   }
   end = std::remove_if(begin, end, [&](Id h) { return mesh.IsDropped(SurfaceMesh::Face(h)); });

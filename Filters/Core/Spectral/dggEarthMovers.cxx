@@ -16,8 +16,6 @@ namespace dgg
 {
 namespace
 {
-/// Where the gap cannot be seen any more for rounding.
-constexpr double LeastTolerance = 1e-8;
 /// What is aimed at in a step, as a part of the gap that there is: less after long steps, more
 /// after short ones, which were stopped by slopes that are near 1.
 constexpr double FirstAim = 0.4;
@@ -441,7 +439,7 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
   }
   // An interior point method: slopes stay below 1, flows keep their divergence, and e goes to 0.
   const double firstGap = result.Distance - result.LowerBound;
-  const double tolerance = std::max(options.Tolerance, LeastTolerance);
+  const double tolerance = std::max(options.Tolerance, LeastEarthMoversGap);
   const double scale = FirstSlope / SteepestOf(flows, potential);
   for (double& value : potential)
   {

@@ -14,6 +14,9 @@
 
 namespace dgg
 {
+/// Where the gap cannot be seen any more for rounding.
+constexpr double LeastEarthMoversGap = 1e-8;
+
 struct EarthMoversOptions
 {
   /// Most iterations, each a factorization; 0 gives the cost of the flow that is a gradient, which
