@@ -220,18 +220,22 @@ def files_in(folders):
     return sorted(found, key=lambda path: (os.path.getsize(path), path))
 
 
-def kept_seeds():
-    """Seeds in the file, and for each the filters that still fail on its mesh."""
+def kept():
+    """Seeds, and names of files, and for each the filters that still fail on its mesh."""
     with open(SEEDS, encoding="utf-8") as file:
         lines = [line.split("#")[0].split() for line in file]
-    return {int(words[0]): words[1:] for words in lines if words}
+    return {words[0]: words[1:] for words in lines if words}
+
+
+def kept_seeds():
+    return [int(name) for name in kept() if name.isdigit()]
 
 
 def meshes(options):
     """All meshes of a run: name, function that makes it, how to run it again."""
     script = os.path.relpath(os.path.abspath(__file__))
     if options.generate:
-        seeds = [] if options.generate == 1 else list(kept_seeds())
+        seeds = [] if options.generate == 1 else kept_seeds()
         seeds += range(options.seed, options.seed + options.generate)
         for seed in dict.fromkeys(seeds):
             again = f"{script} --generate 1 --seed {seed}"
@@ -256,7 +260,7 @@ def sweep(options):
         if mesh is None:
             continue
         number = len(mesh.points)
-        known = [] if options.strict else kept_seeds().get(mesh.seed, [])
+        known = [] if options.strict else kept().get(str(mesh.seed), kept().get(mesh.name, []))
         wanted = names if number <= LARGEST else [name for name in names if name in LARGE]
         surface = Surface(mesh)
         for name, outcome in run(surface, wanted, functools.partial(clean.limit, number)):
