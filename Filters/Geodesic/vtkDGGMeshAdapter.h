@@ -52,7 +52,7 @@ public:
   const dgg::MeshReport& GetReport() const { return this->Prepared->Report; }
   /// Of the points as doubles and the triangles made of the cells.
   const dgg::Signature& GetSignature() const { return this->Prepared->Signature; }
-  /// What the input has been taken for.
+  /// What the input is treated as.
   const vtkDGGDomain& GetDomain() const { return this->Prepared->Domain; }
   /// Whether only points have been looked at.
   bool IsCloud() const { return this->GetDomain().Kind == vtkDGGDomain::Cloud; }

@@ -40,7 +40,7 @@ public:
   /// Fails when there is nothing that a surface could be made of.
   static dgg::Status CheckSurface(vtkPolyData* input);
 
-  /// What a user should be told when most of the surface is not connected with a vertex that is
+  /// The warning to report when most of the surface is not connected with a vertex that is
   /// reached, though its parts all but touch; else nothing. `input` is what the mesh was made from.
   std::string DescribeGaps(vtkPolyData* input, const std::vector<bool>& isReached) const;
 

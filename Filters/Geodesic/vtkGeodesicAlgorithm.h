@@ -108,7 +108,7 @@ public:
    * are counted in a warning. Not used on point clouds, where such points are next to each other.
    *
    * For gaps between points that should coincide, there is MergeTolerance. A distance that leaves
-   * more than half of the surface unconnected with its sources looks for them: a warning tells the
+   * more than half of the surface unconnected with its sources looks for them: a warning reports the
    * tolerance that closes them when boundaries of different parts are within 1e-6 of the diagonal.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);

@@ -212,6 +212,35 @@ TEST(AwkwardSurfaces, DuplicateTriangles)
   ExpectEuclidean(filter, surface, 1e-12);
 }
 
+// Closed surfaces that touch at one place have no boundary there, also when each triangle is there
+// twice.
+TEST(AwkwardSurfaces, DuplicatesHaveNoBoundary)
+{
+  Points points;
+  Cells cells;
+  for (const double sign : { 1.0, -1.0 })
+  {
+    const auto first = static_cast<vtkIdType>(points.size());
+    points.push_back({ { 0.0, 0.0, 0.0 } });
+    points.push_back({ { sign, 0.0, 0.0 } });
+    points.push_back({ { 0.0, sign, 0.0 } });
+    points.push_back({ { 0.0, 0.0, sign } });
+    for (int copy = 0; copy < 2; ++copy)
+    {
+      cells.push_back({ first, first + 1, first + 2 });
+      cells.push_back({ first, first + 2, first + 3 });
+      cells.push_back({ first, first + 3, first + 1 });
+      cells.push_back({ first + 1, first + 3, first + 2 });
+    }
+  }
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(MakeSurface(points, cells));
+  filter->AddSourceId(0);
+  ExpectWarning(filter, { "8 triangles on the same three points as an earlier one" });
+  EXPECT_EQ(filter->GetNumberOfCoincidentBoundaryPoints(), 0);
+  EXPECT_EQ(filter->GetNumberOfBoundaryEdges(), 0);
+}
+
 TEST(AwkwardSurfaces, PolygonsWithFewerThanThreePointsAreDropped)
 {
   auto surface = MakeGrid(3, 3);

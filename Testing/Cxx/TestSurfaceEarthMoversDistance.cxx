@@ -548,3 +548,13 @@ TEST(SurfaceEarthMoversDistance, CopiesOfTrianglesHaveTheirFlow)
     }
   }
 }
+
+// The smallest gap that can be asked for is that of rounding: no warning that it is not closed.
+TEST(SurfaceEarthMoversDistance, AnySmallToleranceIsReached)
+{
+  auto surface = MakeGrid(5, 4);
+  Fixture fixture(surface, Bump(surface, 0.0, 0.0, 1.0), Bump(surface, 4.0, 3.0, 1.0));
+  fixture.Filter->SetTolerance(0.0);
+  fixture.Distance();
+  EXPECT_LE(fixture.Filter->GetGap(), 1e-8);
+}

@@ -190,3 +190,14 @@ def number_of_colours(path):
     """How many colours a picture has."""
     array = pixels(read_image(path))[:, :, :3]
     return len(np.unique(array.reshape(-1, 3), axis=0))
+
+
+def polyline(points):
+    """One line through some points."""
+    curve = polydata(points, np.empty((0, 3)))
+    lines = vtkCellArray()
+    lines.InsertNextCell(len(points))
+    for i in range(len(points)):
+        lines.InsertCellPoint(i)
+    curve.SetLines(lines)
+    return curve

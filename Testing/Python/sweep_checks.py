@@ -12,7 +12,7 @@ import numpy as np
 import support
 import vtkdgg
 from sweep_trial import EXACT, ON_SURFACE
-from sweep_trial import pieces_of, polygon_areas, polyline, to_triangles, with_points
+from sweep_trial import pieces_of, polygon_areas, to_triangles, with_points
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -490,7 +490,7 @@ def movers(trial):
 def graphics(trial):
     surface = trial.surface
     ends = surface.inner[:2]
-    curve = polyline(surface.points[ends])
+    curve = support.polyline(surface.points[ends])
     for name, color in (("LeftColor", [1.0, 0.0, 0.0]), ("RightColor", [0.0, 0.0, 1.0])):
         array = numpy_to_vtk(np.array([color]), deep=True)
         array.SetName(name)
@@ -511,7 +511,7 @@ def patches(trial):
     algorithm.SetSecondSurfaceData(support.polydata(surface.points[:, [1, 2, 0]], surface.cells))
     algorithm.SetFirstLandmarkIds(landmarks)
     algorithm.SetSecondLandmarkIds(landmarks)
-    algorithm.SetLayoutData(polyline(surface.points[landmarks]))
+    algorithm.SetLayoutData(support.polyline(surface.points[landmarks]))
     curves = trial.update(algorithm)
     lengths = expect_lengths(trial, curves, "curve")
     trial.expect(np.isfinite(lengths), "not finite")

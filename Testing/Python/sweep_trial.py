@@ -9,7 +9,6 @@ import numpy as np
 import support
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 EXACT = 1e-9  # relative error of exact distances, lengths and areas
@@ -190,14 +189,3 @@ def with_points(surface, places, faces):
     m = new[new >= 0]
     parts = [np.column_stack(t) for t in ((a, b, m), (b, c, m), (c, a, m))]
     return np.vstack([surface.points, places]), np.concatenate([surface.triangles[new < 0], *parts])
-
-
-def polyline(points):
-    """One line through some points."""
-    curve = support.polydata(points, np.empty((0, 3)))
-    lines = vtkCellArray()
-    lines.InsertNextCell(len(points))
-    for i in range(len(points)):
-        lines.InsertCellPoint(i)
-    curve.SetLines(lines)
-    return curve

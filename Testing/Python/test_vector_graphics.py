@@ -8,7 +8,6 @@ import numpy as np
 import support
 import vtkdgg
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 
 def add_array(data, name, values):
@@ -18,17 +17,6 @@ def add_array(data, name, values):
     data.AddArray(array)
 
 
-def make_curve(points):
-    """One polyline."""
-    curve = support.polydata(points, np.zeros((0, 3)))
-    lines = vtkCellArray()
-    lines.InsertNextCell(len(points))
-    for i in range(len(points)):
-        lines.InsertCellPoint(i)
-    curve.SetLines(lines)
-    return curve
-
-
 class PoissonVectorGraphics(unittest.TestCase):
     def setUp(self):
         self.points, triangles = support.bumpy()
@@ -36,7 +24,7 @@ class PoissonVectorGraphics(unittest.TestCase):
         self.graphics = vtkdgg.vtkPoissonVectorGraphics()
         self.graphics.SetInputData(self.mesh)
         far = int(vtkdgg.distance(self.points, triangles, 0).argmax())
-        self.curve = make_curve(self.points[[0, far]])
+        self.curve = support.polyline(self.points[[0, far]])
         self.graphics.SetCurveData(self.curve)
 
     def values(self):

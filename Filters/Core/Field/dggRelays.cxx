@@ -16,7 +16,7 @@ namespace
 /// the errors along rims stay; with more, the mean error inside of faces grows on coarse models.
 constexpr double LargestShortfall = 0.2;
 
-/// Whether the longer of two models of a vertex is the better one, as its neighbours tell.
+/// Whether the longer of two models of a vertex is the better one, by its neighbours.
 bool IsConfirmed(const SurfaceMesh& mesh, Id v, const CornerModel& shorter,
   const CornerModel& longer, const std::vector<double>& distances)
 {

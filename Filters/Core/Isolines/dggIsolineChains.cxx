@@ -142,7 +142,7 @@ private:
     {
       std::swap(b[1], b[2]);
     }
-    // In a face that is all but a line, rounding of a place moves its coordinates by much more.
+    // In a face of near-zero area, rounding of a place moves its coordinates by much more.
     double sum = 0.0;
     for (double& x : b)
     {

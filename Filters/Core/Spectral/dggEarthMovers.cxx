@@ -81,7 +81,7 @@ public:
       face.Length = triangulation.Length(h);
       face.Apex = LayOut(face.Length, triangulation.Length(h + 2), triangulation.Length(h + 1));
       // Where the element was made softer, so is the flow, for both to fit together. A triangle
-      // that is all but a line is made larger, which conducts the same: slopes across it would be
+      // of near-zero area is made larger, which conducts the same: slopes across it would be
       // noise.
       const std::array<double, 3> allowed = system.GetCotangents(f);
       double softness = 1.0;
