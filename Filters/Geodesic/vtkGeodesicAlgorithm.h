@@ -16,8 +16,9 @@
  * split there, so that lengths and areas are those of the points; `FaceId` names the cell that was
  * split. Edges of other triangles without area are lengthened a little (GetMollification()). Edges
  * with more than two triangles and points where sheets touch conduct: distances are those of the
- * triangles as they are glued by point ids. Where the work on them grows beyond some twenty times
- * that on a clean mesh of the same size, the filter fails with what to remove. All of these are
+ * triangles as they are glued by point ids. Where the work on them, or on long triangles of little
+ * area, grows far beyond that on a clean mesh of the same size, the filter fails with what to
+ * remove. All of these are
  * counted in warnings, once for each mesh, and in the report (GetMeshReport()). Orientation does
  * not matter.
  *
@@ -108,8 +109,9 @@ public:
    * are counted in a warning. Not used on point clouds, where such points are next to each other.
    *
    * For gaps between points that should coincide, there is MergeTolerance. A distance that leaves
-   * more than half of the surface unconnected with its sources looks for them: a warning reports the
-   * tolerance that closes them when boundaries of different parts are within 1e-6 of the diagonal.
+   * more than half of the surface unconnected with its sources looks for them: a warning reports
+   * the tolerance that closes them when boundaries of different parts are within 1e-6 of the
+   * diagonal.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);

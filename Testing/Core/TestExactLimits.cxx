@@ -5,9 +5,12 @@
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
+#include "dggWindowEnvelope.h"
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <string>
 
 namespace dggtest
 {
@@ -256,5 +259,78 @@ TEST_P(ExactLimits, ReuseChangesNothing)
       }
     }
   }
+}
+
+TEST(WindowEnvelope, IsTheLeastOfWindowsInAnyOrder)
+{
+  // Images over one half-edge, those of later windows anywhere before the others.
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<dgg::Window> windows(300);
+  for (dgg::Window& w : windows)
+  {
+    w.Root = static_cast<Id>(&w - windows.data());
+    w.Image = { 3.0 * unit(random) - 1.0, -0.1 - unit(random) };
+    const double begin = 0.9 * unit(random);
+    w.SetInterval(begin, begin + (1.0 - begin) * unit(random));
+  }
+  const auto envelope = dgg::MakeEnvelope(windows.data(), windows.data() + windows.size(), 1.0);
+  EXPECT_TRUE(std::is_sorted(envelope.begin(), envelope.end(),
+    [](const dgg::Window& a, const dgg::Window& b) { return a.End < b.End; }));
+  for (int k = 0; k < 1000; ++k)
+  {
+    const double x = unit(random);
+    auto leastOf = [&](const std::vector<dgg::Window>& list) {
+      double least = dgg::Infinity;
+      for (const dgg::Window& w : list)
+      {
+        least = x >= w.Begin && x <= w.End ? std::min(least, w.DistanceAt(x)) : least;
+      }
+      return least;
+    };
+    const double expected = leastOf(windows);
+    const double found = leastOf(envelope);
+    EXPECT_TRUE(found == expected || std::abs(found - expected) < 1e-12) << x;
+  }
+  dgg::WindowList scratch;
+  dgg::WindowList list = envelope;
+  dgg::Window wide;
+  wide.Image = { 0.5, -10.0 };
+  wide.SetInterval(0.0, 1.0);
+  EXPECT_FALSE(dgg::InsertIntoEnvelope(list, wide, 1.0, scratch, 3));
+  EXPECT_EQ(list.size(), envelope.size());
+}
+
+TEST(WindowPropagation, EndsWhereStretchedTrianglesMultiplyWindows)
+{
+  // A strip with one side, a million times as long as high: windows run around it again and again.
+  TestMesh mesh;
+  constexpr Id columns = 600;
+  constexpr Id rows = 3;
+  for (Id i = 0; i < columns; ++i)
+  {
+    const double angle = 2.0 * dgg::Pi * i / columns;
+    for (Id j = 0; j <= rows; ++j)
+    {
+      const double across = 0.3 * (static_cast<double>(j) / rows - 0.5);
+      const double radius = 1.0 + across * std::cos(0.5 * angle);
+      mesh.AddPoint(
+        radius * std::cos(angle), 1e6 * radius * std::sin(angle), across * std::sin(0.5 * angle));
+    }
+  }
+  auto at = [&](Id i, Id j) { return i < columns ? i * (rows + 1) + j : rows - j; };
+  for (Id i = 0; i < columns; ++i)
+  {
+    for (Id j = 0; j < rows; ++j)
+    {
+      mesh.AddQuad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  }
+  const dgg::SurfaceMesh surface = Build(mesh);
+  dgg::ExactGeodesics solver(surface);
+  dgg::ExactResult result;
+  const dgg::Status status = solver.Run({ VertexSource(500) }, {}, result);
+  EXPECT_NE(status.GetMessage().find("long triangles of little area"), std::string::npos);
+  EXPECT_TRUE(result.Distances.empty());
 }
 }

@@ -59,7 +59,7 @@ READERS = {
 GOOD = ("ok", "refused", "known")
 # What the documentation says that filters refuse.
 REFUSALS = [
-    r"multipl(y|ies) among non-manifold edges or triangles without area",
+    r"multipl(y|ies) among non-manifold edges or (triangles without|long triangles of little) area",
     r"the triangles are too thin: about",
     r"has more than two triangles: loops around handles need a manifold",
     r"curves have no sides where they meet",

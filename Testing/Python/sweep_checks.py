@@ -290,10 +290,11 @@ def isolines(make, accuracy):
 
 def expect_levels(trial, values, ends, face, level, accuracy):
     """A value is that of each corner, up to the way from there; where it is not exact, it may also
-    lie between those of the corners."""
+    lie between those of the corners, and that at an end on an edge is what the other face says."""
     corners = trial.surface.cells[face]
-    way = np.linalg.norm(ends[:, :1] - trial.surface.points[corners], axis=2)
-    excess = (np.abs(values[corners] - level[:, None]) - way).max(axis=1)
+    way = np.linalg.norm(ends[:, :, None] - trial.surface.points[corners][:, None], axis=3)
+    excess = (np.abs(values[corners] - level[:, None])[:, None] - way).max(axis=2)
+    excess = excess.min(axis=1) if accuracy > 0 else excess.max(axis=1)
     if accuracy > 0:
         least, most = values[corners].min(axis=1), values[corners].max(axis=1)
         excess[(least <= level) & (level <= most)] = 0.0

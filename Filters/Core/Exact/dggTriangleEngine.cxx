@@ -14,6 +14,8 @@ constexpr std::size_t ProgressInterval = 20000;
 /// Windows and vertices between two looks at the radius, at least: few, so that targets close to
 /// the source end the run soon.
 constexpr std::size_t RadiusInterval = 64;
+/// A child is put among those before it one by one, but not before that many of them.
+constexpr std::ptrdiff_t MostBeyond = 64;
 }
 
 std::size_t TriangleEngine::PredictMemory(const SurfaceMesh& mesh)
@@ -91,12 +93,12 @@ void TriangleEngine::Receive(Id h, const Window& window)
 {
   Window w = window;
   this->Scratch.clear();
-  this->RightChildren.clear();
+  this->RightChildren.Envelope.clear();
   this->AddChild(w, this->Mesh.Length(h), this->Label(this->Mesh.Origin(h)),
     this->Label(this->Mesh.Destination(h)), this->RightChildren);
-  if (!this->RightChildren.empty())
+  if (!this->RightChildren.Envelope.empty())
   {
-    this->Join(h, this->RightChildren);
+    this->Join(h, this->RightChildren.Envelope);
   }
 }
 
@@ -234,8 +236,8 @@ std::size_t TriangleEngine::PropagateList(Id h)
   this->MakeChildren(h, face);
   this->Light.swap(this->Pool[slot]); // give the storage back
   this->Pool[slot].clear();
-  this->Deliver(SurfaceMesh::Previous(h), this->LeftChildren);
-  this->Deliver(SurfaceMesh::Next(h), this->RightChildren);
+  this->Deliver(SurfaceMesh::Previous(h), this->LeftChildren.Envelope);
+  this->Deliver(SurfaceMesh::Next(h), this->RightChildren.Envelope);
   return windows;
 }
 
@@ -257,8 +259,8 @@ void TriangleEngine::LightApex(Id h, const FaceUnfolding& face)
 
 void TriangleEngine::MakeChildren(Id h, const FaceUnfolding& face)
 {
-  this->LeftChildren.clear();
-  this->RightChildren.clear();
+  this->LeftChildren.Envelope.clear();
+  this->RightChildren.Envelope.clear();
   const bool hasLeft = this->Mesh.Twin(SurfaceMesh::Previous(h)) != NoId;
   const bool hasRight = this->Mesh.Twin(SurfaceMesh::Next(h)) != NoId;
   const double atOrigin = this->Label(this->Mesh.Origin(h));
@@ -289,17 +291,34 @@ void TriangleEngine::MakeChildren(Id h, const FaceUnfolding& face)
       this->AddChild(child, face.GetRight(), atApex, atEnd, this->RightChildren);
     }
   }
+  this->AddMisplaced(face.GetLeft(), this->LeftChildren);
+  this->AddMisplaced(face.GetRight(), this->RightChildren);
 }
 
 void TriangleEngine::AddChild(
-  Window& child, double length, double atOrigin, double atEnd, WindowList& list)
+  Window& child, double length, double atOrigin, double atEnd, ChildList& list)
 {
   if (!child.FacesEdge(length) || child.IsTooNarrow(length) ||
     !TrimByEnds(child, length, atOrigin, atEnd) || child.MinimumDistance() > this->GetRadius())
   {
     return;
   }
-  InsertIntoEnvelope(list, child, length, this->Scratch);
+  if (!InsertIntoEnvelope(list.Envelope, child, length, this->Scratch, MostBeyond))
+  {
+    list.Misplaced.push_back(child);
+  }
+}
+
+void TriangleEngine::AddMisplaced(double length, ChildList& list)
+{
+  if (!list.Misplaced.empty())
+  {
+    const Window* begin = list.Misplaced.data();
+    const WindowList others = MakeEnvelope(begin, begin + list.Misplaced.size(), length);
+    MergeEnvelopes(list.Envelope, others, length, this->Merged);
+    list.Envelope.swap(this->Merged);
+    list.Misplaced.clear();
+  }
 }
 
 void TriangleEngine::Deliver(Id exit, WindowList& list)

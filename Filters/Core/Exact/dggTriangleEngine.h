@@ -36,6 +36,15 @@ protected:
   void Release() override;
 
 private:
+  /// Windows that leave a face through one of its edges. On stretched triangles the children of
+  /// thousands of windows lie across each other; those far from their place wait, as putting each
+  /// among the others at once would take the square of their number.
+  struct ChildList
+  {
+    WindowList Envelope;
+    WindowList Misplaced;
+  };
+
   void ResetRun();
   bool IsFinished() const;
   bool Report(std::size_t work);
@@ -45,7 +54,8 @@ private:
   std::size_t PropagateList(Id h);
   void LightApex(Id h, const FaceUnfolding& face);
   void MakeChildren(Id h, const FaceUnfolding& face);
-  void AddChild(Window& child, double length, double atOrigin, double atEnd, WindowList& list);
+  void AddChild(Window& child, double length, double atOrigin, double atEnd, ChildList& list);
+  void AddMisplaced(double length, ChildList& list);
   void Deliver(Id exit, WindowList& list);
   void Join(Id h, WindowList& list);
   bool MeasureMemory();
@@ -66,8 +76,8 @@ private:
   WindowMemory Memory;
 
   WindowList Light; // the list on its way through a face
-  WindowList LeftChildren;
-  WindowList RightChildren;
+  ChildList LeftChildren;
+  ChildList RightChildren;
   WindowList Merged;
   WindowList Scratch;
   Id NumberOfVisited = 0;

@@ -360,12 +360,26 @@ void MergeEnvelopes(
     .Run();
 }
 
-void InsertIntoEnvelope(WindowList& list, const Window& w, double length, WindowList& scratch)
+WindowList MakeEnvelope(const Window* begin, const Window* end, double length)
+{
+  if (end - begin < 2)
+  {
+    return WindowList(begin, end);
+  }
+  const Window* middle = begin + (end - begin) / 2;
+  WindowList merged;
+  MergeEnvelopes(
+    MakeEnvelope(begin, middle, length), MakeEnvelope(middle, end, length), length, merged);
+  return merged;
+}
+
+bool InsertIntoEnvelope(
+  WindowList& list, const Window& w, double length, WindowList& scratch, std::ptrdiff_t mostBeyond)
 {
   if (list.empty() || list.back().End <= w.Begin)
   {
     Append(list, w, w.Begin, w.DistanceAtBegin, w.End, w.DistanceAtEnd, length);
-    return;
+    return true;
   }
   // The usual overlap: the children of neighbours cross, each is shorter on its own side.
   Window& back = list.back();
@@ -377,15 +391,20 @@ void InsertIntoEnvelope(WindowList& list, const Window& w, double length, Window
     back.End = tie;
     back.DistanceAtEnd = atTie;
     Append(list, w, tie, atTie, w.End, w.DistanceAtEnd, length);
-    return;
+    return true;
   }
   auto tail = list.end();
   while (tail != list.begin() && (tail - 1)->End > w.Begin)
   {
     --tail;
+    if (list.end() - tail > mostBeyond)
+    {
+      return false;
+    }
   }
   scratch.assign(tail, list.end());
   list.erase(tail, list.end());
   Sweep({ scratch.data(), scratch.data() + scratch.size() }, { &w, &w + 1 }, length, list).Run();
+  return true;
 }
 }

@@ -8,7 +8,9 @@
 
 #include "dggWindow.h" // for Window
 
-#include <vector> // for WindowList
+#include <cstddef> // for std::ptrdiff_t
+#include <limits>  // for a limit that is none
+#include <vector>  // for WindowList
 
 namespace dgg
 {
@@ -23,8 +25,13 @@ bool TrimByEnds(Window& window, double length, double atOrigin, double atEnd);
 void MergeEnvelopes(
   const WindowList& first, const WindowList& second, double length, WindowList& out);
 
-/// Insert one window into an envelope, fast when it belongs at the end.
-void InsertIntoEnvelope(WindowList& list, const Window& window, double length, WindowList& scratch);
+/// Lower envelope of windows in any order, in n log n steps for n windows.
+WindowList MakeEnvelope(const Window* begin, const Window* end, double length);
+
+/// Insert one window into an envelope, fast when it belongs at the end. Does nothing and returns
+/// false when it begins before the end of more than `mostBeyond` windows.
+bool InsertIntoEnvelope(WindowList& list, const Window& window, double length, WindowList& scratch,
+  std::ptrdiff_t mostBeyond = std::numeric_limits<std::ptrdiff_t>::max());
 
 /// The point in (begin, end) where two windows tie. `first` must be shorter at begin and longer at
 /// end, or the other way round.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -17,10 +16,12 @@ namespace
 /// can do to an angle, and less than what makes a window of its own (PieceTolerance of the
 /// envelopes). With 1e-6 half of all windows were overlaps of this kind.
 constexpr double ShadowSlack = 1e-10;
-/// A manifold mesh of n faces takes 0.2 n^1.5 windows, as measured on finely divided spheres, which
-/// have most of them; one whose windows scatter may take some twenty times as many.
-constexpr double MostWindowsPerFace = 4.4; // by the root of the number of faces
-constexpr double FewWindows = 1e6;         // take no time anyhow
+/// A manifold mesh of n faces takes 0.2 n^1.5 windows, as measured on finely divided spheres. One
+/// whose windows scatter may take some twenty times as many; one of long strips without points
+/// inside, where each vertex sees all faces, a hundred times, as these windows are simple.
+constexpr double MostScattered = 4.4; // of a face, by the root of the number of faces
+constexpr double MostOnManifold = 20.0;
+constexpr double FewWindows = 1e6; // take no time anyhow
 
 std::size_t LimitWindows(const SurfaceMesh& mesh)
 {
@@ -31,9 +32,8 @@ std::size_t LimitWindows(const SurfaceMesh& mesh)
     scatters = t != NoId && mesh.Twin(t) != h;
   }
   const double faces = mesh.GetNumberOfFaces();
-  return scatters
-    ? static_cast<std::size_t>(std::max(FewWindows, MostWindowsPerFace * faces * std::sqrt(faces)))
-    : std::numeric_limits<std::size_t>::max();
+  const double most = (scatters ? MostScattered : MostOnManifold) * faces * std::sqrt(faces);
+  return static_cast<std::size_t>(std::max(FewWindows, most));
 }
 
 /// Which of the sources of one face are nowhere in it nearer than another one. Of those that start
@@ -224,10 +224,9 @@ Status WindowPropagation::RunInto(const std::vector<GeodesicSource>& sources,
         "GenerateWindows off), or raise the limit");
     }
     return this->IsOverwhelmed
-      ? Status::Invalid("the windows multiply among non-manifold edges or triangles without area, "
-                        "beyond some twenty times those of a clean mesh of this size: remove inner "
-                        "walls, doubled sheets and such triangles, or set a smaller "
-                        "MaximumDistance")
+      ? Status::Invalid("the windows multiply among non-manifold edges or long triangles of little "
+                        "area, far beyond those of a clean mesh of this size: remove inner walls, "
+                        "doubled sheets and such triangles, or set a smaller MaximumDistance")
       : Status::Abort();
   }
   this->KnowsReached = isAgain;

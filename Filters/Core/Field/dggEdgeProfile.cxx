@@ -399,14 +399,16 @@ double EdgeProfile::At(double x) const
 double EdgeProfile::LeastOfModels(double x) const
 {
   const double t = x / this->Length;
-  double least = this->IsLinear ? (1.0 - t) * this->Ends[0] + t * this->Ends[1]
-                                : std::min(this->ModelAt(0, x), this->ModelAt(1, x));
+  const double ends = this->IsLinear ? (1.0 - t) * this->Ends[0] + t * this->Ends[1]
+                                     : std::min(this->ModelAt(0, x), this->ModelAt(1, x));
+  double least = this->NumberOfOpposites == 0 ? ends : Infinity;
   for (std::size_t i = 0; i < this->NumberOfOpposites; ++i)
   {
     const Opposite& opposite = this->Opposites[i];
     const Point2 p{ (1.0 - t) * opposite.From.X + t * opposite.To.X,
       (1.0 - t) * opposite.From.Y + t * opposite.To.Y };
-    least = std::min(least, opposite.Profile.ModelAt(opposite.Corner, p));
+    const double inFace = std::min(ends, opposite.Profile.ModelAt(opposite.Corner, p));
+    least = std::min(least, std::max(inFace, opposite.Profile.GetLowerBound(p)));
   }
   return least;
 }

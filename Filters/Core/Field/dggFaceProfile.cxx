@@ -3,6 +3,7 @@
 #include "dggFaceProfile.h"
 
 #include "dggSurfacePoint.h"
+#include "dggUnfolding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,9 @@ constexpr double WindowSlack = 1e-9;
 
 /// A model that misses less than this is right, relative.
 constexpr double Rounding = 1e-13;
+
+/// The candidate of a lower bound, after those of models.
+constexpr Id LeastCandidate = 9;
 
 double LargestOf(const std::array<double, 3>& values)
 {
@@ -184,6 +188,28 @@ void FaceProfile::SetUpModels()
       this->Missing[k][j] = std::max(0.0, this->Distances[j] - predicted[i]);
     }
   }
+  double raise = 0.0;
+  double excess = 0.0; // of differences between corners, over their distance
+  for (int k = 0; k < 3; ++k)
+  {
+    raise = std::max(raise, LargestOf(this->Missing[k]));
+    excess = std::max(excess, LargestOf(this->MissingOver[k]));
+  }
+  this->HasLowerBounds = raise > this->Negligible;
+  for (int k = 0; k < 3; ++k)
+  {
+    this->LowerBounds[k] = this->Distances[k] - excess;
+  }
+}
+
+double FaceProfile::GetLowerBound(const Point2& p) const
+{
+  double bound = -Infinity;
+  for (int k = 0; k < 3 && this->HasLowerBounds; ++k)
+  {
+    bound = std::max(bound, this->LowerBounds[k] - Distance(p, this->Corners[k]));
+  }
+  return bound;
 }
 
 double FaceProfile::GetLargestRaise(int k) const
@@ -358,7 +384,24 @@ FieldSample FaceProfile::FromModels(const Point2& p) const
       best = wave;
     }
   }
-  return best.Candidate == NoId ? FieldSample() : this->SampleOf(best, p, b);
+  if (best.Candidate == NoId)
+  {
+    return {};
+  }
+  FieldSample sample = this->SampleOf(best, p, b);
+  for (int k = 0; k < 3 && this->HasLowerBounds; ++k)
+  {
+    const Point2 way = Difference(this->Corners[k], p);
+    const double length = Norm(way.X, way.Y);
+    if (this->LowerBounds[k] - length > sample.Distance)
+    {
+      sample.Distance = this->LowerBounds[k] - length;
+      sample.Gradient = { way.X / length, way.Y / length };
+      sample.HasImage = false;
+      sample.Candidate = LeastCandidate + k;
+    }
+  }
+  return sample;
 }
 
 FieldSample FaceProfile::Linear(const Point2& p) const

@@ -49,6 +49,9 @@ public:
   /// @}
   /// The most that the model of a corner is raised by at another corner.
   double GetLargestRaise(int k) const;
+  /// The least distance that the corners allow at a point. -Infinity where no model is raised: then
+  /// none is below it.
+  double GetLowerBound(const Point2& p) const;
 
   /// Whether the waves that reach the face come from all sides, so that a point inside it may be
   /// farther away than all around it. When in doubt, true.
@@ -100,10 +103,12 @@ private:
   std::array<std::size_t, 4> FirstWindows{ { 0, 0, 0, 0 } };
   std::vector<FieldSample> Sources;
   std::array<CornerModel, 3> Models;
-  std::array<std::array<double, 3>, 3> Missing{};     // of the model of a corner at another one
-  std::array<std::array<double, 3>, 3> MissingOver{}; // of the way over a corner at another one
-  double Negligible = 0.0;                            // of what is missing
+  std::array<std::array<double, 3>, 3> Missing{};         // of the model of a corner at another one
+  std::array<std::array<double, 3>, 3> MissingOver{};     // of the way over a corner at another one
+  std::array<double, 3> LowerBounds{ { 0.0, 0.0, 0.0 } }; // of the distance, at corners
+  double Negligible = 0.0;                                // of what is missing
   bool HasModels = false;
+  bool HasLowerBounds = false;
 };
 }
 
