@@ -38,9 +38,8 @@ import record_cases
 import record_refusals
 import sweep
 import vtkdgg
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import get_numpy_array_type, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 THREADS = [("TBB", 1), ("TBB", 2), ("STDThread", 1), ("STDThread", 2)]
 LIMIT = 120.0  # seconds that a process may take
@@ -49,6 +48,7 @@ MEBIBYTE = 2**20
 MORE, SLACK = 1.1, 8.0  # by how much memory may grow: a factor, and MiB
 # Numbers that are not the same again.
 FLEETING = re.compile(r"BuildTime")
+NUMBERS = (bool, int, float, str)
 PLACE = re.compile(r"\A(?:ERROR|Warning): In .*, line \d+\n")
 ADDRESS = re.compile(r" ?\(?0x[0-9a-fA-F]+\)?")
 
@@ -91,17 +91,21 @@ class Messages:
 
 
 def numbers_of(algorithm):
-    """What the Get methods without arguments return that is a number, a text, or some of them."""
+    """What the Get methods return, those with an index for the first one, that is a number, a text,
+    or some of them."""
     found = {}
     for name in record_cases.own_methods(algorithm):
         if name.startswith("Get") and not FLEETING.search(name):
-            try:
-                value = getattr(algorithm, name)()
-            except TypeError:  # it takes arguments
-                continue
-            parts = value if isinstance(value, (tuple, list)) else [value]
-            if all(part is None or isinstance(part, (bool, int, float, str)) for part in parts):
-                found[name] = ADDRESS.sub("", repr(value))
+            method = getattr(algorithm, name)
+            for arguments in ((), (0,)):
+                try:
+                    value = method(*arguments)
+                except (TypeError, ValueError):  # it wants other arguments
+                    continue
+                parts = value if isinstance(value, (tuple, list)) else [value]
+                if all(part is None or isinstance(part, NUMBERS) for part in parts):
+                    found[name] = ADDRESS.sub("", repr(value))
+                break
     return found
 
 
@@ -138,9 +142,12 @@ def arrays_in(data, place):
 
 def as_numpy(array):
     if isinstance(array, vtkDataArray):
-        return vtk_to_numpy(array) if array.GetNumberOfValues() else np.empty(0)
-    if hasattr(array, "GetNumberOfValues"):
-        return np.array([array.GetVariantValue(i).ToString() for i in range(array.GetSize())], "U")
+        shape = array.GetNumberOfTuples(), array.GetNumberOfComponents()
+        empty = np.empty(shape, dtype=get_numpy_array_type(array.GetDataType()))
+        return vtk_to_numpy(array) if empty.size else empty
+    if hasattr(array, "GetVariantValue"):
+        values = range(array.GetNumberOfValues())
+        return np.array([array.GetVariantValue(i).ToString() for i in values], dtype="U")
     return np.asarray(array)
 
 
@@ -195,6 +202,8 @@ def answer(build, change, folders):
                 arrays.update(arrays_in(algorithm.GetOutputDataObject(port), str(port)))
             if hasattr(algorithm, "GetMatrix"):
                 arrays["matrix"] = algorithm.GetMatrix()
+            if hasattr(algorithm, "Write") and os.path.exists(algorithm.GetFileName() or ""):
+                arrays["file"] = np.fromfile(algorithm.GetFileName(), dtype=np.uint8)
     except Exception as error:  # pylint: disable=broad-except
         messages.add(type(error).__name__, str(error))
     found["messages"] = messages.texts
@@ -260,6 +269,7 @@ def run_case(function, scene):
 def run_changes(function, changes, scene, only=None):
     """Answers to a case that is changed, in each way or in one of them only."""
     use_threads(*THREADS[0])
+    os.chdir(scene.folder)
     table, answers = {}, {}
     with sweep.Timer(LIMIT if only is None else 5.0):
         for i, (name, change) in enumerate(changes(function(scene))):

@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What record.py runs: all filters with all their methods and modes on a surface or a cloud, and
-inputs and properties that they have to refuse.
+"""What record.py runs: all filters with all their methods and modes on surfaces and clouds.
 
 A case takes a Scene and returns an algorithm that is ready to be updated, or a dict of results.
 """
@@ -12,7 +11,6 @@ import warnings
 
 import numpy as np
 import support
-import sweep
 import sweep_meshes
 import vtkdgg
 from sweep_trial import Surface
@@ -20,34 +18,19 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkPolyDataAlgorithm
 from vtkmodules.vtkIOCore import vtkWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 ACCURACY = 0.05  # of the graph in files
 SMALL, MIDDLE = 2500, 7000  # points, for what takes longer
 CONSTRUCTIONS = ["Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph"]
 SCHEMES = ["A", "B", "C"]
-FILES = [
-    "eight.ply",
-    "awkward/z_bar_clamp.ply",
-    "awkward/psu_cover.ply",
-    "ellipsoid.ply",
-    "awkward/camel_cut_seams.ply",
-    "awkward/bathtub_shapenet.ply",
-    "awkward/teapot_seams.ply",
-    "awkward/einsy_base.ply",
-    "fertility.ply",
-    "awkward/capsule_degenerate.ply",
-    "fandisk.ply",
-    "blade_aniso.ply",
-    "awkward/pig_pinched.ply",
-    "kitten.ply",
-    "aneurysm.ply",
-    "clouds/kitten.ply",
-    "clouds/milk_carton.ply",
-    "clouds/bunny_points.ply",
-    "clouds/rops_scan.ply",
-    "clouds/lidar_samp11.ply",
-]
+FILES = """
+    eight awkward/z_bar_clamp awkward/psu_cover ellipsoid awkward/camel_cut_seams
+    awkward/bathtub_shapenet awkward/teapot_seams awkward/einsy_base fertility
+    awkward/capsule_degenerate fandisk blade_aniso awkward/pig_pinched kitten aneurysm
+    clouds/kitten clouds/milk_carton clouds/bunny_points clouds/rops_scan clouds/lidar_samp11
+""".split()
 SEEDS = range(20, 34)  # of generated meshes, one of each family
 
 
@@ -150,9 +133,8 @@ def add_cases(kind, data, variants, most=10**9, **common):
     """Cases of one filter; `data` is what gives its input, values may be functions of the scene."""
     for name, properties in variants.items():
 
-        def build(scene, properties=properties):
-            values = {**common, **properties}
-            values = {k: v(scene) if callable(v) else v for k, v in values.items()}
+        def build(scene, given=dict(common, **properties)):
+            values = {k: v(scene) if callable(v) else v for k, v in given.items()}
             return make(kind, data(scene), **values)
 
         case(name, most)(build)
@@ -189,11 +171,9 @@ add_cases(
 add_cases(
     "vtkExactGeodesicDistance",
     mesh_of,
-    {
-        "exact-reference": {"SourceIds": inner(1), "Engine": 0},
-        "exact-merged": {"SourceIds": inner(1), "MergeCoincidentPoints": True},
-    },
+    {"exact-reference": {"Engine": 0}, "exact-merged": {"MergeCoincidentPoints": True}},
     SMALL,
+    SourceIds=inner(1),
 )
 add_cases(
     "vtkHeatGeodesicDistance",
@@ -280,17 +260,18 @@ add_cases(
     "vtkDGGLoop",
     Scene.graph,
     {
-        "loop": {"PointIds": inner(2), "TapeWidth": lambda s: 0.01 * s.size},
         "loop-taut": {"PointIds": inner(2), "PointData": Scene.dots, "Taut": True},
         "loop-rope": {"PointIds": inner(4), "Mode": 2},
         "loop-rope-taut": {"PointIds": inner(4), "Mode": 2, "Taut": True},
-        "loop-handles": {"Mode": 1, "TapeWidth": lambda s: 0.01 * s.size},
     },
     MIDDLE,
 )
+TAPE = {"TapeWidth": lambda s: 0.01 * s.size}
+add_cases("vtkDGGLoop", Scene.graph, {"loop": {"PointIds": inner(2), **TAPE}}, 1500)
+add_cases("vtkDGGLoop", Scene.graph, {"loop-handles": {"Mode": 1, **TAPE}}, 330)
 
 
-def isolines(name, distance, **properties):
+def isolines(distance, **properties):
     """Isolines of the result of another case."""
 
     def build(scene):
@@ -304,14 +285,12 @@ def isolines(name, distance, **properties):
 
 
 OUTPUTS = {"GenerateRidges": True, "GenerateBands": True}
-case("isolines")(isolines("isolines", "exact", **OUTPUTS))
-case("isolines-sources", MIDDLE)(isolines("isolines-sources", "exact-sources", **OUTPUTS))
-case("isolines-graph", MIDDLE)(isolines("isolines-graph", "distance", **OUTPUTS))
-case("isolines-fit", MIDDLE)(isolines("isolines-fit", "marching", GenerateBands=True))
-case("isolines-linear", MIDDLE)(isolines("isolines-linear", "exact", Method=2))
-case("isolines-apollonius", MIDDLE)(
-    isolines("isolines-apollonius", "exact", Method=1, SteinerPoints=2)
-)
+case("isolines")(isolines("exact", **OUTPUTS))
+case("isolines-sources", MIDDLE)(isolines("exact-sources", **OUTPUTS))
+case("isolines-graph", MIDDLE)(isolines("distance", **OUTPUTS))
+case("isolines-fit", MIDDLE)(isolines("marching", GenerateBands=True))
+case("isolines-linear", MIDDLE)(isolines("exact", Method=2))
+case("isolines-apollonius", MIDDLE)(isolines("exact", Method=1, SteinerPoints=2))
 for field in ("exact", "distance", "marching"):
 
     def probe(scene, field=field):
@@ -382,14 +361,20 @@ add_cases(
     mesh_of,
     {
         "biharmonic": {},
-        "biharmonic-exact": {"Method": 1},
         "commute": {"Kind": 1, "EvaluationData": Scene.dots},
-        "commute-exact": {"Kind": 1, "Method": 1},
         "diffusion": {"Kind": 2},
     },
     MIDDLE,
     SourceIds=inner(2),
     NumberOfEigenvalues=20,
+)
+add_cases(
+    "vtkBiharmonicDistance",
+    mesh_of,
+    {"biharmonic-exact": {}, "commute-exact": {"Kind": 1}},
+    SMALL,
+    SourceIds=inner(2),
+    Method=1,
 )
 
 
@@ -512,15 +497,31 @@ def cloud_graph(scheme, **properties):
     return lambda s: make("vtkPointCloudDGG", s.data, Scheme=SCHEMES.index(scheme), **properties)
 
 
-def pcd(mode):
-    """A file of the cloud, as bytes, and what is read from it."""
+def with_normals(scene):
+    """The cloud with directions from its middle as normals, which are good for a sphere."""
+    data = scene.copy()
+    rays = scene.points - scene.points.mean(axis=0)
+    add_array(data.GetPointData(), "Normals", rays / np.linalg.norm(rays, axis=1)[:, None])
+    data.GetPointData().SetActiveNormals("Normals")
+    return make("vtkPointCloudDGG", data, OrientedNormals=True)
 
+
+def pcd_writer(mode):
     def build(scene):
         name = os.path.join(scene.folder, "cloud.pcd")
-        writer = make("vtkPCDWriter", scene.data, FileName=name, DataMode=mode)
+        return make("vtkPCDWriter", scene.data, FileName=name, DataMode=mode)
+
+    return build
+
+
+def pcd(mode):
+    """The reader of what the writer writes."""
+
+    def build(scene):
+        writer = pcd_writer(mode)(scene)
         writer.Write()
         reader = vtkdgg.vtkPCDReader()
-        reader.SetFileName(name)
+        reader.SetFileName(writer.GetFileName())
         return reader
 
     return build
@@ -530,6 +531,7 @@ if hasattr(vtkdgg, "vtkPointCloudDGG"):
     for scheme in SCHEMES:
         CLOUD_CASES[f"cloud-{scheme}"] = (cloud_graph(scheme), 10**9 if scheme == "C" else 6000)
     CLOUD_CASES["cloud-normals"] = (cloud_graph("C", EstimateNormals=True), 15_000)
+    CLOUD_CASES["cloud-given-normals"] = (with_normals, 1000)
     CLOUD_CASES["cloud-chords"] = (cloud_graph("C", ArcLengthWeights=False, Alpha=3.0), 6000)
     CLOUD_CASES["cloud-coarse"] = (cloud_graph("C", Accuracy=0.05, Resolution=40), 6000)
     for name in CASES:
@@ -538,6 +540,7 @@ if hasattr(vtkdgg, "vtkPointCloudDGG"):
                 CLOUD_CASES[name] = CASES[name]
 for mode in range(3):
     CLOUD_CASES[f"pcd-{mode}"] = (pcd(mode), 15_000)
+    CLOUD_CASES[f"pcd-writer-{mode}"] = (pcd_writer(mode), 15_000)
 
 
 def cases_of(scene):
@@ -567,11 +570,11 @@ def bumpy_cloud():
 
 def scenes(data_folder, folder, graphs, only=""):
     """All scenes, made one after the other."""
-    names = [name for name in FILES if data_folder and only in name]
-    for name in names:
-        reader = sweep.READERS[os.path.splitext(name)[1]]()
-        reader.SetFileName(os.path.join(data_folder, name))
-        yield Scene(os.path.splitext(name)[0], vtkdgg.check(reader), folder, graphs)
+    for name in FILES if data_folder else []:
+        if only in name:
+            reader = vtkPLYReader()
+            reader.SetFileName(os.path.join(data_folder, f"{name}.ply"))
+            yield Scene(name, vtkdgg.check(reader), folder, graphs)
     generated = {
         "terrain": terrain,
         "prism": lambda: support.polydata(*support.prism(7, 8)),

@@ -44,7 +44,16 @@ GOOD = {
         "off",
     ],
     "prism": ["loop", "loop-taut", "loop-rope", "loop-handles"],
-    "bumpy-cloud": ["cloud-C", "distance", "matrix-points", "path", "voronoi", "sampler", "pcd-0"],
+    "bumpy-cloud": [
+        "cloud-C",
+        "distance",
+        "matrix-points",
+        "path",
+        "voronoi",
+        "sampler",
+        "pcd-0",
+        "pcd-writer-1",
+    ],
 }
 NUMBERS = [0.0, -1.0, np.nan, np.inf, 1e-9, 0.3]
 WORDS = ["", None, "missing"]
@@ -283,11 +292,15 @@ def tampered(algorithm):
 
 
 def refusals_of(scene):
-    """Cases that are changed: name, function of the scene."""
+    """Cases that are changed, and what gives the changes: name, function, function."""
     cases = record_cases.cases_of(scene)
+
+    def changes(algorithm):
+        return *wrong_properties(algorithm), *wrong_inputs(algorithm), *tampered(algorithm)
+
     for name in GOOD.get(scene.name, []):
         if name in cases:
-            yield name, cases[name], lambda a: (*wrong_properties(a), *wrong_inputs(a), *tampered(a))
+            yield name, cases[name], changes
 
 
 # --- Files ---------------------------------------------------------------------------------------
