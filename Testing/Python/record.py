@@ -42,7 +42,7 @@ from vtkmodules.util.numpy_support import get_numpy_array_type, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkSMPTools
 
 THREADS = [("TBB", 1), ("TBB", 2), ("STDThread", 1), ("STDThread", 2)]
-LIMIT = 120.0  # seconds that a process may take
+LIMIT, SHORT = 120.0, 5.0  # seconds that a process may take, and with one change
 SAMPLE = 1000  # values of an array that are kept
 MEBIBYTE = 2**20
 MORE, SLACK = 1.1, 8.0  # by how much memory may grow: a factor, and MiB
@@ -239,14 +239,14 @@ def resident():
         return int(file.read().split()[1]) * resource.getpagesize() / MEBIBYTE
 
 
-def run_case(function, scene):
+def run_case(function, scene, limit):
     """The answer of a case for all kinds of threads, its peak memory and its time."""
     before, table, first, other = resident(), {}, None, []
 
     def of(found):
         return {part: found[part] for part in ("arrays", "messages", "numbers")}
 
-    timer = sweep.Timer(LIMIT)
+    timer = sweep.Timer(limit)
     with timer:
         for backend, threads in THREADS:
             if not use_threads(backend, threads):
@@ -266,12 +266,12 @@ def run_case(function, scene):
     return {"answer": first, "table": table, "seconds": timer.used}
 
 
-def run_changes(function, changes, scene, only=None):
-    """Answers to a case that is changed, in each way or in one of them only."""
+def run_changes(function, changes, scene, only, limit):
+    """Answers to a case that is changed, in each way or, with a number, in that one only."""
     use_threads(*THREADS[0])
     os.chdir(scene.folder)
     table, answers = {}, {}
-    with sweep.Timer(LIMIT if only is None else 5.0):
+    with sweep.Timer(limit):
         for i, (name, change) in enumerate(changes(function(scene))):
             if only in (None, i):
                 build = functools.partial(function, scene)
@@ -279,11 +279,11 @@ def run_changes(function, changes, scene, only=None):
     return {"answers": answers, "table": table}
 
 
-def run_builds(builds, folder):
+def run_builds(builds, folder, limit):
     """Answers of what some functions return, one after the other."""
     use_threads(*THREADS[0])
     table = {}
-    with sweep.Timer(LIMIT):
+    with sweep.Timer(limit):
         answers = {name: kept(*answer(build, None, (folder,)), table) for name, build in builds()}
     return {"answers": answers, "table": table}
 
@@ -305,12 +305,14 @@ class Record:
         self.options = options
         self.content = {"classes": {}, "answers": {}, "refusals": {}, "seconds": {}, "arrays": {}}
 
-    def process(self, work, *arguments):
-        outcome = sweep.in_process(functools.partial(work, *arguments), LIMIT) or {}
+    def process(self, work, *arguments, limit=LIMIT):
+        outcome = sweep.in_process(functools.partial(work, *arguments, limit), limit) or {}
         self.content["arrays"].update(outcome.pop("table", {}))
         return outcome
 
     def record_classes(self):
+        names = [name for name in dir(vtkdgg) if not name.startswith("__")]
+        self.content["classes"]["vtkdgg"] = {"methods": names}
         for name in dir(vtkdgg):
             value = getattr(vtkdgg, name)
             if inspect.isclass(value):
@@ -322,7 +324,7 @@ class Record:
 
     def record_answers(self, scene):
         for kind in record_cases.graphs_of(scene):
-            self.process(scene.write_graph, kind)
+            self.process(lambda limit, kind=kind: scene.write_graph(kind))
         for name, function in record_cases.cases_of(scene).items():
             if self.options.cases not in name:
                 continue
@@ -330,7 +332,8 @@ class Record:
             key = f"{scene.name}/{name}"
             found = outcome.get("answer") or {"messages": [outcome["status"], *outcome["messages"]]}
             self.content["answers"][key] = found
-            self.content["seconds"][key] = outcome["seconds"]
+            if "answer" in outcome:
+                self.content["seconds"][key] = outcome["seconds"]
             if self.options.verbose:
                 peaks = ", ".join(f"{value:.0f}" for value in found.get("peaks", []))
                 print(f"{key}: {outcome['seconds']:.2f} s, {peaks} MiB", flush=True)
@@ -341,12 +344,12 @@ class Record:
         for name, function, changes in record_refusals.refusals_of(scene):
             if self.options.cases not in name:
                 continue
-            outcome = self.process(run_changes, function, changes, scene)
+            outcome = self.process(run_changes, function, changes, scene, None)
             if "answers" not in outcome:  # one of them ended the process: one after the other
                 use = [what for what, _ in changes(function(scene))]
                 outcome = {"answers": {}}
                 for i, what in enumerate(use):
-                    one = self.process(run_changes, function, changes, scene, i)
+                    one = self.process(run_changes, function, changes, scene, i, limit=SHORT)
                     found = {what: {"messages": [one.get("status"), *one.get("messages", [])]}}
                     outcome["answers"].update(one.get("answers", found))
             for what, found in outcome["answers"].items():
@@ -369,7 +372,7 @@ class Record:
         options = self.options
         self.record_classes()
         with tempfile.TemporaryDirectory() as folder:
-            graphs = options.graphs or folder
+            graphs = os.path.abspath(options.graphs or folder)
             os.makedirs(graphs, exist_ok=True)
             for scene in record_cases.scenes(options.folder, folder, graphs, options.meshes):
                 self.record_answers(scene)
@@ -473,9 +476,13 @@ def compare(old, new):
     return count > 0
 
 
-def load(name):
+def load(name, renamed=()):
+    """A record, with some words of it replaced by others."""
     with open(name, encoding="utf-8") as file:
-        return json.load(file)
+        text = file.read()
+    for words in renamed:
+        text = text.replace(*words.split("=", 1))
+    return json.loads(text)
 
 
 def main():
@@ -486,12 +493,15 @@ def main():
     parser.add_argument("folder", nargs="?", default=os.environ.get("DGG_EXTRA_DATA", ""))
     parser.add_argument("--compare", nargs=2, metavar=("OLD.json", "NEW.json"))
     parser.add_argument("--graphs", help="folder with graphs of an earlier record, or for them")
+    parser.add_argument(
+        "--renamed", action="append", default=[], metavar="OLD=NEW", help="since the old record"
+    )
     parser.add_argument("--meshes", default="", help="those with this in their name only")
     parser.add_argument("--cases", default="", help="those with this in their name only")
     parser.add_argument("-v", "--verbose", action="store_true", help="a line for each run")
     options = parser.parse_args()
     if options.compare:
-        return compare(*map(load, options.compare))
+        return compare(load(options.compare[0], options.renamed), load(options.compare[1]))
     if not options.output:
         parser.error("the name of a file for the record is missing")
     record = Record(options)

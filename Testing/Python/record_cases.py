@@ -22,7 +22,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 ACCURACY = 0.05  # of the graph in files
-SMALL, MIDDLE = 2500, 7000  # points, for what takes longer
+SMALL, MIDDLE, LARGE = 2500, 7000, 15_000  # points, for what takes longer
 CONSTRUCTIONS = ["Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph"]
 SCHEMES = ["A", "B", "C"]
 FILES = """
@@ -122,6 +122,8 @@ CASES = {}  # name: (function, most points)
 
 
 def case(name, most=10**9):
+    """Decorator of a function that is a case, for scenes of not too many points."""
+
     def add(function):
         CASES[name] = (function, most)
         return function
@@ -219,13 +221,9 @@ add_cases(
 )
 add_cases("vtkDGGDistance", mesh_of, {"distance-alone": {"SourceIds": inner(1)}}, SMALL)
 for construction in CONSTRUCTIONS[1:]:
-
-    def graph_of(scene, kind=construction):
-        return scene.graph(kind)
-
     add_cases(
         "vtkDGGDistance",
-        graph_of,
+        lambda scene, kind=construction: scene.graph(kind),
         {f"distance-{construction}": {"SourceIds": inner(1)}},
         1500 if construction == "Indirect" else MIDDLE,
     )
@@ -292,11 +290,11 @@ case("isolines-fit", MIDDLE)(isolines("marching", GenerateBands=True))
 case("isolines-linear", MIDDLE)(isolines("exact", Method=2))
 case("isolines-apollonius", MIDDLE)(isolines("exact", Method=1, SteinerPoints=2))
 for field in ("exact", "distance", "marching"):
-
-    def probe(scene, field=field):
-        return make("vtkGeodesicProbe", CASES[field][0](scene), ProbeData=scene.dots(5))
-
-    case(f"probe-{field}")(probe)
+    add_cases(
+        "vtkGeodesicProbe",
+        CASES[field][0],
+        {f"probe-{field}": {"ProbeData": lambda s: s.dots(5)}},
+    )
 add_cases(
     "vtkGeodesicVoronoi",
     Scene.graph,
@@ -386,21 +384,17 @@ def with_heights(scene):
     return data
 
 
+SOLUTION = {"RightHandSideArrayName": "One", "EvaluationData": Scene.dots}
 add_cases(
     "vtkHarmonicBSpline",
     with_heights,
     {
         "spline": {"NumberOfSites": 10},
-        "spline-solution": {
-            "NumberOfSites": 20,
-            "RightHandSideArrayName": "One",
-            "EvaluationData": Scene.dots,
-        },
+        "spline-solution": {"NumberOfSites": 20, **SOLUTION},
         "spline-smooth": {
             "SourceIds": inner(4),
-            "RightHandSideArrayName": "One",
+            **SOLUTION,
             "RightHandSideMeaning": 1,
-            "EvaluationData": Scene.dots,
             "SmoothEvaluation": True,
         },
     },
@@ -530,7 +524,7 @@ def pcd(mode):
 if hasattr(vtkdgg, "vtkPointCloudDGG"):
     for scheme in SCHEMES:
         CLOUD_CASES[f"cloud-{scheme}"] = (cloud_graph(scheme), 10**9 if scheme == "C" else 6000)
-    CLOUD_CASES["cloud-normals"] = (cloud_graph("C", EstimateNormals=True), 15_000)
+    CLOUD_CASES["cloud-normals"] = (cloud_graph("C", EstimateNormals=True), LARGE)
     CLOUD_CASES["cloud-given-normals"] = (with_normals, 1000)
     CLOUD_CASES["cloud-chords"] = (cloud_graph("C", ArcLengthWeights=False, Alpha=3.0), 6000)
     CLOUD_CASES["cloud-coarse"] = (cloud_graph("C", Accuracy=0.05, Resolution=40), 6000)
@@ -539,8 +533,8 @@ if hasattr(vtkdgg, "vtkPointCloudDGG"):
             if not name.endswith(("-exact", "-alone", *CONSTRUCTIONS)):
                 CLOUD_CASES[name] = CASES[name]
 for mode in range(3):
-    CLOUD_CASES[f"pcd-{mode}"] = (pcd(mode), 15_000)
-    CLOUD_CASES[f"pcd-writer-{mode}"] = (pcd_writer(mode), 15_000)
+    CLOUD_CASES[f"pcd-{mode}"] = (pcd(mode), LARGE)
+    CLOUD_CASES[f"pcd-writer-{mode}"] = (pcd_writer(mode), LARGE)
 
 
 def cases_of(scene):
@@ -568,26 +562,34 @@ def bumpy_cloud():
     return support.polydata(points, np.empty((0, 3)))
 
 
+def thinned(cloud):
+    """Every third point."""
+    points = vtk_to_numpy(cloud.GetPoints().GetData())
+    return support.polydata(points[::3], np.empty((0, 3)))
+
+
 def scenes(data_folder, folder, graphs, only=""):
     """All scenes, made one after the other."""
     for name in FILES if data_folder else []:
         if only in name:
             reader = vtkPLYReader()
             reader.SetFileName(os.path.join(data_folder, f"{name}.ply"))
-            yield Scene(name, vtkdgg.check(reader), folder, graphs)
+            data = vtkdgg.check(reader)
+            if data.GetNumberOfPolys() == 0 and data.GetNumberOfPoints() > LARGE:
+                data = thinned(data)
+            yield Scene(name, data, folder, graphs)
     generated = {
-        "terrain": terrain,
-        "prism": lambda: support.polydata(*support.prism(7, 8)),
-        "bumpy-cloud": bumpy_cloud,
-        "bumpy": lambda: support.polydata(*support.bumpy()),
+        "terrain": terrain(),
+        "prism": support.polydata(*support.prism(7, 8)),
+        "bumpy-cloud": bumpy_cloud(),
+        "bumpy": support.polydata(*support.bumpy()),
     }
     if not data_folder:
-        for seed in SEEDS:
-            mesh = sweep_meshes.generate(seed)
-            generated[mesh.name] = lambda m=mesh: support.polydata(m.points, m.triangles)
-    for name, function in generated.items():
+        for mesh in map(sweep_meshes.generate, SEEDS):
+            generated[mesh.name] = support.polydata(mesh.points, mesh.triangles)
+    for name, data in generated.items():
         if only in name:
-            yield Scene(name, function(), folder, graphs)
+            yield Scene(name, data, folder, graphs)
 
 
 def terrain():
