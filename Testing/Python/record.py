@@ -337,8 +337,9 @@ class Record:
             if self.options.verbose:
                 peaks = ", ".join(f"{value:.0f}" for value in found.get("peaks", []))
                 print(f"{key}: {outcome['seconds']:.2f} s, {peaks} MiB", flush=True)
-            for line in found.get("threads", []):
-                print(f"{key}: differs with {line}", flush=True)
+            if found.get("threads"):
+                number, first = len(found["threads"]), found["threads"][0].split(":")[0]
+                print(f"{key}: threads matter in {number} places, the first: {first}", flush=True)
 
     def record_refusals(self, scene):
         for name, function, changes in record_refusals.refusals_of(scene):
