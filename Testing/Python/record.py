@@ -65,7 +65,8 @@ class Messages:
         self.known = []
 
     def add(self, kind, text):
-        text = ADDRESS.sub("", PLACE.sub("", text or "")).strip()
+        text = ADDRESS.sub("", PLACE.sub("", text or ""))
+        text = text.split("for request:")[0].strip()  # what follows has times
         for folder in self.folders:
             text = text.replace(folder, "FOLDER")
         self.texts.append(f"{kind}: {text}")
