@@ -112,8 +112,8 @@ def attempt(name, surface, results, folder, limit):
     return outcome
 
 
-def in_process(name, surface, results, folder, limit):
-    """attempt() in a process of its own, which may crash or be ended."""
+def in_process(work, limit):
+    """What a function returns, in a process of its own, which may crash or be ended."""
     sys.stdout.flush()
     sys.stderr.flush()
     receiver, sender = os.pipe()
@@ -123,7 +123,7 @@ def in_process(name, surface, results, folder, limit):
             os.close(receiver)
             signal.setitimer(signal.ITIMER_REAL, PATIENCE + 20 * limit)
             with os.fdopen(sender, "wb") as pipe:
-                pickle.dump(attempt(name, surface, results, folder, limit), pipe)
+                pickle.dump(work(), pipe)
         except BaseException as error:  # pylint: disable=broad-except
             sys.excepthook(type(error), error, error.__traceback__)
             os._exit(1)
@@ -184,7 +184,9 @@ def run(surface, names, limit_of):
         for name in names:
             if "graph" in NEEDS.get(name, []) and "graph" not in results:
                 continue
-            outcome = in_process(name, surface, results, folder, limit_of(name))
+            limit = limit_of(name)
+            work = functools.partial(attempt, name, surface, results, folder, limit)
+            outcome = in_process(work, limit)
             result = outcome.pop("result")
             if result is not None:
                 results[name] = result
