@@ -125,6 +125,13 @@ class FromPolydata(unittest.TestCase):
         self.assertIsNone(graph.accuracy)
         self.assertEqual(len(graph.targets), builder.GetNumberOfGraphEdges())
 
+    def test_double_precision(self):
+        graph = vtkdgg.Graph(self.points / 3.0, self.triangles, accuracy=0.03)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            again = vtkdgg.Graph.from_polydata(graph.polydata)
+        np.testing.assert_array_equal(again.distance(11), graph.distance(11))
+
     def test_the_surface_may_change_later(self):
         mesh = self.editable()
         graph = vtkdgg.Graph.from_polydata(mesh)
