@@ -46,11 +46,12 @@ namespace vtkDGG
 /// A number of values that each point has.
 struct PointField
 {
-  std::string Name;
-  char Kind = 'F'; ///< of number: F (float), I (integer) or U (unsigned integer)
-  int Size = 4;    ///< bytes of a number: 1, 2, 4 or 8
-  int Count = 1;   ///< numbers per point
+  std::string Name; ///< as in PCL
+  char Kind = 'F';  ///< of number: F (float), I (integer) or U (unsigned integer)
+  int Size = 4;     ///< bytes of a number: 1, 2, 4 or 8
+  int Count = 1;    ///< numbers per point
 
+  /// Bytes per point.
   std::size_t GetBytes() const
   {
     return static_cast<std::size_t>(this->Size) * static_cast<std::size_t>(this->Count);
@@ -63,9 +64,9 @@ VTKDGGREADERS_EXPORT bool IsPointFieldType(char kind, int size);
 /// Where the values of a field are: point i has them at Data + i * Stride. They need no alignment.
 struct PointFieldView
 {
-  PointField Field;
-  const char* Data = nullptr;
-  std::size_t Stride = 0;
+  PointField Field;           ///< what the values are
+  const char* Data = nullptr; ///< those of point 0
+  std::size_t Stride = 0;     ///< bytes from one point to the next
 };
 
 /// Position of a sensor: translation x, y, z, then quaternion w, x, y, z.
@@ -74,10 +75,10 @@ using Viewpoint = std::array<double, 7>;
 /// A point cloud in memory that belongs to somebody else.
 struct PointCloudView
 {
-  std::vector<PointFieldView> Fields;
-  vtkIdType Width = 0;
-  vtkIdType Height = 1;
-  Viewpoint Sensor = { { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 } };
+  std::vector<PointFieldView> Fields; ///< those of x, y and z among them
+  vtkIdType Width = 0;                ///< points in a row
+  vtkIdType Height = 1;               ///< rows; 1 for a cloud without order
+  Viewpoint Sensor = { { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 } }; ///< where the scanner was
 };
 
 /// A copy of the cloud. Nothing on error, when `error` says what is wrong.
@@ -88,8 +89,11 @@ VTKDGGREADERS_EXPORT vtkSmartPointer<vtkPolyData> MakePolyData(
 class VTKDGGREADERS_EXPORT PointFieldSource
 {
 public:
+  /// From components of an array, the first one being firstComponent; isPacked for colours, of
+  /// which all components are bytes of one number.
   PointFieldSource(const PointField& field, vtkDataArray* array, int firstComponent, bool isPacked);
 
+  /// What the values are.
   const PointField& GetField() const { return this->Field; }
   /// Write the values of the points [begin, end): those of point i to
   /// destination + (i - begin) * stride, as numbers of that kind and size. Numbers out of range

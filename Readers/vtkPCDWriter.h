@@ -44,11 +44,14 @@ public:
   vtkTypeMacro(vtkPCDWriter, vtkWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * How the points are written.
+   */
   enum DataModes
   {
-    ASCII = 0,
-    BINARY = 1,
-    BINARY_COMPRESSED = 2
+    ASCII = 0,            ///< as text
+    BINARY = 1,           ///< as in memory
+    BINARY_COMPRESSED = 2 ///< compressed by LZF
   };
 
   ///@{

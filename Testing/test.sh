@@ -16,9 +16,9 @@ fi
 
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-# CGAL, CHOLMOD and SciPy are independent implementations to check against.
+# CGAL, CHOLMOD and SciPy are independent implementations to check against; Doxygen checks comments.
 dgg_install "${DGG_PACKAGES[@]}" libgtest-dev libbenchmark-dev libcgal-dev libsuitesparse-dev \
-  python3-scipy glmark2-data
+  doxygen python3-scipy glmark2-data
 
 extra_data="${DGG_EXTRA_DATA:-}"
 if [ -n "$extra_data" ]; then

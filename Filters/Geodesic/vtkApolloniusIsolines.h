@@ -65,7 +65,11 @@
  * @endcode
  *
  * Exact distances inside of triangles: J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The
- * discrete geodesic problem", SIAM J. Comput. 16, 1987, section 3.
+ * discrete geodesic problem", SIAM J. Comput. 16, 1987, section 3. Method Apollonius is that of
+ * Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological University, 2019, section
+ * 5.3, with two rules repaired: on an edge that crosses a ridge, the cubic, which would smooth the
+ * ridge, is replaced by the smaller one of the distances that its ends give; points of the diagram
+ * inside a triangle have the distance of the field there, as that of the diagram is too large.
  *
  * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
  *
@@ -124,7 +128,7 @@ public:
   enum MethodType
   {
     LocalSources = 0, ///< by windows or virtual sources, see above
-    Apollonius = 1,   ///< by Apollonius diagrams of points on edges, as published; for comparison
+    Apollonius = 1,   ///< by Apollonius diagrams of points on edges, repaired; for comparison
     Linear = 2        ///< it is linear in each triangle, whatever else is known; for comparison
   };
 

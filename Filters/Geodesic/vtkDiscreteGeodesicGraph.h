@@ -94,7 +94,11 @@
  * Design 52-53, 2017, and Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological
  * University, 2019, whose rules are OneRelay and Indirect. The default rule replaces them by one
  * that makes progress towards every target, as in Yao graphs, and so bounds the error of whole
- * paths. SaddleVertexGraph is due to X. Ying, X. Wang, Y. He, "Saddle vertex graph (SVG): a novel
+ * paths. OneRelay and Indirect are repaired where the thesis is silent or does not work as printed:
+ * the search of OneRelay ends behind edges of which every point is covered. With Indirect a window
+ * inherits the bound of its parent and is compared by its nearest point, and an edge st is pruned
+ * when |sr| / (1 + Accuracy) + |rt| <= |st| for another edge sr, where the printed procedure would
+ * remove every edge and let errors add up; there are no pseudo-vertices. SaddleVertexGraph is due to X. Ying, X. Wang, Y. He, "Saddle vertex graph (SVG): a novel
  * solution to the discrete geodesic problem", ACM Trans. Graph. 32(6), 2013.
  *
  * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.

@@ -77,6 +77,12 @@
  *  - B: OffsetInVoxels + Alpha voxels for all points;
  *  - C: Alpha times the spacing of the points around it.
  *
+ * A and B differ from the thesis in their defaults, so that their errors are not those printed
+ * there. Automatic Alpha is 1 for A, where the thesis uses 2.5 to 4.2, and a point of A reaches six
+ * direct neighbours at least; for B it makes a reach of six spacings. The radius of the balls
+ * follows the spacing, not a fixed number of voxels. Lengths are those of arcs (ArcLengthWeights),
+ * and pairs are pruned (Accuracy).
+ *
  * The spacing is the root of the area that a point has. A pair is kept when it is within the reach
  * of either point. Its length is that of the straight line, or with ArcLengthWeights that of an arc
  * that fits the surface. Then pairs are left out that shorter ones stand in for: distances become
@@ -116,7 +122,7 @@
  *
  * <b>Nothing is promised</b> of the difference between distances in the graph and on the surface
  * that was sampled: it depends on the sampling. Mean relative errors that were measured, by
- * BenchmarkCloud, are in the tables of README.md: with all parameters automatic about 1e-4 on smooth
+ * BenchmarkCloud, are in Testing/Benchmark/README.md: with all parameters automatic about 1e-4 on smooth
  * surfaces, and 2e-3 on scans.
  *
  * On noisy clouds a distance may be shorter than the straight line between two points, by as much

@@ -203,6 +203,9 @@ public:
   virtual vtkTypeUInt64 GetMemorySize() const;
 
 protected:
+  /**
+   * With the default name of the result array.
+   */
   explicit vtkSpectralAlgorithm(const std::string& resultArrayName);
   ~vtkSpectralAlgorithm() override;
 

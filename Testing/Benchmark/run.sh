@@ -33,8 +33,8 @@
 #             grid) and awkward/bunny_raw_5holes; for spectral with bunny and igea
 #   --full    of clouds: a sphere of 655K points as well, which takes about ten minutes more
 #   --libigl  folder with the headers of libigl, as a further peer of spectral
-#   --readme  put the tables and the plot into README.md and Examples/Images as well: graph, cloud,
-#             spectral; for spectral, draw Examples/Images/greens_function.png as well
+#   --readme  put the tables into Testing/Benchmark/README.md and the plot into Examples/Images as
+#             well: graph, cloud, spectral; for spectral, draw Examples/Images/greens_function.png too
 # For example:
 #   Testing/Benchmark/run.sh
 #   Testing/Benchmark/run.sh scan.ply --growth=none --benchmark_filter=/T/
@@ -137,8 +137,8 @@ measure_graph() {
   echo "Written: $out/graph.json, $out/graph.md and $plot"
   if [ -n "$readme" ]; then
     cp "$plot" "$DGG_ROOT/Examples/Images/error_against_degree.png"
-    "$python" "$here/insert_table.py" "$DGG_ROOT/README.md" graph "$out/graph.md"
-    echo "Written: README.md and Examples/Images/error_against_degree.png"
+    "$python" "$here/insert_table.py" "$here/README.md" graph "$out/graph.md"
+    echo "Written: Testing/Benchmark/README.md and Examples/Images/error_against_degree.png"
   fi
 }
 
@@ -160,8 +160,8 @@ measure_cloud() {
   "$python" "$here/summarize_cloud.py" "$out/cloud.json" "$out/cloud.md"
   echo "Written: $out/cloud.json and $out/cloud.md"
   if [ -n "$readme" ]; then
-    "$python" "$here/insert_table.py" "$DGG_ROOT/README.md" cloud "$out/cloud.md"
-    echo "Written: README.md"
+    "$python" "$here/insert_table.py" "$here/README.md" cloud "$out/cloud.md"
+    echo "Written: Testing/Benchmark/README.md"
   fi
   # There is nothing to plot without curves.
   if "$python" "$here/plot_cloud.py" "$out/cloud.json" "$plot"; then
@@ -180,10 +180,10 @@ measure_spectral() {
   "$python" "$here/summarize_spectral.py" "$out/spectral.json" "$out/spectral.md"
   echo "Written: $out/spectral.json and $out/spectral.md"
   if [ -n "$readme" ]; then
-    "$python" "$here/insert_table.py" "$DGG_ROOT/README.md" spectral "$out/spectral.md"
+    "$python" "$here/insert_table.py" "$here/README.md" spectral "$out/spectral.md"
     dgg_with_display "$build/bin/vtkdgg-python" "$DGG_ROOT/Examples/Python/greens_function.py" \
       "$DGG_ROOT/Examples/Images/greens_function.png"
-    echo "Written: README.md and Examples/Images/greens_function.png"
+    echo "Written: Testing/Benchmark/README.md and Examples/Images/greens_function.png"
   fi
   # There is nothing to plot without spheres.
   if "$python" "$here/plot_spectral.py" "$out/spectral.json" "$plot"; then

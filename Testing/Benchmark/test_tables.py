@@ -3,6 +3,8 @@
 """What becomes of results of the benchmarks: tables, a plot, a section of a Markdown file."""
 
 import importlib.util
+import os
+import re
 import unittest
 
 import insert_table
@@ -425,6 +427,16 @@ class Insert(unittest.TestCase):
         for text in ("nothing", self.TEXT + self.TEXT, self.TEXT.replace("end t", "end s")):
             with self.subTest(text=text), self.assertRaises(insert_table.MarkerError):
                 insert_table.insert(text, "t", "new")
+
+    def test_page(self):
+        here = os.path.dirname(os.path.abspath(__file__))
+        with open(os.path.join(here, "README.md"), encoding="utf-8") as file:
+            page = file.read()
+        with open(os.path.join(here, "run.sh"), encoding="utf-8") as file:
+            written = re.findall(r'insert_table.py" "\$here/README.md" (\w+) ', file.read())
+        self.assertEqual(sorted(written), ["cloud", "graph", "spectral"])
+        for name in written:
+            self.assertIn("\nnew\n<!-- end", insert_table.insert(page, name, "new"))
 
 
 if __name__ == "__main__":

@@ -47,3 +47,6 @@ for name in (
         sys.exit(f"{name} is missing")
 if WITH_PCL.upper() in ("ON", "1", "TRUE", "YES") and not hasattr(vtkdgg, "vtkPointCloudDGG"):
     sys.exit("vtkPointCloudDGG is missing")
+for name in ("py.typed", "vtkDGGFiltersGeodesic.pyi", "vtkDGGReaders.pyi"):
+    if not os.path.exists(os.path.join(os.path.dirname(WHERE), name)):
+        sys.exit(f"{name} is missing")

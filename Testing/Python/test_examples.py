@@ -37,6 +37,25 @@ class Pipeline(unittest.TestCase):
                 self.assertNotIn("Traceback", result.stderr)
 
 
+class Gallery(unittest.TestCase):
+    def test_pictures(self):
+        folder = support.output_folder("gallery")
+        result = run("gallery.py", BUMPY, folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        written = re.findall(r"Written: (.*)", result.stdout)
+        self.assertEqual(len(written), 7)
+        for path in written:
+            with self.subTest(path):
+                self.assertGreater(number_of_colours(path), 500)
+
+    def test_mistakes(self):
+        for arguments in ((), (BUMPY,), ("missing.ply", "."), (BUMPY, ".", "other")):
+            with self.subTest(arguments=arguments):
+                result = run("gallery.py", *arguments)
+                self.assertEqual(result.returncode, 1)
+                self.assertNotIn("Traceback", result.stderr)
+
+
 class Patches(unittest.TestCase):
     def test_two_surfaces(self):
         picture = os.path.join(support.output_folder("patches"), "patches.png")

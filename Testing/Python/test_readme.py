@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The code in the README."""
+"""The pages of the documentation: their code runs, their links lead somewhere."""
 
 import contextlib
 import io
@@ -10,30 +10,112 @@ import shutil
 import unittest
 
 import numpy as np
+import pages
 import support
 import vtkdgg
 from support import BUMPY, run
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
+HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
 
-class Readme(unittest.TestCase):
-    """What the README shows is what is tested."""
 
-    @classmethod
-    def setUpClass(cls):
-        with open(os.path.join(support.ROOT, "README.md"), encoding="utf-8") as file:
-            cls.readme = file.read()
+def write(writer, data, path):
+    """Write a file; its path."""
+    writer.SetInputData(data)
+    writer.SetFileName(path)
+    vtkdgg.check(writer)
+    return path
 
-    def blocks(self, language):
-        return re.findall(rf"^```{language}\n(.*?)^```$", self.readme, re.M | re.S)
 
-    def code(self, *path):
-        """A source file without its licence lines."""
-        with open(os.path.join(support.EXAMPLES, *path), encoding="utf-8") as file:
-            return "".join(line for line in file if "SPDX-" not in line)
+def sphere_points():
+    """1500 points on the unit sphere, evenly spread; the first is near a pole."""
+    i = np.arange(1500)
+    z = 1.0 - (2.0 * i + 1.0) / len(i)
+    angle = np.pi * (3.0 - np.sqrt(5.0)) * i
+    radius = np.sqrt(1.0 - z * z)
+    return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), z])
 
+
+def write_cloud(name):
+    """A PCD file of these points."""
+    path = os.path.join(support.output_folder("readme"), name)
+    return write(vtkdgg.vtkPCDWriter(), support.polydata(sphere_points(), np.empty((0, 3))), path)
+
+
+def write_prism():
+    """A PLY file of a tube with nine sides of length 1."""
+    path = os.path.join(support.output_folder("readme"), "prism.ply")
+    return write(vtkPLYWriter(), support.polydata(*support.prism(9, 6)), path)
+
+
+def execute(block, names):
+    """Run a block; what it prints."""
+    with contextlib.redirect_stdout(io.StringIO()) as printed:
+        exec(block, names)  # noqa: S102
+    return printed.getvalue()
+
+
+def code(*path):
+    """A source file of the examples without its licence lines."""
+    with open(os.path.join(support.EXAMPLES, *path), encoding="utf-8") as file:
+        return "".join(line for line in file if "SPDX-" not in line)
+
+
+class Pages(unittest.TestCase):
+    def test_all_are_known(self):
+        found = set()
+        for folder, folders, files in os.walk(support.ROOT):
+            folders[:] = [f for f in folders if not f.startswith(".") and f not in ("build", "out")]
+            if "README.md" in files:
+                found.add(os.path.relpath(os.path.join(folder, "README.md"), support.ROOT))
+        self.assertEqual(found, set(pages.PAGES))
+
+    def test_front_page_is_short(self):
+        self.assertLessEqual(len(pages.text_of("README.md").splitlines()), 250)
+
+    def test_links(self):
+        for page in pages.PAGES:
+            for target in pages.links(page):
+                if re.match(r"https?:", target):
+                    continue
+                with self.subTest(page=page, target=target):
+                    path, _, anchor = target.partition("#")
+                    other = os.path.normpath(os.path.join(os.path.dirname(page), path))
+                    other = other if path else page
+                    self.assertTrue(os.path.exists(os.path.join(support.ROOT, other)))
+                    if anchor:
+                        self.assertIn(anchor, pages.anchors(other))
+
+    def test_blocks_are_tested(self):
+        # A new block needs a test below.
+        counts = {
+            ("README.md", "python"): 2,
+            ("README.md", "cpp"): 1,
+            ("Examples/README.md", "python"): len(Gallery.EXPECTED),
+            ("Filters/Geodesic/README.md", "py"): 1,
+            ("Filters/PointCloud/README.md", "python"): 1,
+            ("Readers/README.md", "python"): 1,
+            ("Readers/README.md", "cpp"): 1,
+            ("Wrapping/Python/README.md", "python"): 2,
+        }
+        for page in pages.PAGES:
+            for language in ("python", "py", "cpp", "cmake"):
+                with self.subTest(page=page, language=language):
+                    found = len(pages.blocks(page, language))
+                    self.assertEqual(found, counts.get((page, language), 0))
+
+    def test_all_classes_are_listed(self):
+        # Abstract classes, and the members of others, are not for users to choose from.
+        front = pages.text_of("README.md")
+        for name in dir(vtkdgg):
+            if name.startswith("vtk") and isinstance(getattr(vtkdgg, name), type):
+                if not name.endswith("Algorithm"):
+                    self.assertRegex(front, rf"\[[^\]]*\b{name}\b[^\]]*\]\(")
+
+
+class FrontPage(unittest.TestCase):
     def test_ten_lines_of_python(self):
-        self.assertIn(self.code("Python", "ten_lines.py"), self.blocks("python"))
+        self.assertEqual(code("Python", "ten_lines.py"), pages.blocks("README.md", "python")[0])
         folder = support.output_folder("readme")
         shutil.copy(BUMPY, os.path.join(folder, "mesh.ply"))
         result = run("ten_lines.py", cwd=folder)
@@ -42,21 +124,29 @@ class Readme(unittest.TestCase):
 
     def test_ten_lines_of_cxx(self):
         # Built and run by the tests of the install tree.
-        self.assertIn(self.code("Cxx", "TenLines.cxx"), self.blocks("cpp"))
+        self.assertEqual([code("Cxx", "TenLines.cxx")], pages.blocks("README.md", "cpp"))
+
+    def test_many_queries(self):
+        points, triangles = support.bumpy()
+        names = {"points": points, "triangles": triangles}
+        execute(pages.blocks("README.md", "python")[1], names)
+        exact = vtkdgg.distance(points, triangles, 0)
+        self.assertTrue((np.abs(names["d"] - exact) <= 0.01 * exact * (1 + 1e-6)).all())
+
+
+class PythonPage(unittest.TestCase):
+    def setUp(self):
+        self.blocks = pages.blocks("Wrapping/Python/README.md", "python")
 
     def test_one_liner(self):
-        blocks = [block for block in self.blocks("python") if "vtkdgg.distance(" in block]
-        self.assertEqual(len(blocks), 1)
         names = {}
-        exec(blocks[0], names)  # noqa: S102
+        execute(self.blocks[0], names)
         np.testing.assert_allclose(names["d"], [0.0, 3.0, 4.0], rtol=1e-12)
 
     def test_many_queries(self):
-        blocks = [block for block in self.blocks("python") if "vtkdgg.Graph(" in block]
-        self.assertEqual(len(blocks), 1)
         points, triangles = support.bumpy()
         names = {"points": points, "triangles": triangles}
-        exec(blocks[0], names)  # noqa: S102
+        execute(self.blocks[1], names)
         exact = vtkdgg.distance(points, triangles, [0, 10, 20])
         self.assertTrue((np.abs(names["d"] - exact) <= 0.01 * exact * (1 + 1e-6)).all())
         self.assertEqual(names["m"].shape, (2, 3))
@@ -64,104 +154,151 @@ class Readme(unittest.TestCase):
         self.assertLessEqual(names["p"].length, exact.length * 1.01)
         self.assertGreaterEqual(names["p"].length, exact.length * (1 - 1e-9))
 
-    def test_ten_lines_of_paths(self):
-        blocks = [block for block in self.blocks("python") if "vtkDGGPath()" in block]
-        self.assertEqual(len(blocks), 1)
-        self.assertLessEqual(len([line for line in blocks[0].splitlines() if line]), 10)
-        names = {}
-        with contextlib.redirect_stdout(io.StringIO()) as printed:
-            exec(blocks[0].replace("mesh.ply", BUMPY), names)  # noqa: S102
-        exact = vtkdgg.distance(*support.bumpy(), 0)[20]
-        said = re.fullmatch(r"from 0 to 20: (\S+) model units\n", printed.getvalue())
-        self.assertAlmostEqual(float(said[1]), exact, delta=1e-6)
 
-    def test_greens_functions(self):
-        blocks = [block for block in self.blocks("python") if "vtkDiscreteGreensFunction()" in block]
-        self.assertEqual(len(blocks), 1)
-        names = {}
-        with contextlib.redirect_stdout(io.StringIO()) as printed:
-            exec(blocks[0].replace("mesh.ply", BUMPY), names)  # noqa: S102
-        said = re.fullmatch(
-            r"from 0 to 10: (\S+)\nfarthest point: (\S+) model units away\n", printed.getvalue()
+class Gallery(unittest.TestCase):
+    """The snippets run one after the other, as the page says."""
+
+    # What each of them creates, and what it prints.
+    EXPECTED = (
+        ("vtkPLYReader()", ""),
+        ("vtkDiscreteGeodesicGraph()", r"\d\d\.\d edges per point"),
+        ("vtkDGGDistance()", r"(farthest from \d+: \d\.\d+ model units away\n?){3}"),
+        ("vtkGeodesicDistanceMatrix()", r"from 10 to 40: (\S+)"),
+        ("vtkExactGeodesicDistance()", r"farthest point: (\S+) model units away"),
+        ('GeodesicDistance")()', r"(\w+: farthest point \d\.\d+ model units away\n?){3}"),
+        ("vtkGeodesicProbe()", r"farthest triangle: \d\.\d+ model units away"),
+        ("vtkDGGPath()", r"from 0 to 20: (\S+) model units"),
+        ("vtkDGGLoop()", r"1 loops, two for each handle"),
+        ("vtkApolloniusIsolines()", r"True True"),
+        ("vtkGeodesicPatchBoundaries()", r"6 curves on each surface; .*"),
+        ("vtkGeodesicSampler()", r"no point of the mesh is farther than 0\.\d+ model units .*"),
+        ("vtkGeodesicVoronoi()", r"the cells have areas from \d\S* to \d\S*"),
+        ("vtkDiscreteGreensFunction()", r"from 0 to 10: (\S+)"),
+        ("vtkBiharmonicDistance()", r"farthest point: (\S+) model units away"),
+        ("vtkSurfaceEarthMoversDistance()", r"mass is moved by (\S+) model units on average"),
+        ("vtkHarmonicBSpline()", r"40 functions, of which the sum is 1\.0"),
+        ("vtkPoissonVectorGraphics()", r"colours of (\d+) points"),
+        ("vtkPointCloudDGG()", r"farthest point: (\S+) model units away"),
+    )
+
+    @classmethod
+    def setUpClass(cls):
+        cls.names = {}
+        cls.printed = {}
+        cls.blocks = pages.blocks("Examples/README.md", "python")
+        for block, (key, _) in zip(cls.blocks, cls.EXPECTED):
+            if key == "vtkPointCloudDGG()":
+                if HAS_CLOUDS:
+                    block = block.replace("cloud.pcd", write_cloud("sphere.pcd"))
+                    cls.printed[key] = execute(block, {}).strip()
+                continue
+            if key == "vtkDGGLoop()":  # a surface with something to go around
+                reader = cls.names["reader"]
+                reader.SetFileName(write_prism())
+                cls.printed[key] = execute(block, cls.names).strip()
+                reader.SetFileName(BUMPY)
+                continue
+            cls.printed[key] = execute(block.replace("mesh.ply", BUMPY), cls.names).strip()
+        cls.exact = vtkdgg.distance(*support.bumpy(), 0)
+
+    def number(self, key):
+        return float(re.fullmatch(dict(self.EXPECTED)[key], self.printed[key])[1])
+
+    def test_prints(self):
+        for block, (key, said) in zip(self.blocks, self.EXPECTED):
+            with self.subTest(key):
+                self.assertIn(key, block)
+                self.assertLessEqual(len([line for line in block.splitlines() if line]), 20)
+                if key in self.printed:
+                    self.assertRegex(self.printed[key], rf"\A{said}\Z")
+
+    def test_distances(self):
+        farthest = self.exact.max()
+        self.assertAlmostEqual(self.number("vtkExactGeodesicDistance()"), farthest, 12)
+        self.assertAlmostEqual(self.number("vtkDGGPath()"), self.exact[20], delta=1e-6)
+        exact = vtkdgg.distance(*support.bumpy(), 40)[10]
+        matrix = self.number("vtkGeodesicDistanceMatrix()")
+        self.assertTrue(exact * (1 - 1e-9) <= matrix <= 1.01 * exact * (1 + 1e-6))
+        self.assertTrue(0.05 * farthest < self.number("vtkBiharmonicDistance()") < farthest)
+        movers = self.number("vtkSurfaceEarthMoversDistance()")
+        self.assertTrue(0.0 < movers < farthest)
+
+    def test_loop(self):
+        length = self.names["loops"].GetCellData().GetArray("Length").GetValue(0)
+        self.assertAlmostEqual(length, 9.0, delta=1e-6)  # the file has floats
+
+    def test_greens_function(self):
+        greens = self.names["greens"].GetOutput().GetPointData().GetArray("GreensFunction")
+        self.assertAlmostEqual(
+            self.number("vtkDiscreteGreensFunction()"), greens.GetComponent(0, 1), 2
         )
-        greens = names["greens"].GetOutput().GetPointData().GetArray("GreensFunction")
-        self.assertAlmostEqual(float(said[1]), greens.GetComponent(0, 1), 2)
-        farthest = vtkdgg.distance(*support.bumpy(), 0).max()
-        self.assertTrue(0.05 * farthest < float(said[2]) < farthest)
 
     def test_vector_graphics(self):
-        blocks = [
-            block for block in self.blocks("python") if "vtkPoissonVectorGraphics()" in block
-        ]
-        self.assertEqual(len(blocks), 1)
-        names = {}
-        with contextlib.redirect_stdout(io.StringIO()) as printed:
-            exec(blocks[0].replace("mesh.ply", BUMPY), names)  # noqa: S102
-        painted = names["painted"]
-        self.assertEqual(printed.getvalue(), f"colours of {painted.GetNumberOfPoints()} points\n")
-        self.assertGreater(painted.GetNumberOfPoints(), names["surface"].GetNumberOfPoints())
+        painted = self.names["painted"]
+        self.assertEqual(self.number("vtkPoissonVectorGraphics()"), painted.GetNumberOfPoints())
+        self.assertGreater(painted.GetNumberOfPoints(), self.names["surface"].GetNumberOfPoints())
         self.assertEqual(painted.GetPointData().GetScalars().GetName(), "RGB")
         colors = painted.GetPointData().GetArray("Colors")
         self.assertAlmostEqual(colors.GetRange(0)[0], 0.1, 6)
         self.assertAlmostEqual(colors.GetRange(0)[1], 1.0, 6)
 
-    def test_ten_lines_of_loops(self):
-        blocks = [block for block in self.blocks("python") if "vtkDGGLoop()" in block]
-        self.assertEqual(len(blocks), 1)
-        path = os.path.join(support.output_folder("pipeline"), "prism.ply")
-        writer = vtkPLYWriter()
-        writer.SetInputData(support.polydata(*support.prism(9, 6)))
-        writer.SetFileName(path)
-        vtkdgg.check(writer)
+    @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+    def test_point_clouds(self):
+        self.assertAlmostEqual(self.number("vtkPointCloudDGG()"), np.pi, delta=0.05)
+
+    def test_examples_are_listed(self):
+        page = pages.text_of("Examples/README.md")
+        for folder, ending in (("Python", ".py"), ("Cxx", ".cxx")):
+            for file in os.listdir(os.path.join(support.EXAMPLES, folder)):
+                name, extension = os.path.splitext(file)
+                is_part = name.startswith("demo_") or name in (
+                    "cloud_discs",
+                    "cloud_file",
+                    "example_arguments",
+                    "mesh_file",
+                    "surface_canvas",
+                )
+                if extension == ending and not is_part:
+                    self.assertIn(f"`{name}`", page)
+
+    def test_pictures(self):
+        # Each picture of the folder is shown on some page.
+        shown = {os.path.basename(link) for page in pages.PAGES for link in pages.links(page)}
+        pictures = set(os.listdir(os.path.join(support.EXAMPLES, "Images")))
+        self.assertEqual(pictures - shown, set())
+
+
+class OtherPages(unittest.TestCase):
+    def test_matrix_in_one_line(self):
+        block = pages.blocks("Filters/Geodesic/README.md", "py")[0]
+        self.assertIn(block.strip(), code("Python", "graph_csr.py"))
+
+    def test_pcd_files(self):
+        block = pages.blocks("Readers/README.md", "python")[0]
+        folder = os.path.dirname(write_cloud("cloud.pcd"))
+        for name in ("cloud.pcd", "copy.pcd"):
+            block = block.replace(name, os.path.join(folder, name))
         names = {}
-        with contextlib.redirect_stdout(io.StringIO()) as printed:
-            exec(blocks[0].replace("mesh.ply", path), names)  # noqa: S102
-        self.assertEqual(printed.getvalue(), "1 loops, the shortest one 9 model units long\n")
+        execute(block, names)
+        self.assertEqual(names["cloud"].GetNumberOfPoints(), 1500)
+        reader = vtkdgg.vtkPCDReader()
+        reader.SetFileName(os.path.join(folder, "copy.pcd"))
+        self.assertEqual(vtkdgg.check(reader).GetNumberOfPoints(), 1500)
 
-    def test_other_blocks_run(self):
-        for name, said in (
-            ("vtkGeodesicSampler()", r"no point of the mesh is farther than 0\.\d+ model units .*"),
-            ("vtkGeodesicVoronoi()", r"the cells have areas of \d\S* \d\S* \d\S*"),
-            ("vtkGeodesicPatchBoundaries()", r"6 curves on each surface; .*"),
-            ("vtkGeodesicProbe()", r"farthest triangle: \d\.\d+ model units away"),
-            ("GeodesicDistance\")()", r"(\w+: farthest point \d\.\d+ model units away\n?){3}"),
-        ):
-            with self.subTest(name):
-                blocks = [block for block in self.blocks("python") if name in block]
-                self.assertEqual(len(blocks), 1)
-                with contextlib.redirect_stdout(io.StringIO()) as printed:
-                    exec(blocks[0].replace("mesh.ply", BUMPY), {})  # noqa: S102
-                self.assertRegex(printed.getvalue().strip(), rf"\A{said}\Z")
+    def test_lines_of_clouds_of_pcl(self):
+        # Built and run by the tests of the install tree.
+        block = pages.blocks("Readers/README.md", "cpp")[0]
+        self.assertIn("ToPolyData", block)
+        program = code("Cxx", "PointCloud.cxx")
+        for line in block.splitlines():
+            line = line.split("//")[0].strip()
+            if line and not line.startswith(("pcl::", "vtkDGG::From", "distance->AddSourceId")):
+                self.assertIn(line, program)
 
-    def write_cloud(self, name):
-        """A PCD file of points on the unit sphere, evenly spread; its folder."""
-        folder = support.output_folder("readme")
-        i = np.arange(1500)
-        z = 1.0 - (2.0 * i + 1.0) / len(i)
-        angle = np.pi * (3.0 - np.sqrt(5.0)) * i
-        radius = np.sqrt(1.0 - z * z)
-        points = np.column_stack([radius * np.cos(angle), radius * np.sin(angle), z])
-        writer = vtkdgg.vtkPCDWriter()
-        writer.SetInputData(support.polydata(points, np.empty((0, 3), dtype=int)))
-        writer.SetFileName(os.path.join(folder, name))
-        vtkdgg.check(writer)
-        return folder
-
-    @unittest.skipUnless(hasattr(vtkdgg, "vtkPointCloudDGG"), "built without PCL")
-    def test_ten_lines_of_point_clouds(self):
-        blocks = [block for block in self.blocks("python") if "vtkPointCloudDGG()" in block]
-        self.assertEqual(len(blocks), 1)
-        self.assertLessEqual(len([line for line in blocks[0].splitlines() if line]), 10)
-        path = os.path.join(self.write_cloud("sphere.pcd"), "sphere.pcd")
-        with contextlib.redirect_stdout(io.StringIO()) as printed:
-            exec(blocks[0].replace("cloud.pcd", path), {})  # noqa: S102
-        said = re.fullmatch(r"farthest point: (\S+) model units away\n", printed.getvalue())
-        # The first point is near a pole.
-        self.assertAlmostEqual(float(said[1]), np.pi, delta=0.05)
-
-    @unittest.skipUnless(hasattr(vtkdgg, "vtkPointCloudDGG"), "built without PCL")
+    @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
     def test_properties_of_point_clouds(self):
-        table = self.readme[self.readme.index("| property | default |") :].split("\n\n")[0]
+        page = pages.text_of("Filters/PointCloud/README.md")
+        table = page[page.index("| property | default |") :].split("\n\n")[0]
         graph = vtkdgg.vtkPointCloudDGG()
         said = {}
         for row in table.splitlines()[2:]:
@@ -176,57 +313,20 @@ class Readme(unittest.TestCase):
         own = known & set(re.findall(r"Set(\w+)", " ".join(vars(vtkdgg.vtkPointCloudDGG))))
         self.assertEqual({name for name in own if not name.startswith("SchemeTo")}, set(said))
 
-    def test_pcd_files(self):
-        blocks = [block for block in self.blocks("python") if "vtkPCDWriter()" in block]
-        self.assertEqual(len(blocks), 1)
-        folder = self.write_cloud("cloud.pcd")
-        code = blocks[0]
-        for name in ("cloud.pcd", "copy.pcd"):
-            code = code.replace(name, os.path.join(folder, name))
-        names = {}
-        exec(code, names)  # noqa: S102
-        self.assertEqual(names["cloud"].GetNumberOfPoints(), 1500)
-        reader = vtkdgg.vtkPCDReader()
-        reader.SetFileName(os.path.join(folder, "copy.pcd"))
-        self.assertEqual(vtkdgg.check(reader).GetNumberOfPoints(), 1500)
-
-    def test_lines_of_clouds_of_pcl(self):
-        # Built and run by the tests of the install tree.
-        block = next(block for block in self.blocks("cpp") if "ToPolyData" in block)
-        code = self.code("Cxx", "PointCloud.cxx")
-        for line in block.splitlines():
-            line = line.split("//")[0].strip()
-            if line and not line.startswith(("pcl::", "vtkDGG::From", "distance->AddSourceId")):
-                self.assertIn(line, code)
-
-    def test_examples_are_listed(self):
-        for folder, ending in (("Python", ".py"), ("Cxx", ".cxx")):
-            for file in os.listdir(os.path.join(support.EXAMPLES, folder)):
-                name, extension = os.path.splitext(file)
-                is_part = name.startswith("demo_") or name in (
-                    "cloud_discs",
-                    "cloud_file",
-                    "example_arguments",
-                    "mesh_file",
-                    "surface_canvas",
-                )
-                if extension == ending and not is_part:
-                    self.assertIn(f"`{name}`", self.readme)
-
-    def test_isolines(self):
-        blocks = [block for block in self.blocks("python") if "vtkApolloniusIsolines()" in block]
-        self.assertEqual(len(blocks), 1)
-        with contextlib.redirect_stdout(io.StringIO()) as printed:
-            exec(blocks[0].replace("mesh.ply", BUMPY), {})  # noqa: S102
-        self.assertEqual(printed.getvalue(), "True True\n")
-
-    def test_matrix_in_one_line(self):
-        line = self.blocks("py")[0].strip()
-        self.assertIn(line, self.code("Python", "graph_csr.py"))
-
-    def test_links(self):
-        for target in re.findall(r"\]\((?!https?:|#)([^)]+)\)", self.readme):
-            self.assertTrue(os.path.exists(os.path.join(support.ROOT, target)), target)
+    @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+    def test_scan_lines(self):
+        # Lines 0.8 apart on a plane, with points 0.05 apart on them.
+        x, y = np.meshgrid(np.arange(0.0, 10.0, 0.05), np.arange(0.0, 8.0, 0.8))
+        points = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
+        cloud = support.polydata(points, np.empty((0, 3)))
+        graph = vtkdgg.vtkPointCloudDGG()
+        graph.SetInputData(cloud)
+        vtkdgg.check(graph)
+        self.assertGreater(graph.GetNumberOfComponents(), 1)
+        block = pages.blocks("Filters/PointCloud/README.md", "python")[0]
+        execute(block, {"cloud": cloud, "graph": graph})
+        vtkdgg.check(graph)
+        self.assertEqual(graph.GetNumberOfComponents(), 1)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One-liners on numpy arrays."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Optional
+
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -9,20 +13,23 @@ from . import arguments
 from .errors import run
 from .vtkDGGFiltersGeodesic import vtkDGGDistance, vtkExactGeodesicDistance
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
 __all__ = ["distance"]
 
 
 def distance(
-    points,
-    triangles,
-    sources,
-    maximum_distance=None,
-    unreached=np.nan,
-    accuracy=None,
-    merge_coincident_points=False,
-    projection_tolerance=None,
-    merge_tolerance=0.0,
-):
+    points: ArrayLike,
+    triangles: ArrayLike,
+    sources: ArrayLike,
+    maximum_distance: Optional[float] = None,
+    unreached: float = np.nan,
+    accuracy: Optional[float] = None,
+    merge_coincident_points: bool = False,
+    projection_tolerance: Optional[float] = None,
+    merge_tolerance: float = 0.0,
+) -> NDArray[np.float64]:
     """Geodesic distance of every point of a triangle mesh from the nearest source.
 
     Parameters

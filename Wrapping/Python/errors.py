@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """VTK errors as Python exceptions."""
 
+from __future__ import annotations
+
 import re
 import sys
 import warnings
+from typing import Any, List
 
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkDataObject
@@ -33,13 +36,13 @@ class VTKError(RuntimeError):
         ``GetErrorCode()`` of the algorithm that failed first, 0 when none was set.
     """
 
-    def __init__(self, messages, code=0):
+    def __init__(self, messages: List[str], code: int = 0) -> None:
         super().__init__("\n".join(messages))
         self.messages = list(messages)
         self.code = code
 
 
-def check(algorithm):
+def check(algorithm: vtkAlgorithm) -> Any:
     """Update an algorithm and raise when it, or anything upstream of it, reports an error.
 
     A writer is asked to write. The messages are in the exception, without the file, line and address

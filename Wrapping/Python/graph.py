@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A discrete geodesic graph as a Python object: built once, asked often."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal, Optional, Tuple, Union, overload
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -9,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from . import arguments
 from .errors import VTKError, run
 from .graph_info import ARRAYS, CONSTRUCTIONS, DAMAGE, GraphInfo, damaged
-from .paths import find
+from .paths import Path, find
 from .surface import copy_surface, from_arrays, to_arrays
 from .vtkDGGFiltersGeodesic import (
     vtkDGGDistance,
@@ -17,6 +21,9 @@ from .vtkDGGFiltersGeodesic import (
     vtkDiscreteGeodesicGraph,
     vtkGeodesicDistanceMatrix,
 )
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["Graph"]
 
@@ -83,15 +90,15 @@ class Graph:
 
     def __init__(
         self,
-        points,
-        triangles,
-        accuracy=0.01,
-        construction="Guaranteed",
-        number_of_neighbors=30,
-        memory_limit=None,
-        merge_coincident_points=False,
-        merge_tolerance=0.0,
-    ):
+        points: ArrayLike,
+        triangles: ArrayLike,
+        accuracy: float = 0.01,
+        construction: str = "Guaranteed",
+        number_of_neighbors: int = 30,
+        memory_limit: Optional[int] = None,
+        merge_coincident_points: bool = False,
+        merge_tolerance: float = 0.0,
+    ) -> None:
         points = arguments.coordinates(points, "points")
         if len(points) == 0:
             raise ValueError("points: at least one is wanted")
@@ -109,7 +116,7 @@ class Graph:
         self._build(builder, arguments.polydata(points, triangles))
 
     @classmethod
-    def from_polydata(cls, polydata, memory_limit=None):
+    def from_polydata(cls, polydata: vtkPolyData, memory_limit: Optional[int] = None) -> Graph:
         """The graph that vtkDiscreteGeodesicGraph has put on a surface.
 
         It is used as it is, without a copy. Points and cells are copied; the arrays of point, cell
@@ -153,16 +160,41 @@ class Graph:
             raise damaged(found[1]) from None
         return graph
 
+    @overload
     def distance(
         self,
-        sources,
-        correction=True,
-        maximum_distance=None,
-        initial_distances=None,
-        return_source=False,
-        unreached=np.nan,
-        projection_tolerance=None,
-    ):
+        sources: ArrayLike,
+        correction: bool = ...,
+        maximum_distance: Optional[float] = ...,
+        initial_distances: Optional[ArrayLike] = ...,
+        return_source: Literal[False] = ...,
+        unreached: float = ...,
+        projection_tolerance: Optional[float] = ...,
+    ) -> NDArray[np.float64]: ...
+
+    @overload
+    def distance(
+        self,
+        sources: ArrayLike,
+        correction: bool = ...,
+        maximum_distance: Optional[float] = ...,
+        initial_distances: Optional[ArrayLike] = ...,
+        *,
+        return_source: Literal[True],
+        unreached: float = ...,
+        projection_tolerance: Optional[float] = ...,
+    ) -> Tuple[NDArray[np.float64], NDArray[np.int64]]: ...
+
+    def distance(
+        self,
+        sources: ArrayLike,
+        correction: bool = True,
+        maximum_distance: Optional[float] = None,
+        initial_distances: Optional[ArrayLike] = None,
+        return_source: bool = False,
+        unreached: float = np.nan,
+        projection_tolerance: Optional[float] = None,
+    ) -> Union[NDArray[np.float64], Tuple[NDArray[np.float64], NDArray[np.int64]]]:
         """Distance of every point from the nearest source.
 
         Parameters
@@ -213,7 +245,13 @@ class Graph:
         distances[np.isinf(distances)] = unreached
         return (distances, nearest) if return_source else distances
 
-    def matrix(self, rows, columns=None, unreached=np.nan, projection_tolerance=None):
+    def matrix(
+        self,
+        rows: ArrayLike,
+        columns: Optional[ArrayLike] = None,
+        unreached: float = np.nan,
+        projection_tolerance: Optional[float] = None,
+    ) -> NDArray[np.float64]:
         """Distances between two sets of points, or between all pairs of one.
 
         They are lengths of paths in the graph (there is no correction): at least the exact
@@ -260,7 +298,14 @@ class Graph:
         tabulate.ReleaseMatrix()  # it is ours alone now, and is not given out twice
         return vtk_to_numpy(matrix).reshape(shape)
 
-    def path(self, start, end, straighten=True, detour=None, projection_tolerance=None):
+    def path(
+        self,
+        start: ArrayLike,
+        end: ArrayLike,
+        straighten: bool = True,
+        detour: Optional[float] = None,
+        projection_tolerance: Optional[float] = None,
+    ) -> Path:
         """A path on the surface from one point to another.
 
         It is a geodesic: no path next to it is shorter. Its length is at least the exact distance,
@@ -307,7 +352,7 @@ class Graph:
         return find(finder, ends, points, self._heard)
 
     @property
-    def csr(self):
+    def csr(self) -> Any:
         """The graph as a new scipy.sparse.csr_matrix of lengths, shape (n, n).
 
         It has arrays of its own, because SciPy sorts them in place now and then.
@@ -328,7 +373,7 @@ class Graph:
         return csr_matrix((self.lengths, self.targets, self.offsets), shape=(n, n), copy=True)
 
     @property
-    def offsets(self):
+    def offsets(self) -> NDArray[np.int64]:
         """int64, shape (n + 1,): edges that leave point i are offsets[i] to offsets[i + 1] - 1.
 
         A view that cannot be written to, as are `targets` and `lengths`.
@@ -336,42 +381,42 @@ class Graph:
         return self._array("Offsets")
 
     @property
-    def targets(self):
+    def targets(self) -> NDArray[np.int32]:
         """int32, one for each directed edge: the point at its end. Not sorted in a row."""
         return self._array("Targets")
 
     @property
-    def lengths(self):
+    def lengths(self) -> NDArray[Any]:
         """float32 (float64 below an accuracy of 1e-5), one for each directed edge: rounded up."""
         return self._array("Lengths")
 
     @property
-    def number_of_points(self):
+    def number_of_points(self) -> int:
         """Number of points, n."""
         return self._surface.GetNumberOfPoints()
 
     @property
-    def accuracy(self):
+    def accuracy(self) -> Optional[float]:
         """What the graph was built for; None for a SaddleVertexGraph."""
         return self._info.accuracy
 
     @property
-    def construction(self):
+    def construction(self) -> str:
         """The rule that chose the edges. Only "Guaranteed" is sure to keep to `accuracy`."""
         return CONSTRUCTIONS[self._info.construction]
 
     @property
-    def degree(self):
+    def degree(self) -> float:
         """Mean number of edges that leave a point."""
         return len(self.targets) / self.number_of_points
 
     @property
-    def nbytes(self):
+    def nbytes(self) -> int:
         """Bytes of the arrays of the graph."""
         return sum(self._array(name).nbytes for name in ARRAYS)
 
     @property
-    def polydata(self):
+    def polydata(self) -> vtkPolyData:
         """The surface with its graph as a new vtkPolyData, for filters and writers.
 
         It has all that was given to `from_polydata`. It shares its arrays with this object: do not
@@ -381,7 +426,7 @@ class Graph:
         result.ShallowCopy(self._surface)
         return result
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         quality = "" if self.accuracy is None else f", accuracy {self.accuracy:g}"
         return (
             f"<vtkdgg.Graph: {self.number_of_points} points, {len(self.targets)} edges, "

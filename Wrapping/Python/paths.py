@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Paths on a surface as numpy arrays."""
 
+from __future__ import annotations
+
 import dataclasses
 import re
+from typing import TYPE_CHECKING, Optional
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -12,6 +15,9 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray
 from . import arguments
 from .errors import VTKError, run
 from .vtkDGGFiltersGeodesic import vtkDGGPath
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["Path", "path"]
 
@@ -41,29 +47,29 @@ class Path:
         Length of the path up to the point.
     """
 
-    points: np.ndarray
+    points: NDArray[np.float64]
     length: float
     graph_length: float
-    faces: np.ndarray
-    point_ids: np.ndarray
-    arc_lengths: np.ndarray
+    faces: NDArray[np.int64]
+    point_ids: NDArray[np.int64]
+    arc_lengths: NDArray[np.float64]
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         count = len(self.points)
         unit = "point" if count == 1 else "points"
         return f"<vtkdgg.Path: length {self.length:g}, {count} {unit}>"
 
 
 def path(
-    points,
-    triangles,
-    start,
-    end,
-    accuracy=None,
-    merge_coincident_points=False,
-    projection_tolerance=None,
-    merge_tolerance=0.0,
-):
+    points: ArrayLike,
+    triangles: ArrayLike,
+    start: ArrayLike,
+    end: ArrayLike,
+    accuracy: Optional[float] = None,
+    merge_coincident_points: bool = False,
+    projection_tolerance: Optional[float] = None,
+    merge_tolerance: float = 0.0,
+) -> Path:
     """A shortest path on a triangle mesh.
 
     Parameters

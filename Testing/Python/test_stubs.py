@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What type checkers see of the package is what is there."""
+
+import ast
+import inspect
+import os
+import unittest
+
+import vtkdgg
+
+FOLDER = os.path.dirname(vtkdgg.__file__)
+MODULES = [
+    name
+    for name in dir(vtkdgg)
+    if name.startswith("vtkDGG") and inspect.ismodule(getattr(vtkdgg, name))
+]
+
+
+def stub_of(module):
+    """The classes of a stub, each with the names in it."""
+    with open(os.path.join(FOLDER, f"{module}.pyi"), encoding="utf-8") as file:
+        tree = ast.parse(file.read())
+    found = {}
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef):
+            found[node.name] = set()
+            for part in node.body:
+                if isinstance(part, ast.AnnAssign):
+                    found[node.name].add(part.target.id)
+                elif not isinstance(part, ast.Expr):
+                    found[node.name].add(part.name)
+    return found
+
+
+class Stubs(unittest.TestCase):
+    def test_wrapped_classes(self):
+        self.assertGreaterEqual(len(MODULES), 3)
+        seen = set()
+        for module in MODULES:
+            stub = stub_of(module)
+            seen |= set(stub)
+            for name, kind in vars(getattr(vtkdgg, module)).items():
+                if isinstance(kind, type):
+                    with self.subTest(name):
+                        own = {part for part in vars(kind) if not part.startswith("_")}
+                        self.assertEqual(stub[name], own)
+        # Nothing else is in the package but what the Python sources define.
+        rest = {name for name in dir(vtkdgg) if not name.startswith("_")} - seen
+        modules = {name for name in rest if inspect.ismodule(getattr(vtkdgg, name))}
+        self.assertEqual(rest - modules, {"Graph", "Path", "VTKError", "check", "distance", "path"})
+
+    def test_marker(self):
+        self.assertTrue(os.path.exists(os.path.join(FOLDER, "py.typed")))
+
+    def test_functions_are_annotated(self):
+        functions = [vtkdgg.check, vtkdgg.distance, vtkdgg.path, vtkdgg.VTKError.__init__]
+        for name, member in vars(vtkdgg.Graph).items():
+            member = getattr(member, "fget", None) or getattr(member, "__func__", member)
+            if inspect.isfunction(member) and (name == "__init__" or not name.startswith("_")):
+                functions.append(member)
+        self.assertGreater(len(functions), 15)
+        for function in functions:
+            with self.subTest(function.__qualname__):
+                signature = inspect.signature(function)
+                self.assertIsNot(signature.return_annotation, inspect.Signature.empty)
+                for name, parameter in signature.parameters.items():
+                    if name not in ("self", "cls"):
+                        self.assertIsNot(parameter.annotation, inspect.Parameter.empty, name)
+
+
+if __name__ == "__main__":
+    unittest.main()
