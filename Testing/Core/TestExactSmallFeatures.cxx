@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace dggtest
 {
@@ -27,6 +28,41 @@ TestMesh WithTinyFeatures(TestMesh mesh, double size, double lift, Random& rando
       const double b = size * random.Uniform(0.2, 1.2);
       const Id v = SplitFace(mesh, f, { { 1.0 - a - b, a, b } });
       mesh.Points[3 * v + 2] += size * lift * random.Uniform(-1.0, 1.0);
+    }
+  }
+  return mesh;
+}
+
+/// Insert a vertex into edges of the plane, at a distance of `size` from an end: rows, columns and
+/// diagonals get needles, whose vertices lie in line with each other up to rounding.
+TestMesh PlaneWithNeedles(Id n, double size, Random& random)
+{
+  const TestMesh plane = Plane(n, n);
+  TestMesh mesh = plane;
+  std::vector<bool> isTaken(plane.GetNumberOfFaces(), false);
+  for (Id f = 0; f < plane.GetNumberOfFaces(); ++f)
+  {
+    const Id k = random.Index(3);
+    const Id a = plane.Triangles[3 * f + k];
+    const Id b = plane.Triangles[3 * f + (k + 1) % 3];
+    bool isFree = true;
+    std::vector<Id> faces;
+    for (Id g = 0; g < plane.GetNumberOfFaces(); ++g)
+    {
+      const auto corners = plane.Triangles.begin() + 3 * g;
+      if (std::count(corners, corners + 3, a) + std::count(corners, corners + 3, b) == 2)
+      {
+        faces.push_back(g);
+        isFree = isFree && !isTaken[g];
+      }
+    }
+    if (isFree)
+    {
+      SplitEdge(mesh, a, b, size * random.Uniform(0.5, 1.0));
+      for (const Id g : faces)
+      {
+        isTaken[g] = true;
+      }
     }
   }
   return mesh;
@@ -58,6 +94,34 @@ TEST_P(ExactSmallFeatures, InThePlane)
       // Mollification changes the smallest faces themselves. Light that grazes a row of features of
       // 1e-8 may have to go around them, a few times their size.
       EXPECT_LE(worst, mesh.GetMollification() > 0.0 ? 1e-6 : 1e-7) << "seed " << seed;
+    }
+  }
+}
+
+/// The light that passes between the two ends of a needle is not trimmed by a label that is too
+/// short, nor lost to a window that is wide for the needle, nor in the rounding of a position on a
+/// long edge. Needles of 1e-8, the root of rounding, are left out: there it is not known which
+/// window is the shorter one.
+TEST_P(ExactSmallFeatures, NeedlesInThePlane)
+{
+  for (const double size : { 1e-5, 1e-7, 1e-9, 1e-10, 1e-11 })
+  {
+    SCOPED_TRACE(size);
+    for (std::uint64_t seed = 1; seed <= 6; ++seed)
+    {
+      Random random(seed);
+      const TestMesh input = PlaneWithNeedles(6, size, random);
+      const dgg::SurfaceMesh mesh = Build(input);
+      double worst = 0.0;
+      for (Id source = 0; source < mesh.GetNumberOfVertices(); source += 3)
+      {
+        const auto distances = DistancesFrom(mesh, this->Engine(), source);
+        for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+        {
+          worst = std::max(worst, std::abs(distances[v] - EuclideanDistance(input, source, v)));
+        }
+      }
+      EXPECT_LE(worst, 5.0 * size) << "seed " << seed;
     }
   }
 }

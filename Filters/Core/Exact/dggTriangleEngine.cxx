@@ -248,11 +248,11 @@ void TriangleEngine::LightApex(Id h, const FaceUnfolding& face)
   for (const Window& w : this->Light)
   {
     const double crossing = Crossing(w.Image, face.GetApex());
-    const double tolerance = w.Tolerance(LightTolerance, face.GetBase());
+    const double tolerance = w.GetLightTolerance(face.GetBase());
     if (crossing >= w.Begin - tolerance && crossing <= w.End + tolerance)
     {
-      this->Lower(apex, w.DistanceTo(face.GetApex()), { h, w.Root, w.Image.X, w.Image.Y },
-        this->SourceOf(w.Root));
+      this->Lower(apex, w.DistanceThrough(crossing, face.GetApex()),
+        { h, w.Root, w.Image.X, w.Image.Y }, this->SourceOf(w.Root));
     }
   }
 }

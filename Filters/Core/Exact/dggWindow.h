@@ -16,13 +16,19 @@ namespace dgg
 constexpr double LengthTolerance = 1e-12;
 /// Intervals narrower than this are dropped; relative, see Window::Tolerance().
 constexpr double IntervalTolerance = 1e-10;
-/// A point this close to the edge of a window counts as lit; relative, see Window::Tolerance(). A
-/// straight line past the border of its strip by that much differs from a path in the strip by the
-/// square, and no point on the seam between two windows stays dark.
+/// A point this close to the edge of a window counts as lit, by the way through that edge;
+/// relative, see Window::Tolerance(). So no point on the seam between two windows stays dark.
 constexpr double LightTolerance = 1e-9;
+/// The same where the seam itself is known less well: where lengths are equal, up to rounding or to
+/// LengthTolerance, is known up to the root of that. It matters for windows that are as narrow, as
+/// between needles, and for light that has scattered.
+constexpr double NarrowLightTolerance = 2e-6;
 /// An image closer to the axis than this, relative to its edge, and beside the window sees the edge
 /// edge-on and lights nothing.
 constexpr double EdgeOnTolerance = 1e-14;
+
+/// Some roundings of a position on an edge, relative to the edge.
+constexpr double PositionRounding = 4e-15;
 
 /// Light on its way into the face of a half-edge, in the frame of that half-edge (dggUnfolding.h).
 /// The image of the pseudo-source is kept rather than two end distances: it is accurate when the
@@ -47,6 +53,17 @@ struct Window
   double DistanceTo(const Point2& p) const
   {
     return this->Sigma + Norm(p.X - this->Image.X, p.Y - this->Image.Y);
+  }
+
+  /// The same for a point that is seen through x on the axis. When that is beyond an end of the
+  /// window, the way bends there: a straight line may be shorter than any path, and such a label
+  /// would trim the light that passes close by.
+  double DistanceThrough(double x, const Point2& p) const
+  {
+    const double straight = this->DistanceTo(p);
+    const double bend = std::max(this->Begin, std::min(this->End, x));
+    const double bent = x == bend ? straight : this->DistanceAt(bend) + Norm(p.X - bend, p.Y);
+    return bent <= straight * (1.0 + LengthTolerance) ? straight : bent;
   }
 
   /// Smallest distance on the interval.
@@ -76,6 +93,14 @@ struct Window
   {
     const double scale = this->HasScattered ? length : std::min(length, -this->Image.Y);
     return std::max(1e-15 * length, relative * scale);
+  }
+
+  /// How far from the interval on an edge of the given length a point counts as lit.
+  double GetLightTolerance(double length) const
+  {
+    const bool isNarrow = this->End - this->Begin < NarrowLightTolerance * length;
+    return this->Tolerance(
+      isNarrow || this->HasScattered ? NarrowLightTolerance : LightTolerance, length);
   }
 
   /// Whether too narrow for an edge of the given length to be kept.

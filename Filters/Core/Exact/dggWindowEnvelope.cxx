@@ -9,9 +9,9 @@ namespace dgg
 {
 namespace
 {
-/// Pieces narrower than this are left to a neighbour that touches them; relative, see
-/// Window::Tolerance(). The light of the neighbour then leaves its strip by that much at most,
-/// which changes lengths by the square. Where shadows of several pseudo-sources in line meet,
+/// Pieces narrower than this, for them and for a neighbour that touches them, are left to that
+/// neighbour; relative, see Window::Tolerance(). Its light then leaves its strip by that much at
+/// most, which changes lengths by the square. Where shadows of several pseudo-sources in line meet,
 /// rounding would make a window of its own of each sliver.
 constexpr double PieceTolerance = 1e-9;
 
@@ -38,7 +38,8 @@ void Append(WindowList& out, const Window& w, double begin, double atBegin, doub
       back.DistanceAtEnd = atEnd;
       return;
     }
-    if (end - begin < w.Tolerance(PieceTolerance, length))
+    if (end - begin <
+      std::min(w.Tolerance(PieceTolerance, length), back.Tolerance(PieceTolerance, length)))
     {
       back.End = end;
       back.DistanceAtEnd = back.DistanceAt(end);
@@ -71,12 +72,16 @@ bool ExtremumOfDifference(
   return extremum > begin && extremum < end;
 }
 
+bool IsRounding(double one, double other)
+{
+  return std::abs(one - other) <= TieTolerance * one;
+}
+
 /// Whether two windows tie at x, up to rounding, and part there. They may tie at an end of the
 /// interval as well, where they do not part.
 bool IsTie(const Window& a, const Window& b, double begin, double end, double x)
 {
-  const double atX = a.DistanceAt(x);
-  if (std::abs(atX - b.DistanceAt(x)) > TieTolerance * atX)
+  if (!IsRounding(a.DistanceAt(x), b.DistanceAt(x)))
   {
     return false;
   }
@@ -215,7 +220,8 @@ private:
   }
 
   /// Both fronts begin at the same point: write the shorter one, or both in turn, up to the first
-  /// end.
+  /// end. Where rounding alone decides, on a width of rounding, the one with the nearer image is
+  /// taken: the same width is a wider angle there, which would be dark.
   void ResolveOverlap()
   {
     const Window& a = this->A.Front;
@@ -224,8 +230,11 @@ private:
     const double end = std::min(a.End, b.End);
     const double aEnd = a.End == end ? a.DistanceAtEnd : a.DistanceAt(end);
     const double bEnd = b.End == end ? b.DistanceAtEnd : b.DistanceAt(end);
-    const bool aWinsAtBegin = a.DistanceAtBegin <= b.DistanceAtBegin;
-    const bool aWinsAtEnd = aEnd <= bEnd;
+    const bool tie = end - begin < 4.0 * PositionRounding * this->Length &&
+      IsRounding(a.DistanceAtBegin, b.DistanceAtBegin) && IsRounding(aEnd, bEnd);
+    const bool aIsNearer = a.Image.Y >= b.Image.Y;
+    const bool aWinsAtBegin = tie ? aIsNearer : a.DistanceAtBegin <= b.DistanceAtBegin;
+    const bool aWinsAtEnd = tie ? aIsNearer : aEnd <= bEnd;
     if (aWinsAtBegin != aWinsAtEnd)
     {
       this->WriteBoth(

@@ -403,8 +403,11 @@ void WindowPropagation::EmitInto(Id g, double sigma, double from, double to)
     const double sine = std::sin(angle);
     return sine * reach / (std::cos(angle) * by - sine * (bx - reach));
   };
-  const double first = from <= 0.0 ? 0.0 : std::min(1.0, std::max(0.0, meet(from)));
-  const double last = to >= corner ? 1.0 : std::min(1.0, std::max(0.0, meet(to)));
+  // As seen from very close to the edge, rounding of a position on it is more than ShadowSlack.
+  const double first =
+    from <= 0.0 ? 0.0 : std::min(1.0, std::max(0.0, meet(from) - PositionRounding));
+  const double last =
+    to >= corner ? 1.0 : std::min(1.0, std::max(0.0, meet(to) + PositionRounding));
   Window window;
   // Seen from the other side of the edge. Not length - ApexX(exit), which is inaccurate for
   // needles.
@@ -519,7 +522,7 @@ void WindowPropagation::ReachTarget(
 void WindowPropagation::OfferTargets(Id h, const Window& window)
 {
   const Id f = SurfaceMesh::Face(h);
-  const double tolerance = window.Tolerance(LightTolerance, this->Mesh.Length(h));
+  const double tolerance = window.GetLightTolerance(this->Mesh.Length(h));
   auto target = std::lower_bound(this->Targets.begin(), this->Targets.end(), f,
     [](const Target& t, Id face) { return t.Face < face; });
   for (; target != this->Targets.end() && target->Face == f; ++target)
@@ -528,7 +531,7 @@ void WindowPropagation::OfferTargets(Id h, const Window& window)
     const double x = Crossing(window.Image, p);
     if (x >= window.Begin - tolerance && x <= window.End + tolerance)
     {
-      this->ReachTarget(target->Index, window.DistanceTo(p),
+      this->ReachTarget(target->Index, window.DistanceThrough(x, p),
         { h, window.Root, window.Image.X, window.Image.Y }, this->SourceOf(window.Root));
     }
   }
