@@ -28,10 +28,10 @@ double ChooseLinkAccuracy(double wanted, const GraphView& graph)
 constexpr double NarrowKink = 0.3;
 /// Once there is a loop, longer ones are tried that may become shorter than it.
 constexpr std::size_t MostRivals = 24;
-/// Crossings laid out for all of these, per face; twice what was seen but on prisms of hundreds of
+/// Crossings laid out for all of these, per face; more than was seen but on prisms of hundreds of
 /// strips, where all ways are led around their caps strip by strip, and contract.
-constexpr std::size_t MostWorkOfFace = 1000;
-constexpr std::size_t SmallestMesh = 1000; // of fewer faces any takes little
+constexpr std::size_t MostWorkOfFace = 600;
+constexpr std::size_t SmallestMesh = 3000; // of fewer faces any takes little
 
 /// Let a loop go at the points that it was asked to go through. One that is straight there is taut.
 /// Up to the tolerance of kinks it may become a little shorter, but does not slip off.
