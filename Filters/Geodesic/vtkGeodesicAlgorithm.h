@@ -206,8 +206,8 @@ public:
   double GetMollification() const;
 
   /**
-   * Largest height of the triangles without area that were left out, in units of the coordinates:
-   * the surface has moved by no more; 0 when there are none.
+   * Largest height of the triangles without area that were left out, one on the other, in units of
+   * the coordinates: the surface has moved by no more; 0 when there are none.
    */
   double GetLargestCapHeight() const;
 

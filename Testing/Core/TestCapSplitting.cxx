@@ -246,4 +246,25 @@ TEST(CapSplitting, HeapsOfCapsEnd)
     EXPECT_NEAR(distances[i], i * 0.25, 1e-9);
   }
 }
+/// A cap on the edge that another one has left: the surface has moved by both.
+TEST(CapSplitting, HeightsAddUp)
+{
+  TestMesh mesh;
+  const Id a = mesh.AddPoint(0.0, 0.0, 0.0);
+  const Id b = mesh.AddPoint(1.0, 0.0, 0.0);
+  const Id c = mesh.AddPoint(0.5, 1.0, 0.0);
+  const Id d = mesh.AddPoint(0.5, -1.0, 0.0);
+  const Id p = mesh.AddPoint(0.5, 0.0, 1e-7);
+  const Id q = mesh.AddPoint(0.3, 0.0, 1.4e-7);
+  mesh.AddTriangle(a, b, c);
+  mesh.AddTriangle(b, a, p);
+  mesh.AddTriangle(p, a, q);
+  mesh.AddTriangle(d, p, q);
+  mesh.AddTriangle(d, q, a);
+  mesh.AddTriangle(d, b, p);
+  const Split split = SplitMesh(mesh);
+  EXPECT_EQ(split.Caps, 2);
+  EXPECT_GE(split.Height, 1.4e-7); // of q above the first triangle, which has it as a corner now
+  EXPECT_LE(split.Height, 2e-7);
+}
 }

@@ -555,4 +555,43 @@ TEST(LoopFinder, KinksOfRopes)
   EXPECT_NEAR(prism.Rope(turned, false).Angle, loop.Angle, 1e-9);
   EXPECT_LT(loop.Angle, dgg::Pi - 0.01);
 }
+/// A prism of long thin strips with flat caps: every way around is led over a cap strip by strip,
+/// and contracts. So many of them are tried as ordinary meshes take in all.
+TEST(LoopFinder, EndsWhereAllWaysTakeLong)
+{
+  const Id sides = 400;
+  TestMesh mesh;
+  for (Id j = 0; j < 3; ++j)
+  {
+    for (Id i = 0; i < sides; ++i)
+    {
+      const double angle = 2.0 * dgg::Pi * i / sides;
+      mesh.AddPoint(std::cos(angle), std::sin(angle), 3.0 * j);
+    }
+  }
+  for (Id i = 0; i < 2 * sides; ++i)
+  {
+    const Id next = i % sides + 1 < sides ? i + 1 : i + 1 - sides;
+    mesh.AddQuad(i, next, next + sides, i + sides);
+  }
+  for (Id i = 1; i + 1 < sides; ++i)
+  {
+    mesh.AddTriangle(0, i + 1, i);
+    mesh.AddTriangle(2 * sides, 2 * sides + i, 2 * sides + i + 1);
+  }
+  const LoopWorld world(mesh, 0.05);
+  for (const Id v : { 7, sides + 100, 2 * sides + 250 })
+  {
+    dgg::FoundLoop loop;
+    int trials = 0;
+    ASSERT_TRUE(world.Finder
+                  ->ThroughPoint(At(v), false, loop,
+                    [&](double) {
+                      ++trials;
+                      return true;
+                    })
+                  .IsOk());
+    EXPECT_LE(trials, 256) << v;
+  }
+}
 }

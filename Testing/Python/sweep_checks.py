@@ -172,7 +172,8 @@ def approximate(make):
 
 
 def expect_on_surface(trial, lines, what):
-    """Ends and middle of each piece lie in its face. Returns pieces, lines, middles and faces."""
+    """Both ends of each piece lie in its face, and what is between them with them: triangles are
+    convex. Returns pieces, lines, ends and faces."""
     pieces, line = pieces_of(lines)
     points = vtk_to_numpy(lines.GetPoints().GetData()) if len(pieces) else np.empty((0, 3))
     face = support.point_array(lines, "FaceId")[pieces[:, 0]] if len(pieces) else line
@@ -183,7 +184,7 @@ def expect_on_surface(trial, lines, what):
     bound = ON_SURFACE * trial.surface.sides[face].max(axis=1) + trial.surface.rounding
     bound += 2 * trial.moved
     ends = points[pieces]
-    for place, text in ((ends[:, 0], "start"), (ends.mean(axis=1), "middle"), (ends[:, 1], "end")):
+    for place, text in ((ends[:, 0], "start"), (ends[:, 1], "end")):
         trial.expect(np.isfinite(place), f"{what}: {text} is not finite")
         trial.expect_most(
             to_triangles(place, corners), bound, f"{what}: {text} of a piece is off its face"
@@ -193,11 +194,12 @@ def expect_on_surface(trial, lines, what):
 
 def expect_lengths(trial, lines, what):
     """The array of lengths is that of the polylines."""
-    _, line, ends, _ = expect_on_surface(trial, lines, what)
+    _, line, ends, face = expect_on_surface(trial, lines, what)
     lengths = vtk_to_numpy(lines.GetCellData().GetArray("Length")) if len(ends) else np.empty(0)
     step = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     summed = np.bincount(line, step, minlength=len(lengths))
-    slack = np.bincount(line, minlength=len(lengths)) * (trial.lengthened + trial.surface.rounding)
+    slack = trial.lengthened + trial.surface.rounding + trial.gained(face)
+    slack = np.bincount(line, slack, minlength=len(lengths))
     trial.expect_most(
         np.abs(summed - lengths), EXACT * lengths + slack, f"{what}: Length is not of its points"
     )
@@ -366,12 +368,26 @@ def expect_parts(trial, polygons, wanted, what):
     copies[surface.first_copy[there]] = True
     longest = surface.sides.max(axis=1)
     wanted = wanted & (2 * surface.areas > 4 * trial.moved * longest)
+    for face in np.flatnonzero(surface.once & wanted & ~copies)[:100]:
+        copies[face] = lies_in_another(trial, face, there)
     trial.expect(copies[surface.once & wanted], f"{what}: a triangle is left out")
     if areas is not None:
         bound = EXACT * surface.areas + (surface.rounding + 2 * trial.moved) * longest
         trial.expect_most(
             np.abs(areas - surface.areas)[there], bound[there], f"{what}: a triangle is not filled"
         )
+
+
+def lies_in_another(trial, face, there):
+    """Whether a triangle is a part of another one: once caps are split it may be a duplicate of what
+    they leave, and counts once."""
+    surface = trial.surface
+    shared = np.isin(surface.triangles, surface.triangles[face]).sum(axis=1)
+    corners = surface.points[surface.cells[there & (shared >= 2)]]
+    own = surface.points[surface.cells[face]]
+    off = [to_triangles(np.broadcast_to(place, (len(corners), 3)), corners) for place in own]
+    bound = ON_SURFACE * surface.sides[face].max() + surface.rounding + 2 * trial.moved
+    return (np.max(off, axis=0) <= bound).any()
 
 
 def voronoi(trial):
@@ -396,7 +412,8 @@ def voronoi(trial):
     area = vtk_to_numpy(cells.GetCellData().GetArray("CellArea"))[index][site >= 0].sum()
     inside = reached[surface.cells].all(axis=1) & surface.once
     whole = surface.areas[inside].sum()
-    slack = EXACT * whole + trial.moved * surface.sides[inside].max(axis=1).sum()
+    longest = surface.sides[inside].max(axis=1)
+    slack = EXACT * whole + ((trial.moved + 0.5 * trial.gained(inside)) * longest).sum()
     trial.expect_most(abs(area - whole), slack, f"areas of cells do not sum to {whole:.6g}")
 
 

@@ -22,6 +22,10 @@ constexpr double Margin = 2e-5;
 /// Coordinates by which distances are differentiated.
 constexpr double DifferenceStep = 1e-3;
 
+/// Work of links per face: some twenty times what a diagram of a clean mesh takes.
+constexpr std::size_t MostWorkOfFace = 1000;
+constexpr std::size_t SmallestMesh = 2500; // of fewer faces any takes little
+
 /// The part of the way to a side of the face that a step may take.
 constexpr double LargestPart = 0.9;
 
@@ -58,6 +62,12 @@ BorderRefinement::BorderRefinement(const SurfaceMesh& mesh, const SiteDistances&
   , Accuracy(accuracy)
   , Sites(sites)
 {
+}
+
+std::size_t BorderRefinement::GetMostWork() const
+{
+  return MostWorkOfFace *
+    std::max(SmallestMesh, static_cast<std::size_t>(this->Mesh.GetNumberOfFaces()));
 }
 
 void BorderRefinement::Balance(Id halfEdge, const std::array<Id, 2>& sites, double low, double high,
@@ -219,6 +229,10 @@ double BorderRefinement::Predict(
 bool BorderRefinement::Measure(
   const SurfacePoint& point, const Id* sites, std::size_t count, double* distances) const
 {
+  if (this->Work > this->GetMostWork())
+  {
+    return false;
+  }
   std::vector<SurfacePoint> targets;
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -226,7 +240,7 @@ bool BorderRefinement::Measure(
   }
   std::vector<GraphLink> links;
   std::vector<double> direct;
-  if (!this->Builder.Link(point, this->Accuracy, targets, links, direct).IsOk())
+  if (!this->Builder.Link(point, this->Accuracy, targets, links, direct, &this->Work).IsOk())
   {
     return false;
   }

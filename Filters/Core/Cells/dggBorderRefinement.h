@@ -9,8 +9,9 @@
 #include "dggSiteDistances.h" // for the distances
 #include "dggSurfacePoint.h"  // for SurfacePoint
 
-#include <array>  // for coordinates
-#include <vector> // for the sites
+#include <array>   // for coordinates
+#include <cstddef> // for std::size_t
+#include <vector>  // for the sites
 
 namespace dgg
 {
@@ -18,6 +19,10 @@ namespace dgg
 /// lead around different sides of something: in faces that are large compared to cells, and close
 /// to points where geodesics bend. There a border point gets links of its own, as a vertex of the
 /// graph would have them, and is moved to where its distances are equal.
+///
+/// Where light multiplies, among non-manifold edges and triangles that are all but lines, links are
+/// dear. They may take so much work for a mesh of that size; the points after that stay where they
+/// are.
 ///
 /// Whether that is needed is told by the virtual sources of the corners: each of them has its own
 /// idea of the distance at the point. Where all agree, nothing is done.
@@ -38,6 +43,11 @@ public:
   void Balance(
     Id face, const std::array<Id, 3>& sites, std::array<double, 3>& place, double& distance) const;
 
+  /// What links have taken where light multiplies, see GraphBuilder::Link(), and what they may
+  /// take.
+  std::size_t GetWork() const { return this->Work; }
+  std::size_t GetMostWork() const;
+
 private:
   using Coordinates = std::array<double, 3>;
 
@@ -53,6 +63,7 @@ private:
   const GraphBuilder& Builder;
   double Accuracy;
   const std::vector<SurfacePoint>& Sites;
+  mutable std::size_t Work = 0;
 };
 }
 

@@ -204,7 +204,7 @@ public:
     const GraphOptions& options, GeodesicGraph& graph, GraphStatistics& statistics) const;
   Status Link(const SurfacePoint& point, const GraphOptions& options,
     const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
-    std::vector<double>& direct) const;
+    std::vector<double>& direct, std::size_t& work) const;
 
 private:
   /// Call `use(rule)` with the rule of a construction.
@@ -316,8 +316,9 @@ Status GraphBuilder::Build(
 
 Status GraphBuilder::Link(const SurfacePoint& point, double accuracy,
   const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
-  std::vector<double>& direct) const
+  std::vector<double>& direct, std::size_t* work) const
 {
+  std::size_t unused = 0;
   links.clear();
   direct.clear();
   GraphOptions options;
@@ -325,7 +326,7 @@ Status GraphBuilder::Link(const SurfacePoint& point, double accuracy,
   Status status = Check(options);
   if (status.IsOk())
   {
-    status = this->Internals->Link(point, options, targets, links, direct);
+    status = this->Internals->Link(point, options, targets, links, direct, work ? *work : unused);
   }
   if (!status.IsOk())
   {
@@ -606,7 +607,7 @@ Status GraphBuilder::Implementation::Build(
 
 Status GraphBuilder::Implementation::Link(const SurfacePoint& point, const GraphOptions& options,
   const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
-  std::vector<double>& direct) const
+  std::vector<double>& direct, std::size_t& work) const
 {
   Status status = this->Table.Check();
   if (status.IsOk())
@@ -648,6 +649,7 @@ Status GraphBuilder::Implementation::Link(const SurfacePoint& point, const Graph
   tracer->SetRule(rule);
   const std::vector<FoundEdge>& edges =
     tracer->TracePoint(positions, ConeTargets(this->Mesh, coneTargets, direct));
+  work += tracer->GetWork();
   if (tracer->WasOverwhelmed())
   {
     return Overwhelmed("the surface point", this->CanMultiply(), options);

@@ -102,9 +102,10 @@ public:
   /// them, distances from and to the point keep the promise of the (guaranteed) graph. `targets`
   /// are other points; `direct[i]` becomes the length of the straight way to targets[i], Infinity
   /// where there is none among the cones. A point at a vertex has a single link, of length 0. Both
-  /// are empty on failure. May be called from several threads at once.
+  /// are empty on failure. `work` grows by what it took if light multiplied, in comparisons of one
+  /// cone with another. May be called from several threads at once.
   Status Link(const SurfacePoint& point, double accuracy, const std::vector<SurfacePoint>& targets,
-    std::vector<GraphLink>& links, std::vector<double>& direct) const;
+    std::vector<GraphLink>& links, std::vector<double>& direct, std::size_t* work = nullptr) const;
 
 private:
   class Implementation;

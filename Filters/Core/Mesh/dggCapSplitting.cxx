@@ -49,6 +49,7 @@ public:
     {
       this->Link(f);
     }
+    this->Moved.resize(input, 0.0);
     const std::size_t most = MostParts * static_cast<std::size_t>(input);
     // NOLINTNEXTLINE(modernize-loop-convert): the list grows while it is worked on
     for (std::size_t i = 0; i < this->Caps.size() && this->Parents.size() < most; ++i)
@@ -189,15 +190,24 @@ private:
       return; // it alone holds its apex to one of the ends
     }
     ++this->Result.NumberOfCaps;
-    this->Result.LargestHeight = std::max(this->Result.LargestHeight, this->Height(apex, a, b));
+    const double height = this->Height(apex, a, b);
+    this->Move(cap, height);
     this->Discard(cap);
     for (const Id f : faces)
     {
       if (f != cap)
       {
+        this->Move(f, height);
         this->Split(f, a, b, apex);
       }
     }
+  }
+
+  /// A part of a part is as far from the triangle of the input as all splits have moved it.
+  void Move(Id f, double height)
+  {
+    this->Moved[f] += height;
+    this->Result.LargestHeight = std::max(this->Result.LargestHeight, this->Moved[f]);
   }
 
   /// Split a triangle on the edge from a to b at a point of the edge.
@@ -217,6 +227,7 @@ private:
     const Id g = this->GetNumberOfTriangles();
     this->Triangles.insert(this->Triangles.end(), second.begin(), second.end());
     this->Parents.push_back(this->Parents[f]);
+    this->Moved.push_back(this->Moved[f]);
     for (const Id part : { f, g })
     {
       this->Link(part);
@@ -241,7 +252,8 @@ private:
 
   const double* Points;
   std::vector<Id>& Triangles;
-  std::vector<Id>& Parents; // NoId for triangles that are gone
+  std::vector<Id>& Parents;  // NoId for triangles that are gone
+  std::vector<double> Moved; // per triangle, by splits so far
   double MeanEdge = 0.0;
   std::vector<Id> Caps; // to be looked at, in the order in which they were found
   std::unordered_map<std::uint64_t, std::vector<Id>> Edges;

@@ -16,14 +16,27 @@ namespace
 /// five turns) to 1e-6.
 constexpr double HalfWidths[] = { 1.5e-6, 1e-4 };
 constexpr double RefinedHalfWidth = 1e-12;
-/// Lengths are floats as well.
+/// Lengths are floats as well, and tiny ones next to long edges have the rounding errors of those.
 constexpr double RelativeLength = 1e-6;
-/// More edges than that no beam of a graph crosses, unless it runs around for ever.
+constexpr double RelativeRounding = 1e-14;
+/// Edges that a beam may cross before it is tried in the next face of the tail; the factor by which
+/// that grows when the head was found in none; and where it ends. A shortest path crosses no face
+/// twice: beyond that a beam runs around, or is split over and over, among triangles that are all
+/// but lines.
+constexpr std::size_t FewBeams = 4096;
+constexpr std::size_t Growth = 8;
+constexpr std::size_t BeamsPerFace = 4;
 constexpr std::size_t MostBeams = 1000000;
+}
+
+double HopTracer::GetTolerance(double length) const
+{
+  return RelativeLength * length + RelativeRounding * this->Mesh.GetMaximumEdgeLength();
 }
 
 bool HopTracer::Trace(const Hop& hop, Id& firstFace, std::vector<EdgeCrossing>& crossings)
 {
+  this->NumberOfBeams = 0;
   for (const double halfWidth : HalfWidths)
   {
     if (this->TraceBeam(hop, halfWidth, firstFace, crossings))
@@ -57,21 +70,35 @@ bool HopTracer::TraceBeam(
   const Hop& hop, double halfWidth, Id& firstFace, std::vector<EdgeCrossing>& crossings)
 {
   crossings.clear();
-  for (const Id* g = this->Mesh.FanBegin(hop.Tail); g != this->Mesh.FanEnd(hop.Tail); ++g)
+  const std::size_t faces = static_cast<std::size_t>(this->Mesh.GetNumberOfFaces());
+  const std::size_t most = std::min(MostBeams, std::max(FewBeams, BeamsPerFace * faces));
+  for (this->Limit = FewBeams;; this->Limit = std::min(most, Growth * this->Limit))
   {
-    const double angle = this->AngleFrom(hop, *g, halfWidth);
-    if (!std::isnan(angle) && this->TraceFrom(hop, *g, angle, halfWidth))
+    bool isCut = false;
+    for (const Id* g = this->Mesh.FanBegin(hop.Tail); g != this->Mesh.FanEnd(hop.Tail); ++g)
     {
-      firstFace = SurfaceMesh::Face(*g);
-      for (Id i = this->Found; i != NoId; i = this->Beams[i].Before)
+      const double angle = this->AngleFrom(hop, *g, halfWidth);
+      if (std::isnan(angle))
       {
-        crossings.push_back(this->Beams[i].Crossing);
+        continue;
       }
-      std::reverse(crossings.begin(), crossings.end());
-      return true;
+      if (this->TraceFrom(hop, *g, angle, halfWidth))
+      {
+        firstFace = SurfaceMesh::Face(*g);
+        for (Id i = this->Found; i != NoId; i = this->Beams[i].Before)
+        {
+          crossings.push_back(this->Beams[i].Crossing);
+        }
+        std::reverse(crossings.begin(), crossings.end());
+        return true;
+      }
+      isCut = isCut || this->Beams.size() >= this->Limit;
+    }
+    if (!isCut || this->Limit == most)
+    {
+      return false;
     }
   }
-  return false;
 }
 
 /// The direction of a hop, measured from an outgoing half-edge of its tail; NaN when the beam
@@ -96,7 +123,6 @@ double HopTracer::AngleFrom(const Hop& hop, Id g, double halfWidth) const
 bool HopTracer::TraceFrom(const Hop& hop, Id g, double angle, double halfWidth)
 {
   this->Beams.clear();
-  this->Open.clear();
   this->Found = NoId;
   // Next to an edge of the tail, the line may as well start on the other side of it.
   this->IsSplit = angle < halfWidth || angle > this->Mesh.CornerAngle(g) - halfWidth;
@@ -106,7 +132,7 @@ bool HopTracer::TraceFrom(const Hop& hop, Id g, double angle, double halfWidth)
   if (FindInFace(this->Mesh, hop.Head, SurfaceMesh::Face(g), barycentric))
   {
     const Point2 head = PlaceInFrame(this->Mesh, g, barycentric);
-    if (std::abs(Norm(head.X, head.Y) - hop.Length) <= RelativeLength * hop.Length)
+    if (std::abs(Norm(head.X, head.Y) - hop.Length) <= this->GetTolerance(hop.Length))
     {
       this->IsSplit = false;
       return true;
@@ -116,10 +142,11 @@ bool HopTracer::TraceFrom(const Hop& hop, Id g, double angle, double halfWidth)
   const FaceUnfolding face(this->Mesh.Length(g), { this->Mesh.ApexX(g), this->Mesh.ApexY(g) },
     this->Mesh.Length(SurfaceMesh::Previous(g)), this->Mesh.Length(across));
   this->Cross(across, false, face.GetApex(), { face.GetRightCosine(), -face.GetRightSine() }, NoId);
-  while (!this->Open.empty() && this->Beams.size() < MostBeams)
+  // The shortest strip first: one that runs around does not keep from the others.
+  for (Id index = 0; static_cast<std::size_t>(index) < std::min(this->Beams.size(), this->Limit);
+       ++index)
   {
-    const Id index = this->Open.back();
-    this->Open.pop_back();
+    ++this->NumberOfBeams;
     Point2 arrival;
     if (this->Reaches(hop, this->Beams[index], arrival))
     {
@@ -138,7 +165,6 @@ void HopTracer::Cross(Id exit, bool mirrored, const Point2& left, const Point2& 
   const Id leftVertex = mirrored ? this->Mesh.Origin(exit) : this->Mesh.Destination(exit);
   for (Id e = this->Mesh.Twin(exit); e != NoId && e != exit; e = this->Mesh.Twin(e))
   {
-    this->Open.push_back(static_cast<Id>(this->Beams.size()));
     this->Beams.push_back({ { exit, e }, this->Mesh.Origin(e) != leftVertex, left, axis, before });
   }
 }
@@ -156,7 +182,7 @@ bool HopTracer::Reaches(const Hop& hop, const Beam& beam, Point2& arrival) const
   p.X = beam.IsMirrored ? this->Mesh.Length(h) - p.X : p.X;
   p = FromFrame(beam.Left, beam.Axis, p);
   arrival = p;
-  return std::abs(Norm(p.X, p.Y) - hop.Length) <= RelativeLength * hop.Length &&
+  return std::abs(Norm(p.X, p.Y) - hop.Length) <= this->GetTolerance(hop.Length) &&
     dgg::Cross(p, this->Rays[0]) >= 0.0 && dgg::Cross(this->Rays[1], p) >= 0.0;
 }
 
@@ -171,7 +197,7 @@ void HopTracer::Continue(const Hop& hop, Id index)
   const FaceUnfolding face(this->Mesh.Length(h), { x, this->Mesh.ApexY(h) },
     this->Mesh.Length(leftEdge), this->Mesh.Length(rightEdge));
   const Point2 apex = FromFrame(beam.Left, beam.Axis, face.GetApex());
-  const double farEnough = hop.Length * (1.0 + RelativeLength);
+  const double farEnough = hop.Length + this->GetTolerance(hop.Length);
   const auto isNear = [&](const Point2& start, const Point2& axis, double length) {
     // Distance from the tail to the edge.
     const double t = std::min(length, std::max(0.0, -Dot(start, axis)));

@@ -8,7 +8,8 @@
 #include "dggStrip.h"     // for EdgeCrossing
 #include "dggUnfolding.h" // for Point2
 
-#include <vector> // for the beams
+#include <cstddef> // for std::size_t
+#include <vector>  // for the beams
 
 namespace dgg
 {
@@ -37,6 +38,12 @@ public:
   /// not where it should be.
   bool Trace(const Hop& hop, Id& firstFace, std::vector<EdgeCrossing>& crossings);
 
+  /// How far lengths in the graph may be from those on the mesh.
+  double GetTolerance(double length) const;
+
+  /// Beams followed over an edge in the last call.
+  std::size_t GetNumberOfBeams() const { return this->NumberOfBeams; }
+
 private:
   /// The part of the beam that goes through one edge, in the plane of the tail.
   struct Beam
@@ -60,7 +67,8 @@ private:
   const SurfaceMesh& Mesh;
   Point2 Rays[2]; ///< bounds of the beam, left and right
   std::vector<Beam> Beams;
-  std::vector<Id> Open;
+  std::size_t Limit = 0; ///< of the beams in one face of the tail
+  std::size_t NumberOfBeams = 0;
   Id Found = NoId;
   double Arrival = 0.0; ///< polar angle at the tail under which the head was found
   bool IsSplit = false; ///< whether the beam has met a vertex

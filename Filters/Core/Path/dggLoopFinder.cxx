@@ -28,6 +28,10 @@ double ChooseLinkAccuracy(double wanted, const GraphView& graph)
 constexpr double NarrowKink = 0.3;
 /// Once there is a loop, longer ones are tried that may become shorter than it.
 constexpr std::size_t MostRivals = 24;
+/// Crossings laid out for all of these, per face; more than was seen but on prisms of hundreds of
+/// strips, where all ways are led around their caps strip by strip, and contract.
+constexpr std::size_t MostWorkOfFace = 600;
+constexpr std::size_t SmallestMesh = 3000; // of fewer faces any takes little
 
 /// Let a loop go at the points that it was asked to go through. One that is straight there is taut.
 /// Up to the tolerance of kinks it may become a little shorter, but does not slip off.
@@ -210,7 +214,9 @@ Status LoopFinder::Implementation::TryCandidates(
   PathShortener shortener(this->Mesh);
   std::size_t rivals = 0;
   const std::size_t trials = std::min(candidates.size(), MostTrials);
-  for (std::size_t i = 0; i < trials && rivals < MostRivals; ++i)
+  const std::size_t mostWork = MostWorkOfFace *
+    std::max(SmallestMesh, static_cast<std::size_t>(this->Mesh.GetNumberOfFaces()));
+  for (std::size_t i = 0; i < trials && rivals < MostRivals && shortener.GetWork() <= mostWork; ++i)
   {
     if (progress && !progress(static_cast<double>(i) / static_cast<double>(trials)))
     {

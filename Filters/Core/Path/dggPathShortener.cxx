@@ -26,6 +26,7 @@ double AngleBetween(const Point2& a, const Point2& b)
 
 double PathShortener::Lay(const Strip& strip)
 {
+  this->Work += strip.Crossings.size();
   this->Plane.Unfold(this->Mesh, strip);
   return this->TheFunnel.Run(this->Plane, this->Bends);
 }

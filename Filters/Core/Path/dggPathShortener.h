@@ -10,7 +10,8 @@
 #include "dggStripUnfolding.h" // for StripUnfolding
 #include "dggSurfacePath.h"    // for SurfacePath
 
-#include <vector> // for the bends
+#include <cstddef> // for std::size_t
+#include <vector>  // for the bends
 
 namespace dgg
 {
@@ -34,6 +35,9 @@ public:
   /// The shortest path in a strip, as points on the surface, appended to a path that ends where the
   /// strip starts, if it is not empty.
   void Append(const Strip& strip, SurfacePath& path);
+
+  /// Crossings that strips had when they were laid out, in all: what takes the time.
+  std::size_t GetWork() const { return this->Work; }
 
 private:
   /// A vertex of the border of a strip and the portals that end in it.
@@ -62,6 +66,7 @@ private:
   std::vector<StripBend> Bends;
   std::vector<EdgeCrossing> Crossings;
   std::vector<EdgeCrossing> Detour;
+  std::size_t Work = 0;
 };
 }
 

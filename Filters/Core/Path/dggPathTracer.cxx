@@ -8,12 +8,6 @@
 
 namespace dgg
 {
-namespace
-{
-/// Lengths of edges are floats.
-constexpr double FloatTolerance = 1e-6;
-}
-
 Status PathTracer::Append(const Hop& hop, bool isBackwards)
 {
   Strip strip;
@@ -75,8 +69,8 @@ bool PathTracer::FindExactly(
     this->Exact = std::make_unique<ExactPathFinder>(this->Mesh);
   }
   std::vector<SurfacePath> found;
-  const Status status =
-    this->Exact->Find(from, { to }, ProgressCallback(), found, length * (1.0 + FloatTolerance));
+  const Status status = this->Exact->Find(
+    from, { to }, ProgressCallback(), found, length + this->Tracer.GetTolerance(length));
   if (!status.IsOk() || found.front().IsEmpty())
   {
     return false;
