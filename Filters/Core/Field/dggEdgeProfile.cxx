@@ -67,6 +67,7 @@ void EdgeProfile::Enter(Id h)
     this->FindModelBreaks();
     this->FindSteepness();
   }
+  this->BreakStates.assign(this->Breaks.size(), {});
 }
 
 void EdgeProfile::CollectWindows(Id h)
@@ -316,7 +317,6 @@ void EdgeProfile::FindModelBreaks()
   {
     this->Breaks.push_back(i == count ? this->Length : this->Length * i / count);
   }
-  this->BreakStates.assign(this->Breaks.size(), {});
 }
 
 /// No model changes faster than the distance from its source and what it is raised by.
@@ -423,7 +423,7 @@ void EdgeProfile::FindCrossings(double level, std::vector<double>& crossings)
   Probe begin{ 0.0, this->Ends[0] - level };
   for (std::size_t i = 1; i < this->Breaks.size(); ++i)
   {
-    const Probe end{ this->Breaks[i], this->At(this->Breaks[i]) - level };
+    const Probe end{ this->Breaks[i], this->AtBreak(i) - level };
     this->Cross(level, begin, end, crossings);
     begin = end;
   }

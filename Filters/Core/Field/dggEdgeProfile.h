@@ -120,7 +120,7 @@ private:
   bool IsLinear = false;             // neither end has a model, nor all faces
   double Steepness = 1.0;            // how much models change at most, per length
   std::vector<double> Breaks;
-  std::vector<BreakState> BreakStates; // of models
+  std::vector<BreakState> BreakStates;
 };
 }
 
