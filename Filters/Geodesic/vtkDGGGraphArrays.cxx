@@ -196,7 +196,6 @@ void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<doubl
   }
   slots[Checksum] = this->Seal();
   this->Mesh = mesh.GetBuildTime();
-  this->Summary = vtkDGGGraphSummary(this->View);
   this->IsGraph = true;
   this->Time.Modified();
 }
@@ -278,11 +277,7 @@ bool vtkDGGGraphArrays::Find(
   this->Mesh = mesh.GetBuildTime();
   this->IsGraph = status.IsOk();
   this->Time.Modified();
-  if (this->IsGraph)
-  {
-    this->Summary = vtkDGGGraphSummary(this->View);
-  }
-  else
+  if (!this->IsGraph)
   {
     this->View = dgg::GraphView();
     this->Band = vtkDGGCloudBand();
