@@ -182,16 +182,16 @@ TEST_F(ApolloniusIsolines, TellSourcesFromDistancesAlone)
   EXPECT_LT(4.0 * fitted, this->GetErrors()[2]);
 }
 
-TEST_F(ApolloniusIsolines, ValuesThatAreNoDistancesAreLinear)
+TEST_F(ApolloniusIsolines, ValuesThatAreTooSteepForDistancesAreLinear)
 {
   auto surface = this->TakeSurface();
   vtkDataArray* distances = surface->GetPointData()->GetArray("GeodesicDistance");
   for (vtkIdType i = 0; i < distances->GetNumberOfTuples(); ++i)
   {
-    distances->SetComponent(i, 0, 0.2 * distances->GetComponent(i, 0));
+    distances->SetComponent(i, 0, 5.0 * distances->GetComponent(i, 0));
   }
-  this->Isolines->GenerateValues(6, 0.11, 0.71);
-  ExpectWarning(this->Isolines, { "linear" });
+  this->Isolines->GenerateValues(6, 2.75, 17.75);
+  ExpectWarning(this->Isolines, { "by more than their length", "linear" });
   EXPECT_FALSE(this->Isolines->GetUsedVirtualSources());
   EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfLines(), 6);
   this->Isolines->SetMethodToLinear();
