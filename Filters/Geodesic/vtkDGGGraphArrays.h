@@ -91,6 +91,9 @@ public:
   const dgg::GraphView& GetView() const { return this->View; }
   /// The band of a cloud, as long as these arrays live. Only for a valid graph of a cloud.
   const vtkDGGCloudBand& GetBand() const { return this->Band; }
+  /// What is damaged in arrays that Find() has refused; empty when they are sound but of another
+  /// surface or version.
+  const std::string& GetDamage() const { return this->Damage; }
   /// When this graph was adopted or found. It changes with the graph.
   vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
 
@@ -125,12 +128,13 @@ private:
 
   dgg::Status Check(const vtkDGGMeshAdapter& mesh);
   bool HasRole(Role role) const;
-  dgg::Status CheckTypes() const;
+  dgg::Status Damaged(const std::string& what);
+  dgg::Status CheckTypes();
   dgg::Status ReadInfo(vtkIdType numberOfPoints, bool isCloud);
   dgg::Status ReadSizes(vtkIdType numberOfPoints);
   dgg::Status CheckSurface(const vtkDGGMeshAdapter& mesh) const;
-  dgg::Status CheckContents() const;
-  dgg::Status CheckBand() const;
+  dgg::Status CheckContents();
+  dgg::Status CheckBand();
   std::int64_t Seal() const;
   template <typename ValueType>
   const ValueType* GetValues(Role role) const;
@@ -139,6 +143,7 @@ private:
   vtkMTimeType Mesh = 0; // build time of the mesh that they were compared with
   dgg::GraphView View;
   vtkDGGCloudBand Band;
+  std::string Damage;
   bool IsGraph = false;
   vtkTimeStamp Time;
 };

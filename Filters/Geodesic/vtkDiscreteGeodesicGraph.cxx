@@ -77,6 +77,7 @@ void vtkDiscreteGeodesicGraph::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfGraphEdges: " << this->GetNumberOfGraphEdges() << "\n";
   os << indent << "MeanDegree: " << this->GetMeanDegree() << "\n";
   os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
+  os << indent << "InputGraphDamage: " << this->GetInputGraphDamage() << "\n";
   os << indent << "GraphBuildTime: " << this->GetGraphBuildTime() << "\n";
 }
 
@@ -181,6 +182,12 @@ double vtkDiscreteGeodesicGraph::GetMeanDegree() const
 vtkTypeUInt64 vtkDiscreteGeodesicGraph::GetMemorySize() const
 {
   return this->Internals->Current.MemorySize;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDiscreteGeodesicGraph::GetInputGraphDamage() const
+{
+  return this->Internals->OnInput.GetDamage();
 }
 
 //------------------------------------------------------------------------------
