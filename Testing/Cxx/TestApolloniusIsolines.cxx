@@ -186,16 +186,26 @@ TEST_F(ApolloniusIsolines, ValuesThatAreTooSteepForDistancesAreLinear)
 {
   auto surface = this->TakeSurface();
   vtkDataArray* distances = surface->GetPointData()->GetArray("GeodesicDistance");
-  for (vtkIdType i = 0; i < distances->GetNumberOfTuples(); ++i)
-  {
-    distances->SetComponent(i, 0, 5.0 * distances->GetComponent(i, 0));
-  }
+  const auto scale = [&](double factor) {
+    for (vtkIdType i = 0; i < distances->GetNumberOfTuples(); ++i)
+    {
+      distances->SetComponent(i, 0, factor * distances->GetComponent(i, 0));
+    }
+    distances->Modified();
+  };
+  scale(5.0);
   this->Isolines->GenerateValues(6, 2.75, 17.75);
   ExpectWarning(this->Isolines, { "by more than their length", "linear" });
   EXPECT_FALSE(this->Isolines->GetUsedVirtualSources());
   EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfLines(), 6);
   this->Isolines->SetMethodToLinear();
   ExpectSuccess(this->Isolines);
+  // That others are distances is the user's word.
+  this->Isolines->SetMethodToLocalSources();
+  scale(0.04);
+  this->Isolines->GenerateValues(6, 0.11, 0.71);
+  ExpectSuccess(this->Isolines);
+  EXPECT_TRUE(this->Isolines->GetUsedVirtualSources());
 }
 
 TEST_F(ApolloniusIsolines, AreExactWithWindows)
