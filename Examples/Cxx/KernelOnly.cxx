@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The kernel without VTK: the distance between two opposite corners of a square of two triangles.
-#include "dggEdgeGraph.h"
 #include "dggExactGeodesics.h"
 #include "dggMeshReport.h"
 #include "dggSurfaceMesh.h"
@@ -30,7 +29,6 @@ int main()
     return EXIT_FAILURE;
   }
   std::cout << "boundary loops: " << dgg::InspectMesh(mesh).BoundaryLoops << "\n"
-            << "distance between opposite corners: " << result.Distances[2] << "\n"
-            << "along edges: " << dgg::EdgeGraphDistances(mesh, sources)[2] << "\n";
+            << "distance between opposite corners: " << result.Distances[2] << "\n";
   return EXIT_SUCCESS;
 }

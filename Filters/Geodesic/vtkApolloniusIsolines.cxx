@@ -25,7 +25,7 @@
 
 vtkStandardNewMacro(vtkApolloniusIsolines);
 
-/// What an update is to do. Observers may change the properties in the middle of it.
+/// What an update is to do.
 struct vtkApolloniusIsolines::Request
 {
   std::vector<double> Values;

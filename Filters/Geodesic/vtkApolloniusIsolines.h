@@ -26,9 +26,10 @@
  * warning. Windows are compared bit by bit. Virtual sources are ignored when most of them point
  * elsewhere, or tell of a surface of another size; of points that were moved by a few percent of
  * an edge, or of a surface that was stretched along one axis, they know little: compute distances
- * after such changes. Values that are no distances on the surface are taken as linear in each
- * triangle, with a warning, too. Coarse surfaces tell little of that: on some hundred triangles,
- * such as those of a grid of 8 x 8 squares, values that are no distances may be taken for some.
+ * after such changes. That the values are distances, in the units of the points, is the user's
+ * word: call SetMethodToLinear() for other fields. Only values that change along more than a tenth
+ * of the edges by more than 1.1 times their length are taken as linear in each triangle, with a
+ * warning.
  *
  * <b>Output 0</b> is new geometry, see vtkGeodesicAlgorithm: polylines, in order of increasing
  * values. Each of their pieces lies in one triangle of the surface. Lines are continuous across

@@ -135,7 +135,7 @@ dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
     return dgg::Status::Invalid("a virtual source is a direction on a surface, which a point cloud "
                                 "has not: turn GenerateVirtualSource off");
   }
-  const bool correct = this->Correction && !isCloud; // observers may change it
+  const bool correct = this->Correction && !isCloud;
   vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
   dgg::Status status = this->GraphUser->Update(task.Input, this->GetMesh(), task.Progress, this);
   std::vector<dgg::GraphSeed> seeds;
@@ -159,10 +159,9 @@ dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
   options.Progress = graph.GetRemainingProgress();
   dgg::SearchResult result;
   status = graph.GetSearch().Run(seeds, options, result);
-  const dgg::Status intact = graph.CheckArrays();
-  if (!status.IsOk() || !intact.IsOk())
+  if (!status.IsOk())
   {
-    return intact.IsOk() ? status : intact;
+    return status;
   }
   if (task.WantNearestSource)
   {

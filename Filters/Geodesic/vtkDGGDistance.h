@@ -35,8 +35,8 @@
  *
  * Inputs, sources, results and errors are those of vtkGeodesicDistanceAlgorithm; besides these, an
  * Accuracy outside [1e-6, 0.5] is an error, and a graph that would take more memory than
- * MemoryLimit. The arrays of a graph on the input may be changed at any time, marked by Modified();
- * when they are changed during an update, by an observer, that is an error as well.
+ * MemoryLimit. The arrays of a graph on the input may be changed between updates, marked by
+ * Modified().
  *
  * @code
  * vtkNew<vtkPLYReader> reader;

@@ -8,8 +8,6 @@
 #include "vtkDGGWindowArrays.h"
 
 #include "dggCornerModel.h"
-#include "dggFieldTest.h"
-#include "dggProgressPart.h"
 #include "dggSourceFit.h"
 
 #include "vtkAlgorithm.h"
@@ -50,6 +48,39 @@ constexpr double SmallestRise = 0.3; // in lengths of the edge
 /// Half-edges that are looked at. Of fewer than the smaller number nothing can be told.
 constexpr dgg::Id MostSamples = 20000;
 constexpr dgg::Id FewestSamples = 100;
+/// A distance changes along an edge by at most its length, approximate ones but for a few edges.
+constexpr double SteepestSlope = 1.1;
+constexpr double LargestShareOfSteepEdges = 0.1;
+
+/// Why values cannot be distances in the units of the points; empty when they may be.
+std::string FindFault(const dgg::SurfaceMesh& mesh, const std::vector<double>& values)
+{
+  dgg::Id known = 0;
+  dgg::Id steep = 0;
+  for (dgg::Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const double change = std::abs(values[mesh.Destination(h)] - values[mesh.Origin(h)]);
+    if (!mesh.IsDropped(dgg::SurfaceMesh::Face(h)) && std::isfinite(change))
+    {
+      ++known;
+      steep += change > SteepestSlope * mesh.Length(h) ? 1 : 0;
+    }
+  }
+  if (known == 0)
+  {
+    return "The field is not known at any two neighbouring points: pass finite values.";
+  }
+  const double share = static_cast<double>(steep) / known;
+  if (share <= LargestShareOfSteepEdges)
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << "The field is hardly a distance: along " << std::lround(100.0 * share)
+       << " % of the edges it changes by more than their length. Pass the distance itself, in the "
+          "units of the points.";
+  return text.str();
+}
 
 /// Whether factors, given by their logarithms, gather around another number than 1.
 bool GatherElsewhere(std::vector<double>& logarithms)
@@ -282,27 +313,17 @@ void vtkDGGFieldInput::ReadSources(
 dgg::Status vtkDGGFieldInput::FitSources(
   const dgg::SurfaceMesh& mesh, const dgg::ProgressCallback& progress)
 {
-  const double testDone = 0.5;
-  dgg::FieldReport report;
-  const dgg::Status status = dgg::TestField(
-    mesh, this->Distances.data(), dgg::ProgressPart(progress, 0.0, testDone), report);
-  if (!status.IsOk())
+  const std::string fault = FindFault(mesh, this->Distances);
+  if (!fault.empty())
   {
-    return status;
+    this->Warn(fault + " It is taken as linear in each triangle");
+    return dgg::Status::Success();
   }
-  if (report.IsDistance())
-  {
-    this->IsFitted = true;
-    return dgg::FitVirtualSources(mesh, this->Distances.data(), vtkDGGMakeParallelFor(),
-             this->Sources, dgg::ProgressPart(progress, testDone, 1.0))
-      ? status
-      : dgg::Status::Abort();
-  }
-  if (!report.Sentence.empty())
-  {
-    this->Warn(report.Sentence + " It is taken as linear in each triangle");
-  }
-  return status;
+  this->IsFitted = true;
+  return dgg::FitVirtualSources(
+           mesh, this->Distances.data(), vtkDGGMakeParallelFor(), this->Sources, progress)
+    ? dgg::Status::Success()
+    : dgg::Status::Abort();
 }
 
 //------------------------------------------------------------------------------

@@ -18,8 +18,8 @@ class vtkPolyData;
 
 /// Reads a point array of distances, and what there is beside it that tells the distance inside of
 /// faces: windows in the field data (vtkDGGWindowArrays), or else virtual sources in the point
-/// data, or else virtual sources that are fitted to the distances. Values that are no distances are
-/// taken as linear, with a warning.
+/// data, or else virtual sources that are fitted to the distances. Values that rise too steeply for
+/// distances are taken as linear, with a warning; that they are distances is the user's word.
 class vtkDGGFieldInput
 {
 public:
@@ -53,7 +53,8 @@ public:
   /// Good as long as this and the mesh live.
   const dgg::DistanceField& GetField() const { return this->Field; }
   const std::vector<double>& GetDistances() const { return this->Distances; }
-  /// Arrays that were there and could not be used, distances that are none; empty when all is well.
+  /// Arrays that were there and could not be used, distances that are too steep; empty when all is
+  /// well.
   const std::string& GetWarning() const { return this->Warning; }
 
 private:

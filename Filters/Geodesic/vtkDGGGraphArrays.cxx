@@ -89,11 +89,6 @@ bool IsConstructionOf(std::int64_t construction, dgg::GraphKind kind)
   return construction >= static_cast<std::int64_t>(first) &&
     construction <= static_cast<std::int64_t>(last);
 }
-
-dgg::Status Damaged(const std::string& what)
-{
-  return dgg::Status::Invalid("is damaged: " + what);
-}
 }
 
 const std::array<const char*, vtkDGGGraphArrays::NumberOfRoles> vtkDGGGraphArrays::Names = { {
@@ -196,7 +191,6 @@ void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<doubl
   }
   slots[Checksum] = this->Seal();
   this->Mesh = mesh.GetBuildTime();
-  this->Summary = vtkDGGGraphSummary(this->View);
   this->IsGraph = true;
   this->Time.Modified();
 }
@@ -278,11 +272,7 @@ bool vtkDGGGraphArrays::Find(
   this->Mesh = mesh.GetBuildTime();
   this->IsGraph = status.IsOk();
   this->Time.Modified();
-  if (this->IsGraph)
-  {
-    this->Summary = vtkDGGGraphSummary(this->View);
-  }
-  else
+  if (!this->IsGraph)
   {
     this->View = dgg::GraphView();
     this->Band = vtkDGGCloudBand();
@@ -295,6 +285,13 @@ bool vtkDGGGraphArrays::Find(
 bool vtkDGGGraphArrays::IsSame(vtkFieldData* data, const vtkDGGMeshAdapter& mesh) const
 {
   return this->Mesh == mesh.GetBuildTime() && this->Arrays == MakeEntries(data);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGGraphArrays::Damaged(const std::string& what)
+{
+  this->Damage = what;
+  return dgg::Status::Invalid("is damaged: " + what);
 }
 
 //------------------------------------------------------------------------------
@@ -319,7 +316,7 @@ dgg::Status vtkDGGGraphArrays::Check(const vtkDGGMeshAdapter& mesh)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphArrays::CheckTypes() const
+dgg::Status vtkDGGGraphArrays::CheckTypes()
 {
   auto mismatch = [this](Role role, const char* wanted) {
     vtkAbstractArray* array = this->Arrays[role].Array;
@@ -502,12 +499,13 @@ dgg::Status vtkDGGGraphArrays::CheckSurface(const vtkDGGMeshAdapter& mesh) const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphArrays::CheckContents() const
+dgg::Status vtkDGGGraphArrays::CheckContents()
 {
   const dgg::Status status =
     dgg::CheckGraph(this->View, this->Arrays[Targets].Size, vtkDGGMakeParallelFor());
   if (!status.IsOk())
   {
+    this->Damage = status.GetMessage();
     return dgg::Status::Invalid("is " + status.GetMessage());
   }
   if (this->GetValues<std::int64_t>(Info)[Checksum] != this->Seal())
@@ -534,7 +532,7 @@ std::int64_t vtkDGGGraphArrays::Seal() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphArrays::CheckBand() const
+dgg::Status vtkDGGGraphArrays::CheckBand()
 {
   bool hasBalls = false;
   for (dgg::Id v = 0; v < this->View.NumberOfVertices; ++v)

@@ -5,8 +5,6 @@
 #ifndef vtkDGGGraphArrays_h
 #define vtkDGGGraphArrays_h
 
-#include "vtkDGGGraphSummary.h" // for the numbers
-
 #include "dggGeodesicGraph.h" // for GeodesicGraph
 
 #include "vtkAbstractArray.h" // for the smart pointers
@@ -15,6 +13,7 @@
 #include "vtkType.h"          // for vtkMTimeType
 
 #include <array>   // for the arrays
+#include <cstddef> // for sizes
 #include <cstdint> // for the checksum
 #include <string>  // for what is wrong
 #include <vector>  // for radii
@@ -28,6 +27,27 @@ struct vtkDGGCloudBand
 {
   double VoxelSize = 0.0;
   const double* Radii = nullptr; ///< per point
+};
+
+/// Numbers of the graph of the last update, which getters report when its arrays may be gone.
+struct vtkDGGGraphSummary
+{
+  dgg::GraphInfo Info;
+  dgg::Id NumberOfVertices = 0;
+  dgg::Offset NumberOfEdges = 0;
+  std::size_t MemorySize = 0; ///< bytes of the arrays
+
+  vtkDGGGraphSummary() = default;
+  explicit vtkDGGGraphSummary(const dgg::GraphView& graph)
+    : Info(graph.Info)
+    , NumberOfVertices(graph.NumberOfVertices)
+    , NumberOfEdges(graph.GetNumberOfEdges())
+  {
+    const std::size_t perEdge = sizeof(dgg::Id) + (graph.Lengths ? sizeof(float) : sizeof(double)) +
+      (graph.Angles ? 2 * sizeof(float) : 0);
+    this->MemorySize = static_cast<std::size_t>(this->NumberOfEdges) * perEdge +
+      (static_cast<std::size_t>(this->NumberOfVertices) + 1) * sizeof(dgg::Offset);
+  }
 };
 
 /// Puts a graph of the kernel into field data, without a copy, and finds it there again. What the
@@ -71,9 +91,9 @@ public:
   const dgg::GraphView& GetView() const { return this->View; }
   /// The band of a cloud, as long as these arrays live. Only for a valid graph of a cloud.
   const vtkDGGCloudBand& GetBand() const { return this->Band; }
-  /// Its numbers; all zero when there is no graph. They stay what they were when the arrays are
-  /// changed.
-  const vtkDGGGraphSummary& GetSummary() const { return this->Summary; }
+  /// What is damaged in arrays that Find() has refused; empty when they are sound but of another
+  /// surface or version.
+  const std::string& GetDamage() const { return this->Damage; }
   /// When this graph was adopted or found. It changes with the graph.
   vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
 
@@ -108,12 +128,13 @@ private:
 
   dgg::Status Check(const vtkDGGMeshAdapter& mesh);
   bool HasRole(Role role) const;
-  dgg::Status CheckTypes() const;
+  dgg::Status Damaged(const std::string& what);
+  dgg::Status CheckTypes();
   dgg::Status ReadInfo(vtkIdType numberOfPoints, bool isCloud);
   dgg::Status ReadSizes(vtkIdType numberOfPoints);
   dgg::Status CheckSurface(const vtkDGGMeshAdapter& mesh) const;
-  dgg::Status CheckContents() const;
-  dgg::Status CheckBand() const;
+  dgg::Status CheckContents();
+  dgg::Status CheckBand();
   std::int64_t Seal() const;
   template <typename ValueType>
   const ValueType* GetValues(Role role) const;
@@ -122,7 +143,7 @@ private:
   vtkMTimeType Mesh = 0; // build time of the mesh that they were compared with
   dgg::GraphView View;
   vtkDGGCloudBand Band;
-  vtkDGGGraphSummary Summary;
+  std::string Damage;
   bool IsGraph = false;
   vtkTimeStamp Time;
 };

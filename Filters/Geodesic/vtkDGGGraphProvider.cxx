@@ -71,7 +71,6 @@ dgg::Status vtkDGGGraphProvider::Update(const vtkDGGGraphRequest& request)
   if (found)
   {
     this->UseInput(request);
-    status = this->CheckArrays(); // observers of warnings may have changed them
   }
   else if (isCloud)
   {
@@ -87,15 +86,6 @@ dgg::Status vtkDGGGraphProvider::Update(const vtkDGGGraphRequest& request)
     this->ForgetGraph();
   }
   return status;
-}
-
-//------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphProvider::CheckArrays() const
-{
-  return !this->IsFromInput() || this->InputGraph.IsValid()
-    ? dgg::Status::Success()
-    : dgg::Status::Invalid("the arrays of the graph on the input were changed during the update: "
-                           "do not change them in observers, and update again");
 }
 
 //------------------------------------------------------------------------------
@@ -147,8 +137,7 @@ void vtkDGGGraphProvider::SearchIn(const dgg::GraphView& graph, const vtkDGGMesh
 //------------------------------------------------------------------------------
 void vtkDGGGraphProvider::UseInput(const vtkDGGGraphRequest& request)
 {
-  if (this->InputGraph.IsValid() &&
-    (!this->Search || this->UsedInput != this->InputGraph.GetTime()))
+  if (!this->Search || this->UsedInput != this->InputGraph.GetTime())
   {
     this->ForgetGraph();
     this->SearchIn(this->InputGraph.GetView(), request.Mesh);
@@ -221,9 +210,7 @@ dgg::Status vtkDGGGraphProvider::UseOwn(
 //------------------------------------------------------------------------------
 dgg::ProgressCallback vtkDGGGraphProvider::GetRemainingProgress() const
 {
-  return [this, done = this->Done](double fraction) {
-    return this->Progress(done + (1.0 - done) * fraction) && this->CheckArrays().IsOk();
-  };
+  return dgg::ProgressPart(this->Progress, this->Done, 1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -236,10 +223,8 @@ dgg::Status vtkDGGGraphProvider::PrepareForPairs(std::size_t count)
   }
   const double start = this->Done;
   const double share = LandmarkShare * (1.0 - start);
-  const dgg::Status status =
-    this->Search->PrepareLandmarks(vtkDGGMakeParallelFor(), [&](double fraction) {
-      return this->Progress(start + share * fraction) && this->CheckArrays().IsOk();
-    });
+  const dgg::Status status = this->Search->PrepareLandmarks(
+    vtkDGGMakeParallelFor(), dgg::ProgressPart(this->Progress, start, start + share));
   this->Done = start + share;
   return status;
 }
@@ -371,7 +356,7 @@ dgg::Status vtkDGGGraphProvider::LinkPlaces(const Points& places, const vtkDGGMe
   store.Mesh = mesh.GetBuildTime();
   store.Accuracy = accuracy;
   store.Places = places;
-  return this->CheckArrays();
+  return status;
 }
 
 //------------------------------------------------------------------------------
@@ -402,11 +387,9 @@ dgg::Status vtkDGGGraphProvider::PrepareShortener(const vtkDGGMeshAdapter& cloud
     cloud.GetPositions(), this->Search->GetGraph(), band.Radii);
   const double start = this->Done;
   const double share = BandShare * (1.0 - start);
-  // It has copied what it needs of the arrays when it looks at the progress.
-  const dgg::Status status = shortener->Prepare(band.VoxelSize,
-    vtkDGGGetMemoryLimit(this->MemoryLimit), vtkDGGMakeParallelFor(), [&](double fraction) {
-      return this->Progress(start + share * fraction) && this->CheckArrays().IsOk();
-    });
+  const dgg::Status status =
+    shortener->Prepare(band.VoxelSize, vtkDGGGetMemoryLimit(this->MemoryLimit),
+      vtkDGGMakeParallelFor(), dgg::ProgressPart(this->Progress, start, start + share));
   this->Done = start + share;
   if (status.IsOk())
   {

@@ -45,12 +45,8 @@ public:
   /// used, or is not as accurate as the user wants it: once for each.
   dgg::Status Update(const vtkDGGGraphRequest& request);
 
-  /// The rest of the progress: where the filter goes on after the last update. It asks to stop as
-  /// well when somebody changes the arrays of the graph meanwhile, which an observer may.
+  /// The rest of the progress: where the filter goes on after the last update.
   dgg::ProgressCallback GetRemainingProgress() const;
-  /// Fails when the arrays of the graph have been changed since the last update: then they must not
-  /// be followed, and what was found in them is worth nothing.
-  dgg::Status CheckArrays() const;
 
   /// Whether there is a graph.
   bool HasGraph() const { return this->Search != nullptr; }

@@ -210,13 +210,9 @@ dgg::Status vtkDGGLoop::Execute(
   vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
-  // Observers may change properties.
-  const int mode = this->Mode;
-  const bool taut = this->Taut;
-  const double width = this->TapeWidth;
   std::vector<dgg::GeodesicSource> sources;
   dgg::Status status;
-  if (mode != AroundHandles)
+  if (this->Mode != AroundHandles)
   {
     status = this->Collector->Collect(this->GetPointSet(inputVector), this->ProjectionTolerance,
       mesh, surface->GetPoints(), sources);
@@ -231,7 +227,7 @@ dgg::Status vtkDGGLoop::Execute(
     status = dgg::Status::Abort();
   }
   dgg::ProgressCallback progress = [this](double fraction) { return this->Advance(fraction); };
-  if (status.IsOk() && mode != AroundHandles)
+  if (status.IsOk() && this->Mode != AroundHandles)
   {
     status = this->GraphUser->Update(surface, mesh, progress, this);
     progress = this->GraphUser->GetProvider().GetRemainingProgress();
@@ -247,49 +243,49 @@ dgg::Status vtkDGGLoop::Execute(
   const vtkDGGLoopSearch search(mesh);
   vtkDGGLoopSet set;
   const dgg::ProgressCallback finding =
-    dgg::ProgressPart(progress, 0.0, width > 0.0 ? LoopShare : 1.0);
-  switch (mode)
+    dgg::ProgressPart(progress, 0.0, this->TapeWidth > 0.0 ? LoopShare : 1.0);
+  switch (this->Mode)
   {
     case AroundHandles:
       status = search.RunAroundHandles(finding, set);
       break;
     case Rope:
-      status = search.RunRope(graph, positions, points, taut, finding, set);
+      status = search.RunRope(graph, positions, points, this->Taut, finding, set);
       break;
     default:
-      status = search.RunThroughPoints(graph, positions, points, taut, finding, set);
+      status = search.RunThroughPoints(graph, positions, points, this->Taut, finding, set);
       break;
   }
   if (status.IsOk() && !finding(1.0))
   {
     status = dgg::Status::Abort();
   }
-  if (status.IsOk() && width > 0.0)
+  if (status.IsOk() && this->TapeWidth > 0.0)
   {
-    status = search.AddTapes(width, dgg::ProgressPart(progress, LoopShare, 1.0), set);
+    status = search.AddTapes(this->TapeWidth, dgg::ProgressPart(progress, LoopShare, 1.0), set);
   }
   if (status.IsOk())
   {
     FillOutputs(set, geometry, outputVector);
-    this->WarnAboutMissingLoops(set, mode);
-    this->WarnAboutMissingTapes(set, width);
+    this->WarnAboutMissingLoops(set);
+    this->WarnAboutMissingTapes(set);
   }
   return status;
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set, int mode)
+void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set)
 {
   const auto isMissing = [](vtkDGGLoopStatus status) { return status != vtkDGGLoopStatus::Found; };
   const auto missing = std::count_if(set.Status.begin(), set.Status.end(), isMissing);
   const auto first =
     std::find_if(set.Status.begin(), set.Status.end(), isMissing) - set.Status.begin();
-  if (mode == AroundHandles && set.Status.empty())
+  if (this->Mode == AroundHandles && set.Status.empty())
   {
     vtkWarningMacro("The surface has no handle, and no component with more than one boundary: all "
                     "loops on it can be contracted. There are none in the output.");
   }
-  else if (missing > 0 && mode == AroundHandles)
+  else if (missing > 0 && this->Mode == AroundHandles)
   {
     vtkWarningMacro(<< missing << " of " << set.Status.size() << " loops around handles "
                     << (missing == 1 ? "has" : "have")
@@ -298,7 +294,7 @@ void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set, int mode)
                     << (missing == 1 ? "it has" : "they have") << " no polyline, and 1 in "
                     << "the field array LoopStatus. Separate the faces at such points.");
   }
-  else if (missing > 0 && mode == Rope)
+  else if (missing > 0 && this->Mode == Rope)
   {
     const bool isConnected = set.Status[0] != vtkDGGLoopStatus::NotConnected;
     vtkWarningMacro(<< (isConnected ? "The rope contracts to a point when it is pulled tight: "
@@ -319,11 +315,11 @@ void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set, int mode)
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGLoop::WarnAboutMissingTapes(const vtkDGGLoopSet& set, double width)
+void vtkDGGLoop::WarnAboutMissingTapes(const vtkDGGLoopSet& set)
 {
   if (set.LoopsTooLong > 0)
   {
-    vtkWarningMacro(<< "TapeWidth is " << width << ", too small for the length of "
+    vtkWarningMacro(<< "TapeWidth is " << this->TapeWidth << ", too small for the length of "
                     << set.LoopsTooLong << " of " << set.Loops.size()
                     << (set.Loops.size() == 1 ? " loop" : " loops") << ": there is no tape along "
                     << (set.LoopsTooLong == 1 ? "it" : "them")

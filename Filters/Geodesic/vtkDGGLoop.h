@@ -288,8 +288,8 @@ private:
   void operator=(const vtkDGGLoop&) = delete;
 
   vtkDGGSourceSet GetPointSet(vtkInformationVector** inputVector) const;
-  void WarnAboutMissingLoops(const vtkDGGLoopSet& set, int mode);
-  void WarnAboutMissingTapes(const vtkDGGLoopSet& set, double width);
+  void WarnAboutMissingLoops(const vtkDGGLoopSet& set);
+  void WarnAboutMissingTapes(const vtkDGGLoopSet& set);
 
   int Mode;
   std::vector<vtkIdType> PointIds;

@@ -17,7 +17,6 @@
 namespace
 {
 /// Loops at least between two looks at the progress from outside of them.
-constexpr std::size_t LoopBlock = 16;
 
 /// What loops through points need besides the graph: null when all of them are vertices.
 dgg::Status PrepareLinks(vtkDGGGraphProvider& graph, const vtkDGGMeshAdapter& mesh,
@@ -65,18 +64,12 @@ dgg::Status vtkDGGLoopSearch::RunThroughPoints(vtkDGGGraphProvider& graph, const
     return Explain(
       finder.ThroughPoint(points[i], taut, set.Loops[i], within), "point " + std::to_string(i));
   };
-  // An observer may empty the arrays of the graph on the input: no look at the progress while other
-  // threads search.
-  status = graph.IsFromInput() && points.size() > 1
-    ? vtkDGGForBlocks(points.size(), LoopBlock, progress,
-        [&](std::size_t i) { return step(i, dgg::ProgressCallback()); })
-    : vtkDGGForLongSteps(points.size(), progress, step);
+  status = vtkDGGForLongSteps(points.size(), progress, step);
   for (const dgg::FoundLoop& loop : set.Loops)
   {
     set.Status.push_back(GetStatus(loop));
   }
-  const dgg::Status intact = graph.CheckArrays();
-  return intact.IsOk() ? status : intact;
+  return status;
 }
 
 //------------------------------------------------------------------------------
@@ -95,8 +88,7 @@ dgg::Status vtkDGGLoopSearch::RunRope(vtkDGGGraphProvider& graph, const double* 
   bool isConnected = true;
   status = Explain(finder.Rope(points, taut, set.Loops[0], isConnected, progress), "rope");
   set.Status = { isConnected ? GetStatus(set.Loops[0]) : vtkDGGLoopStatus::NotConnected };
-  const dgg::Status intact = graph.CheckArrays();
-  return intact.IsOk() ? status : intact;
+  return status;
 }
 
 //------------------------------------------------------------------------------

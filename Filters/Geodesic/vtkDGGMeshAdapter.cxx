@@ -51,62 +51,6 @@ vtkDGGMeshAdapter::Key vtkDGGMeshAdapter::MakeKey(vtkPolyData* input, const vtkD
 }
 
 //------------------------------------------------------------------------------
-bool vtkDGGMeshAdapter::IsUpToDate(vtkPolyData* input, const vtkDGGDomain& domain)
-{
-  // After a change in place Modified() is often called on the data object alone. Another object
-  // with the very same points and polygons is no change.
-  const vtkMTimeType object = AddressOf(input);
-  const vtkMTimeType time = input->vtkObject::GetMTime();
-  const bool modified = object == this->Object && time != this->ObjectTime;
-  this->Object = object;
-  this->ObjectTime = time;
-  if (!this->IsBuilt)
-  {
-    return false;
-  }
-  const Key key = MakeKey(input, domain);
-  if (modified || this->BuiltFrom != key || !(this->GetDomain() == domain))
-  {
-    // Time stamps say that something may have changed, as after any update upstream. Look whether
-    // it has.
-    if (this->Fingerprint != vtkDGGPreparedMesh::ComputeFingerprint(input, domain))
-    {
-      return false;
-    }
-    this->BuiltFrom = key;
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-dgg::Status vtkDGGMeshAdapter::CheckPoints(vtkPolyData* input) const
-{
-  return input->GetNumberOfPoints() == this->GetMesh().GetNumberOfVertices()
-    ? dgg::Status::Success()
-    : dgg::Status::Invalid("the points were changed during the update: do not change them in "
-                           "observers, and update again");
-}
-
-//------------------------------------------------------------------------------
-dgg::Status vtkDGGMeshAdapter::CheckUnchanged(vtkPolyData* input, vtkPolyData* copy) const
-{
-  const dgg::Status status = this->CheckPoints(copy);
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  const vtkDGGDomain& domain = this->GetDomain();
-  const bool isTouched = MakeKey(copy, domain) != this->BuiltFrom ||
-    AddressOf(input) != this->Object || input->vtkObject::GetMTime() != this->ObjectTime;
-  if (isTouched && vtkDGGPreparedMesh::ComputeFingerprint(copy, domain) != this->Fingerprint)
-  {
-    return dgg::Status::Invalid("the points were changed during the update, or the cells: do not "
-                                "change them in observers, and update again");
-  }
-  return status;
-}
-
-//------------------------------------------------------------------------------
 void vtkDGGMeshAdapter::Clear()
 {
   this->Prepared = GetNothing();
@@ -116,14 +60,34 @@ void vtkDGGMeshAdapter::Clear()
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGMeshAdapter::Update(vtkPolyData* input, const vtkDGGDomain& domain)
 {
+  // After a change in place Modified() is often called on the data object alone. Another object
+  // with the very same points and polygons is no change.
+  const vtkMTimeType object = AddressOf(input);
+  const vtkMTimeType time = input->vtkObject::GetMTime();
+  const bool modified = object == this->Object && time != this->ObjectTime;
+  this->Object = object;
+  this->ObjectTime = time;
+  const Key key = MakeKey(input, domain);
+  if (this->IsBuilt && !modified && this->BuiltFrom == key && this->GetDomain() == domain)
+  {
+    return dgg::Status::Success();
+  }
+  // Time stamps say that something may have changed, as after any update upstream. Look whether it
+  // has.
+  const dgg::Signature fingerprint = vtkDGGPreparedMesh::ComputeFingerprint(input, domain);
+  if (this->IsBuilt && this->Fingerprint == fingerprint)
+  {
+    this->BuiltFrom = key;
+    return dgg::Status::Success();
+  }
   this->Clear();
-  this->Fingerprint = vtkDGGPreparedMesh::ComputeFingerprint(input, domain);
   vtkDGGPreparedMesh::Pointer prepared;
-  const dgg::Status status = vtkDGGPreparedMesh::Make(input, domain, this->Fingerprint, prepared);
+  const dgg::Status status = vtkDGGPreparedMesh::Make(input, domain, fingerprint, prepared);
   if (status.IsOk())
   {
     this->Prepared = prepared;
-    this->BuiltFrom = MakeKey(input, domain);
+    this->Fingerprint = fingerprint;
+    this->BuiltFrom = key;
     this->IsBuilt = true;
     this->BuildTime.Modified();
   }

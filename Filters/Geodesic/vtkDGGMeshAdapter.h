@@ -25,25 +25,13 @@ class vtkDGGMeshAdapter
 public:
   vtkDGGMeshAdapter();
 
-  /// Prepare the mesh, or share that of another filter with the same surface. Fails with a message
-  /// that names the offending point or cell; then there is no mesh.
+  /// Prepare the mesh, or share that of another filter with the same surface; not when it would be
+  /// the same again: by time stamps, and where these have changed by the bits of points and cells.
+  /// Fails with a message that names the offending point or cell; then there is no mesh.
   ///
   /// Of a MergedSurface, triangles use the first one of all points that are merged; the others
   /// become vertices without faces, and GetVertex() tells which vertex they share.
   dgg::Status Update(vtkPolyData* input, const vtkDGGDomain& domain);
-
-  /// Whether Update() would give the same mesh again: by time stamps, and where these have changed
-  /// by the bits of points and cells. Takes note of the object that it is asked about.
-  bool IsUpToDate(vtkPolyData* input, const vtkDGGDomain& domain);
-
-  /// Fails when a surface no longer has as many points as the mesh was made of, as when an observer
-  /// has added or removed some.
-  dgg::Status CheckPoints(vtkPolyData* input) const;
-
-  /// Fails when points or cells are not those that the mesh was made of any more, as when an
-  /// observer has moved points: by time stamps, and where these have changed by the bits. `copy` is
-  /// a shallow copy of the input, made when the update started.
-  dgg::Status CheckUnchanged(vtkPolyData* input, vtkPolyData* copy) const;
 
   /// Forget the mesh.
   void Clear();

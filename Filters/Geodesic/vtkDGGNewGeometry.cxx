@@ -72,11 +72,6 @@ vtkDGGNewGeometry::~vtkDGGNewGeometry() = default;
 dgg::Status vtkDGGNewGeometry::Take(
   vtkPolyData* surface, const vtkDGGMeshAdapter& mesh, int precision)
 {
-  const dgg::Status status = mesh.CheckPoints(surface);
-  if (!status.IsOk())
-  {
-    return status;
-  }
   vtkPoints* points = surface->GetPoints();
   this->Fields->Initialize();
   this->Fields->PassData(surface->GetFieldData());
@@ -116,18 +111,6 @@ vtkSmartPointer<vtkPoints> vtkDGGNewGeometry::MakePoints(std::size_t size) const
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataType(this->DataType);
   points->SetNumberOfPoints(static_cast<vtkIdType>(size));
-  return points;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkPoints> vtkDGGNewGeometry::MakeVertices() const
-{
-  const std::size_t count = this->Positions.size() / 3;
-  const auto points = this->MakePoints(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    points->SetPoint(static_cast<vtkIdType>(i), this->Positions.data() + 3 * i);
-  }
   return points;
 }
 

@@ -31,11 +31,9 @@ public:
   vtkDGGNewGeometry(const vtkDGGNewGeometry&) = delete;
   vtkDGGNewGeometry& operator=(const vtkDGGNewGeometry&) = delete;
 
-  /// Take from a surface and its mesh what outputs need. Called before the first report of
-  /// progress: later changes of the surface, which observers may make, do not matter. `precision`
-  /// is one of vtkAlgorithm::DesiredOutputPrecision. Coordinates are kept while the mesh is the
-  /// same. Fails when there are not as many points as the mesh has vertices, and when coordinates
-  /// are out of the range of the floats that are asked for.
+  /// Take from a surface and its mesh what outputs need. `precision` is one of
+  /// vtkAlgorithm::DesiredOutputPrecision. Coordinates are kept while the mesh is the same. Fails
+  /// when coordinates are out of the range of the floats that are asked for.
   dgg::Status Take(vtkPolyData* surface, const vtkDGGMeshAdapter& mesh, int precision);
 
   /// The mesh that was taken; it must live on.
@@ -47,8 +45,6 @@ public:
   void Begin(vtkPolyData* output) const;
   /// Points to be set.
   vtkSmartPointer<vtkPoints> MakePoints(std::size_t size) const;
-  /// All vertices as points.
-  vtkSmartPointer<vtkPoints> MakeVertices() const;
   void SetPoint(vtkPoints* points, vtkIdType i, const dgg::SurfacePoint& place) const;
 
   /// For `vtkOriginalPointIds`: the point of the input, -1 where the place is not at one.

@@ -22,14 +22,12 @@ dgg::Status vtkDGGForBlocks(std::size_t count, std::size_t block,
   const dgg::ProgressCallback& progress, const std::function<dgg::Status(std::size_t)>& step);
 
 /// The same for steps that take long, and tell a progress of their own: that of all is the mean of
-/// theirs. Only the calling thread tells it; the others learn whether to go on. Steps run while
-/// observers of the progress do what they like: they must not depend on it.
+/// theirs. Only the calling thread reports it; the others learn whether to go on.
 dgg::Status vtkDGGForLongSteps(std::size_t count, const dgg::ProgressCallback& progress,
   const std::function<dgg::Status(std::size_t, const dgg::ProgressCallback&)>& step);
 
 /// Run work whose `progress` other threads may tell, one at a time: it is passed on by the calling
-/// thread alone, also where that waits while others do the work. The work runs while observers of
-/// the progress do what they like: it must not depend on it.
+/// thread alone, also where that waits while others do the work.
 dgg::Status vtkDGGRunTold(const dgg::ProgressCallback& progress,
   const std::function<dgg::Status(const dgg::ProgressCallback&)>& work);
 

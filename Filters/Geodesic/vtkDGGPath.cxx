@@ -176,8 +176,6 @@ dgg::Status vtkDGGPath::Execute(
   {
     return dgg::Status::Invalid("there is no exact path on a point cloud: call SetMethodToGraph()");
   }
-  // Observers may change properties.
-  const std::vector<vtkIdType> ids = this->PairIds;
   const bool isExact = this->Method == Exact;
   dgg::PathOptions options;
   options.Straighten = this->Straighten;
@@ -186,10 +184,10 @@ dgg::Status vtkDGGPath::Execute(
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
   vtkDGGPairLines linePairs;
   std::vector<dgg::GeodesicSource> ends;
-  dgg::Status status = linePairs.Read(lines, ids.empty());
+  dgg::Status status = linePairs.Read(lines, this->PairIds.empty());
   if (status.IsOk())
   {
-    status = this->Collector->Collect(MakeSourceSet(ids, lines, linePairs),
+    status = this->Collector->Collect(MakeSourceSet(this->PairIds, lines, linePairs),
       this->ProjectionTolerance, mesh, surface->GetPoints(), ends);
   }
   if (status.IsOk())

@@ -155,20 +155,14 @@ dgg::Status vtkDGGPathSearch::RunInGraph(
   const dgg::Status guided = graph.PrepareForPairs(this->PointPairs.size());
   if (!guided.IsOk())
   {
-    const dgg::Status intact = graph.CheckArrays();
-    return intact.IsOk() ? guided : intact;
+    return guided;
   }
   const dgg::PathFinder& finder = graph.GetPathFinder(this->Mesh, positions);
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
-  // No look at the progress while threads search: an observer may empty the arrays of the graph.
-  const dgg::Status status =
-    vtkDGGForBlocks(paths.size(), PathBlock, graph.GetRemainingProgress(), [&](std::size_t i) {
-      return Explain(
-        finder.Find(this->PointPairs[i].From, this->PointPairs[i].To, options, paths[i]),
-        "pair " + std::to_string(i) + ": ", "");
-    });
-  const dgg::Status intact = graph.CheckArrays();
-  return intact.IsOk() ? status : intact;
+  return vtkDGGForBlocks(paths.size(), PathBlock, graph.GetRemainingProgress(), [&](std::size_t i) {
+    return Explain(finder.Find(this->PointPairs[i].From, this->PointPairs[i].To, options, paths[i]),
+      "pair " + std::to_string(i) + ": ", "");
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -182,20 +176,16 @@ dgg::Status vtkDGGPathSearch::RunOnCloud(
   }
   if (!prepared.IsOk())
   {
-    const dgg::Status intact = graph.CheckArrays();
-    return intact.IsOk() ? prepared : intact;
+    return prepared;
   }
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
-  // While several threads search there is no look at the progress: an observer may empty the arrays
-  // of the graph.
+  // Only the calling thread reports: a single path, or blocks of them.
   const dgg::ProgressCallback progress = graph.GetRemainingProgress();
   const dgg::ProgressCallback within = paths.size() == 1 ? progress : dgg::ProgressCallback();
-  const dgg::Status status = vtkDGGForBlocks(paths.size(), PathBlock, progress, [&](std::size_t i) {
+  return vtkDGGForBlocks(paths.size(), PathBlock, progress, [&](std::size_t i) {
     return Explain(this->FindOnCloud(graph, this->PointPairs[i], smooth, within, paths[i]),
       "pair " + std::to_string(i) + ": ", "");
   });
-  const dgg::Status intact = graph.CheckArrays();
-  return intact.IsOk() ? status : intact;
 }
 
 //------------------------------------------------------------------------------

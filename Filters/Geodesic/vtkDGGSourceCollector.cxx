@@ -169,12 +169,6 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
   std::vector<dgg::GeodesicSource>& sources)
 {
   sources.clear();
-  // Observers of warnings may have changed the set since it was checked.
-  const dgg::Status status = vtkDGGSourceCollector::Check(set, coordinates->GetNumberOfPoints());
-  if (!status.IsOk())
-  {
-    return status;
-  }
   for (std::size_t i = 0; i < set.Ids.size(); ++i)
   {
     sources.push_back(

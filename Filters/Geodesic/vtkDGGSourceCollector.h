@@ -55,9 +55,9 @@ public:
   /// coordinates and initial distances finite.
   static dgg::Status Check(const vtkDGGSourceSet& set, vtkIdType numberOfPoints);
 
-  /// The points on a mesh, or near those of a cloud; checked once more. `coordinates` are those of
-  /// the mesh; `tolerance` is how far from the surface a point may be, as a fraction of the
-  /// diagonal. Where a cloud is sparser than that, places between its points are close enough.
+  /// The points on a mesh, or near those of a cloud, after Check(). `coordinates` are those of the
+  /// mesh; `tolerance` is how far from the surface a point may be, as a fraction of the diagonal.
+  /// Where a cloud is sparser than that, places between its points are close enough.
   dgg::Status Collect(const vtkDGGSourceSet& set, double tolerance,
     const vtkDGGMeshAdapter& adapter, vtkPoints* coordinates,
     std::vector<dgg::GeodesicSource>& sources);

@@ -77,6 +77,7 @@ void vtkDiscreteGeodesicGraph::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfGraphEdges: " << this->GetNumberOfGraphEdges() << "\n";
   os << indent << "MeanDegree: " << this->GetMeanDegree() << "\n";
   os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
+  os << indent << "InputGraphDamage: " << this->GetInputGraphDamage() << "\n";
   os << indent << "GraphBuildTime: " << this->GetGraphBuildTime() << "\n";
 }
 
@@ -184,6 +185,12 @@ vtkTypeUInt64 vtkDiscreteGeodesicGraph::GetMemorySize() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkDiscreteGeodesicGraph::GetInputGraphDamage() const
+{
+  return this->Internals->OnInput.GetDamage();
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkDiscreteGeodesicGraph::GetGraphBuildTime() const
 {
   return this->Internals->BuildTime.GetMTime();
@@ -253,7 +260,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Execute(vtkPolyData* surface,
     vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
     output->ShallowCopy(surface);
     graph.AddTo(output->GetFieldData());
-    internals.Current = graph.GetSummary();
+    internals.Current = vtkDGGGraphSummary(graph.GetView());
   }
   return status;
 }
@@ -279,7 +286,7 @@ bool vtkDiscreteGeodesicGraph::FindOnInput(vtkPolyData* surface)
   {
     vtkWarningMacro(<< complaint << ". A new one takes its place.");
   }
-  return found && IsMadeBy(graph.GetSummary().Info, this->MakeOptions());
+  return found && IsMadeBy(graph.GetView().Info, this->MakeOptions());
 }
 
 //------------------------------------------------------------------------------
@@ -288,7 +295,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Build()
   vtkInternals& internals = *this->Internals;
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
   dgg::GraphOptions options = this->MakeOptions();
-  const dgg::GraphInfo& built = internals.Built.GetSummary().Info;
+  const dgg::GraphInfo& built = internals.Built.GetView().Info;
   const bool isKept = internals.Built.IsValid() && built.Surface == mesh.GetSignature() &&
     internals.BuiltDomain == mesh.GetDomain() && IsMadeBy(built, options);
   if (isKept)
@@ -316,7 +323,7 @@ dgg::Status vtkDiscreteGeodesicGraph::AddLines(
   const vtkDGGGraphArrays& arrays, vtkPolyData* surface, vtkPolyData* lines)
 {
   const dgg::Id rowsInBlock = 4096; // between two looks at the progress
-  const vtkIdType count = arrays.GetSummary().NumberOfEdges / 2;
+  const vtkIdType count = arrays.GetView().GetNumberOfEdges() / 2;
   const double perLine = 3.0 * sizeof(vtkIdType) + sizeof(double);
   const dgg::Status status = vtkDGGCheckMemory("the edges of the graph as lines",
     static_cast<double>(count) * perLine, this->MemoryLimit, "turn GenerateGraphLines off");
@@ -332,14 +339,10 @@ dgg::Status vtkDiscreteGeodesicGraph::AddLines(
   const dgg::GraphView& graph = arrays.GetView();
   for (dgg::Id v = 0; v < graph.NumberOfVertices; ++v)
   {
-    // Observers may do anything, also change the arrays.
-    if (v % rowsInBlock == 0)
+    if (v % rowsInBlock == 0 &&
+      !this->Advance(BuildShare + (1.0 - BuildShare) * v / graph.NumberOfVertices))
     {
-      const bool goOn = this->Advance(BuildShare + (1.0 - BuildShare) * v / graph.NumberOfVertices);
-      if (!goOn || !arrays.IsValid())
-      {
-        return dgg::Status::Abort();
-      }
+      return dgg::Status::Abort();
     }
     for (dgg::Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; ++e)
     {

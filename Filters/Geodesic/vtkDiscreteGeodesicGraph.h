@@ -233,6 +233,12 @@ public:
   ///@}
 
   /**
+   * What is damaged in the graph on the input, which the last update has replaced with a warning;
+   * empty when it is sound, of another surface, or missing. It is set when WarningEvent comes.
+   */
+  std::string GetInputGraphDamage() const;
+
+  /**
    * Time stamp of the last time that a graph was built.
    */
   vtkMTimeType GetGraphBuildTime() const;

@@ -13,14 +13,12 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <exception>
 #include <new>
 #include <sstream>
-#include <vector>
 
 namespace
 {
@@ -91,27 +89,6 @@ dgg::Status CheckPieces(vtkInformation* request, vtkInformationVector* outputVec
   }
   return dgg::Status::Success();
 }
-
-/// What is connected when an update starts. Observers may disconnect it, and let it go.
-class HeldInputs
-{
-public:
-  HeldInputs(vtkInformationVector** inputVector, int ports)
-  {
-    for (int port = 0; port < ports; ++port)
-    {
-      const auto held = vtkSmartPointer<vtkInformationVector>::New();
-      held->Copy(inputVector[port], 1); // with references to the data
-      this->Vectors.push_back(held);
-      this->Pointers.push_back(held);
-    }
-  }
-  vtkInformationVector** Get() { return this->Pointers.data(); }
-
-private:
-  std::vector<vtkSmartPointer<vtkInformationVector>> Vectors;
-  std::vector<vtkInformationVector*> Pointers;
-};
 
 /// An empty output does not count as up to date: the next update tries again.
 void Empty(vtkInformationVector* outputVector)
@@ -382,29 +359,19 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   {
     return status;
   }
-  HeldInputs inputs(inputVector, this->GetNumberOfInputPorts());
-  vtkPolyData* surface = vtkPolyData::GetData(inputs.Get()[0]);
-  if (surface && surface->GetNumberOfPoints() == 0 && surface->GetNumberOfCells() == 0)
+  if (input && input->GetNumberOfPoints() == 0 && input->GetNumberOfCells() == 0)
   {
     vtkWarningMacro("The input is empty: it has neither points nor cells. So is the output.");
     this->Adapter->Clear();
-    this->MakeEmptyOutput(surface, outputVector);
+    this->MakeEmptyOutput(input, outputVector);
     return dgg::Status::Success();
   }
-  status = surface ? this->CheckInputs(surface, inputs.Get()) : dgg::Status::Success();
+  status = input ? this->CheckInputs(input, inputVector) : dgg::Status::Success();
   if (status.IsOk())
   {
-    status = this->PrepareMesh(surface);
+    status = this->PrepareMesh(input);
   }
-  if (status.IsOk())
-  {
-    status = this->Adapter->CheckPoints(surface); // observers of warnings
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  return this->Execute(surface, inputs.Get(), outputVector);
+  return status.IsOk() ? this->Execute(input, inputVector, outputVector) : status;
 }
 
 //------------------------------------------------------------------------------
@@ -475,15 +442,14 @@ dgg::Status vtkGeodesicAlgorithm::PrepareMesh(vtkPolyData* surface)
     return dgg::Status::Invalid(
       "there is no input: call SetInputConnection() or SetInputData() with a surface");
   }
-  const vtkDGGDomain domain = this->GetDomain(surface);
-  if (this->Adapter->IsUpToDate(surface, domain))
+  const vtkMTimeType built = this->Adapter->GetBuildTime();
+  const dgg::Status status = this->Adapter->Update(surface, this->GetDomain(surface));
+  if (built != this->Adapter->GetBuildTime())
   {
-    return dgg::Status::Success();
-  }
-  const dgg::Status status = this->Adapter->Update(surface, domain);
-  for (const std::string& warning : this->Adapter->GetWarnings())
-  {
-    vtkWarningMacro(<< warning << ".");
+    for (const std::string& warning : this->Adapter->GetWarnings())
+    {
+      vtkWarningMacro(<< warning << ".");
+    }
   }
   return status;
 }

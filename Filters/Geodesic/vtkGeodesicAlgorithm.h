@@ -61,10 +61,8 @@
  *
  * <b>Progress and abort.</b> ProgressEvent is invoked now and then; AbortExecute set by an observer
  * stops the computation: the output is empty, GetErrorCode() is zero, and the next update of this
- * filter starts anew. Call Modified() to have filters downstream follow. An observer may change
- * properties and disconnect inputs: the update goes on with what there was at its start. Points
- * added to an input or removed from it meanwhile are an error where the output has the points of
- * that input.
+ * filter starts anew. Call Modified() to have filters downstream follow. Inputs, their arrays and
+ * properties must not change during an update, as everywhere in VTK: observers do nothing else.
  *
  * The mesh is prepared once and kept until points, polygons or strips change; a change of another
  * property does not prepare it again, nor does an update upstream that leaves them as they are, bit
@@ -286,8 +284,7 @@ protected:
   bool AttemptOutsideOfUpdate(const std::function<dgg::Status()>& step);
 
   /**
-   * Tell the progress of Execute(), in [0, 1]; it never goes back. Returns whether to go on. An
-   * observer may change any property meanwhile.
+   * Report the progress of Execute(), in [0, 1]; it never goes back. Returns whether to go on.
    */
   bool Advance(double fraction);
 

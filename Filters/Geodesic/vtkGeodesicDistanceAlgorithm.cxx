@@ -14,7 +14,6 @@
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -332,20 +331,12 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
     vtkWarningMacro(<< warning << ".");
   }
 
-  // Observers may change the input.
-  vtkNew<vtkPolyData> copy;
-  copy->ShallowCopy(surface);
   const double limit =
     this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;
   vtkDGGDistanceTask task{ adapter.GetMesh(), sources, surface, limit, this->GenerateNearestSource,
     this->GenerateVirtualSource, [this](double fraction) { return this->Advance(fraction); }, {},
     {}, {}, {}, this->DeclareArrays() };
   status = this->Advance(0.0) ? this->ComputeDistances(task) : dgg::Status::Abort();
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  status = adapter.CheckUnchanged(surface, copy); // which has the very points of the input
   if (!status.IsOk())
   {
     return status;
@@ -370,9 +361,9 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
     return dgg::Status::Invalid("the results do not match the mesh: report this as a bug");
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->ShallowCopy(copy);
+  output->ShallowCopy(surface);
   this->AddResults(task, output);
-  this->WarnAboutGaps(copy, FindReached(task));
+  this->WarnAboutGaps(surface, FindReached(task));
   return status;
 }
 

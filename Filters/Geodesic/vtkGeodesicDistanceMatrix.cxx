@@ -400,10 +400,9 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   status = vtkDGGMatrixSearch(
     graph, mesh, sourcesAreRows ? rows : columns, sourcesAreRows ? columns : rows, entries)
              .Run(symmetric, graph.GetRemainingProgress());
-  const dgg::Status intact = graph.CheckArrays();
-  if (!status.IsOk() || !intact.IsOk())
+  if (!status.IsOk())
   {
-    return intact.IsOk() ? status : intact;
+    return status;
   }
   std::replace(entries.Values, entries.Values + rows.size() * columns.size(), dgg::Infinity,
     this->UnreachedValue);

@@ -351,7 +351,7 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckInputs(
     return dgg::Status::Invalid("the offsets and the connectivity of the polygons or lines of the "
                                 "layout contradict each other: build the cell array anew");
   }
-  // Those of the second surface are checked after the surface itself, when they are collected.
+  // Those of the second surface are checked after the surface itself.
   return vtkDGGSourceCollector::Check(
     this->GetLandmarks(0, inputVector), surface->GetNumberOfPoints());
 }
@@ -360,15 +360,14 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckInputs(
 dgg::Status vtkGeodesicPatchBoundaries::PrepareSecondMesh(vtkPolyData* surface)
 {
   vtkDGGMeshAdapter& mesh = this->Internals->SecondMesh;
-  const vtkDGGDomain domain = this->GetDomain(surface);
-  if (mesh.IsUpToDate(surface, domain))
+  const vtkMTimeType built = mesh.GetBuildTime();
+  const dgg::Status status = mesh.Update(surface, this->GetDomain(surface));
+  if (built != mesh.GetBuildTime())
   {
-    return dgg::Status::Success();
-  }
-  const dgg::Status status = mesh.Update(surface, domain);
-  for (const std::string& warning : mesh.GetWarnings())
-  {
-    vtkWarningMacro(<< "Second surface: " << warning << ".");
+    for (const std::string& warning : mesh.GetWarnings())
+    {
+      vtkWarningMacro(<< "Second surface: " << warning << ".");
+    }
   }
   return status.IsOk() || status.IsAborted()
     ? status
@@ -387,6 +386,11 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
 {
   vtkPolyData* surfaces[2] = { surface, vtkPolyData::GetData(inputVector[1]) };
   dgg::Status status = this->PrepareSecondMesh(surfaces[1]);
+  if (status.IsOk())
+  {
+    status = vtkDGGSourceCollector::Check(
+      this->GetLandmarks(1, inputVector), surfaces[1]->GetNumberOfPoints());
+  }
   const vtkDGGMeshAdapter* meshes[2] = { &this->GetMesh(), &this->Internals->SecondMesh };
   std::vector<dgg::SurfacePoint> landmarks[2];
   for (int side = 0; side < 2 && status.IsOk(); ++side)

@@ -17,7 +17,6 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -179,12 +178,9 @@ dgg::Status vtkGeodesicProbe::Execute(
     status = vtkDGGFieldInput::FindDistances(
       this->Information, this->DistanceArrayName, surface, distances);
   }
-  // Observers may change the inputs.
-  vtkNew<vtkPolyData> copy;
   std::string name;
   if (status.IsOk())
   {
-    copy->ShallowCopy(probes.Points);
     name = vtkDGGFieldInput::GetName(distances);
     input.SetUnreachedValue(this->UnreachedValue);
     status = input.Read(surface, distances, this->VirtualSourceArrayName, mesh,
@@ -210,15 +206,10 @@ dgg::Status vtkGeodesicProbe::Execute(
       }
       return dgg::Status::Success();
     });
-  if (status.IsOk() && static_cast<std::size_t>(copy->GetNumberOfPoints()) != places.size())
-  {
-    status = dgg::Status::Invalid("the probe points were changed during the update: do not change "
-                                  "them in observers, and update again");
-  }
   if (status.IsOk())
   {
     vtkPolyData* output = vtkPolyData::GetData(outputVector);
-    output->ShallowCopy(copy);
+    output->ShallowCopy(probes.Points);
     // What belongs to an array of this name of the probe points goes with it.
     vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), name);
     vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), name);

@@ -16,11 +16,9 @@
  *  - field data with windows (vtkExactGeodesicDistance::GenerateWindowsOn()): exact;
  *  - virtual sources (GenerateVirtualSourceOn() of any distance filter): several times better than
  *    linear interpolation, see dggDistanceField.h and below;
- *  - else virtual sources are fitted to the distances, which is a little worse;
- *  - values that are no distances at all, as the ways from their minima tell (dggFieldTest.h), are
- *    linear in each triangle, with a warning. Coarse surfaces tell little of that: on some hundred
- *    triangles, such as those of a grid of 8 x 8 squares, such values may be taken for distances,
- *    without a warning.
+ *  - else virtual sources are fitted to the distances, which is a little worse. That the values
+ *    are distances, in the units of the points, is the user's word: only those that are far too
+ *    steep are linear in each triangle, with a warning, see vtkApolloniusIsolines.
  *
  * <b>Virtual sources on CAD models.</b> Long triangles may be reached from many sides, of which
  * their three corners know little. Measured inside of triangles against exact distances, with those

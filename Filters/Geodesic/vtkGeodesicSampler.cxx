@@ -232,10 +232,9 @@ dgg::Status vtkGeodesicSampler::Execute(
   status =
     dgg::SampleSurface(graph.GetSearch().GetGraph(), mesh.IsCloud() ? nullptr : &mesh.GetMesh(),
       needsLinks ? &graph.GetBuilder() : nullptr, graph.GetLinkAccuracy(), options, samples);
-  const dgg::Status intact = graph.CheckArrays();
-  if (!status.IsOk() || !intact.IsOk())
+  if (!status.IsOk())
   {
-    return intact.IsOk() ? status : intact;
+    return status;
   }
   this->WarnAboutNumber(
     options, samples.empty() ? nullptr : &samples.back(), static_cast<vtkIdType>(samples.size()));

@@ -15,7 +15,6 @@
 
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -322,9 +321,6 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   {
     return status;
   }
-  // Observers may change the input and the properties.
-  vtkNew<vtkPolyData> copy;
-  copy->ShallowCopy(surface);
   result.LabelsOnly = !this->GenerateCells || mesh.IsCloud();
   result.IsCentroidal = this->Centroidal;
   result.IsRefined = this->RefineBoundaries && !result.LabelsOnly;
@@ -335,7 +331,6 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   {
     vtkWarningMacro(<< warning << ".");
   }
-  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
   status = this->Advance(0.0)
     ? this->GraphUser->Update(
         surface, mesh, [this](double fraction) { return this->Advance(fraction); }, this)
@@ -343,16 +338,10 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   if (status.IsOk())
   {
     status = this->Compute(result);
-    const dgg::Status intact = graph.CheckArrays();
-    status = intact.IsOk() ? status : intact;
   }
   if (status.IsOk())
   {
-    if (copy->GetNumberOfPoints() != mesh.GetMesh().GetNumberOfVertices())
-    {
-      copy->SetPoints(geometry.MakeVertices());
-    }
-    this->FillOutputs(result, copy, geometry, outputVector);
+    this->FillOutputs(result, surface, geometry, outputVector);
   }
   return status;
 }

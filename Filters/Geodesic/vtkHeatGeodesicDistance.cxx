@@ -114,7 +114,6 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
   options.TimeStepFactor = this->TimeStepFactor;
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.Boundary = boundaries[this->Boundary];
-  const vtkTypeUInt64 limit = this->MemoryLimit; // observers may change it
 
   if (!this->Prepared || this->Prepared->MeshTime != this->GetMeshBuildTime())
   {
@@ -129,9 +128,9 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
   if (missing > 0)
   {
     // What is held already is not free any more, so it must not count against what is free.
-    const std::size_t bytes = limit == 0 ? missing : method.GetEstimatedMemory();
+    const std::size_t bytes = this->MemoryLimit == 0 ? missing : method.GetEstimatedMemory();
     status = vtkDGGCheckMemory("the factorizations of the heat method", static_cast<double>(bytes),
-      limit, this->GetMemoryRemedy());
+      this->MemoryLimit, this->GetMemoryRemedy());
     if (!status.IsOk() && method.GetNumberOfFactorizations() == 0)
     {
       this->Prepared.reset(); // nothing was made from it yet

@@ -170,14 +170,9 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkInternals& internals = *this->Internals;
-  // Observers may change the input and the properties.
-  vtkNew<vtkPolyData> copy;
-  copy->ShallowCopy(cloud);
-  const NormalsSource source = this->MakeNormalsSource(copy);
-  const bool lacksNormals = this->OrientedNormals && !source.Given;
-  const std::string name = this->ComponentArrayName;
+  const NormalsSource source = this->MakeNormalsSource(cloud);
   const vtkMTimeType built = this->GetGraphBuildTime();
-  dgg::CloudGraphOptions options = this->MakeOptions(copy);
+  dgg::CloudGraphOptions options = this->MakeOptions(cloud);
   Normals normals;
   double done = 0.0;
   dgg::Status status =
@@ -187,20 +182,17 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
     options.Normals = normals ? normals->data() : nullptr;
     status = this->Build(options, done);
   }
-  if (status.IsOk())
-  {
-    status = this->GetMesh().CheckPoints(copy);
-  }
   if (!status.IsOk())
   {
     return status;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->ShallowCopy(copy);
+  output->ShallowCopy(cloud);
   internals.Built.AddTo(output->GetFieldData());
   internals.Current = internals.BuiltFindings;
   const auto n = static_cast<std::size_t>(output->GetNumberOfPoints());
-  const auto components = vtkDGGAddArray<vtkIntArray>(output->GetPointData(), name, n);
+  const auto components =
+    vtkDGGAddArray<vtkIntArray>(output->GetPointData(), this->ComponentArrayName, n);
   std::copy(internals.Components.begin(), internals.Components.end(), components->GetPointer(0));
   if (source.ByPlanes && normals)
   {
@@ -213,7 +205,7 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
     this->WarnAboutPoints();
     this->WarnAboutVoxels(options);
   }
-  if (lacksNormals)
+  if (this->OrientedNormals && !source.Given)
   {
     vtkWarningMacro("OrientedNormals is on, but the input has no point normals that are used: it "
                     "has no effect, and sheets back to back may be connected. Give the input "

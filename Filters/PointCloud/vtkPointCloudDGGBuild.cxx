@@ -11,7 +11,6 @@
 #include "dggBitHash.h"
 
 #include "vtkDataArray.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
@@ -70,11 +69,8 @@ dgg::Status vtkPointCloudDGG::Estimate()
   {
     return status;
   }
-  // Observers may change the input and the properties.
-  vtkNew<vtkPolyData> copy;
-  copy->ShallowCopy(cloud);
-  dgg::CloudGraphOptions options = this->MakeOptions(copy);
-  const NormalsSource source = this->MakeNormalsSource(copy);
+  dgg::CloudGraphOptions options = this->MakeOptions(cloud);
+  const NormalsSource source = this->MakeNormalsSource(cloud);
   Normals normals;
   double done = 0.0;
   status = this->Advance(0.0) ? this->FindNormals(source, normals, done) : dgg::Status::Abort();
@@ -128,13 +124,6 @@ dgg::Status vtkPointCloudDGG::FindNormals(
   const dgg::Id points = mesh.GetMesh().GetNumberOfVertices();
   if (vtkDataArray* given = source.Given)
   {
-    // They are those of the input, which observers may have changed since they were checked.
-    if (given->GetNumberOfComponents() != 3 || given->GetNumberOfTuples() != points)
-    {
-      return dgg::Status::Invalid("the point normals of the input were changed during the update, "
-                                  "or its points: do not change them in observers, and update "
-                                  "again");
-    }
     const dgg::Status status = vtkDGGCheckMemory("a copy of the normals",
       3.0 * sizeof(double) * points, this->MemoryLimit, "use fewer points");
     if (!status.IsOk())
@@ -190,7 +179,7 @@ dgg::Status vtkPointCloudDGG::Build(dgg::CloudGraphOptions options, double done)
   const dgg::Id n = mesh.GetMesh().GetNumberOfVertices();
   const dgg::Signature key = MakeKey(options, n);
   const bool isKept = internals.Built.IsValid() && internals.BuiltBy == key &&
-    internals.Built.GetSummary().Info.Surface == mesh.GetSignature();
+    internals.Built.GetView().Info.Surface == mesh.GetSignature();
   if (isKept)
   {
     return dgg::Status::Success();
@@ -211,7 +200,7 @@ dgg::Status vtkPointCloudDGG::Build(dgg::CloudGraphOptions options, double done)
   internals.BuiltBy = key;
   internals.Components = std::move(result.Components);
   findings.ComponentSizes = std::move(result.ComponentSizes);
-  findings.Graph = internals.Built.GetSummary();
+  findings.Graph = vtkDGGGraphSummary(internals.Built.GetView());
   internals.BuiltFindings = findings;
   internals.BuildTime.Modified();
   return status;

@@ -32,7 +32,7 @@ struct vtkPointCloudDGG::vtkInternals
   dgg::CloudGraphEstimate Estimate;
   vtkTimeStamp BuildTime;
 
-  // By planes, kept while points are the same. Shared: an observer may have the filter forget them.
+  // By planes, kept while points are the same.
   Normals PlaneNormals;
   vtkMTimeType NormalsMesh = 0;
   int NormalsNeighbors = 0;

@@ -478,25 +478,19 @@ dgg::Status vtkDGGGraphicsInput::CheckRefinement(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphicsInput::FindRefinedFaces(vtkPolyData* surface,
-  const vtkDGGGraphicsNames& names, const vtkDGGMeshAdapter& mesh, std::vector<dgg::Id>& faces)
+std::vector<dgg::Id> vtkDGGGraphicsInput::FindRefinedFaces(
+  vtkPolyData* surface, const vtkDGGGraphicsNames& names, const vtkDGGMeshAdapter& mesh)
 {
-  faces.clear();
-  const dgg::Status status = CheckRefinement(surface, names);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  std::vector<dgg::Id> faces;
   vtkDataArray* array = surface->GetCellData()->GetArray(names.Refinement.c_str());
   for (dgg::Id f = 0; f < mesh.GetMesh().GetNumberOfFaces(); ++f)
   {
-    const vtkIdType cell = mesh.GetCell(f);
-    if (cell < array->GetNumberOfTuples() && array->GetComponent(cell, 0) != 0.0)
+    if (array->GetComponent(mesh.GetCell(f), 0) != 0.0)
     {
       faces.push_back(mesh.GetMesh().GetOriginal(f));
     }
   }
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return status;
+  return faces;
 }

@@ -43,9 +43,9 @@ public:
 
   /// Fails when there is no array that tells which cells are refined, or a number of it is not one.
   static dgg::Status CheckRefinement(vtkPolyData* surface, const vtkDGGGraphicsNames& names);
-  /// The faces of these cells. Fails as CheckRefinement() does: observers may have changed things.
-  static dgg::Status FindRefinedFaces(vtkPolyData* surface, const vtkDGGGraphicsNames& names,
-    const vtkDGGMeshAdapter& mesh, std::vector<dgg::Id>& faces);
+  /// The faces of these cells, after CheckRefinement().
+  static std::vector<dgg::Id> FindRefinedFaces(
+    vtkPolyData* surface, const vtkDGGGraphicsNames& names, const vtkDGGMeshAdapter& mesh);
 
   int GetNumberOfChannels() const { return this->NumberOfChannels; }
   const std::vector<dgg::GraphicsCurve>& GetCurves() const { return this->Curves; }

@@ -335,7 +335,7 @@ dgg::Status vtkDiscreteGreensFunction::ComputeValues(vtkDGGSpectralTask& task)
 //------------------------------------------------------------------------------
 void vtkDiscreteGreensFunction::WarnOfRemarks()
 {
-  const std::vector<UsedMethod> used = this->Internals->Used; // observers may change it
+  const std::vector<UsedMethod>& used = this->Internals->Used;
   for (const NamedRemark& remark : Remarks)
   {
     const auto has = [&](const UsedMethod& of) { return of.Remark == remark.Remark; };

@@ -452,10 +452,6 @@ double vtkHarmonicBSpline::EstimateWorkingMemory(
 //------------------------------------------------------------------------------
 dgg::Status vtkHarmonicBSpline::ComputeValues(vtkDGGSpectralTask& task)
 {
-  // Observers of the progress may change properties.
-  const std::string sourceName = this->RightHandSideArrayName;
-  const std::string cellName = this->CellArrayName;
-  const std::string solutionName = this->SolutionArrayName;
   const bool isDensity = this->RightHandSideMeaning == Density;
   const bool isSmooth = this->SmoothEvaluation && !task.Targets.empty();
   std::vector<dgg::Id> sites;
@@ -470,12 +466,13 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(vtkDGGSpectralTask& task)
   }
   Run run(task);
   dgg::Status status = vtkDGGRunTold(task.Progress, [&](const dgg::ProgressCallback& progress) {
-    return run.FindBasis(sites, isSmooth, cellName, progress);
+    return run.FindBasis(sites, isSmooth, this->CellArrayName, progress);
   });
   double imbalance = 0.0;
-  if (status.IsOk() && !sourceName.empty())
+  if (status.IsOk() && !this->RightHandSideArrayName.empty())
   {
-    status = run.FindSolution(sourceName, isDensity, solutionName, this->GetMesh(), imbalance);
+    status = run.FindSolution(
+      this->RightHandSideArrayName, isDensity, this->SolutionArrayName, this->GetMesh(), imbalance);
   }
   if (status.IsOk() && imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
   {

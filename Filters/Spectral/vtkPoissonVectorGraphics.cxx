@@ -16,7 +16,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -284,20 +283,15 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
     return status;
   }
 
-  // Observers may change inputs and properties.
-  vtkNew<vtkPolyData> copy;
-  copy->ShallowCopy(surface);
   vtkDGGGraphicsOutput output(this->ResultArrayName);
-  status = output.Take(copy, adapter, this->GetOutputPointsPrecision());
+  status = output.Take(surface, adapter, this->GetOutputPointsPrecision());
   drawing.RefinementLevel = this->RefinementLevel;
   drawing.RefinedPart = this->RefinementRegion == NearCurves ? dgg::RefinedPart::AroundCurves
     : this->RefinementRegion == Cells                        ? dgg::RefinedPart::Faces
                                                              : dgg::RefinedPart::Everything;
   if (drawing.RefinedPart == dgg::RefinedPart::Faces)
   {
-    const dgg::Status found =
-      vtkDGGGraphicsInput::FindRefinedFaces(surface, names, adapter, drawing.RefinedFaces);
-    status = status.IsOk() ? found : status;
+    drawing.RefinedFaces = vtkDGGGraphicsInput::FindRefinedFaces(surface, names, adapter);
   }
   drawing.IntrinsicDelaunay = this->IntrinsicDelaunay;
   drawing.MemoryLimit = this->MemoryLimit;
@@ -333,10 +327,6 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   {
     options.Progress = dgg::ProgressPart(progress, preparedAt, 1.0);
     status = keeper.GetGraphics().Run(curves, regions, options, result);
-  }
-  if (status.IsOk())
-  {
-    status = adapter.CheckUnchanged(surface, copy); // which has the very points of the input
   }
   dgg::GraphicsFragments fragments;
   if (status.IsOk() && division > 0)

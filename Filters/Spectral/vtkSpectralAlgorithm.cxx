@@ -307,17 +307,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   std::vector<dgg::SurfacePoint> sources = vtkDGGGetPlaces(found[0]);
   const std::vector<dgg::SurfacePoint> targets = vtkDGGGetPlaces(found[1]);
 
-  // Observers may change inputs and properties.
-  vtkNew<vtkPolyData> copy;
-  copy->ShallowCopy(surface);
-  vtkNew<vtkPolyData> targetCopy;
-  if (targetSet.Points)
-  {
-    targetCopy->ShallowCopy(targetSet.Points);
-  }
-  const auto numberOfPoints = static_cast<std::size_t>(copy->GetNumberOfPoints());
-  const vtkTypeUInt64 limit = this->MemoryLimit;
-  const std::string name = this->ResultArrayName;
+  const auto numberOfPoints = static_cast<std::size_t>(surface->GetNumberOfPoints());
   const dgg::PoissonOptions options = this->GetPoissonOptions();
   double needed = 0.0;
   const auto others = [&](const dgg::PoissonSolver& solver) {
@@ -331,7 +321,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   const double chosen =
     prepared + (this->CanChooseSources() ? ChoosingPart * (1.0 - prepared) : 0.0);
   status = this->Advance(0.0)
-    ? keeper.Prepare(mesh, options, others, limit, this->GetMemoryRemedy(),
+    ? keeper.Prepare(mesh, options, others, this->MemoryLimit, this->GetMemoryRemedy(),
         dgg::ProgressPart(progress, 0.0, prepared))
     : dgg::Status::Abort();
   if (status.IsOk())
@@ -343,30 +333,23 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   {
     return status;
   }
-  const double held = limit == 0 ? 0.0 : static_cast<double>(keeper.GetSolver().GetMemorySize());
-  const double left = static_cast<double>(vtkDGGGetMemoryLimit(limit)) - held - needed;
-  vtkDGGSpectralOutputs outputs(mesh, numberOfPoints, targets.size(), sources.size(), name);
-  vtkDGGSpectralTask task{ keeper.GetSolver(), copy, mesh.GetBuildTime(), sources, targets,
+  const double held =
+    this->MemoryLimit == 0 ? 0.0 : static_cast<double>(keeper.GetSolver().GetMemorySize());
+  const double left = static_cast<double>(vtkDGGGetMemoryLimit(this->MemoryLimit)) - held - needed;
+  vtkDGGSpectralOutputs outputs(
+    mesh, numberOfPoints, targets.size(), sources.size(), this->ResultArrayName);
+  vtkDGGSpectralTask task{ keeper.GetSolver(), surface, mesh.GetBuildTime(), sources, targets,
     std::max(0.0, left), dgg::ProgressPart(progress, chosen, 1.0), outputs };
   status = this->ComputeValues(task);
-  if (status.IsOk())
-  {
-    status = mesh.CheckUnchanged(surface, copy); // which has the very points of the input
-  }
-  if (status.IsOk() && hasTargets &&
-    targetCopy->GetNumberOfPoints() != static_cast<vtkIdType>(targets.size()))
-  {
-    status = dgg::Status::Invalid("the evaluation points were changed during the update: do not "
-                                  "change them in observers, and update again");
-  }
   if (!status.IsOk())
   {
     return status;
   }
-  AddResult(vtkPolyData::GetData(outputVector, 0), copy, outputs.GetPointArray(),
+  AddResult(vtkPolyData::GetData(outputVector, 0), surface, outputs.GetPointArray(),
     outputs.GetFurtherArrays(0));
-  AddResult(vtkPolyData::GetData(outputVector, 1), targetCopy, outputs.GetTargetArray(),
-    outputs.GetFurtherArrays(1));
+  vtkNew<vtkPolyData> none;
+  AddResult(vtkPolyData::GetData(outputVector, 1), targetSet.Points ? targetSet.Points : none,
+    outputs.GetTargetArray(), outputs.GetFurtherArrays(1));
   return status;
 }
 

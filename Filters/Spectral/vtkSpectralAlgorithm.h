@@ -246,8 +246,7 @@ protected:
 
   /**
    * Set the outputs of the task, for each source. Returns an error, which is shown to the user, or
-   * that the task's Progress asked to stop. May throw. Observers of the progress may change any
-   * property.
+   * that the task's Progress asked to stop. May throw.
    */
   virtual dgg::Status ComputeValues(vtkDGGSpectralTask& task) = 0;
 

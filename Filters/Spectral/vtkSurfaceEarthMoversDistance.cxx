@@ -18,7 +18,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -346,12 +345,6 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   {
     return status;
   }
-  // Observers may change inputs and properties.
-  vtkNew<vtkPolyData> copy;
-  copy->ShallowCopy(surface);
-  const vtkTypeUInt64 limit = this->MemoryLimit;
-  const bool isDensity = this->ArrayMeaning == Density;
-  const bool normalize = this->Normalize;
   dgg::PoissonOptions poisson;
   poisson.IntrinsicDelaunay = this->IntrinsicDelaunay;
   dgg::EarthMoversOptions options;
@@ -365,11 +358,11 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
       static_cast<double>(dgg::EarthMovers(solver).GetWorkingMemory());
   };
   status = this->Advance(0.0)
-    ? keeper.Prepare(mesh, poisson, others, limit, this->GetMemoryRemedy(),
+    ? keeper.Prepare(mesh, poisson, others, this->MemoryLimit, this->GetMemoryRemedy(),
         dgg::ProgressPart(progress, 0.0, prepared))
     : dgg::Status::Abort();
   const std::vector<double>* areas =
-    status.IsOk() && isDensity ? &keeper.GetSolver().GetAreas() : nullptr;
+    status.IsOk() && this->ArrayMeaning == Density ? &keeper.GetSolver().GetAreas() : nullptr;
   std::vector<double> masses[2];
   for (int k = 0; k < 2 && status.IsOk(); ++k)
   {
@@ -378,7 +371,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   double total = 1.0;
   if (status.IsOk())
   {
-    status = dgg::BalanceMasses(mesh.GetMesh(), normalize, masses[0], masses[1], total);
+    status = dgg::BalanceMasses(mesh.GetMesh(), this->Normalize, masses[0], masses[1], total);
   }
   dgg::EarthMoversResult result;
   if (status.IsOk())
@@ -390,16 +383,12 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   {
     status = dgg::Status::Abort();
   }
-  if (status.IsOk())
-  {
-    status = mesh.CheckUnchanged(surface, copy); // which has the very points of the input
-  }
   if (!status.IsOk())
   {
     return status;
   }
   this->NumberOfIterations = result.Iterations;
-  this->SetResults(vtkPolyData::GetData(outputVector), copy, total, result);
+  this->SetResults(vtkPolyData::GetData(outputVector), surface, total, result);
   if (options.MostIterations > 0 &&
     result.GetGap() > std::max(options.Tolerance, dgg::LeastEarthMoversGap))
   {

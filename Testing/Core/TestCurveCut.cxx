@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <set>
 
@@ -24,6 +25,25 @@ using dgg::NoId;
 using dgg::RefinedSurface;
 using dgg::SurfaceCurve;
 using dgg::SurfacePoint;
+
+/// The copies of a vertex of a chain on one side: where the edge before it arrives, and where the
+/// one after it leaves. They differ when another curve comes in on this side. NoId where there is
+/// no edge or no side. The chain of a closed curve goes on from its last vertex to its first.
+std::array<Id, 2> FindCopies(
+  const std::vector<dgg::EdgeSide>& side, std::size_t vertex, bool isClosed)
+{
+  const std::size_t edges = side.size();
+  std::array<Id, 2> copies{ { NoId, NoId } };
+  if (edges > 0 && (vertex > 0 || isClosed))
+  {
+    copies[0] = side[(vertex + edges - 1) % edges].To;
+  }
+  if (edges > 0 && (vertex < edges || isClosed))
+  {
+    copies[1] = side[vertex % edges].From;
+  }
+  return copies;
+}
 
 std::vector<SurfacePoint> AtVertices(const std::vector<Id>& vertices)
 {
@@ -108,11 +128,11 @@ TEST(CurveCut, SlitHasOneRim)
   EXPECT_EQ(CountParts(cut.Surface.Triangles), 1);
   EXPECT_EQ(EulerCharacteristic(cut.Surface.Triangles), 0);
   const dgg::CurveSides& sides = cut.Sides[0];
-  EXPECT_EQ(dgg::FindCopies(sides.Left, 0, false), (std::array<Id, 2>{ { NoId, 6 } }));
-  EXPECT_EQ(dgg::FindCopies(sides.Right, 0, false), (std::array<Id, 2>{ { NoId, 6 } }));
-  EXPECT_EQ(dgg::FindCopies(sides.Left, 2, false), (std::array<Id, 2>{ { 8, NoId } }));
-  const std::array<Id, 2> left = dgg::FindCopies(sides.Left, 1, false);
-  const std::array<Id, 2> right = dgg::FindCopies(sides.Right, 1, false);
+  EXPECT_EQ(FindCopies(sides.Left, 0, false), (std::array<Id, 2>{ { NoId, 6 } }));
+  EXPECT_EQ(FindCopies(sides.Right, 0, false), (std::array<Id, 2>{ { NoId, 6 } }));
+  EXPECT_EQ(FindCopies(sides.Left, 2, false), (std::array<Id, 2>{ { 8, NoId } }));
+  const std::array<Id, 2> left = FindCopies(sides.Left, 1, false);
+  const std::array<Id, 2> right = FindCopies(sides.Right, 1, false);
   EXPECT_EQ(left[0], left[1]);
   EXPECT_EQ(right[0], right[1]);
   EXPECT_NE(left[0], right[0]);
@@ -201,15 +221,15 @@ TEST(CurveCut, CrossingHasFourCopies)
   {
     for (const std::vector<dgg::EdgeSide>& side : { sides.Left, sides.Right })
     {
-      const std::array<Id, 2> found = dgg::FindCopies(side, 1, false);
+      const std::array<Id, 2> found = FindCopies(side, 1, false);
       EXPECT_NE(found[0], found[1]);
       copies.insert(found.begin(), found.end());
     }
   }
   EXPECT_EQ(copies.size(), 4u);
   // Ahead of it and on the left of the first curve is what is ahead and right of the second one.
-  EXPECT_EQ(dgg::FindCopies(cut.Sides[0].Left, 1, false)[1],
-    dgg::FindCopies(cut.Sides[1].Right, 1, false)[1]);
+  EXPECT_EQ(
+    FindCopies(cut.Sides[0].Left, 1, false)[1], FindCopies(cut.Sides[1].Right, 1, false)[1]);
 }
 
 TEST(CurveCut, EndOnACurve)
@@ -220,13 +240,13 @@ TEST(CurveCut, EndOnACurve)
   const CurveCut cut = CutOpen(surface);
   ExpectSoundCut(surface, cut);
   EXPECT_EQ(CountCopies(cut, 12), 3);
-  const std::array<Id, 2> left = dgg::FindCopies(cut.Sides[0].Left, 1, false);
+  const std::array<Id, 2> left = FindCopies(cut.Sides[0].Left, 1, false);
   EXPECT_EQ(left[0], left[1]);
-  const std::array<Id, 2> right = dgg::FindCopies(cut.Sides[0].Right, 1, false);
+  const std::array<Id, 2> right = FindCopies(cut.Sides[0].Right, 1, false);
   EXPECT_NE(right[0], right[1]);
   ASSERT_EQ(surface.Paths[1].size(), 3u); // with a middle
-  EXPECT_EQ(right[0], dgg::FindCopies(cut.Sides[1].Left, 2, false)[0]);
-  EXPECT_EQ(right[1], dgg::FindCopies(cut.Sides[1].Right, 2, false)[0]);
+  EXPECT_EQ(right[0], FindCopies(cut.Sides[1].Left, 2, false)[0]);
+  EXPECT_EQ(right[1], FindCopies(cut.Sides[1].Right, 2, false)[0]);
 }
 
 TEST(CurveCut, ClosedCurves)
@@ -247,8 +267,8 @@ TEST(CurveCut, ClosedCurves)
   // Fans turn counter-clockwise: the vertex is on the left, all around.
   for (std::size_t i = 0; i <= ring.size(); ++i)
   {
-    const std::array<Id, 2> left = dgg::FindCopies(cut.Sides[0].Left, i, true);
-    const std::array<Id, 2> right = dgg::FindCopies(cut.Sides[0].Right, i, true);
+    const std::array<Id, 2> left = FindCopies(cut.Sides[0].Left, i, true);
+    const std::array<Id, 2> right = FindCopies(cut.Sides[0].Right, i, true);
     EXPECT_EQ(left[0], left[1]);
     EXPECT_EQ(right[0], right[1]);
     EXPECT_NE(left[0], right[0]);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Random broken meshes: no crash, no hang, and the bounds hold.
+#include "EdgeGraph.h"
 #include "CurvedMeshes.h"
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
 
-#include "dggEdgeGraph.h"
 #include "dggMeshReport.h"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ void ExpectSane(const TestMesh& input, double agreement)
   }
   for (const dgg::GeodesicSource& source : sources)
   {
-    const auto bound = dgg::EdgeGraphDistances(mesh, { source });
+    const auto bound = dggtest::EdgeGraphDistances(mesh, { source });
     const double diameter = LargestFinite(bound);
     const auto reference = SolveInTime(mesh, dgg::ExactEngine::Reference, source);
     const auto triangle = SolveInTime(mesh, dgg::ExactEngine::Triangle, source);

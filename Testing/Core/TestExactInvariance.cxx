@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What holds on every mesh: bounds, symmetry, and changes of the mesh that change no distance.
+#include "EdgeGraph.h"
 #include "CurvedMeshes.h"
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
-
-#include "dggEdgeGraph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +42,7 @@ TEST_P(ExactInvariance, LiesBetweenEuclidAndTheEdgeGraph)
     for (const Id source : SomeVertices(mesh, 4, 3))
     {
       const auto distances = DistancesFrom(mesh, this->Engine(), source);
-      const auto bound = dgg::EdgeGraphDistances(mesh, { VertexSource(source) });
+      const auto bound = dggtest::EdgeGraphDistances(mesh, { VertexSource(source) });
       const double diameter = LargestFinite(bound);
       for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
       {

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Predecessors, statistics, and the edge graph's upper bound.
+#include "EdgeGraph.h"
 #include "CurvedMeshes.h"
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
-
-#include "dggEdgeGraph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -227,11 +226,11 @@ TEST_P(ExactResults, MemoryLimitEndsARunEarly)
 TEST(EdgeGraph, AddsUpEdges)
 {
   const TestMesh input = Plane(4, 4); // diagonals from lower left to upper right
-  const auto distances = dgg::EdgeGraphDistances(Build(input), { VertexSource(0) });
+  const auto distances = dggtest::EdgeGraphDistances(Build(input), { VertexSource(0) });
   EXPECT_DOUBLE_EQ(distances[4], 4.0);
   EXPECT_DOUBLE_EQ(distances[24], 4.0 * std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(distances[9], 3.0 + std::sqrt(2.0)); // (4, 1)
-  const auto back = dgg::EdgeGraphDistances(Build(input), { VertexSource(4) });
+  const auto back = dggtest::EdgeGraphDistances(Build(input), { VertexSource(4) });
   EXPECT_DOUBLE_EQ(back[20], 8.0); // against the diagonals
 }
 
@@ -244,7 +243,7 @@ TEST(EdgeGraph, TakesAllKindsOfSources)
     sources.push_back({ point, 0.1 });
   }
   sources.push_back(VertexSource(3, 0.2));
-  const auto bound = dgg::EdgeGraphDistances(mesh, sources);
+  const auto bound = dggtest::EdgeGraphDistances(mesh, sources);
   const auto exact = Solve(mesh, dgg::ExactEngine::Reference, sources).Distances;
   for (std::size_t v = 0; v < exact.size(); ++v)
   {
@@ -256,7 +255,7 @@ TEST(EdgeGraph, TakesAllKindsOfSources)
 TEST(EdgeGraph, LeavesTheRestUnreached)
 {
   const dgg::SurfaceMesh mesh = Build(SeveralComponents());
-  const auto distances = dgg::EdgeGraphDistances(mesh, { VertexSource(0) });
+  const auto distances = dggtest::EdgeGraphDistances(mesh, { VertexSource(0) });
   Id count = 0;
   const auto component = mesh.ComputeComponents(count);
   for (std::size_t v = 0; v < distances.size(); ++v)

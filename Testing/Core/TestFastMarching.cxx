@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Fast marching against closed forms, exact distances and invariants.
+#include "EdgeGraph.h"
 #include "CurvedMeshes.h"
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
 
-#include "dggEdgeGraph.h"
 #include "dggFastMarching.h"
 
 #include <algorithm>
@@ -285,7 +285,7 @@ TEST(FastMarching, AnyTrianglesWillDo)
     for (const Id v : { 0, mesh.GetNumberOfVertices() - 1 })
     {
       const dgg::GeodesicSource source = VertexSource(v);
-      const auto bound = dgg::EdgeGraphDistances(mesh, { source });
+      const auto bound = dggtest::EdgeGraphDistances(mesh, { source });
       const double diameter = LargestFinite(bound);
       for (const auto& update : { dgg::MarchingUpdate::Spherical, dgg::MarchingUpdate::Planar })
       {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The heat method: convergence, sources, what is kept, any triangles.
+#include "EdgeGraph.h"
 #include "CurvedMeshes.h"
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
 
-#include "dggEdgeGraph.h"
 #include "dggHeatMethod.h"
 
 #include <algorithm>
@@ -390,7 +390,7 @@ TEST(HeatMethod, AnyTrianglesWillDo)
       for (const Id v : { 0, mesh.GetNumberOfVertices() - 1 })
       {
         const dgg::HeatResult result = heat.Run({ VertexSource(v) }, query);
-        const auto bound = dgg::EdgeGraphDistances(mesh, { VertexSource(v) });
+        const auto bound = dggtest::EdgeGraphDistances(mesh, { VertexSource(v) });
         const double diameter = LargestFinite(bound);
         ASSERT_EQ(result.Distances.size(), bound.size());
         for (Id u = 0; u < mesh.GetNumberOfVertices(); ++u)

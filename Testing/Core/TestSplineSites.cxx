@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which vertices become sites of harmonic B-splines.
+#include "EdgeGraph.h"
 #include "CurvedMeshes.h"
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "SplineTestTools.h"
-
-#include "dggEdgeGraph.h"
 
 #include <algorithm>
 #include <set>
@@ -24,7 +23,7 @@ TEST(SplineSites, AreFarthestPointsAlongEdges)
   std::vector<dgg::GeodesicSource> sources{ { dgg::SurfacePoint::AtVertex(sites[0]), 0.0 } };
   for (std::size_t k = 1; k < sites.size(); ++k)
   {
-    const std::vector<double> distances = dgg::EdgeGraphDistances(mesh, sources);
+    const std::vector<double> distances = dggtest::EdgeGraphDistances(mesh, sources);
     const double farthest = *std::max_element(distances.begin(), distances.end());
     EXPECT_NEAR(distances[sites[k]], farthest, 1e-12 * farthest) << k;
     sources.push_back({ dgg::SurfacePoint::AtVertex(sites[k]), 0.0 });

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTestTools.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
@@ -266,75 +265,5 @@ void ProgressWatch::ExpectGrowth(int steps) const
     inTheMiddle += this->Progress[i] > 0.1 && this->Progress[i] < 0.9 ? 1 : 0;
   }
   EXPECT_GE(inTheMiddle, steps);
-}
-
-void ExpectObserversMayEmptyThePoints(vtkPolyDataAlgorithm* filter, vtkPolyData* surface)
-{
-  const auto coordinates = [filter] {
-    std::vector<double> values;
-    for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
-    {
-      vtkPolyData* output = filter->GetOutput(port);
-      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-      {
-        double p[3];
-        output->GetPoint(i, p);
-        values.insert(values.end(), p, p + 3);
-      }
-    }
-    return values;
-  };
-  filter->SetInputData(surface);
-  ExpectSuccess(filter);
-  const std::vector<double> expected = coordinates();
-  EXPECT_FALSE(expected.empty());
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(surface);
-  command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
-    if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() > 0.3)
-    {
-      static_cast<vtkPolyData*>(data)->GetPoints()->Initialize();
-    }
-  });
-  filter->AddObserver(vtkCommand::ProgressEvent, command);
-  filter->Modified();
-  ExpectSuccess(filter);
-  EXPECT_EQ(surface->GetNumberOfPoints(), 0) << "the observer was not called";
-  EXPECT_EQ(coordinates(), expected);
-  filter->RemoveObserver(command);
-}
-
-void ExpectErrorWhenPointsChange(
-  vtkAlgorithm* filter, vtkPolyData* changed, const std::vector<std::string>& parts)
-{
-  struct Change
-  {
-    vtkPoints* Points;
-    vtkIdType Number;
-  };
-  vtkPoints* points = changed->GetPoints();
-  vtkNew<vtkPoints> original;
-  original->DeepCopy(points);
-  for (const vtkIdType number : { vtkIdType(0), vtkIdType(1), vtkIdType(200000) })
-  {
-    Change change{ points, number };
-    vtkNew<vtkCallbackCommand> command;
-    command->SetClientData(&change);
-    command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
-      // Not before the update has looked at the input.
-      const auto* wanted = static_cast<Change*>(data);
-      if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() >= 0.1)
-      {
-        wanted->Points->SetNumberOfPoints(wanted->Number);
-      }
-    });
-    filter->AddObserver(vtkCommand::ProgressEvent, command);
-    filter->Modified();
-    ExpectError(filter, parts);
-    EXPECT_EQ(changed->GetNumberOfPoints(), number) << "the observer was not called";
-    filter->RemoveObserver(command);
-    points->DeepCopy(original);
-  }
-  ExpectSuccess(filter);
 }
 }

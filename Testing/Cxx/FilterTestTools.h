@@ -88,16 +88,6 @@ struct ProgressWatch
   /// Expect that it grew from 0 to 1, not all at once: with this many steps in between.
   void ExpectGrowth(int steps = 3) const;
 };
-/// The coordinates of all points of an output, before and after an observer of the progress has
-/// emptied the points of the input in the middle of an update, are the same. `surface` is that
-/// input; it is spoilt.
-void ExpectObserversMayEmptyThePoints(vtkPolyDataAlgorithm* filter, vtkPolyData* surface);
-
-/// Update while an observer changes the number of points of `changed`, which the output has as its
-/// own: an error, without anything read out of bounds. The points are what they were afterwards.
-void ExpectErrorWhenPointsChange(
-  vtkAlgorithm* filter, vtkPolyData* changed, const std::vector<std::string>& parts);
-
 }
 
 #endif

@@ -56,6 +56,8 @@ if (DGG_EXTRA_DATA)
     ExtraMeshes.cxx
     ExtraMeshes.h
     TestExtraData.cxx
+    "${core}/EdgeGraph.cxx"
+    "${core}/EdgeGraph.h"
     "${core}/GeodesicChecks.cxx"
     "${core}/GeodesicChecks.h"
     "${core}/GraphChecks.cxx"

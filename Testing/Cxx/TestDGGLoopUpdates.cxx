@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Updates of vtkDGGLoop: what is kept between them, wrong input, threads, progress, observers.
+/// Updates of vtkDGGLoop: what is kept between them, wrong input, threads, progress.
 #include "GraphTestTools.h"
 #include "LoopFixture.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkFieldData.h"
 #include "vtkStringArray.h"
 
@@ -302,46 +301,6 @@ TEST_F(DGGLoopUpdates, ARopeTellsItsProgress)
     ExpectSuccess(this->Filter);
     EXPECT_EQ(GetLoops(this->Filter), expected);
   }
-}
-
-TEST_F(DGGLoopUpdates, ObserversMayChangeTheInput)
-{
-  this->Filter->AddPointId(30);
-  this->Filter->SetTapeWidth(1.0);
-  ExpectObserversMayEmptyThePoints(this->Filter, MakePrism(Sides, Rows));
-}
-
-/// A graph that is gone in the middle of a search is an error, in whatever threads there are.
-TEST_F(DGGLoopUpdates, ObserversMayEmptyTheGraph)
-{
-  vtkSmartPointer<vtkPolyData> surface;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&surface);
-  command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
-    if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() > 0.1001)
-    {
-      vtkPolyData* input = *static_cast<vtkSmartPointer<vtkPolyData>*>(data);
-      for (const std::string& name : GetGraphArrayNames())
-      {
-        input->GetFieldData()->GetArray(name.c_str())->Initialize();
-      }
-    }
-  });
-  this->Filter->AddObserver(vtkCommand::ProgressEvent, command);
-  ForEachThreading([&](const std::string& threading) {
-    const std::vector<std::pair<int, std::vector<vtkIdType>>> cases = { { vtkDGGLoop::ThroughPoint,
-                                                                          { 5 } },
-      { vtkDGGLoop::ThroughPoint, { 5, 300 } }, { vtkDGGLoop::Rope, { 5, 100, 200 } } };
-    for (const auto& each : cases)
-    {
-      SCOPED_TRACE(threading + ", points: " + std::to_string(each.second.size()));
-      surface = MakeSurfaceWithGraph(this->Torus, 0.02);
-      this->Filter->SetInputData(surface);
-      this->Filter->SetMode(each.first);
-      this->Filter->SetPointIds(each.second);
-      ExpectError(this->Filter, { "the arrays of the graph on the input were changed" });
-    }
-  });
 }
 
 TEST_F(DGGLoopUpdates, PrintSelf)

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Updates of vtkDGGPath: what is kept between them, wrong input, threads, progress, observers.
+/// Updates of vtkDGGPath: what is kept between them, wrong input, threads, progress.
 #include "GraphTestTools.h"
 #include "PathFixture.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -14,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <sstream>
 
@@ -343,95 +341,6 @@ TEST_F(DGGPathUpdates, ProgressAndAbort)
     ExpectSuccess(this->Filter);
     EXPECT_TRUE(GetPaths(this->Filter) == expected);
     this->Filter->RemoveAllObservers();
-  }
-}
-
-TEST_F(DGGPathUpdates, ObserversMayChangeTheInput)
-{
-  for (int i = 0; i < 100; ++i)
-  {
-    this->Filter->AddPair(i, 399 - i);
-  }
-  auto surface = MakeSurfaceWithGraph(this->Terrain, 0.05);
-  this->Filter->SetInputData(surface);
-  ExpectSuccess(this->Filter);
-  const auto expected = GetPaths(this->Filter);
-  std::function<void()> change;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&change);
-  command->SetCallback([](vtkObject* caller, unsigned long, void* action, void*) {
-    if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() > 0.3)
-    {
-      (*static_cast<std::function<void()>*>(action))();
-    }
-  });
-  this->Filter->AddObserver(vtkCommand::ProgressEvent, command);
-  // Points: what was there at the start counts.
-  change = [&] { surface->GetPoints()->Initialize(); };
-  this->Filter->Modified();
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(GetPaths(this->Filter), expected);
-  // The pairs as well.
-  surface = MakeSurfaceWithGraph(this->Terrain, 0.05);
-  this->Filter->SetInputData(surface);
-  change = [&] { this->Filter->RemoveAllPairs(); };
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(GetPaths(this->Filter), expected);
-  // A graph that is gone in the middle of a search is an error.
-  AddPairs(this->Filter, { { 0, 399 }, { 1, 398 } });
-  change = [&] { surface->GetFieldData()->GetArray("DGG.Targets")->Initialize(); };
-  for (int i = 2; i < 100; ++i)
-  {
-    this->Filter->AddPair(i, 399 - i);
-  }
-  ExpectError(this->Filter, { "the arrays of the graph on the input were changed" });
-  change = [] {};
-  this->Filter->SetInputData(this->Terrain);
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(GetPaths(this->Filter), expected);
-}
-
-/// What is connected at the start counts, even when nothing but the connection keeps it.
-TEST_F(DGGPathUpdates, ObserversMayDisconnectInputs)
-{
-  const Points ends = { { { 0.21, 0.13, 0.0 } }, { { 0.83, 0.72, 0.0 } } };
-  this->Filter->SetProjectionTolerance(1.0);
-  std::function<void()> change;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&change);
-  command->SetCallback([](vtkObject* caller, unsigned long, void* action, void*) {
-    if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() > 0.0) // the pipeline tells 0 before
-    {
-      (*static_cast<std::function<void()>*>(action))();
-    }
-  });
-  this->Filter->AddObserver(vtkCommand::ProgressEvent, command);
-  std::vector<PathLine> expected;
-  for (const int port : { -1, 0, 1 })
-  {
-    SCOPED_TRACE(port);
-    auto pairs = MakePairs(ends);
-    vtkNew<vtkStringArray> names;
-    names->SetName("name");
-    names->InsertNextValue("from here to there");
-    pairs->GetCellData()->AddArray(names);
-    this->Filter->SetInputData(MakeTerrain(20));
-    this->Filter->SetPairData(pairs);
-    pairs = nullptr;
-    bool isCalled = false;
-    change = [&] {
-      isCalled = true;
-      if (port >= 0)
-      {
-        this->Filter->SetInputDataObject(port, nullptr);
-      }
-    };
-    ExpectSuccess(this->Filter);
-    EXPECT_TRUE(isCalled);
-    expected = port < 0 ? GetPaths(this->Filter) : expected;
-    ASSERT_EQ(expected.size(), 1u);
-    EXPECT_EQ(GetPaths(this->Filter), expected);
-    EXPECT_NE(this->Filter->GetOutput()->GetCellData()->GetAbstractArray("name"), nullptr);
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What vtkDiscreteGreensFunction does with wrong input, observers and limits.
+/// What vtkDiscreteGreensFunction does with wrong input and limits.
 #include "SpectralTestTools.h"
 
 #include "vtkDiscreteGreensFunction.h"
@@ -231,15 +231,6 @@ TEST_F(DiscreteGreensFunctionContract, ProgressIsThatOfAllBlocks)
     jump = before > 0.4 ? std::max(jump, watch.Progress[k] - before) : jump;
   }
   EXPECT_LT(jump, 0.1);
-}
-
-TEST_F(DiscreteGreensFunctionContract, ObserversMayChangeTheInputs)
-{
-  ExpectErrorWhenPointsChange(this->Filter, this->Surface, { "points" });
-  auto places = MakeSourcePoints({ { 0.5, 0.5, 0.0 }, { 0.3, 0.6, 0.0 } });
-  this->Filter->SetProjectionTolerance(1.0);
-  this->Filter->SetEvaluationData(places);
-  ExpectErrorWhenPointsChange(this->Filter, places, { "evaluation points" });
 }
 
 TEST_F(DiscreteGreensFunctionContract, SaysWhereAMethodCannotBeUsed)

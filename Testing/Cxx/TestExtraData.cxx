@@ -4,11 +4,11 @@
 /// Exact distances and geodesic graphs on every mesh (*.ply and awkward/*.ply) of the folder
 /// DGG_EXTRA_DATA: what must hold on any mesh, and the known defects of the meshes that we know.
 
+#include "EdgeGraph.h"
 #include "ExtraMeshes.h"
 #include "GraphChecks.h"
 #include "MeshFile.h"
 
-#include "dggEdgeGraph.h"
 #include "dggCapSplitting.h"
 #include "dggExactGeodesics.h"
 #include "dggExactSources.h"
@@ -164,7 +164,7 @@ TEST_P(ExtraData, DistancesKeepTheirBounds)
   const dgg::Id source = this->GetSources().front();
   const std::vector<double> distances = this->Run(source, dgg::ExactEngine::Triangle);
   const std::vector<double> upper =
-    dgg::EdgeGraphDistances(this->Surface, { { dgg::SurfacePoint::AtVertex(source), 0.0 } });
+    dggtest::EdgeGraphDistances(this->Surface, { { dgg::SurfacePoint::AtVertex(source), 0.0 } });
   dgg::Id numberOfComponents = 0;
   const std::vector<dgg::Id> components = this->Surface.ComputeComponents(numberOfComponents);
 

@@ -6,7 +6,6 @@
 
 #include "vtkGeodesicPatchBoundaries.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -416,38 +415,6 @@ TEST_F(GeodesicPatchBoundaries, FollowsItsInputs)
     vtkPolyData* output = this->Filter->GetOutput(port);
     EXPECT_EQ(output->GetNumberOfPoints(), 0);
     EXPECT_NE(output->GetCellData()->GetArray("LayoutEdge"), nullptr);
-  }
-}
-
-TEST_F(GeodesicPatchBoundaries, ObserversMayChangeTheInput)
-{
-  ExpectObserversMayEmptyThePoints(this->Filter, MakeGrid(8, 8));
-}
-
-/// What is connected at the start counts, even when nothing but the connection keeps it.
-TEST_F(GeodesicPatchBoundaries, ObserversMayDisconnectInputs)
-{
-  vtkNew<vtkCallbackCommand> command;
-  int port = 0;
-  command->SetClientData(&port);
-  command->SetCallback([](vtkObject* caller, unsigned long, void* number, void*) {
-    auto* filter = vtkAlgorithm::SafeDownCast(caller);
-    if (filter->GetProgress() > 0.0) // the pipeline tells 0 before
-    {
-      filter->SetInputDataObject(*static_cast<int*>(number), nullptr);
-    }
-  });
-  this->Filter->AddObserver(vtkCommand::ProgressEvent, command);
-  for (port = 0; port < 5; ++port)
-  {
-    SCOPED_TRACE(port);
-    this->Filter->SetInputData(MakeGrid(8, 8));
-    this->Filter->SetSecondSurfaceData(MakeBump());
-    this->Filter->SetLayoutData(MakeLayout(GetFourQuads()));
-    ExpectSuccess(this->Filter);
-    EXPECT_EQ(this->Filter->GetOutput(0)->GetNumberOfLines(), 12);
-    EXPECT_EQ(this->Filter->GetOutput(1)->GetNumberOfLines(), 12);
-    EXPECT_EQ(this->Filter->GetNumberOfInputConnections(port), 0);
   }
 }
 

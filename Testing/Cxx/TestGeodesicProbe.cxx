@@ -10,7 +10,6 @@
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicProbe.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -534,35 +533,6 @@ TEST_F(GeodesicProbe, UnreachedIsNaN)
   vtkDataArray* found = this->Probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
   EXPECT_NEAR(found->GetComponent(0, 0), std::hypot(0.3, 0.2), 1e-12);
   EXPECT_TRUE(std::isnan(found->GetComponent(1, 0)));
-}
-
-TEST_F(GeodesicProbe, ObserversThatChangeTheNumberOfPoints)
-{
-  auto surface = MakeGrid(8, 8);
-  this->Distance->SetInputData(surface);
-  this->Distance->GenerateWindowsOn();
-  ExpectErrorWhenPointsChange(this->Distance, surface, { "points were changed", "observers" });
-  vtkNew<vtkPolyData> distances;
-  distances->DeepCopy(this->Distance->GetOutput());
-  this->Probe->SetInputData(distances);
-  ExpectErrorWhenPointsChange(
-    this->Probe, this->Places, { "probe points were changed", "observers" });
-  EXPECT_LT(this->GetError(), 1e-12);
-  // The surface has been read by then.
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(distances);
-  command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
-    if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() >= 0.1)
-    {
-      static_cast<vtkPolyData*>(data)->GetPoints()->Initialize();
-      static_cast<vtkPolyData*>(data)->GetPointData()->Initialize();
-    }
-  });
-  this->Probe->AddObserver(vtkCommand::ProgressEvent, command);
-  this->Probe->Modified();
-  ExpectSuccess(this->Probe);
-  EXPECT_EQ(distances->GetNumberOfPoints(), 0) << "the observer was not called";
-  EXPECT_LT(this->GetError(), 1e-12);
 }
 
 TEST_F(GeodesicProbe, FitsCanBeFollowedAndStopped)

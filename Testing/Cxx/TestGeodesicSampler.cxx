@@ -349,11 +349,6 @@ TEST_F(GeodesicSampler, Threads)
   });
 }
 
-TEST_F(GeodesicSampler, ObserversMayChangeTheInput)
-{
-  ExpectObserversMayEmptyThePoints(this->Filter, MakeTerrain(20));
-}
-
 TEST_F(GeodesicSampler, PrintsItself)
 {
   ExpectSuccess(this->Filter);

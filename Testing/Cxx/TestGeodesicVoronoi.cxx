@@ -618,11 +618,6 @@ TEST_F(GeodesicVoronoi, ProgressAndAbort)
   }
 }
 
-TEST_F(GeodesicVoronoi, ObserversMayChangeTheInput)
-{
-  ExpectObserversMayEmptyThePoints(this->Filter, MakeTerrain(20));
-}
-
 TEST_F(GeodesicVoronoi, PrintsItself)
 {
   ExpectSuccess(this->Filter);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The arrays of a graph are public: anybody may empty or replace them, at any time. Filters that
-/// use or made the graph never follow what is gone.
+/// The arrays of a graph are public: anybody may empty or replace them between updates. Filters
+/// that use or made the graph never follow what is gone.
 #include "GraphTestTools.h"
 
 #include "vtkDGGDistance.h"
@@ -181,41 +181,4 @@ TEST_F(GraphArraysInUse, TheFilterThatMadeItBuildsItAgain)
     EXPECT_EQ(this->Graph->GetGraphBuildTime() > built, !isGone); // the filter still has them
     EXPECT_EQ(GetDistances(this->Distance), this->Expected);
   }
-}
-
-TEST_F(GraphArraysInUse, AChangeDuringAnUpdateIsAnError)
-{
-  auto surface = MakeSurfaceWithGraph(this->Terrain, 0.05);
-  this->Distance->SetInputData(surface);
-  ExpectSuccess(this->Distance);
-  Points places; // so many that linking them tells its progress
-  for (int i = 0; i < 300; ++i)
-  {
-    places.push_back({ { 0.0031 * i, 0.37, 0.0 } });
-  }
-  this->Distance->SetProjectionTolerance(1.0);
-  this->Distance->SetSourceData(MakeSourcePoints(places));
-  bool isArmed = true;
-  const Reaction reaction(this->Distance, vtkCommand::ProgressEvent, [&] {
-    if (isArmed && this->Distance->GetProgress() > 0.2)
-    {
-      surface->GetFieldData()->GetArray("DGG.Offsets")->Initialize();
-    }
-  });
-  ExpectError(this->Distance, { "the arrays of the graph on the input were changed" });
-  isArmed = false;
-  surface->GetFieldData()->ShallowCopy(this->GetArrays());
-  this->Distance->SetSourceData(nullptr);
-  ExpectSuccess(this->Distance);
-  EXPECT_EQ(GetDistances(this->Distance), this->Expected);
-}
-
-TEST_F(GraphArraysInUse, AChangeInAnObserverOfAWarningIsAnError)
-{
-  auto surface = MakeSurfaceWithGraph(this->Terrain, 0.05);
-  this->Distance->SetInputData(surface);
-  this->Distance->SetAccuracy(0.01); // to be warned
-  const Reaction reaction(this->Distance, vtkCommand::WarningEvent,
-    [&] { surface->GetFieldData()->GetArray("DGG.Targets")->Initialize(); });
-  ExpectError(this->Distance, { "the arrays of the graph on the input were changed" });
 }

@@ -239,6 +239,25 @@ TEST_F(GraphInFieldData, ARigidMotion)
   this->ExpectRebuilt(moved, { "out of date" });
 }
 
+TEST_F(GraphInFieldData, DamageIsToldFromAnotherSurface)
+{
+  vtkNew<vtkDiscreteGeodesicGraph> graph;
+  graph->SetAccuracy(Accuracy);
+  graph->SetInputData(this->Surface);
+  ExpectSuccess(graph);
+  EXPECT_EQ(graph->GetInputGraphDamage(), "");
+  auto copy = this->Copy();
+  copy->GetFieldData()->GetArray("DGG.Lengths")->SetComponent(7, 0, 0.125);
+  graph->SetInputData(copy);
+  ExpectWarning(graph, { "is damaged" });
+  EXPECT_NE(graph->GetInputGraphDamage().find("checksum"), std::string::npos);
+  copy = this->Copy();
+  copy->GetPoints()->SetPoint(7, 0.5, 0.5, 0.125);
+  graph->SetInputData(copy);
+  ExpectWarning(graph, { "out of date" });
+  EXPECT_EQ(graph->GetInputGraphDamage(), "");
+}
+
 TEST_F(GraphInFieldData, AChangedCell)
 {
   auto copy = this->Copy();

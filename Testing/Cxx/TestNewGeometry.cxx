@@ -14,7 +14,6 @@
 #include "vtkGeodesicVoronoi.h"
 #include "vtkPoissonVectorGraphics.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -342,28 +341,6 @@ TEST_P(NewGeometry, WhatIsNotReachedIsNotPassed)
       EXPECT_NE(another->GetOutput(port)->GetFieldData()->GetArray("far.Unreached"), nullptr)
         << port;
     }
-  }
-}
-
-TEST_P(NewGeometry, ObserversMayChangeTheFieldData)
-{
-  auto surface = MakeRelief(VTK_DOUBLE);
-  AddNote(surface, "note");
-  const auto filter = this->GetParam().Make(surface);
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(surface);
-  command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
-    if (vtkAlgorithm::SafeDownCast(caller)->GetProgress() > 0.3)
-    {
-      static_cast<vtkPolyData*>(data)->GetFieldData()->Initialize();
-    }
-  });
-  filter->AddObserver(vtkCommand::ProgressEvent, command);
-  ExpectSuccess(filter);
-  EXPECT_EQ(surface->GetFieldData()->GetNumberOfArrays(), 0) << "the observer was not called";
-  for (const int port : this->GetParam().Ports)
-  {
-    EXPECT_NE(filter->GetOutput(port)->GetFieldData()->GetAbstractArray("note"), nullptr) << port;
   }
 }
 

@@ -4,7 +4,6 @@
 /// vtkPoissonVectorGraphics: wrong and awkward input, colours of any size, memory, progress.
 #include "VectorGraphicsTestTools.h"
 
-#include "vtkCommand.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkStringArray.h"
@@ -265,34 +264,6 @@ TEST(PoissonVectorGraphics, AwkwardSurfaces)
   }
 }
 
-TEST(PoissonVectorGraphics, ObserversMayChangeWhatIsRefined)
-{
-  // When the warning of a cell that names a point twice is told, inputs have been checked already.
-  GraphicsFixture drawing = MakeTwoAcross();
-  const vtkIdType twice[] = { 0, 0, 1 };
-  drawing.Surface->GetPolys()->InsertNextCell(3, twice);
-  drawing.Surface->Modified();
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
-  struct Change
-  {
-    vtkPoissonVectorGraphics* Of;
-    int Warnings = 0;
-    void Run()
-    {
-      this->Of->SetRefinementRegionToCells(); // there is no array
-      ++this->Warnings;
-    }
-  } change{ drawing.Filter };
-  drawing.Filter->AddObserver(vtkCommand::WarningEvent, &change, &Change::Run);
-  Listener listener(drawing.Filter);
-  drawing.Filter->Update();
-  EXPECT_EQ(change.Warnings, 1);
-  ASSERT_EQ(listener.Errors.size(), 1u);
-  EXPECT_NE(listener.Errors[0].find("'Refine'"), std::string::npos);
-  ExpectEmptyOutput(drawing.Filter);
-}
-
 TEST(PoissonVectorGraphics, NumbersOfTheRefinementAreChecked)
 {
   GraphicsFixture drawing = MakeTwoColored();
@@ -368,7 +339,6 @@ TEST(PoissonVectorGraphics, ProgressGrowsAndStops)
     watch.StopAt = 2.0;
     EXPECT_EQ(GetValues(drawing.Run(), "Colors"), expected);
   }
-  ExpectErrorWhenPointsChange(drawing.Filter, drawing.Surface, { "points" });
 }
 
 TEST(PoissonVectorGraphics, ColorsOfAnySize)

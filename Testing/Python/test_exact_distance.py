@@ -98,20 +98,6 @@ class Observers(unittest.TestCase):
         self.assertAlmostEqual(result[-1], 60.0 * math.sqrt(2.0), delta=1e-10)
         self.assertEqual(distance.GetProgress(), 1.0)
 
-    def test_sources_may_change_in_an_observer(self):
-        # Foolish, but it must not crash.
-        distance = make_filter(30, 30)
-        distance.SetSourceIds([0, 1, 2])
-
-        def interfere(caller, event):
-            if caller.GetProgress() > 0.0:
-                caller.RemoveAllSourceIds()
-
-        distance.AddObserver("ProgressEvent", interfere)
-        distance.Update()
-        self.assertEqual(distance.GetOutput().GetNumberOfPoints(), 961)
-        self.assertEqual(ids_of(distance), [])
-
 
 class Objects(unittest.TestCase):
     def test_the_input_may_go_away(self):

@@ -80,8 +80,8 @@ def run(algorithm, heard=None, refused=None):
     """What check() does, for use inside the package.
 
     Warnings that are in the set `heard` are not repeated, whichever class gives them; the others
-    are added to it. A warning in which the pattern `refused` is found counts as an error, and stops
-    the update.
+    are added to it. A warning counts as an error, and stops the update, when the function `refused`
+    returns something true at that time.
     """
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"check() takes a vtkAlgorithm, not {type(algorithm).__name__}")
@@ -150,7 +150,7 @@ def _update(algorithm, pipeline, refused=None):
             reports.nodes.append(node)
 
         def on_warning(caller, event, text):
-            if refused and refused.search(text):
+            if refused and refused():
                 on_error(caller, event, text)
                 algorithm.SetAbortExecute(1)
             else:

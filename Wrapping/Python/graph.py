@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import arguments
 from .errors import VTKError, run
-from .graph_info import ARRAYS, CONSTRUCTIONS, DAMAGE, GraphInfo, damaged
+from .graph_info import ARRAYS, CONSTRUCTIONS, GraphInfo, damaged
 from .paths import Path, find
 from .surface import copy_surface, from_arrays, to_arrays
 from .vtkDGGFiltersGeodesic import (
@@ -152,12 +152,11 @@ class Graph:
         builder.SetMemoryLimit(arguments.number_of_bytes(memory_limit, "memory_limit"))
         graph = cls.__new__(cls)
         try:
-            graph._build(builder, copy_surface(polydata), refused=DAMAGE)
-        except VTKError as error:
-            found = DAMAGE.search(str(error))
-            if not found:
+            graph._build(builder, copy_surface(polydata), builder.GetInputGraphDamage)
+        except VTKError:
+            if not builder.GetInputGraphDamage():
                 raise
-            raise damaged(found[1]) from None
+            raise damaged(builder.GetInputGraphDamage()) from None
         return graph
 
     @overload

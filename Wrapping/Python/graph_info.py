@@ -2,16 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The graph in the field data of a surface, as vtkDiscreteGeodesicGraph documents it."""
 
-import re
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 ARRAYS = ("Offsets", "Targets", "Lengths", "Angles", "ArrivalAngles", "Info")
 # By the numbers of vtkDiscreteGeodesicGraph.ConstructionType.
 CONSTRUCTIONS = ("Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph")
-# How the filters begin when they say what is wrong with a graph that has been altered.
-DAMAGE = re.compile(r"the graph on the input is (?:damaged|not a valid graph): ([^;]*?)(?:;|\. )")
 _VERSION = 1
 _SIZE = 12
 

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import dataclasses
-import re
 from typing import TYPE_CHECKING, Optional
 
 import numpy as np
@@ -20,9 +19,6 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["Path", "path"]
-
-# What the filter says of points in different components.
-_UNCONNECTED = re.compile(r"not connected by the (surface|graph of the cloud)")
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -148,14 +144,13 @@ def find(finder, ends, points, heard=None):
         places = [_place(finder, end, name, points) for end, name in zip(ends, names)]
         finder.SetPairData(_line(places))
     try:
-        output = run(finder, heard, _UNCONNECTED)
-    except VTKError as error:
-        unconnected = _UNCONNECTED.search(str(error))
-        if not unconnected:
+        output = run(finder, heard, lambda: _is_unconnected(finder))
+    except VTKError:
+        if not _is_unconnected(finder):
             raise
-        remedy = "; where its parts only touch, merge_coincident_points may join them"
         raise ValueError(
-            f"start and end are {unconnected[0]}{remedy if unconnected[1] == 'surface' else ''}"
+            "start and end are not connected by the surface; where its parts only touch, "
+            "merge_coincident_points may join them"
         ) from None
     result = _path(output)
     tolerance = 0.0
@@ -170,6 +165,11 @@ def find(finder, ends, points, heard=None):
         if is_off or (tolerance == 0.0 and result.point_ids[i] < 0):
             raise ValueError(f"{name}: no triangle uses point {end}; it is connected with no other")
     return result
+
+
+def _is_unconnected(finder):
+    status = finder.GetOutput().GetFieldData().GetArray("PathStatus")
+    return status is not None and status.GetNumberOfTuples() > 0 and status.GetValue(0) == 1
 
 
 def _line(places):

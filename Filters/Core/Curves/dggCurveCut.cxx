@@ -212,19 +212,4 @@ Status CheckSides(const RefinedSurface& surface, const std::vector<std::vector<I
 {
   return SideFinder(surface, paths).CheckEdges();
 }
-
-std::array<Id, 2> FindCopies(const std::vector<EdgeSide>& side, std::size_t vertex, bool isClosed)
-{
-  const std::size_t edges = side.size();
-  std::array<Id, 2> copies{ { NoId, NoId } };
-  if (edges > 0 && (vertex > 0 || isClosed))
-  {
-    copies[0] = side[(vertex + edges - 1) % edges].To;
-  }
-  if (edges > 0 && (vertex < edges || isClosed))
-  {
-    copies[1] = side[vertex % edges].From;
-  }
-  return copies;
-}
 }

@@ -7,7 +7,6 @@
 
 #include "dggSurfaceCut.h" // for CutSurface
 
-#include <array>   // for copies
 #include <cstddef> // for std::size_t
 #include <vector>  // for sides
 
@@ -54,11 +53,6 @@ Status CutAlongCurves(
   const RefinedSurface& surface, const std::vector<std::vector<Id>>& paths, CurveCut& cut);
 /// Whether one can cut along paths: what CutAlongCurves() fails for.
 Status CheckSides(const RefinedSurface& surface, const std::vector<std::vector<Id>>& paths);
-
-/// The copies of a vertex of a chain on one side: where the edge before it arrives, and where the
-/// one after it leaves. They differ when another curve comes in on this side. NoId where there is
-/// no edge or no side. The chain of a closed curve goes on from its last vertex to its first.
-std::array<Id, 2> FindCopies(const std::vector<EdgeSide>& side, std::size_t vertex, bool isClosed);
 }
 
 #endif

@@ -3,7 +3,7 @@
 #include "dggSourceFit.h"
 
 #include "dggCornerModel.h"
-#include "dggSteepestDescent.h"
+#include "dggUnfolding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +50,57 @@ struct Guess
   double Angle = 0.0;
   double Curvature = 0.0;
 };
+
+/// The direction in which a field falls fastest from a vertex.
+struct SteepestDescent
+{
+  double Slope = 0.0;   // 0 when it falls nowhere
+  double Angle = 0.0;   // polar angle at the vertex
+  bool IsKnown = false; // whether there is a value at the vertex and at a neighbour
+};
+
+/// Of a field that is linear in faces and known where its values are finite.
+SteepestDescent FindSteepestDescent(const SurfaceMesh& mesh, const double* values, Id v)
+{
+  SteepestDescent best;
+  if (!std::isfinite(values[v]))
+  {
+    return best;
+  }
+  auto take = [&](double slope, double angle) {
+    best.IsKnown = true;
+    if (slope > best.Slope)
+    {
+      best.Slope = slope;
+      best.Angle = angle;
+    }
+  };
+  for (const Id* g = mesh.FanBegin(v); g != mesh.FanEnd(v); ++g)
+  {
+    const Id before = SurfaceMesh::Previous(*g);
+    const double corner = mesh.CornerAngle(*g);
+    const double first = (values[mesh.Destination(*g)] - values[v]) / mesh.Length(*g);
+    const double second = (values[mesh.Origin(before)] - values[v]) / mesh.Length(before);
+    if (std::isfinite(first))
+    {
+      take(-first, mesh.PolarAngle(*g));
+    }
+    if (std::isfinite(second))
+    {
+      take(-second, mesh.PolarAngle(*g) + corner);
+    }
+    if (std::isfinite(first) && std::isfinite(second) && !mesh.IsMollified(SurfaceMesh::Face(*g)))
+    {
+      const Point2 fall{ -first, (first * std::cos(corner) - second) / std::sin(corner) };
+      const double direction = std::atan2(fall.Y, fall.X);
+      if (direction > 0.0 && direction < corner)
+      {
+        take(Norm(fall.X, fall.Y), mesh.PolarAngle(*g) + direction);
+      }
+    }
+  }
+  return best;
+}
 
 /// Fits one vertex after the other.
 class VertexFit

@@ -176,13 +176,6 @@ void MeasureAnisotropy(const SurfaceMesh& mesh, MeshReport& report)
 }
 }
 
-bool MeshReport::HasDefects() const
-{
-  return this->IsolatedVertices > 0 || this->NonManifoldEdges > 0 ||
-    this->NonManifoldVertices > 0 || this->RepeatedVertexFaces > 0 || this->DegenerateFaces > 0 ||
-    this->DuplicateFaces > 0 || this->CoincidentPoints > 0 || !this->Orientable;
-}
-
 MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
 {
   MeshReport report;

@@ -34,9 +34,6 @@ struct MeshReport
   double MeanAnisotropy = 0.0; ///< mean of l_max (l1+l2+l3) / (4 sqrt(3) area); 1 when equilateral
   double MedianAnisotropy = 0.0;
   double Mollification = 0.0; ///< length added to the edges of degenerate faces
-
-  /// Whether anything but boundary, components and quality deserves a user's attention.
-  bool HasDefects() const;
 };
 
 /// Inspect a mesh. `points` (x y z per vertex) may be null; coincident points are counted only with

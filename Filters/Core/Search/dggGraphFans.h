@@ -30,9 +30,6 @@ class GraphFans
 public:
   GraphFans(const GraphView& graph, const SurfaceMesh& mesh);
 
-  /// Half of the width of a fan, radians.
-  float GetTolerance() const { return this->Tolerance; }
-
   /// Call `relax(edge)` for the edges of the fan of a vertex that was reached from the direction
   /// `arrival`; negative means that every edge may follow.
   template <typename Relax>

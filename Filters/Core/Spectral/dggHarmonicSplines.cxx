@@ -84,9 +84,8 @@ public:
   }
 
   /// Solve for a function of each site, from sources per cell: `setCharges(site, charges, lane)`.
-  template <typename SetCharges>
-  Status SolveForSites(const ParallelFor& parallel, const ProgressCallback& progress, bool hasMean,
-    const Consumer& consume, SetCharges&& setCharges) const
+  Status SolveForSites(
+    const ParallelFor& parallel, const ProgressCallback& progress, const Consumer& consume) const
   {
     Status status = this->Check();
     if (!status.IsOk())
@@ -100,7 +99,10 @@ public:
       std::vector<SparseLanes> solutions(n, zero);
       for (Offset site = begin; site < end; ++site)
       {
-        setCharges(static_cast<Id>(site), charges, static_cast<int>(site - begin));
+        for (Entries entry(this->Cells.Stiffness, site); entry; ++entry)
+        {
+          charges[entry.row()][site - begin] = entry.value();
+        }
       }
       this->SolveForCells(charges, zero, solutions);
       if (!within(SolvedAt))
@@ -111,7 +113,7 @@ public:
       for (Offset site = begin; site < end; ++site)
       {
         const Id component = this->Cells.Components[site];
-        const double mean = hasMean ? this->MeanOf(static_cast<Id>(site)) : 0.0;
+        const double mean = this->MeanOf(static_cast<Id>(site));
         for (std::size_t v = 0; v < n; ++v)
         {
           const bool isHere = this->System.GetComponent(static_cast<Id>(v)) == component;
@@ -195,21 +197,7 @@ double HarmonicSplines::GetCoefficient(Id i, Id j) const
 Status HarmonicSplines::FindBasis(
   const ParallelFor& parallel, const ProgressCallback& progress, const Consumer& consume) const
 {
-  const Implementation& internals = *this->Internals;
-  return internals.SolveForSites(
-    parallel, progress, true, consume, [&](Id site, std::vector<SparseLanes>& charges, int lane) {
-      for (Entries entry(internals.Cells.Stiffness, site); entry; ++entry)
-      {
-        charges[entry.row()][lane] = entry.value();
-      }
-    });
-}
-
-Status HarmonicSplines::FindGreens(
-  const ParallelFor& parallel, const ProgressCallback& progress, const Consumer& consume) const
-{
-  return this->Internals->SolveForSites(parallel, progress, false, consume,
-    [](Id site, std::vector<SparseLanes>& charges, int lane) { charges[site][lane] = 1.0; });
+  return this->Internals->SolveForSites(parallel, progress, consume);
 }
 
 Status HarmonicSplines::Evaluate(const std::vector<SurfacePoint>& points, GreensMethod method,

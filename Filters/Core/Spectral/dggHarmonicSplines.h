@@ -75,9 +75,6 @@ public:
   /// psi_j of all sites, eight solved for at a time.
   Status FindBasis(
     const ParallelFor& parallel, const ProgressCallback& progress, const Consumer& consume) const;
-  /// gbar_j of all sites.
-  Status FindGreens(
-    const ParallelFor& parallel, const ProgressCallback& progress, const Consumer& consume) const;
 
   /// psi_j(x) at any points, by one Green's function for each: values[k * sites + j] is that of
   /// site j at point k. With GreensMethod::SingularitySubtraction means over cells around x are
@@ -108,7 +105,7 @@ public:
   std::size_t GetPreparationMemory(std::size_t numberOfSites, std::size_t numberOfThreads) const;
   /// About how many bytes Solve() takes besides its results.
   std::size_t GetSolutionMemory(std::size_t numberOfSites) const;
-  /// Bytes that one thread takes in FindBasis() and FindGreens(), with that many sites.
+  /// Bytes that one thread takes in FindBasis(), with that many sites.
   std::size_t GetBasisMemory(std::size_t numberOfSites) const;
   /// Bytes that one thread takes in Evaluate(), besides exact distances.
   std::size_t GetEvaluationMemory() const;

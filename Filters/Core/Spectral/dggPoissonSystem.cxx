@@ -116,7 +116,6 @@ void PoissonSystem::MeasureComponents()
   this->MeanEdges.assign(count, 0.0);
   this->MeanLongestSides.assign(count, 0.0);
   this->ComponentHasBoundary.assign(count, 0);
-  this->LongestEdge = 0.0;
   std::vector<Offset> sides(count, 0);
   for (Id h = 0; h < this->Triangulation.GetNumberOfHalfEdges(); ++h)
   {
@@ -124,7 +123,6 @@ void PoissonSystem::MeasureComponents()
     const Id c = this->Components[v];
     this->MeanEdges[c] += this->Triangulation.Length(h);
     ++sides[c];
-    this->LongestEdge = std::max(this->LongestEdge, this->Triangulation.Length(h));
     if (this->Triangulation.Twin(h) == NoId)
     {
       this->OnBoundary[v] = 1;

@@ -73,7 +73,6 @@ public:
   /// small triangles are beside large ones, as on parts of machines.
   double GetMeanLongestSide(Id c) const { return this->MeanLongestSides[c]; }
   /// The longest edge of all.
-  double GetLongestEdge() const { return this->LongestEdge; }
   bool HasBoundary(Id c) const { return this->ComponentHasBoundary[c] != 0; }
   bool IsOnBoundary(Id v) const { return this->OnBoundary[v] != 0; }
   /// Whether the value of the vertex is given.
@@ -148,7 +147,6 @@ private:
   std::uint64_t Revision = 0;
   Offset FactorEntries = 0;
   double LargestEntry = 0.0;
-  double LongestEdge = 0.0;
   IntrinsicTriangulation Triangulation;
 
   std::vector<Id> TriangleOfFace;

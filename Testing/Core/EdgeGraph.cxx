@@ -1,34 +1,34 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dggEdgeGraph.h"
+#include "EdgeGraph.h"
 
 #include <algorithm>
 #include <queue>
 #include <utility>
 
-namespace dgg
+namespace dggtest
 {
 std::vector<double> EdgeGraphDistances(
-  const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources)
+  const dgg::SurfaceMesh& mesh, const std::vector<dgg::GeodesicSource>& sources)
 {
-  std::vector<double> distances(mesh.GetNumberOfVertices(), Infinity);
-  using Entry = std::pair<double, Id>;
+  std::vector<double> distances(mesh.GetNumberOfVertices(), dgg::Infinity);
+  using Entry = std::pair<double, dgg::Id>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  auto lower = [&](Id v, double distance) {
+  auto lower = [&](dgg::Id v, double distance) {
     if (distance < distances[v])
     {
       distances[v] = distance;
       queue.emplace(distance, v);
     }
   };
-  for (const GeodesicSource& source : sources)
+  for (const dgg::GeodesicSource& source : sources)
   {
-    const SurfacePoint& point = source.Point;
+    const dgg::SurfacePoint& point = source.Point;
     if (!point.Check(mesh).IsOk())
     {
       continue;
     }
-    if (point.On == SurfacePoint::Support::Vertex)
+    if (point.On == dgg::SurfacePoint::Support::Vertex)
     {
       lower(point.Vertex, source.InitialDistance);
       continue;
@@ -36,7 +36,7 @@ std::vector<double> EdgeGraphDistances(
     for (int k = 0; k < 3; ++k)
     {
       lower(mesh.Origin(3 * point.Face + k),
-        source.InitialDistance + DistanceToCorner(mesh, point.Face, point.Barycentric, k));
+        source.InitialDistance + dgg::DistanceToCorner(mesh, point.Face, point.Barycentric, k));
     }
   }
   while (!queue.empty())
@@ -47,9 +47,9 @@ std::vector<double> EdgeGraphDistances(
     {
       continue;
     }
-    for (const Id* g = mesh.FanBegin(top.second); g != mesh.FanEnd(top.second); ++g)
+    for (const dgg::Id* g = mesh.FanBegin(top.second); g != mesh.FanEnd(top.second); ++g)
     {
-      const Id incoming = SurfaceMesh::Previous(*g);
+      const dgg::Id incoming = dgg::SurfaceMesh::Previous(*g);
       lower(mesh.Destination(*g), top.first + mesh.Length(*g));
       lower(mesh.Origin(incoming), top.first + mesh.Length(incoming));
     }
