@@ -100,14 +100,17 @@ TEST_P(ExactSmallFeatures, InThePlane)
 
 /// The light that passes between the two ends of a needle is not trimmed by a label that is too
 /// short, nor lost to a window that is wide for the needle, nor in the rounding of a position on a
-/// long edge. Needles of 1e-8, the root of rounding, are left out: there it is not known which
-/// window is the shorter one.
+/// long edge. Around 1e-8, the root of rounding, the seams between windows are known to their width.
 TEST_P(ExactSmallFeatures, NeedlesInThePlane)
 {
-  for (const double size : { 1e-5, 1e-7, 1e-9, 1e-10, 1e-11 })
+  // The seeds 63, 11, 14 and 26 have windows on whose seams everything depends.
+  const std::pair<double, std::vector<std::uint64_t>> cases[] = { { 1e-4, { 1, 2, 3 } },
+    { 1e-7, { 1, 2, 3, 4 } }, { 2e-8, { 63 } }, { 7e-9, { 11 } }, { 5e-9, { 63 } },
+    { 3e-9, { 14 } }, { 2e-9, { 26 } }, { 1e-9, { 1, 2, 3, 4 } }, { 1e-11, { 1, 2 } } };
+  for (const auto& [size, seeds] : cases)
   {
     SCOPED_TRACE(size);
-    for (std::uint64_t seed = 1; seed <= 6; ++seed)
+    for (const std::uint64_t seed : seeds)
     {
       Random random(seed);
       const TestMesh input = PlaneWithNeedles(6, size, random);
@@ -121,7 +124,7 @@ TEST_P(ExactSmallFeatures, NeedlesInThePlane)
           worst = std::max(worst, std::abs(distances[v] - EuclideanDistance(input, source, v)));
         }
       }
-      EXPECT_LE(worst, 5.0 * size) << "seed " << seed;
+      EXPECT_LE(worst, size > 1e-5 ? 1e-11 : 5.0 * size) << "seed " << seed;
     }
   }
 }

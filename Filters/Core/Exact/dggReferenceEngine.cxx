@@ -155,7 +155,7 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
   const double crossing = Crossing(w.Image, face.GetApex());
   // Only pieces have seams with vertices on them (ProcessNews); elsewhere flat vertices emit again.
   const bool mayBePiece = w.HasScattered || WindowMemory::IsNeeded(this->Mesh, h);
-  const double tolerance = mayBePiece ? w.GetLightTolerance(face.GetBase()) : 0.0;
+  const double tolerance = mayBePiece ? w.Tolerance(LightTolerance, face.GetBase()) : 0.0;
   if (crossing >= w.Begin - tolerance && crossing <= w.End + tolerance)
   {
     this->Lower(this->Mesh.Apex(h), w.DistanceThrough(crossing, face.GetApex()),

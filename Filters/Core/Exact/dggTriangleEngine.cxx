@@ -248,7 +248,7 @@ void TriangleEngine::LightApex(Id h, const FaceUnfolding& face)
   for (const Window& w : this->Light)
   {
     const double crossing = Crossing(w.Image, face.GetApex());
-    const double tolerance = w.GetLightTolerance(face.GetBase());
+    const double tolerance = w.Tolerance(LightTolerance, face.GetBase());
     if (crossing >= w.Begin - tolerance && crossing <= w.End + tolerance)
     {
       this->Lower(apex, w.DistanceThrough(crossing, face.GetApex()),

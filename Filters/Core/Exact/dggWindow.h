@@ -16,13 +16,10 @@ namespace dgg
 constexpr double LengthTolerance = 1e-12;
 /// Intervals narrower than this are dropped; relative, see Window::Tolerance().
 constexpr double IntervalTolerance = 1e-10;
-/// A point this close to the edge of a window counts as lit, by the way through that edge;
-/// relative, see Window::Tolerance(). So no point on the seam between two windows stays dark.
-constexpr double LightTolerance = 1e-9;
-/// The same where the seam itself is known less well: where lengths are equal, up to rounding or to
-/// LengthTolerance, is known up to the root of that. It matters for windows that are as narrow, as
-/// between needles, and for light that has scattered.
-constexpr double NarrowLightTolerance = 2e-6;
+/// A point this close to an end of a window counts as lit, by the way through that end; relative,
+/// see Window::Tolerance(). So no point on the seam between two windows stays dark: lengths are
+/// compared to LengthTolerance, so the place where they are equal is known to the root of that.
+constexpr double LightTolerance = 2e-6;
 /// An image closer to the axis than this, relative to its edge, and beside the window sees the edge
 /// edge-on and lights nothing.
 constexpr double EdgeOnTolerance = 1e-14;
@@ -61,8 +58,12 @@ struct Window
   double DistanceThrough(double x, const Point2& p) const
   {
     const double straight = this->DistanceTo(p);
-    const double bend = std::max(this->Begin, std::min(this->End, x));
-    const double bent = x == bend ? straight : this->DistanceAt(bend) + Norm(p.X - bend, p.Y);
+    if (x >= this->Begin && x <= this->End)
+    {
+      return straight;
+    }
+    const double bend = x < this->Begin ? this->Begin : this->End;
+    const double bent = this->DistanceAt(bend) + Norm(p.X - bend, p.Y);
     return bent <= straight * (1.0 + LengthTolerance) ? straight : bent;
   }
 
@@ -93,14 +94,6 @@ struct Window
   {
     const double scale = this->HasScattered ? length : std::min(length, -this->Image.Y);
     return std::max(1e-15 * length, relative * scale);
-  }
-
-  /// How far from the interval on an edge of the given length a point counts as lit.
-  double GetLightTolerance(double length) const
-  {
-    const bool isNarrow = this->End - this->Begin < NarrowLightTolerance * length;
-    return this->Tolerance(
-      isNarrow || this->HasScattered ? NarrowLightTolerance : LightTolerance, length);
   }
 
   /// Whether too narrow for an edge of the given length to be kept.

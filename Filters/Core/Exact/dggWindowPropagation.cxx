@@ -522,7 +522,7 @@ void WindowPropagation::ReachTarget(
 void WindowPropagation::OfferTargets(Id h, const Window& window)
 {
   const Id f = SurfaceMesh::Face(h);
-  const double tolerance = window.GetLightTolerance(this->Mesh.Length(h));
+  const double tolerance = window.Tolerance(LightTolerance, this->Mesh.Length(h));
   auto target = std::lower_bound(this->Targets.begin(), this->Targets.end(), f,
     [](const Target& t, Id face) { return t.Face < face; });
   for (; target != this->Targets.end() && target->Face == f; ++target)

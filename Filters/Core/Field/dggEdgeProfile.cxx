@@ -264,7 +264,7 @@ void EdgeProfile::SetUpOpposites()
     return;
   }
   const SurfaceMesh& mesh = *this->Field.Mesh;
-  bool areModelled = true;
+  this->HasLinearFace = false;
   Id e = this->HalfEdge;
   do
   {
@@ -289,13 +289,13 @@ void EdgeProfile::SetUpOpposites()
       }
       else
       {
-        areModelled = false;
+        this->HasLinearFace = true;
       }
     }
     e = mesh.Twin(e);
   } while (e != NoId && e != this->HalfEdge);
   this->IsLinear = !this->Models[0].IsKnown && !this->Models[1].IsKnown &&
-    (!areModelled || this->NumberOfOpposites == 0);
+    (this->HasLinearFace || this->NumberOfOpposites == 0);
 }
 
 /// The raised model of an end (dggDistanceField.h).
@@ -401,14 +401,14 @@ double EdgeProfile::LeastOfModels(double x) const
   const double t = x / this->Length;
   const double ends = this->IsLinear ? (1.0 - t) * this->Ends[0] + t * this->Ends[1]
                                      : std::min(this->ModelAt(0, x), this->ModelAt(1, x));
-  double least = this->NumberOfOpposites == 0 ? ends : Infinity;
+  double least = this->HasLinearFace || this->NumberOfOpposites == 0 ? ends : Infinity;
   for (std::size_t i = 0; i < this->NumberOfOpposites; ++i)
   {
     const Opposite& opposite = this->Opposites[i];
     const Point2 p{ (1.0 - t) * opposite.From.X + t * opposite.To.X,
       (1.0 - t) * opposite.From.Y + t * opposite.To.Y };
     const double inFace = std::min(ends, opposite.Profile.ModelAt(opposite.Corner, p));
-    least = std::min(least, std::max(inFace, opposite.Profile.GetLowerBound(p)));
+    least = std::min(least, std::max(inFace, opposite.Profile.GetLowerBound(p).Distance));
   }
   return least;
 }

@@ -117,6 +117,7 @@ private:
   std::array<double, 2> Missing{ { 0.0, 0.0 } };     // of the model of an end at the other one
   std::vector<Opposite> Opposites;
   std::size_t NumberOfOpposites = 0; // the others are kept for their memory
+  bool HasLinearFace = false;        // one that is reached, without models
   bool IsLinear = false;             // neither end has a model, nor all faces
   double Steepness = 1.0;            // how much models change at most, per length
   std::vector<double> Breaks;

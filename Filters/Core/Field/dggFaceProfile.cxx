@@ -202,12 +202,16 @@ void FaceProfile::SetUpModels()
   }
 }
 
-double FaceProfile::GetLowerBound(const Point2& p) const
+FaceProfile::LowerBound FaceProfile::GetLowerBound(const Point2& p) const
 {
-  double bound = -Infinity;
+  LowerBound bound;
   for (int k = 0; k < 3 && this->HasLowerBounds; ++k)
   {
-    bound = std::max(bound, this->LowerBounds[k] - Distance(p, this->Corners[k]));
+    const double atCorner = this->LowerBounds[k] - Distance(p, this->Corners[k]);
+    if (atCorner > bound.Distance)
+    {
+      bound = { atCorner, k };
+    }
   }
   return bound;
 }
@@ -389,17 +393,15 @@ FieldSample FaceProfile::FromModels(const Point2& p) const
     return {};
   }
   FieldSample sample = this->SampleOf(best, p, b);
-  for (int k = 0; k < 3 && this->HasLowerBounds; ++k)
+  const LowerBound bound = this->GetLowerBound(p);
+  if (bound.Distance > sample.Distance + this->Negligible) // not at the corner, which is as given
   {
-    const Point2 way = Difference(this->Corners[k], p);
+    const Point2 way = Difference(this->Corners[bound.Corner], p);
     const double length = Norm(way.X, way.Y);
-    if (this->LowerBounds[k] - length > sample.Distance)
-    {
-      sample.Distance = this->LowerBounds[k] - length;
-      sample.Gradient = { way.X / length, way.Y / length };
-      sample.HasImage = false;
-      sample.Candidate = LeastCandidate + k;
-    }
+    sample.Distance = bound.Distance;
+    sample.Gradient = { way.X / length, way.Y / length };
+    sample.HasImage = false;
+    sample.Candidate = LeastCandidate + bound.Corner;
   }
   return sample;
 }

@@ -49,9 +49,14 @@ public:
   /// @}
   /// The most that the model of a corner is raised by at another corner.
   double GetLargestRaise(int k) const;
-  /// The least distance that the corners allow at a point. -Infinity where no model is raised: then
-  /// none is below it.
-  double GetLowerBound(const Point2& p) const;
+  /// The least distance that the corners allow at a point, and the corner that says so. -Infinity
+  /// where no model is raised, as no model is below it then.
+  struct LowerBound
+  {
+    double Distance = -Infinity;
+    int Corner = 0;
+  };
+  LowerBound GetLowerBound(const Point2& p) const;
 
   /// Whether the waves that reach the face come from all sides, so that a point inside it may be
   /// farther away than all around it. When in doubt, true.
