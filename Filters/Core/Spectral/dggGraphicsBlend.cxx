@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphicsBlend.h"
 
+#include "dggMeshPart.h"
 #include "dggPoissonSolver.h"
 #include "dggPoissonSystem.h"
 
@@ -73,55 +74,29 @@ bool StrengthBlend::IsNeeded(const GraphicsCurve& curve, int channels)
   return !IsSameAllAlong(curve.Left, count) || !IsSameAllAlong(curve.Right, count);
 }
 
-Status StrengthBlend::BuildBand(
-  const SurfaceMesh& mesh, const std::vector<char>& isInBand, SurfaceMesh& band)
-{
-  std::vector<Id> faces;
-  std::vector<Id> placeOfFace(static_cast<std::size_t>(mesh.GetNumberOfFaces()), NoId);
-  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-  {
-    if (IsFaceInBand(mesh, f, isInBand))
-    {
-      placeOfFace[f] = static_cast<Id>(faces.size());
-      faces.push_back(f);
-    }
-  }
-  this->Places.assign(isInBand.size(), NoId);
-  Id count = 0;
-  std::vector<Id> triangles;
-  std::vector<double> lengths;
-  std::vector<Id> twins;
-  for (const Id f : faces)
-  {
-    for (Id h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      Id& place = this->Places[mesh.Origin(h)];
-      place = place == NoId ? count++ : place;
-      triangles.push_back(place);
-      lengths.push_back(mesh.Length(h));
-      Id twin = mesh.Twin(h); // the next one in the band
-      while (twin != NoId && twin != h && placeOfFace[SurfaceMesh::Face(twin)] == NoId)
-      {
-        twin = mesh.Twin(twin);
-      }
-      twins.push_back(
-        twin == NoId || twin == h ? NoId : 3 * placeOfFace[SurfaceMesh::Face(twin)] + twin % 3);
-    }
-  }
-  return SurfaceMesh::FromGluedLengths(count, triangles.data(), static_cast<Offset>(faces.size()),
-    lengths.data(), twins.data(), band, { &mesh, faces.data() });
-}
-
 Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand,
   const CurveSides& sides, const CurveChain& chain, const GraphicsCurve& curve, int channels,
   const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress)
 {
   Status status = checkMemory ? checkMemory(PredictBand(mesh, isInBand), 0.0) : Status::Success();
-  SurfaceMesh band;
-  status = status.IsOk() ? this->BuildBand(mesh, isInBand, band) : status;
+  MeshPart part;
+  for (Id f = 0; f < mesh.GetNumberOfFaces() && status.IsOk(); ++f)
+  {
+    if (IsFaceInBand(mesh, f, isInBand))
+    {
+      part.Faces.push_back(f);
+    }
+  }
+  status = status.IsOk() ? part.Build(mesh) : status;
   if (!status.IsOk())
   {
     return status;
+  }
+  const SurfaceMesh& band = part.Mesh;
+  this->Places.assign(isInBand.size(), NoId);
+  for (std::size_t v = 0; v < part.Vertices.size(); ++v)
+  {
+    this->Places[part.Vertices[v]] = static_cast<Id>(v);
   }
   const auto n = static_cast<std::size_t>(band.GetNumberOfVertices());
   const auto count = static_cast<std::size_t>(channels);

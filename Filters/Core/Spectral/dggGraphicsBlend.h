@@ -34,8 +34,6 @@ public:
   bool Get(Id vertex, std::vector<double>& left, std::vector<double>& right) const;
 
 private:
-  Status BuildBand(const SurfaceMesh& mesh, const std::vector<char>& isInBand, SurfaceMesh& band);
-
   std::vector<Id> Places;                   // per vertex, its id in the band, or NoId
   std::vector<std::vector<double>> Columns; // channels of the left, then those of the right
 };
