@@ -343,7 +343,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   {
     return status;
   }
-  const double held = limit == 0 ? 0.0 : static_cast<double>(keeper.GetSolver().GetMemorySize());
+  const double held = limit == 0 ? 0.0 : keeper.GetSolver().GetEstimatedMemory();
   const double left = static_cast<double>(vtkDGGGetMemoryLimit(limit)) - held - needed;
   vtkDGGSpectralOutputs outputs(mesh, numberOfPoints, targets.size(), sources.size(), name);
   vtkDGGSpectralTask task{ keeper.GetSolver(), copy, mesh.GetBuildTime(), sources, targets,

@@ -20,6 +20,8 @@ namespace
 constexpr double LeastHeat = 1e-250;
 /// Share of the progress of the analysis.
 constexpr double FlipsDone = 0.4;
+/// Of the matrix, and of arrays with the components and places of vertices.
+constexpr double BytesPerVertex = 80.0;
 /// Loads below this are not worth the attempt with doubles.
 constexpr double LeastLogarithm = -200.0;
 
@@ -306,9 +308,8 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
 bool HeatSystem::IsReady() const
 {
   const double factor = this->Options.TimeStepFactor;
-  return this->IsAnalyzed && this->Distance.IsComputed() &&
-    (!this->NeedsNeumann() || (this->Heat.IsComputed() && this->HeatFactor == factor)) &&
-    (!this->NeedsDirichlet() || (this->CooledHeat.IsComputed() && this->CooledFactor == factor));
+  return this->HoldsFactors() && (!this->NeedsNeumann() || this->HeatFactor == factor) &&
+    (!this->NeedsDirichlet() || this->CooledFactor == factor);
 }
 
 template <typename Number>
@@ -436,38 +437,19 @@ std::vector<double> HeatSystem::Solve(
   return distances;
 }
 
-std::size_t HeatSystem::GetBaseMemory() const
+double HeatSystem::GetEstimatedMemory() const
 {
-  const auto entries = static_cast<std::size_t>(this->Stiffness.nonZeros());
-  return entries * (sizeof(double) + sizeof(int)) + this->Frames.size() * sizeof(Frame) +
-    this->Places.size() * (4 * sizeof(Id) + sizeof(double) + 2);
+  const double factors =
+    1.0 + (this->NeedsNeumann() ? 1.0 : 0.0) + (this->NeedsDirichlet() ? 1.0 : 0.0);
+  return static_cast<double>(this->Frames.size()) * sizeof(Frame) +
+    static_cast<double>(this->Places.size()) * BytesPerVertex +
+    factors * SparseFactor::EstimateMemory(this->Stiffness, this->FactorEntries);
 }
 
-std::size_t HeatSystem::GetEstimatedMemory() const
+bool HeatSystem::HoldsFactors() const
 {
-  const std::size_t factors = 1 + (this->NeedsNeumann() ? 1 : 0) + (this->NeedsDirichlet() ? 1 : 0);
-  return this->GetBaseMemory() + factors * this->GetFactorMemory();
-}
-
-std::size_t HeatSystem::GetMissingMemory() const
-{
-  // Factors that are done anew are cleared first, and so are those that are not wanted any more.
-  const int wanted = 1 + (this->NeedsNeumann() ? 1 : 0) + (this->NeedsDirichlet() ? 1 : 0);
-  const int held = (this->Heat.IsComputed() ? 1 : 0) + (this->CooledHeat.IsComputed() ? 1 : 0) +
-    (this->Distance.IsComputed() ? 1 : 0);
-  return wanted > held ? (wanted - held) * this->GetFactorMemory() : 0;
-}
-
-/// Bytes of one factor, at most.
-std::size_t HeatSystem::GetFactorMemory() const
-{
-  return static_cast<std::size_t>(this->FactorEntries) * (sizeof(double) + sizeof(int)) +
-    this->Places.size() * (sizeof(double) + 3 * sizeof(int));
-}
-
-std::size_t HeatSystem::GetMemorySize() const
-{
-  return this->GetBaseMemory() + this->Heat.GetMemorySize() + this->CooledHeat.GetMemorySize() +
-    this->Distance.GetMemorySize();
+  return this->IsAnalyzed && this->Distance.IsComputed() &&
+    (!this->NeedsNeumann() || this->Heat.IsComputed()) &&
+    (!this->NeedsDirichlet() || this->CooledHeat.IsComputed());
 }
 }

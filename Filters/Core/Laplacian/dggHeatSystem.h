@@ -50,9 +50,8 @@ public:
   double GetHeatLength(Id component) const;
   bool IsOnBoundary(Id vertex) const { return this->OnBoundary[vertex] != 0; }
 
-  std::size_t GetEstimatedMemory() const;
-  std::size_t GetMissingMemory() const;
-  std::size_t GetMemorySize() const;
+  double GetEstimatedMemory() const;
+  bool HoldsFactors() const;
   int GetNumberOfFactorizations() const { return this->NumberOfFactorizations; }
 
 private:
@@ -73,8 +72,6 @@ private:
   Matrix MakeDistanceMatrix() const;
   bool NeedsDirichlet() const { return this->Options.Boundary != HeatBoundary::Neumann; }
   bool NeedsNeumann() const { return this->Options.Boundary != HeatBoundary::Dirichlet; }
-  std::size_t GetBaseMemory() const;
-  std::size_t GetFactorMemory() const;
 
   template <typename Number>
   std::vector<Number> SolveHeat(const std::vector<Load>& loads) const;

@@ -202,9 +202,4 @@ bool IntrinsicTriangulation::Flip(Id h)
   this->Origins[tNext] = this->Origins[SurfaceMesh::Previous(h)];
   return true;
 }
-
-std::size_t IntrinsicTriangulation::GetMemorySize() const
-{
-  return this->Origins.size() * (2 * sizeof(Id) + sizeof(double) + 1);
-}
 }

@@ -7,7 +7,6 @@
 
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 
-#include <cstddef> // for std::size_t
 #include <cstdint> // for flags
 #include <vector>  // for the arrays
 
@@ -45,8 +44,6 @@ public:
   /// Replace the edge by the other diagonal of its two faces, laid out in the plane. False, and
   /// nothing has changed, when the edge cannot be flipped or a triangle would lose its area.
   bool Flip(Id h);
-
-  std::size_t GetMemorySize() const;
 
 private:
   bool IsPair(Id h) const;

@@ -78,6 +78,16 @@ Offset CountFactorEntries(const Eigen::SparseMatrix<double>& upper)
   return count;
 }
 
+double SparseFactor::EstimateMemory(const Eigen::SparseMatrix<double>& matrix, Offset entries)
+{
+  // Rows and values of the factor; half of the matrix, permuted, of which Eigen makes a copy; the
+  // diagonal, the beginnings of columns, and arrays to work with.
+  constexpr double entry = sizeof(double) + sizeof(int);
+  const auto n = static_cast<double>(matrix.cols());
+  return entry * (static_cast<double>(entries) + static_cast<double>(matrix.nonZeros()) + n) +
+    n * (2.0 * sizeof(double) + 8.0 * sizeof(int));
+}
+
 bool SparseFactor::Compute(const Eigen::SparseMatrix<double>& upper)
 {
   this->Clear();
@@ -140,16 +150,4 @@ void SparseFactor::Solve(std::vector<Number>& values) const
 template void SparseFactor::Solve(std::vector<double>& values) const;
 template void SparseFactor::Solve(std::vector<ScaledNumber>& values) const;
 template void SparseFactor::Solve(std::vector<SparseLanes>& values) const;
-
-std::size_t SparseFactor::GetMemorySize() const
-{
-  if (!this->Computed)
-  {
-    return 0;
-  }
-  const Eigen::SparseMatrix<double>& lower = this->Decomposition.matrixL().nestedExpression();
-  const auto entries = static_cast<std::size_t>(lower.nonZeros());
-  const auto n = static_cast<std::size_t>(lower.cols());
-  return entries * (sizeof(double) + sizeof(int)) + n * (sizeof(double) + 3 * sizeof(int));
-}
 }

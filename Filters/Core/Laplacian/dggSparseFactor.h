@@ -10,8 +10,7 @@
 #include <Eigen/SparseCholesky> // for the factorization
 #include <Eigen/SparseCore>     // for matrices
 
-#include <cstddef> // for std::size_t
-#include <vector>  // for solutions
+#include <vector> // for solutions
 
 namespace dgg
 {
@@ -29,6 +28,10 @@ using SparseLanes = Eigen::Array<double, 8, 1>;
 class SparseFactor
 {
 public:
+  /// Bytes that the factor of a matrix takes while it is computed, given both of its triangles and
+  /// how many entries the factor has (CountFactorEntries()).
+  static double EstimateMemory(const Eigen::SparseMatrix<double>& matrix, Offset entries);
+
   /// From the upper triangle, with all entries of the diagonal, in any order. Where rounding leaves
   /// a pivot of 0, as among faces with next to no area, the diagonal is raised by 1e-10 of its
   /// largest entry. False when that fails, too.
@@ -44,8 +47,6 @@ public:
   /// side not negative: then every value has a small relative error, however small it is.
   template <typename Number>
   void Solve(std::vector<Number>& values) const;
-
-  std::size_t GetMemorySize() const;
 
 private:
   using Factor =

@@ -101,8 +101,6 @@ public:
     }
   }
 
-  static std::size_t GetMemoryPerFace() { return sizeof(Face); }
-
   std::size_t GetSize() const { return this->Faces.size(); }
   double GetArea(std::size_t f) const { return this->Faces[f].Area; }
   double GetScale(std::size_t f) const { return this->Faces[f].Scale; }
@@ -333,20 +331,6 @@ Status AddPointMass(
   ForEachCornerAround(
     mesh, point, [&](Id v, double weight, double) { masses[v] += mass * weight; });
   return status;
-}
-
-std::size_t EarthMovers::GetWorkingMemory() const
-{
-  const PoissonSystem& system = this->Solver.GetSystem();
-  const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
-  const auto m = static_cast<std::size_t>(system.GetTriangulation().GetNumberOfFaces());
-  // The best flow of before is there until the better one is.
-  const std::size_t flow = system.GetOptions().IntrinsicDelaunay
-    ? 0
-    : static_cast<std::size_t>(system.GetMesh().GetNumberOfFaces()) * sizeof(Point2);
-  // Sources, potential, the best one, step and divergence; the flow; the matrix of the step.
-  return 5 * n * sizeof(double) + m * (Flows::GetMemoryPerFace() + sizeof(Point2)) + flow +
-    std::max(flow, system.GetSolvingMemory()) + system.GetFactorMemory();
 }
 
 Status EarthMovers::Run(const std::vector<double>& from, const std::vector<double>& to,

@@ -9,8 +9,7 @@
 #include "dggSurfacePoint.h"  // for point masses
 #include "dggUnfolding.h"     // for vectors in faces
 
-#include <cstddef> // for std::size_t
-#include <vector>  // for masses
+#include <vector> // for masses
 
 namespace dgg
 {
@@ -75,10 +74,6 @@ public:
   /// Masses per vertex, integrated.
   Status Run(const std::vector<double>& from, const std::vector<double>& to,
     const EarthMoversOptions& options, EarthMoversResult& result) const;
-
-  /// Most bytes that Run() takes at one time, the result included. The solver need only be
-  /// analyzed.
-  std::size_t GetWorkingMemory() const;
 
 private:
   const PoissonSolver& Solver;

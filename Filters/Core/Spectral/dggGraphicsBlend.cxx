@@ -52,20 +52,6 @@ bool IsFaceInBand(const SurfaceMesh& mesh, Id face, const std::vector<char>& isI
   return !mesh.IsDropped(face) &&
     (isInBand[corners[0]] || isInBand[corners[1]] || isInBand[corners[2]]);
 }
-
-/// Bytes that the band takes until its factor is known.
-double PredictBand(const SurfaceMesh& mesh, const std::vector<char>& isInBand)
-{
-  double faces = 0.0;
-  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-  {
-    faces += IsFaceInBand(mesh, f, isInBand) ? 1.0 : 0.0;
-  }
-  // Vertices are about half as many, but for a band a face wide.
-  const auto places = static_cast<double>(mesh.GetNumberOfFaces() + mesh.GetNumberOfVertices());
-  return (places + faces) * sizeof(Id) + faces * 3.0 * (2.0 * sizeof(Id) + sizeof(double)) +
-    PredictSolverMemory(faces, faces);
-}
 }
 
 bool StrengthBlend::IsNeeded(const GraphicsCurve& curve, int channels)
@@ -76,18 +62,17 @@ bool StrengthBlend::IsNeeded(const GraphicsCurve& curve, int channels)
 
 Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand,
   const CurveSides& sides, const CurveChain& chain, const GraphicsCurve& curve, int channels,
-  const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress)
+  const ProgressCallback& progress)
 {
-  Status status = checkMemory ? checkMemory(PredictBand(mesh, isInBand), 0.0) : Status::Success();
   MeshPart part;
-  for (Id f = 0; f < mesh.GetNumberOfFaces() && status.IsOk(); ++f)
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
     if (IsFaceInBand(mesh, f, isInBand))
     {
       part.Faces.push_back(f);
     }
   }
-  status = status.IsOk() ? part.Build(mesh) : status;
+  Status status = part.Build(mesh);
   if (!status.IsOk())
   {
     return status;
@@ -109,15 +94,6 @@ Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& i
   });
   PoissonSolver solver(band);
   status = solver.Analyze(options, progress);
-  if (status.IsOk() && checkMemory)
-  {
-    // Columns, and what Solve() works with.
-    const double numbers = (2.0 * channels + 12.0) * static_cast<double>(n);
-    const double held = static_cast<double>(band.GetMemorySize() + solver.GetMemorySize()) +
-      static_cast<double>(isInBand.size()) * (sizeof(Id) + 1.0);
-    status = checkMemory(
-      held + static_cast<double>(solver.GetMissingMemory()) + numbers * sizeof(double), held);
-  }
   if (!status.IsOk())
   {
     return status;

@@ -40,22 +40,6 @@ Status CutAlong(const RefinedSurface& surface, const std::vector<CurveChain>& ch
   }
   return status;
 }
-
-std::size_t SizeOf(const CurveCut& cut)
-{
-  std::size_t bytes = GetSurfaceMemory(cut.Surface) + cut.Surface.VertexOf.size() * sizeof(Id);
-  for (const CurveSides& sides : cut.Sides)
-  {
-    bytes += (sides.Left.size() + sides.Right.size()) * sizeof(EdgeSide);
-  }
-  return bytes;
-}
-}
-
-std::size_t GraphicsDomain::GetMemorySize() const
-{
-  return SizeOf(this->Solved) + SizeOf(this->Drawn) + this->SolvedMesh.GetMemorySize() +
-    this->DrawnMesh.GetMemorySize() + this->SolvedVertexOf.size() * sizeof(Id);
 }
 
 Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
@@ -112,40 +96,6 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
     domain.SolvedVertexOf[domain.Drawn.Surface.Triangles[h]] = domain.Solved.Surface.Triangles[h];
   }
   return status;
-}
-
-std::size_t GetSurfaceMemory(const RefinedSurface& surface)
-{
-  return surface.Points.size() * sizeof(SurfacePoint) +
-    (surface.Triangles.size() + surface.Twins.size() + surface.Faces.size()) * sizeof(Id) +
-    surface.Lengths.size() * sizeof(double);
-}
-
-double PredictSolverMemory(double faces, double vertices)
-{
-  constexpr double id = sizeof(Id);
-  constexpr double number = sizeof(double);
-  // Half-edges with origin, twin, place in a fan, length, apex and angle; vertices with an angle, a
-  // fan and a kind.
-  const double mesh = faces * (9.0 * id + 12.0 * number + 1.0) + vertices * (2.0 * number + 1.0);
-  const double triangulation = faces * (6.0 * id + 3.0 * number + 3.0);
-  const double arrays = vertices * (8.0 * id + 6.0 * number);
-  // The matrix of seven entries per vertex; while it is put together, what each half-edge adds to
-  // it, in triplets and in rows; then, for the order of elimination, its pattern and half of it.
-  const double matrix = 7.0 * vertices * (number + id);
-  const double added = 12.0 * faces + vertices;
-  const double assembly = added * ((number + 2.0 * id) + (number + id)) + 4.0 * vertices * id;
-  const double ordering = 1.5 * matrix;
-  return mesh + triangulation + arrays + matrix + std::max(assembly, ordering);
-}
-
-double PredictGraphicsMemory(double faces, double vertices, bool hasPoisson)
-{
-  constexpr double id = sizeof(Id);
-  constexpr double number = sizeof(double);
-  const double cut = faces * (7.0 * id + 3.0 * number) + vertices * (sizeof(SurfacePoint) + id);
-  const double mesh = faces * (9.0 * id + 12.0 * number + 1.0) + vertices * (2.0 * number + 1.0);
-  return 3.0 * cut + (hasPoisson ? mesh : 0.0) + PredictSolverMemory(faces, vertices);
 }
 
 void InterpolateOnCurve(

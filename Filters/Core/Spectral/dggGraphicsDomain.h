@@ -26,26 +26,12 @@ struct GraphicsDomain
   /// Per curve, the numbers of its sides in Solved (of diffusion curves) and in Drawn (of both).
   std::vector<std::size_t> SidesInSolved;
   std::vector<std::size_t> SidesInDrawn;
-
-  std::size_t GetMemorySize() const;
 };
 
 /// Fails when a curve has no length, or no sides.
 Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
   const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
   GraphicsDomain& domain);
-
-/// Bytes of a surface; of its paths, nothing.
-std::size_t GetSurfaceMemory(const RefinedSurface& surface);
-
-/// Bytes that a mesh with so many faces and vertices takes, and the analysis of an equation on it;
-/// the factor not included.
-double PredictSolverMemory(double faces, double vertices);
-
-/// Bytes that a surface with so many faces and vertices, its cuts with their meshes, and the
-/// analysis of the equation on one of them take; the factor and colours not included. Making such a
-/// surface, by splitting the faces of another one, takes less.
-double PredictGraphicsMemory(double faces, double vertices, bool hasPoisson);
 
 /// The numbers of a curve at a place among its given points (CurveChain::Parameters).
 void InterpolateOnCurve(

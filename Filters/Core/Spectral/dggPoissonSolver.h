@@ -9,7 +9,6 @@
 #include "dggSurfaceMesh.h"    // for SurfaceMesh
 #include "dggSurfacePoint.h"   // for SurfacePoint
 
-#include <cstddef> // for std::size_t
 #include <cstdint> // for the revision
 #include <memory>  // for the system
 #include <vector>  // for sources and solutions
@@ -40,12 +39,8 @@ public:
   /// and a stop heeded, between the parts of the work.
   /// @{
   Status Analyze(const PoissonOptions& options, const ProgressCallback& progress);
-  /// Bytes that all takes at the time when there are most, while it is factorized. After Analyze().
-  std::size_t GetEstimatedMemory() const;
-  /// Those of them that are not there yet: 0 once it is factorized.
-  std::size_t GetMissingMemory() const;
-  /// Those of the missing ones that are given back once it is factorized.
-  std::size_t GetFactorizingMemory() const;
+  /// Bytes that all takes while it is factorized, at most twice what they are. After Analyze().
+  double GetEstimatedMemory() const;
   /// After Analyze().
   Status Factorize(const ProgressCallback& progress);
   /// Both.
@@ -87,8 +82,6 @@ public:
   /// Factorizations done so far, for tests.
   int GetNumberOfFactorizations() const;
   Offset GetNumberOfFactorEntries() const;
-  /// Bytes held.
-  std::size_t GetMemorySize() const;
 
   /// For the kernel.
   const PoissonSystem& GetSystem() const { return *this->System; }

@@ -236,15 +236,6 @@ bool PoissonSystem::NeedsRefinement() const
   return this->LargestEntry > LargestHarmlessEntry || this->Factor.IsRaised();
 }
 
-/// Values in the order of elimination, and a copy that Eigen makes of the diagonal; where they are
-/// refined, two residuals, sources, steepest descent, direction, the change along it, and the
-/// solution before.
-std::size_t PoissonSystem::GetSolvingMemory() const
-{
-  const std::size_t n = this->Components.size();
-  return (this->NeedsRefinement() ? 7 : 2) * n * sizeof(double);
-}
-
 void PoissonSystem::Solve(std::vector<double>& values) const
 {
   if (!this->NeedsRefinement())

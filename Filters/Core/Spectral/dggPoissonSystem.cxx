@@ -14,6 +14,11 @@ namespace dgg
 {
 namespace
 {
+/// Of the triangulation.
+constexpr double BytesPerFace = 60.0;
+/// Of arrays, and of what a solution works with.
+constexpr double BytesPerVertex = 120.0;
+
 bool Goes(const ProgressCallback& progress, double fraction)
 {
   return !progress || progress(fraction);
@@ -266,51 +271,12 @@ bool PoissonSystem::HasThin() const
     this->ComponentIsThin.end();
 }
 
-std::size_t PoissonSystem::GetBaseMemory() const
+double PoissonSystem::GetEstimatedMemory() const
 {
-  const std::size_t n = this->Components.size();
-  const auto entries = static_cast<std::size_t>(this->Stiffness.nonZeros());
-  return entries * (sizeof(double) + sizeof(int)) + this->Triangulation.GetMemorySize() +
-    this->TriangleOfFace.size() * sizeof(Id) + n * (2 * sizeof(Id) + 3 * sizeof(double) + 2) +
-    n * sizeof(int);
-}
-
-std::size_t PoissonSystem::GetMissingMemory() const
-{
-  return this->Factor.IsComputed() ? 0 : this->GetFactorMemory();
-}
-
-std::size_t PoissonSystem::GetFactorMemory() const
-{
-  const std::size_t n = this->Components.size();
-  const std::size_t entry = sizeof(double) + sizeof(int);
-  return static_cast<std::size_t>(this->FactorEntries) * entry +
-    n * (sizeof(double) + 3 * sizeof(int)) + this->GetMatrixMemory();
-}
-
-std::size_t PoissonSystem::GetFactorizingMemory() const
-{
-  return this->Factor.IsComputed() ? 0 : this->GetMatrixMemory();
-}
-
-/// The matrix that the factor is made of, of which it makes a copy; which values are known, and
-/// three arrays that Eigen works with.
-std::size_t PoissonSystem::GetMatrixMemory() const
-{
-  const std::size_t n = this->Components.size();
-  const std::size_t upper = (static_cast<std::size_t>(this->Stiffness.nonZeros()) + n) / 2;
-  const std::size_t entry = sizeof(double) + sizeof(int);
-  const std::size_t working = n * (sizeof(std::uint8_t) + sizeof(double) + 2 * sizeof(int));
-  return 2 * upper * entry + n * entry + working;
-}
-
-std::size_t PoissonSystem::GetEstimatedMemory() const
-{
-  return this->GetMemorySize() + this->GetMissingMemory();
-}
-
-std::size_t PoissonSystem::GetMemorySize() const
-{
-  return this->GetBaseMemory() + this->Factor.GetMemorySize();
+  const auto n = static_cast<double>(this->Components.size());
+  constexpr double entry = sizeof(double) + sizeof(int);
+  return static_cast<double>(this->Triangulation.GetNumberOfFaces()) * BytesPerFace +
+    static_cast<double>(this->Stiffness.nonZeros()) * entry + n * BytesPerVertex +
+    SparseFactor::EstimateMemory(this->Stiffness, this->FactorEntries);
 }
 }

@@ -14,7 +14,6 @@
 #include <Eigen/SparseCore> // for the matrix
 
 #include <array>   // for cotangents
-#include <cstddef> // for std::size_t
 #include <cstdint> // for flags
 #include <vector>  // for arrays
 
@@ -105,26 +104,14 @@ public:
   /// Take the weighted mean off in components without given values.
   void Center(std::vector<double>& values) const;
 
-  /// Bytes, those of the factor included, at the time when there are most. After Analyze().
-  std::size_t GetEstimatedMemory() const;
-  /// Those of them that are not there yet.
-  std::size_t GetMissingMemory() const;
-  /// Those of the missing ones that are given back once it is factorized.
-  std::size_t GetFactorizingMemory() const;
-  /// Bytes that a factorization of a matrix with this pattern takes, at the time when there are
-  /// most.
-  std::size_t GetFactorMemory() const;
-  /// Bytes that a solution takes, at the time when there are most.
-  std::size_t GetSolvingMemory() const;
-  std::size_t GetMemorySize() const;
+  /// Bytes that all takes while it is factorized, at most twice what they are. After Analyze().
+  double GetEstimatedMemory() const;
   Offset GetNumberOfFactorEntries() const { return this->FactorEntries; }
   /// Factorizations done so far, for tests.
   int GetNumberOfFactorizations() const { return this->NumberOfFactorizations; }
 
 private:
   bool NeedsRefinement() const;
-  std::size_t GetBaseMemory() const;
-  std::size_t GetMatrixMemory() const;
   Status CheckGivenVertices(const std::vector<Id>& vertices) const;
   void MeasureComponents();
   void MarkGivenVertices();
