@@ -20,8 +20,8 @@ namespace
 constexpr double LeastHeat = 1e-250;
 /// Share of the progress of the analysis.
 constexpr double FlipsDone = 0.4;
-/// Of the matrix, and of arrays with the components and places of vertices.
-constexpr double BytesPerVertex = 80.0;
+/// Of the matrix, of another one that is made of it, and of arrays.
+constexpr double BytesPerVertex = 200.0;
 /// Loads below this are not worth the attempt with doubles.
 constexpr double LeastLogarithm = -200.0;
 
@@ -115,37 +115,20 @@ Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& p
     return Status::Abort();
   }
   this->MeasureComponents(triangulation);
-  const CotanLaplacian laplacian = MakeCotanLaplacian(triangulation);
+  CotanLaplacian laplacian = MakeCotanLaplacian(triangulation);
   if (!Goes(progress, 0.6))
   {
     return Status::Abort();
   }
-  this->Places = FindEliminationOrder(laplacian.Stiffness);
+  this->Order = EliminationOrder(laplacian.Stiffness);
   if (!Goes(progress, 0.9))
   {
     return Status::Abort();
   }
-  const Id n = this->Mesh.GetNumberOfVertices();
-  this->Mass.resize(n);
-  this->ComponentOfPlace.resize(n);
-  this->PlaceOnBoundary.resize(n);
-  this->PinnedPlaces.assign(this->MeanEdges.size(), NoId);
-  for (Id v = 0; v < n; ++v)
-  {
-    const Id place = this->Places[v];
-    Id& pinned = this->PinnedPlaces[this->Components[v]];
-    pinned = std::max(pinned, place);
-    this->Mass[place] = laplacian.Mass[v];
-    this->ComponentOfPlace[place] = this->Components[v];
-    this->PlaceOnBoundary[place] = this->OnBoundary[v];
-  }
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(n);
-  std::copy(this->Places.begin(), this->Places.end(), permutation.indices().data());
-  this->Stiffness.resize(n, n);
-  this->Stiffness.selfadjointView<Eigen::Upper>() =
-    laplacian.Stiffness.selfadjointView<Eigen::Upper>().twistedBy(permutation);
+  this->Stiffness.swap(laplacian.Stiffness);
+  this->Mass.swap(laplacian.Mass);
+  this->Pinned = this->Order.FindLast(this->Components, this->GetNumberOfComponents());
   this->TakeFrames(triangulation);
-  this->FactorEntries = CountFactorEntries(this->Stiffness);
   this->IsAnalyzed = true;
   return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
 }
@@ -193,8 +176,7 @@ void HeatSystem::TakeFrames(const IntrinsicTriangulation& triangulation)
     const Point2 apex =
       LayOut(triangulation.Length(h), triangulation.Length(h + 2), triangulation.Length(h + 1));
     this->Frames.push_back(
-      { { { this->Places[triangulation.Origin(h)], this->Places[triangulation.Origin(h + 1)],
-          this->Places[triangulation.Origin(h + 2)] } },
+      { { { triangulation.Origin(h), triangulation.Origin(h + 1), triangulation.Origin(h + 2) } },
         triangulation.Length(h), apex.X, apex.Y });
   }
 }
@@ -205,46 +187,15 @@ double HeatSystem::GetHeatLength(Id component) const
 }
 
 /// M + t L, divided by the square of the mean edge: that keeps numbers in the middle of the range.
-HeatSystem::Matrix HeatSystem::MakeHeatMatrix(bool cooled) const
+HeatSystem::Matrix HeatSystem::MakeHeatMatrix() const
 {
-  Matrix matrix = this->Stiffness;
-  for (Id column = 0; column < matrix.cols(); ++column)
+  Matrix matrix = this->Options.TimeStepFactor * this->Stiffness;
+  for (Id v = 0; v < matrix.cols(); ++v)
   {
-    const double edge = this->MeanEdges[this->ComponentOfPlace[column]];
-    const double mass = this->Mass[column] / edge / edge;
-    const bool isCold = cooled && this->PlaceOnBoundary[column];
-    for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
-    {
-      const bool isDiagonal = entry.row() == column;
-      if (isCold || (cooled && this->PlaceOnBoundary[entry.row()]))
-      {
-        entry.valueRef() = isDiagonal ? 1.0 : 0.0;
-        continue;
-      }
-      entry.valueRef() *= this->Options.TimeStepFactor;
-      // A vertex without a face is a system of its own.
-      entry.valueRef() += isDiagonal ? (mass > 0.0 ? mass : 1.0) : 0.0;
-    }
-  }
-  return matrix;
-}
-
-/// L, in which one value per component is known to be 0.
-HeatSystem::Matrix HeatSystem::MakeDistanceMatrix() const
-{
-  Matrix matrix = this->Stiffness;
-  const auto isPinned = [&](Id place) {
-    return this->PinnedPlaces[this->ComponentOfPlace[place]] == place;
-  };
-  for (Id column = 0; column < matrix.cols(); ++column)
-  {
-    for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
-    {
-      if (isPinned(column) || isPinned(static_cast<Id>(entry.row())))
-      {
-        entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
-      }
-    }
+    const double edge = this->MeanEdges[this->Components[v]];
+    const double mass = this->Mass[v] / edge / edge;
+    // A vertex without a face is a system of its own.
+    matrix.coeffRef(v, v) += mass > 0.0 ? mass : 1.0;
   }
   return matrix;
 }
@@ -255,10 +206,10 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
   {
     return Status::Invalid("the systems have not been analyzed: call Analyze() first");
   }
-  if (this->FactorEntries > std::numeric_limits<int>::max())
+  if (this->Order.GetNumberOfFactorEntries() > std::numeric_limits<int>::max())
   {
     return Status::Invalid("the factor of a linear system would have " +
-      std::to_string(this->FactorEntries) +
+      std::to_string(this->Order.GetNumberOfFactorEntries()) +
       " entries, more than can be numbered: use a smaller mesh");
   }
   Status failure = Status::Invalid(
@@ -274,6 +225,12 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
   const Part parts[] = { { this->NeedsNeumann(), &this->Heat, &this->HeatFactor, false },
     { this->NeedsDirichlet(), &this->CooledHeat, &this->CooledFactor, true },
     { true, &this->Distance, nullptr, false } };
+  // One value of each component is known to be 0.
+  std::vector<std::uint8_t> isPinned(this->Components.size(), 0);
+  for (const Id v : this->Pinned)
+  {
+    isPinned[v] = 1;
+  }
   double done = 0.0;
   for (const Part& part : parts)
   {
@@ -292,8 +249,11 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
       continue;
     }
     ++this->NumberOfFactorizations;
-    if (!part.Factor->Compute(
-          part.Key ? this->MakeHeatMatrix(part.IsCooled) : this->MakeDistanceMatrix()))
+    const bool isFactored = part.Key
+      ? part.Factor->Compute(this->Order, this->MakeHeatMatrix(),
+          part.IsCooled ? this->OnBoundary : std::vector<std::uint8_t>())
+      : part.Factor->Compute(this->Order, this->Stiffness, isPinned);
+    if (!isFactored)
     {
       return failure;
     }
@@ -315,14 +275,14 @@ bool HeatSystem::IsReady() const
 template <typename Number>
 std::vector<Number> HeatSystem::SolveHeat(const std::vector<Load>& loads) const
 {
-  const auto n = this->Places.size();
+  const auto n = this->Components.size();
   std::vector<Number> heat;
   if (this->NeedsNeumann())
   {
     heat.assign(n, Number());
     for (const Load& load : loads)
     {
-      heat[this->Places[load.Vertex]] += MakeLoad<Number>(load);
+      heat[load.Vertex] += MakeLoad<Number>(load);
     }
     this->Heat.Solve(heat);
   }
@@ -333,7 +293,7 @@ std::vector<Number> HeatSystem::SolveHeat(const std::vector<Load>& loads) const
     {
       if (!this->OnBoundary[load.Vertex])
       {
-        cooled[this->Places[load.Vertex]] += MakeLoad<Number>(load);
+        cooled[load.Vertex] += MakeLoad<Number>(load);
       }
     }
     this->CooledHeat.Solve(cooled);
@@ -363,8 +323,7 @@ bool HeatSystem::FindFlow(const std::vector<Load>& loads, std::vector<double>& f
   const bool isCold = !this->NeedsNeumann();
   for (std::size_t i = 0; i < heat.size(); ++i)
   {
-    if (isHeated[this->ComponentOfPlace[i]] && !(isCold && this->PlaceOnBoundary[i]) &&
-      IsTooSmall(heat[i]))
+    if (isHeated[this->Components[i]] && !(isCold && this->OnBoundary[i]) && IsTooSmall(heat[i]))
     {
       return false;
     }
@@ -372,7 +331,7 @@ bool HeatSystem::FindFlow(const std::vector<Load>& loads, std::vector<double>& f
   flow.assign(heat.size(), 0.0);
   for (const Frame& frame : this->Frames)
   {
-    const std::array<Id, 3>& p = frame.Places;
+    const std::array<Id, 3>& p = frame.Corners;
     const std::array<double, 3> u = Compare(heat[p[0]], heat[p[1]], heat[p[2]]);
     double first = u[1] - u[0];
     double second = u[2] - u[0];
@@ -424,17 +383,12 @@ std::vector<double> HeatSystem::Solve(
   {
     return {};
   }
-  for (const Id place : this->PinnedPlaces)
+  for (const Id v : this->Pinned)
   {
-    values[place] = 0.0;
+    values[v] = 0.0;
   }
   this->Distance.Solve(values);
-  std::vector<double> distances(values.size());
-  for (std::size_t v = 0; v < values.size(); ++v)
-  {
-    distances[v] = values[this->Places[v]];
-  }
-  return distances;
+  return values;
 }
 
 double HeatSystem::GetEstimatedMemory() const
@@ -442,8 +396,8 @@ double HeatSystem::GetEstimatedMemory() const
   const double factors =
     1.0 + (this->NeedsNeumann() ? 1.0 : 0.0) + (this->NeedsDirichlet() ? 1.0 : 0.0);
   return static_cast<double>(this->Frames.size()) * sizeof(Frame) +
-    static_cast<double>(this->Places.size()) * BytesPerVertex +
-    factors * SparseFactor::EstimateMemory(this->Stiffness, this->FactorEntries);
+    static_cast<double>(this->Components.size()) * BytesPerVertex +
+    factors * this->Order.EstimateFactorMemory();
 }
 
 bool HeatSystem::HoldsFactors() const

@@ -20,8 +20,7 @@ namespace dgg
 {
 class IntrinsicTriangulation;
 
-/// Matrices and factorizations. The unknowns are in the order of elimination, so that a query need
-/// not permute anything but its loads and its result.
+/// Matrices and factorizations.
 class HeatSystem
 {
 public:
@@ -60,7 +59,7 @@ private:
   /// A triangle with its first edge on the x axis.
   struct Frame
   {
-    std::array<Id, 3> Places;
+    std::array<Id, 3> Corners;
     double Length;
     double ApexX;
     double ApexY;
@@ -68,8 +67,7 @@ private:
 
   void MeasureComponents(const IntrinsicTriangulation& triangulation);
   void TakeFrames(const IntrinsicTriangulation& triangulation);
-  Matrix MakeHeatMatrix(bool cooled) const;
-  Matrix MakeDistanceMatrix() const;
+  Matrix MakeHeatMatrix() const;
   bool NeedsDirichlet() const { return this->Options.Boundary != HeatBoundary::Neumann; }
   bool NeedsNeumann() const { return this->Options.Boundary != HeatBoundary::Dirichlet; }
 
@@ -84,18 +82,15 @@ private:
   double HeatFactor = -1.0;   ///< time step factor of Neumann
   double CooledFactor = -1.0; ///< time step factor of Dirichlet
   int NumberOfFactorizations = 0;
-  Offset FactorEntries = 0;
 
   std::vector<Id> Components;           // per vertex
   std::vector<double> MeanEdges;        // per component
   std::vector<std::uint8_t> OnBoundary; // per vertex
-  std::vector<Id> Places;               // per vertex: its place in the order of elimination
-  std::vector<Id> PinnedPlaces;         // one per component
-  std::vector<Id> ComponentOfPlace;
-  std::vector<std::uint8_t> PlaceOnBoundary;
+  std::vector<Id> Pinned;               // per component, a vertex
   std::vector<Frame> Frames;
-  Matrix Stiffness; // upper triangle, permuted
+  Matrix Stiffness;
   Eigen::VectorXd Mass;
+  EliminationOrder Order;
   SparseFactor Heat;
   SparseFactor CooledHeat;
   SparseFactor Distance;

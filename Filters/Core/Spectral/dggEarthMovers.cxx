@@ -174,67 +174,44 @@ class StepMatrix
 public:
   explicit StepMatrix(const PoissonSystem& system)
     : System(system)
-    , Upper(system.GetStiffness().rows(), system.GetStiffness().cols())
+    , Upper(system.GetStiffness().triangularView<Eigen::Upper>())
+    , IsPinned(static_cast<std::size_t>(system.GetNumberOfVertices()))
   {
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(this->Upper.cols());
     for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
     {
-      permutation.indices()[v] = system.GetPlace(v);
+      this->IsPinned[v] = system.IsPinned(v);
     }
-    Eigen::SparseMatrix<double> pattern(this->Upper.rows(), this->Upper.cols());
-    pattern.selfadjointView<Eigen::Upper>() =
-      system.GetStiffness().selfadjointView<Eigen::Upper>().twistedBy(permutation);
-    // Twice, which sorts the columns.
-    pattern = Eigen::SparseMatrix<double>(pattern.transpose());
-    this->Upper = pattern.transpose();
   }
 
-  void Clear()
-  {
-    std::fill(this->Upper.valuePtr(), this->Upper.valuePtr() + this->Upper.nonZeros(), 0.0);
-    for (Id v = 0; v < this->System.GetNumberOfVertices(); ++v)
-    {
-      if (this->System.IsPinned(v))
-      {
-        this->Upper.coeffRef(this->System.GetPlace(v), this->System.GetPlace(v)) = 1.0;
-      }
-    }
-  }
+  void Clear() { this->Upper.coeffs().setZero(); }
 
   void Add(Id v, Id w, double entry)
   {
-    const Id row = this->System.GetPlace(v);
-    const Id column = this->System.GetPlace(w);
-    if (row <= column && !this->System.IsPinned(v) && !this->System.IsPinned(w))
+    if (v <= w)
     {
-      this->Upper.coeffRef(row, column) += entry;
+      this->Upper.coeffRef(v, w) += entry;
     }
   }
 
   /// Replace sources by the solution, 0 where it is pinned.
   bool Solve(std::vector<double>& values)
   {
-    if (!this->Factor.Compute(this->Upper))
+    if (!this->Factor.Compute(this->System.GetOrder(), this->Upper, this->IsPinned))
     {
       return false;
     }
-    std::vector<double> inOrder(values.size());
     for (std::size_t v = 0; v < values.size(); ++v)
     {
-      const auto id = static_cast<Id>(v);
-      inOrder[this->System.GetPlace(id)] = this->System.IsPinned(id) ? 0.0 : values[v];
+      values[v] = this->IsPinned[v] ? 0.0 : values[v];
     }
-    this->Factor.Solve(inOrder);
-    for (std::size_t v = 0; v < values.size(); ++v)
-    {
-      values[v] = inOrder[this->System.GetPlace(static_cast<Id>(v))];
-    }
+    this->Factor.Solve(values);
     return true;
   }
 
 private:
   const PoissonSystem& System;
   Eigen::SparseMatrix<double> Upper;
+  std::vector<std::uint8_t> IsPinned; // per vertex
   SparseFactor Factor;
 };
 

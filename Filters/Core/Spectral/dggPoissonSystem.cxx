@@ -7,6 +7,7 @@
 #include "dggThinTriangles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -18,6 +19,38 @@ namespace
 constexpr double BytesPerFace = 60.0;
 /// Of arrays, and of what a solution works with.
 constexpr double BytesPerVertex = 120.0;
+
+/// Beyond this, entries are so different that substitutions have to be repeated.
+constexpr double LargestHarmlessEntry = 1e3;
+constexpr int MostRefinements = 20;
+/// What may be left of the sources, relative to the largest of them and of the solution: both have
+/// the same unit, and sources of 1 make values of about 1.
+constexpr double GoodResidual = 1e-12;
+/// What rounding may do to a solution besides, relative to its largest value: its last four bits.
+constexpr double LastBits = 16.0 * std::numeric_limits<double>::epsilon();
+
+template <typename Number>
+Number MakeZero();
+template <>
+double MakeZero<double>()
+{
+  return 0.0;
+}
+template <>
+SparseLanes MakeZero<SparseLanes>()
+{
+  return SparseLanes::Zero();
+}
+
+double Largest(const std::vector<double>& values)
+{
+  double largest = 0.0;
+  for (const double value : values)
+  {
+    largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
 
 bool Goes(const ProgressCallback& progress, double fraction)
 {
@@ -91,22 +124,12 @@ Status PoissonSystem::Analyze(const PoissonOptions& options, const ProgressCallb
   {
     return Status::Abort();
   }
-  this->Places = FindEliminationOrder(this->Stiffness);
-  this->PinnedPlaces.assign(this->ComponentAreas.size(), NoId);
-  for (std::size_t v = 0; v < this->Places.size(); ++v)
+  this->Order = EliminationOrder(this->Stiffness);
+  this->Pinned = this->Order.FindLast(this->Components, this->GetNumberOfComponents());
+  for (Id c = 0; c < this->GetNumberOfComponents(); ++c)
   {
-    const Id c = this->Components[v];
-    if (this->IsFree(c))
-    {
-      this->PinnedPlaces[c] = std::max(this->PinnedPlaces[c], this->Places[v]);
-    }
+    this->Pinned[c] = this->IsFree(c) ? this->Pinned[c] : NoId;
   }
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(this->Stiffness.cols());
-  std::copy(this->Places.begin(), this->Places.end(), permutation.indices().data());
-  Eigen::SparseMatrix<double> upper(this->Stiffness.rows(), this->Stiffness.cols());
-  upper.selfadjointView<Eigen::Upper>() =
-    this->Stiffness.selfadjointView<Eigen::Upper>().twistedBy(permutation);
-  this->FactorEntries = CountFactorEntries(upper);
   this->IsAnalyzed = true;
   return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
 }
@@ -223,35 +246,19 @@ Status PoissonSystem::Factorize()
   {
     return Status::Success();
   }
-  if (this->FactorEntries > std::numeric_limits<int>::max())
+  if (this->GetNumberOfFactorEntries() > std::numeric_limits<int>::max())
   {
     return Status::Invalid("the factor of the linear system would have " +
-      std::to_string(this->FactorEntries) +
+      std::to_string(this->GetNumberOfFactorEntries()) +
       " entries, more than can be numbered: use a smaller mesh");
   }
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(this->Stiffness.cols());
-  std::copy(this->Places.begin(), this->Places.end(), permutation.indices().data());
-  Eigen::SparseMatrix<double> upper(this->Stiffness.rows(), this->Stiffness.cols());
-  upper.selfadjointView<Eigen::Upper>() =
-    this->Stiffness.selfadjointView<Eigen::Upper>().twistedBy(permutation);
-  std::vector<std::uint8_t> isKnown(this->Places.size(), 0);
-  for (std::size_t v = 0; v < this->Places.size(); ++v)
+  std::vector<std::uint8_t> isKnown(this->Components.size(), 0);
+  for (Id v = 0; v < this->GetNumberOfVertices(); ++v)
   {
-    const Id place = this->Places[v];
-    isKnown[place] = this->IsFixed(static_cast<Id>(v)) || this->IsPinned(static_cast<Id>(v));
-  }
-  for (int column = 0; column < upper.cols(); ++column)
-  {
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(upper, column); entry; ++entry)
-    {
-      if (isKnown[column] || isKnown[entry.row()])
-      {
-        entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
-      }
-    }
+    isKnown[v] = this->IsFixed(v) || this->IsPinned(v);
   }
   ++this->NumberOfFactorizations;
-  if (!this->Factor.Compute(upper))
+  if (!this->Factor.Compute(this->Order, this->Stiffness, isKnown))
   {
     return Status::Invalid(
       "the linear system could not be factorized: remove triangles that have next to no area");
@@ -277,6 +284,224 @@ double PoissonSystem::GetEstimatedMemory() const
   constexpr double entry = sizeof(double) + sizeof(int);
   return static_cast<double>(this->Triangulation.GetNumberOfFaces()) * BytesPerFace +
     static_cast<double>(this->Stiffness.nonZeros()) * entry + n * BytesPerVertex +
-    SparseFactor::EstimateMemory(this->Stiffness, this->FactorEntries);
+    this->Order.EstimateFactorMemory();
+}
+
+// How a factorized system is solved: sources balanced, substituted, refined, the solution centred.
+std::vector<double> PoissonSystem::Multiply(const std::vector<double>& f) const
+{
+  std::vector<double> result(f.size(), 0.0);
+  for (int column = 0; column < this->Stiffness.cols(); ++column)
+  {
+    // Differences, so that what is constant gives 0 to the last bit.
+    double sum = 0.0;
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(this->Stiffness, column); entry; ++entry)
+    {
+      sum += entry.value() * (f[entry.row()] - f[column]);
+    }
+    result[column] = sum;
+  }
+  return result;
+}
+
+template <typename Number>
+void PoissonSystem::Balance(std::vector<Number>& values) const
+{
+  std::vector<Number> sums(this->ComponentAreas.size(), MakeZero<Number>());
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    sums[this->Components[v]] += values[v];
+  }
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    const Id c = this->Components[v];
+    if (this->IsFree(c))
+    {
+      values[v] -= sums[c] * this->Weights[v];
+    }
+  }
+}
+
+template <typename Number>
+void PoissonSystem::CenterAll(std::vector<Number>& values) const
+{
+  std::vector<Number> means(this->ComponentAreas.size(), MakeZero<Number>());
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    means[this->Components[v]] += values[v] * this->Weights[v];
+  }
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    const Id c = this->Components[v];
+    if (this->IsFree(c))
+    {
+      values[v] -= means[c];
+    }
+  }
+}
+
+void PoissonSystem::Center(std::vector<double>& values) const
+{
+  this->CenterAll(values);
+}
+
+/// What flows from vertices whose values are given.
+template <typename Number>
+void PoissonSystem::TakeGivenValuesOff(std::vector<Number>& values) const
+{
+  for (int column = 0; column < this->Stiffness.cols(); ++column)
+  {
+    if (!this->IsFixed(column))
+    {
+      continue;
+    }
+    const Number value = values[column];
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(this->Stiffness, column); entry; ++entry)
+    {
+      if (!this->IsFixed(static_cast<Id>(entry.row())))
+      {
+        values[entry.row()] -= value * entry.value();
+      }
+    }
+  }
+}
+
+template <typename Number>
+void PoissonSystem::SolveOnce(std::vector<Number>& values) const
+{
+  this->Balance(values);
+  this->TakeGivenValuesOff(values);
+  for (const Id v : this->Pinned)
+  {
+    if (v != NoId)
+    {
+      values[v] = MakeZero<Number>();
+    }
+  }
+  this->Factor.Solve(values);
+  this->CenterAll(values);
+}
+
+/// Conjugate gradients with the factor as preconditioner: where the factor is good one step is
+/// enough, where it had to be raised a few are. Residuals that the last bits of the solution make
+/// are no reason for a step.
+void PoissonSystem::Refine(const std::vector<double>& sources, std::vector<double>& solution) const
+{
+  const std::size_t n = sources.size();
+  const auto findResidual = [&](std::vector<double>& residual) {
+    residual = this->Multiply(solution);
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      residual[v] = this->IsFixed(static_cast<Id>(v)) ? 0.0 : sources[v] - residual[v];
+    }
+  };
+  std::vector<double> residual;
+  findResidual(residual);
+  const double largest = Largest(solution);
+  const double negligible = GoodResidual * std::max(Largest(sources), largest);
+  const double rounding = LastBits * largest;
+  const auto sizeOf = [&](const std::vector<double>& values) {
+    double size = 0.0;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      const double allowed = negligible + rounding * this->Diagonal[v];
+      size = std::max(size, allowed > 0.0 ? std::abs(values[v]) / allowed : 0.0);
+    }
+    return size;
+  };
+  double best = sizeOf(residual);
+  std::vector<double> direction;
+  double previous = 0.0;
+  for (int step = 0; step < MostRefinements && best > 1.0; ++step)
+  {
+    std::vector<double> steepest = residual;
+    this->SolveOnce(steepest);
+    double product = 0.0;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      product += steepest[v] * residual[v];
+    }
+    if (direction.empty())
+    {
+      direction = steepest;
+    }
+    else
+    {
+      for (std::size_t v = 0; v < n; ++v)
+      {
+        direction[v] = steepest[v] + product / previous * direction[v];
+      }
+    }
+    const std::vector<double> change = this->Multiply(direction);
+    double curvature = 0.0;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      curvature += this->IsFixed(static_cast<Id>(v)) ? 0.0 : change[v] * direction[v];
+    }
+    if (!(curvature > 0.0) || !(product > 0.0))
+    {
+      break;
+    }
+    std::vector<double> before = solution;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      solution[v] += product / curvature * direction[v];
+    }
+    findResidual(residual);
+    const double size = sizeOf(residual);
+    if (!(size < best))
+    {
+      solution.swap(before);
+      break;
+    }
+    best = size;
+    previous = product;
+  }
+  this->CenterAll(solution);
+}
+
+bool PoissonSystem::NeedsRefinement() const
+{
+  return this->LargestEntry > LargestHarmlessEntry || this->Factor.IsRaised();
+}
+
+void PoissonSystem::Solve(std::vector<double>& values) const
+{
+  if (!this->NeedsRefinement())
+  {
+    this->SolveOnce(values);
+    return;
+  }
+  std::vector<double> sources = values;
+  this->Balance(sources);
+  this->SolveOnce(values);
+  this->Refine(sources, values);
+}
+
+void PoissonSystem::Solve(std::vector<SparseLanes>& values) const
+{
+  if (!this->NeedsRefinement())
+  {
+    this->SolveOnce(values);
+    return;
+  }
+  std::vector<SparseLanes> sources = values;
+  this->Balance(sources);
+  this->SolveOnce(values);
+  std::vector<double> source(values.size());
+  std::vector<double> solution(values.size());
+  for (int lane = 0; lane < SparseLanes::SizeAtCompileTime; ++lane)
+  {
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      source[v] = sources[v][lane];
+      solution[v] = values[v][lane];
+    }
+    this->Refine(source, solution);
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      values[v][lane] = solution[v];
+    }
+  }
 }
 }

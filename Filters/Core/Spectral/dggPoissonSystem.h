@@ -90,10 +90,10 @@ public:
   std::vector<double> Multiply(const std::vector<double>& f) const;
   /// L, vertex by vertex.
   const Eigen::SparseMatrix<double>& GetStiffness() const { return this->Stiffness; }
-  /// The place of a vertex in the order of elimination, and whether its value is the one that is
-  /// held at 0 in its component. After Analyze().
-  Id GetPlace(Id v) const { return this->Places[v]; }
-  bool IsPinned(Id v) const { return this->PinnedPlaces[this->Components[v]] == this->Places[v]; }
+  const EliminationOrder& GetOrder() const { return this->Order; }
+  /// Whether the value of the vertex is the one that is held at 0 in its component. After
+  /// Analyze().
+  bool IsPinned(Id v) const { return this->Pinned[this->Components[v]] == v; }
 
   /// Replace integrated sources (at vertices with given values, these values) by the solution. May
   /// be called by several threads at once.
@@ -106,7 +106,7 @@ public:
 
   /// Bytes that all takes while it is factorized, at most twice what they are. After Analyze().
   double GetEstimatedMemory() const;
-  Offset GetNumberOfFactorEntries() const { return this->FactorEntries; }
+  Offset GetNumberOfFactorEntries() const { return this->Order.GetNumberOfFactorEntries(); }
   /// Factorizations done so far, for tests.
   int GetNumberOfFactorizations() const { return this->NumberOfFactorizations; }
 
@@ -123,8 +123,6 @@ private:
   template <typename Number>
   void TakeGivenValuesOff(std::vector<Number>& values) const;
   template <typename Number>
-  void Substitute(std::vector<Number>& values) const;
-  template <typename Number>
   void SolveOnce(std::vector<Number>& values) const;
   void Refine(const std::vector<double>& sources, std::vector<double>& solution) const;
 
@@ -133,7 +131,6 @@ private:
   bool IsAnalyzed = false;
   int NumberOfFactorizations = 0;
   std::uint64_t Revision = 0;
-  Offset FactorEntries = 0;
   double LargestEntry = 0.0;
   double LongestEdge = 0.0;
   IntrinsicTriangulation Triangulation;
@@ -145,15 +142,15 @@ private:
   std::vector<double> Diagonal;                   // per vertex, of the stiffness
   std::vector<std::uint8_t> OnBoundary;           // per vertex
   std::vector<std::uint8_t> Fixed;                // per vertex
-  std::vector<Id> Places;                         // per vertex, in the order of elimination
   std::vector<double> ComponentAreas;             // per component
   std::vector<double> MeanEdges;                  // per component
   std::vector<double> MeanLongestSides;           // per component
   std::vector<std::uint8_t> ComponentHasBoundary; // per component
   std::vector<std::uint8_t> ComponentHasGiven;    // per component
   std::vector<std::uint8_t> ComponentIsThin;      // per component
-  std::vector<Id> PinnedPlaces;                   // per component; NoId where values are given
+  std::vector<Id> Pinned;                         // per component; NoId where values are given
   Eigen::SparseMatrix<double> Stiffness;
+  EliminationOrder Order;
   SparseFactor Factor;
 };
 }
