@@ -5,7 +5,6 @@
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSpectralOutputs.h"
-#include "vtkDGGSpectralTask.h"
 
 #include "dggProgressPart.h"
 #include "dggSpectralDistance.h"

@@ -4,7 +4,6 @@
 
 #include "vtkDGGParallel.h"
 #include "vtkDGGSpectralOutputs.h"
-#include "vtkDGGSpectralTask.h"
 
 #include "dggGreensFunction.h"
 #include "dggGreensInterpolation.h"

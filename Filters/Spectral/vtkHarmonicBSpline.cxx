@@ -6,7 +6,6 @@
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSpectralOutputs.h"
-#include "vtkDGGSpectralTask.h"
 
 #include "dggGeodesicSource.h"
 #include "dggHarmonicSplines.h"

@@ -10,7 +10,6 @@
 #include "vtkDGGProperties.h"
 
 #include "dggEarthMovers.h"
-#include "dggMassBalance.h"
 #include "dggProgressPart.h"
 
 #include "vtkCellData.h"

@@ -3,14 +3,12 @@
 #include "dggHeatSystem.h"
 
 #include "dggCotanLaplacian.h"
-#include "dggIntrinsicDelaunay.h"
+#include "dggIntrinsicTriangulation.h"
 #include "dggProgressPart.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <string>
 
 namespace dgg
 {
@@ -206,11 +204,10 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
   {
     return Status::Invalid("the systems have not been analyzed: call Analyze() first");
   }
-  if (this->Order.GetNumberOfFactorEntries() > std::numeric_limits<int>::max())
+  Status status = this->Order.Check();
+  if (!status.IsOk())
   {
-    return Status::Invalid("the factor of a linear system would have " +
-      std::to_string(this->Order.GetNumberOfFactorEntries()) +
-      " entries, more than can be numbered: use a smaller mesh");
+    return status;
   }
   Status failure = Status::Invalid(
     "a linear system could not be factorized: remove triangles that have next to no area");

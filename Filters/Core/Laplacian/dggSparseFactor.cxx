@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
 namespace dgg
 {
@@ -72,6 +74,15 @@ EliminationOrder::EliminationOrder(const Eigen::SparseMatrix<double>& matrix)
       }
     }
   }
+}
+
+Status EliminationOrder::Check() const
+{
+  return this->FactorEntries <= std::numeric_limits<int>::max()
+    ? Status::Success()
+    : Status::Invalid("the factor of the linear system would have " +
+        std::to_string(this->FactorEntries) +
+        " entries, more than can be numbered: use a smaller mesh");
 }
 
 double EliminationOrder::EstimateFactorMemory() const
@@ -157,15 +168,16 @@ void SparseFactor::Clear()
 template <typename Number>
 void SparseFactor::Solve(std::vector<Number>& values) const
 {
+  const std::vector<Id>& places = *this->Places;
   std::vector<Number> inOrder(values.size());
   for (std::size_t v = 0; v < values.size(); ++v)
   {
-    inOrder[(*this->Places)[v]] = values[v];
+    inOrder[places[v]] = values[v];
   }
   this->SolveInOrder(inOrder);
   for (std::size_t v = 0; v < values.size(); ++v)
   {
-    values[v] = inOrder[(*this->Places)[v]];
+    values[v] = inOrder[places[v]];
   }
 }
 

@@ -28,6 +28,8 @@ public:
   /// Off-diagonal entries that a factor has (Liu, "The role of elimination trees in sparse
   /// factorization", 1990).
   Offset GetNumberOfFactorEntries() const { return this->FactorEntries; }
+  /// Fails when these are more than can be numbered.
+  Status Check() const;
   /// Bytes that a factor takes while it is computed.
   double EstimateFactorMemory() const;
   /// The unknown of each part that is eliminated last.

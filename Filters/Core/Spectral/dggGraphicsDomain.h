@@ -36,6 +36,17 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
 /// The numbers of a curve at a place among its given points (CurveChain::Parameters).
 void InterpolateOnCurve(
   const std::vector<double>& values, int channels, bool isClosed, double parameter, double* result);
+
+/// The vertices of the solved surface on diffusion curves, sorted.
+std::vector<Id> FindGivenVertices(const GraphicsDomain& domain,
+  const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves);
+
+/// At these vertices, replace loads by what the bands, per vertex of the drawn surface, have not
+/// made of the given colours already. A vertex that bands have cut has several values of theirs, of
+/// which the mean counts. Columns are channels.
+void SetGivenValues(const GraphicsDomain& domain, const std::vector<CurveChain>& chains,
+  const std::vector<GraphicsCurve>& curves, const std::vector<double>& bands,
+  std::vector<std::vector<double>>& columns);
 }
 
 #endif

@@ -5,9 +5,8 @@
 #ifndef dggPoissonSolver_h
 #define dggPoissonSolver_h
 
-#include "dggPoissonOptions.h" // for PoissonOptions
-#include "dggSurfaceMesh.h"    // for SurfaceMesh
-#include "dggSurfacePoint.h"   // for SurfacePoint
+#include "dggSurfaceMesh.h"  // for SurfaceMesh
+#include "dggSurfacePoint.h" // for SurfacePoint
 
 #include <cstdint> // for the revision
 #include <memory>  // for the system
@@ -16,6 +15,33 @@
 namespace dgg
 {
 class PoissonSystem;
+
+/// What happens at the boundary of the surface.
+enum class PoissonBoundary
+{
+  Neumann,  ///< nothing flows through it
+  Dirichlet ///< values are given there; 0 for Green's functions
+};
+
+/// How sources are balanced, and means taken, where no values are given.
+enum class PoissonWeights
+{
+  Area,   ///< in proportion to the area around a vertex
+  Uniform ///< the same for all vertices (Lipman, Rustamov and Funkhouser, "Biharmonic distance",
+          ///< 2010): right for cells of equal area only
+};
+
+struct PoissonOptions
+{
+  PoissonBoundary Boundary = PoissonBoundary::Neumann;
+  PoissonWeights Weights = PoissonWeights::Area;
+  /// Vertices whose values are given besides those of a Dirichlet boundary, in any order; they may
+  /// repeat.
+  std::vector<Id> GivenVertices;
+  /// Flip edges until they are Delaunay first: then there are no negative weights, and the maximum
+  /// principle holds. For meshes with obtuse triangles.
+  bool IntrinsicDelaunay = false;
+};
 
 /// -Laplace u = f by linear finite elements (cotangents, lumped areas) on a mesh that must outlive
 /// it. The system is factorized once (Eigen, L D L^T with approximate minimum degree) and kept.

@@ -3,7 +3,6 @@
 #include "dggPoissonSystem.h"
 
 #include "dggCotanLaplacian.h"
-#include "dggIntrinsicDelaunay.h"
 #include "dggThinTriangles.h"
 
 #include <algorithm>
@@ -246,11 +245,10 @@ Status PoissonSystem::Factorize()
   {
     return Status::Success();
   }
-  if (this->GetNumberOfFactorEntries() > std::numeric_limits<int>::max())
+  Status status = this->Order.Check();
+  if (!status.IsOk())
   {
-    return Status::Invalid("the factor of the linear system would have " +
-      std::to_string(this->GetNumberOfFactorEntries()) +
-      " entries, more than can be numbered: use a smaller mesh");
+    return status;
   }
   std::vector<std::uint8_t> isKnown(this->Components.size(), 0);
   for (Id v = 0; v < this->GetNumberOfVertices(); ++v)
@@ -263,7 +261,7 @@ Status PoissonSystem::Factorize()
     return Status::Invalid(
       "the linear system could not be factorized: remove triangles that have next to no area");
   }
-  Status status =
+  status =
     this->NeedsRefinement() ? CheckThinTriangles(*this, this->ComponentIsThin) : Status::Success();
   if (!status.IsOk())
   {

@@ -6,7 +6,7 @@
 #define dggPoissonSystem_h
 
 #include "dggIntrinsicTriangulation.h" // for the triangles
-#include "dggPoissonOptions.h"         // for the options
+#include "dggPoissonSolver.h"          // for the options
 #include "dggSparseFactor.h"           // for the factorization
 #include "dggSurfaceMesh.h"            // for SurfaceMesh
 #include "dggSurfacePoint.h"           // for SurfacePoint

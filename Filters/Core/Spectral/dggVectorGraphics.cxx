@@ -6,7 +6,6 @@
 #include "dggGraphicsBlend.h"
 #include "dggGraphicsChecks.h"
 #include "dggGraphicsDomain.h"
-#include "dggGraphicsGiven.h"
 #include "dggGraphicsLoads.h"
 #include "dggGraphicsScale.h"
 #include "dggPoissonSolver.h"
