@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggHeatSystem.h"
 
-#include "dggCotanLaplacian.h"
-#include "dggIntrinsicTriangulation.h"
-#include "dggProgressPart.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -16,8 +13,6 @@ namespace
 {
 /// Heat below this does not have the relative precision of a double any more, or soon will not.
 constexpr double LeastHeat = 1e-250;
-/// Share of the progress of the analysis.
-constexpr double FlipsDone = 0.4;
 /// Of the matrix, of another one that is made of it, and of arrays.
 constexpr double BytesPerVertex = 200.0;
 /// Loads below this are not worth the attempt with doubles.
@@ -64,15 +59,10 @@ std::array<double, 3> Compare(const ScaledNumber& a, const ScaledNumber& b, cons
   }
   return { { a.Relative(exponent), b.Relative(exponent), c.Relative(exponent) } };
 }
-
-bool Goes(const ProgressCallback& progress, double fraction)
-{
-  return !progress || progress(fraction);
-}
 }
 
 HeatSystem::HeatSystem(const SurfaceMesh& mesh)
-  : Mesh(mesh)
+  : LaplaceSystem(mesh)
 {
 }
 
@@ -93,50 +83,23 @@ Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& p
   this->Heat.Clear();
   this->CooledHeat.Clear();
   this->Distance.Clear();
-  if (!Goes(progress, 0.0))
+  Status status = this->Build(options.IntrinsicDelaunay, Infinity, progress);
+  if (!status.IsOk())
   {
-    return Status::Abort();
+    return status;
   }
-
-  IntrinsicTriangulation triangulation(this->Mesh);
-  if (options.IntrinsicDelaunay)
-  {
-    DelaunayReport report;
-    Status status = MakeDelaunay(triangulation, -1, ProgressPart(progress, 0.0, FlipsDone), report);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-  }
-  if (!Goes(progress, FlipsDone))
-  {
-    return Status::Abort();
-  }
-  this->MeasureComponents(triangulation);
-  CotanLaplacian laplacian = MakeCotanLaplacian(triangulation);
-  if (!Goes(progress, 0.6))
-  {
-    return Status::Abort();
-  }
-  this->Order = EliminationOrder(laplacian.Stiffness);
-  if (!Goes(progress, 0.9))
-  {
-    return Status::Abort();
-  }
-  this->Stiffness.swap(laplacian.Stiffness);
-  this->Mass.swap(laplacian.Mass);
-  this->Pinned = this->Order.FindLast(this->Components, this->GetNumberOfComponents());
-  this->TakeFrames(triangulation);
+  this->MeasureEdges();
+  this->TakeFrames();
+  this->Triangulation = IntrinsicTriangulation();
   this->IsAnalyzed = true;
   return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
 }
 
-void HeatSystem::MeasureComponents(const IntrinsicTriangulation& triangulation)
+void HeatSystem::MeasureEdges()
 {
-  Id count = 0;
-  this->Components = this->Mesh.ComputeComponents(count);
+  const IntrinsicTriangulation& triangulation = this->Triangulation;
+  const Id count = this->NumberOfComponents;
   this->MeanEdges.assign(count, 0.0);
-  this->OnBoundary.assign(this->Components.size(), 0);
   std::vector<Offset> edges(count, 0);
   for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
   {
@@ -151,11 +114,6 @@ void HeatSystem::MeasureComponents(const IntrinsicTriangulation& triangulation)
       this->MeanEdges[component] += triangulation.Length(h);
       ++edges[component];
     }
-    if (triangulation.Twin(h) == NoId)
-    {
-      this->OnBoundary[triangulation.Origin(h)] = 1;
-      this->OnBoundary[triangulation.Destination(h)] = 1;
-    }
   }
   for (Id c = 0; c < count; ++c)
   {
@@ -164,8 +122,9 @@ void HeatSystem::MeasureComponents(const IntrinsicTriangulation& triangulation)
   }
 }
 
-void HeatSystem::TakeFrames(const IntrinsicTriangulation& triangulation)
+void HeatSystem::TakeFrames()
 {
+  const IntrinsicTriangulation& triangulation = this->Triangulation;
   this->Frames.clear();
   this->Frames.reserve(triangulation.GetNumberOfFaces());
   for (Id f = 0; f < triangulation.GetNumberOfFaces(); ++f)
@@ -191,7 +150,7 @@ HeatSystem::Matrix HeatSystem::MakeHeatMatrix() const
   for (Id v = 0; v < matrix.cols(); ++v)
   {
     const double edge = this->MeanEdges[this->Components[v]];
-    const double mass = this->Mass[v] / edge / edge;
+    const double mass = this->Areas[v] / edge / edge;
     // A vertex without a face is a system of its own.
     matrix.coeffRef(v, v) += mass > 0.0 ? mass : 1.0;
   }
@@ -204,7 +163,7 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
   {
     return Status::Invalid("the systems have not been analyzed: call Analyze() first");
   }
-  Status status = this->Order.Check();
+  const Status status = this->Order.Check();
   if (!status.IsOk())
   {
     return status;

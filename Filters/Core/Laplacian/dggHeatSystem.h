@@ -5,9 +5,9 @@
 #ifndef dggHeatSystem_h
 #define dggHeatSystem_h
 
-#include "dggHeatMethod.h"   // for the options
-#include "dggScaledNumber.h" // for little heat
-#include "dggSparseFactor.h" // for the factorizations
+#include "dggHeatMethod.h"    // for the options
+#include "dggScaledNumber.h"  // for little heat
+#include "dggLaplaceSystem.h" // for the factorizations
 
 #include <Eigen/SparseCore> // for the matrices
 
@@ -18,10 +18,8 @@
 
 namespace dgg
 {
-class IntrinsicTriangulation;
-
 /// Matrices and factorizations.
-class HeatSystem
+class HeatSystem : public LaplaceSystem
 {
 public:
   /// Heat put into a vertex: e to the power of Logarithm, times Weight.
@@ -43,11 +41,8 @@ public:
   std::vector<double> Solve(const std::vector<Load>& loads, const ProgressCallback& progress) const;
 
   const HeatOptions& GetOptions() const { return this->Options; }
-  Id GetComponent(Id vertex) const { return this->Components[vertex]; }
-  Id GetNumberOfComponents() const { return static_cast<Id>(this->MeanEdges.size()); }
   /// How far heat goes until it has fallen by a factor of e: the square root of the time.
   double GetHeatLength(Id component) const;
-  bool IsOnBoundary(Id vertex) const { return this->OnBoundary[vertex] != 0; }
 
   double GetEstimatedMemory() const;
   bool HoldsFactors() const;
@@ -65,8 +60,8 @@ private:
     double ApexY;
   };
 
-  void MeasureComponents(const IntrinsicTriangulation& triangulation);
-  void TakeFrames(const IntrinsicTriangulation& triangulation);
+  void MeasureEdges();
+  void TakeFrames();
   Matrix MakeHeatMatrix() const;
   bool NeedsDirichlet() const { return this->Options.Boundary != HeatBoundary::Neumann; }
   bool NeedsNeumann() const { return this->Options.Boundary != HeatBoundary::Dirichlet; }
@@ -76,21 +71,13 @@ private:
   template <typename Number>
   bool FindFlow(const std::vector<Load>& loads, std::vector<double>& flow) const;
 
-  const SurfaceMesh& Mesh;
   HeatOptions Options;
   bool IsAnalyzed = false;
   double HeatFactor = -1.0;   ///< time step factor of Neumann
   double CooledFactor = -1.0; ///< time step factor of Dirichlet
   int NumberOfFactorizations = 0;
-
-  std::vector<Id> Components;           // per vertex
-  std::vector<double> MeanEdges;        // per component
-  std::vector<std::uint8_t> OnBoundary; // per vertex
-  std::vector<Id> Pinned;               // per component, a vertex
+  std::vector<double> MeanEdges; // per component
   std::vector<Frame> Frames;
-  Matrix Stiffness;
-  Eigen::VectorXd Mass;
-  EliminationOrder Order;
   SparseFactor Heat;
   SparseFactor CooledHeat;
   SparseFactor Distance;

@@ -18,6 +18,7 @@ namespace dgg
 class IntrinsicTriangulation
 {
 public:
+  IntrinsicTriangulation() = default;
   explicit IntrinsicTriangulation(const SurfaceMesh& mesh);
 
   Id GetNumberOfVertices() const { return this->NumberOfVertices; }

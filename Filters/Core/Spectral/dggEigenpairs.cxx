@@ -41,11 +41,6 @@ constexpr double FirstPassDone = 0.9;
 /// Eigenvalues of the inverse below this part of the largest are rounding.
 constexpr double Rounding = 1e-13;
 
-bool Goes(const ProgressCallback& progress, double fraction)
-{
-  return !progress || progress(std::min(1.0, fraction));
-}
-
 /// Leaves Spectra, whose loops have no other way out. Never thrown out of FindLargest().
 struct Aborted
 {

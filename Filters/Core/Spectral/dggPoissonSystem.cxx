@@ -50,16 +50,10 @@ double Largest(const std::vector<double>& values)
   }
   return largest;
 }
-
-bool Goes(const ProgressCallback& progress, double fraction)
-{
-  return !progress || progress(fraction);
-}
 }
 
 PoissonSystem::PoissonSystem(const SurfaceMesh& mesh)
-  : Mesh(mesh)
-  , Triangulation(mesh)
+  : LaplaceSystem(mesh)
   , TriangleOfFace(mesh.GetNumberOfFaces(), NoId)
 {
   Id count = 0;
@@ -82,49 +76,26 @@ Status PoissonSystem::Analyze(const PoissonOptions& options, const ProgressCallb
     this->SetWeights();
     return Status::Success();
   }
-  Status given = this->CheckGivenVertices(options.GivenVertices);
-  if (!given.IsOk())
+  Status status = this->CheckGivenVertices(options.GivenVertices);
+  if (!status.IsOk())
   {
-    return given;
+    return status;
   }
   this->Factor.Clear();
   this->IsAnalyzed = false;
   ++this->Revision;
   this->Options = options;
-  if (!Goes(progress, 0.0))
+  status = this->Build(options.IntrinsicDelaunay, LargestCotangent, progress);
+  if (!status.IsOk())
   {
-    return Status::Abort();
+    return status;
   }
-  this->Triangulation = IntrinsicTriangulation(this->Mesh);
-  if (options.IntrinsicDelaunay)
-  {
-    DelaunayReport report;
-    Status status = MakeDelaunay(
-      this->Triangulation, -1, [&](double f) { return Goes(progress, 0.4 * f); }, report);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-  }
-  if (!Goes(progress, 0.4))
-  {
-    return Status::Abort();
-  }
-  CotanLaplacian laplacian = MakeCotanLaplacian(this->Triangulation, LargestCotangent);
-  this->Stiffness.swap(laplacian.Stiffness);
-  this->Areas.assign(laplacian.Mass.data(), laplacian.Mass.data() + laplacian.Mass.size());
   const Eigen::VectorXd diagonal = this->Stiffness.diagonal().cwiseAbs();
   this->Diagonal.assign(diagonal.data(), diagonal.data() + diagonal.size());
   this->LargestEntry = diagonal.size() > 0 ? diagonal.maxCoeff() : 0.0;
   this->MeasureComponents();
   this->MarkGivenVertices();
   this->SetWeights();
-  if (!Goes(progress, 0.5))
-  {
-    return Status::Abort();
-  }
-  this->Order = EliminationOrder(this->Stiffness);
-  this->Pinned = this->Order.FindLast(this->Components, this->GetNumberOfComponents());
   for (Id c = 0; c < this->GetNumberOfComponents(); ++c)
   {
     this->Pinned[c] = this->IsFree(c) ? this->Pinned[c] : NoId;
@@ -135,9 +106,7 @@ Status PoissonSystem::Analyze(const PoissonOptions& options, const ProgressCallb
 
 void PoissonSystem::MeasureComponents()
 {
-  Id count = 0;
-  this->Components = this->Mesh.ComputeComponents(count);
-  this->OnBoundary.assign(this->Components.size(), 0);
+  const Id count = this->NumberOfComponents;
   this->ComponentAreas.assign(count, 0.0);
   this->ComponentIsThin.assign(count, 0);
   this->MeanEdges.assign(count, 0.0);
@@ -147,15 +116,12 @@ void PoissonSystem::MeasureComponents()
   std::vector<Offset> sides(count, 0);
   for (Id h = 0; h < this->Triangulation.GetNumberOfHalfEdges(); ++h)
   {
-    const Id v = this->Triangulation.Origin(h);
-    const Id c = this->Components[v];
+    const Id c = this->Components[this->Triangulation.Origin(h)];
     this->MeanEdges[c] += this->Triangulation.Length(h);
     ++sides[c];
     this->LongestEdge = std::max(this->LongestEdge, this->Triangulation.Length(h));
     if (this->Triangulation.Twin(h) == NoId)
     {
-      this->OnBoundary[v] = 1;
-      this->OnBoundary[this->Triangulation.Destination(h)] = 1;
       this->ComponentHasBoundary[c] = 1;
     }
   }

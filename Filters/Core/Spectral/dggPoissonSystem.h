@@ -5,11 +5,10 @@
 #ifndef dggPoissonSystem_h
 #define dggPoissonSystem_h
 
-#include "dggIntrinsicTriangulation.h" // for the triangles
-#include "dggPoissonSolver.h"          // for the options
-#include "dggSparseFactor.h"           // for the factorization
-#include "dggSurfaceMesh.h"            // for SurfaceMesh
-#include "dggSurfacePoint.h"           // for SurfacePoint
+#include "dggLaplaceSystem.h" // for the Laplacian
+#include "dggPoissonSolver.h" // for the options
+#include "dggSurfaceMesh.h"   // for SurfaceMesh
+#include "dggSurfacePoint.h"  // for SurfacePoint
 
 #include <Eigen/SparseCore> // for the matrix
 
@@ -26,7 +25,7 @@ namespace dgg
 /// solved for, and the weighted mean of the solution is made 0. With P = I - 1 w^T, w summing to 1,
 /// that is P L^+ P^T, which is symmetric. Components (through edges and shared vertices) do not
 /// know of each other. Any triangle complex will do; orientation plays no part.
-class PoissonSystem
+class PoissonSystem : public LaplaceSystem
 {
 public:
   /// Cotangents beyond this are scaled down (MakeCotanLaplacian()). Edges that short conduct so
@@ -54,8 +53,7 @@ public:
   Id GetTriangleOf(Id face) const { return this->TriangleOfFace[face]; }
 
   Id GetNumberOfVertices() const { return static_cast<Id>(this->Components.size()); }
-  Id GetNumberOfComponents() const { return static_cast<Id>(this->ComponentAreas.size()); }
-  Id GetComponent(Id v) const { return this->Components[v]; }
+  using LaplaceSystem::GetComponent;
   /// Of a point that is on the mesh.
   Id GetComponent(const SurfacePoint& point) const
   {
@@ -74,7 +72,6 @@ public:
   /// The longest edge of all.
   double GetLongestEdge() const { return this->LongestEdge; }
   bool HasBoundary(Id c) const { return this->ComponentHasBoundary[c] != 0; }
-  bool IsOnBoundary(Id v) const { return this->OnBoundary[v] != 0; }
   /// Whether the value of the vertex is given.
   bool IsFixed(Id v) const { return this->Fixed[v] != 0; }
   /// Whether no value is given in the component.
@@ -126,21 +123,16 @@ private:
   void SolveOnce(std::vector<Number>& values) const;
   void Refine(const std::vector<double>& sources, std::vector<double>& solution) const;
 
-  const SurfaceMesh& Mesh;
   PoissonOptions Options;
   bool IsAnalyzed = false;
   int NumberOfFactorizations = 0;
   std::uint64_t Revision = 0;
   double LargestEntry = 0.0;
   double LongestEdge = 0.0;
-  IntrinsicTriangulation Triangulation;
 
   std::vector<Id> TriangleOfFace;
-  std::vector<Id> Components;                     // per vertex
-  std::vector<double> Areas;                      // per vertex
   std::vector<double> Weights;                    // per vertex
   std::vector<double> Diagonal;                   // per vertex, of the stiffness
-  std::vector<std::uint8_t> OnBoundary;           // per vertex
   std::vector<std::uint8_t> Fixed;                // per vertex
   std::vector<double> ComponentAreas;             // per component
   std::vector<double> MeanEdges;                  // per component
@@ -148,9 +140,6 @@ private:
   std::vector<std::uint8_t> ComponentHasBoundary; // per component
   std::vector<std::uint8_t> ComponentHasGiven;    // per component
   std::vector<std::uint8_t> ComponentIsThin;      // per component
-  std::vector<Id> Pinned;                         // per component; NoId where values are given
-  Eigen::SparseMatrix<double> Stiffness;
-  EliminationOrder Order;
   SparseFactor Factor;
 };
 }

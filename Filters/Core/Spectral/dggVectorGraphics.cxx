@@ -34,11 +34,6 @@ constexpr double MorePerFace = 140.0;
 /// blended.
 constexpr double WorkPerVertex = 200.0;
 constexpr double BandPerFace = 180.0;
-
-bool Goes(const ProgressCallback& progress, double fraction)
-{
-  return !progress || progress(fraction);
-}
 }
 
 class VectorGraphics::Implementation
