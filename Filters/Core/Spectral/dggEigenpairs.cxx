@@ -11,9 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <functional>
+#include <new>
 #include <numeric>
-#include <stdexcept>
 
 namespace dgg
 {
@@ -121,7 +122,7 @@ public:
   }
 
   /// How many eigenvalues of L v = lambda M v are below sigma, 0 included; -1 when that cannot be
-  /// told.
+  /// found out.
   Id CountBelow(double sigma) const
   {
     Eigen::SparseMatrix<double> matrix = this->System.GetStiffness();
@@ -234,7 +235,7 @@ Status FindLargest(Operator& op, Eigen::Index count, int search, const ProgressC
   const Eigen::Index n = op.rows();
   const bool isDense = op.IsSmall(count);
   const auto size = std::min<Eigen::Index>(op.GetRank(), count + count / 2 + MoreVectors);
-  const auto expected = static_cast<double>(isDense ? n : 2 * size);
+  const auto expected = static_cast<double>(isDense ? n : size + size / 2);
   op.SetProgress(
     [&](Id applied) { return Goes(progress, SearchDone * std::min(1.0, applied / expected)); });
   try
@@ -258,7 +259,11 @@ Status FindLargest(Operator& op, Eigen::Index count, int search, const ProgressC
   {
     return Status::Abort();
   }
-  catch (const std::runtime_error&)
+  catch (const std::bad_alloc&)
+  {
+    throw;
+  }
+  catch (const std::exception&)
   {
     return Status::Invalid("the eigenvalues could not be found: make better triangles");
   }
