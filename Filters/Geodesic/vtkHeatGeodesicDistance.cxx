@@ -74,7 +74,8 @@ const char* vtkHeatGeodesicDistance::GetBoundaryAsString() const
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkHeatGeodesicDistance::GetMemorySize() const
 {
-  return this->Prepared ? this->Prepared->Method.GetMemorySize() : 0;
+  return this->Prepared ? static_cast<vtkTypeUInt64>(this->Prepared->Method.GetEstimatedMemory())
+                        : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -124,12 +125,9 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
   }
   dgg::HeatMethod& method = this->Prepared->Method;
   dgg::Status status = method.Analyze(options, dgg::ProgressPart(task.Progress, 0.0, AnalyzedAt));
-  const std::size_t missing = status.IsOk() ? method.GetMissingMemory() : 0;
-  if (missing > 0)
+  if (status.IsOk() && !method.HoldsFactors())
   {
-    // What is held already is not free any more, so it must not count against what is free.
-    const std::size_t bytes = this->MemoryLimit == 0 ? missing : method.GetEstimatedMemory();
-    status = vtkDGGCheckMemory("the factorizations of the heat method", static_cast<double>(bytes),
+    status = vtkDGGCheckMemory("the factorizations of the heat method", method.GetEstimatedMemory(),
       this->MemoryLimit, this->GetMemoryRemedy());
     if (!status.IsOk() && method.GetNumberOfFactorizations() == 0)
     {

@@ -127,8 +127,8 @@ public:
   ///@}
 
   /**
-   * Bytes held by the factorizations and what they are made from. Zero before there are any, but
-   * after an update that was stopped in the middle of them.
+   * About how many bytes are held by the factorizations and what they are made from. Zero before
+   * there are any, but after an update that was stopped in the middle of them.
    */
   vtkTypeUInt64 GetMemorySize() const;
 

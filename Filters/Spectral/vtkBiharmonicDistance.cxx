@@ -5,7 +5,6 @@
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSpectralOutputs.h"
-#include "vtkDGGSpectralTask.h"
 
 #include "dggProgressPart.h"
 #include "dggSpectralDistance.h"
@@ -28,7 +27,7 @@ constexpr double SpectrumDone = 0.6;
 constexpr double TargetsDone = 0.7;
 /// Memory of the search for eigenvalues, in functions for each, and that of an exact solve, in
 /// numbers for each point and thread.
-constexpr double FunctionsPerEigenvalue = 2.5;
+constexpr double FunctionsPerEigenvalue = 3.0;
 constexpr double NumbersPerThread = 24.0;
 
 bool IsSame(const dgg::SpectralOptions& a, const dgg::SpectralOptions& b)

@@ -14,7 +14,6 @@ namespace
 constexpr double JoinedAt = 0.15;
 constexpr double EmbeddedAt = 0.22;
 constexpr double RefinedAt = 0.3;
-constexpr double VerticesPerFace = 0.5; // at least, but for a handful
 
 dgg::Status NameCurve(const dgg::Status& status, const dgg::GraphicsCurve& curve)
 {
@@ -36,11 +35,8 @@ dgg::Status CheckMesh(
   faces *= drawing.RefinedPart == dgg::RefinedPart::Everything
     ? std::pow(4.0, drawing.RefinementLevel)
     : 1.0;
-  const double vertices =
-    std::max(static_cast<double>(mesh.GetNumberOfVertices()), VerticesPerFace * faces);
-  return vtkDGGCheckMemory("the refined mesh",
-    dgg::VectorGraphics::PredictMemory(faces, vertices, drawing.HasPoisson()), drawing.MemoryLimit,
-    remedy);
+  return vtkDGGCheckMemory(
+    "the refined mesh", faces * dgg::VectorGraphics::BytesPerFace, drawing.MemoryLimit, remedy);
 }
 }
 
@@ -84,10 +80,9 @@ dgg::Status vtkDGGGraphicsKeeper::Prepare(const dgg::SurfaceMesh& mesh,
   refinement.Levels = drawing.RefinementLevel;
   refinement.Part = drawing.RefinedPart;
   refinement.Faces = drawing.RefinedFaces;
-  const double bytesPerFace =
-    dgg::VectorGraphics::PredictMemory(1.0, VerticesPerFace, drawing.HasPoisson());
   refinement.MostFaces = static_cast<dgg::Offset>(
-    std::min(static_cast<double>(vtkDGGGetMemoryLimit(drawing.MemoryLimit)) / bytesPerFace,
+    std::min(static_cast<double>(vtkDGGGetMemoryLimit(drawing.MemoryLimit)) /
+        dgg::VectorGraphics::BytesPerFace,
       static_cast<double>(refinement.MostFaces)));
   refinement.Progress = dgg::ProgressPart(progress, EmbeddedAt, RefinedAt);
   std::vector<dgg::Id> refinedFaces;
@@ -123,17 +118,4 @@ dgg::Status vtkDGGGraphicsKeeper::Prepare(const dgg::SurfaceMesh& mesh,
   }
   this->IsKept = status.IsOk();
   return status;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeUInt64 vtkDGGGraphicsKeeper::GetMemorySize() const
-{
-  std::size_t bytes = this->Graphics.GetMemorySize() +
-    this->Kept.Curves.size() * sizeof(dgg::GraphicsCurve) +
-    (this->RefinedFaces.size() + this->Kept.RefinedFaces.size()) * sizeof(dgg::Id);
-  for (const std::vector<dgg::SurfacePoint>& places : this->Kept.Places)
-  {
-    bytes += places.size() * sizeof(dgg::SurfacePoint);
-  }
-  return bytes;
 }

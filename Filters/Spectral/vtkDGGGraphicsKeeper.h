@@ -29,13 +29,6 @@ struct vtkDGGDrawing
   bool IntrinsicDelaunay = false;
   vtkTypeUInt64 MemoryLimit = 0; // does not matter
 
-  bool HasPoisson() const
-  {
-    return std::any_of(
-      this->Curves.begin(), this->Curves.end(), [](const dgg::GraphicsCurve& curve) {
-        return curve.Type == dgg::GraphicsCurveType::Poisson;
-      });
-  }
   bool IsSame(const vtkDGGDrawing& other) const
   {
     bool isSame = this->MeshTime == other.MeshTime && this->Places.size() == other.Places.size() &&
@@ -73,7 +66,11 @@ public:
   const std::vector<dgg::Id>& GetRefinedFaces() const { return this->RefinedFaces; }
   /// Done so far.
   int GetNumberOfFactorizations() const { return this->NumberOfFactorizations; }
-  vtkTypeUInt64 GetMemorySize() const;
+  /// About how many bytes are held.
+  vtkTypeUInt64 GetMemorySize() const
+  {
+    return static_cast<vtkTypeUInt64>(this->Graphics.GetEstimatedMemory());
+  }
 
 private:
   dgg::VectorGraphics Graphics;

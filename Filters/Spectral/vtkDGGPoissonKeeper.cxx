@@ -7,8 +7,6 @@
 
 #include "dggProgressPart.h"
 
-#include <algorithm>
-
 namespace
 {
 /// Part of the progress of a preparation.
@@ -49,13 +47,10 @@ dgg::Status vtkDGGPoissonKeeper::Prepare(const vtkDGGMeshAdapter& mesh,
   if (status.IsOk())
   {
     // What is held already is not free any more, so it must not count against what is free.
-    const std::size_t own =
-      memoryLimit == 0 ? this->Solver->GetMissingMemory() : this->Solver->GetEstimatedMemory();
-    // What only the factorization works with is given back before the others come.
-    const auto working = static_cast<double>(this->Solver->GetFactorizingMemory());
-    status = vtkDGGCheckMemory("the factorization and the results",
-      static_cast<double>(own) - working + std::max(working, others(*this->Solver)), memoryLimit,
-      remedy);
+    const double own =
+      memoryLimit == 0 && this->Solver->IsReady() ? 0.0 : this->Solver->GetEstimatedMemory();
+    status = vtkDGGCheckMemory(
+      "the factorization and the results", own + others(*this->Solver), memoryLimit, remedy);
   }
   return status.IsOk() ? this->Solver->Factorize(dgg::ProgressPart(progress, AnalysisDone, 1.0))
                        : status;

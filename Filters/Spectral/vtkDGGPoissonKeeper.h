@@ -36,7 +36,11 @@ public:
   const dgg::PoissonSolver& GetSolver() const { return *this->Solver; }
 
   int GetNumberOfFactorizations() const;
-  vtkTypeUInt64 GetMemorySize() const { return this->Solver ? this->Solver->GetMemorySize() : 0; }
+  /// About how many bytes are held.
+  vtkTypeUInt64 GetMemorySize() const
+  {
+    return this->Solver ? static_cast<vtkTypeUInt64>(this->Solver->GetEstimatedMemory()) : 0;
+  }
 
 private:
   std::unique_ptr<dgg::PoissonSolver> Solver;

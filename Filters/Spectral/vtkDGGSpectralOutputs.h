@@ -5,16 +5,20 @@
 #ifndef vtkDGGSpectralOutputs_h
 #define vtkDGGSpectralOutputs_h
 
-#include "dggTypes.h" // for numbers
+#include "dggPoissonSolver.h" // for PoissonSolver
+#include "dggSurfacePoint.h"  // for places
+#include "dggTypes.h"         // for numbers
 
 #include "vtkDoubleArray.h"  // for the arrays
 #include "vtkSmartPointer.h" // to hold them
+#include "vtkType.h"         // for vtkMTimeType
 
 #include <cstddef> // for std::size_t
 #include <string>  // for the name
 #include <vector>  // for values
 
 class vtkDGGMeshAdapter;
+class vtkPolyData;
 
 /// The results of a vtkSpectralAlgorithm, for the points of the surface and those of evaluation.
 class vtkDGGSpectralOutputs
@@ -55,6 +59,20 @@ private:
   vtkSmartPointer<vtkDoubleArray> AtPoints;
   vtkSmartPointer<vtkDoubleArray> AtTargets;
   std::vector<vtkSmartPointer<vtkDataArray>> Further[2];
+};
+
+/// One call of vtkSpectralAlgorithm::ComputeValues(). Places exist on the mesh, the solver is
+/// ready; what a filter adds to inputs and properties of its own, it has checked or checks itself.
+struct vtkDGGSpectralTask
+{
+  const dgg::PoissonSolver& Solver;              ///< ready
+  vtkPolyData* Surface;                          ///< the input as it was, not to be changed
+  vtkMTimeType MeshTime;                         ///< another one when the solver is another one
+  const std::vector<dgg::SurfacePoint>& Sources; ///< none only where the filter may choose them
+  const std::vector<dgg::SurfacePoint>& Targets; ///< may be none
+  double FreeMemory;                             ///< bytes of the limit that are left for caches
+  dgg::ProgressCallback Progress;                ///< never empty; false means stop
+  vtkDGGSpectralOutputs& Outputs;                ///< to be set for each source
 };
 
 #endif

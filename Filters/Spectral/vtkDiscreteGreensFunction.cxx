@@ -4,7 +4,6 @@
 
 #include "vtkDGGParallel.h"
 #include "vtkDGGSpectralOutputs.h"
-#include "vtkDGGSpectralTask.h"
 
 #include "dggGreensFunction.h"
 #include "dggGreensInterpolation.h"
@@ -279,12 +278,11 @@ dgg::PoissonOptions vtkDiscreteGreensFunction::GetPoissonOptions() const
 double vtkDiscreteGreensFunction::EstimateWorkingMemory(
   const dgg::PoissonSolver& solver, std::size_t numberOfSources, std::size_t numberOfTargets) const
 {
-  const dgg::GreensFunction function(solver);
-  const std::size_t n = solver.GetAreas().size();
-  const auto results = static_cast<double>(BlockSize * (n + numberOfTargets) * sizeof(double));
   const std::size_t blocks = (numberOfSources + BlockSize - 1) / BlockSize;
-  return std::min<double>(vtkSMPTools::GetEstimatedNumberOfThreads(), static_cast<double>(blocks)) *
-    (static_cast<double>(function.GetWorkingMemory(numberOfTargets)) + results);
+  const auto threads = static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads());
+  return static_cast<double>(std::min(threads, blocks)) *
+    (dgg::GreensFunction::BytesPerVertex * static_cast<double>(solver.GetAreas().size()) +
+      dgg::GreensFunction::BytesPerTarget * static_cast<double>(numberOfTargets));
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,6 @@
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSpectralOutputs.h"
-#include "vtkDGGSpectralTask.h"
 
 #include "dggGeodesicSource.h"
 #include "dggHarmonicSplines.h"
@@ -39,6 +38,10 @@ constexpr double BasisDone = 0.95;
 /// only integrated up to the mesh.
 constexpr double DensityTolerance = 1e-2;
 constexpr double IntegralTolerance = 1e-6;
+/// Memory of one thread for each point, without smooth evaluation, and numbers that are held for
+/// each: cells, sources, solutions.
+constexpr double SplineBytesPerVertex = 450.0;
+constexpr double HeldNumbers = 7.0;
 
 /// The corner that a point is nearest to, a free one if there is one.
 dgg::Id FindNearestCorner(const dgg::PoissonSolver& solver, const dgg::SurfacePoint& point)
@@ -425,28 +428,15 @@ dgg::Status vtkHarmonicBSpline::ChooseSources(const dgg::PoissonSolver& solver,
 double vtkHarmonicBSpline::EstimateWorkingMemory(
   const dgg::PoissonSolver& solver, std::size_t numberOfSources, std::size_t numberOfTargets) const
 {
-  const dgg::HarmonicSplines splines(solver);
   const auto n = static_cast<double>(solver.GetAreas().size());
   const auto sites = static_cast<double>(numberOfSources);
   const auto targets = static_cast<double>(numberOfTargets);
-  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
-  const auto several = static_cast<double>(threads);
-  double most = static_cast<double>(
-    splines.GetPreparationMemory(numberOfSources, static_cast<std::size_t>(threads)));
-  most = std::max(most, several * static_cast<double>(splines.GetBasisMemory(numberOfSources)));
-  double held = (n + targets) * static_cast<double>(sizeof(vtkIdType)); // cells
-  if (!this->RightHandSideArrayName.empty())
-  {
-    // Numbers, sources and two solutions.
-    held += (4.0 * n + 2.0 * targets) * static_cast<double>(sizeof(double));
-    most = std::max(most, static_cast<double>(splines.GetSolutionMemory(numberOfSources)));
-  }
-  if (this->SmoothEvaluation && numberOfTargets > 0)
-  {
-    held += sites * targets * static_cast<double>(sizeof(double));
-    most = std::max(most, several * static_cast<double>(splines.GetEvaluationMemory()));
-  }
-  return most + held;
+  const bool isSmooth = this->SmoothEvaluation && numberOfTargets > 0;
+  const double bytes = isSmooth ? dgg::GreensFunction::BytesPerVertex : SplineBytesPerVertex;
+  // Of threads; the equations of sites, as those of vertices; cells and solutions.
+  return bytes * n * vtkSMPTools::GetEstimatedNumberOfThreads() +
+    std::min(1.0, sites / n) * solver.GetEstimatedMemory() +
+    (HeldNumbers * (n + targets) + (isSmooth ? sites * targets : 0.0)) * sizeof(double);
 }
 
 //------------------------------------------------------------------------------

@@ -301,10 +301,9 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   options.Background.assign(this->BackgroundColor, this->BackgroundColor + 3);
   options.Background.resize(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
-  options.CheckMemory = [&](double bytes, double held) {
+  options.CheckMemory = [&](double bytes, double missing) {
     const double points = static_cast<double>(keeper.GetGraphics().GetSurface().Points.size());
-    // What is held already is not free any more, so it must not count against what is free.
-    const double own = drawing.MemoryLimit == 0 ? bytes - held : bytes;
+    const double own = drawing.MemoryLimit == 0 ? missing : bytes;
     return vtkDGGCheckMemory("the factorization and the colours",
       own + points * output.GetBytesPerPoint(options.NumberOfChannels), drawing.MemoryLimit,
       this->GetMemoryRemedy());

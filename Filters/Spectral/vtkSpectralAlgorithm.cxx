@@ -8,7 +8,6 @@
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 #include "vtkDGGSpectralOutputs.h"
-#include "vtkDGGSpectralTask.h"
 
 #include "dggProgressPart.h"
 
@@ -333,8 +332,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   {
     return status;
   }
-  const double held =
-    this->MemoryLimit == 0 ? 0.0 : static_cast<double>(keeper.GetSolver().GetMemorySize());
+  const double held = this->MemoryLimit == 0 ? 0.0 : keeper.GetSolver().GetEstimatedMemory();
   const double left = static_cast<double>(vtkDGGGetMemoryLimit(this->MemoryLimit)) - held - needed;
   vtkDGGSpectralOutputs outputs(
     mesh, numberOfPoints, targets.size(), sources.size(), this->ResultArrayName);

@@ -10,7 +10,6 @@
 #include "vtkDGGProperties.h"
 
 #include "dggEarthMovers.h"
-#include "dggMassBalance.h"
 #include "dggProgressPart.h"
 
 #include "vtkCellData.h"
@@ -33,9 +32,9 @@ namespace
 /// Part of the progress when the system is ready: if it has to be factorized, or only looked at.
 constexpr double FactorizedAt = 0.4;
 constexpr double FoundAt = 0.01;
-/// Numbers for each vertex that are held besides the search for the flow: both distributions, as
-/// they are given and as masses of vertices.
-constexpr double NumbersPerVertex = 4.0;
+/// Memory of the search for the flow, which factorizes a matrix like that of the system, as a part
+/// of what that takes.
+constexpr double SearchPart = 1.25;
 
 constexpr const char* DistanceName = "EarthMoversDistance";
 constexpr const char* BoundName = "EarthMoversLowerBound";
@@ -354,8 +353,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
   const double prepared = keeper.IsPrepared(mesh, poisson) ? FoundAt : FactorizedAt;
   const auto others = [&](const dgg::PoissonSolver& solver) {
-    return NumbersPerVertex * sizeof(double) * static_cast<double>(solver.GetAreas().size()) +
-      static_cast<double>(dgg::EarthMovers(solver).GetWorkingMemory());
+    return SearchPart * solver.GetEstimatedMemory();
   };
   status = this->Advance(0.0)
     ? keeper.Prepare(mesh, poisson, others, this->MemoryLimit, this->GetMemoryRemedy(),

@@ -243,7 +243,7 @@ public:
   int GetNumberOfFactorizations() const;
 
   /**
-   * Bytes that are kept between updates; zero before the first one.
+   * About how many bytes are kept between updates; zero before the first one.
    */
   vtkTypeUInt64 GetMemorySize() const;
 

@@ -6,7 +6,7 @@
 #include "FlatMeshes.h"
 
 #include "dggCotanLaplacian.h"
-#include "dggIntrinsicDelaunay.h"
+#include "dggIntrinsicTriangulation.h"
 
 #include <gtest/gtest.h>
 

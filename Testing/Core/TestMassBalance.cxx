@@ -5,7 +5,7 @@
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
 
-#include "dggMassBalance.h"
+#include "dggEarthMovers.h"
 
 #include <cmath>
 #include <numeric>

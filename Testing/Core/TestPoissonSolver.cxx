@@ -518,8 +518,7 @@ TEST(PoissonSolver, IsFactorizedOnce)
   EXPECT_EQ(poisson.Solver.GetNumberOfFactorizations(), 1);
   EXPECT_TRUE(poisson.Solver.Prepare(With(dgg::PoissonBoundary::Dirichlet), nullptr).IsOk());
   EXPECT_EQ(poisson.Solver.GetNumberOfFactorizations(), 2);
-  EXPECT_GT(poisson.Solver.GetMemorySize(), 0u);
-  EXPECT_LE(poisson.Solver.GetMemorySize(), poisson.Solver.GetEstimatedMemory());
+  EXPECT_GT(poisson.Solver.GetEstimatedMemory(), 0.0);
 }
 
 TEST(PoissonSolver, SaysWhatIsWrong)

@@ -19,9 +19,8 @@ using dgg::Id;
 using dgg::SurfaceMesh;
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// The Laplacian of pairs of vertices, permuted as systems are before they are factorized, so that
-/// entries are not in order. Half of the pivots are 0.
-Matrix PermutedPairs(int n, std::vector<int>& places)
+/// The Laplacian of pairs of vertices. Half of the pivots are 0.
+Matrix Pairs(int n)
 {
   Matrix laplacian(n, n);
   std::vector<Eigen::Triplet<double>> entries;
@@ -33,56 +32,55 @@ Matrix PermutedPairs(int n, std::vector<int>& places)
     entries.emplace_back(i + 1, i, -1.0);
   }
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(n);
-  places.resize(n);
-  for (int i = 0; i < n; ++i)
-  {
-    places[i] = i * 7 % n;
-    permutation.indices()[i] = places[i];
-  }
-  Matrix upper(n, n);
-  upper.selfadjointView<Eigen::Upper>() =
-    laplacian.selfadjointView<Eigen::Upper>().twistedBy(permutation);
-  return upper;
+  return laplacian;
 }
 
-bool HasUnorderedColumn(const Matrix& matrix)
-{
-  for (int column = 0; column < matrix.cols(); ++column)
-  {
-    int last = -1;
-    for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
-    {
-      if (entry.row() < last)
-      {
-        return true;
-      }
-      last = static_cast<int>(entry.row());
-    }
-  }
-  return false;
-}
-
-TEST(SparseFactor, SingularMatricesInAnyOrderAreRaised)
+TEST(SparseFactor, SingularMatricesAreRaised)
 {
   constexpr int Size = 32;
-  std::vector<int> places;
-  const Matrix upper = PermutedPairs(Size, places);
-  ASSERT_TRUE(HasUnorderedColumn(upper));
+  const Matrix pairs = Pairs(Size);
+  const dgg::EliminationOrder order(pairs);
+  EXPECT_EQ(order.GetNumberOfFactorEntries(), Size / 2);
   dgg::SparseFactor factor;
-  ASSERT_TRUE(factor.Compute(upper));
+  ASSERT_TRUE(factor.Compute(order, pairs));
   EXPECT_TRUE(factor.IsRaised());
   // In at one of a pair, out at the other.
-  std::vector<double> values(Size, 0.0);
-  for (int i = 0; i < Size; i += 2)
+  std::vector<double> values(Size);
+  for (int i = 0; i < Size; ++i)
   {
-    values[places[i]] = 1.0;
-    values[places[i + 1]] = -1.0;
+    values[i] = i % 2 == 0 ? 1.0 : -1.0;
   }
   factor.Solve(values);
   for (int i = 0; i < Size; i += 2)
   {
-    EXPECT_NEAR(values[places[i]] - values[places[i + 1]], 1.0, 1e-5) << i;
+    EXPECT_NEAR(values[i] - values[i + 1], 1.0, 1e-5) << i;
+  }
+}
+
+TEST(SparseFactor, KnownValuesStayAndAreOfNoConcernToOthers)
+{
+  constexpr int Size = 8;
+  const Matrix pairs = Pairs(Size);
+  std::vector<std::uint8_t> isKnown(Size, 0);
+  std::vector<double> values(Size, 3.0);
+  std::vector<Id> parts(Size);
+  for (int i = 0; i < Size; ++i)
+  {
+    parts[i] = i / 2;
+  }
+  const dgg::EliminationOrder order(pairs);
+  for (const Id last : order.FindLast(parts, Size / 2))
+  {
+    isKnown[last] = 1;
+    values[last] = 7.0;
+  }
+  dgg::SparseFactor factor;
+  ASSERT_TRUE(factor.Compute(order, pairs, isKnown));
+  EXPECT_FALSE(factor.IsRaised());
+  factor.Solve(values);
+  for (int i = 0; i < Size; ++i)
+  {
+    EXPECT_EQ(values[i], isKnown[i] ? 7.0 : 3.0) << i;
   }
 }
 

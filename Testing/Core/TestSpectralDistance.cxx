@@ -141,6 +141,50 @@ TEST(Eigenpairs, FlatTorusConverges)
   }
 }
 
+TEST(Eigenpairs, OfAnySize)
+{
+  std::vector<double> expected;
+  for (const double size : { 1.0, 1e-7, 1e7 })
+  {
+    const dgg::SurfaceMesh mesh = Build(Scaled(NoisySphere(3, 0.1, 4), size));
+    const auto solver = Ready(mesh);
+    const dgg::Eigenpairs pairs = FindPairs(*solver, 20);
+    EXPECT_TRUE(pairs.IsComplete);
+    ASSERT_EQ(pairs.GetCount(), 20);
+    expected = expected.empty() ? pairs.Values : expected;
+    for (Id k = 0; k < 20; ++k)
+    {
+      EXPECT_NEAR(pairs.Values[k] * size * size, expected[k], 1e-9 * expected[k]) << size;
+    }
+  }
+}
+
+TEST(Eigenpairs, StopsWithTheNextSolution)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.1, 4));
+  const auto solver = Ready(mesh);
+  const dgg::Offset all = FindPairs(*solver, 20).Solved;
+  dgg::Offset before = 0;
+  for (const double stop : { 0.1, 0.3, 0.5 })
+  {
+    bool isStopped = false;
+    dgg::Eigenpairs pairs;
+    const dgg::Status status = dgg::FindEigenpairs(
+      *solver, 20,
+      [&](double done) {
+        EXPECT_FALSE(isStopped) << done;
+        isStopped = done >= stop;
+        return !isStopped;
+      },
+      pairs);
+    EXPECT_TRUE(status.IsAborted());
+    EXPECT_TRUE(pairs.Values.empty());
+    EXPECT_GT(pairs.Solved, before);
+    EXPECT_LT(pairs.Solved, all);
+    before = pairs.Solved;
+  }
+}
+
 TEST(Eigenpairs, EqualPartsHaveEqualValues)
 {
   // Eleven spheres: 33 functions with the same value, more than there are in a block.

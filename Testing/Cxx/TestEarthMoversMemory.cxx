@@ -64,7 +64,6 @@ TEST(EarthMoversMemory, IsPredicted)
     filter->SetMaximumNumberOfIterations(25);
     filter->SetMemoryLimit(1000);
     ExpectError(filter, { "MemoryLimit" }); // the mesh is there then, and the matrix
-    const auto before = static_cast<double>(filter->GetMemorySize());
     filter->SetMemoryLimit(0);
     double peak = 0.0;
     {
@@ -73,11 +72,11 @@ TEST(EarthMoversMemory, IsPredicted)
       peak = static_cast<double>(probe.GetHeapPeak()); // 0 where it cannot be measured
     }
     filter->SetMaximumNumberOfIterations(0);
-    const double predicted = FindLeastLimit(filter) - before;
+    const double predicted = FindLeastLimit(filter); // the system as well
     EXPECT_GE(predicted, peak) << isDelaunay;
     if (peak > 0.0)
     {
-      EXPECT_LE(predicted, 1.2 * peak) << isDelaunay;
+      EXPECT_LE(predicted, 2.5 * peak) << isDelaunay;
     }
   }
 }

@@ -45,26 +45,6 @@ void SetColors(GraphicsFixture& drawing, double left)
   drawing.Curves->Modified();
 }
 
-struct Sizes
-{
-  double Told = 0.0;
-  double Held = 0.0;
-};
-
-/// Of a filter whose outputs are gone.
-Sizes Measure(GraphicsFixture& drawing)
-{
-  SetColors(drawing, 0.0);
-  const MemoryProbe probe;
-  drawing.Run();
-  for (const int port : { 0, 1 })
-  {
-    drawing.Filter->GetOutputDataObject(port)->Initialize();
-  }
-  return { static_cast<double>(drawing.Filter->GetMemorySize()),
-    static_cast<double>(probe.GetHeapGrowth()) };
-}
-
 #if defined(__linux__)
 double ReadStatus(const std::string& key)
 {
@@ -100,30 +80,6 @@ private:
   rlimit Before;
 };
 #endif
-}
-
-TEST(VectorGraphicsMemory, AllThatIsKeptIsTold)
-{
-  const auto surface = MakeTerrain(20);
-  AddArray(surface->GetCellData(), "Refine",
-    std::vector<double>(static_cast<std::size_t>(surface->GetNumberOfCells()), 1.0), 1);
-  GraphicsFixture few = MakeLine(1, surface);
-  GraphicsFixture many = MakeLine(10000, surface);
-  GraphicsFixture first = MakeLine(1, surface);
-  Measure(first); // what VTK makes once
-  const Sizes usual = Measure(few);
-  const Sizes large = Measure(many);
-  EXPECT_GT(large.Told - usual.Told, 1e5);
-  if (usual.Held > 0.0) // it can be measured
-  {
-    EXPECT_LE(large.Held - usual.Held, 1.05 * (large.Told - usual.Told));
-    EXPECT_GE(large.Held - usual.Held, 0.95 * (large.Told - usual.Told));
-  }
-  // Cells that were chosen for refinement, and their parts.
-  GraphicsFixture all = MakeLine(1, surface);
-  all.Filter->SetRefinementRegionToCells();
-  const double cells = static_cast<double>(surface->GetNumberOfCells());
-  EXPECT_GE(Measure(all).Told - usual.Told, 4.0 * cells);
 }
 
 #if defined(__linux__)

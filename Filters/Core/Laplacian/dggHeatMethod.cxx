@@ -241,14 +241,14 @@ Status HeatMethod::Analyze(const HeatOptions& options, const ProgressCallback& p
   return this->System->Analyze(options, progress);
 }
 
-std::size_t HeatMethod::GetEstimatedMemory() const
+double HeatMethod::GetEstimatedMemory() const
 {
   return this->System->GetEstimatedMemory();
 }
 
-std::size_t HeatMethod::GetMissingMemory() const
+bool HeatMethod::HoldsFactors() const
 {
-  return this->System->GetMissingMemory();
+  return this->System->HoldsFactors();
 }
 
 Status HeatMethod::Factorize(const ProgressCallback& progress)
@@ -328,10 +328,5 @@ Status HeatMethod::Run(
 int HeatMethod::GetNumberOfFactorizations() const
 {
   return this->System->GetNumberOfFactorizations();
-}
-
-std::size_t HeatMethod::GetMemorySize() const
-{
-  return this->System->GetMemorySize();
 }
 }

@@ -8,9 +8,8 @@
 #include "dggGeodesicSource.h" // for GeodesicSource
 #include "dggVirtualSources.h" // for VirtualSources
 
-#include <cstddef> // for std::size_t
-#include <memory>  // for the systems
-#include <vector>  // for the results
+#include <memory> // for the systems
+#include <vector> // for the results
 
 namespace dgg
 {
@@ -98,10 +97,10 @@ public:
   /// @{
   /// Triangulation, matrices, order of elimination.
   Status Analyze(const HeatOptions& options, const ProgressCallback& progress);
-  /// Bytes that the factorizations will take, the matrices included. After Analyze().
-  std::size_t GetEstimatedMemory() const;
-  /// Those of them that Factorize() has yet to allocate. After Analyze().
-  std::size_t GetMissingMemory() const;
+  /// Bytes that all takes when it is factorized, at most twice what they are. After Analyze().
+  double GetEstimatedMemory() const;
+  /// Whether Factorize() needs no more memory: it may replace factors for another time.
+  bool HoldsFactors() const;
   /// After Analyze().
   Status Factorize(const ProgressCallback& progress);
   /// Both.
@@ -116,8 +115,6 @@ public:
 
   /// Factorizations done so far, for tests: each counts.
   int GetNumberOfFactorizations() const;
-  /// Bytes held.
-  std::size_t GetMemorySize() const;
 
 private:
   Status Check(const std::vector<GeodesicSource>& sources, const HeatQuery& query) const;

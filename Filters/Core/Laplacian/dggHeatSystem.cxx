@@ -2,15 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggHeatSystem.h"
 
-#include "dggCotanLaplacian.h"
-#include "dggIntrinsicDelaunay.h"
-#include "dggProgressPart.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <string>
 
 namespace dgg
 {
@@ -18,8 +13,8 @@ namespace
 {
 /// Heat below this does not have the relative precision of a double any more, or soon will not.
 constexpr double LeastHeat = 1e-250;
-/// Share of the progress of the analysis.
-constexpr double FlipsDone = 0.4;
+/// Of the matrix, of another one that is made of it, and of arrays.
+constexpr double BytesPerVertex = 200.0;
 /// Loads below this are not worth the attempt with doubles.
 constexpr double LeastLogarithm = -200.0;
 
@@ -64,15 +59,10 @@ std::array<double, 3> Compare(const ScaledNumber& a, const ScaledNumber& b, cons
   }
   return { { a.Relative(exponent), b.Relative(exponent), c.Relative(exponent) } };
 }
-
-bool Goes(const ProgressCallback& progress, double fraction)
-{
-  return !progress || progress(fraction);
-}
 }
 
 HeatSystem::HeatSystem(const SurfaceMesh& mesh)
-  : Mesh(mesh)
+  : LaplaceSystem(mesh)
 {
 }
 
@@ -93,67 +83,23 @@ Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& p
   this->Heat.Clear();
   this->CooledHeat.Clear();
   this->Distance.Clear();
-  if (!Goes(progress, 0.0))
+  Status status = this->Build(options.IntrinsicDelaunay, Infinity, progress);
+  if (!status.IsOk())
   {
-    return Status::Abort();
+    return status;
   }
-
-  IntrinsicTriangulation triangulation(this->Mesh);
-  if (options.IntrinsicDelaunay)
-  {
-    DelaunayReport report;
-    Status status = MakeDelaunay(triangulation, -1, ProgressPart(progress, 0.0, FlipsDone), report);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-  }
-  if (!Goes(progress, FlipsDone))
-  {
-    return Status::Abort();
-  }
-  this->MeasureComponents(triangulation);
-  const CotanLaplacian laplacian = MakeCotanLaplacian(triangulation);
-  if (!Goes(progress, 0.6))
-  {
-    return Status::Abort();
-  }
-  this->Places = FindEliminationOrder(laplacian.Stiffness);
-  if (!Goes(progress, 0.9))
-  {
-    return Status::Abort();
-  }
-  const Id n = this->Mesh.GetNumberOfVertices();
-  this->Mass.resize(n);
-  this->ComponentOfPlace.resize(n);
-  this->PlaceOnBoundary.resize(n);
-  this->PinnedPlaces.assign(this->MeanEdges.size(), NoId);
-  for (Id v = 0; v < n; ++v)
-  {
-    const Id place = this->Places[v];
-    Id& pinned = this->PinnedPlaces[this->Components[v]];
-    pinned = std::max(pinned, place);
-    this->Mass[place] = laplacian.Mass[v];
-    this->ComponentOfPlace[place] = this->Components[v];
-    this->PlaceOnBoundary[place] = this->OnBoundary[v];
-  }
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(n);
-  std::copy(this->Places.begin(), this->Places.end(), permutation.indices().data());
-  this->Stiffness.resize(n, n);
-  this->Stiffness.selfadjointView<Eigen::Upper>() =
-    laplacian.Stiffness.selfadjointView<Eigen::Upper>().twistedBy(permutation);
-  this->TakeFrames(triangulation);
-  this->FactorEntries = CountFactorEntries(this->Stiffness);
+  this->MeasureEdges();
+  this->TakeFrames();
+  this->Triangulation = IntrinsicTriangulation();
   this->IsAnalyzed = true;
   return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
 }
 
-void HeatSystem::MeasureComponents(const IntrinsicTriangulation& triangulation)
+void HeatSystem::MeasureEdges()
 {
-  Id count = 0;
-  this->Components = this->Mesh.ComputeComponents(count);
+  const IntrinsicTriangulation& triangulation = this->Triangulation;
+  const Id count = this->NumberOfComponents;
   this->MeanEdges.assign(count, 0.0);
-  this->OnBoundary.assign(this->Components.size(), 0);
   std::vector<Offset> edges(count, 0);
   for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
   {
@@ -168,11 +114,6 @@ void HeatSystem::MeasureComponents(const IntrinsicTriangulation& triangulation)
       this->MeanEdges[component] += triangulation.Length(h);
       ++edges[component];
     }
-    if (triangulation.Twin(h) == NoId)
-    {
-      this->OnBoundary[triangulation.Origin(h)] = 1;
-      this->OnBoundary[triangulation.Destination(h)] = 1;
-    }
   }
   for (Id c = 0; c < count; ++c)
   {
@@ -181,8 +122,9 @@ void HeatSystem::MeasureComponents(const IntrinsicTriangulation& triangulation)
   }
 }
 
-void HeatSystem::TakeFrames(const IntrinsicTriangulation& triangulation)
+void HeatSystem::TakeFrames()
 {
+  const IntrinsicTriangulation& triangulation = this->Triangulation;
   this->Frames.clear();
   this->Frames.reserve(triangulation.GetNumberOfFaces());
   for (Id f = 0; f < triangulation.GetNumberOfFaces(); ++f)
@@ -191,8 +133,7 @@ void HeatSystem::TakeFrames(const IntrinsicTriangulation& triangulation)
     const Point2 apex =
       LayOut(triangulation.Length(h), triangulation.Length(h + 2), triangulation.Length(h + 1));
     this->Frames.push_back(
-      { { { this->Places[triangulation.Origin(h)], this->Places[triangulation.Origin(h + 1)],
-          this->Places[triangulation.Origin(h + 2)] } },
+      { { { triangulation.Origin(h), triangulation.Origin(h + 1), triangulation.Origin(h + 2) } },
         triangulation.Length(h), apex.X, apex.Y });
   }
 }
@@ -203,46 +144,15 @@ double HeatSystem::GetHeatLength(Id component) const
 }
 
 /// M + t L, divided by the square of the mean edge: that keeps numbers in the middle of the range.
-HeatSystem::Matrix HeatSystem::MakeHeatMatrix(bool cooled) const
+HeatSystem::Matrix HeatSystem::MakeHeatMatrix() const
 {
-  Matrix matrix = this->Stiffness;
-  for (Id column = 0; column < matrix.cols(); ++column)
+  Matrix matrix = this->Options.TimeStepFactor * this->Stiffness;
+  for (Id v = 0; v < matrix.cols(); ++v)
   {
-    const double edge = this->MeanEdges[this->ComponentOfPlace[column]];
-    const double mass = this->Mass[column] / edge / edge;
-    const bool isCold = cooled && this->PlaceOnBoundary[column];
-    for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
-    {
-      const bool isDiagonal = entry.row() == column;
-      if (isCold || (cooled && this->PlaceOnBoundary[entry.row()]))
-      {
-        entry.valueRef() = isDiagonal ? 1.0 : 0.0;
-        continue;
-      }
-      entry.valueRef() *= this->Options.TimeStepFactor;
-      // A vertex without a face is a system of its own.
-      entry.valueRef() += isDiagonal ? (mass > 0.0 ? mass : 1.0) : 0.0;
-    }
-  }
-  return matrix;
-}
-
-/// L, in which one value per component is known to be 0.
-HeatSystem::Matrix HeatSystem::MakeDistanceMatrix() const
-{
-  Matrix matrix = this->Stiffness;
-  const auto isPinned = [&](Id place) {
-    return this->PinnedPlaces[this->ComponentOfPlace[place]] == place;
-  };
-  for (Id column = 0; column < matrix.cols(); ++column)
-  {
-    for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
-    {
-      if (isPinned(column) || isPinned(static_cast<Id>(entry.row())))
-      {
-        entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
-      }
-    }
+    const double edge = this->MeanEdges[this->Components[v]];
+    const double mass = this->Areas[v] / edge / edge;
+    // A vertex without a face is a system of its own.
+    matrix.coeffRef(v, v) += mass > 0.0 ? mass : 1.0;
   }
   return matrix;
 }
@@ -253,11 +163,10 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
   {
     return Status::Invalid("the systems have not been analyzed: call Analyze() first");
   }
-  if (this->FactorEntries > std::numeric_limits<int>::max())
+  const Status status = this->Order.Check();
+  if (!status.IsOk())
   {
-    return Status::Invalid("the factor of a linear system would have " +
-      std::to_string(this->FactorEntries) +
-      " entries, more than can be numbered: use a smaller mesh");
+    return status;
   }
   Status failure = Status::Invalid(
     "a linear system could not be factorized: remove triangles that have next to no area");
@@ -272,6 +181,12 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
   const Part parts[] = { { this->NeedsNeumann(), &this->Heat, &this->HeatFactor, false },
     { this->NeedsDirichlet(), &this->CooledHeat, &this->CooledFactor, true },
     { true, &this->Distance, nullptr, false } };
+  // One value of each component is known to be 0.
+  std::vector<std::uint8_t> isPinned(this->Components.size(), 0);
+  for (const Id v : this->Pinned)
+  {
+    isPinned[v] = 1;
+  }
   double done = 0.0;
   for (const Part& part : parts)
   {
@@ -290,8 +205,11 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
       continue;
     }
     ++this->NumberOfFactorizations;
-    if (!part.Factor->Compute(
-          part.Key ? this->MakeHeatMatrix(part.IsCooled) : this->MakeDistanceMatrix()))
+    const bool isFactored = part.Key
+      ? part.Factor->Compute(this->Order, this->MakeHeatMatrix(),
+          part.IsCooled ? this->OnBoundary : std::vector<std::uint8_t>())
+      : part.Factor->Compute(this->Order, this->Stiffness, isPinned);
+    if (!isFactored)
     {
       return failure;
     }
@@ -306,22 +224,21 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
 bool HeatSystem::IsReady() const
 {
   const double factor = this->Options.TimeStepFactor;
-  return this->IsAnalyzed && this->Distance.IsComputed() &&
-    (!this->NeedsNeumann() || (this->Heat.IsComputed() && this->HeatFactor == factor)) &&
-    (!this->NeedsDirichlet() || (this->CooledHeat.IsComputed() && this->CooledFactor == factor));
+  return this->HoldsFactors() && (!this->NeedsNeumann() || this->HeatFactor == factor) &&
+    (!this->NeedsDirichlet() || this->CooledFactor == factor);
 }
 
 template <typename Number>
 std::vector<Number> HeatSystem::SolveHeat(const std::vector<Load>& loads) const
 {
-  const auto n = this->Places.size();
+  const auto n = this->Components.size();
   std::vector<Number> heat;
   if (this->NeedsNeumann())
   {
     heat.assign(n, Number());
     for (const Load& load : loads)
     {
-      heat[this->Places[load.Vertex]] += MakeLoad<Number>(load);
+      heat[load.Vertex] += MakeLoad<Number>(load);
     }
     this->Heat.Solve(heat);
   }
@@ -332,7 +249,7 @@ std::vector<Number> HeatSystem::SolveHeat(const std::vector<Load>& loads) const
     {
       if (!this->OnBoundary[load.Vertex])
       {
-        cooled[this->Places[load.Vertex]] += MakeLoad<Number>(load);
+        cooled[load.Vertex] += MakeLoad<Number>(load);
       }
     }
     this->CooledHeat.Solve(cooled);
@@ -362,8 +279,7 @@ bool HeatSystem::FindFlow(const std::vector<Load>& loads, std::vector<double>& f
   const bool isCold = !this->NeedsNeumann();
   for (std::size_t i = 0; i < heat.size(); ++i)
   {
-    if (isHeated[this->ComponentOfPlace[i]] && !(isCold && this->PlaceOnBoundary[i]) &&
-      IsTooSmall(heat[i]))
+    if (isHeated[this->Components[i]] && !(isCold && this->OnBoundary[i]) && IsTooSmall(heat[i]))
     {
       return false;
     }
@@ -371,7 +287,7 @@ bool HeatSystem::FindFlow(const std::vector<Load>& loads, std::vector<double>& f
   flow.assign(heat.size(), 0.0);
   for (const Frame& frame : this->Frames)
   {
-    const std::array<Id, 3>& p = frame.Places;
+    const std::array<Id, 3>& p = frame.Corners;
     const std::array<double, 3> u = Compare(heat[p[0]], heat[p[1]], heat[p[2]]);
     double first = u[1] - u[0];
     double second = u[2] - u[0];
@@ -423,51 +339,27 @@ std::vector<double> HeatSystem::Solve(
   {
     return {};
   }
-  for (const Id place : this->PinnedPlaces)
+  for (const Id v : this->Pinned)
   {
-    values[place] = 0.0;
+    values[v] = 0.0;
   }
   this->Distance.Solve(values);
-  std::vector<double> distances(values.size());
-  for (std::size_t v = 0; v < values.size(); ++v)
-  {
-    distances[v] = values[this->Places[v]];
-  }
-  return distances;
+  return values;
 }
 
-std::size_t HeatSystem::GetBaseMemory() const
+double HeatSystem::GetEstimatedMemory() const
 {
-  const auto entries = static_cast<std::size_t>(this->Stiffness.nonZeros());
-  return entries * (sizeof(double) + sizeof(int)) + this->Frames.size() * sizeof(Frame) +
-    this->Places.size() * (4 * sizeof(Id) + sizeof(double) + 2);
+  const double factors =
+    1.0 + (this->NeedsNeumann() ? 1.0 : 0.0) + (this->NeedsDirichlet() ? 1.0 : 0.0);
+  return static_cast<double>(this->Frames.size()) * sizeof(Frame) +
+    static_cast<double>(this->Components.size()) * BytesPerVertex +
+    factors * this->Order.EstimateFactorMemory();
 }
 
-std::size_t HeatSystem::GetEstimatedMemory() const
+bool HeatSystem::HoldsFactors() const
 {
-  const std::size_t factors = 1 + (this->NeedsNeumann() ? 1 : 0) + (this->NeedsDirichlet() ? 1 : 0);
-  return this->GetBaseMemory() + factors * this->GetFactorMemory();
-}
-
-std::size_t HeatSystem::GetMissingMemory() const
-{
-  // Factors that are done anew are cleared first, and so are those that are not wanted any more.
-  const int wanted = 1 + (this->NeedsNeumann() ? 1 : 0) + (this->NeedsDirichlet() ? 1 : 0);
-  const int held = (this->Heat.IsComputed() ? 1 : 0) + (this->CooledHeat.IsComputed() ? 1 : 0) +
-    (this->Distance.IsComputed() ? 1 : 0);
-  return wanted > held ? (wanted - held) * this->GetFactorMemory() : 0;
-}
-
-/// Bytes of one factor, at most.
-std::size_t HeatSystem::GetFactorMemory() const
-{
-  return static_cast<std::size_t>(this->FactorEntries) * (sizeof(double) + sizeof(int)) +
-    this->Places.size() * (sizeof(double) + 3 * sizeof(int));
-}
-
-std::size_t HeatSystem::GetMemorySize() const
-{
-  return this->GetBaseMemory() + this->Heat.GetMemorySize() + this->CooledHeat.GetMemorySize() +
-    this->Distance.GetMemorySize();
+  return this->IsAnalyzed && this->Distance.IsComputed() &&
+    (!this->NeedsNeumann() || this->Heat.IsComputed()) &&
+    (!this->NeedsDirichlet() || this->CooledHeat.IsComputed());
 }
 }

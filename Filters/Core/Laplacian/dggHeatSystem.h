@@ -5,9 +5,9 @@
 #ifndef dggHeatSystem_h
 #define dggHeatSystem_h
 
-#include "dggHeatMethod.h"   // for the options
-#include "dggScaledNumber.h" // for little heat
-#include "dggSparseFactor.h" // for the factorizations
+#include "dggHeatMethod.h"    // for the options
+#include "dggScaledNumber.h"  // for little heat
+#include "dggLaplaceSystem.h" // for the factorizations
 
 #include <Eigen/SparseCore> // for the matrices
 
@@ -18,11 +18,8 @@
 
 namespace dgg
 {
-class IntrinsicTriangulation;
-
-/// Matrices and factorizations. The unknowns are in the order of elimination, so that a query need
-/// not permute anything but its loads and its result.
-class HeatSystem
+/// Matrices and factorizations.
+class HeatSystem : public LaplaceSystem
 {
 public:
   /// Heat put into a vertex: e to the power of Logarithm, times Weight.
@@ -44,15 +41,11 @@ public:
   std::vector<double> Solve(const std::vector<Load>& loads, const ProgressCallback& progress) const;
 
   const HeatOptions& GetOptions() const { return this->Options; }
-  Id GetComponent(Id vertex) const { return this->Components[vertex]; }
-  Id GetNumberOfComponents() const { return static_cast<Id>(this->MeanEdges.size()); }
   /// How far heat goes until it has fallen by a factor of e: the square root of the time.
   double GetHeatLength(Id component) const;
-  bool IsOnBoundary(Id vertex) const { return this->OnBoundary[vertex] != 0; }
 
-  std::size_t GetEstimatedMemory() const;
-  std::size_t GetMissingMemory() const;
-  std::size_t GetMemorySize() const;
+  double GetEstimatedMemory() const;
+  bool HoldsFactors() const;
   int GetNumberOfFactorizations() const { return this->NumberOfFactorizations; }
 
 private:
@@ -61,44 +54,30 @@ private:
   /// A triangle with its first edge on the x axis.
   struct Frame
   {
-    std::array<Id, 3> Places;
+    std::array<Id, 3> Corners;
     double Length;
     double ApexX;
     double ApexY;
   };
 
-  void MeasureComponents(const IntrinsicTriangulation& triangulation);
-  void TakeFrames(const IntrinsicTriangulation& triangulation);
-  Matrix MakeHeatMatrix(bool cooled) const;
-  Matrix MakeDistanceMatrix() const;
+  void MeasureEdges();
+  void TakeFrames();
+  Matrix MakeHeatMatrix() const;
   bool NeedsDirichlet() const { return this->Options.Boundary != HeatBoundary::Neumann; }
   bool NeedsNeumann() const { return this->Options.Boundary != HeatBoundary::Dirichlet; }
-  std::size_t GetBaseMemory() const;
-  std::size_t GetFactorMemory() const;
 
   template <typename Number>
   std::vector<Number> SolveHeat(const std::vector<Load>& loads) const;
   template <typename Number>
   bool FindFlow(const std::vector<Load>& loads, std::vector<double>& flow) const;
 
-  const SurfaceMesh& Mesh;
   HeatOptions Options;
   bool IsAnalyzed = false;
   double HeatFactor = -1.0;   ///< time step factor of Neumann
   double CooledFactor = -1.0; ///< time step factor of Dirichlet
   int NumberOfFactorizations = 0;
-  Offset FactorEntries = 0;
-
-  std::vector<Id> Components;           // per vertex
-  std::vector<double> MeanEdges;        // per component
-  std::vector<std::uint8_t> OnBoundary; // per vertex
-  std::vector<Id> Places;               // per vertex: its place in the order of elimination
-  std::vector<Id> PinnedPlaces;         // one per component
-  std::vector<Id> ComponentOfPlace;
-  std::vector<std::uint8_t> PlaceOnBoundary;
+  std::vector<double> MeanEdges; // per component
   std::vector<Frame> Frames;
-  Matrix Stiffness; // upper triangle, permuted
-  Eigen::VectorXd Mass;
   SparseFactor Heat;
   SparseFactor CooledHeat;
   SparseFactor Distance;

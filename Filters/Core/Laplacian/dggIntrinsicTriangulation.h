@@ -7,7 +7,6 @@
 
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 
-#include <cstddef> // for std::size_t
 #include <cstdint> // for flags
 #include <vector>  // for the arrays
 
@@ -19,6 +18,7 @@ namespace dgg
 class IntrinsicTriangulation
 {
 public:
+  IntrinsicTriangulation() = default;
   explicit IntrinsicTriangulation(const SurfaceMesh& mesh);
 
   Id GetNumberOfVertices() const { return this->NumberOfVertices; }
@@ -46,8 +46,6 @@ public:
   /// nothing has changed, when the edge cannot be flipped or a triangle would lose its area.
   bool Flip(Id h);
 
-  std::size_t GetMemorySize() const;
-
 private:
   bool IsPair(Id h) const;
   /// The half-edge whose twin is h; NoId on the boundary.
@@ -63,6 +61,25 @@ private:
   /// not tell for an edge from a vertex to itself.
   std::vector<std::uint8_t> RunsAlong;
 };
+
+struct DelaunayReport
+{
+  Offset Flips = 0;
+  /// Edges that should be flipped and were not, because a face would lose its area to rounding.
+  Offset Refused = 0;
+  /// False when the bound on flips was met first. The triangulation is good, but not Delaunay.
+  bool IsComplete = true;
+};
+
+/// Flip edges until those between two faces are Delaunay: the cotangents that face them do not add
+/// up to less than 0, but for rounding (Bobenko and Springborn, "A discrete Laplace-Beltrami
+/// operator for simplicial surfaces", 2007; Fisher et al., "An algorithm for the construction of
+/// intrinsic Delaunay triangulations", 2007). Lengths on the surface, angles and areas stay what
+/// they are. Edges on the boundary, with more than two faces, or with the same face on both sides
+/// stay. At most `mostFlips` flips; negative is the default, 100 per edge, where ordinary meshes
+/// need less than one.
+Status MakeDelaunay(IntrinsicTriangulation& triangulation, Offset mostFlips,
+  const ProgressCallback& progress, DelaunayReport& report);
 }
 
 #endif

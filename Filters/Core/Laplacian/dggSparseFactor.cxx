@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
 namespace dgg
 {
@@ -44,24 +46,21 @@ void ForEachOnDiagonal(Eigen::SparseMatrix<double>& matrix, Visitor&& visit)
 }
 }
 
-std::vector<Id> FindEliminationOrder(const Eigen::SparseMatrix<double>& matrix)
+EliminationOrder::EliminationOrder(const Eigen::SparseMatrix<double>& matrix)
+  : MatrixEntries(matrix.nonZeros())
 {
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
   Eigen::AMDOrdering<int>()(matrix, order); // old place of each new one
-  std::vector<Id> places(static_cast<std::size_t>(matrix.cols()));
+  const auto n = static_cast<std::size_t>(matrix.cols());
+  auto places = std::make_shared<std::vector<Id>>(n);
   for (int place = 0; place < matrix.cols(); ++place)
   {
-    places[order.indices()[place]] = place;
+    (*places)[order.indices()[place]] = place;
   }
-  return places;
-}
-
-Offset CountFactorEntries(const Eigen::SparseMatrix<double>& upper)
-{
-  const auto n = static_cast<std::size_t>(upper.cols());
+  this->Places = places;
+  const Eigen::SparseMatrix<double> upper = this->Permute(matrix);
   std::vector<Id> parent(n, NoId);
   std::vector<Id> mark(n, NoId);
-  Offset count = 0;
   for (Id column = 0; column < upper.cols(); ++column)
   {
     mark[column] = column;
@@ -71,24 +70,85 @@ Offset CountFactorEntries(const Eigen::SparseMatrix<double>& upper)
       {
         parent[i] = parent[i] == NoId ? column : parent[i];
         mark[i] = column;
-        ++count;
+        ++this->FactorEntries;
       }
     }
   }
-  return count;
 }
 
-bool SparseFactor::Compute(const Eigen::SparseMatrix<double>& upper)
+Status EliminationOrder::Check() const
+{
+  return this->FactorEntries <= std::numeric_limits<int>::max()
+    ? Status::Success()
+    : Status::Invalid("the factor of the linear system would have " +
+        std::to_string(this->FactorEntries) +
+        " entries, more than can be numbered: use a smaller mesh");
+}
+
+double EliminationOrder::EstimateFactorMemory() const
+{
+  // Rows and values of the factor; half of the matrix, permuted, of which Eigen makes a copy; the
+  // diagonal, the beginnings of columns, and arrays to work with.
+  constexpr double entry = sizeof(double) + sizeof(int);
+  const auto n = this->Places ? static_cast<double>(this->Places->size()) : 0.0;
+  return entry * (static_cast<double>(this->FactorEntries + this->MatrixEntries) + n) +
+    n * (2.0 * sizeof(double) + 8.0 * sizeof(int));
+}
+
+std::vector<Id> EliminationOrder::FindLast(const std::vector<Id>& parts, Id numberOfParts) const
+{
+  std::vector<Id> last(static_cast<std::size_t>(numberOfParts), NoId);
+  for (std::size_t v = 0; v < parts.size(); ++v)
+  {
+    Id& of = last[parts[v]];
+    of = of == NoId || (*this->Places)[v] > (*this->Places)[of] ? static_cast<Id>(v) : of;
+  }
+  return last;
+}
+
+/// The upper triangle, in the order of elimination.
+Eigen::SparseMatrix<double> EliminationOrder::Permute(
+  const Eigen::SparseMatrix<double>& matrix) const
+{
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(matrix.cols());
+  std::copy(this->Places->begin(), this->Places->end(), permutation.indices().data());
+  Eigen::SparseMatrix<double> upper(matrix.rows(), matrix.cols());
+  upper.selfadjointView<Eigen::Upper>() =
+    matrix.selfadjointView<Eigen::Upper>().twistedBy(permutation);
+  return upper;
+}
+
+bool SparseFactor::Compute(const EliminationOrder& order, const Eigen::SparseMatrix<double>& matrix,
+  const std::vector<std::uint8_t>& isKnown)
 {
   this->Clear();
+  this->Places = order.Places;
+  Eigen::SparseMatrix<double> upper = order.Permute(matrix);
+  if (!isKnown.empty())
+  {
+    std::vector<std::uint8_t> isKnownAt(isKnown.size());
+    for (std::size_t v = 0; v < isKnown.size(); ++v)
+    {
+      isKnownAt[(*this->Places)[v]] = isKnown[v];
+    }
+    for (int column = 0; column < upper.cols(); ++column)
+    {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(upper, column); entry; ++entry)
+      {
+        if (isKnownAt[column] || isKnownAt[entry.row()])
+        {
+          entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
+        }
+      }
+    }
+  }
   this->Decomposition.compute(upper);
   if (this->Decomposition.info() != Eigen::Success)
   {
-    Eigen::SparseMatrix<double> raised = upper;
     double largest = 0.0;
-    ForEachOnDiagonal(raised, [&](double& d) { largest = std::max(largest, std::abs(d)); });
-    ForEachOnDiagonal(raised, [&](double& d) { d += 1e-10 * largest; });
-    this->Decomposition.compute(raised);
+    ForEachOnDiagonal(upper, [&](double& d) { largest = std::max(largest, std::abs(d)); });
+    ForEachOnDiagonal(upper, [&](double& d) { d += 1e-10 * largest; });
+    this->Decomposition.compute(upper);
     this->Raised = true;
   }
   this->Computed = this->Decomposition.info() == Eigen::Success;
@@ -107,6 +167,22 @@ void SparseFactor::Clear()
 
 template <typename Number>
 void SparseFactor::Solve(std::vector<Number>& values) const
+{
+  const std::vector<Id>& places = *this->Places;
+  std::vector<Number> inOrder(values.size());
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    inOrder[places[v]] = values[v];
+  }
+  this->SolveInOrder(inOrder);
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    values[v] = inOrder[places[v]];
+  }
+}
+
+template <typename Number>
+void SparseFactor::SolveInOrder(std::vector<Number>& values) const
 {
   const Eigen::SparseMatrix<double>& lower = this->Decomposition.matrixL().nestedExpression();
   const int* const begin = lower.outerIndexPtr();
@@ -140,16 +216,4 @@ void SparseFactor::Solve(std::vector<Number>& values) const
 template void SparseFactor::Solve(std::vector<double>& values) const;
 template void SparseFactor::Solve(std::vector<ScaledNumber>& values) const;
 template void SparseFactor::Solve(std::vector<SparseLanes>& values) const;
-
-std::size_t SparseFactor::GetMemorySize() const
-{
-  if (!this->Computed)
-  {
-    return 0;
-  }
-  const Eigen::SparseMatrix<double>& lower = this->Decomposition.matrixL().nestedExpression();
-  const auto entries = static_cast<std::size_t>(lower.nonZeros());
-  const auto n = static_cast<std::size_t>(lower.cols());
-  return entries * (sizeof(double) + sizeof(int)) + n * (sizeof(double) + 3 * sizeof(int));
-}
 }

@@ -10,29 +10,55 @@
 #include <Eigen/SparseCholesky> // for the factorization
 #include <Eigen/SparseCore>     // for matrices
 
-#include <cstddef> // for std::size_t
+#include <cstdint> // for flags
+#include <memory>  // for the order
 #include <vector>  // for solutions
 
 namespace dgg
 {
-/// A fill-reducing order of the unknowns (AMD): the place of each in a permuted matrix.
-std::vector<Id> FindEliminationOrder(const Eigen::SparseMatrix<double>& matrix);
+/// In which order unknowns are eliminated so that a factor has few entries: approximate minimum
+/// degree. Factors of all matrices with the same pattern share it.
+class EliminationOrder
+{
+public:
+  EliminationOrder() = default;
+  /// From both triangles of a symmetric matrix.
+  explicit EliminationOrder(const Eigen::SparseMatrix<double>& matrix);
 
-/// Off-diagonal entries that the factor of a matrix has, given by the upper triangle of its pattern
-/// (Liu, "The role of elimination trees in sparse factorization", 1990).
-Offset CountFactorEntries(const Eigen::SparseMatrix<double>& upper);
+  /// Off-diagonal entries that a factor has (Liu, "The role of elimination trees in sparse
+  /// factorization", 1990).
+  Offset GetNumberOfFactorEntries() const { return this->FactorEntries; }
+  /// Fails when these are more than can be numbered.
+  Status Check() const;
+  /// Bytes that a factor takes while it is computed.
+  double EstimateFactorMemory() const;
+  /// The unknown of each part that is eliminated last.
+  std::vector<Id> FindLast(const std::vector<Id>& parts, Id numberOfParts) const;
+
+private:
+  friend class SparseFactor;
+
+  Eigen::SparseMatrix<double> Permute(const Eigen::SparseMatrix<double>& matrix) const;
+
+  std::shared_ptr<const std::vector<Id>> Places; // of unknowns
+  Offset MatrixEntries = 0;
+  Offset FactorEntries = 0;
+};
 
 /// The same unknown of several systems.
 using SparseLanes = Eigen::Array<double, 8, 1>;
 
-/// L D L^T of a positive definite matrix whose unknowns have been ordered already.
+/// L D L^T of a positive definite matrix.
 class SparseFactor
 {
 public:
-  /// From the upper triangle, with all entries of the diagonal, in any order. Where rounding leaves
-  /// a pivot of 0, as among faces with next to no area, the diagonal is raised by 1e-10 of its
+  /// From a matrix with the pattern of the order and all entries of the diagonal, of which the
+  /// upper triangle is read. Equations of unknowns that are known, if flags are given, say that
+  /// the unknown is its right-hand side, and no other equation has it. Where rounding leaves a
+  /// pivot of 0, as among faces with next to no area, the diagonal is raised by 1e-10 of its
   /// largest entry. False when that fails, too.
-  bool Compute(const Eigen::SparseMatrix<double>& upper);
+  bool Compute(const EliminationOrder& order, const Eigen::SparseMatrix<double>& matrix,
+    const std::vector<std::uint8_t>& isKnown = {});
   bool IsComputed() const { return this->Computed; }
   /// Whether the diagonal was raised: solutions then are those of a system nearby.
   bool IsRaised() const { return this->Raised; }
@@ -45,12 +71,14 @@ public:
   template <typename Number>
   void Solve(std::vector<Number>& values) const;
 
-  std::size_t GetMemorySize() const;
-
 private:
   using Factor =
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>;
+  template <typename Number>
+  void SolveInOrder(std::vector<Number>& values) const;
+
   Factor Decomposition;
+  std::shared_ptr<const std::vector<Id>> Places;
   bool Computed = false;
   bool Raised = false;
 };

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <sstream>
 #include <string>
 
 namespace dgg
@@ -101,8 +103,6 @@ public:
     }
   }
 
-  static std::size_t GetMemoryPerFace() { return sizeof(Face); }
-
   std::size_t GetSize() const { return this->Faces.size(); }
   double GetArea(std::size_t f) const { return this->Faces[f].Area; }
   double GetScale(std::size_t f) const { return this->Faces[f].Scale; }
@@ -176,67 +176,44 @@ class StepMatrix
 public:
   explicit StepMatrix(const PoissonSystem& system)
     : System(system)
-    , Upper(system.GetStiffness().rows(), system.GetStiffness().cols())
+    , Upper(system.GetStiffness().triangularView<Eigen::Upper>())
+    , IsPinned(static_cast<std::size_t>(system.GetNumberOfVertices()))
   {
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(this->Upper.cols());
     for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
     {
-      permutation.indices()[v] = system.GetPlace(v);
+      this->IsPinned[v] = system.IsPinned(v);
     }
-    Eigen::SparseMatrix<double> pattern(this->Upper.rows(), this->Upper.cols());
-    pattern.selfadjointView<Eigen::Upper>() =
-      system.GetStiffness().selfadjointView<Eigen::Upper>().twistedBy(permutation);
-    // Twice, which sorts the columns.
-    pattern = Eigen::SparseMatrix<double>(pattern.transpose());
-    this->Upper = pattern.transpose();
   }
 
-  void Clear()
-  {
-    std::fill(this->Upper.valuePtr(), this->Upper.valuePtr() + this->Upper.nonZeros(), 0.0);
-    for (Id v = 0; v < this->System.GetNumberOfVertices(); ++v)
-    {
-      if (this->System.IsPinned(v))
-      {
-        this->Upper.coeffRef(this->System.GetPlace(v), this->System.GetPlace(v)) = 1.0;
-      }
-    }
-  }
+  void Clear() { this->Upper.coeffs().setZero(); }
 
   void Add(Id v, Id w, double entry)
   {
-    const Id row = this->System.GetPlace(v);
-    const Id column = this->System.GetPlace(w);
-    if (row <= column && !this->System.IsPinned(v) && !this->System.IsPinned(w))
+    if (v <= w)
     {
-      this->Upper.coeffRef(row, column) += entry;
+      this->Upper.coeffRef(v, w) += entry;
     }
   }
 
   /// Replace sources by the solution, 0 where it is pinned.
   bool Solve(std::vector<double>& values)
   {
-    if (!this->Factor.Compute(this->Upper))
+    if (!this->Factor.Compute(this->System.GetOrder(), this->Upper, this->IsPinned))
     {
       return false;
     }
-    std::vector<double> inOrder(values.size());
     for (std::size_t v = 0; v < values.size(); ++v)
     {
-      const auto id = static_cast<Id>(v);
-      inOrder[this->System.GetPlace(id)] = this->System.IsPinned(id) ? 0.0 : values[v];
+      values[v] = this->IsPinned[v] ? 0.0 : values[v];
     }
-    this->Factor.Solve(inOrder);
-    for (std::size_t v = 0; v < values.size(); ++v)
-    {
-      values[v] = inOrder[this->System.GetPlace(static_cast<Id>(v))];
-    }
+    this->Factor.Solve(values);
     return true;
   }
 
 private:
   const PoissonSystem& System;
   Eigen::SparseMatrix<double> Upper;
+  std::vector<std::uint8_t> IsPinned; // per vertex
   SparseFactor Factor;
 };
 
@@ -316,6 +293,70 @@ Status CheckMasses(
   }
   return Status::Success();
 }
+
+/// Make masses sum to 1, in two steps since their sum may be too large for a number. `total` is
+/// what they summed to; with 0, nothing is done.
+Status ScaleToOne(std::vector<double>& masses, double& total)
+{
+  double largest = 0.0;
+  for (std::size_t v = 0; v < masses.size(); ++v)
+  {
+    if (!(masses[v] >= 0.0) || !std::isfinite(masses[v]))
+    {
+      std::ostringstream message;
+      message << "the mass of vertex " << v << " is " << masses[v]
+              << ": masses are finite and not negative";
+      return Status::Invalid(message.str());
+    }
+    largest = std::max(largest, masses[v]);
+  }
+  double sum = 0.0;
+  for (double& mass : masses)
+  {
+    mass = largest > 0.0 ? mass / largest : 0.0;
+    sum += mass;
+  }
+  for (double& mass : masses)
+  {
+    mass = largest > 0.0 ? mass / sum : 0.0;
+  }
+  total = largest * sum;
+  return std::isfinite(total) ? Status::Success()
+                              : Status::Invalid("the sum of the masses is not finite: scale them");
+}
+
+/// Differences within the tolerance are taken off the second distribution.
+Status BalanceComponents(
+  const SurfaceMesh& mesh, std::vector<double>& from, std::vector<double>& to)
+{
+  Id count = 0;
+  const std::vector<Id> components = mesh.ComputeComponents(count);
+  std::vector<double> fromSums(count, 0.0);
+  std::vector<double> toSums(count, 0.0);
+  for (std::size_t v = 0; v < from.size(); ++v)
+  {
+    fromSums[components[v]] += from[v];
+    toSums[components[v]] += to[v];
+  }
+  for (std::size_t v = 0; v < from.size(); ++v)
+  {
+    const double a = fromSums[components[v]];
+    const double b = toSums[components[v]];
+    if (std::abs(a - b) > MassTolerance)
+    {
+      std::ostringstream message;
+      message << "in the part of the surface with vertex " << v << " there is a fraction of " << a
+              << " of the first distribution and " << b
+              << " of the second one: nothing can get there from other parts, so give both the "
+                 "same mass in each part";
+      return Status::Invalid(message.str());
+    }
+    const double ratio = a / b;
+    from[v] = b > 0.0 && std::isfinite(ratio) ? from[v] : 0.0;
+    to[v] = b > 0.0 && std::isfinite(ratio) ? to[v] * ratio : 0.0;
+  }
+  return Status::Success();
+}
 }
 
 Status AddPointMass(
@@ -333,20 +374,6 @@ Status AddPointMass(
   ForEachCornerAround(
     mesh, point, [&](Id v, double weight, double) { masses[v] += mass * weight; });
   return status;
-}
-
-std::size_t EarthMovers::GetWorkingMemory() const
-{
-  const PoissonSystem& system = this->Solver.GetSystem();
-  const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
-  const auto m = static_cast<std::size_t>(system.GetTriangulation().GetNumberOfFaces());
-  // The best flow of before is there until the better one is.
-  const std::size_t flow = system.GetOptions().IntrinsicDelaunay
-    ? 0
-    : static_cast<std::size_t>(system.GetMesh().GetNumberOfFaces()) * sizeof(Point2);
-  // Sources, potential, the best one, step and divergence; the flow; the matrix of the step.
-  return 5 * n * sizeof(double) + m * (Flows::GetMemoryPerFace() + sizeof(Point2)) + flow +
-    std::max(flow, system.GetSolvingMemory()) + system.GetFactorMemory();
 }
 
 Status EarthMovers::Run(const std::vector<double>& from, const std::vector<double>& to,
@@ -515,5 +542,41 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
     keepPotential(potential);
   }
   return options.Progress && !options.Progress(1.0) ? Status::Abort() : status;
+}
+
+Status BalanceMasses(const SurfaceMesh& mesh, bool normalize, std::vector<double>& from,
+  std::vector<double>& to, double& total)
+{
+  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
+  if (from.size() != n || to.size() != n)
+  {
+    return Status::Invalid("both distributions need one mass for each vertex");
+  }
+  double totals[2] = { 0.0, 0.0 };
+  Status status = ScaleToOne(from, totals[0]);
+  if (status.IsOk())
+  {
+    status = ScaleToOne(to, totals[1]);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  std::ostringstream message;
+  if (normalize && !(std::min(totals[0], totals[1]) > 0.0))
+  {
+    message << "the " << (totals[0] > 0.0 ? "second" : "first")
+            << " distribution has no mass: it cannot be normalized";
+    return Status::Invalid(message.str());
+  }
+  if (!normalize &&
+    std::abs(totals[0] - totals[1]) > MassTolerance * std::max(totals[0], totals[1]))
+  {
+    message << "the first distribution has the mass " << totals[0] << " and the second one "
+            << totals[1] << ": give both the same, or have them normalized";
+    return Status::Invalid(message.str());
+  }
+  total = normalize ? 1.0 : totals[0];
+  return BalanceComponents(mesh, from, to);
 }
 }

@@ -6,11 +6,11 @@
 #define dggEarthMovers_h
 
 #include "dggPoissonSolver.h" // for PoissonSolver
+#include "dggSurfaceMesh.h"   // for SurfaceMesh
 #include "dggSurfacePoint.h"  // for point masses
 #include "dggUnfolding.h"     // for vectors in faces
 
-#include <cstddef> // for std::size_t
-#include <vector>  // for masses
+#include <vector> // for masses
 
 namespace dgg
 {
@@ -76,13 +76,23 @@ public:
   Status Run(const std::vector<double>& from, const std::vector<double>& to,
     const EarthMoversOptions& options, EarthMoversResult& result) const;
 
-  /// Most bytes that Run() takes at one time, the result included. The solver need only be
-  /// analyzed.
-  std::size_t GetWorkingMemory() const;
-
 private:
   const PoissonSolver& Solver;
 };
+
+/// Masses, as a part of the mass of all, that may be missing in one of two distributions. Sums of
+/// densities in single precision differ by less.
+constexpr double MassTolerance = 1e-6;
+
+/// Scale masses per vertex, which must not be negative, so that both distributions sum to 1 (to 0
+/// when there is no mass) and have the same mass in each component. `total` is what they summed to;
+/// 1 when they are to be normalized.
+///
+/// Fails when a mass is negative or not finite, or a sum is not; when totals differ by more than
+/// MassTolerance, unless they are to be normalized, which needs some mass in both; when masses
+/// within a component differ by more than MassTolerance of the total: nothing can get there.
+Status BalanceMasses(const SurfaceMesh& mesh, bool normalize, std::vector<double>& from,
+  std::vector<double>& to, double& total);
 }
 
 #endif

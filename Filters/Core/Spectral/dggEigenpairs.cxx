@@ -2,31 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggEigenpairs.h"
 
+#include "dggMeshPart.h"
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
 
 #include <Eigen/Dense>
+#include <Spectra/SymEigsSolver.h>
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <functional>
+#include <new>
 #include <numeric>
-#include <random>
-#include <string>
 
 namespace dgg
 {
 namespace
 {
-constexpr int Block = SparseLanes::SizeAtCompileTime;
 constexpr double Tolerance = 1e-8;
-/// Meshes with fewer vertices that count are left to a dense solver.
+/// Meshes with fewer vertices that count are left to a dense solver. Up to so many vertices, so are
+/// requests for more than a part of the spectrum.
 constexpr Id DenseVertices = 300;
-/// Up to so many vertices, so are requests for more than a part of the spectrum.
 constexpr Id MostDenseVertices = 1000;
 constexpr Id DensePart = 5;
+/// The basis has half as many vectors again as there are values to find, and so many.
+constexpr Id MoreVectors = 20;
+constexpr int MostIterations = 100;
 /// Relative difference of eigenvalues that makes a gap.
 constexpr double Gap = 1e-4;
-constexpr int MostRestarts = 4;
+/// Searches for those of multiple eigenvalues that one starting vector does not lead to.
+constexpr int MostSearches = 5;
+/// Part of the progress that the first search takes.
+constexpr double SearchDone = 0.9;
 /// Values that are asked for at first of a component, besides those that its area lets expect, and
 /// the part of the progress that takes.
 constexpr double LeastWanted = 8.0;
@@ -34,18 +42,22 @@ constexpr double FirstPassDone = 0.9;
 /// Eigenvalues of the inverse below this part of the largest are rounding.
 constexpr double Rounding = 1e-13;
 
-bool Goes(const ProgressCallback& progress, double fraction)
+/// Leaves Spectra, whose loops have no other way out. Never thrown out of FindLargest().
+struct Aborted
 {
-  return !progress || progress(std::min(1.0, fraction));
-}
+};
 
-/// L and M, and the inverse of M^-1/2 L M^-1/2 off its kernel.
+/// L and M, and the inverse of M^-1/2 L M^-1/2 off its kernel and off the eigenvectors that are
+/// known, as Spectra wants it.
 class Operator
 {
 public:
+  using Scalar = double;
+
   explicit Operator(const PoissonSystem& system)
     : System(system)
     , Roots(system.GetNumberOfVertices())
+    , Known(system.GetNumberOfVertices(), 0)
   {
     std::vector<bool> isCounted(system.GetNumberOfComponents(), false);
     for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
@@ -63,41 +75,54 @@ public:
       }
     }
     this->Rank -= this->Nullity;
+    // Spectra has thresholds that make sense for numbers of about 1.
+    this->Scale = this->Roots.squaredNorm() > 0.0 ? 1.0 / this->Roots.squaredNorm() : 1.0;
   }
 
   /// How many eigenvalues there are besides 0, and how often that is one.
   Id GetRank() const { return this->Rank; }
   Id GetNullity() const { return this->Nullity; }
   Offset GetSolved() const { return this->Solved; }
+  /// What eigenvalues of the inverse have been multiplied with.
+  double GetScale() const { return this->Scale; }
   const Eigen::VectorXd& GetRoots() const { return this->Roots; }
-  const PoissonSystem& GetSystem() const { return this->System; }
 
-  Eigen::MatrixXd Apply(const Eigen::MatrixXd& x) const
+  /// Whether a dense solver takes less for so many eigenvalues.
+  bool IsSmall(Eigen::Index count) const
   {
-    const Id n = this->System.GetNumberOfVertices();
-    std::vector<SparseLanes> values(n, SparseLanes(SparseLanes::Zero()));
-    for (Id v = 0; v < n; ++v)
+    return this->Rank <= DenseVertices || count >= this->Rank ||
+      (this->Rank <= MostDenseVertices && count > this->Rank / DensePart);
+  }
+
+  void SetKnown(const Eigen::MatrixXd& vectors) { this->Known = vectors; }
+  /// Reported to with the number of applications, from the next one on.
+  void SetProgress(const std::function<bool(Id)>& progress)
+  {
+    this->Applied = 0;
+    this->Progress = progress;
+  }
+
+  Eigen::Index rows() const { return this->Roots.size(); }
+  Eigen::Index cols() const { return this->Roots.size(); }
+  void perform_op(const double* x, double* y) const
+  {
+    if (this->Progress && !this->Progress(this->Applied++))
     {
-      for (int k = 0; k < x.cols(); ++k)
-      {
-        values[v][k] = x(v, k) * this->Roots[v];
-      }
+      throw Aborted();
     }
+    const Eigen::Index n = this->rows();
+    Eigen::Map<const Eigen::VectorXd> from(x, n);
+    Eigen::Map<Eigen::VectorXd> to(y, n);
+    std::vector<double> values(n);
+    Eigen::Map<Eigen::VectorXd> inner(values.data(), n);
+    inner = this->Off(from).cwiseProduct(this->Roots);
     this->System.Solve(values);
-    this->Solved += static_cast<Offset>(n) * x.cols();
-    Eigen::MatrixXd result(n, x.cols());
-    for (Id v = 0; v < n; ++v)
-    {
-      for (int k = 0; k < x.cols(); ++k)
-      {
-        result(v, k) = values[v][k] * this->Roots[v];
-      }
-    }
-    return result;
+    this->Solved += static_cast<Offset>(n);
+    to = this->Off(this->Scale * inner.cwiseProduct(this->Roots));
   }
 
   /// How many eigenvalues of L v = lambda M v are below sigma, 0 included; -1 when that cannot be
-  /// told.
+  /// found out.
   Id CountBelow(double sigma) const
   {
     Eigen::SparseMatrix<double> matrix = this->System.GetStiffness();
@@ -125,140 +150,21 @@ public:
   }
 
 private:
+  /// What is left of a vector off those that are known.
+  Eigen::VectorXd Off(const Eigen::VectorXd& x) const
+  {
+    return x - this->Known * (this->Known.transpose() * x);
+  }
+
   const PoissonSystem& System;
   Eigen::VectorXd Roots;
+  Eigen::MatrixXd Known;
+  double Scale = 1.0;
   Id Rank = 0;
   Id Nullity = 0;
+  std::function<bool(Id)> Progress;
+  mutable Id Applied = 0;
   mutable Offset Solved = 0;
-};
-
-/// An orthonormal basis that grows, and the operator on it.
-class Krylov
-{
-public:
-  explicit Krylov(const Operator& op)
-    : Op(op)
-    , Generator(1)
-  {
-  }
-
-  /// Directions that may not have been seen yet.
-  void AddRandom()
-  {
-    Eigen::MatrixXd x(this->Op.GetRoots().size(), Block);
-    for (Eigen::Index k = 0; k < x.size(); ++k)
-    {
-      x.data()[k] = static_cast<double>(this->Generator() >> 11) * 0x1.0p-52 - 1.0;
-    }
-    this->Last = this->Orthonormal(this->Op.Apply(x));
-    this->Coupling.resize(0, 0);
-  }
-
-  /// Apply the operator to what was added last. False when there is nothing new to look at.
-  bool Grow()
-  {
-    const Eigen::Index size = this->Size;
-    const Eigen::Index added = this->Last.cols();
-    if (added == 0)
-    {
-      return false;
-    }
-    if (this->Basis.cols() < size + added)
-    {
-      this->Basis.conservativeResize(
-        this->Last.rows(), std::max<Eigen::Index>(2 * this->Basis.cols(), size + 8 * Block));
-    }
-    this->Basis.middleCols(size, added) = this->Last;
-    this->Size += added;
-    const Eigen::MatrixXd image = this->Op.Apply(this->Last);
-    const Eigen::MatrixXd column = this->Basis.leftCols(this->Size).transpose() * image;
-    this->Projection.conservativeResizeLike(Eigen::MatrixXd::Zero(this->Size, this->Size));
-    this->Projection.rightCols(added) = column;
-    this->Projection.bottomRows(added) = column.transpose();
-    this->Scale = std::max(this->Scale, column.cwiseAbs().maxCoeff());
-    const Eigen::MatrixXd rest = this->Project(image);
-    this->LastAdded = added;
-    this->Last = this->Orthonormal(rest);
-    this->Coupling = this->Last.transpose() * rest;
-    return true;
-  }
-
-  /// Ritz values, the largest first, and how far the pairs are from being eigenpairs.
-  void Solve()
-  {
-    const Eigen::MatrixXd symmetric = 0.5 * (this->Projection + this->Projection.transpose());
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric);
-    this->Values = solver.eigenvalues().reverse();
-    this->Vectors = solver.eigenvectors().rowwise().reverse();
-    this->Residuals = Eigen::VectorXd::Zero(this->Size);
-    if (this->Coupling.rows() > 0)
-    {
-      this->Residuals =
-        (this->Coupling * this->Vectors.bottomRows(this->LastAdded)).colwise().norm().transpose();
-    }
-  }
-
-  Eigen::Index GetSize() const { return this->Size; }
-  const Eigen::VectorXd& GetValues() const { return this->Values; }
-  const Eigen::VectorXd& GetResiduals() const { return this->Residuals; }
-  Eigen::MatrixXd GetVectors(Eigen::Index count) const
-  {
-    return this->Basis.leftCols(this->Size) * this->Vectors.leftCols(count);
-  }
-
-private:
-  /// What is orthogonal to the basis.
-  Eigen::MatrixXd Project(const Eigen::MatrixXd& columns) const
-  {
-    if (this->Size == 0)
-    {
-      return columns;
-    }
-    const auto basis = this->Basis.leftCols(this->Size);
-    return columns - basis * (basis.transpose() * columns);
-  }
-
-  /// An orthonormal basis of the columns, orthogonal to what there is; those that add nothing are
-  /// left out. Twice is enough (Parlett, "The symmetric eigenvalue problem", 1980).
-  Eigen::MatrixXd Orthonormal(const Eigen::MatrixXd& columns) const
-  {
-    Eigen::MatrixXd result = columns;
-    for (int pass = 0; pass < 2; ++pass)
-    {
-      result = this->Project(result);
-      Eigen::Index kept = 0;
-      for (Eigen::Index k = 0; k < result.cols(); ++k)
-      {
-        Eigen::VectorXd x = result.col(k);
-        const double before = x.norm();
-        for (int again = 0; again < 2; ++again)
-        {
-          x -= result.leftCols(kept) * (result.leftCols(kept).transpose() * x);
-        }
-        const double after = x.norm();
-        const double least = pass == 0 ? 1e-13 * this->Scale : 0.5;
-        if (after > least && after > 1e-10 * before && after > 0.0)
-        {
-          result.col(kept++) = x / after;
-        }
-      }
-      result.conservativeResize(Eigen::NoChange, kept);
-    }
-    return result;
-  }
-
-  const Operator& Op;
-  std::mt19937_64 Generator;
-  Eigen::Index Size = 0;
-  Eigen::Index LastAdded = 0;
-  double Scale = 0.0;
-  Eigen::MatrixXd Basis;
-  Eigen::MatrixXd Last;
-  Eigen::MatrixXd Coupling;
-  Eigen::MatrixXd Projection;
-  Eigen::VectorXd Values;
-  Eigen::MatrixXd Vectors;
-  Eigen::VectorXd Residuals;
 };
 
 /// Eigenvalues of L v = lambda M v, increasing, and M^1/2 v.
@@ -303,199 +209,136 @@ Eigen::Index CountDefinite(const Eigen::VectorXd& inverses)
   return count;
 }
 
-/// A component of a mesh as a mesh of its own.
-struct MeshPart
-{
-  std::vector<Id> Vertices; // of the whole
-  std::vector<Id> Faces;
-};
-
-/// The components that have faces. Places are those of vertices in their component.
-std::vector<MeshPart> FindParts(const PoissonSystem& system, std::vector<Id>& places)
-{
-  const SurfaceMesh& mesh = system.GetMesh();
-  std::vector<MeshPart> parts(static_cast<std::size_t>(system.GetNumberOfComponents()));
-  places.resize(static_cast<std::size_t>(mesh.GetNumberOfVertices()));
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    std::vector<Id>& vertices = parts[system.GetComponent(v)].Vertices;
-    places[v] = static_cast<Id>(vertices.size());
-    vertices.push_back(v);
-  }
-  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-  {
-    if (!mesh.IsDropped(f))
-    {
-      parts[system.GetComponent(mesh.Origin(3 * f))].Faces.push_back(f);
-    }
-  }
-  parts.erase(std::remove_if(parts.begin(), parts.end(),
-                [](const MeshPart& part) { return part.Faces.empty(); }),
-    parts.end());
-  return parts;
-}
-
-Status BuildPart(const SurfaceMesh& mesh, const MeshPart& part, const std::vector<Id>& places,
-  std::vector<Id>& placeOfFace, SurfaceMesh& result)
-{
-  std::vector<Id> triangles;
-  std::vector<double> lengths;
-  std::vector<Id> twins;
-  for (std::size_t k = 0; k < part.Faces.size(); ++k)
-  {
-    placeOfFace[part.Faces[k]] = static_cast<Id>(k);
-  }
-  for (const Id f : part.Faces)
-  {
-    for (Id h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      const Id twin = mesh.Twin(h);
-      triangles.push_back(places[mesh.Origin(h)]);
-      lengths.push_back(mesh.Length(h));
-      twins.push_back(twin == NoId ? NoId : 3 * placeOfFace[SurfaceMesh::Face(twin)] + twin % 3);
-    }
-  }
-  return SurfaceMesh::FromGluedLengths(static_cast<Offset>(part.Vertices.size()), triangles.data(),
-    static_cast<Offset>(part.Faces.size()), lengths.data(), twins.data(), result,
-    { &mesh, part.Faces.data() });
-}
-
 /// All of the inverse, of which the largest eigenvalues are accurate, as those of the matrix itself
 /// are not where it has entries of very different size.
-Status SolveDense(const Operator& op, Id count, const ProgressCallback& progress, Eigenpairs& pairs)
+Eigen::MatrixXd MakeInverse(const Operator& op)
 {
-  const Eigen::VectorXd& roots = op.GetRoots();
-  std::vector<Eigen::Index> active;
-  for (Eigen::Index v = 0; v < roots.size(); ++v)
+  const Eigen::Index n = op.rows();
+  Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index k = 0; k < n; ++k)
   {
-    if (roots[v] > 0.0)
+    if (op.GetRoots()[k] > 0.0)
     {
-      active.push_back(v);
+      const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n, k);
+      op.perform_op(unit.data(), inverse.col(k).data());
     }
   }
-  const auto size = static_cast<Eigen::Index>(active.size());
-  Eigen::MatrixXd inverse(size, size);
-  for (Eigen::Index first = 0; first < size; first += Block)
+  return 0.5 * (inverse + inverse.transpose());
+}
+
+/// Add the largest eigenvalues of the inverse off those that are known, in decreasing order.
+Status FindLargest(Operator& op, Eigen::Index count, int search, const ProgressCallback& progress,
+  Eigen::VectorXd& values, Eigen::MatrixXd& vectors)
+{
+  Eigen::VectorXd newValues;
+  Eigen::MatrixXd newVectors;
+  const Eigen::Index n = op.rows();
+  const bool isDense = op.IsSmall(count);
+  const auto size = std::min<Eigen::Index>(op.GetRank(), count + count / 2 + MoreVectors);
+  const auto expected = static_cast<double>(isDense ? n : size + size / 2);
+  op.SetProgress(
+    [&](Id applied) { return Goes(progress, SearchDone * std::min(1.0, applied / expected)); });
+  try
   {
-    if (!Goes(progress, 0.5 * static_cast<double>(first) / static_cast<double>(size)))
+    if (isDense)
     {
-      return Status::Abort();
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(MakeInverse(op));
+      newValues = solver.eigenvalues().tail(count).reverse();
+      newVectors = solver.eigenvectors().rightCols(count).rowwise().reverse();
     }
-    const Eigen::Index width = std::min<Eigen::Index>(Block, size - first);
-    Eigen::MatrixXd units = Eigen::MatrixXd::Zero(roots.size(), width);
-    for (Eigen::Index k = 0; k < width; ++k)
+    else
     {
-      units(active[first + k], k) = 1.0;
-    }
-    const Eigen::MatrixXd columns = op.Apply(units);
-    for (Eigen::Index i = 0; i < size; ++i)
-    {
-      inverse.block(i, first, 1, width) = columns.row(active[i]);
+      Spectra::SymEigsSolver<Operator> solver(op, count, size);
+      solver.init(Spectra::SimpleRandom<double>(search).random_vec(n).data());
+      solver.compute(Spectra::SortRule::LargestAlge, MostIterations, Tolerance);
+      newValues = solver.eigenvalues();
+      newVectors = solver.eigenvectors();
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-    0.5 * (inverse + inverse.transpose()));
-  const Eigen::VectorXd inverses = solver.eigenvalues().reverse();
-  const Eigen::Index kept = std::min<Eigen::Index>(count, CountDefinite(inverses));
-  Eigen::MatrixXd vectors = Eigen::MatrixXd::Zero(roots.size(), kept);
-  for (Eigen::Index i = 0; i < size; ++i)
+  catch (const Aborted&)
   {
-    for (Eigen::Index k = 0; k < kept; ++k)
-    {
-      vectors(active[i], k) = solver.eigenvectors()(i, size - 1 - k);
-    }
+    return Status::Abort();
   }
-  Put(op, inverses.head(kept).cwiseInverse(), vectors, pairs);
-  pairs.IsComplete = true;
-  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+  catch (const std::bad_alloc&)
+  {
+    throw;
+  }
+  catch (const std::exception&)
+  {
+    return Status::Invalid("the eigenvalues could not be found: make better triangles");
+  }
+  // With those that are known, in order.
+  const Eigen::Index known = values.size();
+  std::vector<Eigen::Index> order(known + newValues.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto valueOf = [&](Eigen::Index k) { return k < known ? values[k] : newValues[k - known]; };
+  std::stable_sort(order.begin(), order.end(),
+    [&](Eigen::Index a, Eigen::Index b) { return valueOf(a) > valueOf(b); });
+  Eigen::VectorXd allValues(order.size());
+  Eigen::MatrixXd allVectors(n, order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+  {
+    const Eigen::Index from = order[k];
+    allValues[k] = valueOf(from);
+    allVectors.col(k) = from < known ? vectors.col(from) : newVectors.col(from - known);
+  }
+  values.swap(allValues);
+  vectors.swap(allVectors);
+  return Status::Success();
 }
 
 /// As if the mesh was connected.
 Status FindAllAtOnce(
   const PoissonSystem& system, Id count, const ProgressCallback& progress, Eigenpairs& pairs)
 {
-  const Operator op(system);
+  Operator op(system);
   count = std::min(count, op.GetRank());
+  if (!Goes(progress, 0.0))
+  {
+    return Status::Abort();
+  }
   if (count == 0)
   {
     pairs.IsComplete = true;
     return Status::Success();
   }
-  if (!Goes(progress, 0.0))
-  {
-    return Status::Abort();
-  }
-  if (op.GetRank() <= DenseVertices ||
-    (op.GetRank() <= MostDenseVertices && count > op.GetRank() / DensePart))
-  {
-    const Status status = SolveDense(op, count, progress, pairs);
-    pairs.Solved = op.GetSolved();
-    return status;
-  }
-  Krylov krylov(op);
-  krylov.AddRandom();
   // One more than asked for, to see the gap behind the last one.
-  const Eigen::Index wanted = std::min(count + 1, op.GetRank());
-  for (int restart = 0; restart <= MostRestarts; ++restart)
+  const auto wanted = static_cast<Id>(std::min<Eigen::Index>(count + 1, op.GetRank()));
+  const bool isDense = op.IsSmall(wanted);
+  Eigen::VectorXd inverses;
+  Eigen::MatrixXd vectors;
+  Status status = FindLargest(op, wanted, 0, progress, inverses, vectors);
+  const auto valueOf = [&](Eigen::Index k) { return op.GetScale() / inverses[k]; };
+  pairs.IsComplete = isDense;
+  if (status.IsOk() && !isDense && CountDefinite(inverses) > 0)
   {
-    Eigen::Index converged = 0;
-    Eigen::Index next = wanted + wanted / 2 + Block;
-    while (krylov.Grow())
-    {
-      if (!Goes(progress,
-            std::min(0.9,
-              0.9 * static_cast<double>(krylov.GetSize()) /
-                (2.5 * static_cast<double>(wanted) + 4.0 * Block))))
-      {
-        return Status::Abort();
-      }
-      if (krylov.GetSize() < next && krylov.GetSize() < op.GetRank())
-      {
-        continue;
-      }
-      next = krylov.GetSize() + std::max<Eigen::Index>(2 * Block, wanted / 8);
-      krylov.Solve();
-      converged = 0;
-      while (converged < wanted &&
-        krylov.GetResiduals()[converged] <= Tolerance * krylov.GetValues()[converged])
-      {
-        ++converged;
-      }
-      if (converged == wanted)
-      {
-        break;
-      }
-    }
-    if (converged < wanted)
-    {
-      krylov.Solve(); // the space is exhausted
-    }
-    const Eigen::Index found = std::min<Eigen::Index>(wanted, CountDefinite(krylov.GetValues()));
-    if (found == 0)
-    {
-      break;
-    }
-    const Eigen::VectorXd values = krylov.GetValues().head(found).cwiseInverse();
-    Eigen::Index gap = found - 1;
-    while (gap > 0 && !(values[gap] > values[gap - 1] * (1.0 + Gap)))
+    Eigen::Index gap = CountDefinite(inverses) - 1;
+    while (gap > 0 && !(valueOf(gap) > valueOf(gap - 1) * (1.0 + Gap)))
     {
       --gap;
     }
-    const double sigma = gap > 0 ? 0.5 * (values[gap - 1] + values[gap]) : 0.5 * values[0];
-    const Id below = op.CountBelow(sigma);
-    pairs.IsComplete = below == static_cast<Id>(gap) + op.GetNullity();
-    if (pairs.IsComplete || below < 0 || restart == MostRestarts)
+    const double sigma = 0.5 * (gap > 0 ? valueOf(gap - 1) + valueOf(gap) : valueOf(0));
+    const Id below = op.CountBelow(sigma) - op.GetNullity();
+    for (int search = 1; gap < below && search < MostSearches && status.IsOk(); ++search)
     {
-      const bool isComplete = pairs.IsComplete;
-      const Eigen::Index kept = std::min<Eigen::Index>(found, count);
-      Put(op, values.head(kept), krylov.GetVectors(kept), pairs);
-      pairs.IsComplete = isComplete;
-      break;
+      op.SetKnown(vectors);
+      const auto more = [&](double) { return Goes(progress, SearchDone); };
+      status = FindLargest(op, below - gap, search, more, inverses, vectors);
+      gap = 0;
+      while (gap < CountDefinite(inverses) && valueOf(gap) < sigma)
+      {
+        ++gap;
+      }
     }
-    krylov.AddRandom();
+    pairs.IsComplete = gap == below;
+  }
+  if (status.IsOk())
+  {
+    const Eigen::Index kept = std::min<Eigen::Index>(count, CountDefinite(inverses));
+    Put(op, op.GetScale() * inverses.head(kept).cwiseInverse(), vectors.leftCols(kept), pairs);
   }
   pairs.Solved = op.GetSolved();
-  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+  return !status.IsOk() || Goes(progress, 1.0) ? status : Status::Abort();
 }
 
 /// The options for a part.
@@ -580,23 +423,19 @@ Status FindEigenpairs(
     return Status::Invalid("the number of eigenvalues must be positive");
   }
   const PoissonSystem& system = solver.GetSystem();
-  std::vector<Id> places;
-  const std::vector<MeshPart> parts = FindParts(system, places);
+  const SurfaceMesh& mesh = system.GetMesh();
+  std::vector<MeshPart> parts = FindComponentParts(mesh);
   if (parts.size() < 2)
   {
     return FindAllAtOnce(system, count, progress, pairs);
   }
-  const SurfaceMesh& mesh = system.GetMesh();
-  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
-  std::vector<Id> placeOfFace(static_cast<std::size_t>(mesh.GetNumberOfFaces()), NoId);
   std::vector<Eigenpairs> found(parts.size());
-  const auto findOf = [&](std::size_t p, Id wanted, const ProgressCallback& told) {
-    SurfaceMesh part;
-    Status status = BuildPart(mesh, parts[p], places, placeOfFace, part);
-    PoissonSystem own(part);
+  const auto findOf = [&](std::size_t p, Id wanted, const ProgressCallback& reported) {
+    Status status = parts[p].Build(mesh);
+    PoissonSystem own(parts[p].Mesh);
     status = status.IsOk() ? own.Analyze(OptionsOf(system, parts[p]), nullptr) : status;
     status = status.IsOk() ? own.Factorize() : status;
-    status = status.IsOk() ? FindAllAtOnce(own, wanted, told, found[p]) : status;
+    status = status.IsOk() ? FindAllAtOnce(own, wanted, reported, found[p]) : status;
     pairs.Solved += found[p].Solved;
     return status;
   };
@@ -613,7 +452,7 @@ Status FindEigenpairs(
     isMore = false;
     for (std::size_t p = 0; p < parts.size(); ++p)
     {
-      const Id c = system.GetComponent(parts[p].Vertices[0]);
+      const Id c = system.GetComponent(mesh.Origin(3 * parts[p].Faces[0]));
       const bool hasAll = found[p].GetCount() < wanted[p] || wanted[p] >= count;
       if (system.IsThin(c) || (!isFirst && (hasAll || found[p].Values.back() > limit)))
       {
@@ -622,8 +461,8 @@ Status FindEigenpairs(
       const double share = 2.0 * count * system.GetComponentArea(c) / area;
       wanted[p] = isFirst ? static_cast<Id>(std::min<double>(count, LeastWanted + share))
                           : std::min(count, 4 * wanted[p]);
-      const auto size = static_cast<double>(parts[p].Vertices.size());
-      const double end = isFirst ? done + FirstPassDone * size / static_cast<double>(n) : done;
+      const double size = static_cast<double>(parts[p].Faces.size()) / mesh.GetNumberOfFaces();
+      const double end = isFirst ? done + FirstPassDone * size : done;
       Status status = findOf(p, wanted[p], ProgressPart(progress, done, end));
       if (!status.IsOk())
       {
@@ -634,7 +473,7 @@ Status FindEigenpairs(
     }
     limit = FindLimit(found, count);
   }
-  Merge(parts, found, count, n, pairs);
+  Merge(parts, found, count, static_cast<std::size_t>(mesh.GetNumberOfVertices()), pairs);
   return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
 }
 }

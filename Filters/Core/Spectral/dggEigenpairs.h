@@ -35,11 +35,11 @@ struct Eigenpairs
 
 /// Find `count` pairs, fewer where there are not as many (eigenvalues beyond 1e13 times the first
 /// one do not count, as on meshes with needles), to a relative accuracy of 1e-8 of the values. By
-/// Lanczos' method with blocks and full orthogonalisation, applied to the inverse, for each
-/// component of the mesh by itself: together they would have as many equal values as there are
-/// components, and need a basis of as many functions. The solver must be ready, and its options
-/// decide about the boundary. The memory is about that of 2.5 `count` functions. The same input
-/// gives the same result, signs included.
+/// Lanczos' method with implicit restarts (Spectra), applied to the inverse, for each component of
+/// the mesh by itself: together they would have as many equal values as there are components. Where
+/// pairs of multiple eigenvalues are missing, they are looked for off those that were found. The
+/// solver must be ready, and its options decide about the boundary. The memory is about that of 3
+/// `count` functions. The same input gives the same result, signs included.
 Status FindEigenpairs(
   const PoissonSolver& solver, Id count, const ProgressCallback& progress, Eigenpairs& pairs);
 }

@@ -28,11 +28,6 @@ struct SideDistances
   {
     return !this->Sources.empty() && this->Result.NearestSource[v] != NoId;
   }
-  double GetMemorySize() const
-  {
-    return static_cast<double>(this->Result.Distances.size()) *
-      (sizeof(double) + sizeof(Id) + sizeof(Predecessor));
-  }
   double GetDistance(std::size_t v) const
   {
     return this->Sources.empty() ? Infinity : this->Result.Distances[v];
@@ -101,8 +96,7 @@ double FadeWithDistance(double distance, double width)
 }
 
 Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChain& chain,
-  const GraphicsCurve& curve, int channels, ExactGeodesics& exact,
-  const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress,
+  const GraphicsCurve& curve, int channels, ExactGeodesics& exact, const ProgressCallback& progress,
   std::vector<double>& values)
 {
   SideDistances distances[2];
@@ -128,15 +122,8 @@ Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChai
     {
       isInBand[v] = distances[0].IsReached(v) || distances[1].IsReached(v) ? 1 : 0;
     }
-    GraphicsMemoryCheck checkMore;
-    if (checkMemory)
-    {
-      const double there = distances[0].GetMemorySize() + distances[1].GetMemorySize();
-      checkMore = [&checkMemory, there](
-                    double bytes, double held) { return checkMemory(bytes, there + held); };
-    }
-    status = blend.Spread(mesh, isInBand, sides, chain, curve, channels, checkMore,
-      ProgressPart(progress, MeasuredAt, 1.0));
+    status = blend.Spread(
+      mesh, isInBand, sides, chain, curve, channels, ProgressPart(progress, MeasuredAt, 1.0));
   }
   if (!status.IsOk())
   {

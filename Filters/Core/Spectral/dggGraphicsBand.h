@@ -21,12 +21,9 @@ double FadeWithDistance(double distance, double width);
 /// long; since b is flat there, that costs up to 2 (L/8w)^2 of the colour: 3.5e-3 for a width w of
 /// three edges, and a quarter as much for each level of refinement.
 ///
-/// Where strengths change along the curve, they are blended, see StrengthBlend; `checkMemory`,
-/// which may be empty, is asked with the bytes that this takes besides the distances,
-/// and with those that are held, distances included.
+/// Where strengths change along the curve, they are blended, see StrengthBlend.
 Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChain& chain,
-  const GraphicsCurve& curve, int channels, ExactGeodesics& exact,
-  const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress,
+  const GraphicsCurve& curve, int channels, ExactGeodesics& exact, const ProgressCallback& progress,
   std::vector<double>& values);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphicsBlend.h"
 
+#include "dggMeshPart.h"
 #include "dggPoissonSolver.h"
 #include "dggPoissonSystem.h"
 
@@ -51,20 +52,6 @@ bool IsFaceInBand(const SurfaceMesh& mesh, Id face, const std::vector<char>& isI
   return !mesh.IsDropped(face) &&
     (isInBand[corners[0]] || isInBand[corners[1]] || isInBand[corners[2]]);
 }
-
-/// Bytes that the band takes until its factor is known.
-double PredictBand(const SurfaceMesh& mesh, const std::vector<char>& isInBand)
-{
-  double faces = 0.0;
-  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-  {
-    faces += IsFaceInBand(mesh, f, isInBand) ? 1.0 : 0.0;
-  }
-  // Vertices are about half as many, but for a band a face wide.
-  const auto places = static_cast<double>(mesh.GetNumberOfFaces() + mesh.GetNumberOfVertices());
-  return (places + faces) * sizeof(Id) + faces * 3.0 * (2.0 * sizeof(Id) + sizeof(double)) +
-    PredictSolverMemory(faces, faces);
-}
 }
 
 bool StrengthBlend::IsNeeded(const GraphicsCurve& curve, int channels)
@@ -73,55 +60,28 @@ bool StrengthBlend::IsNeeded(const GraphicsCurve& curve, int channels)
   return !IsSameAllAlong(curve.Left, count) || !IsSameAllAlong(curve.Right, count);
 }
 
-Status StrengthBlend::BuildBand(
-  const SurfaceMesh& mesh, const std::vector<char>& isInBand, SurfaceMesh& band)
+Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand,
+  const CurveSides& sides, const CurveChain& chain, const GraphicsCurve& curve, int channels,
+  const ProgressCallback& progress)
 {
-  std::vector<Id> faces;
-  std::vector<Id> placeOfFace(static_cast<std::size_t>(mesh.GetNumberOfFaces()), NoId);
+  MeshPart part;
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
     if (IsFaceInBand(mesh, f, isInBand))
     {
-      placeOfFace[f] = static_cast<Id>(faces.size());
-      faces.push_back(f);
+      part.Faces.push_back(f);
     }
   }
-  this->Places.assign(isInBand.size(), NoId);
-  Id count = 0;
-  std::vector<Id> triangles;
-  std::vector<double> lengths;
-  std::vector<Id> twins;
-  for (const Id f : faces)
-  {
-    for (Id h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      Id& place = this->Places[mesh.Origin(h)];
-      place = place == NoId ? count++ : place;
-      triangles.push_back(place);
-      lengths.push_back(mesh.Length(h));
-      Id twin = mesh.Twin(h); // the next one in the band
-      while (twin != NoId && twin != h && placeOfFace[SurfaceMesh::Face(twin)] == NoId)
-      {
-        twin = mesh.Twin(twin);
-      }
-      twins.push_back(
-        twin == NoId || twin == h ? NoId : 3 * placeOfFace[SurfaceMesh::Face(twin)] + twin % 3);
-    }
-  }
-  return SurfaceMesh::FromGluedLengths(count, triangles.data(), static_cast<Offset>(faces.size()),
-    lengths.data(), twins.data(), band, { &mesh, faces.data() });
-}
-
-Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand,
-  const CurveSides& sides, const CurveChain& chain, const GraphicsCurve& curve, int channels,
-  const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress)
-{
-  Status status = checkMemory ? checkMemory(PredictBand(mesh, isInBand), 0.0) : Status::Success();
-  SurfaceMesh band;
-  status = status.IsOk() ? this->BuildBand(mesh, isInBand, band) : status;
+  Status status = part.Build(mesh);
   if (!status.IsOk())
   {
     return status;
+  }
+  const SurfaceMesh& band = part.Mesh;
+  this->Places.assign(isInBand.size(), NoId);
+  for (std::size_t v = 0; v < part.Vertices.size(); ++v)
+  {
+    this->Places[part.Vertices[v]] = static_cast<Id>(v);
   }
   const auto n = static_cast<std::size_t>(band.GetNumberOfVertices());
   const auto count = static_cast<std::size_t>(channels);
@@ -134,15 +94,6 @@ Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& i
   });
   PoissonSolver solver(band);
   status = solver.Analyze(options, progress);
-  if (status.IsOk() && checkMemory)
-  {
-    // Columns, and what Solve() works with.
-    const double numbers = (2.0 * channels + 12.0) * static_cast<double>(n);
-    const double held = static_cast<double>(band.GetMemorySize() + solver.GetMemorySize()) +
-      static_cast<double>(isInBand.size()) * (sizeof(Id) + 1.0);
-    status = checkMemory(
-      held + static_cast<double>(solver.GetMissingMemory()) + numbers * sizeof(double), held);
-  }
   if (!status.IsOk())
   {
     return status;

@@ -23,19 +23,15 @@ public:
   /// Solve for them on the faces of a mesh that have a vertex in the band, on the intrinsic
   /// Delaunay triangulation of these, so that no strength lies outside of those of the curve. Where
   /// their triangles are too thin for that, there are no strengths, see Get().
-  /// `checkMemory`, which may be empty, is asked with the bytes for that: before the band is made,
-  /// and before the factorization.
   Status Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand, const CurveSides& sides,
     const CurveChain& chain, const GraphicsCurve& curve, int channels,
-    const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress);
+    const ProgressCallback& progress);
 
   /// The strengths at a vertex, one per channel. False, and nothing, where faces of the band do not
   /// lead to the curve, or are too thin.
   bool Get(Id vertex, std::vector<double>& left, std::vector<double>& right) const;
 
 private:
-  Status BuildBand(const SurfaceMesh& mesh, const std::vector<char>& isInBand, SurfaceMesh& band);
-
   std::vector<Id> Places;                   // per vertex, its id in the band, or NoId
   std::vector<std::vector<double>> Columns; // channels of the left, then those of the right
 };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 namespace dgg
@@ -41,21 +42,34 @@ Status CutAlong(const RefinedSurface& surface, const std::vector<CurveChain>& ch
   return status;
 }
 
-std::size_t SizeOf(const CurveCut& cut)
+/// Call `visit(vertex, curve, values, parameter)` for every end of an edge of a diffusion curve, on
+/// both sides.
+template <typename Visitor>
+void ForEachGiven(const GraphicsDomain& domain, const std::vector<CurveChain>& chains,
+  const std::vector<GraphicsCurve>& curves, Visitor&& visit)
 {
-  std::size_t bytes = GetSurfaceMemory(cut.Surface) + cut.Surface.VertexOf.size() * sizeof(Id);
-  for (const CurveSides& sides : cut.Sides)
+  for (std::size_t k = 0; k < curves.size(); ++k)
   {
-    bytes += (sides.Left.size() + sides.Right.size()) * sizeof(EdgeSide);
+    if (curves[k].Type != GraphicsCurveType::Diffusion)
+    {
+      continue;
+    }
+    const CurveSides& sides = domain.Solved.Sides[domain.SidesInSolved[k]];
+    const std::vector<double>& parameters = chains[k].Parameters;
+    for (const bool isLeft : { true, false })
+    {
+      const std::vector<EdgeSide>& edges = isLeft ? sides.Left : sides.Right;
+      for (std::size_t i = 0; i < edges.size(); ++i)
+      {
+        if (edges[i].Face != NoId)
+        {
+          visit(edges[i].From, curves[k], isLeft, parameters[i]);
+          visit(edges[i].To, curves[k], isLeft, parameters[i + 1]);
+        }
+      }
+    }
   }
-  return bytes;
 }
-}
-
-std::size_t GraphicsDomain::GetMemorySize() const
-{
-  return SizeOf(this->Solved) + SizeOf(this->Drawn) + this->SolvedMesh.GetMemorySize() +
-    this->DrawnMesh.GetMemorySize() + this->SolvedVertexOf.size() * sizeof(Id);
 }
 
 Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
@@ -114,40 +128,6 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
   return status;
 }
 
-std::size_t GetSurfaceMemory(const RefinedSurface& surface)
-{
-  return surface.Points.size() * sizeof(SurfacePoint) +
-    (surface.Triangles.size() + surface.Twins.size() + surface.Faces.size()) * sizeof(Id) +
-    surface.Lengths.size() * sizeof(double);
-}
-
-double PredictSolverMemory(double faces, double vertices)
-{
-  constexpr double id = sizeof(Id);
-  constexpr double number = sizeof(double);
-  // Half-edges with origin, twin, place in a fan, length, apex and angle; vertices with an angle, a
-  // fan and a kind.
-  const double mesh = faces * (9.0 * id + 12.0 * number + 1.0) + vertices * (2.0 * number + 1.0);
-  const double triangulation = faces * (6.0 * id + 3.0 * number + 3.0);
-  const double arrays = vertices * (8.0 * id + 6.0 * number);
-  // The matrix of seven entries per vertex; while it is put together, what each half-edge adds to
-  // it, in triplets and in rows; then, for the order of elimination, its pattern and half of it.
-  const double matrix = 7.0 * vertices * (number + id);
-  const double added = 12.0 * faces + vertices;
-  const double assembly = added * ((number + 2.0 * id) + (number + id)) + 4.0 * vertices * id;
-  const double ordering = 1.5 * matrix;
-  return mesh + triangulation + arrays + matrix + std::max(assembly, ordering);
-}
-
-double PredictGraphicsMemory(double faces, double vertices, bool hasPoisson)
-{
-  constexpr double id = sizeof(Id);
-  constexpr double number = sizeof(double);
-  const double cut = faces * (7.0 * id + 3.0 * number) + vertices * (sizeof(SurfacePoint) + id);
-  const double mesh = faces * (9.0 * id + 12.0 * number + 1.0) + vertices * (2.0 * number + 1.0);
-  return 3.0 * cut + (hasPoisson ? mesh : 0.0) + PredictSolverMemory(faces, vertices);
-}
-
 void InterpolateOnCurve(
   const std::vector<double>& values, int channels, bool isClosed, double parameter, double* result)
 {
@@ -164,6 +144,54 @@ void InterpolateOnCurve(
   for (int k = 0; k < channels; ++k)
   {
     result[k] = (1.0 - part) * values[a + k] + part * values[b + k];
+  }
+}
+
+std::vector<Id> FindGivenVertices(const GraphicsDomain& domain,
+  const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves)
+{
+  std::vector<Id> vertices;
+  ForEachGiven(domain, chains, curves,
+    [&](Id v, const GraphicsCurve&, bool, double) { vertices.push_back(v); });
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+void SetGivenValues(const GraphicsDomain& domain, const std::vector<CurveChain>& chains,
+  const std::vector<GraphicsCurve>& curves, const std::vector<double>& bands,
+  std::vector<std::vector<double>>& columns)
+{
+  const std::size_t channels = columns.size();
+  const std::size_t n = domain.Solved.Surface.Points.size();
+  std::vector<double> counts(n, 0.0);
+  std::vector<double> color(channels);
+  ForEachGiven(
+    domain, chains, curves, [&](Id v, const GraphicsCurve& curve, bool isLeft, double parameter) {
+      InterpolateOnCurve(isLeft ? curve.Left : curve.Right, static_cast<int>(channels),
+        curve.IsClosed, parameter, color.data());
+      for (std::size_t c = 0; c < channels; ++c)
+      {
+        columns[c][v] = (counts[v] == 0.0 ? 0.0 : columns[c][v]) + color[c];
+      }
+      counts[v] += 1.0;
+    });
+  std::vector<double> copies(n, 0.0);
+  for (const Id v : domain.SolvedVertexOf)
+  {
+    copies[v] += 1.0;
+  }
+  for (std::size_t c = 0; c < channels; ++c)
+  {
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      columns[c][v] /= std::max(1.0, counts[v]);
+    }
+    for (std::size_t d = 0; d < domain.SolvedVertexOf.size(); ++d)
+    {
+      const Id v = domain.SolvedVertexOf[d];
+      columns[c][v] -= counts[v] > 0.0 ? bands[channels * d + c] / copies[v] : 0.0;
+    }
   }
 }
 }

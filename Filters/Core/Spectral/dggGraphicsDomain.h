@@ -26,8 +26,6 @@ struct GraphicsDomain
   /// Per curve, the numbers of its sides in Solved (of diffusion curves) and in Drawn (of both).
   std::vector<std::size_t> SidesInSolved;
   std::vector<std::size_t> SidesInDrawn;
-
-  std::size_t GetMemorySize() const;
 };
 
 /// Fails when a curve has no length, or no sides.
@@ -35,21 +33,20 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
   const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
   GraphicsDomain& domain);
 
-/// Bytes of a surface; of its paths, nothing.
-std::size_t GetSurfaceMemory(const RefinedSurface& surface);
-
-/// Bytes that a mesh with so many faces and vertices takes, and the analysis of an equation on it;
-/// the factor not included.
-double PredictSolverMemory(double faces, double vertices);
-
-/// Bytes that a surface with so many faces and vertices, its cuts with their meshes, and the
-/// analysis of the equation on one of them take; the factor and colours not included. Making such a
-/// surface, by splitting the faces of another one, takes less.
-double PredictGraphicsMemory(double faces, double vertices, bool hasPoisson);
-
 /// The numbers of a curve at a place among its given points (CurveChain::Parameters).
 void InterpolateOnCurve(
   const std::vector<double>& values, int channels, bool isClosed, double parameter, double* result);
+
+/// The vertices of the solved surface on diffusion curves, sorted.
+std::vector<Id> FindGivenVertices(const GraphicsDomain& domain,
+  const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves);
+
+/// At these vertices, replace loads by what the bands, per vertex of the drawn surface, have not
+/// made of the given colours already. A vertex that bands have cut has several values of theirs, of
+/// which the mean counts. Columns are channels.
+void SetGivenValues(const GraphicsDomain& domain, const std::vector<CurveChain>& chains,
+  const std::vector<GraphicsCurve>& curves, const std::vector<double>& bands,
+  std::vector<std::vector<double>>& columns);
 }
 
 #endif

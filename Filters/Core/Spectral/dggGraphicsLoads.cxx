@@ -10,11 +10,6 @@
 
 namespace dgg
 {
-namespace
-{
-constexpr double Heads = 1000.0; // bytes, of a dozen arrays
-}
-
 /// The parts of the faces of the mesh that was refined.
 class FaceParts
 {
@@ -85,24 +80,20 @@ Status GraphicsLoads::FindRegions(const ChainEdges& edges, const std::vector<Cur
   const auto regions = static_cast<double>(std::count_if(curves.begin(), curves.end(),
     [](const GraphicsCurve& curve) { return curve.Type == GraphicsCurveType::Region; }));
   WorkProgress work(progress, regions * faces);
-  double found = 0.0;
-  double asked = 0.0; // for how many faces
+  this->NumberOfRegionFaces = 0.0;
   for (std::size_t k = 0; k < curves.size(); ++k)
   {
     if (curves[k].Type != GraphicsCurveType::Region)
     {
       continue;
     }
-    if (checkMemory && found + 3.0 * faces > asked) // this one may have them all, and grows
+    const double bytes = (this->NumberOfRegionFaces + faces) * sizeof(Id);
+    Status status = checkMemory ? checkMemory(bytes, bytes) : Status::Success();
+    if (!status.IsOk())
     {
-      asked = found + 4.0 * faces;
-      Status status = checkMemory(asked * sizeof(Id), 0.0);
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      return status;
     }
-    Status status = left.Find(chains[k], curves[k].IsClosed, work, this->RegionFaces[k]);
+    status = left.Find(chains[k], curves[k].IsClosed, work, this->RegionFaces[k]);
     if (!status.IsOk())
     {
       return status.IsAborted()
@@ -110,7 +101,7 @@ Status GraphicsLoads::FindRegions(const ChainEdges& edges, const std::vector<Cur
         : Status::Invalid(NameOf(curves[k], k) + ": " + status.GetMessage());
     }
     this->RegionFaces[k].shrink_to_fit();
-    found += static_cast<double>(this->RegionFaces[k].size());
+    this->NumberOfRegionFaces += static_cast<double>(this->RegionFaces[k].size());
   }
   return Status::Success();
 }
@@ -158,11 +149,7 @@ Status GraphicsLoads::Add(const GraphicsDomain& domain, const std::vector<CurveC
 double GraphicsLoads::CountWork(
   const std::vector<GraphicsRegion>& regions, const FaceParts& parts) const
 {
-  double faces = 0.0;
-  for (const std::vector<Id>& found : this->RegionFaces)
-  {
-    faces += static_cast<double>(found.size());
-  }
+  double faces = this->NumberOfRegionFaces;
   for (const GraphicsRegion& region : regions)
   {
     for (const Id f : region.Faces)
@@ -171,38 +158,5 @@ double GraphicsLoads::CountWork(
     }
   }
   return RegionSources::WorkPerFace * faces;
-}
-
-double GraphicsLoads::GetAddingMemory(const GraphicsDomain& domain) const
-{
-  // Marks, a patch and its rim; for sets of faces also the parts of all faces, and theirs.
-  return static_cast<double>(domain.Solved.Surface.Faces.size()) * (1.0 + 4.0 * sizeof(Id)) +
-    static_cast<double>(this->NumberOfFaces) * sizeof(Id) + Heads;
-}
-
-double GraphicsLoads::PredictMemory(
-  const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves)
-{
-  double parts = 0.0;
-  for (std::size_t k = 0; k < curves.size(); ++k)
-  {
-    const bool isSource = curves[k].Type == GraphicsCurveType::Source;
-    parts += isSource ? 2.0 * static_cast<double>(chains[k].Vertices.size()) : 0.0;
-  }
-  return parts * sizeof(ChainPart);
-}
-
-std::size_t GraphicsLoads::GetMemorySize() const
-{
-  std::size_t bytes = 0;
-  for (const std::vector<Id>& faces : this->RegionFaces)
-  {
-    bytes += faces.size() * sizeof(Id);
-  }
-  for (const std::vector<ChainPart>& parts : this->ChainParts)
-  {
-    bytes += parts.size() * sizeof(ChainPart);
-  }
-  return bytes;
 }
 }

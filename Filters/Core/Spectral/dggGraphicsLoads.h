@@ -8,8 +8,7 @@
 #include "dggGraphicsScale.h"   // for scales
 #include "dggGraphicsSources.h" // for parts of chains
 
-#include <cstddef> // for std::size_t
-#include <vector>  // for loads
+#include <vector> // for loads
 
 namespace dgg
 {
@@ -20,8 +19,9 @@ class GraphicsLoads
 {
 public:
   /// Find where the sources of curves are on a refinement of a mesh with so many faces. Chain k
-  /// belongs to curve k. `checkMemory`, which may be empty, is asked with the bytes that this
-  /// takes. Fails where a region's curve is open or does not separate its left from its right.
+  /// belongs to curve k. `checkMemory`, which may be empty, is asked with the bytes that the
+  /// faces of regions take, which are more than the surface has where there are many. Fails where a
+  /// region's curve is open or does not separate its left from its right.
   Status Prepare(const RefinedSurface& surface, Id numberOfFaces,
     const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
     const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress);
@@ -33,13 +33,8 @@ public:
     const ChannelScale& scale, const ProgressCallback& progress,
     std::vector<std::vector<double>>& columns) const;
 
-  /// Bytes that Add() takes besides.
-  double GetAddingMemory(const GraphicsDomain& domain) const;
-  /// Bytes that the sources of curves take; those of regions are asked for when they are found.
-  static double PredictMemory(
-    const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves);
-  /// Bytes held.
-  std::size_t GetMemorySize() const;
+  /// In all regions that are curves.
+  double GetNumberOfRegionFaces() const { return this->NumberOfRegionFaces; }
 
 private:
   Status FindRegions(const ChainEdges& edges, const std::vector<CurveChain>& chains,
@@ -47,7 +42,8 @@ private:
     const ProgressCallback& progress);
   double CountWork(const std::vector<GraphicsRegion>& regions, const FaceParts& parts) const;
 
-  Id NumberOfFaces = 0;                           // of the mesh
+  Id NumberOfFaces = 0; // of the mesh
+  double NumberOfRegionFaces = 0.0;
   std::vector<std::vector<Id>> RegionFaces;       // per curve, where it is a region
   std::vector<std::vector<ChainPart>> ChainParts; // per curve, where it is a source
 };

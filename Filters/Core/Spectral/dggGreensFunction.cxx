@@ -157,18 +157,4 @@ Status GreensFunction::RunBlock(const std::vector<SurfacePoint>& poles, std::siz
   }
   return progress && !progress(1.0) ? Status::Abort() : Status::Success();
 }
-
-std::size_t GreensFunction::GetWorkingMemory(std::size_t numberOfTargets) const
-{
-  const PoissonSystem& system = this->Solver.GetSystem();
-  const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
-  const auto sides = static_cast<std::size_t>(system.GetTriangulation().GetNumberOfHalfEdges());
-  // Sources, distances, integrals per vertex and per target of each column; the lanes, twice in the
-  // substitution, and once more where they are refined; one solution; the logarithm's integrals;
-  // exact distances.
-  const std::size_t columns = Lanes * (3 * n + numberOfTargets) * sizeof(double);
-  const std::size_t lanes = 3 * n * sizeof(SparseLanes) + n * sizeof(double);
-  const std::size_t singular = 2 * n * sizeof(double) + sides * (sizeof(double) + 1);
-  return columns + lanes + singular + ExactGeodesics::PredictKeptMemory(system.GetMesh());
-}
 }

@@ -130,8 +130,10 @@ public:
   Status Run(const std::vector<SurfacePoint>& poles, const GreensQuery& query,
     std::vector<GreensResult>& results) const;
   static constexpr Id PolesInBlock = 8;
-  /// Bytes that one thread takes while it runs, at most, besides results and exact distances.
-  std::size_t GetWorkingMemory(std::size_t numberOfTargets) const;
+  /// Bytes that one thread takes for a block, results included, at most: for each vertex, and for
+  /// each target.
+  static constexpr double BytesPerVertex = 640.0;
+  static constexpr double BytesPerTarget = 128.0;
 
 private:
   class Workspaces;

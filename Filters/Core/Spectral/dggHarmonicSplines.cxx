@@ -334,32 +334,4 @@ Status HarmonicSplines::Combine(const std::vector<double>& coefficients,
   }
   return status;
 }
-
-std::size_t HarmonicSplines::GetBasisMemory(std::size_t numberOfSites) const
-{
-  // Solutions, twice more in the substitution, the charges, and one function.
-  const auto n = static_cast<std::size_t>(this->Internals->System.GetNumberOfVertices());
-  return (3 * n + numberOfSites) * sizeof(SparseLanes) + n * sizeof(double);
-}
-
-std::size_t HarmonicSplines::GetEvaluationMemory() const
-{
-  return this->Internals->Integral.GetWorkingMemory();
-}
-
-std::size_t HarmonicSplines::GetPreparationMemory(
-  std::size_t numberOfSites, std::size_t numberOfThreads) const
-{
-  return EstimateSplineCells(this->Internals->System, numberOfSites, numberOfThreads);
-}
-
-std::size_t HarmonicSplines::GetSolutionMemory(std::size_t numberOfSites) const
-{
-  return SiteEquations::EstimateMemory(this->Internals->System, numberOfSites);
-}
-
-std::size_t HarmonicSplines::GetMemorySize() const
-{
-  return this->Internals->Cells.GetMemorySize() + this->Internals->Sites.size() * sizeof(Id);
-}
 }

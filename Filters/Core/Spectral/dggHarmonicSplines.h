@@ -10,7 +10,6 @@
 #include "dggPoissonSolver.h"  // for PoissonSolver
 #include "dggSurfacePoint.h"   // for points
 
-#include <cstddef>    // for std::size_t
 #include <functional> // for Consumer
 #include <memory>     // for the internals
 #include <vector>     // for sites and values
@@ -99,18 +98,6 @@ public:
   /// values (others are not used), or empty for 0.
   Status Combine(const std::vector<double>& coefficients, const std::vector<double>& givenValues,
     std::vector<double>& values) const;
-
-  /// About how many bytes Prepare() takes with so many threads, what is held afterwards included.
-  /// The solver must have been analyzed.
-  std::size_t GetPreparationMemory(std::size_t numberOfSites, std::size_t numberOfThreads) const;
-  /// About how many bytes Solve() takes besides its results.
-  std::size_t GetSolutionMemory(std::size_t numberOfSites) const;
-  /// Bytes that one thread takes in FindBasis(), with that many sites.
-  std::size_t GetBasisMemory(std::size_t numberOfSites) const;
-  /// Bytes that one thread takes in Evaluate(), besides exact distances.
-  std::size_t GetEvaluationMemory() const;
-  /// Bytes held.
-  std::size_t GetMemorySize() const;
 
 private:
   class Implementation;

@@ -173,12 +173,4 @@ Status PoissonIntegral::Run(const std::vector<SurfacePoint>& points,
   }
   return status;
 }
-
-std::size_t PoissonIntegral::GetWorkingMemory() const
-{
-  // Besides the columns, the results of a block: values and integrals.
-  const auto n = static_cast<std::size_t>(this->Solver.GetSystem().GetNumberOfVertices());
-  return this->Function.GetWorkingMemory(0) +
-    static_cast<std::size_t>(GreensFunction::PolesInBlock) * 2 * n * sizeof(double);
-}
 }

@@ -57,9 +57,6 @@ public:
   Status ForEachPoint(const std::vector<SurfacePoint>& points, GreensMethod method,
     const ParallelFor& parallel, const ProgressCallback& progress, const PointVisitor& visit) const;
 
-  /// Bytes that one thread takes, besides exact distances.
-  std::size_t GetWorkingMemory() const;
-
 private:
   const PoissonSolver& Solver;
   GreensFunction Function;

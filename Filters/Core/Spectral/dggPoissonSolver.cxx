@@ -32,19 +32,9 @@ Status PoissonSolver::Analyze(const PoissonOptions& options, const ProgressCallb
   return this->System->Analyze(options, progress);
 }
 
-std::size_t PoissonSolver::GetEstimatedMemory() const
+double PoissonSolver::GetEstimatedMemory() const
 {
   return this->System->GetEstimatedMemory();
-}
-
-std::size_t PoissonSolver::GetMissingMemory() const
-{
-  return this->System->GetMissingMemory();
-}
-
-std::size_t PoissonSolver::GetFactorizingMemory() const
-{
-  return this->System->GetFactorizingMemory();
 }
 
 Status PoissonSolver::Factorize(const ProgressCallback& progress)
@@ -244,10 +234,5 @@ int PoissonSolver::GetNumberOfFactorizations() const
 Offset PoissonSolver::GetNumberOfFactorEntries() const
 {
   return this->System->GetNumberOfFactorEntries();
-}
-
-std::size_t PoissonSolver::GetMemorySize() const
-{
-  return this->System->GetMemorySize();
 }
 }

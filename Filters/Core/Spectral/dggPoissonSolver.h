@@ -5,11 +5,9 @@
 #ifndef dggPoissonSolver_h
 #define dggPoissonSolver_h
 
-#include "dggPoissonOptions.h" // for PoissonOptions
-#include "dggSurfaceMesh.h"    // for SurfaceMesh
-#include "dggSurfacePoint.h"   // for SurfacePoint
+#include "dggSurfaceMesh.h"  // for SurfaceMesh
+#include "dggSurfacePoint.h" // for SurfacePoint
 
-#include <cstddef> // for std::size_t
 #include <cstdint> // for the revision
 #include <memory>  // for the system
 #include <vector>  // for sources and solutions
@@ -17,6 +15,33 @@
 namespace dgg
 {
 class PoissonSystem;
+
+/// What happens at the boundary of the surface.
+enum class PoissonBoundary
+{
+  Neumann,  ///< nothing flows through it
+  Dirichlet ///< values are given there; 0 for Green's functions
+};
+
+/// How sources are balanced, and means taken, where no values are given.
+enum class PoissonWeights
+{
+  Area,   ///< in proportion to the area around a vertex
+  Uniform ///< the same for all vertices (Lipman, Rustamov and Funkhouser, "Biharmonic distance",
+          ///< 2010): right for cells of equal area only
+};
+
+struct PoissonOptions
+{
+  PoissonBoundary Boundary = PoissonBoundary::Neumann;
+  PoissonWeights Weights = PoissonWeights::Area;
+  /// Vertices whose values are given besides those of a Dirichlet boundary, in any order; they may
+  /// repeat.
+  std::vector<Id> GivenVertices;
+  /// Flip edges until they are Delaunay first: then there are no negative weights, and the maximum
+  /// principle holds. For meshes with obtuse triangles.
+  bool IntrinsicDelaunay = false;
+};
 
 /// -Laplace u = f by linear finite elements (cotangents, lumped areas) on a mesh that must outlive
 /// it. The system is factorized once (Eigen, L D L^T with approximate minimum degree) and kept.
@@ -40,12 +65,8 @@ public:
   /// and a stop heeded, between the parts of the work.
   /// @{
   Status Analyze(const PoissonOptions& options, const ProgressCallback& progress);
-  /// Bytes that all takes at the time when there are most, while it is factorized. After Analyze().
-  std::size_t GetEstimatedMemory() const;
-  /// Those of them that are not there yet: 0 once it is factorized.
-  std::size_t GetMissingMemory() const;
-  /// Those of the missing ones that are given back once it is factorized.
-  std::size_t GetFactorizingMemory() const;
+  /// Bytes that all takes while it is factorized, at most twice what they are. After Analyze().
+  double GetEstimatedMemory() const;
   /// After Analyze().
   Status Factorize(const ProgressCallback& progress);
   /// Both.
@@ -87,8 +108,6 @@ public:
   /// Factorizations done so far, for tests.
   int GetNumberOfFactorizations() const;
   Offset GetNumberOfFactorEntries() const;
-  /// Bytes held.
-  std::size_t GetMemorySize() const;
 
   /// For the kernel.
   const PoissonSystem& GetSystem() const { return *this->System; }

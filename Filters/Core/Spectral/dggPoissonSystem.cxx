@@ -3,10 +3,10 @@
 #include "dggPoissonSystem.h"
 
 #include "dggCotanLaplacian.h"
-#include "dggIntrinsicDelaunay.h"
 #include "dggThinTriangles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -14,15 +14,46 @@ namespace dgg
 {
 namespace
 {
-bool Goes(const ProgressCallback& progress, double fraction)
+/// Of the triangulation.
+constexpr double BytesPerFace = 60.0;
+/// Of arrays, and of what a solution works with.
+constexpr double BytesPerVertex = 120.0;
+
+/// Beyond this, entries are so different that substitutions have to be repeated.
+constexpr double LargestHarmlessEntry = 1e3;
+constexpr int MostRefinements = 20;
+/// What may be left of the sources, relative to the largest of them and of the solution: both have
+/// the same unit, and sources of 1 make values of about 1.
+constexpr double GoodResidual = 1e-12;
+/// What rounding may do to a solution besides, relative to its largest value: its last four bits.
+constexpr double LastBits = 16.0 * std::numeric_limits<double>::epsilon();
+
+template <typename Number>
+Number MakeZero();
+template <>
+double MakeZero<double>()
 {
-  return !progress || progress(fraction);
+  return 0.0;
+}
+template <>
+SparseLanes MakeZero<SparseLanes>()
+{
+  return SparseLanes::Zero();
+}
+
+double Largest(const std::vector<double>& values)
+{
+  double largest = 0.0;
+  for (const double value : values)
+  {
+    largest = std::max(largest, std::abs(value));
+  }
+  return largest;
 }
 }
 
 PoissonSystem::PoissonSystem(const SurfaceMesh& mesh)
-  : Mesh(mesh)
-  , Triangulation(mesh)
+  : LaplaceSystem(mesh)
   , TriangleOfFace(mesh.GetNumberOfFaces(), NoId)
 {
   Id count = 0;
@@ -45,72 +76,37 @@ Status PoissonSystem::Analyze(const PoissonOptions& options, const ProgressCallb
     this->SetWeights();
     return Status::Success();
   }
-  Status given = this->CheckGivenVertices(options.GivenVertices);
-  if (!given.IsOk())
+  Status status = this->CheckGivenVertices(options.GivenVertices);
+  if (!status.IsOk())
   {
-    return given;
+    return status;
   }
   this->Factor.Clear();
   this->IsAnalyzed = false;
   ++this->Revision;
   this->Options = options;
-  if (!Goes(progress, 0.0))
+  status = this->Build(options.IntrinsicDelaunay, LargestCotangent, progress);
+  if (!status.IsOk())
   {
-    return Status::Abort();
+    return status;
   }
-  this->Triangulation = IntrinsicTriangulation(this->Mesh);
-  if (options.IntrinsicDelaunay)
-  {
-    DelaunayReport report;
-    Status status = MakeDelaunay(
-      this->Triangulation, -1, [&](double f) { return Goes(progress, 0.4 * f); }, report);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-  }
-  if (!Goes(progress, 0.4))
-  {
-    return Status::Abort();
-  }
-  CotanLaplacian laplacian = MakeCotanLaplacian(this->Triangulation, LargestCotangent);
-  this->Stiffness.swap(laplacian.Stiffness);
-  this->Areas.assign(laplacian.Mass.data(), laplacian.Mass.data() + laplacian.Mass.size());
   const Eigen::VectorXd diagonal = this->Stiffness.diagonal().cwiseAbs();
   this->Diagonal.assign(diagonal.data(), diagonal.data() + diagonal.size());
   this->LargestEntry = diagonal.size() > 0 ? diagonal.maxCoeff() : 0.0;
   this->MeasureComponents();
   this->MarkGivenVertices();
   this->SetWeights();
-  if (!Goes(progress, 0.5))
+  for (Id c = 0; c < this->GetNumberOfComponents(); ++c)
   {
-    return Status::Abort();
+    this->Pinned[c] = this->IsFree(c) ? this->Pinned[c] : NoId;
   }
-  this->Places = FindEliminationOrder(this->Stiffness);
-  this->PinnedPlaces.assign(this->ComponentAreas.size(), NoId);
-  for (std::size_t v = 0; v < this->Places.size(); ++v)
-  {
-    const Id c = this->Components[v];
-    if (this->IsFree(c))
-    {
-      this->PinnedPlaces[c] = std::max(this->PinnedPlaces[c], this->Places[v]);
-    }
-  }
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(this->Stiffness.cols());
-  std::copy(this->Places.begin(), this->Places.end(), permutation.indices().data());
-  Eigen::SparseMatrix<double> upper(this->Stiffness.rows(), this->Stiffness.cols());
-  upper.selfadjointView<Eigen::Upper>() =
-    this->Stiffness.selfadjointView<Eigen::Upper>().twistedBy(permutation);
-  this->FactorEntries = CountFactorEntries(upper);
   this->IsAnalyzed = true;
   return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
 }
 
 void PoissonSystem::MeasureComponents()
 {
-  Id count = 0;
-  this->Components = this->Mesh.ComputeComponents(count);
-  this->OnBoundary.assign(this->Components.size(), 0);
+  const Id count = this->NumberOfComponents;
   this->ComponentAreas.assign(count, 0.0);
   this->ComponentIsThin.assign(count, 0);
   this->MeanEdges.assign(count, 0.0);
@@ -119,14 +115,11 @@ void PoissonSystem::MeasureComponents()
   std::vector<Offset> sides(count, 0);
   for (Id h = 0; h < this->Triangulation.GetNumberOfHalfEdges(); ++h)
   {
-    const Id v = this->Triangulation.Origin(h);
-    const Id c = this->Components[v];
+    const Id c = this->Components[this->Triangulation.Origin(h)];
     this->MeanEdges[c] += this->Triangulation.Length(h);
     ++sides[c];
     if (this->Triangulation.Twin(h) == NoId)
     {
-      this->OnBoundary[v] = 1;
-      this->OnBoundary[this->Triangulation.Destination(h)] = 1;
       this->ComponentHasBoundary[c] = 1;
     }
   }
@@ -216,40 +209,23 @@ Status PoissonSystem::Factorize()
   {
     return Status::Success();
   }
-  if (this->FactorEntries > std::numeric_limits<int>::max())
+  Status status = this->Order.Check();
+  if (!status.IsOk())
   {
-    return Status::Invalid("the factor of the linear system would have " +
-      std::to_string(this->FactorEntries) +
-      " entries, more than can be numbered: use a smaller mesh");
+    return status;
   }
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(this->Stiffness.cols());
-  std::copy(this->Places.begin(), this->Places.end(), permutation.indices().data());
-  Eigen::SparseMatrix<double> upper(this->Stiffness.rows(), this->Stiffness.cols());
-  upper.selfadjointView<Eigen::Upper>() =
-    this->Stiffness.selfadjointView<Eigen::Upper>().twistedBy(permutation);
-  std::vector<std::uint8_t> isKnown(this->Places.size(), 0);
-  for (std::size_t v = 0; v < this->Places.size(); ++v)
+  std::vector<std::uint8_t> isKnown(this->Components.size(), 0);
+  for (Id v = 0; v < this->GetNumberOfVertices(); ++v)
   {
-    const Id place = this->Places[v];
-    isKnown[place] = this->IsFixed(static_cast<Id>(v)) || this->IsPinned(static_cast<Id>(v));
-  }
-  for (int column = 0; column < upper.cols(); ++column)
-  {
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(upper, column); entry; ++entry)
-    {
-      if (isKnown[column] || isKnown[entry.row()])
-      {
-        entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
-      }
-    }
+    isKnown[v] = this->IsFixed(v) || this->IsPinned(v);
   }
   ++this->NumberOfFactorizations;
-  if (!this->Factor.Compute(upper))
+  if (!this->Factor.Compute(this->Order, this->Stiffness, isKnown))
   {
     return Status::Invalid(
       "the linear system could not be factorized: remove triangles that have next to no area");
   }
-  Status status =
+  status =
     this->NeedsRefinement() ? CheckThinTriangles(*this, this->ComponentIsThin) : Status::Success();
   if (!status.IsOk())
   {
@@ -264,51 +240,230 @@ bool PoissonSystem::HasThin() const
     this->ComponentIsThin.end();
 }
 
-std::size_t PoissonSystem::GetBaseMemory() const
+double PoissonSystem::GetEstimatedMemory() const
 {
-  const std::size_t n = this->Components.size();
-  const auto entries = static_cast<std::size_t>(this->Stiffness.nonZeros());
-  return entries * (sizeof(double) + sizeof(int)) + this->Triangulation.GetMemorySize() +
-    this->TriangleOfFace.size() * sizeof(Id) + n * (2 * sizeof(Id) + 3 * sizeof(double) + 2) +
-    n * sizeof(int);
+  const auto n = static_cast<double>(this->Components.size());
+  constexpr double entry = sizeof(double) + sizeof(int);
+  return static_cast<double>(this->Triangulation.GetNumberOfFaces()) * BytesPerFace +
+    static_cast<double>(this->Stiffness.nonZeros()) * entry + n * BytesPerVertex +
+    this->Order.EstimateFactorMemory();
 }
 
-std::size_t PoissonSystem::GetMissingMemory() const
+// How a factorized system is solved: sources balanced, substituted, refined, the solution centred.
+std::vector<double> PoissonSystem::Multiply(const std::vector<double>& f) const
 {
-  return this->Factor.IsComputed() ? 0 : this->GetFactorMemory();
+  std::vector<double> result(f.size(), 0.0);
+  for (int column = 0; column < this->Stiffness.cols(); ++column)
+  {
+    // Differences, so that what is constant gives 0 to the last bit.
+    double sum = 0.0;
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(this->Stiffness, column); entry; ++entry)
+    {
+      sum += entry.value() * (f[entry.row()] - f[column]);
+    }
+    result[column] = sum;
+  }
+  return result;
 }
 
-std::size_t PoissonSystem::GetFactorMemory() const
+template <typename Number>
+void PoissonSystem::Balance(std::vector<Number>& values) const
 {
-  const std::size_t n = this->Components.size();
-  const std::size_t entry = sizeof(double) + sizeof(int);
-  return static_cast<std::size_t>(this->FactorEntries) * entry +
-    n * (sizeof(double) + 3 * sizeof(int)) + this->GetMatrixMemory();
+  std::vector<Number> sums(this->ComponentAreas.size(), MakeZero<Number>());
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    sums[this->Components[v]] += values[v];
+  }
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    const Id c = this->Components[v];
+    if (this->IsFree(c))
+    {
+      values[v] -= sums[c] * this->Weights[v];
+    }
+  }
 }
 
-std::size_t PoissonSystem::GetFactorizingMemory() const
+template <typename Number>
+void PoissonSystem::CenterAll(std::vector<Number>& values) const
 {
-  return this->Factor.IsComputed() ? 0 : this->GetMatrixMemory();
+  std::vector<Number> means(this->ComponentAreas.size(), MakeZero<Number>());
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    means[this->Components[v]] += values[v] * this->Weights[v];
+  }
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    const Id c = this->Components[v];
+    if (this->IsFree(c))
+    {
+      values[v] -= means[c];
+    }
+  }
 }
 
-/// The matrix that the factor is made of, of which it makes a copy; which values are known, and
-/// three arrays that Eigen works with.
-std::size_t PoissonSystem::GetMatrixMemory() const
+void PoissonSystem::Center(std::vector<double>& values) const
 {
-  const std::size_t n = this->Components.size();
-  const std::size_t upper = (static_cast<std::size_t>(this->Stiffness.nonZeros()) + n) / 2;
-  const std::size_t entry = sizeof(double) + sizeof(int);
-  const std::size_t working = n * (sizeof(std::uint8_t) + sizeof(double) + 2 * sizeof(int));
-  return 2 * upper * entry + n * entry + working;
+  this->CenterAll(values);
 }
 
-std::size_t PoissonSystem::GetEstimatedMemory() const
+/// What flows from vertices whose values are given.
+template <typename Number>
+void PoissonSystem::TakeGivenValuesOff(std::vector<Number>& values) const
 {
-  return this->GetMemorySize() + this->GetMissingMemory();
+  for (int column = 0; column < this->Stiffness.cols(); ++column)
+  {
+    if (!this->IsFixed(column))
+    {
+      continue;
+    }
+    const Number value = values[column];
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(this->Stiffness, column); entry; ++entry)
+    {
+      if (!this->IsFixed(static_cast<Id>(entry.row())))
+      {
+        values[entry.row()] -= value * entry.value();
+      }
+    }
+  }
 }
 
-std::size_t PoissonSystem::GetMemorySize() const
+template <typename Number>
+void PoissonSystem::SolveOnce(std::vector<Number>& values) const
 {
-  return this->GetBaseMemory() + this->Factor.GetMemorySize();
+  this->Balance(values);
+  this->TakeGivenValuesOff(values);
+  for (const Id v : this->Pinned)
+  {
+    if (v != NoId)
+    {
+      values[v] = MakeZero<Number>();
+    }
+  }
+  this->Factor.Solve(values);
+  this->CenterAll(values);
+}
+
+/// Conjugate gradients with the factor as preconditioner: where the factor is good one step is
+/// enough, where it had to be raised a few are. Residuals that the last bits of the solution make
+/// are no reason for a step.
+void PoissonSystem::Refine(const std::vector<double>& sources, std::vector<double>& solution) const
+{
+  const std::size_t n = sources.size();
+  const auto findResidual = [&](std::vector<double>& residual) {
+    residual = this->Multiply(solution);
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      residual[v] = this->IsFixed(static_cast<Id>(v)) ? 0.0 : sources[v] - residual[v];
+    }
+  };
+  std::vector<double> residual;
+  findResidual(residual);
+  const double largest = Largest(solution);
+  const double negligible = GoodResidual * std::max(Largest(sources), largest);
+  const double rounding = LastBits * largest;
+  const auto sizeOf = [&](const std::vector<double>& values) {
+    double size = 0.0;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      const double allowed = negligible + rounding * this->Diagonal[v];
+      size = std::max(size, allowed > 0.0 ? std::abs(values[v]) / allowed : 0.0);
+    }
+    return size;
+  };
+  double best = sizeOf(residual);
+  std::vector<double> direction;
+  double previous = 0.0;
+  for (int step = 0; step < MostRefinements && best > 1.0; ++step)
+  {
+    std::vector<double> steepest = residual;
+    this->SolveOnce(steepest);
+    double product = 0.0;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      product += steepest[v] * residual[v];
+    }
+    if (direction.empty())
+    {
+      direction = steepest;
+    }
+    else
+    {
+      for (std::size_t v = 0; v < n; ++v)
+      {
+        direction[v] = steepest[v] + product / previous * direction[v];
+      }
+    }
+    const std::vector<double> change = this->Multiply(direction);
+    double curvature = 0.0;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      curvature += this->IsFixed(static_cast<Id>(v)) ? 0.0 : change[v] * direction[v];
+    }
+    if (!(curvature > 0.0) || !(product > 0.0))
+    {
+      break;
+    }
+    std::vector<double> before = solution;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      solution[v] += product / curvature * direction[v];
+    }
+    findResidual(residual);
+    const double size = sizeOf(residual);
+    if (!(size < best))
+    {
+      solution.swap(before);
+      break;
+    }
+    best = size;
+    previous = product;
+  }
+  this->CenterAll(solution);
+}
+
+bool PoissonSystem::NeedsRefinement() const
+{
+  return this->LargestEntry > LargestHarmlessEntry || this->Factor.IsRaised();
+}
+
+void PoissonSystem::Solve(std::vector<double>& values) const
+{
+  if (!this->NeedsRefinement())
+  {
+    this->SolveOnce(values);
+    return;
+  }
+  std::vector<double> sources = values;
+  this->Balance(sources);
+  this->SolveOnce(values);
+  this->Refine(sources, values);
+}
+
+void PoissonSystem::Solve(std::vector<SparseLanes>& values) const
+{
+  if (!this->NeedsRefinement())
+  {
+    this->SolveOnce(values);
+    return;
+  }
+  std::vector<SparseLanes> sources = values;
+  this->Balance(sources);
+  this->SolveOnce(values);
+  std::vector<double> source(values.size());
+  std::vector<double> solution(values.size());
+  for (int lane = 0; lane < SparseLanes::SizeAtCompileTime; ++lane)
+  {
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      source[v] = sources[v][lane];
+      solution[v] = values[v][lane];
+    }
+    this->Refine(source, solution);
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      values[v][lane] = solution[v];
+    }
+  }
 }
 }

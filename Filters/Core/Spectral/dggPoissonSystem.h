@@ -5,16 +5,14 @@
 #ifndef dggPoissonSystem_h
 #define dggPoissonSystem_h
 
-#include "dggIntrinsicTriangulation.h" // for the triangles
-#include "dggPoissonOptions.h"         // for the options
-#include "dggSparseFactor.h"           // for the factorization
-#include "dggSurfaceMesh.h"            // for SurfaceMesh
-#include "dggSurfacePoint.h"           // for SurfacePoint
+#include "dggLaplaceSystem.h" // for the Laplacian
+#include "dggPoissonSolver.h" // for the options
+#include "dggSurfaceMesh.h"   // for SurfaceMesh
+#include "dggSurfacePoint.h"  // for SurfacePoint
 
 #include <Eigen/SparseCore> // for the matrix
 
 #include <array>   // for cotangents
-#include <cstddef> // for std::size_t
 #include <cstdint> // for flags
 #include <vector>  // for arrays
 
@@ -27,7 +25,7 @@ namespace dgg
 /// solved for, and the weighted mean of the solution is made 0. With P = I - 1 w^T, w summing to 1,
 /// that is P L^+ P^T, which is symmetric. Components (through edges and shared vertices) do not
 /// know of each other. Any triangle complex will do; orientation plays no part.
-class PoissonSystem
+class PoissonSystem : public LaplaceSystem
 {
 public:
   /// Cotangents beyond this are scaled down (MakeCotanLaplacian()). Edges that short conduct so
@@ -55,8 +53,7 @@ public:
   Id GetTriangleOf(Id face) const { return this->TriangleOfFace[face]; }
 
   Id GetNumberOfVertices() const { return static_cast<Id>(this->Components.size()); }
-  Id GetNumberOfComponents() const { return static_cast<Id>(this->ComponentAreas.size()); }
-  Id GetComponent(Id v) const { return this->Components[v]; }
+  using LaplaceSystem::GetComponent;
   /// Of a point that is on the mesh.
   Id GetComponent(const SurfacePoint& point) const
   {
@@ -72,9 +69,7 @@ public:
   /// The longest sides of triangles, in the mean over the area: more than the mean edge where many
   /// small triangles are beside large ones, as on parts of machines.
   double GetMeanLongestSide(Id c) const { return this->MeanLongestSides[c]; }
-  /// The longest edge of all.
   bool HasBoundary(Id c) const { return this->ComponentHasBoundary[c] != 0; }
-  bool IsOnBoundary(Id v) const { return this->OnBoundary[v] != 0; }
   /// Whether the value of the vertex is given.
   bool IsFixed(Id v) const { return this->Fixed[v] != 0; }
   /// Whether no value is given in the component.
@@ -90,10 +85,10 @@ public:
   std::vector<double> Multiply(const std::vector<double>& f) const;
   /// L, vertex by vertex.
   const Eigen::SparseMatrix<double>& GetStiffness() const { return this->Stiffness; }
-  /// The place of a vertex in the order of elimination, and whether its value is the one that is
-  /// held at 0 in its component. After Analyze().
-  Id GetPlace(Id v) const { return this->Places[v]; }
-  bool IsPinned(Id v) const { return this->PinnedPlaces[this->Components[v]] == this->Places[v]; }
+  const EliminationOrder& GetOrder() const { return this->Order; }
+  /// Whether the value of the vertex is the one that is held at 0 in its component. After
+  /// Analyze().
+  bool IsPinned(Id v) const { return this->Pinned[this->Components[v]] == v; }
 
   /// Replace integrated sources (at vertices with given values, these values) by the solution. May
   /// be called by several threads at once.
@@ -104,26 +99,14 @@ public:
   /// Take the weighted mean off in components without given values.
   void Center(std::vector<double>& values) const;
 
-  /// Bytes, those of the factor included, at the time when there are most. After Analyze().
-  std::size_t GetEstimatedMemory() const;
-  /// Those of them that are not there yet.
-  std::size_t GetMissingMemory() const;
-  /// Those of the missing ones that are given back once it is factorized.
-  std::size_t GetFactorizingMemory() const;
-  /// Bytes that a factorization of a matrix with this pattern takes, at the time when there are
-  /// most.
-  std::size_t GetFactorMemory() const;
-  /// Bytes that a solution takes, at the time when there are most.
-  std::size_t GetSolvingMemory() const;
-  std::size_t GetMemorySize() const;
-  Offset GetNumberOfFactorEntries() const { return this->FactorEntries; }
+  /// Bytes that all takes while it is factorized, at most twice what they are. After Analyze().
+  double GetEstimatedMemory() const;
+  Offset GetNumberOfFactorEntries() const { return this->Order.GetNumberOfFactorEntries(); }
   /// Factorizations done so far, for tests.
   int GetNumberOfFactorizations() const { return this->NumberOfFactorizations; }
 
 private:
   bool NeedsRefinement() const;
-  std::size_t GetBaseMemory() const;
-  std::size_t GetMatrixMemory() const;
   Status CheckGivenVertices(const std::vector<Id>& vertices) const;
   void MeasureComponents();
   void MarkGivenVertices();
@@ -135,36 +118,25 @@ private:
   template <typename Number>
   void TakeGivenValuesOff(std::vector<Number>& values) const;
   template <typename Number>
-  void Substitute(std::vector<Number>& values) const;
-  template <typename Number>
   void SolveOnce(std::vector<Number>& values) const;
   void Refine(const std::vector<double>& sources, std::vector<double>& solution) const;
 
-  const SurfaceMesh& Mesh;
   PoissonOptions Options;
   bool IsAnalyzed = false;
   int NumberOfFactorizations = 0;
   std::uint64_t Revision = 0;
-  Offset FactorEntries = 0;
   double LargestEntry = 0.0;
-  IntrinsicTriangulation Triangulation;
 
   std::vector<Id> TriangleOfFace;
-  std::vector<Id> Components;                     // per vertex
-  std::vector<double> Areas;                      // per vertex
   std::vector<double> Weights;                    // per vertex
   std::vector<double> Diagonal;                   // per vertex, of the stiffness
-  std::vector<std::uint8_t> OnBoundary;           // per vertex
   std::vector<std::uint8_t> Fixed;                // per vertex
-  std::vector<Id> Places;                         // per vertex, in the order of elimination
   std::vector<double> ComponentAreas;             // per component
   std::vector<double> MeanEdges;                  // per component
   std::vector<double> MeanLongestSides;           // per component
   std::vector<std::uint8_t> ComponentHasBoundary; // per component
   std::vector<std::uint8_t> ComponentHasGiven;    // per component
   std::vector<std::uint8_t> ComponentIsThin;      // per component
-  std::vector<Id> PinnedPlaces;                   // per component; NoId where values are given
-  Eigen::SparseMatrix<double> Stiffness;
   SparseFactor Factor;
 };
 }

@@ -16,8 +16,6 @@ using Entries = Eigen::SparseMatrix<double>::InnerIterator;
 
 /// Largest residual of a solution, relative to the right-hand side, and what rounding may do.
 constexpr double Tolerance = 1e-8;
-/// Of all vectors, per site.
-constexpr double VectorBytes = 16.0 * sizeof(double);
 }
 
 SiteEquations::SiteEquations(
@@ -78,17 +76,6 @@ bool SiteEquations::Solve(std::vector<double>& coefficients)
   coefficients.assign(solution.data(), solution.data() + solution.size());
   this->Center(coefficients);
   return isSolved;
-}
-
-std::size_t SiteEquations::EstimateMemory(const PoissonSystem& system, std::size_t numberOfSites)
-{
-  const double n = std::max(1.0, static_cast<double>(system.GetNumberOfVertices()));
-  constexpr double Entry = sizeof(double) + sizeof(int);
-  const double factor = static_cast<double>(system.GetNumberOfFactorEntries()) / n;
-  const double row = static_cast<double>(system.GetStiffness().nonZeros()) / n;
-  // The matrix, twice more for the order of elimination, the factor, vectors.
-  return static_cast<std::size_t>(
-    static_cast<double>(numberOfSites) * ((factor + 3.0 * row) * Entry + VectorBytes));
 }
 
 void SiteEquations::Balance()

@@ -9,7 +9,6 @@
 
 #include <Eigen/SparseCore> // for the matrix
 
-#include <cstddef> // for std::size_t
 #include <cstdint> // for flags
 #include <vector>  // for values
 
@@ -30,10 +29,6 @@ public:
   /// To be called once. False when some cells do not conduct, or conduct so badly that the
   /// equations cannot be solved to 1e-8.
   bool Solve(std::vector<double>& coefficients);
-
-  /// About how many bytes Solve() takes, the object included: with a factor that has as many
-  /// entries per row as that of the system.
-  static std::size_t EstimateMemory(const PoissonSystem& system, std::size_t numberOfSites);
 
 private:
   void Balance();

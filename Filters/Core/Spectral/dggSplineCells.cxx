@@ -18,11 +18,6 @@ namespace
 /// Parts of the progress: the partition, what flows to given values, the rest.
 constexpr double PartitionDone = 0.25;
 constexpr double RimsDone = 0.35;
-/// What exact distances from one vertex, or from all sites, take.
-constexpr double BytesPerVertex = 100.0;
-constexpr double BytesPerFace = 60.0;
-/// Edges between round cells, over the root of vertices times sites.
-constexpr double CutsPerRoot = 10.0;
 
 using Entries = Eigen::SparseMatrix<double>::InnerIterator;
 using Triplets = std::vector<Eigen::Triplet<double, int>>;
@@ -313,36 +308,6 @@ Status FindCoefficients(const PoissonSystem& system, const std::vector<Id>& site
   }
   return status;
 }
-}
-
-std::size_t SplineCells::GetMemorySize() const
-{
-  return (this->Cells.size() + this->Components.size()) * sizeof(Id) +
-    (this->Weights.size() + this->Areas.size()) * sizeof(double) + this->Rims.size() * sizeof(Rim) +
-    static_cast<std::size_t>(this->Stiffness.nonZeros()) * (sizeof(double) + sizeof(int)) +
-    static_cast<std::size_t>(this->Stiffness.outerSize() + 1) * sizeof(int);
-}
-
-std::size_t EstimateSplineCells(
-  const PoissonSystem& system, std::size_t numberOfSites, std::size_t numberOfThreads)
-{
-  const auto n = static_cast<double>(system.GetNumberOfVertices());
-  const auto faces = static_cast<double>(system.GetMesh().GetNumberOfFaces());
-  const auto entries = static_cast<double>(system.GetStiffness().nonZeros());
-  const auto sites = static_cast<double>(numberOfSites);
-  const double exact = BytesPerVertex * n + BytesPerFace * faces;
-  const double workers =
-    std::min(static_cast<double>(std::max<std::size_t>(numberOfThreads, 1)), sites);
-  // Edges between cells, from both sides: round cells have about so many, and there are no more
-  // than edges.
-  const double cuts = std::min(entries, CutsPerRoot * std::sqrt(n * sites));
-  const double rows = 2.0 * cuts * sizeof(SiteRow::value_type); // as they grow
-  const double triplets = (2.0 * cuts + sites) * sizeof(Triplets::value_type);
-  const double matrix = (2.0 * cuts + sites) * (sizeof(double) + sizeof(int));
-  const double held = n * (2.0 * sizeof(Id) + sizeof(double)) +
-    sites * (sizeof(Id) + 3.0 * sizeof(double) + sizeof(Offset) + sizeof(SiteRow));
-  return static_cast<std::size_t>(
-    held + std::max({ rows + workers * exact, rows + triplets, triplets + 2.0 * matrix }));
 }
 
 Status FindSplineCells(const PoissonSystem& system, const std::vector<Id>& sites,

@@ -10,8 +10,7 @@
 
 #include <Eigen/SparseCore> // for the matrix
 
-#include <cstddef> // for std::size_t
-#include <vector>  // for arrays
+#include <vector> // for arrays
 
 namespace dgg
 {
@@ -55,18 +54,12 @@ struct SplineCells
   /// K: -c_ij off the diagonal. Rows sum to what flows to given values, so to 0 without these.
   Eigen::SparseMatrix<double> Stiffness;
   std::vector<Rim> Rims;
-
-  std::size_t GetMemorySize() const;
 };
 
 /// The sites must have been checked. A vertex at the same distance from several sites goes to any
 /// of them, always the same.
 Status FindSplineCells(const PoissonSystem& system, const std::vector<Id>& sites,
   const ParallelFor& parallel, const ProgressCallback& progress, SplineCells& cells);
-
-/// About how many bytes FindSplineCells() takes at one time, its results included.
-std::size_t EstimateSplineCells(
-  const PoissonSystem& system, std::size_t numberOfSites, std::size_t numberOfThreads);
 }
 
 #endif

@@ -3,9 +3,9 @@
 #include "dggVectorGraphics.h"
 
 #include "dggGraphicsBand.h"
+#include "dggGraphicsBlend.h"
 #include "dggGraphicsChecks.h"
 #include "dggGraphicsDomain.h"
-#include "dggGraphicsGiven.h"
 #include "dggGraphicsLoads.h"
 #include "dggGraphicsScale.h"
 #include "dggPoissonSolver.h"
@@ -27,21 +27,13 @@ constexpr double MeasuredDone = 0.3;
 constexpr double BandsDone = 0.6;
 constexpr double SourcesDone = 0.8;
 
-bool Goes(const ProgressCallback& progress, double fraction)
-{
-  return !progress || progress(fraction);
-}
-
-std::size_t GetChainMemory(const std::vector<CurveChain>& chains)
-{
-  std::size_t bytes = chains.size() * sizeof(CurveChain);
-  for (const CurveChain& chain : chains)
-  {
-    bytes += chain.Vertices.size() * sizeof(Id) + chain.Parameters.size() * sizeof(double) +
-      chain.GivenPoints.size() * sizeof(Offset);
-  }
-  return bytes;
-}
+/// Of a surface, two cuts and the mesh of one; of the mesh of the other, which Poisson curves need.
+constexpr double HeldPerFace = 370.0;
+constexpr double MorePerFace = 140.0;
+/// What colours are found with: distances or blocks of solutions, and of a band whose strengths are
+/// blended.
+constexpr double WorkPerVertex = 200.0;
+constexpr double BandPerFace = 180.0;
 }
 
 class VectorGraphics::Implementation
@@ -53,7 +45,7 @@ public:
   Status Run(const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
     const GraphicsOptions& options, GraphicsResult& result);
 
-  std::size_t GetMemorySize() const;
+  double EstimateHeld() const;
 
   GraphicsDomain Domain;
   std::unique_ptr<PoissonSolver> Solver; // of the domain's mesh
@@ -64,7 +56,7 @@ private:
   bool HasPoisson() const;
   Status AddBands(const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options,
     const ProgressCallback& progress, std::vector<double>& values) const;
-  double GetRunMemory(const GraphicsOptions& options) const;
+  double EstimateRun(const std::vector<GraphicsCurve>& curves, int channels) const;
   void MeasureNet(
     const std::vector<std::vector<double>>& columns, std::vector<double>& netSources) const;
 
@@ -91,7 +83,6 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   {
     return Status::Abort();
   }
-  this->Chains.clear();
   this->NumberOfFaces = mesh.GetNumberOfFaces();
   this->Types.clear();
   this->AreClosed.clear();
@@ -100,31 +91,22 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
     this->Types.push_back(curve.Type);
     this->AreClosed.push_back(curve.IsClosed);
   }
-  const double cut = PredictGraphicsMemory(static_cast<double>(surface.Faces.size()),
-                       static_cast<double>(surface.Points.size()), this->HasPoisson()) +
-    GraphicsLoads::PredictMemory(chains, curves) + static_cast<double>(GetChainMemory(chains));
-  // What edges of chains are looked up with is gone before the equation is analyzed, which takes
-  // more.
-  GraphicsMemoryCheck checkMore;
+  this->Chains = chains;
+  GraphicsMemoryCheck checkRegions;
   if (options.CheckMemory)
   {
-    checkMore = [&, cut](double bytes, double held) {
-      const std::size_t there = GetSurfaceMemory(surface) + this->GetMemorySize();
-      return options.CheckMemory(cut + bytes, static_cast<double>(there) + held);
+    checkRegions = [&](double bytes, double) {
+      const double all = BytesPerFace * static_cast<double>(surface.Faces.size()) + bytes;
+      return options.CheckMemory(all, all);
     };
   }
-  Status status = checkMore ? checkMore(0.0, 0.0) : Status::Success();
-  if (status.IsOk())
-  {
-    this->Chains = chains;
-  }
-  status = status.IsOk() ? CutForGraphics(mesh, surface, chains, curves, this->Domain) : status;
+  Status status = CutForGraphics(mesh, surface, chains, curves, this->Domain);
   if (status.IsOk() && !Goes(options.Progress, CutDone))
   {
     status = Status::Abort();
   }
   status = status.IsOk() ? this->Loads.Prepare(surface, this->NumberOfFaces, chains, curves,
-                             checkMore, ProgressPart(options.Progress, CutDone, MeasuredDone))
+                             checkRegions, ProgressPart(options.Progress, CutDone, MeasuredDone))
                          : status;
   if (!status.IsOk())
   {
@@ -138,9 +120,9 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   status = this->Solver->Analyze(poisson, ProgressPart(options.Progress, MeasuredDone, middle));
   if (status.IsOk() && options.CheckMemory)
   {
-    status = options.CheckMemory(
-      this->GetRunMemory(options) + static_cast<double>(this->Solver->GetMissingMemory()),
-      static_cast<double>(this->GetMemorySize()));
+    const double run = this->EstimateRun(curves, options.NumberOfChannels);
+    status =
+      options.CheckMemory(this->EstimateHeld() + run, this->Solver->GetEstimatedMemory() + run);
   }
   if (status.IsOk())
   {
@@ -183,22 +165,25 @@ Status VectorGraphics::Implementation::CheckRun(const std::vector<GraphicsCurve>
   return status;
 }
 
-/// What is held, and the colours while they are found: bands, sources, what Solve() works with and,
-/// of Poisson curves, distances from both sides.
-double VectorGraphics::Implementation::GetRunMemory(const GraphicsOptions& options) const
+double VectorGraphics::Implementation::EstimateHeld() const
 {
-  const auto solved = static_cast<double>(this->Domain.Solved.Surface.Points.size());
-  const auto drawn = static_cast<double>(this->Domain.Drawn.Surface.Points.size());
-  const double columns = options.NumberOfChannels * sizeof(double) * (drawn + solved);
-  const double lanes = solved * sizeof(double) * (options.NumberOfChannels > 4 ? 24.0 : 4.0);
-  // Of both sides, and what the distances are found with.
-  const double distances = this->HasPoisson()
-    ? drawn * (2.0 * (sizeof(double) + sizeof(Id) + sizeof(Predecessor)) + 32.0) +
-      static_cast<double>(this->Domain.Drawn.Surface.Faces.size()) * 20.0
-    : 0.0;
-  const double sources = this->Loads.GetAddingMemory(this->Domain);
-  return static_cast<double>(this->GetMemorySize()) + columns +
-    std::max({ lanes, distances, sources });
+  const auto faces = static_cast<double>(this->Domain.Solved.Surface.Faces.size());
+  return faces * (HeldPerFace + (this->HasPoisson() ? MorePerFace : 0.0)) +
+    this->Loads.GetNumberOfRegionFaces() * sizeof(Id) + this->Solver->GetEstimatedMemory();
+}
+
+/// The colours, while they are found. A band may be all of the surface, and as many equations.
+double VectorGraphics::Implementation::EstimateRun(
+  const std::vector<GraphicsCurve>& curves, int channels) const
+{
+  const auto points = static_cast<double>(this->Domain.Drawn.Surface.Points.size());
+  const auto faces = static_cast<double>(this->Domain.Drawn.Surface.Faces.size());
+  const double columns = 2.0 * channels * sizeof(double) * points;
+  const bool isBlended = std::any_of(curves.begin(), curves.end(), [&](const GraphicsCurve& curve) {
+    return curve.Type == GraphicsCurveType::Poisson && StrengthBlend::IsNeeded(curve, channels);
+  });
+  return points * WorkPerVertex + columns +
+    (isBlended ? faces * BandPerFace + columns + this->Solver->GetEstimatedMemory() : 0.0);
 }
 
 Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>& curves,
@@ -206,16 +191,6 @@ Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>
   std::vector<double>& values) const
 {
   const int channels = options.NumberOfChannels;
-  GraphicsMemoryCheck checkMore;
-  if (options.CheckMemory)
-  {
-    const double others = this->GetRunMemory(options);
-    const double there =
-      static_cast<double>(this->GetMemorySize() + values.size() * sizeof(double));
-    checkMore = [&options, others, there](double bytes, double held) {
-      return options.CheckMemory(others + bytes, there + held);
-    };
-  }
   std::unique_ptr<ExactGeodesics> exact;
   for (std::size_t k = 0; k < curves.size(); ++k)
   {
@@ -235,7 +210,7 @@ Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>
     }
     Status status = AddBand(this->Domain.DrawnMesh,
       this->Domain.Drawn.Sides[this->Domain.SidesInDrawn[k]], this->Chains[k], curves[k], channels,
-      *exact, checkMore, ProgressPart(progress, begin, begin + 1.0 / count), values);
+      *exact, ProgressPart(progress, begin, begin + 1.0 / count), values);
     if (!status.IsOk())
     {
       return status.IsAborted()
@@ -271,8 +246,8 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
   if (status.IsOk() && options.CheckMemory)
   {
     // Channels may be others than before.
-    status =
-      options.CheckMemory(this->GetRunMemory(options), static_cast<double>(this->GetMemorySize()));
+    const double run = this->EstimateRun(curves, options.NumberOfChannels);
+    status = options.CheckMemory(this->EstimateHeld() + run, run);
   }
   if (status.IsOk() && !Goes(options.Progress, 0.0))
   {
@@ -339,12 +314,6 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
   return status;
 }
 
-std::size_t VectorGraphics::Implementation::GetMemorySize() const
-{
-  return this->Domain.GetMemorySize() + this->Loads.GetMemorySize() + GetChainMemory(this->Chains) +
-    (this->Solver ? this->Solver->GetMemorySize() : 0);
-}
-
 VectorGraphics::VectorGraphics()
   : Internals(std::make_unique<Implementation>())
 {
@@ -376,13 +345,8 @@ void VectorGraphics::Clear()
   this->Internals = std::make_unique<Implementation>();
 }
 
-std::size_t VectorGraphics::GetMemorySize() const
+double VectorGraphics::GetEstimatedMemory() const
 {
-  return this->Internals->GetMemorySize();
-}
-
-double VectorGraphics::PredictMemory(double faces, double vertices, bool hasPoisson)
-{
-  return PredictGraphicsMemory(faces, vertices, hasPoisson);
+  return this->Internals->Solver ? this->Internals->EstimateHeld() : 0.0;
 }
 }

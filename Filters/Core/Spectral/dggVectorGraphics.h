@@ -10,7 +10,6 @@
 #include "dggSurfaceCut.h"     // for CutSurface
 #include "dggSurfaceMesh.h"    // for SurfaceMesh
 
-#include <cstddef>    // for std::size_t
 #include <functional> // for checks of memory
 #include <memory>     // for what is prepared
 #include <string>     // for names
@@ -62,9 +61,9 @@ struct GraphicsRegion
   std::vector<double> Strength;
 };
 
-/// Asked with the bytes that all will take, and with those of them that are held already. What is
+/// Asked with the bytes that all will take, and with those of them that are not held yet: what is
 /// held is not free any more, so it must not count against what is.
-using GraphicsMemoryCheck = std::function<Status(double bytes, double held)>;
+using GraphicsMemoryCheck = std::function<Status(double bytes, double missing)>;
 
 struct GraphicsOptions
 {
@@ -76,8 +75,8 @@ struct GraphicsOptions
   /// triangles: then no colour lies outside of those that are given, but next to obtuse triangles
   /// on the boundary of the surface, whose edges cannot be flipped.
   bool IntrinsicDelaunay = false;
-  /// Asked before the surface is cut, while the faces on the left of regions are found, before the
-  /// factorization, whenever colours are found, and before strengths are blended; may be empty.
+  /// Asked while the faces on the left of regions are found, before the factorization, and whenever
+  /// colours are found; may be empty.
   GraphicsMemoryCheck CheckMemory;
   ProgressCallback Progress; ///< may be empty
 };
@@ -137,9 +136,9 @@ public:
   VectorGraphics(const VectorGraphics&) = delete;
   VectorGraphics& operator=(const VectorGraphics&) = delete;
 
-  /// Bytes that Prepare() asks for first, for a surface with so many faces and vertices, itself
-  /// included. To ask before that is made: refining takes less.
-  static double PredictMemory(double faces, double vertices, bool hasPoisson);
+  /// Bytes that Prepare() takes for each face of the surface, itself included, until it asks. To
+  /// ask before that is made: refining takes less.
+  static constexpr double BytesPerFace = 1100.0;
 
   /// Cut the surface, and factorize the matrix. `surface` is what EmbedCurves() made of `mesh`, or
   /// a refinement of it; chain k belongs to curve k. Numbers of curves do not matter yet. The mesh
@@ -163,8 +162,8 @@ public:
   const CutSurface& GetSurface() const;
   /// Forget what is prepared.
   void Clear();
-  /// Bytes held.
-  std::size_t GetMemorySize() const;
+  /// About how many bytes are held.
+  double GetEstimatedMemory() const;
 
 private:
   class Implementation;
