@@ -346,6 +346,7 @@ bool vtkDGGFieldInput::FitsSources(const dgg::SurfaceMesh& mesh) const
     }
   }
   std::array<double, 4> misfits{}; // turned by so many right angles
+  dgg::Id samples = 0;             // few where most vertices are Irregular
   std::vector<double> factors; // logarithms, from rises of the sources to those of the distances
   double difference = 0.0;     // where a virtual source is the point itself
   double size = 0.0;
@@ -373,6 +374,7 @@ bool vtkDGGFieldInput::FitsSources(const dgg::SurfaceMesh& mesh) const
       {
         continue;
       }
+      samples += turn == 0 ? 1 : 0;
       const double predicted = model.At(mesh.Length(h), mesh.PolarAngle(h));
       misfits[turn] += std::abs(predicted - this->Distances[w]);
       const double rise = predicted - model.AtVertex();
@@ -388,7 +390,7 @@ bool vtkDGGFieldInput::FitsSources(const dgg::SurfaceMesh& mesh) const
   {
     return false;
   }
-  return mesh.GetNumberOfHalfEdges() < FewestSamples ||
+  return samples < FewestSamples ||
     (misfits[0] <= LargestMisfit * *std::min_element(misfits.begin() + 1, misfits.end()) &&
       !GatherElsewhere(factors));
 }

@@ -305,11 +305,12 @@ void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set)
   }
   else if (missing > 0)
   {
-    vtkWarningMacro(<< "There is no loop through " << missing << " of " << set.Status.size()
+    vtkWarningMacro(<< "No loop was found through " << missing << " of " << set.Status.size()
                     << (set.Status.size() == 1 ? " point" : " points")
                     << (missing == 1 ? ", point " : ", the first of them point ") << first
-                    << ": all ways around contract to the point, as they do on a surface without "
-                    << "handles and limbs. " << (missing == 1 ? "It has" : "They have")
+                    << ": all ways around that were tried contract to the point, as they do on a "
+                    << "surface without handles and limbs. "
+                    << (missing == 1 ? "It has" : "They have")
                     << " no polyline, and 1 in the field array LoopStatus.");
   }
 }

@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -69,6 +70,31 @@ dgg::Status CheckIds(const vtkDGGSourceSet& set, vtkIdType numberOfPoints)
     }
   }
   return dgg::Status::Success();
+}
+
+/// The point of the surface that another filter says that a point is, as samples are, if that is
+/// where it lies; else -1.
+vtkIdType FindOriginal(vtkPolyData* points, vtkIdType index, vtkPoints* coordinates)
+{
+  vtkDataArray* ids = points->GetPointData()->GetArray("vtkOriginalPointIds");
+  if (!ids || ids->GetNumberOfComponents() != 1 ||
+    ids->GetNumberOfTuples() != points->GetNumberOfPoints())
+  {
+    return -1;
+  }
+  const double id = ids->GetComponent(index, 0);
+  if (!(id >= 0.0 && id < static_cast<double>(coordinates->GetNumberOfPoints())))
+  {
+    return -1;
+  }
+  double p[3];
+  double q[3];
+  points->GetPoint(index, p);
+  coordinates->GetPoint(static_cast<vtkIdType>(id), q);
+  const bool isThere = std::equal(p, p + 3, q, [](double a, double b) {
+    return static_cast<float>(a) == static_cast<float>(b); // outputs may be in single precision
+  });
+  return isThere ? static_cast<vtkIdType>(id) : -1;
 }
 
 dgg::Status CheckInitialDistances(vtkPolyData* points, const std::string& name)
@@ -192,6 +218,17 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
     set.Points->GetPoint(id, p);
     dgg::GeodesicSource source;
     source.InitialDistance = offsets ? offsets->GetComponent(id, 0) : 0.0;
+    const vtkIdType original = FindOriginal(set.Points, id, coordinates);
+    if (original >= 0)
+    {
+      const dgg::Id vertex = adapter.GetVertex(original);
+      if (adapter.IsCloud() || adapter.GetMesh().Kind(vertex) != dgg::VertexKind::Isolated)
+      {
+        source.Point = dgg::SurfacePoint::AtVertex(vertex);
+        sources.push_back(source);
+        continue;
+      }
+    }
     double distance = dgg::Infinity;
     const bool found = this->FindClosestPoint(p, source.Point, distance);
     if (!found || !(distance <= farthest + rounding || this->IsAmongPoints(source.Point, distance)))

@@ -55,7 +55,9 @@ public:
   /// coordinates and initial distances finite.
   static dgg::Status Check(const vtkDGGSourceSet& set, vtkIdType numberOfPoints);
 
-  /// The points on a mesh, or near those of a cloud, after Check(). `coordinates` are those of the
+  /// The points on a mesh, or near those of a cloud, after Check(). Points with the array
+  /// vtkOriginalPointIds are those of the mesh, where they lie there: by their position alone they
+  /// may be on another sheet in the same place. `coordinates` are those of the
   /// mesh; `tolerance` is how far from the surface a point may be, as a fraction of the diagonal.
   /// Where a cloud is sparser than that, places between its points are close enough.
   dgg::Status Collect(const vtkDGGSourceSet& set, double tolerance,

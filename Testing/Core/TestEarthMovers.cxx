@@ -79,8 +79,14 @@ TEST(EarthMovers, PointMassesAreTheirGeodesicDistanceApart)
 
 TEST(EarthMovers, TheGapIsClosedOnAnyTriangles)
 {
-  // Sheets of needles, strips, blocks without points inside their sides, a rough sphere.
-  const NamedMesh meshes[] = { { "needles", NeedlePlane(20, 0.01) },
+  // Sheets of needles, a tape of long triangles, strips, blocks without points inside their sides,
+  // a rough sphere.
+  TestMesh tape = Plane(30, 4);
+  for (std::size_t i = 1; i < tape.Points.size(); i += 3)
+  {
+    tape.Points[i] *= 2e-5;
+  }
+  const NamedMesh meshes[] = { { "tape", tape }, { "needles", NeedlePlane(20, 0.01) },
     { "box", Box(30, 2, 1, 3.0, 20.0, 0.5) }, { "block", Box(12, 1, 12, 6.0, 5.0, 6.0, 0.2) },
     { "rough", NoisySphere(3, 0.2, 4) }, { "collinear", CollinearPlane(12) } };
   for (const NamedMesh& named : meshes)

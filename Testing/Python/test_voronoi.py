@@ -4,6 +4,7 @@
 
 import os
 import unittest
+import warnings
 
 import numpy as np
 import support
@@ -80,6 +81,24 @@ class Voronoi(unittest.TestCase):
         energy = values(self.voronoi.GetOutput().GetFieldData(), "Energy")
         self.assertEqual(len(energy), 9)
         self.assertTrue(np.all(np.diff(energy) < 0.0))
+
+    def test_samples_stay_on_their_sheet(self):
+        points, triangles = support.grid(8, 8)
+        surface = support.polydata(
+            np.vstack([points, points]), np.vstack([triangles, triangles[:, ::-1] + len(points)])
+        )
+        self.sampler.SetInputConnection(None)
+        self.sampler.SetInputData(surface)
+        self.sampler.SetNumberOfSamples(10)
+        self.voronoi.SetInputConnection(None)
+        self.voronoi.SetInputData(surface)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of coincident boundaries
+            vtkdgg.check(self.voronoi)
+        ids = values(self.sampler.GetOutput().GetPointData(), "vtkOriginalPointIds")
+        nearest = values(self.voronoi.GetOutput().GetPointData(), "GeodesicSource")
+        self.assertGreater((ids >= len(points)).sum(), 0)
+        np.testing.assert_array_equal(nearest[ids], np.arange(10))
 
     def test_ids(self):
         self.voronoi.SetSiteConnection(None)
