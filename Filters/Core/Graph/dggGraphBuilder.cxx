@@ -46,7 +46,7 @@ constexpr double PeakOfAssembly = 1.35;
 /// work that a graph may take there, in units of ConeTracer::GetWork(), per face at an accuracy of
 /// 1 %: some twenty times what a manifold mesh of that size takes. One vertex may take a share of
 /// it.
-constexpr double MostWorkOfFace = 1e5;
+constexpr double MostWorkOfFace = 1e4;
 constexpr double LargestShareOfSample = 2.0; // by a fair one
 constexpr std::size_t ShareOfVertex = 16;    // its inverse
 constexpr double SmallestMesh = 1000.0;      // of fewer faces any takes little
