@@ -270,7 +270,7 @@ TEST(BiharmonicDistance, ProgressGrowsAndStops)
       {
         largest = std::max(largest, watch.Progress[k] - watch.Progress[k - 1]);
       }
-      EXPECT_LT(largest, 0.2);
+      EXPECT_LT(largest, 0.5); // as often as the calling thread looks
     }
     const std::vector<double> expected = terrain.Values(3);
     for (const double stop : { 0.05, 0.9 })

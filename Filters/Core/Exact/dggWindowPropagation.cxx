@@ -359,6 +359,11 @@ bool WindowPropagation::FindIncomingAngle(Id v, double& angle) const
     // From the direction of the origin of the half-edge counter-clockwise to that of the image.
     const Point2 c{ this->Mesh.ApexX(p.HalfEdge), this->Mesh.ApexY(p.HalfEdge) };
     const Point2 i{ p.ImageX - c.X, p.ImageY - c.Y };
+    if (p.Root >= 0 &&
+      this->Label(v) > (this->Label(p.Root) + Norm(i.X, i.Y)) * (1.0 + LengthTolerance))
+    {
+      return false; // the way bends at the end of a window, see Window::DistanceThrough()
+    }
     angle = this->Mesh.PolarAngle(SurfaceMesh::Previous(p.HalfEdge)) +
       std::atan2(-c.X * i.Y + c.Y * i.X, -c.X * i.X - c.Y * i.Y);
     return true;
