@@ -46,7 +46,8 @@
  * triangles, and where no orientation is consistent, only this module knows what they mean.
  *
  * The first three are a compressed sparse row matrix, `scipy.sparse.csr_matrix((lengths, targets,
- * offsets))`. All together take 16 bytes per directed edge. Points that no polygon uses have empty rows.
+ * offsets))`. All together take 16 bytes per directed edge. Points that no polygon uses have empty
+ * rows.
  * `DGG.Info` holds: the version of this format (1); the kind (0: mesh); the construction; the bits
  * of the double Accuracy (0 for a SaddleVertexGraph); NumberOfNeighbors (0 for others); whether
  * coincident points were merged; a signature of the surface (2 values); 0; the bits of the double
@@ -98,8 +99,9 @@
  * the search of OneRelay ends behind edges of which every point is covered. With Indirect a window
  * inherits the bound of its parent and is compared by its nearest point, and an edge st is pruned
  * when |sr| / (1 + Accuracy) + |rt| <= |st| for another edge sr, where the printed procedure would
- * remove every edge and let errors add up; there are no pseudo-vertices. SaddleVertexGraph is due to X. Ying, X. Wang, Y. He, "Saddle vertex graph (SVG): a novel
- * solution to the discrete geodesic problem", ACM Trans. Graph. 32(6), 2013.
+ * remove every edge and let errors add up; there are no pseudo-vertices. SaddleVertexGraph is due
+ * to X. Ying, X. Wang, Y. He, "Saddle vertex graph (SVG): a novel solution to the discrete geodesic
+ * problem", ACM Trans. Graph. 32(6), 2013.
  *
  * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
  *

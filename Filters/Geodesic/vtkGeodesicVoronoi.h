@@ -45,10 +45,10 @@
  * a border point from its sites then differ by a small part of the accuracy on average, and by less
  * than twice the accuracy but for few points close to where three cells meet. Where triangles are
  * about as large as cells, subdivide the surface first. Among non-manifold edges and triangles of
- * near-zero area this is dear: it ends when it has taken some twenty times what a clean mesh of that
- * size takes, and border points after that stay where they were. Cells that are smaller than triangles are
- * found where triangles have corners in different cells. The result does not depend on the number
- * of threads.
+ * near-zero area its work is limited, to some twenty times that on a clean mesh of that size, and
+ * border points after that stay where they were. Cells that are smaller than triangles are found
+ * where triangles have corners in different cells. The result does not depend on the number of
+ * threads.
  *
  * <b>Centroidal diagrams.</b> Lloyd's iteration makes the energy smaller, the sum over all points
  * of area times squared distance from the nearest site, where a point has a third of the area of

@@ -122,8 +122,8 @@
  *
  * <b>Nothing is promised</b> of the difference between distances in the graph and on the surface
  * that was sampled: it depends on the sampling. Mean relative errors that were measured, by
- * BenchmarkCloud, are in Testing/Benchmark/README.md: with all parameters automatic about 1e-4 on smooth
- * surfaces, and 2e-3 on scans.
+ * BenchmarkCloud, are in Testing/Benchmark/README.md: with all parameters automatic about 1e-4 on
+ * smooth surfaces, and 2e-3 on scans.
  *
  * On noisy clouds a distance may be shorter than the straight line between two points, by as much
  * as the noise: it is that of points that have been moved to the surface.

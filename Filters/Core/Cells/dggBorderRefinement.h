@@ -20,9 +20,9 @@ namespace dgg
 /// to points where geodesics bend. There a border point gets links of its own, as a vertex of the
 /// graph would have them, and is moved to where its distances are equal.
 ///
-/// Where light multiplies, among non-manifold edges and triangles that are all but lines, links are
-/// dear. They may take so much work for a mesh of that size; the points after that stay where they
-/// are.
+/// Where windows multiply, among non-manifold edges and triangles of near-zero area, links take
+/// long. Their work is limited in proportion to the number of faces; the points after that stay
+/// where they are.
 ///
 /// Whether that is needed is told by the virtual sources of the corners: each of them has its own
 /// idea of the distance at the point. Where all agree, nothing is done.

@@ -80,6 +80,12 @@ void TriangleEngine::Release()
   std::vector<Id>().swap(this->Queue);
   std::vector<std::pair<double, Id>>().swap(this->Heap);
   std::vector<double>().swap(this->Emitted);
+  for (WindowList* list : { &this->Light, &this->LeftChildren.Envelope,
+         &this->LeftChildren.Misplaced, &this->RightChildren.Envelope,
+         &this->RightChildren.Misplaced, &this->Merged, &this->Scratch })
+  {
+    WindowList().swap(*list);
+  }
   this->Memory.Clear();
 }
 

@@ -15,7 +15,7 @@ namespace dgg
 struct CapSplitting
 {
   Offset NumberOfCaps = 0;    ///< left out
-  double LargestHeight = 0.0; ///< of these, one on the other: the surface has moved by no more
+  double LargestHeight = 0.0; ///< sum of those that lie on each other: no point has moved farther
 };
 
 /// A *cap* is a triangle whose apex lies on its longest edge, up to rounding: a doubled segment, as
