@@ -43,7 +43,7 @@ public:
   void Balance(
     Id face, const std::array<Id, 3>& sites, std::array<double, 3>& place, double& distance) const;
 
-  /// What links have taken where light multiplies, see GraphBuilder::Link(), and what they may
+  /// What links have taken where windows multiply, see GraphBuilder::Link(), and what they may
   /// take.
   std::size_t GetWork() const { return this->Work; }
   std::size_t GetMostWork() const;

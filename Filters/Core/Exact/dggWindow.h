@@ -54,7 +54,7 @@ struct Window
 
   /// The same for a point that is seen through x on the axis. When that is beyond an end of the
   /// window, the way bends there: a straight line may be shorter than any path, and such a label
-  /// would trim the light that passes close by.
+  /// would trim windows that pass close by.
   double DistanceThrough(double x, const Point2& p) const
   {
     const double straight = this->DistanceTo(p);

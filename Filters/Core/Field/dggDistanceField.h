@@ -23,9 +23,9 @@ namespace dgg
 ///    straight line from k, which predicts too little at j where the values are no distances. The
 ///    lesser of the two is what k knows, and the way alone where M_k says nothing. The distance in
 ///    the face is the least of the three corners, but no less than d_j minus the length of the
-///    straight line from j: what M_k is raised by may rise faster. That follows arcs and ridges, and
-///    at the corners it is what is given. On an edge it is the least of all faces of the edge that
-///    are reached, which may be less than what one of them says: a wave may come through any.
+///    straight line from j: what M_k is raised by may rise faster. That follows arcs and ridges,
+///    and at the corners it is what is given. On an edge it is the least of all faces of the edge
+///    that are reached, which may be less than what one of them says: a wave may come through any.
 ///  - Without both it is linear; so it is in faces none of whose corners has a model.
 struct DistanceField
 {

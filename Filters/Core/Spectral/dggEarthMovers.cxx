@@ -27,7 +27,7 @@ constexpr double ShortStep = 0.5;
 /// Part of the way to a slope of 1 that a step goes.
 constexpr double StepMargin = 0.8;
 /// Triangles with a larger cotangent are all but lines. Those that PoissonSystem takes as they are
-/// have smaller ones: to make them larger would make flow through them dearer.
+/// have smaller ones: to make them larger would make flow through them cost more.
 constexpr double MostCotangent = 1e7;
 /// Slope of the first potential.
 constexpr double FirstSlope = 0.9;
