@@ -108,6 +108,31 @@ TEST(GraphBuilderLimits, RefusesAfterBoundedWork)
     { "non-manifold edges", "twenty times", "inner walls", "larger accuracy (it is 0.01)" }, {});
 }
 
+// A wall of long triangles, of which each vertex sees half.
+TEST(GraphBuilderLimits, RefusesManyLongTriangles)
+{
+  dgg::GraphOptions options;
+  options.Accuracy = 0.01;
+  for (const Id sides : { 800, 8000 })
+  {
+    TestMesh wall = PrismSide(sides, 1, 1);
+    for (std::size_t z = 2; z < wall.Points.size(); z += 3)
+    {
+      wall.Points[z] *= sides;
+    }
+    const SurfaceMesh mesh = Build(wall);
+    dgg::GraphEstimate estimate;
+    const dgg::Status status = dgg::GraphBuilder(mesh).Estimate(options, estimate);
+    EXPECT_EQ(status.IsOk(), sides < 8000);
+    if (sides == 8000)
+    {
+      ExpectMessage(status,
+        { "long triangles", "twenty times", "split", "larger accuracy (it is 0.01)" },
+        { "manifold" });
+    }
+  }
+}
+
 TEST(GraphBuilderLimits, LightOnManifoldMeshes)
 {
   // Nothing there is the fault of non-manifold edges.

@@ -162,28 +162,23 @@ TEST_P(TautLoops, AroundPrisms)
   }
 }
 
+/// The way around is far from all vertices.
 TEST_P(TautLoops, ThroughAPointOfAPrism)
 {
-  int found = 0;
-  for (Id sides = 3; sides <= 24; sides += 3)
+  for (Id sides = 12; sides <= 36; sides += 6)
   {
     SCOPED_TRACE(sides);
     const TestMesh prism = CappedPrism(sides, 1, this->GetParam(), sides);
     const LoopWorld world(prism, 0.02);
     for (const SurfacePoint& point : Section(world.Mesh, prism, 2, 0.61 * Height))
     {
-      const FoundLoop loop = world.ThroughPoint(point);
-      if (loop.Loop.IsEmpty() || loop.IsKinked())
+      for (const bool isTaut : { false, true })
       {
-        continue; // the graph need not know the way around
+        const FoundLoop loop = world.ThroughPoint(point, isTaut);
+        EXPECT_NEAR(loop.Loop.Length, 2.0 * sides * std::sin(dgg::Pi / sides), 1e-9);
       }
-      const FoundLoop taut = world.ThroughPoint(point, true);
-      ASSERT_FALSE(taut.Loop.IsEmpty());
-      EXPECT_NEAR(taut.Loop.Length, loop.Loop.Length, 1e-9);
-      ++found;
     }
   }
-  EXPECT_GT(found, 40);
 }
 
 INSTANTIATE_TEST_SUITE_P(Caps, TautLoops, testing::Values(Cap::Fan, Cap::Strip, Cap::Spokes));

@@ -23,7 +23,7 @@ constexpr double Margin = 2e-5;
 constexpr double DifferenceStep = 1e-3;
 
 /// Work of links per face: some twenty times what a diagram of a clean mesh takes.
-constexpr std::size_t MostWorkOfFace = 1000;
+constexpr std::size_t MostWorkOfFace = 3000;
 constexpr std::size_t SmallestMesh = 2500; // of fewer faces any takes little
 
 /// The part of the way to a side of the face that a step may take.

@@ -33,7 +33,7 @@ struct ConeLimits
   /// Windows of a source that is traced without looking at what its own light has reached before:
   /// more than a source on an ordinary mesh has.
   std::size_t CarelessWindows;
-  /// Work that a source may take after that; see ConeTracer::GetWork().
+  /// Work that a source may take; see ConeTracer::GetWork().
   std::size_t Work;
 };
 
@@ -94,13 +94,12 @@ public:
   /// Whether the last source had to be given up: its light went on and on.
   bool WasOverwhelmed() const { return this->IsOverwhelmed; }
   std::size_t GetNumberOfWindows() const { return this->NumberOfWindows; }
-  /// What the last source took if it was traced with care, in comparisons of one cone with another;
-  /// else 0.
+  /// What the last source took, in comparisons of one window with another.
   std::size_t GetWork() const
   {
-    return this->IsCareful
-      ? WorkOfWindow * (this->NumberOfWindows - this->WindowsBefore) + this->Memory.GetWork()
-      : 0;
+    return (this->IsCareful ? WorkOfCarefulWindow : WorkOfWindow) *
+      (this->NumberOfWindows - this->WindowsBefore) +
+      this->Memory.GetWork();
   }
   std::size_t GetMemorySize() const
   {
@@ -112,7 +111,8 @@ public:
 
 private:
   /// What a window takes besides comparisons, as measured.
-  static constexpr std::size_t WorkOfWindow = 30;
+  static constexpr std::size_t WorkOfWindow = 3;
+  static constexpr std::size_t WorkOfCarefulWindow = 30;
   /// Two path lengths this close, relatively, count as equal.
   static constexpr double LengthTolerance = 1e-12;
   /// Narrower cones are dropped: what they light is on the border of their neighbours, up to the

@@ -42,14 +42,16 @@ constexpr Id SampleSize = 128;
 /// and some more.
 constexpr double PeakOfAssembly = 1.35;
 
-/// Where light can multiply no rule keeps its work from growing with the number of ways around. The
-/// work that a graph may take there, in units of ConeTracer::GetWork(), per face at an accuracy of
-/// 1 %: some twenty times what a manifold mesh of that size takes. One vertex may take a share of
-/// it.
+/// The work that a graph may take, in units of ConeTracer::GetWork(), per face at an accuracy of
+/// 1 %: some twenty times what a mesh of good triangles takes. One vertex may take a share of it.
+/// No rule keeps the work from growing with the number of ways around where windows can multiply,
+/// or with the square of the number of faces where all of these are as long as the mesh.
 constexpr double MostWorkOfFace = 1e4;
 constexpr double LargestShareOfSample = 2.0; // by a fair one
 constexpr std::size_t ShareOfVertex = 16;    // its inverse
-constexpr double SmallestMesh = 1000.0;      // of fewer faces any takes little
+/// Of fewer faces any takes little; where windows multiply they take more time each.
+constexpr double SmallestMesh = 20000.0;
+constexpr double SmallestBranchingMesh = 1000.0;
 /// Windows of a vertex at an accuracy of 1 % that are more than those of ordinary meshes; where
 /// light cannot multiply, those of a plate without points inside, where each vertex sees all faces.
 constexpr double CarelessWindows = 2000.0;
@@ -89,17 +91,11 @@ Status Overwhelmed(const std::string& source, bool canMultiply, const GraphOptio
 {
   std::ostringstream message;
   message << "the light of " << source;
-  if (canMultiply)
-  {
-    message
-      << " multiplies among non-manifold edges or triangles without area, beyond some twenty "
-         "times the work on a clean mesh of this size: remove inner walls, doubled sheets and "
-         "such triangles, use exact distances, or ";
-  }
-  else
-  {
-    message << " goes too far over the surface: use ";
-  }
+  message << (canMultiply ? " multiplies among non-manifold edges or triangles without area"
+                          : " reaches too far over long triangles")
+          << ", beyond some twenty times the work on a clean mesh of this size: "
+          << (canMultiply ? "remove inner walls, doubled sheets and such triangles" : "split these")
+          << ", use exact distances, or ";
   if (options.Construction == GraphConstruction::SaddleVertexGraph)
   {
     message << "a smaller number of neighbours (it is " << options.NumberOfNeighbors << ")";
@@ -346,15 +342,12 @@ ConeLimits GraphBuilder::Implementation::LimitCones(const GraphOptions& options)
   const double faces = this->Mesh.GetNumberOfFaces();
   const double windows =
     growth * (options.Construction == GraphConstruction::Guaranteed ? 1.0 : WindowsOfOtherRules);
+  const double fewest = this->CanMultiply() ? SmallestBranchingMesh : SmallestMesh;
+  const double work =
+    growth * (options.Construction == GraphConstruction::Indirect ? WindowsOfOtherRules : 1.0);
   ConeLimits limits{ this->ConeLimit, static_cast<std::size_t>(CarelessWindows * windows),
-    std::numeric_limits<std::size_t>::max() / ShareOfVertex };
-  if (this->CanMultiply())
-  {
-    limits.Work =
-      static_cast<std::size_t>(MostWorkOfFace * growth * std::max(SmallestMesh, faces)) /
-      ShareOfVertex;
-  }
-  else
+    static_cast<std::size_t>(MostWorkOfFace * work * std::max(fewest, faces)) / ShareOfVertex };
+  if (!this->CanMultiply())
   {
     limits.CarelessWindows = std::max(
       limits.CarelessWindows, static_cast<std::size_t>(CarelessWindowsPerFace * windows * faces));

@@ -12,21 +12,23 @@ namespace
 /// Kinks of paths of a graph without a guarantee.
 constexpr double WidestKink = 0.3;
 
-/// Whether a way passes through a vertex between two directions.
-bool PassesStraight(const SurfaceMesh& mesh, Id v, double in, double out, double kink)
+/// Kinks of ways that are tried first, radians.
+constexpr double NarrowKink = 0.3;
+
+/// By how much a way turns at a vertex more than a straight one does, from `in` to `out`.
+double KinkAt(const SurfaceMesh& mesh, Id v, double in, double out)
 {
   const double total = mesh.TotalAngle(v);
   const double angle = std::abs(out - in);
   switch (mesh.Kind(v))
   {
     case VertexKind::Irregular:
-      return true; // every direction may follow every other
+      return 0.0; // every direction may follow every other
     case VertexKind::Boundary:
-      return angle >= std::min(Pi, total) - kink;
+      return std::min(Pi, total) - angle;
     default:
-      return std::min(angle, total - angle) >= std::min(Pi, 0.5 * total) - kink;
+      return std::min(Pi, 0.5 * total) - std::min(angle, total - angle);
   }
-}
 }
 
 /// Between two edges of a path, each may be off by as much as the accuracy lets it be.
@@ -36,16 +38,42 @@ double WidestKinkOf(const GraphView& graph)
   return accuracy > 0.0 ? 2.0 * std::acos(1.0 / (1.0 + accuracy)) : WidestKink;
 }
 
-std::vector<LoopCandidate> FindLoopCandidates(const SurfaceMesh& mesh, const GraphView& graph,
-  const std::vector<GraphSeed>& seeds, const SearchResult& result, double kink)
+/// Angles, seen from the source, within which a loop passes beside the vertices: no farther than
+/// their longest edges.
+std::vector<double> AnglesBeside(const SurfaceMesh& mesh, const SearchResult& result)
 {
+  std::vector<double> lengths(result.Distances.size(), 0.0);
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    for (const Id v : { mesh.Origin(h), mesh.Destination(h) })
+    {
+      lengths[v] = std::max(lengths[v], mesh.Length(h));
+    }
+  }
+  for (std::size_t v = 0; v < lengths.size(); ++v)
+  {
+    lengths[v] = std::atan2(lengths[v], result.Distances[v]);
+  }
+  return lengths;
+}
+}
+
+LoopCandidates FindLoopCandidates(const SurfaceMesh& mesh, const GraphView& graph,
+  const std::vector<GraphSeed>& seeds, const SearchResult& result)
+{
+  const double widest = WidestKinkOf(graph);
+  const double narrow = std::min(widest, NarrowKink);
+  const std::vector<double> beside = AnglesBeside(mesh, result);
   // Direction back to the source; negative at the source itself.
   const auto arrival = [&](Id v) {
     const Offset edge = result.Edges[v];
     return edge >= 0 ? static_cast<double>(graph.ArrivalAngles[edge])
                      : seeds[result.Seeds[v]].ArrivalAngle;
   };
-  std::vector<LoopCandidate> candidates;
+  const auto kinkAt = [&](Id v, double in, double out) {
+    return in >= 0.0 ? KinkAt(mesh, v, in, out) : -Infinity;
+  };
+  LoopCandidates candidates;
   for (Id v = 0; v < graph.NumberOfVertices; ++v)
   {
     if (!(result.Distances[v] < Infinity))
@@ -60,17 +88,21 @@ std::vector<LoopCandidate> FindLoopCandidates(const SurfaceMesh& mesh, const Gra
       {
         continue; // the other direction, or an edge of the tree
       }
-      const double inHead = arrival(w);
-      if ((inTail >= 0.0 && !PassesStraight(mesh, v, inTail, graph.Angles[e], kink)) ||
-        (inHead >= 0.0 && !PassesStraight(mesh, w, inHead, graph.ArrivalAngles[e], kink)))
+      const double atTail = kinkAt(v, inTail, graph.Angles[e]);
+      if (atTail > widest + beside[v])
       {
         continue;
       }
-      candidates.push_back({ result.Distances[v] + graph.Length(e) + result.Distances[w], v, e });
+      const double atHead = kinkAt(w, arrival(w), graph.ArrivalAngles[e]);
+      if (atHead > widest + beside[w])
+      {
+        continue;
+      }
+      const double length = result.Distances[v] + graph.Length(e) + result.Distances[w];
+      (std::max(atTail, atHead) <= narrow ? candidates.Narrow : candidates.Wide)
+        .push_back({ length, v, e });
     }
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-    [](const LoopCandidate& a, const LoopCandidate& b) { return a.Length < b.Length; });
   return candidates;
 }
 }

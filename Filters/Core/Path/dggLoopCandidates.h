@@ -20,14 +20,17 @@ struct LoopCandidate
   Offset Edge;
 };
 
-/// All ways there and back that pass straight through both ends of an edge, up to the kinks that
-/// paths in the graph have, in radians up to `kink`. The shortest first. `result` is that of a
-/// search from one source, whose seeds it was given.
-std::vector<LoopCandidate> FindLoopCandidates(const SurfaceMesh& mesh, const GraphView& graph,
-  const std::vector<GraphSeed>& seeds, const SearchResult& result, double kink);
+struct LoopCandidates
+{
+  std::vector<LoopCandidate> Narrow; ///< with kinks no wider than those of paths in the graph
+  std::vector<LoopCandidate> Wide;   ///< with others that a loop beside their vertices may have
+};
 
-/// The widest kinks that paths in a graph have.
-double WidestKinkOf(const GraphView& graph);
+/// The ways there and back that pass straight through both ends of an edge, but for kinks. Most
+/// others contract to the source. `result` is that of a search from one source, whose seeds it was
+/// given.
+LoopCandidates FindLoopCandidates(const SurfaceMesh& mesh, const GraphView& graph,
+  const std::vector<GraphSeed>& seeds, const SearchResult& result);
 }
 
 #endif

@@ -24,9 +24,7 @@ double ChooseLinkAccuracy(double wanted, const GraphView& graph)
   return accuracy > 0.0 ? accuracy : DefaultAccuracy;
 }
 
-/// Kinks of ways that are tried first, radians.
-constexpr double NarrowKink = 0.3;
-/// Once there is a loop, longer ones are tried that may become shorter than it.
+/// Once there is a loop, others are tried that may become shorter than it, until so many stay open.
 constexpr std::size_t MostRivals = 24;
 /// Crossings laid out for all of these, per face; more than was seen but on prisms of hundreds of
 /// strips, where all ways are led around their caps strip by strip, and contract.
@@ -88,8 +86,8 @@ private:
 
   Status Grow(Tree& tree) const;
   Status TraceBranch(PathTracer& tracer, const Tree& tree, Id vertex, bool isOutwards) const;
-  Status TryCandidates(const Tree& tree, double kink, bool taut, const ProgressCallback& progress,
-    FoundLoop& loop) const;
+  Status TryCandidates(const Tree& tree, LoopCandidates& candidates, bool taut,
+    const ProgressCallback& progress, FoundLoop& loop) const;
   Status Trace(PathTracer& tracer, const Tree& tree, const LoopCandidate& candidate) const;
 };
 
@@ -194,67 +192,72 @@ Status LoopFinder::Implementation::ThroughPoint(
   {
     return status;
   }
-  // The wider the kinks, the more ways contract to the point, and those are the shortest.
-  const double widest = WidestKinkOf(this->Search.GetGraph());
-  status = this->TryCandidates(tree, std::min(widest, NarrowKink), taut, progress, loop);
-  return status.IsOk() && loop.Loop.IsEmpty() && widest > NarrowKink
-    ? this->TryCandidates(tree, widest, taut, progress, loop)
-    : status;
+  LoopCandidates candidates =
+    FindLoopCandidates(this->Mesh, this->Search.GetGraph(), tree.Seeds, tree.Result);
+  return this->TryCandidates(tree, candidates, taut, progress, loop);
 }
 
-/// Straighten ways there and back, the shortest first.
-Status LoopFinder::Implementation::TryCandidates(
-  const Tree& tree, double kink, bool taut, const ProgressCallback& progress, FoundLoop& loop) const
+/// Straighten ways there and back. With wide kinks more of them contract to the point.
+Status LoopFinder::Implementation::TryCandidates(const Tree& tree, LoopCandidates& candidates,
+  bool taut, const ProgressCallback& progress, FoundLoop& loop) const
 {
-  const GraphView& graph = this->Search.GetGraph();
-  const std::vector<LoopCandidate> candidates =
-    FindLoopCandidates(this->Mesh, graph, tree.Seeds, tree.Result, kink);
-  Status status;
   PathTracer tracer(this->Mesh);
   PathShortener shortener(this->Mesh);
-  std::size_t rivals = 0;
-  const std::size_t trials = std::min(candidates.size(), MostTrials);
   const std::size_t mostWork = MostWorkOfFace *
     std::max(SmallestMesh, static_cast<std::size_t>(this->Mesh.GetNumberOfFaces()));
-  for (std::size_t i = 0; i < trials && rivals < MostRivals && shortener.GetWork() <= mostWork; ++i)
+  // A loop is shorter than its way through the graph by the accuracy at most.
+  const auto isTooLong = [&](const LoopCandidate& candidate) {
+    return !loop.Loop.IsEmpty() &&
+      candidate.Length > loop.Loop.Length * (1.0 + this->Search.GetGraph().Info.Accuracy);
+  };
+  std::size_t trials = 0;
+  std::size_t rivals = 0;
+  for (std::vector<LoopCandidate>* list : { &candidates.Narrow, &candidates.Wide })
   {
-    if (progress && !progress(static_cast<double>(i) / static_cast<double>(trials)))
+    list->erase(std::remove_if(list->begin(), list->end(), isTooLong), list->end());
+    std::stable_sort(list->begin(), list->end(),
+      [](const LoopCandidate& a, const LoopCandidate& b) { return a.Length < b.Length; });
+    for (const LoopCandidate& candidate : *list)
     {
-      return Status::Abort();
-    }
-    const bool isFound = !loop.Loop.IsEmpty();
-    // A loop is shorter than its way through the graph by the accuracy at most.
-    if (isFound && candidates[i].Length > loop.Loop.Length * (1.0 + graph.Info.Accuracy))
-    {
-      break;
-    }
-    rivals += isFound ? 1 : 0;
-    status = this->Trace(tracer, tree, candidates[i]);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-    FoundLoop found;
-    for (Strip& strip : tracer.GetStrips())
-    {
-      shortener.Shorten(strip);
-      shortener.Append(strip, found.Loop);
-    }
-    if (found.Loop.Faces.size() < 2 || !(found.Loop.Length > 0.0))
-    {
-      continue; // contracted to the point
-    }
-    found.Angle = LoopShortener::AngleAt(this->Mesh, found.Loop, 0);
-    if (taut)
-    {
-      LetGo(this->Mesh, found);
-    }
-    if (!found.Loop.IsEmpty() && (!isFound || found.Loop.Length < loop.Loop.Length))
-    {
-      loop = std::move(found);
+      const bool isFound = !loop.Loop.IsEmpty();
+      if (isTooLong(candidate) || trials == MostTrials || rivals == MostRivals ||
+        shortener.GetWork() > mostWork)
+      {
+        break;
+      }
+      if (progress && !progress(static_cast<double>(trials) / MostTrials))
+      {
+        return Status::Abort();
+      }
+      ++trials;
+      const Status status = this->Trace(tracer, tree, candidate);
+      if (!status.IsOk())
+      {
+        return status;
+      }
+      FoundLoop found;
+      for (Strip& strip : tracer.GetStrips())
+      {
+        shortener.Shorten(strip);
+        shortener.Append(strip, found.Loop);
+      }
+      if (found.Loop.Faces.size() < 2 || !(found.Loop.Length > 0.0))
+      {
+        continue; // contracted to the point
+      }
+      rivals += isFound ? 1 : 0;
+      found.Angle = LoopShortener::AngleAt(this->Mesh, found.Loop, 0);
+      if (taut)
+      {
+        LetGo(this->Mesh, found);
+      }
+      if (!found.Loop.IsEmpty() && (!isFound || found.Loop.Length < loop.Loop.Length))
+      {
+        loop = std::move(found);
+      }
     }
   }
-  return status;
+  return Status::Success();
 }
 
 LoopFinder::LoopFinder(const SurfaceMesh& mesh, const GraphSearch& search,
