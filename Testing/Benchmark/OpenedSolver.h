@@ -21,4 +21,11 @@ struct OpenedSolver
 /// when the mesh cannot be used.
 OpenedSolver OpenSolver(benchmark::State& state, const MeshRecipe& recipe);
 
+/// One at a vertex, 0 at others.
+std::vector<double> UnitLoad(const dgg::PoissonSolver& solver, dgg::Id vertex);
+
+/// The Green's function of a vertex: of the Laplacian for the power 1, of the bi-Laplacian for 2.
+dgg::Status FindColumn(
+  const dgg::PoissonSolver& solver, dgg::Id source, int power, std::vector<double>& values);
+
 #endif

@@ -7,7 +7,6 @@
 #include "OpenedSolver.h"
 #include "dggEarthMovers.h"
 #include "dggEigenpairs.h"
-#include "dggSpectralDistance.h"
 
 #include <memory>
 #include <vector>
@@ -15,13 +14,6 @@
 namespace
 {
 constexpr unsigned int PointSeed = 20190525u;
-
-std::vector<double> UnitLoad(const dgg::PoissonSolver& solver, dgg::Id vertex)
-{
-  std::vector<double> load(static_cast<std::size_t>(solver.GetMesh().GetNumberOfVertices()), 0.0);
-  load[vertex] = 1.0;
-  return load;
-}
 }
 
 void MeasureFactor(benchmark::State& state, const MeshRecipe& recipe)
@@ -145,15 +137,12 @@ void MeasureBiharmonicColumn(
   {
     return;
   }
-  dgg::SpectralDistance distance(*opened.Solver);
-  dgg::SpectralOptions options;
-  options.Method = dgg::SpectralMethod::Exact;
-  dgg::Status status = distance.Prepare(options, nullptr);
-  const auto source = dgg::SurfacePoint::AtVertex(opened.Mesh->GetSource(k, numberOfSources));
+  dgg::Status status;
+  const dgg::Id source = opened.Mesh->GetSource(k, numberOfSources);
   std::vector<double> values;
   Measure(
     state, [&] { values.clear(); },
-    [&] { status = status.IsOk() ? distance.Column(source, values) : status; });
+    [&] { status = FindColumn(*opened.Solver, source, 2, values); });
   if (Succeeded(state, status))
   {
     ReportMesh(state, *opened.Mesh);

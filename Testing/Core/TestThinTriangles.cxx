@@ -9,7 +9,6 @@
 
 #include "dggEarthMovers.h"
 #include "dggHarmonicSplines.h"
-#include "dggPoissonIntegral.h"
 #include "dggPoissonSystem.h"
 #include "dggSpectralDistance.h"
 #include "dggSplineSites.h"
@@ -222,7 +221,7 @@ TEST(ThinTriangles, WhatSolvesRefusesSourcesInThinParts)
   ExpectThin(distance.CheckSource(bad), "vertex " + std::to_string(n + 3));
   dgg::SpectralOptions options;
   options.Method = dgg::SpectralMethod::Exact;
-  ASSERT_TRUE(distance.Prepare(options, nullptr).IsOk());
+  ASSERT_TRUE(distance.Prepare(options, nullptr, nullptr).IsOk());
   std::vector<double> between;
   ASSERT_TRUE(
     distance.Between({ good }, { good, bad }, dgg::ParallelFor(), nullptr, between).IsOk());
@@ -254,12 +253,6 @@ TEST(ThinTriangles, SplinesHaveOneSiteInThinParts)
     (std::vector<double>{ 0.0, 0.0, 1.0 }));
   EXPECT_NEAR(values[3] + values[4], 1.0, 1e-12);
   EXPECT_EQ(values[5], 0.0);
-  // Solutions at points are not passed over there.
-  std::vector<std::vector<double>> solutions;
-  const std::vector<double> none(2 * n, 0.0);
-  ExpectThin(dgg::PoissonIntegral(solver).Run({ dgg::SurfacePoint::AtVertex(n + 5) }, { none },
-               dgg::GreensMethod::Vertex, dgg::ParallelFor(), nullptr, solutions),
-    "point 0");
 }
 
 /// Signs may be the same at the few vertices of a component.

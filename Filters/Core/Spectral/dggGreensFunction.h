@@ -139,7 +139,7 @@ private:
   class Workspaces;
 
   Status RunBlock(const std::vector<SurfacePoint>& poles, std::size_t first, std::size_t end,
-    const GreensQuery& query, const ProgressCallback& progress, GreensWorkspace& workspace,
+    const GreensQuery& query, const ProgressCallback& progress,
     std::vector<GreensResult>& results) const;
 
   const PoissonSolver& Solver;

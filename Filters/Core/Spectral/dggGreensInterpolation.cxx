@@ -52,7 +52,7 @@ public:
     {
       return status;
     }
-    std::vector<double> solution = this->Column.GetSources();
+    std::vector<double> solution = this->Column.TakeSources();
     system.Solve(solution);
     ++this->NumberOfColumns;
     const Id component = system.GetComponent(v);

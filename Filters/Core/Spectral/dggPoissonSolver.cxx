@@ -16,8 +16,6 @@ namespace
 {
 /// Part of the progress of Prepare().
 constexpr double AnalysisDone = 0.4;
-/// As many right-hand sides take no longer one by one than eight do at once.
-constexpr std::size_t MostSingles = 4;
 }
 
 PoissonSolver::PoissonSolver(const SurfaceMesh& mesh)
@@ -110,35 +108,7 @@ Status PoissonSolver::Solve(std::vector<std::vector<double>>& columns) const
       return status;
     }
   }
-  constexpr std::size_t lanes = SparseLanes::SizeAtCompileTime;
-  for (std::size_t begin = 0; begin < columns.size(); begin += lanes)
-  {
-    const std::size_t count = std::min(lanes, columns.size() - begin);
-    if (count <= MostSingles)
-    {
-      for (std::size_t k = begin; k < begin + count; ++k)
-      {
-        this->System->Solve(columns[k]);
-      }
-      continue;
-    }
-    std::vector<SparseLanes> block(columns[begin].size(), SparseLanes::Zero());
-    for (std::size_t v = 0; v < block.size(); ++v)
-    {
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        block[v][static_cast<int>(k)] = columns[begin + k][v];
-      }
-    }
-    this->System->Solve(block);
-    for (std::size_t v = 0; v < block.size(); ++v)
-    {
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        columns[begin + k][v] = block[v][static_cast<int>(k)];
-      }
-    }
-  }
+  this->System->Solve(columns);
   return Status::Success();
 }
 
