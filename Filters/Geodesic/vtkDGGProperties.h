@@ -21,6 +21,21 @@ bool vtkDGGChangeNumber(double& property, double value);
 
 /// Set a name; null is the empty one. Returns whether it has changed.
 bool vtkDGGChangeName(std::string& property, const char* value);
+/// Defines the setter and the getter of a property that is a name, of which `Member` is the string.
+/// The assertion is there for the semicolon.
+#define vtkDGGDefineNameMacro(Class, Property, Member) \
+  void Class::Set##Property(const char* name)          \
+  {                                                    \
+    if (vtkDGGChangeName(this->Member, name))          \
+    {                                                  \
+      this->Modified();                                \
+    }                                                  \
+  }                                                    \
+  const char* Class::Get##Property() const             \
+  {                                                    \
+    return this->Member.c_str();                       \
+  }                                                    \
+  static_assert(true, #Property)
 
 /// The ids of a list, none for null.
 std::vector<vtkIdType> vtkDGGGetIds(vtkIdList* list);

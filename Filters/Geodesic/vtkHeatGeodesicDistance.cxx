@@ -60,15 +60,8 @@ void vtkHeatGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 const char* vtkHeatGeodesicDistance::GetBoundaryAsString() const
 {
-  switch (this->Boundary)
-  {
-    case Dirichlet:
-      return "Dirichlet";
-    case Average:
-      return "Average";
-    default:
-      return "Neumann";
-  }
+  static const char* const names[] = { "Neumann", "Dirichlet", "Average" };
+  return names[this->Boundary];
 }
 
 //------------------------------------------------------------------------------

@@ -86,15 +86,8 @@ void vtkBiharmonicDistance::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 const char* vtkBiharmonicDistance::GetKindAsString() const
 {
-  switch (this->Kind)
-  {
-    case CommuteTime:
-      return "CommuteTime";
-    case Diffusion:
-      return "Diffusion";
-    default:
-      return "Biharmonic";
-  }
+  static const char* const names[] = { "Biharmonic", "CommuteTime", "Diffusion" };
+  return names[this->Kind];
 }
 
 //------------------------------------------------------------------------------

@@ -176,19 +176,7 @@ const char* vtkSpectralAlgorithm::GetBoundaryAsString() const
 }
 
 //------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::SetResultArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->ResultArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkSpectralAlgorithm::GetResultArrayName() const
-{
-  return this->ResultArrayName.c_str();
-}
+vtkDGGDefineNameMacro(vtkSpectralAlgorithm, ResultArrayName, ResultArrayName);
 
 //------------------------------------------------------------------------------
 int vtkSpectralAlgorithm::GetNumberOfFactorizations() const

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <string>
 
@@ -145,27 +144,17 @@ TEST(VectorGraphics, FacesAroundCurvesAreRefined)
   dgg::GraphicsRefinement refinement;
   refinement.Levels = 2;
   refinement.Part = dgg::RefinedPart::AroundCurves;
-  Id faces[2];
-  for (const int rings : { 0, 3 })
-  {
-    RefinedSurface surface = before;
-    refinement.Rings = rings;
-    ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
-    EXPECT_EQ(surface.Paths[0].size(), 4 * before.Paths[0].size() - 3);
-    faces[rings / 3] = surface.GetNumberOfFaces();
-    // Some faces are as they were.
-    Id whole = 0;
-    for (const double length : surface.Lengths)
-    {
-      whole += length > 0.6 ? 1 : 0;
-    }
-    EXPECT_GT(whole, 1000);
-    refinement.MostFaces = before.GetNumberOfFaces() + 10;
-    EXPECT_FALSE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
-    refinement.MostFaces = dgg::GraphicsRefinement().MostFaces;
-  }
-  EXPECT_GT(faces[1], faces[0] + 100);
   RefinedSurface surface = before;
+  ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
+  EXPECT_EQ(surface.Paths[0].size(), 4 * before.Paths[0].size() - 3);
+  // Some faces are as they were.
+  EXPECT_GT(std::count_if(surface.Lengths.begin(), surface.Lengths.end(),
+              [](double length) { return length > 0.6; }),
+    1000);
+  refinement.MostFaces = before.GetNumberOfFaces() + 10;
+  EXPECT_FALSE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
+  refinement.MostFaces = dgg::GraphicsRefinement().MostFaces;
+  surface = before;
   refinement.Part = dgg::RefinedPart::Faces;
   refinement.Faces = { 3, 900, 3, 1799 }; // far from the curve
   refinement.Levels = 1;
@@ -174,14 +163,8 @@ TEST(VectorGraphics, FacesAroundCurvesAreRefined)
   EXPECT_EQ(std::count(surface.Faces.begin(), surface.Faces.end(), 1799), 4);
   EXPECT_EQ(std::count(surface.Faces.begin(), surface.Faces.end(), 600), 1);
   EXPECT_EQ(surface.Paths[0].size(), before.Paths[0].size());
-  // Ids that do not exist, and rings that are more faces than allowed.
-  for (const Id wrong : { -1, 1800 })
-  {
-    surface = before;
-    refinement.Faces = { 3, wrong };
-    const dgg::Status status = dgg::RefineForGraphics(mesh, refinement, surface);
-    EXPECT_NE(status.GetMessage().find("face " + std::to_string(wrong)), std::string::npos);
-  }
+  // Rings that are more faces than allowed.
+  surface = before;
   refinement.Faces = { 900 };
   refinement.Levels = 3;
   ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
@@ -200,43 +183,23 @@ TEST(VectorGraphics, FacesAroundCurvesAreRefined)
 
 TEST(VectorGraphics, RefusesWhatItCannotDraw)
 {
-  const auto fails = [](Drawing& drawing, const std::string& word, bool whenPrepared) {
-    dgg::Status status = drawing.Prepare();
-    EXPECT_EQ(status.IsOk(), whenPrepared) << word;
-    status = status.IsOk() ? drawing.Solve() : status;
+  const auto fails = [](Drawing& drawing, const std::string& word) {
+    const dgg::Status status = drawing.Prepare();
     EXPECT_FALSE(status.IsOk()) << word;
     EXPECT_NE(status.GetMessage().find(word), std::string::npos) << status.GetMessage();
-    EXPECT_TRUE(drawing.Result.Values.empty());
   };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto across = [](Drawing& drawing) {
     return std::vector<SurfacePoint>{ drawing.Find(1.5, 0.5), drawing.Find(1.5, 3.5) };
   };
   {
     Drawing drawing(Plane(4, 4));
-    drawing.Add(Diffusion, across(drawing), { 1.0 }, { 1.0, 2.0 });
-    fails(drawing, "curve 0, on its left, has 1 numbers where 2", true);
-  }
-  {
-    Drawing drawing(Plane(4, 4));
-    drawing.Add(Diffusion, across(drawing), { 1.0, 2.0 }, { 1.0, nan });
-    fails(drawing, "curve 0, on its right, has numbers that are not finite", true);
-  }
-  for (const double width : { 0.0, -1.0, nan, dgg::Infinity })
-  {
-    Drawing drawing(Plane(4, 4));
-    drawing.Add(Poisson, across(drawing), { 1.0, 2.0 }, { 1.0, 1.0 }).Width = width;
-    fails(drawing, "width", true);
-  }
-  {
-    Drawing drawing(Plane(4, 4));
     drawing.Add(Diffusion, { drawing.Find(1, 1), drawing.Find(1, 1) }, { 1, 1 }, { 1, 1 });
-    fails(drawing, "no length", false);
+    fails(drawing, "no length");
   }
   {
     Drawing drawing(Plane(4, 4));
     drawing.Add(Region, across(drawing), { 1, 1 }, {});
-    fails(drawing, "open", false);
+    fails(drawing, "open");
   }
   {
     // Around a torus: the left is the right.
@@ -244,22 +207,7 @@ TEST(VectorGraphics, RefusesWhatItCannotDraw)
     drawing.Add(Region,
       { SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(32), SurfacePoint::AtVertex(64) },
       { 1, 1, 1 }, {}, true);
-    fails(drawing, "does not separate", false);
-  }
-  {
-    Drawing drawing(Plane(4, 4));
-    drawing.Regions = { { { 3, 32 }, { 1.0 } } };
-    fails(drawing, "face 32", true);
-    drawing.Regions = { { { 3, 31 }, { std::numeric_limits<double>::quiet_NaN() } } };
-    fails(drawing, "region 0 has numbers that are not finite", true);
-    drawing.Regions = { { {}, { 1.0 } } };
-    fails(drawing, "no faces", true);
-    drawing.Regions.clear();
-    drawing.Options.Background = { 1.0, 2.0 };
-    fails(drawing, "background", true);
-    drawing.Options.Background.clear();
-    drawing.Options.NumberOfChannels = 0;
-    fails(drawing, "channel", true);
+    fails(drawing, "does not separate");
   }
   {
     // Faces that name a point twice are left out, also as the last ones.
@@ -276,18 +224,13 @@ TEST(VectorGraphics, RefusesWhatItCannotDraw)
     book.AddTriangle(6, 7, top); // on the edge from (1, 1) to (2, 1)
     Drawing drawing(book);
     drawing.Add(Diffusion, across(drawing), { 1, 1 }, { 1, 1 });
-    fails(drawing, "more than two faces", false);
+    fails(drawing, "more than two faces");
   }
   {
     // Prepared for other curves.
     Drawing drawing(Plane(4, 4));
     drawing.Add(Diffusion, across(drawing), { 1, 1 }, { 1, 1 });
     ASSERT_TRUE(drawing.Prepare().IsOk());
-    drawing.Curves[0].Type = Source;
-    EXPECT_FALSE(drawing.Solve().IsOk());
-    drawing.Curves[0].Type = Diffusion;
-    drawing.Curves[0].IsClosed = true;
-    EXPECT_FALSE(drawing.Solve().IsOk());
     drawing.Curves.clear();
     EXPECT_FALSE(drawing.Solve().IsOk());
   }

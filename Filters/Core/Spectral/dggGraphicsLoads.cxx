@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphicsLoads.h"
 
-#include "dggGraphicsChecks.h"
-
 #include <algorithm>
 #include <numeric>
 #include <string>
@@ -100,7 +98,6 @@ Status GraphicsLoads::FindRegions(const ChainEdges& edges, const std::vector<Cur
         ? status
         : Status::Invalid(NameOf(curves[k], k) + ": " + status.GetMessage());
     }
-    this->RegionFaces[k].shrink_to_fit();
     this->NumberOfRegionFaces += static_cast<double>(this->RegionFaces[k].size());
   }
   return Status::Success();
@@ -129,13 +126,7 @@ Status GraphicsLoads::Add(const GraphicsDomain& domain, const std::vector<CurveC
   }
   for (std::size_t r = 0; r < regions.size() && status.IsOk(); ++r)
   {
-    std::size_t count = 0;
-    for (const Id f : regions[r].Faces)
-    {
-      count += static_cast<std::size_t>(parts.Count(f));
-    }
     std::vector<Id> faces;
-    faces.reserve(count); // not up to three times as much, while it grows
     for (const Id f : regions[r].Faces)
     {
       parts.Append(f, faces);

@@ -13,18 +13,6 @@ std::pair<Id, Id> Unordered(Id a, Id b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// Room for so many, without what was there. They would take up to three times as much while they
-/// grow.
-void MakeRoom(std::size_t count, std::vector<Id>& ids)
-{
-  if (ids.capacity() < count)
-  {
-    ids = std::vector<Id>();
-    ids.reserve(count);
-  }
-  ids.clear();
-}
-
 /// Call `visit` for the other half-edges of the same edge.
 template <typename Visitor>
 void ForEachTwin(const RefinedSurface& surface, Id h, Visitor&& visit)
@@ -51,14 +39,7 @@ ChainEdges::ChainEdges(const RefinedSurface& surface, const std::vector<CurveCha
   const auto isBetween = [&](Id h) {
     return isPassed[surface.Triangles[h]] && isPassed[surface.Triangles[SurfaceMesh::Next(h)]];
   };
-  const auto end = static_cast<Id>(surface.Triangles.size());
-  std::size_t count = 0;
-  for (Id h = 0; h < end; ++h)
-  {
-    count += isBetween(h) ? 1 : 0;
-  }
-  this->HalfEdges.reserve(count); // not up to three times as much, while it grows
-  for (Id h = 0; h < end; ++h)
+  for (Id h = 0; h < static_cast<Id>(surface.Triangles.size()); ++h)
   {
     if (isBetween(h))
     {
@@ -232,9 +213,7 @@ bool RegionSources::FindPatch(Id face, WorkProgress& work)
 /// such an edge, the smallest half-edge stands for it. False when stopped.
 bool RegionSources::FindRim(WorkProgress& work)
 {
-  // As many as a tree of triangles has. More have only patches with edges of several of their
-  // faces.
-  MakeRoom(this->Patch.size() + 2, this->Rim);
+  this->Rim.clear();
   for (const Id f : this->Patch)
   {
     if (!work.Add(1.0))
@@ -305,7 +284,6 @@ bool RegionSources::AddPatch(const std::vector<double>& strength, WorkProgress& 
 Status RegionSources::Add(const std::vector<Id>& faces, const std::vector<double>& strength,
   WorkProgress& work, std::vector<std::vector<double>>& loads)
 {
-  MakeRoom(std::min(faces.size(), this->States.size()), this->Patch);
   for (const Id f : faces)
   {
     this->States[f] = State::Waiting;
@@ -331,7 +309,6 @@ Status RegionSources::Add(const std::vector<Id>& faces, const std::vector<double
 std::vector<ChainPart> SplitChain(const ChainEdges& edges, const CurveChain& chain)
 {
   std::vector<ChainPart> parts;
-  parts.reserve(2 * chain.Vertices.size()); // more only where edges have more than two faces
   for (std::size_t i = 0; i + 1 < chain.Vertices.size(); ++i)
   {
     const std::vector<Id> halves = edges.Find(chain.Vertices[i], chain.Vertices[i + 1]);

@@ -87,9 +87,11 @@ Status GreensFunction::RunBlock(const std::vector<SurfacePoint>& poles, std::siz
   std::vector<GreensColumn> columns(end - first, GreensColumn(system));
   std::vector<std::vector<double>> solutions(columns.size());
   const auto partOf = [&](std::size_t k, double begin, double finish) {
-    const double part = (finish - begin) / static_cast<double>(columns.size());
-    const double from = begin + part * static_cast<double>(k);
-    return ProgressPart(progress, from, from + part);
+    const auto count = static_cast<double>(columns.size());
+    const double part = (finish - begin) / count;
+    const auto done = static_cast<double>(k);
+    return ProgressPart(
+      progress, begin + part * done, k + 1 < columns.size() ? begin + part * (done + 1.0) : finish);
   };
   for (std::size_t k = 0; k < columns.size(); ++k)
   {

@@ -3,8 +3,6 @@
 #include "dggVectorGraphics.h"
 
 #include "dggGraphicsBand.h"
-#include "dggGraphicsBlend.h"
-#include "dggGraphicsChecks.h"
 #include "dggGraphicsDomain.h"
 #include "dggGraphicsLoads.h"
 #include "dggGraphicsScale.h"
@@ -51,46 +49,28 @@ public:
   std::unique_ptr<PoissonSolver> Solver; // of the domain's mesh
 
 private:
-  Status CheckRun(const std::vector<GraphicsCurve>& curves,
-    const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options) const;
-  bool HasPoisson() const;
   Status AddBands(const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options,
     const ProgressCallback& progress, std::vector<double>& values) const;
   double EstimateRun(const std::vector<GraphicsCurve>& curves, int channels) const;
   void MeasureNet(
     const std::vector<std::vector<double>>& columns, std::vector<double>& netSources) const;
 
-  Id NumberOfFaces = 0; // of the mesh
   std::vector<CurveChain> Chains;
   GraphicsLoads Loads;
-  std::vector<GraphicsCurveType> Types; // per curve
-  std::vector<bool> AreClosed;          // per curve
-  bool IsReady = false;
+  bool HasPoisson = false; // a curve of that type
 };
 
 Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   const RefinedSurface& surface, const std::vector<CurveChain>& chains,
   const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options)
 {
-  this->IsReady = false;
   this->Solver.reset();
-  if (chains.size() != curves.size())
-  {
-    return Status::Invalid("there are " + std::to_string(chains.size()) + " chains for " +
-      std::to_string(curves.size()) + " curves: give one for each");
-  }
   if (!Goes(options.Progress, 0.0))
   {
     return Status::Abort();
   }
-  this->NumberOfFaces = mesh.GetNumberOfFaces();
-  this->Types.clear();
-  this->AreClosed.clear();
-  for (const GraphicsCurve& curve : curves)
-  {
-    this->Types.push_back(curve.Type);
-    this->AreClosed.push_back(curve.IsClosed);
-  }
+  this->HasPoisson = std::any_of(curves.begin(), curves.end(),
+    [](const GraphicsCurve& curve) { return curve.Type == GraphicsCurveType::Poisson; });
   this->Chains = chains;
   GraphicsMemoryCheck checkRegions;
   if (options.CheckMemory)
@@ -105,7 +85,7 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   {
     status = Status::Abort();
   }
-  status = status.IsOk() ? this->Loads.Prepare(surface, this->NumberOfFaces, chains, curves,
+  status = status.IsOk() ? this->Loads.Prepare(surface, mesh.GetNumberOfFaces(), chains, curves,
                              checkRegions, ProgressPart(options.Progress, CutDone, MeasuredDone))
                          : status;
   if (!status.IsOk())
@@ -124,51 +104,14 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
     status =
       options.CheckMemory(this->EstimateHeld() + run, this->Solver->GetEstimatedMemory() + run);
   }
-  if (status.IsOk())
-  {
-    status = this->Solver->Factorize(ProgressPart(options.Progress, middle, 1.0));
-  }
-  this->IsReady = status.IsOk();
-  return status;
-}
-
-bool VectorGraphics::Implementation::HasPoisson() const
-{
-  return std::count(this->Types.begin(), this->Types.end(), GraphicsCurveType::Poisson) > 0;
-}
-
-Status VectorGraphics::Implementation::CheckRun(const std::vector<GraphicsCurve>& curves,
-  const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options) const
-{
-  if (!this->IsReady || curves.size() != this->Chains.size())
-  {
-    return Status::Invalid("the surface is not prepared for these curves: call Prepare() first");
-  }
-  for (std::size_t k = 0; k < curves.size(); ++k)
-  {
-    if (curves[k].Type != this->Types[k] || curves[k].IsClosed != this->AreClosed[k])
-    {
-      return Status::Invalid(NameOf(curves[k], k) +
-        " is not of the type that the surface was prepared for: call Prepare() again");
-    }
-  }
-  Status status = CheckGraphicsOptions(options);
-  const auto channels = static_cast<std::size_t>(std::max(0, options.NumberOfChannels));
-  for (std::size_t k = 0; k < curves.size() && status.IsOk(); ++k)
-  {
-    status = CheckGraphicsCurve(curves[k], k, channels * this->Chains[k].GivenPoints.size());
-  }
-  for (std::size_t r = 0; r < regions.size() && status.IsOk(); ++r)
-  {
-    status = CheckGraphicsRegion(regions[r], r, channels, this->NumberOfFaces);
-  }
-  return status;
+  return status.IsOk() ? this->Solver->Factorize(ProgressPart(options.Progress, middle, 1.0))
+                       : status;
 }
 
 double VectorGraphics::Implementation::EstimateHeld() const
 {
   const auto faces = static_cast<double>(this->Domain.Solved.Surface.Faces.size());
-  return faces * (HeldPerFace + (this->HasPoisson() ? MorePerFace : 0.0)) +
+  return faces * (HeldPerFace + (this->HasPoisson ? MorePerFace : 0.0)) +
     this->Loads.GetNumberOfRegionFaces() * sizeof(Id) + this->Solver->GetEstimatedMemory();
 }
 
@@ -180,7 +123,7 @@ double VectorGraphics::Implementation::EstimateRun(
   const auto faces = static_cast<double>(this->Domain.Drawn.Surface.Faces.size());
   const double columns = 2.0 * channels * sizeof(double) * points;
   const bool isBlended = std::any_of(curves.begin(), curves.end(), [&](const GraphicsCurve& curve) {
-    return curve.Type == GraphicsCurveType::Poisson && StrengthBlend::IsNeeded(curve, channels);
+    return curve.Type == GraphicsCurveType::Poisson && IsBlended(curve, channels);
   });
   return points * WorkPerVertex + columns +
     (isBlended ? faces * BandPerFace + columns + this->Solver->GetEstimatedMemory() : 0.0);
@@ -242,8 +185,12 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
   GraphicsResult& result)
 {
   result = GraphicsResult();
-  Status status = this->CheckRun(curves, regions, options);
-  if (status.IsOk() && options.CheckMemory)
+  Status status;
+  if (!this->Solver || !this->Solver->IsReady() || curves.size() != this->Chains.size())
+  {
+    return Status::Invalid("the surface is not prepared for these curves: call Prepare() first");
+  }
+  if (options.CheckMemory)
   {
     // Channels may be others than before.
     const double run = this->EstimateRun(curves, options.NumberOfChannels);
