@@ -37,6 +37,18 @@ bool vtkDGGChangeName(std::string& property, const char* value);
   }                                                    \
   static_assert(true, #Property)
 
+/// Defines both ways to set the data of an input port.
+#define vtkDGGDefineInputMacro(Class, Name, Port)                   \
+  void Class::Set##Name##Connection(vtkAlgorithmOutput* connection) \
+  {                                                                 \
+    this->SetInputConnection(Port, connection);                     \
+  }                                                                 \
+  void Class::Set##Name##Data(vtkPolyData* data)                    \
+  {                                                                 \
+    this->SetInputData(Port, data);                                 \
+  }                                                                 \
+  static_assert(true, #Name)
+
 /// The ids of a list, none for null.
 std::vector<vtkIdType> vtkDGGGetIds(vtkIdList* list);
 /// The i-th id; -1 when there is none.

@@ -343,7 +343,7 @@ void vtkDGGGraphicsInput::ReadCurve(
     curve.Width =
       width.Array->GetComponent(width.IsOfPoints ? this->PointIds[k].front() : this->Cells[k], 0);
   }
-  if (!(curve.Width > 0.0))
+  if (!(curve.Width > 0.0) || !std::isfinite(curve.Width))
   {
     Refuse(Name(this->Cells[k]), " has the width ", curve.Width,
       ": a Poisson curve needs a positive, finite one");

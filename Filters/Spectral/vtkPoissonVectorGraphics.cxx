@@ -246,16 +246,7 @@ void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkPoissonVectorGraphics::SetCurveConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkPoissonVectorGraphics::SetCurveData(vtkPolyData* curves)
-{
-  this->SetInputData(1, curves);
-}
+vtkDGGDefineInputMacro(vtkPoissonVectorGraphics, Curve, 1);
 
 //------------------------------------------------------------------------------
 vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, CurveTypeArrayName, Internals->Names.CurveType);
@@ -391,6 +382,12 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   options.NumberOfChannels = input.GetNumberOfChannels();
   options.Background.assign(this->BackgroundColor, this->BackgroundColor + 3);
   options.Background.resize(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
+  if (status.IsOk() &&
+    !std::all_of(options.Background.begin(), options.Background.end(),
+      [](double x) { return std::isfinite(x); }))
+  {
+    status = dgg::Status::Invalid("the background has numbers that are not finite");
+  }
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.CheckMemory = [&](double bytes, double missing) {
     const double points = static_cast<double>(internals.Graphics.GetSurface().Points.size());

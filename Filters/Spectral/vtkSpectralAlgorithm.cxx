@@ -140,28 +140,8 @@ void vtkSpectralAlgorithm::RemoveAllSources()
 }
 
 //------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::SetSourceConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::SetSourceData(vtkPolyData* points)
-{
-  this->SetInputData(1, points);
-}
-
-//------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::SetEvaluationConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(2, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::SetEvaluationData(vtkPolyData* points)
-{
-  this->SetInputData(2, points);
-}
+vtkDGGDefineInputMacro(vtkSpectralAlgorithm, Source, 1);
+vtkDGGDefineInputMacro(vtkSpectralAlgorithm, Evaluation, 2);
 
 //------------------------------------------------------------------------------
 vtkPolyData* vtkSpectralAlgorithm::GetEvaluation()

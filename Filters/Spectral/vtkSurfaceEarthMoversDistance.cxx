@@ -192,28 +192,8 @@ const char* vtkSurfaceEarthMoversDistance::GetArrayMeaningAsString() const
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetFromConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetFromData(vtkPolyData* points)
-{
-  this->SetInputData(1, points);
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetToConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(2, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetToData(vtkPolyData* points)
-{
-  this->SetInputData(2, points);
-}
+vtkDGGDefineInputMacro(vtkSurfaceEarthMoversDistance, From, 1);
+vtkDGGDefineInputMacro(vtkSurfaceEarthMoversDistance, To, 2);
 
 //------------------------------------------------------------------------------
 int vtkSurfaceEarthMoversDistance::GetNumberOfFactorizations() const

@@ -11,6 +11,8 @@
 
 #include <benchmark/benchmark.h> // for State
 
+#include <vector> // for loads
+
 struct OpenedSolver
 {
   BenchmarkMesh* Mesh = nullptr;

@@ -9,6 +9,7 @@
 #include "dggEigenpairs.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace
@@ -29,9 +30,10 @@ void MeasureFactor(benchmark::State& state, const MeshRecipe& recipe)
   const auto prepare = [&] {
     const double start = CPUSeconds();
     solver = std::make_unique<dgg::PoissonSolver>(mesh->GetSurface());
-    status = solver->Analyze({}, nullptr);
-    analysis = CPUSeconds() - start;
-    status = status.IsOk() ? solver->Factorize(nullptr) : status;
+    status = solver->Prepare({}, nullptr, [&](double, double) {
+      analysis = CPUSeconds() - start;
+      return dgg::Status::Success();
+    });
   };
   Measure(
     state, [&] { solver.reset(); }, prepare);
@@ -45,14 +47,17 @@ void MeasureFactor(benchmark::State& state, const MeshRecipe& recipe)
   // Memory in a run of its own. What is predicted is for the factorization, when the rest is known.
   solver.reset();
   const MemoryProbe probe;
+  std::size_t analyzed = 0;
+  std::optional<MemoryProbe> later;
   solver = std::make_unique<dgg::PoissonSolver>(mesh->GetSurface());
-  solver->Analyze({}, nullptr);
-  state.counters["analysis_bytes"] = static_cast<double>(probe.GetHeapPeak());
-  state.counters["predicted_bytes"] = solver->GetEstimatedMemory();
-  const std::size_t analyzed = probe.GetHeapGrowth();
-  const MemoryProbe later;
-  solver->Factorize(nullptr);
-  state.counters["peak_bytes"] = static_cast<double>(analyzed + later.GetHeapPeak());
+  solver->Prepare({}, nullptr, [&](double bytes, double) {
+    state.counters["analysis_bytes"] = static_cast<double>(probe.GetHeapPeak());
+    state.counters["predicted_bytes"] = bytes;
+    analyzed = probe.GetHeapGrowth();
+    later.emplace();
+    return dgg::Status::Success();
+  });
+  state.counters["peak_bytes"] = static_cast<double>(analyzed + later->GetHeapPeak());
 }
 
 void MeasureColumn(benchmark::State& state, const MeshRecipe& recipe, int k, int numberOfSources)

@@ -28,6 +28,9 @@ TEST(HarmonicSplines, RefusesWhatMakesNoSense)
   };
   const auto ignore = [](Id, const std::vector<double>&) {};
   EXPECT_TRUE(says(messageOf({ 0 }), "has not been prepared"));
+  std::vector<Id> sites{ 1 };
+  EXPECT_FALSE(dgg::ChooseSplineSites(solver, 3, nullptr, sites).IsOk());
+  EXPECT_TRUE(sites.empty());
   ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
   EXPECT_TRUE(says(splines.FindBasis(nullptr, nullptr, ignore).GetMessage(), "no sites"));
   EXPECT_TRUE(says(messageOf({}), "there is no site"));
@@ -38,7 +41,6 @@ TEST(HarmonicSplines, RefusesWhatMakesNoSense)
   std::vector<double> values;
   EXPECT_FALSE(splines.Solve({}, {}, values).IsOk());
 
-  std::vector<Id> sites;
   ASSERT_TRUE(dgg::ChooseSplineSites(solver, 6, nullptr, sites).IsOk());
   ASSERT_EQ(messageOf(sites), "");
   std::vector<double> sources(mesh.GetNumberOfVertices(), 0.0);

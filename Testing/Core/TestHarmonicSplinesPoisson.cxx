@@ -109,22 +109,21 @@ TEST(HarmonicSplines, CombinationsAreSumsOfTheBasis)
 
 TEST(HarmonicSplines, ErrorsFallLikeTheSquareOfTheCells)
 {
-  const TestMesh sphere = Icosphere(4);
-  const dgg::SurfaceMesh mesh = Build(sphere);
-  Splines splines(mesh);
-  const auto truth = [&](Id v) { return sphere.Point(v)[0] * sphere.Point(v)[2]; }; // l = 2
-  ExpectErrorsToFall(splines, { 24, 96, 384 }, 6.0, truth, 1.7);
-}
-
-TEST(HarmonicSplines, NothingFlowsThroughTheBoundary)
-{
-  const TestMesh plane = UnitSquare();
-  const dgg::SurfaceMesh mesh = Build(plane);
-  Splines splines(mesh);
-  const auto truth = [&](Id v) {
-    return std::cos(dgg::Pi * plane.Point(v)[0]) * std::cos(dgg::Pi * plane.Point(v)[1]);
-  };
-  ExpectErrorsToFall(splines, { 12, 48, 192 }, 2.0 * dgg::Pi * dgg::Pi, truth, 1.7);
+  // On a closed surface, and on one with a boundary that nothing flows through.
+  const TestMesh meshes[] = { Icosphere(4), UnitSquare() };
+  for (const bool isSquare : { false, true })
+  {
+    const TestMesh& points = meshes[isSquare];
+    const dgg::SurfaceMesh mesh = Build(points);
+    Splines splines(mesh);
+    const auto truth = [&](Id v) {
+      const double* p = points.Point(v);
+      return isSquare ? std::cos(dgg::Pi * p[0]) * std::cos(dgg::Pi * p[1]) : p[0] * p[2];
+    };
+    const std::vector<Id> counts =
+      isSquare ? std::vector<Id>{ 12, 48, 192 } : std::vector<Id>{ 24, 96, 384 };
+    ExpectErrorsToFall(splines, counts, isSquare ? 2.0 * dgg::Pi * dgg::Pi : 6.0, truth, 1.7);
+  }
 }
 
 TEST(HarmonicSplines, GivenValuesOnTheBoundary)

@@ -29,15 +29,10 @@ namespace
 TestMesh Strip(Id n, double height)
 {
   TestMesh mesh = Plane(n, n);
-  double width = 0.0;
   for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
   {
-    width = std::max(width, mesh.Points[i]);
-  }
-  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
-  {
-    mesh.Points[i] /= width;
-    mesh.Points[i + 1] *= height / width;
+    mesh.Points[i] /= n;
+    mesh.Points[i + 1] *= height / n;
   }
   return mesh;
 }
@@ -77,16 +72,10 @@ double Measure(const dgg::SurfaceMesh& mesh)
 }
 
 /// The second mesh beside the first one.
-TestMesh Beside(const TestMesh& first, const TestMesh& second)
+TestMesh Beside(TestMesh first, const TestMesh& second)
 {
-  TestMesh both = first;
-  const auto n = static_cast<Id>(first.Points.size() / 3);
-  both.Points.insert(both.Points.end(), second.Points.begin(), second.Points.end());
-  for (const Id v : second.Triangles)
-  {
-    both.Triangles.push_back(n + v);
-  }
-  return both;
+  Append(first, second);
+  return first;
 }
 
 /// One squashed square beside a good one: all is right on the good one, and nothing is said that is

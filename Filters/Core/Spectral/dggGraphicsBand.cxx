@@ -172,16 +172,11 @@ Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& i
     given[this->Places[v]] += 1.0;
   });
   PoissonSolver solver(band);
-  status = solver.Analyze(options, progress);
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  status = solver.Factorize(nullptr);
+  status = solver.Prepare(options, progress);
   if (!status.IsOk())
   {
     this->Places.clear();
-    return solver.GetSystem().HasThin() ? Status::Success() : status;
+    return !status.IsAborted() && solver.GetSystem().HasThin() ? Status::Success() : status;
   }
   this->Columns.assign(2 * count, std::vector<double>(n, 0.0));
   std::vector<double> strength(count);

@@ -132,7 +132,7 @@ public:
   static constexpr Id PolesInBlock = 8;
   /// Bytes that one thread takes for a block, results included, at most: for each vertex, and for
   /// each target.
-  static constexpr double BytesPerVertex = 640.0;
+  static constexpr double BytesPerVertex = 560.0;
   static constexpr double BytesPerTarget = 128.0;
 
 private:

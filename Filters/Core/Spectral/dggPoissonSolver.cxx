@@ -25,34 +25,27 @@ PoissonSolver::PoissonSolver(const SurfaceMesh& mesh)
 
 PoissonSolver::~PoissonSolver() = default;
 
-Status PoissonSolver::Analyze(const PoissonOptions& options, const ProgressCallback& progress)
+Status PoissonSolver::Prepare(
+  const PoissonOptions& options, const ProgressCallback& progress, const MemoryCheck& checkMemory)
 {
-  return this->System->Analyze(options, progress);
+  PoissonSystem& system = *this->System;
+  Status status = system.Analyze(options, ProgressPart(progress, 0.0, AnalysisDone));
+  if (status.IsOk() && checkMemory)
+  {
+    const double bytes = system.GetEstimatedMemory();
+    status = checkMemory(bytes, system.IsReady() ? 0.0 : bytes);
+  }
+  if (status.IsOk() && !Goes(progress, AnalysisDone))
+  {
+    return Status::Abort();
+  }
+  status = status.IsOk() ? system.Factorize() : status;
+  return status.IsOk() && !Goes(progress, 1.0) ? Status::Abort() : status;
 }
 
 double PoissonSolver::GetEstimatedMemory() const
 {
   return this->System->GetEstimatedMemory();
-}
-
-Status PoissonSolver::Factorize(const ProgressCallback& progress)
-{
-  if (progress && !progress(0.0))
-  {
-    return Status::Abort();
-  }
-  Status status = this->System->Factorize();
-  if (status.IsOk() && progress && !progress(1.0))
-  {
-    return Status::Abort();
-  }
-  return status;
-}
-
-Status PoissonSolver::Prepare(const PoissonOptions& options, const ProgressCallback& progress)
-{
-  Status status = this->Analyze(options, ProgressPart(progress, 0.0, AnalysisDone));
-  return status.IsOk() ? this->Factorize(ProgressPart(progress, AnalysisDone, 1.0)) : status;
 }
 
 bool PoissonSolver::IsReady() const
@@ -110,16 +103,6 @@ Status PoissonSolver::Solve(std::vector<std::vector<double>>& columns) const
   }
   this->System->Solve(columns);
   return Status::Success();
-}
-
-Status PoissonSolver::Multiply(const std::vector<double>& f, std::vector<double>& result) const
-{
-  Status status = this->CheckNumbers(f);
-  if (status.IsOk())
-  {
-    result = this->System->Multiply(f);
-  }
-  return status;
 }
 
 const SurfaceMesh& PoissonSolver::GetMesh() const

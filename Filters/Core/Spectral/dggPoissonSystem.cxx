@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggPoissonSystem.h"
 
-#include "dggCotanLaplacian.h"
+#include "dggProgressPart.h"
 #include "dggThinTriangles.h"
 
 #include <algorithm>
