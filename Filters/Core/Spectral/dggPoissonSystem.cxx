@@ -439,6 +439,29 @@ void PoissonSystem::Solve(std::vector<double>& values) const
   this->Refine(sources, values);
 }
 
+void PoissonSystem::Solve(std::vector<SparseLanes>& block) const
+{
+  const std::vector<SparseLanes> given =
+    this->NeedsRefinement() ? block : std::vector<SparseLanes>();
+  this->SolveOnce(block);
+  std::vector<double> sources(given.size());
+  std::vector<double> solution(given.size());
+  for (int k = 0; k < SparseLanes::SizeAtCompileTime && !given.empty(); ++k)
+  {
+    for (std::size_t v = 0; v < given.size(); ++v)
+    {
+      sources[v] = given[v][k];
+      solution[v] = block[v][k];
+    }
+    this->Balance(sources);
+    this->Refine(sources, solution);
+    for (std::size_t v = 0; v < given.size(); ++v)
+    {
+      block[v][k] = solution[v];
+    }
+  }
+}
+
 void PoissonSystem::Solve(std::vector<std::vector<double>>& columns) const
 {
   constexpr std::size_t lanes = SparseLanes::SizeAtCompileTime;
@@ -461,23 +484,12 @@ void PoissonSystem::Solve(std::vector<std::vector<double>>& columns) const
         block[v][static_cast<int>(k)] = columns[begin + k][v];
       }
     }
-    this->SolveOnce(block);
-    std::vector<double> sources;
-    for (std::size_t k = 0; k < count; ++k)
+    this->Solve(block);
+    for (std::size_t v = 0; v < block.size(); ++v)
     {
-      std::vector<double>& column = columns[begin + k];
-      if (this->NeedsRefinement())
+      for (std::size_t k = 0; k < count; ++k)
       {
-        sources = column;
-        this->Balance(sources);
-      }
-      for (std::size_t v = 0; v < block.size(); ++v)
-      {
-        column[v] = block[v][static_cast<int>(k)];
-      }
-      if (this->NeedsRefinement())
-      {
-        this->Refine(sources, column);
+        columns[begin + k][v] = block[v][static_cast<int>(k)];
       }
     }
   }

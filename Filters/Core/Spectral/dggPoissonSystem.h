@@ -96,6 +96,8 @@ public:
   /// Several right-hand sides. More than four are solved for together, eight at a time, in about
   /// half the time for each.
   void Solve(std::vector<std::vector<double>>& columns) const;
+  /// As many systems as lanes, for loops that need them side by side.
+  void Solve(std::vector<SparseLanes>& block) const;
 
   /// Take the weighted mean off in components without given values.
   template <typename Number>

@@ -217,35 +217,37 @@ Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const Progres
     rounds.resize(std::max(rounds.size(), round + 1));
     rounds[round].push_back(v);
   }
-  const auto solveBlock = [&](Offset, Offset begin, Offset end, const ProgressCallback&) {
-    std::vector<std::vector<double>> columns(
-      static_cast<std::size_t>(end - begin), std::vector<double>(n, 0.0));
+  using Block = std::vector<SparseLanes>;
+  const auto solveBlock = [&](Block& values, Offset, Offset begin, Offset end,
+                            const ProgressCallback&) {
+    values.assign(n, SparseLanes(SparseLanes::Zero()));
     for (Offset round = begin; round < end; ++round)
     {
       for (const Id v : rounds[round])
       {
-        columns[round - begin][v] = system.IsFixed(v) ? 0.0 : 1.0;
+        values[v][round - begin] = system.IsFixed(v) ? 0.0 : 1.0;
       }
     }
-    system.Solve(columns);
+    system.Solve(values);
+    Block sums(counts.size(), SparseLanes(SparseLanes::Zero()));
+    for (std::size_t v = 0; v < n && isBiharmonic; ++v)
+    {
+      const Id id = static_cast<Id>(v);
+      sums[system.GetComponent(id)] += values[v].square() * system.GetArea(id);
+    }
     for (Offset round = begin; round < end; ++round)
     {
-      const std::vector<double>& values = columns[round - begin];
-      std::vector<double> sums(counts.size(), 0.0);
-      for (std::size_t v = 0; v < n && isBiharmonic; ++v)
-      {
-        const Id id = static_cast<Id>(v);
-        sums[system.GetComponent(id)] += values[v] * values[v] * system.GetArea(id);
-      }
       for (const Id v : rounds[round])
       {
-        diagonal[v] = isBiharmonic ? sums[system.GetComponent(v)] : values[v];
+        const SparseLanes& from = isBiharmonic ? sums[system.GetComponent(v)] : values[v];
+        diagonal[v] = from[round - begin];
       }
     }
     return Status::Success();
   };
   Status status = LoopOverLongBlocks(
-    static_cast<Offset>(rounds.size()), BlockSize, parallel, progress, solveBlock);
+    static_cast<Offset>(rounds.size()), BlockSize, parallel, progress, [] { return Block(); },
+    solveBlock);
   if (status.IsOk())
   {
     this->Diagonal.swap(diagonal);
