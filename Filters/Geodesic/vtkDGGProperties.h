@@ -21,6 +21,33 @@ bool vtkDGGChangeNumber(double& property, double value);
 
 /// Set a name; null is the empty one. Returns whether it has changed.
 bool vtkDGGChangeName(std::string& property, const char* value);
+/// Defines the setter and the getter of a property that is a name, of which `Member` is the string.
+/// The assertion is there for the semicolon.
+#define vtkDGGDefineNameMacro(Class, Property, Member) \
+  void Class::Set##Property(const char* name)          \
+  {                                                    \
+    if (vtkDGGChangeName(this->Member, name))          \
+    {                                                  \
+      this->Modified();                                \
+    }                                                  \
+  }                                                    \
+  const char* Class::Get##Property() const             \
+  {                                                    \
+    return this->Member.c_str();                       \
+  }                                                    \
+  static_assert(true, #Property)
+
+/// Defines both ways to set the data of an input port.
+#define vtkDGGDefineInputMacro(Class, Name, Port)                   \
+  void Class::Set##Name##Connection(vtkAlgorithmOutput* connection) \
+  {                                                                 \
+    this->SetInputConnection(Port, connection);                     \
+  }                                                                 \
+  void Class::Set##Name##Data(vtkPolyData* data)                    \
+  {                                                                 \
+    this->SetInputData(Port, data);                                 \
+  }                                                                 \
+  static_assert(true, #Name)
 
 /// The ids of a list, none for null.
 std::vector<vtkIdType> vtkDGGGetIds(vtkIdList* list);

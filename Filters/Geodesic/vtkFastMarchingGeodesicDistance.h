@@ -12,14 +12,11 @@
  * a known error see vtkDGGDistance, for exact ones vtkExactGeodesicDistance, which often is not
  * much slower.
  *
- * <b>Not for long thin triangles.</b> Where they are obtuse, no unfolding is far enough. On flat
- * sheets of triangles that are 5 to 100 times as long as wide, and lean, mean errors were 2 to 8 %
- * with Spherical updates and 8 to 13 % with Planar ones, and single distances, between points that
- * are close to each other, several times too long. Have such a surface remeshed, or take
- * vtkExactGeodesicDistance or vtkDGGDistance.
- *
- * Errors relative to exact distances with Spherical updates, of all points from 10 of them, in
- * percent; tau is the median anisotropy (GetMedianAnisotropy()):
+ * <b>Not for long thin triangles.</b> Where they are obtuse, no unfolding is far enough: single
+ * distances, between points that are close to each other, may be several times too long. Have such
+ * a surface remeshed, or take vtkExactGeodesicDistance or vtkDGGDistance. Errors relative to exact
+ * distances with Spherical updates, of all points from 10 of them, in percent; tau is the median
+ * anisotropy (GetMedianAnisotropy()):
  *
  * | surface                            | points | tau  | mean | 99.9 % | largest |
  * |------------------------------------|-------:|-----:|-----:|-------:|--------:|
@@ -31,9 +28,8 @@
  * | part, none inside (psu_cover)      |   1351 | 4.65 |  4.2 |     30 |      42 |
  * | part, none inside (z_bar_clamp)    |    338 | 6.19 |  2.1 |     19 |     107 |
  *
- * On sheets of 400 and 3700 points with jitter, stretched to a tau of 2, the 99.9 % were at 3 to 8
- * %, at 3 at 15 to 33 %, at 6 at 45 to 110 %, with means of 0.1 to 2 %. Above 3 there is a
- * QualityWarning; a mesh may be good all the same, as the fifth of these.
+ * Above a tau of 3 there is a QualityWarning; a mesh may be good all the same, as the fifth of
+ * these.
  *
  * Inputs, sources, results and errors are those of vtkGeodesicDistanceAlgorithm. Initial distances
  * are honoured.

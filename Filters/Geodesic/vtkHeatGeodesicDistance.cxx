@@ -25,8 +25,7 @@ struct vtkHeatGeodesicDistance::Preparation
 
 namespace
 {
-/// Parts of the progress: what comes before the factorizations, these, the query.
-constexpr double AnalyzedAt = 0.3;
+/// Part of the progress when the systems are factorized.
 constexpr double FactorizedAt = 0.9;
 }
 
@@ -60,15 +59,8 @@ void vtkHeatGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 const char* vtkHeatGeodesicDistance::GetBoundaryAsString() const
 {
-  switch (this->Boundary)
-  {
-    case Dirichlet:
-      return "Dirichlet";
-    case Average:
-      return "Average";
-    default:
-      return "Neumann";
-  }
+  static const char* const names[] = { "Neumann", "Dirichlet", "Average" };
+  return names[this->Boundary];
 }
 
 //------------------------------------------------------------------------------
@@ -124,20 +116,17 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
     this->QualityWarning = vtkDGGWarnOfLongTriangles(this);
   }
   dgg::HeatMethod& method = this->Prepared->Method;
-  dgg::Status status = method.Analyze(options, dgg::ProgressPart(task.Progress, 0.0, AnalyzedAt));
-  if (status.IsOk() && !method.HoldsFactors())
+  bool isTooMuch = false;
+  dgg::Status status =
+    method.Prepare(options, dgg::ProgressPart(task.Progress, 0.0, FactorizedAt), [&](double bytes) {
+      const dgg::Status check = vtkDGGCheckMemory(
+        "the factorizations of the heat method", bytes, this->MemoryLimit, this->GetMemoryRemedy());
+      isTooMuch = !check.IsOk();
+      return check;
+    });
+  if (isTooMuch && method.GetNumberOfFactorizations() == 0)
   {
-    status = vtkDGGCheckMemory("the factorizations of the heat method", method.GetEstimatedMemory(),
-      this->MemoryLimit, this->GetMemoryRemedy());
-    if (!status.IsOk() && method.GetNumberOfFactorizations() == 0)
-    {
-      this->Prepared.reset(); // nothing was made from it yet
-      return status;
-    }
-  }
-  if (status.IsOk())
-  {
-    status = method.Factorize(dgg::ProgressPart(task.Progress, AnalyzedAt, FactorizedAt));
+    this->Prepared.reset(); // nothing was made from it yet
   }
   if (!status.IsOk())
   {

@@ -10,18 +10,15 @@
  * smoother than the true ones, with rounded ridges.
  *
  * Nothing bounds the error, which is as large as edges are long beside the features of the surface.
- * Mean relative errors against vtkExactGeodesicDistance, measured on eight surfaces, scans and
- * parts of machines: 0.5 to 2.2 % with 10 000 points and more, 1 to 5 % with 5000, 2 to 5 % with
- * 1000, 3 to 7 % with 600, 5 to 9 % with 150. The largest error on each of them was between 20 and
- * 70 %, close to the source. Long thin triangles may make it useless where no flip mends them:
- * distances on flat strips, six triangles wide, of triangles 100 to 200 times as long as wide were
- * off by up to 95 % on average, but by less than 3 % with a TimeStepFactor of 10. On coarse meshes
- * vtkFastMarchingGeodesicDistance is several times better, and vtkExactGeodesicDistance takes
- * milliseconds. For distances within a known error, with queries of about the same time, see
- * vtkDGGDistance.
+ * Mean relative errors against vtkExactGeodesicDistance on scans and parts of machines were 0.5 to
+ * 2.2 % with 10 000 points and more, 2 to 5 % with 1000, 5 to 9 % with 150, the largest ones 20 to
+ * 70 %, close to the source. On coarse meshes vtkFastMarchingGeodesicDistance is several times
+ * better, and vtkExactGeodesicDistance takes milliseconds. For distances within a known error, with
+ * queries of about the same time, see vtkDGGDistance.
  *
- * <b>Not for long triangles.</b> Errors relative to exact distances, of all points from 10 of them,
- * in percent; tau is the median anisotropy (GetMedianAnisotropy()):
+ * <b>Not for long triangles</b>, where no flip mends them; a larger TimeStepFactor helps. Errors
+ * relative to exact distances, of all points from 10 of them, in percent; tau is the median
+ * anisotropy (GetMedianAnisotropy()):
  *
  * | surface                            | points | tau  | mean | 99.9 % | largest |
  * |------------------------------------|-------:|-----:|-----:|-------:|--------:|
@@ -33,10 +30,8 @@
  * | part, none inside (psu_cover)      |   1351 | 4.65 |  7.5 |     39 |      85 |
  * | part, none inside (z_bar_clamp)    |    338 | 6.19 |  8.2 |     76 |      89 |
  *
- * On sheets of 400 and 3700 points stretched to a tau of 3 and 6 means were 1 to 3 %, at 11 to 13
- * 17 to 38 %, from 28 on 66 to 80 %. Above 3 there is a QualityWarning: no scan has that, parts
- * above it were those with means above 6 %, and below it only 300 points had as much. A mesh with
- * enough points may be good all the same.
+ * Above a tau of 3 there is a QualityWarning: no scan has that, and below it only surfaces of 300
+ * points had means above 6 %. A mesh with enough points may be good all the same.
  *
  * Inputs, sources, results and errors are those of vtkGeodesicDistanceAlgorithm; an error besides
  * these is a TimeStepFactor outside of 1e-6 to 1e6, factorizations that would take more memory than

@@ -30,18 +30,6 @@ constexpr double TargetsDone = 0.7;
 constexpr double FunctionsPerEigenvalue = 3.0;
 constexpr double NumbersPerThread = 24.0;
 
-bool IsSame(const dgg::SpectralOptions& a, const dgg::SpectralOptions& b)
-{
-  return a.Kind == b.Kind && a.Method == b.Method && a.Time == b.Time &&
-    a.NumberOfEigenvalues == b.NumberOfEigenvalues;
-}
-
-bool HasSameSpectrum(const dgg::SpectralOptions& a, const dgg::SpectralOptions& b)
-{
-  return a.Method == dgg::SpectralMethod::Spectrum && b.Method == dgg::SpectralMethod::Spectrum &&
-    a.NumberOfEigenvalues == b.NumberOfEigenvalues;
-}
-
 using PlaceCheck = dgg::Status (dgg::SpectralDistance::*)(const dgg::SurfacePoint&) const;
 
 /// Before anything takes long.
@@ -61,21 +49,11 @@ dgg::Status CheckAll(const dgg::SpectralDistance& distance, PlaceCheck check,
 }
 
 //------------------------------------------------------------------------------
-/// Kept until the mesh or the system changes.
+/// Kept until the mesh changes.
 struct vtkBiharmonicDistance::Preparation
 {
-  explicit Preparation(const vtkDGGSpectralTask& task)
-    : MeshTime(task.MeshTime)
-    , Revision(task.Solver.GetRevision())
-    , Distance(task.Solver)
-  {
-  }
-
   vtkMTimeType MeshTime;
-  std::uint64_t Revision;
   dgg::SpectralDistance Distance;
-  dgg::SpectralOptions Options;
-  bool IsReady = false;
 };
 
 //------------------------------------------------------------------------------
@@ -102,21 +80,14 @@ void vtkBiharmonicDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfEigenvalues: " << this->NumberOfEigenvalues << "\n";
   os << indent << "DiffusionTime: " << this->DiffusionTime << "\n";
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
-  os << indent << "NumberOfSpectra: " << this->NumberOfSpectra << "\n";
+  os << indent << "NumberOfSpectra: " << this->GetNumberOfSpectra() << "\n";
 }
 
 //------------------------------------------------------------------------------
 const char* vtkBiharmonicDistance::GetKindAsString() const
 {
-  switch (this->Kind)
-  {
-    case CommuteTime:
-      return "CommuteTime";
-    case Diffusion:
-      return "Diffusion";
-    default:
-      return "Biharmonic";
-  }
+  static const char* const names[] = { "Biharmonic", "CommuteTime", "Diffusion" };
+  return names[this->Kind];
 }
 
 //------------------------------------------------------------------------------
@@ -137,7 +108,8 @@ void vtkBiharmonicDistance::SetUnreachedValue(double value)
 //------------------------------------------------------------------------------
 int vtkBiharmonicDistance::GetNumberOfSpectra() const
 {
-  return this->NumberOfSpectra;
+  return this->NumberOfSpectra +
+    (this->Prepared ? this->Prepared->Distance.GetNumberOfSpectra() : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -194,46 +166,25 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(vtkDGGSpectralTask& task)
     this->Method == Exact ? dgg::SpectralMethod::Exact : dgg::SpectralMethod::Spectrum;
   options.NumberOfEigenvalues = this->NumberOfEigenvalues;
   options.Time = this->DiffusionTime;
-  const double unreached = this->UnreachedValue;
-
-  if (!this->Prepared || this->Prepared->MeshTime != task.MeshTime ||
-    this->Prepared->Revision != task.Solver.GetRevision())
+  if (!this->Prepared || this->Prepared->MeshTime != task.MeshTime)
   {
+    this->NumberOfSpectra = this->GetNumberOfSpectra();
     this->Prepared.reset(); // before there are two
-    this->Prepared.reset(new Preparation(task));
+    this->Prepared.reset(new Preparation{ task.MeshTime, dgg::SpectralDistance(task.Solver) });
   }
-  Preparation& prepared = *this->Prepared;
+  dgg::SpectralDistance& distance = this->Prepared->Distance;
   dgg::Status status =
-    CheckAll(prepared.Distance, &dgg::SpectralDistance::CheckSource, task.Sources, "source ");
-  status = status.IsOk() ? CheckAll(prepared.Distance, &dgg::SpectralDistance::CheckPlace,
-                             task.Targets, "evaluation point ")
-                         : status;
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  if (!prepared.IsReady || !IsSame(prepared.Options, options))
-  {
-    const bool hasSpectrum = prepared.IsReady && HasSameSpectrum(prepared.Options, options);
-    dgg::Eigenpairs pairs = hasSpectrum ? prepared.Distance.GetEigenpairs() : dgg::Eigenpairs();
-    prepared.IsReady = false;
-    status = hasSpectrum
-      ? prepared.Distance.Prepare(options, std::move(pairs))
-      : prepared.Distance.Prepare(options, dgg::ProgressPart(task.Progress, 0.0, SpectrumDone));
-    this->NumberOfSpectra +=
-      status.IsOk() && !hasSpectrum && options.Method == dgg::SpectralMethod::Spectrum ? 1 : 0;
-    prepared.IsReady = status.IsOk();
-    prepared.Options = options;
-  }
+    CheckAll(distance, &dgg::SpectralDistance::CheckSource, task.Sources, "source ");
+  status = status.IsOk()
+    ? CheckAll(distance, &dgg::SpectralDistance::CheckPlace, task.Targets, "evaluation point ")
+    : status;
   const dgg::ParallelFor parallel = vtkDGGMakeParallelFor();
-  if (status.IsOk() && prepared.Distance.NeedsDiagonal())
+  if (status.IsOk())
   {
-    std::vector<double> diagonal;
     status = vtkDGGRunTold(dgg::ProgressPart(task.Progress, 0.0, SpectrumDone),
       [&](const dgg::ProgressCallback& progress) {
-        return prepared.Distance.FindDiagonal(parallel, progress, diagonal);
+        return distance.Prepare(options, parallel, progress);
       });
-    prepared.Distance.KeepDiagonal(std::move(diagonal));
   }
   // Between sources and evaluation points, row by row.
   std::vector<double> matrix;
@@ -241,33 +192,24 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(vtkDGGSpectralTask& task)
   {
     status = vtkDGGRunTold(dgg::ProgressPart(task.Progress, SpectrumDone, TargetsDone),
       [&](const dgg::ProgressCallback& progress) {
-        return prepared.Distance.Between(task.Sources, task.Targets, parallel, progress, matrix);
+        return distance.Between(task.Sources, task.Targets, parallel, progress, matrix);
       });
   }
   const auto count = static_cast<double>(task.Sources.size());
   for (std::size_t k = 0; k < task.Sources.size() && status.IsOk(); ++k)
   {
-    const double begin = TargetsDone + (1.0 - TargetsDone) * static_cast<double>(k) / count;
-    const double end = begin + (1.0 - TargetsDone) / count;
-    const dgg::ProgressCallback progress = dgg::ProgressPart(task.Progress, begin, end);
     std::vector<double> values;
-    status = prepared.Distance.FromPoint(task.Sources[k], parallel, progress, values);
-    if (status.IsOk() && !progress(1.0))
+    status = distance.FromPoint(task.Sources[k], values);
+    const double done = static_cast<double>(k + 1) / count;
+    if (!status.IsOk() || !task.Progress(TargetsDone + (1.0 - TargetsDone) * done))
     {
-      status = dgg::Status::Abort();
+      return status.IsOk() ? dgg::Status::Abort() : status;
     }
-    if (status.IsOk())
-    {
-      const auto row = matrix.begin() + static_cast<std::ptrdiff_t>(k * task.Targets.size());
-      std::vector<double> targetValues;
-      if (!task.Targets.empty())
-      {
-        targetValues.assign(row, row + static_cast<std::ptrdiff_t>(task.Targets.size()));
-      }
-      std::replace(values.begin(), values.end(), dgg::Infinity, unreached);
-      std::replace(targetValues.begin(), targetValues.end(), dgg::Infinity, unreached);
-      task.Outputs.Set(k, values, targetValues);
-    }
+    const auto row = matrix.begin() + static_cast<std::ptrdiff_t>(k * task.Targets.size());
+    std::vector<double> targetValues(row, row + static_cast<std::ptrdiff_t>(task.Targets.size()));
+    std::replace(values.begin(), values.end(), dgg::Infinity, this->UnreachedValue);
+    std::replace(targetValues.begin(), targetValues.end(), dgg::Infinity, this->UnreachedValue);
+    task.Outputs.Set(k, values, targetValues);
   }
   return status.IsOk() && !task.Progress(1.0) ? dgg::Status::Abort() : status;
 }

@@ -160,7 +160,7 @@ private:
   int NumberOfEigenvalues;
   double DiffusionTime;
   double UnreachedValue;
-  int NumberOfSpectra;
+  int NumberOfSpectra; // for meshes before the last one
   std::unique_ptr<Preparation> Prepared;
 };
 

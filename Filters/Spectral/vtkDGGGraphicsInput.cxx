@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <sstream>
 #include <unordered_map>
@@ -26,37 +27,91 @@ constexpr std::size_t NoRegion = std::numeric_limits<std::size_t>::max();
 /// Values of CurveType.
 constexpr dgg::GraphicsCurveType Types[] = { dgg::GraphicsCurveType::Diffusion,
   dgg::GraphicsCurveType::Poisson, dgg::GraphicsCurveType::Region, dgg::GraphicsCurveType::Source };
-constexpr int NumberOfTypes = 4;
 
-/// An array of points, or else one of cells.
-vtkDataArray* FindArray(vtkPolyData* data, const std::string& name, bool& isOfPoints)
+/// What is wrong with the input. Never leaves this file.
+struct Refusal
 {
-  vtkDataArray* array = data->GetPointData()->GetArray(name.c_str());
-  isOfPoints = array != nullptr;
-  return isOfPoints ? array : data->GetCellData()->GetArray(name.c_str());
+  std::string Message;
+};
+
+/// A message of parts, thrown.
+template <typename... Parts>
+[[noreturn]] void Refuse(const Parts&... parts)
+{
+  std::ostringstream message;
+  (message << ... << parts);
+  throw Refusal{ message.str() };
 }
 
-/// Fails when there is an array of another type than numbers by that name, and none of numbers. To
-/// pass over it would mean another picture.
-dgg::Status CheckHoldsNumbers(vtkDataSetAttributes* data, const char* kind, const std::string& name)
+/// Run what may refuse the input.
+template <typename Function>
+dgg::Status Try(Function&& function)
+{
+  try
+  {
+    function();
+  }
+  catch (const Refusal& refusal)
+  {
+    return dgg::Status::Invalid(refusal.Message);
+  }
+  return dgg::Status::Success();
+}
+
+/// An array of numbers, or null. Refuses an array of another type by that name: to skip it would
+/// mean another picture.
+vtkDataArray* FindNumbers(vtkDataSetAttributes* data, const char* kind, const std::string& name)
 {
   vtkAbstractArray* array = data->GetAbstractArray(name.c_str());
-  return array && !vtkDataArray::SafeDownCast(array)
-    ? dgg::Status::Invalid("the " + std::string(kind) + " array '" + name + "' is of type " +
-        array->GetDataTypeAsString() + " where numbers are needed")
-    : dgg::Status::Success();
+  vtkDataArray* numbers = data->GetArray(name.c_str());
+  if (!numbers && array)
+  {
+    Refuse("the ", kind, " array '", name, "' is of type ", array->GetDataTypeAsString(),
+      " where numbers are needed");
+  }
+  return numbers;
 }
 
-/// The same for an array of points or cells.
-dgg::Status CheckHoldsNumbers(vtkPolyData* data, const std::string& name)
+/// An array of points, or else one of cells.
+struct FoundArray
 {
-  bool isOfPoints = false;
-  if (FindArray(data, name, isOfPoints))
+  FoundArray(vtkPolyData* data, const std::string& name)
+    : Array(data->GetPointData()->GetArray(name.c_str()))
+    , IsOfPoints(Array != nullptr)
   {
-    return dgg::Status::Success();
+    Array = Array ? Array : data->GetCellData()->GetArray(name.c_str());
+    if (!Array)
+    {
+      FindNumbers(data->GetPointData(), "point", name);
+      FindNumbers(data->GetCellData(), "cell", name);
+    }
   }
-  const dgg::Status status = CheckHoldsNumbers(data->GetPointData(), "point", name);
-  return status.IsOk() ? CheckHoldsNumbers(data->GetCellData(), "cell", name) : status;
+
+  vtkDataArray* Array;
+  bool IsOfPoints;
+};
+
+/// A cell array with one number per cell; `setter` is for messages.
+vtkDataArray* GetCellNumbers(vtkPolyData* surface, const std::string& name, const char* setter)
+{
+  vtkDataArray* array = FindNumbers(surface->GetCellData(), "cell", name);
+  if (!array || array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != surface->GetNumberOfCells())
+  {
+    Refuse("the surface has no cell array '", name, "' with one number per cell: call ", setter,
+      " with the name of one");
+  }
+  return array;
+}
+
+double GetNumber(vtkDataArray* array, vtkIdType cell, const char* remedy)
+{
+  const double number = array->GetComponent(cell, 0);
+  if (std::isnan(number))
+  {
+    Refuse("the cell array '", array->GetName(), "' has no number at cell ", cell, ": ", remedy);
+  }
+  return number;
 }
 
 /// Whether all points are in one place.
@@ -77,6 +132,12 @@ double ScaleOf(vtkDataArray* array)
   return array->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
 }
 
+void SortUnique(std::vector<dgg::Id>& ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
 std::string Name(vtkIdType cell)
 {
   return "line " + std::to_string(cell) + " of input port 1";
@@ -88,22 +149,26 @@ dgg::Status vtkDGGGraphicsInput::Read(
   vtkPolyData* curves, vtkPolyData* surface, const vtkDGGGraphicsNames& names)
 {
   *this = vtkDGGGraphicsInput();
-  dgg::Status status;
-  if (curves)
-  {
-    status = this->CollectLines(curves);
-  }
-  status = status.IsOk() ? this->ChooseChannels(curves, surface, names) : status;
-  for (std::size_t k = 0; k < this->Curves.size() && status.IsOk(); ++k)
-  {
-    status = this->ReadType(curves, names, k);
-    status = status.IsOk() ? this->ReadCurve(curves, names, k) : status;
-  }
-  return status.IsOk() ? this->ReadRegions(surface, names) : status;
+  return Try([&] {
+    if (curves)
+    {
+      this->CollectLines(curves);
+    }
+    this->ChooseChannels(curves, surface, names);
+    for (std::size_t k = 0; k < this->Curves.size(); ++k)
+    {
+      this->ReadType(curves, names, k);
+      this->ReadCurve(curves, names, k);
+    }
+    if (!names.Region.empty())
+    {
+      this->ReadRegions(surface, names);
+    }
+  });
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphicsInput::CollectLines(vtkPolyData* curves)
+void vtkDGGGraphicsInput::CollectLines(vtkPolyData* curves)
 {
   vtkIdType cell = curves->GetNumberOfVerts(); // cells are numbered from verts on
   const auto lines = vtk::TakeSmartPointer(curves->GetLines()->NewIterator());
@@ -120,47 +185,45 @@ dgg::Status vtkDGGGraphicsInput::CollectLines(vtkPolyData* curves)
     {
       if (id < 0 || id >= curves->GetNumberOfPoints())
       {
-        return dgg::Status::Invalid(
-          Name(cell) + " has the point " + std::to_string(id) + ", which does not exist");
+        Refuse(Name(cell), " has the point ", id, ", which does not exist");
       }
     }
     if (points.size() < 2 || HasNoLength(curves, points))
     {
-      return dgg::Status::Invalid(
-        Name(cell) + " has no length: give it two points in different places");
+      Refuse(Name(cell), " has no length: give it two points in different places");
     }
     this->Curves.push_back(curve);
     this->PointIds.push_back(points);
     this->Cells.push_back(cell++);
   }
-  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
 /// As many as the arrays have components, those with a single strength for all channels apart.
-dgg::Status vtkDGGGraphicsInput::ChooseChannels(
+void vtkDGGGraphicsInput::ChooseChannels(
   vtkPolyData* curves, vtkPolyData* surface, const vtkDGGGraphicsNames& names)
 {
+  const auto componentsOf = [&](const std::string& name) {
+    const char* key = name.c_str();
+    vtkDataArray* array = curves ? curves->GetPointData()->GetArray(key) : nullptr;
+    array = array || !curves ? array : curves->GetCellData()->GetArray(key);
+    return array ? array->GetNumberOfComponents() : 0;
+  };
   int channels = 0;
   std::string first;
   for (const std::string& name :
     { names.LeftColor, names.RightColor, names.Strength, names.RightStrength })
   {
-    bool isOfPoints = false;
-    vtkDataArray* array = curves ? FindArray(curves, name, isOfPoints) : nullptr;
     const bool isColor = name == names.LeftColor || name == names.RightColor;
-    const int count = array ? array->GetNumberOfComponents() : 0;
+    const int count = componentsOf(name);
     if (count == 0 || (count == 1 && !isColor))
     {
       continue;
     }
     if (channels > 0 && count != channels)
     {
-      std::ostringstream message;
-      message << "the array '" << first << "' of input port 1 has " << channels
-              << " components and '" << name << "' has " << count
-              << ": give both as many as there are channels";
-      return dgg::Status::Invalid(message.str());
+      Refuse("the array '", first, "' of input port 1 has ", channels, " components and '", name,
+        "' has ", count, ": give both as many as there are channels");
     }
     channels = count;
     first = name;
@@ -170,227 +233,144 @@ dgg::Status vtkDGGGraphicsInput::ChooseChannels(
   {
     channels = strength->GetNumberOfComponents();
   }
-  bool isOfPoints = false;
-  if (channels == 0 && curves && FindArray(curves, names.Strength, isOfPoints))
+  if (channels == 0 && componentsOf(names.Strength) > 0)
   {
     channels = 1;
   }
   this->NumberOfChannels = channels == 0 ? 3 : channels;
-  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphicsInput::ReadType(
+void vtkDGGGraphicsInput::ReadType(
   vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k)
 {
-  vtkDataArray* array = curves->GetCellData()->GetArray(names.CurveType.c_str());
+  vtkDataArray* array = FindNumbers(curves->GetCellData(), "cell", names.CurveType);
   if (!array)
   {
-    // Diffusion, unless something else was meant.
-    return CheckHoldsNumbers(curves->GetCellData(), "cell", names.CurveType);
+    return; // Diffusion
   }
   if (array->GetNumberOfComponents() != 1)
   {
-    return dgg::Status::Invalid("the cell array '" + names.CurveType + "' of input port 1 has " +
-      std::to_string(array->GetNumberOfComponents()) + " components where 1 is needed");
+    Refuse("the cell array '", names.CurveType, "' of input port 1 has ",
+      array->GetNumberOfComponents(), " components where 1 is needed");
   }
   const double value = this->Cells[k] < array->GetNumberOfTuples()
     ? array->GetComponent(this->Cells[k], 0)
     : std::numeric_limits<double>::quiet_NaN();
-  for (int type = 0; type < NumberOfTypes; ++type)
+  if (!(value == 0.0 || value == 1.0 || value == 2.0 || value == 3.0))
   {
-    if (value == type)
-    {
-      this->Curves[k].Type = Types[type];
-      return dgg::Status::Success();
-    }
+    Refuse(Name(this->Cells[k]), " has the type ", value, " in the cell array '", names.CurveType,
+      "': use 0 (Diffusion), 1 (Poisson), 2 (Region) or 3 (Source)");
   }
-  std::ostringstream message;
-  message << Name(this->Cells[k]) << " has the type " << value << " in the cell array '"
-          << names.CurveType << "': use 0 (Diffusion), 1 (Poisson), 2 (Region) or 3 (Source)";
-  return dgg::Status::Invalid(message.str());
+  this->Curves[k].Type = Types[static_cast<int>(value)];
 }
 
 //------------------------------------------------------------------------------
 /// The numbers of all points of a curve; those of its cell for each where the array is of cells.
-dgg::Status vtkDGGGraphicsInput::ReadTuples(vtkPolyData* curves, const std::string& name,
-  std::size_t k, int channels, bool mayBeSingle, std::vector<double>& values) const
+std::vector<double> vtkDGGGraphicsInput::ReadTuples(
+  vtkPolyData* curves, const std::string& name, std::size_t k, int channels, bool mayBeSingle) const
 {
-  const dgg::Status status = CheckHoldsNumbers(curves, name);
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  bool isOfPoints = false;
-  vtkDataArray* array = FindArray(curves, name, isOfPoints);
-  std::ostringstream message;
-  const int components = array ? array->GetNumberOfComponents() : 0;
-  const vtkIdType tuples = isOfPoints ? curves->GetNumberOfPoints() : curves->GetNumberOfCells();
+  const FoundArray found(curves, name);
+  vtkDataArray* array = found.Array;
+  const vtkIdType tuples =
+    found.IsOfPoints ? curves->GetNumberOfPoints() : curves->GetNumberOfCells();
   if (!array)
   {
-    message << Name(this->Cells[k]) << " needs a point or cell array '" << name
-            << "': add it, or set the name of another one";
+    Refuse(Name(this->Cells[k]), " needs a point or cell array '", name,
+      "': add it, or set the name of another one");
   }
-  else if (array->GetNumberOfTuples() != tuples)
+  if (array->GetNumberOfTuples() != tuples)
   {
-    message << "the array '" << name << "' of input port 1 has " << array->GetNumberOfTuples()
-            << " tuples where " << tuples << " are needed";
+    Refuse("the array '", name, "' of input port 1 has ", array->GetNumberOfTuples(),
+      " tuples where ", tuples, " are needed");
   }
-  else if (components != channels && !(mayBeSingle && components == 1))
+  const int components = array->GetNumberOfComponents();
+  if (components != channels && !(mayBeSingle && components == 1))
   {
-    message << "the array '" << name << "' of input port 1 has " << components
-            << " components where " << channels
-            << (mayBeSingle && channels > 1 ? " or 1 are needed" : " are needed");
+    Refuse("the array '", name, "' of input port 1 has ", components, " components where ",
+      channels, mayBeSingle && channels > 1 ? " or 1 are needed" : " are needed");
   }
-  if (!message.str().empty())
-  {
-    return dgg::Status::Invalid(message.str());
-  }
-  const double scale = ScaleOf(array);
-  values.clear();
+  std::vector<double> values;
   for (const vtkIdType id : this->PointIds[k])
   {
     for (int c = 0; c < channels; ++c)
     {
-      const vtkIdType tuple = isOfPoints ? id : this->Cells[k];
+      const vtkIdType tuple = found.IsOfPoints ? id : this->Cells[k];
       const double value = array->GetComponent(tuple, components == 1 ? 0 : c);
       if (!std::isfinite(value))
       {
-        message << "the array '" << name << "' of input port 1 has the value " << value << " at "
-                << (isOfPoints ? "point " : "cell ") << tuple << ": numbers must be finite";
-        return dgg::Status::Invalid(message.str());
+        Refuse("the array '", name, "' of input port 1 has the value ", value, " at ",
+          found.IsOfPoints ? "point " : "cell ", tuple, ": numbers must be finite");
       }
-      values.push_back(scale * value);
+      values.push_back(ScaleOf(array) * value);
     }
   }
-  return dgg::Status::Success();
+  return values;
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphicsInput::ReadCurve(
+void vtkDGGGraphicsInput::ReadCurve(
   vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k)
 {
   dgg::GraphicsCurve& curve = this->Curves[k];
+  const int channels = this->NumberOfChannels;
   if (curve.Type == dgg::GraphicsCurveType::Diffusion)
   {
-    const dgg::Status status =
-      this->ReadTuples(curves, names.LeftColor, k, this->NumberOfChannels, false, curve.Left);
-    return status.IsOk()
-      ? this->ReadTuples(curves, names.RightColor, k, this->NumberOfChannels, false, curve.Right)
-      : status;
+    curve.Left = this->ReadTuples(curves, names.LeftColor, k, channels, false);
+    curve.Right = this->ReadTuples(curves, names.RightColor, k, channels, false);
+    return;
   }
-  dgg::Status status =
-    this->ReadTuples(curves, names.Strength, k, this->NumberOfChannels, true, curve.Left);
-  if (!status.IsOk() || curve.Type != dgg::GraphicsCurveType::Poisson)
+  curve.Left = this->ReadTuples(curves, names.Strength, k, channels, true);
+  if (curve.Type != dgg::GraphicsCurveType::Poisson)
   {
-    return status;
+    return;
   }
-  status = CheckHoldsNumbers(curves, names.RightStrength);
-  bool isOfPoints = false;
-  if (!status.IsOk())
+  if (FoundArray(curves, names.RightStrength).Array)
   {
-    return status;
-  }
-  if (FindArray(curves, names.RightStrength, isOfPoints))
-  {
-    status =
-      this->ReadTuples(curves, names.RightStrength, k, this->NumberOfChannels, true, curve.Right);
+    curve.Right = this->ReadTuples(curves, names.RightStrength, k, channels, true);
   }
   else
   {
     curve.Right = curve.Left;
-    for (double& value : curve.Right)
-    {
-      value = -value;
-    }
+    std::transform(curve.Right.begin(), curve.Right.end(), curve.Right.begin(), std::negate<>());
   }
-  return status.IsOk() ? this->ReadWidth(curves, names, k) : status;
+  // One width for the whole curve: that of its cell, or of its first point.
+  curve.Width = names.DefaultWidth;
+  const FoundArray width(curves, names.Width);
+  if (width.Array)
+  {
+    this->ReadTuples(curves, names.Width, k, 1, false); // all must be right
+    curve.Width =
+      width.Array->GetComponent(width.IsOfPoints ? this->PointIds[k].front() : this->Cells[k], 0);
+  }
+  if (!(curve.Width > 0.0) || !std::isfinite(curve.Width))
+  {
+    Refuse(Name(this->Cells[k]), " has the width ", curve.Width,
+      ": a Poisson curve needs a positive, finite one");
+  }
 }
 
 //------------------------------------------------------------------------------
-/// One number for the whole curve: that of its cell, or of its first point.
-dgg::Status vtkDGGGraphicsInput::ReadWidth(
-  vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k)
+void vtkDGGGraphicsInput::ReadRegions(vtkPolyData* surface, const vtkDGGGraphicsNames& names)
 {
-  bool isOfPoints = false;
-  vtkDataArray* array = FindArray(curves, names.Width, isOfPoints);
-  double& width = this->Curves[k].Width;
-  width = names.DefaultWidth;
-  if (array)
-  {
-    std::vector<double> widths;
-    const dgg::Status status = this->ReadTuples(curves, names.Width, k, 1, false, widths);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-    width = array->GetComponent(isOfPoints ? this->PointIds[k].front() : this->Cells[k], 0);
-  }
-  else
-  {
-    const dgg::Status status = CheckHoldsNumbers(curves, names.Width);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-  }
-  if (width > 0.0)
-  {
-    return dgg::Status::Success();
-  }
-  std::ostringstream message;
-  message << Name(this->Cells[k]) << " has the width " << width
-          << ": a Poisson curve needs a positive, finite one";
-  return dgg::Status::Invalid(message.str());
-}
-
-//------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphicsInput::ReadRegions(vtkPolyData* surface, const vtkDGGGraphicsNames& names)
-{
-  if (names.Region.empty())
-  {
-    return dgg::Status::Success();
-  }
-  for (const std::string& name : { names.Region, names.RegionStrength })
-  {
-    const dgg::Status status = CheckHoldsNumbers(surface->GetCellData(), "cell", name);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-  }
-  vtkDataArray* regions = surface->GetCellData()->GetArray(names.Region.c_str());
-  vtkDataArray* strength = surface->GetCellData()->GetArray(names.RegionStrength.c_str());
+  vtkCellData* data = surface->GetCellData();
+  FindNumbers(data, "cell", names.Region);
+  vtkDataArray* strength = FindNumbers(data, "cell", names.RegionStrength);
+  vtkDataArray* regions = GetCellNumbers(surface, names.Region, "SetRegionArrayName()");
   const vtkIdType cells = surface->GetNumberOfCells();
   const int components = strength ? strength->GetNumberOfComponents() : 0;
-  std::ostringstream message;
-  if (!regions || regions->GetNumberOfComponents() != 1 || regions->GetNumberOfTuples() != cells)
-  {
-    message << "the surface has no cell array '" << names.Region
-            << "' with one number per cell: call SetRegionArrayName() with the name of one";
-  }
-  else if (!strength || strength->GetNumberOfTuples() != cells ||
+  if (!strength || strength->GetNumberOfTuples() != cells ||
     (components != 1 && components != this->NumberOfChannels))
   {
-    message << "the surface has no cell array '" << names.RegionStrength << "' with 1 or "
-            << this->NumberOfChannels
-            << " components: call SetRegionStrengthArrayName() with the name of one";
-  }
-  if (!message.str().empty())
-  {
-    return dgg::Status::Invalid(message.str());
+    Refuse("the surface has no cell array '", names.RegionStrength, "' with 1 or ",
+      this->NumberOfChannels,
+      " components: call SetRegionStrengthArrayName() with the name of one");
   }
   std::unordered_map<double, std::size_t> found;
   this->RegionOfCell.assign(static_cast<std::size_t>(cells), NoRegion);
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
-    const double id = regions->GetComponent(cell, 0);
-    if (std::isnan(id))
-    {
-      message << "the cell array '" << names.Region << "' has no number at cell " << cell
-              << ": use 0 for cells without a region";
-      return dgg::Status::Invalid(message.str());
-    }
+    const double id = GetNumber(regions, cell, "use 0 for cells without a region");
     if (id == 0.0)
     {
       continue;
@@ -406,13 +386,11 @@ dgg::Status vtkDGGGraphicsInput::ReadRegions(vtkPolyData* surface, const vtkDGGG
       }
       if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); }))
       {
-        message << "the cell array '" << names.RegionStrength << "' is not finite at cell " << cell;
-        return dgg::Status::Invalid(message.str());
+        Refuse("the cell array '", names.RegionStrength, "' is not finite at cell ", cell);
       }
       this->RegionStrengths.push_back(values);
     }
   }
-  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -440,8 +418,7 @@ std::vector<dgg::GraphicsRegion> vtkDGGGraphicsInput::MakeRegions(
   }
   for (dgg::GraphicsRegion& region : regions)
   {
-    std::sort(region.Faces.begin(), region.Faces.end());
-    region.Faces.erase(std::unique(region.Faces.begin(), region.Faces.end()), region.Faces.end());
+    SortUnique(region.Faces);
   }
   regions.erase(std::remove_if(regions.begin(), regions.end(),
                   [](const dgg::GraphicsRegion& region) { return region.Faces.empty(); }),
@@ -453,28 +430,13 @@ std::vector<dgg::GraphicsRegion> vtkDGGGraphicsInput::MakeRegions(
 dgg::Status vtkDGGGraphicsInput::CheckRefinement(
   vtkPolyData* surface, const vtkDGGGraphicsNames& names)
 {
-  const dgg::Status status = CheckHoldsNumbers(surface->GetCellData(), "cell", names.Refinement);
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  vtkDataArray* array = surface->GetCellData()->GetArray(names.Refinement.c_str());
-  if (!array || array->GetNumberOfComponents() != 1 ||
-    array->GetNumberOfTuples() != surface->GetNumberOfCells())
-  {
-    return dgg::Status::Invalid("the surface has no cell array '" + names.Refinement +
-      "' with one number per cell: call SetRefinementArrayName() with the name of one");
-  }
-  for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
-  {
-    if (std::isnan(array->GetComponent(cell, 0)))
+  return Try([&] {
+    vtkDataArray* array = GetCellNumbers(surface, names.Refinement, "SetRefinementArrayName()");
+    for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
     {
-      return dgg::Status::Invalid("the cell array '" + names.Refinement +
-        "' has no number at cell " + std::to_string(cell) +
-        ": use 0, or another number for cells to refine");
+      GetNumber(array, cell, "use 0, or another number for cells to refine");
     }
-  }
-  return dgg::Status::Success();
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -490,7 +452,6 @@ std::vector<dgg::Id> vtkDGGGraphicsInput::FindRefinedFaces(
       faces.push_back(mesh.GetMesh().GetOriginal(f));
     }
   }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  SortUnique(faces);
   return faces;
 }

@@ -53,15 +53,13 @@ public:
   const std::vector<std::vector<vtkIdType>>& GetPointIds() const { return this->PointIds; }
 
 private:
-  dgg::Status CollectLines(vtkPolyData* curves);
-  dgg::Status ReadType(vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k);
-  dgg::Status ReadCurve(vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k);
-  dgg::Status ReadWidth(vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k);
-  dgg::Status ReadRegions(vtkPolyData* surface, const vtkDGGGraphicsNames& names);
-  dgg::Status ReadTuples(vtkPolyData* curves, const std::string& name, std::size_t k, int channels,
-    bool mayBeSingle, std::vector<double>& values) const;
-  dgg::Status ChooseChannels(
-    vtkPolyData* curves, vtkPolyData* surface, const vtkDGGGraphicsNames& names);
+  void CollectLines(vtkPolyData* curves);
+  void ChooseChannels(vtkPolyData* curves, vtkPolyData* surface, const vtkDGGGraphicsNames& names);
+  void ReadType(vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k);
+  void ReadCurve(vtkPolyData* curves, const vtkDGGGraphicsNames& names, std::size_t k);
+  void ReadRegions(vtkPolyData* surface, const vtkDGGGraphicsNames& names);
+  std::vector<double> ReadTuples(vtkPolyData* curves, const std::string& name, std::size_t k,
+    int channels, bool mayBeSingle) const;
 
   int NumberOfChannels = 3;
   std::vector<dgg::GraphicsCurve> Curves;

@@ -5,14 +5,6 @@
 #include "vtkDGGMemory.h"
 #include "vtkDGGMeshAdapter.h"
 
-#include "dggProgressPart.h"
-
-namespace
-{
-/// Part of the progress of a preparation.
-constexpr double AnalysisDone = 0.4;
-}
-
 //------------------------------------------------------------------------------
 int vtkDGGPoissonKeeper::GetNumberOfFactorizations() const
 {
@@ -42,16 +34,10 @@ dgg::Status vtkDGGPoissonKeeper::Prepare(const vtkDGGMeshAdapter& mesh,
     this->Solver = std::make_unique<dgg::PoissonSolver>(mesh.GetMesh());
     this->MeshTime = mesh.GetBuildTime();
   }
-  dgg::Status status =
-    this->Solver->Analyze(options, dgg::ProgressPart(progress, 0.0, AnalysisDone));
-  if (status.IsOk())
-  {
+  return this->Solver->Prepare(options, progress, [&](double bytes, double missing) {
     // What is held already is not free any more, so it must not count against what is free.
-    const double own =
-      memoryLimit == 0 && this->Solver->IsReady() ? 0.0 : this->Solver->GetEstimatedMemory();
-    status = vtkDGGCheckMemory(
+    const double own = memoryLimit == 0 ? missing : bytes;
+    return vtkDGGCheckMemory(
       "the factorization and the results", own + others(*this->Solver), memoryLimit, remedy);
-  }
-  return status.IsOk() ? this->Solver->Factorize(dgg::ProgressPart(progress, AnalysisDone, 1.0))
-                       : status;
+  });
 }

@@ -13,35 +13,6 @@
 
 namespace
 {
-/// The component of one source.
-class Column
-{
-public:
-  Column(vtkDoubleArray* array, std::size_t component)
-    : Values(array->GetPointer(0))
-    , Stride(static_cast<std::size_t>(array->GetNumberOfComponents()))
-    , Component(component)
-  {
-  }
-  double& operator[](std::size_t i) const { return this->Values[i * this->Stride + Component]; }
-
-private:
-  double* Values;
-  std::size_t Stride;
-  std::size_t Component;
-};
-
-template <typename ArrayType, typename Function>
-vtkSmartPointer<ArrayType> ArrayOf(const std::string& name, vtkIdType count, Function&& valueOf)
-{
-  auto array = vtkDGGMakeArray<ArrayType>(name, static_cast<std::size_t>(count));
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    array->SetValue(i, valueOf(i));
-  }
-  return array;
-}
-
 vtkSmartPointer<vtkDoubleArray> MakeArray(
   const std::string& name, std::size_t tuples, std::size_t components)
 {
@@ -84,35 +55,36 @@ vtkDGGSpectralOutputs::~vtkDGGSpectralOutputs() = default;
 void vtkDGGSpectralOutputs::Set(
   std::size_t source, const std::vector<double>& values, const std::vector<double>& targetValues)
 {
-  const Column atPoints(this->AtPoints, source);
-  const vtkIdType n = this->AtPoints->GetNumberOfTuples();
-  for (vtkIdType i = 0; i < n; ++i)
+  const int component = static_cast<int>(source);
+  for (vtkIdType i = 0; i < this->AtPoints->GetNumberOfTuples(); ++i)
   {
-    atPoints[static_cast<std::size_t>(i)] = values[this->Mesh.GetVertex(i)];
+    this->AtPoints->SetTypedComponent(i, component, values[this->Mesh.GetVertex(i)]);
   }
-  const Column atTargets(this->AtTargets, source);
   for (std::size_t i = 0; i < targetValues.size(); ++i)
   {
-    atTargets[i] = targetValues[i];
+    this->AtTargets->SetTypedComponent(static_cast<vtkIdType>(i), component, targetValues[i]);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGSpectralOutputs::Add(const std::string& name, const std::vector<double>& values,
-  const std::vector<double>& targetValues)
+template <typename ArrayType, typename Number>
+void vtkDGGSpectralOutputs::Add(const std::string& name, const std::vector<Number>& values,
+  const std::vector<Number>& targetValues)
 {
-  this->Further[0].push_back(ArrayOf<vtkDoubleArray>(name, this->AtPoints->GetNumberOfTuples(),
-    [&](vtkIdType i) { return values[this->Mesh.GetVertex(i)]; }));
-  this->Further[1].push_back(ArrayOf<vtkDoubleArray>(
-    name, this->AtTargets->GetNumberOfTuples(), [&](vtkIdType i) { return targetValues[i]; }));
+  const auto points = static_cast<std::size_t>(this->AtPoints->GetNumberOfTuples());
+  const auto atPoints = vtkDGGMakeArray<ArrayType>(name, points);
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    const auto id = static_cast<vtkIdType>(i);
+    atPoints->SetValue(id, values[this->Mesh.GetVertex(id)]);
+  }
+  const auto atTargets = vtkDGGMakeArray<ArrayType>(name, targetValues.size());
+  std::copy(targetValues.begin(), targetValues.end(), atTargets->GetPointer(0));
+  this->Further[0].push_back(atPoints);
+  this->Further[1].push_back(atTargets);
 }
 
-//------------------------------------------------------------------------------
-void vtkDGGSpectralOutputs::AddNumbers(const std::string& name, const std::vector<dgg::Id>& values,
-  const std::vector<dgg::Id>& targetValues)
-{
-  this->Further[0].push_back(ArrayOf<vtkIdTypeArray>(name, this->AtPoints->GetNumberOfTuples(),
-    [&](vtkIdType i) { return values[this->Mesh.GetVertex(i)]; }));
-  this->Further[1].push_back(ArrayOf<vtkIdTypeArray>(
-    name, this->AtTargets->GetNumberOfTuples(), [&](vtkIdType i) { return targetValues[i]; }));
-}
+template void vtkDGGSpectralOutputs::Add<vtkDoubleArray>(
+  const std::string&, const std::vector<double>&, const std::vector<double>&);
+template void vtkDGGSpectralOutputs::Add<vtkIdTypeArray>(
+  const std::string&, const std::vector<dgg::Id>&, const std::vector<dgg::Id>&);

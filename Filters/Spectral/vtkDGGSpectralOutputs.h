@@ -39,11 +39,11 @@ public:
   void Set(
     std::size_t source, const std::vector<double>& values, const std::vector<double>& targetValues);
 
-  /// Further arrays besides those of results, per vertex of the mesh and per target.
-  void Add(const std::string& name, const std::vector<double>& values,
-    const std::vector<double>& targetValues);
-  void AddNumbers(const std::string& name, const std::vector<dgg::Id>& values,
-    const std::vector<dgg::Id>& targetValues);
+  /// A further array besides that of results (vtkDoubleArray or vtkIdTypeArray), per vertex of the
+  /// mesh and per target.
+  template <typename ArrayType, typename Number>
+  void Add(const std::string& name, const std::vector<Number>& values,
+    const std::vector<Number>& targetValues);
 
   /// Further arrays of the points, and of the targets.
   const std::vector<vtkSmartPointer<vtkDataArray>>& GetFurtherArrays(int port) const

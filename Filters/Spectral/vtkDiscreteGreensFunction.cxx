@@ -184,17 +184,9 @@ void vtkDiscreteGreensFunction::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 const char* vtkDiscreteGreensFunction::GetMethodAsString() const
 {
-  switch (this->Method)
-  {
-    case Localized:
-      return "Localized";
-    case Interpolated:
-      return "Interpolated";
-    case Vertex:
-      return "Vertex";
-    default:
-      return "SingularitySubtraction";
-  }
+  static const char* const names[] = { "SingularitySubtraction", "Localized", "Interpolated",
+    "Vertex" };
+  return names[this->Method];
 }
 
 //------------------------------------------------------------------------------

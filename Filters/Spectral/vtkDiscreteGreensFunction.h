@@ -19,18 +19,14 @@
  * boundary, or in a component that has none, is an error then.
  *
  * <b>Methods.</b>
- *  - SingularitySubtraction takes the logarithm of the geodesic distance out, up to a radius, and
+ *  - SingularitySubtraction subtracts the logarithm of the geodesic distance, up to a radius, and
  *    solves for the rest, which is smooth. Errors fall like the square of the edge length, for
- *    sources inside of faces and on edges as at points, as long as the radius stays the same. On
- *    meshes with more than about 30 000 points it is 48 mean edges, see Radius, and errors fall
- *    more slowly. Next to a boundary that the source is not on, within a few edges, and where
- *    shortest ways meet from different sides not far from the source, as behind a spike, they fall
- *    like the edge length.
+ *    sources inside of faces and on edges as at points, as long as the radius stays the same; on
+ *    meshes with more than about 30 000 points, where it is 48 mean edges, see Radius, more slowly;
+ *    like the edge length within a few edges of a boundary that the source is not on, and where
+ *    shortest ways meet from different sides close to the source, as behind a spike.
  *  - Localized corrects Interpolated around the source by exact distances, as in the thesis named
- *    below. For comparison: on spheres its error within 0.2 of the source was 7 to 14 % larger than
- *    that of Interpolated, with ten sources inside faces; with 1020 sources spread over faces its
- *    mean error was 1 to 3 % larger: 50 % in the middle of faces, and 10 % smaller between there
- *    and the corners.
+ *    below. It is no better than Interpolated: for comparison.
  *  - Interpolated weights the functions of the corners of the face with barycentric coordinates:
  *    the finite element solution. Errors next to the source fall like the edge length.
  *  - Vertex takes that of the corner with the largest barycentric coordinate that is not on a
@@ -42,15 +38,13 @@
  * warning: see GetUsedMethod().
  *
  * <b>Symmetry.</b> With Interpolated, and with Vertex between points of the surface, g(x, y) is
- * g(y, x) up to rounding. SingularitySubtraction is symmetric up to its errors: between 12 sources
- * in faces of each mesh, differences were 0.03 to 0.8 % of the largest value on scans and parts of
- * machines, 1.3 % with 315 points, 6 % with 200 triangles that have no area. They grow with the
- * triangles. Where their longest sides, in the mean over the area, are more than half of the usual
+ * g(y, x) up to rounding. SingularitySubtraction is symmetric up to its errors, which grow with the
+ * triangles: differences were 0.03 to 0.8 % of the largest value on scans and parts of machines.
+ * Where the longest sides of triangles, in the mean over the area, are more than half of the usual
  * radius, as on plates without points inside, Interpolated takes its place for all sources of that
- * component, with the warning. There differences were 6 to 12 %, and neither method is accurate:
- * the largest errors were 15 to 22 %, with Interpolated 28 to 70 %, between points in one large
- * triangle. Who needs the smaller errors more than the symmetry sets Radius; better is a finer
- * mesh.
+ * component, with the warning: there neither method is accurate, differences were 6 to 12 %, errors
+ * 15 to 22 %, and with Interpolated 28 to 70 %. Who needs the smaller errors more than the symmetry
+ * sets Radius; better is a finer mesh.
  *
  * <b>Many sources.</b> Eight functions are solved for at a time, in several threads. With
  * InterpolateRegularPart, SingularitySubtraction solves for points of the surface only, and keeps

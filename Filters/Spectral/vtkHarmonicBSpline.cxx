@@ -185,7 +185,7 @@ public:
       {
         targetCells.push_back(cells[FindNearestCorner(this->Task.Solver, target)]);
       }
-      this->Task.Outputs.AddNumbers(cellName, cells, targetCells);
+      this->Task.Outputs.Add<vtkIdTypeArray>(cellName, cells, targetCells);
     }
     return status;
   }
@@ -222,7 +222,7 @@ public:
         }
       }
     }
-    this->Task.Outputs.Add(solutionName, solution, atTargets);
+    this->Task.Outputs.Add<vtkDoubleArray>(solutionName, solution, atTargets);
     return status;
   }
 
@@ -273,54 +273,14 @@ void vtkHarmonicBSpline::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkHarmonicBSpline::SetRightHandSideArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->RightHandSideArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkHarmonicBSpline::GetRightHandSideArrayName() const
-{
-  return this->RightHandSideArrayName.c_str();
-}
+vtkDGGDefineNameMacro(vtkHarmonicBSpline, RightHandSideArrayName, RightHandSideArrayName);
+vtkDGGDefineNameMacro(vtkHarmonicBSpline, CellArrayName, CellArrayName);
+vtkDGGDefineNameMacro(vtkHarmonicBSpline, SolutionArrayName, SolutionArrayName);
 
 //------------------------------------------------------------------------------
 const char* vtkHarmonicBSpline::GetRightHandSideMeaningAsString() const
 {
   return this->RightHandSideMeaning == Integrated ? "Integrated" : "Density";
-}
-
-//------------------------------------------------------------------------------
-void vtkHarmonicBSpline::SetCellArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->CellArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkHarmonicBSpline::GetCellArrayName() const
-{
-  return this->CellArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkHarmonicBSpline::SetSolutionArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->SolutionArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkHarmonicBSpline::GetSolutionArrayName() const
-{
-  return this->SolutionArrayName.c_str();
 }
 
 //------------------------------------------------------------------------------

@@ -13,12 +13,11 @@
  * with areas A_j of cells and A of the component, g_j the mean of the Green's function (see
  * vtkDiscreteGreensFunction) over cell j, and c_ij = length of the border between two cells /
  * distance of their sites. Its Laplacian is constant in each cell. The functions sum to 1 at every
- * point, each has the mean A_j / A, and dies away within a few cells. When every point is a site,
- * each is 1 at its site and 0 at other points. With fewer sites and round cells it is about 0.6 at
- * its site, and small but not 0 at others; where triangles are sheared or obtuse, cells conduct
- * unevenly, and values may be below 0 or above 1 by half; by 1 / h where cells have triangles with
- * a height of h times their length. The sum and solutions remain right. IntrinsicDelaunay mends
- * that. They have no unit and do not change with the size of the surface.
+ * point, each has the mean A_j / A, and vanishes within a few cells. When every point is a site,
+ * each is 1 at its site and 0 at other points; with fewer sites and round cells it is about 0.6 at
+ * its site. Where triangles are sheared or obtuse, cells conduct unevenly, and values may be far
+ * below 0 or above 1; sums and solutions remain right. IntrinsicDelaunay mends that. They have no
+ * unit and do not change with the size of the surface.
  *
  * <b>Sites.</b> Inputs, outputs, the factorization and errors are those of vtkSpectralAlgorithm,
  * whose sources are the sites; they must be points of the surface, so those of input port 1 that
@@ -47,11 +46,9 @@
  * term A_j / A is left out, and the functions sum to about 1 only away from the boundary.
  * Components without a boundary do not care.
  *
- * Edges with more than two triangles conduct between all of them. Among triangles that are next to
- * flat, where cotangents are very large, sums are 1 only as far as the linear system can be solved
- * (1e-5 on a plane with triangles of relative height 1e-6, 1e-3 when it is squashed to a strip of
- * that height, so that all are). IntrinsicDelaunay
- * helps, and makes no c_ij negative.
+ * Among triangles of near-zero area sums are 1 only as far as the linear system can be solved (1e-5
+ * on a plane with triangles of relative height 1e-6). IntrinsicDelaunay helps, and makes no c_ij
+ * negative.
  *
  * <b>Errors</b> besides those of vtkSpectralAlgorithm: two sites at the same point; a component
  * without a site; Dirichlet conditions and a site on the boundary; a right-hand side that is

@@ -3,7 +3,6 @@
 #include "vtkPoissonVectorGraphics.h"
 
 #include "vtkDGGGraphicsInput.h"
-#include "vtkDGGGraphicsKeeper.h"
 #include "vtkDGGGraphicsOutput.h"
 #include "vtkDGGMemory.h"
 #include "vtkDGGMeshAdapter.h"
@@ -11,6 +10,7 @@
 #include "vtkDGGSourceCollector.h"
 
 #include "dggGraphicsFragments.h"
+#include "dggGraphicsRefinement.h"
 #include "dggProgressPart.h"
 
 #include "vtkInformation.h"
@@ -34,6 +34,58 @@ constexpr double FoundAt = 0.01;
 /// Bytes that a fragment takes, besides its colours.
 constexpr double BytesPerFragment = sizeof(dgg::SurfacePoint) + 64.0;
 constexpr double UsualWidth = 0.05; // of the diagonal
+/// Parts of the preparation: when curves are joined and the surface is refined.
+constexpr double JoinedAt = 0.15;
+constexpr double EmbeddedAt = 0.22;
+constexpr double RefinedAt = 0.3;
+
+dgg::Status NameCurve(const dgg::Status& status, const dgg::GraphicsCurve& curve)
+{
+  return status.IsOk() || status.IsAborted()
+    ? status
+    : dgg::Status::Invalid(curve.Name + ": " + status.GetMessage());
+}
+
+/// What a factorization depends on.
+struct Drawing
+{
+  vtkMTimeType MeshTime = 0;
+  std::vector<std::vector<dgg::SurfacePoint>> Places; // per curve
+  std::vector<dgg::GraphicsCurve> Curves;             // types and whether they are closed
+  dgg::GraphicsRefinement Refinement;
+  bool IntrinsicDelaunay = false;
+
+  bool IsSame(const Drawing& other) const
+  {
+    bool isSame = this->MeshTime == other.MeshTime && this->Places.size() == other.Places.size() &&
+      this->Refinement.Levels == other.Refinement.Levels &&
+      this->Refinement.Part == other.Refinement.Part &&
+      this->Refinement.Faces == other.Refinement.Faces &&
+      this->IntrinsicDelaunay == other.IntrinsicDelaunay;
+    for (std::size_t k = 0; k < this->Places.size() && isSame; ++k)
+    {
+      isSame = this->Curves[k].Type == other.Curves[k].Type &&
+        this->Curves[k].IsClosed == other.Curves[k].IsClosed &&
+        std::equal(this->Places[k].begin(), this->Places[k].end(), other.Places[k].begin(),
+          other.Places[k].end(), dgg::IsSamePoint);
+    }
+    return isSame;
+  }
+};
+
+/// Bytes for the faces of the surface, refined once they are. Curves make some more.
+double EstimateMesh(const dgg::SurfaceMesh& mesh, const Drawing& drawing)
+{
+  double faces = 0.0;
+  for (dgg::Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    faces += mesh.IsDropped(f) ? 0.0 : 1.0;
+  }
+  return faces * dgg::VectorGraphics::BytesPerFace *
+    (drawing.Refinement.Part == dgg::RefinedPart::Everything
+        ? std::pow(4.0, drawing.Refinement.Levels)
+        : 1.0);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -41,8 +93,98 @@ struct vtkPoissonVectorGraphics::vtkInternals
 {
   vtkDGGSourceCollector Collector;
   vtkDGGGraphicsNames Names;
-  vtkDGGGraphicsKeeper Keeper;
+  dgg::VectorGraphics Graphics;
+  Drawing Kept; // what Graphics is prepared for
+  bool IsKept = false;
+  std::vector<dgg::Id> RefinedFaces; // parts of those that were chosen for refinement
+  int NumberOfFactorizations = 0;
+
+  /// Draw the curves, refine and cut the surface, factorize the matrix. Memory is checked before it
+  /// is taken; `remedy` is what to do besides raising MemoryLimit. Nothing is kept when it fails.
+  dgg::Status Prepare(const dgg::SurfaceMesh& mesh, const Drawing& drawing,
+    const dgg::GraphicsOptions& options, vtkTypeUInt64 memoryLimit, const std::string& remedy,
+    const dgg::ProgressCallback& progress);
+
+private:
+  dgg::Status Draw(const dgg::SurfaceMesh& mesh, const Drawing& drawing,
+    const dgg::GraphicsOptions& options, vtkTypeUInt64 memoryLimit, const std::string& remedy,
+    const dgg::ProgressCallback& progress);
 };
+
+//------------------------------------------------------------------------------
+dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const dgg::SurfaceMesh& mesh,
+  const Drawing& drawing, const dgg::GraphicsOptions& options, vtkTypeUInt64 memoryLimit,
+  const std::string& remedy, const dgg::ProgressCallback& progress)
+{
+  const std::size_t count = drawing.Curves.size();
+  dgg::Status status =
+    vtkDGGCheckMemory("the refined mesh", EstimateMesh(mesh, drawing), memoryLimit, remedy);
+  std::vector<dgg::SurfaceCurve> joined(count);
+  for (std::size_t k = 0; k < count && status.IsOk(); ++k)
+  {
+    const double part = JoinedAt / static_cast<double>(count);
+    const double begin = static_cast<double>(k) * part;
+    status = NameCurve(dgg::JoinPoints(mesh, drawing.Places[k], drawing.Curves[k].IsClosed,
+                         dgg::ProgressPart(progress, begin, begin + part), joined[k]),
+      drawing.Curves[k]);
+  }
+  dgg::RefinedSurface refined;
+  if (status.IsOk())
+  {
+    status =
+      dgg::EmbedCurves(mesh, joined, dgg::ProgressPart(progress, JoinedAt, EmbeddedAt), refined);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  dgg::GraphicsRefinement refinement = drawing.Refinement;
+  refinement.MostFaces = static_cast<dgg::Offset>(std::min(
+    static_cast<double>(vtkDGGGetMemoryLimit(memoryLimit)) / dgg::VectorGraphics::BytesPerFace,
+    static_cast<double>(refinement.MostFaces)));
+  refinement.Progress = dgg::ProgressPart(progress, EmbeddedAt, RefinedAt);
+  status = dgg::RefineForGraphics(mesh, refinement, refined, &this->RefinedFaces);
+  if (!status.IsOk())
+  {
+    return status.IsAborted() ? status
+                              : dgg::Status::Invalid(status.GetMessage() +
+                                  ", for memory to suffice: raise MemoryLimit, or " + remedy);
+  }
+  std::vector<dgg::CurveChain> chains;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    chains.push_back(dgg::FollowCurve(refined, joined, k));
+  }
+  dgg::GraphicsOptions own = options;
+  own.Progress = dgg::ProgressPart(progress, RefinedAt, 1.0);
+  return this->Graphics.Prepare(mesh, refined, chains, drawing.Curves, own);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkPoissonVectorGraphics::vtkInternals::Prepare(const dgg::SurfaceMesh& mesh,
+  const Drawing& drawing, const dgg::GraphicsOptions& options, vtkTypeUInt64 memoryLimit,
+  const std::string& remedy, const dgg::ProgressCallback& progress)
+{
+  this->IsKept = false;
+  this->Graphics.Clear();
+  this->RefinedFaces = std::vector<dgg::Id>();
+  this->Kept = Drawing();
+  const dgg::Status status = this->Draw(mesh, drawing, options, memoryLimit, remedy, progress);
+  if (!status.IsOk())
+  {
+    this->Graphics.Clear();
+    return status;
+  }
+  ++this->NumberOfFactorizations;
+  this->Kept = drawing;
+  for (dgg::GraphicsCurve& curve : this->Kept.Curves) // colours do not matter
+  {
+    curve.Left = std::vector<double>();
+    curve.Right = std::vector<double>();
+  }
+  this->IsKept = true;
+  return status;
+}
 
 //------------------------------------------------------------------------------
 vtkPoissonVectorGraphics::vtkPoissonVectorGraphics()
@@ -104,55 +246,27 @@ void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkPoissonVectorGraphics::SetCurveConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
+vtkDGGDefineInputMacro(vtkPoissonVectorGraphics, Curve, 1);
 
 //------------------------------------------------------------------------------
-void vtkPoissonVectorGraphics::SetCurveData(vtkPolyData* curves)
-{
-  this->SetInputData(1, curves);
-}
-
-//------------------------------------------------------------------------------
-void vtkPoissonVectorGraphics::SetName(std::string& property, const char* name)
-{
-  if (vtkDGGChangeName(property, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-/// The assertion is there for the semicolon.
-#define vtkDGGNameMacro(Property)                                           \
-  void vtkPoissonVectorGraphics::Set##Property##ArrayName(const char* name) \
-  {                                                                         \
-    this->SetName(this->Internals->Names.Property, name);                   \
-  }                                                                         \
-  const char* vtkPoissonVectorGraphics::Get##Property##ArrayName() const    \
-  {                                                                         \
-    return this->Internals->Names.Property.c_str();                         \
-  }                                                                         \
-  static_assert(true, #Property)
-vtkDGGNameMacro(CurveType);
-vtkDGGNameMacro(LeftColor);
-vtkDGGNameMacro(RightColor);
-vtkDGGNameMacro(Strength);
-vtkDGGNameMacro(RightStrength);
-vtkDGGNameMacro(Width);
-vtkDGGNameMacro(Region);
-vtkDGGNameMacro(RegionStrength);
-vtkDGGNameMacro(Refinement);
-#undef vtkDGGNameMacro
+vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, CurveTypeArrayName, Internals->Names.CurveType);
+vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, LeftColorArrayName, Internals->Names.LeftColor);
+vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, RightColorArrayName, Internals->Names.RightColor);
+vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, StrengthArrayName, Internals->Names.Strength);
+vtkDGGDefineNameMacro(
+  vtkPoissonVectorGraphics, RightStrengthArrayName, Internals->Names.RightStrength);
+vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, WidthArrayName, Internals->Names.Width);
+vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, RegionArrayName, Internals->Names.Region);
+vtkDGGDefineNameMacro(
+  vtkPoissonVectorGraphics, RegionStrengthArrayName, Internals->Names.RegionStrength);
+vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, RefinementArrayName, Internals->Names.Refinement);
+vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, ResultArrayName, ResultArrayName);
 
 //------------------------------------------------------------------------------
 const char* vtkPoissonVectorGraphics::GetRefinementRegionAsString() const
 {
-  return this->RefinementRegion == NearCurves ? "NearCurves"
-    : this->RefinementRegion == Cells         ? "Cells"
-                                              : "Everywhere";
+  static const char* const names[] = { "Everywhere", "NearCurves", "Cells" };
+  return names[this->RefinementRegion];
 }
 
 //------------------------------------------------------------------------------
@@ -162,27 +276,15 @@ vtkPolyData* vtkPoissonVectorGraphics::GetFragments()
 }
 
 //------------------------------------------------------------------------------
-void vtkPoissonVectorGraphics::SetResultArrayName(const char* name)
-{
-  this->SetName(this->ResultArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkPoissonVectorGraphics::GetResultArrayName() const
-{
-  return this->ResultArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
 int vtkPoissonVectorGraphics::GetNumberOfFactorizations() const
 {
-  return this->Internals->Keeper.GetNumberOfFactorizations();
+  return this->Internals->NumberOfFactorizations;
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkPoissonVectorGraphics::GetMemorySize() const
 {
-  return this->Internals->Keeper.GetMemorySize();
+  return static_cast<vtkTypeUInt64>(this->Internals->Graphics.GetEstimatedMemory());
 }
 
 //------------------------------------------------------------------------------
@@ -227,29 +329,11 @@ std::string vtkPoissonVectorGraphics::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPoissonVectorGraphics::FindFragments(const dgg::GraphicsResult& result, int channels,
-  int division, vtkTypeUInt64 memoryLimit, dgg::GraphicsFragments& fragments) const
-{
-  const vtkDGGGraphicsKeeper& keeper = this->Internals->Keeper;
-  const double count = static_cast<double>(keeper.GetRefinedFaces().size()) *
-    std::pow(static_cast<double>(division), 2);
-  // Here and as arrays.
-  const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
-  const dgg::Status status = vtkDGGCheckMemory("fragments", count * bytes, memoryLimit,
-    "use a smaller FragmentDivision, or refine NearCurves only");
-  return status.IsOk()
-    ? dgg::MakeFragments(this->GetMesh().GetMesh(), keeper.GetGraphics().GetSurface(),
-        keeper.GetRefinedFaces(), result.Values, channels, division, fragments)
-    : status;
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkPoissonVectorGraphics::Execute(
   vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const vtkDGGMeshAdapter& adapter = this->GetMesh();
   vtkInternals& internals = *this->Internals;
-  vtkDGGGraphicsKeeper& keeper = internals.Keeper;
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
   vtkDGGGraphicsNames names = internals.Names;
   double bounds[6];
@@ -260,7 +344,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   vtkDGGGraphicsInput input;
   dgg::Status status = input.Read(lines, surface, names);
   const std::vector<dgg::GraphicsCurve>& curves = input.GetCurves();
-  vtkDGGDrawing drawing;
+  Drawing drawing;
   drawing.MeshTime = adapter.GetBuildTime();
   drawing.Curves = curves;
   drawing.Places.resize(curves.size());
@@ -285,27 +369,31 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
 
   vtkDGGGraphicsOutput output(this->ResultArrayName);
   status = output.Take(surface, adapter, this->GetOutputPointsPrecision());
-  drawing.RefinementLevel = this->RefinementLevel;
-  drawing.RefinedPart = this->RefinementRegion == NearCurves ? dgg::RefinedPart::AroundCurves
-    : this->RefinementRegion == Cells                        ? dgg::RefinedPart::Faces
-                                                             : dgg::RefinedPart::Everything;
-  if (drawing.RefinedPart == dgg::RefinedPart::Faces)
+  const dgg::RefinedPart parts[] = { dgg::RefinedPart::Everything, dgg::RefinedPart::AroundCurves,
+    dgg::RefinedPart::Faces };
+  drawing.Refinement.Levels = this->RefinementLevel;
+  drawing.Refinement.Part = parts[this->RefinementRegion];
+  if (this->RefinementRegion == Cells)
   {
-    drawing.RefinedFaces = vtkDGGGraphicsInput::FindRefinedFaces(surface, names, adapter);
+    drawing.Refinement.Faces = vtkDGGGraphicsInput::FindRefinedFaces(surface, names, adapter);
   }
   drawing.IntrinsicDelaunay = this->IntrinsicDelaunay;
-  drawing.MemoryLimit = this->MemoryLimit;
-  const int division = this->GenerateFragments ? this->FragmentDivision : 0;
   dgg::GraphicsOptions options;
   options.NumberOfChannels = input.GetNumberOfChannels();
   options.Background.assign(this->BackgroundColor, this->BackgroundColor + 3);
   options.Background.resize(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
+  if (status.IsOk() &&
+    !std::all_of(options.Background.begin(), options.Background.end(),
+      [](double x) { return std::isfinite(x); }))
+  {
+    status = dgg::Status::Invalid("the background has numbers that are not finite");
+  }
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.CheckMemory = [&](double bytes, double missing) {
-    const double points = static_cast<double>(keeper.GetGraphics().GetSurface().Points.size());
-    const double own = drawing.MemoryLimit == 0 ? missing : bytes;
+    const double points = static_cast<double>(internals.Graphics.GetSurface().Points.size());
+    const double own = this->MemoryLimit == 0 ? missing : bytes;
     return vtkDGGCheckMemory("the factorization and the colours",
-      own + points * output.GetBytesPerPoint(options.NumberOfChannels), drawing.MemoryLimit,
+      own + points * output.GetBytesPerPoint(options.NumberOfChannels), this->MemoryLimit,
       this->GetMemoryRemedy());
   };
   const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(adapter);
@@ -314,34 +402,39 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   {
     status = dgg::Status::Abort();
   }
-  const bool isKept = keeper.IsUpToDate(drawing);
+  const bool isKept = internals.IsKept && internals.Kept.IsSame(drawing);
   const double preparedAt = isKept ? FoundAt : FactorizedAt;
   if (status.IsOk() && !isKept)
   {
-    status = keeper.Prepare(adapter.GetMesh(), drawing, options, this->GetMemoryRemedy(),
-      dgg::ProgressPart(progress, 0.0, preparedAt));
+    status = internals.Prepare(adapter.GetMesh(), drawing, options, this->MemoryLimit,
+      this->GetMemoryRemedy(), dgg::ProgressPart(progress, 0.0, preparedAt));
   }
   dgg::GraphicsResult result;
   if (status.IsOk())
   {
     options.Progress = dgg::ProgressPart(progress, preparedAt, 1.0);
-    status = keeper.GetGraphics().Run(curves, regions, options, result);
+    status = internals.Graphics.Run(curves, regions, options, result);
   }
-  dgg::GraphicsFragments fragments;
-  if (status.IsOk() && division > 0)
+  const dgg::CutSurface& cut = internals.Graphics.GetSurface();
+  const int channels = options.NumberOfChannels;
+  if (status.IsOk() && this->GenerateFragments)
   {
-    status = this->FindFragments(
-      result, options.NumberOfChannels, division, drawing.MemoryLimit, fragments);
+    // Here and as arrays.
+    const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
+    const double count = static_cast<double>(internals.RefinedFaces.size()) *
+      std::pow(static_cast<double>(this->FragmentDivision), 2);
+    status = vtkDGGCheckMemory("fragments", count * bytes, this->MemoryLimit,
+      "use a smaller FragmentDivision, or refine NearCurves only");
   }
   if (status.IsOk())
   {
-    output.Fill(keeper.GetGraphics().GetSurface(), result, options.NumberOfChannels,
-      vtkPolyData::GetData(outputVector));
-    if (division > 0)
-    {
-      output.FillFragments(
-        fragments, options.NumberOfChannels, vtkPolyData::GetData(outputVector, 1));
-    }
+    output.Fill(cut, result, channels, vtkPolyData::GetData(outputVector));
+  }
+  if (status.IsOk() && this->GenerateFragments)
+  {
+    output.FillFragments(dgg::MakeFragments(adapter.GetMesh(), cut, internals.RefinedFaces,
+                           result.Values, channels, this->FragmentDivision),
+      channels, vtkPolyData::GetData(outputVector, 1));
   }
   return status;
 }

@@ -5,90 +5,80 @@
  * @brief   smooth colours on a surface from few curves and regions
  *
  * Input port 0 takes the surface (vtkPolyData), the optional port 1 curves: each line or polyline
- * of a vtkPolyData is one. Its points may lie anywhere on the surface; each is projected to the
- * closest point of it, and they are joined by exact geodesics. A polyline that ends with the point
- * that it starts with, by id, is closed. Other cells are not used.
+ * of a vtkPolyData is one. Its points are projected to the closest points of the surface and joined
+ * by exact geodesics. A polyline that ends with the id of its first point is closed. Other cells
+ * are not used.
  *
  * <b>Curves.</b> Left and right are those of someone who walks along the curve on the side of the
  * surface from which triangles are seen counter-clockwise. Numbers are in arrays of port 1, of
- * points (linear along the curve in between, by length) or of cells (the same all along; used where
- * there is no point array of that name). All have one component per channel: 3 for colours, but any
- * number will do, such as 1 for a displacement. Unsigned char stands for 0 to 255 as 0 to 1. The
- * cell array `CurveType` tells what a curve does:
- *  - 0, Diffusion, and where there is no array: the colour is `LeftColor` on the left of the curve
- *    and `RightColor` on the right, and in between curves it is as smooth as it can be (harmonic).
- *    At the ends of an open curve, which have no sides, and where curves meet, a point has the mean
- *    of the colours given for it.
- *  - 1, Poisson: adds `Strength` right at the curve on its left and takes it off on its right,
+ * points (linear along the curve in between, by length) or of cells (used where there is no point
+ * array of that name). All have one component per channel: 3 for colours, but any number will do,
+ * such as 1 for a displacement. Unsigned char stands for 0 to 255 as 0 to 1. The cell array
+ * `CurveType` holds the type of a curve:
+ *  - 0, Diffusion (the default): the colour is `LeftColor` on the left of the curve and `RightColor`
+ *    on the right, and in between curves it is as smooth as it can be (harmonic). At the ends of an
+ *    open curve, and where curves meet, a point has the mean of the colours given for it.
+ *  - 1, Poisson: adds `Strength` right at the curve on its left and subtracts it on its right,
  *    fading to nothing at the geodesic distance `Width` (one component; that of the first point
- *    where the array is of points; default: the property Width): a highlight beside a shadow. With
- *    an array `RightStrength`, that is added on the right instead: 0 for a highlight alone, the
- *    same as Strength for a glow. At the ends of an open curve, where its sides meet, the mean of
- *    both is added; colours go over to that within about `Width`, so that a curve that is shorter
- *    than twice its width nowhere adds all of its strength. `Strength` and `RightStrength` may have
- *    a single component for all channels. Where they change along the curve, they are harmonic
- *    beside it; on triangles all too thin for that, those of the nearest place. Colours farther
- *    away do not change, unless a diffusion curve runs through the band, whose colours stay as they
- *    are given. Bands do not reach through diffusion and other Poisson curves.
+ *    where the array is of points; default: the property Width): a highlight beside a shadow. An
+ *    array `RightStrength` is added on the right instead: 0 for a highlight alone, the same as
+ *    Strength for a glow. At the ends of an open curve the mean of both sides is added; colours go
+ *    over to that within about `Width`. `Strength` and `RightStrength` may have a single component
+ *    for all channels. Where they change along the curve, they are harmonic beside it; on triangles
+ *    too thin for that, those of the nearest place. Colours farther away do not change, unless a
+ *    diffusion curve runs through the band: its colours stay as they are given. Bands do not reach
+ *    through diffusion and other Poisson curves.
  *  - 2, Region: a closed curve; what is on its left gets brighter by `Strength` (that of the first
- *    point) in its middle, if it is flat and round, fading towards the rim. It is a source of
- *    constant density, 4 pi Strength / area, with a sink along the curve that takes in as much.
- *    What it changes outside is small, but 0 only of round ones: see below.
+ *    point) in its middle, if it is flat and round, fading towards the rim: a source of constant
+ *    density, 4 pi Strength / area, with a sink along the curve that takes in as much.
  *  - 3, Source: `Strength` flows in per length of the curve; the slope changes by that across it.
  *
  * <b>Regions of cells.</b> The cells of the surface that have the same number, not 0, in the cell
- * array that RegionArrayName names are a region as well; where it has several patches, each gets
- * brighter by its strength, with a sink on its own rim. Its strength is in the cell array
- * `RegionStrength`, at its first cell.
+ * array that RegionArrayName names are a region as well; each of its patches gets brighter by its
+ * strength, with a sink on its own rim. The strength is in the cell array `RegionStrength`, at the
+ * first cell of the region.
  *
- * <b>How far regions reach.</b> They have no width. A round region on a plane changes nothing
- * outside; others change what is around them a little, a quarter as much at twice the distance.
- * Relative to the height of the highlight, the largest change farther from the middle of an ellipse
- * than twice, and three times, its longer half axis was 2.7 % and 1.2 % at 2 : 1, 4.2 % and 1.9 %
- * at 5 : 1 on a square of triangles ten half axes wide; 2.3 % and 0.8 %, 3.5 % and 1.2 % on a
- * sphere with a half axis of half its radius; below 0.15 % for circles on both. The highlight is
- * 0.9 times as high as Strength at 2 : 1, and 0.65 times at 5 : 1. Besides, a component without a
- * diffusion curve keeps its mean, so that all else there gets darker by that of the highlight: half
- * of Strength times the region's part of the area, for ellipses up to a third more. Poisson curves
- * change nothing beyond their width, to rounding.
+ * <b>How far regions reach.</b> A round region on a plane changes nothing outside; others change
+ * what is around them a little, a quarter as much at twice the distance. Relative to the height of
+ * the highlight, the largest change beyond twice, and three times, the longer half axis of an
+ * ellipse was 2.7 % and 1.2 % at 2 : 1, 4.2 % and 1.9 % at 5 : 1 on a square; 2.3 % and 0.8 %, 3.5 %
+ * and 1.2 % on a sphere. The highlight is 0.9 times as high as Strength at 2 : 1, and 0.65 times at
+ * 5 : 1. A component without a diffusion curve keeps its mean, so that all else there gets darker
+ * by that of the highlight: half of Strength times the region's part of the area, for ellipses up
+ * to a third more.
  *
  * <b>Output 0.</b> The surface as triangles, refined and cut open so that curves are edges: points
  * on diffusion and Poisson curves exist once for each side. Point arrays:
  *  - `Colors` (double, one component per channel), see SetResultArrayName();
  *  - `RGB` (unsigned char), for 3 channels or more, the first three, from 0 to 1, as 0 to 255,
- *    clamped: the active scalars, so that a mapper shows them as they are. For other numbers of
- *    channels, `Colors` is active;
+ *    clamped: the active scalars, which a mapper shows as they are. For other numbers of channels,
+ *    `Colors` is active;
  *  - `Component` (vtkIdType), the number of the component that a point is in: a tuple of NetSource;
  *  - those of the input, interpolated linearly, but for ids (vtkIdType), which VTK leaves out.
  *
  * Cell arrays are those of the input, of the polygon that a triangle is a part of. Verts and lines
  * of the input are left out; points that no polygon uses stay, with BackgroundColor. The field data
  * has `NetSource`: one tuple per component of the surface, cut open along diffusion curves, with
- * what the sources sum to where no diffusion curve takes it in; it was taken off, evenly. Points
- * without a cell are components of their own, with 0. Regions and Poisson curves sum to 0, but for
- * regions of all of a component: they have no rim, and do nothing. Such a component has the mean
- * BackgroundColor, before Poisson curves are added.
+ * the sum of its sources where no diffusion curve takes it in; it was subtracted evenly. Points
+ * without a cell are components of their own, with 0. Regions of all of a component have no rim and
+ * do nothing but show there. Such a component has the mean BackgroundColor, before Poisson curves
+ * are added.
  *
- * <b>Output 1</b> (GetFragments()) has fragments, when GenerateFragments is on: points spread over
- * the surface with their colours, a texture that needs no parametrization. Each triangle of output
- * 0 has FragmentDivision^2 of them, in the middles of as many parts of one size, so that none is on
- * a curve. Where RefinementRegion is not Everywhere, only triangles have some that are parts of
- * those that were chosen. One vertex cell each. Point arrays are those of output 0, at that place,
- * texture coordinates of the input among them, but for `Component`, and `FaceId` (vtkIdType), the
- * cell of the input that it lies in; as cells may have any number of corners, there are no
- * barycentric coordinates.
+ * <b>Output 1</b> (GetFragments()) has fragments, when GenerateFragments is on: coloured points
+ * spread over the surface, a texture that needs no parametrization. Each triangle of output 0 has
+ * FragmentDivision^2 of them, in the middles of as many parts of one size, so that none is on a
+ * curve; unless RefinementRegion is Everywhere, only parts of triangles that were chosen have some.
+ * One vertex cell each. Point arrays are those of output 0 at that place, but for `Component`, and
+ * `FaceId` (vtkIdType), the cell of the input that it lies in.
  *
  * <b>Method.</b> -Laplace u = f for each channel, nothing flows through the boundary of the
  * surface; linear finite elements on the refined mesh, one factorization, which is kept for other
  * colours, see dgg::VectorGraphics. Triangles are split in four RefinementLevel times, everywhere
- * or around curves, and the equation is solved on what comes out: errors are of second order where
- * curves are closed or end at the boundary, and of first order everywhere as soon as a diffusion
- * curve has an open end with two colours, where the solution is like the root of the distance.
- * Green's identity would give values between the points of the mesh as it is,
- * u(x) = mean + sum_y g(x, y) (L u)_y, but those at the points have errors as large: for a
- * spherical harmonic of degree 5 on a sphere of 10 242 points errors inside of faces (root of the
- * mean square) were 1.6e-3 by linear interpolation and 1.9e-3 by Green's identity. Refined once and
- * solved again, they were 4.9e-4, in a fraction of the time.
+ * or around curves, before the equation is solved: errors are of second order where curves are
+ * closed or end at the boundary, and of first order everywhere as soon as a diffusion curve has an
+ * open end with two colours, where the solution is like the root of the distance. Refinement takes
+ * the place of evaluations by Green's identity, which are no better than linear interpolation, see
+ * dgg::GraphicsRefinement.
  *
  * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
  *  - neither a line nor a region; a line with fewer than two different points;
@@ -108,8 +98,7 @@
  *  - a mesh, factorization and colours, or fragments, that would take more memory than
  *    MemoryLimit.
  *
- * An update can be stopped between the parts of the work; the factorization is one of them. Sources
- * of regions are added in parts of some thousand triangles.
+ * An update can be stopped between the parts of the work; the factorization is one of them.
  *
  * @code
  * vtkNew<vtkPoissonVectorGraphics> graphics;
@@ -137,12 +126,6 @@
 
 #include <memory> // For the internals
 #include <string> // For array names
-
-namespace dgg
-{
-struct GraphicsFragments;
-struct GraphicsResult;
-}
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkPoissonVectorGraphics : public vtkGeodesicAlgorithm
 {
@@ -265,11 +248,10 @@ public:
   ///@{
   /**
    * Whether to flip edges until they are Delaunay before the equation is solved, without a change
-   * of the output's triangles: then, with diffusion curves alone on a surface without a boundary,
-   * no colour lies outside of those that are given. Edges on a boundary cannot be flipped: where
-   * curves run close to one, colours were outside by a few percent of the range, by 22 % for a
-   * scribble of 100 random points. For meshes with obtuse triangles, as curves make them where they
-   * run close to points. Default on.
+   * of the output's triangles: for meshes with obtuse triangles, as curves make them where they run
+   * close to points. Then, with diffusion curves alone on a surface without a boundary, no colour
+   * lies outside of those that are given; close to a boundary, whose edges cannot be flipped, some
+   * may by a few percent of the range. Default on.
    */
   vtkSetMacro(IntrinsicDelaunay, bool);
   vtkGetMacro(IntrinsicDelaunay, bool);
@@ -280,9 +262,8 @@ public:
   /**
    * Most bytes that the refined mesh, the factorization and the colours may take. Default 0, which
    * stands for 70 % of the memory that is free at that time, for what is not there yet. Some 2 KiB
-   * per point of the output are usual, and 2.7 KiB with Poisson curves. It is asked before curves
-   * are drawn, with what the surface takes when it is refined Everywhere, before triangles are
-   * split, before the surface is cut, before the factorization, and in every update.
+   * per point of the output are usual, and 2.7 KiB with Poisson curves. It is checked before curves
+   * are drawn, before triangles are split, before the factorization, and in every update.
    */
   vtkSetMacro(MemoryLimit, vtkTypeUInt64);
   vtkGetMacro(MemoryLimit, vtkTypeUInt64);
@@ -351,10 +332,6 @@ private:
   void operator=(const vtkPoissonVectorGraphics&) = delete;
 
   struct vtkInternals;
-
-  void SetName(std::string& property, const char* name);
-  dgg::Status FindFragments(const dgg::GraphicsResult& result, int channels, int division,
-    vtkTypeUInt64 memoryLimit, dgg::GraphicsFragments& fragments) const;
 
   double Width;
   double BackgroundColor[3];

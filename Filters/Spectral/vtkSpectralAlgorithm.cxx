@@ -140,28 +140,8 @@ void vtkSpectralAlgorithm::RemoveAllSources()
 }
 
 //------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::SetSourceConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::SetSourceData(vtkPolyData* points)
-{
-  this->SetInputData(1, points);
-}
-
-//------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::SetEvaluationConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(2, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::SetEvaluationData(vtkPolyData* points)
-{
-  this->SetInputData(2, points);
-}
+vtkDGGDefineInputMacro(vtkSpectralAlgorithm, Source, 1);
+vtkDGGDefineInputMacro(vtkSpectralAlgorithm, Evaluation, 2);
 
 //------------------------------------------------------------------------------
 vtkPolyData* vtkSpectralAlgorithm::GetEvaluation()
@@ -176,19 +156,7 @@ const char* vtkSpectralAlgorithm::GetBoundaryAsString() const
 }
 
 //------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::SetResultArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->ResultArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkSpectralAlgorithm::GetResultArrayName() const
-{
-  return this->ResultArrayName.c_str();
-}
+vtkDGGDefineNameMacro(vtkSpectralAlgorithm, ResultArrayName, ResultArrayName);
 
 //------------------------------------------------------------------------------
 int vtkSpectralAlgorithm::GetNumberOfFactorizations() const

@@ -30,10 +30,9 @@
  *    no polygon uses; a source or evaluation point that is not finite, or farther from the surface
  *    than ProjectionTolerance;
  *  - a ProjectionTolerance that is negative or not a number; an empty ResultArrayName;
- *  - triangles that are too thin, next to everywhere, for double precision: about a million
- *    times as long as high, as on a surface squashed along one axis. A few thin triangles do no
- *    harm. Where that is so of components that have next to none of the area, only sources, sites
- *    and masses there are errors;
+ *  - triangles that are next to everywhere too thin for double precision, about a million times as
+ *    long as high. A few do no harm; where only components with next to none of the area are so,
+ *    only sources, sites and masses there are errors;
  *  - a factorization and results that would take more memory than MemoryLimit.
  *
  * An update can be stopped between the parts of the work; the factorization is one of them.

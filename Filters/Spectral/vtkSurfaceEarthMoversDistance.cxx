@@ -181,34 +181,9 @@ void vtkSurfaceEarthMoversDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetFromArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->FromArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkSurfaceEarthMoversDistance::GetFromArrayName() const
-{
-  return this->FromArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetToArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->ToArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkSurfaceEarthMoversDistance::GetToArrayName() const
-{
-  return this->ToArrayName.c_str();
-}
+vtkDGGDefineNameMacro(vtkSurfaceEarthMoversDistance, FromArrayName, FromArrayName);
+vtkDGGDefineNameMacro(vtkSurfaceEarthMoversDistance, ToArrayName, ToArrayName);
+vtkDGGDefineNameMacro(vtkSurfaceEarthMoversDistance, MassArrayName, MassArrayName);
 
 //------------------------------------------------------------------------------
 const char* vtkSurfaceEarthMoversDistance::GetArrayMeaningAsString() const
@@ -217,43 +192,8 @@ const char* vtkSurfaceEarthMoversDistance::GetArrayMeaningAsString() const
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetFromConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetFromData(vtkPolyData* points)
-{
-  this->SetInputData(1, points);
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetToConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(2, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetToData(vtkPolyData* points)
-{
-  this->SetInputData(2, points);
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetMassArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->MassArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkSurfaceEarthMoversDistance::GetMassArrayName() const
-{
-  return this->MassArrayName.c_str();
-}
+vtkDGGDefineInputMacro(vtkSurfaceEarthMoversDistance, From, 1);
+vtkDGGDefineInputMacro(vtkSurfaceEarthMoversDistance, To, 2);
 
 //------------------------------------------------------------------------------
 int vtkSurfaceEarthMoversDistance::GetNumberOfFactorizations() const

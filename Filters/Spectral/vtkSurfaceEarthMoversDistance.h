@@ -35,21 +35,19 @@
  * each triangle and have the right divergence, with nothing through boundaries, by an interior
  * point method: each iteration factorizes a matrix as large as that of a Poisson equation. It ends
  * when cost and lower bound differ by not more than Tolerance of the cost, which takes 7 to 50
- * iterations on most meshes. When it ends before, after MaximumNumberOfIterations, a warning says
- * so; GetGap() is what is left: 1 to 2 %, seen between some points where triangles have no area,
- * and once on a scan. The flow is one of those that cost least, so it may go by one triangle and
- * leave out the next one, as streams do. The matrix of the Poisson equation is that of
- * vtkSpectralAlgorithm: factorized once, kept until the mesh changes. It takes any triangles.
- * Results do not depend on the number of threads.
+ * iterations on most meshes, or after MaximumNumberOfIterations with a warning; GetGap() is what is
+ * left. The flow is one of those that cost least, so it may go by one triangle and leave out the
+ * next one, as streams do. The matrix of the Poisson equation is that of vtkSpectralAlgorithm:
+ * factorized once, kept until the mesh changes. It takes any triangles. Results do not depend on
+ * the number of threads.
  *
  * <b>Accuracy.</b> The bounds are those of flows that are constant in each triangle. How far their
  * optimum is from the distance on the surface depends on the mesh, not on iterations. Between two
- * points of the surface it is never above the geodesic distance. Of 30 pairs of points on each
- * mesh, found to a gap of 0.001, the worst were 0.2 to 0.5 % below on fine parts of machines and
- * scans (1500 to 6500 points), 1 to 3 % on meshes with 300 to 3600 points and on spheres with 12 to
- * 642, 9 to 14 % on parts without points inside their sides, 15 % on a cube of 26 points; the means
- * 0.1 to 0.7 %, and 2 to 4 % on these parts, of which IntrinsicDelaunay takes away a part.
- * Masses inside of triangles are shared by the corners: nothing closer than that can be told apart.
+ * points of the surface it is never above the geodesic distance. Of 30 pairs of points the worst
+ * were 0.2 to 0.5 % below on fine parts of machines and scans, 1 to 3 % on coarser meshes, 9 to 15 %
+ * on parts without points inside their sides, of which IntrinsicDelaunay takes away a part; the
+ * means 0.1 to 0.7 %, and 2 to 4 % on these parts. Masses inside of triangles are shared by the
+ * corners: nothing closer than that can be told apart.
  *
  * Components, connected through edges or shared points, must each have the same mass in both, to
  * 1e-6 of the whole. Differences below that, as of sums of floats, are taken off the second one.

@@ -34,3 +34,26 @@ OpenedSolver OpenSolver(benchmark::State& state, const MeshRecipe& recipe)
   opened.Solver = kept.get();
   return opened;
 }
+
+std::vector<double> UnitLoad(const dgg::PoissonSolver& solver, dgg::Id vertex)
+{
+  std::vector<double> load(static_cast<std::size_t>(solver.GetMesh().GetNumberOfVertices()), 0.0);
+  load[vertex] = 1.0;
+  return load;
+}
+
+dgg::Status FindColumn(
+  const dgg::PoissonSolver& solver, dgg::Id source, int power, std::vector<double>& values)
+{
+  values = UnitLoad(solver, source);
+  dgg::Status status = solver.Solve(values);
+  for (int k = 1; k < power && status.IsOk(); ++k)
+  {
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      values[v] *= solver.GetAreas()[v];
+    }
+    status = solver.Solve(values);
+  }
+  return status;
+}

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PeerPoisson.h"
 
-#include "dggCotanLaplacian.h"
+#include "dggLaplaceSystem.h"
 
 #include <Eigen/CholmodSupport>
 
@@ -20,7 +20,8 @@ public:
 
   bool Prepare() override
   {
-    const Eigen::SparseMatrix<double> whole = dgg::MakeCotanLaplacian(this->Surface).Stiffness;
+    const Eigen::SparseMatrix<double> whole =
+      dgg::MakeCotanLaplacian(dgg::IntrinsicTriangulation(this->Surface)).Stiffness;
     // Without the last vertex, whose value is held.
     const Eigen::SparseMatrix<double> matrix =
       whole.topLeftCorner(whole.rows() - 1, whole.cols() - 1);

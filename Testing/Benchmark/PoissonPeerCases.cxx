@@ -5,7 +5,6 @@
 #include "BenchmarkTools.h"
 #include "OpenedGraph.h"
 #include "OpenedSolver.h"
-#include "dggSpectralDistance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,18 +31,6 @@ PeerPoisson* GetPrepared(
     }
   }
   return kept.get();
-}
-
-/// Ours, by the same power of the Laplacian.
-dgg::Status FindColumn(const dgg::PoissonSolver& solver, const dgg::SurfacePoint& source, int power,
-  std::vector<double>& values)
-{
-  dgg::SpectralOptions options;
-  options.Method = dgg::SpectralMethod::Exact;
-  options.Kind = power > 1 ? dgg::SpectralKind::Biharmonic : dgg::SpectralKind::CommuteTime;
-  dgg::SpectralDistance distance(solver);
-  const dgg::Status status = distance.Prepare(options, nullptr);
-  return status.IsOk() ? distance.Column(source, values) : status;
 }
 
 /// The largest difference but for a constant, relative to the largest value.
@@ -136,8 +123,7 @@ void MeasurePeerColumn(benchmark::State& state, const MeshRecipe& recipe, const 
     return;
   }
   std::vector<double> ours;
-  if (Succeeded(
-        state, FindColumn(*opened.Solver, dgg::SurfacePoint::AtVertex(source), peer.Power, ours)))
+  if (Succeeded(state, FindColumn(*opened.Solver, source, peer.Power, ours)))
   {
     ReportMesh(state, *opened.Mesh);
     state.counters["difference"] = DifferenceOf(*opened.Solver, ours, theirs);

@@ -7,21 +7,14 @@
 #include "OpenedSolver.h"
 #include "dggEarthMovers.h"
 #include "dggEigenpairs.h"
-#include "dggSpectralDistance.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace
 {
 constexpr unsigned int PointSeed = 20190525u;
-
-std::vector<double> UnitLoad(const dgg::PoissonSolver& solver, dgg::Id vertex)
-{
-  std::vector<double> load(static_cast<std::size_t>(solver.GetMesh().GetNumberOfVertices()), 0.0);
-  load[vertex] = 1.0;
-  return load;
-}
 }
 
 void MeasureFactor(benchmark::State& state, const MeshRecipe& recipe)
@@ -37,9 +30,10 @@ void MeasureFactor(benchmark::State& state, const MeshRecipe& recipe)
   const auto prepare = [&] {
     const double start = CPUSeconds();
     solver = std::make_unique<dgg::PoissonSolver>(mesh->GetSurface());
-    status = solver->Analyze({}, nullptr);
-    analysis = CPUSeconds() - start;
-    status = status.IsOk() ? solver->Factorize(nullptr) : status;
+    status = solver->Prepare({}, nullptr, [&](double, double) {
+      analysis = CPUSeconds() - start;
+      return dgg::Status::Success();
+    });
   };
   Measure(
     state, [&] { solver.reset(); }, prepare);
@@ -53,14 +47,17 @@ void MeasureFactor(benchmark::State& state, const MeshRecipe& recipe)
   // Memory in a run of its own. What is predicted is for the factorization, when the rest is known.
   solver.reset();
   const MemoryProbe probe;
+  std::size_t analyzed = 0;
+  std::optional<MemoryProbe> later;
   solver = std::make_unique<dgg::PoissonSolver>(mesh->GetSurface());
-  solver->Analyze({}, nullptr);
-  state.counters["analysis_bytes"] = static_cast<double>(probe.GetHeapPeak());
-  state.counters["predicted_bytes"] = solver->GetEstimatedMemory();
-  const std::size_t analyzed = probe.GetHeapGrowth();
-  const MemoryProbe later;
-  solver->Factorize(nullptr);
-  state.counters["peak_bytes"] = static_cast<double>(analyzed + later.GetHeapPeak());
+  solver->Prepare({}, nullptr, [&](double bytes, double) {
+    state.counters["analysis_bytes"] = static_cast<double>(probe.GetHeapPeak());
+    state.counters["predicted_bytes"] = bytes;
+    analyzed = probe.GetHeapGrowth();
+    later.emplace();
+    return dgg::Status::Success();
+  });
+  state.counters["peak_bytes"] = static_cast<double>(analyzed + later->GetHeapPeak());
 }
 
 void MeasureColumn(benchmark::State& state, const MeshRecipe& recipe, int k, int numberOfSources)
@@ -145,15 +142,12 @@ void MeasureBiharmonicColumn(
   {
     return;
   }
-  dgg::SpectralDistance distance(*opened.Solver);
-  dgg::SpectralOptions options;
-  options.Method = dgg::SpectralMethod::Exact;
-  dgg::Status status = distance.Prepare(options, nullptr);
-  const auto source = dgg::SurfacePoint::AtVertex(opened.Mesh->GetSource(k, numberOfSources));
+  dgg::Status status;
+  const dgg::Id source = opened.Mesh->GetSource(k, numberOfSources);
   std::vector<double> values;
   Measure(
     state, [&] { values.clear(); },
-    [&] { status = status.IsOk() ? distance.Column(source, values) : status; });
+    [&] { status = FindColumn(*opened.Solver, source, 2, values); });
   if (Succeeded(state, status))
   {
     ReportMesh(state, *opened.Mesh);

@@ -509,4 +509,17 @@ TestMesh RandomSoup(Id vertices, Id faces, std::uint64_t seed)
   }
   return mesh;
 }
+
+std::vector<NamedMesh> DefectMeshesAndSoups(int soups)
+{
+  std::vector<NamedMesh> meshes = DefectMeshes();
+  for (int seed = 1; seed <= soups; ++seed)
+  {
+    Random random(seed);
+    const Id vertices = 3 + random.Index(20);
+    const Id faces = 1 + random.Index(50);
+    meshes.push_back({ "soup " + std::to_string(seed), RandomSoup(vertices, faces, seed) });
+  }
+  return meshes;
+}
 }

@@ -77,6 +77,9 @@ std::vector<NamedMesh> DefectMeshes();
 /// Random triangle soup of `faces` faces on `vertices` random points, some coincident, some
 /// collinear; faces may repeat a vertex, each other, or share edges in any number.
 TestMesh RandomSoup(Id vertices, Id faces, std::uint64_t seed);
+
+/// DefectMeshes() and as many small soups, with names that begin with "soup".
+std::vector<NamedMesh> DefectMeshesAndSoups(int soups);
 }
 
 #endif

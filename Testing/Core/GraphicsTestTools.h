@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 
@@ -65,6 +66,18 @@ public:
       }
     }
     throw std::runtime_error("no such point");
+  }
+
+  /// Points of a circle, or an ellipse, around the origin of the plane z = 0, counter-clockwise.
+  std::vector<SurfacePoint> FindEllipse(double width, double height, int count, double phase = 0.0)
+  {
+    std::vector<SurfacePoint> points;
+    for (int k = 0; k < count; ++k)
+    {
+      const double angle = 2.0 * dgg::Pi * (k + phase) / count;
+      points.push_back(this->Find(width * std::cos(angle), height * std::sin(angle)));
+    }
+    return points;
   }
 
   /// `left` and `right` per given point.

@@ -16,6 +16,8 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <memory>
+#include <vector>
 
 namespace dggtest
 {
@@ -58,6 +60,15 @@ inline dgg::PoissonOptions With(dgg::PoissonBoundary boundary, bool delaunay = f
   options.Boundary = boundary;
   options.IntrinsicDelaunay = delaunay;
   return options;
+}
+
+inline std::unique_ptr<dgg::PoissonSolver> Ready(
+  const dgg::SurfaceMesh& mesh, const dgg::PoissonOptions& options = {})
+{
+  auto solver = std::make_unique<dgg::PoissonSolver>(mesh);
+  const dgg::Status status = solver->Prepare(options, nullptr);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  return solver;
 }
 
 inline dgg::SurfacePoint InsideFace(const dgg::SurfaceMesh& mesh, Random& random)
@@ -137,15 +148,46 @@ public:
     {
       this->Difference += area * (value - expected) * (value - expected);
       this->Size += area * expected * expected;
-      this->Largest = std::max(this->Largest, std::abs(value - expected));
     }
   }
   double Relative() const { return std::sqrt(this->Difference / this->Size); }
 
   double Difference = 0.0;
   double Size = 0.0;
-  double Largest = 0.0;
 };
+
+/// Relative errors of a Green's function on the unit sphere: within a distance of the pole, and of
+/// all.
+struct SphereErrors
+{
+  double Near;
+  double All;
+};
+
+inline SphereErrors CompareOnSphere(const TestMesh& sphere, const Greens& greens,
+  const dgg::SurfacePoint& pole, const std::vector<double>& values, double reach)
+{
+  const std::array<double, 3> x = PositionOf(sphere, greens.Solver.GetMesh(), pole);
+  const double norm = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+  Comparison near;
+  Comparison all;
+  for (Id v = 0; v < sphere.GetNumberOfVertices(); ++v)
+  {
+    const double* y = sphere.Point(v);
+    const double cosine = (x[0] * y[0] + x[1] * y[1] + x[2] * y[2]) / norm;
+    if (cosine > 1.0 - 1e-12) // the pole
+    {
+      continue;
+    }
+    const double area = greens.Solver.GetAreas()[v];
+    all.Add(area, values[v], SphereGreens(cosine));
+    if (std::acos(cosine) < reach)
+    {
+      near.Add(area, values[v], SphereGreens(cosine));
+    }
+  }
+  return { near.Relative(), all.Relative() };
+}
 }
 
 #endif

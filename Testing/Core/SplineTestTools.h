@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of harmonic B-splines and integrals of Green's functions share.
+/// What the tests of harmonic B-splines share.
 #ifndef SplineTestTools_h
 #define SplineTestTools_h
 
@@ -11,6 +11,7 @@
 #include "GreensTestTools.h"
 
 #include "dggHarmonicSplines.h"
+#include "dggSplineCells.h"
 #include "dggSplineSites.h"
 
 #include <functional>
@@ -62,7 +63,10 @@ public:
   }
   void Prepare(const std::vector<Id>& sites, const dgg::ParallelFor& parallel = nullptr)
   {
-    const dgg::Status status = this->Functions.Prepare(sites, parallel, nullptr);
+    this->Sites = sites;
+    dgg::Status status = this->Functions.Prepare(sites, parallel, nullptr);
+    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+    status = dgg::FindSplineCells(this->Solver.GetSystem(), sites, parallel, nullptr, this->Cells);
     ASSERT_TRUE(status.IsOk()) << status.GetMessage();
   }
   void PrepareAll() { this->Prepare(AllFreeVertices(this->Solver)); }
@@ -76,7 +80,7 @@ public:
   /// Basis functions, per site.
   std::vector<std::vector<double>> Basis(const dgg::ParallelFor& parallel = nullptr) const
   {
-    std::vector<std::vector<double>> all(this->Functions.GetSites().size());
+    std::vector<std::vector<double>> all(this->Sites.size());
     EXPECT_TRUE(this->Functions
                   .FindBasis(parallel, nullptr,
                     [&](Id site, const std::vector<double>& values) { all[site] = values; })
@@ -108,6 +112,8 @@ public:
   }
 
   dgg::HarmonicSplines Functions;
+  std::vector<Id> Sites;
+  dgg::SplineCells Cells; // those of the functions
 };
 }
 

@@ -29,10 +29,8 @@ TEST(VectorGraphics, FragmentsAreTheMiddlesOfEqualParts)
     {
       faces.push_back(f);
     }
-    dgg::GraphicsFragments fragments;
-    dgg::Status status = dgg::MakeFragments(
-      drawing.Mesh, surface, faces, drawing.Result.Values, 2, division, fragments);
-    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+    const dgg::GraphicsFragments fragments =
+      dgg::MakeFragments(drawing.Mesh, surface, faces, drawing.Result.Values, 2, division);
     const auto each = static_cast<std::size_t>(division * division);
     ASSERT_EQ(fragments.Places.size(), each * faces.size());
     ASSERT_EQ(fragments.Faces.size(), each * faces.size());
@@ -74,21 +72,6 @@ TEST(VectorGraphics, FragmentsAreTheMiddlesOfEqualParts)
       }
       EXPECT_NEAR(first, 0.0, 1e-12);
       EXPECT_NEAR(second, whole * (1.0 - 1.0 / each), 1e-12);
-    }
-    for (const Id wrong : { -1, surface.GetNumberOfFaces() })
-    {
-      status = dgg::MakeFragments(
-        drawing.Mesh, surface, { wrong }, drawing.Result.Values, 2, division, fragments);
-      EXPECT_NE(status.GetMessage().find("does not exist"), std::string::npos);
-      EXPECT_TRUE(fragments.Places.empty());
-    }
-    status = dgg::MakeFragments(drawing.Mesh, surface, faces, { 1.0, 2.0 }, 2, division, fragments);
-    EXPECT_NE(status.GetMessage().find("2 values for"), std::string::npos);
-    for (const int wrong : { 0, -1 })
-    {
-      EXPECT_FALSE(
-        dgg::MakeFragments(drawing.Mesh, surface, faces, drawing.Result.Values, 2, wrong, fragments)
-          .IsOk());
     }
   }
 }

@@ -3,49 +3,14 @@
 // Vector graphics take no more memory than is asked for, at any time.
 #include "../Benchmark/MemoryProbe.h"
 #include "CurvedMeshes.h"
-#include "FlatMeshes.h"
 #include "GraphicsTestTools.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
-#include <string>
 #include <vector>
 
 namespace dggtest
 {
-TEST(GraphicsMemory, RefiningTakesLessThanIsAskedFor)
-{
-  // Also of what is refined in a part, and not at all.
-  const std::vector<NamedMesh> meshes = { { "sphere", NoisySphere(4, 0.03, 3) },
-    { "plane", Plane(60, 60, 0.3) } };
-  for (const NamedMesh& named : meshes)
-  {
-    const SurfaceMesh mesh = Build(named.Mesh);
-    Random random(7);
-    const std::vector<SurfaceCurve> curves = { dggtest::Curve(
-      mesh, RandomCurvePoints(mesh, 6, random)) };
-    for (const int levels : { 0, 1, 2, 3 })
-    {
-      for (const bool isNearCurves : { false, true })
-      {
-        const MemoryProbe probe;
-        RefinedSurface surface;
-        ASSERT_TRUE(dgg::EmbedCurves(mesh, curves, nullptr, surface).IsOk());
-        dgg::GraphicsRefinement refinement;
-        refinement.Levels = levels;
-        refinement.Part =
-          isNearCurves ? dgg::RefinedPart::AroundCurves : dgg::RefinedPart::Everything;
-        std::vector<Id> parts;
-        ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface, &parts).IsOk());
-        const double predicted = dgg::VectorGraphics::BytesPerFace * surface.GetNumberOfFaces();
-        const auto peak = static_cast<double>(probe.GetHeapPeak());
-        EXPECT_LE(peak, 0.6 * predicted) << named.Name << " " << levels; // no near miss
-      }
-    }
-  }
-}
-
 TEST(GraphicsMemory, IsAskedForBeforeItIsTaken)
 {
   // What has been asked for is never exceeded: while the surface is refined and cut, while the
@@ -96,5 +61,4 @@ TEST(GraphicsMemory, IsAskedForBeforeItIsTaken)
     }
   }
 }
-
 }

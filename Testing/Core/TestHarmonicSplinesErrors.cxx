@@ -28,6 +28,9 @@ TEST(HarmonicSplines, RefusesWhatMakesNoSense)
   };
   const auto ignore = [](Id, const std::vector<double>&) {};
   EXPECT_TRUE(says(messageOf({ 0 }), "has not been prepared"));
+  std::vector<Id> sites{ 1 };
+  EXPECT_FALSE(dgg::ChooseSplineSites(solver, 3, nullptr, sites).IsOk());
+  EXPECT_TRUE(sites.empty());
   ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
   EXPECT_TRUE(says(splines.FindBasis(nullptr, nullptr, ignore).GetMessage(), "no sites"));
   EXPECT_TRUE(says(messageOf({}), "there is no site"));
@@ -38,7 +41,6 @@ TEST(HarmonicSplines, RefusesWhatMakesNoSense)
   std::vector<double> values;
   EXPECT_FALSE(splines.Solve({}, {}, values).IsOk());
 
-  std::vector<Id> sites;
   ASSERT_TRUE(dgg::ChooseSplineSites(solver, 6, nullptr, sites).IsOk());
   ASSERT_EQ(messageOf(sites), "");
   std::vector<double> sources(mesh.GetNumberOfVertices(), 0.0);
@@ -115,91 +117,5 @@ TEST(HarmonicSplines, StopsWhenAsked)
     }
     EXPECT_TRUE(steps[k](nullptr).IsOk());
   }
-}
-
-TEST(HarmonicSplines, LooksAtTheProgressWhileFewSitesTakeLong)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(5, 0.01, 3));
-  const Splines splines(mesh);
-  dgg::HarmonicSplines functions(splines.Solver);
-  const std::vector<Id> sites{ 3, 5000 };
-  Random random(3);
-  std::vector<dgg::SurfacePoint> points;
-  for (int k = 0; k < 9; ++k)
-  {
-    points.push_back(InsideFace(mesh, random));
-  }
-  std::vector<double> values;
-  // What is called, from where on it takes long, and how often it is told then at least.
-  struct Step
-  {
-    double From;
-    int Calls;
-    std::function<dgg::Status(const dgg::ParallelFor&, const dgg::ProgressCallback&)> Call;
-  };
-  const std::vector<Step> steps = {
-    { 0.36, 6,
-      [&](const dgg::ParallelFor& parallel, const dgg::ProgressCallback& progress) {
-        return functions.Prepare(sites, parallel, progress);
-      } },
-    { 0.01, 1,
-      [&](const dgg::ParallelFor& parallel, const dgg::ProgressCallback& progress) {
-        return functions.FindBasis(parallel, progress, [](Id, const std::vector<double>&) {});
-      } },
-    { 0.01, 9,
-      [&](const dgg::ParallelFor& parallel, const dgg::ProgressCallback& progress) {
-        return functions.Evaluate(
-          points, dgg::GreensMethod::SingularitySubtraction, parallel, progress, values);
-      } },
-  };
-  for (std::size_t k = 0; k < steps.size(); ++k)
-  {
-    for (const int threads : { 1, 3 })
-    {
-      std::set<double> told;
-      double last = 0.0;
-      ASSERT_TRUE(steps[k]
-                    .Call(WithThreads(threads),
-                      [&](double done) {
-                        EXPECT_GE(done, last);
-                        last = done;
-                        told.insert(done);
-                        return true;
-                      })
-                    .IsOk());
-      EXPECT_EQ(last, 1.0);
-      const auto within = std::distance(told.lower_bound(steps[k].From), told.lower_bound(0.99));
-      EXPECT_GE(within, steps[k].Calls) << k << " " << threads;
-      // It stops where it is told to, while one of the two has only begun.
-      double stopped = 0.0;
-      EXPECT_TRUE(steps[k]
-                    .Call(WithThreads(threads),
-                      [&](double done) {
-                        stopped = done;
-                        return done <= steps[k].From;
-                      })
-                    .IsAborted());
-      EXPECT_LT(stopped, 0.85) << k << " " << threads;
-    }
-    ASSERT_TRUE(steps[k].Call(nullptr, nullptr).IsOk());
-  }
-}
-
-TEST(HarmonicSplines, ChoosingSitesStopsWhileBoundariesAreLookedAt)
-{
-  const dgg::SurfaceMesh mesh = Build(Plane(150, 150));
-  const Splines splines(mesh, With(dgg::PoissonBoundary::Dirichlet));
-  std::vector<Id> sites;
-  double stopped = 0.0;
-  EXPECT_TRUE(dgg::ChooseSplineSites(
-    splines.Solver, 5,
-    [&](double done) {
-      stopped = done;
-      return false;
-    },
-    sites)
-                .IsAborted());
-  EXPECT_LE(stopped, 0.2);
-  EXPECT_TRUE(sites.empty());
 }
 }

@@ -4,7 +4,6 @@
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
 
-#include "dggLogarithm.h"
 #include "dggSingularPart.h"
 
 #include <cmath>

@@ -57,21 +57,18 @@ TEST(SplineSites, EveryComponentHasOne)
 
 TEST(SplineSites, AreNotMoreThanVerticesThatAreFree)
 {
-  const dgg::SurfaceMesh plane = Build(Plane(5, 4));
-  for (const auto boundary : { dgg::PoissonBoundary::Neumann, dgg::PoissonBoundary::Dirichlet })
+  for (const TestMesh& input : { Plane(5, 4), SphereWithIsolatedPoints(1) })
   {
-    const Greens greens(plane, With(boundary));
-    std::vector<Id> sites;
-    ASSERT_TRUE(dgg::ChooseSplineSites(greens.Solver, 1000, nullptr, sites).IsOk());
-    std::sort(sites.begin(), sites.end());
-    EXPECT_EQ(sites, AllFreeVertices(greens.Solver));
+    const dgg::SurfaceMesh mesh = Build(input);
+    for (const auto boundary : { dgg::PoissonBoundary::Neumann, dgg::PoissonBoundary::Dirichlet })
+    {
+      const Greens greens(mesh, With(boundary));
+      std::vector<Id> sites;
+      ASSERT_TRUE(dgg::ChooseSplineSites(greens.Solver, 1000, nullptr, sites).IsOk());
+      std::sort(sites.begin(), sites.end());
+      EXPECT_EQ(sites, AllFreeVertices(greens.Solver));
+    }
   }
-  const dgg::SurfaceMesh isolated = Build(SphereWithIsolatedPoints(1));
-  const Greens greens(isolated);
-  std::vector<Id> sites;
-  ASSERT_TRUE(dgg::ChooseSplineSites(greens.Solver, 1000, nullptr, sites).IsOk());
-  std::sort(sites.begin(), sites.end());
-  EXPECT_EQ(sites, AllFreeVertices(greens.Solver));
 }
 
 TEST(SplineSites, AreFarFromGivenValues)
@@ -84,14 +81,5 @@ TEST(SplineSites, AreFarFromGivenValues)
   ASSERT_EQ(sites.size(), 1u);
   EXPECT_EQ(points.Point(sites[0])[0], 10.0);
   EXPECT_EQ(points.Point(sites[0])[1], 10.0);
-}
-
-TEST(SplineSites, NeedASolverThatIsReady)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosahedron());
-  const dgg::PoissonSolver solver(mesh);
-  std::vector<Id> sites{ 1 };
-  EXPECT_FALSE(dgg::ChooseSplineSites(solver, 3, nullptr, sites).IsOk());
-  EXPECT_TRUE(sites.empty());
 }
 }

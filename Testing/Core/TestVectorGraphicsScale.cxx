@@ -60,13 +60,7 @@ void DrawAll(Drawing& drawing, double factor, int channels)
 TestMesh TwoSquares()
 {
   TestMesh both = Plane(8, 8, 0.2);
-  const TestMesh other = Translated(Plane(3, 3), 20.0, 0.0, 0.0);
-  const auto offset = static_cast<Id>(both.Points.size() / 3);
-  both.Points.insert(both.Points.end(), other.Points.begin(), other.Points.end());
-  for (const Id v : other.Triangles)
-  {
-    both.Triangles.push_back(v + offset);
-  }
+  Append(both, Translated(Plane(3, 3), 20.0, 0.0, 0.0));
   return both;
 }
 }
@@ -97,25 +91,6 @@ TEST(VectorGraphicsScale, ColorsOfAnySizeAreSolved)
       }
     }
   }
-}
-
-TEST(VectorGraphicsScale, SmallColorsBesideHugeOnesAreNotLost)
-{
-  // One square has huge numbers, and another one small ones, in the same channel.
-  Drawing drawing(TwoSquares());
-  const double huge = 0.9 * Largest;
-  drawing.Add(Diffusion, { drawing.Find(2.0, 0.0), drawing.Find(2.0, 8.0) }, { huge, huge },
-    { -huge, -huge });
-  drawing.Add(Diffusion, { drawing.Find(20.0, 1.5), drawing.Find(23.0, 1.5) }, { 0.3e-9, 0.3e-9 },
-    { 0.7e-9, 0.7e-9 });
-  drawing.Run();
-  ASSERT_FALSE(HasFatalFailure());
-  drawing.ForEachCorner([&](Id v, const Position&, const Position& middle) {
-    const double expected = middle[0] > 10.0 ? (middle[1] > 1.5 ? 0.3e-9 : 0.7e-9)
-      : middle[0] < 2.0                      ? huge
-                                             : -huge;
-    EXPECT_NEAR(drawing.Value(v) / expected, 1.0, 1e-12);
-  });
 }
 
 TEST(VectorGraphicsScale, ResultsThatAreTooLargeAreRefused)

@@ -13,17 +13,13 @@ namespace
 /// A square, and below it, apart, a strip of thin triangles as long as that.
 TestMesh SquareAndStrip(Id n, double height)
 {
+  TestMesh strip = Plane(n, 4);
+  for (std::size_t k = 1; k < strip.Points.size(); k += 3)
+  {
+    strip.Points[k] = -1.0 + 0.25 * height * strip.Points[k];
+  }
   TestMesh mesh = Plane(n, n);
-  const TestMesh strip = Plane(n, 4);
-  const Id first = mesh.GetNumberOfVertices();
-  for (Id v = 0; v < strip.GetNumberOfVertices(); ++v)
-  {
-    mesh.AddPoint(strip.Point(v)[0], -1.0 + 0.25 * height * strip.Point(v)[1], 0.0);
-  }
-  for (const Id v : strip.Triangles)
-  {
-    mesh.Triangles.push_back(first + v);
-  }
+  Append(mesh, strip);
   return mesh;
 }
 }

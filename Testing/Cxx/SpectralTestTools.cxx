@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpectralTestTools.h"
 
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkTriangle.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
@@ -141,6 +144,30 @@ std::vector<double> GetPointAreas(vtkPolyData* surface)
     }
   }
   return areas;
+}
+
+void ExpectProgressAndStops(vtkAlgorithm* filter, const std::vector<double>& stops,
+  const std::function<std::vector<double>()>& values)
+{
+  ProgressWatch watch(filter);
+  filter->Modified();
+  ExpectSuccess(filter);
+  watch.ExpectGrowth();
+  const std::vector<double> expected = values();
+  for (const double stop : stops)
+  {
+    watch.StopAt = stop;
+    watch.Progress.clear();
+    filter->Modified();
+    ExpectSuccess(filter);
+    EXPECT_LT(watch.Progress.back(), 1.0);
+    ExpectEmptyOutput(filter);
+    watch.StopAt = 2.0;
+    filter->Modified();
+    ExpectSuccess(filter);
+    EXPECT_EQ(values(), expected);
+  }
+  filter->RemoveObservers(vtkCommand::ProgressEvent); // those of the watch
 }
 
 double CosineOf(const double a[3], const double b[3])

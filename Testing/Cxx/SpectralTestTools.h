@@ -10,6 +10,7 @@
 #include "vtkSpectralAlgorithm.h"
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,11 @@ std::array<double, 3> PointInCell(
   vtkPolyData* surface, vtkIdType cell, const std::array<double, 3>& barycentric);
 /// A third of the areas of the triangles around each point.
 std::vector<double> GetPointAreas(vtkPolyData* surface);
+
+/// The progress grows. Stopped at each of the fractions, which is no error, the output is empty;
+/// the next update has the same values again. `values` reads them from the output.
+void ExpectProgressAndStops(vtkAlgorithm* filter, const std::vector<double>& stops,
+  const std::function<std::vector<double>()>& values);
 
 /// The cosine of the angle between two vectors.
 double CosineOf(const double a[3], const double b[3]);

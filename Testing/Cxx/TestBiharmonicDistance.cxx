@@ -84,43 +84,6 @@ TEST(BiharmonicDistance, SphereByBothMethods)
   }
 }
 
-TEST(BiharmonicDistance, AllEigenvaluesAreExact)
-{
-  Fixture terrain(MakeTerrain(12), 50);
-  terrain.Filter->SetEvaluationData(MakeSourcePoints({ { 0.4, 0.3, 0.0 }, { 0.8, 0.7, 0.0 } }));
-  terrain.Filter->SetProjectionTolerance(1.0);
-  for (const int kind : { vtkBiharmonicDistance::Biharmonic, vtkBiharmonicDistance::CommuteTime })
-  {
-    terrain.Filter->SetKind(kind);
-    terrain.Filter->SetMethodToExact();
-    ExpectSuccess(terrain.Filter);
-    const std::vector<double> exact = terrain.Values();
-    const std::vector<double> evaluated = GetValues(terrain.Filter->GetEvaluation(), Name);
-    ASSERT_EQ(evaluated.size(), 2u);
-    terrain.Filter->SetMethodToSpectrum();
-    terrain.Filter->SetNumberOfEigenvalues(1000);
-    ExpectSuccess(terrain.Filter);
-    const double largest = *std::max_element(exact.begin(), exact.end());
-    for (std::size_t i = 0; i < exact.size(); ++i)
-    {
-      EXPECT_NEAR(terrain.Values()[i], exact[i], 1e-6 * largest) << i;
-    }
-    for (std::size_t i = 0; i < 2; ++i)
-    {
-      EXPECT_NEAR(
-        GetValues(terrain.Filter->GetEvaluation(), Name)[i], evaluated[i], 1e-6 * largest);
-      EXPECT_GT(evaluated[i], 0.0);
-    }
-    // With fewer of them, terms that are positive are missing.
-    terrain.Filter->SetNumberOfEigenvalues(20);
-    ExpectSuccess(terrain.Filter);
-    for (std::size_t i = 0; i < exact.size(); ++i)
-    {
-      EXPECT_LE(terrain.Values()[i], exact[i] + 1e-9 * largest) << i;
-    }
-  }
-}
-
 TEST(BiharmonicDistance, EvaluationPointsAreAsPointsOfTheSurface)
 {
   Fixture sphere(MakeSphere(3), 7);
@@ -129,15 +92,19 @@ TEST(BiharmonicDistance, EvaluationPointsAreAsPointsOfTheSurface)
   sphere.Filter->SetSourceData(
     MakeSourcePoints({ PointInCell(sphere.Surface, 99, { 0.2, 0.3, 0.5 }) }));
   sphere.Filter->SetEvaluationData(MakeSourcePoints({ { place[0], place[1], place[2] } }));
-  for (const int method : { vtkBiharmonicDistance::Spectrum, vtkBiharmonicDistance::Exact })
+  for (const int kind : { vtkBiharmonicDistance::Biharmonic, vtkBiharmonicDistance::CommuteTime })
   {
-    sphere.Filter->SetMethod(method);
-    ExpectSuccess(sphere.Filter);
-    for (int source = 0; source < 2; ++source)
+    sphere.Filter->SetKind(kind);
+    for (const int method : { vtkBiharmonicDistance::Spectrum, vtkBiharmonicDistance::Exact })
     {
-      const std::vector<double> there = GetValues(sphere.Filter->GetEvaluation(), Name, source);
-      ASSERT_EQ(there.size(), 1u);
-      EXPECT_NEAR(there[0], sphere.Values(source)[200], 1e-7);
+      sphere.Filter->SetMethod(method);
+      ExpectSuccess(sphere.Filter);
+      for (int source = 0; source < 2; ++source)
+      {
+        const std::vector<double> there = GetValues(sphere.Filter->GetEvaluation(), Name, source);
+        ASSERT_EQ(there.size(), 1u);
+        EXPECT_NEAR(there[0], sphere.Values(source)[200], 1e-7);
+      }
     }
   }
 }
@@ -254,36 +221,9 @@ TEST(BiharmonicDistance, ProgressGrowsAndStops)
 {
   Fixture terrain(MakeTerrain(35), 100);
   terrain.Filter->SetSourceIds({ 100, 200, 300, 400 });
-  ProgressWatch watch(terrain.Filter);
   for (const int method : { vtkBiharmonicDistance::Spectrum, vtkBiharmonicDistance::Exact })
   {
     terrain.Filter->SetMethod(method);
-    watch.Progress.clear();
-    watch.StopAt = 2.0;
-    ExpectSuccess(terrain.Filter);
-    watch.ExpectGrowth();
-    if (method == vtkBiharmonicDistance::Exact)
-    {
-      // Nearly all of the time goes to solutions for all points.
-      double largest = 0.0;
-      for (std::size_t k = 1; k < watch.Progress.size(); ++k)
-      {
-        largest = std::max(largest, watch.Progress[k] - watch.Progress[k - 1]);
-      }
-      EXPECT_LT(largest, 0.5); // as often as the calling thread looks
-    }
-    const std::vector<double> expected = terrain.Values(3);
-    for (const double stop : { 0.05, 0.9 })
-    {
-      watch.StopAt = stop;
-      watch.Progress.clear();
-      terrain.Filter->Modified();
-      ExpectSuccess(terrain.Filter); // not an error
-      EXPECT_LT(watch.Progress.back(), 1.0);
-      ExpectEmptyOutput(terrain.Filter);
-      watch.StopAt = 2.0;
-      ExpectSuccess(terrain.Filter);
-      EXPECT_EQ(terrain.Values(3), expected);
-    }
+    ExpectProgressAndStops(terrain.Filter, { 0.05, 0.9 }, [&] { return terrain.Values(3); });
   }
 }

@@ -151,27 +151,6 @@ TEST(DiscreteGreensFunction, EvaluationPointsSeeTheLogarithm)
   EXPECT_GT(std::abs(sphere.Evaluated()[0] - values[0]), 0.05);
 }
 
-TEST(DiscreteGreensFunction, SymmetricBetweenPoints)
-{
-  for (const int boundary :
-    { vtkDiscreteGreensFunction::Neumann, vtkDiscreteGreensFunction::Dirichlet })
-  {
-    Fixture terrain(MakeTerrain(20));
-    const std::vector<vtkIdType> ids = { 45, 190, 333 };
-    terrain.Filter->SetSourceIds(ids);
-    terrain.Filter->SetBoundary(boundary);
-    terrain.Filter->SetMethodToVertex();
-    ExpectSuccess(terrain.Filter);
-    for (int a = 0; a < 3; ++a)
-    {
-      for (int b = 0; b < 3; ++b)
-      {
-        EXPECT_NEAR(terrain.Values(a)[ids[b]], terrain.Values(b)[ids[a]], 1e-10);
-      }
-    }
-  }
-}
-
 TEST(DiscreteGreensFunction, ZeroOnADirichletBoundary)
 {
   Fixture grid(MakeGrid(24, 24));

@@ -136,6 +136,10 @@ TEST_F(DiscreteGreensFunctionContract, WrongProperties)
   this->ExpectUnharmed();
   this->Filter->SetMethod(99);
   EXPECT_EQ(this->Filter->GetMethod(), vtkDiscreteGreensFunction::Vertex);
+  std::ostringstream os;
+  this->Filter->Print(os);
+  EXPECT_NE(os.str().find("Method: Vertex"), std::string::npos);
+  EXPECT_NE(os.str().find("Boundary: Neumann"), std::string::npos);
   this->Filter->SetMethodToSingularitySubtraction();
   this->ExpectUnharmed();
 }
@@ -184,53 +188,13 @@ TEST_F(DiscreteGreensFunctionContract, ProgressGrowsAndStops)
   {
     this->Filter->AddSourceId(id);
   }
-  ProgressWatch watch(this->Filter);
   for (const bool interpolate : { false, true })
   {
     this->Filter->SetInterpolateRegularPart(interpolate);
     this->Filter->SetInputData(MakeTerrain(60)); // to be factorized again
-    watch.Progress.clear();
-    watch.StopAt = 2.0;
-    ExpectSuccess(this->Filter);
-    watch.ExpectGrowth();
-    const std::vector<double> expected = GetValues(this->Filter->GetOutput(), Name, 30);
-    for (const double stop : { 0.05, 0.2, 0.3 })
-    {
-      watch.StopAt = stop;
-      watch.Progress.clear();
-      this->Filter->Modified();
-      ExpectSuccess(this->Filter); // not an error
-      EXPECT_LT(watch.Progress.back(), 1.0);
-      ExpectEmptyOutput(this->Filter);
-      watch.StopAt = 2.0;
-      ExpectSuccess(this->Filter);
-      EXPECT_EQ(GetValues(this->Filter->GetOutput(), Name, 30), expected);
-    }
+    ExpectProgressAndStops(this->Filter, { 0.05, 0.2, 0.3 },
+      [this] { return GetValues(this->Filter->GetOutput(), Name, 30); });
   }
-}
-
-TEST_F(DiscreteGreensFunctionContract, ProgressIsThatOfAllBlocks)
-{
-  // Four blocks of sources, which are one batch. In one thread, each tells all of its progress.
-  const std::string backend = vtkSMPTools::GetBackend();
-  ASSERT_TRUE(vtkSMPTools::SetBackend("Sequential"));
-  this->Filter->SetInputData(MakeTerrain(30));
-  for (vtkIdType id = 100; id < 130; ++id)
-  {
-    this->Filter->AddSourceId(id);
-  }
-  ProgressWatch watch(this->Filter);
-  ExpectSuccess(this->Filter);
-  vtkSMPTools::SetBackend(backend.c_str());
-  watch.ExpectGrowth();
-  double jump = 0.0;
-  for (std::size_t k = 1; k < watch.Progress.size(); ++k)
-  {
-    // The factorization, up to a half, cannot be interrupted.
-    const double before = watch.Progress[k - 1];
-    jump = before > 0.4 ? std::max(jump, watch.Progress[k] - before) : jump;
-  }
-  EXPECT_LT(jump, 0.1);
 }
 
 TEST_F(DiscreteGreensFunctionContract, SaysWhereAMethodCannotBeUsed)
@@ -280,19 +244,4 @@ TEST_F(DiscreteGreensFunctionContract, TheInputIsNotTouched)
   data = this->Filter->GetOutput()->GetPointData();
   EXPECT_EQ(data->GetArray(Name), old);
   EXPECT_STREQ(data->GetScalars()->GetName(), "G");
-}
-
-TEST_F(DiscreteGreensFunctionContract, PrintsItself)
-{
-  this->Filter->SetSourceIds({ 45, 41 });
-  this->Filter->SetMethodToLocalized();
-  this->Filter->SetBoundaryToDirichlet();
-  std::ostringstream os;
-  this->Filter->Print(os);
-  for (const char* part : { "SourceIds: 45 41", "Method: Localized", "Boundary: Dirichlet",
-         "SignConvention: PositiveAtSource", "PoleValue: CellAverage", "Weighting: Area",
-         "InterpolateRegularPart: Off", "ResultArrayName: GreensFunction" })
-  {
-    EXPECT_NE(os.str().find(part), std::string::npos) << part;
-  }
 }

@@ -16,16 +16,13 @@ using namespace dggtest;
 namespace
 {
 /// A square [0, 6] x [0, 4] of squares, and a curve upwards at x = 1.5 between two colours.
-struct Fixture
+struct Fixture : GraphicsFixture
 {
   Fixture()
-    : Surface(MakeGrid(6, 4, GridCells::Quads))
-    , Curves(MakeSourcePoints({ { 1.5, 0, 0 }, { 1.5, 4, 0 } }))
+    : GraphicsFixture({ { 1.5, 0, 0 }, { 1.5, 4, 0 } }, { { 0, 1 } })
   {
-    this->Curves->SetVerts(nullptr);
-    this->Curves->SetLines(MakeCells({ { 0, 1 } }));
-    AddArray(this->Curves->GetCellData(), "LeftColor", { 0.2, 0.4, 2.0 }, 3);
-    AddArray(this->Curves->GetCellData(), "RightColor", { 1.0, 0.0, -1.0 }, 3);
+    AddArray(this->OfCells(), "LeftColor", { 0.2, 0.4, 2.0 }, 3);
+    AddArray(this->OfCells(), "RightColor", { 1.0, 0.0, -1.0 }, 3);
     std::vector<double> xs;
     for (vtkIdType i = 0; i < this->Surface->GetNumberOfPoints(); ++i)
     {
@@ -33,18 +30,12 @@ struct Fixture
       xs.push_back(this->Surface->GetPoint(i)[1]);
     }
     AddArray(this->Surface->GetPointData(), "place", xs, 2);
-    this->Filter->SetInputData(this->Surface);
-    this->Filter->SetCurveData(this->Curves);
   }
   vtkPolyData* Run()
   {
-    ExpectSuccess(this->Filter);
+    this->GraphicsFixture::Run();
     return this->Filter->GetFragments();
   }
-
-  vtkSmartPointer<vtkPolyData> Surface;
-  vtkSmartPointer<vtkPolyData> Curves;
-  vtkNew<vtkPoissonVectorGraphics> Filter;
 };
 }
 

@@ -264,7 +264,7 @@ TEST(PoissonVectorGraphics, AwkwardSurfaces)
   }
 }
 
-TEST(PoissonVectorGraphics, NumbersOfTheRefinementAreChecked)
+TEST(PoissonVectorGraphics, NumbersOfCellsAreChecked)
 {
   GraphicsFixture drawing = MakeTwoColored();
   std::vector<double> numbers(24, 0.0);
@@ -272,13 +272,6 @@ TEST(PoissonVectorGraphics, NumbersOfTheRefinementAreChecked)
   AddArray(drawing.Surface->GetCellData(), "Refine", numbers, 1);
   drawing.Filter->SetRefinementRegionToCells();
   ExpectError(drawing.Filter, { "'Refine'", "cell 7" });
-}
-
-TEST(PoissonVectorGraphics, NumbersOfRegionsAreChecked)
-{
-  GraphicsFixture drawing = MakeTwoColored();
-  std::vector<double> numbers(24, 0.0);
-  numbers[7] = NaN;
   AddArray(drawing.Surface->GetCellData(), "Part", numbers, 1);
   AddArray(drawing.Surface->GetCellData(), "RegionStrength", std::vector<double>(24, 1.0), 1);
   drawing.Filter->SetRegionArrayName("Part");
@@ -341,42 +334,6 @@ TEST(PoissonVectorGraphics, ProgressGrowsAndStops)
   }
 }
 
-TEST(PoissonVectorGraphics, ColorsOfAnySize)
-{
-  // A highlight and a region as bright as numbers go are solved for; two highlights on each other
-  // are too much, and an error.
-  GraphicsFixture drawing({ { 2, 1, 0 }, { 4, 1, 0 }, { 2, 1.5, 0 }, { 4, 1.5, 0 }, { 1, 2, 0 },
-                            { 4, 2, 0 }, { 3, 3, 0 } },
-    { { 0, 1 }, { 2, 3 }, { 4, 5, 6, 4 } });
-  AddArray<vtkIntArray>(drawing.OfCells(), "CurveType", { 1, 1, 2 }, 1);
-  AddArray(drawing.OfPoints(), "LeftColor", std::vector<double>(21, 0.0), 3); // three channels
-  drawing.Filter->SetWidth(0.75);
-  const auto setStrengths = [&](double first, double second, double third) {
-    AddArray(drawing.OfCells(), "Strength", { first, second, third }, 1);
-    AddArray(drawing.OfCells(), "RightStrength", { first, second, third }, 1);
-  };
-  setStrengths(0.75, 0.125, 0.5);
-  drawing.Filter->SetBackgroundColor(0.25, 0.0, -1.0);
-  const std::vector<double> usual = GetValues(drawing.Run(), "Colors", 0);
-  setStrengths(0.75e308, 0.125e308, 0.5e308);
-  drawing.Filter->SetBackgroundColor(0.25e308, 0.0, -1.0e308);
-  const std::vector<double> huge = GetValues(drawing.Run(), "Colors", 0);
-  ASSERT_EQ(huge.size(), usual.size());
-  for (std::size_t i = 0; i < huge.size(); ++i)
-  {
-    EXPECT_NEAR(huge[i] / 1e308, usual[i], 1e-12);
-  }
-  vtkDataArray* shown = drawing.Filter->GetOutput()->GetPointData()->GetScalars();
-  EXPECT_EQ(shown->GetRange(0)[1], 255.0);
-  EXPECT_EQ(shown->GetRange(2)[0], 0.0);
-  setStrengths(1.2e308, 1.2e308, 0.0);
-  drawing.Filter->SetBackgroundColor(0.0, 0.0, 0.0);
-  ExpectError(drawing.Filter, { "channel 0", "1.8e308", "divide" });
-  setStrengths(0.75, 0.125, 0.5);
-  drawing.Filter->SetBackgroundColor(0.25, 0.0, -1.0);
-  EXPECT_EQ(GetValues(drawing.Run(), "Colors", 0), usual);
-}
-
 TEST(PoissonVectorGraphics, WidthsAreThoseOfFirstPoints)
 {
   GraphicsFixture drawing({ { 3, 0, 0 }, { 3, 4, 0 } }, { { 0, 1 } });
@@ -412,40 +369,4 @@ TEST(PoissonVectorGraphics, MemoryIsPredictedBeforeCurvesAreDrawn)
   ExpectError(drawing.Filter, { "refinement", "MemoryLimit", "RefinementLevel" });
   drawing.Filter->SetRefinementLevel(2);
   drawing.Run();
-}
-
-TEST(PoissonVectorGraphics, StopsWithinRegions)
-{
-  // More faces than are looked at between two reports of the progress.
-  GraphicsFixture drawing({ { 0, 0, 0 } }, {});
-  drawing.Filter->SetCurveData(nullptr);
-  AddArray(drawing.Surface->GetCellData(), "region",
-    { 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 4, 5, 6, 7, 8, 0, 0, 0, 0, 0, 0 }, 1);
-  AddArray(drawing.Surface->GetCellData(), "RegionStrength", std::vector<double>(24, 0.5), 1);
-  drawing.Filter->SetRegionArrayName("region");
-  drawing.Filter->SetRefinementLevel(5);
-  ProgressWatch watch(drawing.Filter);
-  const std::vector<double> expected = GetValues(drawing.Run(), "Colors");
-  const std::vector<double> first = watch.Progress;
-  watch.Progress.clear();
-  drawing.Filter->Modified(); // the factorization is kept: the rest is solving
-  drawing.Run();
-  std::vector<double> told = watch.Progress;
-  EXPECT_LT(told.size(), first.size());
-  // The pipeline tells the first and the last.
-  ASSERT_GE(told.size(), 8u);
-  told.pop_back();
-  told.erase(told.begin());
-  for (const double stop : told)
-  {
-    watch.Progress.clear();
-    watch.StopAt = stop;
-    drawing.Filter->Modified();
-    ExpectSuccess(drawing.Filter); // not an error
-    ExpectEmptyOutput(drawing.Filter);
-    ASSERT_FALSE(watch.Progress.empty());
-    EXPECT_EQ(watch.Progress.back(), stop);
-  }
-  watch.StopAt = 2.0;
-  EXPECT_EQ(GetValues(drawing.Run(), "Colors"), expected);
 }

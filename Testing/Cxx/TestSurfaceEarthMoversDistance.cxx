@@ -502,21 +502,13 @@ TEST(SurfaceEarthMoversDistance, ProgressGrowsAndStops)
 {
   auto terrain = MakeTerrain(25);
   Fixture moved(terrain, Bump(terrain, 0.3, 0.3, 0.15), Bump(terrain, 0.7, 0.5, 0.2));
+  ExpectProgressAndStops(moved.Filter, { 0.05, 0.12, 0.15 },
+    [&] { return std::vector<double>{ moved.Filter->GetDistance() }; });
   ProgressWatch watch(moved.Filter);
-  const double expected = moved.Distance();
-  watch.ExpectGrowth();
-  for (const double stop : { 0.05, 0.12, 0.15 })
-  {
-    watch.StopAt = stop;
-    watch.Progress.clear();
-    moved.Filter->Modified();
-    ExpectSuccess(moved.Filter); // not an error
-    EXPECT_LT(watch.Progress.back(), 1.0);
-    ExpectEmptyOutput(moved.Filter);
-    EXPECT_TRUE(std::isnan(moved.Filter->GetDistance()));
-    watch.StopAt = 2.0;
-    EXPECT_EQ(moved.Distance(), expected);
-  }
+  watch.StopAt = 0.1;
+  moved.Filter->Modified();
+  ExpectSuccess(moved.Filter);
+  EXPECT_TRUE(std::isnan(moved.Filter->GetDistance()));
 }
 
 TEST(SurfaceEarthMoversDistance, CopiesOfTrianglesHaveTheirFlow)

@@ -9,6 +9,12 @@
 
 namespace dgg
 {
+/// Report progress. Whether the work is to go on.
+inline bool Goes(const ProgressCallback& progress, double fraction)
+{
+  return !progress || progress(fraction);
+}
+
 /// What a step is given that makes the part [begin, end] of all: its fractions 0 and 1 are these
 /// ones of `progress`. Empty when `progress` is.
 inline ProgressCallback ProgressPart(const ProgressCallback& progress, double begin, double end)

@@ -8,8 +8,9 @@
 #include "dggGeodesicSource.h" // for GeodesicSource
 #include "dggVirtualSources.h" // for VirtualSources
 
-#include <memory> // for the systems
-#include <vector> // for the results
+#include <functional> // for checks of memory
+#include <memory>     // for the systems
+#include <vector>     // for the results
 
 namespace dgg
 {
@@ -90,22 +91,15 @@ public:
   HeatMethod(const HeatMethod&) = delete;
   HeatMethod& operator=(const HeatMethod&) = delete;
 
-  /// The steps before queries: what the options change is done anew, the rest is kept. Progress is
-  /// told, and a stop heeded, between the parts of the work only: Eigen's factorizations cannot be
-  /// interrupted. After a failure or a stop, a later call starts where that one ended. Fails when
-  /// the time step factor is out of range.
-  /// @{
-  /// Triangulation, matrices, order of elimination.
-  Status Analyze(const HeatOptions& options, const ProgressCallback& progress);
-  /// Bytes that all takes when it is factorized, at most twice what they are. After Analyze().
+  /// Triangulation, matrices and their factors: what the options change is done anew, the rest is
+  /// kept. `checkMemory`, which may be empty, is asked before there are more factors than before,
+  /// with GetEstimatedMemory(). Progress is reported, and a stop heeded, between the parts of the
+  /// work only: Eigen's factorizations cannot be interrupted. After a failure or a stop, a later
+  /// call starts where that one ended. Fails when the time step factor is out of range.
+  Status Prepare(const HeatOptions& options, const ProgressCallback& progress,
+    const std::function<Status(double bytes)>& checkMemory = {});
+  /// Bytes that all takes when it is factorized, at most twice what they are. After Prepare().
   double GetEstimatedMemory() const;
-  /// Whether Factorize() needs no more memory: it may replace factors for another time.
-  bool HoldsFactors() const;
-  /// After Analyze().
-  Status Factorize(const ProgressCallback& progress);
-  /// Both.
-  Status Prepare(const HeatOptions& options, const ProgressCallback& progress);
-  /// @}
 
   /// Distances from the nearest of the sources, after Prepare(). Fails as ExactGeodesics does; also
   /// when heat has a Dirichlet boundary and a source lies on it. May be called by several threads
@@ -113,7 +107,7 @@ public:
   Status Run(
     const std::vector<GeodesicSource>& sources, const HeatQuery& query, HeatResult& result) const;
 
-  /// Factorizations done so far, for tests: each counts.
+  /// Factorizations done so far.
   int GetNumberOfFactorizations() const;
 
 private:

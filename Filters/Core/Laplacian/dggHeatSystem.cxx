@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggHeatSystem.h"
 
+#include "dggProgressPart.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -159,10 +160,6 @@ HeatSystem::Matrix HeatSystem::MakeHeatMatrix() const
 
 Status HeatSystem::Factorize(const ProgressCallback& progress)
 {
-  if (!this->IsAnalyzed)
-  {
-    return Status::Invalid("the systems have not been analyzed: call Analyze() first");
-  }
   const Status status = this->Order.Check();
   if (!status.IsOk())
   {

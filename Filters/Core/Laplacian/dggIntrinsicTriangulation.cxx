@@ -73,13 +73,6 @@ double IntrinsicTriangulation::Cotangent(Id h) const
   return apex.X / apex.Y;
 }
 
-double IntrinsicTriangulation::CornerAngle(Id h) const
-{
-  const Point2 apex = LayOut(
-    this->Lengths[h], this->Lengths[SurfaceMesh::Previous(h)], this->Lengths[SurfaceMesh::Next(h)]);
-  return std::atan2(apex.Y, apex.X);
-}
-
 double IntrinsicTriangulation::Area(Id face) const
 {
   return TriangleArea(
@@ -95,16 +88,6 @@ bool IntrinsicTriangulation::IsPair(Id h) const
 bool IntrinsicTriangulation::IsFlippable(Id h) const
 {
   return this->IsPair(h) && SurfaceMesh::Face(this->Twins[h]) != SurfaceMesh::Face(h);
-}
-
-double IntrinsicTriangulation::CotangentSum(Id h) const
-{
-  double sum = this->Cotangent(SurfaceMesh::Previous(h));
-  for (Id t = this->Twins[h]; t != NoId && t != h; t = this->Twins[t])
-  {
-    sum += this->Cotangent(SurfaceMesh::Previous(t));
-  }
-  return sum;
 }
 
 Id IntrinsicTriangulation::FindPredecessor(Id h) const
@@ -216,12 +199,12 @@ bool IntrinsicTriangulation::Flip(Id h)
   return true;
 }
 
-Status MakeDelaunay(IntrinsicTriangulation& triangulation, Offset mostFlips,
-  const ProgressCallback& progress, DelaunayReport& report)
+Status MakeDelaunay(
+  IntrinsicTriangulation& triangulation, const ProgressCallback& progress, Offset& flips)
 {
-  report = DelaunayReport();
+  flips = 0;
   const Id size = triangulation.GetNumberOfHalfEdges();
-  const Offset bound = mostFlips >= 0 ? mostFlips : FlipsPerEdge * (size / 2 + 1);
+  const Offset bound = FlipsPerEdge * (size / 2 + 1);
   // Half-edges stand for their edges. A flip renames some of its neighbours, so all four sides of
   // the two faces are looked at again.
   std::vector<Id> stack;
@@ -260,17 +243,15 @@ Status MakeDelaunay(IntrinsicTriangulation& triangulation, Offset mostFlips,
     {
       continue;
     }
-    if (report.Flips >= bound)
+    if (flips >= bound)
     {
-      report.IsComplete = false;
       break;
     }
     if (!triangulation.Flip(h))
     {
-      ++report.Refused;
       continue;
     }
-    ++report.Flips;
+    ++flips;
     // The new edge is that after h.
     const Id diagonal = SurfaceMesh::Next(h);
     const Id other = triangulation.Twin(diagonal);

@@ -33,14 +33,10 @@ public:
 
   /// Cotangent of the corner at the origin of the half-edge, inside its face. Accurate for slivers.
   double Cotangent(Id h) const;
-  double CornerAngle(Id h) const;
   double Area(Id face) const;
 
   /// Whether exactly two different faces meet at the edge.
   bool IsFlippable(Id h) const;
-  /// Sum of the cotangents of the two corners that face the edge, or of the one at a boundary: the
-  /// edge is Delaunay when it is not negative.
-  double CotangentSum(Id h) const;
 
   /// Replace the edge by the other diagonal of its two faces, laid out in the plane. False, and
   /// nothing has changed, when the edge cannot be flipped or a triangle would lose its area.
@@ -62,24 +58,15 @@ private:
   std::vector<std::uint8_t> RunsAlong;
 };
 
-struct DelaunayReport
-{
-  Offset Flips = 0;
-  /// Edges that should be flipped and were not, because a face would lose its area to rounding.
-  Offset Refused = 0;
-  /// False when the bound on flips was met first. The triangulation is good, but not Delaunay.
-  bool IsComplete = true;
-};
-
 /// Flip edges until those between two faces are Delaunay: the cotangents that face them do not add
 /// up to less than 0, but for rounding (Bobenko and Springborn, "A discrete Laplace-Beltrami
 /// operator for simplicial surfaces", 2007; Fisher et al., "An algorithm for the construction of
 /// intrinsic Delaunay triangulations", 2007). Lengths on the surface, angles and areas stay what
 /// they are. Edges on the boundary, with more than two faces, or with the same face on both sides
-/// stay. At most `mostFlips` flips; negative is the default, 100 per edge, where ordinary meshes
-/// need less than one.
-Status MakeDelaunay(IntrinsicTriangulation& triangulation, Offset mostFlips,
-  const ProgressCallback& progress, DelaunayReport& report);
+/// stay, as do those whose faces would lose their area to rounding. At most 100 flips per edge,
+/// where ordinary meshes need less than one. `flips` is the number of them.
+Status MakeDelaunay(
+  IntrinsicTriangulation& triangulation, const ProgressCallback& progress, Offset& flips);
 }
 
 #endif

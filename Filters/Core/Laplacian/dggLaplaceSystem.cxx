@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLaplaceSystem.h"
 
-#include "dggCotanLaplacian.h"
 #include "dggProgressPart.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace dgg
 {
@@ -15,6 +17,65 @@ constexpr double MatrixDone = 0.5;
 constexpr double OrderDone = 0.9;
 }
 
+std::array<double, 3> GetCotangents(
+  const IntrinsicTriangulation& triangulation, Id face, double largestCotangent)
+{
+  std::array<double, 3> cotangents;
+  double largest = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    cotangents[k] = triangulation.Cotangent(3 * face + k);
+    largest = std::max(largest, std::abs(cotangents[k]));
+  }
+  if (largest > largestCotangent)
+  {
+    for (double& cotangent : cotangents)
+    {
+      // First divided: what is infinite, where there is no area at all, must not become NaN.
+      cotangent = std::isinf(cotangent) ? std::copysign(largestCotangent, cotangent)
+                                        : cotangent / largest * largestCotangent;
+    }
+  }
+  return cotangents;
+}
+
+CotanLaplacian MakeCotanLaplacian(
+  const IntrinsicTriangulation& triangulation, double largestCotangent)
+{
+  const Id n = triangulation.GetNumberOfVertices();
+  CotanLaplacian laplacian;
+  laplacian.Mass = Eigen::VectorXd::Zero(n);
+  std::vector<Eigen::Triplet<double, Id>> entries;
+  entries.reserve(4 * static_cast<std::size_t>(triangulation.GetNumberOfHalfEdges()) + n);
+  for (Id v = 0; v < n; ++v)
+  {
+    entries.emplace_back(v, v, 0.0); // so that vertices without a face have a diagonal entry too
+  }
+  std::array<double, 3> cotangents{ { 0.0, 0.0, 0.0 } };
+  for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
+  {
+    if (h % 3 == 0)
+    {
+      cotangents = GetCotangents(triangulation, SurfaceMesh::Face(h), largestCotangent);
+    }
+    const Id i = triangulation.Origin(h);
+    const Id j = triangulation.Destination(h);
+    laplacian.Mass[i] += triangulation.Area(SurfaceMesh::Face(h)) / 3.0;
+    if (i == j)
+    {
+      continue; // the difference of a value and itself
+    }
+    const double weight = 0.5 * cotangents[SurfaceMesh::Previous(h) % 3];
+    entries.emplace_back(i, j, -weight);
+    entries.emplace_back(j, i, -weight);
+    entries.emplace_back(i, i, weight);
+    entries.emplace_back(j, j, weight);
+  }
+  laplacian.Stiffness.resize(n, n);
+  laplacian.Stiffness.setFromTriplets(entries.begin(), entries.end());
+  return laplacian;
+}
+
 Status LaplaceSystem::Build(
   bool isDelaunay, double largestCotangent, const ProgressCallback& progress)
 {
@@ -23,9 +84,9 @@ Status LaplaceSystem::Build(
     return Status::Abort();
   }
   this->Triangulation = IntrinsicTriangulation(this->Mesh);
-  DelaunayReport report;
+  Offset flips = 0;
   const Status status = isDelaunay
-    ? MakeDelaunay(this->Triangulation, -1, ProgressPart(progress, 0.0, FlipsDone), report)
+    ? MakeDelaunay(this->Triangulation, ProgressPart(progress, 0.0, FlipsDone), flips)
     : Status::Success();
   if (!status.IsOk() || !Goes(progress, FlipsDone))
   {

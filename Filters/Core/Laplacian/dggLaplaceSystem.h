@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What linear systems on a mesh have in common. Internal.
+/// The cotangent Laplacian, and what linear systems of it have in common. Internal: the only
+/// headers that name Eigen are internal ones.
 #ifndef dggLaplaceSystem_h
 #define dggLaplaceSystem_h
 
@@ -10,16 +11,34 @@
 
 #include <Eigen/SparseCore> // for the matrix
 
+#include <array>   // for the cotangents of a face
 #include <cstdint> // for flags
 #include <vector>  // for arrays
 
 namespace dgg
 {
-/// Whether `progress` wants the work to go on.
-inline bool Goes(const ProgressCallback& progress, double fraction)
+/// Linear finite elements. `Stiffness` is positive semidefinite and without an area factor: for
+/// neighbours i, j the entry is -(cot a + cot b) / 2, with the angles that face the edge (one on
+/// the boundary, more on a non-manifold edge; several edges between i and j add up), and rows sum
+/// to 0. So (L f)_i approximates the integral of -Laplace f over the cell of i; boundaries have
+/// natural (Neumann) conditions. `Mass` is lumped: a third of the areas of the faces around a
+/// vertex. Vertices without a face have rows of zeros (a diagonal entry is there) and no mass.
+///
+/// The matrices of faces with a cotangent beyond `largestCotangent` are scaled down to it as a
+/// whole, so that they stay semidefinite. Among cotangents of 1e13, as needles with next to no area
+/// have them, the others would be lost to rounding.
+struct CotanLaplacian
 {
-  return !progress || progress(fraction);
-}
+  Eigen::SparseMatrix<double> Stiffness;
+  Eigen::VectorXd Mass;
+};
+
+/// The cotangents of the three corners of a face, scaled down to the largest one allowed.
+std::array<double, 3> GetCotangents(
+  const IntrinsicTriangulation& triangulation, Id face, double largestCotangent = Infinity);
+
+CotanLaplacian MakeCotanLaplacian(
+  const IntrinsicTriangulation& triangulation, double largestCotangent = Infinity);
 
 /// The cotangent Laplacian of a mesh, which must outlive it, the components, and the order of
 /// elimination. The heat method and Poisson equations factorize matrices made of it.

@@ -63,7 +63,7 @@ Status AddPointMass(
 /// mesh is refined.
 ///
 /// The solver must be ready, without given values, and outlive it. Both distributions must have the
-/// same mass in each component.
+/// same mass in each component, see BalanceMasses().
 class EarthMovers
 {
 public:

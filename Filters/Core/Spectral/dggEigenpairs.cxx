@@ -82,7 +82,6 @@ public:
   /// How many eigenvalues there are besides 0, and how often that is one.
   Id GetRank() const { return this->Rank; }
   Id GetNullity() const { return this->Nullity; }
-  Offset GetSolved() const { return this->Solved; }
   /// What eigenvalues of the inverse have been multiplied with.
   double GetScale() const { return this->Scale; }
   const Eigen::VectorXd& GetRoots() const { return this->Roots; }
@@ -117,7 +116,6 @@ public:
     Eigen::Map<Eigen::VectorXd> inner(values.data(), n);
     inner = this->Off(from).cwiseProduct(this->Roots);
     this->System.Solve(values);
-    this->Solved += static_cast<Offset>(n);
     to = this->Off(this->Scale * inner.cwiseProduct(this->Roots));
   }
 
@@ -164,7 +162,6 @@ private:
   Id Nullity = 0;
   std::function<bool(Id)> Progress;
   mutable Id Applied = 0;
-  mutable Offset Solved = 0;
 };
 
 /// Eigenvalues of L v = lambda M v, increasing, and M^1/2 v.
@@ -337,7 +334,6 @@ Status FindAllAtOnce(
     const Eigen::Index kept = std::min<Eigen::Index>(count, CountDefinite(inverses));
     Put(op, op.GetScale() * inverses.head(kept).cwiseInverse(), vectors.leftCols(kept), pairs);
   }
-  pairs.Solved = op.GetSolved();
   return !status.IsOk() || Goes(progress, 1.0) ? status : Status::Abort();
 }
 
@@ -436,7 +432,6 @@ Status FindEigenpairs(
     status = status.IsOk() ? own.Analyze(OptionsOf(system, parts[p]), nullptr) : status;
     status = status.IsOk() ? own.Factorize() : status;
     status = status.IsOk() ? FindAllAtOnce(own, wanted, reported, found[p]) : status;
-    pairs.Solved += found[p].Solved;
     return status;
   };
   // As many as the part should have by its area (Weyl's law), then more where the last one is not

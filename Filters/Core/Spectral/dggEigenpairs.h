@@ -23,8 +23,6 @@ struct Eigenpairs
   /// Whether it was checked (by the signs of the pivots of L - sigma M, Sylvester's law) that none
   /// is missing below the last gap in the spectrum. Else those in clusters may be.
   bool IsComplete = false;
-  /// Numbers solved for: vertices times right-hand sides. For tests.
-  Offset Solved = 0;
 
   Id GetCount() const { return static_cast<Id>(this->Values.size()); }
   std::size_t GetMemorySize() const

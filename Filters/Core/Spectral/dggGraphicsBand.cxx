@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphicsBand.h"
 
-#include "dggGraphicsBlend.h"
+#include "dggMeshPart.h"
+#include "dggPoissonSolver.h"
+#include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace dgg
 {
@@ -87,12 +90,132 @@ void AddSources(const SurfaceMesh& mesh, const std::vector<EdgeSide>& edges,
     }
   }
 }
-}
 
+/// b(d) = (1 - (d / width)^2)^2, 0 from the width on: flat at the curve, and it ends smoothly.
 double FadeWithDistance(double distance, double width)
 {
   const double t = distance / width;
   return t < 1.0 ? (1.0 - t * t) * (1.0 - t * t) : 0.0;
+}
+
+bool IsSameAllAlong(const std::vector<double>& values, std::size_t channels)
+{
+  for (std::size_t i = channels; i < values.size(); ++i)
+  {
+    if (values[i] != values[i - channels])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool IsFaceInBand(const SurfaceMesh& mesh, Id face, const std::vector<char>& isInBand)
+{
+  const std::array<Id, 3> corners = mesh.GetTriangle(face);
+  return !mesh.IsDropped(face) &&
+    (isInBand[corners[0]] || isInBand[corners[1]] || isInBand[corners[2]]);
+}
+
+/// The strengths on the left and on the right of a Poisson curve as continuous functions around it:
+/// each is harmonic in the band and has, at both sides of the curve, the strength of the curve
+/// there. Those of the nearest place of the curve would jump where two places are as near.
+class StrengthBlend
+{
+public:
+  /// Solve for them on the faces of a mesh that have a vertex in the band, on the intrinsic
+  /// Delaunay triangulation of these, so that no strength lies outside of those of the curve. Where
+  /// their triangles are too thin for that, there are no strengths, see Get().
+  Status Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand, const CurveSides& sides,
+    const CurveChain& chain, const GraphicsCurve& curve, int channels,
+    const ProgressCallback& progress);
+
+  /// The strengths at a vertex, one per channel. False, and nothing, where faces of the band do not
+  /// lead to the curve, or are too thin.
+  bool Get(Id vertex, std::vector<double>& left, std::vector<double>& right) const;
+
+private:
+  std::vector<Id> Places;                   // per vertex, its id in the band, or NoId
+  std::vector<std::vector<double>> Columns; // channels of the left, then those of the right
+};
+
+Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand,
+  const CurveSides& sides, const CurveChain& chain, const GraphicsCurve& curve, int channels,
+  const ProgressCallback& progress)
+{
+  MeshPart part;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    if (IsFaceInBand(mesh, f, isInBand))
+    {
+      part.Faces.push_back(f);
+    }
+  }
+  Status status = part.Build(mesh);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const SurfaceMesh& band = part.Mesh;
+  this->Places.assign(isInBand.size(), NoId);
+  for (std::size_t v = 0; v < part.Vertices.size(); ++v)
+  {
+    this->Places[part.Vertices[v]] = static_cast<Id>(v);
+  }
+  const auto n = static_cast<std::size_t>(band.GetNumberOfVertices());
+  const auto count = static_cast<std::size_t>(channels);
+  std::vector<double> given(n, 0.0); // how often
+  PoissonOptions options;
+  options.IntrinsicDelaunay = true;
+  ForEachEnd(sides, chain, [&](Id v, bool, double) {
+    options.GivenVertices.push_back(this->Places[v]);
+    given[this->Places[v]] += 1.0;
+  });
+  PoissonSolver solver(band);
+  status = solver.Prepare(options, progress);
+  if (!status.IsOk())
+  {
+    this->Places.clear();
+    return !status.IsAborted() && solver.GetSystem().HasThin() ? Status::Success() : status;
+  }
+  this->Columns.assign(2 * count, std::vector<double>(n, 0.0));
+  std::vector<double> strength(count);
+  for (const std::size_t side : { 0, 1 })
+  {
+    ForEachEnd(sides, chain, [&](Id v, bool, double parameter) {
+      InterpolateOnCurve(
+        side == 0 ? curve.Left : curve.Right, channels, curve.IsClosed, parameter, strength.data());
+      for (std::size_t c = 0; c < count; ++c)
+      {
+        this->Columns[side * count + c][this->Places[v]] += strength[c] / given[this->Places[v]];
+      }
+    });
+  }
+  status = solver.Solve(this->Columns);
+  const PoissonSystem& system = solver.GetSystem();
+  for (Id& place : this->Places)
+  {
+    place = place != NoId && system.IsFree(system.GetComponent(place)) ? NoId : place;
+  }
+  return status;
+}
+
+bool StrengthBlend::Get(Id vertex, std::vector<double>& left, std::vector<double>& right) const
+{
+  const Id place = this->Places.empty() ? NoId : this->Places[vertex];
+  for (std::size_t c = 0; c < left.size() && place != NoId; ++c)
+  {
+    left[c] = this->Columns[c][place];
+    right[c] = this->Columns[left.size() + c][place];
+  }
+  return place != NoId;
+}
+}
+
+bool IsBlended(const GraphicsCurve& curve, int channels)
+{
+  const auto count = static_cast<std::size_t>(channels);
+  return !IsSameAllAlong(curve.Left, count) || !IsSameAllAlong(curve.Right, count);
 }
 
 Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChain& chain,
@@ -115,7 +238,7 @@ Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChai
   }
   const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
   StrengthBlend blend;
-  if (status.IsOk() && StrengthBlend::IsNeeded(curve, channels))
+  if (status.IsOk() && IsBlended(curve, channels))
   {
     std::vector<char> isInBand(n);
     for (std::size_t v = 0; v < n; ++v)

@@ -12,8 +12,9 @@
 
 namespace dgg
 {
-/// b(d) = (1 - (d / width)^2)^2, 0 from the width on: flat at the curve, and it ends smoothly.
-double FadeWithDistance(double distance, double width);
+/// Whether strengths change along a curve, and so are blended in its band, for which equations are
+/// solved.
+bool IsBlended(const GraphicsCurve& curve, int channels);
 
 /// Add B, see VectorGraphics, of one curve with sides on a mesh to values per vertex, all channels
 /// of one after each other. The distances of points from a side are those from its vertices and
@@ -21,7 +22,7 @@ double FadeWithDistance(double distance, double width);
 /// long; since b is flat there, that costs up to 2 (L/8w)^2 of the colour: 3.5e-3 for a width w of
 /// three edges, and a quarter as much for each level of refinement.
 ///
-/// Where strengths change along the curve, they are blended, see StrengthBlend.
+/// Where strengths change along the curve, they are blended: each is harmonic in the band.
 Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChain& chain,
   const GraphicsCurve& curve, int channels, ExactGeodesics& exact, const ProgressCallback& progress,
   std::vector<double>& values);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphicsDomain.h"
 
-#include "dggGraphicsChecks.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -42,7 +40,7 @@ Status CutAlong(const RefinedSurface& surface, const std::vector<CurveChain>& ch
   return status;
 }
 
-/// Call `visit(vertex, curve, values, parameter)` for every end of an edge of a diffusion curve, on
+/// Call `visit(vertex, curve, isLeft, parameter)` for every end of an edge of a diffusion curve, on
 /// both sides.
 template <typename Visitor>
 void ForEachGiven(const GraphicsDomain& domain, const std::vector<CurveChain>& chains,
@@ -50,26 +48,18 @@ void ForEachGiven(const GraphicsDomain& domain, const std::vector<CurveChain>& c
 {
   for (std::size_t k = 0; k < curves.size(); ++k)
   {
-    if (curves[k].Type != GraphicsCurveType::Diffusion)
+    if (curves[k].Type == GraphicsCurveType::Diffusion)
     {
-      continue;
-    }
-    const CurveSides& sides = domain.Solved.Sides[domain.SidesInSolved[k]];
-    const std::vector<double>& parameters = chains[k].Parameters;
-    for (const bool isLeft : { true, false })
-    {
-      const std::vector<EdgeSide>& edges = isLeft ? sides.Left : sides.Right;
-      for (std::size_t i = 0; i < edges.size(); ++i)
-      {
-        if (edges[i].Face != NoId)
-        {
-          visit(edges[i].From, curves[k], isLeft, parameters[i]);
-          visit(edges[i].To, curves[k], isLeft, parameters[i + 1]);
-        }
-      }
+      ForEachEnd(domain.Solved.Sides[domain.SidesInSolved[k]], chains[k],
+        [&](Id v, bool isLeft, double parameter) { visit(v, curves[k], isLeft, parameter); });
     }
   }
 }
+}
+
+std::string NameOf(const GraphicsCurve& curve, std::size_t number)
+{
+  return curve.Name.empty() ? "curve " + std::to_string(number) : curve.Name;
 }
 
 Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,

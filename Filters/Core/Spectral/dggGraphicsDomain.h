@@ -9,6 +9,7 @@
 #include "dggVectorGraphics.h" // for curves
 
 #include <cstddef> // for std::size_t
+#include <string>  // for names
 #include <vector>  // for maps
 
 namespace dgg
@@ -27,6 +28,28 @@ struct GraphicsDomain
   std::vector<std::size_t> SidesInSolved;
   std::vector<std::size_t> SidesInDrawn;
 };
+
+/// How messages name a curve of that number.
+std::string NameOf(const GraphicsCurve& curve, std::size_t number);
+
+/// Call `visit(vertex, isLeft, parameter)` for both ends of every edge of a curve, on its left and
+/// then on its right, where there is a face.
+template <typename Visitor>
+void ForEachEnd(const CurveSides& sides, const CurveChain& chain, Visitor&& visit)
+{
+  for (const bool isLeft : { true, false })
+  {
+    const std::vector<EdgeSide>& edges = isLeft ? sides.Left : sides.Right;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+    {
+      if (edges[i].Face != NoId)
+      {
+        visit(edges[i].From, isLeft, chain.Parameters[i]);
+        visit(edges[i].To, isLeft, chain.Parameters[i + 1]);
+      }
+    }
+  }
+}
 
 /// Fails when a curve has no length, or no sides.
 Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,

@@ -4,37 +4,11 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
 
 namespace dgg
 {
 namespace
 {
-Status CheckFragments(const CutSurface& surface, const std::vector<Id>& faces,
-  const std::vector<double>& values, int channels, int division)
-{
-  if (channels < 1 || division < 1)
-  {
-    return Status::Invalid("there must be a channel, and parts of faces");
-  }
-  if (values.size() != surface.Points.size() * static_cast<std::size_t>(channels))
-  {
-    return Status::Invalid("there are " + std::to_string(values.size()) + " values for " +
-      std::to_string(surface.Points.size()) + " points with " + std::to_string(channels) +
-      " channels");
-  }
-  for (const Id face : faces)
-  {
-    if (face < 0 || face >= surface.GetNumberOfFaces())
-    {
-      return Status::Invalid("face " + std::to_string(face) +
-        " does not exist: ids must be in [0, " + std::to_string(surface.GetNumberOfFaces() - 1) +
-        "]");
-    }
-  }
-  return Status::Success();
-}
-
 /// The middles of the parts of a triangle divided by lines parallel to its sides, in barycentric
 /// coordinates: those of parts that lie as the triangle does, then those of the others.
 std::vector<std::array<double, 3>> FindMiddles(int division)
@@ -57,16 +31,10 @@ std::vector<std::array<double, 3>> FindMiddles(int division)
 }
 }
 
-Status MakeFragments(const SurfaceMesh& mesh, const CutSurface& surface,
-  const std::vector<Id>& faces, const std::vector<double>& values, int channels, int division,
-  GraphicsFragments& fragments)
+GraphicsFragments MakeFragments(const SurfaceMesh& mesh, const CutSurface& surface,
+  const std::vector<Id>& faces, const std::vector<double>& values, int channels, int division)
 {
-  fragments = GraphicsFragments();
-  const Status status = CheckFragments(surface, faces, values, channels, division);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  GraphicsFragments fragments;
   const std::vector<std::array<double, 3>> middles = FindMiddles(division);
   const std::size_t count = faces.size() * middles.size();
   const auto width = static_cast<std::size_t>(channels);
@@ -91,6 +59,6 @@ Status MakeFragments(const SurfaceMesh& mesh, const CutSurface& surface,
       }
     }
   }
-  return status;
+  return fragments;
 }
 }

@@ -24,12 +24,8 @@ struct GraphicsFragments
 /// Divide faces of a coloured surface into division^2 parts of one size and shape, and take the
 /// middle of each. The mean over the fragments of a face is that over the face.
 /// `faces` are those of `surface`; `values` has `channels` numbers for each of its vertices.
-///
-/// Fails when `division` or `channels` is not positive, when there are not as many values, and when
-/// a face does not exist.
-Status MakeFragments(const SurfaceMesh& mesh, const CutSurface& surface,
-  const std::vector<Id>& faces, const std::vector<double>& values, int channels, int division,
-  GraphicsFragments& fragments);
+GraphicsFragments MakeFragments(const SurfaceMesh& mesh, const CutSurface& surface,
+  const std::vector<Id>& faces, const std::vector<double>& values, int channels, int division);
 }
 
 #endif

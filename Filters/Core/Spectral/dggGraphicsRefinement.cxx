@@ -14,8 +14,8 @@ namespace dgg
 {
 namespace
 {
-/// The faces with a vertex on a path, and rings of faces around them.
-std::vector<Id> FindFacesAroundCurves(const RefinedSurface& surface, int rings)
+/// The faces with a vertex on a path.
+std::vector<Id> FindFacesAroundCurves(const RefinedSurface& surface)
 {
   std::vector<char> isTouched(surface.Points.size(), 0);
   for (const std::vector<Id>& path : surface.Paths)
@@ -25,24 +25,13 @@ std::vector<Id> FindFacesAroundCurves(const RefinedSurface& surface, int rings)
       isTouched[v] = 1;
     }
   }
-  std::vector<char> isIn(surface.Faces.size(), 0);
-  for (int ring = 0; ring <= rings; ++ring)
-  {
-    for (std::size_t h = 0; h < surface.Triangles.size(); ++h)
-    {
-      isIn[h / 3] |= isTouched[surface.Triangles[h]];
-    }
-    for (std::size_t h = 0; h < surface.Triangles.size(); ++h)
-    {
-      isTouched[surface.Triangles[h]] |= isIn[h / 3];
-    }
-  }
   std::vector<Id> faces;
-  for (std::size_t f = 0; f < isIn.size(); ++f)
+  for (Id f = 0; f < surface.GetNumberOfFaces(); ++f)
   {
-    if (isIn[f])
+    const Id* corners = surface.Triangles.data() + 3 * f;
+    if (isTouched[corners[0]] || isTouched[corners[1]] || isTouched[corners[2]])
     {
-      faces.push_back(static_cast<Id>(f));
+      faces.push_back(f);
     }
   }
   return faces;
@@ -52,7 +41,7 @@ std::vector<Id> ChooseFaces(const GraphicsRefinement& refinement, const RefinedS
 {
   if (refinement.Part == RefinedPart::AroundCurves)
   {
-    return FindFacesAroundCurves(surface, refinement.Rings);
+    return FindFacesAroundCurves(surface);
   }
   std::vector<Id> meant = refinement.Faces;
   std::sort(meant.begin(), meant.end());
@@ -85,14 +74,6 @@ void FindParts(const std::vector<Id>& faces, const std::vector<Id>& parents, std
 Status RefineForGraphics(const SurfaceMesh& mesh, const GraphicsRefinement& refinement,
   RefinedSurface& surface, std::vector<Id>* parts)
 {
-  for (const Id f : refinement.Faces)
-  {
-    if (refinement.Part == RefinedPart::Faces && (f < 0 || f >= mesh.GetNumberOfFaces()))
-    {
-      return Status::Invalid("face " + std::to_string(f) + " does not exist: ids must be in [0, " +
-        std::to_string(mesh.GetNumberOfFaces() - 1) + "]");
-    }
-  }
   const std::vector<Id> faces = ChooseFaces(refinement, surface);
   const double partsPerFace = std::pow(4.0, refinement.Levels);
   const double count = static_cast<double>(surface.Faces.size()) +

@@ -16,8 +16,8 @@ namespace dgg
 enum class RefinedPart
 {
   Everything,
-  AroundCurves,
-  Faces ///< those that are given
+  AroundCurves, ///< those that touch a curve; RefineFaces() takes a ring along for further levels
+  Faces         ///< those that are given
 };
 
 /// Where faces are made finer, and by how much, before the colours are solved for. The solution on
@@ -32,11 +32,8 @@ struct GraphicsRefinement
   /// How often faces are split in four.
   int Levels = 0;
   RefinedPart Part = RefinedPart::Everything;
-  /// Of the mesh that curves were drawn on, for RefinedPart::Faces.
+  /// Of the mesh that curves were drawn on, for RefinedPart::Faces. They must exist.
   std::vector<Id> Faces;
-  /// Around curves: how many rings of faces besides those that touch a curve. RefineFaces() takes
-  /// more along for all levels but the last.
-  int Rings = 0;
   /// More faces are an error, before they are made.
   Offset MostFaces = std::numeric_limits<Id>::max() / 3;
   ProgressCallback Progress; ///< may be empty

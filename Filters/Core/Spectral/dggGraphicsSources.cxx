@@ -1,28 +1,52 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphicsSources.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
+#include <numeric>
+#include <string>
 
 namespace dgg
 {
 namespace
 {
+/// The parts of the faces of the mesh that was refined.
+class FaceParts
+{
+public:
+  FaceParts(const RefinedSurface& surface, Id numberOfFaces)
+    : Begins(static_cast<std::size_t>(numberOfFaces) + 1, 0)
+    , Parts(numberOfFaces > 0 ? surface.Faces.size() : 0)
+  {
+    if (numberOfFaces == 0)
+    {
+      return;
+    }
+    for (const Id f : surface.Faces)
+    {
+      ++this->Begins[f];
+    }
+    std::partial_sum(this->Begins.begin(), this->Begins.end(), this->Begins.begin());
+    for (auto part = static_cast<Id>(surface.Faces.size()); part-- > 0;)
+    {
+      this->Parts[--this->Begins[surface.Faces[part]]] = part;
+    }
+  }
+  void Append(Id face, std::vector<Id>& parts) const
+  {
+    parts.insert(parts.end(), this->Parts.begin() + this->Begins[face],
+      this->Parts.begin() + this->Begins[face + 1]);
+  }
+
+private:
+  std::vector<Id> Begins; // per face; one more at the end
+  std::vector<Id> Parts;
+};
+
 std::pair<Id, Id> Unordered(Id a, Id b)
 {
   return { std::min(a, b), std::max(a, b) };
-}
-
-/// Room for so many, without what was there. They would take up to three times as much while they
-/// grow.
-void MakeRoom(std::size_t count, std::vector<Id>& ids)
-{
-  if (ids.capacity() < count)
-  {
-    ids = std::vector<Id>();
-    ids.reserve(count);
-  }
-  ids.clear();
 }
 
 /// Call `visit` for the other half-edges of the same edge.
@@ -51,14 +75,7 @@ ChainEdges::ChainEdges(const RefinedSurface& surface, const std::vector<CurveCha
   const auto isBetween = [&](Id h) {
     return isPassed[surface.Triangles[h]] && isPassed[surface.Triangles[SurfaceMesh::Next(h)]];
   };
-  const auto end = static_cast<Id>(surface.Triangles.size());
-  std::size_t count = 0;
-  for (Id h = 0; h < end; ++h)
-  {
-    count += isBetween(h) ? 1 : 0;
-  }
-  this->HalfEdges.reserve(count); // not up to three times as much, while it grows
-  for (Id h = 0; h < end; ++h)
+  for (Id h = 0; h < static_cast<Id>(surface.Triangles.size()); ++h)
   {
     if (isBetween(h))
     {
@@ -111,7 +128,7 @@ Status LeftFaces::FindSides(const CurveChain& chain, ChainSides& sides) const
 }
 
 /// Walk from the left of the curve, which is a wall, to all faces there.
-Status LeftFaces::Spread(const ChainSides& sides, WorkProgress& work, std::vector<Id>& faces)
+Status LeftFaces::Spread(const ChainSides& sides, std::vector<Id>& faces)
 {
   const auto find = [&](Id h) {
     const Id f = SurfaceMesh::Face(h);
@@ -129,10 +146,6 @@ Status LeftFaces::Spread(const ChainSides& sides, WorkProgress& work, std::vecto
   while (next < faces.size())
   {
     const Id f = faces[next++];
-    if (!work.Add(1.0))
-    {
-      return Status::Abort();
-    }
     for (Id h = 3 * f; h < 3 * f + 3; ++h)
     {
       if (!this->IsWall[h])
@@ -152,8 +165,7 @@ Status LeftFaces::Spread(const ChainSides& sides, WorkProgress& work, std::vecto
   return Status::Success();
 }
 
-Status LeftFaces::Find(
-  const CurveChain& chain, bool isClosed, WorkProgress& work, std::vector<Id>& faces)
+Status LeftFaces::Find(const CurveChain& chain, bool isClosed, std::vector<Id>& faces)
 {
   faces.clear();
   if (!isClosed)
@@ -177,7 +189,7 @@ Status LeftFaces::Find(
     }
   };
   setWalls(1);
-  status = this->Spread(sides, work, faces);
+  status = this->Spread(sides, faces);
   setWalls(0);
   for (const Id f : faces)
   {
@@ -202,17 +214,13 @@ double RegionSources::GetArea(Id face) const
   return 0.5 * this->Mesh.Length(3 * face) * this->Mesh.ApexY(3 * face);
 }
 
-/// The faces of the region that can be reached from one of them through edges. False when stopped.
-bool RegionSources::FindPatch(Id face, WorkProgress& work)
+/// The faces of the region that can be reached from one of them through edges.
+void RegionSources::FindPatch(Id face)
 {
   this->Patch.assign(1, face);
   this->States[face] = State::Found;
   for (std::size_t i = 0; i < this->Patch.size(); ++i)
   {
-    if (!work.Add(1.0))
-    {
-      return false;
-    }
     for (Id h = 3 * this->Patch[i]; h < 3 * this->Patch[i] + 3; ++h)
     {
       ForEachTwin(this->Surface, h, [&](Id e) {
@@ -225,22 +233,15 @@ bool RegionSources::FindPatch(Id face, WorkProgress& work)
       });
     }
   }
-  return true;
 }
 
 /// Edges of the patch with a face that is not of the region. Where it has several of the faces at
-/// such an edge, the smallest half-edge stands for it. False when stopped.
-bool RegionSources::FindRim(WorkProgress& work)
+/// such an edge, the smallest half-edge stands for it.
+void RegionSources::FindRim()
 {
-  // As many as a tree of triangles has. More have only patches with edges of several of their
-  // faces.
-  MakeRoom(this->Patch.size() + 2, this->Rim);
+  this->Rim.clear();
   for (const Id f : this->Patch)
   {
-    if (!work.Add(1.0))
-    {
-      return false;
-    }
     for (Id h = 3 * f; h < 3 * f + 3; ++h)
     {
       bool isRim = false;
@@ -256,12 +257,10 @@ bool RegionSources::FindRim(WorkProgress& work)
       }
     }
   }
-  return true;
 }
 
-/// False when stopped.
-bool RegionSources::AddPatch(const std::vector<double>& strength, WorkProgress& work,
-  std::vector<std::vector<double>>& loads) const
+void RegionSources::AddPatch(
+  const std::vector<double>& strength, std::vector<std::vector<double>>& loads) const
 {
   double area = 0.0;
   for (const Id f : this->Patch)
@@ -275,10 +274,6 @@ bool RegionSources::AddPatch(const std::vector<double>& strength, WorkProgress& 
   }
   for (const Id f : this->Patch)
   {
-    if (!work.Add(1.0))
-    {
-      return false;
-    }
     const double part = area > 0.0 ? this->GetArea(f) / area : 0.0;
     for (std::size_t c = 0; c < loads.size(); ++c)
     {
@@ -299,13 +294,11 @@ bool RegionSources::AddPatch(const std::vector<double>& strength, WorkProgress& 
       loads[c][this->Surface.Triangles[SurfaceMesh::Next(h)]] -= sink;
     }
   }
-  return true;
 }
 
-Status RegionSources::Add(const std::vector<Id>& faces, const std::vector<double>& strength,
-  WorkProgress& work, std::vector<std::vector<double>>& loads)
+void RegionSources::Add(const std::vector<Id>& faces, const std::vector<double>& strength,
+  std::vector<std::vector<double>>& loads)
 {
-  MakeRoom(std::min(faces.size(), this->States.size()), this->Patch);
   for (const Id f : faces)
   {
     this->States[f] = State::Waiting;
@@ -314,24 +307,20 @@ Status RegionSources::Add(const std::vector<Id>& faces, const std::vector<double
   {
     if (this->States[f] == State::Waiting)
     {
-      if (!this->FindPatch(f, work) || !this->FindRim(work) ||
-        !this->AddPatch(strength, work, loads))
-      {
-        return Status::Abort();
-      }
+      this->FindPatch(f);
+      this->FindRim();
+      this->AddPatch(strength, loads);
     }
   }
   for (const Id f : faces)
   {
     this->States[f] = State::Outside;
   }
-  return Status::Success();
 }
 
 std::vector<ChainPart> SplitChain(const ChainEdges& edges, const CurveChain& chain)
 {
   std::vector<ChainPart> parts;
-  parts.reserve(2 * chain.Vertices.size()); // more only where edges have more than two faces
   for (std::size_t i = 0; i + 1 < chain.Vertices.size(); ++i)
   {
     const std::vector<Id> halves = edges.Find(chain.Vertices[i], chain.Vertices[i + 1]);
@@ -372,5 +361,110 @@ void AddLineSource(const CutSurface& surface, const CurveChain& chain,
       loads[c][to] += part.Length / 6.0 * (begin[c] + 2.0 * end[c]);
     }
   }
+}
+
+Status GraphicsLoads::Prepare(const RefinedSurface& surface, Id numberOfFaces,
+  const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
+  const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress)
+{
+  this->NumberOfFaces = numberOfFaces;
+  this->ChainParts.assign(curves.size(), {});
+  std::vector<char> isMeant;
+  for (const GraphicsCurve& curve : curves)
+  {
+    isMeant.push_back(
+      curve.Type == GraphicsCurveType::Source || curve.Type == GraphicsCurveType::Region);
+  }
+  const ChainEdges edges(surface, chains, isMeant);
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    if (curves[k].Type == GraphicsCurveType::Source)
+    {
+      this->ChainParts[k] = SplitChain(edges, chains[k]);
+    }
+  }
+  return this->FindRegions(edges, chains, curves, checkMemory, progress);
+}
+
+/// The faces on the left of regions; of many regions they may be many more than the surface has.
+Status GraphicsLoads::FindRegions(const ChainEdges& edges, const std::vector<CurveChain>& chains,
+  const std::vector<GraphicsCurve>& curves, const GraphicsMemoryCheck& checkMemory,
+  const ProgressCallback& progress)
+{
+  this->RegionFaces.assign(curves.size(), {});
+  LeftFaces left(edges);
+  const auto faces = static_cast<double>(edges.GetSurface().Faces.size());
+  const auto count = static_cast<double>(curves.size());
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    if (curves[k].Type != GraphicsCurveType::Region)
+    {
+      continue;
+    }
+    const double bytes = this->GetMemorySize() + 2.0 * faces * sizeof(Id);
+    Status status = checkMemory ? checkMemory(bytes, bytes) : Status::Success();
+    if (status.IsOk())
+    {
+      status = left.Find(chains[k], curves[k].IsClosed, this->RegionFaces[k]);
+      status =
+        status.IsOk() ? status : Status::Invalid(NameOf(curves[k], k) + ": " + status.GetMessage());
+    }
+    if (!status.IsOk() || !Goes(progress, static_cast<double>(k + 1) / count))
+    {
+      return status.IsOk() ? Status::Abort() : status;
+    }
+  }
+  return Status::Success();
+}
+
+double GraphicsLoads::GetMemorySize() const
+{
+  double faces = 0.0;
+  for (const std::vector<Id>& region : this->RegionFaces)
+  {
+    faces += static_cast<double>(region.size());
+  }
+  return 2.0 * faces * sizeof(Id); // vectors that have grown
+}
+
+Status GraphicsLoads::Add(const GraphicsDomain& domain, const std::vector<CurveChain>& chains,
+  const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
+  const std::vector<std::vector<double>>& strengths, const ProgressCallback& progress,
+  std::vector<std::vector<double>>& columns) const
+{
+  const CutSurface& surface = domain.Solved.Surface;
+  const FaceParts parts(surface, regions.empty() ? 0 : this->NumberOfFaces);
+  RegionSources adder(domain.SolvedMesh, surface);
+  const auto count = static_cast<double>(curves.size() + regions.size());
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    if (curves[k].Type == GraphicsCurveType::Source)
+    {
+      AddLineSource(surface, chains[k], this->ChainParts[k], curves[k], columns);
+    }
+    if (curves[k].Type == GraphicsCurveType::Region)
+    {
+      adder.Add(this->RegionFaces[k], curves[k].Left, columns);
+    }
+    if (!Goes(progress, static_cast<double>(k + 1) / count))
+    {
+      return Status::Abort();
+    }
+  }
+  std::vector<Id> faces;
+  for (std::size_t r = 0; r < regions.size(); ++r)
+  {
+    faces.clear();
+    for (const Id f : regions[r].Faces)
+    {
+      parts.Append(f, faces);
+    }
+    adder.Add(faces, strengths[r], columns);
+    if (!Goes(progress, static_cast<double>(curves.size() + r + 1) / count))
+    {
+      return Status::Abort();
+    }
+  }
+  return Status::Success();
 }
 }

@@ -6,7 +6,6 @@
 #define dggGraphicsSources_h
 
 #include "dggGraphicsDomain.h" // for the surface
-#include "dggWorkProgress.h"   // for progress
 
 #include <cstddef> // for std::size_t
 #include <cstdint> // for flags
@@ -40,8 +39,8 @@ public:
   explicit LeftFaces(const ChainEdges& edges);
 
   /// Fails when the curve is open, runs along edges without two sides, or one can walk from its
-  /// left to its right; when stopped as well. `work` is told of faces.
-  Status Find(const CurveChain& chain, bool isClosed, WorkProgress& work, std::vector<Id>& faces);
+  /// left to its right.
+  Status Find(const CurveChain& chain, bool isClosed, std::vector<Id>& faces);
 
 private:
   /// The half-edges of a chain on its left and on its right.
@@ -52,7 +51,7 @@ private:
   };
 
   Status FindSides(const CurveChain& chain, ChainSides& sides) const;
-  Status Spread(const ChainSides& sides, WorkProgress& work, std::vector<Id>& faces);
+  Status Spread(const ChainSides& sides, std::vector<Id>& faces);
 
   const ChainEdges& Edges;
   const RefinedSurface& Surface;
@@ -64,15 +63,12 @@ private:
 class RegionSources
 {
 public:
-  static constexpr double WorkPerFace = 3.0;
-
   RegionSources(const SurfaceMesh& mesh, const CutSurface& surface);
 
   /// Add the integrals of the sources of a region against hat functions. Faces are those of the
   /// surface and may repeat. Loads are those of vertices, one array per channel; those of a patch
-  /// sum to 0 to rounding if it has a rim. `work` is told of each face WorkPerFace times; when
-  /// it stops, no more regions can be added.
-  Status Add(const std::vector<Id>& faces, const std::vector<double>& strength, WorkProgress& work,
+  /// sum to 0 to rounding if it has a rim.
+  void Add(const std::vector<Id>& faces, const std::vector<double>& strength,
     std::vector<std::vector<double>>& loads);
 
 private:
@@ -83,10 +79,9 @@ private:
     Found    ///< in one of its patches
   };
 
-  bool FindPatch(Id face, WorkProgress& work);
-  bool FindRim(WorkProgress& work);
-  bool AddPatch(const std::vector<double>& strength, WorkProgress& work,
-    std::vector<std::vector<double>>& loads) const;
+  void FindPatch(Id face);
+  void FindRim();
+  void AddPatch(const std::vector<double>& strength, std::vector<std::vector<double>>& loads) const;
   double GetArea(Id face) const;
 
   const SurfaceMesh& Mesh;
@@ -114,6 +109,38 @@ std::vector<ChainPart> SplitChain(const ChainEdges& edges, const CurveChain& cha
 void AddLineSource(const CutSurface& surface, const CurveChain& chain,
   const std::vector<ChainPart>& parts, const GraphicsCurve& curve,
   std::vector<std::vector<double>>& loads);
+
+/// The sources of regions and of curves.
+class GraphicsLoads
+{
+public:
+  /// Find where the sources of curves are on a refinement of a mesh with so many faces. Chain k
+  /// belongs to curve k. `checkMemory`, which may be empty, is asked with the bytes that the
+  /// faces of regions take, which are more than the surface has where there are many. Fails where a
+  /// region's curve is open or does not separate its left from its right.
+  Status Prepare(const RefinedSurface& surface, Id numberOfFaces,
+    const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
+    const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress);
+
+  /// Add the integrals of all sources against hat functions to columns, one per channel.
+  /// `strengths` are those of regions.
+  Status Add(const GraphicsDomain& domain, const std::vector<CurveChain>& chains,
+    const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
+    const std::vector<std::vector<double>>& strengths, const ProgressCallback& progress,
+    std::vector<std::vector<double>>& columns) const;
+
+  /// About how many bytes are held.
+  double GetMemorySize() const;
+
+private:
+  Status FindRegions(const ChainEdges& edges, const std::vector<CurveChain>& chains,
+    const std::vector<GraphicsCurve>& curves, const GraphicsMemoryCheck& checkMemory,
+    const ProgressCallback& progress);
+
+  Id NumberOfFaces = 0;                           // of the mesh
+  std::vector<std::vector<Id>> RegionFaces;       // per curve, where it is a region
+  std::vector<std::vector<ChainPart>> ChainParts; // per curve, where it is a source
+};
 }
 
 #endif

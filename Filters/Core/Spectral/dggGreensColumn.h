@@ -10,7 +10,8 @@
 #include "dggPoissonSystem.h"  // for the system
 #include "dggSingularPart.h"   // for the logarithm
 
-#include <vector> // for arrays
+#include <utility> // for std::move
+#include <vector>  // for arrays
 
 namespace dgg
 {
@@ -27,7 +28,7 @@ struct GreensWorkspace
   SingularPart Singular;
 };
 
-/// Usage: Start(), solve for GetSources(), Finish() with the solution.
+/// Usage: Start(), solve for TakeSources(), Finish() with the solution.
 class GreensColumn
 {
 public:
@@ -40,7 +41,7 @@ public:
   Status Start(const SurfacePoint& pole, const GreensQuery& query, const ProgressCallback& progress,
     GreensWorkspace& workspace);
   /// Per vertex: the load of the pole, and of the logarithm; values where they are given.
-  const std::vector<double>& GetSources() const { return this->Sources; }
+  std::vector<double> TakeSources() { return std::move(this->Sources); }
   /// `solution` is changed.
   Status Finish(std::vector<double>& solution, const ProgressCallback& progress,
     GreensWorkspace& workspace, GreensResult& result) const;

@@ -8,13 +8,14 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace dgg
 {
 namespace
 {
-constexpr std::size_t Lanes = SparseLanes::SizeAtCompileTime;
-static_assert(Lanes == GreensFunction::PolesInBlock, "blocks are as wide as lanes");
+static_assert(
+  SparseLanes::SizeAtCompileTime == GreensFunction::PolesInBlock, "a block is solved for at once");
 /// Parts of the progress: distances and loads, the solve, what is made of it.
 constexpr double StartDone = 0.6;
 constexpr double SolveDone = 0.8;
@@ -38,33 +39,11 @@ Status GreensFunction::Run(
   result = GreensResult();
   Status status = CheckGreensQuery(this->Solver, query);
   status = status.IsOk() ? this->Solver.CheckPole(pole) : status;
-  if (!status.IsOk())
+  std::vector<GreensResult> results(1);
+  status = status.IsOk() ? this->RunBlock({ pole }, 0, 1, query, query.Progress, results) : status;
+  if (status.IsOk())
   {
-    return status;
-  }
-  const PoissonSystem& system = this->Solver.GetSystem();
-  const auto workspace = this->Pool->Borrow(system);
-  GreensColumn column(system);
-  status = column.Start(pole, query, ProgressPart(query.Progress, 0.0, StartDone), *workspace);
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  std::vector<double> solution = column.GetSources();
-  system.Solve(solution);
-  if (query.Progress && !query.Progress(SolveDone))
-  {
-    return Status::Abort();
-  }
-  status =
-    column.Finish(solution, ProgressPart(query.Progress, SolveDone, 1.0), *workspace, result);
-  if (status.IsOk() && query.Progress && !query.Progress(1.0))
-  {
-    status = Status::Abort();
-  }
-  if (!status.IsOk())
-  {
-    result = GreensResult();
+    result = std::move(results[0]);
   }
   return status;
 }
@@ -79,23 +58,18 @@ Status GreensFunction::Run(const std::vector<SurfacePoint>& poles, const GreensQ
     status = this->Solver.CheckPole(poles[k]);
     if (!status.IsOk())
     {
-      status = Status::Invalid("pole " + std::to_string(k) + ": " + status.GetMessage());
+      return Status::Invalid("pole " + std::to_string(k) + ": " + status.GetMessage());
     }
   }
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  results.resize(poles.size());
+  results.resize(status.IsOk() ? poles.size() : 0);
   const auto count = static_cast<double>(poles.size());
-  const auto workspace = this->Pool->Borrow(this->Solver.GetSystem());
-  for (std::size_t first = 0; first < poles.size() && status.IsOk(); first += Lanes)
+  for (std::size_t first = 0; first < results.size() && status.IsOk(); first += PolesInBlock)
   {
-    const std::size_t end = std::min(poles.size(), first + Lanes);
+    const std::size_t end = std::min<std::size_t>(poles.size(), first + PolesInBlock);
     status = this->RunBlock(poles, first, end, query,
       ProgressPart(
         query.Progress, static_cast<double>(first) / count, static_cast<double>(end) / count),
-      *workspace, results);
+      results);
   }
   if (!status.IsOk())
   {
@@ -106,55 +80,43 @@ Status GreensFunction::Run(const std::vector<SurfacePoint>& poles, const GreensQ
 
 Status GreensFunction::RunBlock(const std::vector<SurfacePoint>& poles, std::size_t first,
   std::size_t end, const GreensQuery& query, const ProgressCallback& progress,
-  GreensWorkspace& workspace, std::vector<GreensResult>& results) const
+  std::vector<GreensResult>& results) const
 {
   const PoissonSystem& system = this->Solver.GetSystem();
-  const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
-  const auto count = static_cast<double>(end - first);
+  const auto workspace = this->Pool->Borrow(system);
   std::vector<GreensColumn> columns(end - first, GreensColumn(system));
-  std::vector<SparseLanes> solutions(n, SparseLanes(SparseLanes::Zero()));
+  std::vector<std::vector<double>> solutions(columns.size());
+  const auto partOf = [&](std::size_t k, double begin, double finish) {
+    const auto count = static_cast<double>(columns.size());
+    const double part = (finish - begin) / count;
+    const auto done = static_cast<double>(k);
+    return ProgressPart(
+      progress, begin + part * done, k + 1 < columns.size() ? begin + part * (done + 1.0) : finish);
+  };
   for (std::size_t k = 0; k < columns.size(); ++k)
   {
-    const auto begin = static_cast<double>(k);
-    Status status = columns[k].Start(poles[first + k], query,
-      ProgressPart(progress, StartDone * begin / count, StartDone * (begin + 1.0) / count),
-      workspace);
-    if (status.IsOk() && progress && !progress(StartDone * (begin + 1.0) / count))
+    const ProgressCallback part = partOf(k, 0.0, StartDone);
+    const Status status = columns[k].Start(poles[first + k], query, part, *workspace);
+    if (!status.IsOk() || !Goes(part, 1.0))
     {
-      status = Status::Abort();
+      return status.IsOk() ? Status::Abort() : status;
     }
-    if (!status.IsOk())
-    {
-      return status;
-    }
-    for (std::size_t v = 0; v < n; ++v)
-    {
-      solutions[v][k] = columns[k].GetSources()[v];
-    }
+    solutions[k] = columns[k].TakeSources();
   }
   system.Solve(solutions);
-  if (progress && !progress(SolveDone))
+  if (!Goes(progress, SolveDone))
   {
     return Status::Abort();
   }
-  std::vector<double> solution;
   for (std::size_t k = 0; k < columns.size(); ++k)
   {
-    solution.resize(n);
-    for (std::size_t v = 0; v < n; ++v)
-    {
-      solution[v] = solutions[v][k];
-    }
-    const auto begin = static_cast<double>(k);
-    Status status = columns[k].Finish(solution,
-      ProgressPart(progress, SolveDone + (1.0 - SolveDone) * begin / count,
-        SolveDone + (1.0 - SolveDone) * (begin + 1.0) / count),
-      workspace, results[first + k]);
+    const Status status =
+      columns[k].Finish(solutions[k], partOf(k, SolveDone, 1.0), *workspace, results[first + k]);
     if (!status.IsOk())
     {
       return status;
     }
   }
-  return progress && !progress(1.0) ? Status::Abort() : Status::Success();
+  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
 }
 }

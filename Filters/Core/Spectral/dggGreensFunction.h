@@ -132,14 +132,14 @@ public:
   static constexpr Id PolesInBlock = 8;
   /// Bytes that one thread takes for a block, results included, at most: for each vertex, and for
   /// each target.
-  static constexpr double BytesPerVertex = 640.0;
+  static constexpr double BytesPerVertex = 560.0;
   static constexpr double BytesPerTarget = 128.0;
 
 private:
   class Workspaces;
 
   Status RunBlock(const std::vector<SurfacePoint>& poles, std::size_t first, std::size_t end,
-    const GreensQuery& query, const ProgressCallback& progress, GreensWorkspace& workspace,
+    const GreensQuery& query, const ProgressCallback& progress,
     std::vector<GreensResult>& results) const;
 
   const PoissonSolver& Solver;

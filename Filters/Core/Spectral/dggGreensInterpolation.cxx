@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <list>
 #include <map>
 #include <utility>
 
@@ -22,7 +21,7 @@ constexpr double ColumnsDone = 0.6;
 constexpr double LastPart = 0.1;
 }
 
-/// Regular parts of vertices, those used last in front.
+/// Regular parts of vertices.
 class GreensInterpolation::Cache
 {
 public:
@@ -37,12 +36,12 @@ public:
   Status Find(const PoissonSystem& system, Id v, const GreensQuery& query,
     const ProgressCallback& progress, const std::vector<float>*& values)
   {
-    const auto key = std::make_pair(v, query.Radius);
-    const auto found = this->Places.find(key);
-    if (found != this->Places.end())
+    const Key key(v, query.Radius);
+    const auto found = this->Columns.find(key);
+    if (found != this->Columns.end())
     {
-      this->Entries.splice(this->Entries.begin(), this->Entries, found->second);
-      values = &found->second->second;
+      found->second.LastUse = ++this->Uses;
+      values = &found->second.Values;
       return Status::Success();
     }
     GreensQuery plain;
@@ -52,7 +51,7 @@ public:
     {
       return status;
     }
-    std::vector<double> solution = this->Column.GetSources();
+    std::vector<double> solution = this->Column.TakeSources();
     system.Solve(solution);
     ++this->NumberOfColumns;
     const Id component = system.GetComponent(v);
@@ -63,17 +62,17 @@ public:
       part[i] = static_cast<float>(solution[i] - (isHere ? this->Column.GetMean() : 0.0));
     }
     this->Shrink(1);
-    this->Entries.emplace_front(key, std::move(part));
-    this->Places[key] = this->Entries.begin();
-    values = &this->Entries.front().second;
+    Entry& entry = this->Columns[key];
+    entry = { std::move(part), ++this->Uses };
+    values = &entry.Values;
     return status;
   }
 
-  std::size_t GetMemorySize() const
+  std::size_t GetMemorySize(std::size_t more = 0) const
   {
-    return this->Entries.empty()
+    return this->Columns.empty()
       ? 0
-      : this->Entries.size() * this->Entries.front().second.size() * sizeof(float);
+      : (this->Columns.size() + more) * this->Columns.begin()->second.Values.size() * sizeof(float);
   }
 
   /// Forget columns of a system that is no more, and those beyond the limit.
@@ -82,8 +81,7 @@ public:
     this->MemoryLimit = memoryLimit;
     if (this->Revision != system.GetRevision())
     {
-      this->Entries.clear();
-      this->Places.clear();
+      this->Columns.clear();
       this->Revision = system.GetRevision();
     }
     this->Shrink(0);
@@ -96,23 +94,26 @@ public:
 
 private:
   using Key = std::pair<Id, double>;
+  struct Entry
+  {
+    std::vector<float> Values;
+    std::uint64_t LastUse = 0;
+  };
 
-  /// Make room for some more columns; three in all are kept in any case.
+  /// Make room for some more columns: those used longest ago go. Three in all are kept in any case.
   void Shrink(std::size_t more)
   {
-    while (this->Entries.size() + more > 3 &&
-      (this->Entries.size() + more) * this->Entries.front().second.size() * sizeof(float) >
-        this->MemoryLimit)
+    while (this->Columns.size() + more > 3 && this->GetMemorySize(more) > this->MemoryLimit)
     {
-      this->Places.erase(this->Entries.back().first);
-      this->Entries.pop_back();
+      this->Columns.erase(std::min_element(this->Columns.begin(), this->Columns.end(),
+        [](const auto& a, const auto& b) { return a.second.LastUse < b.second.LastUse; }));
     }
   }
 
   std::uint64_t Revision = 0; // of the system that the columns are of
   std::size_t MemoryLimit = 0;
-  std::list<std::pair<Key, std::vector<float>>> Entries;
-  std::map<Key, std::list<std::pair<Key, std::vector<float>>>::iterator> Places;
+  std::uint64_t Uses = 0;
+  std::map<Key, Entry> Columns;
 };
 
 GreensInterpolation::GreensInterpolation(const PoissonSolver& solver, std::size_t memoryLimit)

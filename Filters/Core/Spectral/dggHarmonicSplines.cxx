@@ -4,27 +4,99 @@
 
 #include "dggBlockLoop.h"
 #include "dggGeodesicSource.h"
-#include "dggPoissonIntegral.h"
 #include "dggPoissonSystem.h"
-#include "dggSiteEquations.h"
 #include "dggSplineCells.h"
 #include "dggSplineSites.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace dgg
 {
 namespace
 {
-constexpr int Lanes = SparseLanes::SizeAtCompileTime;
+/// Functions that are solved for together.
+constexpr Offset BlockSize = GreensFunction::PolesInBlock;
 /// Part of the progress of a few functions when they are solved for.
 constexpr double SolvedAt = 0.8;
 /// Larger sources may overflow when they are summed and multiplied by conductances.
 constexpr double LargestSource = 1e290;
 using Entries = Eigen::SparseMatrix<double>::InnerIterator;
+
+/// Receives, for a point, its Green's function g(x, y) at all vertices y, as the mean over their
+/// cells: 0 at those with given values, or without a face. Called in any order, by several threads
+/// at once.
+using PointVisitor = std::function<void(std::size_t point, const std::vector<double>& greens)>;
+
+/// Whether all corners that matter to a point have given values.
+bool IsGiven(const PoissonSystem& system, const SurfacePoint& point)
+{
+  bool isGiven = true;
+  ForEachCornerAround(system.GetMesh(), point, [&](Id v, double weight, double) {
+    isGiven = isGiven && (!(weight > 0.0) || system.IsFixed(v));
+  });
+  return isGiven;
+}
+
+/// Whether a point lies in a component that is too thin and has no given values.
+bool IsInThinPart(const PoissonSystem& system, const SurfacePoint& point)
+{
+  const Id c = system.GetComponent(point);
+  return system.IsThin(c) && system.IsFree(c);
+}
+
+/// The Green's functions of points. Those with given values, where they are 0, and those in thin
+/// parts are skipped.
+Status FindGreensFunctions(const PoissonSolver& solver, const GreensFunction& function,
+  const std::vector<SurfacePoint>& points, GreensMethod method, const ParallelFor& parallel,
+  const ProgressCallback& progress, const PointVisitor& visit)
+{
+  const PoissonSystem& system = solver.GetSystem();
+  std::vector<std::size_t> free; // of the points, those with a Green's function
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    Status status = points[k].Check(system.GetMesh());
+    if (status.IsOk() && (IsGiven(system, points[k]) || IsInThinPart(system, points[k])))
+    {
+      continue;
+    }
+    status = status.IsOk() ? solver.CheckPole(points[k]) : status;
+    if (!status.IsOk())
+    {
+      return Status::Invalid("point " + std::to_string(k) + ": " + status.GetMessage());
+    }
+    free.push_back(k);
+  }
+  const auto runBlock = [&](Offset, Offset begin, Offset end, const ProgressCallback& within) {
+    std::vector<SurfacePoint> poles;
+    for (Offset k = begin; k < end; ++k)
+    {
+      poles.push_back(points[free[k]]);
+    }
+    GreensQuery query;
+    query.Method = method;
+    query.WantIntegrals = true;
+    query.Progress = within;
+    std::vector<GreensResult> results;
+    const Status status = function.Run(poles, query, results);
+    for (std::size_t k = 0; k < results.size() && status.IsOk(); ++k)
+    {
+      std::vector<double>& greens = results[k].Integrals;
+      for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+      {
+        const double area = system.GetArea(v);
+        greens[v] = area > 0.0 && !system.IsFixed(v) ? greens[v] / area : 0.0;
+      }
+      visit(free[begin + static_cast<Offset>(k)], greens);
+    }
+    return status;
+  };
+  return LoopOverLongBlocks(
+    static_cast<Offset>(free.size()), BlockSize, parallel, progress, runBlock);
+}
 }
 
 class HarmonicSplines::Implementation
@@ -33,7 +105,7 @@ public:
   explicit Implementation(const PoissonSolver& solver)
     : Solver(solver)
     , System(solver.GetSystem())
-    , Integral(solver)
+    , Function(solver)
   {
   }
 
@@ -62,14 +134,10 @@ public:
     return this->System.IsFree(this->Cells.Components[site]) ? this->Cells.Weights[site] : 0.0;
   }
 
-  /// Sources of cells, spread over their vertices, and the solution for these. `Number` is double
-  /// or SparseLanes.
-  template <typename Number>
-  void SolveForCells(
-    const std::vector<Number>& charges, const Number& zero, std::vector<Number>& values) const
+  /// Sources of cells, spread over their vertices. Given values stay.
+  void Spread(const std::vector<double>& charges, std::vector<double>& values) const
   {
-    const Id n = this->System.GetNumberOfVertices();
-    for (Id v = 0; v < n; ++v)
+    for (Id v = 0; v < this->System.GetNumberOfVertices(); ++v)
     {
       if (this->Cells.Cells[v] != NoId)
       {
@@ -77,59 +145,14 @@ public:
       }
       else if (!this->System.IsFixed(v))
       {
-        values[v] = zero;
+        values[v] = 0.0;
       }
     }
-    this->System.Solve(values);
-  }
-
-  /// Solve for a function of each site, from sources per cell: `setCharges(site, charges, lane)`.
-  Status SolveForSites(
-    const ParallelFor& parallel, const ProgressCallback& progress, const Consumer& consume) const
-  {
-    Status status = this->Check();
-    if (!status.IsOk())
-    {
-      return status;
-    }
-    const auto n = static_cast<std::size_t>(this->System.GetNumberOfVertices());
-    const SparseLanes zero = SparseLanes::Zero();
-    const auto runBlock = [&](Offset, Offset begin, Offset end, const ProgressCallback& within) {
-      std::vector<SparseLanes> charges(this->Sites.size(), zero);
-      std::vector<SparseLanes> solutions(n, zero);
-      for (Offset site = begin; site < end; ++site)
-      {
-        for (Entries entry(this->Cells.Stiffness, site); entry; ++entry)
-        {
-          charges[entry.row()][site - begin] = entry.value();
-        }
-      }
-      this->SolveForCells(charges, zero, solutions);
-      if (!within(SolvedAt))
-      {
-        return Status::Abort();
-      }
-      std::vector<double> values(n);
-      for (Offset site = begin; site < end; ++site)
-      {
-        const Id component = this->Cells.Components[site];
-        const double mean = this->MeanOf(static_cast<Id>(site));
-        for (std::size_t v = 0; v < n; ++v)
-        {
-          const bool isHere = this->System.GetComponent(static_cast<Id>(v)) == component;
-          values[v] = isHere ? mean + solutions[v][site - begin] : 0.0;
-        }
-        consume(static_cast<Id>(site), values);
-      }
-      return Status::Success();
-    };
-    return LoopOverLongBlocks(
-      static_cast<Offset>(this->Sites.size()), Lanes, parallel, progress, runBlock);
   }
 
   const PoissonSolver& Solver;
   const PoissonSystem& System;
-  PoissonIntegral Integral;
+  GreensFunction Function;
   std::vector<Id> Sites;
   SplineCells Cells;
   std::uint64_t Revision = 0; // of the system that the cells were made for
@@ -169,35 +192,54 @@ Status HarmonicSplines::Prepare(
   return status;
 }
 
-const std::vector<Id>& HarmonicSplines::GetSites() const
-{
-  return this->Internals->Sites;
-}
-
 const std::vector<Id>& HarmonicSplines::GetCells() const
 {
   return this->Internals->Cells.Cells;
 }
 
-double HarmonicSplines::GetCellArea(Id site) const
-{
-  return this->Internals->Cells.Areas[site];
-}
-
-double HarmonicSplines::GetCellWeight(Id site) const
-{
-  return this->Internals->Cells.Weights[site];
-}
-
-double HarmonicSplines::GetCoefficient(Id i, Id j) const
-{
-  return this->Internals->Cells.Stiffness.coeff(i, j);
-}
-
 Status HarmonicSplines::FindBasis(
   const ParallelFor& parallel, const ProgressCallback& progress, const Consumer& consume) const
 {
-  return this->Internals->SolveForSites(parallel, progress, consume);
+  const Implementation& internals = *this->Internals;
+  const Status status = internals.Check();
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const PoissonSystem& system = internals.System;
+  const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
+  const auto runBlock = [&](Offset, Offset begin, Offset end, const ProgressCallback& within) {
+    std::vector<std::vector<double>> columns(
+      static_cast<std::size_t>(end - begin), std::vector<double>(n, 0.0));
+    for (Offset site = begin; site < end; ++site)
+    {
+      std::vector<double> charges(internals.Sites.size(), 0.0);
+      for (Entries entry(internals.Cells.Stiffness, site); entry; ++entry)
+      {
+        charges[entry.row()] = entry.value();
+      }
+      internals.Spread(charges, columns[site - begin]);
+    }
+    system.Solve(columns);
+    if (!within(SolvedAt))
+    {
+      return Status::Abort();
+    }
+    for (Offset site = begin; site < end; ++site)
+    {
+      std::vector<double>& values = columns[site - begin];
+      const double mean = internals.MeanOf(static_cast<Id>(site));
+      for (std::size_t v = 0; v < n; ++v)
+      {
+        const Id component = system.GetComponent(static_cast<Id>(v));
+        values[v] = component == internals.Cells.Components[site] ? mean + values[v] : 0.0;
+      }
+      consume(static_cast<Id>(site), values);
+    }
+    return Status::Success();
+  };
+  return LoopOverLongBlocks(
+    static_cast<Offset>(internals.Sites.size()), BlockSize, parallel, progress, runBlock);
 }
 
 Status HarmonicSplines::Evaluate(const std::vector<SurfacePoint>& points, GreensMethod method,
@@ -213,8 +255,8 @@ Status HarmonicSplines::Evaluate(const std::vector<SurfacePoint>& points, Greens
   const std::size_t count = internals.Sites.size();
   const PoissonSystem& system = internals.System;
   std::vector<double> found(points.size() * count, 0.0);
-  status = internals.Integral.ForEachPoint(
-    points, method, parallel, progress, [&](std::size_t k, const std::vector<double>& greens) {
+  status = FindGreensFunctions(internals.Solver, internals.Function, points, method, parallel,
+    progress, [&](std::size_t k, const std::vector<double>& greens) {
       const Id component = system.GetComponent(points[k]);
       std::vector<double> means(count, 0.0); // of the Green's function, over the cells
       for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
@@ -238,8 +280,7 @@ Status HarmonicSplines::Evaluate(const std::vector<SurfacePoint>& points, Greens
   for (std::size_t k = 0; k < points.size() && status.IsOk(); ++k)
   {
     const Id component = system.GetComponent(points[k]);
-    const bool isPassedOver = system.IsThin(component) && system.IsFree(component);
-    for (std::size_t j = 0; j < count && isPassedOver; ++j)
+    for (std::size_t j = 0; j < count && IsInThinPart(system, points[k]); ++j)
     {
       // There is a single site, see CheckSplineSites(), whose function is 1.
       found[k * count + j] = internals.Cells.Components[j] == component ? 1.0 : 0.0;
@@ -263,7 +304,6 @@ Status HarmonicSplines::Solve(const std::vector<double>& rightHandSide,
     return status;
   }
   const Id count = internals.GetNumberOfSites();
-  SiteEquations equations(internals.System, internals.Cells, rightHandSide);
   for (const Id site : given)
   {
     if (site < 0 || site >= count || coefficients.size() != static_cast<std::size_t>(count) ||
@@ -272,10 +312,9 @@ Status HarmonicSplines::Solve(const std::vector<double>& rightHandSide,
       return Status::Invalid("there is no finite value for the given site " + std::to_string(site) +
         " of " + std::to_string(count));
     }
-    equations.Give(site, coefficients[site]);
   }
-  std::vector<double> solution;
-  if (!equations.Solve(solution))
+  std::vector<double> solution = coefficients;
+  if (!SolveSiteEquations(internals.System, internals.Cells, rightHandSide, given, solution))
   {
     const bool isHuge = std::any_of(rightHandSide.begin(), rightHandSide.end(),
       [](double f) { return std::abs(f) > LargestSource; });
@@ -327,7 +366,8 @@ Status HarmonicSplines::Combine(const std::vector<double>& coefficients,
   {
     values[v] = system.IsFixed(v) ? givenValues[v] : 0.0;
   }
-  internals.SolveForCells(charges, 0.0, values);
+  internals.Spread(charges, values);
+  system.Solve(values);
   for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
   {
     values[v] += cells.Cells[v] == NoId ? 0.0 : means[system.GetComponent(v)];

@@ -57,15 +57,8 @@ public:
   Status Prepare(
     const std::vector<Id>& sites, const ParallelFor& parallel, const ProgressCallback& progress);
 
-  const std::vector<Id>& GetSites() const;
   /// Per vertex, the number of its site; NoId with given values or without a face.
   const std::vector<Id>& GetCells() const;
-  /// Of a site that must exist, as in the two below: numbers are not checked.
-  double GetCellArea(Id site) const;
-  /// The mean of psi_j in its component: A_j / A.
-  double GetCellWeight(Id site) const;
-  /// K_ij.
-  double GetCoefficient(Id i, Id j) const;
 
   /// Receives a function per vertex. The array is good during the call only. Called in any order,
   /// by several threads at once.

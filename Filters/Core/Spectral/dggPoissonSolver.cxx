@@ -16,8 +16,6 @@ namespace
 {
 /// Part of the progress of Prepare().
 constexpr double AnalysisDone = 0.4;
-/// As many right-hand sides take no longer one by one than eight do at once.
-constexpr std::size_t MostSingles = 4;
 }
 
 PoissonSolver::PoissonSolver(const SurfaceMesh& mesh)
@@ -27,34 +25,27 @@ PoissonSolver::PoissonSolver(const SurfaceMesh& mesh)
 
 PoissonSolver::~PoissonSolver() = default;
 
-Status PoissonSolver::Analyze(const PoissonOptions& options, const ProgressCallback& progress)
+Status PoissonSolver::Prepare(
+  const PoissonOptions& options, const ProgressCallback& progress, const MemoryCheck& checkMemory)
 {
-  return this->System->Analyze(options, progress);
+  PoissonSystem& system = *this->System;
+  Status status = system.Analyze(options, ProgressPart(progress, 0.0, AnalysisDone));
+  if (status.IsOk() && checkMemory)
+  {
+    const double bytes = system.GetEstimatedMemory();
+    status = checkMemory(bytes, system.IsReady() ? 0.0 : bytes);
+  }
+  if (status.IsOk() && !Goes(progress, AnalysisDone))
+  {
+    return Status::Abort();
+  }
+  status = status.IsOk() ? system.Factorize() : status;
+  return status.IsOk() && !Goes(progress, 1.0) ? Status::Abort() : status;
 }
 
 double PoissonSolver::GetEstimatedMemory() const
 {
   return this->System->GetEstimatedMemory();
-}
-
-Status PoissonSolver::Factorize(const ProgressCallback& progress)
-{
-  if (progress && !progress(0.0))
-  {
-    return Status::Abort();
-  }
-  Status status = this->System->Factorize();
-  if (status.IsOk() && progress && !progress(1.0))
-  {
-    return Status::Abort();
-  }
-  return status;
-}
-
-Status PoissonSolver::Prepare(const PoissonOptions& options, const ProgressCallback& progress)
-{
-  Status status = this->Analyze(options, ProgressPart(progress, 0.0, AnalysisDone));
-  return status.IsOk() ? this->Factorize(ProgressPart(progress, AnalysisDone, 1.0)) : status;
 }
 
 bool PoissonSolver::IsReady() const
@@ -110,46 +101,8 @@ Status PoissonSolver::Solve(std::vector<std::vector<double>>& columns) const
       return status;
     }
   }
-  constexpr std::size_t lanes = SparseLanes::SizeAtCompileTime;
-  for (std::size_t begin = 0; begin < columns.size(); begin += lanes)
-  {
-    const std::size_t count = std::min(lanes, columns.size() - begin);
-    if (count <= MostSingles)
-    {
-      for (std::size_t k = begin; k < begin + count; ++k)
-      {
-        this->System->Solve(columns[k]);
-      }
-      continue;
-    }
-    std::vector<SparseLanes> block(columns[begin].size(), SparseLanes::Zero());
-    for (std::size_t v = 0; v < block.size(); ++v)
-    {
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        block[v][static_cast<int>(k)] = columns[begin + k][v];
-      }
-    }
-    this->System->Solve(block);
-    for (std::size_t v = 0; v < block.size(); ++v)
-    {
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        columns[begin + k][v] = block[v][static_cast<int>(k)];
-      }
-    }
-  }
+  this->System->Solve(columns);
   return Status::Success();
-}
-
-Status PoissonSolver::Multiply(const std::vector<double>& f, std::vector<double>& result) const
-{
-  Status status = this->CheckNumbers(f);
-  if (status.IsOk())
-  {
-    result = this->System->Multiply(f);
-  }
-  return status;
 }
 
 const SurfaceMesh& PoissonSolver::GetMesh() const

@@ -8,9 +8,10 @@
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
 #include "dggSurfacePoint.h" // for SurfacePoint
 
-#include <cstdint> // for the revision
-#include <memory>  // for the system
-#include <vector>  // for sources and solutions
+#include <cstdint>    // for the revision
+#include <functional> // for the check of memory
+#include <memory>     // for the system
+#include <vector>     // for sources and solutions
 
 namespace dgg
 {
@@ -61,17 +62,16 @@ public:
   PoissonSolver(const PoissonSolver&) = delete;
   PoissonSolver& operator=(const PoissonSolver&) = delete;
 
-  /// The steps before anything is solved; what the options do not change is kept. Progress is told,
-  /// and a stop heeded, between the parts of the work.
-  /// @{
-  Status Analyze(const PoissonOptions& options, const ProgressCallback& progress);
-  /// Bytes that all takes while it is factorized, at most twice what they are. After Analyze().
+  /// Asked before the factorization with the bytes that the solver will take, and with those of
+  /// them that it does not hold yet. Fails when they are too many.
+  using MemoryCheck = std::function<Status(double bytes, double missing)>;
+
+  /// Analyze and factorize the system; what the options do not change is kept. Progress is
+  /// reported, and a stop heeded, between the parts of the work.
+  Status Prepare(const PoissonOptions& options, const ProgressCallback& progress,
+    const MemoryCheck& checkMemory = nullptr);
+  /// Bytes that all takes while it is factorized, at most twice what they are.
   double GetEstimatedMemory() const;
-  /// After Analyze().
-  Status Factorize(const ProgressCallback& progress);
-  /// Both.
-  Status Prepare(const PoissonOptions& options, const ProgressCallback& progress);
-  /// @}
   bool IsReady() const;
 
   /// Replace integrated sources, b_i = integral of f phi_i with the hat function of vertex i, by
@@ -86,8 +86,6 @@ public:
   Status CheckNumbers(const std::vector<double>& values) const;
   /// What Solve() fails for.
   Status CheckValues(const std::vector<double>& values) const;
-  /// L f: the integrated sources that have f as solution.
-  Status Multiply(const std::vector<double>& f, std::vector<double>& result) const;
 
   const SurfaceMesh& GetMesh() const;
   const PoissonOptions& GetOptions() const;

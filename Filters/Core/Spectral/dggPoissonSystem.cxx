@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggPoissonSystem.h"
 
-#include "dggCotanLaplacian.h"
+#include "dggProgressPart.h"
 #include "dggThinTriangles.h"
 
 #include <algorithm>
@@ -27,6 +27,8 @@ constexpr int MostRefinements = 20;
 constexpr double GoodResidual = 1e-12;
 /// What rounding may do to a solution besides, relative to its largest value: its last four bits.
 constexpr double LastBits = 16.0 * std::numeric_limits<double>::epsilon();
+/// As many right-hand sides take no longer one by one than eight do at once.
+constexpr std::size_t MostSingles = 4;
 
 template <typename Number>
 Number MakeZero();
@@ -285,7 +287,7 @@ void PoissonSystem::Balance(std::vector<Number>& values) const
 }
 
 template <typename Number>
-void PoissonSystem::CenterAll(std::vector<Number>& values) const
+void PoissonSystem::Center(std::vector<Number>& values) const
 {
   std::vector<Number> means(this->ComponentAreas.size(), MakeZero<Number>());
   for (std::size_t v = 0; v < values.size(); ++v)
@@ -302,10 +304,7 @@ void PoissonSystem::CenterAll(std::vector<Number>& values) const
   }
 }
 
-void PoissonSystem::Center(std::vector<double>& values) const
-{
-  this->CenterAll(values);
-}
+template void PoissonSystem::Center(std::vector<double>& values) const;
 
 /// What flows from vertices whose values are given.
 template <typename Number>
@@ -341,7 +340,7 @@ void PoissonSystem::SolveOnce(std::vector<Number>& values) const
     }
   }
   this->Factor.Solve(values);
-  this->CenterAll(values);
+  this->Center(values);
 }
 
 /// Conjugate gradients with the factor as preconditioner: where the factor is good one step is
@@ -419,7 +418,7 @@ void PoissonSystem::Refine(const std::vector<double>& sources, std::vector<doubl
     best = size;
     previous = product;
   }
-  this->CenterAll(solution);
+  this->Center(solution);
 }
 
 bool PoissonSystem::NeedsRefinement() const
@@ -440,29 +439,58 @@ void PoissonSystem::Solve(std::vector<double>& values) const
   this->Refine(sources, values);
 }
 
-void PoissonSystem::Solve(std::vector<SparseLanes>& values) const
+void PoissonSystem::Solve(std::vector<SparseLanes>& block) const
 {
-  if (!this->NeedsRefinement())
+  const std::vector<SparseLanes> given =
+    this->NeedsRefinement() ? block : std::vector<SparseLanes>();
+  this->SolveOnce(block);
+  std::vector<double> sources(given.size());
+  std::vector<double> solution(given.size());
+  for (int k = 0; k < SparseLanes::SizeAtCompileTime && !given.empty(); ++k)
   {
-    this->SolveOnce(values);
-    return;
-  }
-  std::vector<SparseLanes> sources = values;
-  this->Balance(sources);
-  this->SolveOnce(values);
-  std::vector<double> source(values.size());
-  std::vector<double> solution(values.size());
-  for (int lane = 0; lane < SparseLanes::SizeAtCompileTime; ++lane)
-  {
-    for (std::size_t v = 0; v < values.size(); ++v)
+    for (std::size_t v = 0; v < given.size(); ++v)
     {
-      source[v] = sources[v][lane];
-      solution[v] = values[v][lane];
+      sources[v] = given[v][k];
+      solution[v] = block[v][k];
     }
-    this->Refine(source, solution);
-    for (std::size_t v = 0; v < values.size(); ++v)
+    this->Balance(sources);
+    this->Refine(sources, solution);
+    for (std::size_t v = 0; v < given.size(); ++v)
     {
-      values[v][lane] = solution[v];
+      block[v][k] = solution[v];
+    }
+  }
+}
+
+void PoissonSystem::Solve(std::vector<std::vector<double>>& columns) const
+{
+  constexpr std::size_t lanes = SparseLanes::SizeAtCompileTime;
+  for (std::size_t begin = 0; begin < columns.size(); begin += lanes)
+  {
+    const std::size_t count = std::min(lanes, columns.size() - begin);
+    if (count <= MostSingles)
+    {
+      for (std::size_t k = begin; k < begin + count; ++k)
+      {
+        this->Solve(columns[k]);
+      }
+      continue;
+    }
+    std::vector<SparseLanes> block(columns[begin].size(), SparseLanes::Zero());
+    for (std::size_t v = 0; v < block.size(); ++v)
+    {
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        block[v][static_cast<int>(k)] = columns[begin + k][v];
+      }
+    }
+    this->Solve(block);
+    for (std::size_t v = 0; v < block.size(); ++v)
+    {
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        columns[begin + k][v] = block[v][static_cast<int>(k)];
+      }
     }
   }
 }

@@ -93,11 +93,15 @@ public:
   /// Replace integrated sources (at vertices with given values, these values) by the solution. May
   /// be called by several threads at once.
   void Solve(std::vector<double>& values) const;
-  /// Several right-hand sides at once, in about half the time for each.
-  void Solve(std::vector<SparseLanes>& values) const;
+  /// Several right-hand sides. More than four are solved for together, eight at a time, in about
+  /// half the time for each.
+  void Solve(std::vector<std::vector<double>>& columns) const;
+  /// As many systems as lanes, for loops that need them side by side.
+  void Solve(std::vector<SparseLanes>& block) const;
 
   /// Take the weighted mean off in components without given values.
-  void Center(std::vector<double>& values) const;
+  template <typename Number>
+  void Center(std::vector<Number>& values) const;
 
   /// Bytes that all takes while it is factorized, at most twice what they are. After Analyze().
   double GetEstimatedMemory() const;
@@ -113,8 +117,6 @@ private:
   void SetWeights();
   template <typename Number>
   void Balance(std::vector<Number>& values) const;
-  template <typename Number>
-  void CenterAll(std::vector<Number>& values) const;
   template <typename Number>
   void TakeGivenValuesOff(std::vector<Number>& values) const;
   template <typename Number>

@@ -18,7 +18,8 @@ namespace dgg
 {
 namespace
 {
-constexpr Offset Lanes = SparseLanes::SizeAtCompileTime;
+/// Vertices that the diagonal is solved for at once.
+constexpr Offset BlockSize = SparseLanes::SizeAtCompileTime;
 /// Part of the progress of distances between points.
 constexpr double SolvesDone = 0.9;
 /// Numbers that a block of points works on, about: some milliseconds. Larger ones take as long as a
@@ -43,10 +44,9 @@ SpectralDistance::SpectralDistance(const PoissonSolver& solver)
 {
 }
 
-Status SpectralDistance::Prepare(const SpectralOptions& options, Eigenpairs pairs)
+Status SpectralDistance::Prepare(
+  const SpectralOptions& options, const ParallelFor& parallel, const ProgressCallback& progress)
 {
-  this->IsPrepared = false;
-  this->Diagonal.clear();
   if (!this->Solver.IsReady())
   {
     return Status::Invalid("the solver has not been prepared: call Prepare() first");
@@ -55,44 +55,43 @@ Status SpectralDistance::Prepare(const SpectralOptions& options, Eigenpairs pair
   {
     return Status::Invalid("the time of diffusion must not be negative, and finite");
   }
-  if (options.Kind == SpectralKind::Diffusion && options.Method == SpectralMethod::Exact)
+  const bool isExact = options.Method == SpectralMethod::Exact;
+  if (options.Kind == SpectralKind::Diffusion && isExact)
   {
     return Status::Invalid("diffusion distances need eigenvalues: use the method Spectrum");
   }
-  const auto n = static_cast<std::size_t>(this->Solver.GetMesh().GetNumberOfVertices());
-  if (options.Method == SpectralMethod::Spectrum &&
-    pairs.Functions.size() != pairs.Values.size() * n)
-  {
-    return Status::Invalid("the eigenfunctions do not have one value for each vertex");
-  }
-  for (const double value : pairs.Values)
-  {
-    if (!(value > 0.0) || !(value < Infinity))
-    {
-      return Status::Invalid("eigenvalues must be positive and finite: leave out the others");
-    }
-  }
+  const std::uint64_t revision = this->Solver.GetRevision();
+  const bool isSameSystem = this->IsPrepared && this->Revision == revision;
+  const bool hasSpectrum = isSameSystem && !isExact &&
+    this->Options.Method == SpectralMethod::Spectrum &&
+    this->Options.NumberOfEigenvalues == options.NumberOfEigenvalues;
+  const bool hasDiagonal = isSameSystem && isExact &&
+    this->Options.Method == SpectralMethod::Exact && this->Options.Kind == options.Kind;
+  this->IsPrepared = false;
   this->Options = options;
-  this->Pairs = std::move(pairs);
+  Status status;
+  if (!hasSpectrum)
+  {
+    this->Pairs = Eigenpairs();
+  }
+  if (!hasDiagonal)
+  {
+    this->Diagonal.clear();
+  }
+  if (isExact && !hasDiagonal)
+  {
+    status = this->FindDiagonal(parallel, progress);
+  }
+  if (!isExact && !hasSpectrum)
+  {
+    status = FindEigenpairs(this->Solver, options.NumberOfEigenvalues, progress, this->Pairs);
+    this->NumberOfSpectra += status.IsOk() ? 1 : 0;
+  }
   this->Time = options.Time > 0.0 || this->Pairs.Values.empty() ? options.Time
                                                                 : 0.1 / this->Pairs.Values.front();
-  this->IsPrepared = true;
-  this->Revision = this->Solver.GetSystem().GetRevision();
-  return Status::Success();
-}
-
-Status SpectralDistance::Prepare(const SpectralOptions& options, const ProgressCallback& progress)
-{
-  Eigenpairs pairs;
-  if (options.Method == SpectralMethod::Spectrum)
-  {
-    Status status = FindEigenpairs(this->Solver, options.NumberOfEigenvalues, progress, pairs);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-  }
-  return this->Prepare(options, std::move(pairs));
+  this->IsPrepared = status.IsOk();
+  this->Revision = revision;
+  return status;
 }
 
 double SpectralDistance::Filter(double eigenvalue) const
@@ -200,19 +199,15 @@ std::vector<double> SpectralDistance::EmbeddingOf(const SurfacePoint& point) con
   return embedding;
 }
 
-Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const ProgressCallback& progress,
-  std::vector<double>& diagonal) const
+/// The value of the Green's function at each vertex for a pole there: solves for all vertices,
+/// eight at a time, which takes as long as that many columns. Components are solved for at the same
+/// time.
+Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const ProgressCallback& progress)
 {
-  diagonal.clear();
-  Status status = this->CheckPrepared();
-  if (!status.IsOk() || !this->NeedsDiagonal())
-  {
-    return status;
-  }
   const PoissonSystem& system = this->Solver.GetSystem();
-  const Offset n = system.GetNumberOfVertices();
+  const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
   const bool isBiharmonic = this->Options.Kind == SpectralKind::Biharmonic;
-  diagonal.assign(n, 0.0);
+  std::vector<double> diagonal(n, 0.0);
   // One vertex of each component at a time, which do not know of each other.
   std::vector<std::vector<Id>> rounds;
   std::vector<std::size_t> counts(static_cast<std::size_t>(system.GetNumberOfComponents()), 0);
@@ -222,8 +217,8 @@ Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const Progres
     rounds.resize(std::max(rounds.size(), round + 1));
     rounds[round].push_back(v);
   }
-  using Lots = std::vector<SparseLanes>;
-  const auto solveBlock = [&](Lots& values, Offset, Offset begin, Offset end,
+  using Block = std::vector<SparseLanes>;
+  const auto solveBlock = [&](Block& values, Offset, Offset begin, Offset end,
                             const ProgressCallback&) {
     values.assign(n, SparseLanes(SparseLanes::Zero()));
     for (Offset round = begin; round < end; ++round)
@@ -234,11 +229,11 @@ Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const Progres
       }
     }
     system.Solve(values);
-    Lots sums(counts.size(), SparseLanes(SparseLanes::Zero()));
-    for (Offset v = 0; v < n && isBiharmonic; ++v)
+    Block sums(counts.size(), SparseLanes(SparseLanes::Zero()));
+    for (std::size_t v = 0; v < n && isBiharmonic; ++v)
     {
-      sums[system.GetComponent(static_cast<Id>(v))] +=
-        values[v].square() * system.GetArea(static_cast<Id>(v));
+      const Id id = static_cast<Id>(v);
+      sums[system.GetComponent(id)] += values[v].square() * system.GetArea(id);
     }
     for (Offset round = begin; round < end; ++round)
     {
@@ -250,12 +245,12 @@ Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const Progres
     }
     return Status::Success();
   };
-  status = LoopOverLongBlocks(
-    static_cast<Offset>(rounds.size()), Lanes, parallel, progress, [] { return Lots(); },
+  Status status = LoopOverLongBlocks(
+    static_cast<Offset>(rounds.size()), BlockSize, parallel, progress, [] { return Block(); },
     solveBlock);
-  if (!status.IsOk())
+  if (status.IsOk())
   {
-    diagonal.clear();
+    this->Diagonal.swap(diagonal);
   }
   return status;
 }
@@ -275,37 +270,7 @@ std::vector<double> SpectralDistance::ColumnOf(std::vector<double> potential) co
   return potential;
 }
 
-Status SpectralDistance::Column(const SurfacePoint& source, std::vector<double>& values) const
-{
-  values.clear();
-  Status status = this->CheckPrepared();
-  status = status.IsOk() ? this->CheckSource(source) : status;
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  if (this->Options.Method == SpectralMethod::Exact)
-  {
-    values = this->ColumnOf(this->PotentialOf(source));
-    return status;
-  }
-  const std::vector<double> embedding = this->EmbeddingOf(source);
-  const auto n = static_cast<std::size_t>(this->Solver.GetMesh().GetNumberOfVertices());
-  values.assign(n, 0.0);
-  for (std::size_t k = 0; k < embedding.size(); ++k)
-  {
-    const double factor = embedding[k] * std::sqrt(this->Filter(this->Pairs.Values[k]));
-    const double* function = this->Pairs.Functions.data() + k * n;
-    for (std::size_t v = 0; v < n; ++v)
-    {
-      values[v] += factor * function[v];
-    }
-  }
-  return status;
-}
-
-Status SpectralDistance::FromPoint(const SurfacePoint& source, const ParallelFor& parallel,
-  const ProgressCallback& progress, std::vector<double>& distances)
+Status SpectralDistance::FromPoint(const SurfacePoint& source, std::vector<double>& distances) const
 {
   distances.clear();
   Status status = this->CheckPrepared();
@@ -319,16 +284,6 @@ Status SpectralDistance::FromPoint(const SurfacePoint& source, const ParallelFor
   std::vector<double> squares(n, 0.0);
   if (this->Options.Method == SpectralMethod::Exact)
   {
-    if (this->NeedsDiagonal())
-    {
-      std::vector<double> diagonal;
-      status = this->FindDiagonal(parallel, progress, diagonal);
-      this->KeepDiagonal(std::move(diagonal));
-    }
-    if (!status.IsOk())
-    {
-      return status;
-    }
     const std::vector<double> potential = this->PotentialOf(source);
     const std::vector<double> column = this->ColumnOf(potential);
     const double self = this->Product(this->LoadOf(source), potential, potential);
@@ -463,16 +418,6 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
     distances.clear();
   }
   return status;
-}
-
-bool SpectralDistance::NeedsDiagonal() const
-{
-  return this->Options.Method == SpectralMethod::Exact && this->Diagonal.empty();
-}
-
-void SpectralDistance::KeepDiagonal(std::vector<double> diagonal)
-{
-  this->Diagonal = std::move(diagonal);
 }
 
 /// Of the factor, which is gone through twice.

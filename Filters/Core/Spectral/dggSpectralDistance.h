@@ -57,12 +57,11 @@ class SpectralDistance
 public:
   explicit SpectralDistance(const PoissonSolver& solver);
 
-  /// Find eigenvalues where they are needed, or take those that are given (they must be those of
-  /// the solver, and positive). To be done again when the solver is prepared with other options.
-  /// @{
-  Status Prepare(const SpectralOptions& options, const ProgressCallback& progress);
-  Status Prepare(const SpectralOptions& options, Eigenpairs pairs);
-  /// @}
+  /// Find what distances are made of, unless it is there already: eigenvalues, or with the Exact
+  /// method the diagonal of the Green's function, for which it solves for all vertices. To be done
+  /// again when the solver is prepared with other options.
+  Status Prepare(
+    const SpectralOptions& options, const ParallelFor& parallel, const ProgressCallback& progress);
   /// Fail when the point does not exist, or has no face; a source, as well when it lies in a
   /// component whose triangles are too thin. May be asked before Prepare().
   /// @{
@@ -72,33 +71,22 @@ public:
   const Eigenpairs& GetEigenpairs() const { return this->Pairs; }
   double GetTime() const { return this->Time; }
 
-  /// From one point to all vertices. With the Exact method the first call finds the diagonal,
-  /// unless there is one; the later ones solve for one column.
-  Status FromPoint(const SurfacePoint& source, const ParallelFor& parallel,
-    const ProgressCallback& progress, std::vector<double>& distances);
-  /// What FromPoint() needs of the Green's function with the Exact method, its value at each vertex
-  /// for a pole there: solves for all vertices, eight at a time, which takes as long as that many
-  /// columns. To be kept by KeepDiagonal() until Prepare() is called again. Nothing where none is
-  /// needed, or there is one. Components are solved for at the same time.
-  /// @{
-  Status FindDiagonal(const ParallelFor& parallel, const ProgressCallback& progress,
-    std::vector<double>& diagonal) const;
-  void KeepDiagonal(std::vector<double> diagonal);
-  bool NeedsDiagonal() const;
-  /// @}
+  /// How often eigenvalues have been found.
+  int GetNumberOfSpectra() const { return this->NumberOfSpectra; }
+
+  /// From one point to all vertices.
+  Status FromPoint(const SurfacePoint& source, std::vector<double>& distances) const;
   /// Between all of the first and all of the second points, row by row: the exact method solves
   /// for each point once, also when the second are the first (the same object), and holds the
   /// solutions, one number for each point and vertex.
   Status Between(const std::vector<SurfacePoint>& first, const std::vector<SurfacePoint>& second,
     const ParallelFor& parallel, const ProgressCallback& progress,
     std::vector<double>& distances) const;
-  /// The Green's function of a point: of the bi-Laplacian, the Laplacian, or heat. By the method
-  /// chosen.
-  Status Column(const SurfacePoint& source, std::vector<double>& values) const;
 
   std::size_t GetMemorySize() const;
 
 private:
+  Status FindDiagonal(const ParallelFor& parallel, const ProgressCallback& progress);
   std::vector<double> LoadOf(const SurfacePoint& point) const;
   std::vector<double> PotentialOf(const SurfacePoint& point) const;
   std::vector<double> ColumnOf(std::vector<double> potential) const;
@@ -112,6 +100,7 @@ private:
   const PoissonSolver& Solver;
   SpectralOptions Options;
   bool IsPrepared = false;
+  int NumberOfSpectra = 0;
   std::uint64_t Revision = 0; // of the system that all was made of
   double Time = 0.0;
   Eigenpairs Pairs;

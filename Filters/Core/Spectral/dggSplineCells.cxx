@@ -6,9 +6,13 @@
 #include "dggExactGeodesics.h"
 #include "dggProgressPart.h"
 
+#include <Eigen/SparseCholesky> // for the factorization
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 
 namespace dgg
@@ -18,6 +22,9 @@ namespace
 /// Parts of the progress: the partition, what flows to given values, the rest.
 constexpr double PartitionDone = 0.25;
 constexpr double RimsDone = 0.35;
+/// Largest residual of the equations of sites, relative to the right-hand side, and what rounding
+/// may do.
+constexpr double Tolerance = 1e-8;
 
 using Entries = Eigen::SparseMatrix<double>::InnerIterator;
 using Triplets = std::vector<Eigen::Triplet<double, int>>;
@@ -260,13 +267,11 @@ void TakeWeights(const PoissonSystem& system, const SplineCells& cells, Triplets
 void Measure(const PoissonSystem& system, const std::vector<Id>& sites, SplineCells& cells)
 {
   cells.Weights.assign(sites.size(), 0.0);
-  cells.Areas.assign(sites.size(), 0.0);
   for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
   {
     if (cells.Cells[v] != NoId)
     {
       cells.Weights[cells.Cells[v]] += system.GetWeight(v);
-      cells.Areas[cells.Cells[v]] += system.GetArea(v);
     }
   }
   for (const Id site : sites)
@@ -357,5 +362,101 @@ Status FindSplineCells(const PoissonSystem& system, const std::vector<Id>& sites
   }
   Assemble(sites.size(), conductances, cells);
   return progress && !progress(1.0) ? Status::Abort() : status;
+}
+
+bool SolveSiteEquations(const PoissonSystem& system, const SplineCells& cells,
+  const std::vector<double>& rightHandSide, const std::vector<Id>& given,
+  std::vector<double>& coefficients)
+{
+  const auto count = static_cast<Id>(cells.Components.size());
+  std::vector<std::uint8_t> isKnown(cells.Components.size(), 0);
+  std::vector<std::uint8_t> isFloating(system.GetNumberOfComponents(), 0); // nothing is given
+  std::vector<double> values(cells.Components.size(), 0.0);
+  Eigen::VectorXd sources = Eigen::VectorXd::Zero(count);
+  for (Id c = 0; c < system.GetNumberOfComponents(); ++c)
+  {
+    isFloating[c] = system.IsFree(c) ? 1 : 0;
+  }
+  for (const Id site : given)
+  {
+    values[site] = coefficients[site];
+    isKnown[site] = 1;
+    isFloating[cells.Components[site]] = 0;
+  }
+  for (std::size_t v = 0; v < rightHandSide.size(); ++v)
+  {
+    if (cells.Cells[v] != NoId)
+    {
+      sources[cells.Cells[v]] += rightHandSide[v];
+    }
+  }
+  for (const SplineCells::Rim& rim : cells.Rims)
+  {
+    sources[rim.Site] += rim.Coefficient * rightHandSide[rim.Vertex];
+  }
+  // Where nothing is given, sources are balanced, and one value is 0 until the mean is known.
+  std::vector<double> totals(isFloating.size(), 0.0);
+  for (Id i = 0; i < count; ++i)
+  {
+    totals[cells.Components[i]] += sources[i];
+  }
+  std::vector<std::uint8_t> isPinned(isFloating.size(), 0);
+  for (Id i = 0; i < count; ++i)
+  {
+    const Id c = cells.Components[i];
+    sources[i] -= isFloating[c] ? totals[c] * cells.Weights[i] : 0.0;
+    isKnown[i] = isKnown[i] || (isFloating[c] && !isPinned[c]) ? 1 : 0;
+    isPinned[c] = 1;
+  }
+  // Rows and columns of known values become those of the identity.
+  Eigen::SparseMatrix<double> matrix = cells.Stiffness;
+  for (int column = 0; column < matrix.cols(); ++column)
+  {
+    for (Entries entry(matrix, column); entry; ++entry)
+    {
+      const auto row = entry.row();
+      if (isKnown[column] && !isKnown[row])
+      {
+        sources[row] -= entry.value() * values[column];
+      }
+      if (isKnown[column] || isKnown[row])
+      {
+        entry.valueRef() = row == column ? 1.0 : 0.0;
+      }
+    }
+  }
+  for (Id i = 0; i < count; ++i)
+  {
+    sources[i] = isKnown[i] ? values[i] : sources[i];
+  }
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
+  if (factor.info() != Eigen::Success)
+  {
+    return false;
+  }
+  // Borders through obtuse triangles may have negative lengths, so that K is indefinite. There is
+  // no pivoting: a step of refinement corrects the effect of small pivots, or the check fails.
+  Eigen::VectorXd solution = factor.solve(sources);
+  Eigen::VectorXd residual = sources - matrix * solution;
+  solution += factor.solve(residual);
+  residual = sources - matrix * solution;
+  // Where the matrix is singular up to rounding, values are so large that they cancel.
+  const Eigen::VectorXd sizes = matrix.cwiseAbs() * solution.cwiseAbs();
+  const double rounding = std::numeric_limits<double>::epsilon() * sizes.lpNorm<Eigen::Infinity>();
+  const bool isSolved = solution.allFinite() &&
+    residual.lpNorm<Eigen::Infinity>() <= Tolerance * sources.lpNorm<Eigen::Infinity>() &&
+    rounding <= Tolerance * sources.lpNorm<1>();
+  coefficients.assign(solution.data(), solution.data() + solution.size());
+  std::vector<double> means(isFloating.size(), 0.0);
+  for (Id i = 0; i < count; ++i)
+  {
+    means[cells.Components[i]] += cells.Weights[i] * coefficients[i];
+  }
+  for (Id i = 0; i < count; ++i)
+  {
+    const Id c = cells.Components[i];
+    coefficients[i] -= isFloating[c] ? means[c] : 0.0;
+  }
+  return isSolved;
 }
 }

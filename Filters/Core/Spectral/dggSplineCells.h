@@ -50,7 +50,6 @@ struct SplineCells
   std::vector<Id> Cells;       ///< per vertex, the site; NoId with given values or without a face
   std::vector<Id> Components;  ///< per site
   std::vector<double> Weights; ///< per site, the sum of PoissonSystem::GetWeight()
-  std::vector<double> Areas;   ///< per site
   /// K: -c_ij off the diagonal. Rows sum to what flows to given values, so to 0 without these.
   Eigen::SparseMatrix<double> Stiffness;
   std::vector<Rim> Rims;
@@ -60,6 +59,14 @@ struct SplineCells
 /// of them, always the same.
 Status FindSplineCells(const PoissonSystem& system, const std::vector<Id>& sites,
   const ParallelFor& parallel, const ProgressCallback& progress, SplineCells& cells);
+
+/// Solve K lambda = b. The right-hand side is per vertex: integrated sources, or given values.
+/// `coefficients` of the sites in `given` are given. Components where nothing is given are
+/// balanced, and have the mean 0. False when some cells do not conduct, or conduct so badly that
+/// the equations cannot be solved to 1e-8.
+bool SolveSiteEquations(const PoissonSystem& system, const SplineCells& cells,
+  const std::vector<double>& rightHandSide, const std::vector<Id>& given,
+  std::vector<double>& coefficients);
 }
 
 #endif

@@ -3,11 +3,8 @@
 #include "dggVectorGraphics.h"
 
 #include "dggGraphicsBand.h"
-#include "dggGraphicsBlend.h"
-#include "dggGraphicsChecks.h"
 #include "dggGraphicsDomain.h"
-#include "dggGraphicsLoads.h"
-#include "dggGraphicsScale.h"
+#include "dggGraphicsSources.h"
 #include "dggPoissonSolver.h"
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
@@ -15,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace dgg
 {
@@ -34,6 +32,114 @@ constexpr double MorePerFace = 140.0;
 /// blended.
 constexpr double WorkPerVertex = 200.0;
 constexpr double BandPerFace = 180.0;
+
+/// Numbers from 2^-100 to 2^100 can be multiplied by those of meshes, and squared.
+constexpr int UsualExponent = 100;
+
+/// What is not used may be anything.
+void FindLargest(const std::vector<double>& values, std::vector<double>& largest)
+{
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    double& found = largest[i % largest.size()];
+    found = std::isfinite(values[i]) ? std::max(found, std::abs(values[i])) : found;
+  }
+}
+
+/// Powers of two by which the channels of a drawing are divided while its colours are found. These
+/// are linear in what is given, so that nothing overflows or vanishes on the way that does not do
+/// so in the end. Channels of usual size, from 2^-100 to 2^100, stay as they are; others are moved
+/// just into that range, so that what is much smaller in them is not lost.
+class ChannelScale
+{
+public:
+  /// By the largest number of each channel. All must be finite, and as many as are needed.
+  ChannelScale(const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
+    const GraphicsOptions& options);
+
+  /// Divide numbers, all channels after each other.
+  std::vector<double> Apply(std::vector<double> values) const;
+  /// The colours of curves divided.
+  std::vector<GraphicsCurve> Apply(std::vector<GraphicsCurve> curves) const;
+  /// The strengths of regions divided.
+  std::vector<std::vector<double>> Apply(const std::vector<GraphicsRegion>& regions) const;
+  /// Multiply results again. Fails, with a message that says `what` they are, where one is beyond
+  /// the largest number.
+  Status Undo(std::vector<double>& values, const std::string& what) const;
+
+private:
+  std::vector<int> Exponents; // per channel
+  bool IsNeeded = false;      // one of them is not 0
+};
+
+ChannelScale::ChannelScale(const std::vector<GraphicsCurve>& curves,
+  const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options)
+{
+  std::vector<double> largest(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
+  FindLargest(options.Background, largest);
+  for (const GraphicsCurve& curve : curves)
+  {
+    FindLargest(curve.Left, largest);
+    FindLargest(curve.Right, largest);
+  }
+  for (const GraphicsRegion& region : regions)
+  {
+    FindLargest(region.Strength, largest);
+  }
+  for (const double value : largest)
+  {
+    const int exponent = value > 0.0 ? std::ilogb(value) : 0;
+    const int usual = std::min(std::max(exponent, -UsualExponent), UsualExponent);
+    this->Exponents.push_back(exponent - usual);
+    this->IsNeeded = this->IsNeeded || exponent != usual;
+  }
+}
+
+std::vector<double> ChannelScale::Apply(std::vector<double> values) const
+{
+  for (std::size_t i = 0; i < values.size() && this->IsNeeded; ++i)
+  {
+    values[i] = std::ldexp(values[i], -this->Exponents[i % this->Exponents.size()]);
+  }
+  return values;
+}
+
+std::vector<GraphicsCurve> ChannelScale::Apply(std::vector<GraphicsCurve> curves) const
+{
+  for (GraphicsCurve& curve : curves)
+  {
+    curve.Left = this->Apply(std::move(curve.Left));
+    curve.Right = this->Apply(std::move(curve.Right));
+  }
+  return curves;
+}
+
+std::vector<std::vector<double>> ChannelScale::Apply(
+  const std::vector<GraphicsRegion>& regions) const
+{
+  std::vector<std::vector<double>> strengths;
+  for (const GraphicsRegion& region : regions)
+  {
+    strengths.push_back(this->Apply(region.Strength));
+  }
+  return strengths;
+}
+
+Status ChannelScale::Undo(std::vector<double>& values, const std::string& what) const
+{
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const std::size_t channel = i % this->Exponents.size();
+    values[i] = this->IsNeeded ? std::ldexp(values[i], this->Exponents[channel]) : values[i];
+    if (!std::isfinite(values[i]))
+    {
+      return Status::Invalid(what + " of channel " + std::to_string(channel) +
+        " are beyond the largest number, 1.8e308: divide its colours, strengths and background by "
+        "a number");
+    }
+  }
+  return Status::Success();
+}
 }
 
 class VectorGraphics::Implementation
@@ -51,46 +157,28 @@ public:
   std::unique_ptr<PoissonSolver> Solver; // of the domain's mesh
 
 private:
-  Status CheckRun(const std::vector<GraphicsCurve>& curves,
-    const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options) const;
-  bool HasPoisson() const;
   Status AddBands(const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options,
     const ProgressCallback& progress, std::vector<double>& values) const;
   double EstimateRun(const std::vector<GraphicsCurve>& curves, int channels) const;
   void MeasureNet(
     const std::vector<std::vector<double>>& columns, std::vector<double>& netSources) const;
 
-  Id NumberOfFaces = 0; // of the mesh
   std::vector<CurveChain> Chains;
   GraphicsLoads Loads;
-  std::vector<GraphicsCurveType> Types; // per curve
-  std::vector<bool> AreClosed;          // per curve
-  bool IsReady = false;
+  bool HasPoisson = false; // a curve of that type
 };
 
 Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   const RefinedSurface& surface, const std::vector<CurveChain>& chains,
   const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options)
 {
-  this->IsReady = false;
   this->Solver.reset();
-  if (chains.size() != curves.size())
-  {
-    return Status::Invalid("there are " + std::to_string(chains.size()) + " chains for " +
-      std::to_string(curves.size()) + " curves: give one for each");
-  }
   if (!Goes(options.Progress, 0.0))
   {
     return Status::Abort();
   }
-  this->NumberOfFaces = mesh.GetNumberOfFaces();
-  this->Types.clear();
-  this->AreClosed.clear();
-  for (const GraphicsCurve& curve : curves)
-  {
-    this->Types.push_back(curve.Type);
-    this->AreClosed.push_back(curve.IsClosed);
-  }
+  this->HasPoisson = std::any_of(curves.begin(), curves.end(),
+    [](const GraphicsCurve& curve) { return curve.Type == GraphicsCurveType::Poisson; });
   this->Chains = chains;
   GraphicsMemoryCheck checkRegions;
   if (options.CheckMemory)
@@ -105,7 +193,7 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   {
     status = Status::Abort();
   }
-  status = status.IsOk() ? this->Loads.Prepare(surface, this->NumberOfFaces, chains, curves,
+  status = status.IsOk() ? this->Loads.Prepare(surface, mesh.GetNumberOfFaces(), chains, curves,
                              checkRegions, ProgressPart(options.Progress, CutDone, MeasuredDone))
                          : status;
   if (!status.IsOk())
@@ -116,60 +204,19 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   poisson.IntrinsicDelaunay = options.IntrinsicDelaunay;
   poisson.GivenVertices = FindGivenVertices(this->Domain, chains, curves);
   this->Solver = std::make_unique<PoissonSolver>(this->Domain.SolvedMesh);
-  const double middle = 0.5 * (MeasuredDone + 1.0);
-  status = this->Solver->Analyze(poisson, ProgressPart(options.Progress, MeasuredDone, middle));
-  if (status.IsOk() && options.CheckMemory)
-  {
-    const double run = this->EstimateRun(curves, options.NumberOfChannels);
-    status =
-      options.CheckMemory(this->EstimateHeld() + run, this->Solver->GetEstimatedMemory() + run);
-  }
-  if (status.IsOk())
-  {
-    status = this->Solver->Factorize(ProgressPart(options.Progress, middle, 1.0));
-  }
-  this->IsReady = status.IsOk();
-  return status;
-}
-
-bool VectorGraphics::Implementation::HasPoisson() const
-{
-  return std::count(this->Types.begin(), this->Types.end(), GraphicsCurveType::Poisson) > 0;
-}
-
-Status VectorGraphics::Implementation::CheckRun(const std::vector<GraphicsCurve>& curves,
-  const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options) const
-{
-  if (!this->IsReady || curves.size() != this->Chains.size())
-  {
-    return Status::Invalid("the surface is not prepared for these curves: call Prepare() first");
-  }
-  for (std::size_t k = 0; k < curves.size(); ++k)
-  {
-    if (curves[k].Type != this->Types[k] || curves[k].IsClosed != this->AreClosed[k])
-    {
-      return Status::Invalid(NameOf(curves[k], k) +
-        " is not of the type that the surface was prepared for: call Prepare() again");
-    }
-  }
-  Status status = CheckGraphicsOptions(options);
-  const auto channels = static_cast<std::size_t>(std::max(0, options.NumberOfChannels));
-  for (std::size_t k = 0; k < curves.size() && status.IsOk(); ++k)
-  {
-    status = CheckGraphicsCurve(curves[k], k, channels * this->Chains[k].GivenPoints.size());
-  }
-  for (std::size_t r = 0; r < regions.size() && status.IsOk(); ++r)
-  {
-    status = CheckGraphicsRegion(regions[r], r, channels, this->NumberOfFaces);
-  }
-  return status;
+  return this->Solver->Prepare(
+    poisson, ProgressPart(options.Progress, MeasuredDone, 1.0), [&](double, double missing) {
+      const double run = this->EstimateRun(curves, options.NumberOfChannels);
+      return options.CheckMemory ? options.CheckMemory(this->EstimateHeld() + run, missing + run)
+                                 : Status::Success();
+    });
 }
 
 double VectorGraphics::Implementation::EstimateHeld() const
 {
   const auto faces = static_cast<double>(this->Domain.Solved.Surface.Faces.size());
-  return faces * (HeldPerFace + (this->HasPoisson() ? MorePerFace : 0.0)) +
-    this->Loads.GetNumberOfRegionFaces() * sizeof(Id) + this->Solver->GetEstimatedMemory();
+  return faces * (HeldPerFace + (this->HasPoisson ? MorePerFace : 0.0)) +
+    this->Loads.GetMemorySize() + this->Solver->GetEstimatedMemory();
 }
 
 /// The colours, while they are found. A band may be all of the surface, and as many equations.
@@ -180,7 +227,7 @@ double VectorGraphics::Implementation::EstimateRun(
   const auto faces = static_cast<double>(this->Domain.Drawn.Surface.Faces.size());
   const double columns = 2.0 * channels * sizeof(double) * points;
   const bool isBlended = std::any_of(curves.begin(), curves.end(), [&](const GraphicsCurve& curve) {
-    return curve.Type == GraphicsCurveType::Poisson && StrengthBlend::IsNeeded(curve, channels);
+    return curve.Type == GraphicsCurveType::Poisson && IsBlended(curve, channels);
   });
   return points * WorkPerVertex + columns +
     (isBlended ? faces * BandPerFace + columns + this->Solver->GetEstimatedMemory() : 0.0);
@@ -242,8 +289,12 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
   GraphicsResult& result)
 {
   result = GraphicsResult();
-  Status status = this->CheckRun(curves, regions, options);
-  if (status.IsOk() && options.CheckMemory)
+  Status status;
+  if (!this->Solver || !this->Solver->IsReady() || curves.size() != this->Chains.size())
+  {
+    return Status::Invalid("the surface is not prepared for these curves: call Prepare() first");
+  }
+  if (options.CheckMemory)
   {
     // Channels may be others than before.
     const double run = this->EstimateRun(curves, options.NumberOfChannels);
@@ -270,7 +321,7 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
   }
   std::vector<std::vector<double>> columns(
     channels, std::vector<double>(this->Domain.Solved.Surface.Points.size(), 0.0));
-  status = this->Loads.Add(this->Domain, this->Chains, scaled, regions, scale,
+  status = this->Loads.Add(this->Domain, this->Chains, scaled, regions, scale.Apply(regions),
     ProgressPart(options.Progress, BandsDone, SourcesDone), columns);
   if (status.IsOk() && !Goes(options.Progress, SourcesDone))
   {

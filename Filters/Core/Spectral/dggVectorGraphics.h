@@ -141,7 +141,7 @@ public:
   static constexpr double BytesPerFace = 1100.0;
 
   /// Cut the surface, and factorize the matrix. `surface` is what EmbedCurves() made of `mesh`, or
-  /// a refinement of it; chain k belongs to curve k. Numbers of curves do not matter yet. The mesh
+  /// a refinement of it; chain k belongs to curve k. Colours and widths do not matter yet. The mesh
   /// must outlive this object.
   ///
   /// Fails where curves have no sides (CutAlongCurves()), or no length; where a region's curve is
@@ -150,11 +150,10 @@ public:
     const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
     const GraphicsOptions& options);
 
-  /// Find the colours. Curves are those of Prepare(), but may have other colours and widths.
-  /// Fails when they are of other types; when there are not as many numbers as needed, or some are
-  /// not finite; with a width that is not positive; with a region without faces; when a colour or a
-  /// net source is beyond the largest number. Numbers that are finite may be of any size otherwise:
-  /// channels are scaled while they are solved for.
+  /// Find the colours. Curves are those of Prepare(), but may have other colours and widths. There
+  /// must be as many numbers as needed, all finite; widths must be positive, and faces of regions
+  /// exist. Fails when a colour or a net source is beyond the largest number. Numbers may be of any
+  /// size otherwise: channels are scaled while they are solved for.
   Status Run(const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
     const GraphicsOptions& options, GraphicsResult& result);
 
