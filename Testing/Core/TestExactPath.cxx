@@ -7,7 +7,6 @@
 #include "GeodesicChecks.h"
 
 #include "dggExactPath.h"
-#include "dggWindowTracer.h"
 
 #include <gtest/gtest.h>
 
@@ -170,42 +169,11 @@ TEST(ExactPath, TriesBranches)
 {
   std::vector<Id> sheetOf;
   Id unused = 0;
-  std::size_t retries = 0;
   for (const TestMesh& input :
     { Book(3, 6, sheetOf, 0.2, 2), Book(6, 5, sheetOf, 0.2, 3), PlaneWithFin(6, unused, 0.2, 4) })
   {
-    const dgg::SurfaceMesh mesh = Build(input);
-    const std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 60, 5);
-    for (std::size_t s = 0; s < points.size(); s += 6)
-    {
-      const dgg::ExactResult result = Solve(mesh, dgg::ExactEngine::Triangle,
-        { { points[s], 0.0 } }, [&](dgg::ExactOptions& options) { options.Targets = points; });
-      dgg::WindowTracer tracer(mesh, points[s], result);
-      for (std::size_t t = 0; t < points.size(); ++t)
-      {
-        SurfacePath path;
-        ASSERT_TRUE(
-          tracer.Trace(points[t], result.TargetDistances[t], result.TargetPredecessors[t], path));
-        EXPECT_TRUE(dgg::CheckPath(mesh, path).IsOk());
-        EXPECT_NEAR(path.Length, result.TargetDistances[t], 1e-10 * result.TargetDistances[t]);
-      }
-      retries += tracer.GetNumberOfRetries();
-    }
+    ExpectShortest(Build(input), 5, 60, 1e-10);
   }
-  EXPECT_GT(retries, 100u);
-  // On a manifold there is nothing to try, but at vertices that a path passes closely.
-  const dgg::SurfaceMesh sphere = Build(NoisySphere(3, 0.2, 3));
-  const std::vector<SurfacePoint> points = RandomSurfacePoints(sphere, 60, 5);
-  const dgg::ExactResult result = Solve(sphere, dgg::ExactEngine::Triangle, { { points[0], 0.0 } },
-    [&](dgg::ExactOptions& options) { options.Targets = points; });
-  dgg::WindowTracer tracer(sphere, points[0], result);
-  for (std::size_t t = 0; t < points.size(); ++t)
-  {
-    SurfacePath path;
-    EXPECT_TRUE(
-      tracer.Trace(points[t], result.TargetDistances[t], result.TargetPredecessors[t], path));
-  }
-  EXPECT_EQ(tracer.GetNumberOfRetries(), 0u);
 }
 
 TEST(ExactPath, IsStraightInThePlane)

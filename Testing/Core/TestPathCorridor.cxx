@@ -206,8 +206,8 @@ TEST(MeshParts, RefinedFacesKnowWhatIsDegenerate)
   }
 }
 
-/// Among faces without area the solver does no more in a corridor than on the whole mesh, and finds
-/// paths as short.
+/// Among faces without area the solver ends in a corridor, too, and finds paths as short as on the
+/// whole mesh.
 TEST(PathCorridor, AmongFacesWithoutArea)
 {
   for (const NamedMesh& named : DegenerateMeshes())
@@ -216,8 +216,6 @@ TEST(PathCorridor, AmongFacesWithoutArea)
     const SurfaceMesh mesh = Build(named.Mesh);
     dgg::ExactPathFinder finder(mesh);
     PathCorridor corridor(mesh);
-    std::size_t windows = 0;
-    std::size_t windowsOfAll = 0;
     int paths = 0;
     const std::vector<Id> ends = SomeVertices(mesh, 12, 5);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
@@ -229,40 +227,14 @@ TEST(PathCorridor, AmongFacesWithoutArea)
         continue;
       }
       ++paths;
-      windowsOfAll += finder.GetNumberOfWindows();
       const double before = path.Length;
       const bool isShorter = corridor.Shorten(0.5, path);
       EXPECT_EQ(isShorter, path.Length < before);
       EXPECT_TRUE(dgg::CheckPath(mesh, path).IsOk());
-      EXPECT_FALSE(corridor.GetEffort().IsStopped);
-      EXPECT_GT(corridor.GetEffort().Windows, 0u);
-      windows += corridor.GetEffort().Windows;
+      EXPECT_FALSE(corridor.IsStopped());
       EXPECT_NEAR(path.Length, shortest.Length, 1e-9 * shortest.Length);
     }
     EXPECT_GE(paths, 3); // there are few steps to smaller distances among coincident points
-    EXPECT_LE(windows, windowsOfAll);
   }
-}
-
-/// A budget that is used up leaves the path as it is.
-TEST(PathCorridor, KeepsToItsBudget)
-{
-  const SurfaceMesh mesh = Build(NoisySphere(5, 0.2, 7));
-  PathCorridor corridor(mesh);
-  const SurfacePath longer = EdgePath(mesh, 0, mesh.GetNumberOfVertices() - 1);
-  ASSERT_GT(longer.Faces.size(), 10u);
-  PathCorridor::Budget none;
-  none.Reports = 0;
-  none.FacesPerReport = std::numeric_limits<std::size_t>::max();
-  SurfacePath path = longer;
-  EXPECT_FALSE(corridor.Shorten(0.5, path, none));
-  EXPECT_TRUE(corridor.GetEffort().IsStopped);
-  EXPECT_GT(corridor.GetEffort().Faces, 1000u);
-  EXPECT_EQ(path.Length, longer.Length);
-  EXPECT_EQ(path.Faces, longer.Faces);
-  // With the common one it is not.
-  EXPECT_TRUE(corridor.Shorten(0.5, path));
-  EXPECT_FALSE(corridor.GetEffort().IsStopped);
-  EXPECT_LT(path.Length, longer.Length);
 }
 }

@@ -5,15 +5,17 @@
 #ifndef dggPathFinder_h
 #define dggPathFinder_h
 
-#include "dggGraphBuilder.h" // for links of points that are not vertices
-#include "dggGraphSearch.h"  // for the graph
-#include "dggSurfacePath.h"  // for SurfacePath
+#include "dggGraphBuilder.h"  // for links of points that are not vertices
+#include "dggGraphSearch.h"   // for the graph
+#include "dggSurfacePath.h"   // for SurfacePath
+#include "dggWorkspacePool.h" // for what is kept for the next paths
 
 #include <cstddef> // for std::size_t
-#include <memory>  // for the internals
 
 namespace dgg
 {
+class PathTracer;
+
 struct PathOptions
 {
   /// Whether to shorten the path to a locally shortest geodesic.
@@ -63,8 +65,22 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
-  class Implementation;
-  std::unique_ptr<Implementation> Internals;
+  struct Workspace;
+  struct Ends;
+
+  Status FindBetween(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options,
+    FoundPath& found) const;
+  Status Link(const SurfacePoint& from, const SurfacePoint& to, double accuracy, Ends& ends) const;
+  Status TraceHops(PathTracer& tracer, const SurfacePoint& from, const SurfacePoint& to,
+    const Ends& ends, const GraphPath& path) const;
+  void Finish(Workspace& workspace, const PathOptions& options, FoundPath& found) const;
+
+  const SurfaceMesh& Mesh;
+  const GraphSearch& Search;
+  const GraphBuilder* Builder;
+  const double* Positions;
+  const Status Usable; // whether the mesh is
+  mutable WorkspacePool<Workspace> Workspaces;
 };
 }
 
