@@ -10,7 +10,6 @@
 #include "vtkDGGVoronoiOutputs.h"
 
 #include "dggCentroidal.h"
-#include "dggCloudCenters.h"
 #include "dggProgressPart.h"
 
 #include "vtkInformationVector.h"

@@ -5,7 +5,7 @@
 #include "FlatMeshes.h"
 #include "SearchChecks.h"
 
-#include "dggCloudCenters.h"
+#include "dggCentroidal.h"
 
 #include <gtest/gtest.h>
 

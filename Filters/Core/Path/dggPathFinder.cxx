@@ -5,6 +5,7 @@
 #include "dggPathCorridor.h"
 #include "dggPathShortener.h"
 #include "dggPathTracer.h"
+#include "dggWorkspacePool.h"
 
 #include <algorithm>
 #include <utility>
@@ -57,6 +58,7 @@ PathFinder::PathFinder(const SurfaceMesh& mesh, const GraphSearch& search,
   , Builder(builder)
   , Positions(positions)
   , Usable(CheckCorners(mesh))
+  , Workspaces(std::make_unique<WorkspacePool<Workspace>>())
 {
 }
 
@@ -64,7 +66,7 @@ PathFinder::~PathFinder() = default;
 
 std::size_t PathFinder::GetMemorySize() const
 {
-  return this->Workspaces.GetMemorySize();
+  return this->Workspaces->GetMemorySize();
 }
 
 Status PathFinder::Find(const SurfacePoint& from, const SurfacePoint& to,
@@ -124,7 +126,7 @@ Status PathFinder::FindBetween(const SurfacePoint& from, const SurfacePoint& to,
   {
     return status;
   }
-  const auto workspace = this->Workspaces.Borrow(this->Mesh);
+  const auto workspace = this->Workspaces->Borrow(this->Mesh);
   PathTracer& tracer = workspace->Tracer;
   tracer.Begin(options.Straighten);
   status = ends.Direct <= path.Length ? tracer.Append(from, to, ends.Direct)

@@ -5,16 +5,18 @@
 #ifndef dggPathFinder_h
 #define dggPathFinder_h
 
-#include "dggGraphBuilder.h"  // for links of points that are not vertices
-#include "dggGraphSearch.h"   // for the graph
-#include "dggSurfacePath.h"   // for SurfacePath
-#include "dggWorkspacePool.h" // for what is kept for the next paths
+#include "dggGraphBuilder.h" // for links of points that are not vertices
+#include "dggGraphSearch.h"  // for the graph
+#include "dggSurfacePath.h"  // for SurfacePath
 
 #include <cstddef> // for std::size_t
+#include <memory>  // for the workspaces
 
 namespace dgg
 {
 class PathTracer;
+template <typename Workspace>
+class WorkspacePool;
 
 struct PathOptions
 {
@@ -80,7 +82,7 @@ private:
   const GraphBuilder* Builder;
   const double* Positions;
   const Status Usable; // whether the mesh is
-  mutable WorkspacePool<Workspace> Workspaces;
+  std::unique_ptr<WorkspacePool<Workspace>> Workspaces;
 };
 }
 
