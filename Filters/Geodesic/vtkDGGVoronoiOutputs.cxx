@@ -25,30 +25,6 @@
 #include <algorithm>
 
 //------------------------------------------------------------------------------
-void vtkDGGFillSurfacePoints(const std::vector<dgg::SurfacePoint>& places,
-  const vtkDGGNewGeometry& geometry, vtkPolyData* output)
-{
-  geometry.Begin(output);
-  const auto points = geometry.MakePoints(places.size());
-  vtkNew<vtkCellArray> verts;
-  output->SetPoints(points);
-  output->SetVerts(verts);
-  const auto ids =
-    vtkDGGAddArray<vtkIdTypeArray>(output->GetPointData(), "vtkOriginalPointIds", places.size());
-  const auto faces =
-    vtkDGGAddArray<vtkIdTypeArray>(output->GetPointData(), "FaceId", places.size());
-  for (std::size_t k = 0; k < places.size(); ++k)
-  {
-    const auto i = static_cast<vtkIdType>(k);
-    const dgg::SurfacePoint& place = places[k];
-    geometry.SetPoint(points, i, place);
-    verts->InsertNextCell(1, &i);
-    ids->SetValue(i, vtkDGGNewGeometry::GetPointId(place));
-    faces->SetValue(i, geometry.GetCell(dgg::FindFaceOf(geometry.GetMesh(), place)));
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkDGGVoronoiOutputs::vtkDGGVoronoiOutputs(const vtkDGGVoronoiResult& result,
   const vtkDGGMeshAdapter& mesh, const vtkDGGNewGeometry& geometry, const std::string& distanceName,
   double unreachedValue)

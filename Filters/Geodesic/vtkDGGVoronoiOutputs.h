@@ -31,11 +31,6 @@ struct vtkDGGVoronoiResult
   ///@}
 };
 
-/// Make an output of surface points: points with verts, and the point arrays `vtkOriginalPointIds`
-/// and `FaceId`.
-void vtkDGGFillSurfacePoints(const std::vector<dgg::SurfacePoint>& places,
-  const vtkDGGNewGeometry& geometry, vtkPolyData* output);
-
 /// Makes the outputs of a diagram on one surface.
 class vtkDGGVoronoiOutputs
 {
