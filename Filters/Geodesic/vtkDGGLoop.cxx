@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGLoop.h"
 
+#include "vtkDGGGraphProvider.h"
 #include "vtkDGGGraphUser.h"
-#include "vtkDGGLoopSearch.h"
 #include "vtkDGGMakeArray.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGNewGeometry.h"
+#include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 
+#include "dggFoundLoop.h"
+#include "dggHandleLoops.h"
+#include "dggLoopFinder.h"
 #include "dggProgressPart.h"
+#include "dggSurfacePoint.h"
+#include "dggTape.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -23,14 +29,157 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkDGGLoop);
 vtkDGGGraphUserMacro(vtkDGGLoop);
 vtkDGGDefineIdsMacro(vtkDGGLoop, Point, PointIds);
 vtkDGGDefineInputMacro(vtkDGGLoop, Point, 1);
 
+/// What became of a loop: values of LoopStatus.
+enum class LoopStatus
+{
+  Found = 0,
+  NotFound = 1,
+  NotConnected = 2
+};
+
+/// The loops that were asked for, and the rims of tapes along them.
+struct vtkDGGLoopSet
+{
+  std::vector<dgg::FoundLoop> Loops; ///< empty where there is none
+  std::vector<LoopStatus> Status;
+  std::vector<std::vector<dgg::SurfacePath>> Rims; ///< per loop; empty when there are no tapes
+  std::size_t LoopsTooLong = 0;                    ///< for their tapes
+  double SmallestTapeWidth = 0.0;                  ///< that is wide enough for all loops
+};
+
 namespace
 {
+using LoopPoints = std::vector<dgg::SurfacePoint>;
+
+/// What loops through points need besides the graph: null when all of them are vertices.
+dgg::Status PrepareLinks(vtkDGGGraphProvider& graph, const vtkDGGMeshAdapter& mesh,
+  const LoopPoints& points, const dgg::GraphBuilder*& builder)
+{
+  builder = nullptr;
+  if (std::all_of(points.begin(), points.end(), dgg::IsVertex))
+  {
+    graph.ReleaseBuilder();
+    return dgg::Status::Success();
+  }
+  const dgg::Status status = graph.PrepareBuilder(mesh);
+  builder = status.IsOk() ? &graph.GetBuilder() : nullptr;
+  return status;
+}
+
+/// An error with what it is about before it.
+dgg::Status Explain(const dgg::Status& status, const std::string& subject)
+{
+  return status.IsOk() || status.IsAborted()
+    ? status
+    : dgg::Status::Invalid(subject + ": " + status.GetMessage());
+}
+
+LoopStatus GetStatus(const dgg::FoundLoop& loop)
+{
+  return loop.Loop.IsEmpty() ? LoopStatus::NotFound : LoopStatus::Found;
+}
+
+/// One through each point, on all threads. `positions` are those of the vertices; the graph has
+/// been provided for the mesh.
+dgg::Status RunThroughPoints(const vtkDGGMeshAdapter& mesh, vtkDGGGraphProvider& graph,
+  const double* positions, const LoopPoints& points, bool taut,
+  const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
+{
+  const dgg::GraphBuilder* builder = nullptr;
+  dgg::Status status = PrepareLinks(graph, mesh, points, builder);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const dgg::LoopFinder finder(
+    mesh.GetMesh(), graph.GetSearch(), builder, positions, graph.GetLinkAccuracy());
+  set.Loops.assign(points.size(), dgg::FoundLoop());
+  const auto step = [&](std::size_t i, const dgg::ProgressCallback& within) {
+    return Explain(
+      finder.ThroughPoint(points[i], taut, set.Loops[i], within), "point " + std::to_string(i));
+  };
+  status = vtkDGGForLongSteps(points.size(), progress, step);
+  for (const dgg::FoundLoop& loop : set.Loops)
+  {
+    set.Status.push_back(GetStatus(loop));
+  }
+  return status;
+}
+
+/// One through all points.
+dgg::Status RunRope(const vtkDGGMeshAdapter& mesh, vtkDGGGraphProvider& graph,
+  const double* positions, const LoopPoints& points, bool taut,
+  const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
+{
+  const dgg::GraphBuilder* builder = nullptr;
+  dgg::Status status = PrepareLinks(graph, mesh, points, builder);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const dgg::LoopFinder finder(
+    mesh.GetMesh(), graph.GetSearch(), builder, positions, graph.GetLinkAccuracy());
+  set.Loops.resize(1);
+  bool isConnected = true;
+  status = Explain(finder.Rope(points, taut, set.Loops[0], isConnected, progress), "rope");
+  set.Status = { isConnected ? GetStatus(set.Loops[0]) : LoopStatus::NotConnected };
+  return status;
+}
+
+dgg::Status RunAroundHandles(
+  const vtkDGGMeshAdapter& mesh, const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
+{
+  const dgg::Status status = dgg::FindHandleLoops(mesh.GetMesh(), progress, set.Loops);
+  for (const dgg::FoundLoop& loop : set.Loops)
+  {
+    set.Status.push_back(GetStatus(loop));
+  }
+  return status;
+}
+
+/// The rims of tapes along all loops that are not too long.
+dgg::Status AddTapes(const vtkDGGMeshAdapter& mesh, double width,
+  const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
+{
+  const std::size_t count = set.Loops.size();
+  set.Rims.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (set.Loops[i].Loop.IsEmpty())
+    {
+      continue;
+    }
+    const double smallest = dgg::GetSmallestTapeWidth(set.Loops[i].Loop);
+    set.SmallestTapeWidth = std::max(set.SmallestTapeWidth, smallest);
+    if (width < smallest)
+    {
+      ++set.LoopsTooLong;
+      continue;
+    }
+    const auto part = [&](double fraction) {
+      return progress((static_cast<double>(i) + fraction) / static_cast<double>(count));
+    };
+    const dgg::Status status =
+      dgg::MakeTape(mesh.GetMesh(), set.Loops[i].Loop, width, part, set.Rims[i]);
+    if (!status.IsOk())
+    {
+      return Explain(status, "tape of loop " + std::to_string(i));
+    }
+    if (!part(1.0))
+    {
+      return dgg::Status::Abort();
+    }
+  }
+  return dgg::Status::Success();
+}
+
 /// Share of the progress after the graph that finding loops takes when there are tapes.
 constexpr double LoopShare = 0.5;
 constexpr std::size_t FewestPointsOfRope = 3;
@@ -266,21 +415,20 @@ dgg::Status vtkDGGLoop::Execute(
 
   const double* positions = geometry.GetPositions();
   vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
-  const vtkDGGLoopSearch::Points points = vtkDGGGetPlaces(sources);
-  const vtkDGGLoopSearch search(mesh);
+  const LoopPoints points = vtkDGGGetPlaces(sources);
   vtkDGGLoopSet set;
   const dgg::ProgressCallback finding =
     dgg::ProgressPart(progress, 0.0, this->TapeWidth > 0.0 ? LoopShare : 1.0);
   switch (this->Mode)
   {
     case AroundHandles:
-      status = search.RunAroundHandles(finding, set);
+      status = RunAroundHandles(mesh, finding, set);
       break;
     case Rope:
-      status = search.RunRope(graph, positions, points, this->Taut, finding, set);
+      status = RunRope(mesh, graph, positions, points, this->Taut, finding, set);
       break;
     default:
-      status = search.RunThroughPoints(graph, positions, points, this->Taut, finding, set);
+      status = RunThroughPoints(mesh, graph, positions, points, this->Taut, finding, set);
       break;
   }
   if (status.IsOk() && !finding(1.0))
@@ -289,7 +437,7 @@ dgg::Status vtkDGGLoop::Execute(
   }
   if (status.IsOk() && this->TapeWidth > 0.0)
   {
-    status = search.AddTapes(this->TapeWidth, dgg::ProgressPart(progress, LoopShare, 1.0), set);
+    status = AddTapes(mesh, this->TapeWidth, dgg::ProgressPart(progress, LoopShare, 1.0), set);
   }
   if (status.IsOk())
   {
@@ -303,7 +451,7 @@ dgg::Status vtkDGGLoop::Execute(
 //------------------------------------------------------------------------------
 void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set)
 {
-  const auto isMissing = [](vtkDGGLoopStatus status) { return status != vtkDGGLoopStatus::Found; };
+  const auto isMissing = [](LoopStatus status) { return status != LoopStatus::Found; };
   const auto missing = std::count_if(set.Status.begin(), set.Status.end(), isMissing);
   const auto first =
     std::find_if(set.Status.begin(), set.Status.end(), isMissing) - set.Status.begin();
@@ -323,7 +471,7 @@ void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set)
   }
   else if (missing > 0 && this->Mode == Rope)
   {
-    const bool isConnected = set.Status[0] != vtkDGGLoopStatus::NotConnected;
+    const bool isConnected = set.Status[0] != LoopStatus::NotConnected;
     vtkWarningMacro(<< (isConnected ? "The rope contracts to a point when it is pulled tight: "
                                       "nothing on the surface holds it. "
                                     : "The points of the rope are not connected by the surface. ")

@@ -5,6 +5,7 @@
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
+#include "PathChecks.h"
 
 #include "dggExactPath.h"
 
@@ -22,17 +23,6 @@ namespace
 using dgg::SurfacePath;
 using dgg::SurfacePoint;
 using Support = SurfacePoint::Support;
-
-/// Paths; a failure fails the test.
-std::vector<SurfacePath> FindPaths(
-  const dgg::SurfaceMesh& mesh, const SurfacePoint& from, const std::vector<SurfacePoint>& to)
-{
-  dgg::ExactPathFinder finder(mesh);
-  std::vector<SurfacePath> paths;
-  const dgg::Status status = finder.Find(from, to, nullptr, paths);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
-  return paths;
-}
 
 /// Paths from some points to others, of every kind, against the distances of the other engine.
 /// `failures`, if given, counts sources from which a path could not be traced back, which may

@@ -5,6 +5,7 @@
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
+#include "PathChecks.h"
 
 #include "dggPatchBoundaries.h"
 #include "dggSurfaceCut.h"
@@ -23,16 +24,6 @@ using dgg::PatchBoundaries;
 using dgg::PatchLayout;
 using dgg::SurfacePoint;
 using Points = std::vector<SurfacePoint>;
-
-Points AtVertices(const std::vector<Id>& vertices)
-{
-  Points points;
-  for (const Id v : vertices)
-  {
-    points.push_back(SurfacePoint::AtVertex(v));
-  }
-  return points;
-}
 
 /// The vertex that is nearest to a place.
 Id Nearest(const TestMesh& mesh, double x, double y, double z)

@@ -6,17 +6,15 @@
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
+#include "PathChecks.h"
 
-#include "dggExactPath.h"
 #include "dggPathCorridor.h"
-#include "dggPathFinder.h"
 #include "dggSurfaceRefinement.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,15 +65,6 @@ SurfaceMesh PartOf(const SurfaceMesh& mesh, const std::vector<Id>& faces)
     static_cast<dgg::Offset>(faces.size()), lengths.data(), part, { &mesh, faces.data() });
   EXPECT_TRUE(status.IsOk()) << status.GetMessage();
   return part;
-}
-
-SurfacePath PathBetween(dgg::ExactPathFinder& finder, Id from, Id to)
-{
-  std::vector<SurfacePath> paths;
-  const dgg::Status status =
-    finder.Find(SurfacePoint::AtVertex(from), { SurfacePoint::AtVertex(to) }, nullptr, paths);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
-  return paths.empty() ? SurfacePath() : paths.front();
 }
 
 /// The shortest path along mesh edges: a long way round.
@@ -189,11 +178,10 @@ TEST(MeshParts, RefinedFacesKnowWhatIsDegenerate)
   {
     SCOPED_TRACE(named.Name);
     const SurfaceMesh mesh = Build(named.Mesh);
-    dgg::ExactPathFinder finder(mesh);
     const std::vector<Id> ends = SomeVertices(mesh, 4, 9);
     dgg::RefinedSurface refined;
     ASSERT_TRUE(
-      dgg::RefineAlongPaths(mesh, { PathBetween(finder, ends[1], ends[2]) }, {}, refined).IsOk());
+      dgg::RefineAlongPaths(mesh, { PathBetween(mesh, ends[1], ends[2]) }, {}, refined).IsOk());
     SurfaceMesh fine;
     ASSERT_TRUE(refined.Build(mesh, fine).IsOk());
     EXPECT_GE(fine.GetNumberOfDegenerateFaces(), mesh.GetNumberOfDegenerateFaces());
@@ -214,13 +202,12 @@ TEST(PathCorridor, AmongFacesWithoutArea)
   {
     SCOPED_TRACE(named.Name);
     const SurfaceMesh mesh = Build(named.Mesh);
-    dgg::ExactPathFinder finder(mesh);
     PathCorridor corridor(mesh);
     int paths = 0;
     const std::vector<Id> ends = SomeVertices(mesh, 12, 5);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
     {
-      const SurfacePath shortest = PathBetween(finder, ends[i], ends[i + 1]);
+      const SurfacePath shortest = PathBetween(mesh, ends[i], ends[i + 1]);
       SurfacePath path = EdgePath(mesh, ends[i], ends[i + 1]);
       if (path.Faces.size() < 2)
       {

@@ -176,18 +176,6 @@ TEST(SurfaceSampler, StartsWhereItIsTold)
   EXPECT_EQ(samples[3].CoveringRadius, samples[1].CoveringRadius);
 }
 
-TEST(SurfaceSampler, StopsAtARadius)
-{
-  const SearchCase c("plane", Plane(15, 15, 0.2), Accuracy);
-  SamplerOptions options;
-  options.NumberOfSamples = 1000;
-  options.CoveringRadius = 0.2 * c.GetPoints().Point(c.GetNumberOfVertices() - 1)[0];
-  const std::vector<SurfaceSample> samples = SamplesOf(c, options);
-  ASSERT_GT(samples.size(), 2u);
-  EXPECT_LE(samples.back().CoveringRadius, options.CoveringRadius);
-  EXPECT_GT(samples[samples.size() - 2].CoveringRadius, options.CoveringRadius);
-}
-
 TEST(SurfaceSampler, AllVertices)
 {
   const SearchCase c("isolated points", SphereWithIsolatedPoints(1), Accuracy);

@@ -5,11 +5,12 @@
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
+#include "PathChecks.h"
 #include "SearchChecks.h"
 
 #include "dggBorderRefinement.h"
+#include "dggCentroidal.h"
 #include "dggEdgeCuts.h"
-#include "dggExactGeodesics.h"
 #include "dggSurfacePath.h"
 #include "dggVoronoi.h"
 
@@ -40,24 +41,9 @@ using Place = std::array<double, 3>;
 std::vector<GraphSeed> SeedsOf(const SearchCase& c, const Sites& sites, double accuracy)
 {
   const dgg::GraphBuilder builder(c.GetMesh());
-  std::vector<GraphSeed> seeds;
-  for (std::size_t i = 0; i < sites.size(); ++i)
-  {
-    const auto number = static_cast<Id>(i);
-    if (sites[i].On == SurfacePoint::Support::Vertex)
-    {
-      seeds.push_back(SeedAt(sites[i].Vertex, 0.0, number));
-      continue;
-    }
-    std::vector<dgg::GraphLink> links;
-    std::vector<double> direct;
-    EXPECT_TRUE(builder.Link(sites[i], accuracy, {}, links, direct).IsOk());
-    for (const dgg::GraphLink& link : links)
-    {
-      seeds.push_back({ link.Vertex, link.Length, 0.0, number, link.ArrivalAngle });
-    }
-  }
-  return seeds;
+  dgg::LinkedSites linked;
+  EXPECT_TRUE(dgg::LinkSites(sites, &builder, accuracy, linked).IsOk());
+  return linked.Seeds;
 }
 
 VoronoiDiagram DiagramOf(
@@ -84,16 +70,6 @@ dgg::VoronoiInput InputOf(const std::vector<GraphSeed>& seeds)
   dgg::VoronoiInput input;
   input.Seeds = seeds;
   return input;
-}
-
-Sites AtVertices(const std::vector<Id>& vertices)
-{
-  Sites sites;
-  for (const Id v : vertices)
-  {
-    sites.push_back(SurfacePoint::AtVertex(v));
-  }
-  return sites;
 }
 
 SurfacePoint PointOf(const VoronoiDiagram& diagram, Id point)
@@ -272,19 +248,39 @@ void ExpectKnown(const SearchCase& c, const VoronoiDiagram& diagram, std::size_t
   }
 }
 
+/// Distances of all points of a diagram from each site alone.
+std::vector<std::vector<double>> ExactDistances(
+  const SurfaceMesh& mesh, const VoronoiDiagram& diagram, const Sites& sites)
+{
+  Sites targets;
+  for (std::size_t i = 0; i < diagram.Distances.size() + diagram.BorderPoints.size(); ++i)
+  {
+    targets.push_back(PointOf(diagram, static_cast<Id>(i)));
+  }
+  std::vector<std::vector<double>> distances;
+  for (const SurfacePoint& site : sites)
+  {
+    distances.push_back(DistancesTo(mesh, dgg::ExactEngine::Triangle, site, targets));
+  }
+  return distances;
+}
+
 double Straight(const Place& p, const Place& q)
 {
   return std::hypot(p[0] - q[0], p[1] - q[1]);
 }
 
-std::vector<Place> PlacesOf(const SearchCase& c, const Sites& sites)
+/// The same in the plane.
+void ExpectPlane(
+  const SearchCase& c, const VoronoiDiagram& diagram, const Sites& sites, double tolerance)
 {
   std::vector<Place> places;
   for (const SurfacePoint& site : sites)
   {
     places.push_back(dgg::PositionOf(c.GetMesh(), site, c.GetPoints().Points.data()));
   }
-  return places;
+  ExpectKnown(c, diagram, sites.size(), tolerance,
+    [&](const Place& p, std::size_t site) { return Straight(p, places[site]); });
 }
 }
 
@@ -298,11 +294,9 @@ TEST(Voronoi, OnAnySurface)
   for (const NamedMesh& named : meshes)
   {
     const SearchCase c(named.Name, named.Mesh, 0.05);
-    Sites sites = RandomSurfacePoints(c.GetMesh(), 8, 3);
-    for (const Id v : SomeVertices(c.GetMesh(), 8, 5))
-    {
-      sites.push_back(SurfacePoint::AtVertex(v));
-    }
+    Sites sites = AtVertices(SomeVertices(c.GetMesh(), 8, 5));
+    const Sites inFaces = RandomSurfacePoints(c.GetMesh(), 8, 3);
+    sites.insert(sites.end(), inFaces.begin(), inFaces.end());
     for (const bool isRefined : { false, true })
     {
       const VoronoiDiagram diagram = DiagramOf(c, sites, 0.05, isRefined);
@@ -319,9 +313,7 @@ TEST(Voronoi, ThePlane)
     const Sites sites = RandomSurfacePoints(c.GetMesh(), 9, 12);
     const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01);
     ExpectWellFormed(c.GetMesh(), diagram, 9, c.GetName());
-    const std::vector<Place> places = PlacesOf(c, sites);
-    ExpectKnown(c, diagram, sites.size(), 0.005,
-      [&](const Place& p, std::size_t site) { return Straight(p, places[site]); });
+    ExpectPlane(c, diagram, sites, 0.005);
     // Convex cells: one curve for a pair.
     const std::set<std::array<Id, 2>> pairs(diagram.CurveSites.begin(), diagram.CurveSites.end());
     EXPECT_EQ(pairs.size(), diagram.GetNumberOfCurves());
@@ -344,9 +336,7 @@ TEST(Voronoi, BordersAlongEdgesAndThroughVertices)
     const Sites sites = AtVertices(vertices);
     const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01);
     ExpectWellFormed(c.GetMesh(), diagram, static_cast<Id>(sites.size()), "grid");
-    const std::vector<Place> places = PlacesOf(c, sites);
-    ExpectKnown(c, diagram, sites.size(), 0.003,
-      [&](const Place& p, std::size_t site) { return Straight(p, places[site]); });
+    ExpectPlane(c, diagram, sites, 0.003);
   }
 }
 
@@ -375,9 +365,7 @@ TEST(Voronoi, ManySitesInAFace)
   const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01);
   ExpectWellFormed(c.GetMesh(), diagram, 25, "triangle");
   EXPECT_EQ(diagram.GetNumberOfPolygons(), 25u);
-  const std::vector<Place> places = PlacesOf(c, sites);
-  ExpectKnown(c, diagram, sites.size(), 1e-9,
-    [&](const Place& p, std::size_t site) { return Straight(p, places[site]); });
+  ExpectPlane(c, diagram, sites, 1e-9);
 }
 
 TEST(Voronoi, AConeAndASphere)
@@ -396,19 +384,7 @@ TEST(Voronoi, AConeAndASphere)
     const VoronoiDiagram diagram = DiagramOf(c, sites, accuracy);
     ExpectWellFormed(c.GetMesh(), diagram, 10, named.first);
     // By exact distances from each site alone, of all points of the borders.
-    std::vector<std::vector<double>> exact;
-    dgg::ExactGeodesics solver(c.GetMesh());
-    for (const SurfacePoint& site : sites)
-    {
-      dgg::ExactOptions options;
-      for (std::size_t i = 0; i < diagram.Distances.size() + diagram.BorderPoints.size(); ++i)
-      {
-        options.Targets.push_back(PointOf(diagram, static_cast<Id>(i)));
-      }
-      dgg::ExactResult result;
-      ASSERT_TRUE(solver.Run({ { site, 0.0 } }, options, result).IsOk());
-      exact.push_back(result.TargetDistances);
-    }
+    const std::vector<std::vector<double>> exact = ExactDistances(c.GetMesh(), diagram, sites);
     ASSERT_GT(diagram.GetNumberOfCurves(), 9u);
     for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
     {
@@ -450,19 +426,7 @@ TEST(Voronoi, RefinedWhereFacesAreLarge)
   {
     const VoronoiDiagram diagram = DiagramOf(c, sites, accuracy, isRefined);
     ExpectWellFormed(c.GetMesh(), diagram, 12, "box");
-    dgg::ExactGeodesics solver(c.GetMesh());
-    std::vector<std::vector<double>> exact;
-    for (const SurfacePoint& site : sites)
-    {
-      dgg::ExactOptions options;
-      for (std::size_t i = 0; i < diagram.Distances.size() + diagram.BorderPoints.size(); ++i)
-      {
-        options.Targets.push_back(PointOf(diagram, static_cast<Id>(i)));
-      }
-      dgg::ExactResult result;
-      ASSERT_TRUE(solver.Run({ { site, 0.0 } }, options, result).IsOk());
-      exact.push_back(result.TargetDistances);
-    }
+    const std::vector<std::vector<double>> exact = ExactDistances(c.GetMesh(), diagram, sites);
     for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
     {
       for (dgg::Offset i = diagram.CurveOffsets[k]; i < diagram.CurveOffsets[k + 1]; ++i)
@@ -607,9 +571,7 @@ TEST(Voronoi, GraphsWithoutDirections)
     dgg::ComputeVoronoi(search, c.GetMesh(), InputOf(SeedsOf(c, sites, 0.02)), nullptr, diagram)
       .IsOk());
   ExpectWellFormed(c.GetMesh(), diagram, 3, "without directions");
-  const std::vector<Place> places = PlacesOf(c, sites);
-  ExpectKnown(c, diagram, 3, 0.04,
-    [&](const Place& p, std::size_t site) { return Straight(p, places[site]); });
+  ExpectPlane(c, diagram, sites, 0.04);
 }
 
 TEST(Voronoi, BadInputIsNamed)

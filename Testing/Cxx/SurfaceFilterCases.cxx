@@ -47,7 +47,7 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeLoop(vtkPolyData* surface)
   loop->SetAccuracy(0.05);
   loop->SetModeToRope();
   loop->SetPointIds({ 11, 15, 69, 65 });
-  loop->SetTapeWidth(12.0);
+  loop->SetTapeWidth(25.0);
   return loop;
 }
 
