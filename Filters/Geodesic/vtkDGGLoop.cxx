@@ -58,21 +58,6 @@ namespace
 {
 using LoopPoints = std::vector<dgg::SurfacePoint>;
 
-/// What loops through points need besides the graph: null when all of them are vertices.
-dgg::Status PrepareLinks(vtkDGGGraphProvider& graph, const vtkDGGMeshAdapter& mesh,
-  const LoopPoints& points, const dgg::GraphBuilder*& builder)
-{
-  builder = nullptr;
-  if (std::all_of(points.begin(), points.end(), dgg::IsVertex))
-  {
-    graph.ReleaseBuilder();
-    return dgg::Status::Success();
-  }
-  const dgg::Status status = graph.PrepareBuilder(mesh);
-  builder = status.IsOk() ? &graph.GetBuilder() : nullptr;
-  return status;
-}
-
 /// An error with what it is about before it.
 dgg::Status Explain(const dgg::Status& status, const std::string& subject)
 {
@@ -81,65 +66,29 @@ dgg::Status Explain(const dgg::Status& status, const std::string& subject)
     : dgg::Status::Invalid(subject + ": " + status.GetMessage());
 }
 
-LoopStatus GetStatus(const dgg::FoundLoop& loop)
-{
-  return loop.Loop.IsEmpty() ? LoopStatus::NotFound : LoopStatus::Found;
-}
-
-/// One through each point, on all threads. `positions` are those of the vertices; the graph has
-/// been provided for the mesh.
-dgg::Status RunThroughPoints(const vtkDGGMeshAdapter& mesh, vtkDGGGraphProvider& graph,
-  const double* positions, const LoopPoints& points, bool taut,
+/// One through each point, on all threads.
+dgg::Status RunThroughPoints(const dgg::LoopFinder& finder, const LoopPoints& points, bool taut,
   const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
 {
-  const dgg::GraphBuilder* builder = nullptr;
-  dgg::Status status = PrepareLinks(graph, mesh, points, builder);
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  const dgg::LoopFinder finder(
-    mesh.GetMesh(), graph.GetSearch(), builder, positions, graph.GetLinkAccuracy());
   set.Loops.assign(points.size(), dgg::FoundLoop());
   const auto step = [&](std::size_t i, const dgg::ProgressCallback& within) {
     return Explain(
       finder.ThroughPoint(points[i], taut, set.Loops[i], within), "point " + std::to_string(i));
   };
-  status = vtkDGGForLongSteps(points.size(), progress, step);
-  for (const dgg::FoundLoop& loop : set.Loops)
-  {
-    set.Status.push_back(GetStatus(loop));
-  }
-  return status;
+  return vtkDGGForLongSteps(points.size(), progress, step);
 }
 
 /// One through all points.
-dgg::Status RunRope(const vtkDGGMeshAdapter& mesh, vtkDGGGraphProvider& graph,
-  const double* positions, const LoopPoints& points, bool taut,
+dgg::Status RunRope(const dgg::LoopFinder& finder, const LoopPoints& points, bool taut,
   const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
 {
-  const dgg::GraphBuilder* builder = nullptr;
-  dgg::Status status = PrepareLinks(graph, mesh, points, builder);
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  const dgg::LoopFinder finder(
-    mesh.GetMesh(), graph.GetSearch(), builder, positions, graph.GetLinkAccuracy());
   set.Loops.resize(1);
   bool isConnected = true;
-  status = Explain(finder.Rope(points, taut, set.Loops[0], isConnected, progress), "rope");
-  set.Status = { isConnected ? GetStatus(set.Loops[0]) : LoopStatus::NotConnected };
-  return status;
-}
-
-dgg::Status RunAroundHandles(
-  const vtkDGGMeshAdapter& mesh, const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
-{
-  const dgg::Status status = dgg::FindHandleLoops(mesh.GetMesh(), progress, set.Loops);
-  for (const dgg::FoundLoop& loop : set.Loops)
+  const dgg::Status status =
+    Explain(finder.Rope(points, taut, set.Loops[0], isConnected, progress), "rope");
+  if (!isConnected)
   {
-    set.Status.push_back(GetStatus(loop));
+    set.Status = { LoopStatus::NotConnected };
   }
   return status;
 }
@@ -413,23 +362,31 @@ dgg::Status vtkDGGLoop::Execute(
     return status;
   }
 
-  const double* positions = geometry.GetPositions();
-  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
-  const LoopPoints points = vtkDGGGetPlaces(sources);
   vtkDGGLoopSet set;
   const dgg::ProgressCallback finding =
     dgg::ProgressPart(progress, 0.0, this->TapeWidth > 0.0 ? LoopShare : 1.0);
-  switch (this->Mode)
+  if (this->Mode == AroundHandles)
   {
-    case AroundHandles:
-      status = RunAroundHandles(mesh, finding, set);
-      break;
-    case Rope:
-      status = RunRope(mesh, graph, positions, points, this->Taut, finding, set);
-      break;
-    default:
-      status = RunThroughPoints(mesh, graph, positions, points, this->Taut, finding, set);
-      break;
+    status = dgg::FindHandleLoops(mesh.GetMesh(), finding, set.Loops);
+  }
+  else
+  {
+    vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
+    const LoopPoints points = vtkDGGGetPlaces(sources);
+    const bool withLinks = !std::all_of(points.begin(), points.end(), dgg::IsVertex);
+    status = graph.PrepareBuilder(mesh, withLinks);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    const dgg::LoopFinder finder(mesh.GetMesh(), graph.GetSearch(),
+      withLinks ? &graph.GetBuilder() : nullptr, geometry.GetPositions(), graph.GetLinkAccuracy());
+    const auto run = this->Mode == Rope ? RunRope : RunThroughPoints;
+    status = run(finder, points, this->Taut, finding, set);
+  }
+  for (std::size_t i = set.Status.size(); i < set.Loops.size(); ++i)
+  {
+    set.Status.push_back(set.Loops[i].Loop.IsEmpty() ? LoopStatus::NotFound : LoopStatus::Found);
   }
   if (status.IsOk() && !finding(1.0))
   {

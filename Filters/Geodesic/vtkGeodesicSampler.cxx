@@ -197,23 +197,15 @@ dgg::Status vtkGeodesicSampler::Execute(
     status = this->GraphUser->Update(
       surface, mesh, [this](double fraction) { return this->Advance(fraction); }, this);
   }
+  const bool needsLinks =
+    options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), dgg::IsVertex);
+  if (status.IsOk())
+  {
+    status = graph.PrepareBuilder(mesh, needsLinks);
+  }
   if (!status.IsOk())
   {
     return status;
-  }
-  const bool needsLinks =
-    options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), dgg::IsVertex);
-  if (needsLinks)
-  {
-    status = graph.PrepareBuilder(mesh);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-  }
-  else
-  {
-    graph.ReleaseBuilder();
   }
   options.Progress = graph.GetRemainingProgress();
   std::vector<dgg::SurfaceSample> samples;
