@@ -22,6 +22,29 @@ const double Pi = vtkMath::Pi();
 
 class DGGLoop : public LoopFixture
 {
+protected:
+  Points GetPrismPoints() const
+  {
+    Points points(static_cast<std::size_t>(this->Prism->GetNumberOfPoints()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      this->Prism->GetPoint(static_cast<vtkIdType>(i), points[i].data());
+    }
+    return points;
+  }
+
+  Cells GetPrismCells() const
+  {
+    Cells cells;
+    for (vtkIdType c = 0; c < this->Prism->GetNumberOfCells(); ++c)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      this->Prism->GetPolys()->GetCellAtId(c, size, ids);
+      cells.emplace_back(ids, ids + size);
+    }
+    return cells;
+  }
 };
 }
 
@@ -219,20 +242,8 @@ TEST_F(DGGLoop, NoHandles)
 TEST_F(DGGLoop, PinnedLoops)
 {
   // The prism with two caps that share their middle.
-  Points points;
-  Cells cells;
-  for (vtkIdType i = 0; i < this->Prism->GetNumberOfPoints(); ++i)
-  {
-    points.emplace_back();
-    this->Prism->GetPoint(i, points.back().data());
-  }
-  for (vtkIdType c = 0; c < this->Prism->GetNumberOfCells(); ++c)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    this->Prism->GetPolys()->GetCellAtId(c, size, ids);
-    cells.emplace_back(ids, ids + size);
-  }
+  Points points = this->GetPrismPoints();
+  Cells cells = this->GetPrismCells();
   const auto middle = static_cast<vtkIdType>(points.size());
   points.push_back({ { 0.0, 0.0, 0.5 * Rows } });
   for (vtkIdType i = 0; i < Sides; ++i)
@@ -468,27 +479,18 @@ TEST_F(DGGLoop, TapesOfRopesThatCrossThemselves)
 TEST_F(DGGLoop, CoincidentPointsOfTheSurface)
 {
   // The prism cut open along one side: no way around, unless its points are merged.
-  Points points;
-  Cells cells;
-  for (vtkIdType i = 0; i < this->Prism->GetNumberOfPoints(); ++i)
-  {
-    points.emplace_back();
-    this->Prism->GetPoint(i, points.back().data());
-  }
+  Points points = this->GetPrismPoints();
+  Cells cells = this->GetPrismCells();
   const auto copies = static_cast<vtkIdType>(points.size());
   for (vtkIdType j = 0; j <= Rows; ++j)
   {
     points.push_back(points[j * Sides]);
   }
-  for (vtkIdType c = 0; c < this->Prism->GetNumberOfCells(); ++c)
+  for (std::vector<vtkIdType>& cell : cells)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    this->Prism->GetPolys()->GetCellAtId(c, size, ids);
-    cells.emplace_back(ids, ids + size);
     const bool isLast =
-      std::any_of(ids, ids + size, [](vtkIdType id) { return id % Sides == Sides - 1; });
-    for (vtkIdType& id : cells.back())
+      std::any_of(cell.begin(), cell.end(), [](vtkIdType id) { return id % Sides == Sides - 1; });
+    for (vtkIdType& id : cell)
     {
       id = isLast && id % Sides == 0 ? copies + id / Sides : id;
     }
@@ -515,13 +517,7 @@ TEST_F(DGGLoop, CoincidentPointsOfTheSurface)
 TEST_F(DGGLoop, PolygonsOfAnyKind)
 {
   // Quads and strips: FaceId names cells of the input.
-  Points points;
   Cells quads;
-  for (vtkIdType i = 0; i < this->Prism->GetNumberOfPoints(); ++i)
-  {
-    points.emplace_back();
-    this->Prism->GetPoint(i, points.back().data());
-  }
   for (vtkIdType j = 0; j < Rows; ++j)
   {
     for (vtkIdType i = 0; i < Sides; ++i)
@@ -531,7 +527,7 @@ TEST_F(DGGLoop, PolygonsOfAnyKind)
         { j * Sides + i, j * Sides + right, (j + 1) * Sides + right, (j + 1) * Sides + i });
     }
   }
-  auto surface = MakeSurface(points, quads);
+  auto surface = MakeSurface(this->GetPrismPoints(), quads);
   this->Filter->SetInputData(surface);
   this->Filter->SetPointIds({ 3 * Sides + 2 });
   this->Filter->SetTapeWidth(0.6);

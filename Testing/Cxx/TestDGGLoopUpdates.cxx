@@ -113,6 +113,7 @@ TEST_F(DGGLoopUpdates, ProgressAndAbort)
     this->Filter->Modified();
     ExpectSuccess(this->Filter);
     watch.ExpectGrowth(3);
+    EXPECT_TRUE(mode != vtkDGGLoop::Rope || watch.Progress.size() > 40u); // leg by leg
     for (const double stop : { 0.2, 0.7 })
     {
       watch.StopAt = stop;
@@ -124,38 +125,5 @@ TEST_F(DGGLoopUpdates, ProgressAndAbort)
     ExpectSuccess(this->Filter);
     EXPECT_TRUE(GetLoops(this->Filter) == expected);
     this->Filter->RemoveAllObservers();
-  }
-}
-
-/// Leg by leg.
-TEST_F(DGGLoopUpdates, ARopeTellsItsProgress)
-{
-  this->Filter->SetInputData(this->Torus);
-  this->Filter->SetMode(vtkDGGLoop::Rope);
-  std::vector<vtkIdType> ids;
-  for (vtkIdType i = 0; i < 20; ++i)
-  {
-    ids.push_back(i * 10);
-  }
-  this->Filter->SetPointIds(ids);
-  ExpectSuccess(this->Filter); // the graph is there
-  const auto expected = GetLoops(this->Filter);
-  ASSERT_FALSE(expected.empty());
-  ProgressWatch watch(this->Filter);
-  this->Filter->Modified();
-  ExpectSuccess(this->Filter);
-  watch.ExpectGrowth();
-  ASSERT_GT(watch.Progress.size(), ids.size());
-  for (const std::size_t leg : { 5, 12 })
-  {
-    const double stop = watch.Progress[leg];
-    EXPECT_LT(stop, 1.0);
-    watch.StopAt = stop;
-    this->Filter->Modified();
-    ExpectSuccess(this->Filter);
-    ExpectEmptyOutput(this->Filter);
-    watch.StopAt = 2.0;
-    ExpectSuccess(this->Filter);
-    EXPECT_EQ(GetLoops(this->Filter), expected);
   }
 }

@@ -409,36 +409,6 @@ TEST_F(GeodesicVoronoi, Centroidal)
     (std::vector<double>{ 0, 1, 2, 20, 21 }));
 }
 
-TEST_F(GeodesicVoronoi, SitesOfASampler)
-{
-  vtkNew<vtkGeodesicSampler> sampler;
-  sampler->SetInputData(this->Terrain);
-  sampler->SetAccuracy(0.05);
-  sampler->SetNumberOfSamples(30);
-  sampler->InFacesOn();
-  this->Filter->RemoveAllSites();
-  this->Filter->SetSiteConnection(sampler->GetOutputPort());
-  ExpectSuccess(this->Filter);
-  vtkPolyData* sites = this->Filter->GetSites();
-  ASSERT_EQ(sites->GetNumberOfPoints(), 30);
-  for (vtkIdType i = 0; i < 30; ++i)
-  {
-    double p[3];
-    double q[3];
-    sites->GetPoint(i, p);
-    sampler->GetOutput()->GetPoint(i, q);
-    for (int k = 0; k < 3; ++k)
-    {
-      EXPECT_NEAR(p[k], q[k], 1e-9);
-    }
-  }
-  // Each has a cell.
-  for (const double area : ToVector(sites->GetPointData()->GetArray("CellArea")))
-  {
-    EXPECT_GT(area, 0.0);
-  }
-}
-
 TEST_F(GeodesicVoronoi, BadInput)
 {
   this->Filter->RemoveAllSites();
