@@ -225,23 +225,4 @@ TEST(SurfaceSampler, BadInputIsNamed)
   EXPECT_FALSE(
     dgg::SampleSurface(c.GetGraph(), &c.GetMesh(), nullptr, Accuracy, options, samples).IsOk());
 }
-
-TEST(SurfaceSampler, ProgressAndAbort)
-{
-  const SearchCase c("plane", Plane(15, 15), Accuracy);
-  SamplerOptions options;
-  options.NumberOfSamples = 40;
-  std::vector<double> progress;
-  options.Progress = [&progress](double done) {
-    progress.push_back(done);
-    return progress.size() < 10;
-  };
-  std::vector<SurfaceSample> samples;
-  EXPECT_TRUE(dgg::SampleSurface(c.GetGraph(), &c.GetMesh(), nullptr, Accuracy, options, samples)
-                .IsAborted());
-  EXPECT_TRUE(samples.empty());
-  EXPECT_EQ(progress.size(), 10u);
-  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
-  EXPECT_LE(progress.back(), 1.0);
-}
 }
