@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PathChecks.h"
 
+#include "GeodesicChecks.h"
+
 #include "dggExactGeodesics.h"
 #include "dggExactPath.h"
 
@@ -71,6 +73,15 @@ std::vector<SurfacePoint> AtVertices(const std::vector<Id>& vertices)
   {
     points.push_back(SurfacePoint::AtVertex(v));
   }
+  return points;
+}
+
+std::vector<SurfacePoint> SomePoints(
+  const dgg::SurfaceMesh& mesh, Id inFaces, Id atVertices, std::uint64_t seed)
+{
+  std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, inFaces, seed);
+  const std::vector<SurfacePoint> more = AtVertices(SomeVertices(mesh, atVertices, seed + 1));
+  points.insert(points.end(), more.begin(), more.end());
   return points;
 }
 

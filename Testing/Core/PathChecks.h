@@ -14,6 +14,9 @@
 namespace dggtest
 {
 std::vector<dgg::SurfacePoint> AtVertices(const std::vector<Id>& vertices);
+/// Random points in faces, and after them random vertices.
+std::vector<dgg::SurfacePoint> SomePoints(
+  const dgg::SurfaceMesh& mesh, Id inFaces, Id atVertices, std::uint64_t seed);
 /// A place in the plane as a point of a plane mesh.
 dgg::SurfacePoint PointInPlane(
   const TestMesh& points, const dgg::SurfaceMesh& mesh, double x, double y);

@@ -30,16 +30,8 @@ using Support = SurfacePoint::Support;
 void ExpectShortest(
   const dgg::SurfaceMesh& mesh, Id sources, Id targets, double tolerance, int* failures = nullptr)
 {
-  std::vector<SurfacePoint> from = RandomSurfacePoints(mesh, sources, 71);
-  std::vector<SurfacePoint> to = RandomSurfacePoints(mesh, targets, 72);
-  for (const Id v : SomeVertices(mesh, sources, 73))
-  {
-    from.push_back(SurfacePoint::AtVertex(v));
-  }
-  for (const Id v : SomeVertices(mesh, targets, 74))
-  {
-    to.push_back(SurfacePoint::AtVertex(v));
-  }
+  const std::vector<SurfacePoint> from = SomePoints(mesh, sources, sources, 71);
+  std::vector<SurfacePoint> to = SomePoints(mesh, targets, targets, 73);
   to.push_back(from.front());
   for (const SurfacePoint& source : from)
   {
@@ -172,11 +164,7 @@ TEST(ExactPath, IsStraightInThePlane)
   {
     const TestMesh input = Plane(12, 9, jitter, 5);
     const dgg::SurfaceMesh mesh = Build(input);
-    std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 30, 6);
-    for (const Id v : SomeVertices(mesh, 20, 7))
-    {
-      points.push_back(SurfacePoint::AtVertex(v));
-    }
+    const std::vector<SurfacePoint> points = SomePoints(mesh, 30, 20, 6);
     for (std::size_t s = 0; s < points.size(); s += 7)
     {
       const auto a = dgg::PositionOf(mesh, points[s], input.Points.data());
@@ -291,11 +279,7 @@ TEST(ExactPath, FacesNeedThreeVertices)
 TEST(ExactPath, TargetsKnowTheirPredecessors)
 {
   const dgg::SurfaceMesh mesh = Build(SeveralComponents());
-  std::vector<SurfacePoint> targets = RandomSurfacePoints(mesh, 50, 9);
-  for (const Id v : SomeVertices(mesh, 20, 10))
-  {
-    targets.push_back(SurfacePoint::AtVertex(v));
-  }
+  const std::vector<SurfacePoint> targets = SomePoints(mesh, 50, 20, 9);
   const SurfacePoint source = RandomSurfacePoints(mesh, 1, 11)[0];
   for (const dgg::ExactEngine engine : { dgg::ExactEngine::Reference, dgg::ExactEngine::Triangle })
   {
@@ -351,11 +335,7 @@ TEST(ExactPath, MayBeAskedAgain)
   {
     SCOPED_TRACE(named.Name);
     const dgg::SurfaceMesh mesh = Build(named.Mesh);
-    std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 30, 5);
-    for (const Id v : SomeVertices(mesh, 10, 7))
-    {
-      points.push_back(SurfacePoint::AtVertex(v));
-    }
+    const std::vector<SurfacePoint> points = SomePoints(mesh, 30, 10, 5);
     dgg::ExactPathFinder again(mesh);
     const double limits[] = { dgg::Infinity, 3.0 * mesh.GetMaximumEdgeLength(), 0.0 };
     for (std::size_t k = 0; k < points.size(); ++k)

@@ -77,16 +77,6 @@ public:
   std::unique_ptr<dgg::PathFinder> Finder;
 };
 
-std::vector<SurfacePoint> SomePoints(const dgg::SurfaceMesh& mesh, Id count, std::uint64_t seed)
-{
-  std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, count, seed);
-  for (const Id v : SomeVertices(mesh, count, seed + 1))
-  {
-    points.push_back(SurfacePoint::AtVertex(v));
-  }
-  return points;
-}
-
 bool IsSamePlace(const dgg::SurfaceMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
 {
   const Id face = dgg::FindFaceOf(mesh, a);
@@ -110,8 +100,8 @@ void ExpectGoodPaths(const TestMesh& input, double accuracy, std::uint64_t seed,
   const dgg::SurfaceMesh& mesh = world.Mesh;
   const bool isMollified = mesh.GetNumberOfDegenerateFaces() > 0;
   const double tolerance = 1e-9 + (isMollified ? 1e-6 : 0.0);
-  const std::vector<SurfacePoint> to = SomePoints(mesh, 6, seed + 10);
-  for (const SurfacePoint& from : SomePoints(mesh, 3, seed))
+  const std::vector<SurfacePoint> to = SomePoints(mesh, 6, 6, seed + 10);
+  for (const SurfacePoint& from : SomePoints(mesh, 3, 3, seed))
   {
     const std::vector<double> exact = DistancesTo(mesh, dgg::ExactEngine::Triangle, from, to);
     for (std::size_t t = 0; t < to.size(); ++t)
@@ -233,7 +223,7 @@ TEST(PathFinder, CorridorsThatTakeTooLong)
 TEST(PathFinder, SamePoint)
 {
   const PathWorld world(Icosphere(2));
-  for (const SurfacePoint& point : SomePoints(world.Mesh, 5, 1))
+  for (const SurfacePoint& point : SomePoints(world.Mesh, 5, 5, 1))
   {
     for (const PathOptions& options : { Raw(), Straight(1e-3) })
     {
@@ -274,7 +264,7 @@ TEST(PathFinder, NeedsABuilderForPointsInFaces)
 TEST(PathFinder, SeveralThreads)
 {
   const PathWorld world(NoisySphere(3, 0.2, 1));
-  const std::vector<SurfacePoint> points = SomePoints(world.Mesh, 10, 3);
+  const std::vector<SurfacePoint> points = SomePoints(world.Mesh, 10, 10, 3);
   std::vector<double> lengths[3];
   const auto run = [&](std::vector<double>& found) {
     for (const SurfacePoint& to : points)

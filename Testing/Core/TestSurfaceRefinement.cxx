@@ -101,10 +101,8 @@ void ExpectSound(const dgg::SurfaceMesh& mesh, const std::vector<SurfacePath>& p
 
 std::vector<SurfacePath> Star(const dgg::SurfaceMesh& mesh, Id count, std::uint64_t seed)
 {
-  std::vector<SurfacePoint> to = RandomSurfacePoints(mesh, count, seed);
-  const std::vector<SurfacePoint> vertices = AtVertices(SomeVertices(mesh, count, seed + 1));
-  to.insert(to.end(), vertices.begin(), vertices.end());
-  return FindPaths(mesh, RandomSurfacePoints(mesh, 1, seed + 2)[0], to);
+  return FindPaths(
+    mesh, RandomSurfacePoints(mesh, 1, seed + 2)[0], SomePoints(mesh, count, count, seed));
 }
 }
 

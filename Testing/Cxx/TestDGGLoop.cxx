@@ -451,31 +451,6 @@ TEST_F(DGGLoop, TapesEndAtTheBoundary)
   EXPECT_EQ(rims.size(), 2u);
 }
 
-/// A rope that crosses itself is as good as any.
-TEST_F(DGGLoop, TapesOfRopesThatCrossThemselves)
-{
-  auto sheet = MakeGrid(20, 20);
-  this->Filter->SetInputData(sheet);
-  this->Filter->SetModeToRope();
-  const auto at = [](vtkIdType i, vtkIdType j) { return 21 * j + i; };
-  this->Filter->SetPointIds({ at(5, 4), at(15, 16), at(5, 15), at(15, 5) });
-  this->Filter->SetTapeWidth(1.0);
-  ExpectSuccess(this->Filter);
-  const auto loops = GetLoops(this->Filter);
-  ASSERT_EQ(loops.size(), 1u);
-  EXPECT_NEAR(loops[0].Line.Length,
-    std::hypot(10.0, 12.0) + std::hypot(10.0, 1.0) + std::hypot(10.0, 10.0) + std::hypot(10.0, 1.0),
-    1e-9);
-  ExpectOnSurface(loops[0].Line, sheet);
-  const auto rims = GetRims(this->Filter);
-  EXPECT_EQ(rims.size(), 3u); // around it, and in each of the two parts
-  for (const LoopLine& rim : rims)
-  {
-    EXPECT_TRUE(rim.IsClosed);
-    ExpectOnSurface(rim.Line, sheet);
-  }
-}
-
 TEST_F(DGGLoop, CoincidentPointsOfTheSurface)
 {
   // The prism cut open along one side: no way around, unless its points are merged.
