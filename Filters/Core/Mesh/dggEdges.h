@@ -11,8 +11,8 @@
 
 namespace dgg
 {
-/// The half-edge that stands for the edge of h: the smallest one of all that lie there. `surface` is
-/// a SurfaceMesh, or has half-edges as that has.
+/// The half-edge that stands for the edge of h: the smallest one of all that lie there. `surface`
+/// is a SurfaceMesh, or has half-edges as that has.
 template <typename Surface>
 Id FindEdge(const Surface& surface, Id h)
 {
