@@ -230,8 +230,13 @@ dgg::Status vtkDGGGraphProvider::PrepareForPairs(std::size_t count)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphProvider::PrepareBuilder(const vtkDGGMeshAdapter& mesh)
+dgg::Status vtkDGGGraphProvider::PrepareBuilder(const vtkDGGMeshAdapter& mesh, bool isNeeded)
 {
+  if (!isNeeded)
+  {
+    this->ReleaseBuilder();
+    return dgg::Status::Success();
+  }
   if (this->Builder || mesh.IsCloud())
   {
     return dgg::Status::Success();

@@ -64,8 +64,9 @@ public:
   dgg::Status MakeSeeds(const std::vector<dgg::GeodesicSource>& sources,
     const vtkDGGMeshAdapter& mesh, std::vector<dgg::GraphSeed>& seeds);
   /// For links of points that are not vertices; kept until ReleaseBuilder() or another mesh. Fails
-  /// when it would take too much memory. Clouds need none, and have none.
-  dgg::Status PrepareBuilder(const vtkDGGMeshAdapter& mesh);
+  /// when it would take too much memory. Clouds need none, and have none. One that is not needed is
+  /// released.
+  dgg::Status PrepareBuilder(const vtkDGGMeshAdapter& mesh, bool isNeeded = true);
   /// Links of a place, and how far it is from each of `aims` besides the graph: those that a
   /// straight way leads to. Needs PrepareBuilder() for places that are not vertices.
   dgg::Status Link(const dgg::SurfacePoint& place, const std::vector<dgg::SurfacePoint>& aims,

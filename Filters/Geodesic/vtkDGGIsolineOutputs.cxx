@@ -4,7 +4,6 @@
 
 #include "vtkDGGMakeArray.h"
 #include "vtkDGGNewGeometry.h"
-#include "vtkDGGPolylineWriter.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

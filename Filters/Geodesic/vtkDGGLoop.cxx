@@ -2,17 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGLoop.h"
 
+#include "vtkDGGGraphProvider.h"
 #include "vtkDGGGraphUser.h"
-#include "vtkDGGLoopOutput.h"
-#include "vtkDGGLoopSearch.h"
+#include "vtkDGGMakeArray.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGNewGeometry.h"
+#include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 
+#include "dggFoundLoop.h"
+#include "dggHandleLoops.h"
+#include "dggLoopFinder.h"
 #include "dggProgressPart.h"
+#include "dggSurfacePoint.h"
+#include "dggTape.h"
 
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -20,12 +29,106 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkDGGLoop);
 vtkDGGGraphUserMacro(vtkDGGLoop);
+vtkDGGDefineIdsMacro(vtkDGGLoop, Point, PointIds);
+vtkDGGDefineInputMacro(vtkDGGLoop, Point, 1);
+
+/// What became of a loop: values of LoopStatus.
+enum class LoopStatus
+{
+  Found = 0,
+  NotFound = 1,
+  NotConnected = 2
+};
+
+/// The loops that were asked for, and the rims of tapes along them.
+struct vtkDGGLoopSet
+{
+  std::vector<dgg::FoundLoop> Loops; ///< empty where there is none
+  std::vector<LoopStatus> Status;
+  std::vector<std::vector<dgg::SurfacePath>> Rims; ///< per loop; empty when there are no tapes
+  std::size_t LoopsTooLong = 0;                    ///< for their tapes
+  double SmallestTapeWidth = 0.0;                  ///< that is wide enough for all loops
+};
 
 namespace
 {
+using LoopPoints = std::vector<dgg::SurfacePoint>;
+
+/// An error with what it is about before it.
+dgg::Status Explain(const dgg::Status& status, const std::string& subject)
+{
+  return status.IsOk() || status.IsAborted()
+    ? status
+    : dgg::Status::Invalid(subject + ": " + status.GetMessage());
+}
+
+/// One through each point, on all threads.
+dgg::Status RunThroughPoints(const dgg::LoopFinder& finder, const LoopPoints& points, bool taut,
+  const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
+{
+  set.Loops.assign(points.size(), dgg::FoundLoop());
+  const auto step = [&](std::size_t i, const dgg::ProgressCallback& within) {
+    return Explain(
+      finder.ThroughPoint(points[i], taut, set.Loops[i], within), "point " + std::to_string(i));
+  };
+  return vtkDGGForLongSteps(points.size(), progress, step);
+}
+
+/// One through all points.
+dgg::Status RunRope(const dgg::LoopFinder& finder, const LoopPoints& points, bool taut,
+  const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
+{
+  set.Loops.resize(1);
+  bool isConnected = true;
+  const dgg::Status status =
+    Explain(finder.Rope(points, taut, set.Loops[0], isConnected, progress), "rope");
+  if (!isConnected)
+  {
+    set.Status = { LoopStatus::NotConnected };
+  }
+  return status;
+}
+
+/// The rims of tapes along all loops that are not too long.
+dgg::Status AddTapes(const vtkDGGMeshAdapter& mesh, double width,
+  const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
+{
+  const std::size_t count = set.Loops.size();
+  set.Rims.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (set.Loops[i].Loop.IsEmpty())
+    {
+      continue;
+    }
+    const double smallest = dgg::GetSmallestTapeWidth(set.Loops[i].Loop);
+    set.SmallestTapeWidth = std::max(set.SmallestTapeWidth, smallest);
+    if (width < smallest)
+    {
+      ++set.LoopsTooLong;
+      continue;
+    }
+    const auto part = [&](double fraction) {
+      return progress((static_cast<double>(i) + fraction) / static_cast<double>(count));
+    };
+    const dgg::Status status =
+      dgg::MakeTape(mesh.GetMesh(), set.Loops[i].Loop, width, part, set.Rims[i]);
+    if (!status.IsOk())
+    {
+      return Explain(status, "tape of loop " + std::to_string(i));
+    }
+    if (!part(1.0))
+    {
+      return dgg::Status::Abort();
+    }
+  }
+  return dgg::Status::Success();
+}
+
 /// Share of the progress after the graph that finding loops takes when there are tapes.
 constexpr double LoopShare = 0.5;
 constexpr std::size_t FewestPointsOfRope = 3;
@@ -36,11 +139,92 @@ double RoundUp(double x)
   return x * (1.0 + 1e-5);
 }
 
+/// A curve that goes into an output.
+struct Curve
+{
+  const dgg::SurfacePath* Path;
+  bool IsClosed;
+  vtkIdType Loop;
+};
+
+/// Rims that close do so in the very same point.
+bool IsClosed(const dgg::SurfacePath& rim)
+{
+  return rim.Points.size() > 2 && dgg::IsSamePoint(rim.Points.front(), rim.Points.back());
+}
+
+/// Field data, polylines, Length and LoopId.
+void WriteCurves(
+  const std::vector<Curve>& curves, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
+{
+  geometry.Begin(output);
+  const auto count = static_cast<vtkIdType>(curves.size());
+  vtkIdType size = 0;
+  for (const Curve& curve : curves)
+  {
+    size += vtkDGGPolylineWriter::CountPoints(*curve.Path, curve.IsClosed);
+  }
+  auto lengths = vtkDGGMakeArray<vtkDoubleArray>("Length", count);
+  auto ids = vtkDGGMakeArray<vtkIdTypeArray>("LoopId", count);
+  vtkDGGPolylineWriter writer(geometry, size);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    writer.Add(*curves[i].Path, curves[i].IsClosed);
+    lengths->SetValue(i, curves[i].Path->Length);
+    ids->SetValue(i, curves[i].Loop);
+  }
+  writer.AddTo(output);
+  output->GetCellData()->AddArray(lengths);
+  output->GetCellData()->AddArray(ids);
+}
+
+void WriteLoops(const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
+{
+  std::vector<Curve> curves;
+  auto status =
+    vtkDGGMakeArray<vtkIntArray>("LoopStatus", static_cast<vtkIdType>(set.Loops.size()));
+  for (std::size_t i = 0; i < set.Loops.size(); ++i)
+  {
+    const auto loop = static_cast<vtkIdType>(i);
+    status->SetValue(loop, static_cast<int>(set.Status[i]));
+    if (!set.Loops[i].Loop.IsEmpty())
+    {
+      curves.push_back({ &set.Loops[i].Loop, true, loop });
+    }
+  }
+  WriteCurves(curves, geometry, output);
+  const auto count = static_cast<vtkIdType>(curves.size());
+  auto angles = vtkDGGMakeArray<vtkDoubleArray>("Angle", count);
+  auto kinked = vtkDGGMakeArray<vtkIntArray>("Kinked", count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const dgg::FoundLoop& loop = set.Loops[curves[i].Loop];
+    angles->SetValue(i, loop.Angle);
+    kinked->SetValue(i, loop.IsKinked() ? 1 : 0);
+  }
+  output->GetCellData()->AddArray(angles);
+  output->GetCellData()->AddArray(kinked);
+  output->GetFieldData()->AddArray(status);
+}
+
+void WriteTapes(const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
+{
+  std::vector<Curve> curves;
+  for (std::size_t i = 0; i < set.Rims.size(); ++i)
+  {
+    for (const dgg::SurfacePath& rim : set.Rims[i])
+    {
+      curves.push_back({ &rim, IsClosed(rim), static_cast<vtkIdType>(i) });
+    }
+  }
+  WriteCurves(curves, geometry, output);
+}
+
 void FillOutputs(
   const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtkInformationVector* outputVector)
 {
-  vtkDGGWriteLoops(set, geometry, vtkPolyData::GetData(outputVector, 0));
-  vtkDGGWriteTapes(set, geometry, vtkPolyData::GetData(outputVector, 1));
+  WriteLoops(set, geometry, vtkPolyData::GetData(outputVector, 0));
+  WriteTapes(set, geometry, vtkPolyData::GetData(outputVector, 1));
 }
 }
 
@@ -87,69 +271,10 @@ const char* vtkDGGLoop::GetModeAsString() const
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGLoop::AddPointId(vtkIdType id)
-{
-  this->PointIds.push_back(id);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGLoop::SetPointIds(vtkIdList* ids)
-{
-  this->SetPointIds(vtkDGGGetIds(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGLoop::SetPointIds(std::initializer_list<vtkIdType> ids)
-{
-  this->SetPointIds(std::vector<vtkIdType>(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGLoop::SetPointIds(const std::vector<vtkIdType>& ids)
-{
-  if (this->PointIds != ids)
-  {
-    this->PointIds = ids;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGLoop::RemoveAllPointIds()
-{
-  this->SetPointIds(std::vector<vtkIdType>());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkDGGLoop::GetNumberOfPointIds() const
-{
-  return static_cast<vtkIdType>(this->PointIds.size());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkDGGLoop::GetPointId(vtkIdType i) const
-{
-  return vtkDGGGetId(this->PointIds, i);
-}
-
-//------------------------------------------------------------------------------
 void vtkDGGLoop::RemoveAllPoints()
 {
   this->RemoveAllPointIds();
   this->SetInputConnection(1, nullptr);
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGLoop::SetPointConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGLoop::SetPointData(vtkPolyData* points)
-{
-  this->SetInputData(1, points);
 }
 
 //------------------------------------------------------------------------------
@@ -237,24 +362,31 @@ dgg::Status vtkDGGLoop::Execute(
     return status;
   }
 
-  const double* positions = geometry.GetPositions();
-  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
-  const vtkDGGLoopSearch::Points points = vtkDGGGetPlaces(sources);
-  const vtkDGGLoopSearch search(mesh);
   vtkDGGLoopSet set;
   const dgg::ProgressCallback finding =
     dgg::ProgressPart(progress, 0.0, this->TapeWidth > 0.0 ? LoopShare : 1.0);
-  switch (this->Mode)
+  if (this->Mode == AroundHandles)
   {
-    case AroundHandles:
-      status = search.RunAroundHandles(finding, set);
-      break;
-    case Rope:
-      status = search.RunRope(graph, positions, points, this->Taut, finding, set);
-      break;
-    default:
-      status = search.RunThroughPoints(graph, positions, points, this->Taut, finding, set);
-      break;
+    status = dgg::FindHandleLoops(mesh.GetMesh(), finding, set.Loops);
+  }
+  else
+  {
+    vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
+    const LoopPoints points = vtkDGGGetPlaces(sources);
+    const bool withLinks = !std::all_of(points.begin(), points.end(), dgg::IsVertex);
+    status = graph.PrepareBuilder(mesh, withLinks);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    const dgg::LoopFinder finder(mesh.GetMesh(), graph.GetSearch(),
+      withLinks ? &graph.GetBuilder() : nullptr, geometry.GetPositions(), graph.GetLinkAccuracy());
+    const auto run = this->Mode == Rope ? RunRope : RunThroughPoints;
+    status = run(finder, points, this->Taut, finding, set);
+  }
+  for (std::size_t i = set.Status.size(); i < set.Loops.size(); ++i)
+  {
+    set.Status.push_back(set.Loops[i].Loop.IsEmpty() ? LoopStatus::NotFound : LoopStatus::Found);
   }
   if (status.IsOk() && !finding(1.0))
   {
@@ -262,7 +394,7 @@ dgg::Status vtkDGGLoop::Execute(
   }
   if (status.IsOk() && this->TapeWidth > 0.0)
   {
-    status = search.AddTapes(this->TapeWidth, dgg::ProgressPart(progress, LoopShare, 1.0), set);
+    status = AddTapes(mesh, this->TapeWidth, dgg::ProgressPart(progress, LoopShare, 1.0), set);
   }
   if (status.IsOk())
   {
@@ -276,7 +408,7 @@ dgg::Status vtkDGGLoop::Execute(
 //------------------------------------------------------------------------------
 void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set)
 {
-  const auto isMissing = [](vtkDGGLoopStatus status) { return status != vtkDGGLoopStatus::Found; };
+  const auto isMissing = [](LoopStatus status) { return status != LoopStatus::Found; };
   const auto missing = std::count_if(set.Status.begin(), set.Status.end(), isMissing);
   const auto first =
     std::find_if(set.Status.begin(), set.Status.end(), isMissing) - set.Status.begin();
@@ -296,7 +428,7 @@ void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set)
   }
   else if (missing > 0 && this->Mode == Rope)
   {
-    const bool isConnected = set.Status[0] != vtkDGGLoopStatus::NotConnected;
+    const bool isConnected = set.Status[0] != LoopStatus::NotConnected;
     vtkWarningMacro(<< (isConnected ? "The rope contracts to a point when it is pulled tight: "
                                       "nothing on the surface holds it. "
                                     : "The points of the rope are not connected by the surface. ")

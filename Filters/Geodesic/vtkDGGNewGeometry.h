@@ -5,10 +5,15 @@
 #ifndef vtkDGGNewGeometry_h
 #define vtkDGGNewGeometry_h
 
+#include "dggSurfacePath.h"  // for SurfacePath
 #include "dggSurfacePoint.h" // for SurfacePoint
 #include "dggTypes.h"        // for Status
 
+#include "vtkCellArray.h"    // for polylines
+#include "vtkDoubleArray.h"  // for ArcLength
+#include "vtkIdTypeArray.h"  // for FaceId
 #include "vtkNew.h"          // for the field data
+#include "vtkPoints.h"       // for points
 #include "vtkSmartPointer.h" // for points
 #include "vtkType.h"         // for vtkIdType
 
@@ -17,7 +22,6 @@
 
 class vtkDGGMeshAdapter;
 class vtkFieldData;
-class vtkPoints;
 class vtkPolyData;
 
 /// Paths, loops, samples, cells: outputs whose points lie on a surface but are not its points. Here
@@ -58,6 +62,40 @@ private:
   std::vector<double> Positions;
   vtkNew<vtkFieldData> Fields;
   int DataType;
+};
+
+/// Make an output of surface points: points with verts, and the point arrays `vtkOriginalPointIds`
+/// and `FaceId`.
+void vtkDGGFillSurfacePoints(const std::vector<dgg::SurfacePoint>& places,
+  const vtkDGGNewGeometry& geometry, vtkPolyData* output);
+
+/// Fills points and polylines, curve by curve, with the point data FaceId, vtkOriginalPointIds and
+/// ArcLength. Curves without faces are those of a cloud, straight in space from point to point.
+class vtkDGGPolylineWriter
+{
+public:
+  /// `size` is the number of points of all polylines.
+  vtkDGGPolylineWriter(const vtkDGGNewGeometry& geometry, vtkIdType size);
+
+  /// The points that a curve takes: a closed one begins and ends with the same.
+  static vtkIdType CountPoints(const dgg::SurfacePath& path, bool isClosed);
+  /// Append a curve, which is not empty. One that is a point becomes a polyline from that point to
+  /// itself, as a polyline of one point is no valid cell.
+  void Add(const dgg::SurfacePath& path, bool isClosed = false);
+  /// Put all of it into an output that is empty but for field data.
+  void AddTo(vtkPolyData* output) const;
+
+private:
+  double MeasurePiece(const dgg::SurfacePath& path, std::size_t piece) const;
+  vtkIdType FindCell(const dgg::SurfacePath& path, std::size_t i) const;
+
+  const vtkDGGNewGeometry& Geometry;
+  vtkIdType Next = 0;
+  vtkSmartPointer<vtkPoints> Points;
+  vtkNew<vtkCellArray> Lines;
+  vtkSmartPointer<vtkIdTypeArray> Faces;
+  vtkSmartPointer<vtkIdTypeArray> PointIds;
+  vtkSmartPointer<vtkDoubleArray> ArcLengths;
 };
 
 #endif

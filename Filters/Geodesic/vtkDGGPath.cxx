@@ -3,28 +3,113 @@
 #include "vtkDGGPath.h"
 
 #include "vtkDGGGraphUser.h"
+#include "vtkDGGMakeArray.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGNewGeometry.h"
-#include "vtkDGGPairLines.h"
-#include "vtkDGGPathOutput.h"
 #include "vtkDGGPathSearch.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 
+#include "vtkAbstractArray.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
+#include <sstream>
 #include <utility>
 
 vtkStandardNewMacro(vtkDGGPath);
 vtkDGGGraphUserMacro(vtkDGGPath);
+vtkDGGDefineInputMacro(vtkDGGPath, Pair, 1);
 
 namespace
 {
+dgg::Status NoPair(bool isConnected)
+{
+  return dgg::Status::Invalid(isConnected
+      ? "there is no pair of points: input port 1 is empty. Give it a line for each pair, or call "
+        "AddPair()"
+      : "there is no pair of points: call AddPair(), or connect a line for each pair to input port "
+        "1");
+}
+
+dgg::Status CheckLine(vtkIdType line, vtkIdType size, const vtkIdType* ids, vtkIdType points)
+{
+  std::ostringstream message;
+  if (size == 0)
+  {
+    message << "line " << line << " of input port 1 has no points: remove it";
+    return dgg::Status::Invalid(message.str());
+  }
+  for (const vtkIdType id : { ids[0], ids[size - 1] })
+  {
+    if (id < 0 || id >= points)
+    {
+      message << "line " << line << " of input port 1 names point " << id << ", but there are "
+              << points << ": repair the line";
+      return dgg::Status::Invalid(message.str());
+    }
+  }
+  return dgg::Status::Success();
+}
+
+/// The lines of a vtkPolyData, each of which stands for the pair of its first and last point.
+struct PairLines
+{
+  std::vector<vtkIdType> Ends;  ///< points, two for each line
+  std::vector<vtkIdType> Cells; ///< per line, the cell
+
+  /// Read what is connected to input port 1; may be null. Fails when there are points but no lines,
+  /// nothing at all although it `isNeeded`, or a line is not valid.
+  dgg::Status Read(vtkPolyData* lines, bool isNeeded)
+  {
+    this->Ends.clear();
+    this->Cells.clear();
+    if (!lines || lines->GetNumberOfPoints() + lines->GetNumberOfLines() == 0)
+    {
+      return isNeeded ? NoPair(lines != nullptr) : dgg::Status::Success();
+    }
+    const vtkIdType count = lines->GetNumberOfLines();
+    if (count == 0)
+    {
+      return dgg::Status::Invalid("input port 1 has points but no lines, and only lines are pairs: "
+                                  "connect the points of each "
+                                  "pair by a line");
+    }
+    if (!lines->GetLines()->IsValid())
+    {
+      return dgg::Status::Invalid("the offsets and the connectivity of the lines of input port 1 "
+                                  "contradict each other: build the cell array anew");
+    }
+    const vtkIdType firstCell = lines->GetNumberOfVerts(); // cells are numbered verts first
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      lines->GetLines()->GetCellAtId(i, size, ids);
+      const dgg::Status status = CheckLine(i, size, ids, lines->GetNumberOfPoints());
+      if (!status.IsOk())
+      {
+        return status;
+      }
+      this->Ends.push_back(ids[0]);
+      this->Ends.push_back(ids[size - 1]);
+      this->Cells.push_back(firstCell + i);
+    }
+    return dgg::Status::Success();
+  }
+};
+
 /// The ends of all pairs, one after the other: those by id and those of lines.
 vtkDGGSourceSet MakeSourceSet(
-  const std::vector<vtkIdType>& ids, vtkPolyData* lines, const vtkDGGPairLines& pairs)
+  const std::vector<vtkIdType>& ids, vtkPolyData* lines, const PairLines& pairs)
 {
   vtkDGGSourceSet set{ ids, lines, 1, "path end", "call AddPair()", "" };
   set.PointIds = &pairs.Ends;
@@ -39,6 +124,110 @@ vtkDGGPathSearch::Pairs MakePairs(const std::vector<dgg::GeodesicSource>& ends)
     pairs.push_back({ ends[i].Point, ends[i + 1].Point });
   }
   return pairs;
+}
+
+/// What becomes a polyline.
+struct PathSet
+{
+  const std::vector<dgg::FoundPath>& Paths;  ///< per pair
+  vtkDataSetAttributes* CellData;            ///< to be handed on; may be null
+  const std::vector<vtkIdType>& CellsOfLast; ///< tuples of CellData for the last pairs
+};
+
+/// Values of PathStatus.
+constexpr int HasPath = 0;
+constexpr int NotConnected = 1;
+
+/// An array with a tuple of `from` for each polyline, or null values.
+vtkSmartPointer<vtkAbstractArray> PassArray(
+  vtkAbstractArray* from, const std::vector<vtkIdType>& tuples)
+{
+  auto array = vtkSmartPointer<vtkAbstractArray>::Take(from->NewInstance());
+  array->SetNumberOfComponents(from->GetNumberOfComponents());
+  array->CopyComponentNames(from);
+  array->SetName(from->GetName());
+  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples.size()));
+  if (auto* numbers = vtkDataArray::SafeDownCast(array))
+  {
+    numbers->Fill(0.0);
+  }
+  for (std::size_t i = 0; i < tuples.size(); ++i)
+  {
+    if (tuples[i] >= 0 && tuples[i] < from->GetNumberOfTuples())
+    {
+      array->SetTuple(static_cast<vtkIdType>(i), tuples[i], from);
+    }
+  }
+  return array;
+}
+
+void AddCellData(const PathSet& set, const std::vector<vtkIdType>& pairs, vtkCellData* output)
+{
+  const auto count = static_cast<vtkIdType>(pairs.size());
+  // Pairs by id come before those of lines, and have no tuple.
+  const auto firstLine = static_cast<vtkIdType>(set.Paths.size() - set.CellsOfLast.size());
+  std::vector<vtkIdType> tuples;
+  auto ids = vtkDGGMakeArray<vtkIdTypeArray>("PairId", count);
+  auto lengths = vtkDGGMakeArray<vtkDoubleArray>("Length", count);
+  auto graphLengths = vtkDGGMakeArray<vtkDoubleArray>("GraphLength", count);
+  auto straightened = vtkDGGMakeArray<vtkIntArray>("Straightened", count);
+  for (vtkIdType line = 0; line < count; ++line)
+  {
+    const vtkIdType pair = pairs[line];
+    const dgg::FoundPath& path = set.Paths[pair];
+    tuples.push_back(pair < firstLine ? -1 : set.CellsOfLast[pair - firstLine]);
+    ids->SetValue(line, pair);
+    lengths->SetValue(line, path.Path.Length);
+    graphLengths->SetValue(line, path.GraphLength);
+    straightened->SetValue(line, path.IsStraightened ? 1 : 0);
+  }
+  for (int a = 0; set.CellData && a < set.CellData->GetNumberOfArrays(); ++a)
+  {
+    output->AddArray(PassArray(set.CellData->GetAbstractArray(a), tuples));
+  }
+  output->AddArray(lengths);
+  output->AddArray(graphLengths);
+  output->AddArray(straightened);
+  output->AddArray(ids);
+}
+
+std::vector<vtkIdType> FindUnconnected(const std::vector<dgg::FoundPath>& paths)
+{
+  std::vector<vtkIdType> unconnected;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+  {
+    if (paths[i].Path.IsEmpty())
+    {
+      unconnected.push_back(static_cast<vtkIdType>(i));
+    }
+  }
+  return unconnected;
+}
+
+void WritePaths(const PathSet& set, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
+{
+  geometry.Begin(output);
+  const auto status =
+    vtkDGGAddArray<vtkIntArray>(output->GetFieldData(), "PathStatus", set.Paths.size());
+  std::vector<vtkIdType> pairs;
+  vtkIdType size = 0;
+  for (std::size_t i = 0; i < set.Paths.size(); ++i)
+  {
+    const dgg::SurfacePath& path = set.Paths[i].Path;
+    status->SetValue(static_cast<vtkIdType>(i), path.IsEmpty() ? NotConnected : HasPath);
+    if (!path.IsEmpty())
+    {
+      pairs.push_back(static_cast<vtkIdType>(i));
+      size += static_cast<vtkIdType>(path.Points.size());
+    }
+  }
+  vtkDGGPolylineWriter writer(geometry, size);
+  for (const vtkIdType pair : pairs)
+  {
+    writer.Add(set.Paths[pair].Path);
+  }
+  writer.AddTo(output);
+  AddCellData(set, pairs, output->GetCellData());
 }
 }
 
@@ -121,18 +310,6 @@ vtkIdType vtkDGGPath::GetPairEnd(vtkIdType i) const
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGPath::SetPairConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGPath::SetPairData(vtkPolyData* lines)
-{
-  this->SetInputData(1, lines);
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkDGGPath::CheckProperties() const
 {
   dgg::Status status = vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
@@ -147,7 +324,7 @@ dgg::Status vtkDGGPath::CheckProperties() const
 dgg::Status vtkDGGPath::CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
-  vtkDGGPairLines pairs;
+  PairLines pairs;
   const dgg::Status status = pairs.Read(lines, this->PairIds.empty());
   return status.IsOk() ? vtkDGGSourceCollector::Check(
                            MakeSourceSet(this->PairIds, lines, pairs), surface->GetNumberOfPoints())
@@ -182,7 +359,7 @@ dgg::Status vtkDGGPath::Execute(
   options.Detour = this->Detour;
 
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
-  vtkDGGPairLines linePairs;
+  PairLines linePairs;
   std::vector<dgg::GeodesicSource> ends;
   dgg::Status status = linePairs.Read(lines, this->PairIds.empty());
   if (status.IsOk())
@@ -229,9 +406,9 @@ dgg::Status vtkDGGPath::Execute(
   {
     this->NumberOfFallbacks += path.NumberOfFallbacks;
   }
-  vtkDGGWritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells },
-    *this->Geometry, vtkPolyData::GetData(outputVector));
-  this->WarnAboutUnconnectedPairs(vtkDGGFindUnconnected(paths), paths.size());
+  WritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells }, *this->Geometry,
+    vtkPolyData::GetData(outputVector));
+  this->WarnAboutUnconnectedPairs(FindUnconnected(paths), paths.size());
   return status;
 }
 
@@ -256,5 +433,5 @@ void vtkDGGPath::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* out
   this->NumberOfFallbacks = 0;
   this->Geometry->Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
   const vtkDGGPathSearch::Paths none;
-  vtkDGGWritePaths({ none, nullptr, {} }, *this->Geometry, vtkPolyData::GetData(outputVector));
+  WritePaths({ none, nullptr, {} }, *this->Geometry, vtkPolyData::GetData(outputVector));
 }

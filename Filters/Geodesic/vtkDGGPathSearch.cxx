@@ -140,22 +140,14 @@ dgg::Status vtkDGGPathSearch::RunInGraph(
 {
   options.LinkAccuracy = graph.GetLinkAccuracy();
   const bool withLinks = std::any_of(this->PointPairs.begin(), this->PointPairs.end(), NeedsLinks);
-  if (withLinks)
+  dgg::Status prepared = graph.PrepareBuilder(this->Mesh, withLinks);
+  if (prepared.IsOk())
   {
-    const dgg::Status prepared = graph.PrepareBuilder(this->Mesh);
-    if (!prepared.IsOk())
-    {
-      return prepared;
-    }
+    prepared = graph.PrepareForPairs(this->PointPairs.size());
   }
-  else
+  if (!prepared.IsOk())
   {
-    graph.ReleaseBuilder();
-  }
-  const dgg::Status guided = graph.PrepareForPairs(this->PointPairs.size());
-  if (!guided.IsOk())
-  {
-    return guided;
+    return prepared;
   }
   const dgg::PathFinder& finder = graph.GetPathFinder(this->Mesh, positions);
   paths.assign(this->PointPairs.size(), dgg::FoundPath());

@@ -5,7 +5,6 @@
 #include "vtkDGGMakeArray.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGNewGeometry.h"
-#include "vtkDGGPolylineWriter.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 
@@ -29,6 +28,12 @@
 #include <string>
 
 vtkStandardNewMacro(vtkGeodesicPatchBoundaries);
+vtkDGGDefineIdsMacro(vtkGeodesicPatchBoundaries, FirstLandmark, LandmarkIds[0]);
+vtkDGGDefineIdsMacro(vtkGeodesicPatchBoundaries, SecondLandmark, LandmarkIds[1]);
+vtkDGGDefineInputMacro(vtkGeodesicPatchBoundaries, SecondSurface, 1);
+vtkDGGDefineInputMacro(vtkGeodesicPatchBoundaries, FirstLandmark, 2);
+vtkDGGDefineInputMacro(vtkGeodesicPatchBoundaries, SecondLandmark, 3);
+vtkDGGDefineInputMacro(vtkGeodesicPatchBoundaries, Layout, 4);
 
 namespace
 {
@@ -154,162 +159,12 @@ void vtkGeodesicPatchBoundaries::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::AddLandmarkId(int surface, vtkIdType id)
-{
-  this->LandmarkIds[surface].push_back(id);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetLandmarkIds(int surface, const std::vector<vtkIdType>& ids)
-{
-  if (this->LandmarkIds[surface] != ids)
-  {
-    this->LandmarkIds[surface] = ids;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::AddFirstLandmarkId(vtkIdType id)
-{
-  this->AddLandmarkId(0, id);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetFirstLandmarkIds(vtkIdList* ids)
-{
-  this->SetLandmarkIds(0, vtkDGGGetIds(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetFirstLandmarkIds(std::initializer_list<vtkIdType> ids)
-{
-  this->SetLandmarkIds(0, ids);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetFirstLandmarkIds(const std::vector<vtkIdType>& ids)
-{
-  this->SetLandmarkIds(0, ids);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::RemoveAllFirstLandmarkIds()
-{
-  this->SetLandmarkIds(0, {});
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicPatchBoundaries::GetNumberOfFirstLandmarkIds() const
-{
-  return static_cast<vtkIdType>(this->LandmarkIds[0].size());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicPatchBoundaries::GetFirstLandmarkId(vtkIdType i) const
-{
-  return vtkDGGGetId(this->LandmarkIds[0], i);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::AddSecondLandmarkId(vtkIdType id)
-{
-  this->AddLandmarkId(1, id);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondLandmarkIds(vtkIdList* ids)
-{
-  this->SetLandmarkIds(1, vtkDGGGetIds(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondLandmarkIds(std::initializer_list<vtkIdType> ids)
-{
-  this->SetLandmarkIds(1, ids);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondLandmarkIds(const std::vector<vtkIdType>& ids)
-{
-  this->SetLandmarkIds(1, ids);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::RemoveAllSecondLandmarkIds()
-{
-  this->SetLandmarkIds(1, {});
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicPatchBoundaries::GetNumberOfSecondLandmarkIds() const
-{
-  return static_cast<vtkIdType>(this->LandmarkIds[1].size());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicPatchBoundaries::GetSecondLandmarkId(vtkIdType i) const
-{
-  return vtkDGGGetId(this->LandmarkIds[1], i);
-}
-
-//------------------------------------------------------------------------------
 void vtkGeodesicPatchBoundaries::RemoveAllLandmarks()
 {
-  for (int side = 0; side < 2; ++side)
-  {
-    this->SetLandmarkIds(side, {});
-    this->SetInputConnection(2 + side, nullptr);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondSurfaceConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondSurfaceData(vtkPolyData* surface)
-{
-  this->SetInputData(1, surface);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetFirstLandmarkConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(2, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetFirstLandmarkData(vtkPolyData* points)
-{
-  this->SetInputData(2, points);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondLandmarkConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(3, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondLandmarkData(vtkPolyData* points)
-{
-  this->SetInputData(3, points);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetLayoutConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(4, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetLayoutData(vtkPolyData* layout)
-{
-  this->SetInputData(4, layout);
+  this->RemoveAllFirstLandmarkIds();
+  this->RemoveAllSecondLandmarkIds();
+  this->SetInputConnection(2, nullptr);
+  this->SetInputConnection(3, nullptr);
 }
 
 //------------------------------------------------------------------------------

@@ -202,8 +202,6 @@ private:
 
   vtkDGGSourceSet GetLandmarks(int surface, vtkInformationVector** inputVector) const;
   dgg::Status PrepareSecondMesh(vtkPolyData* surface);
-  void AddLandmarkId(int surface, vtkIdType id);
-  void SetLandmarkIds(int surface, const std::vector<vtkIdType>& ids);
 
   std::vector<vtkIdType> LandmarkIds[2]; // per surface
   double ProjectionTolerance;

@@ -8,7 +8,6 @@
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
-#include "vtkDGGVoronoiOutputs.h"
 
 #include "dggSurfaceSampler.h"
 
@@ -25,6 +24,7 @@
 
 vtkStandardNewMacro(vtkGeodesicSampler);
 vtkDGGGraphUserMacro(vtkGeodesicSampler);
+vtkDGGDefineInputMacro(vtkGeodesicSampler, Start, 1);
 
 namespace
 {
@@ -74,18 +74,6 @@ void vtkGeodesicSampler::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InFaces: " << (this->InFaces ? "On" : "Off") << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
   this->GraphUser->PrintSelf(os, indent);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicSampler::SetStartConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicSampler::SetStartData(vtkPolyData* points)
-{
-  this->SetInputData(1, points);
 }
 
 //------------------------------------------------------------------------------
@@ -209,23 +197,15 @@ dgg::Status vtkGeodesicSampler::Execute(
     status = this->GraphUser->Update(
       surface, mesh, [this](double fraction) { return this->Advance(fraction); }, this);
   }
+  const bool needsLinks =
+    options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), dgg::IsVertex);
+  if (status.IsOk())
+  {
+    status = graph.PrepareBuilder(mesh, needsLinks);
+  }
   if (!status.IsOk())
   {
     return status;
-  }
-  const bool needsLinks =
-    options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), dgg::IsVertex);
-  if (needsLinks)
-  {
-    status = graph.PrepareBuilder(mesh);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-  }
-  else
-  {
-    graph.ReleaseBuilder();
   }
   options.Progress = graph.GetRemainingProgress();
   std::vector<dgg::SurfaceSample> samples;

@@ -3,31 +3,247 @@
 #include "vtkGeodesicVoronoi.h"
 
 #include "vtkDGGGraphUser.h"
+#include "vtkDGGMakeArray.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
-#include "vtkDGGVoronoiOutputs.h"
+#include "vtkDGGUnreachedArray.h"
+#include "vtkDGGWindowArrays.h"
 
 #include "dggCentroidal.h"
-#include "dggCloudCenters.h"
 #include "dggProgressPart.h"
+#include "dggSurfacePath.h"
+#include "dggVoronoi.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkGeodesicVoronoi);
 vtkDGGGraphUserMacro(vtkGeodesicVoronoi);
+vtkDGGDefineIdsMacro(vtkGeodesicVoronoi, Site, SiteIds);
+vtkDGGDefineInputMacro(vtkGeodesicVoronoi, Site, 1);
+
+/// What vtkGeodesicVoronoi computes.
+struct vtkDGGVoronoiResult
+{
+  std::vector<dgg::GeodesicSource> Sites;
+  dgg::VoronoiDiagram Diagram;
+  std::vector<double> Energies; ///< empty unless sites have been moved
+  bool LabelsOnly = false;      ///< whether there are neither cells nor boundaries
+  ///@{
+  /// What was asked for.
+  bool IsCentroidal = false;
+  bool IsRefined = false;
+  dgg::CentroidalOptions Moving;
+  ///@}
+};
 
 namespace
 {
 /// Share of the progress after the graph that moving the sites takes.
 constexpr double MovingShare = 0.9;
+
+/// Makes the outputs of a diagram on one surface.
+struct VoronoiOutputs
+{
+  const vtkDGGVoronoiResult& Result;
+  const vtkDGGMeshAdapter& Mesh;
+  const vtkDGGNewGeometry& Geometry;
+  const std::string& DistanceName;
+  double UnreachedValue;
+
+  /// Infinity where no site reaches.
+  double GetTrueDistance(dgg::Id point) const
+  {
+    const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
+    const auto n = static_cast<dgg::Id>(diagram.Distances.size());
+    return point < n ? diagram.Distances[point] : diagram.BorderDistances[point - n];
+  }
+
+  double GetDistance(dgg::Id point) const
+  {
+    const double distance = this->GetTrueDistance(point);
+    return distance < dgg::Infinity ? distance : this->UnreachedValue;
+  }
+
+  dgg::SurfacePoint GetPlace(dgg::Id point) const
+  {
+    const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
+    const auto n = static_cast<dgg::Id>(diagram.Distances.size());
+    return point < n ? dgg::SurfacePoint::AtVertex(point) : diagram.BorderPoints[point - n];
+  }
+
+  /// Area of the cell of each site, and at the end of what no site reaches.
+  std::vector<double> SumAreas() const
+  {
+    const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
+    std::vector<double> areas(this->Result.Sites.size() + 1, 0.0);
+    for (std::size_t i = 0; i < diagram.GetNumberOfPolygons(); ++i)
+    {
+      const dgg::Id site = diagram.PolygonSites[i];
+      (site == dgg::NoId ? areas.back() : areas[site]) += diagram.PolygonAreas[i];
+    }
+    return areas;
+  }
+
+  /// Add the arrays of labels, distances and energies to a copy of the input.
+  void AddToSurface(const std::string& sourceName, vtkPolyData* output) const
+  {
+    const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
+    const auto n = static_cast<std::size_t>(output->GetNumberOfPoints());
+    vtkPointData* data = output->GetPointData();
+    const auto distances = vtkDGGAddArray<vtkDoubleArray>(data, this->DistanceName, n);
+    // Those of the input belong to the array that has just been replaced.
+    vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceName);
+    vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceName);
+    const auto sites = vtkDGGAddArray<vtkIntArray>(data, sourceName, n);
+    std::vector<bool> isReached(n);
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const dgg::Id vertex = this->Mesh.GetVertex(i);
+      distances->SetValue(i, this->GetDistance(vertex));
+      sites->SetValue(i, diagram.NearestSites[vertex]);
+      isReached[static_cast<std::size_t>(i)] = this->GetTrueDistance(vertex) < dgg::Infinity;
+    }
+    vtkDGGUnreachedArray::AddTo(output->GetFieldData(), distances, this->UnreachedValue, isReached);
+    // Not SetScalars(), which would remove the scalars of the input.
+    data->SetActiveScalars(sourceName.c_str());
+    if (!this->Result.Energies.empty())
+    {
+      const auto energies = vtkDGGAddArray<vtkDoubleArray>(
+        output->GetFieldData(), "Energy", this->Result.Energies.size());
+      std::copy(
+        this->Result.Energies.begin(), this->Result.Energies.end(), energies->GetPointer(0));
+    }
+  }
+
+  void FillBoundaries(vtkPolyData* output) const
+  {
+    const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
+    // Only points of curves, in their order.
+    std::vector<dgg::Id> used = diagram.CurvePoints;
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    this->Geometry.Begin(output);
+    const auto points = this->Geometry.MakePoints(used.size());
+    const auto distances =
+      vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, used.size());
+    vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceName);
+    for (std::size_t k = 0; k < used.size(); ++k)
+    {
+      const auto i = static_cast<vtkIdType>(k);
+      this->Geometry.SetPoint(points, i, this->GetPlace(used[k]));
+      distances->SetValue(i, this->GetDistance(used[k]));
+    }
+    vtkNew<vtkCellArray> lines;
+    const auto sites =
+      vtkDGGAddArray<vtkIntArray>(output->GetCellData(), "SiteId", diagram.GetNumberOfCurves(), 2);
+    for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
+    {
+      const dgg::Offset begin = diagram.CurveOffsets[k];
+      const dgg::Offset end = diagram.CurveOffsets[k + 1];
+      lines->InsertNextCell(static_cast<int>(end - begin));
+      for (dgg::Offset i = begin; i < end; ++i)
+      {
+        lines->InsertCellPoint(
+          std::lower_bound(used.begin(), used.end(), diagram.CurvePoints[i]) - used.begin());
+      }
+      for (int c = 0; c < 2; ++c)
+      {
+        sites->SetTypedComponent(static_cast<vtkIdType>(k), c, diagram.CurveSites[k][c]);
+      }
+    }
+    output->SetPoints(points);
+    output->SetLines(lines);
+  }
+
+  void FillCells(vtkPolyData* output) const
+  {
+    const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
+    this->Geometry.Begin(output);
+    const std::size_t n = diagram.Distances.size() + diagram.BorderPoints.size();
+    const auto points = this->Geometry.MakePoints(n);
+    const auto distances =
+      vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, n);
+    vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceName);
+    std::vector<bool> isReached(n);
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      const auto i = static_cast<vtkIdType>(k);
+      const auto point = static_cast<dgg::Id>(k);
+      this->Geometry.SetPoint(points, i, this->GetPlace(point));
+      distances->SetValue(i, this->GetDistance(point));
+      isReached[k] = this->GetTrueDistance(point) < dgg::Infinity;
+    }
+    vtkDGGUnreachedArray::AddTo(output->GetFieldData(), distances, this->UnreachedValue, isReached);
+    const std::vector<double> areas = this->SumAreas();
+    vtkNew<vtkCellArray> polygons;
+    vtkCellData* data = output->GetCellData();
+    const std::size_t count = diagram.GetNumberOfPolygons();
+    const auto sites = vtkDGGAddArray<vtkIntArray>(data, "SiteId", count);
+    const auto cellAreas = vtkDGGAddArray<vtkDoubleArray>(data, "CellArea", count);
+    const auto faces = vtkDGGAddArray<vtkIdTypeArray>(data, "FaceId", count);
+    std::vector<vtkIdType> corners;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      corners.assign(diagram.PolygonPoints.begin() + diagram.PolygonOffsets[k],
+        diagram.PolygonPoints.begin() + diagram.PolygonOffsets[k + 1]);
+      const dgg::Id face = diagram.PolygonFaces[k];
+      if (this->Mesh.GetMesh().IsFlipped(face))
+      {
+        std::reverse(corners.begin(), corners.end()); // as the input has it
+      }
+      polygons->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+      const auto i = static_cast<vtkIdType>(k);
+      const dgg::Id site = diagram.PolygonSites[k];
+      sites->SetValue(i, site);
+      cellAreas->SetValue(i, site == dgg::NoId ? areas.back() : areas[site]);
+      faces->SetValue(i, this->Geometry.GetCell(face));
+    }
+    output->SetPoints(points);
+    output->SetPolys(polygons);
+    data->SetActiveScalars("SiteId");
+  }
+
+  void FillSites(vtkPolyData* output) const
+  {
+    vtkDGGFillSurfacePoints(vtkDGGGetPlaces(this->Result.Sites), this->Geometry, output);
+    const std::size_t count = this->Result.Sites.size();
+    const auto numbers = vtkDGGAddArray<vtkIntArray>(output->GetPointData(), "SiteId", count);
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      numbers->SetValue(static_cast<vtkIdType>(k), static_cast<int>(k));
+    }
+    if (this->Result.LabelsOnly)
+    {
+      return;
+    }
+    const std::vector<double> areas = this->SumAreas();
+    const auto cellAreas =
+      vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), "CellArea", count);
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      cellAreas->SetValue(static_cast<vtkIdType>(k), areas[k]);
+    }
+  }
+};
 }
 
 //------------------------------------------------------------------------------
@@ -69,69 +285,10 @@ void vtkGeodesicVoronoi::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::AddSiteId(vtkIdType id)
-{
-  this->SiteIds.push_back(id);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetSiteIds(vtkIdList* ids)
-{
-  this->SetSiteIds(vtkDGGGetIds(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetSiteIds(std::initializer_list<vtkIdType> ids)
-{
-  this->SetSiteIds(std::vector<vtkIdType>(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetSiteIds(const std::vector<vtkIdType>& ids)
-{
-  if (this->SiteIds != ids)
-  {
-    this->SiteIds = ids;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::RemoveAllSiteIds()
-{
-  this->SetSiteIds(std::vector<vtkIdType>());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicVoronoi::GetNumberOfSiteIds() const
-{
-  return static_cast<vtkIdType>(this->SiteIds.size());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicVoronoi::GetSiteId(vtkIdType i) const
-{
-  return vtkDGGGetId(this->SiteIds, i);
-}
-
-//------------------------------------------------------------------------------
 void vtkGeodesicVoronoi::RemoveAllSites()
 {
   this->RemoveAllSiteIds();
   this->SetInputConnection(1, nullptr);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetSiteConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetSiteData(vtkPolyData* points)
-{
-  this->SetInputData(1, points);
 }
 
 //------------------------------------------------------------------------------
@@ -350,8 +507,8 @@ dgg::Status vtkGeodesicVoronoi::Execute(
 void vtkGeodesicVoronoi::FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyData* surface,
   const vtkDGGNewGeometry& geometry, vtkInformationVector* outputVector) const
 {
-  const vtkDGGVoronoiOutputs outputs(
-    result, this->GetMesh(), geometry, this->DistanceArrayName, this->UnreachedValue);
+  const VoronoiOutputs outputs{ result, this->GetMesh(), geometry, this->DistanceArrayName,
+    this->UnreachedValue };
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->ShallowCopy(surface);
   outputs.AddToSurface(this->SourceArrayName, output);

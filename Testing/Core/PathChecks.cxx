@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PathChecks.h"
 
+#include "GeodesicChecks.h"
+
 #include "dggExactGeodesics.h"
+#include "dggExactPath.h"
 
 #include <gtest/gtest.h>
 
@@ -61,6 +64,72 @@ void ExpectShortestBetween(const dgg::SurfaceMesh& mesh, dgg::ExactGeodesics& so
   EXPECT_GT(result.TargetDistances[0], Fraction * (before + after) * (1.0 - 1e-6))
     << "bend at point " << out;
 }
+}
+
+std::vector<SurfacePoint> AtVertices(const std::vector<Id>& vertices)
+{
+  std::vector<SurfacePoint> points;
+  for (const Id v : vertices)
+  {
+    points.push_back(SurfacePoint::AtVertex(v));
+  }
+  return points;
+}
+
+std::vector<SurfacePoint> SomePoints(
+  const dgg::SurfaceMesh& mesh, Id inFaces, Id atVertices, std::uint64_t seed)
+{
+  std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, inFaces, seed);
+  const std::vector<SurfacePoint> more = AtVertices(SomeVertices(mesh, atVertices, seed + 1));
+  points.insert(points.end(), more.begin(), more.end());
+  return points;
+}
+
+SurfacePoint PointInPlane(const TestMesh& points, const dgg::SurfaceMesh& mesh, double x, double y)
+{
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    std::array<const double*, 3> p{};
+    for (int k = 0; k < 3; ++k)
+    {
+      p[k] = points.Points.data() + 3 * points.Triangles[3 * f + k];
+    }
+    const auto area = [](double ax, double ay, double bx, double by, double cx, double cy) {
+      return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+    };
+    const double whole = area(p[0][0], p[0][1], p[1][0], p[1][1], p[2][0], p[2][1]);
+    const double b1 = area(p[0][0], p[0][1], x, y, p[2][0], p[2][1]) / whole;
+    const double b2 = area(p[0][0], p[0][1], p[1][0], p[1][1], x, y) / whole;
+    if (b1 >= -1e-12 && b2 >= -1e-12 && b1 + b2 <= 1.0 + 1e-12)
+    {
+      return SurfacePoint::InFace(mesh, f, { { 1.0 - b1 - b2, b1, b2 } });
+    }
+  }
+  ADD_FAILURE() << "not on the mesh";
+  return SurfacePoint();
+}
+
+std::vector<SurfacePath> FindPaths(
+  const dgg::SurfaceMesh& mesh, const SurfacePoint& from, const std::vector<SurfacePoint>& to)
+{
+  std::vector<SurfacePath> paths;
+  const dgg::Status status = dgg::ExactPathFinder(mesh).Find(from, to, nullptr, paths);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  paths.resize(to.size());
+  return paths;
+}
+
+SurfacePath PathBetween(const dgg::SurfaceMesh& mesh, Id from, Id to)
+{
+  return FindPaths(mesh, SurfacePoint::AtVertex(from), { SurfacePoint::AtVertex(to) })[0];
+}
+
+void AppendPath(const SurfacePath& more, SurfacePath& path)
+{
+  path.Points.insert(
+    path.Points.end(), more.Points.begin() + (path.Points.empty() ? 0 : 1), more.Points.end());
+  path.Faces.insert(path.Faces.end(), more.Faces.begin(), more.Faces.end());
+  path.Length += more.Length;
 }
 
 void ExpectLocallyShortest(

@@ -3,9 +3,10 @@
 // Sites on a cloud that move to the middle of their cells.
 #include "CurvedMeshes.h"
 #include "FlatMeshes.h"
+#include "PathChecks.h"
 #include "SearchChecks.h"
 
-#include "dggCloudCenters.h"
+#include "dggCentroidal.h"
 
 #include <gtest/gtest.h>
 
@@ -55,15 +56,6 @@ public:
   std::vector<double> Energies;
 };
 
-Sites At(const std::vector<Id>& vertices)
-{
-  Sites sites;
-  for (const Id v : vertices)
-  {
-    sites.push_back(SurfacePoint::AtVertex(v));
-  }
-  return sites;
-}
 }
 
 TEST(CloudCenters, ASingleSiteGoesToTheMiddle)
@@ -72,7 +64,7 @@ TEST(CloudCenters, ASingleSiteGoesToTheMiddle)
   CloudCase c(Plane(20, 14), 0.01);
   for (const Id start : { 0, 20, 314, 294 })
   {
-    Sites sites = At({ start });
+    Sites sites = AtVertices({ start });
     CentroidalOptions options;
     options.NumberOfIterations = 100;
     ASSERT_TRUE(c.Move(options, sites).IsOk());
@@ -88,7 +80,7 @@ TEST(CloudCenters, ASingleSiteGoesToTheMiddle)
 TEST(CloudCenters, TheEnergyIsThatOfTheSites)
 {
   CloudCase c(Icosphere(3), 0.02);
-  Sites sites = At({ 0, 1, 2, 3, 4, 5 });
+  Sites sites = AtVertices({ 0, 1, 2, 3, 4, 5 });
   ASSERT_TRUE(c.Move({}, sites).IsOk());
   ASSERT_GE(c.Energies.size(), 3u);
   EXPECT_LT(c.Energies.back(), 0.85 * c.Energies.front());
@@ -120,7 +112,7 @@ TEST(CloudCenters, ScaleDoesNotMatter)
       x *= scale;
     }
     CloudCase c(mesh, 0.02);
-    Sites sites = At({ 0, 7, 30 });
+    Sites sites = AtVertices({ 0, 7, 30 });
     ASSERT_TRUE(c.Move({}, sites).IsOk());
     std::vector<Id> found;
     for (const SurfacePoint& site : sites)
@@ -152,7 +144,7 @@ TEST(CloudCenters, ScaleDoesNotMatter)
 TEST(CloudCenters, IterationsAndAbort)
 {
   CloudCase c(Plane(20, 14), 0.01);
-  Sites sites = At({ 0, 1 });
+  Sites sites = AtVertices({ 0, 1 });
   CentroidalOptions options;
   options.NumberOfIterations = 0;
   ASSERT_TRUE(c.Move(options, sites).IsOk());
@@ -164,7 +156,7 @@ TEST(CloudCenters, IterationsAndAbort)
   EXPECT_LE(c.Energies.size(), 4u);
   EXPECT_NE(sites[0].Vertex, 0);
 
-  sites = At({ 0, 1 });
+  sites = AtVertices({ 0, 1 });
   options.Progress = [](double done) { return done < 0.3; };
   EXPECT_TRUE(c.Move(options, sites).IsAborted());
   EXPECT_EQ(sites[0].Vertex, 0);
@@ -174,7 +166,7 @@ TEST(CloudCenters, IterationsAndAbort)
 TEST(CloudCenters, ProgressDoesNotGoBack)
 {
   CloudCase c(Plane(20, 14), 0.01);
-  Sites sites = At({ 0, 1, 2, 3, 4 });
+  Sites sites = AtVertices({ 0, 1, 2, 3, 4 });
   std::vector<double> told;
   CentroidalOptions options;
   options.NumberOfIterations = 50;
@@ -191,7 +183,7 @@ TEST(CloudCenters, ProgressDoesNotGoBack)
 TEST(CloudCenters, SitesWithoutACell)
 {
   CloudCase c(Plane(12, 9), 0.05);
-  Sites sites = At({ 5, 5, 40 });
+  Sites sites = AtVertices({ 5, 5, 40 });
   ASSERT_TRUE(c.Move({}, sites).IsOk());
   EXPECT_LT(c.Energies.back(), c.Energies.front());
   for (const SurfacePoint& site : sites)
@@ -201,7 +193,7 @@ TEST(CloudCenters, SitesWithoutACell)
   }
   Sites none;
   EXPECT_FALSE(c.Move({}, none).IsOk());
-  Sites bad = At({ 100000 });
+  Sites bad = AtVertices({ 100000 });
   EXPECT_FALSE(c.Move({}, bad).IsOk());
 }
 }

@@ -6,6 +6,7 @@
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
+#include "PathChecks.h"
 
 #include "dggFaceRefinement.h"
 
@@ -43,17 +44,6 @@ std::array<Id, 2> FindCopies(
     copies[1] = side[vertex % edges].From;
   }
   return copies;
-}
-
-std::vector<SurfacePoint> AtVertices(const std::vector<Id>& vertices)
-{
-  std::vector<SurfacePoint> points;
-  points.reserve(vertices.size());
-  for (const Id v : vertices)
-  {
-    points.push_back(SurfacePoint::AtVertex(v));
-  }
-  return points;
 }
 
 RefinedSurface EmbedVertices(

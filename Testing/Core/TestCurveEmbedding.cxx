@@ -6,6 +6,7 @@
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
+#include "PathChecks.h"
 
 #include <gtest/gtest.h>
 
@@ -20,29 +21,6 @@ namespace
 using dgg::RefinedSurface;
 using dgg::SurfaceCurve;
 using dgg::SurfacePoint;
-
-/// Point of Plane(n, n) without jitter: the cell's diagonal is found by the coordinates.
-SurfacePoint PlanePoint(const TestMesh& input, const dgg::SurfaceMesh& mesh, double x, double y)
-{
-  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-  {
-    const double* a = input.Point(mesh.Origin(3 * f));
-    const double* b = input.Point(mesh.Origin(3 * f + 1));
-    const double* c = input.Point(mesh.Origin(3 * f + 2));
-    const auto area = [](double px, double py, const double* q, double rx, double ry) {
-      return (q[0] - px) * (ry - py) - (q[1] - py) * (rx - px);
-    };
-    const double whole = area(a[0], a[1], b, c[0], c[1]);
-    const double v = area(a[0], a[1], b, x, y) / whole;  // of corner 2
-    const double u = -area(a[0], a[1], c, x, y) / whole; // of corner 1
-    if (u >= 0.0 && v >= 0.0 && u + v <= 1.0)
-    {
-      return PointIn(mesh, f, { { 1.0 - u - v, u, v } });
-    }
-  }
-  ADD_FAILURE() << "no face at " << x << ", " << y;
-  return SurfacePoint();
-}
 
 std::vector<SurfaceCurve> RandomCurves(
   const dgg::SurfaceMesh& mesh, Id count, Id points, Random& random)
@@ -74,12 +52,7 @@ TEST(CurveEmbedding, EdgesNeedNoVertices)
   // Around a cell, along its diagonal and back.
   const TestMesh input = Plane(3, 3);
   const dgg::SurfaceMesh mesh = Build(input);
-  std::vector<SurfacePoint> points;
-  for (const Id v : { 5, 6, 10, 9, 5, 10 })
-  {
-    points.push_back(SurfacePoint::AtVertex(v));
-  }
-  const std::vector<SurfaceCurve> curves{ Curve(mesh, points, true) };
+  const std::vector<SurfaceCurve> curves{ Curve(mesh, AtVertices({ 5, 6, 10, 9, 5, 10 }), true) };
   const RefinedSurface surface = Embed(mesh, curves);
   ExpectSoundEmbedding(input, mesh, curves, surface);
   EXPECT_EQ(surface.Triangles, input.Triangles);
@@ -95,12 +68,12 @@ TEST(CurveEmbedding, ParametersAreLengthsAlongTheCurve)
   const dgg::SurfaceMesh mesh = Build(input);
   // A corner at (5, 3.3), and another curve that crosses each leg.
   const std::vector<SurfaceCurve> curves{ Curve(mesh,
-                                            { PlanePoint(input, mesh, 0.3, 3.3),
-                                              PlanePoint(input, mesh, 5.0, 3.3),
-                                              PlanePoint(input, mesh, 5.0, 0.7) }),
+                                            { PointInPlane(input, mesh, 0.3, 3.3),
+                                              PointInPlane(input, mesh, 5.0, 3.3),
+                                              PointInPlane(input, mesh, 5.0, 0.7) }),
     Curve(mesh,
-      { PlanePoint(input, mesh, 1.9, 5.3), PlanePoint(input, mesh, 2.1, 1.2),
-        PlanePoint(input, mesh, 5.9, 1.4) }) };
+      { PointInPlane(input, mesh, 1.9, 5.3), PointInPlane(input, mesh, 2.1, 1.2),
+        PointInPlane(input, mesh, 5.9, 1.4) }) };
   const RefinedSurface surface = Embed(mesh, curves);
   ExpectSoundEmbedding(input, mesh, curves, surface);
   const dgg::CurveChain chain = dgg::FollowCurve(surface, curves, 0);
@@ -122,10 +95,10 @@ TEST(CurveEmbedding, PointsInOnePlace)
   // Points 1 to 4 are one vertex: repeated, and closer together than vertices may be.
   const TestMesh input = Plane(2, 2);
   const dgg::SurfaceMesh mesh = Build(input);
-  const SurfacePoint middle = PlanePoint(input, mesh, 0.6, 0.3);
+  const SurfacePoint middle = PointInPlane(input, mesh, 0.6, 0.3);
   const std::vector<SurfaceCurve> curves{ Curve(mesh,
-    { PlanePoint(input, mesh, 0.5, 0.1), middle, middle, PlanePoint(input, mesh, 0.6 + 1e-11, 0.3),
-      middle, PlanePoint(input, mesh, 0.8, 0.3) }) };
+    { PointInPlane(input, mesh, 0.5, 0.1), middle, middle,
+      PointInPlane(input, mesh, 0.6 + 1e-11, 0.3), middle, PointInPlane(input, mesh, 0.8, 0.3) }) };
   const RefinedSurface surface = Embed(mesh, curves);
   ExpectSoundEmbedding(input, mesh, curves, surface);
   const dgg::CurveChain chain = dgg::FollowCurve(surface, curves, 0);

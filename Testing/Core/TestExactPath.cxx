@@ -5,9 +5,9 @@
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
+#include "PathChecks.h"
 
 #include "dggExactPath.h"
-#include "dggWindowTracer.h"
 
 #include <gtest/gtest.h>
 
@@ -24,33 +24,14 @@ using dgg::SurfacePath;
 using dgg::SurfacePoint;
 using Support = SurfacePoint::Support;
 
-/// Paths; a failure fails the test.
-std::vector<SurfacePath> FindPaths(
-  const dgg::SurfaceMesh& mesh, const SurfacePoint& from, const std::vector<SurfacePoint>& to)
-{
-  dgg::ExactPathFinder finder(mesh);
-  std::vector<SurfacePath> paths;
-  const dgg::Status status = finder.Find(from, to, nullptr, paths);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
-  return paths;
-}
-
 /// Paths from some points to others, of every kind, against the distances of the other engine.
 /// `failures`, if given, counts sources from which a path could not be traced back, which may
 /// happen through piles of faces without area.
 void ExpectShortest(
   const dgg::SurfaceMesh& mesh, Id sources, Id targets, double tolerance, int* failures = nullptr)
 {
-  std::vector<SurfacePoint> from = RandomSurfacePoints(mesh, sources, 71);
-  std::vector<SurfacePoint> to = RandomSurfacePoints(mesh, targets, 72);
-  for (const Id v : SomeVertices(mesh, sources, 73))
-  {
-    from.push_back(SurfacePoint::AtVertex(v));
-  }
-  for (const Id v : SomeVertices(mesh, targets, 74))
-  {
-    to.push_back(SurfacePoint::AtVertex(v));
-  }
+  const std::vector<SurfacePoint> from = SomePoints(mesh, sources, sources, 71);
+  std::vector<SurfacePoint> to = SomePoints(mesh, targets, targets, 73);
   to.push_back(from.front());
   for (const SurfacePoint& source : from)
   {
@@ -170,42 +151,11 @@ TEST(ExactPath, TriesBranches)
 {
   std::vector<Id> sheetOf;
   Id unused = 0;
-  std::size_t retries = 0;
   for (const TestMesh& input :
     { Book(3, 6, sheetOf, 0.2, 2), Book(6, 5, sheetOf, 0.2, 3), PlaneWithFin(6, unused, 0.2, 4) })
   {
-    const dgg::SurfaceMesh mesh = Build(input);
-    const std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 60, 5);
-    for (std::size_t s = 0; s < points.size(); s += 6)
-    {
-      const dgg::ExactResult result = Solve(mesh, dgg::ExactEngine::Triangle,
-        { { points[s], 0.0 } }, [&](dgg::ExactOptions& options) { options.Targets = points; });
-      dgg::WindowTracer tracer(mesh, points[s], result);
-      for (std::size_t t = 0; t < points.size(); ++t)
-      {
-        SurfacePath path;
-        ASSERT_TRUE(
-          tracer.Trace(points[t], result.TargetDistances[t], result.TargetPredecessors[t], path));
-        EXPECT_TRUE(dgg::CheckPath(mesh, path).IsOk());
-        EXPECT_NEAR(path.Length, result.TargetDistances[t], 1e-10 * result.TargetDistances[t]);
-      }
-      retries += tracer.GetNumberOfRetries();
-    }
+    ExpectShortest(Build(input), 5, 60, 1e-10);
   }
-  EXPECT_GT(retries, 100u);
-  // On a manifold there is nothing to try, but at vertices that a path passes closely.
-  const dgg::SurfaceMesh sphere = Build(NoisySphere(3, 0.2, 3));
-  const std::vector<SurfacePoint> points = RandomSurfacePoints(sphere, 60, 5);
-  const dgg::ExactResult result = Solve(sphere, dgg::ExactEngine::Triangle, { { points[0], 0.0 } },
-    [&](dgg::ExactOptions& options) { options.Targets = points; });
-  dgg::WindowTracer tracer(sphere, points[0], result);
-  for (std::size_t t = 0; t < points.size(); ++t)
-  {
-    SurfacePath path;
-    EXPECT_TRUE(
-      tracer.Trace(points[t], result.TargetDistances[t], result.TargetPredecessors[t], path));
-  }
-  EXPECT_EQ(tracer.GetNumberOfRetries(), 0u);
 }
 
 TEST(ExactPath, IsStraightInThePlane)
@@ -214,11 +164,7 @@ TEST(ExactPath, IsStraightInThePlane)
   {
     const TestMesh input = Plane(12, 9, jitter, 5);
     const dgg::SurfaceMesh mesh = Build(input);
-    std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 30, 6);
-    for (const Id v : SomeVertices(mesh, 20, 7))
-    {
-      points.push_back(SurfacePoint::AtVertex(v));
-    }
+    const std::vector<SurfacePoint> points = SomePoints(mesh, 30, 20, 6);
     for (std::size_t s = 0; s < points.size(); s += 7)
     {
       const auto a = dgg::PositionOf(mesh, points[s], input.Points.data());
@@ -333,11 +279,7 @@ TEST(ExactPath, FacesNeedThreeVertices)
 TEST(ExactPath, TargetsKnowTheirPredecessors)
 {
   const dgg::SurfaceMesh mesh = Build(SeveralComponents());
-  std::vector<SurfacePoint> targets = RandomSurfacePoints(mesh, 50, 9);
-  for (const Id v : SomeVertices(mesh, 20, 10))
-  {
-    targets.push_back(SurfacePoint::AtVertex(v));
-  }
+  const std::vector<SurfacePoint> targets = SomePoints(mesh, 50, 20, 9);
   const SurfacePoint source = RandomSurfacePoints(mesh, 1, 11)[0];
   for (const dgg::ExactEngine engine : { dgg::ExactEngine::Reference, dgg::ExactEngine::Triangle })
   {
@@ -393,11 +335,7 @@ TEST(ExactPath, MayBeAskedAgain)
   {
     SCOPED_TRACE(named.Name);
     const dgg::SurfaceMesh mesh = Build(named.Mesh);
-    std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 30, 5);
-    for (const Id v : SomeVertices(mesh, 10, 7))
-    {
-      points.push_back(SurfacePoint::AtVertex(v));
-    }
+    const std::vector<SurfacePoint> points = SomePoints(mesh, 30, 10, 5);
     dgg::ExactPathFinder again(mesh);
     const double limits[] = { dgg::Infinity, 3.0 * mesh.GetMaximumEdgeLength(), 0.0 };
     for (std::size_t k = 0; k < points.size(); ++k)

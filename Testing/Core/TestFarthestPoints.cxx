@@ -84,25 +84,6 @@ TEST(FarthestPoints, EverySampleIsFarthest)
   }
 }
 
-TEST(FarthestPoints, SamplesKeepAwayFromEachOther)
-{
-  for (const NamedMesh& named : SoundMeshes())
-  {
-    const SearchCase c(named.Name, named.Mesh, 0.05);
-    FarthestPoints points(c.GetGraph(), &c.GetMesh());
-    const std::vector<Id> samples = Sample(points, 0, 20);
-    const double radius = points.Find().Distance;
-    for (std::size_t i = 0; i < samples.size(); ++i)
-    {
-      const std::vector<double> field = GraphDistances(c.GetGraph(), samples[i]);
-      for (std::size_t j = 0; j < i; ++j)
-      {
-        EXPECT_GE(field[samples[j]], radius * (1.0 - 1e-9)) << named.Name;
-      }
-    }
-  }
-}
-
 TEST(FarthestPoints, EveryComponentGetsASampleFirst)
 {
   const SearchCase c("several components", SeveralComponents(), 0.05);

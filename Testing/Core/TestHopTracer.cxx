@@ -5,7 +5,7 @@
 #include "FlatMeshes.h"
 #include "SearchChecks.h"
 
-#include "dggHopTracer.h"
+#include "dggPathTracer.h"
 
 #include <gtest/gtest.h>
 

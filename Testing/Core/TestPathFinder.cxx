@@ -77,16 +77,6 @@ public:
   std::unique_ptr<dgg::PathFinder> Finder;
 };
 
-std::vector<SurfacePoint> SomePoints(const dgg::SurfaceMesh& mesh, Id count, std::uint64_t seed)
-{
-  std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, count, seed);
-  for (const Id v : SomeVertices(mesh, count, seed + 1))
-  {
-    points.push_back(SurfacePoint::AtVertex(v));
-  }
-  return points;
-}
-
 bool IsSamePlace(const dgg::SurfaceMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
 {
   const Id face = dgg::FindFaceOf(mesh, a);
@@ -110,8 +100,8 @@ void ExpectGoodPaths(const TestMesh& input, double accuracy, std::uint64_t seed,
   const dgg::SurfaceMesh& mesh = world.Mesh;
   const bool isMollified = mesh.GetNumberOfDegenerateFaces() > 0;
   const double tolerance = 1e-9 + (isMollified ? 1e-6 : 0.0);
-  const std::vector<SurfacePoint> to = SomePoints(mesh, 6, seed + 10);
-  for (const SurfacePoint& from : SomePoints(mesh, 3, seed))
+  const std::vector<SurfacePoint> to = SomePoints(mesh, 6, 6, seed + 10);
+  for (const SurfacePoint& from : SomePoints(mesh, 3, 3, seed))
   {
     const std::vector<double> exact = DistancesTo(mesh, dgg::ExactEngine::Triangle, from, to);
     for (std::size_t t = 0; t < to.size(); ++t)
@@ -222,7 +212,7 @@ TEST(PathFinder, CorridorsThatTakeTooLong)
   dgg::PathCorridor corridor(world.Mesh);
   SurfacePath path = straight.Path;
   EXPECT_FALSE(corridor.Shorten(1.0, path));
-  EXPECT_TRUE(corridor.GetEffort().IsStopped);
+  EXPECT_TRUE(corridor.IsStopped());
   EXPECT_TRUE(best.IsStraightened);
   EXPECT_EQ(best.Path.Length, straight.Path.Length);
   EXPECT_EQ(best.Path.Faces, straight.Path.Faces);
@@ -233,7 +223,7 @@ TEST(PathFinder, CorridorsThatTakeTooLong)
 TEST(PathFinder, SamePoint)
 {
   const PathWorld world(Icosphere(2));
-  for (const SurfacePoint& point : SomePoints(world.Mesh, 5, 1))
+  for (const SurfacePoint& point : SomePoints(world.Mesh, 5, 5, 1))
   {
     for (const PathOptions& options : { Raw(), Straight(1e-3) })
     {
@@ -250,18 +240,8 @@ TEST(PathFinder, MemoryOfWhatIsKept)
 {
   const PathWorld world(Icosphere(3));
   EXPECT_EQ(world.Finder->GetMemorySize(), 0u);
-  const SurfacePoint vertex = SurfacePoint::AtVertex(0);
-  world.Find(vertex, SurfacePoint::AtVertex(200), Straight(1e-3));
-  const std::size_t corridor = dgg::PathCorridor::PredictMemorySize(world.Mesh);
-  EXPECT_EQ(world.Finder->GetMemorySize(), corridor);
-  // The straight way between points close together, in different faces, is found by a solver.
-  const Id face = 3;
-  const Id beside = dgg::SurfaceMesh::Face(world.Mesh.Twin(3 * face));
-  world.Find(SurfacePoint::InFace(world.Mesh, face, { { 0.2, 0.3, 0.5 } }),
-    SurfacePoint::InFace(world.Mesh, beside, { { 0.2, 0.3, 0.5 } }), Straight());
-  // Such a solver has a number for each half-edge at least.
-  EXPECT_GE(
-    world.Finder->GetMemorySize(), corridor + world.Mesh.GetNumberOfHalfEdges() * sizeof(Id));
+  world.Find(SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(200), Straight(1e-3));
+  EXPECT_GT(world.Finder->GetMemorySize(), 8u * world.Mesh.GetNumberOfVertices());
 }
 
 TEST(PathFinder, NeedsABuilderForPointsInFaces)
@@ -284,7 +264,7 @@ TEST(PathFinder, NeedsABuilderForPointsInFaces)
 TEST(PathFinder, SeveralThreads)
 {
   const PathWorld world(NoisySphere(3, 0.2, 1));
-  const std::vector<SurfacePoint> points = SomePoints(world.Mesh, 10, 3);
+  const std::vector<SurfacePoint> points = SomePoints(world.Mesh, 10, 10, 3);
   std::vector<double> lengths[3];
   const auto run = [&](std::vector<double>& found) {
     for (const SurfacePoint& to : points)

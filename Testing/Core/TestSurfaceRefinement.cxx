@@ -5,8 +5,8 @@
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
+#include "PathChecks.h"
 
-#include "dggExactPath.h"
 #include "dggFaceTriangulation.h"
 #include "dggSurfaceCut.h"
 #include "dggSurfaceRefinement.h"
@@ -26,16 +26,6 @@ using dgg::GridPoint;
 using dgg::RefinedSurface;
 using dgg::SurfacePath;
 using dgg::SurfacePoint;
-
-std::vector<SurfacePath> PathsFrom(
-  const dgg::SurfaceMesh& mesh, const SurfacePoint& from, const std::vector<SurfacePoint>& to)
-{
-  dgg::ExactPathFinder finder(mesh);
-  std::vector<SurfacePath> paths;
-  const dgg::Status status = finder.Find(from, to, nullptr, paths);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
-  return paths;
-}
 
 RefinedSurface Refine(
   const dgg::SurfaceMesh& mesh, const std::vector<SurfacePath>& paths, bool insertCrossings = false)
@@ -111,12 +101,8 @@ void ExpectSound(const dgg::SurfaceMesh& mesh, const std::vector<SurfacePath>& p
 
 std::vector<SurfacePath> Star(const dgg::SurfaceMesh& mesh, Id count, std::uint64_t seed)
 {
-  std::vector<SurfacePoint> to = RandomSurfacePoints(mesh, count, seed);
-  for (const Id v : SomeVertices(mesh, count, seed + 1))
-  {
-    to.push_back(SurfacePoint::AtVertex(v));
-  }
-  return PathsFrom(mesh, RandomSurfacePoints(mesh, 1, seed + 2)[0], to);
+  return FindPaths(
+    mesh, RandomSurfacePoints(mesh, 1, seed + 2)[0], SomePoints(mesh, count, count, seed));
 }
 }
 
@@ -310,26 +296,22 @@ TEST(SurfaceRefinement, NothingToDo)
   }
 }
 
-TEST(SurfaceRefinement, StarsOnSoundMeshes)
+TEST(SurfaceRefinement, Stars)
 {
+  const auto expectSound = [](const NamedMesh& named, double tolerance) {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    const auto paths = Star(mesh, 8, 5);
+    ExpectSound(mesh, paths, Refine(mesh, paths, true), tolerance * mesh.GetMaximumEdgeLength());
+  };
   for (const NamedMesh& named : SoundMeshes())
   {
-    SCOPED_TRACE(named.Name);
-    const dgg::SurfaceMesh mesh = Build(named.Mesh);
-    const auto paths = Star(mesh, 8, 5);
-    ExpectSound(mesh, paths, Refine(mesh, paths, true), 1e-8 * mesh.GetMaximumEdgeLength());
+    expectSound(named, 1e-8);
   }
-}
-
-TEST(SurfaceRefinement, StarsOnDefectMeshes)
-{
   for (const NamedMesh& named : DefectMeshes())
   {
-    SCOPED_TRACE(named.Name);
-    const dgg::SurfaceMesh mesh = Build(named.Mesh);
-    const auto paths = Star(mesh, 8, 5);
     // Parts of narrow faces are made wider, to some 1e-7 edges, when they become degenerate.
-    ExpectSound(mesh, paths, Refine(mesh, paths, true), 1e-6 * mesh.GetMaximumEdgeLength());
+    expectSound(named, 1e-6);
   }
 }
 
@@ -361,8 +343,8 @@ TEST(SurfaceRefinement, CrossingsBecomeVertices)
   // Two diagonals of a square of one cell: one along the mesh edge, one across it.
   const dgg::SurfaceMesh mesh = Build(Plane(1, 1));
   std::vector<SurfacePath> paths =
-    PathsFrom(mesh, SurfacePoint::AtVertex(0), { SurfacePoint::AtVertex(3) });
-  paths.push_back(PathsFrom(mesh, SurfacePoint::AtVertex(1), { SurfacePoint::AtVertex(2) })[0]);
+    FindPaths(mesh, SurfacePoint::AtVertex(0), { SurfacePoint::AtVertex(3) });
+  paths.push_back(FindPaths(mesh, SurfacePoint::AtVertex(1), { SurfacePoint::AtVertex(2) })[0]);
   const RefinedSurface refined = Refine(mesh, paths); // they touch: the edge is crossed at a node
   EXPECT_EQ(refined.GetNumberOfVertices(), 5);
   EXPECT_EQ(refined.GetNumberOfFaces(), 4);
@@ -374,8 +356,8 @@ TEST(SurfaceRefinement, CrossingsBecomeVertices)
   auto inFace = [&](double a, double b) {
     return SurfacePoint::InFace(single, 0, { { a, b, 1.0 - a - b } });
   };
-  paths = PathsFrom(single, inFace(0.2, 0.2), { inFace(0.5, 0.3) });
-  paths.push_back(PathsFrom(single, inFace(0.3, 0.5), { inFace(0.4, 0.1) })[0]);
+  paths = FindPaths(single, inFace(0.2, 0.2), { inFace(0.5, 0.3) });
+  paths.push_back(FindPaths(single, inFace(0.3, 0.5), { inFace(0.4, 0.1) })[0]);
   const RefinedSurface crossed = Refine(single, paths, true);
   EXPECT_EQ(crossed.GetNumberOfVertices(), 8);
   EXPECT_EQ(crossed.Paths[0][1], crossed.Paths[1][1]);
@@ -458,7 +440,7 @@ TEST(SurfaceRefinement, SaysWhatIsWrong)
 {
   const dgg::SurfaceMesh mesh = Build(Icosphere(1));
   std::vector<SurfacePath> paths(2);
-  paths[0] = PathsFrom(mesh, SurfacePoint::AtVertex(0), { SurfacePoint::AtVertex(3) })[0];
+  paths[0] = FindPaths(mesh, SurfacePoint::AtVertex(0), { SurfacePoint::AtVertex(3) })[0];
   paths[1] = paths[0];
   paths[1].Faces[0] = 99999;
   RefinedSurface refined;
@@ -477,7 +459,7 @@ TEST(SurfaceCut, OpensAlongASlit)
   const dgg::SurfaceMesh mesh = Build(input);
   const SurfacePoint tip = SurfacePoint::InFace(mesh, 31, { { 0.3, 0.3, 0.4 } });
   const Id rim = VertexAt(input, 6, 3, 0);
-  const auto paths = PathsFrom(mesh, tip, { SurfacePoint::AtVertex(rim) });
+  const auto paths = FindPaths(mesh, tip, { SurfacePoint::AtVertex(rim) });
   const RefinedSurface refined = Refine(mesh, paths);
   dgg::CutSurface cut;
   ASSERT_TRUE(dgg::CutAlongChains(refined, refined.Paths, cut).IsOk());
@@ -539,7 +521,7 @@ TEST(SurfaceCut, SeparatesAndDoesNot)
   const std::vector<Id> corners{ 0, 7, 20 };
   for (int k = 0; k < 3; ++k)
   {
-    paths.push_back(PathsFrom(sphere, SurfacePoint::AtVertex(corners[k]),
+    paths.push_back(FindPaths(sphere, SurfacePoint::AtVertex(corners[k]),
       { SurfacePoint::AtVertex(corners[(k + 1) % 3]) })[0]);
   }
   refined = Refine(sphere, paths);

@@ -176,18 +176,6 @@ TEST(SurfaceSampler, StartsWhereItIsTold)
   EXPECT_EQ(samples[3].CoveringRadius, samples[1].CoveringRadius);
 }
 
-TEST(SurfaceSampler, StopsAtARadius)
-{
-  const SearchCase c("plane", Plane(15, 15, 0.2), Accuracy);
-  SamplerOptions options;
-  options.NumberOfSamples = 1000;
-  options.CoveringRadius = 0.2 * c.GetPoints().Point(c.GetNumberOfVertices() - 1)[0];
-  const std::vector<SurfaceSample> samples = SamplesOf(c, options);
-  ASSERT_GT(samples.size(), 2u);
-  EXPECT_LE(samples.back().CoveringRadius, options.CoveringRadius);
-  EXPECT_GT(samples[samples.size() - 2].CoveringRadius, options.CoveringRadius);
-}
-
 TEST(SurfaceSampler, AllVertices)
 {
   const SearchCase c("isolated points", SphereWithIsolatedPoints(1), Accuracy);
@@ -236,24 +224,5 @@ TEST(SurfaceSampler, BadInputIsNamed)
   options.Given = { SurfacePoint::InFace(c.GetMesh(), 1, { { 0.2, 0.3, 0.5 } }) };
   EXPECT_FALSE(
     dgg::SampleSurface(c.GetGraph(), &c.GetMesh(), nullptr, Accuracy, options, samples).IsOk());
-}
-
-TEST(SurfaceSampler, ProgressAndAbort)
-{
-  const SearchCase c("plane", Plane(15, 15), Accuracy);
-  SamplerOptions options;
-  options.NumberOfSamples = 40;
-  std::vector<double> progress;
-  options.Progress = [&progress](double done) {
-    progress.push_back(done);
-    return progress.size() < 10;
-  };
-  std::vector<SurfaceSample> samples;
-  EXPECT_TRUE(dgg::SampleSurface(c.GetGraph(), &c.GetMesh(), nullptr, Accuracy, options, samples)
-                .IsAborted());
-  EXPECT_TRUE(samples.empty());
-  EXPECT_EQ(progress.size(), 10u);
-  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
-  EXPECT_LE(progress.back(), 1.0);
 }
 }

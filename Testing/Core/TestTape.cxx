@@ -5,8 +5,8 @@
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
+#include "PathChecks.h"
 
-#include "dggExactPath.h"
 #include "dggTape.h"
 
 #include <gtest/gtest.h>
@@ -22,15 +22,6 @@ namespace
 {
 using dgg::SurfacePath;
 using dgg::SurfacePoint;
-
-SurfacePath PathBetween(const dgg::SurfaceMesh& mesh, Id from, Id to)
-{
-  std::vector<SurfacePath> paths;
-  const dgg::Status status = dgg::ExactPathFinder(mesh).Find(
-    SurfacePoint::AtVertex(from), { SurfacePoint::AtVertex(to) }, nullptr, paths);
-  EXPECT_TRUE(status.IsOk());
-  return paths.empty() ? SurfacePath() : paths.front();
-}
 
 std::vector<SurfacePath> Tape(const dgg::SurfaceMesh& mesh, const SurfacePath& path, double width)
 {
@@ -161,42 +152,14 @@ TEST(Tape, OfAPathThatCrossesItself)
   for (int k = 0; k < 4; ++k)
   {
     const int next = (k + 1) % 4;
-    const SurfacePath leg =
-      PathBetween(mesh, rows[k] * (n + 1) + corners[k], rows[next] * (n + 1) + corners[next]);
-    path.Points.insert(
-      path.Points.end(), leg.Points.begin() + (path.Points.empty() ? 0 : 1), leg.Points.end());
-    path.Faces.insert(path.Faces.end(), leg.Faces.begin(), leg.Faces.end());
-    path.Length += leg.Length;
+    AppendPath(
+      PathBetween(mesh, rows[k] * (n + 1) + corners[k], rows[next] * (n + 1) + corners[next]),
+      path);
   }
   const std::vector<SurfacePath> rims = Tape(mesh, path, 1.0);
   ASSERT_EQ(rims.size(), 3u);
   ExpectAtDistance(mesh, path, rims, 0.5, 1e-4);
   EXPECT_GT(std::max({ rims[0].Length, rims[1].Length, rims[2].Length }), path.Length);
-}
-
-/// A place in the plane as a point of a plane mesh.
-SurfacePoint Locate(const TestMesh& points, const dgg::SurfaceMesh& mesh, double x, double y)
-{
-  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-  {
-    std::array<const double*, 3> p{};
-    for (int k = 0; k < 3; ++k)
-    {
-      p[k] = points.Points.data() + 3 * points.Triangles[3 * f + k];
-    }
-    const auto area = [](double ax, double ay, double bx, double by, double cx, double cy) {
-      return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
-    };
-    const double whole = area(p[0][0], p[0][1], p[1][0], p[1][1], p[2][0], p[2][1]);
-    const double b1 = area(p[0][0], p[0][1], x, y, p[2][0], p[2][1]) / whole;
-    const double b2 = area(p[0][0], p[0][1], p[1][0], p[1][1], x, y) / whole;
-    if (b1 >= -1e-12 && b2 >= -1e-12 && b1 + b2 <= 1.0 + 1e-12)
-    {
-      return SurfacePoint::InFace(mesh, f, { { 1.0 - b1 - b2, b1, b2 } });
-    }
-  }
-  ADD_FAILURE() << "not on the mesh";
-  return SurfacePoint();
 }
 
 /// In the plane.
@@ -232,15 +195,9 @@ TEST(Tape, InTrianglesOfAnySize)
         const Corner& a = triangle[k];
         const Corner& b = triangle[(k + 1) % 3];
         const Corner& c = triangle[(k + 2) % 3];
-        std::vector<SurfacePath> legs;
-        ASSERT_TRUE(dgg::ExactPathFinder(mesh)
-                      .Find(Locate(points, mesh, a[0], a[1]), { Locate(points, mesh, b[0], b[1]) },
-                        nullptr, legs)
-                      .IsOk());
-        loop.Points.insert(loop.Points.end(),
-          legs[0].Points.begin() + (loop.Points.empty() ? 0 : 1), legs[0].Points.end());
-        loop.Faces.insert(loop.Faces.end(), legs[0].Faces.begin(), legs[0].Faces.end());
-        loop.Length += legs[0].Length;
+        AppendPath(FindPaths(mesh, PointInPlane(points, mesh, a[0], a[1]),
+                     { PointInPlane(points, mesh, b[0], b[1]) })[0],
+          loop);
         const double ab = std::atan2(b[1] - a[1], b[0] - a[0]);
         const double ac = std::atan2(c[1] - a[1], c[0] - a[0]);
         room += 2.0 / std::tan(0.5 * std::abs(std::remainder(ac - ab, 2.0 * dgg::Pi)));

@@ -5,11 +5,10 @@
 #include "DefectMeshes.h"
 #include "FlatMeshes.h"
 #include "GeodesicChecks.h"
+#include "PathChecks.h"
 #include "SearchChecks.h"
 
-#include "dggBorderRefinement.h"
-#include "dggEdgeCuts.h"
-#include "dggExactGeodesics.h"
+#include "dggCentroidal.h"
 #include "dggSurfacePath.h"
 #include "dggVoronoi.h"
 
@@ -40,24 +39,9 @@ using Place = std::array<double, 3>;
 std::vector<GraphSeed> SeedsOf(const SearchCase& c, const Sites& sites, double accuracy)
 {
   const dgg::GraphBuilder builder(c.GetMesh());
-  std::vector<GraphSeed> seeds;
-  for (std::size_t i = 0; i < sites.size(); ++i)
-  {
-    const auto number = static_cast<Id>(i);
-    if (sites[i].On == SurfacePoint::Support::Vertex)
-    {
-      seeds.push_back(SeedAt(sites[i].Vertex, 0.0, number));
-      continue;
-    }
-    std::vector<dgg::GraphLink> links;
-    std::vector<double> direct;
-    EXPECT_TRUE(builder.Link(sites[i], accuracy, {}, links, direct).IsOk());
-    for (const dgg::GraphLink& link : links)
-    {
-      seeds.push_back({ link.Vertex, link.Length, 0.0, number, link.ArrivalAngle });
-    }
-  }
-  return seeds;
+  dgg::LinkedSites linked;
+  EXPECT_TRUE(dgg::LinkSites(sites, &builder, accuracy, linked).IsOk());
+  return linked.Seeds;
 }
 
 VoronoiDiagram DiagramOf(
@@ -84,16 +68,6 @@ dgg::VoronoiInput InputOf(const std::vector<GraphSeed>& seeds)
   dgg::VoronoiInput input;
   input.Seeds = seeds;
   return input;
-}
-
-Sites AtVertices(const std::vector<Id>& vertices)
-{
-  Sites sites;
-  for (const Id v : vertices)
-  {
-    sites.push_back(SurfacePoint::AtVertex(v));
-  }
-  return sites;
 }
 
 SurfacePoint PointOf(const VoronoiDiagram& diagram, Id point)
@@ -228,28 +202,45 @@ void ExpectWellFormed(
   }
 }
 
+/// Calls `use(sites, point)` for every point of every curve.
+void ForEachCurvePoint(
+  const VoronoiDiagram& diagram, const std::function<void(const std::array<Id, 2>&, Id)>& use)
+{
+  for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
+  {
+    for (dgg::Offset i = diagram.CurveOffsets[k]; i < diagram.CurveOffsets[k + 1]; ++i)
+    {
+      use(diagram.CurveSites[k], diagram.CurvePoints[i]);
+    }
+  }
+}
+
+/// Expect borders to be where distances say: `distance(point, site)`, of points of the diagram.
+void ExpectBorders(const std::string& what, const VoronoiDiagram& diagram,
+  std::size_t numberOfSites, double tolerance,
+  const std::function<double(Id, std::size_t)>& distance)
+{
+  ForEachCurvePoint(diagram, [&](const std::array<Id, 2>& sites, Id point) {
+    const double a = distance(point, sites[0]);
+    EXPECT_NEAR(a, distance(point, sites[1]), tolerance * a) << what;
+    EXPECT_NEAR(DistanceAt(diagram, point), a, tolerance * a) << what;
+    for (std::size_t s = 0; s < numberOfSites; ++s)
+    {
+      EXPECT_GE(distance(point, s), a * (1.0 - tolerance)) << what;
+    }
+  });
+}
+
 /// Expect polygons and borders to be those of known distances: `distance(place, site)`. Polygons
 /// are looked at in their middle.
 void ExpectKnown(const SearchCase& c, const VoronoiDiagram& diagram, std::size_t numberOfSites,
   double tolerance, const std::function<double(const Place&, std::size_t)>& distance)
 {
-  const double* points = c.GetPoints().Points.data();
-  for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
-  {
-    for (dgg::Offset i = diagram.CurveOffsets[k]; i < diagram.CurveOffsets[k + 1]; ++i)
-    {
-      const Id point = diagram.CurvePoints[i];
-      const Place p = dgg::PositionOf(c.GetMesh(), PointOf(diagram, point), points);
-      const double a = distance(p, diagram.CurveSites[k][0]);
-      const double b = distance(p, diagram.CurveSites[k][1]);
-      EXPECT_NEAR(a, b, tolerance * a) << c.GetName();
-      EXPECT_NEAR(DistanceAt(diagram, point), a, tolerance * a) << c.GetName();
-      for (std::size_t s = 0; s < numberOfSites; ++s)
-      {
-        EXPECT_GE(distance(p, s), a * (1.0 - tolerance)) << c.GetName();
-      }
-    }
-  }
+  const auto placeOf = [&](Id point) {
+    return dgg::PositionOf(c.GetMesh(), PointOf(diagram, point), c.GetPoints().Points.data());
+  };
+  ExpectBorders(c.GetName(), diagram, numberOfSites, tolerance,
+    [&](Id point, std::size_t site) { return distance(placeOf(point), site); });
   for (std::size_t q = 0; q < diagram.GetNumberOfPolygons(); ++q)
   {
     Place middle{};
@@ -257,8 +248,7 @@ void ExpectKnown(const SearchCase& c, const VoronoiDiagram& diagram, std::size_t
     const dgg::Offset end = diagram.PolygonOffsets[q + 1];
     for (dgg::Offset i = begin; i < end; ++i)
     {
-      const Place p =
-        dgg::PositionOf(c.GetMesh(), PointOf(diagram, diagram.PolygonPoints[i]), points);
+      const Place p = placeOf(diagram.PolygonPoints[i]);
       for (int k = 0; k < 3; ++k)
       {
         middle[k] += p[k] / static_cast<double>(end - begin);
@@ -272,19 +262,35 @@ void ExpectKnown(const SearchCase& c, const VoronoiDiagram& diagram, std::size_t
   }
 }
 
-double Straight(const Place& p, const Place& q)
+/// Distances of all points of a diagram from each site alone.
+std::vector<std::vector<double>> ExactDistances(
+  const SurfaceMesh& mesh, const VoronoiDiagram& diagram, const Sites& sites)
 {
-  return std::hypot(p[0] - q[0], p[1] - q[1]);
+  Sites targets;
+  for (std::size_t i = 0; i < diagram.Distances.size() + diagram.BorderPoints.size(); ++i)
+  {
+    targets.push_back(PointOf(diagram, static_cast<Id>(i)));
+  }
+  std::vector<std::vector<double>> distances;
+  for (const SurfacePoint& site : sites)
+  {
+    distances.push_back(DistancesTo(mesh, dgg::ExactEngine::Triangle, site, targets));
+  }
+  return distances;
 }
 
-std::vector<Place> PlacesOf(const SearchCase& c, const Sites& sites)
+/// The same in the plane.
+void ExpectPlane(
+  const SearchCase& c, const VoronoiDiagram& diagram, const Sites& sites, double tolerance)
 {
   std::vector<Place> places;
   for (const SurfacePoint& site : sites)
   {
     places.push_back(dgg::PositionOf(c.GetMesh(), site, c.GetPoints().Points.data()));
   }
-  return places;
+  ExpectKnown(c, diagram, sites.size(), tolerance, [&](const Place& p, std::size_t site) {
+    return std::hypot(p[0] - places[site][0], p[1] - places[site][1]);
+  });
 }
 }
 
@@ -298,11 +304,9 @@ TEST(Voronoi, OnAnySurface)
   for (const NamedMesh& named : meshes)
   {
     const SearchCase c(named.Name, named.Mesh, 0.05);
-    Sites sites = RandomSurfacePoints(c.GetMesh(), 8, 3);
-    for (const Id v : SomeVertices(c.GetMesh(), 8, 5))
-    {
-      sites.push_back(SurfacePoint::AtVertex(v));
-    }
+    Sites sites = AtVertices(SomeVertices(c.GetMesh(), 8, 5));
+    const Sites inFaces = RandomSurfacePoints(c.GetMesh(), 8, 3);
+    sites.insert(sites.end(), inFaces.begin(), inFaces.end());
     for (const bool isRefined : { false, true })
     {
       const VoronoiDiagram diagram = DiagramOf(c, sites, 0.05, isRefined);
@@ -319,9 +323,7 @@ TEST(Voronoi, ThePlane)
     const Sites sites = RandomSurfacePoints(c.GetMesh(), 9, 12);
     const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01);
     ExpectWellFormed(c.GetMesh(), diagram, 9, c.GetName());
-    const std::vector<Place> places = PlacesOf(c, sites);
-    ExpectKnown(c, diagram, sites.size(), 0.005,
-      [&](const Place& p, std::size_t site) { return Straight(p, places[site]); });
+    ExpectPlane(c, diagram, sites, 0.005);
     // Convex cells: one curve for a pair.
     const std::set<std::array<Id, 2>> pairs(diagram.CurveSites.begin(), diagram.CurveSites.end());
     EXPECT_EQ(pairs.size(), diagram.GetNumberOfCurves());
@@ -344,9 +346,7 @@ TEST(Voronoi, BordersAlongEdgesAndThroughVertices)
     const Sites sites = AtVertices(vertices);
     const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01);
     ExpectWellFormed(c.GetMesh(), diagram, static_cast<Id>(sites.size()), "grid");
-    const std::vector<Place> places = PlacesOf(c, sites);
-    ExpectKnown(c, diagram, sites.size(), 0.003,
-      [&](const Place& p, std::size_t site) { return Straight(p, places[site]); });
+    ExpectPlane(c, diagram, sites, 0.003);
   }
 }
 
@@ -359,72 +359,30 @@ TEST(Voronoi, ManySitesInAFace)
   triangle.AddPoint(1.0, 2.0, 0.0);
   triangle.AddTriangle(0, 1, 2);
   const SearchCase c("triangle", triangle, 0.01);
-  Random random(4);
-  Sites sites;
-  for (int i = 0; i < 25; ++i)
-  {
-    double a = random.Uniform();
-    double b = random.Uniform();
-    if (a + b > 1.0)
-    {
-      a = 1.0 - a;
-      b = 1.0 - b;
-    }
-    sites.push_back(SurfacePoint::InFace(c.GetMesh(), 0, { { a, b, 1.0 - a - b } }));
-  }
+  const Sites sites = RandomSurfacePoints(c.GetMesh(), 25, 4);
   const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01);
   ExpectWellFormed(c.GetMesh(), diagram, 25, "triangle");
   EXPECT_EQ(diagram.GetNumberOfPolygons(), 25u);
-  const std::vector<Place> places = PlacesOf(c, sites);
-  ExpectKnown(c, diagram, sites.size(), 1e-9,
-    [&](const Place& p, std::size_t site) { return Straight(p, places[site]); });
+  ExpectPlane(c, diagram, sites, 1e-9);
 }
 
 TEST(Voronoi, AConeAndASphere)
 {
-  std::vector<std::pair<std::string, TestMesh>> meshes;
+  const double accuracy = 0.01;
   std::vector<ConePoint> coordinates;
-  meshes.emplace_back("sharp cone", Cone(4.0, 30, 12, coordinates, 0.1, 2));
-  meshes.emplace_back("saddle cone", Cone(8.0, 40, 12, coordinates, 0.1, 2));
-  meshes.emplace_back("sphere", Icosphere(4));
-  meshes.emplace_back("torus", Torus(40, 24));
-  for (const auto& named : meshes)
+  for (const NamedMesh& named : { NamedMesh{ "sharp cone", Cone(4.0, 30, 12, coordinates, 0.1, 2) },
+         NamedMesh{ "saddle cone", Cone(8.0, 40, 12, coordinates, 0.1, 2) },
+         NamedMesh{ "sphere", Icosphere(4) }, NamedMesh{ "torus", Torus(40, 24) } })
   {
-    const double accuracy = 0.01;
-    const SearchCase c(named.first, named.second, accuracy);
+    const SearchCase c(named.Name, named.Mesh, accuracy);
     const Sites sites = RandomSurfacePoints(c.GetMesh(), 10, 21);
     const VoronoiDiagram diagram = DiagramOf(c, sites, accuracy);
-    ExpectWellFormed(c.GetMesh(), diagram, 10, named.first);
+    ExpectWellFormed(c.GetMesh(), diagram, 10, named.Name);
     // By exact distances from each site alone, of all points of the borders.
-    std::vector<std::vector<double>> exact;
-    dgg::ExactGeodesics solver(c.GetMesh());
-    for (const SurfacePoint& site : sites)
-    {
-      dgg::ExactOptions options;
-      for (std::size_t i = 0; i < diagram.Distances.size() + diagram.BorderPoints.size(); ++i)
-      {
-        options.Targets.push_back(PointOf(diagram, static_cast<Id>(i)));
-      }
-      dgg::ExactResult result;
-      ASSERT_TRUE(solver.Run({ { site, 0.0 } }, options, result).IsOk());
-      exact.push_back(result.TargetDistances);
-    }
+    const std::vector<std::vector<double>> exact = ExactDistances(c.GetMesh(), diagram, sites);
     ASSERT_GT(diagram.GetNumberOfCurves(), 9u);
-    for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
-    {
-      for (dgg::Offset i = diagram.CurveOffsets[k]; i < diagram.CurveOffsets[k + 1]; ++i)
-      {
-        const Id point = diagram.CurvePoints[i];
-        const double a = exact[diagram.CurveSites[k][0]][point];
-        const double b = exact[diagram.CurveSites[k][1]][point];
-        EXPECT_NEAR(a, b, 2.0 * accuracy * a) << named.first;
-        EXPECT_NEAR(DistanceAt(diagram, point), a, 2.0 * accuracy * a) << named.first;
-        for (const auto& field : exact)
-        {
-          EXPECT_GE(field[point], a * (1.0 - 2.0 * accuracy)) << named.first;
-        }
-      }
-    }
+    ExpectBorders(named.Name, diagram, sites.size(), 2.0 * accuracy,
+      [&](Id point, std::size_t site) { return exact[site][point]; });
     for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
     {
       double nearest = dgg::Infinity;
@@ -450,29 +408,13 @@ TEST(Voronoi, RefinedWhereFacesAreLarge)
   {
     const VoronoiDiagram diagram = DiagramOf(c, sites, accuracy, isRefined);
     ExpectWellFormed(c.GetMesh(), diagram, 12, "box");
-    dgg::ExactGeodesics solver(c.GetMesh());
-    std::vector<std::vector<double>> exact;
-    for (const SurfacePoint& site : sites)
-    {
-      dgg::ExactOptions options;
-      for (std::size_t i = 0; i < diagram.Distances.size() + diagram.BorderPoints.size(); ++i)
-      {
-        options.Targets.push_back(PointOf(diagram, static_cast<Id>(i)));
-      }
-      dgg::ExactResult result;
-      ASSERT_TRUE(solver.Run({ { site, 0.0 } }, options, result).IsOk());
-      exact.push_back(result.TargetDistances);
-    }
-    for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
-    {
-      for (dgg::Offset i = diagram.CurveOffsets[k]; i < diagram.CurveOffsets[k + 1]; ++i)
-      {
-        const double a = exact[diagram.CurveSites[k][0]][diagram.CurvePoints[i]];
-        const double b = exact[diagram.CurveSites[k][1]][diagram.CurvePoints[i]];
-        largest[isRefined ? 1 : 0] =
-          std::max(largest[isRefined ? 1 : 0], std::abs(a - b) / std::max(a, b));
-      }
-    }
+    const std::vector<std::vector<double>> exact = ExactDistances(c.GetMesh(), diagram, sites);
+    double& error = largest[isRefined ? 1 : 0];
+    ForEachCurvePoint(diagram, [&](const std::array<Id, 2>& pair, Id point) {
+      const double a = exact[pair[0]][point];
+      const double b = exact[pair[1]][point];
+      error = std::max(error, std::abs(a - b) / std::max(a, b));
+    });
   }
   EXPECT_GT(largest[0], 4.0 * accuracy);
   EXPECT_LT(largest[1], 2.0 * accuracy);
@@ -483,13 +425,9 @@ TEST(Voronoi, AroundACylinder)
   // The border opposite to a single pair of sites on a tube: a closed one with one pair.
   const TestMesh tube = PrismSide(24, 1, 20, 0.0, 1);
   const SearchCase c("tube", tube, 0.01);
-  double low = dgg::Infinity;
-  double high = -dgg::Infinity;
-  for (Id v = 0; v < tube.GetNumberOfVertices(); ++v)
-  {
-    low = std::min(low, tube.Point(v)[2]);
-    high = std::max(high, tube.Point(v)[2]);
-  }
+  const double low = tube.Point(0)[2];
+  const double high = tube.Point(tube.GetNumberOfVertices() - 1)[2];
+  ASSERT_LT(low, high);
   // Rings of sites at both ends: the border between the rings goes around.
   std::vector<GraphSeed> seeds;
   for (Id v = 0; v < tube.GetNumberOfVertices(); ++v)
@@ -607,9 +545,7 @@ TEST(Voronoi, GraphsWithoutDirections)
     dgg::ComputeVoronoi(search, c.GetMesh(), InputOf(SeedsOf(c, sites, 0.02)), nullptr, diagram)
       .IsOk());
   ExpectWellFormed(c.GetMesh(), diagram, 3, "without directions");
-  const std::vector<Place> places = PlacesOf(c, sites);
-  ExpectKnown(c, diagram, 3, 0.04,
-    [&](const Place& p, std::size_t site) { return Straight(p, places[site]); });
+  ExpectPlane(c, diagram, sites, 0.04);
 }
 
 TEST(Voronoi, BadInputIsNamed)
@@ -660,86 +596,5 @@ TEST(Voronoi, GraphsOfTooFewEdges)
   labels.LabelsOnly = true;
   EXPECT_TRUE(dgg::ComputeVoronoi(search, mesh, labels, nullptr, diagram).IsOk());
   EXPECT_EQ(diagram.NearestSites[0], 0);
-}
-
-TEST(Voronoi, ProgressAndAbort)
-{
-  const SearchCase c("plane", Plane(200, 200), 0.1);
-  std::vector<double> progress;
-  double stopAt = 2.0;
-  const auto watch = [&](double done) {
-    progress.push_back(done);
-    return done < stopAt;
-  };
-  VoronoiDiagram diagram;
-  const std::vector<GraphSeed> seeds{ SeedAt(0, 0.0, 0), SeedAt(20000, 0.0, 1) };
-  ASSERT_TRUE(
-    dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), InputOf(seeds), watch, diagram).IsOk());
-  EXPECT_GE(progress.size(), 3u);
-  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
-  EXPECT_LE(progress.back(), 1.0);
-  for (const double stop : { 0.0, 0.8 })
-  {
-    stopAt = stop;
-    EXPECT_TRUE(
-      dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), InputOf(seeds), watch, diagram).IsAborted());
-    EXPECT_TRUE(diagram.NearestSites.empty());
-  }
-}
-
-/// Upright walls along the lines of a grid of columns x rows cells, in `height` rows of quads.
-TestMesh Honeycomb(Id columns, Id rows, Id height)
-{
-  TestMesh mesh;
-  const auto at = [&](Id i, Id j, Id k) { return (k * (rows + 1) + j) * (columns + 1) + i; };
-  for (Id k = 0; k <= height; ++k)
-  {
-    for (Id j = 0; j <= rows; ++j)
-    {
-      for (Id i = 0; i <= columns; ++i)
-      {
-        mesh.AddPoint(i, j, 0.3 * k);
-      }
-    }
-  }
-  for (Id k = 0; k < height; ++k)
-  {
-    for (Id j = 0; j <= rows; ++j)
-    {
-      for (Id i = 0; i <= columns; ++i)
-      {
-        if (i < columns)
-        {
-          mesh.AddQuad(at(i, j, k), at(i + 1, j, k), at(i + 1, j, k + 1), at(i, j, k + 1));
-        }
-        if (j < rows)
-        {
-          mesh.AddQuad(at(i, j, k), at(i, j + 1, k), at(i, j + 1, k + 1), at(i, j, k + 1));
-        }
-      }
-    }
-  }
-  return mesh;
-}
-
-/// Links are dear where light multiplies: they end before they take many times what the rest does.
-TEST(Voronoi, RefinementIsBounded)
-{
-  const SearchCase c("honeycomb", Honeycomb(5, 5, 40), 0.05);
-  const dgg::GraphBuilder builder(c.GetMesh());
-  const Sites sites = AtVertices({ 0, 50, 100, 140 });
-  dgg::SiteDistances distances;
-  ASSERT_TRUE(distances.Run(c.GetSearch(), c.GetMesh(), SeedsOf(c, sites, 0.05), nullptr).IsOk());
-  const dgg::BorderRefinement refinement(c.GetMesh(), distances, builder, 0.05, sites);
-  VoronoiDiagram diagram;
-  for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
-  {
-    diagram.NearestSites.push_back(distances.Nearest(v)->Site);
-    diagram.Distances.push_back(distances.Nearest(v)->Distance);
-  }
-  dgg::EdgeCuts cuts(c.GetMesh());
-  ASSERT_TRUE(cuts.Run(distances, &refinement, nullptr, diagram));
-  EXPECT_GT(refinement.GetWork(), 0u);
-  EXPECT_LE(refinement.GetWork(), refinement.GetMostWork() + refinement.GetMostWork() / 8);
 }
 }

@@ -114,6 +114,34 @@ vtkSmartPointer<vtkPolyData> MakeTerrain(int n)
   return surface;
 }
 
+vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* a, vtkPolyData* b, double shift)
+{
+  Points points;
+  Cells cells;
+  for (vtkPolyData* part : { a, b })
+  {
+    const auto first = static_cast<vtkIdType>(points.size());
+    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+    {
+      points.emplace_back();
+      part->GetPoint(i, points.back().data());
+      points.back()[0] += part == b ? shift : 0.0;
+    }
+    for (vtkIdType c = 0; c < part->GetNumberOfCells(); ++c)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      part->GetPolys()->GetCellAtId(c, size, ids);
+      cells.emplace_back();
+      for (vtkIdType k = 0; k < size; ++k)
+      {
+        cells.back().push_back(first + ids[k]);
+      }
+    }
+  }
+  return MakeSurface(points, cells);
+}
+
 std::vector<double> GetDistances(vtkGeodesicDistanceAlgorithm* filter)
 {
   vtkDataArray* array =

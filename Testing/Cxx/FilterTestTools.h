@@ -44,6 +44,9 @@ vtkSmartPointer<vtkPolyData> MakeCube();
 /// A bumpy sheet without any symmetry over [0, 1] x [0, 1], n points on each side.
 vtkSmartPointer<vtkPolyData> MakeTerrain(int n);
 
+/// Two surfaces of polygons as one, the second one shifted along x.
+vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* a, vtkPolyData* b, double shift);
+
 /// The distances in the output, or nothing when they are missing.
 std::vector<double> GetDistances(vtkGeodesicDistanceAlgorithm* filter);
 std::vector<int> GetNearestSources(vtkGeodesicDistanceAlgorithm* filter);

@@ -20,66 +20,39 @@ namespace
 {
 const double Pi = vtkMath::Pi();
 
-/// Two surfaces as one, side by side.
-vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* a, vtkPolyData* b, double shift)
+class DGGLoop : public LoopFixture
 {
-  Points points;
-  Cells cells;
-  for (vtkPolyData* part : { a, b })
+protected:
+  Points GetPrismPoints() const
   {
-    const auto first = static_cast<vtkIdType>(points.size());
-    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+    Points points(static_cast<std::size_t>(this->Prism->GetNumberOfPoints()));
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
-      points.emplace_back();
-      part->GetPoint(i, points.back().data());
-      points.back()[0] += part == b ? shift : 0.0;
+      this->Prism->GetPoint(static_cast<vtkIdType>(i), points[i].data());
     }
-    for (vtkIdType c = 0; c < part->GetNumberOfCells(); ++c)
+    return points;
+  }
+
+  Cells GetPrismCells() const
+  {
+    Cells cells;
+    for (vtkIdType c = 0; c < this->Prism->GetNumberOfCells(); ++c)
     {
       vtkIdType size = 0;
       const vtkIdType* ids = nullptr;
-      part->GetPolys()->GetCellAtId(c, size, ids);
-      cells.emplace_back();
-      for (vtkIdType k = 0; k < size; ++k)
-      {
-        cells.back().push_back(first + ids[k]);
-      }
+      this->Prism->GetPolys()->GetCellAtId(c, size, ids);
+      cells.emplace_back(ids, ids + size);
     }
+    return cells;
   }
-  return MakeSurface(points, cells);
-}
-
-class DGGLoop : public LoopFixture
-{
 };
-}
-
-TEST_F(DGGLoop, Defaults)
-{
-  vtkNew<vtkDGGLoop> filter;
-  EXPECT_EQ(filter->GetNumberOfInputPorts(), 2);
-  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 2);
-  EXPECT_EQ(filter->GetMode(), vtkDGGLoop::ThroughPoint);
-  EXPECT_EQ(filter->GetNumberOfPointIds(), 0);
-  EXPECT_FALSE(filter->GetTaut());
-  EXPECT_EQ(filter->GetTapeWidth(), 0.0);
-  EXPECT_EQ(filter->GetAccuracy(), 0.01);
-  EXPECT_EQ(filter->GetProjectionTolerance(), 0.01);
-  EXPECT_EQ(filter->GetMemoryLimit(), 0u);
-  EXPECT_STREQ(filter->GetModeAsString(), "ThroughPoint");
-  filter->SetModeToAroundHandles();
-  EXPECT_STREQ(filter->GetModeAsString(), "AroundHandles");
-  filter->SetModeToRope();
-  EXPECT_STREQ(filter->GetModeAsString(), "Rope");
-  filter->SetMode(17);
-  EXPECT_EQ(filter->GetMode(), vtkDGGLoop::Rope);
-  filter->SetModeToThroughPoint();
-  EXPECT_EQ(filter->GetMode(), vtkDGGLoop::ThroughPoint);
-  EXPECT_EQ(filter->GetTape(), filter->GetOutput(1));
 }
 
 TEST_F(DGGLoop, PointIds)
 {
+  this->Filter->SetMode(17);
+  EXPECT_STREQ(this->Filter->GetModeAsString(), "Rope");
+  EXPECT_EQ(this->Filter->GetTape(), this->Filter->GetOutput(1));
   this->Filter->AddPointId(3);
   const vtkMTimeType time = this->Filter->GetMTime();
   this->Filter->AddPointId(5);
@@ -269,20 +242,8 @@ TEST_F(DGGLoop, NoHandles)
 TEST_F(DGGLoop, PinnedLoops)
 {
   // The prism with two caps that share their middle.
-  Points points;
-  Cells cells;
-  for (vtkIdType i = 0; i < this->Prism->GetNumberOfPoints(); ++i)
-  {
-    points.emplace_back();
-    this->Prism->GetPoint(i, points.back().data());
-  }
-  for (vtkIdType c = 0; c < this->Prism->GetNumberOfCells(); ++c)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    this->Prism->GetPolys()->GetCellAtId(c, size, ids);
-    cells.emplace_back(ids, ids + size);
-  }
+  Points points = this->GetPrismPoints();
+  Cells cells = this->GetPrismCells();
   const auto middle = static_cast<vtkIdType>(points.size());
   points.push_back({ { 0.0, 0.0, 0.5 * Rows } });
   for (vtkIdType i = 0; i < Sides; ++i)
@@ -490,55 +451,21 @@ TEST_F(DGGLoop, TapesEndAtTheBoundary)
   EXPECT_EQ(rims.size(), 2u);
 }
 
-/// A rope that crosses itself is as good as any.
-TEST_F(DGGLoop, TapesOfRopesThatCrossThemselves)
-{
-  auto sheet = MakeGrid(20, 20);
-  this->Filter->SetInputData(sheet);
-  this->Filter->SetModeToRope();
-  const auto at = [](vtkIdType i, vtkIdType j) { return 21 * j + i; };
-  this->Filter->SetPointIds({ at(5, 4), at(15, 16), at(5, 15), at(15, 5) });
-  this->Filter->SetTapeWidth(1.0);
-  ExpectSuccess(this->Filter);
-  const auto loops = GetLoops(this->Filter);
-  ASSERT_EQ(loops.size(), 1u);
-  EXPECT_NEAR(loops[0].Line.Length,
-    std::hypot(10.0, 12.0) + std::hypot(10.0, 1.0) + std::hypot(10.0, 10.0) + std::hypot(10.0, 1.0),
-    1e-9);
-  ExpectOnSurface(loops[0].Line, sheet);
-  const auto rims = GetRims(this->Filter);
-  EXPECT_EQ(rims.size(), 3u); // around it, and in each of the two parts
-  for (const LoopLine& rim : rims)
-  {
-    EXPECT_TRUE(rim.IsClosed);
-    ExpectOnSurface(rim.Line, sheet);
-  }
-}
-
 TEST_F(DGGLoop, CoincidentPointsOfTheSurface)
 {
   // The prism cut open along one side: no way around, unless its points are merged.
-  Points points;
-  Cells cells;
-  for (vtkIdType i = 0; i < this->Prism->GetNumberOfPoints(); ++i)
-  {
-    points.emplace_back();
-    this->Prism->GetPoint(i, points.back().data());
-  }
+  Points points = this->GetPrismPoints();
+  Cells cells = this->GetPrismCells();
   const auto copies = static_cast<vtkIdType>(points.size());
   for (vtkIdType j = 0; j <= Rows; ++j)
   {
     points.push_back(points[j * Sides]);
   }
-  for (vtkIdType c = 0; c < this->Prism->GetNumberOfCells(); ++c)
+  for (std::vector<vtkIdType>& cell : cells)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    this->Prism->GetPolys()->GetCellAtId(c, size, ids);
-    cells.emplace_back(ids, ids + size);
     const bool isLast =
-      std::any_of(ids, ids + size, [](vtkIdType id) { return id % Sides == Sides - 1; });
-    for (vtkIdType& id : cells.back())
+      std::any_of(cell.begin(), cell.end(), [](vtkIdType id) { return id % Sides == Sides - 1; });
+    for (vtkIdType& id : cell)
     {
       id = isLast && id % Sides == 0 ? copies + id / Sides : id;
     }
@@ -565,13 +492,7 @@ TEST_F(DGGLoop, CoincidentPointsOfTheSurface)
 TEST_F(DGGLoop, PolygonsOfAnyKind)
 {
   // Quads and strips: FaceId names cells of the input.
-  Points points;
   Cells quads;
-  for (vtkIdType i = 0; i < this->Prism->GetNumberOfPoints(); ++i)
-  {
-    points.emplace_back();
-    this->Prism->GetPoint(i, points.back().data());
-  }
   for (vtkIdType j = 0; j < Rows; ++j)
   {
     for (vtkIdType i = 0; i < Sides; ++i)
@@ -581,7 +502,7 @@ TEST_F(DGGLoop, PolygonsOfAnyKind)
         { j * Sides + i, j * Sides + right, (j + 1) * Sides + right, (j + 1) * Sides + i });
     }
   }
-  auto surface = MakeSurface(points, quads);
+  auto surface = MakeSurface(this->GetPrismPoints(), quads);
   this->Filter->SetInputData(surface);
   this->Filter->SetPointIds({ 3 * Sides + 2 });
   this->Filter->SetTapeWidth(0.6);

@@ -74,31 +74,12 @@ class DGGPath : public PathFixture
 };
 }
 
-TEST_F(DGGPath, Defaults)
-{
-  vtkNew<vtkDGGPath> filter;
-  EXPECT_EQ(filter->GetNumberOfInputPorts(), 2);
-  EXPECT_EQ(filter->GetMethod(), vtkDGGPath::Graph);
-  EXPECT_EQ(filter->GetNumberOfPairs(), 0);
-  EXPECT_EQ(filter->GetPairStart(0), -1);
-  EXPECT_TRUE(filter->GetStraighten());
-  EXPECT_EQ(filter->GetDetour(), 1e-4);
-  EXPECT_EQ(filter->GetAccuracy(), 0.01);
-  EXPECT_EQ(filter->GetProjectionTolerance(), 0.01);
-  EXPECT_EQ(filter->GetMemoryLimit(), 0u);
-  EXPECT_EQ(filter->GetNumberOfFallbacks(), 0);
-  filter->SetDetour(7.0);
-  EXPECT_EQ(filter->GetDetour(), 0.1);
-  filter->SetDetour(-1.0);
-  EXPECT_EQ(filter->GetDetour(), 0.0);
-  filter->SetMethodToExact();
-  EXPECT_STREQ(filter->GetMethodAsString(), "Exact");
-  filter->SetMethodToGraph();
-  EXPECT_STREQ(filter->GetMethodAsString(), "Graph");
-}
-
 TEST_F(DGGPath, PairsOfIds)
 {
+  this->Filter->SetDetour(7.0);
+  EXPECT_EQ(this->Filter->GetDetour(), 0.1);
+  this->Filter->SetDetour(-1.0);
+  EXPECT_EQ(this->Filter->GetDetour(), 0.0);
   this->Filter->AddPair(3, 5);
   const vtkMTimeType time = this->Filter->GetMTime();
   this->Filter->AddPair(7, 9);
@@ -124,6 +105,7 @@ TEST_F(DGGPath, KeepsItsPromise)
   this->Filter->SetPairData(pairs);
   this->Filter->SetMethodToExact();
   ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(), 0); // no graph has been built
   const auto shortest = GetPaths(this->Filter);
   ASSERT_EQ(shortest.size(), places.size());
   this->Filter->SetMethodToGraph();
@@ -170,34 +152,6 @@ TEST_F(DGGPath, KeepsItsPromise)
     }
   }
   EXPECT_GT(bent, 4);
-}
-
-TEST_F(DGGPath, ExactPathsAreAsLongAsTheDistance)
-{
-  const std::vector<vtkIdType> targets = { 0, 17, 105, 250, 333, 399 };
-  for (const vtkIdType source : { 0, 215, 399 })
-  {
-    const auto exact = GetExactDistances(this->Terrain, { source });
-    this->Filter->RemoveAllPairs();
-    for (const vtkIdType target : targets)
-    {
-      this->Filter->AddPair(source, target);
-      this->Filter->AddPair(target, source);
-    }
-    this->Filter->SetMethodToExact();
-    ExpectSuccess(this->Filter);
-    const auto paths = GetPaths(this->Filter);
-    ASSERT_EQ(paths.size(), 2 * targets.size());
-    for (std::size_t i = 0; i < paths.size(); ++i)
-    {
-      const vtkIdType target = targets[i / 2];
-      ExpectOnSurface(paths[i], this->Terrain);
-      EXPECT_NEAR(paths[i].Length, exact[target], 1e-9);
-      EXPECT_EQ(paths[i].PointIds.front(), i % 2 == 0 ? source : target);
-      EXPECT_EQ(paths[i].PointIds.back(), i % 2 == 0 ? target : source);
-    }
-  }
-  EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(), 0); // no graph has been built
 }
 
 TEST_F(DGGPath, DetourPays)

@@ -25,45 +25,6 @@ class DGGPathUpdates : public PathFixture
 };
 }
 
-TEST_F(DGGPathUpdates, TakesTheGraphOnItsInputOrBuildsOnce)
-{
-  AddPairs(this->Filter, { { 0, 399 } });
-  ExpectSuccess(this->Filter);
-  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
-  EXPECT_GT(built, 0u);
-  EXPECT_FALSE(this->Filter->GetUsedInputGraph());
-  EXPECT_TRUE(this->Filter->GetGraphIsGuaranteed());
-  const auto expected = GetPaths(this->Filter);
-  this->Filter->AddPair(7, 200);
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
-  EXPECT_EQ(GetPaths(this->Filter).size(), 2u);
-  this->Filter->RemoveAllPairs();
-  this->Filter->AddPair(0, 399);
-  auto surface = MakeSurfaceWithGraph(this->Terrain, 0.05);
-  vtkNew<vtkStringArray> note;
-  note->SetName("note");
-  note->InsertNextValue("kept");
-  surface->GetFieldData()->AddArray(note);
-  this->Filter->SetInputData(surface);
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
-  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
-  EXPECT_EQ(this->Filter->GetGraphAccuracy(), 0.05);
-  EXPECT_EQ(GetPaths(this->Filter), expected);
-  EXPECT_GE(this->Filter->GetMemorySize(),
-    static_cast<vtkTypeUInt64>(16 * this->Filter->GetNumberOfGraphEdges()));
-  // Polylines are another surface: they do not have its graph. The input still has.
-  EXPECT_EQ(GetGraphBytes(this->Filter->GetOutput()), std::vector<std::string>(6));
-  EXPECT_NE(GetGraphBytes(surface)[0], "");
-  EXPECT_NE(this->Filter->GetOutput()->GetFieldData()->GetAbstractArray("note"), nullptr);
-  this->Filter->SetAccuracy(0.01);
-  ExpectWarning(this->Filter, { "Accuracy 0.01 is asked for" });
-  this->Filter->AcceptCoarserGraphOn();
-  this->Filter->SetAccuracy(0.02);
-  ExpectSuccess(this->Filter);
-}
-
 TEST_F(DGGPathUpdates, WhatIsKeptBetweenUpdatesFollowsEveryChange)
 {
   // After each change, the filter gives what a new one gives.
@@ -120,43 +81,6 @@ TEST_F(DGGPathUpdates, WhatIsKeptBetweenUpdatesFollowsEveryChange)
   EXPECT_EQ(expectTheSameAsNew("the same mesh, prepared anew")[0], first[0]);
 }
 
-TEST_F(DGGPathUpdates, MemoryIsThatOfGraphAndSearches)
-{
-  AddPairs(this->Filter, { { 0, 399 } });
-  ExpectSuccess(this->Filter);
-  const vtkTypeUInt64 size = this->Filter->GetMemorySize();
-  this->Filter->Modified();
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetMemorySize(), size);
-  // The graph alone. What is left is a search, the corridor of a path, and coordinates.
-  vtkNew<vtkDiscreteGeodesicGraph> graph;
-  graph->SetInputData(this->Terrain);
-  graph->SetAccuracy(0.05);
-  ExpectSuccess(graph);
-  ASSERT_EQ(graph->GetNumberOfGraphEdges(), this->Filter->GetNumberOfGraphEdges());
-  const vtkTypeUInt64 rest = size - graph->GetMemorySize();
-  // About 88, 39 and 24 bytes for each point: none of them may be missing.
-  EXPECT_GT(rest, 140u * this->Terrain->GetNumberOfPoints());
-  EXPECT_LT(rest, 170u * this->Terrain->GetNumberOfPoints());
-}
-
-/// Not even numbers are read from a mesh that is gone.
-TEST_F(DGGPathUpdates, MemoryIsThatOfTheLastGraph)
-{
-  AddPairs(this->Filter, { { 0, 399 } });
-  ExpectSuccess(this->Filter);
-  const vtkTypeUInt64 size = this->Filter->GetMemorySize();
-  this->Filter->SetMethodToExact();
-  this->Filter->RemoveAllPairs();
-  this->Filter->AddPair(0, 24);
-  for (const int n : { 5, 90 })
-  {
-    this->Filter->SetInputData(MakeTerrain(n));
-    ExpectSuccess(this->Filter);
-    EXPECT_EQ(this->Filter->GetMemorySize(), size);
-  }
-}
-
 TEST_F(DGGPathUpdates, GraphsOfAllConstructions)
 {
   const Points ends = { { { 0.21, 0.13, 0.0 } }, { { 0.83, 0.72, 0.0 } }, { { 0.5, 0.5, 0.0 } },
@@ -206,13 +130,7 @@ TEST_F(DGGPathUpdates, WrongPairs)
   this->Filter->AddPair(-1, 3);
   ExpectError(this->Filter, { "path end id -1 " });
   this->Filter->RemoveAllPairs();
-  auto lines = MakePairs({ { { 0.0, 0.0, 0.05 } }, { { 0.5, 0.5, 9.0 } } });
-  this->Filter->SetPairData(lines);
-  ExpectError(this->Filter,
-    { "path end point 1 of input port 1", "(0.5, 0.5, 9)", "farther than", "ProjectionTolerance" });
-  this->Filter->SetPairData(MakePairs({ { { 0.5, std::nan(""), 0.0 } }, { { 0, 0, 0 } } }));
-  ExpectError(this->Filter, { "path end point 0 of input port 1", "not finite" });
-  lines = MakePairs({ { { 0.5, 0.5, 0.0 } }, { { 0.5, 0.6, 0.0 } } });
+  auto lines = MakePairs({ { { 0.5, 0.5, 0.0 } }, { { 0.5, 0.6, 0.0 } } });
   lines->SetLines(MakeCells({ { 0, 1 }, { 1, 7 } }));
   this->Filter->SetPairData(lines);
   ExpectError(this->Filter, { "line 1 of input port 1 names point 7", "there are 2" });
@@ -240,108 +158,13 @@ TEST_F(DGGPathUpdates, WrongPairs)
 TEST_F(DGGPathUpdates, WrongProperties)
 {
   this->Filter->AddPair(0, 5);
-  this->Filter->SetProjectionTolerance(-1.0);
-  ExpectError(this->Filter, { "ProjectionTolerance" });
-  this->Filter->SetProjectionTolerance(0.01);
   this->Filter->SetDetour(std::nan(""));
   ExpectError(this->Filter, { "Detour" });
   this->Filter->SetDetour(1e-3);
-  for (const double accuracy : { 0.0, 0.6, std::numeric_limits<double>::quiet_NaN() })
-  {
-    this->Filter->SetAccuracy(accuracy);
-    ExpectError(this->Filter, { "ccuracy", "1e-06", "0.5" });
-  }
-  this->Filter->SetAccuracy(0.05);
   this->Filter->SetMemoryLimit(10000);
   ExpectError(this->Filter, { "the graph would take" });
   this->Filter->SetMethodToExact(); // needs none
   ExpectSuccess(this->Filter);
-  this->Filter->SetMethodToGraph();
-  this->Filter->SetMemoryLimit(0);
-  ExpectSuccess(this->Filter);
-  this->Filter->SetMemoryLimit(10000); // the graph is there
-  this->Filter->SetProjectionTolerance(1.0);
-  this->Filter->SetPairData(MakePairs({ { { 0.51, 0.52, 0.0 } }, { { 0.6, 0.1, 0.0 } } }));
-  ExpectError(this->Filter, { "linking points that are not vertices" });
-}
-
-TEST_F(DGGPathUpdates, WrongSurfaces)
-{
-  this->Filter->AddPair(0, 5);
-  ExpectSuccess(this->Filter);
-  this->Filter->SetInputConnection(nullptr);
-  ExpectError(this->Filter, { "there is no input" });
-  this->Filter->SetInputData(vtkSmartPointer<vtkPolyData>::New());
-  ExpectWarning(this->Filter, { "input is empty" });
-  EXPECT_TRUE(GetPaths(this->Filter).empty());
-  EXPECT_NE(this->Filter->GetOutput()->GetFieldData()->GetArray("PathStatus"), nullptr);
-  this->Filter->SetInputData(MakeSourcePoints({ { { 0, 0, 0 } }, { { 1, 0, 0 } } }));
-  this->Filter->RemoveAllPairs();
-  this->Filter->AddPair(0, 1);
-  ExpectError(this->Filter, { "polygon" });
-  auto broken = MakeGrid(3, 3);
-  broken->GetPoints()->SetPoint(5, std::nan(""), 0.0, 0.0);
-  this->Filter->SetInputData(broken);
-  ExpectError(this->Filter, { "point 5", "not finite" });
-  this->Filter->SetInputData(this->Terrain);
-  ExpectSuccess(this->Filter);
-}
-
-TEST_F(DGGPathUpdates, IsTheSameForAnyThreads)
-{
-  const Points places = GetPlaces(this->Terrain);
-  Points ends;
-  Pairs pairs;
-  for (int i = 0; i < 60; ++i)
-  {
-    pairs.emplace_back((i % 5) * 79, (i * 131 + 17) % 400);
-    ends.insert(ends.end(), { places[i % 3], places[(7 * i + 5) % 16] });
-  }
-  for (const int method : { vtkDGGPath::Graph, vtkDGGPath::Exact })
-  {
-    auto make = [&] {
-      vtkNew<vtkDGGPath> filter;
-      filter->SetInputData(this->Terrain);
-      filter->SetAccuracy(0.05);
-      filter->SetMethod(method);
-      AddPairs(filter, pairs);
-      filter->SetPairData(MakePairs(ends));
-      ExpectSuccess(filter);
-      return GetPaths(filter);
-    };
-    const auto expected = make();
-    ASSERT_EQ(expected.size(), 120u);
-    ForEachThreading(
-      [&](const std::string& threading) { EXPECT_TRUE(make() == expected) << threading; });
-  }
-}
-
-TEST_F(DGGPathUpdates, ProgressAndAbort)
-{
-  this->Filter->SetInputData(MakeTerrain(40));
-  for (int i = 0; i < 150; ++i)
-  {
-    this->Filter->AddPair(i * 7, 1599 - i * 5);
-  }
-  for (const int method : { vtkDGGPath::Graph, vtkDGGPath::Exact })
-  {
-    this->Filter->SetMethod(method);
-    ExpectSuccess(this->Filter);
-    const auto expected = GetPaths(this->Filter);
-    ASSERT_EQ(expected.size(), 150u);
-    ProgressWatch watch(this->Filter);
-    this->Filter->Modified();
-    ExpectSuccess(this->Filter);
-    watch.ExpectGrowth(3);
-    watch.StopAt = 0.4;
-    this->Filter->Modified();
-    ExpectSuccess(this->Filter);
-    ExpectEmptyOutput(this->Filter);
-    watch.StopAt = 2.0;
-    ExpectSuccess(this->Filter);
-    EXPECT_TRUE(GetPaths(this->Filter) == expected);
-    this->Filter->RemoveAllObservers();
-  }
 }
 
 /// Also where the thread that waits for the others has no propagation of its own.
@@ -364,34 +187,4 @@ TEST_F(DGGPathUpdates, PropagationsTellTheirProgressInAllThreads)
     EXPECT_LT(watch.Progress.back(), 0.9);
     this->Filter->RemoveAllObservers();
   });
-}
-
-TEST_F(DGGPathUpdates, OneLongPropagationTellsItsProgress)
-{
-  this->Filter->SetInputData(MakeTerrain(120));
-  this->Filter->AddPair(0, 120 * 120 - 1);
-  this->Filter->SetMethodToExact();
-  ProgressWatch watch(this->Filter);
-  ExpectSuccess(this->Filter);
-  watch.ExpectGrowth(3);
-  watch.Progress.clear();
-  watch.StopAt = 0.5;
-  this->Filter->Modified();
-  ExpectSuccess(this->Filter);
-  ExpectEmptyOutput(this->Filter);
-  EXPECT_LT(watch.Progress.back(), 0.9);
-}
-
-TEST_F(DGGPathUpdates, PrintSelf)
-{
-  this->Filter->AddPair(1, 2);
-  ExpectSuccess(this->Filter);
-  std::ostringstream os;
-  this->Filter->Print(os);
-  for (const char* text : { "Method: Graph\n", "NumberOfPairs: 1\n", "Straighten: On\n",
-         "Detour: 0.0001\n", "ProjectionTolerance: 0.01\n", "NumberOfFallbacks: 0\n",
-         "Accuracy: 0.05\n", "GraphAccuracy: 0.05\n" })
-  {
-    EXPECT_NE(os.str().find(text), std::string::npos) << text << " is missing in:\n" << os.str();
-  }
 }

@@ -8,7 +8,6 @@
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicSampler.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -56,18 +55,6 @@ protected:
   vtkSmartPointer<vtkPolyData> Terrain = MakeTerrain(20);
   vtkNew<vtkGeodesicSampler> Filter;
 };
-}
-
-TEST_F(GeodesicSampler, Defaults)
-{
-  vtkNew<vtkGeodesicSampler> filter;
-  EXPECT_EQ(filter->GetNumberOfInputPorts(), 2);
-  EXPECT_EQ(filter->GetNumberOfSamples(), 100);
-  EXPECT_EQ(filter->GetFirstSample(), -1);
-  EXPECT_EQ(filter->GetCoveringRadius(), 0.0);
-  EXPECT_FALSE(filter->GetInFaces());
-  EXPECT_EQ(filter->GetAccuracy(), 0.01);
-  EXPECT_EQ(filter->GetProjectionTolerance(), 0.01);
 }
 
 TEST_F(GeodesicSampler, SamplesArePointsOfTheInput)
@@ -188,11 +175,7 @@ TEST_F(GeodesicSampler, QuadsAndMergedPoints)
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 12);
   // The same sheet twice, on the very same points: copies are no samples of their own.
-  vtkNew<vtkAppendPolyData> both;
-  both->AddInputData(MakeGrid(2, 1));
-  both->AddInputData(MakeGrid(2, 1));
-  both->Update();
-  this->Filter->SetInputData(both->GetOutput());
+  this->Filter->SetInputData(Beside(MakeGrid(2, 1), MakeGrid(2, 1), 0.0));
   this->Filter->MergeCoincidentPointsOn();
   this->Filter->SetNumberOfSamples(6);
   this->Filter->Update(); // warns of edges with four triangles
@@ -200,37 +183,21 @@ TEST_F(GeodesicSampler, QuadsAndMergedPoints)
   EXPECT_EQ(std::set<vtkIdType>(ids.begin(), ids.end()), (std::set<vtkIdType>{ 0, 1, 2, 3, 4, 5 }));
 }
 
-TEST_F(GeodesicSampler, GraphOnTheInput)
+TEST_F(GeodesicSampler, FewerSamplesAreTheFirstOnes)
 {
   ExpectSuccess(this->Filter);
-  EXPECT_FALSE(this->Filter->GetUsedInputGraph());
   const std::vector<vtkIdType> expected = GetIds(this->Filter);
   const vtkMTimeType built = this->Filter->GetGraphBuildTime();
   this->Filter->SetNumberOfSamples(5);
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
   EXPECT_EQ(GetIds(this->Filter), std::vector<vtkIdType>(expected.begin(), expected.begin() + 5));
-  this->Filter->SetNumberOfSamples(12);
-  this->Filter->SetInputData(MakeSurfaceWithGraph(this->Terrain));
-  ExpectSuccess(this->Filter);
-  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
-  EXPECT_EQ(GetIds(this->Filter), expected);
 }
 
 TEST_F(GeodesicSampler, SeveralComponents)
 {
-  vtkNew<vtkAppendPolyData> sheets;
-  sheets->AddInputData(MakeGrid(3, 3));
-  const auto other = MakeGrid(2, 2, GridCells::Triangles, 0.5);
-  for (vtkIdType i = 0; i < other->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    other->GetPoint(i, p);
-    other->GetPoints()->SetPoint(i, p[0] + 10.0, p[1], p[2]);
-  }
-  sheets->AddInputData(other);
-  sheets->Update();
-  this->Filter->SetInputData(sheets->GetOutput());
+  this->Filter->SetInputData(
+    Beside(MakeGrid(3, 3), MakeGrid(2, 2, GridCells::Triangles, 0.5), 10.0));
   this->Filter->SetNumberOfSamples(1);
   ExpectWarning(this->Filter, { "components", "NumberOfSamples" });
   EXPECT_EQ(GetArray(this->Filter, "CoveringRadius")[0], std::numeric_limits<double>::infinity());
@@ -278,85 +245,13 @@ TEST_F(GeodesicSampler, BadInput)
   this->Filter->SetCoveringRadius(-1.0);
   ExpectError(this->Filter, { "CoveringRadius", "-1" });
   this->Filter->SetCoveringRadius(0.0);
-  this->Filter->SetProjectionTolerance(std::numeric_limits<double>::quiet_NaN());
-  ExpectError(this->Filter, { "ProjectionTolerance" });
-  this->Filter->SetProjectionTolerance(0.01);
   this->Filter->SetFirstSample(400);
   ExpectError(this->Filter, { "FirstSample 400", "399" });
   this->Filter->SetFirstSample(-2);
   ExpectError(this->Filter, { "FirstSample -2" });
   this->Filter->SetFirstSample(0);
-  this->Filter->SetAccuracy(0.9);
-  ExpectError(this->Filter, { "0.9" });
-  this->Filter->SetAccuracy(0.05);
-  this->Filter->SetStartData(MakeSourcePoints({ { { 0.5, 0.5, 7.0 } } }));
-  ExpectError(this->Filter, { "start point 0", "ProjectionTolerance" });
   this->Filter->SetStartData(MakeSourcePoints({}));
   ExpectError(this->Filter, { "no start", "port 1" });
   this->Filter->SetStartData(nullptr);
-  this->Filter->SetInputData(nullptr);
-  ExpectError(this->Filter, { "no input" });
-  this->Filter->SetInputData(this->Terrain);
   ExpectSuccess(this->Filter);
-}
-
-TEST_F(GeodesicSampler, EmptyInput)
-{
-  vtkNew<vtkPolyData> empty;
-  this->Filter->SetInputData(empty);
-  ExpectWarning(this->Filter, { "empty" });
-  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(GetArray(this->Filter, "CoveringRadius").size(), 0u);
-}
-
-TEST_F(GeodesicSampler, ProgressAndAbort)
-{
-  this->Filter->SetNumberOfSamples(100);
-  ProgressWatch watch(this->Filter);
-  ExpectSuccess(this->Filter);
-  watch.ExpectGrowth();
-  const std::vector<vtkIdType> expected = GetIds(this->Filter);
-  watch.StopAt = 0.97;
-  this->Filter->Modified();
-  ExpectSuccess(this->Filter); // not an error
-  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
-  watch.StopAt = 2.0;
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(GetIds(this->Filter), expected);
-}
-
-TEST_F(GeodesicSampler, Threads)
-{
-  this->Filter->InFacesOn();
-  ExpectSuccess(this->Filter);
-  vtkNew<vtkPolyData> expected;
-  expected->DeepCopy(this->Filter->GetOutput());
-  ForEachThreading([&](const std::string& what) {
-    vtkNew<vtkGeodesicSampler> filter;
-    filter->SetInputData(this->Terrain);
-    filter->SetAccuracy(0.05);
-    filter->SetNumberOfSamples(12);
-    filter->InFacesOn();
-    ExpectSuccess(filter);
-    for (vtkIdType i = 0; i < 12; ++i)
-    {
-      double p[3];
-      double q[3];
-      filter->GetOutput()->GetPoint(i, p);
-      expected->GetPoint(i, q);
-      EXPECT_TRUE(std::equal(p, p + 3, q)) << what;
-    }
-  });
-}
-
-TEST_F(GeodesicSampler, PrintsItself)
-{
-  ExpectSuccess(this->Filter);
-  std::ostringstream os;
-  this->Filter->Print(os);
-  for (const char* line : { "NumberOfSamples: 12\n", "FirstSample: -1\n", "CoveringRadius: 0\n",
-         "InFaces: Off\n", "Accuracy: 0.05\n" })
-  {
-    EXPECT_NE(os.str().find(line), std::string::npos) << line;
-  }
 }

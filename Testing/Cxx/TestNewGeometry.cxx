@@ -4,17 +4,12 @@
 /// What all outputs have in common that are new geometry on a surface: field data and the precision
 /// of points.
 #include "GraphTestTools.h"
+#include "SurfaceFilterCases.h"
 
-#include "vtkApolloniusIsolines.h"
 #include "vtkDGGLoop.h"
-#include "vtkDGGPath.h"
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicPatchBoundaries.h"
-#include "vtkGeodesicSampler.h"
-#include "vtkGeodesicVoronoi.h"
-#include "vtkPoissonVectorGraphics.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -25,9 +20,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <functional>
-#include <ostream>
 #include <sstream>
 #include <vector>
 
@@ -35,156 +27,6 @@ using namespace dggtest;
 
 namespace
 {
-/// A filter, and which of its outputs are new geometry.
-struct Case
-{
-  const char* Name;
-  std::function<vtkSmartPointer<vtkGeodesicAlgorithm>(vtkPolyData* surface)> Make;
-  std::vector<int> Ports;
-  std::vector<const char*> Arrays; ///< point arrays of all of them
-};
-
-void PrintTo(const Case& tested, std::ostream* os)
-{
-  *os << tested.Name;
-}
-
-/// A surface that is neither flat nor straight, with coordinates of the given type that are
-/// integers.
-vtkSmartPointer<vtkPolyData> MakeRelief(int dataType)
-{
-  auto surface = MakeGrid(8, 8);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(dataType);
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    surface->GetPoint(i, p);
-    points->InsertNextPoint(10.0 * p[0], 10.0 * p[1], static_cast<double>(i * i * 7 % 9));
-  }
-  surface->SetPoints(points);
-  return surface;
-}
-
-void AddNote(vtkPolyData* surface, const char* name)
-{
-  vtkNew<vtkStringArray> note;
-  note->SetName(name);
-  note->InsertNextValue("kept");
-  surface->GetFieldData()->AddArray(note);
-}
-
-template <typename Filter>
-vtkSmartPointer<Filter> MakeFilter(vtkPolyData* surface)
-{
-  auto filter = vtkSmartPointer<Filter>::New();
-  filter->SetInputData(surface);
-  return filter;
-}
-
-vtkSmartPointer<vtkGeodesicAlgorithm> MakePath(vtkPolyData* surface)
-{
-  auto path = MakeFilter<vtkDGGPath>(surface);
-  path->SetAccuracy(0.05);
-  path->AddPair(0, 70);
-  path->AddPair(3, 41);
-  return path;
-}
-
-vtkSmartPointer<vtkGeodesicAlgorithm> MakeLoop(vtkPolyData* surface)
-{
-  auto loop = MakeFilter<vtkDGGLoop>(surface);
-  loop->SetAccuracy(0.05);
-  loop->SetModeToRope();
-  loop->SetPointIds({ 11, 15, 69, 65 });
-  loop->SetTapeWidth(3.0);
-  return loop;
-}
-
-vtkSmartPointer<vtkGeodesicAlgorithm> MakeSampler(vtkPolyData* surface)
-{
-  auto sampler = MakeFilter<vtkGeodesicSampler>(surface);
-  sampler->SetAccuracy(0.05);
-  sampler->SetNumberOfSamples(15);
-  sampler->InFacesOn();
-  return sampler;
-}
-
-vtkSmartPointer<vtkGeodesicAlgorithm> MakeGraphics(vtkPolyData* surface)
-{
-  vtkNew<vtkPoints> places;
-  places->SetDataTypeToDouble();
-  for (const vtkIdType id : { 11, 15, 69 })
-  {
-    double p[3] = { 0.0, 0.0, 0.0 };
-    double q[3] = { 0.0, 0.0, 0.0 };
-    if (id + 1 < surface->GetNumberOfPoints())
-    {
-      surface->GetPoint(id, p);
-      surface->GetPoint(id + 1, q);
-    }
-    // On the edge between them.
-    places->InsertNextPoint(
-      (2.0 * p[0] + q[0]) / 3.0, (2.0 * p[1] + q[1]) / 3.0, (2.0 * p[2] + q[2]) / 3.0);
-  }
-  vtkNew<vtkPolyData> curves;
-  curves->SetPoints(places);
-  curves->SetLines(MakeCells({ { 0, 1, 2 } }));
-  for (const char* name : { "LeftColor", "RightColor" })
-  {
-    vtkNew<vtkDoubleArray> colors;
-    colors->SetName(name);
-    colors->SetNumberOfComponents(3);
-    colors->InsertNextTuple3(0.25, 0.5, name[0] == 'L' ? 1.0 : 0.0);
-    curves->GetCellData()->AddArray(colors);
-  }
-  auto graphics = MakeFilter<vtkPoissonVectorGraphics>(surface);
-  graphics->SetCurveData(curves);
-  return graphics;
-}
-
-vtkSmartPointer<vtkGeodesicAlgorithm> MakeVoronoi(vtkPolyData* surface)
-{
-  auto voronoi = MakeFilter<vtkGeodesicVoronoi>(surface);
-  voronoi->SetAccuracy(0.05);
-  voronoi->SetSiteIds({ 10, 16, 64, 70 });
-  voronoi->CentroidalOn();
-  voronoi->SetNumberOfIterations(2);
-  return voronoi;
-}
-
-/// Of the distances in space from the first point.
-vtkSmartPointer<vtkGeodesicAlgorithm> MakeIsolines(vtkPolyData* surface)
-{
-  vtkNew<vtkDoubleArray> distances;
-  distances->SetName("GeodesicDistance");
-  double largest = 0.0;
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    distances->InsertNextValue(EuclideanDistance(surface, 0, i));
-    largest = std::max(largest, distances->GetValue(i));
-  }
-  surface->GetPointData()->AddArray(distances);
-  auto isolines = MakeFilter<vtkApolloniusIsolines>(surface);
-  isolines->SetMethodToLinear();
-  isolines->GenerateValues(4, 0.1 * largest, 0.9 * largest);
-  return isolines;
-}
-
-vtkSmartPointer<vtkGeodesicAlgorithm> MakeBoundaries(vtkPolyData* surface)
-{
-  vtkNew<vtkPolyData> second;
-  second->DeepCopy(surface);
-  vtkNew<vtkPolyData> layout;
-  layout->SetPolys(MakeCells({ { 0, 1, 2 }, { 0, 2, 3 } }));
-  auto boundaries = MakeFilter<vtkGeodesicPatchBoundaries>(surface);
-  boundaries->SetSecondSurfaceData(second);
-  boundaries->SetFirstLandmarkIds({ 10, 16, 70, 64 });
-  boundaries->SetSecondLandmarkIds({ 20, 24, 60, 56 });
-  boundaries->SetLayoutData(layout);
-  return boundaries;
-}
-
 using Coordinates = std::vector<double>;
 
 Coordinates GetCoordinates(vtkPolyData* output)
@@ -214,7 +56,7 @@ std::vector<double> GetValues(vtkFieldData* data)
   return values;
 }
 
-class NewGeometry : public ::testing::TestWithParam<Case>
+class NewGeometry : public ::testing::TestWithParam<SurfaceFilter>
 {
 protected:
   /// Update, and collect all coordinates; expect that they are of this type.
@@ -434,17 +276,8 @@ TEST_P(NewGeometry, EmptyInput)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Filters, NewGeometry,
-  ::testing::Values(
-    Case{ "Path", MakePath, { 0 }, { "FaceId", "vtkOriginalPointIds", "ArcLength" } },
-    Case{ "Loop", MakeLoop, { 0, 1 }, { "FaceId", "vtkOriginalPointIds", "ArcLength" } },
-    Case{ "Isolines", MakeIsolines, { 0 }, { "FaceId", "vtkOriginalPointIds", "ArcLength" } },
-    Case{ "Sampler", MakeSampler, { 0 }, { "FaceId", "vtkOriginalPointIds", "CoveringRadius" } },
-    Case{ "Voronoi", MakeVoronoi, { 1, 2, 3 }, {} },
-    Case{ "Graphics", MakeGraphics, { 0 }, { "Colors", "RGB" } },
-    Case{ "PatchBoundaries", MakeBoundaries, { 0, 1 },
-      { "FaceId", "vtkOriginalPointIds", "ArcLength", "ArcFraction" } }),
-  [](const ::testing::TestParamInfo<Case>& tested) { return tested.param.Name; });
+INSTANTIATE_TEST_SUITE_P(Filters, NewGeometry, ::testing::ValuesIn(GetSurfaceFilters()),
+  [](const ::testing::TestParamInfo<SurfaceFilter>& tested) { return tested.param.Name; });
 
 TEST(NewGeometryOfTwoSurfaces, EachHasItsOwn)
 {
@@ -452,7 +285,7 @@ TEST(NewGeometryOfTwoSurfaces, EachHasItsOwn)
   auto second = MakeSurfaceWithGraph(MakeRelief(VTK_DOUBLE));
   AddNote(first, "first");
   AddNote(second, "second");
-  const auto filter = MakeBoundaries(first);
+  const auto filter = GetSurfaceFilter("PatchBoundaries").Make(first);
   vtkGeodesicPatchBoundaries::SafeDownCast(filter)->SetSecondSurfaceData(second);
   filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION); // that of each surface
   ExpectSuccess(filter);
@@ -468,7 +301,7 @@ TEST(NewGeometryOfTwoSurfaces, EachHasItsOwn)
 TEST(OldGeometry, StaysAsItIs)
 {
   auto surface = MakeSurfaceWithGraph(MakeRelief(VTK_FLOAT));
-  const auto filter = MakeVoronoi(surface);
+  const auto filter = GetSurfaceFilter("Voronoi").Make(surface);
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   ExpectSuccess(filter);
   EXPECT_EQ(filter->GetOutput(0)->GetPoints(), surface->GetPoints());
@@ -488,7 +321,7 @@ TEST(OldGeometry, WindowsGoWithTheDistancesThatAreReplaced)
   distance->AddSourceId(0);
   distance->GenerateWindowsOn();
   distance->Update();
-  const auto filter = MakeVoronoi(distance->GetOutput());
+  const auto filter = GetSurfaceFilter("Voronoi").Make(distance->GetOutput());
   ExpectSuccess(filter);
   vtkFieldData* data = filter->GetOutput(0)->GetFieldData();
   EXPECT_EQ(data->GetAbstractArray("GeodesicDistance.WindowInfo"), nullptr);

@@ -49,38 +49,6 @@ class Loop(unittest.TestCase):
                 steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
                 self.assertAlmostEqual(steps.sum(), SIDES, delta=1e-9)
 
-    def test_around_handles(self):
-        self.loop.SetModeToAroundHandles()
-        lines = vtkdgg.check(self.loop)
-        self.assertEqual(lines.GetNumberOfLines(), 1)
-        self.assertEqual(self.loop.GetGraphBuildTime(), 0)
-
-    def test_ropes(self):
-        self.loop.SetModeToRope()
-        self.loop.SetPointIds([SIDES, 5 * SIDES + 2, 2 * SIDES + 4])
-        slack = values(vtkdgg.check(self.loop).GetCellData(), "Length")[0]
-        self.assertAlmostEqual(slack, np.hypot(2, 4) + np.hypot(2, 3) + np.hypot(3, 1), delta=1e-9)
-        self.loop.TautOn()
-        tight = values(vtkdgg.check(self.loop).GetCellData(), "Length")[0]
-        self.assertAlmostEqual(tight, SIDES, delta=1e-10)
-        self.loop.SetPointIds([SIDES])
-        with self.assertRaisesRegex(vtkdgg.VTKError, "three points"):
-            vtkdgg.check(self.loop)
-
-    def test_tapes(self):
-        self.loop.SetPointIds([4 * SIDES])
-        self.loop.SetTapeWidth(1.2)
-        vtkdgg.check(self.loop)
-        rims = self.loop.GetTape()
-        self.assertEqual(rims.GetNumberOfLines(), 2)
-        heights = sorted(points_of(rims, i)[:, 2].mean() for i in range(2))
-        np.testing.assert_allclose(heights, [3.4, 4.6], atol=1e-5)
-        np.testing.assert_allclose(values(rims.GetCellData(), "Length"), SIDES, rtol=1e-4)
-        np.testing.assert_array_equal(values(rims.GetCellData(), "LoopId"), [0, 0])
-        self.loop.SetTapeWidth(-1.0)
-        with self.assertRaisesRegex(vtkdgg.VTKError, "TapeWidth"):
-            vtkdgg.check(self.loop)
-
     def test_tubes(self):
         self.loop.SetPointIds([4 * SIDES])
         self.loop.SetTapeWidth(1.2)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Paths: vtkdgg.path, vtkdgg.Graph.path and the filter in a pipeline."""
+"""Paths: vtkdgg.path and vtkdgg.Graph.path."""
 
 import pickle
 import unittest
@@ -8,8 +8,6 @@ import unittest
 import numpy as np
 import support
 import vtkdgg
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 ACCURACY = 0.02
 
@@ -200,39 +198,6 @@ class Small(unittest.TestCase):
             graph.path(0, 1, projection_tolerance=-1)
         with self.assertRaisesRegex(vtkdgg.VTKError, "accuracy"):
             vtkdgg.path(self.POINTS, [[0, 1, 2]], 0, 1, accuracy=0.7)
-
-
-class Filter(unittest.TestCase):
-    def test_pipeline(self):
-        points, triangles = support.grid(4, 3)
-        path = vtkdgg.vtkDGGPath()
-        path.SetInputData(support.polydata(points, triangles))
-        path.AddPair(0, 19)
-        line = support.polydata([[0.5, 0.25, 0], [3.5, 2.75, 0]], [])
-        cells = vtkCellArray()
-        cells.InsertNextCell(2)
-        cells.InsertCellPoint(0)
-        cells.InsertCellPoint(1)
-        line.SetLines(cells)
-        path.SetPairData(line)
-        path.SetMethodToExact()
-        output = vtkdgg.check(path)
-        lengths = vtk_to_numpy(output.GetCellData().GetArray("Length"))
-        np.testing.assert_allclose(lengths, [5.0, np.hypot(3.0, 2.5)], rtol=1e-9)
-        self.assertEqual(output.GetNumberOfLines(), 2)
-        self.assertEqual(path.GetMethodAsString(), "Exact")
-
-    def test_errors(self):
-        path = vtkdgg.vtkDGGPath()
-        path.SetInputData(support.polydata(*support.grid(4, 3)))
-        with self.assertRaisesRegex(vtkdgg.VTKError, "no pair of points"):
-            vtkdgg.check(path)
-        path.AddPair(0, 20)
-        with self.assertRaisesRegex(vtkdgg.VTKError, "path end id 20"):
-            vtkdgg.check(path)
-        path.RemoveAllPairs()
-        path.AddPair(0, 19)
-        self.assertEqual(vtkdgg.check(path).GetNumberOfLines(), 1)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggBorderCurves.h"
 
+#include "dggVoronoi.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <tuple>
@@ -9,20 +11,11 @@
 
 namespace dgg
 {
-namespace
-{
-/// One end of a piece.
-struct PieceEnd
-{
-  Id Point;
-  std::size_t Piece;
-};
-
 /// The pieces between one pair of cells.
-class Joiner
+class BorderCurves::Joiner
 {
 public:
-  Joiner(const BorderPiece* begin, std::size_t size, VoronoiDiagram& diagram)
+  Joiner(const Piece* begin, std::size_t size, VoronoiDiagram& diagram)
     : Pieces(begin)
     , IsUsed(size, 0)
     , Diagram(diagram)
@@ -57,6 +50,13 @@ public:
   }
 
 private:
+  /// One end of a piece.
+  struct PieceEnd
+  {
+    Id Point;
+    std::size_t Piece;
+  };
+
   using Range =
     std::pair<std::vector<PieceEnd>::const_iterator, std::vector<PieceEnd>::const_iterator>;
 
@@ -100,29 +100,70 @@ private:
     this->Diagram.CurveSites.push_back(this->Pieces[start.Piece].Sites);
   }
 
-  const BorderPiece* Pieces;
+  const Piece* Pieces;
   std::vector<char> IsUsed;
   VoronoiDiagram& Diagram;
   std::vector<PieceEnd> Ends; ///< by points
 };
+
+void BorderCurves::AddPiece(Id site, Id other, const std::array<Id, 2>& points)
+{
+  if (site != other)
+  {
+    this->Pieces.push_back({ { { std::min(site, other), std::max(site, other) } }, points });
+  }
 }
 
-void JoinBorderPieces(std::vector<BorderPiece>& pieces, VoronoiDiagram& diagram)
+/// All cells along a piece of an edge: those that were added, and its owner where there are more
+/// faces.
+void BorderCurves::AddPiecesOfSide(const SurfaceMesh& mesh, Side begin, Side end)
 {
-  const auto key = [](const BorderPiece& piece) { return std::tie(piece.Sites, piece.Points); };
-  std::sort(pieces.begin(), pieces.end(),
-    [&key](const BorderPiece& a, const BorderPiece& b) { return key(a) < key(b); });
-  pieces.erase(std::unique(pieces.begin(), pieces.end(),
-                 [&key](const BorderPiece& a, const BorderPiece& b) { return key(a) == key(b); }),
-    pieces.end());
-  for (std::size_t begin = 0; begin < pieces.size();)
+  std::vector<Id> sites;
+  for (auto side = begin; side != end; ++side)
   {
-    std::size_t end = begin;
-    while (end < pieces.size() && pieces[end].Sites == pieces[begin].Sites)
+    sites.push_back(side->Site);
+  }
+  std::ptrdiff_t faces = 1;
+  for (Id e = mesh.Twin(begin->HalfEdge); e != NoId && e != begin->HalfEdge; e = mesh.Twin(e))
+  {
+    ++faces;
+  }
+  if (end - begin < faces)
+  {
+    sites.push_back(begin->Owner);
+  }
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
     {
-      ++end;
+      this->AddPiece(sites[i], sites[j], begin->Points);
     }
-    Joiner(pieces.data() + begin, end - begin, diagram).Run();
+  }
+}
+
+void BorderCurves::AddTo(const SurfaceMesh& mesh, VoronoiDiagram& diagram)
+{
+  std::sort(this->Sides.begin(), this->Sides.end(), [](const BorderSide& a, const BorderSide& b) {
+    return std::tie(a.Points, a.Site) < std::tie(b.Points, b.Site);
+  });
+  for (auto begin = this->Sides.cbegin(); begin != this->Sides.cend();)
+  {
+    const auto end = std::find_if(begin, this->Sides.cend(),
+      [begin](const BorderSide& side) { return side.Points != begin->Points; });
+    this->AddPiecesOfSide(mesh, begin, end);
+    begin = end;
+  }
+  const auto key = [](const Piece& piece) { return std::tie(piece.Sites, piece.Points); };
+  std::sort(this->Pieces.begin(), this->Pieces.end(),
+    [&key](const Piece& a, const Piece& b) { return key(a) < key(b); });
+  const auto last = std::unique(this->Pieces.begin(), this->Pieces.end(),
+    [&key](const Piece& a, const Piece& b) { return key(a) == key(b); });
+  this->Pieces.erase(last, this->Pieces.end());
+  for (auto begin = this->Pieces.cbegin(); begin != this->Pieces.cend();)
+  {
+    const auto end = std::find_if(begin, this->Pieces.cend(),
+      [begin](const Piece& piece) { return piece.Sites != begin->Sites; });
+    Joiner(&*begin, static_cast<std::size_t>(end - begin), diagram).Run();
     begin = end;
   }
 }

@@ -3,6 +3,7 @@
 #include "dggEdgeCuts.h"
 
 #include "dggBorderRefinement.h"
+#include "dggEdges.h"
 #include "dggVoronoi.h"
 
 #include <algorithm>
@@ -72,12 +73,6 @@ double DistanceOn(const Line& line, double t, double length)
 }
 }
 
-EdgeCuts::EdgeCuts(const SurfaceMesh& mesh)
-  : Mesh(mesh)
-  , Representatives(mesh.GetNumberOfHalfEdges(), NoId)
-{
-}
-
 bool EdgeCuts::Run(const SiteDistances& distances, const BorderRefinement* refinement,
   const ProgressCallback& progress, VoronoiDiagram& diagram)
 {
@@ -89,14 +84,9 @@ bool EdgeCuts::Run(const SiteDistances& distances, const BorderRefinement* refin
       return false;
     }
     this->Offsets.push_back(static_cast<Offset>(this->Cuts.size()));
-    if (this->Mesh.IsDropped(SurfaceMesh::Face(h)) || this->Representatives[h] != NoId)
+    if (this->Mesh.IsDropped(SurfaceMesh::Face(h)) || FindEdge(this->Mesh, h) != h)
     {
       continue;
-    }
-    this->Representatives[h] = h;
-    for (Id e = this->Mesh.Twin(h); e != NoId && e != h; e = this->Mesh.Twin(e))
-    {
-      this->Representatives[e] = h;
     }
     this->Cut(h, distances, diagram);
     if (refinement)
@@ -196,7 +186,7 @@ void EdgeCuts::Cut(Id halfEdge, const SiteDistances& distances, VoronoiDiagram& 
 
 std::vector<EdgeCut> EdgeCuts::Of(Id halfEdge) const
 {
-  const Id first = this->Representatives[halfEdge];
+  const Id first = FindEdge(this->Mesh, halfEdge);
   std::vector<EdgeCut> cuts(
     this->Cuts.begin() + this->Offsets[first], this->Cuts.begin() + this->Offsets[first + 1]);
   if (this->Mesh.Origin(first) != this->Mesh.Origin(halfEdge))

@@ -35,7 +35,10 @@ constexpr double SamePlace = 1e-5;
 class EdgeCuts
 {
 public:
-  explicit EdgeCuts(const SurfaceMesh& mesh);
+  explicit EdgeCuts(const SurfaceMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
 
   /// Find the cuts. Appends border points to the diagram, whose nearest sites are known. The
   /// refinement may be null. False when aborted.
@@ -50,8 +53,7 @@ private:
   void Cut(Id halfEdge, const SiteDistances& distances, VoronoiDiagram& diagram);
 
   const SurfaceMesh& Mesh;
-  std::vector<Id> Representatives; ///< per half-edge, the first one of its edge
-  std::vector<Offset> Offsets;     ///< per half-edge, and one more; only first ones have cuts
+  std::vector<Offset> Offsets; ///< per half-edge, and one more; only those of FindEdge() have cuts
   std::vector<EdgeCut> Cuts;
 };
 }

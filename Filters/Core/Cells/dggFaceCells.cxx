@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 
 namespace dgg
@@ -53,12 +52,13 @@ double CommonPart(const SurfaceMesh& mesh, Id face, const Coordinates& place)
 }
 
 FaceCells::FaceCells(const SurfaceMesh& mesh, const SiteDistances& distances, const EdgeCuts& cuts,
-  const BorderRefinement* refinement, VoronoiDiagram& diagram)
+  const BorderRefinement* refinement, VoronoiDiagram& diagram, BorderCurves& borders)
   : Mesh(mesh)
   , Distances(distances)
   , Cuts(cuts)
   , Refinement(refinement)
   , Diagram(diagram)
+  , Borders(borders)
 {
 }
 
@@ -466,7 +466,7 @@ void FaceCells::AddPieces()
       }
       else if (this->Owners[k] != cell.Site)
       {
-        this->BorderSides.push_back({ points, cell.Site, this->Owners[k], this->HalfEdges[k] });
+        this->Borders.AddSide({ points, cell.Site, this->Owners[k], this->HalfEdges[k] });
       }
     }
   }
@@ -475,60 +475,8 @@ void FaceCells::AddPieces()
   {
     if (inside[i].first == inside[i - 1].first)
     {
-      this->AddPiece(inside[i - 1].second, inside[i].second, inside[i].first);
+      this->Borders.AddPiece(inside[i - 1].second, inside[i].second, inside[i].first);
     }
-  }
-}
-
-std::vector<BorderPiece> FaceCells::TakePieces()
-{
-  std::sort(this->BorderSides.begin(), this->BorderSides.end(),
-    [](const BorderSide& a, const BorderSide& b) {
-      return std::tie(a.Points, a.Site) < std::tie(b.Points, b.Site);
-    });
-  for (auto begin = this->BorderSides.cbegin(); begin != this->BorderSides.cend();)
-  {
-    const auto end = std::find_if(begin, this->BorderSides.cend(),
-      [begin](const BorderSide& side) { return side.Points != begin->Points; });
-    this->AddSidePieces(begin, end);
-    begin = end;
-  }
-  return std::move(this->Pieces);
-}
-
-/// All cells along a piece of an edge: those told, and its owner where there are more faces.
-void FaceCells::AddSidePieces(
-  std::vector<BorderSide>::const_iterator begin, std::vector<BorderSide>::const_iterator end)
-{
-  std::vector<Id> sites;
-  for (auto side = begin; side != end; ++side)
-  {
-    sites.push_back(side->Site);
-  }
-  std::ptrdiff_t faces = 1;
-  for (Id e = this->Mesh.Twin(begin->HalfEdge); e != NoId && e != begin->HalfEdge;
-       e = this->Mesh.Twin(e))
-  {
-    ++faces;
-  }
-  if (end - begin < faces)
-  {
-    sites.push_back(begin->Owner);
-  }
-  for (std::size_t i = 0; i < sites.size(); ++i)
-  {
-    for (std::size_t j = 0; j < i; ++j)
-    {
-      this->AddPiece(sites[i], sites[j], begin->Points);
-    }
-  }
-}
-
-void FaceCells::AddPiece(Id site, Id other, const std::array<Id, 2>& points)
-{
-  if (site != other)
-  {
-    this->Pieces.push_back({ { { std::min(site, other), std::max(site, other) } }, points });
   }
 }
 

@@ -5,6 +5,7 @@
 #ifndef dggFaceCells_h
 #define dggFaceCells_h
 
+#include "dggBorderCurves.h"  // for borders
 #include "dggEdgeCuts.h"      // for the cuts
 #include "dggSiteDistances.h" // for the distances
 #include "dggVoronoi.h"       // for the diagram
@@ -16,23 +17,6 @@ namespace dgg
 {
 class BorderRefinement;
 
-/// A piece of the border between two cells.
-struct BorderPiece
-{
-  std::array<Id, 2> Sites; ///< the smaller one first
-  std::array<Id, 2> Points;
-};
-
-/// A piece of an edge of the mesh along a cell that does not own it: what belongs to a cell on one
-/// side of the edge only.
-struct BorderSide
-{
-  std::array<Id, 2> Points; ///< the smaller one first
-  Id Site;                  ///< of the cell
-  Id Owner;                 ///< of that piece of the edge
-  Id HalfEdge;
-};
-
 /// Cuts faces along the borders of cells: for each site that a face knows, the face is clipped by
 /// the lines on which the site is as near as another one. What crosses the sides of the face is
 /// taken from the cuts of the edges.
@@ -43,15 +27,13 @@ struct BorderSide
 class FaceCells
 {
 public:
-  /// Appends polygons and border points to the diagram. The refinement may be null.
+  /// Appends polygons and border points to the diagram, and what separates cells to the borders.
+  /// The refinement may be null.
   FaceCells(const SurfaceMesh& mesh, const SiteDistances& distances, const EdgeCuts& cuts,
-    const BorderRefinement* refinement, VoronoiDiagram& diagram);
+    const BorderRefinement* refinement, VoronoiDiagram& diagram, BorderCurves& borders);
 
   /// One face that has not been dropped.
   void Cut(Id face);
-
-  /// The borders within the faces so far, and along their sides.
-  std::vector<BorderPiece> TakePieces();
 
 private:
   using Coordinates = std::array<double, 3>;
@@ -99,9 +81,6 @@ private:
   static double PartOf(const Cell& cell);
   void WalkAround(Id face);
   void AddPieces();
-  void AddSidePieces(
-    std::vector<BorderSide>::const_iterator begin, std::vector<BorderSide>::const_iterator end);
-  void AddPiece(Id site, Id other, const std::array<Id, 2>& points);
   void AddCell(Id site, const std::vector<Point>& points);
   void AddPolygon(Id face, const Cell& cell);
 
@@ -110,8 +89,7 @@ private:
   const EdgeCuts& Cuts;
   const BorderRefinement* Refinement;
   VoronoiDiagram& Diagram;
-  std::vector<BorderPiece> Pieces;
-  std::vector<BorderSide> BorderSides;
+  BorderCurves& Borders;
 
   // Of the face at work.
   std::array<std::vector<EdgeCut>, 3> Sides;

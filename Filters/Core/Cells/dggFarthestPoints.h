@@ -7,12 +7,15 @@
 
 #include "dggGraphSearch.h" // for GraphSeed
 
-#include <cstddef> // for std::size_t
-#include <memory>  // for the internals
-#include <vector>  // for the seeds
+#include <memory> // for the fans
+#include <vector> // for the seeds
 
 namespace dgg
 {
+class BucketQueue;
+class GraphFans;
+struct LabelOrigin;
+
 /// The vertex that is farthest from all samples.
 struct FarthestVertex
 {
@@ -50,17 +53,31 @@ public:
   FarthestVertex Find();
 
   /// Distance of every vertex from the nearest sample, along the graph.
-  const std::vector<double>& GetDistances() const;
-
+  const std::vector<double>& GetDistances() const { return this->Distances; }
   /// The nearest sample of every vertex, numbered as they were added; NoId where none reaches.
-  const std::vector<Id>& GetNearestSamples() const;
-
-  /// Bytes held besides the graph.
-  std::size_t GetMemorySize() const;
+  const std::vector<Id>& GetNearestSamples() const { return this->NearestSamples; }
 
 private:
-  class Implementation;
-  std::unique_ptr<Implementation> Internals;
+  /// A vertex and its distance when it was entered: later it is at most that.
+  struct Candidate
+  {
+    double Distance;
+    Id Vertex;
+  };
+  static bool IsNearer(const Candidate& a, const Candidate& b);
+
+  const GraphView Graph;
+  const double BucketWidth;
+  std::vector<double> Distances;
+  std::vector<LabelOrigin> Origins;
+  std::unique_ptr<GraphFans> Fans; // null where there are no angles
+  std::unique_ptr<BucketQueue> Queue;
+  std::vector<Id> Touched;
+  std::vector<Id> NearestSamples; // per vertex
+  Id NumberOfSamples = 0;
+  /// All vertices with edges, a heap. Distances in it are not lowered with the labels, but when
+  /// they come to the top.
+  std::vector<Candidate> Candidates;
 };
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSurfaceSampler.h"
 
+#include "dggEdges.h"
 #include "dggFarthestPoints.h"
 #include "dggGraphSeeds.h"
 #include "dggProgressPart.h"
@@ -236,8 +237,9 @@ private:
         const int k = pieces - i - j;
         const bool isCorner = i == pieces || j == pieces || k == pieces;
         // Those on a side belong to one of its faces.
-        const bool isElsewhere = (k == 0 && !IsFirst(mesh, 3 * f)) ||
-          (i == 0 && !IsFirst(mesh, 3 * f + 1)) || (j == 0 && !IsFirst(mesh, 3 * f + 2));
+        const auto isOther = [&](Id h) { return FindEdge(mesh, h) != h; };
+        const bool isElsewhere = (k == 0 && isOther(3 * f)) || (i == 0 && isOther(3 * f + 1)) ||
+          (j == 0 && isOther(3 * f + 2));
         if (isCorner || isElsewhere)
         {
           continue;
@@ -251,16 +253,6 @@ private:
         this->Points.push_back(SurfacePoint::InFace(mesh, f, place));
       }
     }
-  }
-
-  static bool IsFirst(const SurfaceMesh& mesh, Id h)
-  {
-    bool isFirst = true;
-    for (Id e = mesh.Twin(h); e != NoId && e != h; e = mesh.Twin(e))
-    {
-      isFirst = isFirst && h < e;
-    }
-    return isFirst;
   }
 
   const GraphBuilder& Builder;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggVoronoi.h"
 
-#include "dggBorderCurves.h"
 #include "dggBorderRefinement.h"
 #include "dggEdgeCuts.h"
 #include "dggFaceCells.h"
@@ -117,7 +116,8 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInp
   {
     return Status::Abort();
   }
-  FaceCells cells(mesh, distances, cuts, refinement.get(), diagram);
+  BorderCurves borders;
+  FaceCells cells(mesh, distances, cuts, refinement.get(), diagram, borders);
   diagram.PolygonOffsets.push_back(0);
   const ProgressCallback rest = ProgressPart(progress, CutsDone, 1.0);
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
@@ -133,8 +133,7 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInp
     }
   }
   diagram.CurveOffsets.push_back(0);
-  std::vector<BorderPiece> pieces = cells.TakePieces();
-  JoinBorderPieces(pieces, diagram);
+  borders.AddTo(mesh, diagram);
   return status;
 }
 }

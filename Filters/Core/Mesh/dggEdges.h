@@ -11,11 +11,13 @@
 
 namespace dgg
 {
-/// The half-edge that stands for the edge of h: the smallest one of all that lie there.
-inline Id FindEdge(const SurfaceMesh& mesh, Id h)
+/// The half-edge that stands for the edge of h: the smallest one of all that lie there. `surface`
+/// is a SurfaceMesh, or has half-edges as that has.
+template <typename Surface>
+Id FindEdge(const Surface& surface, Id h)
 {
   Id smallest = h;
-  for (Id e = mesh.Twin(h); e != NoId && e != h; e = mesh.Twin(e))
+  for (Id e = surface.Twin(h); e != NoId && e != h; e = surface.Twin(e))
   {
     smallest = std::min(smallest, e);
   }

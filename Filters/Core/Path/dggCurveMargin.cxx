@@ -4,11 +4,9 @@
 
 #include "dggUnfolding.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
 
 namespace dgg
 {
@@ -41,22 +39,18 @@ public:
   void Run();
 
 private:
-  /// Where an edge of the rest lies, and its ends.
-  using Key = std::tuple<Offset, Id, Id, Id>;
-
   Corner CornerAt(Id h) const;
   Corner PointOn(Id h, bool nearOrigin);
   void AddPolygon(Id f, const std::vector<Corner>& polygon);
   void AddEdge(Id f, const Corner& a, const Corner& b);
-  void Glue();
 
   const SurfaceMesh& OldMesh;
   const RefinedSurface& Surface;
   const std::vector<char>& IsBlocked;
   const std::vector<char>& IsCut;
   RefinedSurface& Rest;
-  std::vector<Id> NewPoints; // per half-edge, near its origin and near its end
-  std::vector<Key> Keys;     // per half-edge of the rest
+  std::vector<Id> NewPoints;  // per half-edge, near its origin and near its end
+  std::vector<Offset> Places; // per half-edge of the rest, what it lies on
 };
 
 void MarginRemover::Run()
@@ -90,7 +84,7 @@ void MarginRemover::Run()
       this->AddPolygon(f, polygon);
     }
   }
-  this->Glue();
+  this->Rest.Glue(this->Places);
 }
 
 Corner MarginRemover::CornerAt(Id h) const
@@ -152,27 +146,9 @@ void MarginRemover::AddEdge(Id f, const Corner& a, const Corner& b)
       length = lengths[k] * std::abs(d[k]);
     }
   }
-  this->Keys.emplace_back(where, std::min(a.Vertex, b.Vertex), std::max(a.Vertex, b.Vertex),
-    static_cast<Id>(this->Rest.Triangles.size()));
+  this->Places.push_back(where);
   this->Rest.Triangles.push_back(a.Vertex);
   this->Rest.Lengths.push_back(length);
-}
-
-void MarginRemover::Glue()
-{
-  this->Rest.Twins.assign(this->Rest.Triangles.size(), NoId);
-  std::sort(this->Keys.begin(), this->Keys.end());
-  for (std::size_t i = 0; i + 1 < this->Keys.size(); ++i)
-  {
-    const Key& a = this->Keys[i];
-    const Key& b = this->Keys[i + 1];
-    if (std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b) &&
-      std::get<2>(a) == std::get<2>(b))
-    {
-      this->Rest.Twins[std::get<3>(a)] = std::get<3>(b);
-      this->Rest.Twins[std::get<3>(b)] = std::get<3>(a);
-    }
-  }
 }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggEdgeSplitting.h"
 
+#include "dggEdges.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace dgg
@@ -48,7 +48,7 @@ public:
     {
       this->SplitFace(f);
     }
-    this->Glue();
+    this->New.Glue(this->OldPlaces);
     this->SplitPaths();
     surface = std::move(this->New);
     if (parents)
@@ -58,22 +58,8 @@ public:
   }
 
 private:
-  /// Where an edge lies, and its ends; and the half-edge.
-  using Key = std::tuple<Offset, Id, Id, Id>;
-
   /// A corner of a face, or the middle of the side of that number, from 3 on.
   using Node = int;
-
-  /// The half-edge that stands for its edge.
-  Id Representative(Id h) const
-  {
-    Id smallest = h;
-    for (Id e = this->Old.Twins[h]; e != NoId && e != h; e = this->Old.Twins[e])
-    {
-      smallest = std::min(smallest, e);
-    }
-    return smallest;
-  }
 
   void AddMiddle(Id h)
   {
@@ -103,7 +89,7 @@ private:
     this->New.Triangles.reserve(3 * faces);
     this->New.Lengths.reserve(3 * faces);
     this->New.Faces.reserve(faces);
-    this->Keys.reserve(3 * faces);
+    this->OldPlaces.reserve(3 * faces);
     this->Parents.reserve(faces);
   }
 
@@ -190,12 +176,6 @@ private:
 
   void AddTriangle(Id f, const std::array<Node, 3>& nodes)
   {
-    std::array<Id, 3> ids{};
-    for (int k = 0; k < 3; ++k)
-    {
-      ids[k] =
-        nodes[k] < 3 ? this->Old.Triangles[3 * f + nodes[k]] : this->Middles[3 * f + nodes[k] - 3];
-    }
     for (int k = 0; k < 3; ++k)
     {
       const Node a = nodes[k];
@@ -206,40 +186,20 @@ private:
       if (side >= 0)
       {
         // The same bits in all faces of the edge.
-        where = this->Representative(3 * f + side);
+        where = FindEdge(this->Old, 3 * f + side);
         length = (a < 3 && b < 3 ? 1.0 : 0.5) * this->Old.Lengths[3 * f + side];
       }
       else
       {
         length = this->Measure(a, b);
       }
-      const Id next = ids[(k + 1) % 3];
-      this->Keys.emplace_back(where, std::min(ids[k], next), std::max(ids[k], next),
-        static_cast<Id>(this->New.Triangles.size()));
-      this->New.Triangles.push_back(ids[k]);
+      this->OldPlaces.push_back(where);
+      this->New.Triangles.push_back(
+        a < 3 ? this->Old.Triangles[3 * f + a] : this->Middles[3 * f + a - 3]);
       this->New.Lengths.push_back(length);
     }
     this->New.Faces.push_back(this->Old.Faces[f]);
     this->Parents.push_back(f);
-  }
-
-  void Glue()
-  {
-    std::vector<Id>& twins = this->New.Twins;
-    twins.assign(this->New.Triangles.size(), NoId);
-    std::sort(this->Keys.begin(), this->Keys.end());
-    for (auto begin = this->Keys.begin(); begin != this->Keys.end();)
-    {
-      const auto end = std::find_if(begin, this->Keys.end(), [begin](const Key& key) {
-        return std::get<0>(key) != std::get<0>(*begin) || std::get<1>(key) != std::get<1>(*begin) ||
-          std::get<2>(key) != std::get<2>(*begin);
-      });
-      for (auto key = begin; key != end && end - begin > 1; ++key)
-      {
-        twins[std::get<3>(*key)] = std::get<3>(key + 1 == end ? *begin : *(key + 1));
-      }
-      begin = end;
-    }
   }
 
   void SplitPaths()
@@ -249,9 +209,9 @@ private:
     {
       if (this->Middles[h] != NoId)
       {
-        const Id a = this->Old.Triangles[h];
-        const Id b = this->Old.Triangles[SurfaceMesh::Next(static_cast<Id>(h))];
-        middles.emplace(std::make_pair(std::min(a, b), std::max(a, b)), this->Middles[h]);
+        const auto edge = static_cast<Id>(h);
+        middles.emplace(
+          std::minmax(this->Old.Origin(edge), this->Old.Destination(edge)), this->Middles[h]);
       }
     }
     for (std::size_t p = 0; p < this->New.Paths.size(); ++p)
@@ -264,8 +224,7 @@ private:
       {
         if (i > 0)
         {
-          const auto middle =
-            middles.find({ std::min(chain[i - 1], chain[i]), std::max(chain[i - 1], chain[i]) });
+          const auto middle = middles.find(std::minmax(chain[i - 1], chain[i]));
           if (middle != middles.end())
           {
             longer.push_back(middle->second);
@@ -287,7 +246,7 @@ private:
   RefinedSurface New;
   std::vector<Id> Middles;        // per half-edge
   std::vector<Id> Parents;        // per new face
-  std::vector<Key> Keys;          // per new half-edge
+  std::vector<Offset> OldPlaces;  // per new half-edge, the old edge or face that it is in
   std::array<Point2, 6> Places{}; // of the nodes of the face at work
 };
 }

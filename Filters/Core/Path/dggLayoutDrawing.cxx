@@ -4,10 +4,9 @@
 
 #include "dggCurveMargin.h"
 #include "dggDisjointSets.h"
-#include "dggExactPath.h"
-#include "dggLayoutSurvey.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
@@ -17,9 +16,17 @@ namespace dgg
 {
 namespace
 {
-std::pair<Id, Id> Unordered(Id a, Id b)
+/// Place of a neighbour in the fan of a vertex; behind all when it is not there.
+double PlaceInFan(const SurfaceMesh& mesh, Id vertex, Id neighbour)
 {
-  return { std::min(a, b), std::max(a, b) };
+  const Id* begin = mesh.FanBegin(vertex);
+  const Id* end = mesh.FanEnd(vertex);
+  const Id* place = end;
+  for (const Id* g = begin; g != end; ++g)
+  {
+    place = mesh.Destination(*g) == neighbour ? g : place;
+  }
+  return static_cast<double>(place - begin);
 }
 
 }
@@ -131,12 +138,12 @@ std::vector<Id> LayoutDrawing::FindBoundaryLoops() const
 {
   DisjointSets sets(this->Surface.Refined.Points.size());
   std::vector<char> isOnBoundary(this->Surface.Refined.Points.size(), 0);
-  for (std::size_t h = 0; h < this->Surface.Refined.Triangles.size(); ++h)
+  for (Id h = 0; h < this->Surface.Refined.GetNumberOfHalfEdges(); ++h)
   {
-    if (this->Surface.Refined.Twins[h] == NoId)
+    if (this->Surface.Refined.Twin(h) == NoId)
     {
-      const Id a = this->Surface.Refined.Triangles[h];
-      const Id b = this->Surface.Refined.Triangles[SurfaceMesh::Next(static_cast<Id>(h))];
+      const Id a = this->Surface.Refined.Origin(h);
+      const Id b = this->Surface.Refined.Destination(h);
       isOnBoundary[a] = 1;
       isOnBoundary[b] = 1;
       sets.Join(a, b);
@@ -154,23 +161,90 @@ std::vector<Id> LayoutDrawing::FindBoundaryLoops() const
 Status LayoutDrawing::Survey(const ProgressCallback& progress, std::vector<double>& lengths,
   std::vector<EdgeOrder>& orders) const
 {
-  lengths.assign(this->Edges.size(), Infinity);
-  orders.assign(this->Landmarks.size(), EdgeOrder());
-  LayoutSurvey survey(this->Mesh, this->Landmarks, this->Edges);
-  Id unconnected = NoId;
-  Status status = survey.FindPaths(progress, unconnected);
-  if (!status.IsOk())
+  std::vector<SurfacePath> paths(this->Edges.size());
+  ExactPathFinder finder(this->Mesh);
+  const auto count = static_cast<Id>(this->Landmarks.size());
+  Status status;
+  for (Id l = 0; l < count && status.IsOk(); ++l)
   {
-    return status;
+    const auto part = [&](double fraction) {
+      return !progress || progress((l + fraction) / static_cast<double>(count));
+    };
+    status = this->FindPathsFrom(finder, l, part, paths);
   }
-  if (unconnected != NoId)
+  if (status.IsOk())
   {
-    return this->Refuse(unconnected, "they are not connected");
+    lengths.clear();
+    std::transform(paths.begin(), paths.end(), std::back_inserter(lengths),
+      [](const SurfacePath& path) { return path.Length; });
+    orders = this->FindOrders(paths);
   }
-  std::transform(survey.GetPaths().begin(), survey.GetPaths().end(), lengths.begin(),
-    [](const SurfacePath& path) { return path.Length; });
-  orders = survey.FindOrders();
   return status;
+}
+
+/// Shortest paths to the other ends of the edges that leave a landmark.
+Status LayoutDrawing::FindPathsFrom(ExactPathFinder& finder, Id landmark,
+  const ProgressCallback& progress, std::vector<SurfacePath>& paths) const
+{
+  std::vector<Id> leaving;
+  std::vector<SurfacePoint> to;
+  for (std::size_t e = 0; e < this->Edges.size(); ++e)
+  {
+    if (this->Edges[e][0] == landmark)
+    {
+      leaving.push_back(static_cast<Id>(e));
+      to.push_back(this->Landmarks[this->Edges[e][1]]);
+    }
+  }
+  std::vector<SurfacePath> found;
+  Status status =
+    to.empty() ? Status::Success() : finder.Find(this->Landmarks[landmark], to, progress, found);
+  for (std::size_t i = 0; i < found.size() && status.IsOk(); ++i)
+  {
+    status = found[i].IsEmpty() ? this->Refuse(leaving[i], "they are not connected") : status;
+    paths[leaving[i]] = std::move(found[i]);
+  }
+  return status;
+}
+
+/// The order in which paths, one for each edge, leave the landmarks. No edges where that is not
+/// found out: it is a hint.
+std::vector<EdgeOrder> LayoutDrawing::FindOrders(const std::vector<SurfacePath>& paths) const
+{
+  std::vector<EdgeOrder> orders(this->Landmarks.size());
+  RefinedSurface crossed;
+  SurfaceMesh mesh;
+  RefinementOptions options;
+  options.InsertCrossings = true;
+  if (!RefineAlongPaths(this->Mesh, paths, options, crossed).IsOk() ||
+    !crossed.Build(this->Mesh, mesh).IsOk())
+  {
+    return orders;
+  }
+  for (std::size_t e = 0; e < this->Edges.size(); ++e)
+  {
+    for (const int end : { 0, 1 })
+    {
+      if (crossed.Paths[e].size() >= 2)
+      {
+        orders[this->Edges[e][end]].Edges.push_back(static_cast<Id>(e));
+      }
+    }
+  }
+  for (std::size_t l = 0; l < this->Landmarks.size(); ++l)
+  {
+    std::map<Id, double> place; // of an edge in the fan
+    for (const Id e : orders[l].Edges)
+    {
+      const std::vector<Id>& chain = crossed.Paths[e];
+      const bool leaves = this->Edges[e][0] == static_cast<Id>(l);
+      place[e] = PlaceInFan(
+        mesh, leaves ? chain.front() : chain.back(), leaves ? chain[1] : chain[chain.size() - 2]);
+    }
+    std::stable_sort(orders[l].Edges.begin(), orders[l].Edges.end(),
+      [&](Id a, Id b) { return place[a] < place[b]; });
+  }
+  return orders;
 }
 
 Status LayoutDrawing::Draw(
@@ -326,7 +400,7 @@ void LayoutDrawing::MarkObstacles(
       isTaken[chain[i]] = 1;
       if (i > 0)
       {
-        onCurves.insert(Unordered(chain[i - 1], chain[i]));
+        onCurves.insert(std::minmax(chain[i - 1], chain[i]));
       }
     }
   }
@@ -335,14 +409,13 @@ void LayoutDrawing::MarkObstacles(
   {
     isBlocked[v] = isTaken[this->Surface.Opened.VertexOf[v]] && v != from && v != to ? 1 : 0;
   }
-  const auto halfEdges = static_cast<Id>(this->Surface.Opened.Triangles.size());
+  const Id halfEdges = this->Surface.Opened.GetNumberOfHalfEdges();
   isCut.assign(halfEdges, 0);
   for (Id h = 0; h < halfEdges; ++h)
   {
-    const Id a = this->Surface.Opened.VertexOf[this->Surface.Opened.Triangles[h]];
-    const Id b =
-      this->Surface.Opened.VertexOf[this->Surface.Opened.Triangles[SurfaceMesh::Next(h)]];
-    isCut[h] = isTaken[a] && isTaken[b] && onCurves.count(Unordered(a, b)) > 0 ? 1 : 0;
+    const Id a = this->Surface.Opened.VertexOf[this->Surface.Opened.Origin(h)];
+    const Id b = this->Surface.Opened.VertexOf[this->Surface.Opened.Destination(h)];
+    isCut[h] = isTaken[a] && isTaken[b] && onCurves.count(std::minmax(a, b)) > 0 ? 1 : 0;
   }
 }
 

@@ -5,8 +5,8 @@
 #ifndef dggLayoutDrawing_h
 #define dggLayoutDrawing_h
 
-#include "dggLayoutOrder.h"       // for EdgeOrder
-#include "dggLayoutSectors.h"     // for LayoutSector
+#include "dggLayoutOrder.h"       // for EdgeOrder, LayoutSector
+#include "dggExactPath.h"         // for paths
 #include "dggPatchBoundaries.h"   // for PatchSurface
 #include "dggSurfaceRefinement.h" // for RefinedSurface
 
@@ -59,6 +59,9 @@ private:
     LayoutSector To;
   };
 
+  Status FindPathsFrom(ExactPathFinder& finder, Id landmark, const ProgressCallback& progress,
+    std::vector<SurfacePath>& paths) const;
+  std::vector<EdgeOrder> FindOrders(const std::vector<SurfacePath>& paths) const;
   Status CheckSurface() const;
   Status CheckLandmarks() const;
   Status Refine(const SurfacePath* more, RefinedSurface& refined) const;

@@ -3,7 +3,7 @@
 #include "dggLoopShortener.h"
 
 #include "dggFoundLoop.h"
-#include "dggStripChain.h"
+#include "dggStrip.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,6 @@
 #ifndef dggLoopShortener_h
 #define dggLoopShortener_h
 
-#include "dggFunnel.h"         // for Funnel
 #include "dggPathShortener.h"  // for what is between two passages of a vertex
 #include "dggStrip.h"          // for Strip
 #include "dggStripUnfolding.h" // for StripUnfolding

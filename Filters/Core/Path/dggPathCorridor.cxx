@@ -15,6 +15,11 @@ namespace
 constexpr double LengthTolerance = 1e-13;
 /// How far beyond the length of the path the solver looks, relatively: for rounding errors.
 constexpr double Margin = 1e-9;
+/// When the solver is stopped: after so many reports, one for 20000 windows, and one more for so
+/// many faces. Twenty windows a face are common in corridors of thousands of faces; it is stopped
+/// at more than a hundred.
+constexpr std::size_t LeastReports = 10;
+constexpr std::size_t FacesPerReport = 200;
 }
 
 PathCorridor::PathCorridor(const SurfaceMesh& mesh)
@@ -24,20 +29,9 @@ PathCorridor::PathCorridor(const SurfaceMesh& mesh)
 {
 }
 
-std::size_t PathCorridor::PredictMemorySize(const SurfaceMesh& mesh)
-{
-  return mesh.GetNumberOfVertices() * sizeof(Vertex) +
-    mesh.GetNumberOfFaces() * sizeof(std::uint32_t);
-}
-
 bool PathCorridor::Shorten(double detour, SurfacePath& path)
 {
-  return this->Shorten(detour, path, Budget());
-}
-
-bool PathCorridor::Shorten(double detour, SurfacePath& path, const Budget& budget)
-{
-  this->TheEffort = Effort();
+  this->WasStopped = false;
   if (path.Faces.size() < 2)
   {
     return false;
@@ -54,12 +48,12 @@ bool PathCorridor::Shorten(double detour, SurfacePath& path, const Budget& budge
   }
   ExactPathFinder finder(part);
   std::vector<SurfacePath> found;
-  std::size_t reports = budget.Reports + this->Faces.size() / budget.FacesPerReport;
+  std::size_t reports = LeastReports + this->Faces.size() / FacesPerReport;
   const Status status = finder.Find(
     this->ToPart(part, path.Points.front(), path.Faces.front()),
     { this->ToPart(part, path.Points.back(), path.Faces.back()) },
     [&](double) { return reports-- > 0; }, found, path.Length * (1.0 + Margin));
-  this->TheEffort = { this->Faces.size(), finder.GetNumberOfWindows(), status.IsAborted() };
+  this->WasStopped = status.IsAborted();
   if (!status.IsOk() || found.front().IsEmpty() ||
     !(found.front().Length < path.Length * (1.0 - LengthTolerance)))
   {

@@ -20,34 +20,19 @@ namespace dgg
 class PathCorridor
 {
 public:
-  /// When the solver is stopped: it reports every 20000 windows. Twenty windows a face are common
-  /// in corridors of thousands of faces; it is stopped at more than a hundred.
-  struct Budget
-  {
-    std::size_t Reports = 10;
-    std::size_t FacesPerReport = 200; ///< one more report for so many faces
-  };
-
-  /// What a call took.
-  struct Effort
-  {
-    std::size_t Faces = 0;   ///< of the corridor
-    std::size_t Windows = 0; ///< of the solver, unless it was stopped
-    bool IsStopped = false;  ///< whether the budget was used up
-  };
-
   explicit PathCorridor(const SurfaceMesh& mesh);
 
   /// Replace the path by the shortest one in its corridor. False when it is not shorter, or the
   /// solver would take too long: then the path stays as it is.
   bool Shorten(double detour, SurfacePath& path);
-  bool Shorten(double detour, SurfacePath& path, const Budget& budget);
+  /// Whether the solver was stopped in the last call, as it would have taken too long.
+  bool IsStopped() const { return this->WasStopped; }
 
-  /// What the last call took.
-  const Effort& GetEffort() const { return this->TheEffort; }
-
-  /// Bytes that one for a mesh of this size needs, corridors left out.
-  static std::size_t PredictMemorySize(const SurfaceMesh& mesh);
+  /// Bytes that are kept, corridors left out.
+  std::size_t GetMemorySize() const
+  {
+    return this->Vertices.size() * sizeof(Vertex) + this->FaceRuns.size() * sizeof(std::uint32_t);
+  }
 
 private:
   /// What is known of a vertex in this run.
@@ -79,7 +64,7 @@ private:
   std::vector<Id> PartVertices;
   std::vector<Id> Triangles;
   std::vector<double> Lengths;
-  Effort TheEffort;
+  bool WasStopped = false;
   double Length = 0.0;
   double Detour = 0.0;
 };

@@ -12,80 +12,76 @@
 
 namespace dgg
 {
-namespace
-{
 /// What the finder of one path works with.
-struct PathWorkspace
+struct PathFinder::Workspace
 {
-  explicit PathWorkspace(const SurfaceMesh& mesh)
-    : CorridorSize(PathCorridor::PredictMemorySize(mesh))
-    , Tracer(mesh)
+  explicit Workspace(const SurfaceMesh& mesh)
+    : Tracer(mesh)
     , Shortener(mesh)
     , Corridor(mesh)
   {
   }
 
-  /// What is as large as the mesh. Does not look at the mesh, which may be gone by then.
-  std::size_t GetMemorySize() const { return this->CorridorSize + this->Tracer.GetMemorySize(); }
+  /// What is as large as the mesh.
+  std::size_t GetMemorySize() const
+  {
+    return this->Corridor.GetMemorySize() + this->Tracer.GetMemorySize();
+  }
 
-  std::size_t CorridorSize;
+  /// Replace a path by the one in the chain, shortened.
+  void Straighten(SurfacePath& path)
+  {
+    path.Clear();
+    for (Strip& strip : this->Tracer.GetStrips())
+    {
+      this->Shortener.Shorten(strip);
+      this->Shortener.Append(strip, path);
+    }
+  }
+
   PathTracer Tracer;
   PathShortener Shortener;
   PathCorridor Corridor;
 };
 
-/// Replace a path by the one in the chain, shortened.
-void Straighten(PathWorkspace& workspace, SurfacePath& path)
+/// How two points are linked to the graph.
+struct PathFinder::Ends
 {
-  path.Clear();
-  for (Strip& strip : workspace.Tracer.GetStrips())
-  {
-    workspace.Shortener.Shorten(strip);
-    workspace.Shortener.Append(strip, path);
-  }
-}
-}
-
-//------------------------------------------------------------------------------
-class PathFinder::Implementation
-{
-public:
-  Implementation(const SurfaceMesh& mesh, const GraphSearch& search, const GraphBuilder* builder,
-    const double* positions)
-    : Mesh(mesh)
-    , Search(search)
-    , Builder(builder)
-    , Positions(positions)
-    , Usable(CheckCorners(mesh))
-  {
-  }
-
-  Status Find(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options,
-    FoundPath& found) const;
-  std::size_t GetMemorySize() const { return this->Workspaces.GetMemorySize(); }
-
-private:
-  /// How a point is linked to the graph.
-  struct Ends
-  {
-    std::vector<GraphLink> Links[2]; ///< of the first and the last point
-    double Direct = Infinity;        ///< length of the straight way between them
-  };
-
-  Status Link(const SurfacePoint& from, const SurfacePoint& to, double accuracy, Ends& ends) const;
-  Status TraceHops(PathTracer& tracer, const SurfacePoint& from, const SurfacePoint& to,
-    const Ends& ends, const GraphPath& path) const;
-  void Finish(PathWorkspace& workspace, const PathOptions& options, FoundPath& found) const;
-
-  const SurfaceMesh& Mesh;
-  const GraphSearch& Search;
-  const GraphBuilder* Builder;
-  const double* Positions;
-  Status Usable; // whether the mesh is
-  mutable WorkspacePool<PathWorkspace> Workspaces;
+  std::vector<GraphLink> Links[2]; ///< of the first and the last point
+  double Direct = Infinity;        ///< length of the straight way between them
 };
 
-Status PathFinder::Implementation::Find(const SurfacePoint& from, const SurfacePoint& to,
+PathFinder::PathFinder(const SurfaceMesh& mesh, const GraphSearch& search,
+  const GraphBuilder* builder, const double* positions)
+  : Mesh(mesh)
+  , Search(search)
+  , Builder(builder)
+  , Positions(positions)
+  , Usable(CheckCorners(mesh))
+  , Workspaces(std::make_unique<WorkspacePool<Workspace>>())
+{
+}
+
+PathFinder::~PathFinder() = default;
+
+std::size_t PathFinder::GetMemorySize() const
+{
+  return this->Workspaces->GetMemorySize();
+}
+
+Status PathFinder::Find(const SurfacePoint& from, const SurfacePoint& to,
+  const PathOptions& options, FoundPath& found) const
+{
+  found = FoundPath();
+  Status status = this->FindBetween(from, to, options, found);
+  if (!status.IsOk())
+  {
+    found = FoundPath();
+  }
+  return status;
+}
+
+Status PathFinder::FindBetween(const SurfacePoint& from, const SurfacePoint& to,
   const PathOptions& options, FoundPath& found) const
 {
   if (!this->Usable.IsOk())
@@ -130,7 +126,7 @@ Status PathFinder::Implementation::Find(const SurfacePoint& from, const SurfaceP
   {
     return status;
   }
-  const auto workspace = this->Workspaces.Borrow(this->Mesh);
+  const auto workspace = this->Workspaces->Borrow(this->Mesh);
   PathTracer& tracer = workspace->Tracer;
   tracer.Begin(options.Straighten);
   status = ends.Direct <= path.Length ? tracer.Append(from, to, ends.Direct)
@@ -143,7 +139,7 @@ Status PathFinder::Implementation::Find(const SurfacePoint& from, const SurfaceP
   return status;
 }
 
-Status PathFinder::Implementation::Link(
+Status PathFinder::Link(
   const SurfacePoint& from, const SurfacePoint& to, double accuracy, Ends& ends) const
 {
   const SurfacePoint* points[2] = { &from, &to };
@@ -174,8 +170,8 @@ Status PathFinder::Implementation::Link(
   return Status::Success();
 }
 
-Status PathFinder::Implementation::TraceHops(PathTracer& tracer, const SurfacePoint& from,
-  const SurfacePoint& to, const Ends& ends, const GraphPath& path) const
+Status PathFinder::TraceHops(PathTracer& tracer, const SurfacePoint& from, const SurfacePoint& to,
+  const Ends& ends, const GraphPath& path) const
 {
   const GraphView& graph = this->Search.GetGraph();
   Status status;
@@ -198,8 +194,7 @@ Status PathFinder::Implementation::TraceHops(PathTracer& tracer, const SurfacePo
   return status;
 }
 
-void PathFinder::Implementation::Finish(
-  PathWorkspace& workspace, const PathOptions& options, FoundPath& found) const
+void PathFinder::Finish(Workspace& workspace, const PathOptions& options, FoundPath& found) const
 {
   if (!options.Straighten)
   {
@@ -210,7 +205,7 @@ void PathFinder::Implementation::Finish(
     }
     return;
   }
-  Straighten(workspace, found.Path);
+  workspace.Straighten(found.Path);
   if (options.Detour > 0.0)
   {
     SurfacePath path = found.Path;
@@ -218,36 +213,10 @@ void PathFinder::Implementation::Finish(
     {
       workspace.Tracer.Begin(true);
       workspace.Tracer.Append(path);
-      Straighten(workspace, path);
+      workspace.Straighten(path);
       found.Path = std::move(path);
     }
   }
   found.IsStraightened = true;
-}
-
-//------------------------------------------------------------------------------
-PathFinder::PathFinder(const SurfaceMesh& mesh, const GraphSearch& search,
-  const GraphBuilder* builder, const double* positions)
-  : Internals(std::make_unique<Implementation>(mesh, search, builder, positions))
-{
-}
-
-PathFinder::~PathFinder() = default;
-
-Status PathFinder::Find(const SurfacePoint& from, const SurfacePoint& to,
-  const PathOptions& options, FoundPath& found) const
-{
-  found = FoundPath();
-  Status status = this->Internals->Find(from, to, options, found);
-  if (!status.IsOk())
-  {
-    found = FoundPath();
-  }
-  return status;
-}
-
-std::size_t PathFinder::GetMemorySize() const
-{
-  return this->Internals->GetMemorySize();
 }
 }

@@ -10,10 +10,14 @@
 #include "dggSurfacePath.h"  // for SurfacePath
 
 #include <cstddef> // for std::size_t
-#include <memory>  // for the internals
+#include <memory>  // for the workspaces
 
 namespace dgg
 {
+class PathTracer;
+template <typename Workspace>
+class WorkspacePool;
+
 struct PathOptions
 {
   /// Whether to shorten the path to a locally shortest geodesic.
@@ -63,8 +67,22 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
-  class Implementation;
-  std::unique_ptr<Implementation> Internals;
+  struct Workspace;
+  struct Ends;
+
+  Status FindBetween(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options,
+    FoundPath& found) const;
+  Status Link(const SurfacePoint& from, const SurfacePoint& to, double accuracy, Ends& ends) const;
+  Status TraceHops(PathTracer& tracer, const SurfacePoint& from, const SurfacePoint& to,
+    const Ends& ends, const GraphPath& path) const;
+  void Finish(Workspace& workspace, const PathOptions& options, FoundPath& found) const;
+
+  const SurfaceMesh& Mesh;
+  const GraphSearch& Search;
+  const GraphBuilder* Builder;
+  const double* Positions;
+  const Status Usable; // whether the mesh is
+  std::unique_ptr<WorkspacePool<Workspace>> Workspaces;
 };
 }
 

@@ -58,6 +58,12 @@ PathNodes::EdgeMark PathNodes::MarkOf(const SurfacePoint& point) const
     this->Mesh.Origin(edge) == this->Mesh.Origin(point.HalfEdge) ? mark : GridPoint::One - mark };
 }
 
+Id PathNodes::Append(const Node& node)
+{
+  this->Nodes.push_back(node);
+  return this->NumberOfVertices + static_cast<Id>(this->Nodes.size()) - 1;
+}
+
 /// Points on edges: those close together are one, those close to an end are the vertex there.
 void PathNodes::AddPointsOnEdges(const std::vector<SurfacePath>& paths)
 {
@@ -84,12 +90,10 @@ void PathNodes::AddPointsOnEdges(const std::vector<SurfacePath>& paths)
     if (this->Nodes.empty() || this->Nodes.back().Edge != mark.first ||
       mark.second - this->Nodes.back().T > MergeDistance)
     {
-      this->OnEdge[mark.first].push_back(
-        this->NumberOfVertices + static_cast<Id>(this->Nodes.size()));
       Node node;
       node.Edge = mark.first;
       node.T = mark.second;
-      this->Nodes.push_back(node);
+      this->OnEdge[mark.first].push_back(this->Append(node));
     }
     this->MarkNodes.push_back(this->NumberOfVertices + static_cast<Id>(this->Nodes.size()) - 1);
   }
@@ -129,8 +133,7 @@ Id PathNodes::AddCrossing(const GridPoint& place, Id face)
   Node node;
   node.Face = face;
   node.Place = place;
-  const Id number = this->NumberOfVertices + static_cast<Id>(this->Nodes.size());
-  this->Nodes.push_back(node);
+  const Id number = this->Append(node);
   this->InFace[face].push_back(number);
   this->ByPlace.emplace(face, place.X, place.Y, number);
   return number;
@@ -174,6 +177,7 @@ bool PathNodes::AreOnOneSide(Id a, Id b, Id face, int& side) const
   return false;
 }
 
+/// Place of a node among those of a side of a face: 0 at its first corner; -1 when it is not there.
 int PathNodes::PositionOnSide(Id node, Id face, int side) const
 {
   const Id h = 3 * face + side;
@@ -198,8 +202,15 @@ int PathNodes::PositionOnSide(Id node, Id face, int side) const
   return this->Mesh.Origin(edge) == this->Mesh.Origin(h) ? position + 1 : count - position;
 }
 
-Id PathNodes::NodeOnSide(Id face, int side, int position) const
+Id PathNodes::FindNextOnSide(Id a, Id b, Id face, int side) const
 {
+  const int from = this->PositionOnSide(a, face, side);
+  const int to = this->PositionOnSide(b, face, side);
+  if (std::abs(from - to) <= 1)
+  {
+    return b;
+  }
+  const int position = from < to ? from + 1 : from - 1;
   const Id h = 3 * face + side;
   const Id edge = FindEdge(this->Mesh, h);
   const std::vector<Id>& nodes = this->OnEdge.find(edge)->second;

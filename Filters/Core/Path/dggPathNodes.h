@@ -55,11 +55,8 @@ public:
   /// Whether two nodes lie on one side of a face, and on which: that from corner `side` to the
   /// next.
   bool AreOnOneSide(Id a, Id b, Id face, int& side) const;
-  /// Place of a node among those of a side of a face: 0 at its first corner; -1 when it is not
-  /// there.
-  int PositionOnSide(Id node, Id face, int side) const;
-  /// The node in a place between the first corner of a side and the last.
-  Id NodeOnSide(Id face, int side, int position) const;
+  /// The node that follows a on the way to b along a side of a face.
+  Id FindNextOnSide(Id a, Id b, Id face, int side) const;
   /// Distance of two nodes of a face. Along an edge of the mesh it has the same bits in all faces
   /// of the edge.
   double Measure(Id a, Id b, Id face) const;
@@ -79,6 +76,8 @@ private:
   using EdgeMark = std::pair<Id, std::int64_t>;
 
   EdgeMark MarkOf(const SurfacePoint& point) const;
+  Id Append(const Node& node);
+  int PositionOnSide(Id node, Id face, int side) const;
 
   const SurfaceMesh& Mesh;
   Id NumberOfVertices;

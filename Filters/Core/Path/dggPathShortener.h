@@ -5,7 +5,6 @@
 #ifndef dggPathShortener_h
 #define dggPathShortener_h
 
-#include "dggFunnel.h"         // for Funnel
 #include "dggStrip.h"          // for Strip
 #include "dggStripUnfolding.h" // for StripUnfolding
 #include "dggSurfacePath.h"    // for SurfacePath

@@ -2,12 +2,228 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggPathTracer.h"
 
+#include "dggStripUnfolding.h"
+#include "dggSurfacePath.h"
+
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
 namespace dgg
 {
+namespace
+{
+/// Half the width of a beam, radians. Floats below 8 are good to 2.4e-7, those below 32 (saddles of
+/// five turns) to 1e-6.
+constexpr double HalfWidths[] = { 1.5e-6, 1e-4 };
+constexpr double RefinedHalfWidth = 1e-12;
+/// Lengths are floats as well, and tiny ones next to long edges have the rounding errors of those.
+constexpr double RelativeLength = 1e-6;
+constexpr double RelativeRounding = 1e-14;
+/// Edges that a beam may cross before it is tried in the next face of the tail; the factor by which
+/// that grows when the head was found in none; and where it ends. A shortest path crosses no face
+/// twice: beyond that a beam runs around, or is split over and over, among triangles that are all
+/// but lines.
+constexpr std::size_t FewBeams = 4096;
+constexpr std::size_t Growth = 8;
+constexpr std::size_t BeamsPerFace = 4;
+constexpr std::size_t MostBeams = 1000000;
+}
+
+double HopTracer::GetTolerance(double length) const
+{
+  return RelativeLength * length + RelativeRounding * this->Mesh.GetMaximumEdgeLength();
+}
+
+bool HopTracer::Trace(const Hop& hop, Id& firstFace, std::vector<EdgeCrossing>& crossings)
+{
+  this->NumberOfBeams = 0;
+  for (const double halfWidth : HalfWidths)
+  {
+    if (this->TraceBeam(hop, halfWidth, firstFace, crossings))
+    {
+      if (this->IsSplit)
+      {
+        this->Refine(hop, firstFace, crossings);
+      }
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A beam that meets vertices before it finds the head may have gone around one that is close to
+/// the line on the wrong side. Now that the direction is known exactly, follow that.
+void HopTracer::Refine(const Hop& hop, Id& firstFace, std::vector<EdgeCrossing>& crossings)
+{
+  Hop exact = hop;
+  exact.Angle = this->Arrival;
+  Id face = NoId;
+  std::vector<EdgeCrossing> refined;
+  if (this->TraceBeam(exact, RefinedHalfWidth, face, refined))
+  {
+    firstFace = face;
+    crossings.swap(refined);
+  }
+}
+
+bool HopTracer::TraceBeam(
+  const Hop& hop, double halfWidth, Id& firstFace, std::vector<EdgeCrossing>& crossings)
+{
+  crossings.clear();
+  const std::size_t faces = static_cast<std::size_t>(this->Mesh.GetNumberOfFaces());
+  const std::size_t most = std::min(MostBeams, std::max(FewBeams, BeamsPerFace * faces));
+  for (this->Limit = FewBeams;; this->Limit = std::min(most, Growth * this->Limit))
+  {
+    bool isCut = false;
+    for (const Id* g = this->Mesh.FanBegin(hop.Tail); g != this->Mesh.FanEnd(hop.Tail); ++g)
+    {
+      const double angle = this->AngleFrom(hop, *g, halfWidth);
+      if (std::isnan(angle))
+      {
+        continue;
+      }
+      if (this->TraceFrom(hop, *g, angle, halfWidth))
+      {
+        firstFace = SurfaceMesh::Face(*g);
+        for (Id i = this->Found; i != NoId; i = this->Beams[i].Before)
+        {
+          crossings.push_back(this->Beams[i].Crossing);
+        }
+        std::reverse(crossings.begin(), crossings.end());
+        return true;
+      }
+      isCut = isCut || this->Beams.size() >= this->Limit;
+    }
+    if (!isCut || this->Limit == most)
+    {
+      return false;
+    }
+  }
+}
+
+/// The direction of a hop, measured from an outgoing half-edge of its tail; NaN when the beam
+/// misses the face of that.
+double HopTracer::AngleFrom(const Hop& hop, Id g, double halfWidth) const
+{
+  const double turn =
+    this->Mesh.Kind(hop.Tail) == VertexKind::Boundary ? 0.0 : this->Mesh.TotalAngle(hop.Tail);
+  const double angle = hop.Angle - this->Mesh.PolarAngle(g);
+  const double corner = this->Mesh.CornerAngle(g);
+  for (const double candidate : { angle, angle - turn, angle + turn })
+  {
+    if (candidate >= -halfWidth && candidate <= corner + halfWidth)
+    {
+      return candidate;
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Through the face of the outgoing half-edge g, whose frame becomes that of the plane.
+bool HopTracer::TraceFrom(const Hop& hop, Id g, double angle, double halfWidth)
+{
+  this->Beams.clear();
+  this->Found = NoId;
+  // Next to an edge of the tail, the line may as well start on the other side of it.
+  this->IsSplit = angle < halfWidth || angle > this->Mesh.CornerAngle(g) - halfWidth;
+  this->Rays[0] = { std::cos(angle + halfWidth), std::sin(angle + halfWidth) };
+  this->Rays[1] = { std::cos(angle - halfWidth), std::sin(angle - halfWidth) };
+  std::array<double, 3> barycentric{};
+  if (FindInFace(this->Mesh, hop.Head, SurfaceMesh::Face(g), barycentric))
+  {
+    const Point2 head = PlaceInFrame(this->Mesh, g, barycentric);
+    if (std::abs(Norm(head.X, head.Y) - hop.Length) <= this->GetTolerance(hop.Length))
+    {
+      this->IsSplit = false;
+      return true;
+    }
+  }
+  const FaceUnfolding face = EnteredFace(this->Mesh, g, false).Plane;
+  this->Cross(SurfaceMesh::Next(g), false, face.GetApex(),
+    { face.GetRightCosine(), -face.GetRightSine() }, NoId);
+  // The shortest strip first: one that runs around does not keep from the others.
+  for (Id index = 0; static_cast<std::size_t>(index) < std::min(this->Beams.size(), this->Limit);
+       ++index)
+  {
+    ++this->NumberOfBeams;
+    Point2 arrival;
+    if (this->Reaches(hop, this->Beams[index], arrival))
+    {
+      this->Arrival = this->Mesh.PolarAngle(g) + std::atan2(arrival.Y, arrival.X);
+      this->Found = index;
+      return true;
+    }
+    this->Continue(hop, index);
+  }
+  return false;
+}
+
+/// Into all faces behind an edge.
+void HopTracer::Cross(Id exit, bool mirrored, const Point2& left, const Point2& axis, Id before)
+{
+  const Id leftVertex = mirrored ? this->Mesh.Origin(exit) : this->Mesh.Destination(exit);
+  for (Id e = this->Mesh.Twin(exit); e != NoId && e != exit; e = this->Mesh.Twin(e))
+  {
+    this->Beams.push_back({ { exit, e }, this->Mesh.Origin(e) != leftVertex, left, axis, before });
+  }
+}
+
+/// Whether the head lies in the face that is entered, in the beam and at the right distance.
+bool HopTracer::Reaches(const Hop& hop, const Beam& beam, Point2& arrival) const
+{
+  const Id h = beam.Crossing.Entry;
+  std::array<double, 3> barycentric{};
+  if (!FindInFace(this->Mesh, hop.Head, SurfaceMesh::Face(h), barycentric))
+  {
+    return false;
+  }
+  Point2 p = PlaceInFrame(this->Mesh, h, barycentric);
+  p.X = beam.IsMirrored ? this->Mesh.Length(h) - p.X : p.X;
+  p = FromFrame(beam.Left, beam.Axis, p);
+  arrival = p;
+  return std::abs(Norm(p.X, p.Y) - hop.Length) <= this->GetTolerance(hop.Length) &&
+    dgg::Cross(p, this->Rays[0]) >= 0.0 && dgg::Cross(this->Rays[1], p) >= 0.0;
+}
+
+void HopTracer::Continue(const Hop& hop, Id index)
+{
+  const Beam beam = this->Beams[index];
+  const Id h = beam.Crossing.Entry;
+  const EnteredFace entered(this->Mesh, h, beam.IsMirrored);
+  const FaceUnfolding& face = entered.Plane;
+  const Point2 apex = FromFrame(beam.Left, beam.Axis, face.GetApex());
+  const double farEnough = hop.Length + this->GetTolerance(hop.Length);
+  const auto isNear = [&](const Point2& start, const Point2& axis, double length) {
+    // Distance from the tail to the edge.
+    const double t = std::min(length, std::max(0.0, -Dot(start, axis)));
+    return Norm(start.X + t * axis.X, start.Y + t * axis.Y) <= farEnough;
+  };
+  const bool goesLeft =
+    dgg::Cross(apex, this->Rays[0]) > 0.0; // the left ray passes left of the apex
+  const bool goesRight = dgg::Cross(this->Rays[1], apex) > 0.0;
+  this->IsSplit = this->IsSplit || (goesLeft && goesRight);
+  if (goesLeft)
+  {
+    const Point2 axis = Turned(beam.Axis, { face.GetLeftCosine(), face.GetLeftSine() });
+    if (isNear(beam.Left, axis, face.GetLeft()))
+    {
+      this->Cross(entered.LeftEdge, beam.IsMirrored, beam.Left, axis, index);
+    }
+  }
+  if (goesRight)
+  {
+    const Point2 axis = Turned(beam.Axis, { face.GetRightCosine(), -face.GetRightSine() });
+    if (isNear(apex, axis, face.GetRight()))
+    {
+      this->Cross(entered.RightEdge, beam.IsMirrored, apex, axis, index);
+    }
+  }
+}
+
 Status PathTracer::Append(const Hop& hop, bool isBackwards)
 {
   Strip strip;

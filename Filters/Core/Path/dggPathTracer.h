@@ -5,15 +5,77 @@
 #ifndef dggPathTracer_h
 #define dggPathTracer_h
 
-#include "dggExactPath.h"  // for ways that are not found otherwise
-#include "dggHopTracer.h"  // for Hop
-#include "dggStripChain.h" // for StripChain
+#include "dggExactPath.h" // for ways that are not found otherwise
+#include "dggStrip.h"     // for EdgeCrossing
+#include "dggUnfolding.h" // for Point2
 
 #include <cstddef> // for std::size_t
 #include <memory>  // for the solver
+#include <vector>  // for the beams
 
 namespace dgg
 {
+/// An edge of the graph or a link, to be followed from its tail: a straight line of known length in
+/// a direction known up to rounding.
+struct Hop
+{
+  Id Tail;
+  double Angle;      ///< polar angle at the tail
+  SurfacePoint Head; ///< where it arrives
+  double Length;
+};
+
+/// Follows straight lines from vertices. As their directions are floats, no ray is sent out but a
+/// beam, a cone as narrow as the rounding errors. It is split at every vertex that it meets, so
+/// that a head can be missed on neither side.
+class HopTracer
+{
+public:
+  explicit HopTracer(const SurfaceMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  /// The first face, and the crossings from there to the face of the head. False when the head is
+  /// not where it should be.
+  bool Trace(const Hop& hop, Id& firstFace, std::vector<EdgeCrossing>& crossings);
+
+  /// How far lengths in the graph may be from those on the mesh.
+  double GetTolerance(double length) const;
+
+  /// Beams followed over an edge in the last call.
+  std::size_t GetNumberOfBeams() const { return this->NumberOfBeams; }
+
+private:
+  /// The part of the beam that goes through one edge, in the plane of the tail.
+  struct Beam
+  {
+    EdgeCrossing Crossing;
+    bool IsMirrored; ///< whether the face entered is laid out as its mirror image
+    Point2 Left;     ///< end of the edge
+    Point2 Axis;     ///< unit vector from there to the right end
+    Id Before;       ///< the beam that it is a part of, or NoId
+  };
+
+  double AngleFrom(const Hop& hop, Id g, double halfWidth) const;
+  bool TraceFrom(const Hop& hop, Id g, double angle, double halfWidth);
+  void Cross(Id exit, bool mirrored, const Point2& left, const Point2& axis, Id before);
+  bool TraceBeam(
+    const Hop& hop, double halfWidth, Id& firstFace, std::vector<EdgeCrossing>& crossings);
+  void Refine(const Hop& hop, Id& firstFace, std::vector<EdgeCrossing>& crossings);
+  bool Reaches(const Hop& hop, const Beam& beam, Point2& arrival) const;
+  void Continue(const Hop& hop, Id index);
+
+  const SurfaceMesh& Mesh;
+  Point2 Rays[2]; ///< bounds of the beam, left and right
+  std::vector<Beam> Beams;
+  std::size_t Limit = 0; ///< of the beams in one face of the tail
+  std::size_t NumberOfBeams = 0;
+  Id Found = NoId;
+  double Arrival = 0.0; ///< polar angle at the tail under which the head was found
+  bool IsSplit = false; ///< whether the beam has met a vertex
+};
+
 /// Traces a path, hop by hop, into a chain of strips. Keeps its memory from path to path.
 class PathTracer
 {

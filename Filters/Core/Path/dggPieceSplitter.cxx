@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggPieceSplitter.h"
 
+#include "dggFaceTriangulation.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdlib>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <numeric>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -15,19 +20,180 @@ namespace dgg
 {
 namespace
 {
+/// Segments that are looked at one by one.
+constexpr std::size_t LeafSize = 8;
 /// Segments between two reports.
 constexpr std::size_t ProgressInterval = 256;
 /// Rounds of splitting segments in one face before giving up. Two do, but for rounding.
 constexpr int MaximumRounds = 100;
 
-/// Whether a point is close to a segment, between its ends.
-bool IsBetween(const GridPoint& p, const GridPoint& a, const GridPoint& b)
+struct GridSegment
 {
-  auto real = [](std::int64_t x) { return static_cast<double>(x); };
-  const double ux = real(b.X - a.X);
-  const double uy = real(b.Y - a.Y);
-  const double vx = real(p.X - a.X);
-  const double vy = real(p.Y - a.Y);
+  GridPoint From;
+  GridPoint To;
+};
+
+/// An octagon on the grid, with its rim: bounds of X, Y, X + Y and X - Y. Boxes around slanted
+/// segments side by side would overlap.
+struct GridBox
+{
+  std::array<std::int64_t, 4> Low;
+  std::array<std::int64_t, 4> High;
+
+  /// Around all points that are this close.
+  static GridBox Around(const GridPoint& point, std::int64_t distance)
+  {
+    GridBox box;
+    box.Low = { { point.X, point.Y, point.X + point.Y, point.X - point.Y } };
+    box.High = box.Low;
+    for (int k = 0; k < 4; ++k)
+    {
+      box.Low[k] -= 2 * distance;
+      box.High[k] += 2 * distance;
+    }
+    return box;
+  }
+
+  static GridBox Around(const GridSegment& segment)
+  {
+    GridBox box = Around(segment.From, 0);
+    box.Add(Around(segment.To, 0));
+    return box;
+  }
+
+  bool Meets(const GridBox& other) const
+  {
+    bool meets = true;
+    for (int k = 0; k < 4; ++k)
+    {
+      meets = meets && this->High[k] >= other.Low[k] && other.High[k] >= this->Low[k];
+    }
+    return meets;
+  }
+
+  void Add(const GridBox& other)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      this->Low[k] = std::min(this->Low[k], other.Low[k]);
+      this->High[k] = std::max(this->High[k], other.High[k]);
+    }
+  }
+
+  /// The direction in which it is widest.
+  int FindWidest() const
+  {
+    int widest = 0;
+    for (int k = 1; k < 4; ++k)
+    {
+      const bool isWider = this->High[k] - this->Low[k] > this->High[widest] - this->Low[widest];
+      widest = isWider ? k : widest;
+    }
+    return widest;
+  }
+};
+
+/// Segments in a binary tree of the boxes around them, which has a place for each segment: neither
+/// long ones nor clusters of short ones are stored twice.
+class SegmentTree
+{
+public:
+  void Build(const std::vector<GridSegment>& segments)
+  {
+    this->Boxes.clear();
+    for (const GridSegment& segment : segments)
+    {
+      this->Boxes.push_back(GridBox::Around(segment));
+    }
+    this->Order.resize(segments.size());
+    std::iota(this->Order.begin(), this->Order.end(), 0);
+    this->Nodes.clear();
+    if (!segments.empty())
+    {
+      this->Nodes.push_back({ {}, 0, segments.size(), 0 });
+    }
+    for (std::size_t n = 0; n < this->Nodes.size(); ++n)
+    {
+      this->SplitNode(n);
+    }
+  }
+
+  /// The segments whose boxes meet a box, in increasing order.
+  void Find(const GridBox& box, std::vector<std::size_t>& found)
+  {
+    found.clear();
+    this->Stack.assign(this->Nodes.empty() ? 0 : 1, 0);
+    while (!this->Stack.empty())
+    {
+      const Node& node = this->Nodes[this->Stack.back()];
+      this->Stack.pop_back();
+      if (!node.Box.Meets(box))
+      {
+        continue;
+      }
+      if (node.Children > 0)
+      {
+        this->Stack.push_back(node.Children);
+        this->Stack.push_back(node.Children + 1);
+      }
+      else
+      {
+        std::copy_if(this->Order.begin() + static_cast<std::ptrdiff_t>(node.Begin),
+          this->Order.begin() + static_cast<std::ptrdiff_t>(node.End), std::back_inserter(found),
+          [&](std::size_t s) { return this->Boxes[s].Meets(box); });
+      }
+    }
+    std::sort(found.begin(), found.end());
+  }
+
+private:
+  struct Node
+  {
+    GridBox Box;
+    std::size_t Begin; // of its segments
+    std::size_t End;
+    std::size_t Children; // of two, the first; 0 for leaves
+  };
+
+  /// Into halves by the middles of the boxes, across the direction in which the box is widest.
+  void SplitNode(std::size_t number)
+  {
+    Node node = this->Nodes[number];
+    const auto begin = this->Order.begin() + static_cast<std::ptrdiff_t>(node.Begin);
+    const auto end = this->Order.begin() + static_cast<std::ptrdiff_t>(node.End);
+    node.Box = this->Boxes[*begin];
+    std::for_each(begin, end, [&](std::size_t s) { node.Box.Add(this->Boxes[s]); });
+    if (node.End - node.Begin > LeafSize)
+    {
+      const int widest = node.Box.FindWidest();
+      const auto key = [&](std::size_t s) {
+        const GridBox& box = this->Boxes[s];
+        return std::make_pair(box.Low[widest] + box.High[widest], s);
+      };
+      const std::size_t middle = node.Begin + (node.End - node.Begin) / 2;
+      std::nth_element(begin, this->Order.begin() + static_cast<std::ptrdiff_t>(middle), end,
+        [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+      node.Children = this->Nodes.size();
+      this->Nodes.push_back({ {}, node.Begin, middle, 0 });
+      this->Nodes.push_back({ {}, middle, node.End, 0 });
+    }
+    this->Nodes[number] = node;
+  }
+
+  std::vector<GridBox> Boxes; // per segment
+  std::vector<std::size_t> Order;
+  std::vector<Node> Nodes;
+  std::vector<std::size_t> Stack;
+};
+
+/// Whether a point is close to a segment, between its ends.
+bool IsBetween(const GridPoint& p, const GridSegment& segment)
+{
+  const auto real = [](std::int64_t x) { return static_cast<double>(x); };
+  const double ux = real(segment.To.X - segment.From.X);
+  const double uy = real(segment.To.Y - segment.From.Y);
+  const double vx = real(p.X - segment.From.X);
+  const double vy = real(p.Y - segment.From.Y);
   const double square = ux * ux + uy * uy;
   const double along = ux * vx + uy * vy;
   return along > 0.0 && along < square &&
@@ -35,252 +201,275 @@ bool IsBetween(const GridPoint& p, const GridPoint& a, const GridPoint& b)
 }
 
 /// How far along a segment a point is, in grid units squared.
-double Along(const GridPoint& p, const GridPoint& a, const GridPoint& b)
+double Along(const GridPoint& p, const GridSegment& segment)
 {
-  auto real = [](std::int64_t x) { return static_cast<double>(x); };
-  return real(b.X - a.X) * real(p.X - a.X) + real(b.Y - a.Y) * real(p.Y - a.Y);
+  const auto real = [](std::int64_t x) { return static_cast<double>(x); };
+  return real(segment.To.X - segment.From.X) * real(p.X - segment.From.X) +
+    real(segment.To.Y - segment.From.Y) * real(p.Y - segment.From.Y);
 }
 
-GridPoint Intersection(
-  const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d)
+GridPoint Intersection(const GridSegment& first, const GridSegment& second)
 {
-  auto real = [](std::int64_t x) { return static_cast<long double>(x); };
-  const long double ux = real(b.X - a.X);
-  const long double uy = real(b.Y - a.Y);
-  const long double vx = real(d.X - c.X);
-  const long double vy = real(d.Y - c.Y);
-  const long double t = (real(c.X - a.X) * vy - real(c.Y - a.Y) * vx) / (ux * vy - uy * vx);
+  const auto real = [](std::int64_t x) { return static_cast<long double>(x); };
+  const GridPoint& a = first.From;
+  const long double ux = real(first.To.X - a.X);
+  const long double uy = real(first.To.Y - a.Y);
+  const long double vx = real(second.To.X - second.From.X);
+  const long double vy = real(second.To.Y - second.From.Y);
+  const long double t =
+    (real(second.From.X - a.X) * vy - real(second.From.Y - a.Y) * vx) / (ux * vy - uy * vx);
   GridPoint p{ a.X + std::llround(t * ux), a.Y + std::llround(t * uy) };
   // Not on a side: the next face knows nothing of it.
   p.X = std::max<std::int64_t>(1, std::min(p.X, GridPoint::One - 2));
   p.Y = std::max<std::int64_t>(1, std::min(p.Y, GridPoint::One - 1 - p.X));
   return p;
 }
+
+bool Contains(const std::vector<Id>& nodes, Id node)
+{
+  return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
 }
 
-Status PieceSplitter::Split(
-  Id face, const std::vector<std::size_t>& places, const ProgressCallback& progress)
+void InsertAfter(std::vector<Id>& nodes, std::size_t place, Id node)
 {
-  double begin = 0.0;
-  for (int round = 0; round < MaximumRounds; ++round)
+  nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(place) + 1, node);
+}
+
+class PieceSplitter
+{
+public:
+  PieceSplitter(PathNodes& nodes, std::vector<PathPiece>& pieces, bool insertCrossings, Id face)
+    : Nodes(nodes)
+    , Pieces(pieces)
+    , InsertCrossings(insertCrossings)
+    , Face(face)
   {
-    // Each round gets half of what is left, and so does each turn of its first half.
-    const double share = 0.25 * (1.0 - begin);
-    const double middle = begin + share;
-    bool found = true;
-    while (found)
-    {
-      for (const std::size_t p : places)
-      {
-        this->SplitAlongSides(this->Pieces[p], face);
-      }
-      this->CollectSegments(face, places);
-      const double end = 0.5 * (begin + middle);
-      if (!this->SplitAtNodes(face, ProgressPart(progress, begin, end), found))
-      {
-        return Status::Abort();
-      }
-      begin = end;
-    }
-    Status status =
-      this->SplitAtCrossings(face, ProgressPart(progress, middle, middle + share), found);
-    if (!status.IsOk() || !found)
-    {
-      return status;
-    }
-    begin = middle + share;
   }
-  std::ostringstream message;
-  message << "the crossings of paths in face " << face << " are too close together";
-  return Status::Invalid(message.str());
-}
 
-/// The node that follows a on the way to b along a side of the face.
-Id PieceSplitter::FindNextOnSide(Id a, Id b, Id face, int side) const
-{
-  const int from = this->Nodes.PositionOnSide(a, face, side);
-  const int to = this->Nodes.PositionOnSide(b, face, side);
-  if (std::abs(from - to) <= 1)
+  Status Split(const std::vector<std::size_t>& places, const ProgressCallback& progress)
   {
-    return b;
-  }
-  return this->Nodes.NodeOnSide(face, side, from < to ? from + 1 : from - 1);
-}
-
-/// Make a piece run through all nodes that it passes on sides of the face.
-void PieceSplitter::SplitAlongSides(PathPiece& piece, Id face) const
-{
-  std::vector<Id>& nodes = piece.Nodes;
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-  {
-    int side = 0;
-    if (this->IsOnSide(nodes[i], nodes[i + 1], face, side))
+    double begin = 0.0;
+    for (int round = 0; round < MaximumRounds; ++round)
     {
-      const Id next = this->FindNextOnSide(nodes[i], nodes[i + 1], face, side);
-      if (next != nodes[i + 1])
+      // Each round gets half of what is left, and so does each turn of its first half.
+      const double share = 0.25 * (1.0 - begin);
+      const double middle = begin + share;
+      bool found = true;
+      while (found)
       {
-        nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(i) + 1, next);
+        for (const std::size_t p : places)
+        {
+          this->SplitAlongSides(this->Pieces[p].Nodes);
+        }
+        this->CollectSegments(places);
+        const double end = 0.5 * (begin + middle);
+        if (!this->SplitAtNodes(ProgressPart(progress, begin, end), found))
+        {
+          return Status::Abort();
+        }
+        begin = end;
       }
+      Status status = this->SplitAtCrossings(ProgressPart(progress, middle, middle + share), found);
+      if (!status.IsOk() || !found)
+      {
+        return status;
+      }
+      begin = middle + share;
     }
+    std::ostringstream message;
+    message << "the crossings of paths in face " << this->Face << " are too close together";
+    return Status::Invalid(message.str());
   }
-}
 
-bool PieceSplitter::IsOnSide(Id a, Id b, Id face, int& side) const
-{
-  return !this->Nodes.IsInside(a) && !this->Nodes.IsInside(b) &&
-    this->Nodes.AreOnOneSide(a, b, face, side);
-}
-
-/// The segments of the pieces that are not on sides, where nothing crosses them.
-void PieceSplitter::CollectSegments(Id face, const std::vector<std::size_t>& places)
-{
-  this->Segments.clear();
-  this->Lines.clear();
-  for (const std::size_t p : places)
+private:
+  /// A part of a piece.
+  struct Segment
   {
-    const std::vector<Id>& nodes = this->Pieces[p].Nodes;
+    std::size_t Piece;
+    std::size_t Start; // among the nodes of the piece
+  };
+
+  bool IsOnSide(Id a, Id b, int& side) const
+  {
+    return !this->Nodes.IsInside(a) && !this->Nodes.IsInside(b) &&
+      this->Nodes.AreOnOneSide(a, b, this->Face, side);
+  }
+
+  GridSegment LineBetween(Id a, Id b) const
+  {
+    return { this->Nodes.PlaceOf(a, this->Face), this->Nodes.PlaceOf(b, this->Face) };
+  }
+
+  /// Make a piece run through all nodes that it passes on sides of the face.
+  void SplitAlongSides(std::vector<Id>& nodes) const
+  {
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     {
       int side = 0;
-      if (!this->IsOnSide(nodes[i], nodes[i + 1], face, side))
+      if (this->IsOnSide(nodes[i], nodes[i + 1], side))
       {
-        this->Segments.push_back({ p, i });
-        this->Lines.push_back(
-          { this->Nodes.PlaceOf(nodes[i], face), this->Nodes.PlaceOf(nodes[i + 1], face) });
-      }
-    }
-  }
-  this->Tree.Build(this->Lines);
-}
-
-/// Make segments run through nodes that they pass, also those on sides: otherwise crossings would
-/// come closer to these than nodes may be. Tells whether there were any; then the segments are to
-/// be collected anew, as parts of them may pass others. False when stopped.
-bool PieceSplitter::SplitAtNodes(Id face, const ProgressCallback& progress, bool& found)
-{
-  found = false;
-  const std::vector<Id> candidates = this->Nodes.CollectNodes(face);
-  std::vector<std::pair<std::size_t, Id>> passed; // segments, and nodes in their order
-  std::vector<std::size_t> close;
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-  {
-    if (i % ProgressInterval == ProgressInterval - 1 && progress &&
-      !progress(static_cast<double>(i) / static_cast<double>(candidates.size())))
-    {
-      return false;
-    }
-    const GridPoint place = this->Nodes.PlaceOf(candidates[i], face);
-    this->Tree.Find(GridBox::Around(place, PathNodes::MergeDistance), close);
-    for (const std::size_t s : close)
-    {
-      if (IsBetween(place, this->Lines[s].From, this->Lines[s].To))
-      {
-        passed.emplace_back(s, candidates[i]);
-      }
-    }
-  }
-  std::stable_sort(passed.begin(), passed.end(),
-    [](const auto& first, const auto& second) { return first.first > second.first; });
-  // From the back, so that places in the lists of nodes stay what they are.
-  for (std::size_t begin = 0; begin < passed.size();)
-  {
-    std::size_t end = begin + 1;
-    while (end < passed.size() && passed[end].first == passed[begin].first)
-    {
-      ++end;
-    }
-    const Segment& segment = this->Segments[passed[begin].first];
-    std::vector<Id>& nodes = this->Pieces[segment.Piece].Nodes;
-    std::size_t last = segment.Start + 1; // of the part of the list that was the segment
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      const Id node = passed[i].second;
-      if (std::find(nodes.begin(), nodes.end(), node) != nodes.end())
-      {
-        continue;
-      }
-      const GridPoint place = this->Nodes.PlaceOf(node, face);
-      for (std::size_t n = segment.Start; n < last; ++n)
-      {
-        if (IsBetween(
-              place, this->Nodes.PlaceOf(nodes[n], face), this->Nodes.PlaceOf(nodes[n + 1], face)))
+        const Id next = this->Nodes.FindNextOnSide(nodes[i], nodes[i + 1], this->Face, side);
+        if (next != nodes[i + 1])
         {
-          nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(n) + 1, node);
-          ++last;
-          found = true;
-          break;
-        }
-      }
-    }
-    begin = end;
-  }
-  return true;
-}
-
-/// Look for pieces that cross, and insert nodes there, or fail.
-Status PieceSplitter::SplitAtCrossings(Id face, const ProgressCallback& progress, bool& found)
-{
-  struct Insertion
-  {
-    std::size_t Piece;
-    std::size_t Start;
-    double Along;
-    Id Node;
-  };
-  std::vector<Insertion> insertions;
-  std::vector<std::size_t> close;
-  for (std::size_t i = 0; i < this->Segments.size(); ++i)
-  {
-    if (i % ProgressInterval == ProgressInterval - 1 && progress &&
-      !progress(static_cast<double>(i) / static_cast<double>(this->Segments.size())))
-    {
-      return Status::Abort();
-    }
-    const GridSegment& p = this->Lines[i];
-    this->Tree.Find(GridBox::Around(p), close);
-    for (auto j = std::upper_bound(close.begin(), close.end(), i); j != close.end(); ++j)
-    {
-      const GridSegment& q = this->Lines[*j];
-      if (!CrossProperly(p.From, p.To, q.From, q.To))
-      {
-        continue;
-      }
-      if (!this->InsertCrossings)
-      {
-        std::ostringstream message;
-        message << "paths " << this->Pieces[this->Segments[i].Piece].Path << " and "
-                << this->Pieces[this->Segments[*j].Piece].Path << " cross in face " << face;
-        return Status::Invalid(message.str());
-      }
-      const Id node = this->Nodes.AddCrossing(Intersection(p.From, p.To, q.From, q.To), face);
-      for (const std::size_t s : { i, *j })
-      {
-        const Segment& segment = this->Segments[s];
-        const std::vector<Id>& nodes = this->Pieces[segment.Piece].Nodes;
-        if (std::find(nodes.begin(), nodes.end(), node) == nodes.end())
-        {
-          insertions.push_back({ segment.Piece, segment.Start,
-            Along(this->Nodes.PlaceOf(node, face), this->Lines[s].From, this->Lines[s].To), node });
+          InsertAfter(nodes, i, next);
         }
       }
     }
   }
-  // From the back, so that places in the lists of nodes stay what they are.
-  std::sort(
-    insertions.begin(), insertions.end(), [](const Insertion& first, const Insertion& second) {
-      return std::tie(first.Piece, first.Start, first.Along, first.Node) >
-        std::tie(second.Piece, second.Start, second.Along, second.Node);
-    });
-  for (const Insertion& insertion : insertions)
+
+  /// The segments of the pieces that are not on sides, where nothing crosses them.
+  void CollectSegments(const std::vector<std::size_t>& places)
   {
-    std::vector<Id>& nodes = this->Pieces[insertion.Piece].Nodes;
-    if (std::find(nodes.begin(), nodes.end(), insertion.Node) == nodes.end())
+    this->Segments.clear();
+    this->Lines.clear();
+    for (const std::size_t p : places)
     {
-      nodes.insert(
-        nodes.begin() + static_cast<std::ptrdiff_t>(insertion.Start) + 1, insertion.Node);
+      const std::vector<Id>& nodes = this->Pieces[p].Nodes;
+      for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+      {
+        int side = 0;
+        if (!this->IsOnSide(nodes[i], nodes[i + 1], side))
+        {
+          this->Segments.push_back({ p, i });
+          this->Lines.push_back(this->LineBetween(nodes[i], nodes[i + 1]));
+        }
+      }
     }
+    this->Tree.Build(this->Lines);
   }
-  found = !insertions.empty();
-  return Status::Success();
+
+  /// Asks whether to go on, at one step of many in a while.
+  static bool Goes(const ProgressCallback& progress, std::size_t step, std::size_t steps)
+  {
+    return step % ProgressInterval != ProgressInterval - 1 || !progress ||
+      progress(static_cast<double>(step) / static_cast<double>(steps));
+  }
+
+  /// Make segments run through nodes that they pass, also those on sides: otherwise crossings would
+  /// come closer to these than nodes may be. Tells whether there were any; then the segments are to
+  /// be collected anew, as parts of them may pass others. False when stopped.
+  bool SplitAtNodes(const ProgressCallback& progress, bool& found)
+  {
+    found = false;
+    const std::vector<Id> candidates = this->Nodes.CollectNodes(this->Face);
+    std::vector<std::pair<std::size_t, Id>> passed; // segments, and nodes in their order
+    std::vector<std::size_t> close;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+    {
+      if (!Goes(progress, i, candidates.size()))
+      {
+        return false;
+      }
+      const GridPoint place = this->Nodes.PlaceOf(candidates[i], this->Face);
+      this->Tree.Find(GridBox::Around(place, PathNodes::MergeDistance), close);
+      for (const std::size_t s : close)
+      {
+        if (IsBetween(place, this->Lines[s]))
+        {
+          passed.emplace_back(s, candidates[i]);
+        }
+      }
+    }
+    // From the back, so that places in the lists of nodes stay what they are.
+    std::stable_sort(passed.begin(), passed.end(),
+      [](const auto& first, const auto& second) { return first.first > second.first; });
+    std::size_t last = 0; // of the part of the list that was the segment
+    for (std::size_t i = 0; i < passed.size(); ++i)
+    {
+      const Segment& segment = this->Segments[passed[i].first];
+      const bool isNew = i == 0 || passed[i].first != passed[i - 1].first;
+      last = isNew ? segment.Start + 1 : last;
+      const bool isInserted = this->InsertWhereBetween(
+        this->Pieces[segment.Piece].Nodes, segment.Start, last, passed[i].second);
+      last += isInserted ? 1 : 0;
+      found = found || isInserted;
+    }
+    return true;
+  }
+
+  /// Insert a node where it lies between two of a part of the list, unless it is there.
+  bool InsertWhereBetween(std::vector<Id>& nodes, std::size_t begin, std::size_t end, Id node) const
+  {
+    const GridPoint place = this->Nodes.PlaceOf(node, this->Face);
+    std::size_t n = Contains(nodes, node) ? end : begin;
+    while (n < end && !IsBetween(place, this->LineBetween(nodes[n], nodes[n + 1])))
+    {
+      ++n;
+    }
+    if (n < end)
+    {
+      InsertAfter(nodes, n, node);
+    }
+    return n < end;
+  }
+
+  /// Look for pieces that cross, and insert nodes there, or fail.
+  Status SplitAtCrossings(const ProgressCallback& progress, bool& found)
+  {
+    using Insertion = std::tuple<std::size_t, std::size_t, double, Id>; // piece, start, along, node
+    std::vector<Insertion> insertions;
+    std::vector<std::size_t> close;
+    for (std::size_t i = 0; i < this->Segments.size(); ++i)
+    {
+      if (!Goes(progress, i, this->Segments.size()))
+      {
+        return Status::Abort();
+      }
+      const GridSegment& p = this->Lines[i];
+      this->Tree.Find(GridBox::Around(p), close);
+      for (auto j = std::upper_bound(close.begin(), close.end(), i); j != close.end(); ++j)
+      {
+        const GridSegment& q = this->Lines[*j];
+        if (!CrossProperly(p.From, p.To, q.From, q.To))
+        {
+          continue;
+        }
+        if (!this->InsertCrossings)
+        {
+          std::ostringstream message;
+          message << "paths " << this->Pieces[this->Segments[i].Piece].Path << " and "
+                  << this->Pieces[this->Segments[*j].Piece].Path << " cross in face " << this->Face;
+          return Status::Invalid(message.str());
+        }
+        const Id node = this->Nodes.AddCrossing(Intersection(p, q), this->Face);
+        for (const std::size_t s : { i, *j })
+        {
+          const Segment& segment = this->Segments[s];
+          if (!Contains(this->Pieces[segment.Piece].Nodes, node))
+          {
+            insertions.emplace_back(segment.Piece, segment.Start,
+              Along(this->Nodes.PlaceOf(node, this->Face), this->Lines[s]), node);
+          }
+        }
+      }
+    }
+    // From the back, so that places in the lists of nodes stay what they are.
+    std::sort(insertions.begin(), insertions.end(), std::greater<Insertion>());
+    for (const Insertion& insertion : insertions)
+    {
+      std::vector<Id>& nodes = this->Pieces[std::get<0>(insertion)].Nodes;
+      if (!Contains(nodes, std::get<3>(insertion)))
+      {
+        InsertAfter(nodes, std::get<1>(insertion), std::get<3>(insertion));
+      }
+    }
+    found = !insertions.empty();
+    return Status::Success();
+  }
+
+  PathNodes& Nodes;
+  std::vector<PathPiece>& Pieces;
+  const bool InsertCrossings;
+  const Id Face;
+  std::vector<Segment> Segments;
+  std::vector<GridSegment> Lines; // where the segments lie
+  SegmentTree Tree;               // of the same
+};
+}
+
+Status SplitPieces(PathNodes& nodes, std::vector<PathPiece>& pieces, bool insertCrossings, Id face,
+  const std::vector<std::size_t>& places, const ProgressCallback& progress)
+{
+  return PieceSplitter(nodes, pieces, insertCrossings, face).Split(places, progress);
 }
 }

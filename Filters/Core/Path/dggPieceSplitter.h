@@ -5,9 +5,7 @@
 #ifndef dggPieceSplitter_h
 #define dggPieceSplitter_h
 
-#include "dggPathNodes.h"   // for PathNodes
-#include "dggSegmentTree.h" // for segments that are close to others
-#include "dggTypes.h"       // for ProgressCallback
+#include "dggPathNodes.h" // for PathNodes
 
 #include <cstddef> // for std::size_t
 #include <vector>  // for pieces
@@ -22,44 +20,10 @@ struct PathPiece
   std::size_t Number = 0; ///< among the pieces of the path
 };
 
-/// Splits the pieces in a face at nodes that they pass and where they cross each other, which adds
-/// nodes.
-class PieceSplitter
-{
-public:
-  PieceSplitter(PathNodes& nodes, std::vector<PathPiece>& pieces, bool insertCrossings)
-    : Nodes(nodes)
-    , Pieces(pieces)
-    , InsertCrossings(insertCrossings)
-  {
-  }
-
-  /// `places` are those of the pieces in the face. Fails when they cross and crossings are not to
-  /// be inserted.
-  Status Split(Id face, const std::vector<std::size_t>& places, const ProgressCallback& progress);
-
-private:
-  /// A part of a piece.
-  struct Segment
-  {
-    std::size_t Piece;
-    std::size_t Start; // among the nodes of the piece
-  };
-
-  bool IsOnSide(Id a, Id b, Id face, int& side) const;
-  Id FindNextOnSide(Id a, Id b, Id face, int side) const;
-  void SplitAlongSides(PathPiece& piece, Id face) const;
-  void CollectSegments(Id face, const std::vector<std::size_t>& places);
-  bool SplitAtNodes(Id face, const ProgressCallback& progress, bool& found);
-  Status SplitAtCrossings(Id face, const ProgressCallback& progress, bool& found);
-
-  PathNodes& Nodes;
-  std::vector<PathPiece>& Pieces;
-  const bool InsertCrossings;
-  std::vector<Segment> Segments;
-  std::vector<GridSegment> Lines; // where the segments lie
-  SegmentTree Tree;               // of the same
-};
+/// Split the pieces in a face, those at `places`, at nodes that they pass and where they cross each
+/// other, which adds nodes. Fails when they cross and crossings are not to be inserted.
+Status SplitPieces(PathNodes& nodes, std::vector<PathPiece>& pieces, bool insertCrossings, Id face,
+  const std::vector<std::size_t>& places, const ProgressCallback& progress);
 }
 
 #endif

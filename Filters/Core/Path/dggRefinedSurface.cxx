@@ -2,10 +2,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggRefinedSurface.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
 #include <utility>
 
 namespace dgg
 {
+void RefinedSurface::Glue(const std::vector<Offset>& places)
+{
+  using Key = std::tuple<Offset, Id, Id>; // place and ends
+  std::vector<std::pair<Key, Id>> halfEdges;
+  halfEdges.reserve(places.size());
+  for (Id h = 0; h < this->GetNumberOfHalfEdges(); ++h)
+  {
+    const std::pair<Id, Id> ends = std::minmax(this->Origin(h), this->Destination(h));
+    halfEdges.emplace_back(Key(places[h], ends.first, ends.second), h);
+  }
+  std::sort(halfEdges.begin(), halfEdges.end());
+  this->Twins.assign(places.size(), NoId);
+  for (std::size_t begin = 0; begin < halfEdges.size();)
+  {
+    std::size_t end = begin + 1;
+    while (end < halfEdges.size() && halfEdges[end].first == halfEdges[begin].first)
+    {
+      ++end;
+    }
+    for (std::size_t i = begin; i < end && end - begin > 1; ++i)
+    {
+      this->Twins[halfEdges[i].second] = halfEdges[i + 1 == end ? begin : i + 1].second;
+    }
+    begin = end;
+  }
+}
+
 Status RefinedSurface::Build(const SurfaceMesh& oldMesh, SurfaceMesh& mesh) const
 {
   return SurfaceMesh::FromGluedLengths(this->GetNumberOfVertices(), this->Triangles.data(),
@@ -33,6 +63,18 @@ SurfacePoint RefinedSurface::ToOldMesh(
   return SurfacePoint::InFace(oldMesh, this->Faces[face], sum);
 }
 
+SurfacePoint RefinedSurface::ToOldMesh(
+  const SurfaceMesh& oldMesh, const SurfaceMesh& mesh, Id face, const SurfacePoint& point) const
+{
+  std::array<double, 3> barycentric{};
+  FindInFace(mesh, point, face, barycentric);
+  if (mesh.IsFlipped(face))
+  {
+    std::swap(barycentric[1], barycentric[2]);
+  }
+  return this->ToOldMesh(oldMesh, face, barycentric);
+}
+
 SurfacePath RefinedSurface::ToOldMesh(
   const SurfaceMesh& oldMesh, const SurfaceMesh& mesh, const SurfacePath& path) const
 {
@@ -48,13 +90,7 @@ SurfacePath RefinedSurface::ToOldMesh(
     else
     {
       const Id face = path.Faces.empty() ? point.Face : path.Faces[i > 0 ? i - 1 : 0];
-      std::array<double, 3> b{};
-      FindInFace(mesh, point, face, b);
-      if (mesh.IsFlipped(face))
-      {
-        std::swap(b[1], b[2]);
-      }
-      oldPoint = this->ToOldMesh(oldMesh, face, b);
+      oldPoint = this->ToOldMesh(oldMesh, mesh, face, point);
     }
     const bool isInside = i > 0 && i + 1 < path.Points.size();
     if (isInside && point.On == SurfacePoint::Support::Edge &&

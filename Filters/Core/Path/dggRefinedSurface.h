@@ -33,6 +33,14 @@ struct RefinedSurface
 
   Id GetNumberOfVertices() const { return static_cast<Id>(this->Points.size()); }
   Id GetNumberOfFaces() const { return static_cast<Id>(this->Faces.size()); }
+  Id GetNumberOfHalfEdges() const { return static_cast<Id>(this->Triangles.size()); }
+  Id Origin(Id h) const { return this->Triangles[h]; }
+  Id Destination(Id h) const { return this->Triangles[SurfaceMesh::Next(h)]; }
+  Id Twin(Id h) const { return this->Twins[h]; }
+
+  /// Make Twins: half-edges are of one edge when they have the same ends and lie in the same place,
+  /// which is any number that stands for an edge or a face of the surface before.
+  void Glue(const std::vector<Offset>& places);
   /// The mesh with these faces and their lengths, so that its metric is the old one. Parts of faces
   /// of the old mesh that are degenerate are so as well.
   Status Build(const SurfaceMesh& oldMesh, SurfaceMesh& mesh) const;
@@ -40,6 +48,9 @@ struct RefinedSurface
   /// of the old mesh.
   SurfacePoint ToOldMesh(
     const SurfaceMesh& oldMesh, Id face, const std::array<double, 3>& barycentric) const;
+  /// A point of a face of the mesh that Build() made, as a point of the old mesh.
+  SurfacePoint ToOldMesh(
+    const SurfaceMesh& oldMesh, const SurfaceMesh& mesh, Id face, const SurfacePoint& point) const;
   /// A path on the mesh that Build() made, on the old mesh. Where it bends it keeps its points,
   /// also inside faces of the old mesh.
   SurfacePath ToOldMesh(

@@ -6,6 +6,7 @@
 #define dggStrip_h
 
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
+#include "dggSurfacePath.h"  // for SurfacePath
 #include "dggSurfacePoint.h" // for SurfacePoint
 
 #include <vector> // for the crossings
@@ -91,6 +92,39 @@ inline Id HalfEdgeFrom(const SurfaceMesh& mesh, Id face, Id vertex)
   }
   return NoId;
 }
+
+/// The faces that a path runs through. Where it passes through a vertex, the faces around the
+/// vertex on one side of it are added, so that there is a single strip, unless faces meet in
+/// nothing but that vertex: there the path is pinned, and a new strip begins.
+class StripChain
+{
+public:
+  explicit StripChain(const SurfaceMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  /// With `join` false every strip stays alone, and the path keeps to the vertices between them.
+  void Clear(bool join = true)
+  {
+    this->Strips.clear();
+    this->IsJoining = join;
+  }
+  /// Append a strip that starts where the last one ends, in a vertex. (Elsewhere, both have to be
+  /// in the same face there.)
+  void Append(const Strip& strip);
+  /// Append the faces that a path runs through.
+  void Append(const SurfacePath& path);
+
+  std::vector<Strip>& GetStrips() { return this->Strips; }
+
+private:
+  void AppendPiece(const SurfacePoint& from, const SurfacePoint& to, Id face);
+
+  const SurfaceMesh& Mesh;
+  std::vector<Strip> Strips;
+  bool IsJoining = true;
+};
 }
 
 #endif

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <map>
 #include <sstream>
-#include <tuple>
 #include <utility>
 
 namespace dgg
@@ -37,7 +36,6 @@ public:
     , Options(options)
     , Refined(refined)
     , Nodes(mesh)
-    , Splitter(Nodes, Pieces, options.InsertCrossings)
   {
   }
 
@@ -58,7 +56,6 @@ private:
   void MakePieces();
   Status AddFace(Id f);
   bool IsWhole(Id f) const;
-  void AddWholeFace(Id f);
   Status Triangulate(Id f, std::size_t work);
   std::vector<Segment> SegmentsOf(
     const std::vector<std::size_t>& places, Id f, const std::vector<Id>& nodes) const;
@@ -75,8 +72,7 @@ private:
   PathNodes Nodes;
   std::vector<PathPiece> Pieces;                   // of the paths, one after the other
   std::map<Id, std::vector<std::size_t>> PiecesIn; // per face
-  PieceSplitter Splitter;
-  std::size_t WorkDone = 0; // faces, and pieces in them
+  std::size_t WorkDone = 0;                        // faces, and pieces in them
 };
 
 Status Refiner::Run()
@@ -90,7 +86,7 @@ Status Refiner::Run()
   this->Nodes.AddPointsOnEdges(this->Paths);
   this->MakePieces();
   const Id faces = this->Mesh.GetNumberOfFaces();
-  for (Id f = 0; f < faces; ++f)
+  for (Id f = 0; f < faces && status.IsOk(); ++f)
   {
     if (f % ProgressInterval == 0 && !this->GoesInFace(0, 0.0))
     {
@@ -101,24 +97,23 @@ Status Refiner::Run()
       status = this->AddFace(f);
     }
     ++this->WorkDone;
-    if (!status.IsOk())
-    {
-      this->Refined = RefinedSurface();
-      return status;
-    }
   }
-  if (!this->Goes(FacesDone))
+  if (status.IsOk() && !this->Goes(FacesDone))
+  {
+    status = Status::Abort();
+  }
+  if (!status.IsOk())
   {
     this->Refined = RefinedSurface();
-    return Status::Abort();
+    return status;
   }
   this->MakeTwinsAndLengths();
   this->Refined.Points = this->Nodes.MakePoints();
   this->MakeChains();
-  return Status::Success();
+  return status;
 }
 
-/// Tells how much is done when a part of the work of a face is.
+/// Reports how much is done when a part of the work of a face is.
 bool Refiner::GoesInFace(std::size_t work, double done) const
 {
   const auto whole =
@@ -180,7 +175,7 @@ Status Refiner::AddFace(Id f)
 {
   if (this->IsWhole(f))
   {
-    this->AddWholeFace(f);
+    this->AddTriangle(f, this->Mesh.GetTriangle(f));
     return Status::Success();
   }
   const auto pieces = this->PiecesIn.find(f);
@@ -188,8 +183,8 @@ Status Refiner::AddFace(Id f)
   const std::size_t work = pieces == this->PiecesIn.end() ? 0 : pieces->second.size();
   if (pieces != this->PiecesIn.end())
   {
-    status = this->Splitter.Split(
-      f, pieces->second, [&](double done) { return this->GoesInFace(work, PiecesDone * done); });
+    status = SplitPieces(this->Nodes, this->Pieces, this->Options.InsertCrossings, f,
+      pieces->second, [&](double done) { return this->GoesInFace(work, PiecesDone * done); });
   }
   status = status.IsOk() ? this->Triangulate(f, work) : status;
   this->WorkDone += work;
@@ -205,11 +200,6 @@ bool Refiner::IsWhole(Id f) const
     isWhole = !this->Nodes.FindOnEdge(h);
   }
   return isWhole;
-}
-
-void Refiner::AddWholeFace(Id f)
-{
-  this->AddTriangle(f, this->Mesh.GetTriangle(f));
 }
 
 Status Refiner::Triangulate(Id f, std::size_t work)
@@ -321,41 +311,20 @@ void Refiner::AddTriangle(Id f, const std::array<Id, 3>& nodes)
 /// Edges are glued where they are parts of the same old edge, or within the same old face.
 void Refiner::MakeTwinsAndLengths()
 {
-  const auto halfEdges = static_cast<Id>(this->Refined.Triangles.size());
-  const Id oldHalfEdges = this->Mesh.GetNumberOfHalfEdges();
-  this->Refined.Twins.assign(halfEdges, NoId);
-  this->Refined.Lengths.resize(halfEdges);
-  using Key = std::tuple<Offset, Id, Id, Id>; // where, ends, half-edge
-  std::vector<Key> keys;
-  keys.reserve(halfEdges);
-  for (Id e = 0; e < halfEdges; ++e)
+  std::vector<Offset> places;
+  places.reserve(this->Refined.Triangles.size());
+  for (Id h = 0; h < this->Refined.GetNumberOfHalfEdges(); ++h)
   {
-    const Id f = this->Refined.Faces[SurfaceMesh::Face(e)];
-    const Id a = this->Refined.Triangles[e];
-    const Id b = this->Refined.Triangles[SurfaceMesh::Next(e)];
+    const Id f = this->Refined.Faces[SurfaceMesh::Face(h)];
+    const Id a = this->Refined.Origin(h);
+    const Id b = this->Refined.Destination(h);
     int side = 0;
-    const Offset where = this->Nodes.AreOnOneSide(a, b, f, side)
-      ? FindEdge(this->Mesh, 3 * f + side)
-      : static_cast<Offset>(oldHalfEdges) + f;
-    keys.emplace_back(where, std::min(a, b), std::max(a, b), e);
-    this->Refined.Lengths[e] = this->Nodes.Measure(a, b, f);
+    places.push_back(this->Nodes.AreOnOneSide(a, b, f, side)
+        ? FindEdge(this->Mesh, 3 * f + side)
+        : static_cast<Offset>(this->Mesh.GetNumberOfHalfEdges()) + f);
+    this->Refined.Lengths.push_back(this->Nodes.Measure(a, b, f));
   }
-  std::sort(keys.begin(), keys.end());
-  for (std::size_t begin = 0; begin < keys.size();)
-  {
-    std::size_t end = begin + 1;
-    while (end < keys.size() && std::get<0>(keys[end]) == std::get<0>(keys[begin]) &&
-      std::get<1>(keys[end]) == std::get<1>(keys[begin]) &&
-      std::get<2>(keys[end]) == std::get<2>(keys[begin]))
-    {
-      ++end;
-    }
-    for (std::size_t i = begin; i < end && end - begin > 1; ++i)
-    {
-      this->Refined.Twins[std::get<3>(keys[i])] = std::get<3>(keys[i + 1 == end ? begin : i + 1]);
-    }
-    begin = end;
-  }
+  this->Refined.Glue(places);
 }
 
 void Refiner::MakeChains()

@@ -3,6 +3,7 @@
 #include "dggTape.h"
 
 #include "dggEdgeSplitting.h"
+#include "dggEdges.h"
 #include "dggExactGeodesics.h"
 #include "dggProgressPart.h"
 #include "dggSurfaceRefinement.h"
@@ -120,17 +121,6 @@ private:
 
   bool IsNear(Id v) const { return this->Distances[v] < this->Distance; }
 
-  /// The half-edge that stands for its edge.
-  Id Representative(Id h) const
-  {
-    Id smallest = h;
-    for (Id e = this->Mesh.Twin(h); e != NoId && e != h; e = this->Mesh.Twin(e))
-    {
-      smallest = std::min(smallest, e);
-    }
-    return smallest;
-  }
-
   void FindCrossings()
   {
     for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
@@ -142,7 +132,7 @@ private:
       {
         continue;
       }
-      const Id edge = this->Representative(h);
+      const Id edge = FindEdge(this->Mesh, h);
       EdgeCrossing& crossing = this->Crossings[edge];
       crossing.Faces.push_back(SurfaceMesh::Face(h));
       if (edge == h)
@@ -223,7 +213,7 @@ private:
     crossing.Faces.pop_back();
     for (Id h = 3 * face; h < 3 * face + 3; ++h)
     {
-      const Id other = this->Representative(h);
+      const Id other = FindEdge(this->Mesh, h);
       if (other != edge && this->Crossings[other].IsCrossed)
       {
         std::vector<Id>& faces = this->Crossings[other].Faces;
@@ -322,17 +312,11 @@ SurfacePath ToMesh(const SurfaceMesh& mesh, const RefinedSurface& refined, const
   for (std::size_t i = 0; i < curve.Points.size(); ++i)
   {
     const Id face = curve.Faces[i > 0 ? i - 1 : 0];
-    std::array<double, 3> barycentric{};
-    FindInFace(part, curve.Points[i], face, barycentric);
-    if (part.IsFlipped(face))
-    {
-      std::swap(barycentric[1], barycentric[2]);
-    }
     const bool isClosing = i + 1 == curve.Points.size() && i > 0 &&
       curve.Points[i].On == SurfacePoint::Support::Edge &&
       curve.Points[i].HalfEdge == curve.Points[0].HalfEdge;
     path.Points.push_back(
-      isClosing ? path.Points.front() : refined.ToOldMesh(mesh, face, barycentric));
+      isClosing ? path.Points.front() : refined.ToOldMesh(mesh, part, face, curve.Points[i]));
     if (i > 0)
     {
       path.Faces.push_back(refined.Faces[face]);
