@@ -3,7 +3,7 @@
 #include "dggFarthestPoints.h"
 
 #include "dggBucketSearch.h"
-#include "dggGraphSeeds.h"
+#include "dggGraphSearch.h"
 
 #include <algorithm>
 
@@ -130,15 +130,5 @@ const std::vector<double>& FarthestPoints::GetDistances() const
 const std::vector<Id>& FarthestPoints::GetNearestSamples() const
 {
   return this->Internals->NearestSamples;
-}
-
-std::size_t FarthestPoints::GetMemorySize() const
-{
-  const Implementation& internals = *this->Internals;
-  return internals.Distances.capacity() * sizeof(double) +
-    internals.Origins.capacity() * sizeof(LabelOrigin) +
-    (internals.Touched.capacity() + internals.NearestSamples.capacity()) * sizeof(Id) +
-    internals.Candidates.capacity() * sizeof(Candidate) + internals.Queue.GetMemorySize() +
-    (internals.Fans ? internals.Fans->GetMemorySize() : 0);
 }
 }

@@ -55,9 +55,6 @@ public:
   /// The nearest sample of every vertex, numbered as they were added; NoId where none reaches.
   const std::vector<Id>& GetNearestSamples() const;
 
-  /// Bytes held besides the graph.
-  std::size_t GetMemorySize() const;
-
 private:
   class Implementation;
   std::unique_ptr<Implementation> Internals;

@@ -3,7 +3,7 @@
 #include "dggSurfaceSampler.h"
 
 #include "dggFarthestPoints.h"
-#include "dggGraphSeeds.h"
+#include "dggGraphSearch.h"
 #include "dggProgressPart.h"
 #include "dggStraightWalk.h"
 

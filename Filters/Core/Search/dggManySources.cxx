@@ -53,12 +53,6 @@ void ManySources::GetField(std::size_t k, std::vector<double>& field) const
   }
 }
 
-std::size_t ManySources::GetMemorySize() const
-{
-  return this->Labels.capacity() * sizeof(Lanes) + this->Keys.capacity() * sizeof(float) +
-    this->Queue.GetMemorySize();
-}
-
 /// Labels of the seeds. Returns the smallest.
 double ManySources::Start(const Sources& sources)
 {

@@ -90,11 +90,7 @@ struct CloudGraphStatistics
   Id Resolution = 0;           ///< voxels along the longest side of the points
   double Alpha = 0.0;          ///< as used
   double Reach = 0.0;          ///< median
-  std::size_t Candidates = 0;  ///< neighbours looked at
-  std::size_t Walks = 0;       ///< segments followed through the band
-  std::size_t OutEdges = 0;    ///< directed edges before both directions were united
   std::size_t BandMemory = 0;  ///< bytes
-  std::size_t PeakMemory = 0;  ///< most bytes held at one time, estimated
 };
 
 /// What a graph will take, from the rows of some points.
@@ -102,7 +98,7 @@ struct CloudGraphEstimate
 {
   double Edges = 0.0;  ///< directed
   double Memory = 0.0; ///< bytes of the graph
-  double Peak = 0.0;   ///< most bytes while it is built
+  double Peak = 0.0;   ///< most bytes while it is built, at most twice too many
 };
 
 /// Builds graphs of one cloud: `points`, x y z per point, must outlive the builder.
