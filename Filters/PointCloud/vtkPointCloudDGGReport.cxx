@@ -11,6 +11,26 @@ namespace
 constexpr double LargestNoiseByRadius = 0.07;
 }
 
+/// A number of the graph of the last update.
+#define vtkPointCloudDGGNumberMacro(Type, Name, member) \
+  Type vtkPointCloudDGG::Get##Name() const              \
+  {                                                     \
+    return this->Internals->Current.Statistics.member;  \
+  }
+vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfUnusedPoints, UnusedPoints);
+vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfStrayPoints, StrayPoints);
+vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfCoincidentPoints, CoincidentPoints);
+vtkPointCloudDGGNumberMacro(double, UsedOffsetInVoxels, OffsetInVoxels);
+vtkPointCloudDGGNumberMacro(int, UsedResolution, Resolution);
+vtkPointCloudDGGNumberMacro(double, UsedAlpha, Alpha);
+vtkPointCloudDGGNumberMacro(double, VoxelSize, VoxelSize);
+vtkPointCloudDGGNumberMacro(double, Spacing, Spacing);
+vtkPointCloudDGGNumberMacro(double, Noise, Noise);
+vtkPointCloudDGGNumberMacro(double, OffSurfaceShare, OffSurface);
+vtkPointCloudDGGNumberMacro(double, NoiseByRadius, NoiseByRadius);
+vtkPointCloudDGGNumberMacro(double, Scatter, Scatter);
+vtkPointCloudDGGNumberMacro(double, Reach, Reach);
+
 //------------------------------------------------------------------------------
 void vtkPointCloudDGG::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -97,87 +117,9 @@ vtkIdType vtkPointCloudDGG::GetComponentSize(vtkIdType i) const
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkPointCloudDGG::GetNumberOfUnusedPoints() const
-{
-  return this->Internals->Current.Statistics.UnusedPoints;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkPointCloudDGG::GetNumberOfStrayPoints() const
-{
-  return this->Internals->Current.Statistics.StrayPoints;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkPointCloudDGG::GetNumberOfCoincidentPoints() const
-{
-  return this->Internals->Current.Statistics.CoincidentPoints;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetUsedOffsetInVoxels() const
-{
-  return this->Internals->Current.Statistics.OffsetInVoxels;
-}
-
-//------------------------------------------------------------------------------
 double vtkPointCloudDGG::GetUsedOffset() const
 {
   return this->GetUsedOffsetInVoxels() * this->GetVoxelSize();
-}
-
-//------------------------------------------------------------------------------
-int vtkPointCloudDGG::GetUsedResolution() const
-{
-  return this->Internals->Current.Statistics.Resolution;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetUsedAlpha() const
-{
-  return this->Internals->Current.Statistics.Alpha;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetVoxelSize() const
-{
-  return this->Internals->Current.Statistics.VoxelSize;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetSpacing() const
-{
-  return this->Internals->Current.Statistics.Spacing;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetNoise() const
-{
-  return this->Internals->Current.Statistics.Noise;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetOffSurfaceShare() const
-{
-  return this->Internals->Current.Statistics.OffSurface;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetNoiseByRadius() const
-{
-  return this->Internals->Current.Statistics.NoiseByRadius;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetScatter() const
-{
-  return this->Internals->Current.Statistics.Scatter;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetReach() const
-{
-  return this->Internals->Current.Statistics.Reach;
 }
 
 //------------------------------------------------------------------------------
