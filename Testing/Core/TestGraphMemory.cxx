@@ -12,6 +12,12 @@ namespace dggtest
 {
 using dgg::GraphConstruction;
 
+namespace
+{
+/// What does not depend on the mesh.
+constexpr double SmallAllocations = 20000.0;
+}
+
 TEST(GraphMemory, EstimateIsWithinAFactorOfTwo)
 {
   std::vector<Id> unused;
@@ -41,6 +47,21 @@ TEST(GraphMemory, EstimateIsWithinAFactorOfTwo)
             std::to_string(threads) + " threads");
       }
     }
+  }
+}
+
+TEST(GraphMemory, EstimateIsEnoughOnSmallMeshes)
+{
+  for (const int level : { 0, 1, 2 })
+  {
+    const dgg::SurfaceMesh mesh = Build(Icosphere(level));
+    dgg::GraphEstimate estimate;
+    const MemoryProbe probe;
+    const dgg::GraphBuilder builder(mesh);
+    ASSERT_TRUE(builder.Estimate({}, estimate).IsOk());
+    dgg::GeodesicGraph graph;
+    ASSERT_TRUE(builder.Build({}, graph).IsOk());
+    EXPECT_LE(static_cast<double>(probe.GetHeapPeak()), estimate.Peak + SmallAllocations) << level;
   }
 }
 

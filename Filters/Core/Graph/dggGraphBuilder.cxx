@@ -45,7 +45,7 @@ constexpr double PeakOfAssembly = 1.35;
 constexpr double GrowthOfRows = 1.5;
 /// Bytes that a thread takes for each vertex, and for each window of a source.
 constexpr double BytesPerVertex = 48.0;
-constexpr double BytesPerWindow = 256.0;
+constexpr double BytesPerWindow = 512.0;
 /// Bytes of the tables of the mesh, by face.
 constexpr double BytesPerFace = 3.0 * (sizeof(FaceCrossing) + sizeof(double)) + 20.0;
 
