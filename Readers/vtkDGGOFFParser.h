@@ -15,7 +15,7 @@
 #include <cstdint> // for std::uint32_t
 
 /// A column of colours. Files give them as fractions of 1 or as integers up to 255, and only the
-/// whole file tells which: any number with a decimal point or exponent, or no number above 1, means
+/// whole file says which: any number with a decimal point or exponent, or no number above 1, means
 /// fractions.
 struct vtkDGGOFFColors
 {

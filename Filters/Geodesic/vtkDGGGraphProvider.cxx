@@ -61,7 +61,7 @@ dgg::Status vtkDGGGraphProvider::Update(const vtkDGGGraphRequest& request)
   const bool isCloud = request.Mesh.IsCloud();
   if (isCloud && !this->InputGraph.IsValid())
   {
-    this->InputGraph.Clear(); // to be told again what is wrong with it
+    this->InputGraph.Clear(); // so that what is wrong with it is reported again
   }
   std::string complaint;
   const bool found = this->InputGraph.Find(data, request.Mesh, complaint);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkPointCloudDGG: what it tells of graphs, and warns of.
+// vtkPointCloudDGG: what it reports of graphs, and warns of.
 #include "vtkPointCloudDGGInternals.h"
 
 #include <cmath>
@@ -171,7 +171,7 @@ void vtkPointCloudDGG::WarnAboutPoints()
 }
 
 //------------------------------------------------------------------------------
-/// Of a graph that has just been built: voxels that tell less than the points do.
+/// Of a graph that has just been built: voxels that are coarser than the points.
 void vtkPointCloudDGG::WarnAboutVoxels(const dgg::CloudGraphOptions& options)
 {
   const dgg::CloudGraphStatistics& used = this->Internals->Current.Statistics;

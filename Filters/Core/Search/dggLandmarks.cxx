@@ -100,10 +100,11 @@ std::int16_t Clamp(double code)
 Status Landmarks::Choose(const GraphView& graph, const GraphFans* fans, double bucketWidth,
   const ProgressCallback& progress)
 {
-  const auto tell = [&](double fraction) { return !progress || progress(fraction); };
+  const auto report = [&](double fraction) { return !progress || progress(fraction); };
   this->Codes.resize(graph.NumberOfVertices);
-  const bool isDone = tell(0.0) &&
-    this->ChooseFrom(graph, fans, bucketWidth, this->ChooseComponents(graph), tell) && tell(1.0);
+  const bool isDone = report(0.0) &&
+    this->ChooseFrom(graph, fans, bucketWidth, this->ChooseComponents(graph), report) &&
+    report(1.0);
   return isDone ? Status::Success() : Status::Abort();
 }
 

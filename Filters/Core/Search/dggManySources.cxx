@@ -114,7 +114,7 @@ void ManySources::Certify(const Length* lengths)
   }
 }
 
-/// Vertices that were lowered tell their neighbours.
+/// Vertices that were lowered lower their neighbours.
 template <typename Length>
 void ManySources::Mend(const Length* lengths)
 {

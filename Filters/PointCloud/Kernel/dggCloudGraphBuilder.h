@@ -11,7 +11,7 @@
 
 #include <cstddef> // for std::size_t
 #include <cstdint> // for std::uint8_t
-#include <vector>  // for what is told of points
+#include <vector>  // for what is known of points
 
 namespace dgg
 {
@@ -105,7 +105,7 @@ struct CloudGraphEstimate
 ///
 /// Two points are connected directly when the segment between them stays in the band, the union of
 /// balls around all points. Direct pairs within reach are the full graph, of which the progress
-/// rule keeps what is needed for the accuracy. Stray points (dggStrayPoints.h tells which these
+/// rule keeps what is needed for the accuracy. Stray points (dggStrayPoints.h says which these
 /// are) are connected to none but those in the same place: the graph of the others is as if they
 /// were not there.
 class CloudGraphBuilder
@@ -116,8 +116,8 @@ public:
   /// Fails with a message when an option is out of range.
   static Status Check(const CloudGraphOptions& options);
 
-  /// Predict what Build() will take: prepares it and builds the rows of some points. Tells the
-  /// progress of that.
+  /// Predict what Build() will take: prepares it and builds the rows of some points. Reports
+  /// the progress of that.
   Status Estimate(const CloudGraphOptions& options, CloudGraphEstimate& estimate) const;
 
   /// Build the graph: the same, bit by bit, for any Parallel. `result` is empty on failure. The

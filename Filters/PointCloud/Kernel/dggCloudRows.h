@@ -13,7 +13,7 @@
 
 namespace dgg
 {
-/// What the rows of some nodes, evenly spread, tell of all.
+/// What the rows of some nodes, evenly spread, show of all.
 struct RowSample
 {
   double MeanCandidates = 0.0; ///< nodes within reach

@@ -28,8 +28,8 @@ constexpr std::size_t BytesPerPoint = 72;
 /// the surface, must not get a ball that reaches it, nor one at a border a larger one.
 constexpr double LargestSpacingRatio = 1.25;
 /// A group of fewer points than there are neighbours has a gap among the distances of them, the
-/// next one being that many times as far. Then only those beyond the gap tell the spacing: the
-/// others would tell how far off the group is, when they are the larger part.
+/// next one being that many times as far. Then only those beyond the gap give the spacing: the
+/// others would give how far off the group is, when they are the larger part.
 constexpr double LeastGap = 4.0;
 constexpr std::size_t LeastGroup = SpacingNeighbors / 2 + 1;
 

@@ -16,7 +16,7 @@
 
 namespace dgg
 {
-/// The neighbour whose distance tells the local spacing.
+/// The neighbour whose distance gives the local spacing.
 constexpr std::size_t SpacingNeighbors = 16;
 /// That can be asked for.
 constexpr Id LargestResolution = 1 << 19;
@@ -52,7 +52,7 @@ void ChooseReaches(const CloudGraphOptions& options, double medianSpacing,
 /// Fails when that many bytes are more than the limit.
 Status CheckSetupMemory(std::size_t bytes, const CloudGraphOptions& options);
 
-/// `progress` is told of the fraction of this step.
+/// `progress` receives the fraction of this step.
 Status SetUpCloud(const double* points, Id numberOfPoints, const CloudGraphOptions& options,
   const ProgressCallback& progress, CloudSetup& setup, CloudGraphStatistics& statistics);
 }
