@@ -282,11 +282,10 @@ TEST(GraphParts, PruningCanBeStopped)
   std::vector<double> reports;
   const auto stopAfter = [&](std::size_t most) {
     reports.clear();
-    return dgg::PruneCandidates(
-      rows, 0.25, nullptr, [&](double done) {
-        reports.push_back(done);
-        return reports.size() < most;
-      });
+    return dgg::PruneCandidates(rows, 0.25, nullptr, [&](double done) {
+      reports.push_back(done);
+      return reports.size() < most;
+    });
   };
   EXPECT_TRUE(stopAfter(2).IsAborted());
   EXPECT_EQ(reports.size(), 2u);
