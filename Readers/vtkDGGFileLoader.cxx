@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGFileLoader.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
@@ -10,92 +11,94 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <exception>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
-bool vtkDGGLoadFile(
-  const char* name, std::size_t limit, std::vector<char>& bytes, vtkDGGFileError& error)
+std::vector<char> vtkDGG::LoadFile(const char* name, std::size_t limit)
 {
   namespace fs = std::filesystem;
   std::error_code code;
   const fs::file_status status = fs::status(name, code);
   if (!fs::exists(status))
   {
-    error = { vtkErrorCode::FileNotFoundError, "the file does not exist" };
-    return false;
-  }
-  if (fs::is_directory(status))
-  {
-    error = { vtkErrorCode::CannotOpenFileError, "it is a folder" };
-    return false;
+    throw FileError(vtkErrorCode::FileNotFoundError, "the file does not exist");
   }
   if (!fs::is_regular_file(status))
   {
-    error = { vtkErrorCode::CannotOpenFileError, "it is not an ordinary file" };
-    return false;
+    throw FileError(vtkErrorCode::CannotOpenFileError,
+      fs::is_directory(status) ? "it is a folder" : "it is not an ordinary file");
   }
   std::ifstream file(name, std::ios::binary);
   if (!file)
   {
-    error = { vtkErrorCode::CannotOpenFileError, "the file cannot be opened" };
-    return false;
+    throw FileError(vtkErrorCode::CannotOpenFileError, "the file cannot be opened");
   }
   const std::uintmax_t size = fs::file_size(name, code);
   if (code)
   {
-    error = { vtkErrorCode::CannotOpenFileError, "the size of the file is not known" };
-    return false;
+    throw FileError(vtkErrorCode::CannotOpenFileError, "the size of the file is not known");
   }
-  bytes.resize(static_cast<std::size_t>(std::min<std::uintmax_t>(size, limit)));
+  std::vector<char> bytes(static_cast<std::size_t>(std::min<std::uintmax_t>(size, limit)));
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (static_cast<std::size_t>(file.gcount()) != bytes.size())
   {
-    error = { vtkErrorCode::PrematureEndOfFileError, "the file cannot be read to its end" };
-    return false;
+    throw FileError(vtkErrorCode::PrematureEndOfFileError, "the file cannot be read to its end");
   }
-  return true;
+  return bytes;
 }
 
-int vtkDGGReadFile(const char* fileName, vtkInformationVector* outputVector,
-  const std::function<bool(vtkPolyData* output, vtkDGGFileError& error)>& read,
-  vtkDGGFileError& error)
+int vtkDGG::ReadFile(vtkAlgorithm* reader, const char* fileName, vtkInformationVector* outputVector,
+  const std::function<void(
+    const std::vector<char>& bytes, const FileProgress& progress, vtkPolyData* output)>& read,
+  unsigned long& code)
 {
-  error = vtkDGGFileError();
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  code = vtkErrorCode::NoError;
   if (!fileName || !fileName[0])
   {
-    error = { vtkErrorCode::NoFileNameError, "There is no file name: call SetFileName() first." };
+    code = vtkErrorCode::NoFileNameError;
+    vtkErrorWithObjectMacro(reader, "There is no file name: call SetFileName() first.");
     return 0;
   }
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  const FileProgress progress = [reader](double done) {
+    reader->UpdateProgress(0.9 * done);
+    if (reader->GetAbortExecute() != 0)
+    {
+      throw FileError(vtkErrorCode::NoError, "aborted");
+    }
+  };
+  std::string message;
   try
   {
-    if (read(output, error))
-    {
-      return 1;
-    }
+    read(LoadFile(fileName, SIZE_MAX), progress, output);
+    progress(1.0);
+    reader->UpdateProgress(1.0);
+    return 1;
+  }
+  catch (const FileError& error)
+  {
+    code = error.Code;
+    message = error.what();
   }
   catch (const std::exception& exception) // out of memory
   {
-    error = { vtkErrorCode::UnknownError, exception.what() };
-  }
-  catch (...)
-  {
-    error = { vtkErrorCode::UnknownError, "unexpected failure" };
+    code = vtkErrorCode::UnknownError;
+    message = exception.what();
   }
   output->Initialize();
-  if (error.Code == vtkErrorCode::NoError)
+  if (code == vtkErrorCode::NoError)
   {
-    // Aborted: nothing to complain about, but an empty output does not count as up to date.
     outputVector->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
     return 1;
   }
-  error.Message = std::string("Cannot read ") + fileName + ": " + error.Message;
+  vtkErrorWithObjectMacro(reader, "Cannot read " << fileName << ": " << message);
   return 0;
 }
 
-std::string vtkDGGQuote(const char* first, const char* last)
+std::string vtkDGG::Quote(const char* first, const char* last)
 {
   constexpr std::ptrdiff_t longest = 32;
   std::string text(first, first + std::min(last - first, longest));
@@ -104,7 +107,29 @@ std::string vtkDGGQuote(const char* first, const char* last)
   return "'" + text + (last - first > longest ? "...'" : "'");
 }
 
-std::string vtkDGGQuote(const std::string& text)
+std::string vtkDGG::Quote(const std::string& text)
 {
-  return vtkDGGQuote(text.data(), text.data() + text.size());
+  return Quote(text.data(), text.data() + text.size());
+}
+
+const char* vtkDGG::SkipByteOrderMark(const char* begin, const char* end)
+{
+  const std::string_view mark = "\xEF\xBB\xBF";
+  const std::string_view text(begin, static_cast<std::size_t>(end - begin));
+  return text.substr(0, mark.size()) == mark ? begin + mark.size() : begin;
+}
+
+bool vtkDGG::IsTooSmall(const char* first, const char* last)
+{
+  // By the power of ten of the first digit.
+  const std::string text(first, last);
+  const std::size_t end = std::min(text.find_first_of("eE"), text.size());
+  const std::size_t point = std::min(text.find('.'), end);
+  const std::size_t digit = std::min(text.find_first_of("123456789"), end);
+  double power = static_cast<double>(point) - static_cast<double>(digit);
+  if (end < text.size())
+  {
+    power += std::strtod(text.c_str() + end + 1, nullptr); // digits and a sign, however many
+  }
+  return power < 0.0;
 }

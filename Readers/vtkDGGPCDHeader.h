@@ -5,7 +5,6 @@
 #ifndef vtkDGGPCDHeader_h
 #define vtkDGGPCDHeader_h
 
-#include "vtkDGGFileLoader.h"  // for the error
 #include "vtkDGGPointFields.h" // for fields and viewpoint
 
 #include <cstddef> // for std::size_t
@@ -40,14 +39,18 @@ struct vtkDGGPCDHeader
   std::size_t GetPointNumbers() const;
 
   /// Understand the header of the file [begin, end). What it says is consistent then, but nothing
-  /// is known about the body. False on error.
-  bool Parse(const char* begin, const char* end, vtkDGGFileError& error);
+  /// is known about the body. Throws vtkDGG::FileError.
+  void Parse(const char* begin, const char* end);
   /// The header as text, from the first line to the one with DATA.
   std::string Format() const;
 };
 
 /// Whether the beginning of a file [begin, end) can be that of a PCD file.
 bool vtkDGGLooksLikePCD(const char* begin, const char* end);
+
+/// Throw an error at a line of a PCD file.
+[[noreturn]] void vtkDGGFailAtLine(
+  unsigned long code, std::size_t line, const std::string& message);
 
 #endif
 // VTK-HeaderTest-Exclude: vtkDGGPCDHeader.h

@@ -28,8 +28,9 @@
 #include <pcl/memory.h>         // for pcl::shared_ptr
 #include <pcl/point_cloud.h>    // for clouds of points
 
-#include <algorithm> // for std::reverse
+#include <algorithm> // for std::find_if and std::reverse
 #include <cstddef>   // for std::size_t
+#include <iterator>  // for std::begin
 #include <limits>    // for the range of a width
 #include <string>    // for messages
 #include <vector>    // for fields
@@ -38,58 +39,31 @@ namespace vtkDGG
 {
 namespace Detail
 {
+/// The types of numbers in PCL; of those for one kind and size, the first is written.
+struct PCLType
+{
+  int Type;
+  char Kind;
+  int Size;
+};
+inline const PCLType PCLTypes[] = { { pcl::PCLPointField::INT8, 'I', 1 },
+  { pcl::PCLPointField::UINT8, 'U', 1 }, { pcl::PCLPointField::BOOL, 'U', 1 },
+  { pcl::PCLPointField::INT16, 'I', 2 }, { pcl::PCLPointField::UINT16, 'U', 2 },
+  { pcl::PCLPointField::INT32, 'I', 4 }, { pcl::PCLPointField::UINT32, 'U', 4 },
+  { pcl::PCLPointField::INT64, 'I', 8 }, { pcl::PCLPointField::UINT64, 'U', 8 },
+  { pcl::PCLPointField::FLOAT32, 'F', 4 }, { pcl::PCLPointField::FLOAT64, 'F', 8 } };
+
 /// False when PCL has a type that is not known here.
 inline bool FromPCLField(const pcl::PCLPointField& in, PointField& out)
 {
-  out.Name = in.name;
-  // PCL takes 0 for 1.
-  out.Count = in.count == 0 ? 1 : static_cast<int>(in.count);
-  switch (in.datatype)
+  const auto* type = std::find_if(std::begin(PCLTypes), std::end(PCLTypes),
+    [&in](const PCLType& candidate) { return candidate.Type == int(in.datatype); });
+  if (type == std::end(PCLTypes))
   {
-    case pcl::PCLPointField::INT8:
-      out.Kind = 'I';
-      out.Size = 1;
-      break;
-    case pcl::PCLPointField::UINT8:
-    case pcl::PCLPointField::BOOL:
-      out.Kind = 'U';
-      out.Size = 1;
-      break;
-    case pcl::PCLPointField::INT16:
-      out.Kind = 'I';
-      out.Size = 2;
-      break;
-    case pcl::PCLPointField::UINT16:
-      out.Kind = 'U';
-      out.Size = 2;
-      break;
-    case pcl::PCLPointField::INT32:
-      out.Kind = 'I';
-      out.Size = 4;
-      break;
-    case pcl::PCLPointField::UINT32:
-      out.Kind = 'U';
-      out.Size = 4;
-      break;
-    case pcl::PCLPointField::INT64:
-      out.Kind = 'I';
-      out.Size = 8;
-      break;
-    case pcl::PCLPointField::UINT64:
-      out.Kind = 'U';
-      out.Size = 8;
-      break;
-    case pcl::PCLPointField::FLOAT32:
-      out.Kind = 'F';
-      out.Size = 4;
-      break;
-    case pcl::PCLPointField::FLOAT64:
-      out.Kind = 'F';
-      out.Size = 8;
-      break;
-    default:
-      return false;
+    return false;
   }
+  // PCL treats a count of 0 as 1.
+  out = { in.name, type->Kind, type->Size, in.count == 0 ? 1 : static_cast<int>(in.count) };
   return true;
 }
 
@@ -99,15 +73,11 @@ inline pcl::PCLPointField ToPCLField(const PointField& in, std::size_t offset)
   out.name = in.Name;
   out.offset = static_cast<pcl::uindex_t>(offset);
   out.count = static_cast<pcl::uindex_t>(in.Count);
-  const int log = in.Size == 1 ? 0 : in.Size == 2 ? 1 : in.Size == 4 ? 2 : 3;
-  const int integers[2][4] = { { pcl::PCLPointField::INT8, pcl::PCLPointField::INT16,
-                                 pcl::PCLPointField::INT32, pcl::PCLPointField::INT64 },
-    { pcl::PCLPointField::UINT8, pcl::PCLPointField::UINT16, pcl::PCLPointField::UINT32,
-      pcl::PCLPointField::UINT64 } };
-  const int type = in.Kind == 'F'
-    ? (in.Size == 4 ? int(pcl::PCLPointField::FLOAT32) : int(pcl::PCLPointField::FLOAT64))
-    : integers[in.Kind == 'U'][log];
-  out.datatype = static_cast<decltype(out.datatype)>(type);
+  const auto* type =
+    std::find_if(std::begin(PCLTypes), std::end(PCLTypes), [&in](const PCLType& candidate) {
+      return candidate.Kind == in.Kind && candidate.Size == in.Size;
+    });
+  out.datatype = static_cast<decltype(out.datatype)>(type->Type);
   return out;
 }
 

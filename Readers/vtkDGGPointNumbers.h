@@ -5,51 +5,71 @@
 #ifndef vtkDGGPointNumbers_h
 #define vtkDGGPointNumbers_h
 
-#include <cstdint> // for the types
+#include "vtkDataArray.h" // for the type of an array
+#include "vtkSetGet.h"    // for vtkTemplateMacro
+#include "vtkType.h"      // for types
 
-class vtkDataArray;
+#include <limits> // for char
 
 /// Names in the field data, and of fields that hold nothing.
 constexpr const char* vtkDGGDimensionsName = "PCD.Dimensions";
 constexpr const char* vtkDGGViewpointName = "PCD.Viewpoint";
 constexpr const char* vtkDGGPaddingName = "_";
 
-/// Call `worker` with a number of the type, as an example.
-template <typename Worker>
-void vtkDGGDispatchNumber(char kind, int size, const Worker& worker)
+/// The type of VTK's arrays for that kind and size.
+inline int vtkDGGGetArrayType(char kind, int size)
 {
-  const int type = kind == 'F' ? 0 : kind == 'I' ? 1 : 2;
-  switch (16 * type + size)
+  const bool isSigned = kind == 'I';
+  switch (kind == 'F' ? 10 * size : size)
   {
+    case 1:
+      return isSigned ? VTK_SIGNED_CHAR : VTK_UNSIGNED_CHAR;
+    case 2:
+      return isSigned ? VTK_SHORT : VTK_UNSIGNED_SHORT;
     case 4:
-      return worker(float());
+      return isSigned ? VTK_INT : VTK_UNSIGNED_INT;
     case 8:
-      return worker(double());
-    case 16 + 1:
-      return worker(std::int8_t());
-    case 16 + 2:
-      return worker(std::int16_t());
-    case 16 + 4:
-      return worker(std::int32_t());
-    case 16 + 8:
-      return worker(std::int64_t());
-    case 32 + 1:
-      return worker(std::uint8_t());
-    case 32 + 2:
-      return worker(std::uint16_t());
-    case 32 + 4:
-      return worker(std::uint32_t());
-    case 32 + 8:
-      return worker(std::uint64_t());
+      return isSigned ? VTK_TYPE_INT64 : VTK_TYPE_UINT64;
+    case 40:
+      return VTK_FLOAT;
+    default:
+      return VTK_DOUBLE;
+  }
+}
+
+/// The kind and size of the numbers of an array.
+inline void vtkDGGGetArrayNumbers(vtkDataArray* array, char& kind, int& size)
+{
+  kind = 'I';
+  size = array->GetDataTypeSize();
+  const int type = array->GetDataType();
+  if (type == VTK_BIT)
+  {
+    kind = 'U';
+    size = 1;
+    return;
+  }
+  switch (type)
+  {
+    vtkTemplateMacro(kind = !std::numeric_limits<VTK_TT>::is_integer ? 'F'
+        : std::numeric_limits<VTK_TT>::is_signed                     ? 'I'
+                                                                     : 'U');
     default:
       break;
   }
 }
 
-/// The type of VTK's arrays for that kind and size.
-int vtkDGGGetArrayType(char kind, int size);
-/// The kind and size of the numbers of an array.
-void vtkDGGGetArrayNumbers(vtkDataArray* array, char& kind, int& size);
+/// Call `worker` with a number of the type, as an example.
+template <typename Worker>
+void vtkDGGDispatchNumber(char kind, int size, const Worker& worker)
+{
+  switch (vtkDGGGetArrayType(kind, size))
+  {
+    vtkTemplateMacro(worker(VTK_TT()));
+    default:
+      break;
+  }
+}
 
 #endif
 // VTK-HeaderTest-Exclude: vtkDGGPointNumbers.h

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPointFields.h"
 
-#include "vtkDGGPointFieldTable.h"
 #include "vtkDGGPointNumbers.h"
 
 #include "vtkCellArray.h"
-#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -17,15 +15,130 @@
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <set>
 
 namespace
 {
+using vtkDGG::PointCloudView;
 using vtkDGG::PointField;
 using vtkDGG::PointFieldView;
+
+/// Whether three fields have numbers of one type.
+bool HaveSameType(const PointFieldView* const* views)
+{
+  return std::all_of(views + 1, views + 3, [views](const PointFieldView* view) {
+    return view->Field.Kind == views[0]->Field.Kind && view->Field.Size == views[0]->Field.Size;
+  });
+}
+
+/// The fields of a cloud by their meaning.
+class FieldTable
+{
+public:
+  /// False, with the reason, when the fields make no cloud, or two of them the same array.
+  bool Fill(const PointCloudView& cloud, std::string& error)
+  {
+    for (const PointFieldView& view : cloud.Fields)
+    {
+      const std::string& name = view.Field.Name;
+      if (!vtkDGG::IsPointFieldType(view.Field.Kind, view.Field.Size) || view.Field.Count < 1)
+      {
+        error = "the field '" + name + "' has numbers of no known type, or none";
+        return false;
+      }
+      if (name != vtkDGGPaddingName && !this->Names.insert(name).second)
+      {
+        error = "there are two fields '" + name + "'";
+        return false;
+      }
+      this->Place(view);
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      const std::string name(1, "xyz"[c]);
+      if (!this->Coordinates[c])
+      {
+        error = "there is no field '" + name + "': a point cloud needs the fields x, y and z";
+        return false;
+      }
+      if (this->Coordinates[c]->Field.Count != 1)
+      {
+        error = "the field '" + name + "' has " +
+          std::to_string(this->Coordinates[c]->Field.Count) + " values per point, expected one";
+        return false;
+      }
+    }
+    this->HasNormals = std::all_of(this->Normals, this->Normals + 3,
+                         [](const PointFieldView* view) {
+                           return view && view->Field.Count == 1 && view->Field.Kind == 'F';
+                         }) &&
+      HaveSameType(this->Normals);
+    for (const PointFieldView* view : this->Normals)
+    {
+      if (view && !this->HasNormals)
+      {
+        this->Others.push_back(view); // not a vector, so a field like others
+      }
+    }
+    return this->CheckName(this->HasNormals, "Normals", "normal_x, normal_y, normal_z", error) &&
+      this->CheckName(this->Color != nullptr, "RGB", "rgb", error) &&
+      this->CheckName(this->ColorWithAlpha != nullptr, "RGBA", "rgba", error);
+  }
+
+  const PointFieldView* Coordinates[3] = { nullptr, nullptr, nullptr };
+  const PointFieldView* Normals[3] = { nullptr, nullptr, nullptr };
+  const PointFieldView* Color = nullptr;
+  const PointFieldView* ColorWithAlpha = nullptr;
+  std::vector<const PointFieldView*> Others;
+  bool HasNormals = false;
+
+private:
+  void Place(const PointFieldView& view)
+  {
+    const std::string& name = view.Field.Name;
+    const bool isPacked = view.Field.GetBytes() == 4 && view.Field.Count == 1;
+    for (int c = 0; c < 3; ++c)
+    {
+      if (name == std::string(1, "xyz"[c]))
+      {
+        this->Coordinates[c] = &view;
+        return;
+      }
+      if (name == std::string("normal_") + "xyz"[c])
+      {
+        this->Normals[c] = &view;
+        return;
+      }
+    }
+    if (isPacked && (name == "rgb" || name == "rgba"))
+    {
+      (name == "rgb" ? this->Color : this->ColorWithAlpha) = &view;
+    }
+    else if (name != vtkDGGPaddingName)
+    {
+      this->Others.push_back(&view);
+    }
+  }
+
+  /// Arrays of one name would replace each other.
+  bool CheckName(bool isMade, const char* array, const char* fields, std::string& error) const
+  {
+    if (isMade && this->Names.count(array) > 0)
+    {
+      error = std::string("the fields ") + fields + " and '" + array +
+        "' would both become the array " + array;
+      return false;
+    }
+    return true;
+  }
+
+  std::set<std::string> Names;
+};
 
 double GetNumber(const PointField& field, const char* data)
 {
@@ -37,37 +150,31 @@ double GetNumber(const PointField& field, const char* data)
   return number;
 }
 
-void CopyValues(
-  const PointFieldView& view, vtkIdType count, int component, int components, char* out)
+/// Fields of one type and number of values, one after the other, as the components of an array.
+vtkSmartPointer<vtkDataArray> Join(const PointFieldView* const* views, int fields, vtkIdType count)
 {
-  const std::size_t bytes = view.Field.GetBytes();
-  const std::size_t step = static_cast<std::size_t>(components) * view.Field.Size;
-  out += static_cast<std::size_t>(component) * view.Field.Size;
-  const char* in = view.Data;
-  for (vtkIdType i = 0; i < count; ++i, in += view.Stride, out += step)
-  {
-    std::memcpy(out, in, bytes);
-  }
-}
-
-/// Several fields of one number each, of one type, as the components of an array.
-vtkSmartPointer<vtkDataArray> Join(
-  const PointFieldView* const* views, int components, vtkIdType count)
-{
+  const PointField& first = views[0]->Field;
   auto array = vtkSmartPointer<vtkDataArray>::Take(
-    vtkDataArray::CreateDataArray(vtkDGGGetArrayType(views[0]->Field.Kind, views[0]->Field.Size)));
-  array->SetNumberOfComponents(components);
+    vtkDataArray::CreateDataArray(vtkDGGGetArrayType(first.Kind, first.Size)));
+  array->SetNumberOfComponents(fields * first.Count);
   array->SetNumberOfTuples(count);
-  for (int c = 0; c < components && count > 0; ++c)
+  const std::size_t bytes = first.GetBytes();
+  for (int f = 0; f < fields && count > 0; ++f)
   {
-    CopyValues(*views[c], count, c, components, static_cast<char*>(array->GetVoidPointer(0)));
+    char* out = static_cast<char*>(array->GetVoidPointer(0)) + static_cast<std::size_t>(f) * bytes;
+    const char* in = views[f]->Data;
+    for (vtkIdType i = 0; i < count; ++i, in += views[f]->Stride)
+    {
+      std::memcpy(out, in, bytes);
+      out += static_cast<std::size_t>(fields) * bytes;
+    }
   }
   return array;
 }
 
 vtkSmartPointer<vtkDataArray> MakeCoordinates(const PointFieldView* const* views, vtkIdType count)
 {
-  if (views[0]->Field.Kind == 'F' && vtkDGGHaveSameType(views))
+  if (views[0]->Field.Kind == 'F' && HaveSameType(views))
   {
     return Join(views, 3, count);
   }
@@ -143,7 +250,7 @@ vtkSmartPointer<vtkCellArray> MakeVertices(vtkDataArray* coordinates)
 
 vtkSmartPointer<vtkPolyData> vtkDGG::MakePolyData(const PointCloudView& cloud, std::string& error)
 {
-  vtkDGGPointFieldTable table;
+  FieldTable table;
   if (!table.Fill(cloud, error))
   {
     return nullptr;
@@ -183,16 +290,8 @@ vtkSmartPointer<vtkPolyData> vtkDGG::MakePolyData(const PointCloudView& cloud, s
   }
   for (const PointFieldView* view : table.Others)
   {
-    const int components = view->Field.Count;
-    auto array = vtkSmartPointer<vtkDataArray>::Take(
-      vtkDataArray::CreateDataArray(vtkDGGGetArrayType(view->Field.Kind, view->Field.Size)));
+    vtkSmartPointer<vtkDataArray> array = Join(&view, 1, count);
     array->SetName(view->Field.Name.c_str());
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(count);
-    if (count > 0)
-    {
-      CopyValues(*view, count, 0, components, static_cast<char*>(array->GetVoidPointer(0)));
-    }
     data->AddArray(array);
   }
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPCDWriter.h"
 
+#include "vtkDGGFileLoader.h"
 #include "vtkDGGLZF.h"
 #include "vtkDGGPCDHeader.h"
-#include "vtkDGGPCDText.h"
 #include "vtkDGGPointFields.h"
+#include "vtkDGGPointNumbers.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
@@ -14,12 +15,12 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
-#include <exception>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,11 +29,29 @@ namespace
 /// Bytes that are kept before they are written.
 constexpr std::size_t BlockBytes = std::size_t(1) << 22;
 
-/// Writes one cloud to a stream.
+/// Append the number at `in`: the shortest text that gives the same number again.
+void AppendNumber(const char* in, const vtkDGG::PointField& field, std::string& text)
+{
+  vtkDGGDispatchNumber(field.Kind, field.Size, [in, &text](auto number) {
+    std::memcpy(&number, in, sizeof(number));
+    // The sign of NaN says nothing, and not all programs know "-nan".
+    if (number != number)
+    {
+      text += "nan";
+      return;
+    }
+    char buffer[64];
+    const auto end = std::to_chars(buffer, buffer + sizeof(buffer), number);
+    text.append(buffer, end.ptr);
+  });
+}
+
+/// Writes one cloud to a stream. Throws vtkDGG::FileError.
 class CloudWriter
 {
 public:
-  CloudWriter(vtkPolyData* data, vtkDGGPCDData mode, const vtkDGGFileProgress& progress)
+  /// Refuses what a file cannot hold.
+  CloudWriter(vtkPolyData* data, vtkDGGPCDData mode, const vtkDGG::FileProgress& progress)
     : Sources(vtkDGG::ListPointFields(data))
     , Count(data->GetNumberOfPoints())
     , Progress(progress)
@@ -52,101 +71,88 @@ public:
       }
       this->Header.Fields.push_back(field);
     }
-  }
-
-  /// What a file cannot hold, to be seen before one is opened. False when GetError() is not empty.
-  bool Check()
-  {
+    this->PointBytes = this->Header.GetPointBytes();
     if (this->Header.Fields.size() > vtkDGGPCDHeader::MostFields)
     {
-      this->Error = "there would be " + std::to_string(this->Header.Fields.size()) +
-        " fields, but a file has " + std::to_string(vtkDGGPCDHeader::MostFields) +
-        " at most: remove point arrays";
-      return false;
+      throw vtkDGG::FileError(vtkErrorCode::FileFormatError,
+        "there would be " + std::to_string(this->Header.Fields.size()) +
+          " fields, but a file has " + std::to_string(vtkDGGPCDHeader::MostFields) +
+          " at most: remove point arrays");
     }
+    // Compressed data may be longer by one byte in 32.
+    constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / 33 * 32;
+    if (mode == vtkDGGPCDData::BinaryCompressed &&
+      static_cast<std::size_t>(this->Count) > most / this->PointBytes)
+    {
+      throw vtkDGG::FileError(vtkErrorCode::FileFormatError,
+        "compressed data cannot be larger than 4 GB: set the data mode to binary");
+    }
+  }
+
+  void Write(std::ofstream& stream) const
+  {
+    Put(stream, this->Header.Format());
     if (this->Header.Data == vtkDGGPCDData::BinaryCompressed)
     {
-      // Compressed data may be longer by one byte in 32.
-      constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / 33 * 32;
-      if (static_cast<std::size_t>(this->Count) > most / this->Header.GetPointBytes())
-      {
-        this->Error = "compressed data cannot be larger than 4 GB: set the data mode to binary";
-        return false;
-      }
+      this->WriteCompressed(stream);
     }
-    return true;
+    else
+    {
+      this->WriteBlocks(stream);
+    }
+    stream.close();
+    CheckStream(stream);
   }
-
-  /// What was there is lost. False when it cannot be opened.
-  bool Open(const char* name)
-  {
-    this->Stream.open(name, std::ios::binary);
-    return static_cast<bool>(this->Stream);
-  }
-
-  /// False when stopped, or when IsBroken().
-  bool Write()
-  {
-    const std::string header = this->Header.Format();
-    this->Stream.write(header.data(), static_cast<std::streamsize>(header.size()));
-    return this->Header.Data == vtkDGGPCDData::BinaryCompressed ? this->WriteCompressed()
-                                                                : this->WriteBlocks();
-  }
-  /// False when not all has come to the file.
-  bool Close()
-  {
-    this->Stream.close();
-    return static_cast<bool>(this->Stream);
-  }
-  bool IsBroken() const { return !this->Stream; }
-  const std::string& GetError() const { return this->Error; }
 
 private:
-  bool WriteBlocks()
+  static void CheckStream(const std::ofstream& stream)
   {
-    const std::size_t step = this->Header.GetPointBytes();
-    const auto perBlock = static_cast<vtkIdType>(std::max<std::size_t>(BlockBytes / step, 1));
+    if (!stream)
+    {
+      throw vtkDGG::FileError(
+        vtkErrorCode::OutOfDiskSpaceError, "the data cannot be written, is the disk full?");
+    }
+  }
+
+  template <typename Bytes>
+  static void Put(std::ofstream& stream, const Bytes& bytes)
+  {
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    CheckStream(stream);
+  }
+
+  void WriteBlocks(std::ofstream& stream) const
+  {
+    const auto perBlock =
+      static_cast<vtkIdType>(std::max<std::size_t>(BlockBytes / this->PointBytes, 1));
     std::vector<char> block;
-    std::string text;
     for (vtkIdType begin = 0; begin < this->Count; begin += perBlock)
     {
       const vtkIdType end = std::min(begin + perBlock, this->Count);
-      block.resize(static_cast<std::size_t>(end - begin) * step);
-      this->Fill(begin, end, block.data());
+      block.resize(static_cast<std::size_t>(end - begin) * this->PointBytes);
+      char* out = block.data();
+      for (const vtkDGG::PointFieldSource& source : this->Sources)
+      {
+        const vtkDGG::PointField& field = source.GetField();
+        source.Copy(begin, end, field.Kind, field.Size, out, this->PointBytes);
+        out += field.GetBytes();
+      }
       if (this->Header.Data == vtkDGGPCDData::ASCII)
       {
-        this->Format(block, text);
-        this->Stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+        Put(stream, this->Format(block));
       }
       else
       {
-        this->Stream.write(block.data(), static_cast<std::streamsize>(block.size()));
+        Put(stream, block);
       }
-      if (!this->Stream ||
-        !this->Progress(static_cast<double>(end) / static_cast<double>(this->Count)))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /// The points [begin, end), one after the other.
-  void Fill(vtkIdType begin, vtkIdType end, char* out) const
-  {
-    const std::size_t step = this->Header.GetPointBytes();
-    for (const vtkDGG::PointFieldSource& source : this->Sources)
-    {
-      const vtkDGG::PointField& field = source.GetField();
-      source.Copy(begin, end, field.Kind, field.Size, out, step);
-      out += field.GetBytes();
+      this->Progress(static_cast<double>(end) / static_cast<double>(this->Count));
     }
   }
 
   /// Points as lines of text.
-  void Format(const std::vector<char>& block, std::string& text) const
+  std::string Format(const std::vector<char>& block) const
   {
-    text.clear();
+    std::string text;
     const char* in = block.data();
     while (in != block.data() + block.size())
     {
@@ -154,20 +160,20 @@ private:
       {
         for (int c = 0; c < field.Count; ++c, in += field.Size)
         {
-          vtkDGGAppendPCDNumber(in, field.Kind, field.Size, text);
+          AppendNumber(in, field, text);
           text += ' ';
         }
       }
       text.back() = '\n';
     }
+    return text;
   }
 
   /// All of each field, one after the other, as values of a kind are more alike.
-  bool WriteCompressed()
+  void WriteCompressed(std::ofstream& stream) const
   {
-    const std::size_t step = this->Header.GetPointBytes();
     const auto count = static_cast<std::size_t>(this->Count);
-    std::vector<char> fields(count * step);
+    std::vector<char> fields(count * this->PointBytes);
     char* out = fields.data();
     for (const vtkDGG::PointFieldSource& source : this->Sources)
     {
@@ -175,33 +181,24 @@ private:
       source.Copy(0, this->Count, field.Kind, field.Size, out, field.GetBytes());
       out += field.GetBytes() * count;
     }
-    if (!this->Progress(0.3))
-    {
-      return false;
-    }
+    this->Progress(0.3);
     std::vector<char> compressed;
     vtkDGGCompressLZF(fields.data(), fields.size(), compressed);
-    this->WriteSize(compressed.size());
-    this->WriteSize(fields.size());
-    this->Stream.write(compressed.data(), static_cast<std::streamsize>(compressed.size()));
-    return static_cast<bool>(this->Stream);
-  }
-
-  /// The least significant byte comes first.
-  void WriteSize(std::size_t size)
-  {
-    for (int i = 0; i < 4; ++i, size >>= 8)
+    for (std::size_t size : { compressed.size(), fields.size() })
     {
-      this->Stream.put(static_cast<char>(size & 255));
+      for (int i = 0; i < 4; ++i, size >>= 8)
+      {
+        stream.put(static_cast<char>(size & 255)); // the least significant byte first
+      }
     }
+    Put(stream, compressed);
   }
 
   const std::vector<vtkDGG::PointFieldSource> Sources;
   const vtkIdType Count;
-  std::ofstream Stream;
-  const vtkDGGFileProgress& Progress;
+  const vtkDGG::FileProgress& Progress;
   vtkDGGPCDHeader Header;
-  std::string Error;
+  std::size_t PointBytes = 0;
 };
 
 /// A part of a file is worse than none. Devices are left alone.
@@ -254,15 +251,45 @@ int vtkPCDWriter::Write()
   return this->IsWritten ? 1 : 0;
 }
 
-void vtkPCDWriter::Fail(unsigned long code, const char* message)
+/// Throws vtkDGG::FileError.
+void vtkPCDWriter::WriteFile(bool& isOpened)
 {
-  this->SetErrorCode(code);
-  vtkErrorMacro("Cannot write " << this->FileName << ": " << message);
+  vtkPolyData* input = this->GetInput();
+  for (int i = 0; i < input->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = input->GetPointData()->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "(without a name)";
+    if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
+    {
+      throw vtkDGG::FileError(vtkErrorCode::FileFormatError,
+        "the point array " + name + " has " + std::to_string(array->GetNumberOfTuples()) +
+          " values for " + std::to_string(input->GetNumberOfPoints()) + " points");
+    }
+    if (!vtkDataArray::SafeDownCast(array))
+    {
+      vtkWarningMacro("The array " << name << " is left out: it does not hold numbers.");
+    }
+  }
+  const vtkDGG::FileProgress progress = [this](double done) {
+    this->UpdateProgress(done);
+    if (this->GetAbortExecute() != 0)
+    {
+      throw vtkDGG::FileError(vtkErrorCode::NoError, "aborted");
+    }
+  };
+  const CloudWriter writer(input, static_cast<vtkDGGPCDData>(this->DataMode), progress);
+  std::ofstream stream(this->FileName, std::ios::binary);
+  if (!stream)
+  {
+    throw vtkDGG::FileError(
+      vtkErrorCode::CannotOpenFileError, "the file cannot be opened for writing");
+  }
+  isOpened = true;
+  writer.Write(stream);
 }
 
 void vtkPCDWriter::WriteData()
 {
-  vtkPolyData* input = this->GetInput();
   this->IsWritten = false;
   this->SetErrorCode(vtkErrorCode::NoError);
   if (!this->FileName || !this->FileName[0])
@@ -271,65 +298,31 @@ void vtkPCDWriter::WriteData()
     vtkErrorMacro("There is no file name: call SetFileName() first.");
     return;
   }
-  for (int i = 0; i < input->GetPointData()->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = input->GetPointData()->GetAbstractArray(i);
-    const std::string name = array->GetName() ? array->GetName() : "(without a name)";
-    if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
-    {
-      std::ostringstream message;
-      message << "the point array " << name << " has " << array->GetNumberOfTuples()
-              << " values for " << input->GetNumberOfPoints() << " points";
-      this->Fail(vtkErrorCode::FileFormatError, message.str().c_str());
-      return;
-    }
-    if (!vtkDataArray::SafeDownCast(array))
-    {
-      vtkWarningMacro("The array " << name << " is left out: it does not hold numbers.");
-    }
-  }
   bool isOpened = false;
+  std::string message;
   try
   {
-    const vtkDGGFileProgress progress = [this](double done) {
-      this->UpdateProgress(done);
-      return this->GetAbortExecute() == 0;
-    };
-    const auto mode = static_cast<vtkDGGPCDData>(this->DataMode);
-    CloudWriter writer(input, mode, progress);
-    if (!writer.Check())
-    {
-      this->Fail(vtkErrorCode::FileFormatError, writer.GetError().c_str());
-      return;
-    }
-    if (!writer.Open(this->FileName))
-    {
-      this->Fail(vtkErrorCode::CannotOpenFileError, "the file cannot be opened for writing");
-      return;
-    }
-    isOpened = true;
-    const bool isWhole = writer.Write();
-    const bool isBroken = writer.IsBroken();
-    this->IsWritten = writer.Close() && isWhole;
-    if (!this->IsWritten && (isBroken || isWhole)) // otherwise aborted
-    {
-      this->Fail(
-        vtkErrorCode::OutOfDiskSpaceError, "the data cannot be written, is the disk full?");
-    }
+    this->WriteFile(isOpened);
+    this->IsWritten = true;
+    return;
+  }
+  catch (const vtkDGG::FileError& error)
+  {
+    this->SetErrorCode(error.Code);
+    message = error.what();
   }
   catch (const std::exception& exception) // out of memory
   {
-    this->IsWritten = false;
-    this->Fail(vtkErrorCode::UnknownError, exception.what());
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+    message = exception.what();
   }
-  catch (...)
-  {
-    this->IsWritten = false;
-    this->Fail(vtkErrorCode::UnknownError, "unexpected failure");
-  }
-  if (isOpened && !this->IsWritten)
+  if (isOpened)
   {
     RemoveFile(this->FileName);
+  }
+  if (this->GetErrorCode() != vtkErrorCode::NoError) // otherwise aborted
+  {
+    vtkErrorMacro("Cannot write " << this->FileName << ": " << message);
   }
 }
 

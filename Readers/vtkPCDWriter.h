@@ -97,7 +97,7 @@ private:
   vtkPCDWriter(const vtkPCDWriter&) = delete;
   void operator=(const vtkPCDWriter&) = delete;
 
-  void Fail(unsigned long code, const char* message);
+  void WriteFile(bool& isOpened);
 
   char* FileName = nullptr;
   int DataMode = BINARY;

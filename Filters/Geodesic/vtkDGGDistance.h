@@ -63,13 +63,12 @@
 #define vtkDGGDistance_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
+#include "vtkDGGGraphProperties.h"       // For the properties of the graph
 #include "vtkGeodesicDistanceAlgorithm.h"
 
 #include <memory> // For the graph
 #include <string> // For array names
 #include <vector> // For arrays
-
-class vtkDGGGraphUser;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGDistance : public vtkGeodesicDistanceAlgorithm
 {
@@ -87,25 +86,6 @@ public:
     LabelCorrecting = 1, ///< the same over all edges
     Dijkstra = 2         ///< the reference
   };
-
-  ///@{
-  /**
-   * Largest relative error of the graph that is built when the input has none, in [1e-6, 0.5].
-   * Default 0.01. Another value is an error of the update even when the graph on the input is used.
-   */
-  virtual void SetAccuracy(double accuracy);
-  double GetAccuracy() const;
-  ///@}
-
-  ///@{
-  /**
-   * Whether a graph on the input that promises less than an Accuracy that was set is used without a
-   * warning. Default off.
-   */
-  virtual void SetAcceptCoarserGraph(bool accept);
-  bool GetAcceptCoarserGraph() const;
-  vtkBooleanMacro(AcceptCoarserGraph, bool);
-  ///@}
 
   ///@{
   /**
@@ -131,16 +111,6 @@ public:
 
   ///@{
   /**
-   * Most bytes that building a graph may take, or preparing to link sources that are not points of
-   * the mesh (some 250 bytes per triangle). Default 0, which stands for 70 % of the memory that is
-   * free at that time. See vtkDiscreteGeodesicGraph.
-   */
-  virtual void SetMemoryLimit(vtkTypeUInt64 limit);
-  vtkTypeUInt64 GetMemoryLimit() const;
-  ///@}
-
-  ///@{
-  /**
    * Whether to add the point array `GeodesicUpperBound` (double): the length of the path in the
    * graph, which the exact distance does not exceed. Default off.
    */
@@ -157,31 +127,25 @@ public:
   const char* GetUpperBoundArrayName() const;
   ///@}
 
-  /**
-   * Whether the last update used the graph on the input.
-   */
-  bool GetUsedInputGraph() const;
-
   ///@{
   /**
-   * The graph of the last update, zero when there is none: its accuracy (0 for a
-   * SaddleVertexGraph), number of directed edges, bytes including what searches and links need.
-   * They stay what they were when the arrays of the graph are changed later.
+   * Properties of the graph, which all filters that search one have, and numbers of it.
+   *
+   * - Accuracy: largest relative error of the graph that is built when the input has none, in
+   *   [1e-6, 0.5]. Default 0.01. Another value is an error of the update even when the graph on the
+   *   input is used.
+   * - AcceptCoarserGraph: whether a graph on the input that promises less than an Accuracy that was
+   *   set is used without a warning. Default off.
+   * - MemoryLimit: most bytes that building a graph may take, or preparing to link points that are
+   *   not vertices (some 250 bytes per triangle). Default 0, which stands for 70 % of the memory
+   *   that is free at that time.
+   * - Of the graph of the last update, zero when there is none: whether it is that on the input,
+   *   its accuracy (0 for a SaddleVertexGraph), number of directed edges, and about the bytes with
+   *   what searches and links need; they stay what they were when its arrays are changed later.
+   *   Whether it keeps to its accuracy, and when this filter built one last.
    */
-  double GetGraphAccuracy() const;
-  vtkIdType GetNumberOfGraphEdges() const;
-  vtkTypeUInt64 GetMemorySize() const;
+  vtkDGGGraphPropertiesMacro();
   ///@}
-
-  /**
-   * Whether that graph keeps to its accuracy.
-   */
-  bool GetGraphIsGuaranteed() const;
-
-  /**
-   * Time stamp of the last time that this filter built a graph.
-   */
-  vtkMTimeType GetGraphBuildTime() const;
 
 protected:
   vtkDGGDistance();

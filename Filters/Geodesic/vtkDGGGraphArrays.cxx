@@ -318,64 +318,32 @@ dgg::Status vtkDGGGraphArrays::Check(const vtkDGGMeshAdapter& mesh)
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGGraphArrays::CheckTypes()
 {
-  auto mismatch = [this](Role role, const char* wanted) {
-    vtkAbstractArray* array = this->Arrays[role].Array;
-    std::ostringstream text;
-    text << "the field array " << Names[role] << " is ";
-    if (array)
-    {
-      text << "of type " << array->GetDataTypeAsString() << " with "
-           << array->GetNumberOfComponents() << " components, not of " << wanted;
-    }
-    else
-    {
-      text << "missing";
-    }
-    return Damaged(text.str());
-  };
+  const char* const wanted[NumberOfRoles] = { "single 64-bit integers", "single 32-bit integers",
+    "single floats or doubles", "single floats", "single floats", "single doubles",
+    "single 64-bit integers" };
   for (int i = 0; i < NumberOfRoles; ++i)
   {
     const auto role = static_cast<Role>(i);
+    vtkAbstractArray* array = this->Arrays[role].Array;
     if (!this->HasRole(role))
     {
       continue;
     }
-    vtkAbstractArray* array = this->Arrays[role].Array;
-    const bool isPlain =
-      array && array->HasStandardMemoryLayout() && array->GetNumberOfComponents() == 1;
-    const int type = isPlain ? array->GetDataType() : VTK_VOID;
-    switch (role)
+    if (!array)
     {
-      case Offsets:
-      case Info:
-        if (!isPlain || !vtkDGGIsInteger(array, 8))
-        {
-          return mismatch(role, "single 64-bit integers");
-        }
-        break;
-      case Targets:
-        if (!isPlain || !vtkDGGIsInteger(array, 4))
-        {
-          return mismatch(role, "single 32-bit integers");
-        }
-        break;
-      case Lengths:
-        if (type != VTK_FLOAT && type != VTK_DOUBLE)
-        {
-          return mismatch(role, "single floats or doubles");
-        }
-        break;
-      case Radii:
-        if (type != VTK_DOUBLE)
-        {
-          return mismatch(role, "single doubles");
-        }
-        break;
-      default:
-        if (type != VTK_FLOAT)
-        {
-          return mismatch(role, "single floats");
-        }
+      return Damaged(std::string("the field array ") + Names[role] + " is missing");
+    }
+    const int type = array->GetDataType();
+    const bool isFloat = type == VTK_FLOAT && role != Radii;
+    const bool isDouble = type == VTK_DOUBLE && (role == Lengths || role == Radii);
+    const int bytes = role == Targets ? 4 : 8;
+    const bool isInteger = role == Offsets || role == Targets || role == Info;
+    const bool fits = isInteger ? vtkDGGIsInteger(array, bytes) : isFloat || isDouble;
+    if (!fits || !array->HasStandardMemoryLayout() || array->GetNumberOfComponents() != 1)
+    {
+      return Damaged(std::string("the field array ") + Names[role] + " is of type " +
+        array->GetDataTypeAsString() + " with " + std::to_string(array->GetNumberOfComponents()) +
+        " components, not of " + wanted[role]);
     }
   }
   return dgg::Status::Success();

@@ -6,6 +6,7 @@
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGParallel.h"
 
+#include "dggMemoryLimit.h"
 #include "dggUnfoldingTable.h"
 
 #include "vtkSMPTools.h"
@@ -19,9 +20,9 @@ dgg::Status TooMuchMemory(
   const dgg::GraphOptions& options, const dgg::GraphEstimate& estimate, vtkTypeUInt64 limit)
 {
   std::ostringstream message;
-  message << "the graph would take about " << vtkDGGFormatBytes(estimate.Memory) << ", and "
-          << vtkDGGFormatBytes(estimate.Peak) << " while it is built, more than the limit of "
-          << vtkDGGFormatBytes(static_cast<double>(limit)) << ": ";
+  message << "the graph would take about " << dgg::FormatBytes(estimate.Memory) << ", and "
+          << dgg::FormatBytes(estimate.Peak) << " while it is built, more than the limit of "
+          << dgg::FormatBytes(static_cast<double>(limit)) << ": ";
   if (options.Construction == dgg::GraphConstruction::SaddleVertexGraph)
   {
     message << "use a smaller NumberOfNeighbors (it is " << options.NumberOfNeighbors << ")";

@@ -30,6 +30,9 @@ constexpr double LandmarkShare = 0.3;
 /// The same for the band around a cloud.
 constexpr double BandShare = 0.2;
 
+/// Bytes per vertex of what finds paths, about.
+constexpr std::size_t BytesOfPaths = 40;
+
 /// Links between two looks at the progress.
 constexpr std::size_t LinkBlock = 64;
 }
@@ -58,7 +61,7 @@ dgg::Status vtkDGGGraphProvider::Update(const vtkDGGGraphRequest& request)
   const bool isCloud = request.Mesh.IsCloud();
   if (isCloud && !this->InputGraph.IsValid())
   {
-    this->InputGraph.Clear(); // to be told again what is wrong with it
+    this->InputGraph.Clear(); // so that what is wrong with it is reported again
   }
   std::string complaint;
   const bool found = this->InputGraph.Find(data, request.Mesh, complaint);
@@ -374,8 +377,6 @@ const dgg::PathFinder& vtkDGGGraphProvider::GetPathFinder(
     this->Finder = std::make_unique<dgg::PathFinder>(
       mesh.GetMesh(), *this->Search, this->Builder.get(), positions);
     this->FinderPositions = positions;
-    this->PositionsSize =
-      3 * sizeof(double) * static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices());
   }
   return *this->Finder;
 }
@@ -411,22 +412,19 @@ double vtkDGGGraphProvider::GetLinkAccuracy() const
 }
 
 //------------------------------------------------------------------------------
-std::size_t vtkDGGGraphProvider::LinkStore::GetMemorySize() const
-{
-  std::size_t size = this->Places.capacity() * sizeof(dgg::SurfacePoint);
-  for (const std::vector<dgg::GraphLink>& links : this->Links)
-  {
-    size += sizeof(links) + links.capacity() * sizeof(dgg::GraphLink);
-  }
-  return size;
-}
-
-//------------------------------------------------------------------------------
 std::size_t vtkDGGGraphProvider::GetMemorySize() const
 {
-  return this->Search ? this->Summary.MemorySize + this->Search->GetMemorySize() +
-      this->BuilderSize + this->Store.GetMemorySize() +
-      (this->Finder ? this->Finder->GetMemorySize() + this->PositionsSize : 0) +
-      (this->Shortener ? this->Shortener->GetMemorySize() : 0)
-                      : 0;
+  if (!this->Search)
+  {
+    return 0;
+  }
+  std::size_t links = 0;
+  for (const std::vector<dgg::GraphLink>& list : this->Store.Links)
+  {
+    links += list.size();
+  }
+  return this->Summary.MemorySize + this->Search->GetMemorySize() + this->BuilderSize +
+    links * sizeof(dgg::GraphLink) +
+    (this->Finder ? BytesOfPaths * static_cast<std::size_t>(this->Summary.NumberOfVertices) : 0) +
+    (this->Shortener ? this->Shortener->GetMemorySize() : 0);
 }

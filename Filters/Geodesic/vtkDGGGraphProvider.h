@@ -91,7 +91,7 @@ public:
   /// When a graph was last built.
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
   /// Bytes held by the graph, also where it is shared with the input, and by what searches and
-  /// links need.
+  /// links need, about.
   std::size_t GetMemorySize() const;
 
 private:
@@ -104,8 +104,6 @@ private:
     double Accuracy = 0.0;
     Points Places;
     std::vector<std::vector<dgg::GraphLink>> Links; // per place
-
-    std::size_t GetMemorySize() const;
   };
 
   void FollowMesh(const vtkDGGMeshAdapter& mesh);
@@ -133,7 +131,6 @@ private:
   std::unique_ptr<dgg::PathFinder> Finder;           // in Search, with Builder
   std::unique_ptr<dgg::BandPathShortener> Shortener; // on a cloud
   const double* FinderPositions = nullptr;
-  std::size_t PositionsSize = 0; // bytes
   LinkStore Store;
   vtkTimeStamp BuildTime;
   dgg::ProgressCallback Progress; // of the last request

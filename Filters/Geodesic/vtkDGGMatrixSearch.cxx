@@ -69,6 +69,43 @@ vtkDGGMatrixSearch::vtkDGGMatrixSearch(vtkDGGGraphProvider& graph, const vtkDGGM
 }
 
 //------------------------------------------------------------------------------
+/// Links of points on one side. Straight ways to those on the other side that are no vertices
+/// either are lengths of ways as well.
+template <typename EntryType>
+dgg::Status vtkDGGMatrixSearch::LinkPoints(
+  const Points& points, const Points& others, double end, Links& links, EntryType entry)
+{
+  const std::vector<std::size_t> unlinked = FindPoints(points, false);
+  LinkVertices(points, links);
+  if (unlinked.empty())
+  {
+    return dgg::Status::Success();
+  }
+  const std::vector<std::size_t> aims = FindPoints(others, false);
+  const Points aimPoints = Select(others, aims);
+  const dgg::Status prepared = this->Graph.PrepareBuilder(this->Mesh);
+  if (!prepared.IsOk())
+  {
+    return prepared;
+  }
+  const double start = this->Done;
+  this->Done = end;
+  return vtkDGGForBlocks(
+    unlinked.size(), LinkBlock, dgg::ProgressPart(this->Progress, start, end), [&](std::size_t k) {
+      const std::size_t i = unlinked[k];
+      std::vector<double> direct;
+      const dgg::Status status =
+        this->Graph.Link(points[i], aimPoints, this->Mesh, links[i], direct);
+      for (std::size_t a = 0; a < aims.size() && status.IsOk(); ++a)
+      {
+        double& distance = entry(i, aims[a]);
+        distance = std::min(distance, direct[a]);
+      }
+      return status;
+    });
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkDGGMatrixSearch::Run(bool symmetric, const dgg::ProgressCallback& progress)
 {
   this->IsSymmetric = symmetric;
@@ -79,10 +116,19 @@ dgg::Status vtkDGGMatrixSearch::Run(bool symmetric, const dgg::ProgressCallback&
   {
     this->Graph.ReleaseBuilder();
   }
-  dgg::Status status = this->LinkSources();
-  if (status.IsOk())
+  dgg::Status status =
+    this->LinkPoints(this->Sources, this->Targets, SourcesLinked, this->SourceLinks,
+      [this](std::size_t i, std::size_t j) -> double& { return this->Distances(i, j); });
+  if (symmetric)
   {
-    status = this->LinkTargets();
+    this->TargetLinks = this->SourceLinks;
+  }
+  else if (status.IsOk())
+  {
+    // Straight ways once more: seen from the other end they need not be among the windows, and the
+    // answer should not depend on which end they are seen from.
+    status = this->LinkPoints(this->Targets, this->Sources, TargetsLinked, this->TargetLinks,
+      [this](std::size_t j, std::size_t i) -> double& { return this->Distances(i, j); });
   }
   if (status.IsOk())
   {
@@ -93,86 +139,6 @@ dgg::Status vtkDGGMatrixSearch::Run(bool symmetric, const dgg::ProgressCallback&
     this->Mirror();
   }
   return status;
-}
-
-//------------------------------------------------------------------------------
-template <typename StepType>
-dgg::Status vtkDGGMatrixSearch::ForAll(std::size_t count, double end, StepType step)
-{
-  const double start = this->Done;
-  const dgg::Status status =
-    vtkDGGForBlocks(count, LinkBlock, dgg::ProgressPart(this->Progress, start, end), step);
-  this->Done = end;
-  return status;
-}
-
-//------------------------------------------------------------------------------
-dgg::Status vtkDGGMatrixSearch::LinkSources()
-{
-  const std::vector<std::size_t> others = FindPoints(this->Sources, false);
-  LinkVertices(this->Sources, this->SourceLinks);
-  const std::vector<std::size_t> aims = FindPoints(this->Targets, false);
-  const Points aimPoints = Select(this->Targets, aims);
-  if (others.empty())
-  {
-    return dgg::Status::Success();
-  }
-  const dgg::Status prepared = this->Graph.PrepareBuilder(this->Mesh);
-  if (!prepared.IsOk())
-  {
-    return prepared;
-  }
-  return this->ForAll(others.size(), SourcesLinked, [&](std::size_t k) {
-    const std::size_t i = others[k];
-    std::vector<double> direct;
-    const dgg::Status status =
-      this->Graph.Link(this->Sources[i], aimPoints, this->Mesh, this->SourceLinks[i], direct);
-    for (std::size_t a = 0; a < aims.size() && status.IsOk(); ++a)
-    {
-      this->Distances(i, aims[a]) = direct[a];
-    }
-    return status;
-  });
-}
-
-//------------------------------------------------------------------------------
-dgg::Status vtkDGGMatrixSearch::LinkTargets()
-{
-  const std::vector<std::size_t> others = FindPoints(this->Targets, false);
-  LinkVertices(this->Targets, this->TargetLinks);
-  if (this->IsSymmetric)
-  {
-    for (const std::size_t j : others)
-    {
-      this->TargetLinks[j] = this->SourceLinks[j];
-    }
-    return dgg::Status::Success();
-  }
-  if (others.empty())
-  {
-    return dgg::Status::Success();
-  }
-  // Straight ways once more: seen from the other end they need not be among the cones, and the
-  // answer should not depend on which end they are seen from.
-  const std::vector<std::size_t> aims = FindPoints(this->Sources, false);
-  const Points aimPoints = Select(this->Sources, aims);
-  const dgg::Status prepared = this->Graph.PrepareBuilder(this->Mesh);
-  if (!prepared.IsOk())
-  {
-    return prepared;
-  }
-  return this->ForAll(others.size(), TargetsLinked, [&](std::size_t k) {
-    const std::size_t j = others[k];
-    std::vector<double> direct;
-    const dgg::Status status =
-      this->Graph.Link(this->Targets[j], aimPoints, this->Mesh, this->TargetLinks[j], direct);
-    for (std::size_t a = 0; a < aims.size() && status.IsOk(); ++a)
-    {
-      double& distance = this->Distances(aims[a], j);
-      distance = std::min(distance, direct[a]);
-    }
-    return status;
-  });
 }
 
 //------------------------------------------------------------------------------

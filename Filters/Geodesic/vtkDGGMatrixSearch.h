@@ -48,15 +48,12 @@ public:
   dgg::Status Run(bool symmetric, const dgg::ProgressCallback& progress);
 
 private:
-  dgg::Status LinkSources();
-  dgg::Status LinkTargets();
+  template <typename EntryType>
+  dgg::Status LinkPoints(
+    const Points& points, const Points& others, double end, Links& links, EntryType entry);
   dgg::Status Search();
   void LookAtTargets(std::size_t source, const double* field) const;
   void Mirror() const;
-
-  /// Do `count` steps on all threads; they are the part of the progress up to `end`.
-  template <typename StepType>
-  dgg::Status ForAll(std::size_t count, double end, StepType step);
 
   vtkDGGGraphProvider& Graph;
   const vtkDGGMeshAdapter& Mesh;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How much memory there is, and how to say how much. Internal.
+/// How much memory there is. Internal.
 #ifndef vtkDGGMemory_h
 #define vtkDGGMemory_h
 
@@ -11,15 +11,15 @@
 
 #include <string> // for messages
 
-/// Bytes that this process can still use: what the machine, the limits of the process and, on
-/// Linux, those of its control group leave. The largest number when nothing is known.
-vtkTypeUInt64 vtkDGGGetFreeMemory();
-
-/// The limit that a property stands for: itself, or 70 % of what is free when it is 0.
+/// The limit that a property stands for: itself, or when it is 0 70 % of what is free by the
+/// machine, the limits of the process and, on Linux, of its control groups. The largest number when
+/// nothing is known.
 vtkTypeUInt64 vtkDGGGetMemoryLimit(vtkTypeUInt64 property);
 
-/// "1.53 GiB"
-std::string vtkDGGFormatBytes(double bytes);
+/// Bytes that control groups leave this process: the least that the group itself or any around it
+/// has free. The largest number when nothing limits it. `membership` is the file that names the
+/// groups of the process (/proc/self/cgroup), `mount` where groups are mounted (/sys/fs/cgroup).
+vtkTypeUInt64 vtkDGGGetFreeInControlGroup(const std::string& membership, const std::string& mount);
 
 /// Fails when `bytes` are more than the limit that a property stands for. `what` would take them;
 /// `remedy` is what to do besides raising MemoryLimit.

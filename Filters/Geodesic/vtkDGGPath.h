@@ -88,12 +88,12 @@
 #define vtkDGGPath_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
+#include "vtkDGGGraphProperties.h"       // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
 #include <memory> // For the internals
 #include <vector> // For ids
 
-class vtkDGGGraphUser;
 class vtkDGGNewGeometry;
 class vtkDGGSourceCollector;
 struct vtkDGGSourceSet;
@@ -183,35 +183,6 @@ public:
   vtkGetMacro(Detour, double);
   ///@}
 
-  ///@{
-  /**
-   * Largest relative error of the graph that is built when the input has none, in [1e-6, 0.5].
-   * Default 0.01. Another value is an error of the update even when the graph on the input is used.
-   */
-  virtual void SetAccuracy(double accuracy);
-  double GetAccuracy() const;
-  ///@}
-
-  ///@{
-  /**
-   * Whether a graph on the input that promises less than an Accuracy that was set is used without a
-   * warning. Default off.
-   */
-  virtual void SetAcceptCoarserGraph(bool accept);
-  bool GetAcceptCoarserGraph() const;
-  vtkBooleanMacro(AcceptCoarserGraph, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Most bytes that building a graph may take, or preparing to link points that are not vertices
-   * (some 250 bytes per triangle). Default 0, which stands for 70 % of the memory that is free at
-   * that time.
-   */
-  virtual void SetMemoryLimit(vtkTypeUInt64 limit);
-  vtkTypeUInt64 GetMemoryLimit() const;
-  ///@}
-
   /**
    * In the last update, edges of the graph whose direction, stored as a float, did not lead to
    * their head, so that the way had to be found anew. None are expected; the paths are right all
@@ -219,32 +190,25 @@ public:
    */
   vtkGetMacro(NumberOfFallbacks, vtkIdType);
 
-  /**
-   * Whether the last update used the graph on the input. This and the following numbers are those
-   * of the last update with Method Graph.
-   */
-  bool GetUsedInputGraph() const;
-
   ///@{
   /**
-   * The graph, zero when there is none: its accuracy (0 for a SaddleVertexGraph), number of
-   * directed edges, bytes including what searches and links need. They stay what they were when the
-   * arrays of the graph are changed later.
+   * Properties of the graph, which all filters that search one have, and numbers of it.
+   *
+   * - Accuracy: largest relative error of the graph that is built when the input has none, in
+   *   [1e-6, 0.5]. Default 0.01. Another value is an error of the update even when the graph on the
+   *   input is used.
+   * - AcceptCoarserGraph: whether a graph on the input that promises less than an Accuracy that was
+   *   set is used without a warning. Default off.
+   * - MemoryLimit: most bytes that building a graph may take, or preparing to link points that are
+   *   not vertices (some 250 bytes per triangle). Default 0, which stands for 70 % of the memory
+   *   that is free at that time.
+   * - Of the graph of the last update with Method Graph, zero when there is none: whether it is
+   *   that on the input, its accuracy (0 for a SaddleVertexGraph), number of directed edges, and
+   *   about the bytes with what searches and links need; they stay what they were when its arrays
+   *   are changed later. Whether it keeps to its accuracy, and when this filter built one last.
    */
-  double GetGraphAccuracy() const;
-  vtkIdType GetNumberOfGraphEdges() const;
-  vtkTypeUInt64 GetMemorySize() const;
+  vtkDGGGraphPropertiesMacro();
   ///@}
-
-  /**
-   * Whether that graph keeps to its accuracy.
-   */
-  bool GetGraphIsGuaranteed() const;
-
-  /**
-   * Time stamp of the last time that this filter built a graph.
-   */
-  vtkMTimeType GetGraphBuildTime() const;
 
 protected:
   vtkDGGPath();

@@ -202,7 +202,7 @@ public:
   /**
    * Predict the memory that the graph will take, from the edges of some points and without building
    * it. Brings the input up to date. Returns GetEstimatedMemory(); 0 after an error and, with a
-   * warning, when the input is empty. Tells its progress; AbortExecute set by an observer makes it
+   * warning, when the input is empty. Reports progress; AbortExecute set by an observer makes it
    * return 0. GetErrorCode() becomes that of an error here; else it stays that of the last update.
    */
   vtkTypeUInt64 EstimateMemory();

@@ -60,13 +60,13 @@
 #define vtkGeodesicDistanceMatrix_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
+#include "vtkDGGGraphProperties.h"       // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
 #include <initializer_list> // For ids
 #include <memory>           // For the internals
 #include <vector>           // For ids
 
-class vtkDGGGraphUser;
 class vtkDoubleArray;
 class vtkTable;
 struct vtkDGGSourceSet;
@@ -118,35 +118,6 @@ public:
 
   ///@{
   /**
-   * Largest relative error of the graph that is built when the input has none, in [1e-6, 0.5].
-   * Default 0.01. Another value is an error of the update even when the graph on the input is used.
-   */
-  virtual void SetAccuracy(double accuracy);
-  double GetAccuracy() const;
-  ///@}
-
-  ///@{
-  /**
-   * Whether a graph on the input that promises less than an Accuracy that was set is used without a
-   * warning. Default off.
-   */
-  virtual void SetAcceptCoarserGraph(bool accept);
-  bool GetAcceptCoarserGraph() const;
-  vtkBooleanMacro(AcceptCoarserGraph, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Most bytes that building a graph, or preparing to link points that are not vertices, or the
-   * matrix together with the table may take. Default 0, which stands for 70 % of the memory that is
-   * free at that time; that for the results is taken first.
-   */
-  virtual void SetMemoryLimit(vtkTypeUInt64 limit);
-  vtkTypeUInt64 GetMemoryLimit() const;
-  ///@}
-
-  ///@{
-  /**
    * Distance of pairs that are not connected. Default NaN.
    */
   virtual void SetUnreachedValue(double value);
@@ -187,31 +158,25 @@ public:
    */
   void ReleaseMatrix();
 
-  /**
-   * Whether the last update used the graph on the input.
-   */
-  bool GetUsedInputGraph() const;
-
   ///@{
   /**
-   * The graph of the last update, zero when there is none: its accuracy (0 for a
-   * SaddleVertexGraph), number of directed edges, bytes including what searches and links need.
-   * They stay what they were when the arrays of the graph are changed later.
+   * Properties of the graph, which all filters that search one have, and numbers of it.
+   *
+   * - Accuracy: largest relative error of the graph that is built when the input has none, in
+   *   [1e-6, 0.5]. Default 0.01. Another value is an error of the update even when the graph on the
+   *   input is used.
+   * - AcceptCoarserGraph: whether a graph on the input that promises less than an Accuracy that was
+   *   set is used without a warning. Default off.
+   * - MemoryLimit: most bytes that building a graph, or preparing to link points that are not
+   *   vertices, or the matrix together with the table may take. Default 0, which stands for 70 % of
+   *   the memory that is free at that time; that for the results is taken first.
+   * - Of the graph of the last update, zero when there is none: whether it is that on the input,
+   *   its accuracy (0 for a SaddleVertexGraph), number of directed edges, and about the bytes with
+   *   what searches and links need; they stay what they were when its arrays are changed later.
+   *   Whether it keeps to its accuracy, and when this filter built one last.
    */
-  double GetGraphAccuracy() const;
-  vtkIdType GetNumberOfGraphEdges() const;
-  vtkTypeUInt64 GetMemorySize() const;
+  vtkDGGGraphPropertiesMacro();
   ///@}
-
-  /**
-   * Whether that graph keeps to its accuracy.
-   */
-  bool GetGraphIsGuaranteed() const;
-
-  /**
-   * Time stamp of the last time that this filter built a graph.
-   */
-  vtkMTimeType GetGraphBuildTime() const;
 
 protected:
   vtkGeodesicDistanceMatrix();

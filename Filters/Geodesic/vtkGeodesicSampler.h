@@ -64,11 +64,11 @@
 #define vtkGeodesicSampler_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
+#include "vtkDGGGraphProperties.h"       // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
 #include <memory> // For the internals
 
-class vtkDGGGraphUser;
 class vtkDGGSourceCollector;
 struct vtkDGGSourceSet;
 namespace dgg
@@ -146,57 +146,23 @@ public:
 
   ///@{
   /**
-   * Largest relative error of the graph that is built when the input has none, in [1e-6, 0.5].
-   * Default 0.01. Another value is an error of the update even when the graph on the input is used.
+   * Properties of the graph, which all filters that search one have, and numbers of it.
+   *
+   * - Accuracy: largest relative error of the graph that is built when the input has none, in
+   *   [1e-6, 0.5]. Default 0.01. Another value is an error of the update even when the graph on the
+   *   input is used.
+   * - AcceptCoarserGraph: whether a graph on the input that promises less than an Accuracy that was
+   *   set is used without a warning. Default off.
+   * - MemoryLimit: most bytes that building a graph may take, or preparing to link points that are
+   *   not vertices (some 250 bytes per triangle). Default 0, which stands for 70 % of the memory
+   *   that is free at that time.
+   * - Of the graph of the last update, zero when there is none: whether it is that on the input,
+   *   its accuracy (0 for a SaddleVertexGraph), number of directed edges, and about the bytes with
+   *   what searches and links need; they stay what they were when its arrays are changed later.
+   *   Whether it keeps to its accuracy, and when this filter built one last.
    */
-  virtual void SetAccuracy(double accuracy);
-  double GetAccuracy() const;
+  vtkDGGGraphPropertiesMacro();
   ///@}
-
-  ///@{
-  /**
-   * Whether a graph on the input that promises less than an Accuracy that was set is used without a
-   * warning. Default off.
-   */
-  virtual void SetAcceptCoarserGraph(bool accept);
-  bool GetAcceptCoarserGraph() const;
-  vtkBooleanMacro(AcceptCoarserGraph, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Most bytes that building a graph, or preparing to link points that are not vertices, may take.
-   * Default 0, which stands for 70 % of the memory that is free at that time.
-   */
-  virtual void SetMemoryLimit(vtkTypeUInt64 limit);
-  vtkTypeUInt64 GetMemoryLimit() const;
-  ///@}
-
-  /**
-   * Whether the last update used the graph on the input.
-   */
-  bool GetUsedInputGraph() const;
-
-  ///@{
-  /**
-   * The graph of the last update, zero when there is none: its accuracy (0 for a
-   * SaddleVertexGraph), number of directed edges, bytes including what searches and links need.
-   * They stay what they were when the arrays of the graph are changed later.
-   */
-  double GetGraphAccuracy() const;
-  vtkIdType GetNumberOfGraphEdges() const;
-  vtkTypeUInt64 GetMemorySize() const;
-  ///@}
-
-  /**
-   * Whether that graph keeps to its accuracy.
-   */
-  bool GetGraphIsGuaranteed() const;
-
-  /**
-   * Time stamp of the last time that this filter built a graph.
-   */
-  vtkMTimeType GetGraphBuildTime() const;
 
 protected:
   vtkGeodesicSampler();

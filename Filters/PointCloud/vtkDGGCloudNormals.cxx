@@ -119,13 +119,3 @@ dgg::Status vtkDGGEstimateNormals(const double* positions, dgg::Id numberOfPoint
     return dgg::Status::Success();
   });
 }
-
-//------------------------------------------------------------------------------
-double vtkDGGPredictNormalsMemory(dgg::Id numberOfPoints)
-{
-  // Normals, numbers and points; in PCL a copy of these with their numbers; in FLANN another one,
-  // with places, pointers to the first one, and nodes: two per leaf of 15, which are half full.
-  constexpr double bytes = 3 * sizeof(double) + sizeof(dgg::Id) + sizeof(pcl::PointXYZ) +
-    2 * (3 * sizeof(float) + sizeof(int)) + sizeof(void*) + 64.0 / 3.0;
-  return bytes * numberOfPoints;
-}

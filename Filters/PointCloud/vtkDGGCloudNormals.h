@@ -16,8 +16,5 @@
 dgg::Status vtkDGGEstimateNormals(const double* positions, dgg::Id numberOfPoints,
   int numberOfNeighbors, const dgg::ProgressCallback& progress, std::vector<double>& normals);
 
-/// Most bytes that this takes for so many points, the normals included.
-double vtkDGGPredictNormalsMemory(dgg::Id numberOfPoints);
-
 #endif
 // VTK-HeaderTest-Exclude: vtkDGGCloudNormals.h

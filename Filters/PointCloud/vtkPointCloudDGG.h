@@ -12,7 +12,7 @@
  * vtkGeodesicVoronoi and vtkGeodesicDistanceMatrix search it, as they do those of meshes.
  *
  * All parameters have automatic defaults that follow from how densely the cloud is sampled, and
- * where; GetUsedOffsetInVoxels() and others tell what was used.
+ * where; GetUsedOffsetInVoxels() and others report what was used.
  *
  * @code
  * vtkNew<vtkPLYReader> reader;
@@ -104,7 +104,7 @@
  *    looked for with up to 512 of them, and no more than an eighth of the cloud, and taken off up to
  *    2 spacings where the surface is smooth at that scale; finer detail goes with it. When more than
  *    a tenth of the points lie on no surface with their neighbours (GetOffSurfaceShare()), as for
- *    more noise than that, and in volumes, there is a warning that tells how far they scatter: then
+ *    more noise than that, and in volumes, there is a warning that says how far they scatter: then
  *    thin the cloud out until that is less than the spacing, which grows with the root of the
  *    thinning. Where noise is large beside the shape, what is left when it has been taken off is
  *    not quite the surface: there is a warning when it is more than 0.07 of the radius at which the
@@ -131,7 +131,7 @@
  * The graph is kept between updates: it is built anew only when points, normals that are used or a
  * parameter change (GetGraphBuildTime()). Warnings about its points, noise and voxels come when it is
  * built, and not again while it is kept: GetNumberOfUnusedPoints(), GetNumberOfStrayPoints(),
- * GetScatter(), GetNoiseByRadius(), and GetVoxelSize() beside GetSpacing(), tell what they were about
+ * GetScatter(), GetNoiseByRadius(), and GetVoxelSize() beside GetSpacing(), report what they were about
  * after every update. The work is spread over the threads of vtkSMPTools; the graph is the same, bit
  * by bit, for any number of them.
  *
@@ -142,7 +142,7 @@
  *    above 524288; a NumberOfNeighbors below 3; an empty name of an array;
  *  - normals of another number of components or tuples than there should be;
  *  - parts of the cloud that are too far apart, see above;
- *  - a graph, or a band, that would take more memory than MemoryLimit: the message tells the limit,
+ *  - a graph, or a band, that would take more memory than MemoryLimit: the message names the limit,
  *    about what is needed, and for a band the Resolution that it has.
  *
  * The mesh report is empty, and MergeCoincidentPoints and OutputPointsPrecision are not used.
@@ -315,7 +315,7 @@ public:
   /**
    * Predict the memory that the graph will take, from the edges of some points and without building
    * it. Brings the input up to date. Returns GetEstimatedMemory(); 0 after an error and, with a
-   * warning, when the input is empty. Tells its progress; AbortExecute set by an observer makes it
+   * warning, when the input is empty. Reports progress; AbortExecute set by an observer makes it
    * return 0. GetErrorCode() becomes that of an error here; else it stays that of the last update.
    */
   vtkTypeUInt64 EstimateMemory();

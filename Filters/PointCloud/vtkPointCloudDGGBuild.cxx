@@ -21,6 +21,8 @@ namespace
 {
 /// Share of the progress that goes to normals by planes.
 constexpr double NormalsShare = 0.1;
+/// Bytes that finding them takes for each point, with PCL's copies and tree.
+constexpr double BytesPerNormal = 106.0;
 
 /// By which a graph is known.
 dgg::Signature MakeKey(const dgg::CloudGraphOptions& options, dgg::Id numberOfPoints)
@@ -147,7 +149,7 @@ dgg::Status vtkPointCloudDGG::FindNormals(
     internals.NormalsMesh == mesh.GetBuildTime();
   if (!isKept)
   {
-    dgg::Status status = vtkDGGCheckMemory("finding normals", vtkDGGPredictNormalsMemory(points),
+    dgg::Status status = vtkDGGCheckMemory("finding normals", BytesPerNormal * points,
       this->MemoryLimit, "use fewer points, or turn EstimateNormals off");
     if (!status.IsOk())
     {

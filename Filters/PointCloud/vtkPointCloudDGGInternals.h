@@ -9,7 +9,7 @@
 
 #include "vtkDGGGraphArrays.h" // for the graph
 
-#include "dggCloudGraphBuilder.h" // for what graphs are known by, and tell
+#include "dggCloudGraphBuilder.h" // for options and statistics
 
 #include "vtkTimeStamp.h" // for the time of the build
 
@@ -17,7 +17,7 @@
 
 struct vtkPointCloudDGG::vtkInternals
 {
-  /// What there is to tell of a graph.
+  /// What is reported of a graph.
   struct Findings
   {
     vtkDGGGraphSummary Graph;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkPointCloudDGG: what it tells of graphs, and warns of.
+// vtkPointCloudDGG: what it reports of graphs, and warns of.
 #include "vtkPointCloudDGGInternals.h"
 
 #include <cmath>
@@ -10,6 +10,26 @@ namespace
 /// Noise by the radius of curvature that is warned of: distances on spheres are 1 % too short.
 constexpr double LargestNoiseByRadius = 0.07;
 }
+
+/// A number of the graph of the last update.
+#define vtkPointCloudDGGNumberMacro(Type, Name, member) \
+  Type vtkPointCloudDGG::Get##Name() const              \
+  {                                                     \
+    return this->Internals->Current.Statistics.member;  \
+  }
+vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfUnusedPoints, UnusedPoints);
+vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfStrayPoints, StrayPoints);
+vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfCoincidentPoints, CoincidentPoints);
+vtkPointCloudDGGNumberMacro(double, UsedOffsetInVoxels, OffsetInVoxels);
+vtkPointCloudDGGNumberMacro(int, UsedResolution, Resolution);
+vtkPointCloudDGGNumberMacro(double, UsedAlpha, Alpha);
+vtkPointCloudDGGNumberMacro(double, VoxelSize, VoxelSize);
+vtkPointCloudDGGNumberMacro(double, Spacing, Spacing);
+vtkPointCloudDGGNumberMacro(double, Noise, Noise);
+vtkPointCloudDGGNumberMacro(double, OffSurfaceShare, OffSurface);
+vtkPointCloudDGGNumberMacro(double, NoiseByRadius, NoiseByRadius);
+vtkPointCloudDGGNumberMacro(double, Scatter, Scatter);
+vtkPointCloudDGGNumberMacro(double, Reach, Reach);
 
 //------------------------------------------------------------------------------
 void vtkPointCloudDGG::PrintSelf(ostream& os, vtkIndent indent)
@@ -97,87 +117,9 @@ vtkIdType vtkPointCloudDGG::GetComponentSize(vtkIdType i) const
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkPointCloudDGG::GetNumberOfUnusedPoints() const
-{
-  return this->Internals->Current.Statistics.UnusedPoints;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkPointCloudDGG::GetNumberOfStrayPoints() const
-{
-  return this->Internals->Current.Statistics.StrayPoints;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkPointCloudDGG::GetNumberOfCoincidentPoints() const
-{
-  return this->Internals->Current.Statistics.CoincidentPoints;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetUsedOffsetInVoxels() const
-{
-  return this->Internals->Current.Statistics.OffsetInVoxels;
-}
-
-//------------------------------------------------------------------------------
 double vtkPointCloudDGG::GetUsedOffset() const
 {
   return this->GetUsedOffsetInVoxels() * this->GetVoxelSize();
-}
-
-//------------------------------------------------------------------------------
-int vtkPointCloudDGG::GetUsedResolution() const
-{
-  return this->Internals->Current.Statistics.Resolution;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetUsedAlpha() const
-{
-  return this->Internals->Current.Statistics.Alpha;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetVoxelSize() const
-{
-  return this->Internals->Current.Statistics.VoxelSize;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetSpacing() const
-{
-  return this->Internals->Current.Statistics.Spacing;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetNoise() const
-{
-  return this->Internals->Current.Statistics.Noise;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetOffSurfaceShare() const
-{
-  return this->Internals->Current.Statistics.OffSurface;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetNoiseByRadius() const
-{
-  return this->Internals->Current.Statistics.NoiseByRadius;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetScatter() const
-{
-  return this->Internals->Current.Statistics.Scatter;
-}
-
-//------------------------------------------------------------------------------
-double vtkPointCloudDGG::GetReach() const
-{
-  return this->Internals->Current.Statistics.Reach;
 }
 
 //------------------------------------------------------------------------------
@@ -229,7 +171,7 @@ void vtkPointCloudDGG::WarnAboutPoints()
 }
 
 //------------------------------------------------------------------------------
-/// Of a graph that has just been built: voxels that tell less than the points do.
+/// Of a graph that has just been built: voxels that are coarser than the points.
 void vtkPointCloudDGG::WarnAboutVoxels(const dgg::CloudGraphOptions& options)
 {
   const dgg::CloudGraphStatistics& used = this->Internals->Current.Statistics;

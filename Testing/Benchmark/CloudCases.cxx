@@ -5,7 +5,7 @@
 #include "BenchmarkTools.h"
 #include "OpenedGraph.h"
 #include "ThreadedLoop.h"
-#include "dggBandMarching.h"
+#include "BandMarching.h"
 
 #include <cmath>
 

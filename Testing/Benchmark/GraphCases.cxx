@@ -30,8 +30,6 @@ void ReportGraph(benchmark::State& state, const BenchmarkMesh& mesh, const Measu
   state.counters["windows_per_vertex"] =
     static_cast<double>(statistics.Windows) / mesh.GetNumberOfVertices();
   state.counters["bytes_per_edge"] = static_cast<double>(graph.GetGraph().GetMemorySize()) / edges;
-  state.counters["peak_bytes_per_edge"] = static_cast<double>(statistics.PeakMemory) / edges;
-  state.counters["workspace_bytes"] = static_cast<double>(statistics.Workspace);
 }
 
 dgg::SearchOptions QueryOptions(dgg::SearchMethod method, bool correct)
@@ -78,8 +76,9 @@ void MeasureMemory(benchmark::State& state, const GraphRecipe& recipe)
     state.SkipWithError(graph.GetError().c_str());
     return;
   }
-  state.counters["resident_bytes_per_edge"] =
-    static_cast<double>(probe.GetResidentPeak()) / NumberOfEdges(graph.GetGraph());
+  const double edges = NumberOfEdges(graph.GetGraph());
+  state.counters["peak_bytes_per_edge"] = static_cast<double>(probe.GetHeapPeak()) / edges;
+  state.counters["resident_bytes_per_edge"] = static_cast<double>(probe.GetResidentPeak()) / edges;
 }
 
 void MeasureParallelBuild(benchmark::State& state, const GraphRecipe& recipe, int threads)
@@ -108,10 +107,11 @@ void MeasureEstimate(benchmark::State& state, const GraphRecipe& recipe)
   Measure(
     state, [] {},
     [&] { dgg::GraphBuilder(opened.Mesh->GetSurface()).Estimate(recipe.Options, estimate); });
-  const dgg::GraphStatistics& statistics = opened.Graph->GetStatistics();
   state.counters["edges_ratio"] = estimate.Edges / NumberOfEdges(opened.Graph->GetGraph());
-  state.counters["peak_ratio"] =
-    estimate.Peak / static_cast<double>(statistics.PeakMemory + statistics.Workspace);
+  MeasuredGraph other(opened.Mesh->GetSurface(), recipe.Options);
+  const MemoryProbe probe;
+  other.Build({});
+  state.counters["peak_ratio"] = estimate.Peak / static_cast<double>(probe.GetHeapPeak());
 }
 
 void MeasureCache(benchmark::State& state, const GraphRecipe& recipe)

@@ -132,7 +132,7 @@ def thorough(graphs):
 def build_table(graphs):
     rows = []
     for (rule, parameter), cases in thorough(graphs).items():
-        build, estimate = cases.get("Build"), cases["Estimate"]
+        estimate = cases["Estimate"]
         parallel = cases.get("ParallelBuild")
         same = median(parallel, "same_bits")
         rows.append(
@@ -140,9 +140,8 @@ def build_table(graphs):
                 title_of(rule, parameter),
                 speed_up_text(cases, "Build"),
                 DASH if same is None else ("yes" if same == 1.0 else "NO"),
-                text(median(build, "peak_bytes_per_edge"), "{:.1f}"),
+                text(median(cases.get("Memory"), "peak_bytes_per_edge"), "{:.1f}"),
                 text(median(cases.get("Memory"), "resident_bytes_per_edge"), "{:.1f}"),
-                text(median(build, "workspace_bytes"), "{:.3g} B"),
                 time_text(median(estimate, "seconds")),
                 text(median(estimate, "edges_ratio"), "{:.2f}"),
                 text(median(estimate, "peak_ratio"), "{:.2f}"),
@@ -154,7 +153,6 @@ def build_table(graphs):
         "same bits",
         "peak bytes per edge",
         "the system's peak",
-        "workspace",
         "estimate",
         "edges: estimated / built",
         "memory: estimated / peak",

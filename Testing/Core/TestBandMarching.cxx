@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dggBandMarching.h"
+#include "../Benchmark/BandMarching.h"
 
 #include <gtest/gtest.h>
 

@@ -179,49 +179,6 @@ TEST(GraphBuilderLimits, LinksAreCompleteOrRefused)
   }
 }
 
-TEST(GraphBuilderLimits, EstimateCoversAllThreads)
-{
-  // With real threads: never less than what building took, and not much more.
-  std::vector<Id> unused;
-  for (const NamedMesh& named : { NamedMesh{ "Plane", Plane(60, 50, 0.25, 1) },
-         NamedMesh{ "Sphere", NoisySphere(4, 0.2, 2) }, NamedMesh{ "Rough", Terrain(50, 2.0, 3) },
-         NamedMesh{ "Book", Book(4, 28, unused, 0.2, 4) }, NamedMesh{ "Small", Icosphere(2) } })
-  {
-    SCOPED_TRACE(named.Name);
-    const SurfaceMesh mesh = Build(named.Mesh);
-    const dgg::GraphBuilder builder(mesh);
-    for (const auto construction : { GraphConstruction::Guaranteed, GraphConstruction::OneRelay,
-           GraphConstruction::Indirect, GraphConstruction::SaddleVertexGraph })
-    {
-      SCOPED_TRACE(static_cast<int>(construction));
-      double last = 0.0;
-      for (const int threads : { 1, 3, 8 })
-      {
-        SCOPED_TRACE(threads);
-        dgg::GraphOptions options;
-        options.Construction = construction;
-        options.Accuracy = 0.02;
-        options.Parallel = WithThreads(threads, 1);
-        options.NumberOfThreads = threads;
-        dgg::GraphEstimate estimate;
-        ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
-        dgg::GeodesicGraph graph;
-        dgg::GraphStatistics statistics;
-        ASSERT_TRUE(builder.Build(options, graph, &statistics).IsOk());
-        const auto held = static_cast<double>(statistics.PeakMemory + statistics.Workspace);
-        EXPECT_GE(estimate.Peak, held);
-        if (mesh.GetNumberOfVertices() > 1000)
-        {
-          // Where there is little to do, not all threads come to have work.
-          EXPECT_LE(estimate.Peak, 3.0 * held);
-        }
-        EXPECT_GT(estimate.Peak, last);
-        last = estimate.Peak;
-      }
-    }
-  }
-}
-
 TEST(GraphBuilderLimits, EveryThreadCounts)
 {
   // What is known of all vertices, once a thread.

@@ -463,13 +463,4 @@ TEST(GraphSearch, ProgressAndAbort)
     EXPECT_TRUE(c.GetSearch().Run({ SeedAt(0) }, options, result).IsOk());
   }
 }
-
-TEST(GraphSearch, MemoryIsReported)
-{
-  const SearchCase c("plane", Plane(20, 20), 0.05);
-  const std::size_t before = c.GetSearch().GetMemorySize();
-  EXPECT_GT(before, 0u);
-  c.Run({ SeedAt(0) });
-  EXPECT_GT(c.GetSearch().GetMemorySize(), before);
-}
 }

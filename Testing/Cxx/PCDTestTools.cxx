@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PCDTestTools.h"
 
-#include "FilterTestTools.h"
-
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -16,8 +13,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
 namespace dggtest
@@ -54,59 +49,6 @@ std::string Sizes(std::uint32_t compressed, std::uint32_t uncompressed)
     }
   }
   return text;
-}
-
-PCDTest::PCDTest()
-{
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  this->Folder = std::filesystem::path(DGG_TEST_OUTPUT) / info->test_suite_name() / info->name();
-  std::filesystem::create_directories(this->Folder);
-}
-
-PCDTest::~PCDTest()
-{
-  std::filesystem::remove_all(this->Folder);
-}
-
-std::string PCDTest::Write(const std::string& content, const std::string& name) const
-{
-  // File systems make sure that what replaces a file is on the disk, which takes its time.
-  std::filesystem::remove(this->GetPath(name));
-  std::ofstream(this->GetPath(name), std::ios::binary) << content;
-  return this->GetPath(name);
-}
-
-std::string PCDTest::Load(const std::string& name) const
-{
-  std::ifstream file(this->GetPath(name), std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-}
-
-vtkPolyData* PCDTest::ReadWell(const std::string& content)
-{
-  this->Write(content);
-  return this->ReadWellFile();
-}
-
-vtkPolyData* PCDTest::ReadWellFile(const std::string& name)
-{
-  this->Reader->SetFileName(this->GetPath(name).c_str());
-  this->Reader->Modified(); // the name may be the same
-  ExpectSuccess(this->Reader);
-  return this->Reader->GetOutput();
-}
-
-void PCDTest::ExpectRefused(
-  const std::string& content, unsigned long code, const std::vector<std::string>& parts)
-{
-  SCOPED_TRACE(content);
-  std::vector<std::string> all = parts;
-  all.push_back(this->Write(content));
-  this->Reader->SetFileName(all.back().c_str());
-  this->Reader->Modified();
-  ExpectError(this->Reader, all);
-  EXPECT_EQ(this->Reader->GetErrorCode(), code);
-  EXPECT_EQ(this->ReadWell(GoodPCD)->GetNumberOfPoints(), 2);
 }
 
 vtkSmartPointer<vtkPolyData> MakeRichCloud(int pointType, bool hasColors)

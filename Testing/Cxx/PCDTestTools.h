@@ -5,19 +5,13 @@
 #ifndef PCDTestTools_h
 #define PCDTestTools_h
 
-#include "vtkPCDReader.h"
+#include "ReaderFixture.h"
 
-#include "vtkNew.h"
-#include "vtkPolyData.h"
+#include "vtkPCDReader.h"
 #include "vtkSmartPointer.h"
 
-#include <gtest/gtest.h>
-
-#include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <string>
-#include <vector>
 
 namespace dggtest
 {
@@ -44,26 +38,13 @@ extern const char* const GoodPCD;
 std::string Sizes(std::uint32_t compressed, std::uint32_t uncompressed);
 
 /// Tests that read and write in a folder of their own.
-class PCDTest : public testing::Test
+class PCDTest : public ReaderFixture<vtkPCDReader>
 {
 protected:
-  PCDTest();
-  ~PCDTest() override;
-
-  std::string GetPath(const std::string& name) const { return (this->Folder / name).string(); }
-  std::string Write(const std::string& content, const std::string& name = "cloud.pcd") const;
-  std::string Load(const std::string& name = "cloud.pcd") const;
-
-  /// Read this content, or the file as it is.
-  vtkPolyData* ReadWell(const std::string& content);
-  vtkPolyData* ReadWellFile(const std::string& name = "cloud.pcd");
-  /// The error has this code and names the file and all of `parts`, and the output is empty; then a
-  /// good file is read well.
-  void ExpectRefused(
-    const std::string& content, unsigned long code, const std::vector<std::string>& parts);
-
-  std::filesystem::path Folder;
-  vtkNew<vtkPCDReader> Reader;
+  PCDTest()
+    : ReaderFixture("cloud.pcd", GoodPCD)
+  {
+  }
 };
 
 /// A cloud of 3 x 2 points with normals, colours, an array of each type of number, arrays of

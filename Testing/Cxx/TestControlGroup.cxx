@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// How much memory control groups leave, in folders that look like theirs.
-#include "vtkDGGControlGroup.h"
+#include "vtkDGGMemory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,115 +1,46 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkDGGOFFReader: every flavour of the format, and every way to get it wrong.
+#include "ReaderFixture.h"
+
 #include "vtkDGGOFFReader.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkErrorCode.h"
-#include "vtkExecutive.h"
 #include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 
-#include <gtest/gtest.h>
-
-#include <clocale>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace
 {
-/// Collects what an algorithm and its executive complain about.
-class ErrorLog
-{
-public:
-  explicit ErrorLog(vtkAlgorithm* algorithm)
-  {
-    this->Callback->SetClientData(&this->Text);
-    this->Callback->SetCallback([](vtkObject*, unsigned long, void* text, void* message) {
-      *static_cast<std::string*>(text) += static_cast<const char*>(message);
-    });
-    algorithm->AddObserver(vtkCommand::ErrorEvent, this->Callback);
-    algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Callback);
-  }
-  const std::string& GetText() const { return this->Text; }
-  void Clear() { this->Text.clear(); }
+const char* const Triangle = "OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
-private:
-  std::string Text;
-  vtkNew<vtkCallbackCommand> Callback;
-};
-
-class OFFReader : public testing::Test
+class OFFReader : public dggtest::ReaderFixture<vtkDGGOFFReader>
 {
 protected:
   OFFReader()
+    : ReaderFixture("mesh.off", Triangle)
   {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    this->Folder = std::filesystem::path(DGG_TEST_OUTPUT) / "OFFReader" / info->name();
-    std::filesystem::create_directories(this->Folder);
   }
-  ~OFFReader() override { std::filesystem::remove_all(this->Folder); }
 
-  /// Write a file and make the reader read it.
-  std::string Write(const std::string& content)
-  {
-    const std::string name = (this->Folder / "mesh.off").string();
-    std::ofstream(name, std::ios::binary) << content;
-    return name;
-  }
-  vtkPolyData* Read(const std::string& content)
-  {
-    this->Reader->SetFileName(this->Write(content).c_str());
-    this->Reader->Modified(); // the name may be the same
-    this->Log.Clear();
-    this->Reader->Update();
-    return this->Reader->GetOutput();
-  }
-  vtkPolyData* ReadWell(const std::string& content)
-  {
-    vtkPolyData* output = this->Read(content);
-    EXPECT_EQ(this->Log.GetText(), "");
-    EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::NoError);
-    return output;
-  }
-  /// A malformed file: the error has this code and names the file, the place and the trouble; then
-  /// a good file is read well.
+  /// The error names the place and the trouble as well.
   void ExpectRefused(const std::string& content, unsigned long code, const std::string& place,
     const std::string& trouble)
   {
-    SCOPED_TRACE(content);
-    const vtkPolyData* output = this->Read(content);
-    this->ExpectError(code, this->Reader->GetFileName(), place + ": ", trouble);
-    EXPECT_EQ(const_cast<vtkPolyData*>(output)->GetNumberOfPoints(), 0);
-    EXPECT_EQ(const_cast<vtkPolyData*>(output)->GetNumberOfCells(), 0);
-    EXPECT_EQ(this->ReadWell("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")->GetNumberOfCells(), 1);
+    ReaderFixture::ExpectRefused(content, code, { place + ": ", trouble });
   }
-  void ExpectError(unsigned long code, const std::string& name, const std::string& place,
-    const std::string& trouble)
+  void ExpectRefusedWhereverCut(const std::string& whole)
   {
-    EXPECT_EQ(this->Reader->GetErrorCode(), code) << this->Log.GetText();
-    EXPECT_NE(this->Log.GetText().find("vtkDGGOFFReader"), std::string::npos);
-    for (const std::string& part : { name, place, trouble })
+    ASSERT_EQ(this->ReadWell(whole)->GetNumberOfCells(), 1);
+    for (std::size_t length = 0; length < whole.size(); ++length)
     {
-      EXPECT_NE(this->Log.GetText().find(part), std::string::npos)
-        << "'" << part << "' is missing in: " << this->Log.GetText();
+      this->Use(this->Write(whole.substr(0, length)));
+      dggtest::ExpectError(this->Reader, { "mesh.off" });
     }
   }
-
-  std::filesystem::path Folder;
-  vtkNew<vtkDGGOFFReader> Reader;
-  ErrorLog Log{ this->Reader };
 };
 
 void ExpectPoint(vtkPolyData* data, vtkIdType id, double x, double y, double z)
@@ -185,8 +116,6 @@ public:
 private:
   std::string Bytes;
 };
-
-const char* const Triangle = "OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 }
 
 TEST_F(OFFReader, ReadsPlainFile)
@@ -493,19 +422,15 @@ TEST_F(OFFReader, RefusesBadFaces)
   this->ExpectRefused(head + "3 0 1 2\nend\n", format, "line 6", "'end' follows the last face");
 }
 
-TEST_F(OFFReader, RefusesTextCutAnywhere)
+TEST_F(OFFReader, RefusesFilesCutAnywhere)
 {
   // With the last line's "3" the face is complete, so every shorter text is refused.
-  const std::string whole = "STCNOFF\n3 1 3\n0 0 0 0 0 1 255 0 0 0.5 0.5\n1 0 0 0 0 1 255 0 0 0.5 "
-                            "0.5\n0 1 0 0 0 1 255 0 0 0.5 0.5\n3 0 1 2";
-  ASSERT_EQ(this->ReadWell(whole)->GetNumberOfCells(), 1);
-  for (std::size_t length = 0; length < whole.size(); ++length)
-  {
-    vtkPolyData* output = this->Read(whole.substr(0, length));
-    EXPECT_NE(this->Reader->GetErrorCode(), vtkErrorCode::NoError) << whole.substr(0, length);
-    EXPECT_NE(this->Log.GetText().find("line "), std::string::npos) << this->Log.GetText();
-    EXPECT_EQ(output->GetNumberOfPoints(), 0);
-  }
+  this->ExpectRefusedWhereverCut("STCNOFF\n3 1 3\n0 0 0 0 0 1 255 0 0 0.5 0.5\n"
+                                 "1 0 0 0 0 1 255 0 0 0.5 0.5\n0 1 0 0 0 1 255 0 0 0.5 0.5\n"
+                                 "3 0 1 2");
+  BinaryFile file("COFF");
+  file.Ints({ 1, 1, 0 }).Floats({ 1, 2, 3, 1, 0, 0, 1 }).Ints({ 1, 0, 3 }).Floats({ 0, 1, 0 });
+  this->ExpectRefusedWhereverCut(file.Get());
 }
 
 TEST_F(OFFReader, RefusesBadBinary)
@@ -540,46 +465,9 @@ TEST_F(OFFReader, RefusesBadBinary)
     points(1).Ints({ 3, 0, 1, 2, 0, 9 }).Get(), format, "byte 79", "4 bytes follow");
 }
 
-TEST_F(OFFReader, RefusesBinaryCutAnywhere)
-{
-  BinaryFile file("COFF");
-  file.Ints({ 1, 1, 0 }).Floats({ 1, 2, 3, 1, 0, 0, 1 }).Ints({ 1, 0, 3 }).Floats({ 0, 1, 0 });
-  ASSERT_EQ(this->ReadWell(file.Get())->GetNumberOfCells(), 1);
-  for (std::size_t length = 0; length < file.Get().size(); ++length)
-  {
-    vtkPolyData* output = this->Read(file.Get().substr(0, length));
-    EXPECT_NE(this->Reader->GetErrorCode(), vtkErrorCode::NoError) << length;
-    EXPECT_EQ(output->GetNumberOfPoints(), 0);
-  }
-}
-
 TEST_F(OFFReader, ReportsFilesThatCannotBeRead)
 {
-  this->Reader->Update();
-  EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::NoFileNameError);
-  EXPECT_NE(this->Log.GetText().find("SetFileName"), std::string::npos);
-
-  this->Reader->SetFileName("");
-  this->Reader->Update();
-  EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::NoFileNameError);
-
-  const std::string missing = (this->Folder / "missing.off").string();
-  this->Reader->SetFileName(missing.c_str());
-  this->Log.Clear();
-  this->Reader->Update();
-  this->ExpectError(vtkErrorCode::FileNotFoundError, missing, "", "does not exist");
-
-  this->Reader->SetFileName(this->Folder.string().c_str());
-  this->Log.Clear();
-  this->Reader->Update();
-  this->ExpectError(vtkErrorCode::CannotOpenFileError, this->Folder.string(), "", "it is a folder");
-
-  this->Reader->SetFileName("/dev/null");
-  this->Log.Clear();
-  this->Reader->Update();
-  EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::CannotOpenFileError);
-
-  EXPECT_EQ(this->ReadWell(Triangle)->GetNumberOfPolys(), 1);
+  this->CheckFilesThatCannotBeRead();
 }
 
 TEST_F(OFFReader, LeavesNothingOfAnEarlierFile)
@@ -592,75 +480,36 @@ TEST_F(OFFReader, LeavesNothingOfAnEarlierFile)
 
 TEST_F(OFFReader, IgnoresTheLocale)
 {
-  const std::string before = std::setlocale(LC_ALL, nullptr);
-  // Where no such locale is installed, the standard ones must at least change nothing.
-  for (const char* locale : { "C", "de_DE.UTF-8", "fr_FR.UTF-8", "de_DE" })
-  {
-    if (std::setlocale(LC_ALL, locale))
-    {
-      ExpectPoint(this->ReadWell("OFF 1 0 0\n1.5 2.25 1000.5\n"), 0, 1.5, 2.25, 1000.5);
-    }
-  }
-  std::setlocale(LC_ALL, before.c_str());
+  this->CheckLocales("OFF 1 0 0\n1.5 2.25 1000.5\n");
 }
 
 TEST_F(OFFReader, TellsFilesApart)
 {
-  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write(Triangle).c_str()), 1);
   EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write("# c\nCNOFF BINARY\n").c_str()), 1);
   EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write("4OFF\n").c_str()), 0);
   EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write("ply\n").c_str()), 0);
-  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write("").c_str()), 0);
-  EXPECT_EQ(vtkDGGOFFReader::CanReadFile((this->Folder / "none").string().c_str()), 0);
-  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Folder.string().c_str()), 0);
-  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(nullptr), 0);
 }
 
 TEST_F(OFFReader, ReportsProgressAndStops)
 {
-  std::ostringstream content;
-  constexpr int count = 300000;
-  content << "OFF " << count << " 0 0\n";
-  for (int i = 0; i < count; ++i)
+  std::string content = "OFF 300000 0 0\n";
+  for (int i = 0; i < 300000; ++i)
   {
-    content << i << " 0 0\n";
+    content += std::to_string(i) + " 0 0\n";
   }
-  std::vector<double> progress;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&progress);
-  observer->SetCallback([](vtkObject* caller, unsigned long, void* list, void*) {
-    static_cast<std::vector<double>*>(list)->push_back(
-      vtkAlgorithm::SafeDownCast(caller)->GetProgress());
-  });
-  this->Reader->AddObserver(vtkCommand::ProgressEvent, observer);
-  EXPECT_EQ(this->ReadWell(content.str())->GetNumberOfPoints(), count);
-  ASSERT_GE(progress.size(), 5u);
-  for (std::size_t i = 1; i < progress.size(); ++i)
-  {
-    EXPECT_LE(progress[i - 1], progress[i]);
-  }
-  EXPECT_EQ(progress.back(), 1.0);
+  this->CheckProgress(content, 300000);
+}
 
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
-    vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-  });
-  const unsigned long tag = this->Reader->AddObserver(vtkCommand::ProgressEvent, stop);
-  EXPECT_EQ(this->ReadWell(content.str())->GetNumberOfPoints(), 0);
-  this->Reader->RemoveObserver(tag);
-  this->Reader->SetAbortExecute(0);
-  this->Reader->Update(); // nothing has changed, but nothing was read either
-  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), count);
-  EXPECT_EQ(this->ReadWell(content.str())->GetNumberOfPoints(), count);
+TEST_F(OFFReader, TakesOutOfRangeNumbersByTheirPowerOfTen)
+{
+  const std::string zeros(400, '0');
+  ExpectPoint(
+    this->ReadWell("OFF 1 0 0\n0." + zeros + "1 0." + zeros + "1e10 0\n"), 0, 0.0, 0.0, 0.0);
+  this->ExpectRefused(
+    "OFF 1 0 0\n1" + zeros + "e-10 0 0\n", vtkErrorCode::FileFormatError, "line 2", "is too large");
 }
 
 TEST_F(OFFReader, PrintsItself)
 {
-  std::ostringstream text;
-  this->Reader->Print(text);
-  EXPECT_NE(text.str().find("FileName: (none)"), std::string::npos);
-  this->Reader->SetFileName("some.off");
-  text.str("");
-  this->Reader->Print(text);
-  EXPECT_NE(text.str().find("FileName: some.off"), std::string::npos);
+  this->CheckPrint();
 }

@@ -353,21 +353,8 @@ TEST_F(PCDReaderRefusals, SurvivesDamage)
 
 TEST_F(PCDReaderRefusals, ReportsFilesThatCannotBeRead)
 {
-  const auto expect = [this](const std::string& name, unsigned long code, const char* trouble) {
-    this->Reader->SetFileName(name.c_str());
-    dggtest::ExpectError(
-      this->Reader, { name.empty() ? trouble : "Cannot read " + name + ": ", trouble });
-    EXPECT_EQ(this->Reader->GetErrorCode(), code);
-  };
-  dggtest::ExpectError(this->Reader, { "SetFileName" });
-  EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::NoFileNameError);
-  expect("", vtkErrorCode::NoFileNameError, "SetFileName");
-  expect(this->GetPath("none.pcd"), vtkErrorCode::FileNotFoundError, "does not exist");
-  expect(this->Folder.string(), vtkErrorCode::CannotOpenFileError, "it is a folder");
-  expect("/dev/null", vtkErrorCode::CannotOpenFileError, "not an ordinary file");
-  expect(this->Write(""), vtkErrorCode::PrematureEndOfFileError, "the file is empty");
-  expect(this->Write("FIELDS x y z\n", "a.pcd"), vtkErrorCode::PrematureEndOfFileError,
-    "before the line DATA");
-  EXPECT_EQ(this->ReadWell(GoodPCD)->GetNumberOfPoints(), 2);
+  this->CheckFilesThatCannotBeRead();
+  this->ExpectRefused(
+    "FIELDS x y z\n", vtkErrorCode::PrematureEndOfFileError, { "before the line DATA" });
 }
 }

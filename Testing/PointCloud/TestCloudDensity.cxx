@@ -3,7 +3,6 @@
 // Clouds with parts that are very much sparser than others: voxels that are large enough for the
 // sparse ones are larger than the balls of the dense ones.
 #include "CloudShapes.h"
-#include "dggBandBudget.h"
 
 #include <gtest/gtest.h>
 
@@ -189,21 +188,5 @@ TEST(CloudDensity, RefusedBandsAreToldInNumbers)
          "set a Resolution below ", "from each other" })
   {
     EXPECT_NE(automatic.find(text), std::string::npos) << text << " in: " << automatic;
-  }
-}
-
-TEST(CloudDensity, MemoryOfBandsIsPredicted)
-{
-  for (const Id resolution : { 20, 40, 90 })
-  {
-    const Cloud cloud = Sphere(1500, 26);
-    CloudGraphStatistics statistics;
-    const CloudGraph graph = BuildGraph(
-      cloud, [&](CloudGraphOptions& options) { options.Resolution = resolution; }, &statistics);
-    const std::vector<float> spacings(graph.Radii.size(), static_cast<float>(statistics.Spacing));
-    const double predicted = dgg::PredictBandMemory(spacings, graph.Radii, statistics.VoxelSize);
-    const auto taken = static_cast<double>(statistics.BandMemory);
-    EXPECT_GT(predicted, 0.6 * taken) << resolution;
-    EXPECT_LT(predicted, 1.7 * taken) << resolution;
   }
 }

@@ -4,8 +4,6 @@
 #include "../Benchmark/MemoryProbe.h"
 #include "CloudShapes.h"
 
-#include "dggCloudNodes.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +16,6 @@ using namespace cloudtest;
 using dgg::CloudGraph;
 using dgg::CloudGraphEstimate;
 using dgg::CloudGraphOptions;
-using dgg::CloudGraphStatistics;
 using dgg::CloudScheme;
 using dgg::Status;
 }
@@ -48,7 +45,7 @@ TEST(CloudGraph, PredictsWhatItTakes)
   EXPECT_TRUE(status.IsOk()) << status.GetMessage();
 }
 
-TEST(CloudGraph, TakesNoMoreThanPredicted)
+TEST(CloudGraph, EstimateIsWithinAFactorOfTwo)
 {
   // All blocks of the allocator: MemoryProbe replaces it. A little more points than a power of two:
   // what grows by doubling would take most then.
@@ -74,34 +71,10 @@ TEST(CloudGraph, TakesNoMoreThanPredicted)
     CloudGraph graph;
     ASSERT_TRUE(MakeBuilder(cloud).Build(options, graph).IsOk());
     const auto peak = static_cast<double>(probe.GetHeapPeak()); // 0 where it cannot be measured
-    EXPECT_LE(peak, estimate.Peak - given)
-      << static_cast<int>(test.Scheme) << " " << test.Accuracy << " " << test.Noise;
-    if (peak > 0.0)
-    {
-      EXPECT_GE(peak, 0.8 * (estimate.Peak - given))
-        << static_cast<int>(test.Scheme) << " " << test.Accuracy << " " << test.Noise;
-    }
-  }
-}
-
-TEST(CloudGraph, FindingNodesTakesNoMoreThanPredicted)
-{
-  // No two in one place, pairs, one place, and a number that stands for no reading: the predicted
-  // memory is all that is taken, before anything else is built.
-  const Cloud few = Sphere(4200, 19);
-  for (const Id places : { 4200, 2100, 1, -1 })
-  {
-    Cloud cloud;
-    for (Id i = 0; i < few.GetSize(); ++i)
-    {
-      cloud.Add(places > 0 ? few.At(i % places) : i < 100 ? few.At(i) : Point3{ -1e4, 0.0, 0.0 });
-    }
-    const MemoryProbe probe;
-    dgg::CloudNodes nodes;
-    std::vector<Point3> found;
-    ASSERT_TRUE(dgg::FindNodes(cloud.Points.data(), cloud.GetSize(), nodes, found).IsOk());
-    EXPECT_EQ(static_cast<Id>(found.size()), places > 0 ? places : 101);
-    EXPECT_LE(probe.GetHeapPeak(), dgg::CloudNodes::PredictMemory(cloud.GetSize())) << places;
+    SCOPED_TRACE(std::to_string(static_cast<int>(test.Scheme)) + " " +
+      std::to_string(test.Accuracy) + " " + std::to_string(test.Noise));
+    EXPECT_LE(peak, estimate.Peak - given);
+    EXPECT_GE(2.0 * peak, peak > 0.0 ? estimate.Peak - given : 0.0);
   }
 }
 
@@ -189,11 +162,9 @@ TEST(CloudGraph, LimitsAreKeptByFewerThreads)
   options.MemoryLimit = static_cast<std::size_t>(one.Peak) + 1;
   const MemoryProbe probe;
   CloudGraph graph;
-  CloudGraphStatistics statistics;
-  const Status status = MakeBuilder(cloud).Build(options, graph, &statistics);
+  const Status status = MakeBuilder(cloud).Build(options, graph);
   ASSERT_TRUE(status.IsOk()) << status.GetMessage();
   EXPECT_LE(probe.GetHeapPeak(), options.MemoryLimit);
-  EXPECT_LE(statistics.PeakMemory, options.MemoryLimit);
   EXPECT_TRUE(std::equal(graph.Graph.Targets.begin(), graph.Graph.Targets.end(),
     expected.Graph.Targets.begin(), expected.Graph.Targets.end()));
 }

@@ -15,9 +15,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkElevationFilter
-from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkFiltersCore import vtkContourFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkPointSource
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
@@ -85,88 +83,6 @@ class Chain(unittest.TestCase):
         found = distances_of(distance.GetOutput())
         self.assertTrue((np.abs(found - exact) <= 0.05 * exact * (1 + 1e-6)).all())
 
-    def test_a_second_query_does_not_build(self):
-        reader = make_reader()
-        graph = make_graph(reader)
-        distance = make_distance(graph, 0)
-        vtkdgg.check(distance)
-        built = graph.GetGraphBuildTime()
-        self.assertGreater(built, 0)
-        for source in (1, 2):
-            distance.SetSourceIds([source])
-            self.assertEqual(distances_of(vtkdgg.check(distance))[source], 0.0)
-        other = make_distance(graph, 9)
-        vtkdgg.check(other)
-        self.assertEqual(graph.GetGraphBuildTime(), built)
-        graph.Modified()
-        graph.GenerateGraphLinesOn()
-        vtkdgg.check(distance)
-        self.assertEqual(graph.GetGraphBuildTime(), built)
-        # These do.
-        graph.SetAccuracy(0.1)
-        vtkdgg.check(distance)
-        self.assertGreater(graph.GetGraphBuildTime(), built)
-        self.assertEqual(distance.GetGraphAccuracy(), 0.1)
-        built = graph.GetGraphBuildTime()
-        reader.GetOutput().GetPoints().SetPoint(5, 3.0, 0.0, 0.0)
-        reader.GetOutput().GetPoints().Modified()
-        graph.SetInputData(reader.GetOutput())
-        silent(vtkdgg.check, distance)
-        self.assertGreater(graph.GetGraphBuildTime(), built)
-
-    def test_a_distance_filter_on_its_own(self):
-        distance = make_distance(make_reader(), 0)
-        distance.SetAccuracy(0.1)
-        expected = distances_of(silent(vtkdgg.check, distance))
-        built = distance.GetGraphBuildTime()
-        self.assertGreater(built, 0)
-        self.assertFalse(distance.GetUsedInputGraph())
-        distance.SetSourceIds([7])
-        self.assertEqual(distances_of(vtkdgg.check(distance))[7], 0.0)
-        distance.CorrectionOff()
-        vtkdgg.check(distance)
-        self.assertEqual(distance.GetGraphBuildTime(), built)
-        distance.SetAccuracy(0.3)
-        vtkdgg.check(distance)
-        self.assertGreater(distance.GetGraphBuildTime(), built)
-        # The same as with a graph on the input.
-        chained = make_distance(make_graph(make_reader(), 0.1), 0)
-        np.testing.assert_array_equal(distances_of(vtkdgg.check(chained)), expected)
-
-    def test_a_graph_passes_through_other_filters(self):
-        graph = make_graph(make_reader())
-        elevation = vtkElevationFilter()
-        elevation.SetInputConnection(graph.GetOutputPort())
-        distance = make_distance(elevation, 0)
-        output = silent(vtkdgg.check, distance)
-        self.assertTrue(distance.GetUsedInputGraph())
-        self.assertIsNotNone(output.GetPointData().GetArray("Elevation"))
-
-    def test_a_graph_of_another_surface(self):
-        transform = vtkTransform()
-        transform.RotateX(30.0)
-        graph = make_graph(make_reader())
-        move = vtkTransformPolyDataFilter()
-        move.SetTransform(transform)
-        move.SetInputConnection(graph.GetOutputPort())
-        distance = make_distance(move, 0)
-        with self.assertWarnsRegex(RuntimeWarning, "out of date"):
-            found = distances_of(vtkdgg.check(distance))
-        self.assertFalse(distance.GetUsedInputGraph())
-        self.assertEqual(distance.GetGraphAccuracy(), 0.01)
-        exact = exact_distances(move, 0)
-        self.assertTrue((np.abs(found - exact) <= 0.01 * exact * (1 + 1e-6)).all())
-        np.testing.assert_allclose(exact, exact_distances(make_reader(), 0), rtol=1e-5)
-
-    def test_a_coarser_graph_is_used_with_a_warning(self):
-        distance = make_distance(make_graph(make_reader(), 0.1), 0)
-        distance.SetAccuracy(0.001)
-        with self.assertWarnsRegex(RuntimeWarning, "accuracy is 0.1.*0.001"):
-            vtkdgg.check(distance)
-        self.assertTrue(distance.GetUsedInputGraph())
-        distance.SetSourceIds([1])
-        silent(vtkdgg.check, distance)
-
     def test_sources_on_a_port(self):
         places = vtkPointSource()
         places.SetNumberOfPoints(3)
@@ -185,34 +101,6 @@ class Chain(unittest.TestCase):
         self.assertTrue((support.point_array(output, "GeodesicSource") >= 0).all())
         places.SetCenter(0.0, 0.0, 0.0)
         self.assertLess(distances_of(vtkdgg.check(distance))[60], 1e-6)
-
-    def test_searches_agree(self):
-        graph = make_graph(make_reader())
-        distance = make_distance(graph, 12)
-        distance.CorrectionOff()
-        results = []
-        for name in ("Dijkstra", "LabelCorrecting", "Certified"):
-            getattr(distance, f"SetSearchTo{name}")()
-            results.append(distances_of(vtkdgg.check(distance)))
-        np.testing.assert_array_equal(results[1], results[0])
-        np.testing.assert_array_equal(results[2], results[0])
-
-    def test_additional_arrays(self):
-        distance = make_distance(make_graph(make_reader()), 12)
-        distance.GenerateUpperBoundOn()
-        distance.GenerateVirtualSourceOn()
-        output = vtkdgg.check(distance)
-        found = distances_of(output)
-        bound = support.point_array(output, "GeodesicUpperBound")
-        self.assertTrue((found <= bound * (1 + 1e-12)).all())
-        self.assertTrue((bound <= found * 1.1).all())
-        self.assertTrue((found < bound * (1 - 1e-9)).any())
-        virtual = support.point_array(output, "GeodesicVirtualSource")
-        self.assertEqual(virtual.shape, (642, 3))
-        near = bound < 0.5  # no bends yet: all of the distance is straight
-        np.testing.assert_allclose(virtual[near, 0] + virtual[near, 1], found[near], rtol=0.05)
-        distance.CorrectionOff()
-        np.testing.assert_array_equal(distances_of(vtkdgg.check(distance)), bound)
 
     def test_through_a_file(self):
         folder = support.output_folder("graph")
@@ -267,28 +155,6 @@ class Graph(unittest.TestCase):
         self.assertEqual(output.GetPointData().GetNumberOfArrays(), 0)
         self.assertEqual(graph.GetInput().GetFieldData().GetNumberOfArrays(), 0)
 
-    def test_lines(self):
-        graph = make_graph(make_reader())
-        vtkdgg.check(graph)
-        self.assertEqual(graph.GetOutput(1).GetNumberOfCells(), 0)
-        graph.GenerateGraphLinesOn()
-        vtkdgg.check(graph)
-        lines = graph.GetGraphLines()
-        self.assertEqual(lines.GetNumberOfLines(), graph.GetNumberOfGraphEdges() // 2)
-        ends = vtk_to_numpy(lines.GetLines().GetConnectivityArray()).reshape(-1, 2)
-        points = vtk_to_numpy(lines.GetPoints().GetData()).astype(float)
-        straight = np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1)
-        lengths = vtk_to_numpy(lines.GetCellData().GetArray("Length"))
-        self.assertTrue((lengths >= straight * (1 - 1e-6)).all())
-        data = graph.GetOutput().GetFieldData()
-        targets, offsets, all_lengths = (
-            vtk_to_numpy(data.GetArray(f"DGG.{name}")) for name in ("Targets", "Offsets", "Lengths")
-        )
-        tails = np.repeat(np.arange(642), np.diff(offsets))
-        forward = tails < targets
-        expected = zip(tails[forward], targets[forward], all_lengths[forward])
-        self.assertEqual(set(zip(*ends.T, lengths)), set(expected))
-
     def test_properties(self):
         graph = vtkdgg.vtkDiscreteGeodesicGraph()
         self.assertEqual(graph.GetAccuracy(), 0.01)
@@ -299,14 +165,6 @@ class Graph(unittest.TestCase):
         self.assertEqual(graph.GetMemorySize(), 0)
         for word in ("Accuracy: 0.01", "OneRelay", "NumberOfGraphEdges: 0"):
             self.assertIn(word, str(graph))
-
-    def test_estimate(self):
-        graph = make_graph(make_reader())
-        estimate = graph.EstimateMemory()
-        self.assertEqual(graph.GetGraphBuildTime(), 0)
-        self.assertGreaterEqual(graph.GetEstimatedPeakMemory(), estimate)
-        vtkdgg.check(graph)
-        self.assertLess(abs(estimate / graph.GetMemorySize() - 1.0), 0.3)
 
     def test_it_goes_with_its_last_user(self):
         graph = make_graph(make_reader())
@@ -352,25 +210,6 @@ class Graph(unittest.TestCase):
             vtkdgg.check(distance)
         graph.SetAccuracy(0.2)
         self.assertEqual(distances_of(vtkdgg.check(distance))[0], 0.0)
-
-    def test_abort(self):
-        graph = make_graph(make_reader(), 0.001)
-        seen = []
-
-        def stop(caller, event):
-            seen.append(caller.GetProgress())
-            if seen[-1] > 0.0:
-                caller.AbortExecuteOn()
-
-        tag = graph.AddObserver("ProgressEvent", stop)
-        graph.Update()
-        self.assertEqual(seen, sorted(seen))
-        self.assertEqual(graph.GetOutput().GetNumberOfPoints(), 0)
-        self.assertEqual(graph.GetGraphBuildTime(), 0)
-        self.assertEqual(graph.GetErrorCode(), 0)
-        graph.RemoveObserver(tag)
-        graph.Update()
-        self.assertEqual(graph.GetOutput().GetNumberOfPoints(), 642)
 
     def test_a_base_is_abstract(self):
         with self.assertRaises(TypeError):
@@ -496,18 +335,6 @@ class Matrix(unittest.TestCase):
 
     def point(self, i):
         return vtkdgg.check(self.graph).GetPoint(i)
-
-    def test_a_second_query_does_not_build(self):
-        reader = make_reader()
-        self.matrix.SetInputConnection(reader.GetOutputPort())
-        self.matrix.SetAccuracy(0.1)
-        self.matrix.SetRowIds([0])
-        self.values()
-        built = self.matrix.GetGraphBuildTime()
-        self.assertGreater(built, 0)
-        self.matrix.SetRowIds([1, 2])
-        self.values()
-        self.assertEqual(self.matrix.GetGraphBuildTime(), built)
 
     def test_mistakes(self):
         for rows, columns, pattern in (

@@ -38,6 +38,7 @@ set(DOXYGEN_EXCLUDE_SYMBOLS
   vtkDGG::Detail)
 set(DOXYGEN_MACRO_EXPANSION YES)
 set(DOXYGEN_EXPAND_ONLY_PREDEF YES)
+set(DOXYGEN_EXPAND_AS_DEFINED vtkDGGGraphPropertiesMacro)
 set(DOXYGEN_PREDEFINED
   "vtkAbstractTypeMacro(thisClass,superclass)="
   "vtkTypeMacro(thisClass,superclass)="

@@ -3,7 +3,7 @@
 #include "dggFarthestPoints.h"
 
 #include "dggBucketSearch.h"
-#include "dggGraphSeeds.h"
+#include "dggGraphSearch.h"
 
 #include <algorithm>
 

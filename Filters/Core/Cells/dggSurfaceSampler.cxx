@@ -4,7 +4,7 @@
 
 #include "dggEdges.h"
 #include "dggFarthestPoints.h"
-#include "dggGraphSeeds.h"
+#include "dggGraphSearch.h"
 #include "dggProgressPart.h"
 #include "dggStraightWalk.h"
 

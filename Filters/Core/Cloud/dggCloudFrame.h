@@ -11,6 +11,7 @@
 #include <algorithm> // for std::min
 #include <cmath>     // for std::frexp
 #include <cstddef>   // for std::size_t
+#include <sstream>   // for a message
 
 namespace dgg
 {
@@ -63,7 +64,18 @@ public:
   Id GetNumberOfPoints() const { return this->NumberOfPoints; }
   /// Fails when squares of lengths, and what the arithmetic of lengths needs besides, are not in
   /// the range of double.
-  Status CheckRange() const;
+  Status CheckRange() const
+  {
+    const double half = this->GetHalfExtent();
+    if (half == 0.0 || (half >= 1e-150 && half <= 1e150))
+    {
+      return Status::Success();
+    }
+    std::ostringstream text;
+    text << "the points are spread over " << half
+         << " units to each side, out of the range of the arithmetic: scale them";
+    return Status::Invalid(text.str());
+  }
   /// Half of the longest side of the box.
   double GetHalfExtent() const { return std::max({ this->Half.X, this->Half.Y, this->Half.Z }); }
   double GetDiagonal() const { return 2.0 * std::hypot(this->Half.X, this->Half.Y, this->Half.Z); }

@@ -31,14 +31,14 @@ struct CloudPairs
   std::vector<double> Radii;   ///< of the balls of the band
   std::vector<float> Reaches;  ///< how long edges of a point may be
   std::vector<float> Spacings; ///< local distance between points: the root of the area of each
-  /// Whether neighbours lie on the surface that was fitted to them: then an arc tells all about the
+  /// Whether neighbours lie on the surface that was fitted to them: then an arc says all about the
   /// way between two points.
   std::vector<unsigned char> IsSmooth;
   VoxelBand Band;
   /// Per voxel (VoxelBand::PlaceOf()), the point that is nearest to its centre, NoId if it is not
   /// marked.
   std::vector<Id> Nearest;
-  /// Asks for the nearest point to any place. Voxels tell nothing of balls that are much smaller
+  /// Asks for the nearest point to any place. Voxels say nothing of balls that are much smaller
   /// than they are: between the points of these, it takes the place of Band and Nearest.
   std::function<Id(const Point3&)> FindNearestPoint;
   /// Whether a way is as long as the surface rather than the chord.

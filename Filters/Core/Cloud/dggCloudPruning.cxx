@@ -46,7 +46,6 @@ void CloudPruning::ChooseEdges(
     }
     if (this->Kappa == Infinity)
     {
-      ++this->Walks;
       if (this->Pairs.IsDirect(p, q, chords[i]))
       {
         kept.push_back(q);
@@ -58,7 +57,6 @@ void CloudPruning::ChooseEdges(
     {
       continue;
     }
-    ++this->Walks;
     if (this->Pairs.IsDirect(p, q, chords[i]))
     {
       this->Relays.push_back({ q, this->Last[sector], length });
@@ -89,7 +87,6 @@ bool CloudPruning::IsCovered(Id q, double length, int sector)
       if (this->Pairs.IsInReach(relay.Point, q, chord) &&
         this->Pairs.Length(relay.Point, q, chord) <= rest)
       {
-        ++this->Walks;
         if (this->Pairs.IsDirect(relay.Point, q, chord))
         {
           return true;
@@ -125,11 +122,5 @@ void CloudPruning::ChooseFrame(const Point3& normal)
   }
   this->AxisX = (1.0 / length) * side;
   this->AxisY = Cross(normal, this->AxisX);
-}
-
-std::size_t CloudPruning::PredictMemory(std::size_t kept)
-{
-  // A list that grows by doubling is there twice while it does: three times its final size.
-  return 3 * kept * sizeof(Relay) + MostSectors * sizeof(std::int32_t);
 }
 }

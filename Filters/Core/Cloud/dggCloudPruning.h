@@ -8,7 +8,7 @@
 #include "dggCloudPairs.h" // for CloudPairs
 #include "dggTypes.h"      // for Id
 
-#include <cstddef> // for std::size_t
+#include <cstdint> // for places of relays
 #include <vector>  // for edges
 
 namespace dgg
@@ -27,11 +27,6 @@ public:
   /// the neighbours that are kept to `kept`.
   void ChooseEdges(Id p, const std::vector<Id>& neighbors, const std::vector<double>& chords,
     std::vector<Id>& kept);
-
-  /// Segments that were looked up in the band.
-  std::size_t GetNumberOfWalks() const { return this->Walks; }
-  /// Most bytes that one of these takes where that many neighbours of a point are kept.
-  static std::size_t PredictMemory(std::size_t kept);
 
 private:
   struct Relay
@@ -52,7 +47,6 @@ private:
   Point3 AxisY;
   std::vector<Relay> Relays;
   std::vector<std::int32_t> Last; ///< per sector, the relay kept last
-  std::size_t Walks = 0;
 };
 }
 

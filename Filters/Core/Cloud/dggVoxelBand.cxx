@@ -25,7 +25,7 @@ constexpr Offset PointsPerTask = 4096;
 constexpr std::size_t LooksPerReport = 1 << 15;
 constexpr double VoxelsPerReport = 1 << 24;
 constexpr Offset TasksPerReport = 256;
-/// Bricks that the hash table can tell apart.
+/// Bricks that the hash table can distinguish.
 constexpr double MostBricks = std::numeric_limits<std::int32_t>::max();
 
 std::uint64_t Scramble(std::uint64_t key)
@@ -107,7 +107,7 @@ Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<dou
     return Status::Success();
   }
   Status status = this->ChooseBox(points, radii, remedy);
-  // Where there are very many bricks, fewer cells tell that there are too many.
+  // Where there are very many bricks, fewer cells show that there are too many.
   const int level = ChooseLevel(radii, this->InverseSize);
   if (status.IsOk() && level > 0)
   {

@@ -29,7 +29,7 @@ using Voxel = std::array<std::int32_t, 3>;
 class VoxelBand
 {
 public:
-  /// Voxels along one axis, at most: as many as the 21 bits of a key tell apart in bricks, but for
+  /// Voxels along one axis, at most: as many as the 21 bits of a key distinguish in bricks, but for
   /// one brick on each side.
   static constexpr std::int32_t MaximumResolution = (1 << 24) - 16;
 
@@ -42,7 +42,7 @@ public:
   /// there are too many, or when the band would take more than `memoryLimit` bytes (0: no limit),
   /// before it takes them, and soon where balls are large. Points and radii have to be finite. The
   /// same for any `parallel`. The band is empty when it fails, or when `progress` asks to stop.
-  /// `remedy` is what messages tell to do when there would be too many voxels.
+  /// `remedy` is what messages advise when there would be too many voxels.
   Status Build(const std::vector<Point3>& points, const std::vector<double>& radii,
     double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel,
     const ProgressCallback& progress = {}, const std::string& remedy = "use larger voxels");

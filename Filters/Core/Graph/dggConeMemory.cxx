@@ -168,10 +168,4 @@ void ConeMemory::Clear()
   this->Entries.clear();
   this->Work = 0;
 }
-
-std::size_t ConeMemory::GetMemorySize() const
-{
-  return this->Last.capacity() * sizeof(Id) + this->Entries.capacity() * sizeof(Entry) +
-    this->Dominated.capacity() * sizeof(Interval);
-}
 }

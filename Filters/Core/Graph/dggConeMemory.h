@@ -53,7 +53,6 @@ public:
   std::size_t GetWork() const { return this->Work; }
 
   void Clear();
-  std::size_t GetMemorySize() const;
 
 private:
   /// A point beside the line of a half-edge: its foot on the line, and its distance from it.

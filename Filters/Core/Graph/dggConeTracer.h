@@ -9,8 +9,7 @@
 #include "dggConeMemory.h"     // for tracing with care
 #include "dggConeTargets.h"    // for points that light meets
 #include "dggDistanceHeap.h"   // for cones by distance
-#include "dggFoundEdge.h"      // for what is found
-#include "dggOuterRelays.h"    // for relays beside a cone
+#include "dggGraphRules.h"     // for relays beside a cone
 #include "dggSurfacePoint.h"   // for sources inside faces
 #include "dggUnfoldingTable.h" // for the mesh
 #include "dggVertexStates.h"   // for labels and costs
@@ -100,13 +99,6 @@ public:
     return (this->IsCareful ? WorkOfCarefulWindow : WorkOfWindow) *
       (this->NumberOfWindows - this->WindowsBefore) +
       this->Memory.GetWork();
-  }
-  std::size_t GetMemorySize() const
-  {
-    return this->Vertices.GetMemorySize() + this->Memory.GetMemorySize() +
-      this->Edges.capacity() * sizeof(FoundEdge) + this->Relays.capacity() * sizeof(Relay) +
-      this->Queue.capacity() * sizeof(Cone) + this->Order.GetMemorySize() +
-      this->Reached.GetMemorySize();
   }
 
 private:

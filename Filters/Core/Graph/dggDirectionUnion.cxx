@@ -23,12 +23,6 @@ void DirectionUnion::Unite(RowStore& rows, Id first, const ParallelFor& parallel
   rows.Remove(first, isDouble);
 }
 
-double DirectionUnion::PredictMemorySize(double numberOfRows, double degree)
-{
-  // About half of the edges of a row lead to earlier ones; arrays that grow double their size.
-  return sizeof(Id) * numberOfRows + RowsAtOnce * (sizeof(Offset) + sizeof(Wanted) * degree);
-}
-
 void DirectionUnion::Workspace::Unite(
   RowStore& rows, Id begin, Id end, Offset base, unsigned char* flags)
 {
@@ -90,12 +84,5 @@ void DirectionUnion::Workspace::Unite(
   }
   this->Targets.clear();
   this->AllWanted.clear();
-}
-
-std::size_t DirectionUnion::Workspace::GetMemorySize() const
-{
-  return (this->Heads.capacity() + this->Targets.capacity()) * sizeof(Id) +
-    this->Found.capacity() * sizeof(std::uint32_t) + this->AllWanted.capacity() * sizeof(Wanted) +
-    this->WaysBack.capacity() * sizeof(Offset);
 }
 }

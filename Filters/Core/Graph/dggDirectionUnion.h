@@ -9,7 +9,6 @@
 #include "dggRowStore.h"      // for RowStore
 #include "dggWorkspacePool.h" // for the workspaces
 
-#include <cstddef> // for std::size_t
 #include <cstdint> // for places
 #include <vector>  // for the workspaces
 
@@ -22,11 +21,6 @@ class DirectionUnion
 public:
   /// `first` is the first row that has not been united with the rows before it.
   void Unite(RowStore& rows, Id first, const ParallelFor& parallel);
-
-  /// Bytes of all workspaces.
-  std::size_t GetMemorySize() const { return this->Workspaces.GetMemorySize(); }
-  /// Bytes of one of them, about, when rows have that many edges.
-  static double PredictMemorySize(double numberOfRows, double degree);
 
 private:
   /// An edge whose way back is looked for.
@@ -45,7 +39,6 @@ private:
     /// Rows [begin, end), not more than RowsAtOnce. Flags, from the edge `base` on, are set for
     /// what is not to be kept.
     void Unite(RowStore& rows, Id begin, Id end, Offset base, unsigned char* flags);
-    std::size_t GetMemorySize() const;
 
   private:
     std::vector<Id> Heads; ///< by target: the last one wanted; else NoId

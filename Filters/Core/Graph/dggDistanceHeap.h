@@ -8,7 +8,6 @@
 #include "dggTypes.h" // for Id
 
 #include <algorithm> // for heaps
-#include <cstddef>   // for std::size_t
 #include <vector>    // for the keys
 
 namespace dgg
@@ -40,8 +39,6 @@ public:
     this->Keys.pop_back();
     return key;
   }
-
-  std::size_t GetMemorySize() const { return this->Keys.capacity() * sizeof(Key); }
 
 private:
   static bool ComesAfter(const Key& a, const Key& b)

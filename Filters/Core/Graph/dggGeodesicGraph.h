@@ -34,7 +34,7 @@ enum class GraphConstruction : std::uint8_t
   CloudSpacing = 6       ///< clouds, scheme C: the reach is a multiple of the local spacing
 };
 
-/// 128 bits that tell a surface from another.
+/// 128 bits by which a surface is recognised.
 using Signature = std::array<std::uint64_t, 2>;
 
 /// Signature of points (x y z each) and triangles (three ids each): of their very bits.
@@ -118,7 +118,7 @@ inline bool NeedsWideLengths(double accuracy)
 Status CheckGraph(
   const GraphView& graph, Offset numberOfEdges, const ParallelFor& parallel = ParallelFor());
 
-/// Checksum of the arrays: of their very bits. Tells damage that CheckGraph() cannot see.
+/// Checksum of the arrays: of their very bits. Shows damage that CheckGraph() cannot see.
 /// Offsets must be those of a graph.
 std::uint64_t ComputeChecksum(const GraphView& graph, const ParallelFor& parallel = ParallelFor());
 }

@@ -98,15 +98,8 @@ private:
 };
 }
 
-std::size_t GetAssemblyWorkspace(Id numberOfRows)
-{
-  // The order, and two tasks that go through all edges.
-  return static_cast<std::size_t>(numberOfRows) * (sizeof(Id) + 2 * sizeof(Offset));
-}
-
 Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
-  const ParallelFor& parallel, const ProgressCallback& progress, GeodesicGraph& graph,
-  std::size_t& peak)
+  const ParallelFor& parallel, const ProgressCallback& progress, GeodesicGraph& graph)
 {
   const auto isToStop = [&](double done) { return progress && !progress(done); };
   const auto n = static_cast<std::size_t>(rows.GetNumberOfRows());
@@ -117,7 +110,6 @@ Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
   // Property by property, so that the rows can be given up half by half.
   graph.Angles = Buffer<float>(edges);
   graph.ArrivalAngles = Buffer<float>(edges);
-  peak = rows.GetMemorySize() + graph.GetMemorySize();
   ForRange(parallel, 2, 1, [&](Offset begin, Offset end) {
     for (Offset task = begin; task < end; ++task)
     {
@@ -137,7 +129,6 @@ Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
   graph.Targets = Buffer<Id>(edges);
   graph.Lengths = Buffer<float>(wide ? 0 : edges);
   graph.WideLengths = Buffer<double>(wide ? edges : 0);
-  peak = std::max(peak, rows.GetMemorySize() + graph.GetMemorySize());
   ForRange(parallel, 2, 1, [&](Offset begin, Offset end) {
     for (Offset task = begin; task < end; ++task)
     {

@@ -9,21 +9,15 @@
 #include "dggParallel.h"      // for ParallelFor
 #include "dggRowStore.h"      // for RowStore
 
-#include <cstddef> // for std::size_t
-#include <vector>  // for the order
+#include <vector> // for the order
 
 namespace dgg
 {
 /// Write the graph from united rows, each edge in both directions, every row sorted by angle, and
-/// give up the rows on the way. `order` lists the final ids of the rows. `peak` becomes the most
-/// bytes held at one time by rows and graph together. Fails when `progress`, which may be empty,
-/// asks to stop.
+/// give up the rows on the way. `order` lists the final ids of the rows. Fails when `progress`,
+/// which may be empty, asks to stop.
 Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
-  const ParallelFor& parallel, const ProgressCallback& progress, GeodesicGraph& graph,
-  std::size_t& peak);
-
-/// Bytes that AssembleGraph() needs besides.
-std::size_t GetAssemblyWorkspace(Id numberOfRows);
+  const ParallelFor& parallel, const ProgressCallback& progress, GeodesicGraph& graph);
 }
 
 #endif

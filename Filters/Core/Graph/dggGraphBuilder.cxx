@@ -41,6 +41,13 @@ constexpr Id SampleSize = 128;
 /// Bytes of rows and graph together, while one becomes the other, by those of the graph; measured,
 /// and some more.
 constexpr double PeakOfAssembly = 1.35;
+/// What arrays of rows take, by what is in them.
+constexpr double GrowthOfRows = 1.5;
+/// Bytes that a thread takes for each vertex, and for each window of a source.
+constexpr double BytesPerVertex = 48.0;
+constexpr double BytesPerWindow = 512.0;
+/// Bytes of the tables of the mesh, by face.
+constexpr double BytesPerFace = 3.0 * (sizeof(FaceCrossing) + sizeof(double)) + 20.0;
 
 /// The work that a graph may take, in units of ConeTracer::GetWork(), per face at an accuracy of
 /// 1 %: some twenty times what a mesh of good triangles takes. One vertex may take a share of it.
@@ -154,11 +161,6 @@ struct RowBlock
       next += size;
     }
   }
-
-  std::size_t GetMemorySize() const
-  {
-    return this->Sizes.capacity() * sizeof(std::size_t) + this->Edges.capacity() * sizeof(RowEdge);
-  }
 };
 
 /// Direction of an edge from a point that is not a vertex, in the frame of its face.
@@ -220,10 +222,10 @@ private:
     }
   }
 
-  /// Rows of some vertices: how many edges they have, and what a thread needs to find them.
+  /// Rows of some vertices: how many edges they have, and most windows of one.
   template <typename Rule>
   Status SampleRows(
-    const Rule& rule, const GraphOptions& options, DegreeSample& degrees, double& workspace) const;
+    const Rule& rule, const GraphOptions& options, DegreeSample& degrees, double& windows) const;
   /// The rows of all vertices. With `unite`, both directions of an edge are one.
   template <typename Rule>
   Status BuildRows(const Rule& rule, const GraphOptions& options, bool unite, RowStore& rows,
@@ -371,12 +373,12 @@ Status GraphBuilder::Implementation::Estimate(
 {
   const double n = this->Table.GetNumberOfVertices();
   DegreeSample degrees;
-  double workspace = 0.0;
+  double windows = 0.0;
   Status status = this->Table.Check();
   if (status.IsOk() && n > 0.0)
   {
-    status = WithRule(options,
-      [&](const auto& rule) { return this->SampleRows(rule, options, degrees, workspace); });
+    status = WithRule(
+      options, [&](const auto& rule) { return this->SampleRows(rule, options, degrees, windows); });
   }
   if (!status.IsOk() || n == 0.0)
   {
@@ -389,31 +391,24 @@ Status GraphBuilder::Implementation::Estimate(
   estimate.Edges = unite(degrees.GetMean());
   estimate.Memory = estimate.Edges * bytes + 8.0 * (n + 1.0);
 
-  // While edges are found, every thread has a workspace, and the edges of a wave wait in blocks
-  // that are up to twice as large as they would have to be.
-  const double threads = std::max(1, options.NumberOfThreads);
+  // While edges are found, half of those of the graph are there, in arrays that grow, and those of
+  // a wave wait in blocks up to twice as large as they would have to be; then rows become the
+  // graph. All candidates of the indirect construction are there before any is pruned.
   const double out = n * degrees.GetLargestMean();
-  const double wave =
-    std::min(out, std::max(RowWaves::Smallest * degrees.GetLargestMean(), MostEdgesOfWave(out)));
-  const double uniting = DirectionUnion::PredictMemorySize(n, degrees.GetLargestMean());
-  const double finding = threads * (workspace + uniting) + wave * (2.0 * sizeof(RowEdge) + 1.0) +
-    std::min<double>(n, RowWaves::Largest) * 2.0 * sizeof(std::size_t);
-  double rows = PeakOfAssembly * (unite(degrees.GetLargestMean()) * bytes + 8.0 * (n + 1.0));
-  double besides =
-    std::max(finding, static_cast<double>(GetAssemblyWorkspace(this->Table.GetNumberOfVertices())));
-  if (options.Construction == GraphConstruction::Indirect)
-  {
-    // All candidates are there before any is pruned.
-    rows = std::max(rows, out * bytes + 8.0 * (n + 1.0));
-    besides = std::max(besides, threads * GetPruningWorkspace(n, degrees.GetLargestMean()) + out);
-  }
-  estimate.Peak = rows + besides + static_cast<double>(this->Table.GetMemorySize());
+  const double wave = std::min(out, MostEdgesOfWave(out)) * 2.0 * sizeof(RowEdge);
+  const double graph = unite(degrees.GetLargestMean()) * bytes + 8.0 * (n + 1.0);
+  const bool isIndirect = options.Construction == GraphConstruction::Indirect;
+  const double finding = 0.5 * GrowthOfRows * (isIndirect ? 2.0 * out * bytes : graph) + wave;
+  const double tables =
+    BytesPerFace * this->Mesh.GetNumberOfFaces() * (this->Table.NeedsMirrors() ? 2.0 : 1.0);
+  estimate.Peak = std::max(PeakOfAssembly * graph, finding) + tables +
+    std::max(1, options.NumberOfThreads) * (BytesPerVertex * n + BytesPerWindow * windows);
   return status;
 }
 
 template <typename Rule>
 Status GraphBuilder::Implementation::SampleRows(
-  const Rule& rule, const GraphOptions& options, DegreeSample& degrees, double& workspace) const
+  const Rule& rule, const GraphOptions& options, DegreeSample& degrees, double& windows) const
 {
   const Id n = this->Table.GetNumberOfVertices();
   // Every k-th vertex of an order in which neighbours are close together.
@@ -424,11 +419,12 @@ Status GraphBuilder::Implementation::SampleRows(
   // Some of them may take most of what all take.
   const double mostWork = static_cast<double>(ShareOfVertex * limits.Work) *
     std::min(1.0, LargestShareOfSample * count / n);
-  const auto fixed = static_cast<double>(tracer.GetMemorySize());
   for (Id i = 0; i < count; ++i)
   {
     const auto row = static_cast<Id>(static_cast<Offset>(n) * i / count);
+    const std::size_t before = tracer.GetNumberOfWindows();
     degrees.Add(static_cast<double>(tracer.TraceVertex(row).size()));
+    windows = std::max(windows, static_cast<double>(tracer.GetNumberOfWindows() - before));
     work += tracer.GetWork();
     if (tracer.WasOverwhelmed())
     {
@@ -439,8 +435,6 @@ Status GraphBuilder::Implementation::SampleRows(
       return this->MeshOverwhelmed(options);
     }
   }
-  // Arrays that grow double their size, and some vertex will need more than those asked.
-  workspace = fixed + 3.0 * (static_cast<double>(tracer.GetMemorySize()) - fixed);
   return Status::Success();
 }
 
@@ -455,7 +449,6 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
   WorkspacePool<ConeTracer<Rule>> tracers;
   std::vector<RowBlock> blocks;
   DirectionUnion directions;
-  std::size_t largestWave = 0;
   std::atomic<std::size_t> windows{ 0 };
   for (RowWaves waves(n); !waves.IsDone();)
   {
@@ -479,8 +472,6 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
     {
       return this->MeshOverwhelmed(options);
     }
-    const Offset unitedBefore = rows.GetNumberOfEdges();
-    std::size_t waiting = 0;
     for (const RowBlock& block : blocks)
     {
       if (block.Overwhelmed != NoId)
@@ -489,11 +480,7 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
       }
       block.AppendTo(rows);
       statistics.OutEdges += block.Edges.size();
-      waiting += block.GetMemorySize();
     }
-    // Uniting takes a flag an edge.
-    waiting += static_cast<std::size_t>(rows.GetNumberOfEdges() - unitedBefore);
-    largestWave = std::max(largestWave, waiting);
     if (unite)
     {
       directions.Unite(rows, first, options.Parallel);
@@ -506,7 +493,6 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
     waves.Advance(MostEdgesOfWave(degree * n) / std::max(degree, 1.0));
   }
   statistics.Windows = windows;
-  statistics.Workspace = tracers.GetMemorySize() + directions.GetMemorySize() + largestWave;
   return Status::Success();
 }
 
@@ -559,21 +545,15 @@ Status GraphBuilder::Implementation::Build(
   {
     return status;
   }
-  std::size_t candidates = 0;
   if (isIndirect)
   {
-    candidates = rows.GetMemorySize();
-    std::size_t workspace = 0;
     status = PruneCandidates(rows, options.Accuracy, options.Parallel,
-      ProgressPart(options.Progress, shares.Rows, shares.Rows + shares.Pruning), workspace);
+      ProgressPart(options.Progress, shares.Rows, shares.Rows + shares.Pruning));
     if (!status.IsOk())
     {
       return status;
     }
-    statistics.Workspace = std::max(statistics.Workspace, workspace);
-    DirectionUnion directions;
-    directions.Unite(rows, 0, options.Parallel);
-    statistics.Workspace = std::max(statistics.Workspace, directions.GetMemorySize());
+    DirectionUnion().Unite(rows, 0, options.Parallel);
   }
   std::vector<Id> order(static_cast<std::size_t>(n));
   for (Id row = 0; row < n; ++row)
@@ -581,15 +561,12 @@ Status GraphBuilder::Implementation::Build(
     order[row] = this->Table.OldVertex(row);
   }
   const double done = shares.Rows + shares.Pruning;
-  status = AssembleGraph(rows, order, wide, options.Parallel,
-    ProgressPart(options.Progress, done, 1.0), graph, statistics.PeakMemory);
+  status = AssembleGraph(
+    rows, order, wide, options.Parallel, ProgressPart(options.Progress, done, 1.0), graph);
   if (!status.IsOk())
   {
     return status;
   }
-  statistics.PeakMemory = std::max(statistics.PeakMemory, candidates);
-  statistics.Workspace =
-    this->Table.GetMemorySize() + std::max(statistics.Workspace, GetAssemblyWorkspace(n));
   graph.Info.Kind = GraphKind::Mesh;
   graph.Info.Construction = options.Construction;
   const bool isByNumber = options.Construction == GraphConstruction::SaddleVertexGraph;

@@ -38,18 +38,14 @@ struct GraphEstimate
 {
   double Edges = 0.0;  ///< directed
   double Memory = 0.0; ///< bytes of the graph
-  /// The most bytes that building may take, with the tables of the builder and the workspaces of
-  /// all threads: what GraphStatistics will say, and some more.
-  double Peak = 0.0;
+  double Peak = 0.0;   ///< most bytes while it is built, at most twice too many
 };
 
 /// What building a graph took.
 struct GraphStatistics
 {
-  std::size_t Windows = 0;    ///< faces crossed by cones of light
-  std::size_t OutEdges = 0;   ///< directed edges before both directions were united
-  std::size_t PeakMemory = 0; ///< most bytes held at one time for the graph itself
-  std::size_t Workspace = 0;  ///< most bytes besides: tables of the mesh, workspaces of threads
+  std::size_t Windows = 0;  ///< faces crossed by windows
+  std::size_t OutEdges = 0; ///< directed edges before both directions were united
 };
 
 /// Cones that one source may send out before it is given up: among non-manifold edges light can

@@ -69,12 +69,6 @@ public:
     this->Touched.clear();
   }
 
-  std::size_t GetMemorySize() const
-  {
-    return this->Reach.capacity() * sizeof(double) + this->Touched.capacity() * sizeof(Id) +
-      this->Order.capacity() * sizeof(Offset);
-  }
-
 private:
   const RowStore& Rows;
   std::vector<double> Reach; // kappa w(s,r) + w(r,t), smallest over the edges kept
@@ -83,14 +77,8 @@ private:
 };
 }
 
-double GetPruningWorkspace(double numberOfRows, double candidates)
-{
-  // Where candidates of candidates are, and the order of a row; both may be larger than usual.
-  return 12.0 * numberOfRows + 64.0 * candidates;
-}
-
-Status PruneCandidates(RowStore& rows, double accuracy, const ParallelFor& parallel,
-  const ProgressCallback& progress, std::size_t& workspace)
+Status PruneCandidates(
+  RowStore& rows, double accuracy, const ParallelFor& parallel, const ProgressCallback& progress)
 {
   constexpr Offset grain = 64;
   const double kappa = 1.0 / (1.0 + accuracy);
@@ -111,7 +99,6 @@ Status PruneCandidates(RowStore& rows, double accuracy, const ParallelFor& paral
       return Status::Abort();
     }
   }
-  workspace = pruners.GetMemorySize() + flags.size();
   rows.Remove(0, flags);
   rows.ShrinkToFit();
   return Status::Success();

@@ -9,22 +9,16 @@
 #include "dggRowStore.h" // for RowStore
 #include "dggTypes.h"    // for Status
 
-#include <cstddef> // for std::size_t
-
 namespace dgg
 {
 /// Remove from each row s the candidates t that another edge r of the row makes superfluous:
 /// w(s,r) / (1 + accuracy) + w(r,t) <= w(s,t), where (r,t) is any candidate. The published
 /// procedure (Fang 2019, sec. 3.3) compares w(s,r) + w(r,t) with (1 + accuracy) w(s,t), which lets
 /// errors add up; with this condition the argument of the progress rule bounds them, as far as it
-/// goes: to what was a candidate (see CandidateRule). `workspace` becomes the bytes taken besides
-/// the rows. Fails when `progress`, which may be empty, asks to stop; then the rows are as they
-/// were.
-Status PruneCandidates(RowStore& rows, double accuracy, const ParallelFor& parallel,
-  const ProgressCallback& progress, std::size_t& workspace);
-
-/// Bytes that each thread needs for that, when rows have that many candidates in the mean.
-double GetPruningWorkspace(double numberOfRows, double candidates);
+/// goes: to what was a candidate (see CandidateRule). Fails when `progress`, which may be empty,
+/// asks to stop; then the rows are as they were.
+Status PruneCandidates(
+  RowStore& rows, double accuracy, const ParallelFor& parallel, const ProgressCallback& progress);
 }
 
 #endif

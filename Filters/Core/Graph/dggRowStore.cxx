@@ -127,14 +127,4 @@ void RowStore::FreeTargetsAndLengths()
   this->Lengths.Clear();
   this->WideLengths.Clear();
 }
-
-std::size_t RowStore::GetMemorySize() const
-{
-  const auto edges = static_cast<std::size_t>(this->GetNumberOfEdges());
-  const std::size_t targets = this->Targets.IsEmpty() ? 0 : sizeof(Id) * edges;
-  const std::size_t lengths = (this->Lengths.IsEmpty() ? 0 : sizeof(float) * edges) +
-    (this->WideLengths.IsEmpty() ? 0 : sizeof(double) * edges);
-  const std::size_t angles = this->Departures.IsEmpty() ? 0 : 2 * sizeof(float) * edges;
-  return targets + lengths + angles + this->Begins.capacity() * sizeof(Offset);
-}
 }

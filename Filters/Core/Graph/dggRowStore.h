@@ -8,8 +8,7 @@
 #include "dggBuffer.h" // for the arrays
 #include "dggTypes.h"  // for Id, Offset
 
-#include <cstddef> // for std::size_t
-#include <vector>  // for where rows begin
+#include <vector> // for where rows begin
 
 namespace dgg
 {
@@ -67,7 +66,6 @@ public:
   void ShrinkToFit();
   void FreeAngles();
   void FreeTargetsAndLengths();
-  std::size_t GetMemorySize() const;
 
 private:
   void Reserve(Offset size);

@@ -132,6 +132,8 @@ public:
 
   /// Whether there are edges with more than two faces.
   bool HasBranches() const { return !this->Branches.empty(); }
+  /// Whether crossings are there twice, for faces that are not oriented alike.
+  bool NeedsMirrors() const { return this->Count.NeedsMirrors; }
   bool HasDegenerateFaces() const { return this->Mesh.GetNumberOfDegenerateFaces() > 0; }
   std::size_t GetMemorySize() const;
 

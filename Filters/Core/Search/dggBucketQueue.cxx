@@ -64,14 +64,4 @@ void BucketQueue::JumpAside()
   this->Cursor = 0;
   this->PlaceAside();
 }
-
-std::size_t BucketQueue::GetMemorySize() const
-{
-  std::size_t entries = this->Aside.capacity() + this->Scratch.capacity();
-  for (const std::vector<Entry>& bucket : this->Ring)
-  {
-    entries += bucket.capacity();
-  }
-  return entries * sizeof(Entry);
-}
 }

@@ -83,8 +83,6 @@ public:
     bucket.clear();
   }
 
-  std::size_t GetMemorySize() const;
-
 private:
   static constexpr std::size_t NumberOfBuckets = 256;
   static constexpr std::size_t Mask = NumberOfBuckets - 1;

@@ -10,7 +10,6 @@
 #include "dggSurfaceMesh.h"   // for SurfaceMesh
 
 #include <algorithm> // for std::max
-#include <cstddef>   // for std::size_t
 #include <cstdint>   // for the degree
 #include <vector>    // for the vertices
 
@@ -84,8 +83,6 @@ public:
       Prefetch(graph.ArrivalAngles + e);
     }
   }
-
-  std::size_t GetMemorySize() const { return this->Vertices.capacity() * sizeof(Vertex); }
 
 private:
   struct Vertex

@@ -6,7 +6,6 @@
 #include "dggLabelCorrection.h"
 #include "dggGraphDijkstra.h"
 #include "dggGraphFans.h"
-#include "dggGraphSeeds.h"
 #include "dggLandmarks.h"
 #include "dggBucketSearch.h"
 #include "dggManySources.h"
@@ -14,20 +13,51 @@
 #include "dggPointToPoint.h"
 #include "dggProgressPart.h"
 #include "dggSearchLabels.h"
-#include "dggSearchTree.h"
 #include "dggSourceGroups.h"
 #include "dggTurnLimits.h"
 #include "dggWorkspacePool.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <sstream>
 #include <string>
 
 namespace dgg
 {
 namespace
 {
+Status InvalidSeed(std::size_t index, const std::string& what)
+{
+  return Status::Invalid("source " + std::to_string(index) + ": " + what);
+}
+
+Status CheckSeed(const GraphSeed& seed, std::size_t index, Id numberOfVertices)
+{
+  const Status status = CheckVertex(seed.Vertex, numberOfVertices);
+  if (!status.IsOk())
+  {
+    return InvalidSeed(index, status.GetMessage());
+  }
+  std::ostringstream what;
+  if (!std::isfinite(seed.Distance) || !std::isfinite(seed.InitialDistance))
+  {
+    what << "the distances " << seed.Distance << " and " << seed.InitialDistance
+         << " that it starts with are not finite";
+    return InvalidSeed(index, what.str());
+  }
+  if (!std::isfinite(seed.ArrivalAngle))
+  {
+    return InvalidSeed(index, "its arrival angle is not finite");
+  }
+  if (seed.ArrivalAngle >= 0.0 && seed.Distance < seed.InitialDistance)
+  {
+    what << "it starts with the distance " << seed.Distance
+         << ", which is below its initial distance " << seed.InitialDistance;
+    return InvalidSeed(index, what.str());
+  }
+  return Status::Success();
+}
+
 Status CheckOptions(const SearchOptions& options, Id numberOfVertices)
 {
   if (std::isnan(options.MaximumDistance))
@@ -62,6 +92,54 @@ constexpr double ChoiceShare = 0.2;
 /// Sources with a larger part of the surface than this as near field are better searched one by
 /// one.
 constexpr double LargestNearField = 0.4;
+/// Bytes per vertex, about: of the tables of a mesh, the labels of a search, and landmarks.
+constexpr std::size_t BytesOfTables = 40;
+constexpr std::size_t BytesOfSearch = 72;
+constexpr std::size_t BytesOfLandmarks = Landmarks::Count * sizeof(std::int16_t) + sizeof(Id);
+
+/// Write what the labels say into a result whose distances they share: edges, tails and seeds;
+/// unreached vertices become Infinity. `steps` receives the reached vertices, every one after its
+/// tail.
+void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<TreeStep>& steps)
+{
+  const std::size_t n = labels.Distances.size();
+  result.Seeds.assign(n, NoId);
+  result.Edges.assign(n, -1);
+  result.Tails.assign(n, NoId);
+  steps.clear();
+  steps.reserve(n);
+  std::vector<Id> climbed;
+  for (std::size_t first = 0; first < n; ++first)
+  {
+    if (!labels.IsReached(static_cast<Id>(first)))
+    {
+      result.Distances[first] = Infinity;
+      continue;
+    }
+    // Up the tree to a vertex whose seed is known, and down again.
+    auto v = static_cast<Id>(first);
+    while (result.Seeds[v] == NoId && !labels.Origins[v].IsSeed())
+    {
+      climbed.push_back(v);
+      v = labels.Origins[v].Tail;
+    }
+    if (result.Seeds[v] == NoId)
+    {
+      result.Seeds[v] = labels.Origins[v].Tail;
+      steps.push_back({ -1, v, NoId });
+    }
+    const Id seed = result.Seeds[v];
+    for (; !climbed.empty(); climbed.pop_back())
+    {
+      v = climbed.back();
+      result.Seeds[v] = seed;
+      const LabelOrigin& origin = labels.Origins[v];
+      result.Edges[v] = origin.Edge;
+      result.Tails[v] = origin.Tail;
+      steps.push_back({ origin.Edge, v, origin.Tail });
+    }
+  }
+}
 
 /// What one search needs besides its result.
 struct SearchWorkspace
@@ -72,14 +150,6 @@ struct SearchWorkspace
   std::vector<LabelCorrection::VirtualSource> VirtualSources;
   MinimumHeap Heap;
   BucketQueue Queue;
-
-  std::size_t GetMemorySize() const
-  {
-    return this->Distances.capacity() * sizeof(double) +
-      this->Origins.capacity() * sizeof(LabelOrigin) + this->Steps.capacity() * sizeof(TreeStep) +
-      this->VirtualSources.capacity() * sizeof(LabelCorrection::VirtualSource) +
-      this->Heap.GetMemorySize() + this->Queue.GetMemorySize();
-  }
 };
 
 /// What a search from a group of sources needs.
@@ -93,12 +163,6 @@ struct ManyWorkspace
   ManySources Search;
   SweepOrder Order;
   std::vector<double> Field;
-
-  std::size_t GetMemorySize() const
-  {
-    return this->Search.GetMemorySize() + this->Order.Vertices.capacity() * sizeof(Id) +
-      this->Field.capacity() * sizeof(double);
-  }
 };
 
 const GraphSeed& NearestOf(const std::vector<GraphSeed>& seeds)
@@ -106,6 +170,33 @@ const GraphSeed& NearestOf(const std::vector<GraphSeed>& seeds)
   return *std::min_element(seeds.begin(), seeds.end(),
     [](const GraphSeed& a, const GraphSeed& b) { return a.Distance < b.Distance; });
 }
+}
+
+Status CheckVertex(Id vertex, Id numberOfVertices)
+{
+  if (vertex >= 0 && vertex < numberOfVertices)
+  {
+    return Status::Success();
+  }
+  return Status::Invalid("vertex " + std::to_string(vertex) + " does not exist, there are " +
+    std::to_string(numberOfVertices) + " vertices");
+}
+
+Status CheckSeeds(const std::vector<GraphSeed>& seeds, Id numberOfVertices)
+{
+  if (seeds.empty())
+  {
+    return Status::Invalid("there is no source: give at least one");
+  }
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    Status status = CheckSeed(seeds[i], i, numberOfVertices);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
+  return Status::Success();
 }
 
 class GraphSearch::Implementation
@@ -390,11 +481,8 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources, dou
 std::size_t GraphSearch::GetMemorySize() const
 {
   const Implementation& internals = *this->Internals;
-  return (internals.Fans ? internals.Fans->GetMemorySize() : 0) +
-    (internals.Correction ? internals.Correction->GetMemorySize() : 0) +
-    (internals.Limits ? internals.Limits->GetMemorySize() : 0) +
-    (internals.Marks ? internals.Marks->GetMemorySize() : 0) +
-    internals.Workspaces.GetMemorySize() + internals.ManyWorkspaces.GetMemorySize() +
-    internals.PointWorkspaces.GetMemorySize();
+  return static_cast<std::size_t>(internals.Graph.NumberOfVertices) *
+    (BytesOfSearch + (internals.Mesh ? BytesOfTables : 0) +
+      (internals.Marks ? BytesOfLandmarks : 0));
 }
 }

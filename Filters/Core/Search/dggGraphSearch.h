@@ -31,6 +31,12 @@ struct GraphSeed
   double ArrivalAngle = -1.0;
 };
 
+/// Fails with a message when a vertex does not exist.
+Status CheckVertex(Id vertex, Id numberOfVertices);
+/// Fails with a message when there is no seed, or one does not exist or starts with a distance that
+/// is not finite.
+Status CheckSeeds(const std::vector<GraphSeed>& seeds, Id numberOfVertices);
+
 enum class SearchMethod : std::uint8_t
 {
   Dijkstra,        ///< label setting, the reference
@@ -124,7 +130,7 @@ public:
     const ParallelFor& parallel, const ProgressCallback& progress,
     const FieldConsumer& consume) const;
 
-  /// Bytes held besides the graph.
+  /// Bytes held besides the graph, about.
   std::size_t GetMemorySize() const;
 
 private:

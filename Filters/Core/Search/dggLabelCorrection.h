@@ -5,12 +5,10 @@
 #ifndef dggLabelCorrection_h
 #define dggLabelCorrection_h
 
-#include "dggSearchLabels.h" // for GraphSeed, SearchResult
-#include "dggSearchTree.h"   // for TreeStep
+#include "dggSearchLabels.h" // for GraphSeed, SearchResult, TreeStep
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
 
-#include <cstddef> // for std::size_t
-#include <vector>  // for the vertices
+#include <vector> // for the vertices
 
 namespace dgg
 {
@@ -44,8 +42,6 @@ public:
   /// The distance that a seed's source starts with, and where the vertex of a seed sees it.
   static double OffsetOf(const GraphSeed& seed);
   static VirtualSource SourceOf(const GraphSeed& seed);
-
-  std::size_t GetMemorySize() const { return this->Vertices.capacity() * sizeof(Vertex); }
 
 private:
   /// What matters of a vertex of the mesh.

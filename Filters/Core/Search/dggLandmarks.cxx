@@ -3,12 +3,12 @@
 #include "dggLandmarks.h"
 
 #include "dggBucketSearch.h"
+#include "dggDisjointSets.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace dgg
 {
@@ -21,47 +21,6 @@ constexpr double RoundingOfSteps = 1e-6;
 constexpr double SearchShare = 0.15;
 /// Components smaller than this part of the surface are searched without landmarks.
 constexpr Id SmallestShare = 2 * Landmarks::Count;
-
-/// The connected components of a graph.
-class ComponentFinder
-{
-public:
-  ComponentFinder(const GraphView& graph, std::vector<Id>& components)
-    : Graph(graph)
-    , Components(components)
-  {
-    components.assign(graph.NumberOfVertices, NoId);
-  }
-
-  /// Give all that is connected with a vertex its number; returns how many vertices these are.
-  Id Fill(Id start)
-  {
-    Id count = 0;
-    this->Components[start] = start;
-    this->Open.push_back(start);
-    while (!this->Open.empty())
-    {
-      const Id v = this->Open.back();
-      this->Open.pop_back();
-      ++count;
-      for (Offset e = this->Graph.Offsets[v]; e < this->Graph.Offsets[v + 1]; ++e)
-      {
-        const Id t = this->Graph.Targets[e];
-        if (this->Components[t] == NoId)
-        {
-          this->Components[t] = start;
-          this->Open.push_back(t);
-        }
-      }
-    }
-    return count;
-  }
-
-private:
-  const GraphView& Graph;
-  std::vector<Id>& Components;
-  std::vector<Id> Open;
-};
 
 /// Distances from the nearest of vertices that come one after the other.
 class GrowingField
@@ -141,37 +100,43 @@ std::int16_t Clamp(double code)
 Status Landmarks::Choose(const GraphView& graph, const GraphFans* fans, double bucketWidth,
   const ProgressCallback& progress)
 {
-  const auto tell = [&](double fraction) { return !progress || progress(fraction); };
+  const auto report = [&](double fraction) { return !progress || progress(fraction); };
   this->Codes.resize(graph.NumberOfVertices);
-  const bool isDone = tell(0.0) &&
-    this->ChooseFrom(graph, fans, bucketWidth, this->ChooseComponents(graph), tell) && tell(1.0);
+  const bool isDone = report(0.0) &&
+    this->ChooseFrom(graph, fans, bucketWidth, this->ChooseComponents(graph), report) &&
+    report(1.0);
   return isDone ? Status::Success() : Status::Abort();
 }
 
+/// A vertex of each of the larger components, from the largest on.
 std::vector<Id> Landmarks::ChooseComponents(const GraphView& graph)
 {
-  ComponentFinder finder(graph, this->Components);
-  std::vector<std::pair<Id, Id>> large; // size, and a vertex
+  DisjointSets sets(static_cast<std::size_t>(graph.NumberOfVertices));
   for (Id v = 0; v < graph.NumberOfVertices; ++v)
   {
-    if (this->Components[v] == NoId)
+    for (Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; ++e)
     {
-      const Id size = finder.Fill(v);
-      if (size > 1 && size >= graph.NumberOfVertices / SmallestShare)
-      {
-        large.emplace_back(-size, v);
-      }
+      sets.Join(v, graph.Targets[e]);
     }
   }
-  std::sort(large.begin(), large.end());
-  std::vector<Id> starts;
-  for (const auto& component : large)
+  std::vector<Id> sizes(static_cast<std::size_t>(graph.NumberOfVertices), 0);
+  std::vector<Id> starts; // the first vertex of each
+  this->Components.resize(sizes.size());
+  for (Id v = 0; v < graph.NumberOfVertices; ++v)
   {
-    if (starts.size() < Count)
+    this->Components[v] = sets.Find(v);
+    if (sizes[this->Components[v]]++ == 0)
     {
-      starts.push_back(component.second);
+      starts.push_back(v);
     }
   }
+  const auto sizeOf = [&](Id v) { return sizes[this->Components[v]]; };
+  starts.erase(
+    std::remove_if(starts.begin(), starts.end(),
+      [&](Id v) { return sizeOf(v) == 1 || sizeOf(v) < graph.NumberOfVertices / SmallestShare; }),
+    starts.end());
+  std::stable_sort(starts.begin(), starts.end(), [&](Id a, Id b) { return sizeOf(a) > sizeOf(b); });
+  starts.resize(std::min<std::size_t>(starts.size(), Count));
   return starts;
 }
 
@@ -250,11 +215,5 @@ void Landmarks::Aim(const std::vector<GraphSeed>& seeds, Goal& goal) const
     goal.Low[k] = Clamp(std::floor(low - 1.0 - RoundingOfSteps));
     goal.High[k] = Clamp(std::ceil(high + RoundingOfSteps));
   }
-}
-
-std::size_t Landmarks::GetMemorySize() const
-{
-  return this->Vertices.capacity() * sizeof(Id) + this->Components.capacity() * sizeof(Id) +
-    this->Codes.capacity() * sizeof(VertexCodes);
 }
 }

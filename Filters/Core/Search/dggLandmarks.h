@@ -68,8 +68,6 @@ public:
   /// Ask for the memory of a vertex.
   void PrefetchVertex(Id v) const { Prefetch(&this->Codes[v]); }
 
-  std::size_t GetMemorySize() const;
-
 private:
   struct alignas(64) VertexCodes : std::array<std::int16_t, Count>
   {

@@ -53,12 +53,6 @@ void ManySources::GetField(std::size_t k, std::vector<double>& field) const
   }
 }
 
-std::size_t ManySources::GetMemorySize() const
-{
-  return this->Labels.capacity() * sizeof(Lanes) + this->Keys.capacity() * sizeof(float) +
-    this->Queue.GetMemorySize();
-}
-
 /// Labels of the seeds. Returns the smallest.
 double ManySources::Start(const Sources& sources)
 {
@@ -120,7 +114,7 @@ void ManySources::Certify(const Length* lengths)
   }
 }
 
-/// Vertices that were lowered tell their neighbours.
+/// Vertices that were lowered lower their neighbours.
 template <typename Length>
 void ManySources::Mend(const Length* lengths)
 {

@@ -42,8 +42,6 @@ public:
   /// The distances of all vertices from source `k`, Infinity beyond the radius.
   void GetField(std::size_t k, std::vector<double>& field) const;
 
-  std::size_t GetMemorySize() const;
-
 private:
   double Start(const Sources& sources);
   template <typename Length>

@@ -58,8 +58,6 @@ public:
     return top;
   }
 
-  std::size_t GetMemorySize() const { return this->Entries.capacity() * sizeof(Entry); }
-
 private:
   /// Put an entry into the gap at the top.
   void SiftDown(const Entry& entry)

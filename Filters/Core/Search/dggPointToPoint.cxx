@@ -324,10 +324,4 @@ void PointToPoint::CollectPath(GraphPath& path) const
   std::reverse(path.Vertices.begin(), path.Vertices.end());
   std::reverse(path.Edges.begin(), path.Edges.end());
 }
-
-std::size_t PointToPoint::GetMemorySize() const
-{
-  return this->Distances.capacity() * sizeof(double) + this->Labels.capacity() * sizeof(Label) +
-    this->Touched.capacity() * sizeof(Id) + this->Queue.GetMemorySize();
-}
 }

@@ -39,8 +39,6 @@ public:
   void Run(const GraphView& graph, const PathGuides& guides, const std::vector<GraphSeed>& from,
     const std::vector<GraphSeed>& to, GraphPath& path);
 
-  std::size_t GetMemorySize() const;
-
 private:
   struct alignas(32) Label
   {

@@ -65,6 +65,14 @@ struct SearchLabels
   }
 };
 
+/// A reached vertex and how it was reached.
+struct TreeStep
+{
+  Offset Edge; ///< from the tail; -1 for a seed
+  Id Vertex;
+  Id Tail; ///< NoId for a seed
+};
+
 /// What a search did.
 struct SearchEffort
 {

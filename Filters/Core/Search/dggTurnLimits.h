@@ -9,8 +9,7 @@
 #include "dggPrefetch.h"      // for Prefetch
 #include "dggSurfaceMesh.h"   // for SurfaceMesh
 
-#include <cstddef> // for std::size_t
-#include <vector>  // for the vertices
+#include <vector> // for the vertices
 
 namespace dgg
 {
@@ -34,8 +33,6 @@ public:
 
   /// Ask for the memory of a vertex.
   void PrefetchVertex(Id v) const { Prefetch(&this->Vertices[v]); }
-
-  std::size_t GetMemorySize() const { return this->Vertices.capacity() * sizeof(Vertex); }
 
 private:
   struct Vertex

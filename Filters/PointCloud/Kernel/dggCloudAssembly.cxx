@@ -3,11 +3,10 @@
 #include "dggCloudAssembly.h"
 
 #include "dggDisjointSets.h"
+#include "dggRowStore.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <numeric>
 
@@ -22,15 +21,6 @@ constexpr Offset NodesPerReport = 1 << 14;
 constexpr Offset EdgesPerReport = 1 << 17;
 /// Length of an edge between points in the same place, by the size of the cloud.
 constexpr double CoincidentLength = 1e-12;
-
-/// The smallest float that is not below a value.
-float RoundUp(double value)
-{
-  const auto rounded = static_cast<float>(value);
-  return static_cast<double>(rounded) < value
-    ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
-    : rounded;
-}
 
 /// Rows in blocks, seen as one list of rows, each sorted.
 class BlockRows
@@ -199,7 +189,7 @@ Status AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPer
         }
         else
         {
-          graph.Lengths[e] = RoundUp(toPoints * length);
+          graph.Lengths[e] = RoundedUp(toPoints * length);
         }
       }
     }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dggCloudBand.h"
-
-#include "dggBandBudget.h"
+#include "dggCloudSetup.h"
+#include "dggMemoryLimit.h"
 #include "dggQuantile.h"
+#include "dggSetupLoop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +34,27 @@ constexpr double LargestAutomaticResolution = 1 << 23;
 /// Spacings along the longest side, at most. Coordinates are rounded by 2^-54 of it, so that edges
 /// as long as a spacing keep the digits of a float.
 constexpr double MostSpacings = 1 << 30;
+
+/// Voxels of a ball on average, at most: where density varies much, voxels for the balls of the
+/// densest points would be far too many in those of the sparsest.
+constexpr double MostVoxelsPerBall = 4000.0;
+constexpr double VoxelsPerBrick = 512.0;
+constexpr double BytesOfNearest = VoxelsPerBrick * sizeof(Id);
+/// Voxels that bricks have beyond a layer of voxels or a ball, on both sides together, on average.
+constexpr double BeyondLayer = 10.0;
+constexpr double BeyondBall = 8.0;
+/// A band that does not fit needs more than it may take by that, whatever was predicted.
+constexpr double LeastExcess = 1.01;
+
+double GetMeanVolume(const std::vector<double>& radii)
+{
+  double sum = 0.0;
+  for (const double radius : radii)
+  {
+    sum += radius * radius * radius;
+  }
+  return 4.0 / 3.0 * Pi * sum / static_cast<double>(radii.size());
+}
 
 /// Steps of the band, one after the other.
 class BandBuilder
@@ -84,7 +105,7 @@ public:
       }
       // Voxels may be too large for the balls of the densest points then: CloudPairs looks at
       // these.
-      size = h > 0.0 ? size : std::max(size, FindLeastVoxelSize(radii));
+      size = h > 0.0 ? size : std::max(size, std::cbrt(GetMeanVolume(radii) / MostVoxelsPerBall));
     }
     if (!(size > 0.0))
     {
@@ -114,8 +135,11 @@ public:
       {
         return status;
       }
-      limit =
-        std::max<std::size_t>(1, GetShareOfBricks(this->Options.MemoryLimit - used)); // 0: none
+      // With room for the nearest points of the voxels.
+      const double brick = VoxelBand::PredictMemory(1.0);
+      const double share = brick / (brick + BytesOfNearest);
+      limit = std::max<std::size_t>(1, // 0: none
+        static_cast<std::size_t>(static_cast<double>(this->Options.MemoryLimit - used) * share));
     }
     Status status = this->Pairs.Band.Build(
       this->Pairs.Points, this->Pairs.Radii, this->VoxelSize, limit, this->Options.Parallel,
@@ -161,14 +185,8 @@ private:
   {
     std::vector<float> spacings = this->Pairs.Spacings;
     const double dense = Quantile(spacings, SpacingQuantile);
-    double sum = 0.0;
-    for (const double radius : this->Pairs.Radii)
-    {
-      sum += radius * radius * radius;
-    }
-    const double meanVolume = 4.0 / 3.0 * Pi * sum / static_cast<double>(spacings.size());
-    return std::clamp(
-      std::cbrt(meanVolume / VoxelsPerBall), dense / VoxelsPerSpacing, factor * dense);
+    return std::clamp(std::cbrt(GetMeanVolume(this->Pairs.Radii) / VoxelsPerBall),
+      dense / VoxelsPerSpacing, factor * dense);
   }
 
   /// Names the point that is farthest from the middle of the cloud.
@@ -205,17 +223,36 @@ private:
                                         : "set a Resolution" + below + ", that of now";
   }
 
+  /// Bytes of a band and of the nearest points of its voxels, roughly: that of a surface, on which
+  /// each point has the square of its spacing.
+  double PredictMemory() const
+  {
+    double voxels = 0.0;
+    for (std::size_t i = 0; i < this->Pairs.Radii.size(); ++i)
+    {
+      const double spacing = this->Pairs.Spacings[i] / this->VoxelSize;
+      const double diameter = 2.0 * this->Pairs.Radii[i] / this->VoxelSize;
+      voxels += std::min(
+        spacing * spacing * (diameter + BeyondLayer), std::pow(diameter + BeyondBall, 3.0));
+    }
+    const double bricks = voxels / VoxelsPerBrick;
+    return VoxelBand::PredictMemory(bricks) + BytesOfNearest * bricks;
+  }
+
   Status RefuseBand() const
   {
-    BandInNumbers numbers;
-    numbers.Resolution = this->Statistics.Resolution;
-    numbers.IsAutomatic = this->Options.Resolution <= 0;
-    numbers.VoxelSize = this->Statistics.VoxelSize;
-    numbers.Spacing = this->Statistics.Spacing;
-    numbers.Used = static_cast<double>(this->Setup.GetMemorySize());
-    numbers.Needed = PredictBandMemory(this->Pairs.Spacings, this->Pairs.Radii, this->VoxelSize);
-    numbers.MemoryLimit = static_cast<double>(this->Options.MemoryLimit);
-    return dgg::RefuseBand(numbers);
+    const bool isAutomatic = this->Options.Resolution <= 0;
+    const double resolution = this->Statistics.Resolution;
+    const auto limit = static_cast<double>(this->Options.MemoryLimit);
+    std::ostringstream what;
+    what << "with the band of voxels, " << resolution << " along the longest side as Resolution "
+         << (isAutomatic ? "is automatic" : "says") << ", each of size "
+         << this->Statistics.VoxelSize << " where points are " << this->Statistics.Spacing
+         << " from each other, building the graph";
+    std::ostringstream remedy;
+    remedy << (isAutomatic ? "set" : "use") << " a Resolution below " << resolution;
+    const double needed = static_cast<double>(this->Setup.GetMemorySize()) + this->PredictMemory();
+    return CheckMemory(what.str(), std::max(needed, LeastExcess * limit), limit, remedy.str());
   }
 
   const CloudGraphOptions& Options;

@@ -24,6 +24,8 @@ constexpr double ShareOfSetupToPredict = 0.8;
 /// Edges of a graph by edges found, as measured: uniting both directions adds some.
 constexpr double UnitedShare = 1.3;
 constexpr double LargestAccuracy = 0.5;
+/// Bytes of lists of all points while rows become the graph.
+constexpr double BytesPerPointOfGraph = 40.0;
 
 GraphConstruction ConstructionOf(CloudScheme scheme)
 {
@@ -51,51 +53,27 @@ std::size_t BytesPerEdge(bool wide)
   return sizeof(Id) + (wide ? sizeof(double) : sizeof(float));
 }
 
-/// Of what comes before rows, of rows while they are built, or of rows, graph and what is needed to
-/// unite them.
-double PredictPeak(const CloudSetup& setup, int numberOfThreads, Id numberOfPoints,
-  const RowSample& sample, double edges, bool wide)
-{
-  const double points = numberOfPoints;
-  const auto nodes = static_cast<Id>(setup.Pairs.Points.size());
-  const double held = static_cast<double>(setup.GetMemorySize()) + sample.GetBlockMemory(nodes);
-  const double rows = edges / UnitedShare * sizeof(Id);
-  const double threads = std::min<double>(std::max(1, numberOfThreads), sample.CountBlocks(nodes));
-  const double arrays = points * (2.0 * sizeof(Offset) + 4.0 * sizeof(Id) + sizeof(double));
-  const double graph =
-    arrays + std::max(rows + edges * sizeof(Id), edges * static_cast<double>(BytesPerEdge(wide)));
-  return std::max(
-    { static_cast<double>(setup.NormalsMemory + CloudNodes::PredictMemory(numberOfPoints)),
-      held + rows + threads * sample.GetThreadMemory(), held + graph });
-}
-
-/// Predict from the rows of some nodes.
+/// Predict from the rows of some nodes: what there is before rows, while they are built, or while
+/// they become the graph.
 CloudGraphEstimate PredictFrom(const CloudSetup& setup, const CloudGraphOptions& options,
   int numberOfThreads, Id numberOfPoints, const RowSample& sample)
 {
   CloudGraphEstimate estimate;
   const auto nodes = static_cast<double>(setup.Pairs.Points.size());
-  const bool wide = NeedsWide(setup.Nodes, options.Accuracy);
+  const auto perEdge = static_cast<double>(BytesPerEdge(NeedsWide(setup.Nodes, options.Accuracy)));
   const auto coincident = static_cast<double>(setup.Nodes.Coincident.size());
-  estimate.Edges = UnitedShare * sample.Targets * nodes + 2.0 * coincident;
-  estimate.Memory = estimate.Edges * static_cast<double>(BytesPerEdge(wide)) +
-    (numberOfPoints + 1.0) * sizeof(Offset);
-  estimate.Peak = PredictPeak(setup, numberOfThreads, numberOfPoints, sample, estimate.Edges, wide);
-  return estimate;
-}
+  estimate.Edges = UnitedShare * sample.MeanTargets * nodes + 2.0 * coincident;
+  estimate.Memory = estimate.Edges * perEdge + (numberOfPoints + 1.0) * sizeof(Offset);
 
-/// What was held when the graph has been built. With a limit no more threads worked at the same
-/// time than fit; one always did.
-double EstimatePeak(const CloudSetup& setup, const CloudGraphOptions& options, Id numberOfPoints,
-  const RowSample& sample, double edges, bool wide)
-{
-  const auto predict = [&](int threads) {
-    return PredictPeak(setup, threads, numberOfPoints, sample, edges, wide);
-  };
-  const double all = predict(options.NumberOfThreads);
-  return options.MemoryLimit > 0
-    ? std::min(all, std::max(predict(1), static_cast<double>(options.MemoryLimit)))
-    : all;
+  const auto held = static_cast<double>(setup.GetMemorySize());
+  const double rows = sample.MeanTargets * nodes * sizeof(Id);
+  const double threads = std::clamp(
+    nodes / sample.GetRowsPerBlock(), 1.0, static_cast<double>(std::max(1, numberOfThreads)));
+  const double graph = BytesPerPointOfGraph * numberOfPoints +
+    std::max(rows + estimate.Edges * sizeof(Id), estimate.Edges * perEdge);
+  estimate.Peak = std::max({ static_cast<double>(setup.GetMemoryBefore(numberOfPoints)),
+    held + rows + threads * sample.GetThreadMemory(), held + graph });
+  return estimate;
 }
 
 Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptions& options,
@@ -110,10 +88,9 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
   }
   statistics.BandMemory += setup.Pairs.Nearest.size() * sizeof(Id);
   RowSample sample;
-  status =
-    SampleRows(setup, options, options.MemoryLimit > 0 ? RowSample::All : RowSample::Candidates,
-      ProgressPart(options.Progress, ShareOfSetup, EndOfPrediction), sample);
-  if (status.IsOk() && options.MemoryLimit > 0)
+  status = SampleRows(
+    setup, options, ProgressPart(options.Progress, ShareOfSetup, EndOfPrediction), sample);
+  if (status.IsOk())
   {
     // Rows are built by as many threads as fit: whether there is a graph does not depend on them.
     const double least = PredictFrom(setup, options, 1, numberOfPoints, sample).Peak;
@@ -124,8 +101,8 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
     return status;
   }
   std::vector<CloudRowBlock> blocks;
-  status = BuildRows(setup, options, ProgressPart(options.Progress, EndOfPrediction, EndOfRows),
-    sample, blocks, statistics);
+  status = BuildRows(
+    setup, options, ProgressPart(options.Progress, EndOfPrediction, EndOfRows), sample, blocks);
   if (!status.IsOk())
   {
     return status;
@@ -137,9 +114,6 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
   {
     return status;
   }
-  statistics.PeakMemory = static_cast<std::size_t>(EstimatePeak(setup, options, numberOfPoints,
-    sample, static_cast<double>(result.Graph.Targets.Size()), wide));
-
   const auto n = static_cast<std::size_t>(numberOfPoints);
   std::vector<unsigned char> isUsed(n, 0);
   result.Radii.assign(n, 0.0);
@@ -227,8 +201,7 @@ Status CloudGraphBuilder::Estimate(
   RowSample sample;
   if (status.IsOk())
   {
-    status = SampleRows(
-      setup, options, RowSample::All, ProgressPart(progress, ShareOfSetupToPredict, 1.0), sample);
+    status = SampleRows(setup, options, ProgressPart(progress, ShareOfSetupToPredict, 1.0), sample);
   }
   if (status.IsOk())
   {

@@ -11,7 +11,7 @@
 
 #include <cstddef> // for std::size_t
 #include <cstdint> // for std::uint8_t
-#include <vector>  // for what is told of points
+#include <vector>  // for what is known of points
 
 namespace dgg
 {
@@ -90,11 +90,7 @@ struct CloudGraphStatistics
   Id Resolution = 0;           ///< voxels along the longest side of the points
   double Alpha = 0.0;          ///< as used
   double Reach = 0.0;          ///< median
-  std::size_t Candidates = 0;  ///< neighbours looked at
-  std::size_t Walks = 0;       ///< segments followed through the band
-  std::size_t OutEdges = 0;    ///< directed edges before both directions were united
   std::size_t BandMemory = 0;  ///< bytes
-  std::size_t PeakMemory = 0;  ///< most bytes held at one time, estimated
 };
 
 /// What a graph will take, from the rows of some points.
@@ -102,14 +98,14 @@ struct CloudGraphEstimate
 {
   double Edges = 0.0;  ///< directed
   double Memory = 0.0; ///< bytes of the graph
-  double Peak = 0.0;   ///< most bytes while it is built
+  double Peak = 0.0;   ///< most bytes while it is built, at most twice too many
 };
 
 /// Builds graphs of one cloud: `points`, x y z per point, must outlive the builder.
 ///
 /// Two points are connected directly when the segment between them stays in the band, the union of
 /// balls around all points. Direct pairs within reach are the full graph, of which the progress
-/// rule keeps what is needed for the accuracy. Stray points (dggStrayPoints.h tells which these
+/// rule keeps what is needed for the accuracy. Stray points (dggStrayPoints.h says which these
 /// are) are connected to none but those in the same place: the graph of the others is as if they
 /// were not there.
 class CloudGraphBuilder
@@ -120,8 +116,8 @@ public:
   /// Fails with a message when an option is out of range.
   static Status Check(const CloudGraphOptions& options);
 
-  /// Predict what Build() will take: prepares it and builds the rows of some points. Tells the
-  /// progress of that.
+  /// Predict what Build() will take: prepares it and builds the rows of some points. Reports
+  /// the progress of that.
   Status Estimate(const CloudGraphOptions& options, CloudGraphEstimate& estimate) const;
 
   /// Build the graph: the same, bit by bit, for any Parallel. `result` is empty on failure. The

@@ -137,9 +137,8 @@ public:
     return counter.GetCount();
   }
 
-  const std::vector<Point3>& Points;
-
 private:
+  const std::vector<Point3>& Points;
   flann::KDTreeSingleIndex<Distance> Index;
 };
 
@@ -165,17 +164,5 @@ void CloudNeighbors::FindWithin(
 std::size_t CloudNeighbors::CountWithin(const Point3& place, double radius) const
 {
   return this->Index->Count(place, radius * radius);
-}
-
-std::size_t CloudNeighbors::GetMemorySize() const
-{
-  return PredictMemory(this->Index->Points.size());
-}
-
-std::size_t CloudNeighbors::PredictMemory(std::size_t points)
-{
-  // A copy of the points in the order of the tree, pointers to the originals, places in both, and
-  // nodes: two per leaf, and leaves are half full.
-  return points * (sizeof(Point3) + 2 * sizeof(void*) + sizeof(int) + 64 / 3);
 }
 }

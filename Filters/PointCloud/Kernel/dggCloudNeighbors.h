@@ -42,10 +42,6 @@ public:
   /// How many FindWithin() would find.
   std::size_t CountWithin(const Point3& place, double radius) const;
 
-  std::size_t GetMemorySize() const;
-  /// Bytes of a tree of that many points.
-  static std::size_t PredictMemory(std::size_t points);
-
 private:
   class Tree;
   std::unique_ptr<Tree> Index;

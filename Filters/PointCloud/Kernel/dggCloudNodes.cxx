@@ -81,12 +81,6 @@ void TellPlaces(const std::vector<NodeEntry>& entries, std::size_t places,
 }
 }
 
-std::size_t CloudNodes::PredictMemory(Id numberOfPoints)
-{
-  return static_cast<std::size_t>(numberOfPoints) *
-    (sizeof(NodeEntry) + sizeof(Point3) + std::max(sizeof(Id), sizeof(std::pair<Id, Id>)));
-}
-
 Status FindNodes(
   const double* points, Id numberOfPoints, CloudNodes& nodes, std::vector<Point3>& places)
 {

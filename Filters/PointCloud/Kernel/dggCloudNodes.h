@@ -8,7 +8,6 @@
 #include "dggPoint3.h" // for Point3
 #include "dggTypes.h"  // for Id, Status
 
-#include <cstddef> // for std::size_t
 #include <utility> // for std::pair
 #include <vector>  // for nodes
 
@@ -30,9 +29,6 @@ struct CloudNodes
   Id NumberOfStray = 0; ///< points, copies included
   double Scale = 1.0;   ///< from units of the points to units of nodes
   double Extent = 0.0;  ///< longest side of the box of the nodes
-
-  /// Most bytes while the nodes of that many points are found.
-  static std::size_t PredictMemory(Id numberOfPoints);
 };
 
 /// Find the nodes of a cloud. Fails where coordinates are too large for double arithmetic.

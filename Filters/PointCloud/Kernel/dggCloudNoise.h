@@ -8,11 +8,11 @@
 #include "dggCloudSetup.h" // for CloudSetup
 #include "dggSetupLoop.h"  // for SetupLoop
 
-#include <vector> // for what is told of nodes
+#include <vector> // for what is known of nodes
 
 namespace dgg
 {
-/// What the surfaces fitted to the neighbours of nodes tell of them, besides normals.
+/// What the surfaces fitted to the neighbours of nodes show of them, besides normals.
 struct CloudFits
 {
   std::vector<float> Curvatures; ///< the largest of each

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dggCloudReaches.h"
-
+#include "dggCloudSetup.h"
 #include "dggQuantile.h"
+#include "dggSetupLoop.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 namespace dgg
 {
@@ -26,12 +25,10 @@ constexpr Offset MostBlocksPerWave = 512;
 constexpr Id SampleSize = 512;
 constexpr Id SamplesPerReport = 16;
 
-/// A list that grows by doubling is there twice while it does: as many times its final size.
-constexpr double Growth = 3.0;
-/// Bytes per candidate: what is found, and lists of numbers and chords, which are made as large as
-/// they have to be, beside those of the row before.
-constexpr double BytesPerCandidate =
-  Growth * sizeof(CloudNeighbor) + 2.0 * (sizeof(Id) + sizeof(double));
+/// Bytes that a thread takes for each candidate of a row, and for each target of a block: lists
+/// that grow by doubling are there twice while they do.
+constexpr double BytesPerCandidate = 128.0;
+constexpr double BytesPerTarget = 16.0;
 
 /// What one thread needs to build rows.
 struct RowWorkspace
@@ -59,11 +56,8 @@ struct RowWorkspace
         this->Chords.push_back(pairs.Chord(node, neighbor.Point));
       }
     }
-    const std::size_t before = targets.size();
     this->Pruning.ChooseEdges(node, this->Neighbors, this->Chords, targets);
     this->Candidates += this->Neighbors.size();
-    this->MostCandidates = std::max(this->MostCandidates, this->Found.size());
-    this->MostTargets = std::max(this->MostTargets, targets.size() - before);
   }
 
   const CloudSetup& Setup;
@@ -72,17 +66,7 @@ struct RowWorkspace
   std::vector<Id> Neighbors;
   std::vector<double> Chords;
   std::size_t Candidates = 0; ///< of all rows so far
-  std::size_t MostCandidates = 0;
-  std::size_t MostTargets = 0;
 };
-
-void Raise(std::atomic<std::size_t>& most, std::size_t value)
-{
-  std::size_t known = most.load();
-  while (value > known && !most.compare_exchange_weak(known, value))
-  {
-  }
-}
 }
 
 Id RowSample::GetRowsPerBlock() const
@@ -91,33 +75,21 @@ Id RowSample::GetRowsPerBlock() const
     static_cast<double>(MostRowsPerBlock)));
 }
 
-double RowSample::CountBlocks(Id rows) const
-{
-  return std::ceil(static_cast<double>(rows) / this->GetRowsPerBlock());
-}
-
-double RowSample::GetBlockMemory(Id rows) const
-{
-  return this->CountBlocks(rows) * sizeof(CloudRowBlock) + sizeof(Id) * static_cast<double>(rows);
-}
-
 double RowSample::GetThreadMemory() const
 {
-  // Targets of a block are copied when it is finished.
-  const double targets = static_cast<double>(this->MostTargets) * this->GetRowsPerBlock();
-  return BytesPerCandidate * static_cast<double>(this->MostCandidates) +
-    (Growth + 1.0) * sizeof(Id) * targets +
-    static_cast<double>(CloudPruning::PredictMemory(this->MostTargets));
+  return BytesPerCandidate * this->MostCandidates +
+    BytesPerTarget * this->MeanTargets * this->GetRowsPerBlock();
 }
 
 Status CheckRowMemory(double bytes, std::size_t limit)
 {
-  return CheckMemory("building the graph of the cloud", bytes, static_cast<double>(limit),
-    "use a larger Accuracy or a smaller Alpha");
+  return limit == 0 ? Status::Success()
+                    : CheckMemory("building the graph of the cloud", bytes,
+                        static_cast<double>(limit), "use a larger Accuracy or a smaller Alpha");
 }
 
 Status SampleRows(const CloudSetup& setup, const CloudGraphOptions& options,
-  RowSample::Content content, const ProgressCallback& progress, RowSample& sample)
+  const ProgressCallback& progress, RowSample& sample)
 {
   const CloudPairs& pairs = setup.Pairs;
   const auto nodes = static_cast<Id>(pairs.Points.size());
@@ -134,43 +106,33 @@ Status SampleRows(const CloudSetup& setup, const CloudGraphOptions& options,
       return Status::Abort();
     }
     const auto node = static_cast<Id>(static_cast<Offset>(i) * nodes / size);
-    const std::size_t count = setup.Neighbors->CountWithin(pairs.Points[node], pairs.Reaches[node]);
-    candidates += static_cast<double>(count);
+    const auto count =
+      static_cast<double>(setup.Neighbors->CountWithin(pairs.Points[node], pairs.Reaches[node]));
+    candidates += count;
     sample.MostCandidates = std::max(sample.MostCandidates, count);
-    if (content == RowSample::All)
+    Status status = CheckRowMemory(held + sample.GetThreadMemory(), options.MemoryLimit);
+    if (!status.IsOk())
     {
-      Status status = options.MemoryLimit > 0
-        ? CheckRowMemory(held + sample.GetThreadMemory(), options.MemoryLimit)
-        : Status::Success();
-      if (!status.IsOk())
-      {
-        return status;
-      }
-      targets.clear();
-      workspace.Build(node, targets);
-      chosen += static_cast<double>(targets.size());
-      sample.MostTargets = std::max(sample.MostTargets, targets.size());
+      return status;
     }
+    targets.clear();
+    workspace.Build(node, targets);
+    chosen += static_cast<double>(targets.size());
   }
   sample.MeanCandidates = size > 0 ? candidates / size : 0.0;
-  sample.Targets = size > 0 ? chosen / size : 0.0;
+  sample.MeanTargets = size > 0 ? chosen / size : 0.0;
   return Status::Success();
 }
 
 Status BuildRows(const CloudSetup& setup, const CloudGraphOptions& options,
-  const ProgressCallback& progress, RowSample& sample, std::vector<CloudRowBlock>& blocks,
-  CloudGraphStatistics& statistics)
+  const ProgressCallback& progress, const RowSample& sample, std::vector<CloudRowBlock>& blocks)
 {
   const auto nodes = static_cast<Id>(setup.Pairs.Points.size());
   const Id rowsPerBlock = sample.GetRowsPerBlock();
-  const auto count = static_cast<Offset>(sample.CountBlocks(nodes));
+  const Offset count = (static_cast<Offset>(nodes) + rowsPerBlock - 1) / rowsPerBlock;
   blocks = std::vector<CloudRowBlock>(static_cast<std::size_t>(count));
   std::atomic<std::size_t> candidates{ 0 };
-  std::atomic<std::size_t> mostCandidates{ sample.MostCandidates };
-  std::atomic<std::size_t> mostTargets{ sample.MostTargets };
-  std::atomic<std::size_t> walks{ 0 };
   std::atomic<std::size_t> edges{ 0 };
-  const double held = static_cast<double>(setup.GetMemorySize()) + sample.GetBlockMemory(nodes);
   double perBlock = sample.MeanCandidates * rowsPerBlock;
   Offset size = 0;
   for (Offset first = 0; first < count; first += size)
@@ -186,7 +148,8 @@ Status BuildRows(const CloudSetup& setup, const CloudGraphOptions& options,
     if (options.MemoryLimit > 0)
     {
       // There are no more threads at work than blocks.
-      const double used = held + sizeof(Id) * static_cast<double>(edges);
+      const double used =
+        static_cast<double>(setup.GetMemorySize()) + sizeof(Id) * static_cast<double>(edges);
       const double left = static_cast<double>(options.MemoryLimit) - used;
       Status status = CheckRowMemory(used + sample.GetThreadMemory(), options.MemoryLimit);
       if (!status.IsOk())
@@ -216,16 +179,8 @@ Status BuildRows(const CloudSetup& setup, const CloudGraphOptions& options,
         edges += targets.size();
       }
       candidates += workspace.Candidates;
-      Raise(mostCandidates, workspace.MostCandidates);
-      Raise(mostTargets, workspace.MostTargets);
-      walks += workspace.Pruning.GetNumberOfWalks();
     });
-    sample.MostCandidates = mostCandidates;
-    sample.MostTargets = mostTargets;
   }
-  statistics.Candidates = candidates;
-  statistics.Walks = walks;
-  statistics.OutEdges = edges;
   return Status::Success();
 }
 }

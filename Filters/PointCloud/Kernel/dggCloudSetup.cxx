@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggCloudSetup.h"
 
-#include "dggCloudBand.h"
 #include "dggCloudNoise.h"
-#include "dggCloudReaches.h"
 #include "dggMemoryLimit.h"
 #include "dggQuantile.h"
 #include "dggSetupLoop.h"
@@ -22,12 +20,16 @@ constexpr double ShareOfFits = 0.22;
 constexpr double ShareOfNoise = 0.08;
 constexpr double ShareOfSmoothing = 0.2;
 
+/// Bytes of all that is known of a node, with the tree of all, and of a point before that.
+constexpr std::size_t BytesPerNode = 191;
+constexpr std::size_t BytesPerPoint = 72;
+
 /// The spacing of a point is at most that of its neighbours by this: a point on its own, far off
 /// the surface, must not get a ball that reaches it, nor one at a border a larger one.
 constexpr double LargestSpacingRatio = 1.25;
 /// A group of fewer points than there are neighbours has a gap among the distances of them, the
-/// next one being that many times as far. Then only those beyond the gap tell the spacing: the
-/// others would tell how far off the group is, when they are the larger part.
+/// next one being that many times as far. Then only those beyond the gap give the spacing: the
+/// others would give how far off the group is, when they are the larger part.
 constexpr double LeastGap = 4.0;
 constexpr std::size_t LeastGroup = SpacingNeighbors / 2 + 1;
 
@@ -169,18 +171,16 @@ private:
 };
 }
 
-std::size_t CloudSetup::PredictMemory(std::size_t nodes)
-{
-  // Points, normals and what is fitted (with copies while it is smoothed), and the tree.
-  return nodes * (3 * sizeof(Point3) + 2 * sizeof(double) + 8 * sizeof(float) + sizeof(Id) + 2) +
-    CloudNeighbors::PredictMemory(nodes);
-}
-
 std::size_t CloudSetup::GetMemorySize() const
 {
-  return this->NormalsMemory + PredictMemory(this->Pairs.Points.size()) +
+  return this->NormalsMemory + BytesPerNode * this->Pairs.Points.size() +
     this->Nodes.Coincident.capacity() * sizeof(this->Nodes.Coincident[0]) +
     this->Pairs.Band.GetMemorySize() + this->Pairs.Nearest.capacity() * sizeof(Id);
+}
+
+std::size_t CloudSetup::GetMemoryBefore(Id numberOfPoints) const
+{
+  return this->NormalsMemory + BytesPerPoint * static_cast<std::size_t>(numberOfPoints);
 }
 
 Status CheckSetupMemory(std::size_t bytes, const CloudGraphOptions& options)
@@ -196,8 +196,7 @@ Status SetUpCloud(const double* points, Id numberOfPoints, const CloudGraphOptio
 {
   setup.NormalsMemory =
     options.Normals ? static_cast<std::size_t>(numberOfPoints) * sizeof(Point3) : 0;
-  Status status =
-    CheckSetupMemory(setup.NormalsMemory + CloudNodes::PredictMemory(numberOfPoints), options);
+  Status status = CheckSetupMemory(setup.GetMemoryBefore(numberOfPoints), options);
   if (!status.IsOk())
   {
     return status;

@@ -12,10 +12,11 @@
 
 #include <cstddef> // for std::size_t
 #include <memory>  // for CloudNeighbors
+#include <vector>  // for curvatures
 
 namespace dgg
 {
-/// The neighbour whose distance tells the local spacing.
+/// The neighbour whose distance gives the local spacing.
 constexpr std::size_t SpacingNeighbors = 16;
 /// That can be asked for.
 constexpr Id LargestResolution = 1 << 19;
@@ -28,15 +29,30 @@ struct CloudSetup
   std::unique_ptr<CloudNeighbors> Neighbors;
   std::size_t NormalsMemory = 0; ///< bytes of those that were given
 
+  /// Bytes held, about.
   std::size_t GetMemorySize() const;
-  /// Bytes for so many nodes, but for the band.
-  static std::size_t PredictMemory(std::size_t nodes);
+  /// Bytes while the nodes of so many points are found.
+  std::size_t GetMemoryBefore(Id numberOfPoints) const;
 };
+
+class SetupLoop;
+
+/// Choose the radii of balls and the size of voxels, mark the band, and find the nearest point of
+/// each of its voxels. Needs the spacings of the nodes and the tree of them. Fails when parts of
+/// the cloud are too far apart, when the band does not fit into the memory, and when stopped.
+Status BuildCloudBand(const CloudGraphOptions& options, double medianSpacing, SetupLoop& loop,
+  CloudSetup& setup, CloudGraphStatistics& statistics);
+
+/// Choose the reach of each node by the scheme. Needs all else of the pairs, and `curvatures` of
+/// the surface at the nodes.
+void ChooseReaches(const CloudGraphOptions& options, double medianSpacing,
+  const std::vector<float>& curvatures, SetupLoop& loop, CloudSetup& setup,
+  CloudGraphStatistics& statistics);
 
 /// Fails when that many bytes are more than the limit.
 Status CheckSetupMemory(std::size_t bytes, const CloudGraphOptions& options);
 
-/// `progress` is told of the fraction of this step.
+/// `progress` receives the fraction of this step.
 Status SetUpCloud(const double* points, Id numberOfPoints, const CloudGraphOptions& options,
   const ProgressCallback& progress, CloudSetup& setup, CloudGraphStatistics& statistics);
 }

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Distances on a point cloud by fast marching in the band around it.
-#ifndef dggBandMarching_h
-#define dggBandMarching_h
+#ifndef BandMarching_h
+#define BandMarching_h
 
 #include "dggPoint3.h"    // for Point3
 #include "dggTypes.h"     // for Id, Status
 #include "dggVoxelBand.h" // for VoxelBand
 
 #include <array>   // for neighbours
-#include <cstddef> // for std::size_t
 #include <cstdint> // for std::int64_t
 #include <vector>  // for distances
 
@@ -38,9 +37,6 @@ public:
   /// by several threads at once.
   Status Run(const std::vector<BandSource>& sources, const std::vector<Point3>& places,
     const ProgressCallback& progress, std::vector<double>& distances) const;
-
-  /// Bytes of the tables, and of one call of Run().
-  std::size_t GetMemorySize() const;
 
 private:
   class March;

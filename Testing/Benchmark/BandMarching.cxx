@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dggBandMarching.h"
+#include "BandMarching.h"
 
 #include "dggMinimumHeap.h"
 
@@ -259,11 +259,5 @@ Status BandMarching::Run(const std::vector<BandSource>& sources, const std::vect
     distances.push_back(march.Interpolate(place));
   }
   return Status::Success();
-}
-
-std::size_t BandMarching::GetMemorySize() const
-{
-  return this->Neighbors.size() *
-    (sizeof(this->Neighbors[0]) + 512 * (sizeof(double) + sizeof(std::uint8_t)));
 }
 }

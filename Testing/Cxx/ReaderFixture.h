@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the tests of readers share: files in a folder of their own, and what holds for all readers.
+#ifndef ReaderFixture_h
+#define ReaderFixture_h
+
+#include "FilterTestTools.h"
+
+#include "vtkErrorCode.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+template <typename ReaderType>
+class ReaderFixture : public testing::Test
+{
+protected:
+  /// `good` is a file that can be read.
+  ReaderFixture(const char* name, const char* good)
+    : Name(name)
+    , Good(good)
+  {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    this->Folder = std::filesystem::path(DGG_TEST_OUTPUT) / info->test_suite_name() / info->name();
+    std::filesystem::create_directories(this->Folder);
+  }
+  ~ReaderFixture() override { std::filesystem::remove_all(this->Folder); }
+
+  std::string GetPath(const std::string& name) const { return (this->Folder / name).string(); }
+  std::string Write(const std::string& content, const std::string& name) const
+  {
+    // File systems make sure that what replaces a file is on the disk, which takes its time.
+    std::filesystem::remove(this->GetPath(name));
+    std::ofstream(this->GetPath(name), std::ios::binary) << content;
+    return this->GetPath(name);
+  }
+  std::string Write(const std::string& content) const { return this->Write(content, this->Name); }
+  std::string Load(const std::string& name) const
+  {
+    std::ifstream file(this->GetPath(name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+  std::string Load() const { return this->Load(this->Name); }
+
+  void Use(const std::string& path)
+  {
+    this->Reader->SetFileName(path.c_str());
+    this->Reader->Modified(); // the name may be the same
+  }
+  vtkPolyData* ReadWellFile(const std::string& name)
+  {
+    this->Use(this->GetPath(name));
+    ExpectSuccess(this->Reader);
+    return this->Reader->GetOutput();
+  }
+  vtkPolyData* ReadWellFile() { return this->ReadWellFile(this->Name); }
+  vtkPolyData* ReadWell(const std::string& content)
+  {
+    this->Write(content);
+    return this->ReadWellFile();
+  }
+
+  /// The error has this code and names the file and all of `parts`, and the output is empty; then a
+  /// good file is read well.
+  void ExpectRefused(
+    const std::string& content, unsigned long code, const std::vector<std::string>& parts)
+  {
+    SCOPED_TRACE(content);
+    std::vector<std::string> all = parts;
+    all.push_back(this->Write(content));
+    this->Use(all.back());
+    ExpectError(this->Reader, all);
+    EXPECT_EQ(this->Reader->GetErrorCode(), code);
+    EXPECT_GT(this->ReadWell(this->Good)->GetNumberOfPoints(), 0);
+  }
+
+  void CheckFilesThatCannotBeRead()
+  {
+    const auto expect = [this](const std::string& name, unsigned long code, const char* trouble) {
+      this->Use(name);
+      ExpectError(this->Reader, { name.empty() ? trouble : "Cannot read " + name + ": ", trouble });
+      EXPECT_EQ(this->Reader->GetErrorCode(), code);
+    };
+    ExpectError(this->Reader, { "SetFileName" });
+    EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::NoFileNameError);
+    expect("", vtkErrorCode::NoFileNameError, "SetFileName");
+    expect(this->GetPath("none"), vtkErrorCode::FileNotFoundError, "does not exist");
+    expect(this->Folder.string(), vtkErrorCode::CannotOpenFileError, "it is a folder");
+    expect("/dev/null", vtkErrorCode::CannotOpenFileError, "not an ordinary file");
+    expect(this->Write(""), vtkErrorCode::PrematureEndOfFileError, "the file is empty");
+    EXPECT_GT(this->ReadWell(this->Good)->GetNumberOfPoints(), 0);
+    for (const std::string& path :
+      { this->Write(""), this->GetPath("none"), this->Folder.string(), std::string() })
+    {
+      EXPECT_EQ(ReaderType::CanReadFile(path.c_str()), 0) << path;
+    }
+    EXPECT_EQ(ReaderType::CanReadFile(nullptr), 0);
+    EXPECT_EQ(ReaderType::CanReadFile(this->Write(this->Good).c_str()), 1);
+  }
+
+  /// A large file: progress, and stops at several places.
+  void CheckProgress(const std::string& content, vtkIdType numberOfPoints)
+  {
+    this->Use(this->Write(content));
+    ProgressWatch watch(this->Reader);
+    ExpectSuccess(this->Reader);
+    watch.ExpectGrowth(4);
+    EXPECT_EQ(watch.Progress.back(), 1.0);
+    for (const double stop : { 0.3, 0.9 })
+    {
+      this->Reader->SetAbortExecute(0);
+      this->Reader->Modified();
+      watch.StopAt = stop;
+      ExpectSuccess(this->Reader);
+      EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 0);
+    }
+    watch.StopAt = 2.0;
+    this->Reader->SetAbortExecute(0);
+    this->Reader->Update(); // nothing has changed, but nothing was read either
+    EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), numberOfPoints);
+  }
+
+  /// `content` has the point (1.5, 2.25, 1000.5).
+  void CheckLocales(const std::string& content)
+  {
+    const std::string before = std::setlocale(LC_ALL, nullptr);
+    // Where no such locale is installed, the standard ones must at least change nothing.
+    for (const char* locale : { "C", "de_DE.UTF-8", "fr_FR.UTF-8", "de_DE" })
+    {
+      if (std::setlocale(LC_ALL, locale))
+      {
+        const double* p = this->ReadWell(content)->GetPoint(0);
+        EXPECT_EQ(std::vector<double>(p, p + 3), (std::vector<double>{ 1.5, 2.25, 1000.5 }));
+      }
+    }
+    std::setlocale(LC_ALL, before.c_str());
+  }
+
+  void CheckPrint()
+  {
+    std::ostringstream text;
+    this->Reader->Print(text);
+    EXPECT_NE(text.str().find("FileName: (none)"), std::string::npos);
+    this->Reader->SetFileName("some.file");
+    this->Reader->Print(text);
+    EXPECT_NE(text.str().find("FileName: some.file"), std::string::npos);
+  }
+
+  const char* Name; ///< of files
+  const char* Good;
+  std::filesystem::path Folder;
+  vtkNew<ReaderType> Reader;
+};
+}
+
+#endif
