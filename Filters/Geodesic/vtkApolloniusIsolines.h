@@ -23,13 +23,12 @@
  *  - else virtual sources are fitted to the distances, which is better than straight lines as well.
  *
  * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
- * warning. Windows are compared bit by bit. Virtual sources are ignored when most of them point
- * elsewhere, or tell of a surface of another size; of points that were moved by a few percent of
- * an edge, or of a surface that was stretched along one axis, they know little: compute distances
- * after such changes. That the values are distances, in the units of the points, is the user's
- * word: call SetMethodToLinear() for other fields. Only values that change along more than a tenth
- * of the edges by more than 1.1 times their length are taken as linear in each triangle, with a
- * warning.
+ * warning. Windows are compared bit by bit. Virtual sources are ignored when the distances are not
+ * those at the sources plus the straight ones from there. That they are those of this surface, and
+ * that the values are distances in the units of the points, is the user's word: compute distances
+ * again when points have moved, and call SetMethodToLinear() for other fields. Values without
+ * virtual sources that change along more than a tenth of the edges by more than 1.1 times their
+ * length are taken as linear in each triangle, with a warning.
  *
  * <b>Output 0</b> is new geometry, see vtkGeodesicAlgorithm: polylines, in order of increasing
  * values. Each of their pieces lies in one triangle of the surface. Lines are continuous across
@@ -249,7 +248,7 @@ public:
   ///@{
   /**
    * The number that stands for points that are not reached, besides NaN and infinity. Default NaN:
-   * the UnreachedValue of the distance filter, which the field data tells. To be set where
+   * the points that the distance filter left unreached, whatever its UnreachedValue. To be set where
    * distances come from elsewhere.
    */
   void SetUnreachedValue(double value);

@@ -107,7 +107,7 @@ void vtkDGGVoronoiOutputs::AddToSurface(const std::string& sourceName, vtkPolyDa
   const auto distances = vtkDGGAddArray<vtkDoubleArray>(data, this->DistanceName, n);
   // Those of the input belong to the array that has just been replaced.
   vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceName);
-  vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceName);
+  vtkDGGUnreachedArray::RemoveFrom(data, this->DistanceName);
   const auto sites = vtkDGGAddArray<vtkIntArray>(data, sourceName, n);
   std::vector<bool> isReached(n);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
@@ -117,7 +117,7 @@ void vtkDGGVoronoiOutputs::AddToSurface(const std::string& sourceName, vtkPolyDa
     sites->SetValue(i, diagram.NearestSites[vertex]);
     isReached[static_cast<std::size_t>(i)] = this->GetTrueDistance(vertex) < dgg::Infinity;
   }
-  vtkDGGUnreachedArray::AddTo(output->GetFieldData(), distances, this->UnreachedValue, isReached);
+  vtkDGGUnreachedArray::AddTo(data, this->DistanceName, this->UnreachedValue, isReached);
   // Not SetScalars(), which would remove the scalars of the input.
   data->SetActiveScalars(sourceName.c_str());
   if (!this->Result.Energies.empty())
@@ -140,7 +140,6 @@ void vtkDGGVoronoiOutputs::FillBoundaries(vtkPolyData* output) const
   const auto points = this->Geometry.MakePoints(used.size());
   const auto distances =
     vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, used.size());
-  vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceName);
   for (std::size_t k = 0; k < used.size(); ++k)
   {
     const auto i = static_cast<vtkIdType>(k);
@@ -178,7 +177,6 @@ void vtkDGGVoronoiOutputs::FillCells(vtkPolyData* output) const
   const auto points = this->Geometry.MakePoints(n);
   const auto distances =
     vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, n);
-  vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceName);
   std::vector<bool> isReached(n);
   for (std::size_t k = 0; k < n; ++k)
   {
@@ -188,7 +186,8 @@ void vtkDGGVoronoiOutputs::FillCells(vtkPolyData* output) const
     distances->SetValue(i, this->GetDistance(point));
     isReached[k] = this->GetTrueDistance(point) < dgg::Infinity;
   }
-  vtkDGGUnreachedArray::AddTo(output->GetFieldData(), distances, this->UnreachedValue, isReached);
+  vtkDGGUnreachedArray::AddTo(
+    output->GetPointData(), this->DistanceName, this->UnreachedValue, isReached);
   const std::vector<double> areas = this->SumAreas();
   vtkNew<vtkCellArray> polygons;
   vtkCellData* data = output->GetCellData();

@@ -399,7 +399,7 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
   vtkPointData* data = output->GetPointData();
   // What the input has of these belongs to the distances that are about to be replaced.
   vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);
-  vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);
+  vtkDGGUnreachedArray::RemoveFrom(data, this->DistanceArrayName);
   if (data->HasArray(this->DistanceArrayName.c_str()))
   {
     data->RemoveArray(this->SourceArrayName.c_str());
@@ -415,8 +415,7 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
   {
     isPointReached[i] = isReached[this->GetMesh().GetVertex(static_cast<vtkIdType>(i))];
   }
-  vtkDGGUnreachedArray::AddTo(output->GetFieldData(),
-    data->GetArray(this->DistanceArrayName.c_str()), this->UnreachedValue, isPointReached);
+  vtkDGGUnreachedArray::AddTo(data, this->DistanceArrayName, this->UnreachedValue, isPointReached);
   if (!task.Windows.IsEmpty())
   {
     vtkDGGWindowArrays::AddTo(output->GetFieldData(),
@@ -443,11 +442,10 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
     maker.Add<vtkDoubleArray, double>(data, array.Name, components, this->UnreachedValue);
     // They can be read in place of the distances.
     vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), array.Name);
-    vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), array.Name);
+    vtkDGGUnreachedArray::RemoveFrom(data, array.Name);
     if (components.size() == 1)
     {
-      vtkDGGUnreachedArray::AddTo(output->GetFieldData(), data->GetArray(array.Name.c_str()),
-        this->UnreachedValue, isPointReached);
+      vtkDGGUnreachedArray::AddTo(data, array.Name, this->UnreachedValue, isPointReached);
     }
   }
 }

@@ -130,11 +130,9 @@ public:
    * triangles first, with vtkThreshold.
    *
    * vtkApolloniusIsolines and vtkGeodesicProbe know what is not reached, whatever the value: where
-   * it is neither NaN nor plus infinity and stands for a point, it goes into the field data, as the
-   * array `GeodesicDistance.Unreached`; that of upper bounds, as `GeodesicUpperBound.Unreached`.
-   * Points at just that distance are told from those by their ids, unless points have been removed
-   * since: then all points of that value count as not reached. Choose one that is no distance, such
-   * as -1.
+   * it is neither NaN nor plus infinity and stands for a point, the point array
+   * `GeodesicDistance.Unreached` (unsigned char) is 1 at these points and 0 elsewhere; that of
+   * upper bounds is `GeodesicUpperBound.Unreached`.
    */
   virtual void SetUnreachedValue(double value);
   vtkGetMacro(UnreachedValue, double);

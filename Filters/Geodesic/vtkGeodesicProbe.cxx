@@ -212,7 +212,7 @@ dgg::Status vtkGeodesicProbe::Execute(
     output->ShallowCopy(probes.Points);
     // What belongs to an array of this name of the probe points goes with it.
     vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), name);
-    vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), name);
+    vtkDGGUnreachedArray::RemoveFrom(output->GetPointData(), name);
     output->GetPointData()->AddArray(found);
     output->GetPointData()->SetActiveScalars(found->GetName());
   }

@@ -105,7 +105,7 @@ public:
   ///@{
   /**
    * The number that stands for points that are not reached, besides NaN and infinity. Default NaN:
-   * the UnreachedValue of the distance filter, which the field data tells. To be set where
+   * the points that the distance filter left unreached, whatever its UnreachedValue. To be set where
    * distances come from elsewhere.
    */
   void SetUnreachedValue(double value);
