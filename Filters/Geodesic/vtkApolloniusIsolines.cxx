@@ -9,7 +9,6 @@
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 
-#include "dggApolloniusParts.h"
 #include "dggProgressPart.h"
 
 #include "vtkContourValues.h"
