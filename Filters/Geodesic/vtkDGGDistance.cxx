@@ -6,7 +6,7 @@
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMeshAdapter.h"
 
-#include "dggRelays.h"
+#include "dggSourceFinding.h"
 
 #include "vtkObjectFactory.h"
 

@@ -7,7 +7,7 @@
 #include "vtkDGGUnreachedArray.h"
 #include "vtkDGGWindowArrays.h"
 
-#include "dggSourceFit.h"
+#include "dggSourceFinding.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"

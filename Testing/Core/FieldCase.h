@@ -10,7 +10,7 @@
 
 #include "dggDistanceField.h"
 #include "dggExactGeodesics.h"
-#include "dggExactSources.h"
+#include "dggSourceFinding.h"
 
 #include <vector>
 

@@ -7,7 +7,7 @@
 
 #include "dggDistanceField.h"
 #include "dggExactGeodesics.h"
-#include "dggExactSources.h"
+#include "dggSourceFinding.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "dggApolloniusFace.h"
 #include "dggFaceProfile.h"
 #include "dggHermiteEdge.h"
-#include "dggSourceFit.h"
+#include "dggSourceFinding.h"
 
 #include <gtest/gtest.h>
 

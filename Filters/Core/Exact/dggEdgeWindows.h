@@ -54,9 +54,6 @@ struct EdgeWindows
   /// Fails with a message when these cannot be the windows of the mesh: numbers that are not finite
   /// or intervals outside of their edges.
   Status Check(const SurfaceMesh& mesh) const;
-
-  /// Bytes held.
-  std::size_t GetMemorySize() const;
 };
 }
 

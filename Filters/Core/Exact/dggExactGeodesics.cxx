@@ -38,14 +38,6 @@ Status ExactGeodesics::Run(
   return this->GetEngine(options.Engine).Run(sources, options, result);
 }
 
-std::size_t ExactGeodesics::PredictKeptMemory(const SurfaceMesh& mesh)
-{
-  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
-  // Distance, source and predecessor of vertices, and which of them were reached.
-  const std::size_t result = n * (sizeof(double) + 2 * sizeof(Id) + sizeof(Predecessor));
-  return result + TriangleEngine::PredictMemory(mesh);
-}
-
 Status ExactGeodesics::RunKept(
   const std::vector<GeodesicSource>& sources, const ExactOptions& options)
 {

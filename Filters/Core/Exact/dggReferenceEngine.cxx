@@ -109,7 +109,7 @@ bool ReferenceEngine::Propagate()
 /// Process what is new of a window, where what has passed has to be remembered; else all of it.
 void ReferenceEngine::ProcessNews(Id h, const Window& w)
 {
-  if (!WindowMemory::IsNeeded(this->Mesh, h))
+  if (!this->Scatters(h))
   {
     this->ProcessWindow(h, w);
     return;
@@ -154,7 +154,7 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
   const FaceUnfolding face = this->Unfold(h);
   const double crossing = Crossing(w.Image, face.GetApex());
   // Only pieces have seams with vertices on them (ProcessNews); elsewhere flat vertices emit again.
-  const bool mayBePiece = w.HasScattered || WindowMemory::IsNeeded(this->Mesh, h);
+  const bool mayBePiece = w.HasScattered || this->Scatters(h);
   const double tolerance = mayBePiece ? w.Tolerance(LightTolerance, face.GetBase()) : 0.0;
   if (crossing >= w.Begin - tolerance && crossing <= w.End + tolerance)
   {
@@ -168,21 +168,15 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
   {
     this->DecideChildren(h, w, crossing, left, right);
   }
-  Window child = w;
+  Window child;
   if (left)
   {
-    child.Image = face.ImageInLeft(w.Image);
-    const double depth = -child.Image.Y;
-    child.SetInterval(face.OnLeft(w.Image, depth, w.Begin),
-      straddles ? face.GetLeft() : face.OnLeft(w.Image, depth, w.End));
+    MakeLeftChild(face, w, straddles, child);
     this->Cross(SurfaceMesh::Previous(h), child);
   }
   if (right)
   {
-    child.Image = face.ImageInRight(w.Image);
-    const double depth = -child.Image.Y;
-    child.SetInterval(
-      straddles ? 0.0 : face.OnRight(w.Image, depth, w.Begin), face.OnRight(w.Image, depth, w.End));
+    MakeRightChild(face, w, straddles, child);
     this->Cross(SurfaceMesh::Next(h), child);
   }
 }

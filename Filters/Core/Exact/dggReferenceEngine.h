@@ -5,7 +5,6 @@
 #ifndef dggReferenceEngine_h
 #define dggReferenceEngine_h
 
-#include "dggWindowMemory.h"      // for WindowMemory
 #include "dggWindowPropagation.h" // for WindowPropagation
 
 #include <queue>  // for the window queue

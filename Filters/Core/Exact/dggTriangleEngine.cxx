@@ -18,14 +18,6 @@ constexpr std::size_t RadiusInterval = 64;
 constexpr std::ptrdiff_t MostBeyond = 64;
 }
 
-std::size_t TriangleEngine::PredictMemory(const SurfaceMesh& mesh)
-{
-  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
-  const auto faces = static_cast<std::size_t>(mesh.GetNumberOfFaces());
-  return n * (sizeof(std::uint8_t) + sizeof(double)) +
-    faces * (sizeof(std::uint8_t) + 3 * (sizeof(std::uint8_t) + sizeof(Id)));
-}
-
 void TriangleEngine::Reset()
 {
   const auto n = static_cast<std::size_t>(this->Mesh.GetNumberOfVertices());
@@ -280,20 +272,12 @@ void TriangleEngine::MakeChildren(Id h, const FaceUnfolding& face)
     const bool right = crossing < w.End;
     if (left && hasLeft)
     {
-      child = w;
-      child.Image = face.ImageInLeft(w.Image);
-      const double depth = -child.Image.Y;
-      child.SetInterval(face.OnLeft(w.Image, depth, w.Begin),
-        right ? face.GetLeft() : face.OnLeft(w.Image, depth, w.End));
+      MakeLeftChild(face, w, right, child);
       this->AddChild(child, face.GetLeft(), atOrigin, atApex, this->LeftChildren);
     }
     if (right && hasRight)
     {
-      child = w;
-      child.Image = face.ImageInRight(w.Image);
-      const double depth = -child.Image.Y;
-      child.SetInterval(
-        left ? 0.0 : face.OnRight(w.Image, depth, w.Begin), face.OnRight(w.Image, depth, w.End));
+      MakeRightChild(face, w, left, child);
       this->AddChild(child, face.GetRight(), atApex, atEnd, this->RightChildren);
     }
   }
@@ -363,7 +347,7 @@ void TriangleEngine::Deliver(Id exit, WindowList& list)
 /// Merge a list into the one that waits on h. May take its storage.
 void TriangleEngine::Join(Id h, WindowList& list)
 {
-  if (WindowMemory::IsNeeded(this->Mesh, h))
+  if (this->Scatters(h))
   {
     this->Memory.KeepNews(h, this->Mesh.Length(h), list);
     if (list.empty())
@@ -397,15 +381,13 @@ void TriangleEngine::Join(Id h, WindowList& list)
 /// False when it is too much.
 bool TriangleEngine::MeasureMemory()
 {
-  std::size_t bytes = this->Memory.GetMemorySize() + this->Heap.capacity() * sizeof(this->Heap[0]) +
-    this->IsOpen.capacity() + this->IsQueued.capacity() + this->IsVisited.capacity() +
-    this->Emitted.capacity() * sizeof(double) + this->Queue.capacity() * sizeof(Id) +
-    (this->ListOf.capacity() + this->FreeLists.capacity()) * sizeof(Id) +
-    this->Pool.capacity() * sizeof(WindowList);
+  std::size_t windows = 0;
   for (const WindowList& list : this->Pool)
   {
-    bytes += list.capacity() * sizeof(Window);
+    windows += list.capacity();
   }
-  return this->NoteMemory(bytes);
+  const std::size_t arrays = this->Emitted.size() * (sizeof(double) + sizeof(this->Heap[0])) +
+    this->ListOf.size() * (2 * sizeof(Id));
+  return this->NoteMemory(windows * sizeof(Window) + arrays + this->Memory.GetMemorySize());
 }
 }

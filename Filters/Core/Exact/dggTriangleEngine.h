@@ -6,7 +6,6 @@
 #define dggTriangleEngine_h
 
 #include "dggWindowEnvelope.h"    // for WindowList
-#include "dggWindowMemory.h"      // for WindowMemory
 #include "dggWindowPropagation.h" // for WindowPropagation
 
 #include <cstddef> // for std::size_t
@@ -23,9 +22,6 @@ class TriangleEngine : public WindowPropagation
 {
 public:
   using WindowPropagation::WindowPropagation;
-
-  /// Bytes of the arrays that are as long as the mesh has vertices, faces and half-edges.
-  static std::size_t PredictMemory(const SurfaceMesh& mesh);
 
 protected:
   void Receive(Id h, const Window& window) override;

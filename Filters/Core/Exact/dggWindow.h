@@ -41,7 +41,7 @@ struct Window
   Id Root = NoId; ///< the pseudo-source: a vertex, or ~k for source k inside a face or an edge
   /// Has gone through an edge with more than two faces, or a face without area.
   bool HasScattered = false;
-  bool IsKnown = false; ///< has passed here before (dggWindowMemory.h)
+  bool IsKnown = false; ///< has passed here before (WindowMemory)
 
   /// Distance at a point of the axis.
   double DistanceAt(double x) const { return this->Sigma + DistanceToAxis(this->Image, x); }

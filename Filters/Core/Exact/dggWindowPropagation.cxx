@@ -28,8 +28,7 @@ std::size_t LimitWindows(const SurfaceMesh& mesh)
   bool scatters = mesh.GetNumberOfDegenerateFaces() > 0;
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges() && !scatters; ++h)
   {
-    const Id t = mesh.Twin(h);
-    scatters = t != NoId && mesh.Twin(t) != h;
+    scatters = mesh.IsNonManifold(h);
   }
   const double faces = mesh.GetNumberOfFaces();
   const double most = (scatters ? MostScattered : MostOnManifold) * faces * std::sqrt(faces);

@@ -81,13 +81,35 @@ protected:
     }
   }
 
-  /// Whether light that leaves through the half-edge has scattered.
-  bool Scatters(Id exit) const
+  /// Whether light that leaves through the half-edge has scattered, and what enters has to be
+  /// remembered (WindowMemory): its face has no area, or its edge more than two faces.
+  bool Scatters(Id h) const
   {
-    const Id twin = this->Mesh.Twin(exit);
-    return this->Mesh.IsDegenerate(SurfaceMesh::Face(exit)) ||
-      (twin != NoId && this->Mesh.Twin(twin) != exit);
+    return this->Mesh.IsDegenerate(SurfaceMesh::Face(h)) || this->Mesh.IsNonManifold(h);
   }
+
+  /// The part of a window that leaves its face through the left edge, up to the apex if that
+  /// `isCut`; and through the right edge, from the apex on.
+  /// @{
+  static void MakeLeftChild(
+    const FaceUnfolding& face, const Window& window, bool isCut, Window& child)
+  {
+    child = window;
+    child.Image = face.ImageInLeft(window.Image);
+    const double depth = -child.Image.Y;
+    child.SetInterval(face.OnLeft(window.Image, depth, window.Begin),
+      isCut ? face.GetLeft() : face.OnLeft(window.Image, depth, window.End));
+  }
+  static void MakeRightChild(
+    const FaceUnfolding& face, const Window& window, bool isCut, Window& child)
+  {
+    child = window;
+    child.Image = face.ImageInRight(window.Image);
+    const double depth = -child.Image.Y;
+    child.SetInterval(isCut ? 0.0 : face.OnRight(window.Image, depth, window.Begin),
+      face.OnRight(window.Image, depth, window.End));
+  }
+  /// @}
 
   bool RunsAgainst(Id e, Id h) const { return this->Mesh.Origin(e) == this->Mesh.Destination(h); }
   static Window Mirrored(const Window& window, double length);

@@ -240,10 +240,7 @@ void EdgeProfile::SetUpModels()
   const std::array<Id, 2> vertices{ { mesh.Origin(h), mesh.Destination(h) } };
   for (int k = 0; k < 2; ++k)
   {
-    const Id v = vertices[k];
-    this->Models[k] =
-      CornerModel(mesh, v, sources.Offsets[v], sources.Lengths[v], sources.Angles[v]);
-    this->Models[k].Offset = this->Ends[k] - this->Models[k].Length; // what is given counts
+    this->Models[k] = CornerModel(mesh, vertices[k], sources, this->Ends[k]);
   }
   for (int k = 0; k < 2; ++k)
   {

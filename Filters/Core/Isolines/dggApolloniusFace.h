@@ -108,7 +108,7 @@ private:
 /// are in order of faces and levels. The result does not depend on threads.
 ///
 /// Directions come from Sources, which may be there besides windows. Where neither is there, they
-/// are fitted to the distances (dggSourceFit.h). Fails when stopped.
+/// are fitted to the distances (dggSourceFinding.h). Fails when stopped.
 Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
   const std::vector<double>& levels, const ParallelFor& parallel, const ProgressCallback& progress,
   LevelCrossings& crossings, std::vector<FaceCurve>& curves);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggApolloniusFace.h"
 #include "dggProgressPart.h"
-#include "dggSourceFit.h"
+#include "dggSourceFinding.h"
 
 #include <algorithm>
 
