@@ -171,12 +171,9 @@ public:
    * polylines of the second output. They are exact with windows. With virtual sources they come in
    * pieces, some of which are where no ridge is: a few with those of vtkExactGeodesicDistance and
    * vtkDGGDistance, most of them with those of vtkHeatGeodesicDistance and
-   * vtkFastMarchingGeodesicDistance, whose directions are rough. Which filter wrote the virtual
-   * sources cannot be seen, so there is no warning. On the model fandisk there are 47 ridges with
-   * windows, 106 with the virtual sources of vtkDGGDistance, 227 with those of fast marching and
-   * 670 with those of heat. Where virtual sources are fitted to distances alone, ridges are not to
-   * be relied on, as a warning says: parts are missing, others are where no ridge is. Where
-   * distances are linear the second output is empty, with a warning. Default off.
+   * vtkFastMarchingGeodesicDistance, whose directions are rough. With virtual sources that are
+   * fitted to distances alone, ridges are not to be relied on, as a warning says; where distances
+   * are linear there are none, with a warning. Default off.
    */
   vtkSetMacro(GenerateRidges, bool);
   vtkGetMacro(GenerateRidges, bool);
@@ -232,8 +229,7 @@ public:
    * which takes these by default, this filter does not take them in place of an array that is
    * missing. Distances whose array has no name are called "GeodesicDistance" in the outputs.
    */
-  void SetDistanceArrayName(const char* name);
-  const char* GetDistanceArrayName() const;
+  vtkDGGStringMacro(DistanceArrayName);
   ///@}
 
   ///@{
@@ -241,17 +237,16 @@ public:
    * Name of the point array with the virtual sources. Default "GeodesicVirtualSource". It need not
    * be there.
    */
-  void SetVirtualSourceArrayName(const char* name);
-  const char* GetVirtualSourceArrayName() const;
+  vtkDGGStringMacro(VirtualSourceArrayName);
   ///@}
 
   ///@{
   /**
    * The number that stands for points that are not reached, besides NaN and infinity. Default NaN:
-   * the points that the distance filter left unreached, whatever its UnreachedValue. To be set where
-   * distances come from elsewhere.
+   * the points that the distance filter left unreached, whatever its UnreachedValue. To be set
+   * where distances come from elsewhere.
    */
-  void SetUnreachedValue(double value);
+  vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
   ///@}
 
@@ -288,15 +283,12 @@ private:
   vtkApolloniusIsolines(const vtkApolloniusIsolines&) = delete;
   void operator=(const vtkApolloniusIsolines&) = delete;
 
-  struct Request;
   struct Curves;
 
   std::vector<double> CopyValues() const;
-  Request TakeRequest() const;
-  dgg::Status ReadField(
-    vtkPolyData* surface, vtkDataArray* distances, const Request& request, vtkDGGFieldInput& input);
-  void WarnAbout(const vtkDGGFieldInput& input, const Request& request);
-  dgg::Status FindCurves(const dgg::DistanceField& field, const Request& request, Curves& curves);
+  dgg::Status ReadField(vtkPolyData* surface, vtkDataArray* distances, vtkDGGFieldInput& input);
+  void WarnAbout(const vtkDGGFieldInput& input);
+  dgg::Status FindCurves(const dgg::DistanceField& field, Curves& curves);
 
   vtkNew<vtkContourValues> ContourValues;
   int Method;

@@ -85,18 +85,6 @@ const char* vtkDGGDistance::GetSearchAsString() const
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGDistance::SetUpperBoundArrayName(const char* name)
-{
-  this->SetName(this->UpperBoundArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkDGGDistance::GetUpperBoundArrayName() const
-{
-  return this->UpperBoundArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkDGGDistance::CheckProperties() const
 {
   const dgg::Status status = this->GraphUser->Check();

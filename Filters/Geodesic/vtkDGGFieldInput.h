@@ -16,7 +16,7 @@ class vtkDataArray;
 class vtkInformation;
 class vtkPolyData;
 
-/// Reads a point array of distances, and what there is beside it that tells the distance inside of
+/// Reads a point array of distances, and what there is beside it that gives the distance inside of
 /// faces: windows in the field data (vtkDGGWindowArrays), or else virtual sources in the point
 /// data, or else virtual sources that are fitted to the distances. Values that rise too steeply for
 /// distances are taken as linear, with a warning; that they are distances is the user's word.

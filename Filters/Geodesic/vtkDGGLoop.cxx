@@ -87,53 +87,6 @@ const char* vtkDGGLoop::GetModeAsString() const
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGLoop::AddPointId(vtkIdType id)
-{
-  this->PointIds.push_back(id);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGLoop::SetPointIds(vtkIdList* ids)
-{
-  this->SetPointIds(vtkDGGGetIds(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGLoop::SetPointIds(std::initializer_list<vtkIdType> ids)
-{
-  this->SetPointIds(std::vector<vtkIdType>(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGLoop::SetPointIds(const std::vector<vtkIdType>& ids)
-{
-  if (this->PointIds != ids)
-  {
-    this->PointIds = ids;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGLoop::RemoveAllPointIds()
-{
-  this->SetPointIds(std::vector<vtkIdType>());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkDGGLoop::GetNumberOfPointIds() const
-{
-  return static_cast<vtkIdType>(this->PointIds.size());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkDGGLoop::GetPointId(vtkIdType i) const
-{
-  return vtkDGGGetId(this->PointIds, i);
-}
-
-//------------------------------------------------------------------------------
 void vtkDGGLoop::RemoveAllPoints()
 {
   this->RemoveAllPointIds();

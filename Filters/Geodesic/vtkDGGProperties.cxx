@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGProperties.h"
 
-#include "vtkIdList.h"
-
 #include <cmath>
 #include <sstream>
 
@@ -23,12 +21,6 @@ bool vtkDGGChangeName(std::string& property, const char* value)
   const bool changes = property != name;
   property = name;
   return changes;
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkIdType> vtkDGGGetIds(vtkIdList* list)
-{
-  return list ? std::vector<vtkIdType>(list->begin(), list->end()) : std::vector<vtkIdType>();
 }
 
 //------------------------------------------------------------------------------

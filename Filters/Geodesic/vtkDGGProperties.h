@@ -14,16 +14,12 @@
 #include <string>  // for names
 #include <vector>  // for ids
 
-class vtkIdList;
-
 /// Set a property that may be NaN, which differs from itself. Returns whether it has changed.
 bool vtkDGGChangeNumber(double& property, double value);
 
 /// Set a name; null is the empty one. Returns whether it has changed.
 bool vtkDGGChangeName(std::string& property, const char* value);
 
-/// The ids of a list, none for null.
-std::vector<vtkIdType> vtkDGGGetIds(vtkIdList* list);
 /// The i-th id; -1 when there is none.
 vtkIdType vtkDGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i);
 /// A line with the name and the ids.

@@ -114,7 +114,8 @@ void vtkGeodesicDistanceAlgorithm::AddSourceId(vtkIdType id, double initialDista
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceAlgorithm::SetSourceIds(vtkIdList* ids)
 {
-  this->SetSourceIds(vtkDGGGetIds(ids));
+  this->SetSourceIds(
+    ids ? std::vector<vtkIdType>(ids->begin(), ids->end()) : std::vector<vtkIdType>());
 }
 
 //------------------------------------------------------------------------------
@@ -188,72 +189,6 @@ void vtkGeodesicDistanceAlgorithm::SetSourceConnection(vtkAlgorithmOutput* outpu
 void vtkGeodesicDistanceAlgorithm::SetSourceData(vtkPolyData* points)
 {
   this->SetInputData(1, points);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetUnreachedValue(double value)
-{
-  if (vtkDGGChangeNumber(this->UnreachedValue, value))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetName(std::string& name, const char* value)
-{
-  if (vtkDGGChangeName(name, value))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetDistanceArrayName(const char* name)
-{
-  this->SetName(this->DistanceArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicDistanceAlgorithm::GetDistanceArrayName() const
-{
-  return this->DistanceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetSourceArrayName(const char* name)
-{
-  this->SetName(this->SourceArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicDistanceAlgorithm::GetSourceArrayName() const
-{
-  return this->SourceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetVirtualSourceArrayName(const char* name)
-{
-  this->SetName(this->VirtualSourceArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicDistanceAlgorithm::GetVirtualSourceArrayName() const
-{
-  return this->VirtualSourceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetInitialDistanceArrayName(const char* name)
-{
-  this->SetName(this->InitialDistanceArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicDistanceAlgorithm::GetInitialDistanceArrayName() const
-{
-  return this->InitialDistanceArrayName.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -340,25 +275,6 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   if (!status.IsOk())
   {
     return status;
-  }
-  const auto n = static_cast<std::size_t>(adapter.GetMesh().GetNumberOfVertices());
-  bool complete = task.Distances.size() == n;
-  complete &= !task.WantNearestSource || task.NearestSource.size() == n;
-  for (const std::vector<double>* values :
-    { &task.VirtualSource.Offsets, &task.VirtualSource.Lengths, &task.VirtualSource.Angles })
-  {
-    complete &= !task.WantVirtualSource || values->size() == n;
-  }
-  for (const vtkDGGPointArray& array : task.Arrays)
-  {
-    for (const std::vector<double>& component : array.Components)
-    {
-      complete &= component.size() == n;
-    }
-  }
-  if (!complete)
-  {
-    return dgg::Status::Invalid("the results do not match the mesh: report this as a bug");
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(surface);

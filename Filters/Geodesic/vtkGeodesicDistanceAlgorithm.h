@@ -134,7 +134,7 @@ public:
    * `GeodesicDistance.Unreached` (unsigned char) is 1 at these points and 0 elsewhere; that of
    * upper bounds is `GeodesicUpperBound.Unreached`.
    */
-  virtual void SetUnreachedValue(double value);
+  vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
   ///@}
 
@@ -170,24 +170,21 @@ public:
    * in the input is replaced in the output, and what belongs to it goes: its windows, and the
    * nearest and virtual sources unless new ones are made.
    */
-  void SetDistanceArrayName(const char* name);
-  const char* GetDistanceArrayName() const;
+  vtkDGGStringMacro(DistanceArrayName);
   ///@}
 
   ///@{
   /**
    * Name of the point array with the nearest sources. Default "GeodesicSource".
    */
-  void SetSourceArrayName(const char* name);
-  const char* GetSourceArrayName() const;
+  vtkDGGStringMacro(SourceArrayName);
   ///@}
 
   ///@{
   /**
    * Name of the point array with the virtual sources. Default "GeodesicVirtualSource".
    */
-  void SetVirtualSourceArrayName(const char* name);
-  const char* GetVirtualSourceArrayName() const;
+  vtkDGGStringMacro(VirtualSourceArrayName);
   ///@}
 
   ///@{
@@ -195,8 +192,7 @@ public:
    * Name of the point array of input port 1 with the distances that the sources start with. Default
    * "InitialDistance".
    */
-  void SetInitialDistanceArrayName(const char* name);
-  const char* GetInitialDistanceArrayName() const;
+  vtkDGGStringMacro(InitialDistanceArrayName);
   ///@}
 
 protected:
@@ -221,11 +217,6 @@ protected:
    * Point arrays that ComputeDistances() fills besides distances and nearest sources. Default none.
    */
   virtual std::vector<vtkDGGPointArray> DeclareArrays() const;
-
-  /**
-   * Change the name of an array; null is the empty name.
-   */
-  void SetName(std::string& name, const char* value);
 
 private:
   vtkGeodesicDistanceAlgorithm(const vtkGeodesicDistanceAlgorithm&) = delete;

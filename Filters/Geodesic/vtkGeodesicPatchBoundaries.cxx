@@ -148,120 +148,18 @@ vtkGeodesicPatchBoundaries::~vtkGeodesicPatchBoundaries() = default;
 void vtkGeodesicPatchBoundaries::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  vtkDGGPrintIds(os, indent, "FirstLandmarkIds", this->LandmarkIds[0]);
-  vtkDGGPrintIds(os, indent, "SecondLandmarkIds", this->LandmarkIds[1]);
+  vtkDGGPrintIds(os, indent, "FirstLandmarkIds", this->FirstLandmarkIds);
+  vtkDGGPrintIds(os, indent, "SecondLandmarkIds", this->SecondLandmarkIds);
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::AddLandmarkId(int surface, vtkIdType id)
-{
-  this->LandmarkIds[surface].push_back(id);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetLandmarkIds(int surface, const std::vector<vtkIdType>& ids)
-{
-  if (this->LandmarkIds[surface] != ids)
-  {
-    this->LandmarkIds[surface] = ids;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::AddFirstLandmarkId(vtkIdType id)
-{
-  this->AddLandmarkId(0, id);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetFirstLandmarkIds(vtkIdList* ids)
-{
-  this->SetLandmarkIds(0, vtkDGGGetIds(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetFirstLandmarkIds(std::initializer_list<vtkIdType> ids)
-{
-  this->SetLandmarkIds(0, ids);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetFirstLandmarkIds(const std::vector<vtkIdType>& ids)
-{
-  this->SetLandmarkIds(0, ids);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::RemoveAllFirstLandmarkIds()
-{
-  this->SetLandmarkIds(0, {});
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicPatchBoundaries::GetNumberOfFirstLandmarkIds() const
-{
-  return static_cast<vtkIdType>(this->LandmarkIds[0].size());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicPatchBoundaries::GetFirstLandmarkId(vtkIdType i) const
-{
-  return vtkDGGGetId(this->LandmarkIds[0], i);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::AddSecondLandmarkId(vtkIdType id)
-{
-  this->AddLandmarkId(1, id);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondLandmarkIds(vtkIdList* ids)
-{
-  this->SetLandmarkIds(1, vtkDGGGetIds(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondLandmarkIds(std::initializer_list<vtkIdType> ids)
-{
-  this->SetLandmarkIds(1, ids);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::SetSecondLandmarkIds(const std::vector<vtkIdType>& ids)
-{
-  this->SetLandmarkIds(1, ids);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicPatchBoundaries::RemoveAllSecondLandmarkIds()
-{
-  this->SetLandmarkIds(1, {});
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicPatchBoundaries::GetNumberOfSecondLandmarkIds() const
-{
-  return static_cast<vtkIdType>(this->LandmarkIds[1].size());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicPatchBoundaries::GetSecondLandmarkId(vtkIdType i) const
-{
-  return vtkDGGGetId(this->LandmarkIds[1], i);
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicPatchBoundaries::RemoveAllLandmarks()
 {
-  for (int side = 0; side < 2; ++side)
-  {
-    this->SetLandmarkIds(side, {});
-    this->SetInputConnection(2 + side, nullptr);
-  }
+  this->RemoveAllFirstLandmarkIds();
+  this->RemoveAllSecondLandmarkIds();
+  this->SetInputConnection(2, nullptr);
+  this->SetInputConnection(3, nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -322,8 +220,9 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckProperties() const
 vtkDGGSourceSet vtkGeodesicPatchBoundaries::GetLandmarks(
   int surface, vtkInformationVector** inputVector) const
 {
-  vtkDGGSourceSet set{ this->LandmarkIds[surface], vtkPolyData::GetData(inputVector[2 + surface]),
-    2 + surface, surface == 0 ? "first landmark" : "second landmark",
+  vtkDGGSourceSet set{ surface == 0 ? this->FirstLandmarkIds : this->SecondLandmarkIds,
+    vtkPolyData::GetData(inputVector[2 + surface]), 2 + surface,
+    surface == 0 ? "first landmark" : "second landmark",
     surface == 0 ? "call AddFirstLandmarkId() or SetFirstLandmarkIds()"
                  : "call AddSecondLandmarkId() or SetSecondLandmarkIds()",
     "" };

@@ -105,45 +105,6 @@ void vtkGeodesicProbe::SetProbeData(vtkPolyData* points)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicProbe::SetDistanceArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->DistanceArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicProbe::GetDistanceArrayName() const
-{
-  return this->DistanceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicProbe::SetVirtualSourceArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->VirtualSourceArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicProbe::GetVirtualSourceArrayName() const
-{
-  return this->VirtualSourceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicProbe::SetUnreachedValue(double value)
-{
-  if (vtkDGGChangeNumber(this->UnreachedValue, value))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkGeodesicProbe::CheckProperties() const
 {
   return vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);

@@ -69,53 +69,6 @@ void vtkGeodesicVoronoi::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::AddSiteId(vtkIdType id)
-{
-  this->SiteIds.push_back(id);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetSiteIds(vtkIdList* ids)
-{
-  this->SetSiteIds(vtkDGGGetIds(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetSiteIds(std::initializer_list<vtkIdType> ids)
-{
-  this->SetSiteIds(std::vector<vtkIdType>(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetSiteIds(const std::vector<vtkIdType>& ids)
-{
-  if (this->SiteIds != ids)
-  {
-    this->SiteIds = ids;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::RemoveAllSiteIds()
-{
-  this->SetSiteIds(std::vector<vtkIdType>());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicVoronoi::GetNumberOfSiteIds() const
-{
-  return static_cast<vtkIdType>(this->SiteIds.size());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicVoronoi::GetSiteId(vtkIdType i) const
-{
-  return vtkDGGGetId(this->SiteIds, i);
-}
-
-//------------------------------------------------------------------------------
 void vtkGeodesicVoronoi::RemoveAllSites()
 {
   this->RemoveAllSiteIds();

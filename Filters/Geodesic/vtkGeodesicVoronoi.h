@@ -90,10 +90,9 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <initializer_list> // For site ids
-#include <memory>           // For the internals
-#include <string>           // For array names
-#include <vector>           // For site ids
+#include <memory> // For the internals
+#include <string> // For array names
+#include <vector> // For site ids
 
 class vtkDGGGraphUser;
 class vtkDGGNewGeometry;
@@ -111,22 +110,11 @@ public:
   ///@{
   /**
    * Sites by point id of the input. Ids are copied; none by default. An id outside
-   * [0, number of points - 1] is an error of the update. A null list removes all ids.
+   * [0, number of points - 1] is an error of the update. A null list removes all ids. The
+   * i-th id is -1 when there is none.
    */
-  void AddSiteId(vtkIdType id);
-  void SetSiteIds(vtkIdList* ids);
-  void SetSiteIds(const std::vector<vtkIdType>& ids);
-#ifndef __VTK_WRAP__
-  void SetSiteIds(std::initializer_list<vtkIdType> ids); // or {0} would be a null list
-#endif
-  void RemoveAllSiteIds();
-  vtkIdType GetNumberOfSiteIds() const;
+  vtkDGGIdsMacro(Site);
   ///@}
-
-  /**
-   * The i-th site id; -1 when there is none.
-   */
-  vtkIdType GetSiteId(vtkIdType i) const VTK_EXPECTS(0 <= i && i < GetNumberOfSiteIds());
 
   /**
    * Remove the site ids and disconnect input port 1.
@@ -223,18 +211,9 @@ public:
   vtkPolyData* GetBoundaries();
   vtkPolyData* GetCells();
   vtkPolyData* GetSites();
-  vtkAlgorithmOutput* GetBoundariesPort()
-  {
-    return this->GetOutputPort(1);
-  }
-  vtkAlgorithmOutput* GetCellsPort()
-  {
-    return this->GetOutputPort(2);
-  }
-  vtkAlgorithmOutput* GetSitesPort()
-  {
-    return this->GetOutputPort(3);
-  }
+  vtkAlgorithmOutput* GetBoundariesPort() { return this->GetOutputPort(1); }
+  vtkAlgorithmOutput* GetCellsPort() { return this->GetOutputPort(2); }
+  vtkAlgorithmOutput* GetSitesPort() { return this->GetOutputPort(3); }
   ///@}
 
   ///@{

@@ -4,9 +4,10 @@
 // The published isolines: the pieces in faces.
 #include "CurvedMeshes.h"
 #include "DefectMeshes.h"
-#include "FieldCase.h"
+#include "FieldChecks.h"
 #include "FlatMeshes.h"
 #include "GraphChecks.h"
+#include "IsolineChecks.h"
 
 #include "dggApolloniusFace.h"
 #include "dggFaceProfile.h"
@@ -258,7 +259,7 @@ TEST(ApolloniusParts, AreSoundOnAnySurface)
     const FieldCase c(named.Mesh,
       { VertexSource(0),
         { RandomSurfacePoints(mesh, 3, 11).front(), 0.1 * mesh.GetMeanEdgeLength() } });
-    std::vector<double> levels = c.Levels(5);
+    std::vector<double> levels = EvenLevels(c.Exact, 5);
     levels.push_back(0.01 * mesh.GetMeanEdgeLength());
     levels.push_back(c.Result.Distances[mesh.GetNumberOfVertices() / 2]); // through a vertex
     if (!(levels.back() < Infinity))
@@ -325,7 +326,7 @@ TEST(ApolloniusParts, LoopsWithinAFaceAreFound)
 TEST(ApolloniusParts, LowerSideIsOnTheLeft)
 {
   const FieldCase c(Icosphere(3), { VertexSource(3) });
-  const std::vector<double> levels = c.Levels(7);
+  const std::vector<double> levels = EvenLevels(c.Exact, 7);
   const Parts parts(c.ExactWithSources, 2, levels);
   FaceProfile profile(c.Exact);
   int right = 0;
@@ -352,7 +353,7 @@ TEST(ApolloniusParts, ConvergeInThePlane)
   const FieldCase two(Plane(10, 10, 0.2), { VertexSource(27), VertexSource(93, 0.2) });
   for (const FieldCase* c : { &one, &two })
   {
-    const std::vector<double> levels = c->Levels(15);
+    const std::vector<double> levels = EvenLevels(c->Exact, 15);
     double last = LinearError(*c, levels);
     for (const int k : { 0, 1, 2, 5, 11 })
     {
@@ -369,11 +370,11 @@ TEST(ApolloniusParts, BeatLinearInterpolation)
   for (const TestMesh& test : { Icosphere(3), Ellipsoid(3, 0.4), Torus(24, 14) })
   {
     const FieldCase c(test, { VertexSource(3) });
-    const std::vector<double> levels = c.Levels(15);
+    const std::vector<double> levels = EvenLevels(c.Exact, 15);
     const double linear = LinearError(c, levels);
     EXPECT_LT(3.0 * ErrorOf(c, c.Local, 2, levels), linear);
     EXPECT_LT(3.0 * ErrorOf(c, c.ExactWithSources, 2, levels), linear);
-    EXPECT_LT(2.0 * ErrorOf(c, c.Plain, 2, levels), linear); // sources fitted
+    EXPECT_LT(2.0 * ErrorOf(c, c.Linear, 2, levels), linear); // sources fitted
   }
 }
 
@@ -381,9 +382,9 @@ TEST(ApolloniusParts, UnitsDoNotMatter)
 {
   const TestMesh test = Torus(16, 10);
   const FieldCase c(test, { VertexSource(3) });
-  const std::vector<double> levels = c.Levels(9);
+  const std::vector<double> levels = EvenLevels(c.Exact, 9);
   const Parts expected(c.Local, 2, levels);
-  const Parts expectedFitted(c.Plain, 2, levels);
+  const Parts expectedFitted(c.Linear, 2, levels);
   for (const double factor : { 0x1p20, 0x1p-20 }) // powers of two: bit for bit
   {
     const FieldCase scaled(Scaled(test, factor), { VertexSource(3) });
@@ -394,7 +395,7 @@ TEST(ApolloniusParts, UnitsDoNotMatter)
     }
     for (const bool isFitted : { false, true })
     {
-      Parts parts(isFitted ? scaled.Plain : scaled.Local, 2, scaledLevels);
+      Parts parts(isFitted ? scaled.Linear : scaled.Local, 2, scaledLevels);
       for (LevelCrossing& crossing : parts.Crossings)
       {
         crossing.X /= factor;
@@ -407,7 +408,7 @@ TEST(ApolloniusParts, UnitsDoNotMatter)
 TEST(ApolloniusParts, ThreadsDoNotMatter)
 {
   const FieldCase c(Icosphere(4), { VertexSource(3) });
-  const std::vector<double> levels = c.Levels(9);
+  const std::vector<double> levels = EvenLevels(c.Exact, 9);
   const Parts one(c.Local, 2, levels);
   EXPECT_GT(one.Curves.size(), 1000u);
   EXPECT_TRUE(IsSame(one, Parts(c.Local, 2, levels, WithThreads(3))));
@@ -439,6 +440,6 @@ TEST(ApolloniusParts, Stopping)
   for (const double when : { 0.0, 0.15 })
   {
     EXPECT_TRUE(run(c.Local, { 1.0 }, [=](double done) { return done < when; }).IsAborted());
-    EXPECT_TRUE(run(c.Plain, { 1.0 }, [=](double done) { return done < when; }).IsAborted());
+    EXPECT_TRUE(run(c.Linear, { 1.0 }, [=](double done) { return done < when; }).IsAborted());
   }
 }

@@ -35,12 +35,12 @@ WindowPropagation& ExactGeodesics::GetEngine(ExactEngine kind)
 Status ExactGeodesics::Run(
   const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result)
 {
-  return this->GetEngine(options.Engine).Run(sources, options, result);
+  return this->GetEngine(options.Engine).Run(sources, options, result, false);
 }
 
 Status ExactGeodesics::RunKept(
   const std::vector<GeodesicSource>& sources, const ExactOptions& options)
 {
-  return this->GetEngine(options.Engine).RunAgain(sources, options, this->Kept);
+  return this->GetEngine(options.Engine).Run(sources, options, this->Kept, true);
 }
 }

@@ -91,9 +91,9 @@ bool ReferenceEngine::Propagate()
     {
       const QueuedWindow queued = this->Windows.top();
       this->Windows.pop();
-      if (!this->IsStale(queued.Light) && !this->IsUseless(queued.HalfEdge, queued.Light))
+      if (!this->IsStale(queued.Passing) && !this->IsUseless(queued.HalfEdge, queued.Passing))
       {
-        this->ProcessNews(queued.HalfEdge, queued.Light);
+        this->ProcessNews(queued.HalfEdge, queued.Passing);
       }
     }
     if (!this->NoteMemory(this->Windows.size() * sizeof(QueuedWindow) +
@@ -155,7 +155,7 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
   const double crossing = Crossing(w.Image, face.GetApex());
   // Only pieces have seams with vertices on them (ProcessNews); elsewhere flat vertices emit again.
   const bool mayBePiece = w.HasScattered || this->Scatters(h);
-  const double tolerance = mayBePiece ? w.Tolerance(LightTolerance, face.GetBase()) : 0.0;
+  const double tolerance = mayBePiece ? w.Tolerance(SeenTolerance, face.GetBase()) : 0.0;
   if (crossing >= w.Begin - tolerance && crossing <= w.End + tolerance)
   {
     this->Lower(this->Mesh.Apex(h), w.DistanceThrough(crossing, face.GetApex()),
@@ -181,7 +181,7 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
   }
 }
 
-/// The Chen-Han rule: of all windows that light an apex through a half-edge only the one that is
+/// The Chen-Han rule: of all windows that reach an apex through a half-edge only the one that is
 /// shortest there needs both children; a loser keeps the one on its own side of the winner's ray:
 /// the winner's path, followed back, has to cross the loser's rays to the other side. Not applied
 /// - when the rays coincide: the winner may be a pseudo-source on the loser's very ray;

@@ -32,7 +32,7 @@ private:
   {
     double Key;
     Id HalfEdge;
-    Window Light;
+    Window Passing;
     bool operator<(const QueuedWindow& other) const { return this->Key > other.Key; }
   };
   struct QueuedVertex

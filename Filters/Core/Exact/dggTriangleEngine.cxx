@@ -72,7 +72,7 @@ void TriangleEngine::Release()
   std::vector<Id>().swap(this->Queue);
   std::vector<std::pair<double, Id>>().swap(this->Heap);
   std::vector<double>().swap(this->Emitted);
-  for (WindowList* list : { &this->Light, &this->LeftChildren.Envelope,
+  for (WindowList* list : { &this->Passing, &this->LeftChildren.Envelope,
          &this->LeftChildren.Misplaced, &this->RightChildren.Envelope,
          &this->RightChildren.Misplaced, &this->Merged, &this->Scratch })
   {
@@ -117,7 +117,7 @@ bool TriangleEngine::Propagate()
 }
 
 /// Nothing left within the radius. A window may be nearer than both ends of its edge, so the labels
-/// alone do not tell.
+/// alone do not decide.
 bool TriangleEngine::IsFinished() const
 {
   return this->Heap.empty() ||
@@ -210,29 +210,29 @@ std::size_t TriangleEngine::PropagateList(Id h)
   const Id slot = this->ListOf[h];
   this->ListOf[h] = NoId;
   this->FreeLists.push_back(slot);
-  this->Light.swap(this->Pool[slot]);
+  this->Passing.swap(this->Pool[slot]);
   this->Pool[slot].clear();
 
   const FaceUnfolding face = this->Unfold(h);
   const auto stale = std::remove_if(
-    this->Light.begin(), this->Light.end(), [&](const Window& w) { return this->IsStale(w); });
-  this->Light.erase(stale, this->Light.end());
-  const std::size_t windows = this->Light.size();
+    this->Passing.begin(), this->Passing.end(), [&](const Window& w) { return this->IsStale(w); });
+  this->Passing.erase(stale, this->Passing.end());
+  const std::size_t windows = this->Passing.size();
   this->Result->NumberOfWindows += windows;
   if (this->HasTargets(SurfaceMesh::Face(h)))
   {
-    for (const Window& w : this->Light)
+    for (const Window& w : this->Passing)
     {
       this->OfferTargets(h, w);
     }
   }
   if (this->Store.IsOn())
   {
-    this->Store.Add(h, this->Light);
+    this->Store.Add(h, this->Passing);
   }
-  this->LightApex(h, face);
+  this->ReachApex(h, face);
   this->MakeChildren(h, face);
-  this->Light.swap(this->Pool[slot]); // give the storage back
+  this->Passing.swap(this->Pool[slot]); // give the storage back
   this->Pool[slot].clear();
   this->Deliver(SurfaceMesh::Previous(h), this->LeftChildren.Envelope);
   this->Deliver(SurfaceMesh::Next(h), this->RightChildren.Envelope);
@@ -240,13 +240,13 @@ std::size_t TriangleEngine::PropagateList(Id h)
 }
 
 /// The label of the apex first: it trims the children.
-void TriangleEngine::LightApex(Id h, const FaceUnfolding& face)
+void TriangleEngine::ReachApex(Id h, const FaceUnfolding& face)
 {
   const Id apex = this->Mesh.Apex(h);
-  for (const Window& w : this->Light)
+  for (const Window& w : this->Passing)
   {
     const double crossing = Crossing(w.Image, face.GetApex());
-    const double tolerance = w.Tolerance(LightTolerance, face.GetBase());
+    const double tolerance = w.Tolerance(SeenTolerance, face.GetBase());
     if (crossing >= w.Begin - tolerance && crossing <= w.End + tolerance)
     {
       this->Lower(apex, w.DistanceThrough(crossing, face.GetApex()),
@@ -265,7 +265,7 @@ void TriangleEngine::MakeChildren(Id h, const FaceUnfolding& face)
   const double atEnd = this->Label(this->Mesh.Destination(h));
   const double atApex = this->Label(this->Mesh.Apex(h));
   Window child;
-  for (const Window& w : this->Light)
+  for (const Window& w : this->Passing)
   {
     const double crossing = Crossing(w.Image, face.GetApex());
     const bool left = crossing > w.Begin;

@@ -48,7 +48,7 @@ private:
   void OpenFacesAround(Id v);
   void Enqueue(Id h);
   std::size_t PropagateList(Id h);
-  void LightApex(Id h, const FaceUnfolding& face);
+  void ReachApex(Id h, const FaceUnfolding& face);
   void MakeChildren(Id h, const FaceUnfolding& face);
   void AddChild(Window& child, double length, double atOrigin, double atEnd, ChildList& list);
   void AddMisplaced(double length, ChildList& list);
@@ -71,7 +71,7 @@ private:
 
   WindowMemory Memory;
 
-  WindowList Light; // the list on its way through a face
+  WindowList Passing; // the list on its way through a face
   ChildList LeftChildren;
   ChildList RightChildren;
   WindowList Merged;

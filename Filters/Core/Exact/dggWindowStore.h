@@ -15,7 +15,7 @@
 namespace dgg
 {
 /// Collects, half-edge by half-edge, the windows that enter faces, and when all is done leaves
-/// those that may carry shortest paths. What light from the other side of an edge makes useless is
+/// those that may carry shortest paths. What windows from the other side of an edge make useless is
 /// not looked for: that is one window in two hundred.
 class WindowStore
 {
@@ -56,9 +56,9 @@ private:
   WindowList Merged;
 };
 
-/// Labels stop light that has become longer on its way, and that is enough on a manifold. Around
-/// faces without area light comes back no longer than it was, and a non-manifold edge sends on a
-/// copy of it into every further face: there it could run for ever, unless what has passed is
+/// Labels stop windows that have become longer on their way, and that is enough on a manifold.
+/// Around faces without area they come back no longer than they were, and a non-manifold edge sends
+/// on a copy of it into every further face: there it could run for ever, unless what has passed is
 /// remembered.
 class WindowMemory
 {
