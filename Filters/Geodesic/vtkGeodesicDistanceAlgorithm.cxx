@@ -276,6 +276,21 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   {
     return status;
   }
+  const auto n = static_cast<std::size_t>(adapter.GetMesh().GetNumberOfVertices());
+  bool complete = task.Distances.size() == n;
+  complete &= !task.WantNearestSource || task.NearestSource.size() == n;
+  complete &= !task.WantVirtualSource || task.VirtualSource.Offsets.size() == n;
+  for (const vtkDGGPointArray& array : task.Arrays)
+  {
+    for (const std::vector<double>& component : array.Components)
+    {
+      complete &= component.size() == n;
+    }
+  }
+  if (!complete)
+  {
+    return dgg::Status::Invalid("the results do not match the mesh: report this as a bug");
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(surface);
   this->AddResults(task, output);
