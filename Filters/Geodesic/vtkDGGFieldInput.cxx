@@ -25,6 +25,10 @@ namespace
 {
 /// The name of results where distances have none: the default one of distance filters.
 constexpr const char* DefaultName = "GeodesicDistance";
+/// Virtual sources are those of the distances when these are the distances at the sources plus the
+/// straight ones from there, up to this part of the mean edge length, on average: estimates of
+/// graphs may differ by as much as these promise.
+constexpr double LargestDifference = 0.1;
 /// A distance changes along an edge by at most its length, approximate ones but for a few edges.
 constexpr double SteepestSlope = 1.1;
 constexpr double LargestShareOfSteepEdges = 0.1;
@@ -289,7 +293,6 @@ void vtkDGGFieldInput::Warn(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-/// Whether the distances are those at the virtual sources plus the straight ones from there.
 bool vtkDGGFieldInput::HasSourcesOfDistances(const dgg::SurfaceMesh& mesh) const
 {
   double difference = 0.0;
@@ -308,6 +311,6 @@ bool vtkDGGFieldInput::HasSourcesOfDistances(const dgg::SurfaceMesh& mesh) const
     difference += std::abs(this->Sources.Offsets[v] + length - this->Distances[v]);
     reached += 1.0;
   }
-  // On average up to an edge, as distances may be rounded. False for numbers that are not finite.
-  return difference <= reached * mesh.GetMeanEdgeLength();
+  // False for numbers that are not finite.
+  return difference <= LargestDifference * reached * mesh.GetMeanEdgeLength();
 }
