@@ -2,17 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGProperties.h"
 
-#include <cmath>
 #include <sstream>
-
-//------------------------------------------------------------------------------
-bool vtkDGGChangeNumber(double& property, double value)
-{
-  const bool bothNaN = std::isnan(value) && std::isnan(property);
-  const bool changes = property != value && !bothNaN;
-  property = changes ? value : property;
-  return changes;
-}
 
 //------------------------------------------------------------------------------
 bool vtkDGGChangeName(std::string& property, const char* value)

@@ -14,9 +14,6 @@
 #include <string>  // for names
 #include <vector>  // for ids
 
-/// Set a property that may be NaN, which differs from itself. Returns whether it has changed.
-bool vtkDGGChangeNumber(double& property, double value);
-
 /// Set a name; null is the empty one. Returns whether it has changed.
 bool vtkDGGChangeName(std::string& property, const char* value);
 

@@ -158,15 +158,6 @@ void vtkGeodesicDistanceMatrix::SetColumnData(vtkPolyData* points)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetUnreachedValue(double value)
-{
-  if (vtkDGGChangeNumber(this->UnreachedValue, value))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkTable* vtkGeodesicDistanceMatrix::GetOutput()
 {
   return this->GetOutput(0);

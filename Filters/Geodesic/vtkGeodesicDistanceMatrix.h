@@ -140,7 +140,7 @@ public:
   /**
    * Distance of pairs that are not connected. Default NaN.
    */
-  virtual void SetUnreachedValue(double value);
+  vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
   ///@}
 

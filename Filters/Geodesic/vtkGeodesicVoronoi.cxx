@@ -88,48 +88,6 @@ void vtkGeodesicVoronoi::SetSiteData(vtkPolyData* points)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetUnreachedValue(double value)
-{
-  if (vtkDGGChangeNumber(this->UnreachedValue, value))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetName(std::string& name, const char* value)
-{
-  if (vtkDGGChangeName(name, value))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetDistanceArrayName(const char* name)
-{
-  this->SetName(this->DistanceArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicVoronoi::GetDistanceArrayName() const
-{
-  return this->DistanceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetSourceArrayName(const char* name)
-{
-  this->SetName(this->SourceArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicVoronoi::GetSourceArrayName() const
-{
-  return this->SourceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
 vtkPolyData* vtkGeodesicVoronoi::GetBoundaries()
 {
   return this->GetOutput(1);

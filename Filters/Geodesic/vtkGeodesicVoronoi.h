@@ -181,10 +181,10 @@ public:
 
   ///@{
   /**
-   * Distance given to points that no site reaches. Default NaN. Another number goes into the field
-   * data, as that of distance filters does (vtkGeodesicDistanceAlgorithm::SetUnreachedValue()).
+   * Distance given to points that no site reaches. Default NaN. With another number a point array
+   * marks them, as with distance filters (vtkGeodesicDistanceAlgorithm::SetUnreachedValue()).
    */
-  virtual void SetUnreachedValue(double value);
+  vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
   ///@}
 
@@ -192,16 +192,14 @@ public:
   /**
    * Name of the point array with the distances. Default "GeodesicDistance".
    */
-  void SetDistanceArrayName(const char* name);
-  const char* GetDistanceArrayName() const;
+  vtkDGGStringMacro(DistanceArrayName);
   ///@}
 
   ///@{
   /**
    * Name of the point array with the nearest sites. Default "GeodesicSource".
    */
-  void SetSourceArrayName(const char* name);
-  const char* GetSourceArrayName() const;
+  vtkDGGStringMacro(SourceArrayName);
   ///@}
 
   ///@{
@@ -300,7 +298,6 @@ private:
   dgg::Status Compute(vtkDGGVoronoiResult& result);
   void FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyData* surface,
     const vtkDGGNewGeometry& geometry, vtkInformationVector* outputVector) const;
-  void SetName(std::string& name, const char* value);
 
   std::vector<vtkIdType> SiteIds;
   bool Centroidal;
