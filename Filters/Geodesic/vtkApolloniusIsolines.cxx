@@ -7,9 +7,7 @@
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGParallel.h"
-#include "vtkDGGProperties.h"
 
-#include "dggApolloniusParts.h"
 #include "dggProgressPart.h"
 
 #include "vtkContourValues.h"
@@ -24,17 +22,6 @@
 #include <sstream>
 
 vtkStandardNewMacro(vtkApolloniusIsolines);
-
-/// What an update is to do.
-struct vtkApolloniusIsolines::Request
-{
-  std::vector<double> Values;
-  dgg::IsolineOptions LineOptions;
-  dgg::RidgeOptions RidgeOptions;
-  bool IsLinear;
-  bool WantsRidges;
-  bool WantsBands;
-};
 
 /// What an update finds.
 struct vtkApolloniusIsolines::Curves
@@ -173,45 +160,6 @@ const char* vtkApolloniusIsolines::GetMethodAsString() const
 }
 
 //------------------------------------------------------------------------------
-void vtkApolloniusIsolines::SetDistanceArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->DistanceArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkApolloniusIsolines::GetDistanceArrayName() const
-{
-  return this->DistanceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkApolloniusIsolines::SetVirtualSourceArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->VirtualSourceArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkApolloniusIsolines::GetVirtualSourceArrayName() const
-{
-  return this->VirtualSourceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkApolloniusIsolines::SetUnreachedValue(double value)
-{
-  if (vtkDGGChangeNumber(this->UnreachedValue, value))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 std::vector<double> vtkApolloniusIsolines::CopyValues() const
 {
   const int count = this->ContourValues->GetNumberOfContours();
@@ -281,28 +229,9 @@ std::string vtkApolloniusIsolines::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-vtkApolloniusIsolines::Request vtkApolloniusIsolines::TakeRequest() const
-{
-  Request request;
-  request.Values = this->CopyValues();
-  request.LineOptions.ChordTolerance =
-    this->ChordTolerance * this->GetMesh().GetMesh().GetMeanEdgeLength();
-  request.LineOptions.SteinerPoints = this->SteinerPoints;
-  request.LineOptions.Method =
-    this->Method == Apollonius ? dgg::IsolineMethod::Apollonius : dgg::IsolineMethod::LocalSources;
-  request.RidgeOptions.MinimumAngle = this->MinimumRidgeAngle * RadiansPerDegree;
-  request.RidgeOptions.ChordTolerance = request.LineOptions.ChordTolerance;
-  request.IsLinear = this->Method == Linear;
-  request.WantsRidges = this->GenerateRidges;
-  request.WantsBands = this->GenerateBands;
-  return request;
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  const Request request = this->TakeRequest();
   vtkDataArray* distances = nullptr;
   vtkDGGNewGeometry geometry;
   vtkDGGFieldInput input;
@@ -316,12 +245,12 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
   }
   if (status.IsOk())
   {
-    status = this->ReadField(surface, distances, request, input);
+    status = this->ReadField(surface, distances, input);
   }
   if (status.IsOk())
   {
-    this->WarnAbout(input, request);
-    status = this->FindCurves(input.GetField(), request, curves);
+    this->WarnAbout(input);
+    status = this->FindCurves(input.GetField(), curves);
   }
   if (status.IsOk())
   {
@@ -329,7 +258,7 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
     this->UsedVirtualSources = input.GetField().HasSources();
     this->NumberOfFallbacks = curves.Lines.Fallbacks + curves.Ridges.Fallbacks;
     const vtkDGGIsolineOutputs outputs(geometry, name);
-    outputs.WriteLines(curves.Lines, request.Values, vtkPolyData::GetData(outputVector, 0));
+    outputs.WriteLines(curves.Lines, this->CopyValues(), vtkPolyData::GetData(outputVector, 0));
     outputs.WriteRidges(curves.Ridges, vtkPolyData::GetData(outputVector, 1));
     outputs.WriteBands(curves.Bands, vtkPolyData::GetData(outputVector, 2));
   }
@@ -339,28 +268,29 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
 //------------------------------------------------------------------------------
 /// The distances, and, unless they are to be linear, what is known of them inside of triangles.
 dgg::Status vtkApolloniusIsolines::ReadField(
-  vtkPolyData* surface, vtkDataArray* distances, const Request& request, vtkDGGFieldInput& input)
+  vtkPolyData* surface, vtkDataArray* distances, vtkDGGFieldInput& input)
 {
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
   input.SetUnreachedValue(this->UnreachedValue);
-  return request.IsLinear ? input.ReadDistances(surface, distances, mesh)
-                          : input.Read(surface, distances, this->VirtualSourceArrayName, mesh,
-                              [this](double done) { return this->Advance(ReadingShare * done); });
+  return this->Method == Linear
+    ? input.ReadDistances(surface, distances, mesh)
+    : input.Read(surface, distances, this->VirtualSourceArrayName, mesh,
+        [this](double done) { return this->Advance(ReadingShare * done); });
 }
 
 //------------------------------------------------------------------------------
-void vtkApolloniusIsolines::WarnAbout(const vtkDGGFieldInput& input, const Request& request)
+void vtkApolloniusIsolines::WarnAbout(const vtkDGGFieldInput& input)
 {
   if (!input.GetWarning().empty())
   {
     vtkWarningMacro(<< input.GetWarning() << ".");
   }
-  if (request.WantsRidges && !input.GetField().HasWindows() && !input.GetField().HasSources())
+  if (this->GenerateRidges && !input.GetField().HasWindows() && !input.GetField().HasSources())
   {
     vtkWarningMacro(<< "there are no ridges in distances that are linear in each triangle: choose "
                        "another Method, and distances with windows or virtual sources.");
   }
-  else if (request.WantsRidges && input.HasFittedSources())
+  else if (this->GenerateRidges && input.HasFittedSources())
   {
     vtkWarningMacro(<< "ridges of virtual sources that are fitted to distances alone are not to be "
                        "relied on: call GenerateWindowsOn() of vtkExactGeodesicDistance, or "
@@ -370,29 +300,35 @@ void vtkApolloniusIsolines::WarnAbout(const vtkDGGFieldInput& input, const Reque
 
 //------------------------------------------------------------------------------
 /// Lines, and ridges and bands as far as they are wanted.
-dgg::Status vtkApolloniusIsolines::FindCurves(
-  const dgg::DistanceField& field, const Request& request, Curves& curves)
+dgg::Status vtkApolloniusIsolines::FindCurves(const dgg::DistanceField& field, Curves& curves)
 {
   const bool isKnown = field.HasWindows() || field.HasSources(); // else linear, as a warning says
-  dgg::IsolineOptions options = request.LineOptions;
-  options.Method = isKnown ? options.Method : dgg::IsolineMethod::LocalSources;
+  const std::vector<double> values = this->CopyValues();
+  dgg::IsolineOptions options;
+  options.ChordTolerance = this->ChordTolerance * field.Mesh->GetMeanEdgeLength();
+  options.SteinerPoints = this->SteinerPoints;
+  options.Method = isKnown && this->Method == Apollonius ? dgg::IsolineMethod::Apollonius
+                                                         : dgg::IsolineMethod::LocalSources;
+  dgg::RidgeOptions ridgeOptions;
+  ridgeOptions.MinimumAngle = this->MinimumRidgeAngle * RadiansPerDegree;
+  ridgeOptions.ChordTolerance = options.ChordTolerance;
   const double work =
-    LineWork + (request.WantsRidges ? RidgeWork : 0.0) + (request.WantsBands ? BandWork : 0.0);
+    LineWork + (this->GenerateRidges ? RidgeWork : 0.0) + (this->GenerateBands ? BandWork : 0.0);
   const double unit = (1.0 - ReadingShare) / work;
   const double atRidges = ReadingShare + LineWork * unit;
-  const double atBands = atRidges + (request.WantsRidges ? RidgeWork * unit : 0.0);
+  const double atBands = atRidges + (this->GenerateRidges ? RidgeWork * unit : 0.0);
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
-  dgg::Status status = dgg::TraceIsolines(field, request.Values, options, vtkDGGMakeParallelFor(),
+  dgg::Status status = dgg::TraceIsolines(field, values, options, vtkDGGMakeParallelFor(),
     dgg::ProgressPart(progress, ReadingShare, atRidges), curves.Lines);
-  if (status.IsOk() && request.WantsRidges && isKnown)
+  if (status.IsOk() && this->GenerateRidges && isKnown)
   {
-    status = dgg::FindRidges(field, request.RidgeOptions, vtkDGGMakeParallelFor(),
+    status = dgg::FindRidges(field, ridgeOptions, vtkDGGMakeParallelFor(),
       dgg::ProgressPart(progress, atRidges, atBands), curves.Ridges);
   }
-  if (status.IsOk() && request.WantsBands)
+  if (status.IsOk() && this->GenerateBands)
   {
     status = dgg::MakeBands(
-      field, request.Values, curves.Lines, dgg::ProgressPart(progress, atBands, 1.0), curves.Bands);
+      field, values, curves.Lines, dgg::ProgressPart(progress, atBands, 1.0), curves.Bands);
   }
   return status;
 }

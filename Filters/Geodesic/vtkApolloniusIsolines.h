@@ -23,13 +23,12 @@
  *  - else virtual sources are fitted to the distances, which is better than straight lines as well.
  *
  * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
- * warning. Windows are compared bit by bit. Virtual sources are ignored when most of them point
- * elsewhere, or tell of a surface of another size; of points that were moved by a few percent of
- * an edge, or of a surface that was stretched along one axis, they know little: compute distances
- * after such changes. That the values are distances, in the units of the points, is the user's
- * word: call SetMethodToLinear() for other fields. Only values that change along more than a tenth
- * of the edges by more than 1.1 times their length are taken as linear in each triangle, with a
- * warning.
+ * warning. Windows are compared bit by bit. Virtual sources are ignored when the distances are not
+ * those at the sources plus the straight ones from there. That they are those of this surface, and
+ * that the values are distances in the units of the points, is the user's word: compute distances
+ * again when points have moved, and call SetMethodToLinear() for other fields. Values without
+ * virtual sources that change along more than a tenth of the edges by more than 1.1 times their
+ * length are taken as linear in each triangle, with a warning.
  *
  * <b>Output 0</b> is new geometry, see vtkGeodesicAlgorithm: polylines, in order of increasing
  * values. Each of their pieces lies in one triangle of the surface. Lines are continuous across
@@ -172,12 +171,9 @@ public:
    * polylines of the second output. They are exact with windows. With virtual sources they come in
    * pieces, some of which are where no ridge is: a few with those of vtkExactGeodesicDistance and
    * vtkDGGDistance, most of them with those of vtkHeatGeodesicDistance and
-   * vtkFastMarchingGeodesicDistance, whose directions are rough. Which filter wrote the virtual
-   * sources cannot be seen, so there is no warning. On the model fandisk there are 47 ridges with
-   * windows, 106 with the virtual sources of vtkDGGDistance, 227 with those of fast marching and
-   * 670 with those of heat. Where virtual sources are fitted to distances alone, ridges are not to
-   * be relied on, as a warning says: parts are missing, others are where no ridge is. Where
-   * distances are linear the second output is empty, with a warning. Default off.
+   * vtkFastMarchingGeodesicDistance, whose directions are rough. With virtual sources that are
+   * fitted to distances alone, ridges are not to be relied on, as a warning says; where distances
+   * are linear there are none, with a warning. Default off.
    */
   vtkSetMacro(GenerateRidges, bool);
   vtkGetMacro(GenerateRidges, bool);
@@ -233,8 +229,7 @@ public:
    * which takes these by default, this filter does not take them in place of an array that is
    * missing. Distances whose array has no name are called "GeodesicDistance" in the outputs.
    */
-  void SetDistanceArrayName(const char* name);
-  const char* GetDistanceArrayName() const;
+  vtkDGGStringMacro(DistanceArrayName);
   ///@}
 
   ///@{
@@ -242,17 +237,16 @@ public:
    * Name of the point array with the virtual sources. Default "GeodesicVirtualSource". It need not
    * be there.
    */
-  void SetVirtualSourceArrayName(const char* name);
-  const char* GetVirtualSourceArrayName() const;
+  vtkDGGStringMacro(VirtualSourceArrayName);
   ///@}
 
   ///@{
   /**
    * The number that stands for points that are not reached, besides NaN and infinity. Default NaN:
-   * the UnreachedValue of the distance filter, which the field data tells. To be set where
-   * distances come from elsewhere.
+   * the points that the distance filter left unreached, whatever its UnreachedValue. To be set
+   * where distances come from elsewhere.
    */
-  void SetUnreachedValue(double value);
+  vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
   ///@}
 
@@ -289,15 +283,12 @@ private:
   vtkApolloniusIsolines(const vtkApolloniusIsolines&) = delete;
   void operator=(const vtkApolloniusIsolines&) = delete;
 
-  struct Request;
   struct Curves;
 
   std::vector<double> CopyValues() const;
-  Request TakeRequest() const;
-  dgg::Status ReadField(
-    vtkPolyData* surface, vtkDataArray* distances, const Request& request, vtkDGGFieldInput& input);
-  void WarnAbout(const vtkDGGFieldInput& input, const Request& request);
-  dgg::Status FindCurves(const dgg::DistanceField& field, const Request& request, Curves& curves);
+  dgg::Status ReadField(vtkPolyData* surface, vtkDataArray* distances, vtkDGGFieldInput& input);
+  void WarnAbout(const vtkDGGFieldInput& input);
+  dgg::Status FindCurves(const dgg::DistanceField& field, Curves& curves);
 
   vtkNew<vtkContourValues> ContourValues;
   int Method;

@@ -6,7 +6,7 @@
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMeshAdapter.h"
 
-#include "dggRelays.h"
+#include "dggSourceFinding.h"
 
 #include "vtkObjectFactory.h"
 
@@ -82,18 +82,6 @@ const char* vtkDGGDistance::GetSearchAsString() const
     default:
       return "Certified";
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGDistance::SetUpperBoundArrayName(const char* name)
-{
-  this->SetName(this->UpperBoundArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkDGGDistance::GetUpperBoundArrayName() const
-{
-  return this->UpperBoundArrayName.c_str();
 }
 
 //------------------------------------------------------------------------------

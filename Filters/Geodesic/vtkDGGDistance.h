@@ -123,8 +123,7 @@ public:
   /**
    * Name of this point array. Default "GeodesicUpperBound".
    */
-  void SetUpperBoundArrayName(const char* name);
-  const char* GetUpperBoundArrayName() const;
+  vtkDGGStringMacro(UpperBoundArrayName);
   ///@}
 
   ///@{

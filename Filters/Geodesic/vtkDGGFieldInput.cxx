@@ -7,8 +7,7 @@
 #include "vtkDGGUnreachedArray.h"
 #include "vtkDGGWindowArrays.h"
 
-#include "dggCornerModel.h"
-#include "dggSourceFit.h"
+#include "dggSourceFinding.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -19,8 +18,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -28,26 +25,10 @@ namespace
 {
 /// The name of results where distances have none: the default one of distance filters.
 constexpr const char* DefaultName = "GeodesicDistance";
-/// Virtual sources are those of the distances when they explain those of the neighbours better than
-/// the same ones turned about the points: the misfit is at most this part of that of the turned
-/// ones.
-constexpr double LargestMisfit = 0.75;
-/// Where all virtual sources are the points themselves, no direction can be wrong. Then distances
-/// and those at the sources may differ by this part of the length of edges.
+/// Virtual sources are those of the distances when these are the distances at the sources plus the
+/// straight ones from there, up to this part of the mean edge length, on average: estimates of
+/// graphs may differ by as much as these promise.
 constexpr double LargestDifference = 0.1;
-/// Where a surface was scaled, distances rise along edges as they do from virtual sources in other
-/// units: the factors between the two gather around another number than 1. Measured: those within
-/// 7 % of 1 are at least 0.9 of as many as within 7 % of any other number, for exact distances,
-/// those of graphs and of fast marching, from any sources. Where the points were scaled by 1.2 they
-/// are at most 0.45 and, with few sources, nearly none. Distances of heat from dense sources do not
-/// gather anywhere: then nothing is told. Nor do distances tell that hardly change along an edge.
-constexpr double FactorTolerance = 0.07; // of the logarithm
-constexpr double SmallestShareOfUnits = 0.35;
-constexpr double SmallestShareOfGathered = 0.15;
-constexpr double SmallestRise = 0.3; // in lengths of the edge
-/// Half-edges that are looked at. Of fewer than the smaller number nothing can be told.
-constexpr dgg::Id MostSamples = 20000;
-constexpr dgg::Id FewestSamples = 100;
 /// A distance changes along an edge by at most its length, approximate ones but for a few edges.
 constexpr double SteepestSlope = 1.1;
 constexpr double LargestShareOfSteepEdges = 0.1;
@@ -80,27 +61,6 @@ std::string FindFault(const dgg::SurfaceMesh& mesh, const std::vector<double>& v
        << " % of the edges it changes by more than their length. Pass the distance itself, in the "
           "units of the points.";
   return text.str();
-}
-
-/// Whether factors, given by their logarithms, gather around another number than 1.
-bool GatherElsewhere(std::vector<double>& logarithms)
-{
-  std::sort(logarithms.begin(), logarithms.end());
-  std::size_t end = 0;
-  std::size_t most = 0;
-  std::size_t aroundOne = 0;
-  for (std::size_t begin = 0; begin < logarithms.size(); ++begin)
-  {
-    while (end < logarithms.size() && logarithms[end] <= logarithms[begin] + 2.0 * FactorTolerance)
-    {
-      ++end;
-    }
-    most = std::max(most, end - begin);
-    aroundOne += std::abs(logarithms[begin]) <= FactorTolerance ? 1 : 0;
-  }
-  const auto count = static_cast<double>(logarithms.size());
-  return count >= FewestSamples && static_cast<double>(most) >= SmallestShareOfGathered * count &&
-    static_cast<double>(aroundOne) < SmallestShareOfUnits * static_cast<double>(most);
 }
 
 std::string ListArrays(vtkPointData* data)
@@ -218,7 +178,7 @@ dgg::Status vtkDGGFieldInput::ReadDistances(
   this->Sources = dgg::VirtualSources();
   this->Distances.assign(mesh.GetMesh().GetNumberOfVertices(), dgg::Infinity);
   const std::vector<bool> isUnreached =
-    vtkDGGUnreachedArray::Find(surface->GetFieldData(), distances, this->UnreachedValue);
+    vtkDGGUnreachedArray::Find(surface->GetPointData(), distances, this->UnreachedValue);
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
     if (!isUnreached.empty() && isUnreached[i])
@@ -302,7 +262,7 @@ void vtkDGGFieldInput::ReadSources(
     this->Sources.Lengths[v] = array->GetComponent(i, 1);
     this->Sources.Angles[v] = array->GetComponent(i, 2);
   }
-  if (!this->FitsSources(mesh.GetMesh()))
+  if (!this->HasSourcesOfDistances(mesh.GetMesh()))
   {
     this->Sources = dgg::VirtualSources();
     this->Warn(whose + "are not those of the distances on this surface. They are ignored");
@@ -333,64 +293,24 @@ void vtkDGGFieldInput::Warn(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-bool vtkDGGFieldInput::FitsSources(const dgg::SurfaceMesh& mesh) const
+bool vtkDGGFieldInput::HasSourcesOfDistances(const dgg::SurfaceMesh& mesh) const
 {
+  double difference = 0.0;
+  double reached = 0.0;
   for (std::size_t v = 0; v < this->Distances.size(); ++v)
   {
+    if (!(this->Distances[v] < dgg::Infinity))
+    {
+      continue;
+    }
     const double length = this->Sources.Lengths[v];
-    const bool isSource = std::isfinite(this->Sources.Offsets[v]) &&
-      std::isfinite(this->Sources.Angles[v]) && length >= 0.0 && length < dgg::Infinity;
-    if (this->Distances[v] < dgg::Infinity && !isSource)
+    if (!std::isfinite(this->Sources.Angles[v]) || !(length >= 0.0))
     {
       return false;
     }
+    difference += std::abs(this->Sources.Offsets[v] + length - this->Distances[v]);
+    reached += 1.0;
   }
-  std::array<double, 4> misfits{}; // turned by so many right angles
-  dgg::Id samples = 0;             // few where most vertices are Irregular
-  std::vector<double> factors; // logarithms, from rises of the sources to those of the distances
-  double difference = 0.0;     // where a virtual source is the point itself
-  double size = 0.0;
-  const dgg::Id step = 1 + mesh.GetNumberOfHalfEdges() / MostSamples;
-  for (dgg::Id h = 0; h < mesh.GetNumberOfHalfEdges(); h += step)
-  {
-    const dgg::Id v = mesh.Origin(h);
-    const dgg::Id w = mesh.Destination(h);
-    if (mesh.IsDropped(dgg::SurfaceMesh::Face(h)) || !(this->Distances[v] < dgg::Infinity) ||
-      !(this->Distances[w] < dgg::Infinity))
-    {
-      continue;
-    }
-    if (this->Sources.Lengths[v] == 0.0)
-    {
-      difference += std::abs(this->Sources.Offsets[v] - this->Distances[v]);
-      size += mesh.Length(h);
-      continue;
-    }
-    for (int turn = 0; turn < 4; ++turn)
-    {
-      const dgg::CornerModel model(mesh, v, this->Sources.Offsets[v], this->Sources.Lengths[v],
-        this->Sources.Angles[v] + 0.5 * dgg::Pi * turn);
-      if (!model.IsKnown)
-      {
-        continue;
-      }
-      samples += turn == 0 ? 1 : 0;
-      const double predicted = model.At(mesh.Length(h), mesh.PolarAngle(h));
-      misfits[turn] += std::abs(predicted - this->Distances[w]);
-      const double rise = predicted - model.AtVertex();
-      const double factor = (this->Distances[w] - this->Distances[v]) / rise;
-      if (turn == 0 && std::abs(rise) > SmallestRise * mesh.Length(h) && factor > 0.0)
-      {
-        factors.push_back(std::log(factor));
-      }
-    }
-  }
-  // Numbers that are too large fit nothing, nor does their turn.
-  if (!std::isfinite(misfits[0]) || !(difference <= LargestDifference * size))
-  {
-    return false;
-  }
-  return samples < FewestSamples ||
-    (misfits[0] <= LargestMisfit * *std::min_element(misfits.begin() + 1, misfits.end()) &&
-      !GatherElsewhere(factors));
+  // False for numbers that are not finite.
+  return difference <= LargestDifference * reached * mesh.GetMeanEdgeLength();
 }

@@ -16,7 +16,7 @@ class vtkDataArray;
 class vtkInformation;
 class vtkPolyData;
 
-/// Reads a point array of distances, and what there is beside it that tells the distance inside of
+/// Reads a point array of distances, and what there is beside it that gives the distance inside of
 /// faces: windows in the field data (vtkDGGWindowArrays), or else virtual sources in the point
 /// data, or else virtual sources that are fitted to the distances. Values that rise too steeply for
 /// distances are taken as linear, with a warning; that they are distances is the user's word.
@@ -37,7 +37,7 @@ public:
   static std::string GetName(vtkInformation* filter, const std::string& property);
 
   /// The number that stands for points that are not reached, besides NaN and infinity; NaN for the
-  /// one that the field data tells (vtkDGGUnreachedArray), which is the default.
+  /// points that the array beside the distances names (vtkDGGUnreachedArray), which is the default.
   void SetUnreachedValue(double value) { this->UnreachedValue = value; }
 
   /// The distances alone, to be taken as linear. Fails when a distance is minus infinity.
@@ -60,7 +60,7 @@ public:
 private:
   void ReadWindows(vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh);
   void ReadSources(vtkPolyData* surface, const std::string& name, const vtkDGGMeshAdapter& mesh);
-  bool FitsSources(const dgg::SurfaceMesh& mesh) const;
+  bool HasSourcesOfDistances(const dgg::SurfaceMesh& mesh) const;
   dgg::Status FitSources(const dgg::SurfaceMesh& mesh, const dgg::ProgressCallback& progress);
   void Warn(const std::string& text);
 

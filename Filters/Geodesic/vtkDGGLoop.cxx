@@ -33,7 +33,6 @@
 
 vtkStandardNewMacro(vtkDGGLoop);
 vtkDGGGraphUserMacro(vtkDGGLoop);
-vtkDGGDefineIdsMacro(vtkDGGLoop, Point, PointIds);
 vtkDGGDefineInputMacro(vtkDGGLoop, Point, 1);
 
 /// What became of a loop: values of LoopStatus.

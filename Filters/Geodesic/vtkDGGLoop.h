@@ -106,9 +106,8 @@
 #include "vtkDGGGraphProperties.h"       // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
-#include <initializer_list> // For ids
-#include <memory>           // For the internals
-#include <vector>           // For ids
+#include <memory> // For the internals
+#include <vector> // For ids
 
 class vtkDGGSourceCollector;
 struct vtkDGGLoopSet;
@@ -146,22 +145,11 @@ public:
   ///@{
   /**
    * Points by id of the input. Ids are copied; none by default. An id outside
-   * [0, number of points - 1] is an error of the update. A null list removes all ids.
+   * [0, number of points - 1] is an error of the update. A null list removes all ids. The
+   * i-th id is -1 when there is none.
    */
-  void AddPointId(vtkIdType id);
-  void SetPointIds(vtkIdList* ids);
-  void SetPointIds(const std::vector<vtkIdType>& ids);
-#ifndef __VTK_WRAP__
-  void SetPointIds(std::initializer_list<vtkIdType> ids); // or {0} would be a null list
-#endif
-  void RemoveAllPointIds();
-  vtkIdType GetNumberOfPointIds() const;
+  vtkDGGIdsMacro(Point);
   ///@}
-
-  /**
-   * The i-th id; -1 when there is none.
-   */
-  vtkIdType GetPointId(vtkIdType i) const VTK_EXPECTS(0 <= i && i < GetNumberOfPointIds());
 
   /**
    * Remove the ids and disconnect input port 1.
@@ -201,10 +189,7 @@ public:
    * Output 1: the rims of the tapes.
    */
   vtkPolyData* GetTape();
-  vtkAlgorithmOutput* GetTapePort()
-  {
-    return this->GetOutputPort(1);
-  }
+  vtkAlgorithmOutput* GetTapePort() { return this->GetOutputPort(1); }
   ///@}
 
   ///@{

@@ -30,7 +30,7 @@ public:
   /// Fails with a message that names the offending point or cell; then there is no mesh.
   ///
   /// Of a MergedSurface, triangles use the first one of all points that are merged; the others
-  /// become vertices without faces, and GetVertex() tells which vertex they share.
+  /// become vertices without faces, and GetVertex() is the vertex that they share.
   dgg::Status Update(vtkPolyData* input, const vtkDGGDomain& domain);
 
   /// Forget the mesh.
@@ -76,7 +76,7 @@ public:
   {
     return this->Prepared->NumberOfCoincidentBoundaryPoints;
   }
-  /// What a user should be told about the mesh, one topic each.
+  /// Warnings about the mesh, one topic each.
   const std::vector<std::string>& GetWarnings() const { return this->Prepared->Warnings; }
   /// See vtkDGGPreparedMesh.
   std::string DescribeGaps(vtkPolyData* input, const std::vector<bool>& isReached) const

@@ -6,7 +6,6 @@
 #include "vtkDGGMakeArray.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGPointCoordinates.h"
-#include "vtkDGGUnreachedArray.h"
 #include "vtkDGGWindowArrays.h"
 
 #include "dggSurfacePath.h"
@@ -76,10 +75,9 @@ dgg::Status vtkDGGNewGeometry::Take(
   vtkPoints* points = surface->GetPoints();
   this->Fields->Initialize();
   this->Fields->PassData(surface->GetFieldData());
-  // The graph, the windows and what is not reached are those of other points.
+  // The graph and the windows are those of other points.
   vtkDGGGraphArrays::RemoveFrom(this->Fields);
   vtkDGGWindowArrays::RemoveAllFrom(this->Fields);
-  vtkDGGUnreachedArray::RemoveAllFrom(this->Fields, surface->GetPointData());
   this->DataType = ChooseDataType(precision, points);
   this->Mesh = &mesh;
   const std::size_t size = 3 * static_cast<std::size_t>(surface->GetNumberOfPoints());

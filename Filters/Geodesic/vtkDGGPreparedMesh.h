@@ -28,7 +28,7 @@ class vtkDGGPreparedMesh
 public:
   using Pointer = std::shared_ptr<const vtkDGGPreparedMesh>;
 
-  /// 128 bits that tell the domain, its points and its cells from others. Equal ones give equal
+  /// 128 bits that identify the domain, its points and its cells. Equal ones give equal
   /// meshes. Much cheaper than to prepare a mesh.
   static dgg::Signature ComputeFingerprint(vtkPolyData* input, const vtkDGGDomain& domain);
 

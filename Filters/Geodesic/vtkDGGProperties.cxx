@@ -2,19 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGProperties.h"
 
-#include "vtkIdList.h"
-
-#include <cmath>
 #include <sstream>
-
-//------------------------------------------------------------------------------
-bool vtkDGGChangeNumber(double& property, double value)
-{
-  const bool bothNaN = std::isnan(value) && std::isnan(property);
-  const bool changes = property != value && !bothNaN;
-  property = changes ? value : property;
-  return changes;
-}
 
 //------------------------------------------------------------------------------
 bool vtkDGGChangeName(std::string& property, const char* value)
@@ -23,12 +11,6 @@ bool vtkDGGChangeName(std::string& property, const char* value)
   const bool changes = property != name;
   property = name;
   return changes;
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkIdType> vtkDGGGetIds(vtkIdList* list)
-{
-  return list ? std::vector<vtkIdType>(list->begin(), list->end()) : std::vector<vtkIdType>();
 }
 
 //------------------------------------------------------------------------------

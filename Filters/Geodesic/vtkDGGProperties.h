@@ -10,15 +10,9 @@
 #include "vtkIndent.h" // for printing
 #include "vtkType.h"   // for vtkIdType
 
-#include <initializer_list> // for ids
-#include <ostream>          // for printing
-#include <string>           // for names
-#include <vector>           // for ids
-
-class vtkIdList;
-
-/// Set a property that may be NaN, which differs from itself. Returns whether it has changed.
-bool vtkDGGChangeNumber(double& property, double value);
+#include <ostream> // for printing
+#include <string>  // for names
+#include <vector>  // for ids
 
 /// Set a name; null is the empty one. Returns whether it has changed.
 bool vtkDGGChangeName(std::string& property, const char* value);
@@ -50,8 +44,6 @@ bool vtkDGGChangeName(std::string& property, const char* value);
   }                                                                 \
   static_assert(true, #Name)
 
-/// The ids of a list, none for null.
-std::vector<vtkIdType> vtkDGGGetIds(vtkIdList* list);
 /// The i-th id; -1 when there is none.
 vtkIdType vtkDGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i);
 /// A line with the name and the ids.
@@ -60,58 +52,6 @@ void vtkDGGPrintIds(
 
 /// Fails when the property of that name is negative or NaN. Infinity is a length.
 dgg::Status vtkDGGCheckLength(const std::string& property, double value);
-
-/// Defines the methods that a filter declares for a list of ids: `Member` is the vector, and they
-/// are called as in AddSiteId() and SetSiteIds() for `Name` Site. The assertion is there for the
-/// semicolon.
-#define vtkDGGDefineIdsMacro(Class, Name, Member)                  \
-  void Class::Add##Name##Id(vtkIdType id)                          \
-  {                                                                \
-    this->Member.push_back(id);                                    \
-    this->Modified();                                              \
-  }                                                                \
-  void Class::Set##Name##Ids(vtkIdList* ids)                       \
-  {                                                                \
-    this->Set##Name##Ids(vtkDGGGetIds(ids));                       \
-  }                                                                \
-  void Class::Set##Name##Ids(std::initializer_list<vtkIdType> ids) \
-  {                                                                \
-    this->Set##Name##Ids(std::vector<vtkIdType>(ids));             \
-  }                                                                \
-  void Class::Set##Name##Ids(const std::vector<vtkIdType>& ids)    \
-  {                                                                \
-    if (this->Member != ids)                                       \
-    {                                                              \
-      this->Member = ids;                                          \
-      this->Modified();                                            \
-    }                                                              \
-  }                                                                \
-  void Class::RemoveAll##Name##Ids()                               \
-  {                                                                \
-    this->Set##Name##Ids(std::vector<vtkIdType>());                \
-  }                                                                \
-  vtkIdType Class::GetNumberOf##Name##Ids() const                  \
-  {                                                                \
-    return static_cast<vtkIdType>(this->Member.size());            \
-  }                                                                \
-  vtkIdType Class::Get##Name##Id(vtkIdType i) const                \
-  {                                                                \
-    return vtkDGGGetId(this->Member, i);                           \
-  }                                                                \
-  static_assert(true, #Name)
-
-/// Defines the methods that a filter declares for a polydata input port: SetSiteConnection() and
-/// SetSiteData() for `Name` Site.
-#define vtkDGGDefineInputMacro(Class, Name, port)               \
-  void Class::Set##Name##Connection(vtkAlgorithmOutput* output) \
-  {                                                             \
-    this->SetInputConnection(port, output);                     \
-  }                                                             \
-  void Class::Set##Name##Data(vtkPolyData* data)                \
-  {                                                             \
-    this->SetInputData(port, data);                             \
-  }                                                             \
-  static_assert(true, #Name)
 
 #endif
 // VTK-HeaderTest-Exclude: vtkDGGProperties.h

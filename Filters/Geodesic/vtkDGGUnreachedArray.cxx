@@ -5,8 +5,8 @@
 #include "vtkDGGMakeArray.h"
 
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,41 +14,15 @@
 
 namespace
 {
-const char* const Suffix = ".Unreached";
-/// Where things are in the array; ids come last.
-constexpr vtkIdType Value = 0;
-constexpr vtkIdType NumberOfPoints = 1;
-constexpr vtkIdType FirstId = 2;
-
-/// The number as an array of that type has it.
-double Round(vtkDataArray* distances, double number)
+std::string NameOf(const std::string& distances)
 {
-  return distances->GetDataType() == VTK_FLOAT ? static_cast<double>(static_cast<float>(number))
-                                               : number;
-}
-
-bool HasLayout(vtkDataArray* array)
-{
-  if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() < FirstId)
-  {
-    return false;
-  }
-  const double count = array->GetComponent(NumberOfPoints, 0);
-  return count >= 0.0 && count == std::floor(count);
-}
-
-vtkDataArray* FindArray(vtkFieldData* data, vtkDataArray* distances)
-{
-  const char* name = distances->GetName();
-  vtkDataArray* array =
-    data && name ? data->GetArray((name + std::string(Suffix)).c_str()) : nullptr;
-  return HasLayout(array) ? array : nullptr;
+  return distances + ".Unreached";
 }
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGUnreachedArray::AddTo(vtkFieldData* data, vtkDataArray* distances, double unreachedValue,
-  const std::vector<bool>& isReached)
+void vtkDGGUnreachedArray::AddTo(vtkPointData* data, const std::string& distances,
+  double unreachedValue, const std::vector<bool>& isReached)
 {
   const bool isPlain =
     std::isnan(unreachedValue) || unreachedValue == std::numeric_limits<double>::infinity();
@@ -56,76 +30,45 @@ void vtkDGGUnreachedArray::AddTo(vtkFieldData* data, vtkDataArray* distances, do
   {
     return;
   }
-  std::vector<double> values{ unreachedValue, static_cast<double>(isReached.size()) };
-  for (std::size_t i = 0; i < isReached.size(); ++i)
-  {
-    if (isReached[i] && distances->GetComponent(static_cast<vtkIdType>(i), 0) == unreachedValue)
-    {
-      values.push_back(static_cast<double>(i));
-    }
-  }
   const auto array =
-    vtkDGGAddArray<vtkDoubleArray>(data, distances->GetName() + std::string(Suffix), values.size());
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
+    vtkDGGAddArray<vtkUnsignedCharArray>(data, NameOf(distances), isReached.size());
+  std::transform(isReached.begin(), isReached.end(), array->GetPointer(0),
+    [](bool reached) { return static_cast<unsigned char>(reached ? 0 : 1); });
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGUnreachedArray::RemoveFrom(vtkFieldData* data, const std::string& distances)
+void vtkDGGUnreachedArray::RemoveFrom(vtkPointData* data, const std::string& distances)
 {
-  data->RemoveArray((distances + Suffix).c_str());
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGUnreachedArray::RemoveAllFrom(vtkFieldData* data, vtkFieldData* points)
-{
-  const std::string suffix = Suffix;
-  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
-  {
-    const std::string name = data->GetArrayName(i) ? data->GetArrayName(i) : "";
-    if (name.size() <= suffix.size() ||
-      name.compare(name.size() - suffix.size(), suffix.size(), suffix) != 0 ||
-      !HasLayout(data->GetArray(i)))
-    {
-      continue;
-    }
-    vtkDataArray* distances = points->GetArray(name.substr(0, name.size() - suffix.size()).c_str());
-    if (distances && distances->GetNumberOfComponents() == 1)
-    {
-      data->RemoveArray(i);
-    }
-  }
+  data->RemoveArray(NameOf(distances).c_str());
 }
 
 //------------------------------------------------------------------------------
 std::vector<bool> vtkDGGUnreachedArray::Find(
-  vtkFieldData* data, vtkDataArray* distances, double unreachedValue)
+  vtkPointData* data, vtkDataArray* distances, double unreachedValue)
 {
-  vtkDataArray* told = FindArray(data, distances);
-  if (std::isnan(unreachedValue))
-  {
-    if (!told)
-    {
-      return {};
-    }
-    unreachedValue = told->GetComponent(Value, 0);
-  }
   const vtkIdType n = distances->GetNumberOfTuples();
-  const double wanted = Round(distances, unreachedValue);
   std::vector<bool> isUnreached(static_cast<std::size_t>(n));
+  if (!std::isnan(unreachedValue))
+  {
+    // As an array of that type has it.
+    const double wanted = distances->GetDataType() == VTK_FLOAT
+      ? static_cast<double>(static_cast<float>(unreachedValue))
+      : unreachedValue;
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      isUnreached[i] = distances->GetComponent(i, 0) == wanted;
+    }
+    return isUnreached;
+  }
+  const char* name = distances->GetName();
+  vtkDataArray* mask = name ? data->GetArray(NameOf(name).c_str()) : nullptr;
+  if (!mask || mask->GetNumberOfComponents() != 1 || mask->GetNumberOfTuples() != n)
+  {
+    return {};
+  }
   for (vtkIdType i = 0; i < n; ++i)
   {
-    isUnreached[i] = distances->GetComponent(i, 0) == wanted;
-  }
-  // Ids are those of other points where some have been removed since.
-  const bool hasIds = told && told->GetComponent(Value, 0) == unreachedValue &&
-    told->GetComponent(NumberOfPoints, 0) == static_cast<double>(n);
-  for (vtkIdType k = FirstId; hasIds && k < told->GetNumberOfTuples(); ++k)
-  {
-    const double id = told->GetComponent(k, 0);
-    if (id >= 0.0 && id < static_cast<double>(n))
-    {
-      isUnreached[static_cast<std::size_t>(id)] = false;
-    }
+    isUnreached[i] = mask->GetComponent(i, 0) != 0.0;
   }
   return isUnreached;
 }

@@ -5,7 +5,7 @@
 #include "vtkDGGDistanceTask.h"
 #include "vtkDGGMemory.h"
 
-#include "dggExactSources.h"
+#include "dggSourceFinding.h"
 
 #include "vtkObjectFactory.h"
 

@@ -145,118 +145,32 @@ std::string vtkGeodesicAlgorithm::GetMeshReport() const
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkGeodesicAlgorithm::GetNumberOfTriangles() const
-{
-  return this->Adapter->GetReport().Faces;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicAlgorithm::GetNumberOfIsolatedPoints() const
-{
-  return this->Adapter->GetNumberOfIsolatedPoints();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicAlgorithm::GetNumberOfComponents() const
-{
-  return this->Adapter->GetReport().Components;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicAlgorithm::GetNumberOfBoundaryEdges() const
-{
-  return this->Adapter->GetReport().BoundaryEdges;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicAlgorithm::GetNumberOfBoundaryLoops() const
-{
-  return this->Adapter->GetReport().BoundaryLoops;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicAlgorithm::GetNumberOfNonManifoldEdges() const
-{
-  return this->Adapter->GetReport().NonManifoldEdges;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicAlgorithm::GetNumberOfNonManifoldVertices() const
-{
-  return this->Adapter->GetReport().NonManifoldVertices;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicAlgorithm::GetNumberOfDroppedFaces() const
-{
-  return this->Adapter->GetNumberOfDroppedCells();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicAlgorithm::GetNumberOfDegenerateFaces() const
-{
-  return this->Adapter->GetReport().DegenerateFaces;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicAlgorithm::GetNumberOfDuplicateFaces() const
-{
-  return this->Adapter->GetReport().DuplicateFaces;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicAlgorithm::GetNumberOfCoincidentPoints() const
-{
-  return this->Adapter->GetReport().CoincidentPoints;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicAlgorithm::GetNumberOfCoincidentBoundaryPoints() const
-{
-  return this->Adapter->GetNumberOfCoincidentBoundaryPoints();
-}
-
-//------------------------------------------------------------------------------
-bool vtkGeodesicAlgorithm::GetOrientable() const
-{
-  return this->Adapter->GetReport().Orientable;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicAlgorithm::GetGenus() const
-{
-  return this->Adapter->GetReport().Genus;
-}
-
-//------------------------------------------------------------------------------
-double vtkGeodesicAlgorithm::GetMeanAnisotropy() const
-{
-  return this->Adapter->GetReport().MeanAnisotropy;
-}
-
-//------------------------------------------------------------------------------
-double vtkGeodesicAlgorithm::GetMedianAnisotropy() const
-{
-  return this->Adapter->GetReport().MedianAnisotropy;
-}
-
-//------------------------------------------------------------------------------
-double vtkGeodesicAlgorithm::GetMollification() const
-{
-  return this->Adapter->GetReport().Mollification;
-}
-
-//------------------------------------------------------------------------------
-double vtkGeodesicAlgorithm::GetLargestCapHeight() const
-{
-  return this->Adapter->GetLargestCapHeight();
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkGeodesicAlgorithm::GetMeshBuildTime() const
-{
-  return this->Adapter->GetBuildTime();
-}
+#define vtkDGGReportMacro(Type, Name, Value)   \
+  Type vtkGeodesicAlgorithm::Get##Name() const \
+  {                                            \
+    return this->Adapter->Value;               \
+  }
+vtkDGGReportMacro(vtkIdType, NumberOfTriangles, GetReport().Faces);
+vtkDGGReportMacro(vtkIdType, NumberOfIsolatedPoints, GetNumberOfIsolatedPoints());
+vtkDGGReportMacro(vtkIdType, NumberOfComponents, GetReport().Components);
+vtkDGGReportMacro(vtkIdType, NumberOfBoundaryEdges, GetReport().BoundaryEdges);
+vtkDGGReportMacro(vtkIdType, NumberOfBoundaryLoops, GetReport().BoundaryLoops);
+vtkDGGReportMacro(vtkIdType, NumberOfNonManifoldEdges, GetReport().NonManifoldEdges);
+vtkDGGReportMacro(vtkIdType, NumberOfNonManifoldVertices, GetReport().NonManifoldVertices);
+vtkDGGReportMacro(vtkIdType, NumberOfDroppedFaces, GetNumberOfDroppedCells());
+vtkDGGReportMacro(vtkIdType, NumberOfDegenerateFaces, GetReport().DegenerateFaces);
+vtkDGGReportMacro(vtkIdType, NumberOfDuplicateFaces, GetReport().DuplicateFaces);
+vtkDGGReportMacro(vtkIdType, NumberOfCoincidentPoints, GetReport().CoincidentPoints);
+vtkDGGReportMacro(
+  vtkIdType, NumberOfCoincidentBoundaryPoints, GetNumberOfCoincidentBoundaryPoints());
+vtkDGGReportMacro(bool, Orientable, GetReport().Orientable);
+vtkDGGReportMacro(vtkIdType, Genus, GetReport().Genus);
+vtkDGGReportMacro(double, MeanAnisotropy, GetReport().MeanAnisotropy);
+vtkDGGReportMacro(double, MedianAnisotropy, GetReport().MedianAnisotropy);
+vtkDGGReportMacro(double, Mollification, GetReport().Mollification);
+vtkDGGReportMacro(double, LargestCapHeight, GetLargestCapHeight());
+vtkDGGReportMacro(vtkMTimeType, MeshBuildTime, GetBuildTime());
+#undef vtkDGGReportMacro
 
 //------------------------------------------------------------------------------
 int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* info)

@@ -47,7 +47,7 @@
  *
  * <b>Errors.</b> Wrong input is reported through vtkErrorMacro, which names what is wrong and the
  * remedy. Then the output is empty, GetErrorCode() is not zero, and the input is untouched; a later
- * correct call works. As long as nothing is changed, every update of this filter tells the error
+ * correct call works. As long as nothing is changed, every update of this filter reports the error
  * again. These are errors of all filters:
  *  - no input;
  *  - points but no polygons, unless it is a cloud with its graph; polygons that all have fewer than
@@ -79,6 +79,7 @@
 #define vtkGeodesicAlgorithm_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
+#include "vtkDGGPropertyMacros.h"        // For names
 #include "vtkPolyDataAlgorithm.h"
 
 #include <functional> // For Attempt()
@@ -228,7 +229,7 @@ protected:
    * The steps of an update, in this order. Each may return an error, which is shown to the user,
    * or that the user asked to stop; each may throw.
    *
-   * CheckProperties() and CheckInputs() tell what is wrong without the mesh. Execute() is called
+   * CheckProperties() and CheckInputs() report what is wrong without the mesh. Execute() is called
    * with a mesh. MakeEmptyOutput() takes its place when the surface has neither points nor cells.
    */
   virtual dgg::Status CheckProperties() const;
@@ -272,7 +273,7 @@ protected:
   void WarnAboutGaps(vtkPolyData* surface, const std::vector<bool>& isReached);
 
   /**
-   * Do something that may fail or throw, and tell the error to the user. Returns whether it went
+   * Do something that may fail or throw, and report the error. Returns whether it went
    * well; not so when it was stopped, either.
    */
   bool Attempt(const std::function<dgg::Status()>& step);

@@ -114,7 +114,8 @@ void vtkGeodesicDistanceAlgorithm::AddSourceId(vtkIdType id, double initialDista
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceAlgorithm::SetSourceIds(vtkIdList* ids)
 {
-  this->SetSourceIds(vtkDGGGetIds(ids));
+  this->SetSourceIds(
+    ids ? std::vector<vtkIdType>(ids->begin(), ids->end()) : std::vector<vtkIdType>());
 }
 
 //------------------------------------------------------------------------------
@@ -188,72 +189,6 @@ void vtkGeodesicDistanceAlgorithm::SetSourceConnection(vtkAlgorithmOutput* outpu
 void vtkGeodesicDistanceAlgorithm::SetSourceData(vtkPolyData* points)
 {
   this->SetInputData(1, points);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetUnreachedValue(double value)
-{
-  if (vtkDGGChangeNumber(this->UnreachedValue, value))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetName(std::string& name, const char* value)
-{
-  if (vtkDGGChangeName(name, value))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetDistanceArrayName(const char* name)
-{
-  this->SetName(this->DistanceArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicDistanceAlgorithm::GetDistanceArrayName() const
-{
-  return this->DistanceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetSourceArrayName(const char* name)
-{
-  this->SetName(this->SourceArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicDistanceAlgorithm::GetSourceArrayName() const
-{
-  return this->SourceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetVirtualSourceArrayName(const char* name)
-{
-  this->SetName(this->VirtualSourceArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicDistanceAlgorithm::GetVirtualSourceArrayName() const
-{
-  return this->VirtualSourceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetInitialDistanceArrayName(const char* name)
-{
-  this->SetName(this->InitialDistanceArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicDistanceAlgorithm::GetInitialDistanceArrayName() const
-{
-  return this->InitialDistanceArrayName.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -344,11 +279,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   const auto n = static_cast<std::size_t>(adapter.GetMesh().GetNumberOfVertices());
   bool complete = task.Distances.size() == n;
   complete &= !task.WantNearestSource || task.NearestSource.size() == n;
-  for (const std::vector<double>* values :
-    { &task.VirtualSource.Offsets, &task.VirtualSource.Lengths, &task.VirtualSource.Angles })
-  {
-    complete &= !task.WantVirtualSource || values->size() == n;
-  }
+  complete &= !task.WantVirtualSource || task.VirtualSource.Offsets.size() == n;
   for (const vtkDGGPointArray& array : task.Arrays)
   {
     for (const std::vector<double>& component : array.Components)
@@ -399,7 +330,7 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
   vtkPointData* data = output->GetPointData();
   // What the input has of these belongs to the distances that are about to be replaced.
   vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);
-  vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);
+  vtkDGGUnreachedArray::RemoveFrom(data, this->DistanceArrayName);
   if (data->HasArray(this->DistanceArrayName.c_str()))
   {
     data->RemoveArray(this->SourceArrayName.c_str());
@@ -415,8 +346,7 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
   {
     isPointReached[i] = isReached[this->GetMesh().GetVertex(static_cast<vtkIdType>(i))];
   }
-  vtkDGGUnreachedArray::AddTo(output->GetFieldData(),
-    data->GetArray(this->DistanceArrayName.c_str()), this->UnreachedValue, isPointReached);
+  vtkDGGUnreachedArray::AddTo(data, this->DistanceArrayName, this->UnreachedValue, isPointReached);
   if (!task.Windows.IsEmpty())
   {
     vtkDGGWindowArrays::AddTo(output->GetFieldData(),
@@ -443,11 +373,10 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
     maker.Add<vtkDoubleArray, double>(data, array.Name, components, this->UnreachedValue);
     // They can be read in place of the distances.
     vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), array.Name);
-    vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), array.Name);
+    vtkDGGUnreachedArray::RemoveFrom(data, array.Name);
     if (components.size() == 1)
     {
-      vtkDGGUnreachedArray::AddTo(output->GetFieldData(), data->GetArray(array.Name.c_str()),
-        this->UnreachedValue, isPointReached);
+      vtkDGGUnreachedArray::AddTo(data, array.Name, this->UnreachedValue, isPointReached);
     }
   }
 }

@@ -130,13 +130,11 @@ public:
    * triangles first, with vtkThreshold.
    *
    * vtkApolloniusIsolines and vtkGeodesicProbe know what is not reached, whatever the value: where
-   * it is neither NaN nor plus infinity and stands for a point, it goes into the field data, as the
-   * array `GeodesicDistance.Unreached`; that of upper bounds, as `GeodesicUpperBound.Unreached`.
-   * Points at just that distance are told from those by their ids, unless points have been removed
-   * since: then all points of that value count as not reached. Choose one that is no distance, such
-   * as -1.
+   * it is neither NaN nor plus infinity and stands for a point, the point array
+   * `GeodesicDistance.Unreached` (unsigned char) is 1 at these points and 0 elsewhere; that of
+   * upper bounds is `GeodesicUpperBound.Unreached`.
    */
-  virtual void SetUnreachedValue(double value);
+  vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
   ///@}
 
@@ -172,24 +170,21 @@ public:
    * in the input is replaced in the output, and what belongs to it goes: its windows, and the
    * nearest and virtual sources unless new ones are made.
    */
-  void SetDistanceArrayName(const char* name);
-  const char* GetDistanceArrayName() const;
+  vtkDGGStringMacro(DistanceArrayName);
   ///@}
 
   ///@{
   /**
    * Name of the point array with the nearest sources. Default "GeodesicSource".
    */
-  void SetSourceArrayName(const char* name);
-  const char* GetSourceArrayName() const;
+  vtkDGGStringMacro(SourceArrayName);
   ///@}
 
   ///@{
   /**
    * Name of the point array with the virtual sources. Default "GeodesicVirtualSource".
    */
-  void SetVirtualSourceArrayName(const char* name);
-  const char* GetVirtualSourceArrayName() const;
+  vtkDGGStringMacro(VirtualSourceArrayName);
   ///@}
 
   ///@{
@@ -197,8 +192,7 @@ public:
    * Name of the point array of input port 1 with the distances that the sources start with. Default
    * "InitialDistance".
    */
-  void SetInitialDistanceArrayName(const char* name);
-  const char* GetInitialDistanceArrayName() const;
+  vtkDGGStringMacro(InitialDistanceArrayName);
   ///@}
 
 protected:
@@ -223,11 +217,6 @@ protected:
    * Point arrays that ComputeDistances() fills besides distances and nearest sources. Default none.
    */
   virtual std::vector<vtkDGGPointArray> DeclareArrays() const;
-
-  /**
-   * Change the name of an array; null is the empty name.
-   */
-  void SetName(std::string& name, const char* value);
 
 private:
   vtkGeodesicDistanceAlgorithm(const vtkGeodesicDistanceAlgorithm&) = delete;

@@ -134,62 +134,6 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetRowIds(vtkIdList* ids)
-{
-  this->SetRowIds(vtkDGGGetIds(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetRowIds(std::initializer_list<vtkIdType> ids)
-{
-  this->SetRowIds(std::vector<vtkIdType>(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetRowIds(const std::vector<vtkIdType>& ids)
-{
-  if (this->RowIds != ids)
-  {
-    this->RowIds = ids;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetColumnIds(vtkIdList* ids)
-{
-  this->SetColumnIds(vtkDGGGetIds(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetColumnIds(std::initializer_list<vtkIdType> ids)
-{
-  this->SetColumnIds(std::vector<vtkIdType>(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetColumnIds(const std::vector<vtkIdType>& ids)
-{
-  if (this->ColumnIds != ids)
-  {
-    this->ColumnIds = ids;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicDistanceMatrix::GetNumberOfRowIds() const
-{
-  return static_cast<vtkIdType>(this->RowIds.size());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGeodesicDistanceMatrix::GetNumberOfColumnIds() const
-{
-  return static_cast<vtkIdType>(this->ColumnIds.size());
-}
-
-//------------------------------------------------------------------------------
 void vtkGeodesicDistanceMatrix::SetRowConnection(vtkAlgorithmOutput* output)
 {
   this->SetInputConnection(1, output);
@@ -211,15 +155,6 @@ void vtkGeodesicDistanceMatrix::SetColumnConnection(vtkAlgorithmOutput* output)
 void vtkGeodesicDistanceMatrix::SetColumnData(vtkPolyData* points)
 {
   this->SetInputData(2, points);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetUnreachedValue(double value)
-{
-  if (vtkDGGChangeNumber(this->UnreachedValue, value))
-  {
-    this->Modified();
-  }
 }
 
 //------------------------------------------------------------------------------

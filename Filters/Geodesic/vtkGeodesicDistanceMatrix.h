@@ -63,9 +63,8 @@
 #include "vtkDGGGraphProperties.h"       // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
-#include <initializer_list> // For ids
-#include <memory>           // For the internals
-#include <vector>           // For ids
+#include <memory> // For the internals
+#include <vector> // For ids
 
 class vtkDoubleArray;
 class vtkTable;
@@ -83,16 +82,8 @@ public:
    * Points by id of the input. Ids are copied; none by default. The same id may occur more than
    * once. A null list removes all ids.
    */
-  void SetRowIds(vtkIdList* ids);
-  void SetRowIds(const std::vector<vtkIdType>& ids);
-  void SetColumnIds(vtkIdList* ids);
-  void SetColumnIds(const std::vector<vtkIdType>& ids);
-#ifndef __VTK_WRAP__
-  void SetRowIds(std::initializer_list<vtkIdType> ids); // or {0} would be a null list
-  void SetColumnIds(std::initializer_list<vtkIdType> ids);
-#endif
-  vtkIdType GetNumberOfRowIds() const;
-  vtkIdType GetNumberOfColumnIds() const;
+  vtkDGGSetIdsMacro(Row);
+  vtkDGGSetIdsMacro(Column);
   ///@}
 
   ///@{
@@ -120,7 +111,7 @@ public:
   /**
    * Distance of pairs that are not connected. Default NaN.
    */
-  virtual void SetUnreachedValue(double value);
+  vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
   ///@}
 

@@ -28,8 +28,6 @@
 #include <string>
 
 vtkStandardNewMacro(vtkGeodesicPatchBoundaries);
-vtkDGGDefineIdsMacro(vtkGeodesicPatchBoundaries, FirstLandmark, LandmarkIds[0]);
-vtkDGGDefineIdsMacro(vtkGeodesicPatchBoundaries, SecondLandmark, LandmarkIds[1]);
 vtkDGGDefineInputMacro(vtkGeodesicPatchBoundaries, SecondSurface, 1);
 vtkDGGDefineInputMacro(vtkGeodesicPatchBoundaries, FirstLandmark, 2);
 vtkDGGDefineInputMacro(vtkGeodesicPatchBoundaries, SecondLandmark, 3);
@@ -153,8 +151,8 @@ vtkGeodesicPatchBoundaries::~vtkGeodesicPatchBoundaries() = default;
 void vtkGeodesicPatchBoundaries::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  vtkDGGPrintIds(os, indent, "FirstLandmarkIds", this->LandmarkIds[0]);
-  vtkDGGPrintIds(os, indent, "SecondLandmarkIds", this->LandmarkIds[1]);
+  vtkDGGPrintIds(os, indent, "FirstLandmarkIds", this->FirstLandmarkIds);
+  vtkDGGPrintIds(os, indent, "SecondLandmarkIds", this->SecondLandmarkIds);
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
 }
 
@@ -177,8 +175,9 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckProperties() const
 vtkDGGSourceSet vtkGeodesicPatchBoundaries::GetLandmarks(
   int surface, vtkInformationVector** inputVector) const
 {
-  vtkDGGSourceSet set{ this->LandmarkIds[surface], vtkPolyData::GetData(inputVector[2 + surface]),
-    2 + surface, surface == 0 ? "first landmark" : "second landmark",
+  vtkDGGSourceSet set{ surface == 0 ? this->FirstLandmarkIds : this->SecondLandmarkIds,
+    vtkPolyData::GetData(inputVector[2 + surface]), 2 + surface,
+    surface == 0 ? "first landmark" : "second landmark",
     surface == 0 ? "call AddFirstLandmarkId() or SetFirstLandmarkIds()"
                  : "call AddSecondLandmarkId() or SetSecondLandmarkIds()",
     "" };

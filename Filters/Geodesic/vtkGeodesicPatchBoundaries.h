@@ -90,11 +90,9 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <initializer_list> // For ids
-#include <memory>           // For the internals
-#include <vector>           // For ids
+#include <memory> // For the internals
+#include <vector> // For ids
 
-class vtkIdList;
 struct vtkDGGSourceSet;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicPatchBoundaries : public vtkGeodesicAlgorithm
@@ -109,38 +107,14 @@ public:
    * Landmarks by point id of the first surface. Ids are copied; none by default. An id outside
    * [0, number of points - 1] is an error of the update. A null list removes all ids.
    */
-  void AddFirstLandmarkId(vtkIdType id);
-  void SetFirstLandmarkIds(vtkIdList* ids);
-  void SetFirstLandmarkIds(const std::vector<vtkIdType>& ids);
-#ifndef __VTK_WRAP__
-  void SetFirstLandmarkIds(std::initializer_list<vtkIdType> ids); // or {0} would be a null list
-#endif
-  void RemoveAllFirstLandmarkIds();
-  vtkIdType GetNumberOfFirstLandmarkIds() const;
+  vtkDGGIdsMacro(FirstLandmark);
   ///@}
 
   ///@{
   /**
    * The same for the second surface.
    */
-  void AddSecondLandmarkId(vtkIdType id);
-  void SetSecondLandmarkIds(vtkIdList* ids);
-  void SetSecondLandmarkIds(const std::vector<vtkIdType>& ids);
-#ifndef __VTK_WRAP__
-  void SetSecondLandmarkIds(std::initializer_list<vtkIdType> ids);
-#endif
-  void RemoveAllSecondLandmarkIds();
-  vtkIdType GetNumberOfSecondLandmarkIds() const;
-  ///@}
-
-  ///@{
-  /**
-   * The i-th id; -1 when there is none.
-   */
-  vtkIdType GetFirstLandmarkId(vtkIdType i) const
-    VTK_EXPECTS(0 <= i && i < GetNumberOfFirstLandmarkIds());
-  vtkIdType GetSecondLandmarkId(vtkIdType i) const
-    VTK_EXPECTS(0 <= i && i < GetNumberOfSecondLandmarkIds());
+  vtkDGGIdsMacro(SecondLandmark);
   ///@}
 
   /**
@@ -203,7 +177,8 @@ private:
   vtkDGGSourceSet GetLandmarks(int surface, vtkInformationVector** inputVector) const;
   dgg::Status PrepareSecondMesh(vtkPolyData* surface);
 
-  std::vector<vtkIdType> LandmarkIds[2]; // per surface
+  std::vector<vtkIdType> FirstLandmarkIds;
+  std::vector<vtkIdType> SecondLandmarkIds;
   double ProjectionTolerance;
 
   struct vtkInternals;

@@ -105,45 +105,6 @@ void vtkGeodesicProbe::SetProbeData(vtkPolyData* points)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicProbe::SetDistanceArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->DistanceArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicProbe::GetDistanceArrayName() const
-{
-  return this->DistanceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicProbe::SetVirtualSourceArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->VirtualSourceArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicProbe::GetVirtualSourceArrayName() const
-{
-  return this->VirtualSourceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicProbe::SetUnreachedValue(double value)
-{
-  if (vtkDGGChangeNumber(this->UnreachedValue, value))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkGeodesicProbe::CheckProperties() const
 {
   return vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
@@ -212,7 +173,7 @@ dgg::Status vtkGeodesicProbe::Execute(
     output->ShallowCopy(probes.Points);
     // What belongs to an array of this name of the probe points goes with it.
     vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), name);
-    vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), name);
+    vtkDGGUnreachedArray::RemoveFrom(output->GetPointData(), name);
     output->GetPointData()->AddArray(found);
     output->GetPointData()->SetActiveScalars(found->GetName());
   }

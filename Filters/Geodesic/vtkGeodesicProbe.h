@@ -21,14 +21,9 @@
  *    steep are linear in each triangle, with a warning, see vtkApolloniusIsolines.
  *
  * <b>Virtual sources on CAD models.</b> Long triangles may be reached from many sides, of which
- * their three corners know little. Measured inside of triangles against exact distances, with those
- * of vtkDGGDistance: on three models of 338 to 4408 points without any inside of their plane faces
- * the mean error is 3 to 8 times smaller than that of linear interpolation, and the largest one 12
- * to 18 % of the largest distance instead of 14 to 55 %. On four finely meshed models the mean
- * error is at least 5 times smaller and the largest one below 1 %, on scans 2 to 5 times and 2 %.
- * With virtual sources of exact distances means are up to 4 times smaller still. Where a virtual
- * source contradicts the distance of a corner it is raised, not replaced by linear interpolation,
- * which is worse there as well. Where that is not enough, take windows.
+ * their three corners know little: there errors are several times smaller than those of linear
+ * interpolation in the mean, but may reach 18 % of the largest distance. Where that is not enough,
+ * take windows.
  *
  * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
  * warning; for what is noticed of virtual sources, see vtkApolloniusIsolines.
@@ -89,8 +84,7 @@ public:
    * Default "GeodesicDistance"; when empty, the active point scalars. Distances whose array has no
    * name are called "GeodesicDistance" in the output.
    */
-  void SetDistanceArrayName(const char* name);
-  const char* GetDistanceArrayName() const;
+  vtkDGGStringMacro(DistanceArrayName);
   ///@}
 
   ///@{
@@ -98,17 +92,16 @@ public:
    * Name of the point array with the virtual sources. Default "GeodesicVirtualSource". It need not
    * be there.
    */
-  void SetVirtualSourceArrayName(const char* name);
-  const char* GetVirtualSourceArrayName() const;
+  vtkDGGStringMacro(VirtualSourceArrayName);
   ///@}
 
   ///@{
   /**
    * The number that stands for points that are not reached, besides NaN and infinity. Default NaN:
-   * the UnreachedValue of the distance filter, which the field data tells. To be set where
-   * distances come from elsewhere.
+   * the points that the distance filter left unreached, whatever its UnreachedValue. To be set
+   * where distances come from elsewhere.
    */
-  void SetUnreachedValue(double value);
+  vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
   ///@}
 

@@ -37,7 +37,6 @@
 
 vtkStandardNewMacro(vtkGeodesicVoronoi);
 vtkDGGGraphUserMacro(vtkGeodesicVoronoi);
-vtkDGGDefineIdsMacro(vtkGeodesicVoronoi, Site, SiteIds);
 vtkDGGDefineInputMacro(vtkGeodesicVoronoi, Site, 1);
 
 /// What vtkGeodesicVoronoi computes.
@@ -112,7 +111,7 @@ struct VoronoiOutputs
     const auto distances = vtkDGGAddArray<vtkDoubleArray>(data, this->DistanceName, n);
     // Those of the input belong to the array that has just been replaced.
     vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceName);
-    vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceName);
+    vtkDGGUnreachedArray::RemoveFrom(data, this->DistanceName);
     const auto sites = vtkDGGAddArray<vtkIntArray>(data, sourceName, n);
     std::vector<bool> isReached(n);
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
@@ -122,7 +121,7 @@ struct VoronoiOutputs
       sites->SetValue(i, diagram.NearestSites[vertex]);
       isReached[static_cast<std::size_t>(i)] = this->GetTrueDistance(vertex) < dgg::Infinity;
     }
-    vtkDGGUnreachedArray::AddTo(output->GetFieldData(), distances, this->UnreachedValue, isReached);
+    vtkDGGUnreachedArray::AddTo(data, this->DistanceName, this->UnreachedValue, isReached);
     // Not SetScalars(), which would remove the scalars of the input.
     data->SetActiveScalars(sourceName.c_str());
     if (!this->Result.Energies.empty())
@@ -145,7 +144,6 @@ struct VoronoiOutputs
     const auto points = this->Geometry.MakePoints(used.size());
     const auto distances =
       vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, used.size());
-    vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceName);
     for (std::size_t k = 0; k < used.size(); ++k)
     {
       const auto i = static_cast<vtkIdType>(k);
@@ -182,7 +180,6 @@ struct VoronoiOutputs
     const auto points = this->Geometry.MakePoints(n);
     const auto distances =
       vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, n);
-    vtkDGGUnreachedArray::RemoveFrom(output->GetFieldData(), this->DistanceName);
     std::vector<bool> isReached(n);
     for (std::size_t k = 0; k < n; ++k)
     {
@@ -192,7 +189,8 @@ struct VoronoiOutputs
       distances->SetValue(i, this->GetDistance(point));
       isReached[k] = this->GetTrueDistance(point) < dgg::Infinity;
     }
-    vtkDGGUnreachedArray::AddTo(output->GetFieldData(), distances, this->UnreachedValue, isReached);
+    vtkDGGUnreachedArray::AddTo(
+      output->GetPointData(), this->DistanceName, this->UnreachedValue, isReached);
     const std::vector<double> areas = this->SumAreas();
     vtkNew<vtkCellArray> polygons;
     vtkCellData* data = output->GetCellData();
@@ -289,48 +287,6 @@ void vtkGeodesicVoronoi::RemoveAllSites()
 {
   this->RemoveAllSiteIds();
   this->SetInputConnection(1, nullptr);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetUnreachedValue(double value)
-{
-  if (vtkDGGChangeNumber(this->UnreachedValue, value))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetName(std::string& name, const char* value)
-{
-  if (vtkDGGChangeName(name, value))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetDistanceArrayName(const char* name)
-{
-  this->SetName(this->DistanceArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicVoronoi::GetDistanceArrayName() const
-{
-  return this->DistanceArrayName.c_str();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::SetSourceArrayName(const char* name)
-{
-  this->SetName(this->SourceArrayName, name);
-}
-
-//------------------------------------------------------------------------------
-const char* vtkGeodesicVoronoi::GetSourceArrayName() const
-{
-  return this->SourceArrayName.c_str();
 }
 
 //------------------------------------------------------------------------------

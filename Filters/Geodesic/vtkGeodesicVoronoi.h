@@ -91,10 +91,9 @@
 #include "vtkDGGGraphProperties.h"       // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
-#include <initializer_list> // For site ids
-#include <memory>           // For the internals
-#include <string>           // For array names
-#include <vector>           // For site ids
+#include <memory> // For the internals
+#include <string> // For array names
+#include <vector> // For site ids
 
 class vtkDGGNewGeometry;
 class vtkDGGSourceCollector;
@@ -111,22 +110,11 @@ public:
   ///@{
   /**
    * Sites by point id of the input. Ids are copied; none by default. An id outside
-   * [0, number of points - 1] is an error of the update. A null list removes all ids.
+   * [0, number of points - 1] is an error of the update. A null list removes all ids. The
+   * i-th id is -1 when there is none.
    */
-  void AddSiteId(vtkIdType id);
-  void SetSiteIds(vtkIdList* ids);
-  void SetSiteIds(const std::vector<vtkIdType>& ids);
-#ifndef __VTK_WRAP__
-  void SetSiteIds(std::initializer_list<vtkIdType> ids); // or {0} would be a null list
-#endif
-  void RemoveAllSiteIds();
-  vtkIdType GetNumberOfSiteIds() const;
+  vtkDGGIdsMacro(Site);
   ///@}
-
-  /**
-   * The i-th site id; -1 when there is none.
-   */
-  vtkIdType GetSiteId(vtkIdType i) const VTK_EXPECTS(0 <= i && i < GetNumberOfSiteIds());
 
   /**
    * Remove the site ids and disconnect input port 1.
@@ -193,10 +181,10 @@ public:
 
   ///@{
   /**
-   * Distance given to points that no site reaches. Default NaN. Another number goes into the field
-   * data, as that of distance filters does (vtkGeodesicDistanceAlgorithm::SetUnreachedValue()).
+   * Distance given to points that no site reaches. Default NaN. With another number a point array
+   * marks them, as with distance filters (vtkGeodesicDistanceAlgorithm::SetUnreachedValue()).
    */
-  virtual void SetUnreachedValue(double value);
+  vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
   ///@}
 
@@ -204,16 +192,14 @@ public:
   /**
    * Name of the point array with the distances. Default "GeodesicDistance".
    */
-  void SetDistanceArrayName(const char* name);
-  const char* GetDistanceArrayName() const;
+  vtkDGGStringMacro(DistanceArrayName);
   ///@}
 
   ///@{
   /**
    * Name of the point array with the nearest sites. Default "GeodesicSource".
    */
-  void SetSourceArrayName(const char* name);
-  const char* GetSourceArrayName() const;
+  vtkDGGStringMacro(SourceArrayName);
   ///@}
 
   ///@{
@@ -223,18 +209,9 @@ public:
   vtkPolyData* GetBoundaries();
   vtkPolyData* GetCells();
   vtkPolyData* GetSites();
-  vtkAlgorithmOutput* GetBoundariesPort()
-  {
-    return this->GetOutputPort(1);
-  }
-  vtkAlgorithmOutput* GetCellsPort()
-  {
-    return this->GetOutputPort(2);
-  }
-  vtkAlgorithmOutput* GetSitesPort()
-  {
-    return this->GetOutputPort(3);
-  }
+  vtkAlgorithmOutput* GetBoundariesPort() { return this->GetOutputPort(1); }
+  vtkAlgorithmOutput* GetCellsPort() { return this->GetOutputPort(2); }
+  vtkAlgorithmOutput* GetSitesPort() { return this->GetOutputPort(3); }
   ///@}
 
   ///@{
@@ -287,7 +264,6 @@ private:
   dgg::Status Compute(vtkDGGVoronoiResult& result);
   void FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyData* surface,
     const vtkDGGNewGeometry& geometry, vtkInformationVector* outputVector) const;
-  void SetName(std::string& name, const char* value);
 
   std::vector<vtkIdType> SiteIds;
   bool Centroidal;

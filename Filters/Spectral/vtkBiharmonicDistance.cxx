@@ -3,7 +3,6 @@
 #include "vtkBiharmonicDistance.h"
 
 #include "vtkDGGParallel.h"
-#include "vtkDGGProperties.h"
 #include "vtkDGGSpectralOutputs.h"
 
 #include "dggProgressPart.h"
@@ -94,15 +93,6 @@ const char* vtkBiharmonicDistance::GetKindAsString() const
 const char* vtkBiharmonicDistance::GetMethodAsString() const
 {
   return this->Method == Exact ? "Exact" : "Spectrum";
-}
-
-//------------------------------------------------------------------------------
-void vtkBiharmonicDistance::SetUnreachedValue(double value)
-{
-  if (vtkDGGChangeNumber(this->UnreachedValue, value))
-  {
-    this->Modified();
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -129,7 +129,7 @@ public:
   /**
    * Distance given to points that are not connected to the source. Default NaN.
    */
-  virtual void SetUnreachedValue(double value);
+  vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
   ///@}
 

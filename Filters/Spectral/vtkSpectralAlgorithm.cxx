@@ -86,53 +86,6 @@ void vtkSpectralAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::AddSourceId(vtkIdType id)
-{
-  this->SourceIds.push_back(id);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::SetSourceIds(vtkIdList* ids)
-{
-  this->SetSourceIds(vtkDGGGetIds(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::SetSourceIds(const std::vector<vtkIdType>& ids)
-{
-  if (this->SourceIds != ids)
-  {
-    this->SourceIds = ids;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::SetSourceIds(std::initializer_list<vtkIdType> ids)
-{
-  this->SetSourceIds(std::vector<vtkIdType>(ids));
-}
-
-//------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::RemoveAllSourceIds()
-{
-  this->SetSourceIds(std::vector<vtkIdType>());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkSpectralAlgorithm::GetNumberOfSourceIds() const
-{
-  return static_cast<vtkIdType>(this->SourceIds.size());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkSpectralAlgorithm::GetSourceId(vtkIdType i) const
-{
-  return vtkDGGGetId(this->SourceIds, i);
-}
-
-//------------------------------------------------------------------------------
 void vtkSpectralAlgorithm::RemoveAllSources()
 {
   this->RemoveAllSourceIds();

@@ -48,11 +48,10 @@
 #include "vtkDGGFiltersSpectralModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <functional>       // For progress
-#include <initializer_list> // For source ids
-#include <memory>           // For the internals
-#include <string>           // For array names
-#include <vector>           // For source ids
+#include <functional> // For progress
+#include <memory>     // For the internals
+#include <string>     // For array names
+#include <vector>     // For source ids
 
 namespace dgg
 {
@@ -73,22 +72,11 @@ public:
   /**
    * Sources by point id of the input. Ids are copied; none by default. The same id may occur more
    * than once. An id outside [0, number of points - 1] is an error of the update. From Python, any
-   * sequence of integers will do, a numpy array included. A null list removes all ids.
+   * sequence of integers will do, a numpy array included. A null list removes all ids. The i-th id
+   * is -1 when there is none.
    */
-  void AddSourceId(vtkIdType id);
-  void SetSourceIds(vtkIdList* ids);
-  void SetSourceIds(const std::vector<vtkIdType>& ids);
-#ifndef __VTK_WRAP__
-  void SetSourceIds(std::initializer_list<vtkIdType> ids); // or {0} would be a null list
-#endif
-  void RemoveAllSourceIds();
-  vtkIdType GetNumberOfSourceIds() const;
+  vtkDGGIdsMacro(Source);
   ///@}
-
-  /**
-   * The i-th source id; -1 when there is none.
-   */
-  vtkIdType GetSourceId(vtkIdType i) const VTK_EXPECTS(0 <= i && i < GetNumberOfSourceIds());
 
   /**
    * Remove the source ids and disconnect input port 1.
@@ -118,10 +106,7 @@ public:
    * The output with the points of input port 2; without these it is empty.
    */
   vtkPolyData* GetEvaluation();
-  vtkAlgorithmOutput* GetEvaluationPort()
-  {
-    return this->GetOutputPort(1);
-  }
+  vtkAlgorithmOutput* GetEvaluationPort() { return this->GetOutputPort(1); }
   ///@}
 
   ///@{
@@ -150,14 +135,8 @@ public:
    */
   vtkSetClampMacro(Boundary, int, Neumann, Dirichlet);
   vtkGetMacro(Boundary, int);
-  void SetBoundaryToNeumann()
-  {
-    this->SetBoundary(Neumann);
-  }
-  void SetBoundaryToDirichlet()
-  {
-    this->SetBoundary(Dirichlet);
-  }
+  void SetBoundaryToNeumann() { this->SetBoundary(Neumann); }
+  void SetBoundaryToDirichlet() { this->SetBoundary(Dirichlet); }
   const char* GetBoundaryAsString() const;
   ///@}
 
@@ -228,10 +207,7 @@ protected:
    * and which (told the progress, and whether to stop, by the callback). By default sources are
    * needed, and used as they are.
    */
-  virtual bool CanChooseSources() const
-  {
-    return false;
-  }
+  virtual bool CanChooseSources() const { return false; }
   virtual std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const;
   virtual dgg::Status ChooseSources(const dgg::PoissonSolver& solver,
     const std::function<bool(double)>& progress, std::vector<dgg::SurfacePoint>& sources) const;

@@ -6,7 +6,7 @@
 #include "IsolineStatistics.h"
 #include "OpenedGraph.h"
 #include "PeerContour.h"
-#include "dggSourceFit.h"
+#include "dggSourceFinding.h"
 
 #include <algorithm>
 #include <cmath>

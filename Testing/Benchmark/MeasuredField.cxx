@@ -3,10 +3,9 @@
 #include "MeasuredField.h"
 
 #include "dggExactGeodesics.h"
-#include "dggExactSources.h"
+#include "dggSourceFinding.h"
 #include "dggFastMarching.h"
 #include "dggHeatMethod.h"
-#include "dggRelays.h"
 
 #include <map>
 #include <memory>

@@ -5,9 +5,12 @@
 #ifndef FieldChecks_h
 #define FieldChecks_h
 
+#include "GeodesicChecks.h"
+#include "TestMeshes.h"
+
 #include "dggDistanceField.h"
 #include "dggExactGeodesics.h"
-#include "dggExactSources.h"
+#include "dggSourceFinding.h"
 
 #include <gtest/gtest.h>
 
@@ -30,6 +33,8 @@ struct ExactField
     EXPECT_TRUE(status.IsOk()) << status.GetMessage();
     dgg::FindVirtualSources(mesh, sources, this->Result, this->Virtual);
     this->Exact = { &mesh, this->Result.Distances.data(), &this->Result.Windows, nullptr };
+    this->ExactWithSources = { &mesh, this->Result.Distances.data(), &this->Result.Windows,
+      &this->Virtual };
     this->Local = { &mesh, this->Result.Distances.data(), nullptr, &this->Virtual };
     this->Linear = { &mesh, this->Result.Distances.data(), nullptr, nullptr };
   }
@@ -37,8 +42,26 @@ struct ExactField
   dgg::ExactResult Result;
   dgg::VirtualSources Virtual;
   dgg::DistanceField Exact;
+  dgg::DistanceField ExactWithSources;
   dgg::DistanceField Local;
   dgg::DistanceField Linear;
+};
+
+struct OwnMesh
+{
+  dgg::SurfaceMesh Mesh;
+};
+
+/// The same with its mesh.
+struct FieldCase
+  : OwnMesh
+  , ExactField
+{
+  FieldCase(const TestMesh& test, const std::vector<dgg::GeodesicSource>& sources)
+    : OwnMesh{ Build(test) }
+    , ExactField(OwnMesh::Mesh, sources)
+  {
+  }
 };
 }
 

@@ -4,15 +4,15 @@
 // The published isolines: the pieces in faces.
 #include "CurvedMeshes.h"
 #include "DefectMeshes.h"
-#include "FieldCase.h"
+#include "FieldChecks.h"
 #include "FlatMeshes.h"
 #include "GraphChecks.h"
+#include "IsolineChecks.h"
 
-#include "dggApolloniusParts.h"
-#include "dggEdges.h"
+#include "dggApolloniusFace.h"
 #include "dggFaceProfile.h"
 #include "dggHermiteEdge.h"
-#include "dggSourceFit.h"
+#include "dggSourceFinding.h"
 
 #include <gtest/gtest.h>
 
@@ -30,9 +30,11 @@ struct Parts
   Parts(const DistanceField& field, int steinerPoints, const std::vector<double>& levels,
     const ParallelFor& parallel = {})
   {
-    const Status status = FindApolloniusParts(
-      field, steinerPoints, levels, parallel, {}, this->Crossings, this->Curves);
+    LevelCrossings crossings;
+    const Status status =
+      FindApolloniusParts(field, steinerPoints, levels, parallel, {}, crossings, this->Curves);
     EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    this->Crossings = crossings.Crossings;
   }
 
   std::vector<LevelCrossing> Crossings;
@@ -257,13 +259,14 @@ TEST(ApolloniusParts, AreSoundOnAnySurface)
     const FieldCase c(named.Mesh,
       { VertexSource(0),
         { RandomSurfacePoints(mesh, 3, 11).front(), 0.1 * mesh.GetMeanEdgeLength() } });
-    std::vector<double> levels = c.Levels(5);
+    std::vector<double> levels = EvenLevels(c.Exact, 5);
     levels.push_back(0.01 * mesh.GetMeanEdgeLength());
     levels.push_back(c.Result.Distances[mesh.GetNumberOfVertices() / 2]); // through a vertex
     if (!(levels.back() < Infinity))
     {
       levels.pop_back();
     }
+    std::sort(levels.begin(), levels.end());
     for (const int k : { 0, 2 })
     {
       for (const DistanceField* field : { &c.Local, &c.ExactWithSources })
@@ -292,7 +295,7 @@ TEST(ApolloniusParts, AreSoundForFieldsThatAreNoDistances)
   FitVirtualSources(mesh, values.data(), {}, fitted);
   const DistanceField field{ &mesh, values.data(), nullptr, &fitted };
   const DistanceField bare{ &mesh, values.data(), nullptr, nullptr };
-  const std::vector<double> levels = { 3.0, 1.0, 2.0, 1.0, 2.5 };
+  const std::vector<double> levels = { 1.0, 1.0, 2.0, 2.5, 3.0 };
   for (const int k : { 0, 1, 5 })
   {
     const Parts parts(field, k, levels);
@@ -323,7 +326,7 @@ TEST(ApolloniusParts, LoopsWithinAFaceAreFound)
 TEST(ApolloniusParts, LowerSideIsOnTheLeft)
 {
   const FieldCase c(Icosphere(3), { VertexSource(3) });
-  const std::vector<double> levels = c.Levels(7);
+  const std::vector<double> levels = EvenLevels(c.Exact, 7);
   const Parts parts(c.ExactWithSources, 2, levels);
   FaceProfile profile(c.Exact);
   int right = 0;
@@ -350,7 +353,7 @@ TEST(ApolloniusParts, ConvergeInThePlane)
   const FieldCase two(Plane(10, 10, 0.2), { VertexSource(27), VertexSource(93, 0.2) });
   for (const FieldCase* c : { &one, &two })
   {
-    const std::vector<double> levels = c->Levels(15);
+    const std::vector<double> levels = EvenLevels(c->Exact, 15);
     double last = LinearError(*c, levels);
     for (const int k : { 0, 1, 2, 5, 11 })
     {
@@ -367,11 +370,11 @@ TEST(ApolloniusParts, BeatLinearInterpolation)
   for (const TestMesh& test : { Icosphere(3), Ellipsoid(3, 0.4), Torus(24, 14) })
   {
     const FieldCase c(test, { VertexSource(3) });
-    const std::vector<double> levels = c.Levels(15);
+    const std::vector<double> levels = EvenLevels(c.Exact, 15);
     const double linear = LinearError(c, levels);
     EXPECT_LT(3.0 * ErrorOf(c, c.Local, 2, levels), linear);
     EXPECT_LT(3.0 * ErrorOf(c, c.ExactWithSources, 2, levels), linear);
-    EXPECT_LT(2.0 * ErrorOf(c, c.Plain, 2, levels), linear); // sources fitted
+    EXPECT_LT(2.0 * ErrorOf(c, c.Linear, 2, levels), linear); // sources fitted
   }
 }
 
@@ -379,9 +382,9 @@ TEST(ApolloniusParts, UnitsDoNotMatter)
 {
   const TestMesh test = Torus(16, 10);
   const FieldCase c(test, { VertexSource(3) });
-  const std::vector<double> levels = c.Levels(9);
+  const std::vector<double> levels = EvenLevels(c.Exact, 9);
   const Parts expected(c.Local, 2, levels);
-  const Parts expectedFitted(c.Plain, 2, levels);
+  const Parts expectedFitted(c.Linear, 2, levels);
   for (const double factor : { 0x1p20, 0x1p-20 }) // powers of two: bit for bit
   {
     const FieldCase scaled(Scaled(test, factor), { VertexSource(3) });
@@ -392,7 +395,7 @@ TEST(ApolloniusParts, UnitsDoNotMatter)
     }
     for (const bool isFitted : { false, true })
     {
-      Parts parts(isFitted ? scaled.Plain : scaled.Local, 2, scaledLevels);
+      Parts parts(isFitted ? scaled.Linear : scaled.Local, 2, scaledLevels);
       for (LevelCrossing& crossing : parts.Crossings)
       {
         crossing.X /= factor;
@@ -405,33 +408,29 @@ TEST(ApolloniusParts, UnitsDoNotMatter)
 TEST(ApolloniusParts, ThreadsDoNotMatter)
 {
   const FieldCase c(Icosphere(4), { VertexSource(3) });
-  const std::vector<double> levels = c.Levels(9);
+  const std::vector<double> levels = EvenLevels(c.Exact, 9);
   const Parts one(c.Local, 2, levels);
   EXPECT_GT(one.Curves.size(), 1000u);
   EXPECT_TRUE(IsSame(one, Parts(c.Local, 2, levels, WithThreads(3))));
   EXPECT_TRUE(IsSame(one, Parts(c.Local, 2, levels, WithThreads(4, 7))));
 }
 
-TEST(ApolloniusParts, BadInputAndStopping)
+TEST(ApolloniusParts, Stopping)
 {
   const FieldCase c(Icosphere(3), { VertexSource(3) });
-  std::vector<LevelCrossing> crossings(3);
-  std::vector<FaceCurve> curves(3);
-  auto run = [&](const DistanceField& field, int k, const std::vector<double>& levels,
+  LevelCrossings crossings;
+  std::vector<FaceCurve> curves;
+  auto run = [&](const DistanceField& field, const std::vector<double>& levels,
                const ProgressCallback& progress) {
-    return FindApolloniusParts(field, k, levels, {}, progress, crossings, curves);
+    curves.clear();
+    return FindApolloniusParts(field, 2, levels, {}, progress, crossings, curves);
   };
-  EXPECT_FALSE(run(c.Local, -1, { 1.0 }, {}).IsOk());
-  EXPECT_FALSE(run(c.Local, 51, { 1.0 }, {}).IsOk());
-  EXPECT_FALSE(run(c.Local, 2, { 1.0, std::nan("") }, {}).IsOk());
-  EXPECT_FALSE(run({}, 2, { 1.0 }, {}).IsOk());
-  EXPECT_TRUE(crossings.empty() && curves.empty());
-  EXPECT_TRUE(run(c.Local, 2, {}, {}).IsOk());
-  EXPECT_TRUE(run(c.Local, 2, { 1e9, -1e9 }, {}).IsOk());
-  EXPECT_TRUE(crossings.empty() && curves.empty());
+  EXPECT_TRUE(run(c.Local, {}, {}).IsOk());
+  EXPECT_TRUE(run(c.Local, { -1e9, 1e9 }, {}).IsOk());
+  EXPECT_TRUE(crossings.Crossings.empty() && curves.empty());
 
   double last = -1.0;
-  EXPECT_TRUE(run(c.Local, 2, { 1.0 }, [&](double done) {
+  EXPECT_TRUE(run(c.Local, { 1.0 }, [&](double done) {
     EXPECT_GE(done, last);
     last = done;
     return true;
@@ -440,9 +439,7 @@ TEST(ApolloniusParts, BadInputAndStopping)
   EXPECT_FALSE(curves.empty());
   for (const double when : { 0.0, 0.15 })
   {
-    EXPECT_TRUE(run(c.Local, 2, { 1.0 }, [=](double done) { return done < when; }).IsAborted());
-    EXPECT_TRUE(crossings.empty() && curves.empty());
-    EXPECT_TRUE(run(c.Plain, 2, { 1.0 }, [=](double done) { return done < when; }).IsAborted());
-    EXPECT_TRUE(crossings.empty() && curves.empty());
+    EXPECT_TRUE(run(c.Local, { 1.0 }, [=](double done) { return done < when; }).IsAborted());
+    EXPECT_TRUE(run(c.Linear, { 1.0 }, [=](double done) { return done < when; }).IsAborted());
   }
 }

@@ -50,24 +50,6 @@ TEST_P(ExactDevelopable, ConesBelowAndAboveTheFullAngle)
   }
 }
 
-TEST_P(ExactDevelopable, FlatTorus)
-{
-  for (const double shear : { 0.0, 1.3 })
-  {
-    const Id nx = 6;
-    const Id ny = 5;
-    for (const bool glued : { false, true })
-    {
-      const dgg::SurfaceMesh mesh = Build(FlatTorus(4.0, shear, 3.0, nx, ny, glued));
-      ExpectAllPairs(mesh, this->Engine(), [&](Id a, Id b) {
-        const double i = static_cast<double>(a % nx - b % nx) / nx;
-        const double j = static_cast<double>(a / nx - b / nx) / ny;
-        return FlatTorusDistance(4.0, shear, 3.0, 4.0 * i + shear * j, 3.0 * j);
-      });
-    }
-  }
-}
-
 TEST_P(ExactDevelopable, FlatTorusOfFewTriangles)
 {
   // One, two or four parallelograms, glued to themselves and each other.
@@ -121,18 +103,6 @@ TEST_P(ExactDevelopable, MoebiusStrip)
     auto y = [&](Id v) { return v / n[0] - 0.5 * n[1]; };
     ExpectAllPairs(mesh, this->Engine(),
       [&](Id a, Id b) { return MoebiusDistance(n[0], a % n[0], y(a), b % n[0], y(b)); });
-  }
-}
-
-TEST_P(ExactDevelopable, KleinBottle)
-{
-  for (const auto& n :
-    { std::array<Id, 2>{ { 3, 3 } }, std::array<Id, 2>{ { 7, 5 } }, std::array<Id, 2>{ { 4, 9 } } })
-  {
-    const dgg::SurfaceMesh mesh = Build(KleinBottle(n[0], n[1]));
-    ExpectAllPairs(mesh, this->Engine(), [&](Id a, Id b) {
-      return KleinBottleDistance(n[0], n[1], a % n[0], a / n[0], b % n[0], b / n[0]);
-    });
   }
 }
 

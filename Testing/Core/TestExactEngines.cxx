@@ -77,18 +77,6 @@ class EnginesAgree : public testing::TestWithParam<NamedMesh>
 {
 };
 
-TEST_P(EnginesAgree, FromVertices)
-{
-  const dgg::SurfaceMesh mesh = Build(this->GetParam().Mesh);
-  for (const Id source : SomeVertices(mesh, 8, 17))
-  {
-    const auto reference = DistancesFrom(mesh, dgg::ExactEngine::Reference, source);
-    const auto triangle = DistancesFrom(mesh, dgg::ExactEngine::Triangle, source);
-    ExpectSameField(reference, triangle, 1e-9 * LargestFinite(reference),
-      "from vertex " + std::to_string(source));
-  }
-}
-
 TEST_P(EnginesAgree, FromAndToPointsAnywhere)
 {
   const dgg::SurfaceMesh mesh = Build(this->GetParam().Mesh);

@@ -97,15 +97,6 @@ TEST_P(ExactLimits, RadiusIncludesTheLimit)
   EXPECT_EQ(distances[7], dgg::Infinity); // (2,1)
 }
 
-TEST_P(ExactLimits, RadiusSavesWork)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(4, 0.3, 3));
-  const auto full = Solve(mesh, this->Engine(), { VertexSource(0) });
-  const auto cut = Solve(mesh, this->Engine(), { VertexSource(0) },
-    [](dgg::ExactOptions& options) { options.MaximumDistance = 0.2; });
-  EXPECT_LT(cut.NumberOfWindows, full.NumberOfWindows / 10);
-}
-
 TEST_P(ExactLimits, EarlyExitGivesTheFullAnswer)
 {
   for (const NamedMesh& named : LimitMeshes())

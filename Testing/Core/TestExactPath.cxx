@@ -378,31 +378,6 @@ TEST(ExactPath, MayBeAskedAgain)
   }
 }
 
-/// A run that resets only what the last one has reached gives the bits of one that starts anew.
-TEST(ExactPath, KeptRunsAreAsThoseThatStartAnew)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(6));
-  dgg::ExactOptions options;
-  options.StopAtTargets = true;
-  dgg::ExactGeodesics kept(mesh);
-  dgg::ExactGeodesics anew(mesh);
-  dgg::ExactResult result;
-  for (Id v = 20000; v < 20030; ++v)
-  {
-    options.Targets = { SurfacePoint::AtVertex(mesh.Destination(*mesh.FanBegin(v))) };
-    const std::vector<dgg::GeodesicSource> sources{ { SurfacePoint::AtVertex(v), 0.0 } };
-    ASSERT_TRUE(kept.RunKept(sources, options).IsOk());
-    ASSERT_TRUE(anew.Run(sources, options, result).IsOk());
-    EXPECT_EQ(kept.GetKept().Distances, result.Distances);
-    EXPECT_EQ(kept.GetKept().NearestSource, result.NearestSource);
-    for (std::size_t k = 0; k < result.Predecessors.size(); ++k)
-    {
-      ASSERT_EQ(kept.GetKept().Predecessors[k].Root, result.Predecessors[k].Root);
-    }
-    EXPECT_EQ(kept.GetKept().TargetDistances, result.TargetDistances);
-  }
-}
-
 TEST(ExactPath, NearbyTargetsTakeFewWindows)
 {
   const dgg::SurfaceMesh mesh = Build(Icosphere(5));

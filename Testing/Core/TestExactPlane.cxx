@@ -225,41 +225,27 @@ TEST_P(ExactPlane, Caps)
   ExpectEuclid(CapPlane(6, 1e-4), this->Engine(), 1e-10);
 }
 
-TEST_P(ExactPlane, LShape)
+TEST_P(ExactPlane, AroundCorners)
 {
-  ExpectVisibility(
-    8, 8, [](Id i, Id j) { return i < 3 || j < 3; }, this->Engine());
-}
-
-TEST_P(ExactPlane, Slot)
-{
-  ExpectVisibility(
-    9, 7, [](Id i, Id j) { return i != 4 || j == 0; }, this->Engine());
-}
-
-TEST_P(ExactPlane, Annulus)
-{
-  ExpectVisibility(
-    9, 9, [](Id i, Id j) { return i < 3 || i > 5 || j < 3 || j > 5; }, this->Engine());
-}
-
-TEST_P(ExactPlane, Maze)
-{
-  ExpectVisibility(
-    11, 9, [](Id i, Id j) { return i % 4 != 2 || (i % 8 == 2 ? j == 0 : j == 8); }, this->Engine());
-}
-
-TEST_P(ExactPlane, ManyHoles)
-{
-  ExpectVisibility(
-    9, 9, [](Id i, Id j) { return i % 3 != 1 || j % 3 != 1; }, this->Engine());
-}
-
-TEST_P(ExactPlane, CellsTouchingAtCorners)
-{
-  // A chain of squares: paths go through the contact points.
-  ExpectVisibility(
-    8, 8, [](Id i, Id j) { return i / 2 == j / 2; }, this->Engine());
+  struct Domain
+  {
+    const char* Name;
+    Id Nx;
+    Id Ny;
+    bool (*Keep)(Id i, Id j);
+  };
+  for (const Domain& domain :
+    { Domain{ "L shape", 8, 8, [](Id i, Id j) { return i < 3 || j < 3; } },
+      Domain{ "slot", 9, 7, [](Id i, Id j) { return i != 4 || j == 0; } },
+      Domain{ "annulus", 9, 9, [](Id i, Id j) { return i < 3 || i > 5 || j < 3 || j > 5; } },
+      Domain{
+        "maze", 11, 9, [](Id i, Id j) { return i % 4 != 2 || (i % 8 == 2 ? j == 0 : j == 8); } },
+      Domain{ "many holes", 9, 9, [](Id i, Id j) { return i % 3 != 1 || j % 3 != 1; } },
+      Domain{ "cells touching at corners", 8, 8, [](Id i, Id j) { return i / 2 == j / 2; } } })
+  {
+    SCOPED_TRACE(domain.Name);
+    ExpectVisibility(domain.Nx, domain.Ny, domain.Keep, this->Engine());
+  }
 }
 
 TEST_P(ExactPlane, Slit)

@@ -185,27 +185,6 @@ TEST_P(ExactPolyhedra, Tetrahedron)
     "neighbouring edges");
 }
 
-TEST_P(ExactPolyhedra, Octahedron)
-{
-  const TestMesh input = Subdivided(Octahedron(), 6);
-  ExpectClose(std::sqrt(3.0), this->Between(input, 0, 1), 1e-12, "opposite vertices");
-  // Middles of opposite faces: across two faces of the belt. In the strip of three triangles from
-  // face to face the centres are sqrt(7/3) ... the truth is the shortest of the straight
-  // unfoldings.
-  auto centre = [&](Id a, Id b, Id c) {
-    std::array<double, 3> p{};
-    for (int i = 0; i < 3; ++i)
-    {
-      p[i] = (input.Point(a)[i] + input.Point(b)[i] + input.Point(c)[i]) / 3.0;
-    }
-    return p;
-  };
-  ExpectClose(std::sqrt(7.0 / 3.0), this->Between(input, centre(0, 2, 4), centre(1, 3, 5)), 1e-12,
-    "opposite faces");
-  ExpectClose(
-    1.0 / std::sqrt(3.0), this->Between(input, centre(0, 2, 4), centre(2, 1, 4)), 1e-12, "faces");
-}
-
 TEST_P(ExactPolyhedra, Icosahedron)
 {
   // Opposite vertices: in the strip of two triangles between the caps, the vector
@@ -225,50 +204,6 @@ TEST_P(ExactPolyhedra, Icosahedron)
         ExpectClose(truth, distances[b], 1e-12, std::to_string(a) + " to " + std::to_string(b));
       }
     }
-  }
-}
-
-TEST_P(ExactPolyhedra, Dodecahedron)
-{
-  // Edge 1, diagonal of a pentagon phi. Vertices at higher distance: unfold two and three
-  // pentagons; the values are those of the lattice of pentagons laid side by side.
-  const double phi = 0.5 * (1.0 + std::sqrt(5.0));
-  const TestMesh input = Dodecahedron();
-  const dgg::SurfaceMesh mesh = Build(input);
-  // Two pentagons on one edge: from the vertex before the edge to the one after it on the other
-  // side, in coordinates with the common edge on the x axis from 0 to 1.
-  const double c = std::cos(0.4 * dgg::Pi);
-  const double s = std::sin(0.4 * dgg::Pi);
-  // Corners of one pentagon above the edge: (1+c, s), (1/2, h), (-c, s); mirrored below.
-  const double h = s + std::sin(0.2 * dgg::Pi);
-  for (const Id a : { 0, 7 })
-  {
-    const auto distances = DistancesFrom(mesh, this->Engine(), a);
-    int edges = 0;
-    int diagonals = 0;
-    for (Id b = 0; b < 20; ++b)
-    {
-      const double chord = EuclideanDistance(input, a, b);
-      if (std::abs(chord - 1.0) < 1e-9)
-      {
-        ++edges;
-        ExpectClose(1.0, distances[b], 1e-12, "edge");
-      }
-      else if (std::abs(chord - phi) < 1e-9)
-      {
-        ++diagonals;
-        ExpectClose(phi, distances[b], 1e-12, "diagonal");
-      }
-      else if (std::abs(chord - phi * std::sqrt(2.0)) < 1e-9)
-      {
-        // Across one edge: from (-c, s) to (1+c, -s), from (1/2, h) to (-c, -s) and others.
-        const double across =
-          std::min({ std::hypot(1.0 + 2.0 * c, 2.0 * s), std::hypot(0.5 + c, h + s), 2.0 * h });
-        ExpectClose(across, distances[b], 1e-12, "across one edge");
-      }
-    }
-    EXPECT_EQ(edges, 3);
-    EXPECT_EQ(diagonals, 6);
   }
 }
 

@@ -3,7 +3,7 @@
 //
 // The cubics on edges that the published isolines cross.
 #include "CurvedMeshes.h"
-#include "FieldCase.h"
+#include "FieldChecks.h"
 #include "FlatMeshes.h"
 #include "GraphChecks.h"
 

@@ -290,4 +290,11 @@ TEST(Isolines, BadArgumentsAreRefused)
   EXPECT_TRUE(refuses(field.Exact, { 1.0 }, std::nan("")));
   EXPECT_TRUE(refuses({ &mesh, nullptr, nullptr, nullptr }, { 1.0 }, 0.0));
   EXPECT_TRUE(refuses({}, { 1.0 }, 0.0));
+  IsolineOptions options;
+  options.Method = IsolineMethod::Apollonius;
+  for (const int points : { -1, MaximumSteinerPoints + 1 })
+  {
+    options.SteinerPoints = points;
+    EXPECT_FALSE(TraceIsolines(field.Exact, { 1.0 }, options, nullptr, nullptr, lines).IsOk());
+  }
 }

@@ -118,23 +118,6 @@ TEST(Isolines, StripsAlongRidgesMayBeNarrow)
   }
 }
 
-TEST(Isolines, AreAtTheirLevelOnCones)
-{
-  for (const double total : { 1.3 * Pi, 1.8 * Pi, 2.6 * Pi })
-  {
-    std::vector<ConePoint> coordinates;
-    const SurfaceMesh mesh = Build(Cone(total, 9, 6, coordinates, 0.2, 3));
-    const std::vector<GeodesicSource> sources{ VertexSource(20) };
-    const ExactField field(mesh, sources);
-    const std::vector<double> levels = EvenLevels(field.Exact, 15);
-    const Isolines lines = Trace(field.Exact, levels);
-    const std::string what = "cone of " + std::to_string(total);
-    ExpectSound(field.Exact, levels, lines, what);
-    ExpectAtLevel(mesh, sources, levels, lines, 1e-12, what);
-    EXPECT_EQ(lines.Fallbacks, 0) << what;
-  }
-}
-
 TEST(Isolines, AreAtTheirLevelOnACube)
 {
   const SurfaceMesh mesh = Build(Cube(4, 0.2, 5));

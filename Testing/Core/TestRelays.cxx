@@ -9,7 +9,7 @@
 
 #include "dggFaceProfile.h"
 #include "dggGraphSearch.h"
-#include "dggRelays.h"
+#include "dggSourceFinding.h"
 
 #include <gtest/gtest.h>
 

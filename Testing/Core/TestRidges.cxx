@@ -9,7 +9,7 @@
 
 #include "dggDistanceField.h"
 #include "dggExactGeodesics.h"
-#include "dggExactSources.h"
+#include "dggSourceFinding.h"
 #include "dggFaceProfile.h"
 #include "dggFieldJumps.h"
 #include "dggRidges.h"

@@ -8,9 +8,8 @@
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 
-#include "dggExactSources.h"
+#include "dggSourceFinding.h"
 #include "dggFaceProfile.h"
-#include "dggSourceFit.h"
 
 #include <gtest/gtest.h>
 

@@ -454,38 +454,6 @@ TEST_F(ApolloniusIsolines, DistancesWithoutANameHaveTheUsualOneInTheOutputs)
   EXPECT_NE(this->Isolines->GetBands()->GetPointData()->GetArray("GeodesicDistance"), nullptr);
 }
 
-TEST_F(ApolloniusIsolines, ForeignVirtualSourcesAreIgnored)
-{
-  this->Distance->GenerateVirtualSourceOn();
-  auto surface = this->TakeSurface();
-  vtkDataArray* sources = surface->GetPointData()->GetArray("GeodesicVirtualSource");
-  ASSERT_NE(sources, nullptr);
-  for (vtkIdType i = 0; i < sources->GetNumberOfTuples(); ++i)
-  {
-    sources->SetComponent(i, 0, 7.0 + static_cast<double>(i));
-  }
-  ExpectWarning(this->Isolines, { "GeodesicVirtualSource", "ignored" });
-  EXPECT_LT(this->GetErrors()[2], 1e-2);
-  this->Isolines->SetVirtualSourceArrayName("none");
-  ExpectSuccess(this->Isolines);
-}
-
-TEST_F(ApolloniusIsolines, ApproximateDistancesGiveSmoothLinesAsWell)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(40);
-  sphere->SetPhiResolution(20);
-  vtkNew<vtkDGGDistance> distance;
-  distance->SetInputConnection(sphere->GetOutputPort());
-  distance->AddSourceId(100);
-  distance->GenerateVirtualSourceOn();
-  this->Isolines->SetInputConnection(distance->GetOutputPort());
-  this->Isolines->GenerateValues(5, 0.2, 1.3);
-  ExpectSuccess(this->Isolines);
-  EXPECT_TRUE(this->Isolines->GetUsedVirtualSources());
-  EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfLines(), 5);
-}
-
 TEST_F(ApolloniusIsolines, DoNotDependOnThreads)
 {
   this->Distance->SetInputData(MakeTerrain(30));

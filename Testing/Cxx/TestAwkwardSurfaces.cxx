@@ -161,40 +161,6 @@ TEST(AwkwardSurfaces, MoebiusStrip)
   }
 }
 
-TEST(AwkwardSurfaces, OrientationDoesNotMatter)
-{
-  auto surface = MakeGrid(5, 5);
-  Cells cells;
-  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
-  {
-    vtkIdType n;
-    const vtkIdType* ids;
-    surface->GetPolys()->GetCellAtId(i, n, ids);
-    if (i % 3 == 0)
-    {
-      cells.push_back({ ids[0], ids[2], ids[1] });
-    }
-    else
-    {
-      cells.push_back({ ids[0], ids[1], ids[2] });
-    }
-  }
-  surface->SetPolys(MakeCells(cells));
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(7);
-  ExpectSuccess(filter);
-  ExpectEuclidean(filter, surface, 1e-12);
-  // Nor for a point inside a face that was turned over.
-  for (const double x : { 0.2, 1.3, 2.1 })
-  {
-    filter->RemoveAllSourceIds();
-    filter->SetSourceData(MakeSourcePoints({ { { x, 0.3, 0.0 } } }));
-    ExpectSuccess(filter);
-    EXPECT_NEAR(GetDistances(filter)[35], std::hypot(5.0 - x, 4.7), 1e-12);
-  }
-}
-
 TEST(AwkwardSurfaces, DuplicateTriangles)
 {
   auto surface = MakeGrid(3, 3);
@@ -288,37 +254,6 @@ TEST(AwkwardSurfaces, EdgesWithoutLength)
   EXPECT_GT(filter->GetMollification(), 0.0);
   EXPECT_LT(filter->GetMollification(), 1e-12);
   ExpectEuclidean(filter, surface, 1e-6);
-}
-
-TEST(AwkwardSurfaces, Slivers)
-{
-  // Rows of squares that become as thin as 1e-9.
-  Points points;
-  Cells cells;
-  const double heights[] = { 0.0, 1.0, 1.0 + 1e-3, 1.0 + 1e-3 + 1e-6, 1.0 + 1e-3 + 1e-6 + 1e-9,
-    2.0 };
-  for (int j = 0; j < 6; ++j)
-  {
-    for (int i = 0; i < 5; ++i)
-    {
-      points.push_back({ { 1.0 * i, heights[j], 0.0 } });
-      if (i > 0 && j > 0)
-      {
-        const vtkIdType d = 5 * j + i;
-        cells.push_back({ d - 6, d - 5, d });
-        cells.push_back({ d - 6, d, d - 1 });
-      }
-    }
-  }
-  auto surface = MakeSurface(points, cells);
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  for (const vtkIdType source : { 0, 11, 22, 28 })
-  {
-    filter->SetSourceIds(std::vector<vtkIdType>{ source });
-    ExpectSuccess(filter);
-    ExpectEuclidean(filter, surface, 1e-8);
-  }
 }
 
 TEST(AwkwardSurfaces, SeamsAreCountedAndMerged)
@@ -479,55 +414,4 @@ TEST(AwkwardSurfaces, IsolatedPoints)
   ExpectWarning(filter, { "the first of them 10" });
   EXPECT_NEAR(GetDistances(filter)[0], std::sqrt(2.0), 1e-12);
   EXPECT_EQ(GetNearestSources(filter)[0], 1);
-}
-
-TEST(AwkwardSurfaces, Scales)
-{
-  // Huge and tiny, also in single precision at the ends of its range.
-  auto unit = MakeTerrain(12);
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(unit);
-  filter->AddSourceId(17);
-  ExpectSuccess(filter);
-  const auto expected = GetDistances(filter);
-  for (const double scale : { 1e-60, 1e-6, 1e6, 1e60 })
-  {
-    vtkNew<vtkPolyData> scaled;
-    scaled->DeepCopy(unit);
-    for (vtkIdType i = 0; i < unit->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      unit->GetPoint(i, p);
-      scaled->GetPoints()->SetPoint(i, p[0] * scale, p[1] * scale, p[2] * scale);
-    }
-    filter->SetInputData(scaled);
-    ExpectSuccess(filter);
-    const auto distances = GetDistances(filter);
-    for (std::size_t i = 0; i < expected.size(); ++i)
-    {
-      EXPECT_NEAR(distances[i] / scale, expected[i], 1e-11) << scale;
-    }
-  }
-  for (const float scale :
-    { 1.5f * std::numeric_limits<float>::min(), 0.25f * std::numeric_limits<float>::max() })
-  {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToFloat();
-    for (vtkIdType i = 0; i < unit->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      unit->GetPoint(i, p);
-      points->InsertNextPoint(p[0] * scale, p[1] * scale, p[2] * scale);
-    }
-    vtkNew<vtkPolyData> scaled;
-    scaled->SetPoints(points);
-    scaled->SetPolys(unit->GetPolys());
-    filter->SetInputData(scaled);
-    ExpectSuccess(filter);
-    const auto distances = GetDistances(filter);
-    for (std::size_t i = 0; i < expected.size(); ++i)
-    {
-      EXPECT_NEAR(distances[i] / scale, expected[i], 1e-5) << scale; // points were rounded
-    }
-  }
 }

@@ -229,17 +229,6 @@ TEST(GeodesicDistanceContract, NearestSource)
   }
 }
 
-TEST(GeodesicDistanceContract, TheSameSourceTwice)
-{
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(MakeGrid(3, 3));
-  filter->SetSourceIds(std::vector<vtkIdType>{ 5, 5 });
-  filter->GenerateNearestSourceOn();
-  ExpectSuccess(filter);
-  EXPECT_EQ(GetDistances(filter)[5], 0.0);
-  EXPECT_EQ(GetDistances(filter)[6], 1.0);
-}
-
 TEST(GeodesicDistanceContract, MaximumDistance)
 {
   auto grid = MakeGrid(20, 20);

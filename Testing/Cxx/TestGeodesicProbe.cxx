@@ -80,32 +80,6 @@ TEST_F(GeodesicProbe, FitsSourcesToDistancesAlone)
   EXPECT_LT(this->GetError(), 1e-6);
 }
 
-TEST_F(GeodesicProbe, WhatIsNoDistanceIsLinear)
-{
-  vtkNew<vtkPolyData> surface;
-  surface->DeepCopy(MakeGrid(8, 8));
-  vtkNew<vtkDoubleArray> heights;
-  heights->SetName("Height");
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    surface->GetPoint(i, p);
-    heights->InsertNextValue(10.0 * p[0] + 3.0 * p[1]);
-  }
-  surface->GetPointData()->AddArray(heights);
-  this->Probe->SetInputData(surface);
-  this->Probe->SetDistanceArrayName("Height");
-  ExpectWarning(this->Probe, { "linear" });
-  vtkDataArray* found = this->Probe->GetOutput()->GetPointData()->GetArray("Height");
-  ASSERT_NE(found, nullptr);
-  for (vtkIdType i = 0; i < this->Places->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    this->Places->GetPoint(i, p);
-    EXPECT_NEAR(found->GetComponent(i, 0), 10.0 * p[0] + 3.0 * p[1], 1e-12);
-  }
-}
-
 TEST_F(GeodesicProbe, PointsOfTheSurfaceNeedNoTolerance)
 {
   // Of a surface that is not flat, and far from the origin.
@@ -267,12 +241,12 @@ TEST_F(GeodesicProbe, WhatDoesNotBelongIsIgnoredWithAWarning)
   ExpectWarning(this->Probe, { "windows", "GeodesicDistance" });
   EXPECT_LT(this->GetError(), 1e-9);
 
-  // Other directions.
+  // Sources of other distances.
   changed->GetFieldData()->Initialize();
   vtkDataArray* sources = changed->GetPointData()->GetArray("GeodesicVirtualSource");
   for (vtkIdType i = 0; i < sources->GetNumberOfTuples(); ++i)
   {
-    sources->SetComponent(i, 2, sources->GetComponent(i, 2) + 1.5);
+    sources->SetComponent(i, 0, sources->GetComponent(i, 0) + 1.5);
   }
   sources->Modified();
   changed->Modified();
@@ -338,49 +312,6 @@ TEST_F(GeodesicProbe, WindowsOfAnotherFormatAreIgnoredWithAWarning)
   ExpectWarning(this->Probe, { "windows", "format version 1" });
 }
 
-TEST_F(GeodesicProbe, VirtualSourcesOfHugeNumbersAreRefused)
-{
-  this->Distance->GenerateVirtualSourceOn();
-  this->Distance->Update();
-  vtkNew<vtkPolyData> changed;
-  changed->DeepCopy(this->Distance->GetOutput());
-  vtkDataArray* sources = changed->GetPointData()->GetArray("GeodesicVirtualSource");
-  for (vtkIdType i = 0; i < sources->GetNumberOfTuples(); ++i)
-  {
-    sources->SetComponent(i, 1, 1e300);
-  }
-  this->Probe->SetInputData(changed);
-  ExpectWarning(this->Probe, { "virtual sources", "not those of the distances" });
-  EXPECT_LT(this->GetError(), 1e-6); // fitted anew
-}
-
-TEST_F(GeodesicProbe, VirtualSourcesOfASurfaceThatWasScaledAreRefused)
-{
-  this->Distance->SetInputData(MakeTerrain(30));
-  this->Distance->GenerateVirtualSourceOn();
-  this->Distance->Update();
-  for (const double factor : { 0.3, 0.8, 1.0, 1.2, 2.0, 3.0 })
-  {
-    vtkNew<vtkPolyData> changed;
-    changed->DeepCopy(this->Distance->GetOutput());
-    vtkPoints* points = changed->GetPoints();
-    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      points->GetPoint(i, p);
-      points->SetPoint(i, factor * p[0], factor * p[1], factor * p[2]);
-    }
-    this->Probe->SetInputData(changed);
-    this->Probe->SetProbeData(changed);
-    Listener listener(this->Probe);
-    this->Probe->Update();
-    EXPECT_TRUE(listener.Errors.empty());
-    const bool isRefused = !listener.Warnings.empty() &&
-      listener.Warnings[0].find("not those of the distances") != std::string::npos;
-    EXPECT_EQ(isRefused, factor != 1.0) << factor;
-  }
-}
-
 TEST_F(GeodesicProbe, WindowsOfDistancesThatWereRoundedAreIgnoredWithAWarning)
 {
   this->Distance->GenerateWindowsOn();
@@ -393,37 +324,6 @@ TEST_F(GeodesicProbe, WindowsOfDistancesThatWereRoundedAreIgnoredWithAWarning)
   this->Probe->SetInputData(changed);
   ExpectWarning(this->Probe, { "windows", "'GeodesicDistance'", "float" });
   EXPECT_LT(this->GetError(), 1e-3); // fitted
-}
-
-TEST_F(GeodesicProbe, VirtualSourcesOfPointsThatAllAreSources)
-{
-  std::vector<vtkIdType> all;
-  for (vtkIdType i = 0; i < 81; ++i)
-  {
-    all.push_back(i);
-  }
-  this->Distance->SetSourceIds(all);
-  this->Distance->GenerateVirtualSourceOn();
-  ExpectSuccess(this->Probe);
-  vtkDataArray* found = this->Probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
-  ASSERT_NE(found, nullptr);
-  for (vtkIdType i = 0; i < this->Places->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    this->Places->GetPoint(i, p);
-    const double d = std::hypot(p[0] - std::round(p[0]), p[1] - std::round(p[1]));
-    EXPECT_NEAR(found->GetComponent(i, 0), d, 1e-12) << i;
-  }
-  // Those of other distances are still refused.
-  vtkNew<vtkPolyData> changed;
-  changed->DeepCopy(this->Distance->GetOutput());
-  vtkNew<vtkExactGeodesicDistance> other;
-  other->SetInputData(changed);
-  other->AddSourceId(40);
-  other->SetDistanceArrayName("other");
-  this->Probe->SetInputConnection(other->GetOutputPort());
-  this->Probe->SetDistanceArrayName("other");
-  ExpectWarning(this->Probe, { "virtual sources", "not those of the distances" });
 }
 
 TEST_F(GeodesicProbe, WindowsGoWithTheirDistances)

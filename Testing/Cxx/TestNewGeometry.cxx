@@ -142,50 +142,6 @@ TEST_P(NewGeometry, WindowsAreNotPassed)
   }
 }
 
-TEST_P(NewGeometry, WhatIsNotReachedIsNotPassed)
-{
-  const auto surface = MakeRelief(VTK_DOUBLE);
-  vtkNew<vtkDoubleArray> distances;
-  distances->SetName("far");
-  distances->SetNumberOfTuples(surface->GetNumberOfPoints());
-  distances->Fill(-1.0);
-  surface->GetPointData()->AddArray(distances);
-  // Not those that only have such a name: no distances, text, other layouts.
-  const auto add = [&](const char* name, const std::vector<double>& values) {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name);
-    for (const double value : values)
-    {
-      array->InsertNextValue(value);
-    }
-    surface->GetFieldData()->AddArray(array);
-  };
-  add("far.Unreached", { -1.0, 81.0, 5.0 });
-  add("mine.Unreached", { -1.0, 81.0, 5.0 });
-  AddNote(surface, "note.Unreached");
-  const auto filter = this->GetParam().Make(surface);
-  ExpectSuccess(filter);
-  for (const int port : this->GetParam().Ports)
-  {
-    vtkFieldData* data = filter->GetOutput(port)->GetFieldData();
-    EXPECT_EQ(data->GetArray("far.Unreached"), nullptr) << port;
-    EXPECT_NE(data->GetArray("mine.Unreached"), nullptr) << port;
-    EXPECT_NE(data->GetAbstractArray("note.Unreached"), nullptr) << port;
-  }
-  for (const std::vector<double>& values :
-    { std::vector<double>{ 4.0 }, std::vector<double>{ 4.0, 0.5, 7.0 } })
-  {
-    add("far.Unreached", values);
-    const auto another = this->GetParam().Make(surface);
-    ExpectSuccess(another);
-    for (const int port : this->GetParam().Ports)
-    {
-      EXPECT_NE(another->GetOutput(port)->GetFieldData()->GetArray("far.Unreached"), nullptr)
-        << port;
-    }
-  }
-}
-
 TEST_P(NewGeometry, PrecisionIsDoubleUnlessSet)
 {
   const auto filter = this->GetParam().Make(MakeRelief(VTK_FLOAT));

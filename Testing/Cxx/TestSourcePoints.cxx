@@ -158,17 +158,6 @@ TEST(SourcePoints, InitialDistances)
   expectOffsets(offsets);
 }
 
-TEST(SourcePoints, ADominatedSourceDoesNotWin)
-{
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(MakeGrid(4, 4));
-  filter->GenerateNearestSourceOn();
-  filter->SetSourceData(WithInitialDistances({ { { 0, 0, 0 } }, { { 1, 0, 0 } } }, { 0.0, 50.0 }));
-  ExpectSuccess(filter);
-  EXPECT_EQ(GetNearestSources(filter), std::vector<int>(25, 0));
-  EXPECT_NEAR(GetDistances(filter)[1], 1.0, 1e-12);
-}
-
 TEST(SourcePoints, OnAFoldedSurface)
 {
   // The middle of one face of the unit cube, to the middle of the opposite one and to its corners.

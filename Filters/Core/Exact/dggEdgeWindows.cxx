@@ -83,10 +83,4 @@ Status EdgeWindows::Check(const SurfaceMesh& mesh) const
   }
   return Status::Success();
 }
-
-std::size_t EdgeWindows::GetMemorySize() const
-{
-  return this->Offsets.capacity() * sizeof(Offset) + this->Windows.capacity() * sizeof(EdgeWindow) +
-    this->Sources.capacity() * sizeof(FaceSource);
-}
 }

@@ -13,7 +13,7 @@
 
 namespace dgg
 {
-/// Light that enters the face of a half-edge h through an interval of it, in the frame of h
+/// Paths that enter the face of a half-edge h through an interval of it, in the frame of h
 /// (dggUnfolding.h): the distance of a point p of the face that is seen through the interval is
 /// Offset + |p - Image|.
 struct EdgeWindow
@@ -34,7 +34,7 @@ struct FaceSource
   Id Root = NoId;      ///< ~k for source k
 };
 
-/// The light that enters faces and is, but for a few windows, the first to arrive, edge by edge.
+/// The windows of the first paths that enter faces, but for a few further ones, edge by edge.
 /// With the labels of the vertices it gives the exact distance at every point of the surface: the
 /// least of those of the windows that the point is seen through, of the ways over the corners of
 /// its face, and of the straight ways from sources in the face.
@@ -54,9 +54,6 @@ struct EdgeWindows
   /// Fails with a message when these cannot be the windows of the mesh: numbers that are not finite
   /// or intervals outside of their edges.
   Status Check(const SurfaceMesh& mesh) const;
-
-  /// Bytes held.
-  std::size_t GetMemorySize() const;
 };
 }
 

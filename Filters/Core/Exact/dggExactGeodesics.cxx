@@ -35,20 +35,12 @@ WindowPropagation& ExactGeodesics::GetEngine(ExactEngine kind)
 Status ExactGeodesics::Run(
   const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result)
 {
-  return this->GetEngine(options.Engine).Run(sources, options, result);
-}
-
-std::size_t ExactGeodesics::PredictKeptMemory(const SurfaceMesh& mesh)
-{
-  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
-  // Distance, source and predecessor of vertices, and which of them were reached.
-  const std::size_t result = n * (sizeof(double) + 2 * sizeof(Id) + sizeof(Predecessor));
-  return result + TriangleEngine::PredictMemory(mesh);
+  return this->GetEngine(options.Engine).Run(sources, options, result, false);
 }
 
 Status ExactGeodesics::RunKept(
   const std::vector<GeodesicSource>& sources, const ExactOptions& options)
 {
-  return this->GetEngine(options.Engine).RunAgain(sources, options, this->Kept);
+  return this->GetEngine(options.Engine).Run(sources, options, this->Kept, true);
 }
 }

@@ -77,8 +77,8 @@ struct ExactResult
   EdgeWindows Windows;
 
   std::size_t NumberOfWindows = 0; ///< windows propagated
-  /// Most bytes held by the engine at one time, windows that are kept included; mesh and other
-  /// results apart.
+  /// Estimate of the most bytes held by the engine at one time, windows that are kept included;
+  /// mesh and other results apart.
   std::size_t PeakMemory = 0;
 };
 
@@ -103,8 +103,6 @@ public:
   /// Run() also takes some for each vertex of the mesh.
   Status RunKept(const std::vector<GeodesicSource>& sources, const ExactOptions& options);
   const ExactResult& GetKept() const { return this->Kept; }
-  /// Bytes that a solver holds after such runs, the windows of the widest of them apart.
-  static std::size_t PredictKeptMemory(const SurfaceMesh& mesh);
 
 private:
   WindowPropagation& GetEngine(ExactEngine kind);

@@ -91,9 +91,9 @@ bool ReferenceEngine::Propagate()
     {
       const QueuedWindow queued = this->Windows.top();
       this->Windows.pop();
-      if (!this->IsStale(queued.Light) && !this->IsUseless(queued.HalfEdge, queued.Light))
+      if (!this->IsStale(queued.Passing) && !this->IsUseless(queued.HalfEdge, queued.Passing))
       {
-        this->ProcessNews(queued.HalfEdge, queued.Light);
+        this->ProcessNews(queued.HalfEdge, queued.Passing);
       }
     }
     if (!this->NoteMemory(this->Windows.size() * sizeof(QueuedWindow) +
@@ -109,7 +109,7 @@ bool ReferenceEngine::Propagate()
 /// Process what is new of a window, where what has passed has to be remembered; else all of it.
 void ReferenceEngine::ProcessNews(Id h, const Window& w)
 {
-  if (!WindowMemory::IsNeeded(this->Mesh, h))
+  if (!this->Scatters(h))
   {
     this->ProcessWindow(h, w);
     return;
@@ -154,8 +154,8 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
   const FaceUnfolding face = this->Unfold(h);
   const double crossing = Crossing(w.Image, face.GetApex());
   // Only pieces have seams with vertices on them (ProcessNews); elsewhere flat vertices emit again.
-  const bool mayBePiece = w.HasScattered || WindowMemory::IsNeeded(this->Mesh, h);
-  const double tolerance = mayBePiece ? w.Tolerance(LightTolerance, face.GetBase()) : 0.0;
+  const bool mayBePiece = w.HasScattered || this->Scatters(h);
+  const double tolerance = mayBePiece ? w.Tolerance(SeenTolerance, face.GetBase()) : 0.0;
   if (crossing >= w.Begin - tolerance && crossing <= w.End + tolerance)
   {
     this->Lower(this->Mesh.Apex(h), w.DistanceThrough(crossing, face.GetApex()),
@@ -168,26 +168,20 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
   {
     this->DecideChildren(h, w, crossing, left, right);
   }
-  Window child = w;
+  Window child;
   if (left)
   {
-    child.Image = face.ImageInLeft(w.Image);
-    const double depth = -child.Image.Y;
-    child.SetInterval(face.OnLeft(w.Image, depth, w.Begin),
-      straddles ? face.GetLeft() : face.OnLeft(w.Image, depth, w.End));
+    MakeLeftChild(face, w, straddles, child);
     this->Cross(SurfaceMesh::Previous(h), child);
   }
   if (right)
   {
-    child.Image = face.ImageInRight(w.Image);
-    const double depth = -child.Image.Y;
-    child.SetInterval(
-      straddles ? 0.0 : face.OnRight(w.Image, depth, w.Begin), face.OnRight(w.Image, depth, w.End));
+    MakeRightChild(face, w, straddles, child);
     this->Cross(SurfaceMesh::Next(h), child);
   }
 }
 
-/// The Chen-Han rule: of all windows that light an apex through a half-edge only the one that is
+/// The Chen-Han rule: of all windows that reach an apex through a half-edge only the one that is
 /// shortest there needs both children; a loser keeps the one on its own side of the winner's ray:
 /// the winner's path, followed back, has to cross the loser's rays to the other side. Not applied
 /// - when the rays coincide: the winner may be a pseudo-source on the loser's very ray;

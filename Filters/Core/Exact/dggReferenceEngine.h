@@ -5,7 +5,6 @@
 #ifndef dggReferenceEngine_h
 #define dggReferenceEngine_h
 
-#include "dggWindowMemory.h"      // for WindowMemory
 #include "dggWindowPropagation.h" // for WindowPropagation
 
 #include <queue>  // for the window queue
@@ -33,7 +32,7 @@ private:
   {
     double Key;
     Id HalfEdge;
-    Window Light;
+    Window Passing;
     bool operator<(const QueuedWindow& other) const { return this->Key > other.Key; }
   };
   struct QueuedVertex

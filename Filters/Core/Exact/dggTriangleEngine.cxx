@@ -18,14 +18,6 @@ constexpr std::size_t RadiusInterval = 64;
 constexpr std::ptrdiff_t MostBeyond = 64;
 }
 
-std::size_t TriangleEngine::PredictMemory(const SurfaceMesh& mesh)
-{
-  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
-  const auto faces = static_cast<std::size_t>(mesh.GetNumberOfFaces());
-  return n * (sizeof(std::uint8_t) + sizeof(double)) +
-    faces * (sizeof(std::uint8_t) + 3 * (sizeof(std::uint8_t) + sizeof(Id)));
-}
-
 void TriangleEngine::Reset()
 {
   const auto n = static_cast<std::size_t>(this->Mesh.GetNumberOfVertices());
@@ -80,7 +72,7 @@ void TriangleEngine::Release()
   std::vector<Id>().swap(this->Queue);
   std::vector<std::pair<double, Id>>().swap(this->Heap);
   std::vector<double>().swap(this->Emitted);
-  for (WindowList* list : { &this->Light, &this->LeftChildren.Envelope,
+  for (WindowList* list : { &this->Passing, &this->LeftChildren.Envelope,
          &this->LeftChildren.Misplaced, &this->RightChildren.Envelope,
          &this->RightChildren.Misplaced, &this->Merged, &this->Scratch })
   {
@@ -125,7 +117,7 @@ bool TriangleEngine::Propagate()
 }
 
 /// Nothing left within the radius. A window may be nearer than both ends of its edge, so the labels
-/// alone do not tell.
+/// alone do not decide.
 bool TriangleEngine::IsFinished() const
 {
   return this->Heap.empty() ||
@@ -218,29 +210,29 @@ std::size_t TriangleEngine::PropagateList(Id h)
   const Id slot = this->ListOf[h];
   this->ListOf[h] = NoId;
   this->FreeLists.push_back(slot);
-  this->Light.swap(this->Pool[slot]);
+  this->Passing.swap(this->Pool[slot]);
   this->Pool[slot].clear();
 
   const FaceUnfolding face = this->Unfold(h);
   const auto stale = std::remove_if(
-    this->Light.begin(), this->Light.end(), [&](const Window& w) { return this->IsStale(w); });
-  this->Light.erase(stale, this->Light.end());
-  const std::size_t windows = this->Light.size();
+    this->Passing.begin(), this->Passing.end(), [&](const Window& w) { return this->IsStale(w); });
+  this->Passing.erase(stale, this->Passing.end());
+  const std::size_t windows = this->Passing.size();
   this->Result->NumberOfWindows += windows;
   if (this->HasTargets(SurfaceMesh::Face(h)))
   {
-    for (const Window& w : this->Light)
+    for (const Window& w : this->Passing)
     {
       this->OfferTargets(h, w);
     }
   }
   if (this->Store.IsOn())
   {
-    this->Store.Add(h, this->Light);
+    this->Store.Add(h, this->Passing);
   }
-  this->LightApex(h, face);
+  this->ReachApex(h, face);
   this->MakeChildren(h, face);
-  this->Light.swap(this->Pool[slot]); // give the storage back
+  this->Passing.swap(this->Pool[slot]); // give the storage back
   this->Pool[slot].clear();
   this->Deliver(SurfaceMesh::Previous(h), this->LeftChildren.Envelope);
   this->Deliver(SurfaceMesh::Next(h), this->RightChildren.Envelope);
@@ -248,13 +240,13 @@ std::size_t TriangleEngine::PropagateList(Id h)
 }
 
 /// The label of the apex first: it trims the children.
-void TriangleEngine::LightApex(Id h, const FaceUnfolding& face)
+void TriangleEngine::ReachApex(Id h, const FaceUnfolding& face)
 {
   const Id apex = this->Mesh.Apex(h);
-  for (const Window& w : this->Light)
+  for (const Window& w : this->Passing)
   {
     const double crossing = Crossing(w.Image, face.GetApex());
-    const double tolerance = w.Tolerance(LightTolerance, face.GetBase());
+    const double tolerance = w.Tolerance(SeenTolerance, face.GetBase());
     if (crossing >= w.Begin - tolerance && crossing <= w.End + tolerance)
     {
       this->Lower(apex, w.DistanceThrough(crossing, face.GetApex()),
@@ -273,27 +265,19 @@ void TriangleEngine::MakeChildren(Id h, const FaceUnfolding& face)
   const double atEnd = this->Label(this->Mesh.Destination(h));
   const double atApex = this->Label(this->Mesh.Apex(h));
   Window child;
-  for (const Window& w : this->Light)
+  for (const Window& w : this->Passing)
   {
     const double crossing = Crossing(w.Image, face.GetApex());
     const bool left = crossing > w.Begin;
     const bool right = crossing < w.End;
     if (left && hasLeft)
     {
-      child = w;
-      child.Image = face.ImageInLeft(w.Image);
-      const double depth = -child.Image.Y;
-      child.SetInterval(face.OnLeft(w.Image, depth, w.Begin),
-        right ? face.GetLeft() : face.OnLeft(w.Image, depth, w.End));
+      MakeLeftChild(face, w, right, child);
       this->AddChild(child, face.GetLeft(), atOrigin, atApex, this->LeftChildren);
     }
     if (right && hasRight)
     {
-      child = w;
-      child.Image = face.ImageInRight(w.Image);
-      const double depth = -child.Image.Y;
-      child.SetInterval(
-        left ? 0.0 : face.OnRight(w.Image, depth, w.Begin), face.OnRight(w.Image, depth, w.End));
+      MakeRightChild(face, w, left, child);
       this->AddChild(child, face.GetRight(), atApex, atEnd, this->RightChildren);
     }
   }
@@ -363,7 +347,7 @@ void TriangleEngine::Deliver(Id exit, WindowList& list)
 /// Merge a list into the one that waits on h. May take its storage.
 void TriangleEngine::Join(Id h, WindowList& list)
 {
-  if (WindowMemory::IsNeeded(this->Mesh, h))
+  if (this->Scatters(h))
   {
     this->Memory.KeepNews(h, this->Mesh.Length(h), list);
     if (list.empty())
@@ -397,15 +381,13 @@ void TriangleEngine::Join(Id h, WindowList& list)
 /// False when it is too much.
 bool TriangleEngine::MeasureMemory()
 {
-  std::size_t bytes = this->Memory.GetMemorySize() + this->Heap.capacity() * sizeof(this->Heap[0]) +
-    this->IsOpen.capacity() + this->IsQueued.capacity() + this->IsVisited.capacity() +
-    this->Emitted.capacity() * sizeof(double) + this->Queue.capacity() * sizeof(Id) +
-    (this->ListOf.capacity() + this->FreeLists.capacity()) * sizeof(Id) +
-    this->Pool.capacity() * sizeof(WindowList);
+  std::size_t windows = 0;
   for (const WindowList& list : this->Pool)
   {
-    bytes += list.capacity() * sizeof(Window);
+    windows += list.capacity();
   }
-  return this->NoteMemory(bytes);
+  const std::size_t arrays = this->Emitted.size() * (sizeof(double) + sizeof(this->Heap[0])) +
+    this->ListOf.size() * (2 * sizeof(Id));
+  return this->NoteMemory(windows * sizeof(Window) + arrays + this->Memory.GetMemorySize());
 }
 }

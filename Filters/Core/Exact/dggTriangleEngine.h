@@ -6,7 +6,6 @@
 #define dggTriangleEngine_h
 
 #include "dggWindowEnvelope.h"    // for WindowList
-#include "dggWindowMemory.h"      // for WindowMemory
 #include "dggWindowPropagation.h" // for WindowPropagation
 
 #include <cstddef> // for std::size_t
@@ -23,9 +22,6 @@ class TriangleEngine : public WindowPropagation
 {
 public:
   using WindowPropagation::WindowPropagation;
-
-  /// Bytes of the arrays that are as long as the mesh has vertices, faces and half-edges.
-  static std::size_t PredictMemory(const SurfaceMesh& mesh);
 
 protected:
   void Receive(Id h, const Window& window) override;
@@ -52,7 +48,7 @@ private:
   void OpenFacesAround(Id v);
   void Enqueue(Id h);
   std::size_t PropagateList(Id h);
-  void LightApex(Id h, const FaceUnfolding& face);
+  void ReachApex(Id h, const FaceUnfolding& face);
   void MakeChildren(Id h, const FaceUnfolding& face);
   void AddChild(Window& child, double length, double atOrigin, double atEnd, ChildList& list);
   void AddMisplaced(double length, ChildList& list);
@@ -75,7 +71,7 @@ private:
 
   WindowMemory Memory;
 
-  WindowList Light; // the list on its way through a face
+  WindowList Passing; // the list on its way through a face
   ChildList LeftChildren;
   ChildList RightChildren;
   WindowList Merged;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A window: an interval of an edge lit by one source in one unfolding.
+/// A window: an interval of an edge that one source reaches in one unfolding.
 #ifndef dggWindow_h
 #define dggWindow_h
 
@@ -16,23 +16,23 @@ namespace dgg
 constexpr double LengthTolerance = 1e-12;
 /// Intervals narrower than this are dropped; relative, see Window::Tolerance().
 constexpr double IntervalTolerance = 1e-10;
-/// A point this close to an end of a window counts as lit, by the way through that end; relative,
-/// see Window::Tolerance(). So no point on the seam between two windows stays dark: lengths are
+/// A point this close to an end of a window counts as seen, by the way through that end; relative,
+/// see Window::Tolerance(). So no point on the seam between two windows is missed: lengths are
 /// compared to LengthTolerance, so the place where they are equal is known to the root of that.
-constexpr double LightTolerance = 2e-6;
+constexpr double SeenTolerance = 2e-6;
 /// An image closer to the axis than this, relative to its edge, and beside the window sees the edge
-/// edge-on and lights nothing.
+/// edge-on and reaches nothing.
 constexpr double EdgeOnTolerance = 1e-14;
 
 /// Some roundings of a position on an edge, relative to the edge.
 constexpr double PositionRounding = 4e-15;
 
-/// Light on its way into the face of a half-edge, in the frame of that half-edge (dggUnfolding.h).
-/// The image of the pseudo-source is kept rather than two end distances: it is accurate when the
-/// image is nearly in line with the edge. The distances at the ends are a cache.
+/// Paths on their way into the face of a half-edge, in the frame of that half-edge
+/// (dggUnfolding.h). The image of the pseudo-source is kept rather than two end distances: it is
+/// accurate when the image is nearly in line with the edge. The distances at the ends are a cache.
 struct Window
 {
-  double Begin = 0.0; ///< lit interval, 0 <= Begin < End <= length of the half-edge
+  double Begin = 0.0; ///< of the interval, 0 <= Begin < End <= length of the half-edge
   double End = 0.0;
   Point2 Image;       ///< of the pseudo-source, Y < 0
   double Sigma = 0.0; ///< distance at the pseudo-source, initial distance included
@@ -41,7 +41,7 @@ struct Window
   Id Root = NoId; ///< the pseudo-source: a vertex, or ~k for source k inside a face or an edge
   /// Has gone through an edge with more than two faces, or a face without area.
   bool HasScattered = false;
-  bool IsKnown = false; ///< has passed here before (dggWindowMemory.h)
+  bool IsKnown = false; ///< has passed here before (WindowMemory)
 
   /// Distance at a point of the axis.
   double DistanceAt(double x) const { return this->Sigma + DistanceToAxis(this->Image, x); }
@@ -86,8 +86,8 @@ struct Window
   }
 
   /// A tolerance for widths on an edge of the given length. What counts is the angle: close to its
-  /// image a window that is narrow for its edge may light half of the surface. Rounding of
-  /// positions on the edge sets the floor. Light that has scattered may come from as close by as
+  /// image a window that is narrow for its edge may reach half of the surface. Rounding of
+  /// positions on the edge sets the floor. Windows that have scattered may come from as close by as
   /// faces without area are narrow, without meaning anything, and in any number of slivers: there
   /// the edge counts.
   double Tolerance(double relative, double length) const
@@ -103,7 +103,7 @@ struct Window
   }
 
   /// False when the image sees the edge edge-on. An image in the window itself does not, however
-  /// close: as after faces without area it is on the edge, and lights all that is behind. Then it
+  /// close: as after faces without area it is on the edge, and reaches all that is behind. Then it
   /// is put where it has a side.
   bool FacesEdge(double length)
   {

@@ -10,7 +10,7 @@ namespace dgg
 namespace
 {
 /// Pieces narrower than this, for them and for a neighbour that touches them, are left to that
-/// neighbour; relative, see Window::Tolerance(). Its light then leaves its strip by that much at
+/// neighbour; relative, see Window::Tolerance(). Its paths then leave their strip by that much at
 /// most, which changes lengths by the square. Where shadows of several pseudo-sources in line meet,
 /// rounding would make a window of its own of each sliver.
 constexpr double PieceTolerance = 1e-9;
@@ -221,7 +221,7 @@ private:
 
   /// Both fronts begin at the same point: write the shorter one, or both in turn, up to the first
   /// end. Where rounding alone decides, on a width of rounding, the one with the nearer image is
-  /// taken: the same width is a wider angle there, which would be dark.
+  /// taken: the same width is a wider angle there, which would be missed.
   void ResolveOverlap()
   {
     const Window& a = this->A.Front;

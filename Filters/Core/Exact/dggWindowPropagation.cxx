@@ -28,8 +28,7 @@ std::size_t LimitWindows(const SurfaceMesh& mesh)
   bool scatters = mesh.GetNumberOfDegenerateFaces() > 0;
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges() && !scatters; ++h)
   {
-    const Id t = mesh.Twin(h);
-    scatters = t != NoId && mesh.Twin(t) != h;
+    scatters = mesh.IsNonManifold(h);
   }
   const double faces = mesh.GetNumberOfFaces();
   const double most = (scatters ? MostScattered : MostOnManifold) * faces * std::sqrt(faces);
@@ -128,19 +127,7 @@ WindowPropagation::WindowPropagation(const SurfaceMesh& mesh)
 {
 }
 
-Status WindowPropagation::Run(
-  const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result)
-{
-  return this->RunInto(sources, options, result, false);
-}
-
-Status WindowPropagation::RunAgain(
-  const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result)
-{
-  return this->RunInto(sources, options, result, true);
-}
-
-Status WindowPropagation::RunInto(const std::vector<GeodesicSource>& sources,
+Status WindowPropagation::Run(const std::vector<GeodesicSource>& sources,
   const ExactOptions& options, ExactResult& result, bool isAgain)
 {
   const bool isPart = isAgain && this->KnowsReached;
@@ -176,10 +163,6 @@ Status WindowPropagation::RunInto(const std::vector<GeodesicSource>& sources,
 
   this->Options = &options;
   this->Result = &result;
-  this->Sources = &shifted;
-  this->Labels = &result.Distances;
-  this->Nearest = &result.NearestSource;
-  this->Predecessors = &result.Predecessors;
   this->Radius = options.MaximumDistance - shift;
   this->IsOutOfMemory = false;
   this->IsOverwhelmed = false;
@@ -209,7 +192,6 @@ Status WindowPropagation::RunInto(const std::vector<GeodesicSource>& sources,
     }
   }
   this->Store.Start(false);
-  this->Sources = nullptr;
   this->Result = nullptr;
   this->Options = nullptr;
   if (!finished)
@@ -271,7 +253,7 @@ void WindowPropagation::ForEachReached(Function&& visit) const
     std::for_each(this->Reached.begin(), this->Reached.end(), visit);
     return;
   }
-  for (std::size_t v = 0; v < this->Labels->size(); ++v)
+  for (std::size_t v = 0; v < this->Result->Distances.size(); ++v)
   {
     visit(v);
   }
@@ -279,7 +261,7 @@ void WindowPropagation::ForEachReached(Function&& visit) const
 
 bool WindowPropagation::Lower(Id v, double distance, const Predecessor& predecessor, Id source)
 {
-  double& label = (*this->Labels)[v];
+  double& label = this->Result->Distances[v];
   if (!(distance < label))
   {
     return false;
@@ -289,8 +271,8 @@ bool WindowPropagation::Lower(Id v, double distance, const Predecessor& predeces
     this->Reached.push_back(v);
   }
   label = distance;
-  (*this->Predecessors)[v] = predecessor;
-  (*this->Nearest)[v] = source;
+  this->Result->Predecessors[v] = predecessor;
+  this->Result->NearestSource[v] = source;
   this->LabelDropped(v);
   return true;
 }
@@ -298,7 +280,7 @@ bool WindowPropagation::Lower(Id v, double distance, const Predecessor& predeces
 void WindowPropagation::RelaxNeighbours(Id v)
 {
   const double label = this->Label(v);
-  const Id source = (*this->Nearest)[v];
+  const Id source = this->Result->NearestSource[v];
   const Predecessor along{ NoId, v, 0.0, 0.0 };
   for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
   {
@@ -353,7 +335,7 @@ void WindowPropagation::EmitIntoShadow(Id v)
 
 bool WindowPropagation::FindIncomingAngle(Id v, double& angle) const
 {
-  const Predecessor& p = (*this->Predecessors)[v];
+  const Predecessor& p = this->Result->Predecessors[v];
   if (p.HalfEdge != NoId)
   {
     // From the direction of the origin of the half-edge counter-clockwise to that of the image.
@@ -527,7 +509,7 @@ void WindowPropagation::ReachTarget(
 void WindowPropagation::OfferTargets(Id h, const Window& window)
 {
   const Id f = SurfaceMesh::Face(h);
-  const double tolerance = window.Tolerance(LightTolerance, this->Mesh.Length(h));
+  const double tolerance = window.Tolerance(SeenTolerance, this->Mesh.Length(h));
   auto target = std::lower_bound(this->Targets.begin(), this->Targets.end(), f,
     [](const Target& t, Id face) { return t.Face < face; });
   for (; target != this->Targets.end() && target->Face == f; ++target)
@@ -580,7 +562,8 @@ void WindowPropagation::FinishTargets()
     if (points[t].On == SurfacePoint::Support::Vertex)
     {
       const Id v = points[t].Vertex;
-      this->ReachTarget(t, this->Label(v), (*this->Predecessors)[v], (*this->Nearest)[v]);
+      this->ReachTarget(
+        t, this->Label(v), this->Result->Predecessors[v], this->Result->NearestSource[v]);
       continue;
     }
     ForEachFaceAround(this->Mesh, points[t], [&](Id f, const std::array<double, 3>& b) {
@@ -588,7 +571,7 @@ void WindowPropagation::FinishTargets()
       {
         const Id corner = this->Mesh.Origin(3 * f + k);
         this->ReachTarget(t, this->Label(corner) + DistanceToCorner(this->Mesh, f, b, k),
-          { NoId, corner, 0.0, 0.0 }, (*this->Nearest)[corner]);
+          { NoId, corner, 0.0, 0.0 }, this->Result->NearestSource[corner]);
       }
     });
   }
@@ -602,7 +585,7 @@ bool WindowPropagation::FinishWindows(const std::vector<GeodesicSource>& sources
     return true;
   }
   this->Release(); // before there are windows in two places
-  this->Store.Trim(*this->Labels);
+  this->Store.Trim(this->Result->Distances);
   if (!this->NoteAllMemory(this->Store.GetMemoryToMove()))
   {
     return false;
@@ -638,11 +621,11 @@ void WindowPropagation::ForgetBeyondRadius()
   this->UpdateRadius();
   const double limit = this->Radius;
   this->ForEachReached([&](std::size_t v) {
-    if ((*this->Labels)[v] > limit)
+    if (this->Result->Distances[v] > limit)
     {
-      (*this->Labels)[v] = Infinity;
-      (*this->Nearest)[v] = NoId;
-      (*this->Predecessors)[v] = Predecessor();
+      this->Result->Distances[v] = Infinity;
+      this->Result->NearestSource[v] = NoId;
+      this->Result->Predecessors[v] = Predecessor();
     }
   });
   for (std::size_t t = 0; t < this->Result->TargetDistances.size(); ++t)

@@ -26,12 +26,10 @@ public:
   WindowPropagation(const WindowPropagation&) = delete;
   WindowPropagation& operator=(const WindowPropagation&) = delete;
 
-  Status Run(
-    const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result);
-  /// The same where `result` is always the same one, which nobody else changes: only what the last
-  /// run has reached is reset.
-  Status RunAgain(
-    const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result);
+  /// When it `isAgain`, `result` is always the same one, which nobody else changes: only what the
+  /// last run has reached is reset.
+  Status Run(const std::vector<GeodesicSource>& sources, const ExactOptions& options,
+    ExactResult& result, bool isAgain);
 
 protected:
   /// A window is about to enter the face of half-edge h, in its frame.
@@ -46,9 +44,9 @@ protected:
   /// Give back the memory of a finished propagation.
   virtual void Release() = 0;
 
-  double Label(Id v) const { return (*this->Labels)[v]; }
-  Id SourceOf(Id root) const { return root >= 0 ? (*this->Nearest)[root] : ~root; }
-  bool IsSource(Id v) const { return (*this->Predecessors)[v].Root == v; }
+  double Label(Id v) const { return this->Result->Distances[v]; }
+  Id SourceOf(Id root) const { return root >= 0 ? this->Result->NearestSource[root] : ~root; }
+  bool IsSource(Id v) const { return this->Result->Predecessors[v].Root == v; }
 
   /// Lower the label of v if `distance` is smaller. Every label is the length of a real path.
   bool Lower(Id v, double distance, const Predecessor& predecessor, Id source);
@@ -81,13 +79,35 @@ protected:
     }
   }
 
-  /// Whether light that leaves through the half-edge has scattered.
-  bool Scatters(Id exit) const
+  /// Whether windows that leave through the half-edge have scattered, and what enters has to be
+  /// remembered (WindowMemory): its face has no area, or its edge more than two faces.
+  bool Scatters(Id h) const
   {
-    const Id twin = this->Mesh.Twin(exit);
-    return this->Mesh.IsDegenerate(SurfaceMesh::Face(exit)) ||
-      (twin != NoId && this->Mesh.Twin(twin) != exit);
+    return this->Mesh.IsDegenerate(SurfaceMesh::Face(h)) || this->Mesh.IsNonManifold(h);
   }
+
+  /// The part of a window that leaves its face through the left edge, up to the apex if that
+  /// `isCut`; and through the right edge, from the apex on.
+  /// @{
+  static void MakeLeftChild(
+    const FaceUnfolding& face, const Window& window, bool isCut, Window& child)
+  {
+    child = window;
+    child.Image = face.ImageInLeft(window.Image);
+    const double depth = -child.Image.Y;
+    child.SetInterval(face.OnLeft(window.Image, depth, window.Begin),
+      isCut ? face.GetLeft() : face.OnLeft(window.Image, depth, window.End));
+  }
+  static void MakeRightChild(
+    const FaceUnfolding& face, const Window& window, bool isCut, Window& child)
+  {
+    child = window;
+    child.Image = face.ImageInRight(window.Image);
+    const double depth = -child.Image.Y;
+    child.SetInterval(isCut ? 0.0 : face.OnRight(window.Image, depth, window.Begin),
+      face.OnRight(window.Image, depth, window.End));
+  }
+  /// @}
 
   bool RunsAgainst(Id e, Id h) const { return this->Mesh.Origin(e) == this->Mesh.Destination(h); }
   static Window Mirrored(const Window& window, double length);
@@ -131,8 +151,6 @@ private:
     std::array<double, 3> Barycentric;
   };
 
-  Status RunInto(const std::vector<GeodesicSource>& sources, const ExactOptions& options,
-    ExactResult& result, bool isAgain);
   void ResetResult(bool isPart);
   void Start(const std::vector<GeodesicSource>& sources);
   void StartInFace(Id f, const std::array<double, 3>& barycentric, double offset, Id source);
@@ -149,10 +167,6 @@ private:
   bool FindIncomingAngle(Id v, double& angle) const;
   void ReachTarget(std::size_t index, double distance, const Predecessor& predecessor, Id source);
 
-  const std::vector<GeodesicSource>* Sources = nullptr;
-  std::vector<double>* Labels = nullptr;
-  std::vector<Id>* Nearest = nullptr;
-  std::vector<Predecessor>* Predecessors = nullptr;
   double Radius = Infinity;
   std::size_t MostWindows;
   bool IsOutOfMemory = false;

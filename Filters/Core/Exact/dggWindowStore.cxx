@@ -3,6 +3,7 @@
 #include "dggWindowStore.h"
 
 #include <algorithm>
+#include <iterator>
 
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -28,7 +29,7 @@ void GiveBackMemory()
 void WindowStore::Start(bool isOn)
 {
   std::vector<WindowList>(isOn ? this->Mesh.GetNumberOfHalfEdges() : 0).swap(this->Lists);
-  this->Bytes = 0;
+  this->Held = 0;
   if (!isOn)
   {
     WindowList().swap(this->Scratch);
@@ -39,7 +40,7 @@ void WindowStore::Start(bool isOn)
 void WindowStore::Add(Id h, const WindowList& windows)
 {
   WindowList& list = this->Lists[h];
-  this->Bytes -= SizeOf(list);
+  this->Held -= list.capacity();
   if (list.empty())
   {
     list = windows;
@@ -49,15 +50,15 @@ void WindowStore::Add(Id h, const WindowList& windows)
     MergeEnvelopes(list, windows, this->Mesh.Length(h), this->Merged);
     list.assign(this->Merged.begin(), this->Merged.end());
   }
-  this->Bytes += SizeOf(list);
+  this->Held += list.capacity();
 }
 
 void WindowStore::Add(Id h, const Window& window)
 {
   WindowList& list = this->Lists[h];
-  this->Bytes -= SizeOf(list);
+  this->Held -= list.capacity();
   InsertIntoEnvelope(list, window, this->Mesh.Length(h), this->Scratch);
-  this->Bytes += SizeOf(list);
+  this->Held += list.capacity();
 }
 
 void WindowStore::Trim(const std::vector<double>& labels)
@@ -95,8 +96,7 @@ void WindowStore::MoveTo(EdgeWindows& windows, double shift)
 
 std::size_t WindowStore::GetMemorySize() const
 {
-  return this->Lists.capacity() * sizeof(WindowList) + this->Bytes + SizeOf(this->Scratch) +
-    SizeOf(this->Merged);
+  return this->Lists.size() * sizeof(WindowList) + this->Held * sizeof(Window);
 }
 
 std::size_t WindowStore::GetMemoryToMove() const
@@ -133,5 +133,36 @@ void WindowStore::TrimByLabels(Id h, const std::vector<double>& labels)
   const auto useless = std::remove_if(
     list.begin(), list.end(), [&](Window& w) { return !TrimByEnds(w, length, atOrigin, atEnd); });
   list.erase(useless, list.end());
+}
+
+void WindowMemory::KeepNews(Id h, double length, WindowList& list)
+{
+  WindowList& known = this->Known[h];
+  MergeEnvelopes(known, list, length, this->Merged);
+  list.clear();
+  std::copy_if(this->Merged.begin(), this->Merged.end(), std::back_inserter(list),
+    [](const Window& w) { return !w.IsKnown; });
+  WindowList passed = list;
+  for (Window& w : passed)
+  {
+    // Made a little shorter, so that an equal one that comes later loses.
+    const double bias = LengthTolerance * std::max(w.DistanceAtBegin, w.DistanceAtEnd);
+    w.Sigma -= bias;
+    w.DistanceAtBegin -= bias;
+    w.DistanceAtEnd -= bias;
+    w.IsKnown = true;
+  }
+  MergeEnvelopes(known, passed, length, this->Merged);
+  known.swap(this->Merged);
+}
+
+std::size_t WindowMemory::GetMemorySize() const
+{
+  std::size_t bytes = 0;
+  for (const auto& known : this->Known)
+  {
+    bytes += sizeof(known) + known.second.capacity() * sizeof(Window);
+  }
+  return bytes;
 }
 }

@@ -5,7 +5,8 @@
 #ifndef dggCornerModel_h
 #define dggCornerModel_h
 
-#include "dggSurfaceMesh.h" // for SurfaceMesh
+#include "dggSurfaceMesh.h"    // for SurfaceMesh
+#include "dggVirtualSources.h" // for VirtualSources
 
 #include <cmath> // for std::sin
 
@@ -33,6 +34,12 @@ struct CornerModel
     , Total(mesh.TotalAngle(v))
     , IsOpen(mesh.Kind(v) == VertexKind::Boundary)
     , IsKnown(mesh.Kind(v) != VertexKind::Irregular && mesh.Kind(v) != VertexKind::Isolated)
+  {
+  }
+
+  /// The model of the virtual source, with the distance that is given at the vertex.
+  CornerModel(const SurfaceMesh& mesh, Id v, const VirtualSources& sources, double distance)
+    : CornerModel(mesh, v, distance - sources.Lengths[v], sources.Lengths[v], sources.Angles[v])
   {
   }
 

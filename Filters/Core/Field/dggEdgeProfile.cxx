@@ -17,7 +17,7 @@ namespace
 constexpr double WindowSlack = 1e-9;
 /// Pieces into which an edge is cut to find extrema between models.
 constexpr int NumberOfModelBreaks = 8;
-/// The step by which slopes are told, in the interval that a crest is looked for in, and the
+/// The step by which slopes are measured, in the interval that a crest is looked for in, and the
 /// interval that is as good as the crest itself, in the length of the edge.
 constexpr double SlopeStep = 1e-3;
 constexpr double NarrowestCrest = 1e-10;
@@ -106,7 +106,7 @@ void EdgeProfile::CollectSources(Id h)
   }
 }
 
-/// What lights a boundary edge from within its face: the apex, and the windows of the other two
+/// What reaches a boundary edge from within its face: the apex, and the windows of the other two
 /// sides.
 void EdgeProfile::CollectThroughFace(Id h)
 {
@@ -240,10 +240,7 @@ void EdgeProfile::SetUpModels()
   const std::array<Id, 2> vertices{ { mesh.Origin(h), mesh.Destination(h) } };
   for (int k = 0; k < 2; ++k)
   {
-    const Id v = vertices[k];
-    this->Models[k] =
-      CornerModel(mesh, v, sources.Offsets[v], sources.Lengths[v], sources.Angles[v]);
-    this->Models[k].Offset = this->Ends[k] - this->Models[k].Length; // what is given counts
+    this->Models[k] = CornerModel(mesh, vertices[k], sources, this->Ends[k]);
   }
   for (int k = 0; k < 2; ++k)
   {

@@ -153,10 +153,8 @@ void FaceProfile::SetUpModels()
   const VirtualSources& sources = *this->Field.Sources;
   for (int k = 0; k < 3; ++k)
   {
-    const Id v = mesh.Origin(3 * this->Face + k);
     this->Models[k] =
-      CornerModel(mesh, v, sources.Offsets[v], sources.Lengths[v], sources.Angles[v]);
-    this->Models[k].Offset = this->Distances[k] - this->Models[k].Length; // what is given counts
+      CornerModel(mesh, mesh.Origin(3 * this->Face + k), sources, this->Distances[k]);
     this->HasModels = this->HasModels || this->Models[k].IsKnown;
   }
   this->Negligible =

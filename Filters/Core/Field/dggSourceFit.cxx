@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dggSourceFit.h"
+#include "dggSourceFinding.h"
 
 #include "dggCornerModel.h"
+#include "dggEdges.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -152,23 +153,13 @@ void VertexFit::CollectNeighbors(Id v)
 {
   this->Neighbors.clear();
   this->MeanLength = 0.0;
-  auto add = [&](Id w, double length, double angle) {
+  ForEachNeighbor(this->Mesh, v, [&](Id w, double length, double angle) {
     if (std::isfinite(this->Distances[w]))
     {
       this->Neighbors.push_back({ length, angle, this->Distances[w] - this->Distances[v] });
       this->MeanLength += length;
     }
-  };
-  for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
-  {
-    add(this->Mesh.Destination(*g), this->Mesh.Length(*g), this->Mesh.PolarAngle(*g));
-    const Id incoming = SurfaceMesh::Previous(*g);
-    if (this->Mesh.Twin(incoming) == NoId)
-    {
-      add(this->Mesh.Origin(incoming), this->Mesh.Length(incoming),
-        this->Mesh.PolarAngle(*g) + this->Mesh.CornerAngle(*g));
-    }
-  }
+  });
   this->MeanLength /= std::max<double>(1.0, static_cast<double>(this->Neighbors.size()));
 }
 

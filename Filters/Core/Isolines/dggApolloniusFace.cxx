@@ -119,7 +119,8 @@ void ApolloniusFace::AddRim()
         }
       }
       side.emplace_back(x, number);
-      this->Rim.push_back({ last, number, this->Edge.GetHalfEdge(), isSame ? i - 1 : index });
+      this->Rim.push_back(
+        { last, number, this->Edge.GetHalfEdge(), static_cast<Id>(isSame ? i - 1 : index) });
       last = number;
     }
   }

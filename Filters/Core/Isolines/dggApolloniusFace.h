@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The published isolines within one face. Internal.
+/// Isolines by the published method, as a comparison. Internal.
 #ifndef dggApolloniusFace_h
 #define dggApolloniusFace_h
 
@@ -12,7 +12,6 @@
 #include "dggIsolineParts.h"      // for FaceCurve
 
 #include <array>      // for corners
-#include <cstddef>    // for std::size_t
 #include <functional> // for CrossingFinder
 #include <utility>    // for directed edges
 #include <vector>     // for nodes
@@ -23,7 +22,7 @@ class FaceTriangulation;
 
 /// Number of the crossing of a level on an edge (its representative half-edge), between two
 /// neighbouring nodes of it.
-using CrossingFinder = std::function<Id(Id halfEdge, std::size_t interval)>;
+using CrossingFinder = std::function<Id(Id halfEdge, Id interval)>;
 
 /// A face cut into triangles on which the distance is linear: their corners are the nodes of its
 /// three edges (dggHermiteEdge.h) and the nodes of the Apollonius diagram of its sites, and the
@@ -56,7 +55,7 @@ private:
     int Begin;
     int End;
     Id HalfEdge;
-    std::size_t Interval;
+    Id Interval;
   };
 
   /// One edge of a triangle, directed.
@@ -98,6 +97,21 @@ private:
   std::vector<TriangleEdge> TriangleEdges; // sorted
   std::vector<bool> IsDone;                // triangles that the level has been followed through
 };
+
+/// The isolines of increasing levels, edge by edge and face by face, from the Apollonius diagrams
+/// of points on the rims of faces: cubics along edges, linear in the triangles that the diagrams
+/// cut faces into. Along edges the distance is linear between the nodes of HermiteEdge.
+///
+/// Both ends of a curve are crossings of its level; each crossing is an end of one curve in each of
+/// the faces of its edge that are reached, so no curve dangles. Points at the level count as above
+/// it; the lower side is on the left of a curve as seen with the orientation of the face. Curves
+/// are in order of faces and levels. The result does not depend on threads.
+///
+/// Directions come from Sources, which may be there besides windows. Where neither is there, they
+/// are fitted to the distances (dggSourceFinding.h). Fails when stopped.
+Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
+  const std::vector<double>& levels, const ParallelFor& parallel, const ProgressCallback& progress,
+  LevelCrossings& crossings, std::vector<FaceCurve>& curves);
 }
 
 #endif

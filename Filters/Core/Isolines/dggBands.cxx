@@ -141,7 +141,7 @@ void BandFinder::FindDistances(const std::vector<double>& levels, const std::vec
   }
 }
 
-/// The first and the last band that a face may belong to, as its corners tell. Empty when they do
+/// The first and the last band that a face may belong to, as its corners say. Empty when they do
 /// not agree.
 std::pair<Id, Id> BandFinder::BandsOf(Id face) const
 {
@@ -183,7 +183,7 @@ bool BandFinder::IsOnLine(Id h) const
   return this->Segments.count(std::minmax(a, b)) > 0;
 }
 
-/// First the faces of which the corners tell, then their neighbours that are not beyond a line, and
+/// First the faces that their corners decide, then their neighbours that are not beyond a line, and
 /// then, one after the other, what is left.
 void BandFinder::FindBands()
 {

@@ -29,7 +29,7 @@ struct Bands
 /// equal, the lines of the first one cut; the others change nothing.
 ///
 /// Bands change across isolines and nowhere else, where these are complete; faces of which the
-/// corners do not tell go with their neighbours.
+/// corners do not decide go with their neighbours.
 Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   const Isolines& lines, const ProgressCallback& progress, Bands& bands);
 }

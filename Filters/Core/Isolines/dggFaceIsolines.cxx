@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggFaceIsolines.h"
 
-#include "dggEdges.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -68,7 +66,7 @@ bool FaceIsolines::MayHoldSource(Id f) const
   return false;
 }
 
-void FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
+Id FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
   Id first = static_cast<Id>(this->Levels.size());
@@ -119,7 +117,7 @@ void FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
   }
   if (first > last)
   {
-    return;
+    return 0;
   }
   this->Profile.Enter(f);
   this->Seeds.clear();
@@ -127,15 +125,17 @@ void FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
   {
     this->FindSeeds();
   }
+  Id fallbacks = 0;
   for (Id level = first; level <= last; ++level)
   {
     this->CollectRim(level);
     this->CollectSeeds(level);
     if (!this->SeedsOfLevel.empty() || this->Rim.CountCrossings() > 0)
     {
-      this->TraceLevel(level, curves);
+      fallbacks += this->TraceLevel(level, curves);
     }
   }
+  return fallbacks;
 }
 
 /// Places around which isolines may be closed within the face.
@@ -302,7 +302,7 @@ LevelPoint FaceIsolines::LookAtRim(const LevelArc& arc, Id crossing) const
   return {};
 }
 
-void FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
+Id FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
 {
   const double value = this->Levels[level];
   const LevelArc arc(this->Profile, value, this->Tolerance);
@@ -310,7 +310,7 @@ void FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
   if (this->SeedsOfLevel.empty() && this->Rim.CountCrossings() == 2 &&
     this->TraceDirectly(arc, level, curves))
   {
-    return;
+    return 0;
   }
   Id failures = 0;
   const auto seeds = static_cast<double>(this->SeedsOfLevel.size());
@@ -334,10 +334,10 @@ void FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
     }
     if (failures == 0)
     {
-      return;
+      break;
     }
   }
-  this->Fallbacks += failures;
+  return failures;
 }
 
 /// A single curve from one crossing to another, when it is as simple as it looks.

@@ -5,10 +5,9 @@
 #ifndef dggFaceIsolines_h
 #define dggFaceIsolines_h
 
-#include "dggFaceProfile.h"    // for FaceProfile
-#include "dggIsolineParts.h"   // for FaceCurve
-#include "dggLevelCrossings.h" // for LevelCrossings
-#include "dggLevelLattice.h"   // for LevelLattice
+#include "dggFaceProfile.h"  // for FaceProfile
+#include "dggIsolineParts.h" // for FaceCurve
+#include "dggLevelLattice.h" // for LevelLattice
 
 #include <array>  // for the sides
 #include <vector> // for the curves
@@ -28,11 +27,9 @@ public:
   FaceIsolines(const DistanceField& field, const std::vector<double>& levels, double tolerance,
     const LevelCrossings& crossings);
 
-  /// Append the curves of a face that is reached, in order of levels.
-  void Trace(Id f, std::vector<FaceCurve>& curves);
-
-  /// Curves so far that may be farther than the tolerance from the level sets.
-  Id GetNumberOfFallbacks() const { return this->Fallbacks; }
+  /// Append the curves of a face that is reached, in order of levels. Returns how many of them may
+  /// be farther than the tolerance from the level sets.
+  Id Trace(Id f, std::vector<FaceCurve>& curves);
 
 private:
   /// A place around which isolines may be closed: of levels above its distance around a source, of
@@ -50,7 +47,7 @@ private:
   void FindPeak();
   void CollectSeeds(Id level);
   void CollectRim(Id level);
-  void TraceLevel(Id level, std::vector<FaceCurve>& curves);
+  Id TraceLevel(Id level, std::vector<FaceCurve>& curves);
   bool TraceDirectly(const LevelArc& arc, Id level, std::vector<FaceCurve>& curves);
   bool TraceChain(const LevelArc& arc, const LevelChain& chain, Id level, FaceCurve& curve);
   LevelPoint LookAtRim(const LevelArc& arc, Id crossing) const;
@@ -68,7 +65,6 @@ private:
   std::vector<Point2> SeedsOfLevel;
   std::vector<LevelPoint> Way;
   std::vector<Point2> Points;
-  Id Fallbacks = 0;
 };
 }
 

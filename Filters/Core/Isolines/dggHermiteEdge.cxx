@@ -48,15 +48,13 @@ void HermiteEdge::SetUpEnds()
   std::array<double, 2> missing{ { 0.0, 0.0 } };
   for (int k = 0; k < 2 && hasSources; ++k)
   {
-    const Id v = vertices[k];
     CornerModel& model = this->Models[k];
-    model = CornerModel(mesh, v, sources->Offsets[v], sources->Lengths[v], sources->Angles[v]);
+    model = CornerModel(mesh, vertices[k], *sources, this->Ends[k]);
     model.IsKnown = model.IsKnown && std::isfinite(model.Length) && std::isfinite(model.Angle);
     if (!model.IsKnown)
     {
       continue;
     }
-    model.Offset = this->Ends[k] - model.Length; // what is given counts
     const double angle = model.AngleFrom(this->PolarAngles[k]);
     const double slope =
       model.Length <= 0.0 || std::abs(angle) >= Pi ? 1.0 : -std::cos(angle); // away from the end

@@ -1,14 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Isolines in pieces, edge by edge and face by face. Internal.
+/// Isolines in pieces, edge by edge and face by face, and how they are joined. Internal.
 #ifndef dggIsolineParts_h
 #define dggIsolineParts_h
 
-#include "dggTypes.h" // for Id
+#include "dggBlockLoop.h"     // for LoopOverBlocks
+#include "dggDistanceField.h" // for DistanceField
+#include "dggEdges.h"         // for FindEdge
+#include "dggIsolines.h"      // for Isolines
 
-#include <array>  // for barycentric coordinates
-#include <vector> // for the pieces
+#include <array>    // for barycentric coordinates
+#include <iterator> // for moving pieces
+#include <limits>   // for the largest number of them
+#include <vector>   // for the pieces
 
 namespace dgg
 {
@@ -16,8 +21,18 @@ namespace dgg
 struct LevelCrossing
 {
   Id HalfEdge = NoId; ///< the representative of the edge (FindEdge())
-  double X = 0.0;     ///< abscissa from its origin, in [0, length]
-  Id Level = 0;       ///< index into the levels
+  Id Level = 0;       ///< index into the levels, which increase
+  Id Interval = 0;    ///< of Apollonius: the node of the edge that it comes after
+  double X = 0.0;     ///< abscissa from the origin of the half-edge, in [0, length]
+};
+
+/// All crossings of all edges of faces that are reached.
+struct LevelCrossings
+{
+  /// In order of half-edges, then levels, then abscissae.
+  std::vector<LevelCrossing> Crossings;
+  /// Those of half-edge h, if it stands for its edge: [Offsets[h], Offsets[h + 1]).
+  std::vector<Id> Offsets;
 };
 
 /// A piece of an isoline within one face, from one crossing on its rim to another, or closed. It
@@ -32,6 +47,83 @@ struct FaceCurve
   /// points of a closed curve, the first one not repeated.
   std::vector<std::array<double, 3>> Points;
 };
+
+/// Whether some face of the edge of a half-edge is reached.
+bool IsEdgeReached(const DistanceField& field, Id h);
+
+/// Runs `work(worker, index, pieces)` for all indices, in blocks, and joins the pieces in order.
+template <typename Piece, typename MakeWorker, typename Work>
+Status CollectPieces(Offset size, Offset blockSize, const ParallelFor& parallel,
+  const ProgressCallback& progress, double start, double stop, const MakeWorker& makeWorker,
+  const Work& work, std::vector<Piece>& pieces)
+{
+  std::vector<std::vector<Piece>> blocks(
+    static_cast<std::size_t>((size + blockSize - 1) / blockSize));
+  Status status = LoopOverBlocks(size, blockSize, parallel, progress, start, stop, makeWorker,
+    [&](auto& worker, Offset block, Offset begin, Offset end) {
+      for (Offset i = begin; i < end; ++i)
+      {
+        work(worker, static_cast<Id>(i), blocks[static_cast<std::size_t>(block)]);
+      }
+    });
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  std::size_t count = 0;
+  for (const std::vector<Piece>& block : blocks)
+  {
+    count += block.size();
+  }
+  if (count > static_cast<std::size_t>(std::numeric_limits<Id>::max()))
+  {
+    return Status::Invalid("there are more than 2^31 - 1 points where levels cross edges, or "
+                           "pieces of isolines: use fewer levels");
+  }
+  pieces.reserve(count);
+  for (std::vector<Piece>& block : blocks)
+  {
+    pieces.insert(
+      pieces.end(), std::make_move_iterator(block.begin()), std::make_move_iterator(block.end()));
+    std::vector<Piece>().swap(block);
+  }
+  return status;
+}
+
+/// Runs `work(worker, h, crossings)` for the half-edges that stand for edges.
+template <typename MakeWorker, typename Work>
+Status CollectCrossings(const SurfaceMesh& mesh, Offset blockSize, const ParallelFor& parallel,
+  const ProgressCallback& progress, double start, double stop, const MakeWorker& makeWorker,
+  const Work& work, LevelCrossings& found)
+{
+  found = LevelCrossings();
+  const Status status = CollectPieces(
+    mesh.GetNumberOfHalfEdges(), blockSize, parallel, progress, start, stop, makeWorker,
+    [&](auto& worker, Id h, std::vector<LevelCrossing>& crossings) {
+      if (FindEdge(mesh, h) == h)
+      {
+        work(worker, h, crossings);
+      }
+    },
+    found.Crossings);
+  found.Offsets.assign(static_cast<std::size_t>(mesh.GetNumberOfHalfEdges()) + 1, 0);
+  for (const LevelCrossing& crossing : found.Crossings)
+  {
+    ++found.Offsets[static_cast<std::size_t>(crossing.HalfEdge) + 1];
+  }
+  for (std::size_t h = 1; h < found.Offsets.size(); ++h)
+  {
+    found.Offsets[h] += found.Offsets[h - 1];
+  }
+  return status;
+}
+
+/// Joins curves of faces where they share crossings, in order of levels, then curves. A line ends
+/// at a crossing that is not shared by exactly two curves: on the boundary, and on edges with more
+/// than two faces. It runs as the first one of its curves does. Lines that shrink to a point, by
+/// snapping to a vertex, are left out. Fails when stopped; then there are no lines.
+Status JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,
+  const std::vector<FaceCurve>& curves, const ProgressCallback& progress, Isolines& lines);
 }
 
 #endif

@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggIsolines.h"
 
-#include "dggApolloniusParts.h"
-#include "dggBlockLoop.h"
+#include "dggApolloniusFace.h"
+#include "dggEdgeProfile.h"
 #include "dggFaceIsolines.h"
-#include "dggIsolineChains.h"
-#include "dggLevelCrossings.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 #include <string>
 
@@ -19,6 +17,7 @@ namespace dgg
 {
 namespace
 {
+constexpr Offset HalfEdgesInBlock = 1024;
 constexpr Offset FacesInBlock = 512;
 constexpr double DefaultTolerance = 1e-3; // in mean edge lengths
 /// Shares of the progress.
@@ -45,44 +44,82 @@ Status CheckArguments(
     return Status::Invalid("the chord tolerance is " + std::to_string(options.ChordTolerance) +
       ": it must not be negative");
   }
+  if (options.Method == IsolineMethod::Apollonius &&
+    (options.SteinerPoints < 0 || options.SteinerPoints > MaximumSteinerPoints))
+  {
+    return Status::Invalid("the number of Steiner points per edge is " +
+      std::to_string(options.SteinerPoints) + ": it must be 0 to " +
+      std::to_string(MaximumSteinerPoints));
+  }
   return CheckCorners(*field.Mesh);
 }
 
-/// The pieces of a block of faces.
-struct Block
+/// What is used again from edge to edge.
+struct EdgeWorker
 {
-  std::vector<FaceCurve> Curves;
-  Id Fallbacks = 0;
+  EdgeProfile Profile;
+  std::vector<double> Roots;
 };
 
-Status FindFaceCurves(const DistanceField& field, const std::vector<double>& levels,
-  double tolerance, const LevelCrossings& crossings, const ParallelFor& parallel,
-  const ProgressCallback& progress, std::vector<FaceCurve>& curves, Id& fallbacks)
+/// Appends the crossings of one edge, level by level.
+void CrossEdge(const DistanceField& field, const std::vector<double>& levels, Id h,
+  EdgeWorker& worker, std::vector<LevelCrossing>& crossings)
 {
-  const Offset faces = field.Mesh->GetNumberOfFaces();
-  std::vector<Block> blocks((faces + FacesInBlock - 1) / FacesInBlock);
-  Status status = LoopOverBlocks(
-    faces, FacesInBlock, parallel, progress, CrossingsDone, FacesDone,
-    [&] { return FaceIsolines(field, levels, tolerance, crossings); },
-    [&](FaceIsolines& isolines, Offset block, Offset begin, Offset end) {
-      const Id before = isolines.GetNumberOfFallbacks();
-      for (Id f = static_cast<Id>(begin); f < static_cast<Id>(end); ++f)
-      {
-        if (field.IsReached(f))
-        {
-          isolines.Trace(f, blocks[block].Curves);
-        }
-      }
-      blocks[block].Fallbacks = isolines.GetNumberOfFallbacks() - before;
-    });
-  if (status.IsOk())
+  const SurfaceMesh& mesh = *field.Mesh;
+  const double a = field.Distances[mesh.Origin(h)];
+  const double b = field.Distances[mesh.Destination(h)];
+  // Within these bounds a function of slope 1 at most stays, but for rounding; a field may be
+  // steeper than that.
+  const double length = (1.0 + 1e-9) * mesh.Length(h);
+  const bool isLinear = !field.HasWindows() && !field.HasSources();
+  const double lowest = isLinear ? std::min(a, b) : std::min({ a, b, 0.5 * (a + b - length) });
+  const double highest = isLinear ? std::max(a, b) : std::max({ a, b, 0.5 * (a + b + length) });
+  auto level = std::lower_bound(levels.begin(), levels.end(), lowest);
+  if (level == levels.end() || *level > highest || !IsEdgeReached(field, h))
   {
-    for (Block& block : blocks)
+    return;
+  }
+  worker.Profile.Enter(h);
+  for (; level != levels.end() && *level <= highest; ++level)
+  {
+    worker.Roots.clear();
+    worker.Profile.FindCrossings(*level, worker.Roots);
+    for (const double x : worker.Roots)
     {
-      std::move(block.Curves.begin(), block.Curves.end(), std::back_inserter(curves));
-      fallbacks += block.Fallbacks;
+      crossings.push_back({ h, static_cast<Id>(level - levels.begin()), 0, x });
     }
   }
+}
+
+/// The pieces of LocalSources.
+Status FindLocalParts(const DistanceField& field, const std::vector<double>& levels,
+  double tolerance, const ParallelFor& parallel, const ProgressCallback& progress,
+  LevelCrossings& crossings, std::vector<FaceCurve>& curves, Id& fallbacks)
+{
+  Status status = CollectCrossings(
+    *field.Mesh, HalfEdgesInBlock, parallel, progress, 0.0, CrossingsDone,
+    [&] {
+      return EdgeWorker{ EdgeProfile(field), {} };
+    },
+    [&](EdgeWorker& worker, Id h, std::vector<LevelCrossing>& found) {
+      CrossEdge(field, levels, h, worker, found);
+    },
+    crossings);
+  std::atomic<Id> count{ 0 };
+  if (status.IsOk())
+  {
+    status = CollectPieces(
+      field.Mesh->GetNumberOfFaces(), FacesInBlock, parallel, progress, CrossingsDone, FacesDone,
+      [&] { return FaceIsolines(field, levels, tolerance, crossings); },
+      [&](FaceIsolines& isolines, Id f, std::vector<FaceCurve>& found) {
+        if (field.IsReached(f))
+        {
+          count += isolines.Trace(f, found);
+        }
+      },
+      curves);
+  }
+  fallbacks = count;
   return status;
 }
 }
@@ -113,27 +150,15 @@ Status TraceIsolines(const DistanceField& field, const std::vector<double>& leve
   LevelCrossings crossings;
   std::vector<FaceCurve> curves;
   Id fallbacks = 0;
-  if (options.Method == IsolineMethod::Apollonius)
+  status = options.Method == IsolineMethod::Apollonius
+    ? FindApolloniusParts(field, options.SteinerPoints, sorted, parallel,
+        ProgressPart(progress, 0.0, FacesDone), crossings, curves)
+    : FindLocalParts(field, sorted, tolerance, parallel, progress, crossings, curves, fallbacks);
+  if (status.IsOk())
   {
-    status = FindApolloniusParts(field, options.SteinerPoints, sorted, parallel,
-      ProgressPart(progress, 0.0, FacesDone), crossings.Crossings, curves);
+    status = JoinFaceCurves(
+      *field.Mesh, crossings.Crossings, curves, ProgressPart(progress, FacesDone, 1.0), lines);
   }
-  else
-  {
-    status = FindLevelCrossings(
-      field, sorted, parallel, ProgressPart(progress, 0.0, CrossingsDone), crossings);
-    if (status.IsOk())
-    {
-      status =
-        FindFaceCurves(field, sorted, tolerance, crossings, parallel, progress, curves, fallbacks);
-    }
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  status = JoinFaceCurves(
-    *field.Mesh, crossings.Crossings, curves, ProgressPart(progress, FacesDone, 1.0), lines);
   if (!status.IsOk())
   {
     return status;

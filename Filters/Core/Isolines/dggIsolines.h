@@ -17,8 +17,11 @@ namespace dgg
 enum class IsolineMethod
 {
   LocalSources, ///< as DistanceField says
-  Apollonius    ///< as published, for comparison: dggApolloniusParts.h
+  Apollonius    ///< as published, for comparison: dggApolloniusFace.h
 };
+
+/// Most of IsolineOptions::SteinerPoints.
+constexpr int MaximumSteinerPoints = 50;
 
 struct IsolineOptions
 {
@@ -26,8 +29,8 @@ struct IsolineOptions
   /// How far a line may be from the level set, a length; 0 stands for a thousandth of the mean edge
   /// length.
   double ChordTolerance = 0.0;
-  /// Points per edge that the distance comes from, 0 to 50; more of them come closer to the field.
-  /// Of Apollonius, as ChordTolerance is of LocalSources.
+  /// Of Apollonius, as ChordTolerance is of LocalSources: points per edge that the distance comes
+  /// from; more of them come closer to the field.
   int SteinerPoints = 2;
 };
 

@@ -228,7 +228,7 @@ void LevelLattice::InsertSeed(const LevelArc& arc, double level, const Point2& s
     }
     if (areas[0] + areas[1] + areas[2] - largest <= 1e-9 * largest)
     {
-      return; // at a node, which tells as much
+      return; // at a node, which is as good
     }
     const Id node = this->AddNode(arc, level, seed);
     const auto nearest =
@@ -499,7 +499,7 @@ Id LevelLattice::FindDip(const LevelArc& arc, double level, Id a, Id b)
   return NoId;
 }
 
-/// Whether the side between two nodes lies on the rim, where the crossings tell all.
+/// Whether the side between two nodes lies on the rim, where the crossings decide.
 bool LevelLattice::IsOnRim(Id a, Id b) const
 {
   for (int k = 0; k < 3; ++k)

@@ -43,8 +43,8 @@ struct LevelChain
 /// Marching triangles on a fine triangulation of one face, which has nodes between any two
 /// crossings on the rim, and on ridges that lie above the level, and, where there are several
 /// sources in the face, wherever their waves are lowest or meet on sides of its triangles. On the
-/// rim the crossings tell which side of the level nodes are on, and inside the field does, so that
-/// every crossing belongs to exactly one curve, and curves do not cross, whatever the field is
+/// rim the crossings decide which side of the level nodes are on, and inside the field does, so
+/// that every crossing belongs to exactly one curve, and curves do not cross, whatever the field is
 /// like.
 class LevelLattice
 {

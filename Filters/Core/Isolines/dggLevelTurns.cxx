@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLevelTurns.h"
 
+#include "dggFieldJumps.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -14,15 +16,8 @@ namespace
 constexpr int MostDepth = 12;
 /// Halvings until two waves meet.
 constexpr int StepsOfTie = 40;
-/// Steps of Newton's method until three waves meet.
-constexpr int StepsOfMeeting = 20;
 /// What is nearer to an end than that is at the end, relative.
 constexpr double AtEnd = 1e-7;
-
-double FromWave(const FieldSample& wave, const Point2& p)
-{
-  return wave.Offset + Distance(wave.Image, p);
-}
 
 /// Points of a line at which the field may turn.
 class Line
@@ -77,7 +72,7 @@ private:
     {
       const double middle = 0.5 * (low + high);
       const Point2 p = this->At(middle);
-      (FromWave(first, p) < FromWave(last, p) ? low : high) = middle;
+      (DistanceFromSource(first, p) < DistanceFromSource(last, p) ? low : high) = middle;
     }
     const double tie = 0.5 * (low + high);
     const FieldSample sample = this->Arc.Look(this->At(tie)).Sample;
@@ -147,8 +142,7 @@ bool FindMeeting(const std::array<const LevelPoint*, 3>& points, Point2& meeting
   meeting = {};
   for (int k = 0; k < 3; ++k)
   {
-    const FieldSample& wave = points[k]->Sample;
-    if (!wave.HasImage || wave.Candidate == points[(k + 1) % 3]->Sample.Candidate)
+    if (points[k]->Sample.Candidate == points[(k + 1) % 3]->Sample.Candidate)
     {
       return false;
     }
@@ -156,33 +150,9 @@ bool FindMeeting(const std::array<const LevelPoint*, 3>& points, Point2& meeting
     meeting.X += corners[k].X / 3.0;
     meeting.Y += corners[k].Y / 3.0;
   }
-  for (int step = 0; step < StepsOfMeeting; ++step)
+  if (!MoveToTie(points[0]->Sample, points[1]->Sample, points[2]->Sample, meeting))
   {
-    std::array<double, 3> values{};
-    std::array<Point2, 3> gradients;
-    for (int k = 0; k < 3; ++k)
-    {
-      const FieldSample& wave = points[k]->Sample;
-      const Point2 way = Difference(meeting, wave.Image);
-      const double length = Norm(way.X, way.Y);
-      if (!(length > 0.0))
-      {
-        return false;
-      }
-      values[k] = wave.Offset + length;
-      gradients[k] = { way.X / length, way.Y / length };
-    }
-    const Point2 one = Difference(gradients[1], gradients[0]);
-    const Point2 two = Difference(gradients[2], gradients[0]);
-    const double a = values[1] - values[0];
-    const double b = values[2] - values[0];
-    const double determinant = Cross(one, two);
-    if (determinant == 0.0)
-    {
-      return false;
-    }
-    meeting.X -= (a * two.Y - b * one.Y) / determinant;
-    meeting.Y -= (b * one.X - a * two.X) / determinant;
+    return false;
   }
   const double area = Cross(Difference(corners[1], corners[0]), Difference(corners[2], corners[0]));
   for (int k = 0; k < 3; ++k)

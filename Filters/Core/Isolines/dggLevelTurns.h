@@ -21,7 +21,7 @@ struct LevelEnd
 
 /// Append points of the straight line between two others, in order, so that the level is crossed
 /// once at most between any two neighbours: where waves are lowest and where they meet. Nothing is
-/// appended when the ends tell all.
+/// appended when the ends suffice.
 void FindTurns(const LevelArc& arc, double level, const LevelEnd& from, const LevelEnd& to,
   std::vector<LevelPoint>& turns);
 

@@ -41,7 +41,7 @@ struct Ridges
 /// point are equal up to rounding inside of faces and where a ridge crosses an edge (Mitchell,
 /// Mount and Papadimitriou, "The discrete geodesic problem", 1987).
 ///
-/// The field must have windows or virtual sources: values at vertices do not tell ridges. Virtual
+/// The field must have windows or virtual sources: values at vertices do not show ridges. Virtual
 /// sources show those of large angles, with gaps.
 ///
 /// The result does not depend on `parallel`.

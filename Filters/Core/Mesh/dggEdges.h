@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Edges as such, of which a mesh knows half-edges only. Internal.
+/// Edges as such, of which a mesh knows half-edges only, and the neighbours along them. Internal.
 #ifndef dggEdges_h
 #define dggEdges_h
 
@@ -22,6 +22,23 @@ Id FindEdge(const Surface& surface, Id h)
     smallest = std::min(smallest, e);
   }
   return smallest;
+}
+
+/// Call `visit(neighbor, length, angle)` for the edges from a vertex, once each around a regular
+/// one: the vertex at the other end, the length, and the polar angle of the edge at the vertex.
+template <typename Visitor>
+void ForEachNeighbor(const SurfaceMesh& mesh, Id v, Visitor&& visit)
+{
+  for (const Id* g = mesh.FanBegin(v); g != mesh.FanEnd(v); ++g)
+  {
+    visit(mesh.Destination(*g), mesh.Length(*g), mesh.PolarAngle(*g));
+    const Id incoming = SurfaceMesh::Previous(*g);
+    if (mesh.Twin(incoming) == NoId)
+    {
+      visit(
+        mesh.Origin(incoming), mesh.Length(incoming), mesh.PolarAngle(*g) + mesh.CornerAngle(*g));
+    }
+  }
 }
 }
 

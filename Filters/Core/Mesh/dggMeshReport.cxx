@@ -3,6 +3,7 @@
 #include "dggMeshReport.h"
 
 #include "dggDisjointSets.h"
+#include "dggEdges.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -13,36 +14,25 @@ namespace dgg
 {
 namespace
 {
-/// An edge is counted once: at its half-edge of smallest id. Returns the number of its faces there,
-/// else 0.
-int FacesOfEdge(const SurfaceMesh& mesh, Id h)
-{
-  int faces = 1;
-  for (Id g = mesh.Twin(h); g != NoId && g != h; g = mesh.Twin(g))
-  {
-    if (g < h)
-    {
-      return 0;
-    }
-    ++faces;
-  }
-  return faces;
-}
-
 void CountEdges(const SurfaceMesh& mesh, MeshReport& report, Offset& edges)
 {
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
-    if (mesh.IsDropped(SurfaceMesh::Face(h)))
+    if (mesh.IsDropped(SurfaceMesh::Face(h)) || FindEdge(mesh, h) != h)
     {
       continue;
     }
-    const int faces = FacesOfEdge(mesh, h);
-    edges += faces > 0 ? 1 : 0;
-    report.BoundaryEdges += faces == 1 ? 1 : 0;
-    report.NonManifoldEdges += faces > 2 ? 1 : 0;
-    if (faces == 2 && mesh.Origin(mesh.Twin(h)) == mesh.Origin(h) &&
-      mesh.Origin(h) != mesh.Destination(h))
+    ++edges;
+    const Id t = mesh.Twin(h);
+    if (t == NoId)
+    {
+      ++report.BoundaryEdges;
+    }
+    else if (mesh.IsNonManifold(h))
+    {
+      ++report.NonManifoldEdges;
+    }
+    else if (mesh.Origin(t) == mesh.Origin(h) && mesh.Origin(h) != mesh.Destination(h))
     {
       ++report.InconsistentEdges;
     }
@@ -90,12 +80,8 @@ private:
 
 bool TouchesNonManifoldEdge(const SurfaceMesh& mesh, Id v)
 {
-  auto isNonManifold = [&](Id h) {
-    const Id t = mesh.Twin(h);
-    return t != NoId && mesh.Twin(t) != h;
-  };
   return std::any_of(mesh.FanBegin(v), mesh.FanEnd(v),
-    [&](Id h) { return isNonManifold(h) || isNonManifold(SurfaceMesh::Previous(h)); });
+    [&](Id h) { return mesh.IsNonManifold(h) || mesh.IsNonManifold(SurfaceMesh::Previous(h)); });
 }
 
 /// Boundary half-edges form loops when each is joined to the one that meets it at the other side of
@@ -217,36 +203,22 @@ MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
     report.Genus = -1;
     return report;
   }
-  std::vector<std::uint8_t> seen(mesh.GetNumberOfFaces(), 0);
-  std::vector<Id> stack;
-  Offset sheets = 0;
-  for (Id seed = 0; seed < mesh.GetNumberOfFaces(); ++seed)
+  DisjointSets sheets(static_cast<std::size_t>(mesh.GetNumberOfFaces()));
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
-    if (seen[seed] || mesh.IsDropped(seed))
+    if (mesh.Twin(h) != NoId)
     {
-      continue;
+      sheets.Join(SurfaceMesh::Face(h), SurfaceMesh::Face(mesh.Twin(h)));
     }
-    ++sheets;
-    seen[seed] = 1;
-    stack.assign(1, seed);
-    while (!stack.empty())
-    {
-      const Id f = stack.back();
-      stack.pop_back();
-      for (Id h = 3 * f; h < 3 * f + 3; ++h)
-      {
-        const Id t = mesh.Twin(h);
-        if (t != NoId && !seen[SurfaceMesh::Face(t)])
-        {
-          seen[SurfaceMesh::Face(t)] = 1;
-          stack.push_back(SurfaceMesh::Face(t));
-        }
-      }
-    }
+  }
+  Offset numberOfSheets = 0;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    numberOfSheets += !mesh.IsDropped(f) && sheets.Find(f) == f ? 1 : 0;
   }
   const Offset faces = report.Faces - report.RepeatedVertexFaces - report.DuplicateFaces;
   const Offset characteristic = fans - edges + faces;
-  report.Genus = (2 * sheets - report.BoundaryLoops - characteristic) / 2;
+  report.Genus = (2 * numberOfSheets - report.BoundaryLoops - characteristic) / 2;
   return report;
 }
 }

@@ -2,24 +2,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSurfaceMesh.h"
 
+#include "dggDisjointSets.h"
 #include "dggSurfaceMeshBuilder.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace dgg
 {
 namespace
 {
-/// An empty mesh rather than a half-built one after a failure.
-Status Conclude(const Status& status, SurfaceMesh& mesh)
+/// What follows the lengths, if these are good; else an empty mesh rather than a half-built one.
+Status Complete(SurfaceMeshBuilder& builder, const Status& status, SurfaceMesh& mesh)
 {
-  if (!status.IsOk())
+  if (status.IsOk())
+  {
+    builder.Orient();
+    builder.Mollify();
+    builder.Finish();
+  }
+  else
   {
     mesh = SurfaceMesh();
   }
   return status;
+}
+
+Status CompleteFromLengths(
+  SurfaceMeshBuilder& builder, const double* lengths, const PartOfMesh& origin, SurfaceMesh& mesh)
+{
+  Status status = builder.TakeLengths(lengths);
+  if (status.IsOk())
+  {
+    status = builder.CheckTriangleInequalities();
+  }
+  if (status.IsOk())
+  {
+    builder.TakeOrigin(origin);
+  }
+  return Complete(builder, status, mesh);
 }
 }
 
@@ -30,42 +51,23 @@ Status SurfaceMesh::FromPoints(const double* points, Offset numberOfPoints, cons
   Status status = builder.TakeTriangles(numberOfPoints, triangles, numberOfTriangles);
   if (status.IsOk())
   {
-    builder.DropRepeatedVertexFaces();
     builder.GlueByVertices();
     status = builder.MeasureLengths(points);
   }
-  if (status.IsOk())
-  {
-    builder.Orient();
-    builder.Mollify();
-    builder.Finish();
-  }
-  return Conclude(status, mesh);
+  return Complete(builder, status, mesh);
 }
 
 Status SurfaceMesh::FromLengths(Offset numberOfVertices, const Id* triangles,
   Offset numberOfTriangles, const double* lengths, SurfaceMesh& mesh, const PartOfMesh& origin)
 {
   SurfaceMeshBuilder builder(mesh);
-  Status status = builder.TakeTriangles(numberOfVertices, triangles, numberOfTriangles);
-  if (status.IsOk())
+  const Status status = builder.TakeTriangles(numberOfVertices, triangles, numberOfTriangles);
+  if (!status.IsOk())
   {
-    builder.DropRepeatedVertexFaces();
-    builder.GlueByVertices();
-    status = builder.TakeLengths(lengths);
+    return Complete(builder, status, mesh);
   }
-  if (status.IsOk())
-  {
-    status = builder.CheckTriangleInequalities();
-  }
-  if (status.IsOk())
-  {
-    builder.TakeOrigin(origin);
-    builder.Orient();
-    builder.Mollify();
-    builder.Finish();
-  }
-  return Conclude(status, mesh);
+  builder.GlueByVertices();
+  return CompleteFromLengths(builder, lengths, origin, mesh);
 }
 
 Status SurfaceMesh::FromGluedLengths(Offset numberOfVertices, const Id* triangles,
@@ -79,22 +81,8 @@ Status SurfaceMesh::FromGluedLengths(Offset numberOfVertices, const Id* triangle
     // A face that names a vertex twice is a legal face here: the gluing says which corner is which.
     status = builder.GlueByTwins(twins);
   }
-  if (status.IsOk())
-  {
-    status = builder.TakeLengths(lengths);
-  }
-  if (status.IsOk())
-  {
-    status = builder.CheckTriangleInequalities();
-  }
-  if (status.IsOk())
-  {
-    builder.TakeOrigin(origin);
-    builder.Orient();
-    builder.Mollify();
-    builder.Finish();
-  }
-  return Conclude(status, mesh);
+  return status.IsOk() ? CompleteFromLengths(builder, lengths, origin, mesh)
+                       : Complete(builder, status, mesh);
 }
 
 Id SurfaceMesh::GetOriginal(Id f) const
@@ -129,23 +117,12 @@ double SurfaceMesh::CornerAngle(Id h) const
 std::vector<Id> SurfaceMesh::ComputeComponents(Id& numberOfComponents) const
 {
   const Id n = this->GetNumberOfVertices();
-  std::vector<Id> parent(n);
-  std::iota(parent.begin(), parent.end(), 0);
-  auto find = [&](Id v) {
-    while (parent[v] != v)
-    {
-      parent[v] = parent[parent[v]];
-      v = parent[v];
-    }
-    return v;
-  };
+  DisjointSets sets(static_cast<std::size_t>(n));
   for (Id h = 0; h < this->GetNumberOfHalfEdges(); ++h)
   {
     if (!this->IsDropped(Face(h)))
     {
-      const Id a = find(this->Origin(h));
-      const Id b = find(this->Destination(h));
-      parent[std::max(a, b)] = std::min(a, b);
+      sets.Join(this->Origin(h), this->Destination(h));
     }
   }
   // Roots are the smallest ids of their components, so they come first.
@@ -153,7 +130,7 @@ std::vector<Id> SurfaceMesh::ComputeComponents(Id& numberOfComponents) const
   numberOfComponents = 0;
   for (Id v = 0; v < n; ++v)
   {
-    const Id root = find(v);
+    const Id root = sets.Find(v);
     component[v] = root == v ? numberOfComponents++ : component[root];
   }
   return component;

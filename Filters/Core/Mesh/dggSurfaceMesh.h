@@ -97,6 +97,11 @@ public:
   Id Apex(Id h) const { return this->Origins[Previous(h)]; }
   /// Next half-edge in the circular list of the edge; NoId on the boundary.
   Id Twin(Id h) const { return this->Twins[h]; }
+  /// Whether the edge has more than two faces.
+  bool IsNonManifold(Id h) const
+  {
+    return this->Twins[h] != NoId && this->Twins[this->Twins[h]] != h;
+  }
   double Length(Id h) const { return this->Lengths[h]; }
   std::array<Id, 3> GetTriangle(Id f) const
   {

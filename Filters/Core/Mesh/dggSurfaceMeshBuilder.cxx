@@ -3,6 +3,7 @@
 #include "dggSurfaceMeshBuilder.h"
 
 #include "dggCapSplitting.h"
+#include "dggEdges.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -84,6 +85,7 @@ void SurfaceMeshBuilder::DropRepeatedVertexFaces()
 
 void SurfaceMeshBuilder::GlueByVertices()
 {
+  this->DropRepeatedVertexFaces();
   const SurfaceMesh& mesh = this->Mesh;
   const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
   const Id halfEdges = mesh.GetNumberOfHalfEdges();
@@ -439,12 +441,7 @@ void SurfaceMeshBuilder::MeasureEdges()
     if (!mesh.IsDropped(SurfaceMesh::Face(h)))
     {
       mesh.MaximumEdgeLength = std::max(mesh.MaximumEdgeLength, mesh.Lengths[h]);
-      // An edge counts once: at its half-edge of smallest id.
-      bool counts = true;
-      for (Id g = mesh.Twin(h); g != NoId && g != h; g = mesh.Twin(g))
-      {
-        counts = counts && h < g;
-      }
+      const bool counts = FindEdge(mesh, h) == h; // each edge once
       sum += counts ? mesh.Lengths[h] : 0.0;
       edges += counts ? 1 : 0;
     }

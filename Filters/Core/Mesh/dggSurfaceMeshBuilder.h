@@ -21,10 +21,8 @@ public:
   }
 
   Status TakeTriangles(Offset numberOfVertices, const Id* triangles, Offset numberOfTriangles);
-  /// Faces that name a vertex twice take no part.
-  void DropRepeatedVertexFaces();
-  /// Link the half-edges on equal vertex pairs. Faces with the three vertices of an earlier one
-  /// take no part.
+  /// Link the half-edges on equal vertex pairs. Faces that name a vertex twice take no part, nor do
+  /// those with the three vertices of an earlier one.
   void GlueByVertices();
   Status GlueByTwins(const Id* twins);
   Status MeasureLengths(const double* points);
@@ -41,6 +39,7 @@ public:
   void Finish();
 
 private:
+  void DropRepeatedVertexFaces();
   void GlueEdge(std::vector<Id>::iterator begin, std::vector<Id>::iterator end);
   bool IsLinkedConsistently(Id h) const;
   double MeasureLack(Id f) const;

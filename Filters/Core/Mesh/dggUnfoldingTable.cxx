@@ -43,12 +43,6 @@ UnfoldingTable::UnfoldingTable(const SurfaceMesh& mesh, std::vector<Id> order)
   this->FillAngles();
 }
 
-bool UnfoldingTable::IsBranch(Id h) const
-{
-  const Id twin = this->Mesh.Twin(h);
-  return twin != NoId && this->Mesh.Twin(twin) != h;
-}
-
 UnfoldingTable::Extent UnfoldingTable::Measure() const
 {
   Extent count;
@@ -56,7 +50,7 @@ UnfoldingTable::Extent UnfoldingTable::Measure() const
   for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
   {
     const Id twin = this->Mesh.Twin(h);
-    if (this->IsBranch(h))
+    if (this->Mesh.IsNonManifold(h))
     {
       count.NeedsMirrors = true;
       ++count.BranchHalfEdges;
@@ -184,7 +178,7 @@ std::vector<Id> UnfoldingTable::ListBranches()
     static_cast<std::size_t>(2 * (this->Count.BranchHalfEdges + this->Count.BranchEdges)));
   for (Id first = 0; first < this->Mesh.GetNumberOfHalfEdges(); ++first)
   {
-    if (!this->IsBranch(first) || places[first] != NoId)
+    if (!this->Mesh.IsNonManifold(first) || places[first] != NoId)
     {
       continue;
     }
@@ -213,7 +207,7 @@ Id UnfoldingTable::FindCodeBehind(Id exit, bool mirrored, const std::vector<Id>&
   {
     return NoId;
   }
-  if (!this->IsBranch(exit))
+  if (!this->Mesh.IsNonManifold(exit))
   {
     const bool alike = this->Mesh.Origin(twin) == this->Mesh.Destination(exit);
     return this->Entry(twin, mirrored == alike);

@@ -147,7 +147,6 @@ private:
   };
 
   Extent Measure() const;
-  bool IsBranch(Id h) const;
   void OrderFaces();
   void FillAngles();
   void Fill(Id h, bool mirrored, const std::vector<Id>& places);

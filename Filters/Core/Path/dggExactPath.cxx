@@ -267,7 +267,7 @@ void WindowTracer::Leave(Id h, const Point2& from, const Point2& image, double l
     return;
   }
   const Id twin = this->Mesh.Twin(h);
-  const bool choice = twin != NoId && this->Mesh.Twin(twin) != h;
+  const bool choice = this->Mesh.IsNonManifold(h);
   for (Id e = twin; e != NoId && e != h; e = this->Mesh.Twin(e))
   {
     // A shortest path does not come back to a face.

@@ -3,7 +3,7 @@
 #include "dggGreensColumn.h"
 
 #include "dggCornerModel.h"
-#include "dggExactSources.h"
+#include "dggSourceFinding.h"
 #include "dggGeodesicSource.h"
 #include "dggLocalizedGreens.h"
 #include "dggProgressPart.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dggIsolineChains.h"
+#include "dggIsolineParts.h"
 
 #include <algorithm>
 #include <cassert>
@@ -210,6 +210,20 @@ private:
   std::vector<CurveEnds> Ends;
   std::vector<Passage> Passages;
 };
+}
+
+bool IsEdgeReached(const DistanceField& field, Id h)
+{
+  Id e = h;
+  do
+  {
+    if (field.IsReached(SurfaceMesh::Face(e)))
+    {
+      return true;
+    }
+    e = field.Mesh->Twin(e);
+  } while (e != NoId && e != h);
+  return false;
 }
 
 Status JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Properties that many filters have, declared and defined at once as by those of vtkSetGet.h. Not
+ * for use outside of vtkDGG.
+ */
+#ifndef vtkDGGPropertyMacros_h
+#define vtkDGGPropertyMacros_h
+
+#include "vtkIdList.h" // For ids
+
+#include <initializer_list> // For ids
+#include <string>           // For names
+#include <vector>           // For ids
+
+/// Set and get a std::string; null is the empty one.
+#define vtkDGGStringMacro(name)                  \
+  void Set##name(const char* value)              \
+  {                                              \
+    const std::string text = value ? value : ""; \
+    if (this->name != text)                      \
+    {                                            \
+      this->name = text;                         \
+      this->Modified();                          \
+    }                                            \
+  }                                              \
+  const char* Get##name() const                  \
+  {                                              \
+    return this->name.c_str();                   \
+  }
+
+/// Set a number that may be NaN, which differs from itself.
+#define vtkDGGSetNumberMacro(name)                                           \
+  virtual void Set##name(double value)                                       \
+  {                                                                          \
+    if (this->name != value && (this->name == this->name || value == value)) \
+    {                                                                        \
+      this->name = value;                                                    \
+      this->Modified();                                                      \
+    }                                                                        \
+  }
+
+#ifndef __VTK_WRAP__
+// Or {0} would be a null list.
+#define vtkDGGSetIdsFromBracesMacro(name)                   \
+  void Set##name##Ids(std::initializer_list<vtkIdType> ids) \
+  {                                                         \
+    this->Set##name##Ids(std::vector<vtkIdType>(ids));      \
+  }
+#else
+#define vtkDGGSetIdsFromBracesMacro(name)
+#endif
+
+/// Set and count the ids of points in the std::vector NameIds; a null list is an empty one.
+#define vtkDGGSetIdsMacro(name)                                                           \
+  void Set##name##Ids(vtkIdList* ids)                                                     \
+  {                                                                                       \
+    this->Set##name##Ids(                                                                 \
+      ids ? std::vector<vtkIdType>(ids->begin(), ids->end()) : std::vector<vtkIdType>()); \
+  }                                                                                       \
+  void Set##name##Ids(const std::vector<vtkIdType>& ids)                                  \
+  {                                                                                       \
+    if (this->name##Ids != ids)                                                           \
+    {                                                                                     \
+      this->name##Ids = ids;                                                              \
+      this->Modified();                                                                   \
+    }                                                                                     \
+  }                                                                                       \
+  vtkDGGSetIdsFromBracesMacro(name);                                                      \
+  vtkIdType GetNumberOf##name##Ids() const                                                \
+  {                                                                                       \
+    return static_cast<vtkIdType>(this->name##Ids.size());                                \
+  }
+
+/// The same, and one by one: -1 where there is no i-th id.
+#define vtkDGGIdsMacro(name)                                                                     \
+  vtkDGGSetIdsMacro(name);                                                                       \
+  void Add##name##Id(vtkIdType id)                                                               \
+  {                                                                                              \
+    this->name##Ids.push_back(id);                                                               \
+    this->Modified();                                                                            \
+  }                                                                                              \
+  void RemoveAll##name##Ids()                                                                    \
+  {                                                                                              \
+    this->Set##name##Ids(std::vector<vtkIdType>());                                              \
+  }                                                                                              \
+  vtkIdType Get##name##Id(vtkIdType i) const VTK_EXPECTS(0 <= i && i < GetNumberOf##name##Ids()) \
+  {                                                                                              \
+    return i >= 0 && i < this->GetNumberOf##name##Ids() ? this->name##Ids[i] : -1;               \
+  }
+
+#endif
