@@ -56,7 +56,8 @@ constexpr double BytesPerFace = 3.0 * (sizeof(FaceCrossing) + sizeof(double)) + 
 constexpr double MostWorkOfFace = 1e4;
 constexpr double LargestShareOfSample = 2.0; // by a fair one
 constexpr std::size_t ShareOfVertex = 16;    // its inverse
-/// Of fewer faces any takes little; where windows multiply they take more time each.
+/// Of fewer faces, and at a coarser accuracy, any takes little; where windows multiply they take
+/// more time each.
 constexpr double SmallestMesh = 20000.0;
 constexpr double SmallestBranchingMesh = 1000.0;
 /// Windows of a vertex at an accuracy of 1 % that are more than those of ordinary meshes; where
@@ -348,7 +349,9 @@ ConeLimits GraphBuilder::Implementation::LimitCones(const GraphOptions& options)
   const double work =
     growth * (options.Construction == GraphConstruction::Indirect ? WindowsOfOtherRules : 1.0);
   ConeLimits limits{ this->ConeLimit, static_cast<std::size_t>(CarelessWindows * windows),
-    static_cast<std::size_t>(MostWorkOfFace * work * std::max(fewest, faces)) / ShareOfVertex };
+    static_cast<std::size_t>(
+      MostWorkOfFace * std::max(fewest * std::max(1.0, work), faces * work)) /
+      ShareOfVertex };
   if (!this->CanMultiply())
   {
     limits.CarelessWindows = std::max(
