@@ -9,6 +9,7 @@
 #define vtkDGGPropertyMacros_h
 
 #include "vtkIdList.h" // For ids
+#include "vtkSetGet.h" // For vtkBooleanMacro
 
 #include <initializer_list> // For ids
 #include <string>           // For names
@@ -89,5 +90,23 @@
   {                                                                                              \
     return i >= 0 && i < this->GetNumberOf##name##Ids() ? this->name##Ids[i] : -1;               \
   }
+
+/// Accuracy, AcceptCoarserGraph, MemoryLimit, and numbers of the graph of the last update; the
+/// filters document them. Their member `std::unique_ptr<vtkDGGGraphUser> GraphUser` has them, and
+/// vtkDGGGraphUserMacro() defines them.
+#define vtkDGGGraphPropertiesMacro()                \
+  virtual void SetAccuracy(double accuracy);        \
+  double GetAccuracy() const;                       \
+  virtual void SetAcceptCoarserGraph(bool accept);  \
+  bool GetAcceptCoarserGraph() const;               \
+  vtkBooleanMacro(AcceptCoarserGraph, bool);        \
+  virtual void SetMemoryLimit(vtkTypeUInt64 limit); \
+  vtkTypeUInt64 GetMemoryLimit() const;             \
+  bool GetUsedInputGraph() const;                   \
+  double GetGraphAccuracy() const;                  \
+  vtkIdType GetNumberOfGraphEdges() const;          \
+  vtkTypeUInt64 GetMemorySize() const;              \
+  bool GetGraphIsGuaranteed() const;                \
+  vtkMTimeType GetGraphBuildTime() const
 
 #endif

@@ -60,7 +60,7 @@ GOOD = ("ok", "refused", "known")
 # What the documentation says that filters refuse.
 REFUSALS = [
     r"multipl(y|ies) among non-manifold edges or (triangles without|long triangles of little) area",
-    r"reaches too far over long triangles",
+    r"reach too far over long triangles",
     r"the triangles are too thin: about",
     r"has more than two triangles: loops around handles need a manifold",
     r"curves have no sides where they meet",

@@ -94,13 +94,13 @@ double UnitedShare(GraphConstruction construction)
   }
 }
 
-/// `source` says whose light it is.
+/// `source` says whose windows they are.
 Status Overwhelmed(const std::string& source, bool canMultiply, const GraphOptions& options)
 {
   std::ostringstream message;
-  message << "the light of " << source;
-  message << (canMultiply ? " multiplies among non-manifold edges or triangles without area"
-                          : " reaches too far over long triangles")
+  message << "the windows of " << source;
+  message << (canMultiply ? " multiply among non-manifold edges or triangles without area"
+                          : " reach too far over long triangles")
           << ", beyond some twenty times the work on a clean mesh of this size: "
           << (canMultiply ? "remove inner walls, doubled sheets and such triangles" : "split these")
           << ", use exact distances, or ";

@@ -31,7 +31,7 @@ struct LevelCrossings
 {
   /// In order of half-edges, then levels, then abscissae.
   std::vector<LevelCrossing> Crossings;
-  /// Those of half-edge h, if it stands for its edge: [Offsets[h], Offsets[h + 1]).
+  /// Those of half-edge h, if it represents its edge: [Offsets[h], Offsets[h + 1]).
   std::vector<Id> Offsets;
 };
 
@@ -90,7 +90,7 @@ Status CollectPieces(Offset size, Offset blockSize, const ParallelFor& parallel,
   return status;
 }
 
-/// Runs `work(worker, h, crossings)` for the half-edges that stand for edges.
+/// Runs `work(worker, h, crossings)` for the half-edges that represent edges.
 template <typename MakeWorker, typename Work>
 Status CollectCrossings(const SurfaceMesh& mesh, Offset blockSize, const ParallelFor& parallel,
   const ProgressCallback& progress, double start, double stop, const MakeWorker& makeWorker,

@@ -183,7 +183,7 @@ void ForEachNeighbour(const SurfaceMesh& mesh, Id v, Visitor&& visit)
 }
 
 /// The direction from the origin of half-edge h to the source, in the frame of h; false when the
-/// distances do not tell.
+/// distances do not show.
 bool PointToSource(const SurfaceMesh& mesh, Id h, double offset,
   const std::vector<double>& distances, Point2& direction)
 {

@@ -11,7 +11,7 @@
 
 namespace dgg
 {
-/// The half-edge that stands for the edge of h: the smallest one of all that lie there. `surface`
+/// The half-edge that represents the edge of h: the smallest one of all that lie there. `surface`
 /// is a SurfaceMesh, or has half-edges as that has.
 template <typename Surface>
 Id FindEdge(const Surface& surface, Id h)

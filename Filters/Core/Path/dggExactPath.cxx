@@ -30,8 +30,8 @@ constexpr double CoincidenceTolerance = 4e-15;
 constexpr double LabelTolerance = 1e-7;
 /// A crossing this close to the end of an edge, in lengths of the edge, is at the vertex.
 constexpr double VertexTolerance = 1e-13;
-/// How far beyond the end of its edge a crossing may be. Windows light farther beyond their ends
-/// (LightTolerance), but ways bend there.
+/// How far beyond the end of its edge a crossing may be. Windows reach farther beyond their ends
+/// (SeenTolerance), but ways bend there.
 constexpr double CrossingTolerance = 1e-8;
 /// Directions this close to that of an apex, as a sine, may pass it on either side.
 constexpr double ApexTolerance = 1e-9;

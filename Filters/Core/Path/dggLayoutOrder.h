@@ -48,7 +48,7 @@ private:
 };
 
 /// A corner of what lies between the curves: a sector of a landmark, from a curve
-/// counter-clockwise to the next one; NoId stands for the boundary of the surface.
+/// counter-clockwise to the next one; NoId is the boundary of the surface.
 struct LayoutSector
 {
   Id Landmark = NoId;

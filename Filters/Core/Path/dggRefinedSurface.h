@@ -39,7 +39,7 @@ struct RefinedSurface
   Id Twin(Id h) const { return this->Twins[h]; }
 
   /// Make Twins: half-edges are of one edge when they have the same ends and lie in the same place,
-  /// which is any number that stands for an edge or a face of the surface before.
+  /// which is any number that identifies an edge or a face of the surface before.
   void Glue(const std::vector<Offset>& places);
   /// The mesh with these faces and their lengths, so that its metric is the old one. Parts of faces
   /// of the old mesh that are degenerate are so as well.
