@@ -382,11 +382,12 @@ dgg::Status vtkApolloniusIsolines::FindCurves(
   const double atRidges = ReadingShare + LineWork * unit;
   const double atBands = atRidges + (request.WantsRidges ? RidgeWork * unit : 0.0);
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
-  dgg::Status status = dgg::TraceIsolines(field, request.Values, options, vtkDGGMakeParallelFor(),
-    dgg::ProgressPart(progress, ReadingShare, atRidges), curves.Lines);
+  dgg::Status status =
+    dgg::TraceIsolines(field, request.Values, options, vtkDGGMakeParallelFor(progress),
+      dgg::ProgressPart(progress, ReadingShare, atRidges), curves.Lines);
   if (status.IsOk() && request.WantsRidges && isKnown)
   {
-    status = dgg::FindRidges(field, request.RidgeOptions, vtkDGGMakeParallelFor(),
+    status = dgg::FindRidges(field, request.RidgeOptions, vtkDGGMakeParallelFor(progress),
       dgg::ProgressPart(progress, atRidges, atBands), curves.Ridges);
   }
   if (status.IsOk() && request.WantsBands)

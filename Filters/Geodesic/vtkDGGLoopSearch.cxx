@@ -64,7 +64,7 @@ dgg::Status vtkDGGLoopSearch::RunThroughPoints(vtkDGGGraphProvider& graph, const
     return Explain(
       finder.ThroughPoint(points[i], taut, set.Loops[i], within), "point " + std::to_string(i));
   };
-  status = vtkDGGForLongSteps(points.size(), progress, step);
+  status = vtkDGGForEach(points.size(), 1, progress, step);
   for (const dgg::FoundLoop& loop : set.Loops)
   {
     set.Status.push_back(GetStatus(loop));

@@ -16,8 +16,8 @@ namespace
 constexpr double SourcesLinked = 0.05;
 constexpr double TargetsLinked = 0.1;
 
-/// Points between two looks at the progress.
-constexpr std::size_t LinkBlock = 256;
+/// Points that a thread links between two looks at the progress.
+constexpr std::size_t LinkBlock = 16;
 
 /// Indices of the points that are vertices, or of those that are not.
 std::vector<std::size_t> FindPoints(const vtkDGGMatrixSearch::Points& points, bool vertices)
@@ -101,7 +101,8 @@ dgg::Status vtkDGGMatrixSearch::ForAll(std::size_t count, double end, StepType s
 {
   const double start = this->Done;
   const dgg::Status status =
-    vtkDGGForBlocks(count, LinkBlock, dgg::ProgressPart(this->Progress, start, end), step);
+    vtkDGGForEach(count, LinkBlock, dgg::ProgressPart(this->Progress, start, end),
+      [&step](std::size_t i, const dgg::ProgressCallback&) { return step(i); });
   this->Done = end;
   return status;
 }
@@ -186,7 +187,7 @@ dgg::Status vtkDGGMatrixSearch::Search()
       seeds[i].push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
     }
   }
-  return this->Graph.GetSearch().Many(seeds, dgg::Infinity, vtkDGGMakeParallelFor(),
+  return this->Graph.GetSearch().Many(seeds, dgg::Infinity, vtkDGGMakeParallelFor(this->Progress),
     dgg::ProgressPart(this->Progress, this->Done, 1.0),
     [this](std::size_t source, const double* field) { this->LookAtTargets(source, field); });
 }

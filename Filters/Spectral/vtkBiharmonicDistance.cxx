@@ -225,24 +225,20 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(vtkDGGSpectralTask& task)
     prepared.IsReady = status.IsOk();
     prepared.Options = options;
   }
-  const dgg::ParallelFor parallel = vtkDGGMakeParallelFor();
+  const dgg::ParallelFor parallel = vtkDGGMakeParallelFor(task.Progress);
   if (status.IsOk() && prepared.Distance.NeedsDiagonal())
   {
     std::vector<double> diagonal;
-    status = vtkDGGRunTold(dgg::ProgressPart(task.Progress, 0.0, SpectrumDone),
-      [&](const dgg::ProgressCallback& progress) {
-        return prepared.Distance.FindDiagonal(parallel, progress, diagonal);
-      });
+    status = prepared.Distance.FindDiagonal(
+      parallel, dgg::ProgressPart(task.Progress, 0.0, SpectrumDone), diagonal);
     prepared.Distance.KeepDiagonal(std::move(diagonal));
   }
   // Between sources and evaluation points, row by row.
   std::vector<double> matrix;
   if (status.IsOk() && !task.Targets.empty())
   {
-    status = vtkDGGRunTold(dgg::ProgressPart(task.Progress, SpectrumDone, TargetsDone),
-      [&](const dgg::ProgressCallback& progress) {
-        return prepared.Distance.Between(task.Sources, task.Targets, parallel, progress, matrix);
-      });
+    status = prepared.Distance.Between(task.Sources, task.Targets, parallel,
+      dgg::ProgressPart(task.Progress, SpectrumDone, TargetsDone), matrix);
   }
   const auto count = static_cast<double>(task.Sources.size());
   for (std::size_t k = 0; k < task.Sources.size() && status.IsOk(); ++k)

@@ -116,8 +116,8 @@ Status Collect(Offset size, const ParallelFor& parallel, const ProgressCallback&
 {
   std::vector<std::vector<Piece>> blocks(
     static_cast<std::size_t>((size + BlockSize - 1) / BlockSize));
-  Status status = LoopOverBlocks(size, BlockSize, parallel, progress, start, stop, makeWorker,
-    [&](auto& worker, Offset block, Offset begin, Offset end) {
+  Status status = ForBlocks(size, BlockSize, parallel, ProgressPart(progress, start, stop),
+    makeWorker, [&](auto& worker, Offset block, Offset begin, Offset end) {
       for (Offset i = begin; i < end; ++i)
       {
         work(worker, static_cast<Id>(i), blocks[static_cast<std::size_t>(block)]);

@@ -61,8 +61,8 @@ Status FindFaceCurves(const DistanceField& field, const std::vector<double>& lev
 {
   const Offset faces = field.Mesh->GetNumberOfFaces();
   std::vector<Block> blocks((faces + FacesInBlock - 1) / FacesInBlock);
-  Status status = LoopOverBlocks(
-    faces, FacesInBlock, parallel, progress, CrossingsDone, FacesDone,
+  Status status = ForBlocks(
+    faces, FacesInBlock, parallel, ProgressPart(progress, CrossingsDone, FacesDone),
     [&] { return FaceIsolines(field, levels, tolerance, crossings); },
     [&](FaceIsolines& isolines, Offset block, Offset begin, Offset end) {
       const Id before = isolines.GetNumberOfFallbacks();

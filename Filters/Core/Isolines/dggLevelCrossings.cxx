@@ -74,8 +74,8 @@ Status FindLevelCrossings(const DistanceField& field, const std::vector<double>&
   const SurfaceMesh& mesh = *field.Mesh;
   const Id halfEdges = mesh.GetNumberOfHalfEdges();
   std::vector<std::vector<LevelCrossing>> blocks((halfEdges + BlockSize - 1) / BlockSize);
-  Status status = LoopOverBlocks(
-    halfEdges, BlockSize, parallel, progress, 0.0, 1.0,
+  Status status = ForBlocks(
+    halfEdges, BlockSize, parallel, progress,
     [&] {
       return Worker{ EdgeProfile(field), {} };
     },

@@ -123,8 +123,7 @@ public:
       }
       return Status::Success();
     };
-    return LoopOverLongBlocks(
-      static_cast<Offset>(this->Sites.size()), Lanes, parallel, progress, runBlock);
+    return ForBlocks(static_cast<Offset>(this->Sites.size()), Lanes, parallel, progress, runBlock);
   }
 
   const PoissonSolver& Solver;

@@ -102,7 +102,7 @@ Status PoissonIntegral::ForEachPoint(const std::vector<SurfacePoint>& points, Gr
     }
     return status;
   };
-  return LoopOverLongBlocks(count, BlockSize, parallel, progress, runBlock);
+  return ForBlocks(count, BlockSize, parallel, progress, runBlock);
 }
 
 Status PoissonIntegral::Run(const std::vector<SurfacePoint>& points,
