@@ -24,11 +24,7 @@ function (dgg_add_real_mesh_tests name)
   target_compile_options(${name} PRIVATE ${dgg_warning_flags})
   target_link_libraries(${name} PRIVATE dggCore ${reader_modules} GTest::gtest_main)
   vtk_module_autoinit(TARGETS ${name} MODULES ${reader_modules})
-  gtest_discover_tests(${name}
-    TEST_PREFIX "Cxx."
-    NO_PRETTY_VALUES
-    DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS "Cxx" TIMEOUT 600)
+  dgg_add_gtest(${name} Cxx 4)
 endfunction ()
 
 include("${shared}/PeerCGAL.cmake")
