@@ -75,8 +75,12 @@ if (DGG_EXTRA_DATA)
     TestExtraIsolines.cxx
     TestExtraLoops.cxx
     TestExtraPaths.cxx
+    "${core}/GeodesicChecks.cxx"
+    "${core}/GeodesicChecks.h"
     "${core}/PathChecks.cxx"
-    "${core}/PathChecks.h")
+    "${core}/PathChecks.h"
+    "${core}/TestMeshes.cxx"
+    "${core}/TestMeshes.h")
   target_include_directories(dggExtraPathTests PRIVATE "${core}")
   target_link_libraries(dggExtraPathTests PRIVATE DGG::FiltersGeodesic)
   if (DGG_WITH_PCL)
