@@ -318,11 +318,11 @@ dgg::Status vtkApolloniusIsolines::FindCurves(const dgg::DistanceField& field, C
   const double atRidges = ReadingShare + LineWork * unit;
   const double atBands = atRidges + (this->GenerateRidges ? RidgeWork * unit : 0.0);
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
-  dgg::Status status = dgg::TraceIsolines(field, values, options, vtkDGGMakeParallelFor(),
+  dgg::Status status = dgg::TraceIsolines(field, values, options, vtkDGGMakeParallelFor(progress),
     dgg::ProgressPart(progress, ReadingShare, atRidges), curves.Lines);
   if (status.IsOk() && this->GenerateRidges && isKnown)
   {
-    status = dgg::FindRidges(field, ridgeOptions, vtkDGGMakeParallelFor(),
+    status = dgg::FindRidges(field, ridgeOptions, vtkDGGMakeParallelFor(progress),
       dgg::ProgressPart(progress, atRidges, atBands), curves.Ridges);
   }
   if (status.IsOk() && this->GenerateBands)

@@ -281,7 +281,7 @@ dgg::Status vtkDGGFieldInput::FitSources(
   }
   this->IsFitted = true;
   return dgg::FitVirtualSources(
-           mesh, this->Distances.data(), vtkDGGMakeParallelFor(), this->Sources, progress)
+           mesh, this->Distances.data(), vtkDGGMakeParallelFor(progress), this->Sources, progress)
     ? dgg::Status::Success()
     : dgg::Status::Abort();
 }

@@ -39,7 +39,7 @@ dgg::Status TooMuchMemory(
 //------------------------------------------------------------------------------
 void vtkDGGUseThreads(dgg::GraphOptions& options)
 {
-  options.Parallel = vtkDGGMakeParallelFor();
+  options.Parallel = vtkDGGMakeParallelFor(options.Progress);
   options.NumberOfThreads = vtkSMPTools::GetEstimatedNumberOfThreads();
 }
 

@@ -33,8 +33,8 @@ constexpr double BandShare = 0.2;
 /// Bytes per vertex of what finds paths, about.
 constexpr std::size_t BytesOfPaths = 40;
 
-/// Links between two looks at the progress.
-constexpr std::size_t LinkBlock = 64;
+/// Links that a thread makes between two looks at the progress.
+constexpr std::size_t LinkBlock = 4;
 }
 
 //------------------------------------------------------------------------------
@@ -227,7 +227,7 @@ dgg::Status vtkDGGGraphProvider::PrepareForPairs(std::size_t count)
   const double start = this->Done;
   const double share = LandmarkShare * (1.0 - start);
   const dgg::Status status = this->Search->PrepareLandmarks(
-    vtkDGGMakeParallelFor(), dgg::ProgressPart(this->Progress, start, start + share));
+    vtkDGGMakeParallelFor(this->Progress), dgg::ProgressPart(this->Progress, start, start + share));
   this->Done = start + share;
   return status;
 }
@@ -350,11 +350,12 @@ dgg::Status vtkDGGGraphProvider::LinkPlaces(const Points& places, const vtkDGGMe
   const double start = this->Done;
   const double share = LinkShare * (1.0 - start);
   store.Links.resize(places.size());
-  status = vtkDGGForBlocks(places.size(), LinkBlock,
-    dgg::ProgressPart(this->Progress, start, start + share), [&](std::size_t i) {
-      std::vector<double> none;
-      return this->Link(places[i], {}, mesh, store.Links[i], none);
-    });
+  status =
+    vtkDGGForEach(places.size(), LinkBlock, dgg::ProgressPart(this->Progress, start, start + share),
+      [&](std::size_t i, const dgg::ProgressCallback&) {
+        std::vector<double> none;
+        return this->Link(places[i], {}, mesh, store.Links[i], none);
+      });
   this->Done = start + share;
   if (!status.IsOk())
   {
@@ -393,9 +394,9 @@ dgg::Status vtkDGGGraphProvider::PrepareShortener(const vtkDGGMeshAdapter& cloud
     cloud.GetPositions(), this->Search->GetGraph(), band.Radii);
   const double start = this->Done;
   const double share = BandShare * (1.0 - start);
-  const dgg::Status status =
-    shortener->Prepare(band.VoxelSize, vtkDGGGetMemoryLimit(this->MemoryLimit),
-      vtkDGGMakeParallelFor(), dgg::ProgressPart(this->Progress, start, start + share));
+  const dgg::Status status = shortener->Prepare(band.VoxelSize,
+    vtkDGGGetMemoryLimit(this->MemoryLimit), vtkDGGMakeParallelFor(this->Progress),
+    dgg::ProgressPart(this->Progress, start, start + share));
   this->Done = start + share;
   if (status.IsOk())
   {

@@ -74,7 +74,7 @@ dgg::Status RunThroughPoints(const dgg::LoopFinder& finder, const LoopPoints& po
     return Explain(
       finder.ThroughPoint(points[i], taut, set.Loops[i], within), "point " + std::to_string(i));
   };
-  return vtkDGGForLongSteps(points.size(), progress, step);
+  return vtkDGGForEach(points.size(), 1, progress, step);
 }
 
 /// One through all points.

@@ -16,8 +16,8 @@ namespace
 constexpr double SourcesLinked = 0.05;
 constexpr double TargetsLinked = 0.1;
 
-/// Points between two looks at the progress.
-constexpr std::size_t LinkBlock = 256;
+/// Points that a thread links between two looks at the progress.
+constexpr std::size_t LinkBlock = 16;
 
 /// Indices of the points that are vertices, or of those that are not.
 std::vector<std::size_t> FindPoints(const vtkDGGMatrixSearch::Points& points, bool vertices)
@@ -90,8 +90,8 @@ dgg::Status vtkDGGMatrixSearch::LinkPoints(
   }
   const double start = this->Done;
   this->Done = end;
-  return vtkDGGForBlocks(
-    unlinked.size(), LinkBlock, dgg::ProgressPart(this->Progress, start, end), [&](std::size_t k) {
+  return vtkDGGForEach(unlinked.size(), LinkBlock, dgg::ProgressPart(this->Progress, start, end),
+    [&](std::size_t k, const dgg::ProgressCallback&) {
       const std::size_t i = unlinked[k];
       std::vector<double> direct;
       const dgg::Status status =
@@ -152,7 +152,7 @@ dgg::Status vtkDGGMatrixSearch::Search()
       seeds[i].push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
     }
   }
-  return this->Graph.GetSearch().Many(seeds, dgg::Infinity, vtkDGGMakeParallelFor(),
+  return this->Graph.GetSearch().Many(seeds, dgg::Infinity, vtkDGGMakeParallelFor(this->Progress),
     dgg::ProgressPart(this->Progress, this->Done, 1.0),
     [this](std::size_t source, const double* field) { this->LookAtTargets(source, field); });
 }

@@ -22,8 +22,6 @@
 
 namespace
 {
-/// Paths at least between two looks at the progress.
-constexpr std::size_t PathBlock = 16;
 /// Length of a smooth path by that in the graph, at most.
 constexpr double LargestDetour = 1.005;
 
@@ -151,10 +149,11 @@ dgg::Status vtkDGGPathSearch::RunInGraph(
   }
   const dgg::PathFinder& finder = graph.GetPathFinder(this->Mesh, positions);
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
-  return vtkDGGForBlocks(paths.size(), PathBlock, graph.GetRemainingProgress(), [&](std::size_t i) {
+  const auto find = [&](std::size_t i, const dgg::ProgressCallback&) {
     return Explain(finder.Find(this->PointPairs[i].From, this->PointPairs[i].To, options, paths[i]),
       "pair " + std::to_string(i) + ": ", "");
-  });
+  };
+  return vtkDGGForEach(paths.size(), 1, graph.GetRemainingProgress(), find);
 }
 
 //------------------------------------------------------------------------------
@@ -172,12 +171,11 @@ dgg::Status vtkDGGPathSearch::RunOnCloud(
   }
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
   // Only the calling thread reports: a single path, or blocks of them.
-  const dgg::ProgressCallback progress = graph.GetRemainingProgress();
-  const dgg::ProgressCallback within = paths.size() == 1 ? progress : dgg::ProgressCallback();
-  return vtkDGGForBlocks(paths.size(), PathBlock, progress, [&](std::size_t i) {
+  const auto find = [&](std::size_t i, const dgg::ProgressCallback& within) {
     return Explain(this->FindOnCloud(graph, this->PointPairs[i], smooth, within, paths[i]),
       "pair " + std::to_string(i) + ": ", "");
-  });
+  };
+  return vtkDGGForEach(paths.size(), 1, graph.GetRemainingProgress(), find);
 }
 
 //------------------------------------------------------------------------------
@@ -276,5 +274,5 @@ dgg::Status vtkDGGPathSearch::RunExact(const dgg::ProgressCallback& progress, Pa
       "of the paths that start where pair " + std::to_string(group[0]) + " does, ",
       ". Use Method Graph");
   };
-  return vtkDGGForLongSteps(groups.size(), progress, step);
+  return vtkDGGForEach(groups.size(), 1, progress, step);
 }

@@ -108,6 +108,7 @@ vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
   , MergeTolerance(0.0)
   , OutputPointsPrecision(DOUBLE_PRECISION)
   , Reached(0.0)
+  , IsStopped(false)
   , GapsBuildTime(0)
   , Adapter(new vtkDGGMeshAdapter)
 {
@@ -197,6 +198,8 @@ bool vtkGeodesicAlgorithm::Attempt(const std::function<dgg::Status()>& step)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
   this->Reached = 0.0;
+  this->IsStopped = false;
+  this->Caller = std::this_thread::get_id();
   // Nothing may be thrown across VTK: an exception that reaches Python ends the interpreter.
   dgg::Status status;
   unsigned long errorCode = vtkErrorCode::UserError;
@@ -373,7 +376,14 @@ bool vtkGeodesicAlgorithm::Advance(double fraction)
 {
   const double now =
     PreparationShare + (1.0 - PreparationShare) * std::min(1.0, std::max(0.0, fraction));
-  this->Reached = std::max(this->Reached, now);
-  this->UpdateProgress(this->Reached);
-  return !vtkDGGIsAbortedMacro(this);
+  double before = this->Reached;
+  while (before < now && !this->Reached.compare_exchange_weak(before, now))
+  {
+  }
+  if (std::this_thread::get_id() == this->Caller)
+  {
+    this->UpdateProgress(this->Reached);
+    this->IsStopped = vtkDGGIsAbortedMacro(this);
+  }
+  return !this->IsStopped;
 }

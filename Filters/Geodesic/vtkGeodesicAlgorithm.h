@@ -82,9 +82,11 @@
 #include "vtkDGGPropertyMacros.h"        // For names
 #include "vtkPolyDataAlgorithm.h"
 
+#include <atomic>     // For the progress
 #include <functional> // For Attempt()
 #include <memory>     // For the mesh
 #include <string>     // For the report
+#include <thread>     // For the thread of the update
 #include <vector>     // For what is reached
 
 namespace dgg
@@ -285,7 +287,8 @@ protected:
   bool AttemptOutsideOfUpdate(const std::function<dgg::Status()>& step);
 
   /**
-   * Report the progress of Execute(), in [0, 1]; it never goes back. Returns whether to go on.
+   * Report the progress of Execute(), in [0, 1]; it never goes back. Returns whether to go on. Any
+   * thread may call it: observers are invoked by the thread of the update alone.
    */
   bool Advance(double fraction);
 
@@ -299,8 +302,10 @@ private:
   bool MergeCoincidentPoints;
   double MergeTolerance;
   int OutputPointsPrecision;
-  double Reached;             // progress of the update so far
-  vtkMTimeType GapsBuildTime; // of the mesh whose gaps have been looked for
+  std::atomic<double> Reached; // progress of the update so far
+  std::atomic<bool> IsStopped; // whether observers have asked for that
+  std::thread::id Caller;      // of the update
+  vtkMTimeType GapsBuildTime;  // of the mesh whose gaps have been looked for
   std::unique_ptr<vtkDGGMeshAdapter> Adapter;
 };
 

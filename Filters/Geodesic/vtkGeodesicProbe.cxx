@@ -30,9 +30,8 @@ vtkStandardNewMacro(vtkGeodesicProbe);
 
 namespace
 {
-/// Points that one thread looks at in a row, and how often that between two reports of progress.
+/// Points that one thread looks at in a row.
 constexpr std::size_t BlockSize = 1024;
-constexpr std::size_t BlocksBetweenReports = 64;
 /// The share of the progress when the distances have been read, which may take a fit.
 constexpr double ReadDone = 0.5;
 
@@ -157,8 +156,9 @@ dgg::Status vtkGeodesicProbe::Execute(
   }
   const auto found = vtkDGGMakeArray<vtkDoubleArray>(name, places.size());
   double* values = found->GetPointer(0);
-  status = vtkDGGForBlocks((places.size() + BlockSize - 1) / BlockSize, BlocksBetweenReports,
-    dgg::ProgressPart(progress, ReadDone, 1.0), [&](std::size_t block) {
+  status = vtkDGGForEach((places.size() + BlockSize - 1) / BlockSize, 1,
+    dgg::ProgressPart(progress, ReadDone, 1.0),
+    [&](std::size_t block, const dgg::ProgressCallback&) {
       dgg::FaceProfile profile(input.GetField());
       const std::size_t end = std::min(places.size(), (block + 1) * BlockSize);
       for (std::size_t i = block * BlockSize; i < end; ++i)

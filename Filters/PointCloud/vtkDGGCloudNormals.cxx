@@ -19,8 +19,8 @@
 
 namespace
 {
-/// Points between two looks at the progress.
-constexpr std::size_t NormalBlock = 4096;
+/// Points that a thread looks at between two looks at the progress.
+constexpr std::size_t NormalBlock = 256;
 /// Points that make a plane.
 constexpr int FewestPoints = 3;
 /// Points that are thinner than that across a line make none, relative to their length.
@@ -104,18 +104,19 @@ dgg::Status vtkDGGEstimateNormals(const double* positions, dgg::Id numberOfPoint
   }
   pcl::KdTreeFLANN<pcl::PointXYZ> tree;
   tree.setInputCloud(cloud);
-  return vtkDGGForBlocks(ids.size(), NormalBlock, progress, [&](std::size_t i) {
-    pcl::Indices found(count);
-    std::vector<float> distances(count);
-    tree.nearestKSearch((*cloud)[i], count, found, distances);
-    Eigen::Vector4f plane;
-    float curvature = 0.0f;
-    if (!IsLine(*cloud, found) && pcl::computePointNormal(*cloud, found, plane, curvature) &&
-      plane.head<3>().allFinite())
-    {
-      const Eigen::Vector3d normal = plane.head<3>().cast<double>().normalized();
-      std::copy(normal.data(), normal.data() + 3, &normals[3 * static_cast<std::size_t>(ids[i])]);
-    }
-    return dgg::Status::Success();
-  });
+  return vtkDGGForEach(
+    ids.size(), NormalBlock, progress, [&](std::size_t i, const dgg::ProgressCallback&) {
+      pcl::Indices found(count);
+      std::vector<float> distances(count);
+      tree.nearestKSearch((*cloud)[i], count, found, distances);
+      Eigen::Vector4f plane;
+      float curvature = 0.0f;
+      if (!IsLine(*cloud, found) && pcl::computePointNormal(*cloud, found, plane, curvature) &&
+        plane.head<3>().allFinite())
+      {
+        const Eigen::Vector3d normal = plane.head<3>().cast<double>().normalized();
+        std::copy(normal.data(), normal.data() + 3, &normals[3 * static_cast<std::size_t>(ids[i])]);
+      }
+      return dgg::Status::Success();
+    });
 }

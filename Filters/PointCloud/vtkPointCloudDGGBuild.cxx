@@ -82,6 +82,7 @@ dgg::Status vtkPointCloudDGG::Estimate()
     options.Normals = normals ? normals->data() : nullptr;
     options.Progress = [this, done](
                          double fraction) { return this->Advance(done + (1.0 - done) * fraction); };
+    options.Parallel = vtkDGGMakeParallelFor(options.Progress);
     status = dgg::CloudGraphBuilder(mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices())
                .Estimate(options, this->Internals->Estimate);
   }
@@ -101,7 +102,6 @@ dgg::CloudGraphOptions vtkPointCloudDGG::MakeOptions(vtkPolyData* cloud) const
   options.ArcLengthWeights = this->ArcLengthWeights;
   options.HasOrientedNormals = this->OrientedNormals && cloud && this->GetInputNormals(cloud);
   options.MemoryLimit = vtkDGGGetMemoryLimit(this->MemoryLimit);
-  options.Parallel = vtkDGGMakeParallelFor();
   options.NumberOfThreads = vtkSMPTools::GetEstimatedNumberOfThreads();
   return options;
 }
@@ -189,6 +189,7 @@ dgg::Status vtkPointCloudDGG::Build(dgg::CloudGraphOptions options, double done)
   internals.Built.Clear();
   options.Progress = [this, done](
                        double fraction) { return this->Advance(done + (1.0 - done) * fraction); };
+  options.Parallel = vtkDGGMakeParallelFor(options.Progress);
   dgg::CloudGraph result;
   vtkInternals::Findings findings;
   const dgg::Status status =

@@ -168,22 +168,18 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(vtkDGGSpectralTask& task)
   status = status.IsOk()
     ? CheckAll(distance, &dgg::SpectralDistance::CheckPlace, task.Targets, "evaluation point ")
     : status;
-  const dgg::ParallelFor parallel = vtkDGGMakeParallelFor();
+  const dgg::ParallelFor parallel = vtkDGGMakeParallelFor(task.Progress);
   if (status.IsOk())
   {
-    status = vtkDGGRunTold(dgg::ProgressPart(task.Progress, 0.0, SpectrumDone),
-      [&](const dgg::ProgressCallback& progress) {
-        return distance.Prepare(options, parallel, progress);
-      });
+    status =
+      distance.Prepare(options, parallel, dgg::ProgressPart(task.Progress, 0.0, SpectrumDone));
   }
   // Between sources and evaluation points, row by row.
   std::vector<double> matrix;
   if (status.IsOk() && !task.Targets.empty())
   {
-    status = vtkDGGRunTold(dgg::ProgressPart(task.Progress, SpectrumDone, TargetsDone),
-      [&](const dgg::ProgressCallback& progress) {
-        return distance.Between(task.Sources, task.Targets, parallel, progress, matrix);
-      });
+    status = distance.Between(task.Sources, task.Targets, parallel,
+      dgg::ProgressPart(task.Progress, SpectrumDone, TargetsDone), matrix);
   }
   const auto count = static_cast<double>(task.Sources.size());
   for (std::size_t k = 0; k < task.Sources.size() && status.IsOk(); ++k)

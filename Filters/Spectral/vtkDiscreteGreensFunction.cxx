@@ -94,7 +94,7 @@ public:
   dgg::Status InBlocks(const dgg::GreensFunction& function)
   {
     const std::vector<dgg::SurfacePoint>& sources = this->Task.Sources;
-    return vtkDGGForLongSteps((sources.size() + BlockSize - 1) / BlockSize, this->Task.Progress,
+    return vtkDGGForEach((sources.size() + BlockSize - 1) / BlockSize, 1, this->Task.Progress,
       [&](std::size_t block, const dgg::ProgressCallback& progress) {
         const std::size_t first = block * BlockSize;
         const std::size_t end = std::min(sources.size(), first + BlockSize);

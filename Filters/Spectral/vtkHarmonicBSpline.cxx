@@ -159,7 +159,7 @@ public:
   dgg::Status FindBasis(const std::vector<dgg::Id>& sites, bool isSmooth,
     const std::string& cellName, const dgg::ProgressCallback& progress)
   {
-    const dgg::ParallelFor parallel = vtkDGGMakeParallelFor();
+    const dgg::ParallelFor parallel = vtkDGGMakeParallelFor(progress);
     dgg::Status status =
       this->Splines.Prepare(sites, parallel, dgg::ProgressPart(progress, 0.0, CellsDone));
     if (status.IsOk() && isSmooth)
@@ -415,9 +415,7 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(vtkDGGSpectralTask& task)
       "values are given at all points: there is no place for a site, use Neumann conditions");
   }
   Run run(task);
-  dgg::Status status = vtkDGGRunTold(task.Progress, [&](const dgg::ProgressCallback& progress) {
-    return run.FindBasis(sites, isSmooth, this->CellArrayName, progress);
-  });
+  dgg::Status status = run.FindBasis(sites, isSmooth, this->CellArrayName, task.Progress);
   double imbalance = 0.0;
   if (status.IsOk() && !this->RightHandSideArrayName.empty())
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Long steps in several threads: each is done once, and the progress does not wait for the last.
+/// Steps in several threads: each is done once, and the progress does not wait for the last.
 #include "vtkDGGParallel.h"
 
 #include "vtkSMPTools.h"
@@ -58,22 +58,27 @@ TEST(LongSteps, EachIsDoneOnce)
   ForEachBackend([] {
     for (const std::size_t count : { 0, 1, 2, 7, 100 })
     {
-      std::vector<std::atomic<int>> done(count);
-      double last = 0.0;
-      const dgg::Status status = vtkDGGForLongSteps(
-        count,
-        [&](double progress) {
-          EXPECT_GE(progress, last);
-          last = progress;
-          return true;
-        },
-        [&](std::size_t step, const dgg::ProgressCallback& within) {
-          ++done[step];
-          return within(0.5) ? dgg::Status::Success() : dgg::Status::Abort();
-        });
-      EXPECT_TRUE(status.IsOk());
-      EXPECT_TRUE(std::all_of(done.begin(), done.end(), [](int times) { return times == 1; }));
-      EXPECT_EQ(last, count > 0 ? 1.0 : 0.0);
+      for (const std::size_t grain : { 1, 3 })
+      {
+        std::vector<std::atomic<int>> done(count);
+        std::atomic<double> most{ 0.0 };
+        const dgg::Status status = vtkDGGForEach(
+          count, grain,
+          [&](double progress) {
+            double before = most;
+            while (before < progress && !most.compare_exchange_weak(before, progress))
+            {
+            }
+            return true;
+          },
+          [&](std::size_t step, const dgg::ProgressCallback& within) {
+            ++done[step];
+            return within(0.5) ? dgg::Status::Success() : dgg::Status::Abort();
+          });
+        EXPECT_TRUE(status.IsOk());
+        EXPECT_TRUE(std::all_of(done.begin(), done.end(), [](int times) { return times == 1; }));
+        EXPECT_EQ(most, 1.0);
+      }
     }
   });
 }
@@ -81,15 +86,14 @@ TEST(LongSteps, EachIsDoneOnce)
 TEST(LongSteps, TheFirstErrorCounts)
 {
   ForEachBackend([] {
-    const dgg::Status status = vtkDGGForLongSteps(
-      50, [](double) { return true; },
-      [](std::size_t step, const dgg::ProgressCallback&) {
+    const auto goOn = [](double) { return true; };
+    const dgg::Status status =
+      vtkDGGForEach(50, 1, goOn, [](std::size_t step, const dgg::ProgressCallback&) {
         return step < 7 ? dgg::Status::Success()
                         : dgg::Status::Invalid("step " + std::to_string(step));
       });
     EXPECT_EQ(status.GetMessage(), "step 7");
-    EXPECT_THROW(vtkDGGForLongSteps(
-                   50, [](double) { return true; },
+    EXPECT_THROW(vtkDGGForEach(50, 1, goOn,
                    [](std::size_t step, const dgg::ProgressCallback&) -> dgg::Status {
                      if (step == 9)
                      {
@@ -101,24 +105,24 @@ TEST(LongSteps, TheFirstErrorCounts)
   });
 }
 
-TEST(LongSteps, ProgressOfOthersIsToldWhileNothingIsLeftToDo)
+// The step of this thread is over soon, that of another goes on until this thread has called the
+// progress several times. Then it stops, as by an observer.
+TEST(LongSteps, ProgressWhileNothingIsLeftToDo)
 {
-  // The step of this thread is over soon, that of the other one goes on until it has been heard
-  // of several times.
   ForEachBackend([] {
     if (vtkSMPTools::GetEstimatedNumberOfThreads() < 2)
     {
       return;
     }
     const auto caller = std::this_thread::get_id();
-    std::atomic<int> heard{ 0 };
+    std::atomic<int> calls{ 0 };
     std::atomic<int> begun{ 0 };
-    const dgg::Status status = vtkDGGForLongSteps(
-      2,
+    std::atomic<bool> isStopped{ false };
+    const dgg::Status status = vtkDGGForEach(
+      2, 1,
       [&](double) {
-        EXPECT_EQ(std::this_thread::get_id(), caller);
-        ++heard;
-        return true;
+        isStopped = isStopped || (std::this_thread::get_id() == caller && ++calls > 10);
+        return !isStopped;
       },
       [&](std::size_t, const dgg::ProgressCallback& within) {
         ++begun;
@@ -127,40 +131,6 @@ TEST(LongSteps, ProgressOfOthersIsToldWhileNothingIsLeftToDo)
         {
           return dgg::Status::Success();
         }
-        const int before = heard;
-        double done = 0.0;
-        EXPECT_TRUE(WaitUntil([&] {
-          done = std::min(1.0, done + 1e-4);
-          within(done);
-          return heard > before + 5;
-        }));
-        return dgg::Status::Success();
-      });
-    EXPECT_TRUE(status.IsOk());
-  });
-}
-
-TEST(LongSteps, StopWhileOneIsLeft)
-{
-  ForEachBackend([] {
-    if (vtkSMPTools::GetEstimatedNumberOfThreads() < 2)
-    {
-      return;
-    }
-    const auto caller = std::this_thread::get_id();
-    std::atomic<bool> isAlone{ false };
-    std::atomic<int> begun{ 0 };
-    const dgg::Status status = vtkDGGForLongSteps(
-      2, [&](double) { return !isAlone; },
-      [&](std::size_t, const dgg::ProgressCallback& within) {
-        ++begun;
-        WaitUntil([&] { return begun == 2; });
-        if (std::this_thread::get_id() == caller)
-        {
-          return dgg::Status::Success();
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        isAlone = true;
         return WaitUntil([&] { return !within(0.5); }) ? dgg::Status::Abort()
                                                        : dgg::Status::Success();
       });

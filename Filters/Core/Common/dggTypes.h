@@ -59,7 +59,8 @@ private:
   std::string Message;
 };
 
-/// Called now and then by long loops with the finished fraction in [0, 1]; returns false to stop.
+/// Called now and then by long loops, from any of their threads, with the finished fraction in
+/// [0, 1]; returns false to stop.
 using ProgressCallback = std::function<bool(double)>;
 }
 

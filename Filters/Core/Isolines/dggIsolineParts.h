@@ -5,10 +5,11 @@
 #ifndef dggIsolineParts_h
 #define dggIsolineParts_h
 
-#include "dggBlockLoop.h"     // for LoopOverBlocks
+#include "dggBlockLoop.h"     // for ForBlocks
 #include "dggDistanceField.h" // for DistanceField
 #include "dggEdges.h"         // for FindEdge
 #include "dggIsolines.h"      // for Isolines
+#include "dggProgressPart.h"  // for ProgressPart
 
 #include <array>    // for barycentric coordinates
 #include <iterator> // for moving pieces
@@ -59,8 +60,8 @@ Status CollectPieces(Offset size, Offset blockSize, const ParallelFor& parallel,
 {
   std::vector<std::vector<Piece>> blocks(
     static_cast<std::size_t>((size + blockSize - 1) / blockSize));
-  Status status = LoopOverBlocks(size, blockSize, parallel, progress, start, stop, makeWorker,
-    [&](auto& worker, Offset block, Offset begin, Offset end) {
+  Status status = ForBlocks(size, blockSize, parallel, ProgressPart(progress, start, stop),
+    makeWorker, [&](auto& worker, Offset block, Offset begin, Offset end) {
       for (Offset i = begin; i < end; ++i)
       {
         work(worker, static_cast<Id>(i), blocks[static_cast<std::size_t>(block)]);

@@ -3,6 +3,7 @@
 #include "dggRidges.h"
 
 #include "dggBlockLoop.h"
+#include "dggProgressPart.h"
 #include "dggEdges.h"
 #include "dggFaceRidges.h"
 #include "dggRidgeGraph.h"
@@ -322,8 +323,8 @@ Status FindRidges(const DistanceField& field, const RidgeOptions& options,
   const Offset count = field.Mesh->GetNumberOfFaces();
   std::vector<FaceRidges> faces(count);
   std::vector<Id> fallbacks((count + FacesInBlock - 1) / FacesInBlock, 0);
-  status = LoopOverBlocks(
-    count, FacesInBlock, parallel, progress, 0.0, FacesDone,
+  status = ForBlocks(
+    count, FacesInBlock, parallel, ProgressPart(progress, 0.0, FacesDone),
     [&] { return FaceRidgeFinder(field, angle, tolerance); },
     [&](FaceRidgeFinder& finder, Offset block, Offset begin, Offset end) {
       const Id before = finder.GetNumberOfFallbacks();

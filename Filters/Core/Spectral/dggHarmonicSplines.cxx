@@ -94,8 +94,7 @@ Status FindGreensFunctions(const PoissonSolver& solver, const GreensFunction& fu
     }
     return status;
   };
-  return LoopOverLongBlocks(
-    static_cast<Offset>(free.size()), BlockSize, parallel, progress, runBlock);
+  return ForBlocks(static_cast<Offset>(free.size()), BlockSize, parallel, progress, runBlock);
 }
 }
 
@@ -238,7 +237,7 @@ Status HarmonicSplines::FindBasis(
     }
     return Status::Success();
   };
-  return LoopOverLongBlocks(
+  return ForBlocks(
     static_cast<Offset>(internals.Sites.size()), BlockSize, parallel, progress, runBlock);
 }
 

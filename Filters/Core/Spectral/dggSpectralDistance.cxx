@@ -245,7 +245,7 @@ Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const Progres
     }
     return Status::Success();
   };
-  Status status = LoopOverLongBlocks(
+  Status status = ForBlocks(
     static_cast<Offset>(rounds.size()), BlockSize, parallel, progress, [] { return Block(); },
     solveBlock);
   if (status.IsOk())
@@ -350,7 +350,7 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
     vectors.resize(points.size());
     const double numbers =
       isExact ? this->GetNumbersOfSolve() : static_cast<double>(this->Pairs.Values.size());
-    return LoopOverLongBlocks(static_cast<Offset>(points.size()), BlockOf(numbers), parallel,
+    return ForBlocks(static_cast<Offset>(points.size()), BlockOf(numbers), parallel,
       ProgressPart(progress, begin, end),
       [&](Offset, Offset first, Offset last, const ProgressCallback&) {
         for (Offset k = first; k < last; ++k)
@@ -403,16 +403,15 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
   };
   const auto pairs = static_cast<Offset>(distances.size());
   const double numbers = rows.empty() ? 1.0 : static_cast<double>(rows[0].size());
-  status =
-    LoopOverLongBlocks(pairs, BlockOf(numbers), parallel, ProgressPart(progress, SolvesDone, 1.0),
-      [&](Offset, Offset begin, Offset end, const ProgressCallback&) {
-        for (Offset k = begin; k < end; ++k)
-        {
-          const auto pair = static_cast<std::size_t>(k);
-          distances[pair] = distanceOf(pair / second.size(), pair % second.size());
-        }
-        return Status::Success();
-      });
+  status = ForBlocks(pairs, BlockOf(numbers), parallel, ProgressPart(progress, SolvesDone, 1.0),
+    [&](Offset, Offset begin, Offset end, const ProgressCallback&) {
+      for (Offset k = begin; k < end; ++k)
+      {
+        const auto pair = static_cast<std::size_t>(k);
+        distances[pair] = distanceOf(pair / second.size(), pair % second.size());
+      }
+      return Status::Success();
+    });
   if (!status.IsOk())
   {
     distances.clear();

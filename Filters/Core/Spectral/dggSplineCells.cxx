@@ -287,7 +287,7 @@ Status FindCoefficients(const PoissonSystem& system, const std::vector<Id>& site
   CellFluxes fluxes(system, sites, cells);
   fluxes.FindRadii(distances);
   std::vector<SiteRow> rows(sites.size());
-  const Status status = LoopOverLongBlocks(
+  const Status status = ForBlocks(
     static_cast<Offset>(sites.size()), 1, parallel, progress,
     [&] { return ExactGeodesics(system.GetMesh()); },
     [&](ExactGeodesics& exact, Offset site, Offset, Offset, const ProgressCallback& within) {
