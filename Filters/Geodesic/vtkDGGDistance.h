@@ -63,7 +63,7 @@
 #define vtkDGGDistance_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
-#include "vtkDGGPropertyMacros.h"       // For the properties of the graph
+#include "vtkDGGPropertyMacros.h"        // For the properties of the graph
 #include "vtkGeodesicDistanceAlgorithm.h"
 
 #include <memory> // For the graph

@@ -103,7 +103,7 @@
 #define vtkDGGLoop_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
-#include "vtkDGGPropertyMacros.h"       // For the properties of the graph
+#include "vtkDGGPropertyMacros.h"        // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
 #include <memory> // For the internals

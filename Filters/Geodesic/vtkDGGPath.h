@@ -88,7 +88,7 @@
 #define vtkDGGPath_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
-#include "vtkDGGPropertyMacros.h"       // For the properties of the graph
+#include "vtkDGGPropertyMacros.h"        // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
 #include <memory> // For the internals

@@ -91,6 +91,8 @@
     return i >= 0 && i < this->GetNumberOf##name##Ids() ? this->name##Ids[i] : -1;               \
   }
 
+class vtkDGGGraphUser;
+
 /// Accuracy, AcceptCoarserGraph, MemoryLimit, and numbers of the graph of the last update; the
 /// filters document them. Their member `std::unique_ptr<vtkDGGGraphUser> GraphUser` has them, and
 /// vtkDGGGraphUserMacro() defines them.

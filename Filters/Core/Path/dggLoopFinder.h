@@ -28,9 +28,9 @@ public:
 
   /// The shortest geodesic from a point back to itself that was found: ways through the graph that
   /// come from the point on two sides and meet without a wide kink are straightened, the shortest
-  /// first, at most 256 of them. The loop has a kink at the point unless `taut`: then it is let go there, and pulled
-  /// tight to a closed geodesic close to it. Empty when there is none, as on most surfaces without
-  /// a handle or a limb.
+  /// first, at most 256 of them. The loop has a kink at the point unless `taut`: then it is let go
+  /// there, and pulled tight to a closed geodesic close to it. Empty when there is none, as on most
+  /// surfaces without a handle or a limb.
   Status ThroughPoint(const SurfacePoint& point, bool taut, FoundLoop& loop,
     const ProgressCallback& progress = {}) const;
 
