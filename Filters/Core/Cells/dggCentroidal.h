@@ -5,6 +5,7 @@
 #ifndef dggCentroidal_h
 #define dggCentroidal_h
 
+#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
 #include "dggGraphBuilder.h" // for links
 #include "dggGraphSearch.h"  // for GraphSearch
 #include "dggSurfacePoint.h" // for SurfacePoint
@@ -21,8 +22,8 @@ struct LinkedSites
 };
 
 /// Seeds of surface points. `builder` may be null when all of them are vertices.
-Status LinkSites(const std::vector<SurfacePoint>& sites, const GraphBuilder* builder,
-  double accuracy, LinkedSites& linked);
+DGG_CORE_EXPORT Status LinkSites(const std::vector<SurfacePoint>& sites,
+  const GraphBuilder* builder, double accuracy, LinkedSites& linked);
 
 struct CentroidalOptions
 {
@@ -45,7 +46,7 @@ struct CentroidalOptions
 /// `energies` receives the energy at the start and after each iteration; it decreases. Sites
 /// without a cell stay where they are. Fails as LinkSites() and GraphSearch::Run() do; then `sites`
 /// are unchanged. `builder` is needed: sites move into faces.
-Status MoveToCenters(const GraphSearch& search, const SurfaceMesh& mesh,
+DGG_CORE_EXPORT Status MoveToCenters(const GraphSearch& search, const SurfaceMesh& mesh,
   const GraphBuilder& builder, double accuracy, const CentroidalOptions& options,
   std::vector<SurfacePoint>& sites, std::vector<double>& energies);
 
@@ -63,7 +64,7 @@ Status MoveToCenters(const GraphSearch& search, const SurfaceMesh& mesh,
 /// that are near points of the cloud start as these. `energies` receives the energy at the start
 /// and after each iteration; it decreases. Fails as GraphSearch::Run() does; then `sites` are
 /// unchanged.
-Status MoveToCloudCenters(const GraphSearch& search, const double* positions,
+DGG_CORE_EXPORT Status MoveToCloudCenters(const GraphSearch& search, const double* positions,
   const CentroidalOptions& options, std::vector<SurfacePoint>& sites,
   std::vector<double>& energies);
 }

@@ -5,6 +5,7 @@
 #ifndef dggFarthestPoints_h
 #define dggFarthestPoints_h
 
+#include "dggCoreExport.h"  // for DGG_CORE_EXPORT
 #include "dggGraphSearch.h" // for GraphSeed
 
 #include <memory> // for the fans
@@ -32,7 +33,7 @@ struct FarthestVertex
 /// infinitely far, so that every component gets a sample before any gets a second one. Vertices
 /// without edges are left out. Of vertices at the same distance the one with the smallest id is the
 /// farthest.
-class FarthestPoints
+class DGG_CORE_EXPORT FarthestPoints
 {
 public:
   /// `mesh` is that of the graph, or null for a cloud. Graph and mesh must outlive the object.

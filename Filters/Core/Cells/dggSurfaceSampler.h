@@ -5,6 +5,7 @@
 #ifndef dggSurfaceSampler_h
 #define dggSurfaceSampler_h
 
+#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
 #include "dggGraphBuilder.h" // for links
 #include "dggSurfacePoint.h" // for SurfacePoint
 
@@ -46,8 +47,9 @@ struct SurfaceSample
 /// graph, as the last covering radius says; in faces as well. `builder` links samples that are not
 /// at vertices with `accuracy`, and may be null when there are none and InFaces is off; `mesh` may
 /// be null for clouds. `samples` is empty on failure.
-Status SampleSurface(const GraphView& graph, const SurfaceMesh* mesh, const GraphBuilder* builder,
-  double accuracy, const SamplerOptions& options, std::vector<SurfaceSample>& samples);
+DGG_CORE_EXPORT Status SampleSurface(const GraphView& graph, const SurfaceMesh* mesh,
+  const GraphBuilder* builder, double accuracy, const SamplerOptions& options,
+  std::vector<SurfaceSample>& samples);
 }
 
 #endif

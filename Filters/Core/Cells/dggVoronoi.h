@@ -5,6 +5,7 @@
 #ifndef dggVoronoi_h
 #define dggVoronoi_h
 
+#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
 #include "dggGraphBuilder.h" // for links
 #include "dggGraphSearch.h"  // for GraphSearch
 #include "dggSurfacePoint.h" // for SurfacePoint
@@ -81,8 +82,8 @@ struct VoronoiInput
 ///
 /// `search` is that of a graph of `mesh`. Fails as GraphSearch::Run() does, and when a seed has an
 /// initial distance or no site; then the diagram is empty.
-Status ComputeVoronoi(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInput& input,
-  const ProgressCallback& progress, VoronoiDiagram& diagram);
+DGG_CORE_EXPORT Status ComputeVoronoi(const GraphSearch& search, const SurfaceMesh& mesh,
+  const VoronoiInput& input, const ProgressCallback& progress, VoronoiDiagram& diagram);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef dggBandPath_h
 #define dggBandPath_h
 
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggGeodesicGraph.h" // for GraphView
 #include "dggParallel.h"      // for ParallelFor
 #include "dggPoint3.h"        // for Point3
@@ -27,7 +28,7 @@ struct BandPath
 /// path, about as far apart as those of the cloud, and moved to and fro: to the middle of their
 /// neighbours, and back to the surface that is fitted to the points of the cloud around them. None
 /// leaves the band. Neighbours come from the graph, so no search tree is needed.
-class BandPathShortener
+class DGG_CORE_EXPORT BandPathShortener
 {
 public:
   /// `points` (x y z each), the graph of the cloud and `radii` (CloudGraph::Radii) must outlive it.

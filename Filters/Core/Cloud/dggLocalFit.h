@@ -5,7 +5,8 @@
 #ifndef dggLocalFit_h
 #define dggLocalFit_h
 
-#include "dggPoint3.h" // for Point3
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggPoint3.h"     // for Point3
 
 #include <cstddef> // for std::size_t
 
@@ -26,7 +27,8 @@ struct LocalFit
 };
 
 /// Fit to `count` neighbours of a point, the point itself included. Near ones weigh more.
-LocalFit FitSurface(const Point3& point, const Point3* neighbors, std::size_t count);
+DGG_CORE_EXPORT LocalFit FitSurface(
+  const Point3& point, const Point3* neighbors, std::size_t count);
 }
 
 #endif

@@ -5,8 +5,9 @@
 #ifndef dggStrayPoints_h
 #define dggStrayPoints_h
 
-#include "dggPoint3.h" // for Point3
-#include "dggTypes.h"  // for Id, Infinity
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggPoint3.h"     // for Point3
+#include "dggTypes.h"      // for Id, Infinity
 
 namespace dgg
 {
@@ -20,7 +21,7 @@ namespace dgg
 /// places are a part of the cloud, however far. Places count, not points. Stray points may be as
 /// far from each other as from the cloud: it is the nearest gap that counts, of those that leave
 /// enough places.
-class StrayPoints
+class DGG_CORE_EXPORT StrayPoints
 {
 public:
   /// One rule, with a ratio for each of two ends. For graphs: stray points are connected to

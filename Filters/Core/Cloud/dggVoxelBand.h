@@ -5,9 +5,10 @@
 #ifndef dggVoxelBand_h
 #define dggVoxelBand_h
 
-#include "dggParallel.h" // for ParallelFor
-#include "dggPoint3.h"   // for Point3
-#include "dggTypes.h"    // for Id, Status
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggParallel.h"   // for ParallelFor
+#include "dggPoint3.h"     // for Point3
+#include "dggTypes.h"      // for Id, Status
 
 #include <array>   // for voxels
 #include <atomic>  // for words that several threads mark
@@ -26,7 +27,7 @@ using Voxel = std::array<std::int32_t, 3>;
 /// The band of a cloud (Memoli and Sapiro): the union of balls around its points, rasterised.
 /// A voxel belongs to it when its centre lies in a ball. Voxels are bits in bricks of 8 x 8 x 8;
 /// only bricks that a ball meets are there.
-class VoxelBand
+class DGG_CORE_EXPORT VoxelBand
 {
 public:
   /// Voxels along one axis, at most: as many as the 21 bits of a key distinguish in bricks, but for

@@ -5,9 +5,10 @@
 #ifndef dggBitHash_h
 #define dggBitHash_h
 
-#include <array>   // for the lanes
-#include <cstddef> // for std::size_t
-#include <cstdint> // for the words
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include <array>           // for the lanes
+#include <cstddef>         // for std::size_t
+#include <cstdint>         // for the words
 
 namespace dgg
 {
@@ -15,7 +16,7 @@ namespace dgg
 /// arrays that differ in one word never have the same hash; otherwise they have it with the odds
 /// of chance. No protection against somebody who wants a collision. Depends on the byte order of
 /// the machine.
-class BitHash
+class DGG_CORE_EXPORT BitHash
 {
 public:
   /// Eat an array. Where one array ends and the next begins matters.

@@ -5,18 +5,20 @@
 #ifndef dggMemoryLimit_h
 #define dggMemoryLimit_h
 
-#include "dggTypes.h" // for Status
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggTypes.h"      // for Status
 
 #include <string> // for messages
 
 namespace dgg
 {
 /// "1.53 GiB"
-std::string FormatBytes(double bytes);
+DGG_CORE_EXPORT std::string FormatBytes(double bytes);
 
 /// Fails when `bytes` are more than the limit, which users know as the property MemoryLimit. `what`
 /// would take them; `remedy` is what to do besides raising it.
-Status CheckMemory(const std::string& what, double bytes, double limit, const std::string& remedy);
+DGG_CORE_EXPORT Status CheckMemory(
+  const std::string& what, double bytes, double limit, const std::string& remedy);
 }
 
 #endif

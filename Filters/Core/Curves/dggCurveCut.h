@@ -5,6 +5,7 @@
 #ifndef dggCurveCut_h
 #define dggCurveCut_h
 
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
 #include "dggSurfaceCut.h" // for CutSurface
 
 #include <cstddef> // for std::size_t
@@ -47,12 +48,13 @@ struct CurveCut
 /// and right are those of the first face of a component. Fails when an edge at a vertex of a path
 /// has more than two faces, or two of opposite orientation, as on one-sided surfaces: there would
 /// be no sides.
-Status CutAlongCurves(const RefinedSurface& surface, CurveCut& cut);
+DGG_CORE_EXPORT Status CutAlongCurves(const RefinedSurface& surface, CurveCut& cut);
 /// Cut along other paths than its own.
-Status CutAlongCurves(
+DGG_CORE_EXPORT Status CutAlongCurves(
   const RefinedSurface& surface, const std::vector<std::vector<Id>>& paths, CurveCut& cut);
 /// Whether one can cut along paths: what CutAlongCurves() fails for.
-Status CheckSides(const RefinedSurface& surface, const std::vector<std::vector<Id>>& paths);
+DGG_CORE_EXPORT Status CheckSides(
+  const RefinedSurface& surface, const std::vector<std::vector<Id>>& paths);
 }
 
 #endif

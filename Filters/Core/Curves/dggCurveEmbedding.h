@@ -5,6 +5,7 @@
 #ifndef dggCurveEmbedding_h
 #define dggCurveEmbedding_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggRefinedSurface.h" // for RefinedSurface
 #include "dggSurfaceCurve.h"   // for SurfaceCurve
 
@@ -33,11 +34,11 @@ struct CurveChain
 /// boundary, gets a vertex in its middle: cut open it would have no vertex with two sides. The
 /// surface is the same one: each face lies in a face of the mesh and is oriented as that one, and
 /// edges are split in all of their faces, however many they have.
-Status EmbedCurves(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& curves,
+DGG_CORE_EXPORT Status EmbedCurves(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& curves,
   const ProgressCallback& progress, RefinedSurface& surface);
 
 /// A curve on the surface that EmbedCurves() made of several, or that was refined afterwards.
-CurveChain FollowCurve(
+DGG_CORE_EXPORT CurveChain FollowCurve(
   const RefinedSurface& surface, const std::vector<SurfaceCurve>& curves, std::size_t number);
 }
 

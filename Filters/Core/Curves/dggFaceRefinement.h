@@ -5,6 +5,7 @@
 #ifndef dggFaceRefinement_h
 #define dggFaceRefinement_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggRefinedSurface.h" // for RefinedSurface
 
 #include <limits> // for the most faces
@@ -26,8 +27,8 @@ namespace dgg
 ///
 /// Fails, and leaves the surface as it was, when a face does not exist, `levels` is negative, or
 /// there would be more than `mostFaces` faces, or 2^31 - 1 half-edges; when stopped as well.
-Status RefineFaces(const SurfaceMesh& mesh, const std::vector<Id>& faces, int levels,
-  const ProgressCallback& progress, RefinedSurface& surface, std::vector<Id>& parents,
+DGG_CORE_EXPORT Status RefineFaces(const SurfaceMesh& mesh, const std::vector<Id>& faces,
+  int levels, const ProgressCallback& progress, RefinedSurface& surface, std::vector<Id>& parents,
   Offset mostFaces = std::numeric_limits<Id>::max() / 3);
 }
 

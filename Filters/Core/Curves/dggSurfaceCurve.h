@@ -5,6 +5,7 @@
 #ifndef dggSurfaceCurve_h
 #define dggSurfaceCurve_h
 
+#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
 #include "dggSurfacePath.h"  // for SurfacePath
 #include "dggSurfacePoint.h" // for SurfacePoint
 
@@ -34,11 +35,12 @@ struct SurfaceCurve
 ///
 /// Fails when a point is not on the mesh, and when two points that follow each other are not
 /// connected.
-Status JoinPoints(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& points, bool isClosed,
-  const ProgressCallback& progress, SurfaceCurve& curve);
+DGG_CORE_EXPORT Status JoinPoints(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& points,
+  bool isClosed, const ProgressCallback& progress, SurfaceCurve& curve);
 
 /// The smallest face that both points lie in; NoId when there is none.
-Id FindCommonFace(const SurfaceMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
+DGG_CORE_EXPORT Id FindCommonFace(
+  const SurfaceMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 }
 
 #endif

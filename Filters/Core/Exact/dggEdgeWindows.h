@@ -5,6 +5,7 @@
 #ifndef dggEdgeWindows_h
 #define dggEdgeWindows_h
 
+#include "dggCoreExport.h"  // for DGG_CORE_EXPORT
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 #include "dggUnfolding.h"   // for Point2
 
@@ -38,7 +39,7 @@ struct FaceSource
 /// With the labels of the vertices it gives the exact distance at every point of the surface: the
 /// least of those of the windows that the point is seen through, of the ways over the corners of
 /// its face, and of the straight ways from sources in the face.
-struct EdgeWindows
+struct DGG_CORE_EXPORT EdgeWindows
 {
   /// The windows of half-edge h, disjoint and in order: [Offsets[h], Offsets[h + 1]). Empty when
   /// windows were not kept.

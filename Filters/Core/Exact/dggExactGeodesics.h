@@ -5,6 +5,7 @@
 #ifndef dggExactGeodesics_h
 #define dggExactGeodesics_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggEdgeWindows.h"    // for EdgeWindows
 #include "dggGeodesicSource.h" // for GeodesicSource
 #include "dggSurfaceMesh.h"    // for SurfaceMesh
@@ -84,7 +85,7 @@ struct ExactResult
 
 /// Exact geodesics on one mesh, which must outlive the solver. Run() may be called again and again;
 /// one solver per thread. The result does not depend on earlier runs.
-class ExactGeodesics
+class DGG_CORE_EXPORT ExactGeodesics
 {
 public:
   explicit ExactGeodesics(const SurfaceMesh& mesh);

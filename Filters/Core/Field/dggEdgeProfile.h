@@ -5,6 +5,7 @@
 #ifndef dggEdgeProfile_h
 #define dggEdgeProfile_h
 
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggCornerModel.h"   // for the models of the ends
 #include "dggDistanceField.h" // for DistanceField
 #include "dggFaceProfile.h"   // for the faces of an edge
@@ -22,7 +23,7 @@ namespace dgg
 /// With windows, Enter() takes time that grows with the square of the number of windows and of
 /// sources in the faces of the edge: these are few, but for edges of faces with hundreds of
 /// sources.
-class EdgeProfile
+class DGG_CORE_EXPORT EdgeProfile
 {
 public:
   explicit EdgeProfile(const DistanceField& field)

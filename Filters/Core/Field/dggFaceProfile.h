@@ -5,6 +5,7 @@
 #ifndef dggFaceProfile_h
 #define dggFaceProfile_h
 
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggCornerModel.h"   // for the models of the corners
 #include "dggDistanceField.h" // for DistanceField
 
@@ -17,7 +18,7 @@ namespace dgg
 /// of the face it is that of EdgeProfile up to rounding when it comes from windows or is linear;
 /// with models, that of EdgeProfile may be shorter, through another face of the edge. An object can
 /// be moved from face to face, which saves allocations.
-class FaceProfile
+class DGG_CORE_EXPORT FaceProfile
 {
 public:
   explicit FaceProfile(const DistanceField& field)

@@ -5,6 +5,7 @@
 #ifndef dggSourceFinding_h
 #define dggSourceFinding_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggExactGeodesics.h" // for ExactResult
 #include "dggGraphSearch.h"    // for SearchResult
 #include "dggParallel.h"       // for ParallelFor
@@ -18,12 +19,13 @@ namespace dgg
 /// The virtual sources of exact distances: the pseudo-source from which the last straight piece of
 /// the path to a vertex starts, or the one before where that explains more (MergeRelays()), as
 /// behind flat vertices. `sources` are those of the run.
-void FindVirtualSources(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources,
-  const ExactResult& result, VirtualSources& found);
+DGG_CORE_EXPORT void FindVirtualSources(const SurfaceMesh& mesh,
+  const std::vector<GeodesicSource>& sources, const ExactResult& result, VirtualSources& found);
 
 /// The virtual sources of the corrected distances of a search, with relays merged: for distances
 /// inside of faces. Those of the search itself are for what is reached over further edges.
-void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result, VirtualSources& found);
+DGG_CORE_EXPORT void FindVirtualSources(
+  const SurfaceMesh& mesh, const SearchResult& result, VirtualSources& found);
 
 /// Find for each vertex the virtual source that explains the distances of its neighbours best:
 /// its direction and the curvature of the wave that comes from there, which is one over its
@@ -33,12 +35,12 @@ void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result, Vir
 /// `distances` are per vertex; Infinity or NaN where unreached. Where there is nothing to fit, as
 /// at a source or an Irregular vertex, the virtual source is the vertex itself. False when stopped;
 /// then nothing is found.
-bool FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
+DGG_CORE_EXPORT bool FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
   const ParallelFor& parallel, VirtualSources& found,
   const ProgressCallback& progress = ProgressCallback());
 
 /// The vertices that are reached, the nearest first.
-std::vector<Id> SortReached(const std::vector<double>& distances);
+DGG_CORE_EXPORT std::vector<Id> SortReached(const std::vector<double>& distances);
 
 /// Lengthen virtual sources to those before them.
 ///
@@ -54,7 +56,7 @@ std::vector<Id> SortReached(const std::vector<double>& distances);
 ///
 /// `order` is that of the vertices, every relay before what lies behind it; `relays` has NoId where
 /// the virtual source is a source. Takes as long as to look at all neighbours.
-void MergeRelays(const SurfaceMesh& mesh, const std::vector<double>& distances,
+DGG_CORE_EXPORT void MergeRelays(const SurfaceMesh& mesh, const std::vector<double>& distances,
   const std::vector<Id>& order, const std::vector<Id>& relays, VirtualSources& sources);
 }
 

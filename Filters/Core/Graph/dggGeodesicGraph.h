@@ -6,9 +6,10 @@
 #ifndef dggGeodesicGraph_h
 #define dggGeodesicGraph_h
 
-#include "dggBuffer.h"   // for the arrays
-#include "dggParallel.h" // for ParallelFor
-#include "dggTypes.h"    // for Id, Offset, Status
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggBuffer.h"     // for the arrays
+#include "dggParallel.h"   // for ParallelFor
+#include "dggTypes.h"      // for Id, Offset, Status
 
 #include <array>   // for Signature
 #include <cstdint> // for fixed-width words
@@ -38,7 +39,7 @@ enum class GraphConstruction : std::uint8_t
 using Signature = std::array<std::uint64_t, 2>;
 
 /// Signature of points (x y z each) and triangles (three ids each): of their very bits.
-Signature ComputeSignature(
+DGG_CORE_EXPORT Signature ComputeSignature(
   const double* points, Offset numberOfPoints, const Id* triangles, Offset numberOfTriangles);
 
 /// What is to be known of a graph besides its arrays.
@@ -86,7 +87,7 @@ struct GraphView
 };
 
 /// A graph that owns its arrays.
-struct GeodesicGraph
+struct DGG_CORE_EXPORT GeodesicGraph
 {
   GraphInfo Info;
   Buffer<Offset> Offsets;
@@ -115,12 +116,13 @@ inline bool NeedsWideLengths(double accuracy)
 /// 0, targets out of range or equal to their row, lengths that are not positive and finite, angles
 /// that are not finite or rows that are not sorted by them. `numberOfEdges` is the size of all
 /// arrays but Offsets, which has NumberOfVertices + 1.
-Status CheckGraph(
+DGG_CORE_EXPORT Status CheckGraph(
   const GraphView& graph, Offset numberOfEdges, const ParallelFor& parallel = ParallelFor());
 
 /// Checksum of the arrays: of their very bits. Shows damage that CheckGraph() cannot see.
 /// Offsets must be those of a graph.
-std::uint64_t ComputeChecksum(const GraphView& graph, const ParallelFor& parallel = ParallelFor());
+DGG_CORE_EXPORT std::uint64_t ComputeChecksum(
+  const GraphView& graph, const ParallelFor& parallel = ParallelFor());
 }
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef dggGraphBuilder_h
 #define dggGraphBuilder_h
 
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggGeodesicGraph.h" // for GeodesicGraph
 #include "dggParallel.h"      // for ParallelFor
 #include "dggSurfaceMesh.h"   // for SurfaceMesh
@@ -71,7 +72,7 @@ struct GraphLink
 /// plane. A cone is bounded by the rays through two vertices, its relays. It ends at an edge behind
 /// which every point is covered: reached through a relay with enough progress. Vertices in the cone
 /// that are not covered become edges of the graph.
-class GraphBuilder
+class DGG_CORE_EXPORT GraphBuilder
 {
 public:
   /// Prepares tables of the mesh. With a vertex whose light takes more cones than `coneLimit` no

@@ -5,8 +5,9 @@
 #ifndef dggRowStore_h
 #define dggRowStore_h
 
-#include "dggBuffer.h" // for the arrays
-#include "dggTypes.h"  // for Id, Offset
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggBuffer.h"     // for the arrays
+#include "dggTypes.h"      // for Id, Offset
 
 #include <vector> // for where rows begin
 
@@ -22,7 +23,7 @@ struct RowEdge
 };
 
 /// The smallest float that is not below a value.
-float RoundedUp(double value);
+DGG_CORE_EXPORT float RoundedUp(double value);
 
 /// The edges of consecutive rows, in flat arrays that grow. One array a property, so that they can
 /// be given up one by one.

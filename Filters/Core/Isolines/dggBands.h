@@ -5,6 +5,7 @@
 #ifndef dggBands_h
 #define dggBands_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggDistanceField.h"  // for DistanceField
 #include "dggIsolines.h"       // for Isolines
 #include "dggRefinedSurface.h" // for RefinedSurface
@@ -30,7 +31,7 @@ struct Bands
 ///
 /// Bands change across isolines and nowhere else, where these are complete; faces of which the
 /// corners do not decide go with their neighbours.
-Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
+DGG_CORE_EXPORT Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   const Isolines& lines, const ProgressCallback& progress, Bands& bands);
 }
 

@@ -5,6 +5,7 @@
 #ifndef dggIsolines_h
 #define dggIsolines_h
 
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggDistanceField.h" // for DistanceField
 #include "dggParallel.h"      // for ParallelFor
 #include "dggSurfacePath.h"   // for SurfacePath
@@ -58,7 +59,7 @@ struct Isolines
 /// orientation of the face that it starts in.
 ///
 /// The result does not depend on `parallel`.
-Status TraceIsolines(const DistanceField& field, const std::vector<double>& levels,
+DGG_CORE_EXPORT Status TraceIsolines(const DistanceField& field, const std::vector<double>& levels,
   const IsolineOptions& options, const ParallelFor& parallel, const ProgressCallback& progress,
   Isolines& lines);
 }

@@ -5,6 +5,7 @@
 #ifndef dggRidges_h
 #define dggRidges_h
 
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggDistanceField.h" // for DistanceField
 #include "dggParallel.h"      // for ParallelFor
 #include "dggSurfacePath.h"   // for SurfacePath
@@ -45,7 +46,7 @@ struct Ridges
 /// sources show those of large angles, with gaps.
 ///
 /// The result does not depend on `parallel`.
-Status FindRidges(const DistanceField& field, const RidgeOptions& options,
+DGG_CORE_EXPORT Status FindRidges(const DistanceField& field, const RidgeOptions& options,
   const ParallelFor& parallel, const ProgressCallback& progress, Ridges& ridges);
 }
 

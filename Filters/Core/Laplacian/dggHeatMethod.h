@@ -5,6 +5,7 @@
 #ifndef dggHeatMethod_h
 #define dggHeatMethod_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggGeodesicSource.h" // for GeodesicSource
 #include "dggVirtualSources.h" // for VirtualSources
 
@@ -83,7 +84,7 @@ struct HeatResult
 /// heat falls like exp(-d / sqrt(t)) with the distance, a source with initial distance o gets
 /// exp(-o / sqrt(t)) of the heat, and the gradients turn where d + o is equal. The constant is then
 /// found from the sources that no other one seems to be closer to.
-class HeatMethod
+class DGG_CORE_EXPORT HeatMethod
 {
 public:
   explicit HeatMethod(const SurfaceMesh& mesh);

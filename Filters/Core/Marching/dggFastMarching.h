@@ -5,6 +5,7 @@
 #ifndef dggFastMarching_h
 #define dggFastMarching_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggGeodesicSource.h" // for GeodesicSource
 #include "dggVirtualSources.h" // for VirtualSources
 
@@ -55,7 +56,7 @@ struct MarchingResult
 ///
 /// Any triangle complex will do: fronts cross into all faces of a non-manifold edge. Run() may be
 /// called by several threads at once.
-class FastMarching
+class DGG_CORE_EXPORT FastMarching
 {
 public:
   explicit FastMarching(const SurfaceMesh& mesh);

@@ -5,7 +5,8 @@
 #ifndef dggCapSplitting_h
 #define dggCapSplitting_h
 
-#include "dggTypes.h" // for Id
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggTypes.h"      // for Id
 
 #include <vector> // for the triangles
 
@@ -31,7 +32,8 @@ struct CapSplitting
 ///
 /// `points` are x y z each, finite. `triangles` are triples of their ids. `parents[f]` becomes the
 /// input triangle that triangle f is, or is a part of.
-CapSplitting SplitCaps(const double* points, std::vector<Id>& triangles, std::vector<Id>& parents);
+DGG_CORE_EXPORT CapSplitting SplitCaps(
+  const double* points, std::vector<Id>& triangles, std::vector<Id>& parents);
 
 /// Slack of the triangle inequality below which a triangle is degenerate, relative to the longest
 /// of its edges or the mean edge of the mesh, whichever is longer.

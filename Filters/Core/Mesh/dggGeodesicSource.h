@@ -5,6 +5,7 @@
 #ifndef dggGeodesicSource_h
 #define dggGeodesicSource_h
 
+#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
 #include "dggSurfacePoint.h" // for SurfacePoint
 
@@ -21,7 +22,8 @@ struct GeodesicSource
 
 /// Fails when there is no source, or one does not exist on the mesh or starts with a distance that
 /// is not finite. The message names it.
-Status CheckSources(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources);
+DGG_CORE_EXPORT Status CheckSources(
+  const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources);
 
 /// Call `visit(vertex, weight, distance)` for the vertices that a point is seen from within its
 /// faces: itself when it is a vertex, else the corners of its face or of the faces around its edge,

@@ -5,6 +5,7 @@
 #ifndef dggMeshReport_h
 #define dggMeshReport_h
 
+#include "dggCoreExport.h"  // for DGG_CORE_EXPORT
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 
 namespace dgg
@@ -38,7 +39,7 @@ struct MeshReport
 
 /// Inspect a mesh. `points` (x y z per vertex) may be null; coincident points are counted only with
 /// it.
-MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points = nullptr);
+DGG_CORE_EXPORT MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points = nullptr);
 }
 
 #endif

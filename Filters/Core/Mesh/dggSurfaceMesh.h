@@ -5,7 +5,8 @@
 #ifndef dggSurfaceMesh_h
 #define dggSurfaceMesh_h
 
-#include "dggTypes.h" // for Id, Offset, Status
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggTypes.h"      // for Id, Offset, Status
 
 #include <array>   // for Triangle
 #include <cstdint> // for VertexKind
@@ -58,7 +59,7 @@ struct PartOfMesh
 /// face, if longer) in each of them (Sharp and Crane, "A Laplacian for Nonmanifold Triangle
 /// Meshes", 2020, sec. 4.5). Angles and kinds are those of the lengthened faces; vertices of such
 /// faces are Irregular.
-class SurfaceMesh
+class DGG_CORE_EXPORT SurfaceMesh
 {
 public:
   /// Build from `numberOfPoints` points (x y z each) and `numberOfTriangles` triples of point ids.

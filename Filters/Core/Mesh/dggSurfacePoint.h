@@ -6,6 +6,7 @@
 #ifndef dggSurfacePoint_h
 #define dggSurfacePoint_h
 
+#include "dggCoreExport.h"  // for DGG_CORE_EXPORT
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 #include "dggUnfolding.h"   // for Point2
 
@@ -16,7 +17,7 @@ namespace dgg
 /// A point of the surface. What it lies on is decided once, by Snap(): barycentric coordinates
 /// within 1e-9 of a vertex or an edge are on it, which keeps needle triangles away at a metric
 /// perturbation of at most 1e-9 edge lengths.
-struct SurfacePoint
+struct DGG_CORE_EXPORT SurfacePoint
 {
   enum class Support : std::uint8_t
   {
@@ -57,22 +58,24 @@ inline bool IsVertex(const SurfacePoint& point)
 
 /// Whether two points are the same, given in the same way: a point on an edge in one of its faces
 /// is not the same as in another one.
-bool IsSamePoint(const SurfacePoint& a, const SurfacePoint& b);
+DGG_CORE_EXPORT bool IsSamePoint(const SurfacePoint& a, const SurfacePoint& b);
 
 /// Factor of angles by which the tangent plane at a point gets a full turn: 1 but for vertices that
 /// are not on the boundary.
-double UnrollFactor(const SurfaceMesh& mesh, const SurfacePoint& point);
+DGG_CORE_EXPORT double UnrollFactor(const SurfaceMesh& mesh, const SurfacePoint& point);
 
 /// Position of the point with the given barycentric coordinates (in its face) in the frame of
 /// half-edge h.
-Point2 PlaceInFrame(const SurfaceMesh& mesh, Id h, const std::array<double, 3>& barycentric);
+DGG_CORE_EXPORT Point2 PlaceInFrame(
+  const SurfaceMesh& mesh, Id h, const std::array<double, 3>& barycentric);
 /// A direction in the frame of half-edge `from`, in that of half-edge `to` of the same face.
-Point2 DirectionInFrame(const SurfaceMesh& mesh, Id from, Id to, const Point2& direction);
+DGG_CORE_EXPORT Point2 DirectionInFrame(
+  const SurfaceMesh& mesh, Id from, Id to, const Point2& direction);
 /// Distance inside one face between a point given by barycentric coordinates and corner k.
-double DistanceToCorner(
+DGG_CORE_EXPORT double DistanceToCorner(
   const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric, int k);
 /// Straight distance inside one face between two points given by barycentric coordinates.
-double DistanceInFace(
+DGG_CORE_EXPORT double DistanceInFace(
   const SurfaceMesh& mesh, Id face, const std::array<double, 3>& p, const std::array<double, 3>& q);
 
 /// Call `visit(face, barycentric)` for the face of a point, or for all faces around the edge that

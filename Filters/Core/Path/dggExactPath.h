@@ -5,6 +5,7 @@
 #ifndef dggExactPath_h
 #define dggExactPath_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggExactGeodesics.h" // for the solver
 #include "dggSurfacePath.h"    // for SurfacePath
 
@@ -16,7 +17,7 @@ namespace dgg
 {
 /// Finds exact shortest paths by window tracing: windows are propagated from the source until they
 /// have reached all targets, and the way of each is followed back. One finder per thread.
-class ExactPathFinder
+class DGG_CORE_EXPORT ExactPathFinder
 {
 public:
   explicit ExactPathFinder(const SurfaceMesh& mesh);

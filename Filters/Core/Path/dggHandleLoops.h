@@ -5,7 +5,8 @@
 #ifndef dggHandleLoops_h
 #define dggHandleLoops_h
 
-#include "dggFoundLoop.h" // for FoundLoop
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggFoundLoop.h"  // for FoundLoop
 
 #include <cstddef> // for std::size_t
 #include <vector>  // for the loops
@@ -21,7 +22,7 @@ namespace dgg
 /// Fails when a component has a non-manifold edge. No loops when it is stopped. `steps`, if given,
 /// receives the number of vertices, faces and half-edges that were looked at, again and again: for
 /// each component a multiple of its size.
-Status FindHandleLoops(const SurfaceMesh& mesh, const ProgressCallback& progress,
+DGG_CORE_EXPORT Status FindHandleLoops(const SurfaceMesh& mesh, const ProgressCallback& progress,
   std::vector<FoundLoop>& loops, std::size_t* steps = nullptr);
 }
 

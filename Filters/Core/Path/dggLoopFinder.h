@@ -5,6 +5,7 @@
 #ifndef dggLoopFinder_h
 #define dggLoopFinder_h
 
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
 #include "dggFoundLoop.h"  // for FoundLoop
 #include "dggPathFinder.h" // for paths between points
 
@@ -15,7 +16,7 @@ namespace dgg
 {
 /// Finds closed geodesics. What it is made from must outlive it. Loops may be found in several
 /// threads at once.
-class LoopFinder
+class DGG_CORE_EXPORT LoopFinder
 {
 public:
   /// As PathFinder::PathFinder(). `linkAccuracy` is that of the links of points that are not

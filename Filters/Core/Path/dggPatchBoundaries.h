@@ -5,6 +5,7 @@
 #ifndef dggPatchBoundaries_h
 #define dggPatchBoundaries_h
 
+#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
 #include "dggSurfacePath.h"  // for SurfacePath
 #include "dggSurfacePoint.h" // for SurfacePoint
@@ -60,7 +61,7 @@ struct PatchBoundaries
 /// when the layout is not one, and when it cannot be drawn on one of the surfaces. Edges may have
 /// two faces at most, and the surfaces must be orientable. Points where sheets touch are not
 /// passed.
-Status TracePatchBoundaries(const PatchSurface& first, const PatchSurface& second,
+DGG_CORE_EXPORT Status TracePatchBoundaries(const PatchSurface& first, const PatchSurface& second,
   const PatchLayout& layout, const ProgressCallback& progress, PatchBoundaries& boundaries);
 }
 

@@ -5,6 +5,7 @@
 #ifndef dggPathFinder_h
 #define dggPathFinder_h
 
+#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
 #include "dggGraphBuilder.h" // for links of points that are not vertices
 #include "dggGraphSearch.h"  // for the graph
 #include "dggSurfacePath.h"  // for SurfacePath
@@ -46,7 +47,7 @@ struct FoundPath
 
 /// Finds paths in a graph. What it is made from must outlive it. Paths may be found in several
 /// threads at once.
-class PathFinder
+class DGG_CORE_EXPORT PathFinder
 {
 public:
   /// `positions`, x y z per vertex, guide the search; they may be null. `builder` may be null when

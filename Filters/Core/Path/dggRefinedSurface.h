@@ -5,6 +5,7 @@
 #ifndef dggRefinedSurface_h
 #define dggRefinedSurface_h
 
+#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
 #include "dggSurfacePath.h"  // for SurfacePath
 #include "dggSurfacePoint.h" // for SurfacePoint
@@ -16,7 +17,7 @@ namespace dgg
 {
 /// A mesh whose faces have been split: the same surface with more vertices. Dropped faces of the
 /// old mesh are left out.
-struct RefinedSurface
+struct DGG_CORE_EXPORT RefinedSurface
 {
   /// The vertices, as points of the old mesh: its own, with their ids, then new ones.
   std::vector<SurfacePoint> Points;

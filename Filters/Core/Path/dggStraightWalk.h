@@ -5,6 +5,7 @@
 #ifndef dggStraightWalk_h
 #define dggStraightWalk_h
 
+#include "dggCoreExport.h"  // for DGG_CORE_EXPORT
 #include "dggSurfacePath.h" // for SurfacePath
 
 namespace dgg
@@ -24,13 +25,14 @@ namespace dgg
 /// finite or the length is negative or not finite; then the path is empty.
 ///
 /// A walk that has crossed a million edges stops as well.
-Status WalkStraight(const SurfaceMesh& mesh, const SurfacePoint& start, double angle, double length,
-  SurfacePath& path);
+DGG_CORE_EXPORT Status WalkStraight(const SurfaceMesh& mesh, const SurfacePoint& start,
+  double angle, double length, SurfacePath& path);
 
 /// A direction in (-pi, pi], as std::atan2() gives it, as one that WalkStraight() takes: on the
 /// boundary polar angles go from 0 to the total angle, and directions that lead out of the surface
 /// become the closer one of these two.
-double DirectionAt(const SurfaceMesh& mesh, const SurfacePoint& point, double angle);
+DGG_CORE_EXPORT double DirectionAt(
+  const SurfaceMesh& mesh, const SurfacePoint& point, double angle);
 }
 
 #endif

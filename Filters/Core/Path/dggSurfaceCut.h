@@ -5,6 +5,7 @@
 #ifndef dggSurfaceCut_h
 #define dggSurfaceCut_h
 
+#include "dggCoreExport.h"        // for DGG_CORE_EXPORT
 #include "dggSurfaceRefinement.h" // for RefinedSurface
 
 #include <vector> // for chains and copies
@@ -29,8 +30,9 @@ enum class PinchedVertices
 
 /// Cut along chains of vertices, such as RefinedSurface::Paths. Fails when two consecutive vertices
 /// are not neighbours.
-Status CutAlongChains(const RefinedSurface& surface, const std::vector<std::vector<Id>>& chains,
-  CutSurface& cut, PinchedVertices pinched = PinchedVertices::Stay);
+DGG_CORE_EXPORT Status CutAlongChains(const RefinedSurface& surface,
+  const std::vector<std::vector<Id>>& chains, CutSurface& cut,
+  PinchedVertices pinched = PinchedVertices::Stay);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef dggSurfacePath_h
 #define dggSurfacePath_h
 
+#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
 #include "dggSurfacePoint.h" // for SurfacePoint
 
@@ -15,7 +16,7 @@ namespace dgg
 /// A polyline on a surface: every piece, between two consecutive points, is straight and lies in
 /// one face, or on an edge of it. Points are vertices, on edges that are crossed, or, at the ends
 /// of a path, anywhere.
-struct SurfacePath
+struct DGG_CORE_EXPORT SurfacePath
 {
   /// From start to end. One point when start and end coincide, none when there is no path. A closed
   /// path (a loop) ends with the point that it starts with.
@@ -30,25 +31,26 @@ struct SurfacePath
 
 /// Coordinates of a point in one of the faces that it lies in, with respect to the corners of
 /// SurfaceMesh::GetTriangle(). False when it does not lie in that face.
-bool FindInFace(
+DGG_CORE_EXPORT bool FindInFace(
   const SurfaceMesh& mesh, const SurfacePoint& point, Id face, std::array<double, 3>& barycentric);
 
 /// A face that contains the point, for points at vertices as well; NoId at isolated vertices.
-Id FindFaceOf(const SurfaceMesh& mesh, const SurfacePoint& point);
+DGG_CORE_EXPORT Id FindFaceOf(const SurfaceMesh& mesh, const SurfacePoint& point);
 
 /// Length of a piece, measured within its face. NaN when it does not lie there.
-double MeasurePiece(const SurfaceMesh& mesh, const SurfacePath& path, std::size_t piece);
+DGG_CORE_EXPORT double MeasurePiece(
+  const SurfaceMesh& mesh, const SurfacePath& path, std::size_t piece);
 
 /// Fails with a message when a piece of the path does not lie in its face, or the length is not
 /// that of its pieces to 1e-9.
-Status CheckPath(const SurfaceMesh& mesh, const SurfacePath& path);
+DGG_CORE_EXPORT Status CheckPath(const SurfaceMesh& mesh, const SurfacePath& path);
 
 /// Fails when a face names a vertex twice, as SurfaceMesh::FromGluedLengths() allows: a point at
 /// that vertex would be in two places of the face, and paths need one.
-Status CheckCorners(const SurfaceMesh& mesh);
+DGG_CORE_EXPORT Status CheckCorners(const SurfaceMesh& mesh);
 
 /// Position in space, given those of the vertices (x y z each).
-std::array<double, 3> PositionOf(
+DGG_CORE_EXPORT std::array<double, 3> PositionOf(
   const SurfaceMesh& mesh, const SurfacePoint& point, const double* positions);
 }
 

@@ -5,6 +5,7 @@
 #ifndef dggSurfaceRefinement_h
 #define dggSurfaceRefinement_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggRefinedSurface.h" // for RefinedSurface
 
 #include <vector> // for the paths
@@ -22,8 +23,8 @@ struct RefinementOptions
 /// Split the faces of a mesh along paths, which may share points, touch, and run along edges of the
 /// mesh or each other. Points within 1e-9, in barycentric coordinates, become one vertex. Fails
 /// when a path is not on the mesh, or, unless crossings are to be inserted, where two paths cross.
-Status RefineAlongPaths(const SurfaceMesh& mesh, const std::vector<SurfacePath>& paths,
-  const RefinementOptions& options, RefinedSurface& refined);
+DGG_CORE_EXPORT Status RefineAlongPaths(const SurfaceMesh& mesh,
+  const std::vector<SurfacePath>& paths, const RefinementOptions& options, RefinedSurface& refined);
 }
 
 #endif

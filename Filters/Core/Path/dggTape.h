@@ -5,6 +5,7 @@
 #ifndef dggTape_h
 #define dggTape_h
 
+#include "dggCoreExport.h"  // for DGG_CORE_EXPORT
 #include "dggSurfacePath.h" // for SurfacePath
 
 #include <vector> // for the rims
@@ -24,11 +25,11 @@ namespace dgg
 ///
 /// Fails when the path is not on the mesh, or the width is not finite, or below
 /// GetSmallestTapeWidth().
-Status MakeTape(const SurfaceMesh& mesh, const SurfacePath& path, double width,
+DGG_CORE_EXPORT Status MakeTape(const SurfaceMesh& mesh, const SurfacePath& path, double width,
   const ProgressCallback& progress, std::vector<SurfacePath>& rims);
 
 /// The width of a tape along a path must be at least this, a part of the length of the path.
-double GetSmallestTapeWidth(const SurfacePath& path);
+DGG_CORE_EXPORT double GetSmallestTapeWidth(const SurfacePath& path);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef dggGraphSearch_h
 #define dggGraphSearch_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggGeodesicGraph.h"  // for GraphView
 #include "dggParallel.h"       // for ParallelFor
 #include "dggSurfaceMesh.h"    // for SurfaceMesh
@@ -32,10 +33,10 @@ struct GraphSeed
 };
 
 /// Fails with a message when a vertex does not exist.
-Status CheckVertex(Id vertex, Id numberOfVertices);
+DGG_CORE_EXPORT Status CheckVertex(Id vertex, Id numberOfVertices);
 /// Fails with a message when there is no seed, or one does not exist or starts with a distance that
 /// is not finite.
-Status CheckSeeds(const std::vector<GraphSeed>& seeds, Id numberOfVertices);
+DGG_CORE_EXPORT Status CheckSeeds(const std::vector<GraphSeed>& seeds, Id numberOfVertices);
 
 enum class SearchMethod : std::uint8_t
 {
@@ -93,7 +94,7 @@ using FieldConsumer = std::function<void(std::size_t source, const double* dista
 
 /// Searches in one graph, whose arrays must outlive it, as must the mesh. Searches may run in
 /// several threads at once.
-class GraphSearch
+class DGG_CORE_EXPORT GraphSearch
 {
 public:
   /// `mesh` is that of the graph, or null for a cloud: then there are no fans and no correction.

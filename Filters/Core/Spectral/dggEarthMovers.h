@@ -5,6 +5,7 @@
 #ifndef dggEarthMovers_h
 #define dggEarthMovers_h
 
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggPoissonSolver.h" // for PoissonSolver
 #include "dggSurfaceMesh.h"   // for SurfaceMesh
 #include "dggSurfacePoint.h"  // for point masses
@@ -47,7 +48,7 @@ struct EarthMoversResult
 };
 
 /// Add a point mass to masses per vertex, by barycentric coordinates.
-Status AddPointMass(
+DGG_CORE_EXPORT Status AddPointMass(
   const SurfaceMesh& mesh, const SurfacePoint& point, double mass, std::vector<double>& masses);
 
 /// The least cost of moving one distribution to the other within the surface, W1 (Beckmann's
@@ -64,7 +65,7 @@ Status AddPointMass(
 ///
 /// The solver must be ready, without given values, and outlive it. Both distributions must have the
 /// same mass in each component, see BalanceMasses().
-class EarthMovers
+class DGG_CORE_EXPORT EarthMovers
 {
 public:
   explicit EarthMovers(const PoissonSolver& solver)
@@ -91,8 +92,8 @@ constexpr double MassTolerance = 1e-6;
 /// Fails when a mass is negative or not finite, or a sum is not; when totals differ by more than
 /// MassTolerance, unless they are to be normalized, which needs some mass in both; when masses
 /// within a component differ by more than MassTolerance of the total: nothing can get there.
-Status BalanceMasses(const SurfaceMesh& mesh, bool normalize, std::vector<double>& from,
-  std::vector<double>& to, double& total);
+DGG_CORE_EXPORT Status BalanceMasses(const SurfaceMesh& mesh, bool normalize,
+  std::vector<double>& from, std::vector<double>& to, double& total);
 }
 
 #endif

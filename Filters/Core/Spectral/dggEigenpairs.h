@@ -5,6 +5,7 @@
 #ifndef dggEigenpairs_h
 #define dggEigenpairs_h
 
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggPoissonSolver.h" // for PoissonSolver
 
 #include <cstddef> // for std::size_t
@@ -38,7 +39,7 @@ struct Eigenpairs
 /// pairs of multiple eigenvalues are missing, they are looked for off those that were found. The
 /// solver must be ready, and its options decide about the boundary. The memory is about that of 3
 /// `count` functions. The same input gives the same result, signs included.
-Status FindEigenpairs(
+DGG_CORE_EXPORT Status FindEigenpairs(
   const PoissonSolver& solver, Id count, const ProgressCallback& progress, Eigenpairs& pairs);
 }
 

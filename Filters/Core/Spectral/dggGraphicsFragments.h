@@ -5,6 +5,7 @@
 #ifndef dggGraphicsFragments_h
 #define dggGraphicsFragments_h
 
+#include "dggCoreExport.h"  // for DGG_CORE_EXPORT
 #include "dggSurfaceCut.h"  // for CutSurface
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 
@@ -24,7 +25,7 @@ struct GraphicsFragments
 /// Divide faces of a coloured surface into division^2 parts of one size and shape, and take the
 /// middle of each. The mean over the fragments of a face is that over the face.
 /// `faces` are those of `surface`; `values` has `channels` numbers for each of its vertices.
-GraphicsFragments MakeFragments(const SurfaceMesh& mesh, const CutSurface& surface,
+DGG_CORE_EXPORT GraphicsFragments MakeFragments(const SurfaceMesh& mesh, const CutSurface& surface,
   const std::vector<Id>& faces, const std::vector<double>& values, int channels, int division);
 }
 

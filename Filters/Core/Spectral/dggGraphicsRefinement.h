@@ -5,6 +5,7 @@
 #ifndef dggGraphicsRefinement_h
 #define dggGraphicsRefinement_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggRefinedSurface.h" // for RefinedSurface
 
 #include <limits> // for the most faces
@@ -42,8 +43,8 @@ struct GraphicsRefinement
 /// Refine a surface that EmbedCurves() has made of a mesh. `parts` gets the faces of the refined
 /// surface that lie in faces that were chosen, not those that neighbours were split into; may be
 /// null.
-Status RefineForGraphics(const SurfaceMesh& mesh, const GraphicsRefinement& refinement,
-  RefinedSurface& surface, std::vector<Id>* parts = nullptr);
+DGG_CORE_EXPORT Status RefineForGraphics(const SurfaceMesh& mesh,
+  const GraphicsRefinement& refinement, RefinedSurface& surface, std::vector<Id>* parts = nullptr);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef dggGreensFunction_h
 #define dggGreensFunction_h
 
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggPoissonSolver.h" // for PoissonSolver
 #include "dggSurfacePoint.h"  // for poles and targets
 
@@ -113,7 +114,7 @@ struct GreensResult
 /// The formulae: L g = e_j - w for vertex j, with positive semidefinite L and weights w that sum to
 /// 1 per component, and w^T g = 0. Then G is symmetric, L G = I - w 1^T, and
 /// f_j = w^T f + sum_i G_ji (L f)_i for every f.
-class GreensFunction
+class DGG_CORE_EXPORT GreensFunction
 {
 public:
   explicit GreensFunction(const PoissonSolver& solver);

@@ -5,6 +5,7 @@
 #ifndef dggGreensInterpolation_h
 #define dggGreensInterpolation_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggGreensFunction.h" // for queries and results
 
 #include <cstddef> // for std::size_t
@@ -21,7 +22,7 @@ namespace dgg
 /// any two points then cost one distance. Errors are several times those of a solve per point, and
 /// a tenth or less of those of interpolated Green's functions. All poles of a component have the
 /// same radius: ridges of the distance do not count.
-class GreensInterpolation
+class DGG_CORE_EXPORT GreensInterpolation
 {
 public:
   /// The solver must be ready and outlive this. Columns beyond the limit of memory push out those

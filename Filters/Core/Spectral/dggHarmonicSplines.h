@@ -5,6 +5,7 @@
 #ifndef dggHarmonicSplines_h
 #define dggHarmonicSplines_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggGreensFunction.h" // for methods
 #include "dggParallel.h"       // for ParallelFor
 #include "dggPoissonSolver.h"  // for PoissonSolver
@@ -43,7 +44,7 @@ namespace dgg
 /// like the square of the size of cells.
 ///
 /// Progress is told by the threads of `parallel`, one at a time.
-class HarmonicSplines
+class DGG_CORE_EXPORT HarmonicSplines
 {
 public:
   /// The solver must be ready and outlive this.

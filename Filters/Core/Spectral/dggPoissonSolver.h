@@ -5,6 +5,7 @@
 #ifndef dggPoissonSolver_h
 #define dggPoissonSolver_h
 
+#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
 #include "dggSurfacePoint.h" // for SurfacePoint
 
@@ -54,7 +55,7 @@ struct PoissonOptions
 /// Elements with cotangents beyond 1e6 are made softer, see MakeCotanLaplacian(); where these are
 /// not a few, but carry more than 1 % of the energy of a solution, Factorize() fails; where that is
 /// so of a small component only, sources there are refused.
-class PoissonSolver
+class DGG_CORE_EXPORT PoissonSolver
 {
 public:
   explicit PoissonSolver(const SurfaceMesh& mesh);

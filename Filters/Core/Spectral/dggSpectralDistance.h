@@ -5,6 +5,7 @@
 #ifndef dggSpectralDistance_h
 #define dggSpectralDistance_h
 
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggEigenpairs.h"    // for Eigenpairs
 #include "dggParallel.h"      // for ParallelFor
 #include "dggPoissonSolver.h" // for PoissonSolver
@@ -52,7 +53,7 @@ struct SpectralOptions
 /// different components are at distance Infinity.
 ///
 /// The threads of a parallel loop tell its progress, one at a time, so it must not care which.
-class SpectralDistance
+class DGG_CORE_EXPORT SpectralDistance
 {
 public:
   explicit SpectralDistance(const PoissonSolver& solver);

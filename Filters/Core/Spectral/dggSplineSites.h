@@ -5,6 +5,7 @@
 #ifndef dggSplineSites_h
 #define dggSplineSites_h
 
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggPoissonSolver.h" // for PoissonSolver
 
 #include <vector> // for the sites
@@ -16,16 +17,16 @@ namespace dgg
 /// without a given value gets a site, so there may be more than asked for; there are fewer when the
 /// mesh has fewer such vertices. Where triangles are too thin, a component has no more than one.
 /// The solver must be ready.
-Status ChooseSplineSites(
+DGG_CORE_EXPORT Status ChooseSplineSites(
   const PoissonSolver& solver, Id count, const ProgressCallback& progress, std::vector<Id>& sites);
 
 /// The components that have a vertex without a given value: how many sites there are at least.
-Id CountSplineComponents(const PoissonSolver& solver);
+DGG_CORE_EXPORT Id CountSplineComponents(const PoissonSolver& solver);
 
 /// Fails, with a message that names the site by its number, when there is none, or one does not
 /// exist, has no face, has a given value, or is the same as an earlier one; when a component with a
 /// vertex without given value has no site, or one with triangles that are too thin has several.
-Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& sites);
+DGG_CORE_EXPORT Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& sites);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef dggVectorGraphics_h
 #define dggVectorGraphics_h
 
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggCurveEmbedding.h" // for CurveChain
 #include "dggRefinedSurface.h" // for RefinedSurface
 #include "dggSurfaceCut.h"     // for CutSurface
@@ -128,7 +129,7 @@ struct GraphicsResult
 /// curves do not cut. The equation for v has the other sources and, on diffusion curves, what is
 /// left of the given colours: that is the equation for u with the Laplacian of B as source, whose
 /// integrals against hat functions sum to 0 to rounding.
-class VectorGraphics
+class DGG_CORE_EXPORT VectorGraphics
 {
 public:
   VectorGraphics();
