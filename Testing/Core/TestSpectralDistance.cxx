@@ -432,7 +432,7 @@ TEST(SpectralDistance, ProgressIsToldForEachBlock)
                          : distance.Prepare(options, WithThreads(threads), progress);
       };
       EXPECT_TRUE(run().IsAborted());
-      EXPECT_LT(last, 0.35);
+      EXPECT_LT(last, 0.45); // the blocks of other threads go on until they ask
       EXPECT_TRUE(d.empty());
       stopAt = 2.0;
       ASSERT_TRUE(run().IsOk());

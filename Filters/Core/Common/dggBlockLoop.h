@@ -5,7 +5,8 @@
 #ifndef dggBlockLoop_h
 #define dggBlockLoop_h
 
-#include "dggParallel.h" // for ParallelFor
+#include "dggParallel.h"     // for ParallelFor
+#include "dggProgressPart.h" // for Goes()
 
 #include <algorithm>   // for std::min
 #include <atomic>      // for what blocks share
@@ -34,7 +35,7 @@ public:
     while (!this->Sum.compare_exchange_weak(sum, sum + more))
     {
     }
-    if (this->Progress && !this->Progress(std::min(1.0, (sum + more) / this->Blocks)))
+    if (!this->IsStopped && !Goes(this->Progress, std::min(1.0, (sum + more) / this->Blocks)))
     {
       this->IsStopped = true;
     }

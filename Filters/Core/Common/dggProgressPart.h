@@ -23,7 +23,8 @@ inline ProgressCallback ProgressPart(const ProgressCallback& progress, double be
   {
     return ProgressCallback();
   }
-  return [progress, begin, end](double done) { return progress(begin + (end - begin) * done); };
+  return
+    [progress, begin, end](double done) { return progress(begin * (1.0 - done) + end * done); };
 }
 }
 
