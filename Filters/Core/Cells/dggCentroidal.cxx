@@ -290,11 +290,7 @@ public:
     }
     SearchOptions options;
     options.Progress = progress;
-    Status status = this->Search.Run(seeds, options, state.Result);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(this->Search.Run(seeds, options, state.Result));
     if (this->Unit == 0.0)
     {
       for (const double distance : state.Result.Distances)
@@ -312,7 +308,7 @@ public:
         state.Energy += d * d;
       }
     }
-    return status;
+    return Status::Success();
   }
 
   /// Move all sites by a part of the way to the means of their cells. Returns whether any moves.
@@ -470,11 +466,7 @@ Status LinkSites(const std::vector<SurfacePoint>& sites, const GraphBuilder* bui
     }
     std::vector<GraphLink> links;
     std::vector<double> direct;
-    Status status = builder->Link(sites[i], accuracy, {}, links, direct);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(builder->Link(sites[i], accuracy, {}, links, direct));
     for (const GraphLink& link : links)
     {
       linked.Seeds.push_back({ link.Vertex, link.Length, 0.0, number, link.ArrivalAngle });

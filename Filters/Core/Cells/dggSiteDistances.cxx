@@ -287,11 +287,7 @@ Status SiteDistances::Run(const GraphSearch& search, const SurfaceMesh& mesh,
   options.Correct = true;
   options.Progress = ProgressPart(progress, 0.0, NearestShare);
   SearchResult nearest;
-  Status status = search.Run(kept, options, nearest);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(search.Run(kept, options, nearest));
   this->HasDirections = !nearest.Corrected.empty();
   if (!this->HasDirections)
   {
@@ -324,7 +320,7 @@ Status SiteDistances::Run(const GraphSearch& search, const SurfaceMesh& mesh,
     }
     this->Offsets.push_back(static_cast<Offset>(this->Entries.size()));
   }
-  return status;
+  return Status::Success();
 }
 
 const SiteDistances::Entry* SiteDistances::Nearest(Id v) const

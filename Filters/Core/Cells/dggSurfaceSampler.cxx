@@ -145,11 +145,7 @@ public:
       {
         return Status::Abort();
       }
-      Status status = this->Builder.Link(this->Points[i], this->Accuracy, {}, links, direct);
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(this->Builder.Link(this->Points[i], this->Accuracy, {}, links, direct));
       for (const GraphLink& link : links)
       {
         this->LinksOf[link.Vertex].push_back({ static_cast<Id>(i), link.Length });
@@ -281,11 +277,7 @@ public:
 
   Status Run()
   {
-    Status prepared = this->PrepareInside();
-    if (!prepared.IsOk())
-    {
-      return prepared;
-    }
+    DGG_RETURN_IF_ERROR(this->PrepareInside());
     for (const SurfacePoint& point : this->Options.Given)
     {
       Linked linked;
@@ -301,20 +293,12 @@ public:
     }
     if (this->Samples.empty())
     {
-      Status status = this->AddFirst();
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(this->AddFirst());
     }
     while (this->GetRadius() > std::max(0.0, this->Options.CoveringRadius) &&
       static_cast<Offset>(this->Samples.size()) < this->Options.NumberOfSamples)
     {
-      Status status = this->AddFarthest();
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(this->AddFarthest());
     }
     return Status::Success();
   }
@@ -366,11 +350,7 @@ private:
       {
         return Status::Success(); // no edges
       }
-      Status status = this->Points.Add({ SeedAt(first) }, {});
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(this->Points.Add({ SeedAt(first) }, {}));
       const std::vector<double>& distances = this->Points.GetDistances();
       for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
       {
@@ -407,11 +387,7 @@ private:
     if (this->Options.InFaces && this->FindBetter(v, point))
     {
       Linked linked;
-      Status status = this->Link(point, this->Inner, linked);
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(this->Link(point, this->Inner, linked));
       // Only a point that is farther for certain keeps away from the others as a vertex does.
       double distance = linked.Distance;
       for (const GraphSeed& seed : linked.Seeds)

@@ -59,6 +59,13 @@ private:
   std::string Message;
 };
 
+/// Return the status that an expression gives from this function, unless it went well.
+#define DGG_RETURN_IF_ERROR(...)                                \
+  if (dgg::Status dggStatus = (__VA_ARGS__); !dggStatus.IsOk()) \
+  {                                                             \
+    return dggStatus;                                           \
+  }
+
 /// Called now and then by long loops, from any of their threads, with the finished fraction in
 /// [0, 1]; returns false to stop.
 using ProgressCallback = std::function<bool(double)>;

@@ -242,11 +242,7 @@ std::size_t GeodesicGraph::GetMemorySize() const
 
 Status CheckGraph(const GraphView& graph, Offset numberOfEdges, const ParallelFor& parallel)
 {
-  Status status = CheckArrays(graph, numberOfEdges);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(CheckArrays(graph, numberOfEdges));
   const Id n = graph.NumberOfVertices;
   std::atomic<Id> damaged(n); // the first row of them, whichever is found first
   ForRange(parallel, n, RowsPerTask, [&](Offset begin, Offset end) {

@@ -550,12 +550,8 @@ Status GraphBuilder::Implementation::Build(
   }
   if (isIndirect)
   {
-    status = PruneCandidates(rows, options.Accuracy, options.Parallel,
-      ProgressPart(options.Progress, shares.Rows, shares.Rows + shares.Pruning));
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(PruneCandidates(rows, options.Accuracy, options.Parallel,
+      ProgressPart(options.Progress, shares.Rows, shares.Rows + shares.Pruning)));
     DirectionUnion().Unite(rows, 0, options.Parallel);
   }
   std::vector<Id> order(static_cast<std::size_t>(n));
@@ -564,12 +560,8 @@ Status GraphBuilder::Implementation::Build(
     order[row] = this->Table.OldVertex(row);
   }
   const double done = shares.Rows + shares.Pruning;
-  status = AssembleGraph(
-    rows, order, wide, options.Parallel, ProgressPart(options.Progress, done, 1.0), graph);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(AssembleGraph(
+    rows, order, wide, options.Parallel, ProgressPart(options.Progress, done, 1.0), graph));
   graph.Info.Kind = GraphKind::Mesh;
   graph.Info.Construction = options.Construction;
   const bool isByNumber = options.Construction == GraphConstruction::SaddleVertexGraph;

@@ -431,17 +431,9 @@ Status HeatMethod::Run(
 {
   result = HeatResult();
   const HeatSystem& system = *this->System;
-  Status status = this->Check(sources, query);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->Check(sources, query));
   const std::vector<Corner> corners = FindCorners(this->Mesh, sources);
-  status = CheckCorners(system, sources.size(), corners);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(CheckCorners(system, sources.size(), corners));
   // Heat flows; what has the direction of its gradient, made to be of length one, is the distance
   // up to a constant per component.
   const std::vector<double> leastOffsets = FindLeastOffsets(system, sources, corners);

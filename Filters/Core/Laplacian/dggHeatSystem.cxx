@@ -84,11 +84,7 @@ Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& p
   this->Heat.Clear();
   this->CooledHeat.Clear();
   this->Distance.Clear();
-  Status status = this->Build(options.IntrinsicDelaunay, Infinity, progress);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->Build(options.IntrinsicDelaunay, Infinity, progress));
   this->MeasureEdges();
   this->TakeFrames();
   this->Triangulation = IntrinsicTriangulation();
@@ -160,11 +156,7 @@ HeatSystem::Matrix HeatSystem::MakeHeatMatrix() const
 
 Status HeatSystem::Factorize(const ProgressCallback& progress)
 {
-  const Status status = this->Order.Check();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->Order.Check());
   Status failure = Status::Invalid(
     "a linear system could not be factorized: remove triangles that have next to no area");
   const double factor = this->Options.TimeStepFactor;

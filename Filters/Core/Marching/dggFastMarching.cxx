@@ -449,11 +449,7 @@ Status FastMarching::Run(const std::vector<GeodesicSource>& sources, const March
   MarchingResult& result) const
 {
   result = MarchingResult();
-  Status status = CheckSources(this->Mesh, sources);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(CheckSources(this->Mesh, sources));
   if (std::isnan(options.MaximumDistance))
   {
     return Status::Invalid("the maximum distance is not a number");

@@ -243,11 +243,7 @@ Status SurfaceMeshBuilder::MeasureLengths(const double* points)
     return Status::Success(); // no face takes part
   }
   const double extent = std::max({ high[0] - low[0], high[1] - low[1], high[2] - low[2] });
-  Status status = this->CheckExtent(extent, "the largest extent of the mesh");
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->CheckExtent(extent, "the largest extent of the mesh"));
   double longest = 0.0;
   for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
   {

@@ -167,11 +167,7 @@ Status Decomposition::CollectEdges(std::vector<Id>& edges) const
     const Id f = this->Components.GetFace(this->Tree.Component, face);
     for (Id h = 3 * f; h < 3 * f + 3; ++h)
     {
-      Status status = CheckManifold(mesh, h);
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(CheckManifold(mesh, h));
       if (FindEdge(mesh, h) == h && !isInTree[this->Components.NumberOfHalfEdge(h)])
       {
         edges.push_back(h);
@@ -223,11 +219,7 @@ Status FindBasesOfLoops(const SurfaceComponents& components, std::vector<Id>& ba
     {
       continue;
     }
-    Status status = CheckManifold(mesh, h);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(CheckManifold(mesh, h));
     const Id component = components.GetComponent(mesh.Origin(h));
     const Id twin = mesh.Twin(h);
     ++loops[component];
@@ -253,16 +245,12 @@ Status FindHomotopyBasis(
 {
   loops.clear();
   Decomposition parts(components, base, steps);
-  Status status = parts.Decompose();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(parts.Decompose());
   for (auto h = parts.Rest.rbegin(); h != parts.Rest.rend(); ++h)
   {
     loops.push_back(MakeLoop(parts.Mesh, parts.Tree, *h));
   }
-  return status;
+  return Status::Success();
 }
 
 /// Each edge in neither tree closes a cycle of faces. A loop crosses the cycles that it goes around

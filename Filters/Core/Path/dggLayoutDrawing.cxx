@@ -263,11 +263,7 @@ Status LayoutDrawing::Draw(
         " leaves no room for it");
   }
   Connection connection;
-  Status status = this->Connect(from, to, progress, connection);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->Connect(from, to, progress, connection));
   if (connection.Path.IsEmpty())
   {
     return this->Refuse(edge,
@@ -277,11 +273,7 @@ Status LayoutDrawing::Draw(
           "the other way");
   }
   RefinedSurface refined;
-  status = this->KeepClear(edge, progress, connection, refined);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->KeepClear(edge, progress, connection, refined));
   InsertIntoOrder(orders[a], connection.From, edge);
   InsertIntoOrder(orders[b], connection.To, edge);
   this->Curves[edge] = std::move(connection.Path);
@@ -301,11 +293,7 @@ Status LayoutDrawing::Connect(const std::vector<LayoutSector>& from,
   {
     SurfacePath path;
     std::size_t reached = 0;
-    Status status = this->Trace(start, to, progress, path, reached);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(this->Trace(start, to, progress, path, reached));
     if (!path.IsEmpty() && (connection.Path.IsEmpty() || path.Length < connection.Path.Length))
     {
       connection = { std::move(path), start, to[reached] };
@@ -324,17 +312,13 @@ Status LayoutDrawing::KeepClear(
     return Status::Success();
   }
   SurfacePath clear;
-  Status status = this->TraceClear(connection.From, connection.To, progress, clear);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->TraceClear(connection.From, connection.To, progress, clear));
   if (clear.IsEmpty() || !this->Refine(&clear, refined).IsOk() || !this->KeepsClear(refined))
   {
     return this->Refuse(edge, "there is no room between the other edges: refine the mesh");
   }
   connection.Path = std::move(clear);
-  return status;
+  return Status::Success();
 }
 
 /// Shortest path on the surface cut open, from one sector to the nearest of others. Empty when

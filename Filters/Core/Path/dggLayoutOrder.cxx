@@ -74,11 +74,7 @@ Status LayoutOrder::ReadPatches(const PatchLayout& layout, Id numberOfLandmarks)
     {
       const Id a = patch[i];
       const Id b = patch[(i + 1) % patch.size()];
-      Status status = CheckLandmark(a, numberOfLandmarks, name);
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(CheckLandmark(a, numberOfLandmarks, name));
       std::ostringstream message;
       if (a == b)
       {
@@ -116,11 +112,7 @@ Status LayoutOrder::AddEdges(const PatchLayout& layout, Id numberOfLandmarks)
     const std::array<Id, 2>& edge = layout.Edges[e];
     for (const Id landmark : edge)
     {
-      Status status = CheckLandmark(landmark, numberOfLandmarks, Name("edge", e));
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(CheckLandmark(landmark, numberOfLandmarks, Name("edge", e)));
     }
     std::ostringstream message;
     if (edge[0] == edge[1])

@@ -187,11 +187,7 @@ Status LoopFinder::Implementation::ThroughPoint(
   }
   Tree tree;
   tree.Point = point;
-  Status status = this->Grow(tree);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->Grow(tree));
   LoopCandidates candidates =
     FindLoopCandidates(this->Mesh, this->Search.GetGraph(), tree.Seeds, tree.Result);
   return this->TryCandidates(tree, candidates, taut, progress, loop);
@@ -230,11 +226,7 @@ Status LoopFinder::Implementation::TryCandidates(const Tree& tree, LoopCandidate
         return Status::Abort();
       }
       ++trials;
-      const Status status = this->Trace(tracer, tree, candidate);
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(this->Trace(tracer, tree, candidate));
       FoundLoop found;
       for (Strip& strip : tracer.GetStrips())
       {

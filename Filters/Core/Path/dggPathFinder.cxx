@@ -116,11 +116,7 @@ Status PathFinder::FindBetween(const SurfacePoint& from, const SurfacePoint& to,
     }
   }
   GraphPath path;
-  status = this->Search.Between(seeds[0], seeds[1], this->Positions, path);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->Search.Between(seeds[0], seeds[1], this->Positions, path));
   found.GraphLength = std::min(path.Length, ends.Direct);
   if (found.GraphLength == Infinity)
   {

@@ -260,11 +260,7 @@ Status WalkStraight(const SurfaceMesh& mesh, const SurfacePoint& start, double a
   SurfacePath& path)
 {
   path.Clear();
-  Status status = start.Check(mesh);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(start.Check(mesh));
   if (!std::isfinite(angle) || !(length >= 0.0 && length < Infinity))
   {
     std::ostringstream message;
@@ -273,6 +269,6 @@ Status WalkStraight(const SurfaceMesh& mesh, const SurfacePoint& start, double a
     return Status::Invalid(message.str());
   }
   Walk(mesh, length, path).Start(start, angle);
-  return status;
+  return Status::Success();
 }
 }

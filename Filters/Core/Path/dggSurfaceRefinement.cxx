@@ -124,11 +124,7 @@ bool Refiner::GoesInFace(std::size_t work, double done) const
 
 Status Refiner::CheckPaths() const
 {
-  Status corners = CheckCorners(this->Mesh);
-  if (!corners.IsOk())
-  {
-    return corners;
-  }
+  DGG_RETURN_IF_ERROR(CheckCorners(this->Mesh));
   for (std::size_t p = 0; p < this->Paths.size(); ++p)
   {
     const SurfacePath& path = this->Paths[p];

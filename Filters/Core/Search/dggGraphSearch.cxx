@@ -190,11 +190,7 @@ Status CheckSeeds(const std::vector<GraphSeed>& seeds, Id numberOfVertices)
   }
   for (std::size_t i = 0; i < seeds.size(); ++i)
   {
-    Status status = CheckSeed(seeds[i], i, numberOfVertices);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(CheckSeed(seeds[i], i, numberOfVertices));
   }
   return Status::Success();
 }
@@ -396,11 +392,7 @@ Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vecto
   path = GraphPath();
   for (const std::vector<GraphSeed>* seeds : { &from, &to })
   {
-    Status status = CheckSeeds(*seeds, n);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(CheckSeeds(*seeds, n));
   }
   const PathGuides guides{ internals.Fans.get(), internals.Limits.get(), internals.Marks.get(),
     positions, internals.BucketWidth };

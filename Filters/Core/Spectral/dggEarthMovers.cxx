@@ -327,18 +327,14 @@ Status BalanceComponents(
 Status AddPointMass(
   const SurfaceMesh& mesh, const SurfacePoint& point, double mass, std::vector<double>& masses)
 {
-  Status status = point.Check(mesh);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(point.Check(mesh));
   if (masses.size() != static_cast<std::size_t>(mesh.GetNumberOfVertices()))
   {
     return Status::Invalid("there must be one mass for each vertex");
   }
   ForEachCornerAround(
     mesh, point, [&](Id v, double weight, double) { masses[v] += mass * weight; });
-  return status;
+  return Status::Success();
 }
 
 Status EarthMovers::Run(const std::vector<double>& from, const std::vector<double>& to,

@@ -458,11 +458,7 @@ Status FindEigenpairs(
                           : std::min(count, 4 * wanted[p]);
       const double size = static_cast<double>(parts[p].Faces.size()) / mesh.GetNumberOfFaces();
       const double end = isFirst ? done + FirstPassDone * size : done;
-      Status status = findOf(p, wanted[p], ProgressPart(progress, done, end));
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(findOf(p, wanted[p], ProgressPart(progress, done, end)));
       done = end;
       isMore = true;
     }

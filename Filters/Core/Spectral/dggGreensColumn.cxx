@@ -257,11 +257,7 @@ Status GreensColumn::CompleteDistances(double radius, double reached, GreensWork
       return Status::Success();
     }
     reached = needed * (1.0 + 1e-9);
-    Status status = this->FindDistances(reached, workspace);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(this->FindDistances(reached, workspace));
   }
 }
 
@@ -432,11 +428,7 @@ Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
     const double complete = FindCompleteRadius(system.GetTriangulation(), result.Distances);
     radius = complete > CompletePart * radius ? std::min(radius, complete) : radius;
   }
-  status = status.IsOk() ? this->CompleteDistances(radius, reached, workspace) : status;
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(status.IsOk() ? this->CompleteDistances(radius, reached, workspace) : status);
   if (IsTooCoarse(system, this->Component, radius))
   {
     this->Method = GreensMethod::Interpolated;
@@ -497,11 +489,8 @@ Status GreensColumn::Finish(std::vector<double>& solution, const ProgressCallbac
   bool isLocalized = true;
   if (this->Method == GreensMethod::Localized && !IsVertex(this->Pole))
   {
-    Status status = Localize(system, this->Pole, workspace.Exact, progress, solution, isLocalized);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(
+      Localize(system, this->Pole, workspace.Exact, progress, solution, isLocalized));
   }
   for (Id v = 0; v < system.GetNumberOfVertices() && this->HasLogarithm(); ++v)
   {

@@ -46,11 +46,8 @@ public:
     }
     GreensQuery plain;
     plain.Radius = query.Radius;
-    Status status = this->Column.Start(SurfacePoint::AtVertex(v), plain, progress, this->Workspace);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(
+      this->Column.Start(SurfacePoint::AtVertex(v), plain, progress, this->Workspace));
     std::vector<double> solution = this->Column.TakeSources();
     system.Solve(solution);
     ++this->NumberOfColumns;
@@ -65,7 +62,7 @@ public:
     Entry& entry = this->Columns[key];
     entry = { std::move(part), ++this->Uses };
     values = &entry.Values;
-    return status;
+    return Status::Success();
   }
 
   std::size_t GetMemorySize(std::size_t more = 0) const
@@ -132,11 +129,7 @@ Status GreensInterpolation::Run(
   GreensQuery same = query;
   same.Method = GreensMethod::SingularitySubtraction;
   Status status = CheckGreensQuery(this->Solver, same);
-  status = status.IsOk() ? this->Solver.CheckPole(pole) : status;
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(status.IsOk() ? this->Solver.CheckPole(pole) : status);
   const PoissonSystem& system = this->Solver.GetSystem();
   const SurfaceMesh& mesh = system.GetMesh();
   this->Columns->Update(system, this->MemoryLimit);
@@ -191,12 +184,8 @@ Status GreensInterpolation::Run(
     }
   }
   GreensColumn& column = this->Columns->Column;
-  status = column.Start(pole, same, ProgressPart(query.Progress, ColumnsDone, 1.0 - LastPart),
-    this->Columns->Workspace);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(column.Start(pole, same,
+    ProgressPart(query.Progress, ColumnsDone, 1.0 - LastPart), this->Columns->Workspace));
   if (!column.HasLogarithm()) // its triangle was not found
   {
     return runFunction(1.0 - LastPart);

@@ -200,11 +200,7 @@ Status HarmonicSplines::FindBasis(
   const ParallelFor& parallel, const ProgressCallback& progress, const Consumer& consume) const
 {
   const Implementation& internals = *this->Internals;
-  const Status status = internals.Check();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(internals.Check());
   const PoissonSystem& system = internals.System;
   const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
   const auto runBlock = [&](Offset, Offset begin, Offset end, const ProgressCallback& within) {
@@ -297,11 +293,7 @@ Status HarmonicSplines::Solve(const std::vector<double>& rightHandSide,
 {
   const Implementation& internals = *this->Internals;
   Status status = internals.Check();
-  status = status.IsOk() ? internals.Solver.CheckValues(rightHandSide) : status;
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(status.IsOk() ? internals.Solver.CheckValues(rightHandSide) : status);
   const Id count = internals.GetNumberOfSites();
   for (const Id site : given)
   {

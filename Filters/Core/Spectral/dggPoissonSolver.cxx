@@ -95,11 +95,7 @@ Status PoissonSolver::Solve(std::vector<std::vector<double>>& columns) const
 {
   for (const std::vector<double>& column : columns)
   {
-    Status status = this->CheckValues(column);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(this->CheckValues(column));
   }
   this->System->Solve(columns);
   return Status::Success();
@@ -133,11 +129,7 @@ bool PoissonSolver::IsFixed(Id v) const
 Status PoissonSolver::CheckPole(const SurfacePoint& point) const
 {
   const SurfaceMesh& mesh = this->GetMesh();
-  Status status = point.Check(mesh);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(point.Check(mesh));
   const bool isVertex = IsVertex(point);
   const Id v = isVertex ? point.Vertex : mesh.Origin(3 * point.Face);
   const std::string where = isVertex ? "vertex " + std::to_string(point.Vertex)
@@ -146,11 +138,7 @@ Status PoissonSolver::CheckPole(const SurfacePoint& point) const
   {
     return Status::Invalid(where + " has no face: nothing is defined there");
   }
-  status = CheckThinPlace(*this->System, this->System->GetComponent(v), where);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(CheckThinPlace(*this->System, this->System->GetComponent(v), where));
   if (isVertex && this->GetOptions().Boundary == PoissonBoundary::Neumann &&
     this->System->IsFixed(v))
   {

@@ -78,20 +78,12 @@ Status PoissonSystem::Analyze(const PoissonOptions& options, const ProgressCallb
     this->SetWeights();
     return Status::Success();
   }
-  Status status = this->CheckGivenVertices(options.GivenVertices);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->CheckGivenVertices(options.GivenVertices));
   this->Factor.Clear();
   this->IsAnalyzed = false;
   ++this->Revision;
   this->Options = options;
-  status = this->Build(options.IntrinsicDelaunay, LargestCotangent, progress);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->Build(options.IntrinsicDelaunay, LargestCotangent, progress));
   const Eigen::VectorXd diagonal = this->Stiffness.diagonal().cwiseAbs();
   this->Diagonal.assign(diagonal.data(), diagonal.data() + diagonal.size());
   this->LargestEntry = diagonal.size() > 0 ? diagonal.maxCoeff() : 0.0;

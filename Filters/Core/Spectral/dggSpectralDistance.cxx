@@ -274,11 +274,7 @@ Status SpectralDistance::FromPoint(const SurfacePoint& source, std::vector<doubl
 {
   distances.clear();
   Status status = this->CheckPrepared();
-  status = status.IsOk() ? this->CheckSource(source) : status;
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(status.IsOk() ? this->CheckSource(source) : status);
   const PoissonSystem& system = this->Solver.GetSystem();
   const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
   std::vector<double> squares(n, 0.0);

@@ -156,11 +156,7 @@ Status FindPartition(const PoissonSystem& system, const std::vector<Id>& sites,
   const ProgressCallback& progress, std::vector<Id>& cells, std::vector<double>& distances)
 {
   ExactResult result;
-  const Status status = FindDistances(system, sites, progress, result);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(FindDistances(system, sites, progress, result));
   cells = std::move(result.NearestSource);
   distances = std::move(result.Distances);
   for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
@@ -174,7 +170,7 @@ Status FindPartition(const PoissonSystem& system, const std::vector<Id>& sites,
       return Status::Invalid("no site reaches vertex " + std::to_string(v) + ": add one there");
     }
   }
-  return status;
+  return Status::Success();
 }
 
 /// What flows to given values.

@@ -209,13 +209,9 @@ Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& site
     }
     // A single site is right in any component without given values: its function is 1.
     const Id component = system.GetComponent(v);
-    Status status = needed[component] == 0 || !system.IsFree(component)
-      ? CheckThinPlace(system, component, what)
-      : Status::Success();
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(needed[component] == 0 || !system.IsFree(component)
+        ? CheckThinPlace(system, component, what)
+        : Status::Success());
     numbers[v] = static_cast<Id>(k);
     needed[component] = 0;
   }

@@ -193,13 +193,10 @@ Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
   {
     status = Status::Abort();
   }
-  status = status.IsOk() ? this->Loads.Prepare(surface, mesh.GetNumberOfFaces(), chains, curves,
-                             checkRegions, ProgressPart(options.Progress, CutDone, MeasuredDone))
-                         : status;
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(status.IsOk()
+      ? this->Loads.Prepare(surface, mesh.GetNumberOfFaces(), chains, curves, checkRegions,
+          ProgressPart(options.Progress, CutDone, MeasuredDone))
+      : status);
   PoissonOptions poisson;
   poisson.IntrinsicDelaunay = options.IntrinsicDelaunay;
   poisson.GivenVertices = FindGivenVertices(this->Domain, chains, curves);
@@ -314,11 +311,8 @@ Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& cur
   const std::vector<GraphicsCurve> scaled = scale.Apply(curves);
   const std::vector<double> background = scale.Apply(options.Background);
   std::vector<double> bands(channels * drawn, 0.0);
-  status = this->AddBands(scaled, options, ProgressPart(options.Progress, 0.0, BandsDone), bands);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(
+    this->AddBands(scaled, options, ProgressPart(options.Progress, 0.0, BandsDone), bands));
   std::vector<std::vector<double>> columns(
     channels, std::vector<double>(this->Domain.Solved.Surface.Points.size(), 0.0));
   status = this->Loads.Add(this->Domain, this->Chains, scaled, regions, scale.Apply(regions),

@@ -101,19 +101,11 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
     return status;
   }
   std::vector<CloudRowBlock> blocks;
-  status = BuildRows(
-    setup, options, ProgressPart(options.Progress, EndOfPrediction, EndOfRows), sample, blocks);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(BuildRows(
+    setup, options, ProgressPart(options.Progress, EndOfPrediction, EndOfRows), sample, blocks));
   const bool wide = NeedsWide(setup.Nodes, options.Accuracy);
-  status = AssembleCloudGraph(setup, numberOfPoints, sample.GetRowsPerBlock(), blocks, wide,
-    options.Parallel, ProgressPart(options.Progress, EndOfRows, EndOfGraph), result.Graph);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(AssembleCloudGraph(setup, numberOfPoints, sample.GetRowsPerBlock(), blocks,
+    wide, options.Parallel, ProgressPart(options.Progress, EndOfRows, EndOfGraph), result.Graph));
   const auto n = static_cast<std::size_t>(numberOfPoints);
   std::vector<unsigned char> isUsed(n, 0);
   result.Radii.assign(n, 0.0);

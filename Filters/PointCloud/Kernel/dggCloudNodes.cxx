@@ -94,11 +94,7 @@ Status FindNodes(
   {
     return Status::Success();
   }
-  const Status status = frame.CheckRange();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(frame.CheckRange());
   nodes.Scale = frame.GetScale();
   nodes.Extent = 2.0 * frame.GetHalfExtent() * nodes.Scale;
 

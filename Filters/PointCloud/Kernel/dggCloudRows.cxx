@@ -110,11 +110,7 @@ Status SampleRows(const CloudSetup& setup, const CloudGraphOptions& options,
       static_cast<double>(setup.Neighbors->CountWithin(pairs.Points[node], pairs.Reaches[node]));
     candidates += count;
     sample.MostCandidates = std::max(sample.MostCandidates, count);
-    Status status = CheckRowMemory(held + sample.GetThreadMemory(), options.MemoryLimit);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(CheckRowMemory(held + sample.GetThreadMemory(), options.MemoryLimit));
     targets.clear();
     workspace.Build(node, targets);
     chosen += static_cast<double>(targets.size());
@@ -151,11 +147,7 @@ Status BuildRows(const CloudSetup& setup, const CloudGraphOptions& options,
       const double used =
         static_cast<double>(setup.GetMemorySize()) + sizeof(Id) * static_cast<double>(edges);
       const double left = static_cast<double>(options.MemoryLimit) - used;
-      Status status = CheckRowMemory(used + sample.GetThreadMemory(), options.MemoryLimit);
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(CheckRowMemory(used + sample.GetThreadMemory(), options.MemoryLimit));
       size =
         static_cast<Offset>(std::min(static_cast<double>(size), left / sample.GetThreadMemory()));
     }

@@ -209,11 +209,7 @@ Status SetUpCloud(const double* points, Id numberOfPoints, const CloudGraphOptio
   {
     return status;
   }
-  status = CheckSetupMemory(setup.GetMemorySize(), options);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(CheckSetupMemory(setup.GetMemorySize(), options));
   if (progress && !progress(0.0))
   {
     return Status::Abort();
