@@ -122,7 +122,7 @@ def defects(graph):
     """One line on points that are not as they should be."""
     counts = (
         (graph.GetNumberOfUnusedPoints(), "point that is not finite", "points that are not finite"),
-        (graph.GetNumberOfStrayPoints(), "stray point"),
+        (graph.GetNumberOfOutliers(), "stray point"),
         (graph.GetNumberOfCoincidentPoints(), "coincident point"),
     )
     return ", ".join(counted(*what) for what in counts if what[0]) or "none"

@@ -196,12 +196,12 @@ def graph_edges(mesh, source):
 
 
 def approximate(mesh, source):
-    """vtkHeatGeodesicDistance, vtkFastMarchingGeodesicDistance: errors, beside those of a graph."""
+    """vtkHeatGeodesicDistance, vtkDGGFastMarchingDistance: errors, beside those of a graph."""
     exact = array_of(distances(vtkdgg.vtkExactGeodesicDistance, mesh, source), "GeodesicDistance")
     panels = []
     for title, kind in (
         ("heat method", vtkdgg.vtkHeatGeodesicDistance),
-        ("fast marching", vtkdgg.vtkFastMarchingGeodesicDistance),
+        ("fast marching", vtkdgg.vtkDGGFastMarchingDistance),
         ("graph, accuracy 0.01", vtkdgg.vtkDGGDistance),
     ):
         found = array_of(distances(kind, mesh, source), "GeodesicDistance")

@@ -171,7 +171,7 @@ public:
    * polylines of the second output. They are exact with windows. With virtual sources they come in
    * pieces, some of which are where no ridge is: a few with those of vtkExactGeodesicDistance and
    * vtkDGGDistance, most of them with those of vtkHeatGeodesicDistance and
-   * vtkFastMarchingGeodesicDistance, whose directions are rough. With virtual sources that are
+   * vtkDGGFastMarchingDistance, whose directions are rough. With virtual sources that are
    * fitted to distances alone, ridges are not to be relied on, as a warning says; where distances
    * are linear there are none, with a warning. Default off.
    */

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGCloudLocator.h"
 
-#include "dggStrayPoints.h"
+#include "dggOutliers.h"
 
 #include "vtkPoints.h"
 
@@ -27,15 +27,15 @@ double Distance(const double* a, const double* b)
 vtkDGGCloudLocator::vtkDGGCloudLocator(const double* positions, dgg::Id numberOfPoints)
   : Positions(positions)
 {
-  const dgg::StrayPoints far(positions, numberOfPoints, dgg::StrayPoints::RatioOfFar);
+  const dgg::Outliers far(positions, numberOfPoints, dgg::Outliers::RatioOfFar);
   this->Frame = dgg::CloudFrame(
-    positions, numberOfPoints, [&](const dgg::Point3& p) { return far.IsStray(p); });
+    positions, numberOfPoints, [&](const dgg::Point3& p) { return far.IsOutlier(p); });
   for (dgg::Id v = 0; v < numberOfPoints; ++v)
   {
     const dgg::Point3 p = dgg::PointAt(positions, v);
     if (dgg::IsFinite(p))
     {
-      if (!far.IsStray(p))
+      if (!far.IsOutlier(p))
       {
         this->Ids.push_back(v);
       }
@@ -82,8 +82,8 @@ double vtkDGGCloudLocator::GetDistance(dgg::Id point, const double position[3]) 
 }
 
 //------------------------------------------------------------------------------
-/// Points of the search that may be the closest one, all when it cannot tell: squares of distances
-/// may be out of its range.
+/// Points of the search that may be the closest one, all when that is not known: squares of
+/// distances may be out of its range.
 void vtkDGGCloudLocator::FindCandidates(const double position[3])
 {
   this->Candidates.clear();

@@ -16,7 +16,7 @@
 #include "dggLoopFinder.h"
 #include "dggProgressPart.h"
 #include "dggSurfacePoint.h"
-#include "dggTape.h"
+#include "dggOffsetCurves.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -50,7 +50,7 @@ struct vtkDGGLoopSet
   std::vector<LoopStatus> Status;
   std::vector<std::vector<dgg::SurfacePath>> Rims; ///< per loop; empty when there are no tapes
   std::size_t LoopsTooLong = 0;                    ///< for their tapes
-  double SmallestTapeWidth = 0.0;                  ///< that is wide enough for all loops
+  double SmallestOffsetWidth = 0.0;                ///< that is wide enough for all loops
 };
 
 namespace
@@ -104,8 +104,8 @@ dgg::Status AddTapes(const vtkDGGMeshAdapter& mesh, double width,
     {
       continue;
     }
-    const double smallest = dgg::GetSmallestTapeWidth(set.Loops[i].Loop);
-    set.SmallestTapeWidth = std::max(set.SmallestTapeWidth, smallest);
+    const double smallest = dgg::GetSmallestOffsetWidth(set.Loops[i].Loop);
+    set.SmallestOffsetWidth = std::max(set.SmallestOffsetWidth, smallest);
     if (width < smallest)
     {
       ++set.LoopsTooLong;
@@ -115,7 +115,7 @@ dgg::Status AddTapes(const vtkDGGMeshAdapter& mesh, double width,
       return progress((static_cast<double>(i) + fraction) / static_cast<double>(count));
     };
     const dgg::Status status =
-      dgg::MakeTape(mesh.GetMesh(), set.Loops[i].Loop, width, part, set.Rims[i]);
+      dgg::MakeOffsetCurves(mesh.GetMesh(), set.Loops[i].Loop, width, part, set.Rims[i]);
     if (!status.IsOk())
     {
       return Explain(status, "tape of loop " + std::to_string(i));
@@ -455,7 +455,7 @@ void vtkDGGLoop::WarnAboutMissingTapes(const vtkDGGLoopSet& set)
                     << set.LoopsTooLong << " of " << set.Loops.size()
                     << (set.Loops.size() == 1 ? " loop" : " loops") << ": there is no tape along "
                     << (set.LoopsTooLong == 1 ? "it" : "them")
-                    << ". For all loops it has to be at least " << RoundUp(set.SmallestTapeWidth)
+                    << ". For all loops it has to be at least " << RoundUp(set.SmallestOffsetWidth)
                     << ".");
   }
 }

@@ -55,14 +55,13 @@
  * <b>What is promised.</b> No curve next to a loop is shorter, unless it is kinked, and then none
  * through the same points. A closed geodesic need not exist near a point: on a surface without
  * handles, boundaries or limbs, as on a ball, ways around contract to the point, and there is no
- * loop. Where there are several, the shortest one is found among those that the graph tells apart,
- * and among the shortest ways around: no more of them are tried than take some multiple of what
- * ordinary meshes of that size take.
- * Lengths are those of the triangles; where triangles have no area, those after
- * GetMollification(). Points of rims are as exact as vtkExactGeodesicDistance, to 1e-5 of the
- * width. Between them rims are straight; in large triangles they have more points than where they
- * cross edges, so that their lengths are right to about 1e-3. Rims shorter than the width may be
- * missed.
+ * loop. Where there are several, the shortest one is found among those that the graph
+ * distinguishes, and among the shortest ways around: no more of them are tried than take some
+ * multiple of what ordinary meshes of that size take. Lengths are those of the triangles; where
+ * triangles have no area, those after GetMollification(). Points of rims are as exact as
+ * vtkExactGeodesicDistance, to 1e-5 of the width. Between them rims are straight; in large
+ * triangles they have more points than where they cross edges, so that their lengths are right to
+ * about 1e-3. Rims shorter than the width may be missed.
  *
  * <b>Time.</b> A loop through a point takes a search over the whole surface; points are worked on
  * by all threads of vtkSMPTools. Results do not depend on their number. AroundHandles takes up to

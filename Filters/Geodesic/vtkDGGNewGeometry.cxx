@@ -38,7 +38,7 @@ int ChooseDataType(int precision, vtkPoints* input)
   }
 }
 
-/// Whether floats can tell the positions: they are neither infinite then, nor all but zero.
+/// Whether floats can represent the positions: they are neither infinite then, nor all but zero.
 dgg::Status CheckRange(const std::vector<double>& positions)
 {
   double largest = 0.0;

@@ -39,7 +39,7 @@
  * in that graph, and `Length` that of the polyline, which may be shorter, as edges are as long as
  * the surface below them. Without Straighten, polylines go from point to point of the cloud. With
  * it they are smoothed: their points are moved, and more are added, so that they neither zigzag nor
- * leave the surface that the points around tell of, and `Straightened` is 1; they need not be
+ * leave the surface that the points around sample, and `Straightened` is 1; they need not be
  * shortest. Where one is longer than `GraphLength` by more than 0.5 %, as on rough clouds, the
  * polyline from point to point is kept, unless it is even longer, and `Straightened` is 0. Smooth
  * ones that are longer by less are taken: the graph is not more exact than that. Smoothing needs

@@ -26,8 +26,8 @@ public:
   static void RemoveFrom(vtkPointData* data, const std::string& distances);
 
   /// Which points are not reached: those with the distance `unreachedValue`, or, when that is NaN,
-  /// those of the array beside the distances. Empty when neither tells. NaN and infinity among the
-  /// distances are not looked at.
+  /// those of the array beside the distances. Empty when neither says so. NaN and infinity among
+  /// the distances are not looked at.
   static std::vector<bool> Find(vtkPointData* data, vtkDataArray* distances, double unreachedValue);
 };
 

@@ -32,7 +32,7 @@
  *
  * <b>The layout.</b> Polygons are patches, their sides the curves. All patches must turn the same
  * way, as the faces of a closed surface do. Which way that is on each surface is found out from the
- * order of the shortest ways between landmarks; where this tells nothing, as with a single patch on
+ * order of the shortest ways between landmarks; where this says nothing, as with a single patch on
  * an open surface, both ways are tried. Lines are curves besides, a polyline a chain of them (none
  * for a line of one point); with lines alone, the order of the curves around each landmark is taken
  * as it comes on the first surface, and imposed on the second one. Between two landmarks there is

@@ -170,7 +170,7 @@ public:
 
   ///@{
   /**
-   * Whether border points of which the triangles around cannot tell the place well enough are
+   * Whether border points of which the triangles around do not give the place well enough are
    * linked to the graph and moved, see above. Takes the longer the larger triangles are compared to
    * cells. Default on.
    */

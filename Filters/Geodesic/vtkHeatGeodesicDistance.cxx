@@ -95,7 +95,7 @@ dgg::Status vtkHeatGeodesicDistance::CheckProperties() const
 //------------------------------------------------------------------------------
 std::string vtkHeatGeodesicDistance::GetMemoryRemedy() const
 {
-  return "use a smaller mesh or vtkFastMarchingGeodesicDistance";
+  return "use a smaller mesh or vtkDGGFastMarchingDistance";
 }
 
 //------------------------------------------------------------------------------

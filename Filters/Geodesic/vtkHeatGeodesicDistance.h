@@ -12,7 +12,7 @@
  * Nothing bounds the error, which is as large as edges are long beside the features of the surface.
  * Mean relative errors against vtkExactGeodesicDistance on scans and parts of machines were 0.5 to
  * 2.2 % with 10 000 points and more, 2 to 5 % with 1000, 5 to 9 % with 150, the largest ones 20 to
- * 70 %, close to the source. On coarse meshes vtkFastMarchingGeodesicDistance is several times
+ * 70 %, close to the source. On coarse meshes vtkDGGFastMarchingDistance is several times
  * better, and vtkExactGeodesicDistance takes milliseconds. For distances within a known error, with
  * queries of about the same time, see vtkDGGDistance.
  *
@@ -46,7 +46,7 @@
  * K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in heat: a new approach to computing distance
  * based on heat flow", ACM Trans. Graph. 32(5), 2013.
  *
- * @sa vtkGeodesicDistanceAlgorithm vtkFastMarchingGeodesicDistance vtkDGGDistance
+ * @sa vtkGeodesicDistanceAlgorithm vtkDGGFastMarchingDistance vtkDGGDistance
  */
 
 #ifndef vtkHeatGeodesicDistance_h

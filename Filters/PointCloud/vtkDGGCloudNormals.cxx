@@ -5,7 +5,7 @@
 #include "vtkDGGParallel.h"
 
 #include "dggCloudFrame.h"
-#include "dggStrayPoints.h"
+#include "dggOutliers.h"
 
 #include <pcl/features/normal_3d.h>
 #include <pcl/kdtree/kdtree_flann.h>
@@ -34,10 +34,10 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 dgg::Status MakeCloud(
   const double* positions, dgg::Id numberOfPoints, std::vector<dgg::Id>& ids, Cloud::Ptr& cloud)
 {
-  const dgg::StrayPoints stray(positions, numberOfPoints);
-  const dgg::StrayPoints far(positions, numberOfPoints, dgg::StrayPoints::RatioOfFar);
+  const dgg::Outliers stray(positions, numberOfPoints);
+  const dgg::Outliers far(positions, numberOfPoints, dgg::Outliers::RatioOfFar);
   const dgg::CloudFrame frame(
-    positions, numberOfPoints, [&](const dgg::Point3& p) { return far.IsStray(p); });
+    positions, numberOfPoints, [&](const dgg::Point3& p) { return far.IsOutlier(p); });
   const dgg::Status status = frame.CheckRange();
   if (!status.IsOk())
   {
@@ -49,7 +49,7 @@ dgg::Status MakeCloud(
   for (dgg::Id v = 0; v < numberOfPoints; ++v)
   {
     const dgg::Point3 point = dgg::PointAt(positions, v);
-    if (dgg::IsFinite(point) && !stray.IsStray(point))
+    if (dgg::IsFinite(point) && !stray.IsOutlier(point))
     {
       const dgg::Point3 p = frame.ToLocal(point);
       ids.push_back(v);

@@ -36,13 +36,13 @@
  * Points that are not finite are kept, with a warning that counts them; they are connected to
  * nothing. Points in the same place are connected by edges that have next to no length.
  *
- * Stray points, as readings gone wrong or numbers that stand for none, are kept as well, with a
+ * Outliers, as readings gone wrong or numbers that stand for none, are kept as well, with a
  * warning that counts them. Each place of them is a component of its own, of the points that are in
  * it, and nothing else changes by it: the graph of the other points is, bit by bit, the one without
  * them. The rule: points are stray when each of them is more than 1000 times as far from the middle
  * of the cloud (its median along each axis) as any other point, when they are in fewer than 17
  * places, and the others in 17 places at least. Places count, not points: copies in one place are
- * one. Stray points may be as far from each other as from the cloud; the nearest such gap that leaves
+ * one. Outliers may be as far from each other as from the cloud; the nearest such gap that leaves
  * enough places counts.
  *
  * Points that are nearer than that are a part of the cloud, however few, and so are larger parts at
@@ -130,7 +130,7 @@
  *
  * The graph is kept between updates: it is built anew only when points, normals that are used or a
  * parameter change (GetGraphBuildTime()). Warnings about its points, noise and voxels come when it is
- * built, and not again while it is kept: GetNumberOfUnusedPoints(), GetNumberOfStrayPoints(),
+ * built, and not again while it is kept: GetNumberOfUnusedPoints(), GetNumberOfOutliers(),
  * GetScatter(), GetNoiseByRadius(), and GetVoxelSize() beside GetSpacing(), report what they were about
  * after every update. The work is spread over the threads of vtkSMPTools; the graph is the same, bit
  * by bit, for any number of them.
@@ -359,7 +359,7 @@ public:
    * points in the very place of another one.
    */
   vtkIdType GetNumberOfUnusedPoints() const;
-  vtkIdType GetNumberOfStrayPoints() const;
+  vtkIdType GetNumberOfOutliers() const;
   vtkIdType GetNumberOfCoincidentPoints() const;
   ///@}
 

@@ -18,7 +18,7 @@ constexpr double LargestNoiseByRadius = 0.07;
     return this->Internals->Current.Statistics.member;  \
   }
 vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfUnusedPoints, UnusedPoints);
-vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfStrayPoints, StrayPoints);
+vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfOutliers, Outliers);
 vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfCoincidentPoints, CoincidentPoints);
 vtkPointCloudDGGNumberMacro(double, UsedOffsetInVoxels, OffsetInVoxels);
 vtkPointCloudDGGNumberMacro(int, UsedResolution, Resolution);
@@ -54,7 +54,7 @@ void vtkPointCloudDGG::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
   os << indent << "NumberOfComponents: " << this->GetNumberOfComponents() << "\n";
   os << indent << "NumberOfUnusedPoints: " << this->GetNumberOfUnusedPoints() << "\n";
-  os << indent << "NumberOfStrayPoints: " << this->GetNumberOfStrayPoints() << "\n";
+  os << indent << "NumberOfOutliers: " << this->GetNumberOfOutliers() << "\n";
   os << indent << "NumberOfCoincidentPoints: " << this->GetNumberOfCoincidentPoints() << "\n";
   os << indent << "UsedOffsetInVoxels: " << this->GetUsedOffsetInVoxels() << "\n";
   os << indent << "UsedOffset: " << this->GetUsedOffset() << "\n";
@@ -140,7 +140,7 @@ void vtkPointCloudDGG::WarnAboutPoints()
                     << " not finite. " << (isOne ? "It is" : "They are")
                     << " kept, and connected to nothing.");
   }
-  const dgg::Id stray = this->Internals->Current.Statistics.StrayPoints;
+  const dgg::Id stray = this->Internals->Current.Statistics.Outliers;
   if (stray > 0)
   {
     const bool isOne = stray == 1;

@@ -10,7 +10,7 @@
  *    smooth, close to straight next to the source and aware of the shape farther away, and hardly
  *    depends on the mesh;
  *  - 1 / lambda_i for the commute-time distance, a number. It grows without bound as a mesh is
- *    refined, and tells little on fine ones;
+ *    refined, and says little on fine ones;
  *  - exp(-2 t lambda_i) for the diffusion distance at time t, one over a length.
  *
  * They are distances of vectors, so metrics. They are not lengths of ways on the surface: see

@@ -41,7 +41,7 @@ public:
   /// The cells of regions as faces of the mesh.
   std::vector<dgg::GraphicsRegion> MakeRegions(const vtkDGGMeshAdapter& mesh) const;
 
-  /// Fails when there is no array that tells which cells are refined, or a number of it is not one.
+  /// Fails when there is no array that says which cells are refined, or a number of it is not one.
   static dgg::Status CheckRefinement(vtkPolyData* surface, const vtkDGGGraphicsNames& names);
   /// The faces of these cells, after CheckRefinement().
   static std::vector<dgg::Id> FindRefinedFaces(

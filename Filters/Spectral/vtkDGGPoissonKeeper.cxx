@@ -18,7 +18,7 @@ bool vtkDGGPoissonKeeper::IsPrepared(
 {
   return this->Solver && this->MeshTime == mesh.GetBuildTime() && this->Solver->IsReady() &&
     this->Solver->GetOptions().Boundary == options.Boundary &&
-    this->Solver->GetOptions().GivenVertices == options.GivenVertices &&
+    this->Solver->GetOptions().DirichletVertices == options.DirichletVertices &&
     this->Solver->GetOptions().IntrinsicDelaunay == options.IntrinsicDelaunay;
 }
 

@@ -204,7 +204,7 @@ protected:
   /**
    * For filters that can choose sources themselves, or need them elsewhere than they are given:
    * whether there may be none, how many there will be on a surface that is ready to be factorized,
-   * and which (told the progress, and whether to stop, by the callback). By default sources are
+   * and which (the callback reports the progress and says whether to stop). By default sources are
    * needed, and used as they are.
    */
   virtual bool CanChooseSources() const { return false; }

@@ -6,7 +6,7 @@
  *
  * The cost is mass times the length of its way on the surface: the Wasserstein distance W1, also
  * called earth mover's distance. Between two unit masses it is their geodesic distance; unlike
- * differences of values point by point, it tells how far apart two distributions are that do not
+ * differences of values point by point, it measures how far apart two distributions are that do not
  * overlap.
  *
  * <b>Distributions.</b> Input port 0 takes the surface (vtkPolyData). Each distribution is the sum
@@ -44,10 +44,10 @@
  * <b>Accuracy.</b> The bounds are those of flows that are constant in each triangle. How far their
  * optimum is from the distance on the surface depends on the mesh, not on iterations. Between two
  * points of the surface it is never above the geodesic distance. Of 30 pairs of points the worst
- * were 0.2 to 0.5 % below on fine parts of machines and scans, 1 to 3 % on coarser meshes, 9 to 15 %
- * on parts without points inside their sides, of which IntrinsicDelaunay takes away a part; the
+ * were 0.2 to 0.5 % below on fine parts of machines and scans, 1 to 3 % on coarser meshes, 9 to 15
+ * % on parts without points inside their sides, of which IntrinsicDelaunay takes away a part; the
  * means 0.1 to 0.7 %, and 2 to 4 % on these parts. Masses inside of triangles are shared by the
- * corners: nothing closer than that can be told apart.
+ * corners: nothing closer than that can be distinguished.
  *
  * Components, connected through edges or shared points, must each have the same mass in both, to
  * 1e-6 of the whole. Differences below that, as of sums of floats, are taken off the second one.

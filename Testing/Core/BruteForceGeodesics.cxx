@@ -60,10 +60,10 @@ double DistanceToSegment(const Vector& a, const Vector& b)
 }
 
 /// The light of one vertex.
-class Light
+class Sweep
 {
 public:
-  Light(const SurfaceMesh& mesh, double* row, double bound)
+  Sweep(const SurfaceMesh& mesh, double* row, double bound)
     : Mesh(mesh)
     , Row(row)
     , Bound(bound)
@@ -83,7 +83,7 @@ public:
   }
 
 private:
-  /// Light leaves through the half-edge `exit`, laid out from a to b with the source on its left,
+  /// Sweep leaves through the half-edge `exit`, laid out from a to b with the source on its left,
   /// between the parameters t0 and t1.
   void CrossEdge(Id exit, const Vector& a, const Vector& b, double t0, double t1)
   {
@@ -180,7 +180,7 @@ std::vector<double> BruteForceDistances(const SurfaceMesh& mesh)
     {
       bound = d[v * n + w] < dgg::Infinity ? std::max(bound, d[v * n + w]) : bound;
     }
-    Light(mesh, d.data() + v * n, bound * (1.0 + 1e-9)).Shine(static_cast<Id>(v));
+    Sweep(mesh, d.data() + v * n, bound * (1.0 + 1e-9)).Shine(static_cast<Id>(v));
   }
   for (std::size_t v = 0; v < n; ++v)
   {

@@ -24,8 +24,8 @@ void Unite(TestMesh& mesh, Id from, Id to)
   mesh.Points.erase(mesh.Points.begin() + 3 * from, mesh.Points.begin() + 3 * from + 3);
 }
 
-/// Lattice strip: faces of `rows` x `columns` squares cut in two; `id` names vertices, which may
-/// wrap. All lengths are those of the unit square.
+/// MarchingTriangles strip: faces of `rows` x `columns` squares cut in two; `id` names vertices,
+/// which may wrap. All lengths are those of the unit square.
 TestMesh LatticeByLengths(Id columns, Id rows, Id vertices, const std::function<Id(Id, Id)>& id)
 {
   TestMesh mesh;

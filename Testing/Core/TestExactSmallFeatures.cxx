@@ -92,8 +92,8 @@ TEST_P(ExactSmallFeatures, InThePlane)
       {
         worst = std::max(worst, std::abs(distances[v] - EuclideanDistance(input, source, v)));
       }
-      // Mollification changes the smallest faces themselves. Light that grazes a row of features of
-      // 1e-8 may have to go around them, a few times their size.
+      // Mollification changes the smallest faces themselves. A window that grazes a row of features
+      // of 1e-8 may have to go around them, a few times their size.
       EXPECT_LE(worst, mesh.GetMollification() > 0.0 ? 1e-6 : 1e-7) << "seed " << seed;
     }
   }
@@ -101,7 +101,8 @@ TEST_P(ExactSmallFeatures, InThePlane)
 
 /// The light that passes between the two ends of a needle is not trimmed by a label that is too
 /// short, nor lost to a window that is wide for the needle, nor in the rounding of a position on a
-/// long edge. Around 1e-8, the root of rounding, the seams between windows are known to their width.
+/// long edge. Around 1e-8, the root of rounding, the seams between windows are known to their
+/// width.
 TEST_P(ExactSmallFeatures, NeedlesInThePlane)
 {
   // The seeds 63, 11, 14 and 26 have windows on whose seams everything depends.

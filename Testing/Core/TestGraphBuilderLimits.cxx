@@ -33,12 +33,12 @@ void ExpectMessage(const dgg::Status& status, const std::vector<std::string>& ha
   }
 }
 
-/// Expect that neither a graph nor an estimate comes out of a mesh with so few cones.
-void ExpectOverwhelmed(const SurfaceMesh& mesh, std::size_t coneLimit,
+/// Expect that neither a graph nor an estimate comes out of a mesh with so few windows.
+void ExpectRefused(const SurfaceMesh& mesh, std::size_t windowLimit,
   const dgg::GraphOptions& options, const std::vector<std::string>& has,
   const std::vector<std::string>& hasNot)
 {
-  const dgg::GraphBuilder builder(mesh, coneLimit);
+  const dgg::GraphBuilder builder(mesh, windowLimit);
   dgg::GraphEstimate estimate;
   ExpectMessage(builder.Estimate(options, estimate), has, hasNot);
   EXPECT_EQ(estimate.Edges, 0.0);
@@ -70,15 +70,15 @@ TEST(GraphBuilderLimits, LightAmongNonManifoldEdges)
   for (const auto construction :
     { GraphConstruction::Guaranteed, GraphConstruction::OneRelay, GraphConstruction::Indirect })
   {
-    ExpectOverwhelmed(mesh, 40, OptionsOf(construction),
+    ExpectRefused(mesh, 40, OptionsOf(construction),
       { "vertex", "non-manifold edges", "larger accuracy (it is 0.004)" }, { "neighbours" });
   }
-  ExpectOverwhelmed(mesh, 40, OptionsOf(GraphConstruction::SaddleVertexGraph),
+  ExpectRefused(mesh, 40, OptionsOf(GraphConstruction::SaddleVertexGraph),
     { "vertex", "non-manifold edges", "smaller number of neighbours (it is 77)" }, { "accuracy" });
 }
 
-// Copies of a cone that run over two sheets in one place do not add up: the work for a vertex stays
-// that of a few windows a face, and the theorem holds.
+// Copies of a window that run over two sheets in one place do not add up: the work for a vertex
+// stays that of a few windows a face, and the theorem holds.
 TEST(GraphBuilderLimits, WorkAmongNonManifoldEdgesIsBounded)
 {
   for (const auto& plates : { WeldedPlates(3, 12, 40, 3), WeldedPlates(4, 8, 24, 1) })
@@ -137,9 +137,9 @@ TEST(GraphBuilderLimits, LightOnManifoldMeshes)
 {
   // Nothing there is the fault of non-manifold edges.
   const SurfaceMesh mesh = Build(NoisySphere(3, 0.2, 1));
-  ExpectOverwhelmed(mesh, 100, OptionsOf(GraphConstruction::Guaranteed),
+  ExpectRefused(mesh, 100, OptionsOf(GraphConstruction::Guaranteed),
     { "vertex", "larger accuracy (it is 0.004)" }, { "manifold", "neighbours" });
-  ExpectOverwhelmed(mesh, 100, OptionsOf(GraphConstruction::SaddleVertexGraph),
+  ExpectRefused(mesh, 100, OptionsOf(GraphConstruction::SaddleVertexGraph),
     { "vertex", "smaller number of neighbours (it is 77)" }, { "manifold", "accuracy" });
 }
 

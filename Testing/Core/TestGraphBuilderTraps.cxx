@@ -124,7 +124,7 @@ TEST(GraphBuilderTraps, EdgesBackToTheSource)
 
 TEST(GraphBuilderTraps, Spikes)
 {
-  // Light that passes a tip of a small total angle crosses the faces around it again and again, in
+  // Windows that pass a tip of a small total angle cross the faces around it again and again, in
   // numbers that grow with the height of the tip: no hang, and no wrong distance.
   for (const double height : { 10.0, 1e3, 1e5 })
   {

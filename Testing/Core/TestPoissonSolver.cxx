@@ -242,16 +242,16 @@ TEST(PoissonSolver, ValuesAreGivenAtAnyVertices)
     const double x = plane.Point(v)[0];
     if (x == 0.0 || x == 7.0)
     {
-      options.GivenVertices.push_back(v);
+      options.DirichletVertices.push_back(v);
     }
   }
-  options.GivenVertices.push_back(options.GivenVertices.front()); // twice
+  options.DirichletVertices.push_back(options.DirichletVertices.front()); // twice
   for (const bool delaunay : { false, true })
   {
     options.IntrinsicDelaunay = delaunay;
     const Poisson poisson(mesh, options);
     std::vector<double> values(mesh.GetNumberOfVertices(), 0.0);
-    for (const Id v : options.GivenVertices)
+    for (const Id v : options.DirichletVertices)
     {
       EXPECT_TRUE(poisson.Solver.IsFixed(v)) << v;
       values[v] = 3.0 - 2.0 * plane.Point(v)[0];
@@ -274,7 +274,7 @@ TEST(PoissonSolver, OneGivenValueTakesInWhatFlows)
   Append(two, Translated(Icosphere(1), 5.0, 0.0, 0.0));
   const dgg::SurfaceMesh mesh = Build(two);
   dgg::PoissonOptions options;
-  options.GivenVertices = { 5 };
+  options.DirichletVertices = { 5 };
   const Poisson poisson(mesh, options);
   ExpectInverse(poisson, 1e-10, "two spheres");
   std::vector<double> values(mesh.GetNumberOfVertices(), 0.25);
@@ -295,19 +295,19 @@ TEST(PoissonSolver, GivenVerticesAreCheckedAndRemembered)
   dgg::PoissonOptions options;
   for (const Id wrong : { -1, mesh.GetNumberOfVertices() })
   {
-    options.GivenVertices = { 0, wrong };
+    options.DirichletVertices = { 0, wrong };
     const dgg::Status status = solver.Prepare(options, nullptr);
     EXPECT_FALSE(status.IsOk());
     EXPECT_NE(status.GetMessage().find("vertex " + std::to_string(wrong)), std::string::npos)
       << status.GetMessage();
   }
-  options.GivenVertices = { 4 };
+  options.DirichletVertices = { 4 };
   ASSERT_TRUE(solver.Prepare(options, nullptr).IsOk());
   ASSERT_TRUE(solver.Prepare(options, nullptr).IsOk());
   EXPECT_EQ(solver.GetNumberOfFactorizations(), 1);
   EXPECT_FALSE(solver.CheckPole(dgg::SurfacePoint::AtVertex(4)).IsOk());
   EXPECT_TRUE(solver.CheckPole(dgg::SurfacePoint::AtVertex(3)).IsOk());
-  options.GivenVertices = { 3 };
+  options.DirichletVertices = { 3 };
   ASSERT_TRUE(solver.Prepare(options, nullptr).IsOk());
   EXPECT_EQ(solver.GetNumberOfFactorizations(), 2);
   EXPECT_TRUE(solver.IsFixed(3));
@@ -318,7 +318,7 @@ TEST(PoissonSolver, ChannelsAreSolvedForAsSingleOnesAre)
 {
   const dgg::SurfaceMesh mesh = Build(Plane(6, 5, 0.2));
   dgg::PoissonOptions options;
-  options.GivenVertices = { 3, 8 };
+  options.DirichletVertices = { 3, 8 };
   const Poisson poisson(mesh, options);
   for (const std::size_t count : { 0, 1, 3, 8, 13 })
   {

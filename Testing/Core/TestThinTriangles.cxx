@@ -180,7 +180,7 @@ TEST(ThinTriangles, PartsOfASurfaceAreRefused)
   ExpectThin(solver.Solve(sources), "source at vertex " + std::to_string(bad));
   // Values that are given in the middle are.
   held.Boundary = dgg::PoissonBoundary::Neumann;
-  held.GivenVertices = { bad };
+  held.DirichletVertices = { bad };
   ASSERT_TRUE(solver.Prepare(held, nullptr).IsOk());
   EXPECT_TRUE(solver.CheckValues(sources).IsOk());
 }

@@ -7,7 +7,7 @@
 #include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
-#include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkDGGFastMarchingDistance.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -404,7 +404,7 @@ TEST_F(ApolloniusIsolines, AnErrorLeavesNothingOfTheUpdateBefore)
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(60);
   sphere->SetPhiResolution(30);
-  vtkNew<vtkFastMarchingGeodesicDistance> rough;
+  vtkNew<vtkDGGFastMarchingDistance> rough;
   rough->SetInputConnection(sphere->GetOutputPort());
   rough->SetSourceIds({ 3, 400, 900, 1200 });
   rough->GenerateVirtualSourceOn();

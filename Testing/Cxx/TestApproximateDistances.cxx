@@ -7,7 +7,7 @@
 #include "GraphTestTools.h"
 #include "SpectralTestTools.h"
 
-#include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkDGGFastMarchingDistance.h"
 #include "vtkHeatGeodesicDistance.h"
 
 #include "vtkCellArray.h"
@@ -30,7 +30,7 @@ class ApproximateDistances : public ::testing::Test
 protected:
   vtkNew<Filter> Distance;
 };
-using Filters = ::testing::Types<vtkFastMarchingGeodesicDistance, vtkHeatGeodesicDistance>;
+using Filters = ::testing::Types<vtkDGGFastMarchingDistance, vtkHeatGeodesicDistance>;
 TYPED_TEST_SUITE(ApproximateDistances, Filters);
 
 TYPED_TEST(ApproximateDistances, CloseToExact)
@@ -213,8 +213,8 @@ TYPED_TEST(ApproximateDistances, FollowTheMesh)
 
 TEST(FastMarchingGeodesicDistance, FrontShape)
 {
-  vtkNew<vtkFastMarchingGeodesicDistance> filter;
-  EXPECT_EQ(filter->GetFrontShape(), vtkFastMarchingGeodesicDistance::Spherical);
+  vtkNew<vtkDGGFastMarchingDistance> filter;
+  EXPECT_EQ(filter->GetFrontShape(), vtkDGGFastMarchingDistance::Spherical);
   auto terrain = MakeTerrain(40);
   filter->SetInputData(terrain);
   filter->AddSourceId(820);
@@ -229,7 +229,7 @@ TEST(FastMarchingGeodesicDistance, FrontShape)
   EXPECT_LT(planar, 0.06);
   EXPECT_LT(2.0 * spherical, planar);
   filter->SetFrontShape(77);
-  EXPECT_EQ(filter->GetFrontShape(), vtkFastMarchingGeodesicDistance::Planar);
+  EXPECT_EQ(filter->GetFrontShape(), vtkDGGFastMarchingDistance::Planar);
   std::ostringstream os;
   filter->Print(os);
   EXPECT_NE(os.str().find("FrontShape: Planar\n"), std::string::npos);

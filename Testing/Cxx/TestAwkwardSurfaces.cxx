@@ -6,7 +6,7 @@
 
 #include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
-#include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkDGGFastMarchingDistance.h"
 #include "vtkHeatGeodesicDistance.h"
 
 #include "vtkFloatArray.h"
@@ -321,7 +321,7 @@ TEST(AwkwardSurfaces, GapsAreReportedAndMerged)
     EXPECT_TRUE(std::isnan(GetDistances(filter)[0]));
   };
   expectReport(vtkNew<vtkDGGDistance>());
-  expectReport(vtkNew<vtkFastMarchingGeodesicDistance>());
+  expectReport(vtkNew<vtkDGGFastMarchingDistance>());
   expectReport(vtkNew<vtkHeatGeodesicDistance>());
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetMaximumDistance(1.0);

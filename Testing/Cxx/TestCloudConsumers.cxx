@@ -11,7 +11,7 @@
 #include "vtkDGGPath.h"
 #include "vtkDoubleArray.h"
 #include "vtkExactGeodesicDistance.h"
-#include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkDGGFastMarchingDistance.h"
 #include "vtkGeodesicDistanceMatrix.h"
 #include "vtkGeodesicProbe.h"
 #include "vtkHeatGeodesicDistance.h"
@@ -69,7 +69,7 @@ TEST_F(CloudConsumers, OtherFiltersNeedASurface)
   distance->SetSourceIds({ 0 });
   vtkNew<vtkExactGeodesicDistance> exact;
   vtkNew<vtkHeatGeodesicDistance> heat;
-  vtkNew<vtkFastMarchingGeodesicDistance> marching;
+  vtkNew<vtkDGGFastMarchingDistance> marching;
   for (vtkGeodesicDistanceAlgorithm* filter : { static_cast<vtkGeodesicDistanceAlgorithm*>(exact),
          static_cast<vtkGeodesicDistanceAlgorithm*>(heat),
          static_cast<vtkGeodesicDistanceAlgorithm*>(marching) })
@@ -98,7 +98,7 @@ TEST_F(CloudConsumers, ThatASurfaceIsNeededIsToldFirst)
   const auto cloud = MakeCloud(MakeFlatPoints(5));
   vtkNew<vtkExactGeodesicDistance> exact;
   vtkNew<vtkHeatGeodesicDistance> heat;
-  vtkNew<vtkFastMarchingGeodesicDistance> marching;
+  vtkNew<vtkDGGFastMarchingDistance> marching;
   vtkNew<vtkDGGLoop> loop;
   vtkNew<vtkApolloniusIsolines> isolines;
   vtkNew<vtkGeodesicProbe> probe;

@@ -8,7 +8,7 @@
 #include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
-#include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkDGGFastMarchingDistance.h"
 #include "vtkGeodesicProbe.h"
 #include "vtkGeodesicVoronoi.h"
 #include "vtkHeatGeodesicDistance.h"
@@ -207,7 +207,7 @@ TYPED_TEST(DistanceArrays, UnreachedPointsOfAnyDistanceFilter)
 {
   vtkNew<vtkDGGDistance> graph;
   vtkNew<vtkHeatGeodesicDistance> heat;
-  vtkNew<vtkFastMarchingGeodesicDistance> marching;
+  vtkNew<vtkDGGFastMarchingDistance> marching;
   for (vtkGeodesicDistanceAlgorithm* distance : { static_cast<vtkGeodesicDistanceAlgorithm*>(graph),
          static_cast<vtkGeodesicDistanceAlgorithm*>(heat),
          static_cast<vtkGeodesicDistanceAlgorithm*>(marching) })

@@ -86,7 +86,7 @@ TEST_F(PointCloudDGG, NoPointIsFinite)
   }
 }
 
-TEST_F(PointCloudDGG, StrayPoints)
+TEST_F(PointCloudDGG, Outliers)
 {
   const Points clean = MakeSpherePoints(600);
   vtkNew<vtkDGGPath> path;
@@ -108,7 +108,7 @@ TEST_F(PointCloudDGG, StrayPoints)
     {
       this->Use(Join(clean, { { { off, 0.5 * off, -off } } }));
       ExpectWarning(this->Filter, { "1 point that is more than 1000 times as far off" });
-      EXPECT_EQ(this->Filter->GetNumberOfStrayPoints(), 1);
+      EXPECT_EQ(this->Filter->GetNumberOfOutliers(), 1);
       EXPECT_EQ(this->Filter->GetNumberOfComponents(), 2);
       EXPECT_EQ(this->Filter->GetComponentSize(0), 600);
       EXPECT_EQ(GetComponents(this->GetOutput())[600], 1);

@@ -238,7 +238,7 @@ TEST(CloudGraphInput, StrayPointsChangeNothing)
     }
     CloudGraphStatistics statistics;
     const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
-    EXPECT_EQ(statistics.StrayPoints, static_cast<Id>(stray.size()));
+    EXPECT_EQ(statistics.Outliers, static_cast<Id>(stray.size()));
     EXPECT_EQ(statistics.CoincidentPoints, static_cast<Id>(stray.size() - places));
     EXPECT_EQ(graph.ComponentSizes.size(), 1 + places);
     EXPECT_EQ(graph.ComponentSizes[0], 800);
@@ -281,7 +281,7 @@ TEST(CloudGraphInput, FewPointsThatAreFarOffMayBeAnObject)
       }
       CloudGraphStatistics statistics;
       const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
-      EXPECT_EQ(statistics.StrayPoints, 0);
+      EXPECT_EQ(statistics.Outliers, 0);
       EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 400, count })) << off;
       const std::vector<double> found = DistancesFrom(graph.Graph.View(), 0);
       for (Id i = 1; i < 400; ++i)
@@ -310,7 +310,7 @@ TEST(CloudGraphInput, PointsEvenlySpreadOverManyScales)
     }
     CloudGraphStatistics statistics;
     const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
-    EXPECT_EQ(statistics.StrayPoints, 0);
+    EXPECT_EQ(statistics.Outliers, 0);
     EXPECT_EQ(graph.ComponentSizes[0], 17); // as many as tell a spacing
   }
 }
@@ -412,7 +412,7 @@ TEST(CloudGraphInput, AFewPointsTogetherOffTheOthers)
     }
     CloudGraphStatistics statistics;
     const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
-    EXPECT_EQ(statistics.StrayPoints, 0);
+    EXPECT_EQ(statistics.Outliers, 0);
     EXPECT_NEAR(statistics.VoxelSize, expected.VoxelSize, 0.01 * expected.VoxelSize) << count;
     EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 1500, count }));
     const std::vector<double> found = DistancesFrom(graph.Graph.View(), 0);

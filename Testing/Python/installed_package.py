@@ -28,7 +28,7 @@ for name in (
     "vtkDiscreteGeodesicGraph",
     "vtkDiscreteGreensFunction",
     "vtkExactGeodesicDistance",
-    "vtkFastMarchingGeodesicDistance",
+    "vtkDGGFastMarchingDistance",
     "vtkGeodesicAlgorithm",
     "vtkGeodesicDistanceAlgorithm",
     "vtkGeodesicDistanceMatrix",

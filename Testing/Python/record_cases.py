@@ -189,7 +189,7 @@ add_cases(
     10_000,
 )
 add_cases(
-    "vtkFastMarchingGeodesicDistance",
+    "vtkDGGFastMarchingDistance",
     mesh_of,
     {
         "marching": {"SourceIds": inner(2), "GenerateNearestSource": True},

@@ -579,7 +579,7 @@ CHECKS = {
     "loop": loops,
     "patches": patches,
     "heat": approximate(vtkdgg.vtkHeatGeodesicDistance),
-    "marching": approximate(vtkdgg.vtkFastMarchingGeodesicDistance),
+    "marching": approximate(vtkdgg.vtkDGGFastMarchingDistance),
     "greens": greens("SingularitySubtraction"),
     "greens-linear": greens("Interpolated"),
     "biharmonic": biharmonic,

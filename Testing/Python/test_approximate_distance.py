@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkHeatGeodesicDistance and vtkFastMarchingGeodesicDistance from Python."""
+"""vtkHeatGeodesicDistance and vtkDGGFastMarchingDistance from Python."""
 
 import unittest
 
@@ -24,7 +24,7 @@ class ApproximateDistances(unittest.TestCase):
         return distance
 
     def test_fast_marching(self):
-        distance = self.prepare(vtkdgg.vtkFastMarchingGeodesicDistance())
+        distance = self.prepare(vtkdgg.vtkDGGFastMarchingDistance())
         self.assertIsInstance(distance, vtkdgg.vtkGeodesicDistanceAlgorithm)
         np.testing.assert_allclose(distances(distance), self.exact, atol=1e-12)
         distance.SetFrontShapeToPlanar()

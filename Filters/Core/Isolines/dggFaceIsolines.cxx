@@ -10,8 +10,8 @@ namespace dgg
 {
 namespace
 {
-/// Lattices that are tried one after the other.
-constexpr std::array<int, 5> CellsOfLattices{ { 4, 8, 16, 32, 64 } };
+/// MarchingTriangles that are tried one after the other.
+constexpr std::array<int, 5> CellsOfMarchingTriangles{ { 4, 8, 16, 32, 64 } };
 /// Twice the cells that a lattice has for each place around which lines may be closed, but for the
 /// finest lattice.
 constexpr double CellsPerSeed = 4.0;
@@ -314,16 +314,16 @@ Id FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
   }
   Id failures = 0;
   const auto seeds = static_cast<double>(this->SeedsOfLevel.size());
-  for (const int cells : CellsOfLattices)
+  for (const int cells : CellsOfMarchingTriangles)
   {
-    if (cells < CellsOfLattices.back() && cells * cells < CellsPerSeed * seeds)
+    if (cells < CellsOfMarchingTriangles.back() && cells * cells < CellsPerSeed * seeds)
     {
       continue; // triangles between seeds would be long and thin
     }
     failures = 0;
     curves.resize(size);
-    this->Lattice.Build(this->Profile, arc, value, this->Rim, cells, this->SeedsOfLevel);
-    for (const LevelChain& chain : this->Lattice.GetChains())
+    this->Triangles.Build(this->Profile, arc, value, this->Rim, cells, this->SeedsOfLevel);
+    for (const LevelChain& chain : this->Triangles.GetChains())
     {
       FaceCurve curve;
       failures += this->TraceChain(arc, chain, level, curve) ? 0 : 1;

@@ -5,9 +5,9 @@
 #ifndef dggFaceIsolines_h
 #define dggFaceIsolines_h
 
-#include "dggFaceProfile.h"  // for FaceProfile
-#include "dggIsolineParts.h" // for FaceCurve
-#include "dggLevelLattice.h" // for LevelLattice
+#include "dggFaceProfile.h"       // for FaceProfile
+#include "dggIsolineParts.h"      // for FaceCurve
+#include "dggMarchingTriangles.h" // for MarchingTriangles
 
 #include <array>  // for the sides
 #include <vector> // for the curves
@@ -57,7 +57,7 @@ private:
   double Tolerance;
   const LevelCrossings& Crossings;
   FaceProfile Profile;
-  LevelLattice Lattice;
+  MarchingTriangles Triangles;
   LevelRim Rim;
   std::array<Id, 3> Edges{ { NoId, NoId, NoId } }; // their half-edges
   std::array<Id, 3> NextCrossings{ { 0, 0, 0 } };  // on them, while levels rise

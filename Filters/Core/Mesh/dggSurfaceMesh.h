@@ -31,7 +31,7 @@ class SurfaceMesh;
 /// What a mesh made of lengths is a part of: each of its faces is a face of another mesh or lies in
 /// one. What is degenerate there is degenerate in the part as well, its edges have been lengthened
 /// already, and the mean edge length that counts is that of the whole. So a part made of whole
-/// faces has the same lengths, and light behaves in it as it does in the whole.
+/// faces has the same lengths, and windows cross it as they cross the whole.
 struct PartOfMesh
 {
   const SurfaceMesh* Whole = nullptr; ///< another mesh; null when the mesh is not a part
@@ -78,8 +78,8 @@ public:
     const double* lengths, SurfaceMesh& mesh, const PartOfMesh& origin = {});
 
   /// As FromLengths(), with the gluing given as well: `twins[h]` is the other half of the edge of
-  /// half-edge `h`, or NoId. Needed where faces meet along edges that vertex pairs do not tell
-  /// apart, as on a flat torus of few triangles.
+  /// half-edge `h`, or NoId. Needed where faces meet along edges that vertex pairs do not
+  /// distinguish apart, as on a flat torus of few triangles.
   static Status FromGluedLengths(Offset numberOfVertices, const Id* triangles,
     Offset numberOfTriangles, const double* lengths, const Id* twins, SurfaceMesh& mesh,
     const PartOfMesh& origin = {});

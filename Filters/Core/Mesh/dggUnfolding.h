@@ -118,7 +118,7 @@ inline double Crossing(const Point2& image, const Point2& target)
   return image.X + (target.X - image.X) * (-image.Y) / (target.Y - image.Y);
 }
 
-/// A triangle laid out above the x axis, entered through the edge on the axis. Light goes on
+/// A triangle laid out above the x axis, entered through the edge on the axis. Windows go on
 /// through its left edge, from the origin to the apex, or its right edge, from the apex to the end
 /// of the axis; these are the directions of the half-edges that are entered next on a consistently
 /// oriented mesh.

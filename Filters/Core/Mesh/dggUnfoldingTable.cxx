@@ -212,9 +212,9 @@ Id UnfoldingTable::FindCodeBehind(Id exit, bool mirrored, const std::vector<Id>&
     const bool alike = this->Mesh.Origin(twin) == this->Mesh.Destination(exit);
     return this->Entry(twin, mirrored == alike);
   }
-  // Light that leaves through a descending half-edge as it is enters ascending ones as they are and
-  // descending ones mirrored: the first list. With the light mirrored or the half-edge ascending it
-  // is the other way round.
+  // A window that leaves through a descending half-edge as it is enters ascending ones as they are
+  // and descending ones mirrored: the first list. With the window mirrored or the half-edge
+  // ascending it is the other way round.
   const bool descends = this->Mesh.Destination(exit) <= this->Mesh.Origin(exit);
   return FirstBranch - (places[exit] + (mirrored == descends ? 1 : 0));
 }

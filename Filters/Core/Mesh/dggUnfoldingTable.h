@@ -24,8 +24,8 @@ namespace dgg
 /// points: those would lose all accuracy at an edge that is tiny for its distance.
 struct alignas(64) FaceCrossing
 {
-  /// Light goes on through the left edge, from the origin to the apex, or through the right edge,
-  /// from the apex to the end.
+  /// A window goes on through the left edge, from the origin to the apex, or through the right
+  /// edge, from the apex to the end.
   enum Side
   {
     Left = 0,

@@ -143,7 +143,7 @@ public:
     }
     Status status = this->Pairs.Band.Build(
       this->Pairs.Points, this->Pairs.Radii, this->VoxelSize, limit, this->Options.Parallel,
-      [this](double part) { return this->Loop.Tell(ShareOfMarks, part); }, this->RemedyOfBand());
+      [this](double part) { return this->Loop.Report(ShareOfMarks, part); }, this->RemedyOfBand());
     if (this->Pairs.Band.IsTooLarge())
     {
       status = this->RefuseBand();

@@ -115,7 +115,7 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
     isUsed[setup.Nodes.Originals[node]] = 1;
     result.Radii[setup.Nodes.Originals[node]] = toPoints * setup.Pairs.Radii[node];
   }
-  for (const Id point : setup.Nodes.Stray)
+  for (const Id point : setup.Nodes.Outliers)
   {
     isUsed[point] = 1;
   }

@@ -43,7 +43,7 @@ struct CloudGraphOptions
   /// Normals, x y z per point, of any length; null: fitted to the neighbours of each point. Where
   /// they are not finite, or 0, they are fitted too.
   const double* Normals = nullptr;
-  /// Whether Normals all point to the same side of the surface, which tells sheets apart that are
+  /// Whether Normals all point to the same side of the surface, which separates sheets that are
   /// back to back. Points without a normal are treated as if it were false.
   bool HasOrientedNormals = false;
   /// Bytes that building may take, with Normals, which are there already. 0: no limit. Fewer
@@ -73,7 +73,7 @@ struct CloudGraph
 struct CloudGraphStatistics
 {
   Id UnusedPoints = 0;     ///< not finite
-  Id StrayPoints = 0;      ///< far off all others: connected to none but those in the same place
+  Id Outliers = 0;         ///< far off all others: connected to none but those in the same place
   Id CoincidentPoints = 0; ///< exactly where another point is: joined to it by a tiny edge
   double Spacing = 0.0;    ///< median of the roots of the area per point
   double Noise = 0.0;      ///< median distance of points from the surfaces fitted to neighbours
@@ -105,7 +105,7 @@ struct CloudGraphEstimate
 ///
 /// Two points are connected directly when the segment between them stays in the band, the union of
 /// balls around all points. Direct pairs within reach are the full graph, of which the progress
-/// rule keeps what is needed for the accuracy. Stray points (dggStrayPoints.h says which these
+/// rule keeps what is needed for the accuracy. Outliers (dggOutliers.h says which these
 /// are) are connected to none but those in the same place: the graph of the others is as if they
 /// were not there.
 class CloudGraphBuilder

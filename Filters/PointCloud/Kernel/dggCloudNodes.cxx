@@ -3,7 +3,7 @@
 #include "dggCloudNodes.h"
 
 #include "dggCloudFrame.h"
-#include "dggStrayPoints.h"
+#include "dggOutliers.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -84,11 +84,12 @@ void TellPlaces(const std::vector<NodeEntry>& entries, std::size_t places,
 Status FindNodes(
   const double* points, Id numberOfPoints, CloudNodes& nodes, std::vector<Point3>& places)
 {
-  const StrayPoints stray(points, numberOfPoints);
-  const CloudFrame frame(points, numberOfPoints, [&](const Point3& p) { return stray.IsStray(p); });
+  const Outliers stray(points, numberOfPoints);
+  const CloudFrame frame(
+    points, numberOfPoints, [&](const Point3& p) { return stray.IsOutlier(p); });
   nodes = CloudNodes();
   places.clear();
-  nodes.NumberOfStray = stray.GetNumberOfPoints();
+  nodes.NumberOfOutliers = stray.GetNumberOfPoints();
   nodes.Unused = numberOfPoints - frame.GetNumberOfPoints() - stray.GetNumberOfPoints();
   if (frame.GetNumberOfPoints() == 0)
   {
@@ -105,7 +106,7 @@ Status FindNodes(
   for (Id i = 0; i < numberOfPoints; ++i)
   {
     const Point3 point = PointAt(points, i);
-    if (IsFinite(point) && stray.IsStray(point))
+    if (IsFinite(point) && stray.IsOutlier(point))
     {
       strayEntries.push_back({ 0, point, i });
     }
@@ -119,7 +120,7 @@ Status FindNodes(
   const std::size_t strayCount = SortEntries(strayEntries);
   nodes.Coincident.reserve(entries.size() - count + strayEntries.size() - strayCount);
   TellPlaces(entries, count, nodes.Originals, nodes.Coincident);
-  TellPlaces(strayEntries, strayCount, nodes.Stray, nodes.Coincident);
+  TellPlaces(strayEntries, strayCount, nodes.Outliers, nodes.Coincident);
   places.reserve(count);
   for (std::size_t i = 0; i < entries.size(); ++i)
   {

@@ -20,15 +20,15 @@ struct CloudNodes
 {
   /// Per node, the point with the smallest number that is there.
   std::vector<Id> Originals;
-  /// Points that are far off all others (StrayPoints), those with the smallest numbers in their
+  /// Points that are far off all others (Outliers), those with the smallest numbers in their
   /// places.
-  std::vector<Id> Stray;
+  std::vector<Id> Outliers;
   /// Other points: their number, and that of the point above in the same place.
   std::vector<std::pair<Id, Id>> Coincident;
   Id Unused = 0;
-  Id NumberOfStray = 0; ///< points, copies included
-  double Scale = 1.0;   ///< from units of the points to units of nodes
-  double Extent = 0.0;  ///< longest side of the box of the nodes
+  Id NumberOfOutliers = 0; ///< points, copies included
+  double Scale = 1.0;      ///< from units of the points to units of nodes
+  double Extent = 0.0;     ///< longest side of the box of the nodes
 };
 
 /// Find the nodes of a cloud. Fails where coordinates are too large for double arithmetic.

@@ -33,7 +33,7 @@ constexpr std::size_t SampleSize = 2000;
 /// radius that they are in. In a volume it is 0.27 at 16 neighbours, and 0.3 at more; for noise of
 /// 1, 2 and 3 spacings it falls below at 32, 128 and 256.
 constexpr double MissOfNoSurface = 0.25;
-/// From that part on, more neighbours may tell more noise from a volume.
+/// From that part on, more neighbours may distinguish more noise from a volume.
 constexpr double MissOfMuchNoise = 0.2;
 /// Once they do, the residual of a noisy plane grows with each doubling by twice the square of its
 /// part of the radius (measured: within 0.01, for 1 to 3 spacings), and by more than this besides
@@ -175,7 +175,7 @@ TypicalResidual MeasureResidual(
   return { Quantile(bySpacing, 0.5), Quantile(byRadius, 0.5) };
 }
 
-/// As many neighbours as tell the surface where noise is so large that few of them seem to lie in a
+/// As many neighbours as show the surface where noise is so large that few of them seem to lie in a
 /// volume: the residual is a small part of the radius that they are in, and hardly grows with it. 0
 /// when there is no such number. `residual` is the one of FitNeighbors, by spacing.
 std::size_t FindNeighborsForMuchNoise(
@@ -207,7 +207,7 @@ std::size_t FindNeighborsForMuchNoise(
   return found;
 }
 
-/// As many neighbours as noise is taken off with; 0 when there is none, or more than few tell.
+/// As many neighbours as noise is taken off with; 0 when there is none, or more than few show it.
 std::size_t FindNeighborsForNoise(
   const CloudSetup& setup, double residual, double share, SetupLoop& loop)
 {
@@ -225,7 +225,7 @@ std::size_t FindNeighborsForNoise(
 }
 
 /// How far points scatter about what surface there may be, in spacings: by the widest fits, whose
-/// neighbours tell the spacing as well, as a part of a plane would have it.
+/// neighbours show the spacing as well, as a part of a plane would have it.
 /// 0 when most nodes lie on one.
 double MeasureScatter(const CloudSetup& setup, double offSurface, double share, SetupLoop& loop)
 {

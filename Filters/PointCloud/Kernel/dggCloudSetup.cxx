@@ -67,7 +67,7 @@ public:
     this->Pairs.UsesArcs = this->Options.ArcLengthWeights;
     this->Setup.Neighbors = std::make_unique<CloudNeighbors>(this->Pairs.Points);
     CloudNoise noise;
-    if (!this->Loop.Tell(0.0, 0.0) ||
+    if (!this->Loop.Report(0.0, 0.0) ||
       !FitSurfaces(this->Setup, ShareOfFits, this->Loop, this->Fits) ||
       !RemoveNoise(this->Setup, ShareOfNoise, this->Loop, this->Fits, noise))
     {
@@ -203,7 +203,7 @@ Status SetUpCloud(const double* points, Id numberOfPoints, const CloudGraphOptio
   }
   status = FindNodes(points, numberOfPoints, setup.Nodes, setup.Pairs.Points);
   statistics.UnusedPoints = setup.Nodes.Unused;
-  statistics.StrayPoints = setup.Nodes.NumberOfStray;
+  statistics.Outliers = setup.Nodes.NumberOfOutliers;
   statistics.CoincidentPoints = static_cast<Id>(setup.Nodes.Coincident.size());
   if (!status.IsOk() || setup.Pairs.Points.empty())
   {

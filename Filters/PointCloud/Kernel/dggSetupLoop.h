@@ -1,20 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Loops over the points of a cloud that tell of progress. Internal.
+/// Loops over the points of a cloud, with one progress. Internal.
 #ifndef dggSetupLoop_h
 #define dggSetupLoop_h
 
-#include "dggParallel.h" // for ParallelFor
-#include "dggTypes.h"    // for Id, Offset
+#include "dggBlockLoop.h" // for ForBlocks()
 
 #include <algorithm> // for std::min
 #include <cstddef>   // for std::size_t
 
 namespace dgg
 {
-/// The loops of a setup, each of which has a share of its progress. They run in pieces between
-/// which the caller is told how far it is, and may ask to stop: nothing runs any more then.
+/// The loops of a setup, each of which has a share of its progress. Once stopped, nothing runs any
+/// more.
 class SetupLoop
 {
 public:
@@ -31,8 +30,8 @@ public:
   /// A step of that share has been made.
   void Skip(double share) { this->Done += share; }
 
-  /// Tell of a part of a step that has that share. False when stopped.
-  bool Tell(double share, double part)
+  /// Report a part of a step that has that share. False when stopped.
+  bool Report(double share, double part)
   {
     this->Stopped = this->Stopped ||
       (this->Progress && !this->Progress(std::min(1.0, this->Done + share * part)));
@@ -43,13 +42,15 @@ public:
   template <typename Body>
   bool ForPieces(Offset size, Offset grain, double share, Body&& body)
   {
-    const Offset piece = PiecesPerReport * grain;
-    for (Offset first = 0; first < size && !this->Stopped; first += piece)
+    if (!this->Stopped)
     {
-      const Offset count = std::min(piece, size - first);
-      ForRange(this->Parallel, count, grain,
-        [&](Offset begin, Offset end) { body(first + begin, first + end); });
-      this->Tell(share, static_cast<double>(first + count) / static_cast<double>(size));
+      const ProgressCallback part = ProgressPart(this->Progress, this->Done, this->Done + share);
+      const Status status = ForBlocks(size, grain, this->Parallel, part,
+        [&](Offset, Offset begin, Offset end, const ProgressCallback&) {
+          body(begin, end);
+          return Status::Success();
+        });
+      this->Stopped = !status.IsOk();
     }
     this->Done += share;
     return !this->Stopped;
@@ -78,7 +79,7 @@ public:
     if (!this->Stopped)
     {
       body();
-      this->Tell(share, 1.0);
+      this->Report(share, 1.0);
     }
     this->Done += share;
     return !this->Stopped;
@@ -86,8 +87,6 @@ public:
 
 private:
   static constexpr Offset NodesPerTask = 64;
-  /// Tasks of a loop between two reports of progress.
-  static constexpr Offset PiecesPerReport = 64;
 
   const ParallelFor& Parallel;
   const ProgressCallback& Progress;

@@ -1,0 +1,634 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggGraphBuilder.h"
+
+#include "dggGraphWindowTracer.h"
+#include "dggDirectionUnion.h"
+#include "dggGraphAssembly.h"
+#include "dggGraphPruning.h"
+#include "dggGraphRules.h"
+#include "dggProgressPart.h"
+#include "dggRowStore.h"
+#include "dggRowWaves.h"
+#include "dggSurfaceOrder.h"
+#include "dggUnfoldingTable.h"
+#include "dggWorkspacePool.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// Vertices that are close to each other in the tables: what a thread reads around them fits into
+/// its cache.
+constexpr Id PatchSize = 256;
+/// Rows that a thread builds in one go.
+constexpr Id BlockSize = 16;
+/// Edges that may wait in the blocks of a wave, besides a share of all edges: they are there twice
+/// for a while.
+constexpr double EdgesOfWave = 1 << 18;
+constexpr double LargestShareOfWave = 0.125;
+/// Rows built for an estimate.
+constexpr Id SampleSize = 128;
+/// Bytes of rows and graph together, while one becomes the other, by those of the graph; measured,
+/// and some more.
+constexpr double PeakOfAssembly = 1.35;
+/// What arrays of rows take, by what is in them.
+constexpr double GrowthOfRows = 1.5;
+/// Bytes that a thread takes for each vertex, and for each window of a source.
+constexpr double BytesPerVertex = 48.0;
+constexpr double BytesPerWindow = 512.0;
+/// Bytes of the tables of the mesh, by face.
+constexpr double BytesPerFace = 3.0 * (sizeof(FaceCrossing) + sizeof(double)) + 20.0;
+
+/// The work that a graph may take, in units of GraphWindowTracer::GetWork(), per face at an
+/// accuracy of 1 %: some twenty times what a mesh of good triangles takes. One vertex may take a
+/// share of it. No rule keeps the work from growing with the number of ways around where windows
+/// can multiply, or with the square of the number of faces where all of these are as long as the
+/// mesh.
+constexpr double MostWorkOfFace = 1e4;
+constexpr double LargestShareOfSample = 2.0; // by a fair one
+constexpr std::size_t ShareOfVertex = 16;    // its inverse
+/// Of fewer faces, and at a coarser accuracy, any takes little; where windows multiply they take
+/// more time each.
+constexpr double SmallestMesh = 20000.0;
+constexpr double SmallestBranchingMesh = 1000.0;
+/// Windows of a vertex at an accuracy of 1 % that are more than those of ordinary meshes; where
+/// windows cannot multiply, those of a plate without points inside, where each vertex sees all
+/// faces.
+constexpr double CarelessWindows = 2000.0;
+constexpr double CarelessWindowsPerFace = 4.0;
+/// The other rules end windows later; as a factor.
+constexpr double WindowsOfOtherRules = 16.0;
+
+/// What part of the progress a step takes: as measured.
+struct ShareOfSteps
+{
+  double Rows;
+  double Pruning;
+};
+ShareOfSteps SharesOf(GraphConstruction construction)
+{
+  return construction == GraphConstruction::Indirect ? ShareOfSteps{ 0.6, 0.37 }
+                                                     : ShareOfSteps{ 0.9, 0.0 };
+}
+
+/// Edges of a graph by edges found, as measured on many meshes: uniting both directions adds some,
+/// pruning candidates takes most away.
+double UnitedShare(GraphConstruction construction)
+{
+  switch (construction)
+  {
+    case GraphConstruction::Guaranteed:
+      return 1.22;
+    case GraphConstruction::Indirect:
+      return 0.22;
+    default:
+      return 1.1;
+  }
+}
+
+/// `source` says whose windows they are.
+Status LimitExceeded(const std::string& source, bool canMultiply, const GraphOptions& options)
+{
+  std::ostringstream message;
+  message << "the windows of " << source;
+  message << (canMultiply ? " multiply among non-manifold edges or triangles without area"
+                          : " reach too far over long triangles")
+          << ", beyond some twenty times the work on a clean mesh of this size: "
+          << (canMultiply ? "remove inner walls, doubled sheets and such triangles" : "split these")
+          << ", use exact distances, or ";
+  if (options.Construction == GraphConstruction::SaddleVertexGraph)
+  {
+    message << "a smaller number of neighbours (it is " << options.NumberOfNeighbors << ")";
+  }
+  else
+  {
+    message << "a larger accuracy (it is " << options.Accuracy << ")";
+  }
+  return Status::Invalid(message.str());
+}
+
+/// The numbers of edges found from some vertices.
+class DegreeSample
+{
+public:
+  void Add(double degree)
+  {
+    this->Count += 1.0;
+    this->Sum += degree;
+    this->SumOfSquares += degree * degree;
+  }
+  double GetMean() const { return this->Sum / this->Count; }
+  /// What the mean of all vertices hardly exceeds: three standard errors more.
+  double GetLargestMean() const
+  {
+    const double mean = this->GetMean();
+    const double variance = std::max(0.0, this->SumOfSquares / this->Count - mean * mean);
+    return mean + 3.0 * std::sqrt(variance / this->Count);
+  }
+
+private:
+  double Count = 0.0;
+  double Sum = 0.0;
+  double SumOfSquares = 0.0;
+};
+
+/// Edges that may wait in a wave, when all rows will have `all` edges.
+double MostEdgesOfWave(double all)
+{
+  return std::max(EdgesOfWave, LargestShareOfWave * all);
+}
+
+/// Rows that one thread has built.
+struct RowBlock
+{
+  Id LimitExceeded = NoId; ///< first row that had to be given up
+  std::vector<std::size_t> Sizes;
+  std::vector<RowEdge> Edges;
+
+  void AppendTo(RowStore& rows) const
+  {
+    const RowEdge* next = this->Edges.data();
+    for (const std::size_t size : this->Sizes)
+    {
+      rows.AppendRow(next, next + size);
+      next += size;
+    }
+  }
+};
+
+/// Direction of an edge from a point that is not a vertex, in the frame of its face.
+double DepartureAngle(const SurfaceMesh& mesh, const SurfacePoint& point, const FoundEdge& edge)
+{
+  Id frame = edge.Frame;
+  Point2 direction = edge.Departure;
+  if (SurfaceMesh::Face(frame) != point.Face)
+  {
+    for (Id e = mesh.Twin(point.HalfEdge); e != NoId && e != point.HalfEdge; e = mesh.Twin(e))
+    {
+      if (SurfaceMesh::Face(e) == SurfaceMesh::Face(frame))
+      {
+        direction = DirectionInFrame(mesh, frame, e, direction);
+        const bool isOpposite = mesh.Origin(e) == mesh.Destination(point.HalfEdge);
+        direction = { isOpposite ? -direction.X : direction.X, -direction.Y };
+        frame = point.HalfEdge;
+        break;
+      }
+    }
+  }
+  direction = DirectionInFrame(mesh, frame, 3 * point.Face, direction);
+  return std::atan2(direction.Y, direction.X);
+}
+}
+
+class GraphBuilder::Implementation
+{
+public:
+  Implementation(const SurfaceMesh& mesh, std::size_t windowLimit)
+    : Mesh(mesh)
+    , GraphWindowLimit(windowLimit)
+    , Table(mesh, ComputePatchOrder(mesh, PatchSize))
+  {
+  }
+
+  Status Estimate(const GraphOptions& options, GraphEstimate& estimate) const;
+  Status Build(
+    const GraphOptions& options, GeodesicGraph& graph, GraphStatistics& statistics) const;
+  Status Link(const SurfacePoint& point, const GraphOptions& options,
+    const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
+    std::vector<double>& direct, std::size_t& work) const;
+
+private:
+  /// Call `use(rule)` with the rule of a construction.
+  template <typename User>
+  static auto WithRule(const GraphOptions& options, User&& use)
+  {
+    switch (options.Construction)
+    {
+      case GraphConstruction::OneRelay:
+        return use(OneRelayRule(options.Accuracy));
+      case GraphConstruction::Indirect:
+        return use(CandidateRule(options.Accuracy));
+      case GraphConstruction::SaddleVertexGraph:
+        return use(NearestRule(options.NumberOfNeighbors));
+      default:
+        return use(ProgressRule(options.Accuracy));
+    }
+  }
+
+  /// Rows of some vertices: how many edges they have, and most windows of one.
+  template <typename Rule>
+  Status SampleRows(
+    const Rule& rule, const GraphOptions& options, DegreeSample& degrees, double& windows) const;
+  /// The rows of all vertices. With `unite`, both directions of an edge are one.
+  template <typename Rule>
+  Status BuildRows(const Rule& rule, const GraphOptions& options, bool unite, RowStore& rows,
+    GraphStatistics& statistics) const;
+  Status VertexLimitExceeded(Id row, const GraphOptions& options) const
+  {
+    return LimitExceeded(
+      "vertex " + std::to_string(this->Table.OldVertex(row)), this->CanMultiply(), options);
+  }
+  Status MeshLimitExceeded(const GraphOptions& options) const
+  {
+    return LimitExceeded("the vertices", this->CanMultiply(), options);
+  }
+  bool CanMultiply() const { return this->Table.HasBranches() || this->Table.HasDegenerateFaces(); }
+  WindowLimits LimitWindows(const GraphOptions& options) const;
+  bool NeedsWide(const GraphOptions& options) const;
+  /// Rows [begin, end).
+  template <typename Tracer>
+  void FillBlock(Tracer& tracer, Id begin, Id end, std::size_t mostWork,
+    std::atomic<std::size_t>& work, RowBlock& block) const;
+
+  const SurfaceMesh& Mesh;
+  std::size_t GraphWindowLimit;
+  UnfoldingTable Table;
+  mutable WorkspacePool<GraphWindowTracer<ProgressRule>> Linkers;
+};
+
+//------------------------------------------------------------------------------
+GraphBuilder::GraphBuilder(const SurfaceMesh& mesh, std::size_t windowLimit)
+  : Internals(std::make_unique<Implementation>(mesh, windowLimit))
+{
+}
+
+GraphBuilder::~GraphBuilder() = default;
+
+Status GraphBuilder::Check(const GraphOptions& options)
+{
+  std::ostringstream message;
+  if (options.Construction > GraphConstruction::SaddleVertexGraph)
+  {
+    return Status::Invalid("the construction is one for point clouds, not for meshes");
+  }
+  if (options.Construction == GraphConstruction::SaddleVertexGraph)
+  {
+    if (options.NumberOfNeighbors < 1)
+    {
+      message << "the number of neighbours is " << options.NumberOfNeighbors
+              << ": it has to be at least 1";
+      return Status::Invalid(message.str());
+    }
+  }
+  else if (!(options.Accuracy >= MinimumAccuracy && options.Accuracy <= MaximumAccuracy))
+  {
+    message << "the accuracy is " << options.Accuracy << ": it has to be in [" << MinimumAccuracy
+            << ", " << MaximumAccuracy << "]";
+    return Status::Invalid(message.str());
+  }
+  return Status::Success();
+}
+
+Status GraphBuilder::Estimate(const GraphOptions& options, GraphEstimate& estimate) const
+{
+  estimate = GraphEstimate();
+  const Status status = Check(options);
+  return status.IsOk() ? this->Internals->Estimate(options, estimate) : status;
+}
+
+Status GraphBuilder::Build(
+  const GraphOptions& options, GeodesicGraph& graph, GraphStatistics* statistics) const
+{
+  graph = GeodesicGraph();
+  GraphStatistics unused;
+  GraphStatistics& wanted = statistics ? *statistics : unused;
+  wanted = GraphStatistics();
+  Status status = Check(options);
+  if (status.IsOk())
+  {
+    status = this->Internals->Build(options, graph, wanted);
+  }
+  if (!status.IsOk())
+  {
+    graph = GeodesicGraph();
+  }
+  return status;
+}
+
+Status GraphBuilder::Link(const SurfacePoint& point, double accuracy,
+  const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
+  std::vector<double>& direct, std::size_t* work) const
+{
+  std::size_t unused = 0;
+  links.clear();
+  direct.clear();
+  GraphOptions options;
+  options.Accuracy = accuracy;
+  Status status = Check(options);
+  if (status.IsOk())
+  {
+    status = this->Internals->Link(point, options, targets, links, direct, work ? *work : unused);
+  }
+  if (!status.IsOk())
+  {
+    links.clear();
+    direct.clear();
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+WindowLimits GraphBuilder::Implementation::LimitWindows(const GraphOptions& options) const
+{
+  // The windows of a vertex of a manifold mesh grow by this power, or with its neighbours.
+  const double growth = options.Construction == GraphConstruction::SaddleVertexGraph
+    ? std::max(1.0, options.NumberOfNeighbors / 50.0)
+    : std::pow(0.01 / options.Accuracy, 2.0 / 3.0);
+  const double faces = this->Mesh.GetNumberOfFaces();
+  const double windows =
+    growth * (options.Construction == GraphConstruction::Guaranteed ? 1.0 : WindowsOfOtherRules);
+  const double fewest = this->CanMultiply() ? SmallestBranchingMesh : SmallestMesh;
+  const double work =
+    growth * (options.Construction == GraphConstruction::Indirect ? WindowsOfOtherRules : 1.0);
+  WindowLimits limits{ this->GraphWindowLimit, static_cast<std::size_t>(CarelessWindows * windows),
+    static_cast<std::size_t>(
+      MostWorkOfFace * std::max(fewest * std::max(1.0, work), faces * work)) /
+      ShareOfVertex };
+  if (!this->CanMultiply())
+  {
+    limits.CarelessWindows = std::max(
+      limits.CarelessWindows, static_cast<std::size_t>(CarelessWindowsPerFace * windows * faces));
+  }
+  return limits;
+}
+
+bool GraphBuilder::Implementation::NeedsWide(const GraphOptions& options) const
+{
+  // Sums of lengths must stay within the range of float as well, and lengths above its denormals.
+  const double longest =
+    this->Mesh.GetMaximumEdgeLength() * std::max<Id>(1, this->Mesh.GetNumberOfFaces());
+  const double mean = this->Mesh.GetMeanEdgeLength();
+  return (options.Construction != GraphConstruction::SaddleVertexGraph &&
+           NeedsWideLengths(options.Accuracy)) ||
+    longest > 1e37 || (mean > 0.0 && mean < 1e-25);
+}
+
+Status GraphBuilder::Implementation::Estimate(
+  const GraphOptions& options, GraphEstimate& estimate) const
+{
+  const double n = this->Table.GetNumberOfVertices();
+  DegreeSample degrees;
+  double windows = 0.0;
+  Status status = this->Table.Check();
+  if (status.IsOk() && n > 0.0)
+  {
+    status = WithRule(
+      options, [&](const auto& rule) { return this->SampleRows(rule, options, degrees, windows); });
+  }
+  if (!status.IsOk() || n == 0.0)
+  {
+    return status;
+  }
+  const double bytes = this->NeedsWide(options) ? 20.0 : 16.0;
+  const auto unite = [&](double degree) {
+    return n * std::min(degree * UnitedShare(options.Construction), n - 1.0);
+  };
+  estimate.Edges = unite(degrees.GetMean());
+  estimate.Memory = estimate.Edges * bytes + 8.0 * (n + 1.0);
+
+  // While edges are found, half of those of the graph are there, in arrays that grow, and those of
+  // a wave wait in blocks up to twice as large as they would have to be; then rows become the
+  // graph. All candidates of the indirect construction are there before any is pruned.
+  const double out = n * degrees.GetLargestMean();
+  const double wave = std::min(out, MostEdgesOfWave(out)) * 2.0 * sizeof(RowEdge);
+  const double graph = unite(degrees.GetLargestMean()) * bytes + 8.0 * (n + 1.0);
+  const bool isIndirect = options.Construction == GraphConstruction::Indirect;
+  const double finding = 0.5 * GrowthOfRows * (isIndirect ? 2.0 * out * bytes : graph) + wave;
+  const double tables =
+    BytesPerFace * this->Mesh.GetNumberOfFaces() * (this->Table.NeedsMirrors() ? 2.0 : 1.0);
+  estimate.Peak = std::max(PeakOfAssembly * graph, finding) + tables +
+    std::max(1, options.NumberOfThreads) * (BytesPerVertex * n + BytesPerWindow * windows);
+  return status;
+}
+
+template <typename Rule>
+Status GraphBuilder::Implementation::SampleRows(
+  const Rule& rule, const GraphOptions& options, DegreeSample& degrees, double& windows) const
+{
+  const Id n = this->Table.GetNumberOfVertices();
+  // Every k-th vertex of an order in which neighbours are close together.
+  const Id count = std::min(n, SampleSize);
+  const WindowLimits limits = this->LimitWindows(options);
+  GraphWindowTracer<Rule> tracer(this->Table, rule, limits);
+  std::size_t work = 0;
+  // Some of them may take most of what all take.
+  const double mostWork = static_cast<double>(ShareOfVertex * limits.Work) *
+    std::min(1.0, LargestShareOfSample * count / n);
+  for (Id i = 0; i < count; ++i)
+  {
+    const auto row = static_cast<Id>(static_cast<Offset>(n) * i / count);
+    const std::size_t before = tracer.GetNumberOfWindows();
+    degrees.Add(static_cast<double>(tracer.TraceVertex(row).size()));
+    windows = std::max(windows, static_cast<double>(tracer.GetNumberOfWindows() - before));
+    work += tracer.GetWork();
+    if (tracer.ExceededLimit())
+    {
+      return this->VertexLimitExceeded(row, options);
+    }
+    if (static_cast<double>(work) > mostWork)
+    {
+      return this->MeshLimitExceeded(options);
+    }
+  }
+  return Status::Success();
+}
+
+template <typename Rule>
+Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOptions& options,
+  bool unite, RowStore& rows, GraphStatistics& statistics) const
+{
+  const Id n = this->Table.GetNumberOfVertices();
+  const WindowLimits limits = this->LimitWindows(options);
+  const std::size_t mostWork = ShareOfVertex * limits.Work;
+  std::atomic<std::size_t> work{ 0 };
+  WorkspacePool<GraphWindowTracer<Rule>> tracers;
+  std::vector<RowBlock> blocks;
+  DirectionUnion directions;
+  std::atomic<std::size_t> windows{ 0 };
+  for (RowWaves waves(n); !waves.IsDone();)
+  {
+    const Id first = waves.GetFirst();
+    const Id last = waves.GetLast();
+    blocks.resize((static_cast<std::size_t>(last - first) + BlockSize - 1) / BlockSize);
+    ForRange(
+      options.Parallel, static_cast<Offset>(blocks.size()), 1, [&](Offset begin, Offset end) {
+        const auto tracer = tracers.Borrow(this->Table, rule, limits);
+        const std::size_t before = tracer->GetNumberOfWindows();
+        for (Offset b = begin; b < end; ++b)
+        {
+          const Id row = first + static_cast<Id>(b * BlockSize);
+          this->FillBlock(
+            *tracer, row, row + std::min(last - row, BlockSize), mostWork, work, blocks[b]);
+        }
+        windows += tracer->GetNumberOfWindows() - before;
+      });
+    // It only grows: with any number of threads the limit is exceeded, or it is not.
+    if (work > mostWork)
+    {
+      return this->MeshLimitExceeded(options);
+    }
+    for (const RowBlock& block : blocks)
+    {
+      if (block.LimitExceeded != NoId)
+      {
+        return this->VertexLimitExceeded(block.LimitExceeded, options);
+      }
+      block.AppendTo(rows);
+      statistics.OutEdges += block.Edges.size();
+    }
+    if (unite)
+    {
+      directions.Unite(rows, first, options.Parallel);
+    }
+    if (options.Progress && !options.Progress(waves.GetShareDone()))
+    {
+      return Status::Abort();
+    }
+    const double degree = static_cast<double>(statistics.OutEdges) / last;
+    waves.Advance(MostEdgesOfWave(degree * n) / std::max(degree, 1.0));
+  }
+  statistics.Windows = windows;
+  return Status::Success();
+}
+
+template <typename Tracer>
+void GraphBuilder::Implementation::FillBlock(Tracer& tracer, Id begin, Id end, std::size_t mostWork,
+  std::atomic<std::size_t>& work, RowBlock& block) const
+{
+  block.LimitExceeded = NoId;
+  block.Sizes.clear();
+  block.Edges.clear();
+  for (Id row = begin; row < end && work <= mostWork; ++row)
+  {
+    const std::vector<FoundEdge>& edges = tracer.TraceVertex(row);
+    work += tracer.GetWork();
+    if (tracer.ExceededLimit())
+    {
+      block.LimitExceeded = row;
+      return;
+    }
+    block.Sizes.push_back(edges.size());
+    for (const FoundEdge& edge : edges)
+    {
+      block.Edges.push_back(
+        { edge.Target, edge.Length, this->Table.StoredAngle(row, edge.DepartureAngle(this->Table)),
+          this->Table.StoredAngle(edge.Target, edge.ArrivalAngle(this->Table)) });
+    }
+  }
+}
+
+Status GraphBuilder::Implementation::Build(
+  const GraphOptions& options, GeodesicGraph& graph, GraphStatistics& statistics) const
+{
+  Status status = this->Table.Check();
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const Id n = this->Table.GetNumberOfVertices();
+  const bool wide = this->NeedsWide(options);
+  const bool isIndirect = options.Construction == GraphConstruction::Indirect;
+  const ShareOfSteps shares = SharesOf(options.Construction);
+  RowStore rows(wide);
+  rows.ReserveRows(n);
+  GraphOptions forRows = options;
+  forRows.Progress = ProgressPart(options.Progress, 0.0, shares.Rows);
+  status = WithRule(options, [&](const auto& rule) {
+    return this->BuildRows(rule, forRows, !isIndirect, rows, statistics);
+  });
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  if (isIndirect)
+  {
+    DGG_RETURN_IF_ERROR(PruneCandidates(rows, options.Accuracy, options.Parallel,
+      ProgressPart(options.Progress, shares.Rows, shares.Rows + shares.Pruning)));
+    DirectionUnion().Unite(rows, 0, options.Parallel);
+  }
+  std::vector<Id> order(static_cast<std::size_t>(n));
+  for (Id row = 0; row < n; ++row)
+  {
+    order[row] = this->Table.OldVertex(row);
+  }
+  const double done = shares.Rows + shares.Pruning;
+  DGG_RETURN_IF_ERROR(AssembleGraph(
+    rows, order, wide, options.Parallel, ProgressPart(options.Progress, done, 1.0), graph));
+  graph.Info.Kind = GraphKind::Mesh;
+  graph.Info.Construction = options.Construction;
+  const bool isByNumber = options.Construction == GraphConstruction::SaddleVertexGraph;
+  graph.Info.Accuracy = isByNumber ? 0.0 : options.Accuracy;
+  graph.Info.NumberOfNeighbors = isByNumber ? options.NumberOfNeighbors : 0;
+  return status;
+}
+
+Status GraphBuilder::Implementation::Link(const SurfacePoint& point, const GraphOptions& options,
+  const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
+  std::vector<double>& direct, std::size_t& work) const
+{
+  Status status = this->Table.Check();
+  if (status.IsOk())
+  {
+    status = point.Check(this->Mesh);
+  }
+  for (std::size_t t = 0; t < targets.size() && status.IsOk(); ++t)
+  {
+    status = targets[t].Check(this->Mesh);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  direct.assign(targets.size(), Infinity);
+  if (point.On == SurfacePoint::Support::Vertex)
+  {
+    links.push_back({ point.Vertex, 0.0, 0.0, 0.0 });
+    return Status::Success();
+  }
+  std::vector<std::pair<Id, std::array<double, 3>>> positions;
+  ForEachFaceAround(
+    this->Mesh, point, [&](Id f, const std::array<double, 3>& b) { positions.emplace_back(f, b); });
+  std::vector<GraphWindowTarget> windowTargets;
+  for (std::size_t t = 0; t < targets.size(); ++t)
+  {
+    if (targets[t].On != SurfacePoint::Support::Vertex)
+    {
+      ForEachFaceAround(this->Mesh, targets[t], [&](Id f, const std::array<double, 3>& b) {
+        windowTargets.push_back({ f, t, b });
+      });
+    }
+  }
+  std::stable_sort(windowTargets.begin(), windowTargets.end(),
+    [](const GraphWindowTarget& a, const GraphWindowTarget& b) { return a.Face < b.Face; });
+
+  const ProgressRule rule(options.Accuracy);
+  const auto tracer = this->Linkers.Borrow(this->Table, rule, this->LimitWindows(options));
+  tracer->SetRule(rule);
+  const std::vector<FoundEdge>& edges =
+    tracer->TracePoint(positions, GraphWindowTargets(this->Mesh, windowTargets, direct));
+  work += tracer->GetWork();
+  if (tracer->ExceededLimit())
+  {
+    return LimitExceeded("the surface point", this->CanMultiply(), options);
+  }
+  for (const FoundEdge& edge : edges)
+  {
+    links.push_back({ this->Table.OldVertex(edge.Target), edge.Length,
+      this->Table.StoredAngle(edge.Target, edge.ArrivalAngle(this->Table)),
+      DepartureAngle(this->Mesh, point, edge) });
+  }
+  std::sort(links.begin(), links.end(),
+    [](const GraphLink& a, const GraphLink& b) { return a.Vertex < b.Vertex; });
+  return Status::Success();
+}
+}

@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The rules by which a graph is built: which vertices become edges, and where a window ends.
+/// Internal.
+///
+/// A rule says
+/// - what an edge and a relay cost (MakeRelay(), CostOfEdge(), CostBehind()), and whether a vertex
+///   is covered at a cost;
+/// - in Start(), what will end a window with new relays; false when it has ended already;
+/// - in Ends(), whether nothing behind the edge of a window matters any more;
+/// - StartsLate: windows end between vertices, so that it is enough to start and ask once a face
+/// has
+///   been crossed without finding a vertex;
+/// - EndsBesideCovered: when one relay covers a vertex, the window between their rays has ended;
+/// - KeepsOuterRelays: a relay that covers the vertex on the bounding ray goes on to count, as far
+/// as
+///   it sees past that vertex;
+/// - ByDistance: windows have to come in order of distance.
+#ifndef dggGraphRules_h
+#define dggGraphRules_h
+
+#include "dggGraphWindow.h" // for GraphWindow
+
+#include <algorithm> // for std::min
+#include <cmath>     // for std::sqrt
+#include <vector>    // for relays
+
+namespace dgg
+{
+/// A relay covers the points of a direction e from a certain distance on, and that distance grows
+/// with the angle between the relay and e. A window ends as soon as every point of its edge is
+/// covered: what lies behind is then covered too, by way of the edge. The left relay covers an
+/// interval from the left end of the edge, the right one an interval from the right end, and they
+/// cover the whole edge iff they overlap, iff the direction in which both need the same distance is
+/// covered. That direction and that distance do not depend on the edge: they make one point in the
+/// plane, the stop point of the pair of relays, and a window ends at the first edge that has it on
+/// the near side.
+inline bool HasPassedStopPoint(const GraphWindow& window)
+{
+  return Cross(window.Axis,
+           { window.Stop.X - window.Ends[0].X, window.Stop.Y - window.Ends[0].Y }) <= 0.0;
+}
+
+/// The stop point in direction e; in no case farther than anything on a surface can be.
+inline void SetStopPoint(const Point2& e, double distance, GraphWindow& window)
+{
+  constexpr double farAway = 1e100;
+  const double reach = distance < farAway ? distance : farAway;
+  window.Stop = { reach * e.X, reach * e.Y };
+}
+
+/// The unit vector e of a window with w.e = k, where w.e grows from left to right: the one to the
+/// left of w.
+inline Point2 SolveDirection(const Point2& w, double k)
+{
+  const double scale = 1.0 / Dot(w, w);
+  const double along = k * scale;
+  const double across = std::sqrt(std::max(0.0, Dot(w, w) - k * k)) * scale;
+  return { along * w.X - across * w.Y, along * w.Y + across * w.X };
+}
+
+/// The progress rule. A relay p has a cost c, an upper bound of kappa w(s,r) + d(r,p), where (s,r)
+/// is an edge of the graph and kappa = 1/(1 + accuracy); it covers x if c + |px| <= |sx|. If each
+/// vertex that the source sees straight is an edge or covered, then no distance in the graph is
+/// longer than (1 + accuracy) times the exact one: by induction over the distances, since the way
+/// by r leaves at most D - kappa w(s,r) to go. The argument of Yao graphs, carried to surfaces.
+struct ProgressRule
+{
+  static constexpr bool StartsLate = true;
+  static constexpr bool EndsBesideCovered = true;
+  static constexpr bool KeepsOuterRelays = true;
+  static constexpr bool ByDistance = false;
+
+  explicit ProgressRule(double accuracy)
+    : Kappa(1.0 / (1.0 + accuracy))
+  {
+  }
+
+  double CostOfEdge(double length) const { return this->Kappa * length; }
+  static double CostBehind(const Relay& relay, double behind) { return relay.Cost + behind; }
+  static bool Covers(double cost, double distance) { return cost <= distance; }
+  static Relay MakeRelay(const Point2& position, double distance, double cost)
+  {
+    // The straight way itself is no progress, but it is a way.
+    Relay relay(position, distance, std::min(cost, distance));
+    relay.Ratio = relay.Cost / distance;
+    relay.Weight = (distance - relay.Cost) * (1.0 + relay.Ratio);
+    return relay;
+  }
+
+  /// In direction e, at an angle of cosine u.e to its own direction u, a relay at distance d covers
+  /// from weight / (2 (u.e - ratio)) on, if that is positive, where ratio = c/d and
+  /// weight = (d^2 - c^2) / d; in its own direction from (d + c) / 2 on, also when c = d.
+  static bool Start(const Relay& left, const Relay& right, GraphWindow& window)
+  {
+    // A relay that covers in the direction of the other one, from where that one covers there,
+    // needs no more distance in between either: it covers all.
+    const double cosine = Dot(left.Unit, right.Unit);
+    const double rightAtLeft = cosine - right.Ratio;
+    const double leftAtRight = cosine - left.Ratio;
+    if ((left.Distance + left.Cost) * rightAtLeft >= right.Weight ||
+      (right.Distance + right.Cost) * leftAtRight >= left.Weight)
+    {
+      return false;
+    }
+    // Both need the same distance where w.e = k.
+    const Point2 w{ left.Weight * right.Unit.X - right.Weight * left.Unit.X,
+      left.Weight * right.Unit.Y - right.Weight * left.Unit.Y };
+    const double k = left.Weight * right.Ratio - right.Weight * left.Ratio;
+    const Point2 e = SolveDirection(w, k);
+    const double l = Dot(left.Unit, e) - left.Ratio;
+    const double r = Dot(right.Unit, e) - right.Ratio;
+    if (l > 0.0 && r > 0.0)
+    {
+      // The larger of the two distances, should they differ by rounding: that is on the safe side.
+      const bool byLeft = left.Weight * r >= right.Weight * l;
+      SetStopPoint(e, byLeft ? 0.5 * left.Weight / l : 0.5 * right.Weight / r, window);
+    }
+    else if (left.Ratio > right.Ratio)
+    {
+      // The left relay covers only what lies behind it, all else is left to the right one.
+      SetStopPoint(
+        left.Unit, rightAtLeft > 0.0 ? 0.5 * right.Weight / rightAtLeft : Infinity, window);
+    }
+    else
+    {
+      SetStopPoint(
+        right.Unit, leftAtRight > 0.0 ? 0.5 * left.Weight / leftAtRight : Infinity, window);
+    }
+    return true;
+  }
+  static bool Ends(const Relay& /*left*/, const Relay& /*right*/, GraphWindow& window)
+  {
+    return HasPassedStopPoint(window);
+  }
+
+  double Kappa;
+};
+
+/// The published direct rule (Fang, "Discrete geodesic graphs", 2019, sec. 5.1, as far as it is
+/// stated): a relay p covers x if |sp| + |px| <= (1 + accuracy) |sx|, whether it is an edge or is
+/// itself covered. Errors add up from relay to relay: nothing bounds the maximum.
+struct OneRelayRule
+{
+  static constexpr bool StartsLate = true;
+  static constexpr bool EndsBesideCovered = true;
+  static constexpr bool KeepsOuterRelays = false;
+  static constexpr bool ByDistance = false;
+
+  explicit OneRelayRule(double accuracy)
+    : Stretch(1.0 + accuracy)
+    , Scale(2.0 / (accuracy * (2.0 + accuracy)))
+  {
+  }
+
+  static double CostOfEdge(double length) { return length; }
+  static double CostBehind(const Relay& relay, double behind) { return relay.Distance + behind; }
+  bool Covers(double cost, double distance) const { return cost <= this->Stretch * distance; }
+  static Relay MakeRelay(const Point2& position, double distance, double /*cost*/)
+  {
+    return { position, distance, distance };
+  }
+
+  /// In direction e a relay at distance d covers from 2 ((1+a) d - p.e) / (a (2+a)) on.
+  bool Start(const Relay& left, const Relay& right, GraphWindow& window) const
+  {
+    const Point2& l = left.Position;
+    const Point2& r = right.Position;
+    const Point2 w{ r.X - l.X, r.Y - l.Y };
+    const double k = this->Stretch * (right.Distance - left.Distance);
+    if (Dot(w, l) >= k * left.Distance || Dot(w, r) <= k * right.Distance)
+    {
+      return false;
+    }
+    const Point2 e = SolveDirection(w, k);
+    SetStopPoint(e,
+      this->Scale *
+        std::max(
+          this->Stretch * left.Distance - Dot(l, e), this->Stretch * right.Distance - Dot(r, e)),
+      window);
+    return true;
+  }
+  static bool Ends(const Relay& /*left*/, const Relay& /*right*/, GraphWindow& window)
+  {
+    return HasPassedStopPoint(window);
+  }
+
+  double Stretch;
+  double Scale;
+};
+
+/// The first step of the published indirect construction (Fang 2019, sec. 3.2): every vertex
+/// reached is a candidate. A window ends beyond the distance from which on a path through an edge
+/// that it has crossed can be bent through an end of that edge at a relative cost of the accuracy.
+///
+/// With pruning by progress, each candidate t of s is an edge or covered, as the theorem of the
+/// progress rule wants it; what lies beyond the windows is not. For a point t there, the bound says
+/// |sv| + |vt| <= (1 + accuracy) |st| for an end v, in the plane and whether or not anything is in
+/// the way. The theorem wants an edge (s,r) of the graph, one that is kept, with
+/// kappa w(s,r) + d(r,t) <= d(s,t). If v is kept, it is such an r from a certain distance on. But v
+/// may be pruned: then some r is kept with kappa w(s,r) + w(r,v) = c <= w(s,v), and nothing keeps c
+/// from being as large as w(s,v). By way of v that leaves c + d(v,t), which is d(s,t) or less only
+/// if t is straight behind v. So there is no finite distance from which on the ends of an edge
+/// cover all, before it is known which candidates are kept: nothing bounds the maximum of the error
+/// strictly, though no graph has been seen to exceed the accuracy.
+struct CandidateRule
+{
+  static constexpr bool StartsLate = false;
+  static constexpr bool EndsBesideCovered = false;
+  static constexpr bool KeepsOuterRelays = false;
+  static constexpr bool ByDistance = false;
+
+  explicit CandidateRule(double accuracy)
+    : Accuracy(accuracy)
+  {
+  }
+
+  static double CostOfEdge(double length) { return length; }
+  static double CostBehind(const Relay& /*relay*/, double /*behind*/) { return Infinity; }
+  static bool Covers(double /*cost*/, double /*distance*/) { return false; }
+  static Relay MakeRelay(const Point2& position, double distance, double cost)
+  {
+    return { position, distance, cost };
+  }
+  static bool Start(const Relay& /*left*/, const Relay& /*right*/, GraphWindow& /*window*/)
+  {
+    return true;
+  }
+
+  /// The bound is inherited and tightened from edge to edge; Stop.X holds its inverse.
+  bool Ends(const Relay& left, const Relay& right, GraphWindow& window) const
+  {
+    const double length = Distance(window.Ends[0], window.Ends[1]);
+    const double a = Norm(window.Ends[0].X, window.Ends[0].Y);
+    const double b = Norm(window.Ends[1].X, window.Ends[1].Y);
+    const double near = std::min(a, b) - 0.5 * length;
+    if (near > 0.0)
+    {
+      const double bound =
+        length * length / (8.0 * this->Accuracy * near) + 0.5 * length + std::max(a, b);
+      window.Stop.X = std::max(window.Stop.X, 1.0 / bound);
+    }
+    return DistanceOfEdge(left, right, window) * window.Stop.X > 1.0;
+  }
+
+  double Accuracy;
+};
+
+/// The saddle vertex graph (Ying, Wang and He, "Saddle vertex graph (SVG): a novel solution to the
+/// discrete geodesic problem", 2013): the nearest vertices, those of them that are seen straight.
+/// The search ends when there are enough of them.
+struct NearestRule
+{
+  static constexpr bool StartsLate = false;
+  static constexpr bool EndsBesideCovered = false;
+  static constexpr bool KeepsOuterRelays = false;
+  static constexpr bool ByDistance = true;
+
+  explicit NearestRule(Id count)
+    : Count(count)
+  {
+  }
+
+  static double CostOfEdge(double length) { return length; }
+  static double CostBehind(const Relay& /*relay*/, double /*behind*/) { return Infinity; }
+  static bool Covers(double /*cost*/, double /*distance*/) { return false; }
+  static Relay MakeRelay(const Point2& position, double distance, double cost)
+  {
+    return { position, distance, cost };
+  }
+  static bool Start(const Relay& /*left*/, const Relay& /*right*/, GraphWindow& /*window*/)
+  {
+    return true;
+  }
+  static bool Ends(const Relay& /*left*/, const Relay& /*right*/, GraphWindow& /*window*/)
+  {
+    return false;
+  }
+
+  Id Count;
+};
+
+/// Whether a point lies between the bounding rays of a window.
+inline bool IsInside(const std::vector<Relay>& relays, const GraphWindow& window, const Point2& x)
+{
+  return Cross(x, relays[window.Relays[0]].Position) > 0.0 &&
+    Cross(relays[window.Relays[1]].Position, x) > 0.0;
+}
+
+/// Whether the outer relay on a side sees a point of the window past the vertex on the ray.
+inline bool IsVisible(
+  const std::vector<Relay>& relays, const GraphWindow& window, int side, const Point2& x)
+{
+  const Point2& outer = relays[window.Outer[side]].Position;
+  const Point2& hiding = relays[window.Relays[side]].Position;
+  const double turn =
+    Cross({ hiding.X - outer.X, hiding.Y - outer.Y }, { x.X - outer.X, x.Y - outer.Y });
+  return side == 0 ? turn < 0.0 : turn > 0.0;
+}
+
+/// Work out what ends a window, with the outer relays if they see the stop point. That is enough:
+/// an outer relay covers the vertex on the ray and the stop point, so by convexity all in between;
+/// and what that vertex hides from it is behind points that it covers. False when the window has
+/// ended already.
+template <typename Rule>
+bool StartWindow(const Rule& rule, const std::vector<Relay>& relays, GraphWindow& window)
+{
+  bool outer[2] = { window.Outer[0] != NoId, window.Outer[1] != NoId };
+  while (outer[0] || outer[1])
+  {
+    const Relay& left = relays[outer[0] ? window.Outer[0] : window.Relays[0]];
+    const Relay& right = relays[outer[1] ? window.Outer[1] : window.Relays[1]];
+    if (!rule.Start(left, right, window) || !IsInside(relays, window, window.Stop))
+    {
+      break;
+    }
+    const bool hides[2] = { outer[0] && !IsVisible(relays, window, 0, window.Stop),
+      outer[1] && !IsVisible(relays, window, 1, window.Stop) };
+    if (!hides[0] && !hides[1])
+    {
+      return true;
+    }
+    outer[0] = outer[0] && !hides[0];
+    outer[1] = outer[1] && !hides[1];
+  }
+  return rule.Start(relays[window.Relays[0]], relays[window.Relays[1]], window);
+}
+}
+
+#endif

@@ -1,0 +1,661 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Sends windows from one source over a mesh and collects its edges. Internal.
+#ifndef dggGraphWindowTracer_h
+#define dggGraphWindowTracer_h
+
+#include "dggGraphWindow.h"        // for GraphWindow
+#include "dggGraphWindowMemory.h"  // for tracing with care
+#include "dggGraphWindowTargets.h" // for points that windows meet
+#include "dggDistanceHeap.h"       // for windows by distance
+#include "dggGraphRules.h"         // for relays beside a window
+#include "dggSurfacePoint.h"       // for sources inside faces
+#include "dggUnfoldingTable.h"     // for the mesh
+#include "dggVertexStates.h"       // for labels and costs
+
+#include <algorithm> // for std::min
+#include <array>     // for barycentric coordinates
+#include <cmath>     // for std::abs
+#include <cstddef>   // for std::size_t
+#include <limits>    // for the largest number
+#include <utility>   // for std::pair
+#include <vector>    // for the workspace
+
+namespace dgg
+{
+/// When a source has gone far enough, or too far.
+struct WindowLimits
+{
+  /// Windows that a source may send out before it is given up.
+  std::size_t Windows;
+  /// Windows of a source that is traced without looking at what its own windows have reached
+  /// before: more than a source on an ordinary mesh has.
+  std::size_t CarelessWindows;
+  /// Work that a source may take; see GraphWindowTracer::GetWork().
+  std::size_t Work;
+};
+
+/// Follows windows from one source at a time until the rule ends them.
+///
+/// Where an edge has more than two triangles, windows can multiply; among triangles that are all
+/// but lines it can run around for long. Most sources meet no such place, or not often, and windows
+/// are then simply followed first in, first out. A source that has too many windows is traced
+/// again, with care: windows in order of distance, and only where no other one was there before on
+/// a shorter way (GraphWindowMemory).
+template <typename Rule>
+class GraphWindowTracer
+{
+public:
+  GraphWindowTracer(const UnfoldingTable& table, const Rule& rule, const WindowLimits& limits)
+    : Table(table)
+    , Mesh(table.GetMesh())
+    , TheRule(rule)
+    , Limits(limits)
+    , Vertices(table.GetNumberOfVertices())
+    , Memory(Vertices)
+  {
+  }
+
+  void SetRule(const Rule& rule) { this->TheRule = rule; }
+
+  /// The edges of a vertex, an id of the table.
+  const std::vector<FoundEdge>& TraceVertex(Id source)
+  {
+    return this->TraceFrom([&] {
+      // No cost: where a window meets its own source again, that is no progress.
+      this->Source = source;
+      this->Vertices.Touch(source).Label = 0.0;
+      const Id v = this->Table.OldVertex(source);
+      for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+      {
+        this->StartAtCorner(*g);
+      }
+    });
+  }
+
+  /// The edges that a point inside a face would have; for one on an edge, call it with all faces
+  /// around the edge.
+  const std::vector<FoundEdge>& TracePoint(
+    const std::vector<std::pair<Id, std::array<double, 3>>>& positions,
+    const GraphWindowTargets& targets)
+  {
+    this->Targets = &targets;
+    this->TraceFrom([&] {
+      for (const auto& position : positions)
+      {
+        this->StartInFace(position.first, position.second);
+      }
+    });
+    this->Targets = nullptr;
+    return this->Edges;
+  }
+
+  /// Whether the last source had to be given up: its windows multiplied without end.
+  bool ExceededLimit() const { return this->HasExceededLimit; }
+  std::size_t GetNumberOfWindows() const { return this->NumberOfWindows; }
+  /// What the last source took, in comparisons of one window with another.
+  std::size_t GetWork() const
+  {
+    return (this->IsCareful ? WorkOfCarefulWindow : WorkOfWindow) *
+      (this->NumberOfWindows - this->WindowsBefore) +
+      this->Memory.GetWork();
+  }
+
+private:
+  /// What a window takes besides comparisons, as measured.
+  static constexpr std::size_t WorkOfWindow = 3;
+  static constexpr std::size_t WorkOfCarefulWindow = 30;
+  /// Two path lengths this close, relatively, count as equal.
+  static constexpr double LengthTolerance = 1e-12;
+  /// Narrower windows are dropped: what they reach is on the border of their neighbours, up to the
+  /// square of this.
+  static constexpr double NarrowestWindow = 1e-12;
+
+  template <typename Starter>
+  const std::vector<FoundEdge>& TraceFrom(Starter start)
+  {
+    this->Begin(false);
+    start();
+    this->Trace();
+    if (this->HasTooManyWindows())
+    {
+      this->Begin(true);
+      start();
+      this->Trace();
+    }
+    return this->Edges;
+  }
+
+  void Begin(bool isCareful)
+  {
+    this->Vertices.Reset();
+    this->Edges.clear();
+    this->Relays.clear();
+    this->Queue.clear();
+    this->Order.Clear();
+    this->Reached.Clear();
+    this->Memory.Clear();
+    this->Behind = NoId;
+    this->Source = NoId;
+    this->HasOverlap = false;
+    this->HasExceededLimit = false;
+    this->IsCareful = isCareful;
+    this->WindowsBefore = this->NumberOfWindows;
+    this->WindowLimit = isCareful ? std::numeric_limits<std::size_t>::max()
+                                  : this->NumberOfWindows + this->Limits.CarelessWindows;
+    if (isCareful)
+    {
+      this->Memory.Prepare(this->Mesh.GetNumberOfHalfEdges());
+    }
+  }
+
+  bool HasTooManyWindows() const { return this->NumberOfWindows > this->WindowLimit; }
+
+  /// The face of an outgoing half-edge of the source: its far edge is reached, the two ends of that
+  /// edge are the first relays.
+  void StartAtCorner(Id g)
+  {
+    const Id across = SurfaceMesh::Next(g);
+    const Id back = SurfaceMesh::Previous(g);
+    const FaceCrossing& face = this->Table[this->Table.EntryOf(g)];
+    const Point2 a = face.Apex;
+    const Point2 b{ this->Mesh.Length(g), 0.0 };
+    GraphWindow window;
+    window.Frame = g;
+    window.Ends[0] = a;
+    window.Ends[1] = b;
+    window.Axis = face.Direction[FaceCrossing::Right];
+    const Point2 fromB{ -window.Axis.X, -window.Axis.Y };
+    window.Relays[1] =
+      this->ReachCorner({ NoId, this->Mesh.Length(g), b, g, fromB, across, false });
+    window.Relays[0] =
+      this->ReachCorner({ NoId, this->Mesh.Length(back), a, g, { -a.X, -a.Y }, back, false });
+    this->Enter(this->Table.CodeBehind(across), window);
+  }
+
+  /// The same for a source inside a face: the three corners and the three edges, but for those
+  /// edges that it lies on. The plane is turned for each edge: directions at the source do not
+  /// matter.
+  void StartInFace(Id f, const std::array<double, 3>& barycentric)
+  {
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const Point2 source = PlaceInFrame(this->Mesh, h, barycentric);
+      const Point2 origin{ -source.X, -source.Y };
+      // Towards the source, next to the half-edge, which leaves its origin along the x axis.
+      const Id corner =
+        this->ReachCorner({ NoId, Norm(origin.X, origin.Y), origin, h, { 1.0, 0.0 }, h, false });
+      if (barycentric[(h + 2) % 3] == 0.0)
+      {
+        continue;
+      }
+      const Point2 end{ this->Mesh.Length(h) - source.X, -source.Y };
+      const double length =
+        DistanceToCorner(this->Mesh, f, barycentric, static_cast<int>((h + 1) % 3));
+      GraphWindow window;
+      window.Frame = h;
+      window.Ends[0] = end;
+      window.Ends[1] = origin;
+      window.Axis = { -1.0, 0.0 };
+      window.Relays[1] = corner;
+      window.Relays[0] =
+        this->AddRelay(this->TheRule.MakeRelay(end, length, this->TheRule.CostOfEdge(length)));
+      this->Enter(this->Table.CodeBehind(h), window);
+    }
+    this->Targets->ReachFrom(f, barycentric);
+  }
+
+  /// A corner of a face that the source lies in is an edge, at the origin of its half-edge of
+  /// arrival. Returns its relay.
+  Id ReachCorner(FoundEdge edge)
+  {
+    edge.Target = this->Table.NewVertex(this->Mesh.Origin(edge.Arrival));
+    if (edge.Target == this->Source) // on a surface glued of very few faces
+    {
+      return this->AddRelay(this->TheRule.MakeRelay(
+        edge.Departure, edge.Length, this->TheRule.CostOfEdge(edge.Length)));
+    }
+    VertexStates::State& state = this->Vertices.Touch(edge.Target);
+    this->SetLabel(edge.Target, state, edge.Length);
+    state.Cost = std::min(state.Cost, this->TheRule.CostOfEdge(edge.Length));
+    this->Record(state, edge);
+    return this->AddRelay(this->TheRule.MakeRelay(edge.Departure, edge.Length, state.Cost));
+  }
+
+  Id AddRelay(const Relay& relay)
+  {
+    this->Relays.push_back(relay);
+    return static_cast<Id>(this->Relays.size() - 1);
+  }
+
+  /// The shortest edge to a vertex counts.
+  void Record(VertexStates::State& state, const FoundEdge& edge)
+  {
+    if (state.Edge == NoId)
+    {
+      state.Edge = static_cast<Id>(this->Edges.size());
+      this->Edges.push_back(edge);
+    }
+    else if (edge.Length < this->Edges[state.Edge].Length)
+    {
+      this->Edges[state.Edge] = edge;
+    }
+  }
+
+  /// Let a window go on behind its edge.
+  void Enter(Id code, GraphWindow& window)
+  {
+    if (!this->IsCareful)
+    {
+      this->Table.ForEach(code, [&](Id entry) { this->Push(entry, window); });
+      return;
+    }
+    const Relay& left = this->Relays[window.Relays[0]];
+    const Relay& right = this->Relays[window.Relays[1]];
+    this->Table.ForEach(code, [&](Id entry) {
+      const FaceCrossing& face = this->Table[entry];
+      const Id h = face.GetHalfEdge();
+      GraphWindow copy = window;
+      copy.Number = this->Memory.Admit(
+        { h, face.IsMirrored(), this->Table.NewVertex(this->Mesh.Origin(h)),
+          this->Table.NewVertex(this->Mesh.Destination(h)), this->Behind, this->BehindAt },
+        left, right, window);
+      if (copy.Number != NoId)
+      {
+        this->Push(entry, copy);
+      }
+    });
+  }
+
+  void Push(Id entry, GraphWindow& window)
+  {
+    window.Entry = entry;
+    if (Rule::ByDistance || this->IsCareful)
+    {
+      this->Order.Push(
+        DistanceOfEdge(this->Relays[window.Relays[0]], this->Relays[window.Relays[1]], window),
+        static_cast<Id>(this->Queue.size()));
+    }
+    this->Table.Prefetch(entry);
+    this->Queue.push_back(window);
+  }
+
+  void Trace()
+  {
+    if constexpr (Rule::ByDistance)
+    {
+      this->TraceNearest();
+    }
+    else if (this->IsCareful)
+    {
+      this->TraceByDistance();
+    }
+    else
+    {
+      // First in, first out: close to the order of distance, and much cheaper than a heap.
+      for (std::size_t next = 0; next < this->Queue.size() && !this->HasTooManyWindows(); ++next)
+      {
+        GraphWindow window = this->Queue[next];
+        this->Follow(window);
+        if (this->Queue.size() > this->Limits.Windows)
+        {
+          this->GiveUp();
+          return;
+        }
+      }
+    }
+  }
+
+  void FollowNext(Id next)
+  {
+    GraphWindow window = this->Queue[next];
+    if (!this->IsCareful || this->Memory.IsLive(window.Number))
+    {
+      this->Follow(window);
+    }
+    if (this->Queue.size() > this->Limits.Windows || this->GetWork() > this->Limits.Work)
+    {
+      this->GiveUp();
+    }
+  }
+
+  /// The memory of so many windows is not for keeping.
+  void GiveUp()
+  {
+    this->HasExceededLimit = true;
+    std::vector<GraphWindow>().swap(this->Queue);
+    std::vector<Relay>().swap(this->Relays);
+    this->Memory = GraphWindowMemory(this->Vertices);
+    this->Order = DistanceHeap();
+    this->Reached = DistanceHeap();
+  }
+
+  /// Windows in order of distance: most of those that others dominate are so before their turn.
+  /// Vertices pass their labels on in the same order.
+  void TraceByDistance()
+  {
+    while (!this->Order.IsEmpty() && !this->HasExceededLimit)
+    {
+      const DistanceHeap::Key key = this->Order.Pop();
+      while (!this->Reached.IsEmpty() && this->Reached.Top().Distance <= key.Distance)
+      {
+        const DistanceHeap::Key reached = this->Reached.Pop();
+        if (this->Vertices[reached.Index].Label == reached.Distance)
+        {
+          this->ReachNeighbours(reached.Index, reached.Distance);
+        }
+      }
+      this->FollowNext(key.Index);
+    }
+  }
+
+  /// Windows in order of distance, until enough vertices are final. Edges are those of them that
+  /// are reached straight.
+  void TraceNearest()
+  {
+    Id count = 0;
+    double last = Infinity;
+    while (!this->Order.IsEmpty())
+    {
+      const DistanceHeap::Key key = this->Order.Pop();
+      while (count < this->TheRule.Count && !this->Reached.IsEmpty() &&
+        this->Reached.Top().Distance <= key.Distance)
+      {
+        const DistanceHeap::Key reached = this->Reached.Pop();
+        if (this->Vertices[reached.Index].Label == reached.Distance)
+        {
+          last = reached.Distance;
+          ++count;
+        }
+      }
+      if (count >= this->TheRule.Count)
+      {
+        break;
+      }
+      last = Infinity;
+      this->FollowNext(key.Index);
+      if (this->HasExceededLimit)
+      {
+        return;
+      }
+    }
+    this->Edges.erase(std::remove_if(this->Edges.begin(), this->Edges.end(),
+                        [&](const FoundEdge& edge) {
+                          const double label = this->Vertices[edge.Target].Label;
+                          return label > last || edge.Length > label * (1.0 + LengthTolerance);
+                        }),
+      this->Edges.end());
+  }
+
+  /// Follow a window through the faces until a vertex splits it, or it ends.
+  void Follow(GraphWindow& window)
+  {
+    const Relay& left = this->Relays[window.Relays[0]];
+    const Relay& right = this->Relays[window.Relays[1]];
+    // Most windows are split in the first face, and hardly any ends before it: what ends them is
+    // worked out after it.
+    bool isStarted = !Rule::StartsLate;
+    for (;;)
+    {
+      const FaceCrossing& face = this->Table[window.Entry];
+      ++this->NumberOfWindows;
+      if (this->HasTooManyWindows())
+      {
+        return;
+      }
+
+      const Point2 apex = FromFrame(window.Ends[0], window.Axis, face.Apex);
+      if (this->Targets)
+      {
+        this->Targets->Reach(window, left, right, face);
+      }
+      const bool isRightOfLeft = Cross(apex, left.Position) > 0.0;
+      const bool isLeftOfRight = Cross(right.Position, apex) > 0.0;
+      if (isRightOfLeft && isLeftOfRight)
+      {
+        this->Split(window, face, apex);
+        return;
+      }
+      // A branch for either side, with constant indices, keeps the window in registers.
+      const Id code = face.Behind[isRightOfLeft ? FaceCrossing::Left : FaceCrossing::Right];
+      if (isRightOfLeft)
+      {
+        this->Turn(window, face, FaceCrossing::Left, apex);
+      }
+      else
+      {
+        this->Turn(window, face, FaceCrossing::Right, apex);
+      }
+      if (code == NoId || (!isStarted && !StartWindow(this->TheRule, this->Relays, window)) ||
+        this->TheRule.Ends(left, right, window) || this->IsUseless(window))
+      {
+        return;
+      }
+      isStarted = true;
+      if (code < 0 || Rule::ByDistance || this->IsCareful)
+      {
+        this->Enter(code, window);
+        return;
+      }
+      window.Entry = code;
+    }
+  }
+
+  /// Go on to the left or the right edge of a face: its apex is the right end of the left edge, and
+  /// the left end of the right edge.
+  void Turn(
+    GraphWindow& window, const FaceCrossing& face, FaceCrossing::Side side, const Point2& apex)
+  {
+    const int end = 1 - side;
+    if (this->IsCareful)
+    {
+      const Id h = face.GetHalfEdge();
+      const bool isOrigin = (end == 0) != face.IsMirrored();
+      this->Behind =
+        this->Table.NewVertex(isOrigin ? this->Mesh.Origin(h) : this->Mesh.Destination(h));
+      this->BehindAt = window.Ends[end];
+    }
+    window.Ends[end] = apex;
+    window.Axis = Turned(window.Axis, face.Direction[side]);
+    if (this->HasOverlap)
+    {
+      const double label = this->Vertices[face.ApexVertex].Label;
+      window.Labels[end] =
+        label * label < Dot(apex, apex) * (1.0 - LengthTolerance) ? label : Infinity;
+    }
+  }
+
+  /// FILTER: the way through an end of the edge, and along the edge, is shorter at every point that
+  /// the window reaches. Impossible, by the triangle inequality, unless the label of that end is
+  /// shorter than the straight line.
+  bool IsUseless(const GraphWindow& window) const
+  {
+    return this->HasOverlap && (this->IsUseless(window, 0) || this->IsUseless(window, 1));
+  }
+
+  /// The farthest point from an end is where the bounding ray on the other side meets the edge.
+  bool IsUseless(const GraphWindow& window, int end) const
+  {
+    if (window.Labels[end] == Infinity)
+    {
+      return false;
+    }
+    const Point2 x = MeetEdge(window, this->Relays[window.Relays[1 - end]].Position);
+    return window.Labels[end] + Distance(window.Ends[end], x) <=
+      Norm(x.X, x.Y) * (1.0 - LengthTolerance);
+  }
+
+  /// The best relay on one side of a window for a vertex that it reaches.
+  struct Cover
+  {
+    Id Relay;
+    double Cost; ///< of the vertex, by that relay
+    bool IsCovered;
+  };
+  Cover FindCover(const GraphWindow& window, int side, const Point2& apex, double distance) const
+  {
+    const bool isOuter = window.Outer[side] != NoId && IsVisible(this->Relays, window, side, apex);
+    const Id id = isOuter ? window.Outer[side] : window.Relays[side];
+    const Relay& relay = this->Relays[id];
+    const double cost = this->TheRule.CostBehind(relay, Distance(relay.Position, apex));
+    return { id, cost, this->TheRule.Covers(cost, distance) };
+  }
+
+  /// A vertex is reached: it may become an edge, and it is a relay of the two windows beside it. A
+  /// relay that covers the vertex covers all of the edge from its own ray to the vertex: that
+  /// window has ended.
+  void Split(GraphWindow& window, const FaceCrossing& face, const Point2& apex)
+  {
+    const double distance = Norm(apex.X, apex.Y);
+    const Cover left = this->FindCover(window, 0, apex, distance);
+    const Cover right = this->FindCover(window, 1, apex, distance);
+    const double cost =
+      this->ReachApex(window, face, apex, distance, std::min(left.Cost, right.Cost));
+
+    const bool goesLeft = face.Behind[FaceCrossing::Left] != NoId &&
+      !(Rule::EndsBesideCovered && left.IsCovered) &&
+      !this->IsNarrow(apex, distance, this->Relays[window.Relays[0]]);
+    const bool goesRight = face.Behind[FaceCrossing::Right] != NoId &&
+      !(Rule::EndsBesideCovered && right.IsCovered) &&
+      !this->IsNarrow(apex, distance, this->Relays[window.Relays[1]]);
+    if (!goesLeft && !goesRight)
+    {
+      return;
+    }
+    const Id relay = this->AddRelay(this->TheRule.MakeRelay(apex, distance, cost));
+    if (goesLeft)
+    {
+      GraphWindow child = window;
+      child.Outer[1] = Rule::KeepsOuterRelays && right.IsCovered ? right.Relay : NoId;
+      this->SendOn(child, face, FaceCrossing::Left, apex, relay);
+    }
+    if (goesRight)
+    {
+      window.Outer[0] = Rule::KeepsOuterRelays && left.IsCovered ? left.Relay : NoId;
+      this->SendOn(window, face, FaceCrossing::Right, apex, relay);
+    }
+  }
+
+  static bool IsNarrow(const Point2& apex, double distance, const Relay& relay)
+  {
+    // A window of nearly half a turn has a small sine as well.
+    return std::abs(Cross(apex, relay.Unit)) <= NarrowestWindow * distance &&
+      Dot(apex, relay.Unit) > 0.0;
+  }
+
+  /// Send a window on to one side of a relay, unless it has ended.
+  void SendOn(GraphWindow& window, const FaceCrossing& face, FaceCrossing::Side side,
+    const Point2& apex, Id relay)
+  {
+    window.Relays[1 - side] = relay;
+    this->Turn(window, face, side, apex);
+    if constexpr (!Rule::StartsLate)
+    {
+      const Relay& left = this->Relays[window.Relays[0]];
+      const Relay& right = this->Relays[window.Relays[1]];
+      if (!this->TheRule.Start(left, right, window) || this->TheRule.Ends(left, right, window))
+      {
+        return;
+      }
+    }
+    if (!this->IsUseless(window))
+    {
+      this->Enter(face.Behind[side], window);
+    }
+  }
+
+  /// An apex is reached at a distance, and covered at a cost by the relays of the window: make it
+  /// an edge unless it is covered. Returns its cost as a relay.
+  double ReachApex(const GraphWindow& window, const FaceCrossing& face, const Point2& apex,
+    double distance, double costByRelays)
+  {
+    VertexStates::State& state = this->Vertices.Touch(face.ApexVertex);
+    double cost = std::min(state.Cost, costByRelays);
+    if (distance <= state.Label * (1.0 + LengthTolerance))
+    {
+      if (state.Edge != NoId || !this->TheRule.Covers(cost, distance))
+      {
+        const Point2& origin = window.Ends[face.IsMirrored() ? 1 : 0];
+        this->Record(state,
+          { face.ApexVertex, distance, apex, window.Frame, { origin.X - apex.X, origin.Y - apex.Y },
+            SurfaceMesh::Previous(face.GetHalfEdge()), face.IsMirrored() });
+        cost = std::min(cost, this->TheRule.CostOfEdge(distance));
+      }
+      this->SetLabel(face.ApexVertex, state, distance);
+    }
+    else
+    {
+      this->HasOverlap = true;
+    }
+    state.Cost = std::min(state.Cost, cost);
+    return cost;
+  }
+
+  void SetLabel(Id v, VertexStates::State& state, double distance)
+  {
+    if (!(distance < state.Label))
+    {
+      return;
+    }
+    state.Label = distance;
+    if (Rule::ByDistance || this->IsCareful)
+    {
+      this->Reached.Push(distance, v);
+    }
+    if (Rule::ByDistance)
+    {
+      this->ReachNeighbours(v, distance);
+    }
+  }
+
+  /// Vertices that no window reaches count as well, at the distance along mesh edges; and
+  /// with care every label helps to prune.
+  void ReachNeighbours(Id v, double distance)
+  {
+    const Id old = this->Table.OldVertex(v);
+    for (const Id* g = this->Mesh.FanBegin(old); g != this->Mesh.FanEnd(old); ++g)
+    {
+      const Id back = SurfaceMesh::Previous(*g);
+      this->ReachNeighbour(this->Mesh.Destination(*g), distance + this->Mesh.Length(*g));
+      this->ReachNeighbour(this->Mesh.Origin(back), distance + this->Mesh.Length(back));
+    }
+  }
+  void ReachNeighbour(Id old, double distance)
+  {
+    const Id v = this->Table.NewVertex(old);
+    VertexStates::State& state = this->Vertices.Touch(v);
+    if (distance < state.Label)
+    {
+      state.Label = distance;
+      this->Reached.Push(distance, v);
+    }
+  }
+
+  const UnfoldingTable& Table;
+  const SurfaceMesh& Mesh;
+  Rule TheRule;
+  WindowLimits Limits;
+  VertexStates Vertices;
+  bool IsCareful = false;
+  /// Whether a vertex has been reached on a way longer than its label. Before that no window can be
+  /// useless, and nobody looks at the labels.
+  bool HasOverlap = false;
+  bool HasExceededLimit = false;
+  Id Source = NoId;
+  GraphWindowMemory Memory;
+  Id Behind = NoId; // the vertex that a window has just left behind, with care
+  Point2 BehindAt;
+  std::vector<FoundEdge> Edges;
+  std::vector<Relay> Relays;
+  std::vector<GraphWindow> Queue;
+  DistanceHeap Order;   // of the windows, when they come by distance
+  DistanceHeap Reached; // vertices by label, then
+  const GraphWindowTargets* Targets = nullptr;
+  std::size_t NumberOfWindows = 0;
+  std::size_t WindowsBefore = 0; // of earlier sources
+  std::size_t WindowLimit = 0;   // of NumberOfWindows, see CarelessWindows
+};
+}
+
+#endif

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggLabelCorrection.h"
+
+#include "dggGraphFans.h"
+#include "dggPrefetch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+// A virtual source is seen in a direction that is not quite right where the surface between is not
+// flat: nobody looked at that part of it. So, by regression to the mean, a large deviation from the
+// straight way is on average a bit too large, and a small one too small. The three numbers are
+// fitted to exact distances on scans. Without them estimates are too short on rough surfaces, with
+// mean errors larger by up to a quarter and largest errors by up to a half; on smooth ones they
+// cost up to a quarter.
+
+/// Mean angle defect of both ends of an edge, radians, from which on the surface counts as rough.
+constexpr double RoughDefect = 0.04;
+/// Part of a deviation that is not real on a rough surface.
+constexpr double SpuriousPart = 0.06;
+/// What is real though it is not seen: mean square in units of the largest deviation of an edge.
+constexpr double UnseenPart = 0.01;
+
+/// Rounding of angles, which are floats, radians: along the boundary they end at its directions.
+constexpr double AngleSlack = 1e-5;
+/// How many vertices ahead memory is asked for.
+constexpr std::size_t Lookahead = 8;
+}
+
+LabelCorrection::LabelCorrection(const GraphView& graph, const SurfaceMesh& mesh)
+  : Graph(graph)
+  , Vertices(graph.NumberOfVertices)
+  , Shrink(graph.Info.IsGuaranteed() ? 1.0 / (1.0 + graph.Info.Accuracy) : 0.0)
+  , Unseen(0.5 * UnseenPart * std::pow(LargestDeviation(graph), 2.0))
+{
+  for (Id v = 0; v < graph.NumberOfVertices; ++v)
+  {
+    Vertex& vertex = this->Vertices[v];
+    const auto angle = static_cast<float>(mesh.TotalAngle(v));
+    switch (mesh.Kind(v))
+    {
+      case VertexKind::Isolated:
+      case VertexKind::Irregular:
+        break;
+      case VertexKind::Boundary:
+        vertex.Angle = -angle;
+        break;
+      default:
+        vertex.Angle = angle;
+        vertex.Defect = static_cast<float>(std::abs(2.0 * Pi - mesh.TotalAngle(v)));
+    }
+  }
+}
+
+double LabelCorrection::OffsetOf(const GraphSeed& seed)
+{
+  return seed.ArrivalAngle < 0.0 ? seed.Distance : seed.InitialDistance;
+}
+
+LabelCorrection::VirtualSource LabelCorrection::SourceOf(const GraphSeed& seed)
+{
+  return { OffsetOf(seed), seed.Distance - OffsetOf(seed), std::max(0.0, seed.ArrivalAngle),
+    seed.Distance };
+}
+
+LabelCorrection::VirtualSource LabelCorrection::Extend(
+  const TreeStep& step, double label, const VirtualSource& tail, double smallestOffset) const
+{
+  VirtualSource source = this->Follow(step, this->Graph.Length(step.Edge), tail);
+  source.Estimate = this->Clamp(source.Estimate, label, smallestOffset);
+  return source;
+}
+
+/// A label certifies an interval, in which the estimate has to be, whatever the curvature did to
+/// it.
+double LabelCorrection::Clamp(double estimate, double label, double smallestOffset) const
+{
+  const double lowest =
+    this->Shrink > 0.0 ? smallestOffset + (label - smallestOffset) * this->Shrink : -Infinity;
+  return std::min(std::max(estimate, lowest), label);
+}
+
+void LabelCorrection::Run(const std::vector<GraphSeed>& seeds, const std::vector<TreeStep>& steps,
+  std::vector<VirtualSource>& sources, SearchResult& result) const
+{
+  const std::size_t n = this->Vertices.size();
+  sources.resize(n);
+  WithLengths(this->Graph,
+    [&](const auto* lengths) { this->Straighten(lengths, seeds, steps, sources, result); });
+  for (std::vector<double>* values :
+    { &result.Corrected, &result.Virtual.Offsets, &result.Virtual.Lengths, &result.Virtual.Angles })
+  {
+    values->resize(n);
+  }
+  for (std::size_t v = 0; v < n; ++v)
+  {
+    const VirtualSource source =
+      result.Seeds[v] != NoId ? sources[v] : VirtualSource{ Infinity, Infinity, 0.0, Infinity };
+    result.Corrected[v] = source.Estimate;
+    result.Virtual.Offsets[v] = source.Offset;
+    result.Virtual.Lengths[v] = source.Length;
+    result.Virtual.Angles[v] = source.Angle;
+  }
+}
+
+template <typename Length>
+void LabelCorrection::Straighten(const Length* lengths, const std::vector<GraphSeed>& seeds,
+  const std::vector<TreeStep>& steps, std::vector<VirtualSource>& sources,
+  const SearchResult& result) const
+{
+  double smallestOffset = Infinity;
+  for (const GraphSeed& seed : seeds)
+  {
+    smallestOffset = std::min(smallestOffset, OffsetOf(seed));
+  }
+  for (std::size_t i = 0; i < steps.size(); ++i)
+  {
+    const TreeStep& ahead = steps[std::min(i + Lookahead, steps.size() - 1)];
+    if (ahead.Tail != NoId)
+    {
+      Prefetch(lengths + ahead.Edge);
+      Prefetch(this->Graph.Angles + ahead.Edge);
+      Prefetch(this->Graph.ArrivalAngles + ahead.Edge);
+      Prefetch(&sources[ahead.Tail]);
+      Prefetch(&sources[ahead.Vertex]);
+      Prefetch(&this->Vertices[ahead.Tail]);
+      Prefetch(&this->Vertices[ahead.Vertex]);
+      Prefetch(&result.Distances[ahead.Vertex]);
+    }
+    const TreeStep& step = steps[i];
+    VirtualSource& source = sources[step.Vertex];
+    if (step.Tail == NoId)
+    {
+      source = SourceOf(seeds[result.Seeds[step.Vertex]]);
+      continue;
+    }
+    source = this->Follow(step, lengths[step.Edge], sources[step.Tail]);
+    source.Estimate = this->Clamp(source.Estimate, result.Distances[step.Vertex], smallestOffset);
+  }
+}
+
+/// Along an edge, from the tail to the vertex.
+LabelCorrection::VirtualSource LabelCorrection::Follow(
+  const TreeStep& step, double edge, const VirtualSource& from) const
+{
+  const Vertex& vertex = this->Vertices[step.Vertex];
+  const Vertex& tail = this->Vertices[step.Tail];
+  const double arrival = this->Graph.ArrivalAngles[step.Edge];
+  double turn = this->Graph.Angles[step.Edge] - from.Angle;
+  if (tail.Angle > 0.0f)
+  {
+    turn -= tail.Angle * std::rint(turn / tail.Angle); // the smaller side
+  }
+  const VirtualSource restarted{ from.Estimate, edge, arrival, from.Estimate + edge };
+  const bool bends = std::abs(turn) >= Pi + AngleSlack;
+  if (bends || !(from.Length > 0.0) || tail.Angle == 0.0f)
+  {
+    return restarted;
+  }
+  // The triangle of virtual source, tail and vertex is nearly flat: its angle at the tail is pi
+  // less the deviation. Written so that nothing cancels where that is small; single precision is
+  // what the angles of the graph have.
+  const double roughness = std::min(1.0, (tail.Defect + vertex.Defect) / (2.0 * RoughDefect));
+  const double deviation = (1.0 - roughness * SpuriousPart) * std::max(0.0, Pi - std::abs(turn));
+  const double half = std::sin(static_cast<float>(0.5 * deviation));
+  const double sum = from.Length + edge;
+  const double height = from.Length * edge / sum;
+  const double flatness = 4.0 * height * half * half / sum;
+  const double gain = sum * flatness / (1.0 + std::sqrt(std::max(0.0, 1.0 - flatness))) +
+    roughness * this->Unseen * height;
+  const double x = edge + from.Length * (1.0 - 2.0 * half * half);
+  const double y = 2.0 * from.Length * half * std::sqrt(std::max(0.0, 1.0 - half * half));
+  const double tilt = std::atan2(static_cast<float>(y), static_cast<float>(x));
+  const double angle = arrival + (turn > 0.0 ? tilt : -tilt);
+  if (vertex.Angle < 0.0f && !(angle >= -AngleSlack && angle <= AngleSlack - vertex.Angle))
+  {
+    return restarted; // the straight way leaves the surface
+  }
+  const double length = std::max(0.0, sum - gain);
+  return { from.Offset, length, angle, from.Offset + length };
+}
+}

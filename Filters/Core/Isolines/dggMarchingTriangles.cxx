@@ -1,0 +1,603 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggMarchingTriangles.h"
+
+#include "dggLevelTurns.h"
+
+#include <algorithm>
+
+namespace dgg
+{
+namespace
+{
+/// A ridge is looked for by this many halvings of a side.
+constexpr int StepsOfCrest = 16;
+/// The lowest point of a ridge is looked for by this many steps, each of which leaves two thirds.
+constexpr int StepsOfDip = 12;
+/// A point this close to a side of a triangle is on it, relative to the largest part of the
+/// triangle.
+constexpr double OnSide = 1e-12;
+/// How often all triangles are looked at for waves between their nodes, and how many nodes these
+/// may cost, in nodes that there are.
+constexpr int RoundsOfTurns = 12;
+constexpr std::size_t MostNodes = 20;
+
+double SignedArea(const Point2& a, const Point2& b, const Point2& c)
+{
+  return Cross(Difference(b, a), Difference(c, a));
+}
+}
+
+void LevelRim::Clear()
+{
+  for (std::vector<RimCrossing>& side : this->Sides)
+  {
+    side.clear();
+  }
+}
+
+std::size_t LevelRim::CountCrossings() const
+{
+  return this->Sides[0].size() + this->Sides[1].size() + this->Sides[2].size();
+}
+
+void MarchingTriangles::Build(const FaceProfile& profile, const LevelArc& arc, double level,
+  const LevelRim& rim, int cells, const std::vector<Point2>& seeds)
+{
+  this->Nodes.clear();
+  this->Links.clear();
+  this->Triangles.clear();
+  this->Chains.clear();
+  this->AddRim(profile, arc, rim, cells);
+  this->AddTriangles(profile, arc, level, cells);
+  for (const Point2& seed : seeds)
+  {
+    this->InsertSeed(arc, level, seed);
+  }
+  if (profile.GetSources().size() > 1)
+  {
+    this->AddTurns(arc, level);
+  }
+  this->AddCrests(arc, level);
+  this->March();
+  this->Follow(arc);
+}
+
+Id MarchingTriangles::AddNode(const LevelArc& arc, double level, const Point2& place)
+{
+  Node node;
+  node.Point = arc.Look(place);
+  node.IsAbove = node.Point.Sample.Distance >= level;
+  this->Nodes.push_back(node);
+  return static_cast<Id>(this->Nodes.size()) - 1;
+}
+
+/// The nodes on the rim, and the crossings between them.
+void MarchingTriangles::AddRim(
+  const FaceProfile& profile, const LevelArc& arc, const LevelRim& rim, int cells)
+{
+  const std::array<Point2, 3>& corners = profile.GetCorners();
+  for (const Point2& corner : corners)
+  {
+    this->Nodes.emplace_back();
+    this->Nodes.back().Point = arc.Look(corner);
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Nodes[k].IsAbove = rim.IsAbove[k];
+    this->Nodes[k].IsOnSide[k] = true;
+    this->Nodes[(k + 1) % 3].IsOnSide[k] = true;
+    const Point2& from = corners[k];
+    const Point2& to = corners[(k + 1) % 3];
+    const std::vector<RimCrossing>& side = rim.Sides[k];
+    this->RimNodes[k].assign(1, k);
+    this->Between[k].assign(cells, {});
+    bool isAbove = rim.IsAbove[k];
+    Id previous = k;
+    std::size_t next = 0;
+    auto step = [&](double t) {
+      const Point2 place{ from.X + t * (to.X - from.X), from.Y + t * (to.Y - from.Y) };
+      this->Nodes.emplace_back();
+      Node& node = this->Nodes.back();
+      node.Point = arc.Look(place);
+      node.IsAbove = isAbove;
+      node.IsOnSide[k] = true;
+      return static_cast<Id>(this->Nodes.size()) - 1;
+    };
+    auto connect = [&](Id node, const RimCrossing* crossing) {
+      if (crossing)
+      {
+        const Id link = this->AddLink(std::min(previous, node), std::max(previous, node));
+        this->Links[link].Crossing = crossing->Index;
+      }
+      previous = node;
+    };
+    for (int i = 0; i < cells; ++i)
+    {
+      const double end = static_cast<double>(i + 1) / cells;
+      const bool isLast = i + 1 == cells;
+      const RimCrossing* open = nullptr;
+      for (; next < side.size() && (isLast || side[next].T <= end); ++next)
+      {
+        if (open)
+        {
+          const Id node = step(0.5 * (open->T + side[next].T));
+          this->Between[k][i].push_back(node);
+          connect(node, open);
+        }
+        open = &side[next];
+        isAbove = !isAbove;
+      }
+      const Id node = isLast ? (k + 1) % 3 : step(end);
+      connect(node, open);
+      this->RimNodes[k].push_back(node);
+    }
+  }
+}
+
+void MarchingTriangles::AddTriangles(
+  const FaceProfile& profile, const LevelArc& arc, double level, int cells)
+{
+  const std::array<Point2, 3>& corners = profile.GetCorners();
+  // Node (i, j) is i steps from corner 0 towards corner 1 and j towards corner 2.
+  std::vector<Id> nodes(static_cast<std::size_t>((cells + 1) * (cells + 1)), NoId);
+  auto at = [&](int i, int j) -> Id& { return nodes[j * (cells + 1) + i]; };
+  for (int j = 0; j <= cells; ++j)
+  {
+    for (int i = 0; i + j <= cells; ++i)
+    {
+      const double s = static_cast<double>(i) / cells;
+      const double t = static_cast<double>(j) / cells;
+      at(i, j) = j == 0 ? this->RimNodes[0][i]
+        : i == 0        ? this->RimNodes[2][cells - j]
+        : i + j == cells
+        ? this->RimNodes[1][j]
+        : this->AddNode(arc, level,
+            { corners[0].X + s * (corners[1].X - corners[0].X) + t * (corners[2].X - corners[0].X),
+              corners[0].Y + s * (corners[1].Y - corners[0].Y) +
+                t * (corners[2].Y - corners[0].Y) });
+    }
+  }
+  for (int j = 0; j < cells; ++j)
+  {
+    for (int i = 0; i + j < cells; ++i)
+    {
+      this->AddCell(arc, level, { { at(i, j), at(i + 1, j), at(i, j + 1) } },
+        { { j == 0 ? &this->Between[0][i] : nullptr,
+          i + j + 1 == cells ? &this->Between[1][j] : nullptr,
+          i == 0 ? &this->Between[2][cells - 1 - j] : nullptr } });
+      if (i + j + 1 < cells)
+      {
+        this->AddCell(arc, level, { { at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) } },
+          { { nullptr, nullptr, nullptr } });
+      }
+    }
+  }
+}
+
+/// A cell with further nodes on its sides is cut from its middle.
+void MarchingTriangles::AddCell(const LevelArc& arc, double level, const Triangle& corners,
+  const std::array<const std::vector<Id>*, 3>& between)
+{
+  this->Polygon.clear();
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Polygon.push_back(corners[k]);
+    if (between[k])
+    {
+      this->Polygon.insert(this->Polygon.end(), between[k]->begin(), between[k]->end());
+    }
+  }
+  if (this->Polygon.size() == 3)
+  {
+    this->Triangles.push_back(corners);
+    return;
+  }
+  Point2 middle;
+  for (const Id corner : corners)
+  {
+    middle.X += this->Nodes[corner].Point.Place.X / 3.0;
+    middle.Y += this->Nodes[corner].Point.Place.Y / 3.0;
+  }
+  const Id node = this->AddNode(arc, level, middle);
+  for (std::size_t i = 0; i < this->Polygon.size(); ++i)
+  {
+    this->Triangles.push_back(
+      { { this->Polygon[i], this->Polygon[(i + 1) % this->Polygon.size()], node } });
+  }
+}
+
+/// Cut the triangle in which the seed lies.
+void MarchingTriangles::InsertSeed(const LevelArc& arc, double level, const Point2& seed)
+{
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    const Triangle triangle = this->Triangles[t];
+    std::array<double, 3> areas{};
+    for (int k = 0; k < 3; ++k)
+    {
+      areas[k] = SignedArea(
+        this->Nodes[triangle[k]].Point.Place, this->Nodes[triangle[(k + 1) % 3]].Point.Place, seed);
+    }
+    const double least = std::min({ areas[0], areas[1], areas[2] });
+    const double largest = std::max({ areas[0], areas[1], areas[2] });
+    // By rounding a seed on the side of two triangles may be in neither.
+    if (!(largest > 0.0) || !(least >= -OnSide * largest))
+    {
+      continue;
+    }
+    if (areas[0] + areas[1] + areas[2] - largest <= 1e-9 * largest)
+    {
+      return; // at a node, which is as good
+    }
+    const Id node = this->AddNode(arc, level, seed);
+    const auto nearest =
+      static_cast<int>(std::min_element(areas.begin(), areas.end()) - areas.begin());
+    if (least <= OnSide * largest)
+    {
+      this->CutSide(triangle[nearest], triangle[(nearest + 1) % 3], node);
+      return;
+    }
+    this->Triangles[t] = { { triangle[0], triangle[1], node } };
+    this->Triangles.push_back({ { triangle[1], triangle[2], node } });
+    this->Triangles.push_back({ { triangle[2], triangle[0], node } });
+    return;
+  }
+}
+
+/// Cut the triangles on both sides of a and b at a node between these.
+void MarchingTriangles::CutSide(Id a, Id b, Id node)
+{
+  const std::size_t count = this->Triangles.size();
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    const Triangle triangle = this->Triangles[t];
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id from = triangle[k];
+      const Id to = triangle[(k + 1) % 3];
+      const Id opposite = triangle[(k + 2) % 3];
+      if ((from == a && to == b) || (from == b && to == a))
+      {
+        this->Triangles[t] = { { from, node, opposite } };
+        this->Triangles.push_back({ { node, to, opposite } });
+      }
+    }
+  }
+}
+
+/// Waves of several sources in the face may be narrower than its small triangles: cut these until
+/// no side is crossed more than once, and where three waves meet. All sides come before those that
+/// are new, which may lead to slivers along a side that is to be cut itself.
+void MarchingTriangles::AddTurns(const LevelArc& arc, double level)
+{
+  this->Looked.clear();
+  const std::size_t most = MostNodes * this->Nodes.size();
+  bool isCut = true;
+  for (int round = 0; round < RoundsOfTurns && isCut; ++round)
+  {
+    isCut = false;
+    std::vector<Side> sides;
+    sides.reserve(3 * this->Triangles.size());
+    for (const Triangle& triangle : this->Triangles)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        sides.emplace_back(std::minmax(triangle[k], triangle[(k + 1) % 3]));
+      }
+    }
+    for (std::size_t i = 0; i < sides.size() && this->Nodes.size() < most; ++i)
+    {
+      isCut = this->CutAtTurns(arc, level, sides[i].first, sides[i].second) || isCut;
+    }
+    const std::size_t count = this->Triangles.size();
+    for (std::size_t t = 0; t < count && this->Nodes.size() < most; ++t)
+    {
+      isCut = this->CutAtMeeting(arc, level, t) || isCut;
+    }
+  }
+}
+
+bool MarchingTriangles::CutAtTurns(const LevelArc& arc, double level, Id a, Id b)
+{
+  if (this->IsOnRim(a, b) || !this->Looked.insert(std::minmax(a, b)).second)
+  {
+    return false;
+  }
+  this->Turns.clear();
+  FindTurns(arc, level, { this->Nodes[a].Point, this->Nodes[a].IsAbove },
+    { this->Nodes[b].Point, this->Nodes[b].IsAbove }, this->Turns);
+  Id previous = a;
+  for (const LevelPoint& turn : this->Turns)
+  {
+    const Id node = this->AddNode(arc, level, turn.Place);
+    this->CutSide(previous, b, node);
+    this->Looked.insert(std::minmax(previous, node));
+    previous = node;
+  }
+  this->Looked.insert(std::minmax(previous, b));
+  return !this->Turns.empty();
+}
+
+bool MarchingTriangles::CutAtMeeting(const LevelArc& arc, double level, std::size_t t)
+{
+  const Triangle triangle = this->Triangles[t];
+  const std::array<const Node*, 3> nodes{ { &this->Nodes[triangle[0]], &this->Nodes[triangle[1]],
+    &this->Nodes[triangle[2]] } };
+  Point2 meeting;
+  if ((nodes[0]->IsAbove && nodes[1]->IsAbove && nodes[2]->IsAbove) ||
+    !FindMeeting({ { &nodes[0]->Point, &nodes[1]->Point, &nodes[2]->Point } }, meeting) ||
+    !(arc.Look(meeting).Sample.Distance >= level))
+  {
+    return false;
+  }
+  const Id node = this->AddNode(arc, level, meeting);
+  this->Triangles[t] = { { triangle[0], triangle[1], node } };
+  this->Triangles.push_back({ { triangle[1], triangle[2], node } });
+  this->Triangles.push_back({ { triangle[2], triangle[0], node } });
+  return true;
+}
+
+/// Cut small triangles where a ridge crosses their sides, so that the narrow strip above the level
+/// along it is not lost between nodes. Where it crosses two sides it runs from one to the other.
+void MarchingTriangles::AddCrests(const LevelArc& arc, double level)
+{
+  this->Crests.clear();
+  const std::size_t count = this->Triangles.size();
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    Triangle triangle = this->Triangles[t];
+    std::array<Id, 3> crests{};
+    int found = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      crests[k] = this->FindCrest(arc, level, triangle[k], triangle[(k + 1) % 3]);
+      found += crests[k] != NoId ? 1 : 0;
+    }
+    if (found == 0)
+    {
+      continue;
+    }
+    // Turn it so that the first side is the one that is left whole of three, or the one that is
+    // cut.
+    while (found == 3 ? false : (crests[0] != NoId) != (found == 1))
+    {
+      std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+      std::rotate(crests.begin(), crests.begin() + 1, crests.end());
+    }
+    const Id a = triangle[0];
+    const Id b = triangle[1];
+    const Id c = triangle[2];
+    const Id first = found == 1 ? crests[0] : crests[1];
+    const Id second = found == 1 ? c : crests[2];
+    const Id dip =
+      found < 3 && this->Nodes[second].IsAbove ? this->FindDip(arc, level, first, second) : NoId;
+    if (dip != NoId)
+    {
+      this->Polygon =
+        found == 1 ? std::vector<Id>{ a, first, b, c } : std::vector<Id>{ a, b, first, c, second };
+      this->Triangles[t] = { { this->Polygon.back(), this->Polygon.front(), dip } };
+      for (std::size_t i = 1; i < this->Polygon.size(); ++i)
+      {
+        this->Triangles.push_back({ { this->Polygon[i - 1], this->Polygon[i], dip } });
+      }
+      continue;
+    }
+    if (found == 1)
+    {
+      this->Triangles[t] = { { a, crests[0], c } };
+      this->Triangles.push_back({ { crests[0], b, c } });
+      continue;
+    }
+    this->Triangles[t] = { { crests[1], c, crests[2] } };
+    if (found == 2)
+    {
+      this->Triangles.push_back({ { a, b, crests[1] } });
+      this->Triangles.push_back({ { a, crests[1], crests[2] } });
+      continue;
+    }
+    this->Triangles.push_back({ { a, crests[0], crests[2] } });
+    this->Triangles.push_back({ { crests[0], b, crests[1] } });
+    this->Triangles.push_back({ { crests[0], crests[1], crests[2] } });
+  }
+}
+
+/// A node above the level between two that are below it, with a rise from either of them.
+Id MarchingTriangles::FindCrest(const LevelArc& arc, double level, Id a, Id b)
+{
+  if (this->Nodes[a].IsAbove || this->Nodes[b].IsAbove)
+  {
+    return NoId;
+  }
+  const Id low = std::min(a, b);
+  const Id high = std::max(a, b);
+  for (Id i = this->Nodes[low].LastCrest; i != NoId; i = this->Crests[i].Before)
+  {
+    if (this->Crests[i].High == high)
+    {
+      return this->Crests[i].Node;
+    }
+  }
+  Point2 begin = this->Nodes[low].Point.Place;
+  Point2 end = this->Nodes[high].Point.Place;
+  const Point2 way = Difference(end, begin);
+  const FieldSample& atBegin = this->Nodes[low].Point.Sample;
+  const FieldSample& atEnd = this->Nodes[high].Point.Sample;
+  Id found = NoId;
+  // At a corner of the face there may be no gradient.
+  if (Dot(atBegin.Gradient, way) >= 0.0 && Dot(atEnd.Gradient, way) <= 0.0 &&
+    0.5 * (atBegin.Distance + atEnd.Distance + Norm(way.X, way.Y)) > level &&
+    !this->IsOnRim(low, high))
+  {
+    for (int step = 0; step < StepsOfCrest && found == NoId; ++step)
+    {
+      const Point2 middle{ 0.5 * (begin.X + end.X), 0.5 * (begin.Y + end.Y) };
+      const LevelPoint point = arc.Look(middle);
+      if (point.Sample.Distance >= level)
+      {
+        this->Nodes.emplace_back();
+        this->Nodes.back().Point = point;
+        this->Nodes.back().IsAbove = true;
+        found = static_cast<Id>(this->Nodes.size()) - 1;
+      }
+      (Dot(point.Sample.Gradient, way) > 0.0 ? begin : end) = middle;
+    }
+  }
+  this->Crests.push_back({ high, this->Nodes[low].LastCrest, found });
+  this->Nodes[low].LastCrest = static_cast<Id>(this->Crests.size()) - 1;
+  return found;
+}
+
+/// A node below the level on the ridge between two nodes above it, if it falls that low: there, the
+/// two waves have met, and the strip is cut. Along the ridge of two waves the distance falls, then
+/// rises.
+Id MarchingTriangles::FindDip(const LevelArc& arc, double level, Id a, Id b)
+{
+  const Point2 begin = this->Nodes[a].Point.Place;
+  const Point2 way = Difference(this->Nodes[b].Point.Place, begin);
+  const Point2 side{ -way.Y, way.X };
+  // The ridge beside the straight way, within the face: in a long one, the rim is near.
+  const auto look = [&](double t) {
+    const Point2 base{ begin.X + t * way.X, begin.Y + t * way.Y };
+    double left = -0.5;
+    double right = 0.5;
+    LevelPoint best = arc.Look(base);
+    double x = 0.0;
+    bool isRising = Dot(best.Sample.Gradient, side) > 0.0;
+    for (int step = 0; step < StepsOfCrest; ++step)
+    {
+      (isRising ? left : right) = x;
+      x = 0.5 * (left + right);
+      const Point2 place{ base.X + x * side.X, base.Y + x * side.Y };
+      if (!arc.IsInside(place))
+      {
+        isRising = x < 0.0;
+        continue;
+      }
+      const LevelPoint point = arc.Look(place);
+      best = point.Sample.Distance > best.Sample.Distance ? point : best;
+      isRising = Dot(point.Sample.Gradient, side) > 0.0;
+    }
+    return best;
+  };
+  double from = 0.0;
+  double to = 1.0;
+  for (int step = 0; step < StepsOfDip; ++step)
+  {
+    const double third = (to - from) / 3.0;
+    const LevelPoint one = look(from + third);
+    const LevelPoint two = look(to - third);
+    const LevelPoint& lower = one.Sample.Distance < two.Sample.Distance ? one : two;
+    if (lower.Sample.Distance < level)
+    {
+      this->Nodes.emplace_back();
+      this->Nodes.back().Point = lower;
+      return static_cast<Id>(this->Nodes.size()) - 1;
+    }
+    (&lower == &one ? to : from) = &lower == &one ? to - third : from + third;
+  }
+  return NoId;
+}
+
+/// Whether the side between two nodes lies on the rim, where the crossings decide.
+bool MarchingTriangles::IsOnRim(Id a, Id b) const
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    if (this->Nodes[a].IsOnSide[k] && this->Nodes[b].IsOnSide[k])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+Id MarchingTriangles::AddLink(Id low, Id high)
+{
+  this->Links.push_back({ low, high, this->Nodes[low].LastLink });
+  this->Nodes[low].LastLink = static_cast<Id>(this->Links.size()) - 1;
+  return this->Nodes[low].LastLink;
+}
+
+/// The link between two nodes.
+Id MarchingTriangles::FindLink(Id a, Id b)
+{
+  const Id low = std::min(a, b);
+  const Id high = std::max(a, b);
+  for (Id i = this->Nodes[low].LastLink; i != NoId; i = this->Links[i].Before)
+  {
+    if (this->Links[i].High == high)
+    {
+      return i;
+    }
+  }
+  return this->AddLink(low, high);
+}
+
+void MarchingTriangles::March()
+{
+  for (const Triangle& triangle : this->Triangles)
+  {
+    Id first = NoId;
+    Id last = NoId;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id from = triangle[k];
+      const Id to = triangle[(k + 1) % 3];
+      const bool isAbove = this->Nodes[from].IsAbove;
+      if (isAbove != this->Nodes[to].IsAbove)
+      {
+        // Entering where the rim rises, it has what is lower on its left.
+        (isAbove ? last : first) = this->FindLink(from, to);
+      }
+    }
+    if (first != NoId)
+    {
+      this->Links[first].Next = last;
+      this->Links[last].IsReached = true;
+    }
+  }
+}
+
+void MarchingTriangles::Follow(const LevelArc& arc)
+{
+  for (std::size_t i = 0; i < this->Links.size(); ++i)
+  {
+    if (!this->Links[i].IsReached && this->Links[i].Next != NoId)
+    {
+      this->FollowFrom(arc, static_cast<Id>(i));
+    }
+  }
+  for (std::size_t i = 0; i < this->Links.size(); ++i)
+  {
+    if (this->Links[i].Next != NoId)
+    {
+      this->FollowFrom(arc, static_cast<Id>(i)); // closed
+    }
+  }
+}
+
+void MarchingTriangles::FollowFrom(const LevelArc& arc, Id link)
+{
+  this->Chains.emplace_back();
+  LevelChain& chain = this->Chains.back();
+  while (link != NoId)
+  {
+    Link& at = this->Links[link];
+    const Id next = at.Next;
+    at.Next = NoId; // done
+    if (at.Crossing != NoId)
+    {
+      (next != NoId ? chain.First : chain.Last) = at.Crossing;
+    }
+    else if (next != NoId)
+    {
+      const Node& a = this->Nodes[at.Low];
+      const Node& b = this->Nodes[at.High];
+      chain.Points.push_back(
+        arc.FindBetween(a.IsAbove ? b.Point : a.Point, a.IsAbove ? a.Point : b.Point));
+    }
+    link = next;
+  }
+}
+}

@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggLoopFinder.h"
+
+#include "dggLoopCandidates.h"
+#include "dggLoopShortener.h"
+#include "dggPathTracer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// Ways there and back that are straightened, one after the other, until one stays open; most of
+/// those that contract to a point are left out before.
+constexpr std::size_t MostTrials = 256;
+/// Of links into a graph that has none.
+constexpr double DefaultAccuracy = 0.01;
+double ChooseLinkAccuracy(double wanted, const GraphView& graph)
+{
+  const double accuracy = wanted > 0.0 ? wanted : graph.Info.Accuracy;
+  return accuracy > 0.0 ? accuracy : DefaultAccuracy;
+}
+
+/// Once there is a loop, others are tried that may become shorter than it, until so many stay open.
+constexpr std::size_t MostRivals = 24;
+/// Crossings laid out for all of these, per face; more than was seen but on prisms of hundreds of
+/// strips, where all ways are led around their caps strip by strip, and contract.
+constexpr std::size_t MostWorkOfFace = 600;
+constexpr std::size_t SmallestMesh = 3000; // of fewer faces any takes little
+
+/// Let a loop go at the points that it was asked to go through. One that is straight there is taut.
+/// Up to the tolerance of kinks it may become a little shorter, but does not slip off.
+void LetGo(const SurfaceMesh& mesh, FoundLoop& loop)
+{
+  if (loop.Angle >= Pi - LoopShortener::AngleTolerance)
+  {
+    return;
+  }
+  SurfacePath tight;
+  LoopShortener(mesh).PullTight(loop.Loop, tight);
+  if (tight.IsEmpty() && !loop.IsKinked())
+  {
+    return;
+  }
+  loop.Loop = std::move(tight);
+  loop.Angle = Pi;
+}
+}
+
+//------------------------------------------------------------------------------
+class LoopFinder::Implementation
+{
+public:
+  Implementation(const SurfaceMesh& mesh, const GraphSearch& search, const GraphBuilder* builder,
+    const double* positions, double linkAccuracy)
+    : Mesh(mesh)
+    , Search(search)
+    , Builder(builder)
+    , Paths(mesh, search, builder, positions)
+    , LinkAccuracy(ChooseLinkAccuracy(linkAccuracy, search.GetGraph()))
+    , Usable(CheckCorners(mesh))
+  {
+  }
+
+  Status ThroughPoint(
+    const SurfacePoint& point, bool taut, const ProgressCallback& progress, FoundLoop& loop) const;
+
+  const SurfaceMesh& Mesh;
+  const GraphSearch& Search;
+  const GraphBuilder* Builder;
+  PathFinder Paths;
+  const double LinkAccuracy;
+  Status Usable; // whether the mesh is
+
+private:
+  /// A search from the point that loops go through.
+  struct Tree
+  {
+    SurfacePoint Point;
+    std::vector<GraphSeed> Seeds;
+    SearchResult Result;
+  };
+
+  Status Grow(Tree& tree) const;
+  Status TraceBranch(PathTracer& tracer, const Tree& tree, Id vertex, bool isOutwards) const;
+  Status TryCandidates(const Tree& tree, LoopCandidates& candidates, bool taut,
+    const ProgressCallback& progress, FoundLoop& loop) const;
+  Status Trace(PathTracer& tracer, const Tree& tree, const LoopCandidate& candidate) const;
+};
+
+/// Paths from the point to all vertices.
+Status LoopFinder::Implementation::Grow(Tree& tree) const
+{
+  Status status = this->Usable;
+  if (status.IsOk())
+  {
+    status = tree.Point.Check(this->Mesh);
+  }
+  if (status.IsOk() && !this->Search.GetGraph().Angles)
+  {
+    status = Status::Invalid("loops are traced on meshes: this graph has no directions");
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  if (IsVertex(tree.Point))
+  {
+    tree.Seeds.push_back({ tree.Point.Vertex, 0.0, 0.0, 0, -1.0 });
+  }
+  else if (!this->Builder)
+  {
+    return Status::Invalid("a point that is not a vertex needs a graph builder");
+  }
+  else
+  {
+    std::vector<GraphLink> links;
+    std::vector<double> direct;
+    status = this->Builder->Link(tree.Point, this->LinkAccuracy, {}, links, direct);
+    for (const GraphLink& link : links)
+    {
+      tree.Seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
+    }
+  }
+  return status.IsOk() ? this->Search.Run(tree.Seeds, SearchOptions(), tree.Result) : status;
+}
+
+/// The way from the point to a vertex, or back.
+Status LoopFinder::Implementation::TraceBranch(
+  PathTracer& tracer, const Tree& tree, Id vertex, bool isOutwards) const
+{
+  const GraphView& graph = this->Search.GetGraph();
+  std::vector<GraphEdge>
+    edges; // from the vertex to the point; the tail of each is nearer to the point
+  Id v = vertex;
+  for (; tree.Result.Edges[v] >= 0; v = tree.Result.Tails[v])
+  {
+    const Offset e = tree.Result.Edges[v];
+    edges.push_back(
+      { tree.Result.Tails[v], graph.Angles[e], SurfacePoint::AtVertex(v), graph.Length(e) });
+  }
+  const GraphSeed& seed = tree.Seeds[tree.Result.Seeds[v]];
+  const GraphEdge link{ v, seed.ArrivalAngle, tree.Point, seed.Distance };
+  Status status;
+  if (isOutwards)
+  {
+    if (!IsVertex(tree.Point))
+    {
+      status = tracer.Append(link, true);
+    }
+    for (auto edge = edges.rbegin(); edge != edges.rend() && status.IsOk(); ++edge)
+    {
+      status = tracer.Append(*edge);
+    }
+    return status;
+  }
+  for (auto edge = edges.begin(); edge != edges.end() && status.IsOk(); ++edge)
+  {
+    status = tracer.Append(*edge, true);
+  }
+  return status.IsOk() && !IsVertex(tree.Point) ? tracer.Append(link) : status;
+}
+
+Status LoopFinder::Implementation::Trace(
+  PathTracer& tracer, const Tree& tree, const LoopCandidate& candidate) const
+{
+  const GraphView& graph = this->Search.GetGraph();
+  const Id head = graph.Targets[candidate.Edge];
+  tracer.Begin(true);
+  Status status = this->TraceBranch(tracer, tree, candidate.Tail, true);
+  if (status.IsOk())
+  {
+    status = tracer.Append({ candidate.Tail, graph.Angles[candidate.Edge],
+      SurfacePoint::AtVertex(head), graph.Length(candidate.Edge) });
+  }
+  return status.IsOk() ? this->TraceBranch(tracer, tree, head, false) : status;
+}
+
+Status LoopFinder::Implementation::ThroughPoint(
+  const SurfacePoint& point, bool taut, const ProgressCallback& progress, FoundLoop& loop) const
+{
+  if (progress && !progress(0.0))
+  {
+    return Status::Abort(); // before the graph is looked at
+  }
+  Tree tree;
+  tree.Point = point;
+  DGG_RETURN_IF_ERROR(this->Grow(tree));
+  LoopCandidates candidates =
+    FindLoopCandidates(this->Mesh, this->Search.GetGraph(), tree.Seeds, tree.Result);
+  return this->TryCandidates(tree, candidates, taut, progress, loop);
+}
+
+/// Straighten ways there and back. With wide kinks more of them contract to the point.
+Status LoopFinder::Implementation::TryCandidates(const Tree& tree, LoopCandidates& candidates,
+  bool taut, const ProgressCallback& progress, FoundLoop& loop) const
+{
+  PathTracer tracer(this->Mesh);
+  PathShortener shortener(this->Mesh);
+  const std::size_t mostWork = MostWorkOfFace *
+    std::max(SmallestMesh, static_cast<std::size_t>(this->Mesh.GetNumberOfFaces()));
+  // A loop is shorter than its way through the graph by the accuracy at most.
+  const auto isTooLong = [&](const LoopCandidate& candidate) {
+    return !loop.Loop.IsEmpty() &&
+      candidate.Length > loop.Loop.Length * (1.0 + this->Search.GetGraph().Info.Accuracy);
+  };
+  std::size_t trials = 0;
+  std::size_t rivals = 0;
+  for (std::vector<LoopCandidate>* list : { &candidates.Narrow, &candidates.Wide })
+  {
+    list->erase(std::remove_if(list->begin(), list->end(), isTooLong), list->end());
+    std::stable_sort(list->begin(), list->end(),
+      [](const LoopCandidate& a, const LoopCandidate& b) { return a.Length < b.Length; });
+    for (const LoopCandidate& candidate : *list)
+    {
+      const bool isFound = !loop.Loop.IsEmpty();
+      if (isTooLong(candidate) || trials == MostTrials || rivals == MostRivals ||
+        shortener.GetWork() > mostWork)
+      {
+        break;
+      }
+      if (progress && !progress(static_cast<double>(trials) / MostTrials))
+      {
+        return Status::Abort();
+      }
+      ++trials;
+      DGG_RETURN_IF_ERROR(this->Trace(tracer, tree, candidate));
+      FoundLoop found;
+      for (Strip& strip : tracer.GetStrips())
+      {
+        shortener.Shorten(strip);
+        shortener.Append(strip, found.Loop);
+      }
+      if (found.Loop.Faces.size() < 2 || !(found.Loop.Length > 0.0))
+      {
+        continue; // contracted to the point
+      }
+      rivals += isFound ? 1 : 0;
+      found.Angle = LoopShortener::AngleAt(this->Mesh, found.Loop, 0);
+      if (taut)
+      {
+        LetGo(this->Mesh, found);
+      }
+      if (!found.Loop.IsEmpty() && (!isFound || found.Loop.Length < loop.Loop.Length))
+      {
+        loop = std::move(found);
+      }
+    }
+  }
+  return Status::Success();
+}
+
+LoopFinder::LoopFinder(const SurfaceMesh& mesh, const GraphSearch& search,
+  const GraphBuilder* builder, const double* positions, double linkAccuracy)
+  : Internals(std::make_unique<Implementation>(mesh, search, builder, positions, linkAccuracy))
+{
+}
+
+LoopFinder::~LoopFinder() = default;
+
+Status LoopFinder::ThroughPoint(
+  const SurfacePoint& point, bool taut, FoundLoop& loop, const ProgressCallback& progress) const
+{
+  loop = FoundLoop();
+  Status status = this->Internals->ThroughPoint(point, taut, progress, loop);
+  if (!status.IsOk())
+  {
+    loop = FoundLoop();
+  }
+  return status;
+}
+
+Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop) const
+{
+  bool isConnected = true;
+  return this->Rope(points, taut, loop, isConnected);
+}
+
+Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop,
+  bool& isConnected, const ProgressCallback& progress) const
+{
+  loop = FoundLoop();
+  isConnected = true;
+  if (points.empty())
+  {
+    return Status::Invalid("a rope needs points to go through");
+  }
+  PathOptions options;
+  options.LinkAccuracy = this->Internals->LinkAccuracy;
+  SurfacePath rope;
+  std::vector<std::size_t> stops; // pieces that start at the points
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (progress && !progress(static_cast<double>(i) / static_cast<double>(points.size())))
+    {
+      return Status::Abort();
+    }
+    FoundPath leg;
+    Status status =
+      this->Internals->Paths.Find(points[i], points[(i + 1) % points.size()], options, leg);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    if (leg.Path.IsEmpty())
+    {
+      isConnected = false;
+      return status;
+    }
+    if (!leg.Path.Faces.empty())
+    {
+      stops.push_back(rope.Faces.size());
+    }
+    const std::size_t first = rope.Points.empty() ? 0 : 1;
+    rope.Points.insert(rope.Points.end(),
+      leg.Path.Points.begin() + static_cast<std::ptrdiff_t>(first), leg.Path.Points.end());
+    rope.Faces.insert(rope.Faces.end(), leg.Path.Faces.begin(), leg.Path.Faces.end());
+    rope.Length += leg.Path.Length;
+  }
+  if (progress && !progress(1.0))
+  {
+    return Status::Abort();
+  }
+  if (rope.Faces.empty())
+  {
+    return Status::Success();
+  }
+  loop.Loop = std::move(rope);
+  for (const std::size_t stop : stops)
+  {
+    loop.Angle =
+      std::min(loop.Angle, LoopShortener::AngleAt(this->Internals->Mesh, loop.Loop, stop));
+  }
+  if (taut)
+  {
+    LetGo(this->Internals->Mesh, loop);
+  }
+  return Status::Success();
+}
+}

@@ -1,0 +1,504 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggExactPath.h"
+
+#include "dggUnfolding.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// How close to the distance a path has to be, relatively and in lengths of an edge nearby. Close
+/// together in almost all cases; where faces are narrow, what windows reach just beyond their ends
+/// makes a difference.
+struct Closeness
+{
+  double Relative;
+  double Rounding;
+};
+constexpr Closeness Closenesses[] = { { 1e-12, 4e-15 }, { 5e-11, 4e-15 }, { 1e-9, 1e-13 },
+  { 1e-7, 1e-12 } };
+/// Points this close together, in lengths of an edge nearby, are one.
+constexpr double CoincidenceTolerance = 4e-15;
+/// Labels that are wrong by more than this, relatively, show that a way is lost.
+constexpr double LabelTolerance = 1e-7;
+/// A crossing this close to the end of an edge, in lengths of the edge, is at the vertex.
+constexpr double VertexTolerance = 1e-13;
+/// How far beyond the end of its edge a crossing may be. Windows reach farther beyond their ends
+/// (SeenTolerance), but ways bend there.
+constexpr double CrossingTolerance = 1e-8;
+/// Directions this close to that of an apex, as a sine, may pass it on either side.
+constexpr double ApexTolerance = 1e-9;
+/// What rounding does to the place of an image, relative to its distance: it counts where edges are
+/// very short.
+constexpr double SlackTolerance = 1e-13;
+/// Branches tried per face of the mesh, and at least, before giving up.
+constexpr std::size_t BranchesPerFace = 16;
+constexpr std::size_t LeastBranches = 4096;
+
+/// A point of an edge, not snapped beyond rounding, so that short pieces keep their length.
+SurfacePoint PointOnEdge(const SurfaceMesh& mesh, Id h, double t)
+{
+  if (t <= VertexTolerance)
+  {
+    return SurfacePoint::AtVertex(mesh.Origin(h));
+  }
+  if (t >= 1.0 - VertexTolerance)
+  {
+    return SurfacePoint::AtVertex(mesh.Destination(h));
+  }
+  SurfacePoint point;
+  point.On = SurfacePoint::Support::Edge;
+  point.HalfEdge = h;
+  point.Face = SurfaceMesh::Face(h);
+  point.Barycentric = { { 0.0, 0.0, 0.0 } };
+  point.Barycentric[h % 3] = 1.0 - t;
+  point.Barycentric[(h + 1) % 3] = t;
+  return point;
+}
+
+double LongestEdge(const SurfaceMesh& mesh, Id f)
+{
+  return f == NoId
+    ? 0.0
+    : std::max(mesh.Length(3 * f), std::max(mesh.Length(3 * f + 1), mesh.Length(3 * f + 2)));
+}
+
+template <typename Visitor>
+void ForEachFaceOf(const SurfaceMesh& mesh, const SurfacePoint& point, Visitor&& visit)
+{
+  if (point.On != SurfacePoint::Support::Vertex)
+  {
+    ForEachFaceAround(mesh, point, visit);
+    return;
+  }
+  for (const Id* g = mesh.FanBegin(point.Vertex); g != mesh.FanEnd(point.Vertex); ++g)
+  {
+    std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
+    b[*g % 3] = 1.0;
+    visit(SurfaceMesh::Face(*g), b);
+  }
+}
+
+/// Traces paths back through the faces that their windows have crossed (window tracing, as in
+/// Mitchell, Mount and Papadimitriou, "The discrete geodesic problem", 1987).
+///
+/// A window says where the straight way to its root runs as long as it is known which faces it
+/// unfolds. That is not always so: an edge of more than two faces can have been reached from any of
+/// the others, and a way that runs through a vertex, up to rounding, may leave it on either side.
+/// Then one choice is tried after the other. What decides is the length: any way as long as the
+/// distance is a shortest path, whichever window it came from.
+class WindowTracer
+{
+public:
+  /// `result` is that of a run from one source alone, at distance 0.
+  WindowTracer(const SurfaceMesh& mesh, const SurfacePoint& source, const ExactResult& result)
+    : Mesh(mesh)
+    , Source(source)
+    , Result(result)
+  {
+  }
+
+  /// Path from the source to a point that was reached, given its distance and how it got it. False
+  /// when it cannot be retraced.
+  bool Trace(
+    const SurfacePoint& target, double distance, const Predecessor& last, SurfacePath& path);
+
+private:
+  /// A way that leaves a face and enters another one.
+  struct Branch
+  {
+    Id Left = NoId;               ///< the half-edge of the face that is left
+    double X = 0.0;               ///< where it is crossed
+    Id Entered = NoId;            ///< the half-edge of the face that is entered
+    Point2 Image;                 ///< of the root, in the frame of Entered; Y > 0
+    std::size_t PointsBefore = 0; ///< of the path
+    double LengthSoFar = 0.0;     ///< of this straight piece
+  };
+
+  bool TraceBack(const SurfacePoint& target, double distance, const Predecessor& last);
+  bool TracePiece(const SurfacePoint& start, double distance, const Predecessor& last, Id& reached);
+  void Leave(Id h, const Point2& from, const Point2& image, double lengthSoFar);
+  bool Follow(const Branch& branch, Id& reached);
+  bool EndInSharedFace(const SurfacePoint& start, Id root);
+  bool EndAtCorner(const SurfacePoint& start, Id& reached);
+  bool MayEndAt(Id vertex, double lengthSoFar) const;
+  bool AgreesWithLabels(Id h, double x, double lengthSoFar) const;
+  void Add(const SurfacePoint& point, Id face);
+
+  const SurfaceMesh& Mesh;
+  const SurfacePoint& Source;
+  const ExactResult& Result;
+  std::vector<SurfacePoint> Points; // from the target to the source
+  std::vector<Id> Faces;            // of the pieces between them
+  std::vector<Branch> Branches;     // not tried yet
+  Id Root = NoId;                   // of the straight piece on its way
+  double Distance = 0.0;            // at its start
+  double PieceLength = 0.0;
+  double Tolerance = 0.0; // of lengths
+  std::size_t FirstFace = 0;
+  double Slack = 0.0; // of places, within this piece
+};
+
+bool WindowTracer::Trace(
+  const SurfacePoint& target, double distance, const Predecessor& last, SurfacePath& path)
+{
+  path.Clear();
+  const double edge = LongestEdge(this->Mesh, FindFaceOf(this->Mesh, target));
+  if (distance <= CoincidenceTolerance * edge)
+  {
+    path.Points.assign(1, target);
+    return true;
+  }
+  for (const Closeness& close : Closenesses)
+  {
+    this->Tolerance = close.Relative * distance + close.Rounding * edge;
+    if (this->TraceBack(target, distance, last))
+    {
+      path.Points.assign(this->Points.rbegin(), this->Points.rend());
+      path.Faces.assign(this->Faces.rbegin(), this->Faces.rend());
+      path.Points.front() = this->Source;
+      for (std::size_t piece = 0; piece < path.Faces.size(); ++piece)
+      {
+        path.Length += MeasurePiece(this->Mesh, path, piece);
+      }
+      return std::abs(path.Length - distance) <=
+        2.0 * (Closenesses[3].Relative * distance + Closenesses[3].Rounding * edge);
+    }
+  }
+  return false;
+}
+
+bool WindowTracer::TraceBack(const SurfacePoint& target, double distance, const Predecessor& last)
+{
+  this->Points.assign(1, target);
+  this->Faces.clear();
+  SurfacePoint start = target;
+  double startDistance = distance;
+  Predecessor way = last;
+  Id reached = NoId;
+  do
+  {
+    if (!this->TracePiece(start, startDistance, way, reached))
+    {
+      return false;
+    }
+    if (reached >= 0)
+    {
+      start = SurfacePoint::AtVertex(reached);
+      startDistance = this->Result.Distances[reached];
+      way = this->Result.Predecessors[reached];
+    }
+  } while (reached >= 0 && way.Root != reached);
+  return true;
+}
+
+/// Trace one straight piece; `reached` is what it starts from, a vertex or ~0 for the source.
+bool WindowTracer::TracePiece(
+  const SurfacePoint& start, double distance, const Predecessor& last, Id& reached)
+{
+  this->Root = last.Root;
+  this->Distance = distance;
+  if (last.HalfEdge == NoId)
+  {
+    reached = last.Root;
+    return this->EndInSharedFace(start, last.Root);
+  }
+  std::array<double, 3> barycentric{};
+  if (!FindInFace(this->Mesh, start, SurfaceMesh::Face(last.HalfEdge), barycentric))
+  {
+    return false;
+  }
+  const Point2 from = PlaceInFrame(this->Mesh, last.HalfEdge, barycentric);
+  const Point2 image{ last.ImageX, last.ImageY };
+  this->PieceLength = dgg::Distance(from, image);
+  this->Slack = SlackTolerance * this->PieceLength + 4.0 * this->Mesh.GetMollification();
+  this->FirstFace = this->Faces.size();
+  const std::size_t points = this->Points.size();
+  this->Branches.clear();
+  this->Leave(last.HalfEdge, from, image, 0.0);
+  std::size_t budget = std::max(
+    LeastBranches, BranchesPerFace * static_cast<std::size_t>(this->Mesh.GetNumberOfFaces()));
+  for (; !this->Branches.empty() && budget > 0; --budget)
+  {
+    const Branch branch = this->Branches.back();
+    this->Branches.pop_back();
+    this->Points.resize(branch.PointsBefore);
+    this->Faces.resize(branch.PointsBefore - 1);
+    if (this->Follow(branch, reached))
+    {
+      return true;
+    }
+  }
+  this->Points.resize(points);
+  this->Faces.resize(points - 1);
+  return this->EndAtCorner(start, reached);
+}
+
+/// Leave the face of h through it, from a point of the face towards the image: one branch for each
+/// face behind.
+void WindowTracer::Leave(Id h, const Point2& from, const Point2& image, double lengthSoFar)
+{
+  const double length = this->Mesh.Length(h);
+  if (image.Y >= 0.0 || from.Y < 0.0)
+  {
+    return; // not on the way
+  }
+  // From the point, not from the image, which may be far away.
+  const double crossing = from.X + (image.X - from.X) * (from.Y / (from.Y - image.Y));
+  const double beyond = CrossingTolerance * length + this->Slack;
+  if (!(crossing >= -beyond && crossing <= length + beyond))
+  {
+    return;
+  }
+  Branch branch;
+  branch.Left = h;
+  branch.X = std::min(std::max(crossing, 0.0), length);
+  branch.PointsBefore = this->Points.size();
+  branch.LengthSoFar = lengthSoFar + Norm(branch.X - from.X, from.Y);
+  if (!this->AgreesWithLabels(h, branch.X, branch.LengthSoFar))
+  {
+    return;
+  }
+  const Id twin = this->Mesh.Twin(h);
+  const bool choice = this->Mesh.IsNonManifold(h);
+  for (Id e = twin; e != NoId && e != h; e = this->Mesh.Twin(e))
+  {
+    // A shortest path does not come back to a face.
+    if (choice &&
+      std::find(this->Faces.begin() + static_cast<std::ptrdiff_t>(this->FirstFace),
+        this->Faces.end(), SurfaceMesh::Face(e)) != this->Faces.end())
+    {
+      continue;
+    }
+    branch.Entered = e;
+    branch.Image = { this->Mesh.Origin(e) == this->Mesh.Destination(h) ? length - image.X : image.X,
+      -image.Y };
+    this->Branches.push_back(branch);
+  }
+}
+
+/// Go through one more face. True when the piece ends there.
+bool WindowTracer::Follow(const Branch& branch, Id& reached)
+{
+  const Id e = branch.Entered;
+  const double length = this->Mesh.Length(e);
+  if (branch.LengthSoFar > 0.0) // else the piece starts on the edge
+  {
+    const SurfacePoint point = PointOnEdge(this->Mesh, branch.Left, branch.X / length);
+    this->Add(point, SurfaceMesh::Face(branch.Left));
+    if (point.On == SurfacePoint::Support::Vertex &&
+      this->MayEndAt(point.Vertex, branch.LengthSoFar))
+    {
+      reached = point.Vertex;
+      return true;
+    }
+  }
+  const Id f = SurfaceMesh::Face(e);
+  const bool against = this->Mesh.Origin(e) == this->Mesh.Destination(branch.Left);
+  const Point2 from{ against ? length - branch.X : branch.X, 0.0 };
+  const Point2 apex{ this->Mesh.ApexX(e), this->Mesh.ApexY(e) };
+  std::array<double, 3> barycentric{};
+  if (this->Root < 0 && FindInFace(this->Mesh, this->Source, f, barycentric))
+  {
+    const Point2 source = PlaceInFrame(this->Mesh, e, barycentric);
+    if (branch.LengthSoFar + dgg::Distance(from, source) <= this->PieceLength + this->Tolerance)
+    {
+      this->Add(this->Source, f);
+      reached = this->Root;
+      return true;
+    }
+  }
+  const double toApex = dgg::Distance(from, apex);
+  if (this->MayEndAt(this->Mesh.Apex(e), branch.LengthSoFar + toApex))
+  {
+    reached = this->Mesh.Apex(e);
+    this->Add(SurfacePoint::AtVertex(reached), f);
+    return true;
+  }
+
+  const Point2 toImage{ branch.Image.X - from.X, branch.Image.Y };
+  const double sine = dgg::Cross({ apex.X - from.X, apex.Y }, toImage);
+  const double band = (ApexTolerance * toApex + this->Slack) * Norm(toImage.X, toImage.Y);
+  const FaceUnfolding face(length, apex, this->Mesh.Length(SurfaceMesh::Previous(e)),
+    this->Mesh.Length(SurfaceMesh::Next(e)));
+  // The unfolding gives frames in which the face lies below the axis.
+  auto leaveLeft = [&]() {
+    const Point2 p = face.ImageInLeft(from);
+    const Point2 image = face.ImageInLeft(branch.Image);
+    this->Leave(SurfaceMesh::Previous(e), { face.GetLeft() - p.X, -p.Y },
+      { face.GetLeft() - image.X, -image.Y }, branch.LengthSoFar);
+  };
+  auto leaveRight = [&]() {
+    const Point2 p = face.ImageInRight(from);
+    const Point2 image = face.ImageInRight(branch.Image);
+    this->Leave(SurfaceMesh::Next(e), { face.GetRight() - p.X, -p.Y },
+      { face.GetRight() - image.X, -image.Y }, branch.LengthSoFar);
+  };
+  // The likelier one last: it is tried first.
+  if (sine > 0.0)
+  {
+    if (sine <= band)
+    {
+      leaveRight();
+    }
+    leaveLeft();
+  }
+  else
+  {
+    if (sine >= -band)
+    {
+      leaveLeft();
+    }
+    leaveRight();
+  }
+  return false;
+}
+
+/// A piece within one face: along a mesh edge, or between points of the face.
+bool WindowTracer::EndInSharedFace(const SurfacePoint& start, Id root)
+{
+  const SurfacePoint end = root >= 0 ? SurfacePoint::AtVertex(root) : this->Source;
+  Id best = NoId;
+  double shortest = Infinity;
+  ForEachFaceOf(this->Mesh, start, [&](Id f, const std::array<double, 3>& p) {
+    std::array<double, 3> q{};
+    if (FindInFace(this->Mesh, end, f, q))
+    {
+      const double length = DistanceInFace(this->Mesh, f, p, q);
+      if (length < shortest)
+      {
+        shortest = length;
+        best = f;
+      }
+    }
+  });
+  if (best == NoId)
+  {
+    return false;
+  }
+  this->Add(end, best);
+  return true;
+}
+
+/// The last resort, where the way of a window is lost among faces without area: through a corner of
+/// a face of the start, if that is as short.
+bool WindowTracer::EndAtCorner(const SurfacePoint& start, Id& reached)
+{
+  Id best = NoId;
+  double shortest = Infinity;
+  ForEachFaceOf(this->Mesh, start, [&](Id f, const std::array<double, 3>& b) {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id corner = this->Mesh.Origin(3 * f + k);
+      const double length = DistanceToCorner(this->Mesh, f, b, k);
+      if (this->MayEndAt(corner, length) && this->Result.Distances[corner] + length < shortest)
+      {
+        shortest = this->Result.Distances[corner] + length;
+        best = corner;
+      }
+    }
+  });
+  reached = best;
+  return best != NoId && this->EndInSharedFace(start, best);
+}
+
+/// Whether the way to a vertex and on from there is as short as the straight one. It is always so
+/// at the root; elsewhere the labels must fall, else the way could come back.
+bool WindowTracer::MayEndAt(Id vertex, double lengthSoFar) const
+{
+  const double label = this->Result.Distances[vertex];
+  return label + lengthSoFar <= this->Distance + this->Tolerance &&
+    (vertex == this->Root || label < this->Distance);
+}
+
+/// Whether the distance at a point of h, if the way runs there, can be that far from the labels of
+/// the ends. It cannot be when the way is lost.
+bool WindowTracer::AgreesWithLabels(Id h, double x, double lengthSoFar) const
+{
+  const double here = this->Distance - lengthSoFar;
+  const double slack = LabelTolerance * this->Distance;
+  auto agrees = [&](double label, double away) {
+    // Labels beyond the last target have been forgotten.
+    return here <= label + away + slack && (label == Infinity || label <= here + away + slack);
+  };
+  return agrees(this->Result.Distances[this->Mesh.Origin(h)], x) &&
+    agrees(this->Result.Distances[this->Mesh.Destination(h)], this->Mesh.Length(h) - x);
+}
+
+void WindowTracer::Add(const SurfacePoint& point, Id face)
+{
+  const SurfacePoint& last = this->Points.back();
+  if (point.On == SurfacePoint::Support::Vertex && last.On == SurfacePoint::Support::Vertex &&
+    point.Vertex == last.Vertex)
+  {
+    return; // around a vertex
+  }
+  this->Points.push_back(point);
+  this->Faces.push_back(face);
+}
+}
+
+//------------------------------------------------------------------------------
+ExactPathFinder::ExactPathFinder(const SurfaceMesh& mesh)
+  : Mesh(mesh)
+  , Fitness(CheckCorners(mesh))
+  , Solver(std::make_unique<ExactGeodesics>(mesh))
+{
+}
+
+ExactPathFinder::~ExactPathFinder() = default;
+
+std::size_t ExactPathFinder::GetMemorySize() const
+{
+  const ExactResult& kept = this->Solver->GetKept();
+  return this->MemorySize + kept.Distances.capacity() * sizeof(double) +
+    kept.NearestSource.capacity() * sizeof(Id) + kept.Predecessors.capacity() * sizeof(Predecessor);
+}
+
+Status ExactPathFinder::Find(const SurfacePoint& from, const std::vector<SurfacePoint>& to,
+  const ProgressCallback& progress, std::vector<SurfacePath>& paths, double maximumDistance)
+{
+  paths.clear();
+  this->NumberOfWindows = 0;
+  if (!this->Fitness.IsOk())
+  {
+    return this->Fitness;
+  }
+  ExactOptions options;
+  options.Targets = to;
+  options.StopAtTargets = true;
+  options.MaximumDistance = maximumDistance;
+  options.Progress = progress;
+  Status status = this->Solver->RunKept({ { from, 0.0 } }, options);
+  const ExactResult& result = this->Solver->GetKept();
+  this->MemorySize = std::max(this->MemorySize, result.PeakMemory);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  this->NumberOfWindows = result.NumberOfWindows;
+  paths.resize(to.size());
+  WindowTracer tracer(this->Mesh, from, result);
+  for (std::size_t t = 0; t < to.size(); ++t)
+  {
+    const double distance = result.TargetDistances[t];
+    if (distance < Infinity &&
+      !tracer.Trace(to[t], distance, result.TargetPredecessors[t], paths[t]))
+    {
+      std::ostringstream message;
+      message << "the path to target " << t << ", at distance " << distance
+              << ", cannot be traced back: the faces that it crosses are too narrow";
+      paths.clear();
+      return Status::Invalid(message.str());
+    }
+  }
+  return Status::Success();
+}
+}

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggPathFinder.h"
+
+#include "dggPathCorridor.h"
+#include "dggPathShortener.h"
+#include "dggPathTracer.h"
+#include "dggWorkspacePool.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dgg
+{
+/// What the finder of one path works with.
+struct PathFinder::Workspace
+{
+  explicit Workspace(const SurfaceMesh& mesh)
+    : Tracer(mesh)
+    , Shortener(mesh)
+    , Corridor(mesh)
+  {
+  }
+
+  /// What is as large as the mesh.
+  std::size_t GetMemorySize() const
+  {
+    return this->Corridor.GetMemorySize() + this->Tracer.GetMemorySize();
+  }
+
+  /// Replace a path by the one in the chain, shortened.
+  void Straighten(SurfacePath& path)
+  {
+    path.Clear();
+    for (Strip& strip : this->Tracer.GetStrips())
+    {
+      this->Shortener.Shorten(strip);
+      this->Shortener.Append(strip, path);
+    }
+  }
+
+  PathTracer Tracer;
+  PathShortener Shortener;
+  PathCorridor Corridor;
+};
+
+/// How two points are linked to the graph.
+struct PathFinder::Ends
+{
+  std::vector<GraphLink> Links[2]; ///< of the first and the last point
+  double Direct = Infinity;        ///< length of the straight way between them
+};
+
+PathFinder::PathFinder(const SurfaceMesh& mesh, const GraphSearch& search,
+  const GraphBuilder* builder, const double* positions)
+  : Mesh(mesh)
+  , Search(search)
+  , Builder(builder)
+  , Positions(positions)
+  , Usable(CheckCorners(mesh))
+  , Workspaces(std::make_unique<WorkspacePool<Workspace>>())
+{
+}
+
+PathFinder::~PathFinder() = default;
+
+std::size_t PathFinder::GetMemorySize() const
+{
+  return this->Workspaces->GetMemorySize();
+}
+
+Status PathFinder::Find(const SurfacePoint& from, const SurfacePoint& to,
+  const PathOptions& options, FoundPath& found) const
+{
+  found = FoundPath();
+  Status status = this->FindBetween(from, to, options, found);
+  if (!status.IsOk())
+  {
+    found = FoundPath();
+  }
+  return status;
+}
+
+Status PathFinder::FindBetween(const SurfacePoint& from, const SurfacePoint& to,
+  const PathOptions& options, FoundPath& found) const
+{
+  if (!this->Usable.IsOk())
+  {
+    return this->Usable;
+  }
+  if (!this->Search.GetGraph().Angles)
+  {
+    return Status::Invalid("paths are traced on meshes: this graph has no directions");
+  }
+  const double linkAccuracy =
+    options.LinkAccuracy > 0.0 ? options.LinkAccuracy : this->Search.GetGraph().Info.Accuracy;
+  Ends ends;
+  Status status = this->Link(from, to, linkAccuracy, ends);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  if (IsSamePoint(from, to))
+  {
+    found.Path.Points.push_back(from);
+    found.GraphLength = 0.0;
+    found.IsStraightened = options.Straighten;
+    return status;
+  }
+  std::vector<GraphSeed> seeds[2];
+  for (int side = 0; side < 2; ++side)
+  {
+    for (const GraphLink& link : ends.Links[side])
+    {
+      seeds[side].push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
+    }
+  }
+  GraphPath path;
+  DGG_RETURN_IF_ERROR(this->Search.Between(seeds[0], seeds[1], this->Positions, path));
+  found.GraphLength = std::min(path.Length, ends.Direct);
+  if (found.GraphLength == Infinity)
+  {
+    return status;
+  }
+  const auto workspace = this->Workspaces->Borrow(this->Mesh);
+  PathTracer& tracer = workspace->Tracer;
+  tracer.Begin(options.Straighten);
+  status = ends.Direct <= path.Length ? tracer.Append(from, to, ends.Direct)
+                                      : this->TraceGraphEdges(tracer, from, to, ends, path);
+  found.NumberOfFallbacks = tracer.GetNumberOfFallbacks();
+  if (status.IsOk())
+  {
+    this->Finish(*workspace, options, found);
+  }
+  return status;
+}
+
+Status PathFinder::Link(
+  const SurfacePoint& from, const SurfacePoint& to, double accuracy, Ends& ends) const
+{
+  const SurfacePoint* points[2] = { &from, &to };
+  for (int side = 0; side < 2; ++side)
+  {
+    const SurfacePoint& point = *points[side];
+    Status status = point.Check(this->Mesh);
+    if (status.IsOk() && IsVertex(point))
+    {
+      ends.Links[side].push_back({ point.Vertex, 0.0, -1.0 });
+    }
+    else if (status.IsOk() && !this->Builder)
+    {
+      status = Status::Invalid("a point that is not a vertex needs a graph builder");
+    }
+    else if (status.IsOk())
+    {
+      std::vector<double> direct;
+      status =
+        this->Builder->Link(point, accuracy, { *points[1 - side] }, ends.Links[side], direct);
+      ends.Direct = status.IsOk() ? std::min(ends.Direct, direct[0]) : Infinity;
+    }
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
+  return Status::Success();
+}
+
+Status PathFinder::TraceGraphEdges(PathTracer& tracer, const SurfacePoint& from,
+  const SurfacePoint& to, const Ends& ends, const GraphPath& path) const
+{
+  const GraphView& graph = this->Search.GetGraph();
+  Status status;
+  if (!IsVertex(from))
+  {
+    const GraphLink& link = ends.Links[0][path.FromSeed];
+    status = tracer.Append({ link.Vertex, link.ArrivalAngle, from, link.Length }, true);
+  }
+  for (std::size_t i = 0; i < path.Edges.size() && status.IsOk(); ++i)
+  {
+    const Offset e = path.Edges[i];
+    status = tracer.Append({ path.Vertices[i], graph.Angles[e],
+      SurfacePoint::AtVertex(path.Vertices[i + 1]), graph.Length(e) });
+  }
+  if (!IsVertex(to) && status.IsOk())
+  {
+    const GraphLink& link = ends.Links[1][path.ToSeed];
+    status = tracer.Append({ link.Vertex, link.ArrivalAngle, to, link.Length });
+  }
+  return status;
+}
+
+void PathFinder::Finish(Workspace& workspace, const PathOptions& options, FoundPath& found) const
+{
+  if (!options.Straighten)
+  {
+    for (Strip& strip : workspace.Tracer.GetStrips())
+    {
+      Tidy(this->Mesh, strip);
+      workspace.Shortener.Append(strip, found.Path);
+    }
+    return;
+  }
+  workspace.Straighten(found.Path);
+  if (options.Detour > 0.0)
+  {
+    SurfacePath path = found.Path;
+    if (workspace.Corridor.Shorten(options.Detour, path))
+    {
+      workspace.Tracer.Begin(true);
+      workspace.Tracer.Append(path);
+      workspace.Straighten(path);
+      found.Path = std::move(path);
+    }
+  }
+  found.IsStraightened = true;
+}
+}

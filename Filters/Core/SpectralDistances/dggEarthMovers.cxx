@@ -1,0 +1,538 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggEarthMovers.h"
+
+#include "dggGeodesicSource.h"
+#include "dggPoissonSystem.h"
+#include "dggSparseFactor.h"
+#include "dggThinTriangles.h"
+#include "dggUnfolding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+
+namespace dgg
+{
+namespace
+{
+/// What is aimed at in a step, as a part of the gap that there is: less after long steps, more
+/// after short ones, which were stopped by slopes that are near 1.
+constexpr double FirstAim = 0.4;
+constexpr double LeastAim = 0.1;
+constexpr double LongStep = 0.7;
+constexpr double ShortStep = 0.5;
+/// Part of the way to a slope of 1 that a step goes.
+constexpr double StepMargin = 0.8;
+/// Triangles with a larger cotangent are all but lines. Those that PoissonSystem takes as they are
+/// have smaller ones: to make them larger would make flow through them cost more.
+constexpr double MostCotangent = 1e7;
+/// Slope of the first potential.
+constexpr double FirstSlope = 0.9;
+
+/// A flow as a linear function of the change of the slope: Flow + (XX, XY; XY, YY) * change.
+struct LinearFlow
+{
+  Point2 Flow;
+  double XX;
+  double XY;
+  double YY;
+
+  Point2 At(const Point2& change) const
+  {
+    return { this->Flow.X + this->XX * change.X + this->XY * change.Y,
+      this->Flow.Y + this->XY * change.X + this->YY * change.Y };
+  }
+};
+
+/// On the central path the flow is the slope times e + sqrt(e^2 + |flow|^2), with a small e: it
+/// goes up the slope, which is below 1, and near 1 where there is flow. This is Newton's linear
+/// model of that, made symmetric (Andersen, Christiansen, Conn and Overton, "An efficient
+/// primal-dual interior-point method for minimizing a sum of Euclidean norms", 2000).
+LinearFlow Linearize(const Point2& flow, const Point2& slope, double e)
+{
+  const double size = Norm(flow.X, flow.Y);
+  const double root = Norm(size, e);
+  const double factor = e + root;
+  // root - flow . slope, without cancellation.
+  const double rest = e * e / (root + size) + std::max(0.0, size - Dot(flow, slope));
+  const Point2 miss{ factor * slope.X - flow.X, factor * slope.Y - flow.Y };
+  const double along = factor + Dot(flow, miss) / rest;
+  const double half = 0.5 * factor / rest;
+  return { { along * slope.X, along * slope.Y }, factor + 2.0 * half * flow.X * slope.X,
+    half * (flow.X * slope.Y + flow.Y * slope.X), factor + 2.0 * half * flow.Y * slope.Y };
+}
+
+/// Vectors constant per triangle, in frames with the first side as x axis.
+class Flows
+{
+public:
+  explicit Flows(const PoissonSystem& system)
+  {
+    const IntrinsicTriangulation& triangulation = system.GetTriangulation();
+    this->Faces.reserve(triangulation.GetNumberOfFaces());
+    for (Id f = 0; f < triangulation.GetNumberOfFaces(); ++f)
+    {
+      const Id h = 3 * f;
+      Face face;
+      for (int k = 0; k < 3; ++k)
+      {
+        face.Corners[k] = triangulation.Origin(h + k);
+      }
+      face.Length = triangulation.Length(h);
+      face.Apex = LayOut(face.Length, triangulation.Length(h + 2), triangulation.Length(h + 1));
+      // Where the element was made softer, so is the flow, for both to fit together. A triangle
+      // of near-zero area is made larger, which conducts the same: slopes across it would be
+      // noise.
+      const std::array<double, 3> allowed = system.GetCotangents(f);
+      double softness = 1.0;
+      double largest = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        const double cotangent = std::abs(triangulation.Cotangent(h + k));
+        largest = std::max(largest, cotangent);
+        softness =
+          cotangent > 1.0 ? std::min(softness, std::abs(allowed[k]) / cotangent) : softness;
+      }
+      face.Scale = std::sqrt(std::max(1.0, largest / MostCotangent));
+      face.Length *= face.Scale;
+      face.Apex = { face.Scale * face.Apex.X, face.Scale * face.Apex.Y };
+      face.Area = softness * face.Scale * face.Scale * triangulation.Area(f);
+      this->Faces.push_back(face);
+    }
+  }
+
+  std::size_t GetSize() const { return this->Faces.size(); }
+  double GetArea(std::size_t f) const { return this->Faces[f].Area; }
+  double GetScale(std::size_t f) const { return this->Faces[f].Scale; }
+
+  Point2 GradientOf(std::size_t f, const std::vector<double>& values) const
+  {
+    const Face& face = this->Faces[f];
+    const double x = (values[face.Corners[1]] - values[face.Corners[0]]) / face.Length;
+    const double rise = values[face.Corners[2]] - values[face.Corners[0]];
+    return { x, (rise - x * face.Apex.X) / face.Apex.Y };
+  }
+
+  /// Add, per vertex, the integral of the flow against the gradient of the hat function.
+  void AddDivergence(std::size_t f, const Point2& flow, std::vector<double>& values) const
+  {
+    const Face& face = this->Faces[f];
+    const double third = face.Area * flow.Y / face.Apex.Y;
+    const double second = (face.Area * flow.X - third * face.Apex.X) / face.Length;
+    values[face.Corners[0]] -= second + third;
+    values[face.Corners[1]] += second;
+    values[face.Corners[2]] += third;
+  }
+
+  /// Call `visit(v, w, entry)` for all pairs of corners, with the integral of grad phi_v . A grad
+  /// phi_w of their hat functions, A symmetric.
+  template <typename Visitor>
+  void ForEachEntry(std::size_t f, const LinearFlow& a, Visitor&& visit) const
+  {
+    const Face& face = this->Faces[f];
+    const Point2 second{ 1.0 / face.Length, -face.Apex.X / (face.Length * face.Apex.Y) };
+    const Point2 third{ 0.0, 1.0 / face.Apex.Y };
+    const Point2 gradients[] = { { -second.X - third.X, -second.Y - third.Y }, second, third };
+    for (int i = 0; i < 3; ++i)
+    {
+      const Point2& g = gradients[i];
+      const Point2 image{ a.XX * g.X + a.XY * g.Y, a.XY * g.X + a.YY * g.Y };
+      for (int j = 0; j < 3; ++j)
+      {
+        visit(face.Corners[i], face.Corners[j], face.Area * Dot(image, gradients[j]));
+      }
+    }
+  }
+
+  double CostOf(const std::vector<Point2>& flow) const
+  {
+    double sum = 0.0;
+    for (std::size_t f = 0; f < this->Faces.size(); ++f)
+    {
+      sum += this->Faces[f].Area * Norm(flow[f].X, flow[f].Y);
+    }
+    return sum;
+  }
+
+private:
+  struct Face
+  {
+    Id Corners[3];
+    double Length = 0.0;
+    Point2 Apex;
+    double Area = 0.0;
+    double Scale = 1.0; // of the triangle that is laid out
+  };
+
+  std::vector<Face> Faces;
+};
+
+/// The stiffness with a matrix in each element, another one in each step. The pattern and the order
+/// of elimination are those of the system.
+class StepMatrix
+{
+public:
+  explicit StepMatrix(const PoissonSystem& system)
+    : System(system)
+    , Upper(system.GetStiffness().triangularView<Eigen::Upper>())
+    , IsPinned(static_cast<std::size_t>(system.GetNumberOfVertices()))
+  {
+    for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+    {
+      this->IsPinned[v] = system.IsPinned(v);
+    }
+  }
+
+  void Clear() { this->Upper.coeffs().setZero(); }
+
+  void Add(Id v, Id w, double entry)
+  {
+    if (v <= w)
+    {
+      this->Upper.coeffRef(v, w) += entry;
+    }
+  }
+
+  /// Replace sources by the solution, 0 where it is pinned.
+  bool Solve(std::vector<double>& values)
+  {
+    if (!this->Factor.Compute(this->System.GetOrder(), this->Upper, this->IsPinned))
+    {
+      return false;
+    }
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      values[v] = this->IsPinned[v] ? 0.0 : values[v];
+    }
+    this->Factor.Solve(values);
+    return true;
+  }
+
+private:
+  const PoissonSystem& System;
+  Eigen::SparseMatrix<double> Upper;
+  std::vector<std::uint8_t> IsPinned; // per vertex
+  SparseFactor Factor;
+};
+
+double SteepestOf(const Flows& flows, const std::vector<double>& values)
+{
+  double steepest = 0.0;
+  for (std::size_t f = 0; f < flows.GetSize(); ++f)
+  {
+    const Point2 gradient = flows.GradientOf(f, values);
+    steepest = std::max(steepest, Norm(gradient.X, gradient.Y));
+  }
+  return steepest;
+}
+
+/// How many times the change may be added to a slope until that is 1; 0 where it is more already.
+double FindLongestStep(const Point2& slope, const Point2& change)
+{
+  const double a = Dot(change, change);
+  const double b = Dot(slope, change);
+  const double c = std::max(0.0, 1.0 - Dot(slope, slope));
+  // The form without cancellation: b is positive where the step is short.
+  const double root = std::sqrt(b * b + a * c);
+  return b + root > 0.0 ? (b > 0.0 ? c / (b + root) : (root - b) / a) : Infinity;
+}
+
+/// Per face of the mesh; nothing where the elements are others.
+std::vector<Point2> FlowInFaces(
+  const PoissonSystem& system, const Flows& flows, const std::vector<Point2>& flow)
+{
+  const SurfaceMesh& mesh = system.GetMesh();
+  std::vector<Point2> result;
+  if (!system.GetOptions().IntrinsicDelaunay)
+  {
+    result.resize(mesh.GetNumberOfFaces());
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      const Id t = system.GetTriangleOf(f);
+      const double scale = t == NoId ? 0.0 : flows.GetScale(t);
+      result[f] = t == NoId ? Point2{ 0.0, 0.0 } : Point2{ scale * flow[t].X, scale * flow[t].Y };
+    }
+  }
+  return result;
+}
+
+/// Make masses sum to 1, in two steps since their sum may be too large for a number. `total` is
+/// what they summed to; with 0, nothing is done.
+Status ScaleToOne(std::vector<double>& masses, double& total)
+{
+  double largest = 0.0;
+  for (std::size_t v = 0; v < masses.size(); ++v)
+  {
+    if (!(masses[v] >= 0.0) || !std::isfinite(masses[v]))
+    {
+      std::ostringstream message;
+      message << "the mass of vertex " << v << " is " << masses[v]
+              << ": masses are finite and not negative";
+      return Status::Invalid(message.str());
+    }
+    largest = std::max(largest, masses[v]);
+  }
+  double sum = 0.0;
+  for (double& mass : masses)
+  {
+    mass = largest > 0.0 ? mass / largest : 0.0;
+    sum += mass;
+  }
+  for (double& mass : masses)
+  {
+    mass = largest > 0.0 ? mass / sum : 0.0;
+  }
+  total = largest * sum;
+  return std::isfinite(total) ? Status::Success()
+                              : Status::Invalid("the sum of the masses is not finite: scale them");
+}
+
+/// Differences within the tolerance are taken off the second distribution.
+Status BalanceComponents(
+  const SurfaceMesh& mesh, std::vector<double>& from, std::vector<double>& to)
+{
+  Id count = 0;
+  const std::vector<Id> components = mesh.ComputeComponents(count);
+  std::vector<double> fromSums(count, 0.0);
+  std::vector<double> toSums(count, 0.0);
+  for (std::size_t v = 0; v < from.size(); ++v)
+  {
+    fromSums[components[v]] += from[v];
+    toSums[components[v]] += to[v];
+  }
+  for (std::size_t v = 0; v < from.size(); ++v)
+  {
+    const double a = fromSums[components[v]];
+    const double b = toSums[components[v]];
+    if (std::abs(a - b) > MassTolerance)
+    {
+      std::ostringstream message;
+      message << "in the part of the surface with vertex " << v << " there is a fraction of " << a
+              << " of the first distribution and " << b
+              << " of the second one: nothing can get there from other parts, so give both the "
+                 "same mass in each part";
+      return Status::Invalid(message.str());
+    }
+    const double ratio = a / b;
+    from[v] = b > 0.0 && std::isfinite(ratio) ? from[v] : 0.0;
+    to[v] = b > 0.0 && std::isfinite(ratio) ? to[v] * ratio : 0.0;
+  }
+  return Status::Success();
+}
+}
+
+Status AddPointMass(
+  const SurfaceMesh& mesh, const SurfacePoint& point, double mass, std::vector<double>& masses)
+{
+  DGG_RETURN_IF_ERROR(point.Check(mesh));
+  if (masses.size() != static_cast<std::size_t>(mesh.GetNumberOfVertices()))
+  {
+    return Status::Invalid("there must be one mass for each vertex");
+  }
+  ForEachCornerAround(
+    mesh, point, [&](Id v, double weight, double) { masses[v] += mass * weight; });
+  return Status::Success();
+}
+
+Status EarthMovers::Run(const std::vector<double>& from, const std::vector<double>& to,
+  const EarthMoversOptions& options, EarthMoversResult& result) const
+{
+  result = EarthMoversResult();
+  if (!this->Solver.IsReady())
+  {
+    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+  }
+  const PoissonSystem& system = this->Solver.GetSystem();
+  if (system.GetOptions().Boundary != PoissonBoundary::Neumann ||
+    !system.GetOptions().DirichletVertices.empty())
+  {
+    return Status::Invalid("mass must not leave through boundaries: use Neumann conditions");
+  }
+  const std::size_t n = from.size();
+  // The weak divergence that flows must have; mass goes down potentials.
+  std::vector<double> sources(n);
+  for (std::size_t v = 0; v < n; ++v)
+  {
+    sources[v] = to[v] - from[v];
+  }
+  Status status = CheckThinSources(system, sources, "mass");
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const Flows flows(system);
+  const std::size_t m = flows.GetSize();
+  const auto earned = [&](const std::vector<double>& potential) {
+    double sum = 0.0;
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      sum += sources[v] * potential[v];
+    }
+    const double steepest = SteepestOf(flows, potential);
+    return steepest > 0.0 ? sum / steepest : 0.0;
+  };
+  const auto keepPotential = [&](const std::vector<double>& potential) {
+    const double bound = earned(potential);
+    if (std::abs(bound) > result.LowerBound)
+    {
+      result.LowerBound = std::abs(bound);
+      result.Potential = potential;
+      const double scale =
+        (bound < 0.0 ? 1.0 : -1.0) / std::max(SteepestOf(flows, potential), 1e-300);
+      for (double& value : result.Potential)
+      {
+        value *= scale;
+      }
+    }
+  };
+  std::vector<double> potential = sources;
+  system.Solve(potential);
+  std::vector<Point2> exact(m); // has the right divergence
+  for (std::size_t f = 0; f < m; ++f)
+  {
+    exact[f] = flows.GradientOf(f, potential);
+  }
+  result.Distance = Infinity;
+  const auto keepFlow = [&] {
+    const double cost = flows.CostOf(exact);
+    if (cost < result.Distance)
+    {
+      result.Distance = cost;
+      result.Flow = FlowInFaces(system, flows, exact);
+    }
+  };
+  keepFlow();
+  if (!std::isfinite(result.Distance))
+  {
+    return Status::Invalid("the cost of moving the masses is too large for a number: scale them");
+  }
+  result.Potential.assign(n, 0.0);
+  keepPotential(potential);
+  double area = 0.0;
+  for (std::size_t f = 0; f < m; ++f)
+  {
+    area += flows.GetArea(f);
+  }
+  if (!(result.Distance > 0.0))
+  {
+    return status;
+  }
+  // An interior point method: slopes stay below 1, flows keep their divergence, and e goes to 0.
+  const double firstGap = result.Distance - result.LowerBound;
+  const double tolerance = std::max(options.Tolerance, LeastEarthMoversGap);
+  const double scale = FirstSlope / SteepestOf(flows, potential);
+  for (double& value : potential)
+  {
+    value *= scale;
+  }
+  StepMatrix matrix(system);
+  std::vector<double> step(n);
+  std::vector<double> rest(n);
+  double aim = FirstAim;
+  while (result.Iterations < options.MostIterations &&
+    result.Distance - result.LowerBound > tolerance * result.Distance)
+  {
+    const double gap = result.Distance - result.LowerBound;
+    const double done =
+      std::log(firstGap / gap) / std::log(firstGap / (tolerance * result.Distance));
+    if (options.Progress &&
+      !options.Progress(
+        std::max(done, static_cast<double>(result.Iterations) / options.MostIterations)))
+    {
+      return Status::Abort();
+    }
+    const double e = aim * gap / area;
+    const auto linearFlow = [&](std::size_t f) {
+      return Linearize(exact[f], flows.GradientOf(f, potential), e);
+    };
+    matrix.Clear();
+    std::fill(rest.begin(), rest.end(), 0.0);
+    for (std::size_t f = 0; f < m; ++f)
+    {
+      const LinearFlow linear = linearFlow(f);
+      flows.AddDivergence(f, linear.Flow, rest);
+      flows.ForEachEntry(f, linear, [&](Id v, Id w, double entry) { matrix.Add(v, w, entry); });
+    }
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      step[v] = sources[v] - rest[v];
+    }
+    if (!matrix.Solve(step))
+    {
+      break;
+    }
+    std::fill(rest.begin(), rest.end(), 0.0);
+    double longest = Infinity; // until a slope is 1
+    for (std::size_t f = 0; f < m; ++f)
+    {
+      const LinearFlow linear = linearFlow(f);
+      const Point2 slope = flows.GradientOf(f, potential);
+      const Point2 change = flows.GradientOf(f, step);
+      exact[f] = linear.At(change);
+      flows.AddDivergence(f, exact[f], rest);
+      longest = std::min(longest, FindLongestStep(slope, change));
+    }
+    // What rounding has left of the divergence.
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      rest[v] = sources[v] - rest[v];
+    }
+    system.Solve(rest);
+    for (std::size_t f = 0; f < m; ++f)
+    {
+      const Point2 change = flows.GradientOf(f, rest);
+      exact[f] = { exact[f].X + change.X, exact[f].Y + change.Y };
+    }
+    const double length = std::min(1.0, StepMargin * longest);
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      potential[v] += length * step[v];
+    }
+    aim = length < ShortStep ? std::min(1.0, 2.0 * aim)
+                             : (length > LongStep ? std::max(LeastAim, 0.5 * aim) : aim);
+    ++result.Iterations;
+    keepFlow();
+    keepPotential(potential);
+  }
+  return options.Progress && !options.Progress(1.0) ? Status::Abort() : status;
+}
+
+Status BalanceMasses(const SurfaceMesh& mesh, bool normalize, std::vector<double>& from,
+  std::vector<double>& to, double& total)
+{
+  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
+  if (from.size() != n || to.size() != n)
+  {
+    return Status::Invalid("both distributions need one mass for each vertex");
+  }
+  double totals[2] = { 0.0, 0.0 };
+  Status status = ScaleToOne(from, totals[0]);
+  if (status.IsOk())
+  {
+    status = ScaleToOne(to, totals[1]);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  std::ostringstream message;
+  if (normalize && !(std::min(totals[0], totals[1]) > 0.0))
+  {
+    message << "the " << (totals[0] > 0.0 ? "second" : "first")
+            << " distribution has no mass: it cannot be normalized";
+    return Status::Invalid(message.str());
+  }
+  if (!normalize &&
+    std::abs(totals[0] - totals[1]) > MassTolerance * std::max(totals[0], totals[1]))
+  {
+    message << "the first distribution has the mass " << totals[0] << " and the second one "
+            << totals[1] << ": give both the same, or have them normalized";
+    return Status::Invalid(message.str());
+  }
+  total = normalize ? 1.0 : totals[0];
+  return BalanceComponents(mesh, from, to);
+}
+}

@@ -1,0 +1,470 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggEigenpairs.h"
+
+#include "dggMeshPart.h"
+#include "dggPoissonSystem.h"
+#include "dggProgressPart.h"
+
+#include <Eigen/Dense>
+#include <Spectra/SymEigsSolver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <new>
+#include <numeric>
+
+namespace dgg
+{
+namespace
+{
+constexpr double Tolerance = 1e-8;
+/// Meshes with fewer vertices that count are left to a dense solver. Up to so many vertices, so are
+/// requests for more than a part of the spectrum.
+constexpr Id DenseVertices = 300;
+constexpr Id MostDenseVertices = 1000;
+constexpr Id DensePart = 5;
+/// The basis has half as many vectors again as there are values to find, and so many.
+constexpr Id MoreVectors = 20;
+constexpr int MostIterations = 100;
+/// Relative difference of eigenvalues that makes a gap.
+constexpr double Gap = 1e-4;
+/// Searches for those of multiple eigenvalues that one starting vector does not lead to.
+constexpr int MostSearches = 5;
+/// Part of the progress that the first search takes.
+constexpr double SearchDone = 0.9;
+/// Values that are asked for at first of a component, besides those that its area lets expect, and
+/// the part of the progress that takes.
+constexpr double LeastWanted = 8.0;
+constexpr double FirstPassDone = 0.9;
+/// Eigenvalues of the inverse below this part of the largest are rounding.
+constexpr double Rounding = 1e-13;
+
+/// Leaves Spectra, whose loops have no other way out. Never thrown out of FindLargest().
+struct Aborted
+{
+};
+
+/// L and M, and the inverse of M^-1/2 L M^-1/2 off its kernel and off the eigenvectors that are
+/// known, as Spectra wants it.
+class Operator
+{
+public:
+  using Scalar = double;
+
+  explicit Operator(const PoissonSystem& system)
+    : System(system)
+    , Roots(system.GetNumberOfVertices())
+    , Known(system.GetNumberOfVertices(), 0)
+  {
+    std::vector<bool> isCounted(system.GetNumberOfComponents(), false);
+    for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+    {
+      this->Roots[v] = system.IsFixed(v) ? 0.0 : std::sqrt(system.GetArea(v));
+      if (this->Roots[v] > 0.0)
+      {
+        const Id c = system.GetComponent(v);
+        ++this->Rank;
+        if (system.IsFree(c) && !isCounted[c])
+        {
+          isCounted[c] = true;
+          ++this->Nullity;
+        }
+      }
+    }
+    this->Rank -= this->Nullity;
+    // Spectra has thresholds that make sense for numbers of about 1.
+    this->Scale = this->Roots.squaredNorm() > 0.0 ? 1.0 / this->Roots.squaredNorm() : 1.0;
+  }
+
+  /// How many eigenvalues there are besides 0, and how often that is one.
+  Id GetRank() const { return this->Rank; }
+  Id GetNullity() const { return this->Nullity; }
+  /// What eigenvalues of the inverse have been multiplied with.
+  double GetScale() const { return this->Scale; }
+  const Eigen::VectorXd& GetRoots() const { return this->Roots; }
+
+  /// Whether a dense solver takes less for so many eigenvalues.
+  bool IsSmall(Eigen::Index count) const
+  {
+    return this->Rank <= DenseVertices || count >= this->Rank ||
+      (this->Rank <= MostDenseVertices && count > this->Rank / DensePart);
+  }
+
+  void SetKnown(const Eigen::MatrixXd& vectors) { this->Known = vectors; }
+  /// Reported to with the number of applications, from the next one on.
+  void SetProgress(const std::function<bool(Id)>& progress)
+  {
+    this->Applied = 0;
+    this->Progress = progress;
+  }
+
+  Eigen::Index rows() const { return this->Roots.size(); }
+  Eigen::Index cols() const { return this->Roots.size(); }
+  void perform_op(const double* x, double* y) const
+  {
+    if (this->Progress && !this->Progress(this->Applied++))
+    {
+      throw Aborted();
+    }
+    const Eigen::Index n = this->rows();
+    Eigen::Map<const Eigen::VectorXd> from(x, n);
+    Eigen::Map<Eigen::VectorXd> to(y, n);
+    std::vector<double> values(n);
+    Eigen::Map<Eigen::VectorXd> inner(values.data(), n);
+    inner = this->Off(from).cwiseProduct(this->Roots);
+    this->System.Solve(values);
+    to = this->Off(this->Scale * inner.cwiseProduct(this->Roots));
+  }
+
+  /// How many eigenvalues of L v = lambda M v are below sigma, 0 included; -1 when that cannot be
+  /// found out.
+  Id CountBelow(double sigma) const
+  {
+    Eigen::SparseMatrix<double> matrix = this->System.GetStiffness();
+    for (int column = 0; column < matrix.cols(); ++column)
+    {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry)
+      {
+        const bool isDiagonal = entry.row() == column;
+        if (!(this->Roots[column] > 0.0) || !(this->Roots[entry.row()] > 0.0))
+        {
+          entry.valueRef() = isDiagonal ? 1.0 : 0.0;
+        }
+        else if (isDiagonal)
+        {
+          entry.valueRef() -= sigma * this->Roots[column] * this->Roots[column];
+        }
+      }
+    }
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
+    if (factor.info() != Eigen::Success)
+    {
+      return -1;
+    }
+    return static_cast<Id>((factor.vectorD().array() < 0.0).count());
+  }
+
+private:
+  /// What is left of a vector off those that are known.
+  Eigen::VectorXd Off(const Eigen::VectorXd& x) const
+  {
+    return x - this->Known * (this->Known.transpose() * x);
+  }
+
+  const PoissonSystem& System;
+  Eigen::VectorXd Roots;
+  Eigen::MatrixXd Known;
+  double Scale = 1.0;
+  Id Rank = 0;
+  Id Nullity = 0;
+  std::function<bool(Id)> Progress;
+  mutable Id Applied = 0;
+};
+
+/// Eigenvalues of L v = lambda M v, increasing, and M^1/2 v.
+void Put(const Operator& op, const Eigen::VectorXd& values, const Eigen::MatrixXd& vectors,
+  Eigenpairs& pairs)
+{
+  const Eigen::VectorXd& roots = op.GetRoots();
+  const Eigen::Index n = roots.size();
+  pairs.Values.assign(values.data(), values.data() + values.size());
+  pairs.Functions.assign(static_cast<std::size_t>(n * values.size()), 0.0);
+  for (Eigen::Index k = 0; k < values.size(); ++k)
+  {
+    double* function = pairs.Functions.data() + k * n;
+    // The sign is that of the first value that is not small.
+    double largest = 0.0;
+    for (Eigen::Index v = 0; v < n; ++v)
+    {
+      function[v] = roots[v] > 0.0 ? vectors(v, k) / roots[v] : 0.0;
+      largest = std::max(largest, std::abs(function[v]));
+    }
+    Eigen::Index first = 0;
+    while (first < n - 1 && !(std::abs(function[first]) > 0.1 * largest))
+    {
+      ++first;
+    }
+    if (function[first] < 0.0)
+    {
+      std::transform(function, function + n, function, [](double x) { return -x; });
+    }
+  }
+}
+
+/// How many of the largest eigenvalues of the inverse stand out of rounding. Those below belong to
+/// eigenvalues that are as good as infinite: they can have any sign.
+Eigen::Index CountDefinite(const Eigen::VectorXd& inverses)
+{
+  Eigen::Index count = 0;
+  while (count < inverses.size() && inverses[count] > Rounding * inverses[0])
+  {
+    ++count;
+  }
+  return count;
+}
+
+/// All of the inverse, of which the largest eigenvalues are accurate, as those of the matrix itself
+/// are not where it has entries of very different size.
+Eigen::MatrixXd MakeInverse(const Operator& op)
+{
+  const Eigen::Index n = op.rows();
+  Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index k = 0; k < n; ++k)
+  {
+    if (op.GetRoots()[k] > 0.0)
+    {
+      const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n, k);
+      op.perform_op(unit.data(), inverse.col(k).data());
+    }
+  }
+  return 0.5 * (inverse + inverse.transpose());
+}
+
+/// Add the largest eigenvalues of the inverse off those that are known, in decreasing order.
+Status FindLargest(Operator& op, Eigen::Index count, int search, const ProgressCallback& progress,
+  Eigen::VectorXd& values, Eigen::MatrixXd& vectors)
+{
+  Eigen::VectorXd newValues;
+  Eigen::MatrixXd newVectors;
+  const Eigen::Index n = op.rows();
+  const bool isDense = op.IsSmall(count);
+  const auto size = std::min<Eigen::Index>(op.GetRank(), count + count / 2 + MoreVectors);
+  const auto expected = static_cast<double>(isDense ? n : size + size / 2);
+  op.SetProgress(
+    [&](Id applied) { return Goes(progress, SearchDone * std::min(1.0, applied / expected)); });
+  try
+  {
+    if (isDense)
+    {
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(MakeInverse(op));
+      newValues = solver.eigenvalues().tail(count).reverse();
+      newVectors = solver.eigenvectors().rightCols(count).rowwise().reverse();
+    }
+    else
+    {
+      Spectra::SymEigsSolver<Operator> solver(op, count, size);
+      solver.init(Spectra::SimpleRandom<double>(search).random_vec(n).data());
+      solver.compute(Spectra::SortRule::LargestAlge, MostIterations, Tolerance);
+      newValues = solver.eigenvalues();
+      newVectors = solver.eigenvectors();
+    }
+  }
+  catch (const Aborted&)
+  {
+    return Status::Abort();
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
+  }
+  catch (const std::exception&)
+  {
+    return Status::Invalid("the eigenvalues could not be found: make better triangles");
+  }
+  // With those that are known, in order.
+  const Eigen::Index known = values.size();
+  std::vector<Eigen::Index> order(known + newValues.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto valueOf = [&](Eigen::Index k) { return k < known ? values[k] : newValues[k - known]; };
+  std::stable_sort(order.begin(), order.end(),
+    [&](Eigen::Index a, Eigen::Index b) { return valueOf(a) > valueOf(b); });
+  Eigen::VectorXd allValues(order.size());
+  Eigen::MatrixXd allVectors(n, order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+  {
+    const Eigen::Index from = order[k];
+    allValues[k] = valueOf(from);
+    allVectors.col(k) = from < known ? vectors.col(from) : newVectors.col(from - known);
+  }
+  values.swap(allValues);
+  vectors.swap(allVectors);
+  return Status::Success();
+}
+
+/// As if the mesh was connected.
+Status FindAllAtOnce(
+  const PoissonSystem& system, Id count, const ProgressCallback& progress, Eigenpairs& pairs)
+{
+  Operator op(system);
+  count = std::min(count, op.GetRank());
+  if (!Goes(progress, 0.0))
+  {
+    return Status::Abort();
+  }
+  if (count == 0)
+  {
+    pairs.IsComplete = true;
+    return Status::Success();
+  }
+  // One more than asked for, to see the gap behind the last one.
+  const auto wanted = static_cast<Id>(std::min<Eigen::Index>(count + 1, op.GetRank()));
+  const bool isDense = op.IsSmall(wanted);
+  Eigen::VectorXd inverses;
+  Eigen::MatrixXd vectors;
+  Status status = FindLargest(op, wanted, 0, progress, inverses, vectors);
+  const auto valueOf = [&](Eigen::Index k) { return op.GetScale() / inverses[k]; };
+  pairs.IsComplete = isDense;
+  if (status.IsOk() && !isDense && CountDefinite(inverses) > 0)
+  {
+    Eigen::Index gap = CountDefinite(inverses) - 1;
+    while (gap > 0 && !(valueOf(gap) > valueOf(gap - 1) * (1.0 + Gap)))
+    {
+      --gap;
+    }
+    const double sigma = 0.5 * (gap > 0 ? valueOf(gap - 1) + valueOf(gap) : valueOf(0));
+    const Id below = op.CountBelow(sigma) - op.GetNullity();
+    for (int search = 1; gap < below && search < MostSearches && status.IsOk(); ++search)
+    {
+      op.SetKnown(vectors);
+      const auto more = [&](double) { return Goes(progress, SearchDone); };
+      status = FindLargest(op, below - gap, search, more, inverses, vectors);
+      gap = 0;
+      while (gap < CountDefinite(inverses) && valueOf(gap) < sigma)
+      {
+        ++gap;
+      }
+    }
+    pairs.IsComplete = gap == below;
+  }
+  if (status.IsOk())
+  {
+    const Eigen::Index kept = std::min<Eigen::Index>(count, CountDefinite(inverses));
+    Put(op, op.GetScale() * inverses.head(kept).cwiseInverse(), vectors.leftCols(kept), pairs);
+  }
+  return !status.IsOk() || Goes(progress, 1.0) ? status : Status::Abort();
+}
+
+/// The options for a part.
+PoissonOptions OptionsOf(const PoissonSystem& system, const MeshPart& part)
+{
+  PoissonOptions options = system.GetOptions();
+  options.DirichletVertices.clear();
+  for (std::size_t k = 0; k < part.Vertices.size(); ++k)
+  {
+    if (system.IsFixed(part.Vertices[k]))
+    {
+      options.DirichletVertices.push_back(static_cast<Id>(k));
+    }
+  }
+  return options;
+}
+
+/// The largest of the values that would be taken of those found; Infinity where there are too few.
+double FindLimit(const std::vector<Eigenpairs>& found, Id count)
+{
+  std::vector<double> values;
+  for (const Eigenpairs& of : found)
+  {
+    values.insert(values.end(), of.Values.begin(), of.Values.end());
+  }
+  if (values.size() < static_cast<std::size_t>(count))
+  {
+    return Infinity;
+  }
+  std::nth_element(values.begin(), values.begin() + (count - 1), values.end());
+  return values[count - 1];
+}
+
+/// Of all parts, the smallest values.
+void Merge(const std::vector<MeshPart>& parts, const std::vector<Eigenpairs>& found, Id count,
+  std::size_t numberOfVertices, Eigenpairs& pairs)
+{
+  struct Place
+  {
+    double Value;
+    std::size_t Part;
+    std::size_t Index;
+  };
+  std::vector<Place> order;
+  pairs.IsComplete = true;
+  for (std::size_t p = 0; p < found.size(); ++p)
+  {
+    pairs.IsComplete = pairs.IsComplete && found[p].IsComplete;
+    for (std::size_t k = 0; k < found[p].Values.size(); ++k)
+    {
+      order.push_back({ found[p].Values[k], p, k });
+    }
+  }
+  std::stable_sort(
+    order.begin(), order.end(), [](const Place& a, const Place& b) { return a.Value < b.Value; });
+  order.resize(std::min(order.size(), static_cast<std::size_t>(count)));
+  pairs.Functions.assign(order.size() * numberOfVertices, 0.0);
+  for (std::size_t k = 0; k < order.size(); ++k)
+  {
+    const std::vector<Id>& vertices = parts[order[k].Part].Vertices;
+    const double* const values =
+      found[order[k].Part].Functions.data() + order[k].Index * vertices.size();
+    pairs.Values.push_back(order[k].Value);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      pairs.Functions[k * numberOfVertices + vertices[i]] = values[i];
+    }
+  }
+}
+}
+
+Status FindEigenpairs(
+  const PoissonSolver& solver, Id count, const ProgressCallback& progress, Eigenpairs& pairs)
+{
+  pairs = Eigenpairs();
+  if (!solver.IsReady())
+  {
+    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+  }
+  if (count < 1)
+  {
+    return Status::Invalid("the number of eigenvalues must be positive");
+  }
+  const PoissonSystem& system = solver.GetSystem();
+  const SurfaceMesh& mesh = system.GetMesh();
+  std::vector<MeshPart> parts = FindComponentParts(mesh);
+  if (parts.size() < 2)
+  {
+    return FindAllAtOnce(system, count, progress, pairs);
+  }
+  std::vector<Eigenpairs> found(parts.size());
+  const auto findOf = [&](std::size_t p, Id wanted, const ProgressCallback& reported) {
+    Status status = parts[p].Build(mesh);
+    PoissonSystem own(parts[p].Mesh);
+    status = status.IsOk() ? own.Analyze(OptionsOf(system, parts[p]), nullptr) : status;
+    status = status.IsOk() ? own.Factorize() : status;
+    status = status.IsOk() ? FindAllAtOnce(own, wanted, reported, found[p]) : status;
+    return status;
+  };
+  // As many as the part should have by its area (Weyl's law), then more where the last one is not
+  // too large. Nothing is asked for where triangles are too thin.
+  const std::vector<double>& areas = system.GetAreas();
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  std::vector<Id> wanted(parts.size(), 0);
+  double limit = Infinity;
+  double done = 0.0;
+  bool isMore = true;
+  for (bool isFirst = true; isMore; isFirst = false)
+  {
+    isMore = false;
+    for (std::size_t p = 0; p < parts.size(); ++p)
+    {
+      const Id c = system.GetComponent(mesh.Origin(3 * parts[p].Faces[0]));
+      const bool hasAll = found[p].GetCount() < wanted[p] || wanted[p] >= count;
+      if (system.IsThin(c) || (!isFirst && (hasAll || found[p].Values.back() > limit)))
+      {
+        continue;
+      }
+      const double share = 2.0 * count * system.GetComponentArea(c) / area;
+      wanted[p] = isFirst ? static_cast<Id>(std::min<double>(count, LeastWanted + share))
+                          : std::min(count, 4 * wanted[p]);
+      const double size = static_cast<double>(parts[p].Faces.size()) / mesh.GetNumberOfFaces();
+      const double end = isFirst ? done + FirstPassDone * size : done;
+      DGG_RETURN_IF_ERROR(findOf(p, wanted[p], ProgressPart(progress, done, end)));
+      done = end;
+      isMore = true;
+    }
+    limit = FindLimit(found, count);
+  }
+  Merge(parts, found, count, static_cast<std::size_t>(mesh.GetNumberOfVertices()), pairs);
+  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+}
+}

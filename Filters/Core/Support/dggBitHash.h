@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A hash of the bits of arrays, to distinguish them from others and to notice damage. Internal.
+#ifndef dggBitHash_h
+#define dggBitHash_h
+
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include <array>           // for the lanes
+#include <cstddef>         // for std::size_t
+#include <cstdint>         // for the words
+
+namespace dgg
+{
+/// Eats arrays and gives 128 bits. Each step is a bijection of the state for any word, so two
+/// arrays that differ in one word never have the same hash; otherwise they have it with the odds
+/// of chance. No protection against somebody who wants a collision. Depends on the byte order of
+/// the machine.
+class DGG_CORE_EXPORT BitHash
+{
+public:
+  /// Eat an array. Where one array ends and the next begins matters.
+  template <typename T>
+  void Add(const T* values, std::size_t count)
+  {
+    this->AddBytes(values, count * sizeof(T));
+  }
+
+  std::array<std::uint64_t, 2> Finish() const;
+
+private:
+  void AddBytes(const void* bytes, std::size_t size);
+
+  // Several lanes at a time, as a multiplication takes some cycles.
+  static constexpr std::size_t NumberOfLanes = 4;
+  using State = std::array<std::uint64_t, NumberOfLanes>;
+
+  static void Mix(State& lanes, const unsigned char* block);
+
+  State Lanes{ { 0x243f6a8885a308d3u, 0x13198a2e03707344u, 0xa4093822299f31d0u,
+    0x082efa98ec4e6c89u } };
+};
+}
+
+#endif

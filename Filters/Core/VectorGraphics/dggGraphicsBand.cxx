@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggGraphicsBand.h"
+
+#include "dggMeshPart.h"
+#include "dggPoissonSolver.h"
+#include "dggPoissonSystem.h"
+#include "dggProgressPart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace dgg
+{
+namespace
+{
+/// Sources per edge, its start included.
+constexpr int SourcesPerEdge = 4;
+/// Part of the progress when distances are known.
+constexpr double MeasuredAt = 0.8;
+
+/// How far vertices are from one side of a curve, and from which place of it.
+struct SideDistances
+{
+  std::vector<GeodesicSource> Sources;
+  std::vector<double> Parameters; // per source, its place among the given points
+  ExactResult Result;
+
+  bool IsReached(std::size_t v) const
+  {
+    return !this->Sources.empty() && this->Result.NearestSource[v] != NoId;
+  }
+  double GetDistance(std::size_t v) const
+  {
+    return this->Sources.empty() ? Infinity : this->Result.Distances[v];
+  }
+  double GetParameter(std::size_t v) const
+  {
+    return this->Parameters[this->Result.NearestSource[v]];
+  }
+};
+
+/// The half-edge of a face between two of its corners, and whether it runs backwards.
+Id FindHalfEdge(const SurfaceMesh& mesh, const EdgeSide& side, bool& isBackward)
+{
+  for (Id h = 3 * side.Face; h < 3 * side.Face + 3; ++h)
+  {
+    isBackward = mesh.Origin(h) == side.To && mesh.Destination(h) == side.From;
+    if (isBackward || (mesh.Origin(h) == side.From && mesh.Destination(h) == side.To))
+    {
+      return h;
+    }
+  }
+  return NoId;
+}
+
+void AddSource(const SurfacePoint& point, double parameter, SideDistances& distances)
+{
+  GeodesicSource source;
+  source.Point = point;
+  distances.Sources.push_back(source);
+  distances.Parameters.push_back(parameter);
+}
+
+void AddSources(const SurfaceMesh& mesh, const std::vector<EdgeSide>& edges,
+  const CurveChain& chain, SideDistances& distances)
+{
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    const EdgeSide& edge = edges[i];
+    bool isBackward = false;
+    const Id h = edge.Face == NoId ? NoId : FindHalfEdge(mesh, edge, isBackward);
+    if (h == NoId)
+    {
+      continue;
+    }
+    const double begin = chain.Parameters[i];
+    const double end = chain.Parameters[i + 1];
+    AddSource(SurfacePoint::AtVertex(edge.From), begin, distances);
+    for (int k = 1; k < SourcesPerEdge; ++k)
+    {
+      const double t = static_cast<double>(k) / SourcesPerEdge;
+      AddSource(SurfacePoint::OnEdge(mesh, h, isBackward ? 1.0 - t : t), begin + t * (end - begin),
+        distances);
+    }
+    if (i + 1 == edges.size() || edges[i + 1].From != edge.To)
+    {
+      AddSource(SurfacePoint::AtVertex(edge.To), end, distances);
+    }
+  }
+}
+
+/// b(d) = (1 - (d / width)^2)^2, 0 from the width on: flat at the curve, and it ends smoothly.
+double FadeWithDistance(double distance, double width)
+{
+  const double t = distance / width;
+  return t < 1.0 ? (1.0 - t * t) * (1.0 - t * t) : 0.0;
+}
+
+bool IsSameAllAlong(const std::vector<double>& values, std::size_t channels)
+{
+  for (std::size_t i = channels; i < values.size(); ++i)
+  {
+    if (values[i] != values[i - channels])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool IsFaceInBand(const SurfaceMesh& mesh, Id face, const std::vector<char>& isInBand)
+{
+  const std::array<Id, 3> corners = mesh.GetTriangle(face);
+  return !mesh.IsDropped(face) &&
+    (isInBand[corners[0]] || isInBand[corners[1]] || isInBand[corners[2]]);
+}
+
+/// The strengths on the left and on the right of a Poisson curve as continuous functions around it:
+/// each is harmonic in the band and has, at both sides of the curve, the strength of the curve
+/// there. Those of the nearest place of the curve would jump where two places are as near.
+class StrengthBlend
+{
+public:
+  /// Solve for them on the faces of a mesh that have a vertex in the band, on the intrinsic
+  /// Delaunay triangulation of these, so that no strength lies outside of those of the curve. Where
+  /// their triangles are too thin for that, there are no strengths, see Get().
+  Status Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand, const CurveSides& sides,
+    const CurveChain& chain, const GraphicsCurve& curve, int channels,
+    const ProgressCallback& progress);
+
+  /// The strengths at a vertex, one per channel. False, and nothing, where faces of the band do not
+  /// lead to the curve, or are too thin.
+  bool Get(Id vertex, std::vector<double>& left, std::vector<double>& right) const;
+
+private:
+  std::vector<Id> Places;                   // per vertex, its id in the band, or NoId
+  std::vector<std::vector<double>> Columns; // channels of the left, then those of the right
+};
+
+Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand,
+  const CurveSides& sides, const CurveChain& chain, const GraphicsCurve& curve, int channels,
+  const ProgressCallback& progress)
+{
+  MeshPart part;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    if (IsFaceInBand(mesh, f, isInBand))
+    {
+      part.Faces.push_back(f);
+    }
+  }
+  Status status = part.Build(mesh);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const SurfaceMesh& band = part.Mesh;
+  this->Places.assign(isInBand.size(), NoId);
+  for (std::size_t v = 0; v < part.Vertices.size(); ++v)
+  {
+    this->Places[part.Vertices[v]] = static_cast<Id>(v);
+  }
+  const auto n = static_cast<std::size_t>(band.GetNumberOfVertices());
+  const auto count = static_cast<std::size_t>(channels);
+  std::vector<double> given(n, 0.0); // how often
+  PoissonOptions options;
+  options.IntrinsicDelaunay = true;
+  ForEachEnd(sides, chain, [&](Id v, bool, double) {
+    options.DirichletVertices.push_back(this->Places[v]);
+    given[this->Places[v]] += 1.0;
+  });
+  PoissonSolver solver(band);
+  status = solver.Prepare(options, progress);
+  if (!status.IsOk())
+  {
+    this->Places.clear();
+    return !status.IsAborted() && solver.GetSystem().HasThin() ? Status::Success() : status;
+  }
+  this->Columns.assign(2 * count, std::vector<double>(n, 0.0));
+  std::vector<double> strength(count);
+  for (const std::size_t side : { 0, 1 })
+  {
+    ForEachEnd(sides, chain, [&](Id v, bool, double parameter) {
+      InterpolateOnCurve(
+        side == 0 ? curve.Left : curve.Right, channels, curve.IsClosed, parameter, strength.data());
+      for (std::size_t c = 0; c < count; ++c)
+      {
+        this->Columns[side * count + c][this->Places[v]] += strength[c] / given[this->Places[v]];
+      }
+    });
+  }
+  status = solver.Solve(this->Columns);
+  const PoissonSystem& system = solver.GetSystem();
+  for (Id& place : this->Places)
+  {
+    place = place != NoId && system.IsFree(system.GetComponent(place)) ? NoId : place;
+  }
+  return status;
+}
+
+bool StrengthBlend::Get(Id vertex, std::vector<double>& left, std::vector<double>& right) const
+{
+  const Id place = this->Places.empty() ? NoId : this->Places[vertex];
+  for (std::size_t c = 0; c < left.size() && place != NoId; ++c)
+  {
+    left[c] = this->Columns[c][place];
+    right[c] = this->Columns[left.size() + c][place];
+  }
+  return place != NoId;
+}
+}
+
+bool IsBlended(const GraphicsCurve& curve, int channels)
+{
+  const auto count = static_cast<std::size_t>(channels);
+  return !IsSameAllAlong(curve.Left, count) || !IsSameAllAlong(curve.Right, count);
+}
+
+Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChain& chain,
+  const GraphicsCurve& curve, int channels, ExactGeodesics& exact, const ProgressCallback& progress,
+  std::vector<double>& values)
+{
+  SideDistances distances[2];
+  Status status;
+  for (int k = 0; k < 2 && status.IsOk(); ++k)
+  {
+    AddSources(mesh, k == 0 ? sides.Left : sides.Right, chain, distances[k]);
+    if (distances[k].Sources.empty())
+    {
+      continue; // along the boundary
+    }
+    ExactOptions options;
+    options.MaximumDistance = curve.Width;
+    options.Progress = ProgressPart(progress, 0.5 * MeasuredAt * k, 0.5 * MeasuredAt * (k + 1));
+    status = exact.Run(distances[k].Sources, options, distances[k].Result);
+  }
+  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
+  StrengthBlend blend;
+  if (status.IsOk() && IsBlended(curve, channels))
+  {
+    std::vector<char> isInBand(n);
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      isInBand[v] = distances[0].IsReached(v) || distances[1].IsReached(v) ? 1 : 0;
+    }
+    status = blend.Spread(
+      mesh, isInBand, sides, chain, curve, channels, ProgressPart(progress, MeasuredAt, 1.0));
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  std::vector<double> left(channels);
+  std::vector<double> right(channels);
+  const auto findStrengths = [&](std::size_t v, double parameter) {
+    if (!blend.Get(static_cast<Id>(v), left, right))
+    {
+      InterpolateOnCurve(curve.Left, channels, curve.IsClosed, parameter, left.data());
+      InterpolateOnCurve(curve.Right, channels, curve.IsClosed, parameter, right.data());
+    }
+  };
+  for (std::size_t v = 0; v < n; ++v)
+  {
+    const bool isNearestLeft = distances[0].GetDistance(v) <= distances[1].GetDistance(v);
+    for (int k = 0; k < 2; ++k)
+    {
+      if (!distances[k].IsReached(v))
+      {
+        continue;
+      }
+      findStrengths(v, distances[k].GetParameter(v));
+      const double fade = FadeWithDistance(distances[k].GetDistance(v), curve.Width);
+      const double even = (k == 0) == isNearestLeft ? 0.5 * fade : 0.0;
+      const double odd = k == 0 ? 0.5 * fade : -0.5 * fade;
+      for (int c = 0; c < channels; ++c)
+      {
+        values[v * channels + c] += even * (left[c] + right[c]) + odd * (left[c] - right[c]);
+      }
+    }
+  }
+  return status;
+}
+}

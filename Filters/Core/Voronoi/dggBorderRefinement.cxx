@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggBorderRefinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// How far ideas of a distance may differ, in units of the accuracy, relatively.
+constexpr double Doubt = 0.6;
+/// How far distances from two sites may differ in the end.
+constexpr double Balanced = 0.05;
+/// Steps for a point on an edge, and for one inside a face.
+constexpr int MostEdgeSteps = 12;
+constexpr int MostFaceSteps = 6;
+/// Points on edges keep away from the ends of their ranges, or they would be the same (SamePlace).
+constexpr double Margin = 2e-5;
+/// Coordinates by which distances are differentiated.
+constexpr double DifferenceStep = 1e-3;
+
+/// Work of links per face: some twenty times what a diagram of a clean mesh takes.
+constexpr std::size_t MostWorkOfFace = 3000;
+constexpr std::size_t SmallestMesh = 2500; // of fewer faces any takes little
+
+/// The part of the way to a side of the face that a step may take.
+constexpr double LargestPart = 0.9;
+
+/// A step that does not leave the face.
+std::array<double, 3> Step(
+  const std::array<double, 3>& place, const std::array<double, 3>& direction)
+{
+  double part = 1.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (place[k] + direction[k] <= 0.0)
+    {
+      part = std::min(part, LargestPart * place[k] / -direction[k]);
+    }
+  }
+  return { { place[0] + part * direction[0], place[1] + part * direction[1],
+    place[2] + part * direction[2] } };
+}
+
+const SiteDistances::Entry* FindEntry(const SiteDistances& distances, Id v, Id site)
+{
+  const SiteDistances::Entry* end = distances.End(v);
+  const SiteDistances::Entry* entry = std::lower_bound(distances.Begin(v), end, site,
+    [](const SiteDistances::Entry& e, Id number) { return e.Site < number; });
+  return entry != end && entry->Site == site ? entry : nullptr;
+}
+}
+
+BorderRefinement::BorderRefinement(const SurfaceMesh& mesh, const SiteDistances& distances,
+  const GraphBuilder& builder, double accuracy, const std::vector<SurfacePoint>& sites)
+  : Mesh(mesh)
+  , Distances(distances)
+  , Builder(builder)
+  , Accuracy(accuracy)
+  , Sites(sites)
+{
+}
+
+std::size_t BorderRefinement::GetMostWork() const
+{
+  return MostWorkOfFace *
+    std::max(SmallestMesh, static_cast<std::size_t>(this->Mesh.GetNumberOfFaces()));
+}
+
+void BorderRefinement::Balance(Id halfEdge, const std::array<Id, 2>& sites, double low, double high,
+  double& parameter, double& distance) const
+{
+  Coordinates place{ { 0.0, 0.0, 0.0 } };
+  place[halfEdge % 3] = 1.0 - parameter;
+  place[(halfEdge + 1) % 3] = parameter;
+  const Id face = SurfaceMesh::Face(halfEdge);
+  if (!this->IsDoubtful(face, place, sites[0], distance) &&
+    !this->IsDoubtful(face, place, sites[1], distance))
+  {
+    return;
+  }
+  low += Margin;
+  high -= Margin;
+  if (!(low < parameter && parameter < high))
+  {
+    return;
+  }
+  // Regula falsi in the Illinois variant; before both ends are known, half of the way to the end.
+  double ends[2] = { low, high };
+  double values[2] = { -Infinity, Infinity };
+  double best = Infinity;
+  double t = parameter;
+  for (int step = 0; step < MostEdgeSteps; ++step)
+  {
+    double found[2];
+    if (!this->Measure(SurfacePoint::OnEdge(this->Mesh, halfEdge, t), sites.data(), 2, found))
+    {
+      return;
+    }
+    const double excess = found[0] - found[1]; // negative where the first site is nearer
+    if (std::abs(excess) < best)
+    {
+      best = std::abs(excess);
+      parameter = t;
+      distance = 0.5 * (found[0] + found[1]);
+    }
+    if (best <= Balanced * this->Accuracy * distance)
+    {
+      return;
+    }
+    const int side = excess < 0.0 ? 0 : 1;
+    ends[side] = t;
+    values[side] = excess;
+    if (values[1 - side] < Infinity && values[1 - side] > -Infinity)
+    {
+      values[1 - side] *= step > 2 ? 0.5 : 1.0;
+      t = (ends[0] * values[1] - ends[1] * values[0]) / (values[1] - values[0]);
+    }
+    else
+    {
+      t = 0.5 * (ends[0] + ends[1]);
+    }
+  }
+}
+
+void BorderRefinement::Balance(
+  Id face, const std::array<Id, 3>& sites, std::array<double, 3>& place, double& distance) const
+{
+  bool isDoubtful = false;
+  for (const Id site : sites)
+  {
+    isDoubtful = isDoubtful || this->IsDoubtful(face, place, site, distance);
+  }
+  if (!isDoubtful)
+  {
+    return;
+  }
+  // Newton's method with differences, as long as it gets better.
+  double best = Infinity;
+  Coordinates next = place;
+  for (int step = 0; step < MostFaceSteps; ++step)
+  {
+    std::array<double, 3> here{};
+    std::array<double, 3> along{};
+    std::array<double, 3> across{};
+    if (!this->Measure(face, next, sites, here))
+    {
+      return;
+    }
+    const double spread =
+      *std::max_element(here.begin(), here.end()) - *std::min_element(here.begin(), here.end());
+    if (!(spread < best))
+    {
+      return;
+    }
+    best = spread;
+    place = next;
+    distance = (here[0] + here[1] + here[2]) / 3.0;
+    const double h = next[0] > 2.0 * DifferenceStep ? DifferenceStep : -DifferenceStep;
+    const Coordinates a{ { next[0] - h, next[1] + h, next[2] } };
+    const Coordinates b{ { next[0] - h, next[1], next[2] + h } };
+    if (best <= Balanced * this->Accuracy * distance || !this->Measure(face, a, sites, along) ||
+      !this->Measure(face, b, sites, across))
+    {
+      return;
+    }
+    const Point2 value{ here[1] - here[0], here[2] - here[0] };
+    const Point2 u{ (along[1] - along[0] - value.X) / h, (along[2] - along[0] - value.Y) / h };
+    const Point2 v{ (across[1] - across[0] - value.X) / h, (across[2] - across[0] - value.Y) / h };
+    const double determinant = Cross(u, v);
+    const double x = -Cross(value, v) / determinant;
+    const double y = -Cross(u, value) / determinant;
+    if (!std::isfinite(x) || !std::isfinite(y))
+    {
+      return;
+    }
+    next = Step(next, { { -x - y, x, y } });
+  }
+}
+
+/// Whether a corner of the face that knows the site has another idea of its distance.
+bool BorderRefinement::IsDoubtful(Id face, const Coordinates& place, Id site, double distance) const
+{
+  for (Id h = 3 * face; h < 3 * face + 3; ++h)
+  {
+    const SiteDistances::Entry* entry = FindEntry(this->Distances, this->Mesh.Origin(h), site);
+    if (!entry)
+    {
+      continue;
+    }
+    const double predicted = this->Predict(h, *entry, PlaceInFrame(this->Mesh, h, place));
+    if (!(std::abs(predicted - distance) <= Doubt * this->Accuracy * distance))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The distance of a place in the frame of a half-edge, as the virtual source at its origin has it.
+/// NaN where that is not known.
+double BorderRefinement::Predict(
+  Id halfEdge, const SiteDistances::Entry& entry, const Point2& place) const
+{
+  const Id v = this->Mesh.Origin(halfEdge);
+  const double length = Norm(place.X, place.Y);
+  if (this->Mesh.Kind(v) == VertexKind::Irregular && entry.VirtualLength > 0.0)
+  {
+    return std::nan("");
+  }
+  double turn = this->Mesh.PolarAngle(halfEdge) + std::atan2(place.Y, place.X) - entry.VirtualAngle;
+  if (this->Mesh.Kind(v) != VertexKind::Boundary)
+  {
+    const double total = this->Mesh.TotalAngle(v);
+    turn -= total * std::rint(turn / total);
+  }
+  if (!(std::abs(turn) < Pi))
+  {
+    return entry.VirtualOffset + entry.VirtualLength + length;
+  }
+  const Point2 image{ entry.VirtualLength * std::cos(turn), entry.VirtualLength * std::sin(turn) };
+  return entry.VirtualOffset + Norm(image.X - length, image.Y);
+}
+
+/// Distances of a point from sites, through links of its own. False when one is not known.
+bool BorderRefinement::Measure(
+  const SurfacePoint& point, const Id* sites, std::size_t count, double* distances) const
+{
+  if (this->Work > this->GetMostWork())
+  {
+    return false;
+  }
+  std::vector<SurfacePoint> targets;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    targets.push_back(this->Sites[sites[i]]);
+  }
+  std::vector<GraphLink> links;
+  std::vector<double> direct;
+  if (!this->Builder.Link(point, this->Accuracy, targets, links, direct, &this->Work).IsOk())
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    distances[i] = direct[i];
+    for (const GraphLink& link : links)
+    {
+      const SiteDistances::Entry* entry = FindEntry(this->Distances, link.Vertex, sites[i]);
+      const double distance = entry ? entry->Distance + link.Length : Infinity;
+      distances[i] = std::min(distances[i], distance);
+    }
+    if (!(distances[i] < Infinity))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool BorderRefinement::Measure(Id face, const Coordinates& place, const std::array<Id, 3>& sites,
+  std::array<double, 3>& distances) const
+{
+  if (!(std::min(place[0], std::min(place[1], place[2])) >= 0.0))
+  {
+    return false;
+  }
+  Coordinates input = place;
+  if (this->Mesh.IsFlipped(face))
+  {
+    std::swap(input[1], input[2]);
+  }
+  return this->Measure(
+    SurfacePoint::InFace(this->Mesh, face, input), sites.data(), 3, distances.data());
+}
+}

@@ -1,0 +1,514 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggCentroidal.h"
+
+#include "dggCloudFrame.h"
+#include "dggStraightWalk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// Visit all vertices that a search has reached, each after its tail.
+template <typename Visitor>
+void VisitTailsFirst(const SearchResult& result, Visitor&& visit)
+{
+  std::vector<char> isVisited(result.Seeds.size(), 0);
+  std::vector<Id> climbed;
+  for (Id first = 0; first < static_cast<Id>(isVisited.size()); ++first)
+  {
+    for (Id v = first; v != NoId && !isVisited[v] && result.Seeds[v] != NoId; v = result.Tails[v])
+    {
+      climbed.push_back(v);
+    }
+    for (; !climbed.empty(); climbed.pop_back())
+    {
+      visit(climbed.back());
+      isVisited[climbed.back()] = 1;
+    }
+  }
+}
+
+/// Lloyd's iteration, from a current state on. Energies are those at the start and after each step
+/// that decreases the energy; after others, steps are halved.
+template <typename Centers>
+Status Iterate(Centers& centers, const CentroidalOptions& options, typename Centers::State& current,
+  std::vector<double>& energies)
+{
+  double reported = 0.0; // a step may search several times, and does not go back then
+  const auto report = [&](double done) {
+    reported = std::max(reported, std::min(1.0, done / (options.NumberOfIterations + 1)));
+    return !options.Progress || options.Progress(reported);
+  };
+  const auto within = [&report](double start) {
+    return [&report, start](double part) { return report(start + 0.99 * part); };
+  };
+  Status status = centers.Look(current, within(0.0));
+  energies.assign(1, centers.ToModel(current.Energy));
+  double part = 1.0;
+  int halvings = 0;
+  for (int i = 1; status.IsOk() && i <= options.NumberOfIterations &&
+       halvings <= Centers::MostHalvings && !centers.IsSettled(current, options.Tolerance);)
+  {
+    if (!report(i))
+    {
+      return Status::Abort();
+    }
+    typename Centers::State next;
+    status = centers.Step(current, part, within(i), next);
+    if (status.IsOk() && next.Energy < current.Energy)
+    {
+      std::swap(current, next);
+      energies.push_back(centers.ToModel(current.Energy));
+      part = std::min(1.0, 2.0 * part);
+      halvings = 0;
+      ++i;
+    }
+    else
+    {
+      part *= 0.5;
+      ++halvings;
+    }
+  }
+  return status;
+}
+
+/// A length that others are measured in: a power of two, so that this changes no digit. Energies
+/// are of the fourth power of lengths, and so are intermediate results.
+double ChooseUnit(const SurfaceMesh& mesh)
+{
+  const double length = mesh.GetMeanEdgeLength();
+  return length > 0.0 ? std::ldexp(1.0, std::ilogb(length)) : 1.0;
+}
+
+/// On a surface.
+class SurfaceCenters
+{
+public:
+  /// How often steps are halved before the iteration ends.
+  static constexpr int MostHalvings = 6;
+
+  /// Sites, and where they would like to go.
+  struct State
+  {
+    std::vector<SurfacePoint> Sites;
+    std::vector<double> Angles;  ///< per site, direction to the mean of its cell
+    std::vector<double> Lengths; ///< per site, distance of it
+    double Energy = Infinity;    ///< in units of lengths
+  };
+
+  SurfaceCenters(const GraphSearch& search, const SurfaceMesh& mesh, const GraphBuilder& builder,
+    double accuracy)
+    : Search(search)
+    , Mesh(mesh)
+    , Builder(builder)
+    , Accuracy(accuracy)
+    , Unit(ChooseUnit(mesh))
+    , Areas(mesh.GetNumberOfVertices(), 0.0)
+  {
+    for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      const Id first = h - h % 3;
+      if (!mesh.IsDropped(SurfaceMesh::Face(h)))
+      {
+        this->Areas[mesh.Origin(h)] +=
+          (mesh.Length(first) / this->Unit) * (mesh.ApexY(first) / this->Unit) / 6.0;
+      }
+    }
+  }
+
+  /// Energy and means of sites.
+  Status Look(State& state, const ProgressCallback& progress)
+  {
+    LinkedSites linked;
+    Status status = LinkSites(state.Sites, &this->Builder, this->Accuracy, linked);
+    if (status.IsOk())
+    {
+      SearchOptions options;
+      options.Correct = true;
+      options.Progress = progress;
+      status = this->Search.Run(linked.Seeds, options, this->Result);
+    }
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    if (this->Result.Corrected.empty())
+    {
+      return Status::Invalid("sites cannot be moved over a graph without directions");
+    }
+    // The direction in which the way to each vertex leaves its site.
+    this->Directions.assign(this->Mesh.GetNumberOfVertices(), 0.0);
+    VisitTailsFirst(
+      this->Result, [&](Id v) { this->Directions[v] = this->FindDirection(v, linked); });
+    const std::size_t count = state.Sites.size();
+    std::vector<Point2> sums(count);
+    std::vector<double> weights(count, 0.0);
+    state.Energy = 0.0;
+    for (Id v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
+    {
+      const Id seed = this->Result.Seeds[v];
+      if (seed == NoId)
+      {
+        continue;
+      }
+      const Id site = linked.Seeds[seed].Source;
+      const double distance = this->Result.Corrected[v] / this->Unit;
+      const double area = this->Areas[v];
+      const double angle = UnrollFactor(this->Mesh, state.Sites[site]) * this->Directions[v];
+      state.Energy += area * distance * distance;
+      sums[site].X += area * distance * std::cos(angle);
+      sums[site].Y += area * distance * std::sin(angle);
+      weights[site] += area;
+    }
+    state.Angles.assign(count, 0.0);
+    state.Lengths.assign(count, 0.0);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (weights[i] > 0.0)
+      {
+        state.Lengths[i] = this->Unit * (Norm(sums[i].X, sums[i].Y) / weights[i]);
+        state.Angles[i] = DirectionAt(this->Mesh, state.Sites[i],
+          std::atan2(sums[i].Y, sums[i].X) / UnrollFactor(this->Mesh, state.Sites[i]));
+      }
+    }
+    return status;
+  }
+
+  /// An energy in units of the mesh.
+  double ToModel(double energy) const
+  {
+    const double square = this->Unit * this->Unit;
+    return energy * square * square;
+  }
+
+  /// Whether no site would move far.
+  bool IsSettled(const State& state, double tolerance) const
+  {
+    const auto farthest = std::max_element(state.Lengths.begin(), state.Lengths.end());
+    return (farthest == state.Lengths.end() ? 0.0 : *farthest) <=
+      tolerance * this->Mesh.GetMeanEdgeLength();
+  }
+
+  /// Walk a part of the way to the means.
+  Status Step(const State& from, double part, const ProgressCallback& progress, State& to)
+  {
+    SurfacePath path;
+    for (std::size_t i = 0; i < from.Sites.size(); ++i)
+    {
+      Status status =
+        WalkStraight(this->Mesh, from.Sites[i], from.Angles[i], part * from.Lengths[i], path);
+      if (!status.IsOk())
+      {
+        return status;
+      }
+      to.Sites.push_back(path.Points.back());
+    }
+    return this->Look(to, progress);
+  }
+
+private:
+  /// That of a vertex whose tail has one.
+  double FindDirection(Id v, const LinkedSites& linked) const
+  {
+    const SearchResult& result = this->Result;
+    const Id u = result.Tails[v];
+    const Id seed = result.Seeds[v];
+    if (u == NoId)
+    {
+      return linked.Departures[seed];
+    }
+    const GraphView& graph = this->Search.GetGraph();
+    const Offset edge = result.Edges[v];
+    if (result.Tails[u] == NoId && linked.Seeds[seed].ArrivalAngle < 0.0)
+    {
+      return graph.Angles[edge]; // from the site itself, a vertex
+    }
+    // As the distance, the way is straight as long as its virtual source is the site.
+    if (result.Virtual.Offsets[v] != 0.0 || result.Virtual.Offsets[u] != 0.0)
+    {
+      return this->Directions[u];
+    }
+    const double total = this->Mesh.TotalAngle(u);
+    double turn = graph.Angles[edge] - result.Virtual.Angles[u];
+    if (this->Mesh.Kind(u) != VertexKind::Boundary)
+    {
+      turn -= total * std::rint(turn / total);
+    }
+    if (std::abs(turn) >= Pi)
+    {
+      return this->Directions[u];
+    }
+    const double length = graph.Length(edge);
+    return this->Directions[u] -
+      std::atan2(length * std::sin(turn), result.Virtual.Lengths[u] - length * std::cos(turn));
+  }
+
+  const GraphSearch& Search;
+  const SurfaceMesh& Mesh;
+  const GraphBuilder& Builder;
+  double Accuracy;
+  double Unit;
+  std::vector<double> Areas; ///< per vertex, in squares of the unit
+  SearchResult Result;
+  std::vector<double> Directions; ///< per vertex, at its site
+};
+
+/// On a cloud.
+class CloudCenters
+{
+public:
+  /// Steps that are smaller than this part of what the means ask for are of no use.
+  static constexpr int MostHalvings = 5;
+
+  /// Sites and what a search found from them.
+  struct State
+  {
+    std::vector<Id> Sites;
+    double Energy = Infinity; ///< in squares of the unit
+    SearchResult Result;
+  };
+
+  CloudCenters(const GraphSearch& search, const double* positions)
+    : Search(search)
+    , Positions(positions)
+  {
+  }
+
+  /// Search from the sites of a state. The first state chooses the unit of length, so that squares
+  /// neither overflow nor vanish.
+  Status Look(State& state, const ProgressCallback& progress)
+  {
+    std::vector<GraphSeed> seeds;
+    for (std::size_t i = 0; i < state.Sites.size(); ++i)
+    {
+      seeds.push_back({ state.Sites[i], 0.0, 0.0, static_cast<Id>(i), -1.0 });
+    }
+    SearchOptions options;
+    options.Progress = progress;
+    DGG_RETURN_IF_ERROR(this->Search.Run(seeds, options, state.Result));
+    if (this->Unit == 0.0)
+    {
+      for (const double distance : state.Result.Distances)
+      {
+        this->Unit = distance < Infinity ? std::max(this->Unit, distance) : this->Unit;
+      }
+      this->Unit = this->Unit > 0.0 ? this->Unit : 1.0;
+    }
+    state.Energy = 0.0;
+    for (const double distance : state.Result.Distances)
+    {
+      if (distance < Infinity)
+      {
+        const double d = distance / this->Unit;
+        state.Energy += d * d;
+      }
+    }
+    return Status::Success();
+  }
+
+  /// Move all sites by a part of the way to the means of their cells. Returns whether any moves.
+  bool Move(const State& from, double part, State& to) const
+  {
+    const std::vector<Point3> aims = this->FindAims(from, part);
+    to.Sites = from.Sites;
+    std::vector<double> closest(aims.size());
+    for (std::size_t i = 0; i < aims.size(); ++i)
+    {
+      closest[i] = this->SquaredDistance(aims[i], from.Sites[i]);
+    }
+    // In the order of ids, so that of several points at the same distance the first one is taken.
+    const std::vector<Id>& cells = from.Result.Seeds;
+    for (Id v = 0; v < static_cast<Id>(cells.size()); ++v)
+    {
+      const Id site = cells[v];
+      const double distance = site == NoId ? Infinity : this->SquaredDistance(aims[site], v);
+      if (site != NoId && distance < closest[site])
+      {
+        closest[site] = distance;
+        to.Sites[site] = v;
+      }
+    }
+    return to.Sites != from.Sites;
+  }
+
+  /// The moves from one state to the next that are good for the cells that the sites had: where the
+  /// points of the cell are closer to the new sites together. Returns whether there are any, but
+  /// not all.
+  bool SelectMoves(const State& from, const State& to, State& selected) const
+  {
+    std::vector<double> gains(from.Sites.size(), 0.0);
+    for (std::size_t v = 0; v < from.Result.Seeds.size(); ++v)
+    {
+      const Id site = from.Result.Seeds[v];
+      if (site != NoId)
+      {
+        const double before = from.Result.Distances[v] / this->Unit;
+        const double after = to.Result.Distances[v] / this->Unit;
+        gains[site] += before * before - after * after;
+      }
+    }
+    selected.Sites = from.Sites;
+    for (std::size_t i = 0; i < gains.size(); ++i)
+    {
+      selected.Sites[i] = gains[i] > 0.0 ? to.Sites[i] : from.Sites[i];
+    }
+    return selected.Sites != from.Sites && selected.Sites != to.Sites;
+  }
+
+  double ToModel(double energy) const { return energy * this->Unit * this->Unit; }
+  bool IsSettled(const State& /*state*/, double /*tolerance*/) const { return false; }
+
+  /// Move all sites, or else those alone that are closer to the points of their cells then.
+  Status Step(const State& from, double part, const ProgressCallback& progress, State& to)
+  {
+    if (!this->Move(from, part, to))
+    {
+      return Status::Success();
+    }
+    Status status = this->Look(to, progress);
+    State selected;
+    if (status.IsOk() && !(to.Energy < from.Energy) && this->SelectMoves(from, to, selected))
+    {
+      status = this->Look(selected, progress);
+      std::swap(to, selected);
+    }
+    return status;
+  }
+
+private:
+  Point3 At(Id v) const { return PointAt(this->Positions, v); }
+
+  /// In units.
+  double SquaredDistance(const Point3& p, Id v) const
+  {
+    const Point3 d = p - this->At(v);
+    const Point3 inUnits{ d.X / this->Unit, d.Y / this->Unit, d.Z / this->Unit };
+    return Dot(inUnits, inUnits);
+  }
+
+  /// Per vertex, the first vertex after its site on the way to it; NoId for sites and where no site
+  /// reaches.
+  std::vector<Id> FindDepartures(const State& state) const
+  {
+    const std::vector<Id>& tails = state.Result.Tails;
+    std::vector<Id> departures(tails.size(), NoId);
+    VisitTailsFirst(state.Result, [&](Id v) {
+      if (tails[v] != NoId)
+      {
+        departures[v] = tails[tails[v]] == NoId ? v : departures[tails[v]];
+      }
+    });
+    return departures;
+  }
+
+  /// Where the sites are to go.
+  std::vector<Point3> FindAims(const State& state, double part) const
+  {
+    const std::vector<Id> departures = this->FindDepartures(state);
+    std::vector<Point3> sums(state.Sites.size());
+    std::vector<double> counts(state.Sites.size(), 0.0);
+    for (Id v = 0; v < static_cast<Id>(departures.size()); ++v)
+    {
+      const Id site = state.Result.Seeds[v];
+      if (site == NoId)
+      {
+        continue;
+      }
+      counts[site] += 1.0;
+      if (departures[v] == NoId)
+      {
+        continue;
+      }
+      const Point3 way = this->At(departures[v]) - this->At(state.Sites[site]);
+      const double length = std::hypot(way.X, way.Y, way.Z);
+      if (length > 0.0) // not so for points in the same place
+      {
+        const double distance = state.Result.Distances[v];
+        sums[site] =
+          sums[site] + distance * Point3{ way.X / length, way.Y / length, way.Z / length };
+      }
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i)
+    {
+      const Point3 mean = counts[i] > 0.0 ? (part / counts[i]) * sums[i] : Point3();
+      sums[i] = this->At(state.Sites[i]) + mean;
+    }
+    return sums;
+  }
+
+  const GraphSearch& Search;
+  const double* Positions;
+  double Unit = 0.0;
+};
+}
+
+Status LinkSites(const std::vector<SurfacePoint>& sites, const GraphBuilder* builder,
+  double accuracy, LinkedSites& linked)
+{
+  linked = LinkedSites();
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    const auto number = static_cast<Id>(i);
+    if (sites[i].On == SurfacePoint::Support::Vertex)
+    {
+      linked.Seeds.push_back({ sites[i].Vertex, 0.0, 0.0, number, -1.0 });
+      linked.Departures.push_back(0.0);
+      continue;
+    }
+    if (!builder)
+    {
+      return Status::Invalid("sites that are not vertices need a mesh");
+    }
+    std::vector<GraphLink> links;
+    std::vector<double> direct;
+    DGG_RETURN_IF_ERROR(builder->Link(sites[i], accuracy, {}, links, direct));
+    for (const GraphLink& link : links)
+    {
+      linked.Seeds.push_back({ link.Vertex, link.Length, 0.0, number, link.ArrivalAngle });
+      linked.Departures.push_back(link.DepartureAngle);
+    }
+  }
+  return Status::Success();
+}
+
+Status MoveToCenters(const GraphSearch& search, const SurfaceMesh& mesh,
+  const GraphBuilder& builder, double accuracy, const CentroidalOptions& options,
+  std::vector<SurfacePoint>& sites, std::vector<double>& energies)
+{
+  SurfaceCenters centers(search, mesh, builder, accuracy);
+  SurfaceCenters::State current;
+  current.Sites = sites;
+  Status status = Iterate(centers, options, current, energies);
+  if (!status.IsOk())
+  {
+    energies.clear();
+    return status;
+  }
+  sites = std::move(current.Sites);
+  return status;
+}
+
+Status MoveToCloudCenters(const GraphSearch& search, const double* positions,
+  const CentroidalOptions& options, std::vector<SurfacePoint>& sites, std::vector<double>& energies)
+{
+  CloudCenters centers(search, positions);
+  CloudCenters::State current;
+  for (const SurfacePoint& site : sites)
+  {
+    current.Sites.push_back(site.Vertex);
+  }
+  Status status = Iterate(centers, options, current, energies);
+  if (!status.IsOk())
+  {
+    energies.clear();
+    return status;
+  }
+  std::transform(current.Sites.begin(), current.Sites.end(), sites.begin(), SurfacePoint::AtVertex);
+  return status;
+}
+}

@@ -1,0 +1,573 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSurfaceSampler.h"
+
+#include "dggEdges.h"
+#include "dggFarthestPoints.h"
+#include "dggGraphSearch.h"
+#include "dggProgressPart.h"
+#include "dggStraightWalk.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// With fewer vertices for each sample than this, places between them count as well.
+constexpr Offset VerticesPerSample = 2;
+/// As many places for each sample, and for no more samples than that.
+constexpr Offset PlacesPerSample = 64;
+constexpr Offset MostPlaces = 10000;
+constexpr Offset MostSamplesInside = 1000;
+/// Share of the progress for linking them.
+constexpr double PlacesShare = 0.3;
+
+/// The distance from a sample around a vertex: |x|^2 - 2 x.Image + Constant is its square, where x
+/// is a place in the tangent plane of the vertex.
+struct PlanarImage
+{
+  Point2 Image;
+  double Constant = 0.0;
+
+  /// Without the part that all images have in common.
+  double Evaluate(const Point2& x) const { return this->Constant - 2.0 * Dot(x, this->Image); }
+};
+
+/// Least squares over neighbours of a vertex: (x, y, 1) . (a, b, c) = value.
+class PlaneFit
+{
+public:
+  void Add(const Point2& p, double value)
+  {
+    const std::array<double, 3> row{ { p.X, p.Y, 1.0 } };
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        this->Matrix[i][j] += row[i] * row[j];
+      }
+      this->Right[i] += row[i] * value;
+    }
+  }
+
+  /// False when the points do not determine a plane.
+  bool Solve(std::array<double, 3>& solution) const
+  {
+    const auto& m = this->Matrix;
+    const double scale = m[0][0] * m[1][1] * m[2][2];
+    const double determinant = Determinant(m);
+    if (!(determinant > 1e-6 * scale))
+    {
+      return false;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      auto replaced = m;
+      for (int i = 0; i < 3; ++i)
+      {
+        replaced[i][k] = this->Right[i];
+      }
+      solution[k] = Determinant(replaced) / determinant;
+    }
+    return true;
+  }
+
+private:
+  using Square = std::array<std::array<double, 3>, 3>;
+
+  static double Determinant(const Square& m)
+  {
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+      m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+      m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  }
+
+  Square Matrix{};
+  std::array<double, 3> Right{};
+};
+
+/// Where three images are equally far; false when they are in line.
+bool Meet(const PlanarImage& a, const PlanarImage& b, const PlanarImage& c, Point2& meet)
+{
+  const Point2 u{ b.Image.X - a.Image.X, b.Image.Y - a.Image.Y };
+  const Point2 v{ c.Image.X - a.Image.X, c.Image.Y - a.Image.Y };
+  const double determinant = 2.0 * Cross(u, v);
+  const double p = b.Constant - a.Constant;
+  const double q = c.Constant - a.Constant;
+  meet = { (p * v.Y - q * u.Y) / determinant, (q * u.X - p * v.X) / determinant };
+  return std::abs(determinant) > 0.0 && std::isfinite(meet.X) && std::isfinite(meet.Y);
+}
+
+/// Places inside faces and on edges, as dense as the samples will be several times over, and their
+/// distances from the samples: the more samples there are compared to vertices, the less vertices
+/// sample the surface between them.
+class InnerPlaces
+{
+public:
+  InnerPlaces(const GraphView& graph, const SurfaceMesh& mesh, const GraphBuilder& builder,
+    double accuracy, Offset count)
+    : Builder(builder)
+    , Accuracy(accuracy)
+    , LinksOf(mesh.GetNumberOfVertices())
+    , VertexDistances(mesh.GetNumberOfVertices(), Infinity)
+  {
+    double area = 0.0;
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      area += Matters(graph, mesh, f) ? AreaOf(mesh, f) : 0.0;
+    }
+    // The spacing of a lattice of `count` points.
+    const double spacing = std::sqrt(area / static_cast<double>(count));
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      if (Matters(graph, mesh, f))
+      {
+        this->AddPlaces(mesh, f, spacing);
+      }
+    }
+    this->Distances.assign(this->Points.size(), Infinity);
+  }
+
+  Status LinkAll(const ProgressCallback& progress)
+  {
+    std::vector<GraphLink> links;
+    std::vector<double> direct;
+    for (std::size_t i = 0; i < this->Points.size(); ++i)
+    {
+      if (i % ProgressInterval == 0 && progress &&
+        !progress(static_cast<double>(i) / static_cast<double>(this->Points.size())))
+      {
+        return Status::Abort();
+      }
+      DGG_RETURN_IF_ERROR(this->Builder.Link(this->Points[i], this->Accuracy, {}, links, direct));
+      for (const GraphLink& link : links)
+      {
+        this->LinksOf[link.Vertex].push_back({ static_cast<Id>(i), link.Length });
+      }
+    }
+    return Status::Success();
+  }
+
+  /// After a sample has been added; `distances` are those of the vertices.
+  Status Update(const SurfacePoint& sample, const std::vector<double>& distances)
+  {
+    std::vector<double> direct;
+    Status status;
+    if (sample.On != SurfacePoint::Support::Vertex)
+    {
+      std::vector<GraphLink> links;
+      status = this->Builder.Link(sample, this->Accuracy, this->Points, links, direct);
+    }
+    for (std::size_t v = 0; v < distances.size() && status.IsOk(); ++v)
+    {
+      if (distances[v] < this->VertexDistances[v])
+      {
+        this->VertexDistances[v] = distances[v];
+        for (const PlaceLink& link : this->LinksOf[v])
+        {
+          this->Distances[link.Place] =
+            std::min(this->Distances[link.Place], distances[v] + link.Length);
+        }
+      }
+    }
+    this->Farthest = NoId;
+    for (std::size_t i = 0; i < this->Points.size() && status.IsOk(); ++i)
+    {
+      double& distance = this->Distances[i];
+      distance = direct.empty() ? distance : std::min(distance, direct[i]);
+      if (this->Farthest == NoId || distance > this->Distances[this->Farthest])
+      {
+        this->Farthest = static_cast<Id>(i);
+      }
+    }
+    return status;
+  }
+
+  /// Of the farthest place; 0 when there is none.
+  double GetDistance() const
+  {
+    return this->Farthest == NoId ? 0.0 : this->Distances[this->Farthest];
+  }
+  const SurfacePoint& GetPoint() const { return this->Points[this->Farthest]; }
+
+private:
+  struct PlaceLink
+  {
+    Id Place;
+    double Length;
+  };
+
+  static constexpr std::size_t ProgressInterval = 64;
+  static constexpr int FewestPieces = 2; // of the sides of a face
+
+  static double AreaOf(const SurfaceMesh& mesh, Id f)
+  {
+    return 0.5 * mesh.Length(3 * f) * mesh.ApexY(3 * f);
+  }
+
+  /// Faces with area, of vertices that have edges in the graph.
+  static bool Matters(const GraphView& graph, const SurfaceMesh& mesh, Id f)
+  {
+    bool matters = !mesh.IsDropped(f) && !mesh.IsMollified(f);
+    for (Id h = 3 * f; h < 3 * f + 3 && matters; ++h)
+    {
+      matters = graph.Offsets[mesh.Origin(h)] < graph.Offsets[mesh.Origin(h) + 1];
+    }
+    return matters;
+  }
+
+  void AddPlaces(const SurfaceMesh& mesh, Id f, double spacing)
+  {
+    const int pieces = std::max(
+      FewestPieces, static_cast<int>(std::ceil(std::sqrt(2.0 * AreaOf(mesh, f)) / spacing)));
+    for (int i = 0; i <= pieces; ++i)
+    {
+      for (int j = 0; i + j <= pieces; ++j)
+      {
+        const int k = pieces - i - j;
+        const bool isCorner = i == pieces || j == pieces || k == pieces;
+        // Those on a side belong to one of its faces.
+        const auto isOther = [&](Id h) { return FindEdge(mesh, h) != h; };
+        const bool isElsewhere = (k == 0 && isOther(3 * f)) || (i == 0 && isOther(3 * f + 1)) ||
+          (j == 0 && isOther(3 * f + 2));
+        if (isCorner || isElsewhere)
+        {
+          continue;
+        }
+        const double n = pieces;
+        std::array<double, 3> place{ { i / n, j / n, k / n } };
+        if (mesh.IsFlipped(f))
+        {
+          std::swap(place[1], place[2]); // to the order of the input
+        }
+        this->Points.push_back(SurfacePoint::InFace(mesh, f, place));
+      }
+    }
+  }
+
+  const GraphBuilder& Builder;
+  double Accuracy;
+  std::vector<SurfacePoint> Points;
+  std::vector<std::vector<PlaceLink>> LinksOf; ///< per vertex
+  std::vector<double> VertexDistances;         ///< per vertex
+  std::vector<double> Distances;               ///< per point
+  Id Farthest = NoId;
+};
+
+class Sampler
+{
+public:
+  Sampler(const GraphView& graph, const SurfaceMesh* mesh, const GraphBuilder* builder,
+    double accuracy, const SamplerOptions& options, std::vector<SurfaceSample>& samples)
+    : Graph(graph)
+    , Mesh(mesh)
+    , Builder(builder)
+    , Accuracy(accuracy)
+    , Options(options)
+    , Samples(samples)
+    , Points(graph, mesh)
+  {
+  }
+
+  Status Run()
+  {
+    DGG_RETURN_IF_ERROR(this->PrepareInside());
+    for (const SurfacePoint& point : this->Options.Given)
+    {
+      Linked linked;
+      Status status = this->Link(point, {}, linked);
+      if (status.IsOk())
+      {
+        status = this->Add(point, linked.Seeds);
+      }
+      if (!status.IsOk())
+      {
+        return status;
+      }
+    }
+    if (this->Samples.empty())
+    {
+      DGG_RETURN_IF_ERROR(this->AddFirst());
+    }
+    while (this->GetRadius() > std::max(0.0, this->Options.CoveringRadius) &&
+      static_cast<Offset>(this->Samples.size()) < this->Options.NumberOfSamples)
+    {
+      DGG_RETURN_IF_ERROR(this->AddFarthest());
+    }
+    return Status::Success();
+  }
+
+private:
+  /// What makes a surface point a sample.
+  struct Linked
+  {
+    std::vector<GraphSeed> Seeds;
+    double Distance = Infinity; ///< from others, by straight ways
+  };
+
+  /// Where there are about as many samples as vertices, places in between count as well.
+  Status PrepareInside()
+  {
+    const auto isUsed = [this](
+                          Id v) { return this->Graph.Offsets[v] < this->Graph.Offsets[v + 1]; };
+    Offset vertices = 0;
+    for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+    {
+      vertices += isUsed(v) ? 1 : 0;
+    }
+    const Offset count = this->Options.NumberOfSamples;
+    if (!this->Options.InFaces || !this->Mesh || !this->Builder || count > MostSamplesInside ||
+      VerticesPerSample * count <= vertices)
+    {
+      return Status::Success();
+    }
+    this->Inside = std::make_unique<InnerPlaces>(this->Graph, *this->Mesh, *this->Builder,
+      this->Accuracy, std::min(MostPlaces, PlacesPerSample * count));
+    this->ProgressAtStart = PlacesShare;
+    return this->Inside->LinkAll(ProgressPart(this->Options.Progress, 0.0, PlacesShare));
+  }
+
+  /// How far the farthest vertex or place is from the samples.
+  double GetRadius() const
+  {
+    const double radius = this->Farthest.Vertex == NoId ? 0.0 : this->Farthest.Distance;
+    return this->Inside ? std::max(radius, this->Inside->GetDistance()) : radius;
+  }
+
+  Status AddFirst()
+  {
+    Id first = this->Options.FirstVertex;
+    if (first == NoId)
+    {
+      first = this->Points.Find().Vertex;
+      if (first == NoId || this->Options.NumberOfSamples < 1)
+      {
+        return Status::Success(); // no edges
+      }
+      DGG_RETURN_IF_ERROR(this->Points.Add({ SeedAt(first) }, {}));
+      const std::vector<double>& distances = this->Points.GetDistances();
+      for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+      {
+        first = distances[v] < Infinity && distances[v] > distances[first] ? v : first;
+      }
+      this->Points.Reset();
+    }
+    if (this->Options.NumberOfSamples < 1)
+    {
+      return CheckVertex(first, this->Graph.NumberOfVertices);
+    }
+    return this->AddVertex(first);
+  }
+
+  Status AddFarthest()
+  {
+    const double done = static_cast<double>(this->Samples.size()) /
+      static_cast<double>(this->Options.NumberOfSamples);
+    if (this->Options.Progress &&
+      !this->Options.Progress(this->ProgressAtStart + (1.0 - this->ProgressAtStart) * done))
+    {
+      return Status::Abort();
+    }
+    if (this->Inside &&
+      (this->Farthest.Vertex == NoId || this->Inside->GetDistance() > this->Farthest.Distance))
+    {
+      const SurfacePoint place = this->Inside->GetPoint();
+      Linked linked;
+      Status status = this->Link(place, {}, linked);
+      return status.IsOk() ? this->Add(place, linked.Seeds) : status;
+    }
+    const Id v = this->Farthest.Vertex;
+    SurfacePoint point;
+    if (this->Options.InFaces && this->FindBetter(v, point))
+    {
+      Linked linked;
+      DGG_RETURN_IF_ERROR(this->Link(point, this->Inner, linked));
+      // Only a point that is farther for certain keeps away from the others as a vertex does.
+      double distance = linked.Distance;
+      for (const GraphSeed& seed : linked.Seeds)
+      {
+        distance = std::min(distance, seed.Distance + this->Points.GetDistances()[seed.Vertex]);
+      }
+      if (distance > this->Farthest.Distance)
+      {
+        return this->Add(point, linked.Seeds);
+      }
+    }
+    return this->AddVertex(v);
+  }
+
+  static GraphSeed SeedAt(Id vertex)
+  {
+    GraphSeed seed;
+    seed.Vertex = vertex;
+    return seed;
+  }
+
+  Status AddVertex(Id v) { return this->Add(SurfacePoint::AtVertex(v), { SeedAt(v) }); }
+
+  Status Add(const SurfacePoint& point, const std::vector<GraphSeed>& seeds)
+  {
+    Status status = this->Points.Add(seeds, {});
+    if (status.IsOk() && this->Inside)
+    {
+      status = this->Inside->Update(point, this->Points.GetDistances());
+    }
+    if (status.IsOk())
+    {
+      this->Farthest = this->Points.Find();
+      this->Samples.push_back({ point, this->GetRadius() });
+      if (point.On != SurfacePoint::Support::Vertex)
+      {
+        this->Inner.push_back(point);
+      }
+    }
+    return status;
+  }
+
+  Status Link(
+    const SurfacePoint& point, const std::vector<SurfacePoint>& others, Linked& linked) const
+  {
+    if (point.On == SurfacePoint::Support::Vertex)
+    {
+      linked.Seeds = { SeedAt(point.Vertex) };
+      return Status::Success();
+    }
+    if (!this->Builder)
+    {
+      return Status::Invalid("samples that are not vertices need a mesh");
+    }
+    std::vector<GraphLink> links;
+    std::vector<double> direct;
+    Status status = this->Builder->Link(point, this->Accuracy, others, links, direct);
+    for (const GraphLink& link : links)
+    {
+      linked.Seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
+    }
+    for (const double distance : direct)
+    {
+      linked.Distance = std::min(linked.Distance, distance);
+    }
+    return status;
+  }
+
+  /// Look for a point close to a vertex that is farther from the samples. False when there is none.
+  bool FindBetter(Id v, SurfacePoint& point) const
+  {
+    if (!this->Mesh || !this->Graph.Angles || !(this->Farthest.Distance < Infinity) ||
+      this->Mesh->Kind(v) == VertexKind::Irregular)
+    {
+      return false;
+    }
+    const std::vector<PlanarImage> images = this->FitImages(v);
+    double reach = 0.0;
+    for (const Id* h = this->Mesh->FanBegin(v); h != this->Mesh->FanEnd(v); ++h)
+    {
+      reach = std::max(reach, this->Mesh->Length(*h));
+    }
+    Point2 best;
+    double largest = ValueAt(images, best);
+    bool isFound = false;
+    for (std::size_t i = 0; i < images.size(); ++i)
+    {
+      for (std::size_t j = i + 1; j < images.size(); ++j)
+      {
+        for (std::size_t k = j + 1; k < images.size(); ++k)
+        {
+          Point2 meet;
+          if (Meet(images[i], images[j], images[k], meet) && Norm(meet.X, meet.Y) <= reach &&
+            ValueAt(images, meet) > largest)
+          {
+            largest = ValueAt(images, meet);
+            best = meet;
+            isFound = true;
+          }
+        }
+      }
+    }
+    if (!isFound)
+    {
+      return false;
+    }
+    SurfacePath path;
+    const SurfacePoint start = SurfacePoint::AtVertex(v);
+    const double angle = DirectionAt(
+      *this->Mesh, start, std::atan2(best.Y, best.X) / UnrollFactor(*this->Mesh, start));
+    Status status = WalkStraight(*this->Mesh, start, angle, Norm(best.X, best.Y), path);
+    point = status.IsOk() ? path.Points.back() : start;
+    return point.On != SurfacePoint::Support::Vertex;
+  }
+
+  /// Square of the distance from the samples.
+  static double ValueAt(const std::vector<PlanarImage>& images, const Point2& place)
+  {
+    double least = Infinity;
+    for (const PlanarImage& image : images)
+    {
+      least = std::min(least, image.Evaluate(place));
+    }
+    return least + Dot(place, place);
+  }
+
+  /// The samples around a vertex as its neighbours in the graph see them.
+  std::vector<PlanarImage> FitImages(Id v) const
+  {
+    const double unroll = UnrollFactor(*this->Mesh, SurfacePoint::AtVertex(v));
+    const std::vector<double>& distances = this->Points.GetDistances();
+    const std::vector<Id>& nearest = this->Points.GetNearestSamples();
+    std::map<Id, PlaneFit> fits;
+    for (Offset e = this->Graph.Offsets[v]; e < this->Graph.Offsets[v + 1]; ++e)
+    {
+      const Id t = this->Graph.Targets[e];
+      const double angle = unroll * this->Graph.Angles[e];
+      const double length = this->Graph.Length(e);
+      fits[nearest[t]].Add({ length * std::cos(angle), length * std::sin(angle) },
+        distances[t] * distances[t] - length * length);
+    }
+    std::vector<PlanarImage> images;
+    for (const auto& fit : fits)
+    {
+      std::array<double, 3> s{};
+      if (fit.second.Solve(s))
+      {
+        images.push_back({ { -0.5 * s[0], -0.5 * s[1] }, s[2] });
+      }
+    }
+    return images;
+  }
+
+  const GraphView& Graph;
+  const SurfaceMesh* Mesh;
+  const GraphBuilder* Builder;
+  double Accuracy;
+  const SamplerOptions& Options;
+  std::vector<SurfaceSample>& Samples;
+  FarthestPoints Points;
+  FarthestVertex Farthest;
+  std::vector<SurfacePoint> Inner;     ///< samples that are not vertices
+  std::unique_ptr<InnerPlaces> Inside; ///< null where vertices are close enough
+  double ProgressAtStart = 0.0;
+};
+}
+
+Status SampleSurface(const GraphView& graph, const SurfaceMesh* mesh, const GraphBuilder* builder,
+  double accuracy, const SamplerOptions& options, std::vector<SurfaceSample>& samples)
+{
+  samples.clear();
+  if (std::isnan(options.CoveringRadius))
+  {
+    return Status::Invalid("the covering radius is not a number");
+  }
+  Status status = Sampler(graph, mesh, builder, accuracy, options, samples).Run();
+  if (!status.IsOk())
+  {
+    samples.clear();
+  }
+  return status;
+}
+}
