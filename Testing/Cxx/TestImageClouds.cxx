@@ -12,9 +12,6 @@
 #include "vtkGeodesicSampler.h"
 #include "vtkGeodesicVoronoi.h"
 
-#include "vtkActor.h"
-#include "vtkPointData.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -111,7 +108,7 @@ TEST(ImageClouds, DistanceAndPath)
   ImageScene pathScene;
   pathScene.AddPanel(TerrainView);
   pathScene.AddPoints(cloud, 0.009, { { 0.6, 0.6, 0.56 } });
-  pathScene.AddLines(path->GetOutput(), 0.01, Red);
+  pathScene.AddLines(path->GetOutput(), 0.013, Red);
   pathScene.ExpectBaseline("TestImageCloudPath");
 }
 

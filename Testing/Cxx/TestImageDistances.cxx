@@ -290,7 +290,7 @@ TEST(ImageDistances, Matrix)
   scene.AddSurface(terrain);
   scene.AddPoints(terrain, columns, 0.012, Blue);
   scene.AddPoints(terrain, rows, 0.012, Red);
-  scene.AddPanel({ { { 0.5, 0.36, 3.0 } }, { { 0.5, 0.37, 0.0 } }, 20.0 });
+  scene.AddPanel({ { { 0.5, 0.369, 3.0 } }, { { 0.5, 0.37, 0.0 } }, 20.0 });
   scene.AddSurface(grid, "Distance", FieldColors(0.0, 0.8, 16));
   scene.ExpectBaseline("TestImageMatrix");
 }

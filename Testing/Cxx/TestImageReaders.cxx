@@ -8,10 +8,7 @@
 #include "vtkPCDReader.h"
 #include "vtkPCDWriter.h"
 
-#include "vtkActor.h"
-#include "vtkCellData.h"
 #include "vtkPointData.h"
-#include "vtkProperty.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
