@@ -301,6 +301,45 @@ TEST(ImageSpectral, VectorGraphics)
   scene.ExpectBaseline("TestImageVectorGraphics");
 }
 
+/// A curve from which colour flows, and a region of cells, on grey.
+TEST(ImageSpectral, VectorGraphicsSources)
+{
+  constexpr int side = 40;
+  auto terrain = MakeTerrain(side);
+  std::vector<double> regions;
+  std::vector<double> strengths;
+  for (vtkIdType cell = 0; cell < terrain->GetNumberOfCells(); ++cell)
+  {
+    const auto p = PointInCell(terrain, cell, { { 0.4, 0.3, 0.3 } });
+    const bool isInside = std::hypot(p[0] - 0.3, p[1] - 0.75) < 0.17 && p[0] + p[1] > 0.95;
+    regions.push_back(isInside);
+    strengths.insert(strengths.end(), { 0.1 * isInside, 0.4 * isInside, 0.4 * isInside });
+  }
+  AddArray(terrain->GetCellData(), "Region", regions, 1);
+  AddArray(terrain->GetCellData(), "RegionStrength", strengths, 3);
+  Points points;
+  Cells lines;
+  AddWave(points, lines, 0.25, 0.08);
+  auto curve = MakeSourcePoints(points);
+  curve->SetLines(MakeCells(lines));
+  AddArray<vtkIntArray>(curve->GetCellData(), "CurveType", { 3 }, 1);
+  AddArray(curve->GetCellData(), "Strength", { 2.0, 0.8, -1.2 }, 3);
+  vtkNew<vtkPoissonVectorGraphics> filter;
+  filter->SetInputData(terrain);
+  filter->SetCurveData(curve);
+  filter->SetRegionArrayName("Region");
+  filter->SetBackgroundColor(0.5, 0.45, 0.5);
+  ExpectSuccess(filter);
+  vtkDataArray* net = filter->GetOutput()->GetFieldData()->GetArray("NetSource");
+  EXPECT_NEAR(net->GetComponent(0, 0) / net->GetComponent(0, 2), 2.0 / -1.2, 1e-9);
+  EXPECT_GT(net->GetComponent(0, 0), 2.0); // the curve is longer than 1
+
+  ImageScene scene;
+  scene.AddPanel(TerrainView);
+  scene.AddSurface(filter->GetOutput(), "RGB", nullptr);
+  scene.ExpectBaseline("TestImageSources");
+}
+
 /// The same as coloured points.
 TEST(ImageSpectral, VectorGraphicsFragments)
 {
