@@ -16,7 +16,6 @@ import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from demo_picture import DISTANCE_COLOURS, ERROR_COLOURS, INK, lookup_table, marker
-from demo_source import far_point
 from mesh_file import MeshFileError, make_reader, read_all, triangles_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -143,7 +142,7 @@ def draw(path, panels):
             renderer.AddActor(actor)
         text = vtkTextActor()
         text.SetInput(title)
-        text.SetPosition(14, 12)
+        text.SetPosition(14, PANEL[1] - 30)
         text.GetTextProperty().SetFontSize(17)
         text.GetTextProperty().SetColor(*INK)
         renderer.AddActor(text)
@@ -287,11 +286,15 @@ def probe(mesh, source):
 def biharmonic(mesh, source):
     """vtkBiharmonicDistance: its three kinds."""
     panels = []
-    for title in ("Biharmonic", "CommuteTime", "Diffusion"):
+    for title, kind in (
+        ("biharmonic", vtkdgg.vtkBiharmonicDistance.Biharmonic),
+        ("commute time", vtkdgg.vtkBiharmonicDistance.CommuteTime),
+        ("diffusion", vtkdgg.vtkBiharmonicDistance.Diffusion),
+    ):
         distance = vtkdgg.vtkBiharmonicDistance()
         distance.SetInputData(mesh)
         distance.SetSourceIds([source])
-        distance.SetKind(getattr(vtkdgg.vtkBiharmonicDistance, title))
+        distance.SetKind(kind)
         distance.SetNumberOfEigenvalues(60)
         found = array_of(vtkdgg.check(distance), "BiharmonicDistance")
         ball = marker(mesh.GetPoint(source), mesh.GetLength())
@@ -301,10 +304,10 @@ def biharmonic(mesh, source):
 
 def earth_movers(mesh, source):
     """vtkSurfaceEarthMoversDistance: the potential, and the flow from two points to another."""
-    ear = far_point(mesh)
-    far = int(np.argmax(vtk_to_numpy(mesh.GetPoints().GetData())[:, 0]))
+    x = vtk_to_numpy(mesh.GetPoints().GetData())[:, 0]
+    nose, far = int(np.argmin(x)), int(np.argmax(x))
     places = {}
-    for name, ids in (("from", [source, ear]), ("to", [far])):
+    for name, ids in (("from", [source, nose]), ("to", [far])):
         places[name] = vtkPolyData()
         points = vtkPoints()
         for i in ids:
@@ -336,7 +339,7 @@ def earth_movers(mesh, source):
     glyphs.SetVectorModeToUseVector()
     glyphs.SetScaleModeToDataScalingOff()
     flowing = actor_of(vtkdgg.check(glyphs), INK)
-    balls = [marker(mesh.GetPoint(i), mesh.GetLength(), RED) for i in (source, ear)]
+    balls = [marker(mesh.GetPoint(i), mesh.GetLength(), RED) for i in (source, nose)]
     balls.append(marker(mesh.GetPoint(far), mesh.GetLength(), (0.1, 0.3, 0.6)))
     potential = array_of(moved, "EarthMoversPotential")
     title = f"earth mover's distance {movers.GetDistance():.3g}"

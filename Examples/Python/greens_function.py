@@ -12,6 +12,7 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from demo_picture import DISTANCE_COLOURS
 from example_arguments import integer
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -37,7 +38,7 @@ BARYCENTRIC = (0.45, 0.35, 0.20)
 WIDTH, CAPTION = 300, 64  # of a panel and the lines below it, in pixels
 REACH = 0.3  # of a panel from the source, on a sphere of radius 1
 BANDS = 14.0  # per unit of the function
-LOW, HIGH = (0.05, 0.25, 0.50), (0.98, 0.92, 0.75)
+LOW, HIGH = 0.12, 0.6  # where the colours end
 
 
 def make_sphere(level):
@@ -96,9 +97,10 @@ def exact(cosine):
 def make_panel(values):
     """An image of bands."""
     dark = (np.floor(BANDS * values).astype(int) % 2)[:, None]
-    shade = np.clip((values[:, None] - 0.15) / 0.4, 0.0, 1.0)
-    colours = (1.0 - shade) * np.array(LOW) + shade * np.array(HIGH)
-    colours = colours * (1.0 - 0.25 * dark)
+    stops = np.linspace(HIGH, LOW, len(DISTANCE_COLOURS))[::-1]
+    table = np.array(DISTANCE_COLOURS)[::-1]
+    colours = np.stack([np.interp(values, stops, channel) for channel in table.T], axis=1)
+    colours = colours * (1.0 - 0.15 * dark)
     image = vtkImageData()
     image.SetDimensions(WIDTH, WIDTH, 1)
     array = numpy_to_vtk((255.0 * colours).astype(np.uint8), deep=True)

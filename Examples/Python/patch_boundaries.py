@@ -85,12 +85,14 @@ def make_renderer(mesh, curves, landmarks, viewport):
     surface.SetInputData(mesh)
     tubes = vtkTubeFilter()
     tubes.SetInputData(curves)
-    tubes.SetRadius(0.004 * size)
+    tubes.SetRadius(0.005 * size)
     tubes.SetNumberOfSides(12)
     spots = vtkPolyData()
     spots.SetPoints(pick_points(mesh, landmarks))
     ball = vtkSphereSource()
-    ball.SetRadius(0.012 * size)
+    ball.SetRadius(0.014 * size)
+    ball.SetThetaResolution(24)
+    ball.SetPhiResolution(24)
     balls = vtkGlyph3D()
     balls.SetInputData(spots)
     balls.SetSourceConnection(ball.GetOutputPort())
@@ -105,7 +107,7 @@ def make_renderer(mesh, curves, landmarks, viewport):
     camera = renderer.GetActiveCamera()
     camera.SetPosition(0.5, 0.45, 1.0)
     renderer.ResetCamera()
-    camera.Zoom(1.2)
+    camera.Zoom(1.32)
     return renderer
 
 
@@ -137,6 +139,7 @@ def main(first_path, second_path, picture_path):
 
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
+    window.SetMultiSamples(8)
     window.SetSize(1200, 600)
     for side in (0, 1):
         viewport = (0.5 * side, 0.0, 0.5 * (side + 1), 1.0)

@@ -98,6 +98,13 @@ vtkSmartPointer<vtkPolyData> MakeCube()
       { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } });
 }
 
+double GetTerrainHeight(double x, double y)
+{
+  const double bump = std::hypot(x - 0.68, y - 0.36) / 0.17;
+  return 0.07 * std::sin(5.0 * x + 2.0 * y * y) + 0.05 * std::cos(9.0 * y - x) +
+    0.32 * std::exp(-bump * bump);
+}
+
 vtkSmartPointer<vtkPolyData> MakeTerrain(int n)
 {
   auto surface = MakeGrid(n - 1, n - 1, GridCells::Triangles, 1.0 / (n - 1));
@@ -106,10 +113,7 @@ vtkSmartPointer<vtkPolyData> MakeTerrain(int n)
   {
     double p[3];
     points->GetPoint(i, p);
-    const double bump = std::hypot(p[0] - 0.68, p[1] - 0.36) / 0.17;
-    p[2] = 0.07 * std::sin(5.0 * p[0] + 2.0 * p[1] * p[1]) + 0.05 * std::cos(9.0 * p[1] - p[0]) +
-      0.32 * std::exp(-bump * bump);
-    points->SetPoint(i, p);
+    points->SetPoint(i, p[0], p[1], GetTerrainHeight(p[0], p[1]));
   }
   return surface;
 }

@@ -43,6 +43,7 @@ vtkSmartPointer<vtkPolyData> MakeGrid(
 vtkSmartPointer<vtkPolyData> MakeCube();
 /// A bumpy sheet without any symmetry over [0, 1] x [0, 1], n points on each side.
 vtkSmartPointer<vtkPolyData> MakeTerrain(int n);
+double GetTerrainHeight(double x, double y);
 
 /// Two surfaces of polygons as one, the second one shifted along x.
 vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* a, vtkPolyData* b, double shift);

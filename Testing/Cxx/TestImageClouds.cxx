@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Pictures of point clouds: components and normals, distances, a path, cells; compared with
+/// pictures that were looked at.
+#include "CloudTestTools.h"
+#include "ImageScene.h"
+#include "PathTestTools.h"
+#include "SpectralTestTools.h"
+
+#include "vtkDGGDistance.h"
+#include "vtkGeodesicSampler.h"
+#include "vtkGeodesicVoronoi.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace dggtest;
+
+namespace
+{
+constexpr int Side = 36;
+
+/// A point at random in the first triangle of each square of the terrain.
+Points MakeTerrainPoints(int side)
+{
+  auto terrain = MakeTerrain(side + 1);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(0.0, 0.45);
+  Points points;
+  for (int j = 0; j < side; ++j)
+  {
+    for (int i = 0; i < side; ++i)
+    {
+      const double right = number(random);
+      const double up = number(random);
+      points.push_back(
+        PointInCell(terrain, 2 * (j * side + i), { { 1.0 - right - up, right, up } }));
+    }
+  }
+  return points;
+}
+
+vtkSmartPointer<vtkPolyData> MakeTerrainCloud()
+{
+  return MakeCloudWithGraph(MakeTerrainPoints(Side));
+}
+constexpr vtkIdType Source = Side * 7 + 6;
+}
+
+/// Two sheets that do not touch, in the colours of their components, with normals.
+TEST(ImageClouds, ComponentsAndNormals)
+{
+  vtkNew<vtkPointCloudDGG> graph;
+  auto sheets = MakeTerrainPoints(15);
+  Points part;
+  for (const auto& p : sheets)
+  {
+    if (p[0] + p[1] < 0.9)
+    {
+      part.push_back({ { p[0] + 0.35, p[1] + 0.3, p[2] + 0.5 } });
+    }
+  }
+  graph->SetInputData(MakeCloud(Join(sheets, part)));
+  graph->EstimateNormalsOn();
+  ExpectSuccess(graph);
+  EXPECT_EQ(graph->GetNumberOfComponents(), 2);
+  EXPECT_EQ(graph->GetComponentSize(0), 15 * 15);
+
+  ImageScene scene;
+  scene.AddPanel({ { { 0.0, -2.0, 1.9 } }, { { 0.64, 0.52, 0.27 } }, 28.0 });
+  scene.AddPoints(graph->GetOutput(), 0.02, "Component", NumberColors(2));
+  scene.AddArrows(graph->GetOutput(), "Normals", 0.09, Ink);
+  scene.ExpectBaseline("TestImageCloud");
+}
+
+TEST(ImageClouds, DistanceAndPath)
+{
+  auto cloud = MakeTerrainCloud();
+  vtkNew<vtkDGGDistance> distance;
+  distance->SetInputData(cloud);
+  distance->SetSourceIds({ Source });
+  ExpectSuccess(distance);
+  const auto distances = GetDistances(distance);
+  EXPECT_EQ(distances[Source], 0.0);
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_GE(distances[i] * 1.001, EuclideanDistance(cloud, Source, i));
+  }
+  vtkNew<vtkDGGPath> path;
+  path->SetInputData(cloud);
+  path->AddPair(Source, Side * 17 + 33);
+  path->AddPair(Source, Side * 34 + 30);
+  ExpectSuccess(path);
+  const auto paths = GetPaths(path);
+  ASSERT_EQ(paths.size(), 2u);
+  EXPECT_NEAR(paths[0].Length, distances[Side * 17 + 33], 0.01);
+  EXPECT_NEAR(paths[1].Length, distances[Side * 34 + 30], 0.01);
+
+  ImageScene distanceScene;
+  distanceScene.AddPanel(TerrainView);
+  distanceScene.AddPoints(distance->GetOutput(), 0.013, "GeodesicDistance", FieldColors(0.0, 1.4));
+  distanceScene.AddPoints(cloud, { Source }, 0.024, Red);
+  distanceScene.ExpectBaseline("TestImageCloudDistance");
+  ImageScene pathScene;
+  pathScene.AddPanel(TerrainView);
+  pathScene.AddPoints(cloud, 0.009, { { 0.6, 0.6, 0.56 } });
+  pathScene.AddLines(path->GetOutput(), 0.013, Red);
+  pathScene.ExpectBaseline("TestImageCloudPath");
+}
+
+TEST(ImageClouds, Cells)
+{
+  auto cloud = MakeTerrainCloud();
+  vtkNew<vtkGeodesicSampler> sampler;
+  sampler->SetInputData(cloud);
+  sampler->SetNumberOfSamples(18);
+  vtkNew<vtkGeodesicVoronoi> voronoi;
+  voronoi->SetInputData(cloud);
+  voronoi->SetSiteConnection(sampler->GetOutputPort());
+  voronoi->CentroidalOn();
+  ExpectSuccess(voronoi);
+  const auto cells = GetValues(voronoi->GetOutput(), "GeodesicSource");
+  for (int site = 0; site < 18; ++site)
+  {
+    EXPECT_GT(std::count(cells.begin(), cells.end(), site), 30) << site;
+  }
+
+  ImageScene scene;
+  scene.AddPanel(TerrainView);
+  scene.AddPoints(voronoi->GetOutput(), 0.013, "GeodesicSource", NumberColors(18));
+  scene.AddPoints(voronoi->GetSites(), 0.024, Red);
+  scene.ExpectBaseline("TestImageCloudCells");
+}

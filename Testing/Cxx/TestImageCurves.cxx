@@ -1,0 +1,371 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Pictures of curves: isolines with ridges and bands, paths, loops with offset curves, patch
+/// boundaries; compared with pictures that were looked at.
+#include "ImageScene.h"
+#include "IsolineTestTools.h"
+#include "LoopTestTools.h"
+#include "PathTestTools.h"
+#include "SpectralTestTools.h"
+
+#include "vtkApolloniusIsolines.h"
+#include "vtkExactGeodesicDistance.h"
+#include "vtkGeodesicPatchBoundaries.h"
+
+#include "vtkActor.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace dggtest;
+
+namespace
+{
+/// A vase, bent, wide below and narrow near the top, open at both ends.
+vtkSmartPointer<vtkPolyData> MakeVase()
+{
+  constexpr int sides = 28;
+  constexpr int rows = 24;
+  auto vase = MakePrism(sides, rows);
+  for (int j = 0; j <= rows; ++j)
+  {
+    const double z = static_cast<double>(j) / rows;
+    const double radius = 0.3 + 0.16 * std::sin(5.6 * z - 0.3);
+    for (int i = 0; i < sides; ++i)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * i / sides;
+      vase->GetPoints()->SetPoint(j * sides + i, radius * std::cos(angle) + 0.3 * z * z,
+        0.85 * radius * std::sin(angle), 1.3 * z);
+    }
+  }
+  return vase;
+}
+constexpr Viewpoint VaseView = { { { 1.2, -3.4, 2.2 } }, { { 0.1, 0.0, 0.67 } }, 22.5 };
+
+/// Through places on the upper side of a torus, three near the hole and three far from it.
+vtkSmartPointer<vtkPolyData> MakeStar()
+{
+  Points points;
+  for (int k = 0; k < 6; ++k)
+  {
+    const double u = 0.2 + vtkMath::Pi() * k / 3.0;
+    const double v = k % 2 == 0 ? 0.9 : 2.4;
+    const double r = 1.0 + 0.4 * std::cos(v);
+    points.push_back({ { r * std::cos(u), r * std::sin(u), 0.4 * std::sin(v) } });
+  }
+  return MakeSourcePoints(points);
+}
+
+/// The filter on exact distances, with so many values evenly in between.
+double Prepare(vtkApolloniusIsolines* isolines, vtkPolyData* surface,
+  const std::vector<vtkIdType>& sources, bool hasWindows, int number)
+{
+  vtkNew<vtkExactGeodesicDistance> distance;
+  distance->SetInputData(surface);
+  distance->SetSourceIds(sources);
+  distance->GenerateVirtualSourceOn();
+  distance->SetGenerateWindows(hasWindows);
+  ExpectSuccess(distance);
+  const double farthest =
+    distance->GetOutput()->GetPointData()->GetArray("GeodesicDistance")->GetRange()[1];
+  isolines->SetInputConnection(distance->GetOutputPort());
+  isolines->GenerateValues(number, farthest / (number + 1), farthest * number / (number + 1));
+  isolines->GenerateBandsOn();
+  return farthest;
+}
+
+/// Colours of bands, light enough for lines to be seen.
+vtkSmartPointer<vtkLookupTable> BandColors(int number)
+{
+  auto colors = FieldColors(0, number, number + 1);
+  for (int i = 0; i <= number; ++i)
+  {
+    double c[4];
+    colors->GetTableValue(i, c);
+    colors->SetTableValue(i, 0.5 + 0.5 * c[0], 0.5 + 0.5 * c[1], 0.5 + 0.5 * c[2]);
+  }
+  return colors;
+}
+}
+
+/// Linear, Apollonius, virtual sources, windows, on coarse meshes.
+TEST(ImageCurves, IsolinesByAllMethods)
+{
+  constexpr int number = 12;
+  const Viewpoint cubeView = { { { 3.4, -1.9, 2.8 } }, { { 0.5, 0.5, 0.5 } }, 24.0 };
+  ImageScene scene(4, 2, 220, 170);
+  for (const bool isCube : { false, true })
+  {
+    auto surface = isCube ? MakeCube() : MakePebble(2);
+    std::vector<vtkIdType> sources = { 1, 2, 4 };
+    if (!isCube)
+    {
+      sources = { surface->FindPoint(-1.6, 5.0, -3.0) }; // behind, so that ridges are in front
+    }
+    for (int column = 0; column < 4; ++column)
+    {
+      vtkNew<vtkApolloniusIsolines> isolines;
+      Prepare(isolines, surface, sources, column == 3, number);
+      isolines->SetGenerateRidges(column > 0);
+      isolines->SetMethod(column == 0 ? vtkApolloniusIsolines::Linear
+          : column == 1               ? vtkApolloniusIsolines::Apollonius
+                                      : vtkApolloniusIsolines::LocalSources);
+      ExpectSuccess(isolines);
+      EXPECT_GE(isolines->GetOutput()->GetNumberOfLines(), number);
+      EXPECT_EQ(isolines->GetUsedWindows(), column == 3);
+      EXPECT_EQ(isolines->GetRidges()->GetNumberOfLines() > 0, column > 0);
+
+      scene.AddPanel(isCube ? cubeView : PebbleView);
+      const double radius = isCube ? 0.008 : 0.012;
+      scene.AddSurface(isolines->GetBands(), "Band", BandColors(number));
+      scene.AddLines(isolines->GetOutput(), radius, Ink);
+      scene.AddLines(isolines->GetRidges(), 2.0 * radius, Red);
+    }
+  }
+  scene.ExpectBaseline("TestImageIsolines");
+}
+
+/// Bands between isolines, and ridges coloured by their angle, of two sources.
+TEST(ImageCurves, RidgesAndBands)
+{
+  constexpr int number = 14;
+  auto terrain = MakeTerrain(40);
+  vtkNew<vtkApolloniusIsolines> isolines;
+  const double farthest = Prepare(isolines, terrain, { 40 * 12 + 6, 40 * 30 + 33 }, true, number);
+  isolines->GenerateRidgesOn();
+  ExpectSuccess(isolines);
+  EXPECT_GT(ExpectPiecesInTheirFaces(terrain, isolines->GetOutput()), 1000);
+  EXPECT_GT(ExpectPiecesInTheirFaces(terrain, isolines->GetRidges()), 50);
+  vtkDataArray* values = isolines->GetOutput()->GetCellData()->GetArray("IsoValue");
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    const double step = values->GetComponent(i, 0) * (number + 1) / farthest;
+    EXPECT_NEAR(step, std::round(step), 1e-9);
+  }
+
+  ImageScene scene;
+  scene.AddPanel(TerrainView);
+  scene.AddSurface(isolines->GetBands(), "Band", BandColors(number));
+  scene.AddLines(isolines->GetOutput(), 0.0025, Ink);
+  auto angles = ErrorColors(180.0);
+  scene.AddLines(isolines->GetRidges(), 0.008, "RidgeAngle", angles);
+  scene.AddPoints(terrain, { 40 * 12 + 6, 40 * 30 + 33 }, 0.018, Ink);
+  scene.ExpectBaseline("TestImageRidges");
+}
+
+/// From a corner of the terrain to places all around the bump, and between places in faces.
+TEST(ImageCurves, Paths)
+{
+  constexpr int side = 60;
+  auto terrain = MakeTerrain(side);
+  const auto prepare = [&](vtkDGGPath* filter) {
+    filter->SetInputData(terrain);
+    for (const auto& end : { std::array<int, 2>{ { 59, 2 } }, { { 57, 21 } }, { { 56, 33 } },
+           { { 51, 48 } }, { { 30, 57 } }, { { 4, 41 } }, { { 40, 21 } } })
+    {
+      filter->AddPair(5 * side + 3, end[1] * side + end[0]);
+    }
+    filter->SetPairData(MakePairs({ { { 0.11, 0.93, 0.0 } }, { { 0.42, 0.63, 0.0 } } }));
+    filter->SetProjectionTolerance(0.2); // the points are dropped onto the sheet
+    ExpectSuccess(filter);
+    return GetPaths(filter);
+  };
+  vtkNew<vtkDGGPath> filter;
+  const auto paths = prepare(filter);
+  vtkNew<vtkDGGPath> exact;
+  exact->SetMethodToExact();
+  const auto shortest = prepare(exact);
+  ASSERT_EQ(paths.size(), 8u);
+  ASSERT_EQ(shortest.size(), 8u);
+  for (std::size_t i = 0; i < paths.size(); ++i)
+  {
+    ExpectOnSurface(paths[i], terrain);
+    EXPECT_NEAR(paths[i].Length, shortest[i].Length, 1e-6) << i;
+    EXPECT_LT(paths[i].Length, 1.4);
+  }
+
+  ImageScene scene;
+  scene.AddPanel(TerrainView);
+  scene.AddSurface(terrain);
+  scene.AddLines(filter->GetOutput(), 0.009, "ArcLength", FieldColors(0.0, 1.4));
+  scene.ExpectBaseline("TestImagePath");
+}
+
+/// Paths in a coarse graph, and what they become when they are straightened.
+TEST(ImageCurves, StraightenedPaths)
+{
+  constexpr int side = 12;
+  auto terrain = MakeTerrain(side);
+  ImageScene scene;
+  scene.AddPanel(TerrainView);
+  scene.AddSurface(terrain)->GetProperty()->EdgeVisibilityOn();
+  vtkNew<vtkDGGPath> filter;
+  filter->SetInputData(terrain);
+  filter->SetAccuracy(0.5);
+  for (const vtkIdType end : { side * 3 + 11, side * 8 + 10, side * 11 + 4 })
+  {
+    filter->AddPair(side, end);
+  }
+  std::vector<PathLine> before;
+  for (const bool isStraight : { false, true })
+  {
+    filter->SetStraighten(isStraight);
+    ExpectSuccess(filter);
+    const auto paths = GetPaths(filter);
+    ASSERT_EQ(paths.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      ExpectOnSurface(paths[i], terrain);
+      EXPECT_TRUE(!isStraight || paths[i].Length < before[i].Length) << i;
+    }
+    before = paths;
+    scene.AddLines(filter->GetOutput(), isStraight ? 0.008 : 0.006, isStraight ? Red : Blue);
+  }
+  scene.ExpectBaseline("TestImageStraightenedPath");
+}
+
+/// Loops around a handle, a rope that keeps to its points, its offset curves.
+TEST(ImageCurves, HandlesAndRope)
+{
+  auto torus = MakeTorus(36, 18);
+  vtkNew<vtkDGGLoop> handles;
+  handles->SetInputData(torus);
+  handles->SetModeToAroundHandles();
+  ExpectSuccess(handles);
+  EXPECT_EQ(GetLoops(handles).size(), 2u);
+  vtkNew<vtkDGGLoop> rope;
+  rope->SetInputData(torus);
+  rope->SetModeToRope();
+  rope->SetPointData(MakeStar());
+  rope->SetTapeWidth(0.2);
+  ExpectSuccess(rope);
+  const auto loops = GetLoops(rope);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_EQ(loops[0].Kinked, 1);
+  ExpectOnSurface(loops[0].Line, torus);
+  const auto rims = GetRims(rope);
+  EXPECT_EQ(rims.size(), 2u);
+  for (const LoopLine& rim : rims)
+  {
+    EXPECT_TRUE(rim.IsClosed);
+    ExpectOnSurface(rim.Line, torus);
+  }
+
+  ImageScene scene;
+  scene.AddPanel({ { { 0.6, -2.3, 4.4 } }, { { 0.0, -0.05, 0.0 } }, 32.0 });
+  scene.AddSurface(torus);
+  scene.AddLines(handles->GetOutput(), 0.02, Blue);
+  scene.AddLines(rope->GetOutput(), 0.02, Red);
+  scene.AddLines(rope->GetTape(), 0.016, Orange);
+  scene.ExpectBaseline("TestImageLoop");
+}
+
+/// Loops through points, with kinks there; one that was let go, at the waist, and its offset
+/// curves.
+TEST(ImageCurves, LoopsThroughPoints)
+{
+  auto vase = MakeVase();
+  vtkNew<vtkDGGLoop> loop;
+  loop->SetInputData(vase);
+  loop->SetPointIds({ 28 * 4 + 22, 28 * 13 + 20 });
+  ExpectSuccess(loop);
+  EXPECT_EQ(GetLoops(loop).size(), 2u);
+  vtkNew<vtkDGGLoop> taut;
+  taut->SetInputData(vase);
+  taut->AddPointId(28 * 17 + 20);
+  taut->TautOn();
+  taut->SetTapeWidth(0.12);
+  ExpectSuccess(taut);
+  const auto loops = GetLoops(taut);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_EQ(loops[0].Kinked, 0);
+  ExpectStraight(loops[0], vase);
+  EXPECT_EQ(GetRims(taut).size(), 2u);
+
+  ImageScene scene;
+  scene.AddPanel(VaseView);
+  scene.AddSurface(vase);
+  scene.AddLines(loop->GetOutput(), 0.011, Blue);
+  scene.AddPoints(vase, { 28 * 4 + 22, 28 * 13 + 20 }, 0.025, Blue);
+  scene.AddLines(taut->GetOutput(), 0.011, Red);
+  scene.AddLines(taut->GetTape(), 0.009, Orange);
+  scene.ExpectBaseline("TestImageTautLoop");
+}
+
+/// Twelve curves between six landmarks on two surfaces; those that correspond have one colour.
+TEST(ImageCurves, PatchBoundaries)
+{
+  const Cells octahedron = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 }, { 5, 2, 1 },
+    { 5, 3, 2 }, { 5, 4, 3 }, { 5, 1, 4 } };
+  auto pebble = MakePebble(3);
+  auto bean = MakeSphere(3);
+  for (vtkIdType i = 0; i < bean->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    bean->GetPoint(i, p);
+    const double x = 0.9 * p[0] + 0.45 * p[2] * p[2];
+    bean->GetPoints()->SetPoint(i, x, 0.8 * p[1] * (1.0 - 0.3 * p[2]), 1.15 * p[2]);
+  }
+  // The corners of an octahedron, three of them towards the viewer.
+  const auto landmarks = [](vtkPolyData* surface, double turn) {
+    const double towards[3] = { 0.36, -0.81, 0.46 };
+    const double right[3] = { 0.91, 0.41, 0.0 };
+    double up[3];
+    vtkMath::Cross(right, towards, up);
+    std::vector<vtkIdType> ids(6);
+    for (int k = 0; k < 3; ++k)
+    {
+      const double angle = turn + 2.0 * vtkMath::Pi() / 3.0 * k;
+      double axis[3];
+      for (int c = 0; c < 3; ++c)
+      {
+        axis[c] = 2.4 * towards[c] + 2.0 * (std::cos(angle) * right[c] + std::sin(angle) * up[c]);
+      }
+      const int opposite[3] = { 5, 3, 4 };
+      ids[k] = surface->FindPoint(axis);
+      vtkMath::MultiplyScalar(axis, -1.0);
+      ids[opposite[k]] = surface->FindPoint(axis);
+    }
+    return ids;
+  };
+  const auto first = landmarks(pebble, 0.3);
+  const auto second = landmarks(bean, 0.55);
+  vtkNew<vtkPolyData> layout;
+  layout->SetPolys(MakeCells(octahedron));
+  vtkNew<vtkGeodesicPatchBoundaries> filter;
+  filter->SetInputData(pebble);
+  filter->SetSecondSurfaceData(bean);
+  filter->SetFirstLandmarkIds(first);
+  filter->SetSecondLandmarkIds(second);
+  filter->SetLayoutData(layout);
+  ExpectSuccess(filter);
+
+  ImageScene scene(2, 1, 240, 190);
+  for (const int port : { 0, 1 })
+  {
+    vtkPolyData* curves = filter->GetOutput(port);
+    EXPECT_EQ(curves->GetNumberOfLines(), 12);
+    vtkSmartPointer<vtkPolyData> surface = port == 0 ? pebble : bean;
+    EXPECT_GT(ExpectPiecesInTheirFaces(surface, curves), 100);
+    vtkNew<vtkIntArray> numbers;
+    numbers->SetName("Number");
+    for (int i = 0; i < 12; ++i)
+    {
+      numbers->InsertNextValue(i);
+    }
+    curves->GetCellData()->AddArray(numbers);
+    scene.AddPanel(PebbleView);
+    scene.AddSurface(surface);
+    scene.AddLines(curves, 0.025, "Number", NumberColors(12));
+    scene.AddPoints(surface, port == 0 ? first : second, 0.05, Ink);
+  }
+  scene.ExpectBaseline("TestImagePatchBoundaries");
+}

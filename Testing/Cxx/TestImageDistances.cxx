@@ -1,0 +1,335 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Pictures of distances: exact ones, errors of the others, the graph, a matrix, a probe; compared
+/// with pictures that were looked at.
+#include "GraphTestTools.h"
+#include "ImageScene.h"
+#include "SpectralTestTools.h"
+
+#include "vtkDGGDistance.h"
+#include "vtkExactGeodesicDistance.h"
+#include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkGeodesicDistanceMatrix.h"
+#include "vtkGeodesicProbe.h"
+#include "vtkHeatGeodesicDistance.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkLinearSubdivisionFilter.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+using namespace dggtest;
+
+namespace
+{
+/// The terrain with a cut that parts one corner from the rest, which stays without a distance.
+vtkSmartPointer<vtkPolyData> MakeCutTerrain()
+{
+  auto terrain = MakeTerrain(60);
+  Cells cells;
+  for (vtkIdType c = 0; c < terrain->GetNumberOfCells(); ++c)
+  {
+    vtkIdType n;
+    const vtkIdType* ids;
+    terrain->GetPolys()->GetCellAtId(c, n, ids);
+    const vtkIdType sum = ids[0] % 60 + 2 * (ids[0] / 60);
+    if (sum < 148 || sum > 151)
+    {
+      cells.emplace_back(ids, ids + n);
+    }
+  }
+  terrain->SetPolys(MakeCells(cells));
+  return terrain;
+}
+
+/// Adds a panel with the relative errors of a filter on the terrain in percent, and lines of equal
+/// distance. Returns the errors.
+std::vector<double> AddErrors(
+  ImageScene& scene, vtkGeodesicDistanceAlgorithm* filter, double largest)
+{
+  constexpr vtkIdType source = 30 * 9 + 6;
+  auto terrain = MakeTerrain(30);
+  filter->SetInputData(terrain);
+  filter->SetSourceIds({ source });
+  ExpectSuccess(filter);
+  const auto exact = GetExactDistances(terrain, { source });
+  auto errors = GetDistances(filter);
+  EXPECT_EQ(errors[source], 0.0);
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("Error");
+  for (std::size_t i = 0; i < errors.size(); ++i)
+  {
+    errors[i] = exact[i] > 0.0 ? 100.0 * (errors[i] / exact[i] - 1.0) : 0.0;
+    array->InsertNextValue(errors[i]);
+  }
+  filter->GetOutput()->GetPointData()->AddArray(array);
+  scene.AddPanel(TerrainView);
+  scene.AddSurface(filter->GetOutput(), "Error", ErrorColors(largest));
+  scene.AddContours(filter->GetOutput(), 0.003, filter->GetDistanceArrayName(), 0.1, 1.3, 13);
+  return errors;
+}
+
+double MeanSize(const std::vector<double>& values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.0,
+           [](double sum, double value) { return sum + std::abs(value); }) /
+    values.size();
+}
+}
+
+TEST(ImageDistances, Exact)
+{
+  // One source by id and one inside a face that starts later.
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(MakeCutTerrain());
+  filter->AddSourceId(60 * 12 + 9);
+  auto sources = MakeSourcePoints({ { { 0.71, 0.84, 0.0 } } });
+  vtkNew<vtkDoubleArray> start;
+  start->SetName("InitialDistance");
+  start->InsertNextValue(0.25);
+  sources->GetPointData()->AddArray(start);
+  filter->SetSourceData(sources);
+  filter->SetProjectionTolerance(0.2); // the point is dropped onto the sheet
+  ExpectSuccess(filter);
+  const auto distances = GetDistances(filter);
+  EXPECT_EQ(distances[60 * 12 + 9], 0.0);
+  const auto unreached =
+    std::count_if(distances.begin(), distances.end(), [](double d) { return std::isnan(d); });
+  EXPECT_TRUE(std::isnan(distances.back()));
+  EXPECT_GT(unreached, 100);
+  EXPECT_LT(unreached, 600);
+  double range[2];
+  filter->GetOutput()->GetPointData()->GetScalars()->GetRange(range);
+  EXPECT_EQ(range[0], 0.0);
+  EXPECT_GT(range[1], 0.9);
+  EXPECT_LT(range[1], 1.2);
+
+  ImageScene scene;
+  scene.AddPanel(TerrainView);
+  scene.AddSurface(filter->GetOutput(), "GeodesicDistance", FieldColors(0.0, 1.2));
+  scene.AddContours(filter->GetOutput(), 0.0025, "GeodesicDistance", 0.06, 1.2, 20);
+  scene.AddPoints(filter->GetOutput(), { 60 * 12 + 9 }, 0.018, Red);
+  scene.ExpectBaseline("TestImageExactDistance");
+}
+
+TEST(ImageDistances, ErrorsOfTheHeatMethod)
+{
+  ImageScene scene(3, 1, 240, 200);
+  for (const int boundary : { vtkHeatGeodesicDistance::Neumann, vtkHeatGeodesicDistance::Dirichlet,
+         vtkHeatGeodesicDistance::Average })
+  {
+    vtkNew<vtkHeatGeodesicDistance> filter;
+    filter->SetBoundary(boundary);
+    EXPECT_LT(MeanSize(AddErrors(scene, filter, 10.0)), 5.0) << boundary;
+  }
+  scene.ExpectBaseline("TestImageHeatMethod");
+}
+
+TEST(ImageDistances, ErrorsOfFastMarching)
+{
+  ImageScene scene(2, 1, 240, 200);
+  vtkNew<vtkFastMarchingGeodesicDistance> filter;
+  const double spherical = MeanSize(AddErrors(scene, filter, 5.0));
+  filter->SetFrontShapeToPlanar();
+  const double planar = MeanSize(AddErrors(scene, filter, 5.0));
+  EXPECT_LT(spherical, 1.0);
+  EXPECT_LT(planar, 5.0);
+  EXPECT_LT(2.0 * spherical, planar);
+  scene.ExpectBaseline("TestImageFastMarching");
+}
+
+TEST(ImageDistances, ErrorsOfTheGraph)
+{
+  ImageScene scene(2, 1, 240, 200);
+  vtkNew<vtkDGGDistance> filter;
+  filter->SetAccuracy(0.1);
+  filter->CorrectionOff();
+  const auto errors = AddErrors(scene, filter, 4.0);
+  EXPECT_GE(*std::min_element(errors.begin(), errors.end()), -1e-4);
+  EXPECT_LE(*std::max_element(errors.begin(), errors.end()), 10.0);
+  filter->CorrectionOn();
+  EXPECT_LT(2.0 * MeanSize(AddErrors(scene, filter, 4.0)), MeanSize(errors));
+  scene.ExpectBaseline("TestImageGraphDistance");
+}
+
+/// Quads of two components and a third one that no source reaches; a limit; whose distance it is.
+TEST(ImageDistances, QuadsAndComponents)
+{
+  auto relief = MakeGrid(14, 11, GridCells::Quads);
+  for (vtkIdType i = 0; i < relief->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    relief->GetPoint(i, p);
+    relief->GetPoints()->SetPoint(
+      i, p[0], p[1], 0.8 * std::sin(0.5 * p[0]) + 0.6 * std::cos(0.3 * p[0] + p[1]));
+  }
+  auto small = MakeGrid(5, 8, GridCells::Quads);
+  auto surface = Beside(Beside(relief, small, 16.0), small, 23.0);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  const std::vector<vtkIdType> sources = { 32, 130, 185 };
+  filter->SetSourceIds(sources);
+  filter->SetMaximumDistance(9.0);
+  filter->GenerateNearestSourceOn();
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetNumberOfComponents(), 3);
+  const auto distances = GetDistances(filter);
+  const auto nearest = GetNearestSources(filter);
+  EXPECT_TRUE(std::isnan(distances.back()));
+  EXPECT_EQ(nearest.back(), -1);
+  EXPECT_EQ(nearest[0], 0);
+  EXPECT_EQ(nearest[179], 1);
+  EXPECT_EQ(nearest[233], 2);
+  for (const double distance : distances)
+  {
+    EXPECT_FALSE(distance > 9.0);
+  }
+
+  ImageScene scene(1, 2, 360, 160);
+  const Viewpoint view = { { { 11.0, -20.0, 27.0 } }, { { 14.0, 4.8, 0.0 } }, 22.0 };
+  for (const bool isDistance : { true, false })
+  {
+    scene.AddPanel(view);
+    auto* actor = isDistance
+      ? scene.AddSurface(filter->GetOutput(), "GeodesicDistance", FieldColors(0.0, 9.0, 18))
+      : scene.AddSurface(filter->GetOutput(), filter->GetSourceArrayName(), NumberColors(3));
+    actor->GetProperty()->EdgeVisibilityOn();
+    scene.AddPoints(surface, sources, 0.3, Red);
+  }
+  scene.ExpectBaseline("TestImageQuads");
+}
+
+/// The edges that leave three points, by two constructions.
+TEST(ImageDistances, GraphEdges)
+{
+  const std::vector<vtkIdType> points = { 25 * 6 + 5, 25 * 9 + 17, 25 * 19 + 10 };
+  ImageScene scene(2, 1, 280, 220);
+  vtkNew<vtkDiscreteGeodesicGraph> graph;
+  graph->SetInputData(MakeTerrain(25));
+  graph->GenerateGraphLinesOn();
+  graph->SetNumberOfNeighbors(60);
+  for (const int construction :
+    { vtkDiscreteGeodesicGraph::Guaranteed, vtkDiscreteGeodesicGraph::SaddleVertexGraph })
+  {
+    graph->SetConstruction(construction);
+    graph->SetAccuracy(0.02);
+    ExpectSuccess(graph);
+    vtkPolyData* lines = graph->GetGraphLines();
+    EXPECT_EQ(2 * lines->GetNumberOfLines(), graph->GetNumberOfGraphEdges());
+    Cells chosen;
+    for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
+    {
+      vtkIdType n;
+      const vtkIdType* ids;
+      lines->GetLines()->GetCellAtId(i, n, ids);
+      if (std::find_first_of(ids, ids + n, points.begin(), points.end()) != ids + n)
+      {
+        chosen.emplace_back(ids, ids + n);
+      }
+    }
+    EXPECT_GT(chosen.size(), 60u);
+    vtkNew<vtkPolyData> star;
+    star->SetPoints(lines->GetPoints());
+    star->SetLines(MakeCells(chosen));
+    scene.AddPanel(TerrainView);
+    auto* actor = scene.AddSurface(graph->GetOutput(), { { 0.75, 0.75, 0.72 } });
+    actor->GetProperty()->SetRepresentationToWireframe(); // or lines through it were hidden
+    scene.AddLines(star, 0.004, Blue);
+    scene.AddPoints(star, points, 0.02, Red);
+  }
+  scene.ExpectBaseline("TestImageGraphEdges");
+}
+
+/// From the red points (rows, from below) to the blue ones (columns, from the left).
+TEST(ImageDistances, Matrix)
+{
+  constexpr int side = 41;
+  constexpr int numberOfRows = 30;
+  auto terrain = MakeTerrain(side);
+  std::vector<vtkIdType> rows;
+  std::vector<vtkIdType> columns;
+  for (int i = 0; i < side; ++i)
+  {
+    columns.push_back(side * 14 + i);
+  }
+  for (int j = 0; j < numberOfRows; ++j)
+  {
+    rows.push_back(side * (j + 8) + 10 + j);
+  }
+  vtkNew<vtkGeodesicDistanceMatrix> filter;
+  filter->SetInputData(terrain);
+  filter->SetRowIds(rows);
+  filter->SetColumnIds(columns);
+  ExpectSuccess(filter);
+  auto grid = MakeGrid(side, numberOfRows, GridCells::Quads, 1.0 / side);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Distance");
+  for (int row = 0; row < numberOfRows; ++row)
+  {
+    for (int column = 0; column < side; ++column)
+    {
+      const double value = filter->GetMatrix()->GetComponent(row, column);
+      EXPECT_GE(value * 1.001, EuclideanDistance(terrain, rows[row], columns[column]));
+      values->InsertNextValue(value);
+    }
+  }
+  grid->GetCellData()->AddArray(values);
+
+  ImageScene scene(2, 1, 240, 200);
+  scene.AddPanel(TerrainView);
+  scene.AddSurface(terrain);
+  scene.AddPoints(terrain, columns, 0.012, Blue);
+  scene.AddPoints(terrain, rows, 0.012, Red);
+  scene.AddPanel({ { { 0.5, 0.369, 3.0 } }, { { 0.5, 0.37, 0.0 } }, 20.0 });
+  scene.AddSurface(grid, "Distance", FieldColors(0.0, 0.8, 16));
+  scene.ExpectBaseline("TestImageMatrix");
+}
+
+/// A distance that is known at few points: linear in triangles, and probed.
+TEST(ImageDistances, Probe)
+{
+  constexpr int side = 6;
+  constexpr vtkIdType source = side + 1;
+  vtkNew<vtkExactGeodesicDistance> distance;
+  distance->SetInputData(MakeTerrain(side));
+  distance->SetSourceIds({ source });
+  distance->GenerateWindowsOn();
+  vtkNew<vtkLinearSubdivisionFilter> fine;
+  fine->SetInputConnection(distance->GetOutputPort());
+  fine->SetNumberOfSubdivisions(3);
+  vtkNew<vtkGeodesicProbe> probe;
+  probe->SetInputConnection(distance->GetOutputPort());
+  probe->SetProbeConnection(fine->GetOutputPort());
+  ExpectSuccess(probe);
+  const auto linear = GetValues(fine->GetOutput(), "GeodesicDistance");
+  const auto probed = GetValues(probe->GetOutput(), "GeodesicDistance");
+  const auto known = GetDistances(distance);
+  ASSERT_EQ(linear.size(), probed.size());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < linear.size(); ++i)
+  {
+    largest = std::max(largest, linear[i] - probed[i]);
+    EXPECT_TRUE(i >= known.size() || std::abs(probed[i] - known[i]) < 1e-6);
+  }
+  EXPECT_GT(largest, 0.02);
+
+  ImageScene scene(2, 1, 240, 200);
+  for (vtkPolyData* surface : { fine->GetOutput(), probe->GetOutput() })
+  {
+    scene.AddPanel(TerrainView);
+    scene.AddSurface(surface, "GeodesicDistance", FieldColors(0.0, 1.4));
+    scene.AddContours(surface, 0.003, "GeodesicDistance", 0.07, 1.4, 20);
+    scene.AddPoints(surface, { source }, 0.02, Red);
+  }
+  scene.ExpectBaseline("TestImageProbe");
+}
