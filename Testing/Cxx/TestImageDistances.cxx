@@ -9,7 +9,7 @@
 
 #include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
-#include "vtkFastMarchingGeodesicDistance.h"
+#include "vtkDGGFastMarchingDistance.h"
 #include "vtkGeodesicDistanceMatrix.h"
 #include "vtkGeodesicProbe.h"
 #include "vtkHeatGeodesicDistance.h"
@@ -138,7 +138,7 @@ TEST(ImageDistances, ErrorsOfTheHeatMethod)
 TEST(ImageDistances, ErrorsOfFastMarching)
 {
   ImageScene scene(2, 1, 240, 200);
-  vtkNew<vtkFastMarchingGeodesicDistance> filter;
+  vtkNew<vtkDGGFastMarchingDistance> filter;
   const double spherical = MeanSize(AddErrors(scene, filter, 5.0));
   filter->SetFrontShapeToPlanar();
   const double planar = MeanSize(AddErrors(scene, filter, 5.0));
