@@ -4,7 +4,7 @@
 
 #include "vtkDGGFieldInput.h"
 #include "vtkDGGIsolineOutputs.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGParallel.h"
 
@@ -270,7 +270,7 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
 dgg::Status vtkApolloniusIsolines::ReadField(
   vtkPolyData* surface, vtkDataArray* distances, vtkDGGFieldInput& input)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
   input.SetUnreachedValue(this->UnreachedValue);
   return this->Method == Linear
     ? input.ReadDistances(surface, distances, mesh)

@@ -4,7 +4,7 @@
 
 #include "vtkDGGDistanceTask.h"
 #include "vtkDGGGraphUser.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 
 #include "dggSourceFinding.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGFieldInput.h"
 
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGParallel.h"
 #include "vtkDGGUnreachedArray.h"
 #include "vtkDGGWindowArrays.h"
@@ -170,7 +170,7 @@ dgg::Status vtkDGGFieldInput::FindDistances(vtkInformation* filter, const std::s
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGFieldInput::ReadDistances(
-  vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh)
+  vtkPolyData* surface, vtkDataArray* distances, const vtkDGGPreparedMesh& mesh)
 {
   this->Warning.clear();
   this->IsFitted = false;
@@ -206,7 +206,7 @@ dgg::Status vtkDGGFieldInput::ReadDistances(
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGFieldInput::Read(vtkPolyData* surface, vtkDataArray* distances,
-  const std::string& virtualSources, const vtkDGGMeshAdapter& mesh,
+  const std::string& virtualSources, const vtkDGGPreparedMesh& mesh,
   const dgg::ProgressCallback& progress)
 {
   const dgg::Status status = this->ReadDistances(surface, distances, mesh);
@@ -223,7 +223,7 @@ dgg::Status vtkDGGFieldInput::Read(vtkPolyData* surface, vtkDataArray* distances
 
 //------------------------------------------------------------------------------
 void vtkDGGFieldInput::ReadWindows(
-  vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh)
+  vtkPolyData* surface, vtkDataArray* distances, const vtkDGGPreparedMesh& mesh)
 {
   std::string complaint;
   vtkDGGWindowArrays::Find(surface->GetFieldData(), distances, mesh, this->Windows, complaint);
@@ -235,7 +235,7 @@ void vtkDGGFieldInput::ReadWindows(
 
 //------------------------------------------------------------------------------
 void vtkDGGFieldInput::ReadSources(
-  vtkPolyData* surface, const std::string& name, const vtkDGGMeshAdapter& mesh)
+  vtkPolyData* surface, const std::string& name, const vtkDGGPreparedMesh& mesh)
 {
   vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
   if (!array)

@@ -11,7 +11,7 @@
 #include <string> // for names and warnings
 #include <vector> // for the distances
 
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
 class vtkDataArray;
 class vtkInformation;
 class vtkPolyData;
@@ -42,11 +42,12 @@ public:
 
   /// The distances alone, to be taken as linear. Fails when a distance is minus infinity.
   dgg::Status ReadDistances(
-    vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh);
+    vtkPolyData* surface, vtkDataArray* distances, const vtkDGGPreparedMesh& mesh);
 
   /// And what there is beside them. `progress` may be empty.
   dgg::Status Read(vtkPolyData* surface, vtkDataArray* distances, const std::string& virtualSources,
-    const vtkDGGMeshAdapter& mesh, const dgg::ProgressCallback& progress = dgg::ProgressCallback());
+    const vtkDGGPreparedMesh& mesh,
+    const dgg::ProgressCallback& progress = dgg::ProgressCallback());
 
   /// Whether virtual sources are those that have been fitted.
   bool HasFittedSources() const { return this->IsFitted; }
@@ -58,8 +59,8 @@ public:
   const std::string& GetWarning() const { return this->Warning; }
 
 private:
-  void ReadWindows(vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh);
-  void ReadSources(vtkPolyData* surface, const std::string& name, const vtkDGGMeshAdapter& mesh);
+  void ReadWindows(vtkPolyData* surface, vtkDataArray* distances, const vtkDGGPreparedMesh& mesh);
+  void ReadSources(vtkPolyData* surface, const std::string& name, const vtkDGGPreparedMesh& mesh);
   bool HasSourcesOfDistances(const dgg::SurfaceMesh& mesh) const;
   dgg::Status FitSources(const dgg::SurfaceMesh& mesh, const dgg::ProgressCallback& progress);
   void Warn(const std::string& text);

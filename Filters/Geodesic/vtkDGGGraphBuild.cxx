@@ -3,7 +3,7 @@
 #include "vtkDGGGraphBuild.h"
 
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGParallel.h"
 
 #include "dggMemoryLimit.h"
@@ -44,7 +44,7 @@ void vtkDGGUseThreads(dgg::GraphOptions& options)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGBuildGraph(const dgg::GraphBuilder& builder, const vtkDGGMeshAdapter& mesh,
+dgg::Status vtkDGGBuildGraph(const dgg::GraphBuilder& builder, const vtkDGGPreparedMesh& mesh,
   dgg::GraphOptions options, vtkTypeUInt64 memoryLimit, dgg::GeodesicGraph& graph,
   dgg::GraphEstimate& estimate)
 {
@@ -65,7 +65,7 @@ dgg::Status vtkDGGBuildGraph(const dgg::GraphBuilder& builder, const vtkDGGMeshA
 }
 
 //------------------------------------------------------------------------------
-std::size_t vtkDGGEstimateBuilder(const vtkDGGMeshAdapter& mesh)
+std::size_t vtkDGGEstimateBuilder(const vtkDGGPreparedMesh& mesh)
 {
   // The table of all crossings of faces; twice where faces cannot be oriented consistently.
   const dgg::MeshReport& report = mesh.GetReport();

@@ -5,7 +5,7 @@
 #include "vtkDGGCloudLinks.h"
 #include "vtkDGGGraphBuild.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGParallel.h"
 
 #include "dggProgressPart.h"
@@ -92,7 +92,7 @@ dgg::Status vtkDGGGraphProvider::Update(const vtkDGGGraphRequest& request)
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGGraphProvider::FollowMesh(const vtkDGGMeshAdapter& mesh)
+void vtkDGGGraphProvider::FollowMesh(const vtkDGGPreparedMesh& mesh)
 {
   if (this->Mesh == mesh.GetBuildTime())
   {
@@ -127,7 +127,7 @@ void vtkDGGGraphProvider::ForgetGraph()
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGGraphProvider::SearchIn(const dgg::GraphView& graph, const vtkDGGMeshAdapter& mesh)
+void vtkDGGGraphProvider::SearchIn(const dgg::GraphView& graph, const vtkDGGPreparedMesh& mesh)
 {
   this->Finder.reset();
   this->Search.reset();
@@ -233,7 +233,7 @@ dgg::Status vtkDGGGraphProvider::PrepareForPairs(std::size_t count)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphProvider::PrepareBuilder(const vtkDGGMeshAdapter& mesh, bool isNeeded)
+dgg::Status vtkDGGGraphProvider::PrepareBuilder(const vtkDGGPreparedMesh& mesh, bool isNeeded)
 {
   if (!isNeeded)
   {
@@ -269,7 +269,7 @@ void vtkDGGGraphProvider::ReleaseBuilder()
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGGraphProvider::Link(const dgg::SurfacePoint& place, const Points& aims,
-  const vtkDGGMeshAdapter& mesh, std::vector<dgg::GraphLink>& links,
+  const vtkDGGPreparedMesh& mesh, std::vector<dgg::GraphLink>& links,
   std::vector<double>& direct) const
 {
   if (!mesh.IsCloud())
@@ -288,7 +288,7 @@ dgg::Status vtkDGGGraphProvider::Link(const dgg::SurfacePoint& place, const Poin
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGGraphProvider::MakeSeeds(const std::vector<dgg::GeodesicSource>& sources,
-  const vtkDGGMeshAdapter& mesh, std::vector<dgg::GraphSeed>& seeds)
+  const vtkDGGPreparedMesh& mesh, std::vector<dgg::GraphSeed>& seeds)
 {
   seeds.clear();
   Points places;
@@ -324,7 +324,7 @@ dgg::Status vtkDGGGraphProvider::MakeSeeds(const std::vector<dgg::GeodesicSource
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphProvider::LinkPlaces(const Points& places, const vtkDGGMeshAdapter& mesh)
+dgg::Status vtkDGGGraphProvider::LinkPlaces(const Points& places, const vtkDGGPreparedMesh& mesh)
 {
   LinkStore& store = this->Store;
   if (places.empty())
@@ -369,21 +369,18 @@ dgg::Status vtkDGGGraphProvider::LinkPlaces(const Points& places, const vtkDGGMe
 }
 
 //------------------------------------------------------------------------------
-const dgg::PathFinder& vtkDGGGraphProvider::GetPathFinder(
-  const vtkDGGMeshAdapter& mesh, const double* positions)
+const dgg::PathFinder& vtkDGGGraphProvider::GetPathFinder(const vtkDGGPreparedMesh& mesh)
 {
-  if (!this->Finder || this->FinderPositions != positions)
+  if (!this->Finder)
   {
-    this->Finder.reset();
     this->Finder = std::make_unique<dgg::PathFinder>(
-      mesh.GetMesh(), *this->Search, this->Builder.get(), positions);
-    this->FinderPositions = positions;
+      mesh.GetMesh(), *this->Search, this->Builder.get(), mesh.GetPositions());
   }
   return *this->Finder;
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphProvider::PrepareShortener(const vtkDGGMeshAdapter& cloud)
+dgg::Status vtkDGGGraphProvider::PrepareShortener(const vtkDGGPreparedMesh& cloud)
 {
   if (this->Shortener)
   {

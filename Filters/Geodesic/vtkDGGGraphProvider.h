@@ -19,7 +19,7 @@
 #include <memory> // for what is made on demand
 #include <vector> // for seeds
 
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
 class vtkObject;
 class vtkPolyData;
 
@@ -27,7 +27,7 @@ class vtkPolyData;
 struct vtkDGGGraphRequest
 {
   vtkPolyData* Input;
-  const vtkDGGMeshAdapter& Mesh;  ///< of the input; must outlive the provider
+  const vtkDGGPreparedMesh& Mesh; ///< of the input; must outlive the provider
   double Accuracy;                ///< of a graph that is built
   bool WarnAboutAccuracy;         ///< when the graph on the input promises less than that
   vtkTypeUInt64 MemoryLimit;      ///< bytes; 0 for the default
@@ -62,28 +62,27 @@ public:
   /// What a search from the sources starts from: a seed for each that is a vertex, and one for each
   /// link of the others. Links are kept while mesh, accuracy and places are the same.
   dgg::Status MakeSeeds(const std::vector<dgg::GeodesicSource>& sources,
-    const vtkDGGMeshAdapter& mesh, std::vector<dgg::GraphSeed>& seeds);
+    const vtkDGGPreparedMesh& mesh, std::vector<dgg::GraphSeed>& seeds);
   /// For links of points that are not vertices; kept until ReleaseBuilder() or another mesh. Fails
   /// when it would take too much memory. Clouds need none, and have none. One that is not needed is
   /// released.
-  dgg::Status PrepareBuilder(const vtkDGGMeshAdapter& mesh, bool isNeeded = true);
+  dgg::Status PrepareBuilder(const vtkDGGPreparedMesh& mesh, bool isNeeded = true);
   /// Links of a place, and how far it is from each of `aims` besides the graph: those that a
   /// straight way leads to. Needs PrepareBuilder() for places that are not vertices.
   dgg::Status Link(const dgg::SurfacePoint& place, const std::vector<dgg::SurfacePoint>& aims,
-    const vtkDGGMeshAdapter& mesh, std::vector<dgg::GraphLink>& links,
+    const vtkDGGPreparedMesh& mesh, std::vector<dgg::GraphLink>& links,
     std::vector<double>& direct) const;
   const dgg::GraphBuilder& GetBuilder() const { return *this->Builder; }
   void ReleaseBuilder();
   /// For paths in the graph, with links when there is a builder. Its memory is as large as the
-  /// mesh; it is kept as long as graph, builder and `positions`, those of the vertices, are the
-  /// same.
-  const dgg::PathFinder& GetPathFinder(const vtkDGGMeshAdapter& mesh, const double* positions);
+  /// mesh, whose positions have been made; it is kept as long as graph and builder are the same.
+  const dgg::PathFinder& GetPathFinder(const vtkDGGPreparedMesh& mesh);
   /// The accuracy that links have to have: that of the graph, or that asked for when it has none.
   double GetLinkAccuracy() const;
 
   /// For smooth paths on a cloud: rebuild the band that its graph was built in, unless it is there
   /// already. Kept as long as the graph is the same. Fails when it would take too much memory.
-  dgg::Status PrepareShortener(const vtkDGGMeshAdapter& cloud);
+  dgg::Status PrepareShortener(const vtkDGGPreparedMesh& cloud);
   const dgg::BandPathShortener& GetShortener() const { return *this->Shortener; }
 
   /// Whether the graph is that on the input.
@@ -106,12 +105,12 @@ private:
     std::vector<std::vector<dgg::GraphLink>> Links; // per place
   };
 
-  void FollowMesh(const vtkDGGMeshAdapter& mesh);
+  void FollowMesh(const vtkDGGPreparedMesh& mesh);
   void UseInput(const vtkDGGGraphRequest& request);
   dgg::Status UseOwn(const vtkDGGGraphRequest& request, dgg::GraphOptions options);
-  void SearchIn(const dgg::GraphView& graph, const vtkDGGMeshAdapter& mesh);
+  void SearchIn(const dgg::GraphView& graph, const vtkDGGPreparedMesh& mesh);
   void WarnAboutAccuracy(const vtkDGGGraphRequest& request);
-  dgg::Status LinkPlaces(const Points& places, const vtkDGGMeshAdapter& mesh);
+  dgg::Status LinkPlaces(const Points& places, const vtkDGGPreparedMesh& mesh);
   void ForgetGraph();
 
   vtkMTimeType Mesh = 0; // build time of the mesh that all of this belongs to
@@ -130,7 +129,6 @@ private:
   std::size_t BuilderSize = 0;                       // bytes, about
   std::unique_ptr<dgg::PathFinder> Finder;           // in Search, with Builder
   std::unique_ptr<dgg::BandPathShortener> Shortener; // on a cloud
-  const double* FinderPositions = nullptr;
   LinkStore Store;
   vtkTimeStamp BuildTime;
   dgg::ProgressCallback Progress; // of the last request

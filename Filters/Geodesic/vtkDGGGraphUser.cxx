@@ -67,7 +67,7 @@ bool vtkDGGGraphUser::IsCloud(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphUser::Update(vtkPolyData* input, const vtkDGGMeshAdapter& mesh,
+dgg::Status vtkDGGGraphUser::Update(vtkPolyData* input, const vtkDGGPreparedMesh& mesh,
   const dgg::ProgressCallback& progress, vtkObject* filter)
 {
   const bool warn = this->IsAccuracyExplicit && !this->AcceptCoarserGraph;

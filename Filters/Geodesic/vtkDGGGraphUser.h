@@ -35,7 +35,7 @@ public:
   /// What is wrong with the properties.
   dgg::Status Check() const;
   /// Bring the graph up to date.
-  dgg::Status Update(vtkPolyData* input, const vtkDGGMeshAdapter& mesh,
+  dgg::Status Update(vtkPolyData* input, const vtkDGGPreparedMesh& mesh,
     const dgg::ProgressCallback& progress, vtkObject* filter);
 
   /// Whether such filters take an input for a cloud: when it says that it has the graph of one.

@@ -5,7 +5,7 @@
 #include "vtkDGGGraphProvider.h"
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
@@ -93,7 +93,7 @@ dgg::Status RunRope(const dgg::LoopFinder& finder, const LoopPoints& points, boo
 }
 
 /// The rims of tapes along all loops that are not too long.
-dgg::Status AddTapes(const vtkDGGMeshAdapter& mesh, double width,
+dgg::Status AddTapes(const vtkDGGPreparedMesh& mesh, double width,
   const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
 {
   const std::size_t count = set.Loops.size();
@@ -234,7 +234,6 @@ vtkDGGLoop::vtkDGGLoop()
   , TapeWidth(0.0)
   , ProjectionTolerance(0.01)
   , GraphUser(new vtkDGGGraphUser)
-  , Collector(new vtkDGGSourceCollector)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
@@ -333,13 +332,13 @@ std::string vtkDGGLoop::GetMemoryRemedy() const
 dgg::Status vtkDGGLoop::Execute(
   vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
   std::vector<dgg::GeodesicSource> sources;
   dgg::Status status;
   if (this->Mode != AroundHandles)
   {
-    status = this->Collector->Collect(this->GetPointSet(inputVector), this->ProjectionTolerance,
-      mesh, surface->GetPoints(), sources);
+    status = vtkDGGSourceCollector::Collect(this->GetPointSet(inputVector),
+      this->ProjectionTolerance, mesh, surface->GetPoints(), sources);
   }
   vtkDGGNewGeometry geometry;
   if (status.IsOk())

@@ -109,7 +109,6 @@
 #include <memory> // For the internals
 #include <vector> // For ids
 
-class vtkDGGSourceCollector;
 struct vtkDGGLoopSet;
 struct vtkDGGSourceSet;
 
@@ -247,7 +246,6 @@ private:
   double TapeWidth;
   double ProjectionTolerance;
   std::unique_ptr<vtkDGGGraphUser> GraphUser;
-  std::unique_ptr<vtkDGGSourceCollector> Collector;
 };
 
 #endif

@@ -3,7 +3,7 @@
 #include "vtkDGGMatrixSearch.h"
 
 #include "vtkDGGGraphProvider.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGParallel.h"
 
 #include "dggProgressPart.h"
@@ -58,7 +58,7 @@ vtkDGGMatrixSearch::Points Select(
 }
 
 //------------------------------------------------------------------------------
-vtkDGGMatrixSearch::vtkDGGMatrixSearch(vtkDGGGraphProvider& graph, const vtkDGGMeshAdapter& mesh,
+vtkDGGMatrixSearch::vtkDGGMatrixSearch(vtkDGGGraphProvider& graph, const vtkDGGPreparedMesh& mesh,
   const Points& sources, const Points& targets, const vtkDGGMatrixEntries& distances)
   : Graph(graph)
   , Mesh(mesh)

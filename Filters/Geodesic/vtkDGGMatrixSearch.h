@@ -13,7 +13,7 @@
 #include <vector>  // for the points
 
 class vtkDGGGraphProvider;
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
 
 /// The entries of a matrix whose rows lie one behind the other.
 struct vtkDGGMatrixEntries
@@ -41,7 +41,7 @@ public:
 
   /// `graph` has been provided for `mesh`. distances(i, j) becomes the distance of sources[i] from
   /// targets[j]; where there is no way it stays dgg::Infinity, which all of them must be before.
-  vtkDGGMatrixSearch(vtkDGGGraphProvider& graph, const vtkDGGMeshAdapter& mesh,
+  vtkDGGMatrixSearch(vtkDGGGraphProvider& graph, const vtkDGGPreparedMesh& mesh,
     const Points& sources, const Points& targets, const vtkDGGMatrixEntries& distances);
 
   /// With `symmetric`, the targets are the sources: then one half is searched, and mirrored.
@@ -56,7 +56,7 @@ private:
   void Mirror() const;
 
   vtkDGGGraphProvider& Graph;
-  const vtkDGGMeshAdapter& Mesh;
+  const vtkDGGPreparedMesh& Mesh;
   const Points& Sources;
   const Points& Targets;
   const vtkDGGMatrixEntries& Distances;

@@ -4,7 +4,7 @@
 
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGPathSearch.h"
 #include "vtkDGGProperties.h"
@@ -239,8 +239,6 @@ vtkDGGPath::vtkDGGPath()
   , ProjectionTolerance(0.01)
   , NumberOfFallbacks(0)
   , GraphUser(new vtkDGGGraphUser)
-  , Collector(new vtkDGGSourceCollector)
-  , Geometry(new vtkDGGNewGeometry)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -348,7 +346,7 @@ dgg::Status vtkDGGPath::Execute(
   vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->NumberOfFallbacks = 0;
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
   if (mesh.IsCloud() && this->Method == Exact)
   {
     return dgg::Status::Invalid("there is no exact path on a point cloud: call SetMethodToGraph()");
@@ -364,12 +362,13 @@ dgg::Status vtkDGGPath::Execute(
   dgg::Status status = linePairs.Read(lines, this->PairIds.empty());
   if (status.IsOk())
   {
-    status = this->Collector->Collect(MakeSourceSet(this->PairIds, lines, linePairs),
+    status = vtkDGGSourceCollector::Collect(MakeSourceSet(this->PairIds, lines, linePairs),
       this->ProjectionTolerance, mesh, surface->GetPoints(), ends);
   }
+  vtkDGGNewGeometry geometry;
   if (status.IsOk())
   {
-    status = this->Geometry->Take(surface, mesh, this->GetOutputPointsPrecision());
+    status = geometry.Take(surface, mesh, this->GetOutputPointsPrecision());
   }
   if (status.IsOk() && !this->Advance(0.0))
   {
@@ -395,8 +394,7 @@ dgg::Status vtkDGGPath::Execute(
   }
   else
   {
-    status = isExact ? search.RunExact(progress, paths)
-                     : search.RunInGraph(graph, this->Geometry->GetPositions(), options, paths);
+    status = isExact ? search.RunExact(progress, paths) : search.RunInGraph(graph, options, paths);
   }
   if (!status.IsOk())
   {
@@ -406,7 +404,7 @@ dgg::Status vtkDGGPath::Execute(
   {
     this->NumberOfFallbacks += path.NumberOfFallbacks;
   }
-  WritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells }, *this->Geometry,
+  WritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells }, geometry,
     vtkPolyData::GetData(outputVector));
   this->WarnAboutUnconnectedPairs(FindUnconnected(paths), paths.size());
   return status;
@@ -431,7 +429,8 @@ void vtkDGGPath::WarnAboutUnconnectedPairs(const std::vector<vtkIdType>& pairs, 
 void vtkDGGPath::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
 {
   this->NumberOfFallbacks = 0;
-  this->Geometry->Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
+  vtkDGGNewGeometry geometry;
+  geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
   const vtkDGGPathSearch::Paths none;
-  WritePaths({ none, nullptr, {} }, *this->Geometry, vtkPolyData::GetData(outputVector));
+  WritePaths({ none, nullptr, {} }, geometry, vtkPolyData::GetData(outputVector));
 }

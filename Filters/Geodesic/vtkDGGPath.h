@@ -94,8 +94,6 @@
 #include <memory> // For the internals
 #include <vector> // For ids
 
-class vtkDGGNewGeometry;
-class vtkDGGSourceCollector;
 struct vtkDGGSourceSet;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGPath : public vtkGeodesicAlgorithm
@@ -236,8 +234,6 @@ private:
   vtkIdType NumberOfFallbacks;
   std::vector<vtkIdType> PairIds; // two for each pair
   std::unique_ptr<vtkDGGGraphUser> GraphUser;
-  std::unique_ptr<vtkDGGSourceCollector> Collector;
-  std::unique_ptr<vtkDGGNewGeometry> Geometry;
 };
 
 #endif

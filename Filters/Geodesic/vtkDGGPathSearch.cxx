@@ -3,7 +3,7 @@
 #include "vtkDGGPathSearch.h"
 
 #include "vtkDGGGraphProvider.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGParallel.h"
 
 #include "dggBandPath.h"
@@ -69,7 +69,7 @@ std::vector<dgg::GraphSeed> MakeSeeds(const std::vector<dgg::GraphLink>& links)
 }
 
 /// Length of a polyline through points of a cloud, or near them.
-double MeasurePolyline(const dgg::SurfacePath& path, const vtkDGGMeshAdapter& cloud)
+double MeasurePolyline(const dgg::SurfacePath& path, const vtkDGGPreparedMesh& cloud)
 {
   double length = 0.0;
   for (std::size_t i = 0; i + 1 < path.Points.size(); ++i)
@@ -81,7 +81,7 @@ double MeasurePolyline(const dgg::SurfacePath& path, const vtkDGGMeshAdapter& cl
   return length;
 }
 
-dgg::Point3 GetPosition(const dgg::SurfacePoint& place, const vtkDGGMeshAdapter& cloud)
+dgg::Point3 GetPosition(const dgg::SurfacePoint& place, const vtkDGGPreparedMesh& cloud)
 {
   const auto p = dgg::PositionOf(cloud.GetMesh(), place, cloud.GetPositions());
   return { p[0], p[1], p[2] };
@@ -109,7 +109,7 @@ std::vector<dgg::SurfacePoint> MakePlaces(
 
 /// A smooth path; its points beside those of the cloud as seen from a point of it, no matter which.
 std::vector<dgg::SurfacePoint> MakePlaces(
-  const dgg::BandPath& path, dgg::Id from, const vtkDGGMeshAdapter& cloud)
+  const dgg::BandPath& path, dgg::Id from, const vtkDGGPreparedMesh& cloud)
 {
   const dgg::Point3 origin = GetPosition(dgg::SurfacePoint::AtVertex(from), cloud);
   std::vector<dgg::SurfacePoint> places;
@@ -134,7 +134,7 @@ dgg::Status Explain(const dgg::Status& status, const std::string& subject, const
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGPathSearch::RunInGraph(
-  vtkDGGGraphProvider& graph, const double* positions, dgg::PathOptions options, Paths& paths) const
+  vtkDGGGraphProvider& graph, dgg::PathOptions options, Paths& paths) const
 {
   options.LinkAccuracy = graph.GetLinkAccuracy();
   const bool withLinks = std::any_of(this->PointPairs.begin(), this->PointPairs.end(), NeedsLinks);
@@ -147,7 +147,7 @@ dgg::Status vtkDGGPathSearch::RunInGraph(
   {
     return prepared;
   }
-  const dgg::PathFinder& finder = graph.GetPathFinder(this->Mesh, positions);
+  const dgg::PathFinder& finder = graph.GetPathFinder(this->Mesh);
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
   const auto find = [&](std::size_t i, const dgg::ProgressCallback&) {
     return Explain(finder.Find(this->PointPairs[i].From, this->PointPairs[i].To, options, paths[i]),

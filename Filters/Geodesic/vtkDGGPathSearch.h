@@ -11,7 +11,7 @@
 #include <vector> // for the pairs
 
 class vtkDGGGraphProvider;
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
 
 /// Points between which a path is wanted.
 struct vtkDGGPointPair
@@ -27,15 +27,14 @@ public:
   using Pairs = std::vector<vtkDGGPointPair>;
   using Paths = std::vector<dgg::FoundPath>;
 
-  vtkDGGPathSearch(const vtkDGGMeshAdapter& mesh, const Pairs& pairs)
+  vtkDGGPathSearch(const vtkDGGPreparedMesh& mesh, const Pairs& pairs)
     : Mesh(mesh)
     , PointPairs(pairs)
   {
   }
 
-  /// In a graph that has been provided for the mesh. `positions` are those of the vertices.
-  dgg::Status RunInGraph(vtkDGGGraphProvider& graph, const double* positions,
-    dgg::PathOptions options, Paths& paths) const;
+  /// In a graph that has been provided for the mesh, whose positions have been made.
+  dgg::Status RunInGraph(vtkDGGGraphProvider& graph, dgg::PathOptions options, Paths& paths) const;
   /// The same in the graph of a cloud, without faces: from point to point of the cloud, or with
   /// `smooth` not, unless that is longer than the way in the graph. The length is that of the
   /// polyline, which is shorter than that in the graph where the surface is curved.
@@ -47,7 +46,7 @@ private:
   dgg::Status FindOnCloud(const vtkDGGGraphProvider& graph, const vtkDGGPointPair& pair,
     bool smooth, const dgg::ProgressCallback& progress, dgg::FoundPath& found) const;
 
-  const vtkDGGMeshAdapter& Mesh;
+  const vtkDGGPreparedMesh& Mesh;
   const Pairs& PointPairs;
 };
 

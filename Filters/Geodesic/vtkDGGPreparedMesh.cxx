@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPreparedMesh.h"
 
+#include "vtkDGGCloudLocator.h"
 #include "vtkDGGPointCoordinates.h"
 #include "vtkDGGPolygonTriangulator.h"
+#include "vtkDGGSurfaceLocator.h"
 
 #include "dggBitHash.h"
 #include "dggCapSplitting.h"
@@ -243,6 +245,7 @@ dgg::Status vtkDGGPreparedMesh::Make(vtkPolyData* input, const vtkDGGDomain& dom
   const dgg::Status status = made->Build(input);
   if (status.IsOk())
   {
+    made->BuildTime.Modified();
     prepared = made;
     MeshesInUse::Get().Add(fingerprint, prepared);
   }
@@ -329,8 +332,10 @@ dgg::Status vtkDGGPreparedMesh::BuildCloud(vtkPolyData* input)
   this->Signature = dgg::ComputeSignature(coordinates.GetData(), n, nullptr, 0);
   this->Report.Vertices = n;
   this->Report.IsolatedVertices = n;
-  this->Positions.assign(coordinates.GetData(), coordinates.GetData() + 3 * n);
-  return dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, nullptr, 0, this->Mesh);
+  const dgg::Status status =
+    dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, nullptr, 0, this->Mesh);
+  this->GetPositions(input->GetPoints());
+  return status;
 }
 
 //------------------------------------------------------------------------------
@@ -502,6 +507,34 @@ void vtkDGGPreparedMesh::CollectWarnings()
     "points of the boundary with the same coordinates as another one. If they are the two sides of "
     "a "
     "seam rather than of a slit, turn MergeCoincidentPoints on");
+}
+
+//------------------------------------------------------------------------------
+const double* vtkDGGPreparedMesh::GetPositions(vtkPoints* points) const
+{
+  std::call_once(this->PositionsOnce, [&] {
+    const vtkDGGPointCoordinates coordinates(points);
+    const std::size_t size = 3 * static_cast<std::size_t>(this->Mesh.GetNumberOfVertices());
+    this->Positions.assign(coordinates.GetData(), coordinates.GetData() + size);
+  });
+  return this->Positions.data();
+}
+
+//------------------------------------------------------------------------------
+vtkDGGLocator& vtkDGGPreparedMesh::GetLocator(vtkPoints* points) const
+{
+  std::call_once(this->LocatorOnce, [&] {
+    if (this->IsCloud())
+    {
+      this->Locator = std::make_unique<vtkDGGCloudLocator>(
+        this->Positions.data(), this->Mesh.GetNumberOfVertices());
+    }
+    else
+    {
+      this->Locator = std::make_unique<vtkDGGSurfaceLocator>(this->Mesh, points);
+    }
+  });
+  return *this->Locator;
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,7 @@
 #include "vtkDGGGraphArrays.h"
 #include "vtkDGGGraphBuild.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -293,7 +293,7 @@ bool vtkDiscreteGeodesicGraph::FindOnInput(vtkPolyData* surface)
 dgg::Status vtkDiscreteGeodesicGraph::Build()
 {
   vtkInternals& internals = *this->Internals;
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
   dgg::GraphOptions options = this->MakeOptions();
   const dgg::GraphInfo& built = internals.Built.GetView().Info;
   const bool isKept = internals.Built.IsValid() && built.Surface == mesh.GetSignature() &&

@@ -25,9 +25,9 @@ namespace
 /// Share of the progress that goes to the preparation of the mesh.
 constexpr double PreparationShare = 0.1;
 
-void WriteReport(std::ostream& os, const vtkDGGMeshAdapter& adapter)
+void WriteReport(std::ostream& os, const vtkDGGPreparedMesh& mesh)
 {
-  const dgg::MeshReport& report = adapter.GetReport();
+  const dgg::MeshReport& report = mesh.GetReport();
   os << "points: " << report.Vertices << "\n";
   os << "triangles: " << report.Faces << "\n";
   os << "components: " << report.Components << "\n";
@@ -45,14 +45,14 @@ void WriteReport(std::ostream& os, const vtkDGGMeshAdapter& adapter)
   }
   os << "non-manifold edges: " << report.NonManifoldEdges << "\n";
   os << "non-manifold vertices: " << report.NonManifoldVertices << "\n";
-  os << "dropped faces: " << adapter.GetNumberOfDroppedCells() << "\n";
+  os << "dropped faces: " << mesh.GetNumberOfDroppedCells() << "\n";
   os << "degenerate faces: " << report.DegenerateFaces << "\n";
   os << "duplicate faces: " << report.DuplicateFaces << "\n";
-  os << "isolated points: " << adapter.GetNumberOfIsolatedPoints() << "\n";
+  os << "isolated points: " << mesh.GetNumberOfIsolatedPoints() << "\n";
   os << "coincident points: " << report.CoincidentPoints << "\n";
-  os << "merged points: " << adapter.GetNumberOfMergedPoints() << "\n";
+  os << "merged points: " << mesh.GetNumberOfMergedPoints() << "\n";
   os << "length added to degenerate faces: " << report.Mollification << "\n";
-  os << "height of degenerate faces left out: " << adapter.GetLargestCapHeight() << "\n";
+  os << "height of degenerate faces left out: " << mesh.GetLargestCapHeight() << "\n";
   os << "anisotropy: mean " << report.MeanAnisotropy << ", median " << report.MedianAnisotropy
      << "\n";
 }
@@ -141,7 +141,7 @@ std::string vtkGeodesicAlgorithm::GetMeshReport() const
     return "no surface\n";
   }
   std::ostringstream os;
-  WriteReport(os, *this->Adapter);
+  WriteReport(os, this->GetMesh());
   return os.str();
 }
 
@@ -149,7 +149,7 @@ std::string vtkGeodesicAlgorithm::GetMeshReport() const
 #define vtkDGGReportMacro(Type, Name, Value)   \
   Type vtkGeodesicAlgorithm::Get##Name() const \
   {                                            \
-    return this->Adapter->Value;               \
+    return this->GetMesh().Value;              \
   }
 vtkDGGReportMacro(vtkIdType, NumberOfTriangles, GetReport().Faces);
 vtkDGGReportMacro(vtkIdType, NumberOfIsolatedPoints, GetNumberOfIsolatedPoints());
@@ -170,8 +170,13 @@ vtkDGGReportMacro(double, MeanAnisotropy, GetReport().MeanAnisotropy);
 vtkDGGReportMacro(double, MedianAnisotropy, GetReport().MedianAnisotropy);
 vtkDGGReportMacro(double, Mollification, GetReport().Mollification);
 vtkDGGReportMacro(double, LargestCapHeight, GetLargestCapHeight());
-vtkDGGReportMacro(vtkMTimeType, MeshBuildTime, GetBuildTime());
 #undef vtkDGGReportMacro
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkGeodesicAlgorithm::GetMeshBuildTime() const
+{
+  return this->Adapter->GetBuildTime();
+}
 
 //------------------------------------------------------------------------------
 int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
@@ -317,9 +322,9 @@ std::string vtkGeodesicAlgorithm::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-const vtkDGGMeshAdapter& vtkGeodesicAlgorithm::GetMesh() const
+const vtkDGGPreparedMesh& vtkGeodesicAlgorithm::GetMesh() const
 {
-  return *this->Adapter;
+  return this->Adapter->Get();
 }
 
 //------------------------------------------------------------------------------
@@ -344,7 +349,7 @@ void vtkGeodesicAlgorithm::WarnAboutGaps(vtkPolyData* surface, const std::vector
     return;
   }
   this->GapsBuildTime = this->GetMeshBuildTime();
-  const std::string warning = this->Adapter->DescribeGaps(surface, isReached);
+  const std::string warning = this->GetMesh().DescribeGaps(surface, isReached);
   if (!warning.empty())
   {
     vtkWarningMacro(<< warning << ".");
@@ -363,7 +368,7 @@ dgg::Status vtkGeodesicAlgorithm::PrepareMesh(vtkPolyData* surface)
   const dgg::Status status = this->Adapter->Update(surface, this->GetDomain(surface));
   if (built != this->Adapter->GetBuildTime())
   {
-    for (const std::string& warning : this->Adapter->GetWarnings())
+    for (const std::string& warning : this->GetMesh().GetWarnings())
     {
       vtkWarningMacro(<< warning << ".");
     }

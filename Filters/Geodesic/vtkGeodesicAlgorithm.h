@@ -94,6 +94,7 @@ namespace dgg
 class Status;
 }
 class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
 struct vtkDGGDomain;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicAlgorithm : public vtkPolyDataAlgorithm
@@ -256,7 +257,7 @@ protected:
   /**
    * The surface as the kernel sees it. Up to date in Execute().
    */
-  const vtkDGGMeshAdapter& GetMesh() const;
+  const vtkDGGPreparedMesh& GetMesh() const;
 
   /**
    * Bring the mesh up to date; null is an error. For use outside of updates; Execute() need not.

@@ -4,7 +4,7 @@
 
 #include "vtkDGGDistanceTask.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 #include "vtkDGGUnreachedArray.h"
@@ -36,7 +36,7 @@ std::vector<bool> FindReached(const vtkDGGDistanceTask& task)
 /// `unreached` where there is none.
 struct PointArrayMaker
 {
-  const vtkDGGMeshAdapter& Adapter;
+  const vtkDGGPreparedMesh& Adapter;
   const std::vector<bool>& IsReached; // per vertex
   vtkIdType NumberOfPoints;
 
@@ -70,7 +70,6 @@ vtkGeodesicDistanceAlgorithm::vtkGeodesicDistanceAlgorithm()
   , SourceArrayName("GeodesicSource")
   , VirtualSourceArrayName("GeodesicVirtualSource")
   , InitialDistanceArrayName("InitialDistance")
-  , Collector(new vtkDGGSourceCollector)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -251,9 +250,9 @@ vtkDGGSourceSet vtkGeodesicDistanceAlgorithm::GetSources(vtkInformationVector** 
 dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& adapter = this->GetMesh();
+  const vtkDGGPreparedMesh& adapter = this->GetMesh();
   std::vector<dgg::GeodesicSource> sources;
-  dgg::Status status = this->Collector->Collect(this->GetSources(inputVector),
+  dgg::Status status = vtkDGGSourceCollector::Collect(this->GetSources(inputVector),
     this->ProjectionTolerance, adapter, surface->GetPoints(), sources);
   if (!status.IsOk())
   {

@@ -48,7 +48,6 @@
 struct vtkDGGDistanceTask;
 struct vtkDGGPointArray;
 struct vtkDGGSourceSet;
-class vtkDGGSourceCollector;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicDistanceAlgorithm : public vtkGeodesicAlgorithm
 {
@@ -236,7 +235,6 @@ private:
   std::string SourceArrayName;
   std::string VirtualSourceArrayName;
   std::string InitialDistanceArrayName;
-  std::unique_ptr<vtkDGGSourceCollector> Collector;
 };
 
 #endif

@@ -5,7 +5,7 @@
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMatrixSearch.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
@@ -101,7 +101,6 @@ void FillTable(vtkDoubleArray* matrix, const Columns& columns, vtkTable* table)
 //------------------------------------------------------------------------------
 struct vtkGeodesicDistanceMatrix::vtkInternals
 {
-  vtkDGGSourceCollector Collector;
   vtkSmartPointer<vtkDoubleArray> Matrix = MakeMatrix(0, 1); // never null
 };
 
@@ -287,16 +286,16 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInternals& internals = *this->Internals;
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
   const vtkDGGSourceSet columnSet = this->GetColumns(inputVector);
   const bool symmetric = IsEmpty(columnSet);
   std::vector<dgg::GeodesicSource> sources;
   std::vector<dgg::GeodesicSource> others;
-  dgg::Status status = internals.Collector.Collect(
+  dgg::Status status = vtkDGGSourceCollector::Collect(
     this->GetRows(inputVector), this->ProjectionTolerance, mesh, surface->GetPoints(), sources);
   if (status.IsOk() && !symmetric)
   {
-    status = internals.Collector.Collect(
+    status = vtkDGGSourceCollector::Collect(
       columnSet, this->ProjectionTolerance, mesh, surface->GetPoints(), others);
   }
   if (!status.IsOk())

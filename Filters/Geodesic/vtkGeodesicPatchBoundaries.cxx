@@ -129,16 +129,9 @@ void FillOutput(const dgg::PatchBoundaries& boundaries, int side, const vtkDGGNe
 }
 
 //------------------------------------------------------------------------------
-struct vtkGeodesicPatchBoundaries::vtkInternals
-{
-  vtkDGGMeshAdapter SecondMesh;
-  vtkDGGSourceCollector Collectors[2];
-};
-
-//------------------------------------------------------------------------------
 vtkGeodesicPatchBoundaries::vtkGeodesicPatchBoundaries()
   : ProjectionTolerance(0.01)
-  , Internals(new vtkInternals)
+  , SecondMesh(new vtkDGGMeshAdapter)
 {
   this->SetNumberOfInputPorts(5);
   this->SetNumberOfOutputPorts(2);
@@ -213,12 +206,12 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckInputs(
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicPatchBoundaries::PrepareSecondMesh(vtkPolyData* surface)
 {
-  vtkDGGMeshAdapter& mesh = this->Internals->SecondMesh;
+  vtkDGGMeshAdapter& mesh = *this->SecondMesh;
   const vtkMTimeType built = mesh.GetBuildTime();
   const dgg::Status status = mesh.Update(surface, this->GetDomain(surface));
   if (built != mesh.GetBuildTime())
   {
-    for (const std::string& warning : mesh.GetWarnings())
+    for (const std::string& warning : mesh.Get().GetWarnings())
     {
       vtkWarningMacro(<< "Second surface: " << warning << ".");
     }
@@ -245,12 +238,12 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
     status = vtkDGGSourceCollector::Check(
       this->GetLandmarks(1, inputVector), surfaces[1]->GetNumberOfPoints());
   }
-  const vtkDGGMeshAdapter* meshes[2] = { &this->GetMesh(), &this->Internals->SecondMesh };
+  const vtkDGGPreparedMesh* meshes[2] = { &this->GetMesh(), &this->SecondMesh->Get() };
   std::vector<dgg::SurfacePoint> landmarks[2];
   for (int side = 0; side < 2 && status.IsOk(); ++side)
   {
     std::vector<dgg::GeodesicSource> sources;
-    status = this->Internals->Collectors[side].Collect(this->GetLandmarks(side, inputVector),
+    status = vtkDGGSourceCollector::Collect(this->GetLandmarks(side, inputVector),
       this->ProjectionTolerance, *meshes[side], surfaces[side]->GetPoints(), sources);
     landmarks[side] = vtkDGGGetPlaces(sources);
   }

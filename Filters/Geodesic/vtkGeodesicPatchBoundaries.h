@@ -90,7 +90,7 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the internals
+#include <memory> // For the second surface
 #include <vector> // For ids
 
 struct vtkDGGSourceSet;
@@ -180,9 +180,7 @@ private:
   std::vector<vtkIdType> FirstLandmarkIds;
   std::vector<vtkIdType> SecondLandmarkIds;
   double ProjectionTolerance;
-
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
+  std::unique_ptr<vtkDGGMeshAdapter> SecondMesh;
 };
 
 #endif

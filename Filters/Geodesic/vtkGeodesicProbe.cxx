@@ -4,7 +4,7 @@
 
 #include "vtkDGGFieldInput.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
@@ -73,7 +73,6 @@ vtkGeodesicProbe::vtkGeodesicProbe()
   , VirtualSourceArrayName("GeodesicVirtualSource")
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , ProjectionTolerance(0.01)
-  , Collector(new vtkDGGSourceCollector)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -125,14 +124,14 @@ dgg::Status vtkGeodesicProbe::CheckInputs(
 dgg::Status vtkGeodesicProbe::Execute(
   vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
   const vtkDGGSourceSet probes = GetProbes(inputVector);
   std::vector<dgg::GeodesicSource> places;
   vtkDataArray* distances = nullptr;
   vtkDGGFieldInput input;
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
-  dgg::Status status =
-    this->Collector->Collect(probes, this->ProjectionTolerance, mesh, surface->GetPoints(), places);
+  dgg::Status status = vtkDGGSourceCollector::Collect(
+    probes, this->ProjectionTolerance, mesh, surface->GetPoints(), places);
   if (status.IsOk())
   {
     status = vtkDGGFieldInput::FindDistances(

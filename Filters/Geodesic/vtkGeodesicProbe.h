@@ -61,8 +61,6 @@
 #include <memory> // For the search for points
 #include <string> // For array names
 
-class vtkDGGSourceCollector;
-
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicProbe : public vtkGeodesicAlgorithm
 {
 public:
@@ -133,7 +131,6 @@ private:
   std::string VirtualSourceArrayName;
   double UnreachedValue;
   double ProjectionTolerance;
-  std::unique_ptr<vtkDGGSourceCollector> Collector;
 };
 
 #endif

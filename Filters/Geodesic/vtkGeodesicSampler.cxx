@@ -4,7 +4,7 @@
 
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
@@ -56,7 +56,6 @@ vtkGeodesicSampler::vtkGeodesicSampler()
   , InFaces(false)
   , ProjectionTolerance(0.01)
   , GraphUser(new vtkDGGGraphUser)
-  , Collector(new vtkDGGSourceCollector)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -134,7 +133,7 @@ std::string vtkGeodesicSampler::GetMemoryRemedy() const
 dgg::Status vtkGeodesicSampler::MakeOptions(
   vtkPolyData* surface, vtkInformationVector** inputVector, dgg::SamplerOptions& options)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
   options.NumberOfSamples = this->NumberOfSamples;
   options.CoveringRadius = this->CoveringRadius;
   options.InFaces = this->InFaces && !mesh.IsCloud();
@@ -145,8 +144,8 @@ dgg::Status vtkGeodesicSampler::MakeOptions(
     return dgg::Status::Success();
   }
   std::vector<dgg::GeodesicSource> points;
-  dgg::Status status =
-    this->Collector->Collect(start, this->ProjectionTolerance, mesh, surface->GetPoints(), points);
+  dgg::Status status = vtkDGGSourceCollector::Collect(
+    start, this->ProjectionTolerance, mesh, surface->GetPoints(), points);
   for (const dgg::GeodesicSource& point : points)
   {
     // Samples of a cloud are points of it.
@@ -179,7 +178,7 @@ void vtkGeodesicSampler::WarnAboutNumber(
 dgg::Status vtkGeodesicSampler::Execute(
   vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
   dgg::SamplerOptions options;
   dgg::Status status = this->MakeOptions(surface, inputVector, options);
   vtkDGGNewGeometry geometry;

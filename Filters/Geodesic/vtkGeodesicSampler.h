@@ -69,7 +69,6 @@
 
 #include <memory> // For the internals
 
-class vtkDGGSourceCollector;
 struct vtkDGGSourceSet;
 namespace dgg
 {
@@ -192,7 +191,6 @@ private:
   bool InFaces;
   double ProjectionTolerance;
   std::unique_ptr<vtkDGGGraphUser> GraphUser;
-  std::unique_ptr<vtkDGGSourceCollector> Collector;
 };
 
 #endif

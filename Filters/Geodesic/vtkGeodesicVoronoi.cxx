@@ -4,7 +4,7 @@
 
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
@@ -63,7 +63,7 @@ constexpr double MovingShare = 0.9;
 struct VoronoiOutputs
 {
   const vtkDGGVoronoiResult& Result;
-  const vtkDGGMeshAdapter& Mesh;
+  const vtkDGGPreparedMesh& Mesh;
   const vtkDGGNewGeometry& Geometry;
   const std::string& DistanceName;
   double UnreachedValue;
@@ -256,7 +256,6 @@ vtkGeodesicVoronoi::vtkGeodesicVoronoi()
   , SourceArrayName("GeodesicSource")
   , ProjectionTolerance(0.01)
   , GraphUser(new vtkDGGGraphUser)
-  , Collector(new vtkDGGSourceCollector)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(4);
@@ -367,7 +366,7 @@ std::string vtkGeodesicVoronoi::GetMemoryRemedy() const
 /// From the sites of the result to the rest of it; the graph is there.
 dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
   vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
   const dgg::ProgressCallback progress = graph.GetRemainingProgress();
   double start = 0.0;
@@ -419,10 +418,10 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
 dgg::Status vtkGeodesicVoronoi::Execute(
   vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
   const vtkDGGSourceSet set = this->GetSiteSet(inputVector);
   vtkDGGVoronoiResult result;
-  dgg::Status status = this->Collector->Collect(
+  dgg::Status status = vtkDGGSourceCollector::Collect(
     set, this->ProjectionTolerance, mesh, surface->GetPoints(), result.Sites);
   if (!status.IsOk())
   {

@@ -96,7 +96,6 @@
 #include <vector> // For site ids
 
 class vtkDGGNewGeometry;
-class vtkDGGSourceCollector;
 struct vtkDGGSourceSet;
 struct vtkDGGVoronoiResult;
 
@@ -276,7 +275,6 @@ private:
   std::string SourceArrayName;
   double ProjectionTolerance;
   std::unique_ptr<vtkDGGGraphUser> GraphUser;
-  std::unique_ptr<vtkDGGSourceCollector> Collector;
 };
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "vtkDGGGraphArrays.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGProperties.h"
 
 #include "dggCloudGraphBuilder.h"
@@ -75,21 +75,6 @@ const char* vtkPointCloudDGG::GetSchemeAsString() const
     default:
       return "C";
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkPointCloudDGG::SetComponentArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->ComponentArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkPointCloudDGG::GetComponentArrayName() const
-{
-  return this->ComponentArrayName.c_str();
 }
 
 //------------------------------------------------------------------------------

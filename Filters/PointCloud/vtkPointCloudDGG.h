@@ -308,8 +308,7 @@ public:
   /**
    * Name of the point array with the connected parts. Default "Component".
    */
-  void SetComponentArrayName(const char* name);
-  const char* GetComponentArrayName() const;
+  vtkDGGStringMacro(ComponentArrayName);
   ///@}
 
   /**

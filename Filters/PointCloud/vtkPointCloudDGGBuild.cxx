@@ -5,7 +5,7 @@
 
 #include "vtkDGGCloudNormals.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGParallel.h"
 
 #include "dggBitHash.h"
@@ -78,7 +78,7 @@ dgg::Status vtkPointCloudDGG::Estimate()
   status = this->Advance(0.0) ? this->FindNormals(source, normals, done) : dgg::Status::Abort();
   if (status.IsOk())
   {
-    const vtkDGGMeshAdapter& mesh = this->GetMesh();
+    const vtkDGGPreparedMesh& mesh = this->GetMesh();
     options.Normals = normals ? normals->data() : nullptr;
     options.Progress = [this, done](
                          double fraction) { return this->Advance(done + (1.0 - done) * fraction); };
@@ -120,7 +120,7 @@ dgg::Status vtkPointCloudDGG::FindNormals(
   const NormalsSource& source, Normals& normals, double& done)
 {
   vtkInternals& internals = *this->Internals;
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
   normals.reset();
   done = 0.0;
   const dgg::Id points = mesh.GetMesh().GetNumberOfVertices();
@@ -177,7 +177,7 @@ dgg::Status vtkPointCloudDGG::FindNormals(
 dgg::Status vtkPointCloudDGG::Build(dgg::CloudGraphOptions options, double done)
 {
   vtkInternals& internals = *this->Internals;
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
   const dgg::Id n = mesh.GetMesh().GetNumberOfVertices();
   const dgg::Signature key = MakeKey(options, n);
   const bool isKept = internals.Built.IsValid() && internals.BuiltBy == key &&

@@ -3,7 +3,7 @@
 #include "vtkDGGGraphicsOutput.h"
 
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -41,7 +41,7 @@ void RemoveBrokenArrays(vtkFieldData* data, vtkIdType tuples)
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGGraphicsOutput::Take(
-  vtkPolyData* surface, const vtkDGGMeshAdapter& mesh, int precision)
+  vtkPolyData* surface, const vtkDGGPreparedMesh& mesh, int precision)
 {
   this->Surface = surface;
   return this->Geometry.Take(surface, mesh, precision);

@@ -13,7 +13,7 @@
 #include <string> // for the name
 #include <vector> // for values
 
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
 class vtkPolyData;
 
 /// The outputs of vtkPoissonVectorGraphics.
@@ -30,7 +30,7 @@ public:
   static bool IsTaken(const std::string& name);
 
   /// What is kept of a surface, which must live on, as must its mesh.
-  dgg::Status Take(vtkPolyData* surface, const vtkDGGMeshAdapter& mesh, int precision);
+  dgg::Status Take(vtkPolyData* surface, const vtkDGGPreparedMesh& mesh, int precision);
 
   /// About what a point of the output takes, with the two triangles that there are for it. After
   /// Take().

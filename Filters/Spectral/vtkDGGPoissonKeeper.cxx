@@ -3,7 +3,7 @@
 #include "vtkDGGPoissonKeeper.h"
 
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 
 //------------------------------------------------------------------------------
 int vtkDGGPoissonKeeper::GetNumberOfFactorizations() const
@@ -14,7 +14,7 @@ int vtkDGGPoissonKeeper::GetNumberOfFactorizations() const
 
 //------------------------------------------------------------------------------
 bool vtkDGGPoissonKeeper::IsPrepared(
-  const vtkDGGMeshAdapter& mesh, const dgg::PoissonOptions& options) const
+  const vtkDGGPreparedMesh& mesh, const dgg::PoissonOptions& options) const
 {
   return this->Solver && this->MeshTime == mesh.GetBuildTime() && this->Solver->IsReady() &&
     this->Solver->GetOptions().Boundary == options.Boundary &&
@@ -23,7 +23,7 @@ bool vtkDGGPoissonKeeper::IsPrepared(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPoissonKeeper::Prepare(const vtkDGGMeshAdapter& mesh,
+dgg::Status vtkDGGPoissonKeeper::Prepare(const vtkDGGPreparedMesh& mesh,
   const dgg::PoissonOptions& options, const OtherMemory& others, vtkTypeUInt64 memoryLimit,
   const std::string& remedy, const dgg::ProgressCallback& progress)
 {

@@ -13,7 +13,7 @@
 #include <memory>     // for the solver
 #include <string>     // for advice
 
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
 
 /// Keeps a dgg::PoissonSolver until the mesh changes, or an option that matters to its matrix.
 class vtkDGGPoissonKeeper
@@ -25,12 +25,12 @@ public:
   /// Bring the solver up to date. Fails when it and what else is wanted would take more memory than
   /// the limit that a property MemoryLimit stands for. Must be called in every update, since the
   /// solver reads the mesh of the adapter.
-  dgg::Status Prepare(const vtkDGGMeshAdapter& mesh, const dgg::PoissonOptions& options,
+  dgg::Status Prepare(const vtkDGGPreparedMesh& mesh, const dgg::PoissonOptions& options,
     const OtherMemory& others, vtkTypeUInt64 memoryLimit, const std::string& remedy,
     const dgg::ProgressCallback& progress);
 
   /// Whether Prepare() would have nothing to factorize.
-  bool IsPrepared(const vtkDGGMeshAdapter& mesh, const dgg::PoissonOptions& options) const;
+  bool IsPrepared(const vtkDGGPreparedMesh& mesh, const dgg::PoissonOptions& options) const;
 
   /// After Prepare().
   const dgg::PoissonSolver& GetSolver() const { return *this->Solver; }

@@ -17,7 +17,7 @@
 #include <string>  // for the name
 #include <vector>  // for values
 
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
 class vtkPolyData;
 
 /// The results of a vtkSpectralAlgorithm, for the points of the surface and those of evaluation.
@@ -28,7 +28,7 @@ public:
   static double EstimateMemory(
     std::size_t numberOfPoints, std::size_t numberOfTargets, std::size_t numberOfSources);
 
-  vtkDGGSpectralOutputs(const vtkDGGMeshAdapter& mesh, std::size_t numberOfPoints,
+  vtkDGGSpectralOutputs(const vtkDGGPreparedMesh& mesh, std::size_t numberOfPoints,
     std::size_t numberOfTargets, std::size_t numberOfSources, const std::string& name);
   ~vtkDGGSpectralOutputs();
   vtkDGGSpectralOutputs(const vtkDGGSpectralOutputs&) = delete;
@@ -55,7 +55,7 @@ public:
   vtkDoubleArray* GetTargetArray() const { return this->AtTargets; }
 
 private:
-  const vtkDGGMeshAdapter& Mesh;
+  const vtkDGGPreparedMesh& Mesh;
   vtkSmartPointer<vtkDoubleArray> AtPoints;
   vtkSmartPointer<vtkDoubleArray> AtTargets;
   std::vector<vtkSmartPointer<vtkDataArray>> Further[2];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHarmonicBSpline.h"
 
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSpectralOutputs.h"
@@ -109,7 +109,7 @@ dgg::Status ReadArray(vtkPolyData* surface, const std::string& name, std::vector
 
 /// Sources per vertex from numbers per point; none where values are given. `imbalance` is the
 /// largest sum that has to be balanced in a component, relative to the sum of sizes.
-std::vector<double> Integrate(const vtkDGGMeshAdapter& adapter, const dgg::PoissonSolver& solver,
+std::vector<double> Integrate(const vtkDGGPreparedMesh& adapter, const dgg::PoissonSolver& solver,
   const std::vector<double>& numbers, bool isDensity, double& imbalance)
 {
   const std::size_t n = solver.GetAreas().size();
@@ -192,7 +192,7 @@ public:
 
   /// The solution for the sources of an array.
   dgg::Status FindSolution(const std::string& sourceName, bool isDensity,
-    const std::string& solutionName, const vtkDGGMeshAdapter& adapter, double& imbalance)
+    const std::string& solutionName, const vtkDGGPreparedMesh& adapter, double& imbalance)
   {
     std::vector<double> numbers;
     std::vector<double> coefficients;
@@ -273,9 +273,6 @@ void vtkHarmonicBSpline::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-vtkDGGDefineNameMacro(vtkHarmonicBSpline, RightHandSideArrayName, RightHandSideArrayName);
-vtkDGGDefineNameMacro(vtkHarmonicBSpline, CellArrayName, CellArrayName);
-vtkDGGDefineNameMacro(vtkHarmonicBSpline, SolutionArrayName, SolutionArrayName);
 
 //------------------------------------------------------------------------------
 const char* vtkHarmonicBSpline::GetRightHandSideMeaningAsString() const

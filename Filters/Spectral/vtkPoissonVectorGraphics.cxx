@@ -5,7 +5,7 @@
 #include "vtkDGGGraphicsInput.h"
 #include "vtkDGGGraphicsOutput.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 
@@ -91,8 +91,6 @@ double EstimateMesh(const dgg::SurfaceMesh& mesh, const Drawing& drawing)
 //------------------------------------------------------------------------------
 struct vtkPoissonVectorGraphics::vtkInternals
 {
-  vtkDGGSourceCollector Collector;
-  vtkDGGGraphicsNames Names;
   dgg::VectorGraphics Graphics;
   Drawing Kept; // what Graphics is prepared for
   bool IsKept = false;
@@ -188,7 +186,15 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Prepare(const dgg::SurfaceMe
 
 //------------------------------------------------------------------------------
 vtkPoissonVectorGraphics::vtkPoissonVectorGraphics()
-  : Width(0.0)
+  : CurveTypeArrayName("CurveType")
+  , LeftColorArrayName("LeftColor")
+  , RightColorArrayName("RightColor")
+  , StrengthArrayName("Strength")
+  , RightStrengthArrayName("RightStrength")
+  , WidthArrayName("Width")
+  , RegionStrengthArrayName("RegionStrength")
+  , RefinementArrayName("Refine")
+  , Width(0.0)
   , BackgroundColor{ 0.0, 0.0, 0.0 }
   , RefinementLevel(1)
   , RefinementRegion(Everywhere)
@@ -202,15 +208,6 @@ vtkPoissonVectorGraphics::vtkPoissonVectorGraphics()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
-  vtkDGGGraphicsNames& names = this->Internals->Names;
-  names.CurveType = "CurveType";
-  names.LeftColor = "LeftColor";
-  names.RightColor = "RightColor";
-  names.Strength = "Strength";
-  names.RightStrength = "RightStrength";
-  names.Width = "Width";
-  names.RegionStrength = "RegionStrength";
-  names.Refinement = "Refine";
 }
 
 //------------------------------------------------------------------------------
@@ -220,21 +217,20 @@ vtkPoissonVectorGraphics::~vtkPoissonVectorGraphics() = default;
 void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const vtkDGGGraphicsNames& names = this->Internals->Names;
-  os << indent << "CurveTypeArrayName: " << names.CurveType << "\n";
-  os << indent << "LeftColorArrayName: " << names.LeftColor << "\n";
-  os << indent << "RightColorArrayName: " << names.RightColor << "\n";
-  os << indent << "StrengthArrayName: " << names.Strength << "\n";
-  os << indent << "RightStrengthArrayName: " << names.RightStrength << "\n";
-  os << indent << "WidthArrayName: " << names.Width << "\n";
-  os << indent << "RegionArrayName: " << names.Region << "\n";
-  os << indent << "RegionStrengthArrayName: " << names.RegionStrength << "\n";
+  os << indent << "CurveTypeArrayName: " << this->CurveTypeArrayName << "\n";
+  os << indent << "LeftColorArrayName: " << this->LeftColorArrayName << "\n";
+  os << indent << "RightColorArrayName: " << this->RightColorArrayName << "\n";
+  os << indent << "StrengthArrayName: " << this->StrengthArrayName << "\n";
+  os << indent << "RightStrengthArrayName: " << this->RightStrengthArrayName << "\n";
+  os << indent << "WidthArrayName: " << this->WidthArrayName << "\n";
+  os << indent << "RegionArrayName: " << this->RegionArrayName << "\n";
+  os << indent << "RegionStrengthArrayName: " << this->RegionStrengthArrayName << "\n";
   os << indent << "Width: " << this->Width << "\n";
   os << indent << "BackgroundColor: " << this->BackgroundColor[0] << " " << this->BackgroundColor[1]
      << " " << this->BackgroundColor[2] << "\n";
   os << indent << "RefinementLevel: " << this->RefinementLevel << "\n";
   os << indent << "RefinementRegion: " << this->GetRefinementRegionAsString() << "\n";
-  os << indent << "RefinementArrayName: " << names.Refinement << "\n";
+  os << indent << "RefinementArrayName: " << this->RefinementArrayName << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
   os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
@@ -249,18 +245,12 @@ void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
 vtkDGGDefineInputMacro(vtkPoissonVectorGraphics, Curve, 1);
 
 //------------------------------------------------------------------------------
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, CurveTypeArrayName, Internals->Names.CurveType);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, LeftColorArrayName, Internals->Names.LeftColor);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, RightColorArrayName, Internals->Names.RightColor);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, StrengthArrayName, Internals->Names.Strength);
-vtkDGGDefineNameMacro(
-  vtkPoissonVectorGraphics, RightStrengthArrayName, Internals->Names.RightStrength);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, WidthArrayName, Internals->Names.Width);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, RegionArrayName, Internals->Names.Region);
-vtkDGGDefineNameMacro(
-  vtkPoissonVectorGraphics, RegionStrengthArrayName, Internals->Names.RegionStrength);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, RefinementArrayName, Internals->Names.Refinement);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, ResultArrayName, ResultArrayName);
+vtkDGGGraphicsNames vtkPoissonVectorGraphics::GetNames() const
+{
+  return { this->CurveTypeArrayName, this->LeftColorArrayName, this->RightColorArrayName,
+    this->StrengthArrayName, this->RightStrengthArrayName, this->WidthArrayName,
+    this->RegionArrayName, this->RegionStrengthArrayName, this->RefinementArrayName };
+}
 
 //------------------------------------------------------------------------------
 const char* vtkPoissonVectorGraphics::GetRefinementRegionAsString() const
@@ -308,7 +298,7 @@ dgg::Status vtkPoissonVectorGraphics::CheckProperties() const
 dgg::Status vtkPoissonVectorGraphics::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
-  vtkDGGGraphicsNames names = this->Internals->Names;
+  vtkDGGGraphicsNames names = this->GetNames();
   names.DefaultWidth = 1.0; // found when the mesh is
   vtkDGGGraphicsInput input;
   const dgg::Status status = input.Read(vtkPolyData::GetData(inputVector[1]), surface, names);
@@ -332,10 +322,10 @@ std::string vtkPoissonVectorGraphics::GetMemoryRemedy() const
 dgg::Status vtkPoissonVectorGraphics::Execute(
   vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& adapter = this->GetMesh();
+  const vtkDGGPreparedMesh& adapter = this->GetMesh();
   vtkInternals& internals = *this->Internals;
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
-  vtkDGGGraphicsNames names = internals.Names;
+  vtkDGGGraphicsNames names = this->GetNames();
   double bounds[6];
   surface->GetPoints()->GetBounds(bounds);
   const double diagonal =
@@ -357,7 +347,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
     std::vector<dgg::GeodesicSource> found;
     if (status.IsOk())
     {
-      status = internals.Collector.Collect(
+      status = vtkDGGSourceCollector::Collect(
         set, this->ProjectionTolerance, adapter, surface->GetPoints(), found);
     }
     drawing.Places[k] = vtkDGGGetPlaces(found);

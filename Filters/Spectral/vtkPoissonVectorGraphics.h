@@ -15,9 +15,9 @@
  * array of that name). All have one component per channel: 3 for colours, but any number will do,
  * such as 1 for a displacement. Unsigned char stands for 0 to 255 as 0 to 1. The cell array
  * `CurveType` holds the type of a curve:
- *  - 0, Diffusion (the default): the colour is `LeftColor` on the left of the curve and `RightColor`
- *    on the right, and in between curves it is as smooth as it can be (harmonic). At the ends of an
- *    open curve, and where curves meet, a point has the mean of the colours given for it.
+ *  - 0, Diffusion (the default): the colour is `LeftColor` on the left of the curve and
+ * `RightColor` on the right, and in between curves it is as smooth as it can be (harmonic). At the
+ * ends of an open curve, and where curves meet, a point has the mean of the colours given for it.
  *  - 1, Poisson: adds `Strength` right at the curve on its left and subtracts it on its right,
  *    fading to nothing at the geodesic distance `Width` (one component; that of the first point
  *    where the array is of points; default: the property Width): a highlight beside a shadow. An
@@ -41,11 +41,11 @@
  * <b>How far regions reach.</b> A round region on a plane changes nothing outside; others change
  * what is around them a little, a quarter as much at twice the distance. Relative to the height of
  * the highlight, the largest change beyond twice, and three times, the longer half axis of an
- * ellipse was 2.7 % and 1.2 % at 2 : 1, 4.2 % and 1.9 % at 5 : 1 on a square; 2.3 % and 0.8 %, 3.5 %
- * and 1.2 % on a sphere. The highlight is 0.9 times as high as Strength at 2 : 1, and 0.65 times at
- * 5 : 1. A component without a diffusion curve keeps its mean, so that all else there gets darker
- * by that of the highlight: half of Strength times the region's part of the area, for ellipses up
- * to a third more.
+ * ellipse was 2.7 % and 1.2 % at 2 : 1, 4.2 % and 1.9 % at 5 : 1 on a square; 2.3 % and 0.8 %, 3.5
+ * % and 1.2 % on a sphere. The highlight is 0.9 times as high as Strength at 2 : 1, and 0.65 times
+ * at 5 : 1. A component without a diffusion curve keeps its mean, so that all else there gets
+ * darker by that of the highlight: half of Strength times the region's part of the area, for
+ * ellipses up to a third more.
  *
  * <b>Output 0.</b> The surface as triangles, refined and cut open so that curves are edges: points
  * on diffusion and Poisson curves exist once for each side. Point arrays:
@@ -127,6 +127,8 @@
 #include <memory> // For the internals
 #include <string> // For array names
 
+struct vtkDGGGraphicsNames;
+
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkPoissonVectorGraphics : public vtkGeodesicAlgorithm
 {
 public:
@@ -158,18 +160,12 @@ public:
    * Names of arrays of port 1. Defaults `CurveType`, `LeftColor`, `RightColor`, `Strength`,
    * `RightStrength`, `Width`.
    */
-  void SetCurveTypeArrayName(const char* name);
-  const char* GetCurveTypeArrayName() const;
-  void SetLeftColorArrayName(const char* name);
-  const char* GetLeftColorArrayName() const;
-  void SetRightColorArrayName(const char* name);
-  const char* GetRightColorArrayName() const;
-  void SetStrengthArrayName(const char* name);
-  const char* GetStrengthArrayName() const;
-  void SetRightStrengthArrayName(const char* name);
-  const char* GetRightStrengthArrayName() const;
-  void SetWidthArrayName(const char* name);
-  const char* GetWidthArrayName() const;
+  vtkDGGStringMacro(CurveTypeArrayName);
+  vtkDGGStringMacro(LeftColorArrayName);
+  vtkDGGStringMacro(RightColorArrayName);
+  vtkDGGStringMacro(StrengthArrayName);
+  vtkDGGStringMacro(RightStrengthArrayName);
+  vtkDGGStringMacro(WidthArrayName);
   ///@}
 
   ///@{
@@ -177,10 +173,8 @@ public:
    * The cell array of the surface that tells regions apart, and that with their strengths. Null and
    * "" for no regions, which is the default, and `RegionStrength`.
    */
-  void SetRegionArrayName(const char* name);
-  const char* GetRegionArrayName() const;
-  void SetRegionStrengthArrayName(const char* name);
-  const char* GetRegionStrengthArrayName() const;
+  vtkDGGStringMacro(RegionArrayName);
+  vtkDGGStringMacro(RegionStrengthArrayName);
   ///@}
 
   ///@{
@@ -231,8 +225,7 @@ public:
    * The cell array of the surface with one number per cell that is not 0 where triangles are
    * refined, for the RefinementRegion Cells. Default `Refine`.
    */
-  void SetRefinementArrayName(const char* name);
-  const char* GetRefinementArrayName() const;
+  vtkDGGStringMacro(RefinementArrayName);
   ///@}
 
   ///@{
@@ -300,8 +293,7 @@ public:
   /**
    * The name of the point array with the result. Default `Colors`. Null and "" are an error.
    */
-  void SetResultArrayName(const char* name);
-  const char* GetResultArrayName() const;
+  vtkDGGStringMacro(ResultArrayName);
   ///@}
 
   /**
@@ -333,6 +325,17 @@ private:
 
   struct vtkInternals;
 
+  vtkDGGGraphicsNames GetNames() const;
+
+  std::string CurveTypeArrayName;
+  std::string LeftColorArrayName;
+  std::string RightColorArrayName;
+  std::string StrengthArrayName;
+  std::string RightStrengthArrayName;
+  std::string WidthArrayName;
+  std::string RegionArrayName;
+  std::string RegionStrengthArrayName;
+  std::string RefinementArrayName;
   double Width;
   double BackgroundColor[3];
   int RefinementLevel;

@@ -3,7 +3,7 @@
 #include "vtkSpectralAlgorithm.h"
 
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGPoissonKeeper.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
@@ -49,20 +49,13 @@ void AddResult(vtkPolyData* output, vtkPolyData* points, vtkDoubleArray* array,
 }
 
 //------------------------------------------------------------------------------
-struct vtkSpectralAlgorithm::vtkInternals
-{
-  vtkDGGSourceCollector Collector;
-  vtkDGGPoissonKeeper Keeper;
-};
-
-//------------------------------------------------------------------------------
 vtkSpectralAlgorithm::vtkSpectralAlgorithm(const std::string& resultArrayName)
   : ProjectionTolerance(0.01)
   , Boundary(Neumann)
   , IntrinsicDelaunay(false)
   , MemoryLimit(0)
   , ResultArrayName(resultArrayName)
-  , Internals(new vtkInternals)
+  , Keeper(new vtkDGGPoissonKeeper)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
@@ -109,18 +102,17 @@ const char* vtkSpectralAlgorithm::GetBoundaryAsString() const
 }
 
 //------------------------------------------------------------------------------
-vtkDGGDefineNameMacro(vtkSpectralAlgorithm, ResultArrayName, ResultArrayName);
 
 //------------------------------------------------------------------------------
 int vtkSpectralAlgorithm::GetNumberOfFactorizations() const
 {
-  return this->Internals->Keeper.GetNumberOfFactorizations();
+  return this->Keeper->GetNumberOfFactorizations();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkSpectralAlgorithm::GetMemorySize() const
 {
-  return this->Internals->Keeper.GetMemorySize();
+  return this->Keeper->GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -203,8 +195,8 @@ vtkDGGSourceSet vtkSpectralAlgorithm::GetTargets(vtkInformationVector** inputVec
 dgg::Status vtkSpectralAlgorithm::Execute(
   vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
-  vtkDGGPoissonKeeper& keeper = this->Internals->Keeper;
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
+  vtkDGGPoissonKeeper& keeper = *this->Keeper;
   const vtkDGGSourceSet targetSet = GetTargets(inputVector);
   const vtkDGGSourceSet sourceSet = this->GetSources(inputVector);
   const bool hasTargets = !IsEmpty(targetSet);
@@ -212,12 +204,12 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   dgg::Status status;
   if (!this->CanChooseSources() || !IsEmpty(sourceSet))
   {
-    status = this->Internals->Collector.Collect(
+    status = vtkDGGSourceCollector::Collect(
       sourceSet, this->ProjectionTolerance, mesh, surface->GetPoints(), found[0]);
   }
   if (status.IsOk() && hasTargets)
   {
-    status = this->Internals->Collector.Collect(
+    status = vtkDGGSourceCollector::Collect(
       targetSet, this->ProjectionTolerance, mesh, surface->GetPoints(), found[1]);
   }
   if (!status.IsOk())

@@ -59,6 +59,7 @@ struct PoissonOptions;
 class PoissonSolver;
 struct SurfacePoint;
 }
+class vtkDGGPoissonKeeper;
 struct vtkDGGSourceSet;
 struct vtkDGGSpectralTask;
 
@@ -165,8 +166,7 @@ public:
    * Name of the point array with the results. An array of this name in the input is replaced in the
    * output.
    */
-  void SetResultArrayName(const char* name);
-  const char* GetResultArrayName() const;
+  vtkDGGStringMacro(ResultArrayName);
   ///@}
 
   /**
@@ -229,8 +229,6 @@ private:
   vtkSpectralAlgorithm(const vtkSpectralAlgorithm&) = delete;
   void operator=(const vtkSpectralAlgorithm&) = delete;
 
-  struct vtkInternals;
-
   vtkDGGSourceSet GetSources(vtkInformationVector** inputVector) const;
   static vtkDGGSourceSet GetTargets(vtkInformationVector** inputVector);
 
@@ -240,7 +238,7 @@ private:
   bool IntrinsicDelaunay;
   vtkTypeUInt64 MemoryLimit;
   std::string ResultArrayName;
-  std::unique_ptr<vtkInternals> Internals;
+  std::unique_ptr<vtkDGGPoissonKeeper> Keeper;
 };
 
 #endif

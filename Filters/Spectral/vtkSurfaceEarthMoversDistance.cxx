@@ -5,7 +5,7 @@
 #include "vtkDGGDistribution.h"
 #include "vtkDGGMakeArray.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGPoissonKeeper.h"
 #include "vtkDGGProperties.h"
 
@@ -67,7 +67,7 @@ std::array<double, 3> InSpace(
 }
 
 /// Per cell, the mean of its triangles.
-vtkSmartPointer<vtkDoubleArray> MakeFlow(const vtkDGGMeshAdapter& adapter, vtkPolyData* surface,
+vtkSmartPointer<vtkDoubleArray> MakeFlow(const vtkDGGPreparedMesh& adapter, vtkPolyData* surface,
   const std::vector<dgg::Point2>& flow, double total)
 {
   const auto n = static_cast<std::size_t>(surface->GetNumberOfCells());
@@ -101,7 +101,7 @@ vtkSmartPointer<vtkDoubleArray> MakeFlow(const vtkDGGMeshAdapter& adapter, vtkPo
 }
 
 vtkSmartPointer<vtkDoubleArray> MakePotential(
-  const vtkDGGMeshAdapter& adapter, vtkIdType numberOfPoints, const std::vector<double>& potential)
+  const vtkDGGPreparedMesh& adapter, vtkIdType numberOfPoints, const std::vector<double>& potential)
 {
   auto array =
     vtkDGGMakeArray<vtkDoubleArray>(PotentialName, static_cast<std::size_t>(numberOfPoints));
@@ -134,13 +134,6 @@ void AddNumber(vtkPolyData* output, const char* name, double value)
 }
 
 //------------------------------------------------------------------------------
-struct vtkSurfaceEarthMoversDistance::vtkInternals
-{
-  vtkDGGSourceCollector Collector;
-  vtkDGGPoissonKeeper Keeper;
-};
-
-//------------------------------------------------------------------------------
 vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
   : ArrayMeaning(Density)
   , Normalize(true)
@@ -149,7 +142,7 @@ vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
   , ProjectionTolerance(0.01)
   , IntrinsicDelaunay(false)
   , MemoryLimit(0)
-  , Internals(new vtkInternals)
+  , Keeper(new vtkDGGPoissonKeeper)
 {
   this->SetNumberOfInputPorts(3);
   this->ForgetResults();
@@ -181,9 +174,6 @@ void vtkSurfaceEarthMoversDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-vtkDGGDefineNameMacro(vtkSurfaceEarthMoversDistance, FromArrayName, FromArrayName);
-vtkDGGDefineNameMacro(vtkSurfaceEarthMoversDistance, ToArrayName, ToArrayName);
-vtkDGGDefineNameMacro(vtkSurfaceEarthMoversDistance, MassArrayName, MassArrayName);
 
 //------------------------------------------------------------------------------
 const char* vtkSurfaceEarthMoversDistance::GetArrayMeaningAsString() const
@@ -198,13 +188,13 @@ vtkDGGDefineInputMacro(vtkSurfaceEarthMoversDistance, To, 2);
 //------------------------------------------------------------------------------
 int vtkSurfaceEarthMoversDistance::GetNumberOfFactorizations() const
 {
-  return this->Internals->Keeper.GetNumberOfFactorizations();
+  return this->Keeper->GetNumberOfFactorizations();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkSurfaceEarthMoversDistance::GetMemorySize() const
 {
-  return this->Internals->Keeper.GetMemorySize();
+  return this->Keeper->GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -266,8 +256,8 @@ std::string vtkSurfaceEarthMoversDistance::GetMemoryRemedy() const
 dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
-  vtkDGGPoissonKeeper& keeper = this->Internals->Keeper;
+  const vtkDGGPreparedMesh& mesh = this->GetMesh();
+  vtkDGGPoissonKeeper& keeper = *this->Keeper;
   vtkDGGDistribution distributions[2];
   dgg::Status status;
   for (int k = 0; k < 2 && status.IsOk(); ++k)
@@ -276,8 +266,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
     status = distributions[k].Read(origin, surface);
     if (status.IsOk())
     {
-      status = distributions[k].Collect(
-        origin, this->ProjectionTolerance, mesh, surface, this->Internals->Collector);
+      status = distributions[k].Collect(origin, this->ProjectionTolerance, mesh, surface);
     }
   }
   if (!status.IsOk())

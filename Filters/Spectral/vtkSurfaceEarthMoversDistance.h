@@ -44,8 +44,8 @@
  * <b>Accuracy.</b> The bounds are those of flows that are constant in each triangle. How far their
  * optimum is from the distance on the surface depends on the mesh, not on iterations. Between two
  * points of the surface it is never above the geodesic distance. Of 30 pairs of points the worst
- * were 0.2 to 0.5 % below on fine parts of machines and scans, 1 to 3 % on coarser meshes, 9 to 15 %
- * on parts without points inside their sides, of which IntrinsicDelaunay takes away a part; the
+ * were 0.2 to 0.5 % below on fine parts of machines and scans, 1 to 3 % on coarser meshes, 9 to 15
+ * % on parts without points inside their sides, of which IntrinsicDelaunay takes away a part; the
  * means 0.1 to 0.7 %, and 2 to 4 % on these parts. Masses inside of triangles are shared by the
  * corners: nothing closer than that can be told apart.
  *
@@ -97,6 +97,7 @@ namespace dgg
 {
 struct EarthMoversResult;
 }
+class vtkDGGPoissonKeeper;
 struct vtkDGGMassOrigin;
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkSurfaceEarthMoversDistance : public vtkGeodesicAlgorithm
@@ -111,10 +112,8 @@ public:
    * The point arrays of the surface with the distributions. Default none; null and "" stand for
    * none.
    */
-  void SetFromArrayName(const char* name);
-  const char* GetFromArrayName() const;
-  void SetToArrayName(const char* name);
-  const char* GetToArrayName() const;
+  vtkDGGStringMacro(FromArrayName);
+  vtkDGGStringMacro(ToArrayName);
   ///@}
 
   /**
@@ -152,8 +151,7 @@ public:
   /**
    * The point array of ports 1 and 2 with the masses. Default none: each point has the mass 1.
    */
-  void SetMassArrayName(const char* name);
-  const char* GetMassArrayName() const;
+  vtkDGGStringMacro(MassArrayName);
   ///@}
 
   ///@{
@@ -262,8 +260,6 @@ private:
   vtkSurfaceEarthMoversDistance(const vtkSurfaceEarthMoversDistance&) = delete;
   void operator=(const vtkSurfaceEarthMoversDistance&) = delete;
 
-  struct vtkInternals;
-
   vtkDGGMassOrigin GetOrigin(int which, vtkInformationVector** inputVector) const;
   void ForgetResults();
   void SetResults(
@@ -283,7 +279,7 @@ private:
   double LowerBound;
   double Gap;
   int NumberOfIterations;
-  std::unique_ptr<vtkInternals> Internals;
+  std::unique_ptr<vtkDGGPoissonKeeper> Keeper;
 };
 
 #endif
