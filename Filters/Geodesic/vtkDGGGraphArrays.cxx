@@ -252,6 +252,20 @@ bool vtkDGGGraphArrays::IsValid() const
 }
 
 //------------------------------------------------------------------------------
+vtkDGGGraphArrays::Key vtkDGGGraphArrays::GetKey() const
+{
+  Key key;
+  for (const Entry& entry : this->Arrays)
+  {
+    key.push_back(reinterpret_cast<std::uintptr_t>(entry.Array.Get()));
+    key.push_back(static_cast<std::uintptr_t>(entry.Time));
+    key.push_back(reinterpret_cast<std::uintptr_t>(entry.Data));
+    key.push_back(static_cast<std::uintptr_t>(entry.Size));
+  }
+  return key;
+}
+
+//------------------------------------------------------------------------------
 bool vtkDGGGraphArrays::Find(
   vtkFieldData* data, const vtkDGGPreparedMesh& mesh, std::string& complaint)
 {

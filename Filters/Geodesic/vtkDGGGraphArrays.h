@@ -16,7 +16,7 @@
 #include <cstddef> // for sizes
 #include <cstdint> // for the checksum
 #include <string>  // for what is wrong
-#include <vector>  // for radii
+#include <vector>  // for radii and keys
 
 class vtkDGGPreparedMesh;
 class vtkFieldData;
@@ -96,6 +96,10 @@ public:
   const std::string& GetDamage() const { return this->Damage; }
   /// When this graph was adopted or found. It changes with the graph.
   vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
+
+  /// Identity, age and memory of all arrays: it changes with any of them.
+  using Key = std::vector<std::uintptr_t>;
+  Key GetKey() const;
 
 private:
   enum Role

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGLoop.h"
 
-#include "vtkDGGGraphProvider.h"
+#include "vtkDGGGraphUser.h"
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMakeArray.h"
 #include "vtkDGGPreparedMesh.h"
@@ -251,7 +251,7 @@ void vtkDGGLoop::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Taut: " << (this->Taut ? "On" : "Off") << "\n";
   os << indent << "TapeWidth: " << this->TapeWidth << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
-  this->GraphUser->PrintSelf(os, indent);
+  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
 }
 
 //------------------------------------------------------------------------------
@@ -329,31 +329,31 @@ std::string vtkDGGLoop::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGLoop::Execute(
-  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkDGGLoop::Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
 {
-  const vtkDGGPreparedMesh& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = context.Surface;
   std::vector<dgg::GeodesicSource> sources;
   dgg::Status status;
   if (this->Mode != AroundHandles)
   {
-    status = vtkDGGSourceCollector::Collect(this->GetPointSet(inputVector),
-      this->ProjectionTolerance, mesh, surface->GetPoints(), sources);
+    status = vtkDGGSourceCollector::Collect(
+      context, this->GetPointSet(inputVector), this->ProjectionTolerance, sources);
   }
   vtkDGGNewGeometry geometry;
   if (status.IsOk())
   {
-    status = geometry.Take(surface, mesh, this->GetOutputPointsPrecision());
+    status = geometry.Take(context, this->GetOutputPointsPrecision());
   }
-  if (status.IsOk() && !this->Advance(0.0))
+  if (status.IsOk() && !context.Progress(0.0))
   {
     status = dgg::Status::Abort();
   }
-  dgg::ProgressCallback progress = [this](double fraction) { return this->Advance(fraction); };
+  dgg::ProgressCallback progress = context.Progress;
   if (status.IsOk() && this->Mode != AroundHandles)
   {
-    status = this->GraphUser->Update(surface, mesh, progress, this);
-    progress = this->GraphUser->GetProvider().GetRemainingProgress();
+    status = this->GraphUser->Update(context, this);
+    progress = this->GraphUser->GetRemainingProgress(context);
   }
   if (!status.IsOk())
   {
@@ -369,10 +369,10 @@ dgg::Status vtkDGGLoop::Execute(
   }
   else
   {
-    vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
+    vtkDGGGraphUser& graph = *this->GraphUser;
     const LoopPoints points = vtkDGGGetPlaces(sources);
     const bool withLinks = !std::all_of(points.begin(), points.end(), dgg::IsVertex);
-    status = graph.PrepareBuilder(mesh, withLinks);
+    status = graph.PrepareBuilder(context, withLinks);
     if (!status.IsOk())
     {
       return status;
@@ -460,9 +460,9 @@ void vtkDGGLoop::WarnAboutMissingTapes(const vtkDGGLoopSet& set)
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGLoop::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
+void vtkDGGLoop::MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
   vtkDGGNewGeometry geometry;
-  geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
+  geometry.Take(context, this->GetOutputPointsPrecision());
   FillOutputs(vtkDGGLoopSet(), geometry, outputVector);
 }

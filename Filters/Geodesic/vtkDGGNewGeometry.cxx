@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGNewGeometry.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGGraphArrays.h"
 #include "vtkDGGMakeArray.h"
 #include "vtkDGGPreparedMesh.h"
@@ -65,12 +66,12 @@ vtkDGGNewGeometry::vtkDGGNewGeometry()
 vtkDGGNewGeometry::~vtkDGGNewGeometry() = default;
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGNewGeometry::Take(
-  vtkPolyData* surface, const vtkDGGPreparedMesh& mesh, int precision)
+dgg::Status vtkDGGNewGeometry::Take(const vtkDGGContext& context, int precision)
 {
-  vtkPoints* points = surface->GetPoints();
+  const vtkDGGPreparedMesh& mesh = context.Surface;
+  vtkPoints* points = context.Input->GetPoints();
   this->Fields->Initialize();
-  this->Fields->PassData(surface->GetFieldData());
+  this->Fields->PassData(context.Input->GetFieldData());
   // The graph and the windows are those of other points.
   vtkDGGGraphArrays::RemoveFrom(this->Fields);
   vtkDGGWindowArrays::RemoveAllFrom(this->Fields);

@@ -23,6 +23,7 @@
 class vtkDGGPreparedMesh;
 class vtkFieldData;
 class vtkPolyData;
+struct vtkDGGContext;
 
 /// Paths, loops, samples, cells: outputs whose points lie on a surface but are not its points. Here
 /// is what vtkGeodesicAlgorithm promises of all of them: which field data they have, of which
@@ -35,10 +36,10 @@ public:
   vtkDGGNewGeometry(const vtkDGGNewGeometry&) = delete;
   vtkDGGNewGeometry& operator=(const vtkDGGNewGeometry&) = delete;
 
-  /// Take from a surface and its mesh what outputs need. `precision` is one of
+  /// Take from a surface what outputs need. `precision` is one of
   /// vtkAlgorithm::DesiredOutputPrecision. Fails when coordinates are out of the range of the
   /// floats that are asked for.
-  dgg::Status Take(vtkPolyData* surface, const vtkDGGPreparedMesh& mesh, int precision);
+  dgg::Status Take(const vtkDGGContext& context, int precision);
 
   /// The mesh that was taken; it must live on.
   const dgg::SurfaceMesh& GetMesh() const;

@@ -5,6 +5,7 @@
 #include "vtkDGGCloudLocator.h"
 #include "vtkDGGPointCoordinates.h"
 #include "vtkDGGPolygonTriangulator.h"
+#include "vtkDGGSharedTable.h"
 #include "vtkDGGSurfaceLocator.h"
 
 #include "dggBitHash.h"
@@ -25,8 +26,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
-#include <mutex>
 #include <numeric>
 #include <sstream>
 
@@ -165,40 +164,12 @@ void AddArray(dgg::BitHash& hash, vtkDataArray* array)
   hash.Add(static_cast<const unsigned char*>(array->GetVoidPointer(0)), size);
 }
 
-/// The meshes that filters hold, by fingerprint. It holds none itself: a mesh goes with the last
-/// filter that has it.
-class MeshesInUse
+/// The meshes that filters hold, by fingerprint.
+vtkDGGSharedTable<dgg::Signature, vtkDGGPreparedMesh>& GetMeshesInUse()
 {
-public:
-  using Pointer = vtkDGGPreparedMesh::Pointer;
-
-  static MeshesInUse& Get()
-  {
-    static MeshesInUse instance;
-    return instance;
-  }
-
-  Pointer Find(const dgg::Signature& fingerprint)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    const auto found = this->Meshes.find(fingerprint);
-    return found == this->Meshes.end() ? nullptr : found->second.lock();
-  }
-
-  void Add(const dgg::Signature& fingerprint, const Pointer& mesh)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    for (auto entry = this->Meshes.begin(); entry != this->Meshes.end();)
-    {
-      entry = entry->second.expired() ? this->Meshes.erase(entry) : std::next(entry);
-    }
-    this->Meshes[fingerprint] = mesh;
-  }
-
-private:
-  std::mutex Mutex;
-  std::map<dgg::Signature, std::weak_ptr<const vtkDGGPreparedMesh>> Meshes;
-};
+  static vtkDGGSharedTable<dgg::Signature, vtkDGGPreparedMesh> meshes;
+  return meshes;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -235,7 +206,7 @@ dgg::Signature vtkDGGPreparedMesh::ComputeFingerprint(
 dgg::Status vtkDGGPreparedMesh::Make(vtkPolyData* input, const vtkDGGDomain& domain,
   const dgg::Signature& fingerprint, Pointer& prepared)
 {
-  prepared = MeshesInUse::Get().Find(fingerprint);
+  prepared = GetMeshesInUse().Find(fingerprint);
   if (prepared)
   {
     return dgg::Status::Success();
@@ -247,7 +218,7 @@ dgg::Status vtkDGGPreparedMesh::Make(vtkPolyData* input, const vtkDGGDomain& dom
   {
     made->BuildTime.Modified();
     prepared = made;
-    MeshesInUse::Get().Add(fingerprint, prepared);
+    GetMeshesInUse().Add(fingerprint, prepared);
   }
   return status;
 }

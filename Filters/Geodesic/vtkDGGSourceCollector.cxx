@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGSourceCollector.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGPreparedMesh.h"
 
 #include "vtkDataArray.h"
@@ -185,9 +186,11 @@ dgg::Status vtkDGGSourceCollector::Check(const vtkDGGSourceSet& set, vtkIdType n
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double tolerance,
-  const vtkDGGPreparedMesh& mesh, vtkPoints* coordinates, std::vector<dgg::GeodesicSource>& sources)
+dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGContext& context, const vtkDGGSourceSet& set,
+  double tolerance, std::vector<dgg::GeodesicSource>& sources)
 {
+  const vtkDGGPreparedMesh& mesh = context.Surface;
+  vtkPoints* coordinates = context.Input->GetPoints();
   sources.clear();
   for (std::size_t i = 0; i < set.Ids.size(); ++i)
   {

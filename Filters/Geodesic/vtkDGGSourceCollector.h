@@ -14,8 +14,8 @@
 #include <vector> // for the sources
 
 class vtkDGGPreparedMesh;
-class vtkPoints;
 class vtkPolyData;
+struct vtkDGGContext;
 
 /// Points of a surface or a cloud as a user gives them: ids first, then the points of an input
 /// port.
@@ -46,14 +46,13 @@ public:
   /// coordinates and initial distances finite.
   static dgg::Status Check(const vtkDGGSourceSet& set, vtkIdType numberOfPoints);
 
-  /// The points on a mesh, or near those of a cloud, after Check(). Points with the array
+  /// The points on the surface, or near those of a cloud, after Check(). Points with the array
   /// vtkOriginalPointIds are those of the mesh, where they lie there: by their position alone they
-  /// may be on another sheet in the same place. `coordinates` are those of the
-  /// mesh; `tolerance` is how far from the surface a point may be, as a fraction of the diagonal.
-  /// Where a cloud is sparser than that, places between its points are close enough.
-  static dgg::Status Collect(const vtkDGGSourceSet& set, double tolerance,
-    const vtkDGGPreparedMesh& mesh, vtkPoints* coordinates,
-    std::vector<dgg::GeodesicSource>& sources);
+  /// may be on another sheet in the same place. `tolerance` is how far from the surface a point may
+  /// be, as a fraction of the diagonal. Where a cloud is sparser than that, places between its
+  /// points are close enough.
+  static dgg::Status Collect(const vtkDGGContext& context, const vtkDGGSourceSet& set,
+    double tolerance, std::vector<dgg::GeodesicSource>& sources);
 
   /// What to warn of: ids of points that no polygon uses. Empty when there are none. The set must
   /// have been checked. In clouds, ids of points that are not finite.

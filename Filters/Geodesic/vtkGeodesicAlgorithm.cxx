@@ -3,7 +3,9 @@
 #include "vtkGeodesicAlgorithm.h"
 
 #include "vtkDGGCompatibility.h"
+#include "vtkDGGContext.h"
 #include "vtkDGGMeshAdapter.h"
+#include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -104,7 +106,8 @@ void Empty(vtkInformationVector* outputVector)
 
 //------------------------------------------------------------------------------
 vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
-  : MergeCoincidentPoints(false)
+  : MemoryLimit(0)
+  , MergeCoincidentPoints(false)
   , MergeTolerance(0.0)
   , OutputPointsPrecision(DOUBLE_PRECISION)
   , Reached(0.0)
@@ -141,7 +144,7 @@ std::string vtkGeodesicAlgorithm::GetMeshReport() const
     return "no surface\n";
   }
   std::ostringstream os;
-  WriteReport(os, this->GetMesh());
+  WriteReport(os, this->Adapter->Get());
   return os.str();
 }
 
@@ -149,7 +152,7 @@ std::string vtkGeodesicAlgorithm::GetMeshReport() const
 #define vtkDGGReportMacro(Type, Name, Value)   \
   Type vtkGeodesicAlgorithm::Get##Name() const \
   {                                            \
-    return this->GetMesh().Value;              \
+    return this->Adapter->Get().Value;         \
   }
 vtkDGGReportMacro(vtkIdType, NumberOfTriangles, GetReport().Faces);
 vtkDGGReportMacro(vtkIdType, NumberOfIsolatedPoints, GetNumberOfIsolatedPoints());
@@ -285,7 +288,7 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   {
     vtkWarningMacro("The input is empty: it has neither points nor cells. So is the output.");
     this->Adapter->Clear();
-    this->MakeEmptyOutput(input, outputVector);
+    this->MakeEmptyOutput(this->MakeContext(input), outputVector);
     return dgg::Status::Success();
   }
   status = input ? this->CheckInputs(input, inputVector) : dgg::Status::Success();
@@ -293,7 +296,8 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   {
     status = this->PrepareMesh(input);
   }
-  return status.IsOk() ? this->Execute(input, inputVector, outputVector) : status;
+  return status.IsOk() ? this->Execute(this->MakeContext(input), inputVector, outputVector)
+                       : status;
 }
 
 //------------------------------------------------------------------------------
@@ -322,9 +326,11 @@ std::string vtkGeodesicAlgorithm::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-const vtkDGGPreparedMesh& vtkGeodesicAlgorithm::GetMesh() const
+vtkDGGContext vtkGeodesicAlgorithm::MakeContext(vtkPolyData* surface)
 {
-  return this->Adapter->Get();
+  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
+  return { surface, this->Adapter->Get(), this->MemoryLimit, progress,
+    vtkDGGMakeParallelFor(progress) };
 }
 
 //------------------------------------------------------------------------------
@@ -349,7 +355,7 @@ void vtkGeodesicAlgorithm::WarnAboutGaps(vtkPolyData* surface, const std::vector
     return;
   }
   this->GapsBuildTime = this->GetMeshBuildTime();
-  const std::string warning = this->GetMesh().DescribeGaps(surface, isReached);
+  const std::string warning = this->Adapter->Get().DescribeGaps(surface, isReached);
   if (!warning.empty())
   {
     vtkWarningMacro(<< warning << ".");
@@ -368,7 +374,7 @@ dgg::Status vtkGeodesicAlgorithm::PrepareMesh(vtkPolyData* surface)
   const dgg::Status status = this->Adapter->Update(surface, this->GetDomain(surface));
   if (built != this->Adapter->GetBuildTime())
   {
-    for (const std::string& warning : this->GetMesh().GetWarnings())
+    for (const std::string& warning : this->Adapter->Get().GetWarnings())
     {
       vtkWarningMacro(<< warning << ".");
     }

@@ -423,9 +423,9 @@ protected:
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* cloud, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* cloud, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* cloud, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
@@ -444,8 +444,9 @@ private:
   };
   NormalsSource MakeNormalsSource(vtkPolyData* cloud) const;
   dgg::CloudGraphOptions MakeOptions(vtkPolyData* cloud) const;
-  dgg::Status FindNormals(const NormalsSource& source, Normals& normals, double& done);
-  dgg::Status Build(dgg::CloudGraphOptions options, double done);
+  dgg::Status FindNormals(
+    const vtkDGGContext& context, const NormalsSource& source, Normals& normals, double& done);
+  dgg::Status Build(const vtkDGGContext& context, dgg::CloudGraphOptions options, double done);
   dgg::Status Estimate();
   void WarnAboutPoints();
   void WarnAboutVoxels(const dgg::CloudGraphOptions& options);
@@ -460,7 +461,6 @@ private:
   bool OrientedNormals;
   bool EstimateNormals;
   int NumberOfNeighbors;
-  vtkTypeUInt64 MemoryLimit;
   std::string ComponentArrayName;
 
   struct vtkInternals;

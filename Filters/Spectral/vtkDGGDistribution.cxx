@@ -98,8 +98,8 @@ dgg::Status vtkDGGDistribution::Read(const vtkDGGMassOrigin& origin, vtkPolyData
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGDistribution::Collect(const vtkDGGMassOrigin& origin, double tolerance,
-  const vtkDGGPreparedMesh& mesh, vtkPolyData* surface)
+dgg::Status vtkDGGDistribution::Collect(
+  const vtkDGGContext& context, const vtkDGGMassOrigin& origin, double tolerance)
 {
   this->Places.clear();
   if (!HasPoints(origin))
@@ -108,7 +108,7 @@ dgg::Status vtkDGGDistribution::Collect(const vtkDGGMassOrigin& origin, double t
   }
   std::vector<dgg::GeodesicSource> found;
   const dgg::Status status =
-    vtkDGGSourceCollector::Collect(GetSet(origin), tolerance, mesh, surface->GetPoints(), found);
+    vtkDGGSourceCollector::Collect(context, GetSet(origin), tolerance, found);
   this->Places = vtkDGGGetPlaces(found);
   return status;
 }

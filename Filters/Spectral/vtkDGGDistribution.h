@@ -32,9 +32,9 @@ public:
   /// arrays are missing or of another size, when numbers are negative or not finite.
   dgg::Status Read(const vtkDGGMassOrigin& origin, vtkPolyData* surface);
 
-  /// Find the places of the points, if any, on the mesh.
-  dgg::Status Collect(const vtkDGGMassOrigin& origin, double tolerance,
-    const vtkDGGPreparedMesh& mesh, vtkPolyData* surface);
+  /// Find the places of the points, if any, on the surface.
+  dgg::Status Collect(
+    const vtkDGGContext& context, const vtkDGGMassOrigin& origin, double tolerance);
 
   /// Masses per vertex. `areas`, per vertex, is null when the numbers are masses themselves.
   dgg::Status Integrate(const vtkDGGPreparedMesh& mesh, const std::vector<double>* areas,

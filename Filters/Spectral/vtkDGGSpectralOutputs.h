@@ -18,7 +18,7 @@
 #include <vector>  // for values
 
 class vtkDGGPreparedMesh;
-class vtkPolyData;
+struct vtkDGGContext;
 
 /// The results of a vtkSpectralAlgorithm, for the points of the surface and those of evaluation.
 class vtkDGGSpectralOutputs
@@ -65,13 +65,12 @@ private:
 /// ready; what a filter adds to inputs and properties of its own, it has checked or checks itself.
 struct vtkDGGSpectralTask
 {
+  const vtkDGGContext& Context;                  ///< with another surface the solver is another
   const dgg::PoissonSolver& Solver;              ///< ready
-  vtkPolyData* Surface;                          ///< the input as it was, not to be changed
-  vtkMTimeType MeshTime;                         ///< another one when the solver is another one
   const std::vector<dgg::SurfacePoint>& Sources; ///< none only where the filter may choose them
   const std::vector<dgg::SurfacePoint>& Targets; ///< may be none
   double FreeMemory;                             ///< bytes of the limit that are left for caches
-  dgg::ProgressCallback Progress;                ///< never empty; false means stop
+  dgg::ProgressCallback Progress;                ///< the part of the context's that is left
   vtkDGGSpectralOutputs& Outputs;                ///< to be set for each source
 };
 

@@ -168,7 +168,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
   bool CanChooseSources() const override { return true; }
   std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const override;

@@ -314,9 +314,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
@@ -342,7 +342,6 @@ private:
   int RefinementRegion;
   double ProjectionTolerance;
   bool IntrinsicDelaunay;
-  vtkTypeUInt64 MemoryLimit;
   bool GenerateFragments;
   int FragmentDivision;
   std::string ResultArrayName;

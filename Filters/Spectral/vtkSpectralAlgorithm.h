@@ -190,9 +190,9 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
   /**
@@ -236,7 +236,6 @@ private:
   double ProjectionTolerance;
   int Boundary;
   bool IntrinsicDelaunay;
-  vtkTypeUInt64 MemoryLimit;
   std::string ResultArrayName;
   std::unique_ptr<vtkDGGPoissonKeeper> Keeper;
 };

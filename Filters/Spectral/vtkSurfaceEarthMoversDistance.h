@@ -251,9 +251,9 @@ protected:
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
@@ -262,8 +262,8 @@ private:
 
   vtkDGGMassOrigin GetOrigin(int which, vtkInformationVector** inputVector) const;
   void ForgetResults();
-  void SetResults(
-    vtkPolyData* output, vtkPolyData* surface, double total, const dgg::EarthMoversResult& result);
+  void SetResults(const vtkDGGContext& context, vtkPolyData* output, double total,
+    const dgg::EarthMoversResult& result);
 
   std::string FromArrayName;
   std::string ToArrayName;
@@ -274,7 +274,6 @@ private:
   double Tolerance;
   double ProjectionTolerance;
   bool IntrinsicDelaunay;
-  vtkTypeUInt64 MemoryLimit;
   double Distance;
   double LowerBound;
   double Gap;
