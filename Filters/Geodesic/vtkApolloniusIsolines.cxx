@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkApolloniusIsolines.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGFieldInput.h"
 #include "vtkDGGIsolineOutputs.h"
-#include "vtkDGGMeshAdapter.h"
 #include "vtkDGGNewGeometry.h"
-#include "vtkDGGParallel.h"
 
 #include "dggProgressPart.h"
 
@@ -229,28 +228,28 @@ std::string vtkApolloniusIsolines::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
+dgg::Status vtkApolloniusIsolines::Execute(const vtkDGGContext& context,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkDataArray* distances = nullptr;
   vtkDGGNewGeometry geometry;
   vtkDGGFieldInput input;
   Curves curves;
-  dgg::Status status =
-    vtkDGGFieldInput::FindDistances(this->Information, this->DistanceArrayName, surface, distances);
+  dgg::Status status = vtkDGGFieldInput::FindDistances(
+    this->Information, this->DistanceArrayName, context.Input, distances);
   const std::string name = status.IsOk() ? vtkDGGFieldInput::GetName(distances) : "";
   if (status.IsOk())
   {
-    status = geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
+    status = geometry.Take(context, this->GetOutputPointsPrecision());
   }
   if (status.IsOk())
   {
-    status = this->ReadField(surface, distances, input);
+    status = this->ReadField(context, distances, input);
   }
   if (status.IsOk())
   {
     this->WarnAbout(input);
-    status = this->FindCurves(input.GetField(), curves);
+    status = this->FindCurves(context, input.GetField(), curves);
   }
   if (status.IsOk())
   {
@@ -268,14 +267,12 @@ dgg::Status vtkApolloniusIsolines::Execute(vtkPolyData* surface,
 //------------------------------------------------------------------------------
 /// The distances, and, unless they are to be linear, what is known of them inside of triangles.
 dgg::Status vtkApolloniusIsolines::ReadField(
-  vtkPolyData* surface, vtkDataArray* distances, vtkDGGFieldInput& input)
+  const vtkDGGContext& context, vtkDataArray* distances, vtkDGGFieldInput& input)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
   input.SetUnreachedValue(this->UnreachedValue);
-  return this->Method == Linear
-    ? input.ReadDistances(surface, distances, mesh)
-    : input.Read(surface, distances, this->VirtualSourceArrayName, mesh,
-        [this](double done) { return this->Advance(ReadingShare * done); });
+  return this->Method == Linear ? input.ReadDistances(context, distances)
+                                : input.Read(context, distances, this->VirtualSourceArrayName,
+                                    dgg::ProgressPart(context.Progress, 0.0, ReadingShare));
 }
 
 //------------------------------------------------------------------------------
@@ -300,7 +297,8 @@ void vtkApolloniusIsolines::WarnAbout(const vtkDGGFieldInput& input)
 
 //------------------------------------------------------------------------------
 /// Lines, and ridges and bands as far as they are wanted.
-dgg::Status vtkApolloniusIsolines::FindCurves(const dgg::DistanceField& field, Curves& curves)
+dgg::Status vtkApolloniusIsolines::FindCurves(
+  const vtkDGGContext& context, const dgg::DistanceField& field, Curves& curves)
 {
   const bool isKnown = field.HasWindows() || field.HasSources(); // else linear, as a warning says
   const std::vector<double> values = this->CopyValues();
@@ -317,12 +315,12 @@ dgg::Status vtkApolloniusIsolines::FindCurves(const dgg::DistanceField& field, C
   const double unit = (1.0 - ReadingShare) / work;
   const double atRidges = ReadingShare + LineWork * unit;
   const double atBands = atRidges + (this->GenerateRidges ? RidgeWork * unit : 0.0);
-  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
-  dgg::Status status = dgg::TraceIsolines(field, values, options, vtkDGGMakeParallelFor(progress),
+  const dgg::ProgressCallback& progress = context.Progress;
+  dgg::Status status = dgg::TraceIsolines(field, values, options, context.Parallel,
     dgg::ProgressPart(progress, ReadingShare, atRidges), curves.Lines);
   if (status.IsOk() && this->GenerateRidges && isKnown)
   {
-    status = dgg::FindRidges(field, ridgeOptions, vtkDGGMakeParallelFor(progress),
+    status = dgg::FindRidges(field, ridgeOptions, context.Parallel,
       dgg::ProgressPart(progress, atRidges, atBands), curves.Ridges);
   }
   if (status.IsOk() && this->GenerateBands)
@@ -347,10 +345,10 @@ vtkPolyData* vtkApolloniusIsolines::GetBands()
 
 //------------------------------------------------------------------------------
 void vtkApolloniusIsolines::MakeEmptyOutput(
-  vtkPolyData* surface, vtkInformationVector* outputVector)
+  const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
   vtkDGGNewGeometry geometry;
-  geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
+  geometry.Take(context, this->GetOutputPointsPrecision());
   const vtkDGGIsolineOutputs outputs(
     geometry, vtkDGGFieldInput::GetName(this->Information, this->DistanceArrayName));
   outputs.WriteLines(dgg::Isolines(), {}, vtkPolyData::GetData(outputVector, 0));

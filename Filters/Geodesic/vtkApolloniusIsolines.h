@@ -274,9 +274,9 @@ protected:
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
@@ -286,9 +286,11 @@ private:
   struct Curves;
 
   std::vector<double> CopyValues() const;
-  dgg::Status ReadField(vtkPolyData* surface, vtkDataArray* distances, vtkDGGFieldInput& input);
+  dgg::Status ReadField(
+    const vtkDGGContext& context, vtkDataArray* distances, vtkDGGFieldInput& input);
   void WarnAbout(const vtkDGGFieldInput& input);
-  dgg::Status FindCurves(const dgg::DistanceField& field, Curves& curves);
+  dgg::Status FindCurves(
+    const vtkDGGContext& context, const dgg::DistanceField& field, Curves& curves);
 
   vtkNew<vtkContourValues> ContourValues;
   int Method;

@@ -5,8 +5,9 @@
 #ifndef vtkDGGCloudLocator_h
 #define vtkDGGCloudLocator_h
 
-#include "dggCloudFrame.h"   // for CloudFrame
-#include "dggSurfacePoint.h" // for SurfacePoint
+#include "vtkDGGLocator.h" // for the base class
+
+#include "dggCloudFrame.h" // for CloudFrame
 
 #include "vtkIdList.h"             // for the search's workspace
 #include "vtkNew.h"                // for vtkNew
@@ -20,7 +21,7 @@
 /// answer, bit by bit. The few that are far off all others (dggOutliers.h, by four times) are
 /// looked at one by one: in the frame of all points the others would lose their digits, and share
 /// one bucket of the search.
-class vtkDGGCloudLocator
+class vtkDGGCloudLocator : public vtkDGGLocator
 {
 public:
   /// `positions`, x y z per point, must outlive the locator.
@@ -29,20 +30,25 @@ public:
   /// The place as seen from the closest point of the cloud, of several the one with the smallest
   /// id, and its distance from it in the units of the points. False when there is none, or none
   /// at a distance in the range of double.
-  bool FindClosestPoint(const double position[3], dgg::SurfacePoint& place, double& distance);
+  bool FindClosestPoint(
+    const double position[3], dgg::SurfacePoint& place, double& distance) override;
 
-  /// How far the nearest points of the cloud around a place are from its point: places that are not
-  /// farther from it are among the points of the cloud. 0 when there are too few. Points far off
-  /// all others have only each other around them.
-  double GetReach(const dgg::SurfacePoint& place);
+  /// Of the finite points, without those far off all others.
+  double GetDiagonal() const override { return this->Frame.GetDiagonal(); }
 
-  /// Diagonal of the bounding box of the finite points, without those far off all others.
-  double GetDiagonal() const { return this->Frame.GetDiagonal(); }
+  /// Places that are among the points of the cloud are close as well.
+  bool IsClose(const dgg::SurfacePoint& place, double distance, double farthest) override
+  {
+    return distance <= farthest || distance <= this->GetReach(place);
+  }
 
 private:
   void ToLocal(const double position[3], double local[3]) const;
   double GetDistance(dgg::Id point, const double position[3]) const;
   void FindCandidates(const double position[3]);
+  /// How far the nearest points of the cloud around a place are from its point. 0 when there are
+  /// too few. Points far off all others have only each other around them.
+  double GetReach(const dgg::SurfacePoint& place);
 
   const double* Positions;
   dgg::CloudFrame Frame;    // of the points that are searched

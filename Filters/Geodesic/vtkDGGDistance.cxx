@@ -4,7 +4,7 @@
 
 #include "vtkDGGDistanceTask.h"
 #include "vtkDGGGraphUser.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 
 #include "dggSourceFinding.h"
 
@@ -63,7 +63,7 @@ vtkDGGDistance::~vtkDGGDistance() = default;
 void vtkDGGDistance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  this->GraphUser->PrintSelf(os, indent);
+  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
   os << indent << "Correction: " << (this->Correction ? "On" : "Off") << "\n";
   os << indent << "Search: " << this->GetSearchAsString() << "\n";
   os << indent << "GenerateUpperBound: " << (this->GenerateUpperBound ? "On" : "Off") << "\n";
@@ -117,19 +117,20 @@ std::vector<vtkDGGPointArray> vtkDGGDistance::DeclareArrays() const
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
 {
-  const bool isCloud = this->GetMesh().IsCloud();
+  const vtkDGGContext& context = task.Context;
+  const bool isCloud = context.Surface.IsCloud();
   if (isCloud && task.WantVirtualSource)
   {
     return dgg::Status::Invalid("a virtual source is a direction on a surface, which a point cloud "
                                 "has not: turn GenerateVirtualSource off");
   }
   const bool correct = this->Correction && !isCloud;
-  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
-  dgg::Status status = this->GraphUser->Update(task.Input, this->GetMesh(), task.Progress, this);
+  vtkDGGGraphUser& graph = *this->GraphUser;
+  dgg::Status status = this->GraphUser->Update(context, this);
   std::vector<dgg::GraphSeed> seeds;
   if (status.IsOk())
   {
-    status = graph.MakeSeeds(task.Sources, this->GetMesh(), seeds);
+    status = graph.MakeSeeds(context, task.Sources, seeds);
   }
   if (!status.IsOk())
   {
@@ -144,7 +145,7 @@ dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
   options.MaximumDistance = correct
     ? WidenLimit(task.MaximumDistance, graph.GetLinkAccuracy(), task.Sources)
     : task.MaximumDistance;
-  options.Progress = graph.GetRemainingProgress();
+  options.Progress = graph.GetRemainingProgress(context);
   dgg::SearchResult result;
   status = graph.GetSearch().Run(seeds, options, result);
   if (!status.IsOk())
@@ -157,7 +158,7 @@ dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
   }
   if (task.WantVirtualSource)
   {
-    dgg::FindVirtualSources(task.Mesh, result, task.VirtualSource);
+    dgg::FindVirtualSources(context.Surface.GetMesh(), result, task.VirtualSource);
   }
   for (vtkDGGPointArray& array : task.Arrays)
   {

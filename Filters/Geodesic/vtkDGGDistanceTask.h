@@ -5,14 +5,14 @@
 #ifndef vtkDGGDistanceTask_h
 #define vtkDGGDistanceTask_h
 
+#include "vtkDGGContext.h"      // for the update
+#include "vtkDGGPreparedMesh.h" // for the surface
+
 #include "dggExactGeodesics.h" // for GeodesicSource
-#include "dggSurfaceMesh.h"    // for SurfaceMesh
 #include "dggVirtualSources.h" // for VirtualSources
 
 #include <string> // for the names
 #include <vector> // for the results
-
-class vtkPolyData;
 
 /// A point array of doubles besides the distances.
 struct vtkDGGPointArray
@@ -25,14 +25,12 @@ struct vtkDGGPointArray
 /// One call of vtkGeodesicDistanceAlgorithm::ComputeDistances(). Everything in it has been checked.
 struct vtkDGGDistanceTask
 {
-  const dgg::SurfaceMesh& Mesh;
+  const vtkDGGContext& Context;
   const std::vector<dgg::GeodesicSource>& Sources; ///< at least one
-  vtkPolyData* Input;                              ///< not to be changed
   /// Vertices farther than this may be left unreached; dgg::Infinity when there is no limit.
   double MaximumDistance;
-  bool WantNearestSource;         ///< whether NearestSource has to be filled
-  bool WantVirtualSource;         ///< whether VirtualSource has to be filled
-  dgg::ProgressCallback Progress; ///< never empty; false means stop
+  bool WantNearestSource; ///< whether NearestSource has to be filled
+  bool WantVirtualSource; ///< whether VirtualSource has to be filled
 
   std::vector<double> Distances;      ///< per vertex of the mesh; dgg::Infinity where unreached
   std::vector<dgg::Id> NearestSource; ///< per vertex, index into Sources; dgg::NoId if unreached

@@ -52,12 +52,13 @@ dgg::Status vtkDGGFastMarchingDistance::ComputeDistances(vtkDGGDistanceTask& tas
     this->FrontShape == Planar ? dgg::MarchingUpdate::Planar : dgg::MarchingUpdate::Spherical;
   options.MaximumDistance = task.MaximumDistance;
   options.WantVirtualSource = task.WantVirtualSource;
-  options.Progress = task.Progress;
+  options.Progress = task.Context.Progress;
 
-  if (!this->Prepared || this->Prepared->MeshTime != this->GetMeshBuildTime())
+  if (!this->Prepared || this->Prepared->MeshTime != task.Context.Surface.GetBuildTime())
   {
     this->Prepared.reset(); // before there are two
-    this->Prepared.reset(new Preparation{ this->GetMeshBuildTime(), dgg::FastMarching(task.Mesh) });
+    this->Prepared.reset(new Preparation{
+      task.Context.Surface.GetBuildTime(), dgg::FastMarching(task.Context.Surface.GetMesh()) });
     this->QualityWarning = vtkDGGWarnOfLongTriangles(this);
   }
   dgg::MarchingResult result;

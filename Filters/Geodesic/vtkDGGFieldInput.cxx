@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGFieldInput.h"
 
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGContext.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGParallel.h"
 #include "vtkDGGUnreachedArray.h"
 #include "vtkDGGWindowArrays.h"
@@ -169,9 +170,10 @@ dgg::Status vtkDGGFieldInput::FindDistances(vtkInformation* filter, const std::s
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGFieldInput::ReadDistances(
-  vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh)
+dgg::Status vtkDGGFieldInput::ReadDistances(const vtkDGGContext& context, vtkDataArray* distances)
 {
+  vtkPolyData* surface = context.Input;
+  const vtkDGGPreparedMesh& mesh = context.Surface;
   this->Warning.clear();
   this->IsFitted = false;
   this->Windows = dgg::EdgeWindows();
@@ -205,28 +207,27 @@ dgg::Status vtkDGGFieldInput::ReadDistances(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGFieldInput::Read(vtkPolyData* surface, vtkDataArray* distances,
-  const std::string& virtualSources, const vtkDGGMeshAdapter& mesh,
-  const dgg::ProgressCallback& progress)
+dgg::Status vtkDGGFieldInput::Read(const vtkDGGContext& context, vtkDataArray* distances,
+  const std::string& virtualSources, const dgg::ProgressCallback& progress)
 {
-  const dgg::Status status = this->ReadDistances(surface, distances, mesh);
+  const dgg::Status status = this->ReadDistances(context, distances);
   if (!status.IsOk())
   {
     return status;
   }
-  this->ReadWindows(surface, distances, mesh);
-  this->ReadSources(surface, virtualSources, mesh);
+  this->ReadWindows(context, distances);
+  this->ReadSources(context, virtualSources);
   return this->Field.HasWindows() || this->Field.HasSources()
     ? dgg::Status::Success()
-    : this->FitSources(mesh.GetMesh(), progress);
+    : this->FitSources(context.Surface.GetMesh(), progress);
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGFieldInput::ReadWindows(
-  vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh)
+void vtkDGGFieldInput::ReadWindows(const vtkDGGContext& context, vtkDataArray* distances)
 {
   std::string complaint;
-  vtkDGGWindowArrays::Find(surface->GetFieldData(), distances, mesh, this->Windows, complaint);
+  vtkDGGWindowArrays::Find(
+    context.Input->GetFieldData(), distances, context.Surface, this->Windows, complaint);
   if (!complaint.empty())
   {
     this->Warn(complaint + ". They are ignored");
@@ -234,9 +235,10 @@ void vtkDGGFieldInput::ReadWindows(
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGFieldInput::ReadSources(
-  vtkPolyData* surface, const std::string& name, const vtkDGGMeshAdapter& mesh)
+void vtkDGGFieldInput::ReadSources(const vtkDGGContext& context, const std::string& name)
 {
+  vtkPolyData* surface = context.Input;
+  const vtkDGGPreparedMesh& mesh = context.Surface;
   vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
   if (!array)
   {

@@ -11,10 +11,10 @@
 #include <string> // for names and warnings
 #include <vector> // for the distances
 
-class vtkDGGMeshAdapter;
 class vtkDataArray;
 class vtkInformation;
 class vtkPolyData;
+struct vtkDGGContext;
 
 /// Reads a point array of distances, and what there is beside it that gives the distance inside of
 /// faces: windows in the field data (vtkDGGWindowArrays), or else virtual sources in the point
@@ -41,12 +41,11 @@ public:
   void SetUnreachedValue(double value) { this->UnreachedValue = value; }
 
   /// The distances alone, to be taken as linear. Fails when a distance is minus infinity.
-  dgg::Status ReadDistances(
-    vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh);
+  dgg::Status ReadDistances(const vtkDGGContext& context, vtkDataArray* distances);
 
-  /// And what there is beside them. `progress` may be empty.
-  dgg::Status Read(vtkPolyData* surface, vtkDataArray* distances, const std::string& virtualSources,
-    const vtkDGGMeshAdapter& mesh, const dgg::ProgressCallback& progress = dgg::ProgressCallback());
+  /// And what there is beside them, with a part of the progress.
+  dgg::Status Read(const vtkDGGContext& context, vtkDataArray* distances,
+    const std::string& virtualSources, const dgg::ProgressCallback& progress);
 
   /// Whether virtual sources are those that have been fitted.
   bool HasFittedSources() const { return this->IsFitted; }
@@ -58,8 +57,8 @@ public:
   const std::string& GetWarning() const { return this->Warning; }
 
 private:
-  void ReadWindows(vtkPolyData* surface, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh);
-  void ReadSources(vtkPolyData* surface, const std::string& name, const vtkDGGMeshAdapter& mesh);
+  void ReadWindows(const vtkDGGContext& context, vtkDataArray* distances);
+  void ReadSources(const vtkDGGContext& context, const std::string& name);
   bool HasSourcesOfDistances(const dgg::SurfaceMesh& mesh) const;
   dgg::Status FitSources(const dgg::SurfaceMesh& mesh, const dgg::ProgressCallback& progress);
   void Warn(const std::string& text);

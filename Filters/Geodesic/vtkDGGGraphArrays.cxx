@@ -3,7 +3,7 @@
 #include "vtkDGGGraphArrays.h"
 
 #include "vtkDGGIsInteger.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGParallel.h"
 
 #include "dggBitHash.h"
@@ -141,14 +141,14 @@ void vtkDGGGraphArrays::Clear()
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const vtkDGGMeshAdapter& mesh)
+void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const vtkDGGPreparedMesh& mesh)
 {
   this->Adopt(graph, {}, 0.0, mesh);
 }
 
 //------------------------------------------------------------------------------
 void vtkDGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>& radii,
-  double voxelSize, const vtkDGGMeshAdapter& mesh)
+  double voxelSize, const vtkDGGPreparedMesh& mesh)
 {
   this->Clear();
   dgg::Buffer<double> ownRadii(radii.size());
@@ -252,8 +252,22 @@ bool vtkDGGGraphArrays::IsValid() const
 }
 
 //------------------------------------------------------------------------------
+vtkDGGGraphArrays::Key vtkDGGGraphArrays::GetKey() const
+{
+  Key key;
+  for (const Entry& entry : this->Arrays)
+  {
+    key.push_back(reinterpret_cast<std::uintptr_t>(entry.Array.Get()));
+    key.push_back(static_cast<std::uintptr_t>(entry.Time));
+    key.push_back(reinterpret_cast<std::uintptr_t>(entry.Data));
+    key.push_back(static_cast<std::uintptr_t>(entry.Size));
+  }
+  return key;
+}
+
+//------------------------------------------------------------------------------
 bool vtkDGGGraphArrays::Find(
-  vtkFieldData* data, const vtkDGGMeshAdapter& mesh, std::string& complaint)
+  vtkFieldData* data, const vtkDGGPreparedMesh& mesh, std::string& complaint)
 {
   complaint.clear();
   if (this->IsSame(data, mesh))
@@ -282,7 +296,7 @@ bool vtkDGGGraphArrays::Find(
 }
 
 //------------------------------------------------------------------------------
-bool vtkDGGGraphArrays::IsSame(vtkFieldData* data, const vtkDGGMeshAdapter& mesh) const
+bool vtkDGGGraphArrays::IsSame(vtkFieldData* data, const vtkDGGPreparedMesh& mesh) const
 {
   return this->Mesh == mesh.GetBuildTime() && this->Arrays == MakeEntries(data);
 }
@@ -295,7 +309,7 @@ dgg::Status vtkDGGGraphArrays::Damaged(const std::string& what)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphArrays::Check(const vtkDGGMeshAdapter& mesh)
+dgg::Status vtkDGGGraphArrays::Check(const vtkDGGPreparedMesh& mesh)
 {
   this->View.Info.Kind =
     SaysCloud(this->Arrays[Info].Array) ? dgg::GraphKind::Cloud : dgg::GraphKind::Mesh;
@@ -441,7 +455,7 @@ dgg::Status vtkDGGGraphArrays::ReadSizes(vtkIdType numberOfPoints)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphArrays::CheckSurface(const vtkDGGMeshAdapter& mesh) const
+dgg::Status vtkDGGGraphArrays::CheckSurface(const vtkDGGPreparedMesh& mesh) const
 {
   if (this->View.Info.Surface == mesh.GetSignature())
   {

@@ -16,9 +16,9 @@
 #include <cstddef> // for sizes
 #include <cstdint> // for the checksum
 #include <string>  // for what is wrong
-#include <vector>  // for radii
+#include <vector>  // for radii and keys
 
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
 class vtkFieldData;
 
 /// The band around a cloud that its graph was built in: the space within a radius of each point,
@@ -59,10 +59,10 @@ class vtkDGGGraphArrays
 {
 public:
   /// Make arrays of the memory of `graph`, which is empty afterwards.
-  void Adopt(dgg::GeodesicGraph& graph, const vtkDGGMeshAdapter& mesh);
+  void Adopt(dgg::GeodesicGraph& graph, const vtkDGGPreparedMesh& mesh);
   /// The same for the graph of a cloud, and of the radii of its band, one per point.
   void Adopt(dgg::GeodesicGraph& graph, const std::vector<double>& radii, double voxelSize,
-    const vtkDGGMeshAdapter& cloud);
+    const vtkDGGPreparedMesh& cloud);
 
   /// Whether field data, which may be null, say that they have the graph of a cloud.
   static bool AreOfCloud(vtkFieldData* data);
@@ -70,11 +70,11 @@ public:
   /// Look for a graph of the mesh or cloud in `data`, which may be null. Returns whether there is
   /// one. `complaint` is what is wrong with arrays that are there but are not a graph of the mesh;
   /// it is empty when they were complained about before.
-  bool Find(vtkFieldData* data, const vtkDGGMeshAdapter& mesh, std::string& complaint);
+  bool Find(vtkFieldData* data, const vtkDGGPreparedMesh& mesh, std::string& complaint);
 
   /// Whether Find() would give the same answer as the last time, without a new look at the arrays.
   /// Otherwise it lets go of the arrays that it knows.
-  bool IsSame(vtkFieldData* data, const vtkDGGMeshAdapter& mesh) const;
+  bool IsSame(vtkFieldData* data, const vtkDGGPreparedMesh& mesh) const;
 
   /// Whether there is a graph and its arrays have not been changed since.
   bool IsValid() const;
@@ -96,6 +96,10 @@ public:
   const std::string& GetDamage() const { return this->Damage; }
   /// When this graph was adopted or found. It changes with the graph.
   vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
+
+  /// Identity, age and memory of all arrays: it changes with any of them.
+  using Key = std::vector<std::uintptr_t>;
+  Key GetKey() const;
 
 private:
   enum Role
@@ -126,13 +130,13 @@ private:
   static Entry MakeEntry(vtkAbstractArray* array);
   static Entries MakeEntries(vtkFieldData* data);
 
-  dgg::Status Check(const vtkDGGMeshAdapter& mesh);
+  dgg::Status Check(const vtkDGGPreparedMesh& mesh);
   bool HasRole(Role role) const;
   dgg::Status Damaged(const std::string& what);
   dgg::Status CheckTypes();
   dgg::Status ReadInfo(vtkIdType numberOfPoints, bool isCloud);
   dgg::Status ReadSizes(vtkIdType numberOfPoints);
-  dgg::Status CheckSurface(const vtkDGGMeshAdapter& mesh) const;
+  dgg::Status CheckSurface(const vtkDGGPreparedMesh& mesh) const;
   dgg::Status CheckContents();
   dgg::Status CheckBand();
   std::int64_t Seal() const;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGGraphBuild.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
-#include "vtkDGGParallel.h"
+#include "vtkDGGPreparedMesh.h"
 
 #include "dggMemoryLimit.h"
 #include "dggUnfoldingTable.h"
@@ -37,35 +37,34 @@ dgg::Status TooMuchMemory(
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGUseThreads(dgg::GraphOptions& options)
+void vtkDGGUseThreads(const vtkDGGContext& context, dgg::GraphOptions& options)
 {
-  options.Parallel = vtkDGGMakeParallelFor(options.Progress);
+  options.Parallel = context.Parallel;
   options.NumberOfThreads = vtkSMPTools::GetEstimatedNumberOfThreads();
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGBuildGraph(const dgg::GraphBuilder& builder, const vtkDGGMeshAdapter& mesh,
-  dgg::GraphOptions options, vtkTypeUInt64 memoryLimit, dgg::GeodesicGraph& graph,
-  dgg::GraphEstimate& estimate)
+dgg::Status vtkDGGBuildGraph(const vtkDGGContext& context, const dgg::GraphBuilder& builder,
+  dgg::GraphOptions options, dgg::GeodesicGraph& graph, dgg::GraphEstimate& estimate)
 {
-  vtkDGGUseThreads(options);
+  vtkDGGUseThreads(context, options);
   dgg::Status status = builder.Estimate(options, estimate);
   if (!status.IsOk())
   {
     return status;
   }
-  const vtkTypeUInt64 limit = vtkDGGGetMemoryLimit(memoryLimit);
+  const vtkTypeUInt64 limit = vtkDGGGetMemoryLimit(context.MemoryLimit);
   if (std::max(estimate.Peak, estimate.Memory) > static_cast<double>(limit))
   {
     return TooMuchMemory(options, estimate, limit);
   }
   status = builder.Build(options, graph);
-  graph.Info.Surface = mesh.GetSignature();
+  graph.Info.Surface = context.Surface.GetSignature();
   return status;
 }
 
 //------------------------------------------------------------------------------
-std::size_t vtkDGGEstimateBuilder(const vtkDGGMeshAdapter& mesh)
+std::size_t vtkDGGEstimateBuilder(const vtkDGGPreparedMesh& mesh)
 {
   // The table of all crossings of faces; twice where faces cannot be oriented consistently.
   const dgg::MeshReport& report = mesh.GetReport();

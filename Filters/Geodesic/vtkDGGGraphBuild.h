@@ -7,23 +7,21 @@
 
 #include "dggGraphBuilder.h" // for GraphBuilder
 
-#include "vtkType.h" // for vtkTypeUInt64
-
 #include <cstddef> // for std::size_t
 
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
+struct vtkDGGContext;
 
 /// Have a graph built, or its memory estimated, with the threads of VTK.
-void vtkDGGUseThreads(dgg::GraphOptions& options);
+void vtkDGGUseThreads(const vtkDGGContext& context, dgg::GraphOptions& options);
 
-/// Build a graph of the mesh of `builder` with the threads of VTK, unless it would take more memory
-/// than the limit (0: the default one). `estimate` is what it was predicted to take.
-dgg::Status vtkDGGBuildGraph(const dgg::GraphBuilder& builder, const vtkDGGMeshAdapter& mesh,
-  dgg::GraphOptions options, vtkTypeUInt64 memoryLimit, dgg::GeodesicGraph& graph,
-  dgg::GraphEstimate& estimate);
+/// Build a graph of the surface, which `builder` is of, unless it would take more memory than the
+/// limit. `estimate` is what it was predicted to take.
+dgg::Status vtkDGGBuildGraph(const vtkDGGContext& context, const dgg::GraphBuilder& builder,
+  dgg::GraphOptions options, dgg::GeodesicGraph& graph, dgg::GraphEstimate& estimate);
 
 /// Bytes that a builder of the mesh takes, about.
-std::size_t vtkDGGEstimateBuilder(const vtkDGGMeshAdapter& mesh);
+std::size_t vtkDGGEstimateBuilder(const vtkDGGPreparedMesh& mesh);
 
 #endif
 // VTK-HeaderTest-Exclude: vtkDGGGraphBuild.h

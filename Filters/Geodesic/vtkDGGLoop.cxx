@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGLoop.h"
 
-#include "vtkDGGGraphProvider.h"
+#include "vtkDGGGraphUser.h"
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
@@ -93,7 +93,7 @@ dgg::Status RunRope(const dgg::LoopFinder& finder, const LoopPoints& points, boo
 }
 
 /// The rims of tapes along all loops that are not too long.
-dgg::Status AddTapes(const vtkDGGMeshAdapter& mesh, double width,
+dgg::Status AddTapes(const vtkDGGPreparedMesh& mesh, double width,
   const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
 {
   const std::size_t count = set.Loops.size();
@@ -234,7 +234,6 @@ vtkDGGLoop::vtkDGGLoop()
   , TapeWidth(0.0)
   , ProjectionTolerance(0.01)
   , GraphUser(new vtkDGGGraphUser)
-  , Collector(new vtkDGGSourceCollector)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
@@ -252,7 +251,7 @@ void vtkDGGLoop::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Taut: " << (this->Taut ? "On" : "Off") << "\n";
   os << indent << "TapeWidth: " << this->TapeWidth << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
-  this->GraphUser->PrintSelf(os, indent);
+  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
 }
 
 //------------------------------------------------------------------------------
@@ -330,31 +329,31 @@ std::string vtkDGGLoop::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGLoop::Execute(
-  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkDGGLoop::Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = context.Surface;
   std::vector<dgg::GeodesicSource> sources;
   dgg::Status status;
   if (this->Mode != AroundHandles)
   {
-    status = this->Collector->Collect(this->GetPointSet(inputVector), this->ProjectionTolerance,
-      mesh, surface->GetPoints(), sources);
+    status = vtkDGGSourceCollector::Collect(
+      context, this->GetPointSet(inputVector), this->ProjectionTolerance, sources);
   }
   vtkDGGNewGeometry geometry;
   if (status.IsOk())
   {
-    status = geometry.Take(surface, mesh, this->GetOutputPointsPrecision());
+    status = geometry.Take(context, this->GetOutputPointsPrecision());
   }
-  if (status.IsOk() && !this->Advance(0.0))
+  if (status.IsOk() && !context.Progress(0.0))
   {
     status = dgg::Status::Abort();
   }
-  dgg::ProgressCallback progress = [this](double fraction) { return this->Advance(fraction); };
+  dgg::ProgressCallback progress = context.Progress;
   if (status.IsOk() && this->Mode != AroundHandles)
   {
-    status = this->GraphUser->Update(surface, mesh, progress, this);
-    progress = this->GraphUser->GetProvider().GetRemainingProgress();
+    status = this->GraphUser->Update(context, this);
+    progress = this->GraphUser->GetRemainingProgress(context);
   }
   if (!status.IsOk())
   {
@@ -370,10 +369,10 @@ dgg::Status vtkDGGLoop::Execute(
   }
   else
   {
-    vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
+    vtkDGGGraphUser& graph = *this->GraphUser;
     const LoopPoints points = vtkDGGGetPlaces(sources);
     const bool withLinks = !std::all_of(points.begin(), points.end(), dgg::IsVertex);
-    status = graph.PrepareBuilder(mesh, withLinks);
+    status = graph.PrepareBuilder(context, withLinks);
     if (!status.IsOk())
     {
       return status;
@@ -461,9 +460,9 @@ void vtkDGGLoop::WarnAboutMissingTapes(const vtkDGGLoopSet& set)
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGLoop::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
+void vtkDGGLoop::MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
   vtkDGGNewGeometry geometry;
-  geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
+  geometry.Take(context, this->GetOutputPointsPrecision());
   FillOutputs(vtkDGGLoopSet(), geometry, outputVector);
 }

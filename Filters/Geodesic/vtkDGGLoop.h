@@ -108,7 +108,6 @@
 #include <memory> // For the internals
 #include <vector> // For ids
 
-class vtkDGGSourceCollector;
 struct vtkDGGLoopSet;
 struct vtkDGGSourceSet;
 
@@ -227,9 +226,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
@@ -246,7 +245,6 @@ private:
   double TapeWidth;
   double ProjectionTolerance;
   std::unique_ptr<vtkDGGGraphUser> GraphUser;
-  std::unique_ptr<vtkDGGSourceCollector> Collector;
 };
 
 #endif

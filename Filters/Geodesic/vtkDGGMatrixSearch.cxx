@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGMatrixSearch.h"
 
-#include "vtkDGGGraphProvider.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGGraphUser.h"
 #include "vtkDGGParallel.h"
 
 #include "dggProgressPart.h"
@@ -58,13 +57,14 @@ vtkDGGMatrixSearch::Points Select(
 }
 
 //------------------------------------------------------------------------------
-vtkDGGMatrixSearch::vtkDGGMatrixSearch(vtkDGGGraphProvider& graph, const vtkDGGMeshAdapter& mesh,
+vtkDGGMatrixSearch::vtkDGGMatrixSearch(const vtkDGGContext& context, vtkDGGGraphUser& graph,
   const Points& sources, const Points& targets, const vtkDGGMatrixEntries& distances)
-  : Graph(graph)
-  , Mesh(mesh)
+  : Context(context)
+  , Graph(graph)
   , Sources(sources)
   , Targets(targets)
   , Distances(distances)
+  , Progress(graph.GetRemainingProgress(context))
 {
 }
 
@@ -83,7 +83,7 @@ dgg::Status vtkDGGMatrixSearch::LinkPoints(
   }
   const std::vector<std::size_t> aims = FindPoints(others, false);
   const Points aimPoints = Select(others, aims);
-  const dgg::Status prepared = this->Graph.PrepareBuilder(this->Mesh);
+  const dgg::Status prepared = this->Graph.PrepareBuilder(this->Context);
   if (!prepared.IsOk())
   {
     return prepared;
@@ -94,8 +94,7 @@ dgg::Status vtkDGGMatrixSearch::LinkPoints(
     [&](std::size_t k, const dgg::ProgressCallback&) {
       const std::size_t i = unlinked[k];
       std::vector<double> direct;
-      const dgg::Status status =
-        this->Graph.Link(points[i], aimPoints, this->Mesh, links[i], direct);
+      const dgg::Status status = this->Graph.Link(points[i], aimPoints, links[i], direct);
       for (std::size_t a = 0; a < aims.size() && status.IsOk(); ++a)
       {
         double& distance = entry(i, aims[a]);
@@ -106,10 +105,9 @@ dgg::Status vtkDGGMatrixSearch::LinkPoints(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGMatrixSearch::Run(bool symmetric, const dgg::ProgressCallback& progress)
+dgg::Status vtkDGGMatrixSearch::Run(bool symmetric)
 {
   this->IsSymmetric = symmetric;
-  this->Progress = progress;
   const bool areVertices = std::all_of(this->Sources.begin(), this->Sources.end(), dgg::IsVertex) &&
     std::all_of(this->Targets.begin(), this->Targets.end(), dgg::IsVertex);
   if (areVertices)
@@ -152,7 +150,7 @@ dgg::Status vtkDGGMatrixSearch::Search()
       seeds[i].push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
     }
   }
-  return this->Graph.GetSearch().Many(seeds, dgg::Infinity, vtkDGGMakeParallelFor(this->Progress),
+  return this->Graph.GetSearch().Many(seeds, dgg::Infinity, this->Context.Parallel,
     dgg::ProgressPart(this->Progress, this->Done, 1.0),
     [this](std::size_t source, const double* field) { this->LookAtTargets(source, field); });
 }

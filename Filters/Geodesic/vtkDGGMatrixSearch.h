@@ -12,8 +12,8 @@
 #include <cstddef> // for std::size_t
 #include <vector>  // for the points
 
-class vtkDGGGraphProvider;
-class vtkDGGMeshAdapter;
+class vtkDGGGraphUser;
+struct vtkDGGContext;
 
 /// The entries of a matrix whose rows lie one behind the other.
 struct vtkDGGMatrixEntries
@@ -39,13 +39,13 @@ public:
   using Points = std::vector<dgg::SurfacePoint>;
   using Links = std::vector<std::vector<dgg::GraphLink>>; // per point
 
-  /// `graph` has been provided for `mesh`. distances(i, j) becomes the distance of sources[i] from
+  /// `graph` is up to date. distances(i, j) becomes the distance of sources[i] from
   /// targets[j]; where there is no way it stays dgg::Infinity, which all of them must be before.
-  vtkDGGMatrixSearch(vtkDGGGraphProvider& graph, const vtkDGGMeshAdapter& mesh,
-    const Points& sources, const Points& targets, const vtkDGGMatrixEntries& distances);
+  vtkDGGMatrixSearch(const vtkDGGContext& context, vtkDGGGraphUser& graph, const Points& sources,
+    const Points& targets, const vtkDGGMatrixEntries& distances);
 
   /// With `symmetric`, the targets are the sources: then one half is searched, and mirrored.
-  dgg::Status Run(bool symmetric, const dgg::ProgressCallback& progress);
+  dgg::Status Run(bool symmetric);
 
 private:
   template <typename EntryType>
@@ -55,15 +55,15 @@ private:
   void LookAtTargets(std::size_t source, const double* field) const;
   void Mirror() const;
 
-  vtkDGGGraphProvider& Graph;
-  const vtkDGGMeshAdapter& Mesh;
+  const vtkDGGContext& Context;
+  vtkDGGGraphUser& Graph;
   const Points& Sources;
   const Points& Targets;
   const vtkDGGMatrixEntries& Distances;
   bool IsSymmetric = false;
   Links SourceLinks;
   Links TargetLinks;
-  dgg::ProgressCallback Progress;
+  const dgg::ProgressCallback Progress;
   double Done = 0.0; // share of the progress
 };
 

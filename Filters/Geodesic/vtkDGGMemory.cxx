@@ -9,64 +9,43 @@
 #include <algorithm>
 #include <fstream>
 
-namespace
-{
-constexpr vtkTypeUInt64 Unlimited = static_cast<vtkTypeUInt64>(-1);
-
-/// The number in a file, or behind a key in it; Unlimited when there is none, as for "max".
-vtkTypeUInt64 ReadNumber(const std::string& path, const std::string& key = "")
+/// The first number in a file, or that behind a key; `missing` when there is none, as for "max".
+static vtkTypeUInt64 Read(const std::string& path, const std::string& key, vtkTypeUInt64 missing)
 {
   std::ifstream file(path);
-  vtkTypeUInt64 value = 0;
   std::string name;
-  while ((key.empty() || file >> name) && file >> value)
+  vtkTypeUInt64 value = 0;
+  while ((key.empty() || file >> name) && file >> value && name != key)
   {
-    if (name == key)
-    {
-      return value;
-    }
   }
-  return Unlimited;
-}
-
-/// What a control group leaves. Pages of files count as used, but can be had back.
-vtkTypeUInt64 GetFreeIn(
-  const std::string& folder, const char* limitName, const char* usageName, const char* filesName)
-{
-  const vtkTypeUInt64 limit = ReadNumber(folder + limitName);
-  const vtkTypeUInt64 used = ReadNumber(folder + usageName);
-  const vtkTypeUInt64 files = ReadNumber(folder + "/memory.stat", filesName);
-  const vtkTypeUInt64 kept = files == Unlimited ? used : used - std::min(used, files);
-  return limit == Unlimited || used == Unlimited ? Unlimited : limit - std::min(limit, kept);
-}
+  return file ? value : missing;
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkDGGGetFreeInControlGroup(const std::string& membership, const std::string& mount)
 {
-  vtkTypeUInt64 free = Unlimited;
-  const auto look = [&](const std::string& path) {
-    for (const char* root : { "", "/unified" })
-    {
-      free = std::min(
-        free, GetFreeIn(mount + root + path, "/memory.max", "/memory.current", "inactive_file"));
-    }
-    free = std::min(free,
-      GetFreeIn(mount + "/memory" + path, "/memory.limit_in_bytes", "/memory.usage_in_bytes",
-        "total_inactive_file"));
-  };
-  look(""); // inside a container often its group, where the path is that of the machine
-  std::ifstream file(membership);
-  for (std::string line; std::getline(file, line);) // "number:controllers:/path"
+  constexpr vtkTypeUInt64 unlimited = VTK_TYPE_UINT64_MAX;
+  const char* const versions[][5] = { { "", "0::", "max", "current", "inactive_file" },
+    { "/memory", "memory", "limit_in_bytes", "usage_in_bytes", "total_inactive_file" } };
+  vtkTypeUInt64 free = unlimited;
+  for (const auto& [folder, controller, limitName, usageName, filesName] : versions)
   {
-    const std::size_t end = std::min(line.find(":/"), line.size());
-    const bool isMemory =
-      line.compare(0, 4, "0::/") == 0 || line.substr(0, end).find("memory") != std::string::npos;
-    std::string path = line.substr(std::min(end + 1, line.size()));
-    for (; isMemory && path.size() > 1 && path.find("..") == std::string::npos;
-         path.resize(path.find_last_of('/')))
+    std::string group; // whose path, inside a container, may be that of the machine
+    std::ifstream file(membership);
+    for (std::string line; std::getline(file, line);) // "number:controllers:/path"
     {
-      look(path);
+      const std::size_t path = line.find(":/") + 1;
+      group = line.substr(0, path).find(controller) < path ? line.substr(path) : group;
+    }
+    for (bool isRoot = false; !isRoot; group.resize(isRoot ? 0 : group.rfind('/')))
+    {
+      isRoot = group.empty();
+      const std::string files = mount + folder + group + "/memory.";
+      const vtkTypeUInt64 limit = Read(files + limitName, "", unlimited);
+      const vtkTypeUInt64 used = Read(files + usageName, "", 0);
+      const vtkTypeUInt64 reclaimable = std::min(used, Read(files + "stat", filesName, 0));
+      free =
+        limit == unlimited ? free : std::min(free, limit - std::min(limit, used - reclaimable));
     }
   }
   return free;
@@ -85,9 +64,9 @@ vtkTypeUInt64 vtkDGGGetMemoryLimit(vtkTypeUInt64 property)
   const long long left = std::min<long long>(total - system.GetHostMemoryUsed(),
     system.GetProcMemoryAvailable() - system.GetProcMemoryUsed());
   const auto machine = 1024 * static_cast<vtkTypeUInt64>(std::max(0LL, left));
-  const vtkTypeUInt64 group = vtkDGGGetFreeInControlGroup("/proc/self/cgroup", "/sys/fs/cgroup");
+  const auto group = vtkDGGGetFreeInControlGroup("/proc/self/cgroup", "/sys/fs/cgroup");
   return total <= 0
-    ? Unlimited
+    ? VTK_TYPE_UINT64_MAX // nothing is known
     : static_cast<vtkTypeUInt64>(share * static_cast<double>(std::min(machine, group)));
 }
 

@@ -68,7 +68,7 @@ dgg::Status vtkDGGMeshAdapter::Update(vtkPolyData* input, const vtkDGGDomain& do
   this->Object = object;
   this->ObjectTime = time;
   const Key key = MakeKey(input, domain);
-  if (this->IsBuilt && !modified && this->BuiltFrom == key && this->GetDomain() == domain)
+  if (this->IsBuilt && !modified && this->BuiltFrom == key && this->Prepared->GetDomain() == domain)
   {
     return dgg::Status::Success();
   }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGNewGeometry.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGGraphArrays.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
-#include "vtkDGGPointCoordinates.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGWindowArrays.h"
 
 #include "dggSurfacePath.h"
@@ -39,13 +39,10 @@ int ChooseDataType(int precision, vtkPoints* input)
 }
 
 /// Whether floats can represent the positions: they are neither infinite then, nor all but zero.
-dgg::Status CheckRange(const std::vector<double>& positions)
+dgg::Status CheckRange(const double* begin, const double* end)
 {
   double largest = 0.0;
-  for (const double x : positions)
-  {
-    largest = std::max(largest, std::abs(x));
-  }
+  std::for_each(begin, end, [&](double x) { largest = std::max(largest, std::abs(x)); });
   if (largest == 0.0 ||
     (largest >= std::numeric_limits<float>::min() && largest <= std::numeric_limits<float>::max()))
   {
@@ -69,25 +66,20 @@ vtkDGGNewGeometry::vtkDGGNewGeometry()
 vtkDGGNewGeometry::~vtkDGGNewGeometry() = default;
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGNewGeometry::Take(
-  vtkPolyData* surface, const vtkDGGMeshAdapter& mesh, int precision)
+dgg::Status vtkDGGNewGeometry::Take(const vtkDGGContext& context, int precision)
 {
-  vtkPoints* points = surface->GetPoints();
+  const vtkDGGPreparedMesh& mesh = context.Surface;
+  vtkPoints* points = context.Input->GetPoints();
   this->Fields->Initialize();
-  this->Fields->PassData(surface->GetFieldData());
+  this->Fields->PassData(context.Input->GetFieldData());
   // The graph and the windows are those of other points.
   vtkDGGGraphArrays::RemoveFrom(this->Fields);
   vtkDGGWindowArrays::RemoveAllFrom(this->Fields);
   this->DataType = ChooseDataType(precision, points);
   this->Mesh = &mesh;
-  const std::size_t size = 3 * static_cast<std::size_t>(surface->GetNumberOfPoints());
-  if (this->MeshTime != mesh.GetBuildTime() || this->Positions.size() != size)
-  {
-    const vtkDGGPointCoordinates coordinates(points);
-    this->Positions.assign(coordinates.GetData(), coordinates.GetData() + size);
-    this->MeshTime = mesh.GetBuildTime();
-  }
-  return precision == vtkAlgorithm::SINGLE_PRECISION ? CheckRange(this->Positions)
+  const double* positions = mesh.GetPositions(points);
+  const std::size_t size = 3 * static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices());
+  return precision == vtkAlgorithm::SINGLE_PRECISION ? CheckRange(positions, positions + size)
                                                      : dgg::Status::Success();
 }
 
@@ -95,6 +87,12 @@ dgg::Status vtkDGGNewGeometry::Take(
 const dgg::SurfaceMesh& vtkDGGNewGeometry::GetMesh() const
 {
   return this->Mesh->GetMesh();
+}
+
+//------------------------------------------------------------------------------
+const double* vtkDGGNewGeometry::GetPositions() const
+{
+  return this->Mesh->GetPositions();
 }
 
 //------------------------------------------------------------------------------

@@ -20,9 +20,10 @@
 #include <cstddef> // for std::size_t
 #include <vector>  // for the positions
 
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
 class vtkFieldData;
 class vtkPolyData;
+struct vtkDGGContext;
 
 /// Paths, loops, samples, cells: outputs whose points lie on a surface but are not its points. Here
 /// is what vtkGeodesicAlgorithm promises of all of them: which field data they have, of which
@@ -35,15 +36,16 @@ public:
   vtkDGGNewGeometry(const vtkDGGNewGeometry&) = delete;
   vtkDGGNewGeometry& operator=(const vtkDGGNewGeometry&) = delete;
 
-  /// Take from a surface and its mesh what outputs need. `precision` is one of
-  /// vtkAlgorithm::DesiredOutputPrecision. Coordinates are kept while the mesh is the same. Fails
-  /// when coordinates are out of the range of the floats that are asked for.
-  dgg::Status Take(vtkPolyData* surface, const vtkDGGMeshAdapter& mesh, int precision);
+  /// Take from a surface what outputs need. `precision` is one of
+  /// vtkAlgorithm::DesiredOutputPrecision. Fails when coordinates are out of the range of the
+  /// floats that are asked for.
+  dgg::Status Take(const vtkDGGContext& context, int precision);
 
   /// The mesh that was taken; it must live on.
   const dgg::SurfaceMesh& GetMesh() const;
+
   /// x y z per vertex.
-  const double* GetPositions() const { return this->Positions.data(); }
+  const double* GetPositions() const;
 
   /// Make an output empty but for the field data.
   void Begin(vtkPolyData* output) const;
@@ -57,9 +59,7 @@ public:
   vtkIdType GetCell(dgg::Id face) const;
 
 private:
-  const vtkDGGMeshAdapter* Mesh = nullptr;
-  vtkMTimeType MeshTime = 0; // its build time, which Positions belong to
-  std::vector<double> Positions;
+  const vtkDGGPreparedMesh* Mesh = nullptr;
   vtkNew<vtkFieldData> Fields;
   int DataType;
 };

@@ -4,7 +4,7 @@
 
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGPathSearch.h"
 #include "vtkDGGProperties.h"
@@ -239,8 +239,6 @@ vtkDGGPath::vtkDGGPath()
   , ProjectionTolerance(0.01)
   , NumberOfFallbacks(0)
   , GraphUser(new vtkDGGGraphUser)
-  , Collector(new vtkDGGSourceCollector)
-  , Geometry(new vtkDGGNewGeometry)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -258,7 +256,7 @@ void vtkDGGPath::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Straighten: " << (this->Straighten ? "On" : "Off") << "\n";
   os << indent << "Detour: " << this->Detour << "\n";
   os << indent << "NumberOfFallbacks: " << this->NumberOfFallbacks << "\n";
-  this->GraphUser->PrintSelf(os, indent);
+  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
 }
 
 //------------------------------------------------------------------------------
@@ -344,11 +342,11 @@ std::string vtkDGGPath::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPath::Execute(
-  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkDGGPath::Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
 {
   this->NumberOfFallbacks = 0;
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = context.Surface;
   if (mesh.IsCloud() && this->Method == Exact)
   {
     return dgg::Status::Invalid("there is no exact path on a point cloud: call SetMethodToGraph()");
@@ -364,21 +362,21 @@ dgg::Status vtkDGGPath::Execute(
   dgg::Status status = linePairs.Read(lines, this->PairIds.empty());
   if (status.IsOk())
   {
-    status = this->Collector->Collect(MakeSourceSet(this->PairIds, lines, linePairs),
-      this->ProjectionTolerance, mesh, surface->GetPoints(), ends);
+    status = vtkDGGSourceCollector::Collect(
+      context, MakeSourceSet(this->PairIds, lines, linePairs), this->ProjectionTolerance, ends);
   }
+  vtkDGGNewGeometry geometry;
   if (status.IsOk())
   {
-    status = this->Geometry->Take(surface, mesh, this->GetOutputPointsPrecision());
+    status = geometry.Take(context, this->GetOutputPointsPrecision());
   }
-  if (status.IsOk() && !this->Advance(0.0))
+  if (status.IsOk() && !context.Progress(0.0))
   {
     status = dgg::Status::Abort();
   }
-  const auto progress = [this](double fraction) { return this->Advance(fraction); };
   if (status.IsOk() && !isExact)
   {
-    status = this->GraphUser->Update(surface, mesh, progress, this);
+    status = this->GraphUser->Update(context, this);
   }
   if (!status.IsOk())
   {
@@ -386,17 +384,16 @@ dgg::Status vtkDGGPath::Execute(
   }
 
   const vtkDGGPathSearch::Pairs pairs = MakePairs(ends);
-  const vtkDGGPathSearch search(mesh, pairs);
+  const vtkDGGPathSearch search(context, pairs);
   vtkDGGPathSearch::Paths paths;
-  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
+  vtkDGGGraphUser& graph = *this->GraphUser;
   if (mesh.IsCloud())
   {
     status = search.RunOnCloud(graph, options.Straighten, paths);
   }
   else
   {
-    status = isExact ? search.RunExact(progress, paths)
-                     : search.RunInGraph(graph, this->Geometry->GetPositions(), options, paths);
+    status = isExact ? search.RunExact(paths) : search.RunInGraph(graph, options, paths);
   }
   if (!status.IsOk())
   {
@@ -406,14 +403,15 @@ dgg::Status vtkDGGPath::Execute(
   {
     this->NumberOfFallbacks += path.NumberOfFallbacks;
   }
-  WritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells }, *this->Geometry,
+  WritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells }, geometry,
     vtkPolyData::GetData(outputVector));
-  this->WarnAboutUnconnectedPairs(FindUnconnected(paths), paths.size());
+  this->WarnAboutUnconnectedPairs(context, FindUnconnected(paths), paths.size());
   return status;
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGPath::WarnAboutUnconnectedPairs(const std::vector<vtkIdType>& pairs, std::size_t count)
+void vtkDGGPath::WarnAboutUnconnectedPairs(
+  const vtkDGGContext& context, const std::vector<vtkIdType>& pairs, std::size_t count)
 {
   if (!pairs.empty())
   {
@@ -421,17 +419,18 @@ void vtkDGGPath::WarnAboutUnconnectedPairs(const std::vector<vtkIdType>& pairs, 
     vtkWarningMacro(<< pairs.size() << " of " << count << (count == 1 ? " pair" : " pairs")
                     << " of points, " << (isOne ? "" : "the first of them ") << "pair " << pairs[0]
                     << (isOne ? ", is" : ", are") << " not connected by the "
-                    << (this->GetMesh().IsCloud() ? "graph of the cloud: " : "surface: ")
+                    << (context.Surface.IsCloud() ? "graph of the cloud: " : "surface: ")
                     << (isOne ? "it has" : "they have") << " no polyline, and 1 in the "
                     << "field array PathStatus.");
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGPath::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
+void vtkDGGPath::MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
   this->NumberOfFallbacks = 0;
-  this->Geometry->Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
+  vtkDGGNewGeometry geometry;
+  geometry.Take(context, this->GetOutputPointsPrecision());
   const vtkDGGPathSearch::Paths none;
-  WritePaths({ none, nullptr, {} }, *this->Geometry, vtkPolyData::GetData(outputVector));
+  WritePaths({ none, nullptr, {} }, geometry, vtkPolyData::GetData(outputVector));
 }

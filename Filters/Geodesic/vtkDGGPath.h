@@ -94,8 +94,6 @@
 #include <memory> // For the internals
 #include <vector> // For ids
 
-class vtkDGGNewGeometry;
-class vtkDGGSourceCollector;
 struct vtkDGGSourceSet;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGPath : public vtkGeodesicAlgorithm
@@ -216,9 +214,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
@@ -227,7 +225,8 @@ private:
   void operator=(const vtkDGGPath&) = delete;
 
   vtkIdType GetPairId(vtkIdType i, int side) const;
-  void WarnAboutUnconnectedPairs(const std::vector<vtkIdType>& pairs, std::size_t count);
+  void WarnAboutUnconnectedPairs(
+    const vtkDGGContext& context, const std::vector<vtkIdType>& pairs, std::size_t count);
 
   int Method;
   bool Straighten;
@@ -236,8 +235,6 @@ private:
   vtkIdType NumberOfFallbacks;
   std::vector<vtkIdType> PairIds; // two for each pair
   std::unique_ptr<vtkDGGGraphUser> GraphUser;
-  std::unique_ptr<vtkDGGSourceCollector> Collector;
-  std::unique_ptr<vtkDGGNewGeometry> Geometry;
 };
 
 #endif

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPathSearch.h"
 
-#include "vtkDGGGraphProvider.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGGraphUser.h"
 #include "vtkDGGParallel.h"
 
 #include "dggBandPath.h"
@@ -69,7 +68,7 @@ std::vector<dgg::GraphSeed> MakeSeeds(const std::vector<dgg::GraphLink>& links)
 }
 
 /// Length of a polyline through points of a cloud, or near them.
-double MeasurePolyline(const dgg::SurfacePath& path, const vtkDGGMeshAdapter& cloud)
+double MeasurePolyline(const dgg::SurfacePath& path, const vtkDGGPreparedMesh& cloud)
 {
   double length = 0.0;
   for (std::size_t i = 0; i + 1 < path.Points.size(); ++i)
@@ -81,7 +80,7 @@ double MeasurePolyline(const dgg::SurfacePath& path, const vtkDGGMeshAdapter& cl
   return length;
 }
 
-dgg::Point3 GetPosition(const dgg::SurfacePoint& place, const vtkDGGMeshAdapter& cloud)
+dgg::Point3 GetPosition(const dgg::SurfacePoint& place, const vtkDGGPreparedMesh& cloud)
 {
   const auto p = dgg::PositionOf(cloud.GetMesh(), place, cloud.GetPositions());
   return { p[0], p[1], p[2] };
@@ -109,7 +108,7 @@ std::vector<dgg::SurfacePoint> MakePlaces(
 
 /// A smooth path; its points beside those of the cloud as seen from a point of it, no matter which.
 std::vector<dgg::SurfacePoint> MakePlaces(
-  const dgg::BandPath& path, dgg::Id from, const vtkDGGMeshAdapter& cloud)
+  const dgg::BandPath& path, dgg::Id from, const vtkDGGPreparedMesh& cloud)
 {
   const dgg::Point3 origin = GetPosition(dgg::SurfacePoint::AtVertex(from), cloud);
   std::vector<dgg::SurfacePoint> places;
@@ -133,37 +132,44 @@ dgg::Status Explain(const dgg::Status& status, const std::string& subject, const
 }
 
 //------------------------------------------------------------------------------
+vtkDGGPathSearch::vtkDGGPathSearch(const vtkDGGContext& context, const Pairs& pairs)
+  : Context(context)
+  , Mesh(context.Surface)
+  , PointPairs(pairs)
+{
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkDGGPathSearch::RunInGraph(
-  vtkDGGGraphProvider& graph, const double* positions, dgg::PathOptions options, Paths& paths) const
+  vtkDGGGraphUser& graph, dgg::PathOptions options, Paths& paths) const
 {
   options.LinkAccuracy = graph.GetLinkAccuracy();
   const bool withLinks = std::any_of(this->PointPairs.begin(), this->PointPairs.end(), NeedsLinks);
-  dgg::Status prepared = graph.PrepareBuilder(this->Mesh, withLinks);
+  dgg::Status prepared = graph.PrepareBuilder(this->Context, withLinks);
   if (prepared.IsOk())
   {
-    prepared = graph.PrepareForPairs(this->PointPairs.size());
+    prepared = graph.PrepareForPairs(this->Context, this->PointPairs.size());
   }
   if (!prepared.IsOk())
   {
     return prepared;
   }
-  const dgg::PathFinder& finder = graph.GetPathFinder(this->Mesh, positions);
+  const dgg::PathFinder& finder = graph.GetPathFinder();
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
   const auto find = [&](std::size_t i, const dgg::ProgressCallback&) {
     return Explain(finder.Find(this->PointPairs[i].From, this->PointPairs[i].To, options, paths[i]),
       "pair " + std::to_string(i) + ": ", "");
   };
-  return vtkDGGForEach(paths.size(), 1, graph.GetRemainingProgress(), find);
+  return vtkDGGForEach(paths.size(), 1, graph.GetRemainingProgress(this->Context), find);
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPathSearch::RunOnCloud(
-  vtkDGGGraphProvider& graph, bool smooth, Paths& paths) const
+dgg::Status vtkDGGPathSearch::RunOnCloud(vtkDGGGraphUser& graph, bool smooth, Paths& paths) const
 {
-  dgg::Status prepared = graph.PrepareForPairs(this->PointPairs.size());
+  dgg::Status prepared = graph.PrepareForPairs(this->Context, this->PointPairs.size());
   if (prepared.IsOk() && smooth)
   {
-    prepared = graph.PrepareShortener(this->Mesh);
+    prepared = graph.PrepareShortener(this->Context);
   }
   if (!prepared.IsOk())
   {
@@ -175,13 +181,12 @@ dgg::Status vtkDGGPathSearch::RunOnCloud(
     return Explain(this->FindOnCloud(graph, this->PointPairs[i], smooth, within, paths[i]),
       "pair " + std::to_string(i) + ": ", "");
   };
-  return vtkDGGForEach(paths.size(), 1, graph.GetRemainingProgress(), find);
+  return vtkDGGForEach(paths.size(), 1, graph.GetRemainingProgress(this->Context), find);
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPathSearch::FindOnCloud(const vtkDGGGraphProvider& graph,
-  const vtkDGGPointPair& pair, bool smooth, const dgg::ProgressCallback& progress,
-  dgg::FoundPath& found) const
+dgg::Status vtkDGGPathSearch::FindOnCloud(const vtkDGGGraphUser& graph, const vtkDGGPointPair& pair,
+  bool smooth, const dgg::ProgressCallback& progress, dgg::FoundPath& found) const
 {
   if (!dgg::IsFinite(GetPosition(pair.From, this->Mesh)))
   {
@@ -198,10 +203,10 @@ dgg::Status vtkDGGPathSearch::FindOnCloud(const vtkDGGGraphProvider& graph,
   std::vector<dgg::GraphLink> to;
   std::vector<double> direct;
   std::vector<double> none;
-  dgg::Status status = graph.Link(pair.From, { pair.To }, this->Mesh, from, direct);
+  dgg::Status status = graph.Link(pair.From, { pair.To }, from, direct);
   if (status.IsOk())
   {
-    status = graph.Link(pair.To, {}, this->Mesh, to, none);
+    status = graph.Link(pair.To, {}, to, none);
   }
   dgg::GraphPath path;
   if (status.IsOk())
@@ -247,7 +252,7 @@ dgg::Status vtkDGGPathSearch::FindOnCloud(const vtkDGGGraphProvider& graph,
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPathSearch::RunExact(const dgg::ProgressCallback& progress, Paths& paths) const
+dgg::Status vtkDGGPathSearch::RunExact(Paths& paths) const
 {
   const dgg::SurfaceMesh& mesh = this->Mesh.GetMesh();
   const std::vector<std::vector<std::size_t>> groups = GroupByStart(this->PointPairs);
@@ -274,5 +279,5 @@ dgg::Status vtkDGGPathSearch::RunExact(const dgg::ProgressCallback& progress, Pa
       "of the paths that start where pair " + std::to_string(group[0]) + " does, ",
       ". Use Method Graph");
   };
-  return vtkDGGForEach(groups.size(), 1, progress, step);
+  return vtkDGGForEach(groups.size(), 1, this->Context.Progress, step);
 }

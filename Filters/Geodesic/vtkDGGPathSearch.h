@@ -10,8 +10,9 @@
 
 #include <vector> // for the pairs
 
-class vtkDGGGraphProvider;
-class vtkDGGMeshAdapter;
+class vtkDGGGraphUser;
+class vtkDGGPreparedMesh;
+struct vtkDGGContext;
 
 /// Points between which a path is wanted.
 struct vtkDGGPointPair
@@ -27,27 +28,23 @@ public:
   using Pairs = std::vector<vtkDGGPointPair>;
   using Paths = std::vector<dgg::FoundPath>;
 
-  vtkDGGPathSearch(const vtkDGGMeshAdapter& mesh, const Pairs& pairs)
-    : Mesh(mesh)
-    , PointPairs(pairs)
-  {
-  }
+  vtkDGGPathSearch(const vtkDGGContext& context, const Pairs& pairs);
 
-  /// In a graph that has been provided for the mesh. `positions` are those of the vertices.
-  dgg::Status RunInGraph(vtkDGGGraphProvider& graph, const double* positions,
-    dgg::PathOptions options, Paths& paths) const;
+  /// In a graph that is up to date, of a surface whose positions have been made.
+  dgg::Status RunInGraph(vtkDGGGraphUser& graph, dgg::PathOptions options, Paths& paths) const;
   /// The same in the graph of a cloud, without faces: from point to point of the cloud, or with
   /// `smooth` not, unless that is longer than the way in the graph. The length is that of the
   /// polyline, which is shorter than that in the graph where the surface is curved.
-  dgg::Status RunOnCloud(vtkDGGGraphProvider& graph, bool smooth, Paths& paths) const;
+  dgg::Status RunOnCloud(vtkDGGGraphUser& graph, bool smooth, Paths& paths) const;
   /// Exact ones. Their lengths in the graph are NaN.
-  dgg::Status RunExact(const dgg::ProgressCallback& progress, Paths& paths) const;
+  dgg::Status RunExact(Paths& paths) const;
 
 private:
-  dgg::Status FindOnCloud(const vtkDGGGraphProvider& graph, const vtkDGGPointPair& pair,
-    bool smooth, const dgg::ProgressCallback& progress, dgg::FoundPath& found) const;
+  dgg::Status FindOnCloud(const vtkDGGGraphUser& graph, const vtkDGGPointPair& pair, bool smooth,
+    const dgg::ProgressCallback& progress, dgg::FoundPath& found) const;
 
-  const vtkDGGMeshAdapter& Mesh;
+  const vtkDGGContext& Context;
+  const vtkDGGPreparedMesh& Mesh;
   const Pairs& PointPairs;
 };
 

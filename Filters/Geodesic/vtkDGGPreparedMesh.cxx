@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPreparedMesh.h"
 
+#include "vtkDGGCloudLocator.h"
 #include "vtkDGGPointCoordinates.h"
 #include "vtkDGGPolygonTriangulator.h"
+#include "vtkDGGSharedTable.h"
+#include "vtkDGGSurfaceLocator.h"
 
 #include "dggBitHash.h"
 #include "dggCapSplitting.h"
@@ -23,8 +26,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
-#include <mutex>
 #include <numeric>
 #include <sstream>
 
@@ -163,40 +164,12 @@ void AddArray(dgg::BitHash& hash, vtkDataArray* array)
   hash.Add(static_cast<const unsigned char*>(array->GetVoidPointer(0)), size);
 }
 
-/// The meshes that filters hold, by fingerprint. It holds none itself: a mesh goes with the last
-/// filter that has it.
-class MeshesInUse
+/// The meshes that filters hold, by fingerprint.
+vtkDGGSharedTable<dgg::Signature, vtkDGGPreparedMesh>& GetMeshesInUse()
 {
-public:
-  using Pointer = vtkDGGPreparedMesh::Pointer;
-
-  static MeshesInUse& Get()
-  {
-    static MeshesInUse instance;
-    return instance;
-  }
-
-  Pointer Find(const dgg::Signature& fingerprint)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    const auto found = this->Meshes.find(fingerprint);
-    return found == this->Meshes.end() ? nullptr : found->second.lock();
-  }
-
-  void Add(const dgg::Signature& fingerprint, const Pointer& mesh)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    for (auto entry = this->Meshes.begin(); entry != this->Meshes.end();)
-    {
-      entry = entry->second.expired() ? this->Meshes.erase(entry) : std::next(entry);
-    }
-    this->Meshes[fingerprint] = mesh;
-  }
-
-private:
-  std::mutex Mutex;
-  std::map<dgg::Signature, std::weak_ptr<const vtkDGGPreparedMesh>> Meshes;
-};
+  static vtkDGGSharedTable<dgg::Signature, vtkDGGPreparedMesh> meshes;
+  return meshes;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -233,7 +206,7 @@ dgg::Signature vtkDGGPreparedMesh::ComputeFingerprint(
 dgg::Status vtkDGGPreparedMesh::Make(vtkPolyData* input, const vtkDGGDomain& domain,
   const dgg::Signature& fingerprint, Pointer& prepared)
 {
-  prepared = MeshesInUse::Get().Find(fingerprint);
+  prepared = GetMeshesInUse().Find(fingerprint);
   if (prepared)
   {
     return dgg::Status::Success();
@@ -243,8 +216,9 @@ dgg::Status vtkDGGPreparedMesh::Make(vtkPolyData* input, const vtkDGGDomain& dom
   const dgg::Status status = made->Build(input);
   if (status.IsOk())
   {
+    made->BuildTime.Modified();
     prepared = made;
-    MeshesInUse::Get().Add(fingerprint, prepared);
+    GetMeshesInUse().Add(fingerprint, prepared);
   }
   return status;
 }
@@ -329,8 +303,10 @@ dgg::Status vtkDGGPreparedMesh::BuildCloud(vtkPolyData* input)
   this->Signature = dgg::ComputeSignature(coordinates.GetData(), n, nullptr, 0);
   this->Report.Vertices = n;
   this->Report.IsolatedVertices = n;
-  this->Positions.assign(coordinates.GetData(), coordinates.GetData() + 3 * n);
-  return dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, nullptr, 0, this->Mesh);
+  const dgg::Status status =
+    dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, nullptr, 0, this->Mesh);
+  this->GetPositions(input->GetPoints());
+  return status;
 }
 
 //------------------------------------------------------------------------------
@@ -502,6 +478,34 @@ void vtkDGGPreparedMesh::CollectWarnings()
     "points of the boundary with the same coordinates as another one. If they are the two sides of "
     "a "
     "seam rather than of a slit, turn MergeCoincidentPoints on");
+}
+
+//------------------------------------------------------------------------------
+const double* vtkDGGPreparedMesh::GetPositions(vtkPoints* points) const
+{
+  std::call_once(this->PositionsOnce, [&] {
+    const vtkDGGPointCoordinates coordinates(points);
+    const std::size_t size = 3 * static_cast<std::size_t>(this->Mesh.GetNumberOfVertices());
+    this->Positions.assign(coordinates.GetData(), coordinates.GetData() + size);
+  });
+  return this->Positions.data();
+}
+
+//------------------------------------------------------------------------------
+vtkDGGLocator& vtkDGGPreparedMesh::GetLocator(vtkPoints* points) const
+{
+  std::call_once(this->LocatorOnce, [&] {
+    if (this->IsCloud())
+    {
+      this->Locator = std::make_unique<vtkDGGCloudLocator>(
+        this->Positions.data(), this->Mesh.GetNumberOfVertices());
+    }
+    else
+    {
+      this->Locator = std::make_unique<vtkDGGSurfaceLocator>(this->Mesh, points);
+    }
+  });
+  return *this->Locator;
 }
 
 //------------------------------------------------------------------------------

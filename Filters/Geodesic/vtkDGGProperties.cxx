@@ -5,15 +5,6 @@
 #include <sstream>
 
 //------------------------------------------------------------------------------
-bool vtkDGGChangeName(std::string& property, const char* value)
-{
-  const std::string name = value ? value : "";
-  const bool changes = property != name;
-  property = name;
-  return changes;
-}
-
-//------------------------------------------------------------------------------
 vtkIdType vtkDGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i)
 {
   return i >= 0 && i < static_cast<vtkIdType>(ids.size()) ? ids[i] : -1;

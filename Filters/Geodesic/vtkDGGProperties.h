@@ -14,25 +14,7 @@
 #include <string>  // for names
 #include <vector>  // for ids
 
-/// Set a name; null is the empty one. Returns whether it has changed.
-bool vtkDGGChangeName(std::string& property, const char* value);
-/// Defines the setter and the getter of a property that is a name, of which `Member` is the string.
-/// The assertion is there for the semicolon.
-#define vtkDGGDefineNameMacro(Class, Property, Member) \
-  void Class::Set##Property(const char* name)          \
-  {                                                    \
-    if (vtkDGGChangeName(this->Member, name))          \
-    {                                                  \
-      this->Modified();                                \
-    }                                                  \
-  }                                                    \
-  const char* Class::Get##Property() const             \
-  {                                                    \
-    return this->Member.c_str();                       \
-  }                                                    \
-  static_assert(true, #Property)
-
-/// Defines both ways to set the data of an input port.
+/// Defines both ways to set the data of an input port. The assertion is there for the semicolon.
 #define vtkDGGDefineInputMacro(Class, Name, Port)                   \
   void Class::Set##Name##Connection(vtkAlgorithmOutput* connection) \
   {                                                                 \

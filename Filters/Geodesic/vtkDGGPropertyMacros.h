@@ -96,19 +96,19 @@ class vtkDGGGraphUser;
 /// Accuracy, AcceptCoarserGraph, MemoryLimit, and numbers of the graph of the last update; the
 /// filters document them. Their member `std::unique_ptr<vtkDGGGraphUser> GraphUser` has them, and
 /// vtkDGGGraphUserMacro() defines them.
-#define vtkDGGGraphPropertiesMacro()                \
-  virtual void SetAccuracy(double accuracy);        \
-  double GetAccuracy() const;                       \
-  virtual void SetAcceptCoarserGraph(bool accept);  \
-  bool GetAcceptCoarserGraph() const;               \
-  vtkBooleanMacro(AcceptCoarserGraph, bool);        \
-  virtual void SetMemoryLimit(vtkTypeUInt64 limit); \
-  vtkTypeUInt64 GetMemoryLimit() const;             \
-  bool GetUsedInputGraph() const;                   \
-  double GetGraphAccuracy() const;                  \
-  vtkIdType GetNumberOfGraphEdges() const;          \
-  vtkTypeUInt64 GetMemorySize() const;              \
-  bool GetGraphIsGuaranteed() const;                \
+#define vtkDGGGraphPropertiesMacro()               \
+  virtual void SetAccuracy(double accuracy);       \
+  double GetAccuracy() const;                      \
+  virtual void SetAcceptCoarserGraph(bool accept); \
+  bool GetAcceptCoarserGraph() const;              \
+  vtkBooleanMacro(AcceptCoarserGraph, bool);       \
+  vtkSetMacro(MemoryLimit, vtkTypeUInt64);         \
+  vtkGetMacro(MemoryLimit, vtkTypeUInt64);         \
+  bool GetUsedInputGraph() const;                  \
+  double GetGraphAccuracy() const;                 \
+  vtkIdType GetNumberOfGraphEdges() const;         \
+  vtkTypeUInt64 GetMemorySize() const;             \
+  bool GetGraphIsGuaranteed() const;               \
   vtkMTimeType GetGraphBuildTime() const
 
 #endif

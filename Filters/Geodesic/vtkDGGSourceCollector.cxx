@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGSourceCollector.h"
 
-#include "vtkDGGCloudLocator.h"
-#include "vtkDGGMeshAdapter.h"
-#include "vtkDGGSurfaceLocator.h"
+#include "vtkDGGContext.h"
+#include "vtkDGGPreparedMesh.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -12,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <sstream>
 
 namespace
@@ -148,10 +148,6 @@ std::vector<dgg::SurfacePoint> vtkDGGGetPlaces(const std::vector<dgg::GeodesicSo
 }
 
 //------------------------------------------------------------------------------
-vtkDGGSourceCollector::vtkDGGSourceCollector() = default;
-vtkDGGSourceCollector::~vtkDGGSourceCollector() = default;
-
-//------------------------------------------------------------------------------
 dgg::Status vtkDGGSourceCollector::Check(const vtkDGGSourceSet& set, vtkIdType numberOfPoints)
 {
   if (set.Ids.empty() && CountPoints(set) == 0)
@@ -190,24 +186,25 @@ dgg::Status vtkDGGSourceCollector::Check(const vtkDGGSourceSet& set, vtkIdType n
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double tolerance,
-  const vtkDGGMeshAdapter& adapter, vtkPoints* coordinates,
-  std::vector<dgg::GeodesicSource>& sources)
+dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGContext& context, const vtkDGGSourceSet& set,
+  double tolerance, std::vector<dgg::GeodesicSource>& sources)
 {
+  const vtkDGGPreparedMesh& mesh = context.Surface;
+  vtkPoints* coordinates = context.Input->GetPoints();
   sources.clear();
   for (std::size_t i = 0; i < set.Ids.size(); ++i)
   {
     sources.push_back(
-      { dgg::SurfacePoint::AtVertex(adapter.GetVertex(set.Ids[i])), GetInitialDistance(set, i) });
+      { dgg::SurfacePoint::AtVertex(mesh.GetVertex(set.Ids[i])), GetInitialDistance(set, i) });
   }
   if (CountPoints(set) == 0)
   {
     return dgg::Status::Success();
   }
 
-  this->PrepareLocator(adapter, coordinates);
-  const double farthest = tolerance * this->GetDiagonal();
-  const double rounding = this->Locator ? this->Locator->GetRounding() : 0.0;
+  vtkDGGLocator& locator = mesh.GetLocator(coordinates);
+  const std::lock_guard<std::mutex> lock(locator.GetMutex());
+  const double farthest = tolerance * locator.GetDiagonal();
   vtkDataArray* offsets = set.InitialDistanceArray.empty()
     ? nullptr
     : set.Points->GetPointData()->GetArray(set.InitialDistanceArray.c_str());
@@ -221,8 +218,8 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
     const vtkIdType original = FindOriginal(set.Points, id, coordinates);
     if (original >= 0)
     {
-      const dgg::Id vertex = adapter.GetVertex(original);
-      if (adapter.IsCloud() || adapter.GetMesh().Kind(vertex) != dgg::VertexKind::Isolated)
+      const dgg::Id vertex = mesh.GetVertex(original);
+      if (mesh.IsCloud() || mesh.GetMesh().Kind(vertex) != dgg::VertexKind::Isolated)
       {
         source.Point = dgg::SurfacePoint::AtVertex(vertex);
         sources.push_back(source);
@@ -230,16 +227,16 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
       }
     }
     double distance = dgg::Infinity;
-    const bool found = this->FindClosestPoint(p, source.Point, distance);
-    if (!found || !(distance <= farthest + rounding || this->IsAmongPoints(source.Point, distance)))
+    const bool found = locator.FindClosestPoint(p, source.Point, distance);
+    if (!found || !locator.IsClose(source.Point, distance, farthest))
     {
       std::ostringstream message;
       message << Describe(set, id, p) << " is " << distance << " away from the "
-              << (adapter.IsCloud()           ? "cloud"
+              << (mesh.IsCloud()              ? "cloud"
                      : set.Surface == "input" ? "surface"
                                               : set.Surface)
               << ", farther than " << farthest << " (ProjectionTolerance " << tolerance
-              << " times the diagonal " << this->GetDiagonal()
+              << " times the diagonal " << locator.GetDiagonal()
               << "): move it there, or raise ProjectionTolerance";
       return dgg::Status::Invalid(message.str());
     }
@@ -249,55 +246,14 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGSourceSet& set, double to
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGSourceCollector::PrepareLocator(const vtkDGGMeshAdapter& adapter, vtkPoints* coordinates)
-{
-  if ((this->Locator || this->CloudLocator) && this->LocatedMesh == adapter.GetBuildTime())
-  {
-    return;
-  }
-  this->Locator.reset();
-  this->CloudLocator.reset();
-  if (adapter.IsCloud())
-  {
-    this->CloudLocator = std::make_unique<vtkDGGCloudLocator>(
-      adapter.GetPositions(), adapter.GetMesh().GetNumberOfVertices());
-  }
-  else
-  {
-    this->Locator = std::make_unique<vtkDGGSurfaceLocator>(adapter.GetMesh(), coordinates);
-  }
-  this->LocatedMesh = adapter.GetBuildTime();
-}
-
-//------------------------------------------------------------------------------
-double vtkDGGSourceCollector::GetDiagonal() const
-{
-  return this->CloudLocator ? this->CloudLocator->GetDiagonal() : this->Locator->GetDiagonal();
-}
-
-//------------------------------------------------------------------------------
-bool vtkDGGSourceCollector::FindClosestPoint(
-  const double position[3], Place& place, double& distance)
-{
-  return this->CloudLocator ? this->CloudLocator->FindClosestPoint(position, place, distance)
-                            : this->Locator->FindClosestPoint(position, place, distance);
-}
-
-//------------------------------------------------------------------------------
-bool vtkDGGSourceCollector::IsAmongPoints(const Place& place, double distance)
-{
-  return this->CloudLocator && distance <= this->CloudLocator->GetReach(place);
-}
-
-//------------------------------------------------------------------------------
 std::string vtkDGGSourceCollector::DescribeIsolatedIds(
-  const vtkDGGSourceSet& set, const vtkDGGMeshAdapter& adapter)
+  const vtkDGGSourceSet& set, const vtkDGGPreparedMesh& mesh)
 {
-  const double* positions = adapter.GetPositions(); // of a cloud
+  const double* positions = mesh.IsCloud() ? mesh.GetPositions() : nullptr;
   const auto isIsolated = [&](vtkIdType id) {
     if (!positions)
     {
-      return adapter.GetMesh().Kind(adapter.GetVertex(id)) == dgg::VertexKind::Isolated;
+      return mesh.GetMesh().Kind(mesh.GetVertex(id)) == dgg::VertexKind::Isolated;
     }
     const double* p = positions + 3 * id;
     return !std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]);

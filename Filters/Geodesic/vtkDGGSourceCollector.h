@@ -10,15 +10,12 @@
 
 #include "vtkType.h" // for vtkIdType
 
-#include <memory> // for the locator
 #include <string> // for the names
 #include <vector> // for the sources
 
-class vtkDGGCloudLocator;
-class vtkDGGMeshAdapter;
-class vtkDGGSurfaceLocator;
-class vtkPoints;
+class vtkDGGPreparedMesh;
 class vtkPolyData;
+struct vtkDGGContext;
 
 /// Points of a surface or a cloud as a user gives them: ids first, then the points of an input
 /// port.
@@ -41,44 +38,26 @@ struct vtkDGGSourceSet
 /// The places of sources.
 std::vector<dgg::SurfacePoint> vtkDGGGetPlaces(const std::vector<dgg::GeodesicSource>& sources);
 
-/// Collects the sources of a distance filter, or other points, projected onto the surface. Keeps
-/// the search structure until the mesh changes.
+/// Collects the sources of a distance filter, or other points, projected onto the surface.
 class vtkDGGSourceCollector
 {
 public:
-  vtkDGGSourceCollector();
-  ~vtkDGGSourceCollector();
-  vtkDGGSourceCollector(const vtkDGGSourceCollector&) = delete;
-  vtkDGGSourceCollector& operator=(const vtkDGGSourceCollector&) = delete;
-
   /// What does not need the mesh: whether there is a point at all, ids within the range,
   /// coordinates and initial distances finite.
   static dgg::Status Check(const vtkDGGSourceSet& set, vtkIdType numberOfPoints);
 
-  /// The points on a mesh, or near those of a cloud, after Check(). Points with the array
+  /// The points on the surface, or near those of a cloud, after Check(). Points with the array
   /// vtkOriginalPointIds are those of the mesh, where they lie there: by their position alone they
-  /// may be on another sheet in the same place. `coordinates` are those of the
-  /// mesh; `tolerance` is how far from the surface a point may be, as a fraction of the diagonal.
-  /// Where a cloud is sparser than that, places between its points are close enough.
-  dgg::Status Collect(const vtkDGGSourceSet& set, double tolerance,
-    const vtkDGGMeshAdapter& adapter, vtkPoints* coordinates,
-    std::vector<dgg::GeodesicSource>& sources);
+  /// may be on another sheet in the same place. `tolerance` is how far from the surface a point may
+  /// be, as a fraction of the diagonal. Where a cloud is sparser than that, places between its
+  /// points are close enough.
+  static dgg::Status Collect(const vtkDGGContext& context, const vtkDGGSourceSet& set,
+    double tolerance, std::vector<dgg::GeodesicSource>& sources);
 
   /// What to warn of: ids of points that no polygon uses. Empty when there are none. The set must
   /// have been checked. In clouds, ids of points that are not finite.
   static std::string DescribeIsolatedIds(
-    const vtkDGGSourceSet& set, const vtkDGGMeshAdapter& adapter);
-
-private:
-  using Place = dgg::SurfacePoint;
-  void PrepareLocator(const vtkDGGMeshAdapter& adapter, vtkPoints* coordinates);
-  double GetDiagonal() const;
-  bool FindClosestPoint(const double position[3], Place& place, double& distance);
-  bool IsAmongPoints(const Place& place, double distance);
-
-  std::unique_ptr<vtkDGGSurfaceLocator> Locator;
-  std::unique_ptr<vtkDGGCloudLocator> CloudLocator; // or this one
-  vtkMTimeType LocatedMesh = 0;                     // its build time
+    const vtkDGGSourceSet& set, const vtkDGGPreparedMesh& mesh);
 };
 
 #endif

@@ -5,8 +5,9 @@
 #ifndef vtkDGGSurfaceLocator_h
 #define vtkDGGSurfaceLocator_h
 
-#include "dggSurfaceMesh.h"  // for SurfaceMesh
-#include "dggSurfacePoint.h" // for SurfacePoint
+#include "vtkDGGLocator.h" // for the base class
+
+#include "dggSurfaceMesh.h" // for SurfaceMesh
 
 #include "vtkGenericCell.h"       // for the locator's workspace
 #include "vtkNew.h"               // for vtkNew
@@ -21,22 +22,25 @@ class vtkPoints;
 /// Finds closest points on a mesh of the kernel whose vertices have the given coordinates. The
 /// coordinates are scaled by a power of two for the search, so that any scale gives the same
 /// answer, bit by bit.
-class vtkDGGSurfaceLocator
+class vtkDGGSurfaceLocator : public vtkDGGLocator
 {
 public:
   /// `mesh` must outlive the locator and have a face.
   vtkDGGSurfaceLocator(const dgg::SurfaceMesh& mesh, vtkPoints* points);
 
-  /// The closest surface point, and its distance in the units of the points. False when there is
-  /// none. It does not depend on the order in which cells are visited, except for ties between
-  /// different places.
-  bool FindClosestPoint(const double position[3], dgg::SurfacePoint& closest, double& distance);
+  /// It does not depend on the order in which cells are visited, except for ties between different
+  /// places.
+  bool FindClosestPoint(
+    const double position[3], dgg::SurfacePoint& closest, double& distance) override;
 
-  /// Diagonal of the bounding box of the faces.
-  double GetDiagonal() const { return this->Diagonal; }
-  /// What points of the surface may be away from it by rounding: a few units in the last place of
-  /// the largest coordinate.
-  double GetRounding() const { return this->Rounding; }
+  /// Of the faces.
+  double GetDiagonal() const override { return this->Diagonal; }
+
+  /// Up to rounding.
+  bool IsClose(const dgg::SurfacePoint&, double distance, double farthest) override
+  {
+    return distance <= farthest + this->Rounding;
+  }
 
 private:
   using Vector = std::array<double, 3>;
@@ -50,8 +54,8 @@ private:
 
   const dgg::SurfaceMesh& Mesh;
   double Diagonal = 0.0;
-  double Rounding = 0.0;
-  double Scale = 1.0; // power of two
+  double Rounding = 0.0; // a few units in the last place of the largest coordinate
+  double Scale = 1.0;    // power of two
   vtkNew<vtkPolyData> Surface;
   std::vector<dgg::Id> Faces; // of the mesh, per cell of Surface
   vtkNew<vtkStaticCellLocator> Locator;

@@ -3,7 +3,7 @@
 #include "vtkDGGWindowArrays.h"
 
 #include "vtkDGGIsInteger.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 
 #include "dggBitHash.h"
 
@@ -98,7 +98,7 @@ void Add(dgg::BitHash& hash, vtkDoubleArray* array)
 
 /// What the windows belong to, and what they are.
 std::array<std::int64_t, InfoSize> MakeInfo(
-  vtkDoubleArray* distances, const vtkDGGMeshAdapter& mesh, const Tables& tables)
+  vtkDoubleArray* distances, const vtkDGGPreparedMesh& mesh, const Tables& tables)
 {
   dgg::BitHash ofDistances;
   Add(ofDistances, distances);
@@ -136,7 +136,7 @@ void ReadTables(const Tables& tables, dgg::EdgeWindows& found)
 
 //------------------------------------------------------------------------------
 void vtkDGGWindowArrays::AddTo(vtkFieldData* data, vtkDoubleArray* distances,
-  const vtkDGGMeshAdapter& mesh, const dgg::EdgeWindows& windows)
+  const vtkDGGPreparedMesh& mesh, const dgg::EdgeWindows& windows)
 {
   const std::string name = distances->GetName();
   vtkNew<vtkTypeInt64Array> offsets;
@@ -207,7 +207,7 @@ void vtkDGGWindowArrays::RemoveAllFrom(vtkFieldData* data)
 
 //------------------------------------------------------------------------------
 bool vtkDGGWindowArrays::Find(vtkFieldData* data, vtkDataArray* distances,
-  const vtkDGGMeshAdapter& mesh, dgg::EdgeWindows& windows, std::string& complaint)
+  const vtkDGGPreparedMesh& mesh, dgg::EdgeWindows& windows, std::string& complaint)
 {
   windows = dgg::EdgeWindows();
   complaint.clear();

@@ -9,7 +9,7 @@
 
 #include <string> // for the name
 
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
 class vtkDataArray;
 class vtkDoubleArray;
 class vtkFieldData;
@@ -30,7 +30,7 @@ class vtkFieldData;
 class vtkDGGWindowArrays
 {
 public:
-  static void AddTo(vtkFieldData* data, vtkDoubleArray* distances, const vtkDGGMeshAdapter& mesh,
+  static void AddTo(vtkFieldData* data, vtkDoubleArray* distances, const vtkDGGPreparedMesh& mesh,
     const dgg::EdgeWindows& windows);
 
   static void RemoveFrom(vtkFieldData* data, const std::string& distances);
@@ -40,7 +40,7 @@ public:
 
   /// Look for the windows of `distances`. `complaint` is what is wrong with arrays that are there
   /// but cannot be used; empty when there are none.
-  static bool Find(vtkFieldData* data, vtkDataArray* distances, const vtkDGGMeshAdapter& mesh,
+  static bool Find(vtkFieldData* data, vtkDataArray* distances, const vtkDGGPreparedMesh& mesh,
     dgg::EdgeWindows& windows, std::string& complaint);
 };
 

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDiscreteGeodesicGraph.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGGraphArrays.h"
 #include "vtkDGGGraphBuild.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
+
+#include "dggProgressPart.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -53,7 +56,6 @@ vtkDiscreteGeodesicGraph::vtkDiscreteGeodesicGraph()
   : Accuracy(0.01)
   , Construction(Guaranteed)
   , NumberOfNeighbors(30)
-  , MemoryLimit(0)
   , GenerateGraphLines(false)
   , Internals(new vtkInternals)
 {
@@ -126,18 +128,19 @@ dgg::Status vtkDiscreteGeodesicGraph::Estimate()
     return dgg::Status::Success();
   }
   status = this->PrepareMesh(surface);
-  if (status.IsOk() && !this->Advance(0.0))
+  const vtkDGGContext context = this->MakeContext(surface);
+  if (status.IsOk() && !context.Progress(0.0))
   {
     status = dgg::Status::Abort();
   }
   if (status.IsOk())
   {
     dgg::GraphOptions options = this->MakeOptions();
-    vtkDGGUseThreads(options);
+    vtkDGGUseThreads(context, options);
     status =
-      dgg::GraphBuilder(this->GetMesh().GetMesh()).Estimate(options, this->Internals->Estimate);
+      dgg::GraphBuilder(context.Surface.GetMesh()).Estimate(options, this->Internals->Estimate);
   }
-  if (status.IsOk() && !this->Advance(1.0))
+  if (status.IsOk() && !context.Progress(1.0))
   {
     status = dgg::Status::Abort();
   }
@@ -229,15 +232,15 @@ std::string vtkDiscreteGeodesicGraph::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDiscreteGeodesicGraph::Execute(vtkPolyData* surface,
+dgg::Status vtkDiscreteGeodesicGraph::Execute(const vtkDGGContext& context,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkInternals& internals = *this->Internals;
-  if (!this->Advance(0.0))
+  if (!context.Progress(0.0))
   {
     return dgg::Status::Abort();
   }
-  const bool isOnInput = this->FindOnInput(surface);
+  const bool isOnInput = this->FindOnInput(context);
   vtkDGGGraphArrays& graph = isOnInput ? internals.OnInput : internals.Built;
   dgg::Status status;
   if (isOnInput)
@@ -247,18 +250,18 @@ dgg::Status vtkDiscreteGeodesicGraph::Execute(vtkPolyData* surface,
   }
   else
   {
-    status = this->Build();
+    status = this->Build(context);
   }
   vtkPolyData* lines = vtkPolyData::GetData(outputVector, 1);
   lines->Initialize();
   if (status.IsOk() && this->GenerateGraphLines)
   {
-    status = this->AddLines(graph, surface, lines);
+    status = this->AddLines(context, graph, lines);
   }
   if (status.IsOk())
   {
     vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-    output->ShallowCopy(surface);
+    output->ShallowCopy(context.Input);
     graph.AddTo(output->GetFieldData());
     internals.Current = vtkDGGGraphSummary(graph.GetView());
   }
@@ -267,21 +270,21 @@ dgg::Status vtkDiscreteGeodesicGraph::Execute(vtkPolyData* surface,
 
 //------------------------------------------------------------------------------
 void vtkDiscreteGeodesicGraph::MakeEmptyOutput(
-  vtkPolyData* surface, vtkInformationVector* outputVector)
+  const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
   this->Internals->Estimate = dgg::GraphEstimate();
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  output->ShallowCopy(surface);
+  output->ShallowCopy(context.Input);
   vtkDGGGraphArrays::RemoveFrom(output->GetFieldData()); // they are of another surface
   vtkPolyData::GetData(outputVector, 1)->Initialize();
 }
 
 //------------------------------------------------------------------------------
-bool vtkDiscreteGeodesicGraph::FindOnInput(vtkPolyData* surface)
+bool vtkDiscreteGeodesicGraph::FindOnInput(const vtkDGGContext& context)
 {
   vtkDGGGraphArrays& graph = this->Internals->OnInput;
   std::string complaint;
-  const bool found = graph.Find(surface->GetFieldData(), this->GetMesh(), complaint);
+  const bool found = graph.Find(context.Input->GetFieldData(), context.Surface, complaint);
   if (!complaint.empty())
   {
     vtkWarningMacro(<< complaint << ". A new one takes its place.");
@@ -290,10 +293,10 @@ bool vtkDiscreteGeodesicGraph::FindOnInput(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDiscreteGeodesicGraph::Build()
+dgg::Status vtkDiscreteGeodesicGraph::Build(const vtkDGGContext& context)
 {
   vtkInternals& internals = *this->Internals;
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = context.Surface;
   dgg::GraphOptions options = this->MakeOptions();
   const dgg::GraphInfo& built = internals.Built.GetView().Info;
   const bool isKept = internals.Built.IsValid() && built.Surface == mesh.GetSignature() &&
@@ -303,12 +306,12 @@ dgg::Status vtkDiscreteGeodesicGraph::Build()
     return dgg::Status::Success();
   }
   internals.Built.Clear();
-  const double share = this->GenerateGraphLines ? BuildShare : 1.0;
-  options.Progress = [this, share](double fraction) { return this->Advance(share * fraction); };
+  options.Progress =
+    dgg::ProgressPart(context.Progress, 0.0, this->GenerateGraphLines ? BuildShare : 1.0);
   const dgg::GraphBuilder builder(mesh.GetMesh());
   dgg::GeodesicGraph graph;
   const dgg::Status status =
-    vtkDGGBuildGraph(builder, mesh, options, this->MemoryLimit, graph, internals.Estimate);
+    vtkDGGBuildGraph(context, builder, options, graph, internals.Estimate);
   if (status.IsOk())
   {
     internals.Built.Adopt(graph, mesh);
@@ -320,13 +323,13 @@ dgg::Status vtkDiscreteGeodesicGraph::Build()
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDiscreteGeodesicGraph::AddLines(
-  const vtkDGGGraphArrays& arrays, vtkPolyData* surface, vtkPolyData* lines)
+  const vtkDGGContext& context, const vtkDGGGraphArrays& arrays, vtkPolyData* lines)
 {
   const dgg::Id rowsInBlock = 4096; // between two looks at the progress
   const vtkIdType count = arrays.GetView().GetNumberOfEdges() / 2;
   const double perLine = 3.0 * sizeof(vtkIdType) + sizeof(double);
   const dgg::Status status = vtkDGGCheckMemory("the edges of the graph as lines",
-    static_cast<double>(count) * perLine, this->MemoryLimit, "turn GenerateGraphLines off");
+    static_cast<double>(count) * perLine, context.MemoryLimit, "turn GenerateGraphLines off");
   if (!status.IsOk())
   {
     return status;
@@ -340,7 +343,7 @@ dgg::Status vtkDiscreteGeodesicGraph::AddLines(
   for (dgg::Id v = 0; v < graph.NumberOfVertices; ++v)
   {
     if (v % rowsInBlock == 0 &&
-      !this->Advance(BuildShare + (1.0 - BuildShare) * v / graph.NumberOfVertices))
+      !context.Progress(BuildShare + (1.0 - BuildShare) * v / graph.NumberOfVertices))
     {
       return dgg::Status::Abort();
     }
@@ -354,7 +357,7 @@ dgg::Status vtkDiscreteGeodesicGraph::AddLines(
       }
     }
   }
-  lines->SetPoints(surface->GetPoints());
+  lines->SetPoints(context.Input->GetPoints());
   lines->SetLines(cells);
   lines->GetCellData()->SetScalars(lengths);
   return dgg::Status::Success();

@@ -252,9 +252,9 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
@@ -262,15 +262,15 @@ private:
   void operator=(const vtkDiscreteGeodesicGraph&) = delete;
 
   dgg::GraphOptions MakeOptions() const;
-  bool FindOnInput(vtkPolyData* surface);
-  dgg::Status Build();
+  bool FindOnInput(const vtkDGGContext& context);
+  dgg::Status Build(const vtkDGGContext& context);
   dgg::Status Estimate();
-  dgg::Status AddLines(const vtkDGGGraphArrays& arrays, vtkPolyData* surface, vtkPolyData* lines);
+  dgg::Status AddLines(
+    const vtkDGGContext& context, const vtkDGGGraphArrays& arrays, vtkPolyData* lines);
 
   double Accuracy;
   int Construction;
   int NumberOfNeighbors;
-  vtkTypeUInt64 MemoryLimit;
   bool GenerateGraphLines;
 
   struct vtkInternals;

@@ -18,7 +18,6 @@ vtkStandardNewMacro(vtkExactGeodesicDistance);
 vtkExactGeodesicDistance::vtkExactGeodesicDistance()
   : Engine(Triangle)
   , GenerateWindows(false)
-  , MemoryLimit(0)
 {
 }
 
@@ -41,21 +40,22 @@ dgg::Status vtkExactGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
   options.Engine =
     this->Engine == Reference ? dgg::ExactEngine::Reference : dgg::ExactEngine::Triangle;
   options.MaximumDistance = task.MaximumDistance;
-  options.Progress = task.Progress;
+  options.Progress = task.Context.Progress;
   options.KeepWindows = this->GenerateWindows;
   if (options.KeepWindows)
   {
     // Never 0, which stands for no limit there.
-    options.MemoryLimit =
-      static_cast<std::size_t>(std::max<vtkTypeUInt64>(1, vtkDGGGetMemoryLimit(this->MemoryLimit)));
+    options.MemoryLimit = static_cast<std::size_t>(
+      std::max<vtkTypeUInt64>(1, vtkDGGGetMemoryLimit(task.Context.MemoryLimit)));
   }
 
-  dgg::ExactGeodesics solver(task.Mesh);
+  dgg::ExactGeodesics solver(task.Context.Surface.GetMesh());
   dgg::ExactResult result;
   const dgg::Status status = solver.Run(task.Sources, options, result);
   if (status.IsOk() && task.WantVirtualSource)
   {
-    dgg::FindVirtualSources(task.Mesh, task.Sources, result, task.VirtualSource);
+    dgg::FindVirtualSources(
+      task.Context.Surface.GetMesh(), task.Sources, result, task.VirtualSource);
   }
   task.Windows = std::move(result.Windows);
   task.Distances = std::move(result.Distances);

@@ -89,7 +89,6 @@ private:
 
   int Engine;
   bool GenerateWindows;
-  vtkTypeUInt64 MemoryLimit;
 };
 
 #endif

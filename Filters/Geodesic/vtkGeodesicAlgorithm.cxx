@@ -3,7 +3,9 @@
 #include "vtkGeodesicAlgorithm.h"
 
 #include "vtkDGGCompatibility.h"
+#include "vtkDGGContext.h"
 #include "vtkDGGMeshAdapter.h"
+#include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -25,9 +27,9 @@ namespace
 /// Share of the progress that goes to the preparation of the mesh.
 constexpr double PreparationShare = 0.1;
 
-void WriteReport(std::ostream& os, const vtkDGGMeshAdapter& adapter)
+void WriteReport(std::ostream& os, const vtkDGGPreparedMesh& mesh)
 {
-  const dgg::MeshReport& report = adapter.GetReport();
+  const dgg::MeshReport& report = mesh.GetReport();
   os << "points: " << report.Vertices << "\n";
   os << "triangles: " << report.Faces << "\n";
   os << "components: " << report.Components << "\n";
@@ -45,14 +47,14 @@ void WriteReport(std::ostream& os, const vtkDGGMeshAdapter& adapter)
   }
   os << "non-manifold edges: " << report.NonManifoldEdges << "\n";
   os << "non-manifold vertices: " << report.NonManifoldVertices << "\n";
-  os << "dropped faces: " << adapter.GetNumberOfDroppedCells() << "\n";
+  os << "dropped faces: " << mesh.GetNumberOfDroppedCells() << "\n";
   os << "degenerate faces: " << report.DegenerateFaces << "\n";
   os << "duplicate faces: " << report.DuplicateFaces << "\n";
-  os << "isolated points: " << adapter.GetNumberOfIsolatedPoints() << "\n";
+  os << "isolated points: " << mesh.GetNumberOfIsolatedPoints() << "\n";
   os << "coincident points: " << report.CoincidentPoints << "\n";
-  os << "merged points: " << adapter.GetNumberOfMergedPoints() << "\n";
+  os << "merged points: " << mesh.GetNumberOfMergedPoints() << "\n";
   os << "length added to degenerate faces: " << report.Mollification << "\n";
-  os << "height of degenerate faces left out: " << adapter.GetLargestCapHeight() << "\n";
+  os << "height of degenerate faces left out: " << mesh.GetLargestCapHeight() << "\n";
   os << "anisotropy: mean " << report.MeanAnisotropy << ", median " << report.MedianAnisotropy
      << "\n";
 }
@@ -104,7 +106,8 @@ void Empty(vtkInformationVector* outputVector)
 
 //------------------------------------------------------------------------------
 vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
-  : MergeCoincidentPoints(false)
+  : MemoryLimit(0)
+  , MergeCoincidentPoints(false)
   , MergeTolerance(0.0)
   , OutputPointsPrecision(DOUBLE_PRECISION)
   , Reached(0.0)
@@ -141,7 +144,7 @@ std::string vtkGeodesicAlgorithm::GetMeshReport() const
     return "no surface\n";
   }
   std::ostringstream os;
-  WriteReport(os, *this->Adapter);
+  WriteReport(os, this->Adapter->Get());
   return os.str();
 }
 
@@ -149,7 +152,7 @@ std::string vtkGeodesicAlgorithm::GetMeshReport() const
 #define vtkDGGReportMacro(Type, Name, Value)   \
   Type vtkGeodesicAlgorithm::Get##Name() const \
   {                                            \
-    return this->Adapter->Value;               \
+    return this->Adapter->Get().Value;         \
   }
 vtkDGGReportMacro(vtkIdType, NumberOfTriangles, GetReport().Faces);
 vtkDGGReportMacro(vtkIdType, NumberOfIsolatedPoints, GetNumberOfIsolatedPoints());
@@ -170,8 +173,13 @@ vtkDGGReportMacro(double, MeanAnisotropy, GetReport().MeanAnisotropy);
 vtkDGGReportMacro(double, MedianAnisotropy, GetReport().MedianAnisotropy);
 vtkDGGReportMacro(double, Mollification, GetReport().Mollification);
 vtkDGGReportMacro(double, LargestCapHeight, GetLargestCapHeight());
-vtkDGGReportMacro(vtkMTimeType, MeshBuildTime, GetBuildTime());
 #undef vtkDGGReportMacro
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkGeodesicAlgorithm::GetMeshBuildTime() const
+{
+  return this->Adapter->GetBuildTime();
+}
 
 //------------------------------------------------------------------------------
 int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
@@ -280,7 +288,7 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   {
     vtkWarningMacro("The input is empty: it has neither points nor cells. So is the output.");
     this->Adapter->Clear();
-    this->MakeEmptyOutput(input, outputVector);
+    this->MakeEmptyOutput(this->MakeContext(input), outputVector);
     return dgg::Status::Success();
   }
   status = input ? this->CheckInputs(input, inputVector) : dgg::Status::Success();
@@ -288,7 +296,8 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   {
     status = this->PrepareMesh(input);
   }
-  return status.IsOk() ? this->Execute(input, inputVector, outputVector) : status;
+  return status.IsOk() ? this->Execute(this->MakeContext(input), inputVector, outputVector)
+                       : status;
 }
 
 //------------------------------------------------------------------------------
@@ -317,9 +326,11 @@ std::string vtkGeodesicAlgorithm::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-const vtkDGGMeshAdapter& vtkGeodesicAlgorithm::GetMesh() const
+vtkDGGContext vtkGeodesicAlgorithm::MakeContext(vtkPolyData* surface)
 {
-  return *this->Adapter;
+  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
+  return { surface, this->Adapter->Get(), this->MemoryLimit, progress,
+    vtkDGGMakeParallelFor(progress) };
 }
 
 //------------------------------------------------------------------------------
@@ -344,7 +355,7 @@ void vtkGeodesicAlgorithm::WarnAboutGaps(vtkPolyData* surface, const std::vector
     return;
   }
   this->GapsBuildTime = this->GetMeshBuildTime();
-  const std::string warning = this->Adapter->DescribeGaps(surface, isReached);
+  const std::string warning = this->Adapter->Get().DescribeGaps(surface, isReached);
   if (!warning.empty())
   {
     vtkWarningMacro(<< warning << ".");
@@ -363,7 +374,7 @@ dgg::Status vtkGeodesicAlgorithm::PrepareMesh(vtkPolyData* surface)
   const dgg::Status status = this->Adapter->Update(surface, this->GetDomain(surface));
   if (built != this->Adapter->GetBuildTime())
   {
-    for (const std::string& warning : this->Adapter->GetWarnings())
+    for (const std::string& warning : this->Adapter->Get().GetWarnings())
     {
       vtkWarningMacro(<< warning << ".");
     }

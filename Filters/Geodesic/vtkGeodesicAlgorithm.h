@@ -94,6 +94,8 @@ namespace dgg
 class Status;
 }
 class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
+struct vtkDGGContext;
 struct vtkDGGDomain;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicAlgorithm : public vtkPolyDataAlgorithm
@@ -233,12 +235,14 @@ protected:
    *
    * CheckProperties() and CheckInputs() report what is wrong without the mesh. Execute() is called
    * with a mesh. MakeEmptyOutput() takes its place when the surface has neither points nor cells.
+   * The context is that of the whole update (vtkDGGContext.h).
    */
   virtual dgg::Status CheckProperties() const;
   virtual dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const;
-  virtual dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  virtual dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) = 0;
-  virtual void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) = 0;
+  virtual void MakeEmptyOutput(
+    const vtkDGGContext& context, vtkInformationVector* outputVector) = 0;
   ///@}
 
   /**
@@ -254,9 +258,9 @@ protected:
   virtual std::string GetMemoryRemedy() const;
 
   /**
-   * The surface as the kernel sees it. Up to date in Execute().
+   * What an update or a prediction works with, for the surface that was prepared last.
    */
-  const vtkDGGMeshAdapter& GetMesh() const;
+  vtkDGGContext MakeContext(vtkPolyData* surface);
 
   /**
    * Bring the mesh up to date; null is an error. For use outside of updates; Execute() need not.
@@ -291,6 +295,12 @@ protected:
    * thread may call it: observers are invoked by the thread of the update alone.
    */
   bool Advance(double fraction);
+
+  /**
+   * Most bytes that an update may take, 0 for a part of what is free; a property of those filters
+   * that take much.
+   */
+  vtkTypeUInt64 MemoryLimit;
 
 private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;

@@ -4,7 +4,7 @@
 
 #include "vtkDGGDistanceTask.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 #include "vtkDGGUnreachedArray.h"
@@ -36,7 +36,7 @@ std::vector<bool> FindReached(const vtkDGGDistanceTask& task)
 /// `unreached` where there is none.
 struct PointArrayMaker
 {
-  const vtkDGGMeshAdapter& Adapter;
+  const vtkDGGPreparedMesh& Surface;
   const std::vector<bool>& IsReached; // per vertex
   vtkIdType NumberOfPoints;
 
@@ -48,7 +48,7 @@ struct PointArrayMaker
     const auto array = vtkDGGAddArray<ArrayType>(data, name, this->NumberOfPoints, count);
     for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
     {
-      const dgg::Id vertex = this->Adapter.GetVertex(i);
+      const dgg::Id vertex = this->Surface.GetVertex(i);
       for (int k = 0; k < count; ++k)
       {
         array->SetTypedComponent(
@@ -70,7 +70,6 @@ vtkGeodesicDistanceAlgorithm::vtkGeodesicDistanceAlgorithm()
   , SourceArrayName("GeodesicSource")
   , VirtualSourceArrayName("GeodesicVirtualSource")
   , InitialDistanceArrayName("InitialDistance")
-  , Collector(new vtkDGGSourceCollector)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -248,19 +247,18 @@ vtkDGGSourceSet vtkGeodesicDistanceAlgorithm::GetSources(vtkInformationVector** 
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
-  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkGeodesicDistanceAlgorithm::Execute(const vtkDGGContext& context,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& adapter = this->GetMesh();
   std::vector<dgg::GeodesicSource> sources;
-  dgg::Status status = this->Collector->Collect(this->GetSources(inputVector),
-    this->ProjectionTolerance, adapter, surface->GetPoints(), sources);
+  dgg::Status status = vtkDGGSourceCollector::Collect(
+    context, this->GetSources(inputVector), this->ProjectionTolerance, sources);
   if (!status.IsOk())
   {
     return status;
   }
   const std::string warning =
-    vtkDGGSourceCollector::DescribeIsolatedIds(this->GetSources(inputVector), adapter);
+    vtkDGGSourceCollector::DescribeIsolatedIds(this->GetSources(inputVector), context.Surface);
   if (!warning.empty())
   {
     vtkWarningMacro(<< warning << ".");
@@ -268,15 +266,14 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
 
   const double limit =
     this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;
-  vtkDGGDistanceTask task{ adapter.GetMesh(), sources, surface, limit, this->GenerateNearestSource,
-    this->GenerateVirtualSource, [this](double fraction) { return this->Advance(fraction); }, {},
-    {}, {}, {}, this->DeclareArrays() };
-  status = this->Advance(0.0) ? this->ComputeDistances(task) : dgg::Status::Abort();
+  vtkDGGDistanceTask task{ context, sources, limit, this->GenerateNearestSource,
+    this->GenerateVirtualSource, {}, {}, {}, {}, this->DeclareArrays() };
+  status = context.Progress(0.0) ? this->ComputeDistances(task) : dgg::Status::Abort();
   if (!status.IsOk())
   {
     return status;
   }
-  const auto n = static_cast<std::size_t>(adapter.GetMesh().GetNumberOfVertices());
+  const auto n = static_cast<std::size_t>(context.Surface.GetMesh().GetNumberOfVertices());
   bool complete = task.Distances.size() == n;
   complete &= !task.WantNearestSource || task.NearestSource.size() == n;
   complete &= !task.WantVirtualSource || task.VirtualSource.Offsets.size() == n;
@@ -292,22 +289,21 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
     return dgg::Status::Invalid("the results do not match the mesh: report this as a bug");
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->ShallowCopy(surface);
+  output->ShallowCopy(context.Input);
   this->AddResults(task, output);
-  this->WarnAboutGaps(surface, FindReached(task));
+  this->WarnAboutGaps(context.Input, FindReached(task));
   return status;
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceAlgorithm::MakeEmptyOutput(
-  vtkPolyData* surface, vtkInformationVector* outputVector)
+  const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
-  const dgg::SurfaceMesh mesh;
   const std::vector<dgg::GeodesicSource> sources;
-  const vtkDGGDistanceTask task{ mesh, sources, surface, dgg::Infinity, this->GenerateNearestSource,
-    this->GenerateVirtualSource, {}, {}, {}, {}, {}, this->DeclareArrays() };
+  const vtkDGGDistanceTask task{ context, sources, dgg::Infinity, this->GenerateNearestSource,
+    this->GenerateVirtualSource, {}, {}, {}, {}, this->DeclareArrays() };
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->ShallowCopy(surface);
+  output->ShallowCopy(context.Input);
   this->AddResults(task, output);
 }
 
@@ -336,7 +332,7 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
     data->RemoveArray(this->SourceArrayName.c_str());
     data->RemoveArray(this->VirtualSourceArrayName.c_str());
   }
-  const PointArrayMaker maker{ this->GetMesh(), isReached, output->GetNumberOfPoints() };
+  const PointArrayMaker maker{ task.Context.Surface, isReached, output->GetNumberOfPoints() };
   maker.Add<vtkDoubleArray, double>(
     data, this->DistanceArrayName, { &task.Distances }, this->UnreachedValue);
   // Not SetScalars(), which would remove the scalars of the input.
@@ -344,14 +340,14 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
   std::vector<bool> isPointReached(static_cast<std::size_t>(maker.NumberOfPoints));
   for (std::size_t i = 0; i < isPointReached.size(); ++i)
   {
-    isPointReached[i] = isReached[this->GetMesh().GetVertex(static_cast<vtkIdType>(i))];
+    isPointReached[i] = isReached[maker.Surface.GetVertex(static_cast<vtkIdType>(i))];
   }
   vtkDGGUnreachedArray::AddTo(data, this->DistanceArrayName, this->UnreachedValue, isPointReached);
   if (!task.Windows.IsEmpty())
   {
     vtkDGGWindowArrays::AddTo(output->GetFieldData(),
-      vtkDoubleArray::SafeDownCast(data->GetArray(this->DistanceArrayName.c_str())),
-      this->GetMesh(), task.Windows);
+      vtkDoubleArray::SafeDownCast(data->GetArray(this->DistanceArrayName.c_str())), maker.Surface,
+      task.Windows);
   }
   if (task.WantNearestSource)
   {

@@ -48,7 +48,6 @@
 struct vtkDGGDistanceTask;
 struct vtkDGGPointArray;
 struct vtkDGGSourceSet;
-class vtkDGGSourceCollector;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicDistanceAlgorithm : public vtkGeodesicAlgorithm
 {
@@ -201,9 +200,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
   /**
@@ -236,7 +235,6 @@ private:
   std::string SourceArrayName;
   std::string VirtualSourceArrayName;
   std::string InitialDistanceArrayName;
-  std::unique_ptr<vtkDGGSourceCollector> Collector;
 };
 
 #endif

@@ -5,7 +5,6 @@
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMatrixSearch.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
@@ -101,7 +100,6 @@ void FillTable(vtkDoubleArray* matrix, const Columns& columns, vtkTable* table)
 //------------------------------------------------------------------------------
 struct vtkGeodesicDistanceMatrix::vtkInternals
 {
-  vtkDGGSourceCollector Collector;
   vtkSmartPointer<vtkDoubleArray> Matrix = MakeMatrix(0, 1); // never null
 };
 
@@ -130,7 +128,7 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateTable: " << (this->GenerateTable ? "On" : "Off") << "\n";
   os << indent << "Matrix: " << this->Internals->Matrix->GetNumberOfTuples() << " x "
      << this->Internals->Matrix->GetNumberOfComponents() << "\n";
-  this->GraphUser->PrintSelf(os, indent);
+  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
 }
 
 //------------------------------------------------------------------------------
@@ -240,10 +238,10 @@ dgg::Status vtkGeodesicDistanceMatrix::CheckMemory(
   if (withTable)
   {
     return vtkDGGCheckMemory("a matrix of " + size + " and the table of it", 2.0 * bytes,
-      this->GetMemoryLimit(), "ask for fewer points at a time, turn GenerateTable off");
+      this->MemoryLimit, "ask for fewer points at a time, turn GenerateTable off");
   }
   return vtkDGGCheckMemory(
-    "a matrix of " + size, bytes, this->GetMemoryLimit(), "ask for fewer points at a time");
+    "a matrix of " + size, bytes, this->MemoryLimit, "ask for fewer points at a time");
 }
 
 //------------------------------------------------------------------------------
@@ -261,9 +259,10 @@ bool vtkGeodesicDistanceMatrix::WantsTable(std::size_t columns)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::WarnAboutIsolatedIds(const vtkDGGSourceSet& set)
+void vtkGeodesicDistanceMatrix::WarnAboutIsolatedIds(
+  const vtkDGGContext& context, const vtkDGGSourceSet& set)
 {
-  const std::string warning = vtkDGGSourceCollector::DescribeIsolatedIds(set, this->GetMesh());
+  const std::string warning = vtkDGGSourceCollector::DescribeIsolatedIds(set, context.Surface);
   if (!warning.empty())
   {
     vtkWarningMacro(<< warning << ".");
@@ -283,34 +282,32 @@ std::string vtkGeodesicDistanceMatrix::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicDistanceMatrix::Execute(
-  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkGeodesicDistanceMatrix::Execute(const vtkDGGContext& context,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInternals& internals = *this->Internals;
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
   const vtkDGGSourceSet columnSet = this->GetColumns(inputVector);
   const bool symmetric = IsEmpty(columnSet);
   std::vector<dgg::GeodesicSource> sources;
   std::vector<dgg::GeodesicSource> others;
-  dgg::Status status = internals.Collector.Collect(
-    this->GetRows(inputVector), this->ProjectionTolerance, mesh, surface->GetPoints(), sources);
+  dgg::Status status = vtkDGGSourceCollector::Collect(
+    context, this->GetRows(inputVector), this->ProjectionTolerance, sources);
   if (status.IsOk() && !symmetric)
   {
-    status = internals.Collector.Collect(
-      columnSet, this->ProjectionTolerance, mesh, surface->GetPoints(), others);
+    status = vtkDGGSourceCollector::Collect(context, columnSet, this->ProjectionTolerance, others);
   }
   if (!status.IsOk())
   {
     return status;
   }
-  this->WarnAboutIsolatedIds(this->GetRows(inputVector));
-  this->WarnAboutIsolatedIds(columnSet);
+  this->WarnAboutIsolatedIds(context, this->GetRows(inputVector));
+  this->WarnAboutIsolatedIds(context, columnSet);
 
   const std::vector<dgg::SurfacePoint> rows = vtkDGGGetPlaces(sources);
   const std::vector<dgg::SurfacePoint> columns = symmetric ? rows : vtkDGGGetPlaces(others);
   const bool withTable = this->WantsTable(columns.size());
   status = this->CheckMemory(rows.size(), columns.size(), withTable);
-  if (status.IsOk() && !this->Advance(0.0))
+  if (status.IsOk() && !context.Progress(0.0))
   {
     status = dgg::Status::Abort();
   }
@@ -322,9 +319,7 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   const auto matrix = MakeMatrix(rows.size(), columns.size());
   const Columns table = MakeColumns(withTable ? rows.size() : 0, withTable ? columns.size() : 0);
 
-  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
-  status = this->GraphUser->Update(
-    surface, mesh, [this](double fraction) { return this->Advance(fraction); }, this);
+  status = this->GraphUser->Update(context, this);
   if (!status.IsOk())
   {
     return status;
@@ -332,9 +327,9 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   // Search from the smaller set.
   const bool sourcesAreRows = rows.size() <= columns.size();
   const vtkDGGMatrixEntries entries{ matrix->GetPointer(0), columns.size(), sourcesAreRows };
-  status = vtkDGGMatrixSearch(
-    graph, mesh, sourcesAreRows ? rows : columns, sourcesAreRows ? columns : rows, entries)
-             .Run(symmetric, graph.GetRemainingProgress());
+  status = vtkDGGMatrixSearch(context, *this->GraphUser, sourcesAreRows ? rows : columns,
+    sourcesAreRows ? columns : rows, entries)
+             .Run(symmetric);
   if (!status.IsOk())
   {
     return status;
@@ -350,7 +345,7 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceMatrix::MakeEmptyOutput(
-  vtkPolyData* vtkNotUsed(surface), vtkInformationVector* outputVector)
+  const vtkDGGContext& vtkNotUsed(context), vtkInformationVector* outputVector)
 {
   vtkTable::GetData(outputVector)->Initialize();
 }

@@ -178,9 +178,9 @@ protected:
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
@@ -192,7 +192,7 @@ private:
   vtkDGGSourceSet GetColumns(vtkInformationVector** inputVector) const;
   dgg::Status CheckMemory(std::size_t rows, std::size_t columns, bool withTable) const;
   bool WantsTable(std::size_t columns);
-  void WarnAboutIsolatedIds(const vtkDGGSourceSet& set);
+  void WarnAboutIsolatedIds(const vtkDGGContext& context, const vtkDGGSourceSet& set);
 
   std::vector<vtkIdType> RowIds;
   std::vector<vtkIdType> ColumnIds;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicPatchBoundaries.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGMakeArray.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGNewGeometry.h"
@@ -129,16 +130,9 @@ void FillOutput(const dgg::PatchBoundaries& boundaries, int side, const vtkDGGNe
 }
 
 //------------------------------------------------------------------------------
-struct vtkGeodesicPatchBoundaries::vtkInternals
-{
-  vtkDGGMeshAdapter SecondMesh;
-  vtkDGGSourceCollector Collectors[2];
-};
-
-//------------------------------------------------------------------------------
 vtkGeodesicPatchBoundaries::vtkGeodesicPatchBoundaries()
   : ProjectionTolerance(0.01)
-  , Internals(new vtkInternals)
+  , SecondMesh(new vtkDGGMeshAdapter)
 {
   this->SetNumberOfInputPorts(5);
   this->SetNumberOfOutputPorts(2);
@@ -213,12 +207,12 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckInputs(
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicPatchBoundaries::PrepareSecondMesh(vtkPolyData* surface)
 {
-  vtkDGGMeshAdapter& mesh = this->Internals->SecondMesh;
+  vtkDGGMeshAdapter& mesh = *this->SecondMesh;
   const vtkMTimeType built = mesh.GetBuildTime();
   const dgg::Status status = mesh.Update(surface, this->GetDomain(surface));
   if (built != mesh.GetBuildTime())
   {
-    for (const std::string& warning : mesh.GetWarnings())
+    for (const std::string& warning : mesh.Get().GetWarnings())
     {
       vtkWarningMacro(<< "Second surface: " << warning << ".");
     }
@@ -235,31 +229,33 @@ std::string vtkGeodesicPatchBoundaries::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicPatchBoundaries::Execute(
-  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkGeodesicPatchBoundaries::Execute(const vtkDGGContext& context,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* surfaces[2] = { surface, vtkPolyData::GetData(inputVector[1]) };
-  dgg::Status status = this->PrepareSecondMesh(surfaces[1]);
+  vtkPolyData* secondInput = vtkPolyData::GetData(inputVector[1]);
+  dgg::Status status = this->PrepareSecondMesh(secondInput);
   if (status.IsOk())
   {
     status = vtkDGGSourceCollector::Check(
-      this->GetLandmarks(1, inputVector), surfaces[1]->GetNumberOfPoints());
+      this->GetLandmarks(1, inputVector), secondInput->GetNumberOfPoints());
   }
-  const vtkDGGMeshAdapter* meshes[2] = { &this->GetMesh(), &this->Internals->SecondMesh };
+  const vtkDGGContext contexts[2] = { context,
+    { secondInput, this->SecondMesh->Get(), context.MemoryLimit, context.Progress,
+      context.Parallel } };
   std::vector<dgg::SurfacePoint> landmarks[2];
   for (int side = 0; side < 2 && status.IsOk(); ++side)
   {
     std::vector<dgg::GeodesicSource> sources;
-    status = this->Internals->Collectors[side].Collect(this->GetLandmarks(side, inputVector),
-      this->ProjectionTolerance, *meshes[side], surfaces[side]->GetPoints(), sources);
+    status = vtkDGGSourceCollector::Collect(
+      contexts[side], this->GetLandmarks(side, inputVector), this->ProjectionTolerance, sources);
     landmarks[side] = vtkDGGGetPlaces(sources);
   }
   vtkDGGNewGeometry geometries[2];
   for (int side = 0; side < 2 && status.IsOk(); ++side)
   {
-    status = geometries[side].Take(surfaces[side], *meshes[side], this->GetOutputPointsPrecision());
+    status = geometries[side].Take(contexts[side], this->GetOutputPointsPrecision());
   }
-  if (status.IsOk() && !this->Advance(0.0))
+  if (status.IsOk() && !context.Progress(0.0))
   {
     status = dgg::Status::Abort();
   }
@@ -268,10 +264,9 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
     return status;
   }
   dgg::PatchBoundaries boundaries;
-  status = dgg::TracePatchBoundaries(
-    { meshes[0]->GetMesh(), landmarks[0] }, { meshes[1]->GetMesh(), landmarks[1] },
-    ReadLayout(GetLayout(inputVector)), [this](double fraction) { return this->Advance(fraction); },
-    boundaries);
+  status = dgg::TracePatchBoundaries({ contexts[0].Surface.GetMesh(), landmarks[0] },
+    { contexts[1].Surface.GetMesh(), landmarks[1] }, ReadLayout(GetLayout(inputVector)),
+    context.Progress, boundaries);
   if (!status.IsOk())
   {
     return status;
@@ -286,10 +281,10 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
 //------------------------------------------------------------------------------
 /// The first surface is empty. That counts, whatever the second one is.
 void vtkGeodesicPatchBoundaries::MakeEmptyOutput(
-  vtkPolyData* surface, vtkInformationVector* outputVector)
+  const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
   vtkDGGNewGeometry geometry;
-  geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
+  geometry.Take(context, this->GetOutputPointsPrecision());
   for (int side = 0; side < 2; ++side)
   {
     FillOutput({}, side, geometry, vtkPolyData::GetData(outputVector, side));

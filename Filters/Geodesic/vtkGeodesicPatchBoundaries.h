@@ -90,7 +90,7 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the internals
+#include <memory> // For the second surface
 #include <vector> // For ids
 
 struct vtkDGGSourceSet;
@@ -165,9 +165,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
@@ -180,9 +180,7 @@ private:
   std::vector<vtkIdType> FirstLandmarkIds;
   std::vector<vtkIdType> SecondLandmarkIds;
   double ProjectionTolerance;
-
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
+  std::unique_ptr<vtkDGGMeshAdapter> SecondMesh;
 };
 
 #endif

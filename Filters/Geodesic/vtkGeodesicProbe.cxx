@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicProbe.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGFieldInput.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
@@ -73,7 +73,6 @@ vtkGeodesicProbe::vtkGeodesicProbe()
   , VirtualSourceArrayName("GeodesicVirtualSource")
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , ProjectionTolerance(0.01)
-  , Collector(new vtkDGGSourceCollector)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -122,29 +121,27 @@ dgg::Status vtkGeodesicProbe::CheckInputs(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicProbe::Execute(
-  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkGeodesicProbe::Execute(const vtkDGGContext& context,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
   const vtkDGGSourceSet probes = GetProbes(inputVector);
   std::vector<dgg::GeodesicSource> places;
   vtkDataArray* distances = nullptr;
   vtkDGGFieldInput input;
-  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
   dgg::Status status =
-    this->Collector->Collect(probes, this->ProjectionTolerance, mesh, surface->GetPoints(), places);
+    vtkDGGSourceCollector::Collect(context, probes, this->ProjectionTolerance, places);
   if (status.IsOk())
   {
     status = vtkDGGFieldInput::FindDistances(
-      this->Information, this->DistanceArrayName, surface, distances);
+      this->Information, this->DistanceArrayName, context.Input, distances);
   }
   std::string name;
   if (status.IsOk())
   {
     name = vtkDGGFieldInput::GetName(distances);
     input.SetUnreachedValue(this->UnreachedValue);
-    status = input.Read(surface, distances, this->VirtualSourceArrayName, mesh,
-      dgg::ProgressPart(progress, 0.0, ReadDone));
+    status = input.Read(
+      context, distances, this->VirtualSourceArrayName, dgg::ProgressPart(context.Progress, 0.0, ReadDone));
   }
   if (!status.IsOk())
   {
@@ -157,7 +154,7 @@ dgg::Status vtkGeodesicProbe::Execute(
   const auto found = vtkDGGMakeArray<vtkDoubleArray>(name, places.size());
   double* values = found->GetPointer(0);
   status = vtkDGGForEach((places.size() + BlockSize - 1) / BlockSize, 1,
-    dgg::ProgressPart(progress, ReadDone, 1.0),
+    dgg::ProgressPart(context.Progress, ReadDone, 1.0),
     [&](std::size_t block, const dgg::ProgressCallback&) {
       dgg::FaceProfile profile(input.GetField());
       const std::size_t end = std::min(places.size(), (block + 1) * BlockSize);
@@ -181,7 +178,8 @@ dgg::Status vtkGeodesicProbe::Execute(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicProbe::MakeEmptyOutput(vtkPolyData*, vtkInformationVector* outputVector)
+void vtkGeodesicProbe::MakeEmptyOutput(
+  const vtkDGGContext& vtkNotUsed(context), vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();

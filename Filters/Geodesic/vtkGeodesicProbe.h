@@ -61,8 +61,6 @@
 #include <memory> // For the search for points
 #include <string> // For array names
 
-class vtkDGGSourceCollector;
-
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicProbe : public vtkGeodesicAlgorithm
 {
 public:
@@ -121,9 +119,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
 
 private:
   vtkGeodesicProbe(const vtkGeodesicProbe&) = delete;
@@ -133,7 +131,6 @@ private:
   std::string VirtualSourceArrayName;
   double UnreachedValue;
   double ProjectionTolerance;
-  std::unique_ptr<vtkDGGSourceCollector> Collector;
 };
 
 #endif

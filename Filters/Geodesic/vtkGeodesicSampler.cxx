@@ -4,7 +4,7 @@
 
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
@@ -56,7 +56,6 @@ vtkGeodesicSampler::vtkGeodesicSampler()
   , InFaces(false)
   , ProjectionTolerance(0.01)
   , GraphUser(new vtkDGGGraphUser)
-  , Collector(new vtkDGGSourceCollector)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -73,7 +72,7 @@ void vtkGeodesicSampler::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoveringRadius: " << this->CoveringRadius << "\n";
   os << indent << "InFaces: " << (this->InFaces ? "On" : "Off") << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
-  this->GraphUser->PrintSelf(os, indent);
+  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
 }
 
 //------------------------------------------------------------------------------
@@ -132,9 +131,9 @@ std::string vtkGeodesicSampler::GetMemoryRemedy() const
 
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicSampler::MakeOptions(
-  vtkPolyData* surface, vtkInformationVector** inputVector, dgg::SamplerOptions& options)
+  const vtkDGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = context.Surface;
   options.NumberOfSamples = this->NumberOfSamples;
   options.CoveringRadius = this->CoveringRadius;
   options.InFaces = this->InFaces && !mesh.IsCloud();
@@ -146,7 +145,7 @@ dgg::Status vtkGeodesicSampler::MakeOptions(
   }
   std::vector<dgg::GeodesicSource> points;
   dgg::Status status =
-    this->Collector->Collect(start, this->ProjectionTolerance, mesh, surface->GetPoints(), points);
+    vtkDGGSourceCollector::Collect(context, start, this->ProjectionTolerance, points);
   for (const dgg::GeodesicSource& point : points)
   {
     // Samples of a cloud are points of it.
@@ -176,38 +175,37 @@ void vtkGeodesicSampler::WarnAboutNumber(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicSampler::Execute(
-  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkGeodesicSampler::Execute(const vtkDGGContext& context,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = context.Surface;
   dgg::SamplerOptions options;
-  dgg::Status status = this->MakeOptions(surface, inputVector, options);
+  dgg::Status status = this->MakeOptions(context, inputVector, options);
   vtkDGGNewGeometry geometry;
   if (status.IsOk())
   {
-    status = geometry.Take(surface, mesh, this->GetOutputPointsPrecision());
+    status = geometry.Take(context, this->GetOutputPointsPrecision());
   }
-  if (status.IsOk() && !this->Advance(0.0))
+  if (status.IsOk() && !context.Progress(0.0))
   {
     status = dgg::Status::Abort();
   }
-  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
+  vtkDGGGraphUser& graph = *this->GraphUser;
   if (status.IsOk())
   {
-    status = this->GraphUser->Update(
-      surface, mesh, [this](double fraction) { return this->Advance(fraction); }, this);
+    status = this->GraphUser->Update(context, this);
   }
   const bool needsLinks =
     options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), dgg::IsVertex);
   if (status.IsOk())
   {
-    status = graph.PrepareBuilder(mesh, needsLinks);
+    status = graph.PrepareBuilder(context, needsLinks);
   }
   if (!status.IsOk())
   {
     return status;
   }
-  options.Progress = graph.GetRemainingProgress();
+  options.Progress = graph.GetRemainingProgress(context);
   std::vector<dgg::SurfaceSample> samples;
   status =
     dgg::SampleSurface(graph.GetSearch().GetGraph(), mesh.IsCloud() ? nullptr : &mesh.GetMesh(),
@@ -223,9 +221,10 @@ dgg::Status vtkGeodesicSampler::Execute(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicSampler::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
+void vtkGeodesicSampler::MakeEmptyOutput(
+  const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
   vtkDGGNewGeometry geometry;
-  geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
+  geometry.Take(context, this->GetOutputPointsPrecision());
   FillOutput({}, geometry, vtkPolyData::GetData(outputVector));
 }

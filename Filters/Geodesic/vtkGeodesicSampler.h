@@ -69,7 +69,6 @@
 
 #include <memory> // For the internals
 
-class vtkDGGSourceCollector;
 struct vtkDGGSourceSet;
 namespace dgg
 {
@@ -170,9 +169,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
@@ -182,7 +181,7 @@ private:
 
   vtkDGGSourceSet GetStart(vtkInformationVector** inputVector) const;
   dgg::Status MakeOptions(
-    vtkPolyData* surface, vtkInformationVector** inputVector, dgg::SamplerOptions& options);
+    const vtkDGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options);
   void WarnAboutNumber(
     const dgg::SamplerOptions& options, const dgg::SurfaceSample* last, vtkIdType numberOfSamples);
 
@@ -192,7 +191,6 @@ private:
   bool InFaces;
   double ProjectionTolerance;
   std::unique_ptr<vtkDGGGraphUser> GraphUser;
-  std::unique_ptr<vtkDGGSourceCollector> Collector;
 };
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGNewGeometry.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
@@ -63,7 +63,7 @@ constexpr double MovingShare = 0.9;
 struct VoronoiOutputs
 {
   const vtkDGGVoronoiResult& Result;
-  const vtkDGGMeshAdapter& Mesh;
+  const vtkDGGPreparedMesh& Mesh;
   const vtkDGGNewGeometry& Geometry;
   const std::string& DistanceName;
   double UnreachedValue;
@@ -256,7 +256,6 @@ vtkGeodesicVoronoi::vtkGeodesicVoronoi()
   , SourceArrayName("GeodesicSource")
   , ProjectionTolerance(0.01)
   , GraphUser(new vtkDGGGraphUser)
-  , Collector(new vtkDGGSourceCollector)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(4);
@@ -279,7 +278,7 @@ void vtkGeodesicVoronoi::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
   os << indent << "SourceArrayName: " << this->SourceArrayName << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
-  this->GraphUser->PrintSelf(os, indent);
+  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
 }
 
 //------------------------------------------------------------------------------
@@ -365,11 +364,11 @@ std::string vtkGeodesicVoronoi::GetMemoryRemedy() const
 
 //------------------------------------------------------------------------------
 /// From the sites of the result to the rest of it; the graph is there.
-dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
+dgg::Status vtkGeodesicVoronoi::Compute(const vtkDGGContext& context, vtkDGGVoronoiResult& result)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
-  vtkDGGGraphProvider& graph = this->GraphUser->GetProvider();
-  const dgg::ProgressCallback progress = graph.GetRemainingProgress();
+  const vtkDGGPreparedMesh& mesh = context.Surface;
+  vtkDGGGraphUser& graph = *this->GraphUser;
+  const dgg::ProgressCallback progress = graph.GetRemainingProgress(context);
   double start = 0.0;
   if (result.IsCentroidal)
   {
@@ -377,7 +376,7 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
     std::vector<dgg::SurfacePoint> places = vtkDGGGetPlaces(result.Sites);
     dgg::CentroidalOptions options = result.Moving;
     options.Progress = dgg::ProgressPart(progress, 0.0, MovingShare);
-    dgg::Status status = graph.PrepareBuilder(mesh);
+    dgg::Status status = graph.PrepareBuilder(context);
     if (status.IsOk() && mesh.IsCloud())
     {
       status = dgg::MoveToCloudCenters(
@@ -399,10 +398,10 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
   }
   dgg::VoronoiInput input;
   input.LabelsOnly = result.LabelsOnly;
-  dgg::Status status = graph.MakeSeeds(result.Sites, mesh, input.Seeds);
+  dgg::Status status = graph.MakeSeeds(context, result.Sites, input.Seeds);
   if (status.IsOk() && result.IsRefined)
   {
-    status = graph.PrepareBuilder(mesh);
+    status = graph.PrepareBuilder(context);
     input.Builder = status.IsOk() ? &graph.GetBuilder() : nullptr;
     input.Accuracy = graph.GetLinkAccuracy();
   }
@@ -416,20 +415,20 @@ dgg::Status vtkGeodesicVoronoi::Compute(vtkDGGVoronoiResult& result)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicVoronoi::Execute(
-  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkGeodesicVoronoi::Execute(const vtkDGGContext& context,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = context.Surface;
   const vtkDGGSourceSet set = this->GetSiteSet(inputVector);
   vtkDGGVoronoiResult result;
-  dgg::Status status = this->Collector->Collect(
-    set, this->ProjectionTolerance, mesh, surface->GetPoints(), result.Sites);
+  dgg::Status status =
+    vtkDGGSourceCollector::Collect(context, set, this->ProjectionTolerance, result.Sites);
   if (!status.IsOk())
   {
     return status;
   }
   vtkDGGNewGeometry geometry;
-  status = geometry.Take(surface, mesh, this->GetOutputPointsPrecision());
+  status = geometry.Take(context, this->GetOutputPointsPrecision());
   if (!status.IsOk())
   {
     return status;
@@ -444,29 +443,27 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   {
     vtkWarningMacro(<< warning << ".");
   }
-  status = this->Advance(0.0)
-    ? this->GraphUser->Update(
-        surface, mesh, [this](double fraction) { return this->Advance(fraction); }, this)
-    : dgg::Status::Abort();
+  status = context.Progress(0.0) ? this->GraphUser->Update(context, this) : dgg::Status::Abort();
   if (status.IsOk())
   {
-    status = this->Compute(result);
+    status = this->Compute(context, result);
   }
   if (status.IsOk())
   {
-    this->FillOutputs(result, surface, geometry, outputVector);
+    this->FillOutputs(context, result, geometry, outputVector);
   }
   return status;
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyData* surface,
-  const vtkDGGNewGeometry& geometry, vtkInformationVector* outputVector) const
+void vtkGeodesicVoronoi::FillOutputs(const vtkDGGContext& context,
+  const vtkDGGVoronoiResult& result, const vtkDGGNewGeometry& geometry,
+  vtkInformationVector* outputVector) const
 {
-  const VoronoiOutputs outputs{ result, this->GetMesh(), geometry, this->DistanceArrayName,
+  const VoronoiOutputs outputs{ result, context.Surface, geometry, this->DistanceArrayName,
     this->UnreachedValue };
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  output->ShallowCopy(surface);
+  output->ShallowCopy(context.Input);
   outputs.AddToSurface(this->SourceArrayName, output);
   if (result.LabelsOnly)
   {
@@ -482,9 +479,10 @@ void vtkGeodesicVoronoi::FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyD
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
+void vtkGeodesicVoronoi::MakeEmptyOutput(
+  const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
   vtkDGGNewGeometry geometry;
-  geometry.Take(surface, this->GetMesh(), this->GetOutputPointsPrecision());
-  this->FillOutputs(vtkDGGVoronoiResult(), surface, geometry, outputVector);
+  geometry.Take(context, this->GetOutputPointsPrecision());
+  this->FillOutputs(context, vtkDGGVoronoiResult(), geometry, outputVector);
 }

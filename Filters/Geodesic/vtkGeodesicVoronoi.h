@@ -96,7 +96,6 @@
 #include <vector> // For site ids
 
 class vtkDGGNewGeometry;
-class vtkDGGSourceCollector;
 struct vtkDGGSourceSet;
 struct vtkDGGVoronoiResult;
 
@@ -250,9 +249,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
@@ -261,8 +260,8 @@ private:
   void operator=(const vtkGeodesicVoronoi&) = delete;
 
   vtkDGGSourceSet GetSiteSet(vtkInformationVector** inputVector) const;
-  dgg::Status Compute(vtkDGGVoronoiResult& result);
-  void FillOutputs(const vtkDGGVoronoiResult& result, vtkPolyData* surface,
+  dgg::Status Compute(const vtkDGGContext& context, vtkDGGVoronoiResult& result);
+  void FillOutputs(const vtkDGGContext& context, const vtkDGGVoronoiResult& result,
     const vtkDGGNewGeometry& geometry, vtkInformationVector* outputVector) const;
 
   std::vector<vtkIdType> SiteIds;
@@ -276,7 +275,6 @@ private:
   std::string SourceArrayName;
   double ProjectionTolerance;
   std::unique_ptr<vtkDGGGraphUser> GraphUser;
-  std::unique_ptr<vtkDGGSourceCollector> Collector;
 };
 
 #endif

@@ -34,7 +34,6 @@ vtkHeatGeodesicDistance::vtkHeatGeodesicDistance()
   : TimeStepFactor(1.0)
   , IntrinsicDelaunay(true)
   , Boundary(Neumann)
-  , MemoryLimit(0)
   , QualityWarning(false)
   , NumberOfFactorizations(0)
 {
@@ -108,19 +107,20 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.Boundary = boundaries[this->Boundary];
 
-  if (!this->Prepared || this->Prepared->MeshTime != this->GetMeshBuildTime())
+  if (!this->Prepared || this->Prepared->MeshTime != task.Context.Surface.GetBuildTime())
   {
     this->NumberOfFactorizations = this->GetNumberOfFactorizations();
     this->Prepared.reset(); // before there are two
-    this->Prepared.reset(new Preparation{ this->GetMeshBuildTime(), dgg::HeatMethod(task.Mesh) });
+    this->Prepared.reset(new Preparation{
+      task.Context.Surface.GetBuildTime(), dgg::HeatMethod(task.Context.Surface.GetMesh()) });
     this->QualityWarning = vtkDGGWarnOfLongTriangles(this);
   }
   dgg::HeatMethod& method = this->Prepared->Method;
   bool isTooMuch = false;
-  dgg::Status status =
-    method.Prepare(options, dgg::ProgressPart(task.Progress, 0.0, FactorizedAt), [&](double bytes) {
-      const dgg::Status check = vtkDGGCheckMemory(
-        "the factorizations of the heat method", bytes, this->MemoryLimit, this->GetMemoryRemedy());
+  dgg::Status status = method.Prepare(
+    options, dgg::ProgressPart(task.Context.Progress, 0.0, FactorizedAt), [&](double bytes) {
+      const dgg::Status check = vtkDGGCheckMemory("the factorizations of the heat method", bytes,
+        task.Context.MemoryLimit, this->GetMemoryRemedy());
       isTooMuch = !check.IsOk();
       return check;
     });
@@ -136,7 +136,7 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
   query.MaximumDistance = task.MaximumDistance;
   query.WantNearestSource = task.WantNearestSource;
   query.WantVirtualSource = task.WantVirtualSource;
-  query.Progress = dgg::ProgressPart(task.Progress, FactorizedAt, 1.0);
+  query.Progress = dgg::ProgressPart(task.Context.Progress, FactorizedAt, 1.0);
   dgg::HeatResult result;
   status = method.Run(task.Sources, query, result);
   task.Distances = std::move(result.Distances);

@@ -157,7 +157,6 @@ private:
   double TimeStepFactor;
   bool IntrinsicDelaunay;
   int Boundary;
-  vtkTypeUInt64 MemoryLimit;
   bool QualityWarning;
   int NumberOfFactorizations; // for meshes before the last one
   std::unique_ptr<Preparation> Prepared;

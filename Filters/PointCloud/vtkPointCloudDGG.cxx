@@ -4,9 +4,10 @@
 
 #include "vtkPointCloudDGGInternals.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGGraphArrays.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGProperties.h"
 
 #include "dggCloudGraphBuilder.h"
@@ -54,7 +55,6 @@ vtkPointCloudDGG::vtkPointCloudDGG()
   , OrientedNormals(false)
   , EstimateNormals(false)
   , NumberOfNeighbors(16)
-  , MemoryLimit(0)
   , ComponentArrayName("Component")
   , Internals(new vtkInternals)
 {
@@ -75,21 +75,6 @@ const char* vtkPointCloudDGG::GetSchemeAsString() const
     default:
       return "C";
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkPointCloudDGG::SetComponentArrayName(const char* name)
-{
-  if (vtkDGGChangeName(this->ComponentArrayName, name))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkPointCloudDGG::GetComponentArrayName() const
-{
-  return this->ComponentArrayName.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -166,28 +151,28 @@ std::string vtkPointCloudDGG::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
+dgg::Status vtkPointCloudDGG::Execute(const vtkDGGContext& context,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkInternals& internals = *this->Internals;
-  const NormalsSource source = this->MakeNormalsSource(cloud);
+  const NormalsSource source = this->MakeNormalsSource(context.Input);
   const vtkMTimeType built = this->GetGraphBuildTime();
-  dgg::CloudGraphOptions options = this->MakeOptions(cloud);
+  dgg::CloudGraphOptions options = this->MakeOptions(context.Input);
   Normals normals;
   double done = 0.0;
-  dgg::Status status =
-    this->Advance(0.0) ? this->FindNormals(source, normals, done) : dgg::Status::Abort();
+  dgg::Status status = context.Progress(0.0) ? this->FindNormals(context, source, normals, done)
+                                             : dgg::Status::Abort();
   if (status.IsOk())
   {
     options.Normals = normals ? normals->data() : nullptr;
-    status = this->Build(options, done);
+    status = this->Build(context, options, done);
   }
   if (!status.IsOk())
   {
     return status;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->ShallowCopy(cloud);
+  output->ShallowCopy(context.Input);
   internals.Built.AddTo(output->GetFieldData());
   internals.Current = internals.BuiltFindings;
   const auto n = static_cast<std::size_t>(output->GetNumberOfPoints());
@@ -215,10 +200,11 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
 }
 
 //------------------------------------------------------------------------------
-void vtkPointCloudDGG::MakeEmptyOutput(vtkPolyData* cloud, vtkInformationVector* outputVector)
+void vtkPointCloudDGG::MakeEmptyOutput(
+  const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->ShallowCopy(cloud);
-  vtkDGGGraphArrays::RemoveFrom(output->GetFieldData()); // they are of another cloud
+  output->ShallowCopy(context.Input);
+  vtkDGGGraphArrays::RemoveFrom(output->GetFieldData()); // they are of another surface
   vtkDGGAddArray<vtkIntArray>(output->GetPointData(), this->ComponentArrayName, 0);
 }

@@ -308,8 +308,7 @@ public:
   /**
    * Name of the point array with the connected parts. Default "Component".
    */
-  void SetComponentArrayName(const char* name);
-  const char* GetComponentArrayName() const;
+  vtkDGGStringMacro(ComponentArrayName);
   ///@}
 
   /**
@@ -424,9 +423,9 @@ protected:
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* cloud, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* cloud, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* cloud, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
@@ -445,8 +444,9 @@ private:
   };
   NormalsSource MakeNormalsSource(vtkPolyData* cloud) const;
   dgg::CloudGraphOptions MakeOptions(vtkPolyData* cloud) const;
-  dgg::Status FindNormals(const NormalsSource& source, Normals& normals, double& done);
-  dgg::Status Build(dgg::CloudGraphOptions options, double done);
+  dgg::Status FindNormals(
+    const vtkDGGContext& context, const NormalsSource& source, Normals& normals, double& done);
+  dgg::Status Build(const vtkDGGContext& context, dgg::CloudGraphOptions options, double done);
   dgg::Status Estimate();
   void WarnAboutPoints();
   void WarnAboutVoxels(const dgg::CloudGraphOptions& options);
@@ -461,7 +461,6 @@ private:
   bool OrientedNormals;
   bool EstimateNormals;
   int NumberOfNeighbors;
-  vtkTypeUInt64 MemoryLimit;
   std::string ComponentArrayName;
 
   struct vtkInternals;

@@ -4,11 +4,12 @@
 #include "vtkPointCloudDGGInternals.h"
 
 #include "vtkDGGCloudNormals.h"
+#include "vtkDGGContext.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
-#include "vtkDGGParallel.h"
+#include "vtkDGGPreparedMesh.h"
 
 #include "dggBitHash.h"
+#include "dggProgressPart.h"
 
 #include "vtkDataArray.h"
 #include "vtkPolyData.h"
@@ -75,18 +76,19 @@ dgg::Status vtkPointCloudDGG::Estimate()
   const NormalsSource source = this->MakeNormalsSource(cloud);
   Normals normals;
   double done = 0.0;
-  status = this->Advance(0.0) ? this->FindNormals(source, normals, done) : dgg::Status::Abort();
+  const vtkDGGContext context = this->MakeContext(cloud);
+  status = context.Progress(0.0) ? this->FindNormals(context, source, normals, done)
+                                 : dgg::Status::Abort();
   if (status.IsOk())
   {
-    const vtkDGGMeshAdapter& mesh = this->GetMesh();
+    const vtkDGGPreparedMesh& mesh = context.Surface;
     options.Normals = normals ? normals->data() : nullptr;
-    options.Progress = [this, done](
-                         double fraction) { return this->Advance(done + (1.0 - done) * fraction); };
-    options.Parallel = vtkDGGMakeParallelFor(options.Progress);
+    options.Progress = dgg::ProgressPart(context.Progress, done, 1.0);
+    options.Parallel = context.Parallel;
     status = dgg::CloudGraphBuilder(mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices())
                .Estimate(options, this->Internals->Estimate);
   }
-  return status.IsOk() && !this->Advance(1.0) ? dgg::Status::Abort() : status;
+  return status.IsOk() && !context.Progress(1.0) ? dgg::Status::Abort() : status;
 }
 
 //------------------------------------------------------------------------------
@@ -117,10 +119,10 @@ vtkPointCloudDGG::NormalsSource vtkPointCloudDGG::MakeNormalsSource(vtkPolyData*
 /// The normals to build with, null when the builder is to find them. `done` is the share of the
 /// progress that it took.
 dgg::Status vtkPointCloudDGG::FindNormals(
-  const NormalsSource& source, Normals& normals, double& done)
+  const vtkDGGContext& context, const NormalsSource& source, Normals& normals, double& done)
 {
   vtkInternals& internals = *this->Internals;
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = context.Surface;
   normals.reset();
   done = 0.0;
   const dgg::Id points = mesh.GetMesh().GetNumberOfVertices();
@@ -156,9 +158,8 @@ dgg::Status vtkPointCloudDGG::FindNormals(
       return status;
     }
     auto found = std::make_shared<std::vector<double>>();
-    status = vtkDGGEstimateNormals(
-      mesh.GetPositions(), points, source.NumberOfNeighbors,
-      [this](double fraction) { return this->Advance(NormalsShare * fraction); }, *found);
+    status = vtkDGGEstimateNormals(mesh.GetPositions(), points, source.NumberOfNeighbors,
+      dgg::ProgressPart(context.Progress, 0.0, NormalsShare), *found);
     if (!status.IsOk())
     {
       return status;
@@ -174,10 +175,11 @@ dgg::Status vtkPointCloudDGG::FindNormals(
 
 //------------------------------------------------------------------------------
 /// Build a graph with these options, unless it is the one that is kept.
-dgg::Status vtkPointCloudDGG::Build(dgg::CloudGraphOptions options, double done)
+dgg::Status vtkPointCloudDGG::Build(
+  const vtkDGGContext& context, dgg::CloudGraphOptions options, double done)
 {
   vtkInternals& internals = *this->Internals;
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  const vtkDGGPreparedMesh& mesh = context.Surface;
   const dgg::Id n = mesh.GetMesh().GetNumberOfVertices();
   const dgg::Signature key = MakeKey(options, n);
   const bool isKept = internals.Built.IsValid() && internals.BuiltBy == key &&
@@ -187,9 +189,8 @@ dgg::Status vtkPointCloudDGG::Build(dgg::CloudGraphOptions options, double done)
     return dgg::Status::Success();
   }
   internals.Built.Clear();
-  options.Progress = [this, done](
-                       double fraction) { return this->Advance(done + (1.0 - done) * fraction); };
-  options.Parallel = vtkDGGMakeParallelFor(options.Progress);
+  options.Progress = dgg::ProgressPart(context.Progress, done, 1.0);
+  options.Parallel = context.Parallel;
   dgg::CloudGraph result;
   vtkInternals::Findings findings;
   const dgg::Status status =

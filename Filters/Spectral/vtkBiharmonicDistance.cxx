@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBiharmonicDistance.h"
 
-#include "vtkDGGParallel.h"
+#include "vtkDGGContext.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGSpectralOutputs.h"
 
 #include "dggProgressPart.h"
@@ -156,11 +157,12 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(vtkDGGSpectralTask& task)
     this->Method == Exact ? dgg::SpectralMethod::Exact : dgg::SpectralMethod::Spectrum;
   options.NumberOfEigenvalues = this->NumberOfEigenvalues;
   options.Time = this->DiffusionTime;
-  if (!this->Prepared || this->Prepared->MeshTime != task.MeshTime)
+  if (!this->Prepared || this->Prepared->MeshTime != task.Context.Surface.GetBuildTime())
   {
     this->NumberOfSpectra = this->GetNumberOfSpectra();
     this->Prepared.reset(); // before there are two
-    this->Prepared.reset(new Preparation{ task.MeshTime, dgg::SpectralDistance(task.Solver) });
+    this->Prepared.reset(
+      new Preparation{ task.Context.Surface.GetBuildTime(), dgg::SpectralDistance(task.Solver) });
   }
   dgg::SpectralDistance& distance = this->Prepared->Distance;
   dgg::Status status =
@@ -168,7 +170,7 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(vtkDGGSpectralTask& task)
   status = status.IsOk()
     ? CheckAll(distance, &dgg::SpectralDistance::CheckPlace, task.Targets, "evaluation point ")
     : status;
-  const dgg::ParallelFor parallel = vtkDGGMakeParallelFor(task.Progress);
+  const dgg::ParallelFor& parallel = task.Context.Parallel;
   if (status.IsOk())
   {
     status =

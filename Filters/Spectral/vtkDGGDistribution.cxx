@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGDistribution.h"
 
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 
 #include "dggEarthMovers.h"
 
@@ -98,8 +98,8 @@ dgg::Status vtkDGGDistribution::Read(const vtkDGGMassOrigin& origin, vtkPolyData
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGDistribution::Collect(const vtkDGGMassOrigin& origin, double tolerance,
-  const vtkDGGMeshAdapter& mesh, vtkPolyData* surface, vtkDGGSourceCollector& collector)
+dgg::Status vtkDGGDistribution::Collect(
+  const vtkDGGContext& context, const vtkDGGMassOrigin& origin, double tolerance)
 {
   this->Places.clear();
   if (!HasPoints(origin))
@@ -108,13 +108,13 @@ dgg::Status vtkDGGDistribution::Collect(const vtkDGGMassOrigin& origin, double t
   }
   std::vector<dgg::GeodesicSource> found;
   const dgg::Status status =
-    collector.Collect(GetSet(origin), tolerance, mesh, surface->GetPoints(), found);
+    vtkDGGSourceCollector::Collect(context, GetSet(origin), tolerance, found);
   this->Places = vtkDGGGetPlaces(found);
   return status;
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGDistribution::Integrate(const vtkDGGMeshAdapter& mesh,
+dgg::Status vtkDGGDistribution::Integrate(const vtkDGGPreparedMesh& mesh,
   const std::vector<double>* areas, std::vector<double>& masses) const
 {
   masses.assign(static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices()), 0.0);

@@ -10,7 +10,7 @@
 #include <string> // for names
 #include <vector> // for masses
 
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
 class vtkPolyData;
 
 /// Where a distribution comes from; empty names and null stand for nothing.
@@ -32,12 +32,12 @@ public:
   /// arrays are missing or of another size, when numbers are negative or not finite.
   dgg::Status Read(const vtkDGGMassOrigin& origin, vtkPolyData* surface);
 
-  /// Find the places of the points, if any, on the mesh.
-  dgg::Status Collect(const vtkDGGMassOrigin& origin, double tolerance,
-    const vtkDGGMeshAdapter& mesh, vtkPolyData* surface, vtkDGGSourceCollector& collector);
+  /// Find the places of the points, if any, on the surface.
+  dgg::Status Collect(
+    const vtkDGGContext& context, const vtkDGGMassOrigin& origin, double tolerance);
 
   /// Masses per vertex. `areas`, per vertex, is null when the numbers are masses themselves.
-  dgg::Status Integrate(const vtkDGGMeshAdapter& mesh, const std::vector<double>* areas,
+  dgg::Status Integrate(const vtkDGGPreparedMesh& mesh, const std::vector<double>* areas,
     std::vector<double>& masses) const;
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGGraphicsInput.h"
 
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -395,7 +395,7 @@ void vtkDGGGraphicsInput::ReadRegions(vtkPolyData* surface, const vtkDGGGraphics
 
 //------------------------------------------------------------------------------
 std::vector<dgg::GraphicsRegion> vtkDGGGraphicsInput::MakeRegions(
-  const vtkDGGMeshAdapter& mesh) const
+  const vtkDGGPreparedMesh& mesh) const
 {
   std::vector<dgg::GraphicsRegion> regions;
   for (const std::vector<double>& strength : this->RegionStrengths)
@@ -441,7 +441,7 @@ dgg::Status vtkDGGGraphicsInput::CheckRefinement(
 
 //------------------------------------------------------------------------------
 std::vector<dgg::Id> vtkDGGGraphicsInput::FindRefinedFaces(
-  vtkPolyData* surface, const vtkDGGGraphicsNames& names, const vtkDGGMeshAdapter& mesh)
+  vtkPolyData* surface, const vtkDGGGraphicsNames& names, const vtkDGGPreparedMesh& mesh)
 {
   std::vector<dgg::Id> faces;
   vtkDataArray* array = surface->GetCellData()->GetArray(names.Refinement.c_str());

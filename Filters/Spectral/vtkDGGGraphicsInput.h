@@ -12,7 +12,7 @@
 #include <string> // for names
 #include <vector> // for curves
 
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
 class vtkPolyData;
 
 /// Names of arrays, and what counts where there is none.
@@ -39,13 +39,13 @@ public:
   dgg::Status Read(vtkPolyData* curves, vtkPolyData* surface, const vtkDGGGraphicsNames& names);
 
   /// The cells of regions as faces of the mesh.
-  std::vector<dgg::GraphicsRegion> MakeRegions(const vtkDGGMeshAdapter& mesh) const;
+  std::vector<dgg::GraphicsRegion> MakeRegions(const vtkDGGPreparedMesh& mesh) const;
 
   /// Fails when there is no array that says which cells are refined, or a number of it is not one.
   static dgg::Status CheckRefinement(vtkPolyData* surface, const vtkDGGGraphicsNames& names);
   /// The faces of these cells, after CheckRefinement().
   static std::vector<dgg::Id> FindRefinedFaces(
-    vtkPolyData* surface, const vtkDGGGraphicsNames& names, const vtkDGGMeshAdapter& mesh);
+    vtkPolyData* surface, const vtkDGGGraphicsNames& names, const vtkDGGPreparedMesh& mesh);
 
   int GetNumberOfChannels() const { return this->NumberOfChannels; }
   const std::vector<dgg::GraphicsCurve>& GetCurves() const { return this->Curves; }

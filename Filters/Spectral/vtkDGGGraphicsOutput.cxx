@@ -3,7 +3,7 @@
 #include "vtkDGGGraphicsOutput.h"
 
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGContext.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -40,11 +40,10 @@ void RemoveBrokenArrays(vtkFieldData* data, vtkIdType tuples)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGGraphicsOutput::Take(
-  vtkPolyData* surface, const vtkDGGMeshAdapter& mesh, int precision)
+dgg::Status vtkDGGGraphicsOutput::Take(const vtkDGGContext& context, int precision)
 {
-  this->Surface = surface;
-  return this->Geometry.Take(surface, mesh, precision);
+  this->Surface = context.Input;
+  return this->Geometry.Take(context, precision);
 }
 
 //------------------------------------------------------------------------------

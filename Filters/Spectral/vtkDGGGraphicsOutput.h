@@ -13,8 +13,8 @@
 #include <string> // for the name
 #include <vector> // for values
 
-class vtkDGGMeshAdapter;
 class vtkPolyData;
+struct vtkDGGContext;
 
 /// The outputs of vtkPoissonVectorGraphics.
 class vtkDGGGraphicsOutput
@@ -30,7 +30,7 @@ public:
   static bool IsTaken(const std::string& name);
 
   /// What is kept of a surface, which must live on, as must its mesh.
-  dgg::Status Take(vtkPolyData* surface, const vtkDGGMeshAdapter& mesh, int precision);
+  dgg::Status Take(const vtkDGGContext& context, int precision);
 
   /// About what a point of the output takes, with the two triangles that there are for it. After
   /// Take().

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPoissonKeeper.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 
 //------------------------------------------------------------------------------
 int vtkDGGPoissonKeeper::GetNumberOfFactorizations() const
@@ -14,7 +15,7 @@ int vtkDGGPoissonKeeper::GetNumberOfFactorizations() const
 
 //------------------------------------------------------------------------------
 bool vtkDGGPoissonKeeper::IsPrepared(
-  const vtkDGGMeshAdapter& mesh, const dgg::PoissonOptions& options) const
+  const vtkDGGPreparedMesh& mesh, const dgg::PoissonOptions& options) const
 {
   return this->Solver && this->MeshTime == mesh.GetBuildTime() && this->Solver->IsReady() &&
     this->Solver->GetOptions().Boundary == options.Boundary &&
@@ -23,10 +24,11 @@ bool vtkDGGPoissonKeeper::IsPrepared(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPoissonKeeper::Prepare(const vtkDGGMeshAdapter& mesh,
-  const dgg::PoissonOptions& options, const OtherMemory& others, vtkTypeUInt64 memoryLimit,
-  const std::string& remedy, const dgg::ProgressCallback& progress)
+dgg::Status vtkDGGPoissonKeeper::Prepare(const vtkDGGContext& context,
+  const dgg::PoissonOptions& options, const OtherMemory& others, const std::string& remedy,
+  const dgg::ProgressCallback& progress)
 {
+  const vtkDGGPreparedMesh& mesh = context.Surface;
   if (!this->Solver || this->MeshTime != mesh.GetBuildTime())
   {
     this->EarlierFactorizations = this->GetNumberOfFactorizations();
@@ -36,8 +38,8 @@ dgg::Status vtkDGGPoissonKeeper::Prepare(const vtkDGGMeshAdapter& mesh,
   }
   return this->Solver->Prepare(options, progress, [&](double bytes, double missing) {
     // What is held already is not free any more, so it must not count against what is free.
-    const double own = memoryLimit == 0 ? missing : bytes;
-    return vtkDGGCheckMemory(
-      "the factorization and the results", own + others(*this->Solver), memoryLimit, remedy);
+    const double own = context.MemoryLimit == 0 ? missing : bytes;
+    return vtkDGGCheckMemory("the factorization and the results", own + others(*this->Solver),
+      context.MemoryLimit, remedy);
   });
 }

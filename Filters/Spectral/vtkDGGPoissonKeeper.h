@@ -13,7 +13,8 @@
 #include <memory>     // for the solver
 #include <string>     // for advice
 
-class vtkDGGMeshAdapter;
+class vtkDGGPreparedMesh;
+struct vtkDGGContext;
 
 /// Keeps a dgg::PoissonSolver until the mesh changes, or an option that matters to its matrix.
 class vtkDGGPoissonKeeper
@@ -23,14 +24,13 @@ public:
   using OtherMemory = std::function<double(const dgg::PoissonSolver&)>;
 
   /// Bring the solver up to date. Fails when it and what else is wanted would take more memory than
-  /// the limit that a property MemoryLimit stands for. Must be called in every update, since the
-  /// solver reads the mesh of the adapter.
-  dgg::Status Prepare(const vtkDGGMeshAdapter& mesh, const dgg::PoissonOptions& options,
-    const OtherMemory& others, vtkTypeUInt64 memoryLimit, const std::string& remedy,
-    const dgg::ProgressCallback& progress);
+  /// the limit of the context. Must be called in every update, since the
+  /// solver reads the mesh.
+  dgg::Status Prepare(const vtkDGGContext& context, const dgg::PoissonOptions& options,
+    const OtherMemory& others, const std::string& remedy, const dgg::ProgressCallback& progress);
 
   /// Whether Prepare() would have nothing to factorize.
-  bool IsPrepared(const vtkDGGMeshAdapter& mesh, const dgg::PoissonOptions& options) const;
+  bool IsPrepared(const vtkDGGPreparedMesh& mesh, const dgg::PoissonOptions& options) const;
 
   /// After Prepare().
   const dgg::PoissonSolver& GetSolver() const { return *this->Solver; }

@@ -3,7 +3,7 @@
 #include "vtkDGGSpectralOutputs.h"
 
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 
 #include "dggBuffer.h"
 
@@ -39,7 +39,7 @@ double vtkDGGSpectralOutputs::EstimateMemory(
 }
 
 //------------------------------------------------------------------------------
-vtkDGGSpectralOutputs::vtkDGGSpectralOutputs(const vtkDGGMeshAdapter& mesh,
+vtkDGGSpectralOutputs::vtkDGGSpectralOutputs(const vtkDGGPreparedMesh& mesh,
   std::size_t numberOfPoints, std::size_t numberOfTargets, std::size_t numberOfSources,
   const std::string& name)
   : Mesh(mesh)

@@ -17,8 +17,8 @@
 #include <string>  // for the name
 #include <vector>  // for values
 
-class vtkDGGMeshAdapter;
-class vtkPolyData;
+class vtkDGGPreparedMesh;
+struct vtkDGGContext;
 
 /// The results of a vtkSpectralAlgorithm, for the points of the surface and those of evaluation.
 class vtkDGGSpectralOutputs
@@ -28,7 +28,7 @@ public:
   static double EstimateMemory(
     std::size_t numberOfPoints, std::size_t numberOfTargets, std::size_t numberOfSources);
 
-  vtkDGGSpectralOutputs(const vtkDGGMeshAdapter& mesh, std::size_t numberOfPoints,
+  vtkDGGSpectralOutputs(const vtkDGGPreparedMesh& mesh, std::size_t numberOfPoints,
     std::size_t numberOfTargets, std::size_t numberOfSources, const std::string& name);
   ~vtkDGGSpectralOutputs();
   vtkDGGSpectralOutputs(const vtkDGGSpectralOutputs&) = delete;
@@ -55,7 +55,7 @@ public:
   vtkDoubleArray* GetTargetArray() const { return this->AtTargets; }
 
 private:
-  const vtkDGGMeshAdapter& Mesh;
+  const vtkDGGPreparedMesh& Mesh;
   vtkSmartPointer<vtkDoubleArray> AtPoints;
   vtkSmartPointer<vtkDoubleArray> AtTargets;
   std::vector<vtkSmartPointer<vtkDataArray>> Further[2];
@@ -65,13 +65,12 @@ private:
 /// ready; what a filter adds to inputs and properties of its own, it has checked or checks itself.
 struct vtkDGGSpectralTask
 {
+  const vtkDGGContext& Context;                  ///< with another surface the solver is another
   const dgg::PoissonSolver& Solver;              ///< ready
-  vtkPolyData* Surface;                          ///< the input as it was, not to be changed
-  vtkMTimeType MeshTime;                         ///< another one when the solver is another one
   const std::vector<dgg::SurfacePoint>& Sources; ///< none only where the filter may choose them
   const std::vector<dgg::SurfacePoint>& Targets; ///< may be none
   double FreeMemory;                             ///< bytes of the limit that are left for caches
-  dgg::ProgressCallback Progress;                ///< never empty; false means stop
+  dgg::ProgressCallback Progress;                ///< the part of the context's that is left
   vtkDGGSpectralOutputs& Outputs;                ///< to be set for each source
 };
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDiscreteGreensFunction.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGParallel.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGSpectralOutputs.h"
 
 #include "dggGreensFunction.h"
@@ -294,10 +296,10 @@ dgg::Status vtkDiscreteGreensFunction::ComputeValues(vtkDGGSpectralTask& task)
     this->InterpolateRegularPart && this->Method == SingularitySubtraction;
 
   vtkInternals& internals = *this->Internals;
-  if (!internals.Kept || internals.Kept->MeshTime != task.MeshTime)
+  if (!internals.Kept || internals.Kept->MeshTime != task.Context.Surface.GetBuildTime())
   {
     internals.Kept.reset(); // before there are two
-    internals.Kept = std::make_unique<Functions>(task.Solver, task.MeshTime);
+    internals.Kept = std::make_unique<Functions>(task.Solver, task.Context.Surface.GetBuildTime());
   }
   internals.Used.clear();
   std::vector<UsedMethod> used;

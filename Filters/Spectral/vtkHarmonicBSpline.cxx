@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHarmonicBSpline.h"
 
-#include "vtkDGGMeshAdapter.h"
-#include "vtkDGGParallel.h"
+#include "vtkDGGContext.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSpectralOutputs.h"
 
@@ -109,7 +109,7 @@ dgg::Status ReadArray(vtkPolyData* surface, const std::string& name, std::vector
 
 /// Sources per vertex from numbers per point; none where values are given. `imbalance` is the
 /// largest sum that has to be balanced in a component, relative to the sum of sizes.
-std::vector<double> Integrate(const vtkDGGMeshAdapter& adapter, const dgg::PoissonSolver& solver,
+std::vector<double> Integrate(const vtkDGGPreparedMesh& adapter, const dgg::PoissonSolver& solver,
   const std::vector<double>& numbers, bool isDensity, double& imbalance)
 {
   const std::size_t n = solver.GetAreas().size();
@@ -159,7 +159,7 @@ public:
   dgg::Status FindBasis(const std::vector<dgg::Id>& sites, bool isSmooth,
     const std::string& cellName, const dgg::ProgressCallback& progress)
   {
-    const dgg::ParallelFor parallel = vtkDGGMakeParallelFor(progress);
+    const dgg::ParallelFor& parallel = this->Task.Context.Parallel;
     dgg::Status status =
       this->Splines.Prepare(sites, parallel, dgg::ProgressPart(progress, 0.0, CellsDone));
     if (status.IsOk() && isSmooth)
@@ -192,16 +192,16 @@ public:
 
   /// The solution for the sources of an array.
   dgg::Status FindSolution(const std::string& sourceName, bool isDensity,
-    const std::string& solutionName, const vtkDGGMeshAdapter& adapter, double& imbalance)
+    const std::string& solutionName, double& imbalance)
   {
     std::vector<double> numbers;
     std::vector<double> coefficients;
     std::vector<double> solution;
-    dgg::Status status = ReadArray(this->Task.Surface, sourceName, numbers);
+    dgg::Status status = ReadArray(this->Task.Context.Input, sourceName, numbers);
     if (status.IsOk())
     {
       const std::vector<double> sources =
-        Integrate(adapter, this->Task.Solver, numbers, isDensity, imbalance);
+        Integrate(this->Task.Context.Surface, this->Task.Solver, numbers, isDensity, imbalance);
       status = this->Splines.Solve(sources, {}, coefficients);
     }
     status = status.IsOk() ? this->Splines.Combine(coefficients, {}, solution) : status;
@@ -273,9 +273,6 @@ void vtkHarmonicBSpline::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-vtkDGGDefineNameMacro(vtkHarmonicBSpline, RightHandSideArrayName, RightHandSideArrayName);
-vtkDGGDefineNameMacro(vtkHarmonicBSpline, CellArrayName, CellArrayName);
-vtkDGGDefineNameMacro(vtkHarmonicBSpline, SolutionArrayName, SolutionArrayName);
 
 //------------------------------------------------------------------------------
 const char* vtkHarmonicBSpline::GetRightHandSideMeaningAsString() const
@@ -325,9 +322,10 @@ dgg::Status vtkHarmonicBSpline::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-void vtkHarmonicBSpline::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
+void vtkHarmonicBSpline::MakeEmptyOutput(
+  const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
-  this->Superclass::MakeEmptyOutput(surface, outputVector);
+  this->Superclass::MakeEmptyOutput(context, outputVector);
   for (int port = 0; port < 2; ++port)
   {
     vtkPointData* data = vtkPolyData::GetData(outputVector, port)->GetPointData();
@@ -419,8 +417,8 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(vtkDGGSpectralTask& task)
   double imbalance = 0.0;
   if (status.IsOk() && !this->RightHandSideArrayName.empty())
   {
-    status = run.FindSolution(
-      this->RightHandSideArrayName, isDensity, this->SolutionArrayName, this->GetMesh(), imbalance);
+    status =
+      run.FindSolution(this->RightHandSideArrayName, isDensity, this->SolutionArrayName, imbalance);
   }
   if (status.IsOk() && imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
   {

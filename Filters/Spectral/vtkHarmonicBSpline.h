@@ -107,8 +107,7 @@ public:
    * The point array of the surface with the right-hand side f of -Laplace u = f. Default none; null
    * and "" stand for none.
    */
-  void SetRightHandSideArrayName(const char* name);
-  const char* GetRightHandSideArrayName() const;
+  vtkDGGStringMacro(RightHandSideArrayName);
   ///@}
 
   /**
@@ -137,10 +136,8 @@ public:
    * Names of the point arrays with the site of each point, default "Cell", and with the solution,
    * default "PoissonSolution". They must differ from each other and from ResultArrayName.
    */
-  void SetCellArrayName(const char* name);
-  const char* GetCellArrayName() const;
-  void SetSolutionArrayName(const char* name);
-  const char* GetSolutionArrayName() const;
+  vtkDGGStringMacro(CellArrayName);
+  vtkDGGStringMacro(SolutionArrayName);
   ///@}
 
   ///@{
@@ -171,7 +168,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
   bool CanChooseSources() const override { return true; }
   std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const override;

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPoissonVectorGraphics.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGGraphicsInput.h"
 #include "vtkDGGGraphicsOutput.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
 
@@ -91,8 +92,6 @@ double EstimateMesh(const dgg::SurfaceMesh& mesh, const Drawing& drawing)
 //------------------------------------------------------------------------------
 struct vtkPoissonVectorGraphics::vtkInternals
 {
-  vtkDGGSourceCollector Collector;
-  vtkDGGGraphicsNames Names;
   dgg::VectorGraphics Graphics;
   Drawing Kept; // what Graphics is prepared for
   bool IsKept = false;
@@ -101,24 +100,25 @@ struct vtkPoissonVectorGraphics::vtkInternals
 
   /// Draw the curves, refine and cut the surface, factorize the matrix. Memory is checked before it
   /// is taken; `remedy` is what to do besides raising MemoryLimit. Nothing is kept when it fails.
-  dgg::Status Prepare(const dgg::SurfaceMesh& mesh, const Drawing& drawing,
-    const dgg::GraphicsOptions& options, vtkTypeUInt64 memoryLimit, const std::string& remedy,
+  dgg::Status Prepare(const vtkDGGContext& context, const Drawing& drawing,
+    const dgg::GraphicsOptions& options, const std::string& remedy,
     const dgg::ProgressCallback& progress);
 
 private:
-  dgg::Status Draw(const dgg::SurfaceMesh& mesh, const Drawing& drawing,
-    const dgg::GraphicsOptions& options, vtkTypeUInt64 memoryLimit, const std::string& remedy,
+  dgg::Status Draw(const vtkDGGContext& context, const Drawing& drawing,
+    const dgg::GraphicsOptions& options, const std::string& remedy,
     const dgg::ProgressCallback& progress);
 };
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const dgg::SurfaceMesh& mesh,
-  const Drawing& drawing, const dgg::GraphicsOptions& options, vtkTypeUInt64 memoryLimit,
-  const std::string& remedy, const dgg::ProgressCallback& progress)
+dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const vtkDGGContext& context,
+  const Drawing& drawing, const dgg::GraphicsOptions& options, const std::string& remedy,
+  const dgg::ProgressCallback& progress)
 {
+  const dgg::SurfaceMesh& mesh = context.Surface.GetMesh();
   const std::size_t count = drawing.Curves.size();
   dgg::Status status =
-    vtkDGGCheckMemory("the refined mesh", EstimateMesh(mesh, drawing), memoryLimit, remedy);
+    vtkDGGCheckMemory("the refined mesh", EstimateMesh(mesh, drawing), context.MemoryLimit, remedy);
   std::vector<dgg::SurfaceCurve> joined(count);
   for (std::size_t k = 0; k < count && status.IsOk(); ++k)
   {
@@ -139,9 +139,10 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const dgg::SurfaceMesh&
     return status;
   }
   dgg::GraphicsRefinement refinement = drawing.Refinement;
-  refinement.MostFaces = static_cast<dgg::Offset>(std::min(
-    static_cast<double>(vtkDGGGetMemoryLimit(memoryLimit)) / dgg::VectorGraphics::BytesPerFace,
-    static_cast<double>(refinement.MostFaces)));
+  refinement.MostFaces = static_cast<dgg::Offset>(
+    std::min(static_cast<double>(vtkDGGGetMemoryLimit(context.MemoryLimit)) /
+        dgg::VectorGraphics::BytesPerFace,
+      static_cast<double>(refinement.MostFaces)));
   refinement.Progress = dgg::ProgressPart(progress, EmbeddedAt, RefinedAt);
   status = dgg::RefineForGraphics(mesh, refinement, refined, &this->RefinedFaces);
   if (!status.IsOk())
@@ -161,15 +162,15 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const dgg::SurfaceMesh&
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPoissonVectorGraphics::vtkInternals::Prepare(const dgg::SurfaceMesh& mesh,
-  const Drawing& drawing, const dgg::GraphicsOptions& options, vtkTypeUInt64 memoryLimit,
-  const std::string& remedy, const dgg::ProgressCallback& progress)
+dgg::Status vtkPoissonVectorGraphics::vtkInternals::Prepare(const vtkDGGContext& context,
+  const Drawing& drawing, const dgg::GraphicsOptions& options, const std::string& remedy,
+  const dgg::ProgressCallback& progress)
 {
   this->IsKept = false;
   this->Graphics.Clear();
   this->RefinedFaces = std::vector<dgg::Id>();
   this->Kept = Drawing();
-  const dgg::Status status = this->Draw(mesh, drawing, options, memoryLimit, remedy, progress);
+  const dgg::Status status = this->Draw(context, drawing, options, remedy, progress);
   if (!status.IsOk())
   {
     this->Graphics.Clear();
@@ -188,13 +189,20 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Prepare(const dgg::SurfaceMe
 
 //------------------------------------------------------------------------------
 vtkPoissonVectorGraphics::vtkPoissonVectorGraphics()
-  : Width(0.0)
+  : CurveTypeArrayName("CurveType")
+  , LeftColorArrayName("LeftColor")
+  , RightColorArrayName("RightColor")
+  , StrengthArrayName("Strength")
+  , RightStrengthArrayName("RightStrength")
+  , WidthArrayName("Width")
+  , RegionStrengthArrayName("RegionStrength")
+  , RefinementArrayName("Refine")
+  , Width(0.0)
   , BackgroundColor{ 0.0, 0.0, 0.0 }
   , RefinementLevel(1)
   , RefinementRegion(Everywhere)
   , ProjectionTolerance(0.01)
   , IntrinsicDelaunay(true)
-  , MemoryLimit(0)
   , GenerateFragments(false)
   , FragmentDivision(1)
   , ResultArrayName("Colors")
@@ -202,15 +210,6 @@ vtkPoissonVectorGraphics::vtkPoissonVectorGraphics()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
-  vtkDGGGraphicsNames& names = this->Internals->Names;
-  names.CurveType = "CurveType";
-  names.LeftColor = "LeftColor";
-  names.RightColor = "RightColor";
-  names.Strength = "Strength";
-  names.RightStrength = "RightStrength";
-  names.Width = "Width";
-  names.RegionStrength = "RegionStrength";
-  names.Refinement = "Refine";
 }
 
 //------------------------------------------------------------------------------
@@ -220,21 +219,20 @@ vtkPoissonVectorGraphics::~vtkPoissonVectorGraphics() = default;
 void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const vtkDGGGraphicsNames& names = this->Internals->Names;
-  os << indent << "CurveTypeArrayName: " << names.CurveType << "\n";
-  os << indent << "LeftColorArrayName: " << names.LeftColor << "\n";
-  os << indent << "RightColorArrayName: " << names.RightColor << "\n";
-  os << indent << "StrengthArrayName: " << names.Strength << "\n";
-  os << indent << "RightStrengthArrayName: " << names.RightStrength << "\n";
-  os << indent << "WidthArrayName: " << names.Width << "\n";
-  os << indent << "RegionArrayName: " << names.Region << "\n";
-  os << indent << "RegionStrengthArrayName: " << names.RegionStrength << "\n";
+  os << indent << "CurveTypeArrayName: " << this->CurveTypeArrayName << "\n";
+  os << indent << "LeftColorArrayName: " << this->LeftColorArrayName << "\n";
+  os << indent << "RightColorArrayName: " << this->RightColorArrayName << "\n";
+  os << indent << "StrengthArrayName: " << this->StrengthArrayName << "\n";
+  os << indent << "RightStrengthArrayName: " << this->RightStrengthArrayName << "\n";
+  os << indent << "WidthArrayName: " << this->WidthArrayName << "\n";
+  os << indent << "RegionArrayName: " << this->RegionArrayName << "\n";
+  os << indent << "RegionStrengthArrayName: " << this->RegionStrengthArrayName << "\n";
   os << indent << "Width: " << this->Width << "\n";
   os << indent << "BackgroundColor: " << this->BackgroundColor[0] << " " << this->BackgroundColor[1]
      << " " << this->BackgroundColor[2] << "\n";
   os << indent << "RefinementLevel: " << this->RefinementLevel << "\n";
   os << indent << "RefinementRegion: " << this->GetRefinementRegionAsString() << "\n";
-  os << indent << "RefinementArrayName: " << names.Refinement << "\n";
+  os << indent << "RefinementArrayName: " << this->RefinementArrayName << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
   os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
@@ -249,18 +247,12 @@ void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
 vtkDGGDefineInputMacro(vtkPoissonVectorGraphics, Curve, 1);
 
 //------------------------------------------------------------------------------
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, CurveTypeArrayName, Internals->Names.CurveType);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, LeftColorArrayName, Internals->Names.LeftColor);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, RightColorArrayName, Internals->Names.RightColor);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, StrengthArrayName, Internals->Names.Strength);
-vtkDGGDefineNameMacro(
-  vtkPoissonVectorGraphics, RightStrengthArrayName, Internals->Names.RightStrength);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, WidthArrayName, Internals->Names.Width);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, RegionArrayName, Internals->Names.Region);
-vtkDGGDefineNameMacro(
-  vtkPoissonVectorGraphics, RegionStrengthArrayName, Internals->Names.RegionStrength);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, RefinementArrayName, Internals->Names.Refinement);
-vtkDGGDefineNameMacro(vtkPoissonVectorGraphics, ResultArrayName, ResultArrayName);
+vtkDGGGraphicsNames vtkPoissonVectorGraphics::GetNames() const
+{
+  return { this->CurveTypeArrayName, this->LeftColorArrayName, this->RightColorArrayName,
+    this->StrengthArrayName, this->RightStrengthArrayName, this->WidthArrayName,
+    this->RegionArrayName, this->RegionStrengthArrayName, this->RefinementArrayName };
+}
 
 //------------------------------------------------------------------------------
 const char* vtkPoissonVectorGraphics::GetRefinementRegionAsString() const
@@ -308,7 +300,7 @@ dgg::Status vtkPoissonVectorGraphics::CheckProperties() const
 dgg::Status vtkPoissonVectorGraphics::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
-  vtkDGGGraphicsNames names = this->Internals->Names;
+  vtkDGGGraphicsNames names = this->GetNames();
   names.DefaultWidth = 1.0; // found when the mesh is
   vtkDGGGraphicsInput input;
   const dgg::Status status = input.Read(vtkPolyData::GetData(inputVector[1]), surface, names);
@@ -329,20 +321,20 @@ std::string vtkPoissonVectorGraphics::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPoissonVectorGraphics::Execute(
-  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkPoissonVectorGraphics::Execute(const vtkDGGContext& context,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& adapter = this->GetMesh();
+  const vtkDGGPreparedMesh& adapter = context.Surface;
   vtkInternals& internals = *this->Internals;
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
-  vtkDGGGraphicsNames names = internals.Names;
+  vtkDGGGraphicsNames names = this->GetNames();
   double bounds[6];
-  surface->GetPoints()->GetBounds(bounds);
+  context.Input->GetPoints()->GetBounds(bounds);
   const double diagonal =
     std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
   names.DefaultWidth = this->Width > 0.0 ? this->Width : UsualWidth * diagonal;
   vtkDGGGraphicsInput input;
-  dgg::Status status = input.Read(lines, surface, names);
+  dgg::Status status = input.Read(lines, context.Input, names);
   const std::vector<dgg::GraphicsCurve>& curves = input.GetCurves();
   Drawing drawing;
   drawing.MeshTime = adapter.GetBuildTime();
@@ -353,12 +345,11 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   {
     vtkDGGSourceSet set{ none, lines, 1, "curve point", "call SetCurveData()", "" };
     set.PointIds = &input.GetPointIds()[k];
-    status = vtkDGGSourceCollector::Check(set, surface->GetNumberOfPoints());
+    status = vtkDGGSourceCollector::Check(set, context.Input->GetNumberOfPoints());
     std::vector<dgg::GeodesicSource> found;
     if (status.IsOk())
     {
-      status = internals.Collector.Collect(
-        set, this->ProjectionTolerance, adapter, surface->GetPoints(), found);
+      status = vtkDGGSourceCollector::Collect(context, set, this->ProjectionTolerance, found);
     }
     drawing.Places[k] = vtkDGGGetPlaces(found);
   }
@@ -368,14 +359,14 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   }
 
   vtkDGGGraphicsOutput output(this->ResultArrayName);
-  status = output.Take(surface, adapter, this->GetOutputPointsPrecision());
+  status = output.Take(context, this->GetOutputPointsPrecision());
   const dgg::RefinedPart parts[] = { dgg::RefinedPart::Everything, dgg::RefinedPart::AroundCurves,
     dgg::RefinedPart::Faces };
   drawing.Refinement.Levels = this->RefinementLevel;
   drawing.Refinement.Part = parts[this->RefinementRegion];
   if (this->RefinementRegion == Cells)
   {
-    drawing.Refinement.Faces = vtkDGGGraphicsInput::FindRefinedFaces(surface, names, adapter);
+    drawing.Refinement.Faces = vtkDGGGraphicsInput::FindRefinedFaces(context.Input, names, adapter);
   }
   drawing.IntrinsicDelaunay = this->IntrinsicDelaunay;
   dgg::GraphicsOptions options;
@@ -391,14 +382,13 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.CheckMemory = [&](double bytes, double missing) {
     const double points = static_cast<double>(internals.Graphics.GetSurface().Points.size());
-    const double own = this->MemoryLimit == 0 ? missing : bytes;
+    const double own = context.MemoryLimit == 0 ? missing : bytes;
     return vtkDGGCheckMemory("the factorization and the colours",
-      own + points * output.GetBytesPerPoint(options.NumberOfChannels), this->MemoryLimit,
+      own + points * output.GetBytesPerPoint(options.NumberOfChannels), context.MemoryLimit,
       this->GetMemoryRemedy());
   };
   const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(adapter);
-  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
-  if (status.IsOk() && !progress(0.0))
+  if (status.IsOk() && !context.Progress(0.0))
   {
     status = dgg::Status::Abort();
   }
@@ -406,13 +396,13 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   const double preparedAt = isKept ? FoundAt : FactorizedAt;
   if (status.IsOk() && !isKept)
   {
-    status = internals.Prepare(adapter.GetMesh(), drawing, options, this->MemoryLimit,
-      this->GetMemoryRemedy(), dgg::ProgressPart(progress, 0.0, preparedAt));
+    status = internals.Prepare(context, drawing, options, this->GetMemoryRemedy(),
+      dgg::ProgressPart(context.Progress, 0.0, preparedAt));
   }
   dgg::GraphicsResult result;
   if (status.IsOk())
   {
-    options.Progress = dgg::ProgressPart(progress, preparedAt, 1.0);
+    options.Progress = dgg::ProgressPart(context.Progress, preparedAt, 1.0);
     status = internals.Graphics.Run(curves, regions, options, result);
   }
   const dgg::CutSurface& cut = internals.Graphics.GetSurface();
@@ -423,7 +413,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
     const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
     const double count = static_cast<double>(internals.RefinedFaces.size()) *
       std::pow(static_cast<double>(this->FragmentDivision), 2);
-    status = vtkDGGCheckMemory("fragments", count * bytes, this->MemoryLimit,
+    status = vtkDGGCheckMemory("fragments", count * bytes, context.MemoryLimit,
       "use a smaller FragmentDivision, or refine NearCurves only");
   }
   if (status.IsOk())
@@ -441,10 +431,10 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
 
 //------------------------------------------------------------------------------
 void vtkPoissonVectorGraphics::MakeEmptyOutput(
-  vtkPolyData* surface, vtkInformationVector* outputVector)
+  const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->ShallowCopy(surface);
+  output->ShallowCopy(context.Input);
   const vtkDGGGraphicsOutput arrays(this->ResultArrayName);
   arrays.AddColors({}, 3, output);
   arrays.AddNetSources({}, 3, output);

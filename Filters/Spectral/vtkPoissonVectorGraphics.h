@@ -127,6 +127,8 @@
 #include <memory> // For the internals
 #include <string> // For array names
 
+struct vtkDGGGraphicsNames;
+
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkPoissonVectorGraphics : public vtkGeodesicAlgorithm
 {
 public:
@@ -158,18 +160,12 @@ public:
    * Names of arrays of port 1. Defaults `CurveType`, `LeftColor`, `RightColor`, `Strength`,
    * `RightStrength`, `Width`.
    */
-  void SetCurveTypeArrayName(const char* name);
-  const char* GetCurveTypeArrayName() const;
-  void SetLeftColorArrayName(const char* name);
-  const char* GetLeftColorArrayName() const;
-  void SetRightColorArrayName(const char* name);
-  const char* GetRightColorArrayName() const;
-  void SetStrengthArrayName(const char* name);
-  const char* GetStrengthArrayName() const;
-  void SetRightStrengthArrayName(const char* name);
-  const char* GetRightStrengthArrayName() const;
-  void SetWidthArrayName(const char* name);
-  const char* GetWidthArrayName() const;
+  vtkDGGStringMacro(CurveTypeArrayName);
+  vtkDGGStringMacro(LeftColorArrayName);
+  vtkDGGStringMacro(RightColorArrayName);
+  vtkDGGStringMacro(StrengthArrayName);
+  vtkDGGStringMacro(RightStrengthArrayName);
+  vtkDGGStringMacro(WidthArrayName);
   ///@}
 
   ///@{
@@ -178,10 +174,8 @@ public:
    * and
    * "" for no regions, which is the default, and `RegionStrength`.
    */
-  void SetRegionArrayName(const char* name);
-  const char* GetRegionArrayName() const;
-  void SetRegionStrengthArrayName(const char* name);
-  const char* GetRegionStrengthArrayName() const;
+  vtkDGGStringMacro(RegionArrayName);
+  vtkDGGStringMacro(RegionStrengthArrayName);
   ///@}
 
   ///@{
@@ -232,8 +226,7 @@ public:
    * The cell array of the surface with one number per cell that is not 0 where triangles are
    * refined, for the RefinementRegion Cells. Default `Refine`.
    */
-  void SetRefinementArrayName(const char* name);
-  const char* GetRefinementArrayName() const;
+  vtkDGGStringMacro(RefinementArrayName);
   ///@}
 
   ///@{
@@ -301,8 +294,7 @@ public:
   /**
    * The name of the point array with the result. Default `Colors`. Null and "" are an error.
    */
-  void SetResultArrayName(const char* name);
-  const char* GetResultArrayName() const;
+  vtkDGGStringMacro(ResultArrayName);
   ///@}
 
   /**
@@ -323,9 +315,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
@@ -334,13 +326,23 @@ private:
 
   struct vtkInternals;
 
+  vtkDGGGraphicsNames GetNames() const;
+
+  std::string CurveTypeArrayName;
+  std::string LeftColorArrayName;
+  std::string RightColorArrayName;
+  std::string StrengthArrayName;
+  std::string RightStrengthArrayName;
+  std::string WidthArrayName;
+  std::string RegionArrayName;
+  std::string RegionStrengthArrayName;
+  std::string RefinementArrayName;
   double Width;
   double BackgroundColor[3];
   int RefinementLevel;
   int RefinementRegion;
   double ProjectionTolerance;
   bool IntrinsicDelaunay;
-  vtkTypeUInt64 MemoryLimit;
   bool GenerateFragments;
   int FragmentDivision;
   std::string ResultArrayName;

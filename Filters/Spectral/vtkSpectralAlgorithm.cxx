@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpectralAlgorithm.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGPoissonKeeper.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSourceCollector.h"
@@ -49,20 +50,12 @@ void AddResult(vtkPolyData* output, vtkPolyData* points, vtkDoubleArray* array,
 }
 
 //------------------------------------------------------------------------------
-struct vtkSpectralAlgorithm::vtkInternals
-{
-  vtkDGGSourceCollector Collector;
-  vtkDGGPoissonKeeper Keeper;
-};
-
-//------------------------------------------------------------------------------
 vtkSpectralAlgorithm::vtkSpectralAlgorithm(const std::string& resultArrayName)
   : ProjectionTolerance(0.01)
   , Boundary(Neumann)
   , IntrinsicDelaunay(false)
-  , MemoryLimit(0)
   , ResultArrayName(resultArrayName)
-  , Internals(new vtkInternals)
+  , Keeper(new vtkDGGPoissonKeeper)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
@@ -109,18 +102,17 @@ const char* vtkSpectralAlgorithm::GetBoundaryAsString() const
 }
 
 //------------------------------------------------------------------------------
-vtkDGGDefineNameMacro(vtkSpectralAlgorithm, ResultArrayName, ResultArrayName);
 
 //------------------------------------------------------------------------------
 int vtkSpectralAlgorithm::GetNumberOfFactorizations() const
 {
-  return this->Internals->Keeper.GetNumberOfFactorizations();
+  return this->Keeper->GetNumberOfFactorizations();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkSpectralAlgorithm::GetMemorySize() const
 {
-  return this->Internals->Keeper.GetMemorySize();
+  return this->Keeper->GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -200,11 +192,11 @@ vtkDGGSourceSet vtkSpectralAlgorithm::GetTargets(vtkInformationVector** inputVec
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkSpectralAlgorithm::Execute(
-  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkSpectralAlgorithm::Execute(const vtkDGGContext& context,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
-  vtkDGGPoissonKeeper& keeper = this->Internals->Keeper;
+  const vtkDGGPreparedMesh& mesh = context.Surface;
+  vtkDGGPoissonKeeper& keeper = *this->Keeper;
   const vtkDGGSourceSet targetSet = GetTargets(inputVector);
   const vtkDGGSourceSet sourceSet = this->GetSources(inputVector);
   const bool hasTargets = !IsEmpty(targetSet);
@@ -212,13 +204,13 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   dgg::Status status;
   if (!this->CanChooseSources() || !IsEmpty(sourceSet))
   {
-    status = this->Internals->Collector.Collect(
-      sourceSet, this->ProjectionTolerance, mesh, surface->GetPoints(), found[0]);
+    status =
+      vtkDGGSourceCollector::Collect(context, sourceSet, this->ProjectionTolerance, found[0]);
   }
   if (status.IsOk() && hasTargets)
   {
-    status = this->Internals->Collector.Collect(
-      targetSet, this->ProjectionTolerance, mesh, surface->GetPoints(), found[1]);
+    status =
+      vtkDGGSourceCollector::Collect(context, targetSet, this->ProjectionTolerance, found[1]);
   }
   if (!status.IsOk())
   {
@@ -227,7 +219,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   std::vector<dgg::SurfacePoint> sources = vtkDGGGetPlaces(found[0]);
   const std::vector<dgg::SurfacePoint> targets = vtkDGGGetPlaces(found[1]);
 
-  const auto numberOfPoints = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  const auto numberOfPoints = static_cast<std::size_t>(context.Input->GetNumberOfPoints());
   const dgg::PoissonOptions options = this->GetPoissonOptions();
   double needed = 0.0;
   const auto others = [&](const dgg::PoissonSolver& solver) {
@@ -236,35 +228,34 @@ dgg::Status vtkSpectralAlgorithm::Execute(
       this->EstimateWorkingMemory(solver, count, targets.size());
     return needed;
   };
-  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
   const double prepared = keeper.IsPrepared(mesh, options) ? FoundAt : FactorizedAt;
   const double chosen =
     prepared + (this->CanChooseSources() ? ChoosingPart * (1.0 - prepared) : 0.0);
-  status = this->Advance(0.0)
-    ? keeper.Prepare(mesh, options, others, this->MemoryLimit, this->GetMemoryRemedy(),
-        dgg::ProgressPart(progress, 0.0, prepared))
-    : dgg::Status::Abort();
+  status = context.Progress(0.0) ? keeper.Prepare(context, options, others, this->GetMemoryRemedy(),
+                                     dgg::ProgressPart(context.Progress, 0.0, prepared))
+                                 : dgg::Status::Abort();
   if (status.IsOk())
   {
     status = this->ChooseSources(
-      keeper.GetSolver(), dgg::ProgressPart(progress, prepared, chosen), sources);
+      keeper.GetSolver(), dgg::ProgressPart(context.Progress, prepared, chosen), sources);
   }
   if (!status.IsOk())
   {
     return status;
   }
-  const double held = this->MemoryLimit == 0 ? 0.0 : keeper.GetSolver().GetEstimatedMemory();
-  const double left = static_cast<double>(vtkDGGGetMemoryLimit(this->MemoryLimit)) - held - needed;
+  const double held = context.MemoryLimit == 0 ? 0.0 : keeper.GetSolver().GetEstimatedMemory();
+  const double left =
+    static_cast<double>(vtkDGGGetMemoryLimit(context.MemoryLimit)) - held - needed;
   vtkDGGSpectralOutputs outputs(
     mesh, numberOfPoints, targets.size(), sources.size(), this->ResultArrayName);
-  vtkDGGSpectralTask task{ keeper.GetSolver(), surface, mesh.GetBuildTime(), sources, targets,
-    std::max(0.0, left), dgg::ProgressPart(progress, chosen, 1.0), outputs };
+  vtkDGGSpectralTask task{ context, keeper.GetSolver(), sources, targets, std::max(0.0, left),
+    dgg::ProgressPart(context.Progress, chosen, 1.0), outputs };
   status = this->ComputeValues(task);
   if (!status.IsOk())
   {
     return status;
   }
-  AddResult(vtkPolyData::GetData(outputVector, 0), surface, outputs.GetPointArray(),
+  AddResult(vtkPolyData::GetData(outputVector, 0), context.Input, outputs.GetPointArray(),
     outputs.GetFurtherArrays(0));
   vtkNew<vtkPolyData> none;
   AddResult(vtkPolyData::GetData(outputVector, 1), targetSet.Points ? targetSet.Points : none,
@@ -273,10 +264,11 @@ dgg::Status vtkSpectralAlgorithm::Execute(
 }
 
 //------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector)
+void vtkSpectralAlgorithm::MakeEmptyOutput(
+  const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
-  const vtkDGGSpectralOutputs outputs(this->GetMesh(), 0, 0, 0, this->ResultArrayName);
-  AddResult(vtkPolyData::GetData(outputVector, 0), surface, outputs.GetPointArray(),
+  const vtkDGGSpectralOutputs outputs(context.Surface, 0, 0, 0, this->ResultArrayName);
+  AddResult(vtkPolyData::GetData(outputVector, 0), context.Input, outputs.GetPointArray(),
     outputs.GetFurtherArrays(0));
   vtkNew<vtkPolyData> none;
   AddResult(vtkPolyData::GetData(outputVector, 1), none, outputs.GetTargetArray(),

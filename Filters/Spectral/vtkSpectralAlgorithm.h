@@ -59,6 +59,7 @@ struct PoissonOptions;
 class PoissonSolver;
 struct SurfacePoint;
 }
+class vtkDGGPoissonKeeper;
 struct vtkDGGSourceSet;
 struct vtkDGGSpectralTask;
 
@@ -165,8 +166,7 @@ public:
    * Name of the point array with the results. An array of this name in the input is replaced in the
    * output.
    */
-  void SetResultArrayName(const char* name);
-  const char* GetResultArrayName() const;
+  vtkDGGStringMacro(ResultArrayName);
   ///@}
 
   /**
@@ -190,9 +190,9 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
   /**
@@ -229,8 +229,6 @@ private:
   vtkSpectralAlgorithm(const vtkSpectralAlgorithm&) = delete;
   void operator=(const vtkSpectralAlgorithm&) = delete;
 
-  struct vtkInternals;
-
   vtkDGGSourceSet GetSources(vtkInformationVector** inputVector) const;
   static vtkDGGSourceSet GetTargets(vtkInformationVector** inputVector);
 
@@ -238,9 +236,8 @@ private:
   double ProjectionTolerance;
   int Boundary;
   bool IntrinsicDelaunay;
-  vtkTypeUInt64 MemoryLimit;
   std::string ResultArrayName;
-  std::unique_ptr<vtkInternals> Internals;
+  std::unique_ptr<vtkDGGPoissonKeeper> Keeper;
 };
 
 #endif

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceEarthMoversDistance.h"
 
+#include "vtkDGGContext.h"
 #include "vtkDGGDistribution.h"
 #include "vtkDGGMakeArray.h"
 #include "vtkDGGMemory.h"
-#include "vtkDGGMeshAdapter.h"
+#include "vtkDGGPreparedMesh.h"
 #include "vtkDGGPoissonKeeper.h"
 #include "vtkDGGProperties.h"
 
@@ -67,7 +68,7 @@ std::array<double, 3> InSpace(
 }
 
 /// Per cell, the mean of its triangles.
-vtkSmartPointer<vtkDoubleArray> MakeFlow(const vtkDGGMeshAdapter& adapter, vtkPolyData* surface,
+vtkSmartPointer<vtkDoubleArray> MakeFlow(const vtkDGGPreparedMesh& adapter, vtkPolyData* surface,
   const std::vector<dgg::Point2>& flow, double total)
 {
   const auto n = static_cast<std::size_t>(surface->GetNumberOfCells());
@@ -101,7 +102,7 @@ vtkSmartPointer<vtkDoubleArray> MakeFlow(const vtkDGGMeshAdapter& adapter, vtkPo
 }
 
 vtkSmartPointer<vtkDoubleArray> MakePotential(
-  const vtkDGGMeshAdapter& adapter, vtkIdType numberOfPoints, const std::vector<double>& potential)
+  const vtkDGGPreparedMesh& adapter, vtkIdType numberOfPoints, const std::vector<double>& potential)
 {
   auto array =
     vtkDGGMakeArray<vtkDoubleArray>(PotentialName, static_cast<std::size_t>(numberOfPoints));
@@ -134,13 +135,6 @@ void AddNumber(vtkPolyData* output, const char* name, double value)
 }
 
 //------------------------------------------------------------------------------
-struct vtkSurfaceEarthMoversDistance::vtkInternals
-{
-  vtkDGGSourceCollector Collector;
-  vtkDGGPoissonKeeper Keeper;
-};
-
-//------------------------------------------------------------------------------
 vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
   : ArrayMeaning(Density)
   , Normalize(true)
@@ -148,8 +142,7 @@ vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
   , Tolerance(1e-2)
   , ProjectionTolerance(0.01)
   , IntrinsicDelaunay(false)
-  , MemoryLimit(0)
-  , Internals(new vtkInternals)
+  , Keeper(new vtkDGGPoissonKeeper)
 {
   this->SetNumberOfInputPorts(3);
   this->ForgetResults();
@@ -181,9 +174,6 @@ void vtkSurfaceEarthMoversDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-vtkDGGDefineNameMacro(vtkSurfaceEarthMoversDistance, FromArrayName, FromArrayName);
-vtkDGGDefineNameMacro(vtkSurfaceEarthMoversDistance, ToArrayName, ToArrayName);
-vtkDGGDefineNameMacro(vtkSurfaceEarthMoversDistance, MassArrayName, MassArrayName);
 
 //------------------------------------------------------------------------------
 const char* vtkSurfaceEarthMoversDistance::GetArrayMeaningAsString() const
@@ -198,13 +188,13 @@ vtkDGGDefineInputMacro(vtkSurfaceEarthMoversDistance, To, 2);
 //------------------------------------------------------------------------------
 int vtkSurfaceEarthMoversDistance::GetNumberOfFactorizations() const
 {
-  return this->Internals->Keeper.GetNumberOfFactorizations();
+  return this->Keeper->GetNumberOfFactorizations();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkSurfaceEarthMoversDistance::GetMemorySize() const
 {
-  return this->Internals->Keeper.GetMemorySize();
+  return this->Keeper->GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -263,21 +253,20 @@ std::string vtkSurfaceEarthMoversDistance::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkSurfaceEarthMoversDistance::Execute(
-  vtkPolyData* surface, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkSurfaceEarthMoversDistance::Execute(const vtkDGGContext& context,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGMeshAdapter& mesh = this->GetMesh();
-  vtkDGGPoissonKeeper& keeper = this->Internals->Keeper;
+  const vtkDGGPreparedMesh& mesh = context.Surface;
+  vtkDGGPoissonKeeper& keeper = *this->Keeper;
   vtkDGGDistribution distributions[2];
   dgg::Status status;
   for (int k = 0; k < 2 && status.IsOk(); ++k)
   {
     const vtkDGGMassOrigin origin = this->GetOrigin(k, inputVector);
-    status = distributions[k].Read(origin, surface);
+    status = distributions[k].Read(origin, context.Input);
     if (status.IsOk())
     {
-      status = distributions[k].Collect(
-        origin, this->ProjectionTolerance, mesh, surface, this->Internals->Collector);
+      status = distributions[k].Collect(context, origin, this->ProjectionTolerance);
     }
   }
   if (!status.IsOk())
@@ -290,15 +279,13 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   options.MostIterations = this->MaximumNumberOfIterations;
   options.Tolerance = this->Tolerance;
 
-  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
   const double prepared = keeper.IsPrepared(mesh, poisson) ? FoundAt : FactorizedAt;
   const auto others = [&](const dgg::PoissonSolver& solver) {
     return SearchPart * solver.GetEstimatedMemory();
   };
-  status = this->Advance(0.0)
-    ? keeper.Prepare(mesh, poisson, others, this->MemoryLimit, this->GetMemoryRemedy(),
-        dgg::ProgressPart(progress, 0.0, prepared))
-    : dgg::Status::Abort();
+  status = context.Progress(0.0) ? keeper.Prepare(context, poisson, others, this->GetMemoryRemedy(),
+                                     dgg::ProgressPart(context.Progress, 0.0, prepared))
+                                 : dgg::Status::Abort();
   const std::vector<double>* areas =
     status.IsOk() && this->ArrayMeaning == Density ? &keeper.GetSolver().GetAreas() : nullptr;
   std::vector<double> masses[2];
@@ -314,10 +301,10 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   dgg::EarthMoversResult result;
   if (status.IsOk())
   {
-    options.Progress = dgg::ProgressPart(progress, prepared, 1.0);
+    options.Progress = dgg::ProgressPart(context.Progress, prepared, 1.0);
     status = dgg::EarthMovers(keeper.GetSolver()).Run(masses[0], masses[1], options, result);
   }
-  if (status.IsOk() && !progress(1.0))
+  if (status.IsOk() && !context.Progress(1.0))
   {
     status = dgg::Status::Abort();
   }
@@ -326,7 +313,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
     return status;
   }
   this->NumberOfIterations = result.Iterations;
-  this->SetResults(vtkPolyData::GetData(outputVector), surface, total, result);
+  this->SetResults(context, vtkPolyData::GetData(outputVector), total, result);
   if (options.MostIterations > 0 &&
     result.GetGap() > std::max(options.Tolerance, dgg::LeastEarthMoversGap))
   {
@@ -339,9 +326,10 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetResults(
-  vtkPolyData* output, vtkPolyData* surface, double total, const dgg::EarthMoversResult& result)
+void vtkSurfaceEarthMoversDistance::SetResults(const vtkDGGContext& context, vtkPolyData* output,
+  double total, const dgg::EarthMoversResult& result)
 {
+  vtkPolyData* surface = context.Input;
   this->Distance = total * result.Distance;
   this->LowerBound = total * result.LowerBound;
   this->Gap = result.GetGap();
@@ -349,18 +337,18 @@ void vtkSurfaceEarthMoversDistance::SetResults(
   AddNumber(output, DistanceName, this->Distance);
   AddNumber(output, BoundName, this->LowerBound);
   ShowPotential(
-    output, MakePotential(this->GetMesh(), surface->GetNumberOfPoints(), result.Potential));
+    output, MakePotential(context.Surface, surface->GetNumberOfPoints(), result.Potential));
   if (!result.Flow.empty())
   {
-    ShowFlow(output, MakeFlow(this->GetMesh(), surface, result.Flow, total));
+    ShowFlow(output, MakeFlow(context.Surface, surface, result.Flow, total));
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkSurfaceEarthMoversDistance::MakeEmptyOutput(
-  vtkPolyData* surface, vtkInformationVector* outputVector)
+  const vtkDGGContext& context, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->ShallowCopy(surface);
+  output->ShallowCopy(context.Input);
   ShowPotential(output, vtkDGGMakeArray<vtkDoubleArray>(PotentialName, 0));
 }

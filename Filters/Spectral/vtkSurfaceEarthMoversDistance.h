@@ -97,6 +97,7 @@ namespace dgg
 {
 struct EarthMoversResult;
 }
+class vtkDGGPoissonKeeper;
 struct vtkDGGMassOrigin;
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkSurfaceEarthMoversDistance : public vtkGeodesicAlgorithm
@@ -111,10 +112,8 @@ public:
    * The point arrays of the surface with the distributions. Default none; null and "" stand for
    * none.
    */
-  void SetFromArrayName(const char* name);
-  const char* GetFromArrayName() const;
-  void SetToArrayName(const char* name);
-  const char* GetToArrayName() const;
+  vtkDGGStringMacro(FromArrayName);
+  vtkDGGStringMacro(ToArrayName);
   ///@}
 
   /**
@@ -152,8 +151,7 @@ public:
   /**
    * The point array of ports 1 and 2 with the masses. Default none: each point has the mass 1.
    */
-  void SetMassArrayName(const char* name);
-  const char* GetMassArrayName() const;
+  vtkDGGStringMacro(MassArrayName);
   ///@}
 
   ///@{
@@ -253,21 +251,19 @@ protected:
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(vtkPolyData* surface, vtkInformationVector** inputVector,
+  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(vtkPolyData* surface, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
   vtkSurfaceEarthMoversDistance(const vtkSurfaceEarthMoversDistance&) = delete;
   void operator=(const vtkSurfaceEarthMoversDistance&) = delete;
 
-  struct vtkInternals;
-
   vtkDGGMassOrigin GetOrigin(int which, vtkInformationVector** inputVector) const;
   void ForgetResults();
-  void SetResults(
-    vtkPolyData* output, vtkPolyData* surface, double total, const dgg::EarthMoversResult& result);
+  void SetResults(const vtkDGGContext& context, vtkPolyData* output, double total,
+    const dgg::EarthMoversResult& result);
 
   std::string FromArrayName;
   std::string ToArrayName;
@@ -278,12 +274,11 @@ private:
   double Tolerance;
   double ProjectionTolerance;
   bool IntrinsicDelaunay;
-  vtkTypeUInt64 MemoryLimit;
   double Distance;
   double LowerBound;
   double Gap;
   int NumberOfIterations;
-  std::unique_ptr<vtkInternals> Internals;
+  std::unique_ptr<vtkDGGPoissonKeeper> Keeper;
 };
 
 #endif

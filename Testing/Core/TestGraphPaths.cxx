@@ -429,10 +429,29 @@ TEST(GraphPaths, LandmarksCanBeAbortedAtAnyTime)
   }
   EXPECT_EQ(find().Edges, expected.Edges);
   ASSERT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, nullptr).IsOk());
-  // Landmarks that are there stay when they are to be prepared anew.
-  EXPECT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, [](double) { return false; }).IsAborted());
   EXPECT_TRUE(c.GetSearch().HasLandmarks());
   EXPECT_NEAR(find().Length, expected.Length, 1e-12 * expected.Length);
+}
+
+/// Found once for all copies, and used by those that ask for them.
+TEST(GraphPaths, CopiesShareLandmarks)
+{
+  SearchCase c("terrain", Terrain(9, 0.5, 6), 0.1);
+  const auto stop = [](double) { return false; };
+  dgg::GraphSearch copy = c.GetSearch();
+  {
+    dgg::GraphSearch first = c.GetSearch();
+    ASSERT_TRUE(first.PrepareLandmarks(nullptr, nullptr).IsOk());
+    EXPECT_FALSE(copy.HasLandmarks());
+    EXPECT_TRUE(copy.PrepareLandmarks(nullptr, stop).IsOk()); // there is nothing to stop
+    EXPECT_TRUE(copy.HasLandmarks());
+    EXPECT_FALSE(c.GetSearch().HasLandmarks());
+  }
+  dgg::GraphSearch another = c.GetSearch();
+  EXPECT_TRUE(another.PrepareLandmarks(nullptr, stop).IsOk());
+  copy = c.GetSearch();
+  another = c.GetSearch();
+  EXPECT_TRUE(another.PrepareLandmarks(nullptr, stop).IsAborted()); // gone with the last of them
 }
 
 TEST(Landmarks, BoundsAreBelowAndNear)

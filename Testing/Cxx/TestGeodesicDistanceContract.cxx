@@ -374,7 +374,7 @@ protected:
       case Fault::None:
         break;
     }
-    task.Distances.assign(task.Mesh.GetNumberOfVertices(), 2.5);
+    task.Distances.assign(task.Context.Surface.GetMesh().GetNumberOfVertices(), 2.5);
     return dgg::Status::Success();
   }
 };

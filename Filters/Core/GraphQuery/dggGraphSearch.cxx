@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <sstream>
 #include <string>
 
@@ -220,10 +221,11 @@ public:
   std::unique_ptr<GraphFans> Fans;             ///< null where there are no angles
   std::unique_ptr<LabelCorrection> Correction; ///< null where there are no angles
   std::unique_ptr<TurnLimits> Limits;          ///< null where nothing is known of them
-  std::unique_ptr<Landmarks> Marks;            ///< null until they are prepared
   mutable WorkspacePool<SearchWorkspace> Workspaces;
   mutable WorkspacePool<ManyWorkspace> ManyWorkspaces;
   mutable WorkspacePool<PointToPoint> PointWorkspaces;
+  mutable std::mutex MarksMutex;
+  mutable std::weak_ptr<const Landmarks> Marks; ///< those that any copy uses
 
   bool FindDistances(const std::vector<GraphSeed>& seeds, const SearchOptions& options,
     SearchWorkspace& workspace, SearchLabels& labels, SearchEffort& effort) const
@@ -334,11 +336,9 @@ public:
 };
 
 GraphSearch::GraphSearch(const GraphView& graph, const SurfaceMesh* mesh)
-  : Internals(std::make_unique<Implementation>(graph, mesh))
+  : Internals(std::make_shared<const Implementation>(graph, mesh))
 {
 }
-
-GraphSearch::~GraphSearch() = default;
 
 const GraphView& GraphSearch::GetGraph() const
 {
@@ -394,7 +394,7 @@ Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vecto
   {
     DGG_RETURN_IF_ERROR(CheckSeeds(*seeds, n));
   }
-  const PathGuides guides{ internals.Fans.get(), internals.Limits.get(), internals.Marks.get(),
+  const PathGuides guides{ internals.Fans.get(), internals.Limits.get(), this->Marks.get(),
     positions, internals.BucketWidth };
   internals.PointWorkspaces.Borrow(n)->Run(internals.Graph, guides, from, to, path);
   return Status::Success();
@@ -402,8 +402,16 @@ Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vecto
 
 Status GraphSearch::PrepareLandmarks(const ParallelFor& parallel, const ProgressCallback& progress)
 {
-  Implementation& internals = *this->Internals;
-  auto marks = std::make_unique<Landmarks>();
+  const Implementation& internals = *this->Internals;
+  {
+    const std::lock_guard<std::mutex> lock(internals.MarksMutex);
+    this->Marks = internals.Marks.lock();
+  }
+  if (this->Marks)
+  {
+    return Status::Success();
+  }
+  const auto marks = std::make_shared<Landmarks>();
   Status status = marks->Choose(internals.Graph, internals.Fans.get(), internals.BucketWidth,
     ProgressPart(progress, 0.0, ChoiceShare));
   if (!status.IsOk())
@@ -420,14 +428,16 @@ Status GraphSearch::PrepareLandmarks(const ParallelFor& parallel, const Progress
     [&](std::size_t k, const double* distances) { marks->SetDistances(k, distances); });
   if (status.IsOk())
   {
-    internals.Marks = std::move(marks);
+    this->Marks = marks;
+    const std::lock_guard<std::mutex> lock(internals.MarksMutex);
+    internals.Marks = marks;
   }
   return status;
 }
 
 bool GraphSearch::HasLandmarks() const
 {
-  return this->Internals->Marks != nullptr;
+  return this->Marks != nullptr;
 }
 
 Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources, double maximumDistance,
@@ -474,7 +484,6 @@ std::size_t GraphSearch::GetMemorySize() const
 {
   const Implementation& internals = *this->Internals;
   return static_cast<std::size_t>(internals.Graph.NumberOfVertices) *
-    (BytesOfSearch + (internals.Mesh ? BytesOfTables : 0) +
-      (internals.Marks ? BytesOfLandmarks : 0));
+    (BytesOfSearch + (internals.Mesh ? BytesOfTables : 0) + (this->Marks ? BytesOfLandmarks : 0));
 }
 }

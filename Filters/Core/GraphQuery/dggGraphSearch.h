@@ -19,6 +19,8 @@
 
 namespace dgg
 {
+class Landmarks;
+
 /// Where a search starts: a vertex and the distance that it starts with. A surface point is a seed
 /// per link (GraphBuilder::Link()).
 struct GraphSeed
@@ -93,15 +95,13 @@ struct GraphPath
 using FieldConsumer = std::function<void(std::size_t source, const double* distances)>;
 
 /// Searches in one graph, whose arrays must outlive it, as must the mesh. Searches may run in
-/// several threads at once.
+/// several threads at once. Copies share what has been made for the graph; each uses landmarks only
+/// when it has prepared them itself, so that its answers do not depend on what others have done.
 class DGG_CORE_EXPORT GraphSearch
 {
 public:
   /// `mesh` is that of the graph, or null for a cloud: then there are no fans and no correction.
   GraphSearch(const GraphView& graph, const SurfaceMesh* mesh);
-  ~GraphSearch();
-  GraphSearch(const GraphSearch&) = delete;
-  GraphSearch& operator=(const GraphSearch&) = delete;
 
   const GraphView& GetGraph() const;
 
@@ -119,8 +119,8 @@ public:
     const double* positions, GraphPath& path) const;
 
   /// Find distances of all vertices from some landmarks, which Between() uses from then on. Takes
-  /// as long as some dozens of searches, and 68 bytes per vertex. To be called before searches, not
-  /// during one. On abort nothing has changed.
+  /// as long as some dozens of searches, and 68 bytes per vertex, but nothing where a copy has them
+  /// already. To be called before searches, not during one. On abort nothing has changed.
   Status PrepareLandmarks(const ParallelFor& parallel, const ProgressCallback& progress);
   bool HasLandmarks() const;
 
@@ -136,7 +136,8 @@ public:
 
 private:
   class Implementation;
-  std::unique_ptr<Implementation> Internals;
+  std::shared_ptr<const Implementation> Internals;
+  std::shared_ptr<const Landmarks> Marks; // null until they are prepared
 };
 }
 

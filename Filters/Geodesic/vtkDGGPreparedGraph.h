@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A graph that filters search. Internal.
+#ifndef vtkDGGPreparedGraph_h
+#define vtkDGGPreparedGraph_h
+
+#include "vtkDGGGraphArrays.h"  // for the arrays
+#include "vtkDGGPreparedMesh.h" // for the surface
+
+#include "dggGraphSearch.h" // for GraphSearch
+
+#include <memory> // for sharing
+
+/// The arrays of a graph with what searches in it need. It does not change once it is made, so that
+/// filters that search the same arrays on the same surface share it, in any threads: those of a
+/// chain, and those that answer many queries about one graph.
+class vtkDGGPreparedGraph
+{
+public:
+  using Pointer = std::shared_ptr<const vtkDGGPreparedGraph>;
+
+  /// For the valid graph of a surface: one that is in use already, or else a new one. It keeps both
+  /// of them alive.
+  static Pointer Make(const vtkDGGGraphArrays& arrays, const vtkDGGPreparedMesh& surface);
+
+  /// Use Make().
+  vtkDGGPreparedGraph(const vtkDGGGraphArrays& arrays, const vtkDGGPreparedMesh& surface);
+
+  const vtkDGGGraphArrays& GetArrays() const { return this->Arrays; }
+  const vtkDGGPreparedMesh& GetSurface() const { return *this->Surface; }
+  /// Its numbers, also when somebody has emptied the arrays.
+  const vtkDGGGraphSummary& GetSummary() const { return this->Summary; }
+  /// To be copied by those who use landmarks.
+  const dgg::GraphSearch& GetSearch() const { return this->Search; }
+
+private:
+  vtkDGGGraphArrays Arrays;
+  vtkDGGPreparedMesh::Pointer Surface;
+  vtkDGGGraphSummary Summary;
+  dgg::GraphSearch Search;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkDGGPreparedGraph.h
