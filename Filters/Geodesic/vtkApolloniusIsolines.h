@@ -13,7 +13,8 @@
  * distances or the surface are ignored, with a warning; that they are of this surface, and that the
  * values are distances in units of the points, is the user's word. Values without virtual sources
  * that change along more than a tenth of the edges by more than 1.1 times their length are linear
- * in each triangle, with a warning. Outputs are new geometry, see vtkGeodesicAlgorithm.
+ * in each triangle, with a warning; SetMethodToLinear() is for other fields. Outputs are new
+ * geometry, see vtkGeodesicAlgorithm.
  *  - Output 0: isolines in order of increasing values, with lower distances on the left, closed but
  *    for those that end at the boundary, unreached triangles or edges with more than two triangles.
  *    Cell data: `IsoValue` (double). Point data: `FaceId`, `vtkOriginalPointIds`, `ArcLength`.

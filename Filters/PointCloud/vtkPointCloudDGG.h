@@ -9,11 +9,12 @@
  * vtkGeodesicVoronoi and vtkGeodesicDistanceMatrix search the graph. All parameters have automatic
  * defaults that follow from the sampling; GetUsedOffsetInVoxels() and others report what was used.
  *
- * <b>Input and output.</b> Port 0 takes the cloud; of its cells nothing is used, its point normals
- * are (UseInputNormals). The output is the input plus the point array `Component` (int): the
- * connected part of each point, from the largest on, -1 where a point is not finite; with
- * EstimateNormals the point array `Normals` (double); and the graph in the field data. n is the
- * number of points, m that of directed edges; each edge is there both ways, with one length.
+ * <b>Input and output.</b> Port 0 takes the cloud (vtkPolyData): its points and, with
+ * UseInputNormals, their normals; cells are not used. The output is the input plus the point array
+ * `Component` (int): the connected part of each point, from the largest on, -1 where a point is not
+ * finite; with EstimateNormals the point array `Normals` (double); and the graph in the field data.
+ * n is the number of points, m that of directed edges; each edge is there both ways, with one
+ * length.
  *
  * | array | type, values | meaning |
  * |-------|--------------|---------|

@@ -17,8 +17,10 @@
  *    Colours farther away do not change, and bands do not reach through other curves of types 0 and
  *    1.
  *  - 2, Region: a closed curve; its left gets brighter by `Strength` in the middle, fading to the
- *    rim: a constant source, and a sink along the curve.
+ *    rim: a source of density 4 pi Strength / area, and a sink along the curve.
  *  - 3, Source: `Strength` flows in per length of the curve.
+ *
+ * Strengths may have one component for all channels; `Width`, one, may be missing (property Width).
  *
  * Cells of the surface with the same number, not 0, in the array RegionArrayName are a region as
  * well, with its strength in `RegionStrength`, at the first of them.
