@@ -4,7 +4,7 @@
  * @class   vtkDGGOFFReader
  * @brief   read surfaces in the Object File Format (OFF)
  *
- * <b>Input and output.</b> Text and binary files (big endian, 32 bits) with any of the prefixes ST,
+ * <b>Input and output</b>. Text and binary files (big endian, 32 bits) with any of the prefixes ST,
  * C and N; 4 and n (points that are not in space) are refused. The output has a point per vertex
  * (double) and a cell per face: polygons, lines (two vertices) and verts (one). Arrays, where the
  * file has them:
@@ -17,10 +17,10 @@
  * normals and the vertices of a face may go on on further lines. Counts may follow the keyword, and
  * the number of edges may be missing.
  *
- * <b>Guarantee and cost.</b> Numbers are read the same way in any locale. Counts are compared with
+ * <b>Guarantee and cost</b>. Numbers are read the same way in any locale. Counts are compared with
  * the size of the file before memory is allocated.
  *
- * <b>Errors.</b> A file that is missing, cannot be opened or is malformed, with data after the last
+ * <b>Errors</b>. A file that is missing, cannot be opened or is malformed, with data after the last
  * face too, is reported with its name and the line (the byte, if binary); GetErrorCode() is not
  * zero and the output is empty.
  *
@@ -31,7 +31,7 @@
  * vtkPolyData* mesh = reader->GetOutput();
  * @endcode
  *
- * <b>Source.</b> The format is that of geomview (www.geomview.org/docs/html/OFF.html).
+ * <b>Source</b>. The format is that of geomview (www.geomview.org/docs/html/OFF.html).
  *
  * @sa vtkPLYReader vtkOBJReader
  */

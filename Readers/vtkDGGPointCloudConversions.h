@@ -4,13 +4,13 @@
 /// Clouds of the Point Cloud Library to vtkPolyData and back. The only header that includes PCL (of
 /// points and clouds, libpcl_common).
 ///
-/// <b>Input and output.</b> Fields and arrays correspond as in vtkDGGPointFields.h. Width, height,
+/// <b>Input and output</b>. Fields and arrays correspond as in vtkDGGPointFields.h. Width, height,
 /// `sensor_origin_` and `sensor_orientation_` are in the field data, `is_dense` follows from the
 /// coordinates, and the header (time, frame) is lost. Points that are not finite have no vert.
 ///
-/// <b>Guarantee and cost.</b> Everything is copied; numbers keep their values.
+/// <b>Guarantee and cost</b>. Everything is copied; numbers keep their values.
 ///
-/// <b>Errors.</b> See the functions: null or false, and a message.
+/// <b>Errors</b>. See the functions: null or false, and a message.
 ///
 /// @code
 /// pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>(10, 1));

@@ -4,15 +4,15 @@
 /// Point clouds as fields (x, y, z, intensity and so on, as in PCL and in PCD files), to and from
 /// vtkPolyData. PCD files and vtkDGGPointCloudConversions.h share this; it needs no PCL.
 ///
-/// <b>Input and output.</b> Fields and arrays correspond as in vtkPCDReader and vtkPCDWriter: the
+/// <b>Input and output</b>. Fields and arrays correspond as in vtkPCDReader and vtkPCDWriter: the
 /// coordinates, `Normals`, `RGB` and `RGBA` by their meaning, all others by name, type and number
 /// of components, bits as bytes. Points with finite coordinates have a vert. `PCD.Dimensions`
 /// (width and height, int64) and `PCD.Viewpoint` (translation x, y, z and quaternion w, x, y, z of
 /// the sensor, double) are field data; the former counts if the product is the number of points.
 ///
-/// <b>Guarantee and cost.</b> Everything is copied; numbers keep their values and types.
+/// <b>Guarantee and cost</b>. Everything is copied; numbers keep their values and types.
 ///
-/// <b>Errors.</b> Malformed clouds give null and a message. Arrays of strings are left out.
+/// <b>Errors</b>. Malformed clouds give null and a message. Arrays of strings are left out.
 #ifndef vtkDGGPointFields_h
 #define vtkDGGPointFields_h
 

@@ -4,7 +4,7 @@
  * @class   vtkPCDReader
  * @brief   read point clouds in PCL's format (PCD)
  *
- * <b>Input and output.</b> Text, binary and compressed files with any fields, up to version 0.7.
+ * <b>Input and output</b>. Text, binary and compressed files with any fields, up to version 0.7.
  * The output has a point for each of the file, in order, with a vert if it is finite:
  *  - `x`, `y`, `z` become the points, float or double (double when integers or of several types);
  *  - `normal_x`, `normal_y`, `normal_z` the active normals `Normals`;
@@ -18,11 +18,11 @@
  * together with TYPE may be missing. In text each point has a line of its own; binary data may be
  * followed by zeros.
  *
- * <b>Guarantee and cost.</b> What PCL writes is read as PCL reads it, without PCL: its library of
+ * <b>Guarantee and cost</b>. What PCL writes is read as PCL reads it, without PCL: its library of
  * files brings a VTK of its own. Numbers are read the same way in any locale. Counts are compared
  * with the size of the file before memory is allocated.
  *
- * <b>Errors.</b> A file that is missing, cannot be opened or is malformed, with more than 10000
+ * <b>Errors</b>. A file that is missing, cannot be opened or is malformed, with more than 10000
  * fields or data after the last point too, is reported with its name and the line (the byte, in
  * binary data); GetErrorCode() is not zero and the output is empty.
  *
@@ -33,7 +33,7 @@
  * vtkDataArray* intensity = reader->GetOutput()->GetPointData()->GetArray("intensity");
  * @endcode
  *
- * <b>Source.</b> The format is that of the Point Cloud Library (pcl.readthedocs.io).
+ * <b>Source</b>. The format is that of the Point Cloud Library (pcl.readthedocs.io).
  *
  * @sa vtkPCDWriter vtkDGGPointCloudConversions.h
  */

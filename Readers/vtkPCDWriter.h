@@ -4,7 +4,7 @@
  * @class   vtkPCDWriter
  * @brief   write point clouds in PCL's format (PCD)
  *
- * <b>Input and output.</b> Writes the points of a vtkPolyData and its point arrays of numbers as a
+ * <b>Input and output</b>. Writes the points of a vtkPolyData and its point arrays of numbers as a
  * file of version 0.7; cells are not written. The fields are `x`, `y`, `z` (float or double),
  * `normal_x`, `normal_y`, `normal_z` for active normals, `rgb` (with a fourth byte of 255) or
  * `rgba` if the active scalars, or an array `RGB` or `RGBA`, are three or four unsigned chars, and
@@ -12,10 +12,10 @@
  * taken, `_` or empty gets one more `_`. Arrays of strings are left out, with a warning. Width,
  * height and viewpoint are those of the field data, see vtkPCDReader, if they fit.
  *
- * <b>Guarantee and cost.</b> vtkPCDReader reads the same numbers back, from text too; NaN and
+ * <b>Guarantee and cost</b>. vtkPCDReader reads the same numbers back, from text too; NaN and
  * infinity are `nan` and `inf`.
  *
- * <b>Errors.</b> No input or file name, a file that cannot be written, a full disk, more than 10000
+ * <b>Errors</b>. No input or file name, a file that cannot be written, a full disk, more than 10000
  * fields, or more than 4 GB of compressed data are reported with the name of the file; Write()
  * returns 0, GetErrorCode() is not zero, and a part of a file is removed.
  *
@@ -27,7 +27,7 @@
  * bool isWritten = writer->Write() == 1;
  * @endcode
  *
- * <b>Source.</b> The format is that of the Point Cloud Library (pcl.readthedocs.io).
+ * <b>Source</b>. The format is that of the Point Cloud Library (pcl.readthedocs.io).
  *
  * @sa vtkPCDReader vtkDGGPointCloudConversions.h
  */

@@ -7,7 +7,7 @@
  * vtkContourFilter treats a distance as linear in each triangle. This filter draws circles as such,
  * and the corners where waves from two sides meet.
  *
- * <b>Input and output.</b> Port 0 takes a surface with a point array of distances along it, the one
+ * <b>Input and output</b>. Port 0 takes a surface with a point array of distances along it, the one
  * of SetInputArrayToProcess(), else of DistanceArrayName. NaN, infinity and the UnreachedValue of
  * distance filters are unreached points. Windows and virtual sources that do not belong to the
  * distances or the surface are ignored, with a warning; that they are of this surface, and that the
@@ -27,14 +27,14 @@
  *
  * A value out of the range of the distances has no line.
  *
- * <b>Guarantee and cost.</b> With windows (vtkExactGeodesicDistance::GenerateWindowsOn()) points of
+ * <b>Guarantee and cost</b>. With windows (vtkExactGeodesicDistance::GenerateWindowsOn()) points of
  * lines are at their value up to rounding, and ridges exact. With virtual sources
  * (GenerateVirtualSourceOn() of any distance filter), or those fitted to the distances without,
  * lines are better than linear ones but without a bound, and some ridges are spurious. Pieces of
  * lines are within ChordTolerance of the curve; the number of points grows like one over its square
  * root.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm: no array of distances, or one without one
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm: no array of distances, or one without one
  * number per point; a distance of minus infinity; a value that is not finite; a ChordTolerance
  * below 1e-6; SteinerPoints outside [0, 50]; a MinimumRidgeAngle outside [0, 180].
  *
@@ -49,7 +49,7 @@
  * isolines->Update();
  * @endcode
  *
- * <b>Source.</b> Inside of triangles: J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The
+ * <b>Source</b>. Inside of triangles: J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The
  * discrete geodesic problem", SIAM J. Comput. 16, 1987, section 3. Method Apollonius: Z. Fang,
  * "Discrete geodesic graphs", PhD thesis, Nanyang Technological University, 2019, section 5.3, with
  * two rules repaired. On an edge that crosses a ridge, the cubic, which would smooth it, is

@@ -4,11 +4,11 @@
  * @class   vtkDGGDistance
  * @brief   distances along a surface within a guaranteed error, in milliseconds
  *
- * <b>Input and output.</b> Those of vtkGeodesicDistanceAlgorithm, with `GeodesicUpperBound` on
+ * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm, with `GeodesicUpperBound` on
  * request. The graph is that on the input, or built here, see vtkGeodesicAlgorithm. On a cloud
  * distances are those in its graph: Correction does nothing, GeodesicUpperBound is the distance.
  *
- * <b>Guarantee and cost.</b> With Correction (the default), for every point
+ * <b>Guarantee and cost</b>. With Correction (the default), for every point
  *
  *     |result - exact distance| <= accuracy * (exact distance - o),
  *
@@ -18,7 +18,7 @@
  * linked to the graph, with the same promise. Graphs by a rule without a guarantee (OneRelay,
  * SaddleVertexGraph) promise nothing. Only the first update takes long, if it builds the graph.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicDistanceAlgorithm: an Accuracy outside [1e-6, 0.5]; a
+ * <b>Errors</b>. Besides those of vtkGeodesicDistanceAlgorithm: an Accuracy outside [1e-6, 0.5]; a
  * graph or links that take more than MemoryLimit; GenerateVirtualSource on a cloud.
  *
  * @code
@@ -31,7 +31,7 @@
  * distance->Update(); // milliseconds
  * @endcode
  *
- * <b>Source.</b> Graphs: see vtkDiscreteGeodesicGraph. The search corrects labels, in buckets of
+ * <b>Source</b>. Graphs: see vtkDiscreteGeodesicGraph. The search corrects labels, in buckets of
  * increasing distance, over edges that lead straight ahead (the fans of X. Wang et al. 2017); a
  * pass over all edges certifies the result.
  *

@@ -10,7 +10,7 @@
  * loop through all points, in their order. Loops through points may have kinks there. With Taut
  * they are released and pulled tight: they become closed geodesics, or contract to a point.
  *
- * <b>Input and output.</b> Points are ids and the points of the optional input port 1
+ * <b>Input and output</b>. Points are ids and the points of the optional input port 1
  * (SetPointConnection()), projected to the surface; ids come first. The graph is that on the input,
  * or built here, see vtkGeodesicAlgorithm; AroundHandles needs neither points nor graph. Outputs
  * are new geometry. Output 0 has a polyline for each loop, which ends with the point that it begins
@@ -28,14 +28,14 @@
  * where there is room, more of them where a loop crosses itself. They are closed or end at the
  * boundary, and have the arrays `Length`, `LoopId` and the point data of output 0.
  *
- * <b>Guarantee and cost.</b> No curve next to a loop is shorter; next to a kinked one, none through
+ * <b>Guarantee and cost</b>. No curve next to a loop is shorter; next to a kinked one, none through
  * the same points. Where there are several loops, the shortest is found of those that the graph
  * tells apart, in a limited number of tries. Points of offset curves are exact to 1e-5 of the
  * width, their lengths to about 1e-3; ones shorter than the width may be missed. A loop through a
  * point takes a search over the surface, AroundHandles up to 17 along edges for each component,
  * offset curves about a second for each hundred widths of loop.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm:
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - no point, or fewer than three of a rope; an id out of range; a point that is not finite, or
  *    farther from the surface than ProjectionTolerance;
  *  - edges with more than two triangles, with AroundHandles;
@@ -52,7 +52,7 @@
  * vtkPolyData* curves = loop->GetTape();
  * @endcode
  *
- * <b>Source.</b> Paths in the graph that meet are straightened as in vtkDGGPath; loops around
+ * <b>Source</b>. Paths in the graph that meet are straightened as in vtkDGGPath; loops around
  * handles come from shortest loops of edges (J. Erickson, K. Whittlesey, "Greedy optimal homotopy
  * and homology generators", SODA 2005).
  *

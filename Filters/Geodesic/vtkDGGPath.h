@@ -6,7 +6,7 @@
  *
  * Paths between pairs of points are found in a graph and shortened to geodesics, or exact.
  *
- * <b>Input and output.</b> Pairs are point ids (AddPair()) and the lines of a vtkPolyData on input
+ * <b>Input and output</b>. Pairs are point ids (AddPair()) and the lines of a vtkPolyData on input
  * port 1, each from its first to its last point, which are projected to the surface. Pairs by id
  * come first. The graph is that on the input, or built here, see vtkGeodesicAlgorithm. The output
  * is new geometry: a polyline for each pair, from start to end; points in the same place give one
@@ -25,14 +25,14 @@
  * that from point to point is kept, unless it is longer still, and `Straightened` is 0. Method
  * Exact is an error.
  *
- * <b>Guarantee and cost.</b> On surfaces, exact distance <= `Length` <= `GraphLength`, which is at
+ * <b>Guarantee and cost</b>. On surfaces, exact distance <= `Length` <= `GraphLength`, which is at
  * most (1 + accuracy) * exact distance up to rounding (1e-6), if the rule of the graph has a
  * guarantee. With Straighten no path next to it is shorter. Pairs are searched by all threads of
  * vtkSMPTools; from the 256th pair on, distances from 32 landmarks (68 bytes per point) make
  * searches faster. Method Exact takes one propagation for each starting point, as far as the
  * farthest end.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm:
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - no pair; points on port 1 that no line connects; an id out of range; a point that is not
  *    finite, or farther from the surface than ProjectionTolerance;
  *  - a negative ProjectionTolerance; an Accuracy outside [1e-6, 0.5]; a graph that takes more than
@@ -49,7 +49,7 @@
  * std::cout << lengths->GetComponent(0, 0) << "\n"; // from 0 to 10
  * @endcode
  *
- * <b>Source.</b> Shortening in strips of faces: D. T. Lee, F. P. Preparata, "Euclidean shortest
+ * <b>Source</b>. Shortening in strips of faces: D. T. Lee, F. P. Preparata, "Euclidean shortest
  * paths in the presence of rectilinear barriers", Networks 14, 1984; S.-Q. Xin, G.-J. Wang,
  * "Efficiently determining a locally exact shortest path on polyhedral surfaces", Computer-Aided
  * Design 39, 2007. Exact paths: see vtkExactGeodesicDistance.

@@ -8,17 +8,15 @@
  * them that does not bend, with its length. vtkDGGDistance and others search it, see
  * vtkGeodesicAlgorithm.
  *
- * <b>Input and output.</b> Output 0 is the input plus arrays in the field data. n is the number of
+ * <b>Input and output</b>. Output 0 is the input plus arrays in the field data. n is the number of
  * points, m that of directed edges; each edge is there both ways, with one length.
  *
- * | array | type, values | meaning |
- * |-------|--------------|---------|
- * | `DGG.Offsets` | int64, n + 1 | edges of point i: [Offsets[i], Offsets[i + 1]) |
- * | `DGG.Targets` | int32, m | point at the end of each edge |
- * | `DGG.Lengths` | float32, m | length, rounded up; float64 below an Accuracy of 1e-5 |
- * | `DGG.Angles` | float32, m | direction of departure, sorted in each row |
- * | `DGG.ArrivalAngles` | float32, m | direction of arrival, pointing back |
- * | `DGG.Info` | int64, 12 | see below |
+ *  - `DGG.Offsets` (int64, n + 1): edges of point i: [Offsets[i], Offsets[i + 1]);
+ *  - `DGG.Targets` (int32, m): point at the end of each edge;
+ *  - `DGG.Lengths` (float32, m): length, rounded up; float64 below an Accuracy of 1e-5;
+ *  - `DGG.Angles` (float32, m): direction of departure, sorted in each row;
+ *  - `DGG.ArrivalAngles` (float32, m): direction of arrival, pointing back;
+ *  - `DGG.Info` (int64, 12): see below.
  *
  * Lengths are in units of the coordinates, and float64 too for extents out of the range of floats.
  * Directions are polar angles in radians, counter-clockwise as the triangles are oriented. Zero is,
@@ -31,7 +29,7 @@
  * polygons, a rigid motion included, invalidates the graph. A valid one on the input with the same
  * parameters is passed on. Output 1 has the edges as lines, if GenerateGraphLines is on.
  *
- * <b>Guarantee and cost.</b> With the default construction, for all pairs of points of a component,
+ * <b>Guarantee and cost</b>. With the default construction, for all pairs of points of a component,
  *
  *     exact distance <= distance in the graph <= (1 + Accuracy) * exact distance,
  *
@@ -39,7 +37,7 @@
  * 1 / sqrt(Accuracy). All threads of vtkSMPTools build it; it is kept until mesh or parameters
  * change.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm: an Accuracy outside [1e-6, 0.5]; a
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm: an Accuracy outside [1e-6, 0.5]; a
  * NumberOfNeighbors below 1; a graph predicted to take more than MemoryLimit.
  *
  * @code
@@ -54,7 +52,7 @@
  * distance->Update(); // milliseconds
  * @endcode
  *
- * <b>Source.</b> X. Wang et al., "Discrete geodesic graph (DGG) for computing geodesic distances on
+ * <b>Source</b>. X. Wang et al., "Discrete geodesic graph (DGG) for computing geodesic distances on
  * polyhedral surfaces", CAGD 52-53, 2017; Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang
  * Technological University, 2019. The default rule makes progress towards every target, as in Yao
  * graphs, which bounds errors of whole paths. OneRelay and Indirect (chapter 3) are the rules of

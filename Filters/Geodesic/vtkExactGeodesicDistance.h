@@ -4,13 +4,13 @@
  * @class   vtkExactGeodesicDistance
  * @brief   exact distances along a triangulated surface
  *
- * <b>Input and output.</b> Those of vtkGeodesicDistanceAlgorithm, with windows on request.
+ * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm, with windows on request.
  *
- * <b>Guarantee and cost.</b> Distances on the polyhedron of the triangles, exact up to rounding
+ * <b>Guarantee and cost</b>. Distances on the polyhedron of the triangles, exact up to rounding
  * (relative errors around 1e-12). Windows of straight paths are propagated over the triangles, in
  * one thread; time grows a little faster than linearly with the number of points.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicDistanceAlgorithm: windows that take more than
+ * <b>Errors</b>. Besides those of vtkGeodesicDistanceAlgorithm: windows that take more than
  * MemoryLimit.
  *
  * @code
@@ -22,7 +22,7 @@
  * vtkDataArray* d = distance->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
  * @endcode
  *
- * <b>Source.</b> J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic
+ * <b>Source</b>. J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic
  * problem", SIAM J. Comput. 16, 1987; J. Chen, Y. Han, "Shortest paths on a polyhedron", SoCG 1990;
  * order of propagation: Y. Qin et al., "Fast and exact discrete geodesic computation based on
  * triangle-oriented wavefront propagation", ACM Trans. Graph. 35(4), 2016.

@@ -7,13 +7,13 @@
  * A front moves over the triangles and gives each point its time of arrival; obtuse triangles are
  * split by unfolding the faces beyond.
  *
- * <b>Input and output.</b> Those of vtkGeodesicDistanceAlgorithm.
+ * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm.
  *
- * <b>Guarantee and cost.</b> Nothing bounds the error, which is large on long thin triangles
+ * <b>Guarantee and cost</b>. Nothing bounds the error, which is large on long thin triangles
  * (QualityWarning); the page of the module has figures. Points become final one by one, in the
  * order of their distances; next to nothing is prepared, and memory is small.
  *
- * <b>Errors.</b> Those of vtkGeodesicDistanceAlgorithm.
+ * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm.
  *
  * @code
  * vtkNew<vtkFastMarchingGeodesicDistance> distance;
@@ -23,7 +23,7 @@
  * vtkDataArray* d = distance->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
  * @endcode
  *
- * <b>Source.</b> R. Kimmel, J. A. Sethian, "Computing geodesic paths on manifolds", Proc. Natl.
+ * <b>Source</b>. R. Kimmel, J. A. Sethian, "Computing geodesic paths on manifolds", Proc. Natl.
  * Acad. Sci. 95, 1998; spherical updates: M. Novotni, R. Klein, "Computing geodesic distances on
  * triangular meshes", WSCG 2002.
  *

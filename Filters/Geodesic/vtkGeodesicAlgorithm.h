@@ -4,7 +4,7 @@
  * @class   vtkGeodesicAlgorithm
  * @brief   what all filters on the surface of a mesh have in common
  *
- * <b>Input and output.</b> Input port 0 takes the surface (vtkPolyData). Outputs are the input with
+ * <b>Input and output</b>. Input port 0 takes the surface (vtkPolyData). Outputs are the input with
  * arrays added, or new geometry. Lengths are in units of the coordinates.
  *  - Triangles are used as they are; quads, polygons and strips are triangulated inside: quads
  *    along the shorter diagonal, larger polygons ear by ear, those that cross or touch themselves
@@ -25,24 +25,24 @@
  * point of the one before it; `ArcLength` is the length up to the point. Each piece lies in one
  * triangle.
  *
- * <b>Graphs.</b> vtkDGGDistance, vtkDGGPath, vtkDGGLoop, vtkGeodesicSampler, vtkGeodesicVoronoi and
+ * <b>Graphs</b>. vtkDGGDistance, vtkDGGPath, vtkDGGLoop, vtkGeodesicSampler, vtkGeodesicVoronoi and
  * vtkGeodesicDistanceMatrix search a graph: that on the input, see vtkDiscreteGeodesicGraph, else
  * one that they build with their Accuracy, and keep until mesh or Accuracy changes. One that is
  * damaged or of another surface is replaced, with a warning.
  *
- * <b>Point clouds.</b> Of these filters all but vtkDGGLoop take a cloud with the graph of
+ * <b>Point clouds</b>. Of these filters all but vtkDGGLoop take a cloud with the graph of
  * vtkPointCloudDGG. Its cells are not used; a missing, damaged or outdated graph is an error,
  * Accuracy and AcceptCoarserGraph do nothing, and the mesh report is empty. Points asked for may
  * lie beside the cloud, within ProjectionTolerance or as far as the closest point is from its six
  * neighbours; they are connected to it and to those that it is connected to. All other filters need
  * a surface.
  *
- * <b>Guarantee and cost.</b> Results do not depend on the number of threads. The mesh is prepared
+ * <b>Guarantee and cost</b>. Results do not depend on the number of threads. The mesh is prepared
  * once, kept until points, polygons or strips change, and shared by the filters of a chain. Changes
  * in place need Modified() of the array, the points or the vtkPolyData. Inputs and properties must
  * not change during an update.
  *
- * <b>Errors.</b> vtkErrorMacro names what is wrong and the remedy. The output is empty,
+ * <b>Errors</b>. vtkErrorMacro names what is wrong and the remedy. The output is empty,
  * GetErrorCode() is not zero, the input is untouched, and a later correct call works; until
  * something changes, every update reports the error again. Errors of all filters:
  *  - no input; points but no polygon with three distinct points; a cell that names a missing point,

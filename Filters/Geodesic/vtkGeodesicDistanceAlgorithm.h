@@ -4,7 +4,7 @@
  * @class   vtkGeodesicDistanceAlgorithm
  * @brief   what all filters that compute a distance along a surface have in common
  *
- * <b>Input and output.</b> Each point gets the distance from the nearest source. The output is the
+ * <b>Input and output</b>. Each point gets the distance from the nearest source. The output is the
  * input, in the same order, plus the point array `GeodesicDistance` (double, in units of the
  * coordinates), which becomes the active scalars; on request also the nearest and virtual sources.
  *
@@ -17,9 +17,9 @@
  * Points that no source reaches, and those beyond MaximumDistance, get UnreachedValue, and -1 as
  * nearest source.
  *
- * <b>Guarantee and cost.</b> See the subclasses and vtkGeodesicAlgorithm.
+ * <b>Guarantee and cost</b>. See the subclasses and vtkGeodesicAlgorithm.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm:
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - no source; a source id out of range; a source point that is not finite, or farther from the
  *    surface than ProjectionTolerance; initial distances that are not finite, or not one per point;
  *  - a MaximumDistance or ProjectionTolerance that is negative or NaN; an array name that is empty

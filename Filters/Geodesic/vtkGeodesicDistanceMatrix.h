@@ -4,7 +4,7 @@
  * @class   vtkGeodesicDistanceMatrix
  * @brief   distances along a surface between two sets of points
  *
- * <b>Input and output.</b> Rows are point ids (SetRowIds()) and the points of a vtkPolyData on
+ * <b>Input and output</b>. Rows are point ids (SetRowIds()) and the points of a vtkPolyData on
  * input port 1, projected to the surface; ids come first. Columns are given alike by SetColumnIds()
  * and port 2; without any they are the rows, and the matrix is symmetric. The graph is that on the
  * input, or built here, see vtkGeodesicAlgorithm. GetMatrix() has a tuple for each row and a
@@ -13,12 +13,12 @@
  * (GenerateTable). An id of a point that no polygon uses is a warning; it is connected to itself
  * only.
  *
- * <b>Guarantee and cost.</b> exact distance <= result <= (1 + accuracy) * exact distance, up to
+ * <b>Guarantee and cost</b>. exact distance <= result <= (1 + accuracy) * exact distance, up to
  * rounding (1e-6), if the rule of the graph has a guarantee. Between points of the mesh distances
  * are a metric, which corrected ones are not. One search over the surface for each point of the
  * smaller set, on all threads of vtkSMPTools; about 120 bytes per point of the mesh and thread.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm:
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - no rows; an id out of range; a point that is not finite, or farther from the surface than
  *    ProjectionTolerance; a negative ProjectionTolerance;
  *  - an Accuracy outside [1e-6, 0.5]; a graph or matrix that takes more than MemoryLimit.
@@ -32,7 +32,7 @@
  * std::cout << matrix->GetMatrix()->GetComponent(0, 2) << "\n"; // from 0 to 20
  * @endcode
  *
- * <b>Source.</b> See vtkDiscreteGeodesicGraph.
+ * <b>Source</b>. See vtkDiscreteGeodesicGraph.
  *
  * @sa vtkDiscreteGeodesicGraph vtkDGGDistance
  */

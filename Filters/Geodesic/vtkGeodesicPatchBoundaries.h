@@ -7,7 +7,7 @@
  * Draws the boundaries of patches between corresponding landmarks on two surfaces, the first step
  * of a map from one to the other.
  *
- * <b>Input and output.</b> Port 0 takes the first surface, port 1 the second one, which may be a
+ * <b>Input and output</b>. Port 0 takes the first surface, port 1 the second one, which may be a
  * mirror image, or inside out. Landmarks of each are ids of its points and the points of the
  * optional ports 2 and 3, projected to it; ids come first. Those of the same number correspond.
  * Port 4 takes the layout, a vtkPolyData whose polygons and lines name landmarks by number; its
@@ -25,13 +25,13 @@
  *
  * Mesh reports are those of the first surface.
  *
- * <b>Guarantee and cost.</b> Curves meet at landmarks only, in the same order around each, and
+ * <b>Guarantee and cost</b>. Curves meet at landmarks only, in the same order around each, and
  * divide both surfaces alike, so that every patch is a disk on both; this is checked in the end.
  * Each is locally shortest where it is not pushed aside by earlier ones or by landmarks, to 0.3 of
  * the edges there; as a whole they are not the shortest possible. Each curve takes about an exact
  * distance field and two copies of its surface.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm, for both surfaces:
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm, for both surfaces:
  *  - no second surface, landmarks or layout; different numbers of landmarks; an id out of range; a
  *    point that is not finite, or farther from its surface than ProjectionTolerance;
  *  - two landmarks in the same place, or not connected although they are to be joined;
@@ -52,7 +52,7 @@
  * vtkPolyData* onSecond = boundaries->GetOutput(1);
  * @endcode
  *
- * <b>Source.</b> E. Praun, W. Sweldens, P. Schroeder, "Consistent mesh parameterizations", SIGGRAPH
+ * <b>Source</b>. E. Praun, W. Sweldens, P. Schroeder, "Consistent mesh parameterizations", SIGGRAPH
  * 2001: curves are drawn one by one, short ones first, those of a spanning tree before all others.
  *
  * @sa vtkExactGeodesicDistance vtkDGGLoop

@@ -4,20 +4,20 @@
  * @class   vtkGeodesicProbe
  * @brief   a distance that is known at the points of a surface, at any other point of it
  *
- * <b>Input and output.</b> Port 0 takes a surface with a point array of distances, the one of
+ * <b>Input and output</b>. Port 0 takes a surface with a point array of distances, the one of
  * SetInputArrayToProcess(), else of DistanceArrayName; port 1 a vtkPolyData whose points are the
  * places, projected to the surface. The output is the input of port 1 plus a point array of the
  * name of the distances (double), NaN in triangles with an unreached corner. As in
  * vtkApolloniusIsolines, arrays of windows and virtual sources that do not belong to the distances
  * are ignored, with a warning.
  *
- * <b>Guarantee and cost.</b> With windows (vtkExactGeodesicDistance::GenerateWindowsOn()) exact;
+ * <b>Guarantee and cost</b>. With windows (vtkExactGeodesicDistance::GenerateWindowsOn()) exact;
  * with virtual sources (GenerateVirtualSourceOn() of any distance filter), or those fitted to the
  * distances without, better than linear interpolation, but without a bound: take windows for CAD
  * models, whose long triangles are reached from many sides. One search in the surface for each
  * place.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm: no points on port 1; a point that is not
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm: no points on port 1; a point that is not
  * finite, or farther from the surface than ProjectionTolerance; no array of distances, or one
  * without one number per point.
  *
@@ -33,7 +33,7 @@
  * vtkDataArray* d = probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
  * @endcode
  *
- * <b>Source.</b> J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic
+ * <b>Source</b>. J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic
  * problem", SIAM J. Comput. 16, 1987, section 3.
  *
  * @sa vtkExactGeodesicDistance vtkDGGDistance vtkApolloniusIsolines

@@ -7,7 +7,7 @@
  * Takes points one after the other, each as far as possible along the surface from all those
  * before: farthest point sampling.
  *
- * <b>Input and output.</b> Points to start with may be given on the optional input port 1
+ * <b>Input and output</b>. Points to start with may be given on the optional input port 1
  * (SetStartConnection()); they are projected to the surface, come first and are all kept. Without
  * them the first sample is FirstSample. The graph is that on the input, or built here, see
  * vtkGeodesicAlgorithm. The output is new geometry: samples with verts, in their order. Point data:
@@ -20,12 +20,12 @@
  * On a cloud, samples are points of it, those given become the closest ones, and InFaces does
  * nothing. Points that no polygon uses, or that are connected to no other one, are left out.
  *
- * <b>Guarantee and cost.</b> Every point of the input is within the last CoveringRadius of a
+ * <b>Guarantee and cost</b>. Every point of the input is within the last CoveringRadius of a
  * sample, and samples that were not given are at least CoveringRadius / (1 + accuracy) from all
  * others, if the rule of the graph has a guarantee. A thousand samples take about as long as twenty
  * distance fields.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm:
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - a NumberOfSamples below 1; a CoveringRadius or ProjectionTolerance that is negative or NaN; a
  *    FirstSample out of range; a point of port 1 that is not finite, or farther from the surface
  *    than ProjectionTolerance;
@@ -43,7 +43,7 @@
  * voronoi->Update();
  * @endcode
  *
- * <b>Source.</b> G. Peyre, L. D. Cohen, "Geodesic remeshing using front propagation", Int. J.
+ * <b>Source</b>. G. Peyre, L. D. Cohen, "Geodesic remeshing using front propagation", Int. J.
  * Comput. Vis. 69(1), 2006, with distances in the graph of vtkDiscreteGeodesicGraph.
  *
  * @sa vtkGeodesicVoronoi vtkDiscreteGeodesicGraph

@@ -4,7 +4,7 @@
  * @class   vtkGeodesicVoronoi
  * @brief   which of some sites is nearest along a surface
  *
- * <b>Input and output.</b> Sites are point ids and the points of the optional input port 1
+ * <b>Input and output</b>. Sites are point ids and the points of the optional input port 1
  * (SetSiteConnection()), projected to the surface and numbered from 0, ids first. One in the place
  * of an earlier one has no cell. The graph is that on the input, or built here, see
  * vtkGeodesicAlgorithm. Outputs 1 to 3 are new geometry.
@@ -27,14 +27,14 @@
  * On a cloud, outputs 1 and 2 are empty and output 3 has no CellArea. Centroidal sites are points
  * of the cloud, each point counts the same, and Tolerance does nothing.
  *
- * <b>Guarantee and cost.</b> Distances at points of the input are within the accuracy of the graph,
+ * <b>Guarantee and cost</b>. Distances at points of the input are within the accuracy of the graph,
  * if its rule has a guarantee. Borders are straight in each triangle, which is exact where the
  * surface is flat; RefineBoundaries improves them elsewhere, with limited work. Where triangles are
  * as large as cells, subdivide the surface first. Borders that pass a point within 1e-5 of an edge
  * pass through it. The search goes on into neighbouring cells as far as they may matter; not so
  * with GenerateCellsOff().
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm:
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - no site; a site id out of range; a site point that is not finite, or farther from the surface
  *    than ProjectionTolerance; a ProjectionTolerance or Tolerance that is negative or NaN; a
  *    negative NumberOfIterations; an array name that is empty or used twice;
@@ -49,7 +49,7 @@
  * vtkPolyData* cells = voronoi->GetCells(); // colour by SiteId
  * @endcode
  *
- * <b>Source.</b> Q. Du, V. Faber, M. Gunzburger, "Centroidal Voronoi tessellations", SIAM Rev.
+ * <b>Source</b>. Q. Du, V. Faber, M. Gunzburger, "Centroidal Voronoi tessellations", SIAM Rev.
  * 41(4), 1999, with distances in the graph of vtkDiscreteGeodesicGraph.
  *
  * @sa vtkGeodesicSampler vtkDGGDistance

@@ -7,16 +7,16 @@
  * Heat flows from the sources for a short time; distances are the function whose gradient has its
  * direction everywhere. They are smoother than the true ones.
  *
- * <b>Input and output.</b> Those of vtkGeodesicDistanceAlgorithm. MaximumDistance saves no time.
+ * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm. MaximumDistance saves no time.
  * The heat of a source falls with its initial distance o like exp(-o / sqrt(t)), t the time of the
  * flow.
  *
- * <b>Guarantee and cost.</b> Nothing bounds the error, which grows with the edges beside the
+ * <b>Guarantee and cost</b>. Nothing bounds the error, which grows with the edges beside the
  * features of the surface, and is large on long triangles (QualityWarning); the page of the module
  * has figures. Two sparse systems are factorized, and kept until mesh or properties change; a query
  * is two substitutions. A factorization cannot be interrupted.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicDistanceAlgorithm: a TimeStepFactor outside [1e-6,
+ * <b>Errors</b>. Besides those of vtkGeodesicDistanceAlgorithm: a TimeStepFactor outside [1e-6,
  * 1e6]; factorizations that take more than MemoryLimit; a source on the boundary when Boundary is
  * Dirichlet.
  *
@@ -29,7 +29,7 @@
  * distance->Update(); // two substitutions
  * @endcode
  *
- * <b>Source.</b> K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in heat: a new approach to
+ * <b>Source</b>. K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in heat: a new approach to
  * computing distance based on heat flow", ACM Trans. Graph. 32(5), 2013.
  *
  * @sa vtkFastMarchingGeodesicDistance vtkDGGDistance vtkExactGeodesicDistance

@@ -9,20 +9,18 @@
  * vtkGeodesicVoronoi and vtkGeodesicDistanceMatrix search the graph. All parameters have automatic
  * defaults that follow from the sampling; GetUsedOffsetInVoxels() and others report what was used.
  *
- * <b>Input and output.</b> Port 0 takes the cloud (vtkPolyData): its points and, with
+ * <b>Input and output</b>. Port 0 takes the cloud (vtkPolyData): its points and, with
  * UseInputNormals, their normals; cells are not used. The output is the input plus the point array
  * `Component` (int): the connected part of each point, from the largest on, -1 where a point is not
  * finite; with EstimateNormals the point array `Normals` (double); and the graph in the field data.
  * n is the number of points, m that of directed edges; each edge is there both ways, with one
  * length.
  *
- * | array | type, values | meaning |
- * |-------|--------------|---------|
- * | `DGG.Offsets` | int64, n + 1 | edges of point i: [Offsets[i], Offsets[i + 1]) |
- * | `DGG.Targets` | int32, m | point at the end of each edge, sorted within each row |
- * | `DGG.Lengths` | float32, m | length; float64 for 0 < Accuracy < 1e-5 |
- * | `DGG.Radii` | float64, n | radius of the ball around each point, 0 if not finite or stray |
- * | `DGG.Info` | int64, 12 | see below |
+ *  - `DGG.Offsets` (int64, n + 1): edges of point i: [Offsets[i], Offsets[i + 1]);
+ *  - `DGG.Targets` (int32, m): point at the end of each edge, sorted within each row;
+ *  - `DGG.Lengths` (float32, m): length; float64 for 0 < Accuracy < 1e-5;
+ *  - `DGG.Radii` (float64, n): radius of the ball around each point, 0 if not finite or stray;
+ *  - `DGG.Info` (int64, 12): see below.
  *
  * Lengths are in units of the coordinates, and float64 too for extents out of the range of floats.
  * `DGG.Info` is as in vtkDiscreteGeodesicGraph: the format version (1); the kind (1: cloud); 4 +
@@ -34,12 +32,12 @@
  * in fewer than 17 places, are components of their own that do not change the graph of the others.
  * Copies of a point are joined by edges of near-zero length.
  *
- * <b>Guarantee and cost.</b> Nothing is promised: errors depend on the sampling. The page of the
+ * <b>Guarantee and cost</b>. Nothing is promised: errors depend on the sampling. The page of the
  * module says what happens at noise, close sheets, gaps and uneven density. The graph is the same
  * for any number of threads, and kept until points, normals that are used or parameters change.
  * Warnings come when it is built; getters report their cause after every update.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm:
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - an OffsetInVoxels not in [0.5, 1000], an Alpha not in [1e-3, 1e6] or an Accuracy not in [1e-6,
  *    0.5], unless 0; a Resolution not in [0, 524288]; a NumberOfNeighbors below 3; an empty array
  *    name;
@@ -58,7 +56,7 @@
  * distance->Update(); // milliseconds
  * @endcode
  *
- * <b>Source.</b> Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological University,
+ * <b>Source</b>. Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological University,
  * 2019, chapter 5, for the band and schemes A and B. Their defaults are our own, so that errors are
  * not those printed there: automatic Alpha is 1 for A, with at least six direct neighbours, where
  * the thesis uses 2.5 to 4.2; for B it makes a reach of six spacings; balls follow the spacing, not

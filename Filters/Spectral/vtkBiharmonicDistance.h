@@ -8,18 +8,18 @@
  * the sum of (v_i(x) - v_i(y))^2 times 1 / lambda_i^2 for the biharmonic distance, 1 / lambda_i for
  * the commute-time distance, exp(-2 t lambda_i) for the diffusion distance at time t.
  *
- * <b>Input and output.</b> Those of vtkSpectralAlgorithm. The result is `BiharmonicDistance` for
+ * <b>Input and output</b>. Those of vtkSpectralAlgorithm. The result is `BiharmonicDistance` for
  * all kinds, one component per source: a length in units of the coordinates, a number, or one over
  * a length. Functions are linear in faces. Points of another component than the source get
  * UnreachedValue. With Dirichlet conditions functions are 0 on the boundary.
  *
- * <b>Guarantee and cost.</b> These are metrics, but not lengths of paths. Method Exact has all
+ * <b>Guarantee and cost</b>. These are metrics, but not lengths of paths. Method Exact has all
  * eigenvalues, up to rounding, of the finite elements: by a solution for each point, once, on all
  * threads; then two substitutions for each source, for some ten thousand points. Spectrum takes the
  * smallest NumberOfEigenvalues, which are found once; what is left out makes distances too small.
  * Commute-time distances grow without bound as a mesh is refined.
  *
- * <b>Errors.</b> Besides those of vtkSpectralAlgorithm: Diffusion by the Exact method; a
+ * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: Diffusion by the Exact method; a
  * DiffusionTime that is negative or not finite; a NumberOfEigenvalues below 1.
  *
  * @code
@@ -30,7 +30,7 @@
  * vtkDataArray* d = distance->GetOutput()->GetPointData()->GetArray("BiharmonicDistance");
  * @endcode
  *
- * <b>Source.</b> Y. Lipman, R. M. Rustamov, T. A. Funkhouser, "Biharmonic distance", ACM Trans.
+ * <b>Source</b>. Y. Lipman, R. M. Rustamov, T. A. Funkhouser, "Biharmonic distance", ACM Trans.
  * Graph. 29(3), 2010, sections 3 and 4; R. R. Coifman, S. Lafon, "Diffusion maps", Appl. Comput.
  * Harmon. Anal. 21, 2006.
  *

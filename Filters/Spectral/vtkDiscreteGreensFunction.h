@@ -8,13 +8,13 @@
  * the source and leaves evenly. Next to x it grows like -log(d) / (2 pi), d the distance from x.
  * For -Laplace u = f, u(x) is mean(u) + the integral of g f.
  *
- * <b>Input and output.</b> Those of vtkSpectralAlgorithm; the result is `GreensFunction`, one
+ * <b>Input and output</b>. Those of vtkSpectralAlgorithm; the result is `GreensFunction`, one
  * component per source, without a unit and independent of scale. It is that of the component of its
  * source, with mean 0, and 0 in other components. With Dirichlet conditions 1 / area is left out,
  * and g is 0 on the boundary. Evaluation points see the logarithm exactly. At the source see
  * PoleValue.
  *
- * <b>Guarantee and cost.</b> By Method; h is the edge length:
+ * <b>Guarantee and cost</b>. By Method; h is the edge length:
  *  - SingularitySubtraction subtracts the logarithm of the geodesic distance up to a radius and
  *    solves for the smooth rest. Errors fall like h^2 with the radius fixed, but like h within a
  *    few edges of a boundary, and where shortest paths meet close to the source; symmetric up to
@@ -30,7 +30,7 @@
  * Interpolated takes its place with a warning, see GetUsedMethod(). Eight functions are solved for
  * at a time, on all threads; SingularitySubtraction takes a local exact distance field besides.
  *
- * <b>Errors.</b> Besides those of vtkSpectralAlgorithm: Dirichlet conditions and a source that lies
+ * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: Dirichlet conditions and a source that lies
  * on the boundary, or in a component without one; a Radius that is negative or not finite.
  *
  * @code
@@ -43,7 +43,7 @@
  * double atPoint7OfSource1 = g->GetComponent(7, 1);
  * @endcode
  *
- * <b>Source.</b> Y. Lipman, R. M. Rustamov, T. A. Funkhouser, "Biharmonic distance", ACM Trans.
+ * <b>Source</b>. Y. Lipman, R. M. Rustamov, T. A. Funkhouser, "Biharmonic distance", ACM Trans.
  * Graph. 29(3), 2010, section 3 (Vertex); Z. Fang, "Discrete Geodesic Graphs", PhD thesis, Nanyang
  * Technological University, 2019, chapter 4 (Localized).
  *

@@ -11,7 +11,7 @@
  * with A_j, A the areas of cell and component, g_j the mean of the Green's function over cell j,
  * and c_ij the length of the border between two cells by the distance of their sites.
  *
- * <b>Input and output.</b> Those of vtkSpectralAlgorithm, whose sources are the sites. Sites of
+ * <b>Input and output</b>. Those of vtkSpectralAlgorithm, whose sources are the sites. Sites of
  * port 1 move to the nearest corner of their triangle. Without any, NumberOfSites are chosen, each
  * as far as possible from those before along the edges; every component gets one. Point arrays:
  *  - `HarmonicBSpline` (double, one component per site, without a unit);
@@ -25,13 +25,13 @@
  * Dirichlet conditions functions and solutions are 0 on the boundary, its points are in no cell,
  * and A_j / A is left out.
  *
- * <b>Guarantee and cost.</b> Functions sum to 1 (with Dirichlet conditions only away from the
+ * <b>Guarantee and cost</b>. Functions sum to 1 (with Dirichlet conditions only away from the
  * boundary), have the mean A_j / A, and vanish within a few cells; with all points as sites they
  * interpolate. Errors of solutions fall like the square of the size of cells. On sheared or obtuse
  * triangles values may leave [0, 1] by far, which IntrinsicDelaunay mends; sums and solutions
  * remain right. Memory is 8 bytes per point and site.
  *
- * <b>Errors.</b> Besides those of vtkSpectralAlgorithm: two sites at the same point; a component
+ * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: two sites at the same point; a component
  * without a site; Dirichlet conditions and a site on the boundary; a right-hand side that is
  * missing, has several components or is not finite; array names that are empty or the same;
  * equations of cells that cannot be solved to 1e-8; SmoothEvaluation with Dirichlet conditions and
@@ -48,7 +48,7 @@
  * double psi3 = data->GetArray("HarmonicBSpline")->GetComponent(7, 3);
  * @endcode
  *
- * <b>Source.</b> P. Feng, J. Warren, "Discrete bi-Laplacians and biharmonic b-splines", ACM Trans.
+ * <b>Source</b>. P. Feng, J. Warren, "Discrete bi-Laplacians and biharmonic b-splines", ACM Trans.
  * Graph. 31(4), 2012; Z. Fang, "Discrete Geodesic Graphs", PhD thesis, Nanyang Technological
  * University, 2019, chapter 4, where coefficients have the opposite sign.
  *

@@ -4,7 +4,7 @@
  * @class   vtkPoissonVectorGraphics
  * @brief   smooth colours on a surface from few curves and regions
  *
- * <b>Input and output.</b> Port 0 takes the surface, the optional port 1 curves: each line of a
+ * <b>Input and output</b>. Port 0 takes the surface, the optional port 1 curves: each line of a
  * vtkPolyData, whose points are projected to the surface and joined by exact geodesics. One that
  * ends with the id of its first point is closed. Left is seen from the side from which triangles
  * are counter-clockwise. Numbers are in arrays of port 1, of points (linear in between) or else of
@@ -36,13 +36,13 @@
  * or in those that RefinementRegion chooses, with verts, the point arrays of output 0 but
  * `Component`, and `FaceId`.
  *
- * <b>Guarantee and cost.</b> Linear finite elements on the refined mesh, with nothing through its
+ * <b>Guarantee and cost</b>. Linear finite elements on the refined mesh, with nothing through its
  * boundary. Errors are of second order in the edge length; of first order as soon as a diffusion
  * curve has an open end with two colours. A round flat region changes nothing outside, others a
  * little. One factorization, kept for other colours; the memory is about 2 KiB per point of the
  * output. An update can be stopped between the parts of the work.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm:
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - neither a line nor a region; a line with fewer than two different points, or a point that is
  *    not finite, farther from the surface than ProjectionTolerance, or not connected with the next
  *    one;
@@ -65,7 +65,7 @@
  * mapper->SetInputConnection(graphics->GetOutputPort()); // shows RGB as it is
  * @endcode
  *
- * <b>Source.</b> F. Hou, Q. Sun, Z. Fang, Y.-J. Liu, S.-M. Hu, H. Qin, A. Hao, Y. He, "Poisson
+ * <b>Source</b>. F. Hou, Q. Sun, Z. Fang, Y.-J. Liu, S.-M. Hu, H. Qin, A. Hao, Y. He, "Poisson
  * vector graphics (PVG)", IEEE Trans. Vis. Comput. Graph. 26(2), 2020; A. Orzan et al., "Diffusion
  * curves", ACM Trans. Graph. 27(3), 2008. Refinement replaces the evaluation of the former by
  * Green's identity.

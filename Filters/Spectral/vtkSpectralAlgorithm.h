@@ -4,20 +4,20 @@
  * @class   vtkSpectralAlgorithm
  * @brief   what filters have in common that solve Poisson equations for sources on a surface
  *
- * <b>Input and output.</b> Port 0 takes the surface. Sources are point ids (SetSourceIds()) and the
+ * <b>Input and output</b>. Port 0 takes the surface. Sources are point ids (SetSourceIds()) and the
  * points of the optional port 1 (SetSourceConnection()), each projected to the closest point of the
  * surface; they are numbered from 0, ids first. Output 0 is the input, in the same order, plus a
  * point array (double) with one component per source, which becomes the active scalars. Output 1
  * (GetEvaluation()) has the points of the optional port 2 (SetEvaluationConnection()) with the same
  * array: the values at the closest points of the surface.
  *
- * <b>Guarantee and cost.</b> Linear finite elements (cotangents) give a sparse matrix, which is
+ * <b>Guarantee and cost</b>. Linear finite elements (cotangents) give a sparse matrix, which is
  * factorized once and kept until the mesh, Boundary or IntrinsicDelaunay changes; each source takes
  * a substitution or two. Any triangles are allowed; edges with more than two conduct between all of
  * them. Components, connected through edges or shared points, are independent of each other. An
  * update can be stopped between the parts of the work; the factorization is one of them.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm:
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - no source, but for filters that choose sources; a source id out of range, or of a point that
  *    no polygon uses; a source or evaluation point that is not finite, or farther from the surface
  *    than ProjectionTolerance;

@@ -7,7 +7,7 @@
  * The cost is mass times the length of its path: the Wasserstein distance W1. Between two unit
  * masses it is their geodesic distance.
  *
- * <b>Input and output.</b> Port 0 takes the surface. Each distribution is the sum of a point array
+ * <b>Input and output</b>. Port 0 takes the surface. Each distribution is the sum of a point array
  * (SetFromArrayName(), SetToArrayName()) with densities, mass per area, or masses (ArrayMeaning),
  * and of masses at the points of port 1 (SetFromData()) or 2 (SetToData()), which are projected to
  * the surface and shared by the corners of their face; the point array MassArrayName has these,
@@ -21,14 +21,14 @@
  *  - `EarthMoversFlow` (double, 3 components), a cell array and the active vectors: mass per
  *    length, constant in each triangle, means in larger polygons. Not with IntrinsicDelaunay.
  *
- * <b>Guarantee and cost.</b> Both bounds are those of flows that are constant in each triangle;
+ * <b>Guarantee and cost</b>. Both bounds are those of flows that are constant in each triangle;
  * they differ by Tolerance of the cost at most, or a warning reports that MaximumNumberOfIterations
  * was reached. Between two points of the surface the optimum is never above the geodesic distance;
  * how far it is below depends on the mesh, see the page of the module. An interior point method
  * takes 7 to 50 iterations on most meshes, each with a factorization as large as that of a Poisson
  * equation; an update can be stopped between them.
  *
- * <b>Errors.</b> Besides those of vtkGeodesicAlgorithm:
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - a distribution of which nothing is given; a named array that is missing, or not of one number
  *    per point; a density or mass that is negative or not finite;
  *  - different masses of the whole without Normalize, or within a component; no mass to normalize;
@@ -45,7 +45,7 @@
  * std::cout << "moved by " << movers->GetDistance() << " on average\n";
  * @endcode
  *
- * <b>Source.</b> J. Solomon, R. Rustamov, L. Guibas, A. Butscher, "Earth mover's distances on
+ * <b>Source</b>. J. Solomon, R. Rustamov, L. Guibas, A. Butscher, "Earth mover's distances on
  * discrete surfaces", ACM Trans. Graph. 33(4), 2014, section 4; there the part of the flow without
  * divergence is spanned by few eigenfunctions, here it is any.
  *
