@@ -170,7 +170,7 @@ void SetSize(const Cloud& cloud, std::size_t count, PointCloudView& view)
 }
 
 /// A cloud of any fields. Null when it is malformed: `error` says why, and is empty when all is
-/// well; without it, the trouble goes to VTK's output window. The fields x, y and z must be there.
+/// well; without it, it goes to VTK's output window. The fields x, y and z must be there.
 inline vtkSmartPointer<vtkPolyData> ToPolyData(
   const pcl::PCLPointCloud2& cloud, std::string* error = nullptr)
 {

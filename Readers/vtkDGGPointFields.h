@@ -59,7 +59,7 @@ struct PointFieldView
 /// Position of a sensor: translation x, y, z, then quaternion w, x, y, z.
 using Viewpoint = std::array<double, 7>;
 
-/// A point cloud in memory that belongs to somebody else.
+/// A point cloud in memory, which it does not own.
 struct PointCloudView
 {
   std::vector<PointFieldView> Fields; ///< those of x, y and z among them

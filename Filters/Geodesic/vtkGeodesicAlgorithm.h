@@ -205,9 +205,8 @@ protected:
   ///@}
 
   /**
-   * Whether the input is a cloud for this filter: then its points alone are looked at, and may be
-   * anywhere. Default false. Filters that search a graph take an input with the graph of a cloud
-   * for one.
+   * Whether this filter treats the input as a cloud, of which only the points count. Default false;
+   * filters that search a graph do so for an input with the graph of a cloud.
    */
   virtual bool IsCloud(vtkPolyData* input) const;
 
@@ -227,25 +226,25 @@ protected:
   dgg::Status PrepareMesh(vtkPolyData* surface);
 
   /**
-   * What a surface is taken for.
+   * What a surface is treated as.
    */
   vtkDGGDomain GetDomain(vtkPolyData* surface) const;
 
   /**
    * After a distance: warn, once for each mesh, when most of the surface is not connected with the
-   * vertices that are reached, though its parts all but touch.
+   * vertices that are reached, though its parts nearly touch.
    */
   void WarnAboutGaps(vtkPolyData* surface, const std::vector<bool>& isReached);
 
   /**
-   * Do something that may fail or throw, and report the error. Returns whether it went
-   * well; not so when it was stopped, either.
+   * Run a step that may fail or throw, and report the error. Returns whether it succeeded and was
+   * not stopped.
    */
   bool Attempt(const std::function<dgg::Status()>& step);
 
   /**
-   * Attempt() outside of updates, as to predict one: with the input brought up to date. The
-   * error code stays that of the last update, but for an error.
+   * Attempt() outside of updates, with the input brought up to date. Only an error changes the
+   * error code.
    */
   bool AttemptOutsideOfUpdate(const std::function<dgg::Status()>& step);
 

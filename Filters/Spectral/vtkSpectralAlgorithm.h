@@ -189,8 +189,8 @@ protected:
   /**
    * For filters that can choose sources themselves, or need them elsewhere than they are given:
    * whether there may be none, how many there will be on a surface that is ready to be factorized,
-   * and which (told the progress, and whether to stop, by the callback). By default sources are
-   * needed, and used as they are.
+   * and which (the callback takes the progress and returns whether to go on). By default sources
+   * are needed, and used as they are.
    */
   virtual bool CanChooseSources() const { return false; }
   virtual std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const;
