@@ -4,33 +4,34 @@
  * @class   vtkDGGOFFReader
  * @brief   read surfaces in the Object File Format (OFF)
  *
- * vtkDGGOFFReader reads the OFF files of geomview and of geometry processing at large, text and
- * binary (keyword followed by BINARY; big endian, 32 bits), with any of the prefixes ST (texture
- * coordinates), C (colours) and N (normals): OFF, COFF, NOFF, CNOFF, STOFF and so on. Each vertex
- * has, in this order, its coordinates, normal, colour and texture coordinates. The prefixes 4 and n
- * (points that are not in space) are refused.
+ * <b>Input and output</b>. Text and binary files (big endian, 32 bits) with any of the prefixes ST,
+ * C and N; 4 and n (points that are not in space) are refused. The output has a point per vertex
+ * (double) and a cell per face: polygons, lines (two vertices) and verts (one). Arrays, where the
+ * file has them:
+ *  - point data `Normals`, `TCoords` and `RGB` or `RGBA` (unsigned char);
+ *  - cell data `RGB` or `RGBA`, grey for faces without a colour, in the order of cells in
+ *    vtkPolyData: verts, lines, polygons. Indices into a table of colours are ignored.
  *
- * The output has one point per vertex (double) and one cell per face: polygons, lines (faces of two
- * vertices) and vertices (faces of one). Optional arrays:
- * - point data: normals `Normals`, texture coordinates `TCoords`, scalars `RGB` or `RGBA` (unsigned
- *   char) from colours;
- * - cell data: scalars `RGB` or `RGBA` when any face has a colour; faces without one are grey. An
- *   index into a table of colours, a single number, is passed over. Cell data follow the order of
- *   cells in vtkPolyData: vertices, lines, polygons.
+ * Colours are fractions of 1 if no component of the file exceeds 1, else integers up to 255. In
+ * text # starts a comment, and each vertex and face begins on a line of its own; coordinates,
+ * normals and the vertices of a face may go on on further lines. Counts may follow the keyword, and
+ * the number of edges may be missing.
  *
- * Colours are fractions of 1, or integers up to 255. A file in which no colour component exceeds 1
- * is taken to have fractions.
+ * <b>Guarantee and cost</b>. Numbers are read the same way in any locale. Counts are compared with
+ * the size of the file before memory is allocated.
  *
- * In text files everything from # to the end of the line is a comment, blank lines are passed over,
- * all kinds of line ends are accepted, the counts may follow the keyword on its line, and the
- * number of edges may be missing. The coordinates and normal of a vertex and the vertices of a face
- * may be spread over lines; what follows them (colour, texture coordinates) ends their last line,
- * so that each vertex and each face begins on a line of its own. Numbers are read the same way in
- * any locale. More data after the last face are an error, as the counts are wrong then.
+ * <b>Errors</b>. A file that is missing, cannot be opened or is malformed, with data after the last
+ * face too, is reported with its name and the line (the byte, if binary); GetErrorCode() is not
+ * zero and the output is empty.
  *
- * Errors: a file that does not exist, cannot be opened or is malformed in any way is reported with
- * its name and the line (the byte, when binary), GetErrorCode() says of what kind the error is, and
- * the output is empty. Counts are compared with the size of the file before memory is allocated.
+ * @code
+ * vtkNew<vtkDGGOFFReader> reader;
+ * reader->SetFileName("mesh.off");
+ * reader->Update();
+ * vtkPolyData* mesh = reader->GetOutput();
+ * @endcode
+ *
+ * <b>Source</b>. The format is that of geomview (www.geomview.org/docs/html/OFF.html).
  *
  * @sa vtkPLYReader vtkOBJReader
  */

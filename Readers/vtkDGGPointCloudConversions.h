@@ -1,18 +1,25 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Clouds of the Point Cloud Library to vtkPolyData and back.
+/// Clouds of the Point Cloud Library to vtkPolyData and back. The only header that includes PCL (of
+/// points and clouds, libpcl_common).
 ///
-/// This is the only header that includes PCL (its headers of points and clouds, libpcl_common);
-/// whoever does not include it needs no PCL. From a cloud to a filter in one line:
+/// <b>Input and output</b>. Fields and arrays correspond as in vtkDGGPointFields.h. Width, height,
+/// `sensor_origin_` and `sensor_orientation_` are in the field data, `is_dense` follows from the
+/// coordinates, and the header (time, frame) is lost. Points that are not finite have no vert.
 ///
-///     filter->SetInputData(vtkDGG::ToPolyData(cloud)); // cloud: a pcl::PointCloud<T>::ConstPtr
+/// <b>Guarantee and cost</b>. Everything is copied; numbers keep their values.
 ///
-/// Everything is copied, so that neither side depends on the life of the other. Fields become
-/// arrays, and arrays fields, as vtkDGGPointFields.h says: coordinates, normals and colours by
-/// their meaning, all others by name. Width, height, `sensor_origin_` and `sensor_orientation_`
-/// travel in the field data, `is_dense` is found out from the coordinates, and the header (time,
-/// frame) is lost. Points with NaN or infinite coordinates are kept, without a vertex.
+/// <b>Errors</b>. See the functions: null or false, and a message.
+///
+/// @code
+/// pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>(10, 1));
+/// vtkNew<vtkPointCloudDGG> graph;
+/// graph->SetInputData(vtkDGG::ToPolyData(cloud));
+/// graph->Update();
+/// pcl::PointCloud<pcl::PointXYZ> result;
+/// vtkDGG::FromPolyData(graph->GetOutput(), result);
+/// @endcode
 #ifndef vtkDGGPointCloudConversions_h
 #define vtkDGGPointCloudConversions_h
 
@@ -163,7 +170,7 @@ void SetSize(const Cloud& cloud, std::size_t count, PointCloudView& view)
 }
 
 /// A cloud of any fields. Null when it is malformed: `error` says why, and is empty when all is
-/// well; without it, the trouble goes to VTK's output window. The fields x, y and z must be there.
+/// well; without it, it goes to VTK's output window. The fields x, y and z must be there.
 inline vtkSmartPointer<vtkPolyData> ToPolyData(
   const pcl::PCLPointCloud2& cloud, std::string* error = nullptr)
 {

@@ -2,30 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Point clouds as fields (x, y, z, intensity and so on, as in PCL and in PCD files), to and from
-/// vtkPolyData.
+/// vtkPolyData. PCD files and vtkDGGPointCloudConversions.h share this; it needs no PCL.
 ///
-/// This is what PCD files and vtkDGGPointCloudConversions.h share. It knows nothing of PCL. How
-/// fields and arrays belong together:
+/// <b>Input and output</b>. Fields and arrays correspond as in vtkPCDReader and vtkPCDWriter: the
+/// coordinates, `Normals`, `RGB` and `RGBA` by their meaning, all others by name, type and number
+/// of components, bits as bytes. Points with finite coordinates have a vert. `PCD.Dimensions`
+/// (width and height, int64) and `PCD.Viewpoint` (translation x, y, z and quaternion w, x, y, z of
+/// the sensor, double) are field data; the former counts if the product is the number of points.
 ///
-/// | fields | in vtkPolyData |
-/// |---|---|
-/// | `x`, `y`, `z` | the points: float or double as the fields are, double when they are neither |
-/// | `normal_x`, `normal_y`, `normal_z` (float or double) | `Normals`, the active normals |
-/// | `rgb` (four bytes) | `RGB`, three unsigned chars, the active scalars; the fourth byte is
-/// dropped | | `rgba` (four bytes) | `RGBA`, four unsigned chars, the active scalars unless there
-/// is `RGB` | | any other | an array of that name, type and number of components | | `_` (padding)
-/// | nothing |
+/// <b>Guarantee and cost</b>. Everything is copied; numbers keep their values and types.
 ///
-/// Each point with finite coordinates has a vertex, so that it is seen; the others are points
-/// without a cell. Two arrays go to the field data: `PCD.Dimensions` (width and height, int64) and
-/// `PCD.Viewpoint` (translation x, y, z and quaternion w, x, y, z of the sensor, doubles).
-///
-/// Back to fields, colours are the active scalars or the array `RGB` or `RGBA`, when that is an
-/// array of three or four unsigned chars, and normals are the active normals. Other arrays become
-/// fields of their name, type and number of components; bits become bytes. As blanks end a name in
-/// a file, blanks and control characters become `_`, and a name that is taken already (`x` is),
-/// empty or `_` gets one more `_`. Arrays of strings are left out. The width and height of the
-/// field data hold as long as their product is the number of points.
+/// <b>Errors</b>. Malformed clouds give null and a message. Arrays of strings are left out.
 #ifndef vtkDGGPointFields_h
 #define vtkDGGPointFields_h
 
@@ -72,7 +59,7 @@ struct PointFieldView
 /// Position of a sensor: translation x, y, z, then quaternion w, x, y, z.
 using Viewpoint = std::array<double, 7>;
 
-/// A point cloud in memory that belongs to somebody else.
+/// A point cloud in memory, which it does not own.
 struct PointCloudView
 {
   std::vector<PointFieldView> Fields; ///< those of x, y and z among them
@@ -112,9 +99,8 @@ private:
 /// do not have a value for each point are left out.
 VTKDGGREADERS_EXPORT std::vector<PointFieldSource> ListPointFields(vtkPolyData* data);
 
-/// The sources for fields of these names, and none (null) where the data have nothing of that name
-/// and number of values. Whoever has RGB has `rgba`, and the other way round. The caller frees
-/// nothing: the sources lie in `storage`.
+/// The sources for fields of these names, null where the data have nothing of that name and number
+/// of values; `rgb` and `rgba` stand for each other. The sources lie in `storage`.
 VTKDGGREADERS_EXPORT std::vector<const PointFieldSource*> FindPointFields(
   vtkPolyData* data, const std::vector<PointField>& wanted, std::vector<PointFieldSource>& storage);
 

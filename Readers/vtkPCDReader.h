@@ -4,35 +4,36 @@
  * @class   vtkPCDReader
  * @brief   read point clouds in PCL's format (PCD)
  *
- * vtkPCDReader reads the PCD files of the Point Cloud Library: text, binary and compressed binary,
- * with any fields, of version 0.7 and those before it. The output has a point for each point of the
- * file, in the same order:
- * - `x`, `y`, `z` become the points, float or double as in the file (double when they are integers
- *   or of several types);
- * - `normal_x`, `normal_y`, `normal_z` become the active normals `Normals`;
- * - `rgb` or `rgba` (four bytes in a float or an integer) become the active scalars `RGB` (three
- *   unsigned chars) or `RGBA` (four). What is in the fourth byte of `rgb` is dropped;
- * - any other field becomes an array of its name, type and number of components, whatever its
- *   meaning (`intensity`, `curvature`, `fpfh`, ...). Padding, fields named `_`, is passed over.
+ * <b>Input and output</b>. Text, binary and compressed files with any fields, up to version 0.7.
+ * The output has a point for each of the file, in order, with a vert if it is finite:
+ *  - `x`, `y`, `z` become the points, float or double (double when integers or of several types);
+ *  - `normal_x`, `normal_y`, `normal_z` the active normals `Normals`;
+ *  - `rgb` or `rgba` (four bytes) the active scalars `RGB` or `RGBA` (unsigned char), without the
+ *    fourth byte of `rgb`;
+ *  - any other field an array of its name, type and number of components, but padding (`_`).
  *
- * Points with NaN or infinite coordinates are kept. All others have a vertex each, so that they are
- * seen. Two arrays in the field data keep what vtkPolyData has no place for: `PCD.Dimensions`
- * (width and height, of clouds that are images) and `PCD.Viewpoint` (translation x, y, z and
- * quaternion w, x, y, z of the sensor). vtkPCDWriter writes them back.
+ * The field data get `PCD.Dimensions` (int64: width, height) and `PCD.Viewpoint` (double:
+ * translation x, y, z and quaternion w, x, y, z of the sensor). DATA ends the header, whose lines
+ * may come in any order; VERSION, COUNT, HEIGHT, VIEWPOINT, one of WIDTH and POINTS, and SIZE
+ * together with TYPE may be missing. In text each point has a line of its own; binary data may be
+ * followed by zeros.
  *
- * The lines of the header may come in any order, DATA the last. VERSION, COUNT, HEIGHT, VIEWPOINT
- * and one of WIDTH and POINTS may be missing, and SIZE together with TYPE. In text files each point
- * has a line of its own, and numbers are read the same way in any locale. A file has 10000 fields
- * at most. Behind binary data there may be zeros (PCL fills pages with them). More data after the
- * last point are an error, as the counts are wrong then.
+ * <b>Guarantee and cost</b>. What PCL writes is read as PCL reads it, without PCL: its library of
+ * files brings a VTK of its own. Numbers are read the same way in any locale. Counts are compared
+ * with the size of the file before memory is allocated.
  *
- * Errors: a file that does not exist, cannot be opened or is malformed in any way is reported with
- * its name and the line (the byte, in binary data), GetErrorCode() says of what kind the error is,
- * and the output is empty. Counts are compared with the size of the file before memory is
- * allocated.
+ * <b>Errors</b>. A file that is missing, cannot be opened or is malformed, with more than 10000
+ * fields or data after the last point too, is reported with its name and the line (the byte, in
+ * binary data); GetErrorCode() is not zero and the output is empty.
  *
- * PCL itself is not needed: its reader allocates what the header promises, and its library of files
- * brings a VTK of its own. Whatever it writes is read as it reads it.
+ * @code
+ * vtkNew<vtkPCDReader> reader;
+ * reader->SetFileName("cloud.pcd");
+ * reader->Update();
+ * vtkDataArray* intensity = reader->GetOutput()->GetPointData()->GetArray("intensity");
+ * @endcode
+ *
+ * <b>Source</b>. The format is that of the Point Cloud Library (pcl.readthedocs.io).
  *
  * @sa vtkPCDWriter vtkDGGPointCloudConversions.h
  */

@@ -4,28 +4,30 @@
  * @class   vtkPCDWriter
  * @brief   write point clouds in PCL's format (PCD)
  *
- * vtkPCDWriter writes the points of a vtkPolyData and all of their arrays of numbers as a PCD file
- * of version 0.7. Cells are not written. What vtkPCDReader reads is written back as it was: the
- * fields are `x`, `y`, `z` (float or double as the points are, double for any other type),
- * `normal_x`, `normal_y`, `normal_z` when there are active normals, `rgb` or `rgba` when the active
- * scalars, or an array `RGB` or `RGBA`, are three or four unsigned chars, and each other array of
- * point data under its name. The fourth byte of `rgb` is 255, as PCL has it.
+ * <b>Input and output</b>. Writes the points of a vtkPolyData and its point arrays of numbers as a
+ * file of version 0.7; cells are not written. The fields are `x`, `y`, `z` (float or double),
+ * `normal_x`, `normal_y`, `normal_z` for active normals, `rgb` (with a fourth byte of 255) or
+ * `rgba` if the active scalars, or an array `RGB` or `RGBA`, are three or four unsigned chars, and
+ * each other array under its name. In names, blanks and control characters become `_`; one that is
+ * taken, `_` or empty gets one more `_`. Arrays of strings are left out, with a warning. Width,
+ * height and viewpoint are those of the field data, see vtkPCDReader, if they fit.
  *
- * Names cannot have blanks in a file: blanks and control characters become `_`, and a name that is
- * taken already, `_` or empty gets one more `_`. Arrays of strings are left out, with a warning.
+ * <b>Guarantee and cost</b>. vtkPCDReader reads the same numbers back, from text too; NaN and
+ * infinity are `nan` and `inf`.
  *
- * The width and height of `PCD.Dimensions` in the field data are written as long as their product
- * is the number of points, otherwise that number and 1; the viewpoint is that of `PCD.Viewpoint`,
- * or the origin.
+ * <b>Errors</b>. No input or file name, a file that cannot be written, a full disk, more than 10000
+ * fields, or more than 4 GB of compressed data are reported with the name of the file; Write()
+ * returns 0, GetErrorCode() is not zero, and a part of a file is removed.
  *
- * Text files hold the fewest digits that give the same numbers again, so no mode loses anything.
- * NaN and infinity are `nan` and `inf`. A cloud without points makes a file without points.
- * Compressed data may take no more than 4 GB, a limit of the format. A file has 10000 fields at
- * most, as vtkPCDReader refuses more.
+ * @code
+ * vtkNew<vtkPCDWriter> writer;
+ * writer->SetInputData(cloud);
+ * writer->SetFileName("cloud.pcd");
+ * writer->SetDataModeToBinaryCompressed();
+ * bool isWritten = writer->Write() == 1;
+ * @endcode
  *
- * Errors: no input, no file name, a file that cannot be written or does not fit on the disk are
- * reported with the name of the file; Write() returns 0 and GetErrorCode() says of what kind the
- * error is. A file that is not whole is removed.
+ * <b>Source</b>. The format is that of the Point Cloud Library (pcl.readthedocs.io).
  *
  * @sa vtkPCDReader vtkDGGPointCloudConversions.h
  */

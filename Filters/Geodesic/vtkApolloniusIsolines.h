@@ -4,55 +4,39 @@
  * @class   vtkApolloniusIsolines
  * @brief   isolines of distances that are curved and turn where the distance does
  *
- * Finds the lines on a surface where a distance has some values. vtkContourFilter takes the
- * distance as linear in each triangle, so that its lines are straight there; they miss how circles
- * curve, and cut off the corners where the waves of two sides meet. This filter looks at how the
- * distance runs inside of triangles.
+ * vtkContourFilter treats a distance as linear in each triangle. This filter draws circles as such,
+ * and the corners where waves from two sides meet.
  *
- * Input port 0 takes a surface (vtkPolyData) with a point array of distances along it, as distance
- * filters give it: the one that SetInputArrayToProcess() names, where it has been called, else the
- * one of DistanceArrayName. Another one is never taken in its place. NaN, infinity and the
- * UnreachedValue of a distance filter stand for points that are not reached; lines end at triangles
- * that have one.
+ * <b>Input and output</b>. Port 0 takes a surface with a point array of distances along it, the one
+ * of SetInputArrayToProcess(), else of DistanceArrayName. NaN, infinity and the UnreachedValue of
+ * distance filters are unreached points. Windows and virtual sources that do not belong to the
+ * distances or the surface are ignored, with a warning; that they are of this surface, and that the
+ * values are distances in units of the points, is the user's word. Values without virtual sources
+ * that change along more than a tenth of the edges by more than 1.1 times their length are linear
+ * in each triangle, with a warning; SetMethodToLinear() is for other fields. Outputs are new
+ * geometry, see vtkGeodesicAlgorithm.
+ *  - Output 0: isolines in order of increasing values, with lower distances on the left, closed but
+ *    for those that end at the boundary, unreached triangles or edges with more than two triangles.
+ *    Cell data: `IsoValue` (double). Point data: `FaceId`, `vtkOriginalPointIds`, `ArcLength`.
+ *  - Output 1 (GetRidges()): ridges, with GenerateRidges; the same point data, and the cell array
+ *    `RidgeAngle` (double, degrees), the mean angle between the two directions.
+ *  - Output 2 (GetBands()): the reached triangles cut along the isolines, with GenerateBands. Cell
+ *    data: `Band` (int), 0 below the smallest value; `BandMinimum`, `BandMaximum` (double), the
+ *    values around it, outermost the smallest and largest distance; `FaceId`. Point data: the
+ *    distances, `vtkOriginalPointIds`.
  *
- * How good the lines are depends on what the surface has besides the distances:
- *  - field data with windows (vtkExactGeodesicDistance::GenerateWindowsOn()): they are exact,
- *    points of the lines inside of triangles are at their value up to rounding;
- *  - virtual sources (GenerateVirtualSourceOn() of any distance filter): several times better than
- *    straight lines in triangles, see dggDistanceField.h; for CAD models see vtkGeodesicProbe;
- *  - else virtual sources are fitted to the distances, which is better than straight lines as well.
+ * A value out of the range of the distances has no line.
  *
- * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
- * warning. Windows are compared bit by bit. Virtual sources are ignored when the distances are not
- * those at the sources plus the straight ones from there. That they are those of this surface, and
- * that the values are distances in the units of the points, is the user's word: compute distances
- * again when points have moved, and call SetMethodToLinear() for other fields. Values without
- * virtual sources that change along more than a tenth of the edges by more than 1.1 times their
- * length are taken as linear in each triangle, with a warning.
+ * <b>Guarantee and cost</b>. With windows (vtkExactGeodesicDistance::GenerateWindowsOn()) points of
+ * lines are at their value up to rounding, and ridges exact. With virtual sources
+ * (GenerateVirtualSourceOn() of any distance filter), or those fitted to the distances without,
+ * lines are better than linear ones but without a bound, and some ridges are spurious. Pieces of
+ * lines are within ChordTolerance of the curve; the number of points grows like one over its square
+ * root.
  *
- * <b>Output 0</b> is new geometry, see vtkGeodesicAlgorithm: polylines, in order of increasing
- * values. Each of their pieces lies in one triangle of the surface. Lines are continuous across
- * edges. They are closed, with the same point at either end, but for those that end on the boundary
- * of the surface, at triangles that are not reached, and on edges with more than two triangles.
- * Lower distances are on the left of a line, as seen with the orientation of the triangle that it
- * starts in, which the filter may have turned over to make the surface consistent. Points that have
- * the very value count as farther away.
- *  - Cell data: `IsoValue` (double).
- *  - Point data: `FaceId`, the cell of the input that the piece after the point lies in (that
- * before it for the last point); `vtkOriginalPointIds`, the point of the input where the line is at
- *    one, else -1; `ArcLength`, the length of the line up to the point.
- *
- * <b>Output 1</b> (GetRidges()) has the ridges, when GenerateRidges is on: polylines with the same
- * point data and, as cell data, `RidgeAngle`. <b>Output 2</b> (GetBands()) has the bands between
- * the lines, when GenerateBands is on.
- *
- * Values without a line, as those out of the range of the distances, are no error. A surface
- * without triangles gives an empty output.
- *
- * <b>Errors</b> besides those of vtkGeodesicAlgorithm: no array of the name of the distances, or
- * one that does not have one number per point; a distance of minus infinity; a value that is not
- * finite; a ChordTolerance below 1e-6; SteinerPoints outside of 0 to 50; a MinimumRidgeAngle
- * outside of 0 to 180.
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm: no array of distances, or one without one
+ * number per point; a distance of minus infinity; a value that is not finite; a ChordTolerance
+ * below 1e-6; SteinerPoints outside [0, 50]; a MinimumRidgeAngle outside [0, 180].
  *
  * @code
  * vtkNew<vtkExactGeodesicDistance> distance;
@@ -62,16 +46,15 @@
  * vtkNew<vtkApolloniusIsolines> isolines;
  * isolines->SetInputConnection(distance->GetOutputPort());
  * isolines->GenerateValues(20, 0.0, 5.0);
+ * isolines->Update();
  * @endcode
  *
- * Exact distances inside of triangles: J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The
- * discrete geodesic problem", SIAM J. Comput. 16, 1987, section 3. Method Apollonius is that of
- * Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological University, 2019, section
- * 5.3, with two rules repaired: on an edge that crosses a ridge, the cubic, which would smooth the
- * ridge, is replaced by the smaller one of the distances that its ends give; points of the diagram
- * inside a triangle have the distance of the field there, as that of the diagram is too large.
- *
- * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ * <b>Source</b>. Inside of triangles: J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The
+ * discrete geodesic problem", SIAM J. Comput. 16, 1987, section 3. Method Apollonius: Z. Fang,
+ * "Discrete geodesic graphs", PhD thesis, Nanyang Technological University, 2019, section 5.3, with
+ * two rules repaired. On an edge that crosses a ridge, the cubic, which would smooth it, is
+ * replaced by the smaller one of the distances that its ends give; points of the diagram inside a
+ * triangle have the distance of the field, as that of the diagram is too large.
  *
  * @sa vtkGeodesicProbe vtkExactGeodesicDistance vtkDGGDistance vtkContourFilter
  */
@@ -104,8 +87,8 @@ public:
 
   ///@{
   /**
-   * The values of the isolines, as in vtkContourFilter. One by default, 0. GenerateValues() makes
-   * evenly spaced ones, the ends of the range among them.
+   * The values of the isolines, as in vtkContourFilter. Default one, 0. GenerateValues() makes
+   * evenly spaced ones, with the ends of the range.
    */
   void SetValue(int i, double value);
   double GetValue(int i);
@@ -146,10 +129,8 @@ public:
 
   ///@{
   /**
-   * How far the pieces of lines, which are straight, may be from the curves that they stand for, as
-   * a part of the mean edge length. Default 0.001; at least 1e-6, where a line has some hundred
-   * points in a triangle close to a source: their number grows like one over the square root of the
-   * tolerance. Of Method LocalSources and ridges alone.
+   * How far pieces of lines may be from the curves that they stand for, as a fraction of the mean
+   * edge length. Default 0.001; at least 1e-6. For LocalSources and ridges.
    */
   vtkSetMacro(ChordTolerance, double);
   vtkGetMacro(ChordTolerance, double);
@@ -157,9 +138,8 @@ public:
 
   ///@{
   /**
-   * Points on each edge that the diagrams of Method Apollonius are made of, besides the ends: 0 to
-   * 50. More of them come a little closer to the field, and take far longer: 50 some 500 times as
-   * long as 2. Default 2.
+   * Points of the diagrams of Method Apollonius on each edge, besides its ends, in [0, 50]. Default
+   * 2. More improve little and take far longer.
    */
   vtkSetMacro(SteinerPoints, int);
   vtkGetMacro(SteinerPoints, int);
@@ -167,13 +147,9 @@ public:
 
   ///@{
   /**
-   * Whether to find the ridges as well (the cut locus: points with two shortest paths or more), as
-   * polylines of the second output. They are exact with windows. With virtual sources they come in
-   * pieces, some of which are where no ridge is: a few with those of vtkExactGeodesicDistance and
-   * vtkDGGDistance, most of them with those of vtkHeatGeodesicDistance and
-   * vtkDGGFastMarchingDistance, whose directions are rough. With virtual sources that are
-   * fitted to distances alone, ridges are not to be relied on, as a warning says; where distances
-   * are linear there are none, with a warning. Default off.
+   * Whether to find ridges (the cut locus: points with two shortest paths or more). Not reliable
+   * without windows and virtual sources, and none where distances are linear; both are warnings.
+   * Default off.
    */
   vtkSetMacro(GenerateRidges, bool);
   vtkGetMacro(GenerateRidges, bool);
@@ -182,10 +158,9 @@ public:
 
   ///@{
   /**
-   * Ridges are shown where the directions of two shortest paths differ by more than this angle, in
-   * degrees. On a polyhedron a ridge of a small angle starts at every convex point, which hides the
-   * others. Without windows angles below 10 count as 10: what is seen there are seams between the
-   * virtual sources of neighbouring points. Default 20; in [0, 180].
+   * Smallest angle between the directions of two shortest paths on a ridge, in degrees, in [0,
+   * 180]. Default 20: ridges of small angles start at every convex point. Without windows at least
+   * 10.
    */
   vtkSetMacro(MinimumRidgeAngle, double);
   vtkGetMacro(MinimumRidgeAngle, double);
@@ -193,8 +168,7 @@ public:
 
   ///@{
   /**
-   * The second output: ridges, with the arrays of the lines and, as cell data, `RidgeAngle`
-   * (double, degrees), the mean angle between the two directions. They meet at their ends alone.
+   * Output 1: the ridges.
    */
   vtkPolyData* GetRidges();
   vtkAlgorithmOutput* GetRidgePort() { return this->GetOutputPort(1); }
@@ -202,8 +176,7 @@ public:
 
   ///@{
   /**
-   * Whether to cut the surface along the isolines as well, into bands between two values, as
-   * triangles of the third output. Default off.
+   * Whether to cut the surface along the isolines into bands. Default off.
    */
   vtkSetMacro(GenerateBands, bool);
   vtkGetMacro(GenerateBands, bool);
@@ -212,11 +185,7 @@ public:
 
   ///@{
   /**
-   * The third output: the triangles of the surface that are reached, cut along the isolines. Cell
-   * data: `Band` (int), 0 below the smallest value, i between the values i - 1 and i in increasing
-   * order; `BandMinimum` and `BandMaximum` (double), the values that the band lies between, for the
-   * outermost ones the smallest and the largest distance of a point; `FaceId`. Point data: the
-   * distances, and `vtkOriginalPointIds`.
+   * Output 2: the bands.
    */
   vtkPolyData* GetBands();
   vtkAlgorithmOutput* GetBandPort() { return this->GetOutputPort(2); }
@@ -224,27 +193,25 @@ public:
 
   ///@{
   /**
-   * Name of the point array with the distances, unless SetInputArrayToProcess() says another one.
-   * Default "GeodesicDistance"; when empty, the active point scalars. Unlike vtkContourFilter,
-   * which takes these by default, this filter does not take them in place of an array that is
-   * missing. Distances whose array has no name are called "GeodesicDistance" in the outputs.
+   * Name of the point array with the distances, unless SetInputArrayToProcess() names another one.
+   * Default "GeodesicDistance"; empty: the active point scalars. Another array is never used in its
+   * place. An array without a name is "GeodesicDistance" in the outputs.
    */
   vtkDGGStringMacro(DistanceArrayName);
   ///@}
 
   ///@{
   /**
-   * Name of the point array with the virtual sources. Default "GeodesicVirtualSource". It need not
-   * be there.
+   * Name of the point array with the virtual sources, which may be missing. Default
+   * "GeodesicVirtualSource".
    */
   vtkDGGStringMacro(VirtualSourceArrayName);
   ///@}
 
   ///@{
   /**
-   * The number that stands for points that are not reached, besides NaN and infinity. Default NaN:
-   * the points that the distance filter left unreached, whatever its UnreachedValue. To be set
-   * where distances come from elsewhere.
+   * Number of unreached points besides NaN and infinity, for distances from elsewhere; those of the
+   * distance filters are recognised. Default NaN.
    */
   vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
@@ -252,17 +219,15 @@ public:
 
   ///@{
   /**
-   * What the last update took the distance inside of triangles from; neither when it failed.
-   * Virtual sources may be those of the input or fitted ones.
+   * Whether the last update used windows, or virtual sources of the input or fitted ones.
    */
   vtkGetMacro(UsedWindows, bool);
   vtkGetMacro(UsedVirtualSources, bool);
   ///@}
 
   /**
-   * Pieces of lines within one triangle, in the last update, that may be farther from the curve
-   * than ChordTolerance: where the distance is not continuous, as virtual sources of approximate
-   * distances make it here and there.
+   * Pieces of lines of the last update that may be farther from the curve than ChordTolerance:
+   * where the distance is not continuous, as with virtual sources of approximate distances.
    */
   vtkGetMacro(NumberOfFallbacks, vtkIdType);
 

@@ -4,43 +4,24 @@
  * @class   vtkDGGDistance
  * @brief   distances along a surface within a guaranteed error, in milliseconds
  *
- * Computes, for every point, the distance on the surface from the nearest source by a search in a
- * discrete geodesic graph. The graph is taken from the input, where vtkDiscreteGeodesicGraph has
- * put it. When there is none, or one that is not of this surface (then with a warning), this filter
- * builds one with its Accuracy, and keeps it until the mesh or Accuracy changes: only the first
- * update takes long.
+ * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm, with `GeodesicUpperBound` on
+ * request. The graph is that on the input, or built here, see vtkGeodesicAlgorithm. On a cloud
+ * distances are those in its graph: Correction does nothing, GeodesicUpperBound is the distance.
  *
- * <b>What is promised.</b> With Correction, which is the default, for every point
+ * <b>Guarantee and cost</b>. With Correction (the default), for every point
  *
- *   |result - exact distance| <= accuracy * (exact distance - o),
+ *     |result - exact distance| <= accuracy * (exact distance - o),
  *
- * up to rounding (1e-6) and the length added to triangles without area (GetMollification()), where
- * accuracy is that of the graph and o the least InitialDistance of a source (0 without). The mean
- * error is far smaller, about accuracy / 100. Without Correction the results are lengths of real
- * paths, never shorter than the exact distance; they are a metric, but their mean error is 5 to 20
- * times larger.
+ * up to rounding (1e-6) and GetMollification(), where accuracy is that of the graph and o the least
+ * initial distance of a source. Without Correction results are lengths of real paths, never below
+ * the exact distance, and a metric; their mean error is larger. Sources that are no vertices are
+ * linked to the graph, with the same promise. Graphs by a rule without a guarantee (OneRelay,
+ * SaddleVertexGraph) promise nothing. Only the first update takes long, if it builds the graph.
  *
- * A graph on the input that has been built by a rule without a guarantee (OneRelay,
- * SaddleVertexGraph) promises nothing, and the corrected results are not bounded from below. A
- * graph on the input is used whatever its accuracy; when Accuracy has been set and the graph
- * promises less, a warning says so once, unless AcceptCoarserGraph is on.
- *
- * Sources anywhere on the surface are linked to the graph as its vertices are, and have the same
- * promise. That is done on all threads of vtkSMPTools; the links are kept as long as the graph and
- * the places are the same.
- *
- * <b>Point clouds.</b> On a cloud with the graph of vtkPointCloudDGG, distances are those in that
- * graph, see there for what they mean. Correction, Accuracy and AcceptCoarserGraph do nothing, and
- * GeodesicUpperBound is the distance; GenerateVirtualSource is an error.
- *
- * Inputs, sources, results and errors are those of vtkGeodesicDistanceAlgorithm; besides these, an
- * Accuracy outside [1e-6, 0.5] is an error, and a graph that would take more memory than
- * MemoryLimit. The arrays of a graph on the input may be changed between updates, marked by
- * Modified().
+ * <b>Errors</b>. Besides those of vtkGeodesicDistanceAlgorithm: an Accuracy outside [1e-6, 0.5]; a
+ * graph or links that take more than MemoryLimit; GenerateVirtualSource on a cloud.
  *
  * @code
- * vtkNew<vtkPLYReader> reader;
- * reader->SetFileName("mesh.ply");
  * vtkNew<vtkDGGDistance> distance;
  * distance->SetInputConnection(reader->GetOutputPort());
  * distance->SetAccuracy(0.02);
@@ -50,11 +31,9 @@
  * distance->Update(); // milliseconds
  * @endcode
  *
- * See vtkDiscreteGeodesicGraph for where these graphs come from. The search corrects labels, in
- * buckets of increasing distance, over those edges only that lead straight ahead (the fans of X.
- * Wang et al. 2017); a pass over all edges then certifies the result.
- *
- * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ * <b>Source</b>. Graphs: see vtkDiscreteGeodesicGraph. The search corrects labels, in buckets of
+ * increasing distance, over edges that lead straight ahead (the fans of X. Wang et al. 2017); a
+ * pass over all edges certifies the result.
  *
  * @sa vtkDiscreteGeodesicGraph vtkGeodesicDistanceMatrix vtkExactGeodesicDistance
  */
@@ -89,8 +68,8 @@ public:
 
   ///@{
   /**
-   * Whether to report the best estimate within the promised interval rather than the length of the
-   * path in the graph, which is an upper bound. Default on.
+   * Whether to report the best estimate within the promised interval, rather than the length of the
+   * path in the graph. Default on.
    */
   vtkSetMacro(Correction, bool);
   vtkGetMacro(Correction, bool);
@@ -130,18 +109,15 @@ public:
   /**
    * Properties of the graph, which all filters that search one have, and numbers of it.
    *
-   * - Accuracy: largest relative error of the graph that is built when the input has none, in
-   *   [1e-6, 0.5]. Default 0.01. Another value is an error of the update even when the graph on the
-   *   input is used.
-   * - AcceptCoarserGraph: whether a graph on the input that promises less than an Accuracy that was
-   *   set is used without a warning. Default off.
-   * - MemoryLimit: most bytes that building a graph may take, or preparing to link points that are
-   *   not vertices (some 250 bytes per triangle). Default 0, which stands for 70 % of the memory
-   *   that is free at that time.
-   * - Of the graph of the last update, zero when there is none: whether it is that on the input,
-   *   its accuracy (0 for a SaddleVertexGraph), number of directed edges, and about the bytes with
-   *   what searches and links need; they stay what they were when its arrays are changed later.
-   *   Whether it keeps to its accuracy, and when this filter built one last.
+   *  - Accuracy: largest relative error of the graph that is built when the input has none, in
+   *    [1e-6, 0.5]; another value is an error even if that on the input is used. Default 0.01.
+   *  - AcceptCoarserGraph: whether a graph on the input that promises less than an Accuracy that
+   *    was set is used without a warning. Default off.
+   *  - MemoryLimit: most bytes to build a graph, or to link points that are no vertices (some 250
+   *    bytes per triangle). Default 0: 70 % of the memory that is free at that time.
+   *  - Of the graph of the last update, zero without: whether it is that on the input, its accuracy
+   *    (0 for a SaddleVertexGraph), number of directed edges, bytes with what searches and links
+   *    need; whether it keeps to its accuracy, and when this filter built one last.
    */
   vtkDGGGraphPropertiesMacro();
   ///@}

@@ -4,96 +4,57 @@
  * @class   vtkDGGLoop
  * @brief   closed geodesics on a surface, as closed polylines
  *
- * Finds loops on the surface: through given points, around the handles, or along a rope that is
- * pulled tight; and lays tapes along them. The discrete geodesic graph that it searches is taken
- * from the input, or built and kept, as in vtkDGGDistance.
+ * Finds loops by Mode: ThroughPoint, for each point the shortest loop from there back to it that
+ * was found; AroundHandles, independent loops that cannot be contracted, two for each handle, one
+ * for each boundary but the last and for each cross-cap, short but not always shortest; Rope, one
+ * loop through all points, in their order. Loops through points may have kinks there. With Taut
+ * they are released and pulled tight: they become closed geodesics, or contract to a point.
  *
- * Input port 0 takes the surface. Points are ids of points of the surface (AddPointId(),
- * SetPointIds()) and the points of a vtkPolyData on the optional input port 1
- * (SetPointConnection(), SetPointData()), which may lie anywhere on the surface and are projected
- * to it. They are numbered from 0: ids first, then the points of port 1.
+ * <b>Input and output</b>. Points are ids and the points of the optional input port 1
+ * (SetPointConnection()), projected to the surface; ids come first. The graph is that on the input,
+ * or built here, see vtkGeodesicAlgorithm; AroundHandles needs neither points nor graph. Outputs
+ * are new geometry. Output 0 has a polyline for each loop, which ends with the point that it begins
+ * with:
+ *  - Cell data: `Length` (double); `LoopId`, the number of the point or of the loop; `Angle`
+ *    (double, radians), the smallest one of the loop at its points, pi for a closed geodesic;
+ *    `Kinked` (int), whether that is below pi by more than 1e-5.
+ *  - Point data: `FaceId`, `vtkOriginalPointIds`, `ArcLength`.
+ *  - Field data: `LoopStatus` (int), for each loop asked for: 0 found; 1 none, as it contracts to a
+ *    point, or for AroundHandles as it has to pass a point in which sheets touch; 2 points of the
+ *    rope that are not connected. Loops that are not found are left out, with a warning that counts
+ *    them.
  *
- * <b>Modes.</b>
- *  - ThroughPoint (the default): for each point, the shortest geodesic from there back to itself
- *    that was found. It is straight everywhere but at the point, where it may have a kink. With
- *    Taut, it is let go there and pulled tight: a closed geodesic close by.
- *  - AroundHandles: closed geodesics of each component that cannot be contracted, independent of
- *    each other: two for each handle, one for each boundary but the last, one for each cross-cap.
- *    They are short, but there may be shorter ones. No points and no graph are needed, Taut has no
- *    meaning.
- *  - Rope: one loop through all points, at least three, in their order, and from the last one back
- *    to the first one. Without Taut it keeps to the points: shortest paths join them. With Taut the
- *    rope is let go at the points and pulled tight: what stays is a closed geodesic, as around a
- *    neck, or nothing, when it slips off.
+ * Output 1 has offset curves, if TapeWidth is positive: at half of it on either side of a loop,
+ * where there is room, more of them where a loop crosses itself. They are closed or end at the
+ * boundary, and have the arrays `Length`, `LoopId` and the point data of output 0.
  *
- * A loop that is straight everywhere (not `Kinked`) is taut: Taut returns it as it is. Others
- * become shorter until they are straight. On cylinders and along other flat walls there are many
- * straight loops side by side, all as long; a loop that is pulled tight there ends as one of them.
+ * <b>Guarantee and cost</b>. No curve next to a loop is shorter; next to a kinked one, none through
+ * the same points. Where there are several loops, the shortest is found of those that the graph
+ * tells apart, in a limited number of tries. Points of offset curves are exact to 1e-5 of the
+ * width, their lengths to about 1e-3; ones shorter than the width may be missed. A loop through a
+ * point takes a search over the surface, AroundHandles up to 17 along edges for each component,
+ * offset curves about a second for each hundred widths of loop.
  *
- * Both outputs are new geometry, see vtkGeodesicAlgorithm.
- *
- * <b>Output 0</b> has a closed polyline for each loop: it ends with the point that it begins with.
- * Each of its pieces lies in one triangle of the surface.
- *  - Cell data: `Length` (double, in units of the coordinates); `LoopId`, the number of the point
- *    that the loop goes through, or of the loop; `Angle` (double, radians), the smaller angle of
- *    the loop at the points that it goes through, the smallest when there are several: pi for a
- *    closed geodesic; `Kinked` (int), whether that is less than pi by more than 1e-5.
- *  - Point data: `FaceId`, the cell of the input that the piece after the point lies in;
- *    `vtkOriginalPointIds`, the point of the input where the loop is at one, else -1 (the first one
- *    of points that have been merged); `ArcLength`, the length of the loop up to the point.
- *    The point that a loop begins and ends with is one, and has 0: for the end take `Length`.
- *  - Field data: `LoopStatus`, one int for each loop asked for: 0 when it is there; 1 when there is
- *    none, as it contracts to a point; 2 when the points of the rope are not connected. Loops that
- *    are not there are left out, and a warning counts them. With AroundHandles, 1 stands for a loop
- *    that has to pass a point in which sheets touch, where it cannot be moved.
- *
- * <b>Output 1</b> (GetTape()) has the rims of the tapes, when TapeWidth is positive: the curves at
- * a distance of half of it from a loop, one on each side where there is room, and more where the
- * loop crosses itself. They are closed, or end at the boundary. The arrays are `Length`, `LoopId`
- * and the point data of output 0.
- *
- * <b>What is promised.</b> No curve next to a loop is shorter, unless it is kinked, and then none
- * through the same points. A closed geodesic need not exist near a point: on a surface without
- * handles, boundaries or limbs, as on a ball, ways around contract to the point, and there is no
- * loop. Where there are several, the shortest one is found among those that the graph
- * distinguishes, and among the shortest ways around: no more of them are tried than take some
- * multiple of what ordinary meshes of that size take. Lengths are those of the triangles; where
- * triangles have no area, those after GetMollification(). Points of rims are as exact as
- * vtkExactGeodesicDistance, to 1e-5 of the width. Between them rims are straight; in large
- * triangles they have more points than where they cross edges, so that their lengths are right to
- * about 1e-3. Rims shorter than the width may be missed.
- *
- * <b>Time.</b> A loop through a point takes a search over the whole surface; points are worked on
- * by all threads of vtkSMPTools. Results do not depend on their number. AroundHandles takes up to
- * 17 searches along edges for each component with such loops. A tape takes some exact
- * propagations as far as it is wide, from points as close to each other as it is narrow: about a
- * second for each hundred times that the loop is as long as the tape is wide, whatever the
- * triangles.
- *
- * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - no point, or fewer than three of a rope; an id out of range; a point that is not finite, or
  *    farther from the surface than ProjectionTolerance;
  *  - edges with more than two triangles, with AroundHandles;
- *  - a ProjectionTolerance or TapeWidth that is negative, not a number, or infinite (TapeWidth);
- *    an Accuracy outside [1e-6, 0.5]; a graph that would take more memory than MemoryLimit.
- *
- * A loop that is more than 450 times as long as TapeWidth has no tape, with a warning that names
- * the width that is enough for all loops.
+ *  - a ProjectionTolerance or TapeWidth that is negative or NaN, an infinite TapeWidth; an Accuracy
+ *    outside [1e-6, 0.5]; a graph that takes more than MemoryLimit.
  *
  * @code
- * vtkNew<vtkPLYReader> reader;
- * reader->SetFileName("mesh.ply");
  * vtkNew<vtkDGGLoop> loop;
  * loop->SetInputConnection(reader->GetOutputPort());
  * loop->SetModeToAroundHandles();
+ * loop->SetTapeWidth(0.1);
  * loop->Update();
  * std::cout << loop->GetOutput()->GetNumberOfLines() << " loops\n"; // two for each handle
+ * vtkPolyData* curves = loop->GetTape();
  * @endcode
  *
- * Ways through the graph that meet are straightened, as in vtkDGGPath. Loops around handles come
- * from shortest loops of mesh edges (Erickson and Whittlesey 2005).
- *
- * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ * <b>Source</b>. Paths in the graph that meet are straightened as in vtkDGGPath; loops around
+ * handles come from shortest loops of edges (J. Erickson, K. Whittlesey, "Greedy optimal homotopy
+ * and homology generators", SODA 2005).
  *
  * @sa vtkDGGPath vtkDiscreteGeodesicGraph vtkGeodesicPatchBoundaries
  */
@@ -142,9 +103,8 @@ public:
 
   ///@{
   /**
-   * Points by id of the input. Ids are copied; none by default. An id outside
-   * [0, number of points - 1] is an error of the update. A null list removes all ids. The
-   * i-th id is -1 when there is none.
+   * Points by point id of the input. None by default; an id out of range is an error of the update.
+   * A null list removes all; the i-th id is -1 where there is none.
    */
   vtkDGGIdsMacro(Point);
   ///@}
@@ -156,8 +116,7 @@ public:
 
   ///@{
   /**
-   * Points anywhere on the surface: those of a vtkPolyData on input port 1; its cells are not used.
-   * Null removes them.
+   * Points anywhere on the surface: those of a vtkPolyData on input port 1. Null removes them.
    */
   void SetPointConnection(vtkAlgorithmOutput* output);
   void SetPointData(vtkPolyData* points);
@@ -165,8 +124,7 @@ public:
 
   ///@{
   /**
-   * Whether to let loops go at their points and pull them tight, to closed geodesics. Default off:
-   * loops and ropes keep to the points, and may have kinks there.
+   * Whether to release loops at their points and pull them tight. Default off.
    */
   vtkSetMacro(Taut, bool);
   vtkGetMacro(Taut, bool);
@@ -175,8 +133,9 @@ public:
 
   ///@{
   /**
-   * Width of the tape along each loop, in units of the coordinates. Default 0: no tape; must not be
-   * negative, and must be finite. Loops more than 450 times as long as this have no tape.
+   * Distance between the two offset curves of a loop, in units of the coordinates. Default 0: none;
+   * finite, not negative. Loops more than 450 times as long have none, with a warning that names
+   * the width that is enough.
    */
   vtkSetMacro(TapeWidth, double);
   vtkGetMacro(TapeWidth, double);
@@ -184,7 +143,7 @@ public:
 
   ///@{
   /**
-   * Output 1: the rims of the tapes.
+   * Output 1: the offset curves.
    */
   vtkPolyData* GetTape();
   vtkAlgorithmOutput* GetTapePort() { return this->GetOutputPort(1); }
@@ -193,8 +152,8 @@ public:
   ///@{
   /**
    * How far from the surface a point of port 1 may be, as a fraction of the diagonal of the
-   * surface's bounding box. A point farther away is an error that names it. Default 0.01; not
-   * negative; 0 takes points of the surface alone, up to rounding.
+   * surface's bounding box; farther is an error. Default 0.01; not negative; 0 accepts points on
+   * the surface, up to rounding.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
@@ -202,20 +161,10 @@ public:
 
   ///@{
   /**
-   * Properties of the graph, which all filters that search one have, and numbers of it.
-   *
-   * - Accuracy: largest relative error of the graph that is built when the input has none, in
-   *   [1e-6, 0.5]. Default 0.01. Another value is an error of the update even when the graph on the
-   *   input is used.
-   * - AcceptCoarserGraph: whether a graph on the input that promises less than an Accuracy that was
-   *   set is used without a warning. Default off.
-   * - MemoryLimit: most bytes that building a graph may take, or preparing to link points that are
-   *   not vertices (some 250 bytes per triangle). Default 0, which stands for 70 % of the memory
-   *   that is free at that time.
-   * - Of the graph of the last update that needed one, zero when there is none: whether it is that
-   *   on the input, its accuracy (0 for a SaddleVertexGraph), number of directed edges, and about
-   *   the bytes with what searches and links need; they stay what they were when its arrays are
-   *   changed later. Whether it keeps to its accuracy, and when this filter built one last.
+   * Properties of the graph, see vtkDGGDistance: Accuracy of one that is built, in [1e-6, 0.5],
+   * default 0.01; whether a coarser one on the input is accepted without a warning, default off;
+   * most bytes to build it and to link points, default 0: 70 % of the free memory. And numbers of
+   * the graph of the last update that needed one.
    */
   vtkDGGGraphPropertiesMacro();
   ///@}

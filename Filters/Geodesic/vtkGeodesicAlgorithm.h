@@ -4,75 +4,59 @@
  * @class   vtkGeodesicAlgorithm
  * @brief   what all filters on the surface of a mesh have in common
  *
- * Input port 0 takes the surface (vtkPolyData).
+ * <b>Input and output</b>. Input port 0 takes the surface (vtkPolyData). Outputs are the input with
+ * arrays added, or new geometry. Lengths are in units of the coordinates.
+ *  - Triangles are used as they are; quads, polygons and strips are triangulated inside: quads
+ *    along the shorter diagonal, larger polygons ear by ear, those that cross or touch themselves
+ *    as fans, with a warning. Verts and lines are passed on and not used. Orientation does not
+ *    matter.
+ *  - Left out are polygons with fewer than three distinct points, triangles on the three points of
+ *    an earlier one, and triangles of near-zero area with the apex on the opposite edge; the other
+ *    triangles on that edge are split there. Edges of other triangles of near-zero area are
+ *    lengthened a little (GetMollification()).
+ *  - Edges with more than two triangles, and points where sheets touch, conduct: distances are
+ *    those of the triangles as glued by point ids.
+ *  - Each mesh gets one warning for each kind of defect; GetMeshReport() counts them all.
  *
- * <b>Cells.</b> Triangles are used as they are; quads, polygons and triangle strips are
- * triangulated inside. For planar polygons it makes no difference how; a quad that is not planar
- * is cut along the shorter one of its diagonals, and larger polygons ear by ear; those that cross
- * or touch themselves become fans, with a warning. Verts and lines
- * are passed through and not used. Polygons with fewer than three distinct points are left out.
- * Of triangles on the same three points, either way round, the first one counts. Triangles without
- * area whose apex lies on the opposite edge are left out, and the other triangles on that edge are
- * split there, so that lengths and areas are those of the points; `FaceId` names the cell that was
- * split. Edges of other triangles without area are lengthened a little (GetMollification()). Edges
- * with more than two triangles and points where sheets touch conduct: distances are those of the
- * triangles as they are glued by point ids. Where the work on them, or on long triangles of little
- * area, grows far beyond that on a clean mesh of the same size, the filter fails with what to
- * remove. All of these are
- * counted in warnings, once for each mesh, and in the report (GetMeshReport()). Orientation does
- * not matter.
+ * <b>New geometry</b> (paths, loops, isolines, samples, cells, curves) has double points on the
+ * surface (OutputPointsPrecision) and the field data of the input without graph and windows.
+ * `FaceId` numbers cells of the surface, `vtkOriginalPointIds` its points (-1 elsewhere). Where it
+ * counts the pieces of a polyline, `FaceId` is the cell of the piece after the point, at the last
+ * point of the one before it; `ArcLength` is the length up to the point. Each piece lies in one
+ * triangle.
  *
- * <b>Point clouds.</b> An input with the graph of a point cloud, which vtkPointCloudDGG makes, is
- * taken for one by the filters that search a graph: vtkDGGDistance, vtkDGGPath, vtkGeodesicSampler,
- * vtkGeodesicVoronoi and vtkGeodesicDistanceMatrix. Only its points are looked at, also where it
- * has polygons. Points to start from, or to go to, may be anywhere close to the cloud: as far as
- * ProjectionTolerance says, or as far as the nearest six points around the closest one are from it.
- * They are connected to the closest point and to those that this is connected to. A graph that
- * is missing, damaged or out of date is an error there, as only vtkPointCloudDGG can build one; the
- * mesh report is empty, and properties that concern cells or the accuracy of a graph do nothing.
- * All other filters need a surface.
+ * <b>Graphs</b>. vtkDGGDistance, vtkDGGPath, vtkDGGLoop, vtkGeodesicSampler, vtkGeodesicVoronoi and
+ * vtkGeodesicDistanceMatrix search a graph: that on the input, see vtkDiscreteGeodesicGraph, else
+ * one that they build with their Accuracy, and keep until mesh or Accuracy changes. One that is
+ * damaged or of another surface is replaced, with a warning.
  *
- * <b>New geometry.</b> Some outputs have the points of the input, with arrays added. Others have
- * new points that lie on the surface: paths, loops and tapes, samples, the cells of sites and their
- * borders, the boundaries of patches. These are the same for all of them:
- *  - They carry the field data of the input, but for what is that of other points: the graph (the
- *    arrays `DGG.*`, see vtkDiscreteGeodesicGraph) and the windows of exact distances (see
- *    vtkExactGeodesicDistance). Where there are two surfaces, the field data are those of the one
- *    that the output lies on.
- *  - Their points are doubles, as floats would lie beside the surface; OutputPointsPrecision makes
- *    them floats. Arrays of lengths, distances and areas are of type double, and are those of the
- *    points before they are rounded to float.
- *  - `FaceId` numbers cells of that surface, `vtkOriginalPointIds` its points (-1 where there is
- *    none), `Length` and `ArcLength` are in units of the coordinates.
+ * <b>Point clouds</b>. Of these filters all but vtkDGGLoop take a cloud with the graph of
+ * vtkPointCloudDGG. Its cells are not used; a missing, damaged or outdated graph is an error,
+ * Accuracy and AcceptCoarserGraph do nothing, and the mesh report is empty. Points asked for may
+ * lie beside the cloud, within ProjectionTolerance or as far as the closest point is from its six
+ * neighbours; they are connected to it and to those that it is connected to. All other filters need
+ * a surface.
  *
- * <b>Errors.</b> Wrong input is reported through vtkErrorMacro, which names what is wrong and the
- * remedy. Then the output is empty, GetErrorCode() is not zero, and the input is untouched; a later
- * correct call works. As long as nothing is changed, every update of this filter reports the error
- * again. These are errors of all filters:
- *  - no input;
- *  - points but no polygons, unless it is a cloud with its graph; polygons that all have fewer than
- * three distinct points; a cell that names a point that does not exist, or that is not finite; an
- * extent outside [1e-70, 1e70]; more than 2^31 - 1 points or 3 * triangles;
- *  - an update of one piece of several, as in a parallel pipeline: a part of the surface would
- *    give wrong distances. Gather the surface on one process first.
+ * <b>Guarantee and cost</b>. Results do not depend on the number of threads. The mesh is prepared
+ * once, kept until points, polygons or strips change, and shared by the filters of a chain. Changes
+ * in place need Modified() of the array, the points or the vtkPolyData. Inputs and properties must
+ * not change during an update.
  *
- * An input with neither points nor cells is a warning only: the output is empty as well. An input
- * that is not vtkPolyData is refused by the pipeline.
+ * <b>Errors</b>. vtkErrorMacro names what is wrong and the remedy. The output is empty,
+ * GetErrorCode() is not zero, the input is untouched, and a later correct call works; until
+ * something changes, every update reports the error again. Errors of all filters:
+ *  - no input; points but no polygon with three distinct points; a cell that names a missing point,
+ *    or one that is not finite;
+ *  - an extent outside [1e-70, 1e70]; more than 2^31 - 1 points or 3 * triangles; so many defects,
+ *    or triangles so long, that the work would grow out of proportion;
+ *  - one piece of several in a parallel pipeline: gather the surface first.
  *
- * <b>Progress and abort.</b> ProgressEvent is invoked now and then; AbortExecute set by an observer
- * stops the computation: the output is empty, GetErrorCode() is zero, and the next update of this
- * filter starts anew. Call Modified() to have filters downstream follow. Inputs, their arrays and
- * properties must not change during an update, as everywhere in VTK: observers do nothing else.
+ * An input without points and cells is a warning, with an empty output. AbortExecute, set by an
+ * observer of ProgressEvent, empties the output with error code zero; the next update starts anew.
  *
- * The mesh is prepared once and kept until points, polygons or strips change; a change of another
- * property does not prepare it again, nor does an update upstream that leaves them as they are, bit
- * by bit. Filters with the same surface, as in a chain, share it. Changes in place must be marked
- * by Modified() of the array, the points or the vtkPolyData, as everywhere in VTK.
+ * Not for subclassing outside of this project: virtual functions take types that are not installed.
  *
- * This class is not for subclassing outside of its module: its virtual functions take types that
- * are internal to the module and not installed.
- *
- * @sa vtkGeodesicDistanceAlgorithm vtkDiscreteGeodesicGraph vtkGeodesicDistanceMatrix
+ * @sa vtkGeodesicDistanceAlgorithm vtkDiscreteGeodesicGraph
  */
 
 #ifndef vtkGeodesicAlgorithm_h
@@ -106,15 +90,9 @@ public:
 
   ///@{
   /**
-   * Whether points with the very same coordinates are taken as one, as along the seams of a
-   * textured mesh or in a soup of triangles. The output keeps all points; coincident ones get equal
-   * distances. Default off: then points of the boundary that coincide with others of the boundary
-   * are counted in a warning. Not used on point clouds, where such points are next to each other.
-   *
-   * For gaps between points that should coincide, there is MergeTolerance. A distance that leaves
-   * more than half of the surface unconnected with its sources looks for them: a warning reports
-   * the tolerance that closes them when boundaries of different parts are within 1e-6 of the
-   * diagonal.
+   * Whether points with the same coordinates are one, as along texture seams or in triangle soups.
+   * The output keeps all points. Default off: coincident boundary points are counted in a warning.
+   * Not used on clouds.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);
@@ -123,15 +101,10 @@ public:
 
   ///@{
   /**
-   * How far from each other points may be that are taken as one, as a fraction of the diagonal of
-   * the bounding box of all points; only used with MergeCoincidentPoints. Default 0: coordinates
-   * are the very same. Must not be negative or NaN.
-   *
-   * Points are taken in the order of their ids: each becomes the closest one of those before it
-   * that stay themselves and are within the tolerance, or else stays itself. So triangles move by
-   * no more than the tolerance, and of a chain of points, each close to the next, one stays for
-   * every length of about the tolerance. Choose a tolerance larger than the gaps, but much smaller
-   * than the triangles: those that have two corners merged are left out.
+   * Largest distance of points that MergeCoincidentPoints treats as one, as a fraction of the
+   * diagonal of the bounding box. Default 0: same coordinates; not negative. Each point becomes the
+   * closest earlier one within the tolerance that stays itself. Choose it larger than the gaps and
+   * much smaller than the triangles: those with two corners merged are left out.
    */
   vtkSetMacro(MergeTolerance, double);
   vtkGetMacro(MergeTolerance, double);
@@ -139,35 +112,28 @@ public:
 
   ///@{
   /**
-   * Precision of the points of outputs that are new geometry, one of
-   * vtkAlgorithm::DesiredOutputPrecision. Default vtkAlgorithm::DOUBLE_PRECISION, whatever the
-   * input has: so points lie on the surface to 1e-9 of their triangles. DEFAULT_PRECISION is float
-   * where the points of the input are float, else double. Single precision for coordinates out of
-   * the range of floats is an error of the update. Other outputs have the points of the input.
+   * Precision of the points of new geometry, one of vtkAlgorithm::DesiredOutputPrecision. Default
+   * DOUBLE_PRECISION: points lie on the surface to 1e-9 of their triangles. DEFAULT_PRECISION is
+   * that of the input. SINGLE_PRECISION for coordinates out of the range of floats is an error.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
   /**
-   * Size, defects and quality of the surface in the last update, one per line, for people to read.
-   * A single line says so when there is no surface.
+   * Size, defects and quality of the surface of the last update, one per line, for people to read.
    */
   std::string GetMeshReport() const;
 
   ///@{
   /**
-   * The same as numbers; zero before the first update and after an update in which the surface was
-   * refused.
-   *
-   * Triangles are those used, after triangulation. Isolated points are used by no triangle.
-   * Components are connected through shared points and have a triangle each. Boundary loops are
-   * closed chains of edges with one triangle. A non-manifold edge has more than two triangles; a
-   * non-manifold vertex is on no such edge, yet its triangles form several fans. Dropped faces are
-   * polygons with fewer than three distinct points. Degenerate faces are triangles without area, up
-   * to rounding. Duplicate faces are triangles beyond the first on the same three points.
-   * Coincident points have the very coordinates of an earlier point, whether they are merged or
-   * not; coincident boundary points are those that the warning counts.
+   * The same as numbers; zero without a surface. Triangles are those used. No triangle uses an
+   * isolated point. Components are connected through shared points. Boundary loops are closed
+   * chains of edges with one triangle. A non-manifold edge has more than two triangles; a
+   * non-manifold vertex is on no such edge, but has several fans. Dropped faces have fewer than
+   * three distinct points, degenerate ones near-zero area; duplicate faces are on the points of an
+   * earlier one. Coincident points have the coordinates of an earlier point; of boundary points,
+   * those that the warning counts.
    */
   vtkIdType GetNumberOfTriangles() const;
   vtkIdType GetNumberOfIsolatedPoints() const;
@@ -195,28 +161,25 @@ public:
 
   ///@{
   /**
-   * How far the triangles are from equilateral: mean and median of
-   * longest edge * perimeter / (4 sqrt(3) area), 1 when equilateral.
+   * Mean and median of longest edge * perimeter / (4 sqrt(3) area) of triangles: 1 if equilateral.
    */
   double GetMeanAnisotropy() const;
   double GetMedianAnisotropy() const;
   ///@}
 
   /**
-   * Length added to the edges of triangles without area that could not be left out, in units of the
-   * coordinates; 0 when there are none.
+   * Length added to edges of triangles of near-zero area, in units of the coordinates; 0 without.
    */
   double GetMollification() const;
 
   /**
-   * Largest height of the triangles without area that were left out, one on the other, in units of
-   * the coordinates: the surface has moved by no more; 0 when there are none.
+   * Largest height of triangles of near-zero area that were left out, one on the other, in units of
+   * the coordinates: the surface has moved by no more; 0 without.
    */
   double GetLargestCapHeight() const;
 
   /**
-   * Time stamp of the mesh that is kept between updates. It changes when another mesh takes its
-   * place.
+   * Time stamp of the mesh that is kept between updates.
    */
   vtkMTimeType GetMeshBuildTime() const;
 
@@ -246,9 +209,8 @@ protected:
   ///@}
 
   /**
-   * Whether the input is a cloud for this filter: then its points alone are looked at, and may be
-   * anywhere. Default false. Filters that search a graph take an input with the graph of a cloud
-   * for one.
+   * Whether this filter treats the input as a cloud, of which only the points count. Default false;
+   * filters that search a graph do so for an input with the graph of a cloud.
    */
   virtual bool IsCloud(vtkPolyData* input) const;
 
@@ -268,25 +230,25 @@ protected:
   dgg::Status PrepareMesh(vtkPolyData* surface);
 
   /**
-   * What a surface is taken for.
+   * What a surface is treated as.
    */
   vtkDGGDomain GetDomain(vtkPolyData* surface) const;
 
   /**
    * After a distance: warn, once for each mesh, when most of the surface is not connected with the
-   * vertices that are reached, though its parts all but touch.
+   * vertices that are reached, though its parts nearly touch.
    */
   void WarnAboutGaps(vtkPolyData* surface, const std::vector<bool>& isReached);
 
   /**
-   * Do something that may fail or throw, and report the error. Returns whether it went
-   * well; not so when it was stopped, either.
+   * Run a step that may fail or throw, and report the error. Returns whether it succeeded and was
+   * not stopped.
    */
   bool Attempt(const std::function<dgg::Status()>& step);
 
   /**
-   * Attempt() outside of updates, as to predict one: with the input brought up to date. The
-   * error code stays that of the last update, but for an error.
+   * Attempt() outside of updates, with the input brought up to date. Only an error changes the
+   * error code.
    */
   bool AttemptOutsideOfUpdate(const std::function<dgg::Status()>& step);
 

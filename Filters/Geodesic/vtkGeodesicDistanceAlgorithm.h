@@ -4,34 +4,28 @@
  * @class   vtkGeodesicDistanceAlgorithm
  * @brief   what all filters that compute a distance along a surface have in common
  *
- * Input port 0 takes the surface (vtkPolyData). The output is the input, its points, cells and
- * arrays unchanged and in the same order, plus the point array `GeodesicDistance` (double, in the
- * units of the coordinates), which becomes the active scalars. What is done with cells, errors,
- * progress and abort is said in vtkGeodesicAlgorithm.
+ * <b>Input and output</b>. Each point gets the distance from the nearest source. The output is the
+ * input, in the same order, plus the point array `GeodesicDistance` (double, in units of the
+ * coordinates), which becomes the active scalars; on request also the nearest and virtual sources.
  *
- * <b>Sources.</b> The distance is that from the nearest source. Sources are points of the surface
- * given by id (AddSourceId(), SetSourceIds()) and the points of a vtkPolyData on the optional input
- * port 1 (SetSourceConnection(), SetSourceData()), which may lie anywhere on the surface, also
- * inside faces and on edges: each is projected to the closest point of the surface. A source may
- * start with a distance other than 0, any finite number, also a negative one: that of an id is
- * given with the id, those of port 1 by a point array `InitialDistance`. Sources are numbered from
- * 0: ids first, then the points of port 1. A source on a point that no polygon uses reaches that
- * point only, and is a warning.
+ * Sources are point ids (SetSourceIds()) and the points of a vtkPolyData on the optional input port
+ * 1 (SetSourceConnection()), each projected to the closest point of the surface. They are numbered
+ * from 0, ids first. A source starts with the distance given with its id, or in the point array
+ * `InitialDistance` of port 1: any finite number, 0 by default. One on a point that no polygon uses
+ * reaches that point only, with a warning.
  *
- * <b>Unreached points.</b> Points in a component without a source, points that no polygon uses
- * and points beyond MaximumDistance get UnreachedValue, and -1 as nearest source.
+ * Points that no source reaches, and those beyond MaximumDistance, get UnreachedValue, and -1 as
+ * nearest source.
  *
- * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
- *  - no source; a source id out of range; a source point that is not finite, or farther
- * from the surface than ProjectionTolerance; an initial distance that is not finite, or not one
- * number per point;
- *  - a MaximumDistance or ProjectionTolerance that is negative or not a number; a missing or
- *    repeated array name.
+ * <b>Guarantee and cost</b>. See the subclasses and vtkGeodesicAlgorithm.
  *
- * This class is not for subclassing outside of its module: its virtual functions take types that
- * are internal to the module and not installed.
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
+ *  - no source; a source id out of range; a source point that is not finite, or farther from the
+ *    surface than ProjectionTolerance; initial distances that are not finite, or not one per point;
+ *  - a MaximumDistance or ProjectionTolerance that is negative or NaN; an array name that is empty
+ *    or used twice.
  *
- * @sa vtkExactGeodesicDistance vtkDGGDistance
+ * @sa vtkDGGDistance vtkExactGeodesicDistance vtkHeatGeodesicDistance
  */
 
 #ifndef vtkGeodesicDistanceAlgorithm_h
@@ -57,13 +51,10 @@ public:
 
   ///@{
   /**
-   * Sources by point id of the input. Ids are copied; none by default. The same id may occur more
-   * than once. An id outside [0, number of points - 1] is an error of the update. From Python, any
-   * sequence of integers will do, a numpy array included. A null list removes all ids.
-   *
-   * The initial distance is that with which a source starts, any finite number; 0 for those given
-   * without. A list of them needs one for each id; another number of them is an error at once, and
-   * changes nothing.
+   * Sources by point id of the input, with the distances that they start with: any finite number, 0
+   * by default. None by default; ids may repeat, one out of range is an error of the update. Python
+   * takes any sequence of integers. A null list removes all. A list of distances of another length
+   * than that of the ids is an error at once, and changes nothing.
    */
   void AddSourceId(vtkIdType id, double initialDistance = 0.0);
   void SetSourceIds(vtkIdList* ids);
@@ -94,8 +85,8 @@ public:
 
   ///@{
   /**
-   * Sources anywhere on the surface: the points of a vtkPolyData on input port 1 (its cells are not
-   * used). Null removes them.
+   * Sources anywhere on the surface: the points of a vtkPolyData on input port 1. Null removes
+   * them.
    */
   void SetSourceConnection(vtkAlgorithmOutput* output);
   void SetSourceData(vtkPolyData* points);
@@ -104,8 +95,8 @@ public:
   ///@{
   /**
    * How far from the surface a point of port 1 may be, as a fraction of the diagonal of the
-   * surface's bounding box. A point farther away is an error that names it. Default 0.01; not
-   * negative; 0 takes points of the surface alone, up to rounding.
+   * surface's bounding box; farther is an error. Default 0.01; not negative; 0 accepts points on
+   * the surface, up to rounding.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
@@ -113,9 +104,8 @@ public:
 
   ///@{
   /**
-   * Points farther away than this, in units of the coordinates, are left unreached, which saves the
-   * time to reach them. Default VTK_DOUBLE_MAX, no limit; infinity means the same. Must not be
-   * negative or NaN.
+   * Points farther away, in units of the coordinates, are left unreached, which saves time. Default
+   * VTK_DOUBLE_MAX; not negative or NaN; infinity is no limit.
    */
   vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
@@ -123,15 +113,11 @@ public:
 
   ///@{
   /**
-   * Distance given to points that are not reached. Default NaN, which the ranges and lookup tables
-   * of VTK ignore. Contour filters do not: in triangles of which a part of the points is unreached,
-   * as along the rim of a MaximumDistance, their lines have points that are NaN. Remove such
-   * triangles first, with vtkThreshold.
-   *
-   * vtkApolloniusIsolines and vtkGeodesicProbe know what is not reached, whatever the value: where
-   * it is neither NaN nor plus infinity and stands for a point, the point array
-   * `GeodesicDistance.Unreached` (unsigned char) is 1 at these points and 0 elsewhere; that of
-   * upper bounds is `GeodesicUpperBound.Unreached`.
+   * Distance of points that are not reached. Default NaN, which ranges and lookup tables of VTK
+   * ignore, but contour filters do not. With a finite number that marks points, the point array
+   * `GeodesicDistance.Unreached` (unsigned char) is 1 at these and 0 elsewhere;
+   * vtkApolloniusIsolines and vtkGeodesicProbe read it. That of upper bounds is
+   * `GeodesicUpperBound.Unreached`.
    */
   vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
@@ -139,9 +125,8 @@ public:
 
   ///@{
   /**
-   * Whether to add the point array `GeodesicSource` (int): the number of the nearest source, -1
-   * where no source reaches. Of sources at exactly the same distance, any may be named. Default
-   * off.
+   * Whether to add the point array `GeodesicSource` (int): number of the nearest source, -1 where
+   * unreached; of sources at the same distance, any. Default off.
    */
   vtkSetMacro(GenerateNearestSource, bool);
   vtkGetMacro(GenerateNearestSource, bool);
@@ -151,12 +136,10 @@ public:
   ///@{
   /**
    * Whether to add the point array `GeodesicVirtualSource` (double, 3 components): where the
-   * distance of a point seems to come from, as seen from the point. The components are the distance
-   * at that virtual source (in units of the coordinates), the straight distance from it, and its
-   * direction, the polar angle at the point in radians, as in `DGG.Angles` but not reduced to one
-   * turn. The sum of the first two is the distance, or, for approximate distances, the estimate
-   * before it is confined to a promised interval. With it the distance is known inside of faces as
-   * well: for isolines (vtkApolloniusIsolines) and probes (vtkGeodesicProbe). Default off.
+   * distance of a point seems to come from. These are the distance at that virtual source, the
+   * straight distance from it, and its direction, the polar angle at the point in radians as in
+   * `DGG.Angles`, but not reduced to one turn. For vtkApolloniusIsolines and vtkGeodesicProbe.
+   * Default off.
    */
   vtkSetMacro(GenerateVirtualSource, bool);
   vtkGetMacro(GenerateVirtualSource, bool);
@@ -165,9 +148,8 @@ public:
 
   ///@{
   /**
-   * Name of the point array with the distances. Default "GeodesicDistance". An array of this name
-   * in the input is replaced in the output, and what belongs to it goes: its windows, and the
-   * nearest and virtual sources unless new ones are made.
+   * Name of the point array with the distances. Default "GeodesicDistance". It replaces an array of
+   * this name in the input, and what belongs to that: windows, nearest and virtual sources.
    */
   vtkDGGStringMacro(DistanceArrayName);
   ///@}
@@ -188,8 +170,7 @@ public:
 
   ///@{
   /**
-   * Name of the point array of input port 1 with the distances that the sources start with. Default
-   * "InitialDistance".
+   * Name of the point array of port 1 with initial distances. Default "InitialDistance".
    */
   vtkDGGStringMacro(InitialDistanceArrayName);
   ///@}

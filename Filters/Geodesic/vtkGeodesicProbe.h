@@ -4,33 +4,22 @@
  * @class   vtkGeodesicProbe
  * @brief   a distance that is known at the points of a surface, at any other point of it
  *
- * Input port 0 takes a surface (vtkPolyData) with a point array of distances along it, as distance
- * filters give it: the one that SetInputArrayToProcess() names, where it has been called, else the
- * one of DistanceArrayName. Input port 1 takes a vtkPolyData whose points are the places that are
- * asked for, anywhere on the surface: each is projected to the closest point of it. The output is
- * the input of port 1, unchanged, plus a point array with the distances, of the name that they have
- * on the surface. NaN where the surface is not reached, be the distance NaN, infinity or the
- * UnreachedValue of the distance filter: in all triangles that have a corner that is not reached.
+ * <b>Input and output</b>. Port 0 takes a surface with a point array of distances, the one of
+ * SetInputArrayToProcess(), else of DistanceArrayName; port 1 a vtkPolyData whose points are the
+ * places, projected to the surface. The output is the input of port 1 plus a point array of the
+ * name of the distances (double), NaN in triangles with an unreached corner. As in
+ * vtkApolloniusIsolines, arrays of windows and virtual sources that do not belong to the distances
+ * are ignored, with a warning.
  *
- * How good the distances are depends on what the surface has besides them:
- *  - field data with windows (vtkExactGeodesicDistance::GenerateWindowsOn()): exact;
- *  - virtual sources (GenerateVirtualSourceOn() of any distance filter): several times better than
- *    linear interpolation, see dggDistanceField.h and below;
- *  - else virtual sources are fitted to the distances, which is a little worse. That the values
- *    are distances, in the units of the points, is the user's word: only those that are far too
- *    steep are linear in each triangle, with a warning, see vtkApolloniusIsolines.
+ * <b>Guarantee and cost</b>. With windows (vtkExactGeodesicDistance::GenerateWindowsOn()) exact;
+ * with virtual sources (GenerateVirtualSourceOn() of any distance filter), or those fitted to the
+ * distances without, better than linear interpolation, but without a bound: take windows for CAD
+ * models, whose long triangles are reached from many sides. One search in the surface for each
+ * place.
  *
- * <b>Virtual sources on CAD models.</b> Long triangles may be reached from many sides, of which
- * their three corners know little: there errors are several times smaller than those of linear
- * interpolation in the mean, but may reach 18 % of the largest distance. Where that is not enough,
- * take windows.
- *
- * Arrays of either kind that do not belong to the distances or to the surface are ignored, with a
- * warning; for what is noticed of virtual sources, see vtkApolloniusIsolines.
- *
- * <b>Errors</b> besides those of vtkGeodesicAlgorithm: no points on port 1; a point that is not
- * finite, or farther from the surface than ProjectionTolerance; no array of distances, or one that
- * does not have one number per point.
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm: no points on port 1; a point that is not
+ * finite, or farther from the surface than ProjectionTolerance; no array of distances, or one
+ * without one number per point.
  *
  * @code
  * vtkNew<vtkExactGeodesicDistance> distance;
@@ -44,10 +33,8 @@
  * vtkDataArray* d = probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
  * @endcode
  *
- * Exact distances inside of triangles: J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The
- * discrete geodesic problem", SIAM J. Comput. 16, 1987, section 3.
- *
- * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ * <b>Source</b>. J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic
+ * problem", SIAM J. Comput. 16, 1987, section 3.
  *
  * @sa vtkExactGeodesicDistance vtkDGGDistance vtkApolloniusIsolines
  */
@@ -70,7 +57,7 @@ public:
 
   ///@{
   /**
-   * The places: points of a vtkPolyData on input port 1 (its cells are not used).
+   * The places: the points of a vtkPolyData on input port 1.
    */
   void SetProbeConnection(vtkAlgorithmOutput* output);
   void SetProbeData(vtkPolyData* points);
@@ -78,26 +65,25 @@ public:
 
   ///@{
   /**
-   * Name of the point array with the distances, unless SetInputArrayToProcess() says another one.
-   * Default "GeodesicDistance"; when empty, the active point scalars. Distances whose array has no
-   * name are called "GeodesicDistance" in the output.
+   * Name of the point array with the distances, unless SetInputArrayToProcess() names another one.
+   * Default "GeodesicDistance"; empty: the active point scalars. An array without a name is
+   * "GeodesicDistance" in the output.
    */
   vtkDGGStringMacro(DistanceArrayName);
   ///@}
 
   ///@{
   /**
-   * Name of the point array with the virtual sources. Default "GeodesicVirtualSource". It need not
-   * be there.
+   * Name of the point array with the virtual sources, which may be missing. Default
+   * "GeodesicVirtualSource".
    */
   vtkDGGStringMacro(VirtualSourceArrayName);
   ///@}
 
   ///@{
   /**
-   * The number that stands for points that are not reached, besides NaN and infinity. Default NaN:
-   * the points that the distance filter left unreached, whatever its UnreachedValue. To be set
-   * where distances come from elsewhere.
+   * Number of unreached points besides NaN and infinity, for distances from elsewhere; those of the
+   * distance filters are recognised. Default NaN.
    */
   vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
@@ -105,9 +91,9 @@ public:
 
   ///@{
   /**
-   * How far from the surface a point may be, as a fraction of the diagonal of the surface's
-   * bounding box. A point farther away is an error that names it. Default 0.01; not
-   * negative; 0 takes points of the surface alone, up to rounding.
+   * How far from the surface a place may be, as a fraction of the diagonal of the surface's
+   * bounding box; farther is an error. Default 0.01; not negative; 0 accepts points on the surface,
+   * up to rounding.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);

@@ -4,47 +4,34 @@
  * @class   vtkGeodesicSampler
  * @brief   samples of a surface that are spread evenly along it
  *
- * Takes points of a surface one after the other, each as far as possible along the surface from
- * all those before: farthest point sampling. The distances are those of a discrete geodesic graph,
- * which is taken from the input, or built and kept, as in vtkDGGDistance.
+ * Takes points one after the other, each as far as possible along the surface from all those
+ * before: farthest point sampling.
  *
- * Input port 0 takes the surface. Points to start with may be given on the optional input port 1
- * (SetStartConnection(), SetStartData()), anywhere on the surface; they are projected to it, come
- * first in the output and are all kept. Without them the first sample is FirstSample.
+ * <b>Input and output</b>. Points to start with may be given on the optional input port 1
+ * (SetStartConnection()); they are projected to the surface, come first and are all kept. Without
+ * them the first sample is FirstSample. The graph is that on the input, or built here, see
+ * vtkGeodesicAlgorithm. The output is new geometry: samples with verts, in their order. Point data:
+ *  - `vtkOriginalPointIds`: the id of the sample in the input, -1 inside faces and on edges; the
+ *    smallest one of merged points;
+ *  - `FaceId`: a cell that it lies in, -1 at points that no polygon uses, and on clouds;
+ *  - `CoveringRadius` (double): the largest distance of a point of the input from the samples so
+ *    far. It never grows, and is infinite until every component has a sample, which comes first.
  *
- * The output is new geometry, see vtkGeodesicAlgorithm: the samples as points in the order in which
- * they were taken, each with a vert. Any number of them from the first on is a good sampling as
- * well. Their point data are
- *  - `vtkOriginalPointIds`: the id of the point of the input that the sample is, -1 where it lies
- *    inside a face or on an edge. With MergeCoincidentPoints, the smallest of the ids;
- *  - `FaceId`: a cell of the input that the sample lies in, -1 for a point that no polygon uses;
- *  - `CoveringRadius`: how far the point of the input that is farthest from the samples so far,
- *    this one included, is from them. It never grows; infinity while there are components without a
- *    sample. Every component gets one before any gets a second one.
+ * On a cloud, samples are points of it, those given become the closest ones, and InFaces does
+ * nothing. Points that no polygon uses, or that are connected to no other one, are left out.
  *
- * <b>What is promised.</b> Distances along the graph are at least the exact ones and at most
- * (1 + accuracy) times those, where accuracy is that of the graph, unless its rule has no
- * guarantee. Every point of the input is within the last CoveringRadius of a sample, and along the
- * graph samples that were not given are at least that far from all other samples, so that the exact
- * distance is at least CoveringRadius / (1 + accuracy). Points that no polygon uses are left out.
- * The result does not depend on the number of threads.
+ * <b>Guarantee and cost</b>. Every point of the input is within the last CoveringRadius of a
+ * sample, and samples that were not given are at least CoveringRadius / (1 + accuracy) from all
+ * others, if the rule of the graph has a guarantee. A thousand samples take about as long as twenty
+ * distance fields.
  *
- * <b>Point clouds.</b> On a cloud with the graph of vtkPointCloudDGG, samples are points of the
- * cloud: those given on port 1 become the closest ones, InFaces does nothing, and `FaceId` is -1.
- * Accuracy and AcceptCoarserGraph do nothing. Points that are connected to no other one are left
- * out.
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
+ *  - a NumberOfSamples below 1; a CoveringRadius or ProjectionTolerance that is negative or NaN; a
+ *    FirstSample out of range; a point of port 1 that is not finite, or farther from the surface
+ *    than ProjectionTolerance;
+ *  - an Accuracy outside [1e-6, 0.5]; a graph that takes more than MemoryLimit.
  *
- * A thousand samples take about as long as twenty distance fields; with InFaces on meshes of fewer
- * points than samples, seconds.
- *
- * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
- *  - a NumberOfSamples below 1; a CoveringRadius or ProjectionTolerance that is negative or not a
- *    number; a FirstSample out of range; a point on port 1 that is not finite, or farther from the
- *    surface than ProjectionTolerance;
- *  - an Accuracy outside [1e-6, 0.5]; a graph that would take more memory than MemoryLimit.
- *
- * With more samples asked for than there are points, all of them are given, with a warning, unless
- * InFaces is on; and there is a warning when there are more components than samples.
+ * More samples than can be found, or fewer than there are components, are warnings.
  *
  * @code
  * vtkNew<vtkGeodesicSampler> sampler;
@@ -53,9 +40,11 @@
  * vtkNew<vtkGeodesicVoronoi> voronoi;
  * voronoi->SetInputConnection(reader->GetOutputPort());
  * voronoi->SetSiteConnection(sampler->GetOutputPort());
+ * voronoi->Update();
  * @endcode
  *
- * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ * <b>Source</b>. G. Peyre, L. D. Cohen, "Geodesic remeshing using front propagation", Int. J.
+ * Comput. Vis. 69(1), 2006, with distances in the graph of vtkDiscreteGeodesicGraph.
  *
  * @sa vtkGeodesicVoronoi vtkDiscreteGeodesicGraph
  */
@@ -93,8 +82,8 @@ public:
 
   ///@{
   /**
-   * The id of the first sample. Default -1, which stands for a point far out: the one farthest from
-   * the first point of the surface. Not used with points on port 1.
+   * Id of the first sample, without points on port 1. Default -1: the point farthest from the first
+   * point of the surface.
    */
   vtkSetMacro(FirstSample, vtkIdType);
   vtkGetMacro(FirstSample, vtkIdType);
@@ -102,8 +91,8 @@ public:
 
   ///@{
   /**
-   * Stop as soon as every point of the input is this close to a sample, in units of the
-   * coordinates, even with fewer samples than NumberOfSamples. Default 0: never.
+   * Stop when every point of the input is this close to a sample, in units of the coordinates.
+   * Default 0: never.
    */
   vtkSetMacro(CoveringRadius, double);
   vtkGetMacro(CoveringRadius, double);
@@ -111,13 +100,11 @@ public:
 
   ///@{
   /**
-   * Whether samples may lie inside faces and on edges: instead of the farthest point of the input,
-   * the farthest point of the surface close to it is taken, where one is found that is farther
-   * along the graph. Then samples are spread more evenly on coarse meshes. Where the input has
-   * fewer than two points for each of NumberOfSamples (up to 1000), places inside faces, up to 64
-   * for each sample and 10000 in all, count as points of the input do, so that there may be more
-   * samples than points, and CoveringRadius is that of the places as well. Default off: samples are
-   * points of the input.
+   * Whether samples may lie inside faces and on edges, close to the farthest point of the input,
+   * which spreads them more evenly on coarse meshes. Where the input has fewer than two points for
+   * each of NumberOfSamples (up to 1000), places inside faces, up to 64 for each sample and 10000
+   * in all, count as points of the input, so that there may be more samples than points. Default
+   * off.
    */
   vtkSetMacro(InFaces, bool);
   vtkGetMacro(InFaces, bool);
@@ -126,8 +113,7 @@ public:
 
   ///@{
   /**
-   * Points to start with: those of a vtkPolyData on input port 1; its cells are not used. Null
-   * removes them.
+   * Points to start with: those of a vtkPolyData on input port 1. Null removes them.
    */
   void SetStartConnection(vtkAlgorithmOutput* output);
   void SetStartData(vtkPolyData* points);
@@ -136,8 +122,8 @@ public:
   ///@{
   /**
    * How far from the surface a point of port 1 may be, as a fraction of the diagonal of the
-   * surface's bounding box. A point farther away is an error that names it. Default 0.01; not
-   * negative; 0 takes points of the surface alone, up to rounding.
+   * surface's bounding box; farther is an error. Default 0.01; not negative; 0 accepts points on
+   * the surface, up to rounding.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
@@ -145,20 +131,10 @@ public:
 
   ///@{
   /**
-   * Properties of the graph, which all filters that search one have, and numbers of it.
-   *
-   * - Accuracy: largest relative error of the graph that is built when the input has none, in
-   *   [1e-6, 0.5]. Default 0.01. Another value is an error of the update even when the graph on the
-   *   input is used.
-   * - AcceptCoarserGraph: whether a graph on the input that promises less than an Accuracy that was
-   *   set is used without a warning. Default off.
-   * - MemoryLimit: most bytes that building a graph may take, or preparing to link points that are
-   *   not vertices (some 250 bytes per triangle). Default 0, which stands for 70 % of the memory
-   *   that is free at that time.
-   * - Of the graph of the last update, zero when there is none: whether it is that on the input,
-   *   its accuracy (0 for a SaddleVertexGraph), number of directed edges, and about the bytes with
-   *   what searches and links need; they stay what they were when its arrays are changed later.
-   *   Whether it keeps to its accuracy, and when this filter built one last.
+   * Properties of the graph, see vtkDGGDistance: Accuracy of one that is built, in [1e-6, 0.5],
+   * default 0.01; whether a coarser one on the input is accepted without a warning, default off;
+   * most bytes to build it and to link points, default 0: 70 % of the free memory. And numbers of
+   * the graph of the last update.
    */
   vtkDGGGraphPropertiesMacro();
   ///@}

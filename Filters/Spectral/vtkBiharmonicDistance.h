@@ -4,34 +4,22 @@
  * @class   vtkBiharmonicDistance
  * @brief   smooth distances on a surface made of the Laplacian: biharmonic, commute-time, diffusion
  *
- * With eigenvalues lambda_i and functions v_i of the Laplacian, the square of the distance of x and
- * y is the sum of (v_i(x) - v_i(y))^2 times
- *  - 1 / lambda_i^2 for the biharmonic distance, a length (the unit of the coordinates). It is
- *    smooth, close to straight next to the source and aware of the shape farther away, and hardly
- *    depends on the mesh;
- *  - 1 / lambda_i for the commute-time distance, a number. It grows without bound as a mesh is
- *    refined, and says little on fine ones;
- *  - exp(-2 t lambda_i) for the diffusion distance at time t, one over a length.
+ * With eigenvalues lambda_i and functions v_i of the Laplacian, the squared distance of x and y is
+ * the sum of (v_i(x) - v_i(y))^2 times 1 / lambda_i^2 for the biharmonic distance, 1 / lambda_i for
+ * the commute-time distance, exp(-2 t lambda_i) for the diffusion distance at time t.
  *
- * They are distances of vectors, so metrics. They are not lengths of ways on the surface: see
- * vtkExactGeodesicDistance and vtkDGGDistance for these.
+ * <b>Input and output</b>. Those of vtkSpectralAlgorithm. The result is `BiharmonicDistance` for
+ * all kinds, one component per source: a length in units of the coordinates, a number, or one over
+ * a length. Functions are linear in faces. Points of another component than the source get
+ * UnreachedValue. With Dirichlet conditions functions are 0 on the boundary.
  *
- * Inputs, sources, outputs, the factorization and errors are those of vtkSpectralAlgorithm; the
- * result array is `BiharmonicDistance`, one component per source, whatever the Kind. Sources and
- * evaluation points may lie anywhere: functions are linear inside of faces, which suits the
- * biharmonic distance, of which the kernel is bounded at its pole. Points in another component than
- * the source, or without a polygon, get UnreachedValue. With Dirichlet conditions, functions are
- * those that are 0 on the boundary.
+ * <b>Guarantee and cost</b>. These are metrics, but not lengths of paths. Method Exact has all
+ * eigenvalues, up to rounding, of the finite elements: by a solution for each point, once, on all
+ * threads; then two substitutions for each source, for some ten thousand points. Spectrum takes the
+ * smallest NumberOfEigenvalues, which are found once; what is left out makes distances too small.
+ * Commute-time distances grow without bound as a mesh is refined.
  *
- * <b>Methods.</b>
- *  - Spectrum takes the smallest NumberOfEigenvalues of all components together, which are found
- *    once and kept. What is left out makes distances too small, next to the source above all.
- *  - Exact has all of them, by solving for Green's functions: once for every point of the surface,
- *    in several threads, when the surface, Kind or an option of the factorization changes; later
- *    sources take two substitutions. For meshes of up to some ten thousand points. Not for
- *    Diffusion, which needs eigenvalues.
- *
- * <b>Errors</b> besides those of vtkSpectralAlgorithm: Diffusion by the Exact method; a
+ * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: Diffusion by the Exact method; a
  * DiffusionTime that is negative or not finite; a NumberOfEigenvalues below 1.
  *
  * @code
@@ -42,13 +30,11 @@
  * vtkDataArray* d = distance->GetOutput()->GetPointData()->GetArray("BiharmonicDistance");
  * @endcode
  *
- * Y. Lipman, R. M. Rustamov, T. A. Funkhouser, "Biharmonic distance", ACM Trans. Graph. 29(3),
- * 2010, sections 3 and 4; R. R. Coifman, S. Lafon, "Diffusion maps", Appl. Comput. Harmon. Anal.
- * 21, 2006.
+ * <b>Source</b>. Y. Lipman, R. M. Rustamov, T. A. Funkhouser, "Biharmonic distance", ACM Trans.
+ * Graph. 29(3), 2010, sections 3 and 4; R. R. Coifman, S. Lafon, "Diffusion maps", Appl. Comput.
+ * Harmon. Anal. 21, 2006.
  *
- * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
- *
- * @sa vtkSpectralAlgorithm vtkDiscreteGreensFunction
+ * @sa vtkSpectralAlgorithm vtkDiscreteGreensFunction vtkDGGDistance
  */
 
 #ifndef vtkBiharmonicDistance_h
@@ -110,7 +96,8 @@ public:
 
   ///@{
   /**
-   * How many eigenvalues Spectrum takes. Default 150; fewer are taken where there are not as many.
+   * Eigenvalues of Spectrum, of all components together. Default 150; at least 1; fewer where there
+   * are not as many.
    */
   vtkSetMacro(NumberOfEigenvalues, int);
   vtkGetMacro(NumberOfEigenvalues, int);
@@ -118,8 +105,8 @@ public:
 
   ///@{
   /**
-   * The time t of Diffusion, a length squared. Default 0, which stands for a tenth of the first
-   * eigenvalue's inverse.
+   * The time t of Diffusion, a length squared. Default 0: a tenth of the inverse of the first
+   * eigenvalue.
    */
   vtkSetMacro(DiffusionTime, double);
   vtkGetMacro(DiffusionTime, double);
@@ -127,14 +114,14 @@ public:
 
   ///@{
   /**
-   * Distance given to points that are not connected to the source. Default NaN.
+   * Distance of points that are not connected to the source. Default NaN.
    */
   vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
   ///@}
 
   /**
-   * How often eigenvalues have been found, for the meshes so far.
+   * How often eigenvalues have been found so far.
    */
   int GetNumberOfSpectra() const;
 

@@ -2,61 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDiscreteGreensFunction
- * @brief   what a unit source anywhere on a surface does everywhere else
+ * @brief   Green's functions of points anywhere on a surface
  *
- * The Green's function g of a source x solves -Laplace g = delta(x) - 1 / area: heat, or charge,
- * flows in at the source and goes away evenly. Next to x it grows like -log(d) / (2 pi), d the
- * distance from x. With it, solutions of Poisson equations are sums: u(x) = mean(u) + the integral
- * of g f, for -Laplace u = f. It has no unit, and does not change with the size of the surface.
+ * The Green's function g of a source x solves -Laplace g = delta(x) - 1 / area: a unit flows in at
+ * the source and leaves evenly. Next to x it grows like -log(d) / (2 pi), d the distance from x.
+ * For -Laplace u = f, u(x) is mean(u) + the integral of g f.
  *
- * Inputs, sources, outputs, the factorization and errors are those of vtkSpectralAlgorithm; the
- * result array is `GreensFunction`, one component per source.
+ * <b>Input and output</b>. Those of vtkSpectralAlgorithm; the result is `GreensFunction`, one
+ * component per source, without a unit and independent of scale. It is that of the component of its
+ * source, with mean 0, and 0 in other components. With Dirichlet conditions 1 / area is left out,
+ * and g is 0 on the boundary. Evaluation points see the logarithm exactly. At the source see
+ * PoleValue.
  *
- * <b>Which function.</b> On a closed surface, and with Neumann conditions, the function is that of
- * the component of its source: the area is that of the component, the mean over it is 0, and in
- * other components, and at points that no polygon uses, the function is 0. With Dirichlet
- * conditions nothing goes away but through the boundary, where the function is 0. A source on the
- * boundary, or in a component that has none, is an error then.
+ * <b>Guarantee and cost</b>. By Method; h is the edge length:
+ *  - SingularitySubtraction subtracts the logarithm of the geodesic distance up to a radius and
+ *    solves for the smooth rest. Errors fall like h^2 with the radius fixed, but like h within a
+ *    few edges of a boundary, and where shortest paths meet close to the source; symmetric up to
+ *    its errors.
+ *  - Interpolated weights the functions of the corners of the face: the finite element solution,
+ *    with errors like h next to the source; symmetric.
+ *  - Localized is Interpolated corrected around the source by exact distances, as in the thesis;
+ *    for comparison, as it is no better.
+ *  - Vertex takes the corner with the largest barycentric coordinate that is not on a Dirichlet
+ *    boundary.
  *
- * <b>Methods.</b>
- *  - SingularitySubtraction subtracts the logarithm of the geodesic distance, up to a radius, and
- *    solves for the rest, which is smooth. Errors fall like the square of the edge length, for
- *    sources inside of faces and on edges as at points, as long as the radius stays the same; on
- *    meshes with more than about 30 000 points, where it is 48 mean edges, see Radius, more slowly;
- *    like the edge length within a few edges of a boundary that the source is not on, and where
- *    shortest ways meet from different sides close to the source, as behind a spike.
- *  - Localized corrects Interpolated around the source by exact distances, as in the thesis named
- *    below. It is no better than Interpolated: for comparison.
- *  - Interpolated weights the functions of the corners of the face with barycentric coordinates:
- *    the finite element solution. Errors next to the source fall like the edge length.
- *  - Vertex takes that of the corner with the largest barycentric coordinate that is not on a
- *    Dirichlet boundary.
+ * Where a method does not work around a source, as on triangles about as large as the radius,
+ * Interpolated takes its place with a warning, see GetUsedMethod(). Eight functions are solved for
+ * at a time, on all threads; SingularitySubtraction takes a local exact distance field besides.
  *
- * On the unit sphere with 10 242 points, the relative L2 error within 0.2 of the source was 5e-5
- * (7e-6 with 163 842 points), 1e-2 for Interpolated, and 5e-2 for Vertex (the mean over sources in
- * faces). Where a method cannot be used around a source, Interpolated takes its place, with a
- * warning: see GetUsedMethod().
- *
- * <b>Symmetry.</b> With Interpolated, and with Vertex between points of the surface, g(x, y) is
- * g(y, x) up to rounding. SingularitySubtraction is symmetric up to its errors, which grow with the
- * triangles: differences were 0.03 to 0.8 % of the largest value on scans and parts of machines.
- * Where the longest sides of triangles, in the mean over the area, are more than half of the usual
- * radius, as on plates without points inside, Interpolated takes its place for all sources of that
- * component, with the warning: there neither method is accurate, differences were 6 to 12 %, errors
- * 15 to 22 %, and with Interpolated 28 to 70 %. Who needs the smaller errors more than the symmetry
- * sets Radius; better is a finer mesh.
- *
- * <b>Many sources.</b> Eight functions are solved for at a time, in several threads. With
- * InterpolateRegularPart, SingularitySubtraction solves for points of the surface only, and keeps
- * these columns; the smooth part of a source inside of a face is interpolated. Errors are several
- * times as large, a tenth of those of Interpolated or less, and later sources in the same faces
- * cost one distance each.
- *
- * At the source itself the function is infinite: see PoleValue. Between points of the surface it is
- * linear but for the logarithm, which evaluation points (input port 2) see exactly: values on
- * output port 1 are as good as those at points of the surface, close to the source as well.
- *
- * <b>Errors</b> besides those of vtkSpectralAlgorithm: Dirichlet conditions and a source that lies
+ * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: Dirichlet conditions and a source that lies
  * on the boundary, or in a component without one; a Radius that is negative or not finite.
  *
  * @code
@@ -69,13 +43,11 @@
  * double atPoint7OfSource1 = g->GetComponent(7, 1);
  * @endcode
  *
- * Y. Lipman, R. M. Rustamov, T. A. Funkhouser, "Biharmonic distance", ACM Trans. Graph. 29(3),
- * 2010, section 3 (Vertex); Z. Fang, "Discrete Geodesic Graphs", PhD thesis, Nanyang Technological
- * University, 2019, chapter 4 (Localized).
+ * <b>Source</b>. Y. Lipman, R. M. Rustamov, T. A. Funkhouser, "Biharmonic distance", ACM Trans.
+ * Graph. 29(3), 2010, section 3 (Vertex); Z. Fang, "Discrete Geodesic Graphs", PhD thesis, Nanyang
+ * Technological University, 2019, chapter 4 (Localized).
  *
- * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
- *
- * @sa vtkSpectralAlgorithm
+ * @sa vtkSpectralAlgorithm vtkBiharmonicDistance vtkHarmonicBSpline
  */
 
 #ifndef vtkDiscreteGreensFunction_h
@@ -148,9 +120,8 @@ public:
 
   ///@{
   /**
-   * The value at a source that is a point of the surface, or of evaluation. Default CellAverage,
-   * which grows like -log(h) / (2 pi) with the edge length h. The other methods have finite values
-   * there anyway.
+   * Value of SingularitySubtraction at the source itself. Default CellAverage, which grows like
+   * -log(h) / (2 pi) with the edge length h. Other methods have finite values there.
    */
   vtkSetClampMacro(PoleValue, int, CellAverage, InfiniteValue);
   vtkGetMacro(PoleValue, int);
@@ -170,7 +141,7 @@ public:
 
   ///@{
   /**
-   * Weights of the points in the mean that is 0, and of what goes away. Default Area.
+   * Weights of the points in the mean that is 0, and in what leaves. Default Area.
    */
   vtkSetClampMacro(Weighting, int, Area, Uniform);
   vtkGetMacro(Weighting, int);
@@ -181,9 +152,9 @@ public:
 
   ///@{
   /**
-   * Up to which distance from the source SingularitySubtraction takes the logarithm out, in units
-   * of the coordinates. Default 0: 0.28 times the square root of the component's area (up to 0.35
-   * on coarse meshes), or 48 mean edges, less where shortest ways meet from different sides before.
+   * Distance from the source up to which SingularitySubtraction subtracts the logarithm, in units
+   * of the coordinates. Default 0: 0.28 times the root of the component's area (up to 0.35 on
+   * coarse meshes), or 48 mean edges, less where shortest paths meet from different sides.
    */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
@@ -191,9 +162,9 @@ public:
 
   ///@{
   /**
-   * Whether to interpolate the smooth part of SingularitySubtraction between points of the surface,
-   * see above. Sources are then looked at one after the other. Columns are kept within MemoryLimit,
-   * as floats, 4 bytes per point each. Default off.
+   * Whether SingularitySubtraction solves for points of the surface only, keeps these columns (4
+   * bytes per point each, within MemoryLimit) and interpolates the smooth part in faces. Errors are
+   * several times as large; later sources in the same faces cost one distance each. Default off.
    */
   vtkSetMacro(InterpolateRegularPart, bool);
   vtkGetMacro(InterpolateRegularPart, bool);
@@ -202,22 +173,21 @@ public:
 
   ///@{
   /**
-   * Of a source of the last update: the method that was used (MethodType; -1 when there is no such
-   * source), and the radius of the logarithm, 0 without one.
+   * Method (MethodType) of a source of the last update, -1 without, and radius of its logarithm, 0
+   * without.
    */
   int GetUsedMethod(vtkIdType source) const;
   double GetUsedRadius(vtkIdType source) const;
   ///@}
 
   /**
-   * Whether shortest ways meet from different sides close to a source of the last update (within
-   * ten mean edges, or Radius), as behind a spike: there errors of SingularitySubtraction fall like
-   * the edge length. They are a fraction of those of Interpolated still.
+   * Whether shortest paths meet from different sides close to a source of the last update (within
+   * ten mean edges, or Radius): errors of SingularitySubtraction then fall like the edge length.
    */
   bool IsNearRidge(vtkIdType source) const;
 
   /**
-   * Columns that InterpolateRegularPart has solved for on this mesh.
+   * Columns that InterpolateRegularPart keeps for this mesh.
    */
   vtkIdType GetNumberOfColumns() const;
 

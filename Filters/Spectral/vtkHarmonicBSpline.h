@@ -2,60 +2,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHarmonicBSpline
- * @brief   smooth basis functions of sites on a surface, made of Green's functions, and Poisson
- *          equations solved with them
+ * @brief   smooth basis functions of sites on a surface, and Poisson equations solved with them
  *
- * The points of the surface are parted into the geodesic Voronoi cells of some sites. The basis
- * function of site j is
+ * The points are partitioned into the geodesic Voronoi cells of sites. The function of site j is
  *
- * psi_j(x) = A_j / A + sum over cells i of c_ij (g_j(x) - g_i(x)),
+ *     psi_j(x) = A_j / A + sum over cells i of c_ij (g_j(x) - g_i(x)),
  *
- * with areas A_j of cells and A of the component, g_j the mean of the Green's function (see
- * vtkDiscreteGreensFunction) over cell j, and c_ij = length of the border between two cells /
- * distance of their sites. Its Laplacian is constant in each cell. The functions sum to 1 at every
- * point, each has the mean A_j / A, and vanishes within a few cells. When every point is a site,
- * each is 1 at its site and 0 at other points; with fewer sites and round cells it is about 0.6 at
- * its site. Where triangles are sheared or obtuse, cells conduct unevenly, and values may be far
- * below 0 or above 1; sums and solutions remain right. IntrinsicDelaunay mends that. They have no
- * unit and do not change with the size of the surface.
+ * with A_j, A the areas of cell and component, g_j the mean of the Green's function over cell j,
+ * and c_ij the length of the border between two cells by the distance of their sites.
  *
- * <b>Sites.</b> Inputs, outputs, the factorization and errors are those of vtkSpectralAlgorithm,
- * whose sources are the sites; they must be points of the surface, so those of input port 1 that
- * lie elsewhere move to the nearest corner of their triangle. Without any, NumberOfSites of them
- * are chosen, each as far as possible from those before along the edges. Every component needs a
- * site; where they are chosen, it gets one. When no component has more than one, all functions are
- * constant, and a warning says so.
+ * <b>Input and output</b>. Those of vtkSpectralAlgorithm, whose sources are the sites. Sites of
+ * port 1 move to the nearest corner of their triangle. Without any, NumberOfSites are chosen, each
+ * as far as possible from those before along the edges; every component gets one. Point arrays:
+ *  - `HarmonicBSpline` (double, one component per site, without a unit);
+ *  - `Cell` (vtkIdType): the site of each point, or of the corner next to an evaluation point; -1
+ *    without a polygon, or with a given value;
+ *  - `PoissonSolution` (double), with RightHandSideArrayName: u = sum_j lambda_j psi_j with
+ *    -Laplace u = f, f averaged over cells; mean 0 in components where nothing is given.
  *
- * <b>Outputs</b> besides `HarmonicBSpline`, which has one component per site (8 bytes per point and
- * site; use few sites, or smaller meshes, for thousands of them):
- *  - `Cell` (vtkIdType, see CellArrayName), the site of each point; -1 at points without a polygon,
- *    or with a given value; of an evaluation point, that of the nearest corner of its triangle;
- *  - `PoissonSolution` (see SolutionArrayName), when RightHandSideArrayName is set: the function
- *    u = sum_j lambda_j psi_j with -Laplace u = f, f averaged over cells. lambda solves the
- *    equations of the cells (finite volumes). Errors fall like the square of the size of cells;
- *    when all points are sites, u is the solution of finite elements. Mean 0 in each component
- *    where nothing is given.
+ * With Neumann conditions sources whose sum in a component is not 0 are balanced evenly, with a
+ * warning where that is more than 1e-6 of the sum of their sizes, for densities 1e-2. With
+ * Dirichlet conditions functions and solutions are 0 on the boundary, its points are in no cell,
+ * and A_j / A is left out.
  *
- * At points that no polygon uses, functions and solutions are 0. Output port 1 (GetEvaluation())
- * has the same arrays, by default linear in triangles, see SmoothEvaluation.
+ * <b>Guarantee and cost</b>. Functions sum to 1 (with Dirichlet conditions only away from the
+ * boundary), have the mean A_j / A, and vanish within a few cells; with all points as sites they
+ * interpolate. Errors of solutions fall like the square of the size of cells. On sheared or obtuse
+ * triangles values may leave [0, 1] by far, which IntrinsicDelaunay mends; sums and solutions
+ * remain right. Memory is 8 bytes per point and site.
  *
- * <b>Boundaries.</b> With Neumann conditions nothing flows through the boundary, and sources whose
- * sum in a component is not 0 are balanced in proportion to area. There is a warning where the sum
- * is more than 1e-6 of the sum of their sizes, for densities 1e-2. With Dirichlet conditions all
- * functions and solutions are 0 on the boundary, points there are in no cell and are no sites, the
- * term A_j / A is left out, and the functions sum to about 1 only away from the boundary.
- * Components without a boundary do not care.
- *
- * Among triangles of near-zero area sums are 1 only as far as the linear system can be solved (1e-5
- * on a plane with triangles of relative height 1e-6). IntrinsicDelaunay helps, and makes no c_ij
- * negative.
- *
- * <b>Errors</b> besides those of vtkSpectralAlgorithm: two sites at the same point; a component
+ * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: two sites at the same point; a component
  * without a site; Dirichlet conditions and a site on the boundary; a right-hand side that is
- * missing, has more than one component, or is not finite; array names that are empty or the same;
- * equations of cells that cannot be solved to 1e-8 (some c_ij may be negative among obtuse
- * triangles); Dirichlet conditions, SmoothEvaluation and an evaluation point in a component without
- * a boundary.
+ * missing, has several components or is not finite; array names that are empty or the same;
+ * equations of cells that cannot be solved to 1e-8; SmoothEvaluation with Dirichlet conditions and
+ * an evaluation point in a component without a boundary.
  *
  * @code
  * vtkNew<vtkHarmonicBSpline> spline;
@@ -68,11 +48,9 @@
  * double psi3 = data->GetArray("HarmonicBSpline")->GetComponent(7, 3);
  * @endcode
  *
- * P. Feng, J. Warren, "Discrete bi-Laplacians and biharmonic b-splines", ACM Trans. Graph. 31(4),
- * 2012; Z. Fang, "Discrete Geodesic Graphs", PhD thesis, Nanyang Technological University, 2019,
- * chapter 4. There coefficients have the sign of a Green's function that is negative at its pole.
- *
- * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ * <b>Source</b>. P. Feng, J. Warren, "Discrete bi-Laplacians and biharmonic b-splines", ACM Trans.
+ * Graph. 31(4), 2012; Z. Fang, "Discrete Geodesic Graphs", PhD thesis, Nanyang Technological
+ * University, 2019, chapter 4, where coefficients have the opposite sign.
  *
  * @sa vtkDiscreteGreensFunction vtkGeodesicVoronoi vtkGeodesicSampler
  */
@@ -95,8 +73,8 @@ public:
 
   ///@{
   /**
-   * How many sites are chosen when none is given. Default 20, at least 1. There are as many as
-   * components at least, and as points with a polygon, and without a given value, at most.
+   * Sites that are chosen when none is given. Default 20, at least 1; at least one for each
+   * component, at most one for each point with a polygon and without a given value.
    */
   vtkSetClampMacro(NumberOfSites, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfSites, int);
@@ -104,8 +82,8 @@ public:
 
   ///@{
   /**
-   * The point array of the surface with the right-hand side f of -Laplace u = f. Default none; null
-   * and "" stand for none.
+   * Point array of the surface with the right-hand side f of -Laplace u = f. Default none; null and
+   * "" are none.
    */
   vtkDGGStringMacro(RightHandSideArrayName);
   ///@}
@@ -121,8 +99,8 @@ public:
 
   ///@{
   /**
-   * What the numbers of the right-hand side are. Default Density. With MergeCoincidentPoints,
-   * integrated sources of coincident points are added up, and the density is that of the first one.
+   * What the numbers of the right-hand side are. Default Density. At merged points integrated
+   * sources add up, and the first density counts.
    */
   vtkSetClampMacro(RightHandSideMeaning, int, Density, Integrated);
   vtkGetMacro(RightHandSideMeaning, int);
@@ -133,8 +111,8 @@ public:
 
   ///@{
   /**
-   * Names of the point arrays with the site of each point, default "Cell", and with the solution,
-   * default "PoissonSolution". They must differ from each other and from ResultArrayName.
+   * Names of the point arrays with sites and solution. Defaults "Cell" and "PoissonSolution";
+   * different from each other and from ResultArrayName.
    */
   vtkDGGStringMacro(CellArrayName);
   vtkDGGStringMacro(SolutionArrayName);
@@ -142,10 +120,9 @@ public:
 
   ///@{
   /**
-   * Whether values at evaluation points are made of their own Green's functions, with the logarithm
-   * integrated over cells, instead of linear in triangles: without kinks at edges, at the cost of a
-   * Green's function for each point. Errors are of the same size. Where cells are single points it
-   * makes a difference: functions then do not interpolate. Default off.
+   * Whether evaluation points get values by Green's functions of their own, without kinks at edges,
+   * at the cost of one each, instead of linear ones in triangles. Errors are similar; where cells
+   * are single points functions do not interpolate. Default off.
    */
   vtkSetMacro(SmoothEvaluation, bool);
   vtkGetMacro(SmoothEvaluation, bool);
@@ -154,8 +131,7 @@ public:
 
   ///@{
   /**
-   * The sites of the last update, as ids of points of the surface; -1 when there is no such site.
-   * None after an error or an abort.
+   * Sites of the last update, as point ids of the surface; -1 without such a site.
    */
   vtkIdType GetNumberOfUsedSites() const;
   vtkIdType GetUsedSite(vtkIdType site) const;

@@ -4,40 +4,28 @@
  * @class   vtkSpectralAlgorithm
  * @brief   what filters have in common that solve Poisson equations for sources on a surface
  *
- * Input port 0 takes the surface (vtkPolyData). The result is one function on the surface for each
- * source.
+ * <b>Input and output</b>. Port 0 takes the surface. Sources are point ids (SetSourceIds()) and the
+ * points of the optional port 1 (SetSourceConnection()), each projected to the closest point of the
+ * surface; they are numbered from 0, ids first. Output 0 is the input, in the same order, plus a
+ * point array (double) with one component per source, which becomes the active scalars. Output 1
+ * (GetEvaluation()) has the points of the optional port 2 (SetEvaluationConnection()) with the same
+ * array: the values at the closest points of the surface.
  *
- * <b>Sources.</b> Points of the surface given by id (AddSourceId(), SetSourceIds()) and the points
- * of a vtkPolyData on the optional input port 1 (SetSourceConnection(), SetSourceData()), which may
- * lie anywhere on the surface, also inside faces and on edges: each is projected to the closest
- * point of the surface. Sources are numbered from 0: ids first, then the points of port 1.
+ * <b>Guarantee and cost</b>. Linear finite elements (cotangents) give a sparse matrix, which is
+ * factorized once and kept until the mesh, Boundary or IntrinsicDelaunay changes; each source takes
+ * a substitution or two. Any triangles are allowed; edges with more than two conduct between all of
+ * them. Components, connected through edges or shared points, are independent of each other. An
+ * update can be stopped between the parts of the work; the factorization is one of them.
  *
- * <b>Outputs.</b> Port 0 is the input, its points, cells and arrays unchanged and in the same
- * order, plus a point array (double) with one component per source, in their order; it becomes the
- * active scalars. Port 1 (GetEvaluation()) has the points of the optional input port 2
- * (SetEvaluationConnection(), SetEvaluationData()), unchanged, with the same array: the values at
- * the points of the surface closest to them.
- *
- * <b>The factorization.</b> Linear finite elements (cotangents) give a sparse matrix, which is
- * factorized once and kept until the mesh changes, or Boundary or IntrinsicDelaunay; each source
- * then takes a substitution or two. Any set of triangles will do: edges with more than two
- * triangles conduct between all of them, and orientation plays no part. Components, connected
- * through edges or shared points, do not know of each other. The results do not depend on the
- * number of threads.
- *
- * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - no source, but for filters that choose sources; a source id out of range, or of a point that
  *    no polygon uses; a source or evaluation point that is not finite, or farther from the surface
  *    than ProjectionTolerance;
- *  - a ProjectionTolerance that is negative or not a number; an empty ResultArrayName;
- *  - triangles that are next to everywhere too thin for double precision, about a million times as
- *    long as high. A few do no harm; where only components with next to none of the area are so,
- *    only sources, sites and masses there are errors;
- *  - a factorization and results that would take more memory than MemoryLimit.
- *
- * An update can be stopped between the parts of the work; the factorization is one of them.
- *
- * This class is not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ *  - a ProjectionTolerance that is negative or NaN; an empty ResultArrayName;
+ *  - triangles that are nearly everywhere too thin for double precision, about a million times as
+ *    long as high; where only components of near-zero area are so, only sources, sites and masses
+ *    there;
+ *  - a factorization and results that take more than MemoryLimit.
  *
  * @sa vtkDiscreteGreensFunction vtkBiharmonicDistance vtkHarmonicBSpline
  */
@@ -71,10 +59,9 @@ public:
 
   ///@{
   /**
-   * Sources by point id of the input. Ids are copied; none by default. The same id may occur more
-   * than once. An id outside [0, number of points - 1] is an error of the update. From Python, any
-   * sequence of integers will do, a numpy array included. A null list removes all ids. The i-th id
-   * is -1 when there is none.
+   * Sources by point id of the input. None by default; ids may repeat, one out of range is an error
+   * of the update. Python takes any sequence of integers. A null list removes all; the i-th id is
+   * -1 where there is none.
    */
   vtkDGGIdsMacro(Source);
   ///@}
@@ -86,8 +73,8 @@ public:
 
   ///@{
   /**
-   * Sources anywhere on the surface: the points of a vtkPolyData on input port 1 (its cells are not
-   * used). Null removes them.
+   * Sources anywhere on the surface: the points of a vtkPolyData on input port 1. Null removes
+   * them.
    */
   void SetSourceConnection(vtkAlgorithmOutput* output);
   void SetSourceData(vtkPolyData* points);
@@ -95,8 +82,8 @@ public:
 
   ///@{
   /**
-   * Points anywhere on the surface that values are wanted at besides those of the surface: the
-   * points of a vtkPolyData on input port 2. Null removes them.
+   * Further points of the surface at which values are evaluated: those of a vtkPolyData on input
+   * port 2. Null removes them.
    */
   void SetEvaluationConnection(vtkAlgorithmOutput* output);
   void SetEvaluationData(vtkPolyData* points);
@@ -104,7 +91,7 @@ public:
 
   ///@{
   /**
-   * The output with the points of input port 2; without these it is empty.
+   * Output 1, with the points of input port 2; empty without.
    */
   vtkPolyData* GetEvaluation();
   vtkAlgorithmOutput* GetEvaluationPort() { return this->GetOutputPort(1); }
@@ -113,8 +100,7 @@ public:
   ///@{
   /**
    * How far from the surface a point of port 1 or 2 may be, as a fraction of the diagonal of the
-   * surface's bounding box. A point farther away is an error that names it. Default 0.01; must not
-   * be negative.
+   * surface's bounding box; farther is an error. Default 0.01; not negative.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
@@ -131,8 +117,8 @@ public:
 
   ///@{
   /**
-   * What holds at the boundary. Default Neumann. Components without a boundary do not care, but
-   * have no Green's function with Dirichlet conditions, since what flows in must flow out.
+   * Condition at the boundary. Default Neumann. Components without a boundary have no Green's
+   * function with Dirichlet conditions.
    */
   vtkSetClampMacro(Boundary, int, Neumann, Dirichlet);
   vtkGetMacro(Boundary, int);
@@ -143,8 +129,8 @@ public:
 
   ///@{
   /**
-   * Whether to flip edges until they are Delaunay first, without a change of the surface or its
-   * points. It makes results better on meshes with long or obtuse triangles. Default off.
+   * Whether to flip edges until they are Delaunay first, which improves results on long or obtuse
+   * triangles. The surface does not change. Default off.
    */
   vtkSetMacro(IntrinsicDelaunay, bool);
   vtkGetMacro(IntrinsicDelaunay, bool);
@@ -153,9 +139,9 @@ public:
 
   ///@{
   /**
-   * Most bytes that the factorization and the results may take. Default 0, which stands for 70 % of
-   * the memory that is free at that time, for what is not there yet. Some 1 to 2 KiB per point for
-   * the factorization, and 8 bytes for each source, are usual.
+   * Most bytes for the factorization and the results; 1 to 2 KiB per point, and 8 bytes per point
+   * and source, are usual. Default 0: 70 % of the memory that is free at that time, for what is not
+   * there yet.
    */
   vtkSetMacro(MemoryLimit, vtkTypeUInt64);
   vtkGetMacro(MemoryLimit, vtkTypeUInt64);
@@ -163,20 +149,19 @@ public:
 
   ///@{
   /**
-   * Name of the point array with the results. An array of this name in the input is replaced in the
-   * output.
+   * Name of the point array with the results; it replaces one of the input.
    */
   vtkDGGStringMacro(ResultArrayName);
   ///@}
 
   /**
-   * How many factorizations this filter has done: one for a new mesh, Boundary or
-   * IntrinsicDelaunay, none for other sources.
+   * Factorizations so far: one for a new mesh, Boundary or IntrinsicDelaunay, none for other
+   * sources.
    */
   int GetNumberOfFactorizations() const;
 
   /**
-   * About how many bytes are kept between updates; zero before the first one.
+   * Bytes kept between updates, about; zero before the first one.
    */
   virtual vtkTypeUInt64 GetMemorySize() const;
 
@@ -204,8 +189,8 @@ protected:
   /**
    * For filters that can choose sources themselves, or need them elsewhere than they are given:
    * whether there may be none, how many there will be on a surface that is ready to be factorized,
-   * and which (the callback reports the progress and says whether to stop). By default sources are
-   * needed, and used as they are.
+   * and which (the callback takes the progress and returns whether to go on). By default sources
+   * are needed, and used as they are.
    */
   virtual bool CanChooseSources() const { return false; }
   virtual std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const;

@@ -4,67 +4,37 @@
  * @class   vtkSurfaceEarthMoversDistance
  * @brief   least cost of moving one distribution to another within a surface
  *
- * The cost is mass times the length of its way on the surface: the Wasserstein distance W1, also
- * called earth mover's distance. Between two unit masses it is their geodesic distance; unlike
- * differences of values point by point, it measures how far apart two distributions are that do not
- * overlap.
+ * The cost is mass times the length of its path: the Wasserstein distance W1. Between two unit
+ * masses it is their geodesic distance.
  *
- * <b>Distributions.</b> Input port 0 takes the surface (vtkPolyData). Each distribution is the sum
- * of what is given of
- *  - a point array of the surface (SetFromArrayName(), SetToArrayName()): densities, mass per area,
- *    which are integrated over the surface, or masses of points (ArrayMeaning);
- *  - masses at the points of a vtkPolyData on the optional input port 1 (SetFromData()) or 2
- *    (SetToData()), which may lie anywhere on the surface: each is projected to the closest point
- *    of the surface, and shared by the corners of its face. Their masses are in the point array
- *    that MassArrayName names; without a name each is 1.
+ * <b>Input and output</b>. Port 0 takes the surface. Each distribution is the sum of a point array
+ * (SetFromArrayName(), SetToArrayName()) with densities, mass per area, or masses (ArrayMeaning),
+ * and of masses at the points of port 1 (SetFromData()) or 2 (SetToData()), which are projected to
+ * the surface and shared by the corners of their face; the point array MassArrayName has these,
+ * else each is 1. With Normalize both are scaled to the mass 1, and the distance is a length in
+ * units of the coordinates; else both need the same mass, and it is mass times length. In either
+ * case both need the same mass in each component, to 1e-6 of the whole. At merged points masses add
+ * up, and the first density counts. The output is the input plus
+ *  - `EarthMoversDistance` and `EarthMoversLowerBound`, field arrays of one number;
+ *  - `EarthMoversPotential` (double), a point array and the active scalars: a length with slope at
+ *    most 1 that proves the lower bound; 0 at points that no polygon uses;
+ *  - `EarthMoversFlow` (double, 3 components), a cell array and the active vectors: mass per
+ *    length, constant in each triangle, means in larger polygons. Not with IntrinsicDelaunay.
  *
- * With Normalize, which is the default, both are scaled to the mass 1 first, and the distance is a
- * length: how far mass is moved on average. Otherwise both must have the same mass, to 1e-6 of it,
- * and the distance is mass times length.
+ * <b>Guarantee and cost</b>. Both bounds are those of flows that are constant in each triangle;
+ * they differ by Tolerance of the cost at most, or a warning reports that MaximumNumberOfIterations
+ * was reached. Between two points of the surface the optimum is never above the geodesic distance;
+ * how far it is below depends on the mesh, see the page of the module. An interior point method
+ * takes 7 to 50 iterations on most meshes, each with a factorization as large as that of a Poisson
+ * equation; an update can be stopped between them.
  *
- * <b>Outputs.</b> The input, its points, cells and arrays unchanged and in the same order, plus
- *  - `EarthMoversDistance`, a field array with one number, the cost of the best flow found, and
- *    `EarthMoversLowerBound`: no flow that is constant in each triangle costs less;
- *  - `EarthMoversPotential`, a point array that becomes the active scalars: what proves the lower
- *    bound, a length. Its slope is at most 1, mass goes down it; 0 at points without a polygon;
- *  - `EarthMoversFlow`, a cell array that becomes the active vectors: mass per length and its
- *    direction, constant in each triangle; means over the triangles of larger polygons, 0 for other
- *    cells. Not with IntrinsicDelaunay, whose triangles are not those of the surface.
- *
- * <b>Method.</b> The integral of the length of flows is minimized over all that are constant in
- * each triangle and have the right divergence, with nothing through boundaries, by an interior
- * point method: each iteration factorizes a matrix as large as that of a Poisson equation. It ends
- * when cost and lower bound differ by not more than Tolerance of the cost, which takes 7 to 50
- * iterations on most meshes, or after MaximumNumberOfIterations with a warning; GetGap() is what is
- * left. The flow is one of those that cost least, so it may go by one triangle and leave out the
- * next one, as streams do. The matrix of the Poisson equation is that of vtkSpectralAlgorithm:
- * factorized once, kept until the mesh changes. It takes any triangles. Results do not depend on
- * the number of threads.
- *
- * <b>Accuracy.</b> The bounds are those of flows that are constant in each triangle. How far their
- * optimum is from the distance on the surface depends on the mesh, not on iterations. Between two
- * points of the surface it is never above the geodesic distance. Of 30 pairs of points the worst
- * were 0.2 to 0.5 % below on fine parts of machines and scans, 1 to 3 % on coarser meshes, 9 to 15
- * % on parts without points inside their sides, of which IntrinsicDelaunay takes away a part; the
- * means 0.1 to 0.7 %, and 2 to 4 % on these parts. Masses inside of triangles are shared by the
- * corners: nothing closer than that can be distinguished.
- *
- * Components, connected through edges or shared points, must each have the same mass in both, to
- * 1e-6 of the whole. Differences below that, as of sums of floats, are taken off the second one.
- * With MergeCoincidentPoints, masses of coincident points are added up, and the density is that of
- * the first one.
- *
- * <b>Errors</b> besides those of vtkGeodesicAlgorithm:
- *  - a distribution of which nothing is given; a named array that is missing, or is not of one
- *    number per point; a density or mass that is negative or not finite;
- *  - different masses of the whole, unless they are normalized, or within a component; a
- *    distribution without mass, which cannot be normalized;
+ * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
+ *  - a distribution of which nothing is given; a named array that is missing, or not of one number
+ *    per point; a density or mass that is negative or not finite;
+ *  - different masses of the whole without Normalize, or within a component; no mass to normalize;
  *  - a point of port 1 or 2 that is not finite, or farther from the surface than
- *    ProjectionTolerance;
- *  - a ProjectionTolerance or Tolerance that is negative or not a number;
- *  - a factorization and results that would take more memory than MemoryLimit.
- *
- * An update can be stopped between iterations and between the parts of the factorization.
+ *    ProjectionTolerance; a ProjectionTolerance or Tolerance that is negative or NaN;
+ *  - a factorization and results that take more than MemoryLimit.
  *
  * @code
  * vtkNew<vtkSurfaceEarthMoversDistance> movers;
@@ -75,11 +45,9 @@
  * std::cout << "moved by " << movers->GetDistance() << " on average\n";
  * @endcode
  *
- * J. Solomon, R. Rustamov, L. Guibas, A. Butscher, "Earth mover's distances on discrete surfaces",
- * ACM Trans. Graph. 33(4), 2014, section 4; there the flow's part without divergence is spanned by
- * few eigenfunctions, here it is any.
- *
- * Not for subclassing outside of its module, see vtkGeodesicAlgorithm.
+ * <b>Source</b>. J. Solomon, R. Rustamov, L. Guibas, A. Butscher, "Earth mover's distances on
+ * discrete surfaces", ACM Trans. Graph. 33(4), 2014, section 4; there the part of the flow without
+ * divergence is spanned by few eigenfunctions, here it is any.
  *
  * @sa vtkBiharmonicDistance vtkGeodesicDistanceMatrix
  */
@@ -109,8 +77,7 @@ public:
 
   ///@{
   /**
-   * The point arrays of the surface with the distributions. Default none; null and "" stand for
-   * none.
+   * Point arrays of the surface with the distributions. Default none; null and "" are none.
    */
   vtkDGGStringMacro(FromArrayName);
   vtkDGGStringMacro(ToArrayName);
@@ -138,8 +105,8 @@ public:
 
   ///@{
   /**
-   * Masses anywhere on the surface: the points of a vtkPolyData on input port 1 (From) and 2 (To);
-   * cells are not used. Null removes them.
+   * Masses anywhere on the surface: the points of a vtkPolyData on input port 1 (From) and 2 (To).
+   * Null removes them.
    */
   void SetFromConnection(vtkAlgorithmOutput* output);
   void SetFromData(vtkPolyData* points);
@@ -149,7 +116,7 @@ public:
 
   ///@{
   /**
-   * The point array of ports 1 and 2 with the masses. Default none: each point has the mass 1.
+   * Point array of ports 1 and 2 with the masses. Default none: each is 1.
    */
   vtkDGGStringMacro(MassArrayName);
   ///@}
@@ -165,9 +132,8 @@ public:
 
   ///@{
   /**
-   * Most iterations. Default 200, a limit that is seldom reached: a warning says when it was before
-   * Tolerance. With 0, the flow is the gradient of a function, which is spread out: its cost is a
-   * quick upper bound, and there is no warning.
+   * Most iterations, at least 0. Default 200. With 0 the flow is a gradient, whose cost is a quick
+   * upper bound, without a warning.
    */
   vtkSetClampMacro(MaximumNumberOfIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfIterations, int);
@@ -175,8 +141,8 @@ public:
 
   ///@{
   /**
-   * How close distance and lower bound are in the end, relative to the distance. Default 0.01; must
-   * not be negative. Below 1e-8 it is as 1e-8.
+   * Largest difference of cost and lower bound, relative to the cost. Default 0.01; not negative;
+   * below 1e-8 it is as 1e-8.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -185,8 +151,7 @@ public:
   ///@{
   /**
    * How far from the surface a point of port 1 or 2 may be, as a fraction of the diagonal of the
-   * surface's bounding box. A point farther away is an error that names it. Default 0.01; must not
-   * be negative.
+   * surface's bounding box; farther is an error. Default 0.01; not negative.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
@@ -194,9 +159,8 @@ public:
 
   ///@{
   /**
-   * Whether to flip edges until they are Delaunay first, without a change of the surface or its
-   * points. It makes results better on meshes with long or obtuse triangles; there is no array of
-   * the flow then. Default off.
+   * Whether to flip edges until they are Delaunay first, which improves results on long or obtuse
+   * triangles. The surface does not change. Default off.
    */
   vtkSetMacro(IntrinsicDelaunay, bool);
   vtkGetMacro(IntrinsicDelaunay, bool);
@@ -205,9 +169,8 @@ public:
 
   ///@{
   /**
-   * Most bytes that the factorization, the flow and the results may take. Default 0, which stands
-   * for 70 % of the memory that is free at that time, for what is not there yet. Some 2 KiB per
-   * point are usual.
+   * Most bytes for the factorization and the results; 2 KiB per point are usual. Default 0: 70 % of
+   * the memory that is free at that time, for what is not there yet.
    */
   vtkSetMacro(MemoryLimit, vtkTypeUInt64);
   vtkGetMacro(MemoryLimit, vtkTypeUInt64);
@@ -215,31 +178,31 @@ public:
 
   ///@{
   /**
-   * What the last update has found, as in the field data; NaN when it has not found anything.
+   * Results of the last update, as in the field data; NaN without.
    */
   vtkGetMacro(Distance, double);
   vtkGetMacro(LowerBound, double);
   ///@}
 
   /**
-   * How far Distance may be above the optimum, relative to it: (Distance - LowerBound) / Distance;
-   * 0 for nothing to move, NaN when the last update has not found anything.
+   * (Distance - LowerBound) / Distance: how far Distance may be above the optimum; 0 for nothing to
+   * move, NaN without a result.
    */
   vtkGetMacro(Gap, double);
 
   /**
-   * How many iterations the last update has done.
+   * Iterations of the last update.
    */
   vtkGetMacro(NumberOfIterations, int);
 
   /**
-   * How many factorizations this filter has done: one for a new mesh or IntrinsicDelaunay, none for
-   * other distributions.
+   * Factorizations so far of the Poisson equation: one for a new mesh or IntrinsicDelaunay, none
+   * for other distributions.
    */
   int GetNumberOfFactorizations() const;
 
   /**
-   * About how many bytes are kept between updates; zero before the first one.
+   * Bytes kept between updates, about; zero before the first one.
    */
   vtkTypeUInt64 GetMemorySize() const;
 
