@@ -69,8 +69,8 @@
  * by bit. Filters with the same surface, as in a chain, share it. Changes in place must be marked
  * by Modified() of the array, the points or the vtkPolyData, as everywhere in VTK.
  *
- * This class is not for subclassing outside of its module: its virtual functions take types that
- * are internal to the module and not installed.
+ * This class is not for subclassing outside of vtkDGG: its virtual functions take types that are
+ * installed, but what the surface of a context is stays internal.
  *
  * @sa vtkGeodesicDistanceAlgorithm vtkDiscreteGeodesicGraph vtkGeodesicDistanceMatrix
  */
@@ -94,7 +94,6 @@ namespace dgg
 class Status;
 }
 class vtkDGGMeshAdapter;
-class vtkDGGPreparedMesh;
 struct vtkDGGContext;
 struct vtkDGGDomain;
 
