@@ -73,15 +73,8 @@ void vtkDGGDistance::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 const char* vtkDGGDistance::GetSearchAsString() const
 {
-  switch (this->Search)
-  {
-    case LabelCorrecting:
-      return "LabelCorrecting";
-    case Dijkstra:
-      return "Dijkstra";
-    default:
-      return "Certified";
-  }
+  static const char* const names[] = { "Certified", "LabelCorrecting", "Dijkstra" };
+  return names[this->Search];
 }
 
 //------------------------------------------------------------------------------

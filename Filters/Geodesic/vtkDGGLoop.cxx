@@ -57,22 +57,14 @@ namespace
 {
 using LoopPoints = std::vector<dgg::SurfacePoint>;
 
-/// An error with what it is about before it.
-dgg::Status Explain(const dgg::Status& status, const std::string& subject)
-{
-  return status.IsOk() || status.IsAborted()
-    ? status
-    : dgg::Status::Invalid(subject + ": " + status.GetMessage());
-}
-
 /// One through each point, on all threads.
 dgg::Status RunThroughPoints(const dgg::LoopFinder& finder, const LoopPoints& points, bool taut,
   const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
 {
   set.Loops.assign(points.size(), dgg::FoundLoop());
   const auto step = [&](std::size_t i, const dgg::ProgressCallback& within) {
-    return Explain(
-      finder.ThroughPoint(points[i], taut, set.Loops[i], within), "point " + std::to_string(i));
+    return vtkDGGExplain(finder.ThroughPoint(points[i], taut, set.Loops[i], within),
+      "point " + std::to_string(i) + ": ");
   };
   return vtkDGGForEach(points.size(), 1, progress, step);
 }
@@ -84,7 +76,7 @@ dgg::Status RunRope(const dgg::LoopFinder& finder, const LoopPoints& points, boo
   set.Loops.resize(1);
   bool isConnected = true;
   const dgg::Status status =
-    Explain(finder.Rope(points, taut, set.Loops[0], isConnected, progress), "rope");
+    vtkDGGExplain(finder.Rope(points, taut, set.Loops[0], isConnected, progress), "rope: ");
   if (!isConnected)
   {
     set.Status = { LoopStatus::NotConnected };
@@ -118,7 +110,7 @@ dgg::Status AddTapes(const vtkDGGPreparedMesh& mesh, double width,
       dgg::MakeOffsetCurves(mesh.GetMesh(), set.Loops[i].Loop, width, part, set.Rims[i]);
     if (!status.IsOk())
     {
-      return Explain(status, "tape of loop " + std::to_string(i));
+      return vtkDGGExplain(status, "tape of loop " + std::to_string(i) + ": ");
     }
     if (!part(1.0))
     {
@@ -257,15 +249,8 @@ void vtkDGGLoop::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 const char* vtkDGGLoop::GetModeAsString() const
 {
-  switch (this->Mode)
-  {
-    case AroundHandles:
-      return "AroundHandles";
-    case Rope:
-      return "Rope";
-    default:
-      return "ThroughPoint";
-  }
+  static const char* const names[] = { "ThroughPoint", "AroundHandles", "Rope" };
+  return names[this->Mode];
 }
 
 //------------------------------------------------------------------------------
@@ -284,11 +269,8 @@ vtkPolyData* vtkDGGLoop::GetTape()
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGLoop::CheckProperties() const
 {
-  dgg::Status status = vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
-  if (status.IsOk())
-  {
-    status = vtkDGGCheckLength("TapeWidth", this->TapeWidth);
-  }
+  dgg::Status status = vtkDGGCheckLengths(
+    { { "ProjectionTolerance", this->ProjectionTolerance }, { "TapeWidth", this->TapeWidth } });
   if (status.IsOk() && std::isinf(this->TapeWidth))
   {
     status = dgg::Status::Invalid("TapeWidth is infinite: call SetTapeWidth() with a finite width");
@@ -344,10 +326,6 @@ dgg::Status vtkDGGLoop::Execute(const vtkDGGContext& context, vtkInformationVect
   if (status.IsOk())
   {
     status = geometry.Take(context, this->GetOutputPointsPrecision());
-  }
-  if (status.IsOk() && !context.Progress(0.0))
-  {
-    status = dgg::Status::Abort();
   }
   dgg::ProgressCallback progress = context.Progress;
   if (status.IsOk() && this->Mode != AroundHandles)

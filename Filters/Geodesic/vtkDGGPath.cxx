@@ -310,11 +310,8 @@ vtkIdType vtkDGGPath::GetPairEnd(vtkIdType i) const
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGPath::CheckProperties() const
 {
-  dgg::Status status = vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
-  if (status.IsOk())
-  {
-    status = vtkDGGCheckLength("Detour", this->Detour);
-  }
+  dgg::Status status = vtkDGGCheckLengths(
+    { { "ProjectionTolerance", this->ProjectionTolerance }, { "Detour", this->Detour } });
   return status.IsOk() ? this->GraphUser->Check() : status;
 }
 
@@ -369,10 +366,6 @@ dgg::Status vtkDGGPath::Execute(const vtkDGGContext& context, vtkInformationVect
   if (status.IsOk())
   {
     status = geometry.Take(context, this->GetOutputPointsPrecision());
-  }
-  if (status.IsOk() && !context.Progress(0.0))
-  {
-    status = dgg::Status::Abort();
   }
   if (status.IsOk() && !isExact)
   {

@@ -68,8 +68,6 @@
 #include <memory> // For the internals
 #include <vector> // For ids
 
-struct vtkDGGSourceSet;
-
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGPath : public vtkGeodesicAlgorithm
 {
 public:

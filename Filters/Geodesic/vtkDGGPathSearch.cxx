@@ -4,6 +4,7 @@
 
 #include "vtkDGGGraphUser.h"
 #include "vtkDGGParallel.h"
+#include "vtkDGGProperties.h"
 
 #include "dggBandPath.h"
 #include "dggExactPath.h"
@@ -122,13 +123,6 @@ std::vector<dgg::SurfacePoint> MakePlaces(
   return places;
 }
 
-/// An error with what it is about before it, and what to do after it.
-dgg::Status Explain(const dgg::Status& status, const std::string& subject, const char* remedy)
-{
-  return status.IsOk() || status.IsAborted()
-    ? status
-    : dgg::Status::Invalid(subject + status.GetMessage() + remedy);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -157,8 +151,9 @@ dgg::Status vtkDGGPathSearch::RunInGraph(
   const dgg::PathFinder& finder = graph.GetPathFinder();
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
   const auto find = [&](std::size_t i, const dgg::ProgressCallback&) {
-    return Explain(finder.Find(this->PointPairs[i].From, this->PointPairs[i].To, options, paths[i]),
-      "pair " + std::to_string(i) + ": ", "");
+    return vtkDGGExplain(
+      finder.Find(this->PointPairs[i].From, this->PointPairs[i].To, options, paths[i]),
+      "pair " + std::to_string(i) + ": ");
   };
   return vtkDGGForEach(paths.size(), 1, graph.GetRemainingProgress(this->Context), find);
 }
@@ -178,8 +173,8 @@ dgg::Status vtkDGGPathSearch::RunOnCloud(vtkDGGGraphUser& graph, bool smooth, Pa
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
   // Only the calling thread reports: a single path, or blocks of them.
   const auto find = [&](std::size_t i, const dgg::ProgressCallback& within) {
-    return Explain(this->FindOnCloud(graph, this->PointPairs[i], smooth, within, paths[i]),
-      "pair " + std::to_string(i) + ": ", "");
+    return vtkDGGExplain(this->FindOnCloud(graph, this->PointPairs[i], smooth, within, paths[i]),
+      "pair " + std::to_string(i) + ": ");
   };
   return vtkDGGForEach(paths.size(), 1, graph.GetRemainingProgress(this->Context), find);
 }
@@ -275,7 +270,7 @@ dgg::Status vtkDGGPathSearch::RunExact(Paths& paths) const
       path.GraphLength = std::numeric_limits<double>::quiet_NaN();
       path.IsStraightened = !path.Path.IsEmpty();
     }
-    return Explain(status,
+    return vtkDGGExplain(status,
       "of the paths that start where pair " + std::to_string(group[0]) + " does, ",
       ". Use Method Graph");
   };

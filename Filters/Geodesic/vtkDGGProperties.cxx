@@ -23,13 +23,25 @@ void vtkDGGPrintIds(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGCheckLength(const std::string& property, double value)
+dgg::Status vtkDGGCheckLengths(std::initializer_list<std::pair<const char*, double>> properties)
 {
-  if (value >= 0.0) // false for NaN
+  for (const auto& [name, value] : properties)
   {
-    return dgg::Status::Success();
+    if (!(value >= 0.0)) // true for NaN
+    {
+      std::ostringstream message;
+      message << name << " is " << value << ": it must not be negative or NaN";
+      return dgg::Status::Invalid(message.str());
+    }
   }
-  std::ostringstream message;
-  message << property << " is " << value << ": it must not be negative or NaN";
-  return dgg::Status::Invalid(message.str());
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGExplain(
+  const dgg::Status& status, const std::string& subject, const std::string& remedy)
+{
+  return status.IsOk() || status.IsAborted()
+    ? status
+    : dgg::Status::Invalid(subject + status.GetMessage() + remedy);
 }

@@ -10,9 +10,11 @@
 #include "vtkIndent.h" // for printing
 #include "vtkType.h"   // for vtkIdType
 
-#include <ostream> // for printing
-#include <string>  // for names
-#include <vector>  // for ids
+#include <initializer_list> // for properties
+#include <ostream>          // for printing
+#include <string>           // for names
+#include <utility>          // for properties
+#include <vector>           // for ids
 
 /// Defines both ways to set the data of an input port. The assertion is there for the semicolon.
 #define vtkDGGDefineInputMacro(Class, Name, Port)                   \
@@ -32,8 +34,12 @@ vtkIdType vtkDGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i);
 void vtkDGGPrintIds(
   std::ostream& os, vtkIndent indent, const char* name, const std::vector<vtkIdType>& ids);
 
-/// Fails when the property of that name is negative or NaN. Infinity is a length.
-dgg::Status vtkDGGCheckLength(const std::string& property, double value);
+/// Fails when a property, given with its name, is negative or NaN. Infinity is a length.
+dgg::Status vtkDGGCheckLengths(std::initializer_list<std::pair<const char*, double>> properties);
+
+/// An error with what it is about before it, and what to do after it.
+dgg::Status vtkDGGExplain(
+  const dgg::Status& status, const std::string& subject, const std::string& remedy = "");
 
 #endif
 // VTK-HeaderTest-Exclude: vtkDGGProperties.h

@@ -246,9 +246,10 @@ dgg::Status vtkDGGSourceCollector::Collect(const vtkDGGContext& context, const v
 }
 
 //------------------------------------------------------------------------------
-std::string vtkDGGSourceCollector::DescribeIsolatedIds(
-  const vtkDGGSourceSet& set, const vtkDGGPreparedMesh& mesh)
+void vtkDGGSourceCollector::WarnAboutIsolatedIds(
+  const vtkDGGContext& context, const vtkDGGSourceSet& set, vtkObject* filter)
 {
+  const vtkDGGPreparedMesh& mesh = context.Surface;
   const double* positions = mesh.IsCloud() ? mesh.GetPositions() : nullptr;
   const auto isIsolated = [&](vtkIdType id) {
     if (!positions)
@@ -268,13 +269,11 @@ std::string vtkDGGSourceCollector::DescribeIsolatedIds(
       ++count;
     }
   }
-  if (count == 0)
+  if (count > 0)
   {
-    return "";
+    vtkWarningWithObjectMacro(filter,
+      << count << " of the " << set.Role << " ids, the first of them " << example
+      << (positions ? ", are points that are not finite" : ", are points that no polygon uses")
+      << ". They reach no other point.");
   }
-  std::ostringstream text;
-  text << count << " of the " << set.Role << " ids, the first of them " << example
-       << (positions ? ", are points that are not finite" : ", are points that no polygon uses")
-       << ". They reach no other point";
-  return text.str();
 }

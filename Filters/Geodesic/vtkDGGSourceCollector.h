@@ -13,7 +13,7 @@
 #include <string> // for the names
 #include <vector> // for the sources
 
-class vtkDGGPreparedMesh;
+class vtkObject;
 class vtkPolyData;
 struct vtkDGGContext;
 
@@ -54,10 +54,10 @@ public:
   static dgg::Status Collect(const vtkDGGContext& context, const vtkDGGSourceSet& set,
     double tolerance, std::vector<dgg::GeodesicSource>& sources);
 
-  /// What to warn of: ids of points that no polygon uses. Empty when there are none. The set must
-  /// have been checked. In clouds, ids of points that are not finite.
-  static std::string DescribeIsolatedIds(
-    const vtkDGGSourceSet& set, const vtkDGGPreparedMesh& mesh);
+  /// Have a filter warn of ids of points that no polygon uses; in clouds, of those that are not
+  /// finite. The set must have been checked.
+  static void WarnAboutIsolatedIds(
+    const vtkDGGContext& context, const vtkDGGSourceSet& set, vtkObject* filter);
 };
 
 #endif

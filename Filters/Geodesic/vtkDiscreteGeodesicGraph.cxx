@@ -86,17 +86,8 @@ void vtkDiscreteGeodesicGraph::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 const char* vtkDiscreteGeodesicGraph::GetConstructionAsString() const
 {
-  switch (this->Construction)
-  {
-    case OneRelay:
-      return "OneRelay";
-    case Indirect:
-      return "Indirect";
-    case SaddleVertexGraph:
-      return "SaddleVertexGraph";
-    default:
-      return "Guaranteed";
-  }
+  static const char* const names[] = { "Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph" };
+  return names[this->Construction];
 }
 
 //------------------------------------------------------------------------------
@@ -236,10 +227,6 @@ dgg::Status vtkDiscreteGeodesicGraph::Execute(const vtkDGGContext& context,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkInternals& internals = *this->Internals;
-  if (!context.Progress(0.0))
-  {
-    return dgg::Status::Abort();
-  }
   const bool isOnInput = this->FindOnInput(context);
   vtkDGGGraphArrays& graph = isOnInput ? internals.OnInput : internals.Built;
   dgg::Status status;
@@ -310,8 +297,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Build(const vtkDGGContext& context)
     dgg::ProgressPart(context.Progress, 0.0, this->GenerateGraphLines ? BuildShare : 1.0);
   const dgg::GraphBuilder builder(mesh.GetMesh());
   dgg::GeodesicGraph graph;
-  const dgg::Status status =
-    vtkDGGBuildGraph(context, builder, options, graph, internals.Estimate);
+  const dgg::Status status = vtkDGGBuildGraph(context, builder, options, graph, internals.Estimate);
   if (status.IsOk())
   {
     internals.Built.Adopt(graph, mesh);

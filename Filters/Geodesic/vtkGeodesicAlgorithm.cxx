@@ -274,7 +274,7 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   }
   if (status.IsOk())
   {
-    status = vtkDGGCheckLength("MergeTolerance", this->MergeTolerance);
+    status = vtkDGGCheckLengths({ { "MergeTolerance", this->MergeTolerance } });
   }
   if (status.IsOk())
   {
@@ -295,6 +295,10 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   if (status.IsOk())
   {
     status = this->PrepareMesh(input);
+  }
+  if (status.IsOk() && !this->Advance(0.0))
+  {
+    status = dgg::Status::Abort();
   }
   return status.IsOk() ? this->Execute(this->MakeContext(input), inputVector, outputVector)
                        : status;

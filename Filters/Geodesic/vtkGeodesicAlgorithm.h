@@ -78,7 +78,6 @@ namespace dgg
 class Status;
 }
 class vtkDGGMeshAdapter;
-class vtkDGGPreparedMesh;
 struct vtkDGGContext;
 struct vtkDGGDomain;
 

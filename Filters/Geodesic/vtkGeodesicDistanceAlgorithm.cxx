@@ -20,6 +20,8 @@
 #include <limits>
 #include <utility>
 
+vtkDGGDefineInputMacro(vtkGeodesicDistanceAlgorithm, Source, 1);
+
 namespace
 {
 std::vector<bool> FindReached(const vtkDGGDistanceTask& task)
@@ -179,25 +181,10 @@ double vtkGeodesicDistanceAlgorithm::GetSourceInitialDistance(vtkIdType i) const
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetSourceConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::SetSourceData(vtkPolyData* points)
-{
-  this->SetInputData(1, points);
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkGeodesicDistanceAlgorithm::CheckProperties() const
 {
-  dgg::Status status = vtkDGGCheckLength("MaximumDistance", this->MaximumDistance);
-  if (status.IsOk())
-  {
-    status = vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
-  }
+  dgg::Status status = vtkDGGCheckLengths({ { "MaximumDistance", this->MaximumDistance },
+    { "ProjectionTolerance", this->ProjectionTolerance } });
   if (!status.IsOk())
   {
     return status;
@@ -257,18 +244,13 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(const vtkDGGContext& context,
   {
     return status;
   }
-  const std::string warning =
-    vtkDGGSourceCollector::DescribeIsolatedIds(this->GetSources(inputVector), context.Surface);
-  if (!warning.empty())
-  {
-    vtkWarningMacro(<< warning << ".");
-  }
+  vtkDGGSourceCollector::WarnAboutIsolatedIds(context, this->GetSources(inputVector), this);
 
   const double limit =
     this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;
   vtkDGGDistanceTask task{ context, sources, limit, this->GenerateNearestSource,
     this->GenerateVirtualSource, {}, {}, {}, {}, this->DeclareArrays() };
-  status = context.Progress(0.0) ? this->ComputeDistances(task) : dgg::Status::Abort();
+  status = this->ComputeDistances(task);
   if (!status.IsOk())
   {
     return status;

@@ -27,6 +27,8 @@
 
 vtkStandardNewMacro(vtkGeodesicDistanceMatrix);
 vtkDGGGraphUserMacro(vtkGeodesicDistanceMatrix);
+vtkDGGDefineInputMacro(vtkGeodesicDistanceMatrix, Row, 1);
+vtkDGGDefineInputMacro(vtkGeodesicDistanceMatrix, Column, 2);
 
 namespace
 {
@@ -132,30 +134,6 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetRowConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetRowData(vtkPolyData* points)
-{
-  this->SetInputData(1, points);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetColumnConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(2, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::SetColumnData(vtkPolyData* points)
-{
-  this->SetInputData(2, points);
-}
-
-//------------------------------------------------------------------------------
 vtkTable* vtkGeodesicDistanceMatrix::GetOutput()
 {
   return this->GetOutput(0);
@@ -193,7 +171,8 @@ int vtkGeodesicDistanceMatrix::FillOutputPortInformation(int vtkNotUsed(port), v
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicDistanceMatrix::CheckProperties() const
 {
-  const dgg::Status status = vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
+  const dgg::Status status =
+    vtkDGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
   return status.IsOk() ? this->GraphUser->Check() : status;
 }
 
@@ -259,17 +238,6 @@ bool vtkGeodesicDistanceMatrix::WantsTable(std::size_t columns)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::WarnAboutIsolatedIds(
-  const vtkDGGContext& context, const vtkDGGSourceSet& set)
-{
-  const std::string warning = vtkDGGSourceCollector::DescribeIsolatedIds(set, context.Surface);
-  if (!warning.empty())
-  {
-    vtkWarningMacro(<< warning << ".");
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkGeodesicDistanceMatrix::IsCloud(vtkPolyData* input) const
 {
   return vtkDGGGraphUser::IsCloud(input);
@@ -300,17 +268,13 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(const vtkDGGContext& context,
   {
     return status;
   }
-  this->WarnAboutIsolatedIds(context, this->GetRows(inputVector));
-  this->WarnAboutIsolatedIds(context, columnSet);
+  vtkDGGSourceCollector::WarnAboutIsolatedIds(context, this->GetRows(inputVector), this);
+  vtkDGGSourceCollector::WarnAboutIsolatedIds(context, columnSet, this);
 
   const std::vector<dgg::SurfacePoint> rows = vtkDGGGetPlaces(sources);
   const std::vector<dgg::SurfacePoint> columns = symmetric ? rows : vtkDGGGetPlaces(others);
   const bool withTable = this->WantsTable(columns.size());
   status = this->CheckMemory(rows.size(), columns.size(), withTable);
-  if (status.IsOk() && !context.Progress(0.0))
-  {
-    status = dgg::Status::Abort();
-  }
   if (!status.IsOk())
   {
     return status;

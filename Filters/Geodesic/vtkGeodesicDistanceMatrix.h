@@ -157,7 +157,6 @@ private:
   vtkDGGSourceSet GetColumns(vtkInformationVector** inputVector) const;
   dgg::Status CheckMemory(std::size_t rows, std::size_t columns, bool withTable) const;
   bool WantsTable(std::size_t columns);
-  void WarnAboutIsolatedIds(const vtkDGGContext& context, const vtkDGGSourceSet& set);
 
   std::vector<vtkIdType> RowIds;
   std::vector<vtkIdType> ColumnIds;

@@ -162,7 +162,7 @@ void vtkGeodesicPatchBoundaries::RemoveAllLandmarks()
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicPatchBoundaries::CheckProperties() const
 {
-  return vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
+  return vtkDGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------
@@ -217,9 +217,7 @@ dgg::Status vtkGeodesicPatchBoundaries::PrepareSecondMesh(vtkPolyData* surface)
       vtkWarningMacro(<< "Second surface: " << warning << ".");
     }
   }
-  return status.IsOk() || status.IsAborted()
-    ? status
-    : dgg::Status::Invalid("second surface: " + status.GetMessage());
+  return vtkDGGExplain(status, "second surface: ");
 }
 
 //------------------------------------------------------------------------------
@@ -254,10 +252,6 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(const vtkDGGContext& context,
   for (int side = 0; side < 2 && status.IsOk(); ++side)
   {
     status = geometries[side].Take(contexts[side], this->GetOutputPointsPrecision());
-  }
-  if (status.IsOk() && !context.Progress(0.0))
-  {
-    status = dgg::Status::Abort();
   }
   if (!status.IsOk())
   {

@@ -27,6 +27,7 @@
 #include <string>
 
 vtkStandardNewMacro(vtkGeodesicProbe);
+vtkDGGDefineInputMacro(vtkGeodesicProbe, Probe, 1);
 
 namespace
 {
@@ -91,21 +92,9 @@ void vtkGeodesicProbe::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicProbe::SetProbeConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicProbe::SetProbeData(vtkPolyData* points)
-{
-  this->SetInputData(1, points);
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkGeodesicProbe::CheckProperties() const
 {
-  return vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
+  return vtkDGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------
@@ -140,8 +129,8 @@ dgg::Status vtkGeodesicProbe::Execute(const vtkDGGContext& context,
   {
     name = vtkDGGFieldInput::GetName(distances);
     input.SetUnreachedValue(this->UnreachedValue);
-    status = input.Read(
-      context, distances, this->VirtualSourceArrayName, dgg::ProgressPart(context.Progress, 0.0, ReadDone));
+    status = input.Read(context, distances, this->VirtualSourceArrayName,
+      dgg::ProgressPart(context.Progress, 0.0, ReadDone));
   }
   if (!status.IsOk())
   {

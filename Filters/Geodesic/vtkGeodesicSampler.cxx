@@ -83,11 +83,8 @@ dgg::Status vtkGeodesicSampler::CheckProperties() const
     return dgg::Status::Invalid("NumberOfSamples is " + std::to_string(this->NumberOfSamples) +
       ": call SetNumberOfSamples() with at least 1");
   }
-  dgg::Status status = vtkDGGCheckLength("CoveringRadius", this->CoveringRadius);
-  if (status.IsOk())
-  {
-    status = vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
-  }
+  dgg::Status status = vtkDGGCheckLengths({ { "CoveringRadius", this->CoveringRadius },
+    { "ProjectionTolerance", this->ProjectionTolerance } });
   return status.IsOk() ? this->GraphUser->Check() : status;
 }
 
@@ -185,10 +182,6 @@ dgg::Status vtkGeodesicSampler::Execute(const vtkDGGContext& context,
   if (status.IsOk())
   {
     status = geometry.Take(context, this->GetOutputPointsPrecision());
-  }
-  if (status.IsOk() && !context.Progress(0.0))
-  {
-    status = dgg::Status::Abort();
   }
   vtkDGGGraphUser& graph = *this->GraphUser;
   if (status.IsOk())

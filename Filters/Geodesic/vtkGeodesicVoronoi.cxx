@@ -309,11 +309,8 @@ vtkPolyData* vtkGeodesicVoronoi::GetSites()
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicVoronoi::CheckProperties() const
 {
-  dgg::Status status = vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
-  if (status.IsOk())
-  {
-    status = vtkDGGCheckLength("Tolerance", this->Tolerance);
-  }
+  dgg::Status status = vtkDGGCheckLengths(
+    { { "ProjectionTolerance", this->ProjectionTolerance }, { "Tolerance", this->Tolerance } });
   if (status.IsOk() && this->NumberOfIterations < 0)
   {
     status = dgg::Status::Invalid("NumberOfIterations is " +
@@ -438,12 +435,8 @@ dgg::Status vtkGeodesicVoronoi::Execute(const vtkDGGContext& context,
   result.IsRefined = this->RefineBoundaries && !result.LabelsOnly;
   result.Moving.NumberOfIterations = this->NumberOfIterations;
   result.Moving.Tolerance = this->Tolerance;
-  const std::string warning = vtkDGGSourceCollector::DescribeIsolatedIds(set, mesh);
-  if (!warning.empty())
-  {
-    vtkWarningMacro(<< warning << ".");
-  }
-  status = context.Progress(0.0) ? this->GraphUser->Update(context, this) : dgg::Status::Abort();
+  vtkDGGSourceCollector::WarnAboutIsolatedIds(context, set, this);
+  status = this->GraphUser->Update(context, this);
   if (status.IsOk())
   {
     status = this->Compute(context, result);

@@ -7,8 +7,6 @@
 #include "vtkDGGContext.h"
 #include "vtkDGGGraphArrays.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGPreparedMesh.h"
-#include "vtkDGGProperties.h"
 
 #include "dggCloudGraphBuilder.h"
 
@@ -66,15 +64,8 @@ vtkPointCloudDGG::~vtkPointCloudDGG() = default;
 //------------------------------------------------------------------------------
 const char* vtkPointCloudDGG::GetSchemeAsString() const
 {
-  switch (this->Scheme)
-  {
-    case A:
-      return "A";
-    case B:
-      return "B";
-    default:
-      return "C";
-  }
+  static const char* const names[] = { "A", "B", "C" };
+  return names[this->Scheme];
 }
 
 //------------------------------------------------------------------------------
@@ -160,8 +151,7 @@ dgg::Status vtkPointCloudDGG::Execute(const vtkDGGContext& context,
   dgg::CloudGraphOptions options = this->MakeOptions(context.Input);
   Normals normals;
   double done = 0.0;
-  dgg::Status status = context.Progress(0.0) ? this->FindNormals(context, source, normals, done)
-                                             : dgg::Status::Abort();
+  dgg::Status status = this->FindNormals(context, source, normals, done);
   if (status.IsOk())
   {
     options.Normals = normals ? normals->data() : nullptr;

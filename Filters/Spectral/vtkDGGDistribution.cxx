@@ -26,14 +26,16 @@ vtkDGGSourceSet GetSet(const vtkDGGMassOrigin& origin)
   return { none, origin.Points, origin.Port, "'" + origin.Name + "' point", "call " + origin.Setter,
     "" };
 }
+}
 
-/// One number per point that is finite and not negative. `where` is what messages call the data.
-dgg::Status ReadArray(vtkPolyData* data, const std::string& name, const std::string& where,
-  const std::string& setter, std::vector<double>& values)
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGReadNumbers(vtkPolyData* data, const std::string& name, const std::string& where,
+  const std::string& setter, bool areMasses, std::vector<double>& values)
 {
   vtkAbstractArray* found = data->GetPointData()->GetAbstractArray(name.c_str());
   vtkDataArray* array = vtkDataArray::SafeDownCast(found);
   const vtkIdType n = data->GetNumberOfPoints();
+  const std::string called = "the point array '" + name + (areMasses ? "' of " + where : "'");
   std::ostringstream message;
   if (!found)
   {
@@ -42,29 +44,24 @@ dgg::Status ReadArray(vtkPolyData* data, const std::string& name, const std::str
   }
   else if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != n)
   {
-    message << "the point array '" << name << "' of " << where << " has "
-            << found->GetNumberOfComponents() << " components and " << found->GetNumberOfTuples()
-            << " tuples of type " << found->GetDataTypeAsString() << " for " << n
-            << " points: one number per point is needed";
+    message << called << " has " << found->GetNumberOfComponents() << " components and "
+            << found->GetNumberOfTuples() << " tuples of type " << found->GetDataTypeAsString()
+            << " for " << n << " points: one number per point is needed";
   }
-  if (!message.str().empty())
+  bool isGood = message.str().empty();
+  values.clear();
+  for (vtkIdType i = 0; i < n && isGood; ++i)
   {
-    return dgg::Status::Invalid(message.str());
-  }
-  values.resize(static_cast<std::size_t>(n));
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    const double value = array->GetComponent(i, 0);
-    if (!(value >= 0.0) || !std::isfinite(value))
+    values.push_back(array->GetComponent(i, 0));
+    isGood = std::isfinite(values.back()) && !(areMasses && values.back() < 0.0);
+    if (!isGood)
     {
-      message << "the point array '" << name << "' of " << where << " has the value " << value
-              << " at point " << i << ": mass must be finite and not negative";
-      return dgg::Status::Invalid(message.str());
+      message << called << " has the value " << values.back() << " at point " << i
+              << (areMasses ? ": mass must be finite and not negative"
+                            : ": sources must be finite");
     }
-    values[static_cast<std::size_t>(i)] = value;
   }
-  return dgg::Status::Success();
-}
+  return isGood ? dgg::Status::Success() : dgg::Status::Invalid(message.str());
 }
 
 //------------------------------------------------------------------------------
@@ -81,7 +78,8 @@ dgg::Status vtkDGGDistribution::Read(const vtkDGGMassOrigin& origin, vtkPolyData
   this->Values.clear();
   if (!origin.Array.empty())
   {
-    status = ReadArray(surface, origin.Array, "the surface", origin.Setter, this->Values);
+    status =
+      vtkDGGReadNumbers(surface, origin.Array, "the surface", origin.Setter, true, this->Values);
   }
   this->Masses.clear();
   if (status.IsOk() && HasPoints(origin))
@@ -90,8 +88,8 @@ dgg::Status vtkDGGDistribution::Read(const vtkDGGMassOrigin& origin, vtkPolyData
     this->Masses.assign(static_cast<std::size_t>(origin.Points->GetNumberOfPoints()), 1.0);
     if (status.IsOk() && !origin.MassArray.empty())
     {
-      status =
-        ReadArray(origin.Points, origin.MassArray, port.str(), "SetMassArrayName()", this->Masses);
+      status = vtkDGGReadNumbers(
+        origin.Points, origin.MassArray, port.str(), "SetMassArrayName()", true, this->Masses);
     }
   }
   return status;

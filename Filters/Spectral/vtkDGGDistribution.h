@@ -13,6 +13,11 @@
 class vtkDGGPreparedMesh;
 class vtkPolyData;
 
+/// Read a point array of one number per point, each of them finite, masses not negative. `where` is
+/// what messages call the data, `setter` what names the array.
+dgg::Status vtkDGGReadNumbers(vtkPolyData* data, const std::string& name, const std::string& where,
+  const std::string& setter, bool areMasses, std::vector<double>& values);
+
 /// Where a distribution comes from; empty names and null stand for nothing.
 struct vtkDGGMassOrigin
 {

@@ -3,6 +3,7 @@
 #include "vtkHarmonicBSpline.h"
 
 #include "vtkDGGContext.h"
+#include "vtkDGGDistribution.h"
 #include "vtkDGGPreparedMesh.h"
 #include "vtkDGGProperties.h"
 #include "vtkDGGSpectralOutputs.h"
@@ -75,36 +76,11 @@ std::vector<double> Interpolate(const dgg::SurfaceMesh& mesh,
   return found;
 }
 
-/// The numbers of a point array.
-dgg::Status ReadArray(vtkPolyData* surface, const std::string& name, std::vector<double>& values)
+/// The numbers of a point array of the surface.
+dgg::Status ReadSources(vtkPolyData* surface, const std::string& name, std::vector<double>& values)
 {
-  vtkAbstractArray* found = surface->GetPointData()->GetAbstractArray(name.c_str());
-  vtkDataArray* array = vtkDataArray::SafeDownCast(found);
-  const vtkIdType n = surface->GetNumberOfPoints();
-  std::ostringstream message;
-  if (!found)
-  {
-    message << "the surface has no point array '" << name
-            << "': call SetRightHandSideArrayName() with the name of one";
-  }
-  else if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != n)
-  {
-    message << "the point array '" << name << "' has " << found->GetNumberOfComponents()
-            << " components and " << found->GetNumberOfTuples() << " tuples of type "
-            << found->GetDataTypeAsString() << " for " << n
-            << " points: one number per point is needed";
-  }
-  values.clear();
-  for (vtkIdType i = 0; i < n && message.str().empty(); ++i)
-  {
-    values.push_back(array->GetComponent(i, 0));
-    if (!std::isfinite(values.back()))
-    {
-      message << "the point array '" << name << "' has the value " << values.back() << " at point "
-              << i << ": sources must be finite";
-    }
-  }
-  return message.str().empty() ? dgg::Status::Success() : dgg::Status::Invalid(message.str());
+  return vtkDGGReadNumbers(
+    surface, name, "the surface", "SetRightHandSideArrayName()", false, values);
 }
 
 /// Sources per vertex from numbers per point; none where values are given. `imbalance` is the
@@ -197,7 +173,7 @@ public:
     std::vector<double> numbers;
     std::vector<double> coefficients;
     std::vector<double> solution;
-    dgg::Status status = ReadArray(this->Task.Context.Input, sourceName, numbers);
+    dgg::Status status = ReadSources(this->Task.Context.Input, sourceName, numbers);
     if (status.IsOk())
     {
       const std::vector<double> sources =
@@ -348,7 +324,7 @@ dgg::Status vtkHarmonicBSpline::CheckInputs(
   const dgg::Status status = this->Superclass::CheckInputs(surface, inputVector);
   std::vector<double> values;
   return status.IsOk() && !this->RightHandSideArrayName.empty()
-    ? ReadArray(surface, this->RightHandSideArrayName, values)
+    ? ReadSources(surface, this->RightHandSideArrayName, values)
     : status;
 }
 

@@ -40,13 +40,6 @@ constexpr double JoinedAt = 0.15;
 constexpr double EmbeddedAt = 0.22;
 constexpr double RefinedAt = 0.3;
 
-dgg::Status NameCurve(const dgg::Status& status, const dgg::GraphicsCurve& curve)
-{
-  return status.IsOk() || status.IsAborted()
-    ? status
-    : dgg::Status::Invalid(curve.Name + ": " + status.GetMessage());
-}
-
 /// What a factorization depends on.
 struct Drawing
 {
@@ -124,9 +117,9 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const vtkDGGContext& co
   {
     const double part = JoinedAt / static_cast<double>(count);
     const double begin = static_cast<double>(k) * part;
-    status = NameCurve(dgg::JoinPoints(mesh, drawing.Places[k], drawing.Curves[k].IsClosed,
-                         dgg::ProgressPart(progress, begin, begin + part), joined[k]),
-      drawing.Curves[k]);
+    status = vtkDGGExplain(dgg::JoinPoints(mesh, drawing.Places[k], drawing.Curves[k].IsClosed,
+                             dgg::ProgressPart(progress, begin, begin + part), joined[k]),
+      drawing.Curves[k].Name + ": ");
   }
   dgg::RefinedSurface refined;
   if (status.IsOk())
@@ -147,9 +140,7 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const vtkDGGContext& co
   status = dgg::RefineForGraphics(mesh, refinement, refined, &this->RefinedFaces);
   if (!status.IsOk())
   {
-    return status.IsAborted() ? status
-                              : dgg::Status::Invalid(status.GetMessage() +
-                                  ", for memory to suffice: raise MemoryLimit, or " + remedy);
+    return vtkDGGExplain(status, "", ", for memory to suffice: raise MemoryLimit, or " + remedy);
   }
   std::vector<dgg::CurveChain> chains;
   for (std::size_t k = 0; k < count; ++k)
@@ -291,9 +282,8 @@ dgg::Status vtkPoissonVectorGraphics::CheckProperties() const
     return dgg::Status::Invalid("ResultArrayName is '" + this->ResultArrayName +
       "', which another array of the output has: call SetResultArrayName() with another name");
   }
-  const dgg::Status status = vtkDGGCheckLength("Width", this->Width);
-  return status.IsOk() ? vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance)
-                       : status;
+  return vtkDGGCheckLengths(
+    { { "Width", this->Width }, { "ProjectionTolerance", this->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------
@@ -388,10 +378,6 @@ dgg::Status vtkPoissonVectorGraphics::Execute(const vtkDGGContext& context,
       this->GetMemoryRemedy());
   };
   const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(adapter);
-  if (status.IsOk() && !context.Progress(0.0))
-  {
-    status = dgg::Status::Abort();
-  }
   const bool isKept = internals.IsKept && internals.Kept.IsSame(drawing);
   const double preparedAt = isKept ? FoundAt : FactorizedAt;
   if (status.IsOk() && !isKept)

@@ -129,7 +129,7 @@ dgg::Status vtkSpectralAlgorithm::CheckProperties() const
   {
     return dgg::Status::Invalid("ResultArrayName is empty: call SetResultArrayName() with a name");
   }
-  return vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
+  return vtkDGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------
@@ -231,9 +231,8 @@ dgg::Status vtkSpectralAlgorithm::Execute(const vtkDGGContext& context,
   const double prepared = keeper.IsPrepared(mesh, options) ? FoundAt : FactorizedAt;
   const double chosen =
     prepared + (this->CanChooseSources() ? ChoosingPart * (1.0 - prepared) : 0.0);
-  status = context.Progress(0.0) ? keeper.Prepare(context, options, others, this->GetMemoryRemedy(),
-                                     dgg::ProgressPart(context.Progress, 0.0, prepared))
-                                 : dgg::Status::Abort();
+  status = keeper.Prepare(context, options, others, this->GetMemoryRemedy(),
+    dgg::ProgressPart(context.Progress, 0.0, prepared));
   if (status.IsOk())
   {
     status = this->ChooseSources(

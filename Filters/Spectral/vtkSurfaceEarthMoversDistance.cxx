@@ -5,7 +5,6 @@
 #include "vtkDGGContext.h"
 #include "vtkDGGDistribution.h"
 #include "vtkDGGMakeArray.h"
-#include "vtkDGGMemory.h"
 #include "vtkDGGPreparedMesh.h"
 #include "vtkDGGPoissonKeeper.h"
 #include "vtkDGGProperties.h"
@@ -217,9 +216,8 @@ int vtkSurfaceEarthMoversDistance::RequestData(
 //------------------------------------------------------------------------------
 dgg::Status vtkSurfaceEarthMoversDistance::CheckProperties() const
 {
-  const dgg::Status status = vtkDGGCheckLength("Tolerance", this->Tolerance);
-  return status.IsOk() ? vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance)
-                       : status;
+  return vtkDGGCheckLengths(
+    { { "Tolerance", this->Tolerance }, { "ProjectionTolerance", this->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------
@@ -283,9 +281,8 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(const vtkDGGContext& context,
   const auto others = [&](const dgg::PoissonSolver& solver) {
     return SearchPart * solver.GetEstimatedMemory();
   };
-  status = context.Progress(0.0) ? keeper.Prepare(context, poisson, others, this->GetMemoryRemedy(),
-                                     dgg::ProgressPart(context.Progress, 0.0, prepared))
-                                 : dgg::Status::Abort();
+  status = keeper.Prepare(context, poisson, others, this->GetMemoryRemedy(),
+    dgg::ProgressPart(context.Progress, 0.0, prepared));
   const std::vector<double>* areas =
     status.IsOk() && this->ArrayMeaning == Density ? &keeper.GetSolver().GetAreas() : nullptr;
   std::vector<double> masses[2];
