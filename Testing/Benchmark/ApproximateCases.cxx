@@ -3,7 +3,6 @@
 #include "ApproximateCases.h"
 
 #include "BenchmarkTools.h"
-#include "OpenedGraph.h"
 #include "dggFastMarching.h"
 #include "dggHeatMethod.h"
 
@@ -40,80 +39,58 @@ dgg::HeatMethod& GetHeatMethod(const MeshRecipe& recipe, const BenchmarkMesh& me
 
 void MeasureHeatFactors(benchmark::State& state, const MeshRecipe& recipe)
 {
-  const BenchmarkMesh* mesh = OpenMesh(state, recipe);
-  if (!mesh)
-  {
-    return;
-  }
+  const BenchmarkMesh& mesh = OpenMesh(recipe);
   std::unique_ptr<dgg::HeatMethod> heat;
   dgg::Status status;
   Measure(
-    state, [&] { heat.reset(); }, [&] { status = Prepare(*mesh, heat); });
-  if (Succeeded(state, status))
-  {
-    ReportMesh(state, *mesh);
-    heat.reset();
-    const MemoryProbe probe;
-    Prepare(*mesh, heat);
-    ReportMemory(state, *mesh, probe);
-  }
+    state, [&] { heat.reset(); }, [&] { status = Prepare(mesh, heat); });
+  Require(status);
+  ReportMesh(state, mesh);
+  heat.reset();
+  const MemoryProbe probe;
+  Prepare(mesh, heat);
+  ReportMemory(state, mesh, probe);
 }
 
 void MeasureHeatField(benchmark::State& state, const MeshRecipe& recipe, int k, int numberOfSources)
 {
-  BenchmarkMesh* mesh = OpenMesh(state, recipe);
-  if (!mesh)
-  {
-    return;
-  }
-  const dgg::HeatMethod& heat = GetHeatMethod(recipe, *mesh);
-  const dgg::Id source = mesh->GetSource(k, numberOfSources);
+  BenchmarkMesh& mesh = OpenMesh(recipe);
+  const dgg::HeatMethod& heat = GetHeatMethod(recipe, mesh);
+  const dgg::Id source = mesh.GetSource(k, numberOfSources);
   dgg::HeatResult result;
   dgg::Status status = heat.Run(SourcesAt(source), {}, result); // not the first query
   Measure(
     state, [] {}, [&] { status = heat.Run(SourcesAt(source), {}, result); });
-  if (Succeeded(state, status))
-  {
-    ReportMesh(state, *mesh);
-    ReportErrors(state, *mesh, source, result.Distances);
-  }
+  Require(status);
+  ReportMesh(state, mesh);
+  ReportErrors(state, mesh, source, result.Distances);
 }
 
 void MeasureMarchingTables(benchmark::State& state, const MeshRecipe& recipe)
 {
-  const BenchmarkMesh* mesh = OpenMesh(state, recipe);
-  if (!mesh)
-  {
-    return;
-  }
+  const BenchmarkMesh& mesh = OpenMesh(recipe);
   std::unique_ptr<dgg::FastMarching> marching;
-  const auto make = [&] { marching = std::make_unique<dgg::FastMarching>(mesh->GetSurface()); };
+  const auto make = [&] { marching = std::make_unique<dgg::FastMarching>(mesh.GetSurface()); };
   Measure(
     state, [&] { marching.reset(); }, make);
-  ReportMesh(state, *mesh);
+  ReportMesh(state, mesh);
   marching.reset();
   const MemoryProbe probe;
   make();
-  ReportMemory(state, *mesh, probe);
+  ReportMemory(state, mesh, probe);
 }
 
 void MeasureMarchingField(
   benchmark::State& state, const MeshRecipe& recipe, int k, int numberOfSources)
 {
-  BenchmarkMesh* mesh = OpenMesh(state, recipe);
-  if (!mesh)
-  {
-    return;
-  }
-  const dgg::FastMarching marching(mesh->GetSurface());
-  const dgg::Id source = mesh->GetSource(k, numberOfSources);
+  BenchmarkMesh& mesh = OpenMesh(recipe);
+  const dgg::FastMarching marching(mesh.GetSurface());
+  const dgg::Id source = mesh.GetSource(k, numberOfSources);
   dgg::MarchingResult result;
   dgg::Status status = marching.Run(SourcesAt(source), {}, result); // not the first query
   Measure(
     state, [] {}, [&] { status = marching.Run(SourcesAt(source), {}, result); });
-  if (Succeeded(state, status))
-  {
-    ReportMesh(state, *mesh);
-    ReportErrors(state, *mesh, source, result.Distances);
-  }
+  Require(status);
+  ReportMesh(state, mesh);
+  ReportErrors(state, mesh, source, result.Distances);
 }

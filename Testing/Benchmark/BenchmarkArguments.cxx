@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkArguments.h"
 
+#include "BenchmarkTools.h"
 #include "MeshFile.h"
 
 #include <benchmark/benchmark.h>
@@ -46,7 +47,7 @@ MeshRecipe MeshFromFile(const std::string& file)
   return recipe;
 }
 
-bool BenchmarkArguments::Parse(int argc, char** argv)
+void BenchmarkArguments::Parse(int argc, char** argv)
 {
   std::vector<std::string> files;
   for (int i = 1; i < argc; ++i)
@@ -61,11 +62,7 @@ bool BenchmarkArguments::Parse(int argc, char** argv)
     const auto option = argument.rfind("--", 0) == 0 && equals != std::string::npos
       ? this->Values.find(argument.substr(2, equals - 2))
       : this->Values.end();
-    if (option == this->Values.end())
-    {
-      std::cerr << "unknown option " << argument << "\n";
-      return false;
-    }
+    Require(option != this->Values.end(), "unknown option " + argument);
     option->second = argument.substr(equals + 1);
   }
   if (files.empty())
@@ -75,11 +72,7 @@ bool BenchmarkArguments::Parse(int argc, char** argv)
   }
   for (const std::string& file : files)
   {
-    if (!std::ifstream(file))
-    {
-      std::cerr << "cannot read " << file << "\n";
-      return false;
-    }
+    Require(std::ifstream(file).good(), "cannot read " + file);
   }
   std::transform(files.begin(), files.end(), std::back_inserter(this->Meshes), MeshFromFile);
   if (this->Meshes.empty())
@@ -90,12 +83,16 @@ bool BenchmarkArguments::Parse(int argc, char** argv)
       this->Meshes.push_back(MeshFromFile(BunnyFile));
     }
   }
-  return true;
 }
 
 double BenchmarkArguments::GetNumber(const std::string& name) const
 {
   return std::atof(this->Get(name).c_str());
+}
+
+int BenchmarkArguments::GetInteger(const std::string& name) const
+{
+  return static_cast<int>(this->GetNumber(name));
 }
 
 std::vector<std::string> BenchmarkArguments::GetList(const std::string& name) const
@@ -113,11 +110,49 @@ std::vector<int> BenchmarkArguments::GetIntegers(const std::string& name) const
   return values;
 }
 
-void AddBenchmarkContext()
+MeshRecipe TorusOfRings(int rings)
 {
+  Require(rings >= 6, "a torus has at least 6 rings");
+  MeshRecipe torus;
+  torus.Name = "torus";
+  torus.Rings = rings;
+  return torus;
+}
+
+MeshRecipe Subdivided(MeshRecipe mesh)
+{
+  mesh.Name += "-x4";
+  mesh.Subdivisions = 1;
+  return mesh;
+}
+
+std::string SizeName(int size)
+{
+  return size % 1000 == 0 ? std::to_string(size / 1000) + "K" : std::to_string(size);
+}
+
+int RunBenchmarks(int argc, char** argv, std::map<std::string, std::string> defaults,
+  const std::function<void(const BenchmarkArguments&)>& registerCases)
+{
+  benchmark::Initialize(&argc, argv);
+  try
+  {
+    BenchmarkArguments arguments(std::move(defaults));
+    arguments.Parse(argc, argv);
+    registerCases(arguments);
+  }
+  catch (const BenchmarkError& error)
+  {
+    std::cerr << error.what() << "\n";
+    return 1;
+  }
+  // What the result was compiled with.
   benchmark::AddCustomContext("vtk_version", vtkVersion::GetVTKVersion());
   benchmark::AddCustomContext("compiler", DGG_BENCHMARK_COMPILER);
 #ifdef DGG_WITH_CGAL
   benchmark::AddCustomContext("cgal_version", DGG_BENCHMARK_CGAL);
 #endif
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
 }

@@ -7,9 +7,10 @@
 
 #include "BenchmarkMesh.h" // for MeshRecipe
 
-#include <map>    // for the options
-#include <string> // for names
-#include <vector> // for the meshes
+#include <functional> // for what registers cases
+#include <map>        // for the options
+#include <string>     // for names
+#include <vector>     // for the meshes
 
 class BenchmarkArguments
 {
@@ -20,12 +21,13 @@ public:
   {
   }
 
-  /// Read what Google Benchmark left on the command line. False, with a message on the standard
-  /// error output, on an option that does not exist or a mesh that cannot be read.
-  bool Parse(int argc, char** argv);
+  /// Read what Google Benchmark left on the command line. A BenchmarkError on an option that does
+  /// not exist or a mesh that cannot be read.
+  void Parse(int argc, char** argv);
 
   const std::string& Get(const std::string& name) const { return this->Values.at(name); }
   double GetNumber(const std::string& name) const;
+  int GetInteger(const std::string& name) const;
   /// The parts of a value, separated by commas.
   std::vector<std::string> GetList(const std::string& name) const;
   std::vector<int> GetIntegers(const std::string& name) const;
@@ -42,7 +44,18 @@ private:
 
 MeshRecipe MeshFromFile(const std::string& file);
 
-/// Write to the result what it was compiled with.
-void AddBenchmarkContext();
+/// A torus, named "torus", of so many rings: at least 6, else a BenchmarkError.
+MeshRecipe TorusOfRings(int rings);
+
+/// A mesh after a step of Loop subdivision.
+MeshRecipe Subdivided(MeshRecipe mesh);
+
+/// 5000 is 5K.
+std::string SizeName(int size);
+
+/// The main function of a program: reads the arguments, has cases registered and runs them. A
+/// BenchmarkError before that is told on the standard error output.
+int RunBenchmarks(int argc, char** argv, std::map<std::string, std::string> defaults,
+  const std::function<void(const BenchmarkArguments&)>& registerCases);
 
 #endif

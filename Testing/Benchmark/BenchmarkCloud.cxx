@@ -45,16 +45,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <iostream>
 #include <map>
 
 namespace
 {
-using State = benchmark::State;
 using dgg::CloudScheme;
 
-/// One run is all that is timed.
-constexpr double Once = 1e-9;
 /// A sphere that random points are taken from: so fine that it is smooth to them.
 constexpr int HolesLevel = 7;
 constexpr int NumberOfHoles = 12;
@@ -153,14 +149,9 @@ CloudRecipe VerticesOf(const MeshRecipe& mesh)
 void RegisterGraph(
   const std::string& prefix, const CloudGraphRecipe& recipe, int sources, double queryTime = 0.1)
 {
-  RegisterCase(
-    prefix + "Build", [=](State& state) { MeasureCloudBuild(state, recipe); }, Once);
-  for (int k = 0; k < sources; ++k)
-  {
-    RegisterCase(
-      prefix + "Query/" + std::to_string(k),
-      [=](State& state) { MeasureCloudQuery(state, recipe, k, sources); }, queryTime);
-  }
+  const CaseGroup cases(prefix, queryTime);
+  cases.For(Once).Add("Build", MeasureCloudBuild, recipe);
+  cases.AddSources("Query", sources, MeasureCloudQuery, recipe);
 }
 
 CloudGraphRecipe GraphOf(const CloudRecipe& cloud, CloudScheme scheme, const std::string& weights,
@@ -193,13 +184,8 @@ void RegisterCloud(const CloudRecipe& cloud, const Settings& settings)
     RegisterGraph(prefix + recipe.Name, recipe, settings.Sources);
   }
   const CloudGraphRecipe recipe = GraphOf(cloud, CloudScheme::Spacing, "arc", settings);
-  for (int k = 0; k < settings.Sources; ++k)
-  {
-    const int sources = settings.Sources;
-    RegisterCase(
-      prefix + "Band/march/Query/" + std::to_string(k),
-      [=](State& state) { MeasureBandMarching(state, recipe, k, sources); }, Once);
-  }
+  CaseGroup(prefix, Once)
+    .AddSources("Band/march/Query", settings.Sources, MeasureBandMarching, recipe);
 }
 
 std::vector<CloudRecipe> ListGuards(int points)
@@ -309,14 +295,9 @@ void RegisterSpeedOfMesh(const std::string& prefix, const MeshRecipe& mesh)
   GraphRecipe recipe;
   recipe.Mesh = mesh;
   recipe.Name = "graph"; // the only one
-  RegisterCase(
-    prefix + "Build", [=](State& state) { MeasureBuild(state, recipe); }, Once);
-  for (int k = 0; k < SpeedSources; ++k)
-  {
-    RegisterCase(prefix + "Query/" + std::to_string(k), [=](State& state) {
-      MeasureQuery(state, recipe, dgg::SearchMethod::Certified, true, k, SpeedSources);
-    });
-  }
+  const CaseGroup cases(prefix);
+  cases.For(Once).Add("Build", MeasureBuild, recipe);
+  cases.AddSources("Query", SpeedSources, MeasureQuery, recipe, dgg::SearchMethod::Certified, true);
 }
 
 void RegisterSpeed(const Settings& settings)
@@ -338,8 +319,7 @@ void RegisterSpeed(const Settings& settings)
     const std::string prefix = "Speed/" + cloud.Name + "/";
     cloud.Name += " (speed)"; // another cloud than that of the same name
     const CloudGraphRecipe recipe = GraphOf(cloud, CloudScheme::Spacing, "arc", settings);
-    RegisterCase(
-      prefix + "C/arc/Estimate", [=](State& state) { MeasureCloudEstimate(state, recipe); }, Once);
+    CaseGroup(prefix + "C/arc/", Once).Add("Estimate", MeasureCloudEstimate, recipe);
     RegisterGraph(prefix + "C/arc/", recipe, SpeedSources);
     if (cloud.Shape == CloudShape::Vertices)
     {
@@ -348,69 +328,49 @@ void RegisterSpeed(const Settings& settings)
   }
 }
 
-/// False, with a message, when one of the texts is not a shape, a colon and a number.
-bool ReadClouds(const std::vector<std::string>& texts, int rings, std::vector<CloudRecipe>& clouds)
+/// Each text is a shape, a colon and a number.
+std::vector<CloudRecipe> ReadClouds(const std::vector<std::string>& texts, int rings)
 {
+  std::vector<CloudRecipe> clouds;
   for (const std::string& text : texts)
   {
     const auto colon = text.find(':');
     CloudRecipe cloud;
-    if (colon == std::string::npos ||
-      !MakeCloud(text.substr(0, colon), std::atoi(text.c_str() + colon + 1), rings, cloud))
-    {
-      std::cerr << "clouds are square, cylinder, sphere or torus, a colon and a number of points, "
-                   "at least 10: not "
-                << text << "\n";
-      return false;
-    }
+    Require(colon != std::string::npos &&
+        MakeCloud(text.substr(0, colon), std::atoi(text.c_str() + colon + 1), rings, cloud),
+      "clouds are square, cylinder, sphere or torus, a colon and a number of points, at least 10: "
+      "not " +
+        text);
     clouds.push_back(cloud);
   }
-  return true;
+  return clouds;
 }
 
-/// False, with a message, when two clouds share a name, by which they are kept.
-bool HaveOwnNames(const Settings& settings)
+/// Clouds are kept by their names.
+void RequireOwnNames(const Settings& settings)
 {
   std::vector<CloudRecipe> clouds = settings.Clouds;
   clouds.insert(clouds.end(), settings.LargeClouds.begin(), settings.LargeClouds.end());
   std::map<std::string, int> points;
   for (const CloudRecipe& cloud : clouds)
   {
-    if (!points.insert({ cloud.Name, cloud.Points }).second)
-    {
-      std::cerr << "two clouds have the name " << cloud.Name
-                << ": numbers of points differ by 1000 at least\n";
-      return false;
-    }
+    Require(points.insert({ cloud.Name, cloud.Points }).second,
+      "two clouds have the name " + cloud.Name + ": numbers of points differ by 1000 at least");
   }
   for (const char* shape : CurveShapes)
   {
     const auto found = points.find(Labelled(shape, settings.Curves));
-    if (settings.Curves > 0 && found != points.end() && found->second != settings.Curves)
-    {
-      std::cerr << "curves are of another cloud with the name " << found->first << "\n";
-      return false;
-    }
+    Require(settings.Curves <= 0 || found == points.end() || found->second == settings.Curves,
+      "curves are of another cloud with the name " + Labelled(shape, settings.Curves));
   }
-  return true;
 }
 
-/// False, with a message, when the arguments make no sense.
-bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
+Settings ReadSettings(const BenchmarkArguments& arguments)
 {
-  const auto number = [&arguments](
-                        const char* name) { return static_cast<int>(arguments.GetNumber(name)); };
-  settings.TorusRings = number("torus");
-  if (settings.TorusRings < 6)
-  {
-    std::cerr << "a torus has at least 6 rings\n";
-    return false;
-  }
-  if (!ReadClouds(arguments.GetList("clouds"), settings.TorusRings, settings.Clouds) ||
-    !ReadClouds(arguments.GetList("large"), settings.TorusRings, settings.LargeClouds))
-  {
-    return false;
-  }
+  Settings settings;
+  settings.TorusRings = TorusOfRings(arguments.GetInteger("torus")).Rings;
+  settings.Clouds = ReadClouds(arguments.GetList("clouds"), settings.TorusRings);
+  settings.LargeClouds = ReadClouds(arguments.GetList("large"), settings.TorusRings);
   for (const MeshRecipe& mesh : arguments.GetMeshes())
   {
     CloudRecipe cloud = VerticesOf(mesh);
@@ -427,63 +387,37 @@ bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
   for (const std::string& name : arguments.GetList("schemes"))
   {
     const auto found = SchemesByName.find(name);
-    if (found == SchemesByName.end())
-    {
-      std::cerr << "schemes are A, B and C: not " << name << "\n";
-      return false;
-    }
+    Require(found != SchemesByName.end(), "schemes are A, B and C: not " + name);
     settings.Schemes.push_back(found->second);
   }
   settings.Accuracy = arguments.GetNumber("accuracy");
   settings.FineAccuracy = arguments.GetNumber("fine_accuracy");
-  settings.Sources = number("sources");
-  settings.Curves = number("curves");
-  settings.Guards = number("guards");
-  settings.Speed = number("speed");
+  settings.Sources = arguments.GetInteger("sources");
+  settings.Curves = arguments.GetInteger("curves");
+  settings.Guards = arguments.GetInteger("guards");
+  settings.Speed = arguments.GetInteger("speed");
   settings.SpeedMesh = arguments.Get("speed_mesh");
-  settings.Threads = number("threads");
+  settings.Threads = arguments.GetInteger("threads");
   for (const double accuracy : { settings.Accuracy, settings.FineAccuracy })
   {
     dgg::CloudGraphOptions options;
     options.Accuracy = accuracy;
-    const dgg::Status status = dgg::CloudGraphBuilder::Check(options);
-    if (!status.IsOk())
-    {
-      std::cerr << status.GetMessage() << "\n";
-      return false;
-    }
+    Require(dgg::CloudGraphBuilder::Check(options));
   }
-  if (std::min(settings.Sources, settings.Threads) < 1)
-  {
-    std::cerr << "sources and threads must be at least 1\n";
-    return false;
-  }
+  Require(
+    std::min(settings.Sources, settings.Threads) >= 1, "sources and threads must be at least 1");
   for (const int points : { settings.Curves, settings.Guards, settings.Speed })
   {
-    if (points != 0 && points < 100)
-    {
-      std::cerr << "curves, guards and speed have at least 100 points, or 0\n";
-      return false;
-    }
+    Require(
+      points == 0 || points >= 100, "curves, guards and speed have at least 100 points, or 0");
   }
-  return HaveOwnNames(settings);
-}
+  RequireOwnNames(settings);
+  return settings;
 }
 
-int main(int argc, char** argv)
+void RegisterAll(const BenchmarkArguments& arguments)
 {
-  benchmark::Initialize(&argc, argv);
-  BenchmarkArguments arguments(
-    { { "clouds", "square:40000,cylinder:40000,sphere:10000,sphere:40000,torus:57000" },
-      { "large", "" }, { "torus", "600" }, { "schemes", "A,B,C" }, { "accuracy", "0.001" },
-      { "fine_accuracy", "0.0001" }, { "sources", "5" }, { "curves", "5000" },
-      { "guards", "20000" }, { "speed", "200000" }, { "speed_mesh", "" }, { "terrain", "" },
-      { "threads", "2" } });
-  Settings settings;
-  if (!arguments.Parse(argc, argv) || !ReadSettings(arguments, settings))
-  {
-    return 1;
-  }
+  const Settings settings = ReadSettings(arguments);
   for (const CloudRecipe& cloud : settings.Clouds)
   {
     RegisterCloud(cloud, settings);
@@ -510,8 +444,16 @@ int main(int argc, char** argv)
   {
     RegisterSpeed(settings);
   }
-  AddBenchmarkContext();
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+}
+}
+
+int main(int argc, char** argv)
+{
+  return RunBenchmarks(argc, argv,
+    { { "clouds", "square:40000,cylinder:40000,sphere:10000,sphere:40000,torus:57000" },
+      { "large", "" }, { "torus", "600" }, { "schemes", "A,B,C" }, { "accuracy", "0.001" },
+      { "fine_accuracy", "0.0001" }, { "sources", "5" }, { "curves", "5000" },
+      { "guards", "20000" }, { "speed", "200000" }, { "speed_mesh", "" }, { "terrain", "" },
+      { "threads", "2" } },
+    RegisterAll);
 }

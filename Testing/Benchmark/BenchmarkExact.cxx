@@ -27,57 +27,39 @@ namespace
 constexpr int NumberOfSources = 5;
 
 #ifdef DGG_WITH_CGAL
-void MeasureCGAL(benchmark::State& state, const MeshRecipe& recipe, int k, double limit)
+void MeasureCGAL(benchmark::State& state, const MeshRecipe& recipe, double limit, int k, int)
 {
-  BenchmarkMesh* mesh = OpenMesh(state, recipe, limit);
-  if (!mesh)
-  {
-    return;
-  }
-  PeerCGAL& peer = mesh->GetPeerCGAL();
-  if (!peer.GetRefusal().empty())
-  {
-    state.SkipWithError(peer.GetRefusal().c_str());
-    return;
-  }
-  const dgg::Id source = mesh->GetSource(k, NumberOfSources);
+  BenchmarkMesh& mesh = OpenMesh(recipe, limit);
+  PeerCGAL& peer = mesh.GetPeerCGAL();
+  Require(peer.GetRefusal());
+  const dgg::Id source = mesh.GetSource(k, NumberOfSources);
   peer.SetSourceVertex(source);
   // Seconds per run: memory is measured in the very run that is timed.
   const MemoryProbe probe;
   std::vector<double> distances;
   Measure(
     state, [&] { peer.SetSourceVertex(source); }, [&] { distances = peer.ComputeDistances(); });
-  ReportMemory(state, *mesh, probe);
-  ReportMesh(state, *mesh);
-  ReportErrors(state, *mesh, source, distances);
+  ReportMemory(state, mesh, probe);
+  ReportMesh(state, mesh);
+  ReportErrors(state, mesh, source, distances);
   peer.SetSourceVertex(source); // frees the tree of the run
 }
 #endif
 
-void RegisterEngine(const std::string& prefix, const MeshRecipe& recipe, dgg::ExactEngine engine,
-  int source, double limit)
-{
-  const char* letter = engine == dgg::ExactEngine::Triangle ? "T" : "R";
-  RegisterCase(prefix + letter + "/" + std::to_string(source), [=](benchmark::State& state) {
-    MeasureEngine(state, recipe, engine, source, NumberOfSources, limit);
-  });
-}
-
 void RegisterComparison(const MeshRecipe& recipe, const BenchmarkArguments& arguments)
 {
-  const std::string prefix = "Exact/" + recipe.Name + "/";
-  RegisterCase(prefix + "SetUp", [=](benchmark::State& state) { MeasureSetUp(state, recipe); });
-  for (int source = 0; source < NumberOfSources; ++source)
+  const CaseGroup cases("Exact/" + recipe.Name + "/");
+  cases.Add("SetUp", MeasureSetUp, recipe);
+  for (int k = 0; k < NumberOfSources; ++k)
   {
-    RegisterEngine(prefix, recipe, dgg::ExactEngine::Triangle, source, dgg::Infinity);
-    RegisterEngine(
-      prefix, recipe, dgg::ExactEngine::Reference, source, arguments.GetNumber("reference_limit"));
-    RegisterCase(prefix + "VTK/" + std::to_string(source),
-      [=](benchmark::State& state) { MeasureVTK(state, recipe, source, NumberOfSources); });
+    cases.AddSource(
+      "T", k, NumberOfSources, MeasureEngine, recipe, dgg::ExactEngine::Triangle, dgg::Infinity);
+    cases.AddSource("R", k, NumberOfSources, MeasureEngine, recipe, dgg::ExactEngine::Reference,
+      arguments.GetNumber("reference_limit"));
+    cases.AddSource("VTK", k, NumberOfSources, MeasureVTK, recipe);
 #ifdef DGG_WITH_CGAL
-    const double limit = arguments.GetNumber("cgal_limit");
-    RegisterCase(prefix + "CGAL/" + std::to_string(source),
-      [=](benchmark::State& state) { MeasureCGAL(state, recipe, source, limit); });
+    cases.AddSource(
+      "CGAL", k, NumberOfSources, MeasureCGAL, recipe, arguments.GetNumber("cgal_limit"));
 #endif
   }
 }
@@ -103,24 +85,14 @@ void RegisterGrowth(const MeshRecipe& base)
   }
   for (const MeshRecipe& recipe : recipes)
   {
-    for (int source = 0; source < NumberOfSources; ++source)
-    {
-      RegisterEngine(
-        "Growth/" + recipe.Name + "/", recipe, dgg::ExactEngine::Triangle, source, dgg::Infinity);
-    }
+    CaseGroup("Growth/" + recipe.Name + "/")
+      .AddSources(
+        "T", NumberOfSources, MeasureEngine, recipe, dgg::ExactEngine::Triangle, dgg::Infinity);
   }
-}
 }
 
-int main(int argc, char** argv)
+void RegisterAll(const BenchmarkArguments& arguments)
 {
-  benchmark::Initialize(&argc, argv);
-  BenchmarkArguments arguments(
-    { { "growth", "" }, { "cgal_limit", "60000" }, { "reference_limit", "200000" } });
-  if (!arguments.Parse(argc, argv))
-  {
-    return 1;
-  }
   for (const MeshRecipe& recipe : arguments.GetMeshes())
   {
     RegisterComparison(recipe, arguments);
@@ -130,8 +102,11 @@ int main(int argc, char** argv)
   {
     RegisterGrowth(growth.empty() ? arguments.GetMeshes().back() : MeshFromFile(growth));
   }
-  AddBenchmarkContext();
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+}
+}
+
+int main(int argc, char** argv)
+{
+  return RunBenchmarks(argc, argv,
+    { { "growth", "" }, { "cgal_limit", "60000" }, { "reference_limit", "200000" } }, RegisterAll);
 }

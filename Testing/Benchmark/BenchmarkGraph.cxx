@@ -31,7 +31,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <iostream>
+#include <map>
 
 namespace
 {
@@ -65,98 +65,69 @@ const std::vector<Search> OtherSearches = {
   { "Dijkstra", dgg::SearchMethod::Dijkstra, false },
 };
 
-void RegisterQueries(const std::string& prefix, const GraphRecipe& recipe, int sources,
+void RegisterQueries(const CaseGroup& cases, const GraphRecipe& recipe, int sources,
   const std::vector<Search>& searches)
 {
   for (int k = 0; k < sources; ++k)
   {
     for (const Search& search : searches)
     {
-      RegisterCase(prefix + search.Name + "/" + std::to_string(k), [=](benchmark::State& state) {
-        MeasureQuery(state, recipe, search.Method, search.Correct, k, sources);
-      });
+      cases.AddSource(search.Name, k, sources, MeasureQuery, recipe, search.Method, search.Correct);
     }
   }
 }
 
 /// What needs more builds, or many queries.
 void RegisterThoroughCases(
-  const std::string& prefix, const GraphRecipe& recipe, const Settings& settings)
+  const CaseGroup& cases, const GraphRecipe& recipe, const Settings& settings)
 {
-  using State = benchmark::State;
   const int threads = settings.Threads;
-  const int many = settings.Many;
   // Once: memory that an earlier build has left behind is not seen.
-  RegisterCase(
-    prefix + "Memory", [=](State& state) { MeasureMemory(state, recipe); }, 1e-9);
+  cases.For(Once).Add("Memory", MeasureMemory, recipe);
   if (threads > 1)
   {
-    RegisterCase(
-      prefix + "ParallelBuild", [=](State& state) { MeasureParallelBuild(state, recipe, threads); },
-      1.0);
+    cases.For(1.0).Add("ParallelBuild", MeasureParallelBuild, recipe, threads);
   }
-  RegisterCase(prefix + "Estimate", [=](State& state) { MeasureEstimate(state, recipe); });
-  RegisterQueries(prefix, recipe, settings.NumberOfSources, OtherSearches);
-  if (many > 0)
+  cases.Add("Estimate", MeasureEstimate, recipe);
+  RegisterQueries(cases, recipe, settings.NumberOfSources, OtherSearches);
+  if (settings.Many > 0)
   {
-    RegisterCase(prefix + "Many", [=](State& state) { MeasureMany(state, recipe, many, 1); });
+    cases.Add("Many", MeasureMany, recipe, settings.Many, 1);
   }
-  if (many > 0 && threads > 1)
+  if (settings.Many > 0 && threads > 1)
   {
-    RegisterCase(
-      prefix + "ParallelMany", [=](State& state) { MeasureMany(state, recipe, many, threads); });
+    cases.Add("ParallelMany", MeasureMany, recipe, settings.Many, threads);
   }
 }
 
 void RegisterGraph(const GraphRecipe& recipe, bool thorough, const Settings& settings)
 {
-  using State = benchmark::State;
-  const std::string prefix = "Graph/" + recipe.Mesh.Name + "/" + recipe.Name + "/";
-  RegisterCase(
-    prefix + "Build", [=](State& state) { MeasureBuild(state, recipe); }, 1.0);
-  RegisterCase(prefix + "Cache", [=](State& state) { MeasureCache(state, recipe); });
-  RegisterCase(prefix + "FirstQuery", [=](State& state) { MeasureFirstQuery(state, recipe); });
-  RegisterQueries(prefix, recipe, settings.NumberOfSources, MainSearches);
+  const CaseGroup cases("Graph/" + recipe.Mesh.Name + "/" + recipe.Name + "/");
+  cases.For(1.0).Add("Build", MeasureBuild, recipe);
+  cases.Add("Cache", MeasureCache, recipe);
+  cases.Add("FirstQuery", MeasureFirstQuery, recipe);
+  RegisterQueries(cases, recipe, settings.NumberOfSources, MainSearches);
   if (thorough)
   {
-    RegisterThoroughCases(prefix, recipe, settings);
+    RegisterThoroughCases(cases, recipe, settings);
   }
 }
-
-#ifdef DGG_WITH_HEAT
-void RegisterHeat(const std::string& prefix, const MeshRecipe& recipe,
-  PeerHeat::Triangulation triangulation, int sources)
-{
-  using State = benchmark::State;
-  RegisterCase(prefix + "Precompute",
-    [=](State& state) { MeasureHeatPrecomputation(state, recipe, triangulation); });
-  for (int k = 0; k < sources; ++k)
-  {
-    RegisterCase(prefix + "Query/" + std::to_string(k),
-      [=](State& state) { MeasureHeatQuery(state, recipe, triangulation, k, sources); });
-  }
-}
-#endif
 
 void RegisterPeers(const MeshRecipe& recipe, int sources)
 {
-  using State = benchmark::State;
-  const std::string prefix = "Peer/" + recipe.Name + "/";
-  RegisterCase(prefix + "SetUp", [=](State& state) { MeasureSetUp(state, recipe); });
-  for (int k = 0; k < sources; ++k)
-  {
-    RegisterCase(prefix + "Exact/Query/" + std::to_string(k),
-      [=](State& state) { MeasureEngine(state, recipe, dgg::ExactEngine::Triangle, k, sources); });
-  }
-  for (int k = 0; k < sources; ++k)
-  {
-    RegisterCase(prefix + "VTK/Query/" + std::to_string(k),
-      [=](State& state) { MeasureVTK(state, recipe, k, sources); });
-  }
+  const CaseGroup cases("Peer/" + recipe.Name + "/");
+  cases.Add("SetUp", MeasureSetUp, recipe);
+  cases.AddSources(
+    "Exact/Query", sources, MeasureEngine, recipe, dgg::ExactEngine::Triangle, dgg::Infinity);
+  cases.AddSources("VTK/Query", sources, MeasureVTK, recipe);
 #ifdef DGG_WITH_HEAT
-  RegisterHeat(prefix + "HeatDirect/", recipe, PeerHeat::Triangulation::Direct, sources);
-  RegisterHeat(
-    prefix + "HeatDelaunay/", recipe, PeerHeat::Triangulation::IntrinsicDelaunay, sources);
+  using Triangulation = PeerHeat::Triangulation;
+  for (const Triangulation kind : { Triangulation::Direct, Triangulation::IntrinsicDelaunay })
+  {
+    const std::string name = kind == Triangulation::Direct ? "HeatDirect/" : "HeatDelaunay/";
+    cases.Add(name + "Precompute", MeasureHeatPrecomputation, recipe, kind);
+    cases.AddSources(name + "Query", sources, MeasureHeatQuery, recipe, kind);
+  }
 #endif
 }
 
@@ -165,88 +136,56 @@ bool Contains(const std::vector<std::string>& list, const std::string& word)
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-/// The graphs of one rule; false when there is no such rule.
-bool AddGraphs(
+void AddGraphs(
   const std::string& rule, const BenchmarkArguments& arguments, std::vector<PlannedGraph>& graphs)
 {
+  using Construction = dgg::GraphConstruction;
+  static const std::map<std::string, Construction> rules = {
+    { "Guaranteed", Construction::Guaranteed }, { "OneRelay", Construction::OneRelay },
+    { "Indirect", Construction::Indirect }, { "SVG", Construction::SaddleVertexGraph }
+  };
+  const auto found = rules.find(rule);
+  Require(found != rules.end(), "there is no rule " + rule);
   PlannedGraph graph;
   GraphRecipe& recipe = graph.Recipe;
   graph.Thorough = Contains(arguments.GetList("thorough"), rule);
-  if (rule == "SVG")
+  recipe.Options.Construction = found->second;
+  const bool isCounted = rule == "SVG";
+  for (const std::string& value : arguments.GetList(isCounted ? "neighbors" : "accuracies"))
   {
-    recipe.Options.Construction = dgg::GraphConstruction::SaddleVertexGraph;
-    for (const std::string& neighbors : arguments.GetList("neighbors"))
+    recipe.Name = rule + "/" + value;
+    if (isCounted)
     {
-      recipe.Name = rule + "/" + neighbors;
-      recipe.Options.NumberOfNeighbors = std::atoi(neighbors.c_str());
-      graphs.push_back(graph);
+      recipe.Options.NumberOfNeighbors = std::atoi(value.c_str());
     }
-    return true;
-  }
-  if (rule == "OneRelay")
-  {
-    recipe.Options.Construction = dgg::GraphConstruction::OneRelay;
-  }
-  else if (rule == "Indirect")
-  {
-    recipe.Options.Construction = dgg::GraphConstruction::Indirect;
-  }
-  else if (rule != "Guaranteed")
-  {
-    return false;
-  }
-  for (const std::string& accuracy : arguments.GetList("accuracies"))
-  {
-    recipe.Name = rule + "/" + accuracy;
-    recipe.Options.Accuracy = std::atof(accuracy.c_str());
+    else
+    {
+      recipe.Options.Accuracy = std::atof(value.c_str());
+    }
+    const dgg::Status status = dgg::GraphBuilder::Check(recipe.Options);
+    Require(status.IsOk(), recipe.Name + ": " + status.GetMessage());
     graphs.push_back(graph);
   }
-  return true;
 }
 
-/// False, with a message, when the arguments make no sense.
-bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
+Settings ReadSettings(const BenchmarkArguments& arguments)
 {
+  Settings settings;
   for (const std::string& rule : arguments.GetList("rules"))
   {
-    if (!AddGraphs(rule, arguments, settings.Graphs))
-    {
-      std::cerr << "there is no rule " << rule << "\n";
-      return false;
-    }
+    AddGraphs(rule, arguments, settings.Graphs);
   }
-  for (const PlannedGraph& graph : settings.Graphs)
-  {
-    const dgg::Status status = dgg::GraphBuilder::Check(graph.Recipe.Options);
-    if (!status.IsOk())
-    {
-      std::cerr << graph.Recipe.Name << ": " << status.GetMessage() << "\n";
-      return false;
-    }
-  }
-  settings.NumberOfSources = static_cast<int>(arguments.GetNumber("sources"));
-  settings.Many = static_cast<int>(arguments.GetNumber("many"));
-  settings.Threads = static_cast<int>(arguments.GetNumber("threads"));
-  if (settings.NumberOfSources < 1 || settings.Many < 0 || settings.Threads < 1)
-  {
-    std::cerr << "sources and threads must be at least 1, many at least 0\n";
-    return false;
-  }
-  return true;
-}
+  settings.NumberOfSources = arguments.GetInteger("sources");
+  settings.Many = arguments.GetInteger("many");
+  settings.Threads = arguments.GetInteger("threads");
+  Require(settings.NumberOfSources >= 1 && settings.Many >= 0 && settings.Threads >= 1,
+    "sources and threads must be at least 1, many at least 0");
+  return settings;
 }
 
-int main(int argc, char** argv)
+void RegisterAll(const BenchmarkArguments& arguments)
 {
-  benchmark::Initialize(&argc, argv);
-  BenchmarkArguments arguments({ { "rules", "Guaranteed,OneRelay,Indirect,SVG" },
-    { "thorough", "Guaranteed" }, { "accuracies", "0.1,0.05,0.02,0.01,0.001" },
-    { "neighbors", "15,30,60" }, { "sources", "10" }, { "many", "1000" }, { "threads", "2" } });
-  Settings settings;
-  if (!arguments.Parse(argc, argv) || !ReadSettings(arguments, settings))
-  {
-    return 1;
-  }
+  const Settings settings = ReadSettings(arguments);
   for (const MeshRecipe& mesh : arguments.GetMeshes())
   {
     RegisterPeers(mesh, settings.NumberOfSources);
@@ -256,8 +195,14 @@ int main(int argc, char** argv)
       RegisterGraph(graph.Recipe, graph.Thorough, settings);
     }
   }
-  AddBenchmarkContext();
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+}
+}
+
+int main(int argc, char** argv)
+{
+  return RunBenchmarks(argc, argv,
+    { { "rules", "Guaranteed,OneRelay,Indirect,SVG" }, { "thorough", "Guaranteed" },
+      { "accuracies", "0.1,0.05,0.02,0.01,0.001" }, { "neighbors", "15,30,60" },
+      { "sources", "10" }, { "many", "1000" }, { "threads", "2" } },
+    RegisterAll);
 }

@@ -41,17 +41,11 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
-#include <iostream>
 #include <string>
 #include <vector>
 
 namespace
 {
-using State = benchmark::State;
-
-/// One run is all that is timed: cases take the smallest of several times of their own.
-constexpr double Once = 1e-9;
-
 struct Settings
 {
   std::vector<int> Sizes;
@@ -77,29 +71,23 @@ const std::vector<NamedInput> Inputs = {
   { "Marching", FieldInput::Marching },
 };
 
-void RegisterTracing(
-  const std::string& name, const IsolineRecipe& recipe, IsolineKind kind, const Settings& settings)
+void RegisterTracing(const CaseGroup& cases, const std::string& name, const IsolineRecipe& recipe,
+  IsolineKind kind, const Settings& settings)
 {
-  const auto add = [&](const char* suffix, double chord) {
-    RegisterCase(
-      name + suffix, [=](State& state) { MeasureIsolines(state, recipe, kind, chord); }, Once);
-  };
-  add("", settings.Chord);
+  cases.Add(name, MeasureIsolines, recipe, kind, settings.Chord);
   if (recipe.Input == FieldInput::Exact)
   {
-    add("Halved", 0.5 * settings.Chord);
-    add("Drawn", settings.Drawn);
+    cases.Add(name + "Halved", MeasureIsolines, recipe, kind, 0.5 * settings.Chord);
+    cases.Add(name + "Drawn", MeasureIsolines, recipe, kind, settings.Drawn);
   }
 }
 
 void RegisterApollonius(
-  const std::string& prefix, const IsolineRecipe& recipe, const std::vector<int>& steinerPoints)
+  const CaseGroup& cases, const IsolineRecipe& recipe, const std::vector<int>& steinerPoints)
 {
   for (const int count : steinerPoints)
   {
-    RegisterCase(
-      prefix + "Apollonius" + std::to_string(count),
-      [=](State& state) { MeasureApollonius(state, recipe, count); }, Once);
+    cases.Add("Apollonius" + std::to_string(count), MeasureApollonius, recipe, count);
   }
 }
 
@@ -112,65 +100,39 @@ void RegisterIsolines(const MeshRecipe& mesh, const Settings& settings, bool wit
     recipe.Input = input.Input;
     recipe.Accuracy = settings.Accuracy;
     recipe.Levels = settings.Levels;
-    const std::string prefix = "Isolines/" + mesh.Name + "/" + input.Name + "/";
-    RegisterCase(
-      prefix + "Input", [=](State& state) { MeasureInput(state, recipe); }, Once);
-    RegisterCase(
-      prefix + "Contour", [=](State& state) { MeasureContour(state, recipe); }, Once);
+    const CaseGroup cases("Isolines/" + mesh.Name + "/" + input.Name + "/", Once);
+    cases.Add("Input", MeasureInput, recipe);
+    cases.Add("Contour", MeasureContour, recipe);
     if (input.Input == FieldInput::Exact)
     {
-      RegisterTracing(prefix + "Windows", recipe, IsolineKind::Windows, settings);
-      RegisterCase(
-        prefix + "Fitted",
-        [=](State& state) { MeasureIsolines(state, recipe, IsolineKind::Fitted, settings.Chord); },
-        Once);
-      RegisterApollonius(prefix, recipe, settings.SteinerPoints);
+      RegisterTracing(cases, "Windows", recipe, IsolineKind::Windows, settings);
+      cases.Add("Fitted", MeasureIsolines, recipe, IsolineKind::Fitted, settings.Chord);
+      RegisterApollonius(cases, recipe, settings.SteinerPoints);
       if (withMore)
       {
-        RegisterApollonius(prefix, recipe, settings.MoreSteinerPoints);
+        RegisterApollonius(cases, recipe, settings.MoreSteinerPoints);
       }
     }
-    RegisterTracing(prefix + "Sources", recipe, IsolineKind::Sources, settings);
+    RegisterTracing(cases, "Sources", recipe, IsolineKind::Sources, settings);
   }
 }
-
-#ifdef DGG_WITH_HEAT
-void RegisterPeer(const MeshRecipe& mesh, int sources)
-{
-  const auto triangulation = PeerHeat::Triangulation::IntrinsicDelaunay;
-  const std::string prefix = "Peer/" + mesh.Name + "/Heat/";
-  RegisterCase(prefix + "Factors",
-    [=](State& state) { MeasureHeatPrecomputation(state, mesh, triangulation); });
-  for (int k = 0; k < sources; ++k)
-  {
-    RegisterCase(prefix + "Query/" + std::to_string(k),
-      [=](State& state) { MeasureHeatQuery(state, mesh, triangulation, k, sources); });
-  }
-}
-#endif
 
 void RegisterApproximate(const MeshRecipe& mesh, int sources)
 {
-  const std::string prefix = "Approximate/" + mesh.Name + "/";
-  RegisterCase(prefix + "Heat/Factors", [=](State& state) { MeasureHeatFactors(state, mesh); });
-  RegisterCase(
-    prefix + "Marching/Tables", [=](State& state) { MeasureMarchingTables(state, mesh); });
+  const CaseGroup cases("Approximate/" + mesh.Name + "/");
+  cases.Add("Heat/Factors", MeasureHeatFactors, mesh);
+  cases.Add("Marching/Tables", MeasureMarchingTables, mesh);
   for (int k = 0; k < sources; ++k)
   {
-    RegisterCase(prefix + "Heat/Query/" + std::to_string(k),
-      [=](State& state) { MeasureHeatField(state, mesh, k, sources); });
-    RegisterCase(prefix + "Marching/Query/" + std::to_string(k),
-      [=](State& state) { MeasureMarchingField(state, mesh, k, sources); });
+    cases.AddSource("Heat/Query", k, sources, MeasureHeatField, mesh);
+    cases.AddSource("Marching/Query", k, sources, MeasureMarchingField, mesh);
   }
 #ifdef DGG_WITH_HEAT
-  RegisterPeer(mesh, sources);
+  const CaseGroup peer("Peer/" + mesh.Name + "/Heat/");
+  const auto triangulation = PeerHeat::Triangulation::IntrinsicDelaunay;
+  peer.Add("Factors", MeasureHeatPrecomputation, mesh, triangulation);
+  peer.AddSources("Query", sources, MeasureHeatQuery, mesh, triangulation);
 #endif
-}
-
-/// 5000 is 5K.
-std::string SizeName(int size)
-{
-  return size % 1000 == 0 ? std::to_string(size / 1000) + "K" : std::to_string(size);
 }
 
 /// A mesh at the sizes that it can be brought to.
@@ -200,21 +162,6 @@ std::vector<MeshRecipe> AtSizes(const MeshRecipe& mesh, const std::vector<int>& 
   return found;
 }
 
-/// What was named, and the torus.
-std::vector<MeshRecipe> ListMeshes(const BenchmarkArguments& arguments)
-{
-  std::vector<MeshRecipe> meshes = arguments.GetMeshes();
-  const int rings = static_cast<int>(arguments.GetNumber("torus"));
-  if (rings > 0)
-  {
-    MeshRecipe torus;
-    torus.Name = "torus";
-    torus.Rings = rings;
-    meshes.push_back(torus);
-  }
-  return meshes;
-}
-
 void RegisterMesh(const MeshRecipe& mesh, const Settings& settings,
   const std::vector<std::string>& subdivided, bool isFirst)
 {
@@ -228,67 +175,53 @@ void RegisterMesh(const MeshRecipe& mesh, const Settings& settings,
     RegisterApproximate(mesh, settings.Sources);
     if (std::find(subdivided.begin(), subdivided.end(), mesh.Name) != subdivided.end())
     {
-      MeshRecipe finer = mesh;
-      finer.Name += "-x4";
-      finer.Subdivisions = 1;
-      RegisterApproximate(finer, settings.Sources);
+      RegisterApproximate(Subdivided(mesh), settings.Sources);
     }
   }
 }
 
-/// False, with a message, when the arguments make no sense.
-bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
+Settings ReadSettings(const BenchmarkArguments& arguments)
 {
+  Settings settings;
   settings.Sizes = arguments.GetIntegers("sizes");
   settings.SteinerPoints = arguments.GetIntegers("steiner");
   settings.MoreSteinerPoints = arguments.GetIntegers("more_steiner");
-  settings.Levels = static_cast<int>(arguments.GetNumber("levels"));
+  settings.Levels = arguments.GetInteger("levels");
   settings.Chord = arguments.GetNumber("chord");
   settings.Drawn = arguments.GetNumber("drawn");
   settings.Accuracy = arguments.GetNumber("accuracy");
-  settings.Sources = static_cast<int>(arguments.GetNumber("sources"));
+  settings.Sources = arguments.GetInteger("sources");
   const bool hasSmall =
     std::any_of(settings.Sizes.begin(), settings.Sizes.end(), [](int size) { return size < 100; });
-  if (hasSmall || settings.Levels < 1 || settings.Sources < 0)
+  Require(!hasSmall && settings.Levels >= 1 && settings.Sources >= 0,
+    "sizes must be at least 100, levels at least 1, sources at least 0");
+  Require(std::min({ settings.Chord, settings.Drawn, settings.Accuracy }) > 0.0,
+    "chord, drawn and accuracy must be positive");
+  return settings;
+}
+
+/// What was named, and the torus.
+void RegisterAll(const BenchmarkArguments& arguments)
+{
+  const Settings settings = ReadSettings(arguments);
+  std::vector<MeshRecipe> meshes = arguments.GetMeshes();
+  if (arguments.GetInteger("torus") != 0)
   {
-    std::cerr << "sizes must be at least 100, levels at least 1, sources at least 0\n";
-    return false;
+    meshes.push_back(TorusOfRings(arguments.GetInteger("torus")));
   }
-  if (!(std::min({ settings.Chord, settings.Drawn, settings.Accuracy }) > 0.0))
+  for (const MeshRecipe& mesh : meshes)
   {
-    std::cerr << "chord, drawn and accuracy must be positive\n";
-    return false;
+    RegisterMesh(mesh, settings, arguments.GetList("subdivided"), &mesh == &meshes.front());
   }
-  const int rings = static_cast<int>(arguments.GetNumber("torus"));
-  if (rings != 0 && rings < 6)
-  {
-    std::cerr << "a torus has at least 6 rings\n";
-    return false;
-  }
-  return true;
 }
 }
 
 int main(int argc, char** argv)
 {
-  benchmark::Initialize(&argc, argv);
-  BenchmarkArguments arguments({ { "sizes", "600,1000,5000,10000,50000" }, { "levels", "20" },
-    { "chord", "0.00001" }, { "drawn", "0.001" }, { "steiner", "0,2" },
-    { "more_steiner", "1,5,10,20,50" }, { "accuracy", "0.01" }, { "sources", "3" },
-    { "torus", "100" }, { "subdivided", "armadillo" } });
-  Settings settings;
-  if (!arguments.Parse(argc, argv) || !ReadSettings(arguments, settings))
-  {
-    return 1;
-  }
-  bool isFirst = true;
-  for (const MeshRecipe& mesh : ListMeshes(arguments))
-  {
-    RegisterMesh(mesh, settings, arguments.GetList("subdivided"), isFirst);
-    isFirst = false;
-  }
-  AddBenchmarkContext();
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return RunBenchmarks(argc, argv,
+    { { "sizes", "600,1000,5000,10000,50000" }, { "levels", "20" }, { "chord", "0.00001" },
+      { "drawn", "0.001" }, { "steiner", "0,2" }, { "more_steiner", "1,5,10,20,50" },
+      { "accuracy", "0.01" }, { "sources", "3" }, { "torus", "100" },
+      { "subdivided", "armadillo" } },
+    RegisterAll);
 }

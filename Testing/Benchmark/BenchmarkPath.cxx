@@ -36,15 +36,9 @@
 #include "PathCases.h"
 
 #include <algorithm>
-#include <iostream>
 
 namespace
 {
-using State = benchmark::State;
-
-/// One run is all that is timed: cases gather many times of their own.
-constexpr double Once = 1e-9;
-
 struct Settings
 {
   dgg::GraphOptions Options;
@@ -82,80 +76,31 @@ dgg::PathOptions OptionsOf(const PathKind& kind)
 
 void RegisterPaths(const GraphRecipe& recipe, const Settings& settings)
 {
-  const std::string prefix = "Path/" + recipe.Mesh.Name + "/";
-  const PairRecipe pairs = settings.Pairs;
-  const int threads = settings.Threads;
-  RegisterCase(
-    prefix + "Graph", [=](State& state) { MeasureGraphOfPaths(state, recipe, threads); }, Once);
-  RegisterCase(
-    prefix + "FirstPath", [=](State& state) { MeasureFirstPath(state, recipe, pairs); }, Once);
-  RegisterCase(
-    prefix + "Exact", [=](State& state) { MeasureExactPairs(state, recipe.Mesh, pairs); }, Once);
-  for (const bool isKept : { true, false })
-  {
-    RegisterCase(
-      prefix + (isKept ? "ShortKept" : "ShortAnew"),
-      [=](State& state) { MeasureShortPaths(state, recipe.Mesh, isKept); }, Once);
-  }
+  const CaseGroup cases("Path/" + recipe.Mesh.Name + "/", Once);
+  const PairRecipe& pairs = settings.Pairs;
+  cases.Add("Graph", MeasureGraphOfPaths, recipe, settings.Threads);
+  cases.Add("FirstPath", MeasureFirstPath, recipe, pairs);
+  cases.Add("Exact", MeasureExactPairs, recipe.Mesh, pairs);
+  cases.Add("ShortKept", MeasureShortPaths, recipe.Mesh, true);
+  cases.Add("ShortAnew", MeasureShortPaths, recipe.Mesh, false);
   for (const bool withLandmarks : { false, true })
   {
     if (withLandmarks)
     {
-      RegisterCase(
-        prefix + "Landmarks", [=](State& state) { MeasureLandmarks(state, recipe, threads); },
-        Once);
+      cases.Add("Landmarks", MeasureLandmarks, recipe, settings.Threads);
     }
     for (const PathKind& kind : PathKinds)
     {
-      const dgg::PathOptions options = OptionsOf(kind);
-      RegisterCase(
-        prefix + (withLandmarks ? "Marked" : "") + kind.Name,
-        [=](State& state) { MeasurePaths(state, recipe, pairs, options, withLandmarks); }, Once);
+      const std::string name = std::string(withLandmarks ? "Marked" : "") + kind.Name;
+      cases.Add(name, MeasurePaths, recipe, pairs, OptionsOf(kind), withLandmarks);
     }
   }
   if (settings.VertexPairs.Count > 0)
   {
-    const PairRecipe vertexPairs = settings.VertexPairs;
-    RegisterCase(
-      prefix + "VertexDefault",
-      [=](State& state) { MeasurePaths(state, recipe, vertexPairs, {}, false); }, Once);
-    RegisterCase(
-      prefix + "VertexVTK",
-      [=](State& state) { MeasureEdgePaths(state, recipe.Mesh, vertexPairs); }, Once);
+    cases.Add(
+      "VertexDefault", MeasurePaths, recipe, settings.VertexPairs, dgg::PathOptions(), false);
+    cases.Add("VertexVTK", MeasureEdgePaths, recipe.Mesh, settings.VertexPairs);
   }
-}
-
-void RegisterCells(const GraphRecipe& recipe, int samples)
-{
-  const std::string prefix = "Cells/" + recipe.Mesh.Name + "/";
-  RegisterCase(
-    prefix + "FarthestPoints", [=](State& state) { MeasureFarthestPoints(state, recipe, samples); },
-    Once);
-  RegisterCase(
-    prefix + "Voronoi", [=](State& state) { MeasureVoronoi(state, recipe, samples); }, Once);
-}
-
-void RegisterMatrix(const GraphRecipe& recipe, int size, int threads)
-{
-  RegisterCase(
-    "Matrix/" + recipe.Mesh.Name + "/Update",
-    [=](
-      State& state) { MeasureMatrix(state, recipe.Mesh, recipe.Options.Accuracy, size, threads); },
-    Once);
-}
-
-void RegisterLoops(const GraphRecipe& recipe, int points)
-{
-  const std::string prefix = "Loop/" + recipe.Mesh.Name + "/";
-  RegisterCase(
-    prefix + "AroundHandles", [=](State& state) { MeasureAroundHandles(state, recipe.Mesh); },
-    Once);
-  RegisterCase(
-    prefix + "ThroughPoint",
-    [=](State& state) { MeasureThroughPoint(state, recipe, points, false); }, Once);
-  RegisterCase(
-    prefix + "ThroughPointTaut",
-    [=](State& state) { MeasureThroughPoint(state, recipe, points, true); }, Once);
 }
 
 void RegisterMesh(const MeshRecipe& mesh, const Settings& settings)
@@ -167,15 +112,22 @@ void RegisterMesh(const MeshRecipe& mesh, const Settings& settings)
   RegisterPaths(recipe, settings);
   if (settings.Samples > 0)
   {
-    RegisterCells(recipe, settings.Samples);
+    const CaseGroup cases("Cells/" + mesh.Name + "/", Once);
+    cases.Add("FarthestPoints", MeasureFarthestPoints, recipe, settings.Samples);
+    cases.Add("Voronoi", MeasureVoronoi, recipe, settings.Samples);
   }
   if (settings.Loops > 0)
   {
-    RegisterLoops(recipe, settings.Loops);
+    const CaseGroup cases("Loop/" + mesh.Name + "/", Once);
+    cases.Add("AroundHandles", MeasureAroundHandles, mesh);
+    cases.Add("ThroughPoint", MeasureThroughPoint, recipe, settings.Loops, false);
+    cases.Add("ThroughPointTaut", MeasureThroughPoint, recipe, settings.Loops, true);
   }
   if (settings.Matrix > 0)
   {
-    RegisterMatrix(recipe, settings.Matrix, settings.Threads);
+    CaseGroup("Matrix/" + mesh.Name + "/", Once)
+      .Add(
+        "Update", MeasureMatrix, mesh, recipe.Options.Accuracy, settings.Matrix, settings.Threads);
   }
 }
 
@@ -189,76 +141,52 @@ std::vector<MeshRecipe> ListMeshes(const BenchmarkArguments& arguments)
     meshes.push_back(mesh);
     if (std::find(subdivided.begin(), subdivided.end(), mesh.Name) != subdivided.end())
     {
-      meshes.push_back(mesh);
-      meshes.back().Name += "-x4";
-      meshes.back().Subdivisions = 1;
+      meshes.push_back(Subdivided(mesh));
     }
   }
-  const int rings = static_cast<int>(arguments.GetNumber("torus"));
-  if (rings > 0)
+  if (arguments.GetInteger("torus") != 0)
   {
-    MeshRecipe torus;
-    torus.Name = "torus";
-    torus.Rings = rings;
-    meshes.push_back(torus);
+    meshes.push_back(TorusOfRings(arguments.GetInteger("torus")));
   }
   return meshes;
 }
 
-/// False, with a message, when the arguments make no sense.
-bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
+Settings ReadSettings(const BenchmarkArguments& arguments)
 {
-  const auto number = [&arguments](
-                        const char* name) { return static_cast<int>(arguments.GetNumber(name)); };
+  Settings settings;
   settings.Options.Accuracy = arguments.GetNumber("accuracy");
-  settings.Pairs.Count = number("pairs");
-  settings.Pairs.PerStart = number("targets");
-  settings.VertexPairs.Count = number("vertex_pairs");
+  settings.Pairs.Count = arguments.GetInteger("pairs");
+  settings.Pairs.PerStart = arguments.GetInteger("targets");
+  settings.VertexPairs.Count = arguments.GetInteger("vertex_pairs");
   settings.VertexPairs.PerStart = settings.Pairs.PerStart;
   settings.VertexPairs.AtVertices = true;
-  settings.Samples = number("samples");
-  settings.Matrix = number("matrix");
-  settings.Loops = number("loops");
-  settings.Threads = number("threads");
-  const dgg::Status status = dgg::GraphBuilder::Check(settings.Options);
-  if (!status.IsOk())
+  settings.Samples = arguments.GetInteger("samples");
+  settings.Matrix = arguments.GetInteger("matrix");
+  settings.Loops = arguments.GetInteger("loops");
+  settings.Threads = arguments.GetInteger("threads");
+  Require(dgg::GraphBuilder::Check(settings.Options));
+  Require(std::min({ settings.Pairs.Count, settings.Pairs.PerStart, settings.Threads }) >= 1 &&
+      std::min({ settings.VertexPairs.Count, settings.Samples, settings.Matrix, settings.Loops }) >=
+        0,
+    "pairs, targets and threads must be at least 1, all else at least 0");
+  return settings;
+}
+
+void RegisterAll(const BenchmarkArguments& arguments)
+{
+  const Settings settings = ReadSettings(arguments);
+  for (const MeshRecipe& mesh : ListMeshes(arguments))
   {
-    std::cerr << status.GetMessage() << "\n";
-    return false;
+    RegisterMesh(mesh, settings);
   }
-  if (std::min({ settings.Pairs.Count, settings.Pairs.PerStart, settings.Threads }) < 1 ||
-    std::min({ settings.VertexPairs.Count, settings.Samples, settings.Matrix, settings.Loops }) < 0)
-  {
-    std::cerr << "pairs, targets and threads must be at least 1, all else at least 0\n";
-    return false;
-  }
-  const int rings = number("torus");
-  if (rings != 0 && rings < 6)
-  {
-    std::cerr << "a torus has at least 6 rings\n";
-    return false;
-  }
-  return true;
 }
 }
 
 int main(int argc, char** argv)
 {
-  benchmark::Initialize(&argc, argv);
-  BenchmarkArguments arguments({ { "accuracy", "0.01" }, { "pairs", "1000" }, { "targets", "10" },
-    { "vertex_pairs", "20" }, { "samples", "1000" }, { "matrix", "1000" }, { "loops", "5" },
-    { "threads", "2" }, { "torus", "64" }, { "subdivided", "armadillo" } });
-  Settings settings;
-  if (!arguments.Parse(argc, argv) || !ReadSettings(arguments, settings))
-  {
-    return 1;
-  }
-  for (const MeshRecipe& mesh : ListMeshes(arguments))
-  {
-    RegisterMesh(mesh, settings);
-  }
-  AddBenchmarkContext();
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return RunBenchmarks(argc, argv,
+    { { "accuracy", "0.01" }, { "pairs", "1000" }, { "targets", "10" }, { "vertex_pairs", "20" },
+      { "samples", "1000" }, { "matrix", "1000" }, { "loops", "5" }, { "threads", "2" },
+      { "torus", "64" }, { "subdivided", "armadillo" } },
+    RegisterAll);
 }

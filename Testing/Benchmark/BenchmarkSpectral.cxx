@@ -18,7 +18,7 @@
 ///
 /// Names of the results are
 ///   Spectral/MESH/CASE[/K]          SpectralCases.h
-///   Spectral/MESH/Greens/WAY/K      MeasuredGreens.h
+///   Spectral/MESH/Greens/WAY/K      OpenedSolver.h
 ///   Peer/MESH/PEER/CASE[/K]         PoissonPeerCases.h; HeatCases.h for the peer Heat, which has
 ///                                   two matrices
 ///   Convergence/LEVEL/WAY           ConvergenceCases.h
@@ -37,17 +37,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace
 {
-using State = benchmark::State;
-
-/// One run is all that is timed of what takes long.
-constexpr double Once = 1e-9;
 constexpr int FinestLevel = 8;
 constexpr int LevelOfSplines = 5;
 
@@ -62,41 +58,25 @@ struct Settings
   std::vector<int> Splines;
 };
 
-/// Run a case for each of the sources.
-template <class Run>
-void RegisterForSources(const std::string& name, int sources, const Run& run)
-{
-  for (int k = 0; k < sources; ++k)
-  {
-    RegisterCase(name + "/" + std::to_string(k), [=](State& state) { run(state, k); });
-  }
-}
-
 void RegisterMesh(const MeshRecipe& mesh, const Settings& settings)
 {
-  const std::string prefix = "Spectral/" + mesh.Name + "/";
+  const CaseGroup cases("Spectral/" + mesh.Name + "/");
   const int sources = settings.Sources;
-  RegisterCase(prefix + "Factor", [=](State& state) { MeasureFactor(state, mesh); });
-  RegisterForSources(prefix + "Column", sources,
-    [=](State& state, int k) { MeasureColumn(state, mesh, k, sources); });
-  RegisterCase(prefix + "Block", [=](State& state) { MeasureColumnBlock(state, mesh); });
+  cases.Add("Factor", MeasureFactor, mesh);
+  cases.AddSources("Column", sources, MeasureColumn, mesh);
+  cases.Add("Block", MeasureColumnBlock, mesh);
   for (const GreensWay& way : GetGreensWays())
   {
-    RegisterForSources(prefix + "Greens/" + way.Name, sources,
-      [=](State& state, int k) { MeasureGreens(state, mesh, way, k, sources); });
+    cases.AddSources("Greens/" + way.Name, sources, MeasureGreens, mesh, way);
   }
-  RegisterForSources(prefix + "Biharmonic", sources,
-    [=](State& state, int k) { MeasureBiharmonicColumn(state, mesh, k, sources); });
+  cases.AddSources("Biharmonic", sources, MeasureBiharmonicColumn, mesh);
   if (settings.Eigenpairs > 0)
   {
-    RegisterCase(
-      prefix + "Eigenpairs",
-      [=](State& state) { MeasureEigenpairs(state, mesh, settings.Eigenpairs); }, Once);
+    cases.For(Once).Add("Eigenpairs", MeasureEigenpairs, mesh, settings.Eigenpairs);
   }
   if (settings.Movers > 0)
   {
-    RegisterCase(
-      prefix + "EarthMovers", [=](State& state) { MeasureEarthMovers(state, mesh); }, Once);
+    cases.For(Once).Add("EarthMovers", MeasureEarthMovers, mesh);
   }
 }
 
@@ -104,42 +84,16 @@ void RegisterPeers(const MeshRecipe& mesh, int sources)
 {
   for (const PoissonPeer& peer : ListPoissonPeers())
   {
-    const std::string prefix = "Peer/" + mesh.Name + "/" + peer.Name + "/";
-    RegisterCase(prefix + "Factor", [=](State& state) { MeasurePeerFactor(state, mesh, peer); });
-    RegisterForSources(prefix + "Column", sources,
-      [=](State& state, int k) { MeasurePeerColumn(state, mesh, peer, k, sources); });
+    const CaseGroup cases("Peer/" + mesh.Name + "/" + peer.Name + "/");
+    cases.Add("Factor", MeasurePeerFactor, mesh, peer);
+    cases.AddSources("Column", sources, MeasurePeerColumn, mesh, peer);
   }
 #ifdef DGG_WITH_HEAT
   const auto direct = PeerHeat::Triangulation::Direct;
-  const std::string prefix = "Peer/" + mesh.Name + "/Heat/";
-  RegisterCase(
-    prefix + "Factor", [=](State& state) { MeasureHeatPrecomputation(state, mesh, direct); });
-  RegisterForSources(prefix + "Column", sources,
-    [=](State& state, int k) { MeasureHeatQuery(state, mesh, direct, k, sources); });
+  const CaseGroup cases("Peer/" + mesh.Name + "/Heat/");
+  cases.Add("Factor", MeasureHeatPrecomputation, mesh, direct);
+  cases.AddSources("Column", sources, MeasureHeatQuery, mesh, direct);
 #endif
-}
-
-void RegisterConvergence(const Settings& settings)
-{
-  for (const int level : settings.Levels)
-  {
-    for (const GreensWay& way : GetGreensWays())
-    {
-      RegisterCase(
-        "Convergence/" + std::to_string(level) + "/" + way.Name,
-        [=](State& state) { MeasureConvergence(state, level, way, settings.Poles); }, Once);
-    }
-  }
-}
-
-void RegisterSplines(const Settings& settings)
-{
-  for (const int sites : settings.Splines)
-  {
-    RegisterCase(
-      "Splines/" + std::to_string(sites),
-      [=](State& state) { MeasureSplines(state, LevelOfSplines, sites); }, Once);
-  }
 }
 
 /// A torus of about so many vertices.
@@ -147,8 +101,7 @@ MeshRecipe TorusOf(int size)
 {
   MeshRecipe torus;
   torus.Rings = static_cast<int>(std::lround(std::sqrt(2.0 * size)));
-  torus.Name =
-    "torus-" + (size % 1000 == 0 ? std::to_string(size / 1000) + "K" : std::to_string(size));
+  torus.Name = "torus-" + SizeName(size);
   return torus;
 }
 
@@ -166,55 +119,58 @@ std::vector<MeshRecipe> ListMeshes(const BenchmarkArguments& arguments, const Se
   return meshes;
 }
 
-/// False, with a message, when the arguments make no sense.
-bool ReadSettings(const BenchmarkArguments& arguments, Settings& settings)
+Settings ReadSettings(const BenchmarkArguments& arguments)
 {
+  Settings settings;
   settings.Sizes = arguments.GetIntegers("sizes");
-  settings.Sources = static_cast<int>(arguments.GetNumber("sources"));
-  settings.Eigenpairs = static_cast<int>(arguments.GetNumber("eigenpairs"));
-  settings.Movers = static_cast<int>(arguments.GetNumber("movers"));
+  settings.Sources = arguments.GetInteger("sources");
+  settings.Eigenpairs = arguments.GetInteger("eigenpairs");
+  settings.Movers = arguments.GetInteger("movers");
   settings.Levels = arguments.GetIntegers("levels");
-  settings.Poles = static_cast<int>(arguments.GetNumber("poles"));
+  settings.Poles = arguments.GetInteger("poles");
   settings.Splines = arguments.GetIntegers("splines");
-  const auto isNone = [](int count) { return count < 1; };
-  const auto isSmall = [](int size) { return size < 100; };
-  const auto isNoLevel = [](int level) { return level < 0 || level > FinestLevel; };
-  if (std::any_of(settings.Sizes.begin(), settings.Sizes.end(), isSmall) ||
-    std::any_of(settings.Levels.begin(), settings.Levels.end(), isNoLevel) ||
-    std::any_of(settings.Splines.begin(), settings.Splines.end(), isNone) || settings.Sources < 1 ||
-    settings.Poles < 1)
-  {
-    std::cerr << "sizes must be at least 100, levels from 0 to " << FinestLevel
-              << ", sources, poles and splines at least 1\n";
-    return false;
-  }
-  return true;
-}
+  const auto areWithin = [](const std::vector<int>& values, int least, int most) {
+    return std::all_of(
+      values.begin(), values.end(), [=](int value) { return value >= least && value <= most; });
+  };
+  constexpr int Any = std::numeric_limits<int>::max();
+  Require(areWithin(settings.Sizes, 100, Any) && areWithin(settings.Levels, 0, FinestLevel) &&
+      areWithin(settings.Splines, 1, Any) && std::min(settings.Sources, settings.Poles) >= 1,
+    "sizes must be at least 100, levels from 0 to " + std::to_string(FinestLevel) +
+      ", sources, poles and splines at least 1");
+  return settings;
 }
 
-int main(int argc, char** argv)
+void RegisterAll(const BenchmarkArguments& arguments)
 {
-  benchmark::Initialize(&argc, argv);
-  BenchmarkArguments arguments(
-    { { "sizes", "35000,100000" }, { "sources", "5" }, { "eigenpairs", "100" }, { "movers", "1" },
-      { "levels", "3,4,5,6" }, { "poles", "10" }, { "splines", "80,320,1280" } });
-  Settings settings;
-  if (!arguments.Parse(argc, argv) || !ReadSettings(arguments, settings))
-  {
-    return 1;
-  }
+  const Settings settings = ReadSettings(arguments);
   for (const MeshRecipe& mesh : ListMeshes(arguments, settings))
   {
     RegisterMesh(mesh, settings);
     RegisterPeers(mesh, settings.Sources);
   }
-  RegisterConvergence(settings);
-  RegisterSplines(settings);
-  AddBenchmarkContext();
+  for (const int level : settings.Levels)
+  {
+    for (const GreensWay& way : GetGreensWays())
+    {
+      CaseGroup("Convergence/" + std::to_string(level) + "/", Once)
+        .Add(way.Name, MeasureConvergence, level, way, settings.Poles);
+    }
+  }
+  for (const int sites : settings.Splines)
+  {
+    CaseGroup("Splines/", Once).Add(std::to_string(sites), MeasureSplines, LevelOfSplines, sites);
+  }
 #ifdef DGG_WITH_CHOLMOD
   benchmark::AddCustomContext("cholmod_version", DGG_BENCHMARK_CHOLMOD);
 #endif
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+}
+}
+
+int main(int argc, char** argv)
+{
+  return RunBenchmarks(argc, argv,
+    { { "sizes", "35000,100000" }, { "sources", "5" }, { "eigenpairs", "100" }, { "movers", "1" },
+      { "levels", "3,4,5,6" }, { "poles", "10" }, { "splines", "80,320,1280" } },
+    RegisterAll);
 }

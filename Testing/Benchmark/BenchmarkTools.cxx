@@ -2,9 +2,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkTools.h"
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <ctime>
-#include <utility>
+#include <thread>
+
+void Require(const std::string& error)
+{
+  Require(error.empty(), error);
+}
+
+void Require(const dgg::Status& status)
+{
+  Require(status.IsOk(), status.GetMessage());
+}
+
+void Require(bool condition, const std::string& error)
+{
+  if (!condition)
+  {
+    throw BenchmarkError(error);
+  }
+}
+
+dgg::ParallelFor ThreadedLoop(int threads)
+{
+  return [threads](dgg::Offset size, dgg::Offset grain,
+           const std::function<void(dgg::Offset, dgg::Offset)>& body) {
+    const dgg::Offset step = std::max<dgg::Offset>(1, grain);
+    std::atomic<dgg::Offset> next{ 0 };
+    const auto work = [&] {
+      for (dgg::Offset begin = next.fetch_add(step); begin < size; begin = next.fetch_add(step))
+      {
+        body(begin, std::min(begin + step, size));
+      }
+    };
+    std::vector<std::thread> helpers;
+    for (int i = 1; i < threads; ++i)
+    {
+      helpers.emplace_back(work);
+    }
+    work();
+    for (std::thread& helper : helpers)
+    {
+      helper.join();
+    }
+  };
+}
 
 double CPUSeconds()
 {
@@ -31,7 +76,17 @@ double WallSeconds()
 
 void RegisterCase(const std::string& name, BenchmarkCase run, double minimum)
 {
-  benchmark::RegisterBenchmark(name.c_str(), std::move(run))
+  const auto tell = [run = std::move(run)](benchmark::State& state) {
+    try
+    {
+      run(state);
+    }
+    catch (const BenchmarkError& error)
+    {
+      state.SkipWithError(error.what());
+    }
+  };
+  benchmark::RegisterBenchmark(name.c_str(), tell)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond)
     ->MinTime(minimum);
@@ -55,20 +110,26 @@ void Measure(benchmark::State& state, const std::function<void()>& prepare,
     benchmark::Counter(onTheWall, benchmark::Counter::kAvgIterations);
 }
 
-BenchmarkMesh* OpenMesh(benchmark::State& state, const MeshRecipe& recipe, double limit)
+BenchmarkMesh& OpenMesh(const MeshRecipe& recipe, double limit)
 {
   BenchmarkMesh& mesh = GetBenchmarkMesh(recipe);
-  if (!mesh.GetError().empty())
-  {
-    state.SkipWithError(mesh.GetError().c_str());
-    return nullptr;
-  }
-  if (mesh.GetNumberOfVertices() > limit)
-  {
-    state.SkipWithError("above the limit of vertices");
-    return nullptr;
-  }
-  return &mesh;
+  Require(mesh.GetError());
+  Require(mesh.GetNumberOfVertices() <= limit, "above the limit of vertices");
+  return mesh;
+}
+
+OpenedGraph OpenGraph(const GraphRecipe& recipe)
+{
+  BenchmarkMesh& mesh = OpenMesh(recipe.Mesh);
+  return { &mesh, &mesh.GetGraph(recipe) };
+}
+
+OpenedGraph OpenBuiltGraph(const GraphRecipe& recipe)
+{
+  const OpenedGraph opened = OpenGraph(recipe);
+  opened.Graph->NeedGraph();
+  Require(opened.Graph->GetError());
+  return opened;
 }
 
 void ReportMesh(benchmark::State& state, const BenchmarkMesh& mesh)
@@ -93,11 +154,7 @@ void ReportErrors(benchmark::State& state, BenchmarkMesh& mesh, dgg::Id source,
 
 void ReportErrors(benchmark::State& state, const ErrorStatistics& errors)
 {
-  if (errors.IsEmpty())
-  {
-    state.SkipWithError("no vertex with a true distance is reached");
-    return;
-  }
+  Require(!errors.IsEmpty(), "no vertex with a true distance is reached");
   state.counters["error_mean"] = errors.Mean;
   state.counters["error_p999"] = errors.Percentile999;
   state.counters["error_max"] = errors.Maximum;

@@ -3,7 +3,6 @@
 #include "CellCases.h"
 
 #include "BenchmarkTools.h"
-#include "OpenedGraph.h"
 #include "SampleStatistics.h"
 #include "dggSiteDistances.h"
 #include "dggSurfaceSampler.h"
@@ -66,11 +65,7 @@ dgg::VoronoiInput ToSites(const std::vector<dgg::SurfaceSample>& samples, double
 
 void MeasureFarthestPoints(benchmark::State& state, const GraphRecipe& recipe, int samples)
 {
-  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenBuiltGraph(recipe);
   SampleStatistics queries;
   SampleStatistics sampling;
   std::vector<dgg::SurfaceSample> found;
@@ -87,10 +82,7 @@ void MeasureFarthestPoints(benchmark::State& state, const GraphRecipe& recipe, i
     }
     state.SetIterationTime(sampling.GetMinimum());
   }
-  if (!Succeeded(state, status))
-  {
-    return;
-  }
+  Require(status);
   ReportMesh(state, *opened.Mesh);
   state.counters["samples"] = static_cast<double>(found.size());
   state.counters["covering_radius"] = found.back().CoveringRadius;
@@ -100,17 +92,10 @@ void MeasureFarthestPoints(benchmark::State& state, const GraphRecipe& recipe, i
 
 void MeasureVoronoi(benchmark::State& state, const GraphRecipe& recipe, int samples)
 {
-  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenBuiltGraph(recipe);
   std::vector<dgg::SurfaceSample> found;
   dgg::Status status = Sample(opened, samples, found);
-  if (!Succeeded(state, status))
-  {
-    return;
-  }
+  Require(status);
   const dgg::VoronoiInput sites = ToSites(found, opened.Graph->GetOptions().Accuracy);
   dgg::VoronoiInput refined = sites;
   refined.Builder = &opened.Graph->GetBuilder();
@@ -150,10 +135,7 @@ void MeasureVoronoi(benchmark::State& state, const GraphRecipe& recipe, int samp
     }
     state.SetIterationTime(refinedDiagrams.GetMinimum());
   }
-  if (!Succeeded(state, status))
-  {
-    return;
-  }
+  Require(status);
   ReportMesh(state, *opened.Mesh);
   state.counters["samples"] = static_cast<double>(found.size());
   state.counters["polygons"] = static_cast<double>(diagram.GetNumberOfPolygons());

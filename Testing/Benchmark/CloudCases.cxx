@@ -3,8 +3,6 @@
 #include "CloudCases.h"
 
 #include "BenchmarkTools.h"
-#include "OpenedGraph.h"
-#include "ThreadedLoop.h"
 #include "BandMarching.h"
 
 #include <cmath>
@@ -15,32 +13,20 @@ namespace
 /// the sides of what they sample.
 constexpr double VoxelTolerance = 0.01;
 
-/// The cloud of a recipe; null, with the state closed, when it cannot be used.
-MeasuredCloud* OpenCloud(benchmark::State& state, const CloudRecipe& recipe)
+/// The cloud of a recipe; an error when it cannot be used.
+MeasuredCloud& OpenCloud(const CloudRecipe& recipe)
 {
   MeasuredCloud& cloud = GetMeasuredCloud(recipe);
-  if (!cloud.GetError().empty())
-  {
-    state.SkipWithError(cloud.GetError().c_str());
-    return nullptr;
-  }
-  return &cloud;
+  Require(cloud.GetError());
+  return cloud;
 }
 
 /// The same, with its graph.
-MeasuredCloud* OpenCloudWithGraph(benchmark::State& state, const CloudGraphRecipe& recipe)
+MeasuredCloud& OpenCloudWithGraph(const CloudGraphRecipe& recipe)
 {
-  MeasuredCloud* cloud = OpenCloud(state, recipe.Cloud);
-  if (!cloud)
-  {
-    return nullptr;
-  }
-  cloud->NeedGraph(recipe);
-  if (!cloud->GetGraphError().empty())
-  {
-    state.SkipWithError(cloud->GetGraphError().c_str());
-    return nullptr;
-  }
+  MeasuredCloud& cloud = OpenCloud(recipe.Cloud);
+  cloud.NeedGraph(recipe);
+  Require(cloud.GetGraphError());
   return cloud;
 }
 
@@ -48,11 +34,7 @@ void ReportCloudErrors(benchmark::State& state, MeasuredCloud& cloud, dgg::Id so
   const std::vector<double>& distances)
 {
   const std::vector<double>& truth = cloud.GetTruth(source);
-  if (!cloud.GetError().empty())
-  {
-    state.SkipWithError(cloud.GetError().c_str());
-    return;
-  }
+  Require(cloud.GetError());
   ReportErrors(state, ErrorStatistics::Of(distances, truth));
 }
 
@@ -89,100 +71,70 @@ std::vector<dgg::Point3> PlacesOf(const MeasuredCloud& cloud)
 
 void MeasureCloudBuild(benchmark::State& state, const CloudGraphRecipe& recipe)
 {
-  MeasuredCloud* cloud = OpenCloud(state, recipe.Cloud);
-  if (!cloud)
-  {
-    return;
-  }
+  MeasuredCloud& cloud = OpenCloud(recipe.Cloud);
   double seconds = 0.0;
   std::size_t peak = 0;
   Measure(
-    state, [&] { cloud->Clear(); },
+    state, [&] { cloud.Clear(); },
     [&] {
       const MemoryProbe probe;
       const double start = CPUSeconds();
-      cloud->Build(recipe);
+      cloud.Build(recipe);
       seconds += CPUSeconds() - start;
       peak = probe.GetResidentPeak();
     },
     WallSeconds);
-  if (!cloud->GetGraphError().empty())
-  {
-    state.SkipWithError(cloud->GetGraphError().c_str());
-    return;
-  }
+  Require(cloud.GetGraphError());
   const double size = recipe.VoxelSize;
-  if (std::abs(cloud->GetStatistics().VoxelSize - size) > VoxelTolerance * size && size > 0.0)
-  {
-    state.SkipWithError("the voxels are not of the size that the case is about");
-    return;
-  }
+  Require(size <= 0.0 || std::abs(cloud.GetStatistics().VoxelSize - size) <= VoxelTolerance * size,
+    "the voxels are not of the size that the case is about");
   state.counters["threads"] = recipe.Threads;
   state.counters["accuracy"] = recipe.Options.Accuracy;
   state.counters["cpu_seconds"] = benchmark::Counter(seconds, benchmark::Counter::kAvgIterations);
   state.counters["resident_bytes"] = static_cast<double>(peak);
-  ReportCloudGraph(state, *cloud);
+  ReportCloudGraph(state, cloud);
 }
 
 void MeasureCloudEstimate(benchmark::State& state, const CloudGraphRecipe& recipe)
 {
-  MeasuredCloud* cloud = OpenCloud(state, recipe.Cloud);
-  if (!cloud)
-  {
-    return;
-  }
+  MeasuredCloud& cloud = OpenCloud(recipe.Cloud);
   dgg::CloudGraphOptions options = recipe.Options;
   options.Parallel = ThreadedLoop(recipe.Threads);
   dgg::CloudGraphEstimate estimate;
   dgg::Status status;
   Measure(
-    state, [] {}, [&] { status = cloud->GetBuilder().Estimate(options, estimate); }, WallSeconds);
-  if (Succeeded(state, status))
-  {
-    state.counters["estimated_graph_bytes"] = estimate.Memory;
-    state.counters["estimated_peak_bytes"] = estimate.Peak;
-  }
+    state, [] {}, [&] { status = cloud.GetBuilder().Estimate(options, estimate); }, WallSeconds);
+  Require(status);
+  state.counters["estimated_graph_bytes"] = estimate.Memory;
+  state.counters["estimated_peak_bytes"] = estimate.Peak;
 }
 
 void MeasureCloudQuery(
   benchmark::State& state, const CloudGraphRecipe& recipe, int k, int numberOfSources)
 {
-  MeasuredCloud* cloud = OpenCloudWithGraph(state, recipe);
-  if (!cloud)
-  {
-    return;
-  }
+  MeasuredCloud& cloud = OpenCloudWithGraph(recipe);
   dgg::GraphSeed seed;
-  seed.Vertex = cloud->GetSource(k, numberOfSources);
-  const dgg::GraphSearch& search = cloud->GetSearch();
+  seed.Vertex = cloud.GetSource(k, numberOfSources);
+  const dgg::GraphSearch& search = cloud.GetSearch();
   dgg::SearchResult result;
   dgg::Status status = search.Run({ seed }, {}, result); // not the first query
   Measure(
     state, [] {}, [&] { status = search.Run({ seed }, {}, result); });
-  if (Succeeded(state, status))
-  {
-    ReportCloudErrors(state, *cloud, seed.Vertex, result.Distances);
-  }
+  Require(status);
+  ReportCloudErrors(state, cloud, seed.Vertex, result.Distances);
 }
 
 void MeasureBandMarching(
   benchmark::State& state, const CloudGraphRecipe& recipe, int k, int numberOfSources)
 {
-  MeasuredCloud* cloud = OpenCloudWithGraph(state, recipe);
-  if (!cloud)
-  {
-    return;
-  }
-  const dgg::CloudGraph& graph = cloud->GetGraph();
-  const std::vector<dgg::Point3> places = PlacesOf(*cloud);
-  const dgg::Id source = cloud->GetSource(k, numberOfSources);
+  MeasuredCloud& cloud = OpenCloudWithGraph(recipe);
+  const dgg::CloudGraph& graph = cloud.GetGraph();
+  const std::vector<dgg::Point3> places = PlacesOf(cloud);
+  const dgg::Id source = cloud.GetSource(k, numberOfSources);
   dgg::VoxelBand band;
   dgg::Status status =
     band.Build(places, graph.Radii, graph.VoxelSize, 0, ThreadedLoop(recipe.Threads));
-  if (!Succeeded(state, status))
-  {
-    return;
-  }
+  Require(status);
   const dgg::BandMarching marching(band);
   std::vector<double> distances;
   Measure(
@@ -190,10 +142,8 @@ void MeasureBandMarching(
     [&] {
       status = marching.Run({ { places[source], 0.0 } }, places, {}, distances);
     });
-  if (Succeeded(state, status))
-  {
-    state.counters["voxels"] = static_cast<double>(band.GetNumberOfVoxels());
-    state.counters["resolution"] = band.GetResolution();
-    ReportCloudErrors(state, *cloud, source, distances);
-  }
+  Require(status);
+  state.counters["voxels"] = static_cast<double>(band.GetNumberOfVoxels());
+  state.counters["resolution"] = band.GetResolution();
+  ReportCloudErrors(state, cloud, source, distances);
 }

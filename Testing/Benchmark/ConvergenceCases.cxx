@@ -3,7 +3,6 @@
 #include "ConvergenceCases.h"
 
 #include "BenchmarkTools.h"
-#include "OpenedGraph.h"
 #include "OpenedSolver.h"
 #include "RandomNumbers.h"
 #include "dggHarmonicSplines.h"
@@ -73,11 +72,7 @@ struct SquareError
 
 void MeasureConvergence(benchmark::State& state, int level, const GreensWay& way, int poles)
 {
-  const OpenedSolver opened = OpenSolver(state, SphereOf(level));
-  if (!opened.Solver)
-  {
-    return;
-  }
+  const OpenedSolver opened = OpenSolver(SphereOf(level));
   const dgg::SurfaceMesh& surface = opened.Mesh->GetSurface();
   const std::vector<double>& points = opened.Mesh->GetArrays().Points;
   const std::vector<dgg::SurfacePoint> places = PolesOf(surface, poles);
@@ -92,10 +87,7 @@ void MeasureConvergence(benchmark::State& state, int level, const GreensWay& way
         status = greens.Run(places[k], results[k]);
       }
     });
-  if (!Succeeded(state, status))
-  {
-    return;
-  }
+  Require(status);
   double local = 0.0;
   double global = 0.0;
   double largest = 0.0;
@@ -135,11 +127,7 @@ void MeasureConvergence(benchmark::State& state, int level, const GreensWay& way
 
 void MeasureSplines(benchmark::State& state, int level, int sites)
 {
-  const OpenedSolver opened = OpenSolver(state, SphereOf(level));
-  if (!opened.Solver)
-  {
-    return;
-  }
+  const OpenedSolver opened = OpenSolver(SphereOf(level));
   const std::vector<double>& points = opened.Mesh->GetArrays().Points;
   const std::vector<double>& areas = opened.Solver->GetAreas();
   std::vector<double> truth;
@@ -162,10 +150,7 @@ void MeasureSplines(benchmark::State& state, int level, int sites)
       status = status.IsOk() ? splines.Solve(sources, {}, coefficients) : status;
       status = status.IsOk() ? splines.Combine(coefficients, {}, solution) : status;
     });
-  if (!Succeeded(state, status))
-  {
-    return;
-  }
+  Require(status);
   SquareError error;
   for (std::size_t v = 0; v < areas.size(); ++v)
   {

@@ -5,7 +5,7 @@
 #ifndef ConvergenceCases_h
 #define ConvergenceCases_h
 
-#include "MeasuredGreens.h" // for GreensWay
+#include "OpenedSolver.h" // for GreensWay
 
 #include <benchmark/benchmark.h> // for State
 

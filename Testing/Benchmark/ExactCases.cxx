@@ -9,12 +9,8 @@
 
 void MeasureSetUp(benchmark::State& state, const MeshRecipe& recipe)
 {
-  BenchmarkMesh* mesh = OpenMesh(state, recipe);
-  if (!mesh)
-  {
-    return;
-  }
-  const MeshArrays& arrays = mesh->GetArrays();
+  BenchmarkMesh& mesh = OpenMesh(recipe);
+  const MeshArrays& arrays = mesh.GetArrays();
   const auto build = [&](dgg::SurfaceMesh& surface) {
     dgg::SurfaceMesh::FromPoints(arrays.Points.data(),
       static_cast<dgg::Offset>(arrays.GetNumberOfVertices()), arrays.Triangles.data(),
@@ -23,24 +19,20 @@ void MeasureSetUp(benchmark::State& state, const MeshRecipe& recipe)
   dgg::SurfaceMesh surface;
   Measure(
     state, [&] { surface = dgg::SurfaceMesh(); }, [&] { build(surface); });
-  ReportMesh(state, *mesh);
+  ReportMesh(state, mesh);
   state.counters["mesh_bytes_per_vertex"] =
-    static_cast<double>(surface.GetMemorySize()) / mesh->GetNumberOfVertices();
+    static_cast<double>(surface.GetMemorySize()) / mesh.GetNumberOfVertices();
   surface = dgg::SurfaceMesh();
   const MemoryProbe probe;
   build(surface);
-  ReportMemory(state, *mesh, probe);
+  ReportMemory(state, mesh, probe);
 }
 
 void MeasureEngine(benchmark::State& state, const MeshRecipe& recipe, dgg::ExactEngine engine,
-  int k, int numberOfSources, double limit)
+  double limit, int k, int numberOfSources)
 {
-  BenchmarkMesh* mesh = OpenMesh(state, recipe, limit);
-  if (!mesh)
-  {
-    return;
-  }
-  const dgg::Id source = mesh->GetSource(k, numberOfSources);
+  BenchmarkMesh& mesh = OpenMesh(recipe, limit);
+  const dgg::Id source = mesh.GetSource(k, numberOfSources);
   const std::vector<dgg::GeodesicSource> sources = { { dgg::SurfacePoint::AtVertex(source), 0.0 } };
   dgg::ExactOptions options;
   options.Engine = engine;
@@ -50,49 +42,45 @@ void MeasureEngine(benchmark::State& state, const MeshRecipe& recipe, dgg::Exact
   Measure(
     state,
     [&] {
-      solver = std::make_unique<dgg::ExactGeodesics>(mesh->GetSurface());
+      solver = std::make_unique<dgg::ExactGeodesics>(mesh.GetSurface());
       result = dgg::ExactResult();
     },
     [&] { solver->Run(sources, options, result); });
-  ReportMesh(state, *mesh);
+  ReportMesh(state, mesh);
   if (engine == dgg::ExactEngine::Reference)
   {
-    ReportErrors(state, *mesh, source, result.Distances);
+    ReportErrors(state, mesh, source, result.Distances);
   }
   state.counters["windows"] = static_cast<double>(result.NumberOfWindows);
   state.counters["windows_per_second"] = benchmark::Counter(
     static_cast<double>(result.NumberOfWindows) * static_cast<double>(state.iterations()),
     benchmark::Counter::kIsRate);
   state.counters["engine_bytes_per_vertex"] =
-    static_cast<double>(result.PeakMemory) / mesh->GetNumberOfVertices();
+    static_cast<double>(result.PeakMemory) / mesh.GetNumberOfVertices();
 
   if (engine == dgg::ExactEngine::Triangle)
   {
-    mesh->SetExactDistances(source, std::move(result.Distances));
+    mesh.SetExactDistances(source, std::move(result.Distances));
   }
 
   // Memory in a run of its own. One source is enough where runs are long.
-  if (k == 0 || mesh->GetNumberOfVertices() < 2e5)
+  if (k == 0 || mesh.GetNumberOfVertices() < 2e5)
   {
     solver.reset();
     result = dgg::ExactResult();
     const MemoryProbe probe;
-    dgg::ExactGeodesics(mesh->GetSurface()).Run(sources, options, result);
-    ReportMemory(state, *mesh, probe);
+    dgg::ExactGeodesics(mesh.GetSurface()).Run(sources, options, result);
+    ReportMemory(state, mesh, probe);
   }
 }
 
 void MeasureVTK(benchmark::State& state, const MeshRecipe& recipe, int k, int numberOfSources)
 {
-  BenchmarkMesh* mesh = OpenMesh(state, recipe);
-  if (!mesh)
-  {
-    return;
-  }
-  PeerVTK& peer = mesh->GetPeerVTK();
-  const dgg::Id source = mesh->GetSource(k, numberOfSources);
+  BenchmarkMesh& mesh = OpenMesh(recipe);
+  PeerVTK& peer = mesh.GetPeerVTK();
+  const dgg::Id source = mesh.GetSource(k, numberOfSources);
   Measure(
     state, [] {}, [&] { peer.Run(source); });
-  ReportMesh(state, *mesh);
-  ReportErrors(state, *mesh, source, peer.GetDistances());
+  ReportMesh(state, mesh);
+  ReportErrors(state, mesh, source, peer.GetDistances());
 }

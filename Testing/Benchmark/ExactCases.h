@@ -13,10 +13,10 @@
 /// Build our mesh.
 void MeasureSetUp(benchmark::State& state, const MeshRecipe& recipe);
 
-/// One exact run, `k`-th of `numberOfSources` sources. Errors are against engine T, whose distances
-/// are kept for the cases that follow.
+/// One exact run, `k`-th of `numberOfSources` sources, on a mesh of up to `limit` vertices. Errors
+/// are against engine T, whose distances are kept for the cases that follow.
 void MeasureEngine(benchmark::State& state, const MeshRecipe& recipe, dgg::ExactEngine engine,
-  int k, int numberOfSources, double limit = dgg::Infinity);
+  double limit, int k, int numberOfSources);
 
 /// One run along the edges of the mesh.
 void MeasureVTK(benchmark::State& state, const MeshRecipe& recipe, int k, int numberOfSources);

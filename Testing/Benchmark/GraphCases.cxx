@@ -3,8 +3,6 @@
 #include "GraphCases.h"
 
 #include "BenchmarkTools.h"
-#include "OpenedGraph.h"
-#include "ThreadedLoop.h"
 
 #include <algorithm>
 #include <vector>
@@ -43,39 +41,23 @@ dgg::SearchOptions QueryOptions(dgg::SearchMethod method, bool correct)
 
 void MeasureBuild(benchmark::State& state, const GraphRecipe& recipe)
 {
-  const OpenedGraph opened = OpenGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenGraph(recipe);
   MeasuredGraph& graph = *opened.Graph;
   Measure(
     state, [&] { graph.Clear(); }, [&] { graph.Build({}); });
-  if (!graph.GetError().empty())
-  {
-    state.SkipWithError(graph.GetError().c_str());
-    return;
-  }
+  Require(graph.GetError());
   ReportGraph(state, *opened.Mesh, graph);
 }
 
 void MeasureMemory(benchmark::State& state, const GraphRecipe& recipe)
 {
-  const OpenedGraph opened = OpenGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenGraph(recipe);
   MeasuredGraph& graph = *opened.Graph;
   graph.Clear();
   const MemoryProbe probe;
   Measure(
     state, [&] { graph.Clear(); }, [&] { graph.Build({}); });
-  if (!graph.GetError().empty())
-  {
-    state.SkipWithError(graph.GetError().c_str());
-    return;
-  }
+  Require(graph.GetError());
   const double edges = NumberOfEdges(graph.GetGraph());
   state.counters["peak_bytes_per_edge"] = static_cast<double>(probe.GetHeapPeak()) / edges;
   state.counters["resident_bytes_per_edge"] = static_cast<double>(probe.GetResidentPeak()) / edges;
@@ -83,11 +65,7 @@ void MeasureMemory(benchmark::State& state, const GraphRecipe& recipe)
 
 void MeasureParallelBuild(benchmark::State& state, const GraphRecipe& recipe, int threads)
 {
-  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenBuiltGraph(recipe);
   MeasuredGraph other(opened.Mesh->GetSurface(), recipe.Options);
   Measure(
     state, [&] { other.Clear(); }, [&] { other.Build(ThreadedLoop(threads)); }, WallSeconds);
@@ -98,11 +76,7 @@ void MeasureParallelBuild(benchmark::State& state, const GraphRecipe& recipe, in
 
 void MeasureEstimate(benchmark::State& state, const GraphRecipe& recipe)
 {
-  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenBuiltGraph(recipe);
   dgg::GraphEstimate estimate;
   Measure(
     state, [] {},
@@ -116,11 +90,7 @@ void MeasureEstimate(benchmark::State& state, const GraphRecipe& recipe)
 
 void MeasureCache(benchmark::State& state, const GraphRecipe& recipe)
 {
-  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenBuiltGraph(recipe);
   Measure(
     state, [] {}, [&] { opened.Graph->PrepareSearch(); });
   state.counters["cache_bytes_per_edge"] =
@@ -130,11 +100,7 @@ void MeasureCache(benchmark::State& state, const GraphRecipe& recipe)
 
 void MeasureFirstQuery(benchmark::State& state, const GraphRecipe& recipe)
 {
-  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenBuiltGraph(recipe);
   dgg::GraphSeed seed;
   seed.Vertex = opened.Mesh->GetSource(0, 1);
   const dgg::SearchOptions options = QueryOptions(dgg::SearchMethod::Certified, true);
@@ -150,11 +116,7 @@ void MeasureFirstQuery(benchmark::State& state, const GraphRecipe& recipe)
 void MeasureQuery(benchmark::State& state, const GraphRecipe& recipe, dgg::SearchMethod method,
   bool correct, int k, int numberOfSources)
 {
-  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenBuiltGraph(recipe);
   dgg::GraphSeed seed;
   seed.Vertex = opened.Mesh->GetSource(k, numberOfSources);
   const dgg::SearchOptions options = QueryOptions(method, correct);
@@ -163,10 +125,7 @@ void MeasureQuery(benchmark::State& state, const GraphRecipe& recipe, dgg::Searc
   dgg::Status status = search.Run({ seed }, options, result); // not the first query
   Measure(
     state, [] {}, [&] { status = search.Run({ seed }, options, result); });
-  if (!Succeeded(state, status))
-  {
-    return;
-  }
+  Require(status);
   const double vertices = opened.Mesh->GetNumberOfVertices();
   state.counters["pops_per_vertex"] = static_cast<double>(result.NumberOfPops) / vertices;
   state.counters["relaxations_per_vertex"] =
@@ -177,11 +136,7 @@ void MeasureQuery(benchmark::State& state, const GraphRecipe& recipe, dgg::Searc
 void MeasureMany(
   benchmark::State& state, const GraphRecipe& recipe, int numberOfSources, int threads)
 {
-  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenBuiltGraph(recipe);
   std::vector<std::vector<dgg::GraphSeed>> sources;
   for (int k = 0; k < numberOfSources; ++k)
   {
@@ -200,10 +155,7 @@ void MeasureMany(
         [&](std::size_t source, const double* distances) { samples[source] = distances[0]; });
     },
     threads > 1 ? WallSeconds : CPUSeconds);
-  if (!Succeeded(state, status))
-  {
-    return;
-  }
+  Require(status);
   state.counters["sources"] = numberOfSources;
   state.counters["threads"] = threads;
 }

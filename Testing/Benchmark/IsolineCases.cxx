@@ -4,7 +4,6 @@
 
 #include "BenchmarkTools.h"
 #include "IsolineStatistics.h"
-#include "OpenedGraph.h"
 #include "PeerContour.h"
 #include "dggSourceFinding.h"
 
@@ -38,7 +37,7 @@ double TimeOf(const std::function<void()>& run)
 struct OpenedField
 {
   BenchmarkMesh* Mesh = nullptr;
-  const MeasuredField* Field = nullptr; ///< null with the state closed
+  const MeasuredField* Field = nullptr;
   const MeasuredField* Exact = nullptr;
   std::vector<double> Levels;
 };
@@ -58,31 +57,18 @@ std::vector<double> SpreadLevels(const std::vector<double>& distances, int count
   return levels;
 }
 
-OpenedField OpenField(benchmark::State& state, const IsolineRecipe& recipe)
+OpenedField OpenField(const IsolineRecipe& recipe)
 {
   OpenedField opened;
-  opened.Mesh = OpenMesh(state, recipe.Mesh);
-  if (!opened.Mesh)
-  {
-    return opened;
-  }
+  opened.Mesh = &OpenMesh(recipe.Mesh);
   const auto get = [&](FieldInput input) {
     return &GetMeasuredField(*opened.Mesh, recipe.Mesh.Name, input, recipe.Accuracy);
   };
   opened.Exact = get(FieldInput::Exact);
   opened.Field = get(recipe.Input);
-  for (const MeasuredField* field : { opened.Exact, opened.Field })
-  {
-    if (opened.Field && !field->GetError().empty())
-    {
-      state.SkipWithError(field->GetError().c_str());
-      opened.Field = nullptr;
-    }
-  }
-  if (opened.Field)
-  {
-    opened.Levels = SpreadLevels(opened.Exact->GetDistances(), recipe.Levels);
-  }
+  Require(opened.Exact->GetError());
+  Require(opened.Field->GetError());
+  opened.Levels = SpreadLevels(opened.Exact->GetDistances(), recipe.Levels);
   return opened;
 }
 
@@ -114,25 +100,19 @@ void MeasureLines(benchmark::State& state, const OpenedField& opened,
   dgg::Isolines lines;
   dgg::Status status;
   TimeTracing(state, opened, [&] { status = trace(lines); });
-  if (Succeeded(state, status))
-  {
-    const dgg::SurfaceMesh& surface = opened.Mesh->GetSurface();
-    state.counters["lines"] = static_cast<double>(lines.Lines.size());
-    state.counters["closed"] =
-      static_cast<double>(std::count(lines.IsClosed.begin(), lines.IsClosed.end(), true));
-    state.counters["fallbacks"] = static_cast<double>(lines.Fallbacks);
-    ReportErrorsOf(state, opened, ToSegments(surface, lines, opened.Levels));
-  }
+  Require(status);
+  const dgg::SurfaceMesh& surface = opened.Mesh->GetSurface();
+  state.counters["lines"] = static_cast<double>(lines.Lines.size());
+  state.counters["closed"] =
+    static_cast<double>(std::count(lines.IsClosed.begin(), lines.IsClosed.end(), true));
+  state.counters["fallbacks"] = static_cast<double>(lines.Fallbacks);
+  ReportErrorsOf(state, opened, ToSegments(surface, lines, opened.Levels));
 }
 }
 
 void MeasureInput(benchmark::State& state, const IsolineRecipe& recipe)
 {
-  const OpenedField opened = OpenField(state, recipe);
-  if (!opened.Field)
-  {
-    return;
-  }
+  const OpenedField opened = OpenField(recipe);
   for (auto unused : state)
   {
     (void)unused;
@@ -147,23 +127,16 @@ void MeasureInput(benchmark::State& state, const IsolineRecipe& recipe)
 
 void MeasureContour(benchmark::State& state, const IsolineRecipe& recipe)
 {
-  const OpenedField opened = OpenField(state, recipe);
-  if (opened.Field)
-  {
-    PeerContour peer(opened.Mesh->GetArrays(), opened.Field->GetDistances(), opened.Levels);
-    TimeTracing(state, opened, [&] { peer.Run(); });
-    ReportErrorsOf(state, opened, peer.GetSegments(opened.Mesh->GetSurface()));
-  }
+  const OpenedField opened = OpenField(recipe);
+  PeerContour peer(opened.Mesh->GetArrays(), opened.Field->GetDistances(), opened.Levels);
+  TimeTracing(state, opened, [&] { peer.Run(); });
+  ReportErrorsOf(state, opened, peer.GetSegments(opened.Mesh->GetSurface()));
 }
 
 void MeasureIsolines(
   benchmark::State& state, const IsolineRecipe& recipe, IsolineKind kind, double chord)
 {
-  const OpenedField opened = OpenField(state, recipe);
-  if (!opened.Field)
-  {
-    return;
-  }
+  const OpenedField opened = OpenField(recipe);
   const dgg::SurfaceMesh& surface = opened.Mesh->GetSurface();
   dgg::VirtualSources fitted;
   dgg::DistanceField field =
@@ -183,11 +156,7 @@ void MeasureIsolines(
 
 void MeasureApollonius(benchmark::State& state, const IsolineRecipe& recipe, int steinerPoints)
 {
-  const OpenedField opened = OpenField(state, recipe);
-  if (!opened.Field)
-  {
-    return;
-  }
+  const OpenedField opened = OpenField(recipe);
   const dgg::DistanceField field = opened.Field->WithSources();
   dgg::IsolineOptions options;
   options.Method = dgg::IsolineMethod::Apollonius;

@@ -3,7 +3,6 @@
 #include "LoopCases.h"
 
 #include "BenchmarkTools.h"
-#include "OpenedGraph.h"
 #include "SampleStatistics.h"
 #include "dggHandleLoops.h"
 #include "dggLoopFinder.h"
@@ -82,48 +81,38 @@ struct LoopRuns
 
   void Report(benchmark::State& state, const BenchmarkMesh& mesh, const LoopCount& loops) const
   {
-    if (Succeeded(state, this->Status))
-    {
-      ReportMesh(state, mesh);
-      state.counters["runs"] = static_cast<double>(this->Seconds.GetCount());
-      state.counters["ms_max"] = 1e3 * this->Seconds.GetMaximum();
-      loops.Report(state);
-    }
+    Require(this->Status);
+    ReportMesh(state, mesh);
+    state.counters["runs"] = static_cast<double>(this->Seconds.GetCount());
+    state.counters["ms_max"] = 1e3 * this->Seconds.GetMaximum();
+    loops.Report(state);
   }
 };
 }
 
 void MeasureAroundHandles(benchmark::State& state, const MeshRecipe& recipe)
 {
-  const BenchmarkMesh* mesh = OpenMesh(state, recipe);
-  if (!mesh)
-  {
-    return;
-  }
+  const BenchmarkMesh& mesh = OpenMesh(recipe);
   LoopRuns runs;
-  LoopCount loops(*mesh);
+  LoopCount loops(mesh);
   for (auto unused : state)
   {
     (void)unused;
     for (int k = 0; k < Repetitions; ++k)
     {
       std::vector<dgg::FoundLoop> found;
-      runs.Run([&] { return dgg::FindHandleLoops(mesh->GetSurface(), nullptr, found); });
+      runs.Run([&] { return dgg::FindHandleLoops(mesh.GetSurface(), nullptr, found); });
       std::for_each(
         found.begin(), found.end(), [&](const dgg::FoundLoop& loop) { loops.Add(loop); });
     }
     state.SetIterationTime(runs.Seconds.GetQuantile(0.5));
   }
-  runs.Report(state, *mesh, loops);
+  runs.Report(state, mesh, loops);
 }
 
 void MeasureThroughPoint(benchmark::State& state, const GraphRecipe& recipe, int points, bool taut)
 {
-  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenBuiltGraph(recipe);
   const dgg::LoopFinder finder(opened.Mesh->GetSurface(), opened.Graph->GetSearch(),
     &opened.Graph->GetBuilder(), opened.Mesh->GetArrays().Points.data());
   LoopRuns runs;

@@ -56,42 +56,31 @@ ErrorStatistics CheckFirstRow(const BenchmarkMesh& mesh, const dgg::SurfacePoint
 void MeasureMatrix(
   benchmark::State& state, const MeshRecipe& recipe, double accuracy, int size, int threads)
 {
-  BenchmarkMesh* mesh = OpenMesh(state, recipe);
-  if (!mesh)
-  {
-    return;
-  }
-  const dgg::SurfaceMesh& surface = mesh->GetSurface();
+  BenchmarkMesh& mesh = OpenMesh(recipe);
+  const dgg::SurfaceMesh& surface = mesh.GetSurface();
   const auto rows = RandomPoints(surface, size, false, RowSeed);
   const auto columns = RandomPoints(surface, size, false, ColumnSeed);
   vtkSMPTools::Initialize(threads);
   vtkNew<vtkGeodesicDistanceMatrix> filter;
-  filter->SetInputData(mesh->GetPolyData());
+  filter->SetInputData(mesh.GetPolyData());
   filter->SetAccuracy(accuracy);
   filter->SetUnreachedValue(dgg::Infinity);
   filter->GenerateTableOff();
   // Builds the graph and what links points to it.
-  filter->SetRowData(ToPolyData(*mesh, { rows[0] }));
-  filter->SetColumnData(ToPolyData(*mesh, { columns[0] }));
+  filter->SetRowData(ToPolyData(mesh, { rows[0] }));
+  filter->SetColumnData(ToPolyData(mesh, { columns[0] }));
   filter->Update();
   const vtkMTimeType built = filter->GetGraphBuildTime();
-  filter->SetRowData(ToPolyData(*mesh, rows));
-  filter->SetColumnData(ToPolyData(*mesh, columns));
+  filter->SetRowData(ToPolyData(mesh, rows));
+  filter->SetColumnData(ToPolyData(mesh, columns));
   Measure(
     state, [&] { filter->Modified(); }, [&] { filter->Update(); }, WallSeconds);
   vtkSMPTools::Initialize();
-  if (filter->GetMatrix()->GetNumberOfTuples() != size || filter->GetGraphBuildTime() != built)
-  {
-    state.SkipWithError("no matrix, or the graph was built again");
-    return;
-  }
-  const ErrorStatistics errors = CheckFirstRow(*mesh, rows[0], columns, filter->GetMatrix());
-  if (errors.IsEmpty())
-  {
-    state.SkipWithError("no column is reached from the first row");
-    return;
-  }
-  ReportMesh(state, *mesh);
+  Require(filter->GetMatrix()->GetNumberOfTuples() == size && filter->GetGraphBuildTime() == built,
+    "no matrix, or the graph was built again");
+  const ErrorStatistics errors = CheckFirstRow(mesh, rows[0], columns, filter->GetMatrix());
+  Require(!errors.IsEmpty(), "no column is reached from the first row");
+  ReportMesh(state, mesh);
   state.counters["size"] = size;
   state.counters["threads"] = threads;
   state.counters["error_mean"] = errors.Mean;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasuredCloud.h"
 
-#include "ThreadedLoop.h"
+#include "BenchmarkTools.h"
 #include "dggExactGeodesics.h"
 #include "dggSurfacePath.h"
 

@@ -3,36 +3,26 @@
 #include "OpenedSolver.h"
 
 #include "BenchmarkTools.h"
-#include "OpenedGraph.h"
 
 #include <memory>
-#include <string>
 
-OpenedSolver OpenSolver(benchmark::State& state, const MeshRecipe& recipe)
+OpenedSolver OpenSolver(const MeshRecipe& recipe)
 {
   static std::unique_ptr<dgg::PoissonSolver> kept;
   static std::string name;
-  OpenedSolver opened;
   if (kept && name != recipe.Name)
   {
     kept.reset(); // before its mesh goes, and the next one needs the memory
   }
-  opened.Mesh = OpenMesh(state, recipe);
-  if (!opened.Mesh)
-  {
-    return opened;
-  }
+  BenchmarkMesh& mesh = OpenMesh(recipe);
   if (!kept)
   {
-    kept = std::make_unique<dgg::PoissonSolver>(opened.Mesh->GetSurface());
+    auto solver = std::make_unique<dgg::PoissonSolver>(mesh.GetSurface());
+    Require(solver->Prepare({}, nullptr));
+    kept = std::move(solver);
     name = recipe.Name;
-    if (!Succeeded(state, kept->Prepare({}, nullptr)))
-    {
-      kept.reset();
-    }
   }
-  opened.Solver = kept.get();
-  return opened;
+  return { &mesh, kept.get() };
 }
 
 std::vector<double> UnitLoad(const dgg::PoissonSolver& solver, dgg::Id vertex)
@@ -56,4 +46,32 @@ dgg::Status FindColumn(
     status = solver.Solve(values);
   }
   return status;
+}
+
+const std::vector<GreensWay>& GetGreensWays()
+{
+  using dgg::GreensMethod;
+  static const std::vector<GreensWay> ways = {
+    { "SingularitySubtraction", GreensMethod::SingularitySubtraction, false },
+    { "RegularPart", GreensMethod::SingularitySubtraction, true },
+    { "Localized", GreensMethod::Localized, false },
+    { "Interpolated", GreensMethod::Interpolated, false },
+    { "Vertex", GreensMethod::Vertex, false },
+  };
+  return ways;
+}
+
+MeasuredGreens::MeasuredGreens(const dgg::PoissonSolver& solver, const GreensWay& way)
+  : Way(way)
+  , Function(solver)
+  , Interpolation(solver)
+{
+}
+
+dgg::Status MeasuredGreens::Run(const dgg::SurfacePoint& pole, dgg::GreensResult& result)
+{
+  dgg::GreensQuery query;
+  query.Method = this->Way.Method;
+  return this->Way.IsInterpolation ? this->Interpolation.Run(pole, query, result)
+                                   : this->Function.Run(pole, query, result);
 }

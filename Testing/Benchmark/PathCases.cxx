@@ -3,9 +3,7 @@
 #include "PathCases.h"
 
 #include "BenchmarkTools.h"
-#include "OpenedGraph.h"
 #include "PathStatistics.h"
-#include "ThreadedLoop.h"
 #include "dggExactPath.h"
 
 #include <algorithm>
@@ -44,19 +42,11 @@ dgg::Id WalkAlongEdges(const dgg::SurfaceMesh& mesh, dgg::Id v)
 
 void MeasureGraphOfPaths(benchmark::State& state, const GraphRecipe& recipe, int threads)
 {
-  const OpenedGraph opened = OpenGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenGraph(recipe);
   MeasuredGraph& graph = *opened.Graph;
   Measure(
     state, [&] { graph.Clear(); }, [&] { graph.Build(ThreadedLoop(threads)); }, WallSeconds);
-  if (!graph.GetError().empty())
-  {
-    state.SkipWithError(graph.GetError().c_str());
-    return;
-  }
+  Require(graph.GetError());
   ReportMesh(state, *opened.Mesh);
   state.counters["threads"] = threads;
   state.counters["graph_bytes"] = static_cast<double>(graph.GetGraph().GetMemorySize());
@@ -65,11 +55,7 @@ void MeasureGraphOfPaths(benchmark::State& state, const GraphRecipe& recipe, int
 
 void MeasureLandmarks(benchmark::State& state, const GraphRecipe& recipe, int threads)
 {
-  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenBuiltGraph(recipe);
   dgg::GraphSearch search(opened.Graph->GetGraph().View(), &opened.Mesh->GetSurface());
   // What the first query prepares is not part of the landmarks.
   dgg::SearchResult result;
@@ -78,20 +64,14 @@ void MeasureLandmarks(benchmark::State& state, const GraphRecipe& recipe, int th
   Measure(
     state, [] {}, [&] { status = search.PrepareLandmarks(ThreadedLoop(threads), nullptr); },
     WallSeconds);
-  if (Succeeded(state, status))
-  {
-    state.counters["threads"] = threads;
-    state.counters["landmark_bytes"] = static_cast<double>(search.GetMemorySize() - before);
-  }
+  Require(status);
+  state.counters["threads"] = threads;
+  state.counters["landmark_bytes"] = static_cast<double>(search.GetMemorySize() - before);
 }
 
 void MeasureFirstPath(benchmark::State& state, const GraphRecipe& recipe, const PairRecipe& pairs)
 {
-  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenBuiltGraph(recipe);
   const dgg::SurfaceMesh& surface = opened.Mesh->GetSurface();
   const MeasuredPairs& measured = opened.Mesh->GetPairs(pairs);
   dgg::Status status;
@@ -105,17 +85,13 @@ void MeasureFirstPath(benchmark::State& state, const GraphRecipe& recipe, const 
       dgg::FoundPath found;
       status = finder.Find(measured.GetStart(0), measured.GetEnd(0), {}, found);
     });
-  Succeeded(state, status);
+  Require(status);
 }
 
 void MeasurePaths(benchmark::State& state, const GraphRecipe& recipe, const PairRecipe& pairs,
   const dgg::PathOptions& options, bool withLandmarks)
 {
-  const OpenedGraph opened = OpenBuiltGraph(state, recipe);
-  if (!opened.Graph)
-  {
-    return;
-  }
+  const OpenedGraph opened = OpenBuiltGraph(recipe);
   const dgg::SurfaceMesh& surface = opened.Mesh->GetSurface();
   MeasuredPairs& measured = opened.Mesh->GetPairs(pairs);
   const std::vector<double>& exact = measured.GetExactDistances();
@@ -140,35 +116,25 @@ void MeasurePaths(benchmark::State& state, const GraphRecipe& recipe, const Pair
     }
     state.SetIterationTime(sum / static_cast<double>(measured.GetCount()));
   }
-  if (Succeeded(state, status))
-  {
-    ReportMesh(state, *opened.Mesh);
-    statistics.Report(state);
-  }
+  Require(status);
+  ReportMesh(state, *opened.Mesh);
+  statistics.Report(state);
 }
 
 void MeasureExactPairs(benchmark::State& state, const MeshRecipe& recipe, const PairRecipe& pairs)
 {
-  BenchmarkMesh* mesh = OpenMesh(state, recipe);
-  if (!mesh)
-  {
-    return;
-  }
+  BenchmarkMesh& mesh = OpenMesh(recipe);
   for (auto unused : state)
   {
     (void)unused;
-    state.SetIterationTime(mesh->GetPairs(pairs).GetExactSeconds());
+    state.SetIterationTime(mesh.GetPairs(pairs).GetExactSeconds());
   }
 }
 
 void MeasureShortPaths(benchmark::State& state, const MeshRecipe& recipe, bool isKept)
 {
-  BenchmarkMesh* mesh = OpenMesh(state, recipe);
-  if (!mesh)
-  {
-    return;
-  }
-  const dgg::SurfaceMesh& surface = mesh->GetSurface();
+  BenchmarkMesh& mesh = OpenMesh(recipe);
+  const dgg::SurfaceMesh& surface = mesh.GetSurface();
   const dgg::Id step = std::max<dgg::Id>(1, surface.GetNumberOfVertices() / NumberOfShortPaths);
   auto finder = std::make_unique<dgg::ExactPathFinder>(surface);
   std::vector<dgg::SurfacePath> paths;
@@ -192,22 +158,16 @@ void MeasureShortPaths(benchmark::State& state, const MeshRecipe& recipe, bool i
     }
     state.SetIterationTime(sum / count);
   }
-  if (Succeeded(state, status))
-  {
-    ReportMesh(state, *mesh);
-  }
+  Require(status);
+  ReportMesh(state, mesh);
 }
 
 void MeasureEdgePaths(benchmark::State& state, const MeshRecipe& recipe, const PairRecipe& pairs)
 {
-  BenchmarkMesh* mesh = OpenMesh(state, recipe);
-  if (!mesh)
-  {
-    return;
-  }
-  MeasuredPairs& measured = mesh->GetPairs(pairs);
+  BenchmarkMesh& mesh = OpenMesh(recipe);
+  MeasuredPairs& measured = mesh.GetPairs(pairs);
   const std::vector<double>& exact = measured.GetExactDistances();
-  PeerVTK& peer = mesh->GetPeerVTK();
+  PeerVTK& peer = mesh.GetPeerVTK();
   PathStatistics statistics;
   for (auto unused : state)
   {
@@ -227,6 +187,6 @@ void MeasureEdgePaths(benchmark::State& state, const MeshRecipe& recipe, const P
     }
     state.SetIterationTime(sum / static_cast<double>(measured.GetCount()));
   }
-  ReportMesh(state, *mesh);
+  ReportMesh(state, mesh);
   statistics.Report(state);
 }

@@ -3,7 +3,6 @@
 #include "PoissonPeerCases.h"
 
 #include "BenchmarkTools.h"
-#include "OpenedGraph.h"
 #include "OpenedSolver.h"
 
 #include <algorithm>
@@ -71,28 +70,20 @@ std::vector<PoissonPeer> ListPoissonPeers()
 
 void MeasurePeerFactor(benchmark::State& state, const MeshRecipe& recipe, const PoissonPeer& peer)
 {
-  const BenchmarkMesh* mesh = OpenMesh(state, recipe);
-  if (!mesh)
-  {
-    return;
-  }
+  const BenchmarkMesh& mesh = OpenMesh(recipe);
   bool isPrepared = false;
   std::unique_ptr<PeerPoisson> solver;
   Measure(
     state,
     [&] {
       solver.reset();
-      solver = peer.Make(mesh->GetArrays());
+      solver = peer.Make(mesh.GetArrays());
     },
     [&] { isPrepared = solver->Prepare(); });
-  if (!isPrepared)
-  {
-    state.SkipWithError(Refusal);
-    return;
-  }
-  ReportMesh(state, *mesh);
+  Require(isPrepared, Refusal);
+  ReportMesh(state, mesh);
   solver.reset();
-  solver = peer.Make(mesh->GetArrays());
+  solver = peer.Make(mesh.GetArrays());
   const MemoryProbe probe;
   solver->Prepare();
   state.counters["peak_bytes"] = static_cast<double>(probe.GetHeapPeak());
@@ -101,11 +92,7 @@ void MeasurePeerFactor(benchmark::State& state, const MeshRecipe& recipe, const 
 void MeasurePeerColumn(benchmark::State& state, const MeshRecipe& recipe, const PoissonPeer& peer,
   int k, int numberOfSources)
 {
-  const OpenedSolver opened = OpenSolver(state, recipe);
-  if (!opened.Solver)
-  {
-    return;
-  }
+  const OpenedSolver opened = OpenSolver(recipe);
   PeerPoisson* solver = GetPrepared(recipe, *opened.Mesh, peer);
   const dgg::Id source = opened.Mesh->GetSource(k, numberOfSources);
   std::vector<double> sources;
@@ -117,15 +104,9 @@ void MeasurePeerColumn(benchmark::State& state, const MeshRecipe& recipe, const 
   bool isSolved = solver != nullptr;
   Measure(
     state, [&] { theirs.clear(); }, [&] { isSolved = isSolved && solver->Solve(sources, theirs); });
-  if (!isSolved)
-  {
-    state.SkipWithError(Refusal);
-    return;
-  }
+  Require(isSolved, Refusal);
   std::vector<double> ours;
-  if (Succeeded(state, FindColumn(*opened.Solver, source, peer.Power, ours)))
-  {
-    ReportMesh(state, *opened.Mesh);
-    state.counters["difference"] = DifferenceOf(*opened.Solver, ours, theirs);
-  }
+  Require(FindColumn(*opened.Solver, source, peer.Power, ours));
+  ReportMesh(state, *opened.Mesh);
+  state.counters["difference"] = DifferenceOf(*opened.Solver, ours, theirs);
 }

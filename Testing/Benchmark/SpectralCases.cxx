@@ -3,7 +3,6 @@
 #include "SpectralCases.h"
 
 #include "BenchmarkTools.h"
-#include "OpenedGraph.h"
 #include "OpenedSolver.h"
 #include "dggEarthMovers.h"
 #include "dggEigenpairs.h"
@@ -19,17 +18,13 @@ constexpr unsigned int PointSeed = 20190525u;
 
 void MeasureFactor(benchmark::State& state, const MeshRecipe& recipe)
 {
-  const BenchmarkMesh* mesh = OpenMesh(state, recipe);
-  if (!mesh)
-  {
-    return;
-  }
+  const BenchmarkMesh& mesh = OpenMesh(recipe);
   std::unique_ptr<dgg::PoissonSolver> solver;
   dgg::Status status;
   double analysis = 0.0;
   const auto prepare = [&] {
     const double start = CPUSeconds();
-    solver = std::make_unique<dgg::PoissonSolver>(mesh->GetSurface());
+    solver = std::make_unique<dgg::PoissonSolver>(mesh.GetSurface());
     status = solver->Prepare({}, nullptr, [&](double, double) {
       analysis = CPUSeconds() - start;
       return dgg::Status::Success();
@@ -37,11 +32,8 @@ void MeasureFactor(benchmark::State& state, const MeshRecipe& recipe)
   };
   Measure(
     state, [&] { solver.reset(); }, prepare);
-  if (!Succeeded(state, status))
-  {
-    return;
-  }
-  ReportMesh(state, *mesh);
+  Require(status);
+  ReportMesh(state, mesh);
   state.counters["analysis_seconds"] = analysis;
   state.counters["factor_entries"] = static_cast<double>(solver->GetNumberOfFactorEntries());
   // Memory in a run of its own. What is predicted is for the factorization, when the rest is known.
@@ -49,7 +41,7 @@ void MeasureFactor(benchmark::State& state, const MeshRecipe& recipe)
   const MemoryProbe probe;
   std::size_t analyzed = 0;
   std::optional<MemoryProbe> later;
-  solver = std::make_unique<dgg::PoissonSolver>(mesh->GetSurface());
+  solver = std::make_unique<dgg::PoissonSolver>(mesh.GetSurface());
   solver->Prepare({}, nullptr, [&](double bytes, double) {
     state.counters["analysis_bytes"] = static_cast<double>(probe.GetHeapPeak());
     state.counters["predicted_bytes"] = bytes;
@@ -62,30 +54,20 @@ void MeasureFactor(benchmark::State& state, const MeshRecipe& recipe)
 
 void MeasureColumn(benchmark::State& state, const MeshRecipe& recipe, int k, int numberOfSources)
 {
-  const OpenedSolver opened = OpenSolver(state, recipe);
-  if (!opened.Solver)
-  {
-    return;
-  }
+  const OpenedSolver opened = OpenSolver(recipe);
   const std::vector<double> load =
     UnitLoad(*opened.Solver, opened.Mesh->GetSource(k, numberOfSources));
   std::vector<double> values;
   dgg::Status status;
   Measure(
     state, [&] { values = load; }, [&] { status = opened.Solver->Solve(values); });
-  if (Succeeded(state, status))
-  {
-    ReportMesh(state, *opened.Mesh);
-  }
+  Require(status);
+  ReportMesh(state, *opened.Mesh);
 }
 
 void MeasureColumnBlock(benchmark::State& state, const MeshRecipe& recipe)
 {
-  const OpenedSolver opened = OpenSolver(state, recipe);
-  if (!opened.Solver)
-  {
-    return;
-  }
+  const OpenedSolver opened = OpenSolver(recipe);
   constexpr int Count = dgg::GreensFunction::PolesInBlock;
   const dgg::GreensFunction function(*opened.Solver);
   std::vector<dgg::SurfacePoint> poles;
@@ -99,21 +81,15 @@ void MeasureColumnBlock(benchmark::State& state, const MeshRecipe& recipe)
   dgg::Status status;
   Measure(
     state, [&] { results.clear(); }, [&] { status = function.Run(poles, query, results); });
-  if (Succeeded(state, status))
-  {
-    ReportMesh(state, *opened.Mesh);
-    state.counters["columns"] = Count;
-  }
+  Require(status);
+  ReportMesh(state, *opened.Mesh);
+  state.counters["columns"] = Count;
 }
 
 void MeasureGreens(benchmark::State& state, const MeshRecipe& recipe, const GreensWay& way, int k,
   int numberOfSources)
 {
-  const OpenedSolver opened = OpenSolver(state, recipe);
-  if (!opened.Solver)
-  {
-    return;
-  }
+  const OpenedSolver opened = OpenSolver(recipe);
   const dgg::SurfaceMesh& surface = opened.Mesh->GetSurface();
   const dgg::SurfacePoint pole = RandomPoints(surface, numberOfSources, false, PointSeed)[k];
   MeasuredGreens greens(*opened.Solver, way);
@@ -123,10 +99,7 @@ void MeasureGreens(benchmark::State& state, const MeshRecipe& recipe, const Gree
   const double first = CPUSeconds() - start;
   Measure(
     state, [] {}, [&] { status = greens.Run(pole, result); });
-  if (!Succeeded(state, status))
-  {
-    return;
-  }
+  Require(status);
   ReportMesh(state, *opened.Mesh);
   state.counters["first_seconds"] = first;
   state.counters["radius_in_edges"] = result.Radius / surface.GetMeanEdgeLength();
@@ -137,50 +110,34 @@ void MeasureGreens(benchmark::State& state, const MeshRecipe& recipe, const Gree
 void MeasureBiharmonicColumn(
   benchmark::State& state, const MeshRecipe& recipe, int k, int numberOfSources)
 {
-  const OpenedSolver opened = OpenSolver(state, recipe);
-  if (!opened.Solver)
-  {
-    return;
-  }
+  const OpenedSolver opened = OpenSolver(recipe);
   dgg::Status status;
   const dgg::Id source = opened.Mesh->GetSource(k, numberOfSources);
   std::vector<double> values;
   Measure(
     state, [&] { values.clear(); },
     [&] { status = FindColumn(*opened.Solver, source, 2, values); });
-  if (Succeeded(state, status))
-  {
-    ReportMesh(state, *opened.Mesh);
-  }
+  Require(status);
+  ReportMesh(state, *opened.Mesh);
 }
 
 void MeasureEigenpairs(benchmark::State& state, const MeshRecipe& recipe, int count)
 {
-  const OpenedSolver opened = OpenSolver(state, recipe);
-  if (!opened.Solver)
-  {
-    return;
-  }
+  const OpenedSolver opened = OpenSolver(recipe);
   dgg::Eigenpairs pairs;
   dgg::Status status;
   Measure(
     state, [&] { pairs = dgg::Eigenpairs(); },
     [&] { status = dgg::FindEigenpairs(*opened.Solver, count, nullptr, pairs); });
-  if (Succeeded(state, status))
-  {
-    ReportMesh(state, *opened.Mesh);
-    state.counters["pairs"] = pairs.GetCount();
-    state.counters["complete"] = pairs.IsComplete ? 1.0 : 0.0;
-  }
+  Require(status);
+  ReportMesh(state, *opened.Mesh);
+  state.counters["pairs"] = pairs.GetCount();
+  state.counters["complete"] = pairs.IsComplete ? 1.0 : 0.0;
 }
 
 void MeasureEarthMovers(benchmark::State& state, const MeshRecipe& recipe)
 {
-  const OpenedSolver opened = OpenSolver(state, recipe);
-  if (!opened.Solver)
-  {
-    return;
-  }
+  const OpenedSolver opened = OpenSolver(recipe);
   const dgg::Id here = opened.Mesh->GetSource(0, 2);
   const dgg::Id there = opened.Mesh->GetSource(1, 2);
   const std::vector<double> from = UnitLoad(*opened.Solver, here);
@@ -196,13 +153,11 @@ void MeasureEarthMovers(benchmark::State& state, const MeshRecipe& recipe)
       status = movers.Run(from, to, {}, result);
       peak = probe.GetHeapPeak();
     });
-  if (Succeeded(state, status))
-  {
-    ReportMesh(state, *opened.Mesh);
-    state.counters["iterations"] = result.Iterations;
-    state.counters["gap"] = (result.Distance - result.LowerBound) / result.Distance;
-    state.counters["per_geodesic"] = result.Distance / opened.Mesh->GetExactDistances(here)[there];
-    state.counters["heap_bytes_per_vertex"] =
-      static_cast<double>(peak) / opened.Mesh->GetNumberOfVertices();
-  }
+  Require(status);
+  ReportMesh(state, *opened.Mesh);
+  state.counters["iterations"] = result.Iterations;
+  state.counters["gap"] = (result.Distance - result.LowerBound) / result.Distance;
+  state.counters["per_geodesic"] = result.Distance / opened.Mesh->GetExactDistances(here)[there];
+  state.counters["heap_bytes_per_vertex"] =
+    static_cast<double>(peak) / opened.Mesh->GetNumberOfVertices();
 }

@@ -5,8 +5,8 @@
 #ifndef SpectralCases_h
 #define SpectralCases_h
 
-#include "BenchmarkMesh.h"  // for MeshRecipe
-#include "MeasuredGreens.h" // for GreensWay
+#include "BenchmarkMesh.h" // for MeshRecipe
+#include "OpenedSolver.h"  // for GreensWay
 
 #include <benchmark/benchmark.h> // for State
 

@@ -3,6 +3,7 @@
 """What all tables of benchmark results share: reading JSON, and writing figures in Markdown."""
 
 import json
+import math
 import statistics
 import sys
 
@@ -141,6 +142,40 @@ def table(header, rows):
     lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
     lines += ["| " + " | ".join(row) + " |" for row in rows]
     return "\n".join(lines) + "\n"
+
+
+def tabulate(columns, rows):
+    """A table of columns (title, function of a row); each row is a tuple of arguments."""
+    header = [title for title, _ in columns]
+    return table(header, [[cell(*row) for _, cell in columns] for row in rows])
+
+
+def figure(case, key="seconds", form=None):
+    """A column's function of (..., cases): what was measured of a case, in words."""
+    form = form or (time_text if key == "seconds" else number)
+    return lambda *row: form(median(row[-1].get(case), key))
+
+
+def in_form(form):
+    """A number in a format, with a dash for None."""
+    return lambda value: text(value, form)
+
+
+def nested(root, *keys):
+    """The innermost of dictionaries in each other, made where there is none."""
+    for key in keys:
+        root = root.setdefault(key, {})
+    return root
+
+
+def slope(points):
+    """Of the least-squares line through (log x, log y); None for less than two points."""
+    if len(points) < 2:
+        return None
+    xs, ys = ([math.log(value) for value in values] for values in zip(*points))
+    x_mean, y_mean = statistics.fmean(xs), statistics.fmean(ys)
+    products = sum((x - x_mean) * (y - y_mean) for x, y in zip(xs, ys))
+    return products / sum((x - x_mean) ** 2 for x in xs)
 
 
 def titled(run, makers):

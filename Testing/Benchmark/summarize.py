@@ -9,18 +9,20 @@ Every figure is the median over the sources of a mesh, measured in one run. Rati
 engine T. The exponents of growth are least-squares lines through log(figure) over log(vertices).
 """
 
-import math
 import re
-import statistics
 
 from benchmark_results import (
+    DASH,
     collect,
     count_text,
+    figure,
     load,
     median,
+    nested,
     run_as_script,
     seconds_text,
-    table,
+    slope,
+    tabulate,
 )
 
 NAME = re.compile(
@@ -36,99 +38,88 @@ def read(path):
     for entry in results:
         match = NAME.match(entry["name"])
         if match:
-            cases = groups[match["group"]].setdefault(match["mesh"], {})
-            collect(entry, cases.setdefault(match["case"], {}))
+            collect(entry, nested(groups[match["group"]], match["mesh"], match["case"]))
     return context, groups
 
 
+def peer_text(cases, peer):
+    ours, theirs = (median(cases.get(case), "seconds") for case in ("T", peer))
+    return DASH if theirs is None else f"{theirs / ours:.3g}x ({seconds_text(theirs)})"
+
+
+def windows_text(cases):
+    seconds, windows = (median(cases["T"], key) for key in ("seconds", "windows"))
+    return f"{count_text(windows)} x {1e9 * seconds / windows:.0f} ns"
+
+
 def time_table(meshes, peers):
-    rows = []
-    for mesh, cases in meshes.items():
-        ours = median(cases.get("T"), "seconds")
-        if ours is None:
-            continue
-        windows = median(cases["T"], "windows")
-        row = [
-            mesh,
-            count_text(median(cases["T"], "vertices")),
-            seconds_text(ours),
-            f"{count_text(windows)} x {1e9 * ours / windows:.0f} ns",
-        ]
-        for peer in peers:
-            theirs = median(cases.get(peer), "seconds")
-            row.append("–" if theirs is None else f"{theirs / ours:.3g}x ({seconds_text(theirs)})")
-        rows.append(row)
-    header = ["mesh", "vertices", "engine T", "windows"] + [TITLES[peer] for peer in peers]
-    return table(header, rows)
+    columns = [
+        ("mesh", lambda mesh, _: mesh),
+        ("vertices", figure("T", "vertices", count_text)),
+        ("engine T", figure("T")),
+        ("windows", lambda _, cases: windows_text(cases)),
+    ]
+    columns += [
+        (TITLES[peer], lambda _, cases, peer=peer: peer_text(cases, peer)) for peer in peers
+    ]
+    return tabulate(columns, [item for item in meshes.items() if "T" in item[1]])
 
 
 def memory_table(meshes, peers):
-    rows = []
-    for mesh, cases in meshes.items():
-        own_mesh = median(cases.get("SetUp"), "mesh_bytes_per_vertex")
-        row = [mesh, "–" if own_mesh is None else f"{own_mesh:.0f}"]
-        for case in ["T"] + peers:
-            peak = median(cases.get(case), "heap_bytes_per_vertex")
-            row.append("–" if peak is None else f"{peak:.0f}")
-        rows.append(row)
-    return table(["mesh", "our mesh", "engine T"] + [TITLES[peer] for peer in peers], rows)
+    columns = [
+        ("mesh", lambda mesh, _: mesh),
+        ("our mesh", figure("SetUp", "mesh_bytes_per_vertex")),
+        ("engine T", figure("T", "heap_bytes_per_vertex")),
+    ]
+    columns += [(TITLES[peer], figure(peer, "heap_bytes_per_vertex")) for peer in peers]
+    return tabulate(columns, meshes.items())
 
 
 def error_table(meshes, peers):
-    rows = []
-    for mesh, cases in meshes.items():
-        for peer in peers:
-            figures = cases.get(peer)
-            if median(figures, "error_max") is not None:
-                rows.append(
-                    [mesh, TITLES[peer]]
-                    + [
-                        f"{median(figures, key):.2g}"
-                        for key in ("error_mean", "error_p999", "error_max")
-                    ]
-                )
-    return table(["mesh", "against engine T", "mean", "99.9 %", "max"], rows)
+    def error(key):
+        return lambda _, peer, cases: f"{median(cases[peer], key):.2g}"
 
-
-def exponent(points):
-    """Slope of the least-squares line through (log x, log y)."""
-    xs = [math.log(x) for x, _ in points]
-    ys = [math.log(y) for _, y in points]
-    x_mean = statistics.fmean(xs)
-    y_mean = statistics.fmean(ys)
-    return sum((x - x_mean) * (y - y_mean) for x, y in zip(xs, ys)) / sum(
-        (x - x_mean) ** 2 for x in xs
-    )
+    columns = [
+        ("mesh", lambda mesh, *_: mesh),
+        ("against engine T", lambda _, peer, cases: TITLES[peer]),
+        ("mean", error("error_mean")),
+        ("99.9 %", error("error_p999")),
+        ("max", error("error_max")),
+    ]
+    rows = [
+        (mesh, peer, cases)
+        for mesh, cases in meshes.items()
+        for peer in peers
+        if median(cases.get(peer), "error_max") is not None
+    ]
+    return tabulate(columns, rows)
 
 
 def growth_table(meshes):
-    rows = []
-    seconds = []
-    windows = []
-    for mesh, cases in meshes.items():
-        figures = cases.get("T")
-        if not figures:
-            continue
-        vertices = median(figures, "vertices")
-        seconds.append((vertices, median(figures, "seconds")))
-        windows.append((vertices, median(figures, "windows")))
-        peak = median(figures, "heap_bytes_per_vertex")
-        rows.append(
-            [
-                mesh,
-                f"{vertices:.0f}",
-                seconds_text(seconds[-1][1]),
-                f"{windows[-1][1] / vertices:.0f}",
-                f"{1e9 * seconds[-1][1] / windows[-1][1]:.0f}",
-                "–" if peak is None else f"{peak:.0f}",
-            ]
+    def ratio(key, other, factor=1.0):
+        def make(_, cases):
+            return f"{factor * median(cases['T'], key) / median(cases['T'], other):.0f}"
+
+        return make
+
+    columns = [
+        ("mesh", lambda mesh, _: mesh),
+        ("vertices", figure("T", "vertices")),
+        ("engine T", figure("T")),
+        ("windows per vertex", ratio("windows", "vertices")),
+        ("ns per window", ratio("seconds", "windows", 1e9)),
+        ("peak B/vertex", figure("T", "heap_bytes_per_vertex")),
+    ]
+    rows = [item for item in meshes.items() if item[1].get("T")]
+    text = tabulate(columns, rows)
+    if len(rows) > 1:
+        time, windows = (
+            slope([(median(cases["T"], "vertices"), median(cases["T"], key)) for _, cases in rows])
+            for key in ("seconds", "windows")
         )
-    header = ["mesh", "vertices", "engine T", "windows per vertex", "ns per window", "peak B/vertex"]
-    text = table(header, rows)
-    if len(seconds) > 1:
         text += (
-            f"\nLeast squares over {len(seconds)} sizes: time grows as n^{exponent(seconds):.2f}, "
-            f"windows as n^{exponent(windows):.2f}.\n"
+            f"\nLeast squares over {len(rows)} sizes: time grows as n^{time:.2f}, "
+            f"windows as n^{windows:.2f}.\n"
         )
     return text
 

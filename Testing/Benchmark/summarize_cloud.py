@@ -17,12 +17,15 @@ from benchmark_results import (
     collect,
     environment,
     errors_text,
+    figure,
     first_median,
     folded,
+    in_form,
     largest,
     load,
     mean,
     median,
+    nested,
     number,
     peak_text,
     percent,
@@ -30,8 +33,7 @@ from benchmark_results import (
     ratio_text,
     run_as_script,
     size_text,
-    table,
-    text,
+    tabulate,
     time_text,
     titled,
 )
@@ -89,13 +91,11 @@ class Run:
             if not match:
                 continue
             if match["group"] == "Curve":
-                cases = self.curves.setdefault(match["cloud"], {}).setdefault(match["graph"], {})
-                cases = cases.setdefault(match["parameter"], {})
-                cases = cases.setdefault(float(match["value"]), {})
+                values = nested(self.curves, *match.group("cloud", "graph", "parameter"))
+                cases = nested(values, float(match["value"]))
             else:
-                clouds = self.groups[match["group"]]
-                cases = clouds.setdefault(match["cloud"], {}).setdefault(match["graph"], {})
-            collect(entry, cases.setdefault(match["case"], {}))
+                cases = nested(self.groups, *match.group("group", "cloud", "graph"))
+            collect(entry, nested(cases, match["case"]))
 
     def graphs(self, group, names):
         """Cloud, graph and cases of a group, in the order of the names."""
@@ -154,146 +154,114 @@ def mean_text(graphs, graph, published=None):
     return percent(error) + better
 
 
+def cloud_of(cloud, *_):
+    return cloud
+
+
+def errors_of(case="Query"):
+    return lambda *row: errors_text(row[-1].get(case))
+
+
 def mean_table(run):
-    rows = []
-    for cloud, graphs in run.groups["Cloud"].items():
-        points = points_of(graphs)
-        published = published_of(cloud, "C/arc", points)
-        schemes = [
-            f"{mean_text(graphs, scheme + '/chord')} / {mean_text(graphs, scheme + '/arc')}"
-            for scheme in "AB"
-        ]
-        rows.append(
-            [
-                cloud,
-                size_text(points),
-                range_text(published),
-                *schemes,
-                mean_text(graphs, "C/chord"),
-                mean_text(graphs, "C/arc", published),
-                mean_text(graphs, "C/fine", published),
-                mean_text(graphs, "Band/march"),
-            ]
+    def published(cloud, graphs):
+        return published_of(cloud, "C/arc", points_of(graphs))
+
+    def both(scheme):
+        return lambda _, graphs: " / ".join(
+            mean_text(graphs, f"{scheme}/{weights}") for weights in ("chord", "arc")
         )
-    header = [
-        "cloud",
-        "points",
-        "published",
-        "A: chords / arcs",
-        "B: chords / arcs",
-        "C: chords",
-        "C: arcs (default)",
-        "C: arcs, finer",
-        "fast marching",
+
+    def beside(graph):
+        return lambda cloud, graphs: mean_text(graphs, graph, published(cloud, graphs))
+
+    columns = [
+        ("cloud", cloud_of),
+        ("points", lambda _, graphs: size_text(points_of(graphs))),
+        ("published", lambda *row: range_text(published(*row))),
+        ("A: chords / arcs", both("A")),
+        ("B: chords / arcs", both("B")),
+        ("C: chords", lambda _, graphs: mean_text(graphs, "C/chord")),
+        ("C: arcs (default)", beside("C/arc")),
+        ("C: arcs, finer", beside("C/fine")),
+        ("fast marching", lambda _, graphs: mean_text(graphs, "Band/march")),
     ]
-    return table(header, rows)
+    return tabulate(columns, run.groups["Cloud"].items())
 
 
 def error_table(run):
-    rows = []
-    for cloud, graph, cases in run.graphs("Cloud", METHODS):
-        build, query = cases.get("Build"), cases.get("Query")
-        points = points_of(run.groups["Cloud"][cloud])
-        spacing, reach = median(build, "spacing"), median(build, "reach")
-        published = published_of(cloud, graph, points)
-        rows.append(
-            [
-                cloud,
-                size_text(points),
-                method_of(graph, cases),
-                text(median(build, "degree"), "{:.0f}"),
-                quotient_text(reach, spacing),
-                errors_text(query),
-                unreached_text(query),
-                range_text(published) + ("" if published is None else " %"),
-                ratio_text(published[0], mean(query, "error_mean")) if published else DASH,
-                time_text(median(query, "seconds")),
-            ]
-        )
-    header = [
-        "cloud",
-        "points",
-        "method",
-        "degree",
-        "reach, spacings",
-        "error: mean / 99.9 % / max",
-        "unreached",
-        "published mean",
-        "published / ours",
-        "query",
+    def points(cloud):
+        return points_of(run.groups["Cloud"][cloud])
+
+    def published(cloud, graph):
+        return published_of(cloud, graph, points(cloud))
+
+    def reach(_, __, cases):
+        return quotient_text(*(median(cases.get("Build"), key) for key in ("reach", "spacing")))
+
+    def published_text(cloud, graph, _):
+        return range_text(published(cloud, graph)) + (" %" if published(cloud, graph) else "")
+
+    def better(cloud, graph, cases):
+        known = published(cloud, graph)
+        return ratio_text(known[0], mean(cases.get("Query"), "error_mean")) if known else DASH
+
+    columns = [
+        ("cloud", cloud_of),
+        ("points", lambda cloud, *_: size_text(points(cloud))),
+        ("method", lambda _, graph, cases: method_of(graph, cases)),
+        ("degree", figure("Build", "degree")),
+        ("reach, spacings", reach),
+        ("error: mean / 99.9 % / max", errors_of()),
+        ("unreached", lambda *row: unreached_text(row[-1].get("Query"))),
+        ("published mean", published_text),
+        ("published / ours", better),
+        ("query", figure("Query")),
     ]
-    return table(header, rows)
+    return tabulate(columns, run.graphs("Cloud", METHODS))
 
 
 def guard_table(run):
-    rows = []
-    for cloud, graph, cases in run.graphs("Guard", METHODS):
-        build, query = cases.get("Build"), cases.get("Query")
-        components = median(build, "components")
-        rows.append(
-            [
-                GUARDS.get(cloud, cloud),
-                method_of(graph, cases),
-                text(median(build, "noise"), "{:.2g}"),
-                DASH if cloud in FORCED else errors_text(query),
-                unreached_text(query),
-                number(median(build, "false_edges")),
-                number(components),
-            ]
-        )
-    header = [
-        "cloud",
-        "method",
-        "noise found",
-        "error: mean / 99.9 % / max",
-        "unreached",
-        "edges between sheets",
-        "components",
+    def error(cloud, _, cases):
+        return DASH if cloud in FORCED else errors_text(cases.get("Query"))
+
+    columns = [
+        ("cloud", lambda cloud, *_: GUARDS.get(cloud, cloud)),
+        ("method", lambda _, graph, cases: method_of(graph, cases)),
+        ("noise found", figure("Build", "noise", in_form("{:.2g}"))),
+        ("error: mean / 99.9 % / max", error),
+        ("unreached", lambda *row: unreached_text(row[-1].get("Query"))),
+        ("edges between sheets", figure("Build", "false_edges")),
+        ("components", figure("Build", "components")),
     ]
-    return table(header, rows)
+    return tabulate(columns, run.graphs("Guard", METHODS))
 
 
 def speed_table(run):
-    rows = []
-    for cloud, _, cases in run.graphs("Speed", ["C/arc"]):
-        build, estimate, query = (cases.get(case) for case in ("Build", "Estimate", "Query"))
-        mesh = run.groups["Speed"][cloud].get("Mesh", {})
-        predicted = median(estimate, "estimated_peak_bytes")
-        measured = median(build, "resident_bytes")
-        points = median(build, "points")
-        rows.append(
-            [
-                cloud,
-                size_text(points),
-                time_text(median(build, "seconds")),
-                time_text(median(build, "cpu_seconds")),
-                number(median(build, "threads")),
-                text(median(build, "degree"), "{:.0f}"),
-                bytes_text(median(build, "graph_bytes")),
-                peak_text(predicted, measured),
-                time_text(median(query, "seconds")),
-                errors_text(query),
-                time_text(median(mesh.get("Build"), "seconds")),
-                time_text(median(mesh.get("Query"), "seconds")),
-                errors_text(mesh.get("Query")),
-            ]
+    def of_mesh(cell):
+        return lambda cloud, *_: cell(run.groups["Speed"][cloud].get("Mesh", {}))
+
+    def peak(*row):
+        return peak_text(
+            median(row[-1].get("Estimate"), "estimated_peak_bytes"),
+            median(row[-1].get("Build"), "resident_bytes"),
         )
-    header = [
-        "cloud",
-        "points",
-        "graph (wall)",
-        "CPU",
-        "threads",
-        "degree",
-        "its size",
-        "peak: predicted / measured",
-        "query",
-        "error: mean / 99.9 % / max",
-        "graph of the mesh (CPU)",
-        "query there",
-        "error there",
+
+    columns = [
+        ("cloud", cloud_of),
+        ("points", figure("Build", "points", size_text)),
+        ("graph (wall)", figure("Build")),
+        ("CPU", figure("Build", "cpu_seconds", time_text)),
+        ("threads", figure("Build", "threads")),
+        ("degree", figure("Build", "degree")),
+        ("its size", figure("Build", "graph_bytes", bytes_text)),
+        ("peak: predicted / measured", peak),
+        ("query", figure("Query")),
+        ("error: mean / 99.9 % / max", errors_of()),
+        ("graph of the mesh (CPU)", of_mesh(figure("Build"))),
+        ("query there", of_mesh(figure("Query"))),
+        ("error there", of_mesh(errors_of())),
     ]
-    return table(header, rows)
+    return tabulate(columns, run.graphs("Speed", ["C/arc"]))
 
 
 def summarize(path):

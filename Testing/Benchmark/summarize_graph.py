@@ -17,13 +17,17 @@ from benchmark_results import (
     count_text,
     environment,
     errors_text,
+    figure,
+    in_form,
     largest,
     load,
     mean,
     median,
+    nested,
     ratio_text,
     run_as_script,
     table,
+    tabulate,
     text,
     time_text,
 )
@@ -56,14 +60,10 @@ class Run:
         """Where the figures of a result of this name go; None when it is not one of ours."""
         match = GRAPH.match(name)
         if match:
-            graphs = self.graphs.setdefault(match["mesh"], {})
-            cases = graphs.setdefault((match["rule"], match["parameter"]), {})
-            return cases.setdefault(match["case"], {})
+            graph = match.group("rule", "parameter")
+            return nested(self.graphs, match["mesh"], graph, match["case"])
         match = PEER.match(name)
-        if match:
-            cases = self.peers.setdefault(match["mesh"], {}).setdefault(match["peer"], {})
-            return cases.setdefault(match["case"], {})
-        return None
+        return nested(self.peers, *match.group("mesh", "peer", "case")) if match else None
 
     def graph(self, mesh, rule, parameter):
         return self.graphs.get(mesh, {}).get((rule, parameter), {})
@@ -76,52 +76,54 @@ def seconds(cases, case):
     return median(cases.get(case), "seconds")
 
 
-def speed_up_text(cases, case):
+def speed_up(case):
     """What threads gain, wall against wall: a busy machine disturbs both."""
-    parallel = cases.get("Parallel" + case)
-    gain = ratio_text(median(cases.get(case), "wall_seconds"), median(parallel, "wall_seconds"))
-    threads = median(parallel, "threads")
-    return DASH if threads is None else f"{gain} on {threads:.0f}"
+
+    def make(_, cases):
+        parallel = cases.get("Parallel" + case)
+        gain = ratio_text(median(cases.get(case), "wall_seconds"), median(parallel, "wall_seconds"))
+        threads = median(parallel, "threads")
+        return DASH if threads is None else f"{gain} on {threads:.0f}"
+
+    return make
 
 
-def title_of(rule, parameter):
+def title_of(graph, _):
+    rule, parameter = graph
     return f"{rule}, {'K' if rule == 'SVG' else 'ε'} = {parameter}"
 
 
+def errors_of(case):
+    return lambda *row: errors_text(row[-1].get(case))
+
+
 def size_table(graphs):
-    rows = []
-    for (rule, parameter), cases in graphs.items():
+    def degree(_, cases):
         build = cases.get("Build")
+        deviation = text(median(build, "degree_deviation"), " ± {:.1f}")
+        return text(median(build, "degree_mean"), "{:.1f}") + deviation
+
+    def per_vertex(_, cases):
         built = seconds(cases, "Build")
-        vertices = median(build, "vertices")
-        rows.append(
-            [
-                title_of(rule, parameter),
-                text(median(build, "degree_mean"), "{:.1f}")
-                + text(median(build, "degree_deviation"), " ± {:.1f}"),
-                text(median(build, "windows_per_vertex"), "{:.0f}"),
-                text(median(build, "bytes_per_edge"), "{:.1f}"),
-                time_text(built),
-                text(None if built is None else 1e6 * built / vertices, "{:.1f} µs"),
-                errors_text(cases.get("Certified")),
-                errors_text(cases.get("Corrected")),
-                time_text(seconds(cases, "Corrected")),
-                text(mean(cases.get("Corrected"), "pops_per_vertex"), "{:.2f}"),
-            ]
-        )
-    header = [
-        "graph",
-        "degree",
-        "windows per vertex",
-        "bytes per edge",
-        "build",
-        "per vertex",
-        "error: mean / 99.9 % / max",
-        "corrected",
-        "query",
-        "queue entries per vertex",
+        vertices = median(cases.get("Build"), "vertices")
+        return text(None if built is None else 1e6 * built / vertices, "{:.1f} µs")
+
+    def pops(_, cases):
+        return text(mean(cases.get("Corrected"), "pops_per_vertex"), "{:.2f}")
+
+    columns = [
+        ("graph", title_of),
+        ("degree", degree),
+        ("windows per vertex", figure("Build", "windows_per_vertex")),
+        ("bytes per edge", figure("Build", "bytes_per_edge", in_form("{:.1f}"))),
+        ("build", figure("Build")),
+        ("per vertex", per_vertex),
+        ("error: mean / 99.9 % / max", errors_of("Certified")),
+        ("corrected", errors_of("Corrected")),
+        ("query", figure("Corrected")),
+        ("queue entries per vertex", pops),
     ]
-    return table(header, rows)
+    return tabulate(columns, graphs.items())
 
 
 def thorough(graphs):
@@ -130,95 +132,66 @@ def thorough(graphs):
 
 
 def build_table(graphs):
-    rows = []
-    for (rule, parameter), cases in thorough(graphs).items():
-        estimate = cases["Estimate"]
-        parallel = cases.get("ParallelBuild")
-        same = median(parallel, "same_bits")
-        rows.append(
-            [
-                title_of(rule, parameter),
-                speed_up_text(cases, "Build"),
-                DASH if same is None else ("yes" if same == 1.0 else "NO"),
-                text(median(cases.get("Memory"), "peak_bytes_per_edge"), "{:.1f}"),
-                text(median(cases.get("Memory"), "resident_bytes_per_edge"), "{:.1f}"),
-                time_text(median(estimate, "seconds")),
-                text(median(estimate, "edges_ratio"), "{:.2f}"),
-                text(median(estimate, "peak_ratio"), "{:.2f}"),
-            ]
-        )
-    header = [
-        "graph",
-        "build on threads",
-        "same bits",
-        "peak bytes per edge",
-        "the system's peak",
-        "estimate",
-        "edges: estimated / built",
-        "memory: estimated / peak",
+    def same(value):
+        return DASH if value is None else ("yes" if value == 1.0 else "NO")
+
+    columns = [
+        ("graph", title_of),
+        ("build on threads", speed_up("Build")),
+        ("same bits", figure("ParallelBuild", "same_bits", same)),
+        ("peak bytes per edge", figure("Memory", "peak_bytes_per_edge", in_form("{:.1f}"))),
+        ("the system's peak", figure("Memory", "resident_bytes_per_edge", in_form("{:.1f}"))),
+        ("estimate", figure("Estimate")),
+        ("edges: estimated / built", figure("Estimate", "edges_ratio", in_form("{:.2f}"))),
+        ("memory: estimated / peak", figure("Estimate", "peak_ratio", in_form("{:.2f}"))),
     ]
-    return table(header, rows)
+    return tabulate(columns, thorough(graphs).items())
 
 
 def query_table(graphs):
-    rows = []
-    for (rule, parameter), cases in thorough(graphs).items():
-        many = cases.get("Many")
-        per_source = (
-            seconds(cases, "Many") / median(many, "sources") if median(many, "sources") else None
-        )
-        certified = seconds(cases, "Certified")
-        rows.append(
-            [
-                title_of(rule, parameter),
-                time_text(seconds(cases, "Cache")),
-                text(median(cases.get("Cache"), "cache_bytes_per_edge"), "{:.1f}"),
-                time_text(seconds(cases, "FirstQuery")),
-                time_text(seconds(cases, "Corrected")),
-                time_text(certified),
-                time_text(seconds(cases, "LabelCorrecting")),
-                time_text(seconds(cases, "Dijkstra")),
-                ratio_text(seconds(cases, "Dijkstra"), certified),
-                time_text(per_source),
-                ratio_text(certified, per_source),
-                speed_up_text(cases, "Many"),
-            ]
-        )
-    header = [
-        "graph",
-        "cache",
-        "its bytes per edge",
-        "cache + first query",
-        "corrected",
-        "certified",
-        "label correcting",
-        "Dijkstra",
-        "Dijkstra / certified",
-        "in blocks, per source",
-        "certified / blocks",
-        "blocks on threads",
+    def per_source(cases):
+        sources = median(cases.get("Many"), "sources")
+        return seconds(cases, "Many") / sources if sources else None
+
+    def ratio(_, cases):
+        return ratio_text(seconds(cases, "Dijkstra"), seconds(cases, "Certified"))
+
+    columns = [
+        ("graph", title_of),
+        ("cache", figure("Cache")),
+        ("its bytes per edge", figure("Cache", "cache_bytes_per_edge", in_form("{:.1f}"))),
+        ("cache + first query", figure("FirstQuery")),
+        ("corrected", figure("Corrected")),
+        ("certified", figure("Certified")),
+        ("label correcting", figure("LabelCorrecting")),
+        ("Dijkstra", figure("Dijkstra")),
+        ("Dijkstra / certified", ratio),
+        ("in blocks, per source", lambda _, cases: time_text(per_source(cases))),
+        (
+            "certified / blocks",
+            lambda _, cases: ratio_text(seconds(cases, "Certified"), per_source(cases)),
+        ),
+        ("blocks on threads", speed_up("Many")),
     ]
-    return table(header, rows)
+    return tabulate(columns, thorough(graphs).items())
 
 
 def peer_table(run):
-    rows = []
-    for mesh, peers in run.peers.items():
-        for peer, title in TITLES.items():
-            query = peers.get(peer, {}).get("Query")
-            if query:
-                rows.append(
-                    [
-                        mesh,
-                        count_text(median(query, "vertices")),
-                        title,
-                        time_text(seconds(peers[peer], "Precompute")),
-                        time_text(median(query, "seconds")),
-                        errors_text(query),
-                    ]
-                )
-    header = ["mesh", "vertices", "peer", "precomputation", "query", "error: mean / 99.9 % / max"]
-    return table(header, rows)
+    columns = [
+        ("mesh", lambda mesh, *_: mesh),
+        ("vertices", figure("Query", "vertices", count_text)),
+        ("peer", lambda _, peer, cases: TITLES[peer]),
+        ("precomputation", figure("Precompute")),
+        ("query", figure("Query")),
+        ("error: mean / 99.9 % / max", errors_of("Query")),
+    ]
+    rows = [
+        (mesh, peer, peers[peer])
+        for mesh, peers in run.peers.items()
+        for peer in TITLES
+        if "Query" in peers.get(peer, {})
+    ]
+    return tabulate(columns, rows)
 
 
 def total(cases, first, second):
@@ -234,35 +207,18 @@ def ratio_rows(run, mesh):
     for peer, title in TITLES.items():
         cases = run.peer(mesh, peer)
         query = cases.get("Query")
-        pairs = [("query, ε = 0.01", median(query, "seconds"), seconds(fine, "Corrected"), fine)]
+        pairs = [("query, ε = 0.01", seconds(cases, "Query"), seconds(fine, "Corrected"), fine)]
         if "Precompute" in cases:
-            pairs.append(
-                (
-                    "up to the first answer, ε = 0.1",
-                    total(cases, "Precompute", "Query"),
-                    total(coarse, "Build", "FirstQuery"),
-                    coarse,
-                )
-            )
+            theirs, ours = total(cases, "Precompute", "Query"), total(coarse, "Build", "FirstQuery")
+            pairs.append(("up to the first answer, ε = 0.1", theirs, ours, coarse))
         for what, theirs, ours, graph in pairs:
             if theirs is not None and ours is not None:
-                rows.append(
-                    [
-                        mesh,
-                        title,
-                        what,
-                        time_text(theirs),
-                        time_text(ours),
-                        ratio_text(theirs, ours),
-                        ratio_text(
-                            mean(query, "error_mean"), mean(graph.get("Corrected"), "error_mean")
-                        ),
-                        ratio_text(
-                            largest(query, "error_max"),
-                            largest(graph.get("Corrected"), "error_max"),
-                        ),
-                    ]
-                )
+                corrected = graph.get("Corrected")
+                row = [mesh, title, what, time_text(theirs), time_text(ours)]
+                row.append(ratio_text(theirs, ours))
+                row.append(ratio_text(mean(query, "error_mean"), mean(corrected, "error_mean")))
+                row.append(ratio_text(largest(query, "error_max"), largest(corrected, "error_max")))
+                rows.append(row)
     return rows
 
 

@@ -18,14 +18,17 @@ from benchmark_results import (
     count_text,
     digits,
     environment,
+    figure,
     load,
     median,
+    nested,
     percent,
     ratio_text,
     run_as_script,
+    size_text,
     table,
+    tabulate,
     text,
-    time_text,
     titled,
 )
 
@@ -57,14 +60,10 @@ class Run:
         for entry in results:
             lines, field = LINES.match(entry["name"]), FIELDS.match(entry["name"])
             if lines:
-                inputs = self.lines.setdefault(lines["mesh"], {})
-                cases = inputs.setdefault(lines["input"], {})
-                collect(entry, cases.setdefault(lines["case"], {}))
+                collect(entry, nested(self.lines, *lines.group("mesh", "input", "case")))
             elif field:
                 method = field["method"] + (" (CGAL)" if field["group"] == "Peer" else "")
-                methods = self.fields.setdefault(field["mesh"], {})
-                cases = methods.setdefault(method, {})
-                collect(entry, cases.setdefault(field["case"], {}))
+                collect(entry, nested(self.fields, field["mesh"], method, field["case"]))
 
     def exact(self):
         """Mesh and cases of isolines of exact distances, small meshes first."""
@@ -90,6 +89,24 @@ def geometric_mean(values):
     for value in values:
         product *= value ** (1.0 / len(values))
     return product
+
+
+def mesh_of(mesh, *_):
+    return mesh
+
+
+def in_percent(case, key="error_mean"):
+    return figure(case, key, percent)
+
+
+def gain(case):
+    """How many times as large the error of linear isolines is."""
+
+    def make(*row):
+        linear, error = (median(row[-1].get(name), "error_mean") for name in ("Contour", case))
+        return ratio_text(linear, error)
+
+    return make
 
 
 def error_table(run, key="error_mean"):
@@ -121,127 +138,102 @@ def length_table(run):
 
 
 def tail_table(run):
-    methods = measured(run, METHODS)
-    rows = []
-    for mesh, cases in run.exact():
-        row = [mesh]
-        for name in methods:
+    def largest(name):
+        def make(_, cases):
             figures = [percent(median(cases.get(name), f"error_{key}")) for key in ("p999", "max")]
-            row.append(DASH if DASH in figures else " / ".join(figures))
-        row.append(
-            " / ".join(
-                text(median(cases.get(name), "fallbacks"), "{:.0f}")
-                for name in ("Sources", "Windows")
-            )
-        )
-        rows.append(row)
-    header = ["mesh"] + [METHODS[name] + ", %" for name in methods]
-    return table(header + ["fallbacks: virtual / windows"], rows)
+            return DASH if DASH in figures else " / ".join(figures)
+
+        return make
+
+    def fallbacks(_, cases):
+        return " / ".join(figure(name, "fallbacks")(cases) for name in ("Sources", "Windows"))
+
+    columns = [("mesh", mesh_of)]
+    columns += [(METHODS[name] + ", %", largest(name)) for name in measured(run, METHODS)]
+    return tabulate(columns + [("fallbacks: virtual / windows", fallbacks)], run.exact())
 
 
 def chord_table(run):
     """That the tolerance of chords does not matter, or how much."""
-    names = ["", "Halved", "Drawn"]
-    rows = []
-    for mesh, cases in run.exact():
-        if "Windows" not in cases:
-            continue
-        row = [mesh]
-        for method in ("Windows", "Sources"):
-            figures = [cases.get(method + name) for name in names]
-            row += [percent(median(part, "error_mean")) for part in figures]
-        rows.append(row)
-    chords = {}
-    for name in names:
-        found = [median(cases.get("Windows" + name), "chord") for _, cases in run.exact()]
-        chords[name] = next((text(value, "{:g}") for value in found if value), DASH)
-    header = ["mesh"]
-    header += [f"{kind}, {chords[name]} h, %" for kind in ("windows", "virtual") for name in names]
-    return table(header, rows)
+    columns = [("mesh", mesh_of)]
+    for title, method in (("windows", "Windows"), ("virtual", "Sources")):
+        for name in ("", "Halved", "Drawn"):
+            found = [median(cases.get("Windows" + name), "chord") for _, cases in run.exact()]
+            chord = next((text(value, "{:g}") for value in found if value), DASH)
+            columns.append((f"{title}, {chord} h, %", in_percent(method + name)))
+    return tabulate(columns, [row for row in run.exact() if "Windows" in row[1]])
 
 
 def input_table(run):
-    rows = []
-    for mesh, _ in run.exact():
-        for kind, title in INPUTS.items():
-            cases = run.lines[mesh].get(kind, {})
-            linear = median(cases.get("Contour"), "error_mean")
-            if kind == "Exact" or linear is None:
-                continue
-            sources = median(cases.get("Sources"), "error_mean")
-            rows.append(
-                [
-                    mesh,
-                    title,
-                    percent(median(cases.get("Input"), "error_mean")),
-                    percent(median(cases.get("Input"), "error_max")),
-                    percent(linear),
-                    percent(sources),
-                    ratio_text(linear, sources),
-                ]
-            )
-    header = [
-        "mesh",
-        "distances",
-        "at vertices: mean, %",
-        "max, %",
-        "vtkContourFilter, %",
-        "virtual sources, %",
-        "gain",
+    columns = [
+        ("mesh", mesh_of),
+        ("distances", lambda _, title, cases: title),
+        ("at vertices: mean, %", in_percent("Input")),
+        ("max, %", in_percent("Input", "error_max")),
+        ("vtkContourFilter, %", in_percent("Contour")),
+        ("virtual sources, %", in_percent("Sources")),
+        ("gain", gain("Sources")),
     ]
-    return table(header, rows)
+    rows = [
+        (mesh, title, run.lines[mesh].get(kind, {}))
+        for mesh, _ in run.exact()
+        for kind, title in INPUTS.items()
+        if kind != "Exact"
+    ]
+    rows = [row for row in rows if median(row[2].get("Contour"), "error_mean") is not None]
+    return tabulate(columns, rows)
 
 
 def steiner_table(run):
+    def memory(_, __, name, cases):
+        taken = median(cases[name], "heap_bytes_per_vertex") * size_of(cases)
+        return f"{taken / 1e6:.3g}"
+
+    columns = [
+        ("mesh", mesh_of),
+        ("method", lambda _, title, name, cases: title),
+        ("error, %", lambda _, title, name, cases: in_percent(name)(cases)),
+        ("gain", lambda _, title, name, cases: gain(name)(cases)),
+        ("time", lambda _, title, name, cases: figure(name)(cases)),
+        ("peak memory, MB", memory),
+    ]
     rows = []
     for mesh, cases in run.exact():
         counts = sorted(int(STEINER.match(case)["count"]) for case in cases if STEINER.match(case))
-        if len(counts) < 3:  # only where more than the usual ones were measured
-            continue
-        linear = median(cases["Contour"], "error_mean")
         names = [(f"k = {count}", f"Apollonius{count}") for count in counts]
         names += [("virtual sources", "SourcesDrawn"), ("windows", "WindowsDrawn")]
-        for title, name in names:
-            figures = cases.get(name)
-            if figures:
-                error = median(figures, "error_mean")
-                memory = median(figures, "heap_bytes_per_vertex") * size_of(cases)
-                rows.append(
-                    [
-                        mesh,
-                        title,
-                        percent(error),
-                        ratio_text(linear, error),
-                        time_text(median(figures, "seconds")),
-                        f"{memory / 1e6:.3g}",
-                    ]
-                )
-    header = ["mesh", "method", "error, %", "gain", "time", "peak memory, MB"]
-    return table(header, rows)
+        if len(counts) > 2:  # only where more than the usual ones were measured
+            rows += [(mesh, title, name, cases) for title, name in names if cases.get(name)]
+    return tabulate(columns, rows)
 
 
 def time_table(run):
-    names = {
+    def per_face(name):
+        def make(_, cases):
+            seconds = median(cases.get(name), "seconds")
+            faces = median(cases["Contour"], "faces")
+            return DASH if seconds is None else digits(1e6 * seconds / faces)
+
+        return make
+
+    def segments(_, cases):
+        counts = [median(cases.get(name), "segments") for name in ("Contour", "WindowsDrawn")]
+        return " / ".join(size_text(count) for count in counts)
+
+    titles = {
         "Contour": "vtkContourFilter",
         "Apollonius2": "Apollonius, k = 2",
         "SourcesDrawn": "virtual sources",
         "WindowsDrawn": "windows",
     }
-    names = {name: names[name] for name in measured(run, names)}
-    rows = []
-    for mesh, cases in run.exact():
-        faces = median(cases["Contour"], "faces")
-        row = [mesh, count_text(faces)]
-        row += [time_text(median(cases.get(name), "seconds")) for name in names]
-        for name in ("SourcesDrawn", "WindowsDrawn"):
-            seconds = median(cases.get(name), "seconds")
-            row.append(DASH if seconds is None else digits(1e6 * seconds / faces))
-        segments = [median(cases.get(name), "segments") for name in ("Contour", "WindowsDrawn")]
-        row.append(" / ".join(DASH if value is None else count_text(value) for value in segments))
-        rows.append(row)
-    header = ["mesh", "faces"] + list(names.values())
-    header += ["virtual, µs per face", "windows, µs per face", "segments: linear / windows"]
-    return table(header, rows)
+    columns = [("mesh", mesh_of), ("faces", figure("Contour", "faces", count_text))]
+    columns += [(titles[name], figure(name)) for name in measured(run, titles)]
+    columns += [
+        ("virtual, µs per face", per_face("SourcesDrawn")),
+        ("windows, µs per face", per_face("WindowsDrawn")),
+        ("segments: linear / windows", segments),
+    ]
+    return tabulate(columns, run.exact())
 
 
 def field_table(run):
@@ -250,30 +242,28 @@ def field_table(run):
         "Heat (CGAL)": ("heat (CGAL)", "Factors"),
         "Marching": ("fast marching", "Tables"),
     }
-    rows = []
-    for mesh, methods in run.fields.items():
-        for method, (title, before) in titles.items():
-            cases = methods.get(method)
-            if not cases or "Query" not in cases:
-                continue
-            first, query = cases.get(before), cases.get("Query")
-            memory = median(first, "heap_bytes_per_vertex")
-            rows.append(
-                [
-                    mesh,
-                    count_text(median(query, "vertices")),
-                    title,
-                    time_text(median(first, "seconds")),
-                    text(memory, "{:.0f}"),
-                    time_text(median(query, "seconds")),
-                    percent(median(query, "error_mean")),
-                    percent(median(query, "error_p999")),
-                    percent(median(query, "error_max")),
-                ]
-            )
-    header = ["mesh", "vertices", "method", "before queries", "peak bytes per vertex", "query"]
-    header += ["error: mean, %", "99.9 %", "max, %"]
-    return table(header, rows)
+
+    def before(key):
+        return lambda _, method, cases: figure(titles[method][1], key)(cases)
+
+    columns = [
+        ("mesh", mesh_of),
+        ("vertices", figure("Query", "vertices", count_text)),
+        ("method", lambda _, method, cases: titles[method][0]),
+        ("before queries", before("seconds")),
+        ("peak bytes per vertex", before("heap_bytes_per_vertex")),
+        ("query", figure("Query")),
+        ("error: mean, %", in_percent("Query")),
+        ("99.9 %", in_percent("Query", "error_p999")),
+        ("max, %", in_percent("Query", "error_max")),
+    ]
+    rows = [
+        (mesh, method, methods[method])
+        for mesh, methods in run.fields.items()
+        for method in titles
+        if "Query" in methods.get(method, {})
+    ]
+    return tabulate(columns, rows)
 
 
 def summarize(path):

@@ -17,13 +17,15 @@ from benchmark_results import (
     count_text,
     digits,
     environment,
+    figure,
+    in_form,
     load,
     median,
+    nested,
     number,
     ratio_text,
     run_as_script,
-    table,
-    text,
+    tabulate,
     time_text,
     titled,
 )
@@ -41,9 +43,7 @@ class Run:
         for entry in results:
             match = NAME.match(entry["name"])
             if match:
-                meshes = self.groups.setdefault(match["group"], {})
-                cases = meshes.setdefault(match["mesh"], {})
-                collect(entry, cases.setdefault(match["case"], {}))
+                collect(entry, nested(self.groups, *match.group("group", "mesh", "case")))
 
     def meshes(self, group, *cases):
         """Mesh and cases of a group, where one of these cases was measured."""
@@ -80,211 +80,174 @@ def outside_text(figures):
     return f"{count:.0f}: " + joined(figures, ("outside_median", "outside_max"), small)
 
 
+def mesh_of(mesh, *_):
+    return mesh
+
+
+def kinds(run):
+    """Mesh, kind of path and cases, of those that were measured."""
+    meshes = run.meshes("Path", *KINDS)
+    return [(mesh, kind, cases) for mesh, cases in meshes for kind in KINDS if cases.get(kind)]
+
+
+def of_kind(form):
+    """A column's function of what was measured of paths of a kind."""
+    return lambda _, kind, cases: form(cases[kind])
+
+
+def joined_of(form, *keys):
+    return of_kind(lambda figures: joined(figures, keys, form))
+
+
 def path_table(run):
-    rows = []
-    for mesh, cases in run.meshes("Path", *KINDS):
-        for kind, title in KINDS.items():
-            figures = cases.get(kind)
-            if figures:
-                rows.append(
-                    [
-                        mesh,
-                        count_text(median(figures, "vertices")),
-                        title,
-                        milliseconds(figures),
-                        milliseconds(cases.get("Marked" + kind)),
-                        joined(figures, ("within_1e6", "within_1e5", "within_1e4"), share_text),
-                        joined(
-                            figures,
-                            ("excess_median", "excess_mean", "excess_p99", "excess_max"),
-                            small,
-                        ),
-                        outside_text(figures),
-                    ]
-                )
-    header = [
-        "mesh",
-        "vertices",
-        "path",
-        "ms: median / 90 % / 99 %",
-        "with landmarks",
-        "% within 1e-6 / 1e-5 / 1e-4",
-        "excess: median / mean / 99 % / max",
-        "beyond 1e-6: median / max",
+    columns = [
+        ("mesh", mesh_of),
+        ("vertices", of_kind(lambda figures: count_text(median(figures, "vertices")))),
+        ("path", lambda _, kind, cases: KINDS[kind]),
+        ("ms: median / 90 % / 99 %", of_kind(milliseconds)),
+        ("with landmarks", lambda _, kind, cases: milliseconds(cases.get("Marked" + kind))),
+        (
+            "% within 1e-6 / 1e-5 / 1e-4",
+            joined_of(share_text, "within_1e6", "within_1e5", "within_1e4"),
+        ),
+        (
+            "excess: median / mean / 99 % / max",
+            joined_of(small, "excess_median", "excess_mean", "excess_p99", "excess_max"),
+        ),
+        ("beyond 1e-6: median / max", of_kind(outside_text)),
     ]
-    return table(header, rows)
+    return tabulate(columns, kinds(run))
 
 
 def check_table(run):
-    columns = {
-        "pairs": "pairs",
-        "unconnected": "not connected",
-        "mismatches": "connected for one of the two only",
-        "too_short": "shorter than exact",
-        "longer": "longer than before straightening",
-        "invalid": "not on the surface",
-        "unstraightened": "not straightened",
-        "fallbacks": "edges found anew",
-    }
-    rows = []
-    for mesh, cases in run.meshes("Path", *KINDS):
-        for kind, title in KINDS.items():
-            if kind in cases:
-                figures = [number(median(cases[kind], key)) for key in columns]
-                if kind == "Raw":
-                    figures[list(columns).index("unstraightened")] = DASH
-                rows.append([mesh, title] + figures)
-    return table(["mesh", "path"] + list(columns.values()), rows)
+    def count(key):
+        return of_kind(lambda figures: number(median(figures, key)))
+
+    def unstraightened(_, kind, cases):
+        return DASH if kind == "Raw" else number(median(cases[kind], "unstraightened"))
+
+    columns = [
+        ("mesh", mesh_of),
+        ("path", lambda _, kind, cases: KINDS[kind]),
+        ("pairs", count("pairs")),
+        ("not connected", count("unconnected")),
+        ("connected for one of the two only", count("mismatches")),
+        ("shorter than exact", count("too_short")),
+        ("longer than before straightening", count("longer")),
+        ("not on the surface", count("invalid")),
+        ("not straightened", unstraightened),
+        ("edges found anew", count("fallbacks")),
+    ]
+    return tabulate(columns, kinds(run))
 
 
 def before_table(run):
-    rows = []
-    for mesh, cases in run.meshes("Path", "Graph", "FirstPath", "Landmarks", "Exact"):
-        graph, landmarks = cases.get("Graph"), cases.get("Landmarks")
-        size = median(graph, "graph_bytes")
-        marks = median(landmarks, "landmark_bytes")
-        rows.append(
-            [
-                mesh,
-                time_text(median(graph, "seconds")),
-                number(median(graph, "threads")),
-                bytes_text(size),
-                time_text(median(cases.get("FirstPath"), "seconds")),
-                time_text(median(landmarks, "seconds")),
-                bytes_text(marks),
-                time_text(median(cases.get("Exact"), "seconds")),
-                time_text(median(cases.get("ShortKept"), "seconds")),
-                time_text(median(cases.get("ShortAnew"), "seconds")),
-            ]
-        )
-    header = [
-        "mesh",
-        "graph (wall)",
-        "threads",
-        "its size",
-        "preparation + first path",
-        "landmarks (wall)",
-        "held after them",
-        "exact propagation",
-        "exact path of 3 edges",
-        "by a new finder",
+    columns = [
+        ("mesh", mesh_of),
+        ("graph (wall)", figure("Graph")),
+        ("threads", figure("Graph", "threads")),
+        ("its size", figure("Graph", "graph_bytes", bytes_text)),
+        ("preparation + first path", figure("FirstPath")),
+        ("landmarks (wall)", figure("Landmarks")),
+        ("held after them", figure("Landmarks", "landmark_bytes", bytes_text)),
+        ("exact propagation", figure("Exact")),
+        ("exact path of 3 edges", figure("ShortKept")),
+        ("by a new finder", figure("ShortAnew")),
     ]
-    return table(header, rows)
+    return tabulate(columns, run.meshes("Path", "Graph", "FirstPath", "Landmarks", "Exact"))
 
 
 def peer_table(run):
-    rows = []
-    for mesh, cases in run.meshes("Path", "VertexVTK"):
-        theirs, ours = cases["VertexVTK"], cases.get("VertexDefault")
-        rows.append(
-            [
-                mesh,
-                number(median(theirs, "pairs")),
-                text(median(theirs, "ms_mean"), "{:.3g} ms"),
-                text(median(ours, "ms_mean"), "{:.3g} ms"),
-                ratio_text(median(theirs, "ms_mean"), median(ours, "ms_mean")),
-                excess_percent(theirs),
-                joined(ours, ("excess_mean", "excess_max"), small),
-            ]
-        )
-    header = [
-        "mesh",
-        "pairs of vertices",
-        "vtkDijkstraGraphGeodesicPath",
-        "default path",
-        "time",
-        "excess of VTK's: mean / max",
-        "of the default: mean / max",
+    def excess(case, form):
+        return lambda _, cases: joined(cases.get(case), ("excess_mean", "excess_max"), form)
+
+    def in_percent(_, cases):
+        both = excess("VertexVTK", lambda value: digits(100.0 * value))(_, cases)
+        return both if both == DASH else both + " %"
+
+    def ratio(_, cases):
+        both = (cases.get(case) for case in ("VertexVTK", "VertexDefault"))
+        return ratio_text(*(median(figures, "ms_mean") for figures in both))
+
+    in_ms = in_form("{:.3g} ms")
+    columns = [
+        ("mesh", mesh_of),
+        ("pairs of vertices", figure("VertexVTK", "pairs")),
+        ("vtkDijkstraGraphGeodesicPath", figure("VertexVTK", "ms_mean", in_ms)),
+        ("default path", figure("VertexDefault", "ms_mean", in_ms)),
+        ("time", ratio),
+        ("excess of VTK's: mean / max", in_percent),
+        ("of the default: mean / max", excess("VertexDefault", small)),
     ]
-    return table(header, rows)
-
-
-def excess_percent(figures):
-    both = joined(figures, ("excess_mean", "excess_max"), lambda value: digits(100.0 * value))
-    return both if both == DASH else both + " %"
+    return tabulate(columns, run.meshes("Path", "VertexVTK"))
 
 
 def cell_table(run):
-    rows = []
-    for mesh, cases in run.meshes("Cells", "FarthestPoints", "Voronoi"):
-        points, cells = cases.get("FarthestPoints"), cases.get("Voronoi")
-        either = points or cells
-        rows.append(
-            [
-                mesh,
-                count_text(median(either, "vertices")),
-                number(median(either, "samples")),
-                time_text(median(points, "seconds")),
-                text(median(points, "per_ten_queries"), "{:.2f}x"),
-                time_text(median(cells, "query_seconds")),
-                text(median(cells, "nearest_per_query"), "{:.2f}x"),
-                text(median(cells, "labels_per_query"), "{:.2f}x"),
-                text(median(cells, "labels_per_corrected"), "{:.2f}x"),
-                text(median(cells, "diagram_per_query"), "{:.2f}x"),
-                text(median(cells, "refined_per_query"), "{:.2f}x"),
-            ]
+    def of_either(key, form):
+        return lambda _, cases: form(
+            median(cases.get("FarthestPoints") or cases.get("Voronoi"), key)
         )
-    header = [
-        "mesh",
-        "vertices",
-        "samples",
-        "farthest points",
-        "in 10 queries",
-        "one query",
-        "search from all samples, in queries",
-        "labels of Voronoi cells, in queries",
-        "in corrected queries",
-        "whole diagram, in queries",
-        "with refined borders",
+
+    times = in_form("{:.2f}x")
+    columns = [
+        ("mesh", mesh_of),
+        ("vertices", of_either("vertices", count_text)),
+        ("samples", of_either("samples", number)),
+        ("farthest points", figure("FarthestPoints")),
+        ("in 10 queries", figure("FarthestPoints", "per_ten_queries", times)),
+        ("one query", figure("Voronoi", "query_seconds", time_text)),
+        ("search from all samples, in queries", figure("Voronoi", "nearest_per_query", times)),
+        ("labels of Voronoi cells, in queries", figure("Voronoi", "labels_per_query", times)),
+        ("in corrected queries", figure("Voronoi", "labels_per_corrected", times)),
+        ("whole diagram, in queries", figure("Voronoi", "diagram_per_query", times)),
+        ("with refined borders", figure("Voronoi", "refined_per_query", times)),
     ]
-    return table(header, rows)
+    return tabulate(columns, run.meshes("Cells", "FarthestPoints", "Voronoi"))
 
 
 def matrix_table(run):
-    rows = []
-    for mesh, cases in run.meshes("Matrix", "Update"):
-        figures = cases["Update"]
-        size = number(median(figures, "size"))
-        rows.append(
-            [
-                mesh,
-                f"{size} x {size}",
-                number(median(figures, "threads")),
-                time_text(median(figures, "seconds")),
-                joined(figures, ("error_mean", "error_max"), lambda x: digits(100.0 * x)) + " %",
-            ]
-        )
-    header = ["mesh", "matrix", "threads", "update (wall)", "error of a row: mean / max"]
-    return table(header, rows)
+    def error(_, cases):
+        keys = ("error_mean", "error_max")
+        return joined(cases["Update"], keys, lambda x: digits(100.0 * x)) + " %"
+
+    columns = [
+        ("mesh", mesh_of),
+        ("matrix", figure("Update", "size", in_form("{0:.0f} x {0:.0f}"))),
+        ("threads", figure("Update", "threads")),
+        ("update (wall)", figure("Update")),
+        ("error of a row: mean / max", error),
+    ]
+    return tabulate(columns, run.meshes("Matrix", "Update"))
 
 
 def loop_table(run):
-    rows = []
-    for mesh, cases in run.meshes("Loop", "AroundHandles", "ThroughPoint"):
+    def loops(_, cases):
         handles = cases.get("AroundHandles")
-        row = [mesh, time_text(median(handles, "seconds"))]
-        loops, runs = median(handles, "loops"), median(handles, "runs")
-        fixed = median(handles, "empty")
-        row.append(
-            (DASH if loops is None else digits(loops / runs))
-            + (f" and {digits(fixed / runs)} fixed" if fixed else "")
-        )
-        for case in ("ThroughPoint", "ThroughPointTaut"):
+        found, runs, fixed = (median(handles, key) for key in ("loops", "runs", "empty"))
+        pinned = f" and {digits(fixed / runs)} fixed" if fixed else ""
+        return (DASH if found is None else digits(found / runs)) + pinned
+
+    def through(case):
+        def make(_, cases):
             figures = cases.get(case)
             found = f" ({joined(figures, ('loops', 'runs'), number)})" if figures else ""
-            row.append(time_text(median(figures, "seconds")) + found)
-        invalid = [median(figures, "invalid") for figures in cases.values()]
-        row.append(number(sum(value for value in invalid if value is not None)))
-        rows.append(row)
-    header = [
-        "mesh",
-        "around handles",
-        "loops",
-        "through a point (found / asked)",
-        "let go there",
-        "invalid",
+            return time_text(median(figures, "seconds")) + found
+
+        return make
+
+    def invalid(_, cases):
+        counts = [median(figures, "invalid") for figures in cases.values()]
+        return number(sum(count for count in counts if count is not None))
+
+    columns = [
+        ("mesh", mesh_of),
+        ("around handles", figure("AroundHandles")),
+        ("loops", loops),
+        ("through a point (found / asked)", through("ThroughPoint")),
+        ("let go there", through("ThroughPointTaut")),
+        ("invalid", invalid),
     ]
-    return table(header, rows)
+    return tabulate(columns, run.meshes("Loop", "AroundHandles", "ThroughPoint"))
 
 
 def summarize(path):

@@ -9,7 +9,6 @@ Times are medians over the sources of a mesh. The order of an error is the slope
 over that of the mean edge, a line fitted to all spheres (least squares).
 """
 
-import math
 import re
 
 from benchmark_results import (
@@ -17,11 +16,14 @@ from benchmark_results import (
     bytes_text,
     collect,
     environment,
+    figure,
     first_median,
     folded,
+    in_form,
     largest,
     load,
     median,
+    nested,
     number,
     peak_text,
     percent,
@@ -29,7 +31,9 @@ from benchmark_results import (
     ratio_text,
     run_as_script,
     size_text,
+    slope,
     table,
+    tabulate,
     text,
     time_text,
     titled,
@@ -80,19 +84,15 @@ class Run:
         """Where the figures of a result of this name go; None when it is not one of ours."""
         match = MESH.match(name)
         if match:
-            return self.meshes.setdefault(match["mesh"], {}).setdefault(match["case"], {})
+            return nested(self.meshes, match["mesh"], match["case"])
         match = PEER.match(name)
         if match:
-            cases = self.peers.setdefault(match["mesh"], {}).setdefault(match["peer"], {})
-            return cases.setdefault(match["case"], {})
+            return nested(self.peers, match["mesh"], match["peer"], match["case"])
         match = SPHERE.match(name)
         if match:
-            levels = self.spheres.setdefault(match["way"], {})
-            return levels.setdefault(int(match["level"]), {})
+            return nested(self.spheres, match["way"], int(match["level"]))
         match = SPLINES.match(name)
-        if match:
-            return self.splines.setdefault(int(match["sites"]), {})
-        return None
+        return nested(self.splines, int(match["sites"])) if match else None
 
     def curve(self, way, error):
         """Vertices, mean edge and error on all spheres, coarse ones first."""
@@ -106,151 +106,107 @@ class Run:
 
 def order(points):
     """Slope of the logarithms of errors over those of mean edges; None for less than two."""
-    if len(points) < 2:
-        return None
-    x = [math.log(edge) for _, edge, _ in points]
-    y = [math.log(error) for _, _, error in points]
-    x_mean, y_mean = sum(x) / len(x), sum(y) / len(y)
-    products = sum((a - x_mean) * (b - y_mean) for a, b in zip(x, y))
-    return products / sum((a - x_mean) ** 2 for a in x)
+    return slope([(edge, error) for _, edge, error in points])
 
 
-def seconds(cases, case):
-    return median(cases.get(case), "seconds")
+def mesh_of(mesh, *_):
+    return mesh
 
 
 def factor_table(run):
-    rows = []
-    for mesh, cases in run.meshes.items():
-        factor, block = cases.get("Factor"), cases.get("Block")
-        entries, vertices = median(factor, "factor_entries"), median(factor, "vertices")
-        together, columns = seconds(cases, "Block"), median(block, "columns")
-        predicted, measured = (median(factor, key) for key in ("predicted_bytes", "peak_bytes"))
-        rows.append(
-            [
-                mesh,
-                size_text(first_median(cases.values(), "vertices")),
-                time_text(seconds(cases, "Factor")),
-                time_text(median(factor, "analysis_seconds")),
-                quotient_text(entries, vertices),
-                peak_text(predicted, measured),
-                time_text(seconds(cases, "Column")),
-                time_text(None if together is None else together / columns),
-                time_text(seconds(cases, "Biharmonic")),
-            ]
-        )
-    header = [
-        "mesh",
-        "vertices",
-        "factorization",
-        "of that, analysis",
-        "entries per vertex",
-        "peak: predicted / measured",
-        "one more column",
-        "in blocks of eight, each",
-        "biharmonic column",
+    def vertices(_, cases):
+        return size_text(first_median(cases.values(), "vertices"))
+
+    def of_factor(form, *keys):
+        return lambda _, cases: form(*(median(cases.get("Factor"), key) for key in keys))
+
+    def in_blocks(_, cases):
+        together, columns = (median(cases.get("Block"), key) for key in ("seconds", "columns"))
+        return time_text(None if together is None else together / columns)
+
+    columns = [
+        ("mesh", mesh_of),
+        ("vertices", vertices),
+        ("factorization", figure("Factor")),
+        ("of that, analysis", figure("Factor", "analysis_seconds", time_text)),
+        ("entries per vertex", of_factor(quotient_text, "factor_entries", "vertices")),
+        ("peak: predicted / measured", of_factor(peak_text, "predicted_bytes", "peak_bytes")),
+        ("one more column", figure("Column")),
+        ("in blocks of eight, each", in_blocks),
+        ("biharmonic column", figure("Biharmonic")),
     ]
-    return table(header, rows)
+    return tabulate(columns, run.meshes.items())
 
 
 def point_table(run):
-    rows = []
-    for mesh, cases in run.meshes.items():
-        for way, title in WAYS.items():
-            figures = cases.get("Greens/" + way)
-            if figures:
-                radius = median(figures, "radius_in_edges")
-                rows.append(
-                    [
-                        mesh,
-                        title,
-                        time_text(median(figures, "seconds")),
-                        time_text(median(figures, "first_seconds")),
-                        number(radius) if radius else DASH,
-                        number(sum(figures.get("other_method", []))),
-                    ]
-                )
-    header = [
-        "mesh",
-        "Green's function",
-        "a point anywhere",
-        "with the columns it needs",
-        "radius, mean edges",
-        "by another method",
+    def of_way(key, form):
+        return lambda _, way, figures: form(median(figures, key))
+
+    columns = [
+        ("mesh", mesh_of),
+        ("Green's function", lambda _, way, figures: WAYS[way]),
+        ("a point anywhere", of_way("seconds", time_text)),
+        ("with the columns it needs", of_way("first_seconds", time_text)),
+        ("radius, mean edges", of_way("radius_in_edges", lambda x: number(x) if x else DASH)),
+        ("by another method", lambda *row: number(sum(row[-1].get("other_method", [])))),
     ]
-    return table(header, rows)
+    rows = [
+        (mesh, way, cases["Greens/" + way])
+        for mesh, cases in run.meshes.items()
+        for way in WAYS
+        if cases.get("Greens/" + way)
+    ]
+    return tabulate(columns, rows)
 
 
 def long_table(run):
-    rows = []
-    for mesh, cases in run.meshes.items():
-        pairs, movers = cases.get("Eigenpairs"), cases.get("EarthMovers")
-        if pairs or movers:
-            complete = median(pairs, "complete")
-            rows.append(
-                [
-                    mesh,
-                    number(median(pairs, "pairs")),
-                    time_text(median(pairs, "seconds")),
-                    DASH if complete is None else ("yes" if complete == 1.0 else "no"),
-                    time_text(median(movers, "seconds")),
-                    number(median(movers, "iterations")),
-                    percent(median(movers, "gap")),
-                    text(median(movers, "per_geodesic"), "{:.4f}"),
-                ]
-            )
-    header = [
-        "mesh",
-        "eigenpairs",
-        "time",
-        "known to be complete",
-        "earth mover's distance",
-        "iterations",
-        "gap of its bounds, %",
-        "distance / geodesic one",
+    def complete(value):
+        return DASH if value is None else ("yes" if value == 1.0 else "no")
+
+    columns = [
+        ("mesh", mesh_of),
+        ("eigenpairs", figure("Eigenpairs", "pairs")),
+        ("time", figure("Eigenpairs")),
+        ("known to be complete", figure("Eigenpairs", "complete", complete)),
+        ("earth mover's distance", figure("EarthMovers")),
+        ("iterations", figure("EarthMovers", "iterations")),
+        ("gap of its bounds, %", figure("EarthMovers", "gap", percent)),
+        ("distance / geodesic one", figure("EarthMovers", "per_geodesic", in_form("{:.4f}"))),
     ]
-    return table(header, rows)
+    rows = run.meshes.items()
+    return tabulate(columns, [row for row in rows if {"Eigenpairs", "EarthMovers"} & row[1].keys()])
 
 
 def peer_table(run):
-    rows = []
-    for mesh, peers in run.peers.items():
-        ours = run.meshes.get(mesh, {})
-        memory = median(ours.get("Factor"), "peak_bytes")
-        for peer, title in PEERS.items():
-            cases = peers.get(peer, {})
-            factor, column = cases.get("Factor"), cases.get("Column")
-            if not factor or not column:
-                continue
-            is_biharmonic = peer == "LibiglBiharmonic"
-            mine = seconds(ours, "Biharmonic" if is_biharmonic else "Column")
-            taken = median(factor, "peak_bytes")
-            difference = largest(column, "difference")
-            rows.append(
-                [
-                    mesh,
-                    title,
-                    time_text(median(factor, "seconds")),
-                    ratio_text(median(factor, "seconds"), seconds(ours, "Factor")),
-                    time_text(median(column, "seconds")),
-                    ratio_text(median(column, "seconds"), mine),
-                    bytes_text(taken),
-                    ratio_text(taken, memory),
-                    text(difference, "{:.1e}"),
-                ]
-            )
-    header = [
-        "mesh",
-        "peer",
-        "factorization",
-        "/ ours",
-        "column",
-        "/ ours",
-        "memory",
-        "/ ours",
-        "largest difference to ours",
+    def to_ours(case, key, our_case):
+        def make(mesh, peer, cases):
+            mine = "Biharmonic" if our_case == "Column" and peer == "LibiglBiharmonic" else our_case
+            ours = run.meshes.get(mesh, {}).get(mine)
+            return ratio_text(median(cases[case], key), median(ours, key))
+
+        return make
+
+    def difference(_, peer, cases):
+        return text(largest(cases["Column"], "difference"), "{:.1e}")
+
+    columns = [
+        ("mesh", mesh_of),
+        ("peer", lambda _, peer, cases: PEERS[peer]),
+        ("factorization", figure("Factor")),
+        ("/ ours", to_ours("Factor", "seconds", "Factor")),
+        ("column", figure("Column")),
+        ("/ ours", to_ours("Column", "seconds", "Column")),
+        ("memory", figure("Factor", "peak_bytes", bytes_text)),
+        ("/ ours", to_ours("Factor", "peak_bytes", "Factor")),
+        ("largest difference to ours", difference),
     ]
-    return table(header, rows)
+    rows = [
+        (mesh, peer, peers[peer])
+        for mesh, peers in run.peers.items()
+        for peer in PEERS
+        if {"Factor", "Column"} <= peers.get(peer, {}).keys()
+    ]
+    return tabulate(columns, rows)
 
 
 def convergence_table(run):
@@ -271,12 +227,16 @@ def convergence_table(run):
 
 
 def spline_table(run):
-    rows = []
-    for sites, figures in sorted(run.splines.items()):
-        error, time = median(figures, "error"), median(figures, "seconds")
-        rows.append([size_text(median(figures, "vertices")), number(sites), percent(error), time_text(time)])
-    header = ["vertices of a sphere", "sites of B-splines", "error of a solution, %", "time"]
-    return table(header, rows)
+    def of_sites(key, form):
+        return lambda _, figures: form(median(figures, key))
+
+    columns = [
+        ("vertices of a sphere", of_sites("vertices", size_text)),
+        ("sites of B-splines", lambda sites, _: number(sites)),
+        ("error of a solution, %", of_sites("error", percent)),
+        ("time", of_sites("seconds", time_text)),
+    ]
+    return tabulate(columns, sorted(run.splines.items()))
 
 
 def fallback_text(run):

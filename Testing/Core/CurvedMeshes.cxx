@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurvedMeshes.h"
-
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,27 +56,15 @@ TestMesh Terrain(Id n, double roughness, std::uint64_t seed)
 
 TestMesh Torus(Id nu, Id nv)
 {
-  TestMesh mesh;
-  for (Id j = 0; j < nv; ++j)
-  {
-    for (Id i = 0; i < nu; ++i)
-    {
+  return Grid(
+    nu, nv,
+    [=](Id i, Id j) {
       const double u = 2.0 * dgg::Pi * i / nu;
       const double v = 2.0 * dgg::Pi * j / nv;
       const double r = 1.0 + 0.4 * std::cos(v);
-      mesh.AddPoint(r * std::cos(u), r * std::sin(u), 0.4 * std::sin(v));
-    }
-  }
-  for (Id j = 0; j < nv; ++j)
-  {
-    for (Id i = 0; i < nu; ++i)
-    {
-      const Id right = (i + 1) % nu;
-      const Id up = (j + 1) % nv;
-      mesh.AddQuad(j * nu + i, j * nu + right, up * nu + right, up * nu + i);
-    }
-  }
-  return mesh;
+      return std::array<double, 3>{ { r * std::cos(u), r * std::sin(u), 0.4 * std::sin(v) } };
+    },
+    true, true);
 }
 
 TestMesh VoxelSurface(Id nx, Id ny, Id nz, const std::function<bool(Id, Id, Id)>& filled)
@@ -229,27 +215,18 @@ TestMesh SeveralComponents()
 
 std::vector<NamedMesh> SoundMeshes()
 {
-  std::vector<NamedMesh> meshes;
-  meshes.push_back({ "SphereNoise0", NoisySphere(2, 0.0, 1) });
-  meshes.push_back({ "SphereNoise10", NoisySphere(2, 0.1, 2) });
-  meshes.push_back({ "SphereNoise25", NoisySphere(2, 0.25, 3) });
-  meshes.push_back({ "SphereNoise50", NoisySphere(2, 0.5, 4) });
-  meshes.push_back({ "SphereNoise50Fine", NoisySphere(3, 0.5, 5) });
-  meshes.push_back({ "Ellipsoid20", Ellipsoid(2, 20.0) });
-  meshes.push_back({ "Ellipsoid20Noisy", WithNoise(Ellipsoid(2, 20.0), 0.1, 6) });
-  meshes.push_back({ "TerrainGentle", Terrain(14, 0.5, 7) });
-  meshes.push_back({ "TerrainRough", Terrain(14, 3.0, 8) });
-  meshes.push_back({ "Torus", Torus(16, 10) });
-  meshes.push_back({ "TorusNoisy", WithNoise(Torus(16, 10), 0.08, 9) });
-  meshes.push_back({ "TwoHoles", Subdivided(TwoHoledBlock(), 2) });
-  meshes.push_back({ "TwoHolesNoisy", WithNoise(Subdivided(TwoHoledBlock(), 2), 0.15, 10) });
-  meshes.push_back({ "SeveralComponents", SeveralComponents() });
-  meshes.push_back({ "CubeRegular", Cube(5) });
-  meshes.push_back({ "CubeJittered", Cube(5, 0.25, 11) });
-  meshes.push_back({ "Grid", Plane(10, 8) });
-  meshes.push_back({ "GridWithHole",
-    Plate(
-      10, 8, [](Id i, Id j) { return !(i >= 3 && i < 7 && j >= 2 && j < 5); }, 0.2, 12) });
-  return meshes;
+  return { { "SphereNoise0", NoisySphere(2, 0.0, 1) }, { "SphereNoise10", NoisySphere(2, 0.1, 2) },
+    { "SphereNoise25", NoisySphere(2, 0.25, 3) }, { "SphereNoise50", NoisySphere(2, 0.5, 4) },
+    { "SphereNoise50Fine", NoisySphere(3, 0.5, 5) }, { "Ellipsoid20", Ellipsoid(2, 20.0) },
+    { "Ellipsoid20Noisy", WithNoise(Ellipsoid(2, 20.0), 0.1, 6) },
+    { "TerrainGentle", Terrain(14, 0.5, 7) }, { "TerrainRough", Terrain(14, 3.0, 8) },
+    { "Torus", Torus(16, 10) }, { "TorusNoisy", WithNoise(Torus(16, 10), 0.08, 9) },
+    { "TwoHoles", Subdivided(TwoHoledBlock(), 2) },
+    { "TwoHolesNoisy", WithNoise(Subdivided(TwoHoledBlock(), 2), 0.15, 10) },
+    { "SeveralComponents", SeveralComponents() }, { "CubeRegular", Cube(5) },
+    { "CubeJittered", Cube(5, 0.25, 11) }, { "Grid", Plane(10, 8) },
+    { "GridWithHole",
+      Plate(
+        10, 8, [](Id i, Id j) { return !(i >= 3 && i < 7 && j >= 2 && j < 5); }, 0.2, 12) } };
 }
 }

@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DefectMeshes.h"
-
-#include "CurvedMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -169,47 +166,19 @@ double KleinBottleDistance(Id columns, Id rows, double x1, double y1, double x2,
 
 TestMesh SliverPlane(Id n, double height)
 {
-  TestMesh mesh;
   const Id middle = n / 2;
-  for (Id j = 0; j <= n + 1; ++j)
-  {
-    for (Id i = 0; i <= n; ++i)
-    {
-      mesh.AddPoint(i, j <= middle ? j : (j == middle + 1 ? middle + height : j - 1.0), 0.0);
-    }
-  }
-  for (Id j = 0; j <= n; ++j)
-  {
-    for (Id i = 0; i < n; ++i)
-    {
-      const Id v = j * (n + 1) + i;
-      mesh.AddQuad(v, v + 1, v + n + 2, v + n + 1);
-    }
-  }
-  return mesh;
+  return Grid(n + 1, n + 2, [=](Id i, Id j) {
+    const double y = j <= middle ? j : (j == middle + 1 ? middle + height : j - 1.0);
+    return std::array<double, 3>{ { static_cast<double>(i), y, 0.0 } };
+  });
 }
 
 TestMesh NeedlePlane(Id n, double width)
 {
-  TestMesh mesh;
-  for (Id j = 0; j <= n; ++j)
-  {
-    for (Id i = 0; i <= n; ++i)
-    {
-      mesh.AddPoint(i, j, 0.0);
-      mesh.AddPoint(i + width, j, 0.0);
-    }
-  }
-  const Id stride = 2 * (n + 1);
-  for (Id j = 0; j < n; ++j)
-  {
-    for (Id i = 0; i + 1 < stride; ++i)
-    {
-      const Id v = j * stride + i;
-      mesh.AddQuad(v, v + 1, v + stride + 1, v + stride);
-    }
-  }
-  return mesh;
+  return Grid(2 * (n + 1), n + 1, [=](Id i, Id j) {
+    const double x = i / 2 + (i % 2) * width;
+    return std::array<double, 3>{ { x, static_cast<double>(j), 0.0 } };
+  });
 }
 
 TestMesh CapPlane(Id n, double height)
@@ -433,37 +402,21 @@ std::vector<NamedMesh> DefectMeshes()
 {
   std::vector<Id> sheetOf;
   Id unused = 0;
-  std::vector<NamedMesh> meshes;
-  meshes.push_back({ "PinchedPlates", PinchedPlates(3) });
-  meshes.push_back({ "TouchingSpheres", TouchingSpheres(1) });
-  meshes.push_back({ "ThreeSheets", Book(3, 4, sheetOf, 0.2, 2) });
-  meshes.push_back({ "FiveSheets", Book(5, 3, sheetOf, 0.2, 3) });
-  meshes.push_back({ "PlaneWithFin", PlaneWithFin(4, unused, 0.2, 4) });
-  // Two cubes that touch along an edge, two that touch at a corner.
-  meshes.push_back({ "CubesOnEdge", VoxelSurface(2, 2, 1, [](Id i, Id j, Id) { return i == j; }) });
-  meshes.push_back(
-    { "CubesAtCorner", VoxelSurface(2, 2, 2, [](Id i, Id j, Id k) { return i == j && j == k; }) });
-  meshes.push_back({ "Slivers1e-3", SliverPlane(6, 1e-3) });
-  meshes.push_back({ "Slivers1e-6", SliverPlane(6, 1e-6) });
-  meshes.push_back({ "Slivers1e-9", SliverPlane(6, 1e-9) });
-  meshes.push_back({ "Needles1e-6", NeedlePlane(4, 1e-6) });
-  meshes.push_back({ "Needles1e-9", NeedlePlane(4, 1e-9) });
-  meshes.push_back(
-    { "NeedlesTurned1e-9", MovedRigidly(NeedlePlane(4, 1e-9), 0.7, { { 0.1, 0.2, 0.3 } }) });
-  meshes.push_back({ "Caps1e-3", CapPlane(6, 1e-3) });
-  meshes.push_back({ "Caps1e-6", CapPlane(6, 1e-6) });
-  meshes.push_back({ "Caps1e-9", CapPlane(6, 1e-9) });
-  meshes.push_back({ "Seam", SeamPlane(6) });
-  meshes.push_back({ "Zipped", ZippedPlane(6) });
-  meshes.push_back({ "Collinear", CollinearPlane(6) });
-  meshes.push_back({ "RepeatedVertices", RepeatedVertexPlane(5) });
-  meshes.push_back({ "DuplicateFaces", DuplicateFaceCube(3) });
-  meshes.push_back({ "IsolatedPoints", SphereWithIsolatedPoints(1) });
-  meshes.push_back({ "Misoriented", MisorientedSphere(2, 8) });
-  meshes.push_back({ "Collapsed", CollapsedSphere(2, 12, 9) });
-  meshes.push_back({ "Moebius", MoebiusStrip(9, 4) });
-  meshes.push_back({ "KleinBottle", KleinBottle(7, 5) });
-  return meshes;
+  return { { "PinchedPlates", PinchedPlates(3) }, { "TouchingSpheres", TouchingSpheres(1) },
+    { "ThreeSheets", Book(3, 4, sheetOf, 0.2, 2) }, { "FiveSheets", Book(5, 3, sheetOf, 0.2, 3) },
+    { "PlaneWithFin", PlaneWithFin(4, unused, 0.2, 4) },
+    { "CubesOnEdge", VoxelSurface(2, 2, 1, [](Id i, Id j, Id) { return i == j; }) },
+    { "CubesAtCorner", VoxelSurface(2, 2, 2, [](Id i, Id j, Id k) { return i == j && j == k; }) },
+    { "Slivers1e-3", SliverPlane(6, 1e-3) }, { "Slivers1e-6", SliverPlane(6, 1e-6) },
+    { "Slivers1e-9", SliverPlane(6, 1e-9) }, { "Needles1e-6", NeedlePlane(4, 1e-6) },
+    { "Needles1e-9", NeedlePlane(4, 1e-9) },
+    { "NeedlesTurned1e-9", MovedRigidly(NeedlePlane(4, 1e-9), 0.7, { { 0.1, 0.2, 0.3 } }) },
+    { "Caps1e-3", CapPlane(6, 1e-3) }, { "Caps1e-6", CapPlane(6, 1e-6) },
+    { "Caps1e-9", CapPlane(6, 1e-9) }, { "Seam", SeamPlane(6) }, { "Zipped", ZippedPlane(6) },
+    { "Collinear", CollinearPlane(6) }, { "RepeatedVertices", RepeatedVertexPlane(5) },
+    { "DuplicateFaces", DuplicateFaceCube(3) }, { "IsolatedPoints", SphereWithIsolatedPoints(1) },
+    { "Misoriented", MisorientedSphere(2, 8) }, { "Collapsed", CollapsedSphere(2, 12, 9) },
+    { "Moebius", MoebiusStrip(9, 4) }, { "KleinBottle", KleinBottle(7, 5) } };
 }
 
 TestMesh RandomSoup(Id vertices, Id faces, std::uint64_t seed)
@@ -521,5 +474,10 @@ std::vector<NamedMesh> DefectMeshesAndSoups(int soups)
     meshes.push_back({ "soup " + std::to_string(seed), RandomSoup(vertices, faces, seed) });
   }
   return meshes;
+}
+
+std::vector<NamedMesh> AllMeshes()
+{
+  return Joined(SoundMeshes(), DefectMeshes());
 }
 }

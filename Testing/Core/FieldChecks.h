@@ -12,8 +12,6 @@
 #include "dggExactGeodesics.h"
 #include "dggSourceFinding.h"
 
-#include <gtest/gtest.h>
-
 #include <vector>
 
 namespace dggtest
@@ -29,8 +27,7 @@ struct ExactField
     options.Engine = engine;
     options.KeepWindows = true;
     options.Targets = targets;
-    const dgg::Status status = dgg::ExactGeodesics(mesh).Run(sources, options, this->Result);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(Ok(dgg::ExactGeodesics(mesh).Run(sources, options, this->Result)));
     dgg::FindVirtualSources(mesh, sources, this->Result, this->Virtual);
     this->Exact = { &mesh, this->Result.Distances.data(), &this->Result.Windows, nullptr };
     this->ExactWithSources = { &mesh, this->Result.Distances.data(), &this->Result.Windows,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,31 +100,18 @@ TestMesh PrismSide(Id sides, Id columns, Id rows, double jitter, std::uint64_t s
 {
   Random random(seed);
   const double radius = 0.5 / std::sin(dgg::Pi / sides);
-  const Id around = sides * columns;
-  TestMesh mesh;
-  for (Id j = 0; j <= rows; ++j)
-  {
-    for (Id i = 0; i < around; ++i)
-    {
+  return Grid(
+    sides * columns, rows + 1,
+    [&](Id i, Id j) {
       const double angle = 2.0 * dgg::Pi * (i / columns) / sides;
       const double next = 2.0 * dgg::Pi * (i / columns + 1) / sides;
       const double t = static_cast<double>(i % columns) / columns;
       const double lift = jitter * random.Uniform(-1.0, 1.0);
-      mesh.AddPoint(radius * ((1.0 - t) * std::cos(angle) + t * std::cos(next)),
+      return std::array<double, 3>{ { radius * ((1.0 - t) * std::cos(angle) + t * std::cos(next)),
         radius * ((1.0 - t) * std::sin(angle) + t * std::sin(next)),
-        j + (j > 0 && j < rows ? lift : 0.0));
-    }
-  }
-  for (Id j = 0; j < rows; ++j)
-  {
-    for (Id i = 0; i < around; ++i)
-    {
-      const Id right = (i + 1) % around;
-      mesh.AddQuad(
-        j * around + i, j * around + right, (j + 1) * around + right, (j + 1) * around + i);
-    }
-  }
-  return mesh;
+        j + (j > 0 && j < rows ? lift : 0.0) } };
+    },
+    true);
 }
 
 TestMesh Cone(double total, Id wedges, Id rings, std::vector<ConePoint>& coordinates, double jitter,
@@ -263,10 +250,7 @@ TestMesh Tetrahedron()
   // Alternate corners of a cube of edge 1/sqrt(2).
   const double a = 0.5 / std::sqrt(2.0);
   TestMesh mesh;
-  mesh.AddPoint(a, a, a);
-  mesh.AddPoint(a, -a, -a);
-  mesh.AddPoint(-a, a, -a);
-  mesh.AddPoint(-a, -a, a);
+  mesh.Points = { a, a, a, a, -a, -a, -a, a, -a, -a, -a, a };
   mesh.Triangles = { 0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2 };
   return mesh;
 }
@@ -275,12 +259,7 @@ TestMesh Octahedron()
 {
   const double a = 1.0 / std::sqrt(2.0);
   TestMesh mesh;
-  mesh.AddPoint(a, 0.0, 0.0);
-  mesh.AddPoint(-a, 0.0, 0.0);
-  mesh.AddPoint(0.0, a, 0.0);
-  mesh.AddPoint(0.0, -a, 0.0);
-  mesh.AddPoint(0.0, 0.0, a);
-  mesh.AddPoint(0.0, 0.0, -a);
+  mesh.Points = { a, 0, 0, -a, 0, 0, 0, a, 0, 0, -a, 0, 0, 0, a, 0, 0, -a };
   mesh.Triangles = { 0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5 };
   return mesh;
 }

@@ -25,8 +25,7 @@ dgg::ExactResult Solve(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
   }
   dgg::ExactGeodesics solver(mesh);
   dgg::ExactResult result;
-  const dgg::Status status = solver.Run(sources, options, result);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_TRUE(Ok(solver.Run(sources, options, result)));
   return result;
 }
 
@@ -71,7 +70,7 @@ void ExpectSameField(const std::vector<double>& expected, const std::vector<doub
 }
 
 void ExpectAllPairs(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
-  const std::function<double(Id, Id)>& truth, double tolerance)
+  const std::function<double(Id, Id)>& truth, double tolerance, double absolute)
 {
   for (Id a = 0; a < mesh.GetNumberOfVertices(); ++a)
   {
@@ -79,7 +78,7 @@ void ExpectAllPairs(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
     for (Id b = 0; b < mesh.GetNumberOfVertices(); ++b)
     {
       const double expected = truth(a, b);
-      if (!(std::abs(distances[b] - expected) <= tolerance * expected))
+      if (!(std::abs(distances[b] - expected) <= std::max(absolute, tolerance * expected)))
       {
         ADD_FAILURE() << "from " << a << " to " << b << ": expected " << expected << ", got "
                       << distances[b] << ", relative error "
@@ -88,6 +87,13 @@ void ExpectAllPairs(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
       }
     }
   }
+}
+
+void ExpectEuclid(const TestMesh& plane, dgg::ExactEngine engine, double tolerance, double absolute)
+{
+  ExpectAllPairs(
+    Build(plane), engine, [&](Id a, Id b) { return EuclideanDistance(plane, a, b); }, tolerance,
+    absolute);
 }
 
 void ExpectClose(double expected, double actual, double tolerance, const std::string& what)

@@ -9,8 +9,6 @@
 
 #include "dggExactGeodesics.h"
 
-#include <gtest/gtest.h>
-
 #include <functional>
 #include <string>
 #include <vector>
@@ -48,9 +46,13 @@ double LargestDifference(
 /// Expect two fields to agree to an absolute tolerance.
 void ExpectSameField(const std::vector<double>& expected, const std::vector<double>& actual,
   double tolerance, const std::string& what);
-/// Expect every pair of vertices to be at the distance that `truth` says, relative tolerance.
+/// Expect every pair of vertices to be at the distance that `truth` says, up to a part of it or an
+/// absolute length.
 void ExpectAllPairs(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
-  const std::function<double(Id, Id)>& truth, double tolerance = 1e-12);
+  const std::function<double(Id, Id)>& truth, double tolerance = 1e-12, double absolute = 0.0);
+/// The same of the vertices of a mesh in the plane.
+void ExpectEuclid(
+  const TestMesh& plane, dgg::ExactEngine engine, double tolerance = 1e-12, double absolute = 0.0);
 /// Relative comparison with a message.
 void ExpectClose(double expected, double actual, double tolerance, const std::string& what);
 
@@ -62,6 +64,44 @@ std::vector<Id> SomeVertices(const dgg::SurfaceMesh& mesh, Id count, std::uint64
 std::vector<dgg::SurfacePoint> RandomSurfacePoints(
   const dgg::SurfaceMesh& mesh, Id count, std::uint64_t seed);
 dgg::GeodesicSource VertexSource(Id vertex, double initialDistance = 0.0);
+
+/// Relative to the expected distance, where that is not 0.
+struct Errors
+{
+  double Mean = 0.0;
+  double Largest = 0.0;
+};
+
+inline Errors Compare(const std::vector<double>& actual, const std::vector<double>& expected)
+{
+  EXPECT_EQ(actual.size(), expected.size());
+  Errors errors;
+  double count = 0.0;
+  for (std::size_t v = 0; v < actual.size(); ++v)
+  {
+    EXPECT_EQ(actual[v] < dgg::Infinity, expected[v] < dgg::Infinity) << v;
+    if (expected[v] > 0.0 && expected[v] < dgg::Infinity)
+    {
+      const double error = std::abs(actual[v] / expected[v] - 1.0);
+      errors.Mean += error;
+      errors.Largest = std::max(errors.Largest, error);
+      count += 1.0;
+    }
+  }
+  errors.Mean /= std::max(1.0, count);
+  return errors;
+}
+
+/// Distances in the plane.
+inline std::vector<double> EuclideanDistances(const TestMesh& plane, Id source)
+{
+  std::vector<double> distances;
+  for (Id v = 0; v < plane.GetNumberOfVertices(); ++v)
+  {
+    distances.push_back(EuclideanDistance(plane, source, v));
+  }
+  return distances;
+}
 }
 
 #endif

@@ -11,7 +11,6 @@
 #include <functional>
 #include <queue>
 #include <stdexcept>
-#include <thread>
 
 namespace dggtest
 {
@@ -57,27 +56,29 @@ dgg::GeodesicGraph BuildGraph(
     mesh, accuracy, [&](dgg::GraphOptions& options) { options.Construction = construction; });
 }
 
+std::vector<dgg::GraphConstruction> AllConstructions()
+{
+  return { dgg::GraphConstruction::Guaranteed, dgg::GraphConstruction::OneRelay,
+    dgg::GraphConstruction::Indirect, dgg::GraphConstruction::SaddleVertexGraph };
+}
+
+double SlackOf(const dgg::SurfaceMesh& mesh)
+{
+  return 10.0 * mesh.GetNumberOfMollifiedFaces() * mesh.GetMollification();
+}
+
 dgg::ParallelFor WithThreads(int count, Offset size)
 {
   using Body = std::function<void(Offset, Offset)>;
   return [count, size](Offset total, Offset grain, const Body& body) {
     const Offset step = size > 0 ? size : grain;
     std::atomic<Offset> next{ 0 };
-    const auto work = [&] {
+    InThreads(count, [&](int) {
       for (Offset begin = next.fetch_add(step); begin < total; begin = next.fetch_add(step))
       {
         body(begin, std::min(begin + step, total));
       }
-    };
-    std::vector<std::thread> threads;
-    for (int i = 0; i < count; ++i)
-    {
-      threads.emplace_back(work);
-    }
-    for (std::thread& thread : threads)
-    {
-      thread.join();
-    }
+    });
   };
 }
 
@@ -132,8 +133,7 @@ DistanceTable ExactTable(const dgg::SurfaceMesh& mesh)
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     dgg::ExactResult result;
-    const dgg::Status status = solver.Run({ VertexSource(v) }, dgg::ExactOptions(), result);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(Ok(solver.Run({ VertexSource(v) }, dgg::ExactOptions(), result)));
     table.SetRow(v, result.Distances);
   }
   return table;
@@ -196,8 +196,7 @@ RelativeError MeasureError(const DistanceTable& exact, const DistanceTable& appr
 
 void ExpectWellFormed(const dgg::SurfaceMesh& mesh, const dgg::GraphView& graph)
 {
-  const dgg::Status status = dgg::CheckGraph(graph, graph.GetNumberOfEdges());
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_TRUE(Ok(dgg::CheckGraph(graph, graph.GetNumberOfEdges())));
   std::size_t oneWay = 0;
   std::size_t unequal = 0;
   std::size_t repeated = 0;

@@ -26,6 +26,8 @@ dgg::GeodesicGraph BuildGraph(const dgg::SurfaceMesh& mesh, double accuracy,
 dgg::GeodesicGraph BuildGraph(
   const dgg::SurfaceMesh& mesh, double accuracy, dgg::GraphConstruction construction);
 
+std::vector<dgg::GraphConstruction> AllConstructions();
+
 /// Threads that take ranges of a size of their own from a common counter; of the size that the
 /// kernel asks for when it is 0.
 dgg::ParallelFor WithThreads(int count, dgg::Offset size = 0);
@@ -58,6 +60,8 @@ private:
 DistanceTable ExactTable(const dgg::SurfaceMesh& mesh);
 DistanceTable GraphTable(const dgg::GraphView& graph);
 
+/// What faces without area, which are lengthened by a little, add to exact distances.
+double SlackOf(const dgg::SurfaceMesh& mesh);
 /// Expect exact (1 - 1e-9) <= approximate <= (1 + accuracy) exact (1 + 1e-6) for all pairs, and
 /// infinite distances to be infinite in both. `slack` is what the exact distances may be off, an
 /// absolute length: 0 but for meshes with faces of no area.

@@ -5,12 +5,10 @@
 #ifndef GraphicsTestTools_h
 #define GraphicsTestTools_h
 
-#include "CurveInputs.h"
+#include "CurveChecks.h"
 
 #include "dggGraphicsRefinement.h"
 #include "dggVectorGraphics.h"
-
-#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
@@ -33,8 +31,7 @@ inline void RefineAll(const SurfaceMesh& mesh, int levels, RefinedSurface& surfa
 {
   dgg::GraphicsRefinement refinement;
   refinement.Levels = levels;
-  const dgg::Status status = dgg::RefineForGraphics(mesh, refinement, surface);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_TRUE(Ok(dgg::RefineForGraphics(mesh, refinement, surface)));
 }
 
 /// A drawing on a mesh with points.
@@ -94,6 +91,14 @@ public:
     return this->Curves.back();
   }
 
+  /// Straight in the plane z = 0, of one colour on each side.
+  GraphicsCurve& AddLine(GraphicsCurveType type, const std::array<double, 2>& from,
+    const std::array<double, 2>& to, double left, double right)
+  {
+    return this->Add(type, { this->Find(from[0], from[1]), this->Find(to[0], to[1]) },
+      { left, left }, { right, right });
+  }
+
   dgg::Status Prepare(int levels = 0)
   {
     this->Surface = Embed(this->Mesh, this->Lines);
@@ -111,10 +116,8 @@ public:
   }
   void Run(int levels = 0)
   {
-    dgg::Status status = this->Prepare(levels);
-    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
-    status = this->Solve();
-    ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+    ASSERT_TRUE(Ok(this->Prepare(levels)));
+    ASSERT_TRUE(Ok(this->Solve()));
   }
 
   std::size_t GetNumberOfValues() const { return this->Graphics.GetSurface().Points.size(); }

@@ -9,8 +9,7 @@
 #include "TestMeshes.h"
 
 #include "dggGreensFunction.h"
-
-#include <gtest/gtest.h>
+#include "dggSurfacePath.h"
 
 #include <algorithm>
 #include <array>
@@ -32,15 +31,13 @@ public:
     : Solver(mesh)
     , Function(Solver)
   {
-    const dgg::Status status = this->Solver.Prepare(options, nullptr);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(Ok(this->Solver.Prepare(options, nullptr)));
   }
 
   dgg::GreensResult Run(const dgg::SurfacePoint& pole, const dgg::GreensQuery& query = {}) const
   {
     dgg::GreensResult result;
-    const dgg::Status status = this->Function.Run(pole, query, result);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(Ok(this->Function.Run(pole, query, result)));
     return result;
   }
   dgg::GreensResult Run(const dgg::SurfacePoint& pole, dgg::GreensMethod method) const
@@ -62,12 +59,20 @@ inline dgg::PoissonOptions With(dgg::PoissonBoundary boundary, bool delaunay = f
   return options;
 }
 
+inline constexpr dgg::PoissonBoundary Boundaries[] = { dgg::PoissonBoundary::Neumann,
+  dgg::PoissonBoundary::Dirichlet };
+/// Both kinds of boundaries, without and with flips.
+inline std::vector<dgg::PoissonOptions> AllPoissonOptions()
+{
+  return { With(Boundaries[0], false), With(Boundaries[0], true), With(Boundaries[1], false),
+    With(Boundaries[1], true) };
+}
+
 inline std::unique_ptr<dgg::PoissonSolver> Ready(
   const dgg::SurfaceMesh& mesh, const dgg::PoissonOptions& options = {})
 {
   auto solver = std::make_unique<dgg::PoissonSolver>(mesh);
-  const dgg::Status status = solver->Prepare(options, nullptr);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_TRUE(Ok(solver->Prepare(options, nullptr)));
   return solver;
 }
 
@@ -82,21 +87,6 @@ inline dgg::SurfacePoint InsideFace(const dgg::SurfaceMesh& mesh, Random& random
   }
   return dgg::SurfacePoint::InFace(
     mesh, random.Index(mesh.GetNumberOfFaces()), { { 1.0 - a - b, a, b } });
-}
-
-inline std::array<double, 3> PositionOf(
-  const TestMesh& points, const dgg::SurfaceMesh& mesh, const dgg::SurfacePoint& p)
-{
-  std::array<double, 3> x{ { 0.0, 0.0, 0.0 } };
-  for (int k = 0; k < 3; ++k)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      x[k] += dgg::IsVertex(p) ? (c == 0 ? points.Point(p.Vertex)[k] : 0.0)
-                               : p.Barycentric[c] * points.Point(mesh.Origin(3 * p.Face + c))[k];
-    }
-  }
-  return x;
 }
 
 inline double SphereGreens(double cosine)
@@ -167,7 +157,8 @@ struct SphereErrors
 inline SphereErrors CompareOnSphere(const TestMesh& sphere, const Greens& greens,
   const dgg::SurfacePoint& pole, const std::vector<double>& values, double reach)
 {
-  const std::array<double, 3> x = PositionOf(sphere, greens.Solver.GetMesh(), pole);
+  const std::array<double, 3> x =
+    dgg::PositionOf(greens.Solver.GetMesh(), pole, sphere.Points.data());
   const double norm = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
   Comparison near;
   Comparison all;
@@ -187,6 +178,28 @@ inline SphereErrors CompareOnSphere(const TestMesh& sphere, const Greens& greens
     }
   }
   return { near.Relative(), all.Relative() };
+}
+
+/// Whether its triangles are too thin. Fails where something else is wrong.
+inline bool IsTooThin(const dgg::SurfaceMesh& mesh, const dgg::PoissonOptions& options = {})
+{
+  dgg::PoissonSolver solver(mesh);
+  const dgg::Status status = solver.Prepare(options, nullptr);
+  EXPECT_EQ(status.IsOk(), solver.IsReady());
+  if (!status.IsOk())
+  {
+    EXPECT_TRUE(Says(status, "too thin"));
+  }
+  return !status.IsOk();
+}
+
+/// The same, for meshes of all kinds: of those with names only soups may be.
+inline bool IsThinSoup(
+  const dgg::SurfaceMesh& mesh, const std::string& name, const dgg::PoissonOptions& options)
+{
+  const bool isThin = IsTooThin(mesh, options);
+  EXPECT_TRUE(!isThin || name.compare(0, 4, "soup") == 0) << name;
+  return isThin;
 }
 }
 

@@ -5,8 +5,6 @@
 #include "dggEdges.h"
 #include "dggSurfacePath.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -24,8 +22,7 @@ Isolines Trace(const DistanceField& field, const std::vector<double>& levels, do
   options.Method = method;
   options.ChordTolerance = tolerance;
   Isolines lines;
-  const Status status = TraceIsolines(field, levels, options, nullptr, nullptr, lines);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_TRUE(Ok(TraceIsolines(field, levels, options, nullptr, nullptr, lines)));
   EXPECT_EQ(lines.Lines.size(), lines.Levels.size());
   EXPECT_EQ(lines.Lines.size(), lines.IsClosed.size());
   return lines;

@@ -10,8 +10,6 @@
 #include "dggHandleLoops.h"
 #include "dggLoopFinder.h"
 
-#include <gtest/gtest.h>
-
 #include <memory>
 #include <vector>
 
@@ -27,8 +25,7 @@ public:
   {
     dgg::GraphOptions options;
     options.Accuracy = accuracy;
-    const dgg::Status status = this->Builder.Build(options, this->Graph);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(Ok(this->Builder.Build(options, this->Graph)));
     this->Search = std::make_unique<dgg::GraphSearch>(this->Graph.View(), &this->Mesh);
     this->Finder =
       std::make_unique<dgg::LoopFinder>(this->Mesh, *this->Search, &this->Builder, nullptr);
@@ -71,8 +68,7 @@ private:
   void Expect(const dgg::Status& status, const dgg::FoundLoop& loop) const
   {
     ASSERT_TRUE(status.IsOk()) << status.GetMessage();
-    const dgg::Status path = dgg::CheckPath(this->Mesh, loop.Loop);
-    EXPECT_TRUE(path.IsOk()) << path.GetMessage();
+    EXPECT_TRUE(Ok(dgg::CheckPath(this->Mesh, loop.Loop)));
     if (!loop.Loop.IsEmpty())
     {
       const dgg::SurfacePoint& first = loop.Loop.Points.front();

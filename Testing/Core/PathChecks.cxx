@@ -7,8 +7,6 @@
 #include "dggExactGeodesics.h"
 #include "dggExactPath.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 
@@ -58,9 +56,7 @@ void ExpectShortestBetween(const dgg::SurfaceMesh& mesh, dgg::ExactGeodesics& so
   options.Targets = { Beside(mesh, path, out, out) };
   options.StopAtTargets = true;
   dgg::ExactResult result;
-  const dgg::Status status =
-    solver.Run({ { Beside(mesh, path, in, in + 1), 0.0 } }, options, result);
-  ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+  ASSERT_TRUE(Ok(solver.Run({ { Beside(mesh, path, in, in + 1), 0.0 } }, options, result)));
   EXPECT_GT(result.TargetDistances[0], Fraction * (before + after) * (1.0 - 1e-6))
     << "bend at point " << out;
 }
@@ -113,8 +109,7 @@ std::vector<SurfacePath> FindPaths(
   const dgg::SurfaceMesh& mesh, const SurfacePoint& from, const std::vector<SurfacePoint>& to)
 {
   std::vector<SurfacePath> paths;
-  const dgg::Status status = dgg::ExactPathFinder(mesh).Find(from, to, nullptr, paths);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_TRUE(Ok(dgg::ExactPathFinder(mesh).Find(from, to, nullptr, paths)));
   paths.resize(to.size());
   return paths;
 }

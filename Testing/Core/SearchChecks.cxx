@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SearchChecks.h"
 
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
-
-#include <gtest/gtest.h>
+#include "TestMeshes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +80,28 @@ std::vector<dgg::GraphSeed> RandomSeeds(Id numberOfVertices, Id count, std::uint
   seeds.push_back(seeds.front());
   seeds.back().Distance -= 0.05;
   return seeds;
+}
+
+std::vector<dgg::GraphSeed> SeedsOf(
+  const dgg::GraphBuilder& builder, const dgg::SurfacePoint& point, double accuracy, double offset)
+{
+  std::vector<dgg::GraphLink> links;
+  std::vector<double> direct;
+  EXPECT_TRUE(Ok(builder.Link(point, accuracy, {}, links, direct)));
+  std::vector<dgg::GraphSeed> seeds;
+  for (const dgg::GraphLink& link : links)
+  {
+    seeds.push_back({ link.Vertex, offset + link.Length, offset, 0, link.ArrivalAngle });
+  }
+  return seeds;
+}
+
+dgg::GraphView AsCloud(dgg::GraphView graph)
+{
+  graph.Info.Kind = dgg::GraphKind::Cloud;
+  graph.Angles = nullptr;
+  graph.ArrivalAngles = nullptr;
+  return graph;
 }
 
 std::vector<double> ReferenceDistances(

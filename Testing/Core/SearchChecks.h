@@ -51,6 +51,11 @@ std::vector<std::unique_ptr<SearchCase>> SearchCases();
 dgg::GraphSeed SeedAt(Id vertex, double distance = 0.0, Id source = 0);
 /// Seeds at some vertices, with offsets that may be negative; one vertex twice.
 std::vector<dgg::GraphSeed> RandomSeeds(Id numberOfVertices, Id count, std::uint64_t seed);
+/// Those of a point anywhere, by its links.
+std::vector<dgg::GraphSeed> SeedsOf(const dgg::GraphBuilder& builder,
+  const dgg::SurfacePoint& point, double accuracy, double offset = 0.0);
+/// The same graph as that of a cloud, which has no directions.
+dgg::GraphView AsCloud(dgg::GraphView graph);
 /// What an independent Dijkstra says.
 std::vector<double> ReferenceDistances(
   const dgg::GraphView& graph, const std::vector<dgg::GraphSeed>& seeds);

@@ -5,9 +5,7 @@
 #ifndef SplineTestTools_h
 #define SplineTestTools_h
 
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GreensTestTools.h"
 
 #include "dggHarmonicSplines.h"
@@ -91,23 +89,20 @@ public:
     const std::vector<dgg::SurfacePoint>& points, dgg::GreensMethod method) const
   {
     std::vector<double> values;
-    const dgg::Status status = this->Functions.Evaluate(points, method, nullptr, nullptr, values);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(Ok(this->Functions.Evaluate(points, method, nullptr, nullptr, values)));
     return values;
   }
   std::vector<double> SolveSites(const std::vector<double>& sources) const
   {
     std::vector<double> coefficients;
-    const dgg::Status status = this->Functions.Solve(sources, {}, coefficients);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(Ok(this->Functions.Solve(sources, {}, coefficients)));
     return coefficients;
   }
   std::vector<double> Combine(
     const std::vector<double>& coefficients, const std::vector<double>& given = {}) const
   {
     std::vector<double> values;
-    const dgg::Status status = this->Functions.Combine(coefficients, given, values);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(Ok(this->Functions.Combine(coefficients, given, values)));
     return values;
   }
 

@@ -7,8 +7,6 @@
 
 #include "dggApolloniusDiagram.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 

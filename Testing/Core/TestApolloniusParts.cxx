@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The published isolines: the pieces in faces.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
+#include "TestMeshes.h"
 #include "FieldChecks.h"
-#include "FlatMeshes.h"
 #include "GraphChecks.h"
 #include "IsolineChecks.h"
 
@@ -13,8 +11,6 @@
 #include "dggFaceProfile.h"
 #include "dggHermiteEdge.h"
 #include "dggSourceFinding.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +27,8 @@ struct Parts
     const ParallelFor& parallel = {})
   {
     LevelCrossings crossings;
-    const Status status =
-      FindApolloniusParts(field, steinerPoints, levels, parallel, {}, crossings, this->Curves);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(
+      Ok(FindApolloniusParts(field, steinerPoints, levels, parallel, {}, crossings, this->Curves)));
     this->Crossings = crossings.Crossings;
   }
 
@@ -247,13 +242,8 @@ bool IsSame(const Parts& a, const Parts& b)
 
 TEST(ApolloniusParts, AreSoundOnAnySurface)
 {
-  std::vector<NamedMesh> meshes = DefectMeshes();
-  for (const NamedMesh& named : SoundMeshes())
-  {
-    meshes.push_back(named);
-  }
   std::size_t curves = 0;
-  for (const NamedMesh& named : meshes)
+  for (const NamedMesh& named : AllMeshes())
   {
     const SurfaceMesh mesh = Build(named.Mesh);
     const FieldCase c(named.Mesh,

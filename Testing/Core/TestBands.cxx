@@ -2,21 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Surfaces cut along isolines: every face lies between two levels.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
+#include "../Benchmark/BandMarching.h"
 #include "FieldChecks.h"
-#include "FlatMeshes.h"
 #include "GeodesicChecks.h"
+#include "TestMeshes.h"
 
 #include "dggBands.h"
 #include "dggFaceProfile.h"
 #include "dggIsolines.h"
 #include "dggUnfolding.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 using namespace dgg;
 using namespace dggtest;
@@ -31,10 +30,8 @@ struct BandCase
   {
     IsolineOptions options;
     options.ChordTolerance = tolerance;
-    Status status = TraceIsolines(field, levels, options, {}, {}, this->Lines);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
-    status = MakeBands(field, levels, this->Lines, {}, this->Found);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(Ok(TraceIsolines(field, levels, options, {}, {}, this->Lines)));
+    EXPECT_TRUE(Ok(MakeBands(field, levels, this->Lines, {}, this->Found)));
     EXPECT_EQ(static_cast<Id>(this->Found.BandOf.size()), this->Found.Surface.GetNumberOfFaces());
     EXPECT_EQ(
       static_cast<Id>(this->Found.Distances.size()), this->Found.Surface.GetNumberOfVertices());
@@ -51,6 +48,15 @@ struct BandCase
     for (Id f = 0; f < this->Found.Surface.GetNumberOfFaces(); ++f)
     {
       sum += this->Found.BandOf[f] == band ? this->AreaOf(f) : 0.0;
+    }
+    return sum;
+  }
+  double AreaOfAllBands() const
+  {
+    double sum = 0.0;
+    for (Id band = 0; band <= static_cast<Id>(this->Found.Levels.size()); ++band)
+    {
+      sum += this->AreaOfBand(band);
     }
     return sum;
   }
@@ -106,13 +112,8 @@ std::vector<double> LevelsOf(const DistanceField& field, int count)
 void ExpectSound(const BandCase& test, const std::string& what)
 {
   const RefinedSurface& surface = test.Found.Surface;
-  double sum = 0.0;
-  for (Id band = 0; band <= static_cast<Id>(test.Found.Levels.size()); ++band)
-  {
-    sum += test.AreaOfBand(band);
-  }
   const double area = test.AreaOfReachedFaces();
-  EXPECT_NEAR(sum, area, 1e-10 * area) << what;
+  EXPECT_NEAR(test.AreaOfAllBands(), area, 1e-10 * area) << what;
   const double close = 1e-8 * test.Field.Mesh->GetMaximumEdgeLength();
   for (Id f = 0; f < surface.GetNumberOfFaces(); ++f)
   {
@@ -248,24 +249,10 @@ TEST(Bands, DefectsAreSurvived)
     for (const DistanceField* f : { &field.Exact, &field.Local, &field.Linear })
     {
       const BandCase test(*f, LevelsOf(*f, 8));
-      double sum = 0.0;
-      for (Id band = 0; band <= static_cast<Id>(test.Found.Levels.size()); ++band)
-      {
-        sum += test.AreaOfBand(band);
-      }
       const double area = test.AreaOfReachedFaces();
-      EXPECT_NEAR(sum, area, 1e-9 * area) << named.Name;
+      EXPECT_NEAR(test.AreaOfAllBands(), area, 1e-9 * area) << named.Name;
     }
   }
-}
-
-TEST(Bands, WhatIsNotReachedIsLeftOut)
-{
-  const SurfaceMesh mesh = Build(SeveralComponents());
-  const ExactField field(mesh, { VertexSource(0) });
-  const BandCase test(field.Exact, { 0.5, 1.0, 2.0 });
-  ExpectSound(test, "components");
-  EXPECT_GT(std::count(test.Found.BandOf.begin(), test.Found.BandOf.end(), NoId), 50);
 }
 
 TEST(Bands, NoLevelsIsOneBand)
@@ -281,30 +268,37 @@ TEST(Bands, NoLevelsIsOneBand)
   }
 }
 
+/// Progress is reported now and then while faces are cut, and a stop soon ends it.
+void ExpectProgress(
+  const BandCase& test, const std::vector<double>& levels, int reports, double limit)
+{
+  int early = 0;
+  Listener listener;
+  Bands bands;
+  const auto watch = [&](double done) {
+    early += done > 0.0 && done < 0.5 ? 1 : 0;
+    return listener(done);
+  };
+  ASSERT_TRUE(MakeBands(test.Field, levels, test.Lines, watch, bands).IsOk());
+  EXPECT_GT(early, reports);
+  EXPECT_EQ(listener.Done, 1.0);
+  double last = 0.0;
+  const auto stop = [&](double done) {
+    last = done;
+    return done < limit;
+  };
+  EXPECT_TRUE(MakeBands(test.Field, levels, test.Lines, stop, bands).IsAborted());
+  EXPECT_LT(last, limit + 0.15);
+  EXPECT_EQ(bands.Surface.GetNumberOfFaces(), 0);
+  EXPECT_TRUE(bands.BandOf.empty());
+}
+
 TEST(Bands, TellProgressWhileTheyAreCut)
 {
   const SurfaceMesh mesh = Build(Icosphere(5)); // 20480 faces
   const ExactField field(mesh, { VertexSource(0) });
   const std::vector<double> levels{ 0.5, 1.0 };
-  const BandCase test(field.Exact, levels);
-  std::vector<double> told;
-  double limit = 2.0;
-  const ProgressCallback watch = [&](double done) {
-    told.push_back(done);
-    return done < limit;
-  };
-  Bands bands;
-  ASSERT_TRUE(MakeBands(field.Exact, levels, test.Lines, watch, bands).IsOk());
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_GT(
-    std::count_if(told.begin(), told.end(), [](double d) { return d > 0.0 && d < 0.5; }), 9);
-  EXPECT_EQ(told.back(), 1.0);
-  limit = 0.3;
-  told.clear();
-  EXPECT_TRUE(MakeBands(field.Exact, levels, test.Lines, watch, bands).IsAborted());
-  EXPECT_LT(told.back(), 0.4);
-  EXPECT_EQ(bands.Surface.GetNumberOfFaces(), 0);
-  EXPECT_TRUE(bands.BandOf.empty());
+  ExpectProgress(BandCase(field.Exact, levels), levels, 9, 0.3);
 }
 
 TEST(Bands, ManyLevelsInOneFace)
@@ -322,22 +316,7 @@ TEST(Bands, ManyLevelsInOneFace)
     {
       EXPECT_GT(test.AreaOfBand(band), 0.0) << band;
     }
-    std::vector<double> told;
-    double limit = 2.0;
-    const ProgressCallback watch = [&](double done) {
-      told.push_back(done);
-      return done < limit;
-    };
-    Bands bands;
-    ASSERT_TRUE(MakeBands(*f, levels, test.Lines, watch, bands).IsOk());
-    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-    EXPECT_GT(
-      std::count_if(told.begin(), told.end(), [](double d) { return d > 0.0 && d < 0.5; }), 3);
-    limit = 0.2;
-    told.clear();
-    EXPECT_TRUE(MakeBands(*f, levels, test.Lines, watch, bands).IsAborted());
-    EXPECT_LT(told.back(), 0.35);
-    EXPECT_TRUE(bands.BandOf.empty());
+    ExpectProgress(test, levels, 3, 0.2);
   }
 }
 
@@ -373,4 +352,128 @@ TEST(Bands, CanBeStoppedAndRefuseBadArguments)
   EXPECT_FALSE(MakeBands({}, levels, test.Lines, {}, bands).IsOk());
   EXPECT_FALSE(MakeBands(field.Exact, { 0.5 }, test.Lines, {}, bands).IsOk());
   EXPECT_FALSE(MakeBands(field.Exact, { 0.5, Infinity }, test.Lines, {}, bands).IsOk());
+}
+
+namespace
+{
+using dgg::BandMarching;
+using dgg::BandSource;
+using dgg::Point3;
+using dgg::VoxelBand;
+
+struct Cloud
+{
+  std::vector<Point3> Points;
+  std::vector<double> Radii;
+};
+
+/// A square of n x n points with sides of length 1, in a slanted plane, at a height.
+void AddSquare(Cloud& cloud, int n, double height, double radius)
+{
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      const double x = static_cast<double>(i) / (n - 1);
+      const double y = static_cast<double>(j) / (n - 1);
+      cloud.Points.push_back({ x, 0.8 * y - 0.6 * height, 0.6 * y + 0.8 * height });
+      cloud.Radii.push_back(radius);
+    }
+  }
+}
+
+/// Distances of all points.
+std::vector<double> MarchIn(
+  const Cloud& cloud, double voxelSize, const std::vector<BandSource>& sources)
+{
+  VoxelBand band;
+  EXPECT_TRUE(Ok(band.Build(cloud.Points, cloud.Radii, voxelSize, 0, {})));
+  std::vector<double> distances;
+  EXPECT_TRUE(Ok(BandMarching(band).Run(sources, cloud.Points, {}, distances)));
+  return distances;
+}
+
+/// Mean relative error of distances from the first point, and that of straight ones when there is
+/// no other truth.
+double MeanError(const Cloud& cloud, double voxelSize)
+{
+  const std::vector<double> distances = MarchIn(cloud, voxelSize, { { cloud.Points[0], 0.0 } });
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 1; i < cloud.Points.size(); ++i)
+  {
+    const double truth = dgg::Norm(cloud.Points[i] - cloud.Points[0]);
+    if (truth > 0.2)
+    {
+      sum += std::abs(distances[i] - truth) / truth;
+      ++count;
+    }
+  }
+  return sum / count;
+}
+}
+
+TEST(BandMarching, PlaneConvergesToFirstOrder)
+{
+  Cloud cloud;
+  AddSquare(cloud, 60, 0.0, 0.03);
+  const double coarse = MeanError(cloud, 0.02);
+  const double fine = MeanError(cloud, 0.01);
+  EXPECT_LT(coarse, 0.08);
+  EXPECT_LT(fine, 0.7 * coarse);
+}
+
+TEST(BandMarching, SheetsThatDoNotTouchStayApart)
+{
+  Cloud cloud;
+  AddSquare(cloud, 40, 0.0, 0.04);
+  AddSquare(cloud, 40, 0.12, 0.04);
+  const std::vector<double> distances = MarchIn(cloud, 0.01, { { cloud.Points[7], 0.0 } });
+  for (std::size_t i = 0; i < distances.size(); ++i)
+  {
+    EXPECT_EQ(distances[i] < dgg::Infinity, i < 1600U) << i;
+  }
+}
+
+TEST(BandMarching, OffsetsAndTheNearestSource)
+{
+  Cloud cloud;
+  AddSquare(cloud, 40, 0.0, 0.05);
+  const Point3 a = cloud.Points[0];
+  const Point3 b = cloud.Points.back();
+  const std::vector<double> both = MarchIn(cloud, 0.02, { { a, 0.25 }, { b, 0.0 } });
+  const std::vector<double> first = MarchIn(cloud, 0.02, { { a, 0.25 } });
+  const std::vector<double> second = MarchIn(cloud, 0.02, { { b, 0.0 } });
+  for (std::size_t i = 0; i < both.size(); ++i)
+  {
+    EXPECT_NEAR(both[i], std::min(first[i], second[i]), 0.03) << i;
+  }
+  EXPECT_NEAR(first[0], 0.25, 0.02);
+}
+
+TEST(BandMarching, RefusesBadSources)
+{
+  Cloud cloud;
+  AddSquare(cloud, 10, 0.0, 0.1);
+  VoxelBand band;
+  ASSERT_TRUE(band.Build(cloud.Points, cloud.Radii, 0.05, 0, {}).IsOk());
+  const BandMarching marching(band);
+  std::vector<double> distances{ 1.0 };
+  EXPECT_FALSE(marching.Run({}, cloud.Points, {}, distances).IsOk());
+  EXPECT_TRUE(distances.empty());
+  EXPECT_FALSE(marching.Run({ { { 0.5, 0.4, 5.0 }, 0.0 } }, cloud.Points, {}, distances).IsOk());
+  EXPECT_FALSE(
+    marching.Run({ { { std::nan(""), 0.0, 0.0 }, 0.0 } }, cloud.Points, {}, distances).IsOk());
+  EXPECT_TRUE(
+    marching
+      .Run(
+        { { cloud.Points[0], 0.0 } }, cloud.Points, [](double) { return false; }, distances)
+      .IsAborted());
+  // Places off the band are not reached.
+  ASSERT_TRUE(marching
+                .Run({ { cloud.Points[0], 0.0 } },
+                  { { 9.0, 9.0, 9.0 }, { std::nan(""), 0.0, 0.0 } }, {}, distances)
+                .IsOk());
+  EXPECT_EQ(distances[0], dgg::Infinity);
+  EXPECT_EQ(distances[1], dgg::Infinity);
 }

@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Sites that move to the middle of their cells: where the middle is known, and on any surface.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "SearchChecks.h"
 
 #include "dggCentroidal.h"
 #include "dggSurfacePath.h"
-
-#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
@@ -132,12 +128,8 @@ TEST(Centroidal, EnergyIsThatOfTheDistances)
 
 TEST(Centroidal, EnergyDecreasesOnAnySurface)
 {
-  std::vector<NamedMesh> meshes = SoundMeshes();
-  const std::size_t numberOfSound = meshes.size();
-  for (const NamedMesh& named : DefectMeshes())
-  {
-    meshes.push_back(named);
-  }
+  const std::vector<NamedMesh> meshes = AllMeshes(); // sound ones first
+  const std::size_t numberOfSound = SoundMeshes().size();
   std::size_t moved = 0;
   for (std::size_t m = 0; m < meshes.size(); ++m)
   {
@@ -214,22 +206,17 @@ TEST(Centroidal, BadInputAndAbort)
   const SearchCase c("plane", Plane(10, 10), 0.02);
   const dgg::GraphBuilder builder(c.GetMesh());
   std::vector<double> energies;
-  CentroidalOptions options;
-  Sites none;
-  EXPECT_FALSE(
-    dgg::MoveToCenters(c.GetSearch(), c.GetMesh(), builder, 0.02, options, none, energies).IsOk());
-  Sites sites{ SurfacePoint::AtVertex(5), SurfacePoint::AtVertex(100000) };
-  EXPECT_FALSE(
-    dgg::MoveToCenters(c.GetSearch(), c.GetMesh(), builder, 0.02, options, sites, energies).IsOk());
-  sites.pop_back();
-  int calls = 0;
-  options.Progress = [&calls](double done) {
-    EXPECT_LE(done, 1.0);
-    return ++calls < 1;
+  const auto move = [&](Sites& sites, const CentroidalOptions& options) {
+    return dgg::MoveToCenters(c.GetSearch(), c.GetMesh(), builder, 0.02, options, sites, energies);
   };
-  EXPECT_TRUE(
-    dgg::MoveToCenters(c.GetSearch(), c.GetMesh(), builder, 0.02, options, sites, energies)
-      .IsAborted());
+  Sites none;
+  EXPECT_FALSE(move(none, {}).IsOk());
+  Sites sites{ SurfacePoint::AtVertex(5), SurfacePoint::AtVertex(100000) };
+  EXPECT_FALSE(move(sites, {}).IsOk());
+  sites.pop_back();
+  CentroidalOptions options;
+  options.Progress = Listener(1);
+  EXPECT_TRUE(move(sites, options).IsAborted());
   EXPECT_EQ(sites[0].Vertex, 5);
   EXPECT_TRUE(energies.empty());
   dgg::LinkedSites linked;

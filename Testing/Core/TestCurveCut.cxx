@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces cut open along curves, and what is left and right of these.
 #include "CurveChecks.h"
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
 
 #include "dggFaceRefinement.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -82,14 +78,28 @@ double SideInPlane(const TestMesh& input, const dgg::SurfaceMesh& mesh, const Cu
   return sum;
 }
 
-std::string ErrorOf(const RefinedSurface& surface)
+dgg::Status ErrorOf(const RefinedSurface& surface)
 {
   CurveCut cut;
   const dgg::Status status = dgg::CutAlongCurves(surface, cut);
   EXPECT_FALSE(status.IsOk());
   EXPECT_TRUE(cut.Surface.Points.empty());
   EXPECT_TRUE(cut.Sides.empty());
-  return status.GetMessage();
+  return status;
+}
+
+CurveCut SoundCut(const RefinedSurface& surface)
+{
+  CurveCut cut = CutOpen(surface);
+  ExpectSoundCut(surface, cut);
+  return cut;
+}
+
+void ExpectTopology(const CurveCut& cut, Id parts, Id characteristic, Id boundaryLoops)
+{
+  EXPECT_EQ(CountParts(cut.Surface.Triangles), parts);
+  EXPECT_EQ(EulerCharacteristic(cut.Surface.Triangles), characteristic);
+  EXPECT_EQ(CountBoundaryLoops(cut.Surface.Triangles), boundaryLoops);
 }
 }
 
@@ -99,8 +109,7 @@ TEST(CurveCut, NothingToCut)
   const std::vector<SurfaceCurve> curves{ Curve(mesh, {}), Curve(mesh, AtVertices({ 4 })),
     Curve(mesh, AtVertices({ 4, 4 }), true) };
   const RefinedSurface surface = Embed(mesh, curves);
-  const CurveCut cut = CutOpen(surface);
-  ExpectSoundCut(surface, cut);
+  const CurveCut cut = SoundCut(surface);
   EXPECT_EQ(cut.Surface.Triangles, surface.Triangles);
 }
 
@@ -109,14 +118,11 @@ TEST(CurveCut, SlitHasOneRim)
   // Points 6, 7 and 8 of a plane of 4 x 4 cells are inside.
   const dgg::SurfaceMesh mesh = Build(Plane(4, 4));
   const RefinedSurface surface = EmbedVertices(mesh, { { 6, 7, 8 } });
-  const CurveCut cut = CutOpen(surface);
-  ExpectSoundCut(surface, cut);
+  const CurveCut cut = SoundCut(surface);
   EXPECT_EQ(CountCopies(cut, 6), 1);
   EXPECT_EQ(CountCopies(cut, 7), 2);
   EXPECT_EQ(CountCopies(cut, 8), 1);
-  EXPECT_EQ(CountBoundaryLoops(cut.Surface.Triangles), 2);
-  EXPECT_EQ(CountParts(cut.Surface.Triangles), 1);
-  EXPECT_EQ(EulerCharacteristic(cut.Surface.Triangles), 0);
+  ExpectTopology(cut, 1, 0, 2);
   const dgg::CurveSides& sides = cut.Sides[0];
   EXPECT_EQ(FindCopies(sides.Left, 0, false), (std::array<Id, 2>{ { NoId, 6 } }));
   EXPECT_EQ(FindCopies(sides.Right, 0, false), (std::array<Id, 2>{ { NoId, 6 } }));
@@ -138,8 +144,7 @@ TEST(CurveCut, SingleEdgeOpens)
     Curve(mesh, { at(0.25, 0.25), at(0.5, 0.25) }) };
   RefinedSurface surface = Embed(mesh, curves);
   ExpectSoundEmbedding(input, mesh, curves, surface);
-  CurveCut cut = CutOpen(surface);
-  ExpectSoundCut(surface, cut);
+  CurveCut cut = SoundCut(surface);
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
     const dgg::CurveChain chain = dgg::FollowCurve(surface, curves, c);
@@ -153,8 +158,7 @@ TEST(CurveCut, SingleEdgeOpens)
   {
     EXPECT_EQ(path.size(), 3u);
   }
-  cut = CutOpen(surface);
-  ExpectSoundCut(surface, cut);
+  cut = SoundCut(surface);
   EXPECT_EQ(CountCopies(cut, surface.Paths[2][0]), 2);
 }
 
@@ -163,25 +167,20 @@ TEST(CurveCut, FromTheRim)
   // From the middle to the rim: no new loop. From rim to rim: two parts.
   const dgg::SurfaceMesh mesh = Build(Plane(4, 4));
   RefinedSurface surface = EmbedVertices(mesh, { { 12, 13, 14 } });
-  CurveCut cut = CutOpen(surface);
-  ExpectSoundCut(surface, cut);
+  CurveCut cut = SoundCut(surface);
   EXPECT_EQ(CountCopies(cut, 14), 2);
   EXPECT_EQ(CountBoundaryLoops(cut.Surface.Triangles), 1);
   EXPECT_EQ(EulerCharacteristic(cut.Surface.Triangles), 1);
   surface = EmbedVertices(mesh, { { 10, 11, 12, 13, 14 } });
-  cut = CutOpen(surface);
-  ExpectSoundCut(surface, cut);
-  EXPECT_EQ(CountParts(cut.Surface.Triangles), 2);
-  EXPECT_EQ(CountBoundaryLoops(cut.Surface.Triangles), 2);
-  EXPECT_EQ(EulerCharacteristic(cut.Surface.Triangles), 2);
+  cut = SoundCut(surface);
+  ExpectTopology(cut, 2, 2, 2);
 }
 
 TEST(CurveCut, AlongTheRim)
 {
   const dgg::SurfaceMesh mesh = Build(Plane(3, 3));
   const RefinedSurface surface = EmbedVertices(mesh, { { 0, 1, 2, 3, 7 }, { 7, 3 } });
-  const CurveCut cut = CutOpen(surface);
-  ExpectSoundCut(surface, cut);
+  const CurveCut cut = SoundCut(surface);
   EXPECT_EQ(cut.Surface.Triangles, surface.Triangles);
   for (const dgg::EdgeSide& right : cut.Sides[0].Right)
   {
@@ -201,8 +200,7 @@ TEST(CurveCut, CrossingHasFourCopies)
   // A cross in the middle of a plane: 12 is its center.
   const dgg::SurfaceMesh mesh = Build(Plane(4, 4));
   const RefinedSurface surface = EmbedVertices(mesh, { { 11, 12, 13 }, { 7, 12, 17 } });
-  const CurveCut cut = CutOpen(surface);
-  ExpectSoundCut(surface, cut);
+  const CurveCut cut = SoundCut(surface);
   EXPECT_EQ(CountCopies(cut, 12), 4);
   EXPECT_EQ(CountBoundaryLoops(cut.Surface.Triangles), 2);
   // To the left of the first curve there is a copy before the second curve and one after it.
@@ -227,8 +225,7 @@ TEST(CurveCut, EndOnACurve)
   // A T: the end has a copy on each side of the curve that comes in, and one beyond.
   const dgg::SurfaceMesh mesh = Build(Plane(4, 4));
   const RefinedSurface surface = EmbedVertices(mesh, { { 11, 12, 13 }, { 7, 12 } });
-  const CurveCut cut = CutOpen(surface);
-  ExpectSoundCut(surface, cut);
+  const CurveCut cut = SoundCut(surface);
   EXPECT_EQ(CountCopies(cut, 12), 3);
   const std::array<Id, 2> left = FindCopies(cut.Sides[0].Left, 1, false);
   EXPECT_EQ(left[0], left[1]);
@@ -249,11 +246,8 @@ TEST(CurveCut, ClosedCurves)
     ring.push_back(sphere.Destination(*h));
   }
   RefinedSurface surface = EmbedVertices(sphere, { ring }, true);
-  CurveCut cut = CutOpen(surface);
-  ExpectSoundCut(surface, cut);
-  EXPECT_EQ(CountParts(cut.Surface.Triangles), 2);
-  EXPECT_EQ(EulerCharacteristic(cut.Surface.Triangles), 2);
-  EXPECT_EQ(CountBoundaryLoops(cut.Surface.Triangles), 2);
+  CurveCut cut = SoundCut(surface);
+  ExpectTopology(cut, 2, 2, 2);
   // Fans turn counter-clockwise: the vertex is on the left, all around.
   for (std::size_t i = 0; i <= ring.size(); ++i)
   {
@@ -282,14 +276,10 @@ TEST(CurveCut, ClosedCurves)
     meridian.push_back(8 * j);
   }
   surface = EmbedVertices(torus, { parallel }, true);
-  cut = CutOpen(surface);
-  ExpectSoundCut(surface, cut);
-  EXPECT_EQ(CountParts(cut.Surface.Triangles), 1);
-  EXPECT_EQ(EulerCharacteristic(cut.Surface.Triangles), 0);
-  EXPECT_EQ(CountBoundaryLoops(cut.Surface.Triangles), 2);
+  cut = SoundCut(surface);
+  ExpectTopology(cut, 1, 0, 2);
   surface = EmbedVertices(torus, { parallel, meridian }, true);
-  cut = CutOpen(surface);
-  ExpectSoundCut(surface, cut);
+  cut = SoundCut(surface);
   EXPECT_EQ(CountCopies(cut, 0), 4);
   EXPECT_EQ(EulerCharacteristic(cut.Surface.Triangles), 1);
   EXPECT_EQ(CountBoundaryLoops(cut.Surface.Triangles), 1);
@@ -305,8 +295,7 @@ TEST(CurveCut, LeftIsLeft)
     const std::vector<SurfaceCurve> curves{ Curve(mesh, RandomCurvePoints(mesh, 6, random), true),
       Curve(mesh, RandomCurvePoints(mesh, 6, random)) };
     const RefinedSurface surface = Embed(mesh, curves);
-    const CurveCut cut = CutOpen(surface);
-    ExpectSoundCut(surface, cut);
+    const CurveCut cut = SoundCut(surface);
     for (const dgg::CurveSides& sides : cut.Sides)
     {
       for (std::size_t e = 0; e < sides.Left.size(); ++e)
@@ -377,8 +366,8 @@ TEST(CurveCut, RefusesWhatHasNoSides)
     inside = book.Kind(v) != dgg::VertexKind::Boundary && sheetOf[v] >= 0 ? v : inside;
   }
   ASSERT_NE(inside, NoId);
-  std::string message = ErrorOf(EmbedVertices(book, { { spine, inside } }));
-  EXPECT_NE(message.find("edges of more than two faces and 0 edges"), std::string::npos) << message;
+  EXPECT_TRUE(Says(ErrorOf(EmbedVertices(book, { { spine, inside } })),
+    "edges of more than two faces and 0 edges"));
   const RefinedSurface beside = Embed(book,
     { Curve(book,
       { SurfacePoint::InFace(book, 0, { { 0.3, 0.3, 0.4 } }),
@@ -387,16 +376,16 @@ TEST(CurveCut, RefusesWhatHasNoSides)
   EXPECT_TRUE(dgg::CutAlongCurves(beside, cut).IsOk());
   // Edges of the mesh are counted, not the parts that they were split into.
   RefinedSurface along = EmbedVertices(book, { { spine, inside } });
-  message = ErrorOf(along);
+  const std::string message = ErrorOf(along).GetMessage();
   std::vector<Id> parents;
   std::vector<Id> all(along.Faces.size());
   std::iota(all.begin(), all.end(), 0);
   along.Paths.push_back({ spine, spine + 1, spine + 2 });
-  const std::string whole = ErrorOf(along);
+  const std::string whole = ErrorOf(along).GetMessage();
   EXPECT_NE(whole, message);
   along.Places.push_back({ 0.0, 1.0, 2.0 });
   ASSERT_TRUE(dgg::RefineFaces(book, all, 2, nullptr, along, parents).IsOk());
-  EXPECT_EQ(ErrorOf(along), whole);
+  EXPECT_EQ(ErrorOf(along).GetMessage(), whole);
   // Once around a strip with one side: left becomes right somewhere.
   const dgg::SurfaceMesh strip = Build(MoebiusStrip(6, 4));
   std::vector<Id> around;
@@ -404,12 +393,11 @@ TEST(CurveCut, RefusesWhatHasNoSides)
   {
     around.push_back(2 * 6 + i);
   }
-  message = ErrorOf(EmbedVertices(strip, { around }, true));
-  EXPECT_NE(message.find("0 edges of more than two faces and"), std::string::npos) << message;
+  EXPECT_TRUE(
+    Says(ErrorOf(EmbedVertices(strip, { around }, true)), "0 edges of more than two faces and"));
   // A path that is no chain.
   RefinedSurface broken = EmbedVertices(Build(Plane(3, 3)), { { 0, 1 } });
   broken.Paths[0] = { 0, 15 };
-  message = ErrorOf(broken);
-  EXPECT_NE(message.find("not neighbours"), std::string::npos) << message;
+  EXPECT_TRUE(Says(ErrorOf(broken), "not neighbours"));
 }
 }

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The distance inside of faces: exact with windows, close with virtual sources.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
+#include "TestMeshes.h"
 #include "FieldChecks.h"
-#include "FlatMeshes.h"
 #include "GeodesicChecks.h"
 
 #include "dggCornerModel.h"
@@ -13,8 +11,6 @@
 #include "dggEdgeProfile.h"
 #include "dggExactGeodesics.h"
 #include "dggFaceProfile.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -97,10 +93,6 @@ TEST(DistanceField, WindowsGiveTheExactDistanceInFaces)
     ExpectExact(mesh, sources, ExactEngine::Triangle, 1e-12, named.Name);
     ExpectExact(mesh, sources, ExactEngine::Reference, 1e-12, named.Name + " (reference)");
   }
-}
-
-TEST(DistanceField, WindowsGiveTheExactDistanceOnDefectMeshes)
-{
   for (const NamedMesh& named : DefectMeshes())
   {
     const SurfaceMesh mesh = Build(named.Mesh);

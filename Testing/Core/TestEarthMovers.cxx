@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The earth mover's distance on surfaces.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GreensTestTools.h"
 
@@ -27,8 +25,7 @@ dgg::EarthMoversResult Move(const dgg::PoissonSolver& solver, const std::vector<
   const std::vector<double>& to, const dgg::EarthMoversOptions& options = {})
 {
   dgg::EarthMoversResult result;
-  const dgg::Status status = dgg::EarthMovers(solver).Run(from, to, options, result);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_TRUE(Ok(dgg::EarthMovers(solver).Run(from, to, options, result)));
   EXPECT_LE(result.LowerBound, result.Distance * (1.0 + 1e-9));
   return result;
 }

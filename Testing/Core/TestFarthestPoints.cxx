@@ -1,14 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Farthest point samples: against all distances, computed anew.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "SearchChecks.h"
 
 #include "dggFarthestPoints.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,8 +38,7 @@ FarthestVertex LookForFarthest(const GraphView& graph, const std::vector<double>
 
 void AddVertex(FarthestPoints& points, Id vertex)
 {
-  const dgg::Status status = points.Add({ SeedAt(vertex) }, nullptr);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_TRUE(Ok(points.Add({ SeedAt(vertex) }, nullptr)));
 }
 
 /// Samples until there are `count` or no more.
@@ -146,12 +141,8 @@ TEST(FarthestPoints, TiesGoToTheSmallestId)
 TEST(FarthestPoints, CloudsAndMeshesGiveTheSame)
 {
   const SearchCase c("sphere", Icosphere(3), 0.02);
-  GraphView cloud = c.GetGraph();
-  cloud.Info.Kind = dgg::GraphKind::Cloud;
-  cloud.Angles = nullptr;
-  cloud.ArrivalAngles = nullptr;
   FarthestPoints onMesh(c.GetGraph(), &c.GetMesh());
-  FarthestPoints onCloud(cloud, nullptr);
+  FarthestPoints onCloud(AsCloud(c.GetGraph()), nullptr);
   EXPECT_EQ(Sample(onMesh, 5, 50), Sample(onCloud, 5, 50));
 }
 
@@ -171,14 +162,7 @@ TEST(FarthestPoints, SurfacePointsAreSamplesByTheirLinks)
   const SearchCase c("plane", Plane(10, 10, 0.2), 0.01);
   const dgg::GraphBuilder builder(c.GetMesh());
   const auto point = dgg::SurfacePoint::InFace(c.GetMesh(), 77, { { 0.5, 0.3, 0.2 } });
-  std::vector<dgg::GraphLink> links;
-  std::vector<double> direct;
-  ASSERT_TRUE(builder.Link(point, 0.01, {}, links, direct).IsOk());
-  std::vector<GraphSeed> seeds;
-  for (const dgg::GraphLink& link : links)
-  {
-    seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
-  }
+  std::vector<GraphSeed> seeds = SeedsOf(builder, point, 0.01);
   FarthestPoints points(c.GetGraph(), &c.GetMesh());
   AddVertex(points, 0);
   ASSERT_TRUE(points.Add(seeds, nullptr).IsOk());
@@ -202,13 +186,9 @@ TEST(FarthestPoints, CanBeAborted)
 {
   const SearchCase c("plane", Plane(150, 150), 0.1);
   FarthestPoints points(c.GetGraph(), &c.GetMesh());
-  int calls = 0;
-  const auto stop = [&calls](double) {
-    ++calls;
-    return false;
-  };
-  EXPECT_TRUE(points.Add({ SeedAt(0) }, stop).IsAborted());
-  EXPECT_EQ(calls, 1);
+  Listener listener(1);
+  EXPECT_TRUE(points.Add({ SeedAt(0) }, std::ref(listener)).IsAborted());
+  EXPECT_EQ(listener.Calls, 1);
   points.Reset();
   AddVertex(points, 0);
   ExpectSameDistances(

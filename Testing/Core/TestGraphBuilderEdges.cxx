@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Every edge is the length of a real way on the surface, in the directions that it says.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 
@@ -194,53 +192,11 @@ void ExpectEdgesLeadToTargets(const SurfaceMesh& mesh, const dgg::GraphView& gra
   EXPECT_EQ(turned, 0);
 }
 
-void ExpectNoShorterThanExact(const SurfaceMesh& mesh, const dgg::GraphView& graph)
-{
-  const DistanceTable exact = ExactTable(mesh);
-  std::size_t shorter = 0;
-  for (Id v = 0; v < graph.NumberOfVertices; ++v)
-  {
-    for (Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; ++e)
-    {
-      shorter += graph.Length(e) < exact(v, graph.Targets[e]) * (1.0 - 1e-9) ? 1 : 0;
-    }
-  }
-  EXPECT_EQ(shorter, 0u) << "edges shorter than the exact distance";
-}
-
-std::vector<GraphConstruction> AllConstructions()
-{
-  return { GraphConstruction::Guaranteed, GraphConstruction::OneRelay, GraphConstruction::Indirect,
-    GraphConstruction::SaddleVertexGraph };
-}
-}
-
-TEST(GraphBuilderEdges, NoShorterThanExact)
-{
-  for (const NamedMesh& named : SoundMeshes())
-  {
-    SCOPED_TRACE(named.Name);
-    const SurfaceMesh mesh = Build(named.Mesh);
-    if (mesh.GetNumberOfVertices() > 400)
-    {
-      continue;
-    }
-    for (const GraphConstruction construction : AllConstructions())
-    {
-      SCOPED_TRACE(static_cast<int>(construction));
-      ExpectNoShorterThanExact(mesh, BuildGraph(mesh, 0.01, construction).View());
-    }
-  }
 }
 
 TEST(GraphBuilderEdges, MeshEdgesAreThere)
 {
-  std::vector<NamedMesh> meshes = SoundMeshes();
-  for (NamedMesh& defect : DefectMeshes())
-  {
-    meshes.push_back(std::move(defect));
-  }
-  for (const NamedMesh& named : meshes)
+  for (const NamedMesh& named : AllMeshes())
   {
     SCOPED_TRACE(named.Name);
     const SurfaceMesh mesh = Build(named.Mesh);
@@ -265,12 +221,8 @@ TEST(GraphBuilderEdges, AnglesOnPlane)
   const TestMesh input = Plate(
     14, 12, [](Id i, Id j) { return !(i >= 4 && i < 7 && j >= 4 && j < 7); }, 0.25, 3);
   const SurfaceMesh mesh = Build(input);
-  const auto direction = [&](Id from, Id to) {
-    return std::atan2(
-      input.Point(to)[1] - input.Point(from)[1], input.Point(to)[0] - input.Point(from)[0]);
-  };
   const auto polar = [&](Id v, Id to) {
-    const double angle = direction(v, to) - direction(v, mesh.Destination(*mesh.FanBegin(v)));
+    const double angle = DirectionOf(input, v, to) - FanAngle(input, mesh, v);
     return angle - 2.0 * dgg::Pi * std::floor(angle / (2.0 * dgg::Pi));
   };
   const auto difference = [](double a, double b) {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Options, limits, progress, and what the builder says about its memory.
-#include "CurvedMeshes.h"
-#include "FlatMeshes.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
+#include "TestMeshes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -40,7 +40,7 @@ void ExpectRefused(const dgg::GraphOptions& options, const std::string& what)
          builder.Estimate(options, estimate) })
   {
     EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput);
-    EXPECT_NE(status.GetMessage().find(what), std::string::npos) << status.GetMessage();
+    EXPECT_TRUE(Says(status, what));
   }
   EXPECT_EQ(estimate.Edges, 0.0);
 }
@@ -96,8 +96,7 @@ TEST(GraphBuilderOptions, NumberOfNeighbors)
 TEST(GraphBuilderOptions, InfoSaysWhatWasBuilt)
 {
   const dgg::SurfaceMesh mesh = Build(Icosphere(1));
-  for (const auto construction : { GraphConstruction::Guaranteed, GraphConstruction::OneRelay,
-         GraphConstruction::Indirect, GraphConstruction::SaddleVertexGraph })
+  for (const auto construction : AllConstructions())
   {
     const dgg::GraphInfo info = BuildGraph(mesh, 0.07, [&](dgg::GraphOptions& options) {
       options.Construction = construction;
@@ -114,8 +113,7 @@ TEST(GraphBuilderOptions, InfoSaysWhatWasBuilt)
 
 TEST(GraphBuilderOptions, EmptyMeshes)
 {
-  for (const auto construction : { GraphConstruction::Guaranteed, GraphConstruction::OneRelay,
-         GraphConstruction::Indirect, GraphConstruction::SaddleVertexGraph })
+  for (const auto construction : AllConstructions())
   {
     SCOPED_TRACE(static_cast<int>(construction));
     for (const Id count : { 0, 1, 3000 })
@@ -183,21 +181,16 @@ TEST(GraphBuilderOptions, WideLengthsWhereFloatsEnd)
 TEST(GraphBuilderOptions, ProgressAscendsToOne)
 {
   const dgg::SurfaceMesh mesh = Build(Plane(60, 60, 0.2));
-  for (const auto construction : { GraphConstruction::Guaranteed, GraphConstruction::OneRelay,
-         GraphConstruction::Indirect, GraphConstruction::SaddleVertexGraph })
+  for (const auto construction : AllConstructions())
   {
-    std::vector<double> reports;
+    Listener listener;
     BuildGraph(mesh, 0.02, [&](dgg::GraphOptions& options) {
       options.Construction = construction;
-      options.Progress = [&](double done) {
-        reports.push_back(done);
-        return true;
-      };
+      options.Progress = std::ref(listener);
     });
-    ASSERT_GE(reports.size(), 3u);
-    EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
-    EXPECT_GT(reports.front(), 0.0);
-    EXPECT_EQ(reports.back(), 1.0);
+    EXPECT_GE(listener.Calls, 3);
+    EXPECT_GT(listener.First, 0.0);
+    EXPECT_EQ(listener.Done, 1.0);
   }
 }
 
@@ -215,11 +208,8 @@ TEST(GraphBuilderOptions, AbortAtAnyReport)
     int aborted = 0;
     for (int last = 1; last < 1000; ++last)
     {
-      int reports = 0;
-      options.Progress = [&](double done) {
-        EXPECT_GE(done, 0.0);
-        return ++reports < last;
-      };
+      Listener listener(last);
+      options.Progress = std::ref(listener);
       dgg::GeodesicGraph graph = BuildGraph(Build(Icosphere(0)), 0.1);
       const dgg::Status status = builder.Build(options, graph);
       if (status.IsOk())
@@ -228,7 +218,7 @@ TEST(GraphBuilderOptions, AbortAtAnyReport)
         break;
       }
       EXPECT_TRUE(status.IsAborted());
-      EXPECT_EQ(reports, last) << "reports went on";
+      EXPECT_EQ(listener.Calls, last) << "reports went on";
       EXPECT_EQ(graph.GetMemorySize(), 0u);
       ++aborted;
     }
@@ -253,8 +243,7 @@ TEST(GraphBuilderOptions, EstimateIsClose)
     const dgg::SurfaceMesh mesh = Build(named.Mesh);
     ASSERT_GE(mesh.GetNumberOfVertices(), 2000);
     const dgg::GraphBuilder builder(mesh);
-    for (const auto construction : { GraphConstruction::Guaranteed, GraphConstruction::OneRelay,
-           GraphConstruction::Indirect, GraphConstruction::SaddleVertexGraph })
+    for (const auto construction : AllConstructions())
     {
       for (const double accuracy : { 0.1, 0.01, 1e-3 })
       {
@@ -314,5 +303,110 @@ TEST(GraphBuilderOptions, DegreeFollowsTheLaw)
       EXPECT_NEAR(degree / law, 1.0, 0.4) << "accuracy " << accuracy;
     }
   }
+}
+
+// The graph does not depend on how its caller runs loops: the same bytes for any number of threads,
+// any ranges, in any order.
+
+namespace
+{
+using dgg::Offset;
+using Body = std::function<void(Offset, Offset)>;
+
+/// Ranges from the last to the first.
+void Backwards(Offset total, Offset /*grain*/, const Body& body)
+{
+  constexpr Offset step = 7;
+  for (Offset end = total; end > 0; end -= std::min(end, step))
+  {
+    body(std::max<Offset>(0, end - step), end);
+  }
+}
+
+struct Loop
+{
+  std::string Name;
+  dgg::ParallelFor Run;
+};
+
+std::vector<Loop> Loops()
+{
+  return { { "one thread", WithThreads(1, 0) }, { "two threads", WithThreads(2, 0) },
+    { "seven threads", WithThreads(7, 0) }, { "ranges of one", WithThreads(3, 1) },
+    { "ranges of 37", WithThreads(2, 37) }, { "one range", WithThreads(2, 1 << 30) },
+    { "backwards", Backwards } };
+}
+
+void ExpectSameForAllLoops(const TestMesh& input, double accuracy, dgg::GraphConstruction rule)
+{
+  const dgg::SurfaceMesh mesh = Build(input);
+  const auto build = [&](const dgg::ParallelFor& loop) {
+    return BuildGraph(mesh, accuracy, [&](dgg::GraphOptions& options) {
+      options.Construction = rule;
+      options.NumberOfNeighbors = 20;
+      options.Parallel = loop;
+    });
+  };
+  const dgg::GeodesicGraph expected = build(nullptr);
+  ASSERT_GT(expected.View().GetNumberOfEdges(), 0);
+  for (const Loop& loop : Loops())
+  {
+    SCOPED_TRACE(loop.Name);
+    ExpectSameGraph(expected, build(loop.Run));
+  }
+}
+}
+
+TEST(GraphBuilderThreads, SameGraph)
+{
+  constexpr auto guaranteed = dgg::GraphConstruction::Guaranteed;
+  // More rows than are built in one go, so that rows meet those of earlier ones.
+  ExpectSameForAllLoops(Plane(45, 40, 0.25, 1), 0.05, guaranteed);
+  ExpectSameForAllLoops(NoisySphere(3, 0.4, 2), 0.01, guaranteed);
+  ExpectSameForAllLoops(NoisySphere(3, 0.4, 2), 1e-6, guaranteed);
+  // Ties.
+  ExpectSameForAllLoops(Plane(40, 40), 0.02, guaranteed);
+  ExpectSameForAllLoops(Cube(12), 0.02, guaranteed);
+  ExpectSameForAllLoops(Icosphere(3), 0.02, guaranteed);
+  for (const NamedMesh& named : DefectMeshes())
+  {
+    SCOPED_TRACE(named.Name);
+    ExpectSameForAllLoops(named.Mesh, 0.03, guaranteed);
+  }
+}
+
+TEST(GraphBuilderThreads, SameGraphOfOtherConstructions)
+{
+  for (const auto rule : { dgg::GraphConstruction::OneRelay, dgg::GraphConstruction::Indirect,
+         dgg::GraphConstruction::SaddleVertexGraph })
+  {
+    SCOPED_TRACE(static_cast<int>(rule));
+    ExpectSameForAllLoops(NoisySphere(3, 0.4, 3), 0.05, rule);
+    ExpectSameForAllLoops(Plane(36, 36), 0.1, rule);
+  }
+}
+
+TEST(GraphBuilderThreads, BuilderMayBeUsedAgain)
+{
+  // Other accuracies and links in between leave no trace.
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.4, 2));
+  const dgg::GraphBuilder builder(mesh);
+  dgg::GraphOptions options;
+  dgg::GeodesicGraph first;
+  ASSERT_TRUE(builder.Build(options, first).IsOk());
+  dgg::GeodesicGraph other;
+  options.Accuracy = 0.2;
+  ASSERT_TRUE(builder.Build(options, other).IsOk());
+  EXPECT_LT(other.View().GetNumberOfEdges(), first.View().GetNumberOfEdges());
+  std::vector<dgg::GraphLink> links;
+  std::vector<double> direct;
+  for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 10, 4))
+  {
+    ASSERT_TRUE(builder.Link(point, 0.3, {}, links, direct).IsOk());
+  }
+  options.Accuracy = 0.01;
+  dgg::GeodesicGraph again;
+  ASSERT_TRUE(builder.Build(options, again).IsOk());
+  ExpectSameGraph(first, again);
 }
 }

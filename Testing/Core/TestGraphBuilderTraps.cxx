@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes made to catch the builder at its tests of what is covered: ties, costs without progress,
 // light that comes back to where it started, tips that it turns around for long.
-#include "CurvedMeshes.h"
-#include "FlatMeshes.h"
 #include "GeodesicChecks.h"
-#include "GraphChecks.h"
+#include "SearchChecks.h"
+#include "TestMeshes.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace dggtest
@@ -164,34 +165,163 @@ TEST(GraphBuilderTraps, LongStrips)
   }
 }
 
-TEST(GraphBuilderTraps, AccuracyOfTies)
+// Random meshes, broken and sound: no crash, no hang, the promise kept.
+
+namespace
 {
-  // Regular meshes, where rays pass through vertices and many ways are equally long.
-  for (const double accuracy : { 0.5, 0.25, 0.125, 1.0 / 3.0, 1e-6 })
+using dgg::GraphConstruction;
+
+/// A graph; a failure after five seconds instead of a hang, where milliseconds do.
+dgg::GeodesicGraph BuildInTime(
+  const dgg::SurfaceMesh& mesh, double accuracy, GraphConstruction construction)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const auto limit = start + std::chrono::seconds(5);
+  dgg::GeodesicGraph graph = BuildGraph(mesh, accuracy, [&](dgg::GraphOptions& options) {
+    options.Construction = construction;
+    options.NumberOfNeighbors = 15;
+    options.Progress = [&](double) { return std::chrono::steady_clock::now() < limit; };
+  });
+  EXPECT_LT(std::chrono::steady_clock::now(), limit + std::chrono::seconds(5));
+  return graph;
+}
+
+/// Every construction on a mesh that may be anything. Distances are reached where the exact ones
+/// are, and within the bound; `tolerance` is that of the exact distances, in diameters.
+void ExpectSane(const TestMesh& input, double tolerance)
+{
+  dgg::SurfaceMesh mesh;
+  const dgg::Status status = dgg::SurfaceMesh::FromPoints(input.Points.data(),
+    input.GetNumberOfVertices(), input.Triangles.data(), input.GetNumberOfFaces(), mesh);
+  if (!status.IsOk())
   {
-    SCOPED_TRACE(accuracy);
-    ExpectTheorem(Build(Plane(12, 12)), accuracy);
-    ExpectTheorem(Build(Cube(5)), accuracy);
-    ExpectTheorem(Build(PrismSide(4, 3, 6)), accuracy);
-    ExpectTheorem(Build(Subdivided(Octahedron(), 4)), accuracy);
-    ExpectTheorem(Build(FlatTorus(6.0, 0.0, 6.0, 6, 6, false)), accuracy);
-    std::vector<bool> unused;
-    ExpectTheorem(Build(DoublyCoveredPolygon(4, 4, unused)), accuracy);
+    return; // nothing but single points
+  }
+  const DistanceTable exact = ExactTable(mesh);
+  double diameter = 0.0;
+  for (Id v = 0; v < exact.GetSize(); ++v)
+  {
+    for (Id w = 0; w < exact.GetSize(); ++w)
+    {
+      diameter = exact(v, w) < dgg::Infinity ? std::max(diameter, exact(v, w)) : diameter;
+    }
+  }
+  for (const double accuracy : { 0.5, 0.1, 0.01, 1e-4 })
+  {
+    const dgg::GeodesicGraph graph = BuildInTime(mesh, accuracy, GraphConstruction::Guaranteed);
+    ExpectWithin(exact, GraphTable(graph.View()), accuracy, tolerance * diameter);
+  }
+  const dgg::GeodesicGraph indirect = BuildInTime(mesh, 0.1, GraphConstruction::Indirect);
+  ExpectWithin(exact, GraphTable(indirect.View()), 0.1, tolerance * diameter);
+  for (const GraphConstruction construction :
+    { GraphConstruction::OneRelay, GraphConstruction::SaddleVertexGraph })
+  {
+    const dgg::GeodesicGraph graph = BuildInTime(mesh, 0.1, construction);
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const std::vector<double> distances = GraphDistances(graph.View(), v);
+      for (Id w = 0; w < mesh.GetNumberOfVertices(); ++w)
+      {
+        ASSERT_GE(distances[w], exact(v, w) * (1.0 - 1e-9) - tolerance * diameter);
+      }
+    }
+  }
+  // Links of any point lead to all that the point reaches.
+  const bool hasFace = std::any_of(input.Triangles.begin(), input.Triangles.end(),
+    [&](const Id& v) { return mesh.Kind(v) != dgg::VertexKind::Isolated; });
+  if (hasFace)
+  {
+    const dgg::GraphBuilder builder(mesh);
+    const dgg::GeodesicGraph graph = BuildGraph(mesh, 0.1);
+    for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 3, 5))
+    {
+      const std::vector<double> distances =
+        ReferenceDistances(graph.View(), SeedsOf(builder, point, 0.1));
+      const std::vector<double> truth =
+        Solve(mesh, dgg::ExactEngine::Triangle, { { point, 0.0 } }).Distances;
+      for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        ASSERT_EQ(distances[v] < dgg::Infinity, truth[v] < dgg::Infinity) << v;
+        if (truth[v] < dgg::Infinity)
+        {
+          ASSERT_GE(distances[v], truth[v] * (1.0 - 1e-9) - tolerance * diameter) << v;
+          ASSERT_LE(distances[v], 1.1 * (1.0 + 1e-6) * (truth[v] + tolerance * diameter)) << v;
+        }
+      }
+    }
   }
 }
 
-TEST(GraphBuilderTraps, SmallestAccuracyIsExact)
+/// Sound but unpleasant: stretched, rough, refined at random.
+TestMesh RandomMesh(std::uint64_t seed)
 {
-  for (const NamedMesh& named : { NamedMesh{ "Terrain", Terrain(10, 2.0, 1) },
-         NamedMesh{ "Sphere", NoisySphere(2, 0.4, 2) }, NamedMesh{ "Cube", Cube(4, 0.2, 3) },
-         NamedMesh{ "Prism", PrismSide(5, 2, 6, 0.2, 4) }, NamedMesh{ "Torus", Torus(14, 9) } })
+  Random random(seed);
+  const std::function<TestMesh()> kinds[] = {
+    [&] { return Plane(3 + random.Index(6), 3 + random.Index(6), 0.29, seed); },
+    [&] { return NoisySphere(1, random.Uniform(0.0, 0.8), seed); },
+    [&] { return Terrain(3 + random.Index(6), random.Uniform(0.1, 5.0), seed); },
+    [&] { return Cube(1 + random.Index(3), 0.29, seed); },
+    [&] { return Ellipsoid(1, random.Uniform(1.0, 40.0)); },
+    [&] {
+      return PrismSide(3 + random.Index(3), 1 + random.Index(3), 2 + random.Index(4), 0.29, seed);
+    },
+    [&] { return WithNoise(Torus(6 + random.Index(4), 4 + random.Index(3)), 0.1, seed); }
+  };
+  TestMesh mesh = kinds[random.Index(7)]();
+  const double stretch = std::exp(random.Uniform(-3.0, 3.0));
+  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
   {
-    SCOPED_TRACE(named.Name);
-    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    mesh.Points[i] *= stretch;
+  }
+  mesh = RandomlyRefined(mesh, random.Index(50), seed, random.Index(2) == 0 ? 1e-2 : 1e-5);
+  return random.Index(3) == 0 ? WithNoise(mesh, random.Uniform(0.0, 0.4) * MeanEdge(mesh), seed)
+                              : mesh;
+}
+}
+
+TEST(GraphBuilderFuzz, SoundMeshes)
+{
+  for (std::uint64_t seed = 1; seed <= 150; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const dgg::SurfaceMesh mesh = Build(RandomMesh(seed));
     const DistanceTable exact = ExactTable(mesh);
-    const RelativeError error = MeasureError(exact, GraphTable(BuildGraph(mesh, 1e-6).View()));
-    EXPECT_LE(error.Largest, 2e-6);
-    ExpectTheorem(mesh, 1e-6);
+    for (const double accuracy : { 0.5, 0.01, random.Uniform(1e-3, 0.5) })
+    {
+      ExpectWithin(exact, GraphTable(BuildGraph(mesh, accuracy).View()), accuracy, 0.0);
+    }
   }
 }
+
+TEST(GraphBuilderFuzz, Soups)
+{
+  for (std::uint64_t seed = 1; seed <= 400; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Id vertices = 3 + random.Index(20);
+    ExpectSane(RandomSoup(vertices, 1 + random.Index(50), seed), 1e-6);
+  }
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    ExpectSane(RandomSoup(80, 200, seed), 1e-6);
+  }
+}
+
+TEST(GraphBuilderFuzz, CollapsedAndFlattenedMeshes)
+{
+  std::vector<TestMesh> meshes = FlattenedMeshes();
+  for (std::uint64_t seed = 1; seed <= 25; ++seed)
+  {
+    meshes.push_back(CollapsedSphere(2, 1 + static_cast<Id>(2 * seed), seed));
+  }
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+  {
+    SCOPED_TRACE(i);
+    ExpectSane(meshes[i], 1e-6);
+  }
+}
+
 }

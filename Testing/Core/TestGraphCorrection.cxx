@@ -1,13 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Corrected labels: within the accuracy without exception, and much better than that.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "SearchChecks.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -147,19 +143,13 @@ TEST(GraphCorrection, VirtualSourcesPointTowardsTheSource)
   const SearchCase c("plane", plane, 0.05);
   const Id source = 130;
   const SearchResult result = RunCorrected(c, { SeedAt(source) });
-  const auto angleTo = [&](Id from, Id to) {
-    return std::atan2(plane.Points[3 * to + 1] - plane.Points[3 * from + 1],
-      plane.Points[3 * to] - plane.Points[3 * from]);
-  };
   for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
   {
     if (v == source || c.GetMesh().Kind(v) != dgg::VertexKind::Flat)
     {
       continue;
     }
-    // Polar angles count from the first half-edge of the fan.
-    const Id first = *c.GetMesh().FanBegin(v);
-    const double expected = angleTo(v, source) - angleTo(v, c.GetMesh().Destination(first));
+    const double expected = DirectionOf(plane, v, source) - FanAngle(plane, c.GetMesh(), v);
     EXPECT_NEAR(std::cos(result.Virtual.Angles[v]), std::cos(expected), 1e-4);
     EXPECT_NEAR(std::sin(result.Virtual.Angles[v]), std::sin(expected), 1e-4);
   }
@@ -226,17 +216,9 @@ TEST(GraphCorrection, SourcesOffTheVertices)
     for (const dgg::SurfacePoint& point : RandomSurfacePoints(c.GetMesh(), 6, 8))
     {
       constexpr double offset = 0.7;
-      std::vector<dgg::GraphLink> links;
-      std::vector<double> direct;
-      ASSERT_TRUE(builder.Link(point, accuracy, {}, links, direct).IsOk());
-      std::vector<GraphSeed> seeds;
-      for (const dgg::GraphLink& link : links)
-      {
-        seeds.push_back({ link.Vertex, offset + link.Length, offset, 0, link.ArrivalAngle });
-      }
       const dgg::ExactResult exact =
         Solve(c.GetMesh(), dgg::ExactEngine::Triangle, { { point, offset } });
-      const SearchResult result = RunCorrected(c, seeds);
+      const SearchResult result = RunCorrected(c, SeedsOf(builder, point, accuracy, offset));
       double raw = 0.0;
       double corrected = 0.0;
       for (Id v = 0; v < c.GetNumberOfVertices(); ++v)

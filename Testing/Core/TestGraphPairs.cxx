@@ -1,23 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Distances from many sources.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "SearchChecks.h"
 
 #include "dggBucketQueue.h"
 #include "dggMinimumHeap.h"
 #include "dggSourceGroups.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace dggtest
@@ -26,20 +21,6 @@ namespace
 {
 using dgg::GraphSeed;
 using dgg::Offset;
-
-/// Each with each other, in two threads.
-void InTwoThreads(Offset size, Offset grain, const std::function<void(Offset, Offset)>& body)
-{
-  const auto half = [&](Offset first) {
-    for (Offset begin = first; begin < size; begin += 2 * grain)
-    {
-      body(begin, std::min(size, begin + grain));
-    }
-  };
-  std::thread other(half, grain);
-  half(0);
-  other.join();
-}
 
 /// Distances of all vertices from each of many, row by row.
 dgg::Status FindRows(const SearchCase& c, const std::vector<Id>& sources, double radius,
@@ -79,28 +60,6 @@ void ExpectRows(const SearchCase& c, const std::vector<Id>& sources, double radi
 }
 }
 
-TEST(GraphPairs, MetricOfTheGraph)
-{
-  const SearchCase c("terrain", Terrain(9, 0.5, 6), 0.1);
-  const Id n = c.GetNumberOfVertices();
-  std::vector<Id> sources(n);
-  for (Id v = 0; v < n; ++v)
-  {
-    sources[v] = v;
-  }
-  std::vector<double> d;
-  ASSERT_TRUE(FindRows(c, sources, dgg::Infinity, nullptr, d).IsOk());
-  for (Id a = 0; a < n; ++a)
-  {
-    EXPECT_EQ(d[a * n + a], 0.0);
-    for (Id b = 0; b < n; ++b)
-    {
-      EXPECT_NEAR(d[a * n + b], d[b * n + a], 1e-12 * d[a * n + b]);
-      EXPECT_LE(d[a * n + b], (d[a * n + n / 2] + d[(n / 2) * n + b]) * (1.0 + 1e-12));
-    }
-  }
-}
-
 TEST(GraphPairs, ManyAgreeWithDijkstra)
 {
   for (const auto& c : SearchCases())
@@ -123,7 +82,7 @@ TEST(GraphPairs, ManyFarApart)
   // So far that they are searched one by one.
   const SearchCase c("plane", Plane(70, 70, 0.2, 2), 0.1);
   ExpectRows(c, { 0, 2500, 4999, 70 }, dgg::Infinity, nullptr);
-  ExpectRows(c, { 0, 2500, 4999, 70 }, 20.0, InTwoThreads);
+  ExpectRows(c, { 0, 2500, 4999, 70 }, 20.0, WithThreads(2));
 }
 
 TEST(GraphPairs, ManyWithinARadius)
@@ -160,21 +119,16 @@ TEST(GraphPairs, ManySetsOfSeeds)
     }
   }
   std::vector<int> visits(sources.size(), 0);
-  double done = 0.0;
-  const auto progress = [&](double share) {
-    EXPECT_GT(share, done);
-    done = share;
-    return true;
-  };
+  Listener listener;
   ASSERT_TRUE(c.GetSearch()
-                .Many(sources, dgg::Infinity, nullptr, progress,
+                .Many(sources, dgg::Infinity, nullptr, std::ref(listener),
                   [&](std::size_t source, const double* distances) {
                     ++visits[source];
                     ExpectSameDistances(ReferenceDistances(c.GetGraph(), sources[source]),
                       { distances, distances + n }, "source " + std::to_string(source));
                   })
                 .IsOk());
-  EXPECT_EQ(done, 1.0);
+  EXPECT_EQ(listener.Done, 1.0);
   EXPECT_EQ(visits, std::vector<int>(sources.size(), 1));
 }
 
@@ -223,25 +177,22 @@ TEST(GraphPairs, GroupsOfSourcesAreCloseTogether)
 TEST(GraphPairs, ManyInThreadsAreTheSame)
 {
   const SearchCase c("terrain", Terrain(20, 0.4, 2), 0.02);
-  const Id n = c.GetNumberOfVertices();
-  const std::vector<Id> sources = RandomPermutation(n, 4);
-  std::vector<double> one;
-  std::vector<double> two;
-  ASSERT_TRUE(FindRows(c, sources, dgg::Infinity, nullptr, one).IsOk());
-  ASSERT_TRUE(FindRows(c, sources, dgg::Infinity, InTwoThreads, two).IsOk());
-  EXPECT_EQ(one, two);
+  const std::vector<Id> sources = RandomPermutation(c.GetNumberOfVertices(), 4);
+  std::vector<double> rows[2];
+  ASSERT_TRUE(FindRows(c, sources, dgg::Infinity, nullptr, rows[0]).IsOk());
+  ASSERT_TRUE(FindRows(c, sources, dgg::Infinity, WithThreads(2), rows[1]).IsOk());
+  EXPECT_EQ(rows[0], rows[1]);
 }
 
 TEST(GraphPairs, BadSourcesAreNamed)
 {
   const SearchCase c("plane", Plane(3, 3), 0.1);
   std::vector<double> rows;
-  dgg::Status status = FindRows(c, { 0, 16 }, 1.0, nullptr, rows);
-  EXPECT_NE(status.GetMessage().find("set 1 of sources: source 0: vertex 16"), std::string::npos);
-  status = FindRows(c, { -1 }, 1.0, nullptr, rows);
-  EXPECT_NE(status.GetMessage().find("set 0 of sources: source 0: vertex -1"), std::string::npos);
-  status = FindRows(c, { 0 }, std::nan(""), nullptr, rows);
-  EXPECT_NE(status.GetMessage().find("not a number"), std::string::npos);
+  EXPECT_TRUE(
+    Says(FindRows(c, { 0, 16 }, 1.0, nullptr, rows), "set 1 of sources: source 0: vertex 16"));
+  EXPECT_TRUE(
+    Says(FindRows(c, { -1 }, 1.0, nullptr, rows), "set 0 of sources: source 0: vertex -1"));
+  EXPECT_TRUE(Says(FindRows(c, { 0 }, std::nan(""), nullptr, rows), "not a number"));
   EXPECT_FALSE(c.GetSearch().Many({ {} }, 1.0, nullptr, nullptr, nullptr).IsOk());
   EXPECT_TRUE(FindRows(c, { 0, 15 }, 1.0, nullptr, rows).IsOk());
   EXPECT_TRUE(FindRows(c, {}, 1.0, nullptr, rows).IsOk());

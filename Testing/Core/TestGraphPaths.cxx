@@ -1,26 +1,25 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Shortest paths between two points in a graph, and what leads the search to them.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "FieldChecks.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "SearchChecks.h"
+#include "TestMeshes.h"
 
 #include "dggBucketSearch.h"
+#include "dggFaceProfile.h"
 #include "dggGraphBuilder.h"
 #include "dggGraphFans.h"
+#include "dggGraphSearch.h"
 #include "dggLandmarks.h"
+#include "dggSourceFinding.h"
 #include "dggTurnLimits.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace dggtest
@@ -110,10 +109,7 @@ void ExpectShortest(SearchCase& c, const std::vector<std::pair<Seeds, Seeds>>& p
   }
   for (const bool withLandmarks : { false, true })
   {
-    if (withLandmarks)
-    {
-      ASSERT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, nullptr).IsOk());
-    }
+    ASSERT_TRUE(!withLandmarks || c.GetSearch().PrepareLandmarks(nullptr, nullptr).IsOk());
     EXPECT_EQ(c.GetSearch().HasLandmarks(), withLandmarks);
     for (std::size_t i = 0; i < pairs.size(); ++i)
     {
@@ -181,14 +177,7 @@ TEST(GraphPaths, PointsInFacesAgreeWithDijkstra)
     std::vector<Seeds> points;
     for (const dgg::SurfacePoint& point : RandomSurfacePoints(c.GetMesh(), 20, 7))
     {
-      std::vector<dgg::GraphLink> links;
-      std::vector<double> direct;
-      ASSERT_TRUE(builder.Link(point, accuracy, {}, links, direct).IsOk());
-      points.emplace_back();
-      for (const dgg::GraphLink& link : links)
-      {
-        points.back().push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
-      }
+      points.push_back(SeedsOf(builder, point, accuracy));
     }
     std::vector<std::pair<Seeds, Seeds>> pairs;
     for (std::size_t i = 0; i + 1 < points.size(); i += 2)
@@ -204,10 +193,7 @@ TEST(GraphPaths, FromAVertexToItself)
   SearchCase c("sphere", SphereWithIsolatedPoints(2), 0.05);
   for (const bool withLandmarks : { false, true })
   {
-    if (withLandmarks)
-    {
-      ASSERT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, nullptr).IsOk());
-    }
+    ASSERT_TRUE(!withLandmarks || c.GetSearch().PrepareLandmarks(nullptr, nullptr).IsOk());
     for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
     {
       GraphPath path;
@@ -240,18 +226,12 @@ TEST(GraphPaths, BetweenComponentsThereAreNone)
 TEST(GraphPaths, InCloudsAgreeWithDijkstra)
 {
   const SearchCase c("sphere", NoisySphere(3, 0.2, 2), 0.05);
-  dgg::GraphView cloud = c.GetGraph();
-  cloud.Info.Kind = dgg::GraphKind::Cloud;
-  cloud.Angles = nullptr;
-  cloud.ArrivalAngles = nullptr;
+  const dgg::GraphView cloud = AsCloud(c.GetGraph());
   dgg::GraphSearch search(cloud, nullptr);
   const std::vector<double> expected = ReferenceDistances(cloud, { SeedAt(5) });
   for (const bool withLandmarks : { false, true })
   {
-    if (withLandmarks)
-    {
-      ASSERT_TRUE(search.PrepareLandmarks(nullptr, nullptr).IsOk());
-    }
+    ASSERT_TRUE(!withLandmarks || search.PrepareLandmarks(nullptr, nullptr).IsOk());
     for (Id v = 0; v < cloud.NumberOfVertices; v += 7)
     {
       for (const double* positions : { PositionsOf(c), static_cast<const double*>(nullptr) })
@@ -316,10 +296,7 @@ TEST(GraphPaths, LargeOffsetsAndScales)
     const double expected = ExpectedLength(c, from, to);
     for (const bool withLandmarks : { false, true })
     {
-      if (withLandmarks)
-      {
-        ASSERT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, nullptr).IsOk());
-      }
+      ASSERT_TRUE(!withLandmarks || c.GetSearch().PrepareLandmarks(nullptr, nullptr).IsOk());
       GraphPath path;
       ASSERT_TRUE(c.GetSearch().Between(from, to, PositionsOf(c), path).IsOk());
       ExpectPath(c.GetGraph(), from, to, path);
@@ -356,20 +333,12 @@ TEST(GraphPaths, ThreadsFindTheSame)
     expected[i] = find(i);
   }
   std::vector<GraphPath> found(count);
-  std::vector<std::thread> threads;
-  for (std::size_t t = 0; t < 4; ++t)
-  {
-    threads.emplace_back([&, t] {
-      for (std::size_t i = t; i < count; i += 4)
-      {
-        found[i] = find(i);
-      }
-    });
-  }
-  for (std::thread& thread : threads)
-  {
-    thread.join();
-  }
+  InThreads(4, [&](int thread) {
+    for (std::size_t i = thread; i < count; i += 4)
+    {
+      found[i] = find(i);
+    }
+  });
   for (std::size_t i = 0; i < count; ++i)
   {
     EXPECT_EQ(expected[i].Length, found[i].Length);
@@ -384,14 +353,9 @@ TEST(GraphPaths, LandmarksCanBeAborted)
   EXPECT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, [](double) { return false; }).IsAborted());
   EXPECT_FALSE(c.GetSearch().HasLandmarks());
   const std::size_t before = c.GetSearch().GetMemorySize();
-  double done = 0.0;
-  const auto progress = [&](double share) {
-    EXPECT_GE(share, done);
-    done = share;
-    return true;
-  };
-  ASSERT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, progress).IsOk());
-  EXPECT_EQ(done, 1.0);
+  Listener listener;
+  ASSERT_TRUE(c.GetSearch().PrepareLandmarks(nullptr, std::ref(listener)).IsOk());
+  EXPECT_EQ(listener.Done, 1.0);
   EXPECT_TRUE(c.GetSearch().HasLandmarks());
   EXPECT_GE(c.GetSearch().GetMemorySize(), before + 68u * c.GetNumberOfVertices());
 }
@@ -517,13 +481,8 @@ TEST(Landmarks, AreInLargeComponentsAndFarApart)
 
 TEST(TurnLimits, NoShortestPathTurnsMore)
 {
-  std::vector<NamedMesh> meshes = SoundMeshes();
-  for (const NamedMesh& named : DefectMeshes())
-  {
-    meshes.push_back(named);
-  }
   Offset ruledOut = 0;
-  for (const NamedMesh& named : meshes)
+  for (const NamedMesh& named : AllMeshes())
   {
     for (const double accuracy : { 0.1, 0.01 })
     {
@@ -585,16 +544,149 @@ TEST(TurnLimits, RuleOutMostOfARow)
 TEST(TurnLimits, AreKnownForGuaranteedGraphsOnly)
 {
   const TestMesh mesh = NoisySphere(2, 0.2, 3);
-  EXPECT_TRUE(dgg::TurnLimits::AreKnown(SearchCase("a", mesh, 0.05).GetGraph()));
-  for (const auto construction : { dgg::GraphConstruction::OneRelay,
-         dgg::GraphConstruction::Indirect, dgg::GraphConstruction::SaddleVertexGraph })
+  for (const auto construction : AllConstructions())
   {
-    const SearchCase c("b", mesh, 0.05, construction);
-    EXPECT_FALSE(dgg::TurnLimits::AreKnown(c.GetGraph()));
+    const SearchCase c("sphere", mesh, 0.05, construction);
+    EXPECT_EQ(dgg::TurnLimits::AreKnown(c.GetGraph()), c.GetGraph().Info.IsGuaranteed());
+    EXPECT_FALSE(dgg::TurnLimits::AreKnown(AsCloud(c.GetGraph())));
   }
-  const SearchCase c("c", mesh, 0.05);
-  dgg::GraphView cloud = c.GetGraph();
-  cloud.Angles = nullptr;
-  EXPECT_FALSE(dgg::TurnLimits::AreKnown(cloud));
 }
+}
+
+//
+// Virtual sources beyond the vertices of rims: distances inside of long faces.
+
+using namespace dgg;
+using namespace dggtest;
+
+namespace
+{
+constexpr Id HalfRim = 12;
+
+/// A plate with two round holes of radius 3, 30 apart, no points but those of the rims, so that the
+/// faces between the holes are long and thin.
+TestMesh PlateWithTwoHoles()
+{
+  const double radius = 3.0;
+  const double margin = 1.0;
+  const double width = 30.0 + 4.0 * radius + 2.0 * margin;
+  const double height = 2.0 * (radius + margin);
+  TestMesh mesh;
+  const Id corners[] = { mesh.AddPoint(0.0, 0.0, 0.0), mesh.AddPoint(width, 0.0, 0.0),
+    mesh.AddPoint(width, height, 0.0), mesh.AddPoint(0.0, height, 0.0) };
+  // From the lowest point of a rim, counter-clockwise on the left, clockwise on the right: the
+  // first halves face each other.
+  Id left[2 * HalfRim + 1];
+  Id right[2 * HalfRim + 1];
+  for (Id k = 0; k < 2 * HalfRim; ++k)
+  {
+    const double angle = Pi * k / HalfRim;
+    const double x = radius * std::sin(angle);
+    const double y = 0.5 * height - radius * std::cos(angle);
+    left[k] = mesh.AddPoint(margin + radius + x, y, 0.0);
+    right[k] = mesh.AddPoint(width - margin - radius - x, y, 0.0);
+  }
+  left[2 * HalfRim] = left[0];
+  right[2 * HalfRim] = right[0];
+  for (Id k = 0; k < HalfRim; ++k)
+  {
+    mesh.AddQuad(left[k], right[k], right[k + 1], left[k + 1]);
+  }
+  mesh.AddQuad(corners[0], corners[1], right[0], left[0]);
+  mesh.AddQuad(corners[2], corners[3], left[HalfRim], right[HalfRim]);
+  const Id side = HalfRim + HalfRim / 2;
+  for (Id k = HalfRim; k < 2 * HalfRim; ++k)
+  {
+    const bool isUpper = k < side;
+    mesh.AddTriangle(corners[isUpper ? 3 : 0], left[k + 1], left[k]);
+    mesh.AddTriangle(corners[isUpper ? 2 : 1], right[k], right[k + 1]);
+  }
+  mesh.AddTriangle(corners[3], corners[0], left[side]);
+  mesh.AddTriangle(corners[1], corners[2], right[side]);
+  return mesh;
+}
+
+/// Errors inside of faces, as parts of the largest distance.
+struct FieldErrors
+{
+  double Sum = 0.0;
+  double Largest = 0.0;
+
+  void Add(const DistanceField& field, const DistanceField& truth)
+  {
+    const SurfaceMesh& mesh = *truth.Mesh;
+    const double farthest =
+      *std::max_element(truth.Distances, truth.Distances + mesh.GetNumberOfVertices());
+    FaceProfile found(field);
+    FaceProfile exact(truth);
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      found.Enter(f);
+      exact.Enter(f);
+      for (int i = 0; i < 5; ++i)
+      {
+        for (int j = 0; i + j < 5; ++j)
+        {
+          const Point2 p =
+            exact.PlaceOf({ { (5 - i - j) / 6.0, (i + 0.5) / 6.0, (j + 0.5) / 6.0 } });
+          const double error = std::abs(found.At(p) - exact.At(p)) / farthest;
+          this->Sum += error;
+          this->Largest = std::max(this->Largest, error);
+        }
+      }
+    }
+  }
+};
+}
+
+/// With each vertex of a rim as the virtual source of the next one the largest errors are 13 and
+/// 24 % of the largest distance.
+TEST(Relays, OfRimsDoNotHideTheSource)
+{
+  const SurfaceMesh mesh = Build(PlateWithTwoHoles());
+  const GeodesicGraph graph = BuildGraph(mesh, 0.01);
+  const GraphSearch search(graph.View(), &mesh);
+  FieldErrors linear;
+  FieldErrors ofExact;
+  FieldErrors ofGraph;
+  for (Id source = 0; source < mesh.GetNumberOfVertices(); ++source)
+  {
+    const ExactField field(mesh, { VertexSource(source) });
+    GraphSeed seed;
+    seed.Vertex = source;
+    SearchOptions options;
+    options.Correct = true;
+    SearchResult result;
+    ASSERT_TRUE(search.Run({ seed }, options, result).IsOk());
+    VirtualSources merged;
+    FindVirtualSources(mesh, result, merged);
+    linear.Add(field.Linear, field.Exact);
+    ofExact.Add(field.Local, field.Exact);
+    ofGraph.Add({ &mesh, result.Corrected.data(), nullptr, &merged }, field.Exact);
+  }
+  for (const FieldErrors* errors : { &ofExact, &ofGraph })
+  {
+    SCOPED_TRACE(errors == &ofExact ? "exact" : "graph");
+    EXPECT_LT(errors->Sum, 0.25 * linear.Sum);
+    EXPECT_LT(errors->Largest, 0.1);
+  }
+}
+
+/// What is reached straight on over vertices of the graph has no relay, and keeps what it had.
+TEST(Relays, AreNoneOnAConvexPlate)
+{
+  const SurfaceMesh mesh = Build(Plane(8, 8, 0.2));
+  const GeodesicGraph graph = BuildGraph(mesh, 0.05);
+  const GraphSearch search(graph.View(), &mesh);
+  GraphSeed seed;
+  seed.Vertex = 40;
+  SearchOptions options;
+  options.Correct = true;
+  SearchResult result;
+  ASSERT_TRUE(search.Run({ seed }, options, result).IsOk());
+  VirtualSources found;
+  FindVirtualSources(mesh, result, found);
+  EXPECT_EQ(found.Offsets, result.Virtual.Offsets);
+  EXPECT_EQ(found.Lengths, result.Virtual.Lengths);
+  EXPECT_EQ(found.Angles, result.Virtual.Angles);
 }

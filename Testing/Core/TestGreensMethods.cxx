@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How the ways to find a Green's function compare, and where each is left for another one.
-#include "CurvedMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GreensTestTools.h"
 
@@ -173,7 +172,7 @@ TEST(GreensFunction, RidgesNearThePole)
     const Id face = random.Index(mesh.GetNumberOfFaces());
     const std::array<double, 3> b{ { 0.25, 0.25, 0.5 } };
     const dgg::SurfacePoint pole = dgg::SurfacePoint::InFace(mesh, face, b);
-    const std::array<double, 3> x = PositionOf(cube, mesh, pole);
+    const std::array<double, 3> x = dgg::PositionOf(mesh, pole, cube.Points.data());
     dgg::GreensQuery query;
     query.Radius = 0.3;
     const auto truth =
@@ -228,7 +227,7 @@ TEST(GreensFunction, FlippedMeshes)
     for (int k = 0; k < 30; ++k)
     {
       const dgg::SurfacePoint pole = InsideFace(mesh, random);
-      const std::array<double, 3> x = PositionOf(fine, mesh, pole);
+      const std::array<double, 3> x = dgg::PositionOf(mesh, pole, fine.Points.data());
       if (std::abs(x[0] - 0.5) > 0.25 || std::abs(x[1] - 0.5) > 0.25)
       {
         continue;

@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What is asked of Green's functions: points, integrals, signs, many poles, any triangles; errors.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GreensTestTools.h"
-#include "ThinTriangleChecks.h"
 
 #include "dggPoissonSystem.h"
 
@@ -40,7 +37,7 @@ TEST(GreensFunction, AnyPointSeesAnyOther)
   ASSERT_TRUE(greens.Function.Run(points, query, results).IsOk());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const std::array<double, 3> x = PositionOf(sphere, mesh, points[i]);
+    const std::array<double, 3> x = dgg::PositionOf(mesh, points[i], sphere.Points.data());
     for (std::size_t j = 0; j < points.size(); ++j)
     {
       if (i == j)
@@ -49,7 +46,7 @@ TEST(GreensFunction, AnyPointSeesAnyOther)
         EXPECT_GT(results[i].TargetValues[j], 0.5);
         continue;
       }
-      const std::array<double, 3> y = PositionOf(sphere, mesh, points[j]);
+      const std::array<double, 3> y = dgg::PositionOf(mesh, points[j], sphere.Points.data());
       double chord = 0.0;
       for (int k = 0; k < 3; ++k)
       {
@@ -112,7 +109,7 @@ TEST(GreensFunction, SolvesPoissonEquations)
   for (int k = 0; k < 6; ++k)
   {
     const dgg::SurfacePoint pole = InsideFace(mesh, random);
-    std::array<double, 3> x = PositionOf(sphere, mesh, pole);
+    std::array<double, 3> x = dgg::PositionOf(mesh, pole, sphere.Points.data());
     EXPECT_NEAR(at(pole, dgg::GreensMethod::SingularitySubtraction), harmonic(x.data()), 4e-3);
   }
 }
@@ -123,12 +120,7 @@ TEST(GreensFunction, SolvesPoissonEquationsWithGivenValues)
   const dgg::SurfaceMesh mesh = Build(Plane(14, 11, 0.25));
   const Greens greens(mesh, With(dgg::PoissonBoundary::Dirichlet));
   const Id n = mesh.GetNumberOfVertices();
-  Random random(6);
-  std::vector<double> values(n);
-  for (double& value : values)
-  {
-    value = random.Uniform(-1.0, 1.0);
-  }
+  const std::vector<double> values = RandomValues(n, 6);
   std::vector<double> u = values;
   ASSERT_TRUE(greens.Solver.Solve(u).IsOk());
   for (Id j = 0; j < n; ++j)
@@ -180,33 +172,26 @@ TEST(GreensFunction, ProgressGrowsAndStops)
   const std::vector<dgg::SurfacePoint> poles = RandomSurfacePoints(mesh, 11, 6);
   for (const dgg::GreensMethod method : Methods)
   {
-    std::vector<double> told;
-    double stopAt = 2.0;
     dgg::GreensQuery query;
     query.Method = method;
-    query.Progress = [&](double done) {
-      told.push_back(done);
-      return done < stopAt;
-    };
     std::vector<dgg::GreensResult> results;
+    dgg::GreensResult one;
+    Listener together;
+    query.Progress = std::ref(together);
     ASSERT_TRUE(greens.Function.Run(poles, query, results).IsOk());
-    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-    EXPECT_GE(told.front(), 0.0);
-    EXPECT_EQ(told.back(), 1.0);
-    EXPECT_GE(told.size(), 4u);
+    EXPECT_EQ(together.Done, 1.0);
+    EXPECT_GE(together.Calls, 4);
+    Listener single;
+    query.Progress = std::ref(single);
+    ASSERT_TRUE(greens.Function.Run(poles[0], query, one).IsOk());
+    EXPECT_EQ(single.Done, 1.0);
     for (const double stop : { 0.1, 0.5, 0.9 })
     {
-      stopAt = stop;
+      query.Progress = [=](double done) { return done < stop; };
       EXPECT_TRUE(greens.Function.Run(poles, query, results).IsAborted());
       EXPECT_TRUE(results.empty());
     }
-    stopAt = 2.0;
-    told.clear();
-    dgg::GreensResult one;
-    ASSERT_TRUE(greens.Function.Run(poles[0], query, one).IsOk());
-    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-    EXPECT_EQ(told.back(), 1.0);
-    stopAt = 0.5;
+    query.Progress = [](double done) { return done < 0.5; };
     EXPECT_TRUE(greens.Function.Run(poles[0], query, one).IsAborted());
     EXPECT_TRUE(one.Values.empty());
   }
@@ -278,43 +263,36 @@ TEST(GreensFunction, SaysWhatIsWrong)
 {
   const dgg::SurfaceMesh mesh = Build(SphereWithIsolatedPoints(2));
   const Greens greens(mesh);
-  dgg::GreensResult result;
-  const auto message = [&](const Greens& any, const dgg::SurfacePoint& pole,
-                         const dgg::GreensQuery& query = {}) {
+  const auto at = [](Id v) { return dgg::SurfacePoint::AtVertex(v); };
+  const auto expect = [](const Greens& any, const dgg::SurfacePoint& pole, const char* message,
+                        const dgg::GreensQuery& query = {}) {
+    dgg::GreensResult result;
     const dgg::Status status = any.Function.Run(pole, query, result);
     EXPECT_FALSE(status.IsOk());
+    EXPECT_TRUE(Says(status, message));
+    EXPECT_FALSE(status.GetMessage().empty());
     EXPECT_TRUE(result.Values.empty());
-    return status.GetMessage();
   };
-  EXPECT_NE(message(greens, dgg::SurfacePoint::AtVertex(0)).find("has no face"), std::string::npos);
-  EXPECT_FALSE(message(greens, dgg::SurfacePoint::AtVertex(100000)).empty());
+  expect(greens, at(0), "has no face");
+  expect(greens, at(100000), "");
   dgg::GreensQuery query;
   query.Radius = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(message(greens, dgg::SurfacePoint::AtVertex(5), query).empty());
+  expect(greens, at(5), "", query);
   query = {};
-  query.Targets = { dgg::SurfacePoint::AtVertex(-3) };
-  EXPECT_NE(
-    message(greens, dgg::SurfacePoint::AtVertex(5), query).find("target 0"), std::string::npos);
+  query.Targets = { at(-3) };
+  expect(greens, at(5), "target 0", query);
   const Greens given(mesh, With(dgg::PoissonBoundary::Dirichlet));
-  EXPECT_NE(
-    message(given, dgg::SurfacePoint::AtVertex(5)).find("without a boundary"), std::string::npos);
+  expect(given, at(5), "without a boundary");
   const dgg::SurfaceMesh plane = Build(Plane(6, 6));
   const Greens onPlane(plane, With(dgg::PoissonBoundary::Dirichlet));
-  EXPECT_NE(message(onPlane, dgg::SurfacePoint::AtVertex(0)).find("boundary"), std::string::npos);
+  expect(onPlane, at(0), "boundary");
   dgg::PoissonSolver raw(plane);
-  EXPECT_NE(dgg::GreensFunction(raw)
-              .Run(dgg::SurfacePoint::AtVertex(0), {}, result)
-              .GetMessage()
-              .find("Prepare()"),
-    std::string::npos);
+  dgg::GreensResult result;
+  EXPECT_TRUE(Says(dgg::GreensFunction(raw).Run(at(0), {}, result), "Prepare()"));
   std::vector<dgg::GreensResult> results;
-  EXPECT_NE(onPlane.Function
-              .Run({ dgg::SurfacePoint::AtVertex(10), dgg::SurfacePoint::AtVertex(0) }, {}, results)
-              .GetMessage()
-              .find("pole 1"),
-    std::string::npos);
+  EXPECT_TRUE(Says(onPlane.Function.Run({ at(10), at(0) }, {}, results), "pole 1"));
   query = {};
   query.Progress = [](double) { return false; };
-  EXPECT_TRUE(greens.Function.Run({ dgg::SurfacePoint::AtVertex(10) }, query, results).IsAborted());
+  EXPECT_TRUE(greens.Function.Run({ at(10) }, query, results).IsAborted());
 }
 }

@@ -1,18 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Harmonic B-splines: cells, coefficients, the basis.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
 #include "GraphChecks.h"
+#include "GreensTestTools.h"
 #include "SplineTestTools.h"
-#include "ThinTriangleChecks.h"
+#include "TestMeshes.h"
 
 #include "dggPoissonSystem.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,24 +40,21 @@ TEST(HarmonicSplines, AllVerticesAsSitesGiveTheKroneckerDelta)
   for (const NamedMesh& named : SmallMeshes())
   {
     const dgg::SurfaceMesh mesh = Build(named.Mesh);
-    for (const auto boundary : { dgg::PoissonBoundary::Neumann, dgg::PoissonBoundary::Dirichlet })
+    for (const dgg::PoissonOptions& options : AllPoissonOptions())
     {
-      for (const bool delaunay : { false, true })
+      Splines splines(mesh, options);
+      splines.PrepareAll();
+      const std::vector<Id>& sites = splines.Sites;
+      const auto basis = splines.Basis();
+      double worst = 0.0;
+      for (std::size_t i = 0; i < sites.size(); ++i)
       {
-        Splines splines(mesh, With(boundary, delaunay));
-        splines.PrepareAll();
-        const std::vector<Id>& sites = splines.Sites;
-        const auto basis = splines.Basis();
-        double worst = 0.0;
-        for (std::size_t i = 0; i < sites.size(); ++i)
+        for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
         {
-          for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-          {
-            worst = std::max(worst, std::abs(basis[i][v] - (v == sites[i] ? 1.0 : 0.0)));
-          }
+          worst = std::max(worst, std::abs(basis[i][v] - (v == sites[i] ? 1.0 : 0.0)));
         }
-        EXPECT_LT(worst, 1e-10) << named.Name;
       }
+      EXPECT_LT(worst, 1e-10) << named.Name;
     }
   }
 }
@@ -122,12 +121,7 @@ TEST(HarmonicSplines, CellsAreThoseOfTheNearestSites)
 
 TEST(HarmonicSplines, BasisSumsToOne)
 {
-  std::vector<NamedMesh> meshes = SoundMeshes();
-  for (const NamedMesh& named : DefectMeshes())
-  {
-    meshes.push_back(named);
-  }
-  for (const NamedMesh& named : meshes)
+  for (const NamedMesh& named : AllMeshes())
   {
     const dgg::SurfaceMesh mesh = Build(named.Mesh);
     for (const bool delaunay : { false, true })
@@ -278,7 +272,7 @@ TEST(HarmonicSplines, AnyTrianglesWillDo)
     Random random(seed);
     const dgg::SurfaceMesh mesh =
       Build(RandomSoup(3 + random.Index(30), 1 + random.Index(60), seed));
-    for (const auto boundary : { dgg::PoissonBoundary::Neumann, dgg::PoissonBoundary::Dirichlet })
+    for (const auto boundary : Boundaries)
     {
       if (IsTooThin(mesh, With(boundary, true)))
       {
@@ -391,5 +385,98 @@ TEST(HarmonicSplines, ThreadsDoNotMatter)
       .Evaluate(points, dgg::GreensMethod::SingularitySubtraction, WithThreads(3), nullptr, values)
       .IsOk());
   EXPECT_EQ(alone.Evaluate(points, dgg::GreensMethod::SingularitySubtraction), values);
+}
+
+// Harmonic B-splines: wrong input, progress and abort.
+
+TEST(HarmonicSplines, RefusesWhatMakesNoSense)
+{
+  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
+  dgg::PoissonSolver solver(mesh);
+  dgg::HarmonicSplines splines(solver);
+  const auto prepare = [&](const std::vector<Id>& sites) {
+    return splines.Prepare(sites, nullptr, nullptr);
+  };
+  const auto ignore = [](Id, const std::vector<double>&) {};
+  EXPECT_TRUE(Says(prepare({ 0 }), "has not been prepared"));
+  std::vector<Id> sites{ 1 };
+  EXPECT_FALSE(dgg::ChooseSplineSites(solver, 3, nullptr, sites).IsOk());
+  EXPECT_TRUE(sites.empty());
+  ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
+  EXPECT_TRUE(Says(splines.FindBasis(nullptr, nullptr, ignore), "no sites"));
+  EXPECT_TRUE(Says(prepare({}), "there is no site"));
+  EXPECT_TRUE(Says(prepare({ 0, -1 }), "site 1 (vertex -1) does not exist"));
+  EXPECT_TRUE(Says(prepare({ mesh.GetNumberOfVertices() }), "does not exist"));
+  EXPECT_TRUE(Says(prepare({ 5, 7, 5 }), "site 2 (vertex 5) is the same as site 0"));
+  EXPECT_TRUE(Says(prepare({ 0 }), "has no site"));
+  std::vector<double> values;
+  EXPECT_FALSE(splines.Solve({}, {}, values).IsOk());
+
+  ASSERT_TRUE(dgg::ChooseSplineSites(solver, 6, nullptr, sites).IsOk());
+  ASSERT_TRUE(Ok(prepare(sites)));
+  std::vector<double> sources(mesh.GetNumberOfVertices(), 0.0);
+  EXPECT_TRUE(Says(splines.Solve({ 1.0 }, {}, values), "1 values"));
+  EXPECT_FALSE(splines.Solve(sources, { 0 }, values).IsOk()); // no value for it
+  values.assign(6, 0.0);
+  EXPECT_FALSE(splines.Solve(sources, { 6 }, values).IsOk());
+  EXPECT_FALSE(splines.Solve(sources, { -1 }, values).IsOk());
+  sources[3] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(Says(splines.Solve(sources, {}, values), "vertex 3"));
+  EXPECT_FALSE(splines.Combine({ 1.0 }, {}, values).IsOk());
+  EXPECT_FALSE(splines.Combine(std::vector<double>(6, 0.0), sources, values).IsOk());
+  EXPECT_TRUE(Says(splines.Evaluate({ dgg::SurfacePoint::AtVertex(-3) },
+                     dgg::GreensMethod::Interpolated, nullptr, nullptr, values),
+    "point 0"));
+  // Another system.
+  ASSERT_TRUE(solver.Prepare(With(dgg::PoissonBoundary::Dirichlet), nullptr).IsOk());
+  EXPECT_TRUE(Says(splines.FindBasis(nullptr, nullptr, ignore), "anew"));
+  Id onBoundary = 0;
+  while (!solver.IsFixed(onBoundary))
+  {
+    ++onBoundary;
+  }
+  EXPECT_TRUE(Says(prepare({ onBoundary }), "lies on the boundary"));
+
+  const dgg::SurfaceMesh isolated = Build(SphereWithIsolatedPoints(1));
+  dgg::PoissonSolver other(isolated);
+  ASSERT_TRUE(other.Prepare({}, nullptr).IsOk());
+  for (Id v = 0; v < isolated.GetNumberOfVertices(); ++v)
+  {
+    if (isolated.FanBegin(v) == isolated.FanEnd(v))
+    {
+      EXPECT_TRUE(Says(dgg::CheckSplineSites(other, { v }), "has no face"));
+    }
+  }
+}
+
+TEST(HarmonicSplines, StopsWhenAsked)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.02, 3));
+  Splines splines(mesh);
+  std::vector<Id> sites;
+  const auto ignore = [](Id, const std::vector<double>&) {};
+  const std::vector<std::function<dgg::Status(const dgg::ProgressCallback&)>> steps = {
+    [&](const dgg::ProgressCallback& progress) {
+      return dgg::ChooseSplineSites(splines.Solver, 100, progress, sites);
+    },
+    [&](const dgg::ProgressCallback& progress) {
+      return splines.Functions.Prepare(sites, nullptr, progress);
+    },
+    [&](const dgg::ProgressCallback& progress) {
+      return splines.Functions.FindBasis(nullptr, progress, ignore);
+    }
+  };
+  for (std::size_t k = 0; k < steps.size(); ++k)
+  {
+    Listener listener;
+    EXPECT_TRUE(steps[k](std::ref(listener)).IsOk());
+    EXPECT_EQ(listener.Done, 1.0) << k;
+    for (int stop = 0; stop < listener.Calls; stop += 1 + listener.Calls / 5)
+    {
+      int left = stop;
+      EXPECT_TRUE(steps[k]([&](double) { return left-- > 0; }).IsAborted()) << k;
+    }
+    EXPECT_TRUE(steps[k](nullptr).IsOk());
+  }
 }
 }

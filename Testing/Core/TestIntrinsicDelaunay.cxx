@@ -1,13 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Flips of edges, Delaunay triangulations, and the cotangent Laplacian on them.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 
 #include "dggLaplaceSystem.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,16 +88,13 @@ dgg::CotanLaplacian LaplacianOf(const dgg::SurfaceMesh& mesh)
 /// Meshes far from Delaunay, of moderate cotangents.
 std::vector<NamedMesh> FlipMeshes()
 {
-  std::vector<NamedMesh> meshes = SoundMeshes();
-  meshes.push_back({ "Moebius", MoebiusStrip(9, 4) });
-  meshes.push_back({ "Klein", KleinBottle(5, 7) });
-  meshes.push_back({ "misoriented", MisorientedSphere(3, 5) });
-  meshes.push_back({ "coarse torus", FlatTorus(1.0, 3.3, 0.4, 1, 1, true) });
-  meshes.push_back({ "sheared torus", FlatTorus(1.0, 7.3, 0.9, 2, 3, true) });
-  meshes.push_back({ "pinched", PinchedPlates(3) });
   std::vector<Id> sheetOf;
-  meshes.push_back({ "book", WithNoise(Book(3, 5, sheetOf, 0.25, 6), 0.2, 7) });
-  return meshes;
+  return Joined(SoundMeshes(),
+    { { "Moebius", MoebiusStrip(9, 4) }, { "Klein", KleinBottle(5, 7) },
+      { "misoriented", MisorientedSphere(3, 5) },
+      { "coarse torus", FlatTorus(1.0, 3.3, 0.4, 1, 1, true) },
+      { "sheared torus", FlatTorus(1.0, 7.3, 0.9, 2, 3, true) }, { "pinched", PinchedPlates(3) },
+      { "book", WithNoise(Book(3, 5, sheetOf, 0.25, 6), 0.2, 7) } });
 }
 }
 
@@ -157,18 +150,12 @@ TEST(IntrinsicDelaunay, CotangentsAddUpToNothingNegative)
 
 TEST(IntrinsicDelaunay, AreasAnglesAndBoundariesStay)
 {
-  std::vector<NamedMesh> meshes = FlipMeshes();
-  for (const NamedMesh& named : DefectMeshes())
-  {
-    meshes.push_back(named);
-  }
-  for (const NamedMesh& named : meshes)
+  for (const NamedMesh& named : Joined(FlipMeshes(), DefectMeshes()))
   {
     SCOPED_TRACE(named.Name);
     const dgg::SurfaceMesh surface = Build(named.Mesh);
     dgg::IntrinsicTriangulation triangulation(surface);
     const Measures before = Measure(triangulation);
-    std::vector<double> fixed;
     const auto collectFixed = [&] {
       std::vector<double> lengths;
       for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
@@ -182,7 +169,7 @@ TEST(IntrinsicDelaunay, AreasAnglesAndBoundariesStay)
       std::sort(lengths.begin(), lengths.end());
       return lengths;
     };
-    fixed = collectFixed();
+    const std::vector<double> fixed = collectFixed();
     Flip(triangulation);
     ExpectConsistent(triangulation);
     EXPECT_EQ(collectFixed(), fixed);
@@ -258,27 +245,20 @@ TEST(CotanLaplacian, LinearFunctionsInThePlane)
 
 TEST(CotanLaplacian, PositiveSemidefinite)
 {
-  for (const std::vector<NamedMesh>& meshes : { SoundMeshes(), DefectMeshes() })
+  for (const NamedMesh& named : AllMeshes())
   {
-    for (const NamedMesh& named : meshes)
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh surface = Build(named.Mesh);
+    const dgg::CotanLaplacian laplacian = LaplacianOf(surface);
+    for (std::uint64_t seed = 1; seed <= 5; ++seed)
     {
-      SCOPED_TRACE(named.Name);
-      const dgg::SurfaceMesh surface = Build(named.Mesh);
-      const dgg::CotanLaplacian laplacian = LaplacianOf(surface);
-      Random random(5);
-      Eigen::VectorXd values(surface.GetNumberOfVertices());
-      for (int round = 0; round < 5; ++round)
-      {
-        for (Id v = 0; v < surface.GetNumberOfVertices(); ++v)
-        {
-          values[v] = random.Uniform(-1.0, 1.0);
-        }
-        const Eigen::VectorXd image = laplacian.Stiffness * values;
-        EXPECT_GE(values.dot(image), -1e-12 * image.cwiseAbs().sum());
-        EXPECT_NEAR(image.sum(), 0.0, 1e-11 * image.cwiseAbs().sum());
-      }
-      EXPECT_GE(laplacian.Mass.minCoeff(), 0.0);
+      const std::vector<double> random = RandomValues(surface.GetNumberOfVertices(), seed);
+      const auto values = Eigen::Map<const Eigen::VectorXd>(random.data(), random.size());
+      const Eigen::VectorXd image = laplacian.Stiffness * values;
+      EXPECT_GE(values.dot(image), -1e-12 * image.cwiseAbs().sum());
+      EXPECT_NEAR(image.sum(), 0.0, 1e-11 * image.cwiseAbs().sum());
     }
+    EXPECT_GE(laplacian.Mass.minCoeff(), 0.0);
   }
 }
 

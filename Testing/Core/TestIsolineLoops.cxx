@@ -2,17 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Isolines: loops within faces, around sources and farthest points.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "IsolineChecks.h"
 
 #include "dggFaceProfile.h"
 #include "dggIsolines.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>

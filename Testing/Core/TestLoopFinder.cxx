@@ -1,14 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed geodesics: where their lengths are known, and that they are geodesics everywhere else.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "LoopWorld.h"
 #include "PathChecks.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -285,20 +281,18 @@ TEST(LoopFinder, HandlesOfSheetsThatTouch)
 TEST(LoopFinder, HandlesTellTheirProgress)
 {
   const dgg::SurfaceMesh mesh = Build(TwoHoledBlock());
-  std::vector<double> progress;
+  Listener listener;
+  int late = 0; // while loops are compared
   std::vector<FoundLoop> loops;
   const auto tell = [&](double fraction) {
-    progress.push_back(fraction);
-    return true;
+    late += fraction > 0.9 && fraction < 1.0 ? 1 : 0;
+    return listener(fraction);
   };
   ASSERT_TRUE(dgg::FindHandleLoops(mesh, tell, loops).IsOk());
   EXPECT_EQ(loops.size(), 4u);
-  EXPECT_GT(progress.size(), 40u); // several for each base
-  EXPECT_GE(
-    std::count_if(progress.begin(), progress.end(), [](double p) { return p > 0.9 && p < 1.0; }),
-    3); // while loops are compared
-  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
-  EXPECT_EQ(progress.back(), 1.0);
+  EXPECT_GT(listener.Calls, 40); // several for each base
+  EXPECT_GE(late, 3);
+  EXPECT_EQ(listener.Done, 1.0);
   const auto stop = [](double fraction) { return fraction < 0.5; };
   EXPECT_TRUE(dgg::FindHandleLoops(mesh, stop, loops).IsAborted());
   EXPECT_TRUE(loops.empty());
@@ -449,13 +443,12 @@ TEST(LoopFinder, DefectMeshes)
     const dgg::Status status = dgg::FindHandleLoops(world.Mesh, {}, loops);
     if (!status.IsOk())
     {
-      EXPECT_NE(status.GetMessage().find("more than two triangles"), std::string::npos);
+      EXPECT_TRUE(Says(status, "more than two triangles"));
       EXPECT_TRUE(loops.empty());
     }
     for (const FoundLoop& loop : loops)
     {
-      const dgg::Status path = dgg::CheckPath(world.Mesh, loop.Loop);
-      EXPECT_TRUE(path.IsOk()) << path.GetMessage();
+      EXPECT_TRUE(Ok(dgg::CheckPath(world.Mesh, loop.Loop)));
     }
   }
 }
@@ -501,26 +494,20 @@ TEST(LoopFinder, RopesTellTheirProgress)
   ASSERT_FALSE(expected.Loop.IsEmpty());
   for (const bool taut : { false, true })
   {
-    std::vector<double> progress;
+    Listener whole;
     FoundLoop loop;
     bool isConnected = false;
-    const auto tell = [&](double fraction) {
-      progress.push_back(fraction);
-      return true;
-    };
-    ASSERT_TRUE(world.Finder->Rope(points, taut, loop, isConnected, tell).IsOk());
+    ASSERT_TRUE(world.Finder->Rope(points, taut, loop, isConnected, std::ref(whole)).IsOk());
     EXPECT_TRUE(isConnected);
-    EXPECT_EQ(progress.size(), points.size() + 1); // before each leg, and at the end
-    EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
-    EXPECT_EQ(progress.back(), 1.0);
-    for (std::size_t stop = 0; stop < progress.size(); ++stop)
+    EXPECT_EQ(whole.Calls, 13); // before each leg, and at the end
+    EXPECT_EQ(whole.Done, 1.0);
+    for (int stop = 1; stop <= whole.Calls; ++stop)
     {
-      std::size_t calls = 0;
+      Listener listener(stop);
       loop = expected;
-      const auto status =
-        world.Finder->Rope(points, taut, loop, isConnected, [&](double) { return calls++ < stop; });
-      EXPECT_TRUE(status.IsAborted());
-      EXPECT_EQ(calls, stop + 1) << "went on";
+      EXPECT_TRUE(
+        world.Finder->Rope(points, taut, loop, isConnected, std::ref(listener)).IsAborted());
+      EXPECT_EQ(listener.Calls, stop) << "went on";
       EXPECT_TRUE(loop.Loop.IsEmpty());
     }
   }
@@ -584,13 +571,8 @@ TEST(LoopFinder, EndsWhereAllWaysTakeLong)
   {
     dgg::FoundLoop loop;
     int trials = 0;
-    ASSERT_TRUE(world.Finder
-                  ->ThroughPoint(At(v), false, loop,
-                    [&](double) {
-                      ++trials;
-                      return true;
-                    })
-                  .IsOk());
+    const auto count = [&](double) { return ++trials > 0; };
+    ASSERT_TRUE(world.Finder->ThroughPoint(At(v), false, loop, count).IsOk());
     EXPECT_LE(trials, 256) << v;
   }
 }

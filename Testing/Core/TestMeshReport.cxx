@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Known answers of MeshReport, on every generator.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 
+#include "dggDisjointSets.h"
+#include "dggEdges.h"
 #include "dggMeshReport.h"
 
-#include <gtest/gtest.h>
-
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace dggtest
 {
@@ -24,7 +26,22 @@ struct Expected
 {
   std::string Name;
   TestMesh Mesh;
-  std::function<void(MeshReport&)> Change;
+  MeshReport Report;
+
+  Expected& With(dgg::Offset MeshReport::*value, dgg::Offset expected)
+  {
+    this->Report.*value = expected;
+    return *this;
+  }
+  Expected& Rims(dgg::Offset edges, dgg::Offset loops)
+  {
+    return this->With(&MeshReport::BoundaryEdges, edges).With(&MeshReport::BoundaryLoops, loops);
+  }
+  Expected& NotOrientable()
+  {
+    this->Report.Orientable = false;
+    return this->With(&MeshReport::Genus, -1);
+  }
 };
 
 MeshReport Inspect(const TestMesh& mesh)
@@ -35,124 +52,77 @@ MeshReport Inspect(const TestMesh& mesh)
 std::vector<Expected> Cases()
 {
   std::vector<Expected> cases;
+  cases.reserve(100);
   std::vector<Id> sheetOf;
   std::vector<bool> flags;
   std::vector<ConePoint> polar;
   Id count = 0;
-  auto add = [&](const std::string& name, const TestMesh& mesh,
-               const std::function<void(MeshReport&)>& change) {
-    cases.push_back({ name, mesh, change });
-  };
-  auto closed = [](MeshReport&) {};
-  auto disc = [](dgg::Offset edges) {
-    return [edges](MeshReport& r) {
-      r.BoundaryEdges = edges;
-      r.BoundaryLoops = 1;
-    };
+  const auto add = [&](const std::string& name, const TestMesh& mesh) -> Expected& {
+    cases.push_back({ name, mesh, {} });
+    cases.back().Report.Components = 1;
+    return cases.back();
   };
   // Sound meshes.
-  add("plane", Plane(5, 4, 0.2, 1), disc(18));
-  add("L", Plate(4, 4, [](Id i, Id j) { return i < 2 || j < 2; }), disc(16));
-  add("annulus", Plate(5, 5, [](Id i, Id j) { return i != 2 || j != 2; }), [](MeshReport& r) {
-    r.BoundaryEdges = 24;
-    r.BoundaryLoops = 2;
-  });
-  add("slit", SlitPlane(3, flags), [](MeshReport& r) {
-    r.BoundaryEdges = 30;
-    r.BoundaryLoops = 1;
-    r.CoincidentPoints = 3;
-  });
-  add("prism", PrismSide(5, 2, 3), [](MeshReport& r) {
-    r.BoundaryEdges = 20;
-    r.BoundaryLoops = 2;
-  });
-  add("cone", Cone(7.0, 9, 3, polar), disc(9));
-  add("cube", Cube(4), closed);
-  add("box", Box(2, 3, 5, 1.0, 1.0, 1.0), closed);
-  add("tetrahedron", Tetrahedron(), closed);
-  add("octahedron", Octahedron(), closed);
-  add("icosahedron", Icosahedron(), closed);
-  add("dodecahedron", Dodecahedron(), closed);
-  add("icosphere", Icosphere(2), closed);
-  add("subdivided", Subdivided(Tetrahedron(), 3), closed);
-  add("torus", Torus(12, 8), [](MeshReport& r) { r.Genus = 1; });
-  add("flat torus", FlatTorus(4.0, 0.5, 3.0, 4, 3, false), [](MeshReport& r) { r.Genus = 1; });
-  add("two-face torus", FlatTorus(2.0, 0.0, 1.0, 1, 1, true), [](MeshReport& r) { r.Genus = 1; });
-  add("two holes", TwoHoledBlock(), [](MeshReport& r) { r.Genus = 2; });
-  add("doubly covered", DoublyCoveredPolygon(5, 2, flags),
-    [](MeshReport& r) { r.CoincidentPoints = 6; });
-  add("triangle", SingleTriangle(), disc(3));
-  add("two triangles", TwoTriangles(0.5), disc(4));
-  add("several components", SeveralComponents(), [](MeshReport& r) {
-    r.Components = 3;
-    r.BoundaryEdges = 14;
-    r.BoundaryLoops = 1;
-    r.Genus = 1;
-  });
+  add("plane", Plane(5, 4, 0.2, 1)).Rims(18, 1);
+  add("L", Plate(4, 4, [](Id i, Id j) { return i < 2 || j < 2; })).Rims(16, 1);
+  add("annulus", Plate(5, 5, [](Id i, Id j) { return i != 2 || j != 2; })).Rims(24, 2);
+  add("slit", SlitPlane(3, flags)).Rims(30, 1).With(&MeshReport::CoincidentPoints, 3);
+  add("prism", PrismSide(5, 2, 3)).Rims(20, 2);
+  add("cone", Cone(7.0, 9, 3, polar)).Rims(9, 1);
+  add("cube", Cube(4));
+  add("box", Box(2, 3, 5, 1.0, 1.0, 1.0));
+  add("tetrahedron", Tetrahedron());
+  add("octahedron", Octahedron());
+  add("icosahedron", Icosahedron());
+  add("dodecahedron", Dodecahedron());
+  add("icosphere", Icosphere(2));
+  add("subdivided", Subdivided(Tetrahedron(), 3));
+  add("torus", Torus(12, 8)).With(&MeshReport::Genus, 1);
+  add("flat torus", FlatTorus(4.0, 0.5, 3.0, 4, 3, false)).With(&MeshReport::Genus, 1);
+  add("two-face torus", FlatTorus(2.0, 0.0, 1.0, 1, 1, true)).With(&MeshReport::Genus, 1);
+  add("two holes", TwoHoledBlock()).With(&MeshReport::Genus, 2);
+  add("doubly covered", DoublyCoveredPolygon(5, 2, flags)).With(&MeshReport::CoincidentPoints, 6);
+  add("triangle", SingleTriangle()).Rims(3, 1);
+  add("two triangles", TwoTriangles(0.5)).Rims(4, 1);
+  add("several components", SeveralComponents())
+    .Rims(14, 1)
+    .With(&MeshReport::Components, 3)
+    .With(&MeshReport::Genus, 1);
   // Defects.
-  add("pinched plates", PinchedPlates(3), [](MeshReport& r) {
-    r.BoundaryEdges = 36;
-    r.BoundaryLoops = 3;
-    r.NonManifoldVertices = 2;
-  });
-  add("touching spheres", TouchingSpheres(1), [](MeshReport& r) { r.NonManifoldVertices = 1; });
-  add("three sheets", Book(3, 4, sheetOf), [](MeshReport& r) {
-    r.NonManifoldEdges = 4;
-    r.BoundaryEdges = 36;
-    r.BoundaryLoops = 3;
-    r.Genus = -1;
-  });
-  add("fin", PlaneWithFin(4, count, 0.2, 4), [](MeshReport& r) {
-    r.NonManifoldEdges = 4;
-    r.BoundaryEdges = 36;
-    r.BoundaryLoops = 3;
-    r.Genus = -1;
-  });
-  add("cubes on an edge", VoxelSurface(2, 2, 1, [](Id i, Id j, Id) { return i == j; }),
-    [](MeshReport& r) {
-      r.NonManifoldEdges = 1;
-      r.Genus = -1;
-    });
-  add("cubes at a corner", VoxelSurface(2, 2, 2, [](Id i, Id j, Id k) { return i == j && j == k; }),
-    [](MeshReport& r) { r.NonManifoldVertices = 1; });
-  add("slivers", SliverPlane(6, 1e-9), disc(26));
-  add("needles", NeedlePlane(4, 1e-9), disc(26));
-  add("caps", CapPlane(6, 1e-3), disc(24));
-  add("seam", SeamPlane(6), [](MeshReport& r) {
-    r.Components = 2;
-    r.BoundaryEdges = 36;
-    r.BoundaryLoops = 2;
-    r.CoincidentPoints = 7;
-  });
-  add("zipped", ZippedPlane(6), [](MeshReport& r) {
-    r.BoundaryEdges = 26;
-    r.BoundaryLoops = 1;
-    r.CoincidentPoints = 7;
-    r.DegenerateFaces = 12;
-  });
-  add("collinear", CollinearPlane(6), [](MeshReport& r) {
-    r.BoundaryEdges = 24;
-    r.BoundaryLoops = 1;
-    r.DegenerateFaces = 15;
-  });
-  add("repeated vertices", RepeatedVertexPlane(5), [](MeshReport& r) {
-    r.BoundaryEdges = 20;
-    r.BoundaryLoops = 1;
-    r.RepeatedVertexFaces = 3;
-  });
-  add(
-    "isolated points", SphereWithIsolatedPoints(1), [](MeshReport& r) { r.IsolatedVertices = 3; });
-  add("Moebius", MoebiusStrip(9, 4), [](MeshReport& r) {
-    r.BoundaryEdges = 18;
-    r.BoundaryLoops = 1;
-    r.Orientable = false;
-    r.Genus = -1;
-  });
-  add("Klein bottle", KleinBottle(7, 5), [](MeshReport& r) {
-    r.Orientable = false;
-    r.Genus = -1;
-  });
-  add("nothing", TestMesh(), [](MeshReport& r) { r.Components = 0; });
+  add("pinched plates", PinchedPlates(3)).Rims(36, 3).With(&MeshReport::NonManifoldVertices, 2);
+  add("touching spheres", TouchingSpheres(1)).With(&MeshReport::NonManifoldVertices, 1);
+  add("three sheets", Book(3, 4, sheetOf))
+    .Rims(36, 3)
+    .With(&MeshReport::NonManifoldEdges, 4)
+    .With(&MeshReport::Genus, -1);
+  add("fin", PlaneWithFin(4, count, 0.2, 4))
+    .Rims(36, 3)
+    .With(&MeshReport::NonManifoldEdges, 4)
+    .With(&MeshReport::Genus, -1);
+  add("cubes on an edge", VoxelSurface(2, 2, 1, [](Id i, Id j, Id) { return i == j; }))
+    .With(&MeshReport::NonManifoldEdges, 1)
+    .With(&MeshReport::Genus, -1);
+  add("cubes at a corner", VoxelSurface(2, 2, 2, [](Id i, Id j, Id k) { return i == j && j == k; }))
+    .With(&MeshReport::NonManifoldVertices, 1);
+  add("slivers", SliverPlane(6, 1e-9)).Rims(26, 1);
+  add("needles", NeedlePlane(4, 1e-9)).Rims(26, 1);
+  add("caps", CapPlane(6, 1e-3)).Rims(24, 1);
+  add("seam", SeamPlane(6))
+    .Rims(36, 2)
+    .With(&MeshReport::Components, 2)
+    .With(&MeshReport::CoincidentPoints, 7);
+  add("zipped", ZippedPlane(6))
+    .Rims(26, 1)
+    .With(&MeshReport::CoincidentPoints, 7)
+    .With(&MeshReport::DegenerateFaces, 12);
+  add("collinear", CollinearPlane(6)).Rims(24, 1).With(&MeshReport::DegenerateFaces, 15);
+  add("repeated vertices", RepeatedVertexPlane(5))
+    .Rims(20, 1)
+    .With(&MeshReport::RepeatedVertexFaces, 3);
+  add("isolated points", SphereWithIsolatedPoints(1)).With(&MeshReport::IsolatedVertices, 3);
+  add("Moebius", MoebiusStrip(9, 4)).Rims(18, 1).NotOrientable();
+  add("Klein bottle", KleinBottle(7, 5)).NotOrientable();
+  add("nothing", TestMesh()).With(&MeshReport::Components, 0);
   return cases;
 }
 }
@@ -162,9 +132,7 @@ TEST(MeshReport, KnowsTheGenerators)
   for (const Expected& c : Cases())
   {
     SCOPED_TRACE(c.Name);
-    MeshReport expected;
-    expected.Components = 1;
-    c.Change(expected);
+    const MeshReport& expected = c.Report;
     const MeshReport report = Inspect(c.Mesh);
     EXPECT_EQ(report.Vertices, c.Mesh.GetNumberOfVertices());
     EXPECT_EQ(report.Faces, c.Mesh.GetNumberOfFaces());
@@ -232,5 +200,82 @@ TEST(MeshReport, MeasuresAnisotropy)
   EXPECT_NEAR(slivers.MedianAnisotropy, right, 1e-12);
   EXPECT_GT(slivers.MeanAnisotropy, 1e4);
   EXPECT_EQ(Inspect(TestMesh()).MeanAnisotropy, 0.0);
+}
+
+// Numbers that are joined, and half-edges that stand for their edge.
+
+namespace
+{
+using dgg::Id;
+}
+
+TEST(DisjointSets, AreThoseOfLabels)
+{
+  const Id count = 300;
+  dgg::DisjointSets sets(count);
+  std::vector<Id> labels(count); // the plain way: relabel one of the two
+  for (Id i = 0; i < count; ++i)
+  {
+    labels[i] = i;
+    EXPECT_EQ(sets.Find(i), i);
+  }
+  std::mt19937 random(7);
+  int joined = 0;
+  for (int k = 0; k < 600; ++k)
+  {
+    const Id i = static_cast<Id>(random() % count);
+    const Id j = static_cast<Id>(random() % count);
+    const Id from = std::max(labels[i], labels[j]);
+    const Id to = std::min(labels[i], labels[j]);
+    EXPECT_EQ(sets.Join(i, j), from != to);
+    joined += from != to ? 1 : 0;
+    std::replace(labels.begin(), labels.end(), from, to);
+  }
+  EXPECT_GT(joined, 200);
+  EXPECT_LT(joined, 299);
+  for (Id i = 0; i < count; ++i)
+  {
+    EXPECT_EQ(sets.Find(i), labels[i]) << i;
+  }
+}
+
+TEST(DisjointSets, SmallestNumberStandsForALongChain)
+{
+  const Id count = 100000;
+  dgg::DisjointSets sets(count);
+  for (Id i = count - 1; i > 0; --i)
+  {
+    EXPECT_TRUE(sets.Join(i, i - 1));
+  }
+  EXPECT_EQ(sets.Find(count - 1), 0);
+  EXPECT_FALSE(sets.Join(17, 4711));
+}
+
+TEST(Edges, AllHalfEdgesOfAnEdgeHaveTheSame)
+{
+  std::vector<NamedMesh> meshes = DefectMeshes();
+  meshes.push_back({ "cube", Cube(2) });
+  meshes.push_back({ "plane", Plane(4, 3) });
+  for (const NamedMesh& named : meshes)
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      const Id edge = dgg::FindEdge(mesh, h);
+      EXPECT_LE(edge, h);
+      EXPECT_EQ(dgg::FindEdge(mesh, edge), edge);
+      EXPECT_EQ(std::minmax(mesh.Origin(edge), mesh.Destination(edge)),
+        std::minmax(mesh.Origin(h), mesh.Destination(h)));
+      if (mesh.Twin(h) == dgg::NoId)
+      {
+        EXPECT_EQ(edge, h);
+      }
+      else
+      {
+        EXPECT_EQ(dgg::FindEdge(mesh, mesh.Twin(h)), edge);
+      }
+    }
+  }
 }
 }

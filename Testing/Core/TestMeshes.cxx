@@ -7,10 +7,22 @@
 #include <map>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 namespace dggtest
 {
+std::vector<double> RandomValues(std::size_t count, std::uint64_t seed)
+{
+  Random random(seed);
+  std::vector<double> values(count);
+  for (double& value : values)
+  {
+    value = random.Uniform(-1.0, 1.0);
+  }
+  return values;
+}
+
 Id TestMesh::AddPoint(double x, double y, double z)
 {
   this->Points.insert(this->Points.end(), { x, y, z });
@@ -26,6 +38,25 @@ void TestMesh::AddQuad(Id a, Id b, Id c, Id d)
 {
   this->AddTriangle(a, b, c);
   this->AddTriangle(a, c, d);
+}
+
+void InThreads(int count, const std::function<void(int)>& body)
+{
+  std::vector<std::thread> threads;
+  for (int t = 0; t < count; ++t)
+  {
+    threads.emplace_back(body, t);
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+}
+
+std::vector<NamedMesh> Joined(std::vector<NamedMesh> some, const std::vector<NamedMesh>& others)
+{
+  some.insert(some.end(), others.begin(), others.end());
+  return some;
 }
 
 dgg::SurfaceMesh Build(const TestMesh& mesh)
@@ -54,6 +85,30 @@ dgg::SurfaceMesh Build(const TestMesh& mesh)
   return result;
 }
 
+TestMesh Grid(Id columns, Id rows, const std::function<std::array<double, 3>(Id, Id)>& place,
+  bool rowsGoAround, bool columnsGoAround)
+{
+  TestMesh mesh;
+  for (Id j = 0; j < rows; ++j)
+  {
+    for (Id i = 0; i < columns; ++i)
+    {
+      const std::array<double, 3> p = place(i, j);
+      mesh.AddPoint(p[0], p[1], p[2]);
+    }
+  }
+  for (Id j = 0; j < (columnsGoAround ? rows : rows - 1); ++j)
+  {
+    for (Id i = 0; i < (rowsGoAround ? columns : columns - 1); ++i)
+    {
+      const Id right = (i + 1) % columns;
+      const Id up = (j + 1) % rows * columns;
+      mesh.AddQuad(j * columns + i, j * columns + right, up + right, up + i);
+    }
+  }
+  return mesh;
+}
+
 double EuclideanDistance(const TestMesh& mesh, Id a, Id b)
 {
   const double* p = mesh.Point(a);
@@ -61,21 +116,15 @@ double EuclideanDistance(const TestMesh& mesh, Id a, Id b)
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
-double Diagonal(const TestMesh& mesh)
+double DirectionOf(const TestMesh& plane, Id from, Id to)
 {
-  double sum = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    double low = dgg::Infinity;
-    double high = -dgg::Infinity;
-    for (std::size_t i = axis; i < mesh.Points.size(); i += 3)
-    {
-      low = std::min(low, mesh.Points[i]);
-      high = std::max(high, mesh.Points[i]);
-    }
-    sum += (high - low) * (high - low);
-  }
-  return std::sqrt(sum);
+  return std::atan2(
+    plane.Point(to)[1] - plane.Point(from)[1], plane.Point(to)[0] - plane.Point(from)[0]);
+}
+
+double FanAngle(const TestMesh& plane, const dgg::SurfaceMesh& mesh, Id v)
+{
+  return DirectionOf(plane, v, mesh.Destination(*mesh.FanBegin(v)));
 }
 
 void Append(TestMesh& mesh, const TestMesh& other)

@@ -1,15 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Curves beside a curve.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
 
 #include "dggOffsetCurves.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -26,12 +22,10 @@ using dgg::SurfacePoint;
 std::vector<SurfacePath> Tape(const dgg::SurfaceMesh& mesh, const SurfacePath& path, double width)
 {
   std::vector<SurfacePath> rims;
-  const dgg::Status status = dgg::MakeOffsetCurves(mesh, path, width, nullptr, rims);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_TRUE(Ok(dgg::MakeOffsetCurves(mesh, path, width, nullptr, rims)));
   for (const SurfacePath& rim : rims)
   {
-    const dgg::Status check = dgg::CheckPath(mesh, rim);
-    EXPECT_TRUE(check.IsOk()) << check.GetMessage();
+    EXPECT_TRUE(Ok(dgg::CheckPath(mesh, rim)));
   }
   return rims;
 }
@@ -236,25 +230,16 @@ TEST(Tape, ReportsProgress)
   const SurfacePath path = PathBetween(mesh, 0, 3);
   std::vector<SurfacePath> rims;
   const double width = 0.05;
-  double last = 0.0;
-  int calls = 0;
-  const auto progress = [&](double done) {
-    EXPECT_GE(done, last);
-    EXPECT_LE(done, 1.0);
-    last = done;
-    ++calls;
-    return true;
-  };
-  ASSERT_TRUE(dgg::MakeOffsetCurves(mesh, path, width, progress, rims).IsOk());
+  Listener whole;
+  ASSERT_TRUE(dgg::MakeOffsetCurves(mesh, path, width, std::ref(whole), rims).IsOk());
   EXPECT_EQ(rims.size(), path.Faces.size() > 1 ? 1u : 2u);
-  EXPECT_GT(last, 0.7);
-  EXPECT_GT(calls, 10);
-  for (int stop = 0; stop < calls; stop += 7)
+  EXPECT_GT(whole.Done, 0.7);
+  EXPECT_GT(whole.Calls, 10);
+  for (int stop = 0; stop < whole.Calls; stop += 7)
   {
-    int call = 0;
-    const dgg::Status status = dgg::MakeOffsetCurves(
-      mesh, path, width, [&](double) { return call++ < stop; }, rims);
-    EXPECT_TRUE(status.IsAborted()) << stop;
+    Listener listener(stop);
+    EXPECT_TRUE(dgg::MakeOffsetCurves(mesh, path, width, std::ref(listener), rims).IsAborted())
+      << stop;
     EXPECT_TRUE(rims.empty());
   }
 }
@@ -269,12 +254,7 @@ TEST(Tape, EndsAtTheBoundary)
 
 TEST(Tape, OnAllKindsOfMeshes)
 {
-  std::vector<NamedMesh> meshes = SoundMeshes();
-  for (NamedMesh& named : DefectMeshes())
-  {
-    meshes.push_back(std::move(named));
-  }
-  for (const NamedMesh& named : meshes)
+  for (const NamedMesh& named : AllMeshes())
   {
     SCOPED_TRACE(named.Name);
     const dgg::SurfaceMesh mesh = Build(named.Mesh);

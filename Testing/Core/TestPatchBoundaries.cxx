@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The same layout on two surfaces: curves that correspond, patches that are disks.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
 
 #include "dggPatchBoundaries.h"
 #include "dggSurfaceCut.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,8 +100,7 @@ std::vector<std::size_t> ExpectCurves(const dgg::SurfaceMesh& mesh, const Points
   paths.insert(paths.end(), curves.begin(), curves.end());
   for (const dgg::SurfacePath& curve : curves)
   {
-    const dgg::Status status = dgg::CheckPath(mesh, curve);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(Ok(dgg::CheckPath(mesh, curve)));
   }
   dgg::RefinedSurface refined;
   dgg::Status status = dgg::RefineAlongPaths(mesh, paths, {}, refined); // fails at crossings
@@ -168,9 +163,8 @@ PatchBoundaries Trace(const dgg::SurfaceMesh& first, const Points& firstLandmark
   const dgg::SurfaceMesh& second, const Points& secondLandmarks, const PatchLayout& layout)
 {
   PatchBoundaries boundaries;
-  const dgg::Status status = dgg::TracePatchBoundaries(
-    { first, firstLandmarks }, { second, secondLandmarks }, layout, nullptr, boundaries);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_TRUE(Ok(dgg::TracePatchBoundaries(
+    { first, firstLandmarks }, { second, secondLandmarks }, layout, nullptr, boundaries)));
   return boundaries;
 }
 

@@ -1,17 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Parts of meshes behave as the whole does, corridors around paths among them.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "PathChecks.h"
 
 #include "dggPathCorridor.h"
 #include "dggSurfaceRefinement.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,11 +27,8 @@ using dgg::SurfacePoint;
 /// Meshes with faces without area, of which light makes much.
 std::vector<NamedMesh> DegenerateMeshes()
 {
-  std::vector<NamedMesh> meshes;
-  meshes.push_back({ "Zipped", ZippedPlane(12) });
-  meshes.push_back({ "Collinear", CollinearPlane(12) });
-  meshes.push_back({ "Collapsed", CollapsedSphere(3, 60, 9) });
-  meshes.push_back({ "CollapsedMore", CollapsedSphere(3, 300, 5) });
+  std::vector<NamedMesh> meshes{ { "Zipped", ZippedPlane(12) }, { "Collinear", CollinearPlane(12) },
+    { "Collapsed", CollapsedSphere(3, 60, 9) }, { "CollapsedMore", CollapsedSphere(3, 300, 5) } };
   // Without the one that has all points in one place. On some of them light that is taken for
   // ordinary runs on for ever.
   std::vector<TestMesh> flattened = FlattenedMeshes();
@@ -61,9 +54,8 @@ SurfaceMesh PartOf(const SurfaceMesh& mesh, const std::vector<Id>& faces)
     }
   }
   SurfaceMesh part;
-  const dgg::Status status = SurfaceMesh::FromLengths(mesh.GetNumberOfVertices(), triangles.data(),
-    static_cast<dgg::Offset>(faces.size()), lengths.data(), part, { &mesh, faces.data() });
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_TRUE(Ok(SurfaceMesh::FromLengths(mesh.GetNumberOfVertices(), triangles.data(),
+    static_cast<dgg::Offset>(faces.size()), lengths.data(), part, { &mesh, faces.data() })));
   return part;
 }
 

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paths traced from a graph: they lie on the surface, are as long as the graph says, and become
 // locally shortest when straightened.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "PathChecks.h"
@@ -13,12 +11,9 @@
 #include "dggPathCorridor.h"
 #include "dggPathFinder.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <thread>
 
 namespace dggtest
 {
@@ -54,8 +49,7 @@ public:
   {
     dgg::GraphOptions options;
     options.Accuracy = accuracy;
-    const dgg::Status status = this->Builder.Build(options, this->Graph);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(Ok(this->Builder.Build(options, this->Graph)));
     this->Search = std::make_unique<dgg::GraphSearch>(this->Graph.View(), &this->Mesh);
     this->Finder = std::make_unique<dgg::PathFinder>(this->Mesh, *this->Search, &this->Builder,
       this->Input.Points.empty() ? nullptr : this->Input.Points.data());
@@ -64,8 +58,7 @@ public:
   FoundPath Find(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options) const
   {
     FoundPath found;
-    const dgg::Status status = this->Finder->Find(from, to, options, found);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(Ok(this->Finder->Find(from, to, options, found)));
     return found;
   }
 
@@ -121,8 +114,7 @@ void ExpectGoodPaths(const TestMesh& input, double accuracy, std::uint64_t seed,
         {
           continue;
         }
-        const dgg::Status status = dgg::CheckPath(mesh, found->Path);
-        ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+        ASSERT_TRUE(Ok(dgg::CheckPath(mesh, found->Path)));
         EXPECT_TRUE(IsSamePlace(mesh, found->Path.Points.front(), from));
         EXPECT_TRUE(IsSamePlace(mesh, found->Path.Points.back(), to[t]));
         EXPECT_GE(found->Path.Length, exact[t] * (1.0 - tolerance));
@@ -151,53 +143,40 @@ void ExpectGoodPaths(const TestMesh& input, double accuracy, std::uint64_t seed,
     }
   }
 }
-}
 
-TEST(PathFinder, SoundMeshes)
+/// Paths on some meshes, of which a share at least is shortest of all.
+void ExpectShortestPaths(
+  const std::vector<NamedMesh>& meshes, double accuracy, std::uint64_t seed, double share)
 {
   Tally tally;
-  for (const NamedMesh& named : SoundMeshes())
+  for (const NamedMesh& named : meshes)
   {
     SCOPED_TRACE(named.Name);
-    ExpectGoodPaths(named.Mesh, 0.05, 3, tally);
+    ExpectGoodPaths(named.Mesh, accuracy, seed, tally);
   }
-  EXPECT_GT(tally.Shortest, 0.9 * tally.Paths);
+  EXPECT_GT(tally.Shortest, share * tally.Paths);
+}
 }
 
-TEST(PathFinder, DefectMeshes)
+TEST(PathFinder, GoodPathsEverywhere)
 {
-  Tally tally;
-  for (const NamedMesh& named : DefectMeshes())
+  ExpectShortestPaths(SoundMeshes(), 0.05, 3, 0.9);
+  ExpectShortestPaths(DefectMeshes(), 0.05, 5, 0.9);
+  std::vector<NamedMesh> soups;
+  for (std::uint64_t seed = 0; seed < 40; ++seed)
   {
-    SCOPED_TRACE(named.Name);
-    ExpectGoodPaths(named.Mesh, 0.05, 5, tally);
+    soups.push_back({ "soup " + std::to_string(seed), RandomSoup(20, 40, seed) });
   }
-  EXPECT_GT(tally.Shortest, 0.9 * tally.Paths);
+  ExpectShortestPaths(soups, 0.1, 1, 0.9);
 }
 
 TEST(PathFinder, FineGraph)
 {
-  Tally tally;
-  for (const NamedMesh& named : SoundMeshes())
-  {
-    SCOPED_TRACE(named.Name);
-    if (Build(named.Mesh).GetNumberOfVertices() < 500)
-    {
-      ExpectGoodPaths(named.Mesh, 5e-6, 7, tally); // lengths are double
-    }
-  }
-  EXPECT_GT(tally.Shortest, 0.99 * tally.Paths);
-}
-
-TEST(PathFinder, Soups)
-{
-  Tally tally;
-  for (std::uint64_t seed = 0; seed < 40; ++seed)
-  {
-    SCOPED_TRACE(seed);
-    ExpectGoodPaths(RandomSoup(20, 40, seed), 0.1, seed, tally);
-  }
-  EXPECT_GT(tally.Shortest, 0.9 * tally.Paths);
+  std::vector<NamedMesh> meshes = SoundMeshes();
+  meshes.erase(std::remove_if(meshes.begin(), meshes.end(),
+                 [](const NamedMesh& m) { return m.Mesh.GetNumberOfVertices() >= 500; }),
+    meshes.end());
+  ExpectShortestPaths(meshes, 5e-6, 7, 0.99); // lengths are double
 }
 
 /// Narrow faces split light into more windows than the solver may spend in a corridor. The path is
@@ -273,10 +252,7 @@ TEST(PathFinder, SeveralThreads)
     }
   };
   run(lengths[0]);
-  std::thread first(run, std::ref(lengths[1]));
-  std::thread second(run, std::ref(lengths[2]));
-  first.join();
-  second.join();
+  InThreads(2, [&](int thread) { run(lengths[thread + 1]); });
   EXPECT_EQ(lengths[0], lengths[1]);
   EXPECT_EQ(lengths[0], lengths[2]);
 }

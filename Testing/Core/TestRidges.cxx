@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Ridges of distances: known ones, and that nothing else is found and nothing left out.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "GraphChecks.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 
 #include "dggDistanceField.h"
@@ -14,11 +13,8 @@
 #include "dggFieldJumps.h"
 #include "dggRidges.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 using namespace dgg;
 using namespace dggtest;
@@ -37,8 +33,7 @@ struct RidgeCase
   {
     ExactOptions options;
     options.KeepWindows = true;
-    const Status exact = ExactGeodesics(this->Mesh).Run(sources, options, this->Result);
-    EXPECT_TRUE(exact.IsOk()) << exact.GetMessage();
+    EXPECT_TRUE(Ok(ExactGeodesics(this->Mesh).Run(sources, options, this->Result)));
     FindVirtualSources(this->Mesh, sources, this->Result, this->Virtual);
     this->Field = { &this->Mesh, this->Result.Distances.data(), nullptr, nullptr };
     if (withWindows)
@@ -50,13 +45,11 @@ struct RidgeCase
       this->Field.Sources = &this->Virtual;
     }
     this->Options.MinimumAngle = angle * Degree;
-    const Status status = FindRidges(this->Field, this->Options, {}, {}, this->Found);
-    EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+    EXPECT_TRUE(Ok(FindRidges(this->Field, this->Options, {}, {}, this->Found)));
     EXPECT_EQ(this->Found.Lines.size(), this->Found.Angles.size());
     for (std::size_t i = 0; i < this->Found.Lines.size(); ++i)
     {
-      const Status path = CheckPath(this->Mesh, this->Found.Lines[i]);
-      EXPECT_TRUE(path.IsOk()) << path.GetMessage();
+      EXPECT_TRUE(Ok(CheckPath(this->Mesh, this->Found.Lines[i])));
       EXPECT_GE(this->Found.Lines[i].Points.size(), 2u);
       EXPECT_GE(this->Found.Angles[i], 0.999 * std::max(withWindows ? 0.1 : 10.0, angle) * Degree);
     }
@@ -396,19 +389,17 @@ TEST(Ridges, ConesHaveOneUnlessTheyAreSaddles)
 
 TEST(Ridges, PrismHasTheOppositeLine)
 {
-  for (const double angle : { 20.0, 0.0 })
+  for (const auto& [angle, jitter] : std::vector<std::pair<double, double>>{
+         { 20.0, 0.0 }, { 20.0, 0.2 }, { 0.0, 0.0 }, { 0.0, 0.2 } })
   {
-    for (const double jitter : { 0.0, 0.2 })
+    const RidgeCase test(PrismSide(6, 2, 6, jitter), { VertexSource(40) }, angle);
+    ASSERT_EQ(test.Found.Lines.size(), 1u);
+    EXPECT_NEAR(test.Found.Lines[0].Length, 6.0, 1e-9);
+    const double* source = test.Test.Point(40);
+    for (const SurfacePoint& point : test.Found.Lines[0].Points)
     {
-      const RidgeCase test(PrismSide(6, 2, 6, jitter), { VertexSource(40) }, angle);
-      ASSERT_EQ(test.Found.Lines.size(), 1u);
-      EXPECT_NEAR(test.Found.Lines[0].Length, 6.0, 1e-9);
-      const double* source = test.Test.Point(40);
-      for (const SurfacePoint& point : test.Found.Lines[0].Points)
-      {
-        EXPECT_NEAR(test.At(point)[0], -source[0], 1e-9);
-        EXPECT_NEAR(test.At(point)[1], -source[1], 1e-9);
-      }
+      EXPECT_NEAR(test.At(point)[0], -source[0], 1e-9);
+      EXPECT_NEAR(test.At(point)[1], -source[1], 1e-9);
     }
   }
 }
@@ -483,8 +474,7 @@ TEST(Ridges, OfRoundingAloneComeToAnEnd)
     EXPECT_TRUE(far > 1e300 || ridges.Fallbacks > 0);
     for (const SurfacePath& line : ridges.Lines)
     {
-      const Status path = CheckPath(mesh, line);
-      EXPECT_TRUE(path.IsOk()) << path.GetMessage();
+      EXPECT_TRUE(Ok(CheckPath(mesh, line)));
     }
   }
 }
@@ -492,35 +482,19 @@ TEST(Ridges, OfRoundingAloneComeToAnEnd)
 TEST(Ridges, DoNotDependOnThreadsAndCanBeStopped)
 {
   const RidgeCase test(Torus(24, 14), { VertexSource(3) }, 5.0);
-  const ParallelFor parallel = [](Offset size, Offset grain,
-                                 const std::function<void(Offset, Offset)>& body) {
-    std::vector<std::thread> threads;
-    for (Offset begin = 0; begin < size; begin += grain)
-    {
-      threads.emplace_back([=] { body(begin, std::min(size, begin + grain)); });
-    }
-    for (std::thread& thread : threads)
-    {
-      thread.join();
-    }
-  };
-  std::vector<double> steps;
-  const ProgressCallback progress = [&](double done) {
-    steps.push_back(done);
-    return true;
-  };
+  Listener listener;
   Ridges again;
-  ASSERT_TRUE(FindRidges(test.Field, test.Options, parallel, progress, again).IsOk());
+  ASSERT_TRUE(
+    FindRidges(test.Field, test.Options, WithThreads(3), std::ref(listener), again).IsOk());
   ASSERT_EQ(again.Lines.size(), test.Found.Lines.size());
   for (std::size_t i = 0; i < again.Lines.size(); ++i)
   {
     EXPECT_EQ(again.Lines[i].Length, test.Found.Lines[i].Length);
     EXPECT_EQ(again.Lines[i].Faces, test.Found.Lines[i].Faces);
   }
-  EXPECT_TRUE(std::is_sorted(steps.begin(), steps.end()));
-  EXPECT_EQ(steps.back(), 1.0);
+  EXPECT_EQ(listener.Done, 1.0);
   const ProgressCallback stop = [](double) { return false; };
-  EXPECT_TRUE(FindRidges(test.Field, test.Options, parallel, stop, again).IsAborted());
+  EXPECT_TRUE(FindRidges(test.Field, test.Options, WithThreads(3), stop, again).IsAborted());
   EXPECT_TRUE(again.Lines.empty());
 }
 

@@ -2,19 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Virtual sources from distances alone.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "FieldChecks.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
+#include "TestMeshes.h"
 
-#include "dggSourceFinding.h"
 #include "dggFaceProfile.h"
-
-#include <gtest/gtest.h>
+#include "dggSurfacePath.h"
+#include "dggHermiteEdge.h"
+#include "dggLocalFit.h"
+#include "dggSourceFinding.h"
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 using namespace dgg;
 using namespace dggtest;
@@ -42,27 +44,16 @@ double MeanError(const DistanceField& field, const std::vector<SurfacePoint>& po
   return sum / static_cast<double>(points.size());
 }
 
-std::array<double, 2> PlaceOf(const TestMesh& test, const SurfaceMesh& mesh, const SurfacePoint& p)
-{
-  std::array<double, 2> place{ { 0.0, 0.0 } };
-  for (int k = 0; k < 3; ++k)
-  {
-    const double* corner = test.Point(mesh.Origin(3 * p.Face + k));
-    place[0] += p.Barycentric[k] * corner[0];
-    place[1] += p.Barycentric[k] * corner[1];
-  }
-  return place;
-}
-
-struct Errors
+struct FitErrors
 {
   double Linear = 0.0;
   double True = 0.0;
   double Fitted = 0.0;
 };
 
-/// Errors with exact distances and noise on them.
-Errors Compare(const TestMesh& test, const std::vector<GeodesicSource>& sources, double noise)
+/// FitErrors with exact distances and noise on them.
+FitErrors CompareFits(
+  const TestMesh& test, const std::vector<GeodesicSource>& sources, double noise)
 {
   const SurfaceMesh mesh = Build(test);
   const std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 2000, 5);
@@ -115,7 +106,7 @@ TEST(SourceFit, OneSourceInThePlaneIsFound)
     const std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 500, 5);
     EXPECT_LT(MeanError(field, points,
                 [&](std::size_t i) {
-                  const std::array<double, 2> p = PlaceOf(test, mesh, points[i]);
+                  const auto p = PositionOf(mesh, points[i], test.Points.data());
                   return offset + std::hypot(p[0] - x, p[1] - y);
                 }),
       1e-9);
@@ -154,7 +145,7 @@ TEST(SourceFit, PlaneWavesStayPlane)
   ASSERT_GT(points.size(), 400u);
   EXPECT_LT(MeanError(field, points,
               [&](std::size_t i) {
-                const std::array<double, 2> p = PlaceOf(test, mesh, points[i]);
+                const auto p = PositionOf(mesh, points[i], test.Points.data());
                 return wave(p[0], p[1]);
               }),
     1e-5);
@@ -166,18 +157,18 @@ TEST(SourceFit, IsCloseToTheTruthOnCurvedSurfaces)
     { NamedMesh{ "sphere", Icosphere(3) }, NamedMesh{ "ellipsoid", Ellipsoid(3, 0.4) },
       NamedMesh{ "torus", Torus(24, 14) }, NamedMesh{ "box", Box(6, 6, 6, 1.0, 1.0, 1.0, 0.2) } })
   {
-    const Errors one = Compare(named.Mesh, { VertexSource(3) }, 0.0);
+    const FitErrors one = CompareFits(named.Mesh, { VertexSource(3) }, 0.0);
     EXPECT_LT(3.0 * one.Fitted, one.Linear) << named.Name;
     EXPECT_LT(one.Fitted, std::max(4.0 * one.True, 0.25 * one.Linear)) << named.Name;
   }
-  const Errors rough = Compare(Terrain(20, 0.4, 3), { VertexSource(3) }, 0.0);
+  const FitErrors rough = CompareFits(Terrain(20, 0.4, 3), { VertexSource(3) }, 0.0);
   EXPECT_LT(1.5 * rough.Fitted, rough.Linear);
 }
 
 TEST(SourceFit, RidgesDoNotSpoilIt)
 {
   const TestMesh plane = Plane(14, 14, 0.2);
-  const Errors two = Compare(plane, { VertexSource(48), VertexSource(176, 0.3) }, 0.0);
+  const FitErrors two = CompareFits(plane, { VertexSource(48), VertexSource(176, 0.3) }, 0.0);
   EXPECT_LT(10.0 * two.Fitted, two.Linear);
 }
 
@@ -187,7 +178,7 @@ TEST(SourceFit, NoiseMakesItHardlyWorseThanLinear)
   {
     for (const TestMesh& test : { Icosphere(3), Torus(24, 14), Plane(14, 14, 0.2) })
     {
-      const Errors errors = Compare(test, { VertexSource(3) }, noise);
+      const FitErrors errors = CompareFits(test, { VertexSource(3) }, noise);
       EXPECT_LT(errors.Fitted, 1.5 * errors.Linear) << noise;
     }
   }
@@ -195,12 +186,7 @@ TEST(SourceFit, NoiseMakesItHardlyWorseThanLinear)
 
 TEST(SourceFit, AnySurfaceAndAnythingUnreached)
 {
-  std::vector<NamedMesh> meshes = DefectMeshes();
-  for (const NamedMesh& named : SoundMeshes())
-  {
-    meshes.push_back(named);
-  }
-  for (const NamedMesh& named : meshes)
+  for (const NamedMesh& named : AllMeshes())
   {
     const SurfaceMesh mesh = Build(named.Mesh);
     std::vector<double> distances = DistancesFrom(mesh, ExactEngine::Triangle, 0);
@@ -257,4 +243,190 @@ TEST(SourceFit, CanBeStopped)
   EXPECT_EQ(found.Offsets.size(), distances.size());
   EXPECT_FALSE(FitVirtualSources(mesh, distances.data(), {}, found, [](double) { return false; }));
   EXPECT_TRUE(found.Offsets.empty());
+}
+
+namespace
+{
+using dgg::FitSurface;
+using dgg::LocalFit;
+using dgg::Point3;
+
+/// Random points of the height field z = a x^2 + b y^2 around the origin, rotated, with noise.
+std::vector<Point3> Samples(
+  int count, double radius, double a, double b, double noise, unsigned seed)
+{
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> place(-radius, radius);
+  std::normal_distribution<double> error;
+  std::vector<Point3> points;
+  while (static_cast<int>(points.size()) < count)
+  {
+    const double x = place(generator);
+    const double y = place(generator);
+    if (x * x + y * y <= radius * radius)
+    {
+      const double z = a * x * x + b * y * y + noise * error(generator);
+      // The z axis becomes (0, 0.6, 0.8).
+      points.push_back({ x, 0.8 * y + 0.6 * z, -0.6 * y + 0.8 * z });
+    }
+  }
+  return points;
+}
+}
+
+TEST(LocalFit, QuadricsAreFound)
+{
+  const std::vector<Point3> points = Samples(32, 0.1, 1.5, -0.5, 0.0, 3);
+  const LocalFit fit = FitSurface({ 0.0, 0.0, 0.0 }, points.data(), points.size());
+  EXPECT_NEAR(std::abs(dgg::Dot(fit.Normal, { 0.0, 0.6, 0.8 })), 1.0, 1e-5);
+  EXPECT_NEAR(fit.Curvature, 3.0, 0.1);
+  EXPECT_LT(fit.Residual, 1e-4);
+  EXPECT_LT(dgg::Norm(fit.ToSurface), 1e-4);
+}
+
+TEST(LocalFit, NoiseIsMeasuredAndPointsAreMovedToTheSurface)
+{
+  const double noise = 0.004;
+  double residual = 0.0;
+  double off = 0.0;
+  const int trials = 50;
+  for (int trial = 0; trial < trials; ++trial)
+  {
+    std::vector<Point3> points = Samples(60, 0.1, 0.8, 0.8, noise, 100 + trial);
+    // Three times the noise off the surface.
+    const Point3 point{ 0.0, 0.6 * 3.0 * noise, 0.8 * 3.0 * noise };
+    points.push_back(point);
+    const LocalFit fit = FitSurface(point, points.data(), points.size());
+    residual += fit.Residual / trials;
+    off += dgg::Norm(point + fit.ToSurface) / trials;
+  }
+  EXPECT_NEAR(residual, noise, 0.25 * noise);
+  EXPECT_LT(off, noise);
+}
+
+TEST(LocalFit, TooLittleForAPlane)
+{
+  const Point3 origin;
+  const std::vector<Point3> line{ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } };
+  EXPECT_EQ(dgg::Norm(FitSurface(origin, line.data(), line.size()).Normal), 0.0);
+  EXPECT_EQ(dgg::Norm(FitSurface(origin, line.data(), 2).Normal), 0.0);
+  const std::vector<Point3> same(20, Point3{ 1.0, 2.0, 3.0 });
+  EXPECT_EQ(dgg::Norm(FitSurface(same[0], same.data(), same.size()).Normal), 0.0);
+  // A plane only.
+  const std::vector<Point3> square{ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+  const LocalFit fit = FitSurface({ 0.5, 0.5, 0.0 }, square.data(), square.size());
+  EXPECT_NEAR(std::abs(fit.Normal.Z), 1.0, 1e-12);
+  EXPECT_NEAR(fit.ToSurface.Z, 1.0, 1e-12);
+  EXPECT_EQ(fit.Curvature, 0.0);
+}
+
+TEST(LocalFit, NeighboursOnACircleDoNotDecideOnAQuadric)
+{
+  std::vector<Point3> ring;
+  for (int i = 0; i < 12; ++i)
+  {
+    ring.push_back({ std::cos(i * 0.5236), std::sin(i * 0.5236), 0.0 });
+  }
+  const LocalFit fit = FitSurface({ 0.0, 0.0, 0.0 }, ring.data(), ring.size());
+  EXPECT_NEAR(std::abs(fit.Normal.Z), 1.0, 1e-6);
+  EXPECT_LT(fit.Curvature, 1e-3);
+}
+
+//
+// The cubics on edges that the published isolines cross.
+
+using namespace dgg;
+using namespace dggtest;
+
+TEST(HermiteEdge, HasValuesAndSlopesOfItsEnds)
+{
+  const TestMesh test = Plane(8, 8, 0.2);
+  const FieldCase c(test, { VertexSource(30) });
+  HermiteEdge edge(c.Local, 3);
+  const double* source = test.Point(30);
+  int smooth = 0;
+  for (Id h = 0; h < c.Mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    edge.Enter(h);
+    const Id from = c.Mesh.Origin(edge.GetHalfEdge());
+    const Id to = c.Mesh.Destination(edge.GetHalfEdge());
+    EXPECT_FALSE(edge.HasRidge());
+    const double length = edge.GetLength();
+    EXPECT_EQ(edge.At(0.0), c.Result.Distances[from]);
+    EXPECT_EQ(edge.At(length), c.Result.Distances[to]);
+    auto slopeAt = [&](Id v) {
+      const double* p = test.Point(v);
+      const double d = c.Result.Distances[v];
+      return ((p[0] - source[0]) * (test.Point(to)[0] - test.Point(from)[0]) +
+               (p[1] - source[1]) * (test.Point(to)[1] - test.Point(from)[1])) /
+        (d * length);
+    };
+    const double step = 1e-6 * length;
+    if (from != 30 && to != 30)
+    {
+      EXPECT_NEAR((edge.At(step) - edge.At(0.0)) / step, slopeAt(from), 1e-4);
+      EXPECT_NEAR((edge.At(length) - edge.At(length - step)) / step, slopeAt(to), 1e-4);
+      ++smooth;
+    }
+    const std::vector<RimNode>& nodes = edge.GetNodes();
+    EXPECT_EQ(
+      std::count_if(nodes.begin(), nodes.end(), [](const RimNode& n) { return n.IsSite; }), 5);
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+    {
+      EXPECT_LT(nodes[i].X, nodes[i + 1].X);
+    }
+  }
+  EXPECT_GT(smooth, 100);
+}
+
+TEST(HermiteEdge, KeepsRidgesSharp)
+{
+  const TestMesh test = Plane(10, 10, 0.2);
+  const Id first = 27;
+  const Id second = 93;
+  const FieldCase c(test, { VertexSource(first), VertexSource(second, 0.2) });
+  HermiteEdge edge(c.Local, 2);
+  int ridges = 0;
+  for (Id h = 0; h < c.Mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    edge.Enter(h);
+    if (!edge.HasRidge())
+    {
+      continue;
+    }
+    ++ridges;
+    const double* a = test.Point(c.Mesh.Origin(edge.GetHalfEdge()));
+    const double* b = test.Point(c.Mesh.Destination(edge.GetHalfEdge()));
+    for (const double t : { 0.1, 0.3, 0.5, 0.8 })
+    {
+      const double x = (1.0 - t) * a[0] + t * b[0];
+      const double y = (1.0 - t) * a[1] + t * b[1];
+      const double exact = std::min(std::hypot(x - test.Point(first)[0], y - test.Point(first)[1]),
+        0.2 + std::hypot(x - test.Point(second)[0], y - test.Point(second)[1]));
+      EXPECT_NEAR(edge.At(t * edge.GetLength()), exact, 1e-10);
+    }
+  }
+  EXPECT_GT(ridges, 30);
+}
+
+TEST(HermiteEdge, NumbersThatOverflowStayFinite)
+{
+  const SurfaceMesh mesh = Build(Plane(2, 2));
+  const double huge = 1.7e308;
+  std::vector<double> values;
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    values.push_back(v % 3 == 0 ? huge : v % 3 == 1 ? -huge : 1.0);
+  }
+  const DistanceField field{ &mesh, values.data(), nullptr, nullptr };
+  HermiteEdge edge(field, 3);
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    edge.Enter(h);
+    for (const RimNode& node : edge.GetNodes())
+    {
+      EXPECT_TRUE(std::isfinite(node.Value));
+      EXPECT_TRUE(node.X >= 0.0 && node.X <= edge.GetLength());
+    }
+  }
 }

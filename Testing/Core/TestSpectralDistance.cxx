@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Eigenfunctions, biharmonic, commute-time and diffusion distances.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "GreensTestTools.h"
@@ -24,8 +22,7 @@ namespace
 dgg::Eigenpairs FindPairs(const dgg::PoissonSolver& solver, Id count)
 {
   dgg::Eigenpairs pairs;
-  const dgg::Status status = dgg::FindEigenpairs(solver, count, nullptr, pairs);
-  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  EXPECT_TRUE(Ok(dgg::FindEigenpairs(solver, count, nullptr, pairs)));
   return pairs;
 }
 
@@ -127,7 +124,7 @@ TEST(Eigenpairs, SphereHasItsMultiplicities)
 
 TEST(Eigenpairs, FlatTorusConverges)
 {
-  double previous = 0.0;
+  Convergence errors(1.9);
   for (const Id n : { 12, 24, 48 })
   {
     const dgg::SurfaceMesh mesh = Build(FlatTorus(1.0, 0.0, 1.0, n, n, false));
@@ -139,11 +136,7 @@ TEST(Eigenpairs, FlatTorusConverges)
       const double expected = 4.0 * dgg::Pi * dgg::Pi * (k < 4 ? 1.0 : 2.0);
       error = std::max(error, std::abs(pairs.Values[k] / expected - 1.0));
     }
-    if (n > 12)
-    {
-      EXPECT_GT(std::log2(previous / error), 1.9) << n;
-    }
-    previous = error;
+    errors.Add(error);
   }
 }
 
@@ -267,37 +260,21 @@ TEST(SpectralDistance, BiharmonicOnTheSphere)
   const double antipode = -(dgg::Pi * dgg::Pi / 6.0 - 1.0) / (4.0 * dgg::Pi);
   EXPECT_NEAR(SphereBiharmonic(1.0), pole, 1e-7);
   EXPECT_NEAR(SphereBiharmonic(-1.0), antipode, 1e-7);
-  double previous[2] = { 0.0, 0.0 };
+  Convergence atPole(1.7);
+  Convergence atAntipode(1.9);
   for (const int level : { 2, 3, 4, 5 })
   {
     const TestMesh sphere = Icosphere(level);
     const dgg::SurfaceMesh mesh = Build(sphere);
     const auto solver = Ready(mesh);
     const std::vector<double> column = BiharmonicColumn(*solver, 0);
-    double errors[2] = { std::abs(column[0] - pole), 0.0 };
-    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-    {
-      double cosine = 0.0;
-      for (int k = 0; k < 3; ++k)
-      {
-        cosine += sphere.Point(0)[k] * sphere.Point(v)[k];
-      }
-      if (cosine < -1.0 + 1e-9)
-      {
-        errors[1] = std::abs(column[v] - antipode);
-      }
-    }
-    EXPECT_GT(errors[1], 0.0);
-    for (int k = 0; k < 2 && level > 2; ++k)
-    {
-      EXPECT_GT(std::log2(previous[k] / errors[k]), k == 0 ? 1.7 : 1.9) << level << " " << k;
-    }
-    previous[0] = errors[0];
-    previous[1] = errors[1];
-    RecordProperty("pole" + std::to_string(level), std::to_string(errors[0]));
+    atPole.Add(std::abs(column[0] - pole));
+    const double* p = sphere.Point(0);
+    atAntipode.Add(std::abs(column[VertexAt(sphere, -p[0], -p[1], -p[2])] - antipode));
+    RecordProperty("pole" + std::to_string(level), std::to_string(atPole.Last));
   }
-  EXPECT_LT(previous[0], 1e-4);
-  EXPECT_LT(previous[1], 1e-4);
+  EXPECT_LT(atPole.Last, 1e-4);
+  EXPECT_LT(atAntipode.Last, 1e-4);
 }
 
 TEST(SpectralDistance, MetricAxioms)
@@ -314,7 +291,7 @@ TEST(SpectralDistance, MetricAxioms)
       const dgg::Status status = distance.Prepare(Options(kind, method, 20), nullptr, nullptr);
       if (kind == dgg::SpectralKind::Diffusion && method == dgg::SpectralMethod::Exact)
       {
-        EXPECT_NE(status.GetMessage().find("Spectrum"), std::string::npos);
+        EXPECT_TRUE(Says(status, "Spectrum"));
         continue;
       }
       ASSERT_TRUE(status.IsOk()) << status.GetMessage();
@@ -432,7 +409,7 @@ TEST(SpectralDistance, ProgressIsToldForEachBlock)
                          : distance.Prepare(options, WithThreads(threads), progress);
       };
       EXPECT_TRUE(run().IsAborted());
-      EXPECT_LT(last, 0.45); // the blocks of other threads go on until they ask
+      EXPECT_LT(last, threads == 1 ? 0.35 : 0.45); // Blocks end in any order.
       EXPECT_TRUE(d.empty());
       stopAt = 2.0;
       ASSERT_TRUE(run().IsOk());
@@ -467,7 +444,7 @@ TEST(SpectralDistance, VerticesWithoutFacesAreNoSources)
   ASSERT_TRUE(distance.Prepare({}, nullptr, nullptr).IsOk());
   std::vector<double> d;
   const dgg::SurfacePoint point = dgg::SurfacePoint::AtVertex(isolated);
-  EXPECT_NE(distance.FromPoint(point, d).GetMessage().find("has no face"), std::string::npos);
+  EXPECT_TRUE(Says(distance.FromPoint(point, d), "has no face"));
   EXPECT_TRUE(distance.FromPoint(dgg::SurfacePoint::AtVertex(0), d).IsOk());
 }
 
@@ -498,7 +475,6 @@ TEST(SpectralDistance, SaysWhatIsWrong)
   dgg::PoissonOptions other;
   other.Weights = dgg::PoissonWeights::Uniform;
   ASSERT_TRUE(solver->Prepare(other, nullptr).IsOk());
-  EXPECT_NE(distance.FromPoint(dgg::SurfacePoint::AtVertex(0), d).GetMessage().find("Prepare()"),
-    std::string::npos);
+  EXPECT_TRUE(Says(distance.FromPoint(dgg::SurfacePoint::AtVertex(0), d), "Prepare()"));
 }
 }

@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests of what solvers are expected to take: enough, and at most twice what they do.
+#include "../Benchmark/MemoryProbe.h"
+#include "GraphChecks.h"
+#include "GraphicsTestTools.h"
+#include "TestMeshes.h"
+
+#include "dggExactPath.h"
+#include "dggGraphSearch.h"
 #include "dggGreensFunction.h"
 #include "dggHeatMethod.h"
 #include "dggPoissonSolver.h"
 
-#include "CurvedMeshes.h"
-#include "MemoryChecks.h"
-#include "TestMeshes.h"
-
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +22,28 @@ namespace dggtest
 {
 namespace
 {
+/// Unit cells made that high: cotangents so large that solutions may be refined, which takes more.
+TestMesh NarrowPlane(Id nx, Id ny, double height)
+{
+  TestMesh plane = Plane(nx, ny);
+  for (std::size_t i = 1; i < plane.Points.size(); i += 3)
+  {
+    plane.Points[i] *= height;
+  }
+  return plane;
+}
+
+/// What was predicted is enough, and not far too much. A peak of 0 could not be measured.
+void ExpectPrediction(
+  std::size_t peak, std::size_t predicted, double slack, const std::string& context)
+{
+  EXPECT_LE(peak, predicted) << context;
+  if (peak > 0)
+  {
+    EXPECT_LE(predicted, slack * static_cast<double>(peak)) << context << ": " << peak;
+  }
+}
+
 /// Results, and parts of the code that allocate once.
 constexpr std::size_t Small = 400000;
 
@@ -92,6 +116,155 @@ TEST(SpectralMemory, OfGreensFunctions)
     const double estimated = dgg::GreensFunction::BytesPerVertex * static_cast<double>(n);
     ExpectPrediction(
       peak - std::min(peak, Small), static_cast<std::size_t>(estimated), 2.0, named.Name);
+  }
+}
+
+// What building and searching graphs takes, and what is said of it before.
+
+namespace
+{
+/// What does not depend on the mesh.
+constexpr double SmallAllocations = 20000.0;
+}
+
+TEST(GraphMemory, EstimateIsWithinAFactorOfTwo)
+{
+  std::vector<Id> unused;
+  for (const NamedMesh& named :
+    { NamedMesh{ "Plane", Plane(60, 50, 0.25, 1) }, NamedMesh{ "Sphere", NoisySphere(5, 0.2, 2) },
+      NamedMesh{ "Rough", Terrain(40, 2.0, 3) }, NamedMesh{ "Book", Book(4, 28, unused, 0.2, 4) } })
+  {
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const auto construction : AllConstructions())
+    {
+      for (const int threads : { 1, 3 })
+      {
+        dgg::GraphOptions options;
+        options.Construction = construction;
+        options.Accuracy = 0.02;
+        options.Parallel = WithThreads(threads, 1);
+        options.NumberOfThreads = threads;
+        dgg::GraphEstimate estimate;
+        const MemoryProbe probe;
+        const dgg::GraphBuilder builder(mesh);
+        ASSERT_TRUE(builder.Estimate(options, estimate).IsOk());
+        dgg::GeodesicGraph graph;
+        ASSERT_TRUE(builder.Build(options, graph).IsOk());
+        ExpectPrediction(probe.GetHeapPeak(), static_cast<std::size_t>(estimate.Peak), 2.0,
+          named.Name + ", construction " + std::to_string(static_cast<int>(construction)) + ", " +
+            std::to_string(threads) + " threads");
+      }
+    }
+  }
+}
+
+TEST(GraphMemory, EstimateIsEnoughOnSmallMeshes)
+{
+  for (const int level : { 0, 1, 2 })
+  {
+    const dgg::SurfaceMesh mesh = Build(Icosphere(level));
+    dgg::GraphEstimate estimate;
+    const MemoryProbe probe;
+    const dgg::GraphBuilder builder(mesh);
+    ASSERT_TRUE(builder.Estimate({}, estimate).IsOk());
+    dgg::GeodesicGraph graph;
+    ASSERT_TRUE(builder.Build({}, graph).IsOk());
+    EXPECT_LE(static_cast<double>(probe.GetHeapPeak()), estimate.Peak + SmallAllocations) << level;
+  }
+}
+
+TEST(GraphMemory, SearchesReportWhatTheyHold)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(5, 0.2, 2));
+  const dgg::GeodesicGraph graph = BuildGraph(mesh, 0.05);
+  const auto expectGrowth = [](const MemoryProbe& probe, const dgg::GraphSearch& search) {
+    const auto held = static_cast<double>(probe.GetHeapGrowth());
+    EXPECT_GE(2.0 * static_cast<double>(search.GetMemorySize()), held);
+    EXPECT_LE(0.5 * static_cast<double>(search.GetMemorySize()), held > 0.0 ? held : 1e9);
+  };
+  const MemoryProbe probe;
+  dgg::GraphSearch search(graph.View(), &mesh);
+  {
+    dgg::SearchOptions options;
+    options.Correct = true;
+    dgg::SearchResult result;
+    ASSERT_TRUE(search.Run({ dgg::GraphSeed{ 0 } }, options, result).IsOk());
+  }
+  expectGrowth(probe, search);
+  ASSERT_TRUE(search.PrepareLandmarks(nullptr, nullptr).IsOk());
+  expectGrowth(probe, search);
+}
+
+// Vector graphics take no more memory than is asked for, at any time.
+
+TEST(GraphicsMemory, IsAskedForBeforeItIsTaken)
+{
+  // What has been asked for is never exceeded: while the surface is refined and cut, while the
+  // equation is prepared, and while colours are found. Many regions that have nearly everything on
+  // their left, too.
+  const TestMesh sphere = Icosphere(4);
+  for (const bool hasPoisson : { false, true })
+  {
+    for (const int regions : { 0, 100 })
+    {
+      Drawing drawing(sphere);
+      const std::vector<double> two = { 0.0, 1.0 };
+      drawing
+        .Add(hasPoisson ? Poisson : Diffusion,
+          { SurfacePoint::AtVertex(3), SurfacePoint::AtVertex(40) }, two, two)
+        .Width = 0.5;
+      for (int k = 0; k < regions; ++k)
+      {
+        const std::array<Id, 3> corners = drawing.Mesh.GetTriangle(50 + 31 * k);
+        drawing.Add(Region,
+          { SurfacePoint::AtVertex(corners[0]), SurfacePoint::AtVertex(corners[2]),
+            SurfacePoint::AtVertex(corners[1]) },
+          { 0.1, 0.0, 0.0 }, {}, true);
+      }
+      drawing.Regions = { { { 1, 2, 3 }, { 0.5 } } };
+      drawing.Options.IntrinsicDelaunay = hasPoisson;
+      double asked = 4.0 * dgg::VectorGraphics::BytesPerFace * drawing.Mesh.GetNumberOfFaces();
+      const MemoryProbe probe;
+      const auto expectEnough = [&](const char* when) {
+        EXPECT_LE(static_cast<double>(probe.GetHeapPeak()), asked)
+          << when << " " << hasPoisson << " " << regions;
+      };
+      int count = 0;
+      drawing.Options.CheckMemory = [&](double bytes, double) {
+        expectEnough("meanwhile");
+        asked = std::max(asked, bytes);
+        ++count;
+        return dgg::Status::Success();
+      };
+      ASSERT_TRUE(drawing.Prepare(1).IsOk());
+      expectEnough("prepared");
+      EXPECT_EQ(count, 1 + regions);
+      drawing.Surface = RefinedSurface(); // it is not needed any more
+      ASSERT_TRUE(drawing.Solve().IsOk());
+      expectEnough("solved");
+      EXPECT_EQ(count, 2 + regions);
+      EXPECT_LE(asked, 2.0 * static_cast<double>(probe.GetHeapPeak())); // nor far too much
+    }
+  }
+}
+
+// What finders of paths take for the next path.
+
+TEST(PathMemory, TheNextPathTakesNothingForEachVertex)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(6));
+  std::vector<dgg::SurfacePath> paths;
+  dgg::ExactPathFinder finder(mesh);
+  const auto find = [&](Id from, Id to) {
+    const dgg::SurfacePoint target = dgg::SurfacePoint::AtVertex(to);
+    return finder.Find(dgg::SurfacePoint::AtVertex(from), { target }, nullptr, paths).IsOk();
+  };
+  ASSERT_TRUE(find(0, 1)); // far apart
+  for (const Id v : { 20000, 30000 })
+  {
+    const MemoryProbe probe;
+    ASSERT_TRUE(find(v, mesh.Destination(*mesh.FanBegin(v))));
+    EXPECT_LT(probe.GetHeapPeak(), static_cast<std::size_t>(mesh.GetNumberOfVertices()));
   }
 }
 }

@@ -1,13 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Connectivity, lengths, angles and vertex kinds of SurfaceMesh.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 
 #include "dggSurfaceMesh.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +123,7 @@ Id CountKind(const SurfaceMesh& mesh, VertexKind kind)
 }
 }
 
-TEST(SurfaceMesh, IsConsistentOnSoundMeshes)
+TEST(SurfaceMesh, IsConsistent)
 {
   for (const NamedMesh& named : SoundMeshes())
   {
@@ -137,24 +133,10 @@ TEST(SurfaceMesh, IsConsistentOnSoundMeshes)
     EXPECT_EQ(CountKind(mesh, VertexKind::Irregular), 0);
     EXPECT_EQ(mesh.GetMollification(), 0.0);
   }
-}
-
-TEST(SurfaceMesh, IsConsistentOnDefectMeshes)
-{
-  for (const NamedMesh& named : DefectMeshes())
+  for (const NamedMesh& named : DefectMeshesAndSoups(100))
   {
     SCOPED_TRACE(named.Name);
     ExpectConsistent(named.Mesh, Build(named.Mesh));
-  }
-}
-
-TEST(SurfaceMesh, IsConsistentOnSoups)
-{
-  for (std::uint64_t seed = 1; seed <= 100; ++seed)
-  {
-    SCOPED_TRACE(seed);
-    const TestMesh soup = RandomSoup(12, 30, seed);
-    ExpectConsistent(soup, Build(soup));
   }
 }
 

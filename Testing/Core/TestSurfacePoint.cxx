@@ -1,13 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Points at vertices, on edges and inside faces: snapping, checks, distances.
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 
 #include "dggSurfacePath.h"
 #include "dggSurfacePoint.h"
-
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
@@ -26,7 +23,7 @@ void ExpectBad(const SurfacePoint& point, const dgg::SurfaceMesh& mesh, const st
 {
   const dgg::Status status = point.Check(mesh);
   EXPECT_FALSE(status.IsOk());
-  EXPECT_NE(status.GetMessage().find(message), std::string::npos) << status.GetMessage();
+  EXPECT_TRUE(Says(status, message));
 }
 }
 

@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Samples of surfaces: what is promised of their distances, against exact ones.
-#include "CurvedMeshes.h"
-#include "DefectMeshes.h"
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "SearchChecks.h"
 
 #include "dggExactGeodesics.h"
 #include "dggSurfacePath.h"
 #include "dggSurfaceSampler.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed geodesics that lie side by side, all of the same length, next to others that slip off:
 // around the walls of prisms and of cubes, whose corners hold nothing.
-#include "FlatMeshes.h"
+#include "TestMeshes.h"
 #include "LoopWorld.h"
 #include "PathChecks.h"
 

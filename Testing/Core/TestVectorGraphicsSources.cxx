@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Vector graphics: what flows in where, from regions of any shape and curves that touch others.
-#include "FlatMeshes.h"
 #include "GraphicsTestTools.h"
+#include "PathChecks.h"
+#include "TestMeshes.h"
 
 #include "dggGraphicsSources.h"
 #include "dggPoissonSolver.h"
@@ -10,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <string>
 
 namespace dggtest
 {
@@ -146,8 +149,7 @@ TEST(VectorGraphicsSources, DiffusionCurvesTakePatchesApart)
   Drawing drawing(Plane(8, 8));
   for (const double x : { 3.0, 5.0 })
   {
-    drawing.Add(
-      Diffusion, { drawing.Find(x, 0.0), drawing.Find(x, 8.0) }, { 0.0, 0.0 }, { 0.0, 0.0 });
+    drawing.AddLine(Diffusion, { x, 0.0 }, { x, 8.0 }, 0.0, 0.0);
   }
   drawing.Regions = { { FacesIn(drawing, { { 2, 6, 0, 8 } }), { 1.0 } } };
   drawing.Run(2);
@@ -248,9 +250,8 @@ TEST(VectorGraphicsSources, SourcesFlowIntoTheirOwnSheet)
     isSourceFirst ? addCone() : addFlat();
     isSourceFirst ? addFlat() : addCone();
     Drawing drawing(input);
-    const auto at = [](Id v) { return SurfacePoint::AtVertex(v); };
-    drawing.Add(Diffusion, { at(3), at(4), at(5) }, { 1, 1, 1 }, { 2, 2, 2 });
-    drawing.Add(Source, { at(other), at(4) }, { 0.5, 0.5 }, {});
+    drawing.Add(Diffusion, AtVertices({ 3, 4, 5 }), { 1, 1, 1 }, { 2, 2, 2 });
+    drawing.Add(Source, AtVertices({ other, 4 }), { 0.5, 0.5 }, {});
     drawing.Run();
     std::vector<double> net = drawing.Result.NetSources;
     std::sort(net.begin(), net.end());
@@ -264,20 +265,214 @@ TEST(VectorGraphicsSources, CurvesOfOneEdgeOpenWhateverTouchesThem)
   for (const GraphicsCurveType type : { Source, Region })
   {
     Drawing drawing(Plane(4, 4));
-    const auto at = [](Id v) { return SurfacePoint::AtVertex(v); };
-    drawing.Add(Diffusion, { at(6), at(7) }, { 0.25, 0.25 }, { 0.75, 0.75 });
-    type == Source ? drawing.Add(Source, { at(7), at(8) }, { 0, 0 }, {})
-                   : drawing.Add(Region, { at(7), at(8), at(13) }, { 0, 0, 0 }, {}, true);
+    drawing.Add(Diffusion, AtVertices({ 6, 7 }), { 0.25, 0.25 }, { 0.75, 0.75 });
+    type == Source ? drawing.Add(Source, AtVertices({ 7, 8 }), { 0, 0 }, {})
+                   : drawing.Add(Region, AtVertices({ 7, 8, 13 }), { 0, 0, 0 }, {}, true);
     drawing.Run();
-    double least = 1.0;
-    double most = 0.0;
+    const auto range =
+      std::minmax_element(drawing.Result.Values.begin(), drawing.Result.Values.end());
+    EXPECT_NEAR(*range.first, 0.25, 1e-12);
+    EXPECT_NEAR(*range.second, 0.75, 1e-12);
+  }
+}
+
+// Vector graphics: how little regions that are not round change far away.
+
+namespace
+{
+double RadiusOf(const Drawing& drawing, std::size_t v)
+{
+  const Position p = drawing.Place(static_cast<Id>(v));
+  return std::hypot(p[0], p[1]);
+}
+}
+
+TEST(VectorGraphicsFar, EllipsesHardlyChangeWhatIsFar)
+{
+  // Relative to the height of the highlight, beyond twice and beyond three times the longer half
+  // axis: what the class documentation says. In the middle of a plane without end, a layer of
+  // sources and one of sinks around it leave a quadrupole, which gives 2.4 % and 1.1 % at 2 : 1,
+  // 3.6 % and 1.6 % at 5 : 1.
+  struct Case
+  {
+    double Ratio;
+    double Farther;
+    double Farthest;
+    double Height;
+  };
+  for (const Case& known : { Case{ 1.0, 0.0, 0.0, 1.0 }, Case{ 2.0, 0.027, 0.012, 0.9 },
+         Case{ 5.0, 0.042, 0.0185, 0.65 } })
+  {
+    SCOPED_TRACE(known.Ratio);
+    Drawing drawing(Translated(Scaled(Plane(50, 50, 0.2), 0.2), -5.0, -5.0, 0.0));
+    drawing.Add(Region, drawing.FindEllipse(1.0, 1.0 / known.Ratio, 96),
+      std::vector<double>(96, 1.0), {}, true);
+    drawing.Run(1);
+    double sum = 0.0;
+    double count = 0.0;
+    std::size_t middle = 0;
     for (std::size_t v = 0; v < drawing.GetNumberOfValues(); ++v)
     {
-      least = std::min(least, drawing.Value(v));
-      most = std::max(most, drawing.Value(v));
+      const double r = RadiusOf(drawing, v);
+      sum += r > 3.0 ? drawing.Value(v) : 0.0;
+      count += r > 3.0 ? 1.0 : 0.0;
+      middle = r < RadiusOf(drawing, middle) ? v : middle;
     }
-    EXPECT_NEAR(least, 0.25, 1e-12);
-    EXPECT_NEAR(most, 0.75, 1e-12);
+    const double shift = sum / count;
+    const double height = drawing.Value(middle) - shift;
+    double farther = 0.0;
+    double farthest = 0.0;
+    for (std::size_t v = 0; v < drawing.GetNumberOfValues(); ++v)
+    {
+      const double r = RadiusOf(drawing, v);
+      const double change = std::abs(drawing.Value(v) - shift) / height;
+      farther = std::max(farther, r > 2.0 ? change : 0.0);
+      farthest = std::max(farthest, r > 3.0 ? change : 0.0);
+    }
+    EXPECT_NEAR(farther, known.Farther, 1.5e-3);
+    EXPECT_NEAR(farthest, known.Farthest, 1e-3);
+    EXPECT_NEAR(height, known.Height, 0.04);
+    // The mean stays, so that all that is far is darker by that of the highlight: of a round one
+    // half of its strength times its part of the area; of ellipses up to a third more of it.
+    const double half = 0.5 * dgg::Pi / known.Ratio / 100.0;
+    EXPECT_GT(-shift, 0.98 * half);
+    EXPECT_LT(-shift, 1.3 * half);
+  }
+}
+
+TEST(VectorGraphicsFar, ColorsThatAreGivenFarAwayStay)
+{
+  // With a diffusion curve around it, which is far, nothing is darker there.
+  Drawing drawing(Translated(Scaled(Plane(30, 30, 0.2), 1.0 / 3.0), -5.0, -5.0, 0.0));
+  const std::vector<double> given(48, 0.25);
+  drawing.Add(Region, drawing.FindEllipse(1.0, 0.5, 48), std::vector<double>(48, 1.0), {}, true);
+  drawing.Add(Diffusion, drawing.FindEllipse(4.5, 4.5, 48), given, given, true);
+  drawing.Run(1);
+  for (std::size_t v = 0; v < drawing.GetNumberOfValues(); ++v)
+  {
+    const double r = RadiusOf(drawing, v);
+    EXPECT_NEAR(drawing.Value(v), 0.25, r > 4.51 ? 1e-9 : r > 2.0 ? 0.024 : 1.0);
+  }
+}
+
+// Vector graphics: colours of any size.
+
+namespace
+{
+constexpr double Largest = std::numeric_limits<double>::max();
+
+/// A drawing with everything, each number of the first channel times `factor`, and a second channel
+/// that has none. Colours are within [-1, 1] times the factor, as are net sources.
+void DrawAll(Drawing& drawing, double factor, int channels)
+{
+  const auto colors = [&](double first, double last) {
+    std::vector<double> values;
+    for (const double value : { first, last })
+    {
+      for (int c = 0; c < channels; ++c)
+      {
+        values.push_back(c == 1 ? value : factor * value);
+      }
+    }
+    return values;
+  };
+  drawing.Options.NumberOfChannels = channels;
+  drawing.Add(Diffusion, { drawing.Find(6.3, 2.0), drawing.Find(7.1, 6.2) }, colors(0.5, -0.25),
+    colors(0.75, 0.1));
+  // At most as much as 0.3 is added by both: diffusion and strengths that are blended.
+  drawing
+    .Add(Poisson, { drawing.Find(1.2, 6.5), drawing.Find(3.3, 6.2) }, colors(0.1, 0.2),
+      colors(-0.2, -0.1))
+    .Width = 1.5;
+  drawing.Add(Source, { drawing.Find(2.0, 1.0), drawing.Find(3.0, 1.0) }, colors(0.02, 0.01), {});
+  drawing.Add(
+    Region, { drawing.Find(4, 4), drawing.Find(5.5, 4), drawing.Find(4.5, 5.5) },
+    [&] {
+      std::vector<double> values = colors(0.02, 0.02);
+      values.resize(static_cast<std::size_t>(3 * channels), 0.0);
+      return values;
+    }(),
+    {}, true);
+  drawing.Regions = { { { 3, 4, 5 }, std::vector<double>(channels, 0.05 * factor) } };
+  drawing.Options.Background = std::vector<double>(channels, 0.125 * factor);
+  if (channels > 1)
+  {
+    drawing.Regions[0].Strength[1] = 0.05;
+    drawing.Options.Background[1] = 0.125;
+  }
+}
+
+/// Two squares, of which one has a diffusion curve.
+TestMesh TwoSquares()
+{
+  TestMesh both = Plane(8, 8, 0.2);
+  Append(both, Translated(Plane(3, 3), 20.0, 0.0, 0.0));
+  return both;
+}
+}
+
+TEST(VectorGraphicsScale, ColorsOfAnySizeAreSolved)
+{
+  for (const int channels : { 1, 2, 6 }) // six are solved for together
+  {
+    Drawing usual(TwoSquares());
+    DrawAll(usual, 1.0, channels);
+    usual.Run(1);
+    for (const double factor : { 1e-300, 1e-150, 1e100, 1e155, 1e307, 0.5 * Largest })
+    {
+      Drawing drawing(TwoSquares());
+      DrawAll(drawing, factor, channels);
+      drawing.Run(1);
+      ASSERT_FALSE(HasFatalFailure()) << factor;
+      ASSERT_EQ(drawing.Result.Values.size(), usual.Result.Values.size());
+      for (std::size_t i = 0; i < drawing.Result.Values.size(); ++i)
+      {
+        const double size = channels > 1 && i % channels == 1 ? 1.0 : factor;
+        ASSERT_NEAR(drawing.Result.Values[i] / size, usual.Result.Values[i], 1e-12) << factor;
+      }
+      for (std::size_t i = 0; i < drawing.Result.NetSources.size(); ++i)
+      {
+        const double size = channels > 1 && i % channels == 1 ? 1.0 : factor;
+        ASSERT_NEAR(drawing.Result.NetSources[i] / size, usual.Result.NetSources[i], 1e-12);
+      }
+    }
+  }
+}
+
+TEST(VectorGraphicsScale, ResultsThatAreTooLargeAreRefused)
+{
+  const auto fails = [](Drawing& drawing, const std::string& word) {
+    ASSERT_TRUE(drawing.Prepare().IsOk());
+    const dgg::Status status = drawing.Solve();
+    EXPECT_FALSE(status.IsOk());
+    EXPECT_TRUE(Says(status, word));
+    EXPECT_TRUE(Says(status, "channel 1"));
+    EXPECT_TRUE(drawing.Result.Values.empty());
+    EXPECT_TRUE(drawing.Result.NetSources.empty());
+    EXPECT_TRUE(drawing.Result.Components.empty());
+  };
+  {
+    // Two highlights on each other.
+    Drawing drawing(Plane(8, 8));
+    drawing.Options.NumberOfChannels = 2;
+    for (const double y : { 3.9, 4.1 })
+    {
+      drawing
+        .Add(Poisson, { drawing.Find(2.0, y), drawing.Find(6.0, y) }, { 1, 0.8e308, 1, 0.8e308 },
+          { 1, 0.8e308, 1, 0.8e308 })
+        .Width = 2.0;
+    }
+    drawing.Options.Background = { 1.0, 1.5e308 };
+    fails(drawing, "colours");
+  }
+  {
+    // What flows in is too much to be told, along a curve so close to the one that takes it in
+    // that colours are not.
+    Drawing drawing(Plane(8, 8));
+    drawing.Options.NumberOfChannels = 2;
+    drawing.Add(
+      Source, { drawing.Find(4.0, 0.0), drawing.Find(4.0, 8.0) }, { 1, 1e308, 1, 1e308 }, {});
+    fails(drawing, "net sources");
   }
 }
 }

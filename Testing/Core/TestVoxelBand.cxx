@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dggVoxelBand.h"
-
 #include "GraphChecks.h"
 
-#include <gtest/gtest.h>
+#include "dggArcLength.h"
+#include "dggSegmentWalk.h"
+#include "dggTypes.h"
+#include "dggVoxelBand.h"
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -143,8 +145,8 @@ TEST(VoxelBand, RefusesTooMuch)
   const Balls balls = RandomBalls(1000, 1.0, 0.1, 0.2);
   const dgg::Status status = band.Build(balls.Centres, balls.Radii, 0.01, 10000, {});
   EXPECT_FALSE(status.IsOk());
-  EXPECT_NE(status.GetMessage().find("9.766 KiB"), std::string::npos) << status.GetMessage();
-  EXPECT_NE(status.GetMessage().find("MemoryLimit"), std::string::npos) << status.GetMessage();
+  EXPECT_TRUE(dggtest::Says(status, "9.766 KiB"));
+  EXPECT_TRUE(dggtest::Says(status, "MemoryLimit"));
   EXPECT_TRUE(band.Build({}, {}, 0.1, 0, {}).IsOk());
   EXPECT_FALSE(band.Contains({ { 0, 0, 0 } }));
 }
@@ -173,7 +175,7 @@ TEST(VoxelBand, RefusesTooMuchSoon)
     });
   EXPECT_FALSE(status.IsOk());
   EXPECT_FALSE(status.IsAborted());
-  EXPECT_NE(status.GetMessage().find("64 GiB"), std::string::npos) << status.GetMessage();
+  EXPECT_TRUE(dggtest::Says(status, "64 GiB"));
 }
 
 TEST(VoxelBand, ReachesAsFarAsItSays)
@@ -204,27 +206,22 @@ TEST(VoxelBand, ReachesAsFarAsItSays)
 TEST(VoxelBand, TellsOfProgressAndStops)
 {
   const Balls balls = RandomBalls(30, 1.0, 0.8, 1.0);
-  std::vector<double> told;
+  dggtest::Listener listener;
+  int early = 0;
+  const auto listen = [&](double done) {
+    early += done < 0.5 ? 1 : 0;
+    return listener(done);
+  };
   VoxelBand band;
-  ASSERT_TRUE(band
-                .Build(balls.Centres, balls.Radii, 0.015, 0, {},
-                  [&](double done) {
-                    told.push_back(done);
-                    return true;
-                  })
-                .IsOk());
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_GE(told.front(), 0.0);
-  EXPECT_LE(told.back(), 1.0);
-  EXPECT_GT(std::count_if(told.begin(), told.end(), [](double d) { return d < 0.5; }), 1);
-  EXPECT_GT(std::count_if(told.begin(), told.end(), [](double d) { return d >= 0.5; }), 1);
-  for (const std::size_t calls : { std::size_t{ 1 }, told.size() / 2, told.size() })
+  ASSERT_TRUE(band.Build(balls.Centres, balls.Radii, 0.015, 0, {}, listen).IsOk());
+  EXPECT_GT(early, 1);
+  EXPECT_GT(listener.Calls - early, 1);
+  for (const int calls : { 1, listener.Calls / 2, listener.Calls })
   {
-    std::size_t called = 0;
-    const dgg::Status status = band.Build(
-      balls.Centres, balls.Radii, 0.015, 0, {}, [&](double) { return ++called < calls; });
-    EXPECT_TRUE(status.IsAborted());
-    EXPECT_EQ(called, calls);
+    dggtest::Listener stopped(calls);
+    EXPECT_TRUE(
+      band.Build(balls.Centres, balls.Radii, 0.015, 0, {}, std::ref(stopped)).IsAborted());
+    EXPECT_EQ(stopped.Calls, calls);
     EXPECT_EQ(band.GetNumberOfBricks(), 0U);
     EXPECT_FALSE(band.Contains({ { 100, 100, 100 } }));
   }
@@ -237,4 +234,165 @@ TEST(VoxelBand, MemoryIsAsPredicted)
   ASSERT_TRUE(band.Build(balls.Centres, balls.Radii, 0.01, 0, {}).IsOk());
   EXPECT_LE(static_cast<double>(band.GetMemorySize()),
     1.2 * VoxelBand::PredictMemory(static_cast<double>(band.GetNumberOfBricks())));
+}
+
+namespace
+{
+using dgg::Point3;
+using Cell = std::array<std::int32_t, 3>;
+
+std::vector<Cell> CellsOf(const Point3& from, const Point3& to)
+{
+  std::vector<Cell> cells;
+  dgg::WalkSegment(from, to, [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+    cells.push_back({ { x, y, z } });
+    return true;
+  });
+  return cells;
+}
+
+/// How much of a segment lies in a cell that is larger by `margin` on each side.
+double PartIn(const Cell& cell, const Point3& from, const Point3& to, double margin)
+{
+  const std::array<double, 3> start{ { from.X, from.Y, from.Z } };
+  const std::array<double, 3> end{ { to.X, to.Y, to.Z } };
+  double first = 0.0;
+  double last = 1.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double low = cell[k] - margin - start[k];
+    const double high = cell[k] + 1 + margin - start[k];
+    const double d = end[k] - start[k];
+    if (d == 0.0)
+    {
+      if (low > 0.0 || high < 0.0)
+      {
+        return -1.0;
+      }
+      continue;
+    }
+    first = std::max(first, std::min(low / d, high / d));
+    last = std::min(last, std::max(low / d, high / d));
+  }
+  return last - first;
+}
+}
+
+TEST(SegmentWalk, VisitsWhatTheSegmentGoesThrough)
+{
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> coordinate(-12.0, 12.0);
+  for (int trial = 0; trial < 500; ++trial)
+  {
+    const Point3 from{ coordinate(generator), coordinate(generator), coordinate(generator) };
+    const Point3 to{ coordinate(generator), coordinate(generator), coordinate(generator) };
+    const std::vector<Cell> cells = CellsOf(from, to);
+    double covered = 0.0;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      EXPECT_GE(PartIn(cells[i], from, to, 1e-9), 0.0);
+      covered += std::max(0.0, PartIn(cells[i], from, to, 0.0));
+      if (i > 0)
+      {
+        int steps = 0;
+        for (int k = 0; k < 3; ++k)
+        {
+          steps += std::abs(cells[i][k] - cells[i - 1][k]);
+        }
+        EXPECT_EQ(steps, 1);
+      }
+    }
+    EXPECT_NEAR(covered, 1.0, 1e-9);
+    EXPECT_EQ(cells.back()[0], static_cast<std::int32_t>(std::floor(to.X)));
+    EXPECT_EQ(cells.back()[1], static_cast<std::int32_t>(std::floor(to.Y)));
+    EXPECT_EQ(cells.back()[2], static_cast<std::int32_t>(std::floor(to.Z)));
+  }
+}
+
+TEST(SegmentWalk, AlongAxesAndThroughCorners)
+{
+  EXPECT_EQ(CellsOf({ 0.5, 0.5, 0.5 }, { 3.5, 0.5, 0.5 }).size(), 4U);
+  EXPECT_EQ(CellsOf({ 0.5, 0.5, 0.5 }, { 0.5, -2.5, 0.5 }).size(), 4U);
+  EXPECT_EQ(CellsOf({ 0.5, 0.5, 0.5 }, { 0.5, 0.5, 0.5 }).size(), 1U);
+  // Exactly through corners: one step along one axis at a time, and no step too many.
+  const std::vector<Cell> diagonal = CellsOf({ 0.0, 0.0, 0.0 }, { 4.0, 4.0, 4.0 });
+  EXPECT_EQ(diagonal.size(), 13U);
+  EXPECT_EQ(diagonal.back(), (Cell{ { 4, 4, 4 } }));
+  const std::vector<Cell> back = CellsOf({ 4.0, 4.0, 4.0 }, { 0.0, 0.0, 0.0 });
+  EXPECT_EQ(back.back(), (Cell{ { 0, 0, 0 } }));
+}
+
+TEST(SegmentWalk, StopsWhenTold)
+{
+  int visits = 0;
+  EXPECT_FALSE(dgg::WalkSegment({ 0.5, 0.5, 0.5 }, { 9.5, 0.5, 0.5 },
+    [&](std::int32_t x, std::int32_t, std::int32_t) { return ++visits, x < 3; }));
+  EXPECT_EQ(visits, 4);
+}
+
+namespace
+{
+using dgg::ArcFactor;
+using dgg::ChordAngles;
+using dgg::MeasureChord;
+using dgg::Point3;
+}
+
+TEST(ArcLength, CirclesAreExact)
+{
+  for (const double turn : { 1e-6, 1e-3, 0.1, 0.5, 1.0 })
+  {
+    const Point3 first{ 1.0, 0.0, 0.0 };
+    const Point3 second{ std::cos(turn), std::sin(turn), 0.0 };
+    const Point3 chord = second - first;
+    const double length = dgg::Norm(chord);
+    // Normals to either side.
+    for (const double side : { 1.0, -1.0 })
+    {
+      const ChordAngles angles = MeasureChord(chord, length, first, side * second);
+      EXPECT_NEAR(angles.GetTurn(), turn, 1e-9);
+      EXPECT_NEAR(length * ArcFactor(angles) / turn, 1.0, 1e-9) << turn;
+      EXPECT_NEAR(dgg::ArcHeight(angles, 0.5) * length, 1.0 - std::cos(0.5 * turn),
+        0.05 * turn * turn * turn * turn + 1e-9);
+    }
+  }
+}
+
+TEST(ArcLength, ChangingCurvatureAndInflections)
+{
+  // y = k x^3 / 6 + c x^2 / 2: the curvature changes linearly for small slopes.
+  for (const double c : { 0.0, 0.2, -0.3 })
+  {
+    const double k = 0.3;
+    const double h = 0.3;
+    const auto y = [&](double x) { return k * x * x * x / 6.0 + c * x * x / 2.0; };
+    const auto slope = [&](double x) { return k * x * x / 2.0 + c * x; };
+    const Point3 from{ -h, y(-h), 0.0 };
+    const Point3 to{ h, y(h), 0.0 };
+    const auto normal = [&](double x) {
+      const double scale = 1.0 / std::hypot(1.0, slope(x));
+      return Point3{ -scale * slope(x), scale, 0.0 };
+    };
+    double length = 0.0;
+    const int steps = 20000;
+    for (int i = 0; i < steps; ++i)
+    {
+      const double a = -h + 2.0 * h * i / steps;
+      const double b = -h + 2.0 * h * (i + 1) / steps;
+      length += std::hypot(b - a, y(b) - y(a));
+    }
+    const double chord = dgg::Norm(to - from);
+    const double found = chord * ArcFactor(MeasureChord(to - from, chord, normal(-h), normal(h)));
+    EXPECT_GT(length, chord);
+    // All but a hundredth of what the chord lacks.
+    EXPECT_NEAR(found, length, 0.01 * (length - chord)) << c;
+  }
+}
+
+TEST(ArcLength, WithoutNormalsAChordIsAChord)
+{
+  const Point3 none;
+  const ChordAngles angles = MeasureChord({ 1.0, 2.0, 2.0 }, 3.0, none, none);
+  EXPECT_EQ(ArcFactor(angles), 1.0);
+  EXPECT_EQ(ArcFactor(MeasureChord(none, 0.0, { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 })), 1.0);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Ridges and bands, the further outputs of vtkApolloniusIsolines.
-#include "CurvedMeshes.h"
+#include "TestMeshes.h"
 #include "FilterTestTools.h"
 #include "IsolineTestTools.h"
 
