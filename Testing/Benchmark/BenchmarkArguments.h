@@ -54,7 +54,7 @@ MeshRecipe Subdivided(MeshRecipe mesh);
 std::string SizeName(int size);
 
 /// The main function of a program: reads the arguments, has cases registered and runs them. A
-/// BenchmarkError before that is told on the standard error output.
+/// BenchmarkError before that is reported on the standard error output.
 int RunBenchmarks(int argc, char** argv, std::map<std::string, std::string> defaults,
   const std::function<void(const BenchmarkArguments&)>& registerCases);
 

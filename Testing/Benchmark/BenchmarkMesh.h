@@ -50,7 +50,7 @@ struct MeshRecipe
 struct GraphRecipe
 {
   MeshRecipe Mesh;
-  std::string Name; ///< tells the graphs of one mesh apart
+  std::string Name; ///< shows the graphs of one mesh apart
   dgg::GraphOptions Options;
 };
 

@@ -76,7 +76,7 @@ double WallSeconds()
 
 void RegisterCase(const std::string& name, BenchmarkCase run, double minimum)
 {
-  const auto tell = [run = std::move(run)](benchmark::State& state) {
+  const auto report = [run = std::move(run)](benchmark::State& state) {
     try
     {
       run(state);
@@ -86,7 +86,7 @@ void RegisterCase(const std::string& name, BenchmarkCase run, double minimum)
       state.SkipWithError(error.what());
     }
   };
-  benchmark::RegisterBenchmark(name.c_str(), tell)
+  benchmark::RegisterBenchmark(name.c_str(), report)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond)
     ->MinTime(minimum);

@@ -37,7 +37,7 @@ dgg::ParallelFor ThreadedLoop(int threads);
 
 /// CPU time of this process, all threads together, in seconds.
 double CPUSeconds();
-/// CPU time of the calling thread, in seconds; that of the process where the system does not tell.
+/// CPU time of the calling thread, in seconds; that of the process where the system does not show.
 double ThreadSeconds();
 /// Time on the wall in seconds.
 double WallSeconds();

@@ -14,7 +14,7 @@ namespace
 constexpr unsigned int Seed = 20190523u;
 constexpr double CylinderHeight = 3.0;
 
-/// Numbers per point that tell distances.
+/// Numbers per point that show distances.
 template <std::size_t N>
 using Places = std::vector<std::array<double, N>>;
 

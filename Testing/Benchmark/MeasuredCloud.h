@@ -34,7 +34,7 @@ struct CloudRecipe
   double Noise = 0.0;   ///< of a sphere, see RandomSphere()
   double Density = 1.0; ///< of a sphere
   double Gap = 0.0;     ///< between two squares
-  /// Distances along it are the truth. Its name tells it from all other meshes.
+  /// Distances along it are the truth. Its name shows it from all other meshes.
   MeshRecipe Mesh;
 };
 
@@ -42,7 +42,7 @@ struct CloudRecipe
 struct CloudGraphRecipe
 {
   CloudRecipe Cloud;
-  std::string Name; ///< tells the graphs of one cloud apart
+  std::string Name; ///< shows the graphs of one cloud apart
   dgg::CloudGraphOptions Options;
   /// When positive: the size of voxels that makes the case what its name says, up to 1 %.
   double VoxelSize = 0.0;

@@ -19,7 +19,7 @@ public:
   /// Those held now, above those held then.
   std::size_t GetHeapGrowth() const;
   /// Growth of the resident set to its peak since construction, bytes: also counts what the
-  /// allocator keeps, or takes in between blocks. 0 where the system does not tell.
+  /// allocator keeps, or takes in between blocks. 0 where the system does not show.
   std::size_t GetResidentPeak() const;
 
 private:

@@ -138,7 +138,7 @@ def range_text(values):
 
 
 def points_of(graphs):
-    """The number of points of a cloud; marching does not tell it."""
+    """The number of points of a cloud; marching does not show it."""
     return first_median((cases.get("Build") for cases in graphs.values()), "points")
 
 

@@ -407,7 +407,7 @@ class CloudTables(unittest.TestCase):
         self.assertEqual([value for value, _ in points], [2.5, 10.5])
         self.assertAlmostEqual(points[1][1], 0.02)
         self.assertEqual(plot_cloud.curve(graphs, "C/arc", "Offset"), [])
-        # Where half of the points is not reached, the others tell nothing.
+        # Where half of the points is not reached, the others show nothing.
         self.assertEqual([x for x, _ in plot_cloud.curve(graphs, "A/chord", "Offset")], [3.0])
 
     @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs matplotlib")

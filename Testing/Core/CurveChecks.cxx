@@ -127,7 +127,7 @@ void ExpectEdgesFit(const SurfaceMesh& mesh, const RefinedSurface& surface)
     const Id old = FindOldEdge(mesh, surface, h);
     const Id expected = old == NoId ? 2 : CountFacesAround([&](Id e) { return mesh.Twin(e); }, old);
     const Edge ends = Unordered(surface.Triangles[h], surface.Triangles[SurfaceMesh::Next(h)]);
-    // Duplicate faces have edges inside that the ends do not tell apart.
+    // Duplicate faces have edges inside that the ends do not distinguish.
     ASSERT_TRUE(hasDuplicates || edges.at(ends) == expected) << ends.first << " " << ends.second;
     ASSERT_EQ(CountFacesAround([&](Id e) { return surface.Twins[e]; }, h), expected);
   }

@@ -50,7 +50,7 @@ void ExpectShortestBetween(const dgg::SurfaceMesh& mesh, dgg::ExactGeodesics& so
   const double after = dgg::MeasurePiece(mesh, path, out);
   if (std::min(before, after) < 1e-3 * mesh.GetMeanEdgeLength())
   {
-    return; // not to be told from rounding
+    return; // not to be reported from rounding
   }
   dgg::ExactOptions options;
   options.Targets = { Beside(mesh, path, out, out) };

@@ -293,7 +293,7 @@ void ExpectProgress(
   EXPECT_TRUE(bands.BandOf.empty());
 }
 
-TEST(Bands, TellProgressWhileTheyAreCut)
+TEST(Bands, ReportProgressWhileTheyAreCut)
 {
   const SurfaceMesh mesh = Build(Icosphere(5)); // 20480 faces
   const ExactField field(mesh, { VertexSource(0) });

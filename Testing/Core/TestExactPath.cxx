@@ -141,7 +141,7 @@ TEST(ExactPath, Soups)
   EXPECT_LE(failures, 8); // of 800
 }
 
-/// Where a window does not tell which faces it has crossed, the tracer finds out by trying.
+/// Where a window does not show which faces it has crossed, the tracer finds out by trying.
 TEST(ExactPath, TriesBranches)
 {
   std::vector<Id> sheetOf;

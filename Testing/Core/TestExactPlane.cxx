@@ -100,7 +100,7 @@ private:
     return false;
   }
   /// Euclid when the segment stays inside, else infinity. Between two crossings of grid lines it
-  /// stays in one cell, so its middle tells.
+  /// stays in one cell, so its middle shows.
   double Straight(const Point& p, const Point& q) const
   {
     std::vector<double> cuts{ 0.0, 1.0 };
@@ -397,8 +397,8 @@ TEST_P(ExactSmallFeatures, InThePlane)
       {
         worst = std::max(worst, std::abs(distances[v] - EuclideanDistance(input, source, v)));
       }
-      // Mollification changes the smallest faces themselves. Reach that grazes a row of features of
-      // 1e-8 may have to go around them, a few times their size.
+      // Mollification changes the smallest faces themselves. A window that grazes a row of features
+      // of 1e-8 may have to go around them, a few times their size.
       EXPECT_LE(worst, mesh.GetMollification() > 0.0 ? 1e-6 : 1e-7) << "seed " << seed;
     }
   }

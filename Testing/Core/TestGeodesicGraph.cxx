@@ -203,7 +203,7 @@ TEST_F(GraphArrays, MissingArraysAreNoticed)
   EXPECT_TRUE(dgg::CheckGraph(AsCloud(graph.View()), edges).IsOk());
 }
 
-TEST_F(GraphArrays, ChecksumTellsEveryArray)
+TEST_F(GraphArrays, ChecksumCoversEveryArray)
 {
   const GeodesicGraph sound = Sound();
   std::set<std::uint64_t> checksums{ dgg::ComputeChecksum(sound.View()) };
@@ -228,7 +228,7 @@ TEST_F(GraphArrays, ChecksumTellsEveryArray)
   EXPECT_EQ(dgg::ComputeChecksum(GraphView()), dgg::ComputeChecksum(GeodesicGraph().View()));
 }
 
-TEST_F(GraphArrays, SignatureTellsSurfaces)
+TEST_F(GraphArrays, SignatureDistinguishesSurfaces)
 {
   const TestMesh mesh = Plane(3, 3);
   std::set<dgg::Signature> signatures;

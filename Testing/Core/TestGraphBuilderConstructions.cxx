@@ -245,7 +245,7 @@ void ExpectMessage(const dgg::Status& status, const std::vector<std::string>& ha
 }
 
 /// Expect that neither a graph nor an estimate comes out of a mesh with so few cones.
-void ExpectOverwhelmed(const SurfaceMesh& mesh, std::size_t windowLimit,
+void ExpectRefused(const SurfaceMesh& mesh, std::size_t windowLimit,
   const dgg::GraphOptions& options, const std::vector<std::string>& has,
   const std::vector<std::string>& hasNot)
 {
@@ -275,16 +275,16 @@ dgg::GraphOptions OptionsOf(GraphConstruction construction)
 }
 }
 
-TEST(GraphBuilderLimits, LightAmongNonManifoldEdges)
+TEST(GraphBuilderLimits, WindowsAmongNonManifoldEdges)
 {
   const SurfaceMesh mesh = ManyPages();
   for (const auto construction :
     { GraphConstruction::Guaranteed, GraphConstruction::OneRelay, GraphConstruction::Indirect })
   {
-    ExpectOverwhelmed(mesh, 40, OptionsOf(construction),
+    ExpectRefused(mesh, 40, OptionsOf(construction),
       { "vertex", "non-manifold edges", "larger accuracy (it is 0.004)" }, { "neighbours" });
   }
-  ExpectOverwhelmed(mesh, 40, OptionsOf(GraphConstruction::SaddleVertexGraph),
+  ExpectRefused(mesh, 40, OptionsOf(GraphConstruction::SaddleVertexGraph),
     { "vertex", "non-manifold edges", "smaller number of neighbours (it is 77)" }, { "accuracy" });
 }
 
@@ -344,13 +344,13 @@ TEST(GraphBuilderLimits, RefusesManyLongTriangles)
   }
 }
 
-TEST(GraphBuilderLimits, LightOnManifoldMeshes)
+TEST(GraphBuilderLimits, WindowsOnManifoldMeshes)
 {
   // Nothing there is the fault of non-manifold edges.
   const SurfaceMesh mesh = Build(NoisySphere(3, 0.2, 1));
-  ExpectOverwhelmed(mesh, 100, OptionsOf(GraphConstruction::Guaranteed),
+  ExpectRefused(mesh, 100, OptionsOf(GraphConstruction::Guaranteed),
     { "vertex", "larger accuracy (it is 0.004)" }, { "manifold", "neighbours" });
-  ExpectOverwhelmed(mesh, 100, OptionsOf(GraphConstruction::SaddleVertexGraph),
+  ExpectRefused(mesh, 100, OptionsOf(GraphConstruction::SaddleVertexGraph),
     { "vertex", "smaller number of neighbours (it is 77)" }, { "manifold", "accuracy" });
 }
 

@@ -55,7 +55,7 @@ double MeanError(const std::vector<double>& actual, const std::vector<double>& e
   return Compare(actual, expected).Mean;
 }
 
-/// A strip that is longer than heat can be told in doubles.
+/// A strip that is longer than heat can be reported in doubles.
 constexpr Id StripColumns = 1500;
 TestMesh LongStrip()
 {
@@ -137,7 +137,7 @@ TEST(HeatMethod, AnotherComponentChangesNothing)
   EXPECT_EQ(fromLast[0], dgg::Infinity);
 }
 
-TEST(HeatMethod, FartherThanHeatCanBeTold)
+TEST(HeatMethod, FartherThanHeatReaches)
 {
   const TestMesh strip = LongStrip();
   const dgg::SurfaceMesh mesh = Build(strip);

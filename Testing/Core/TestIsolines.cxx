@@ -435,7 +435,7 @@ TEST(Isolines, DoNotDependOnThreads)
   }
 }
 
-TEST(Isolines, TellProgressAndCanBeStopped)
+TEST(Isolines, ReportProgressAndCanBeStopped)
 {
   const SurfaceMesh mesh = Build(Terrain(40, 1.0, 3));
   const ExactField field(mesh, { VertexSource(0) });

@@ -278,17 +278,17 @@ TEST(LoopFinder, HandlesOfSheetsThatTouch)
   EXPECT_TRUE(pinned[0].Loop.IsEmpty());
 }
 
-TEST(LoopFinder, HandlesTellTheirProgress)
+TEST(LoopFinder, HandlesReportTheirProgress)
 {
   const dgg::SurfaceMesh mesh = Build(TwoHoledBlock());
   Listener listener;
   int late = 0; // while loops are compared
   std::vector<FoundLoop> loops;
-  const auto tell = [&](double fraction) {
+  const auto report = [&](double fraction) {
     late += fraction > 0.9 && fraction < 1.0 ? 1 : 0;
     return listener(fraction);
   };
-  ASSERT_TRUE(dgg::FindHandleLoops(mesh, tell, loops).IsOk());
+  ASSERT_TRUE(dgg::FindHandleLoops(mesh, report, loops).IsOk());
   EXPECT_EQ(loops.size(), 4u);
   EXPECT_GT(listener.Calls, 40); // several for each base
   EXPECT_GE(late, 3);
@@ -307,7 +307,7 @@ TEST(LoopFinder, HandlesTellTheirProgress)
 }
 
 /// More handles than a machine word has bits. Those loops are independent that a loop through a
-/// hole and one around it tell apart.
+/// hole and one around it distinguish.
 TEST(LoopFinder, LoopsOfManyHandlesAreIndependent)
 {
   constexpr int Holes = 6; // in each direction
@@ -482,7 +482,7 @@ TEST(LoopFinder, Ropes)
 }
 
 /// Stopped between any two points, there is no rope; nor is anything else left behind.
-TEST(LoopFinder, RopesTellTheirProgress)
+TEST(LoopFinder, RopesReportTheirProgress)
 {
   const LoopWorld world(Torus(20, 10));
   std::vector<SurfacePoint> points;

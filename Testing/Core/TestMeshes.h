@@ -198,7 +198,7 @@ TestMesh Plate(Id nx, Id ny, const std::function<bool(Id, Id)>& keep, double jit
   std::uint64_t seed = 1);
 
 /// Square [-n, n]^2 with a slit along the positive x axis from the origin to the rim: the points of
-/// the slit exist twice. `isLower` tells the copies that belong to y < 0.
+/// the slit exist twice. `isLower` shows the copies that belong to y < 0.
 TestMesh SlitPlane(Id n, std::vector<bool>& isLower, double jitter = 0.0, std::uint64_t seed = 1);
 
 /// Open side of a prism with `sides` sides of width 1 and `rows` rows of height 1; each side has
@@ -242,7 +242,7 @@ TestMesh FlatTorus(double ux, double vx, double vy, Id nx, Id ny, bool glued);
 double FlatTorusDistance(double ux, double vx, double vy, double dx, double dy);
 
 /// Two copies of a regular polygon (circumradius 1), each with `rings` rings of vertices around a
-/// centre of its own, glued along the rim. `isBack` tells the vertices inside the second copy.
+/// centre of its own, glued along the rim. `isBack` shows the vertices inside the second copy.
 TestMesh DoublyCoveredPolygon(Id sides, Id rings, std::vector<bool>& isBack);
 
 /// Triangle (0,0) (4,0) (1,3).

@@ -378,7 +378,7 @@ TEST(SpectralDistance, PartsAreInfinitelyFarApart)
   }
 }
 
-TEST(SpectralDistance, ProgressIsToldForEachBlock)
+TEST(SpectralDistance, ProgressIsReportedForEachBlock)
 {
   const dgg::SurfaceMesh mesh = Build(NoisySphere(4, 0.03, 3));
   const auto solver = Ready(mesh);
@@ -392,19 +392,19 @@ TEST(SpectralDistance, ProgressIsToldForEachBlock)
     for (const bool isBetween : { false, true })
     {
       SCOPED_TRACE(std::to_string(threads) + (isBetween ? " between" : " prepared"));
-      std::set<double> told; // by one thread at a time
+      std::set<double> reported; // by one thread at a time
       double last = 0.0;
       double stopAt = 0.3;
       const auto progress = [&](double done) {
         EXPECT_GE(done, last);
         last = done;
-        told.insert(done);
+        reported.insert(done);
         return done < stopAt;
       };
       std::vector<double> d;
       const auto run = [&] {
         last = 0.0;
-        told.clear();
+        reported.clear();
         return isBetween ? distance.Between(points, others, WithThreads(threads), progress, d)
                          : distance.Prepare(options, WithThreads(threads), progress);
       };
@@ -419,7 +419,7 @@ TEST(SpectralDistance, ProgressIsToldForEachBlock)
         ASSERT_TRUE(distance.FromPoint(points[0], d).IsOk());
       }
       // Eight vertices are solved for at once; a block of points is some milliseconds of work.
-      EXPECT_GE(static_cast<Id>(told.size()), isBetween ? 10 : mesh.GetNumberOfVertices() / 8);
+      EXPECT_GE(static_cast<Id>(reported.size()), isBetween ? 10 : mesh.GetNumberOfVertices() / 8);
       if (threads == 1)
       {
         expected[isBetween] = d;

@@ -298,7 +298,7 @@ TestMesh Stretched(TestMesh mesh, double factor)
   return mesh;
 }
 
-struct HopWork
+struct TraceWork
 {
   std::size_t GraphEdges = 0;
   std::size_t Missed = 0;
@@ -306,12 +306,12 @@ struct HopWork
 };
 
 /// Trace edges of the graph of a mesh, every `step`-th.
-HopWork TraceEdges(const TestMesh& mesh, dgg::Offset step)
+TraceWork TraceEdges(const TestMesh& mesh, dgg::Offset step)
 {
   const SearchCase c("mesh", mesh, 0.05);
   const dgg::GraphView graph = c.GetGraph();
   dgg::GraphEdgeTracer tracer(c.GetMesh());
-  HopWork work;
+  TraceWork work;
   for (Id v = 0; v < graph.NumberOfVertices; ++v)
   {
     for (dgg::Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; e += step)
@@ -337,13 +337,13 @@ TEST(GraphEdgeTracer, WorkDoesNotGrowWithTheLengthOfTriangles)
   for (const NamedMesh& named : meshes)
   {
     SCOPED_TRACE(named.Name);
-    const HopWork clean = TraceEdges(named.Mesh, 7);
+    const TraceWork clean = TraceEdges(named.Mesh, 7);
     EXPECT_EQ(clean.Missed, 0u);
     EXPECT_LE(clean.Beams, 10 * clean.GraphEdges);
     for (const double factor : { 1e3, 1e5, 1e7 })
     {
       SCOPED_TRACE(factor);
-      const HopWork work = TraceEdges(Stretched(named.Mesh, factor), 7);
+      const TraceWork work = TraceEdges(Stretched(named.Mesh, factor), 7);
       EXPECT_LE(work.Missed, work.GraphEdges / 50);
       EXPECT_LE(work.Beams, 500 * work.GraphEdges);
     }

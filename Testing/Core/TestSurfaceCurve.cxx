@@ -86,7 +86,7 @@ TEST(SurfaceCurve, IsAsLongAsTheDistancesBetweenItsPoints)
   }
 }
 
-TEST(SurfaceCurve, DoesWhateverItIsTold)
+TEST(SurfaceCurve, DoesWhatIsAsked)
 {
   Random random(17);
   for (const TestMesh& input :
@@ -178,7 +178,7 @@ TEST(SurfaceCurve, SaysWhatIsWrong)
   EXPECT_TRUE(Says(ErrorOf(isolated, { at(alone), at(alone + 1) }), "not connected"));
 }
 
-TEST(SurfaceCurve, StopsWhenTold)
+TEST(SurfaceCurve, StopsWhenAsked)
 {
   const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.3, 2));
   const std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 10, 3);

@@ -150,7 +150,7 @@ TEST(SurfaceSampler, TheFarthestPointOfAPlaneIsInAFace)
   EXPECT_NEAR(p[1], 0.5 * size, 0.02 * size);
 }
 
-TEST(SurfaceSampler, StartsWhereItIsTold)
+TEST(SurfaceSampler, StartsWhereAsked)
 {
   const SearchCase c("sphere", Icosphere(2), Accuracy);
   SamplerOptions options;

@@ -356,7 +356,7 @@ TEST(VectorGraphics, RoundRegionBrightensItsMiddleAndNothingElse)
   EXPECT_LT(previous, 5e-3);
 }
 
-TEST(VectorGraphics, WhatSourcesSumToIsTakenOffAndTold)
+TEST(VectorGraphics, WhatSourcesSumToIsTakenOffAndReported)
 {
   // A source of 0.5 to 1.5 per length along a curve of length 4, on a square without anything that
   // takes it in; in the second drawing, a diffusion curve does.

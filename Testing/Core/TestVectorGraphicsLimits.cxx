@@ -269,7 +269,7 @@ TEST(VectorGraphics, FragmentsAreTheMiddlesOfEqualParts)
   }
 }
 
-TEST(VectorGraphics, RefinementTellsThePartsOfWhatWasChosen)
+TEST(VectorGraphics, RefinementReportsThePartsOfWhatWasChosen)
 {
   Drawing drawing(Plane(9, 8, 0.2));
   drawing.AddLine(Diffusion, { 2.2, 3.1 }, { 5.4, 3.7 }, 0, 0);

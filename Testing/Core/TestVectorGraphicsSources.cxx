@@ -466,7 +466,7 @@ TEST(VectorGraphicsScale, ResultsThatAreTooLargeAreRefused)
     fails(drawing, "colours");
   }
   {
-    // What flows in is too much to be told, along a curve so close to the one that takes it in
+    // What flows in is too much to be reported, along a curve so close to the one that takes it in
     // that colours are not.
     Drawing drawing(Plane(8, 8));
     drawing.Options.NumberOfChannels = 2;

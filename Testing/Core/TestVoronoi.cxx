@@ -390,7 +390,7 @@ TEST(Voronoi, AConeAndASphere)
 TEST(Voronoi, RefinedWhereFacesAreLarge)
 {
   // Ways to the corners of a face lead around different sides of what is between: the corners alone
-  // do not tell the borders, which refinement mends.
+  // do not show the borders, which refinement mends.
   const double accuracy = 0.01;
   const SearchCase c("box", Box(5, 5, 5, 1.0, 1.3, 0.8), accuracy);
   const Sites sites = RandomSurfacePoints(c.GetMesh(), 12, 5);

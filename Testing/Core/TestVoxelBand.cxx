@@ -167,11 +167,11 @@ TEST(VoxelBand, RefusesTooMuchSoon)
   // Balls of 2e9 bricks in all, which take minutes to look at one by one.
   const Balls balls = RandomBalls(500, 1.0, 0.1, 0.2);
   VoxelBand band;
-  int told = 0;
+  int reported = 0;
   const dgg::Status status =
     band.Build(balls.Centres, balls.Radii, 1e-4, std::size_t{ 1 } << 36, {}, [&](double done) {
       EXPECT_LE(done, 0.05);
-      return ++told < 100;
+      return ++reported < 100;
     });
   EXPECT_FALSE(status.IsOk());
   EXPECT_FALSE(status.IsAborted());
@@ -180,7 +180,7 @@ TEST(VoxelBand, RefusesTooMuchSoon)
 
 TEST(VoxelBand, ReachesAsFarAsItSays)
 {
-  // At both ends of the longest axis there is, bricks are told apart.
+  // At both ends of the longest axis there is, bricks are reported apart.
   const double far = VoxelBand::MaximumResolution - 12.0;
   const std::vector<Point3> centres{ { 0.0, 0.0, 0.0 }, { far, 0.0, 0.0 }, { 0.0, far, far } };
   VoxelBand band;
@@ -203,7 +203,7 @@ TEST(VoxelBand, ReachesAsFarAsItSays)
   EXPECT_FALSE(band.Build({ { 0, 0, 0 }, { far + 20.0, 0, 0 } }, { 3.0, 3.0 }, 1.0, 0, {}).IsOk());
 }
 
-TEST(VoxelBand, TellsOfProgressAndStops)
+TEST(VoxelBand, ReportsProgressAndStops)
 {
   const Balls balls = RandomBalls(30, 1.0, 0.8, 1.0);
   dggtest::Listener listener;
@@ -322,7 +322,7 @@ TEST(SegmentWalk, AlongAxesAndThroughCorners)
   EXPECT_EQ(back.back(), (Cell{ { 0, 0, 0 } }));
 }
 
-TEST(SegmentWalk, StopsWhenTold)
+TEST(SegmentWalk, StopsWhenAsked)
 {
   int visits = 0;
   EXPECT_FALSE(dgg::WalkSegment({ 0.5, 0.5, 0.5 }, { 9.5, 0.5, 0.5 },

@@ -42,7 +42,7 @@ double DistanceFromSegment(
   return Distance(p, { { a[0] + t * edge[0], a[1] + t * edge[1], a[2] + t * edge[2] } });
 }
 
-/// Sound for triangles of any shape: near an edge, the edge tells it.
+/// Sound for triangles of any shape: near an edge, the edge shows it.
 double DistanceFromTriangle(
   const std::array<double, 3>& p, const std::array<std::array<double, 3>, 3>& corners)
 {

@@ -170,7 +170,7 @@ TEST_F(ApolloniusIsolines, ValuesAreThoseOfContourFilters)
   expectSame();
 }
 
-TEST_F(ApolloniusIsolines, TellSourcesFromDistancesAlone)
+TEST_F(ApolloniusIsolines, FindSourcesFromDistancesAlone)
 {
   ExpectSuccess(this->Isolines);
   EXPECT_FALSE(this->Isolines->GetUsedWindows());
@@ -472,7 +472,7 @@ TEST_F(ApolloniusIsolines, DoNotDependOnThreads)
   vtkSMPTools::Initialize();
 }
 
-TEST_F(ApolloniusIsolines, TellProgressAndCanBeStopped)
+TEST_F(ApolloniusIsolines, ReportProgressAndCanBeStopped)
 {
   this->Distance->SetInputData(MakeTerrain(100));
   this->Distance->Update();

@@ -89,7 +89,7 @@ TEST_F(BadInput, SourceIdOutOfRange)
   this->ExpectRecovery();
 }
 
-TEST_F(BadInput, ErrorsAreToldAgain)
+TEST_F(BadInput, ErrorsAreReportedAgain)
 {
   this->Filter->SetSourceIds(std::vector<vtkIdType>{ 99 });
   ExpectError(this->Filter, { "99" });

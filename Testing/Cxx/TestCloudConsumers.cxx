@@ -92,7 +92,7 @@ TEST_F(CloudConsumers, OtherFiltersNeedASurface)
   ExpectError(probe, { "no polygons", "vtkPointCloudDGG" });
 }
 
-TEST_F(CloudConsumers, ThatASurfaceIsNeededIsToldFirst)
+TEST_F(CloudConsumers, ThatASurfaceIsNeededIsReportedFirst)
 {
   // Nothing else is set, nor would it help.
   const auto cloud = MakeCloud(MakeFlatPoints(5));

@@ -63,7 +63,7 @@ protected:
     this->Distance->SetInputData(changed);
     ExpectError(this->Distance, parts);
     this->Distance->Modified();
-    ExpectError(this->Distance, parts); // told again
+    ExpectError(this->Distance, parts); // reported again
     EXPECT_FALSE(this->Distance->GetUsedInputGraph());
   }
 

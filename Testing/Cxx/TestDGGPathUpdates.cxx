@@ -168,7 +168,7 @@ TEST_F(DGGPathUpdates, WrongProperties)
 }
 
 /// Also where the thread that waits for the others has no propagation of its own.
-TEST_F(DGGPathUpdates, PropagationsTellTheirProgressInAllThreads)
+TEST_F(DGGPathUpdates, PropagationsReportTheirProgressInAllThreads)
 {
   this->Filter->SetInputData(MakeTerrain(100));
   this->Filter->SetMethodToExact();

@@ -323,7 +323,7 @@ TEST_F(DiscreteGeodesicGraph, AGraphOnTheInputIsPassedOn)
   surface->GetPoints()->Modified();
   ExpectWarning(this->Filter, { "the graph on the input is out of date", "new one" });
   this->Filter->Modified();
-  ExpectSuccess(this->Filter); // told once
+  ExpectSuccess(this->Filter); // reported once
   EXPECT_EQ(
     GetGraphBytes(this->Filter->GetOutput()), GetGraphBytes(MakeSurfaceWithGraph(surface, 0.1)));
 }
@@ -346,7 +346,7 @@ TEST_F(DiscreteGeodesicGraph, EstimatesBeforeBuilding)
   }
 }
 
-TEST_F(DiscreteGeodesicGraph, EstimatesTellWhatIsWrong)
+TEST_F(DiscreteGeodesicGraph, EstimatesReportWhatIsWrong)
 {
   this->Filter->SetAccuracy(0.7);
   {

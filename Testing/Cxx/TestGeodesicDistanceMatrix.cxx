@@ -358,7 +358,7 @@ TEST_F(GeodesicDistanceMatrix, TheTableIsOptional)
   EXPECT_STREQ(this->Filter->GetOutput()->GetColumnName(9999), "9999");
 }
 
-TEST_F(GeodesicDistanceMatrix, TellsOfTheGraph)
+TEST_F(GeodesicDistanceMatrix, ReportsTheGraph)
 {
   EXPECT_FALSE(this->Filter->GetGraphIsGuaranteed());
   EXPECT_EQ(this->Filter->GetMemorySize(), 0u);

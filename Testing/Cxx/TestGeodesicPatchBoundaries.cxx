@@ -234,7 +234,7 @@ TEST_F(GeodesicPatchBoundaries, AnyScaleAndType)
     Get(this->Filter->GetOutput(1)->GetCellData(), "Length", 1), 1e6 * length, 1e-4 * length);
 }
 
-/// A single patch: no landmark has enough sides to tell which way it turns, on either surface.
+/// A single patch: no landmark has enough sides to show which way it turns, on either surface.
 TEST_F(GeodesicPatchBoundaries, OnePatchThatTurnsEitherWay)
 {
   const std::vector<vtkIdType> inside = { 20, 24, 60, 56 };

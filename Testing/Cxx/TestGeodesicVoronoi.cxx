@@ -149,21 +149,21 @@ TEST_F(GeodesicVoronoi, CellsCoverTheSurface)
   const std::vector<double> areas = ToVector(cells->GetCellData()->GetArray("CellArea"));
   const std::vector<double> faces = ToVector(cells->GetCellData()->GetArray("FaceId"));
   std::map<double, double> sums;
-  std::map<double, double> told;
+  std::map<double, double> reported;
   std::map<vtkIdType, double> ofFace;
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
   {
     sums[sites[i]] += AreaOf(cells, i);
     ofFace[static_cast<vtkIdType>(faces[i])] += AreaOf(cells, i);
-    told[sites[i]] = areas[i];
+    reported[sites[i]] = areas[i];
   }
   ASSERT_EQ(sums.size(), 4u);
   for (const auto& sum : sums)
   {
-    EXPECT_NEAR(told[sum.first], sum.second, 1e-9 * area);
+    EXPECT_NEAR(reported[sum.first], sum.second, 1e-9 * area);
     const auto site = static_cast<vtkIdType>(sum.first);
     EXPECT_EQ(this->Filter->GetSites()->GetPointData()->GetArray("CellArea")->GetComponent(site, 0),
-      told[sum.first]);
+      reported[sum.first]);
   }
   for (vtkIdType f = 0; f < this->Terrain->GetNumberOfCells(); ++f)
   {

@@ -107,7 +107,7 @@ protected:
 };
 }
 
-TEST_F(GraphArraysInUse, GettersTellWhatWas)
+TEST_F(GraphArraysInUse, GettersReportWhatWas)
 {
   const vtkIdType edges = this->Graph->GetNumberOfGraphEdges();
   const double degree = this->Graph->GetMeanDegree();

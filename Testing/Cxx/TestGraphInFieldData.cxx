@@ -79,7 +79,7 @@ protected:
       EXPECT_EQ(GetDistances(filter), this->Expected);
     }
     filter->SetSourceIds({ 41 });
-    ExpectSuccess(filter); // told once, built once
+    ExpectSuccess(filter); // reported once, built once
     EXPECT_EQ(filter->GetGraphBuildTime(), built);
     filter->SetSourceIds({ 40 });
     filter->SetInputData(this->Surface);
@@ -239,7 +239,7 @@ TEST_F(GraphInFieldData, ARigidMotion)
   this->ExpectRebuilt(moved, { "out of date" });
 }
 
-TEST_F(GraphInFieldData, DamageIsToldFromAnotherSurface)
+TEST_F(GraphInFieldData, DamageIsNotAnotherSurface)
 {
   vtkNew<vtkDiscreteGeodesicGraph> graph;
   graph->SetAccuracy(Accuracy);

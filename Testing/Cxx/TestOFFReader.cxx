@@ -483,7 +483,7 @@ TEST_F(OFFReader, IgnoresTheLocale)
   this->CheckLocales("OFF 1 0 0\n1.5 2.25 1000.5\n");
 }
 
-TEST_F(OFFReader, TellsFilesApart)
+TEST_F(OFFReader, DistinguishesFiles)
 {
   EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write("# c\nCNOFF BINARY\n").c_str()), 1);
   EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write("4OFF\n").c_str()), 0);

@@ -124,7 +124,7 @@ TEST_F(PCDReader, KeepsTypesNamesAndCounts)
   ExpectTuple(data->GetArray("j"), 0, { 1e-310, 2.5 });
 }
 
-TEST_F(PCDReader, TellsTooSmallFromTooLarge)
+TEST_F(PCDReader, DistinguishesTooSmallFromTooLarge)
 {
   // Numbers with many zeros, whose exponents have the other sign.
   const std::string zeros(400, '0');
@@ -357,7 +357,7 @@ TEST_F(PCDReader, IgnoresTheLocale)
   this->CheckLocales("FIELDS x y z\nPOINTS 1\nDATA ascii\n1.5 2.25 1000.5\n");
 }
 
-TEST_F(PCDReader, TellsFilesApart)
+TEST_F(PCDReader, DistinguishesFiles)
 {
   EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("COLUMNS x\n").c_str()), 1);
   // Longer than the part that is looked at.

@@ -69,7 +69,7 @@ TEST_F(PointCloudDGG, AddsTheGraphAndComponents)
   EXPECT_GE(this->Filter->GetMemorySize(), 8u * edges);
 }
 
-TEST_F(PointCloudDGG, TellsWhatItUsed)
+TEST_F(PointCloudDGG, ReportsWhatItUsed)
 {
   const int n = 40;
   this->Use(MakeFlatPoints(n, 0.2));

@@ -114,7 +114,7 @@ TEST_F(PointCloudDGG, NormalsOfTheInput)
   EXPECT_EQ(this->GetOutput()->GetPointData()->GetNormals(), normals);
 }
 
-TEST_F(PointCloudDGG, OrientedNormalsTellSheetsApart)
+TEST_F(PointCloudDGG, OrientedNormalsSeparateSheets)
 {
   // Two sides of a thin plate.
   const Points top = MakeFlatPoints(30);

@@ -50,7 +50,7 @@ TEST_F(PointCloudDGG, KeepsTheGraph)
   EXPECT_GT(this->Filter->GetGraphBuildTime(), third);
 }
 
-TEST_F(PointCloudDGG, TellsOfTheKeptGraphAfterAnError)
+TEST_F(PointCloudDGG, ReportsTheKeptGraphAfterAnError)
 {
   this->Use(MakeFlatPoints(25, 0.2));
   ExpectSuccess(this->Filter);
@@ -126,7 +126,7 @@ TEST_F(PointCloudDGG, EstimatesMemory)
   ExpectSuccess(this->Filter);
 }
 
-TEST_F(PointCloudDGG, EstimatesTellOfProgressAndStop)
+TEST_F(PointCloudDGG, EstimatesReportProgressAndStop)
 {
   const auto cloud = MakeCloud(MakeSpherePoints(20000));
   for (const double stop : { 2.0, 0.2, 0.9 })

@@ -248,7 +248,7 @@ TEST(PoissonVectorGraphics, RegionsOfCurvesAndCellsAreTheSame)
   }
 }
 
-TEST(PoissonVectorGraphics, SourcesAreTold)
+TEST(PoissonVectorGraphics, SourcesAreReported)
 {
   GraphicsFixture drawing({ { 1, 2, 0 }, { 5, 2, 0 } }, { { 0, 1 } });
   AddArray<vtkIntArray>(drawing.OfCells(), "CurveType", { 3 }, 1);

@@ -353,16 +353,17 @@ TEST(PoissonVectorGraphics, WidthsAreThoseOfFirstPoints)
 
 TEST(PoissonVectorGraphics, MemoryIsPredictedBeforeCurvesAreDrawn)
 {
-  // The refined mesh would be too much: no progress is told before the error, as there would be for
-  // curves that are drawn.
+  // The refined mesh would be too much: no progress is reported before the error, as there would be
+  // for curves that are drawn.
   GraphicsFixture drawing = MakeTwoColored();
   drawing.Filter->SetRefinementLevel(6);
   drawing.Filter->SetMemoryLimit(20 << 20);
   ProgressWatch watch(drawing.Filter);
   ExpectError(drawing.Filter, { "the refined mesh", "MemoryLimit", "RefinementLevel" });
-  for (const double told : watch.Progress)
+  for (const double reported : watch.Progress)
   {
-    EXPECT_TRUE(told <= 0.1 + 1e-12 || told == 1.0) << told; // of the mesh, and at the end
+    EXPECT_TRUE(reported <= 0.1 + 1e-12 || reported == 1.0)
+      << reported; // of the mesh, and at the end
   }
   // Nor is more refined near curves than there is memory for.
   drawing.Filter->SetRefinementRegionToNearCurves();

@@ -167,7 +167,7 @@ TEST(CloudDensity, VoxelsThatAreTooLargeDoNotMatter)
   }
 }
 
-TEST(CloudDensity, RefusedBandsAreToldInNumbers)
+TEST(CloudDensity, RefusedBandsAreReportedInNumbers)
 {
   const Cloud cloud = Sphere(1000, 25);
   const auto build = [&](Id resolution, std::size_t limit) {

@@ -274,14 +274,14 @@ TEST(CloudGraphAccuracy, ShapesFinerThanMuchNoise)
   EXPECT_EQ(graph.Statistics.Scatter, 0.0);
 }
 
-TEST(CloudGraphAccuracy, NoiseThatIsLargeBesideTheShapeIsTold)
+TEST(CloudGraphAccuracy, NoiseThatIsLargeBesideTheShapeIsReported)
 {
   // Fits to noise flatten what is curved. It is seen by the noise and the curvature.
   struct Case
   {
     bool IsRound;
     double Noise; ///< along the normal
-    bool IsTold;
+    bool IsReported;
   };
   const int n = 4000;
   std::mt19937 generator(34);
@@ -292,15 +292,16 @@ TEST(CloudGraphAccuracy, NoiseThatIsLargeBesideTheShapeIsTold)
       WithNoiseAlongNormals(test.IsRound, n, test.Noise, test.IsRound ? 35 : 36, generator);
     const NoisyGraph graph(cloud, 0.3);
     EXPECT_EQ(graph.Statistics.Scatter, 0.0);
-    EXPECT_EQ(graph.Statistics.NoiseByRadius > 0.07, test.IsTold) << graph.Statistics.NoiseByRadius;
-    EXPECT_EQ(graph.Error.Mean > 0.01, test.IsTold) << graph.Error.Mean;
+    EXPECT_EQ(graph.Statistics.NoiseByRadius > 0.07, test.IsReported)
+      << graph.Statistics.NoiseByRadius;
+    EXPECT_EQ(graph.Error.Mean > 0.01, test.IsReported) << graph.Error.Mean;
   }
   dgg::CloudGraphStatistics statistics;
   BuildGraph(Sphere(1000, 37), nullptr, &statistics);
   EXPECT_EQ(statistics.NoiseByRadius, 0.0);
 }
 
-TEST(CloudGraphAccuracy, PointsOnNoSurfaceAreTold)
+TEST(CloudGraphAccuracy, PointsOnNoSurfaceAreReported)
 {
   const auto measure = [](const Cloud& cloud) {
     dgg::CloudGraphStatistics statistics;
@@ -323,7 +324,7 @@ TEST(CloudGraphAccuracy, PointsOnNoSurfaceAreTold)
   const dgg::CloudGraphStatistics noisy = measure(Sphere(1500, 27, 0.25));
   EXPECT_GT(noisy.OffSurface, 0.1);
   EXPECT_GT(noisy.Scatter, 1.0);
-  // Surfaces with a crease, clean and noisy ones; too few points to tell.
+  // Surfaces with a crease, clean and noisy ones; too few points to show.
   Cloud roof = Square(1500, 23);
   for (Id i = 0; i < roof.GetSize(); ++i)
   {

@@ -311,7 +311,7 @@ TEST(CloudGraphInput, PointsEvenlySpreadOverManyScales)
     CloudGraphStatistics statistics;
     const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
     EXPECT_EQ(statistics.Outliers, 0);
-    EXPECT_EQ(graph.ComponentSizes[0], 17); // as many as tell a spacing
+    EXPECT_EQ(graph.ComponentSizes[0], 17); // as many as show a spacing
   }
 }
 

@@ -122,7 +122,7 @@ TEST(CloudGuards, SheetsTwoSpacingsApart)
   }
 }
 
-TEST(CloudGuards, OrientedNormalsTellSheetsApart)
+TEST(CloudGuards, OrientedNormalsSeparateSheets)
 {
   const double spacing = 1.0 / std::sqrt(3000.0);
   const Cloud cloud = TwoSheets(3000, 0.8 * spacing, 5);
@@ -147,7 +147,7 @@ TEST(CloudGuards, OrientedNormalsTellSheetsApart)
   EXPECT_EQ(edges(true), 0);
 }
 
-TEST(CloudGuards, OrientedNormalsTellSheetsApartAtAnyReach)
+TEST(CloudGuards, OrientedNormalsSeparateSheetsAtAnyReach)
 {
   // With the default reach, chords from sheet to sheet are up to 13 gaps long.
   const double spacing = 1.0 / std::sqrt(3000.0);

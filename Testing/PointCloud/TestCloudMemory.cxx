@@ -100,7 +100,7 @@ TEST(CloudGraph, LimitsMayLeaveNextToNothingForTheBand)
   {
     const std::string message = refusal(limit);
     EXPECT_NE(message.find("the band of voxels"), std::string::npos) << message;
-    // What is told to do can be done.
+    // What is reported to do can be done.
     EXPECT_NE(message.find("set a Resolution below "), std::string::npos) << message;
   }
 }

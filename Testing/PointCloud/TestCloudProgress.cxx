@@ -17,21 +17,21 @@ using dgg::CloudGraph;
 using dgg::CloudGraphEstimate;
 using dgg::CloudGraphOptions;
 
-/// Keeps what it is told, and goes on until `end` is reached.
-dgg::ProgressCallback Keep(std::vector<double>& told, double end = dgg::Infinity)
+/// Keeps what it is reported, and goes on until `end` is reached.
+dgg::ProgressCallback Keep(std::vector<double>& reported, double end = dgg::Infinity)
 {
-  return [&told, end](double done) {
-    told.push_back(done);
+  return [&reported, end](double done) {
+    reported.push_back(done);
     return done < end;
   };
 }
 
-/// Each look but the first three tells of more than the one before.
-void ExpectGrowth(const std::vector<double>& told)
+/// Each look but the first three shows of more than the one before.
+void ExpectGrowth(const std::vector<double>& reported)
 {
-  for (std::size_t i = 3; i < told.size(); ++i)
+  for (std::size_t i = 3; i < reported.size(); ++i)
   {
-    EXPECT_GT(told[i], told[i - 1]) << i;
+    EXPECT_GT(reported[i], reported[i - 1]) << i;
   }
 }
 
@@ -54,19 +54,19 @@ void ExpectStopOfPrediction(std::size_t calls, const Cloud& cloud)
 }
 }
 
-TEST(CloudGraph, PredictionsTellOfProgressAndStop)
+TEST(CloudGraph, PredictionsReportProgressAndStop)
 {
   const Cloud cloud = Sphere(8000, 12);
   CloudGraphOptions options;
-  std::vector<double> told;
-  options.Progress = Keep(told);
+  std::vector<double> reported;
+  options.Progress = Keep(reported);
   CloudGraphEstimate estimate;
   ASSERT_TRUE(MakeBuilder(cloud).Estimate(options, estimate).IsOk());
-  EXPECT_GT(told.size(), 20U);
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_GT(told.back(), 0.9);
-  EXPECT_LE(told.back(), 1.0);
-  for (std::size_t calls = 1; calls < told.size(); calls += 3)
+  EXPECT_GT(reported.size(), 20U);
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  EXPECT_GT(reported.back(), 0.9);
+  EXPECT_LE(reported.back(), 1.0);
+  for (std::size_t calls = 1; calls < reported.size(); calls += 3)
   {
     ExpectStopOfPrediction(calls, cloud);
   }
@@ -76,28 +76,28 @@ TEST(CloudGraph, ProgressGrowsWhileNoiseIsRemoved)
 {
   const Cloud cloud = Sphere(20000, 12, 0.01);
   CloudGraphOptions options;
-  std::vector<double> told;
-  options.Progress = Keep(told, 0.3); // fits come first
+  std::vector<double> reported;
+  options.Progress = Keep(reported, 0.3); // fits come first
   CloudGraphEstimate estimate;
   EXPECT_TRUE(MakeBuilder(cloud).Estimate(options, estimate).IsAborted());
-  EXPECT_GT(told.size(), 12U); // five of each of three fits
-  ExpectGrowth(told);
+  EXPECT_GT(reported.size(), 12U); // five of each of three fits
+  ExpectGrowth(reported);
 }
 
-TEST(CloudGraph, TellsOfProgressAndStops)
+TEST(CloudGraph, ReportsProgressAndStops)
 {
   const Cloud cloud = Sphere(20000, 8);
   CloudGraphOptions options;
   options.Accuracy = 0.1;
   options.Alpha = 4.0;
-  std::vector<double> told;
-  options.Progress = Keep(told);
+  std::vector<double> reported;
+  options.Progress = Keep(reported);
   CloudGraph graph;
   ASSERT_TRUE(MakeBuilder(cloud).Build(options, graph).IsOk());
-  EXPECT_GT(told.size(), 6U);
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_GE(told.front(), 0.0);
-  EXPECT_EQ(told.back(), 1.0);
+  EXPECT_GT(reported.size(), 6U);
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  EXPECT_GE(reported.front(), 0.0);
+  EXPECT_EQ(reported.back(), 1.0);
   for (const std::size_t calls : { 1, 3, 6 })
   {
     ExpectStop(calls, options,
@@ -112,13 +112,13 @@ TEST(CloudGraph, ProgressGrowsWhileMuchNoiseIsRemoved)
   const double spacing = std::sqrt(4.0 * dgg::Pi / 6000.0);
   const Cloud cloud = Sphere(6000, 13, 1.3 * spacing);
   CloudGraphOptions options;
-  std::vector<double> told;
-  options.Progress = Keep(told, 0.3);
+  std::vector<double> reported;
+  options.Progress = Keep(reported, 0.3);
   CloudGraphEstimate estimate;
   EXPECT_TRUE(MakeBuilder(cloud).Estimate(options, estimate).IsAborted());
-  EXPECT_GT(told.size(), 25U);
-  ExpectGrowth(told);
-  for (std::size_t calls = 1; calls < told.size(); calls += 5)
+  EXPECT_GT(reported.size(), 25U);
+  ExpectGrowth(reported);
+  for (std::size_t calls = 1; calls < reported.size(); calls += 5)
   {
     ExpectStopOfPrediction(calls, cloud);
   }

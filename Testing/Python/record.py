@@ -446,7 +446,7 @@ def differences(key, old, new, tables):
 
 def compare_memory(old, new):
     """Print how memory has changed; the number of peaks that are too high."""
-    high, ratios, told = 0, [], []
+    high, ratios, reported = 0, [], []
     for key in set(old) & set(new):
         for a, b in zip(old[key].get("peaks", []), new[key].get("peaks", [])):
             ratios.append((b + SLACK) / (a + SLACK))
@@ -457,10 +457,10 @@ def compare_memory(old, new):
         for name in set(memory[0]) & set(memory[1]):
             a, b = (float(part[name]) for part in memory)
             if a != b:
-                told.append(((b + 1.0) / (a + 1.0), f"{key}, {name}: {a:.0f}, now {b:.0f} bytes"))
+                reported.append(((b + 1.0) / (a + 1.0), f"{key}, {name}: {a:.0f}, now {b:.0f} bytes"))
     if ratios:
         print(f"peak memory: {min(ratios):.2f} to {max(ratios):.2f} times, {high} too high")
-    for ratio, line in sorted(told)[:3] + sorted(told)[3:][-3:]:
+    for ratio, line in sorted(reported)[:3] + sorted(reported)[3:][-3:]:
         print(f"memory that filters report: {ratio:.2f} times, {line}")
     return high
 

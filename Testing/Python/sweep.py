@@ -42,7 +42,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 RATIO, LEAST = 20.0, 2.0  # times a clean mesh, and seconds, that a filter may take
-SHORTEST = 0.01  # seconds; what takes less is not told apart
+SHORTEST = 0.01  # seconds; what takes less is not reported apart
 PATIENCE = 60.0  # a process that waits, or checks, for so many seconds more hangs
 LARGEST = 70_000  # points, for filters that are not meant for more
 LADDER = [50, 200, 800, 3200, 12800]  # points of the clean meshes that are measured

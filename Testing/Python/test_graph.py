@@ -183,7 +183,7 @@ class Mesh(unittest.TestCase):
         self.assertEqual(distances[12], 0.0)
         self.assertEqual(np.isnan(distances).sum(), 12)
 
-    def test_warnings_are_told_once(self):
+    def test_warnings_are_reported_once(self):
         # Three triangles on one edge.
         points = np.vstack([np.zeros(3), np.eye(3), [[0.0, -1.0, 0.0]]])
         with self.assertWarnsRegex(RuntimeWarning, "more than two triangles") as caught:

@@ -346,8 +346,8 @@ private:
   }
 
   /// Make segments run through nodes that they pass, also those on sides: otherwise crossings would
-  /// come closer to these than nodes may be. Tells whether there were any; then the segments are to
-  /// be collected anew, as parts of them may pass others. False when stopped.
+  /// come closer to these than nodes may be. Reports whether there were any; then the segments are
+  /// to be collected anew, as parts of them may pass others. False when stopped.
   bool SplitAtNodes(const ProgressCallback& progress, bool& found)
   {
     found = false;

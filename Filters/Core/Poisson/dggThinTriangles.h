@@ -24,8 +24,8 @@ class PoissonSystem;
 ///    The sum of conductances around a vertex forgets those that are 1e16 times less than others.
 std::vector<double> MeasureThinTriangles(const PoissonSystem& system);
 
-/// Tells which components lose more than 1 %. Fails when the mean of what they lose, over the area,
-/// is more than that. For a system that is factorized.
+/// Reports which components lose more than 1 %. Fails when the mean of what they lose, over the
+/// area, is more than that. For a system that is factorized.
 Status CheckThinTriangles(const PoissonSystem& system, std::vector<std::uint8_t>& isThin);
 
 /// What a part of a surface that is thin, beside others that are not, is refused for.

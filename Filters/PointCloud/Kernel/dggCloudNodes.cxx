@@ -63,7 +63,7 @@ std::size_t SortEntries(std::vector<NodeEntry>& entries)
 }
 
 /// The first point of each place, and the others with it. Nothing has to grow.
-void TellPlaces(const std::vector<NodeEntry>& entries, std::size_t places,
+void ReportPlaces(const std::vector<NodeEntry>& entries, std::size_t places,
   std::vector<Id>& originals, std::vector<std::pair<Id, Id>>& coincident)
 {
   originals.reserve(places);
@@ -119,8 +119,8 @@ Status FindNodes(
   const std::size_t count = SortEntries(entries);
   const std::size_t strayCount = SortEntries(strayEntries);
   nodes.Coincident.reserve(entries.size() - count + strayEntries.size() - strayCount);
-  TellPlaces(entries, count, nodes.Originals, nodes.Coincident);
-  TellPlaces(strayEntries, strayCount, nodes.Outliers, nodes.Coincident);
+  ReportPlaces(entries, count, nodes.Originals, nodes.Coincident);
+  ReportPlaces(strayEntries, strayCount, nodes.Outliers, nodes.Coincident);
   places.reserve(count);
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
