@@ -140,11 +140,7 @@ dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
     : task.MaximumDistance;
   options.Progress = graph.GetRemainingProgress(context);
   dgg::SearchResult result;
-  status = graph.GetSearch().Run(seeds, options, result);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(graph.GetSearch().Run(seeds, options, result));
   if (task.WantNearestSource)
   {
     task.NearestSource = FindSources(seeds, result.Seeds);

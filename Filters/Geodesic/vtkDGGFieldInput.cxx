@@ -136,11 +136,7 @@ dgg::Status vtkDGGFieldInput::FindDistances(vtkInformation* filter, const std::s
 {
   distances = nullptr;
   vtkInformation* request = FindRequest(filter);
-  const dgg::Status status = request ? CheckRequest(request) : dgg::Status::Success();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(request ? CheckRequest(request) : dgg::Status::Success());
   const std::string name = GetAskedName(request, property);
   vtkPointData* data = surface->GetPointData();
   vtkAbstractArray* found =
@@ -210,11 +206,7 @@ dgg::Status vtkDGGFieldInput::ReadDistances(const vtkDGGContext& context, vtkDat
 dgg::Status vtkDGGFieldInput::Read(const vtkDGGContext& context, vtkDataArray* distances,
   const std::string& virtualSources, const dgg::ProgressCallback& progress)
 {
-  const dgg::Status status = this->ReadDistances(context, distances);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->ReadDistances(context, distances));
   this->ReadWindows(context, distances);
   this->ReadSources(context, virtualSources);
   return this->Field.HasWindows() || this->Field.HasSources()

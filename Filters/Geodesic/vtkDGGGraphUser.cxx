@@ -347,11 +347,7 @@ dgg::Status vtkDGGGraphUser::MakeSeeds(const vtkDGGContext& context,
       places.push_back(source.Point);
     }
   }
-  const dgg::Status status = this->LinkPlaces(context, places);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->LinkPlaces(context, places));
   std::size_t place = 0;
   for (std::size_t i = 0; i < sources.size(); ++i)
   {

@@ -350,11 +350,7 @@ dgg::Status vtkDGGLoop::Execute(const vtkDGGContext& context, vtkInformationVect
     vtkDGGGraphUser& graph = *this->GraphUser;
     const LoopPoints points = vtkDGGGetPlaces(sources);
     const bool withLinks = !std::all_of(points.begin(), points.end(), dgg::IsVertex);
-    status = graph.PrepareBuilder(context, withLinks);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context, withLinks));
     const dgg::LoopFinder finder(mesh.GetMesh(), graph.GetSearch(),
       withLinks ? &graph.GetBuilder() : nullptr, geometry.GetPositions(), graph.GetLinkAccuracy());
     const auto run = this->Mode == Rope ? RunRope : RunThroughPoints;

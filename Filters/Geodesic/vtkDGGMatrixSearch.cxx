@@ -83,11 +83,7 @@ dgg::Status vtkDGGMatrixSearch::LinkPoints(
   }
   const std::vector<std::size_t> aims = FindPoints(others, false);
   const Points aimPoints = Select(others, aims);
-  const dgg::Status prepared = this->Graph.PrepareBuilder(this->Context);
-  if (!prepared.IsOk())
-  {
-    return prepared;
-  }
+  DGG_RETURN_IF_ERROR(this->Graph.PrepareBuilder(this->Context));
   const double start = this->Done;
   this->Done = end;
   return vtkDGGForEach(unlinked.size(), LinkBlock, dgg::ProgressPart(this->Progress, start, end),

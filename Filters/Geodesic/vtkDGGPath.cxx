@@ -94,11 +94,7 @@ struct PairLines
       vtkIdType size = 0;
       const vtkIdType* ids = nullptr;
       lines->GetLines()->GetCellAtId(i, size, ids);
-      const dgg::Status status = CheckLine(i, size, ids, lines->GetNumberOfPoints());
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(CheckLine(i, size, ids, lines->GetNumberOfPoints()));
       this->Ends.push_back(ids[0]);
       this->Ends.push_back(ids[size - 1]);
       this->Cells.push_back(firstCell + i);

@@ -254,11 +254,7 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input)
   {
     return this->BuildCloud(input);
   }
-  dgg::Status status = CheckSurface(input);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(CheckSurface(input));
   const bool mergeCoincidentPoints = this->Domain.Kind == vtkDGGDomain::MergedSurface;
   const vtkDGGPointCoordinates coordinates(input->GetPoints());
   if (mergeCoincidentPoints)
@@ -266,23 +262,15 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input)
     this->MergeCoincidentPoints(coordinates.GetData(), n);
   }
   std::vector<dgg::Id> triangles;
-  status = this->Triangulate(input, coordinates.GetData(), triangles);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->Triangulate(input, coordinates.GetData(), triangles));
   std::vector<dgg::Id> parents;
   this->Caps = dgg::SplitCaps(coordinates.GetData(), triangles, parents);
   std::vector<vtkIdType> cells(parents.size());
   std::transform(parents.begin(), parents.end(), cells.begin(),
     [this](dgg::Id triangle) { return this->Cells[triangle]; });
   this->Cells.swap(cells);
-  status = dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, triangles.data(),
-    static_cast<dgg::Offset>(triangles.size() / 3), this->Mesh);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, triangles.data(),
+    static_cast<dgg::Offset>(triangles.size() / 3), this->Mesh));
   this->Signature = dgg::ComputeSignature(
     coordinates.GetData(), n, triangles.data(), static_cast<dgg::Offset>(triangles.size() / 3));
   this->Report = dgg::InspectMesh(this->Mesh, coordinates.GetData());
@@ -292,7 +280,7 @@ dgg::Status vtkDGGPreparedMesh::Build(vtkPolyData* input)
     this->CountCoincidentBoundaryPoints(coordinates.GetData());
   }
   this->CollectWarnings();
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -341,11 +329,7 @@ dgg::Status vtkDGGPreparedMesh::Triangulate(
       vtkIdType size = 0;
       const vtkIdType* ids = nullptr;
       iterator->GetCurrentCell(size, ids);
-      const dgg::Status status = CheckCell(points, n, cell, size, ids);
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(CheckCell(points, n, cell, size, ids));
       dgg::Id added = 0;
       if (cell < firstStrip)
       {

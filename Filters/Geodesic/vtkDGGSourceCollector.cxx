@@ -164,11 +164,7 @@ dgg::Status vtkDGGSourceCollector::Check(const vtkDGGSourceSet& set, vtkIdType n
     }
     return dgg::Status::Invalid(message.str());
   }
-  const dgg::Status status = CheckIds(set, numberOfPoints);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(CheckIds(set, numberOfPoints));
   for (vtkIdType i = 0; i < CountPoints(set); ++i)
   {
     const vtkIdType id = GetPointId(set, i);

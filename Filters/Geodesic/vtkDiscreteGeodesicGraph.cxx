@@ -314,12 +314,8 @@ dgg::Status vtkDiscreteGeodesicGraph::AddLines(
   const dgg::Id rowsInBlock = 4096; // between two looks at the progress
   const vtkIdType count = arrays.GetView().GetNumberOfEdges() / 2;
   const double perLine = 3.0 * sizeof(vtkIdType) + sizeof(double);
-  const dgg::Status status = vtkDGGCheckMemory("the edges of the graph as lines",
-    static_cast<double>(count) * perLine, context.MemoryLimit, "turn GenerateGraphLines off");
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(vtkDGGCheckMemory("the edges of the graph as lines",
+    static_cast<double>(count) * perLine, context.MemoryLimit, "turn GenerateGraphLines off"));
   vtkNew<vtkCellArray> cells;
   cells->AllocateExact(count, 2 * count);
   vtkNew<vtkDoubleArray> lengths;

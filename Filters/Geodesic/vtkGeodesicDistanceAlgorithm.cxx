@@ -183,12 +183,8 @@ double vtkGeodesicDistanceAlgorithm::GetSourceInitialDistance(vtkIdType i) const
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicDistanceAlgorithm::CheckProperties() const
 {
-  dgg::Status status = vtkDGGCheckLengths({ { "MaximumDistance", this->MaximumDistance },
-    { "ProjectionTolerance", this->ProjectionTolerance } });
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(vtkDGGCheckLengths({ { "MaximumDistance", this->MaximumDistance },
+    { "ProjectionTolerance", this->ProjectionTolerance } }));
   std::vector<vtkDGGPointArray> arrays = this->DeclareArrays();
   if (this->GenerateVirtualSource)
   {
@@ -238,23 +234,15 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(const vtkDGGContext& context,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   std::vector<dgg::GeodesicSource> sources;
-  dgg::Status status = vtkDGGSourceCollector::Collect(
-    context, this->GetSources(inputVector), this->ProjectionTolerance, sources);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(vtkDGGSourceCollector::Collect(
+    context, this->GetSources(inputVector), this->ProjectionTolerance, sources));
   vtkDGGSourceCollector::WarnAboutIsolatedIds(context, this->GetSources(inputVector), this);
 
   const double limit =
     this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;
   vtkDGGDistanceTask task{ context, sources, limit, this->GenerateNearestSource,
     this->GenerateVirtualSource, {}, {}, {}, {}, this->DeclareArrays() };
-  status = this->ComputeDistances(task);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->ComputeDistances(task));
   const auto n = static_cast<std::size_t>(context.Surface.GetMesh().GetNumberOfVertices());
   bool complete = task.Distances.size() == n;
   complete &= !task.WantNearestSource || task.NearestSource.size() == n;
@@ -274,7 +262,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(const vtkDGGContext& context,
   output->ShallowCopy(context.Input);
   this->AddResults(task, output);
   this->WarnAboutGaps(context.Input, FindReached(task));
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

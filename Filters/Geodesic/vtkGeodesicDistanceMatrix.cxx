@@ -274,30 +274,18 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(const vtkDGGContext& context,
   const std::vector<dgg::SurfacePoint> rows = vtkDGGGetPlaces(sources);
   const std::vector<dgg::SurfacePoint> columns = symmetric ? rows : vtkDGGGetPlaces(others);
   const bool withTable = this->WantsTable(columns.size());
-  status = this->CheckMemory(rows.size(), columns.size(), withTable);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->CheckMemory(rows.size(), columns.size(), withTable));
   // Before the graph, whose memory is limited by what is free then.
   const auto matrix = MakeMatrix(rows.size(), columns.size());
   const Columns table = MakeColumns(withTable ? rows.size() : 0, withTable ? columns.size() : 0);
 
-  status = this->GraphUser->Update(context, this);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->GraphUser->Update(context, this));
   // Search from the smaller set.
   const bool sourcesAreRows = rows.size() <= columns.size();
   const vtkDGGMatrixEntries entries{ matrix->GetPointer(0), columns.size(), sourcesAreRows };
-  status = vtkDGGMatrixSearch(context, *this->GraphUser, sourcesAreRows ? rows : columns,
+  DGG_RETURN_IF_ERROR(vtkDGGMatrixSearch(context, *this->GraphUser, sourcesAreRows ? rows : columns,
     sourcesAreRows ? columns : rows, entries)
-             .Run(symmetric);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+                        .Run(symmetric));
   std::replace(entries.Values, entries.Values + rows.size() * columns.size(), dgg::Infinity,
     this->UnreachedValue);
   vtkTable* output = vtkTable::GetData(outputVector);

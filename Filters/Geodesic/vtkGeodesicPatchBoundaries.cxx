@@ -258,13 +258,9 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(const vtkDGGContext& context,
     return status;
   }
   dgg::PatchBoundaries boundaries;
-  status = dgg::TracePatchBoundaries({ contexts[0].Surface.GetMesh(), landmarks[0] },
+  DGG_RETURN_IF_ERROR(dgg::TracePatchBoundaries({ contexts[0].Surface.GetMesh(), landmarks[0] },
     { contexts[1].Surface.GetMesh(), landmarks[1] }, ReadLayout(GetLayout(inputVector)),
-    context.Progress, boundaries);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+    context.Progress, boundaries));
   for (int side = 0; side < 2; ++side)
   {
     FillOutput(boundaries, side, geometries[side], vtkPolyData::GetData(outputVector, side));

@@ -425,11 +425,7 @@ dgg::Status vtkGeodesicVoronoi::Execute(const vtkDGGContext& context,
     return status;
   }
   vtkDGGNewGeometry geometry;
-  status = geometry.Take(context, this->GetOutputPointsPrecision());
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
   result.LabelsOnly = !this->GenerateCells || mesh.IsCloud();
   result.IsCentroidal = this->Centroidal;
   result.IsRefined = this->RefineBoundaries && !result.LabelsOnly;
