@@ -103,7 +103,10 @@ class vtkDGGGraphUser;
   bool GetAcceptCoarserGraph() const;              \
   vtkBooleanMacro(AcceptCoarserGraph, bool);       \
   vtkSetMacro(MemoryLimit, vtkTypeUInt64);         \
-  vtkGetMacro(MemoryLimit, vtkTypeUInt64);         \
+  vtkTypeUInt64 GetMemoryLimit() const             \
+  {                                                \
+    return this->MemoryLimit;                      \
+  }                                                \
   bool GetUsedInputGraph() const;                  \
   double GetGraphAccuracy() const;                 \
   vtkIdType GetNumberOfGraphEdges() const;         \
