@@ -10,73 +10,34 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <string_view>
+#include <locale>
 #include <system_error>
 
-std::vector<char> vtkDGG::LoadFile(const char* name, std::size_t limit)
+bool vtkDGG::RunOnFile(vtkAlgorithm* algorithm, const char* verb, const char* fileName,
+  const std::function<void(const FileProgress&)>& work, unsigned long& code)
 {
-  namespace fs = std::filesystem;
-  std::error_code code;
-  const fs::file_status status = fs::status(name, code);
-  if (!fs::exists(status))
-  {
-    throw FileError(vtkErrorCode::FileNotFoundError, "the file does not exist");
-  }
-  if (!fs::is_regular_file(status))
-  {
-    throw FileError(vtkErrorCode::CannotOpenFileError,
-      fs::is_directory(status) ? "it is a folder" : "it is not an ordinary file");
-  }
-  std::ifstream file(name, std::ios::binary);
-  if (!file)
-  {
-    throw FileError(vtkErrorCode::CannotOpenFileError, "the file cannot be opened");
-  }
-  const std::uintmax_t size = fs::file_size(name, code);
-  if (code)
-  {
-    throw FileError(vtkErrorCode::CannotOpenFileError, "the size of the file is not known");
-  }
-  std::vector<char> bytes(static_cast<std::size_t>(std::min<std::uintmax_t>(size, limit)));
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (static_cast<std::size_t>(file.gcount()) != bytes.size())
-  {
-    throw FileError(vtkErrorCode::PrematureEndOfFileError, "the file cannot be read to its end");
-  }
-  return bytes;
-}
-
-int vtkDGG::ReadFile(vtkAlgorithm* reader, const char* fileName, vtkInformationVector* outputVector,
-  const std::function<void(
-    const std::vector<char>& bytes, const FileProgress& progress, vtkPolyData* output)>& read,
-  unsigned long& code)
-{
-  code = vtkErrorCode::NoError;
   if (!fileName || !fileName[0])
   {
     code = vtkErrorCode::NoFileNameError;
-    vtkErrorWithObjectMacro(reader, "There is no file name: call SetFileName() first.");
-    return 0;
+    vtkErrorWithObjectMacro(algorithm, "There is no file name: call SetFileName() first.");
+    return false;
   }
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const FileProgress progress = [reader](double done) {
-    reader->UpdateProgress(0.9 * done);
-    if (reader->GetAbortExecute() != 0)
-    {
-      throw FileError(vtkErrorCode::NoError, "aborted");
-    }
-  };
   std::string message;
   try
   {
-    read(LoadFile(fileName, SIZE_MAX), progress, output);
-    progress(1.0);
-    reader->UpdateProgress(1.0);
-    return 1;
+    work([algorithm](double done) {
+      algorithm->UpdateProgress(done);
+      if (algorithm->GetAbortExecute() != 0)
+      {
+        Fail(vtkErrorCode::NoError, "aborted");
+      }
+    });
+    code = vtkErrorCode::NoError;
+    return true;
   }
   catch (const FileError& error)
   {
@@ -88,48 +49,79 @@ int vtkDGG::ReadFile(vtkAlgorithm* reader, const char* fileName, vtkInformationV
     code = vtkErrorCode::UnknownError;
     message = exception.what();
   }
-  output->Initialize();
-  if (code == vtkErrorCode::NoError)
+  if (code != vtkErrorCode::NoError)
   {
-    outputVector->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-    return 1;
+    vtkErrorWithObjectMacro(algorithm, "Cannot " << verb << " " << fileName << ": " << message);
   }
-  vtkErrorWithObjectMacro(reader, "Cannot read " << fileName << ": " << message);
-  return 0;
+  return false;
 }
 
-std::string vtkDGG::Quote(const char* first, const char* last)
+unsigned long vtkDGG::ReadFile(vtkAlgorithm* reader, const char* fileName,
+  vtkInformationVector* outputVector,
+  void (*read)(std::string_view file, const FileProgress& progress, vtkPolyData* output))
 {
-  constexpr std::ptrdiff_t longest = 32;
-  std::string text(first, first + std::min(last - first, longest));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  const auto work = [&](const FileProgress& progress) {
+    const std::vector<char> bytes = LoadFile(fileName, SIZE_MAX);
+    const FileProgress most = [&progress](double done) { progress(0.9 * done); };
+    read({ bytes.data(), bytes.size() }, most, output);
+    most(1.0);
+    reader->UpdateProgress(1.0);
+  };
+  unsigned long code = vtkErrorCode::NoError;
+  if (!RunOnFile(reader, "read", fileName, work, code))
+  {
+    output->Initialize();
+    if (code == vtkErrorCode::NoError)
+    {
+      outputVector->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    }
+  }
+  return code;
+}
+
+std::vector<char> vtkDGG::LoadFile(const char* name, std::size_t limit)
+{
+  namespace fs = std::filesystem;
+  std::error_code code;
+  const fs::file_status status = fs::status(name, code);
+  if (!fs::exists(status))
+  {
+    Fail(vtkErrorCode::FileNotFoundError, "the file does not exist");
+  }
+  if (!fs::is_regular_file(status))
+  {
+    Fail(vtkErrorCode::CannotOpenFileError,
+      fs::is_directory(status) ? "it is a folder" : "it is not an ordinary file");
+  }
+  std::ifstream file(name, std::ios::binary);
+  const std::uintmax_t size = fs::file_size(name, code);
+  if (!file || code)
+  {
+    Fail(vtkErrorCode::CannotOpenFileError, "the file cannot be opened");
+  }
+  std::vector<char> bytes(static_cast<std::size_t>(std::min<std::uintmax_t>(size, limit)));
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+  {
+    Fail(vtkErrorCode::PrematureEndOfFileError, "the file cannot be read to its end");
+  }
+  return bytes;
+}
+
+std::string vtkDGG::Quote(std::string_view text)
+{
+  constexpr std::size_t longest = 32;
+  std::string shown(text.substr(0, longest));
   std::replace_if(
-    text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return "'" + text + (last - first > longest ? "...'" : "'");
+    shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return "'" + shown + (text.size() > longest ? "...'" : "'");
 }
 
-std::string vtkDGG::Quote(const std::string& text)
+bool vtkDGG::IsTooSmall(std::string_view text)
 {
-  return Quote(text.data(), text.data() + text.size());
-}
-
-const char* vtkDGG::SkipByteOrderMark(const char* begin, const char* end)
-{
-  const std::string_view mark = "\xEF\xBB\xBF";
-  const std::string_view text(begin, static_cast<std::size_t>(end - begin));
-  return text.substr(0, mark.size()) == mark ? begin + mark.size() : begin;
-}
-
-bool vtkDGG::IsTooSmall(const char* first, const char* last)
-{
-  // By the power of ten of the first digit.
-  const std::string text(first, last);
-  const std::size_t end = std::min(text.find_first_of("eE"), text.size());
-  const std::size_t point = std::min(text.find('.'), end);
-  const std::size_t digit = std::min(text.find_first_of("123456789"), end);
-  double power = static_cast<double>(point) - static_cast<double>(digit);
-  if (end < text.size())
-  {
-    power += std::strtod(text.c_str() + end + 1, nullptr); // digits and a sign, however many
-  }
-  return power < 0.0;
+  std::istringstream stream{ std::string(text) };
+  stream.imbue(std::locale::classic());
+  double number = 0.0; // the nearest one that there is
+  stream >> number;
+  return std::abs(number) < 1.0;
 }

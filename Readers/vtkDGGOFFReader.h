@@ -38,23 +38,14 @@
 #ifndef vtkDGGOFFReader_h
 #define vtkDGGOFFReader_h
 
+#include "vtkAbstractPolyDataReader.h"
 #include "vtkDGGReadersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
 
-class VTKDGGREADERS_EXPORT vtkDGGOFFReader : public vtkPolyDataAlgorithm
+class VTKDGGREADERS_EXPORT vtkDGGOFFReader : public vtkAbstractPolyDataReader
 {
 public:
   static vtkDGGOFFReader* New();
-  vtkTypeMacro(vtkDGGOFFReader, vtkPolyDataAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * Name of the file to read. There is no default.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
+  vtkTypeMacro(vtkDGGOFFReader, vtkAbstractPolyDataReader);
 
   /**
    * Whether the file begins like one that this class can read: 1 if so, 0 if not.
@@ -62,8 +53,8 @@ public:
   static int CanReadFile(VTK_FILEPATH const char* fileName);
 
 protected:
-  vtkDGGOFFReader();
-  ~vtkDGGOFFReader() override;
+  vtkDGGOFFReader() = default;
+  ~vtkDGGOFFReader() override = default;
 
   int RequestData(
     vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* output) override;
@@ -71,8 +62,6 @@ protected:
 private:
   vtkDGGOFFReader(const vtkDGGOFFReader&) = delete;
   void operator=(const vtkDGGOFFReader&) = delete;
-
-  char* FileName = nullptr;
 };
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef vtkDGGPCDHeader_h
 #define vtkDGGPCDHeader_h
 
+#include "vtkDGGFileLoader.h"  // for the text
 #include "vtkDGGPointFields.h" // for fields and viewpoint
 
 #include <cstddef> // for std::size_t
@@ -28,29 +29,22 @@ struct vtkDGGPCDHeader
   vtkIdType Height = 1;
   vtkDGG::Viewpoint Sensor = vtkDGG::PointCloudView().Sensor;
   vtkDGGPCDData Data = vtkDGGPCDData::ASCII;
-  std::size_t BodyBegin = 0; ///< first byte after the header
-  std::size_t BodyLine = 0;  ///< its line
-  std::size_t CountLine = 0; ///< the line with the number of points
+  std::size_t FieldsLine = 0; ///< the line with the names of the fields
+  std::size_t CountLine = 0;  ///< the line with the number of points
 
   vtkIdType GetNumberOfPoints() const { return this->Width * this->Height; }
   /// Bytes of a point in a binary file.
   std::size_t GetPointBytes() const;
-  /// Numbers of a point in a text file.
-  std::size_t GetPointNumbers() const;
 
-  /// Understand the header of the file [begin, end). What it says is consistent then, but nothing
-  /// is known about the body. Throws vtkDGG::FileError.
-  void Parse(const char* begin, const char* end);
+  /// Understand the header of a file, and move behind it. Nothing is known about the body then.
+  /// Throws vtkDGG::FileError.
+  void Parse(vtkDGG::TextCursor& text);
   /// The header as text, from the first line to the one with DATA.
   std::string Format() const;
 };
 
-/// Whether the beginning of a file [begin, end) can be that of a PCD file.
-bool vtkDGGLooksLikePCD(const char* begin, const char* end);
-
-/// Throw an error at a line of a PCD file.
-[[noreturn]] void vtkDGGFailAtLine(
-  unsigned long code, std::size_t line, const std::string& message);
+/// Whether the beginning of a file can be that of a PCD file.
+bool vtkDGGLooksLikePCD(std::string_view begin);
 
 #endif
 // VTK-HeaderTest-Exclude: vtkDGGPCDHeader.h

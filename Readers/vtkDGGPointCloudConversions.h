@@ -31,13 +31,12 @@
 
 #include <pcl/PCLPointCloud2.h> // for clouds of any fields
 #include <pcl/PCLPointField.h>  // for fields
-#include <pcl/common/io.h>      // for pcl::getFields
+#include <pcl/common/io.h>      // for pcl::getFields and types
 #include <pcl/memory.h>         // for pcl::shared_ptr
 #include <pcl/point_cloud.h>    // for clouds of points
 
-#include <algorithm> // for std::find_if and std::reverse
+#include <algorithm> // for std::reverse
 #include <cstddef>   // for std::size_t
-#include <iterator>  // for std::begin
 #include <limits>    // for the range of a width
 #include <string>    // for messages
 #include <vector>    // for fields
@@ -46,46 +45,14 @@ namespace vtkDGG
 {
 namespace Detail
 {
-/// The types of numbers in PCL; of those for one kind and size, the first is written.
-struct PCLType
-{
-  int Type;
-  char Kind;
-  int Size;
-};
-inline const PCLType PCLTypes[] = { { pcl::PCLPointField::INT8, 'I', 1 },
-  { pcl::PCLPointField::UINT8, 'U', 1 }, { pcl::PCLPointField::BOOL, 'U', 1 },
-  { pcl::PCLPointField::INT16, 'I', 2 }, { pcl::PCLPointField::UINT16, 'U', 2 },
-  { pcl::PCLPointField::INT32, 'I', 4 }, { pcl::PCLPointField::UINT32, 'U', 4 },
-  { pcl::PCLPointField::INT64, 'I', 8 }, { pcl::PCLPointField::UINT64, 'U', 8 },
-  { pcl::PCLPointField::FLOAT32, 'F', 4 }, { pcl::PCLPointField::FLOAT64, 'F', 8 } };
-
 /// False when PCL has a type that is not known here.
 inline bool FromPCLField(const pcl::PCLPointField& in, PointField& out)
 {
-  const auto* type = std::find_if(std::begin(PCLTypes), std::end(PCLTypes),
-    [&in](const PCLType& candidate) { return candidate.Type == int(in.datatype); });
-  if (type == std::end(PCLTypes))
-  {
-    return false;
-  }
+  const char kind = pcl::getFieldType(static_cast<int>(in.datatype));
+  const int size = static_cast<int>(pcl::getFieldSize(static_cast<int>(in.datatype)));
   // PCL treats a count of 0 as 1.
-  out = { in.name, type->Kind, type->Size, in.count == 0 ? 1 : static_cast<int>(in.count) };
-  return true;
-}
-
-inline pcl::PCLPointField ToPCLField(const PointField& in, std::size_t offset)
-{
-  pcl::PCLPointField out;
-  out.name = in.Name;
-  out.offset = static_cast<pcl::uindex_t>(offset);
-  out.count = static_cast<pcl::uindex_t>(in.Count);
-  const auto* type =
-    std::find_if(std::begin(PCLTypes), std::end(PCLTypes), [&in](const PCLType& candidate) {
-      return candidate.Kind == in.Kind && candidate.Size == in.Size;
-    });
-  out.datatype = static_cast<decltype(out.datatype)>(type->Type);
-  return out;
+  out = { in.name, kind == 'B' ? 'U' : kind, size, in.count == 0 ? 1 : static_cast<int>(in.count) };
+  return size > 0;
 }
 
 /// Add the fields of points that lie one after the other. False on error.
@@ -116,13 +83,6 @@ inline bool AddFields(const std::vector<pcl::PCLPointField>& fields, const void*
     view.Fields.push_back(out);
   }
   return true;
-}
-
-/// Whether this machine stores the most significant byte of a number first.
-inline bool IsHostBigEndian()
-{
-  const unsigned short one = 1;
-  return *reinterpret_cast<const unsigned char*>(&one) == 0;
 }
 
 /// Turn the bytes of all numbers round, of points that fill `bytes`.
@@ -157,16 +117,6 @@ inline vtkSmartPointer<vtkPolyData> Finish(
   }
   return data;
 }
-
-/// The width and height of a cloud; PCL lets clouds in one row do without.
-template <typename Cloud>
-void SetSize(const Cloud& cloud, std::size_t count, PointCloudView& view)
-{
-  const bool fits =
-    cloud.height > 0 && cloud.width == count / cloud.height && count % cloud.height == 0;
-  view.Width = static_cast<vtkIdType>(fits ? cloud.width : count);
-  view.Height = static_cast<vtkIdType>(fits ? cloud.height : 1);
-}
 }
 
 /// A cloud of any fields. Null when it is malformed: `error` says why, and is empty when all is
@@ -193,7 +143,7 @@ inline vtkSmartPointer<vtkPolyData> ToPolyData(
   const char* points = reinterpret_cast<const char*>(cloud.data.data());
   std::vector<char> packed;
   // Numbers may be those of another machine.
-  const bool isSwapped = static_cast<bool>(cloud.is_bigendian) != Detail::IsHostBigEndian();
+  const bool isSwapped = cloud.is_bigendian != pcl::PCLPointCloud2().is_bigendian;
   if (isWell && width > 0 && (isSwapped || (height > 1 && row != step * width)))
   {
     packed.reserve(step * width * height);
@@ -220,7 +170,12 @@ vtkSmartPointer<vtkPolyData> ToPolyData(
 {
   PointCloudView view;
   std::string message;
-  Detail::SetSize(cloud, cloud.size(), view);
+  // PCL lets clouds in one row do without width and height.
+  const std::size_t count = cloud.size();
+  const bool fits =
+    cloud.height > 0 && cloud.width == count / cloud.height && count % cloud.height == 0;
+  view.Width = static_cast<vtkIdType>(fits ? cloud.width : count);
+  view.Height = static_cast<vtkIdType>(fits ? cloud.height : 1);
   for (int i = 0; i < 3; ++i)
   {
     view.Sensor[static_cast<std::size_t>(i)] = cloud.sensor_origin_[i];
@@ -232,33 +187,14 @@ vtkSmartPointer<vtkPolyData> ToPolyData(
   return Detail::Finish(view, isWell, message, error);
 }
 
-/// @{
-/// What clouds are mostly held by. Null in, null out.
-template <typename Point>
+/// What clouds, of either kind, are mostly held by. Null in, null out.
+template <typename Cloud>
 vtkSmartPointer<vtkPolyData> ToPolyData(
-  const pcl::shared_ptr<const pcl::PointCloud<Point>>& cloud, std::string* error = nullptr)
+  const pcl::shared_ptr<Cloud>& cloud, std::string* error = nullptr)
 {
   return cloud ? ToPolyData(*cloud, error)
                : Detail::Finish(PointCloudView(), false, "there is no cloud", error);
 }
-template <typename Point>
-vtkSmartPointer<vtkPolyData> ToPolyData(
-  const pcl::shared_ptr<pcl::PointCloud<Point>>& cloud, std::string* error = nullptr)
-{
-  return ToPolyData(pcl::shared_ptr<const pcl::PointCloud<Point>>(cloud), error);
-}
-inline vtkSmartPointer<vtkPolyData> ToPolyData(
-  const pcl::PCLPointCloud2::ConstPtr& cloud, std::string* error = nullptr)
-{
-  return cloud ? ToPolyData(*cloud, error)
-               : Detail::Finish(PointCloudView(), false, "there is no cloud", error);
-}
-inline vtkSmartPointer<vtkPolyData> ToPolyData(
-  const pcl::PCLPointCloud2::Ptr& cloud, std::string* error = nullptr)
-{
-  return ToPolyData(pcl::PCLPointCloud2::ConstPtr(cloud), error);
-}
-/// @}
 
 /// All points and all arrays of numbers. False, and an empty cloud, without data or with more than
 /// PCL can count.
@@ -284,29 +220,25 @@ inline bool FromPolyData(vtkPolyData* data, pcl::PCLPointCloud2& cloud)
   {
     return false;
   }
-  std::size_t offset = 0;
-  for (const PointFieldSource& source : sources)
-  {
-    cloud.fields.push_back(Detail::ToPCLField(source.GetField(), offset));
-    offset += source.GetField().GetBytes();
-  }
   cloud.width = static_cast<pcl::uindex_t>(width);
   cloud.height = static_cast<pcl::uindex_t>(height);
   cloud.point_step = static_cast<pcl::uindex_t>(step);
   cloud.row_step = static_cast<pcl::uindex_t>(step * width);
-  cloud.is_bigendian = Detail::IsHostBigEndian();
   cloud.is_dense = IsPointCloudDense(data);
   cloud.data.resize(step * width * height);
-  char* out = reinterpret_cast<char*>(cloud.data.data());
+  std::size_t offset = 0;
   for (const PointFieldSource& source : sources)
   {
-    if (cloud.data.empty())
-    {
-      break;
-    }
     const PointField& field = source.GetField();
-    source.Copy(0, data->GetNumberOfPoints(), field.Kind, field.Size, out, step);
-    out += field.GetBytes();
+    pcl::PCLPointField out;
+    out.name = field.Name;
+    out.offset = static_cast<pcl::uindex_t>(offset);
+    out.count = static_cast<pcl::uindex_t>(field.Count);
+    out.datatype = static_cast<decltype(out.datatype)>(pcl::getFieldType(field.Size, field.Kind));
+    cloud.fields.push_back(out);
+    source.Copy(0, data->GetNumberOfPoints(), field.Kind, field.Size,
+      reinterpret_cast<char*>(cloud.data.data()) + offset, step);
+    offset += field.GetBytes();
   }
   return true;
 }

@@ -5,14 +5,13 @@
 #include "vtkDGGPointNumbers.h"
 
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVariant.h"
+#include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,13 +46,21 @@ T Narrow(double number)
     : static_cast<T>(number);
 }
 
-std::uint32_t PackColor(vtkUnsignedCharArray* colors, vtkIdType point)
+/// Colours in the bytes of numbers: alpha, red, green, blue, from the most significant one on.
+vtkSmartPointer<vtkDataArray> PackColors(vtkUnsignedCharArray* colors)
 {
   const int components = colors->GetNumberOfComponents();
-  const unsigned char* in = colors->GetPointer(point * components);
-  const std::uint32_t alpha = components == 4 ? in[3] : 255u;
-  return alpha << 24 | static_cast<std::uint32_t>(in[0]) << 16 |
-    static_cast<std::uint32_t>(in[1]) << 8 | in[2];
+  auto packed = vtkSmartPointer<vtkUnsignedIntArray>::New();
+  packed->SetNumberOfTuples(colors->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    const unsigned char* in = colors->GetPointer(i * components);
+    const std::uint32_t alpha = components == 4 ? in[3] : 255u;
+    packed->SetValue(i,
+      alpha << 24 | static_cast<std::uint32_t>(in[0]) << 16 |
+        static_cast<std::uint32_t>(in[1]) << 8 | in[2]);
+  }
+  return packed;
 }
 
 /// A name that a file can hold, and that no other field has.
@@ -74,13 +81,6 @@ std::string MakeName(const char* name, std::set<std::string>& taken)
   return text;
 }
 
-bool IsColor(vtkDataArray* array, int components = 0)
-{
-  return vtkUnsignedCharArray::SafeDownCast(array) &&
-    (components == 0 ? array->GetNumberOfComponents() == 3 || array->GetNumberOfComponents() == 4
-                     : array->GetNumberOfComponents() == components);
-}
-
 /// The arrays of a vtkPolyData by their meaning.
 struct ArrayTable
 {
@@ -96,21 +96,26 @@ struct ArrayTable
       this->Coordinates = vtkSmartPointer<vtkFloatArray>::New();
       this->Coordinates->SetNumberOfComponents(3);
     }
-    const vtkIdType count = this->Coordinates->GetNumberOfTuples();
-    auto isWhole = [=](
-                     vtkDataArray* array) { return array && array->GetNumberOfTuples() == count; };
-    vtkDataArray* normals = isWhole(pointData->GetNormals()) ? pointData->GetNormals() : nullptr;
-    this->Normals = vtkFloatArray::SafeDownCast(normals) || vtkDoubleArray::SafeDownCast(normals)
-      ? normals
-      : nullptr;
+    const auto isWhole = [this](vtkDataArray* array) {
+      return array && array->GetNumberOfTuples() == this->Coordinates->GetNumberOfTuples();
+    };
+    vtkDataArray* normals = pointData->GetNormals();
+    if (isWhole(normals) &&
+      (normals->GetDataType() == VTK_FLOAT || normals->GetDataType() == VTK_DOUBLE))
+    {
+      this->Normals = normals;
+    }
     const char* const names[] = { "RGB", "RGBA" };
     for (int i = 0; i < 2; ++i)
     {
-      vtkDataArray* named = pointData->GetArray(names[i]);
-      vtkDataArray* scalars = pointData->GetScalars();
-      this->Colors[i] = isWhole(named) && IsColor(named, 3 + i) ? named
-        : isWhole(scalars) && IsColor(scalars, 3 + i)           ? scalars
-                                                                : nullptr;
+      for (vtkDataArray* array : { pointData->GetArray(names[i]), pointData->GetScalars() })
+      {
+        if (!this->Colors[i] && isWhole(array) && vtkUnsignedCharArray::SafeDownCast(array) &&
+          array->GetNumberOfComponents() == 3 + i)
+        {
+          this->Colors[i] = array;
+        }
+      }
     }
     for (int i = 0; i < pointData->GetNumberOfArrays(); ++i)
     {
@@ -123,62 +128,74 @@ struct ArrayTable
     }
   }
 
+  /// Those of coordinates, normals and colours.
+  std::vector<PointFieldSource> MakeFixedSources() const
+  {
+    std::vector<PointFieldSource> sources;
+    for (vtkDataArray* array : { this->Coordinates.Get(), this->Normals })
+    {
+      for (int c = 0; array && c < 3; ++c)
+      {
+        const int size = array->GetDataType() == VTK_FLOAT ? 4 : 8;
+        const std::string name = array == this->Normals ? "normal_" : "";
+        sources.emplace_back(PointField{ name + "xyz"[c], 'F', size, 1 }, array, c, false);
+      }
+    }
+    // A float for its four bytes: what PCL has.
+    this->AddColor({ "rgb", 'F', 4, 1 }, this->Colors[0], sources);
+    this->AddColor({ "rgba", 'U', 4, 1 }, this->Colors[1], sources);
+    return sources;
+  }
+  void AddColor(
+    const PointField& field, vtkDataArray* colors, std::vector<PointFieldSource>& sources) const
+  {
+    if (colors)
+    {
+      sources.emplace_back(field, PackColors(vtkUnsignedCharArray::SafeDownCast(colors)), 0, true);
+    }
+  }
+
   vtkSmartPointer<vtkDataArray> Coordinates;
   vtkDataArray* Normals = nullptr;
-  vtkDataArray* Colors[2] = { nullptr, nullptr };
+  vtkDataArray* Colors[2] = { nullptr, nullptr }; ///< without and with alpha
   std::vector<vtkDataArray*> Others;
 };
 
-void AddVector(vtkDataArray* array, const char* prefix, std::vector<PointFieldSource>& sources)
-{
-  for (int c = 0; array && c < 3; ++c)
-  {
-    const int size = array->GetDataType() == VTK_FLOAT ? 4 : 8;
-    sources.emplace_back(
-      PointField{ std::string(prefix) + "xyz"[c], 'F', size, 1 }, array, c, false);
-  }
-}
-
-void AddFixedFields(const ArrayTable& table, std::vector<PointFieldSource>& sources)
-{
-  AddVector(table.Coordinates, "", sources);
-  AddVector(table.Normals, "normal_", sources);
-  if (table.Colors[0])
-  {
-    // A float for its four bytes: what PCL has.
-    sources.emplace_back(PointField{ "rgb", 'F', 4, 1 }, table.Colors[0], 0, true);
-  }
-  if (table.Colors[1])
-  {
-    sources.emplace_back(PointField{ "rgba", 'U', 4, 1 }, table.Colors[1], 0, true);
-  }
-}
-
 PointFieldSource MakeSource(const std::string& name, vtkDataArray* array)
 {
-  PointField field{ name, 'F', 4, array->GetNumberOfComponents() };
-  vtkDGGGetArrayNumbers(array, field.Kind, field.Size);
+  PointField field{ name, 'U', array->GetDataTypeSize(), array->GetNumberOfComponents() };
+  switch (array->GetDataType())
+  {
+    vtkTemplateMacro(field.Kind = !std::numeric_limits<VTK_TT>::is_integer ? 'F'
+        : std::numeric_limits<VTK_TT>::is_signed                           ? 'I'
+                                                                           : 'U');
+    default: // bits become bytes
+      field.Size = 1;
+      break;
+  }
   return PointFieldSource(field, array, 0, false);
 }
 }
 
-bool vtkDGG::IsPointFieldType(char kind, int size)
-{
-  const bool isLarge = size == 4 || size == 8;
-  return kind == 'F' ? isLarge
-                     : (kind == 'I' || kind == 'U') && (isLarge || size == 1 || size == 2);
-}
-
 vtkDGG::PointFieldSource::PointFieldSource(
-  const PointField& field, vtkDataArray* array, int firstComponent, bool isPacked)
+  const PointField& field, vtkDataArray* array, int firstComponent, bool isColor)
   : Field(field)
   , Array(array)
   , FirstComponent(firstComponent)
-  , IsPacked(isPacked)
+  , IsColor(isColor)
 {
-  if (!array->HasStandardMemoryLayout())
+  int type = array->GetDataType();
+  if (type == VTK_BIT)
   {
-    this->Array.TakeReference(vtkDataArray::CreateDataArray(array->GetDataType()));
+    type = VTK_UNSIGNED_CHAR;
+  }
+  else if (field.Kind == 'F' && !isColor && type != VTK_FLOAT)
+  {
+    type = VTK_DOUBLE; // points may be integers
+  }
+  if (type != array->GetDataType() || !array->HasStandardMemoryLayout())
+  {
+    this->Array.TakeReference(vtkDataArray::CreateDataArray(type));
     this->Array->DeepCopy(array);
   }
 }
@@ -186,45 +203,27 @@ vtkDGG::PointFieldSource::PointFieldSource(
 void vtkDGG::PointFieldSource::Copy(
   vtkIdType begin, vtkIdType end, char kind, int size, char* destination, std::size_t stride) const
 {
-  if (begin >= end)
+  const auto ownSize = static_cast<std::size_t>(this->Array->GetDataTypeSize());
+  if (begin < end && (this->IsColor || (kind == this->Field.Kind && size == this->Field.Size)))
   {
-    return;
-  }
-  if (this->IsPacked)
-  {
-    auto* colors = vtkUnsignedCharArray::SafeDownCast(this->Array);
-    for (vtkIdType i = begin; i < end; ++i, destination += stride)
-    {
-      const std::uint32_t packed = PackColor(colors, i);
-      std::memcpy(destination, &packed, 4);
-    }
-    return;
-  }
-  char ownKind = 'F';
-  int ownSize = 4;
-  vtkDGGGetArrayNumbers(this->Array, ownKind, ownSize);
-  const int components = this->Array->GetNumberOfComponents();
-  if (kind == ownKind && size == ownSize && this->Array->GetDataType() != VTK_BIT)
-  {
-    const auto ownStride = static_cast<std::size_t>(components) * ownSize;
-    const auto bytes = static_cast<std::size_t>(this->Field.Count) * ownSize;
+    const std::size_t step =
+      ownSize * static_cast<std::size_t>(this->Array->GetNumberOfComponents());
     const char* in = static_cast<const char*>(this->Array->GetVoidPointer(0)) +
-      static_cast<std::size_t>(begin) * ownStride +
+      static_cast<std::size_t>(begin) * step +
       static_cast<std::size_t>(this->FirstComponent) * ownSize;
-    for (vtkIdType i = begin; i < end; ++i, in += ownStride, destination += stride)
+    for (vtkIdType i = begin; i < end; ++i, in += step, destination += stride)
     {
-      std::memcpy(destination, in, bytes);
+      std::memcpy(destination, in, this->Field.GetBytes());
     }
     return;
   }
-  vtkDGGDispatchNumber(kind, size, [&](auto example) {
-    using Number = decltype(example);
+  vtkDGGDispatchNumber(vtkDGGGetArrayType(kind, size), [&](auto number) {
     char* out = destination;
     for (vtkIdType i = begin; i < end; ++i, out += stride)
     {
       for (int c = 0; c < this->Field.Count; ++c)
       {
-        const auto number = Narrow<Number>(this->Array->GetComponent(i, this->FirstComponent + c));
+        number = Narrow<decltype(number)>(this->Array->GetComponent(i, this->FirstComponent + c));
         std::memcpy(out + static_cast<std::size_t>(c) * sizeof(number), &number, sizeof(number));
       }
     }
@@ -234,26 +233,17 @@ void vtkDGG::PointFieldSource::Copy(
 std::vector<vtkDGG::PointFieldSource> vtkDGG::ListPointFields(vtkPolyData* data)
 {
   const ArrayTable table(data);
-  std::vector<PointFieldSource> sources;
-  AddFixedFields(table, sources);
+  std::vector<PointFieldSource> sources = table.MakeFixedSources();
   // Neither twice the same field, nor two that become the same array when they are read.
   std::set<std::string> taken;
   for (const PointFieldSource& source : sources)
   {
-    taken.insert(source.GetField().Name);
-  }
-  const struct
-  {
-    vtkDataArray* Array;
-    const char* Name;
-  } made[] = { { table.Normals, "Normals" }, { table.Colors[0], "RGB" },
-    { table.Colors[1], "RGBA" } };
-  for (const auto& array : made)
-  {
-    if (array.Array)
-    {
-      taken.insert(array.Name);
-    }
+    const std::string& name = source.GetField().Name;
+    taken.insert(name);
+    taken.insert(name == "rgb" ? "RGB"
+        : name == "rgba"       ? "RGBA"
+        : table.Normals        ? "Normals"
+                               : name);
   }
   for (vtkDataArray* array : table.Others)
   {
@@ -266,33 +256,25 @@ std::vector<const vtkDGG::PointFieldSource*> vtkDGG::FindPointFields(
   vtkPolyData* data, const std::vector<PointField>& wanted, std::vector<PointFieldSource>& storage)
 {
   const ArrayTable table(data);
-  storage.clear();
-  AddFixedFields(table, storage);
-  for (int i = 0; i < 2; ++i)
+  storage = table.MakeFixedSources();
+  if (!table.Colors[0] != !table.Colors[1])
   {
     // The same colours under the other name.
-    if (table.Colors[i] && !table.Colors[1 - i])
-    {
-      storage.emplace_back(
-        PointField{ i == 0 ? "rgba" : "rgb", 'U', 4, 1 }, table.Colors[i], 0, true);
-    }
+    table.AddColor({ table.Colors[0] ? "rgba" : "rgb", 'U', 4, 1 },
+      table.Colors[table.Colors[0] ? 0 : 1], storage);
   }
   for (vtkDataArray* array : table.Others)
   {
     storage.push_back(MakeSource(array->GetName() ? array->GetName() : "", array));
   }
-  std::vector<const PointFieldSource*> found(wanted.size(), nullptr);
-  for (std::size_t i = 0; i < wanted.size(); ++i)
+  std::vector<const PointFieldSource*> found;
+  for (const PointField& field : wanted)
   {
     const auto source =
-      std::find_if(storage.begin(), storage.end(), [&](const PointFieldSource& candidate) {
-        return candidate.GetField().Name == wanted[i].Name &&
-          candidate.GetField().Count == wanted[i].Count;
+      std::find_if(storage.begin(), storage.end(), [&field](const PointFieldSource& candidate) {
+        return candidate.GetField().Name == field.Name && candidate.GetField().Count == field.Count;
       });
-    if (source != storage.end())
-    {
-      found[i] = &*source;
-    }
+    found.push_back(source == storage.end() ? nullptr : &*source);
   }
   return found;
 }
@@ -303,36 +285,34 @@ void vtkDGG::GetPointCloudLayout(vtkPolyData* data, PointCloudView& cloud)
   cloud.Width = count;
   cloud.Height = 1;
   cloud.Sensor = PointCloudView().Sensor;
-  vtkDataArray* dimensions = data->GetFieldData()->GetArray(vtkDGGDimensionsName);
-  if (dimensions && dimensions->GetNumberOfValues() == 2)
-  {
-    const double width = dimensions->GetVariantValue(0).ToDouble();
-    const double height = dimensions->GetVariantValue(1).ToDouble();
-    if (width >= 1.0 && height >= 1.0 && width * height == static_cast<double>(count))
+  const auto getValues = [data](const char* name, vtkIdType length) {
+    vtkDataArray* array = data->GetFieldData()->GetArray(name);
+    std::vector<double> values;
+    for (vtkIdType i = 0; array && array->GetNumberOfValues() == length && i < length; ++i)
     {
-      cloud.Width = static_cast<vtkIdType>(width);
-      cloud.Height = static_cast<vtkIdType>(height);
+      const int components = array->GetNumberOfComponents();
+      values.push_back(array->GetComponent(i / components, static_cast<int>(i % components)));
     }
+    return values;
+  };
+  const std::vector<double> size = getValues(vtkDGGDimensionsName, 2);
+  if (!size.empty() && size[0] >= 1.0 && size[1] >= 1.0 &&
+    size[0] * size[1] == static_cast<double>(count))
+  {
+    cloud.Width = static_cast<vtkIdType>(size[0]);
+    cloud.Height = static_cast<vtkIdType>(size[1]);
   }
-  vtkDataArray* viewpoint = data->GetFieldData()->GetArray(vtkDGGViewpointName);
-  if (viewpoint && viewpoint->GetNumberOfValues() == 7)
+  const std::vector<double> sensor = getValues(vtkDGGViewpointName, 7);
+  if (!sensor.empty() &&
+    std::all_of(sensor.begin(), sensor.end(), [](double v) { return std::isfinite(v); }))
   {
-    Viewpoint sensor;
-    for (int i = 0; i < 7; ++i)
-    {
-      sensor[static_cast<std::size_t>(i)] = viewpoint->GetVariantValue(i).ToDouble();
-    }
-    if (std::all_of(sensor.begin(), sensor.end(), [](double v) { return std::isfinite(v); }))
-    {
-      cloud.Sensor = sensor;
-    }
+    std::copy(sensor.begin(), sensor.end(), cloud.Sensor.begin());
   }
 }
 
 bool vtkDGG::IsPointCloudDense(vtkPolyData* data)
 {
-  const vtkIdType count = data->GetNumberOfPoints();
-  for (vtkIdType i = 0; i < count; ++i)
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     double p[3];
     data->GetPoint(i, p);

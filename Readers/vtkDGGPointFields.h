@@ -68,6 +68,9 @@ struct PointCloudView
   Viewpoint Sensor = { { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 } }; ///< where the scanner was
 };
 
+/// What is wrong with the fields of a cloud, whose values may be missing; empty when all is well.
+VTKDGGREADERS_EXPORT std::string CheckPointFields(const PointCloudView& cloud);
+
 /// A copy of the cloud. Nothing on error, when `error` says what is wrong.
 VTKDGGREADERS_EXPORT vtkSmartPointer<vtkPolyData> MakePolyData(
   const PointCloudView& cloud, std::string& error);
@@ -76,9 +79,9 @@ VTKDGGREADERS_EXPORT vtkSmartPointer<vtkPolyData> MakePolyData(
 class VTKDGGREADERS_EXPORT PointFieldSource
 {
 public:
-  /// From components of an array, the first one being firstComponent; isPacked for colours, of
+  /// From components of an array, the first one being firstComponent; isColor for colours, of
   /// which all components are bytes of one number.
-  PointFieldSource(const PointField& field, vtkDataArray* array, int firstComponent, bool isPacked);
+  PointFieldSource(const PointField& field, vtkDataArray* array, int firstComponent, bool isColor);
 
   /// What the values are.
   const PointField& GetField() const { return this->Field; }
@@ -90,9 +93,9 @@ public:
 
 private:
   PointField Field;
-  vtkSmartPointer<vtkDataArray> Array;
+  vtkSmartPointer<vtkDataArray> Array; // of the numbers of the field, in the order of points
   int FirstComponent = 0;
-  bool IsPacked = false; // a colour in four bytes
+  bool IsColor = false;
 };
 
 /// All fields of a vtkPolyData, in the order x, y, z, normals, colours, other arrays. Arrays that

@@ -5,65 +5,44 @@
 #ifndef vtkDGGPointNumbers_h
 #define vtkDGGPointNumbers_h
 
-#include "vtkDataArray.h" // for the type of an array
-#include "vtkSetGet.h"    // for vtkTemplateMacro
-#include "vtkType.h"      // for types
-
-#include <limits> // for char
+#include "vtkSetGet.h" // for vtkTemplateMacro
+#include "vtkType.h"   // for types
 
 /// Names in the field data, and of fields that hold nothing.
 constexpr const char* vtkDGGDimensionsName = "PCD.Dimensions";
 constexpr const char* vtkDGGViewpointName = "PCD.Viewpoint";
 constexpr const char* vtkDGGPaddingName = "_";
 
-/// The type of VTK's arrays for that kind and size.
-inline int vtkDGGGetArrayType(char kind, int size)
+/// The types of numbers that points have.
+struct vtkDGGNumberType
 {
-  const bool isSigned = kind == 'I';
-  switch (kind == 'F' ? 10 * size : size)
-  {
-    case 1:
-      return isSigned ? VTK_SIGNED_CHAR : VTK_UNSIGNED_CHAR;
-    case 2:
-      return isSigned ? VTK_SHORT : VTK_UNSIGNED_SHORT;
-    case 4:
-      return isSigned ? VTK_INT : VTK_UNSIGNED_INT;
-    case 8:
-      return isSigned ? VTK_TYPE_INT64 : VTK_TYPE_UINT64;
-    case 40:
-      return VTK_FLOAT;
-    default:
-      return VTK_DOUBLE;
-  }
-}
+  char Kind;
+  int Size;
+  int ArrayType;
+};
+constexpr vtkDGGNumberType vtkDGGNumberTypes[] = { { 'F', 4, VTK_FLOAT }, { 'F', 8, VTK_DOUBLE },
+  { 'I', 1, VTK_SIGNED_CHAR }, { 'U', 1, VTK_UNSIGNED_CHAR }, { 'I', 2, VTK_SHORT },
+  { 'U', 2, VTK_UNSIGNED_SHORT }, { 'I', 4, VTK_INT }, { 'U', 4, VTK_UNSIGNED_INT },
+  { 'I', 8, VTK_TYPE_INT64 }, { 'U', 8, VTK_TYPE_UINT64 } };
 
-/// The kind and size of the numbers of an array.
-inline void vtkDGGGetArrayNumbers(vtkDataArray* array, char& kind, int& size)
+/// The type of VTK's arrays for that kind and size; VTK_VOID when there is none.
+constexpr int vtkDGGGetArrayType(char kind, int size)
 {
-  kind = 'I';
-  size = array->GetDataTypeSize();
-  const int type = array->GetDataType();
-  if (type == VTK_BIT)
+  for (const vtkDGGNumberType& type : vtkDGGNumberTypes)
   {
-    kind = 'U';
-    size = 1;
-    return;
+    if (type.Kind == kind && type.Size == size)
+    {
+      return type.ArrayType;
+    }
   }
-  switch (type)
-  {
-    vtkTemplateMacro(kind = !std::numeric_limits<VTK_TT>::is_integer ? 'F'
-        : std::numeric_limits<VTK_TT>::is_signed                     ? 'I'
-                                                                     : 'U');
-    default:
-      break;
-  }
+  return VTK_VOID;
 }
 
 /// Call `worker` with a number of the type, as an example.
 template <typename Worker>
-void vtkDGGDispatchNumber(char kind, int size, const Worker& worker)
+void vtkDGGDispatchNumber(int arrayType, const Worker& worker)
 {
-  switch (vtkDGGGetArrayType(kind, size))
+  switch (arrayType)
   {
     vtkTemplateMacro(worker(VTK_TT()));
     default:

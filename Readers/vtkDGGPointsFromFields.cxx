@@ -11,7 +11,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -20,140 +19,50 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <set>
+#include <map>
 
 namespace
 {
 using vtkDGG::PointCloudView;
-using vtkDGG::PointField;
 using vtkDGG::PointFieldView;
+using Vector = std::array<const PointFieldView*, 3>;
 
-/// Whether three fields have numbers of one type.
-bool HaveSameType(const PointFieldView* const* views)
+/// The fields of a cloud by their names.
+struct FieldTable
 {
-  return std::all_of(views + 1, views + 3, [views](const PointFieldView* view) {
-    return view->Field.Kind == views[0]->Field.Kind && view->Field.Size == views[0]->Field.Size;
-  });
-}
+  std::map<std::string, const PointFieldView*> Views;
 
-/// The fields of a cloud by their meaning.
-class FieldTable
-{
-public:
-  /// False, with the reason, when the fields make no cloud, or two of them the same array.
-  bool Fill(const PointCloudView& cloud, std::string& error)
+  /// Null when there is none.
+  const PointFieldView* Find(const std::string& name) const
   {
-    for (const PointFieldView& view : cloud.Fields)
-    {
-      const std::string& name = view.Field.Name;
-      if (!vtkDGG::IsPointFieldType(view.Field.Kind, view.Field.Size) || view.Field.Count < 1)
-      {
-        error = "the field '" + name + "' has numbers of no known type, or none";
-        return false;
-      }
-      if (name != vtkDGGPaddingName && !this->Names.insert(name).second)
-      {
-        error = "there are two fields '" + name + "'";
-        return false;
-      }
-      this->Place(view);
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      const std::string name(1, "xyz"[c]);
-      if (!this->Coordinates[c])
-      {
-        error = "there is no field '" + name + "': a point cloud needs the fields x, y and z";
-        return false;
-      }
-      if (this->Coordinates[c]->Field.Count != 1)
-      {
-        error = "the field '" + name + "' has " +
-          std::to_string(this->Coordinates[c]->Field.Count) + " values per point, expected one";
-        return false;
-      }
-    }
-    this->HasNormals = std::all_of(this->Normals, this->Normals + 3,
-                         [](const PointFieldView* view) {
-                           return view && view->Field.Count == 1 && view->Field.Kind == 'F';
-                         }) &&
-      HaveSameType(this->Normals);
-    for (const PointFieldView* view : this->Normals)
-    {
-      if (view && !this->HasNormals)
-      {
-        this->Others.push_back(view); // not a vector, so a field like others
-      }
-    }
-    return this->CheckName(this->HasNormals, "Normals", "normal_x, normal_y, normal_z", error) &&
-      this->CheckName(this->Color != nullptr, "RGB", "rgb", error) &&
-      this->CheckName(this->ColorWithAlpha != nullptr, "RGBA", "rgba", error);
+    const auto view = this->Views.find(name);
+    return view == this->Views.end() ? nullptr : view->second;
   }
-
-  const PointFieldView* Coordinates[3] = { nullptr, nullptr, nullptr };
-  const PointFieldView* Normals[3] = { nullptr, nullptr, nullptr };
-  const PointFieldView* Color = nullptr;
-  const PointFieldView* ColorWithAlpha = nullptr;
-  std::vector<const PointFieldView*> Others;
-  bool HasNormals = false;
-
-private:
-  void Place(const PointFieldView& view)
+  Vector FindVector(const std::string& prefix) const
   {
-    const std::string& name = view.Field.Name;
-    const bool isPacked = view.Field.GetBytes() == 4 && view.Field.Count == 1;
-    for (int c = 0; c < 3; ++c)
-    {
-      if (name == std::string(1, "xyz"[c]))
-      {
-        this->Coordinates[c] = &view;
-        return;
-      }
-      if (name == std::string("normal_") + "xyz"[c])
-      {
-        this->Normals[c] = &view;
-        return;
-      }
-    }
-    if (isPacked && (name == "rgb" || name == "rgba"))
-    {
-      (name == "rgb" ? this->Color : this->ColorWithAlpha) = &view;
-    }
-    else if (name != vtkDGGPaddingName)
-    {
-      this->Others.push_back(&view);
-    }
+    return { { this->Find(prefix + "x"), this->Find(prefix + "y"), this->Find(prefix + "z") } };
   }
-
-  /// Arrays of one name would replace each other.
-  bool CheckName(bool isMade, const char* array, const char* fields, std::string& error) const
+  /// All or none.
+  Vector FindNormals() const
   {
-    if (isMade && this->Names.count(array) > 0)
-    {
-      error = std::string("the fields ") + fields + " and '" + array +
-        "' would both become the array " + array;
-      return false;
-    }
-    return true;
+    const Vector views = this->FindVector("normal_");
+    const bool isVector = std::all_of(views.begin(), views.end(), [&](const PointFieldView* view) {
+      return view && view->Field.Count == 1 && view->Field.Kind == 'F' &&
+        view->Field.Size == views[0]->Field.Size;
+    });
+    return isVector ? views : Vector();
   }
-
-  std::set<std::string> Names;
+  const PointFieldView* FindColor(const char* name) const
+  {
+    const PointFieldView* view = this->Find(name);
+    return view && view->Field.Size == 4 && view->Field.Count == 1 ? view : nullptr;
+  }
 };
-
-double GetNumber(const PointField& field, const char* data)
-{
-  double number = 0.0;
-  vtkDGGDispatchNumber(field.Kind, field.Size, [data, &number](auto example) {
-    std::memcpy(&example, data, sizeof(example));
-    number = static_cast<double>(example);
-  });
-  return number;
-}
 
 /// Fields of one type and number of values, one after the other, as the components of an array.
 vtkSmartPointer<vtkDataArray> Join(const PointFieldView* const* views, int fields, vtkIdType count)
 {
-  const PointField& first = views[0]->Field;
+  const vtkDGG::PointField& first = views[0]->Field;
   auto array = vtkSmartPointer<vtkDataArray>::Take(
     vtkDataArray::CreateDataArray(vtkDGGGetArrayType(first.Kind, first.Size)));
   array->SetNumberOfComponents(fields * first.Count);
@@ -172,22 +81,29 @@ vtkSmartPointer<vtkDataArray> Join(const PointFieldView* const* views, int field
   return array;
 }
 
-vtkSmartPointer<vtkDataArray> MakeCoordinates(const PointFieldView* const* views, vtkIdType count)
+/// Floats or doubles as they are, doubles of anything else.
+vtkSmartPointer<vtkDataArray> MakeCoordinates(const Vector& views, vtkIdType count)
 {
-  if (views[0]->Field.Kind == 'F' && HaveSameType(views))
+  const auto getType = [&views](std::size_t c) {
+    return vtkDGGGetArrayType(views[c]->Field.Kind, views[c]->Field.Size);
+  };
+  if (views[0]->Field.Kind == 'F' && getType(0) == getType(1) && getType(0) == getType(2))
   {
-    return Join(views, 3, count);
+    return Join(views.data(), 3, count);
   }
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(count);
-  for (int c = 0; c < 3; ++c)
+  for (std::size_t c = 0; c < 3; ++c)
   {
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      const char* data = views[c]->Data + static_cast<std::size_t>(i) * views[c]->Stride;
-      array->SetTypedComponent(i, c, GetNumber(views[c]->Field, data));
-    }
+    vtkDGGDispatchNumber(getType(c), [&](auto number) {
+      const char* in = views[c]->Data;
+      for (vtkIdType i = 0; i < count; ++i, in += views[c]->Stride)
+      {
+        std::memcpy(&number, in, sizeof(number));
+        array->SetTypedComponent(i, static_cast<int>(c), static_cast<double>(number));
+      }
+    });
   }
   return array;
 }
@@ -202,97 +118,155 @@ vtkSmartPointer<vtkDataArray> MakeColors(
   array->SetNumberOfTuples(count);
   unsigned char* out = array->GetPointer(0);
   const char* in = view.Data;
-  for (vtkIdType i = 0; i < count; ++i, in += view.Stride, out += components)
+  for (vtkIdType i = 0; i < count; ++i, in += view.Stride)
   {
     std::uint32_t packed = 0;
     std::memcpy(&packed, in, 4);
-    out[0] = static_cast<unsigned char>(packed >> 16);
-    out[1] = static_cast<unsigned char>(packed >> 8);
-    out[2] = static_cast<unsigned char>(packed);
-    if (components == 4)
+    for (const int shift : { 16, 8, 0, 24 })
     {
-      out[3] = static_cast<unsigned char>(packed >> 24);
+      if (shift < 24 || components == 4)
+      {
+        *out++ = static_cast<unsigned char>(packed >> shift);
+      }
     }
   }
   return array;
 }
 
 /// One vertex for each point that has a place.
-template <typename Ids>
 vtkSmartPointer<vtkCellArray> MakeVertices(vtkDataArray* coordinates)
 {
   const vtkIdType count = coordinates->GetNumberOfTuples();
-  vtkNew<Ids> points;
-  points->SetNumberOfValues(count);
-  vtkIdType used = 0;
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  if (count < std::numeric_limits<std::int32_t>::max())
+  {
+    cells->Use32BitStorage();
+  }
+  cells->AllocateExact(count, count);
   double p[3];
   for (vtkIdType i = 0; i < count; ++i)
   {
     coordinates->GetTuple(i, p);
     if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
     {
-      points->SetValue(used++, static_cast<typename Ids::ValueType>(i));
+      cells->InsertNextCell(1, &i);
     }
   }
-  points->Resize(used);
-  points->SetNumberOfValues(used);
-  vtkNew<Ids> offsets;
-  offsets->SetNumberOfValues(used + 1);
-  for (vtkIdType i = 0; i <= used; ++i)
-  {
-    offsets->SetValue(i, static_cast<typename Ids::ValueType>(i));
-  }
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(offsets, points);
+  cells->Squeeze();
   return cells;
 }
 }
 
-vtkSmartPointer<vtkPolyData> vtkDGG::MakePolyData(const PointCloudView& cloud, std::string& error)
+bool vtkDGG::IsPointFieldType(char kind, int size)
+{
+  return vtkDGGGetArrayType(kind, size) != VTK_VOID;
+}
+
+std::string vtkDGG::CheckPointFields(const PointCloudView& cloud)
 {
   FieldTable table;
-  if (!table.Fill(cloud, error))
+  for (const PointFieldView& view : cloud.Fields)
+  {
+    const PointField& field = view.Field;
+    if (!IsPointFieldType(field.Kind, field.Size) || field.Count < 1)
+    {
+      return "the field '" + field.Name + "' has numbers of no known type, or none";
+    }
+    if (field.Name != vtkDGGPaddingName && !table.Views.emplace(field.Name, &view).second)
+    {
+      return "two fields '" + field.Name + "'";
+    }
+  }
+  for (const std::string name : { "x", "y", "z" })
+  {
+    const PointFieldView* view = table.Find(name);
+    if (!view)
+    {
+      return "no field '" + name + "': a point cloud needs the fields x, y and z";
+    }
+    if (view->Field.Count != 1)
+    {
+      return "the field '" + name + "' has " + std::to_string(view->Field.Count) +
+        " values per point, expected one";
+    }
+  }
+  // Arrays of one name would replace each other.
+  const struct
+  {
+    const PointFieldView* View;
+    const char* Fields;
+    const char* Array;
+  } made[] = { { table.FindNormals()[0], "normal_x, normal_y, normal_z", "Normals" },
+    { table.FindColor("rgb"), "rgb", "RGB" }, { table.FindColor("rgba"), "rgba", "RGBA" } };
+  for (const auto& array : made)
+  {
+    if (array.View && table.Find(array.Array))
+    {
+      return std::string("the fields ") + array.Fields + " and '" + array.Array +
+        "' would both become the array " + array.Array;
+    }
+  }
+  return std::string();
+}
+
+vtkSmartPointer<vtkPolyData> vtkDGG::MakePolyData(const PointCloudView& cloud, std::string& error)
+{
+  error = CheckPointFields(cloud);
+  if (error.empty() &&
+    (cloud.Width < 0 || cloud.Height < 0 ||
+      (cloud.Height > 0 && cloud.Width > VTK_ID_MAX / cloud.Height)))
+  {
+    error = "the width or the height is out of range";
+  }
+  if (!error.empty())
   {
     return nullptr;
   }
-  if (cloud.Width < 0 || cloud.Height < 0 ||
-    (cloud.Height > 0 && cloud.Width > VTK_ID_MAX / cloud.Height))
+  FieldTable table;
+  for (const PointFieldView& view : cloud.Fields)
   {
-    error = "the width or the height is out of range";
-    return nullptr;
+    table.Views.emplace(view.Field.Name, &view);
   }
   const vtkIdType count = cloud.Width * cloud.Height;
   auto output = vtkSmartPointer<vtkPolyData>::New();
-  vtkSmartPointer<vtkDataArray> coordinates = MakeCoordinates(table.Coordinates, count);
+  const Vector coordinates = table.FindVector("");
   vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
+  points->SetData(MakeCoordinates(coordinates, count));
   output->SetPoints(points);
-  output->SetVerts(count < std::numeric_limits<std::int32_t>::max()
-      ? MakeVertices<vtkTypeInt32Array>(coordinates)
-      : MakeVertices<vtkTypeInt64Array>(coordinates));
+  output->SetVerts(MakeVertices(points->GetData()));
 
   vtkPointData* data = output->GetPointData();
-  if (table.HasNormals)
+  const Vector normals = table.FindNormals();
+  if (normals[0])
   {
-    vtkSmartPointer<vtkDataArray> normals = Join(table.Normals, 3, count);
-    normals->SetName("Normals");
-    data->SetNormals(normals);
+    vtkSmartPointer<vtkDataArray> array = Join(normals.data(), 3, count);
+    array->SetName("Normals");
+    data->SetNormals(array);
   }
-  if (table.ColorWithAlpha)
+  const PointFieldView* rgba = table.FindColor("rgba");
+  if (rgba)
   {
-    data->SetScalars(MakeColors(*table.ColorWithAlpha, 4, count));
+    data->SetScalars(MakeColors(*rgba, 4, count));
   }
-  if (table.Color)
+  const PointFieldView* rgb = table.FindColor("rgb");
+  if (rgb)
   {
-    vtkSmartPointer<vtkDataArray> colors = MakeColors(*table.Color, 3, count);
-    data->AddArray(colors);
-    data->SetActiveScalars(colors->GetName());
+    data->AddArray(MakeColors(*rgb, 3, count));
+    data->SetActiveScalars("RGB");
   }
-  for (const PointFieldView* view : table.Others)
+  for (const PointFieldView& view : cloud.Fields)
   {
-    vtkSmartPointer<vtkDataArray> array = Join(&view, 1, count);
-    array->SetName(view->Field.Name.c_str());
-    data->AddArray(array);
+    const auto isOneOf = [&view](const Vector& vector) {
+      return std::find(vector.begin(), vector.end(), &view) != vector.end();
+    };
+    if (view.Field.Name != vtkDGGPaddingName && !isOneOf(coordinates) && !isOneOf(normals) &&
+      &view != rgba && &view != rgb)
+    {
+      const PointFieldView* views[] = { &view };
+      vtkSmartPointer<vtkDataArray> array = Join(views, 1, count);
+      array->SetName(view.Field.Name.c_str());
+      data->AddArray(array);
+    }
   }
 
   vtkNew<vtkTypeInt64Array> dimensions;
@@ -302,10 +276,8 @@ vtkSmartPointer<vtkPolyData> vtkDGG::MakePolyData(const PointCloudView& cloud, s
   output->GetFieldData()->AddArray(dimensions);
   vtkNew<vtkDoubleArray> viewpoint;
   viewpoint->SetName(vtkDGGViewpointName);
-  for (const double value : cloud.Sensor)
-  {
-    viewpoint->InsertNextValue(value);
-  }
+  std::for_each(cloud.Sensor.begin(), cloud.Sensor.end(),
+    [&viewpoint](double value) { viewpoint->InsertNextValue(value); });
   output->GetFieldData()->AddArray(viewpoint);
   return output;
 }

@@ -40,23 +40,14 @@
 #ifndef vtkPCDReader_h
 #define vtkPCDReader_h
 
+#include "vtkAbstractPolyDataReader.h"
 #include "vtkDGGReadersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
 
-class VTKDGGREADERS_EXPORT vtkPCDReader : public vtkPolyDataAlgorithm
+class VTKDGGREADERS_EXPORT vtkPCDReader : public vtkAbstractPolyDataReader
 {
 public:
   static vtkPCDReader* New();
-  vtkTypeMacro(vtkPCDReader, vtkPolyDataAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * Name of the file to read. There is no default.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
+  vtkTypeMacro(vtkPCDReader, vtkAbstractPolyDataReader);
 
   /**
    * Whether the file begins like one that this class can read: 1 if so, 0 if not.
@@ -64,8 +55,8 @@ public:
   static int CanReadFile(VTK_FILEPATH const char* fileName);
 
 protected:
-  vtkPCDReader();
-  ~vtkPCDReader() override;
+  vtkPCDReader() = default;
+  ~vtkPCDReader() override = default;
 
   int RequestData(
     vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* output) override;
@@ -73,8 +64,6 @@ protected:
 private:
   vtkPCDReader(const vtkPCDReader&) = delete;
   void operator=(const vtkPCDReader&) = delete;
-
-  char* FileName = nullptr;
 };
 
 #endif

@@ -29,22 +29,7 @@ namespace
 /// Bytes that are kept before they are written.
 constexpr std::size_t BlockBytes = std::size_t(1) << 22;
 
-/// Append the number at `in`: the shortest text that gives the same number again.
-void AppendNumber(const char* in, const vtkDGG::PointField& field, std::string& text)
-{
-  vtkDGGDispatchNumber(field.Kind, field.Size, [in, &text](auto number) {
-    std::memcpy(&number, in, sizeof(number));
-    // The sign of NaN says nothing, and not all programs know "-nan".
-    if (number != number)
-    {
-      text += "nan";
-      return;
-    }
-    char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof(buffer), number);
-    text.append(buffer, end.ptr);
-  });
-}
+constexpr auto Malformed = vtkErrorCode::FileFormatError;
 
 /// Writes one cloud to a stream. Throws vtkDGG::FileError.
 class CloudWriter
@@ -74,18 +59,16 @@ public:
     this->PointBytes = this->Header.GetPointBytes();
     if (this->Header.Fields.size() > vtkDGGPCDHeader::MostFields)
     {
-      throw vtkDGG::FileError(vtkErrorCode::FileFormatError,
-        "there would be " + std::to_string(this->Header.Fields.size()) +
-          " fields, but a file has " + std::to_string(vtkDGGPCDHeader::MostFields) +
-          " at most: remove point arrays");
+      vtkDGG::Fail(Malformed, "there would be ", this->Header.Fields.size(),
+        " fields, but a file has ", vtkDGGPCDHeader::MostFields, " at most: remove point arrays");
     }
     // Compressed data may be longer by one byte in 32.
     constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / 33 * 32;
     if (mode == vtkDGGPCDData::BinaryCompressed &&
       static_cast<std::size_t>(this->Count) > most / this->PointBytes)
     {
-      throw vtkDGG::FileError(vtkErrorCode::FileFormatError,
-        "compressed data cannot be larger than 4 GB: set the data mode to binary");
+      vtkDGG::Fail(
+        Malformed, "compressed data cannot be larger than 4 GB: set the data mode to binary");
     }
   }
 
@@ -109,7 +92,7 @@ private:
   {
     if (!stream)
     {
-      throw vtkDGG::FileError(
+      vtkDGG::Fail(
         vtkErrorCode::OutOfDiskSpaceError, "the data cannot be written, is the disk full?");
     }
   }
@@ -149,20 +132,29 @@ private:
     }
   }
 
-  /// Points as lines of text.
+  /// Points as lines of text: of each number the shortest text that gives it again.
   std::string Format(const std::vector<char>& block) const
   {
     std::string text;
+    char buffer[64];
     const char* in = block.data();
     while (in != block.data() + block.size())
     {
       for (const vtkDGG::PointField& field : this->Header.Fields)
       {
-        for (int c = 0; c < field.Count; ++c, in += field.Size)
-        {
-          AppendNumber(in, field, text);
-          text += ' ';
-        }
+        vtkDGGDispatchNumber(vtkDGGGetArrayType(field.Kind, field.Size), [&](auto number) {
+          for (int c = 0; c < field.Count; ++c, in += field.Size)
+          {
+            std::memcpy(&number, in, sizeof(number));
+            if (number != number)
+            {
+              text += "nan "; // the sign says nothing, and not all programs know "-nan"
+              continue;
+            }
+            text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), number).ptr);
+            text += ' ';
+          }
+        });
       }
       text.back() = '\n';
     }
@@ -200,21 +192,9 @@ private:
   vtkDGGPCDHeader Header;
   std::size_t PointBytes = 0;
 };
-
-/// A part of a file is worse than none. Devices are left alone.
-void RemoveFile(const char* name)
-{
-  std::error_code code;
-  if (std::filesystem::is_regular_file(name, code))
-  {
-    std::filesystem::remove(name, code);
-  }
-}
 }
 
 vtkStandardNewMacro(vtkPCDWriter);
-
-vtkPCDWriter::vtkPCDWriter() = default;
 
 vtkPCDWriter::~vtkPCDWriter()
 {
@@ -229,7 +209,7 @@ int vtkPCDWriter::FillInputPortInformation(int, vtkInformation* info)
 
 vtkPolyData* vtkPCDWriter::GetInput()
 {
-  return vtkPolyData::SafeDownCast(this->Superclass::GetInput());
+  return this->GetInput(0);
 }
 
 vtkPolyData* vtkPCDWriter::GetInput(int port)
@@ -251,8 +231,7 @@ int vtkPCDWriter::Write()
   return this->IsWritten ? 1 : 0;
 }
 
-/// Throws vtkDGG::FileError.
-void vtkPCDWriter::WriteFile(bool& isOpened)
+void vtkPCDWriter::CheckArrays()
 {
   vtkPolyData* input = this->GetInput();
   for (int i = 0; i < input->GetPointData()->GetNumberOfArrays(); ++i)
@@ -261,68 +240,39 @@ void vtkPCDWriter::WriteFile(bool& isOpened)
     const std::string name = array->GetName() ? array->GetName() : "(without a name)";
     if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
     {
-      throw vtkDGG::FileError(vtkErrorCode::FileFormatError,
-        "the point array " + name + " has " + std::to_string(array->GetNumberOfTuples()) +
-          " values for " + std::to_string(input->GetNumberOfPoints()) + " points");
+      vtkDGG::Fail(Malformed, "the point array ", name, " has ", array->GetNumberOfTuples(),
+        " values for ", input->GetNumberOfPoints(), " points");
     }
     if (!vtkDataArray::SafeDownCast(array))
     {
       vtkWarningMacro("The array " << name << " is left out: it does not hold numbers.");
     }
   }
-  const vtkDGG::FileProgress progress = [this](double done) {
-    this->UpdateProgress(done);
-    if (this->GetAbortExecute() != 0)
-    {
-      throw vtkDGG::FileError(vtkErrorCode::NoError, "aborted");
-    }
-  };
-  const CloudWriter writer(input, static_cast<vtkDGGPCDData>(this->DataMode), progress);
-  std::ofstream stream(this->FileName, std::ios::binary);
-  if (!stream)
-  {
-    throw vtkDGG::FileError(
-      vtkErrorCode::CannotOpenFileError, "the file cannot be opened for writing");
-  }
-  isOpened = true;
-  writer.Write(stream);
 }
 
 void vtkPCDWriter::WriteData()
 {
-  this->IsWritten = false;
-  this->SetErrorCode(vtkErrorCode::NoError);
-  if (!this->FileName || !this->FileName[0])
-  {
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro("There is no file name: call SetFileName() first.");
-    return;
-  }
+  namespace fs = std::filesystem;
   bool isOpened = false;
-  std::string message;
-  try
+  const auto work = [&](const vtkDGG::FileProgress& progress) {
+    this->CheckArrays();
+    const CloudWriter writer(
+      this->GetInput(), static_cast<vtkDGGPCDData>(this->DataMode), progress);
+    std::ofstream stream(this->FileName, std::ios::binary);
+    isOpened = stream.is_open();
+    if (!isOpened)
+    {
+      vtkDGG::Fail(vtkErrorCode::CannotOpenFileError, "the file cannot be opened for writing");
+    }
+    writer.Write(stream);
+  };
+  unsigned long code = vtkErrorCode::NoError;
+  this->IsWritten = vtkDGG::RunOnFile(this, "write", this->FileName, work, code);
+  this->SetErrorCode(code);
+  std::error_code ignored;
+  if (!this->IsWritten && isOpened && fs::is_regular_file(this->FileName, ignored))
   {
-    this->WriteFile(isOpened);
-    this->IsWritten = true;
-    return;
-  }
-  catch (const vtkDGG::FileError& error)
-  {
-    this->SetErrorCode(error.Code);
-    message = error.what();
-  }
-  catch (const std::exception& exception) // out of memory
-  {
-    this->SetErrorCode(vtkErrorCode::UnknownError);
-    message = exception.what();
-  }
-  if (isOpened)
-  {
-    RemoveFile(this->FileName);
-  }
-  if (this->GetErrorCode() != vtkErrorCode::NoError) // otherwise aborted
-  {
-    vtkErrorMacro("Cannot write " << this->FileName << ": " << message);
+    fs::remove(this->FileName, ignored); // a part is worse than none; devices are left alone
   }
 }
 

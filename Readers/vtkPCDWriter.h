@@ -89,7 +89,7 @@ public:
   ///@}
 
 protected:
-  vtkPCDWriter();
+  vtkPCDWriter() = default;
   ~vtkPCDWriter() override;
 
   void WriteData() override;
@@ -99,7 +99,7 @@ private:
   vtkPCDWriter(const vtkPCDWriter&) = delete;
   void operator=(const vtkPCDWriter&) = delete;
 
-  void WriteFile(bool& isOpened);
+  void CheckArrays(); // throws
 
   char* FileName = nullptr;
   int DataMode = BINARY;
