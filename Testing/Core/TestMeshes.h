@@ -109,6 +109,25 @@ private:
   int LastCall;
 };
 
+/// Expect `run(progress)` to succeed, and to end where its progress is answered with false, at
+/// every `step`th report, with what `expectNothing` looks at. Returns who has listened to the whole
+/// run.
+template <typename Run, typename ExpectNothing>
+Listener ExpectStops(Run run, ExpectNothing expectNothing, int step = 1)
+{
+  Listener whole;
+  EXPECT_TRUE(Ok(run(std::ref(whole))));
+  for (int stop = 1; stop <= whole.Calls; stop += step)
+  {
+    SCOPED_TRACE("stopped at report " + std::to_string(stop));
+    Listener listener(stop);
+    EXPECT_TRUE(run(std::ref(listener)).IsAborted());
+    EXPECT_EQ(listener.Calls, stop) << "went on";
+    expectNothing();
+  }
+  return whole;
+}
+
 /// Errors on ever finer meshes, which must fall at an order at least: each is to be that of half
 /// the edges of the one before.
 class Convergence
