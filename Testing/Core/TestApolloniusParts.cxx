@@ -420,7 +420,7 @@ TEST(ApolloniusParts, Stopping)
   EXPECT_TRUE(crossings.Crossings.empty() && curves.empty());
   for (const DistanceField* field : { &c.Local, &c.Linear })
   {
-    const Listener whole = ExpectStops(
+    const ProgressListener whole = ExpectStops(
       [&](const ProgressCallback& progress) { return run(*field, { 1.0 }, progress); }, [] {});
     EXPECT_GT(whole.Done, 0.05);
   }

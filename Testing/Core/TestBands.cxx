@@ -273,7 +273,7 @@ void ExpectProgress(
   const BandCase& test, const std::vector<double>& levels, int reports, double limit)
 {
   int early = 0;
-  Listener listener;
+  ProgressListener listener;
   Bands bands;
   const auto watch = [&](double done) {
     early += done > 0.0 && done < 0.5 ? 1 : 0;
@@ -341,7 +341,7 @@ TEST(Bands, CanBeStoppedAndRefuseBadArguments)
   const std::vector<double> levels{ 0.5, 1.0 };
   const BandCase test(field.Exact, levels);
   Bands bands;
-  const Listener whole = ExpectStops(
+  const ProgressListener whole = ExpectStops(
     [&](const ProgressCallback& progress) {
       return MakeBands(field.Exact, levels, test.Lines, progress, bands);
     },

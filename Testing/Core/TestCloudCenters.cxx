@@ -153,7 +153,7 @@ TEST(CloudCenters, IterationsAndAbort)
   EXPECT_NE(sites[0].Vertex, 0);
 
   options.NumberOfIterations = 50;
-  const Listener whole = ExpectStops(
+  const ProgressListener whole = ExpectStops(
     [&](const dgg::ProgressCallback& progress) {
       sites = AtVertices({ 0, 1, 2, 3, 4 });
       options.Progress = progress;

@@ -279,7 +279,8 @@ TEST(GraphParts, PruningCanBeStopped)
     }
     return dgg::PruneCandidates(rows, 0.25, nullptr, progress);
   };
-  const Listener whole = ExpectStops(prune, [&] { EXPECT_EQ(rows.GetNumberOfEdges(), 2 * count); });
+  const ProgressListener whole =
+    ExpectStops(prune, [&] { EXPECT_EQ(rows.GetNumberOfEdges(), 2 * count); });
   EXPECT_GT(whole.Calls, 1);
   EXPECT_EQ(whole.Done, 1.0);
   EXPECT_TRUE(prune(nullptr).IsOk());

@@ -371,7 +371,7 @@ TEST(GraphPaths, LandmarksCanBeAbortedAtAnyTime)
     });
   };
   EXPECT_EQ(ExpectStops(prepare, [&] { EXPECT_FALSE(other->HasLandmarks()); }).Done, 1.0);
-  ASSERT_TRUE(prepare(Listener()).IsOk());
+  ASSERT_TRUE(prepare(ProgressListener()).IsOk());
   EXPECT_GT(whileChosen, 20); // before most of the 32 landmarks
   const auto stop = [](double) { return false; };
   EXPECT_TRUE(search.PrepareLandmarks(nullptr, stop).IsAborted());

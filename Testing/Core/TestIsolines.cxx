@@ -441,7 +441,7 @@ TEST(Isolines, TellProgressAndCanBeStopped)
   const ExactField field(mesh, { VertexSource(0) });
   const std::vector<double> levels = EvenLevels(field.Exact, 5);
   Isolines lines;
-  const Listener whole = ExpectStops(
+  const ProgressListener whole = ExpectStops(
     [&](const ProgressCallback& progress) {
       return TraceIsolines(field.Exact, levels, {}, nullptr, progress, lines);
     },

@@ -293,10 +293,10 @@ TEST(LoopFinder, HandlesTellTheirProgress)
       },
       loops);
   };
-  const Listener whole = ExpectStops(find, [&] { EXPECT_TRUE(loops.empty()); });
+  const ProgressListener whole = ExpectStops(find, [&] { EXPECT_TRUE(loops.empty()); });
   EXPECT_GT(whole.Calls, 40); // several for each base
   EXPECT_EQ(whole.Done, 1.0);
-  EXPECT_TRUE(find(Listener()).IsOk());
+  EXPECT_TRUE(find(ProgressListener()).IsOk());
   EXPECT_GE(late, 3);
   EXPECT_EQ(loops.size(), 4u);
 }
@@ -491,7 +491,7 @@ TEST(LoopFinder, RopesTellTheirProgress)
   {
     FoundLoop loop = expected;
     bool isConnected = false;
-    const Listener whole = ExpectStops(
+    const ProgressListener whole = ExpectStops(
       [&](const dgg::ProgressCallback& progress) {
         return world.Finder->Rope(points, taut, loop, isConnected, progress);
       },

@@ -86,10 +86,10 @@ inline testing::AssertionResult Says(const dgg::Status& status, const std::strin
 
 /// Listens to progress, which must rise within [0, 1], and asks to stop at the call of that number.
 /// Pass it by std::ref.
-class Listener
+class ProgressListener
 {
 public:
-  explicit Listener(int last = std::numeric_limits<int>::max())
+  explicit ProgressListener(int last = std::numeric_limits<int>::max())
     : LastCall(last)
   {
   }
@@ -113,14 +113,14 @@ private:
 /// every `step`th report, with what `expectNothing` looks at. Returns who has listened to the whole
 /// run.
 template <typename Run, typename ExpectNothing>
-Listener ExpectStops(Run run, ExpectNothing expectNothing, int step = 1)
+ProgressListener ExpectStops(Run run, ExpectNothing expectNothing, int step = 1)
 {
-  Listener whole;
+  ProgressListener whole;
   EXPECT_TRUE(Ok(run(std::ref(whole))));
   for (int stop = 1; stop <= whole.Calls; stop += step)
   {
     SCOPED_TRACE("stopped at report " + std::to_string(stop));
-    Listener listener(stop);
+    ProgressListener listener(stop);
     EXPECT_TRUE(run(std::ref(listener)).IsAborted());
     EXPECT_EQ(listener.Calls, stop) << "went on";
     expectNothing();

@@ -183,7 +183,7 @@ TEST(SurfaceCurve, StopsWhenTold)
   const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.3, 2));
   const std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 10, 3);
   SurfaceCurve curve;
-  const Listener whole = ExpectStops(
+  const ProgressListener whole = ExpectStops(
     [&](const dgg::ProgressCallback& progress) {
       return dgg::JoinPoints(mesh, points, true, progress, curve);
     },

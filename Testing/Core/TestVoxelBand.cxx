@@ -213,7 +213,7 @@ TEST(VoxelBand, TellsOfProgressAndStops)
   };
   ASSERT_TRUE(build([&](double done) { return (early += done < 0.5 ? 1 : 0) >= 0; }).IsOk());
   EXPECT_GT(early, 1);
-  const dggtest::Listener whole = dggtest::ExpectStops(
+  const dggtest::ProgressListener whole = dggtest::ExpectStops(
     build,
     [&] {
       EXPECT_EQ(band.GetNumberOfBricks(), 0U);
