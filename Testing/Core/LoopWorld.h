@@ -10,11 +10,78 @@
 #include "dggHandleLoops.h"
 #include "dggLoopFinder.h"
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
 namespace dggtest
 {
+/// How a prism is closed.
+enum class Cap
+{
+  Fan, ///< around one of the corners
+  Strip,
+  Spokes ///< around a point in the middle
+};
+
+constexpr double PrismHeight = 6.0;
+
+/// A prism over a regular polygon of radius 1, closed, and 6 high. Diagonals of its wall are drawn
+/// by lot.
+inline TestMesh CappedPrism(Id sides, Id rows, Cap cap, std::uint64_t seed)
+{
+  TestMesh mesh;
+  Random random(seed);
+  for (Id j = 0; j <= rows; ++j)
+  {
+    for (Id i = 0; i < sides; ++i)
+    {
+      const double angle = 2.0 * dgg::Pi * i / sides;
+      mesh.AddPoint(std::cos(angle), std::sin(angle), PrismHeight * j / rows);
+    }
+  }
+  for (Id j = 0; j < rows; ++j)
+  {
+    for (Id i = 0; i < sides; ++i)
+    {
+      const Id a = j * sides + i;
+      const Id b = j * sides + (i + 1) % sides;
+      if (random.Uniform() < 0.5)
+      {
+        mesh.AddQuad(a, b, b + sides, a + sides);
+      }
+      else
+      {
+        mesh.AddQuad(b, b + sides, a + sides, a);
+      }
+    }
+  }
+  for (const Id first : { Id(0), rows * sides })
+  {
+    if (cap == Cap::Spokes)
+    {
+      const Id middle = mesh.AddPoint(0.0, 0.0, first > 0 ? PrismHeight : 0.0);
+      for (Id i = 0; i < sides; ++i)
+      {
+        mesh.AddTriangle(middle, first + i, first + (i + 1) % sides);
+      }
+    }
+    for (Id i = 1; i + 1 < sides && cap == Cap::Fan; ++i)
+    {
+      mesh.AddTriangle(first, first + i, first + i + 1);
+    }
+    Id low = first;
+    Id high = first + sides - 1;
+    for (bool isLow = true; low + 1 < high && cap == Cap::Strip; isLow = !isLow)
+    {
+      const Id next = isLow ? low + 1 : high - 1;
+      mesh.AddTriangle(low, next, high);
+      (isLow ? low : high) = next;
+    }
+  }
+  return mesh;
+}
+
 /// A mesh, its graph, and loops on it.
 class LoopWorld
 {

@@ -421,7 +421,7 @@ TEST(FastMarching, WrongInputAndAbort)
   options.MaximumDistance = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(marching.Run({ VertexSource(0) }, options, result).IsOk());
   options.MaximumDistance = dgg::Infinity;
-  Listener listener(2);
+  ProgressListener listener(2);
   options.Progress = std::ref(listener);
   EXPECT_TRUE(marching.Run({ VertexSource(0) }, options, result).IsAborted());
   EXPECT_EQ(listener.Calls, 2);

@@ -215,7 +215,7 @@ TEST(Centroidal, BadInputAndAbort)
   EXPECT_FALSE(move(sites, {}).IsOk());
   sites.pop_back();
   CentroidalOptions options;
-  options.Progress = Listener(1);
+  options.Progress = ProgressListener(1);
   EXPECT_TRUE(move(sites, options).IsAborted());
   EXPECT_EQ(sites[0].Vertex, 5);
   EXPECT_TRUE(energies.empty());

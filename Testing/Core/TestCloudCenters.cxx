@@ -152,23 +152,19 @@ TEST(CloudCenters, IterationsAndAbort)
   EXPECT_LE(c.Energies.size(), 4u);
   EXPECT_NE(sites[0].Vertex, 0);
 
-  sites = AtVertices({ 0, 1 });
-  options.Progress = [](double done) { return done < 0.3; };
-  EXPECT_TRUE(c.Move(options, sites).IsAborted());
-  EXPECT_EQ(sites[0].Vertex, 0);
-  EXPECT_TRUE(c.Energies.empty());
-}
-
-TEST(CloudCenters, ProgressDoesNotGoBack)
-{
-  CloudCase c(Plane(20, 14), 0.01);
-  Sites sites = AtVertices({ 0, 1, 2, 3, 4 });
-  Listener listener;
-  CentroidalOptions options;
   options.NumberOfIterations = 50;
-  options.Progress = std::ref(listener);
-  ASSERT_TRUE(c.Move(options, sites).IsOk());
-  EXPECT_GT(listener.Calls, 10);
+  const ProgressListener whole = ExpectStops(
+    [&](const dgg::ProgressCallback& progress) {
+      sites = AtVertices({ 0, 1, 2, 3, 4 });
+      options.Progress = progress;
+      return c.Move(options, sites);
+    },
+    [&] {
+      EXPECT_EQ(sites[0].Vertex, 0);
+      EXPECT_TRUE(c.Energies.empty());
+    },
+    7);
+  EXPECT_GT(whole.Calls, 10);
 }
 
 TEST(CloudCenters, SitesWithoutACell)

@@ -210,12 +210,12 @@ TEST_P(ExactResults, MemoryLimitEndsARunEarly)
   dgg::ExactOptions options;
   options.Engine = this->Engine();
   options.KeepWindows = true;
-  Listener whole;
+  ProgressListener whole;
   options.Progress = std::ref(whole);
   dgg::ExactResult result;
   ASSERT_TRUE(dgg::ExactGeodesics(mesh).Run({ VertexSource(0) }, options, result).IsOk());
   EXPECT_GT(whole.Done, 0.7);
-  Listener limited;
+  ProgressListener limited;
   options.Progress = std::ref(limited);
   options.MemoryLimit = result.PeakMemory / 3;
   EXPECT_FALSE(dgg::ExactGeodesics(mesh).Run({ VertexSource(0) }, options, result).IsOk());
@@ -387,7 +387,7 @@ TEST_P(ExactLimits, UnreachableTargetsStopNothing)
 
 TEST_P(ExactLimits, ProgressRisesToTheEnd)
 {
-  Listener listener;
+  ProgressListener listener;
   Solve(Build(NoisySphere(5, 0.3, 3)), this->Engine(), { VertexSource(0) },
     [&](dgg::ExactOptions& options) { options.Progress = std::ref(listener); });
   EXPECT_GE(listener.Calls, 5);
@@ -404,7 +404,7 @@ TEST_P(ExactLimits, AbortLeavesNothingAndDoesNoHarm)
   ASSERT_TRUE(solver.Run({ VertexSource(0) }, options, whole).IsOk());
   for (const int after : { 1, 3 })
   {
-    Listener listener(after);
+    ProgressListener listener(after);
     options.Progress = std::ref(listener);
     dgg::ExactResult result = whole;
     const dgg::Status status = solver.Run({ VertexSource(0) }, options, result);

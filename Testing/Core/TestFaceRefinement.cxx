@@ -226,7 +226,7 @@ TEST(FaceRefinement, SaysWhatIsWrong)
   EXPECT_TRUE(Says(errorOf({ 80 }, 1), "face 80 does not exist"));
   EXPECT_TRUE(Says(errorOf({ 0, -1 }, 1), "face -1 does not exist"));
   EXPECT_TRUE(Says(errorOf({ 0 }, -1), "negative"));
-  Listener listener(3);
+  ProgressListener listener(3);
   EXPECT_TRUE(dgg::RefineFaces(mesh, { 0 }, 3, std::ref(listener), surface, parents).IsAborted());
   EXPECT_EQ(listener.Calls, 3);
   EXPECT_EQ(surface.Triangles, before.Triangles);

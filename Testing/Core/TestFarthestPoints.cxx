@@ -186,7 +186,7 @@ TEST(FarthestPoints, CanBeAborted)
 {
   const SearchCase c("plane", Plane(150, 150), 0.1);
   FarthestPoints points(c.GetGraph(), &c.GetMesh());
-  Listener listener(1);
+  ProgressListener listener(1);
   EXPECT_TRUE(points.Add({ SeedAt(0) }, std::ref(listener)).IsAborted());
   EXPECT_EQ(listener.Calls, 1);
   points.Reset();

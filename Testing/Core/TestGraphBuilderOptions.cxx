@@ -183,7 +183,7 @@ TEST(GraphBuilderOptions, ProgressAscendsToOne)
   const dgg::SurfaceMesh mesh = Build(Plane(60, 60, 0.2));
   for (const auto construction : AllConstructions())
   {
-    Listener listener;
+    ProgressListener listener;
     BuildGraph(mesh, 0.02, [&](dgg::GraphOptions& options) {
       options.Construction = construction;
       options.Progress = std::ref(listener);
@@ -208,7 +208,7 @@ TEST(GraphBuilderOptions, AbortAtAnyReport)
     int aborted = 0;
     for (int last = 1; last < 1000; ++last)
     {
-      Listener listener(last);
+      ProgressListener listener(last);
       options.Progress = std::ref(listener);
       dgg::GeodesicGraph graph = BuildGraph(Build(Icosphere(0)), 0.1);
       const dgg::Status status = builder.Build(options, graph);

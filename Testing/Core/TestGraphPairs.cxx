@@ -119,7 +119,7 @@ TEST(GraphPairs, ManySetsOfSeeds)
     }
   }
   std::vector<int> visits(sources.size(), 0);
-  Listener listener;
+  ProgressListener listener;
   ASSERT_TRUE(c.GetSearch()
                 .Many(sources, dgg::Infinity, nullptr, std::ref(listener),
                   [&](std::size_t source, const double* distances) {

@@ -384,7 +384,7 @@ TEST(GraphSearch, ProgressAndAbort)
   const SearchCase c("plane", Plane(200, 200), 0.5);
   for (SearchMethod method : AllMethods)
   {
-    Listener listener;
+    ProgressListener listener;
     SearchOptions options;
     options.Method = method;
     options.Progress = std::ref(listener);

@@ -474,7 +474,7 @@ TEST(GreensInterpolation, ProgressGrowsAndStops)
   query.Progress = [](double done) { return done < 0.5; };
   dgg::GreensResult result;
   EXPECT_TRUE(interpolation.Run(pole, query, result).IsAborted());
-  Listener listener;
+  ProgressListener listener;
   query.Progress = std::ref(listener);
   EXPECT_TRUE(interpolation.Run(pole, query, result).IsOk());
   EXPECT_GT(listener.Calls, 2);

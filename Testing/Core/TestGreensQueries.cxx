@@ -176,12 +176,12 @@ TEST(GreensFunction, ProgressGrowsAndStops)
     query.Method = method;
     std::vector<dgg::GreensResult> results;
     dgg::GreensResult one;
-    Listener together;
+    ProgressListener together;
     query.Progress = std::ref(together);
     ASSERT_TRUE(greens.Function.Run(poles, query, results).IsOk());
     EXPECT_EQ(together.Done, 1.0);
     EXPECT_GE(together.Calls, 4);
-    Listener single;
+    ProgressListener single;
     query.Progress = std::ref(single);
     ASSERT_TRUE(greens.Function.Run(poles[0], query, one).IsOk());
     EXPECT_EQ(single.Done, 1.0);

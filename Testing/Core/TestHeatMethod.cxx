@@ -352,7 +352,7 @@ TEST(HeatMethod, WrongInputAndAbort)
   int steps = 0;
   for (int stop = 1;; ++stop)
   {
-    Listener listener(stop);
+    ProgressListener listener(stop);
     const dgg::Status status = heat.Prepare(options, std::ref(listener));
     if (status.IsOk())
     {

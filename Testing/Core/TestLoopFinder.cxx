@@ -281,29 +281,24 @@ TEST(LoopFinder, HandlesOfSheetsThatTouch)
 TEST(LoopFinder, HandlesReportTheirProgress)
 {
   const dgg::SurfaceMesh mesh = Build(TwoHoledBlock());
-  Listener listener;
-  int late = 0; // while loops are compared
   std::vector<FoundLoop> loops;
-  const auto report = [&](double fraction) {
-    late += fraction > 0.9 && fraction < 1.0 ? 1 : 0;
-    return listener(fraction);
+  int late = 0; // while loops are compared
+  const auto find = [&](const dgg::ProgressCallback& progress) {
+    late = 0;
+    return dgg::FindHandleLoops(
+      mesh,
+      [&](double fraction) {
+        late += fraction > 0.9 && fraction < 1.0 ? 1 : 0;
+        return progress(fraction);
+      },
+      loops);
   };
-  ASSERT_TRUE(dgg::FindHandleLoops(mesh, report, loops).IsOk());
-  EXPECT_EQ(loops.size(), 4u);
-  EXPECT_GT(listener.Calls, 40); // several for each base
+  const ProgressListener whole = ExpectStops(find, [&] { EXPECT_TRUE(loops.empty()); });
+  EXPECT_GT(whole.Calls, 40); // several for each base
+  EXPECT_EQ(whole.Done, 1.0);
+  EXPECT_TRUE(find(ProgressListener()).IsOk());
   EXPECT_GE(late, 3);
-  EXPECT_EQ(listener.Done, 1.0);
-  const auto stop = [](double fraction) { return fraction < 0.5; };
-  EXPECT_TRUE(dgg::FindHandleLoops(mesh, stop, loops).IsAborted());
-  EXPECT_TRUE(loops.empty());
-  double last = 0.0;
-  const auto stopLate = [&](double fraction) {
-    last = fraction;
-    return fraction <= 0.9;
-  };
-  EXPECT_TRUE(dgg::FindHandleLoops(mesh, stopLate, loops).IsAborted());
-  EXPECT_TRUE(loops.empty());
-  EXPECT_LT(last, 1.0);
+  EXPECT_EQ(loops.size(), 4u);
 }
 
 /// More handles than a machine word has bits. Those loops are independent that a loop through a
@@ -494,22 +489,19 @@ TEST(LoopFinder, RopesReportTheirProgress)
   ASSERT_FALSE(expected.Loop.IsEmpty());
   for (const bool taut : { false, true })
   {
-    Listener whole;
-    FoundLoop loop;
+    FoundLoop loop = expected;
     bool isConnected = false;
-    ASSERT_TRUE(world.Finder->Rope(points, taut, loop, isConnected, std::ref(whole)).IsOk());
-    EXPECT_TRUE(isConnected);
+    const ProgressListener whole = ExpectStops(
+      [&](const dgg::ProgressCallback& progress) {
+        return world.Finder->Rope(points, taut, loop, isConnected, progress);
+      },
+      [&] {
+        EXPECT_TRUE(loop.Loop.IsEmpty());
+        loop = expected;
+      });
     EXPECT_EQ(whole.Calls, 13); // before each leg, and at the end
     EXPECT_EQ(whole.Done, 1.0);
-    for (int stop = 1; stop <= whole.Calls; ++stop)
-    {
-      Listener listener(stop);
-      loop = expected;
-      EXPECT_TRUE(
-        world.Finder->Rope(points, taut, loop, isConnected, std::ref(listener)).IsAborted());
-      EXPECT_EQ(listener.Calls, stop) << "went on";
-      EXPECT_TRUE(loop.Loop.IsEmpty());
-    }
+    EXPECT_TRUE(world.Finder->Rope(points, taut, loop, isConnected).IsOk() && isConnected);
   }
   EXPECT_EQ(world.Rope(points, false).Loop.Length, expected.Loop.Length);
 }
@@ -542,31 +534,13 @@ TEST(LoopFinder, KinksOfRopes)
   EXPECT_NEAR(prism.Rope(turned, false).Angle, loop.Angle, 1e-9);
   EXPECT_LT(loop.Angle, dgg::Pi - 0.01);
 }
+
 /// A prism of long thin strips with flat caps: every way around is led over a cap strip by strip,
 /// and contracts. So many of them are tried as ordinary meshes take in all.
 TEST(LoopFinder, EndsWhereAllWaysTakeLong)
 {
   const Id sides = 400;
-  TestMesh mesh;
-  for (Id j = 0; j < 3; ++j)
-  {
-    for (Id i = 0; i < sides; ++i)
-    {
-      const double angle = 2.0 * dgg::Pi * i / sides;
-      mesh.AddPoint(std::cos(angle), std::sin(angle), 3.0 * j);
-    }
-  }
-  for (Id i = 0; i < 2 * sides; ++i)
-  {
-    const Id next = i % sides + 1 < sides ? i + 1 : i + 1 - sides;
-    mesh.AddQuad(i, next, next + sides, i + sides);
-  }
-  for (Id i = 1; i + 1 < sides; ++i)
-  {
-    mesh.AddTriangle(0, i + 1, i);
-    mesh.AddTriangle(2 * sides, 2 * sides + i, 2 * sides + i + 1);
-  }
-  const LoopWorld world(mesh, 0.05);
+  const LoopWorld world(CappedPrism(sides, 2, Cap::Fan, 1), 0.05);
   for (const Id v : { 7, sides + 100, 2 * sides + 250 })
   {
     dgg::FoundLoop loop;

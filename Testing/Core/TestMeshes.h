@@ -86,10 +86,10 @@ inline testing::AssertionResult Says(const dgg::Status& status, const std::strin
 
 /// Listens to progress, which must rise within [0, 1], and asks to stop at the call of that number.
 /// Pass it by std::ref.
-class Listener
+class ProgressListener
 {
 public:
-  explicit Listener(int last = std::numeric_limits<int>::max())
+  explicit ProgressListener(int last = std::numeric_limits<int>::max())
     : LastCall(last)
   {
   }
@@ -108,6 +108,25 @@ public:
 private:
   int LastCall;
 };
+
+/// Expect `run(progress)` to succeed, and to end where its progress is answered with false, at
+/// every `step`th report, with what `expectNothing` looks at. Returns who has listened to the whole
+/// run.
+template <typename Run, typename ExpectNothing>
+ProgressListener ExpectStops(Run run, ExpectNothing expectNothing, int step = 1)
+{
+  ProgressListener whole;
+  EXPECT_TRUE(Ok(run(std::ref(whole))));
+  for (int stop = 1; stop <= whole.Calls; stop += step)
+  {
+    SCOPED_TRACE("stopped at report " + std::to_string(stop));
+    ProgressListener listener(stop);
+    EXPECT_TRUE(run(std::ref(listener)).IsAborted());
+    EXPECT_EQ(listener.Calls, stop) << "went on";
+    expectNothing();
+  }
+  return whole;
+}
 
 /// Errors on ever finer meshes, which must fall at an order at least: each is to be that of half
 /// the edges of the one before.

@@ -230,14 +230,14 @@ TEST(Tape, ReportsProgress)
   const SurfacePath path = PathBetween(mesh, 0, 3);
   std::vector<SurfacePath> rims;
   const double width = 0.05;
-  Listener whole;
+  ProgressListener whole;
   ASSERT_TRUE(dgg::MakeOffsetCurves(mesh, path, width, std::ref(whole), rims).IsOk());
   EXPECT_EQ(rims.size(), path.Faces.size() > 1 ? 1u : 2u);
   EXPECT_GT(whole.Done, 0.7);
   EXPECT_GT(whole.Calls, 10);
   for (int stop = 0; stop < whole.Calls; stop += 7)
   {
-    Listener listener(stop);
+    ProgressListener listener(stop);
     EXPECT_TRUE(dgg::MakeOffsetCurves(mesh, path, width, std::ref(listener), rims).IsAborted())
       << stop;
     EXPECT_TRUE(rims.empty());

@@ -482,7 +482,7 @@ TEST(Ridges, OfRoundingAloneComeToAnEnd)
 TEST(Ridges, DoNotDependOnThreadsAndCanBeStopped)
 {
   const RidgeCase test(Torus(24, 14), { VertexSource(3) }, 5.0);
-  Listener listener;
+  ProgressListener listener;
   Ridges again;
   ASSERT_TRUE(
     FindRidges(test.Field, test.Options, WithThreads(3), std::ref(listener), again).IsOk());

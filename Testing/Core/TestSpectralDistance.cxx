@@ -409,7 +409,7 @@ TEST(SpectralDistance, ProgressIsReportedForEachBlock)
                          : distance.Prepare(options, WithThreads(threads), progress);
       };
       EXPECT_TRUE(run().IsAborted());
-      EXPECT_LT(last, threads == 1 ? 0.35 : 0.45); // Blocks end in any order.
+      EXPECT_LT(last, threads == 1 ? 0.35 : 0.7); // others go on while one tells
       EXPECT_TRUE(d.empty());
       stopAt = 2.0;
       ASSERT_TRUE(run().IsOk());

@@ -183,15 +183,12 @@ TEST(SurfaceCurve, StopsWhenAsked)
   const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.3, 2));
   const std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 10, 3);
   SurfaceCurve curve;
-  Listener whole;
-  ASSERT_TRUE(dgg::JoinPoints(mesh, points, true, std::ref(whole), curve).IsOk());
+  const ProgressListener whole = ExpectStops(
+    [&](const dgg::ProgressCallback& progress) {
+      return dgg::JoinPoints(mesh, points, true, progress, curve);
+    },
+    [&] { EXPECT_TRUE(curve.Path.IsEmpty()); });
   EXPECT_GT(whole.Calls, 1);
-  for (int stop = 0; stop < whole.Calls; ++stop)
-  {
-    Listener listener(stop);
-    EXPECT_TRUE(dgg::JoinPoints(mesh, points, true, std::ref(listener), curve).IsAborted());
-    EXPECT_TRUE(curve.Path.IsEmpty());
-  }
 }
 
 // Meshes in which curves are chains of edges.

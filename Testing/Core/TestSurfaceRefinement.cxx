@@ -411,7 +411,7 @@ TEST(SurfaceRefinement, ProgressGrows)
       path.Length += dgg::MeasurePiece(mesh, path, i);
     }
   }
-  Listener listener;
+  ProgressListener listener;
   dgg::RefinementOptions options;
   options.InsertCrossings = true;
   options.Progress = std::ref(listener);

@@ -18,70 +18,6 @@ namespace
 using dgg::FoundLoop;
 using dgg::SurfacePoint;
 
-enum class Cap
-{
-  Fan, ///< around one of the corners
-  Strip,
-  Spokes ///< around a point in the middle
-};
-
-constexpr double Height = 6.0;
-
-/// A prism over a regular polygon of radius 1, closed. Diagonals of its wall are drawn by lot.
-TestMesh CappedPrism(Id sides, Id rows, Cap cap, std::uint64_t seed)
-{
-  TestMesh mesh;
-  Random random(seed);
-  for (Id j = 0; j <= rows; ++j)
-  {
-    for (Id i = 0; i < sides; ++i)
-    {
-      const double angle = 2.0 * dgg::Pi * i / sides;
-      mesh.AddPoint(std::cos(angle), std::sin(angle), Height * j / rows);
-    }
-  }
-  for (Id j = 0; j < rows; ++j)
-  {
-    for (Id i = 0; i < sides; ++i)
-    {
-      const Id a = j * sides + i;
-      const Id b = j * sides + (i + 1) % sides;
-      if (random.Uniform() < 0.5)
-      {
-        mesh.AddQuad(a, b, b + sides, a + sides);
-      }
-      else
-      {
-        mesh.AddQuad(b, b + sides, a + sides, a);
-      }
-    }
-  }
-  for (const Id first : { Id(0), rows * sides })
-  {
-    if (cap == Cap::Spokes)
-    {
-      const Id middle = mesh.AddPoint(0.0, 0.0, first > 0 ? Height : 0.0);
-      for (Id i = 0; i < sides; ++i)
-      {
-        mesh.AddTriangle(middle, first + i, first + (i + 1) % sides);
-      }
-    }
-    for (Id i = 1; i + 1 < sides && cap == Cap::Fan; ++i)
-    {
-      mesh.AddTriangle(first, first + i, first + i + 1);
-    }
-    Id low = first;
-    Id high = first + sides - 1;
-    for (bool isLow = true; low + 1 < high && cap == Cap::Strip; isLow = !isLow)
-    {
-      const Id next = isLow ? low + 1 : high - 1;
-      mesh.AddTriangle(low, next, high);
-      (isLow ? low : high) = next;
-    }
-  }
-  return mesh;
-}
-
 /// Where the edges of a convex surface cross a plane across an axis, in order around the axis.
 std::vector<SurfacePoint> Section(
   const dgg::SurfaceMesh& mesh, const TestMesh& points, int axis, double height)
@@ -143,14 +79,14 @@ TEST_P(TautLoops, AroundPrisms)
       const TestMesh prism = CappedPrism(sides, rows, this->GetParam(), sides);
       const LoopWorld world(prism, 0.05);
       const double around = 2.0 * sides * std::sin(dgg::Pi / sides);
-      std::vector<SurfacePoint> rope = Section(world.Mesh, prism, 2, 0.43 * Height);
+      std::vector<SurfacePoint> rope = Section(world.Mesh, prism, 2, 0.43 * PrismHeight);
       std::rotate(rope.begin(), rope.begin() + sides / 2, rope.end());
       const FoundLoop loop = world.Rope(rope, false);
       EXPECT_FALSE(loop.IsKinked());
       EXPECT_NEAR(loop.Loop.Length, around, 1e-9);
       ExpectTaut(world, rope, around);
       // With kinks, which go.
-      const std::vector<SurfacePoint> higher = Section(world.Mesh, prism, 2, 0.48 * Height);
+      const std::vector<SurfacePoint> higher = Section(world.Mesh, prism, 2, 0.48 * PrismHeight);
       ASSERT_EQ(higher.size(), 2u * sides);
       for (std::size_t i = 0; i < rope.size(); i += 3)
       {
@@ -170,7 +106,7 @@ TEST_P(TautLoops, ThroughAPointOfAPrism)
     SCOPED_TRACE(sides);
     const TestMesh prism = CappedPrism(sides, 1, this->GetParam(), sides);
     const LoopWorld world(prism, 0.02);
-    for (const SurfacePoint& point : Section(world.Mesh, prism, 2, 0.61 * Height))
+    for (const SurfacePoint& point : Section(world.Mesh, prism, 2, 0.61 * PrismHeight))
     {
       for (const bool isTaut : { false, true })
       {

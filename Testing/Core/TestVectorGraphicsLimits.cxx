@@ -151,11 +151,11 @@ TEST(VectorGraphics, StopsWhenAskedTo)
   Drawing drawing(Plane(10, 10));
   drawing.AddLine(Poisson, { 2.5, 2.5 }, { 7.5, 7.5 }, 1, 0).Width = 3.0;
   drawing.Regions = { { { 3, 4 }, { 1.0 } }, { { 30 }, { 1.0 } } };
-  Listener preparing;
+  ProgressListener preparing;
   drawing.Options.Progress = std::ref(preparing);
   ASSERT_TRUE(drawing.Prepare().IsOk());
   EXPECT_GT(preparing.Calls, 3);
-  Listener solving;
+  ProgressListener solving;
   drawing.Options.Progress = std::ref(solving);
   ASSERT_TRUE(drawing.Solve().IsOk());
   EXPECT_GE(solving.Calls, 2);
