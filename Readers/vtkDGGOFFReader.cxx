@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGOFFReader.h"
 
-#include "vtkDGGFileLoader.h"
+#include "DGGFileLoader.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPointFields.h"
 
-#include "vtkDGGPointNumbers.h"
+#include "DGGPointNumbers.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -74,7 +74,7 @@ std::string MakeName(const char* name, std::set<std::string>& taken)
       return byte <= ' ' || byte == 127;
     },
     '_');
-  while (text.empty() || text == vtkDGGPaddingName || !taken.insert(text).second)
+  while (text.empty() || text == DGGPaddingName || !taken.insert(text).second)
   {
     text += '_';
   }
@@ -217,7 +217,7 @@ void vtkDGG::PointFieldSource::Copy(
     }
     return;
   }
-  vtkDGGDispatchNumber(vtkDGGGetArrayType(kind, size), [&](auto number) {
+  DGGDispatchNumber(DGGGetArrayType(kind, size), [&](auto number) {
     char* out = destination;
     for (vtkIdType i = begin; i < end; ++i, out += stride)
     {
@@ -295,14 +295,14 @@ void vtkDGG::GetPointCloudLayout(vtkPolyData* data, PointCloudView& cloud)
     }
     return values;
   };
-  const std::vector<double> size = getValues(vtkDGGDimensionsName, 2);
+  const std::vector<double> size = getValues(DGGDimensionsName, 2);
   if (!size.empty() && size[0] >= 1.0 && size[1] >= 1.0 &&
     size[0] * size[1] == static_cast<double>(count))
   {
     cloud.Width = static_cast<vtkIdType>(size[0]);
     cloud.Height = static_cast<vtkIdType>(size[1]);
   }
-  const std::vector<double> sensor = getValues(vtkDGGViewpointName, 7);
+  const std::vector<double> sensor = getValues(DGGViewpointName, 7);
   if (!sensor.empty() &&
     std::all_of(sensor.begin(), sensor.end(), [](double v) { return std::isfinite(v); }))
   {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPCDReader.h"
 
-#include "vtkDGGFileLoader.h"
-#include "vtkDGGLZF.h"
-#include "vtkDGGPCDHeader.h"
+#include "DGGFileLoader.h"
+#include "DGGLZF.h"
+#include "DGGPCDHeader.h"
 #include "vtkDGGPointFields.h"
-#include "vtkDGGPointNumbers.h"
+#include "DGGPointNumbers.h"
 
 #include "vtkErrorCode.h"
 #include "vtkObjectFactory.h"
@@ -69,10 +69,10 @@ public:
     }
     switch (this->Header.Data)
     {
-      case vtkDGGPCDData::ASCII:
+      case DGGPCDData::ASCII:
         this->ReadText(numbers);
         break;
-      case vtkDGGPCDData::Binary:
+      case DGGPCDData::Binary:
         this->CheckCount(this->Text.GetBytesLeft(), this->PointBytes);
         this->SetView(this->Text.GetRest().data(), false, true);
         this->Progress(0.5);
@@ -97,8 +97,8 @@ private:
     std::vector<int> types;
     for (const vtkDGG::PointField& field : this->Header.Fields)
     {
-      const bool isPadding = field.Name == vtkDGGPaddingName;
-      types.push_back(isPadding ? VTK_VOID : vtkDGGGetArrayType(field.Kind, field.Size));
+      const bool isPadding = field.Name == DGGPaddingName;
+      types.push_back(isPadding ? VTK_VOID : DGGGetArrayType(field.Kind, field.Size));
     }
     std::size_t point = 0;
     char* out = this->Buffer.data();
@@ -137,7 +137,7 @@ private:
         }
         const std::string_view word = this->Text.TakeWord();
         const char* trouble = nullptr;
-        vtkDGGDispatchNumber(types[f], [&](auto number) {
+        DGGDispatchNumber(types[f], [&](auto number) {
           trouble = vtkDGG::ParseNumber(word, number);
           std::memcpy(out, &number, sizeof(number));
         });
@@ -179,7 +179,7 @@ private:
     std::size_t packed = this->PointBytes;
     for (const vtkDGG::PointField& field : this->Header.Fields)
     {
-      packed -= field.Name == vtkDGGPaddingName ? field.GetBytes() : 0;
+      packed -= field.Name == DGGPaddingName ? field.GetBytes() : 0;
     }
     const auto fits = [&](std::size_t bytes) {
       return this->Count <= uncompressed / bytes && uncompressed == this->Count * bytes;
@@ -191,13 +191,13 @@ private:
         " bytes, which are not ", this->Count, " points of ", packed, " bytes");
     }
     this->Progress(0.1);
-    if (uncompressed / vtkDGGLZFMaximumRatio > compressed)
+    if (uncompressed / DGGLZFMaximumRatio > compressed)
     {
       this->FailAtByte(
         Malformed, 0, compressed, " bytes of compressed data cannot hold ", uncompressed, " bytes");
     }
     this->Buffer.resize(uncompressed);
-    if (!vtkDGGDecompressLZF(body.data() + 8, compressed, this->Buffer.data(), this->Buffer.size()))
+    if (!DGGDecompressLZF(body.data() + 8, compressed, this->Buffer.data(), this->Buffer.size()))
     {
       this->FailAtByte(Malformed, 8, "the compressed data are damaged");
     }
@@ -225,7 +225,7 @@ private:
     data = this->Count == 0 ? nullptr : data;
     for (const vtkDGG::PointField& field : this->Header.Fields)
     {
-      const bool isPadding = field.Name == vtkDGGPaddingName;
+      const bool isPadding = field.Name == DGGPaddingName;
       if (!isPadding)
       {
         this->View.Fields.push_back(
@@ -273,7 +273,7 @@ private:
 
   vtkDGG::TextCursor Text; ///< behind the header, except in text files
   const vtkDGG::FileProgress& Progress;
-  vtkDGGPCDHeader Header;
+  DGGPCDHeader Header;
   std::size_t Count = 0;
   std::size_t PointBytes = 0;
   std::vector<char> Buffer;
@@ -288,7 +288,7 @@ int vtkPCDReader::CanReadFile(const char* fileName)
   try
   {
     const std::vector<char> bytes = vtkDGG::LoadFile(fileName ? fileName : "", HeaderRange);
-    return vtkDGGLooksLikePCD({ bytes.data(), bytes.size() }) ? 1 : 0;
+    return DGGLooksLikePCD({ bytes.data(), bytes.size() }) ? 1 : 0;
   }
   catch (const std::exception&)
   {

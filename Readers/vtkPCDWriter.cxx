@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPCDWriter.h"
 
-#include "vtkDGGFileLoader.h"
-#include "vtkDGGLZF.h"
-#include "vtkDGGPCDHeader.h"
+#include "DGGFileLoader.h"
+#include "DGGLZF.h"
+#include "DGGPCDHeader.h"
 #include "vtkDGGPointFields.h"
-#include "vtkDGGPointNumbers.h"
+#include "DGGPointNumbers.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
@@ -36,7 +36,7 @@ class CloudWriter
 {
 public:
   /// Refuses what a file cannot hold.
-  CloudWriter(vtkPolyData* data, vtkDGGPCDData mode, const vtkDGG::FileProgress& progress)
+  CloudWriter(vtkPolyData* data, DGGPCDData mode, const vtkDGG::FileProgress& progress)
     : Sources(vtkDGG::ListPointFields(data))
     , Count(data->GetNumberOfPoints())
     , Progress(progress)
@@ -57,14 +57,14 @@ public:
       this->Header.Fields.push_back(field);
     }
     this->PointBytes = this->Header.GetPointBytes();
-    if (this->Header.Fields.size() > vtkDGGPCDHeader::MostFields)
+    if (this->Header.Fields.size() > DGGPCDHeader::MostFields)
     {
       vtkDGG::Fail(Malformed, "there would be ", this->Header.Fields.size(),
-        " fields, but a file has ", vtkDGGPCDHeader::MostFields, " at most: remove point arrays");
+        " fields, but a file has ", DGGPCDHeader::MostFields, " at most: remove point arrays");
     }
     // Compressed data may be longer by one byte in 32.
     constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / 33 * 32;
-    if (mode == vtkDGGPCDData::BinaryCompressed &&
+    if (mode == DGGPCDData::BinaryCompressed &&
       static_cast<std::size_t>(this->Count) > most / this->PointBytes)
     {
       vtkDGG::Fail(
@@ -75,7 +75,7 @@ public:
   void Write(std::ofstream& stream) const
   {
     Put(stream, this->Header.Format());
-    if (this->Header.Data == vtkDGGPCDData::BinaryCompressed)
+    if (this->Header.Data == DGGPCDData::BinaryCompressed)
     {
       this->WriteCompressed(stream);
     }
@@ -120,7 +120,7 @@ private:
         source.Copy(begin, end, field.Kind, field.Size, out, this->PointBytes);
         out += field.GetBytes();
       }
-      if (this->Header.Data == vtkDGGPCDData::ASCII)
+      if (this->Header.Data == DGGPCDData::ASCII)
       {
         Put(stream, this->Format(block));
       }
@@ -142,7 +142,7 @@ private:
     {
       for (const vtkDGG::PointField& field : this->Header.Fields)
       {
-        vtkDGGDispatchNumber(vtkDGGGetArrayType(field.Kind, field.Size), [&](auto number) {
+        DGGDispatchNumber(DGGGetArrayType(field.Kind, field.Size), [&](auto number) {
           for (int c = 0; c < field.Count; ++c, in += field.Size)
           {
             std::memcpy(&number, in, sizeof(number));
@@ -175,7 +175,7 @@ private:
     }
     this->Progress(0.3);
     std::vector<char> compressed;
-    vtkDGGCompressLZF(fields.data(), fields.size(), compressed);
+    DGGCompressLZF(fields.data(), fields.size(), compressed);
     for (std::size_t size : { compressed.size(), fields.size() })
     {
       for (int i = 0; i < 4; ++i, size >>= 8)
@@ -189,7 +189,7 @@ private:
   const std::vector<vtkDGG::PointFieldSource> Sources;
   const vtkIdType Count;
   const vtkDGG::FileProgress& Progress;
-  vtkDGGPCDHeader Header;
+  DGGPCDHeader Header;
   std::size_t PointBytes = 0;
 };
 }
@@ -256,8 +256,7 @@ void vtkPCDWriter::WriteData()
   bool isOpened = false;
   const auto work = [&](const vtkDGG::FileProgress& progress) {
     this->CheckArrays();
-    const CloudWriter writer(
-      this->GetInput(), static_cast<vtkDGGPCDData>(this->DataMode), progress);
+    const CloudWriter writer(this->GetInput(), static_cast<DGGPCDData>(this->DataMode), progress);
     std::ofstream stream(this->FileName, std::ios::binary);
     isOpened = stream.is_open();
     if (!isOpened)

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkApolloniusIsolines.h"
 
-#include "vtkDGGContext.h"
-#include "vtkDGGFieldInput.h"
-#include "vtkDGGIsolineOutputs.h"
-#include "vtkDGGNewGeometry.h"
+#include "DGGContext.h"
+#include "DGGFieldInput.h"
+#include "DGGIsolineOutputs.h"
+#include "DGGNewGeometry.h"
 
 #include "dggProgressPart.h"
 
@@ -217,7 +217,7 @@ dgg::Status vtkApolloniusIsolines::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** vtkNotUsed(inputVector)) const
 {
   vtkDataArray* distances = nullptr;
-  return vtkDGGFieldInput::FindDistances(
+  return DGGFieldInput::FindDistances(
     this->Information, this->DistanceArrayName, surface, distances);
 }
 
@@ -228,16 +228,16 @@ std::string vtkApolloniusIsolines::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkApolloniusIsolines::Execute(const vtkDGGContext& context,
+dgg::Status vtkApolloniusIsolines::Execute(const DGGContext& context,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkDataArray* distances = nullptr;
-  vtkDGGNewGeometry geometry;
-  vtkDGGFieldInput input;
+  DGGNewGeometry geometry;
+  DGGFieldInput input;
   Curves curves;
-  dgg::Status status = vtkDGGFieldInput::FindDistances(
+  dgg::Status status = DGGFieldInput::FindDistances(
     this->Information, this->DistanceArrayName, context.Input, distances);
-  const std::string name = status.IsOk() ? vtkDGGFieldInput::GetName(distances) : "";
+  const std::string name = status.IsOk() ? DGGFieldInput::GetName(distances) : "";
   if (status.IsOk())
   {
     status = geometry.Take(context, this->GetOutputPointsPrecision());
@@ -256,7 +256,7 @@ dgg::Status vtkApolloniusIsolines::Execute(const vtkDGGContext& context,
     this->UsedWindows = input.GetField().HasWindows();
     this->UsedVirtualSources = input.GetField().HasSources();
     this->NumberOfFallbacks = curves.Lines.Fallbacks + curves.Ridges.Fallbacks;
-    const vtkDGGIsolineOutputs outputs(geometry, name);
+    const DGGIsolineOutputs outputs(geometry, name);
     outputs.WriteLines(curves.Lines, this->CopyValues(), vtkPolyData::GetData(outputVector, 0));
     outputs.WriteRidges(curves.Ridges, vtkPolyData::GetData(outputVector, 1));
     outputs.WriteBands(curves.Bands, vtkPolyData::GetData(outputVector, 2));
@@ -267,7 +267,7 @@ dgg::Status vtkApolloniusIsolines::Execute(const vtkDGGContext& context,
 //------------------------------------------------------------------------------
 /// The distances, and, unless they are to be linear, what is known of them inside of triangles.
 dgg::Status vtkApolloniusIsolines::ReadField(
-  const vtkDGGContext& context, vtkDataArray* distances, vtkDGGFieldInput& input)
+  const DGGContext& context, vtkDataArray* distances, DGGFieldInput& input)
 {
   input.SetUnreachedValue(this->UnreachedValue);
   return this->Method == Linear ? input.ReadDistances(context, distances)
@@ -276,7 +276,7 @@ dgg::Status vtkApolloniusIsolines::ReadField(
 }
 
 //------------------------------------------------------------------------------
-void vtkApolloniusIsolines::WarnAbout(const vtkDGGFieldInput& input)
+void vtkApolloniusIsolines::WarnAbout(const DGGFieldInput& input)
 {
   if (!input.GetWarning().empty())
   {
@@ -298,7 +298,7 @@ void vtkApolloniusIsolines::WarnAbout(const vtkDGGFieldInput& input)
 //------------------------------------------------------------------------------
 /// Lines, and ridges and bands as far as they are wanted.
 dgg::Status vtkApolloniusIsolines::FindCurves(
-  const vtkDGGContext& context, const dgg::DistanceField& field, Curves& curves)
+  const DGGContext& context, const dgg::DistanceField& field, Curves& curves)
 {
   const bool isKnown = field.HasWindows() || field.HasSources(); // else linear, as a warning says
   const std::vector<double> values = this->CopyValues();
@@ -345,12 +345,12 @@ vtkPolyData* vtkApolloniusIsolines::GetBands()
 
 //------------------------------------------------------------------------------
 void vtkApolloniusIsolines::MakeEmptyOutput(
-  const vtkDGGContext& context, vtkInformationVector* outputVector)
+  const DGGContext& context, vtkInformationVector* outputVector)
 {
-  vtkDGGNewGeometry geometry;
+  DGGNewGeometry geometry;
   geometry.Take(context, this->GetOutputPointsPrecision());
-  const vtkDGGIsolineOutputs outputs(
-    geometry, vtkDGGFieldInput::GetName(this->Information, this->DistanceArrayName));
+  const DGGIsolineOutputs outputs(
+    geometry, DGGFieldInput::GetName(this->Information, this->DistanceArrayName));
   outputs.WriteLines(dgg::Isolines(), {}, vtkPolyData::GetData(outputVector, 0));
   outputs.WriteRidges(dgg::Ridges(), vtkPolyData::GetData(outputVector, 1));
   outputs.WriteBands(dgg::Bands(), vtkPolyData::GetData(outputVector, 2));

@@ -71,7 +71,7 @@
 #include <vector> // For the values
 
 class vtkContourValues;
-class vtkDGGFieldInput;
+class DGGFieldInput;
 class vtkDataArray;
 namespace dgg
 {
@@ -239,9 +239,9 @@ protected:
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
@@ -251,11 +251,10 @@ private:
   struct Curves;
 
   std::vector<double> CopyValues() const;
-  dgg::Status ReadField(
-    const vtkDGGContext& context, vtkDataArray* distances, vtkDGGFieldInput& input);
-  void WarnAbout(const vtkDGGFieldInput& input);
+  dgg::Status ReadField(const DGGContext& context, vtkDataArray* distances, DGGFieldInput& input);
+  void WarnAbout(const DGGFieldInput& input);
   dgg::Status FindCurves(
-    const vtkDGGContext& context, const dgg::DistanceField& field, Curves& curves);
+    const DGGContext& context, const dgg::DistanceField& field, Curves& curves);
 
   vtkNew<vtkContourValues> ContourValues;
   int Method;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGDistance.h"
 
-#include "vtkDGGDistanceTask.h"
-#include "vtkDGGGraphUser.h"
-#include "vtkDGGPreparedMesh.h"
+#include "DGGDistanceTask.h"
+#include "DGGGraphUser.h"
+#include "DGGPreparedMesh.h"
 
 #include "dggSourceFinding.h"
 
@@ -52,7 +52,7 @@ vtkDGGDistance::vtkDGGDistance()
   , Search(Certified)
   , GenerateUpperBound(false)
   , UpperBoundArrayName("GeodesicUpperBound")
-  , GraphUser(new vtkDGGGraphUser)
+  , GraphUser(new DGGGraphUser)
 {
 }
 
@@ -87,7 +87,7 @@ dgg::Status vtkDGGDistance::CheckProperties() const
 //------------------------------------------------------------------------------
 bool vtkDGGDistance::IsCloud(vtkPolyData* input) const
 {
-  return vtkDGGGraphUser::IsCloud(input);
+  return DGGGraphUser::IsCloud(input);
 }
 
 //------------------------------------------------------------------------------
@@ -97,7 +97,7 @@ std::string vtkDGGDistance::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkDGGPointArray> vtkDGGDistance::DeclareArrays() const
+std::vector<DGGPointArray> vtkDGGDistance::DeclareArrays() const
 {
   if (!this->GenerateUpperBound)
   {
@@ -108,9 +108,9 @@ std::vector<vtkDGGPointArray> vtkDGGDistance::DeclareArrays() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
+dgg::Status vtkDGGDistance::ComputeDistances(DGGDistanceTask& task)
 {
-  const vtkDGGContext& context = task.Context;
+  const DGGContext& context = task.Context;
   const bool isCloud = context.Surface.IsCloud();
   if (isCloud && task.WantVirtualSource)
   {
@@ -118,7 +118,7 @@ dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
                                 "has not: turn GenerateVirtualSource off");
   }
   const bool correct = this->Correction && !isCloud;
-  vtkDGGGraphUser& graph = *this->GraphUser;
+  DGGGraphUser& graph = *this->GraphUser;
   dgg::Status status = this->GraphUser->Update(context, this);
   std::vector<dgg::GraphSeed> seeds;
   if (status.IsOk())
@@ -149,7 +149,7 @@ dgg::Status vtkDGGDistance::ComputeDistances(vtkDGGDistanceTask& task)
   {
     dgg::FindVirtualSources(context.Surface.GetMesh(), result, task.VirtualSource);
   }
-  for (vtkDGGPointArray& array : task.Arrays)
+  for (DGGPointArray& array : task.Arrays)
   {
     array.Components = { result.Distances };
   }

@@ -127,8 +127,8 @@ protected:
   ~vtkDGGDistance() override;
 
   dgg::Status CheckProperties() const override;
-  dgg::Status ComputeDistances(vtkDGGDistanceTask& task) override;
-  std::vector<vtkDGGPointArray> DeclareArrays() const override;
+  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
+  std::vector<DGGPointArray> DeclareArrays() const override;
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
@@ -140,7 +140,7 @@ private:
   int Search;
   bool GenerateUpperBound;
   std::string UpperBoundArrayName;
-  std::unique_ptr<vtkDGGGraphUser> GraphUser;
+  std::unique_ptr<DGGGraphUser> GraphUser;
 };
 
 #endif

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGFastMarchingDistance.h"
 
-#include "vtkDGGDistanceTask.h"
-#include "vtkDGGMeshQuality.h"
+#include "DGGDistanceTask.h"
+#include "DGGMeshQuality.h"
 
 #include "dggFastMarching.h"
 
@@ -45,7 +45,7 @@ const char* vtkDGGFastMarchingDistance::GetFrontShapeAsString() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGFastMarchingDistance::ComputeDistances(vtkDGGDistanceTask& task)
+dgg::Status vtkDGGFastMarchingDistance::ComputeDistances(DGGDistanceTask& task)
 {
   dgg::MarchingOptions options;
   options.Update =
@@ -59,7 +59,7 @@ dgg::Status vtkDGGFastMarchingDistance::ComputeDistances(vtkDGGDistanceTask& tas
     this->Prepared.reset(); // before there are two
     this->Prepared.reset(new Preparation{
       task.Context.Surface.GetBuildTime(), dgg::FastMarching(task.Context.Surface.GetMesh()) });
-    this->QualityWarning = vtkDGGWarnOfLongTriangles(this);
+    this->QualityWarning = DGGWarnOfLongTriangles(this);
   }
   dgg::MarchingResult result;
   const dgg::Status status = this->Prepared->Solver.Run(task.Sources, options, result);

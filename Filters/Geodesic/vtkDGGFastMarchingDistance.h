@@ -76,7 +76,7 @@ protected:
   vtkDGGFastMarchingDistance();
   ~vtkDGGFastMarchingDistance() override;
 
-  dgg::Status ComputeDistances(vtkDGGDistanceTask& task) override;
+  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
 
 private:
   vtkDGGFastMarchingDistance(const vtkDGGFastMarchingDistance&) = delete;

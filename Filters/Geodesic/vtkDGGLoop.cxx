@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGLoop.h"
 
-#include "vtkDGGGraphUser.h"
-#include "vtkDGGGraphUser.h"
-#include "vtkDGGMakeArray.h"
-#include "vtkDGGPreparedMesh.h"
-#include "vtkDGGNewGeometry.h"
-#include "vtkDGGParallel.h"
-#include "vtkDGGProperties.h"
-#include "vtkDGGSourceCollector.h"
+#include "DGGGraphUser.h"
+#include "DGGGraphUser.h"
+#include "DGGMakeArray.h"
+#include "DGGPreparedMesh.h"
+#include "DGGNewGeometry.h"
+#include "DGGThreads.h"
+#include "DGGProperties.h"
+#include "DGGSourceCollector.h"
 
 #include "dggFoundLoop.h"
 #include "dggHandleLoops.h"
@@ -44,7 +44,7 @@ enum class LoopStatus
 };
 
 /// The loops that were asked for, and the rims of tapes along them.
-struct vtkDGGLoopSet
+struct DGGLoopSet
 {
   std::vector<dgg::FoundLoop> Loops; ///< empty where there is none
   std::vector<LoopStatus> Status;
@@ -59,24 +59,24 @@ using LoopPoints = std::vector<dgg::SurfacePoint>;
 
 /// One through each point, on all threads.
 dgg::Status RunThroughPoints(const dgg::LoopFinder& finder, const LoopPoints& points, bool taut,
-  const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
+  const dgg::ProgressCallback& progress, DGGLoopSet& set)
 {
   set.Loops.assign(points.size(), dgg::FoundLoop());
   const auto step = [&](std::size_t i, const dgg::ProgressCallback& within) {
-    return vtkDGGExplain(finder.ThroughPoint(points[i], taut, set.Loops[i], within),
+    return DGGExplain(finder.ThroughPoint(points[i], taut, set.Loops[i], within),
       "point " + std::to_string(i) + ": ");
   };
-  return vtkDGGForEach(points.size(), 1, progress, step);
+  return DGGForEach(points.size(), 1, progress, step);
 }
 
 /// One through all points.
 dgg::Status RunRope(const dgg::LoopFinder& finder, const LoopPoints& points, bool taut,
-  const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
+  const dgg::ProgressCallback& progress, DGGLoopSet& set)
 {
   set.Loops.resize(1);
   bool isConnected = true;
   const dgg::Status status =
-    vtkDGGExplain(finder.Rope(points, taut, set.Loops[0], isConnected, progress), "rope: ");
+    DGGExplain(finder.Rope(points, taut, set.Loops[0], isConnected, progress), "rope: ");
   if (!isConnected)
   {
     set.Status = { LoopStatus::NotConnected };
@@ -85,8 +85,8 @@ dgg::Status RunRope(const dgg::LoopFinder& finder, const LoopPoints& points, boo
 }
 
 /// The rims of tapes along all loops that are not too long.
-dgg::Status AddTapes(const vtkDGGPreparedMesh& mesh, double width,
-  const dgg::ProgressCallback& progress, vtkDGGLoopSet& set)
+dgg::Status AddTapes(
+  const DGGPreparedMesh& mesh, double width, const dgg::ProgressCallback& progress, DGGLoopSet& set)
 {
   const std::size_t count = set.Loops.size();
   set.Rims.resize(count);
@@ -110,7 +110,7 @@ dgg::Status AddTapes(const vtkDGGPreparedMesh& mesh, double width,
       dgg::MakeOffsetCurves(mesh.GetMesh(), set.Loops[i].Loop, width, part, set.Rims[i]);
     if (!status.IsOk())
     {
-      return vtkDGGExplain(status, "tape of loop " + std::to_string(i) + ": ");
+      return DGGExplain(status, "tape of loop " + std::to_string(i) + ": ");
     }
     if (!part(1.0))
     {
@@ -146,18 +146,18 @@ bool IsClosed(const dgg::SurfacePath& rim)
 
 /// Field data, polylines, Length and LoopId.
 void WriteCurves(
-  const std::vector<Curve>& curves, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
+  const std::vector<Curve>& curves, const DGGNewGeometry& geometry, vtkPolyData* output)
 {
   geometry.Begin(output);
   const auto count = static_cast<vtkIdType>(curves.size());
   vtkIdType size = 0;
   for (const Curve& curve : curves)
   {
-    size += vtkDGGPolylineWriter::CountPoints(*curve.Path, curve.IsClosed);
+    size += DGGPolylineWriter::CountPoints(*curve.Path, curve.IsClosed);
   }
-  auto lengths = vtkDGGMakeArray<vtkDoubleArray>("Length", count);
-  auto ids = vtkDGGMakeArray<vtkIdTypeArray>("LoopId", count);
-  vtkDGGPolylineWriter writer(geometry, size);
+  auto lengths = DGGMakeArray<vtkDoubleArray>("Length", count);
+  auto ids = DGGMakeArray<vtkIdTypeArray>("LoopId", count);
+  DGGPolylineWriter writer(geometry, size);
   for (vtkIdType i = 0; i < count; ++i)
   {
     writer.Add(*curves[i].Path, curves[i].IsClosed);
@@ -169,11 +169,10 @@ void WriteCurves(
   output->GetCellData()->AddArray(ids);
 }
 
-void WriteLoops(const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
+void WriteLoops(const DGGLoopSet& set, const DGGNewGeometry& geometry, vtkPolyData* output)
 {
   std::vector<Curve> curves;
-  auto status =
-    vtkDGGMakeArray<vtkIntArray>("LoopStatus", static_cast<vtkIdType>(set.Loops.size()));
+  auto status = DGGMakeArray<vtkIntArray>("LoopStatus", static_cast<vtkIdType>(set.Loops.size()));
   for (std::size_t i = 0; i < set.Loops.size(); ++i)
   {
     const auto loop = static_cast<vtkIdType>(i);
@@ -185,8 +184,8 @@ void WriteLoops(const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtk
   }
   WriteCurves(curves, geometry, output);
   const auto count = static_cast<vtkIdType>(curves.size());
-  auto angles = vtkDGGMakeArray<vtkDoubleArray>("Angle", count);
-  auto kinked = vtkDGGMakeArray<vtkIntArray>("Kinked", count);
+  auto angles = DGGMakeArray<vtkDoubleArray>("Angle", count);
+  auto kinked = DGGMakeArray<vtkIntArray>("Kinked", count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const dgg::FoundLoop& loop = set.Loops[curves[i].Loop];
@@ -198,7 +197,7 @@ void WriteLoops(const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtk
   output->GetFieldData()->AddArray(status);
 }
 
-void WriteTapes(const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
+void WriteTapes(const DGGLoopSet& set, const DGGNewGeometry& geometry, vtkPolyData* output)
 {
   std::vector<Curve> curves;
   for (std::size_t i = 0; i < set.Rims.size(); ++i)
@@ -212,7 +211,7 @@ void WriteTapes(const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtk
 }
 
 void FillOutputs(
-  const vtkDGGLoopSet& set, const vtkDGGNewGeometry& geometry, vtkInformationVector* outputVector)
+  const DGGLoopSet& set, const DGGNewGeometry& geometry, vtkInformationVector* outputVector)
 {
   WriteLoops(set, geometry, vtkPolyData::GetData(outputVector, 0));
   WriteTapes(set, geometry, vtkPolyData::GetData(outputVector, 1));
@@ -225,7 +224,7 @@ vtkDGGLoop::vtkDGGLoop()
   , Taut(false)
   , TapeWidth(0.0)
   , ProjectionTolerance(0.01)
-  , GraphUser(new vtkDGGGraphUser)
+  , GraphUser(new DGGGraphUser)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
@@ -239,7 +238,7 @@ void vtkDGGLoop::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->GetModeAsString() << "\n";
-  vtkDGGPrintIds(os, indent, "PointIds", this->PointIds);
+  DGGPrintIds(os, indent, "PointIds", this->PointIds);
   os << indent << "Taut: " << (this->Taut ? "On" : "Off") << "\n";
   os << indent << "TapeWidth: " << this->TapeWidth << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
@@ -269,7 +268,7 @@ vtkPolyData* vtkDGGLoop::GetTape()
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGLoop::CheckProperties() const
 {
-  dgg::Status status = vtkDGGCheckLengths(
+  dgg::Status status = DGGCheckLengths(
     { { "ProjectionTolerance", this->ProjectionTolerance }, { "TapeWidth", this->TapeWidth } });
   if (status.IsOk() && std::isinf(this->TapeWidth))
   {
@@ -279,7 +278,7 @@ dgg::Status vtkDGGLoop::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-vtkDGGSourceSet vtkDGGLoop::GetPointSet(vtkInformationVector** inputVector) const
+DGGSourceSet vtkDGGLoop::GetPointSet(vtkInformationVector** inputVector) const
 {
   return { this->PointIds, vtkPolyData::GetData(inputVector[1]), 1, "loop point",
     "call AddPointId() or SetPointIds()", "" };
@@ -292,7 +291,7 @@ dgg::Status vtkDGGLoop::CheckInputs(vtkPolyData* surface, vtkInformationVector**
   {
     return dgg::Status::Success();
   }
-  const vtkDGGSourceSet set = this->GetPointSet(inputVector);
+  const DGGSourceSet set = this->GetPointSet(inputVector);
   const std::size_t count =
     set.Ids.size() + (set.Points ? static_cast<std::size_t>(set.Points->GetNumberOfPoints()) : 0);
   if (this->Mode == Rope && count > 0 && count < FewestPointsOfRope)
@@ -301,7 +300,7 @@ dgg::Status vtkDGGLoop::CheckInputs(vtkPolyData* surface, vtkInformationVector**
       (count == 1 ? " point" : " points") +
       " goes back the way that it came: give it three points or more");
   }
-  return vtkDGGSourceCollector::Check(set, surface->GetNumberOfPoints());
+  return DGGSourceCollector::Check(set, surface->GetNumberOfPoints());
 }
 
 //------------------------------------------------------------------------------
@@ -311,18 +310,18 @@ std::string vtkDGGLoop::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGLoop::Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+dgg::Status vtkDGGLoop::Execute(
+  const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGPreparedMesh& mesh = context.Surface;
+  const DGGPreparedMesh& mesh = context.Surface;
   std::vector<dgg::GeodesicSource> sources;
   dgg::Status status;
   if (this->Mode != AroundHandles)
   {
-    status = vtkDGGSourceCollector::Collect(
+    status = DGGSourceCollector::Collect(
       context, this->GetPointSet(inputVector), this->ProjectionTolerance, sources);
   }
-  vtkDGGNewGeometry geometry;
+  DGGNewGeometry geometry;
   if (status.IsOk())
   {
     status = geometry.Take(context, this->GetOutputPointsPrecision());
@@ -338,7 +337,7 @@ dgg::Status vtkDGGLoop::Execute(const vtkDGGContext& context, vtkInformationVect
     return status;
   }
 
-  vtkDGGLoopSet set;
+  DGGLoopSet set;
   const dgg::ProgressCallback finding =
     dgg::ProgressPart(progress, 0.0, this->TapeWidth > 0.0 ? LoopShare : 1.0);
   if (this->Mode == AroundHandles)
@@ -347,8 +346,8 @@ dgg::Status vtkDGGLoop::Execute(const vtkDGGContext& context, vtkInformationVect
   }
   else
   {
-    vtkDGGGraphUser& graph = *this->GraphUser;
-    const LoopPoints points = vtkDGGGetPlaces(sources);
+    DGGGraphUser& graph = *this->GraphUser;
+    const LoopPoints points = DGGGetPlaces(sources);
     const bool withLinks = !std::all_of(points.begin(), points.end(), dgg::IsVertex);
     DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context, withLinks));
     const dgg::LoopFinder finder(mesh.GetMesh(), graph.GetSearch(),
@@ -378,7 +377,7 @@ dgg::Status vtkDGGLoop::Execute(const vtkDGGContext& context, vtkInformationVect
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set)
+void vtkDGGLoop::WarnAboutMissingLoops(const DGGLoopSet& set)
 {
   const auto isMissing = [](LoopStatus status) { return status != LoopStatus::Found; };
   const auto missing = std::count_if(set.Status.begin(), set.Status.end(), isMissing);
@@ -420,7 +419,7 @@ void vtkDGGLoop::WarnAboutMissingLoops(const vtkDGGLoopSet& set)
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGLoop::WarnAboutMissingTapes(const vtkDGGLoopSet& set)
+void vtkDGGLoop::WarnAboutMissingTapes(const DGGLoopSet& set)
 {
   if (set.LoopsTooLong > 0)
   {
@@ -434,9 +433,9 @@ void vtkDGGLoop::WarnAboutMissingTapes(const vtkDGGLoopSet& set)
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGLoop::MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector)
+void vtkDGGLoop::MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector)
 {
-  vtkDGGNewGeometry geometry;
+  DGGNewGeometry geometry;
   geometry.Take(context, this->GetOutputPointsPrecision());
-  FillOutputs(vtkDGGLoopSet(), geometry, outputVector);
+  FillOutputs(DGGLoopSet(), geometry, outputVector);
 }

@@ -69,8 +69,8 @@
 #include <memory> // For the internals
 #include <vector> // For ids
 
-struct vtkDGGLoopSet;
-struct vtkDGGSourceSet;
+struct DGGLoopSet;
+struct DGGSourceSet;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGLoop : public vtkGeodesicAlgorithm
 {
@@ -175,25 +175,25 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
   vtkDGGLoop(const vtkDGGLoop&) = delete;
   void operator=(const vtkDGGLoop&) = delete;
 
-  vtkDGGSourceSet GetPointSet(vtkInformationVector** inputVector) const;
-  void WarnAboutMissingLoops(const vtkDGGLoopSet& set);
-  void WarnAboutMissingTapes(const vtkDGGLoopSet& set);
+  DGGSourceSet GetPointSet(vtkInformationVector** inputVector) const;
+  void WarnAboutMissingLoops(const DGGLoopSet& set);
+  void WarnAboutMissingTapes(const DGGLoopSet& set);
 
   int Mode;
   std::vector<vtkIdType> PointIds;
   bool Taut;
   double TapeWidth;
   double ProjectionTolerance;
-  std::unique_ptr<vtkDGGGraphUser> GraphUser;
+  std::unique_ptr<DGGGraphUser> GraphUser;
 };
 
 #endif

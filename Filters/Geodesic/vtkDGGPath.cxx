@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPath.h"
 
-#include "vtkDGGGraphUser.h"
-#include "vtkDGGMakeArray.h"
-#include "vtkDGGPreparedMesh.h"
-#include "vtkDGGNewGeometry.h"
-#include "vtkDGGPathSearch.h"
-#include "vtkDGGProperties.h"
-#include "vtkDGGSourceCollector.h"
+#include "DGGGraphUser.h"
+#include "DGGMakeArray.h"
+#include "DGGPreparedMesh.h"
+#include "DGGNewGeometry.h"
+#include "DGGPathSearch.h"
+#include "DGGProperties.h"
+#include "DGGSourceCollector.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -104,17 +104,17 @@ struct PairLines
 };
 
 /// The ends of all pairs, one after the other: those by id and those of lines.
-vtkDGGSourceSet MakeSourceSet(
+DGGSourceSet MakeSourceSet(
   const std::vector<vtkIdType>& ids, vtkPolyData* lines, const PairLines& pairs)
 {
-  vtkDGGSourceSet set{ ids, lines, 1, "path end", "call AddPair()", "" };
+  DGGSourceSet set{ ids, lines, 1, "path end", "call AddPair()", "" };
   set.PointIds = &pairs.Ends;
   return set;
 }
 
-vtkDGGPathSearch::Pairs MakePairs(const std::vector<dgg::GeodesicSource>& ends)
+DGGPathSearch::Pairs MakePairs(const std::vector<dgg::GeodesicSource>& ends)
 {
-  vtkDGGPathSearch::Pairs pairs;
+  DGGPathSearch::Pairs pairs;
   for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
   {
     pairs.push_back({ ends[i].Point, ends[i + 1].Point });
@@ -163,10 +163,10 @@ void AddCellData(const PathSet& set, const std::vector<vtkIdType>& pairs, vtkCel
   // Pairs by id come before those of lines, and have no tuple.
   const auto firstLine = static_cast<vtkIdType>(set.Paths.size() - set.CellsOfLast.size());
   std::vector<vtkIdType> tuples;
-  auto ids = vtkDGGMakeArray<vtkIdTypeArray>("PairId", count);
-  auto lengths = vtkDGGMakeArray<vtkDoubleArray>("Length", count);
-  auto graphLengths = vtkDGGMakeArray<vtkDoubleArray>("GraphLength", count);
-  auto straightened = vtkDGGMakeArray<vtkIntArray>("Straightened", count);
+  auto ids = DGGMakeArray<vtkIdTypeArray>("PairId", count);
+  auto lengths = DGGMakeArray<vtkDoubleArray>("Length", count);
+  auto graphLengths = DGGMakeArray<vtkDoubleArray>("GraphLength", count);
+  auto straightened = DGGMakeArray<vtkIntArray>("Straightened", count);
   for (vtkIdType line = 0; line < count; ++line)
   {
     const vtkIdType pair = pairs[line];
@@ -200,11 +200,11 @@ std::vector<vtkIdType> FindUnconnected(const std::vector<dgg::FoundPath>& paths)
   return unconnected;
 }
 
-void WritePaths(const PathSet& set, const vtkDGGNewGeometry& geometry, vtkPolyData* output)
+void WritePaths(const PathSet& set, const DGGNewGeometry& geometry, vtkPolyData* output)
 {
   geometry.Begin(output);
   const auto status =
-    vtkDGGAddArray<vtkIntArray>(output->GetFieldData(), "PathStatus", set.Paths.size());
+    DGGAddArray<vtkIntArray>(output->GetFieldData(), "PathStatus", set.Paths.size());
   std::vector<vtkIdType> pairs;
   vtkIdType size = 0;
   for (std::size_t i = 0; i < set.Paths.size(); ++i)
@@ -217,7 +217,7 @@ void WritePaths(const PathSet& set, const vtkDGGNewGeometry& geometry, vtkPolyDa
       size += static_cast<vtkIdType>(path.Points.size());
     }
   }
-  vtkDGGPolylineWriter writer(geometry, size);
+  DGGPolylineWriter writer(geometry, size);
   for (const vtkIdType pair : pairs)
   {
     writer.Add(set.Paths[pair].Path);
@@ -234,7 +234,7 @@ vtkDGGPath::vtkDGGPath()
   , Detour(dgg::PathOptions().Detour)
   , ProjectionTolerance(0.01)
   , NumberOfFallbacks(0)
-  , GraphUser(new vtkDGGGraphUser)
+  , GraphUser(new DGGGraphUser)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -306,7 +306,7 @@ vtkIdType vtkDGGPath::GetPairEnd(vtkIdType i) const
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGPath::CheckProperties() const
 {
-  dgg::Status status = vtkDGGCheckLengths(
+  dgg::Status status = DGGCheckLengths(
     { { "ProjectionTolerance", this->ProjectionTolerance }, { "Detour", this->Detour } });
   return status.IsOk() ? this->GraphUser->Check() : status;
 }
@@ -317,7 +317,7 @@ dgg::Status vtkDGGPath::CheckInputs(vtkPolyData* surface, vtkInformationVector**
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
   PairLines pairs;
   const dgg::Status status = pairs.Read(lines, this->PairIds.empty());
-  return status.IsOk() ? vtkDGGSourceCollector::Check(
+  return status.IsOk() ? DGGSourceCollector::Check(
                            MakeSourceSet(this->PairIds, lines, pairs), surface->GetNumberOfPoints())
                        : status;
 }
@@ -325,7 +325,7 @@ dgg::Status vtkDGGPath::CheckInputs(vtkPolyData* surface, vtkInformationVector**
 //------------------------------------------------------------------------------
 bool vtkDGGPath::IsCloud(vtkPolyData* input) const
 {
-  return vtkDGGGraphUser::IsCloud(input);
+  return DGGGraphUser::IsCloud(input);
 }
 
 //------------------------------------------------------------------------------
@@ -335,11 +335,11 @@ std::string vtkDGGPath::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPath::Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+dgg::Status vtkDGGPath::Execute(
+  const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->NumberOfFallbacks = 0;
-  const vtkDGGPreparedMesh& mesh = context.Surface;
+  const DGGPreparedMesh& mesh = context.Surface;
   if (mesh.IsCloud() && this->Method == Exact)
   {
     return dgg::Status::Invalid("there is no exact path on a point cloud: call SetMethodToGraph()");
@@ -355,10 +355,10 @@ dgg::Status vtkDGGPath::Execute(const vtkDGGContext& context, vtkInformationVect
   dgg::Status status = linePairs.Read(lines, this->PairIds.empty());
   if (status.IsOk())
   {
-    status = vtkDGGSourceCollector::Collect(
+    status = DGGSourceCollector::Collect(
       context, MakeSourceSet(this->PairIds, lines, linePairs), this->ProjectionTolerance, ends);
   }
-  vtkDGGNewGeometry geometry;
+  DGGNewGeometry geometry;
   if (status.IsOk())
   {
     status = geometry.Take(context, this->GetOutputPointsPrecision());
@@ -372,10 +372,10 @@ dgg::Status vtkDGGPath::Execute(const vtkDGGContext& context, vtkInformationVect
     return status;
   }
 
-  const vtkDGGPathSearch::Pairs pairs = MakePairs(ends);
-  const vtkDGGPathSearch search(context, pairs);
-  vtkDGGPathSearch::Paths paths;
-  vtkDGGGraphUser& graph = *this->GraphUser;
+  const DGGPathSearch::Pairs pairs = MakePairs(ends);
+  const DGGPathSearch search(context, pairs);
+  DGGPathSearch::Paths paths;
+  DGGGraphUser& graph = *this->GraphUser;
   if (mesh.IsCloud())
   {
     status = search.RunOnCloud(graph, options.Straighten, paths);
@@ -400,7 +400,7 @@ dgg::Status vtkDGGPath::Execute(const vtkDGGContext& context, vtkInformationVect
 
 //------------------------------------------------------------------------------
 void vtkDGGPath::WarnAboutUnconnectedPairs(
-  const vtkDGGContext& context, const std::vector<vtkIdType>& pairs, std::size_t count)
+  const DGGContext& context, const std::vector<vtkIdType>& pairs, std::size_t count)
 {
   if (!pairs.empty())
   {
@@ -415,11 +415,11 @@ void vtkDGGPath::WarnAboutUnconnectedPairs(
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGPath::MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector)
+void vtkDGGPath::MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector)
 {
   this->NumberOfFallbacks = 0;
-  vtkDGGNewGeometry geometry;
+  DGGNewGeometry geometry;
   geometry.Take(context, this->GetOutputPointsPrecision());
-  const vtkDGGPathSearch::Paths none;
+  const DGGPathSearch::Paths none;
   WritePaths({ none, nullptr, {} }, geometry, vtkPolyData::GetData(outputVector));
 }

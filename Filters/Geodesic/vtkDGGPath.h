@@ -173,9 +173,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
@@ -185,7 +185,7 @@ private:
 
   vtkIdType GetPairId(vtkIdType i, int side) const;
   void WarnAboutUnconnectedPairs(
-    const vtkDGGContext& context, const std::vector<vtkIdType>& pairs, std::size_t count);
+    const DGGContext& context, const std::vector<vtkIdType>& pairs, std::size_t count);
 
   int Method;
   bool Straighten;
@@ -193,7 +193,7 @@ private:
   double ProjectionTolerance;
   vtkIdType NumberOfFallbacks;
   std::vector<vtkIdType> PairIds; // two for each pair
-  std::unique_ptr<vtkDGGGraphUser> GraphUser;
+  std::unique_ptr<DGGGraphUser> GraphUser;
 };
 
 #endif

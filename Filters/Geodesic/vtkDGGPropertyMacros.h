@@ -91,10 +91,10 @@
     return i >= 0 && i < this->GetNumberOf##name##Ids() ? this->name##Ids[i] : -1;               \
   }
 
-class vtkDGGGraphUser;
+class DGGGraphUser;
 
 /// Accuracy, AcceptCoarserGraph, MemoryLimit, and numbers of the graph of the last update; the
-/// filters document them. Their member `std::unique_ptr<vtkDGGGraphUser> GraphUser` has them, and
+/// filters document them. Their member `std::unique_ptr<DGGGraphUser> GraphUser` has them, and
 /// vtkDGGGraphUserMacro() defines them.
 #define vtkDGGGraphPropertiesMacro()               \
   virtual void SetAccuracy(double accuracy);       \

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDiscreteGeodesicGraph.h"
 
-#include "vtkDGGContext.h"
-#include "vtkDGGGraphArrays.h"
-#include "vtkDGGGraphBuild.h"
-#include "vtkDGGMemory.h"
-#include "vtkDGGPreparedMesh.h"
+#include "DGGContext.h"
+#include "DGGGraphArrays.h"
+#include "DGGGraphBuild.h"
+#include "DGGFreeMemory.h"
+#include "DGGPreparedMesh.h"
 
 #include "dggProgressPart.h"
 
@@ -43,10 +43,10 @@ bool IsMadeBy(const dgg::GraphInfo& info, const dgg::GraphOptions& options)
 //------------------------------------------------------------------------------
 struct vtkDiscreteGeodesicGraph::vtkInternals
 {
-  vtkDGGGraphArrays OnInput;
-  vtkDGGGraphArrays Built;
-  vtkDGGDomain BuiltDomain;
-  vtkDGGGraphSummary Current; // of the graph of the last update
+  DGGGraphArrays OnInput;
+  DGGGraphArrays Built;
+  DGGDomain BuiltDomain;
+  DGGGraphSummary Current; // of the graph of the last update
   dgg::GraphEstimate Estimate;
   vtkTimeStamp BuildTime;
 };
@@ -119,7 +119,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Estimate()
     return dgg::Status::Success();
   }
   status = this->PrepareMesh(surface);
-  const vtkDGGContext context = this->MakeContext(surface);
+  const DGGContext context = this->MakeContext(surface);
   if (status.IsOk() && !context.Progress(0.0))
   {
     status = dgg::Status::Abort();
@@ -127,7 +127,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Estimate()
   if (status.IsOk())
   {
     dgg::GraphOptions options = this->MakeOptions();
-    vtkDGGUseThreads(context, options);
+    DGGUseThreads(context, options);
     status =
       dgg::GraphBuilder(context.Surface.GetMesh()).Estimate(options, this->Internals->Estimate);
   }
@@ -166,7 +166,7 @@ vtkIdType vtkDiscreteGeodesicGraph::GetNumberOfGraphEdges() const
 //------------------------------------------------------------------------------
 double vtkDiscreteGeodesicGraph::GetMeanDegree() const
 {
-  const vtkDGGGraphSummary& graph = this->Internals->Current;
+  const DGGGraphSummary& graph = this->Internals->Current;
   return graph.NumberOfVertices > 0
     ? static_cast<double>(graph.NumberOfEdges) / graph.NumberOfVertices
     : 0.0;
@@ -204,7 +204,7 @@ dgg::GraphOptions vtkDiscreteGeodesicGraph::MakeOptions() const
 int vtkDiscreteGeodesicGraph::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Internals->Current = vtkDGGGraphSummary();
+  this->Internals->Current = DGGGraphSummary();
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -223,12 +223,12 @@ std::string vtkDiscreteGeodesicGraph::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDiscreteGeodesicGraph::Execute(const vtkDGGContext& context,
+dgg::Status vtkDiscreteGeodesicGraph::Execute(const DGGContext& context,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkInternals& internals = *this->Internals;
   const bool isOnInput = this->FindOnInput(context);
-  vtkDGGGraphArrays& graph = isOnInput ? internals.OnInput : internals.Built;
+  DGGGraphArrays& graph = isOnInput ? internals.OnInput : internals.Built;
   dgg::Status status;
   if (isOnInput)
   {
@@ -250,26 +250,26 @@ dgg::Status vtkDiscreteGeodesicGraph::Execute(const vtkDGGContext& context,
     vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
     output->ShallowCopy(context.Input);
     graph.AddTo(output->GetFieldData());
-    internals.Current = vtkDGGGraphSummary(graph.GetView());
+    internals.Current = DGGGraphSummary(graph.GetView());
   }
   return status;
 }
 
 //------------------------------------------------------------------------------
 void vtkDiscreteGeodesicGraph::MakeEmptyOutput(
-  const vtkDGGContext& context, vtkInformationVector* outputVector)
+  const DGGContext& context, vtkInformationVector* outputVector)
 {
   this->Internals->Estimate = dgg::GraphEstimate();
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->ShallowCopy(context.Input);
-  vtkDGGGraphArrays::RemoveFrom(output->GetFieldData()); // they are of another surface
+  DGGGraphArrays::RemoveFrom(output->GetFieldData()); // they are of another surface
   vtkPolyData::GetData(outputVector, 1)->Initialize();
 }
 
 //------------------------------------------------------------------------------
-bool vtkDiscreteGeodesicGraph::FindOnInput(const vtkDGGContext& context)
+bool vtkDiscreteGeodesicGraph::FindOnInput(const DGGContext& context)
 {
-  vtkDGGGraphArrays& graph = this->Internals->OnInput;
+  DGGGraphArrays& graph = this->Internals->OnInput;
   std::string complaint;
   const bool found = graph.Find(context.Input->GetFieldData(), context.Surface, complaint);
   if (!complaint.empty())
@@ -280,10 +280,10 @@ bool vtkDiscreteGeodesicGraph::FindOnInput(const vtkDGGContext& context)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDiscreteGeodesicGraph::Build(const vtkDGGContext& context)
+dgg::Status vtkDiscreteGeodesicGraph::Build(const DGGContext& context)
 {
   vtkInternals& internals = *this->Internals;
-  const vtkDGGPreparedMesh& mesh = context.Surface;
+  const DGGPreparedMesh& mesh = context.Surface;
   dgg::GraphOptions options = this->MakeOptions();
   const dgg::GraphInfo& built = internals.Built.GetView().Info;
   const bool isKept = internals.Built.IsValid() && built.Surface == mesh.GetSignature() &&
@@ -297,7 +297,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Build(const vtkDGGContext& context)
     dgg::ProgressPart(context.Progress, 0.0, this->GenerateGraphLines ? BuildShare : 1.0);
   const dgg::GraphBuilder builder(mesh.GetMesh());
   dgg::GeodesicGraph graph;
-  const dgg::Status status = vtkDGGBuildGraph(context, builder, options, graph, internals.Estimate);
+  const dgg::Status status = DGGBuildGraph(context, builder, options, graph, internals.Estimate);
   if (status.IsOk())
   {
     internals.Built.Adopt(graph, mesh);
@@ -309,12 +309,12 @@ dgg::Status vtkDiscreteGeodesicGraph::Build(const vtkDGGContext& context)
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDiscreteGeodesicGraph::AddLines(
-  const vtkDGGContext& context, const vtkDGGGraphArrays& arrays, vtkPolyData* lines)
+  const DGGContext& context, const DGGGraphArrays& arrays, vtkPolyData* lines)
 {
   const dgg::Id rowsInBlock = 4096; // between two looks at the progress
   const vtkIdType count = arrays.GetView().GetNumberOfEdges() / 2;
   const double perLine = 3.0 * sizeof(vtkIdType) + sizeof(double);
-  DGG_RETURN_IF_ERROR(vtkDGGCheckMemory("the edges of the graph as lines",
+  DGG_RETURN_IF_ERROR(DGGCheckMemory("the edges of the graph as lines",
     static_cast<double>(count) * perLine, context.MemoryLimit, "turn GenerateGraphLines off"));
   vtkNew<vtkCellArray> cells;
   cells->AllocateExact(count, 2 * count);

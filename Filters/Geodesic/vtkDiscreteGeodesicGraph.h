@@ -77,7 +77,7 @@ namespace dgg
 {
 struct GraphOptions;
 }
-class vtkDGGGraphArrays;
+class DGGGraphArrays;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDiscreteGeodesicGraph : public vtkGeodesicAlgorithm
 {
@@ -202,9 +202,9 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
@@ -212,11 +212,10 @@ private:
   void operator=(const vtkDiscreteGeodesicGraph&) = delete;
 
   dgg::GraphOptions MakeOptions() const;
-  bool FindOnInput(const vtkDGGContext& context);
-  dgg::Status Build(const vtkDGGContext& context);
+  bool FindOnInput(const DGGContext& context);
+  dgg::Status Build(const DGGContext& context);
   dgg::Status Estimate();
-  dgg::Status AddLines(
-    const vtkDGGContext& context, const vtkDGGGraphArrays& arrays, vtkPolyData* lines);
+  dgg::Status AddLines(const DGGContext& context, const DGGGraphArrays& arrays, vtkPolyData* lines);
 
   double Accuracy;
   int Construction;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkExactGeodesicDistance.h"
 
-#include "vtkDGGDistanceTask.h"
-#include "vtkDGGMemory.h"
+#include "DGGDistanceTask.h"
+#include "DGGFreeMemory.h"
 
 #include "dggSourceFinding.h"
 
@@ -34,7 +34,7 @@ void vtkExactGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkExactGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
+dgg::Status vtkExactGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
 {
   dgg::ExactOptions options;
   options.Engine =
@@ -46,7 +46,7 @@ dgg::Status vtkExactGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
   {
     // Never 0, which stands for no limit there.
     options.MemoryLimit = static_cast<std::size_t>(
-      std::max<vtkTypeUInt64>(1, vtkDGGGetMemoryLimit(task.Context.MemoryLimit)));
+      std::max<vtkTypeUInt64>(1, DGGGetMemoryLimit(task.Context.MemoryLimit)));
   }
 
   dgg::ExactGeodesics solver(task.Context.Surface.GetMesh());

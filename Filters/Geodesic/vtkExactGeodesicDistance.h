@@ -86,7 +86,7 @@ protected:
   vtkExactGeodesicDistance();
   ~vtkExactGeodesicDistance() override;
 
-  dgg::Status ComputeDistances(vtkDGGDistanceTask& task) override;
+  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
 
 private:
   vtkExactGeodesicDistance(const vtkExactGeodesicDistance&) = delete;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicAlgorithm.h"
 
-#include "vtkDGGCompatibility.h"
-#include "vtkDGGContext.h"
-#include "vtkDGGMeshAdapter.h"
-#include "vtkDGGParallel.h"
-#include "vtkDGGProperties.h"
+#include "DGGCompatibility.h"
+#include "DGGContext.h"
+#include "DGGMeshAdapter.h"
+#include "DGGThreads.h"
+#include "DGGProperties.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -27,7 +27,7 @@ namespace
 /// Share of the progress that goes to the preparation of the mesh.
 constexpr double PreparationShare = 0.1;
 
-void WriteReport(std::ostream& os, const vtkDGGPreparedMesh& mesh)
+void WriteReport(std::ostream& os, const DGGPreparedMesh& mesh)
 {
   const dgg::MeshReport& report = mesh.GetReport();
   os << "points: " << report.Vertices << "\n";
@@ -113,7 +113,7 @@ vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
   , Reached(0.0)
   , IsStopped(false)
   , GapsBuildTime(0)
-  , Adapter(new vtkDGGMeshAdapter)
+  , Adapter(new DGGMeshAdapter)
 {
 }
 
@@ -266,7 +266,7 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   if (status.IsOk() && input && input->GetNumberOfPoints() > 0 && !this->IsCloud(input))
   {
     // Before all else: other remedies would not help.
-    status = vtkDGGPreparedMesh::CheckSurface(input);
+    status = DGGPreparedMesh::CheckSurface(input);
     if (!status.IsOk())
     {
       this->Adapter->Clear(); // the report is not that of another surface
@@ -274,7 +274,7 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   }
   if (status.IsOk())
   {
-    status = vtkDGGCheckLengths({ { "MergeTolerance", this->MergeTolerance } });
+    status = DGGCheckLengths({ { "MergeTolerance", this->MergeTolerance } });
   }
   if (status.IsOk())
   {
@@ -330,23 +330,22 @@ std::string vtkGeodesicAlgorithm::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-vtkDGGContext vtkGeodesicAlgorithm::MakeContext(vtkPolyData* surface)
+DGGContext vtkGeodesicAlgorithm::MakeContext(vtkPolyData* surface)
 {
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
   return { surface, this->Adapter->Get(), this->MemoryLimit, progress,
-    vtkDGGMakeParallelFor(progress) };
+    DGGMakeParallelFor(progress) };
 }
 
 //------------------------------------------------------------------------------
-vtkDGGDomain vtkGeodesicAlgorithm::GetDomain(vtkPolyData* surface) const
+DGGDomain vtkGeodesicAlgorithm::GetDomain(vtkPolyData* surface) const
 {
   if (this->IsCloud(surface))
   {
-    return { vtkDGGDomain::Cloud, 0.0 };
+    return { DGGDomain::Cloud, 0.0 };
   }
-  return this->MergeCoincidentPoints
-    ? vtkDGGDomain{ vtkDGGDomain::MergedSurface, this->MergeTolerance }
-    : vtkDGGDomain{ vtkDGGDomain::Surface, 0.0 };
+  return this->MergeCoincidentPoints ? DGGDomain{ DGGDomain::MergedSurface, this->MergeTolerance }
+                                     : DGGDomain{ DGGDomain::Surface, 0.0 };
 }
 
 //------------------------------------------------------------------------------

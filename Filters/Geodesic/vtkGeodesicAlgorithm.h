@@ -77,9 +77,9 @@ namespace dgg
 {
 class Status;
 }
-class vtkDGGMeshAdapter;
-struct vtkDGGContext;
-struct vtkDGGDomain;
+class DGGMeshAdapter;
+struct DGGContext;
+struct DGGDomain;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -197,14 +197,13 @@ protected:
    *
    * CheckProperties() and CheckInputs() report what is wrong without the mesh. Execute() is called
    * with a mesh. MakeEmptyOutput() takes its place when the surface has neither points nor cells.
-   * The context is that of the whole update (vtkDGGContext.h).
+   * The context is that of the whole update (DGGContext.h).
    */
   virtual dgg::Status CheckProperties() const;
   virtual dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const;
-  virtual dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  virtual dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) = 0;
-  virtual void MakeEmptyOutput(
-    const vtkDGGContext& context, vtkInformationVector* outputVector) = 0;
+  virtual void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) = 0;
   ///@}
 
   /**
@@ -221,7 +220,7 @@ protected:
   /**
    * What an update or a prediction works with, for the surface that was prepared last.
    */
-  vtkDGGContext MakeContext(vtkPolyData* surface);
+  DGGContext MakeContext(vtkPolyData* surface);
 
   /**
    * Bring the mesh up to date; null is an error. For use outside of updates; Execute() need not.
@@ -231,7 +230,7 @@ protected:
   /**
    * What a surface is treated as.
    */
-  vtkDGGDomain GetDomain(vtkPolyData* surface) const;
+  DGGDomain GetDomain(vtkPolyData* surface) const;
 
   /**
    * After a distance: warn, once for each mesh, when most of the surface is not connected with the
@@ -277,7 +276,7 @@ private:
   std::atomic<bool> IsStopped; // whether observers have asked for that
   std::thread::id Caller;      // of the update
   vtkMTimeType GapsBuildTime;  // of the mesh whose gaps have been looked for
-  std::unique_ptr<vtkDGGMeshAdapter> Adapter;
+  std::unique_ptr<DGGMeshAdapter> Adapter;
 };
 
 #endif

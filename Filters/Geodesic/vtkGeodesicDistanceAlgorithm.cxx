@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceAlgorithm.h"
 
-#include "vtkDGGDistanceTask.h"
-#include "vtkDGGMakeArray.h"
-#include "vtkDGGPreparedMesh.h"
-#include "vtkDGGProperties.h"
-#include "vtkDGGSourceCollector.h"
-#include "vtkDGGUnreachedArray.h"
-#include "vtkDGGWindowArrays.h"
+#include "DGGDistanceTask.h"
+#include "DGGMakeArray.h"
+#include "DGGPreparedMesh.h"
+#include "DGGProperties.h"
+#include "DGGSourceCollector.h"
+#include "DGGUnreachedArray.h"
+#include "DGGWindowArrays.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -24,7 +24,7 @@ vtkDGGDefineInputMacro(vtkGeodesicDistanceAlgorithm, Source, 1);
 
 namespace
 {
-std::vector<bool> FindReached(const vtkDGGDistanceTask& task)
+std::vector<bool> FindReached(const DGGDistanceTask& task)
 {
   std::vector<bool> isReached(task.Distances.size());
   for (std::size_t v = 0; v < isReached.size(); ++v)
@@ -38,7 +38,7 @@ std::vector<bool> FindReached(const vtkDGGDistanceTask& task)
 /// `unreached` where there is none.
 struct PointArrayMaker
 {
-  const vtkDGGPreparedMesh& Surface;
+  const DGGPreparedMesh& Surface;
   const std::vector<bool>& IsReached; // per vertex
   vtkIdType NumberOfPoints;
 
@@ -47,7 +47,7 @@ struct PointArrayMaker
     const std::vector<const std::vector<ValueType>*>& components, ValueType unreached) const
   {
     const int count = static_cast<int>(components.size());
-    const auto array = vtkDGGAddArray<ArrayType>(data, name, this->NumberOfPoints, count);
+    const auto array = DGGAddArray<ArrayType>(data, name, this->NumberOfPoints, count);
     for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
     {
       const dgg::Id vertex = this->Surface.GetVertex(i);
@@ -171,7 +171,7 @@ vtkIdType vtkGeodesicDistanceAlgorithm::GetNumberOfSourceIds() const
 //------------------------------------------------------------------------------
 vtkIdType vtkGeodesicDistanceAlgorithm::GetSourceId(vtkIdType i) const
 {
-  return vtkDGGGetId(this->SourceIds, i);
+  return DGGGetId(this->SourceIds, i);
 }
 
 //------------------------------------------------------------------------------
@@ -183,9 +183,9 @@ double vtkGeodesicDistanceAlgorithm::GetSourceInitialDistance(vtkIdType i) const
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicDistanceAlgorithm::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(vtkDGGCheckLengths({ { "MaximumDistance", this->MaximumDistance },
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MaximumDistance", this->MaximumDistance },
     { "ProjectionTolerance", this->ProjectionTolerance } }));
-  std::vector<vtkDGGPointArray> arrays = this->DeclareArrays();
+  std::vector<DGGPointArray> arrays = this->DeclareArrays();
   if (this->GenerateVirtualSource)
   {
     arrays.insert(arrays.begin(), { this->VirtualSourceArrayName, "VirtualSourceArrayName", {} });
@@ -197,7 +197,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::CheckProperties() const
   arrays.insert(arrays.begin(), { this->DistanceArrayName, "DistanceArrayName", {} });
   for (std::size_t i = 0; i < arrays.size(); ++i)
   {
-    const vtkDGGPointArray& array = arrays[i];
+    const DGGPointArray& array = arrays[i];
     if (array.Name.empty())
     {
       return dgg::Status::Invalid(
@@ -219,35 +219,35 @@ dgg::Status vtkGeodesicDistanceAlgorithm::CheckProperties() const
 dgg::Status vtkGeodesicDistanceAlgorithm::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
-  return vtkDGGSourceCollector::Check(this->GetSources(inputVector), surface->GetNumberOfPoints());
+  return DGGSourceCollector::Check(this->GetSources(inputVector), surface->GetNumberOfPoints());
 }
 
 //------------------------------------------------------------------------------
-vtkDGGSourceSet vtkGeodesicDistanceAlgorithm::GetSources(vtkInformationVector** inputVector) const
+DGGSourceSet vtkGeodesicDistanceAlgorithm::GetSources(vtkInformationVector** inputVector) const
 {
   return { this->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source",
     "call AddSourceId() or SetSourceIds()", this->InitialDistanceArrayName, &this->SourceOffsets };
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicDistanceAlgorithm::Execute(const vtkDGGContext& context,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
+  const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   std::vector<dgg::GeodesicSource> sources;
-  DGG_RETURN_IF_ERROR(vtkDGGSourceCollector::Collect(
+  DGG_RETURN_IF_ERROR(DGGSourceCollector::Collect(
     context, this->GetSources(inputVector), this->ProjectionTolerance, sources));
-  vtkDGGSourceCollector::WarnAboutIsolatedIds(context, this->GetSources(inputVector), this);
+  DGGSourceCollector::WarnAboutIsolatedIds(context, this->GetSources(inputVector), this);
 
   const double limit =
     this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;
-  vtkDGGDistanceTask task{ context, sources, limit, this->GenerateNearestSource,
+  DGGDistanceTask task{ context, sources, limit, this->GenerateNearestSource,
     this->GenerateVirtualSource, {}, {}, {}, {}, this->DeclareArrays() };
   DGG_RETURN_IF_ERROR(this->ComputeDistances(task));
   const auto n = static_cast<std::size_t>(context.Surface.GetMesh().GetNumberOfVertices());
   bool complete = task.Distances.size() == n;
   complete &= !task.WantNearestSource || task.NearestSource.size() == n;
   complete &= !task.WantVirtualSource || task.VirtualSource.Offsets.size() == n;
-  for (const vtkDGGPointArray& array : task.Arrays)
+  for (const DGGPointArray& array : task.Arrays)
   {
     for (const std::vector<double>& component : array.Components)
     {
@@ -267,10 +267,10 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(const vtkDGGContext& context,
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceAlgorithm::MakeEmptyOutput(
-  const vtkDGGContext& context, vtkInformationVector* outputVector)
+  const DGGContext& context, vtkInformationVector* outputVector)
 {
   const std::vector<dgg::GeodesicSource> sources;
-  const vtkDGGDistanceTask task{ context, sources, dgg::Infinity, this->GenerateNearestSource,
+  const DGGDistanceTask task{ context, sources, dgg::Infinity, this->GenerateNearestSource,
     this->GenerateVirtualSource, {}, {}, {}, {}, this->DeclareArrays() };
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
@@ -284,19 +284,19 @@ std::string vtkGeodesicDistanceAlgorithm::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkDGGPointArray> vtkGeodesicDistanceAlgorithm::DeclareArrays() const
+std::vector<DGGPointArray> vtkGeodesicDistanceAlgorithm::DeclareArrays() const
 {
   return {};
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vtkPolyData* output)
+void vtkGeodesicDistanceAlgorithm::AddResults(const DGGDistanceTask& task, vtkPolyData* output)
 {
   const std::vector<bool> isReached = FindReached(task);
   vtkPointData* data = output->GetPointData();
   // What the input has of these belongs to the distances that are about to be replaced.
-  vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);
-  vtkDGGUnreachedArray::RemoveFrom(data, this->DistanceArrayName);
+  DGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);
+  DGGUnreachedArray::RemoveFrom(data, this->DistanceArrayName);
   if (data->HasArray(this->DistanceArrayName.c_str()))
   {
     data->RemoveArray(this->SourceArrayName.c_str());
@@ -312,10 +312,10 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
   {
     isPointReached[i] = isReached[maker.Surface.GetVertex(static_cast<vtkIdType>(i))];
   }
-  vtkDGGUnreachedArray::AddTo(data, this->DistanceArrayName, this->UnreachedValue, isPointReached);
+  DGGUnreachedArray::AddTo(data, this->DistanceArrayName, this->UnreachedValue, isPointReached);
   if (!task.Windows.IsEmpty())
   {
-    vtkDGGWindowArrays::AddTo(output->GetFieldData(),
+    DGGWindowArrays::AddTo(output->GetFieldData(),
       vtkDoubleArray::SafeDownCast(data->GetArray(this->DistanceArrayName.c_str())), maker.Surface,
       task.Windows);
   }
@@ -329,7 +329,7 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
     maker.Add<vtkDoubleArray, double>(data, this->VirtualSourceArrayName,
       { &found.Offsets, &found.Lengths, &found.Angles }, this->UnreachedValue);
   }
-  for (const vtkDGGPointArray& array : task.Arrays)
+  for (const DGGPointArray& array : task.Arrays)
   {
     std::vector<const std::vector<double>*> components;
     for (const std::vector<double>& component : array.Components)
@@ -338,11 +338,11 @@ void vtkGeodesicDistanceAlgorithm::AddResults(const vtkDGGDistanceTask& task, vt
     }
     maker.Add<vtkDoubleArray, double>(data, array.Name, components, this->UnreachedValue);
     // They can be read in place of the distances.
-    vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), array.Name);
-    vtkDGGUnreachedArray::RemoveFrom(data, array.Name);
+    DGGWindowArrays::RemoveFrom(output->GetFieldData(), array.Name);
+    DGGUnreachedArray::RemoveFrom(data, array.Name);
     if (components.size() == 1)
     {
-      vtkDGGUnreachedArray::AddTo(data, array.Name, this->UnreachedValue, isPointReached);
+      DGGUnreachedArray::AddTo(data, array.Name, this->UnreachedValue, isPointReached);
     }
   }
 }

@@ -39,9 +39,9 @@
 #include <string>           // For array names
 #include <vector>           // For source ids
 
-struct vtkDGGDistanceTask;
-struct vtkDGGPointArray;
-struct vtkDGGSourceSet;
+struct DGGDistanceTask;
+struct DGGPointArray;
+struct DGGSourceSet;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicDistanceAlgorithm : public vtkGeodesicAlgorithm
 {
@@ -181,9 +181,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
   /**
@@ -191,19 +191,19 @@ protected:
    * Returns an error, which is shown to the user, or that the task's Progress asked to stop. May
    * throw.
    */
-  virtual dgg::Status ComputeDistances(vtkDGGDistanceTask& task) = 0;
+  virtual dgg::Status ComputeDistances(DGGDistanceTask& task) = 0;
 
   /**
    * Point arrays that ComputeDistances() fills besides distances and nearest sources. Default none.
    */
-  virtual std::vector<vtkDGGPointArray> DeclareArrays() const;
+  virtual std::vector<DGGPointArray> DeclareArrays() const;
 
 private:
   vtkGeodesicDistanceAlgorithm(const vtkGeodesicDistanceAlgorithm&) = delete;
   void operator=(const vtkGeodesicDistanceAlgorithm&) = delete;
 
-  vtkDGGSourceSet GetSources(vtkInformationVector** inputVector) const;
-  void AddResults(const vtkDGGDistanceTask& task, vtkPolyData* output);
+  DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
+  void AddResults(const DGGDistanceTask& task, vtkPolyData* output);
 
   std::vector<vtkIdType> SourceIds;
   std::vector<double> SourceOffsets; // initial distances, one for each id

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceMatrix.h"
 
-#include "vtkDGGGraphUser.h"
-#include "vtkDGGMatrixSearch.h"
-#include "vtkDGGMemory.h"
-#include "vtkDGGParallel.h"
-#include "vtkDGGProperties.h"
-#include "vtkDGGSourceCollector.h"
+#include "DGGGraphUser.h"
+#include "DGGMatrixSearch.h"
+#include "DGGFreeMemory.h"
+#include "DGGThreads.h"
+#include "DGGProperties.h"
+#include "DGGSourceCollector.h"
 
 #include "dggBuffer.h"
 
@@ -35,7 +35,7 @@ namespace
 /// Tables have their columns one by one, and look for them by name.
 constexpr std::size_t MaximumNumberOfTableColumns = 10000;
 
-bool IsEmpty(const vtkDGGSourceSet& set)
+bool IsEmpty(const DGGSourceSet& set)
 {
   return set.Ids.empty() && !set.Points;
 }
@@ -79,7 +79,7 @@ void FillTable(vtkDoubleArray* matrix, const Columns& columns, vtkTable* table)
 {
   const vtkIdType rows = matrix->GetNumberOfTuples();
   const auto count = static_cast<dgg::Offset>(columns.size());
-  vtkDGGMakeParallelFor()(count, 1, [&](dgg::Offset begin, dgg::Offset end) {
+  DGGMakeParallelFor()(count, 1, [&](dgg::Offset begin, dgg::Offset end) {
     for (vtkIdType i = 0; i < rows; ++i)
     {
       const double* row = matrix->GetPointer(i * count);
@@ -110,7 +110,7 @@ vtkGeodesicDistanceMatrix::vtkGeodesicDistanceMatrix()
   : ProjectionTolerance(0.01)
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , GenerateTable(true)
-  , GraphUser(new vtkDGGGraphUser)
+  , GraphUser(new DGGGraphUser)
   , Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(3);
@@ -172,7 +172,7 @@ int vtkGeodesicDistanceMatrix::FillOutputPortInformation(int vtkNotUsed(port), v
 dgg::Status vtkGeodesicDistanceMatrix::CheckProperties() const
 {
   const dgg::Status status =
-    vtkDGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
+    DGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
   return status.IsOk() ? this->GraphUser->Check() : status;
 }
 
@@ -185,13 +185,13 @@ int vtkGeodesicDistanceMatrix::RequestData(
 }
 
 //------------------------------------------------------------------------------
-vtkDGGSourceSet vtkGeodesicDistanceMatrix::GetRows(vtkInformationVector** inputVector) const
+DGGSourceSet vtkGeodesicDistanceMatrix::GetRows(vtkInformationVector** inputVector) const
 {
   return { this->RowIds, vtkPolyData::GetData(inputVector[1]), 1, "row", "call SetRowIds()", "" };
 }
 
 //------------------------------------------------------------------------------
-vtkDGGSourceSet vtkGeodesicDistanceMatrix::GetColumns(vtkInformationVector** inputVector) const
+DGGSourceSet vtkGeodesicDistanceMatrix::GetColumns(vtkInformationVector** inputVector) const
 {
   return { this->ColumnIds, vtkPolyData::GetData(inputVector[2]), 2, "column",
     "call SetColumnIds()", "" };
@@ -202,9 +202,9 @@ dgg::Status vtkGeodesicDistanceMatrix::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   const vtkIdType n = surface->GetNumberOfPoints();
-  const dgg::Status status = vtkDGGSourceCollector::Check(this->GetRows(inputVector), n);
-  const vtkDGGSourceSet columns = this->GetColumns(inputVector);
-  return status.IsOk() && !IsEmpty(columns) ? vtkDGGSourceCollector::Check(columns, n) : status;
+  const dgg::Status status = DGGSourceCollector::Check(this->GetRows(inputVector), n);
+  const DGGSourceSet columns = this->GetColumns(inputVector);
+  return status.IsOk() && !IsEmpty(columns) ? DGGSourceCollector::Check(columns, n) : status;
 }
 
 //------------------------------------------------------------------------------
@@ -216,10 +216,10 @@ dgg::Status vtkGeodesicDistanceMatrix::CheckMemory(
     std::to_string(rows) + " rows and " + std::to_string(columns) + " columns";
   if (withTable)
   {
-    return vtkDGGCheckMemory("a matrix of " + size + " and the table of it", 2.0 * bytes,
+    return DGGCheckMemory("a matrix of " + size + " and the table of it", 2.0 * bytes,
       this->MemoryLimit, "ask for fewer points at a time, turn GenerateTable off");
   }
-  return vtkDGGCheckMemory(
+  return DGGCheckMemory(
     "a matrix of " + size, bytes, this->MemoryLimit, "ask for fewer points at a time");
 }
 
@@ -240,7 +240,7 @@ bool vtkGeodesicDistanceMatrix::WantsTable(std::size_t columns)
 //------------------------------------------------------------------------------
 bool vtkGeodesicDistanceMatrix::IsCloud(vtkPolyData* input) const
 {
-  return vtkDGGGraphUser::IsCloud(input);
+  return DGGGraphUser::IsCloud(input);
 }
 
 //------------------------------------------------------------------------------
@@ -250,29 +250,29 @@ std::string vtkGeodesicDistanceMatrix::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicDistanceMatrix::Execute(const vtkDGGContext& context,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkGeodesicDistanceMatrix::Execute(
+  const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInternals& internals = *this->Internals;
-  const vtkDGGSourceSet columnSet = this->GetColumns(inputVector);
+  const DGGSourceSet columnSet = this->GetColumns(inputVector);
   const bool symmetric = IsEmpty(columnSet);
   std::vector<dgg::GeodesicSource> sources;
   std::vector<dgg::GeodesicSource> others;
-  dgg::Status status = vtkDGGSourceCollector::Collect(
+  dgg::Status status = DGGSourceCollector::Collect(
     context, this->GetRows(inputVector), this->ProjectionTolerance, sources);
   if (status.IsOk() && !symmetric)
   {
-    status = vtkDGGSourceCollector::Collect(context, columnSet, this->ProjectionTolerance, others);
+    status = DGGSourceCollector::Collect(context, columnSet, this->ProjectionTolerance, others);
   }
   if (!status.IsOk())
   {
     return status;
   }
-  vtkDGGSourceCollector::WarnAboutIsolatedIds(context, this->GetRows(inputVector), this);
-  vtkDGGSourceCollector::WarnAboutIsolatedIds(context, columnSet, this);
+  DGGSourceCollector::WarnAboutIsolatedIds(context, this->GetRows(inputVector), this);
+  DGGSourceCollector::WarnAboutIsolatedIds(context, columnSet, this);
 
-  const std::vector<dgg::SurfacePoint> rows = vtkDGGGetPlaces(sources);
-  const std::vector<dgg::SurfacePoint> columns = symmetric ? rows : vtkDGGGetPlaces(others);
+  const std::vector<dgg::SurfacePoint> rows = DGGGetPlaces(sources);
+  const std::vector<dgg::SurfacePoint> columns = symmetric ? rows : DGGGetPlaces(others);
   const bool withTable = this->WantsTable(columns.size());
   DGG_RETURN_IF_ERROR(this->CheckMemory(rows.size(), columns.size(), withTable));
   // Before the graph, whose memory is limited by what is free then.
@@ -282,8 +282,8 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(const vtkDGGContext& context,
   DGG_RETURN_IF_ERROR(this->GraphUser->Update(context, this));
   // Search from the smaller set.
   const bool sourcesAreRows = rows.size() <= columns.size();
-  const vtkDGGMatrixEntries entries{ matrix->GetPointer(0), columns.size(), sourcesAreRows };
-  DGG_RETURN_IF_ERROR(vtkDGGMatrixSearch(context, *this->GraphUser, sourcesAreRows ? rows : columns,
+  const DGGMatrixEntries entries{ matrix->GetPointer(0), columns.size(), sourcesAreRows };
+  DGG_RETURN_IF_ERROR(DGGMatrixSearch(context, *this->GraphUser, sourcesAreRows ? rows : columns,
     sourcesAreRows ? columns : rows, entries)
                         .Run(symmetric));
   std::replace(entries.Values, entries.Values + rows.size() * columns.size(), dgg::Infinity,
@@ -297,7 +297,7 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(const vtkDGGContext& context,
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceMatrix::MakeEmptyOutput(
-  const vtkDGGContext& vtkNotUsed(context), vtkInformationVector* outputVector)
+  const DGGContext& vtkNotUsed(context), vtkInformationVector* outputVector)
 {
   vtkTable::GetData(outputVector)->Initialize();
 }

@@ -49,7 +49,7 @@
 
 class vtkDoubleArray;
 class vtkTable;
-struct vtkDGGSourceSet;
+struct DGGSourceSet;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicDistanceMatrix : public vtkGeodesicAlgorithm
 {
@@ -143,9 +143,9 @@ protected:
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
@@ -153,8 +153,8 @@ private:
   vtkGeodesicDistanceMatrix(const vtkGeodesicDistanceMatrix&) = delete;
   void operator=(const vtkGeodesicDistanceMatrix&) = delete;
 
-  vtkDGGSourceSet GetRows(vtkInformationVector** inputVector) const;
-  vtkDGGSourceSet GetColumns(vtkInformationVector** inputVector) const;
+  DGGSourceSet GetRows(vtkInformationVector** inputVector) const;
+  DGGSourceSet GetColumns(vtkInformationVector** inputVector) const;
   dgg::Status CheckMemory(std::size_t rows, std::size_t columns, bool withTable) const;
   bool WantsTable(std::size_t columns);
 
@@ -163,7 +163,7 @@ private:
   double ProjectionTolerance;
   double UnreachedValue;
   bool GenerateTable;
-  std::unique_ptr<vtkDGGGraphUser> GraphUser;
+  std::unique_ptr<DGGGraphUser> GraphUser;
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicPatchBoundaries.h"
 
-#include "vtkDGGContext.h"
-#include "vtkDGGMakeArray.h"
-#include "vtkDGGMeshAdapter.h"
-#include "vtkDGGNewGeometry.h"
-#include "vtkDGGProperties.h"
-#include "vtkDGGSourceCollector.h"
+#include "DGGContext.h"
+#include "DGGMakeArray.h"
+#include "DGGMeshAdapter.h"
+#include "DGGNewGeometry.h"
+#include "DGGProperties.h"
+#include "DGGSourceCollector.h"
 
 #include "dggPatchBoundaries.h"
 
@@ -86,8 +86,8 @@ dgg::PatchLayout ReadLayout(vtkPolyData* cells)
 void AddFractions(vtkPolyData* output)
 {
   vtkDataArray* lengths = output->GetPointData()->GetArray("ArcLength");
-  const auto fractions = vtkDGGAddArray<vtkDoubleArray>(
-    output->GetPointData(), "ArcFraction", output->GetNumberOfPoints());
+  const auto fractions =
+    DGGAddArray<vtkDoubleArray>(output->GetPointData(), "ArcFraction", output->GetNumberOfPoints());
   for (vtkIdType c = 0; c < output->GetNumberOfLines(); ++c)
   {
     vtkIdType size = 0;
@@ -102,20 +102,20 @@ void AddFractions(vtkPolyData* output)
   }
 }
 
-void FillOutput(const dgg::PatchBoundaries& boundaries, int side, const vtkDGGNewGeometry& geometry,
+void FillOutput(const dgg::PatchBoundaries& boundaries, int side, const DGGNewGeometry& geometry,
   vtkPolyData* output)
 {
   const std::vector<dgg::SurfacePath>& curves = boundaries.Curves[side];
   vtkIdType size = 0;
   for (const dgg::SurfacePath& curve : curves)
   {
-    size += vtkDGGPolylineWriter::CountPoints(curve, false);
+    size += DGGPolylineWriter::CountPoints(curve, false);
   }
   geometry.Begin(output);
-  vtkDGGPolylineWriter writer(geometry, size);
+  DGGPolylineWriter writer(geometry, size);
   vtkCellData* data = output->GetCellData();
-  const auto edges = vtkDGGAddArray<vtkIdTypeArray>(data, "LayoutEdge", curves.size(), 2);
-  const auto lengths = vtkDGGAddArray<vtkDoubleArray>(data, "Length", curves.size());
+  const auto edges = DGGAddArray<vtkIdTypeArray>(data, "LayoutEdge", curves.size(), 2);
+  const auto lengths = DGGAddArray<vtkDoubleArray>(data, "Length", curves.size());
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
     writer.Add(curves[i]);
@@ -132,7 +132,7 @@ void FillOutput(const dgg::PatchBoundaries& boundaries, int side, const vtkDGGNe
 //------------------------------------------------------------------------------
 vtkGeodesicPatchBoundaries::vtkGeodesicPatchBoundaries()
   : ProjectionTolerance(0.01)
-  , SecondMesh(new vtkDGGMeshAdapter)
+  , SecondMesh(new DGGMeshAdapter)
 {
   this->SetNumberOfInputPorts(5);
   this->SetNumberOfOutputPorts(2);
@@ -145,8 +145,8 @@ vtkGeodesicPatchBoundaries::~vtkGeodesicPatchBoundaries() = default;
 void vtkGeodesicPatchBoundaries::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  vtkDGGPrintIds(os, indent, "FirstLandmarkIds", this->FirstLandmarkIds);
-  vtkDGGPrintIds(os, indent, "SecondLandmarkIds", this->SecondLandmarkIds);
+  DGGPrintIds(os, indent, "FirstLandmarkIds", this->FirstLandmarkIds);
+  DGGPrintIds(os, indent, "SecondLandmarkIds", this->SecondLandmarkIds);
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
 }
 
@@ -162,14 +162,14 @@ void vtkGeodesicPatchBoundaries::RemoveAllLandmarks()
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicPatchBoundaries::CheckProperties() const
 {
-  return vtkDGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
+  return DGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------
-vtkDGGSourceSet vtkGeodesicPatchBoundaries::GetLandmarks(
+DGGSourceSet vtkGeodesicPatchBoundaries::GetLandmarks(
   int surface, vtkInformationVector** inputVector) const
 {
-  vtkDGGSourceSet set{ surface == 0 ? this->FirstLandmarkIds : this->SecondLandmarkIds,
+  DGGSourceSet set{ surface == 0 ? this->FirstLandmarkIds : this->SecondLandmarkIds,
     vtkPolyData::GetData(inputVector[2 + surface]), 2 + surface,
     surface == 0 ? "first landmark" : "second landmark",
     surface == 0 ? "call AddFirstLandmarkId() or SetFirstLandmarkIds()"
@@ -200,14 +200,14 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckInputs(
                                 "layout contradict each other: build the cell array anew");
   }
   // Those of the second surface are checked after the surface itself.
-  return vtkDGGSourceCollector::Check(
+  return DGGSourceCollector::Check(
     this->GetLandmarks(0, inputVector), surface->GetNumberOfPoints());
 }
 
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicPatchBoundaries::PrepareSecondMesh(vtkPolyData* surface)
 {
-  vtkDGGMeshAdapter& mesh = *this->SecondMesh;
+  DGGMeshAdapter& mesh = *this->SecondMesh;
   const vtkMTimeType built = mesh.GetBuildTime();
   const dgg::Status status = mesh.Update(surface, this->GetDomain(surface));
   if (built != mesh.GetBuildTime())
@@ -217,7 +217,7 @@ dgg::Status vtkGeodesicPatchBoundaries::PrepareSecondMesh(vtkPolyData* surface)
       vtkWarningMacro(<< "Second surface: " << warning << ".");
     }
   }
-  return vtkDGGExplain(status, "second surface: ");
+  return DGGExplain(status, "second surface: ");
 }
 
 //------------------------------------------------------------------------------
@@ -227,28 +227,28 @@ std::string vtkGeodesicPatchBoundaries::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicPatchBoundaries::Execute(const vtkDGGContext& context,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkGeodesicPatchBoundaries::Execute(
+  const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* secondInput = vtkPolyData::GetData(inputVector[1]);
   dgg::Status status = this->PrepareSecondMesh(secondInput);
   if (status.IsOk())
   {
-    status = vtkDGGSourceCollector::Check(
+    status = DGGSourceCollector::Check(
       this->GetLandmarks(1, inputVector), secondInput->GetNumberOfPoints());
   }
-  const vtkDGGContext contexts[2] = { context,
+  const DGGContext contexts[2] = { context,
     { secondInput, this->SecondMesh->Get(), context.MemoryLimit, context.Progress,
       context.Parallel } };
   std::vector<dgg::SurfacePoint> landmarks[2];
   for (int side = 0; side < 2 && status.IsOk(); ++side)
   {
     std::vector<dgg::GeodesicSource> sources;
-    status = vtkDGGSourceCollector::Collect(
+    status = DGGSourceCollector::Collect(
       contexts[side], this->GetLandmarks(side, inputVector), this->ProjectionTolerance, sources);
-    landmarks[side] = vtkDGGGetPlaces(sources);
+    landmarks[side] = DGGGetPlaces(sources);
   }
-  vtkDGGNewGeometry geometries[2];
+  DGGNewGeometry geometries[2];
   for (int side = 0; side < 2 && status.IsOk(); ++side)
   {
     status = geometries[side].Take(contexts[side], this->GetOutputPointsPrecision());
@@ -271,9 +271,9 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(const vtkDGGContext& context,
 //------------------------------------------------------------------------------
 /// The first surface is empty. That counts, whatever the second one is.
 void vtkGeodesicPatchBoundaries::MakeEmptyOutput(
-  const vtkDGGContext& context, vtkInformationVector* outputVector)
+  const DGGContext& context, vtkInformationVector* outputVector)
 {
-  vtkDGGNewGeometry geometry;
+  DGGNewGeometry geometry;
   geometry.Take(context, this->GetOutputPointsPrecision());
   for (int side = 0; side < 2; ++side)
   {

@@ -67,7 +67,7 @@
 #include <memory> // For the second surface
 #include <vector> // For ids
 
-struct vtkDGGSourceSet;
+struct DGGSourceSet;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicPatchBoundaries : public vtkGeodesicAlgorithm
 {
@@ -139,22 +139,22 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
   vtkGeodesicPatchBoundaries(const vtkGeodesicPatchBoundaries&) = delete;
   void operator=(const vtkGeodesicPatchBoundaries&) = delete;
 
-  vtkDGGSourceSet GetLandmarks(int surface, vtkInformationVector** inputVector) const;
+  DGGSourceSet GetLandmarks(int surface, vtkInformationVector** inputVector) const;
   dgg::Status PrepareSecondMesh(vtkPolyData* surface);
 
   std::vector<vtkIdType> FirstLandmarkIds;
   std::vector<vtkIdType> SecondLandmarkIds;
   double ProjectionTolerance;
-  std::unique_ptr<vtkDGGMeshAdapter> SecondMesh;
+  std::unique_ptr<DGGMeshAdapter> SecondMesh;
 };
 
 #endif

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicProbe.h"
 
-#include "vtkDGGContext.h"
-#include "vtkDGGFieldInput.h"
-#include "vtkDGGMakeArray.h"
-#include "vtkDGGParallel.h"
-#include "vtkDGGProperties.h"
-#include "vtkDGGSourceCollector.h"
-#include "vtkDGGUnreachedArray.h"
-#include "vtkDGGWindowArrays.h"
+#include "DGGContext.h"
+#include "DGGFieldInput.h"
+#include "DGGMakeArray.h"
+#include "DGGThreads.h"
+#include "DGGProperties.h"
+#include "DGGSourceCollector.h"
+#include "DGGUnreachedArray.h"
+#include "DGGWindowArrays.h"
 
 #include "dggFaceProfile.h"
 #include "dggProgressPart.h"
@@ -36,7 +36,7 @@ constexpr std::size_t BlockSize = 1024;
 /// The share of the progress when the distances have been read, which may take a fit.
 constexpr double ReadDone = 0.5;
 
-vtkDGGSourceSet GetProbes(vtkInformationVector** inputVector)
+DGGSourceSet GetProbes(vtkInformationVector** inputVector)
 {
   static const std::vector<vtkIdType> none;
   return { none, vtkPolyData::GetData(inputVector[1]), 1, "probe point", "call SetProbeData()",
@@ -94,7 +94,7 @@ void vtkGeodesicProbe::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicProbe::CheckProperties() const
 {
-  return vtkDGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
+  return DGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------
@@ -103,31 +103,31 @@ dgg::Status vtkGeodesicProbe::CheckInputs(
 {
   vtkDataArray* distances = nullptr;
   const dgg::Status status =
-    vtkDGGFieldInput::FindDistances(this->Information, this->DistanceArrayName, surface, distances);
+    DGGFieldInput::FindDistances(this->Information, this->DistanceArrayName, surface, distances);
   return status.IsOk()
-    ? vtkDGGSourceCollector::Check(GetProbes(inputVector), surface->GetNumberOfPoints())
+    ? DGGSourceCollector::Check(GetProbes(inputVector), surface->GetNumberOfPoints())
     : status;
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicProbe::Execute(const vtkDGGContext& context,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkGeodesicProbe::Execute(
+  const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGSourceSet probes = GetProbes(inputVector);
+  const DGGSourceSet probes = GetProbes(inputVector);
   std::vector<dgg::GeodesicSource> places;
   vtkDataArray* distances = nullptr;
-  vtkDGGFieldInput input;
+  DGGFieldInput input;
   dgg::Status status =
-    vtkDGGSourceCollector::Collect(context, probes, this->ProjectionTolerance, places);
+    DGGSourceCollector::Collect(context, probes, this->ProjectionTolerance, places);
   if (status.IsOk())
   {
-    status = vtkDGGFieldInput::FindDistances(
+    status = DGGFieldInput::FindDistances(
       this->Information, this->DistanceArrayName, context.Input, distances);
   }
   std::string name;
   if (status.IsOk())
   {
-    name = vtkDGGFieldInput::GetName(distances);
+    name = DGGFieldInput::GetName(distances);
     input.SetUnreachedValue(this->UnreachedValue);
     status = input.Read(context, distances, this->VirtualSourceArrayName,
       dgg::ProgressPart(context.Progress, 0.0, ReadDone));
@@ -140,9 +140,9 @@ dgg::Status vtkGeodesicProbe::Execute(const vtkDGGContext& context,
   {
     vtkWarningMacro(<< input.GetWarning() << ".");
   }
-  const auto found = vtkDGGMakeArray<vtkDoubleArray>(name, places.size());
+  const auto found = DGGMakeArray<vtkDoubleArray>(name, places.size());
   double* values = found->GetPointer(0);
-  status = vtkDGGForEach((places.size() + BlockSize - 1) / BlockSize, 1,
+  status = DGGForEach((places.size() + BlockSize - 1) / BlockSize, 1,
     dgg::ProgressPart(context.Progress, ReadDone, 1.0),
     [&](std::size_t block, const dgg::ProgressCallback&) {
       dgg::FaceProfile profile(input.GetField());
@@ -158,8 +158,8 @@ dgg::Status vtkGeodesicProbe::Execute(const vtkDGGContext& context,
     vtkPolyData* output = vtkPolyData::GetData(outputVector);
     output->ShallowCopy(probes.Points);
     // What belongs to an array of this name of the probe points goes with it.
-    vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), name);
-    vtkDGGUnreachedArray::RemoveFrom(output->GetPointData(), name);
+    DGGWindowArrays::RemoveFrom(output->GetFieldData(), name);
+    DGGUnreachedArray::RemoveFrom(output->GetPointData(), name);
     output->GetPointData()->AddArray(found);
     output->GetPointData()->SetActiveScalars(found->GetName());
   }
@@ -168,10 +168,10 @@ dgg::Status vtkGeodesicProbe::Execute(const vtkDGGContext& context,
 
 //------------------------------------------------------------------------------
 void vtkGeodesicProbe::MakeEmptyOutput(
-  const vtkDGGContext& vtkNotUsed(context), vtkInformationVector* outputVector)
+  const DGGContext& vtkNotUsed(context), vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
-  vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(),
-    vtkDGGFieldInput::GetName(this->Information, this->DistanceArrayName), 0);
+  DGGAddArray<vtkDoubleArray>(
+    output->GetPointData(), DGGFieldInput::GetName(this->Information, this->DistanceArrayName), 0);
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicSampler.h"
 
-#include "vtkDGGGraphUser.h"
-#include "vtkDGGMakeArray.h"
-#include "vtkDGGPreparedMesh.h"
-#include "vtkDGGNewGeometry.h"
-#include "vtkDGGProperties.h"
-#include "vtkDGGSourceCollector.h"
+#include "DGGGraphUser.h"
+#include "DGGMakeArray.h"
+#include "DGGPreparedMesh.h"
+#include "DGGNewGeometry.h"
+#include "DGGProperties.h"
+#include "DGGSourceCollector.h"
 
 #include "dggSurfaceSampler.h"
 
@@ -30,7 +30,7 @@ namespace
 {
 const std::vector<vtkIdType> NoIds;
 
-void FillOutput(const std::vector<dgg::SurfaceSample>& samples, const vtkDGGNewGeometry& geometry,
+void FillOutput(const std::vector<dgg::SurfaceSample>& samples, const DGGNewGeometry& geometry,
   vtkPolyData* output)
 {
   std::vector<dgg::SurfacePoint> places;
@@ -38,9 +38,9 @@ void FillOutput(const std::vector<dgg::SurfaceSample>& samples, const vtkDGGNewG
   {
     places.push_back(sample.Point);
   }
-  vtkDGGFillSurfacePoints(places, geometry, output);
+  DGGFillSurfacePoints(places, geometry, output);
   const auto radii =
-    vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), "CoveringRadius", samples.size());
+    DGGAddArray<vtkDoubleArray>(output->GetPointData(), "CoveringRadius", samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     radii->SetValue(static_cast<vtkIdType>(i), samples[i].CoveringRadius);
@@ -55,7 +55,7 @@ vtkGeodesicSampler::vtkGeodesicSampler()
   , CoveringRadius(0.0)
   , InFaces(false)
   , ProjectionTolerance(0.01)
-  , GraphUser(new vtkDGGGraphUser)
+  , GraphUser(new DGGGraphUser)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -83,13 +83,13 @@ dgg::Status vtkGeodesicSampler::CheckProperties() const
     return dgg::Status::Invalid("NumberOfSamples is " + std::to_string(this->NumberOfSamples) +
       ": call SetNumberOfSamples() with at least 1");
   }
-  dgg::Status status = vtkDGGCheckLengths({ { "CoveringRadius", this->CoveringRadius },
+  dgg::Status status = DGGCheckLengths({ { "CoveringRadius", this->CoveringRadius },
     { "ProjectionTolerance", this->ProjectionTolerance } });
   return status.IsOk() ? this->GraphUser->Check() : status;
 }
 
 //------------------------------------------------------------------------------
-vtkDGGSourceSet vtkGeodesicSampler::GetStart(vtkInformationVector** inputVector) const
+DGGSourceSet vtkGeodesicSampler::GetStart(vtkInformationVector** inputVector) const
 {
   return { NoIds, vtkPolyData::GetData(inputVector[1]), 1, "start", "disconnect input port 1", "" };
 }
@@ -99,10 +99,10 @@ dgg::Status vtkGeodesicSampler::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   const vtkIdType n = surface->GetNumberOfPoints();
-  const vtkDGGSourceSet start = this->GetStart(inputVector);
+  const DGGSourceSet start = this->GetStart(inputVector);
   if (start.Points)
   {
-    return vtkDGGSourceCollector::Check(start, n);
+    return DGGSourceCollector::Check(start, n);
   }
   if (this->FirstSample < -1 || this->FirstSample >= n)
   {
@@ -117,7 +117,7 @@ dgg::Status vtkGeodesicSampler::CheckInputs(
 //------------------------------------------------------------------------------
 bool vtkGeodesicSampler::IsCloud(vtkPolyData* input) const
 {
-  return vtkDGGGraphUser::IsCloud(input);
+  return DGGGraphUser::IsCloud(input);
 }
 
 //------------------------------------------------------------------------------
@@ -128,13 +128,13 @@ std::string vtkGeodesicSampler::GetMemoryRemedy() const
 
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicSampler::MakeOptions(
-  const vtkDGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options)
+  const DGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options)
 {
-  const vtkDGGPreparedMesh& mesh = context.Surface;
+  const DGGPreparedMesh& mesh = context.Surface;
   options.NumberOfSamples = this->NumberOfSamples;
   options.CoveringRadius = this->CoveringRadius;
   options.InFaces = this->InFaces && !mesh.IsCloud();
-  const vtkDGGSourceSet start = this->GetStart(inputVector);
+  const DGGSourceSet start = this->GetStart(inputVector);
   if (!start.Points)
   {
     options.FirstVertex = this->FirstSample < 0 ? dgg::NoId : mesh.GetVertex(this->FirstSample);
@@ -142,7 +142,7 @@ dgg::Status vtkGeodesicSampler::MakeOptions(
   }
   std::vector<dgg::GeodesicSource> points;
   dgg::Status status =
-    vtkDGGSourceCollector::Collect(context, start, this->ProjectionTolerance, points);
+    DGGSourceCollector::Collect(context, start, this->ProjectionTolerance, points);
   for (const dgg::GeodesicSource& point : points)
   {
     // Samples of a cloud are points of it.
@@ -172,18 +172,18 @@ void vtkGeodesicSampler::WarnAboutNumber(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicSampler::Execute(const vtkDGGContext& context,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkGeodesicSampler::Execute(
+  const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGPreparedMesh& mesh = context.Surface;
+  const DGGPreparedMesh& mesh = context.Surface;
   dgg::SamplerOptions options;
   dgg::Status status = this->MakeOptions(context, inputVector, options);
-  vtkDGGNewGeometry geometry;
+  DGGNewGeometry geometry;
   if (status.IsOk())
   {
     status = geometry.Take(context, this->GetOutputPointsPrecision());
   }
-  vtkDGGGraphUser& graph = *this->GraphUser;
+  DGGGraphUser& graph = *this->GraphUser;
   if (status.IsOk())
   {
     status = this->GraphUser->Update(context, this);
@@ -215,9 +215,9 @@ dgg::Status vtkGeodesicSampler::Execute(const vtkDGGContext& context,
 
 //------------------------------------------------------------------------------
 void vtkGeodesicSampler::MakeEmptyOutput(
-  const vtkDGGContext& context, vtkInformationVector* outputVector)
+  const DGGContext& context, vtkInformationVector* outputVector)
 {
-  vtkDGGNewGeometry geometry;
+  DGGNewGeometry geometry;
   geometry.Take(context, this->GetOutputPointsPrecision());
   FillOutput({}, geometry, vtkPolyData::GetData(outputVector));
 }

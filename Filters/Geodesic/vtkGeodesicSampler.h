@@ -58,7 +58,7 @@
 
 #include <memory> // For the internals
 
-struct vtkDGGSourceSet;
+struct DGGSourceSet;
 namespace dgg
 {
 struct SamplerOptions;
@@ -145,9 +145,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
@@ -155,9 +155,9 @@ private:
   vtkGeodesicSampler(const vtkGeodesicSampler&) = delete;
   void operator=(const vtkGeodesicSampler&) = delete;
 
-  vtkDGGSourceSet GetStart(vtkInformationVector** inputVector) const;
+  DGGSourceSet GetStart(vtkInformationVector** inputVector) const;
   dgg::Status MakeOptions(
-    const vtkDGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options);
+    const DGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options);
   void WarnAboutNumber(
     const dgg::SamplerOptions& options, const dgg::SurfaceSample* last, vtkIdType numberOfSamples);
 
@@ -166,7 +166,7 @@ private:
   double CoveringRadius;
   bool InFaces;
   double ProjectionTolerance;
-  std::unique_ptr<vtkDGGGraphUser> GraphUser;
+  std::unique_ptr<DGGGraphUser> GraphUser;
 };
 
 #endif

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicVoronoi.h"
 
-#include "vtkDGGGraphUser.h"
-#include "vtkDGGMakeArray.h"
-#include "vtkDGGPreparedMesh.h"
-#include "vtkDGGNewGeometry.h"
-#include "vtkDGGProperties.h"
-#include "vtkDGGSourceCollector.h"
-#include "vtkDGGUnreachedArray.h"
-#include "vtkDGGWindowArrays.h"
+#include "DGGGraphUser.h"
+#include "DGGMakeArray.h"
+#include "DGGPreparedMesh.h"
+#include "DGGNewGeometry.h"
+#include "DGGProperties.h"
+#include "DGGSourceCollector.h"
+#include "DGGUnreachedArray.h"
+#include "DGGWindowArrays.h"
 
 #include "dggCentroidal.h"
 #include "dggProgressPart.h"
@@ -40,7 +40,7 @@ vtkDGGGraphUserMacro(vtkGeodesicVoronoi);
 vtkDGGDefineInputMacro(vtkGeodesicVoronoi, Site, 1);
 
 /// What vtkGeodesicVoronoi computes.
-struct vtkDGGVoronoiResult
+struct DGGVoronoiResult
 {
   std::vector<dgg::GeodesicSource> Sites;
   dgg::VoronoiDiagram Diagram;
@@ -62,9 +62,9 @@ constexpr double MovingShare = 0.9;
 /// Makes the outputs of a diagram on one surface.
 struct VoronoiOutputs
 {
-  const vtkDGGVoronoiResult& Result;
-  const vtkDGGPreparedMesh& Mesh;
-  const vtkDGGNewGeometry& Geometry;
+  const DGGVoronoiResult& Result;
+  const DGGPreparedMesh& Mesh;
+  const DGGNewGeometry& Geometry;
   const std::string& DistanceName;
   double UnreachedValue;
 
@@ -108,11 +108,11 @@ struct VoronoiOutputs
     const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
     const auto n = static_cast<std::size_t>(output->GetNumberOfPoints());
     vtkPointData* data = output->GetPointData();
-    const auto distances = vtkDGGAddArray<vtkDoubleArray>(data, this->DistanceName, n);
+    const auto distances = DGGAddArray<vtkDoubleArray>(data, this->DistanceName, n);
     // Those of the input belong to the array that has just been replaced.
-    vtkDGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceName);
-    vtkDGGUnreachedArray::RemoveFrom(data, this->DistanceName);
-    const auto sites = vtkDGGAddArray<vtkIntArray>(data, sourceName, n);
+    DGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceName);
+    DGGUnreachedArray::RemoveFrom(data, this->DistanceName);
+    const auto sites = DGGAddArray<vtkIntArray>(data, sourceName, n);
     std::vector<bool> isReached(n);
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
     {
@@ -121,13 +121,13 @@ struct VoronoiOutputs
       sites->SetValue(i, diagram.NearestSites[vertex]);
       isReached[static_cast<std::size_t>(i)] = this->GetTrueDistance(vertex) < dgg::Infinity;
     }
-    vtkDGGUnreachedArray::AddTo(data, this->DistanceName, this->UnreachedValue, isReached);
+    DGGUnreachedArray::AddTo(data, this->DistanceName, this->UnreachedValue, isReached);
     // Not SetScalars(), which would remove the scalars of the input.
     data->SetActiveScalars(sourceName.c_str());
     if (!this->Result.Energies.empty())
     {
-      const auto energies = vtkDGGAddArray<vtkDoubleArray>(
-        output->GetFieldData(), "Energy", this->Result.Energies.size());
+      const auto energies =
+        DGGAddArray<vtkDoubleArray>(output->GetFieldData(), "Energy", this->Result.Energies.size());
       std::copy(
         this->Result.Energies.begin(), this->Result.Energies.end(), energies->GetPointer(0));
     }
@@ -143,7 +143,7 @@ struct VoronoiOutputs
     this->Geometry.Begin(output);
     const auto points = this->Geometry.MakePoints(used.size());
     const auto distances =
-      vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, used.size());
+      DGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, used.size());
     for (std::size_t k = 0; k < used.size(); ++k)
     {
       const auto i = static_cast<vtkIdType>(k);
@@ -152,7 +152,7 @@ struct VoronoiOutputs
     }
     vtkNew<vtkCellArray> lines;
     const auto sites =
-      vtkDGGAddArray<vtkIntArray>(output->GetCellData(), "SiteId", diagram.GetNumberOfCurves(), 2);
+      DGGAddArray<vtkIntArray>(output->GetCellData(), "SiteId", diagram.GetNumberOfCurves(), 2);
     for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
     {
       const dgg::Offset begin = diagram.CurveOffsets[k];
@@ -179,7 +179,7 @@ struct VoronoiOutputs
     const std::size_t n = diagram.Distances.size() + diagram.BorderPoints.size();
     const auto points = this->Geometry.MakePoints(n);
     const auto distances =
-      vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, n);
+      DGGAddArray<vtkDoubleArray>(output->GetPointData(), this->DistanceName, n);
     std::vector<bool> isReached(n);
     for (std::size_t k = 0; k < n; ++k)
     {
@@ -189,15 +189,15 @@ struct VoronoiOutputs
       distances->SetValue(i, this->GetDistance(point));
       isReached[k] = this->GetTrueDistance(point) < dgg::Infinity;
     }
-    vtkDGGUnreachedArray::AddTo(
+    DGGUnreachedArray::AddTo(
       output->GetPointData(), this->DistanceName, this->UnreachedValue, isReached);
     const std::vector<double> areas = this->SumAreas();
     vtkNew<vtkCellArray> polygons;
     vtkCellData* data = output->GetCellData();
     const std::size_t count = diagram.GetNumberOfPolygons();
-    const auto sites = vtkDGGAddArray<vtkIntArray>(data, "SiteId", count);
-    const auto cellAreas = vtkDGGAddArray<vtkDoubleArray>(data, "CellArea", count);
-    const auto faces = vtkDGGAddArray<vtkIdTypeArray>(data, "FaceId", count);
+    const auto sites = DGGAddArray<vtkIntArray>(data, "SiteId", count);
+    const auto cellAreas = DGGAddArray<vtkDoubleArray>(data, "CellArea", count);
+    const auto faces = DGGAddArray<vtkIdTypeArray>(data, "FaceId", count);
     std::vector<vtkIdType> corners;
     for (std::size_t k = 0; k < count; ++k)
     {
@@ -222,9 +222,9 @@ struct VoronoiOutputs
 
   void FillSites(vtkPolyData* output) const
   {
-    vtkDGGFillSurfacePoints(vtkDGGGetPlaces(this->Result.Sites), this->Geometry, output);
+    DGGFillSurfacePoints(DGGGetPlaces(this->Result.Sites), this->Geometry, output);
     const std::size_t count = this->Result.Sites.size();
-    const auto numbers = vtkDGGAddArray<vtkIntArray>(output->GetPointData(), "SiteId", count);
+    const auto numbers = DGGAddArray<vtkIntArray>(output->GetPointData(), "SiteId", count);
     for (std::size_t k = 0; k < count; ++k)
     {
       numbers->SetValue(static_cast<vtkIdType>(k), static_cast<int>(k));
@@ -234,8 +234,7 @@ struct VoronoiOutputs
       return;
     }
     const std::vector<double> areas = this->SumAreas();
-    const auto cellAreas =
-      vtkDGGAddArray<vtkDoubleArray>(output->GetPointData(), "CellArea", count);
+    const auto cellAreas = DGGAddArray<vtkDoubleArray>(output->GetPointData(), "CellArea", count);
     for (std::size_t k = 0; k < count; ++k)
     {
       cellAreas->SetValue(static_cast<vtkIdType>(k), areas[k]);
@@ -255,7 +254,7 @@ vtkGeodesicVoronoi::vtkGeodesicVoronoi()
   , DistanceArrayName("GeodesicDistance")
   , SourceArrayName("GeodesicSource")
   , ProjectionTolerance(0.01)
-  , GraphUser(new vtkDGGGraphUser)
+  , GraphUser(new DGGGraphUser)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(4);
@@ -268,7 +267,7 @@ vtkGeodesicVoronoi::~vtkGeodesicVoronoi() = default;
 void vtkGeodesicVoronoi::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  vtkDGGPrintIds(os, indent, "SiteIds", this->SiteIds);
+  DGGPrintIds(os, indent, "SiteIds", this->SiteIds);
   os << indent << "Centroidal: " << (this->Centroidal ? "On" : "Off") << "\n";
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
@@ -309,7 +308,7 @@ vtkPolyData* vtkGeodesicVoronoi::GetSites()
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicVoronoi::CheckProperties() const
 {
-  dgg::Status status = vtkDGGCheckLengths(
+  dgg::Status status = DGGCheckLengths(
     { { "ProjectionTolerance", this->ProjectionTolerance }, { "Tolerance", this->Tolerance } });
   if (status.IsOk() && this->NumberOfIterations < 0)
   {
@@ -334,7 +333,7 @@ dgg::Status vtkGeodesicVoronoi::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-vtkDGGSourceSet vtkGeodesicVoronoi::GetSiteSet(vtkInformationVector** inputVector) const
+DGGSourceSet vtkGeodesicVoronoi::GetSiteSet(vtkInformationVector** inputVector) const
 {
   return { this->SiteIds, vtkPolyData::GetData(inputVector[1]), 1, "site",
     "call AddSiteId() or SetSiteIds()", "" };
@@ -344,13 +343,13 @@ vtkDGGSourceSet vtkGeodesicVoronoi::GetSiteSet(vtkInformationVector** inputVecto
 dgg::Status vtkGeodesicVoronoi::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
-  return vtkDGGSourceCollector::Check(this->GetSiteSet(inputVector), surface->GetNumberOfPoints());
+  return DGGSourceCollector::Check(this->GetSiteSet(inputVector), surface->GetNumberOfPoints());
 }
 
 //------------------------------------------------------------------------------
 bool vtkGeodesicVoronoi::IsCloud(vtkPolyData* input) const
 {
-  return vtkDGGGraphUser::IsCloud(input);
+  return DGGGraphUser::IsCloud(input);
 }
 
 //------------------------------------------------------------------------------
@@ -361,16 +360,16 @@ std::string vtkGeodesicVoronoi::GetMemoryRemedy() const
 
 //------------------------------------------------------------------------------
 /// From the sites of the result to the rest of it; the graph is there.
-dgg::Status vtkGeodesicVoronoi::Compute(const vtkDGGContext& context, vtkDGGVoronoiResult& result)
+dgg::Status vtkGeodesicVoronoi::Compute(const DGGContext& context, DGGVoronoiResult& result)
 {
-  const vtkDGGPreparedMesh& mesh = context.Surface;
-  vtkDGGGraphUser& graph = *this->GraphUser;
+  const DGGPreparedMesh& mesh = context.Surface;
+  DGGGraphUser& graph = *this->GraphUser;
   const dgg::ProgressCallback progress = graph.GetRemainingProgress(context);
   double start = 0.0;
   if (result.IsCentroidal)
   {
     start = MovingShare;
-    std::vector<dgg::SurfacePoint> places = vtkDGGGetPlaces(result.Sites);
+    std::vector<dgg::SurfacePoint> places = DGGGetPlaces(result.Sites);
     dgg::CentroidalOptions options = result.Moving;
     options.Progress = dgg::ProgressPart(progress, 0.0, MovingShare);
     dgg::Status status = graph.PrepareBuilder(context);
@@ -406,32 +405,32 @@ dgg::Status vtkGeodesicVoronoi::Compute(const vtkDGGContext& context, vtkDGGVoro
   {
     return status;
   }
-  input.Places = vtkDGGGetPlaces(result.Sites);
+  input.Places = DGGGetPlaces(result.Sites);
   return dgg::ComputeVoronoi(graph.GetSearch(), mesh.GetMesh(), input,
     dgg::ProgressPart(progress, start, 1.0), result.Diagram);
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicVoronoi::Execute(const vtkDGGContext& context,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkGeodesicVoronoi::Execute(
+  const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGPreparedMesh& mesh = context.Surface;
-  const vtkDGGSourceSet set = this->GetSiteSet(inputVector);
-  vtkDGGVoronoiResult result;
+  const DGGPreparedMesh& mesh = context.Surface;
+  const DGGSourceSet set = this->GetSiteSet(inputVector);
+  DGGVoronoiResult result;
   dgg::Status status =
-    vtkDGGSourceCollector::Collect(context, set, this->ProjectionTolerance, result.Sites);
+    DGGSourceCollector::Collect(context, set, this->ProjectionTolerance, result.Sites);
   if (!status.IsOk())
   {
     return status;
   }
-  vtkDGGNewGeometry geometry;
+  DGGNewGeometry geometry;
   DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
   result.LabelsOnly = !this->GenerateCells || mesh.IsCloud();
   result.IsCentroidal = this->Centroidal;
   result.IsRefined = this->RefineBoundaries && !result.LabelsOnly;
   result.Moving.NumberOfIterations = this->NumberOfIterations;
   result.Moving.Tolerance = this->Tolerance;
-  vtkDGGSourceCollector::WarnAboutIsolatedIds(context, set, this);
+  DGGSourceCollector::WarnAboutIsolatedIds(context, set, this);
   status = this->GraphUser->Update(context, this);
   if (status.IsOk())
   {
@@ -445,9 +444,8 @@ dgg::Status vtkGeodesicVoronoi::Execute(const vtkDGGContext& context,
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::FillOutputs(const vtkDGGContext& context,
-  const vtkDGGVoronoiResult& result, const vtkDGGNewGeometry& geometry,
-  vtkInformationVector* outputVector) const
+void vtkGeodesicVoronoi::FillOutputs(const DGGContext& context, const DGGVoronoiResult& result,
+  const DGGNewGeometry& geometry, vtkInformationVector* outputVector) const
 {
   const VoronoiOutputs outputs{ result, context.Surface, geometry, this->DistanceArrayName,
     this->UnreachedValue };
@@ -469,9 +467,9 @@ void vtkGeodesicVoronoi::FillOutputs(const vtkDGGContext& context,
 
 //------------------------------------------------------------------------------
 void vtkGeodesicVoronoi::MakeEmptyOutput(
-  const vtkDGGContext& context, vtkInformationVector* outputVector)
+  const DGGContext& context, vtkInformationVector* outputVector)
 {
-  vtkDGGNewGeometry geometry;
+  DGGNewGeometry geometry;
   geometry.Take(context, this->GetOutputPointsPrecision());
-  this->FillOutputs(context, vtkDGGVoronoiResult(), geometry, outputVector);
+  this->FillOutputs(context, DGGVoronoiResult(), geometry, outputVector);
 }

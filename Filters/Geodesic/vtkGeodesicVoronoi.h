@@ -66,9 +66,9 @@
 #include <string> // For array names
 #include <vector> // For site ids
 
-class vtkDGGNewGeometry;
-struct vtkDGGSourceSet;
-struct vtkDGGVoronoiResult;
+class DGGNewGeometry;
+struct DGGSourceSet;
+struct DGGVoronoiResult;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicVoronoi : public vtkGeodesicAlgorithm
 {
@@ -206,9 +206,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
@@ -216,10 +216,10 @@ private:
   vtkGeodesicVoronoi(const vtkGeodesicVoronoi&) = delete;
   void operator=(const vtkGeodesicVoronoi&) = delete;
 
-  vtkDGGSourceSet GetSiteSet(vtkInformationVector** inputVector) const;
-  dgg::Status Compute(const vtkDGGContext& context, vtkDGGVoronoiResult& result);
-  void FillOutputs(const vtkDGGContext& context, const vtkDGGVoronoiResult& result,
-    const vtkDGGNewGeometry& geometry, vtkInformationVector* outputVector) const;
+  DGGSourceSet GetSiteSet(vtkInformationVector** inputVector) const;
+  dgg::Status Compute(const DGGContext& context, DGGVoronoiResult& result);
+  void FillOutputs(const DGGContext& context, const DGGVoronoiResult& result,
+    const DGGNewGeometry& geometry, vtkInformationVector* outputVector) const;
 
   std::vector<vtkIdType> SiteIds;
   bool Centroidal;
@@ -231,7 +231,7 @@ private:
   std::string DistanceArrayName;
   std::string SourceArrayName;
   double ProjectionTolerance;
-  std::unique_ptr<vtkDGGGraphUser> GraphUser;
+  std::unique_ptr<DGGGraphUser> GraphUser;
 };
 
 #endif

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeatGeodesicDistance.h"
 
-#include "vtkDGGDistanceTask.h"
-#include "vtkDGGMemory.h"
-#include "vtkDGGMeshQuality.h"
+#include "DGGDistanceTask.h"
+#include "DGGFreeMemory.h"
+#include "DGGMeshQuality.h"
 
 #include "dggHeatMethod.h"
 #include "dggProgressPart.h"
@@ -98,7 +98,7 @@ std::string vtkHeatGeodesicDistance::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
+dgg::Status vtkHeatGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
 {
   const dgg::HeatBoundary boundaries[] = { dgg::HeatBoundary::Neumann, dgg::HeatBoundary::Dirichlet,
     dgg::HeatBoundary::Average };
@@ -113,13 +113,13 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(vtkDGGDistanceTask& task)
     this->Prepared.reset(); // before there are two
     this->Prepared.reset(new Preparation{
       task.Context.Surface.GetBuildTime(), dgg::HeatMethod(task.Context.Surface.GetMesh()) });
-    this->QualityWarning = vtkDGGWarnOfLongTriangles(this);
+    this->QualityWarning = DGGWarnOfLongTriangles(this);
   }
   dgg::HeatMethod& method = this->Prepared->Method;
   bool isTooMuch = false;
   dgg::Status status = method.Prepare(
     options, dgg::ProgressPart(task.Context.Progress, 0.0, FactorizedAt), [&](double bytes) {
-      const dgg::Status check = vtkDGGCheckMemory("the factorizations of the heat method", bytes,
+      const dgg::Status check = DGGCheckMemory("the factorizations of the heat method", bytes,
         task.Context.MemoryLimit, this->GetMemoryRemedy());
       isTooMuch = !check.IsOk();
       return check;

@@ -123,7 +123,7 @@ protected:
   ~vtkHeatGeodesicDistance() override;
 
   dgg::Status CheckProperties() const override;
-  dgg::Status ComputeDistances(vtkDGGDistanceTask& task) override;
+  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
   std::string GetMemoryRemedy() const override;
 
 private:

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointCloudDGG.h"
 
-#include "vtkPointCloudDGGInternals.h"
+#include "PointCloudDGGInternals.h"
 
-#include "vtkDGGContext.h"
-#include "vtkDGGGraphArrays.h"
-#include "vtkDGGMakeArray.h"
+#include "DGGContext.h"
+#include "DGGGraphArrays.h"
+#include "DGGMakeArray.h"
 
 #include "dggCloudGraphBuilder.h"
 
@@ -142,7 +142,7 @@ std::string vtkPointCloudDGG::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPointCloudDGG::Execute(const vtkDGGContext& context,
+dgg::Status vtkPointCloudDGG::Execute(const DGGContext& context,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkInternals& internals = *this->Internals;
@@ -167,11 +167,11 @@ dgg::Status vtkPointCloudDGG::Execute(const vtkDGGContext& context,
   internals.Current = internals.BuiltFindings;
   const auto n = static_cast<std::size_t>(output->GetNumberOfPoints());
   const auto components =
-    vtkDGGAddArray<vtkIntArray>(output->GetPointData(), this->ComponentArrayName, n);
+    DGGAddArray<vtkIntArray>(output->GetPointData(), this->ComponentArrayName, n);
   std::copy(internals.Components.begin(), internals.Components.end(), components->GetPointer(0));
   if (source.ByPlanes && normals)
   {
-    const auto array = vtkDGGMakeArray<vtkDoubleArray>("Normals", n, 3);
+    const auto array = DGGMakeArray<vtkDoubleArray>("Normals", n, 3);
     std::copy(normals->begin(), normals->end(), array->GetPointer(0));
     output->GetPointData()->SetNormals(array);
   }
@@ -191,10 +191,10 @@ dgg::Status vtkPointCloudDGG::Execute(const vtkDGGContext& context,
 
 //------------------------------------------------------------------------------
 void vtkPointCloudDGG::MakeEmptyOutput(
-  const vtkDGGContext& context, vtkInformationVector* outputVector)
+  const DGGContext& context, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
-  vtkDGGGraphArrays::RemoveFrom(output->GetFieldData()); // they are of another surface
-  vtkDGGAddArray<vtkIntArray>(output->GetPointData(), this->ComponentArrayName, 0);
+  DGGGraphArrays::RemoveFrom(output->GetFieldData()); // they are of another surface
+  DGGAddArray<vtkIntArray>(output->GetPointData(), this->ComponentArrayName, 0);
 }

@@ -319,9 +319,9 @@ protected:
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* cloud, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
 
@@ -341,8 +341,8 @@ private:
   NormalsSource MakeNormalsSource(vtkPolyData* cloud) const;
   dgg::CloudGraphOptions MakeOptions(vtkPolyData* cloud) const;
   dgg::Status FindNormals(
-    const vtkDGGContext& context, const NormalsSource& source, Normals& normals, double& done);
-  dgg::Status Build(const vtkDGGContext& context, dgg::CloudGraphOptions options, double done);
+    const DGGContext& context, const NormalsSource& source, Normals& normals, double& done);
+  dgg::Status Build(const DGGContext& context, dgg::CloudGraphOptions options, double done);
   dgg::Status Estimate();
   void WarnAboutPoints();
   void WarnAboutVoxels(const dgg::CloudGraphOptions& options);

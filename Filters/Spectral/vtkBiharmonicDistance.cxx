@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBiharmonicDistance.h"
 
-#include "vtkDGGContext.h"
-#include "vtkDGGPreparedMesh.h"
-#include "vtkDGGSpectralOutputs.h"
+#include "DGGContext.h"
+#include "DGGPreparedMesh.h"
+#include "DGGSpectralOutputs.h"
 
 #include "dggProgressPart.h"
 #include "dggSpectralDistance.h"
@@ -147,7 +147,7 @@ double vtkBiharmonicDistance::EstimateWorkingMemory(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkBiharmonicDistance::ComputeValues(vtkDGGSpectralTask& task)
+dgg::Status vtkBiharmonicDistance::ComputeValues(DGGSpectralTask& task)
 {
   const dgg::SpectralKind kinds[] = { dgg::SpectralKind::Biharmonic, dgg::SpectralKind::CommuteTime,
     dgg::SpectralKind::Diffusion };

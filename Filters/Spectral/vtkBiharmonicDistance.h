@@ -134,7 +134,7 @@ protected:
   dgg::Status CheckProperties() const override;
   double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
     std::size_t numberOfTargets) const override;
-  dgg::Status ComputeValues(vtkDGGSpectralTask& task) override;
+  dgg::Status ComputeValues(DGGSpectralTask& task) override;
 
 private:
   vtkBiharmonicDistance(const vtkBiharmonicDistance&) = delete;

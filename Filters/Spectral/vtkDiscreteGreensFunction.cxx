@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDiscreteGreensFunction.h"
 
-#include "vtkDGGContext.h"
-#include "vtkDGGParallel.h"
-#include "vtkDGGPreparedMesh.h"
-#include "vtkDGGSpectralOutputs.h"
+#include "DGGContext.h"
+#include "DGGThreads.h"
+#include "DGGPreparedMesh.h"
+#include "DGGSpectralOutputs.h"
 
 #include "dggGreensFunction.h"
 #include "dggGreensInterpolation.h"
@@ -71,7 +71,7 @@ struct Functions
 class Run
 {
 public:
-  Run(vtkDGGSpectralTask& task, const dgg::GreensQuery& query, std::vector<UsedMethod>& used)
+  Run(DGGSpectralTask& task, const dgg::GreensQuery& query, std::vector<UsedMethod>& used)
     : Task(task)
     , Query(query)
     , Used(used)
@@ -96,7 +96,7 @@ public:
   dgg::Status InBlocks(const dgg::GreensFunction& function)
   {
     const std::vector<dgg::SurfacePoint>& sources = this->Task.Sources;
-    return vtkDGGForEach((sources.size() + BlockSize - 1) / BlockSize, 1, this->Task.Progress,
+    return DGGForEach((sources.size() + BlockSize - 1) / BlockSize, 1, this->Task.Progress,
       [&](std::size_t block, const dgg::ProgressCallback& progress) {
         const std::size_t first = block * BlockSize;
         const std::size_t end = std::min(sources.size(), first + BlockSize);
@@ -140,7 +140,7 @@ private:
     this->Used[source] = { result.Method, result.Remark, result.Radius };
   }
 
-  vtkDGGSpectralTask& Task;
+  DGGSpectralTask& Task;
   const dgg::GreensQuery& Query;
   std::vector<UsedMethod>& Used;
 };
@@ -280,7 +280,7 @@ double vtkDiscreteGreensFunction::EstimateWorkingMemory(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDiscreteGreensFunction::ComputeValues(vtkDGGSpectralTask& task)
+dgg::Status vtkDiscreteGreensFunction::ComputeValues(DGGSpectralTask& task)
 {
   const dgg::GreensMethod methods[] = { dgg::GreensMethod::SingularitySubtraction,
     dgg::GreensMethod::Localized, dgg::GreensMethod::Interpolated, dgg::GreensMethod::Vertex };

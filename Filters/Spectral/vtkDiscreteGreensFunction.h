@@ -201,7 +201,7 @@ protected:
   dgg::PoissonOptions GetPoissonOptions() const override;
   double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
     std::size_t numberOfTargets) const override;
-  dgg::Status ComputeValues(vtkDGGSpectralTask& task) override;
+  dgg::Status ComputeValues(DGGSpectralTask& task) override;
 
 private:
   vtkDiscreteGreensFunction(const vtkDiscreteGreensFunction&) = delete;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHarmonicBSpline.h"
 
-#include "vtkDGGContext.h"
-#include "vtkDGGDistribution.h"
-#include "vtkDGGPreparedMesh.h"
-#include "vtkDGGProperties.h"
-#include "vtkDGGSpectralOutputs.h"
+#include "DGGContext.h"
+#include "DGGDistribution.h"
+#include "DGGPreparedMesh.h"
+#include "DGGProperties.h"
+#include "DGGSpectralOutputs.h"
 
 #include "dggGeodesicSource.h"
 #include "dggHarmonicSplines.h"
@@ -79,13 +79,12 @@ std::vector<double> Interpolate(const dgg::SurfaceMesh& mesh,
 /// The numbers of a point array of the surface.
 dgg::Status ReadSources(vtkPolyData* surface, const std::string& name, std::vector<double>& values)
 {
-  return vtkDGGReadNumbers(
-    surface, name, "the surface", "SetRightHandSideArrayName()", false, values);
+  return DGGReadNumbers(surface, name, "the surface", "SetRightHandSideArrayName()", false, values);
 }
 
 /// Sources per vertex from numbers per point; none where values are given. `imbalance` is the
 /// largest sum that has to be balanced in a component, relative to the sum of sizes.
-std::vector<double> Integrate(const vtkDGGPreparedMesh& adapter, const dgg::PoissonSolver& solver,
+std::vector<double> Integrate(const DGGPreparedMesh& adapter, const dgg::PoissonSolver& solver,
   const std::vector<double>& numbers, bool isDensity, double& imbalance)
 {
   const std::size_t n = solver.GetAreas().size();
@@ -124,7 +123,7 @@ std::vector<double> Integrate(const vtkDGGPreparedMesh& adapter, const dgg::Pois
 class Run
 {
 public:
-  explicit Run(vtkDGGSpectralTask& task)
+  explicit Run(DGGSpectralTask& task)
     : Task(task)
     , Mesh(task.Solver.GetMesh())
     , Splines(task.Solver)
@@ -214,7 +213,7 @@ private:
     return values;
   }
 
-  vtkDGGSpectralTask& Task;
+  DGGSpectralTask& Task;
   const dgg::SurfaceMesh& Mesh;
   dgg::HarmonicSplines Splines;
   std::vector<double> Evaluated; // per target and site, if they are to be smooth
@@ -265,7 +264,7 @@ vtkIdType vtkHarmonicBSpline::GetNumberOfUsedSites() const
 //------------------------------------------------------------------------------
 vtkIdType vtkHarmonicBSpline::GetUsedSite(vtkIdType site) const
 {
-  return vtkDGGGetId(this->UsedSites, site);
+  return DGGGetId(this->UsedSites, site);
 }
 
 //------------------------------------------------------------------------------
@@ -299,7 +298,7 @@ dgg::Status vtkHarmonicBSpline::CheckProperties() const
 
 //------------------------------------------------------------------------------
 void vtkHarmonicBSpline::MakeEmptyOutput(
-  const vtkDGGContext& context, vtkInformationVector* outputVector)
+  const DGGContext& context, vtkInformationVector* outputVector)
 {
   this->Superclass::MakeEmptyOutput(context, outputVector);
   for (int port = 0; port < 2; ++port)
@@ -374,7 +373,7 @@ double vtkHarmonicBSpline::EstimateWorkingMemory(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkHarmonicBSpline::ComputeValues(vtkDGGSpectralTask& task)
+dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
 {
   const bool isDensity = this->RightHandSideMeaning == Density;
   const bool isSmooth = this->SmoothEvaluation && !task.Targets.empty();

@@ -144,7 +144,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
   bool CanChooseSources() const override { return true; }
   std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const override;
@@ -153,7 +153,7 @@ protected:
     std::vector<dgg::SurfacePoint>& sources) const override;
   double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
     std::size_t numberOfTargets) const override;
-  dgg::Status ComputeValues(vtkDGGSpectralTask& task) override;
+  dgg::Status ComputeValues(DGGSpectralTask& task) override;
 
 private:
   vtkHarmonicBSpline(const vtkHarmonicBSpline&) = delete;

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPoissonVectorGraphics.h"
 
-#include "vtkDGGContext.h"
-#include "vtkDGGGraphicsInput.h"
-#include "vtkDGGGraphicsOutput.h"
-#include "vtkDGGMemory.h"
-#include "vtkDGGPreparedMesh.h"
-#include "vtkDGGProperties.h"
-#include "vtkDGGSourceCollector.h"
+#include "DGGContext.h"
+#include "DGGGraphicsInput.h"
+#include "DGGGraphicsOutput.h"
+#include "DGGFreeMemory.h"
+#include "DGGPreparedMesh.h"
+#include "DGGProperties.h"
+#include "DGGSourceCollector.h"
 
 #include "dggGraphicsFragments.h"
 #include "dggGraphicsRefinement.h"
@@ -93,32 +93,32 @@ struct vtkPoissonVectorGraphics::vtkInternals
 
   /// Draw the curves, refine and cut the surface, factorize the matrix. Memory is checked before it
   /// is taken; `remedy` is what to do besides raising MemoryLimit. Nothing is kept when it fails.
-  dgg::Status Prepare(const vtkDGGContext& context, const Drawing& drawing,
+  dgg::Status Prepare(const DGGContext& context, const Drawing& drawing,
     const dgg::GraphicsOptions& options, const std::string& remedy,
     const dgg::ProgressCallback& progress);
 
 private:
-  dgg::Status Draw(const vtkDGGContext& context, const Drawing& drawing,
+  dgg::Status Draw(const DGGContext& context, const Drawing& drawing,
     const dgg::GraphicsOptions& options, const std::string& remedy,
     const dgg::ProgressCallback& progress);
 };
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const vtkDGGContext& context,
+dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const DGGContext& context,
   const Drawing& drawing, const dgg::GraphicsOptions& options, const std::string& remedy,
   const dgg::ProgressCallback& progress)
 {
   const dgg::SurfaceMesh& mesh = context.Surface.GetMesh();
   const std::size_t count = drawing.Curves.size();
   dgg::Status status =
-    vtkDGGCheckMemory("the refined mesh", EstimateMesh(mesh, drawing), context.MemoryLimit, remedy);
+    DGGCheckMemory("the refined mesh", EstimateMesh(mesh, drawing), context.MemoryLimit, remedy);
   std::vector<dgg::SurfaceCurve> joined(count);
   for (std::size_t k = 0; k < count && status.IsOk(); ++k)
   {
     const double part = JoinedAt / static_cast<double>(count);
     const double begin = static_cast<double>(k) * part;
-    status = vtkDGGExplain(dgg::JoinPoints(mesh, drawing.Places[k], drawing.Curves[k].IsClosed,
-                             dgg::ProgressPart(progress, begin, begin + part), joined[k]),
+    status = DGGExplain(dgg::JoinPoints(mesh, drawing.Places[k], drawing.Curves[k].IsClosed,
+                          dgg::ProgressPart(progress, begin, begin + part), joined[k]),
       drawing.Curves[k].Name + ": ");
   }
   dgg::RefinedSurface refined;
@@ -132,15 +132,14 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const vtkDGGContext& co
     return status;
   }
   dgg::GraphicsRefinement refinement = drawing.Refinement;
-  refinement.MostFaces = static_cast<dgg::Offset>(
-    std::min(static_cast<double>(vtkDGGGetMemoryLimit(context.MemoryLimit)) /
-        dgg::VectorGraphics::BytesPerFace,
-      static_cast<double>(refinement.MostFaces)));
+  refinement.MostFaces = static_cast<dgg::Offset>(std::min(
+    static_cast<double>(DGGGetMemoryLimit(context.MemoryLimit)) / dgg::VectorGraphics::BytesPerFace,
+    static_cast<double>(refinement.MostFaces)));
   refinement.Progress = dgg::ProgressPart(progress, EmbeddedAt, RefinedAt);
   status = dgg::RefineForGraphics(mesh, refinement, refined, &this->RefinedFaces);
   if (!status.IsOk())
   {
-    return vtkDGGExplain(status, "", ", for memory to suffice: raise MemoryLimit, or " + remedy);
+    return DGGExplain(status, "", ", for memory to suffice: raise MemoryLimit, or " + remedy);
   }
   std::vector<dgg::CurveChain> chains;
   for (std::size_t k = 0; k < count; ++k)
@@ -153,7 +152,7 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const vtkDGGContext& co
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPoissonVectorGraphics::vtkInternals::Prepare(const vtkDGGContext& context,
+dgg::Status vtkPoissonVectorGraphics::vtkInternals::Prepare(const DGGContext& context,
   const Drawing& drawing, const dgg::GraphicsOptions& options, const std::string& remedy,
   const dgg::ProgressCallback& progress)
 {
@@ -238,7 +237,7 @@ void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
 vtkDGGDefineInputMacro(vtkPoissonVectorGraphics, Curve, 1);
 
 //------------------------------------------------------------------------------
-vtkDGGGraphicsNames vtkPoissonVectorGraphics::GetNames() const
+DGGGraphicsNames vtkPoissonVectorGraphics::GetNames() const
 {
   return { this->CurveTypeArrayName, this->LeftColorArrayName, this->RightColorArrayName,
     this->StrengthArrayName, this->RightStrengthArrayName, this->WidthArrayName,
@@ -277,12 +276,12 @@ dgg::Status vtkPoissonVectorGraphics::CheckProperties() const
   {
     return dgg::Status::Invalid("ResultArrayName is empty: call SetResultArrayName() with a name");
   }
-  if (vtkDGGGraphicsOutput::IsTaken(this->ResultArrayName))
+  if (DGGGraphicsOutput::IsTaken(this->ResultArrayName))
   {
     return dgg::Status::Invalid("ResultArrayName is '" + this->ResultArrayName +
       "', which another array of the output has: call SetResultArrayName() with another name");
   }
-  return vtkDGGCheckLengths(
+  return DGGCheckLengths(
     { { "Width", this->Width }, { "ProjectionTolerance", this->ProjectionTolerance } });
 }
 
@@ -290,9 +289,9 @@ dgg::Status vtkPoissonVectorGraphics::CheckProperties() const
 dgg::Status vtkPoissonVectorGraphics::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
-  vtkDGGGraphicsNames names = this->GetNames();
+  DGGGraphicsNames names = this->GetNames();
   names.DefaultWidth = 1.0; // found when the mesh is
-  vtkDGGGraphicsInput input;
+  DGGGraphicsInput input;
   const dgg::Status status = input.Read(vtkPolyData::GetData(inputVector[1]), surface, names);
   if (status.IsOk() && input.GetCurves().empty() && names.Region.empty())
   {
@@ -300,7 +299,7 @@ dgg::Status vtkPoissonVectorGraphics::CheckInputs(
                                 "SetCurveData(), or call SetRegionArrayName()");
   }
   return status.IsOk() && this->RefinementRegion == Cells
-    ? vtkDGGGraphicsInput::CheckRefinement(surface, names)
+    ? DGGGraphicsInput::CheckRefinement(surface, names)
     : status;
 }
 
@@ -311,19 +310,19 @@ std::string vtkPoissonVectorGraphics::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPoissonVectorGraphics::Execute(const vtkDGGContext& context,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkPoissonVectorGraphics::Execute(
+  const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGPreparedMesh& adapter = context.Surface;
+  const DGGPreparedMesh& adapter = context.Surface;
   vtkInternals& internals = *this->Internals;
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
-  vtkDGGGraphicsNames names = this->GetNames();
+  DGGGraphicsNames names = this->GetNames();
   double bounds[6];
   context.Input->GetPoints()->GetBounds(bounds);
   const double diagonal =
     std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
   names.DefaultWidth = this->Width > 0.0 ? this->Width : UsualWidth * diagonal;
-  vtkDGGGraphicsInput input;
+  DGGGraphicsInput input;
   dgg::Status status = input.Read(lines, context.Input, names);
   const std::vector<dgg::GraphicsCurve>& curves = input.GetCurves();
   Drawing drawing;
@@ -333,22 +332,22 @@ dgg::Status vtkPoissonVectorGraphics::Execute(const vtkDGGContext& context,
   static const std::vector<vtkIdType> none;
   for (std::size_t k = 0; k < curves.size() && status.IsOk(); ++k)
   {
-    vtkDGGSourceSet set{ none, lines, 1, "curve point", "call SetCurveData()", "" };
+    DGGSourceSet set{ none, lines, 1, "curve point", "call SetCurveData()", "" };
     set.PointIds = &input.GetPointIds()[k];
-    status = vtkDGGSourceCollector::Check(set, context.Input->GetNumberOfPoints());
+    status = DGGSourceCollector::Check(set, context.Input->GetNumberOfPoints());
     std::vector<dgg::GeodesicSource> found;
     if (status.IsOk())
     {
-      status = vtkDGGSourceCollector::Collect(context, set, this->ProjectionTolerance, found);
+      status = DGGSourceCollector::Collect(context, set, this->ProjectionTolerance, found);
     }
-    drawing.Places[k] = vtkDGGGetPlaces(found);
+    drawing.Places[k] = DGGGetPlaces(found);
   }
   if (!status.IsOk())
   {
     return status;
   }
 
-  vtkDGGGraphicsOutput output(this->ResultArrayName);
+  DGGGraphicsOutput output(this->ResultArrayName);
   status = output.Take(context, this->GetOutputPointsPrecision());
   const dgg::RefinedPart parts[] = { dgg::RefinedPart::Everything, dgg::RefinedPart::AroundCurves,
     dgg::RefinedPart::Faces };
@@ -356,7 +355,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(const vtkDGGContext& context,
   drawing.Refinement.Part = parts[this->RefinementRegion];
   if (this->RefinementRegion == Cells)
   {
-    drawing.Refinement.Faces = vtkDGGGraphicsInput::FindRefinedFaces(context.Input, names, adapter);
+    drawing.Refinement.Faces = DGGGraphicsInput::FindRefinedFaces(context.Input, names, adapter);
   }
   drawing.IntrinsicDelaunay = this->IntrinsicDelaunay;
   dgg::GraphicsOptions options;
@@ -373,7 +372,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(const vtkDGGContext& context,
   options.CheckMemory = [&](double bytes, double missing) {
     const double points = static_cast<double>(internals.Graphics.GetSurface().Points.size());
     const double own = context.MemoryLimit == 0 ? missing : bytes;
-    return vtkDGGCheckMemory("the factorization and the colours",
+    return DGGCheckMemory("the factorization and the colours",
       own + points * output.GetBytesPerPoint(options.NumberOfChannels), context.MemoryLimit,
       this->GetMemoryRemedy());
   };
@@ -399,7 +398,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(const vtkDGGContext& context,
     const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
     const double count = static_cast<double>(internals.RefinedFaces.size()) *
       std::pow(static_cast<double>(this->FragmentDivision), 2);
-    status = vtkDGGCheckMemory("fragments", count * bytes, context.MemoryLimit,
+    status = DGGCheckMemory("fragments", count * bytes, context.MemoryLimit,
       "use a smaller FragmentDivision, or refine NearCurves only");
   }
   if (status.IsOk())
@@ -417,11 +416,11 @@ dgg::Status vtkPoissonVectorGraphics::Execute(const vtkDGGContext& context,
 
 //------------------------------------------------------------------------------
 void vtkPoissonVectorGraphics::MakeEmptyOutput(
-  const vtkDGGContext& context, vtkInformationVector* outputVector)
+  const DGGContext& context, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
-  const vtkDGGGraphicsOutput arrays(this->ResultArrayName);
+  const DGGGraphicsOutput arrays(this->ResultArrayName);
   arrays.AddColors({}, 3, output);
   arrays.AddNetSources({}, 3, output);
 }

@@ -82,7 +82,7 @@
 #include <memory> // For the internals
 #include <string> // For array names
 
-struct vtkDGGGraphicsNames;
+struct DGGGraphicsNames;
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkPoissonVectorGraphics : public vtkGeodesicAlgorithm
 {
@@ -260,9 +260,9 @@ protected:
 
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
@@ -271,7 +271,7 @@ private:
 
   struct vtkInternals;
 
-  vtkDGGGraphicsNames GetNames() const;
+  DGGGraphicsNames GetNames() const;
 
   std::string CurveTypeArrayName;
   std::string LeftColorArrayName;

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpectralAlgorithm.h"
 
-#include "vtkDGGContext.h"
-#include "vtkDGGMemory.h"
-#include "vtkDGGPreparedMesh.h"
-#include "vtkDGGPoissonKeeper.h"
-#include "vtkDGGProperties.h"
-#include "vtkDGGSourceCollector.h"
-#include "vtkDGGSpectralOutputs.h"
+#include "DGGContext.h"
+#include "DGGFreeMemory.h"
+#include "DGGPreparedMesh.h"
+#include "DGGPoissonCache.h"
+#include "DGGProperties.h"
+#include "DGGSourceCollector.h"
+#include "DGGSpectralOutputs.h"
 
 #include "dggProgressPart.h"
 
@@ -30,7 +30,7 @@ constexpr double FoundAt = 0.01;
 /// Part of what is left then, in which sources are chosen.
 constexpr double ChoosingPart = 0.1;
 
-bool IsEmpty(const vtkDGGSourceSet& set)
+bool IsEmpty(const DGGSourceSet& set)
 {
   return set.Ids.empty() && (!set.Points || set.Points->GetNumberOfPoints() == 0);
 }
@@ -55,7 +55,7 @@ vtkSpectralAlgorithm::vtkSpectralAlgorithm(const std::string& resultArrayName)
   , Boundary(Neumann)
   , IntrinsicDelaunay(false)
   , ResultArrayName(resultArrayName)
-  , Keeper(new vtkDGGPoissonKeeper)
+  , Keeper(new DGGPoissonCache)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
@@ -68,7 +68,7 @@ vtkSpectralAlgorithm::~vtkSpectralAlgorithm() = default;
 void vtkSpectralAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  vtkDGGPrintIds(os, indent, "SourceIds", this->SourceIds);
+  DGGPrintIds(os, indent, "SourceIds", this->SourceIds);
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
   os << indent << "Boundary: " << this->GetBoundaryAsString() << "\n";
   os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
@@ -129,7 +129,7 @@ dgg::Status vtkSpectralAlgorithm::CheckProperties() const
   {
     return dgg::Status::Invalid("ResultArrayName is empty: call SetResultArrayName() with a name");
   }
-  return vtkDGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
+  return DGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------
@@ -137,12 +137,12 @@ dgg::Status vtkSpectralAlgorithm::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   const vtkIdType n = surface->GetNumberOfPoints();
-  const vtkDGGSourceSet sources = this->GetSources(inputVector);
+  const DGGSourceSet sources = this->GetSources(inputVector);
   const dgg::Status status = this->CanChooseSources() && IsEmpty(sources)
     ? dgg::Status::Success()
-    : vtkDGGSourceCollector::Check(sources, n);
-  const vtkDGGSourceSet targets = GetTargets(inputVector);
-  return status.IsOk() && !IsEmpty(targets) ? vtkDGGSourceCollector::Check(targets, n) : status;
+    : DGGSourceCollector::Check(sources, n);
+  const DGGSourceSet targets = GetTargets(inputVector);
+  return status.IsOk() && !IsEmpty(targets) ? DGGSourceCollector::Check(targets, n) : status;
 }
 
 //------------------------------------------------------------------------------
@@ -177,14 +177,14 @@ dgg::Status vtkSpectralAlgorithm::ChooseSources(const dgg::PoissonSolver& vtkNot
 }
 
 //------------------------------------------------------------------------------
-vtkDGGSourceSet vtkSpectralAlgorithm::GetSources(vtkInformationVector** inputVector) const
+DGGSourceSet vtkSpectralAlgorithm::GetSources(vtkInformationVector** inputVector) const
 {
   return { this->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source",
     "call AddSourceId() or SetSourceIds()", "" };
 }
 
 //------------------------------------------------------------------------------
-vtkDGGSourceSet vtkSpectralAlgorithm::GetTargets(vtkInformationVector** inputVector)
+DGGSourceSet vtkSpectralAlgorithm::GetTargets(vtkInformationVector** inputVector)
 {
   static const std::vector<vtkIdType> none;
   return { none, vtkPolyData::GetData(inputVector[2]), 2, "evaluation point",
@@ -192,39 +192,37 @@ vtkDGGSourceSet vtkSpectralAlgorithm::GetTargets(vtkInformationVector** inputVec
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkSpectralAlgorithm::Execute(const vtkDGGContext& context,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkSpectralAlgorithm::Execute(
+  const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGPreparedMesh& mesh = context.Surface;
-  vtkDGGPoissonKeeper& keeper = *this->Keeper;
-  const vtkDGGSourceSet targetSet = GetTargets(inputVector);
-  const vtkDGGSourceSet sourceSet = this->GetSources(inputVector);
+  const DGGPreparedMesh& mesh = context.Surface;
+  DGGPoissonCache& keeper = *this->Keeper;
+  const DGGSourceSet targetSet = GetTargets(inputVector);
+  const DGGSourceSet sourceSet = this->GetSources(inputVector);
   const bool hasTargets = !IsEmpty(targetSet);
   std::vector<dgg::GeodesicSource> found[2];
   dgg::Status status;
   if (!this->CanChooseSources() || !IsEmpty(sourceSet))
   {
-    status =
-      vtkDGGSourceCollector::Collect(context, sourceSet, this->ProjectionTolerance, found[0]);
+    status = DGGSourceCollector::Collect(context, sourceSet, this->ProjectionTolerance, found[0]);
   }
   if (status.IsOk() && hasTargets)
   {
-    status =
-      vtkDGGSourceCollector::Collect(context, targetSet, this->ProjectionTolerance, found[1]);
+    status = DGGSourceCollector::Collect(context, targetSet, this->ProjectionTolerance, found[1]);
   }
   if (!status.IsOk())
   {
     return status;
   }
-  std::vector<dgg::SurfacePoint> sources = vtkDGGGetPlaces(found[0]);
-  const std::vector<dgg::SurfacePoint> targets = vtkDGGGetPlaces(found[1]);
+  std::vector<dgg::SurfacePoint> sources = DGGGetPlaces(found[0]);
+  const std::vector<dgg::SurfacePoint> targets = DGGGetPlaces(found[1]);
 
   const auto numberOfPoints = static_cast<std::size_t>(context.Input->GetNumberOfPoints());
   const dgg::PoissonOptions options = this->GetPoissonOptions();
   double needed = 0.0;
   const auto others = [&](const dgg::PoissonSolver& solver) {
     const std::size_t count = this->CountSources(solver, sources.size());
-    needed = vtkDGGSpectralOutputs::EstimateMemory(numberOfPoints, targets.size(), count) +
+    needed = DGGSpectralOutputs::EstimateMemory(numberOfPoints, targets.size(), count) +
       this->EstimateWorkingMemory(solver, count, targets.size());
     return needed;
   };
@@ -243,11 +241,10 @@ dgg::Status vtkSpectralAlgorithm::Execute(const vtkDGGContext& context,
     return status;
   }
   const double held = context.MemoryLimit == 0 ? 0.0 : keeper.GetSolver().GetEstimatedMemory();
-  const double left =
-    static_cast<double>(vtkDGGGetMemoryLimit(context.MemoryLimit)) - held - needed;
-  vtkDGGSpectralOutputs outputs(
+  const double left = static_cast<double>(DGGGetMemoryLimit(context.MemoryLimit)) - held - needed;
+  DGGSpectralOutputs outputs(
     mesh, numberOfPoints, targets.size(), sources.size(), this->ResultArrayName);
-  vtkDGGSpectralTask task{ context, keeper.GetSolver(), sources, targets, std::max(0.0, left),
+  DGGSpectralTask task{ context, keeper.GetSolver(), sources, targets, std::max(0.0, left),
     dgg::ProgressPart(context.Progress, chosen, 1.0), outputs };
   status = this->ComputeValues(task);
   if (!status.IsOk())
@@ -264,9 +261,9 @@ dgg::Status vtkSpectralAlgorithm::Execute(const vtkDGGContext& context,
 
 //------------------------------------------------------------------------------
 void vtkSpectralAlgorithm::MakeEmptyOutput(
-  const vtkDGGContext& context, vtkInformationVector* outputVector)
+  const DGGContext& context, vtkInformationVector* outputVector)
 {
-  const vtkDGGSpectralOutputs outputs(context.Surface, 0, 0, 0, this->ResultArrayName);
+  const DGGSpectralOutputs outputs(context.Surface, 0, 0, 0, this->ResultArrayName);
   AddResult(vtkPolyData::GetData(outputVector, 0), context.Input, outputs.GetPointArray(),
     outputs.GetFurtherArrays(0));
   vtkNew<vtkPolyData> none;

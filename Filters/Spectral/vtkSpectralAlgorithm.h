@@ -47,9 +47,9 @@ struct PoissonOptions;
 class PoissonSolver;
 struct SurfacePoint;
 }
-class vtkDGGPoissonKeeper;
-struct vtkDGGSourceSet;
-struct vtkDGGSpectralTask;
+class DGGPoissonCache;
+struct DGGSourceSet;
+struct DGGSpectralTask;
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkSpectralAlgorithm : public vtkGeodesicAlgorithm
 {
@@ -175,9 +175,9 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
   /**
@@ -208,21 +208,21 @@ protected:
    * Set the outputs of the task, for each source. Returns an error, which is shown to the user, or
    * that the task's Progress asked to stop. May throw.
    */
-  virtual dgg::Status ComputeValues(vtkDGGSpectralTask& task) = 0;
+  virtual dgg::Status ComputeValues(DGGSpectralTask& task) = 0;
 
 private:
   vtkSpectralAlgorithm(const vtkSpectralAlgorithm&) = delete;
   void operator=(const vtkSpectralAlgorithm&) = delete;
 
-  vtkDGGSourceSet GetSources(vtkInformationVector** inputVector) const;
-  static vtkDGGSourceSet GetTargets(vtkInformationVector** inputVector);
+  DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
+  static DGGSourceSet GetTargets(vtkInformationVector** inputVector);
 
   std::vector<vtkIdType> SourceIds;
   double ProjectionTolerance;
   int Boundary;
   bool IntrinsicDelaunay;
   std::string ResultArrayName;
-  std::unique_ptr<vtkDGGPoissonKeeper> Keeper;
+  std::unique_ptr<DGGPoissonCache> Keeper;
 };
 
 #endif

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceEarthMoversDistance.h"
 
-#include "vtkDGGContext.h"
-#include "vtkDGGDistribution.h"
-#include "vtkDGGMakeArray.h"
-#include "vtkDGGPreparedMesh.h"
-#include "vtkDGGPoissonKeeper.h"
-#include "vtkDGGProperties.h"
+#include "DGGContext.h"
+#include "DGGDistribution.h"
+#include "DGGMakeArray.h"
+#include "DGGPreparedMesh.h"
+#include "DGGPoissonCache.h"
+#include "DGGProperties.h"
 
 #include "dggEarthMovers.h"
 #include "dggProgressPart.h"
@@ -67,11 +67,11 @@ std::array<double, 3> InSpace(
 }
 
 /// Per cell, the mean of its triangles.
-vtkSmartPointer<vtkDoubleArray> MakeFlow(const vtkDGGPreparedMesh& adapter, vtkPolyData* surface,
+vtkSmartPointer<vtkDoubleArray> MakeFlow(const DGGPreparedMesh& adapter, vtkPolyData* surface,
   const std::vector<dgg::Point2>& flow, double total)
 {
   const auto n = static_cast<std::size_t>(surface->GetNumberOfCells());
-  auto array = vtkDGGMakeArray<vtkDoubleArray>(FlowName, n, 3);
+  auto array = DGGMakeArray<vtkDoubleArray>(FlowName, n, 3);
   array->Fill(0.0);
   const dgg::SurfaceMesh& mesh = adapter.GetMesh();
   const auto areaOf = [&](dgg::Id f) { return 0.5 * mesh.Length(3 * f) * mesh.ApexY(3 * f); };
@@ -101,10 +101,10 @@ vtkSmartPointer<vtkDoubleArray> MakeFlow(const vtkDGGPreparedMesh& adapter, vtkP
 }
 
 vtkSmartPointer<vtkDoubleArray> MakePotential(
-  const vtkDGGPreparedMesh& adapter, vtkIdType numberOfPoints, const std::vector<double>& potential)
+  const DGGPreparedMesh& adapter, vtkIdType numberOfPoints, const std::vector<double>& potential)
 {
   auto array =
-    vtkDGGMakeArray<vtkDoubleArray>(PotentialName, static_cast<std::size_t>(numberOfPoints));
+    DGGMakeArray<vtkDoubleArray>(PotentialName, static_cast<std::size_t>(numberOfPoints));
   for (vtkIdType i = 0; i < numberOfPoints; ++i)
   {
     array->SetValue(i, potential[adapter.GetVertex(i)]);
@@ -129,7 +129,7 @@ void ShowFlow(vtkPolyData* output, vtkDoubleArray* flow)
 
 void AddNumber(vtkPolyData* output, const char* name, double value)
 {
-  vtkDGGAddArray<vtkDoubleArray>(output->GetFieldData(), name, 1)->SetValue(0, value);
+  DGGAddArray<vtkDoubleArray>(output->GetFieldData(), name, 1)->SetValue(0, value);
 }
 }
 
@@ -141,7 +141,7 @@ vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
   , Tolerance(1e-2)
   , ProjectionTolerance(0.01)
   , IntrinsicDelaunay(false)
-  , Keeper(new vtkDGGPoissonKeeper)
+  , Keeper(new DGGPoissonCache)
 {
   this->SetNumberOfInputPorts(3);
   this->ForgetResults();
@@ -216,7 +216,7 @@ int vtkSurfaceEarthMoversDistance::RequestData(
 //------------------------------------------------------------------------------
 dgg::Status vtkSurfaceEarthMoversDistance::CheckProperties() const
 {
-  return vtkDGGCheckLengths(
+  return DGGCheckLengths(
     { { "Tolerance", this->Tolerance }, { "ProjectionTolerance", this->ProjectionTolerance } });
 }
 
@@ -225,7 +225,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   dgg::Status status;
-  vtkDGGDistribution distribution;
+  DGGDistribution distribution;
   for (int k = 0; k < 2 && status.IsOk(); ++k)
   {
     status = distribution.Read(this->GetOrigin(k, inputVector), surface);
@@ -234,14 +234,14 @@ dgg::Status vtkSurfaceEarthMoversDistance::CheckInputs(
 }
 
 //------------------------------------------------------------------------------
-vtkDGGMassOrigin vtkSurfaceEarthMoversDistance::GetOrigin(
+DGGMassOrigin vtkSurfaceEarthMoversDistance::GetOrigin(
   int which, vtkInformationVector** inputVector) const
 {
   vtkPolyData* points = vtkPolyData::GetData(inputVector[1 + which]);
-  return which == 0 ? vtkDGGMassOrigin{ "from", this->FromArrayName, "SetFromArrayName()", points,
-    1, this->MassArrayName }
-                    : vtkDGGMassOrigin{ "to", this->ToArrayName, "SetToArrayName()", points, 2,
-                        this->MassArrayName };
+  return which == 0
+    ? DGGMassOrigin{ "from", this->FromArrayName, "SetFromArrayName()", points, 1,
+        this->MassArrayName }
+    : DGGMassOrigin{ "to", this->ToArrayName, "SetToArrayName()", points, 2, this->MassArrayName };
 }
 
 //------------------------------------------------------------------------------
@@ -251,16 +251,16 @@ std::string vtkSurfaceEarthMoversDistance::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkSurfaceEarthMoversDistance::Execute(const vtkDGGContext& context,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+dgg::Status vtkSurfaceEarthMoversDistance::Execute(
+  const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const vtkDGGPreparedMesh& mesh = context.Surface;
-  vtkDGGPoissonKeeper& keeper = *this->Keeper;
-  vtkDGGDistribution distributions[2];
+  const DGGPreparedMesh& mesh = context.Surface;
+  DGGPoissonCache& keeper = *this->Keeper;
+  DGGDistribution distributions[2];
   dgg::Status status;
   for (int k = 0; k < 2 && status.IsOk(); ++k)
   {
-    const vtkDGGMassOrigin origin = this->GetOrigin(k, inputVector);
+    const DGGMassOrigin origin = this->GetOrigin(k, inputVector);
     status = distributions[k].Read(origin, context.Input);
     if (status.IsOk())
     {
@@ -323,7 +323,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(const vtkDGGContext& context,
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetResults(const vtkDGGContext& context, vtkPolyData* output,
+void vtkSurfaceEarthMoversDistance::SetResults(const DGGContext& context, vtkPolyData* output,
   double total, const dgg::EarthMoversResult& result)
 {
   vtkPolyData* surface = context.Input;
@@ -343,9 +343,9 @@ void vtkSurfaceEarthMoversDistance::SetResults(const vtkDGGContext& context, vtk
 
 //------------------------------------------------------------------------------
 void vtkSurfaceEarthMoversDistance::MakeEmptyOutput(
-  const vtkDGGContext& context, vtkInformationVector* outputVector)
+  const DGGContext& context, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
-  ShowPotential(output, vtkDGGMakeArray<vtkDoubleArray>(PotentialName, 0));
+  ShowPotential(output, DGGMakeArray<vtkDoubleArray>(PotentialName, 0));
 }

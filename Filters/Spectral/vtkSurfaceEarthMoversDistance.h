@@ -65,8 +65,8 @@ namespace dgg
 {
 struct EarthMoversResult;
 }
-class vtkDGGPoissonKeeper;
-struct vtkDGGMassOrigin;
+class DGGPoissonCache;
+struct DGGMassOrigin;
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkSurfaceEarthMoversDistance : public vtkGeodesicAlgorithm
 {
@@ -214,18 +214,18 @@ protected:
     vtkInformationVector* outputVector) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(const vtkDGGContext& context, vtkInformationVector** inputVector,
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const vtkDGGContext& context, vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 
 private:
   vtkSurfaceEarthMoversDistance(const vtkSurfaceEarthMoversDistance&) = delete;
   void operator=(const vtkSurfaceEarthMoversDistance&) = delete;
 
-  vtkDGGMassOrigin GetOrigin(int which, vtkInformationVector** inputVector) const;
+  DGGMassOrigin GetOrigin(int which, vtkInformationVector** inputVector) const;
   void ForgetResults();
-  void SetResults(const vtkDGGContext& context, vtkPolyData* output, double total,
+  void SetResults(const DGGContext& context, vtkPolyData* output, double total,
     const dgg::EarthMoversResult& result);
 
   std::string FromArrayName;
@@ -241,7 +241,7 @@ private:
   double LowerBound;
   double Gap;
   int NumberOfIterations;
-  std::unique_ptr<vtkDGGPoissonKeeper> Keeper;
+  std::unique_ptr<DGGPoissonCache> Keeper;
 };
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// How much memory control groups leave, in folders that look like theirs.
-#include "vtkDGGMemory.h"
+#include "DGGFreeMemory.h"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ protected:
 
   vtkTypeUInt64 GetFree() const
   {
-    return vtkDGGGetFreeInControlGroup(this->Root + "/cgroup", this->Root + "/mount");
+    return DGGGetFreeInControlGroup(this->Root + "/cgroup", this->Root + "/mount");
   }
 
   /// A folder for each test, as they may run at the same time.

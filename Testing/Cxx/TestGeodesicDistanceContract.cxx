@@ -4,7 +4,7 @@
 /// What all distance filters promise: defaults, arrays, what is passed through, limits.
 #include "FilterTestTools.h"
 
-#include "vtkDGGDistanceTask.h"
+#include "DGGDistanceTask.h"
 #include "vtkExactGeodesicDistance.h"
 
 #include "vtkCellData.h"
@@ -357,7 +357,7 @@ public:
   Fault Do = Fault::None;
 
 protected:
-  dgg::Status ComputeDistances(vtkDGGDistanceTask& task) override
+  dgg::Status ComputeDistances(DGGDistanceTask& task) override
   {
     switch (this->Do)
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Steps in several threads: each is done once, and the progress does not wait for the last.
-#include "vtkDGGParallel.h"
+#include "DGGThreads.h"
 
 #include "vtkSMPTools.h"
 
@@ -62,7 +62,7 @@ TEST(LongSteps, EachIsDoneOnce)
       {
         std::vector<std::atomic<int>> done(count);
         std::atomic<double> most{ 0.0 };
-        const dgg::Status status = vtkDGGForEach(
+        const dgg::Status status = DGGForEach(
           count, grain,
           [&](double progress) {
             double before = most;
@@ -88,12 +88,12 @@ TEST(LongSteps, TheFirstErrorCounts)
   ForEachBackend([] {
     const auto goOn = [](double) { return true; };
     const dgg::Status status =
-      vtkDGGForEach(50, 1, goOn, [](std::size_t step, const dgg::ProgressCallback&) {
+      DGGForEach(50, 1, goOn, [](std::size_t step, const dgg::ProgressCallback&) {
         return step < 7 ? dgg::Status::Success()
                         : dgg::Status::Invalid("step " + std::to_string(step));
       });
     EXPECT_EQ(status.GetMessage(), "step 7");
-    EXPECT_THROW(vtkDGGForEach(50, 1, goOn,
+    EXPECT_THROW(DGGForEach(50, 1, goOn,
                    [](std::size_t step, const dgg::ProgressCallback&) -> dgg::Status {
                      if (step == 9)
                      {
@@ -118,7 +118,7 @@ TEST(LongSteps, ProgressWhileNothingIsLeftToDo)
     std::atomic<int> calls{ 0 };
     std::atomic<int> begun{ 0 };
     std::atomic<bool> isStopped{ false };
-    const dgg::Status status = vtkDGGForEach(
+    const dgg::Status status = DGGForEach(
       2, 1,
       [&](double) {
         isStopped = isStopped || (std::this_thread::get_id() == caller && ++calls > 10);

@@ -1,0 +1,555 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DGGPreparedMesh.h"
+
+#include "DGGCloudLocator.h"
+#include "DGGPointCoordinates.h"
+#include "DGGPolygonTriangulator.h"
+#include "DGGSharedTable.h"
+#include "DGGSurfaceLocator.h"
+
+#include "dggBitHash.h"
+#include "dggCapSplitting.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkIncrementalOctreePointLocator.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <sstream>
+
+namespace
+{
+/// Parts of a surface that are closer to each other than this fraction of the diagonal of the
+/// bounding box are likely to be meant as one.
+constexpr double SuspectGap = 1e-6;
+
+/// Lexicographic order by coordinates; -0 equals +0 in comparisons.
+struct ByCoordinates
+{
+  const double* Points;
+
+  bool operator()(dgg::Id a, dgg::Id b) const
+  {
+    const double* p = this->Points + 3 * static_cast<std::size_t>(a);
+    const double* q = this->Points + 3 * static_cast<std::size_t>(b);
+    return std::lexicographical_compare(p, p + 3, q, q + 3);
+  }
+};
+
+bool IsFinite(const double* p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+/// Sort ids so that coincident points are neighbours, smallest id first, and call `visit(first,
+/// last)` for each group of them.
+template <typename Visitor>
+void ForEachCoincidentGroup(const double* points, std::vector<dgg::Id>& ids, Visitor visit)
+{
+  const ByCoordinates before{ points };
+  std::sort(ids.begin(), ids.end(),
+    [&](dgg::Id a, dgg::Id b) { return before(a, b) || (!before(b, a) && a < b); });
+  for (auto first = ids.begin(); first != ids.end();)
+  {
+    auto last = first + 1;
+    while (last != ids.end() && !before(*first, *last))
+    {
+      ++last;
+    }
+    visit(first, last);
+    first = last;
+  }
+}
+
+/// The ids of points whose coordinates are finite.
+std::vector<dgg::Id> CollectFinite(const double* points, vtkIdType numberOfPoints)
+{
+  std::vector<dgg::Id> ids;
+  for (dgg::Id i = 0; i < numberOfPoints; ++i)
+  {
+    if (IsFinite(points + 3 * static_cast<std::size_t>(i)))
+    {
+      ids.push_back(i);
+    }
+  }
+  return ids;
+}
+
+vtkBoundingBox BoundsOf(const double* points, const std::vector<dgg::Id>& ids)
+{
+  vtkBoundingBox box;
+  for (const dgg::Id id : ids)
+  {
+    const double* p = points + 3 * static_cast<std::size_t>(id);
+    box.AddPoint(p[0], p[1], p[2]);
+  }
+  return box;
+}
+
+/// For each of some points the one that it is taken as: in their order, the closest one within the
+/// tolerance of those before it that are taken as themselves, else itself.
+std::vector<dgg::Id> FindClosePoints(
+  const double* points, const std::vector<dgg::Id>& ids, double tolerance)
+{
+  std::vector<dgg::Id> result;
+  if (ids.empty())
+  {
+    return result;
+  }
+  double bounds[6];
+  BoundsOf(points, ids).GetBounds(bounds);
+  vtkNew<vtkPoints> kept;
+  kept->SetDataTypeToDouble();
+  vtkNew<vtkIncrementalOctreePointLocator> locator;
+  locator->SetTolerance(tolerance);
+  locator->InitPointInsertion(kept, bounds);
+  std::vector<dgg::Id> keptIds;
+  for (const dgg::Id id : ids)
+  {
+    vtkIdType place = 0;
+    if (locator->InsertUniquePoint(points + 3 * static_cast<std::size_t>(id), place))
+    {
+      keptIds.push_back(id);
+    }
+    result.push_back(keptIds[place]);
+  }
+  return result;
+}
+
+/// The point of a cell is missing or not finite.
+dgg::Status BadPoint(const double* points, vtkIdType numberOfPoints, vtkIdType cell, vtkIdType id)
+{
+  std::ostringstream message;
+  if (id < 0 || id >= numberOfPoints)
+  {
+    message << "cell " << cell << " names point " << id << ", but the input has " << numberOfPoints
+            << (numberOfPoints == 1 ? " point" : " points") << ": repair the cell";
+    return dgg::Status::Invalid(message.str());
+  }
+  const double* p = points + 3 * id;
+  message << "point " << id << " of cell " << cell << " has the coordinates (" << p[0] << ", "
+          << p[1] << ", " << p[2] << "), which are not finite: repair the point or remove the cell";
+  return dgg::Status::Invalid(message.str());
+}
+
+dgg::Status CheckCell(const double* points, vtkIdType numberOfPoints, vtkIdType cell,
+  vtkIdType size, const vtkIdType* ids)
+{
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    if (ids[i] < 0 || ids[i] >= numberOfPoints || !IsFinite(points + 3 * ids[i]))
+    {
+      return BadPoint(points, numberOfPoints, cell, ids[i]);
+    }
+  }
+  return dgg::Status::Success();
+}
+
+void AddArray(dgg::BitHash& hash, vtkDataArray* array)
+{
+  const auto size = static_cast<std::size_t>(array->GetNumberOfValues()) *
+    static_cast<std::size_t>(array->GetDataTypeSize());
+  hash.Add(static_cast<const unsigned char*>(array->GetVoidPointer(0)), size);
+}
+
+/// The meshes that filters hold, by fingerprint.
+DGGSharedTable<dgg::Signature, DGGPreparedMesh>& GetMeshesInUse()
+{
+  static DGGSharedTable<dgg::Signature, DGGPreparedMesh> meshes;
+  return meshes;
+}
+}
+
+//------------------------------------------------------------------------------
+dgg::Signature DGGPreparedMesh::ComputeFingerprint(vtkPolyData* input, const DGGDomain& domain)
+{
+  const bool isCloud = domain.Kind == DGGDomain::Cloud;
+  const auto countCells = [isCloud](vtkIdType count) { return isCloud ? 0 : count; };
+  const std::array<vtkIdType, 6> sizes = { { input->GetNumberOfPoints(),
+    countCells(input->GetNumberOfVerts()), countCells(input->GetNumberOfLines()),
+    countCells(input->GetNumberOfPolys()), countCells(input->GetNumberOfStrips()),
+    static_cast<vtkIdType>(domain.Kind) } };
+  dgg::BitHash hash;
+  hash.Add(sizes.data(), sizes.size());
+  hash.Add(&domain.MergeTolerance, 1);
+  const DGGPointCoordinates coordinates(input->GetPoints());
+  hash.Add(coordinates.GetData(), 3 * static_cast<std::size_t>(input->GetNumberOfPoints()));
+  if (isCloud)
+  {
+    return hash.Finish();
+  }
+  for (vtkCellArray* cells : { input->GetPolys(), input->GetStrips() })
+  {
+    if (cells && cells->GetNumberOfCells() > 0)
+    {
+      AddArray(hash, cells->GetOffsetsArray());
+      AddArray(hash, cells->GetConnectivityArray());
+    }
+  }
+  return hash.Finish();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGPreparedMesh::Make(
+  vtkPolyData* input, const DGGDomain& domain, const dgg::Signature& fingerprint, Pointer& prepared)
+{
+  prepared = GetMeshesInUse().Find(fingerprint);
+  if (prepared)
+  {
+    return dgg::Status::Success();
+  }
+  const auto made = std::make_shared<DGGPreparedMesh>();
+  made->Domain = domain;
+  const dgg::Status status = made->Build(input);
+  if (status.IsOk())
+  {
+    made->BuildTime.Modified();
+    prepared = made;
+    GetMeshesInUse().Add(fingerprint, prepared);
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGPreparedMesh::CheckSurface(vtkPolyData* input)
+{
+  if (input->GetNumberOfPolys() + input->GetNumberOfStrips() > 0)
+  {
+    return dgg::Status::Success();
+  }
+  const vtkIdType n = input->GetNumberOfPoints();
+  std::ostringstream message;
+  message << "the input has " << n << (n == 1 ? " point" : " points")
+          << " but no polygons or triangle strips: connect a surface mesh. Distances on a point "
+          << "cloud need the graph that vtkPointCloudDGG makes, and a filter that searches it, "
+          << "as vtkDGGDistance or vtkDGGPath";
+  return dgg::Status::Invalid(message.str());
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGPreparedMesh::Build(vtkPolyData* input)
+{
+  const vtkIdType n = input->GetNumberOfPoints();
+  if (n > std::numeric_limits<dgg::Id>::max())
+  {
+    std::ostringstream message;
+    message << "the input has " << n << " points; at most " << std::numeric_limits<dgg::Id>::max()
+            << " are supported: decimate or split it";
+    return dgg::Status::Invalid(message.str());
+  }
+  if (this->Domain.Kind == DGGDomain::Cloud)
+  {
+    return this->BuildCloud(input);
+  }
+  DGG_RETURN_IF_ERROR(CheckSurface(input));
+  const bool mergeCoincidentPoints = this->Domain.Kind == DGGDomain::MergedSurface;
+  const DGGPointCoordinates coordinates(input->GetPoints());
+  if (mergeCoincidentPoints)
+  {
+    this->MergeCoincidentPoints(coordinates.GetData(), n);
+  }
+  std::vector<dgg::Id> triangles;
+  DGG_RETURN_IF_ERROR(this->Triangulate(input, coordinates.GetData(), triangles));
+  std::vector<dgg::Id> parents;
+  this->Caps = dgg::SplitCaps(coordinates.GetData(), triangles, parents);
+  std::vector<vtkIdType> cells(parents.size());
+  std::transform(parents.begin(), parents.end(), cells.begin(),
+    [this](dgg::Id triangle) { return this->Cells[triangle]; });
+  this->Cells.swap(cells);
+  DGG_RETURN_IF_ERROR(dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, triangles.data(),
+    static_cast<dgg::Offset>(triangles.size() / 3), this->Mesh));
+  this->Signature = dgg::ComputeSignature(
+    coordinates.GetData(), n, triangles.data(), static_cast<dgg::Offset>(triangles.size() / 3));
+  this->Report = dgg::InspectMesh(this->Mesh, coordinates.GetData());
+  this->Report.DegenerateFaces += this->Caps.NumberOfCaps;
+  if (!mergeCoincidentPoints)
+  {
+    this->CountCoincidentBoundaryPoints(coordinates.GetData());
+  }
+  this->CollectWarnings();
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGPreparedMesh::BuildCloud(vtkPolyData* input)
+{
+  const vtkIdType n = input->GetNumberOfPoints();
+  const DGGPointCoordinates coordinates(input->GetPoints());
+  this->Signature = dgg::ComputeSignature(coordinates.GetData(), n, nullptr, 0);
+  this->Report.Vertices = n;
+  this->Report.IsolatedVertices = n;
+  const dgg::Status status =
+    dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, nullptr, 0, this->Mesh);
+  this->GetPositions(input->GetPoints());
+  return status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGPreparedMesh::Triangulate(
+  vtkPolyData* input, const double* points, std::vector<dgg::Id>& triangles)
+{
+  const vtkIdType n = input->GetNumberOfPoints();
+  DGGPolygonTriangulator triangulator;
+  std::vector<dgg::Id> corners;
+  vtkIdType cell = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  const vtkIdType firstStrip = cell + input->GetNumberOfPolys();
+  if (input->GetNumberOfPolys() > 0)
+  {
+    triangles.reserve(3 * static_cast<std::size_t>(input->GetNumberOfPolys()));
+    this->Cells.reserve(static_cast<std::size_t>(input->GetNumberOfPolys()));
+  }
+  for (vtkCellArray* cells : { input->GetPolys(), input->GetStrips() })
+  {
+    if (!cells || cells->GetNumberOfCells() == 0)
+    {
+      continue;
+    }
+    if (!cells->IsValid())
+    {
+      return dgg::Status::Invalid("the offsets and the connectivity of the input's polygons or "
+                                  "strips contradict each other: build the cell array anew");
+    }
+    const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+    for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal();
+         iterator->GoToNextCell(), ++cell)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      iterator->GetCurrentCell(size, ids);
+      DGG_RETURN_IF_ERROR(CheckCell(points, n, cell, size, ids));
+      dgg::Id added = 0;
+      if (cell < firstStrip)
+      {
+        corners.clear();
+        std::transform(ids, ids + size, std::back_inserter(corners),
+          [this](vtkIdType id) { return this->GetVertex(id); });
+        added = triangulator.Triangulate(points, corners, triangles);
+      }
+      else
+      {
+        for (vtkIdType i = 0; i + 2 < size; ++i)
+        {
+          const vtkIdType odd = i % 2; // every second triangle of a strip is turned over
+          corners = { this->GetVertex(ids[i]), this->GetVertex(ids[i + 1 + odd]),
+            this->GetVertex(ids[i + 2 - odd]) };
+          added += triangulator.Triangulate(points, corners, triangles);
+        }
+      }
+      this->NumberOfDroppedCells += added == 0 ? 1 : 0;
+      this->Cells.insert(this->Cells.end(), added, cell);
+    }
+  }
+  this->NumberOfFans = triangulator.GetNumberOfFans();
+  if (triangles.empty())
+  {
+    std::ostringstream message;
+    message << "none of the " << this->NumberOfDroppedCells
+            << " polygons and strips of the input has three distinct points: connect a surface "
+            << "mesh";
+    return dgg::Status::Invalid(message.str());
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+void DGGPreparedMesh::MergeCoincidentPoints(const double* points, vtkIdType numberOfPoints)
+{
+  std::vector<dgg::Id> ids = CollectFinite(points, numberOfPoints);
+  this->Vertices.resize(numberOfPoints);
+  std::iota(this->Vertices.begin(), this->Vertices.end(), 0);
+  if (this->Domain.MergeTolerance > 0.0)
+  {
+    const double tolerance =
+      this->Domain.MergeTolerance * BoundsOf(points, ids).GetDiagonalLength();
+    const std::vector<dgg::Id> close = FindClosePoints(points, ids, tolerance);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+    {
+      this->Vertices[ids[i]] = close[i];
+      this->NumberOfMergedPoints += close[i] != ids[i] ? 1 : 0;
+    }
+    return;
+  }
+  ForEachCoincidentGroup(points, ids, [this](auto first, auto last) {
+    for (auto id = first + 1; id != last; ++id)
+    {
+      this->Vertices[*id] = *first;
+      ++this->NumberOfMergedPoints;
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+std::vector<dgg::Id> DGGPreparedMesh::CollectBoundary() const
+{
+  std::vector<dgg::Id> ids;
+  for (dgg::Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (this->Mesh.Twin(h) == dgg::NoId && !this->Mesh.IsDropped(dgg::SurfaceMesh::Face(h)))
+    {
+      ids.push_back(this->Mesh.Origin(h));
+      ids.push_back(this->Mesh.Destination(h));
+    }
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+void DGGPreparedMesh::CountCoincidentBoundaryPoints(const double* points)
+{
+  if (this->Report.CoincidentPoints == 0)
+  {
+    return;
+  }
+  std::vector<dgg::Id> ids = this->CollectBoundary();
+  ForEachCoincidentGroup(points, ids, [this](auto first, auto last) {
+    if (last - first > 1)
+    {
+      this->NumberOfCoincidentBoundaryPoints += last - first;
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void DGGPreparedMesh::CollectWarnings()
+{
+  const dgg::MeshReport& report = this->Report;
+  auto warn = [this](vtkIdType count, const std::string& what) {
+    if (count > 0)
+    {
+      this->Warnings.push_back("the mesh has " + std::to_string(count) + " " + what);
+    }
+  };
+  warn(report.NonManifoldEdges,
+    "edges with more than two triangles, each of which is connected with every other one there");
+  warn(report.NonManifoldVertices, "points where separate sheets touch, which are connected there");
+  warn(report.InconsistentEdges,
+    "edges across which no choice of orientation is consistent, as on a Moebius strip. Distances "
+    "do "
+    "not depend on orientation");
+  warn(this->NumberOfDroppedCells,
+    "polygons with fewer than three distinct points, which are left out");
+  warn(this->NumberOfFans,
+    "polygons that cross or touch themselves. They are cut into fans around their first points, "
+    "which "
+    "need not be what they are meant to be: triangulate them first");
+  warn(report.DuplicateFaces,
+    "triangles on the same three points as an earlier one, which are left out");
+  std::ostringstream height;
+  height << this->Caps.LargestHeight;
+  warn(this->Caps.NumberOfCaps,
+    "triangles without area, no higher than " + height.str() +
+      ", that are left out: their neighbours are split where they meet");
+  std::ostringstream length;
+  length << report.Mollification;
+  warn(report.DegenerateFaces - this->Caps.NumberOfCaps,
+    "triangles without area, whose edges are taken to be longer by " + length.str());
+  warn(this->NumberOfCoincidentBoundaryPoints,
+    "points of the boundary with the same coordinates as another one. If they are the two sides of "
+    "a "
+    "seam rather than of a slit, turn MergeCoincidentPoints on");
+}
+
+//------------------------------------------------------------------------------
+const double* DGGPreparedMesh::GetPositions(vtkPoints* points) const
+{
+  std::call_once(this->PositionsOnce, [&] {
+    const DGGPointCoordinates coordinates(points);
+    const std::size_t size = 3 * static_cast<std::size_t>(this->Mesh.GetNumberOfVertices());
+    this->Positions.assign(coordinates.GetData(), coordinates.GetData() + size);
+  });
+  return this->Positions.data();
+}
+
+//------------------------------------------------------------------------------
+DGGLocator& DGGPreparedMesh::GetLocator(vtkPoints* points) const
+{
+  std::call_once(this->LocatorOnce, [&] {
+    if (this->IsCloud())
+    {
+      this->Locator =
+        std::make_unique<DGGCloudLocator>(this->Positions.data(), this->Mesh.GetNumberOfVertices());
+    }
+    else
+    {
+      this->Locator = std::make_unique<DGGSurfaceLocator>(this->Mesh, points);
+    }
+  });
+  return *this->Locator;
+}
+
+//------------------------------------------------------------------------------
+std::string DGGPreparedMesh::DescribeGaps(
+  vtkPolyData* input, const std::vector<bool>& isReached) const
+{
+  if (this->NumberOfCoincidentBoundaryPoints > 0 || this->Report.Components < 2)
+  {
+    return std::string(); // a warning of the mesh has named the remedy, or there are no parts
+  }
+  dgg::Id count = 0;
+  const std::vector<dgg::Id> components = this->Mesh.ComputeComponents(count);
+  std::vector<bool> isConnected(static_cast<std::size_t>(count));
+  for (std::size_t v = 0; v < isReached.size(); ++v)
+  {
+    isConnected[components[v]] = isConnected[components[v]] || isReached[v];
+  }
+  vtkIdType used = 0;
+  vtkIdType connected = 0;
+  for (dgg::Id v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
+  {
+    if (this->Mesh.FanBegin(v) != this->Mesh.FanEnd(v))
+    {
+      ++used;
+      connected += isConnected[components[v]] ? 1 : 0;
+    }
+  }
+  if (2 * connected >= used)
+  {
+    return std::string();
+  }
+  const DGGPointCoordinates coordinates(input->GetPoints());
+  const double* points = coordinates.GetData();
+  const vtkBoundingBox box =
+    BoundsOf(points, CollectFinite(points, this->Mesh.GetNumberOfVertices()));
+  const std::vector<dgg::Id> boundary = this->CollectBoundary();
+  const std::vector<dgg::Id> close =
+    FindClosePoints(points, boundary, SuspectGap * box.GetDiagonalLength());
+  vtkIdType numberOfPoints = 0;
+  double gap = 0.0;
+  for (std::size_t i = 0; i < boundary.size(); ++i)
+  {
+    if (components[boundary[i]] != components[close[i]])
+    {
+      const double* p = points + 3 * static_cast<std::size_t>(boundary[i]);
+      const double* q = points + 3 * static_cast<std::size_t>(close[i]);
+      gap = std::max(gap, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+      ++numberOfPoints;
+    }
+  }
+  if (numberOfPoints == 0)
+  {
+    return std::string();
+  }
+  std::ostringstream message;
+  message << "only " << connected << " of " << used << " points are connected with a source, but "
+          << numberOfPoints << " points of the boundary are no more than " << gap
+          << " away from one of another part of the surface. If the parts belong together, "
+          << (this->Domain.Kind == DGGDomain::MergedSurface
+                 ? "raise MergeTolerance to "
+                 : "turn MergeCoincidentPoints on, with a MergeTolerance of ")
+          << SuspectGap;
+  return message.str();
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DGGProperties.h"
+
+#include <sstream>
+
+//------------------------------------------------------------------------------
+vtkIdType DGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i)
+{
+  return i >= 0 && i < static_cast<vtkIdType>(ids.size()) ? ids[i] : -1;
+}
+
+//------------------------------------------------------------------------------
+void DGGPrintIds(
+  std::ostream& os, vtkIndent indent, const char* name, const std::vector<vtkIdType>& ids)
+{
+  os << indent << name << ":";
+  for (const vtkIdType id : ids)
+  {
+    os << " " << id;
+  }
+  os << (ids.empty() ? " (none)\n" : "\n");
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGCheckLengths(std::initializer_list<std::pair<const char*, double>> properties)
+{
+  for (const auto& [name, value] : properties)
+  {
+    if (!(value >= 0.0)) // true for NaN
+    {
+      std::ostringstream message;
+      message << name << " is " << value << ": it must not be negative or NaN";
+      return dgg::Status::Invalid(message.str());
+    }
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGExplain(
+  const dgg::Status& status, const std::string& subject, const std::string& remedy)
+{
+  return status.IsOk() || status.IsAborted()
+    ? status
+    : dgg::Status::Invalid(subject + status.GetMessage() + remedy);
+}

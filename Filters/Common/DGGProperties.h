@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Properties that several filters have. Internal.
+#ifndef DGGProperties_h
+#define DGGProperties_h
+
+#include "vtkDGGFiltersCommonModule.h" // for the export macro
+#include "dggTypes.h"                  // for Status
+
+#include "vtkIndent.h" // for printing
+#include "vtkType.h"   // for vtkIdType
+
+#include <initializer_list> // for properties
+#include <ostream>          // for printing
+#include <string>           // for names
+#include <utility>          // for properties
+#include <vector>           // for ids
+
+/// Defines both ways to set the data of an input port. The assertion is there for the semicolon.
+#define vtkDGGDefineInputMacro(Class, Name, Port)                   \
+  void Class::Set##Name##Connection(vtkAlgorithmOutput* connection) \
+  {                                                                 \
+    this->SetInputConnection(Port, connection);                     \
+  }                                                                 \
+  void Class::Set##Name##Data(vtkPolyData* data)                    \
+  {                                                                 \
+    this->SetInputData(Port, data);                                 \
+  }                                                                 \
+  static_assert(true, #Name)
+
+/// The i-th id; -1 when there is none.
+vtkIdType DGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i);
+/// A line with the name and the ids.
+VTKDGGFILTERSCOMMON_EXPORT void DGGPrintIds(
+  std::ostream& os, vtkIndent indent, const char* name, const std::vector<vtkIdType>& ids);
+
+/// Fails when a property, given with its name, is negative or NaN. Infinity is a length.
+VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckLengths(
+  std::initializer_list<std::pair<const char*, double>> properties);
+
+/// An error with what it is about before it, and what to do after it.
+VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGExplain(
+  const dgg::Status& status, const std::string& subject, const std::string& remedy = "");
+
+#endif

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DGGSourceCollector.h"
+
+#include "DGGContext.h"
+#include "DGGPreparedMesh.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <sstream>
+
+namespace
+{
+vtkIdType CountPoints(const DGGSourceSet& set)
+{
+  if (!set.Points)
+  {
+    return 0;
+  }
+  return set.PointIds ? static_cast<vtkIdType>(set.PointIds->size())
+                      : set.Points->GetNumberOfPoints();
+}
+
+/// The i-th of the points that are meant.
+vtkIdType GetPointId(const DGGSourceSet& set, vtkIdType i)
+{
+  return set.PointIds ? (*set.PointIds)[i] : i;
+}
+
+/// "source point 3 of input port 1, at (x, y, z),"
+std::string Describe(const DGGSourceSet& set, vtkIdType index, const double p[3])
+{
+  const bool isPoint = set.Role.find("point") != std::string::npos;
+  std::ostringstream text;
+  text << set.Role << (isPoint ? " " : " point ") << index << " of input port " << set.Port
+       << ", at (" << p[0] << ", " << p[1] << ", " << p[2] << "),";
+  return text.str();
+}
+
+/// That of the i-th id.
+double GetInitialDistance(const DGGSourceSet& set, std::size_t i)
+{
+  return set.InitialDistances ? (*set.InitialDistances)[i] : 0.0;
+}
+
+dgg::Status CheckIds(const DGGSourceSet& set, vtkIdType numberOfPoints)
+{
+  for (std::size_t i = 0; i < set.Ids.size(); ++i)
+  {
+    if (set.Ids[i] < 0 || set.Ids[i] >= numberOfPoints)
+    {
+      std::ostringstream message;
+      message << set.Role << " id " << set.Ids[i] << " (number " << i << " of the " << set.Role
+              << " ids) is out of range: the " << set.Surface << " has " << numberOfPoints
+              << " points, so ids must be in [0, " << numberOfPoints - 1 << "]";
+      return dgg::Status::Invalid(message.str());
+    }
+    const double offset = GetInitialDistance(set, i);
+    if (!std::isfinite(offset))
+    {
+      std::ostringstream message;
+      message << set.Role << " id " << set.Ids[i] << " (number " << i << " of the " << set.Role
+              << " ids) has the initial distance " << offset << ": a finite number is needed";
+      return dgg::Status::Invalid(message.str());
+    }
+  }
+  return dgg::Status::Success();
+}
+
+/// The point of the surface that another filter says that a point is, as samples are, if that is
+/// where it lies; else -1.
+vtkIdType FindOriginal(vtkPolyData* points, vtkIdType index, vtkPoints* coordinates)
+{
+  vtkDataArray* ids = points->GetPointData()->GetArray("vtkOriginalPointIds");
+  if (!ids || ids->GetNumberOfComponents() != 1 ||
+    ids->GetNumberOfTuples() != points->GetNumberOfPoints())
+  {
+    return -1;
+  }
+  const double id = ids->GetComponent(index, 0);
+  if (!(id >= 0.0 && id < static_cast<double>(coordinates->GetNumberOfPoints())))
+  {
+    return -1;
+  }
+  double p[3];
+  double q[3];
+  points->GetPoint(index, p);
+  coordinates->GetPoint(static_cast<vtkIdType>(id), q);
+  const bool isThere = std::equal(p, p + 3, q, [](double a, double b) {
+    return static_cast<float>(a) == static_cast<float>(b); // outputs may be in single precision
+  });
+  return isThere ? static_cast<vtkIdType>(id) : -1;
+}
+
+dgg::Status CheckInitialDistances(vtkPolyData* points, const std::string& name)
+{
+  const vtkIdType count = points->GetNumberOfPoints();
+  std::ostringstream message;
+  vtkPointData* data = points->GetPointData();
+  vtkDataArray* array = data->GetArray(name.c_str());
+  if (!array)
+  {
+    if (data->GetAbstractArray(name.c_str()))
+    {
+      message << "the point array '" << name << "' of input port 1 is not numeric: "
+              << "InitialDistance needs one number per source point";
+      return dgg::Status::Invalid(message.str());
+    }
+    return dgg::Status::Success();
+  }
+  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
+  {
+    message << "the point array '" << name << "' of input port 1 has "
+            << array->GetNumberOfComponents() << " components and " << array->GetNumberOfTuples()
+            << " tuples for " << count << " source points: one number per source "
+            << "point is needed";
+    return dgg::Status::Invalid(message.str());
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double value = array->GetComponent(i, 0);
+    if (!std::isfinite(value))
+    {
+      message << "the point array '" << name << "' of input port 1 gives source point " << i
+              << " the initial distance " << value << ": a finite number is needed";
+      return dgg::Status::Invalid(message.str());
+    }
+  }
+  return dgg::Status::Success();
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<dgg::SurfacePoint> DGGGetPlaces(const std::vector<dgg::GeodesicSource>& sources)
+{
+  std::vector<dgg::SurfacePoint> places;
+  places.reserve(sources.size());
+  for (const dgg::GeodesicSource& source : sources)
+  {
+    places.push_back(source.Point);
+  }
+  return places;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGSourceCollector::Check(const DGGSourceSet& set, vtkIdType numberOfPoints)
+{
+  if (set.Ids.empty() && CountPoints(set) == 0)
+  {
+    std::ostringstream message;
+    message << "there is no " << set.Role << ": ";
+    if (set.Points)
+    {
+      message << "input port " << set.Port << " has no points. Give it points, or " << set.Remedy;
+    }
+    else
+    {
+      message << set.Remedy << ", or connect points to input port " << set.Port;
+    }
+    return dgg::Status::Invalid(message.str());
+  }
+  DGG_RETURN_IF_ERROR(CheckIds(set, numberOfPoints));
+  for (vtkIdType i = 0; i < CountPoints(set); ++i)
+  {
+    const vtkIdType id = GetPointId(set, i);
+    double p[3];
+    set.Points->GetPoint(id, p);
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    {
+      return dgg::Status::Invalid(
+        Describe(set, id, p) + " has coordinates that are not finite: move or remove it");
+    }
+  }
+  return set.Points && !set.InitialDistanceArray.empty()
+    ? CheckInitialDistances(set.Points, set.InitialDistanceArray)
+    : dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGSourceCollector::Collect(const DGGContext& context, const DGGSourceSet& set,
+  double tolerance, std::vector<dgg::GeodesicSource>& sources)
+{
+  const DGGPreparedMesh& mesh = context.Surface;
+  vtkPoints* coordinates = context.Input->GetPoints();
+  sources.clear();
+  for (std::size_t i = 0; i < set.Ids.size(); ++i)
+  {
+    sources.push_back(
+      { dgg::SurfacePoint::AtVertex(mesh.GetVertex(set.Ids[i])), GetInitialDistance(set, i) });
+  }
+  if (CountPoints(set) == 0)
+  {
+    return dgg::Status::Success();
+  }
+
+  DGGLocator& locator = mesh.GetLocator(coordinates);
+  const std::lock_guard<std::mutex> lock(locator.GetMutex());
+  const double farthest = tolerance * locator.GetDiagonal();
+  vtkDataArray* offsets = set.InitialDistanceArray.empty()
+    ? nullptr
+    : set.Points->GetPointData()->GetArray(set.InitialDistanceArray.c_str());
+  for (vtkIdType i = 0; i < CountPoints(set); ++i)
+  {
+    const vtkIdType id = GetPointId(set, i);
+    double p[3];
+    set.Points->GetPoint(id, p);
+    dgg::GeodesicSource source;
+    source.InitialDistance = offsets ? offsets->GetComponent(id, 0) : 0.0;
+    const vtkIdType original = FindOriginal(set.Points, id, coordinates);
+    if (original >= 0)
+    {
+      const dgg::Id vertex = mesh.GetVertex(original);
+      if (mesh.IsCloud() || mesh.GetMesh().Kind(vertex) != dgg::VertexKind::Isolated)
+      {
+        source.Point = dgg::SurfacePoint::AtVertex(vertex);
+        sources.push_back(source);
+        continue;
+      }
+    }
+    double distance = dgg::Infinity;
+    const bool found = locator.FindClosestPoint(p, source.Point, distance);
+    if (!found || !locator.IsClose(source.Point, distance, farthest))
+    {
+      std::ostringstream message;
+      message << Describe(set, id, p) << " is " << distance << " away from the "
+              << (mesh.IsCloud()              ? "cloud"
+                     : set.Surface == "input" ? "surface"
+                                              : set.Surface)
+              << ", farther than " << farthest << " (ProjectionTolerance " << tolerance
+              << " times the diagonal " << locator.GetDiagonal()
+              << "): move it there, or raise ProjectionTolerance";
+      return dgg::Status::Invalid(message.str());
+    }
+    sources.push_back(source);
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+void DGGSourceCollector::WarnAboutIsolatedIds(
+  const DGGContext& context, const DGGSourceSet& set, vtkObject* filter)
+{
+  const DGGPreparedMesh& mesh = context.Surface;
+  const double* positions = mesh.IsCloud() ? mesh.GetPositions() : nullptr;
+  const auto isIsolated = [&](vtkIdType id) {
+    if (!positions)
+    {
+      return mesh.GetMesh().Kind(mesh.GetVertex(id)) == dgg::VertexKind::Isolated;
+    }
+    const double* p = positions + 3 * id;
+    return !std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]);
+  };
+  vtkIdType count = 0;
+  vtkIdType example = 0;
+  for (const vtkIdType id : set.Ids)
+  {
+    if (isIsolated(id))
+    {
+      example = count == 0 ? id : example;
+      ++count;
+    }
+  }
+  if (count > 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      << count << " of the " << set.Role << " ids, the first of them " << example
+      << (positions ? ", are points that are not finite" : ", are points that no polygon uses")
+      << ". They reach no other point.");
+  }
+}

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// From source ids and source points to sources of the kernel. Internal.
+#ifndef DGGSourceCollector_h
+#define DGGSourceCollector_h
+
+#include "vtkDGGFiltersCommonModule.h" // for the export macro
+#include "dggGeodesicSource.h"         // for GeodesicSource
+#include "dggSurfacePoint.h"           // for places
+
+#include "vtkType.h" // for vtkIdType
+
+#include <string> // for the names
+#include <vector> // for the sources
+
+class vtkObject;
+class vtkPolyData;
+struct DGGContext;
+
+/// Points of a surface or a cloud as a user gives them: ids first, then the points of an input
+/// port.
+struct DGGSourceSet
+{
+  const std::vector<vtkIdType>& Ids;
+  vtkPolyData* Points;              ///< may be null
+  int Port;                         ///< where Points come from
+  std::string Role;                 ///< what messages call them
+  std::string Remedy;               ///< how to give ids
+  std::string InitialDistanceArray; ///< of Points; empty when there are no initial distances
+  /// Of the ids, one for each; null when they all start with 0.
+  const std::vector<double>* InitialDistances = nullptr;
+  /// Those of Points that are meant, in this order; null for all.
+  const std::vector<vtkIdType>* PointIds = nullptr;
+  /// What messages call the surface, where there are several.
+  std::string Surface = "input";
+};
+
+/// The places of sources.
+VTKDGGFILTERSCOMMON_EXPORT std::vector<dgg::SurfacePoint> DGGGetPlaces(
+  const std::vector<dgg::GeodesicSource>& sources);
+
+/// Collects the sources of a distance filter, or other points, projected onto the surface.
+class VTKDGGFILTERSCOMMON_EXPORT DGGSourceCollector
+{
+public:
+  /// What does not need the mesh: whether there is a point at all, ids within the range,
+  /// coordinates and initial distances finite.
+  static dgg::Status Check(const DGGSourceSet& set, vtkIdType numberOfPoints);
+
+  /// The points on the surface, or near those of a cloud, after Check(). Points with the array
+  /// vtkOriginalPointIds are those of the mesh, where they lie there: by their position alone they
+  /// may be on another sheet in the same place. `tolerance` is how far from the surface a point may
+  /// be, as a fraction of the diagonal. Where a cloud is sparser than that, places between its
+  /// points are close enough.
+  static dgg::Status Collect(const DGGContext& context, const DGGSourceSet& set, double tolerance,
+    std::vector<dgg::GeodesicSource>& sources);
+
+  /// Have a filter warn of ids of points that no polygon uses; in clouds, of those that are not
+  /// finite. The set must have been checked.
+  static void WarnAboutIsolatedIds(
+    const DGGContext& context, const DGGSourceSet& set, vtkObject* filter);
+};
+
+#endif

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DGGThreads.h"
+
+#include "vtkSMPTools.h"
+
+#include "dggBlockLoop.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <future>
+#include <mutex>
+
+namespace
+{
+/// How often a thread that waits for others reports their progress.
+constexpr std::chrono::milliseconds PollInterval(10);
+
+/// Ranges of a loop, which threads take one after the other until none is left or one throws.
+class RangeQueue
+{
+public:
+  RangeQueue(
+    dgg::Offset size, dgg::Offset grain, const std::function<void(dgg::Offset, dgg::Offset)>& body)
+    : Size(size)
+    , Grain(std::max<dgg::Offset>(1, grain))
+    , Body(body)
+  {
+  }
+
+  void Run() noexcept
+  {
+    try
+    {
+      for (dgg::Offset begin = this->Next.fetch_add(this->Grain); begin < this->Size;
+           begin = this->Next.fetch_add(this->Grain))
+      {
+        this->Body(begin, std::min(this->Size, begin + this->Grain));
+      }
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      this->Thrown = this->Thrown ? this->Thrown : std::current_exception();
+      this->Next = this->Size;
+    }
+  }
+  void Rethrow() const
+  {
+    if (this->Thrown)
+    {
+      std::rethrow_exception(this->Thrown);
+    }
+  }
+  dgg::Offset GetNumberOfRanges() const { return (this->Size + this->Grain - 1) / this->Grain; }
+
+private:
+  const dgg::Offset Size;
+  const dgg::Offset Grain;
+  const std::function<void(dgg::Offset, dgg::Offset)>& Body;
+  std::atomic<dgg::Offset> Next{ 0 };
+  std::mutex Mutex;
+  std::exception_ptr Thrown;
+};
+}
+
+//------------------------------------------------------------------------------
+dgg::ParallelFor DGGMakeParallelFor(const dgg::ProgressCallback& progress)
+{
+  return [progress](dgg::Offset size, dgg::Offset grain,
+           const std::function<void(dgg::Offset, dgg::Offset)>& body) {
+    RangeQueue queue(size, grain, body);
+    const dgg::Offset others = vtkSMPTools::IsParallelScope()
+      ? 0
+      : std::min<dgg::Offset>(
+          vtkSMPTools::GetEstimatedNumberOfThreads(), queue.GetNumberOfRanges()) -
+        1;
+    std::future<void> done;
+    if (others > 0)
+    {
+      // Not by this thread: with STDThread it would wait without a share of the loop, and with any
+      // backend until the last range is done.
+      done = std::async(std::launch::async, [&queue, others] {
+        vtkSMPTools::For(0, others, 1, [&queue](vtkIdType begin, vtkIdType end) {
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            queue.Run();
+          }
+        });
+      });
+    }
+    queue.Run();
+    while (done.valid() && done.wait_for(PollInterval) != std::future_status::ready)
+    {
+      if (progress)
+      {
+        progress(0.0);
+      }
+    }
+    if (done.valid())
+    {
+      done.get();
+    }
+    queue.Rethrow();
+  };
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGForEach(std::size_t count, std::size_t grain, const dgg::ProgressCallback& progress,
+  const std::function<dgg::Status(std::size_t, const dgg::ProgressCallback&)>& step)
+{
+  return dgg::ForBlocks(static_cast<dgg::Offset>(count), static_cast<dgg::Offset>(grain),
+    DGGMakeParallelFor(progress), progress,
+    [&](dgg::Offset, dgg::Offset begin, dgg::Offset end, const dgg::ProgressCallback& within) {
+      dgg::Status status;
+      for (dgg::Offset i = begin; i < end && status.IsOk(); ++i)
+      {
+        status = step(static_cast<std::size_t>(i), within);
+      }
+      return status;
+    });
+}

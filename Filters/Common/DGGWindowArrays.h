@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The windows of exact distances as arrays in field data. Internal.
+#ifndef DGGWindowArrays_h
+#define DGGWindowArrays_h
+
+#include "vtkDGGFiltersCommonModule.h" // for the export macro
+#include "dggEdgeWindows.h"            // for EdgeWindows
+
+#include <string> // for the name
+
+class DGGPreparedMesh;
+class vtkDataArray;
+class vtkDoubleArray;
+class vtkFieldData;
+
+/// Puts the windows that belong to an array of distances into field data, and finds them there
+/// again. For distances named D the arrays are
+///
+///  - `D.WindowOffsets` (int64): the windows of half-edge h are [WindowOffsets[h],
+///    WindowOffsets[h + 1]);
+///  - `D.Windows` (double, 5 components): Begin, End, ImageX, ImageY, Offset of dgg::EdgeWindow;
+///  - `D.WindowSources` (double, 5 components): face, three barycentric coordinates, Offset of
+///    dgg::FaceSource;
+///  - `D.WindowInfo` (int64, 5 values): format version, the signature of the surface, a hash of the
+///    distances, a hash of the other three arrays.
+///
+/// Nothing that is found is trusted: sizes, the surface, the distances and every number are looked
+/// at.
+class VTKDGGFILTERSCOMMON_EXPORT DGGWindowArrays
+{
+public:
+  static void AddTo(vtkFieldData* data, vtkDoubleArray* distances, const DGGPreparedMesh& mesh,
+    const dgg::EdgeWindows& windows);
+
+  static void RemoveFrom(vtkFieldData* data, const std::string& distances);
+
+  /// Remove the windows of all distances, whatever their names.
+  static void RemoveAllFrom(vtkFieldData* data);
+
+  /// Look for the windows of `distances`. `complaint` is what is wrong with arrays that are there
+  /// but cannot be used; empty when there are none.
+  static bool Find(vtkFieldData* data, vtkDataArray* distances, const DGGPreparedMesh& mesh,
+    dgg::EdgeWindows& windows, std::string& complaint);
+};
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DGGMeshAdapter.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace
+{
+/// Later of the cell array's own time and that of its parts.
+vtkMTimeType TimeOf(vtkCellArray* cells)
+{
+  return cells ? std::max({ cells->GetMTime(), cells->GetOffsetsArray()->GetMTime(),
+                   cells->GetConnectivityArray()->GetMTime() })
+               : 0;
+}
+
+vtkMTimeType AddressOf(const void* object)
+{
+  return static_cast<vtkMTimeType>(reinterpret_cast<std::uintptr_t>(object));
+}
+
+/// A mesh without anything, so that there always is one.
+const DGGPreparedMesh::Pointer& GetNothing()
+{
+  static const auto nothing = std::make_shared<const DGGPreparedMesh>();
+  return nothing;
+}
+}
+
+//------------------------------------------------------------------------------
+DGGMeshAdapter::DGGMeshAdapter()
+  : Prepared(GetNothing())
+{
+}
+
+//------------------------------------------------------------------------------
+DGGMeshAdapter::Key DGGMeshAdapter::MakeKey(vtkPolyData* input, const DGGDomain& domain)
+{
+  vtkPoints* points = input->GetPoints();
+  const bool isCloud = domain.Kind == DGGDomain::Cloud;
+  vtkCellArray* polygons = isCloud ? nullptr : input->GetPolys();
+  vtkCellArray* strips = isCloud ? nullptr : input->GetStrips();
+  return { { AddressOf(points), points ? points->GetMTime() : 0, AddressOf(polygons),
+    TimeOf(polygons), AddressOf(strips), TimeOf(strips) } };
+}
+
+//------------------------------------------------------------------------------
+void DGGMeshAdapter::Clear()
+{
+  this->Prepared = GetNothing();
+  this->IsBuilt = false;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGMeshAdapter::Update(vtkPolyData* input, const DGGDomain& domain)
+{
+  // After a change in place Modified() is often called on the data object alone. Another object
+  // with the very same points and polygons is no change.
+  const vtkMTimeType object = AddressOf(input);
+  const vtkMTimeType time = input->vtkObject::GetMTime();
+  const bool modified = object == this->Object && time != this->ObjectTime;
+  this->Object = object;
+  this->ObjectTime = time;
+  const Key key = MakeKey(input, domain);
+  if (this->IsBuilt && !modified && this->BuiltFrom == key && this->Prepared->GetDomain() == domain)
+  {
+    return dgg::Status::Success();
+  }
+  // Time stamps say that something may have changed, as after any update upstream. Look whether it
+  // has.
+  const dgg::Signature fingerprint = DGGPreparedMesh::ComputeFingerprint(input, domain);
+  if (this->IsBuilt && this->Fingerprint == fingerprint)
+  {
+    this->BuiltFrom = key;
+    return dgg::Status::Success();
+  }
+  this->Clear();
+  DGGPreparedMesh::Pointer prepared;
+  const dgg::Status status = DGGPreparedMesh::Make(input, domain, fingerprint, prepared);
+  if (status.IsOk())
+  {
+    this->Prepared = prepared;
+    this->Fingerprint = fingerprint;
+    this->BuiltFrom = key;
+    this->IsBuilt = true;
+    this->BuildTime.Modified();
+  }
+  return status;
+}

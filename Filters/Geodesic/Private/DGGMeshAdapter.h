@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Keeps the surface of an input between updates. Internal.
+#ifndef DGGMeshAdapter_h
+#define DGGMeshAdapter_h
+
+#include "DGGPreparedMesh.h" // for the surface
+
+#include <array> // for the key
+
+/// The surface of a vtkPolyData, kept until points, polygons or strips change.
+class DGGMeshAdapter
+{
+public:
+  DGGMeshAdapter();
+
+  /// Prepare the surface, or share that of another filter; not when it would be the same again: by
+  /// time stamps, and where these have changed by the bits of points and cells. Fails as
+  /// DGGPreparedMesh::Make(); then it is empty.
+  dgg::Status Update(vtkPolyData* input, const DGGDomain& domain);
+
+  /// Forget the surface.
+  void Clear();
+
+  const DGGPreparedMesh& Get() const { return *this->Prepared; }
+  /// When another surface was last taken.
+  vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
+
+private:
+  /// Identity and age of points, polygons and strips. Time stamps are unique in VTK.
+  using Key = std::array<vtkMTimeType, 6>;
+  static Key MakeKey(vtkPolyData* input, const DGGDomain& domain);
+
+  DGGPreparedMesh::Pointer Prepared; // never null
+  dgg::Signature Fingerprint{};      // of what it was made from
+  vtkTimeStamp BuildTime;
+  Key BuiltFrom{};
+  vtkMTimeType Object = 0; // the vtkPolyData last seen, and its own time
+  vtkMTimeType ObjectTime = 0;
+  bool IsBuilt = false;
+};
+
+#endif

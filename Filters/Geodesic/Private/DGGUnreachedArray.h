@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which points are not reached, as a point array beside their distances. Internal.
+#ifndef DGGUnreachedArray_h
+#define DGGUnreachedArray_h
+
+#include <string> // for the name
+#include <vector> // for points
+
+class vtkDataArray;
+class vtkPointData;
+
+/// Distances of points that are not reached may be any number, the UnreachedValue of a distance
+/// filter. NaN and plus infinity speak for themselves. Any other number could be a distance, so
+/// that for distances named D the point array `D.Unreached` (unsigned char) is 1 where a point is
+/// not reached, else 0.
+class DGGUnreachedArray
+{
+public:
+  /// Nothing is added where all points are reached or the value speaks for itself. `isReached` is
+  /// per point.
+  static void AddTo(vtkPointData* data, const std::string& distances, double unreachedValue,
+    const std::vector<bool>& isReached);
+
+  static void RemoveFrom(vtkPointData* data, const std::string& distances);
+
+  /// Which points are not reached: those with the distance `unreachedValue`, or, when that is NaN,
+  /// those of the array beside the distances. Empty when neither says so. NaN and infinity among
+  /// the distances are not looked at.
+  static std::vector<bool> Find(vtkPointData* data, vtkDataArray* distances, double unreachedValue);
+};
+
+#endif

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DGGCloudNormals.h"
+
+#include "DGGThreads.h"
+
+#include "dggCloudFrame.h"
+#include "dggOutliers.h"
+
+#include <pcl/features/normal_3d.h>
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <limits>
+
+namespace
+{
+/// Points that a thread looks at between two looks at the progress.
+constexpr std::size_t NormalBlock = 256;
+/// Points that make a plane.
+constexpr int FewestPoints = 3;
+/// Points that are thinner than that across a line make none, relative to their length.
+constexpr double ThinnestPlane = 1e-5;
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+/// The finite points as floats: in the frame of the cloud, as floats have few digits and a small
+/// range. Those far off all others would leave few of these digits: they are outside of the frame,
+/// stray ones are left out.
+dgg::Status MakeCloud(
+  const double* positions, dgg::Id numberOfPoints, std::vector<dgg::Id>& ids, Cloud::Ptr& cloud)
+{
+  const dgg::Outliers stray(positions, numberOfPoints);
+  const dgg::Outliers far(positions, numberOfPoints, dgg::Outliers::RatioOfFar);
+  const dgg::CloudFrame frame(
+    positions, numberOfPoints, [&](const dgg::Point3& p) { return far.IsOutlier(p); });
+  const dgg::Status status = frame.CheckRange();
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  cloud.reset(new Cloud);
+  cloud->reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
+  ids.reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
+  for (dgg::Id v = 0; v < numberOfPoints; ++v)
+  {
+    const dgg::Point3 point = dgg::PointAt(positions, v);
+    if (dgg::IsFinite(point) && !stray.IsOutlier(point))
+    {
+      const dgg::Point3 p = frame.ToLocal(point);
+      ids.push_back(v);
+      cloud->push_back(
+        pcl::PointXYZ(static_cast<float>(p.X), static_cast<float>(p.Y), static_cast<float>(p.Z)));
+    }
+  }
+  return status;
+}
+
+/// Whether points are in a line, or in one place: any plane through it would fit them.
+bool IsLine(const Cloud& cloud, const pcl::Indices& points)
+{
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const int i : points)
+  {
+    mean += cloud[i].getVector3fMap().cast<double>();
+  }
+  mean /= static_cast<double>(points.size());
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (const int i : points)
+  {
+    const Eigen::Vector3d d = cloud[i].getVector3fMap().cast<double>() - mean;
+    moments += d * d.transpose();
+  }
+  moments /= static_cast<double>(points.size());
+  const Eigen::Vector3d values =
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly).eigenvalues();
+  // Of coordinates up to 1, in the frame.
+  const double rounding =
+    std::numeric_limits<float>::epsilon() * std::max(1.0, mean.lpNorm<Eigen::Infinity>());
+  return !(values[1] > ThinnestPlane * ThinnestPlane * values[2] + rounding * rounding);
+}
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGEstimateNormals(const double* positions, dgg::Id numberOfPoints,
+  int numberOfNeighbors, const dgg::ProgressCallback& progress, std::vector<double>& normals)
+{
+  normals.assign(3 * static_cast<std::size_t>(numberOfPoints), 0.0);
+  std::vector<dgg::Id> ids;
+  Cloud::Ptr cloud;
+  const dgg::Status status = MakeCloud(positions, numberOfPoints, ids, cloud);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const int count = std::min(numberOfNeighbors, static_cast<int>(ids.size()));
+  if (count < FewestPoints)
+  {
+    return dgg::Status::Success();
+  }
+  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
+  tree.setInputCloud(cloud);
+  return DGGForEach(
+    ids.size(), NormalBlock, progress, [&](std::size_t i, const dgg::ProgressCallback&) {
+      pcl::Indices found(count);
+      std::vector<float> distances(count);
+      tree.nearestKSearch((*cloud)[i], count, found, distances);
+      Eigen::Vector4f plane;
+      float curvature = 0.0f;
+      if (!IsLine(*cloud, found) && pcl::computePointNormal(*cloud, found, plane, curvature) &&
+        plane.head<3>().allFinite())
+      {
+        const Eigen::Vector3d normal = plane.head<3>().cast<double>().normalized();
+        std::copy(normal.data(), normal.data() + 3, &normals[3 * static_cast<std::size_t>(ids[i])]);
+      }
+      return dgg::Status::Success();
+    });
+}

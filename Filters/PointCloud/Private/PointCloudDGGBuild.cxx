@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkPointCloudDGG: how graphs are built, kept and predicted.
+#include "PointCloudDGGInternals.h"
+
+#include "DGGCloudNormals.h"
+#include "DGGContext.h"
+#include "DGGFreeMemory.h"
+#include "DGGPreparedMesh.h"
+
+#include "dggBitHash.h"
+#include "dggProgressPart.h"
+
+#include "vtkDataArray.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <memory>
+#include <vector>
+
+namespace
+{
+/// Share of the progress that goes to normals by planes.
+constexpr double NormalsShare = 0.1;
+/// Bytes that finding them takes for each point, with PCL's copies and tree.
+constexpr double BytesPerNormal = 106.0;
+
+/// By which a graph is known.
+dgg::Signature MakeKey(const dgg::CloudGraphOptions& options, dgg::Id numberOfPoints)
+{
+  dgg::BitHash hash;
+  const double numbers[] = { static_cast<double>(options.Scheme), options.OffsetInVoxels,
+    static_cast<double>(options.Resolution), options.Alpha, options.Accuracy,
+    options.ArcLengthWeights ? 1.0 : 0.0, options.HasOrientedNormals ? 1.0 : 0.0,
+    options.Normals ? 1.0 : 0.0 };
+  hash.Add(numbers, sizeof(numbers) / sizeof(numbers[0]));
+  if (options.Normals)
+  {
+    hash.Add(options.Normals, 3 * static_cast<std::size_t>(numberOfPoints));
+  }
+  return hash.Finish();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkPointCloudDGG::EstimateMemory()
+{
+  this->Internals->Estimate = dgg::CloudGraphEstimate();
+  const bool done = this->AttemptOutsideOfUpdate([this] { return this->Estimate(); });
+  return done ? this->GetEstimatedMemory() : 0;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkPointCloudDGG::Estimate()
+{
+  dgg::Status status = this->CheckProperties();
+  vtkPolyData* cloud = vtkPolyData::SafeDownCast(this->GetInput());
+  if (status.IsOk() && cloud && cloud->GetNumberOfPoints() == 0)
+  {
+    vtkWarningMacro("The input is empty: it has no points. So is its graph.");
+    return status;
+  }
+  if (status.IsOk() && cloud)
+  {
+    status = this->CheckInputs(cloud, nullptr);
+  }
+  if (status.IsOk())
+  {
+    status = this->PrepareMesh(cloud);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  dgg::CloudGraphOptions options = this->MakeOptions(cloud);
+  const NormalsSource source = this->MakeNormalsSource(cloud);
+  Normals normals;
+  double done = 0.0;
+  const DGGContext context = this->MakeContext(cloud);
+  status = context.Progress(0.0) ? this->FindNormals(context, source, normals, done)
+                                 : dgg::Status::Abort();
+  if (status.IsOk())
+  {
+    const DGGPreparedMesh& mesh = context.Surface;
+    options.Normals = normals ? normals->data() : nullptr;
+    options.Progress = dgg::ProgressPart(context.Progress, done, 1.0);
+    options.Parallel = context.Parallel;
+    status = dgg::CloudGraphBuilder(mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices())
+               .Estimate(options, this->Internals->Estimate);
+  }
+  return status.IsOk() && !context.Progress(1.0) ? dgg::Status::Abort() : status;
+}
+
+//------------------------------------------------------------------------------
+/// Without normals.
+dgg::CloudGraphOptions vtkPointCloudDGG::MakeOptions(vtkPolyData* cloud) const
+{
+  dgg::CloudGraphOptions options;
+  options.Scheme = static_cast<dgg::CloudScheme>(this->Scheme);
+  options.OffsetInVoxels = this->OffsetInVoxels;
+  options.Resolution = this->Resolution;
+  options.Alpha = this->Alpha;
+  options.Accuracy = this->Accuracy;
+  options.ArcLengthWeights = this->ArcLengthWeights;
+  options.HasOrientedNormals = this->OrientedNormals && cloud && this->GetInputNormals(cloud);
+  options.MemoryLimit = DGGGetMemoryLimit(this->MemoryLimit);
+  options.NumberOfThreads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  return options;
+}
+
+//------------------------------------------------------------------------------
+vtkPointCloudDGG::NormalsSource vtkPointCloudDGG::MakeNormalsSource(vtkPolyData* cloud) const
+{
+  vtkDataArray* given = this->GetInputNormals(cloud);
+  return { given, this->EstimateNormals && !given, this->NumberOfNeighbors };
+}
+
+//------------------------------------------------------------------------------
+/// The normals to build with, null when the builder is to find them. `done` is the share of the
+/// progress that it took.
+dgg::Status vtkPointCloudDGG::FindNormals(
+  const DGGContext& context, const NormalsSource& source, Normals& normals, double& done)
+{
+  vtkInternals& internals = *this->Internals;
+  const DGGPreparedMesh& mesh = context.Surface;
+  normals.reset();
+  done = 0.0;
+  const dgg::Id points = mesh.GetMesh().GetNumberOfVertices();
+  if (vtkDataArray* given = source.Given)
+  {
+    const dgg::Status status = DGGCheckMemory("a copy of the normals",
+      3.0 * sizeof(double) * points, this->MemoryLimit, "use fewer points");
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    auto copy = std::make_shared<std::vector<double>>(3 * static_cast<std::size_t>(points));
+    for (vtkIdType i = 0; i < points; ++i)
+    {
+      given->GetTuple(i, copy->data() + 3 * i);
+    }
+    normals = copy;
+    return dgg::Status::Success();
+  }
+  if (!source.ByPlanes)
+  {
+    return dgg::Status::Success();
+  }
+  const bool isKept = internals.PlaneNormals &&
+    internals.NormalsNeighbors == source.NumberOfNeighbors &&
+    internals.NormalsMesh == mesh.GetBuildTime();
+  if (!isKept)
+  {
+    dgg::Status status = DGGCheckMemory("finding normals", BytesPerNormal * points,
+      this->MemoryLimit, "use fewer points, or turn EstimateNormals off");
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    auto found = std::make_shared<std::vector<double>>();
+    status = DGGEstimateNormals(mesh.GetPositions(), points, source.NumberOfNeighbors,
+      dgg::ProgressPart(context.Progress, 0.0, NormalsShare), *found);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    internals.PlaneNormals = found;
+    internals.NormalsNeighbors = source.NumberOfNeighbors;
+    internals.NormalsMesh = mesh.GetBuildTime();
+    done = NormalsShare;
+  }
+  normals = internals.PlaneNormals;
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+/// Build a graph with these options, unless it is the one that is kept.
+dgg::Status vtkPointCloudDGG::Build(
+  const DGGContext& context, dgg::CloudGraphOptions options, double done)
+{
+  vtkInternals& internals = *this->Internals;
+  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::Id n = mesh.GetMesh().GetNumberOfVertices();
+  const dgg::Signature key = MakeKey(options, n);
+  const bool isKept = internals.Built.IsValid() && internals.BuiltBy == key &&
+    internals.Built.GetView().Info.Surface == mesh.GetSignature();
+  if (isKept)
+  {
+    return dgg::Status::Success();
+  }
+  internals.Built.Clear();
+  options.Progress = dgg::ProgressPart(context.Progress, done, 1.0);
+  options.Parallel = context.Parallel;
+  dgg::CloudGraph result;
+  vtkInternals::Findings findings;
+  const dgg::Status status =
+    dgg::CloudGraphBuilder(mesh.GetPositions(), n).Build(options, result, &findings.Statistics);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  result.Graph.Info.Surface = mesh.GetSignature();
+  internals.Built.Adopt(result.Graph, result.Radii, result.VoxelSize, mesh);
+  internals.BuiltBy = key;
+  internals.Components = std::move(result.Components);
+  findings.ComponentSizes = std::move(result.ComponentSizes);
+  findings.Graph = DGGGraphSummary(internals.Built.GetView());
+  internals.BuiltFindings = findings;
+  internals.BuildTime.Modified();
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointCloudDGG::ReleaseGraph()
+{
+  this->Internals->Built.Clear();
+  this->Internals->Components = {};
+  this->Internals->PlaneNormals.reset();
+}

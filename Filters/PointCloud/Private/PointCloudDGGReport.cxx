@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkPointCloudDGG: what it reports of graphs, and warns of.
+#include "PointCloudDGGInternals.h"
+
+#include <cmath>
+
+namespace
+{
+/// Noise by the radius of curvature that is warned of: distances on spheres are 1 % too short.
+constexpr double LargestNoiseByRadius = 0.07;
+}
+
+/// A number of the graph of the last update.
+#define vtkPointCloudDGGNumberMacro(Type, Name, member) \
+  Type vtkPointCloudDGG::Get##Name() const              \
+  {                                                     \
+    return this->Internals->Current.Statistics.member;  \
+  }
+vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfUnusedPoints, UnusedPoints);
+vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfOutliers, Outliers);
+vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfCoincidentPoints, CoincidentPoints);
+vtkPointCloudDGGNumberMacro(double, UsedOffsetInVoxels, OffsetInVoxels);
+vtkPointCloudDGGNumberMacro(int, UsedResolution, Resolution);
+vtkPointCloudDGGNumberMacro(double, UsedAlpha, Alpha);
+vtkPointCloudDGGNumberMacro(double, VoxelSize, VoxelSize);
+vtkPointCloudDGGNumberMacro(double, Spacing, Spacing);
+vtkPointCloudDGGNumberMacro(double, Noise, Noise);
+vtkPointCloudDGGNumberMacro(double, OffSurfaceShare, OffSurface);
+vtkPointCloudDGGNumberMacro(double, NoiseByRadius, NoiseByRadius);
+vtkPointCloudDGGNumberMacro(double, Scatter, Scatter);
+vtkPointCloudDGGNumberMacro(double, Reach, Reach);
+
+//------------------------------------------------------------------------------
+void vtkPointCloudDGG::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Scheme: " << this->GetSchemeAsString() << "\n";
+  os << indent << "OffsetInVoxels: " << this->OffsetInVoxels << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "Alpha: " << this->Alpha << "\n";
+  os << indent << "Accuracy: " << this->Accuracy << "\n";
+  os << indent << "ArcLengthWeights: " << (this->ArcLengthWeights ? "On" : "Off") << "\n";
+  os << indent << "UseInputNormals: " << (this->UseInputNormals ? "On" : "Off") << "\n";
+  os << indent << "OrientedNormals: " << (this->OrientedNormals ? "On" : "Off") << "\n";
+  os << indent << "EstimateNormals: " << (this->EstimateNormals ? "On" : "Off") << "\n";
+  os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "ComponentArrayName: " << this->ComponentArrayName << "\n";
+  os << indent << "EstimatedMemory: " << this->GetEstimatedMemory() << "\n";
+  os << indent << "EstimatedPeakMemory: " << this->GetEstimatedPeakMemory() << "\n";
+  os << indent << "NumberOfGraphEdges: " << this->GetNumberOfGraphEdges() << "\n";
+  os << indent << "MeanDegree: " << this->GetMeanDegree() << "\n";
+  os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
+  os << indent << "NumberOfComponents: " << this->GetNumberOfComponents() << "\n";
+  os << indent << "NumberOfUnusedPoints: " << this->GetNumberOfUnusedPoints() << "\n";
+  os << indent << "NumberOfOutliers: " << this->GetNumberOfOutliers() << "\n";
+  os << indent << "NumberOfCoincidentPoints: " << this->GetNumberOfCoincidentPoints() << "\n";
+  os << indent << "UsedOffsetInVoxels: " << this->GetUsedOffsetInVoxels() << "\n";
+  os << indent << "UsedOffset: " << this->GetUsedOffset() << "\n";
+  os << indent << "UsedResolution: " << this->GetUsedResolution() << "\n";
+  os << indent << "UsedAlpha: " << this->GetUsedAlpha() << "\n";
+  os << indent << "VoxelSize: " << this->GetVoxelSize() << "\n";
+  os << indent << "Spacing: " << this->GetSpacing() << "\n";
+  os << indent << "Noise: " << this->GetNoise() << "\n";
+  os << indent << "OffSurfaceShare: " << this->GetOffSurfaceShare() << "\n";
+  os << indent << "NoiseByRadius: " << this->GetNoiseByRadius() << "\n";
+  os << indent << "Scatter: " << this->GetScatter() << "\n";
+  os << indent << "Reach: " << this->GetReach() << "\n";
+  os << indent << "GraphBuildTime: " << this->GetGraphBuildTime() << "\n";
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkPointCloudDGG::GetEstimatedMemory() const
+{
+  return static_cast<vtkTypeUInt64>(this->Internals->Estimate.Memory);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkPointCloudDGG::GetEstimatedPeakMemory() const
+{
+  return static_cast<vtkTypeUInt64>(std::ceil(this->Internals->Estimate.Peak)); // a limit that does
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointCloudDGG::GetNumberOfGraphEdges() const
+{
+  return this->Internals->Current.Graph.NumberOfEdges;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointCloudDGG::GetMeanDegree() const
+{
+  const DGGGraphSummary& graph = this->Internals->Current.Graph;
+  return graph.NumberOfVertices > 0
+    ? static_cast<double>(graph.NumberOfEdges) / graph.NumberOfVertices
+    : 0.0;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkPointCloudDGG::GetMemorySize() const
+{
+  return this->Internals->Current.Graph.MemorySize;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointCloudDGG::GetNumberOfComponents() const
+{
+  return static_cast<vtkIdType>(this->Internals->Current.ComponentSizes.size());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointCloudDGG::GetComponentSize(vtkIdType i) const
+{
+  return i >= 0 && i < this->GetNumberOfComponents() ? this->Internals->Current.ComponentSizes[i]
+                                                     : 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkPointCloudDGG::GetUsedOffset() const
+{
+  return this->GetUsedOffsetInVoxels() * this->GetVoxelSize();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkPointCloudDGG::GetGraphBuildTime() const
+{
+  return this->Internals->BuildTime.GetMTime();
+}
+
+//------------------------------------------------------------------------------
+/// Of a graph that has just been built.
+void vtkPointCloudDGG::WarnAboutPoints()
+{
+  const dgg::Id unused = this->Internals->Current.Statistics.UnusedPoints;
+  if (unused > 0)
+  {
+    const bool isOne = unused == 1;
+    vtkWarningMacro(<< "the cloud has " << unused << (isOne ? " point that is" : " points that are")
+                    << " not finite. " << (isOne ? "It is" : "They are")
+                    << " kept, and connected to nothing.");
+  }
+  const dgg::Id stray = this->Internals->Current.Statistics.Outliers;
+  if (stray > 0)
+  {
+    const bool isOne = stray == 1;
+    vtkWarningMacro(<< "the cloud has " << stray << (isOne ? " point that is" : " points that are")
+                    << " more than 1000 times as far off as all others. "
+                    << (isOne ? "It is" : "They are")
+                    << " kept, and connected to nothing but points in the same place.");
+  }
+  const dgg::CloudGraphStatistics& statistics = this->Internals->Current.Statistics;
+  if (statistics.Scatter > 0.0)
+  {
+    vtkWarningMacro(<< "the neighbours of " << 100.0 * statistics.OffSurface
+                    << " % of the points do not lie on a surface: points typically scatter by "
+                    << statistics.Scatter
+                    << " times their spacing. That much is not all taken off: distances may be "
+                       "wrong by far. Thin the cloud out, to every tenth point for example or to "
+                       "averages of points, until points scatter by less than their spacing.");
+  }
+  else if (statistics.NoiseByRadius > LargestNoiseByRadius)
+  {
+    vtkWarningMacro(
+      << "the noise of the points, " << statistics.Noise << ", is " << statistics.NoiseByRadius
+      << " of the radius at which the surface typically bends. It has been taken "
+         "off, but what is left is not quite the surface: distances may be wrong by 1 % "
+         "or more, mostly too short. Use points that are less noisy if that "
+         "matters.");
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Of a graph that has just been built: voxels that are coarser than the points.
+void vtkPointCloudDGG::WarnAboutVoxels(const dgg::CloudGraphOptions& options)
+{
+  const dgg::CloudGraphStatistics& used = this->Internals->Current.Statistics;
+  if (used.Spacing > 0.0 && used.VoxelSize > used.Spacing)
+  {
+    const bool isGiven = options.OffsetInVoxels > 0.0;
+    vtkWarningMacro(
+      << "the voxels of the band, of size " << used.VoxelSize << " (Resolution " << used.Resolution
+      << (options.Resolution > 0 ? "" : ", automatic")
+      << "), are larger than the spacing of the points, which is " << used.Spacing << ". "
+      << (isGiven ? "The graph bridges gaps and holes, and may connect or tear apart "
+                    "what it should not"
+                  : "Building is slower, and paths that vtkDGGPath straightens may "
+                    "cross gaps as narrow as a voxel")
+      << ". "
+      << (options.Resolution > 0 || isGiven
+             ? "Use a larger Resolution."
+             : "Parts of the cloud are very much sparser than others: leave them out, "
+               "or build graphs of their own, if that matters."));
+  }
+}

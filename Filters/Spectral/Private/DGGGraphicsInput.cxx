@@ -1,0 +1,453 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DGGGraphicsInput.h"
+
+#include "DGGPreparedMesh.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <unordered_map>
+
+namespace
+{
+constexpr std::size_t NoRegion = std::numeric_limits<std::size_t>::max();
+/// Values of CurveType.
+constexpr dgg::GraphicsCurveType Types[] = { dgg::GraphicsCurveType::Diffusion,
+  dgg::GraphicsCurveType::Poisson, dgg::GraphicsCurveType::Region, dgg::GraphicsCurveType::Source };
+
+/// What is wrong with the input. Never leaves this file.
+struct Refusal
+{
+  std::string Message;
+};
+
+/// A message of parts, thrown.
+template <typename... Parts>
+[[noreturn]] void Refuse(const Parts&... parts)
+{
+  std::ostringstream message;
+  (message << ... << parts);
+  throw Refusal{ message.str() };
+}
+
+/// Run what may refuse the input.
+template <typename Function>
+dgg::Status Try(Function&& function)
+{
+  try
+  {
+    function();
+  }
+  catch (const Refusal& refusal)
+  {
+    return dgg::Status::Invalid(refusal.Message);
+  }
+  return dgg::Status::Success();
+}
+
+/// An array of numbers, or null. Refuses an array of another type by that name: to skip it would
+/// mean another picture.
+vtkDataArray* FindNumbers(vtkDataSetAttributes* data, const char* kind, const std::string& name)
+{
+  vtkAbstractArray* array = data->GetAbstractArray(name.c_str());
+  vtkDataArray* numbers = data->GetArray(name.c_str());
+  if (!numbers && array)
+  {
+    Refuse("the ", kind, " array '", name, "' is of type ", array->GetDataTypeAsString(),
+      " where numbers are needed");
+  }
+  return numbers;
+}
+
+/// An array of points, or else one of cells.
+struct FoundArray
+{
+  FoundArray(vtkPolyData* data, const std::string& name)
+    : Array(data->GetPointData()->GetArray(name.c_str()))
+    , IsOfPoints(Array != nullptr)
+  {
+    Array = Array ? Array : data->GetCellData()->GetArray(name.c_str());
+    if (!Array)
+    {
+      FindNumbers(data->GetPointData(), "point", name);
+      FindNumbers(data->GetCellData(), "cell", name);
+    }
+  }
+
+  vtkDataArray* Array;
+  bool IsOfPoints;
+};
+
+/// A cell array with one number per cell; `setter` is for messages.
+vtkDataArray* GetCellNumbers(vtkPolyData* surface, const std::string& name, const char* setter)
+{
+  vtkDataArray* array = FindNumbers(surface->GetCellData(), "cell", name);
+  if (!array || array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != surface->GetNumberOfCells())
+  {
+    Refuse("the surface has no cell array '", name, "' with one number per cell: call ", setter,
+      " with the name of one");
+  }
+  return array;
+}
+
+double GetNumber(vtkDataArray* array, vtkIdType cell, const char* remedy)
+{
+  const double number = array->GetComponent(cell, 0);
+  if (std::isnan(number))
+  {
+    Refuse("the cell array '", array->GetName(), "' has no number at cell ", cell, ": ", remedy);
+  }
+  return number;
+}
+
+/// Whether all points are in one place.
+bool HasNoLength(vtkPolyData* curves, const std::vector<vtkIdType>& points)
+{
+  double first[3];
+  curves->GetPoint(points[0], first);
+  return std::all_of(points.begin(), points.end(), [&](vtkIdType id) {
+    double place[3];
+    curves->GetPoint(id, place);
+    return std::equal(place, place + 3, first);
+  });
+}
+
+/// Colours in bytes are from 0 to 1.
+double ScaleOf(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
+}
+
+void SortUnique(std::vector<dgg::Id>& ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+std::string Name(vtkIdType cell)
+{
+  return "line " + std::to_string(cell) + " of input port 1";
+}
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGGraphicsInput::Read(
+  vtkPolyData* curves, vtkPolyData* surface, const DGGGraphicsNames& names)
+{
+  *this = DGGGraphicsInput();
+  return Try([&] {
+    if (curves)
+    {
+      this->CollectLines(curves);
+    }
+    this->ChooseChannels(curves, surface, names);
+    for (std::size_t k = 0; k < this->Curves.size(); ++k)
+    {
+      this->ReadType(curves, names, k);
+      this->ReadCurve(curves, names, k);
+    }
+    if (!names.Region.empty())
+    {
+      this->ReadRegions(surface, names);
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void DGGGraphicsInput::CollectLines(vtkPolyData* curves)
+{
+  vtkIdType cell = curves->GetNumberOfVerts(); // cells are numbered from verts on
+  const auto lines = vtk::TakeSmartPointer(curves->GetLines()->NewIterator());
+  for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    lines->GetCurrentCell(size, ids);
+    dgg::GraphicsCurve curve;
+    curve.Name = Name(cell);
+    curve.IsClosed = size > 2 && ids[0] == ids[size - 1];
+    std::vector<vtkIdType> points(ids, ids + (curve.IsClosed ? size - 1 : size));
+    for (const vtkIdType id : points)
+    {
+      if (id < 0 || id >= curves->GetNumberOfPoints())
+      {
+        Refuse(Name(cell), " has the point ", id, ", which does not exist");
+      }
+    }
+    if (points.size() < 2 || HasNoLength(curves, points))
+    {
+      Refuse(Name(cell), " has no length: give it two points in different places");
+    }
+    this->Curves.push_back(curve);
+    this->PointIds.push_back(points);
+    this->Cells.push_back(cell++);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// As many as the arrays have components, those with a single strength for all channels apart.
+void DGGGraphicsInput::ChooseChannels(
+  vtkPolyData* curves, vtkPolyData* surface, const DGGGraphicsNames& names)
+{
+  const auto componentsOf = [&](const std::string& name) {
+    const char* key = name.c_str();
+    vtkDataArray* array = curves ? curves->GetPointData()->GetArray(key) : nullptr;
+    array = array || !curves ? array : curves->GetCellData()->GetArray(key);
+    return array ? array->GetNumberOfComponents() : 0;
+  };
+  int channels = 0;
+  std::string first;
+  for (const std::string& name :
+    { names.LeftColor, names.RightColor, names.Strength, names.RightStrength })
+  {
+    const bool isColor = name == names.LeftColor || name == names.RightColor;
+    const int count = componentsOf(name);
+    if (count == 0 || (count == 1 && !isColor))
+    {
+      continue;
+    }
+    if (channels > 0 && count != channels)
+    {
+      Refuse("the array '", first, "' of input port 1 has ", channels, " components and '", name,
+        "' has ", count, ": give both as many as there are channels");
+    }
+    channels = count;
+    first = name;
+  }
+  vtkDataArray* strength = surface->GetCellData()->GetArray(names.RegionStrength.c_str());
+  if (channels == 0 && !names.Region.empty() && strength)
+  {
+    channels = strength->GetNumberOfComponents();
+  }
+  if (channels == 0 && componentsOf(names.Strength) > 0)
+  {
+    channels = 1;
+  }
+  this->NumberOfChannels = channels == 0 ? 3 : channels;
+}
+
+//------------------------------------------------------------------------------
+void DGGGraphicsInput::ReadType(vtkPolyData* curves, const DGGGraphicsNames& names, std::size_t k)
+{
+  vtkDataArray* array = FindNumbers(curves->GetCellData(), "cell", names.CurveType);
+  if (!array)
+  {
+    return; // Diffusion
+  }
+  if (array->GetNumberOfComponents() != 1)
+  {
+    Refuse("the cell array '", names.CurveType, "' of input port 1 has ",
+      array->GetNumberOfComponents(), " components where 1 is needed");
+  }
+  const double value = this->Cells[k] < array->GetNumberOfTuples()
+    ? array->GetComponent(this->Cells[k], 0)
+    : std::numeric_limits<double>::quiet_NaN();
+  if (!(value == 0.0 || value == 1.0 || value == 2.0 || value == 3.0))
+  {
+    Refuse(Name(this->Cells[k]), " has the type ", value, " in the cell array '", names.CurveType,
+      "': use 0 (Diffusion), 1 (Poisson), 2 (Region) or 3 (Source)");
+  }
+  this->Curves[k].Type = Types[static_cast<int>(value)];
+}
+
+//------------------------------------------------------------------------------
+/// The numbers of all points of a curve; those of its cell for each where the array is of cells.
+std::vector<double> DGGGraphicsInput::ReadTuples(
+  vtkPolyData* curves, const std::string& name, std::size_t k, int channels, bool mayBeSingle) const
+{
+  const FoundArray found(curves, name);
+  vtkDataArray* array = found.Array;
+  const vtkIdType tuples =
+    found.IsOfPoints ? curves->GetNumberOfPoints() : curves->GetNumberOfCells();
+  if (!array)
+  {
+    Refuse(Name(this->Cells[k]), " needs a point or cell array '", name,
+      "': add it, or set the name of another one");
+  }
+  if (array->GetNumberOfTuples() != tuples)
+  {
+    Refuse("the array '", name, "' of input port 1 has ", array->GetNumberOfTuples(),
+      " tuples where ", tuples, " are needed");
+  }
+  const int components = array->GetNumberOfComponents();
+  if (components != channels && !(mayBeSingle && components == 1))
+  {
+    Refuse("the array '", name, "' of input port 1 has ", components, " components where ",
+      channels, mayBeSingle && channels > 1 ? " or 1 are needed" : " are needed");
+  }
+  std::vector<double> values;
+  for (const vtkIdType id : this->PointIds[k])
+  {
+    for (int c = 0; c < channels; ++c)
+    {
+      const vtkIdType tuple = found.IsOfPoints ? id : this->Cells[k];
+      const double value = array->GetComponent(tuple, components == 1 ? 0 : c);
+      if (!std::isfinite(value))
+      {
+        Refuse("the array '", name, "' of input port 1 has the value ", value, " at ",
+          found.IsOfPoints ? "point " : "cell ", tuple, ": numbers must be finite");
+      }
+      values.push_back(ScaleOf(array) * value);
+    }
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
+void DGGGraphicsInput::ReadCurve(vtkPolyData* curves, const DGGGraphicsNames& names, std::size_t k)
+{
+  dgg::GraphicsCurve& curve = this->Curves[k];
+  const int channels = this->NumberOfChannels;
+  if (curve.Type == dgg::GraphicsCurveType::Diffusion)
+  {
+    curve.Left = this->ReadTuples(curves, names.LeftColor, k, channels, false);
+    curve.Right = this->ReadTuples(curves, names.RightColor, k, channels, false);
+    return;
+  }
+  curve.Left = this->ReadTuples(curves, names.Strength, k, channels, true);
+  if (curve.Type != dgg::GraphicsCurveType::Poisson)
+  {
+    return;
+  }
+  if (FoundArray(curves, names.RightStrength).Array)
+  {
+    curve.Right = this->ReadTuples(curves, names.RightStrength, k, channels, true);
+  }
+  else
+  {
+    curve.Right = curve.Left;
+    std::transform(curve.Right.begin(), curve.Right.end(), curve.Right.begin(), std::negate<>());
+  }
+  // One width for the whole curve: that of its cell, or of its first point.
+  curve.Width = names.DefaultWidth;
+  const FoundArray width(curves, names.Width);
+  if (width.Array)
+  {
+    this->ReadTuples(curves, names.Width, k, 1, false); // all must be right
+    curve.Width =
+      width.Array->GetComponent(width.IsOfPoints ? this->PointIds[k].front() : this->Cells[k], 0);
+  }
+  if (!(curve.Width > 0.0) || !std::isfinite(curve.Width))
+  {
+    Refuse(Name(this->Cells[k]), " has the width ", curve.Width,
+      ": a Poisson curve needs a positive, finite one");
+  }
+}
+
+//------------------------------------------------------------------------------
+void DGGGraphicsInput::ReadRegions(vtkPolyData* surface, const DGGGraphicsNames& names)
+{
+  vtkCellData* data = surface->GetCellData();
+  FindNumbers(data, "cell", names.Region);
+  vtkDataArray* strength = FindNumbers(data, "cell", names.RegionStrength);
+  vtkDataArray* regions = GetCellNumbers(surface, names.Region, "SetRegionArrayName()");
+  const vtkIdType cells = surface->GetNumberOfCells();
+  const int components = strength ? strength->GetNumberOfComponents() : 0;
+  if (!strength || strength->GetNumberOfTuples() != cells ||
+    (components != 1 && components != this->NumberOfChannels))
+  {
+    Refuse("the surface has no cell array '", names.RegionStrength, "' with 1 or ",
+      this->NumberOfChannels,
+      " components: call SetRegionStrengthArrayName() with the name of one");
+  }
+  std::unordered_map<double, std::size_t> found;
+  this->RegionOfCell.assign(static_cast<std::size_t>(cells), NoRegion);
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    const double id = GetNumber(regions, cell, "use 0 for cells without a region");
+    if (id == 0.0)
+    {
+      continue;
+    }
+    const auto [region, isNew] = found.emplace(id, found.size());
+    this->RegionOfCell[static_cast<std::size_t>(cell)] = region->second;
+    if (isNew)
+    {
+      std::vector<double> values;
+      for (int c = 0; c < this->NumberOfChannels; ++c)
+      {
+        values.push_back(ScaleOf(strength) * strength->GetComponent(cell, components == 1 ? 0 : c));
+      }
+      if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); }))
+      {
+        Refuse("the cell array '", names.RegionStrength, "' is not finite at cell ", cell);
+      }
+      this->RegionStrengths.push_back(values);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<dgg::GraphicsRegion> DGGGraphicsInput::MakeRegions(const DGGPreparedMesh& mesh) const
+{
+  std::vector<dgg::GraphicsRegion> regions;
+  for (const std::vector<double>& strength : this->RegionStrengths)
+  {
+    regions.push_back({ {}, strength });
+  }
+  const auto regionOf = [&](dgg::Id face) {
+    const auto cell = static_cast<std::size_t>(mesh.GetCell(face));
+    return cell < this->RegionOfCell.size() ? this->RegionOfCell[cell] : NoRegion;
+  };
+  for (dgg::Id f = 0; f < mesh.GetMesh().GetNumberOfFaces() && !regions.empty(); ++f)
+  {
+    // Of triangles on the same points, the region of the first one counts, if it has one.
+    const dgg::Id original = mesh.GetMesh().GetOriginal(f);
+    const std::size_t region = regionOf(f);
+    if (region != NoRegion && (f == original || regionOf(original) == NoRegion))
+    {
+      regions[region].Faces.push_back(original);
+    }
+  }
+  for (dgg::GraphicsRegion& region : regions)
+  {
+    SortUnique(region.Faces);
+  }
+  regions.erase(std::remove_if(regions.begin(), regions.end(),
+                  [](const dgg::GraphicsRegion& region) { return region.Faces.empty(); }),
+    regions.end()); // of lines or verts
+  return regions;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGGraphicsInput::CheckRefinement(vtkPolyData* surface, const DGGGraphicsNames& names)
+{
+  return Try([&] {
+    vtkDataArray* array = GetCellNumbers(surface, names.Refinement, "SetRefinementArrayName()");
+    for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
+    {
+      GetNumber(array, cell, "use 0, or another number for cells to refine");
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+std::vector<dgg::Id> DGGGraphicsInput::FindRefinedFaces(
+  vtkPolyData* surface, const DGGGraphicsNames& names, const DGGPreparedMesh& mesh)
+{
+  std::vector<dgg::Id> faces;
+  vtkDataArray* array = surface->GetCellData()->GetArray(names.Refinement.c_str());
+  for (dgg::Id f = 0; f < mesh.GetMesh().GetNumberOfFaces(); ++f)
+  {
+    if (array->GetComponent(mesh.GetCell(f), 0) != 0.0)
+    {
+      faces.push_back(mesh.GetMesh().GetOriginal(f));
+    }
+  }
+  SortUnique(faces);
+  return faces;
+}

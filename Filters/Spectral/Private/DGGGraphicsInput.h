@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The curves and regions of a drawing as a user gives them. Internal.
+#ifndef DGGGraphicsInput_h
+#define DGGGraphicsInput_h
+
+#include "dggVectorGraphics.h" // for curves and regions
+
+#include "vtkType.h" // for vtkIdType
+
+#include <string> // for names
+#include <vector> // for curves
+
+class DGGPreparedMesh;
+class vtkPolyData;
+
+/// Names of arrays, and what counts where there is none.
+struct DGGGraphicsNames
+{
+  std::string CurveType;
+  std::string LeftColor;
+  std::string RightColor;
+  std::string Strength;
+  std::string RightStrength;
+  std::string Width;
+  std::string Region;         ///< of the surface
+  std::string RegionStrength; ///< of the surface
+  std::string Refinement;     ///< of the surface
+  double DefaultWidth = 0.0;
+};
+
+/// Lines with their numbers, and sets of cells with theirs.
+class DGGGraphicsInput
+{
+public:
+  /// Copy what is given; `curves` may be null. Fails, with a message that names what is wrong, when
+  /// an array is missing or has the wrong number of components, or a number is not finite.
+  dgg::Status Read(vtkPolyData* curves, vtkPolyData* surface, const DGGGraphicsNames& names);
+
+  /// The cells of regions as faces of the mesh.
+  std::vector<dgg::GraphicsRegion> MakeRegions(const DGGPreparedMesh& mesh) const;
+
+  /// Fails when there is no array that says which cells are refined, or a number of it is not one.
+  static dgg::Status CheckRefinement(vtkPolyData* surface, const DGGGraphicsNames& names);
+  /// The faces of these cells, after CheckRefinement().
+  static std::vector<dgg::Id> FindRefinedFaces(
+    vtkPolyData* surface, const DGGGraphicsNames& names, const DGGPreparedMesh& mesh);
+
+  int GetNumberOfChannels() const { return this->NumberOfChannels; }
+  const std::vector<dgg::GraphicsCurve>& GetCurves() const { return this->Curves; }
+  /// Per curve, its points; of a closed one, the last is not the first again.
+  const std::vector<std::vector<vtkIdType>>& GetPointIds() const { return this->PointIds; }
+
+private:
+  void CollectLines(vtkPolyData* curves);
+  void ChooseChannels(vtkPolyData* curves, vtkPolyData* surface, const DGGGraphicsNames& names);
+  void ReadType(vtkPolyData* curves, const DGGGraphicsNames& names, std::size_t k);
+  void ReadCurve(vtkPolyData* curves, const DGGGraphicsNames& names, std::size_t k);
+  void ReadRegions(vtkPolyData* surface, const DGGGraphicsNames& names);
+  std::vector<double> ReadTuples(vtkPolyData* curves, const std::string& name, std::size_t k,
+    int channels, bool mayBeSingle) const;
+
+  int NumberOfChannels = 3;
+  std::vector<dgg::GraphicsCurve> Curves;
+  std::vector<std::vector<vtkIdType>> PointIds;
+  std::vector<vtkIdType> Cells; // per curve
+  std::vector<std::size_t> RegionOfCell;
+  std::vector<std::vector<double>> RegionStrengths;
+};
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DGGPoissonCache.h"
+
+#include "DGGContext.h"
+#include "DGGFreeMemory.h"
+#include "DGGPreparedMesh.h"
+
+//------------------------------------------------------------------------------
+int DGGPoissonCache::GetNumberOfFactorizations() const
+{
+  return this->EarlierFactorizations +
+    (this->Solver ? this->Solver->GetNumberOfFactorizations() : 0);
+}
+
+//------------------------------------------------------------------------------
+bool DGGPoissonCache::IsPrepared(
+  const DGGPreparedMesh& mesh, const dgg::PoissonOptions& options) const
+{
+  return this->Solver && this->MeshTime == mesh.GetBuildTime() && this->Solver->IsReady() &&
+    this->Solver->GetOptions().Boundary == options.Boundary &&
+    this->Solver->GetOptions().DirichletVertices == options.DirichletVertices &&
+    this->Solver->GetOptions().IntrinsicDelaunay == options.IntrinsicDelaunay;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGPoissonCache::Prepare(const DGGContext& context, const dgg::PoissonOptions& options,
+  const OtherMemory& others, const std::string& remedy, const dgg::ProgressCallback& progress)
+{
+  const DGGPreparedMesh& mesh = context.Surface;
+  if (!this->Solver || this->MeshTime != mesh.GetBuildTime())
+  {
+    this->EarlierFactorizations = this->GetNumberOfFactorizations();
+    this->Solver.reset(); // before there are two
+    this->Solver = std::make_unique<dgg::PoissonSolver>(mesh.GetMesh());
+    this->MeshTime = mesh.GetBuildTime();
+  }
+  return this->Solver->Prepare(options, progress, [&](double bytes, double missing) {
+    // What is held already is not free any more, so it must not count against what is free.
+    const double own = context.MemoryLimit == 0 ? missing : bytes;
+    return DGGCheckMemory("the factorization and the results", own + others(*this->Solver),
+      context.MemoryLimit, remedy);
+  });
+}

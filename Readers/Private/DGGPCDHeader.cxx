@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DGGPCDHeader.h"
+
+#include "vtkErrorCode.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+using vtkDGG::PointField;
+using vtkDGG::Quote;
+
+namespace
+{
+constexpr auto Malformed = vtkErrorCode::FileFormatError;
+
+constexpr const char* Keywords[] = { "VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT",
+  "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA" };
+constexpr const char* DataNames[] = { "ascii", "binary", "binary_compressed" };
+
+bool IsKeyword(std::string_view text)
+{
+  return std::find(std::begin(Keywords), std::end(Keywords), text) != std::end(Keywords);
+}
+
+/// The words of the next line that is neither blank nor a comment; none at the end of the text. As
+/// a word takes many times the memory of its text, one more than there may be is kept, so that too
+/// many are noticed.
+std::vector<std::string_view> TakeLine(vtkDGG::TextCursor& text)
+{
+  std::vector<std::string_view> words;
+  while (words.empty() && text.FindAnywhere())
+  {
+    const bool isComment = text.GetRest()[0] == '#';
+    while (text.FindOnLine())
+    {
+      const std::string_view word = text.TakeWord();
+      if (!isComment && words.size() < DGGPCDHeader::MostFields + 2)
+      {
+        words.push_back(word);
+      }
+    }
+  }
+  return words;
+}
+
+/// What follows a keyword.
+struct Entry
+{
+  std::string Keyword;
+  std::size_t Line = 0;
+  std::vector<std::string_view> Values;
+
+  template <typename... Parts>
+  [[noreturn]] void Fail(const Parts&... parts) const
+  {
+    vtkDGG::Fail(Malformed, "line ", this->Line, ": ", parts...);
+  }
+  /// Refuse a value.
+  template <typename... Parts>
+  [[noreturn]] void FailAt(std::size_t i, const Parts&... parts) const
+  {
+    this->Fail(this->Keyword, " ", Quote(this->Values[i]), parts...);
+  }
+};
+
+/// The lines of a header.
+class Entries
+{
+public:
+  /// Moves behind the line with DATA.
+  explicit Entries(vtkDGG::TextCursor& text)
+  {
+    const bool isEmpty = text.GetBytesLeft() == 0;
+    while (this->Lines.count("DATA") == 0)
+    {
+      std::vector<std::string_view> words = TakeLine(text);
+      if (words.empty())
+      {
+        vtkDGG::Fail(vtkErrorCode::PrematureEndOfFileError, "line ", text.GetLine(), ": ",
+          isEmpty ? "the file is empty" : "the file ends before the line DATA of the header");
+      }
+      const bool isFirst = this->Lines.empty();
+      Entry entry{ std::string(words[0]), text.GetLine(), {} };
+      if (!IsKeyword(entry.Keyword))
+      {
+        vtkDGG::Fail(isFirst ? vtkErrorCode::UnrecognizedFileTypeError : Malformed, "line ",
+          entry.Line, ": ", Quote(entry.Keyword),
+          isFirst ? " is not the first keyword of a PCD file, such as VERSION"
+                  : " is not a keyword of the header of a PCD file");
+      }
+      if (this->Lines.count(entry.Keyword) > 0)
+      {
+        entry.Fail("a second ", entry.Keyword);
+      }
+      words.erase(words.begin());
+      entry.Values = std::move(words);
+      this->Lines.emplace(std::string(entry.Keyword), std::move(entry));
+    }
+    text.SkipLine();
+  }
+
+  const Entry& Get(const char* keyword) const { return this->Lines.find(keyword)->second; }
+  /// Null when there is no such line.
+  const Entry* Find(const char* keyword) const
+  {
+    return this->Lines.count(keyword) > 0 ? &this->Get(keyword) : nullptr;
+  }
+  /// The same, of a line with that many values.
+  const Entry* Find(const char* keyword, std::size_t count) const
+  {
+    const Entry* entry = this->Find(keyword);
+    if (entry && entry->Values.size() != count)
+    {
+      entry->Fail(keyword, " has ", entry->Values.size(), " values, expected ", count);
+    }
+    return entry;
+  }
+  /// A number of points; -1 when there is no such line.
+  vtkIdType GetCount(const char* keyword, std::size_t& line) const
+  {
+    vtkIdType count = -1;
+    if (const Entry* entry = this->Find(keyword, 1))
+    {
+      line = entry->Line;
+      if (vtkDGG::ParseNumber(entry->Values[0], count) || count < 0)
+      {
+        entry->FailAt(0, " is not a number of points");
+      }
+    }
+    return count;
+  }
+
+private:
+  std::map<std::string, Entry, std::less<>> Lines;
+};
+
+/// Files of old have neither SIZE nor TYPE: all numbers are floats then.
+void ReadFields(const Entries& entries, DGGPCDHeader& header)
+{
+  const Entry* columns = entries.Find("COLUMNS");
+  const Entry* names = entries.Find("FIELDS");
+  if (names && columns)
+  {
+    columns->Fail("both FIELDS and COLUMNS");
+  }
+  names = names ? names : columns;
+  if (!names || names->Values.empty())
+  {
+    (names ? *names : entries.Get("DATA")).Fail("no FIELDS before the data");
+  }
+  const std::size_t count = names->Values.size();
+  if (count > DGGPCDHeader::MostFields)
+  {
+    names->Fail("more than ", DGGPCDHeader::MostFields, " fields");
+  }
+  const Entry* sizes = entries.Find("SIZE", count);
+  const Entry* types = entries.Find("TYPE", count);
+  const Entry* counts = entries.Find("COUNT", count);
+  if (!sizes != !types)
+  {
+    (sizes ? sizes : types)->Fail(sizes ? "SIZE without TYPE" : "TYPE without SIZE");
+  }
+  header.FieldsLine = names->Line;
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    PointField field{ std::string(names->Values[i]), 'F', 4, 1 };
+    if (types)
+    {
+      const std::string_view type = types->Values[i];
+      field.Kind = type.size() == 1 ? type[0] : ' ';
+      if (vtkDGG::ParseNumber(sizes->Values[i], field.Size) ||
+        !vtkDGG::IsPointFieldType(field.Kind, field.Size))
+      {
+        sizes->FailAt(i, " of the field ", Quote(field.Name), " is not one of TYPE ", Quote(type),
+          ": F has 4 or 8, I and U have 1, 2, 4 or 8");
+      }
+    }
+    if (counts && (vtkDGG::ParseNumber(counts->Values[i], field.Count) || field.Count < 1))
+    {
+      counts->FailAt(i, " of the field ", Quote(field.Name), " is not a positive number");
+    }
+    header.Fields.push_back(field);
+    bytes += field.GetBytes();
+    if (bytes > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    {
+      counts->Fail("the values of a point take more than 2 GB");
+    }
+  }
+}
+
+void ReadCounts(const Entries& entries, DGGPCDHeader& header)
+{
+  header.Width = entries.GetCount("WIDTH", header.CountLine);
+  header.Height = entries.GetCount("HEIGHT", header.CountLine);
+  const vtkIdType points = entries.GetCount("POINTS", header.CountLine);
+  if (header.Width < 0 && points < 0)
+  {
+    entries.Get("DATA").Fail("neither WIDTH nor POINTS before the data");
+  }
+  if (header.Width < 0 && header.Height > 1)
+  {
+    entries.Get("HEIGHT").Fail("HEIGHT without WIDTH");
+  }
+  // Old files have POINTS only, or say WIDTH 0 and HEIGHT 0 beside it.
+  if (header.Width < 0 || (header.Width == 0 && header.Height == 0))
+  {
+    header.Width = std::max<vtkIdType>(points, 0);
+    header.Height = 1;
+  }
+  header.Height = header.Height < 0 ? 1 : header.Height;
+  if (header.Height > 0 && header.Width > VTK_ID_MAX / header.Height)
+  {
+    entries.Get("WIDTH").Fail("WIDTH times HEIGHT is too large");
+  }
+  if (points >= 0 && header.GetNumberOfPoints() != points)
+  {
+    entries.Get("POINTS").Fail(
+      "POINTS ", points, " is not WIDTH ", header.Width, " times HEIGHT ", header.Height);
+  }
+}
+}
+
+std::size_t DGGPCDHeader::GetPointBytes() const
+{
+  std::size_t bytes = 0;
+  for (const PointField& field : this->Fields)
+  {
+    bytes += field.GetBytes();
+  }
+  return bytes;
+}
+
+void DGGPCDHeader::Parse(vtkDGG::TextCursor& text)
+{
+  const Entries entries(text);
+  ReadFields(entries, *this);
+  ReadCounts(entries, *this);
+  if (const Entry* viewpoint = entries.Find("VIEWPOINT", this->Sensor.size()))
+  {
+    for (std::size_t i = 0; i < this->Sensor.size(); ++i)
+    {
+      if (vtkDGG::ParseNumber(viewpoint->Values[i], this->Sensor[i]) ||
+        !std::isfinite(this->Sensor[i]))
+      {
+        viewpoint->FailAt(i, " is not a finite number");
+      }
+    }
+  }
+  const Entry& data = entries.Get("DATA");
+  const auto* name = std::find(std::begin(DataNames), std::end(DataNames),
+    data.Values.size() == 1 ? data.Values[0] : std::string_view());
+  if (name == std::end(DataNames))
+  {
+    data.Fail("DATA must be one of ascii, binary and binary_compressed");
+  }
+  this->Data = static_cast<DGGPCDData>(name - std::begin(DataNames));
+}
+
+std::string DGGPCDHeader::Format() const
+{
+  std::string names;
+  std::string sizes;
+  std::string types;
+  std::string counts;
+  for (const PointField& field : this->Fields)
+  {
+    names += " " + field.Name;
+    sizes += " " + std::to_string(field.Size);
+    types += std::string(" ") + field.Kind;
+    counts += " " + std::to_string(field.Count);
+  }
+  std::string sensor;
+  for (const double value : this->Sensor)
+  {
+    char buffer[64];
+    const auto end = std::to_chars(buffer, buffer + sizeof(buffer), value);
+    sensor += " " + std::string(buffer, end.ptr);
+  }
+  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS" + names + "\nSIZE" +
+    sizes + "\nTYPE" + types + "\nCOUNT" + counts + "\nWIDTH " + std::to_string(this->Width) +
+    "\nHEIGHT " + std::to_string(this->Height) + "\nVIEWPOINT" + sensor + "\nPOINTS " +
+    std::to_string(this->GetNumberOfPoints()) + "\nDATA " +
+    DataNames[static_cast<int>(this->Data)] + "\n";
+}
+
+bool DGGLooksLikePCD(std::string_view begin)
+{
+  vtkDGG::TextCursor text(begin, false);
+  bool hasFields = false;
+  std::string_view keyword;
+  while (keyword != "DATA")
+  {
+    const std::vector<std::string_view> words = TakeLine(text);
+    if (words.empty())
+    {
+      break;
+    }
+    keyword = words[0];
+    const bool isWhole = text.GetRest().find('\n') != std::string_view::npos;
+    if (!IsKeyword(keyword))
+    {
+      return hasFields && !isWhole; // the last line may be cut
+    }
+    hasFields = hasFields || keyword == "FIELDS" || keyword == "COLUMNS";
+  }
+  return hasFields;
+}
