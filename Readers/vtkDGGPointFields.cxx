@@ -211,9 +211,10 @@ void vtkDGG::PointFieldSource::Copy(
     const char* in = static_cast<const char*>(this->Array->GetVoidPointer(0)) +
       static_cast<std::size_t>(begin) * step +
       static_cast<std::size_t>(this->FirstComponent) * ownSize;
+    const std::size_t bytes = this->Field.GetBytes();
     for (vtkIdType i = begin; i < end; ++i, in += step, destination += stride)
     {
-      std::memcpy(destination, in, this->Field.GetBytes());
+      std::memcpy(destination, in, bytes);
     }
     return;
   }

@@ -366,7 +366,7 @@ TEST_F(OFFReader, RefusesBadCounts)
   this->ExpectRefused("OFF\n3 1 x\n", format, "line 2", "'x' is not an integer");
   this->ExpectRefused("OFF\n3 1 0 7\n", format, "line 2", "more than the three counts");
   this->ExpectRefused(
-    "OFF\n99999999999999999999 1 0\n", format, "line 2", "'99999999999999999999' is too large");
+    "OFF\n99999999999999999999 1 0\n", format, "line 2", "'99999999999999999999' is out of range");
   // Huge promises in small files, which must not be allocated.
   this->ExpectRefused("OFF\n1000000000000 1 0\n0 0 0\n", end, "line 2", "only 7 bytes follow");
   this->ExpectRefused(
@@ -387,7 +387,7 @@ TEST_F(OFFReader, RefusesBadVertices)
   this->ExpectRefused("OFF 3 1 0\n0 + 0" + tail, format, "line 2", "'+'");
   this->ExpectRefused("OFF 3 1 0\n0 nan 0" + tail, format, "line 2", "'nan' is not finite");
   this->ExpectRefused("OFF 3 1 0\n0 -inf 0" + tail, format, "line 2", "'-inf' is not finite");
-  this->ExpectRefused("OFF 3 1 0\n0 1e999 0" + tail, format, "line 2", "'1e999' is too large");
+  this->ExpectRefused("OFF 3 1 0\n0 1e999 0" + tail, format, "line 2", "'1e999' is out of range");
   this->ExpectRefused("OFF 3 1 0\n0 0 0\n1 0 0 5" + tail, format, "line 3", "vertex 1 has 1");
   this->ExpectRefused("COFF 1 0 0\n0 0 0 1 1\n", format, "line 2", "vertex 0 has 2");
   this->ExpectRefused("COFF 1 0 0\n0 0 0\n1 1 1\n", format, "line 2", "vertex 0 has 0");
@@ -458,9 +458,10 @@ TEST_F(OFFReader, RefusesBadBinary)
   this->ExpectRefused(points(1).Ints({ -2, 0, 0 }).Get(), format, "byte 63", "-2 vertices");
   this->ExpectRefused(points(1).Ints({ 2147483647, 0, 0 }).Get(), end, "byte 63", "promises");
   this->ExpectRefused(points(1).Ints({ 3, 0, 1, 7, 0 }).Get(), format, "byte 75", "vertex 7");
-  this->ExpectRefused(points(1).Ints({ 3, 0, 1, 2, 2 }).Get(), format, "byte 79", "2 components");
   this->ExpectRefused(
-    points(1).Ints({ 3, 0, 1, 2, 3 }).Floats({ 0, 2, 0 }).Get(), format, "byte 87", "out of range");
+    points(1).Ints({ 3, 0, 1, 2, 2 }).Get(), format, "byte 79", "face 0 has 2 numbers");
+  this->ExpectRefused(
+    points(1).Ints({ 3, 0, 1, 2, 3 }).Floats({ 0, 2, 0 }).Get(), format, "byte 91", "out of range");
   this->ExpectRefused(
     points(1).Ints({ 3, 0, 1, 2, 0, 9 }).Get(), format, "byte 79", "4 bytes follow");
 }
@@ -505,8 +506,8 @@ TEST_F(OFFReader, TakesOutOfRangeNumbersByTheirPowerOfTen)
   const std::string zeros(400, '0');
   ExpectPoint(
     this->ReadWell("OFF 1 0 0\n0." + zeros + "1 0." + zeros + "1e10 0\n"), 0, 0.0, 0.0, 0.0);
-  this->ExpectRefused(
-    "OFF 1 0 0\n1" + zeros + "e-10 0 0\n", vtkErrorCode::FileFormatError, "line 2", "is too large");
+  this->ExpectRefused("OFF 1 0 0\n1" + zeros + "e-10 0 0\n", vtkErrorCode::FileFormatError,
+    "line 2", "is out of range");
 }
 
 TEST_F(OFFReader, PrintsItself)

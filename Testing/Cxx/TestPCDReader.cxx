@@ -135,7 +135,7 @@ TEST_F(PCDReader, DistinguishesTooSmallFromTooLarge)
   {
     this->Reader->SetFileName(this->Write(head + number + " 0 0\n").c_str());
     this->Reader->Modified();
-    dggtest::ExpectError(this->Reader, { "is out of the range" });
+    dggtest::ExpectError(this->Reader, { "is out of range" });
   }
 }
 
