@@ -4,13 +4,13 @@
 
 #include "dggEdgeSplitting.h"
 #include "dggExactGeodesics.h"
+#include "dggInvalidInput.h"
 #include "dggIsolines.h"
 #include "dggProgressPart.h"
 #include "dggSurfaceRefinement.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace dgg
@@ -224,17 +224,14 @@ Status MakeOffsetCurves(const SurfaceMesh& mesh, const SurfacePath& path, double
   const ProgressCallback& progress, std::vector<SurfacePath>& rims)
 {
   rims.clear();
-  std::ostringstream message;
   if (!(width > 0.0 && std::isfinite(width)))
   {
-    message << "the width of the tape is " << width << ": a positive number is needed";
-    return Status::Invalid(message.str());
+    return InvalidInput("the width of the tape is ", width, ": a positive number is needed");
   }
   if (width < GetSmallestOffsetWidth(path))
   {
-    message << "the width of the tape is " << width << ", too small for the length " << path.Length
-            << " of the curve: at least " << GetSmallestOffsetWidth(path) << " is needed";
-    return Status::Invalid(message.str());
+    return InvalidInput("the width of the tape is ", width, ", too small for the length ",
+      path.Length, " of the curve: at least ", GetSmallestOffsetWidth(path), " is needed");
   }
   Status status = OffsetCurveMaker(mesh, 0.5 * width, progress).Run(path, rims);
   if (!status.IsOk())
