@@ -3,6 +3,7 @@
 #include "dggApolloniusFace.h"
 
 #include "dggFaceTriangulation.h"
+#include "dggSurfacePoint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,10 +109,7 @@ void ApolloniusFace::AddRim()
       if (i + 1 < nodes.size())
       {
         number = static_cast<int>(this->Values.size());
-        std::array<double, 3> place{ { 0.0, 0.0, 0.0 } };
-        place[(k + 1) % 3] = x / length;
-        place[k] = 1.0 - place[(k + 1) % 3];
-        this->Places.push_back(place);
+        this->Places.push_back(CoordinatesOnEdge(k, x / length));
         this->Values.push_back(node.Value);
         if (node.IsSite)
         {

@@ -111,7 +111,7 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
     used.Sources = &fitted;
     begin = FitDone;
   }
-  Status status = CollectCrossings(
+  DGG_RETURN_IF_ERROR(CollectCrossings(
     *field.Mesh, BlockSize, parallel, progress, begin, EdgesDone,
     [&] { return HermiteEdge(used, steinerPoints); },
     [&](HermiteEdge& edge, Id h, std::vector<LevelCrossing>& found) {
@@ -121,20 +121,16 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
         CrossEdge(edge, levels, found);
       }
     },
-    crossings);
-  if (status.IsOk())
-  {
-    status = CollectPieces(
-      field.Mesh->GetNumberOfFaces(), BlockSize, parallel, progress, EdgesDone, 1.0,
-      [&] { return ApolloniusFace(used, steinerPoints); },
-      [&](ApolloniusFace& face, Id f, std::vector<FaceCurve>& found) {
-        if (used.IsReached(f))
-        {
-          CrossFace(face, used, f, levels, crossings, found);
-        }
-      },
-      curves);
-  }
-  return status;
+    crossings));
+  return CollectPieces(
+    field.Mesh->GetNumberOfFaces(), BlockSize, parallel, progress, EdgesDone, 1.0,
+    [&] { return ApolloniusFace(used, steinerPoints); },
+    [&](ApolloniusFace& face, Id f, std::vector<FaceCurve>& found) {
+      if (used.IsReached(f))
+      {
+        CrossFace(face, used, f, levels, crossings, found);
+      }
+    },
+    curves);
 }
 }

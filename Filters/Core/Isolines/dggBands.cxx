@@ -253,11 +253,7 @@ Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   const Isolines& lines, const ProgressCallback& progress, Bands& bands)
 {
   bands = Bands();
-  Status status = CheckArguments(field, levels, lines);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(CheckArguments(field, levels, lines));
   auto stop = [&](double done) {
     const bool isStopped = progress && !progress(done);
     if (isStopped)
@@ -280,7 +276,7 @@ Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   RefinementOptions options;
   options.InsertCrossings = true;
   options.Progress = ProgressPart(progress, 0.0, CutDone);
-  status = RefineAlongPaths(*field.Mesh, cuts.Lines, options, bands.Surface);
+  const Status status = RefineAlongPaths(*field.Mesh, cuts.Lines, options, bands.Surface);
   if (!status.IsOk())
   {
     bands = Bands();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggFaceRidges.h"
 
+#include "dggSurfacePoint.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -254,7 +256,7 @@ void FaceRidgeFinder::Divide(const Rim& rim)
     Point2 place = jump.Place;
     MoveToTie(jump.Before, jump.After, axis, CutSlack * length, place);
     RidgeEnd end;
-    end.Barycentric = this->BarycentricInside(place);
+    end.Barycentric = ClampedToFace(this->Profile.BarycentricOf(place));
     cut.push_back({ jump.Place, this->AddEnd(end, { place, jump.Before, jump.After }) });
   }
   cut.push_back({ places[1], NoId });
@@ -323,7 +325,7 @@ bool FaceRidgeFinder::FindJunction(
 void FaceRidgeFinder::MakeJunction(const std::vector<Id>& ridges, const Point2& place)
 {
   RidgeEnd end;
-  end.Barycentric = this->BarycentricInside(place);
+  end.Barycentric = ClampedToFace(this->Profile.BarycentricOf(place));
   const Crossing first = this->Crossings[ridges[0]];
   const Id junction = this->AddEnd(end, { place, first.Before, first.After });
   for (const Id ridge : ridges)
@@ -375,7 +377,7 @@ bool FaceRidgeFinder::Refine(
     return true;
   }
   const bool isFound = this->Refine(from, between, depth + 1, points);
-  points.push_back(this->BarycentricInside(between.Place));
+  points.push_back(ClampedToFace(this->Profile.BarycentricOf(between.Place)));
   return this->Refine(between, to, depth + 1, points) && isFound;
 }
 
@@ -454,21 +456,5 @@ bool FaceRidgeFinder::IsNearest(const FieldSample& source, const Point2& p) cons
   return length > 0.0 &&
     HaveOneSource(
       source, this->Profile.SampleAt({ p.X + step * way.X, p.Y + step * way.Y }), this->Size);
-}
-
-std::array<double, 3> FaceRidgeFinder::BarycentricInside(const Point2& p) const
-{
-  std::array<double, 3> b = this->Profile.BarycentricOf(p);
-  double sum = 0.0;
-  for (double& coordinate : b)
-  {
-    coordinate = std::max(0.0, coordinate);
-    sum += coordinate;
-  }
-  for (double& coordinate : b)
-  {
-    coordinate /= sum;
-  }
-  return b;
 }
 }

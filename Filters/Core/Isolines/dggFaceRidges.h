@@ -96,7 +96,6 @@ private:
   bool FindBetween(const Crossing& from, const Crossing& to, Crossing& between) const;
   bool IsTie(const Crossing& crossing) const;
   bool IsNearest(const FieldSample& source, const Point2& p) const;
-  std::array<double, 3> BarycentricInside(const Point2& p) const;
 
   const DistanceField& Field;
   const double Angle;

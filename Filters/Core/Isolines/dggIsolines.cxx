@@ -96,7 +96,7 @@ Status FindLocalParts(const DistanceField& field, const std::vector<double>& lev
   double tolerance, const ParallelFor& parallel, const ProgressCallback& progress,
   LevelCrossings& crossings, std::vector<FaceCurve>& curves, Id& fallbacks)
 {
-  Status status = CollectCrossings(
+  DGG_RETURN_IF_ERROR(CollectCrossings(
     *field.Mesh, HalfEdgesInBlock, parallel, progress, 0.0, CrossingsDone,
     [&] {
       return EdgeWorker{ EdgeProfile(field), {} };
@@ -104,23 +104,20 @@ Status FindLocalParts(const DistanceField& field, const std::vector<double>& lev
     [&](EdgeWorker& worker, Id h, std::vector<LevelCrossing>& found) {
       CrossEdge(field, levels, h, worker, found);
     },
-    crossings);
+    crossings));
   std::atomic<Id> count{ 0 };
-  if (status.IsOk())
-  {
-    status = CollectPieces(
-      field.Mesh->GetNumberOfFaces(), FacesInBlock, parallel, progress, CrossingsDone, FacesDone,
-      [&] { return FaceIsolines(field, levels, tolerance, crossings); },
-      [&](FaceIsolines& isolines, Id f, std::vector<FaceCurve>& found) {
-        if (field.IsReached(f))
-        {
-          count += isolines.Trace(f, found);
-        }
-      },
-      curves);
-  }
+  DGG_RETURN_IF_ERROR(CollectPieces(
+    field.Mesh->GetNumberOfFaces(), FacesInBlock, parallel, progress, CrossingsDone, FacesDone,
+    [&] { return FaceIsolines(field, levels, tolerance, crossings); },
+    [&](FaceIsolines& isolines, Id f, std::vector<FaceCurve>& found) {
+      if (field.IsReached(f))
+      {
+        count += isolines.Trace(f, found);
+      }
+    },
+    curves));
   fallbacks = count;
-  return status;
+  return Status::Success();
 }
 }
 
@@ -129,11 +126,7 @@ Status TraceIsolines(const DistanceField& field, const std::vector<double>& leve
   Isolines& lines)
 {
   lines = Isolines();
-  Status status = CheckArguments(field, levels, options);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(CheckArguments(field, levels, options));
   std::vector<Id> order(levels.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](Id a, Id b) { return levels[a] < levels[b]; });
@@ -150,19 +143,12 @@ Status TraceIsolines(const DistanceField& field, const std::vector<double>& leve
   LevelCrossings crossings;
   std::vector<FaceCurve> curves;
   Id fallbacks = 0;
-  status = options.Method == IsolineMethod::Apollonius
-    ? FindApolloniusParts(field, options.SteinerPoints, sorted, parallel,
-        ProgressPart(progress, 0.0, FacesDone), crossings, curves)
-    : FindLocalParts(field, sorted, tolerance, parallel, progress, crossings, curves, fallbacks);
-  if (status.IsOk())
-  {
-    status = JoinFaceCurves(
-      *field.Mesh, crossings.Crossings, curves, ProgressPart(progress, FacesDone, 1.0), lines);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(options.Method == IsolineMethod::Apollonius
+      ? FindApolloniusParts(field, options.SteinerPoints, sorted, parallel,
+          ProgressPart(progress, 0.0, FacesDone), crossings, curves)
+      : FindLocalParts(field, sorted, tolerance, parallel, progress, crossings, curves, fallbacks));
+  DGG_RETURN_IF_ERROR(JoinFaceCurves(
+    *field.Mesh, crossings.Crossings, curves, ProgressPart(progress, FacesDone, 1.0), lines));
   for (Id& level : lines.Levels)
   {
     level = order[level];
@@ -173,6 +159,6 @@ Status TraceIsolines(const DistanceField& field, const std::vector<double>& leve
     lines = Isolines();
     return Status::Abort();
   }
-  return status;
+  return Status::Success();
 }
 }

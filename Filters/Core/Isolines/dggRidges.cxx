@@ -3,14 +3,15 @@
 #include "dggRidges.h"
 
 #include "dggBlockLoop.h"
-#include "dggProgressPart.h"
 #include "dggEdges.h"
 #include "dggFaceRidges.h"
-#include "dggRidgeGraph.h"
+#include "dggPieceChains.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace dgg
 {
@@ -48,6 +49,110 @@ Status CheckArguments(const DistanceField& field, const RidgeOptions& options)
   }
   return CheckCorners(*field.Mesh);
 }
+
+/// Pieces of ridges, and how they hang together: nodes are points of a surface, arcs polylines
+/// within one face.
+class RidgeGraph
+{
+public:
+  explicit RidgeGraph(const SurfaceMesh& mesh)
+    : Mesh(mesh)
+    , NodeOfVertex(mesh.GetNumberOfVertices(), NoId)
+  {
+  }
+
+  Id AddNode(const SurfacePoint& point)
+  {
+    if (IsVertex(point))
+    {
+      return this->AddVertex(point.Vertex);
+    }
+    this->Nodes.push_back(point);
+    return static_cast<Id>(this->Nodes.size()) - 1;
+  }
+
+  /// The node at a vertex, of which there is one.
+  Id AddVertex(Id v)
+  {
+    if (this->NodeOfVertex[v] == NoId)
+    {
+      this->NodeOfVertex[v] = static_cast<Id>(this->Nodes.size());
+      this->Nodes.push_back(SurfacePoint::AtVertex(v));
+    }
+    return this->NodeOfVertex[v];
+  }
+
+  /// An arc in a face; nothing when it is empty.
+  void AddArc(Id from, Id to, Id face, double angle, std::vector<SurfacePoint> between)
+  {
+    if (from != to || !between.empty())
+    {
+      this->Ends.push_back({ { from, to } });
+      this->Arcs.push_back({ face, angle, std::move(between) });
+    }
+  }
+
+  /// Polylines from nodes that do not have two arcs to others, and closed ones.
+  void MakeLines(Ridges& ridges) const
+  {
+    for (const PieceChain& chain : JoinPieces(this->Ends))
+    {
+      this->AddLine(chain, ridges);
+    }
+  }
+
+private:
+  struct Arc
+  {
+    Id Face;
+    double Angle;
+    std::vector<SurfacePoint> Between;
+  };
+
+  void AddLine(const PieceChain& chain, Ridges& ridges) const
+  {
+    SurfacePath line;
+    double turned = 0.0;
+    for (const PiecePassage& passage : chain.Passages)
+    {
+      const Arc& arc = this->Arcs[passage.Piece];
+      const std::array<Id, 2>& ends = this->Ends[passage.Piece];
+      if (line.Points.empty())
+      {
+        line.Points.push_back(this->Nodes[ends[passage.IsBackward ? 1 : 0]]);
+      }
+      const double before = line.Length;
+      const std::size_t count = arc.Between.size();
+      for (std::size_t i = 0; i <= count; ++i)
+      {
+        line.Points.push_back(i == count ? this->Nodes[ends[passage.IsBackward ? 0 : 1]]
+            : passage.IsBackward         ? arc.Between[count - 1 - i]
+                                         : arc.Between[i]);
+        line.Faces.push_back(arc.Face);
+        const double length = MeasurePiece(this->Mesh, line, line.Faces.size() - 1);
+        if (length == 0.0)
+        {
+          // The same point twice; the later one is the node.
+          line.Points.erase(line.Points.end() - 2);
+          line.Faces.pop_back();
+        }
+        line.Length += length;
+      }
+      turned += (line.Length - before) * arc.Angle;
+    }
+    if (line.Length > 0.0)
+    {
+      ridges.Angles.push_back(turned / line.Length);
+      ridges.Lines.push_back(std::move(line));
+    }
+  }
+
+  const SurfaceMesh& Mesh;
+  std::vector<Id> NodeOfVertex;
+  std::vector<SurfacePoint> Nodes;
+  std::vector<std::array<Id, 2>> Ends; // of the arcs
+  std::vector<Arc> Arcs;
+};
 
 /// Connects what faces found across their edges.
 class EdgeJoiner
@@ -272,12 +377,8 @@ double EdgeJoiner::GradientAngle(FaceProfile& profile, Id h, double x) const
 void EdgeJoiner::AddPieces(Id f)
 {
   const FaceRidges& face = this->Faces[f];
-  auto point = [&](std::array<double, 3> b) {
-    if (this->Mesh.IsFlipped(f))
-    {
-      std::swap(b[1], b[2]); // InFace() takes the corners in the order of the input
-    }
-    return SurfacePoint::InFace(this->Mesh, f, b);
+  auto point = [&](const std::array<double, 3>& b) {
+    return SurfacePoint::InTriangle(this->Mesh, f, b);
   };
   std::vector<Id>& nodes = this->Nodes[f];
   for (std::size_t i = 0; i < face.Ends.size(); ++i)
@@ -310,11 +411,7 @@ Status FindRidges(const DistanceField& field, const RidgeOptions& options,
   const ParallelFor& parallel, const ProgressCallback& progress, Ridges& ridges)
 {
   ridges = Ridges();
-  Status status = CheckArguments(field, options);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(CheckArguments(field, options));
   const double angle =
     std::max(field.HasWindows() ? SmallestAngle : SmallestAngleOfModels, options.MinimumAngle);
   const double tolerance = options.ChordTolerance > 0.0
@@ -323,7 +420,7 @@ Status FindRidges(const DistanceField& field, const RidgeOptions& options,
   const Offset count = field.Mesh->GetNumberOfFaces();
   std::vector<FaceRidges> faces(count);
   std::vector<Id> fallbacks((count + FacesInBlock - 1) / FacesInBlock, 0);
-  status = ForBlocks(
+  DGG_RETURN_IF_ERROR(ForBlocks(
     count, FacesInBlock, parallel, ProgressPart(progress, 0.0, FacesDone),
     [&] { return FaceRidgeFinder(field, angle, tolerance); },
     [&](FaceRidgeFinder& finder, Offset block, Offset begin, Offset end) {
@@ -336,11 +433,7 @@ Status FindRidges(const DistanceField& field, const RidgeOptions& options,
         }
       }
       fallbacks[block] = finder.GetNumberOfFallbacks() - before;
-    });
-  if (!status.IsOk())
-  {
-    return status;
-  }
+    }));
   RidgeGraph graph(*field.Mesh);
   EdgeJoiner(field, angle, faces, graph).Run();
   graph.MakeLines(ridges);
@@ -353,6 +446,6 @@ Status FindRidges(const DistanceField& field, const RidgeOptions& options,
     ridges = Ridges();
     return Status::Abort();
   }
-  return status;
+  return Status::Success();
 }
 }

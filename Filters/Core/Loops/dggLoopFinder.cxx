@@ -94,18 +94,11 @@ private:
 /// Paths from the point to all vertices.
 Status LoopFinder::Implementation::Grow(Tree& tree) const
 {
-  Status status = this->Usable;
-  if (status.IsOk())
+  DGG_RETURN_IF_ERROR(this->Usable);
+  DGG_RETURN_IF_ERROR(tree.Point.Check(this->Mesh));
+  if (!this->Search.GetGraph().Angles)
   {
-    status = tree.Point.Check(this->Mesh);
-  }
-  if (status.IsOk() && !this->Search.GetGraph().Angles)
-  {
-    status = Status::Invalid("loops are traced on meshes: this graph has no directions");
-  }
-  if (!status.IsOk())
-  {
-    return status;
+    return Status::Invalid("loops are traced on meshes: this graph has no directions");
   }
   if (IsVertex(tree.Point))
   {
@@ -119,13 +112,13 @@ Status LoopFinder::Implementation::Grow(Tree& tree) const
   {
     std::vector<GraphLink> links;
     std::vector<double> direct;
-    status = this->Builder->Link(tree.Point, this->LinkAccuracy, {}, links, direct);
+    DGG_RETURN_IF_ERROR(this->Builder->Link(tree.Point, this->LinkAccuracy, {}, links, direct));
     for (const GraphLink& link : links)
     {
       tree.Seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
     }
   }
-  return status.IsOk() ? this->Search.Run(tree.Seeds, SearchOptions(), tree.Result) : status;
+  return this->Search.Run(tree.Seeds, SearchOptions(), tree.Result);
 }
 
 /// The way from the point to a vertex, or back.
@@ -133,8 +126,8 @@ Status LoopFinder::Implementation::TraceBranch(
   PathTracer& tracer, const Tree& tree, Id vertex, bool isOutwards) const
 {
   const GraphView& graph = this->Search.GetGraph();
-  std::vector<GraphEdge>
-    edges; // from the vertex to the point; the tail of each is nearer to the point
+  // From the vertex to the point; the tail of each is nearer to the point.
+  std::vector<GraphEdge> edges;
   Id v = vertex;
   for (; tree.Result.Edges[v] >= 0; v = tree.Result.Tails[v])
   {
@@ -144,24 +137,17 @@ Status LoopFinder::Implementation::TraceBranch(
   }
   const GraphSeed& seed = tree.Seeds[tree.Result.Seeds[v]];
   const GraphEdge link{ v, seed.ArrivalAngle, tree.Point, seed.Distance };
-  Status status;
+  const bool hasLink = !IsVertex(tree.Point);
   if (isOutwards)
   {
-    if (!IsVertex(tree.Point))
-    {
-      status = tracer.Append(link, true);
-    }
-    for (auto edge = edges.rbegin(); edge != edges.rend() && status.IsOk(); ++edge)
-    {
-      status = tracer.Append(*edge);
-    }
-    return status;
+    std::reverse(edges.begin(), edges.end());
+    DGG_RETURN_IF_ERROR(hasLink ? tracer.Append(link, true) : Status::Success());
   }
-  for (auto edge = edges.begin(); edge != edges.end() && status.IsOk(); ++edge)
+  for (const GraphEdge& edge : edges)
   {
-    status = tracer.Append(*edge, true);
+    DGG_RETURN_IF_ERROR(tracer.Append(edge, !isOutwards));
   }
-  return status.IsOk() && !IsVertex(tree.Point) ? tracer.Append(link) : status;
+  return hasLink && !isOutwards ? tracer.Append(link) : Status::Success();
 }
 
 Status LoopFinder::Implementation::Trace(
@@ -170,13 +156,10 @@ Status LoopFinder::Implementation::Trace(
   const GraphView& graph = this->Search.GetGraph();
   const Id head = graph.Targets[candidate.Edge];
   tracer.Begin(true);
-  Status status = this->TraceBranch(tracer, tree, candidate.Tail, true);
-  if (status.IsOk())
-  {
-    status = tracer.Append({ candidate.Tail, graph.Angles[candidate.Edge],
-      SurfacePoint::AtVertex(head), graph.Length(candidate.Edge) });
-  }
-  return status.IsOk() ? this->TraceBranch(tracer, tree, head, false) : status;
+  DGG_RETURN_IF_ERROR(this->TraceBranch(tracer, tree, candidate.Tail, true));
+  DGG_RETURN_IF_ERROR(tracer.Append({ candidate.Tail, graph.Angles[candidate.Edge],
+    SurfacePoint::AtVertex(head), graph.Length(candidate.Edge) }));
+  return this->TraceBranch(tracer, tree, head, false);
 }
 
 Status LoopFinder::Implementation::ThroughPoint(
@@ -299,16 +282,12 @@ Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, Foun
       return Status::Abort();
     }
     FoundPath leg;
-    Status status =
-      this->Internals->Paths.Find(points[i], points[(i + 1) % points.size()], options, leg);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(
+      this->Internals->Paths.Find(points[i], points[(i + 1) % points.size()], options, leg));
     if (leg.Path.IsEmpty())
     {
       isConnected = false;
-      return status;
+      return Status::Success();
     }
     if (!leg.Path.Faces.empty())
     {

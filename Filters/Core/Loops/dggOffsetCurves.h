@@ -17,11 +17,10 @@ namespace dgg
 /// a path there is one; where the path crosses itself, there are more. Rims end at the boundary of
 /// the surface.
 ///
-/// The distance is the exact one from points on the path, so close that it is right to 1e-5 of it.
-/// Points of a rim are as exact; between them it is straight, in one face. They are where it
-/// crosses edges, after long ones have been split into pieces of at most a tenth of the width, and
-/// a hundredth at corners of rims, so that the length of a rim is right to about 1e-3. Rims that
-/// are shorter than the width may be missed.
+/// They are the isolines (dggIsolines.h) of the exact distance from points on the path, so close
+/// that it is right to 1e-5 of it. Points of a rim are as exact; between them it is straight, in
+/// one face, and no farther from the curve than a thousandth of the distance. Closed rims that are
+/// shorter than a quarter of the width are left out.
 ///
 /// Fails when the path is not on the mesh, or the width is not finite, or below
 /// GetSmallestOffsetWidth().

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSurfacePoint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -49,8 +50,7 @@ SurfacePoint Snap(const SurfaceMesh& mesh, Id face, std::array<double, 3> b)
     {
       point = SurfacePoint::AtVertex(mesh.Origin(3 * face + k));
       point.Face = face;
-      point.Barycentric = { { 0.0, 0.0, 0.0 } };
-      point.Barycentric[k] = 1.0;
+      point.Barycentric = CoordinatesOfCorner(k);
       return point;
     }
   }
@@ -96,15 +96,26 @@ SurfacePoint SurfacePoint::InFace(
   return Snap(mesh, face, b);
 }
 
+SurfacePoint SurfacePoint::InTriangle(
+  const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric)
+{
+  return Snap(mesh, face, barycentric);
+}
+
 SurfacePoint SurfacePoint::OnEdge(const SurfaceMesh& mesh, Id halfEdge, double t)
 {
-  std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
-  if (halfEdge >= 0)
-  {
-    b[halfEdge % 3] = 1.0 - t;
-    b[(halfEdge + 1) % 3] = t;
-  }
-  return Snap(mesh, halfEdge < 0 ? NoId : SurfaceMesh::Face(halfEdge), b);
+  return halfEdge < 0 ? Snap(mesh, NoId, {})
+                      : Snap(mesh, SurfaceMesh::Face(halfEdge), CoordinatesOnEdge(halfEdge, t));
+}
+
+SurfacePoint SurfacePoint::InsideEdge(Id halfEdge, double t)
+{
+  SurfacePoint point;
+  point.On = Support::Edge;
+  point.HalfEdge = halfEdge;
+  point.Face = SurfaceMesh::Face(halfEdge);
+  point.Barycentric = CoordinatesOnEdge(halfEdge, t);
+  return point;
 }
 
 Status SurfacePoint::Check(const SurfaceMesh& mesh) const
@@ -189,9 +200,22 @@ Point2 DirectionInFrame(const SurfaceMesh& mesh, Id from, Id to, const Point2& d
 double DistanceToCorner(
   const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric, int k)
 {
-  std::array<double, 3> corner{ { 0.0, 0.0, 0.0 } };
-  corner[k] = 1.0;
-  return DistanceInFace(mesh, face, barycentric, corner);
+  return DistanceInFace(mesh, face, barycentric, CoordinatesOfCorner(k));
+}
+
+std::array<double, 3> ClampedToFace(std::array<double, 3> barycentric)
+{
+  double sum = 0.0;
+  for (double& coordinate : barycentric)
+  {
+    coordinate = std::max(0.0, coordinate);
+    sum += coordinate;
+  }
+  for (double& coordinate : barycentric)
+  {
+    coordinate /= sum;
+  }
+  return barycentric;
 }
 
 double DistanceInFace(

@@ -43,8 +43,13 @@ struct DGG_CORE_EXPORT SurfacePoint
   /// face *in the order of the input*, so that callers need not know of re-oriented faces.
   static SurfacePoint InFace(
     const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric);
+  /// The same with coordinates that refer to the corners of SurfaceMesh::GetTriangle().
+  static SurfacePoint InTriangle(
+    const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric);
   /// Point at parameter t in [0, 1] from Origin(h) to Destination(h), snapped.
   static SurfacePoint OnEdge(const SurfaceMesh& mesh, Id halfEdge, double t);
+  /// The same, not snapped: t is between 0 and 1.
+  static SurfacePoint InsideEdge(Id halfEdge, double t);
 
   /// Fails with a message when the point does not exist on the mesh.
   Status Check(const SurfaceMesh& mesh) const;
@@ -78,6 +83,27 @@ DGG_CORE_EXPORT double DistanceToCorner(
 DGG_CORE_EXPORT double DistanceInFace(
   const SurfaceMesh& mesh, Id face, const std::array<double, 3>& p, const std::array<double, 3>& q);
 
+/// Coordinates of corner k of a face.
+inline std::array<double, 3> CoordinatesOfCorner(Id k)
+{
+  std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
+  b[k] = 1.0;
+  return b;
+}
+
+/// Coordinates, in the face of a half-edge, of the point at parameter t from its origin on.
+inline std::array<double, 3> CoordinatesOnEdge(Id halfEdge, double t)
+{
+  std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
+  b[halfEdge % 3] = 1.0 - t;
+  b[(halfEdge + 1) % 3] = t;
+  return b;
+}
+
+/// Coordinates of a point of a face that rounding has moved out of it: in a face of near-zero area,
+/// by much more than it moves a place.
+DGG_CORE_EXPORT std::array<double, 3> ClampedToFace(std::array<double, 3> barycentric);
+
 /// Call `visit(face, barycentric)` for the face of a point, or for all faces around the edge that
 /// it lies on.
 template <typename Visitor>
@@ -93,10 +119,7 @@ void ForEachFaceAround(const SurfaceMesh& mesh, const SurfacePoint& point, Visit
   for (Id e = mesh.Twin(h); e != NoId && e != h; e = mesh.Twin(e))
   {
     const double s = mesh.Origin(e) == mesh.Destination(h) ? 1.0 - t : t;
-    std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
-    b[e % 3] = 1.0 - s;
-    b[(e + 1) % 3] = s;
-    visit(SurfaceMesh::Face(e), b);
+    visit(SurfaceMesh::Face(e), CoordinatesOnEdge(e, s));
   }
 }
 }

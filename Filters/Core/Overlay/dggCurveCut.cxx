@@ -3,10 +3,10 @@
 #include "dggCurveCut.h"
 
 #include "dggDisjointSets.h"
+#include "dggInvalidInput.h"
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 #include <utility>
 
 namespace dgg
@@ -128,14 +128,12 @@ Status SideFinder::CheckEdges() const
   {
     return Status::Success();
   }
-  std::ostringstream message;
-  message << "curves have no sides where they meet "
-          << this->CountDefects(Defect::Crowded, isPassed) << " edges of more than two faces and "
-          << this->CountDefects(Defect::Twisted, isPassed)
-          << " edges of two faces that are oriented differently. Remove sheets that stand on"
-             " others, orient the faces alike, and do not draw curves across the seam"
-             " of a one-sided surface";
-  return Status::Invalid(message.str());
+  return InvalidInput("curves have no sides where they meet ",
+    this->CountDefects(Defect::Crowded, isPassed), " edges of more than two faces and ",
+    this->CountDefects(Defect::Twisted, isPassed),
+    " edges of two faces that are oriented differently. Remove sheets that stand on"
+    " others, orient the faces alike, and do not draw curves across the seam"
+    " of a one-sided surface");
 }
 
 void SideFinder::CollectHalfEdges()
@@ -195,17 +193,10 @@ Status CutAlongCurves(
 {
   cut = CurveCut();
   SideFinder finder(surface, paths);
-  Status status = finder.CheckEdges();
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  status = CutAlongChains(surface, paths, cut.Surface);
-  if (status.IsOk())
-  {
-    finder.Run(cut);
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(finder.CheckEdges());
+  DGG_RETURN_IF_ERROR(CutAlongChains(surface, paths, cut.Surface));
+  finder.Run(cut);
+  return Status::Success();
 }
 
 Status CheckSides(const RefinedSurface& surface, const std::vector<std::vector<Id>>& paths)

@@ -3,11 +3,11 @@
 #include "dggCurveEmbedding.h"
 
 #include "dggEdgeSplitting.h"
+#include "dggInvalidInput.h"
 #include "dggSurfaceRefinement.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace dgg
@@ -101,22 +101,17 @@ Status EmbedCurves(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& cur
   {
     if (curves[c].Parameters.size() != curves[c].Path.Points.size())
     {
-      std::ostringstream message;
-      message << "curve " << c << " has " << curves[c].Path.Points.size() << " points, but "
-              << curves[c].Parameters.size() << " parameters";
-      return Status::Invalid(message.str());
+      return InvalidInput("curve ", c, " has ", curves[c].Path.Points.size(), " points, but ",
+        curves[c].Parameters.size(), " parameters");
     }
     paths.push_back(curves[c].Path);
   }
   RefinementOptions options;
   options.InsertCrossings = true;
   options.Progress = progress;
-  Status status = RefineAlongPaths(mesh, paths, options, surface);
-  if (status.IsOk())
-  {
-    SplitLoneEdges(mesh, surface);
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(RefineAlongPaths(mesh, paths, options, surface));
+  SplitLoneEdges(mesh, surface);
+  return Status::Success();
 }
 
 CurveChain FollowCurve(

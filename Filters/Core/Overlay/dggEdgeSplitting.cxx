@@ -68,10 +68,8 @@ private:
       return;
     }
     const auto middle = static_cast<Id>(this->New.Points.size());
-    std::array<double, 3> place{ { 0.0, 0.0, 0.0 } };
-    place[h % 3] = 0.5;
-    place[(h + 1) % 3] = 0.5;
-    this->New.Points.push_back(this->Old.ToOldMesh(this->OldMesh, SurfaceMesh::Face(h), place));
+    this->New.Points.push_back(
+      this->Old.ToOldMesh(this->OldMesh, SurfaceMesh::Face(h), CoordinatesOnEdge(h, 0.5)));
     this->Middles[h] = middle;
     for (Id e = this->Old.Twins[h]; e != NoId && e != h; e = this->Old.Twins[e])
     {

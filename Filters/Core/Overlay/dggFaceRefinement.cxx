@@ -3,11 +3,11 @@
 #include "dggFaceRefinement.h"
 
 #include "dggEdgeSplitting.h"
+#include "dggInvalidInput.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
 namespace dgg
@@ -46,10 +46,8 @@ Status LevelRefiner::Choose(const std::vector<Id>& faces)
   {
     if (face < 0 || face >= this->Surface.GetNumberOfFaces())
     {
-      std::ostringstream message;
-      message << "face " << face << " does not exist: ids must be in [0, "
-              << this->Surface.GetNumberOfFaces() - 1 << "]";
-      return Status::Invalid(message.str());
+      return InvalidInput("face ", face, " does not exist: ids must be in [0, ",
+        this->Surface.GetNumberOfFaces() - 1, "]");
     }
     this->IsChosen[face] = 1;
   }
@@ -97,10 +95,8 @@ Status LevelRefiner::SplitOnce(int rings, Offset mostFaces)
   mostFaces = std::min<Offset>(mostFaces, std::numeric_limits<Id>::max() / 3);
   if (faces > mostFaces)
   {
-    std::ostringstream message;
-    message << "refinement would make " << faces << " faces, more than " << mostFaces
-            << ": choose fewer faces or levels";
-    return Status::Invalid(message.str());
+    return InvalidInput("refinement would make ", faces, " faces, more than ", mostFaces,
+      ": choose fewer faces or levels");
   }
   std::vector<Id> parts;
   SplitEdges(this->Mesh, isSplit, this->Surface, &parts);
@@ -131,20 +127,17 @@ Status RefineFaces(const SurfaceMesh& mesh, const std::vector<Id>& faces, int le
   RefinedSurface refined = surface;
   std::vector<Id> refinedParents;
   LevelRefiner refiner(mesh, refined, refinedParents);
-  Status status = refiner.Choose(faces);
-  for (int level = 0; level < levels && status.IsOk(); ++level)
+  DGG_RETURN_IF_ERROR(refiner.Choose(faces));
+  for (int level = 0; level < levels; ++level)
   {
     if (progress && !progress(static_cast<double>(level) / levels))
     {
       return Status::Abort();
     }
-    status = refiner.SplitOnce(levels - 1 - level, mostFaces);
+    DGG_RETURN_IF_ERROR(refiner.SplitOnce(levels - 1 - level, mostFaces));
   }
-  if (status.IsOk())
-  {
-    surface = std::move(refined);
-    parents = std::move(refinedParents);
-  }
-  return status;
+  surface = std::move(refined);
+  parents = std::move(refinedParents);
+  return Status::Success();
 }
 }

@@ -3,6 +3,7 @@
 #include "dggPieceSplitter.h"
 
 #include "dggFaceTriangulation.h"
+#include "dggInvalidInput.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 #include <functional>
 #include <iterator>
 #include <numeric>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -276,9 +276,7 @@ public:
       }
       begin = middle + share;
     }
-    std::ostringstream message;
-    message << "the crossings of paths in face " << this->Face << " are too close together";
-    return Status::Invalid(message.str());
+    return InvalidInput("the crossings of paths in face ", this->Face, " are too close together");
   }
 
 private:
@@ -426,10 +424,8 @@ private:
         }
         if (!this->InsertCrossings)
         {
-          std::ostringstream message;
-          message << "paths " << this->Pieces[this->Segments[i].Piece].Path << " and "
-                  << this->Pieces[this->Segments[*j].Piece].Path << " cross in face " << this->Face;
-          return Status::Invalid(message.str());
+          return InvalidInput("paths ", this->Pieces[this->Segments[i].Piece].Path, " and ",
+            this->Pieces[this->Segments[*j].Piece].Path, " cross in face ", this->Face);
         }
         const Id node = this->Nodes.AddCrossing(Intersection(p, q), this->Face);
         for (const std::size_t s : { i, *j })

@@ -56,11 +56,7 @@ SurfacePoint RefinedSurface::ToOldMesh(
       sum[c] += barycentric[k] * b[c];
     }
   }
-  if (oldMesh.IsFlipped(this->Faces[face]))
-  {
-    std::swap(sum[1], sum[2]); // InFace() takes the corners in the order of the input
-  }
-  return SurfacePoint::InFace(oldMesh, this->Faces[face], sum);
+  return SurfacePoint::InTriangle(oldMesh, this->Faces[face], sum);
 }
 
 SurfacePoint RefinedSurface::ToOldMesh(

@@ -3,11 +3,11 @@
 #include "dggSurfaceCurve.h"
 
 #include "dggExactPath.h"
+#include "dggInvalidInput.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
 #include <memory>
-#include <sstream>
 
 namespace dgg
 {
@@ -85,9 +85,7 @@ Status CurveBuilder::CheckPoints() const
     const Status status = this->Points[i].Check(this->Mesh);
     if (!status.IsOk())
     {
-      std::ostringstream message;
-      message << "point " << i << " of the curve: " << status.GetMessage();
-      return Status::Invalid(message.str());
+      return InvalidInput("point ", i, " of the curve: ", status.GetMessage());
     }
   }
   return Status::Success();
@@ -119,17 +117,13 @@ Status CurveBuilder::FindLeg(std::size_t from, std::size_t to, const ProgressCal
   Status status = this->Finder->Find(start, { end }, progress, paths);
   if (!status.IsOk() && !status.IsAborted())
   {
-    std::ostringstream message;
-    message << "points " << from << " and " << to << " of the curve: " << status.GetMessage();
-    return Status::Invalid(message.str());
+    return InvalidInput("points ", from, " and ", to, " of the curve: ", status.GetMessage());
   }
   if (status.IsOk() && paths[0].Faces.empty())
   {
-    std::ostringstream message;
-    message << "points " << from << " and " << to
-            << " of the curve are not connected: no path on the surface joins them. Make two curves"
-               " of it";
-    return Status::Invalid(message.str());
+    return InvalidInput("points ", from, " and ", to,
+      " of the curve are not connected: no path on the surface joins them. Make two curves"
+      " of it");
   }
   if (status.IsOk())
   {

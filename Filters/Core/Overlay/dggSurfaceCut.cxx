@@ -3,10 +3,10 @@
 #include "dggSurfaceCut.h"
 
 #include "dggDisjointSets.h"
+#include "dggInvalidInput.h"
 
 #include <algorithm>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
 namespace dgg
@@ -81,10 +81,8 @@ private:
       return Status::Success();
     }
     const std::pair<Id, Id>& edge = this->Edges[missing - isFound.begin()];
-    std::ostringstream message;
-    message << "vertices " << edge.first << " and " << edge.second
-            << " of a chain are not neighbours";
-    return Status::Invalid(message.str());
+    return InvalidInput(
+      "vertices ", edge.first, " and ", edge.second, " of a chain are not neighbours");
   }
 
   /// Corners that are still joined by an edge at their vertex are of one sector.

@@ -4,12 +4,12 @@
 
 #include "dggEdges.h"
 #include "dggFaceTriangulation.h"
+#include "dggInvalidInput.h"
 #include "dggPieceSplitter.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <sstream>
 #include <utility>
 
 namespace dgg
@@ -78,39 +78,30 @@ private:
 Status Refiner::Run()
 {
   this->Refined = RefinedSurface();
-  Status status = this->CheckPaths();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->CheckPaths());
   this->Nodes.AddPointsOnEdges(this->Paths);
   this->MakePieces();
   const Id faces = this->Mesh.GetNumberOfFaces();
-  for (Id f = 0; f < faces && status.IsOk(); ++f)
+  for (Id f = 0; f < faces; ++f)
   {
     if (f % ProgressInterval == 0 && !this->GoesInFace(0, 0.0))
     {
-      status = Status::Abort();
+      return Status::Abort();
     }
-    else if (!this->Mesh.IsDropped(f))
+    if (!this->Mesh.IsDropped(f))
     {
-      status = this->AddFace(f);
+      DGG_RETURN_IF_ERROR(this->AddFace(f));
     }
     ++this->WorkDone;
   }
-  if (status.IsOk() && !this->Goes(FacesDone))
+  if (!this->Goes(FacesDone))
   {
-    status = Status::Abort();
-  }
-  if (!status.IsOk())
-  {
-    this->Refined = RefinedSurface();
-    return status;
+    return Status::Abort();
   }
   this->MakeTwinsAndLengths();
   this->Refined.Points = this->Nodes.MakePoints();
   this->MakeChains();
-  return status;
+  return Status::Success();
 }
 
 /// Reports how much is done when a part of the work of a face is.
@@ -136,9 +127,7 @@ Status Refiner::CheckPaths() const
     status = status.IsOk() ? CheckPath(this->Mesh, path) : status;
     if (!status.IsOk())
     {
-      std::ostringstream message;
-      message << "path " << p << ": " << status.GetMessage();
-      return Status::Invalid(message.str());
+      return InvalidInput("path ", p, ": ", status.GetMessage());
     }
   }
   return Status::Success();
@@ -175,16 +164,15 @@ Status Refiner::AddFace(Id f)
     return Status::Success();
   }
   const auto pieces = this->PiecesIn.find(f);
-  Status status;
   const std::size_t work = pieces == this->PiecesIn.end() ? 0 : pieces->second.size();
   if (pieces != this->PiecesIn.end())
   {
-    status = SplitPieces(this->Nodes, this->Pieces, this->Options.InsertCrossings, f,
-      pieces->second, [&](double done) { return this->GoesInFace(work, PiecesDone * done); });
+    DGG_RETURN_IF_ERROR(SplitPieces(this->Nodes, this->Pieces, this->Options.InsertCrossings, f,
+      pieces->second, [&](double done) { return this->GoesInFace(work, PiecesDone * done); }));
   }
-  status = status.IsOk() ? this->Triangulate(f, work) : status;
+  DGG_RETURN_IF_ERROR(this->Triangulate(f, work));
   this->WorkDone += work;
-  return status;
+  return Status::Success();
 }
 
 /// Whether nothing passes it.
@@ -249,9 +237,7 @@ Status Refiner::Triangulate(Id f, std::size_t work)
       }
       if (!triangulation.AddSegment(segments[i].From, segments[i].To))
       {
-        std::ostringstream message;
-        message << "face " << f << " cannot be split along path " << segments[i].Path;
-        return Status::Invalid(message.str());
+        return InvalidInput("face ", f, " cannot be split along path ", segments[i].Path);
       }
     }
   }
@@ -376,6 +362,12 @@ void Refiner::AddPlaces(const PathPiece& piece, std::vector<double>& places) con
 Status RefineAlongPaths(const SurfaceMesh& mesh, const std::vector<SurfacePath>& paths,
   const RefinementOptions& options, RefinedSurface& refined)
 {
-  return Refiner(mesh, paths, options, refined).Run();
+  refined = RefinedSurface();
+  const Status status = Refiner(mesh, paths, options, refined).Run();
+  if (!status.IsOk())
+  {
+    refined = RefinedSurface();
+  }
+  return status;
 }
 }

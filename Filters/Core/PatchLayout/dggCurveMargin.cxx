@@ -89,9 +89,7 @@ void MarginRemover::Run()
 
 Corner MarginRemover::CornerAt(Id h) const
 {
-  Corner corner{ this->Surface.Triangles[h], { { 0.0, 0.0, 0.0 } } };
-  corner.Barycentric[h % 3] = 1.0;
-  return corner;
+  return { this->Surface.Triangles[h], CoordinatesOfCorner(h % 3) };
 }
 
 /// The new point of a half-edge near one of its ends; both halves of an edge share it.

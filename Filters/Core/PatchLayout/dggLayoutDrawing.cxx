@@ -4,12 +4,12 @@
 
 #include "dggCurveMargin.h"
 #include "dggDisjointSets.h"
+#include "dggInvalidInput.h"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <set>
-#include <sstream>
 #include <utility>
 
 namespace dgg
@@ -33,29 +33,17 @@ double PlaceInFan(const SurfaceMesh& mesh, Id vertex, Id neighbour)
 
 Status LayoutDrawing::Begin()
 {
-  Status status = this->CheckSurface();
-  if (status.IsOk())
-  {
-    status = this->CheckLandmarks();
-  }
-  if (status.IsOk())
-  {
-    status = this->Refine(nullptr, this->Surface.Refined);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->CheckSurface());
+  DGG_RETURN_IF_ERROR(this->CheckLandmarks());
+  DGG_RETURN_IF_ERROR(this->Refine(nullptr, this->Surface.Refined));
   std::map<Id, std::size_t> landmarkAt;
   for (std::size_t l = 0; l < this->Landmarks.size(); ++l)
   {
     const auto added = landmarkAt.emplace(this->Surface.Refined.Paths[l][0], l);
     if (!added.second)
     {
-      std::ostringstream message;
-      message << "landmarks " << added.first->second << " and " << l << " of " << this->Name
-              << " are in the same place";
-      return Status::Invalid(message.str());
+      return InvalidInput("landmarks ", added.first->second, " and ", l, " of ", this->Name,
+        " are in the same place");
     }
   }
   return this->Cut();
@@ -68,13 +56,11 @@ Status LayoutDrawing::CheckSurface() const
     const Id t = this->Mesh.IsDropped(SurfaceMesh::Face(h)) ? NoId : this->Mesh.Twin(h);
     if (t != NoId && (this->Mesh.Twin(t) != h || this->Mesh.Origin(t) != this->Mesh.Destination(h)))
     {
-      std::ostringstream message;
-      message << "the edge between points " << this->Mesh.Origin(h) << " and "
-              << this->Mesh.Destination(h) << " of " << this->Name
-              << (this->Mesh.Twin(t) != h ? " has more than two faces"
-                                          : " shows that the surface cannot be oriented")
-              << ": patches need a surface with two sides";
-      return Status::Invalid(message.str());
+      return InvalidInput("the edge between points ", this->Mesh.Origin(h), " and ",
+        this->Mesh.Destination(h), " of ", this->Name,
+        (this->Mesh.Twin(t) != h ? " has more than two faces"
+                                 : " shows that the surface cannot be oriented"),
+        ": patches need a surface with two sides");
     }
   }
   return Status::Success();
@@ -85,15 +71,13 @@ Status LayoutDrawing::CheckLandmarks() const
   for (std::size_t l = 0; l < this->Landmarks.size(); ++l)
   {
     const Status status = this->Landmarks[l].Check(this->Mesh);
-    std::ostringstream message;
-    message << "landmark " << l << " of " << this->Name;
     if (!status.IsOk())
     {
-      return Status::Invalid(message.str() + ": " + status.GetMessage());
+      return InvalidInput("landmark ", l, " of ", this->Name, ": ", status.GetMessage());
     }
     if (FindFaceOf(this->Mesh, this->Landmarks[l]) == NoId)
     {
-      return Status::Invalid(message.str() + " is a point that no face uses");
+      return InvalidInput("landmark ", l, " of ", this->Name, " is a point that no face uses");
     }
   }
   return Status::Success();
@@ -121,17 +105,11 @@ Status LayoutDrawing::Refine(const SurfacePath* more, RefinedSurface& refined) c
 Status LayoutDrawing::Cut()
 {
   // A curve through a point where sheets touch would tie them together.
-  Status status = CutAlongChains(this->Surface.Refined, this->Surface.Refined.Paths,
-    this->Surface.Opened, PinchedVertices::Split);
-  if (status.IsOk())
-  {
-    status = this->Surface.Opened.Build(this->Mesh, this->Surface.OpenedMesh);
-  }
-  if (status.IsOk())
-  {
-    this->Sectors = FindSectors(this->Surface, this->Edges);
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(CutAlongChains(this->Surface.Refined, this->Surface.Refined.Paths,
+    this->Surface.Opened, PinchedVertices::Split));
+  DGG_RETURN_IF_ERROR(this->Surface.Opened.Build(this->Mesh, this->Surface.OpenedMesh));
+  this->Sectors = FindSectors(this->Surface, this->Edges);
+  return Status::Success();
 }
 
 std::vector<Id> LayoutDrawing::FindBoundaryLoops() const
@@ -164,22 +142,18 @@ Status LayoutDrawing::Survey(const ProgressCallback& progress, std::vector<doubl
   std::vector<SurfacePath> paths(this->Edges.size());
   ExactPathFinder finder(this->Mesh);
   const auto count = static_cast<Id>(this->Landmarks.size());
-  Status status;
-  for (Id l = 0; l < count && status.IsOk(); ++l)
+  for (Id l = 0; l < count; ++l)
   {
     const auto part = [&](double fraction) {
       return !progress || progress((l + fraction) / static_cast<double>(count));
     };
-    status = this->FindPathsFrom(finder, l, part, paths);
+    DGG_RETURN_IF_ERROR(this->FindPathsFrom(finder, l, part, paths));
   }
-  if (status.IsOk())
-  {
-    lengths.clear();
-    std::transform(paths.begin(), paths.end(), std::back_inserter(lengths),
-      [](const SurfacePath& path) { return path.Length; });
-    orders = this->FindOrders(paths);
-  }
-  return status;
+  lengths.clear();
+  std::transform(paths.begin(), paths.end(), std::back_inserter(lengths),
+    [](const SurfacePath& path) { return path.Length; });
+  orders = this->FindOrders(paths);
+  return Status::Success();
 }
 
 /// Shortest paths to the other ends of the edges that leave a landmark.
@@ -197,14 +171,19 @@ Status LayoutDrawing::FindPathsFrom(ExactPathFinder& finder, Id landmark,
     }
   }
   std::vector<SurfacePath> found;
-  Status status =
-    to.empty() ? Status::Success() : finder.Find(this->Landmarks[landmark], to, progress, found);
-  for (std::size_t i = 0; i < found.size() && status.IsOk(); ++i)
+  if (!to.empty())
   {
-    status = found[i].IsEmpty() ? this->Refuse(leaving[i], "they are not connected") : status;
+    DGG_RETURN_IF_ERROR(finder.Find(this->Landmarks[landmark], to, progress, found));
+  }
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    if (found[i].IsEmpty())
+    {
+      return this->Refuse(leaving[i], "they are not connected");
+    }
     paths[leaving[i]] = std::move(found[i]);
   }
-  return status;
+  return Status::Success();
 }
 
 /// The order in which paths, one for each edge, leave the landmarks. No edges where that is not
@@ -356,19 +335,15 @@ Status LayoutDrawing::TraceClear(const LayoutSector& from, const LayoutSector& t
   RefinedSurface rest;
   RemoveMargin(this->Mesh, this->Surface.Opened, isBlocked, isCut, rest);
   SurfaceMesh mesh;
-  Status status = rest.Build(this->Mesh, mesh);
+  DGG_RETURN_IF_ERROR(rest.Build(this->Mesh, mesh));
   std::vector<SurfacePath> paths;
-  if (status.IsOk())
-  {
-    ExactPathFinder finder(mesh);
-    status = finder.Find(
-      SurfacePoint::AtVertex(from.Vertex), { SurfacePoint::AtVertex(to.Vertex) }, progress, paths);
-  }
-  if (status.IsOk() && !paths[0].IsEmpty())
+  DGG_RETURN_IF_ERROR(ExactPathFinder(mesh).Find(
+    SurfacePoint::AtVertex(from.Vertex), { SurfacePoint::AtVertex(to.Vertex) }, progress, paths));
+  if (!paths[0].IsEmpty())
   {
     path = rest.ToOldMesh(this->Mesh, mesh, paths[0]);
   }
-  return status;
+  return Status::Success();
 }
 
 /// Vertices that a path between two of them must not touch, and half-edges on curves.
@@ -453,9 +428,7 @@ void LayoutDrawing::FindParts(
 
 Status LayoutDrawing::Refuse(Id edge, const std::string& reason) const
 {
-  std::ostringstream message;
-  message << "the layout edge between landmarks " << this->Edges[edge][0] << " and "
-          << this->Edges[edge][1] << " cannot be drawn on " << this->Name << ": " << reason;
-  return Status::Invalid(message.str());
+  return InvalidInput("the layout edge between landmarks ", this->Edges[edge][0], " and ",
+    this->Edges[edge][1], " cannot be drawn on ", this->Name, ": ", reason);
 }
 }

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLayoutOrder.h"
 
+#include "dggInvalidInput.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <set>
-#include <sstream>
 #include <utility>
 
 namespace dgg
@@ -19,10 +20,8 @@ Status CheckLandmark(Id landmark, Id count, const std::string& where)
   {
     return Status::Success();
   }
-  std::ostringstream message;
-  message << where << " names landmark " << landmark << ", but there are " << count
-          << ": landmarks must be in [0, " << count - 1 << "]";
-  return Status::Invalid(message.str());
+  return InvalidInput(where, " names landmark ", landmark, ", but there are ", count,
+    ": landmarks must be in [0, ", count - 1, "]");
 }
 
 std::string Name(const std::string& what, std::size_t index)
@@ -42,15 +41,8 @@ Status LayoutOrder::Read(const PatchLayout& layout, Id numberOfLandmarks)
 {
   this->Edges.clear();
   this->Orders.clear();
-  Status status = this->ReadPatches(layout, numberOfLandmarks);
-  if (status.IsOk())
-  {
-    status = this->AddEdges(layout, numberOfLandmarks);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->ReadPatches(layout, numberOfLandmarks));
+  DGG_RETURN_IF_ERROR(this->AddEdges(layout, numberOfLandmarks));
   if (this->Edges.empty())
   {
     return Status::Invalid("the layout is empty: give it patches, or edges between landmarks");
@@ -75,19 +67,16 @@ Status LayoutOrder::ReadPatches(const PatchLayout& layout, Id numberOfLandmarks)
       const Id a = patch[i];
       const Id b = patch[(i + 1) % patch.size()];
       DGG_RETURN_IF_ERROR(CheckLandmark(a, numberOfLandmarks, name));
-      std::ostringstream message;
       if (a == b)
       {
-        message << name << " has landmark " << a << " twice in a row";
-        return Status::Invalid(message.str());
+        return InvalidInput(name, " has landmark ", a, " twice in a row");
       }
       const auto added = sides.emplace(std::make_pair(a, b), p);
       if (!added.second)
       {
-        message << "patches " << added.first->second << " and " << p
-                << " of the layout both go from landmark " << a << " to " << b
-                << ": an edge has at most two patches, which pass it in opposite directions";
-        return Status::Invalid(message.str());
+        return InvalidInput("patches ", added.first->second, " and ", p,
+          " of the layout both go from landmark ", a, " to ", b,
+          ": an edge has at most two patches, which pass it in opposite directions");
       }
       if (sides.find({ b, a }) == sides.end())
       {
@@ -114,17 +103,14 @@ Status LayoutOrder::AddEdges(const PatchLayout& layout, Id numberOfLandmarks)
     {
       DGG_RETURN_IF_ERROR(CheckLandmark(landmark, numberOfLandmarks, Name("edge", e)));
     }
-    std::ostringstream message;
     if (edge[0] == edge[1])
     {
-      message << Name("edge", e) << " joins landmark " << edge[0] << " with itself";
-      return Status::Invalid(message.str());
+      return InvalidInput(Name("edge", e), " joins landmark ", edge[0], " with itself");
     }
     if (!added.insert(key(edge[0], edge[1])).second)
     {
-      message << Name("edge", e) << ", between landmarks " << edge[0] << " and " << edge[1]
-              << ", occurs twice";
-      return Status::Invalid(message.str());
+      return InvalidInput(
+        Name("edge", e), ", between landmarks ", edge[0], " and ", edge[1], ", occurs twice");
     }
     if (known.insert(key(edge[0], edge[1])).second)
     {

@@ -3,6 +3,7 @@
 #include "dggPatchBoundaries.h"
 
 #include "dggDisjointSets.h"
+#include "dggInvalidInput.h"
 #include "dggLayoutDrawing.h"
 #include "dggLayoutOrder.h"
 #include "dggProgressPart.h"
@@ -11,7 +12,7 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
-#include <sstream>
+#include <string>
 #include <utility>
 
 namespace dgg
@@ -107,58 +108,50 @@ Status BoundaryTracer::Prepare()
   const std::size_t others = this->Surfaces[1]->Landmarks.size();
   if (this->Surfaces[0]->Landmarks.size() != others)
   {
-    std::ostringstream message;
-    message << "there are " << this->NumberOfLandmarks << " landmarks on the first surface and "
-            << others << " on the second one: they must correspond";
-    return Status::Invalid(message.str());
+    return InvalidInput("there are ", this->NumberOfLandmarks,
+      " landmarks on the first surface and ", others, " on the second one: they must correspond");
   }
-  Status status = this->Order.Read(this->Layout, this->NumberOfLandmarks);
-  return status.IsOk() ? this->BeginDrawings() : status;
+  DGG_RETURN_IF_ERROR(this->Order.Read(this->Layout, this->NumberOfLandmarks));
+  return this->BeginDrawings();
 }
 
 /// Nothing is drawn yet.
 Status BoundaryTracer::BeginDrawings()
 {
   this->Drawings.clear();
-  Status status;
   const std::array<const char*, 2> names{ { "the first surface", "the second surface" } };
-  for (int side = 0; side < 2 && status.IsOk(); ++side)
+  for (int side = 0; side < 2; ++side)
   {
     this->Drawings.emplace_back(*this->Surfaces[side], this->Order.GetEdges(), names[side]);
-    status = this->Drawings[side].Begin();
+    DGG_RETURN_IF_ERROR(this->Drawings[side].Begin());
   }
-  return status;
+  return Status::Success();
 }
 
 Status BoundaryTracer::Run(PatchBoundaries& boundaries)
 {
   boundaries = PatchBoundaries();
-  Status status = this->Prepare();
-  for (int side = 0; side < 2 && status.IsOk(); ++side)
+  DGG_RETURN_IF_ERROR(this->Prepare());
+  for (int side = 0; side < 2; ++side)
   {
-    status = this->Drawings[side].Survey(
+    DGG_RETURN_IF_ERROR(this->Drawings[side].Survey(
       ProgressPart(this->Progress, 0.5 * SurveyShare * side, 0.5 * SurveyShare * (side + 1)),
-      this->Lengths[side], this->Surveys[side]);
+      this->Lengths[side], this->Surveys[side]));
   }
-  if (status.IsOk())
+  const std::vector<Senses> choices = this->FindSenses();
+  Status status = this->Try(choices[0]);
+  for (std::size_t i = 1; i < choices.size() && !status.IsOk() && !status.IsAborted(); ++i)
   {
-    const std::vector<Senses> choices = this->FindSenses();
-    status = this->Try(choices[0]);
-    for (std::size_t i = 1; i < choices.size() && !status.IsOk() && !status.IsAborted(); ++i)
-    {
-      const Status other = this->Try(choices[i]);
-      status = other.IsOk() || other.IsAborted() ? other : status; // else the first failure
-    }
+    const Status other = this->Try(choices[i]);
+    status = other.IsOk() || other.IsAborted() ? other : status; // else the first failure
   }
-  if (status.IsOk())
+  DGG_RETURN_IF_ERROR(status);
+  boundaries.Edges = this->Order.GetEdges();
+  for (int side = 0; side < 2; ++side)
   {
-    boundaries.Edges = this->Order.GetEdges();
-    for (int side = 0; side < 2; ++side)
-    {
-      boundaries.Curves[side] = std::move(this->Drawings[side].GetCurves());
-    }
+    boundaries.Curves[side] = std::move(this->Drawings[side].GetCurves());
   }
-  return status;
+  return Status::Success();
 }
 
 /// Which way the patches turn on the first surface, and the second surface with respect to it: as
@@ -210,16 +203,13 @@ Status BoundaryTracer::Try(const Senses& senses)
   {
     this->Orders = Reversed(this->Orders);
   }
-  Status status = this->BeginDrawings();
-  if (status.IsOk())
+  DGG_RETURN_IF_ERROR(this->BeginDrawings());
+  DGG_RETURN_IF_ERROR(this->DrawAll(this->FindSequence()));
+  for (int side = 0; side < 2; ++side)
   {
-    status = this->DrawAll(this->FindSequence());
+    DGG_RETURN_IF_ERROR(this->CheckPatches(side));
   }
-  for (int side = 0; side < 2 && status.IsOk(); ++side)
-  {
-    status = this->CheckPatches(side);
-  }
-  return status.IsOk() ? this->CompareParts() : status;
+  return this->CompareParts();
 }
 
 /// Short edges first, but those that join what is not joined yet before all others: a spanning
@@ -274,19 +264,11 @@ Status BoundaryTracer::DrawAll(const std::vector<Id>& sequence)
     {
       return Status::Abort();
     }
-    Status status = this->Drawings[0].Draw(
-      sequence[i], this->Orders, ProgressPart(this->Progress, done, done + 0.5 * step));
-    if (status.IsOk())
-    {
-      std::vector<EdgeOrder> imposed =
-        this->SecondIsMirrored ? Reversed(this->Orders) : this->Orders;
-      status = this->Drawings[1].Draw(
-        sequence[i], imposed, ProgressPart(this->Progress, done + 0.5 * step, done + step));
-    }
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(this->Drawings[0].Draw(
+      sequence[i], this->Orders, ProgressPart(this->Progress, done, done + 0.5 * step)));
+    std::vector<EdgeOrder> imposed = this->SecondIsMirrored ? Reversed(this->Orders) : this->Orders;
+    DGG_RETURN_IF_ERROR(this->Drawings[1].Draw(
+      sequence[i], imposed, ProgressPart(this->Progress, done + 0.5 * step, done + step)));
   }
   return Status::Success();
 }
@@ -307,9 +289,8 @@ Status BoundaryTracer::CheckPatches(int side) const
   for (std::size_t p = 0; p < this->Layout.Patches.size(); ++p)
   {
     const std::vector<Id>& patch = this->Layout.Patches[p];
-    std::ostringstream message;
-    message << "patch " << p << " of the layout is not a disk on " << this->Drawings[side].GetName()
-            << ": ";
+    const std::string isNoDisk = "patch " + std::to_string(p) + " of the layout is not a disk on " +
+      this->Drawings[side].GetName() + ": ";
     Id part = NoId;
     for (std::size_t i = 0; i < patch.size(); ++i)
     {
@@ -324,22 +305,21 @@ Status BoundaryTracer::CheckPatches(int side) const
       });
       if (sector == sectors.end())
       {
-        message << "its sides are not next to each other at landmark " << patch[i];
-        return Status::Invalid(message.str());
+        return InvalidInput(
+          isNoDisk, "its sides are not next to each other at landmark ", patch[i]);
       }
       part = i == 0 ? sector->Part : part;
       if (sector->Part != part)
       {
-        message << "its corners at landmarks " << patch[0] << " and " << patch[i]
-                << " are in different parts of the surface";
-        return Status::Invalid(message.str());
+        return InvalidInput(isNoDisk, "its corners at landmarks ", patch[0], " and ", patch[i],
+          " are in different parts of the surface");
       }
     }
     if (characteristics[part] != 1 || corners[part] != patch.size() || isTaken[part])
     {
-      message << (characteristics[part] != 1 ? "there is a hole or a handle in it"
-                                             : "it is one with another patch");
-      return Status::Invalid(message.str());
+      return InvalidInput(isNoDisk,
+        characteristics[part] != 1 ? "there is a hole or a handle in it"
+                                   : "it is one with another patch");
     }
     isTaken[part] = 1;
   }
@@ -384,11 +364,10 @@ Status BoundaryTracer::CompareParts() const
     if (image != other->second || origin != corner.second ||
       characteristics[0][corner.second] != characteristics[1][other->second])
     {
-      std::ostringstream message;
-      message << "the curves divide the two surfaces differently at landmark " << corner.first[0]
-              << ": check that the landmarks correspond, and add more of them where the surface "
-              << "has handles";
-      return Status::Invalid(message.str());
+      return InvalidInput("the curves divide the two surfaces differently at landmark ",
+        corner.first[0],
+        ": check that the landmarks correspond, and add more of them where the surface ",
+        "has handles");
     }
   }
   return Status::Success();

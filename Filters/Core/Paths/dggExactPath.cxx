@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggExactPath.h"
 
+#include "dggInvalidInput.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace dgg
@@ -53,14 +53,7 @@ SurfacePoint PointOnEdge(const SurfaceMesh& mesh, Id h, double t)
   {
     return SurfacePoint::AtVertex(mesh.Destination(h));
   }
-  SurfacePoint point;
-  point.On = SurfacePoint::Support::Edge;
-  point.HalfEdge = h;
-  point.Face = SurfaceMesh::Face(h);
-  point.Barycentric = { { 0.0, 0.0, 0.0 } };
-  point.Barycentric[h % 3] = 1.0 - t;
-  point.Barycentric[(h + 1) % 3] = t;
-  return point;
+  return SurfacePoint::InsideEdge(h, t);
 }
 
 double LongestEdge(const SurfaceMesh& mesh, Id f)
@@ -80,9 +73,7 @@ void ForEachFaceOf(const SurfaceMesh& mesh, const SurfacePoint& point, Visitor&&
   }
   for (const Id* g = mesh.FanBegin(point.Vertex); g != mesh.FanEnd(point.Vertex); ++g)
   {
-    std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
-    b[*g % 3] = 1.0;
-    visit(SurfaceMesh::Face(*g), b);
+    visit(SurfaceMesh::Face(*g), CoordinatesOfCorner(*g % 3));
   }
 }
 
@@ -492,11 +483,9 @@ Status ExactPathFinder::Find(const SurfacePoint& from, const std::vector<Surface
     if (distance < Infinity &&
       !tracer.Trace(to[t], distance, result.TargetPredecessors[t], paths[t]))
     {
-      std::ostringstream message;
-      message << "the path to target " << t << ", at distance " << distance
-              << ", cannot be traced back: the faces that it crosses are too narrow";
       paths.clear();
-      return Status::Invalid(message.str());
+      return InvalidInput("the path to target ", t, ", at distance ", distance,
+        ", cannot be traced back: the faces that it crosses are too narrow");
     }
   }
   return Status::Success();

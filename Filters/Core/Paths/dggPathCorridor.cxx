@@ -137,9 +137,7 @@ void PathCorridor::LayPath(const SurfacePath& path)
       const Point2 axis{ ray.X / length, ray.Y / length };
       for (int k = 0; k < 3; ++k)
       {
-        std::array<double, 3> corner{ { 0.0, 0.0, 0.0 } };
-        corner[k] = 1.0;
-        const Point2 c = Difference(PlaceInFrame(this->Mesh, h, corner), p);
+        const Point2 c = Difference(PlaceInFrame(this->Mesh, h, CoordinatesOfCorner(k)), p);
         this->Put(this->Mesh.Origin(h + k), { x + Dot(axis, c), dgg::Cross(axis, c) }, true);
       }
       this->AddFace(f);
@@ -232,13 +230,12 @@ SurfacePoint PathCorridor::FromPart(const SurfaceMesh& part, const SurfacePoint&
   {
     return SurfacePoint::AtVertex(this->PartVertices[point.Vertex]);
   }
-  // Back to the order in which the part was given its corners, and on to that of the input.
-  const Id f = this->Faces[point.Face];
+  // Back to the order in which the part was given its corners.
   std::array<double, 3> barycentric = point.Barycentric;
-  if (part.IsFlipped(point.Face) != this->Mesh.IsFlipped(f))
+  if (part.IsFlipped(point.Face))
   {
     std::swap(barycentric[1], barycentric[2]);
   }
-  return SurfacePoint::InFace(this->Mesh, f, barycentric);
+  return SurfacePoint::InTriangle(this->Mesh, this->Faces[point.Face], barycentric);
 }
 }

@@ -84,10 +84,7 @@ Status PathFinder::Find(const SurfacePoint& from, const SurfacePoint& to,
 Status PathFinder::FindBetween(const SurfacePoint& from, const SurfacePoint& to,
   const PathOptions& options, FoundPath& found) const
 {
-  if (!this->Usable.IsOk())
-  {
-    return this->Usable;
-  }
+  DGG_RETURN_IF_ERROR(this->Usable);
   if (!this->Search.GetGraph().Angles)
   {
     return Status::Invalid("paths are traced on meshes: this graph has no directions");
@@ -95,17 +92,13 @@ Status PathFinder::FindBetween(const SurfacePoint& from, const SurfacePoint& to,
   const double linkAccuracy =
     options.LinkAccuracy > 0.0 ? options.LinkAccuracy : this->Search.GetGraph().Info.Accuracy;
   Ends ends;
-  Status status = this->Link(from, to, linkAccuracy, ends);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->Link(from, to, linkAccuracy, ends));
   if (IsSamePoint(from, to))
   {
     found.Path.Points.push_back(from);
     found.GraphLength = 0.0;
     found.IsStraightened = options.Straighten;
-    return status;
+    return Status::Success();
   }
   std::vector<GraphSeed> seeds[2];
   for (int side = 0; side < 2; ++side)
@@ -120,19 +113,17 @@ Status PathFinder::FindBetween(const SurfacePoint& from, const SurfacePoint& to,
   found.GraphLength = std::min(path.Length, ends.Direct);
   if (found.GraphLength == Infinity)
   {
-    return status;
+    return Status::Success();
   }
   const auto workspace = this->Workspaces->Borrow(this->Mesh);
   PathTracer& tracer = workspace->Tracer;
   tracer.Begin(options.Straighten);
-  status = ends.Direct <= path.Length ? tracer.Append(from, to, ends.Direct)
-                                      : this->TraceGraphEdges(tracer, from, to, ends, path);
+  DGG_RETURN_IF_ERROR(ends.Direct <= path.Length
+      ? tracer.Append(from, to, ends.Direct)
+      : this->TraceGraphEdges(tracer, from, to, ends, path));
   found.NumberOfFallbacks = tracer.GetNumberOfFallbacks();
-  if (status.IsOk())
-  {
-    this->Finish(*workspace, options, found);
-  }
-  return status;
+  this->Finish(*workspace, options, found);
+  return Status::Success();
 }
 
 Status PathFinder::Link(
@@ -142,26 +133,20 @@ Status PathFinder::Link(
   for (int side = 0; side < 2; ++side)
   {
     const SurfacePoint& point = *points[side];
-    Status status = point.Check(this->Mesh);
-    if (status.IsOk() && IsVertex(point))
+    DGG_RETURN_IF_ERROR(point.Check(this->Mesh));
+    if (IsVertex(point))
     {
       ends.Links[side].push_back({ point.Vertex, 0.0, -1.0 });
+      continue;
     }
-    else if (status.IsOk() && !this->Builder)
+    if (!this->Builder)
     {
-      status = Status::Invalid("a point that is not a vertex needs a graph builder");
+      return Status::Invalid("a point that is not a vertex needs a graph builder");
     }
-    else if (status.IsOk())
-    {
-      std::vector<double> direct;
-      status =
-        this->Builder->Link(point, accuracy, { *points[1 - side] }, ends.Links[side], direct);
-      ends.Direct = status.IsOk() ? std::min(ends.Direct, direct[0]) : Infinity;
-    }
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    std::vector<double> direct;
+    DGG_RETURN_IF_ERROR(
+      this->Builder->Link(point, accuracy, { *points[1 - side] }, ends.Links[side], direct));
+    ends.Direct = std::min(ends.Direct, direct[0]);
   }
   return Status::Success();
 }
@@ -170,24 +155,23 @@ Status PathFinder::TraceGraphEdges(PathTracer& tracer, const SurfacePoint& from,
   const SurfacePoint& to, const Ends& ends, const GraphPath& path) const
 {
   const GraphView& graph = this->Search.GetGraph();
-  Status status;
   if (!IsVertex(from))
   {
     const GraphLink& link = ends.Links[0][path.FromSeed];
-    status = tracer.Append({ link.Vertex, link.ArrivalAngle, from, link.Length }, true);
+    DGG_RETURN_IF_ERROR(tracer.Append({ link.Vertex, link.ArrivalAngle, from, link.Length }, true));
   }
-  for (std::size_t i = 0; i < path.Edges.size() && status.IsOk(); ++i)
+  for (std::size_t i = 0; i < path.Edges.size(); ++i)
   {
     const Offset e = path.Edges[i];
-    status = tracer.Append({ path.Vertices[i], graph.Angles[e],
-      SurfacePoint::AtVertex(path.Vertices[i + 1]), graph.Length(e) });
+    DGG_RETURN_IF_ERROR(tracer.Append({ path.Vertices[i], graph.Angles[e],
+      SurfacePoint::AtVertex(path.Vertices[i + 1]), graph.Length(e) }));
   }
-  if (!IsVertex(to) && status.IsOk())
+  if (IsVertex(to))
   {
-    const GraphLink& link = ends.Links[1][path.ToSeed];
-    status = tracer.Append({ link.Vertex, link.ArrivalAngle, to, link.Length });
+    return Status::Success();
   }
-  return status;
+  const GraphLink& link = ends.Links[1][path.ToSeed];
+  return tracer.Append({ link.Vertex, link.ArrivalAngle, to, link.Length });
 }
 
 void PathFinder::Finish(Workspace& workspace, const PathOptions& options, FoundPath& found) const

@@ -249,23 +249,16 @@ std::vector<SurfacePoint> PathNodes::MakePoints() const
   }
   for (const Node& node : this->Nodes)
   {
-    SurfacePoint point;
     if (node.Edge != NoId)
     {
-      const double t = static_cast<double>(node.T) / GridPoint::One;
-      point.On = SurfacePoint::Support::Edge;
-      point.HalfEdge = node.Edge;
-      point.Face = SurfaceMesh::Face(node.Edge);
-      point.Barycentric = { { 0.0, 0.0, 0.0 } };
-      point.Barycentric[node.Edge % 3] = 1.0 - t;
-      point.Barycentric[(node.Edge + 1) % 3] = t;
+      points.push_back(
+        SurfacePoint::InsideEdge(node.Edge, static_cast<double>(node.T) / GridPoint::One));
+      continue;
     }
-    else
-    {
-      point.On = SurfacePoint::Support::Face;
-      point.Face = node.Face;
-      point.Barycentric = node.Place.GetBarycentric();
-    }
+    SurfacePoint point;
+    point.On = SurfacePoint::Support::Face;
+    point.Face = node.Face;
+    point.Barycentric = node.Place.GetBarycentric();
     points.push_back(point);
   }
   return points;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggStraightWalk.h"
 
+#include "dggInvalidInput.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
-#include <utility>
 
 namespace dgg
 {
@@ -42,11 +42,10 @@ std::array<double, 3> CoordinatesOf(const SurfaceMesh& mesh, Id h, const Point2&
   std::array<double, 3> b{};
   const double apex = place.Y / mesh.ApexY(h);
   const double end = (place.X - apex * mesh.ApexX(h)) / mesh.Length(h);
-  b[(h + 2) % 3] = std::max(0.0, apex);
-  b[(h + 1) % 3] = std::max(0.0, end);
-  b[h % 3] = std::max(0.0, 1.0 - apex - end);
-  const double sum = b[0] + b[1] + b[2];
-  return { { b[0] / sum, b[1] / sum, b[2] / sum } };
+  b[(h + 2) % 3] = apex;
+  b[(h + 1) % 3] = end;
+  b[h % 3] = 1.0 - apex - end;
+  return ClampedToFace(b);
 }
 
 /// Corners of the face of half-edge h in its frame, from its origin on.
@@ -166,13 +165,10 @@ private:
     if (exit.HalfEdge == NoId || exit.Distance >= this->Remaining)
     {
       const double step = exit.HalfEdge == NoId ? 0.0 : this->Remaining;
-      std::array<double, 3> b = CoordinatesOf(this->Mesh, ray.HalfEdge,
-        { ray.Place.X + step * ray.Direction.X, ray.Place.Y + step * ray.Direction.Y });
-      if (this->Mesh.IsFlipped(face))
-      {
-        std::swap(b[1], b[2]); // in the order of the input
-      }
-      this->Append(face, SurfacePoint::InFace(this->Mesh, face, b));
+      const Point2 place{ ray.Place.X + step * ray.Direction.X,
+        ray.Place.Y + step * ray.Direction.Y };
+      this->Append(face,
+        SurfacePoint::InTriangle(this->Mesh, face, CoordinatesOf(this->Mesh, ray.HalfEdge, place)));
       return false;
     }
     const SurfacePoint point = SurfacePoint::OnEdge(this->Mesh, exit.HalfEdge, exit.Parameter);
@@ -263,10 +259,8 @@ Status WalkStraight(const SurfaceMesh& mesh, const SurfacePoint& start, double a
   DGG_RETURN_IF_ERROR(start.Check(mesh));
   if (!std::isfinite(angle) || !(length >= 0.0 && length < Infinity))
   {
-    std::ostringstream message;
-    message << "cannot walk in the direction " << angle << " for a length of " << length
-            << ": a finite angle and a length that is finite and not negative are needed";
-    return Status::Invalid(message.str());
+    return InvalidInput("cannot walk in the direction ", angle, " for a length of ", length,
+      ": a finite angle and a length that is finite and not negative are needed");
   }
   Walk(mesh, length, path).Start(start, angle);
   return Status::Success();

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSurfacePath.h"
 
+#include "dggInvalidInput.h"
+
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace dgg
 {
@@ -71,13 +72,11 @@ double MeasurePiece(const SurfaceMesh& mesh, const SurfacePath& path, std::size_
 
 Status CheckPath(const SurfaceMesh& mesh, const SurfacePath& path)
 {
-  std::ostringstream message;
   const std::size_t pieces = path.Points.empty() ? 0 : path.Points.size() - 1;
   if (path.Faces.size() != pieces)
   {
-    message << "a path of " << path.Points.size() << " points has faces for " << path.Faces.size()
-            << " pieces";
-    return Status::Invalid(message.str());
+    return InvalidInput(
+      "a path of ", path.Points.size(), " points has faces for ", path.Faces.size(), " pieces");
   }
   double sum = 0.0;
   for (std::size_t i = 0; i < pieces; ++i)
@@ -85,15 +84,13 @@ Status CheckPath(const SurfaceMesh& mesh, const SurfacePath& path)
     const double length = MeasurePiece(mesh, path, i);
     if (!std::isfinite(length))
     {
-      message << "piece " << i << " of the path does not lie in face " << path.Faces[i];
-      return Status::Invalid(message.str());
+      return InvalidInput("piece ", i, " of the path does not lie in face ", path.Faces[i]);
     }
     sum += length;
   }
   if (!(std::abs(sum - path.Length) <= LengthTolerance * sum))
   {
-    message << "the length of the path is " << path.Length << ", but its pieces have " << sum;
-    return Status::Invalid(message.str());
+    return InvalidInput("the length of the path is ", path.Length, ", but its pieces have ", sum);
   }
   return Status::Success();
 }
@@ -106,10 +103,8 @@ Status CheckCorners(const SurfaceMesh& mesh)
     if (!mesh.IsDropped(f) &&
       (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]))
     {
-      std::ostringstream message;
-      message << "face " << f << " has vertices " << corners[0] << ", " << corners[1] << " and "
-              << corners[2] << ": for paths they must be distinct. Split its edges";
-      return Status::Invalid(message.str());
+      return InvalidInput("face ", f, " has vertices ", corners[0], ", ", corners[1], " and ",
+        corners[2], ": for paths they must be distinct. Split its edges");
     }
   }
   return Status::Success();

@@ -47,7 +47,6 @@ private:
     std::array<Id, 2> Sites;
     std::array<Id, 2> Points;
   };
-  class Joiner;
   std::vector<Piece> Pieces;
   std::vector<BorderSide> Sides;
 };

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace dgg
 {
@@ -73,9 +72,7 @@ std::size_t BorderRefinement::GetMostWork() const
 void BorderRefinement::Balance(Id halfEdge, const std::array<Id, 2>& sites, double low, double high,
   double& parameter, double& distance) const
 {
-  Coordinates place{ { 0.0, 0.0, 0.0 } };
-  place[halfEdge % 3] = 1.0 - parameter;
-  place[(halfEdge + 1) % 3] = parameter;
+  const Coordinates place = CoordinatesOnEdge(halfEdge, parameter);
   const Id face = SurfaceMesh::Face(halfEdge);
   if (!this->IsDoubtful(face, place, sites[0], distance) &&
     !this->IsDoubtful(face, place, sites[1], distance))
@@ -268,12 +265,7 @@ bool BorderRefinement::Measure(Id face, const Coordinates& place, const std::arr
   {
     return false;
   }
-  Coordinates input = place;
-  if (this->Mesh.IsFlipped(face))
-  {
-    std::swap(input[1], input[2]);
-  }
   return this->Measure(
-    SurfacePoint::InFace(this->Mesh, face, input), sites.data(), 3, distances.data());
+    SurfacePoint::InTriangle(this->Mesh, face, place), sites.data(), 3, distances.data());
 }
 }

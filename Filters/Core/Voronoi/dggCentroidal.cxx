@@ -125,18 +125,11 @@ public:
   Status Look(State& state, const ProgressCallback& progress)
   {
     LinkedSites linked;
-    Status status = LinkSites(state.Sites, &this->Builder, this->Accuracy, linked);
-    if (status.IsOk())
-    {
-      SearchOptions options;
-      options.Correct = true;
-      options.Progress = progress;
-      status = this->Search.Run(linked.Seeds, options, this->Result);
-    }
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(LinkSites(state.Sites, &this->Builder, this->Accuracy, linked));
+    SearchOptions options;
+    options.Correct = true;
+    options.Progress = progress;
+    DGG_RETURN_IF_ERROR(this->Search.Run(linked.Seeds, options, this->Result));
     if (this->Result.Corrected.empty())
     {
       return Status::Invalid("sites cannot be moved over a graph without directions");
@@ -176,7 +169,7 @@ public:
           std::atan2(sums[i].Y, sums[i].X) / UnrollFactor(this->Mesh, state.Sites[i]));
       }
     }
-    return status;
+    return Status::Success();
   }
 
   /// An energy in units of the mesh.
@@ -200,12 +193,8 @@ public:
     SurfacePath path;
     for (std::size_t i = 0; i < from.Sites.size(); ++i)
     {
-      Status status =
-        WalkStraight(this->Mesh, from.Sites[i], from.Angles[i], part * from.Lengths[i], path);
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(
+        WalkStraight(this->Mesh, from.Sites[i], from.Angles[i], part * from.Lengths[i], path));
       to.Sites.push_back(path.Points.back());
     }
     return this->Look(to, progress);

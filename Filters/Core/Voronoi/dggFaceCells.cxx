@@ -15,13 +15,6 @@ namespace
 {
 using Coordinates = std::array<double, 3>;
 
-Coordinates CornerPlace(int k)
-{
-  Coordinates place{ { 0.0, 0.0, 0.0 } };
-  place[k] = 1.0;
-  return place;
-}
-
 double Apply(const Coordinates& values, const Coordinates& place)
 {
   return values[0] * place[0] + values[1] * place[1] + values[2] * place[2];
@@ -108,10 +101,11 @@ void FaceCells::WalkAround(Id face)
   {
     this->Sides[k] = this->Cuts.Of(3 * face + k);
     const Id corner = this->Mesh.Origin(3 * face + k);
-    add({ corner, CornerPlace(k) }, this->Diagram.NearestSites[corner], 3 * face + k);
+    add({ corner, CoordinatesOfCorner(k) }, this->Diagram.NearestSites[corner], 3 * face + k);
     for (const EdgeCut& cut : this->Sides[k])
     {
-      add({ cut.Point, Between(CornerPlace(k), CornerPlace((k + 1) % 3), cut.Parameter) },
+      add({ cut.Point,
+            Between(CoordinatesOfCorner(k), CoordinatesOfCorner((k + 1) % 3), cut.Parameter) },
         cut.After, 3 * face + k);
     }
   }
@@ -131,7 +125,8 @@ void FaceCells::CutByLines(Id face)
   this->CollectSites(face);
   for (std::size_t s = 0; s < this->Sites.size(); ++s)
   {
-    Polygon polygon{ { CornerPlace(0), 0 }, { CornerPlace(1), 1 }, { CornerPlace(2), 2 } };
+    Polygon polygon{ { CoordinatesOfCorner(0), 0 }, { CoordinatesOfCorner(1), 1 },
+      { CoordinatesOfCorner(2), 2 } };
     this->Clip(s, polygon);
     std::vector<Point> points;
     for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -236,7 +231,7 @@ void FaceCells::AddWhole(Id face)
   points.reserve(3);
   for (int k = 0; k < 3; ++k)
   {
-    points.push_back({ this->Mesh.Origin(3 * face + k), CornerPlace(k) });
+    points.push_back({ this->Mesh.Origin(3 * face + k), CoordinatesOfCorner(k) });
   }
   this->AddPolygon(face, { this->Diagram.NearestSites[points[0].Number], points });
 }
@@ -353,7 +348,7 @@ FaceCells::Point FaceCells::PointOf(Id face, std::size_t site, int before, const
   {
     if ((before + 1) % 3 == after)
     {
-      return { this->Mesh.Origin(3 * face + after), CornerPlace(after) };
+      return { this->Mesh.Origin(3 * face + after), CoordinatesOfCorner(after) };
     }
   }
   else if (before < 3 || after < 3)
@@ -376,13 +371,13 @@ FaceCells::Point FaceCells::PointOnSide(
   Id face, int side, Id site, Id other, const Coordinates& place) const
 {
   const double parameter = place[(side + 1) % 3];
-  Point best{ this->Mesh.Origin(3 * face + side), CornerPlace(side) };
+  Point best{ this->Mesh.Origin(3 * face + side), CoordinatesOfCorner(side) };
   double miss = parameter;
   const auto offer = [&](Id number, double t, double distance) {
     if (distance < miss)
     {
       miss = distance;
-      best = { number, Between(CornerPlace(side), CornerPlace((side + 1) % 3), t) };
+      best = { number, Between(CoordinatesOfCorner(side), CoordinatesOfCorner((side + 1) % 3), t) };
     }
   };
   offer(this->Mesh.Destination(3 * face + side), 1.0, 1.0 - parameter);
@@ -401,13 +396,14 @@ FaceCells::Point FaceCells::PointInside(
 {
   for (int k = 0; k < 3; ++k)
   {
-    if (Difference(place, CornerPlace(k)) < SamePlace)
+    if (Difference(place, CoordinatesOfCorner(k)) < SamePlace)
     {
-      return { this->Mesh.Origin(3 * face + k), CornerPlace(k) };
+      return { this->Mesh.Origin(3 * face + k), CoordinatesOfCorner(k) };
     }
     for (const EdgeCut& cut : this->Sides[k])
     {
-      const Coordinates there = Between(CornerPlace(k), CornerPlace((k + 1) % 3), cut.Parameter);
+      const Coordinates there =
+        Between(CoordinatesOfCorner(k), CoordinatesOfCorner((k + 1) % 3), cut.Parameter);
       if (Difference(place, there) < SamePlace)
       {
         return { cut.Point, there };
@@ -430,12 +426,7 @@ FaceCells::Point FaceCells::PointInside(
   {
     this->Refinement->Balance(face, sites, place, distance);
   }
-  Coordinates input = place;
-  if (this->Mesh.IsFlipped(face))
-  {
-    std::swap(input[1], input[2]);
-  }
-  this->Diagram.BorderPoints.push_back(SurfacePoint::InFace(this->Mesh, face, input));
+  this->Diagram.BorderPoints.push_back(SurfacePoint::InTriangle(this->Mesh, face, place));
   this->Diagram.BorderDistances.push_back(distance);
   this->Refined.push_back({ number, place });
   return this->Refined.back();

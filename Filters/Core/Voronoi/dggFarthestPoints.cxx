@@ -48,22 +48,18 @@ void FarthestPoints::Reset()
 Status FarthestPoints::Add(const std::vector<GraphSeed>& sample, const ProgressCallback& progress)
 {
   SearchLabels labels(this->Distances, this->Origins, Infinity);
-  Status status = CheckSeeds(sample, this->Graph.NumberOfVertices);
-  if (status.IsOk() &&
-    !LowerLabels(this->Graph, this->Fans.get(), sample, this->BucketWidth, progress, *this->Queue,
-      labels, this->Touched))
+  DGG_RETURN_IF_ERROR(CheckSeeds(sample, this->Graph.NumberOfVertices));
+  if (!LowerLabels(this->Graph, this->Fans.get(), sample, this->BucketWidth, progress, *this->Queue,
+        labels, this->Touched))
   {
-    status = Status::Abort();
+    return Status::Abort();
   }
-  if (status.IsOk())
+  for (const Id v : this->Touched)
   {
-    for (const Id v : this->Touched)
-    {
-      this->NearestSamples[v] = this->NumberOfSamples;
-    }
-    ++this->NumberOfSamples;
+    this->NearestSamples[v] = this->NumberOfSamples;
   }
-  return status;
+  ++this->NumberOfSamples;
+  return Status::Success();
 }
 
 FarthestVertex FarthestPoints::Find()

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <utility>
 
 namespace dgg
 {
@@ -158,13 +157,12 @@ public:
   Status Update(const SurfacePoint& sample, const std::vector<double>& distances)
   {
     std::vector<double> direct;
-    Status status;
     if (sample.On != SurfacePoint::Support::Vertex)
     {
       std::vector<GraphLink> links;
-      status = this->Builder.Link(sample, this->Accuracy, this->Points, links, direct);
+      DGG_RETURN_IF_ERROR(this->Builder.Link(sample, this->Accuracy, this->Points, links, direct));
     }
-    for (std::size_t v = 0; v < distances.size() && status.IsOk(); ++v)
+    for (std::size_t v = 0; v < distances.size(); ++v)
     {
       if (distances[v] < this->VertexDistances[v])
       {
@@ -177,7 +175,7 @@ public:
       }
     }
     this->Farthest = NoId;
-    for (std::size_t i = 0; i < this->Points.size() && status.IsOk(); ++i)
+    for (std::size_t i = 0; i < this->Points.size(); ++i)
     {
       double& distance = this->Distances[i];
       distance = direct.empty() ? distance : std::min(distance, direct[i]);
@@ -186,7 +184,7 @@ public:
         this->Farthest = static_cast<Id>(i);
       }
     }
-    return status;
+    return Status::Success();
   }
 
   /// Of the farthest place; 0 when there is none.
@@ -241,12 +239,7 @@ private:
           continue;
         }
         const double n = pieces;
-        std::array<double, 3> place{ { i / n, j / n, k / n } };
-        if (mesh.IsFlipped(f))
-        {
-          std::swap(place[1], place[2]); // to the order of the input
-        }
-        this->Points.push_back(SurfacePoint::InFace(mesh, f, place));
+        this->Points.push_back(SurfacePoint::InTriangle(mesh, f, { { i / n, j / n, k / n } }));
       }
     }
   }
@@ -281,15 +274,8 @@ public:
     for (const SurfacePoint& point : this->Options.Given)
     {
       Linked linked;
-      Status status = this->Link(point, {}, linked);
-      if (status.IsOk())
-      {
-        status = this->Add(point, linked.Seeds);
-      }
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(this->Link(point, {}, linked));
+      DGG_RETURN_IF_ERROR(this->Add(point, linked.Seeds));
     }
     if (this->Samples.empty())
     {
@@ -379,8 +365,8 @@ private:
     {
       const SurfacePoint place = this->Inside->GetPoint();
       Linked linked;
-      Status status = this->Link(place, {}, linked);
-      return status.IsOk() ? this->Add(place, linked.Seeds) : status;
+      DGG_RETURN_IF_ERROR(this->Link(place, {}, linked));
+      return this->Add(place, linked.Seeds);
     }
     const Id v = this->Farthest.Vertex;
     SurfacePoint point;
@@ -413,21 +399,18 @@ private:
 
   Status Add(const SurfacePoint& point, const std::vector<GraphSeed>& seeds)
   {
-    Status status = this->Points.Add(seeds, {});
-    if (status.IsOk() && this->Inside)
+    DGG_RETURN_IF_ERROR(this->Points.Add(seeds, {}));
+    if (this->Inside)
     {
-      status = this->Inside->Update(point, this->Points.GetDistances());
+      DGG_RETURN_IF_ERROR(this->Inside->Update(point, this->Points.GetDistances()));
     }
-    if (status.IsOk())
+    this->Farthest = this->Points.Find();
+    this->Samples.push_back({ point, this->GetRadius() });
+    if (point.On != SurfacePoint::Support::Vertex)
     {
-      this->Farthest = this->Points.Find();
-      this->Samples.push_back({ point, this->GetRadius() });
-      if (point.On != SurfacePoint::Support::Vertex)
-      {
-        this->Inner.push_back(point);
-      }
+      this->Inner.push_back(point);
     }
-    return status;
+    return Status::Success();
   }
 
   Status Link(

@@ -80,24 +80,15 @@ Status CheckNeighbours(const SurfaceMesh& mesh, const SiteDistances& distances)
 Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInput& input,
   const ProgressCallback& progress, VoronoiDiagram& diagram)
 {
-  Status status = CheckSites(input);
-  if (status.IsOk() && input.LabelsOnly)
+  DGG_RETURN_IF_ERROR(CheckSites(input));
+  if (input.LabelsOnly)
   {
     return FillLabels(search, input, progress, diagram);
   }
   SiteDistances distances;
-  if (status.IsOk())
-  {
-    status = distances.Run(search, mesh, input.Seeds, ProgressPart(progress, 0.0, DistancesDone));
-  }
-  if (status.IsOk())
-  {
-    status = CheckNeighbours(mesh, distances);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(
+    distances.Run(search, mesh, input.Seeds, ProgressPart(progress, 0.0, DistancesDone)));
+  DGG_RETURN_IF_ERROR(CheckNeighbours(mesh, distances));
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     const SiteDistances::Entry* nearest = distances.Nearest(v);
@@ -134,7 +125,7 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInp
   }
   diagram.CurveOffsets.push_back(0);
   borders.AddTo(mesh, diagram);
-  return status;
+  return Status::Success();
 }
 }
 
