@@ -103,27 +103,20 @@ int vtkPointCloudDGG::RequestData(
 //------------------------------------------------------------------------------
 dgg::Status vtkPointCloudDGG::CheckProperties() const
 {
-  dgg::Status status = CheckNumber("OffsetInVoxels", this->OffsetInVoxels);
-  if (status.IsOk())
+  DGG_RETURN_IF_ERROR(CheckNumber("OffsetInVoxels", this->OffsetInVoxels));
+  DGG_RETURN_IF_ERROR(CheckNumber("Resolution", this->Resolution));
+  DGG_RETURN_IF_ERROR(CheckNumber("Alpha", this->Alpha));
+  if (this->NumberOfNeighbors < FewestNeighbors)
   {
-    status = CheckNumber("Resolution", this->Resolution);
+    return dgg::Status::Invalid("NumberOfNeighbors is " + std::to_string(this->NumberOfNeighbors) +
+      ": call SetNumberOfNeighbors() with at least " + std::to_string(FewestNeighbors));
   }
-  if (status.IsOk())
+  if (this->ComponentArrayName.empty())
   {
-    status = CheckNumber("Alpha", this->Alpha);
+    return dgg::Status::Invalid(
+      "ComponentArrayName is empty: call SetComponentArrayName() with a name");
   }
-  if (status.IsOk() && this->NumberOfNeighbors < FewestNeighbors)
-  {
-    status =
-      dgg::Status::Invalid("NumberOfNeighbors is " + std::to_string(this->NumberOfNeighbors) +
-        ": call SetNumberOfNeighbors() with at least " + std::to_string(FewestNeighbors));
-  }
-  if (status.IsOk() && this->ComponentArrayName.empty())
-  {
-    status =
-      dgg::Status::Invalid("ComponentArrayName is empty: call SetComponentArrayName() with a name");
-  }
-  return status.IsOk() ? dgg::CloudGraphBuilder::Check(this->MakeOptions(nullptr)) : status;
+  return dgg::CloudGraphBuilder::Check(this->MakeOptions(nullptr));
 }
 
 //------------------------------------------------------------------------------
@@ -170,22 +163,13 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkInternals& internals = *this->Internals;
-  const NormalsSource source = this->MakeNormalsSource(cloud);
   const vtkMTimeType built = this->GetGraphBuildTime();
   dgg::CloudGraphOptions options = this->MakeOptions(cloud);
   Normals normals;
   double done = 0.0;
-  dgg::Status status =
-    this->Advance(0.0) ? this->FindNormals(source, normals, done) : dgg::Status::Abort();
-  if (status.IsOk())
-  {
-    options.Normals = normals ? normals->data() : nullptr;
-    status = this->Build(options, done);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->FindNormals(cloud, normals, done));
+  options.Normals = normals ? normals->data() : nullptr;
+  DGG_RETURN_IF_ERROR(this->Build(options, done));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(cloud);
   internals.Built.AddTo(output->GetFieldData());
@@ -194,7 +178,7 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
   const auto components =
     vtkDGGAddArray<vtkIntArray>(output->GetPointData(), this->ComponentArrayName, n);
   std::copy(internals.Components.begin(), internals.Components.end(), components->GetPointer(0));
-  if (source.ByPlanes && normals)
+  if (normals && !this->GetInputNormals(cloud))
   {
     const auto array = vtkDGGMakeArray<vtkDoubleArray>("Normals", n, 3);
     std::copy(normals->begin(), normals->end(), array->GetPointer(0));
@@ -205,13 +189,13 @@ dgg::Status vtkPointCloudDGG::Execute(vtkPolyData* cloud,
     this->WarnAboutPoints();
     this->WarnAboutVoxels(options);
   }
-  if (this->OrientedNormals && !source.Given)
+  if (this->OrientedNormals && !this->GetInputNormals(cloud))
   {
     vtkWarningMacro("OrientedNormals is on, but the input has no point normals that are used: it "
                     "has no effect, and sheets back to back may be connected. Give the input "
                     "normals, or turn UseInputNormals on or OrientedNormals off.");
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -436,16 +436,8 @@ private:
 
   vtkDataArray* GetInputNormals(vtkPolyData* cloud) const;
   using Normals = std::shared_ptr<const std::vector<double>>;
-  /// Where normals come from.
-  struct NormalsSource
-  {
-    vtkDataArray* Given = nullptr; ///< of the input
-    bool ByPlanes = false;
-    int NumberOfNeighbors = 0; ///< for planes
-  };
-  NormalsSource MakeNormalsSource(vtkPolyData* cloud) const;
   dgg::CloudGraphOptions MakeOptions(vtkPolyData* cloud) const;
-  dgg::Status FindNormals(const NormalsSource& source, Normals& normals, double& done);
+  dgg::Status FindNormals(vtkPolyData* cloud, Normals& normals, double& done);
   dgg::Status Build(dgg::CloudGraphOptions options, double done);
   dgg::Status Estimate();
   void WarnAboutPoints();

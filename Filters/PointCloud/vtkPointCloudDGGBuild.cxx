@@ -52,41 +52,28 @@ vtkTypeUInt64 vtkPointCloudDGG::EstimateMemory()
 //------------------------------------------------------------------------------
 dgg::Status vtkPointCloudDGG::Estimate()
 {
-  dgg::Status status = this->CheckProperties();
+  DGG_RETURN_IF_ERROR(this->CheckProperties());
   vtkPolyData* cloud = vtkPolyData::SafeDownCast(this->GetInput());
-  if (status.IsOk() && cloud && cloud->GetNumberOfPoints() == 0)
+  if (cloud && cloud->GetNumberOfPoints() == 0)
   {
     vtkWarningMacro("The input is empty: it has no points. So is its graph.");
-    return status;
+    return dgg::Status::Success();
   }
-  if (status.IsOk() && cloud)
-  {
-    status = this->CheckInputs(cloud, nullptr);
-  }
-  if (status.IsOk())
-  {
-    status = this->PrepareMesh(cloud);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(cloud ? this->CheckInputs(cloud, nullptr) : dgg::Status::Success());
+  DGG_RETURN_IF_ERROR(this->PrepareMesh(cloud));
   dgg::CloudGraphOptions options = this->MakeOptions(cloud);
-  const NormalsSource source = this->MakeNormalsSource(cloud);
   Normals normals;
   double done = 0.0;
-  status = this->Advance(0.0) ? this->FindNormals(source, normals, done) : dgg::Status::Abort();
-  if (status.IsOk())
-  {
-    const vtkDGGMeshAdapter& mesh = this->GetMesh();
-    options.Normals = normals ? normals->data() : nullptr;
-    options.Progress = [this, done](
-                         double fraction) { return this->Advance(done + (1.0 - done) * fraction); };
-    options.Parallel = vtkDGGMakeParallelFor(options.Progress);
-    status = dgg::CloudGraphBuilder(mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices())
-               .Estimate(options, this->Internals->Estimate);
-  }
-  return status.IsOk() && !this->Advance(1.0) ? dgg::Status::Abort() : status;
+  DGG_RETURN_IF_ERROR(this->FindNormals(cloud, normals, done));
+  const vtkDGGMeshAdapter& mesh = this->GetMesh();
+  options.Normals = normals ? normals->data() : nullptr;
+  options.Progress = [this, done](
+                       double fraction) { return this->Advance(done + (1.0 - done) * fraction); };
+  options.Parallel = vtkDGGMakeParallelFor(options.Progress);
+  DGG_RETURN_IF_ERROR(
+    dgg::CloudGraphBuilder(mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices())
+      .Estimate(options, this->Internals->Estimate));
+  return this->Advance(1.0) ? dgg::Status::Success() : dgg::Status::Abort();
 }
 
 //------------------------------------------------------------------------------
@@ -107,31 +94,23 @@ dgg::CloudGraphOptions vtkPointCloudDGG::MakeOptions(vtkPolyData* cloud) const
 }
 
 //------------------------------------------------------------------------------
-vtkPointCloudDGG::NormalsSource vtkPointCloudDGG::MakeNormalsSource(vtkPolyData* cloud) const
-{
-  vtkDataArray* given = this->GetInputNormals(cloud);
-  return { given, this->EstimateNormals && !given, this->NumberOfNeighbors };
-}
-
-//------------------------------------------------------------------------------
 /// The normals to build with, null when the builder is to find them. `done` is the share of the
 /// progress that it took.
-dgg::Status vtkPointCloudDGG::FindNormals(
-  const NormalsSource& source, Normals& normals, double& done)
+dgg::Status vtkPointCloudDGG::FindNormals(vtkPolyData* cloud, Normals& normals, double& done)
 {
   vtkInternals& internals = *this->Internals;
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
   normals.reset();
   done = 0.0;
-  const dgg::Id points = mesh.GetMesh().GetNumberOfVertices();
-  if (vtkDataArray* given = source.Given)
+  if (!this->Advance(0.0))
   {
-    const dgg::Status status = vtkDGGCheckMemory("a copy of the normals",
-      3.0 * sizeof(double) * points, this->MemoryLimit, "use fewer points");
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    return dgg::Status::Abort();
+  }
+  const dgg::Id points = mesh.GetMesh().GetNumberOfVertices();
+  if (vtkDataArray* given = this->GetInputNormals(cloud))
+  {
+    DGG_RETURN_IF_ERROR(vtkDGGCheckMemory("a copy of the normals", 3.0 * sizeof(double) * points,
+      this->MemoryLimit, "use fewer points"));
     auto copy = std::make_shared<std::vector<double>>(3 * static_cast<std::size_t>(points));
     for (vtkIdType i = 0; i < points; ++i)
     {
@@ -140,31 +119,23 @@ dgg::Status vtkPointCloudDGG::FindNormals(
     normals = copy;
     return dgg::Status::Success();
   }
-  if (!source.ByPlanes)
+  if (!this->EstimateNormals)
   {
     return dgg::Status::Success();
   }
   const bool isKept = internals.PlaneNormals &&
-    internals.NormalsNeighbors == source.NumberOfNeighbors &&
+    internals.NormalsNeighbors == this->NumberOfNeighbors &&
     internals.NormalsMesh == mesh.GetBuildTime();
   if (!isKept)
   {
-    dgg::Status status = vtkDGGCheckMemory("finding normals", BytesPerNormal * points,
-      this->MemoryLimit, "use fewer points, or turn EstimateNormals off");
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(vtkDGGCheckMemory("finding normals", BytesPerNormal * points,
+      this->MemoryLimit, "use fewer points, or turn EstimateNormals off"));
     auto found = std::make_shared<std::vector<double>>();
-    status = vtkDGGEstimateNormals(
-      mesh.GetPositions(), points, source.NumberOfNeighbors,
-      [this](double fraction) { return this->Advance(NormalsShare * fraction); }, *found);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(vtkDGGEstimateNormals(
+      mesh.GetPositions(), points, this->NumberOfNeighbors,
+      [this](double fraction) { return this->Advance(NormalsShare * fraction); }, *found));
     internals.PlaneNormals = found;
-    internals.NormalsNeighbors = source.NumberOfNeighbors;
+    internals.NormalsNeighbors = this->NumberOfNeighbors;
     internals.NormalsMesh = mesh.GetBuildTime();
     done = NormalsShare;
   }
@@ -192,12 +163,8 @@ dgg::Status vtkPointCloudDGG::Build(dgg::CloudGraphOptions options, double done)
   options.Parallel = vtkDGGMakeParallelFor(options.Progress);
   dgg::CloudGraph result;
   vtkInternals::Findings findings;
-  const dgg::Status status =
-    dgg::CloudGraphBuilder(mesh.GetPositions(), n).Build(options, result, &findings.Statistics);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(
+    dgg::CloudGraphBuilder(mesh.GetPositions(), n).Build(options, result, &findings.Statistics));
   result.Graph.Info.Surface = mesh.GetSignature();
   internals.Built.Adopt(result.Graph, result.Radii, result.VoxelSize, mesh);
   internals.BuiltBy = key;
@@ -206,7 +173,7 @@ dgg::Status vtkPointCloudDGG::Build(dgg::CloudGraphOptions options, double done)
   findings.Graph = vtkDGGGraphSummary(internals.Built.GetView());
   internals.BuiltFindings = findings;
   internals.BuildTime.Modified();
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -77,24 +77,22 @@ dgg::Status vtkDGGDistribution::Read(const vtkDGGMassOrigin& origin, vtkPolyData
     return dgg::Status::Invalid("there is nothing to move " + origin.Name + ": call " +
       origin.Setter + " with the name of a point array, or connect points to " + port.str());
   }
-  dgg::Status status;
   this->Values.clear();
+  this->Masses.clear();
   if (!origin.Array.empty())
   {
-    status = ReadArray(surface, origin.Array, "the surface", origin.Setter, this->Values);
+    DGG_RETURN_IF_ERROR(
+      ReadArray(surface, origin.Array, "the surface", origin.Setter, this->Values));
   }
-  this->Masses.clear();
-  if (status.IsOk() && HasPoints(origin))
+  if (!HasPoints(origin))
   {
-    status = vtkDGGSourceCollector::Check(GetSet(origin), surface->GetNumberOfPoints());
-    this->Masses.assign(static_cast<std::size_t>(origin.Points->GetNumberOfPoints()), 1.0);
-    if (status.IsOk() && !origin.MassArray.empty())
-    {
-      status =
-        ReadArray(origin.Points, origin.MassArray, port.str(), "SetMassArrayName()", this->Masses);
-    }
+    return dgg::Status::Success();
   }
-  return status;
+  DGG_RETURN_IF_ERROR(vtkDGGSourceCollector::Check(GetSet(origin), surface->GetNumberOfPoints()));
+  this->Masses.assign(static_cast<std::size_t>(origin.Points->GetNumberOfPoints()), 1.0);
+  return origin.MassArray.empty()
+    ? dgg::Status::Success()
+    : ReadArray(origin.Points, origin.MassArray, port.str(), "SetMassArrayName()", this->Masses);
 }
 
 //------------------------------------------------------------------------------
@@ -130,10 +128,10 @@ dgg::Status vtkDGGDistribution::Integrate(const vtkDGGMeshAdapter& mesh,
       masses[v] = this->Values[i] * (*areas)[v];
     }
   }
-  dgg::Status status;
-  for (std::size_t i = 0; i < this->Places.size() && status.IsOk(); ++i)
+  for (std::size_t i = 0; i < this->Places.size(); ++i)
   {
-    status = dgg::AddPointMass(mesh.GetMesh(), this->Places[i], this->Masses[i], masses);
+    DGG_RETURN_IF_ERROR(
+      dgg::AddPointMass(mesh.GetMesh(), this->Places[i], this->Masses[i], masses));
   }
-  return status;
+  return dgg::Status::Success();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHarmonicBSpline.h"
 
+#include "vtkDGGMakeArray.h"
 #include "vtkDGGMeshAdapter.h"
 #include "vtkDGGParallel.h"
 #include "vtkDGGProperties.h"
@@ -16,7 +17,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -160,34 +160,29 @@ public:
     const std::string& cellName, const dgg::ProgressCallback& progress)
   {
     const dgg::ParallelFor parallel = vtkDGGMakeParallelFor(progress);
-    dgg::Status status =
-      this->Splines.Prepare(sites, parallel, dgg::ProgressPart(progress, 0.0, CellsDone));
-    if (status.IsOk() && isSmooth)
+    DGG_RETURN_IF_ERROR(
+      this->Splines.Prepare(sites, parallel, dgg::ProgressPart(progress, 0.0, CellsDone)));
+    if (isSmooth)
     {
-      status = this->Splines.Evaluate(this->Task.Targets, dgg::GreensMethod::SingularitySubtraction,
-        parallel, dgg::ProgressPart(progress, CellsDone, EvaluationDone), this->Evaluated);
+      DGG_RETURN_IF_ERROR(
+        this->Splines.Evaluate(this->Task.Targets, dgg::GreensMethod::SingularitySubtraction,
+          parallel, dgg::ProgressPart(progress, CellsDone, EvaluationDone), this->Evaluated));
     }
-    if (status.IsOk())
+    DGG_RETURN_IF_ERROR(this->Splines.FindBasis(parallel,
+      dgg::ProgressPart(progress, isSmooth ? EvaluationDone : CellsDone, BasisDone),
+      [this](dgg::Id site, const std::vector<double>& values) {
+        this->Task.Outputs.Set(static_cast<std::size_t>(site), values,
+          this->Evaluated.empty() ? Interpolate(this->Mesh, this->Task.Targets, values)
+                                  : this->EvaluatedOf(static_cast<std::size_t>(site)));
+      }));
+    const std::vector<dgg::Id>& cells = this->Splines.GetCells();
+    std::vector<dgg::Id> targetCells;
+    for (const dgg::SurfacePoint& target : this->Task.Targets)
     {
-      status = this->Splines.FindBasis(parallel,
-        dgg::ProgressPart(progress, isSmooth ? EvaluationDone : CellsDone, BasisDone),
-        [this](dgg::Id site, const std::vector<double>& values) {
-          this->Task.Outputs.Set(static_cast<std::size_t>(site), values,
-            this->Evaluated.empty() ? Interpolate(this->Mesh, this->Task.Targets, values)
-                                    : this->EvaluatedOf(static_cast<std::size_t>(site)));
-        });
+      targetCells.push_back(cells[FindNearestCorner(this->Task.Solver, target)]);
     }
-    if (status.IsOk())
-    {
-      const std::vector<dgg::Id>& cells = this->Splines.GetCells();
-      std::vector<dgg::Id> targetCells;
-      for (const dgg::SurfacePoint& target : this->Task.Targets)
-      {
-        targetCells.push_back(cells[FindNearestCorner(this->Task.Solver, target)]);
-      }
-      this->Task.Outputs.Add<vtkIdTypeArray>(cellName, cells, targetCells);
-    }
-    return status;
+    this->Task.Outputs.Add<vtkIdTypeArray>(cellName, cells, targetCells);
+    return dgg::Status::Success();
   }
 
   /// The solution for the sources of an array.
@@ -197,18 +192,10 @@ public:
     std::vector<double> numbers;
     std::vector<double> coefficients;
     std::vector<double> solution;
-    dgg::Status status = ReadArray(this->Task.Surface, sourceName, numbers);
-    if (status.IsOk())
-    {
-      const std::vector<double> sources =
-        Integrate(adapter, this->Task.Solver, numbers, isDensity, imbalance);
-      status = this->Splines.Solve(sources, {}, coefficients);
-    }
-    status = status.IsOk() ? this->Splines.Combine(coefficients, {}, solution) : status;
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(ReadArray(this->Task.Surface, sourceName, numbers));
+    DGG_RETURN_IF_ERROR(this->Splines.Solve(
+      Integrate(adapter, this->Task.Solver, numbers, isDensity, imbalance), {}, coefficients));
+    DGG_RETURN_IF_ERROR(this->Splines.Combine(coefficients, {}, solution));
     std::vector<double> atTargets = Interpolate(this->Mesh, this->Task.Targets, solution);
     if (!this->Evaluated.empty())
     {
@@ -223,7 +210,7 @@ public:
       }
     }
     this->Task.Outputs.Add<vtkDoubleArray>(solutionName, solution, atTargets);
-    return status;
+    return dgg::Status::Success();
   }
 
 private:
@@ -306,22 +293,22 @@ int vtkHarmonicBSpline::RequestData(
 //------------------------------------------------------------------------------
 dgg::Status vtkHarmonicBSpline::CheckProperties() const
 {
-  const dgg::Status status = this->Superclass::CheckProperties();
+  DGG_RETURN_IF_ERROR(this->Superclass::CheckProperties());
   const std::string result = this->GetResultArrayName();
   const std::string& cell = this->CellArrayName;
   const std::string& solution = this->SolutionArrayName;
-  if (status.IsOk() && (cell.empty() || solution.empty()))
+  if (cell.empty() || solution.empty())
   {
     return dgg::Status::Invalid(
       "CellArrayName or SolutionArrayName is empty: call SetCellArrayName() and "
       "SetSolutionArrayName() with a name");
   }
-  if (status.IsOk() && (result == cell || result == solution || cell == solution))
+  if (result == cell || result == solution || cell == solution)
   {
     return dgg::Status::Invalid("ResultArrayName '" + result + "', CellArrayName '" + cell +
       "' and SolutionArrayName '" + solution + "' must be different: change one of them");
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -331,14 +318,10 @@ void vtkHarmonicBSpline::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVec
   for (int port = 0; port < 2; ++port)
   {
     vtkPointData* data = vtkPolyData::GetData(outputVector, port)->GetPointData();
-    vtkNew<vtkIdTypeArray> cells;
-    cells->SetName(this->CellArrayName.c_str());
-    data->AddArray(cells);
+    vtkDGGAddArray<vtkIdTypeArray>(data, this->CellArrayName, 0);
     if (!this->RightHandSideArrayName.empty())
     {
-      vtkNew<vtkDoubleArray> solution;
-      solution->SetName(this->SolutionArrayName.c_str());
-      data->AddArray(solution);
+      vtkDGGAddArray<vtkDoubleArray>(data, this->SolutionArrayName, 0);
     }
   }
 }
@@ -347,11 +330,11 @@ void vtkHarmonicBSpline::MakeEmptyOutput(vtkPolyData* surface, vtkInformationVec
 dgg::Status vtkHarmonicBSpline::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
-  const dgg::Status status = this->Superclass::CheckInputs(surface, inputVector);
+  DGG_RETURN_IF_ERROR(this->Superclass::CheckInputs(surface, inputVector));
   std::vector<double> values;
-  return status.IsOk() && !this->RightHandSideArrayName.empty()
-    ? ReadArray(surface, this->RightHandSideArrayName, values)
-    : status;
+  return this->RightHandSideArrayName.empty()
+    ? dgg::Status::Success()
+    : ReadArray(surface, this->RightHandSideArrayName, values);
 }
 
 //------------------------------------------------------------------------------
@@ -415,21 +398,21 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(vtkDGGSpectralTask& task)
       "values are given at all points: there is no place for a site, use Neumann conditions");
   }
   Run run(task);
-  dgg::Status status = run.FindBasis(sites, isSmooth, this->CellArrayName, task.Progress);
+  DGG_RETURN_IF_ERROR(run.FindBasis(sites, isSmooth, this->CellArrayName, task.Progress));
   double imbalance = 0.0;
-  if (status.IsOk() && !this->RightHandSideArrayName.empty())
+  if (!this->RightHandSideArrayName.empty())
   {
-    status = run.FindSolution(
-      this->RightHandSideArrayName, isDensity, this->SolutionArrayName, this->GetMesh(), imbalance);
+    DGG_RETURN_IF_ERROR(run.FindSolution(this->RightHandSideArrayName, isDensity,
+      this->SolutionArrayName, this->GetMesh(), imbalance));
   }
-  if (status.IsOk() && imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
+  if (imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
   {
     vtkWarningMacro(<< "the sources in a part of the surface sum to a fraction of " << imbalance
                     << " of their sizes, with nothing given that this could flow to: they were "
                        "balanced in proportion to area. Make their sum 0.");
   }
   const auto components = static_cast<std::size_t>(dgg::CountSplineComponents(task.Solver));
-  if (status.IsOk() && components > 1 && sites.size() == components &&
+  if (components > 1 && sites.size() == components &&
     task.Solver.GetOptions().Boundary == dgg::PoissonBoundary::Neumann)
   {
     vtkWarningMacro(
@@ -437,13 +420,7 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(vtkDGGSpectralTask& task)
       << " components, each with a single site, whose function is 1 all over it: use "
          "more sites (SetNumberOfSites()), or one component (vtkConnectivityFilter).");
   }
-  if (status.IsOk() && !task.Progress(1.0))
-  {
-    status = dgg::Status::Abort();
-  }
-  if (status.IsOk())
-  {
-    this->UsedSites.assign(sites.begin(), sites.end());
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, 1.0));
+  this->UsedSites.assign(sites.begin(), sites.end());
+  return dgg::Status::Success();
 }

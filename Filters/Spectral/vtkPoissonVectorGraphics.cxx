@@ -39,13 +39,6 @@ constexpr double JoinedAt = 0.15;
 constexpr double EmbeddedAt = 0.22;
 constexpr double RefinedAt = 0.3;
 
-dgg::Status NameCurve(const dgg::Status& status, const dgg::GraphicsCurve& curve)
-{
-  return status.IsOk() || status.IsAborted()
-    ? status
-    : dgg::Status::Invalid(curve.Name + ": " + status.GetMessage());
-}
-
 /// What a factorization depends on.
 struct Drawing
 {
@@ -117,33 +110,26 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const dgg::SurfaceMesh&
   const std::string& remedy, const dgg::ProgressCallback& progress)
 {
   const std::size_t count = drawing.Curves.size();
-  dgg::Status status =
-    vtkDGGCheckMemory("the refined mesh", EstimateMesh(mesh, drawing), memoryLimit, remedy);
+  DGG_RETURN_IF_ERROR(
+    vtkDGGCheckMemory("the refined mesh", EstimateMesh(mesh, drawing), memoryLimit, remedy));
   std::vector<dgg::SurfaceCurve> joined(count);
-  for (std::size_t k = 0; k < count && status.IsOk(); ++k)
+  for (std::size_t k = 0; k < count; ++k)
   {
     const double part = JoinedAt / static_cast<double>(count);
     const double begin = static_cast<double>(k) * part;
-    status = NameCurve(dgg::JoinPoints(mesh, drawing.Places[k], drawing.Curves[k].IsClosed,
-                         dgg::ProgressPart(progress, begin, begin + part), joined[k]),
-      drawing.Curves[k]);
+    DGG_RETURN_IF_ERROR(dgg::JoinPoints(mesh, drawing.Places[k], drawing.Curves[k].IsClosed,
+      dgg::ProgressPart(progress, begin, begin + part), joined[k])
+                          .Of(drawing.Curves[k].Name));
   }
   dgg::RefinedSurface refined;
-  if (status.IsOk())
-  {
-    status =
-      dgg::EmbedCurves(mesh, joined, dgg::ProgressPart(progress, JoinedAt, EmbeddedAt), refined);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(
+    dgg::EmbedCurves(mesh, joined, dgg::ProgressPart(progress, JoinedAt, EmbeddedAt), refined));
   dgg::GraphicsRefinement refinement = drawing.Refinement;
   refinement.MostFaces = static_cast<dgg::Offset>(std::min(
     static_cast<double>(vtkDGGGetMemoryLimit(memoryLimit)) / dgg::VectorGraphics::BytesPerFace,
     static_cast<double>(refinement.MostFaces)));
   refinement.Progress = dgg::ProgressPart(progress, EmbeddedAt, RefinedAt);
-  status = dgg::RefineForGraphics(mesh, refinement, refined, &this->RefinedFaces);
+  const dgg::Status status = dgg::RefineForGraphics(mesh, refinement, refined, &this->RefinedFaces);
   if (!status.IsOk())
   {
     return status.IsAborted() ? status
@@ -299,9 +285,8 @@ dgg::Status vtkPoissonVectorGraphics::CheckProperties() const
     return dgg::Status::Invalid("ResultArrayName is '" + this->ResultArrayName +
       "', which another array of the output has: call SetResultArrayName() with another name");
   }
-  const dgg::Status status = vtkDGGCheckLength("Width", this->Width);
-  return status.IsOk() ? vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance)
-                       : status;
+  DGG_RETURN_IF_ERROR(vtkDGGCheckLength("Width", this->Width));
+  return vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
 }
 
 //------------------------------------------------------------------------------
@@ -311,15 +296,14 @@ dgg::Status vtkPoissonVectorGraphics::CheckInputs(
   vtkDGGGraphicsNames names = this->Internals->Names;
   names.DefaultWidth = 1.0; // found when the mesh is
   vtkDGGGraphicsInput input;
-  const dgg::Status status = input.Read(vtkPolyData::GetData(inputVector[1]), surface, names);
-  if (status.IsOk() && input.GetCurves().empty() && names.Region.empty())
+  DGG_RETURN_IF_ERROR(input.Read(vtkPolyData::GetData(inputVector[1]), surface, names));
+  if (input.GetCurves().empty() && names.Region.empty())
   {
     return dgg::Status::Invalid("there is nothing to draw: connect lines to input port 1 with "
                                 "SetCurveData(), or call SetRegionArrayName()");
   }
-  return status.IsOk() && this->RefinementRegion == Cells
-    ? vtkDGGGraphicsInput::CheckRefinement(surface, names)
-    : status;
+  return this->RefinementRegion == Cells ? vtkDGGGraphicsInput::CheckRefinement(surface, names)
+                                         : dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -342,33 +326,26 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
     std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
   names.DefaultWidth = this->Width > 0.0 ? this->Width : UsualWidth * diagonal;
   vtkDGGGraphicsInput input;
-  dgg::Status status = input.Read(lines, surface, names);
+  DGG_RETURN_IF_ERROR(input.Read(lines, surface, names));
   const std::vector<dgg::GraphicsCurve>& curves = input.GetCurves();
   Drawing drawing;
   drawing.MeshTime = adapter.GetBuildTime();
   drawing.Curves = curves;
   drawing.Places.resize(curves.size());
   static const std::vector<vtkIdType> none;
-  for (std::size_t k = 0; k < curves.size() && status.IsOk(); ++k)
+  for (std::size_t k = 0; k < curves.size(); ++k)
   {
     vtkDGGSourceSet set{ none, lines, 1, "curve point", "call SetCurveData()", "" };
     set.PointIds = &input.GetPointIds()[k];
-    status = vtkDGGSourceCollector::Check(set, surface->GetNumberOfPoints());
+    DGG_RETURN_IF_ERROR(vtkDGGSourceCollector::Check(set, surface->GetNumberOfPoints()));
     std::vector<dgg::GeodesicSource> found;
-    if (status.IsOk())
-    {
-      status = internals.Collector.Collect(
-        set, this->ProjectionTolerance, adapter, surface->GetPoints(), found);
-    }
+    DGG_RETURN_IF_ERROR(internals.Collector.Collect(
+      set, this->ProjectionTolerance, adapter, surface->GetPoints(), found));
     drawing.Places[k] = vtkDGGGetPlaces(found);
-  }
-  if (!status.IsOk())
-  {
-    return status;
   }
 
   vtkDGGGraphicsOutput output(this->ResultArrayName);
-  status = output.Take(surface, adapter, this->GetOutputPointsPrecision());
+  DGG_RETURN_IF_ERROR(output.Take(surface, adapter, this->GetOutputPointsPrecision()));
   const dgg::RefinedPart parts[] = { dgg::RefinedPart::Everything, dgg::RefinedPart::AroundCurves,
     dgg::RefinedPart::Faces };
   drawing.Refinement.Levels = this->RefinementLevel;
@@ -382,11 +359,10 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   options.NumberOfChannels = input.GetNumberOfChannels();
   options.Background.assign(this->BackgroundColor, this->BackgroundColor + 3);
   options.Background.resize(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
-  if (status.IsOk() &&
-    !std::all_of(options.Background.begin(), options.Background.end(),
-      [](double x) { return std::isfinite(x); }))
+  if (!std::all_of(options.Background.begin(), options.Background.end(),
+        [](double x) { return std::isfinite(x); }))
   {
-    status = dgg::Status::Invalid("the background has numbers that are not finite");
+    return dgg::Status::Invalid("the background has numbers that are not finite");
   }
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.CheckMemory = [&](double bytes, double missing) {
@@ -398,45 +374,36 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   };
   const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(adapter);
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
-  if (status.IsOk() && !progress(0.0))
-  {
-    status = dgg::Status::Abort();
-  }
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(progress, 0.0));
   const bool isKept = internals.IsKept && internals.Kept.IsSame(drawing);
   const double preparedAt = isKept ? FoundAt : FactorizedAt;
-  if (status.IsOk() && !isKept)
+  if (!isKept)
   {
-    status = internals.Prepare(adapter.GetMesh(), drawing, options, this->MemoryLimit,
-      this->GetMemoryRemedy(), dgg::ProgressPart(progress, 0.0, preparedAt));
+    DGG_RETURN_IF_ERROR(internals.Prepare(adapter.GetMesh(), drawing, options, this->MemoryLimit,
+      this->GetMemoryRemedy(), dgg::ProgressPart(progress, 0.0, preparedAt)));
   }
   dgg::GraphicsResult result;
-  if (status.IsOk())
-  {
-    options.Progress = dgg::ProgressPart(progress, preparedAt, 1.0);
-    status = internals.Graphics.Run(curves, regions, options, result);
-  }
+  options.Progress = dgg::ProgressPart(progress, preparedAt, 1.0);
+  DGG_RETURN_IF_ERROR(internals.Graphics.Run(curves, regions, options, result));
   const dgg::CutSurface& cut = internals.Graphics.GetSurface();
   const int channels = options.NumberOfChannels;
-  if (status.IsOk() && this->GenerateFragments)
+  if (this->GenerateFragments)
   {
     // Here and as arrays.
     const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
     const double count = static_cast<double>(internals.RefinedFaces.size()) *
       std::pow(static_cast<double>(this->FragmentDivision), 2);
-    status = vtkDGGCheckMemory("fragments", count * bytes, this->MemoryLimit,
-      "use a smaller FragmentDivision, or refine NearCurves only");
+    DGG_RETURN_IF_ERROR(vtkDGGCheckMemory("fragments", count * bytes, this->MemoryLimit,
+      "use a smaller FragmentDivision, or refine NearCurves only"));
   }
-  if (status.IsOk())
-  {
-    output.Fill(cut, result, channels, vtkPolyData::GetData(outputVector));
-  }
-  if (status.IsOk() && this->GenerateFragments)
+  output.Fill(cut, result, channels, vtkPolyData::GetData(outputVector));
+  if (this->GenerateFragments)
   {
     output.FillFragments(dgg::MakeFragments(adapter.GetMesh(), cut, internals.RefinedFaces,
                            result.Values, channels, this->FragmentDivision),
       channels, vtkPolyData::GetData(outputVector, 1));
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

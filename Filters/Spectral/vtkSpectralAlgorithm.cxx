@@ -259,11 +259,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
     mesh, numberOfPoints, targets.size(), sources.size(), this->ResultArrayName);
   vtkDGGSpectralTask task{ keeper.GetSolver(), surface, mesh.GetBuildTime(), sources, targets,
     std::max(0.0, left), dgg::ProgressPart(progress, chosen, 1.0), outputs };
-  status = this->ComputeValues(task);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->ComputeValues(task));
   AddResult(vtkPolyData::GetData(outputVector, 0), surface, outputs.GetPointArray(),
     outputs.GetFurtherArrays(0));
   vtkNew<vtkPolyData> none;

@@ -227,22 +227,17 @@ int vtkSurfaceEarthMoversDistance::RequestData(
 //------------------------------------------------------------------------------
 dgg::Status vtkSurfaceEarthMoversDistance::CheckProperties() const
 {
-  const dgg::Status status = vtkDGGCheckLength("Tolerance", this->Tolerance);
-  return status.IsOk() ? vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance)
-                       : status;
+  DGG_RETURN_IF_ERROR(vtkDGGCheckLength("Tolerance", this->Tolerance));
+  return vtkDGGCheckLength("ProjectionTolerance", this->ProjectionTolerance);
 }
 
 //------------------------------------------------------------------------------
 dgg::Status vtkSurfaceEarthMoversDistance::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
-  dgg::Status status;
   vtkDGGDistribution distribution;
-  for (int k = 0; k < 2 && status.IsOk(); ++k)
-  {
-    status = distribution.Read(this->GetOrigin(k, inputVector), surface);
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(distribution.Read(this->GetOrigin(0, inputVector), surface));
+  return distribution.Read(this->GetOrigin(1, inputVector), surface);
 }
 
 //------------------------------------------------------------------------------
@@ -269,20 +264,12 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   const vtkDGGMeshAdapter& mesh = this->GetMesh();
   vtkDGGPoissonKeeper& keeper = this->Internals->Keeper;
   vtkDGGDistribution distributions[2];
-  dgg::Status status;
-  for (int k = 0; k < 2 && status.IsOk(); ++k)
+  for (int k = 0; k < 2; ++k)
   {
     const vtkDGGMassOrigin origin = this->GetOrigin(k, inputVector);
-    status = distributions[k].Read(origin, surface);
-    if (status.IsOk())
-    {
-      status = distributions[k].Collect(
-        origin, this->ProjectionTolerance, mesh, surface, this->Internals->Collector);
-    }
-  }
-  if (!status.IsOk())
-  {
-    return status;
+    DGG_RETURN_IF_ERROR(distributions[k].Read(origin, surface));
+    DGG_RETURN_IF_ERROR(distributions[k].Collect(
+      origin, this->ProjectionTolerance, mesh, surface, this->Internals->Collector));
   }
   dgg::PoissonOptions poisson;
   poisson.IntrinsicDelaunay = this->IntrinsicDelaunay;
@@ -295,36 +282,24 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   const auto others = [&](const dgg::PoissonSolver& solver) {
     return SearchPart * solver.GetEstimatedMemory();
   };
-  status = this->Advance(0.0)
-    ? keeper.Prepare(mesh, poisson, others, this->MemoryLimit, this->GetMemoryRemedy(),
-        dgg::ProgressPart(progress, 0.0, prepared))
-    : dgg::Status::Abort();
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(progress, 0.0));
+  DGG_RETURN_IF_ERROR(keeper.Prepare(mesh, poisson, others, this->MemoryLimit,
+    this->GetMemoryRemedy(), dgg::ProgressPart(progress, 0.0, prepared)));
   const std::vector<double>* areas =
-    status.IsOk() && this->ArrayMeaning == Density ? &keeper.GetSolver().GetAreas() : nullptr;
+    this->ArrayMeaning == Density ? &keeper.GetSolver().GetAreas() : nullptr;
   std::vector<double> masses[2];
-  for (int k = 0; k < 2 && status.IsOk(); ++k)
+  for (int k = 0; k < 2; ++k)
   {
-    status = distributions[k].Integrate(mesh, areas, masses[k]);
+    DGG_RETURN_IF_ERROR(distributions[k].Integrate(mesh, areas, masses[k]));
   }
   double total = 1.0;
-  if (status.IsOk())
-  {
-    status = dgg::BalanceMasses(mesh.GetMesh(), this->Normalize, masses[0], masses[1], total);
-  }
+  DGG_RETURN_IF_ERROR(
+    dgg::BalanceMasses(mesh.GetMesh(), this->Normalize, masses[0], masses[1], total));
   dgg::EarthMoversResult result;
-  if (status.IsOk())
-  {
-    options.Progress = dgg::ProgressPart(progress, prepared, 1.0);
-    status = dgg::EarthMovers(keeper.GetSolver()).Run(masses[0], masses[1], options, result);
-  }
-  if (status.IsOk() && !progress(1.0))
-  {
-    status = dgg::Status::Abort();
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  options.Progress = dgg::ProgressPart(progress, prepared, 1.0);
+  DGG_RETURN_IF_ERROR(
+    dgg::EarthMovers(keeper.GetSolver()).Run(masses[0], masses[1], options, result));
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(progress, 1.0));
   this->NumberOfIterations = result.Iterations;
   this->SetResults(vtkPolyData::GetData(outputVector), surface, total, result);
   if (options.MostIterations > 0 &&
@@ -335,7 +310,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
       << " %, after " << result.Iterations << " iterations: raise MaximumNumberOfIterations or "
       << "Tolerance, or make better triangles.");
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
